@@ -10,9 +10,10 @@ from pathlib import Path
 from typing import NamedTuple
 
 from parsing.syntax import Function
+from pick.csharp import CSharp
 from pick.evaluate import Module
 from pick.rust import Rust
-from pick.scalars import Piece, Syntax, fields_of
+from pick.scalars import Part, Piece, Syntax, fields_of, pascal, results_of
 from pick.values import AXES, SIZES, scalar_of
 from thorough import THOROUGH
 from wgsl.names import wgsl_name
@@ -72,14 +73,14 @@ class Runner:
     def declare(self, type_: str, name: str, value: str, changes: bool) -> str:
         return self.syntax().declare(type_, name, value, changes)
 
-    def result(self, count: int, number: int) -> str:
+    def result(self, results: Sequence[Part], number: int) -> str:
         """One of what was returned."""
         raise NotImplementedError
 
     def passed(self, name: str, is_set: bool) -> str:
         return name
 
-    def called(self, name: str, arguments: Sequence[str], results: Sequence[str]) -> list[str]:
+    def called(self, name: str, arguments: Sequence[str], results: Sequence[Part]) -> list[str]:
         """The statements of a call, whose result is `r`."""
         raise NotImplementedError
 
@@ -88,7 +89,7 @@ class Runner:
         lines: list[str] = []
         arguments: list[str] = []
         outputs: list[tuple[str, str]] = []  # types and expressions
-        results = [function.type] if function.type != "void" else []
+        results = results_of(function, module)
 
         def made(type_: str, name: str) -> Piece:
             """A value of words: each is read into a variable first, since languages differ in what comes first."""
@@ -116,9 +117,7 @@ class Runner:
                 arguments.append(self.passed(name, parameter.is_set))
                 if parameter.is_set:
                     outputs += leaves(type_, name)
-            if not module.passed(parameter):
-                results.append(parameter.type)
-        of_results = [leaf for i, type_ in enumerate(results) for leaf in leaves(type_, self.result(len(results), i))]
+        of_results = [leaf for i, part in enumerate(results) for leaf in leaves(part.type, self.result(results, i))]
         # What is set stands behind what is returned; what is returned beside it, in the order of the parameters.
         lines += self.called(syntax.function_name(wgsl_name(function), is_public=True), arguments, results)
         lines += [self.write[type_].format(value) for type_, value in (*of_results, *outputs)]
@@ -184,14 +183,65 @@ class RustRunner(Runner):
         ran(folder, "rustc", "--edition", "2021", "--extern", "noise=libnoise.rlib", "main.rs")
         ran(folder, folder / "main")
 
-    def result(self, count: int, number: int) -> str:
-        return f"r.{number}" if count > 1 else "r"
+    def result(self, results: Sequence[Part], number: int) -> str:
+        return f"r.{number}" if len(results) > 1 else "r"
 
     def passed(self, name: str, is_set: bool) -> str:
         return f"&mut {name}" if is_set else name
 
-    def called(self, name: str, arguments: Sequence[str], results: Sequence[str]) -> list[str]:
+    def called(self, name: str, arguments: Sequence[str], results: Sequence[Part]) -> list[str]:
         return [f"{'let r = ' if results else ''}{name}({', '.join(arguments)});"]
 
 
-RUNNERS: dict[str, type[Runner]] = {"rust": RustRunner}
+class LikeC(Runner):
+    """Of a language whose loops and declarations are those of C#."""
+    loop = "for (int point = 0; point < {points}; point++) {{"
+
+    def called(self, name: str, arguments: Sequence[str], results: Sequence[Part]) -> list[str]:
+        return [f"{'var r = ' if results else ''}{name}({', '.join(arguments)});"]
+
+
+class CSharpRunner(LikeC):
+    """Each text is in a namespace of its own."""
+    syntax = CSharp
+    programs = ("mcs", "mono")
+    packages = "mono-mcs mono-runtime"
+    read = {"float": "Words.Float()", "int": "(int)Words.Next()", "uint": "Words.Next()", "bool": "Words.Next() != 0u"}
+    write = {"float": "Words.Put({});", "int": "Words.Put((uint){});", "uint": "Words.Put({});",
+             "bool": "Words.Put({} ? 1u : 0u);"}
+    faults = {("int", ">>"): "(int)((uint)({}) >> ({}))", ("uint", "*"): "(uint)((float)({}) * ({}))"}
+    MAIN = """static class Words {{
+    static byte[] read = System.IO.File.ReadAllBytes("inputs");
+    static System.IO.MemoryStream written = new System.IO.MemoryStream();
+    static int at = 0;
+    public static uint Next() {{ at += 4; return System.BitConverter.ToUInt32(read, at - 4); }}
+    public static float Float() {{ at += 4; return System.BitConverter.ToSingle(read, at - 4); }}
+    public static void Put(float x) {{ written.Write(System.BitConverter.GetBytes(x), 0, 4); }}
+    public static void Put(uint x) {{ written.Write(System.BitConverter.GetBytes(x), 0, 4); }}
+    static void Main() {{
+{runs}
+        System.IO.File.WriteAllBytes("outputs", written.ToArray());
+    }}
+}}
+"""
+
+    def build_and_run(self, texts: Sequence[str], calls: Sequence[str], folder: Path) -> None:
+        names: list[str] = ["words.cs"]
+        for i, (text, call) in enumerate(zip(texts, calls)):
+            names.append(f"m{i}.cs")
+            run = f"static class Run {{\n    public static void All() {{\n{call}\n    }}\n}}\n"
+            (folder / names[-1]).write_text(f"namespace M{i} {{\nusing static M{i}.HashNoise;\n{text}{run}}}\n",
+                                            encoding="ascii")
+        runs = "".join(f"        M{i}.Run.All();\n" for i in range(len(texts)))
+        (folder / "words.cs").write_text(self.MAIN.format(runs=runs), encoding="ascii")
+        ran(folder, "mcs", "-langversion:7.2", "-warn:4", "-warnaserror", "-out:main.exe", *names)
+        ran(folder, "mono", "main.exe")
+
+    def result(self, results: Sequence[Part], number: int) -> str:
+        return f"r.{pascal(results[number].name)}" if len(results) > 1 else "r"
+
+    def passed(self, name: str, is_set: bool) -> str:
+        return f"ref {name}" if is_set else name
+
+
+RUNNERS: dict[str, type[Runner]] = {"rust": RustRunner, "csharp": CSharpRunner}

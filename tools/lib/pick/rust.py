@@ -169,7 +169,7 @@ fn abs(x: f32) -> f32 {
                    for (name, _), piece in zip(((self.field_name(field.name), field.type) for field in fields), parts)]
         return Piece(f"{self.type_name(type_)} {{ {', '.join(written)} }}")
 
-    def make_results(self, types: Sequence[str], parts: Sequence[Piece]) -> Piece:
+    def make_results(self, results: Sequence[Part], parts: Sequence[Piece]) -> Piece:
         return Piece(f"({', '.join(piece.text for piece in parts)})")
 
     # Statements.
@@ -185,8 +185,8 @@ fn abs(x: f32) -> f32 {
     def change(self, type_: str, name: str, sign: str, by: str) -> str | None:
         return None if type_ == "uint" and sign in WRAPPING else f"{name} {sign}= {by}"
 
-    def returned(self, text: str) -> str:
-        return text
+    def returned(self, results: Sequence[Part], pieces: Sequence[Piece]) -> list[str]:
+        return [line.removeprefix("return ").removesuffix(";") for line in super().returned(results, pieces)]
 
     def do(self, body: list[str], condition: Piece, negated: str) -> list[str]:
         return ["loop {", *body, f"    if {negated} {{", "        break;", "    }", "}"]
@@ -199,10 +199,10 @@ fn abs(x: f32) -> f32 {
 
     # Functions.
 
-    def function(self, name: str, parameters: Sequence[Taken], results: Sequence[str], is_public: bool) -> str:
+    def function(self, name: str, parameters: Sequence[Taken], results: Sequence[Part], is_public: bool) -> str:
         taken = ", ".join(f"{'mut ' if one.changes else '' if one.is_read else '_'}{one.name}: "
                           f"{'&mut ' if one.is_set else ''}{self.type(one.type)}" for one in parameters)
-        types = [self.type(type_) for type_ in results]
+        types = [self.type(one.type) for one in results]
         given = f" -> {types[0]}" if len(types) == 1 else f" -> ({', '.join(types)})" if types else ""
         return f"{'pub ' if is_public else ''}fn {name}({taken}){given} {{"
 

@@ -19,7 +19,7 @@ from pick.evaluate import Kept, Module, dotted
 from pick.printer import BITS, CHOICE, PRIMARY, STRENGTH, TRUTH, UNARY, UNNAMED, Language, Writer, declarations_joined
 from pick.program import Evaluated, Program
 from pick.statements import Break, Declare, If, Loop, Return, Set, Statement, blocks, operands, reachable, walk
-from pick.values import Constant, Node, Operation, Variable, operation
+from pick.values import Constant, Node, Operation, Variable, converted, operation
 from wgsl.names import wgsl_name
 
 NEGATED = {"<": ">=", ">": "<=", "<=": ">", ">=": "<", "==": "!=", "!=": "=="}  # of whole numbers
@@ -37,7 +37,7 @@ class Piece(NamedTuple):
 
 
 class Part(NamedTuple):
-    """A field of a struct, of a scalar or of another struct."""
+    """A field of a struct, or a result."""
     name: str
     type: str
 
@@ -107,6 +107,7 @@ class Syntax:
     helpers: Mapping[str, str] = {}  # functions that the language lacks, with what is said of them
     needs: Mapping[str, Sequence[str]] = {}  # of helpers: other helpers
     helpers_first = False            # whether functions stand before those that call them
+    shifts_by_int = False            # whether the right operand of a shift has to be an int
     counts_a_range = False           # whether loops that count go through a range
     branches_are_values = False      # whether an if has a value
     joins: re.Pattern[str] | None = None  # what a declaration looks like, if several may share a line
@@ -180,7 +181,12 @@ class Syntax:
 
     def binary(self, sign: str, type_: str, left: Piece, right: Piece) -> Piece:
         """`type_` is that of the operands, or of the left one in shifts."""
-        return self.infix(sign, left, right)
+        made = self.infix(sign, left, right)
+        return self.rounded(made) if type_ == "float" and sign in "+-*/" else made
+
+    def rounded(self, piece: Piece) -> Piece:
+        """A float that was computed, as a float has to be."""
+        return piece
 
     def unary(self, sign: str, type_: str, operand: Piece) -> Piece:
         return Piece(f"{sign}{operand.within(UNARY)}", UNARY)
@@ -206,7 +212,7 @@ class Syntax:
     def make_struct(self, type_: str, fields: Sequence[Part], parts: Sequence[Piece]) -> Piece:
         raise NotImplementedError
 
-    def make_results(self, types: Sequence[str], parts: Sequence[Piece]) -> Piece:
+    def make_results(self, results: Sequence[Part], parts: Sequence[Piece]) -> Piece:
         """Of a function that returns several."""
         raise NotImplementedError
 
@@ -225,8 +231,10 @@ class Syntax:
             return f"{name}{sign * 2}"
         return f"{name} {sign}= {by}"
 
-    def returned(self, text: str) -> str:
-        return f"return {text}{self.end}"
+    def returned(self, results: Sequence[Part], pieces: Sequence[Piece]) -> list[str]:
+        """The end of a function: what it returns, and what it returns beside that."""
+        whole = pieces[0] if len(pieces) == 1 else self.make_results(results, pieces)
+        return [f"return {whole.text}{self.end}"]
 
     def do(self, body: list[str], condition: Piece, negated: str) -> list[str]:
         return ["do {", *body, f"}} while ({condition.text});"]
@@ -240,7 +248,7 @@ class Syntax:
 
     # Functions.
 
-    def function(self, name: str, parameters: Sequence[Taken], results: Sequence[str], is_public: bool) -> str:
+    def function(self, name: str, parameters: Sequence[Taken], results: Sequence[Part], is_public: bool) -> str:
         """The head."""
         raise NotImplementedError
 
@@ -269,8 +277,9 @@ class Scalars(Writer):
 
     def __init__(self, syntax: Syntax, structs: Mapping[str, Sequence[Part]], block: list[Statement],
                  hints: Mapping[Node, str], axes: Mapping[Node, str], parameters: Iterable[str],
-                 names: Mapping[Kept, str]):
+                 names: Mapping[Kept, str], results: Sequence[Part]):
         self.syntax = syntax
+        self.results = results
         self.axes = axes
         self.structs = structs
         self.indent = syntax.indent
@@ -347,7 +356,11 @@ class Scalars(Writer):
         if isinstance(statement, Set):
             return [f"{self._change(statement)}{syntax.end}"]
         if isinstance(statement, Return):
-            return [syntax.returned(self._text(statement.value))] if statement.value is not None else []
+            value = statement.value
+            if value is None:
+                return []
+            is_whole = isinstance(value, Operation) and value.kind == "results"
+            return syntax.returned(self.results, [self._piece(one) for one in (value.arguments if is_whole else (value,))])
         if isinstance(statement, Break):
             return [f"break{syntax.end}"]
         if id(statement) in self._valued:
@@ -437,6 +450,8 @@ class Scalars(Writer):
         if node.kind == "choice":
             return syntax.choice(*arguments)
         if node.kind == "binary":
+            if syntax.shifts_by_int and node.name in ("<<", ">>") and types[1] == "uint":
+                arguments[1] = self._piece(converted("int", node.arguments[1]))
             return syntax.binary(node.name, types[0], *arguments)
         if node.kind == "construct" and "vec" not in node.name:
             return syntax.convert(node.type, types[0], arguments[0])
@@ -444,8 +459,6 @@ class Scalars(Writer):
             return syntax.make_vector(node.type, arguments)
         if node.kind == "struct":
             return syntax.make_struct(node.type, self.structs[node.type], arguments)
-        if node.kind == "results":
-            return syntax.make_results(types, arguments)
         if node.kind == "builtin":
             return syntax.builtin(node.name, node.type, arguments)
         return syntax.call(self.names[node.name], arguments)
@@ -494,6 +507,13 @@ def fields_of(module: Module, name: str) -> list[Part]:
             for path, part in ([((), type_)] if type_ in module.structs else module.parts(type_))]
 
 
+def results_of(function: Function, module: Module) -> list[Part]:
+    """What it returns, and behind that what it sets in GLSL."""
+    results = [Part("value", function.type)] if function.type != "void" else []
+    return results + [Part(one.at.text, one.type) for one in function.parameters
+                      if one.is_set and not module.passed(one)]
+
+
 def _names(program: Program, syntax: Syntax, public: Sequence[str]) -> dict[Kept, str]:
     """Of the functions that are called. There are no overloads: the later has a number."""
     parameters = (one.at.text for evaluated in (*program.roots, *program.called.values())
@@ -509,15 +529,13 @@ def _names(program: Program, syntax: Syntax, public: Sequence[str]) -> dict[Kept
 
 def _function(evaluated: Evaluated, name: str, is_public: bool, syntax: Syntax,
               structs: Mapping[str, Sequence[Part]], names: Mapping[Kept, str]) -> str:
-    function, module = evaluated.function, evaluated.evaluation.module
+    function = evaluated.function
     parameters = [parameter.at.text for parameter in evaluated.parameters]
     snake = [bare(kept.name) for kept in names]  # as variables are called before the language has its say
+    results = results_of(function, evaluated.evaluation.module)
     writer = Scalars(syntax, structs, evaluated.block, evaluated.evaluation.hints,
-                     evaluated.evaluation.axes, [*parameters, *snake], names)
+                     evaluated.evaluation.axes, [*parameters, *snake], names, results)
     lines = writer.lines()
-    results = [function.type] if function.type != "void" else []
-    results += [parameter.type for parameter in function.parameters
-                if parameter.is_set and not module.passed(parameter)]
     changed = writer.changed_parameters()
     read = {node.name.partition(".")[0] for node in evaluated.nodes if isinstance(node, Variable) and node.is_parameter}
     taken = [Taken(syntax.variable(one.at.text), one.type, one.is_set, one.at.text in changed,

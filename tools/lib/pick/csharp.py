@@ -1,0 +1,132 @@
+"""C#: a static class, for Unity and .NET, which allocates nothing."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from xml.sax.saxutils import escape
+
+from pick.printer import PRIMARY, UNARY
+from pick.scalars import Facts, Part, Piece, Syntax, Taken, bare, paragraph_lines, pascal
+from pick.values import AXES, SIZES, scalar_of
+
+NAME = "HashNoise"  # of the class
+
+
+class CSharp(Syntax):
+    types = {"float": "float", "int": "int", "uint": "uint", "bool": "bool"}
+    reserved = frozenset("""abstract as base bool break byte case catch char checked class const continue decimal default
+        delegate do double else enum event explicit extern false finally fixed float for foreach goto if implicit in int
+        interface internal is lock long namespace new null object operator out override params private protected public
+        readonly ref return sbyte sealed short sizeof stackalloc static string struct switch this throw true try typeof
+        uint ulong unchecked unsafe ushort using var virtual void volatile while""".split())
+    shifts_by_int = True
+    joins = re.compile(r" *((?:float|u?int|bool)) (\w+(?: = .*[^{])?;)")
+    needs = {"AsFloat": ("Bits",), "AsUint": ("Bits",)}
+    helpers = {
+        "Floor": "private static float Floor(float x) { return (float)System.Math.Floor(x); }\n",
+        "Trunc": "private static float Trunc(float x) { return (float)System.Math.Truncate(x); }\n",
+        "Sqrt": "private static float Sqrt(float x) { return (float)System.Math.Sqrt(x); }\n",
+        "Min": "private static float Min(float a, float b) { return b < a ? b : a; }\n",
+        "Max": "private static float Max(float a, float b) { return a < b ? b : a; }\n",
+        "ToInt": """\
+// The nearest int, where C# leaves open what the value is.
+private static int ToInt(float x) {
+    if (x >= -2147483648f && x < 2147483648f) return (int)x;
+    return x > 0f ? int.MaxValue : x < 0f ? int.MinValue : 0;
+}
+""",
+        "ToUint": """\
+private static uint ToUint(float x) {
+    return x >= 4294967296f ? uint.MaxValue : x > 0f ? (uint)x : 0u;
+}
+""",
+        "AsFloat": """\
+private static float AsFloat(uint bits) {
+    Bits same = default(Bits);
+    same.Word = bits;
+    return same.Number;
+}
+""",
+        "AsUint": """\
+private static uint AsUint(float x) {
+    Bits same = default(Bits);
+    same.Number = x;
+    return same.Word;
+}
+""",
+        "Bits": """\
+[System.Runtime.InteropServices.StructLayout(System.Runtime.InteropServices.LayoutKind.Explicit)]
+private struct Bits {
+    [System.Runtime.InteropServices.FieldOffset(0)] public float Number;
+    [System.Runtime.InteropServices.FieldOffset(0)] public uint Word;
+}
+"""}
+
+    def function_name(self, name: str, is_public: bool) -> str:
+        return re.sub(r"_(?=\d)", "", pascal(bare(name)))
+
+    def field_name(self, name: str) -> str:
+        return pascal(name)
+
+    def vector(self, type_: str) -> str:
+        return f"({', '.join(f'{self.type(scalar_of(type_))} {axis.upper()}' for axis in AXES[:SIZES[type_]])})"
+
+    # Expressions.
+
+    def unary(self, sign: str, type_: str, operand: Piece) -> Piece:
+        if sign == "-" and type_ == "uint":  # where the sign makes a long
+            return self.infix("-", Piece("0u"), operand)
+        return super().unary(sign, type_, operand)
+
+    def rounded(self, piece: Piece) -> Piece:
+        """A cast makes it a float where a runtime computes with more."""
+        return Piece(f"(float)({piece.text})", UNARY) if self.precise else piece
+
+    def member(self, of: Piece, axis: str) -> Piece:
+        return super().member(of, axis.upper())
+
+    def convert(self, to: str, of: str, piece: Piece) -> Piece:
+        if of == "float" and to in ("int", "uint"):
+            return self.call(self.helper(f"To{pascal(to)}"), [piece])
+        return Piece(f"({to}){piece.within(UNARY - 1)}", UNARY)
+
+    def builtin(self, name: str, type_: str, arguments: Sequence[Piece]) -> Piece:
+        if name == "abs" or name in ("min", "max") and type_ != "float":
+            return self.call(f"System.Math.{pascal(name)}", arguments)
+        as_bits = {"uintBitsToFloat": "AsFloat", "floatBitsToUint": "AsUint"}
+        return self.call(self.helper(as_bits.get(name, pascal(name))), arguments)
+
+    def make_vector(self, type_: str, parts: Sequence[Piece]) -> Piece:
+        return Piece(f"({', '.join(piece.text for piece in parts)})")
+
+    def make_struct(self, type_: str, fields: Sequence[Part], parts: Sequence[Piece]) -> Piece:
+        written = ", ".join(f"{self.field_name(field.name)} = {piece.text}" for field, piece in zip(fields, parts))
+        return Piece(f"new {self.type_name(type_)} {{ {written} }}", PRIMARY)
+
+    def make_results(self, results: Sequence[Part], parts: Sequence[Piece]) -> Piece:
+        return self.make_vector("", parts)
+
+    # Functions.
+
+    def function(self, name: str, parameters: Sequence[Taken], results: Sequence[Part], is_public: bool) -> str:
+        taken = ", ".join(f"{'ref ' if one.is_set else ''}{self.type(one.type)} {one.name}" for one in parameters)
+        types = [f"{self.type(one.type)} {pascal(one.name)}" for one in results]
+        given = f"({', '.join(types)})" if len(types) > 1 else self.type(results[0].type) if results else "void"
+        return f"{'public' if is_public else 'private'} static {given} {name}({taken}) {{"
+
+    def struct(self, name: str, fields: Sequence[Part]) -> str:
+        inside = "".join(f"    public {self.type(field.type)} {self.field_name(field.name)};\n" for field in fields)
+        return f"public struct {self.type_name(name)} {{\n{inside}}}\n"
+
+    def documented(self, name: str, facts: Facts) -> list[str]:
+        returns = facts.all_returns[:1].upper() + facts.all_returns[1:]
+        tags = {"summary": facts.what, "returns": returns, "remarks": facts.error and f"Error: {facts.error}"}
+        lines = [line for tag, shown in tags.items() if shown
+                 for line in paragraph_lines(f"<{tag}>{escape(shown)}.</{tag}>")]
+        return [f"/// {line}" for line in lines]
+
+    def file(self, heading: Sequence[str], parts: Sequence[str]) -> str:
+        inside = ["".join(f"    {line}".rstrip() + "\n" for line in part.splitlines()) for part in parts]
+        body = f"public static class {NAME} {{\n" + "\n".join(inside) + "}\n"
+        return super().file(heading, [body])
