@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from xml.sax.saxutils import escape
 
 from pick.printer import PRIMARY, UNARY
-from pick.scalars import Facts, Part, Piece, Syntax, Taken, bare, paragraph_lines, pascal
+from pick.scalars import Facts, Part, Piece, Syntax, Taken, bare, indented, paragraph_lines, pascal
 from pick.values import AXES, SIZES, scalar_of
 
 NAME = "HashNoise"  # of the class
@@ -15,10 +15,11 @@ NAME = "HashNoise"  # of the class
 
 class CSharp(Syntax):
     types = {"float": "float", "int": "int", "uint": "uint", "bool": "bool"}
-    reserved = frozenset("""abstract as base bool break byte case catch char checked class const continue decimal default
-        delegate do double else enum event explicit extern false finally fixed float for foreach goto if implicit in int
-        interface internal is lock long namespace new null object operator out override params private protected public
-        readonly ref return sbyte sealed short sizeof stackalloc static string struct switch this throw true try typeof
+    reserved = frozenset("""abstract as base bool break byte case catch char checked class const continue decimal
+        default delegate do double else enum event explicit extern false finally fixed float for
+        foreach goto if implicit in int interface internal is lock long namespace new null
+        object operator out override params private protected public readonly ref return sbyte
+        sealed short sizeof stackalloc static string struct switch this throw true try typeof
         uint ulong unchecked unsafe ushort using var virtual void volatile while""".split())
     shifts_by_int = True
     joins = re.compile(r" *((?:float|u?int|bool)) (\w+(?: = .*[^{])?;)")
@@ -126,7 +127,5 @@ private struct Bits {
                  for line in paragraph_lines(f"<{tag}>{escape(shown)}.</{tag}>")]
         return [f"/// {line}" for line in lines]
 
-    def file(self, heading: Sequence[str], parts: Sequence[str]) -> str:
-        inside = ["".join(f"    {line}".rstrip() + "\n" for line in part.splitlines()) for part in parts]
-        body = f"public static class {NAME} {{\n" + "\n".join(inside) + "}\n"
-        return super().file(heading, [body])
+    def file(self, heading: Sequence[str], names: Sequence[str], parts: Sequence[str]) -> str:
+        return super().file(heading, names, [f"public static class {NAME} {{\n{indented(parts)}}}\n"])

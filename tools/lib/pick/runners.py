@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from parsing.syntax import Function
+from pick.c import C
 from pick.csharp import CSharp
 from pick.evaluate import Module
 from pick.rust import Rust
@@ -201,6 +202,74 @@ class LikeC(Runner):
         return [f"{'var r = ' if results else ''}{name}({', '.join(arguments)});"]
 
 
+class CRunner(LikeC):
+    """Each text is a translation unit of its own; undefined behaviour ends the program."""
+    syntax = C
+    programs = ("gcc",)
+    packages = "gcc"
+    read = {"float": "next_float()", "int": "(int32_t)next()", "uint": "next()", "bool": "next() != 0u"}
+    write = {"float": "put_float({});", "int": "put((uint32_t){});", "uint": "put({});", "bool": "put((uint32_t){});"}
+    faults = {("int", ">>"): "(({}) / (1 << ({})))", ("uint", ">>"): "(uint32_t)((int32_t)({}) >> ({}))"}
+    WORDS = """#include <stdint.h>
+uint32_t next(void);
+float next_float(void);
+void put(uint32_t word);
+void put_float(float x);
+"""
+    MAIN = """#include <stdio.h>
+#include <string.h>
+static FILE *inputs, *outputs;
+uint32_t next(void) {{
+  uint32_t word = 0;
+  if (fread(&word, sizeof word, 1, inputs) != 1) fputs("inputs ends too soon", stderr);
+  return word;
+}}
+float next_float(void) {{
+  uint32_t word = next();
+  float x;
+  memcpy(&x, &word, sizeof x);
+  return x;
+}}
+void put(uint32_t word) {{ fwrite(&word, sizeof word, 1, outputs); }}
+void put_float(float x) {{ fwrite(&x, sizeof x, 1, outputs); }}
+int main(void) {{
+  inputs = fopen("inputs", "rb");
+  outputs = fopen("outputs", "wb");
+{runs}
+  return fclose(outputs);
+}}
+"""
+
+    def build_and_run(self, texts: Sequence[str], calls: Sequence[str], folder: Path) -> None:
+        names = ["main.c"]
+        for i, (text, call) in enumerate(zip(texts, calls)):
+            (folder / f"m{i}.h").write_text(text, encoding="ascii")
+            names.append(f"m{i}.c")
+            head = f'#include "m{i}.h"\n{self.WORDS}void run{i}(void);\n'
+            (folder / names[-1]).write_text(f"{head}void run{i}(void) {{\n{call}\n}}\n", encoding="ascii")
+        declared = "".join(f"void run{i}(void);\n" for i in range(len(texts)))
+        runs = "".join(f"  run{i}();\n" for i in range(len(texts)))
+        (folder / "main.c").write_text(self.WORDS + declared + self.MAIN.format(runs=runs), encoding="ascii")
+        ran(folder, "gcc", "-std=c99", "-pedantic-errors", "-Wall", "-Wextra", "-Wdouble-promotion", "-Wconversion",
+            "-Wno-sign-conversion", "-Wno-float-conversion", "-Wno-unused-parameter", "-Werror", "-ffp-contract=off",
+            "-fsanitize=undefined,float-cast-overflow", "-fno-sanitize-recover=all", *names, "-lm", "-o", "main")
+        ran(folder, folder / "main")
+
+    def called(self, name: str, arguments: Sequence[str], results: Sequence[Part]) -> list[str]:
+        """Of a number, a vector or a struct, and of pointers to others."""
+        syntax = self.syntax()
+        lines = [f"{syntax.type(part.type)} {part.name};" for part in results]
+        pointers = [f"&{part.name}" for part in results if part.name != "value"]
+        call = f"{name}({', '.join((*arguments, *pointers))});"
+        return [*lines, f"value = {call}" if any(part.name == "value" for part in results) else call]
+
+    def result(self, results: Sequence[Part], number: int) -> str:
+        return results[number].name
+
+    def passed(self, name: str, is_set: bool) -> str:
+        return f"&{name}" if is_set else name
+
+
 class CSharpRunner(LikeC):
     """Each text is in a namespace of its own."""
     syntax = CSharp
@@ -244,4 +313,4 @@ class CSharpRunner(LikeC):
         return f"ref {name}" if is_set else name
 
 
-RUNNERS: dict[str, type[Runner]] = {"rust": RustRunner, "csharp": CSharpRunner}
+RUNNERS: dict[str, type[Runner]] = {"rust": RustRunner, "csharp": CSharpRunner, "c": CRunner}

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import itertools
 import re
 from collections.abc import Sequence
 
 from pick.printer import CHOICE, UNARY
-from pick.scalars import Facts, Part, Piece, Syntax, Taken, bare, paragraph_lines, pascal
+from pick.scalars import Part, Piece, Syntax, Taken, bare, pascal
 from pick.values import AXES, SIZES, Operation, scalar_of
 
 CAST = UNARY - 0.5  # `as` binds more strongly than *, and more weakly than an operator before its operand
@@ -42,9 +41,10 @@ class Rust(Syntax):
     counts_a_range = True
     branches_are_values = True
     types = {"float": "f32", "int": "i32", "uint": "u32", "bool": "bool"}
-    reserved = frozenset("""as async await break const continue crate dyn else enum extern false fn for if impl in let
-        loop match mod move mut pub ref return self static struct super trait true type unsafe use where while abstract
-        become box do final macro override priv try typeof unsized virtual yield gen f32 i32 u32 core std""".split())
+    reserved = frozenset("""as async await break const continue crate dyn else enum extern false fn for if impl in
+        let loop match mod move mut pub ref return self static struct super trait true type
+        unsafe use where while abstract become box do final macro override priv try typeof
+        unsized virtual yield gen f32 i32 u32 core std""".split())
     needs = {"floor": ("trunc",), "trunc": ("abs",)}
     helpers = {
         "sqrt": """\
@@ -209,12 +209,6 @@ fn abs(x: f32) -> f32 {
     def struct(self, name: str, fields: Sequence[Part]) -> str:
         inside = "".join(f"    pub {self.field_name(field.name)}: {self.type(field.type)},\n" for field in fields)
         return f"#[derive(Clone, Copy, Debug, Default, PartialEq)]\npub struct {pascal(bare(name))} {{\n{inside}}}\n"
-
-    def documented(self, name: str, facts: Facts) -> list[str]:
-        paragraphs = [facts.what, f"Returns {facts.all_returns}." if facts.all_returns else "",
-                      f"Error: {facts.error}." if facts.error else ""]
-        lines = [["", *paragraph_lines(paragraph)] for paragraph in paragraphs if paragraph]
-        return [f"/// {line}".rstrip() for line in itertools.chain(*lines)][1:]
 
     def joined(self, lines: Sequence[str], space: str) -> list[str]:
         """Components of one vector are declared together."""

@@ -62,6 +62,17 @@ def paragraph_lines(text: str, width: int = 96) -> list[str]:
     return [line.replace("~", " ") for line in textwrap.wrap(kept, width)]
 
 
+def indented(parts: Sequence[str]) -> str:
+    """What stands in a class."""
+    return "".join(f"    {line}".rstrip() + "\n" for line in spaced(parts).splitlines())
+
+
+def spaced(parts: Sequence[str]) -> str:
+    """With an empty line between two of them, unless both are single lines."""
+    between = ("" if one.count("\n") == other.count("\n") == 1 else "\n" for one, other in zip(parts, parts[1:]))
+    return "".join(itertools.chain(*itertools.zip_longest(parts, between, fillvalue="")))
+
+
 def facts_of(function: Function, module: Module, lines: Sequence[str]) -> Facts:
     found = {"": "", "returns": "", "error": ""}
     heading = ""
@@ -114,7 +125,8 @@ class Syntax:
 
     def __init__(self, precise: bool = False):
         self.precise = precise
-        self.used: set[str] = set()  # helpers
+        self.used: set[str] = set()           # helpers
+        self.set_structs: frozenset[str] = frozenset()  # parameters of the function that is written
 
     # Names.
 
@@ -257,7 +269,10 @@ class Syntax:
 
     def documented(self, name: str, facts: Facts) -> list[str]:
         """A comment above a function, in the form that the language's tools know."""
-        raise NotImplementedError
+        paragraphs = [facts.what, f"Returns {facts.all_returns}." if facts.all_returns else "",
+                      f"Error: {facts.error}." if facts.error else ""]
+        lines = [["", *paragraph_lines(paragraph)] for paragraph in paragraphs if paragraph]
+        return [f"/// {line}".rstrip() for line in itertools.chain(*lines)][1:]
 
     def joined(self, lines: Sequence[str], space: str) -> list[str]:
         """Lines of a block as they stand in the text."""
@@ -267,9 +282,9 @@ class Syntax:
         """By how much an operation takes more characters than GLSL's."""
         return 0
 
-    def file(self, heading: Sequence[str], parts: Sequence[str]) -> str:
-        """All of the text."""
-        return "\n".join([*(f"//{line}" for line in heading), "", "\n".join(parts)])
+    def file(self, heading: Sequence[str], names: Sequence[str], parts: Sequence[str]) -> str:
+        """All of the text. The names are those of the public functions."""
+        return "\n".join([*(f"//{line}" for line in heading), "", spaced(parts)])
 
 
 class Scalars(Writer):
@@ -360,7 +375,8 @@ class Scalars(Writer):
             if value is None:
                 return []
             is_whole = isinstance(value, Operation) and value.kind == "results"
-            return syntax.returned(self.results, [self._piece(one) for one in (value.arguments if is_whole else (value,))])
+            pieces = [self._piece(one) for one in (value.arguments if is_whole else (value,))]
+            return syntax.returned(self.results, pieces)
         if isinstance(statement, Break):
             return [f"break{syntax.end}"]
         if id(statement) in self._valued:
@@ -498,7 +514,7 @@ def text(program: Program, syntax: Syntax, comments: Sequence[Sequence[str]] = (
     structs = [syntax.struct(name, fields) for name, fields in parts.items()]
     helpers = [syntax.helpers[name] for name in syntax.helpers if name in syntax.used]
     functions = [*helpers, *written, *of_roots] if syntax.helpers_first else [*of_roots, *written, *helpers]
-    return syntax.file(heading, [*structs, *functions])
+    return syntax.file(heading, [syntax.function_name(name, is_public=True) for name in public], [*structs, *functions])
 
 
 def fields_of(module: Module, name: str) -> list[Part]:
@@ -535,6 +551,7 @@ def _function(evaluated: Evaluated, name: str, is_public: bool, syntax: Syntax,
     results = results_of(function, evaluated.evaluation.module)
     writer = Scalars(syntax, structs, evaluated.block, evaluated.evaluation.hints,
                      evaluated.evaluation.axes, [*parameters, *snake], names, results)
+    syntax.set_structs = frozenset(syntax.variable(one.at.text) for one in evaluated.parameters if one.is_set)
     lines = writer.lines()
     changed = writer.changed_parameters()
     read = {node.name.partition(".")[0] for node in evaluated.nodes if isinstance(node, Variable) and node.is_parameter}

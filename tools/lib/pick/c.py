@@ -1,0 +1,136 @@
+"""C99: a header of inline functions."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from pick.printer import UNARY
+from pick.scalars import Part, Piece, Syntax, Taken
+from pick.values import AXES, PREFIXES, SIZES, Constant, scalar_of
+
+TYPES = {"float": "float", "int": "int32_t", "uint": "uint32_t", "bool": "int"}
+IN_MATH = {"floor": "floorf", "trunc": "truncf", "sqrt": "sqrtf", "abs": "fabsf"}
+CONTRACTION = """\
+// Products are rounded before they are added to. GCC does not know the pragma: compile with -ffp-contract=off.
+#if defined(_MSC_VER)
+#pragma fp_contract(off)
+#elif !defined(__GNUC__) || defined(__clang__)
+#pragma STDC FP_CONTRACT OFF
+#endif
+"""
+
+
+def _of_two(name: str, sign: str) -> dict[str, str]:
+    """A function of two numbers, for each type."""
+    return {f"hn_i_{name}_{letter}": f"static inline {type_} hn_i_{name}_{letter}({type_} a, {type_} b) "
+            f"{{ return {'b < a' if sign == '<' else 'a < b'} ? b : a; }}\n"
+            for letter, type_ in (("f", "float"), ("i", "int32_t"), ("u", "uint32_t"))}
+
+
+class C(Syntax):
+    indent = 2
+    types = TYPES
+    reserved = frozenset("""auto break case char const continue default do double else enum extern float for goto if
+        inline int long register restrict return short signed sizeof static struct switch
+        typedef union unsigned void volatile while bool true false asm near far j0 j1 jn y0 y1
+        yn gamma""".split())
+    helpers_first = True
+    joins = re.compile(r" *(float|u?int32_t|int) (\w+(?: = .*[^{])?;)")
+    helpers = {
+        **{name: f"typedef struct {{ {TYPES[scalar]} {', '.join(AXES[:size])}; }} {name};\n"
+           for scalar, prefix in PREFIXES.items() for size in (2, 3, 4) for name in [f"hn_{prefix}vec{size}"]},
+        **_of_two("min", "<"), **_of_two("max", ">"),
+        "hn_i_to_int": """\
+// The nearest int, where C leaves open what the value is.
+static inline int32_t hn_i_to_int(float x) {
+  if (x >= -2147483648.0f && x < 2147483648.0f) return (int32_t)x;
+  return x > 0.0f ? INT32_MAX : x < 0.0f ? INT32_MIN : 0;
+}
+""",
+        "hn_i_to_uint": """\
+static inline uint32_t hn_i_to_uint(float x) {
+  return x >= 4294967296.0f ? UINT32_MAX : x > 0.0f ? (uint32_t)x : 0u;
+}
+""",
+        "hn_i_as_float": """\
+static inline float hn_i_as_float(uint32_t bits) {
+  union { uint32_t word; float number; } same = {bits};
+  return same.number;
+}
+""",
+        "hn_i_as_uint": """\
+static inline uint32_t hn_i_as_uint(float x) {
+  union { float number; uint32_t word; } same = {x};
+  return same.word;
+}
+"""}
+
+    def function_name(self, name: str, is_public: bool) -> str:
+        return name
+
+    def type_name(self, name: str) -> str:
+        return name
+
+    def field_name(self, name: str) -> str:
+        return name
+
+    def variable(self, name: str) -> str:
+        return f"{name}_" if name in self.reserved else name
+
+    def path(self, name: str) -> str:
+        first, point, rest = super().path(name).partition(".")
+        return f"{first}{'->' if point and first in self.set_structs else point}{rest}"
+
+    def vector(self, type_: str) -> str:
+        return self.helper(f"hn_{type_}")
+
+    # Expressions.
+
+    def constant(self, constant: Constant) -> str:
+        return str(constant.value) if constant.type == "bool" else super().constant(constant)
+
+    def int(self, value: int) -> str:
+        return str(value) if value != -(1 << 31) else "(-2147483647 - 1)"
+
+    def convert(self, to: str, of: str, piece: Piece) -> Piece:
+        if of == "float" and to in ("int", "uint"):
+            return self.call(self.helper(f"hn_i_to_{to}"), [piece])
+        return Piece(f"({self.type(to)}){piece.within(UNARY - 1)}", UNARY)
+
+    def builtin(self, name: str, type_: str, arguments: Sequence[Piece]) -> Piece:
+        if name in IN_MATH:
+            return self.call(IN_MATH[name], arguments)
+        as_bits = {"uintBitsToFloat": "hn_i_as_float", "floatBitsToUint": "hn_i_as_uint"}
+        return self.call(self.helper(as_bits.get(name) or f"hn_i_{name}_{type_[0]}"), arguments)
+
+    def make_vector(self, type_: str, parts: Sequence[Piece]) -> Piece:
+        return Piece(f"({self.vector(type_)}){{{', '.join(piece.text for piece in parts)}}}")
+
+    def make_struct(self, type_: str, fields: Sequence[Part], parts: Sequence[Piece]) -> Piece:
+        written = ", ".join(f".{field.name} = {piece.text}" for field, piece in zip(fields, parts))
+        return Piece(f"({type_}){{{written}}}")
+
+    # Functions.
+
+    def returned(self, results: Sequence[Part], pieces: Sequence[Piece]) -> list[str]:
+        """What GLSL sets is set through pointers."""
+        lines = [f"*{self.variable(part.name)} = {piece.text};" for part, piece in zip(results, pieces)
+                 if part.name != "value"]
+        return [*lines, *(f"return {piece.text};" for part, piece in zip(results, pieces) if part.name == "value")]
+
+    def function(self, name: str, parameters: Sequence[Taken], results: Sequence[Part], is_public: bool) -> str:
+        taken = [f"{self.type(one.type)} {'*' if one.is_set else ''}{one.name}" for one in parameters]
+        taken += [f"{self.type(part.type)} *{self.variable(part.name)}" for part in results if part.name != "value"]
+        given = next((self.type(part.type) for part in results if part.name == "value"), "void")
+        return f"static inline {given} {name}({', '.join(taken)}) {{"
+
+    def struct(self, name: str, fields: Sequence[Part]) -> str:
+        inside = "".join(f"  {self.type(field.type)} {field.name};\n" for field in fields)
+        return f"typedef struct {{\n{inside}}} {name};\n"
+
+    def file(self, heading: Sequence[str], names: Sequence[str], parts: Sequence[str]) -> str:
+        guard = f"{names[0].upper()}_H"
+        begin = f"#ifndef {guard}\n#define {guard}\n\n#include <math.h>\n#include <stdint.h>\n"
+        contraction = [CONTRACTION] if self.precise else []
+        return super().file(heading, names, [begin, *contraction, *parts, "#endif\n"])
