@@ -93,6 +93,12 @@ static inline uint32_t hn_i_as_uint(float x) {
     def int(self, value: int) -> str:
         return str(value) if value != -(1 << 31) else "(-2147483647 - 1)"
 
+    def binary(self, sign: str, type_: str, left: Piece, right: Piece) -> Piece:
+        if (type_, sign) != ("int", "<<"):
+            return super().binary(sign, type_, left, right)
+        shifted = self.infix(sign, self.convert("uint", "int", left), right)  # where a negative number may be shifted
+        return self.convert("int", "uint", shifted)
+
     def convert(self, to: str, of: str, piece: Piece) -> Piece:
         if of == "float" and to in ("int", "uint"):
             return self.call(self.helper(f"hn_i_to_{to}"), [piece])

@@ -3,6 +3,7 @@ what comes back."""
 
 from __future__ import annotations
 
+import re
 import shutil
 import subprocess
 from collections.abc import Mapping, Sequence
@@ -13,6 +14,7 @@ from parsing.syntax import Function
 from pick.c import C
 from pick.csharp import CSharp
 from pick.evaluate import Module
+from pick.javascript import JavaScript
 from pick.rust import Rust
 from pick.scalars import Part, Piece, Syntax, fields_of, pascal, results_of
 from pick.values import AXES, SIZES, scalar_of
@@ -313,4 +315,48 @@ class CSharpRunner(LikeC):
         return f"ref {name}" if is_set else name
 
 
-RUNNERS: dict[str, type[Runner]] = {"rust": RustRunner, "csharp": CSharpRunner, "c": CRunner}
+class JavaScriptRunner(LikeC):
+    """Each text is a module."""
+    syntax = JavaScript
+    programs = ("node",)
+    packages = "nodejs"
+    read = {"float": "float()", "int": "next() | 0", "uint": "next()", "bool": "next() !== 0"}
+    write = {"float": "putFloat({});", "int": "put({});", "uint": "put({});", "bool": "put({} ? 1 : 0);"}
+    faults = {("int", ">>"): "(({}) >>> ({}))", ("uint", "*"): "(({}) * ({}))"}
+    loop = "for (let point = 0; point < {points}; point++) {{"
+    WORDS = """import { readFileSync, writeFileSync } from "node:fs";
+const inputs = readFileSync("inputs");
+const outputs = [];
+const [at, one] = [{ next: -4 }, new DataView(new ArrayBuffer(4))];
+export const next = () => inputs.readUInt32LE(at.next += 4);
+export const float = () => inputs.readFloatLE(at.next += 4);
+export const put = (word) => outputs.push(word >>> 0);
+export const putFloat = (x) => {
+  if (!Object.is(Math.fround(x), x)) throw `${x} is no float`;
+  one.setFloat32(0, x);
+  put(one.getUint32(0));
+};
+export const write = () => writeFileSync("outputs", Uint32Array.from(outputs));
+"""
+
+    def build_and_run(self, texts: Sequence[str], calls: Sequence[str], folder: Path) -> None:
+        (folder / "words.mjs").write_text(self.WORDS, encoding="ascii")
+        imported = 'import { next, float, put, putFloat } from "./words.mjs";\n'
+        for i, (text, call) in enumerate(zip(texts, calls)):
+            (folder / f"text{i}.mjs").write_text(text, encoding="ascii")
+            name, = re.findall(r"^export function (\w+)", text, re.MULTILINE)
+            run = f'import {{ {name} }} from "./text{i}.mjs";\n{imported}{call}\n'
+            (folder / f"run{i}.mjs").write_text(run, encoding="ascii")
+        main = "".join(f'import "./run{i}.mjs";\n' for i in range(len(texts)))
+        (folder / "main.mjs").write_text(f'{main}import {{ write }} from "./words.mjs";\nwrite();\n', encoding="ascii")
+        ran(folder, "node", "main.mjs")
+
+    def called(self, name: str, arguments: Sequence[str], results: Sequence[Part]) -> list[str]:
+        return [f"{'const r = ' if results else ''}{name}({', '.join(arguments)});"]
+
+    def result(self, results: Sequence[Part], number: int) -> str:
+        return f"r.{results[number].name}" if len(results) > 1 else "r"
+
+
+RUNNERS: dict[str, type[Runner]] = {"rust": RustRunner, "csharp": CSharpRunner, "c": CRunner,
+                                   "javascript": JavaScriptRunner}

@@ -264,6 +264,10 @@ class Syntax:
         """The head."""
         raise NotImplementedError
 
+    def beginning(self, parameters: Sequence[Taken], is_public: bool) -> list[str]:
+        """Statements before the others."""
+        return []
+
     def struct(self, name: str, fields: Sequence[Part]) -> str:
         raise NotImplementedError
 
@@ -558,4 +562,5 @@ def _function(evaluated: Evaluated, name: str, is_public: bool, syntax: Syntax,
     taken = [Taken(syntax.variable(one.at.text), one.type, one.is_set, one.at.text in changed,
                    one.is_set or one.at.text in read) for one in evaluated.parameters]
     head = syntax.function(name, taken, results, is_public)
-    return "\n".join([*wrapped(head, 0), *lines, "}"]) + "\n"
+    first = [f"{' ' * syntax.indent}{line}" for line in syntax.beginning(taken, is_public)]
+    return "\n".join([*wrapped(head, 0), *first, *lines, "}"]) + "\n"

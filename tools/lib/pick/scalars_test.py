@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+import re
 import unittest
 
 from parsing.syntax import Parser
 from parsing.tokens import tokens_of
+from pick import command
+from pick.c import C
 from pick.evaluate import Module
-from pick.program import Program
+from pick.javascript import JavaScript, TypeScript
+from pick.program import Program, chosen, read
 from pick.rust import Rust
 from pick.scalars import Syntax, text
+from tree import GLSL
 
 
 def written(shown: str, syntax: type[Syntax] = Rust) -> str:
@@ -56,6 +61,31 @@ class InRust(unittest.TestCase):
         shown = written("int hn_i_size(int x) { int y = x * x - 3; return y * y + x * 5 - (y << 2) * y; } "
                         "int hn_f(int size) { return hn_i_size(size) + hn_i_size(size + 1) + hn_i_size(size * 7); }")
         self.assertIn("pub fn f1(size: i32) -> i32 {\n    size_2(size) + size_2(size + 1) + size_2(size * 7)\n}", shown)
+
+
+class InC(unittest.TestCase):
+    def test_a_negative_number_is_shifted_to_the_left(self) -> None:
+        self.assertIn("  return (int32_t)((uint32_t)x << 3u);\n",
+                      written("int hn_f(int x) { return x << 3u; }", C))
+
+
+class InTypeScript(unittest.TestCase):
+    @staticmethod
+    def erased(shown: str) -> str:
+        """Without types, and with a declaration for each variable: which share a line depends on how long they are."""
+        shown = re.sub(r"export interface \w+ \{[^}]*\}|export type [^\n]*|/\*\*.*?\*/", "", shown, flags=re.DOTALL)
+        shown = re.sub(r": (?:number|boolean|void|[A-Z]\w*)\b|\): \{[^}]*\}(?= \{)",
+                       lambda found: ")" if found[0].startswith(")") else "", shown)
+        return re.sub(r"; (?:const|let) (?=\w+(?: =|[,;]))", ", ", " ".join(shown.split()))
+
+    def test_without_its_types_it_is_javascript(self) -> None:
+        of = read(GLSL, command.settings("fixed", "lattice"), splits=True)
+        for name in ("hn_perlin2", "hn_cellular2_nearest", "hn_next2"):
+            typed, plain = (text(Program(of, chosen(of, [name])), syntax()) for syntax in (TypeScript, JavaScript))
+            with self.subTest(name):
+                self.assertRegex(typed, r"(?m)^function \w+\(\w+: ")
+                self.assertNotRegex(plain, r"(?m)^function \w+\(\w+: ")
+                self.assertEqual(self.erased(typed), self.erased(plain))
 
 
 if __name__ == "__main__":

@@ -1,0 +1,208 @@
+"""JavaScript and TypeScript: modules whose numbers are floats and words where those of the library are.
+
+A word is any number that is the same modulo 2^32; where its size counts, `>>> 0` makes it one from 0 on. Each float is
+rounded where it is computed.
+"""
+
+from __future__ import annotations
+
+import re
+import struct
+from collections.abc import Sequence
+
+from pick.printer import STRENGTH, UNARY
+from pick.scalars import Facts, Part, Piece, Syntax, Taken, paragraph_lines
+from pick.values import AXES, SIZES
+
+LOOSE = "| 0"  # the operator of a sum that is made a word
+COMPARED = ("<", ">", "<=", ">=", "==", "!=")
+BITS_OF_FLOATS = """\
+const numbers = new Float32Array(1), words = new Int32Array(numbers.buffer);
+"""
+
+
+def inside(piece: Piece) -> Piece:
+    """A sum before it is made a word, for what does so itself."""
+    return Piece(piece.text[1:-len(f") {LOOSE}")], STRENGTH["+"], "+") if piece.sign == LOOSE else piece
+
+
+def counted(piece: Piece) -> Piece:
+    """A word from 0 on."""
+    if re.fullmatch(r"\w+", piece.text) and piece.text[0].isdigit():
+        return piece
+    return Piece(f"{inside(piece).within(STRENGTH['+'])} >>> 0", STRENGTH[">>"], ">>")
+
+
+class JavaScript(Syntax):
+    indent = 2
+    types = {"float": "number", "int": "number", "uint": "number", "bool": "boolean"}
+    reserved = frozenset("""arguments await break case catch class const continue debugger default delete do else enum
+        eval export extends false finally for function if implements import in instanceof interface let new null package
+        private protected public return static super switch this throw true try typeof var void while with yield fround
+        imul numbers words NaN Infinity undefined""".split())
+    joins = re.compile(r" *(const|let) (\w+(?:: number|: boolean)?(?: = .*[^{])?;)")
+    is_typed = False
+    needs = {"asFloat": ("numbers",), "asUint": ("numbers",)}
+
+    @property
+    def helpers(self) -> dict[str, str]:
+        one, two = self._head("x"), self._head("a", "b")
+        return {
+            "fround": "const fround = Math.fround;\n",
+            "imul": "const imul = Math.imul;\n",
+            "numbers": BITS_OF_FLOATS,
+            **{f"Vector{size}": f"export type Vector{size} = [{', '.join(['number'] * size)}];\n"
+               for size in (2, 3, 4) if self.is_typed},
+            "min": f"function min{two} {{ return b < a ? b : a; }}\n",
+            "max": f"function max{two} {{ return a < b ? b : a; }}\n",
+            "toInt": f"/** The nearest int. */\nfunction toInt{one} {{\n"
+                     "  return x >= 2147483648 ? 2147483647 : x > -2147483648 ? x | 0 : x < 0 ? -2147483648 : 0;\n}\n",
+            "toUint": f"function toUint{one} {{ return x >= 4294967296 ? 4294967295 : x > 0 ? x >>> 0 : 0; }}\n",
+            "asFloat": f"function asFloat{self._head('word')} {{\n  words[0] = word;\n  return numbers[0];\n}}\n",
+            "asUint": f"function asUint{one} {{\n  numbers[0] = x;\n  return words[0];\n}}\n"}
+
+    def _head(self, *names: str) -> str:
+        of = self._of("number")
+        return f"({', '.join(f'{name}{of}' for name in names)}){of}"
+
+    def _of(self, type_: str) -> str:
+        return f": {type_}" if self.is_typed else ""
+
+    def vector(self, type_: str) -> str:
+        return self.helper(f"Vector{SIZES[type_]}")
+
+    # Expressions.
+
+    def float(self, text: str) -> str:
+        value = float(text)
+        is_float = struct.unpack("f", struct.pack("f", value))[0] == value
+        return text.removesuffix(".0") if is_float else self.call(self.helper("fround"), [Piece(text)]).text
+
+    def uint(self, value: int) -> str:
+        return f"0x{value:X}" if value > 9999 else str(value)
+
+    def rounded(self, piece: Piece) -> Piece:
+        return self.call(self.helper("fround"), [piece])
+
+    def binary(self, sign: str, type_: str, left: Piece, right: Piece) -> Piece:
+        if type_ == "uint":
+            return self._word(sign, left, right)
+        if type_ == "int" and sign == "*":
+            return self.call(self.helper("imul"), [left, right])
+        if type_ == "int" and sign in "/%":
+            return Piece(f"({self.infix(sign, left, right).text}) | 0", STRENGTH["|"], "|")
+        return super().binary(sign, type_, left, right)
+
+    def infix(self, sign: str, left: Piece, right: Piece) -> Piece:
+        made = super().infix(sign, left, right)
+        return made._replace(text=made.text.replace(f" {sign} ", f" {sign}= ")) if sign in ("==", "!=") else made
+
+    def _word(self, sign: str, left: Piece, right: Piece) -> Piece:
+        if sign in COMPARED and not (sign in ("==", "!=") and right.text == "0"):
+            return self.infix(sign, counted(left), counted(right))
+        left, right = inside(left), inside(right)
+        if sign in ("+", "-"):
+            return Piece(f"({self.infix(sign, left, right).text}) {LOOSE}", STRENGTH["|"], LOOSE)
+        if sign == "*":
+            return self.call(self.helper("imul"), [left, right])
+        if sign in ("/", "%"):
+            return counted(self.infix(sign, counted(left), counted(right)))
+        made = self.infix(sign, left, right)
+        return made._replace(text=made.text.replace(" >> ", " >>> ")) if sign == ">>" else made
+
+    def unary(self, sign: str, type_: str, operand: Piece) -> Piece:
+        if sign == "-" and type_ in ("int", "uint"):  # there is no -0
+            return self.binary("-", type_, Piece("0"), operand)
+        return super().unary(sign, type_, operand)
+
+    def member(self, of: Piece, axis: str) -> Piece:
+        return Piece(f"{of.within(UNARY)}[{AXES.index(axis)}]")
+
+    def convert(self, to: str, of: str, piece: Piece) -> Piece:
+        if of == "float":
+            return self.call(self.helper("toInt" if to == "int" else "toUint"), [piece])
+        if to == "float":
+            return self.rounded(counted(piece) if of == "uint" else piece)
+        if to == "uint" or piece.sign == LOOSE:
+            return piece
+        return Piece(f"{inside(piece).within(STRENGTH['+'])} | 0", STRENGTH["|"], "|")
+
+    def builtin(self, name: str, type_: str, arguments: Sequence[Piece]) -> Piece:
+        if name in ("min", "max") and type_ != "float":
+            return self.call(f"Math.{name}", [counted(one) for one in arguments] if type_ == "uint" else arguments)
+        if name == "sqrt":
+            return self.rounded(self.call("Math.sqrt", arguments))
+        if name in ("floor", "trunc", "abs"):
+            return self.call(f"Math.{name}", arguments)
+        as_bits = {"uintBitsToFloat": "asFloat", "floatBitsToUint": "asUint"}
+        return self.call(self.helper(as_bits.get(name, name)), [inside(one) for one in arguments])
+
+    def make_vector(self, type_: str, parts: Sequence[Piece]) -> Piece:
+        return Piece(f"[{', '.join(piece.text for piece in parts)}]")
+
+    def make_struct(self, type_: str, fields: Sequence[Part], parts: Sequence[Piece]) -> Piece:
+        return self._object([self.field_name(field.name) for field in fields],
+                            [counted(piece) if field.type == "uint" else piece for field, piece in zip(fields, parts)])
+
+    def make_results(self, results: Sequence[Part], parts: Sequence[Piece]) -> Piece:
+        return self._object([self.variable(part.name) for part in results], parts)
+
+    def _object(self, names: Sequence[str], parts: Sequence[Piece]) -> Piece:
+        written = (name if name == piece.text else f"{name}: {piece.text}" for name, piece in zip(names, parts))
+        return Piece(f"{{ {', '.join(written)} }}")
+
+    # Statements.
+
+    def declare(self, type_: str, name: str, value: str | None, changes: bool) -> str:
+        if value is None:
+            return f"let {name}{self._of(self.type(type_))};"
+        is_array = self.is_typed and "vec" in type_ and value.startswith("[")
+        return f"{'let' if changes else 'const'} {name}{self._of(self.type(type_)) if is_array else ''} = {value};"
+
+    def change(self, type_: str, name: str, sign: str, by: str) -> str | None:
+        if type_ == "float" or sign in "*/%" or type_ == "uint" and sign in ("+", "-", ">>"):
+            return None
+        return super().change(type_, name, sign, by)
+
+    def returned(self, results: Sequence[Part], pieces: Sequence[Piece]) -> list[str]:
+        return super().returned(results, [counted(piece) if part.type == "uint" else piece
+                                          for part, piece in zip(results, pieces)])
+
+    # Functions.
+
+    def function(self, name: str, parameters: Sequence[Taken], results: Sequence[Part], is_public: bool) -> str:
+        taken = ", ".join(f"{one.name}{self._of(self.type(one.type))}" for one in parameters)
+        types = "; ".join(f"{self.variable(part.name)}: {self.type(part.type)}" for part in results)
+        given = self.type(results[0].type) if len(results) == 1 else f"{{ {types} }}" if results else "void"
+        return f"{'export ' if is_public else ''}function {name}({taken}){self._of(given)} {{"
+
+    def beginning(self, parameters: Sequence[Taken], is_public: bool) -> list[str]:
+        """What users pass need not be a float."""
+        if not is_public:
+            return []
+        return [f"{one.name} = {self.helper('fround')}({one.name});" for one in parameters
+                if one.type == "float" and one.is_read]
+
+    def struct(self, name: str, fields: Sequence[Part]) -> str:
+        written = [(self.field_name(field.name), self.type(field.type)) for field in fields]
+        if self.is_typed:
+            body = "".join(f"  {field}: {type_};\n" for field, type_ in written)
+            return f"export interface {self.type_name(name)} {{\n{body}}}\n"
+        body = "".join(f" * @property {{{type_}}} {field}\n" for field, type_ in written)
+        return f"/**\n * @typedef {{object}} {self.type_name(name)}\n{body} */\n"
+
+    def documented(self, name: str, facts: Facts) -> list[str]:
+        paragraphs = [facts.what, f"@returns {facts.all_returns}." if facts.all_returns else "",
+                      f"Error: {facts.error}." if facts.error else ""]
+        paragraphs = [paragraphs[0], paragraphs[2], paragraphs[1]]  # what stands behind a tag belongs to it
+        lines = [line for paragraph in paragraphs if paragraph for line in ("", *paragraph_lines(paragraph))][1:]
+        return ["/**", *(f" * {line}".rstrip() for line in lines), " */"] if lines else []
+
+    def file(self, heading: Sequence[str], names: Sequence[str], parts: Sequence[str]) -> str:
+        begins = ("const ", "export type ")
+        first = [part for part in parts if part.startswith(begins)]
+        return super().file(heading, names, [*first, *(part for part in parts if not part.startswith(begins))])
+
+
+class TypeScript(JavaScript):
+    is_typed = True
