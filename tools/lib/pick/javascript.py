@@ -11,7 +11,7 @@ import struct
 from collections.abc import Sequence
 
 from pick.printer import STRENGTH, UNARY
-from pick.scalars import Facts, Part, Piece, Syntax, Taken, paragraph_lines
+from pick.scalars import Facts, Part, Piece, Syntax, Taken, block_comment
 from pick.values import AXES, SIZES
 
 LOOSE = "| 0"  # the operator of a sum that is made a word
@@ -36,10 +36,11 @@ def counted(piece: Piece) -> Piece:
 class JavaScript(Syntax):
     indent = 2
     types = {"float": "number", "int": "number", "uint": "number", "bool": "boolean"}
-    reserved = frozenset("""arguments await break case catch class const continue debugger default delete do else enum
-        eval export extends false finally for function if implements import in instanceof interface let new null package
-        private protected public return static super switch this throw true try typeof var void while with yield fround
-        imul numbers words NaN Infinity undefined""".split())
+    reserved = frozenset("""arguments await break case catch class const continue debugger default delete do else
+        enum eval export extends false finally for function if implements import in instanceof
+        interface let new null package private protected public return static super switch this
+        throw true try typeof var void while with yield fround imul numbers words NaN Infinity
+        undefined""".split())
     joins = re.compile(r" *(const|let) (\w+(?:: number|: boolean)?(?: = .*[^{])?;)")
     is_typed = False
     needs = {"asFloat": ("numbers",), "asUint": ("numbers",)}
@@ -192,11 +193,7 @@ class JavaScript(Syntax):
         return f"/**\n * @typedef {{object}} {self.type_name(name)}\n{body} */\n"
 
     def documented(self, name: str, facts: Facts) -> list[str]:
-        paragraphs = [facts.what, f"@returns {facts.all_returns}." if facts.all_returns else "",
-                      f"Error: {facts.error}." if facts.error else ""]
-        paragraphs = [paragraphs[0], paragraphs[2], paragraphs[1]]  # what stands behind a tag belongs to it
-        lines = [line for paragraph in paragraphs if paragraph for line in ("", *paragraph_lines(paragraph))][1:]
-        return ["/**", *(f" * {line}".rstrip() for line in lines), " */"] if lines else []
+        return block_comment(facts, "@returns")
 
     def file(self, heading: Sequence[str], names: Sequence[str], parts: Sequence[str]) -> str:
         begins = ("const ", "export type ")

@@ -14,6 +14,7 @@ from parsing.syntax import Function
 from pick.c import C
 from pick.csharp import CSharp
 from pick.evaluate import Module
+from pick.java import Java
 from pick.javascript import JavaScript
 from pick.rust import Rust
 from pick.scalars import Part, Piece, Syntax, fields_of, pascal, results_of
@@ -358,5 +359,49 @@ export const write = () => writeFileSync("outputs", Uint32Array.from(outputs));
         return f"r.{results[number].name}" if len(results) > 1 else "r"
 
 
+class JavaRunner(LikeC):
+    """Each text is in a package of its own."""
+    syntax = Java
+    programs = ("javac", "java")
+    packages = "default-jdk-headless"
+    read = {"float": "Float.intBitsToFloat(Words.next())", "int": "Words.next()", "uint": "Words.next()",
+            "bool": "Words.next() != 0"}
+    write = {"float": "Words.put(Float.floatToRawIntBits({}));", "int": "Words.put({});", "uint": "Words.put({});",
+             "bool": "Words.put({} ? 1 : 0);"}
+    faults = {("int", ">>"): "(({}) >>> ({}))", ("uint", ">>"): "(({}) >> ({}))"}
+    cheap = ("-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC", "-Xshare:auto")  # for programs that end soon
+    WORDS = """package words;
+import java.nio.*;
+import java.nio.file.*;
+public final class Words {{
+    static ByteBuffer inputs;
+    static ByteBuffer outputs = ByteBuffer.allocate(1 << 26).order(ByteOrder.LITTLE_ENDIAN);
+    public static int next() {{ return inputs.getInt(); }}
+    public static void put(int word) {{ outputs.putInt(word); }}
+    public static void main(String[] arguments) throws Exception {{
+        inputs = ByteBuffer.wrap(Files.readAllBytes(Path.of("inputs"))).order(ByteOrder.LITTLE_ENDIAN);
+{runs}
+        Files.write(Path.of("outputs"), java.util.Arrays.copyOf(outputs.array(), outputs.position()));
+    }}
+}}
+"""
+
+    def build_and_run(self, texts: Sequence[str], calls: Sequence[str], folder: Path) -> None:
+        runs = "".join(f"        m{i}.Run.all();\n" for i in range(len(texts)))
+        files = {"words/Words.java": self.WORDS.format(runs=runs)}
+        for i, (text, call) in enumerate(zip(texts, calls)):
+            files[f"m{i}/HashNoise.java"] = f"package m{i};\n{text}"
+            head = f"package m{i};\nimport static m{i}.HashNoise.*;\nimport words.Words;\n"
+            files[f"m{i}/Run.java"] = f"{head}public class Run {{\n    public static void all() {{\n{call}\n    }}\n}}\n"
+        for name, text in files.items():
+            (folder / name).parent.mkdir(exist_ok=True)
+            (folder / name).write_text(text, encoding="ascii")
+        ran(folder, "javac", *(f"-J{option}" for option in self.cheap), "-proc:none", "-Xlint:all", "-Werror", *files)
+        ran(folder, "java", *self.cheap, "words.Words")
+
+    def result(self, results: Sequence[Part], number: int) -> str:
+        return f"r.{results[number].name}()" if len(results) > 1 else "r"
+
+
 RUNNERS: dict[str, type[Runner]] = {"rust": RustRunner, "csharp": CSharpRunner, "c": CRunner,
-                                   "javascript": JavaScriptRunner}
+                                   "javascript": JavaScriptRunner, "java": JavaRunner}

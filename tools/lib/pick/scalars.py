@@ -73,6 +73,14 @@ def spaced(parts: Sequence[str]) -> str:
     return "".join(itertools.chain(*itertools.zip_longest(parts, between, fillvalue="")))
 
 
+def block_comment(facts: Facts, tag: str) -> list[str]:
+    """What javadoc and JSDoc read. What stands behind a tag belongs to it."""
+    paragraphs = [facts.what, facts.error and f"Error: {facts.error}.",
+                  facts.all_returns and f"{tag} {facts.all_returns}."]
+    lines = [line for paragraph in paragraphs if paragraph for line in ("", *paragraph_lines(paragraph))][1:]
+    return ["/**", *(f" * {line}".rstrip() for line in lines), " */"] if lines else []
+
+
 def facts_of(function: Function, module: Module, lines: Sequence[str]) -> Facts:
     found = {"": "", "returns": "", "error": ""}
     heading = ""
@@ -126,7 +134,8 @@ class Syntax:
     def __init__(self, precise: bool = False):
         self.precise = precise
         self.used: set[str] = set()           # helpers
-        self.set_structs: frozenset[str] = frozenset()  # parameters of the function that is written
+        self.function_now = ""                # the name of the one that is written
+        self.set_structs: frozenset[str] = frozenset()  # parameters of it
 
     # Names.
 
@@ -555,6 +564,7 @@ def _function(evaluated: Evaluated, name: str, is_public: bool, syntax: Syntax,
     results = results_of(function, evaluated.evaluation.module)
     writer = Scalars(syntax, structs, evaluated.block, evaluated.evaluation.hints,
                      evaluated.evaluation.axes, [*parameters, *snake], names, results)
+    syntax.function_now = name
     syntax.set_structs = frozenset(syntax.variable(one.at.text) for one in evaluated.parameters if one.is_set)
     lines = writer.lines()
     changed = writer.changed_parameters()

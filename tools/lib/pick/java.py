@@ -1,0 +1,126 @@
+"""Java 17 and later, where each float is rounded as IEEE 754 says: a class of static methods."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+
+from pick.printer import STRENGTH, UNARY
+from pick.scalars import Facts, Part, Piece, Syntax, Taken, block_comment, indented, pascal
+from pick.values import AXES, SIZES, scalar_of
+
+NAME = "HashNoise"  # of the class
+UNSIGNED = {"/": "divideUnsigned", "%": "remainderUnsigned"}
+
+
+class Java(Syntax):
+    types = {"float": "float", "int": "int", "uint": "int", "bool": "boolean"}
+    reserved = frozenset("""abstract assert boolean break byte case catch char class const continue default do
+        double else enum extends final finally float for goto if implements import instanceof
+        int interface long native new package private protected public return short static
+        strictfp super switch synchronized this throw throws transient try void volatile while
+        true false null var record yield""".split())
+    joins = re.compile(r" *(float|int|boolean) (\w+(?: = .*[^{])?;)")
+    own_helpers = {
+        "floor": "private static float floor(float x) { return (float) Math.floor(x); }\n",
+        "trunc": "private static float trunc(float x) { return (float) (x < 0f ? Math.ceil(x) : Math.floor(x)); }\n",
+        "sqrt": "private static float sqrt(float x) { return (float) Math.sqrt(x); }\n",
+        "min": "private static float min(float a, float b) { return b < a ? b : a; }\n",
+        "max": "private static float max(float a, float b) { return a < b ? b : a; }\n",
+        "minWord": "private static int minWord(int a, int b) { return Integer.compareUnsigned(b, a) < 0 ? b : a; }\n",
+        "maxWord": "private static int maxWord(int a, int b) { return Integer.compareUnsigned(a, b) < 0 ? b : a; }\n",
+        "toWord": """\
+private static int toWord(float x) {
+    return (int) Math.min(Math.max((long) x, 0L), 0xFFFFFFFFL);
+}
+"""}
+
+    def __init__(self, precise: bool = False):
+        super().__init__(precise)
+        self.records: dict[str, str] = {}  # that the functions need
+
+    @property
+    def helpers(self) -> Mapping[str, str]:
+        return self.records | self.own_helpers
+
+    def _record(self, name: str, parts: Sequence[Part]) -> str:
+        inside = ", ".join(f"{self.type(part.type)} {self.variable(part.name)}" for part in parts)
+        self.records[name] = f"public record {name}({inside}) {{}}\n"
+        return self.helper(name)
+
+    def vector(self, type_: str) -> str:
+        scalar = scalar_of(type_)
+        return self._record(f"{'Float' if scalar == 'float' else 'Int'}{SIZES[type_]}",
+                            [Part(axis, scalar) for axis in AXES[:SIZES[type_]]])
+
+    # Expressions.
+
+    def uint(self, value: int) -> str:
+        return f"0x{value:X}" if value > 9999 else str(value)
+
+    def binary(self, sign: str, type_: str, left: Piece, right: Piece) -> Piece:
+        if type_ == "uint" and sign in UNSIGNED:
+            return self.call(f"Integer.{UNSIGNED[sign]}", [left, right])
+        if type_ == "uint" and sign[0] in "<>" and sign not in ("<<", ">>"):
+            return self.infix(sign, self.call("Integer.compareUnsigned", [left, right]), Piece("0"))
+        made = super().binary(sign, type_, left, right)
+        if type_ == "uint" and sign == ">>":
+            return made._replace(text=f"{self._operand(left)} >>> {self._operand(right)}")
+        return made
+
+    def _operand(self, piece: Piece) -> str:
+        return piece.within(STRENGTH[">>"]) if piece.sign == "" else f"({piece.text})"
+
+    def member(self, of: Piece, axis: str) -> Piece:
+        return Piece(f"{of.within(UNARY)}.{axis}()")
+
+    def convert(self, to: str, of: str, piece: Piece) -> Piece:
+        if {to, of} == {"int", "uint"}:
+            return piece
+        if to == "uint":
+            return self.call(self.helper("toWord"), [piece])
+        if of == "uint" and piece.sign != ">>":  # what was shifted is not negative
+            piece = self.infix("&", piece, Piece("0xFFFFFFFFL"))
+        return Piece(f"({to}) {piece.within(UNARY - 1)}", UNARY)
+
+    def builtin(self, name: str, type_: str, arguments: Sequence[Piece]) -> Piece:
+        as_bits = {"uintBitsToFloat": "Float.intBitsToFloat", "floatBitsToUint": "Float.floatToRawIntBits"}
+        if name in as_bits:
+            return self.call(as_bits[name], arguments)
+        if name == "abs" or name in ("min", "max") and type_ == "int":
+            return self.call(f"Math.{name}", arguments)
+        return self.call(self.helper(f"{name}Word" if type_ == "uint" else name), arguments)
+
+    def make_vector(self, type_: str, parts: Sequence[Piece]) -> Piece:
+        return self.call(f"new {self.vector(type_)}", parts)
+
+    def make_struct(self, type_: str, fields: Sequence[Part], parts: Sequence[Piece]) -> Piece:
+        return self.call(f"new {self.type_name(type_)}", parts)
+
+    def make_results(self, results: Sequence[Part], parts: Sequence[Piece]) -> Piece:
+        return self.call(f"new {self._results(self.function_now, results)}", parts)
+
+    # Functions.
+
+    def _results(self, name: str, results: Sequence[Part]) -> str:
+        if len(results) > 1:
+            return self._record(f"{pascal(name)}Result", results)
+        return self.type(results[0].type) if results else "void"
+
+    def function(self, name: str, parameters: Sequence[Taken], results: Sequence[Part], is_public: bool) -> str:
+        taken = ", ".join(f"{self.type(one.type)} {one.name}" for one in parameters)
+        return f"{'public' if is_public else 'private'} static {self._results(name, results)} {name}({taken}) {{"
+
+    def struct(self, name: str, fields: Sequence[Part]) -> str:
+        typed = [f"{self.type(field.type)} {self.field_name(field.name)}" for field in fields]
+        names = [self.field_name(field.name) for field in fields]
+        parts = [*(f"public {one};\n" for one in typed),
+                 f"\npublic {self.type_name(name)}({', '.join(typed)}) {{\n",
+                 *(f"    this.{one} = {one};\n" for one in names), "}\n"]
+        return f"public static final class {self.type_name(name)} {{\n{indented([''.join(parts)])}}}\n"
+
+    def documented(self, name: str, facts: Facts) -> list[str]:
+        return block_comment(facts, "@return")
+
+    def file(self, heading: Sequence[str], names: Sequence[str], parts: Sequence[str]) -> str:
+        return super().file(heading, names, [f"public final class {NAME} {{\n{indented(parts)}}}\n"])
