@@ -28,6 +28,7 @@ from library_file import write
 from parsing.tokens import Unknown
 from pick.c import C
 from pick.csharp import CSharp
+from pick.go import Go
 from pick.java import Java
 from pick.javascript import JavaScript, TypeScript
 from pick.printer import LANGUAGES
@@ -43,7 +44,7 @@ NO_PRECISE = ("GLSL ES has `precise` from 3.20 on, and what this writes is for 3
 
 
 SYNTAXES: dict[str, type[Syntax]] = {"rust": Rust, "csharp": CSharp, "c": C, "typescript": TypeScript,
-                                     "javascript": JavaScript, "java": Java}
+                                     "javascript": JavaScript, "java": Java, "go": Go}
 
 
 def settings(arithmetic: str, hash_: str) -> dict[str, str]:
@@ -75,7 +76,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
                         help="glsl (the default) is for 3.30 and later, and with precise for 4.00; glsl-es says highp, "
                         "and is for WebGL2, too; hlsl is for the shader models 5 and 6; rust needs core alone; csharp "
                         "is a static class; c is a header of C99; typescript and javascript are "
-                        "modules; java is for 17 and later")
+                        "modules; java is for 17 and later; go for 1.18 and later")
     parser.add_argument("--arithmetic", choices=ARITHMETICS, default="fast", help="default: %(default)s")
     parser.add_argument("--hash", choices=hashes, default="lattice", metavar="NAME",
                         help=f"{', '.join(hashes)} (default: %(default)s)")

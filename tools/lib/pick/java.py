@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import textwrap
 from collections.abc import Mapping, Sequence
 
 from pick.printer import STRENGTH, UNARY
@@ -117,7 +118,7 @@ private static int toWord(float x) {
         parts = [*(f"public {one};\n" for one in typed),
                  f"\npublic {self.type_name(name)}({', '.join(typed)}) {{\n",
                  *(f"    this.{one} = {one};\n" for one in names), "}\n"]
-        return f"public static final class {self.type_name(name)} {{\n{indented([''.join(parts)])}}}\n"
+        return f"public static final class {self.type_name(name)} {{\n{textwrap.indent(''.join(parts), ' ' * 4)}}}\n"
 
     def documented(self, name: str, facts: Facts) -> list[str]:
         return block_comment(facts, "@return")

@@ -14,6 +14,7 @@ from parsing.syntax import Function
 from pick.c import C
 from pick.csharp import CSharp
 from pick.evaluate import Module
+from pick.go import Go
 from pick.java import Java
 from pick.javascript import JavaScript
 from pick.rust import Rust
@@ -392,7 +393,8 @@ public final class Words {{
         for i, (text, call) in enumerate(zip(texts, calls)):
             files[f"m{i}/HashNoise.java"] = f"package m{i};\n{text}"
             head = f"package m{i};\nimport static m{i}.HashNoise.*;\nimport words.Words;\n"
-            files[f"m{i}/Run.java"] = f"{head}public class Run {{\n    public static void all() {{\n{call}\n    }}\n}}\n"
+            body = f"    public static void all() {{\n{call}\n    }}\n"
+            files[f"m{i}/Run.java"] = f"{head}public class Run {{\n{body}}}\n"
         for name, text in files.items():
             (folder / name).parent.mkdir(exist_ok=True)
             (folder / name).write_text(text, encoding="ascii")
@@ -403,5 +405,69 @@ public final class Words {{
         return f"r.{results[number].name}()" if len(results) > 1 else "r"
 
 
+class GoRunner(LikeC):
+    """Each text is a package, with what calls it."""
+    syntax = Go
+    programs = ("go",)
+    packages = "golang-go"
+    read = {"float": "words.Float()", "int": "int32(words.Next())", "uint": "words.Next()", "bool": "words.Next() != 0"}
+    write = {"float": "words.PutFloat({});", "int": "words.Put(uint32({}));", "uint": "words.Put({});",
+             "bool": "words.Put(choose({}, uint32(1), uint32(0)));"}
+    faults = {("int", ">>"): "int32(uint32({}) >> ({}))", ("uint", ">>"): "uint32(int32({}) >> ({}))"}
+    loop = "for point := 0; point < {points}; point++ {{"
+    WORDS = """package words
+
+import (
+    "encoding/binary"
+    "math"
+    "os"
+)
+
+var inputs, _ = os.ReadFile("inputs")
+var outputs []byte
+
+func Next() uint32 {
+    word := binary.LittleEndian.Uint32(inputs)
+    inputs = inputs[4:]
+    return word
+}
+func Float() float32 { return math.Float32frombits(Next()) }
+func Put(word uint32) { outputs = append(outputs, byte(word), byte(word>>8), byte(word>>16), byte(word>>24)) }
+func PutFloat(x float32) { Put(math.Float32bits(x)) }
+func Write() { os.WriteFile("outputs", outputs, 0644) }
+"""
+
+    def build_and_run(self, texts: Sequence[str], calls: Sequence[str], folder: Path) -> None:
+        numbers = range(len(texts))
+        imports = "".join(f'    m{i} "hn/m{i}"\n' for i in numbers)
+        runs = "".join(f"    m{i}.Run()\n" for i in numbers)
+        main = f'package main\n\nimport (\n    "hn/words"\n{imports})\n\nfunc main() {{\n{runs}    words.Write()\n}}\n'
+        files = {"go.mod": "module hn\n\ngo 1.18\n", "words/words.go": self.WORDS, "main.go": main}
+        for i, text, call in zip(numbers, texts, calls):
+            files[f"m{i}/noise.go"] = text
+            chooses = "" if "func choose" in text or "choose(" not in call else Go.helpers["choose"]
+            head = f'package hashnoise\n\nimport "hn/words"\n\n{chooses}'
+            files[f"m{i}/run.go"] = f"{head}func Run() {{\n{call}\n}}\n"
+        for name, text in files.items():
+            (folder / name).parent.mkdir(exist_ok=True)
+            (folder / name).write_text(text, encoding="ascii")
+        ran(folder, "go", "build", "-o", "main", ".")
+        ran(folder, folder / "main")
+
+    def declare(self, type_: str, name: str, value: str, changes: bool) -> str:
+        return f"{name} := {value};"
+
+    def called(self, name: str, arguments: Sequence[str], results: Sequence[Part]) -> list[str]:
+        received = ", ".join(f"r{i}" for i in range(len(results)))
+        return [f"{received}{' := ' if results else ''}{name}({', '.join(arguments)});"]
+
+    def result(self, results: Sequence[Part], number: int) -> str:
+        return f"r{number}"
+
+    def passed(self, name: str, is_set: bool) -> str:
+        return f"&{name}" if is_set else name
+
+
 RUNNERS: dict[str, type[Runner]] = {"rust": RustRunner, "csharp": CSharpRunner, "c": CRunner,
-                                   "javascript": JavaScriptRunner, "java": JavaRunner}
+                                   "javascript": JavaScriptRunner, "java": JavaRunner,
+                                   "go": GoRunner}

@@ -141,7 +141,7 @@ fn abs(x: f32) -> f32 {
             return Piece(f"{typed(operand, type_)}.wrapping_neg()")
         return super().unary(sign, type_, operand)
 
-    def choice(self, condition: Piece, yes: Piece, no: Piece) -> Piece:
+    def choice(self, condition: Piece, yes: Piece, no: Piece, type_: str) -> Piece:
         other = no.text if no.sign == "if" else f"{{ {no.text} }}"
         return Piece(f"if {condition.text} {{ {yes.text} }} else {other}", CHOICE, "if")
 

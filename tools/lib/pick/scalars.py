@@ -64,7 +64,9 @@ def paragraph_lines(text: str, width: int = 96) -> list[str]:
 
 def indented(parts: Sequence[str]) -> str:
     """What stands in a class."""
-    return "".join(f"    {line}".rstrip() + "\n" for line in spaced(parts).splitlines())
+    lines = (part for line in spaced(parts).splitlines()
+             for part in wrapped(line.lstrip(), 4 + len(line) - len(line.lstrip())))
+    return "".join(f"{line.rstrip()}\n" for line in lines)
 
 
 def spaced(parts: Sequence[str]) -> str:
@@ -212,7 +214,7 @@ class Syntax:
     def unary(self, sign: str, type_: str, operand: Piece) -> Piece:
         return Piece(f"{sign}{operand.within(UNARY)}", UNARY)
 
-    def choice(self, condition: Piece, yes: Piece, no: Piece) -> Piece:
+    def choice(self, condition: Piece, yes: Piece, no: Piece, type_: str) -> Piece:
         return Piece(" ".join((condition.within(CHOICE), "?", yes.within(CHOICE), ":", no.within(CHOICE))), CHOICE)
 
     def member(self, of: Piece, axis: str) -> Piece:
@@ -260,6 +262,9 @@ class Syntax:
     def do(self, body: list[str], condition: Piece, negated: str) -> list[str]:
         return ["do {", *body, f"}} while ({condition.text});"]
 
+    def while_(self, condition: str) -> str:
+        return f"while {self.head.format(condition)} {{"
+
     def forever(self) -> str:
         return "while (true) {"
 
@@ -282,10 +287,13 @@ class Syntax:
 
     def documented(self, name: str, facts: Facts) -> list[str]:
         """A comment above a function, in the form that the language's tools know."""
+        return [f"/// {line}".rstrip() for line in self.paragraphs(facts)]
+
+    def paragraphs(self, facts: Facts) -> list[str]:
+        """Of a comment in sentences."""
         paragraphs = [facts.what, f"Returns {facts.all_returns}." if facts.all_returns else "",
                       f"Error: {facts.error}." if facts.error else ""]
-        lines = [["", *paragraph_lines(paragraph)] for paragraph in paragraphs if paragraph]
-        return [f"/// {line}".rstrip() for line in itertools.chain(*lines)][1:]
+        return [line for paragraph in paragraphs if paragraph for line in ("", *paragraph_lines(paragraph))][1:]
 
     def joined(self, lines: Sequence[str], space: str) -> list[str]:
         """Lines of a block as they stand in the text."""
@@ -438,7 +446,7 @@ class Scalars(Writer):
             head = syntax.loop(start.variable.type, syntax.variable(name), self._text(start.value),
                                self._piece(loop.condition), self._change(step), is_read)
         elif loop.condition is not None:
-            head = f"while {syntax.head.format(self._text(loop.condition))} {{"
+            head = syntax.while_(self._text(loop.condition))
         else:
             head = syntax.forever()
         return [head, *self._lines(loop.body, syntax.indent), "}"]
@@ -477,7 +485,7 @@ class Scalars(Writer):
         if node.kind == "unary":
             return syntax.unary(node.name, types[0], arguments[0])
         if node.kind == "choice":
-            return syntax.choice(*arguments)
+            return syntax.choice(*arguments, node.type)
         if node.kind == "binary":
             if syntax.shifts_by_int and node.name in ("<<", ">>") and types[1] == "uint":
                 arguments[1] = self._piece(converted("int", node.arguments[1]))

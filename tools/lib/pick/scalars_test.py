@@ -12,6 +12,7 @@ from pick.c import C
 from pick.evaluate import Module
 from pick.javascript import JavaScript, TypeScript
 from pick.program import Program, chosen, read
+from pick.runners import RUNNERS, NotInstalled
 from pick.rust import Rust
 from pick.scalars import Syntax, text
 from tree import GLSL
@@ -86,6 +87,23 @@ class InTypeScript(unittest.TestCase):
                 self.assertRegex(typed, r"(?m)^function \w+\(\w+: ")
                 self.assertNotRegex(plain, r"(?m)^function \w+\(\w+: ")
                 self.assertEqual(self.erased(typed), self.erased(plain))
+
+
+class InAll(unittest.TestCase):
+    def test_lines_are_no_longer_than_elsewhere(self) -> None:
+        for arithmetic in command.ARITHMETICS[:2]:
+            of = read(GLSL, command.settings(arithmetic, "lattice"), splits=True)
+            for name in ("hn_perlin_d3", "hn_cellular3_nearest", "hn_octaves_of2_place"):
+                program = Program(of, chosen(of, [name]))
+                for language, syntax in command.SYNTAXES.items():
+                    with self.subTest(name, language=language, arithmetic=arithmetic):
+                        self.assertLessEqual(max(map(len, text(program, syntax()).splitlines())), 120)
+
+    def test_a_compiler_that_is_missing_is_named_with_its_package(self) -> None:
+        class Absent(RUNNERS["java"]):
+            programs = ("hn-no-such-compiler",)
+        with self.assertRaisesRegex(NotInstalled, "no hn-no-such-compiler: apt-get install default-jdk-headless"):
+            Absent().check()
 
 
 if __name__ == "__main__":
