@@ -1,5 +1,5 @@
-"""Writes functions of the library with what they need, and nothing else, to paste into a shader, or into a
-program for the CPU.
+"""Writes functions of the library with what they need, and nothing else, to paste into a shader, or into a program for
+the CPU.
 
     tools/pick hn_perlin2                              GLSL, HN_FAST, the default hash
     tools/pick hn_fbm3 hn_cellular2 --arithmetic fixed --out noise.glsl
@@ -9,9 +9,9 @@ program for the CPU.
 A function is called as tools/wgsl calls it, by its form: hn_perlin2 is hn_perlin(vec2 p, uint seed), and
 hn_perlin2_place is hn_perlin(hn_place2 place, uint seed). What it is made of stands in its place; what is called more
 than once stays a function. What is known is computed, and what nothing needs is gone. The values are those of the
-library.
+library. For the CPU a function has the name of its form: perlin2 in Rust, Perlin2 in C# and Go, hn_perlin2 in C.
 
-Ask for all functions of a shader at once: two texts may have the same function.
+Ask for all functions of a shader or program at once: two texts may have the same function.
 
 Exit status: 0 done, 2 bad usage.
 """

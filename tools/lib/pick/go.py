@@ -23,6 +23,9 @@ class Go(Syntax):
         cap clear close complex copy delete error false float32 float64 imag int int32 iota len
         make math max min new nil panic print println real recover rune string true uint uint32
         uint64""".split())
+    component = re.compile(r"(?P<space> *)(?P<name>(?P<base>\w*[a-z])(?P<axis>[WXYZ])(?P<number>\d*))"
+                           r" := (?P<value>.*[^{])")
+    components = "{}{} := {}"
     helpers = {
         "choose": """\
 func choose[T any](condition bool, yes, no T) T {

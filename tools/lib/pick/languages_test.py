@@ -33,6 +33,8 @@ SKIPPED = 77
 # What has the most of what is written in different ways: vectors that are returned or set, structs, loops.
 ALWAYS = ("hn_perlin2", "hn_fbm2", "hn_cellular2_nearest", "hn_next3", "hn_tile2", "hn_value3_place")
 
+TOGETHER = ("hn_perlin2", "hn_value3_place", "hn_tile2")  # in one text
+
 
 @functools.cache
 def module(arithmetic: str) -> Module:
@@ -96,14 +98,15 @@ class Language(unittest.TestCase):
             found = found[len(expected):]
         return [f"{name}: {shown}" if shown else "" for (name, _), shown in zip(texts, differences)]
 
-    def text(self, arithmetic: str, of: Module, name: str, syntax: type[Syntax] | None = None) -> str:
+    def text(self, arithmetic: str, of: Module, *names: str, syntax: type[Syntax] | None = None) -> str:
         syntax = syntax or self.runner.syntax
-        return text(Program(of, chosen(of, [name])), syntax(arithmetic == "precise"))
+        return text(Program(of, chosen(of, names)), syntax(arithmetic == "precise"))
 
     def test_the_bits_are_those_of_the_library(self) -> None:
         for arithmetic in command.ARITHMETICS:
             of = module(arithmetic)
             texts = [(name, self.text(arithmetic, of, name)) for name in functions(of, arithmetic)]
+            texts += [(TOGETHER[0], self.text(arithmetic, of, *TOGETHER))]
             with self.subTest(arithmetic=arithmetic):
                 self.assertGreater(len(texts), 10)
                 self.assertEqual("\n".join(filter(None, self.differing(arithmetic, of, texts))), "")
@@ -116,7 +119,7 @@ class Language(unittest.TestCase):
 
     def test_a_fault_of_the_printer_is_noticed(self) -> None:
         of = module("fixed")
-        texts = [("hn_perlin2", self.text("fixed", of, "hn_perlin2", faulty(self.runner.syntax, *fault)))
+        texts = [("hn_perlin2", self.text("fixed", of, "hn_perlin2", syntax=faulty(self.runner.syntax, *fault)))
                  for fault in self.runner.faults.items()]
         right = self.text("fixed", of, "hn_perlin2")
         self.assertNotIn(right, [shown for _, shown in texts])

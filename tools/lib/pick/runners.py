@@ -346,8 +346,8 @@ export const write = () => writeFileSync("outputs", Uint32Array.from(outputs));
         imported = 'import { next, float, put, putFloat } from "./words.mjs";\n'
         for i, (text, call) in enumerate(zip(texts, calls)):
             (folder / f"text{i}.mjs").write_text(text, encoding="ascii")
-            name, = re.findall(r"^export function (\w+)", text, re.MULTILINE)
-            run = f'import {{ {name} }} from "./text{i}.mjs";\n{imported}{call}\n'
+            names = ", ".join(re.findall(r"^export function (\w+)", text, re.MULTILINE))
+            run = f'import {{ {names} }} from "./text{i}.mjs";\n{imported}{call}\n'
             (folder / f"run{i}.mjs").write_text(run, encoding="ascii")
         main = "".join(f'import "./run{i}.mjs";\n' for i in range(len(texts)))
         (folder / "main.mjs").write_text(f'{main}import {{ write }} from "./words.mjs";\nwrite();\n', encoding="ascii")

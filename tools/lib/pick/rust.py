@@ -14,11 +14,6 @@ WRAPPING = {"+": "add", "-": "sub", "*": "mul"}
 LIKE_A_GENERIC = ("<", "<=", "<<")  # behind a cast they would be taken for the arguments of its type
 
 
-COMPONENT = re.compile(r"(?P<space> *)let (?P<mut>mut )?(?P<name>(?P<base>\w+)_(?P<axis>[wxyz])(?P<number>\d*))"
-                       r" = (?P<value>.*[^{]);")
-ROOM = 84  # for components in one line
-
-
 def is_number(piece: Piece) -> bool:
     return re.fullmatch(r"-?\d[\w.]*", piece.text) is not None
 
@@ -31,15 +26,13 @@ def typed(piece: Piece, type_: str) -> str:
     return f"({number})" if number.startswith("-") else number
 
 
-def _together(found: Sequence[re.Match[str]]) -> str:
-    names = ", ".join(f"{one['mut'] or ''}{one['name']}" for one in found)
-    return f"{found[0]['space']}let ({names}) = ({', '.join(one['value'] for one in found)});"
-
-
 class Rust(Syntax):
     head = "{}"
     counts_a_range = True
     branches_are_values = True
+    component = re.compile(r"(?P<space> *)let (?P<name>(?:mut )?(?P<base>\w+)_(?P<axis>[wxyz])(?P<number>\d*))"
+                           r" = (?P<value>.*[^{]);")
+    components = "{}let ({}) = ({});"
     types = {"float": "f32", "int": "i32", "uint": "u32", "bool": "bool"}
     reserved = frozenset("""as async await break const continue crate dyn else enum extern false fn for if impl in
         let loop match mod move mut pub ref return self static struct super trait true type
@@ -209,18 +202,3 @@ fn abs(x: f32) -> f32 {
     def struct(self, name: str, fields: Sequence[Part]) -> str:
         inside = "".join(f"    pub {self.field_name(field.name)}: {self.type(field.type)},\n" for field in fields)
         return f"#[derive(Clone, Copy, Debug, Default, PartialEq)]\npub struct {pascal(bare(name))} {{\n{inside}}}\n"
-
-    def joined(self, lines: Sequence[str], space: str) -> list[str]:
-        """Components of one vector are declared together."""
-        joined: list[tuple[str, list[re.Match[str]]]] = []
-        for line in lines:
-            found = COMPONENT.fullmatch(line)
-            before = joined[-1][1] if joined else []
-            if found and before and (before[-1]["space"], before[-1]["base"], before[-1]["number"]) == (
-                    found["space"], found["base"], found["number"]) and before[-1]["axis"] < found["axis"] and not any(
-                    re.search(rf"\b{one['name']}\b", found["value"]) for one in before) and (
-                    sum(len(one["value"]) + len(one["name"]) + 4 for one in (*before, found)) < ROOM):
-                before.append(found)
-            else:
-                joined.append((line, [found] if found else []))
-        return super().joined([_together(found) if len(found) > 1 else line for line, found in joined], space)

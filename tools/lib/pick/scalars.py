@@ -19,9 +19,10 @@ from pick.evaluate import Kept, Module, dotted
 from pick.printer import BITS, CHOICE, PRIMARY, STRENGTH, TRUTH, UNARY, UNNAMED, Language, Writer, declarations_joined
 from pick.program import Evaluated, Program
 from pick.statements import Break, Declare, If, Loop, Return, Set, Statement, blocks, operands, reachable, walk
-from pick.values import Constant, Node, Operation, Variable, converted, operation
+from pick.values import AXES, Constant, Node, Operation, Variable, converted, operation
 from wgsl.names import wgsl_name
 
+ROOM = 84  # for components in one line
 NEGATED = {"<": ">=", ">": "<=", "<=": ">", ">=": "<", "==": "!=", "!=": "=="}  # of whole numbers
 
 
@@ -131,6 +132,9 @@ class Syntax:
     shifts_by_int = False            # whether the right operand of a shift has to be an int
     counts_a_range = False           # whether loops that count go through a range
     branches_are_values = False      # whether an if has a value
+    # What a declaration of a component looks like, if those of one vector share a line, and what they are together.
+    component: re.Pattern[str] | None = None
+    components = ""
     joins: re.Pattern[str] | None = None  # what a declaration looks like, if several may share a line
 
     def __init__(self, precise: bool = False):
@@ -297,7 +301,24 @@ class Syntax:
 
     def joined(self, lines: Sequence[str], space: str) -> list[str]:
         """Lines of a block as they stand in the text."""
-        return declarations_joined(lines, space, self.joins)
+        return declarations_joined(self._with_components(lines) if self.component else lines, space, self.joins)
+
+    def _with_components(self, lines: Sequence[str]) -> list[str]:
+        """Components of one vector are declared together, unless one is made of another."""
+        groups: list[tuple[str, list[re.Match[str]]]] = []
+        for line in lines:
+            found = self.component.fullmatch(line)
+            before = groups[-1][1] if groups else []
+            if found and before and all(found[part] == before[-1][part] for part in ("space", "base", "number")) and (
+                    AXES.index(before[-1]["axis"].lower()) < AXES.index(found["axis"].lower())) and not any(
+                    re.search(rf"\b{one['name'].split()[-1]}\b", found["value"]) for one in before) and (
+                    sum(len(one["value"]) + len(one["name"]) + 4 for one in (*before, found)) < ROOM):
+                before.append(found)
+            else:
+                groups.append((line, [found] if found else []))
+        return [line if len(found) < 2 else self.components.format(
+            found[0]["space"], ", ".join(one["name"] for one in found), ", ".join(one["value"] for one in found))
+            for line, found in groups]
 
     def overhead(self, node: Operation) -> int:
         """By how much an operation takes more characters than GLSL's."""
