@@ -120,7 +120,6 @@ def bare(name: str) -> str:
 
 class Syntax:
     """How a language writes the same. This is what the languages that come from C have in common."""
-    extension = ""
     indent = 4
     end = ";"
     head = "({})"                    # of a condition
@@ -344,7 +343,7 @@ class Scalars(Writer):
         self._valued: dict[int, list[Variable]] = {}  # of branches that have values, by id(): variables that get them
         self._yielded: set[Variable] = set()          # by branches
         self._last: set[int] = set()                  # branches whose values are returned, by id()
-        super().__init__(Language(), block, hints, parameters, names, reserved=syntax.reserved)
+        super().__init__(Language(), block, hints, parameters, names, reserved={*syntax.reserved, *syntax.helpers})
 
     def changed_parameters(self) -> set[str]:
         """Those that are variables as well."""
