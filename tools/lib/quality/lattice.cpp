@@ -83,7 +83,7 @@ struct Quantity {
    }}
 // clang-format on
 
-constexpr std::array<Quantity, 23> kQuantities = {{
+constexpr auto kQuantities = std::to_array<Quantity>({
     {"word", '2', 3, 1,
      [](const Word* in, Word* out) { *out = hashnoise::hn_i_point(hashnoise::uvec2(in[0], in[1]), in[2]); }},
     {"word", '3', 4, 1,
@@ -112,10 +112,12 @@ constexpr std::array<Quantity, 23> kQuantities = {{
      [](const Word* in, Word* out) {
        *out = std::bit_cast<Word>(hashnoise::hn_fbm(place3(in), integer(in[6]), real(in[7]), real(in[8]), in[9]));
      }},
+#if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL  // the only one that has noise in 4D
     {"sum", '4', 12, 1,
      [](const Word* in, Word* out) {
        *out = std::bit_cast<Word>(hashnoise::hn_fbm(place4(in), integer(in[8]), real(in[9]), real(in[10]), in[11]));
      }},
+#endif
     {"tiled_sum", '2', 9, 1,
      [](const Word* in, Word* out) {
        *out = std::bit_cast<Word>(hashnoise::hn_fbm(hashnoise::hn_tile(place2(in), ivec2(integer(in[7]))),
@@ -131,7 +133,7 @@ constexpr std::array<Quantity, 23> kQuantities = {{
     TILED(value_cubic),
     TILED(simplex),
     TILED(simplex_smooth),
-}};
+});
 #undef TILED
 
 const Quantity* find(int argc, char** argv) {
