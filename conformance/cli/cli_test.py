@@ -248,7 +248,7 @@ class Cli(unittest.TestCase):
         for group in (
             (
                 (f"{perlin}.range", "detail/ramps.glsl", "n, 1365)", "n, 2365)"),
-                (f"{perlin}.seeds", "detail/cell.glsl", "box.upper, s, s, 0u)", "box.upper, 0u, 0u, 0u)"),
+                (f"{perlin}.seeds", "detail/cell.glsl", "box.upper, hn_i_seed_join(s), s, 0u)", "box.upper, 0u, 0u, 0u)"),
                 ("fbm.fbm2.*.fast.*.other_noise", "detail/octave.glsl",
                  "hn_i_summed(s.value, n, weight)", "hn_i_summed(s.value, n, HN_I_WEIGHT_ONE)"),
                 ("fbm.ridged2_cell_period.*.fixed.*.other_noise",),
