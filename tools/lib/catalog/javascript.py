@@ -215,7 +215,7 @@ def package(twin: Twin) -> dict[Path, str]:
     page = (ROOT / PAGE).read_text(encoding="utf-8")
     page = with_table(PAGE, page, "tools/catalog: settings", settings_of_page(twin))
     page = with_table(PAGE, page, "tools/catalog: noises that are not there",
-                      f"Noises that did not fit into 45 kB: {code([noise.name for noise in twin.absent])}.\n")
+                      f"Noises that did not fit into 46 kB: {code([noise.name for noise in twin.absent])}.\n")
     with_kernels = with_section(TWIN, "noises", kernels(twin))[1]
     return dict([with_section(FIELDS, "noises and sums", noises_and_sums(twin)),
                  with_section(TYPES, "names", types_of_names(twin), with_settings),
