@@ -5,7 +5,7 @@ from __future__ import annotations
 import functools
 import re
 
-from pick.command import ARITHMETICS, settings
+from pick.command import ARITHMETICS, SYNTAXES, picked, settings
 from pick.printer import LANGUAGES
 from pick.program import Program, chosen, read
 from single_file.files import text
@@ -48,3 +48,13 @@ def picks_table() -> str:
         texts = [Program(module, chosen(module, [name])).text(LANGUAGES["glsl"]) for module in modules]
         rows.append([f"`{name}`", *(f"{len(shown):,} bytes, {shown.count(chr(10))} lines" for shown in texts), size(file)])
     return table(("", "`HN_FAST`", "`HN_FIXED`", "the file, by `tools/single-file --strip`"), rows)
+
+
+def picked_text(name: str, language: str) -> str:
+    return f"```{language}\n{picked([name], language)}```\n"
+
+
+@functools.cache
+def picked_for_programs() -> str:
+    """A short function in each language of programs."""
+    return "\n".join(f"`--language {language}`:\n\n{picked_text('hn_lattice2', language)}" for language in SYNTAXES)
