@@ -10,6 +10,7 @@ from typing import Any
 from catalog.grid import in_camel_case
 from catalog.model import Catalog, Function, Noise, Sum
 from catalog.sections import with_section
+from npm.twin import MOST_BYTES
 from tables.markdown import table
 from tables.markdown import with_section as with_table
 from tree import ROOT
@@ -215,7 +216,7 @@ def package(twin: Twin) -> dict[Path, str]:
     page = (ROOT / PAGE).read_text(encoding="utf-8")
     page = with_table(PAGE, page, "tools/catalog: settings", settings_of_page(twin))
     page = with_table(PAGE, page, "tools/catalog: noises that are not there",
-                      f"Noises that did not fit into 46 kB: {code([noise.name for noise in twin.absent])}.\n")
+                      f"Noises that did not fit into {MOST_BYTES // 1000} kB: {code([noise.name for noise in twin.absent])}.\n")
     with_kernels = with_section(TWIN, "noises", kernels(twin))[1]
     return dict([with_section(FIELDS, "noises and sums", noises_and_sums(twin)),
                  with_section(TYPES, "names", types_of_names(twin), with_settings),
