@@ -10,9 +10,9 @@
 HN_FN hn_rank hn_i_weigh_slab(hn_rank weights, hn_i_block3 block, hn_uint join, hn_uint odd, hn_num3 x, hn_num3 y,
                               hn_num z, hn_num jitter) {
   hn_uvec3 joins = hn_i_joins_x(block);
-  hn_uvec3 odds = hn_i_odd_steps(hn_i_along_x(block));
+  hn_uvec3 odds = hn_i_odd_step(hn_i_along_x(block));
   hn_uvec3 rows = hn_i_xor(hn_i_joins_y(block), join);
-  hn_uvec3 row_odds = hn_i_odd_steps(hn_i_along_y(block) * HN_I_SUM_Y) + odd;
+  hn_uvec3 row_odds = hn_i_odd_step(hn_i_along_y(block) * HN_I_SUM_Y) + odd;
   hn_num3 across = hn_i_thrice(z);
   hn_int metric = HN_METRIC_SQUARED;
   hn_uvec3 words = hn_i_row_words(joins, odds, rows.x, row_odds.x);

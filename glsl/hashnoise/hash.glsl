@@ -206,6 +206,7 @@ HN_FN hn_uint hn_i_odd(hn_uint sum) {
   return odd + (odd << 12u);
 }
 HN_FN hn_uint hn_i_odd_step(hn_uint step) { return step * 8194u; }
+HN_FN hn_uvec3 hn_i_odd_step(hn_uvec3 steps) { return steps * 8194u; }
 
 #if HN_HASH == HN_HASH_LATTICE
 HN_FN hn_uint hn_i_word(hn_uint join, hn_uint odd) { return join * (odd & 0x00FFFFFFu); }

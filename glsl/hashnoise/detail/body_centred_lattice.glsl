@@ -13,7 +13,7 @@
 // classic simplex noise, without its skew. Every whole period fits, and the coordinates are halves, so they are exact.
 //
 // A corner has the word of its cell. A centre has the word of its cell with one coordinate more, which is 1. It is
-// spread with the fifth prime of xxHash and folded by 21 bits. So it adds constants to both joins of the word.
+// spread with the fifth prime of xxHash, and its high 24 bits count. So it adds constants to both joins of the word.
 #define HN_I_CENTRE_SUM 0x165667B1u
 #define HN_I_CENTRE_JOIN 0x00165667u
 

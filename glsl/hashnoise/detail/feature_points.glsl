@@ -186,9 +186,6 @@ HN_FN hn_num3 hn_i_row(hn_num d) { return hn_i_three(hn_i_offset_from_cell(d, -1
 HN_FN hn_num3 hn_i_thrice(hn_num d) { return hn_i_three(d, d, d); }
 HN_FN hn_uvec3 hn_i_thrice(hn_uint word) { return uvec3(word, word, word); }
 
-// What steps of the sum add to the second join of a word.
-HN_FN hn_uvec3 hn_i_odd_steps(hn_uvec3 steps) { return steps * 8194u; }
-
 // The words of three cells in a row, from what their coordinates add to the joins of a word, and what the rest adds.
 HN_FN hn_uvec3 hn_i_row_words(hn_uvec3 joins, hn_uvec3 odds, hn_uint join, hn_uint odd) {
   joins = hn_i_xor(joins, join);

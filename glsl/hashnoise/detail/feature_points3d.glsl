@@ -148,9 +148,9 @@ HN_FN hn_uvec3 hn_i_joins_z(hn_i_block3 block) {
 HN_FN hn_rank4 hn_i_visit_slab(hn_rank4 best, hn_i_block3 block, hn_uint join, hn_uint odd, hn_num3 x, hn_num3 y,
                                hn_num z, hn_num jitter, hn_int metric, hn_int code) {
   hn_uvec3 joins = hn_i_joins_x(block);
-  hn_uvec3 odds = hn_i_odd_steps(hn_i_along_x(block));
+  hn_uvec3 odds = hn_i_odd_step(hn_i_along_x(block));
   hn_uvec3 rows = hn_i_xor(hn_i_joins_y(block), join);
-  hn_uvec3 row_odds = hn_i_odd_steps(hn_i_along_y(block) * HN_I_SUM_Y) + odd;
+  hn_uvec3 row_odds = hn_i_odd_step(hn_i_along_y(block) * HN_I_SUM_Y) + odd;
   hn_num3 across = hn_i_thrice(z);
   best = hn_i_visited(
       best, hn_i_ranks(hn_i_row_words(joins, odds, rows.x, row_odds.x), x, hn_i_thrice(y.x), across, jitter, metric),
@@ -210,7 +210,7 @@ HN_FN hn_uvec3 hn_i_slab_words(hn_i_block3 block, hn_int axis, hn_uint at, hn_in
   hn_uvec3 along_y = hn_i_along_y(block) * HN_I_SUM_Y;
   hn_uvec3 row = hn_i_if_axis(axis, 0, along_y, hn_i_along_x(block));
   hn_uint next = hn_i_of_three(hn_i_if_axis(axis, 2, along_y, hn_i_along_z(block) * HN_I_SUM_Z), n);
-  return hn_i_row_words(hn_i_if_axis(axis, 0, y, x), hn_i_odd_steps(row),
+  return hn_i_row_words(hn_i_if_axis(axis, 0, y, x), hn_i_odd_step(row),
                         hn_i_of_three(hn_i_if_axis(axis, 2, y, z), n) ^ hn_i_along(axis, hn_i_high(uvec3(at, at, at))) ^
                             hn_i_seed_join(s),
                         hn_i_odd(next + hn_i_along(axis, uvec3(at, hn_i_sum_y(at), hn_i_sum_z(at))) + s));
