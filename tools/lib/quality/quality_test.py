@@ -158,7 +158,8 @@ class NearReturns(unittest.TestCase):
             nearest = np.minimum.accumulate(np.abs(away))
             records = [1, *(lags[1:][nearest[1:] < nearest[:-1]])]
             self.assertEqual([lag for lag in near_returns.denominators(step) if lag < 1 << 16], records)
-            self.assertEqual([lag * step % (1 << 32) for lag in near_returns.powers(step)], [1 << k for k in range(near_returns.NEAR + 1)])
+            self.assertEqual([lag * step % (1 << 32) for lag in near_returns.powers(step)],
+                             [1 << k for k in range(near_returns.NEAR + 1)])
         self.assertIn(controls.NEAR_RETURN, near_returns.denominators(int(controls.PRIMES[0])))
 
     def test_lags_of_two_axes(self):
@@ -173,7 +174,7 @@ class NearReturns(unittest.TestCase):
         for n, count in ((2, 1 << 12), (3, 1 << 12), (3, 1 << 13)):
             shown = near_returns.places(n, count)
             self.assertEqual({cells.shape for cells in shown.values()}, {(count, n)})
-            self.assertLess(np.abs(shown["as positions"]).max(), 1 + (1 << near_returns.REACH))
+            self.assertLessEqual(np.abs(shown["as positions"]).max(), 1 << near_returns.REACH)
 
 
 class Thresholds(unittest.TestCase):
