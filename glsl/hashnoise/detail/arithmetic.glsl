@@ -352,17 +352,21 @@ HN_FN hn_ivec3 hn_i_signed(hn_ivec3 m, hn_uvec3 words) {
 }
 
 // The distance of a fraction from the nearer end, in units of 2^-17, rounded. It has 16 bits, so it is never 1/2, which
-// has one bit more.
-HN_FN hn_uint hn_i_from_end(hn_int f) { return uint(min(min(f, 1048576 - f) + 4, 524287)) >> 3u; }
+// has one bit more. Of words, since compilers then see that its square is a product of 24 bits, which AMD and Adreno
+// have for a third of a product of 32.
+HN_FN hn_uint hn_i_from_end(hn_int f) {
+  hn_uint x = uint(f);
+  return min(min(x, 1048576u - x) + 4u, 524287u) >> 3u;
+}
 
 // The result is in units of 2^-18 and never falls. With the nearer end at 0, f^3 (10 - 15 f + 6 f^2) is computed as f Q
 // with Q = f^2 (4 + R) and R = 6 - 15 f + 6 f^2. The other half is the mirror image. x has 16 bits and its square 32.
-// The summands 32768 and 16384 round.
+// The summands 32768 and 16384 round. r is below 2^19: its mask is for compilers, as above.
 HN_FN hn_int hn_i_fade(hn_int f) {
   hn_uint x = hn_i_from_end(f);
   hn_uint square = x * x;
   hn_uint z = (square + 32768u) >> 16u;
-  hn_uint r = (1572864u + 6u * z - 30u * x) >> 2u;
+  hn_uint r = ((1572864u + 6u * z - 30u * x) >> 2u) & 524287u;
   hn_uint q = (square + ((z * r) >> 2u) + 32768u) >> 16u;
   hn_int t = int((x * q + 16384u) >> 15u);
   return hn_i_select(f > 524288, 262144 - t, t);

@@ -95,17 +95,32 @@ HN_FN hn_float hn_i_octahedral_z(hn_float z) { return z; }
 
 #else
 
-// The same in units of 2^-9, but p, q and z in units of 2^-8.
+// The same in units of 2^-9, but p, q and z in units of 2^-8. They are made as floats that are whole numbers of few
+// bits, so no step rounds: compilers of GPUs have the absolute value of a float for nothing, and that of an integer not.
+#if HN_I_BITCAST
+HN_FN hn_float hn_i_whole2(hn_uint h) { return uintBitsToFloat((h & 0x007FC000u) | 0x44800000u) - 1535.0f; }
+HN_FN hn_float hn_i_whole3(hn_uint h) { return uintBitsToFloat((h & 0x007F8000u) | 0x44000000u) - 767.0f; }
+
+// The same of three words at once.
+HN_FN hn_vec3 hn_i_wholes2(hn_uvec3 h) {
+  return uintBitsToFloat(hn_i_or(hn_i_and(h, 0x007FC000u), 0x44800000u)) - 1535.0f;
+}
+#else
+HN_FN hn_float hn_i_whole2(hn_uint h) { return hn_i_float((h >> 13u) & 1022u) - 511.0f; }
+HN_FN hn_float hn_i_whole3(hn_uint h) { return hn_i_float((h >> 14u) & 510u) - 255.0f; }
+HN_FN hn_vec3 hn_i_wholes2(hn_uvec3 h) { return vec3(hn_i_whole2(h.x), hn_i_whole2(h.y), hn_i_whole2(h.z)); }
+#endif
 HN_FN hn_ivec3 hn_i_direction2(hn_uint h) {
-  hn_int x = int((h >> 13u) & 1022u) - 511;
-  hn_int m = 512 - hn_i_size(x);
-  return ivec3(x, hn_i_signed(m, h), min(512 - m, m));
+  hn_float x = hn_i_whole2(h);
+  hn_float m = 512.0f - abs(x);
+  return ivec3(vec3(x, hn_i_signed(m, h), min(abs(x), m)));
 }
 HN_FN hn_ivec4 hn_i_direction3(hn_uint h) {
-  hn_int p = int((h >> 22u) & 510u) - 255;
-  hn_int q = int((h >> 14u) & 510u) - 255;
-  hn_int larger = max(hn_i_size(p), hn_i_size(q));
-  return ivec4(p, q, hn_i_signed(256 - larger, h), min(512 - hn_i_size(p) - hn_i_size(q), larger + larger));
+  hn_float p = hn_i_whole3(h >> 8u);
+  hn_float q = hn_i_whole3(h);
+  hn_float larger = max(abs(p), abs(q));
+  hn_float more = min(512.0f - (abs(p) + abs(q)), larger + larger);
+  return ivec4(vec4(p, q, hn_i_signed(256.0f - larger, h), more));
 }
 
 // Gradients are in units of 2^-29, as ramps are.

@@ -54,10 +54,9 @@ HN_FN hn_vec3 hn_i_points_y(hn_uvec3 words) {
 
 #else
 
-HN_FN hn_ivec3 hn_i_points_x(hn_uvec3 words) { return ivec3(hn_i_and(words >> 13u, 1022u)) - 511; }
+HN_FN hn_ivec3 hn_i_points_x(hn_uvec3 words) { return ivec3(hn_i_wholes2(words)); }
 HN_FN hn_ivec3 hn_i_points_y(hn_uvec3 words) {
-  hn_ivec3 x = hn_i_points_x(words);
-  return hn_i_signed(ivec3(512, 512, 512) - ivec3(hn_i_sizes(x)), words);
+  return ivec3(hn_i_signed(vec3(512.0f, 512.0f, 512.0f) - abs(hn_i_wholes2(words)), words));
 }
 
 #endif

@@ -81,8 +81,12 @@ HN_FN hn_vec3 hn_i_unit(hn_float x, hn_float y, hn_float z) {
 HN_FN hn_uvec3 hn_i_sizes(hn_ivec3 x) { return uvec3(max(x, x * -1)); }
 
 // An offset is below 4 cells, 2^22, and the square of a length below 16. A square has up to 44 bits, so it is made of
-// the products of two digits; the lower one has 11 bits. The sum is exact before it is rounded down.
-HN_FN hn_uvec3 hn_i_high_square(hn_uvec3 a) { return (a >> 11u) * (((a >> 11u) << 10u) + hn_i_and(a, 2047u)); }
+// the products of two digits; each has 11 bits. The mask of the high one shows compilers that its product has factors
+// below 2^24. The sum is exact before it is rounded down.
+HN_FN hn_uvec3 hn_i_high_square(hn_uvec3 a) {
+  hn_uvec3 digit = hn_i_and(a >> 11u, 2047u);
+  return digit * ((digit << 10u) + hn_i_and(a, 2047u));
+}
 HN_FN hn_uvec3 hn_i_low_square(hn_uvec3 a) {
   hn_uvec3 digit = hn_i_and(a, 2047u);
   return digit * digit;
