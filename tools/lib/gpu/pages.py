@@ -44,6 +44,17 @@ def chip_table(rows: Mapping[tuple[str, str], Row]) -> str:
     return table(("noise", *(_head(name) for name in SHOWN)), lines)
 
 
+def quotes(rows: Mapping[tuple[str, str], Row]) -> list[str]:
+    """What the README says of Perlin noise beside FastNoiseLite's."""
+    def least_and_most(axes: int) -> str:
+        [call] = [call for call in CALLS if (call.noise, call.peer) == (f"Perlin {axes}D", "fastnoiselite")]
+        ratios = [float(rows[f"{call.ours}.lattice", chip].cost) / float(rows[f"{subject(call)}{axes}", chip].cost)
+                  for chip in SHOWN]
+        return f"{min(ratios):.1f} to {max(ratios):.1f}"
+
+    return [f"{least_and_most(2)} times what FastNoiseLite's does in 2D, and {least_and_most(3)} in 3D"]
+
+
 def operation_table(rows: Sequence[Mapping[str, str]]) -> str:
     prices = {(row["operation"], row["chip"]): (row["alone"], row["beside"]) for row in rows}
 

@@ -8,8 +8,8 @@ other libraries.
 A picture is drawn from the code below it, which the C++ twin evaluates at each pixel of a tile; so are those of
 docs/gallery. The typical values are those of 2^18 points. The costs are those of docs/results/llvmpipe/bench.csv,
 which hn-conform bench writes, and of peers.csv beside it, which tools/peers writes; so it does likeness.csv, of which
-the tables of docs/moving.md are made. Those on GPUs by their compilers are of docs/results/gpu, by tools/gpu-costs. The times of commands are those of tools/costs.csv, which tools/test --record
-writes.
+the tables of docs/moving.md are made. Those on GPUs by their compilers are of docs/results/gpu, by tools/gpu-costs. The
+times of commands are those of tools/costs.csv, which tools/test --record writes.
 
 Exit status: 0 all is as it should be, 1 something is not: prose is for you to mend; 2 bad usage, the code does not
 compile, or a page cannot be read.
@@ -80,7 +80,7 @@ def problems(check: bool) -> list[str]:
     elif right != readme:
         found.append(f"{README}: the size of the single file is not what it should be; run tools/readme")
     found += [f"{README}: it must state {quote!r}"
-              for quote in (*numbers.cost_quotes(), of_commands.times_quote(times)) if quote not in readme]
+              for quote in (*of_gpus.quotes(of_gpus.costs()), *numbers.cost_quotes(), of_commands.times_quote(times)) if quote not in readme]
     return found
 
 

@@ -123,9 +123,12 @@ class Numbers(unittest.TestCase):
         costs["noise2d.perlin.lattice"] = {**costs["noise2d.perlin.lattice"], "ratio": "9.999"}
         slower = {name: (60 + packages, build, run) for name, (packages, build, run) in times.times().items()}
         alike = {name: port._replace(scale=0.5) for name, port in ports.read().items()}
+        gpus = {**of_gpus.costs()}
+        gpus["noise2d.perlin.lattice", "m1"] = gpus["noise2d.perlin.lattice", "m1"]._replace(cost="9999")
         prices = [{**row, "alone": "99.00"} for row in of_gpus.operation_costs()]
         with mock.patch.object(numbers, "typical", return_value=typical), \
                 mock.patch.object(of_gpus, "operation_costs", return_value=prices), \
+                mock.patch.object(of_gpus, "costs", return_value=gpus), \
                 mock.patch.object(ports, "read", return_value=alike), \
                 mock.patch.object(numbers, "costs", return_value=costs), \
                 mock.patch.object(times, "times", return_value=slower):
@@ -137,6 +140,7 @@ class Numbers(unittest.TestCase):
         self.assertRegex(output, r"docs/moving\.md: a table is not what it should be")
         self.assertRegex(output, r"docs/conformance\.md: a table is not what it should be")
         self.assertRegex(output, r"README\.md: it must state 'takes 0\.1 times as long")
+        self.assertRegex(output, r"README\.md: it must state \"[\d.]+ to 76\.9 times what FastNoiseLite's does")
         self.assertRegex(output, r"README\.md: it must state 'On two cores the suite takes ")
 
     @mock.patch.object(picture, "draw", new=lambda *_: 0)
