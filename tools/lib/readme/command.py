@@ -8,8 +8,8 @@ other libraries.
 A picture is drawn from the code below it, which the C++ twin evaluates at each pixel of a tile; so are those of
 docs/gallery. The typical values are those of 2^18 points. The costs are those of docs/results/llvmpipe/bench.csv,
 which hn-conform bench writes, and of peers.csv beside it, which tools/peers writes; so it does likeness.csv, of which
-the tables of docs/moving.md are made. Those on GPUs by their compilers are of docs/results/gpu, by tools/gpu-costs. The
-times of commands are those of tools/costs.csv, which tools/test --record writes.
+the tables of docs/moving.md are made. Those on GPUs by their compilers are of docs/results/gpu, by tools/gpu-costs, and
+compile.csv is by tools/compile-times. The times of commands are those of tools/costs.csv, which tools/test --record writes.
 
 Exit status: 0 all is as it should be, 1 something is not: prose is for you to mend; 2 bad usage, the code does not
 compile, or a page cannot be read.
@@ -22,6 +22,7 @@ import re
 import sys
 from collections.abc import Sequence
 
+from compile_times import command as of_compilers
 from gpu import pages as of_gpus
 from likeness import ports
 from readme import files, gallery, numbers, picture
@@ -58,6 +59,7 @@ def tables(times: of_commands.Times) -> list[tuple[str, str, str]]:
             (MEASURING, "tools/readme: costs by compilers", of_gpus.chip_table(of_gpus.costs())),
             (OPERATIONS, "tools/readme: operations", of_gpus.operation_table(of_gpus.operation_costs())),
             (MEASURING, "tools/readme: noises", numbers.form_table(costs)),
+            (MEASURING, "tools/readme: compile times", of_compilers.page_table(of_compilers.record())),
             (MEASURING, "tools/readme: peers", numbers.peer_table(numbers.peer_costs(numbers.CPU))),
             (MEASURING, "tools/readme: peers on a GPU", numbers.peer_table(numbers.peer_costs(numbers.GPU))),
             *((MOVING, *named) for named in ports.page_tables(ports.read()))]
