@@ -1,13 +1,37 @@
-"""What commands that make a text of a file of glsl/hashnoise/ have in common: its name, and where the text goes."""
+"""What commands that make a text of glsl/hashnoise/ have in common: the names of files, of the user's functions and of
+modules, and where the text goes."""
 
 from __future__ import annotations
 
 import argparse
 import difflib
+import re
 import sys
 from pathlib import Path
 
 from tables import glsl
+
+IMPORT_PATH_HELP = "for Bevy and naga_oil: write #define_import_path NAME, so that #import NAME::hn_fbm2 finds it"
+
+
+def import_path(text: str) -> str:
+    """Of a module."""
+    if not re.fullmatch(r"[A-Za-z_]\w*(::[A-Za-z_]\w*)*", text):
+        raise argparse.ArgumentTypeError("an import path is made of names with :: between them, such as game::noise, "
+                                         f"not {text!r}")
+    return text
+
+
+def imported_as(path: str) -> str:
+    """How a module begins that others import by that path, if there is one."""
+    return f"#define_import_path {path}\n\n" if path else ""
+
+
+def function_name(text: str) -> str:
+    """Of a function that the user has."""
+    if not re.fullmatch(r"[A-Za-z_]\w*", text):
+        raise argparse.ArgumentTypeError(f"a function has a name such as my_hash, not {text!r}")
+    return text
 
 
 def check_name(parser: argparse.ArgumentParser, name: str, library: Path) -> None:

@@ -3,13 +3,16 @@ the CPU.
 
     tools/pick hn_perlin2                              GLSL, HN_FAST, the default hash
     tools/pick hn_fbm3 hn_cellular2 --arithmetic fixed --out noise.glsl
+    tools/pick hn_perlin2 --language wgsl --out noise.wgsl
+    tools/pick hn_fbm2 --language wgsl --import-path hashnoise    a module for Bevy: #import hashnoise::hn_fbm2
     tools/pick hn_simplex3 --language rust --out noise.rs
     tools/pick --list                                  which functions there are
 
-A function is called as tools/wgsl calls it, by its form: hn_perlin2 is hn_perlin(vec2 p, uint seed), and
-hn_perlin2_place is hn_perlin(hn_place2 place, uint seed). What it is made of stands in its place; what is called more
-than once stays a function. What is known is computed, and what nothing needs is gone. The values are those of the
-library. For the CPU a function has the name of its form: perlin2 in Rust, Perlin2 in C# and Go, hn_perlin2 in C.
+A function is called by its form: hn_perlin2 is hn_perlin(vec2 p, uint seed), and hn_perlin2_place is
+hn_perlin(hn_place2 place, uint seed). What it is made of stands in its place; what is called more than once stays a
+function. What is known is computed, and what nothing needs is gone. The values are those of the library. In the text
+its name is that of the library where the language has overloads, and that of its form elsewhere: hn_perlin2 in WGSL
+and C, perlin2 in Rust, Perlin2 in C# and Go.
 
 Ask for all functions of a shader or program at once: two texts may have the same function.
 
@@ -22,79 +25,117 @@ import argparse
 import shlex
 import sys
 from collections.abc import Sequence
+from dataclasses import dataclass, fields, replace
 from pathlib import Path
 
-from library_file import write
+from library_file import IMPORT_PATH_HELP, function_name, import_path, imported_as, write
 from parsing.tokens import Unknown
 from pick.c import C
 from pick.csharp import CSharp
+from pick.evaluate import Module
 from pick.go import Go
 from pick.java import Java
 from pick.javascript import JavaScript, TypeScript
-from pick.printer import LANGUAGES
 from pick.program import Program, chosen, facts, heading, origin, public, read
 from pick.rust import Rust
 from pick.scalars import Syntax, text
+from pick.shading import LANGUAGES
 from tree import GLSL
-from wgsl.module import HASHES
+from wgsl.module import GRADIENTS, HASHES, Settings
 
 ARITHMETICS = ("fast", "fixed", "precise")
-NO_PRECISE = ("GLSL ES has `precise` from 3.20 on, and what this writes is for 3.00, too: take --arithmetic fixed, "
-              "whose bits are the same everywhere")
 
 
 SYNTAXES: dict[str, type[Syntax]] = {"rust": Rust, "csharp": CSharp, "c": C, "typescript": TypeScript,
                                      "javascript": JavaScript, "java": Java, "go": Go}
 
 
-def settings(arithmetic: str, hash_: str) -> dict[str, str]:
-    return {"HN_ARITHMETIC": f"HN_{arithmetic.upper()}", "HN_HASH": f"HN_HASH_{hash_.upper()}"}
+@dataclass(frozen=True)
+class Choice:
+    """What is asked for, by the names of the options."""
+    language: str = "glsl"
+    arithmetic: str = "fast"
+    hash: str = "lattice"
+    hash_function: str = ""
+    gradient: str = "octahedral"
+    import_path: str = ""
+
+    @property
+    def knobs(self) -> Settings:
+        return Settings(f"HN_{self.arithmetic.upper()}", self.hash.upper(), self.gradient.upper(), self.hash_function)
+
+    def options(self) -> list[str]:
+        """Those that are not left out."""
+        given = ((field.name, getattr(self, field.name), field.default) for field in fields(self))
+        return [word for name, value, default in given if value != default
+                for word in (f"--{name.replace('_', '-')}", value)]
+
+    def check(self) -> None:
+        shading = LANGUAGES.get(self.language)
+        if self.arithmetic == "precise" and shading and shading.no_precise:
+            raise Unknown(shading.no_precise)
+        if self.import_path and self.language != "wgsl":
+            raise Unknown("--import-path is of --language wgsl")
+        if self.hash_function and not shading:
+            raise Unknown(f"--hash-function is of shading languages: {', '.join(LANGUAGES)}")
 
 
-def picked(names: Sequence[str], language: str = "glsl", arithmetic: str = "fast", hash_: str = "lattice",
-           library: Path = GLSL) -> str:
+def settings(arithmetic: str, hash_: str, gradient: str = "octahedral") -> dict[str, str]:
+    return Choice(arithmetic=arithmetic, hash=hash_, gradient=gradient).knobs.macros()
+
+
+def read_library(library: Path, choice: Choice) -> Module:
+    knobs = choice.knobs
+    return read(library, knobs.macros(), choice.language in SYNTAXES, knobs.own_functions())
+
+
+def picked(names: Sequence[str], choice: Choice = Choice(), library: Path = GLSL) -> str:
     """The text."""
-    module = read(library, settings(arithmetic, hash_), splits=language in SYNTAXES)
+    choice.check()
+    module = read_library(library, choice)
     functions = chosen(module, names)
-    command = ["tools/pick", *dict.fromkeys(names)]
-    given = {"language": (language, "glsl"), "arithmetic": (arithmetic, "fast"), "hash": (hash_, "lattice")}
-    for option, (value, default) in given.items():
-        command += [f"--{option}", value] if value != default else []
-    if language in SYNTAXES:
-        return text(Program(module, functions), SYNTAXES[language](arithmetic == "precise"),
-                    facts(functions, library), origin(shlex.join(command)))
-    return heading(functions, shlex.join(command), library) + Program(module, functions).text(
-        LANGUAGES[language], precise=arithmetic == "precise")
+    command = shlex.join(["tools/pick", *dict.fromkeys(names), *choice.options()])
+    precise = choice.arithmetic == "precise"
+    if choice.language in SYNTAXES:
+        return text(Program(module, functions), SYNTAXES[choice.language](precise), facts(functions, library),
+                    origin(command))
+    language = LANGUAGES[choice.language]
+    return (imported_as(choice.import_path) + heading(functions, language, command, library)
+            + Program(module, functions).text(language, precise))
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     parser = argparse.ArgumentParser(prog="tools/pick", description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    hashes = tuple(name.lower() for name in HASHES if name != "CUSTOM")
+    hashes = tuple(name.lower() for name in HASHES)
     parser.add_argument("names", nargs="*", metavar="FUNCTION", help="such as hn_perlin2")
     parser.add_argument("--language", choices=(*LANGUAGES, *SYNTAXES), default="glsl",
                         help="glsl (the default) is for 3.30 and later, and with precise for 4.00; glsl-es says highp, "
-                        "and is for WebGL2, too; hlsl is for the shader models 5 and 6; rust needs core alone; csharp "
-                        "is a static class; c is a header of C99; typescript and javascript are "
+                        "and is for WebGL2, too; hlsl is for the shader models 5 and 6; wgsl has no precise; rust needs "
+                        "core alone; csharp is a static class; c is a header of C99; typescript and javascript are "
                         "modules; java is for 17 and later; go for 1.18 and later")
     parser.add_argument("--arithmetic", choices=ARITHMETICS, default="fast", help="default: %(default)s")
-    parser.add_argument("--hash", choices=hashes, default="lattice", metavar="NAME",
+    parser.add_argument("--hash", type=str.lower, choices=hashes, default="lattice", metavar="NAME",
                         help=f"{', '.join(hashes)} (default: %(default)s)")
+    parser.add_argument("--hash-function", metavar="NAME", type=function_name,
+                        help="with --hash custom: your function, which takes and returns a uint")
+    parser.add_argument("--gradient", choices=tuple(name.lower() for name in GRADIENTS), default="octahedral",
+                        help="default: %(default)s")
+    parser.add_argument("--import-path", metavar="NAME", type=import_path, help=IMPORT_PATH_HELP)
     parser.add_argument("--list", action="store_true", help="write the names of the functions, and what they take")
     parser.add_argument("--glsl", type=Path, default=GLSL, metavar="DIR", help="another copy of the library")
     parser.add_argument("--out", type=Path, metavar="FILE", help="the file to write (default: standard output)")
     given = parser.parse_args(arguments)
     if given.list == bool(given.names):
         parser.error("name functions, such as hn_perlin2, or ask for --list")
-    if given.arithmetic == "precise" and given.language == "glsl-es":
-        parser.error(NO_PRECISE)
+    choice = Choice(**{field.name: getattr(given, field.name) or field.default for field in fields(Choice)})
     try:
         if given.list:
-            known = public(read(given.glsl, settings(given.arithmetic, given.hash)))
+            known = public(read_library(given.glsl, replace(choice, language="glsl")))
             written = "".join(f"{name:32} {function.type} {function.name}({', '.join(function.types)})\n"
                               for name, function in sorted(known.items()))
         else:
-            written = picked(given.names, given.language, given.arithmetic, given.hash, given.glsl)
+            written = picked(given.names, choice, given.glsl)
     except (Unknown, OSError) as error:
         parser.exit(2, f"tools/pick: {error}\n")
     write(parser, written, given.out)

@@ -19,8 +19,8 @@ from pathlib import Path
 
 from pick.command import settings
 from pick.evaluate import Module
-from pick.printer import LANGUAGES
 from pick.program import Program, read
+from pick.shading import LANGUAGES
 from tables.functions import read_functions
 from thorough import THOROUGH
 from tree import GLSL

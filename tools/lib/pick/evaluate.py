@@ -75,11 +75,14 @@ def dotted(path: Sequence[str]) -> str:
 
 class Module:
     """What functions are made of: those of the library, its structs and its constants. For languages without vectors
-    it is split: a vector is its components, as a struct is its parts."""
+    it is split: a vector is its components, as a struct is its parts. `own` are functions of a word that the user
+    has."""
 
-    def __init__(self, tree: list[Function | Struct], constants: dict[str, Macro], splits: bool = False):
+    def __init__(self, tree: list[Function | Struct], constants: dict[str, Macro], splits: bool = False,
+                 own: Sequence[Function] = ()):
         self.tree = tree
         self.splits = splits
+        self.own = {item.name: item.type for item in own}
         self.structs = {item.name: item for item in tree if isinstance(item, Struct)}
         self.functions = {(item.name, item.types): item for item in tree if isinstance(item, Function)}
         self.constants = constants
@@ -423,6 +426,8 @@ class Evaluation:
         if name in CASTS:
             return self._each(lambda node: operation(
                 "builtin", name, vector_of(CASTS[name], SIZES[node.type]), (node,)), *arguments)
+        if name in self.module.own:
+            return self._each(lambda *nodes: operation("builtin", name, self.module.own[name], nodes), *arguments)
         function = self.module.function(expression.at, tuple(argument.type for argument in arguments))
         if self.module.is_plain(function):
             nodes = tuple(argument.node if () in argument.leaves else

@@ -70,33 +70,34 @@ def counts(of: Module, function: Function) -> tuple[int, int]:
     return passed, back + (len(of.parts(function.type)) if function.type != "void" else 0)
 
 
+def words(folder: Path, arithmetic: str, of: Module) -> dict[str, tuple[bytes, bytes]]:
+    """What is passed to each function at all points, and what comes back."""
+    inputs, outputs = (Path(f"{folder / arithmetic}.{end}").read_bytes() for end in ("in", "out"))
+    found: dict[str, tuple[bytes, bytes]] = {}
+    at = [0, 0]
+    for name, function in functions(of, arithmetic).items():
+        ends = [start + 4 * POINTS * count for start, count in zip(at, counts(of, function))]
+        found[name] = inputs[at[0]:ends[0]], outputs[at[1]:ends[1]]
+        at = ends
+    return found
+
+
 class Language(unittest.TestCase):
     runner: Runner
     folder: Path
 
-    def words(self, arithmetic: str, of: Module) -> dict[str, tuple[bytes, bytes]]:
-        """What is passed to each function at all points, and what comes back."""
-        inputs, outputs = (Path(f"{self.folder / arithmetic}.{end}").read_bytes() for end in ("in", "out"))
-        found: dict[str, tuple[bytes, bytes]] = {}
-        at = [0, 0]
-        for name, function in functions(of, arithmetic).items():
-            ends = [start + 4 * POINTS * count for start, count in zip(at, counts(of, function))]
-            found[name] = inputs[at[0]:ends[0]], outputs[at[1]:ends[1]]
-            at = ends
-        return found
-
     def differing(self, arithmetic: str, of: Module, texts: Sequence[tuple[str, str]]) -> list[str]:
         """How each text of a function differs from the library; nothing if it does not."""
-        known, words = functions(of, arithmetic), self.words(arithmetic, of)
+        known, expected = functions(of, arithmetic), words(self.folder, arithmetic, of)
         cases = [Case(known[name], shown) for name, shown in texts]
         with tempfile.TemporaryDirectory() as folder:
-            found = self.runner.run(cases, of, POINTS, b"".join(words[name][0] for name, _ in texts), Path(folder))
-        self.assertEqual(len(found), sum(len(words[name][1]) for name, _ in texts))
+            found = self.runner.run(cases, of, POINTS, b"".join(expected[name][0] for name, _ in texts), Path(folder))
+        self.assertEqual(len(found), sum(len(expected[name][1]) for name, _ in texts))
         differences: list[str] = []
         for name, _ in texts:
-            expected = words[name][1]
-            differences.append(difference(known[name], expected, found[:len(expected)]))
-            found = found[len(expected):]
+            back = expected[name][1]
+            differences.append(difference(known[name], back, found[:len(back)]))
+            found = found[len(back):]
         return [f"{name}: {shown}" if shown else "" for (name, _), shown in zip(texts, differences)]
 
     def text(self, arithmetic: str, of: Module, *names: str, syntax: type[Syntax] | None = None) -> str:

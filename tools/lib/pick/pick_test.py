@@ -18,8 +18,8 @@ from parsing.tokens import Unknown, tokens_of
 from pick import command, printer
 from pick.comparison import source
 from pick.evaluate import Module
-from pick.printer import CPP, LANGUAGES
 from pick.program import Program, chosen, public, read
+from pick.shading import CPP, HLSL_NAMES, LANGUAGES
 from thorough import THOROUGH
 from tree import GLSL, ROOT, TOOLS
 from twin import compile_program
@@ -31,8 +31,8 @@ POINTS = 300
 
 
 @functools.cache
-def module(arithmetic: str, hash_: str = "lattice") -> Module:
-    return read(GLSL, command.settings(arithmetic, hash_))
+def module(arithmetic: str, hash_: str = "lattice", gradient: str = "octahedral") -> Module:
+    return read(GLSL, command.settings(arithmetic, hash_, gradient))
 
 
 def text(*names: str, arithmetic: str = "fast", language: str = "glsl", of: Module | None = None) -> str:
@@ -47,13 +47,13 @@ def code(shown: str) -> str:
 class Values(unittest.TestCase):
     """Every function has the bits of the library in C++: by default some of them, each arithmetic others."""
 
-    def differing(self, arithmetic: str, texts: dict[str, str], hash_: str = "lattice") -> list[str]:
-        of = module(arithmetic, hash_)
+    def differing(self, arithmetic: str, texts: dict[str, str], *knobs: str) -> list[str]:
+        of = module(arithmetic, *knobs)
         with tempfile.TemporaryDirectory() as folder:
             program = Path(folder) / "program"
             file = program.with_suffix(".cpp")
             file.write_text(source(of, public(of), texts, POINTS), encoding="ascii")
-            macros = [f"{name}={value}" for name, value in command.settings(arithmetic, hash_).items()]
+            macros = [f"{name}={value}" for name, value in command.settings(arithmetic, *(knobs or ["lattice"])).items()]
             compile_program("what tools/pick writes", file, program, "-O0", macros=(*macros, "always_inline=unused"))
             return subprocess.run([program], capture_output=True, text=True, check=True).stdout.splitlines()
 
@@ -66,12 +66,13 @@ class Values(unittest.TestCase):
                 texts = {name: text(name, of=of, language="cpp") for name in names}
                 self.assertEqual(self.differing(arithmetic, texts), [])
 
-    def test_with_other_hashes_too(self) -> None:
-        for hash_ in ("fnv1", "pcg", "jenkins") if THOROUGH else ("pcg",):
-            of = module("fast", hash_)
+    def test_with_other_knobs_too(self) -> None:
+        choices = (("pcg", "sine"), ("fnv1", "octahedral"), ("pcg", "octahedral"), ("jenkins", "sine"))
+        for knobs in choices if THOROUGH else choices[:1]:
+            of = module("fast", *knobs)
             texts = {name: text(name, of=of, language="cpp") for name in ("hn_perlin2", "hn_cellular3_full")}
-            with self.subTest(hash=hash_):
-                self.assertEqual(self.differing("fast", texts, hash_), [])
+            with self.subTest(knobs=knobs):
+                self.assertEqual(self.differing("fast", texts, *knobs), [])
 
     def test_a_difference_is_noticed(self) -> None:
         right = text("hn_perlin2", language="cpp")
@@ -157,7 +158,7 @@ class Shaders(unittest.TestCase):
                                       capture_output=True, text=True, check=False)
                 self.assertEqual(done.returncode, 0, done.stdout)
             glsl = text(*names, arithmetic=arithmetic)
-            for theirs, ours in printer.HLSL_NAMES.items():
+            for theirs, ours in HLSL_NAMES.items():
                 glsl = re.sub(rf"\b{theirs}\b", ours, glsl)
             # Which declarations share a line depends on how long they are.
             alike = [re.sub(r"; (?:precise )?(?:(?:float|u?int)[234]?|bool) (\w+ =)", r", \1", " ".join(shown.split()))
@@ -212,14 +213,42 @@ class Statements(unittest.TestCase):
          "float hn_read(float r, float b) {\n  for (int i = 0; i < 3; i++) {\n    float s;\n    if (r < b) {\n"
          "      s = b;\n    } else {\n      s = r + 1.0;\n    }\n    r = s;\n  }\n  return r;\n}\n"))
 
-    def written(self, shown: str) -> str:
+    IN_WGSL = (
+        ("void hn_set(inout vec2 p, out float old) { old = p.x; p.x = p.y + 1.0f; p.y = p.x * 2.0f; }",
+         "fn hn_set2(p: ptr<function, vec2f>, old: ptr<function, f32>) {\n  let old2 = (*p).x;\n"
+         "  let n = (*p).y + 1.0;\n  *p = vec2f(n, n * 2.0);\n  *old = old2;\n}\n"),
+        ("uvec2 hn_bits(uvec2 a, int n, uint k) { return ((a >> 3u) >> 1u) ^ uvec2(k) | uvec2(ivec2(n)); }",
+         "fn hn_bits2(a: vec2u, n: i32, k: u32) -> vec2u {\n"
+         "  return (((a >> vec2u(3u)) >> vec2u(1u)) ^ vec2u(k)) | vec2u(vec2i(n));\n}\n"),
+        ("vec2 hn_mixed(ivec2 a, float final, bool b) "
+         "{ return vec2(a) * (b || final < 1.0f && a.x > 2 ? 2.0f : final) - -final; }",
+         "fn hn_mixed2(a: vec2i, final_: f32, b: bool) -> vec2f {\n"
+         "  return vec2f(a) * select(final_, 2.0, b || (final_ < 1.0 && a.x > 2)) - -final_;\n}\n"),
+        ("vec3 hn_made(ivec2 a, float x) { return vec3(x, a.x, 3) + vec3(a.y); }",
+         "fn hn_made2(a: vec2i, x: f32) -> vec3f { return vec3f(x, f32(a.x), 3.0) + vec3f(f32(a.y)); }\n"),
+        ("float hn_cast(int a, uvec2 b) { return intBitsToFloat(a) + uintBitsToFloat(b).x * float(a); }",
+         "fn hn_cast1(a: i32, b: vec2u) -> f32 { return bitcast<f32>(a) + bitcast<vec2f>(b).x * f32(a); }\n"),
+        ("int hn_do(int n) { int i = n; do i = i * 3; while (i < 100 && i > 0); return i; }",
+         "fn hn_do1(n: i32) -> i32 {\n  var i = n;\n  loop {\n    i *= 3;\n"
+         "    continuing { break if !(i < 100 && i > 0); }\n  }\n  return i;\n}\n"),
+        ("float hn_turn(float a, int n) { for (int i = 0; i < n; i++) { a = a * a - 1.0f; } return a; }",
+         "fn hn_turn1(a: f32, n: i32) -> f32 {\n  var a2 = a;\n  for (var i = 0; i < n; i++) {\n"
+         "    a2 = a2 * a2 - 1.0;\n  }\n  return a2;\n}\n"),
+        ("float hn_if(float a) { float b = 1.0f; if (a < 0.0f) b = a; return b * b; }",
+         "fn hn_if1(a: f32) -> f32 {\n  var b = 1.0;\n  if (a < 0.0) { b = a; }\n  return b * b;\n}\n"),
+        ("float hn_branches(float a) { float b; if (a < 0.0f) { b = a; } else { b = a + 1.0f; } return b * b; }",
+         "fn hn_branches1(a: f32) -> f32 {\n  var b: f32;\n  if (a < 0.0) {\n    b = a;\n  } else {\n"
+         "    b = a + 1.0;\n  }\n  return b * b;\n}\n"))
+
+    def written(self, shown: str, language: str = "glsl") -> str:
         tree = Parser(list(tokens_of(shown, "the text", 1))).parse()
-        return Program(Module(tree, {}), tree[-1:]).text(LANGUAGES["glsl"])
+        return Program(Module(tree, {}), tree[-1:]).text(LANGUAGES[language])
 
     def test_they_do_the_same(self) -> None:
-        for shown, expected in self.CASES:
-            with self.subTest(shown):
-                self.assertEqual(self.written(shown), expected)
+        for language, cases in (("glsl", self.CASES), ("wgsl", self.IN_WGSL)):
+            for shown, expected in cases:
+                with self.subTest(shown, language=language):
+                    self.assertEqual(self.written(shown, language), expected)
 
     def test_overloads_that_become_alike_have_names_of_their_own(self) -> None:
         shown = ("float hn_i_a(float x, int n) { float y = x * x + x * 3.0f - x / (x + 2.0f); "
@@ -259,7 +288,7 @@ class Command(unittest.TestCase):
         page = (ROOT / "docs" / "languages.md").read_text()
         self.assertIn(f"```glsl\n{self.call('hn_value2')[1]}```\n", page)
         self.assertIn(f"# {len(public(module('fast')))} functions\n", page)
-        for language in command.SYNTAXES:
+        for language in ("wgsl", *command.SYNTAXES):
             shown = self.call("hn_lattice2", "--language", language)[1]
             self.assertIn(f"```{language}\n{shown}```\n", page)
 
@@ -286,7 +315,14 @@ class Command(unittest.TestCase):
         for arguments, message in (((), "name functions"), (("--list", "hn_value2"), "name functions"),
                                    (("hn_perln2",), "there is no function hn_perln2; there are hn_perlin2"),
                                    (("hn_perlin",), "there are hn_perlin1, hn_perlin1_place"),
-                                   (("hn_value2", "--hash", "custom"), "invalid choice"),
+                                   (("hn_value2", "--hash", "custom"), "--hash-function my_hash"),
+                                   (("hn_value2", "--hash", "custom", "--hash-function", "a-b"), "not 'a-b'"),
+                                   (("hn_value2", "--hash", "custom", "--hash-function", "mine", "--language", "c"),
+                                    "is of shading languages: glsl"),
+                                   (("hn_value2", "--import-path", "noise"), "is of --language wgsl"),
+                                   (("hn_value2", "--language", "wgsl", "--import-path", "a b"), "such as game::noise"),
+                                   (("hn_value2", "--language", "wgls"), "invalid choice: 'wgls'"),
+                                   (("hn_value2", "--arithmetic", "precise", "--language", "wgsl"), "Take HN_FIXED"),
                                    (("hn_value2", "--arithmetic", "precise", "--language", "glsl-es"), "GLSL ES has"),
                                    (("hn_value2", "--glsl", "/nowhere"), "/nowhere")):
             with self.subTest(arguments):

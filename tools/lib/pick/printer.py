@@ -6,9 +6,11 @@ import re
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import ClassVar
 
 from parsing.lines import wrapped
-from pick.evaluate import Kept
+from parsing.syntax import Function, Parameter
+from pick.evaluate import Kept, Module
 from pick.statements import Break, Declare, If, Loop, Return, Set, Statement, blocks, inner, operands, values_of, walk
 from pick.values import PREFIXES, SIZES, Constant, Node, Operation, Variable, operation, scalar_of
 
@@ -32,7 +34,7 @@ Place = tuple[tuple[int, int], ...]  # of a statement: of each block around it t
 
 @dataclass(frozen=True)
 class Language:
-    """How a language writes the same."""
+    """How a language writes the same. This is what those that come from C have in common."""
     float_suffix: str = ""
     qualifier: str = ""   # before each type
     function: str = ""    # before each function
@@ -41,8 +43,11 @@ class Language:
     splats: bool = True   # whether operators take a vector and a number
     fills: bool = True    # whether constructors of vectors take one number
     structs: bool = True  # whether structs are defined
-    may_be_precise: bool = True
+    no_precise: str = ""  # why it has no `precise`, and what to take
     names: Mapping[str, str] = field(default_factory=dict)  # of types and functions, where they are not GLSL's
+    has_overloads: ClassVar[bool] = True
+    braces: ClassVar[bool] = False  # whether a branch of one statement has them, too
+    forever: ClassVar[str] = "while (true) {"
 
     def named(self, name: str) -> str:
         return self.names.get(name, name)
@@ -50,14 +55,34 @@ class Language:
     def typed(self, type_: str) -> str:
         return f"{self.qualifier if type_ in SIZES and type_ != 'bool' else ''}{self.named(type_)}"
 
+    def public_name(self, function: Function) -> str:
+        """That by which users call it."""
+        return function.name
 
-HLSL_NAMES = {f"{prefix}vec{size}": f"{scalar}{size}" for scalar, prefix in PREFIXES.items() for size in (2, 3, 4)} | {
-    "uintBitsToFloat": "asfloat", "intBitsToFloat": "asfloat", "floatBitsToUint": "asuint", "floatBitsToInt": "asint"}
-LANGUAGES = {"glsl": Language(), "glsl-es": Language(qualifier="highp ", may_be_precise=False),
-             "hlsl": Language(fills=False, names=HLSL_NAMES)}
-# For tests: over include/hashnoise/glsl.hpp, which has no operators of a number and a vector, and with its structs.
-CPP = Language(float_suffix="f", function="inline ", out="{}&", inout="{}&", splats=False, fills=False, structs=False,
-               may_be_precise=False)
+    def signature(self, function: Function) -> str:
+        """What the comment says of a function: that of the library."""
+        parameters = ", ".join(f"{parameter.type} {parameter.at.text}" for parameter in function.parameters)
+        return f"{function.name}({parameters})"
+
+    def constants(self, functions: Sequence[Function], module: Module) -> str:
+        """Those that users pass to the functions, where the library beside the text does not have them."""
+        return ""
+
+    def head(self, type_: str, name: str, parameters: Iterable[Parameter], read: set[str]) -> str:
+        """Of a function. Parameters may be both set and read."""
+        def typed(one: Parameter) -> str:
+            form = (self.inout if one.at.text in read else self.out) if one.is_set else "{}"
+            return f"{form.format(self.typed(one.type))} {one.at.text}"
+
+        return f"{self.function}{self.typed(type_)} {name}({', '.join(map(typed, parameters))}) {{"
+
+    def struct(self, name: str, fields: Iterable[tuple[str, str]]) -> str:
+        inside = "".join(f"  {self.typed(type_)} {field_name};\n" for field_name, type_ in fields)
+        return f"struct {name} {{\n{inside}}};\n"
+
+    def writer(self, block: list[Statement], hints: Mapping[Node, str], parameters: Sequence[Parameter],
+               names: Mapping[Kept, str], precise: bool) -> Writer:
+        return Writer(self, block, hints, [parameter.at.text for parameter in parameters], names, precise)
 
 
 class Writer:
@@ -250,8 +275,12 @@ class Writer:
     def _declaration(self, type_: str, name: str, text: str) -> str:
         return f"{self._type(type_)} {name} = {text};"
 
+    def _declared(self, variable: Variable, name: str, value: str | None) -> str:
+        """Of what branches and loops change."""
+        return f"{self._type(variable.type)} {name}{'' if value is None else f' = {value}'};"
+
     def _type(self, type_: str) -> str:
-        precise = self.precise and self.language.may_be_precise and type_ in SIZES and _is_float(type_)
+        precise = self.precise and not self.language.no_precise and type_ in SIZES and _is_float(type_)
         return f"{'precise ' if precise else ''}{self.language.typed(type_)}"
 
     def _new_name(self, node: Node, hint: str) -> str:
@@ -264,9 +293,9 @@ class Writer:
 
     def _statement(self, statement: Statement) -> list[str]:
         if isinstance(statement, Declare):
-            value = f" = {self._text(statement.value)}" if statement.value is not None else ""
+            value = self._text(statement.value) if statement.value is not None else None
             name = self.called.get(statement.variable) or self._new_name(statement.variable, statement.variable.name)
-            return [f"{self._type(statement.variable.type)} {name}{value};"]
+            return [self._declared(statement.variable, name, value)]
         if isinstance(statement, Set):
             return [f"{self._change(statement)};"]
         if isinstance(statement, Return):
@@ -299,7 +328,7 @@ class Writer:
         if statement.yes and statement.no:
             lines += self._otherwise(statement.no)
         if len(lines) == 2 and len(head) + len(lines[1]) < WIDTH:
-            return [f"{head[:-2]} {lines[1].strip()}"]
+            return [f"{head} {lines[1].strip()} }}" if self.language.braces else f"{head[:-2]} {lines[1].strip()}"]
         return [*lines, "}"]
 
     def _otherwise(self, block: list[Statement]) -> list[str]:
@@ -313,14 +342,16 @@ class Writer:
 
     def _loop(self, loop: Loop) -> list[str]:
         if loop.asks_behind:
-            body = self._lines(loop.body, 2)
-            return ["do {", *body, f"}} while ({self._text(loop.condition)});"]
+            return self._do(self._lines(loop.body, 2), loop.condition)
         if id(loop) in self._counts:
             start, step = self._counts[id(loop)]
             head = f"for ({self._statement(start)[0]} {self._text(loop.condition)}; {self._change(step)}) {{"
         else:
-            head = f"while ({self._text(loop.condition) if loop.condition is not None else 'true'}) {{"
+            head = f"while ({self._text(loop.condition)}) {{" if loop.condition is not None else self.language.forever
         return [head, *self._lines(loop.body, 2), "}"]
+
+    def _do(self, body: list[str], condition: Node) -> list[str]:
+        return ["do {", *body, f"}} while ({self._text(condition)});"]
 
     # Expressions.
 
@@ -344,10 +375,8 @@ class Writer:
         if isinstance(node, Constant):
             text = self._constant(node)
             return text, UNARY if text.startswith("-") else PRIMARY
-        if node in self.called:
-            return self.called[node], PRIMARY
-        if isinstance(node, Variable):
-            return node.name, PRIMARY
+        if node in self.called or isinstance(node, Variable):
+            return self._named(node), PRIMARY
         arguments = node.arguments
         if node.kind == "copy":
             return self._expression(arguments[0])
@@ -356,27 +385,45 @@ class Writer:
         if node.kind == "unary":
             return f"{node.name}{self._text(arguments[0], UNARY)}", UNARY
         if node.kind == "choice":
-            condition, yes, no = (self._text(argument, CHOICE) for argument in arguments)
-            return f"{condition} ? {yes} : {no}", CHOICE
+            return self._choice(*arguments)
         if node.kind == "binary":
             return self._binary(node)
-        if self.language.fills and (number := _splatted(node)) is not None:
+        if self.language.fills and (number := splatted(node)) is not None:
             arguments = (number,)
         name = self.names[node.name] if isinstance(node.name, Kept) else self.language.named(node.name)
         return f"{name}({', '.join(self._text(argument) for argument in arguments)})", PRIMARY
 
+    def _named(self, node: Node) -> str:
+        """What has a name."""
+        return self.called.get(node) or node.name
+
+    def _choice(self, condition: Node, yes: Node, no: Node) -> tuple[str, int]:
+        texts = [self._text(argument, CHOICE) for argument in (condition, yes, no)]
+        return f"{texts[0]} ? {texts[1]} : {texts[2]}", CHOICE
+
     def _binary(self, node: Operation) -> tuple[str, int]:
         strength = STRENGTH[node.name]
         parts = []
-        for i, argument in enumerate(node.arguments):
-            number = _splatted(argument) if self.language.splats and SIZES[node.arguments[1 - i].type] > 1 else None
-            argument = argument if number is None else number
+        for i, argument in enumerate(self._operands(node)):
             text, binds = self._expression(argument)
             is_chain = isinstance(argument, Operation) and argument.kind == "binary" and binds < UNARY
-            sign = argument.name if is_chain else ""
-            mixed = sign not in ("", node.name) and (node.name in BITS or (sign in BITS and node.name not in TRUTH))
-            parts.append(f"({text})" if binds < strength + i or mixed else text)
+            apart = is_chain and self._stands_apart(argument.name, node.name)
+            parts.append(f"({text})" if binds < strength + i or apart else text)
         return f"{parts[0]} {node.name} {parts[1]}", strength
+
+    def _operands(self, node: Operation) -> list[Node]:
+        """Of an operator, as the language takes them."""
+        left, right = node.arguments
+        return [self._scalar(one) if SIZES[other.type] > 1 else one for one, other in ((left, right), (right, left))]
+
+    def _scalar(self, node: Node) -> Node:
+        """A number in place of a vector of it."""
+        number = splatted(node) if self.language.splats else None
+        return node if number is None else number
+
+    def _stands_apart(self, inside: str, around: str) -> bool:
+        """Whether an operation is in parentheses for readers."""
+        return inside != around and (around in BITS or (inside in BITS and around not in TRUTH))
 
 
 def _is_float(type_: str) -> bool:
@@ -393,7 +440,7 @@ def _key(variable: Variable) -> object:
     return variable.name if variable.is_parameter else variable
 
 
-def _splatted(node: Node) -> Node | None:
+def splatted(node: Node) -> Node | None:
     """The number that all components of a vector are."""
     if isinstance(node, Operation) and node.kind == "construct" and len(node.arguments) > 1 and all(
             argument == node.arguments[0] for argument in node.arguments) and SIZES[node.arguments[0].type] == 1:

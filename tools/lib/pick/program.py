@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import difflib
 import re
+import textwrap
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -14,7 +15,7 @@ from parsing.preprocessor import Preprocessor
 from parsing.syntax import Function, Parameter, Parser
 from parsing.tokens import Unknown
 from pick.evaluate import Evaluation, Kept, Known, Module, Typed, dotted
-from pick.printer import Language, Writer
+from pick.printer import Language
 from pick.statements import Statement, values_of, without_copies, without_dead
 from pick.values import AXES, SIZES, Constant, Node, Operation, Variable
 from tables.glsl import declarations
@@ -24,13 +25,13 @@ from wgsl.translator import Translator
 Key = tuple[str, tuple[str, ...]]
 
 
-def read(library: Path, settings: dict[str, str], splits: bool = False) -> Module:
-    """The whole library with these knobs."""
+def read(library: Path, settings: dict[str, str], splits: bool = False, own: Sequence[Function] = ()) -> Module:
+    """The whole library with these knobs, and with these functions of the user's."""
     preprocessor = Preprocessor(library, settings)
     preprocessor.read('#include "hashnoise.glsl"\n', "the library")
     # Where floats are precise, all are: the printer says so.
     tokens = [token for token in preprocessor.tokens if token.text != "precise"]
-    return Module(Parser(tokens).parse(), preprocessor.constants, splits)
+    return Module(Parser(tokens).parse(), preprocessor.constants, splits, own)
 
 
 def public(module: Module) -> dict[str, Function]:
@@ -204,21 +205,28 @@ class Program:
     # Text.
 
     def text(self, language: Language, precise: bool = False) -> str:
-        names = self._names()
+        names = self._names(language)
         functions = [self._function(evaluated, names[kept], language, names, precise)
                      for kept, evaluated in self.called.items()]
-        functions += [self._function(root, root.function.name, language, names, precise) for root in self.roots]
-        return "".join([*(self._struct(name, language) for name in self.structs() if language.structs), *functions])
+        functions += [self._function(root, language.public_name(root.function), language, names, precise)
+                      for root in self.roots]
+        structs = [language.struct(name, [(field, type_) for field, type_, _ in self.module.structs[name].fields])
+                   for name in self.structs()] if language.structs else []
+        constants = language.constants([root.function for root in self.roots], self.module)
+        return "".join([constants, *structs, *functions])
 
-    def _names(self) -> dict[Kept, str]:
+    def _names(self, language: Language) -> dict[Kept, str]:
         """Of the functions that are called. Overloads may differ in what is left out alone: the later has a number."""
-        taken = {(root.function.name, root.function.types) for root in self.roots}
+        def head(name: str, types: tuple[str, ...]) -> object:
+            return (name, types) if language.has_overloads else name
+
+        taken = {head(language.public_name(root.function), root.function.types) for root in self.roots}
         names: dict[Kept, str] = {}
         for kept, evaluated in self.called.items():
             types = tuple(parameter.type for parameter in evaluated.parameters)
             numbered = (kept.name, *(f"{kept.name}_{i}" for i in range(2, 100)))
-            names[kept] = next(name for name in numbered if (name, types) not in taken)
-            taken.add((names[kept], types))
+            names[kept] = next(name for name in numbered if head(name, types) not in taken)
+            taken.add(head(names[kept], types))
         return names
 
     def structs(self) -> list[str]:
@@ -229,38 +237,24 @@ class Program:
                 needed |= {type_ for _, type_, _ in struct.fields}
         return [name for name in self.module.structs if name in needed]
 
-    def _struct(self, name: str, language: Language) -> str:
-        parts = self.module.structs[name].fields
-        fields = "".join(f"  {language.typed(type_)} {field};\n" for field, type_, _ in parts)
-        return f"struct {name} {{\n{fields}}};\n"
-
     def _function(self, evaluated: Evaluated, name: str, language: Language, names: dict[Kept, str],
                   precise: bool) -> str:
         variables = (node for node in evaluated.nodes if isinstance(node, Variable))
-        parameters_read = {variable.name.partition(".")[0] for variable in variables if variable.is_parameter}
-
-        def typed(parameter: Parameter) -> str:
-            type_ = language.typed(parameter.type)
-            if not parameter.is_set:
-                return type_
-            is_read = parameter.at.text in parameters_read or parameter.type not in SIZES
-            return (language.inout if is_read else language.out).format(type_)
-
-        parameters = ", ".join(f"{typed(parameter)} {parameter.at.text}" for parameter in evaluated.parameters)
-        head = f"{language.function}{language.typed(evaluated.function.type)} {name}({parameters}) {{"
-        lines = Writer(language, evaluated.block, evaluated.evaluation.hints,
-                       [parameter.at.text for parameter in evaluated.parameters], names, precise).lines()
+        read = {variable.name.partition(".")[0] for variable in variables if variable.is_parameter}
+        read |= {one.at.text for one in evaluated.parameters if one.type not in SIZES}
+        head = language.head(evaluated.function.type, name, evaluated.parameters, read)
+        lines = language.writer(evaluated.block, evaluated.evaluation.hints, evaluated.parameters, names,
+                                precise).lines()
         if len(lines) == 1 and len(head) + len(lines[0]) < 100:
             return f"{head} {lines[0].strip()} }}\n"
         return "\n".join([*wrapped(head, 0), *lines, "}"]) + "\n"
 
 
-def heading(functions: Sequence[Function], command: str, library: Path) -> str:
+def heading(functions: Sequence[Function], language: Language, command: str, library: Path) -> str:
     """What the functions are, return and may be wrong by, by the library's comments, and how to make them again."""
     lines: list[str] = []
     for function, of_function in zip(functions, facts(functions, library)):
-        parameters = ", ".join(f"{parameter.type} {parameter.at.text}" for parameter in function.parameters)
-        lines += [f" {function.name}({parameters})", *of_function]
+        lines += [*textwrap.wrap(f" {language.signature(function)}", 118, subsequent_indent="     "), *of_function]
     return "".join(f"//{line}\n" for line in (*lines, *origin(command)))
 
 

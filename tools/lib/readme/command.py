@@ -49,6 +49,7 @@ def tables(times: of_commands.Times) -> list[tuple[str, str, str]]:
              numbers.typical_table(typical, numbers.PLAIN_SUMS, (1, 4))),
             (SUMS, "tools/readme: footprint", numbers.footprint_quote(numbers.footprint())),
             (LANGUAGES, "tools/readme: picked", files.picked_text("hn_value2", "glsl")),
+            (LANGUAGES, "tools/readme: picked in WGSL", files.picked_text("hn_lattice2", "wgsl")),
             (LANGUAGES, "tools/readme: picks", files.picks_table()),
             (LANGUAGES, "tools/readme: picked for programs", files.picked_for_programs()),
             (LANGUAGES, "tools/readme: files", files.files_table()),

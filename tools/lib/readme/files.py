@@ -5,9 +5,9 @@ from __future__ import annotations
 import functools
 import re
 
-from pick.command import ARITHMETICS, SYNTAXES, picked, settings
-from pick.printer import LANGUAGES
+from pick.command import ARITHMETICS, SYNTAXES, Choice, picked, settings
 from pick.program import Program, chosen, read
+from pick.shading import LANGUAGES
 from single_file.files import text
 from tables import glsl
 from tables.markdown import table
@@ -45,13 +45,14 @@ def picks_table() -> str:
     modules = [read(GLSL, settings(arithmetic, "lattice")) for arithmetic in ARITHMETICS[:2]]
     rows = []
     for name, file in PICKED.items():
-        texts = [Program(module, chosen(module, [name])).text(LANGUAGES["glsl"]) for module in modules]
+        programs = [Program(module, chosen(module, [name])) for module in modules]
+        texts = [*(program.text(LANGUAGES["glsl"]) for program in programs), programs[0].text(LANGUAGES["wgsl"])]
         rows.append([f"`{name}`", *(f"{len(shown):,} bytes, {shown.count(chr(10))} lines" for shown in texts), size(file)])
-    return table(("", "`HN_FAST`", "`HN_FIXED`", "the file, by `tools/single-file --strip`"), rows)
+    return table(("", "`HN_FAST`", "`HN_FIXED`", "`HN_FAST` in WGSL", "the file, by `tools/single-file --strip`"), rows)
 
 
 def picked_text(name: str, language: str) -> str:
-    return f"```{language}\n{picked([name], language)}```\n"
+    return f"```{language}\n{picked([name], Choice(language))}```\n"
 
 
 @functools.cache

@@ -114,9 +114,14 @@ class Function:
         return self.bound
 
     @property
+    def body(self) -> str:
+        """Of a function of four vectors of words, a to d."""
+        return self.row.arguments[6]
+
+    @property
     def calls(self) -> str:
         """The function of the library that its body calls."""
-        names = set(re.findall(r"\b(hn_\w+)\(", self.row.arguments[6])) - {"hn_place", "hn_tile"}
+        names = set(re.findall(r"\b(hn_\w+)\(", self.body)) - {"hn_place", "hn_tile"}
         if len(names) != 1:
             raise self.row.error(f"{self.id} calls {len(names)} functions of the library instead of one")
         return names.pop()

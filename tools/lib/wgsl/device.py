@@ -71,21 +71,25 @@ class Device:
 
     def evaluate(self, text: str, inputs: Sequence[Sequence[int]]) -> list[tuple[int, ...]]:
         """The words that come out of a shader for each point: those that go in are as many as its columns."""
+        words = b"".join(word.to_bytes(4, "little") for point in inputs
+                         for word in (*point, *[0] * (INPUT_WORDS - len(point))))
+        results = self.run(text, words, 4 * OUTPUT_WORDS * len(inputs), len(inputs)).cast("I").tolist()
+        return [tuple(results[i:i + OUTPUT_WORDS]) for i in range(0, len(results), OUTPUT_WORDS)]
+
+    def run(self, text: str, inputs: bytes, size: int, points: int) -> memoryview:
+        """What a shader writes, so many bytes, that is called for each of the points, GROUP at a time."""
         device, usage = self._device, self._wgpu.BufferUsage
         pipeline = device.create_compute_pipeline(
             layout="auto", compute={"module": self.compile(text), "entry_point": "main"})
-        words = b"".join(word.to_bytes(4, "little") for point in inputs
-                         for word in (*point, *[0] * (INPUT_WORDS - len(point))))
-        source = device.create_buffer_with_data(data=words, usage=usage.STORAGE)
-        target = device.create_buffer(size=4 * OUTPUT_WORDS * len(inputs), usage=usage.STORAGE | usage.COPY_SRC)
+        source = device.create_buffer_with_data(data=inputs, usage=usage.STORAGE)
+        target = device.create_buffer(size=size, usage=usage.STORAGE | usage.COPY_SRC)
         entries = [{"binding": number, "resource": {"buffer": buffer}} for number, buffer in enumerate((source, target))]
         group = device.create_bind_group(layout=pipeline.get_bind_group_layout(0), entries=entries)
         encoder = device.create_command_encoder()
         compute = encoder.begin_compute_pass()
         compute.set_pipeline(pipeline)
         compute.set_bind_group(0, group)
-        compute.dispatch_workgroups(-(-len(inputs) // GROUP))
+        compute.dispatch_workgroups(-(-points // GROUP))
         compute.end()
         device.queue.submit([encoder.finish()])
-        results = memoryview(device.queue.read_buffer(target)).cast("B").cast("I").tolist()
-        return [tuple(results[i:i + OUTPUT_WORDS]) for i in range(0, len(results), OUTPUT_WORDS)]
+        return memoryview(device.queue.read_buffer(target)).cast("B")

@@ -38,6 +38,12 @@ class Settings:
                   "HN_GRADIENT": f"HN_GRADIENT_{self.gradient}"}
         return macros | ({"HN_HASH_FN(k)": f"{self.hash_function}(k)"} if self.hash_function else {})
 
+    def own_functions(self) -> list[Function]:
+        """The user's, which the text calls."""
+        if not self.hash_function:
+            return []
+        return Parser(list(tokens_of(f"uint {self.hash_function}(uint k) {{ return k; }}", "the options", 1))).parse()
+
     def __str__(self) -> str:
         return f"{self.arithmetic}, HN_HASH_{self.hash} and HN_GRADIENT_{self.gradient}"
 
@@ -53,12 +59,8 @@ class Module:
         preprocessor.read(text, path)
         if preprocessor.stands_for("HN_ARITHMETIC", "HN_PRECISE"):
             raise Unknown(NO_PRECISE)
-        others = []
-        if settings.hash_function:
-            tokens = tokens_of(f"uint {settings.hash_function}(uint k) {{ return k; }}", "the options", 1)
-            others = Parser(list(tokens)).parse()
         self.translator = Translator(Parser(preprocessor.tokens).parse(), preprocessor.constants,
-                                     [function for function in others if isinstance(function, Function)])
+                                     settings.own_functions())
 
     def names(self) -> dict[tuple[str, tuple[str, ...]], str]:
         """The name in WGSL of each function, by its name in GLSL and the types of its parameters."""

@@ -7,83 +7,35 @@ What floats may differ by, and their shaders, are those of the page that hn-conf
 
 from __future__ import annotations
 
-import base64
-import gzip
-import json
 import re
 import shutil
-import struct
 import subprocess
 import sys
 import tempfile
 import unittest
+from collections.abc import Iterable
 from pathlib import Path
 
-from golden_values import Golden, ids
+from golden_values import ids
 from tables.functions import read_functions
 from thorough import THOROUGH
 from tree import FUNCTIONS, GLSL, ROOT, TOOLS
 from wgsl.device import Absent, Device
+from wgsl.golden import Page, differing
 from wgsl.evaluation import evaluations, macros_of_rows
 from wgsl.module import ARITHMETICS, Module, Settings
 
 SKIPPED = 77
 # Files that users include: those that have the others in them.
 WHOLES = [path.name for path in sorted(GLSL.glob("*.glsl")) if "Made by tools/umbrella" in path.read_text()]
-ROWS = {function.id: function for function in read_functions()}
 
 
-def differing(device: Device, library: Path, golden: dict[str, str]) -> dict[str, str]:
-    """Which rows, with the settings that are named, have other bits than their files, and where first."""
-    bodies = {row: ROWS[row].row.arguments[6] for row in golden}
-    shaders = evaluations(library, "#define HN_ARITHMETIC HN_FIXED\n" + macros_of_rows(FUNCTIONS),
-                          ["hashnoise.glsl"], bodies)
-    found = {}
-    for row, setting in golden.items():
-        values = Golden(row, setting)
-        results = device.evaluate("".join(shaders[row]), values.inputs)
-        for inputs, expected, got in zip(values.inputs, values.expected, results, strict=True):
-            if list(got[:len(expected)]) != expected:
-                found.setdefault(row, f"{inputs}: got {got}, expected {expected}")
-    return found
-
-
-class Page:
-    """The suite of a page: what hn-conform has browsers run (docs/formats.md)."""
-
-    def __init__(self, program: str, glob: str):
-        with tempfile.TemporaryDirectory() as folder:
-            subprocess.run([program, "web", "--thorough", "--filter", glob, "--out", folder], check=True,
-                           stdout=subprocess.DEVNULL)
-            page = (Path(folder) / "index.html").read_text(encoding="utf-8")
-        packed = re.search(r'id="suite">([^<]*)<', page)[1]
-        self.json = json.loads(gzip.decompress(base64.b64decode(packed)))
-        self.cases = self.json["cases"]
-
-    def shader(self, case: dict) -> str:
-        program = self.json["programs"][case["program"]]
-        return "".join(self.json["texts"][piece] for piece in self.json["shaders"][program["wgsl"]]["pieces"])
-
-    def data(self, number: int, kind: str) -> list:
-        return memoryview(base64.b64decode(self.json["data"][number])).cast(kind).tolist()
-
-    def wrong(self, device: Device, case: dict) -> str:
-        """Where a value of a case is off by more than is allowed; nothing if none is."""
-        inputs, outputs = ([column.split(":")[1] for column in columns.split()]
-                           for columns in case["columns"].split(" = "))
-        words = self.data(case["inputs"], "I")
-        points = [words[i:i + len(inputs)] for i in range(0, len(words), len(inputs))]
-        results = device.evaluate(self.shader(case), points)
-        got = [word for result in results for word in result[:len(outputs)]]
-        expected = self.data(case["expected"], "I" if case["exact"] else "d")
-        allowed = case["allowed"]
-        allowed = self.data(allowed["data"], "d") if isinstance(allowed, dict) else [allowed] * len(expected)
-        for i, (one, right, within) in enumerate(zip(got, expected, allowed, strict=True)):
-            whole = case["exact"] or outputs[i % len(outputs)] == "i32"
-            value = struct.unpack("<f", struct.pack("<I", one))[0]
-            if (one != int(right) & 0xFFFFFFFF) if whole else not abs(value - right) <= within:
-                return f"{points[i // len(outputs)]}: got {value} ({one:08x}), expected {right} within {within}"
-        return ""
+def shaders(library: Path, rows: Iterable[str]) -> dict[str, str]:
+    """Those of these rows, with HN_FIXED."""
+    chosen = {function.id: function.body for function in read_functions() if function.id in rows}
+    knobs = "#define HN_ARITHMETIC HN_FIXED\n" + macros_of_rows(FUNCTIONS)
+    made = evaluations(library, knobs, ["hashnoise.glsl"], chosen)
+    return {row: "".join(pieces) for row, pieces in made.items()}
 
 
 class Wgpu(unittest.TestCase):
@@ -104,11 +56,10 @@ class Wgpu(unittest.TestCase):
 
     def test_the_code_of_the_page_compiles(self):
         text = (ROOT / "docs" / "languages.md").read_text()
-        command = re.search(r"^    tools/wgsl (.*) --out noise.wgsl$", text, re.MULTILINE)[1]
-        shaders = re.findall(r"^```wgsl\n(.*?)^```$", text, re.MULTILINE | re.DOTALL)
-        self.assertEqual(len(shaders), 1)
-        done = subprocess.run([TOOLS / "wgsl", *command.split()], capture_output=True, text=True, check=True)
-        self.device.compile(done.stdout + shaders[0])
+        command = re.search(r"^    tools/pick (.*--language wgsl.*) --out noise.wgsl$", text, re.MULTILINE)[1]
+        shader, = re.findall(r"^```wgsl\n(@fragment.*?)^```$", text, re.MULTILINE | re.DOTALL)
+        done = subprocess.run([TOOLS / "pick", *command.split()], capture_output=True, text=True, check=True)
+        self.device.compile(done.stdout + shader)
 
     def test_naga_reads_the_glsl(self):
         for arithmetic in ARITHMETICS:
@@ -127,7 +78,7 @@ class Wgpu(unittest.TestCase):
     def test_golden_values_of_fixed(self):
         golden = dict(ids("lattice+fixed", "any"))
         self.assertGreater(len(golden), 300)
-        self.assertEqual(differing(self.device, GLSL, golden), {})
+        self.assertEqual(differing(self.device, shaders(GLSL, golden), golden), {})
 
     def test_golden_values_of_floats(self):
         page = Page(self.program, "*.lattice.fast.compute.wgsl.golden")
@@ -153,7 +104,7 @@ class Wgpu(unittest.TestCase):
                 text = (copy / file).read_text()
                 self.assertIn(old, text)
                 (copy / file).write_text(text.replace(old, new))
-                self.assertEqual(set(differing(self.device, copy, golden)), set(rows))
+                self.assertEqual(set(differing(self.device, shaders(copy, golden), golden)), set(rows))
 
 
 if __name__ == "__main__":

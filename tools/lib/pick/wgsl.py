@@ -1,0 +1,134 @@
+"""WGSL: functions by the names of their forms, since it has no overloads (wgsl.names)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+
+from parsing.syntax import Function, Parameter
+from pick.evaluate import Kept, Module
+from pick.printer import BITS, PRIMARY, TRUTH, UNARY, Language, Writer, declarations_joined, splatted
+from pick.statements import Set, Statement, walk
+from pick.values import SIZES, Node, Operation, Variable, construct, converted, scalar_of, vector_of
+from wgsl.names import RESERVED, is_passed, variable, wgsl_name, wgsl_type
+
+SHIFTS = ("<<", ">>")
+CASTS = ("uintBitsToFloat", "floatBitsToUint", "intBitsToFloat", "floatBitsToInt")
+
+
+class Wgsl(Language):
+    has_overloads = False
+    braces = True
+    forever = "loop {"
+
+    def named(self, name: str) -> str:
+        return wgsl_type(name)
+
+    def public_name(self, function: Function) -> str:
+        return wgsl_name(function)
+
+    def signature(self, function: Function) -> str:
+        return self.head(function.type, wgsl_name(function), function.parameters, set())[len("fn "):-len(" {")]
+
+    def constants(self, functions: Sequence[Function], module: Module) -> str:
+        if not any(parameter.at.text == "metric" for function in functions for parameter in function.parameters):
+            return ""
+        return "".join(f"const {name}: i32 = {module.constant(name).at};\n"
+                       for name in module.constants if is_passed(name))
+
+    def head(self, type_: str, name: str, parameters: Iterable[Parameter], read: set[str]) -> str:
+        def typed(one: Parameter) -> str:
+            form = "ptr<function, {}>" if one.is_set else "{}"
+            return f"{variable(one.at.text)}: {form.format(self.typed(one.type))}"
+
+        returned = f" -> {self.typed(type_)}" if type_ != "void" else ""
+        return f"fn {name}({', '.join(map(typed, parameters))}){returned} {{"
+
+    def struct(self, name: str, fields: Iterable[tuple[str, str]]) -> str:
+        inside = "".join(f"  {variable(field_name)}: {self.typed(type_)},\n" for field_name, type_ in fields)
+        return f"struct {name} {{\n{inside}}}\n"
+
+    def writer(self, block: list[Statement], hints: Mapping[Node, str], parameters: Sequence[Parameter],
+               names: Mapping[Kept, str], precise: bool) -> Writer:
+        return WgslWriter(self, block, hints, parameters, names)
+
+
+class WgslWriter(Writer):
+    def __init__(self, language: Wgsl, block: list[Statement], hints: Mapping[Node, str],
+                 parameters: Sequence[Parameter], names: Mapping[Kept, str]):
+        self._pointers = {one.at.text for one in parameters if one.is_set}
+        self._changed = {one.variable for one in walk(block) if isinstance(one, Set)}
+        taken = (name for one in parameters for name in (one.at.text, variable(one.at.text)))
+        super().__init__(language, block, hints, taken, names, reserved=RESERVED)
+
+    def _find_changed_parameters(self) -> None:
+        """None is a variable."""
+
+    # Statements.
+
+    def _joined(self, lines: Sequence[str], space: str) -> list[str]:
+        return declarations_joined(lines, space, None)
+
+    def _declaration(self, type_: str, name: str, text: str) -> str:
+        return f"let {name} = {text};"
+
+    def _declared(self, variable: Variable, name: str, value: str | None) -> str:
+        if value is None:
+            return f"var {name}: {self._type(variable.type)};"
+        return f"{'var' if variable in self._changed else 'let'} {name} = {value};"
+
+    def _do(self, body: list[str], condition: Node) -> list[str]:
+        return ["loop {", *body, f"  continuing {{ break if !{self._text(condition, UNARY)}; }}", "}"]
+
+    # Expressions.
+
+    def _named(self, node: Node) -> str:
+        name = super()._named(node)
+        if not (isinstance(node, Variable) and node.is_parameter):
+            return name
+        first, *fields = name.split(".")
+        of = variable(first)
+        if first in self._pointers:
+            of = f"(*{of})" if fields else f"*{of}"
+        return ".".join([of, *map(variable, fields)])
+
+    def _expression(self, node: Node) -> tuple[str, int]:
+        text, binds = self._in_words(node)
+        return text, UNARY if text.startswith("*") else binds
+
+    def _in_words(self, node: Node) -> tuple[str, int]:
+        if not isinstance(node, Operation) or node in self.called:
+            return super()._expression(node)
+        if node.kind == "construct":
+            return self._constructed(node)
+        if node.kind == "builtin" and node.name in CASTS:
+            return f"bitcast<{wgsl_type(node.type)}>({self._text(node.arguments[0])})", PRIMARY
+        return super()._expression(node)
+
+    def _constructed(self, node: Operation) -> tuple[str, int]:
+        """Arguments are converted first, if they are several, or if one is repeated."""
+        number = splatted(node)
+        arguments = node.arguments if number is None else (number,)
+        scalar = scalar_of(node.type)
+        if len(arguments) > 1 or SIZES[arguments[0].type] < SIZES[node.type]:
+            arguments = [one if scalar_of(one.type) == scalar else construct(vector_of(scalar, SIZES[one.type]), (one,))
+                         for one in arguments]
+        return f"{wgsl_type(node.type)}({', '.join(self._text(one) for one in arguments)})", PRIMARY
+
+    def _choice(self, condition: Node, yes: Node, no: Node) -> tuple[str, int]:
+        return f"select({', '.join(self._text(one) for one in (no, yes, condition))})", PRIMARY
+
+    def _operands(self, node: Operation) -> list[Node]:
+        """Shifts are by unsigned counts, and of a vector and a number there are the operators of arithmetic alone."""
+        if node.name not in BITS:
+            return super()._operands(node)
+        left, right = node.arguments
+        if node.name in SHIFTS:
+            size = SIZES[left.type]
+            count = converted("uint", right) if SIZES[right.type] == 1 else right
+            return [left, construct(vector_of("uint", size), (count,))]
+        return [construct(node.type, (one,)) for one in (left, right)]
+
+    def _stands_apart(self, inside: str, around: str) -> bool:
+        if inside in SHIFTS or inside in TRUTH and around in TRUTH and inside != around:
+            return True
+        return super()._stands_apart(inside, around)
