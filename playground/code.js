@@ -496,7 +496,7 @@ export function copied(library, language, state, kind = "function", withLibrary 
     ...(main ? ["", ...shell.declared, ...main.lines] : []),
   ];
   if (language === "wgsl") {
-    const command = [`// In front of it stands what tools/wgsl makes:`, `// ${wgslCommand(state, called)}`];
+    const command = [`// In front of it stands what tools/pick writes:`, `// ${wgslCommand(state, called)}`];
     return {
       head: [...head, ...(inside ? [] : command), ""],
       library: () => (inside ? library.wgsl(needs, state).flatMap((piece) => piece.split("\n")) : []),
@@ -520,10 +520,11 @@ export function copied(library, language, state, kind = "function", withLibrary 
 
 function wgslCommand({ arithmetic, hash }, names) {
   return [
-    "tools/wgsl",
-    ...(arithmetic === "fixed" ? ["--arithmetic HN_FIXED"] : []),
-    ...(hash === "lattice" ? [] : [`--hash ${hash.toUpperCase()}`]),
-    `--only ${names.join(",")}`,
+    "tools/pick",
+    ...names,
+    "--language wgsl",
+    ...(arithmetic === "fixed" ? ["--arithmetic fixed"] : []),
+    ...(hash === "lattice" ? [] : [`--hash ${hash}`]),
   ].join(" ");
 }
 

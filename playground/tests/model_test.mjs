@@ -271,7 +271,14 @@ test("what is below a pointer stays there while the scale changes", () => {
   assert.deepEqual(panned(state, 64, 48, 8, -4), { x: -(8n << 21n), y: 4n << 21n });
 });
 
-test("the library in the page is that of tools/single-file and tools/wgsl", () => {
+const kImports = `
+import json, sys
+sys.dont_write_bytecode = True
+sys.path.insert(0, ${JSON.stringify(join(root, "tools", "lib"))})
+from tree import GLSL
+from wgsl.module import Module, Settings`;
+
+test("the library in the page is that of tools/single-file, and of the translator", () => {
   for (const file of ["fbm2d.glsl", "hashnoise.glsl"]) {
     const made = execFileSync(join(root, "tools", "single-file"), ["--strip", file], { encoding: "utf8" });
     // In the page the text goes on, and keeps the numbers of its lines.
@@ -279,25 +286,17 @@ test("the library in the page is that of tools/single-file and tools/wgsl", () =
     assert.equal(library.lines([file]).join("\n"), text.trim(), file);
     assert.equal(made.split("\n")[1], kLicense);
   }
-  const made = execFileSync(
-    join(root, "tools", "wgsl"),
-    ["--strip", "--arithmetic", "HN_FIXED", "--hash", "PCG", "--only", "hn_ridged3_place"],
-    { encoding: "utf8" },
-  );
-  assert.equal(
-    library.wgsl(["hn_ridged3_place"], { arithmetic: "fixed", hash: "pcg" }).join("\n"),
-    made.slice(made.indexOf("\n\n") + 2).trim(),
-  );
+  const script = `${kImports}
+module = Module(GLSL, '#include "hashnoise.glsl"\\n', Settings("HN_FIXED", "PCG"))
+print(module.text(["hn_ridged3_place"], strip=True), end="")
+`;
+  const made = execFileSync("python3", ["-c", script], { encoding: "utf8" });
+  assert.equal(library.wgsl(["hn_ridged3_place"], { arithmetic: "fixed", hash: "pcg" }).join("\n"), made.trim());
 });
 
 // A sum over another noise is a loop of ours. In WGSL it must be what the translator makes of the one in GLSL.
 test("sums over other noises are the same loops in each language", () => {
-  const script = `
-import json, sys
-sys.dont_write_bytecode = True
-sys.path.insert(0, ${JSON.stringify(join(root, "tools", "lib"))})
-from tree import GLSL
-from wgsl.module import Module, Settings
+  const script = `${kImports}
 loops = json.load(sys.stdin)
 module = Module(GLSL, '#include "hashnoise.glsl"\\n' + "".join(loop + "\\n" for loop in loops), Settings("HN_FIXED"))
 made = [module.translator.definition(n) for n in module.translator.items if n.startswith("hn_i_own_")]
@@ -432,6 +431,6 @@ test("what is copied says what is chosen", () => {
   }
   assert.match(
     copied(library, "wgsl", state, "function", false).head.join("\n"),
-    /tools\/wgsl --arithmetic HN_FIXED --hash PCG --only .*hn_add_ridge2,/,
+    /tools\/pick .*hn_add_ridge2 .*--language wgsl --arithmetic fixed --hash pcg/,
   );
 });

@@ -1,6 +1,6 @@
 //! A window full of clouds, which drift. The shader is assets/shaders/clouds.wgsl; what it imports is made by
 //!
-//!     ../../tools/wgsl --import-path hashnoise --only hn_clouds3 --out assets/shaders/hashnoise.wgsl
+//!     ../../tools/pick hn_clouds3 --language wgsl --import-path hashnoise --out assets/shaders/hashnoise.wgsl
 
 use bevy::prelude::*;
 use bevy::reflect::TypePath;

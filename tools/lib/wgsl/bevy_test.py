@@ -1,4 +1,5 @@
-"""A module of tools/wgsl as Bevy imports it: naga_oil composes it, and what comes out has the golden values.
+"""Modules of tools/wgsl and tools/pick as Bevy imports them: naga_oil composes them, and what comes out has the golden
+values.
 
     python3 -m wgsl.bevy_test FOLDER    where cargo builds what composes
 
@@ -14,20 +15,17 @@ import subprocess
 import sys
 import tempfile
 import unittest
-from collections.abc import Iterable
+from collections.abc import Collection
 from pathlib import Path
 
-from golden_values import Golden
-from tables.functions import read_functions
-from tree import FUNCTIONS, GLSL, ROOT, TOOLS
+from tree import ROOT, TOOLS
 from wgsl.device import Absent, Device
-from wgsl.evaluation import EPILOGUE, PROLOGUE, macros_of_rows
-from wgsl.module import NO_SETTINGS, Module
+from wgsl.evaluation import EPILOGUE
+from wgsl.golden import differing, shaders_over
 
 SKIPPED = 77
 COMPOSER = Path(__file__).resolve().parent / "composer"
 EXAMPLE = ROOT / "examples" / "bevy"
-BODIES = {function.id: function.row.arguments[6] for function in read_functions()}
 SAMPLE = ("noise1d.perlin", "noise2d.perlin", "noise2d.perlin_cell_period", "noise3d.value_cell",
           "noise4d.simplex", "fbm.clouds3", "fbm.fbm2")
 # What the example imports of Bevy, as far as it needs it.
@@ -57,24 +55,19 @@ def build(folder: Path) -> Path:
     return folder / "debug" / "composer"
 
 
-def library(*options: str) -> str:
+def library(*options: str, tool: str = "wgsl") -> str:
     """What a user gets."""
-    return subprocess.run([sys.executable, TOOLS / "wgsl", *options], capture_output=True, text=True, check=True).stdout
+    return subprocess.run([sys.executable, TOOLS / tool, *options], capture_output=True, text=True, check=True).stdout
 
 
-def evaluation_of(rows: Iterable[str]) -> dict[str, str]:
+def picked(*options: str) -> str:
+    return library(*options, tool="pick")
+
+
+def evaluation_of(rows: Collection[str]) -> dict[str, str]:
     """For each row, a shader that imports the functions that it calls."""
-    numbers = {row: f"evaluate_{i}" for i, row in enumerate(rows)}
-    text = "".join(f"uvec4 {name}(uvec4 a, uvec4 b, uvec4 c, uvec4 d) {{ {BODIES[row]} }}\n"
-                   for row, name in numbers.items())
-    knobs = "#define HN_ARITHMETIC HN_FIXED\n" + macros_of_rows(FUNCTIONS)
-    module = Module(GLSL, knobs + '#include "hashnoise.glsl"\n' + PROLOGUE + text, NO_SETTINGS, "functions.inc")
-    shaders = {}
-    for row, name in numbers.items():
-        definition = module.translator.definition(name)
-        imports = "".join(f"#import hashnoise::{needed}\n" for needed in definition.needs)
-        shaders[row] = imports + "\n".join(definition.lines) + EPILOGUE.replace("EVALUATE", name)
-    return shaders
+    return shaders_over(rows, "HN_FIXED",
+                        lambda names: "".join(f"#import hashnoise::{name}\n" for name in names))
 
 
 class Bevy(unittest.TestCase):
@@ -95,19 +88,20 @@ class Bevy(unittest.TestCase):
 
     def differing(self, text: str) -> set[str]:
         """The rows of the sample that have other bits than their files."""
-        found = set()
         composed = self.composed({"hashnoise": text}, evaluation_of(SAMPLE))
-        for row in SAMPLE:
-            golden = Golden(row)
-            got = self.device.evaluate(composed[row], golden.inputs)
-            if any(list(words[:len(expected)]) != expected for words, expected in zip(got, golden.expected, strict=True)):
-                found.add(row)
-        return found
+        return {*differing(self.device, composed, dict.fromkeys(SAMPLE, "lattice+fixed"))}
 
     def test_golden_values_bit_for_bit(self):
         whole = library("--import-path", "hashnoise", "--arithmetic", "HN_FIXED")
         self.assertTrue(whole.startswith("#define_import_path hashnoise\n"))
         self.assertEqual(self.differing(whole), set())
+
+    def test_picked_functions_have_them_too(self):
+        """Those that the rows call, in one module."""
+        imported = {name for shader in evaluation_of(SAMPLE).values() for name in re.findall(r"#import hashnoise::(hn_\w+)", shader)}
+        names = [name for name in sorted(imported) if not re.fullmatch(r"hn_place\d", name)]
+        text = picked(*names, "--language", "wgsl", "--arithmetic", "fixed", "--import-path", "hashnoise")
+        self.assertEqual(self.differing(text), set())
 
     def test_a_changed_constant_is_noticed(self):
         whole = library("--import-path", "hashnoise", "--arithmetic", "HN_FIXED", "--strip")
@@ -116,28 +110,28 @@ class Bevy(unittest.TestCase):
                          set(SAMPLE) - {"noise1d.perlin"})  # it is that of the second axis
 
     def test_what_is_not_there_is_refused(self):
-        module = {"hashnoise": library("--import-path", "hashnoise", "--only", "hn_fbm2")}
+        module = {"hashnoise": picked("hn_fbm2", "--language", "wgsl", "--import-path", "hashnoise")}
         user = "#import hashnoise::{}\n@fragment fn main() -> @location(0) vec4f {{ return vec4f({}(vec2f(1.5), 6, 2.0, 0.5, 7u)); }}\n"
         self.assertIn("fn main", self.composed(module, {"user": user.format("hn_fbm2", "hn_fbm2")})["user"])
         with self.assertRaisesRegex(Refused, "hn_clouds2"):
             self.composed(module, {"user": user.format("hn_clouds2", "hn_clouds2")})
         with self.assertRaisesRegex(Refused, "hashnoise"):
-            self.composed({"hashnoise": library("--only", "hn_fbm2")}, {"user": user.format("hn_fbm2", "hn_fbm2")})
+            self.composed({"hashnoise": picked("hn_fbm2", "--language", "wgsl")}, {"user": user.format("hn_fbm2", "hn_fbm2")})
 
     def test_the_code_of_the_page(self):
         page = (ROOT / "docs" / "engines.md").read_text(encoding="utf-8")
-        command = re.search(r"^    hashnoise/tools/wgsl (.*) --out assets/shaders/hashnoise.wgsl$", page, re.MULTILINE)[1]
+        command = re.search(r"^    hashnoise/tools/pick (.*) --out assets/shaders/hashnoise.wgsl$", page, re.MULTILINE)[1]
         shader, = re.findall(r"^```wgsl\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)
-        modules = {"hashnoise": library(*command.split()), **BEVY}
+        modules = {"hashnoise": picked(*command.split()), **BEVY}
         self.assertIn("fn fragment", self.composed(modules, {"page": shader})["page"])
         with self.assertRaisesRegex(Refused, "hn_cloudz3"):
             self.composed(modules, {"page": shader.replace("hn_clouds3", "hn_cloudz3")})
 
     def test_the_example_draws_the_clouds_of_the_library(self):
         """Its sky is mixed by hn_clouds3, whose value comes out where sky and cloud are told apart."""
-        command = re.search(r"tools/wgsl (.*) --out assets/shaders/hashnoise.wgsl", (EXAMPLE / "src/main.rs").read_text())[1]
+        command = re.search(r"tools/pick (.*) --out assets/shaders/hashnoise.wgsl", (EXAMPLE / "src/main.rs").read_text())[1]
         own = (EXAMPLE / "assets/shaders/clouds.wgsl").read_text()
-        modules = {"hashnoise": library(*command.split()), **BEVY}
+        modules = {"hashnoise": picked(*command.split()), **BEVY}
         self.assertIn("fn fragment", self.composed(modules, {"clouds": own})["clouds"])
         lines = [line for line in own.split("@fragment")[0].splitlines() if "bevy_sprite" not in line]
         evaluate = """fn evaluate(a: vec4u, b: vec4u, c: vec4u, d: vec4u) -> vec4u {

@@ -211,26 +211,12 @@ class Command(unittest.TestCase):
         self.assertEqual(self.call("--out", "/dev/null/absent", "hash.glsl").returncode, 2)
 
     def test_import_path(self):
-        one, other = (self.call(*arguments, "--only", "hn_fbm2").stdout for arguments in ((), ("--import-path", "game::noise")))
+        one, other = (self.call(*arguments, "hash.glsl").stdout for arguments in ((), ("--import-path", "game::noise")))
         self.assertEqual(other, f"#define_import_path game::noise\n\n{one}")
         for path in ("a b", "a:b", "1a", "a::", ""):
             done = self.call("--import-path", path)
             self.assertEqual(done.returncode, 2)
             self.assertIn("such as game::noise", done.stderr)
-
-    def test_functions_that_there_are_not(self):
-        for given, said in (("hn_fbm", "it has a name for each form: hn_fbm2, hn_fbm2_detail"),
-                            ("hn_place", "it has a name for each form: hn_place_at_cell1, hn_place_at_cell2"),
-                            ("hn_fbm2,hn_absent", "there is no function hn_absent in WGSL; --names tells"),
-                            ("", "--only names no function")):
-            with self.subTest(given=given):
-                done = self.call("--only", given, "fbm2d.glsl")
-                self.assertEqual((done.returncode, done.stdout), (2, ""))
-                self.assertIn(said, done.stderr)
-
-    def test_names(self):
-        lines = self.call("--names", "perlin2d.glsl").stdout.split("\n")
-        self.assertIn("hn_perlin2_place hn_perlin(hn_place2, uint)", [" ".join(line.split()) for line in lines])
 
     def test_another_copy(self):
         with tempfile.TemporaryDirectory() as folder:
