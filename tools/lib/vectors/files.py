@@ -1,0 +1,196 @@
+"""What stands in the vectors, the files of vectors/: rows of the golden files, as JSON."""
+
+from __future__ import annotations
+
+import json
+import struct
+import subprocess
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from pathlib import Path
+
+from golden.files import BITS
+from golden_values import Golden
+from parsing.syntax import Function as Declared
+from pick.program import public, read
+from tables.configurations import Configuration, read_configurations
+from tables.functions import Function, read_functions
+from tree import GLSL, ROOT
+from vectors.choice import chosen
+
+FORMAT = 1
+FOLDER = ROOT / "vectors"
+INDEX = "index.json"
+LARGEST_BOUND = 2.0**-6  # of a row. Octave sums of floats far out have larger ones, which say little
+DEFAULTS = {"lattice", "lattice+sine"}  # the settings of noise that are told, without their arithmetic
+
+Words = Sequence[int]
+
+
+class NoVectors(Exception):
+    """There is no program that tells bounds, or it fails."""
+
+
+def meaning(kind: str, word: int) -> int | float:
+    """The number that a word of a golden file stands for."""
+    if kind == "u32":
+        return word
+    size, code = {"i32": (4, ">i"), "f32": (4, ">f"), "f64": (8, ">d")}[kind]
+    value, = struct.unpack(code, word.to_bytes(size, "big"))
+    return value
+
+
+def unit_of(values: Iterable[float]) -> int:
+    """The exponent of the largest power of two of which all are multiples; 0 if they are whole."""
+    return -max((Fraction(value).denominator.bit_length() - 1 for value in values), default=0)
+
+
+@dataclass(frozen=True)
+class Group:
+    """What a function has with a setting."""
+    function: Function
+    setting: Configuration | None  # none where no knob matters
+
+    @property
+    def name(self) -> str:
+        return self.setting.name if self.setting else "any"
+
+    @property
+    def arithmetic(self) -> str:
+        return "exact" if self.function.exact else self.setting.arithmetic
+
+    @property
+    def configuration(self) -> str:
+        return self.setting.name if self.setting else "lattice"
+
+    @cached_property
+    def golden(self) -> Golden:
+        return Golden(self.function.id, self.name)
+
+    @property
+    def inputs(self) -> list[list[int | float]]:
+        return [[meaning(kind, word) for (_, kind), word in zip(self.golden.head.columns, words)]
+                for words in self.golden.inputs]
+
+    @property
+    def results(self) -> list[list[int | float]]:
+        return [[meaning(kind, word) for (_, kind), word in zip(self.golden.head.results, words)]
+                for words in self.golden.values]
+
+    def questions(self) -> list[str]:
+        """A line for each row, for the program that tells bounds."""
+        if self.arithmetic != "fast":
+            return []
+        return [f"{self.configuration} {self.function.id} {hexadecimal(words)}" for words in self.golden.inputs]
+
+    def said(self, bounds: Sequence[Sequence[float]]) -> dict:
+        """What the file has of it. `bounds` are those of all rows, or none if every bit counts."""
+        golden, inputs, results = self.golden, self.inputs, self.results
+        allowed = [i for i in range(len(inputs)) if not bounds or max(bounds[i]) <= LARGEST_BOUND]
+        names = [name for name, _ in golden.head.columns]
+        numbers = [allowed[i] for i in chosen([dict(zip(names, inputs[i])) for i in allowed],
+                                              [results[i] for i in allowed])]
+        head: dict = {"name": self.name, "arithmetic": self.arithmetic}
+        if self.setting:
+            head |= {"hash": self.setting.hash, "gradient": self.setting.gradient}
+        rows: list[dict] = [{"in": inputs[i], "words": hexadecimal(golden.inputs[i]), "out": results[i]} for i in numbers]
+        if bounds:
+            rows = [{**row, "bound": bounds[i]} for i, row in zip(numbers, rows)]
+            return {**head, "rows": rows}
+        if self.arithmetic == "fixed" and all(kind == "f64" for _, kind in golden.head.results):
+            head["units"] = [unit_of(values) for values in zip(*results)]
+            rows = [{**row, "units": [int(value * 2.0**-unit) for value, unit in zip(row["out"], head["units"])]}
+                    for row in rows]
+        return {**head, "rows": rows}
+
+
+def hexadecimal(words: Words) -> str:
+    return " ".join(f"{word:08x}" for word in words)
+
+
+def groups_of(function: Function, settings: Sequence[Configuration]) -> list[Group]:
+    """Words and gradients have values of every hash, noise those of the default hash: above the words it is the same."""
+    if function.family == "independent":
+        return [Group(function, None)]
+    with_values = [one for one in settings if one.has_golden_values and one.covers(function) and one.hash != "custom"]
+    if function.family in ("hash", "gradient"):
+        return [Group(function, one) for one in with_values]
+    return [Group(function, one) for one in with_values if one.name.removesuffix("+fixed") in DEFAULTS]
+
+
+def name_of(function: Function, known: dict[tuple[str, tuple[str, ...]], str]) -> str:
+    """What tools/pick and tools/wgsl call the form of the library that a row of the table is."""
+    types = tuple(f"hn_{type_}" if type_.startswith("place") else type_.removeprefix("out ")
+                  for type_ in function.overloads[-1])
+    return known[function.calls, types]
+
+
+def names() -> dict[tuple[str, tuple[str, ...]], str]:
+    declared: dict[str, Declared] = public(read(GLSL, {}))
+    return {(one.name, tuple(one.types)): name for name, one in declared.items()}
+
+
+def asked(program: Path, questions: Sequence[str]) -> list[list[float]]:
+    """The bounds of rows, which the suite tells."""
+    try:
+        done = subprocess.run([program], input="".join(f"{line}\n" for line in questions), capture_output=True, text=True,
+                              check=False)
+    except OSError as error:
+        raise NoVectors(f"{program} does not run: {error.strerror}. tools/test -N builds it") from error
+    answers = [[float(bound) for bound in line.split()] for line in done.stdout.splitlines()]
+    if done.returncode or len(answers) != len(questions):
+        raise NoVectors(f"{program} ended with status {done.returncode}, and answered {len(answers)} of "
+                        f"{len(questions)} questions: {done.stderr}")
+    return answers
+
+
+def vectors(program: Path) -> dict[str, str]:
+    """All files, by their names."""
+    settings, known = read_configurations(), names()
+    of_functions = {function: groups_of(function, settings) for function in read_functions()}
+    questions = {id(group): group.questions() for groups in of_functions.values() for group in groups}
+    answers = iter(asked(program, [line for lines in questions.values() for line in lines]))
+    bounds = {number: [next(answers) for _ in lines] for number, lines in questions.items()}
+    files, listed = {}, []
+    for function, groups in of_functions.items():
+        name = name_of(function, known)
+        head = {"format": FORMAT, "function": function.id, "calls": function.calls, "name": name, "bits": BITS,
+                "inputs": columns(function.inputs), "outputs": columns(function.outputs)}
+        said = [group.said(bounds[id(group)]) for group in groups]
+        files[f"{function.id}.json"] = written({**head, "settings": said})
+        listed.append({"file": f"{function.id}.json", "calls": function.calls, "name": name,
+                       "settings": [group.name for group in groups]})
+    files[INDEX] = written({"format": FORMAT, "bits": BITS, "files": listed})
+    return files
+
+
+def columns(text: str) -> list[dict[str, str]]:
+    return [dict(zip(("name", "type"), column.split(":"))) for column in text.split()]
+
+
+def written(value: dict) -> str:
+    """JSON that a person can read and that a change shows up in line by line: a row is one line."""
+    lines: list[str] = []
+
+    def compact(part: object) -> str:
+        return json.dumps(part, ensure_ascii=True, allow_nan=False, separators=(",", ":"))
+
+    def is_long(part: object) -> bool:
+        return isinstance(part, list) and bool(part) and isinstance(part[0], dict) and "type" not in part[0]
+
+    def put(part: dict, indent: str, end: str) -> None:
+        *others, (last, rows) = part.items()
+        head = "".join(f"{compact(key)}:{compact(one)}," for key, one in others)
+        lines.append(f"{indent}{{{head}{compact(last)}:[")
+        for i, row in enumerate(rows):
+            comma = "," if i + 1 < len(rows) else ""
+            if any(is_long(one) for one in row.values()):
+                put(row, f"{indent} ", comma)
+            else:
+                lines.append(f"{indent} {compact(row)}{comma}")
+        lines.append(f"{indent}]}}{end}")
+
+    put(value, "", "")
+    return "\n".join(lines) + "\n"

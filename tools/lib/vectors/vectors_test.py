@@ -1,0 +1,202 @@
+"""The vectors are what they say, docs/porting.md shows how to read them, and a port that is wrong is told so.
+
+The test vectors.regenerated_is_committed holds them to the golden files."""
+
+from __future__ import annotations
+
+import contextlib
+import functools
+import io
+import json
+import math
+import re
+import struct
+import tempfile
+import unittest
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+from tables.configurations import read_configurations
+from tables.functions import read_functions
+from tree import ROOT
+from vectors import choice, command, files
+
+PAGE = (ROOT / "docs" / "porting.md").read_text(encoding="utf-8")
+CHECKER, PORT = re.findall(r"^```python\n(.*?)^```$", PAGE, re.MULTILINE | re.DOTALL)
+NUMBER = re.compile(r"0x[0-9A-F]+|(?<=2\*\*)24|(?<=>> )\d+|\b2 (?=\* a)|\b1\b(?=\) \* 4097)|4097")
+
+
+@functools.cache
+def read(name: str) -> dict:
+    return json.loads((files.FOLDER / name).read_text(encoding="ascii"))
+
+
+def all_groups() -> Iterator[tuple[dict, dict]]:
+    for listed in read(files.INDEX)["files"]:
+        file = read(listed["file"])
+        for group in file["settings"]:
+            yield file, group
+
+
+def checker() -> Callable:
+    """The checker of the page."""
+    defined: dict = {}
+    exec(compile(CHECKER, "docs/porting.md", "exec"), defined)  # the page's own text
+    return defined["faults"]
+
+
+def said_by(port: str) -> str:
+    """What the page's program prints with a port."""
+    out = io.StringIO()
+    with contextlib.redirect_stdout(out), contextlib.chdir(ROOT):
+        exec(compile(CHECKER + port, "docs/porting.md", "exec"), {})
+    return out.getvalue()
+
+
+class Port(unittest.TestCase):
+    def test_that_of_the_page_is_right(self) -> None:
+        self.assertEqual(said_by(PORT), "")
+
+    def test_it_is_told_of_each_number_that_is_wrong(self) -> None:
+        places = list(NUMBER.finditer(PORT))
+        self.assertEqual(len(places), 17)
+        for place in places:
+            number = int(place[0], 0)
+            broken = f"{PORT[:place.start()]}{number ^ 2 if number > 2 else number + 1} {PORT[place.end():]}"
+            with self.subTest(place[0], at=place.start()):
+                self.assertRegex(said_by(broken), r"\A(\[-?\d+, -?\d+, \d+\]: 0x\w+ where 0x\w+ is right\n)+\Z")
+
+    def test_the_checker_is_short(self) -> None:
+        self.assertLess(len(CHECKER.strip().splitlines()), 14)
+
+
+class Replayed:
+    """A port that returns what stands in the file, and at one row something else."""
+
+    def __init__(self, rows: list[dict], wrong: int | None = None, change: Callable = lambda x: x):
+        self.results = iter([tuple(map(change, row["out"])) if i == wrong else tuple(row["out"])
+                             for i, row in enumerate(rows)])
+
+    def __call__(self, *inputs: float) -> tuple[float, ...]:
+        return next(self.results)
+
+
+class Checker(unittest.TestCase):
+    def test_it_reports_the_row_that_is_wrong(self) -> None:
+        faults = checker()
+        for number, (file, group) in enumerate(all_groups()):
+            rows = group["rows"]
+            wrong = number % len(rows)
+            bound = max(rows[wrong].get("bound", [0]))
+            off = (lambda x: x + 1.01 * bound) if bound else lambda x: x + 2.0**-24 if group["arithmetic"] == "fixed" else x + 1
+            with self.subTest(file["function"], setting=group["name"]):
+                self.assertEqual(list(faults(files.FOLDER, file["function"], Replayed(rows), group["name"])), [])
+                found = list(faults(files.FOLDER, file["function"], Replayed(rows, wrong, off), group["name"]))
+                self.assertEqual([row for row, _ in found], [rows[wrong]])
+                if number % 50 == 0:
+                    for other in (lambda x: math.nan, lambda x: math.inf):
+                        found = list(faults(files.FOLDER, file["function"], Replayed(rows, wrong, other), group["name"]))
+                        self.assertEqual(len(found), 1)
+
+
+class Files(unittest.TestCase):
+    def test_every_function_has_one(self) -> None:
+        listed = {one["file"] for one in read(files.INDEX)["files"]}
+        self.assertEqual(listed, {f"{function.id}.json" for function in read_functions()})
+        self.assertEqual(command.there(files.FOLDER), listed | {files.INDEX})
+
+    def test_each_arithmetic_has_as_many_rows_as_it_says(self) -> None:
+        for file, group in all_groups():
+            with self.subTest(file["function"], setting=group["name"]):
+                few = file["function"].startswith("noise4d.") and len(group["rows"]) > 40
+                self.assertTrue(len(group["rows"]) == choice.COUNT or few, len(group["rows"]))
+                zeros = sum(not any(row["out"]) for row in group["rows"])
+                self.assertLess(zeros, choice.COUNT / 3)
+        names = [{group["name"] for group in read(f"{name}.json")["settings"]} for name in ("noise2d.perlin", "hash.lattice2")]
+        hashes = {one.hash for one in read_configurations()} - {"custom"}
+        self.assertEqual(names, [{"lattice", "lattice+fixed", "lattice+sine", "lattice+sine+fixed"}, hashes])
+
+    def test_numbers_are_exact_and_said_twice(self) -> None:
+        for file, group in all_groups():
+            for row in group["rows"]:
+                words = [int(word, 16) for word in row["words"].split()]
+                for column, word, value in zip(file["inputs"], words, row["in"], strict=True):
+                    code = {"f32": ">f", "i32": ">i", "u32": ">I"}[column["type"]]
+                    if struct.pack(code, value) != word.to_bytes(4, "big") or struct.unpack(
+                            code, word.to_bytes(4, "big"))[0] != value:
+                        self.fail(f"{file['function']}: {value} is not {word:08x}")
+                for value, units, unit in zip(row["out"], row.get("units", ()), group.get("units", ())):
+                    if units * 2.0**unit != value or struct.unpack(">f", struct.pack(">f", value))[0] != value:
+                        self.fail(f"{file['function']}: {units} units are not {value}")
+                if ("bound" in row) != (group["arithmetic"] == "fast") or max(row.get("bound", [0])) > files.LARGEST_BOUND:
+                    self.fail(f"{file['function']}: {row}")
+
+    def test_there_is_a_unit_for_what_is_fixed(self) -> None:
+        for file, group in all_groups():
+            if group["arithmetic"] == "fixed" and file["outputs"][0]["type"] == "f64":
+                with self.subTest(file["function"]):
+                    self.assertTrue(all(-24 <= unit <= -16 for unit in group["units"]))
+                    odd = [sum(row["units"][i] % 2 for row in group["rows"]) for i in range(len(group["units"]))]
+                    self.assertLess(0, min(odd) + max(odd))
+
+    def test_points_are_where_ports_go_wrong(self) -> None:
+        for file, group in all_groups():
+            rows = [dict(zip((column["name"] for column in file["inputs"]), row["in"])) for row in group["rows"]]
+            with self.subTest(file["function"], setting=group["name"]):
+                if "x" in rows[0] and file["inputs"][0]["type"] == "f32":
+                    self.assertTrue(any(row["x"] < 0 and choice.kind_of(row["x"]) == "whole" for row in rows), "a border")
+                    self.assertTrue(any(row["x"] < 0 and choice.kind_of(row["x"]) != "whole" for row in rows), "negative")
+                if "cx" in rows[0] and "octaves" not in rows[0]:
+                    ends = {-2**31, 2**31 - 1} & {row["cx"] for row in rows}
+                    self.assertGreaterEqual(len(ends), 1 if file["function"].startswith("noise4d.") else 2)
+                    self.assertLessEqual({0.0, 1.0}, {row["fx"] for row in rows})
+                if "px" in rows[0]:
+                    cells = [(cell, period) for row in rows for axis, period, cell in choice.periods_of(row)]
+                    self.assertTrue(any(cell == 0 < period - 1 for cell, period in cells), "behind a seam")
+                    self.assertTrue(any(cell == period - 1 > 0 for cell, period in cells), "before a seam")
+                    self.assertTrue(any(row["px"] <= 0 for row in rows), "no period")
+                if "seed" in rows[0]:
+                    self.assertLessEqual({0, 1, 2**32 - 1}, {row["seed"] for row in rows})
+
+    def test_a_row_that_nothing_else_is_like_is_chosen(self) -> None:
+        rows = [{"x": 0.25 + i % 7, "seed": 5} for i in range(400)]
+        rows[333] = {"x": -2.0**25, "seed": 2**32 - 1}
+        self.assertIn(333, choice.chosen(rows, [[0.5]] * 400))
+        self.assertEqual(len(choice.chosen(rows, [[0.5]] * 400)), choice.COUNT)
+        zeros = choice.chosen(rows, [[0.0 if i % 2 else 0.5] for i in range(400)])
+        self.assertLessEqual(sum(i % 2 for i in zeros), choice.ZERO)
+        self.assertEqual(len(zeros), choice.COUNT)
+
+
+class Command(unittest.TestCase):
+    def setUp(self) -> None:
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.folder = Path(scratch.name)
+
+    def test_files_that_are_not_what_they_should_be_are_told(self) -> None:
+        made = {"a.json": "{}\n", "b.json": "[1]\n", "c.json": "[]\n"}
+        command.write(self.folder, {**made, "old.json": ""})
+        command.write(self.folder, made)
+        self.assertEqual(command.differences(self.folder, made), [])
+        (self.folder / "a.json").unlink()
+        (self.folder / "b.json").write_text("[2]\n")
+        (self.folder / "d.json").write_text("[]\n")
+        self.assertEqual(command.differences(self.folder, made), [
+            "a.json: missing", r"b.json: differs, line 1: expected '[1]\n', found '[2]\n'", "d.json: extra"])
+
+    def test_a_program_that_is_missing_or_wrong_is_told(self) -> None:
+        wrong = self.folder / "wrong"
+        wrong.write_text("#!/bin/sh\necho 1\n")
+        wrong.chmod(0o755)
+        for program, said in ((self.folder / "none", "none does not run: No such file.*tools/test -N builds it"),
+                              (wrong, "wrong ended with status 0, and answered 1 of")):
+            error = io.StringIO()
+            with self.subTest(said), contextlib.redirect_stderr(error), self.assertRaises(SystemExit) as ended:
+                command.main(["--check", "--program", str(program)])
+            self.assertEqual(ended.exception.code, 2)
+            self.assertRegex(error.getvalue(), f"(?s)tools/vectors: .*{said}")
+
+
+if __name__ == "__main__":
+    unittest.main()
