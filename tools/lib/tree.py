@@ -10,6 +10,7 @@ GLSL = ROOT / "glsl" / "hashnoise"
 FUNCTIONS = ROOT / "conformance" / "library" / "functions.inc"
 CONFIGURATIONS = ROOT / "conformance" / "library" / "configurations.inc"
 BOUNDS = ROOT / "conformance" / "expected" / "bounds.inc"
+VECTORS = ROOT / "vectors"
 GOLDEN = ROOT / "conformance" / "expected" / "golden"
 
 

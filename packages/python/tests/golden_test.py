@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import dataclasses
+import importlib.resources
+import json
 import tempfile
 import unittest
 from pathlib import Path
@@ -10,6 +12,7 @@ from pathlib import Path
 import golden
 import hashnoise
 import numpy
+from tree import VECTORS
 
 
 class Fixed(unittest.TestCase):
@@ -51,6 +54,19 @@ class Fixed(unittest.TestCase):
                 self.assertEqual(grid.tobytes(), numpy.ascontiguousarray(expected).tobytes())
                 far = hashnoise.grid(name, size, step=0.375, origin=0.75, cell=(-2,) * axes, seed=9, arithmetic="fixed")
                 self.assertEqual(far.tobytes(), grid.tobytes())
+
+
+class Vectors(unittest.TestCase):
+    """Those in the package are those of the library, and it has their values."""
+
+    def test_they_are_there(self):
+        folder = importlib.resources.files(hashnoise) / "vectors"
+        self.assertEqual({path.name for path in folder.iterdir()}, {path.name for path in VECTORS.iterdir()})
+        file = json.loads((folder / "noise2d.perlin.json").read_text())
+        group, = [one for one in file["settings"] if one["name"] == "lattice+fixed"]
+        points = [row["in"] for row in group["rows"]]
+        values = [hashnoise.perlin(x, y, seed=seed, arithmetic="fixed") for x, y, seed in points]
+        self.assertEqual(values, [row["out"][0] for row in group["rows"]])
 
 
 class Fast(unittest.TestCase):

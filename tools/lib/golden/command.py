@@ -58,15 +58,15 @@ def salt() -> str:
     return digest.hexdigest()
 
 
-def stale(directory: Path, files: dict[str, str]) -> list[str]:
-    """The golden files in the directory which are not among `files`."""
-    return sorted(path.name for path in directory.glob("*.golden") if path.name not in files)
+def stale(directory: Path, files: dict[str, str], ending: str = "golden") -> list[str]:
+    """The golden files in the directory, or those with another ending, which are not among `files`."""
+    return sorted(path.name for path in directory.glob(f"*.{ending}") if path.name not in files)
 
 
-def write(directory: Path, files: dict[str, str]) -> None:
+def write(directory: Path, files: dict[str, str], ending: str = "golden") -> None:
     """Makes the golden files of the directory be `files`."""
     directory.mkdir(parents=True, exist_ok=True)
-    for name in stale(directory, files):
+    for name in stale(directory, files, ending):
         (directory / name).unlink()
     for name, text in files.items():
         (directory / name).write_bytes(text.encode("ascii"))
@@ -79,7 +79,7 @@ def first_difference(expected: str, found: str) -> str:
     return f"line {number}: expected {pair[0]!r}, found {pair[1]!r}"
 
 
-def differences(directory: Path, files: dict[str, str]) -> list[str]:
+def differences(directory: Path, files: dict[str, str], ending: str = "golden") -> list[str]:
     """What is wrong with the golden files in the directory, one message per file."""
     messages = []
     for name, text in sorted(files.items()):
@@ -89,7 +89,7 @@ def differences(directory: Path, files: dict[str, str]) -> list[str]:
         elif (found := path.read_bytes()) != text.encode("ascii"):
             # latin-1 shows any byte, and keeps different bytes different.
             messages.append(f"{name}: differs, {first_difference(text, found.decode('latin-1'))}")
-    return messages + [f"{name}: extra" for name in stale(directory, files)]
+    return messages + [f"{name}: extra" for name in stale(directory, files, ending)]
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

@@ -12,7 +12,7 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from single_file.files import in_order, minified, parts, text
-from tree import GLSL, ROOT, glsl_files, version
+from tree import GLSL, ROOT, VECTORS, glsl_files, version
 from wgsl.module import Module, Settings
 from wgsl.names import is_public
 from wgsl.translator import Definition
@@ -178,7 +178,8 @@ const packed = "{packed}";
 
 export const bytes = () => Uint8Array.from(atob(packed), (character) => character.charCodeAt(0));
 """
-    for files in (glsl_modules(), wgsl_files(definitions), tsl_files(definitions, in_glsl(modules["fast"]))):
+    vectors = {f"vectors/{path.name}": path.read_text(encoding="ascii") for path in sorted(VECTORS.glob("*.json"))}
+    for files in (glsl_modules(), wgsl_files(definitions), tsl_files(definitions, in_glsl(modules["fast"])), vectors):
         checked_names([*found, *files])
         found.update(files)
     return found

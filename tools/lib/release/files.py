@@ -12,7 +12,7 @@ from pathlib import Path
 
 from single_file.files import text
 from tables import glsl
-from tree import ROOT, TOOLS, version
+from tree import ROOT, TOOLS, VECTORS, version
 from zips import zipped
 
 
@@ -65,6 +65,11 @@ class Release:
                  for language in ("glsl", "hlsl", "metal") for name in names}
         (self.folder / f"hashnoise-{self.version}-parts.zip").write_bytes(zipped(files, self.seconds))
 
+    def vectors(self) -> None:
+        """What ports are held to."""
+        files = {f"vectors/{path.name}": path.read_bytes() for path in sorted(VECTORS.glob("*.json"))}
+        (self.folder / f"hashnoise-{self.version}-vectors.zip").write_bytes(zipped(files, self.seconds))
+
     def headers(self) -> None:
         """What is installed of the library without anything compiled, so find_package takes it from where it is."""
         with tempfile.TemporaryDirectory() as scratch:
@@ -101,9 +106,10 @@ class Release:
         (self.folder / "SHA256SUMS").write_text("".join(lines), encoding="ascii")
 
 
-PARTS = ("single", "parts", "headers", "source", "npm", "python", "godot", "playground")
+PARTS = ("single", "parts", "vectors", "headers", "source", "npm", "python", "godot", "playground")
 # What must be there of each, so that a tool that makes something else is noticed.
 NAMES = {"single": r"hashnoise(\.min|\.fixed)?\.(glsl|hlsl|metal|wgsl)", "parts": r"hashnoise-VERSION-parts\.zip",
+         "vectors": r"hashnoise-VERSION-vectors\.zip",
          "headers": r"hashnoise-VERSION-headers\.zip",
          "source": r"hashnoise-VERSION-source\.tar\.gz", "npm": r"hashnoise-VERSION\.tgz",
          "python": r"hashnoise-VERSION-[\w.-]+\.whl", "godot": r"hashnoise-godot-VERSION\.zip",

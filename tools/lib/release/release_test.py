@@ -12,11 +12,11 @@ import zipfile
 from pathlib import Path
 
 from release import files
-from tree import ROOT, version
+from tree import ROOT, VECTORS, version
 
 # Enough of the tree for what is tried here.
-COPIED = ("CMakeLists.txt", "LICENSE", "glsl", "include", "tools")
-CHEAP = "single,parts,headers,source"
+COPIED = ("CMakeLists.txt", "LICENSE", "glsl", "include", "tools", "vectors")
+CHEAP = "single,parts,vectors,headers,source"
 
 
 class Project(unittest.TestCase):
@@ -94,6 +94,12 @@ class Makes(Project):
         done = subprocess.run(["glslangValidator", shader], capture_output=True, text=True, check=False)
         self.assertEqual(done.returncode, 0, done.stdout)
 
+    def test_vectors_that_are_all_there(self):
+        self.assertEqual(self.call("--only", "vectors").returncode, 0)
+        with zipfile.ZipFile(next(self.out.glob("*-vectors.zip"))) as packed:
+            self.assertEqual(packed.namelist(), [f"vectors/{path.name}" for path in sorted(VECTORS.iterdir())])
+            self.assertEqual(packed.read("vectors/index.json"), (VECTORS / "index.json").read_bytes())
+
     def test_headers_that_compile_where_they_are_put(self):
         self.assertEqual(self.call("--only", "headers").returncode, 0)
         archive, = self.out.glob("*.zip")
@@ -108,6 +114,7 @@ class Makes(Project):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertTrue((here / "lib" / "cmake" / "hashnoise" / "hashnoise-config.cmake").is_file())
         self.assertTrue((here / "LICENSE").is_file())
+        self.assertTrue((here / "share" / "hashnoise" / "vectors" / "index.json").is_file())
         self.assertFalse((here / "include" / "hashnoise" / "field.hpp").exists())  # of a library that is not there
 
     def test_a_tool_that_fails_or_makes_another_version_is_noticed(self):
@@ -155,7 +162,7 @@ class Refuses(Project):
         self.refused(1, "is no git repository", "--only", "single")
 
     def test_parts_that_there_are_not(self):
-        self.refused(2, "there is no part rust; there are single, parts, headers", "--only", "rust")
+        self.refused(2, "there is no part rust; there are single, parts, vectors, headers", "--only", "rust")
         self.refused(2, "no part is left", "--without", ",".join(files.PARTS))
         self.refused(2, "not allowed with", "--only", "single", "--without", "npm")
 

@@ -45,8 +45,8 @@ def periods_of(row: Values) -> Iterator[tuple[str, int, int]]:
             yield axis, int(period), math.floor(row[f"c{axis}"] if f"c{axis}" in row else row[axis]) % int(period)
 
 
-def features(row: Values, results: Sequence[float]) -> set[Hashable]:
-    """What can be said of a row, so that rows can be told apart."""
+def features(row: Values) -> set[Hashable]:
+    """What can be said of what goes in, so that rows can be told apart."""
     found: set[Hashable] = set()
     for name, value in row.items():
         if isinstance(value, int):
@@ -56,16 +56,16 @@ def features(row: Values, results: Sequence[float]) -> set[Hashable]:
     for axis, period, cell in periods_of(row):
         found.add((axis, "of a period", "first" if cell == 0 else "last" if cell == period - 1 else "within"))
     found.add(("signs", *(sign_of(row[axis]) for axis in AXES if axis in row)))
-    found |= {("result", i, sign_of(value)) for i, value in enumerate(results)}
     return found
 
 
-def chosen(rows: Sequence[Values], results: Sequence[Sequence[float]]) -> list[int]:
-    """The numbers of so many rows, in their order; of all if there are fewer."""
-    said = [features(row, values) for row, values in zip(rows, results)]
+def chosen(inputs: Sequence[set[Hashable]], results: Sequence[Sequence[float]]) -> list[int]:
+    """The numbers of so many rows, in their order; of all if there are fewer. Of what goes in it takes the features."""
+    said = [of_row | {("result", i, sign_of(value)) for i, value in enumerate(values)}
+            for of_row, values in zip(inputs, results)]
     often = Counter(one for of_row in said for one in of_row)
     # The order in which a set is gone through changes from run to run, and fsum does not depend on it.
-    order = sorted(range(len(rows)), key=lambda i: -math.fsum(1 / often[one] for one in said[i]))
+    order = sorted(range(len(said)), key=lambda i: -math.fsum(1 / often[one] for one in said[i]))
     seen: set[Hashable] = set()
     new: list[int] = []
     zeros = 0

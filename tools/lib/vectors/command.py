@@ -15,57 +15,35 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from golden.command import first_difference
-from tree import ROOT
-from vectors.files import FOLDER, NoVectors, vectors
+from golden.command import differences, write
+from tree import ROOT, VECTORS
+from vectors.files import NoVectors, vectors
 
 PROGRAM = ROOT / "build" / "conformance" / "hn-tolerances"
-
-
-def there(folder: Path) -> set[str]:
-    return {path.name for path in folder.glob("*.json")}
-
-
-def differences(folder: Path, files: dict[str, str]) -> list[str]:
-    """What is wrong with the files of a folder, a line for each."""
-    messages = []
-    for name, text in sorted(files.items()):
-        path = folder / name
-        if not path.is_file():
-            messages.append(f"{name}: missing")
-        elif (found := path.read_bytes().decode("latin-1")) != text:
-            messages.append(f"{name}: differs, {first_difference(text, found)[:300]}")
-    return messages + [f"{name}: extra" for name in sorted(there(folder) - files.keys())]
-
-
-def write(folder: Path, files: dict[str, str]) -> None:
-    folder.mkdir(parents=True, exist_ok=True)
-    for name in there(folder) - files.keys():
-        (folder / name).unlink()
-    for name, text in files.items():
-        (folder / name).write_bytes(text.encode("ascii"))
+ENDING = "json"
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     parser = argparse.ArgumentParser(prog="tools/vectors", description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--check", action="store_true", help="compare with DIR instead of writing")
-    parser.add_argument("--out", type=Path, default=FOLDER, metavar="DIR", help="default: vectors/")
+    parser.add_argument("--out", type=Path, default=VECTORS, metavar="DIR", help="default: vectors/")
     parser.add_argument("--program", type=Path, default=PROGRAM, metavar="PATH",
                         help="hn-tolerances (default: build/conformance/hn-tolerances)")
     given = parser.parse_args(arguments)
     try:
         files = vectors(given.program.resolve())
         if not given.check:
-            write(given.out, files)
+            write(given.out, files, ENDING)
             print(f"{len(files)} files written to {given.out}")
             return 0
     except NoVectors as error:
         parser.exit(2, f"tools/vectors: {error}\n")
     except OSError as error:
         parser.exit(2, f"tools/vectors: cannot write {error.filename}: {error.strerror}\n")
-    messages = differences(given.out, files)
-    print("\n".join(messages + ["tools/vectors writes them"]) if messages else f"{len(files)} files are as they should be")
+    messages = differences(given.out, files, ENDING)
+    right = f"{len(files)} files are as they should be"
+    print("\n".join([*messages, "tools/vectors writes them"]) if messages else right)
     return 1 if messages else 0
 
 

@@ -17,11 +17,10 @@ from parsing.syntax import Function as Declared
 from pick.program import public, read
 from tables.configurations import Configuration, read_configurations
 from tables.functions import Function, read_functions
-from tree import GLSL, ROOT
-from vectors.choice import chosen
+from tree import GLSL, VECTORS
+from vectors.choice import chosen, features
 
 FORMAT = 1
-FOLDER = ROOT / "vectors"
 INDEX = "index.json"
 LARGEST_BOUND = 2.0**-6  # of a row. Octave sums of floats far out have larger ones, which say little
 DEFAULTS = {"lattice", "lattice+sine"}  # the settings of noise that are told, without their arithmetic
@@ -85,17 +84,20 @@ class Group:
             return []
         return [f"{self.configuration} {self.function.id} {hexadecimal(words)}" for words in self.golden.inputs]
 
-    def said(self, bounds: Sequence[Sequence[float]]) -> dict:
-        """What the file has of it. `bounds` are those of all rows, or none if every bit counts."""
+    def said(self, bounds: Sequence[Sequence[float]], known: dict[str, set]) -> dict:
+        """What the file has of it. `bounds` are those of all rows, or none if every bit counts; `known` keeps features
+        of rows by their words, since settings have most of them alike."""
         golden, inputs, results = self.golden, self.inputs, self.results
         allowed = [i for i in range(len(inputs)) if not bounds or max(bounds[i]) <= LARGEST_BOUND]
-        names = [name for name, _ in golden.head.columns]
-        numbers = [allowed[i] for i in chosen([dict(zip(names, inputs[i])) for i in allowed],
-                                              [results[i] for i in allowed])]
+        names, words = [name for name, _ in golden.head.columns], [hexadecimal(row) for row in golden.inputs]
+        for i in allowed:
+            if words[i] not in known:
+                known[words[i]] = features(dict(zip(names, inputs[i])))
+        numbers = [allowed[i] for i in chosen([known[words[i]] for i in allowed], [results[i] for i in allowed])]
         head: dict = {"name": self.name, "arithmetic": self.arithmetic}
         if self.setting:
             head |= {"hash": self.setting.hash, "gradient": self.setting.gradient}
-        rows: list[dict] = [{"in": inputs[i], "words": hexadecimal(golden.inputs[i]), "out": results[i]} for i in numbers]
+        rows: list[dict] = [{"in": inputs[i], "words": words[i], "out": results[i]} for i in numbers]
         if bounds:
             rows = [{**row, "bound": bounds[i]} for i, row in zip(numbers, rows)]
             return {**head, "rows": rows}
@@ -111,7 +113,7 @@ def hexadecimal(words: Words) -> str:
 
 
 def groups_of(function: Function, settings: Sequence[Configuration]) -> list[Group]:
-    """Words and gradients have values of every hash, noise those of the default hash: above the words it is the same."""
+    """Words and gradients have values of every hash, noise has those of the default: above the words it is the same."""
     if function.family == "independent":
         return [Group(function, None)]
     with_values = [one for one in settings if one.has_golden_values and one.covers(function) and one.hash != "custom"]
@@ -135,8 +137,8 @@ def names() -> dict[tuple[str, tuple[str, ...]], str]:
 def asked(program: Path, questions: Sequence[str]) -> list[list[float]]:
     """The bounds of rows, which the suite tells."""
     try:
-        done = subprocess.run([program], input="".join(f"{line}\n" for line in questions), capture_output=True, text=True,
-                              check=False)
+        done = subprocess.run([program], input="".join(f"{line}\n" for line in questions), capture_output=True,
+                              text=True, check=False)
     except OSError as error:
         raise NoVectors(f"{program} does not run: {error.strerror}. tools/test -N builds it") from error
     answers = [[float(bound) for bound in line.split()] for line in done.stdout.splitlines()]
@@ -158,7 +160,8 @@ def vectors(program: Path) -> dict[str, str]:
         name = name_of(function, known)
         head = {"format": FORMAT, "function": function.id, "calls": function.calls, "name": name, "bits": BITS,
                 "inputs": columns(function.inputs), "outputs": columns(function.outputs)}
-        said = [group.said(bounds[id(group)]) for group in groups]
+        kept: dict[str, set] = {}
+        said = [group.said(bounds[id(group)], kept) for group in groups]
         files[f"{function.id}.json"] = written({**head, "settings": said})
         listed.append({"file": f"{function.id}.json", "calls": function.calls, "name": name,
                        "settings": [group.name for group in groups]})
