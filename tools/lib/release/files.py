@@ -94,6 +94,9 @@ class Release:
     def python(self) -> None:
         run([TOOLS / "wheel", self.folder], env=self.environment)
 
+    def rust(self) -> None:
+        run([TOOLS / "crate", "--zip", self.folder], env=self.environment)
+
     def godot(self) -> None:
         run([TOOLS / "godot-addon", self.folder], env=self.environment)
 
@@ -106,13 +109,15 @@ class Release:
         (self.folder / "SHA256SUMS").write_text("".join(lines), encoding="ascii")
 
 
-PARTS = ("single", "parts", "vectors", "headers", "source", "npm", "python", "godot", "playground")
+PARTS = ("single", "parts", "vectors", "headers", "source", "npm", "python", "rust", "godot",
+         "playground")
 # What must be there of each, so that a tool that makes something else is noticed.
 NAMES = {"single": r"hashnoise(\.min|\.fixed)?\.(glsl|hlsl|metal|wgsl)", "parts": r"hashnoise-VERSION-parts\.zip",
          "vectors": r"hashnoise-VERSION-vectors\.zip",
          "headers": r"hashnoise-VERSION-headers\.zip",
          "source": r"hashnoise-VERSION-source\.tar\.gz", "npm": r"hashnoise-VERSION\.tgz",
-         "python": r"hashnoise-VERSION-[\w.-]+\.whl", "godot": r"hashnoise-godot-VERSION\.zip",
+         "python": r"hashnoise-VERSION-[\w.-]+\.whl", "rust": r"hashnoise-rust-VERSION\.zip",
+         "godot": r"hashnoise-godot-VERSION\.zip",
          "playground": r"playground\.html"}
 
 

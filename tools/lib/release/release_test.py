@@ -67,7 +67,7 @@ class Makes(Project):
             done = self.call("--only", CHEAP, out=out)
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertEqual(done.stdout, f"{out}\n")
-            self.assertIn("Without npm, python, godot, playground.", done.stderr)
+            self.assertIn("Without npm, python, rust, godot, playground.", done.stderr)
         names = {path.name for path in self.out.iterdir()}
         self.assertEqual(names, {path.name for path in other.iterdir()})
         for name in names:
@@ -162,7 +162,7 @@ class Refuses(Project):
         self.refused(1, "is no git repository", "--only", "single")
 
     def test_parts_that_there_are_not(self):
-        self.refused(2, "there is no part rust; there are single, parts, vectors, headers", "--only", "rust")
+        self.refused(2, "there is no part ruby; there are single, parts, vectors, headers", "--only", "ruby")
         self.refused(2, "no part is left", "--without", ",".join(files.PARTS))
         self.refused(2, "not allowed with", "--only", "single", "--without", "npm")
 

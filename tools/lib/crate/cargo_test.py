@@ -1,0 +1,93 @@
+"""The Rust crate that tools/crate makes: cargo builds it without a warning, its tests hold it to the vectors, and they
+notice a change. By default some modules are made, and in thorough runs all.
+
+Exit status: 0 it is right, 1 not, 77 there is no cargo.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+from crate.command import NEEDED, put
+from crate.files import MODULES, package
+from pick.runners import NotInstalled
+from thorough import THOROUGH, in_thorough_runs
+from tree import ROOT, version
+
+SKIPPED = 77
+SOME = (*NEEDED, "random")
+
+
+def check() -> None:
+    missing = [program for program in ("cargo", "rustc") if not shutil.which(program)]
+    if missing:
+        raise NotInstalled(f"there is no {' and no '.join(missing)}: apt-get install cargo")
+
+
+class Crate(unittest.TestCase):
+    folder: Path
+
+    @classmethod
+    def setUpClass(cls) -> None:
+        scratch = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(scratch.cleanup)
+        cls.folder = Path(scratch.name)
+        put(cls.folder, package((*MODULES, "hash") if THOROUGH else SOME))
+
+    def cargo(self, *arguments: str) -> subprocess.CompletedProcess[str]:
+        # Cargo wants no network, and a warning is an error.
+        return subprocess.run(["cargo", *arguments, "--offline"], cwd=self.folder, capture_output=True, text=True,
+                              check=False, env={**os.environ, "RUSTFLAGS": "-D warnings", "CARGO_TERM_COLOR": "never"})
+
+    def test_it_has_the_values_of_the_library(self) -> None:
+        done = self.cargo("test", "--tests")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertIn("functions_have_the_values_of_the_library ... ok", done.stdout)
+        self.assertIn("a_function_that_is_wrong_is_noticed ... ok", done.stdout)
+
+    def test_a_change_is_noticed(self) -> None:
+        path = self.folder / "src" / "hash.rs"
+        right = path.read_text(encoding="utf-8")
+        self.addCleanup(path.write_text, right, encoding="utf-8")
+        path.write_text(right.replace("0x2C1B3C6D", "0x2C1B3C6F"), encoding="utf-8")
+        done = self.cargo("test", "--tests", "functions_have")
+        self.assertNotEqual(done.returncode, 0)
+        self.assertRegex(done.stdout, r"hash\.word with lattice: \d+ rows, such as ")
+
+    def test_what_is_packed(self) -> None:
+        done = self.cargo("package", "--list", "--allow-dirty")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        names = set(done.stdout.split("\n"))
+        self.assertLess({"Cargo.toml", "LICENSE", "README.md", "src/lib.rs", "src/fixed/place.rs",
+                         "vectors/hash.lattice2.json", "tests/vectors/calls.rs"}, names)
+        self.assertIn(f'version = "{version()}"', (self.folder / "Cargo.toml").read_text(encoding="utf-8"))
+
+    @in_thorough_runs
+    def test_its_pages_compile_and_its_comments_are_comments(self) -> None:
+        page = (ROOT / "docs" / "languages.md").read_text(encoding="utf-8").partition("### Rust\n")[2]
+        shown = re.search(r"^```rust\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)[1]
+        test = f"#[test]\nfn page() {{\n{shown}assert!(height.abs() <= 1.0 && grain.abs() <= 1.0);\n}}\n"
+        (self.folder / "tests" / "page.rs").write_text(test, encoding="utf-8")
+        self.addCleanup((self.folder / "tests" / "page.rs").unlink)
+        done = self.cargo("test", "--test", "page")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        for command in (("test", "--doc"), ("doc",)):
+            done = self.cargo(*command)
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+            self.assertNotIn("warning: unresolved", done.stderr)
+
+
+if __name__ == "__main__":
+    try:
+        check()
+    except NotInstalled as reason:
+        print(f"skipped: {reason}")
+        sys.exit(SKIPPED)
+    unittest.main()
