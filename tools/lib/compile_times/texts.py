@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from pick.command import picked
+from pick.command import Choice, picked
 from single_file.files import text
 
 
@@ -27,7 +27,7 @@ WAYS = {"whole": "the whole library", "part": "the files that it needs", "pick":
 def texts(subject: Subject) -> dict[str, str]:
     """By way."""
     return {"whole": text(["hashnoise.glsl"], strip=True), "part": text([subject.file], strip=True),
-            "pick": picked([subject.picked], "glsl-es")}
+            "pick": picked([subject.picked], Choice("glsl-es"))}
 
 
 def shaders() -> Iterator[tuple[Subject, str, str]]:

@@ -7,6 +7,7 @@ the CPU.
     tools/pick hn_fbm2 --language wgsl --import-path hashnoise    a module for Bevy: #import hashnoise::hn_fbm2
     tools/pick hn_simplex3 --language rust --out noise.rs
     tools/pick --list                                  which functions there are
+    tools/pick --pages docs/snippets                   pages of those that are asked for most, in each language
 
 A function is called by its form: hn_perlin2 is hn_perlin(vec2 p, uint seed), and hn_perlin2_place is
 hn_perlin(hn_place2 place, uint seed). What it is made of stands in its place; what is called more than once stays a
@@ -22,6 +23,7 @@ Exit status: 0 done, 2 bad usage.
 from __future__ import annotations
 
 import argparse
+import functools
 import shlex
 import sys
 from collections.abc import Sequence
@@ -30,6 +32,7 @@ from pathlib import Path
 
 from library_file import IMPORT_PATH_HELP, function_name, import_path, imported_as, write
 from parsing.tokens import Unknown
+from pick import pages
 from pick.c import C
 from pick.csharp import CSharp
 from pick.evaluate import Module
@@ -85,14 +88,15 @@ def settings(arithmetic: str, hash_: str, gradient: str = "octahedral") -> dict[
 
 
 def read_library(library: Path, choice: Choice) -> Module:
+    """The library as this choice has it."""
     knobs = choice.knobs
     return read(library, knobs.macros(), choice.language in SYNTAXES, knobs.own_functions())
 
 
-def picked(names: Sequence[str], choice: Choice = Choice(), library: Path = GLSL) -> str:
-    """The text."""
+def picked(names: Sequence[str], choice: Choice = Choice(), library: Path = GLSL, module: Module | None = None) -> str:
+    """The text. The module is that of the choice, if it was read before."""
     choice.check()
-    module = read_library(library, choice)
+    module = module or read_library(library, choice)
     functions = chosen(module, names)
     command = shlex.join(["tools/pick", *dict.fromkeys(names), *choice.options()])
     precise = choice.arithmetic == "precise"
@@ -102,6 +106,18 @@ def picked(names: Sequence[str], choice: Choice = Choice(), library: Path = GLSL
     language = LANGUAGES[choice.language]
     return (imported_as(choice.import_path) + heading(functions, language, command, library)
             + Program(module, functions).text(language, precise))
+
+
+def for_pages(library: Path) -> pages.Picked:
+    """The texts of docs/snippets. The library is read once for each kind of language and arithmetic."""
+    @functools.cache
+    def module(splits: bool, arithmetic: str) -> Module:
+        return read_library(library, Choice("c" if splits else "glsl", arithmetic))
+
+    def of_function(name: str, language: str, arithmetic: str) -> str:
+        return picked([name], Choice(language, arithmetic), library, module(language in SYNTAXES, arithmetic))
+
+    return of_function
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -123,13 +139,17 @@ def main(arguments: Sequence[str] | None = None) -> int:
                         help="default: %(default)s")
     parser.add_argument("--import-path", metavar="NAME", type=import_path, help=IMPORT_PATH_HELP)
     parser.add_argument("--list", action="store_true", help="write the names of the functions, and what they take")
+    parser.add_argument("--pages", type=Path, metavar="DIR", help="write the pages of docs/snippets into this folder")
     parser.add_argument("--glsl", type=Path, default=GLSL, metavar="DIR", help="another copy of the library")
     parser.add_argument("--out", type=Path, metavar="FILE", help="the file to write (default: standard output)")
     given = parser.parse_args(arguments)
-    if given.list == bool(given.names):
-        parser.error("name functions, such as hn_perlin2, or ask for --list")
+    if sum(map(bool, (given.names, given.list, given.pages))) != 1:
+        parser.error("name functions, such as hn_perlin2, or ask for --list or --pages")
     choice = Choice(**{field.name: getattr(given, field.name) or field.default for field in fields(Choice)})
     try:
+        if given.pages:
+            pages.write(given.pages, for_pages(given.glsl))
+            return 0
         if given.list:
             known = public(read_library(given.glsl, replace(choice, language="glsl")))
             written = "".join(f"{name:32} {function.type} {function.name}({', '.join(function.types)})\n"

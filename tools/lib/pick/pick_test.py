@@ -15,7 +15,7 @@ from unittest import mock
 
 from parsing.syntax import Parser
 from parsing.tokens import Unknown, tokens_of
-from pick import command, printer
+from pick import command, pages, printer
 from pick.comparison import source
 from pick.evaluate import Module
 from pick.program import Program, chosen, public, read
@@ -292,6 +292,23 @@ class Command(unittest.TestCase):
             shown = self.call("hn_lattice2", "--language", language)[1]
             self.assertIn(f"```{language}\n{shown}```\n", page)
 
+    def test_the_pages_of_snippets_are_what_it_writes(self) -> None:
+        folder = ROOT / "docs" / "snippets"
+        self.assertEqual((folder / "README.md").read_text(), pages.index())
+        self.assertEqual({path.stem for path in folder.glob("hn_*")}, set(pages.FUNCTIONS))
+        picked = command.for_pages(GLSL)
+        for name in pages.FUNCTIONS if THOROUGH else ("hn_value2",):
+            self.assertEqual((folder / f"{name}.md").read_text(), pages.page(name, picked),
+                             f"run tools/pick --pages docs/snippets for {name}")
+
+    def test_pages_are_written_into_a_folder(self) -> None:
+        with tempfile.TemporaryDirectory() as folder, \
+                mock.patch.object(pages, "FUNCTIONS", {"hn_random2": "a number"}), \
+                mock.patch.object(pages, "LANGUAGES", pages.LANGUAGES[:1]):
+            self.assertEqual(self.call("--pages", f"{folder}/new")[0], 0)
+            self.assertIn("[hn_random2](hn_random2.md) | a number", Path(folder, "new", "README.md").read_text())
+            self.assertIn(self.call("hn_random2")[1], Path(folder, "new", "hn_random2.md").read_text())
+
     def test_the_text_is_the_same_in_another_process(self) -> None:
         """Python's sets have another order there, and other functions may have been evaluated before."""
         names = ("hn_fbm2", "hn_cell_border2_full")
@@ -324,6 +341,8 @@ class Command(unittest.TestCase):
                                    (("hn_value2", "--language", "wgls"), "invalid choice: 'wgls'"),
                                    (("hn_value2", "--arithmetic", "precise", "--language", "wgsl"), "Take HN_FIXED"),
                                    (("hn_value2", "--arithmetic", "precise", "--language", "glsl-es"), "GLSL ES has"),
+                                   (("hn_value2", "--pages", "out"), "or ask for --list or --pages"),
+                                   (("--pages", "/dev/null/out"), "/dev/null/out"),
                                    (("hn_value2", "--glsl", "/nowhere"), "/nowhere")):
             with self.subTest(arguments):
                 status, shown = self.call(*arguments)
