@@ -1,4 +1,4 @@
-"""Sections 2 and 3 of docs/contract.md: hashes of words, and of lattice points.
+"""Sections 2 and 3 of docs/contract.md: hashes of words, and of lattice points; and the published ones of section 18.
 
 All values are words: Python integers masked to 32 bits. A `name` is that of a hash.
 """
@@ -179,3 +179,51 @@ def lattice(name: str, point: Sequence[int], seed: int = 0) -> int:
 def signed(word: int) -> int:
     """The signed integer of a word (two's complement); of a larger integer, that of its low 32 bits."""
     return (word + 2**31 & MASK) - 2**31
+
+
+# --- Section 18: published hashes that are no choice of HN_HASH --------------------------------------------------
+
+
+def lowbias32(word: int) -> int:
+    """hn_hash_lowbias32."""
+    word = (word ^ word >> 16) * 0x7FEB352D & MASK
+    word = (word ^ word >> 15) * 0x846CA68B & MASK
+    return word ^ word >> 16
+
+
+def congruential(word: int) -> int:
+    """What all hashes of the pcg family below do first: the step of a generator, for each component."""
+    return word * 1664525 + 1013904223 & MASK
+
+
+def pcg2d(x: int, y: int) -> tuple[int, int]:
+    """hn_hash_pcg2d."""
+    x, y = congruential(x), congruential(y)
+    for _ in range(2):
+        x = x + y * 1664525 & MASK
+        y = y + x * 1664525 & MASK
+        x, y = x ^ x >> 16, y ^ y >> 16
+    return x, y
+
+
+def pcg3d(x: int, y: int, z: int) -> tuple[int, int, int]:
+    """hn_hash_pcg3d."""
+    def products(x: int, y: int, z: int) -> tuple[int, int, int]:
+        x = x + y * z & MASK
+        y = y + z * x & MASK
+        return x, y, z + x * y & MASK
+
+    x, y, z = products(congruential(x), congruential(y), congruential(z))
+    return products(x ^ x >> 16, y ^ y >> 16, z ^ z >> 16)
+
+
+def pcg4d(x: int, y: int, z: int, w: int) -> tuple[int, int, int, int]:
+    """hn_hash_pcg4d."""
+    def products(x: int, y: int, z: int, w: int) -> tuple[int, int, int, int]:
+        x = x + y * w & MASK
+        y = y + z * x & MASK
+        z = z + x * y & MASK
+        return x, y, z, w + y * z & MASK
+
+    x, y, z, w = products(congruential(x), congruential(y), congruential(z), congruential(w))
+    return products(x ^ x >> 16, y ^ y >> 16, z ^ z >> 16, w ^ w >> 16)

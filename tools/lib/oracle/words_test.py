@@ -86,6 +86,29 @@ class PublishedVectors(unittest.TestCase):
             state = (state * 747796405 + 2891336453) & words.MASK
         self.assertEqual(values, [0x256B5357, 0xA5EFAD32, 0x170B7830, 0x334A5B22, 0x3DE5C680, 0x9B47B7B3])
 
+    def test_pcg_of_several_words(self) -> None:
+        # Games-by-Mason/geom, src/hash.zig: words, and others as floats in [0, 1].
+        self.assertEqual(words.pcg2d(0, 1), (2313183303, 4026777116))
+        self.assertEqual(words.pcg3d(0, 1, 2), (3409911753, 1806500465, 2000842263))
+        self.assertEqual(words.pcg4d(0, 1, 2, 3), (933639991, 2252496459, 1324331964, 1990701187))
+        floats = {words.pcg2d(1, 2): (1.0669651e-2, 4.9842097e-2),
+                  words.pcg3d(1, 2, 3): (9.789959e-1, 2.849572e-1, 3.4935537e-1),
+                  words.pcg4d(1, 2, 3, 4): (2.1146852e-1, 9.417182e-1, 8.791596e-1, 1.0639917e-2)}
+        for found, expected in floats.items():
+            for word, number in zip(found, expected, strict=True):
+                self.assertAlmostEqual(word / words.MASK, number, delta=1e-7)
+
+    def test_lowbias32(self) -> None:
+        # Wellons, "Prospecting for Hash Functions", has the inverse. The values are of several programs that use it.
+        for word, value in ((0, 0), (1, 0x688990C0), (2, 0xD1132181), (0xDEADBEEF, 0xE628C683)):
+            self.assertEqual(words.lowbias32(word), value)
+        draws = generator_of("lowbias32")
+        for word in [words.MASK, 2**31] + [draws.word() for _ in range(100)]:
+            x = words.lowbias32(word)
+            x = (x ^ x >> 16) * 0x43021123 & words.MASK
+            x = (x ^ x >> 15 ^ x >> 30) * 0x1D69E2A5 & words.MASK
+            self.assertEqual(x ^ x >> 16, word)
+
     def test_splitmix64(self) -> None:
         # Rosetta Code, "Pseudo-random numbers/Splitmix64".
         numbers = Generator(1234567)
@@ -223,7 +246,7 @@ class Hashes(unittest.TestCase):
     def test_bijections_do_not_collide(self) -> None:
         # A random function would collide here about eight times.
         keys = range(2**18)
-        for function in (words.pcg, words.murmur, words.mix):
+        for function in (words.pcg, words.murmur, words.mix, words.lowbias32):
             self.assertEqual(len(set(map(function, keys))), len(keys), function.__name__)
 
     def test_words_chain(self) -> None:
