@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
-from oracle import frames, gradients, integers, noises, positions, sums, words
+from oracle import frames, gradients, integers, noises, numbers, positions, sums, words
 from oracle.curl import CURL
 from oracle.gradients import Knobs, Real
 from oracle.lattice import Choice
@@ -16,11 +16,19 @@ from tables.functions import NOISES, OCTAVE_SUMS, Function
 
 Evaluate = Callable[[Knobs, Sequence[Real]], tuple[Real, ...]]
 
-# Whatever the knobs: of a word.
-OF_A_WORD: dict[str, Callable[[int], tuple[float, ...]]] = {
-    "unorm": lambda h: (gradients.unorm(h),), "snorm": lambda h: (gradients.snorm(h),),
-    "gradient1": gradients.gradient1, "gradient2": gradients.gradient2, "gradient3": gradients.gradient3,
-    "gradient4": gradients.gradient4}
+# Whatever the knobs: of words, by the id of the row.
+OF_WORDS: dict[str, Callable[..., tuple[Real, ...]]] = {
+    "hash.unorm": lambda h: (gradients.unorm(h),), "hash.snorm": lambda h: (gradients.snorm(h),),
+    "hash.gradient1": gradients.gradient1, "hash.gradient2": gradients.gradient2,
+    "hash.gradient3": gradients.gradient3, "hash.gradient4": gradients.gradient4,
+    "hash.lowbias32": lambda key: (words.lowbias32(key),),
+    "hash.pcg2d": words.pcg2d, "hash.pcg3d": words.pcg3d, "hash.pcg4d": words.pcg4d,
+    "numbers.rehash": lambda h, k: (numbers.rehash(h, k),),
+    "numbers.unorm_two": lambda h: numbers.unorms(h, 2), "numbers.unorm_three": lambda h: numbers.unorms(h, 3),
+    "numbers.unorm_four": lambda h: numbers.unorms(h, 4), "numbers.normal": lambda h: (numbers.normal(h),),
+    "numbers.circle": numbers.circle, "numbers.disk": numbers.disk,
+    "numbers.sphere": numbers.sphere, "numbers.ball": numbers.ball,
+    "numbers.shuffle": lambda i, n, seed: (numbers.shuffle(i, n, seed),), "numbers.sobol": numbers.sobol}
 # Of a position that is a whole number, along one axis, with cells and units.
 OF_A_PLACE: dict[str, Callable[[int, int, int], Real]] = {"cell": positions.cell, "fraction": positions.fraction}
 
@@ -34,8 +42,8 @@ def knobs_of(configuration: Configuration) -> Knobs:
 def evaluator(function: Function, fixed: bool) -> Evaluate:
     """The function in fixed arithmetic, or exactly: of the knobs and a row of inputs."""
     n, family = function.axes, function.family
-    if family == "independent" and function.name in OF_A_WORD:
-        return lambda _, row: OF_A_WORD[function.name](*row)
+    if function.id in OF_WORDS:
+        return lambda _, row: OF_WORDS[function.id](*row)
     if function.form == "place":
         along_axis = OF_A_PLACE[function.name.rstrip("1234")]
         return lambda _, row: tuple(along_axis(x, *row[n:]) for x in row[:n])

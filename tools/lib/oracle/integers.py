@@ -103,6 +103,11 @@ def sine_of_turns(turns: int) -> int:
     return -g if turns >> 31 else g
 
 
+def cosine_and_sine(turns: int) -> tuple[int, int]:
+    """Likewise."""
+    return sine_of_turns(turns + 2**30 & MASK), sine_of_turns(turns)
+
+
 def sine_of_word(w: int) -> int:
     """S(w) in units of 2^-16."""
     g = sine_of_turns(turns_of(abs(gradients.round24(words.signed(w)))))

@@ -75,5 +75,5 @@ class Turn:
 
 @functools.cache
 def turn_of(phase: Real) -> Turn:
-    a = angle(phase)
-    return Turn(4 * integers.sine_of_turns(a + 2**30 & MASK), 4 * integers.sine_of_turns(a))
+    cosine, sine = integers.cosine_and_sine(angle(phase))
+    return Turn(4 * cosine, 4 * sine)

@@ -1,0 +1,159 @@
+"""Section 18 of docs/contract.md: numbers, directions and points from a word. (words.py has its published hashes.)
+
+All values are exact: words, and floats that are integers divided by a power of two.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from oracle import integers
+from oracle.feature_points import fixed_root
+from oracle.gradients import unorm
+from oracle.integers import signed
+from oracle.words import MASK, mix
+
+STEP = 0x9E3779B9  # between the words that are mixed
+POINT_UNIT = 2**16  # of directions and points
+NORMAL_UNIT = 2**13
+
+
+def rehash(h: int, k: int) -> int:
+    """hn_rehash: r_k, a further word of h."""
+    return mix(h + k * STEP & MASK)
+
+
+# --- Numbers -----------------------------------------------------------------------------------------------------
+
+
+def unorms(h: int, count: int) -> tuple[float, ...]:
+    """hn_unorm_two, hn_unorm_three, hn_unorm_four: the first of them is of h itself."""
+    return (unorm(h), *(unorm(rehash(h, k)) for k in range(1, count)))
+
+
+def normal_of(coins: int, total: int) -> int:
+    """N of so many coins, 0 to 63, and the sum of three numbers of ten bits."""
+    return 2048 * coins + 2 * total - 67581
+
+
+def normal(h: int) -> float:
+    """hn_normal."""
+    coins = rehash(h, 1).bit_count() + (rehash(h, 2) >> 1).bit_count()
+    total = sum(h >> shift & 1023 for shift in (0, 10, 20))
+    return normal_of(coins, total) / NORMAL_UNIT
+
+
+# --- Directions and points ---------------------------------------------------------------------------------------
+
+
+def circle_units(h: int) -> tuple[int, int]:
+    """C and S."""
+    return integers.cosine_and_sine(h)
+
+
+def radius(z: int) -> int:
+    """R: of the circle of the sphere at the height Z, in units of 2^-15."""
+    return fixed_root(2**32 - z * z >> 4) >> 3
+
+
+def sphere_units(h: int) -> tuple[int, int, int]:
+    """X, Y and Z."""
+    c, s = circle_units(h)
+    z = 2 * (rehash(h, 1) >> 16) - 65535
+    r = radius(z)
+    return signed(c * r) >> 15, signed(s * r) >> 15, z
+
+
+def largest(h: int, further: Sequence[int]) -> int:
+    """U: the largest of the numbers of 15 bits that the further words of h begin with."""
+    return max(rehash(h, k) >> 17 for k in further)
+
+
+def shortened(units: Sequence[int], u: int) -> tuple[int, ...]:
+    """A vector whose length is multiplied by a number in units of 2^-15."""
+    return tuple(signed(x * u) >> 15 for x in units)
+
+
+def in_units(units: Sequence[int]) -> tuple[float, ...]:
+    return tuple(x / POINT_UNIT for x in units)
+
+
+def circle(h: int) -> tuple[float, ...]:
+    """hn_circle."""
+    return in_units(circle_units(h))
+
+
+def disk(h: int) -> tuple[float, ...]:
+    """hn_disk."""
+    return in_units(shortened(circle_units(h), largest(h, (1, 2))))
+
+
+def sphere(h: int) -> tuple[float, ...]:
+    """hn_sphere."""
+    return in_units(sphere_units(h))
+
+
+def ball(h: int) -> tuple[float, ...]:
+    """hn_ball."""
+    return in_units(shortened(sphere_units(h), largest(h, (2, 3, 4))))
+
+
+# --- A permutation -----------------------------------------------------------------------------------------------
+
+
+ROUNDS = 10
+
+
+def shuffle_step(x: int, m: int, seed: int) -> int:
+    """Where the step takes x, in a permutation of 0 to m, which is 2^b - 1."""
+    s, c = mix(seed), (m.bit_length() + 1) >> 1
+    for k in range(1, ROUNDS + 1):
+        a, d = rehash(s, k), 1 if k % 2 else c
+        x = (x ^ x >> d) * (a | 1) + (a >> 16) & m
+    return x
+
+
+def shuffle(i: int, n: int, seed: int) -> int:
+    """hn_shuffle."""
+    if not 0 <= n <= 2**31:
+        raise ValueError(f"hn_shuffle has no value for n = {n}, which is beyond 2^31")
+    if n <= 1:
+        return 0
+    m = 2**(n - 1).bit_length() - 1
+    x = shuffle_step(i % n, m, seed)
+    while x >= n:
+        x = shuffle_step(x, m, seed)
+    return x
+
+
+# --- A Sobol sequence --------------------------------------------------------------------------------------------
+
+
+def reversed_bits(word: int) -> int:
+    return int(f"{word:032b}"[::-1], 2)
+
+
+def scramble(x: int, s: int) -> int:
+    """Each bit of the result depends on that bit and those below it."""
+    x ^= x * 0x3D20ADEA & MASK
+    x = x + s & MASK
+    x = x * (s >> 16 | 1) & MASK
+    x ^= x * 0x05526C56 & MASK
+    return x ^ (x * 0x53A22864 & MASK)
+
+
+def second_axis(i: int) -> int:
+    """y of point i, the lowest bit of which is the first one behind the point. (x is i itself.)"""
+    y, v = 0, 1
+    for k in range(32):
+        if i >> k & 1:
+            y ^= v
+        v ^= v << 1  # v_k has k + 1 bits
+    return y
+
+
+def sobol(i: int, seed: int) -> tuple[float, float]:
+    """hn_sobol."""
+    s = mix(seed)
+    return (unorm(reversed_bits(scramble(i, rehash(s, 1)))),
+            unorm(reversed_bits(scramble(second_axis(i), rehash(s, 2)))))
