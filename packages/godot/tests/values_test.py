@@ -86,7 +86,7 @@ def expanded_bodies(rows: Iterable[str]) -> dict[str, str]:
     for definition in (*vectors, *(line.removeprefix("#define ") for line in
                                    (PROLOGUE + macros_of_rows(FUNCTIONS)).splitlines() if line)):
         macros.define(definition)
-    return {row: macros.expanded(ROWS[row].row.arguments[6]).replace(" . ", ".") for row in rows}
+    return {row: macros.expanded(ROWS[row].body).replace(" . ", ".") for row in rows}
 
 
 def part_of(function: Function) -> str:

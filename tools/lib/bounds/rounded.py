@@ -79,7 +79,7 @@ class Text:
 
 @functools.cache
 def table() -> dict[str, Body]:
-    return {function.id: Body(function.inputs, function.outputs, function.row.arguments[6])
+    return {function.id: Body(function.inputs, function.outputs, function.body)
             for function in read_functions()}
 
 

@@ -127,9 +127,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("names", nargs="*", metavar="FUNCTION", help="such as hn_perlin2")
     parser.add_argument("--language", choices=(*LANGUAGES, *SYNTAXES), default="glsl",
                         help="glsl (the default) is for 3.30 and later, and with precise for 4.00; glsl-es says highp, "
-                        "and is for WebGL2, too; hlsl is for the shader models 5 and 6; wgsl has no precise; rust needs "
-                        "core alone; csharp is a static class; c is a header of C99; typescript and javascript are "
-                        "modules; java is for 17 and later; go for 1.18 and later")
+                        "and is for WebGL2, too; hlsl is for the shader models 5 and 6; precise is for glsl, hlsl and "
+                        "the languages of the CPU; rust needs core alone; csharp is a static class; c is a header of "
+                        "C99; typescript and javascript are modules; java is for 17 and later; go for 1.18 and later")
     parser.add_argument("--arithmetic", choices=ARITHMETICS, default="fast", help="default: %(default)s")
     parser.add_argument("--hash", type=str.lower, choices=hashes, default="lattice", metavar="NAME",
                         help=f"{', '.join(hashes)} (default: %(default)s)")

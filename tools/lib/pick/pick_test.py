@@ -10,6 +10,7 @@ import shutil
 import subprocess
 import tempfile
 import unittest
+from collections.abc import Sequence
 from pathlib import Path
 from unittest import mock
 
@@ -18,8 +19,10 @@ from parsing.tokens import Unknown, tokens_of
 from pick import command, pages, printer
 from pick.comparison import source
 from pick.evaluate import Module
+from pick.printer import Language
 from pick.program import Program, chosen, public, read
 from pick.shading import CPP, HLSL_NAMES, LANGUAGES
+from single_file.godot import with_own_names
 from thorough import THOROUGH
 from tree import GLSL, ROOT, TOOLS
 from twin import compile_program
@@ -28,6 +31,8 @@ from twin import compile_program
 SIZES = {"hn_perlin2": (1400, 40), "hn_value2": (1400, 40), "hn_simplex2": (1950, 40), "hn_cellular2": (2500, 50),
          "hn_fbm2": (2000, 45)}
 POINTS = 300
+# What has the most of what languages write in different ways.
+MIXED = ("hn_perlin2", "hn_fbm_d2", "hn_cellular2_nearest", "hn_tile4", "hn_next3")
 
 
 @functools.cache
@@ -35,9 +40,13 @@ def module(arithmetic: str, hash_: str = "lattice", gradient: str = "octahedral"
     return read(GLSL, command.settings(arithmetic, hash_, gradient))
 
 
+@functools.lru_cache(maxsize=8)
+def program(of: Module, *names: str) -> Program:
+    return Program(of, chosen(of, names))
+
+
 def text(*names: str, arithmetic: str = "fast", language: str = "glsl", of: Module | None = None) -> str:
-    of = of or module(arithmetic)
-    return Program(of, chosen(of, names)).text(LANGUAGES.get(language, CPP), arithmetic == "precise")
+    return program(of or module(arithmetic), *names).text(LANGUAGES.get(language, CPP), arithmetic == "precise")
 
 
 def code(shown: str) -> str:
@@ -53,7 +62,8 @@ class Values(unittest.TestCase):
             program = Path(folder) / "program"
             file = program.with_suffix(".cpp")
             file.write_text(source(of, public(of), texts, POINTS), encoding="ascii")
-            macros = [f"{name}={value}" for name, value in command.settings(arithmetic, *(knobs or ["lattice"])).items()]
+            given = command.settings(arithmetic, *(knobs or ["lattice"]))
+            macros = [f"{name}={value}" for name, value in given.items()]
             compile_program("what tools/pick writes", file, program, "-O0", macros=(*macros, "always_inline=unused"))
             return subprocess.run([program], capture_output=True, text=True, check=True).stdout.splitlines()
 
@@ -134,10 +144,11 @@ class Shaders(unittest.TestCase):
             self.assertEqual(computed - set(re.findall(r"OpDecorate (%\w+) NoContraction", spirv)), set())
 
     def test_versions(self) -> None:
-        """Both languages in their lowest version; in ES where the user's own floats are of a lower precision."""
-        names = ("hn_fbm_d2", "hn_cellular2_nearest", "hn_tile4", "hn_next3")
-        for language, head in (("glsl", "#version 330\n"), ("glsl-es", "#version 300 es\nprecision mediump float;\n")):
-            shader = head + text(*names, language=language) + "void main() {}\n"
+        """Each in its lowest version; ES where the user's own floats are of a lower precision. Godot's is compiled as
+        ES."""
+        for language, head in (("glsl", "#version 330\n"), ("glsl-es", "#version 300 es\nprecision mediump float;\n"),
+                               ("godot", "#version 300 es\nprecision highp float;\nprecision highp int;\n")):
+            shader = head + text(*MIXED, language=language) + "void main() {}\n"
             with self.subTest(language=language), tempfile.TemporaryDirectory() as folder:
                 file = Path(folder) / "shader.frag"
                 file.write_text(shader, encoding="ascii")
@@ -148,16 +159,15 @@ class Shaders(unittest.TestCase):
 
     def test_hlsl(self) -> None:
         """It compiles, and is the text in GLSL but for names and for vectors of one number."""
-        names = ("hn_perlin2", "hn_fbm_d2", "hn_cellular2_nearest", "hn_tile4", "hn_next3")
         for arithmetic in command.ARITHMETICS if THOROUGH else ("fast",):
-            hlsl = text(*names, language="hlsl", arithmetic=arithmetic)
+            hlsl = text(*MIXED, language="hlsl", arithmetic=arithmetic)
             with self.subTest(arithmetic=arithmetic), tempfile.TemporaryDirectory() as folder:
                 file = Path(folder) / "shader.frag"
                 file.write_text(f"{hlsl}float4 main() : SV_Target {{ return float4(0, 0, 0, 0); }}\n", encoding="ascii")
                 done = subprocess.run(["glslangValidator", "-D", "-V", "-e", "main", "-o", f"{folder}/out", file],
                                       capture_output=True, text=True, check=False)
                 self.assertEqual(done.returncode, 0, done.stdout)
-            glsl = text(*names, arithmetic=arithmetic)
+            glsl = text(*MIXED, arithmetic=arithmetic)
             for theirs, ours in HLSL_NAMES.items():
                 glsl = re.sub(rf"\b{theirs}\b", ours, glsl)
             # Which declarations share a line depends on how long they are.
@@ -165,6 +175,18 @@ class Shaders(unittest.TestCase):
                      for shown in (hlsl, glsl)]
             alike[0] = re.sub(r"\b(\w+)\(([\w.]+)(?:, \2)+\)", r"\1(\2)", alike[0])  # float3(x, x, x)
             self.assertEqual(*alike)
+
+    def test_variables_have_names_of_their_own_in_godot(self) -> None:
+        """As tools/single-file gives them, in the text of GLSL without operators of a vector and a number."""
+        glsl = program(module("fast"), *MIXED).text(Language(splats=False))
+        shown = text(*MIXED, language="godot")
+
+        def joined(lines: Sequence[str]) -> str:
+            """Without what depends on how long the names are: which declarations share a line, and what is long."""
+            return re.sub(r"; (?:[iu]?vec[234]|float|u?int|bool) (\w+ =)", r", \1", " ".join(" ".join(lines).split()))
+
+        self.assertEqual(joined(shown.splitlines()), joined(with_own_names(glsl.splitlines())))
+        self.assertNotEqual(joined(shown.replace("p_hn", "p").splitlines()), joined(with_own_names(glsl.splitlines())))
 
     def test_they_are_short(self) -> None:
         for name, (length, lines) in SIZES.items():
@@ -339,6 +361,9 @@ class Command(unittest.TestCase):
                                    (("hn_value2", "--import-path", "noise"), "is of --language wgsl"),
                                    (("hn_value2", "--language", "wgsl", "--import-path", "a b"), "such as game::noise"),
                                    (("hn_value2", "--language", "wgls"), "invalid choice: 'wgls'"),
+                                   (("hn_value2", "--arithmetic", "precise", "--language", "metal"), "no `precise`"),
+                                   (("hn_value2", "--arithmetic", "precise", "--language", "slang"), "out of SPIR-V"),
+                                   (("hn_value2", "--arithmetic", "precise", "--language", "godot"), "no `precise`"),
                                    (("hn_value2", "--arithmetic", "precise", "--language", "wgsl"), "Take HN_FIXED"),
                                    (("hn_value2", "--arithmetic", "precise", "--language", "glsl-es"), "GLSL ES has"),
                                    (("hn_value2", "--pages", "out"), "or ask for --list or --pages"),

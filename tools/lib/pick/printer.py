@@ -35,6 +35,7 @@ Place = tuple[tuple[int, int], ...]  # of a statement: of each block around it t
 @dataclass(frozen=True)
 class Language:
     """How a language writes the same. This is what those that come from C have in common."""
+    opening: str = ""     # what stands first
     float_suffix: str = ""
     qualifier: str = ""   # before each type
     function: str = ""    # before each function
@@ -43,6 +44,7 @@ class Language:
     splats: bool = True   # whether operators take a vector and a number
     fills: bool = True    # whether constructors of vectors take one number
     structs: bool = True  # whether structs are defined
+    joins: bool = True    # whether one statement declares several variables
     no_precise: str = ""  # why it has no `precise`, and what to take
     names: Mapping[str, str] = field(default_factory=dict)  # of types and functions, where they are not GLSL's
     has_overloads: ClassVar[bool] = True
@@ -51,6 +53,18 @@ class Language:
 
     def named(self, name: str) -> str:
         return self.names.get(name, name)
+
+    def called(self, name: str, type_: str) -> str:
+        """A function of GLSL whose result has this type."""
+        return self.named(name)
+
+    def variable(self, name: str) -> str:
+        """A parameter or a variable of that name."""
+        return name
+
+    def field(self, name: str) -> str:
+        """Of a struct."""
+        return name
 
     def typed(self, type_: str) -> str:
         return f"{self.qualifier if type_ in SIZES and type_ != 'bool' else ''}{self.named(type_)}"
@@ -72,12 +86,12 @@ class Language:
         """Of a function. Parameters may be both set and read."""
         def typed(one: Parameter) -> str:
             form = (self.inout if one.at.text in read else self.out) if one.is_set else "{}"
-            return f"{form.format(self.typed(one.type))} {one.at.text}"
+            return f"{form.format(self.typed(one.type))} {self.variable(one.at.text)}"
 
         return f"{self.function}{self.typed(type_)} {name}({', '.join(map(typed, parameters))}) {{"
 
     def struct(self, name: str, fields: Iterable[tuple[str, str]]) -> str:
-        inside = "".join(f"  {self.typed(type_)} {field_name};\n" for field_name, type_ in fields)
+        inside = "".join(f"  {self.typed(type_)} {self.field(one)};\n" for one, type_ in fields)
         return f"struct {name} {{\n{inside}}};\n"
 
     def writer(self, block: list[Statement], hints: Mapping[Node, str], parameters: Sequence[Parameter],
@@ -270,14 +284,15 @@ class Writer:
         return self._joined(lines, space)
 
     def _joined(self, lines: Sequence[str], space: str) -> list[str]:
-        return declarations_joined(lines, space, DECLARATION)
+        return declarations_joined(lines, space, DECLARATION if self.language.joins else None)
 
     def _declaration(self, type_: str, name: str, text: str) -> str:
-        return f"{self._type(type_)} {name} = {text};"
+        return f"{self._type(type_)} {self.language.variable(name)} = {text};"
 
     def _declared(self, variable: Variable, name: str, value: str | None) -> str:
         """Of what branches and loops change."""
-        return f"{self._type(variable.type)} {name}{'' if value is None else f' = {value}'};"
+        shown = "" if value is None else f" = {value}"
+        return f"{self._type(variable.type)} {self.language.variable(name)}{shown};"
 
     def _type(self, type_: str) -> str:
         precise = self.precise and not self.language.no_precise and type_ in SIZES and _is_float(type_)
@@ -390,12 +405,17 @@ class Writer:
             return self._binary(node)
         if self.language.fills and (number := splatted(node)) is not None:
             arguments = (number,)
-        name = self.names[node.name] if isinstance(node.name, Kept) else self.language.named(node.name)
+        if isinstance(node.name, Kept):
+            name = self.names[node.name]
+        else:
+            name = (self.language.called(node.name, node.type) if node.kind == "builtin" else
+                    self.language.named(node.name))
         return f"{name}({', '.join(self._text(argument) for argument in arguments)})", PRIMARY
 
     def _named(self, node: Node) -> str:
-        """What has a name."""
-        return self.called.get(node) or node.name
+        """What has a name: a field has one behind a point."""
+        name, *fields = (self.called.get(node) or node.name).split(".")
+        return ".".join([self.language.variable(name), *map(self.language.field, fields)])
 
     def _choice(self, condition: Node, yes: Node, no: Node) -> tuple[str, int]:
         texts = [self._text(argument, CHOICE) for argument in (condition, yes, no)]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import difflib
+import functools
 import re
 import textwrap
 from collections import Counter
@@ -34,8 +35,9 @@ def read(library: Path, settings: dict[str, str], splits: bool = False, own: Seq
     return Module(Parser(tokens).parse(), preprocessor.constants, splits, own)
 
 
+@functools.lru_cache(maxsize=16)  # tests ask for it with each function
 def public(module: Module) -> dict[str, Function]:
-    """The functions by the names that tools/wgsl has for them: one for each form. A form has its seed."""
+    """The functions by the names of their forms (wgsl.names). A form has its seed."""
     translator = Translator(module.tree, module.constants)
     return {name: item for name in translator.public() if isinstance(item := translator.items[name], Function)}
 
@@ -213,7 +215,7 @@ class Program:
         structs = [language.struct(name, [(field, type_) for field, type_, _ in self.module.structs[name].fields])
                    for name in self.structs()] if language.structs else []
         constants = language.constants([root.function for root in self.roots], self.module)
-        return "".join([constants, *structs, *functions])
+        return "".join([language.opening, constants, *structs, *functions])
 
     def _names(self, language: Language) -> dict[Kept, str]:
         """Of the functions that are called. Overloads may differ in what is left out alone: the later has a number."""

@@ -2,17 +2,45 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
+from pick.evaluate import CASTS
 from pick.printer import Language
 from pick.values import PREFIXES
 from pick.wgsl import Wgsl
+from single_file.godot import SUFFIX
 from wgsl.module import NO_PRECISE
 
 HLSL_NAMES = {f"{prefix}vec{size}": f"{scalar}{size}" for scalar, prefix in PREFIXES.items() for size in (2, 3, 4)} | {
     "uintBitsToFloat": "asfloat", "intBitsToFloat": "asfloat", "floatBitsToUint": "asuint", "floatBitsToInt": "asint"}
+
+
+class Metal(Language):
+    def called(self, name: str, type_: str) -> str:
+        return f"as_type<{self.typed(type_)}>" if name in CASTS else name
+
+
+class Godot(Language):
+    def variable(self, name: str) -> str:
+        """One that is no uniform's, since Godot may take it for that (single_file.godot)."""
+        return f"{name}{SUFFIX}"
+
+
 GLSL_ES = Language(qualifier="highp ", no_precise="GLSL ES has `precise` from 3.20 on, and what this writes is for "
                    "3.00, too: take --arithmetic fixed, whose bits are the same everywhere")
-LANGUAGES = {"glsl": Language(), "glsl-es": GLSL_ES,
-             "hlsl": Language(fills=False, names=HLSL_NAMES), "wgsl": Wgsl(no_precise=NO_PRECISE)}
+NO_PRECISE_IN_METAL = ("Metal's language has no `precise`, and its compiler computes by fast math unless it is told "
+                       "otherwise: take --arithmetic fixed, whose bits are the same everywhere")
+HLSL = Language(fills=False, names=HLSL_NAMES)
+# Slang does not find a variable that was declared before it in the same statement, if `<` stands behind its name.
+SLANG = replace(HLSL, joins=False, no_precise="Slang's compiler leaves `precise` out of SPIR-V: take --arithmetic "
+                "fixed, whose bits are the same everywhere")
+METAL = Metal(opening="#include <metal_stdlib>\nusing namespace metal;\n\n", float_suffix="f", function="inline ",
+              out="thread {}&", inout="thread {}&", no_precise=NO_PRECISE_IN_METAL, names=HLSL_NAMES)
+# Its operators are used as the text of the library uses them, which Godot has compiled: of two vectors.
+GODOT = Godot(splats=False, no_precise="Godot's language has no `precise`: take --arithmetic fixed, whose bits are the "
+              "same everywhere")
+LANGUAGES = {"glsl": Language(), "glsl-es": GLSL_ES, "hlsl": HLSL, "slang": SLANG, "metal": METAL, "godot": GODOT,
+             "wgsl": Wgsl(no_precise=NO_PRECISE, joins=False)}
 # For tests: over include/hashnoise/glsl.hpp, which has no operators of a number and a vector, and with its structs.
 CPP = Language(float_suffix="f", function="inline ", out="{}&", inout="{}&", splats=False, fills=False, structs=False,
                no_precise="it always is")

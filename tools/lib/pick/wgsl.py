@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 
 from parsing.syntax import Function, Parameter
-from pick.evaluate import Kept, Module
-from pick.printer import BITS, PRIMARY, TRUTH, UNARY, Language, Writer, declarations_joined, splatted
+from pick.evaluate import CASTS, Kept, Module
+from pick.printer import BITS, PRIMARY, TRUTH, UNARY, Language, Writer, splatted
 from pick.statements import Set, Statement, walk
 from pick.values import SIZES, Node, Operation, Variable, construct, converted, scalar_of, vector_of
 from wgsl.names import RESERVED, is_passed, variable, wgsl_name, wgsl_type
 
 SHIFTS = ("<<", ">>")
-CASTS = ("uintBitsToFloat", "floatBitsToUint", "intBitsToFloat", "floatBitsToInt")
 
 
 class Wgsl(Language):
@@ -22,6 +21,15 @@ class Wgsl(Language):
 
     def named(self, name: str) -> str:
         return wgsl_type(name)
+
+    def called(self, name: str, type_: str) -> str:
+        return f"bitcast<{wgsl_type(type_)}>" if name in CASTS else name
+
+    def variable(self, name: str) -> str:
+        return variable(name)
+
+    def field(self, name: str) -> str:
+        return variable(name)
 
     def public_name(self, function: Function) -> str:
         return wgsl_name(function)
@@ -38,13 +46,13 @@ class Wgsl(Language):
     def head(self, type_: str, name: str, parameters: Iterable[Parameter], read: set[str]) -> str:
         def typed(one: Parameter) -> str:
             form = "ptr<function, {}>" if one.is_set else "{}"
-            return f"{variable(one.at.text)}: {form.format(self.typed(one.type))}"
+            return f"{self.variable(one.at.text)}: {form.format(self.typed(one.type))}"
 
         returned = f" -> {self.typed(type_)}" if type_ != "void" else ""
         return f"fn {name}({', '.join(map(typed, parameters))}){returned} {{"
 
     def struct(self, name: str, fields: Iterable[tuple[str, str]]) -> str:
-        inside = "".join(f"  {variable(field_name)}: {self.typed(type_)},\n" for field_name, type_ in fields)
+        inside = "".join(f"  {self.field(one)}: {self.typed(type_)},\n" for one, type_ in fields)
         return f"struct {name} {{\n{inside}}}\n"
 
     def writer(self, block: list[Statement], hints: Mapping[Node, str], parameters: Sequence[Parameter],
@@ -55,7 +63,7 @@ class Wgsl(Language):
 class WgslWriter(Writer):
     def __init__(self, language: Wgsl, block: list[Statement], hints: Mapping[Node, str],
                  parameters: Sequence[Parameter], names: Mapping[Kept, str]):
-        self._pointers = {one.at.text for one in parameters if one.is_set}
+        self._pointers = {variable(one.at.text) for one in parameters if one.is_set}
         self._changed = {one.variable for one in walk(block) if isinstance(one, Set)}
         taken = (name for one in parameters for name in (one.at.text, variable(one.at.text)))
         super().__init__(language, block, hints, taken, names, reserved=RESERVED)
@@ -64,9 +72,6 @@ class WgslWriter(Writer):
         """None is a variable."""
 
     # Statements.
-
-    def _joined(self, lines: Sequence[str], space: str) -> list[str]:
-        return declarations_joined(lines, space, None)
 
     def _declaration(self, type_: str, name: str, text: str) -> str:
         return f"let {name} = {text};"
@@ -82,14 +87,10 @@ class WgslWriter(Writer):
     # Expressions.
 
     def _named(self, node: Node) -> str:
-        name = super()._named(node)
-        if not (isinstance(node, Variable) and node.is_parameter):
-            return name
-        first, *fields = name.split(".")
-        of = variable(first)
-        if first in self._pointers:
-            of = f"(*{of})" if fields else f"*{of}"
-        return ".".join([of, *map(variable, fields)])
+        name, *fields = super()._named(node).split(".", 1)
+        if isinstance(node, Variable) and node.is_parameter and name in self._pointers:
+            name = f"(*{name})" if fields else f"*{name}"
+        return ".".join([name, *fields])
 
     def _expression(self, node: Node) -> tuple[str, int]:
         text, binds = self._in_words(node)
@@ -100,8 +101,6 @@ class WgslWriter(Writer):
             return super()._expression(node)
         if node.kind == "construct":
             return self._constructed(node)
-        if node.kind == "builtin" and node.name in CASTS:
-            return f"bitcast<{wgsl_type(node.type)}>({self._text(node.arguments[0])})", PRIMARY
         return super()._expression(node)
 
     def _constructed(self, node: Operation) -> tuple[str, int]:

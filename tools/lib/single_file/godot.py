@@ -36,7 +36,7 @@ SUFFIX = "_hn"
 
 def expanded(lines: Iterable[str]) -> list[str]:
     """The lines without the conditions and macros whose meaning no knob decides."""
-    return _with_own_names(_without_macros(_without_conditions(lines)))
+    return with_own_names(_without_macros(_without_conditions(lines)))
 
 
 def _code(line: str) -> str:
@@ -152,7 +152,7 @@ def _replaced(code: str, single: dict[str, str]) -> str:
             return code
 
 
-def _with_own_names(lines: list[str]) -> list[str]:
+def with_own_names(lines: list[str]) -> list[str]:
     left = []
     in_struct = False
     for line in lines:

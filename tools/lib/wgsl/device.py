@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import importlib
 import os
+import shutil
 import subprocess
 import sys
+import tempfile
 from collections.abc import Sequence
 from pathlib import Path
 from types import ModuleType
@@ -14,7 +16,6 @@ from tree import ROOT
 from wgsl.evaluation import GROUP
 
 WGPU = "wgpu==0.32.0"
-FOLDER = ROOT / "build" / WGPU.replace("==", "-")
 INPUT_WORDS = 16
 OUTPUT_WORDS = 4
 
@@ -24,29 +25,36 @@ class Absent(Exception):
 
 
 def find_wgpu() -> ModuleType:
-    """The package, which is installed into the folder of builds if nobody has it."""
+    """The package, which is installed if nobody has it."""
     os.environ.setdefault("XDG_RUNTIME_DIR", "/tmp")  # else Wayland's library complains
-    for attempt in ("there", "installed before", "now"):
-        if attempt == "installed before":
-            sys.path.insert(0, str(FOLDER))
-        if attempt == "now":
-            _install()
-            importlib.invalidate_caches()
-        try:
-            return importlib.import_module("wgpu")
-        except ImportError:
-            continue
-    raise Absent(f"{WGPU} cannot be imported from {FOLDER}")
-
-
-def _install() -> None:
-    command = [sys.executable, "-m", "pip", "install", "--quiet", "--no-input", "--target", str(FOLDER), WGPU]
     try:
-        done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=300)
-    except (OSError, subprocess.TimeoutExpired) as error:
-        raise Absent(f"{WGPU} cannot be installed: {error}") from error
-    if done.returncode != 0:
-        raise Absent(f"{WGPU} cannot be installed: {done.stderr.strip()[-300:]}")
+        return importlib.import_module("wgpu")
+    except ImportError:
+        folder = installed(WGPU)
+    sys.path.insert(0, str(folder))
+    importlib.invalidate_caches()
+    try:
+        return importlib.import_module("wgpu")
+    except ImportError as error:
+        raise Absent(f"{WGPU} cannot be imported from {folder}: {error}") from error
+
+
+def installed(package: str, *options: str) -> Path:
+    """Where a package of PyPI is, in the folder of builds: it is installed if it is not there."""
+    folder = ROOT / "build" / package.replace("==", "-")
+    if folder.exists():
+        return folder
+    command = [sys.executable, "-m", "pip", "install", "--quiet", "--no-input", *options, package]
+    # What is there is whole.
+    with tempfile.TemporaryDirectory(dir=folder.parent) as place:
+        try:
+            done = subprocess.run([*command, "--target", place], capture_output=True, text=True, check=False, timeout=300)
+        except (OSError, subprocess.TimeoutExpired) as error:
+            raise Absent(f"{package} cannot be installed: {error}") from error
+        if done.returncode != 0:
+            raise Absent(f"{package} cannot be installed: {done.stderr.strip()[-300:]}")
+        shutil.copytree(place, folder)
+    return folder
 
 
 class Device:
@@ -61,8 +69,8 @@ class Device:
         info = self._device.adapter.info
         return f"{info['device']} ({info['backend_type']})"
 
-    def compile(self, text: str):
-        """A shader module; what is wrong in the text is raised."""
+    def compile(self, text: str | bytes):
+        """A shader module, of WGSL or of SPIR-V; what is wrong in it is raised."""
         return self._device.create_shader_module(code=text)
 
     def compile_glsl(self, text: str) -> None:
@@ -76,7 +84,7 @@ class Device:
         results = self.run(text, words, 4 * OUTPUT_WORDS * len(inputs), len(inputs)).cast("I").tolist()
         return [tuple(results[i:i + OUTPUT_WORDS]) for i in range(0, len(results), OUTPUT_WORDS)]
 
-    def run(self, text: str, inputs: bytes, size: int, points: int) -> memoryview:
+    def run(self, text: str | bytes, inputs: bytes, size: int, points: int) -> memoryview:
         """What a shader writes, so many bytes, that is called for each of the points, GROUP at a time."""
         device, usage = self._device, self._wgpu.BufferUsage
         pipeline = device.create_compute_pipeline(

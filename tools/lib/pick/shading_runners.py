@@ -1,0 +1,194 @@
+"""Shaders that call picked functions, and what runs them: wgpu, to which HLSL comes by glslang and Slang by its own
+compiler; Metal's language is compiled as C++, with the suite's stand-in for <metal_stdlib>."""
+
+from __future__ import annotations
+
+import ctypes
+import functools
+import shutil
+import tempfile
+from collections.abc import Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+from parsing.syntax import Function
+from pick.calling import Form
+from pick.evaluate import Module
+from pick.runners import NotRun, ran
+from pick.shading import LANGUAGES
+from tree import ROOT
+from wgsl.device import Absent, Device, installed
+from wgsl.evaluation import GROUP
+
+
+@functools.cache
+def device() -> Device:
+    return Device()
+
+
+class Case(NamedTuple):
+    """A text of a function of a split module, what is passed to it, and how many bytes come back."""
+    module: Module
+    function: Function
+    text: str
+    inputs: bytes
+    size: int
+
+
+class Runner:
+    """Of a language."""
+    form: Form
+    arithmetics: Sequence[str] = ("fixed",)  # whose words are those of the library
+    # What stands behind a text, by the words that a call takes and gives at each of the points.
+    entry: str
+
+    def entry_of(self, case: Case, points: int) -> str:
+        lines, taken, given = self.form.call(case.module, case.function)
+        return self.entry.format(points=points, taken=taken, given=given, group=GROUP,
+                                 lines="".join(f"    {line}\n" for line in lines))
+
+    def run(self, cases: Sequence[Case], points: int) -> list[bytes]:
+        """What the functions return for these words, one behind another."""
+        raise NotImplementedError
+
+
+class WgslRunner(Runner):
+    form = Form(LANGUAGES["wgsl"],
+                read={"float": "bitcast<f32>({})", "int": "bitcast<i32>({})", "uint": "{}", "bool": "{} != 0u"},
+                write={"float": "bitcast<u32>({})", "int": "bitcast<u32>({})", "uint": "{}",
+                       "bool": "select(0u, 1u, {})"},
+                declare="var {name}: {type}{value};", struct="{type}({fields})", passed="&{}", result="let result = ")
+    entry = """
+@group(0) @binding(0) var<storage, read> inputs: array<u32>;
+@group(0) @binding(1) var<storage, read_write> outputs: array<u32>;
+@compute @workgroup_size({group}) fn main(@builtin(global_invocation_id) id: vec3u) {{
+  if (id.x < {points}u) {{
+    let at = {taken}u * id.x;
+    let to = {given}u * id.x;
+{lines}  }}
+}}
+"""
+
+    def __init__(self) -> None:
+        self.device = device()
+
+    def compiled(self, text: str) -> str | bytes:
+        """As wgpu takes it."""
+        return text
+
+    def run(self, cases: Sequence[Case], points: int) -> list[bytes]:
+        return [bytes(self.device.run(self.compiled(case.text + self.entry_of(case, points)), case.inputs, case.size,
+                                      points)) for case in cases]
+
+
+class HlslRunner(WgslRunner):
+    form = Form(LANGUAGES["hlsl"],
+                read={"float": "asfloat({})", "int": "asint({})", "uint": "{}", "bool": "({} != 0u)"},
+                write={"float": "asuint({})", "int": "asuint({})", "uint": "{}", "bool": "({} ? 1u : 0u)"})
+    entry = """
+[[vk::binding(0)]] StructuredBuffer<uint> inputs;
+[[vk::binding(1)]] RWStructuredBuffer<uint> outputs;
+[numthreads({group}, 1, 1)] void main(uint3 id : SV_DispatchThreadID) {{
+  if (id.x < {points}u) {{
+    uint at = {taken}u * id.x, to = {given}u * id.x;
+{lines}  }}
+}}
+"""
+
+    def compiled(self, text: str) -> str | bytes:
+        with tempfile.TemporaryDirectory() as folder:
+            (Path(folder) / "shader.comp").write_text(text, encoding="ascii")
+            ran(Path(folder), "glslangValidator", "-D", "-V", "-e", "main", "-o", "spirv", "shader.comp")
+            return (Path(folder) / "spirv").read_bytes()
+
+
+class SlangRunner(HlslRunner):
+    """The compiler is a library of C in a package of PyPI, which has no program for it."""
+    PACKAGE = "slangpy==0.43.1"
+    SLANG, WGSL, COMPUTE = 1, 28, 6  # of SlangSourceLanguage, SlangCompileTarget and SlangStage in slang.h
+
+    def __init__(self) -> None:
+        super().__init__()
+        libraries = sorted(installed(self.PACKAGE, "--no-deps").glob("slangpy/libslang-compiler.so*"))
+        if not libraries:
+            raise Absent(f"{self.PACKAGE} has no compiler here")
+        self._slang = ctypes.CDLL(str(libraries[0]))
+        for name, result, parameters in (
+                ("CreateSession", ctypes.c_void_p, [ctypes.c_char_p]),
+                ("CreateCompileRequest", ctypes.c_void_p, [ctypes.c_void_p]),
+                ("DestroyCompileRequest", None, [ctypes.c_void_p]),
+                ("SetCodeGenTarget", None, [ctypes.c_void_p, ctypes.c_int]),
+                ("AddTranslationUnit", ctypes.c_int, [ctypes.c_void_p, ctypes.c_int, ctypes.c_char_p]),
+                ("AddTranslationUnitSourceString", None, [ctypes.c_void_p, ctypes.c_int, *[ctypes.c_char_p] * 2]),
+                ("AddEntryPoint", ctypes.c_int, [ctypes.c_void_p, ctypes.c_int, ctypes.c_char_p, ctypes.c_int]),
+                ("Compile", ctypes.c_int, [ctypes.c_void_p]),
+                ("GetDiagnosticOutput", ctypes.c_char_p, [ctypes.c_void_p]),
+                ("GetEntryPointSource", ctypes.c_char_p, [ctypes.c_void_p, ctypes.c_int])):
+            function = getattr(self._slang, f"sp{name}")
+            function.restype, function.argtypes = result, parameters
+        self._session = self._slang.spCreateSession(None)
+
+    def compiled(self, text: str) -> str | bytes:
+        slang = self._slang
+        request = slang.spCreateCompileRequest(self._session)
+        slang.spSetCodeGenTarget(request, self.WGSL)
+        unit = slang.spAddTranslationUnit(request, self.SLANG, b"")
+        slang.spAddTranslationUnitSourceString(request, unit, b"shader.slang", text.encode("ascii"))
+        entry = slang.spAddEntryPoint(request, unit, b"main", self.COMPUTE)
+        try:
+            if slang.spCompile(request) != 0:
+                raise NotRun(slang.spGetDiagnosticOutput(request).decode())
+            return slang.spGetEntryPointSource(request, entry).decode()
+        finally:
+            slang.spDestroyCompileRequest(request)
+
+
+class MetalRunner(Runner):
+    """All texts are in one program, since it takes seconds to compile. It reads `inputs`, and writes `outputs`."""
+    form = Form(LANGUAGES["metal"],
+                read={"float": "as_type<float>({})", "int": "as_type<int>({})", "uint": "{}", "bool": "{} != 0u"},
+                write={"float": "as_type<uint>({})", "int": "as_type<uint>({})", "uint": "{}", "bool": "uint({})"})
+    arithmetics = ("fast", "fixed")
+    entry = """
+int run(std::FILE* read, std::FILE* written) {{
+  std::vector<uint> inputs({taken}u * {points}u), outputs({given}u * {points}u);
+  if (std::fread(inputs.data(), sizeof(uint), inputs.size(), read) != inputs.size()) return 1;
+  for (uint i = 0u; i < {points}u; i++) {{
+    const uint at = {taken}u * i, to = {given}u * i;
+{lines}  }}
+  return std::fwrite(outputs.data(), sizeof(uint), outputs.size(), written) != outputs.size();
+}}
+"""
+    MAIN = """int main() {{
+  std::FILE* read = std::fopen("inputs", "rb");
+  std::FILE* written = std::fopen("outputs", "wb");
+  const int failed = {calls};
+  return std::fclose(written) | failed;
+}}
+"""
+
+    def __init__(self) -> None:
+        if not shutil.which("clang++"):
+            raise Absent("there is no clang++: apt-get install clang")
+
+    def run(self, cases: Sequence[Case], points: int) -> list[bytes]:
+        runs = "".join(f"namespace text{number} {{\n{case.text}{self.entry_of(case, points)}}}\n"
+                       for number, case in enumerate(cases))
+        calls = " | ".join(f"text{number}::run(read, written)" for number in range(len(cases)))
+        with tempfile.TemporaryDirectory() as place:
+            folder = Path(place)
+            shutil.copy(ROOT / "conformance" / "gpu" / "metal" / "metal_stdlib.hpp", folder / "metal_stdlib")
+            (folder / "main.cpp").write_text("#include <metal_stdlib>\n#include <cstdio>\n#include <vector>\n" + runs
+                                             + self.MAIN.format(calls=calls), encoding="ascii")
+            (folder / "inputs").write_bytes(b"".join(case.inputs for case in cases))
+            ran(folder, "clang++", "-std=c++14", "-Wall", "-Wextra", "-Werror", "-ffp-contract=off", "-I.", "main.cpp")
+            ran(folder, "./a.out")
+            got = (folder / "outputs").read_bytes()
+        found = []
+        for case in cases:
+            found.append(got[:case.size])
+            got = got[case.size:]
+        return found
+
+
+RUNNERS: dict[str, type[Runner]] = {"wgsl": WgslRunner, "hlsl": HlslRunner, "slang": SlangRunner, "metal": MetalRunner}

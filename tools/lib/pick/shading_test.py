@@ -1,0 +1,153 @@
+"""What tools/pick writes in shading languages has the bits of the C++ header with HN_FIXED; in WGSL it has golden
+values within the bound with HN_FAST.
+
+    python3 -m pick.shading_test HN_CONFORM FOLDER LANGUAGE...     FOLDER has what pick.languages_test has written
+
+Exit status: 0 it has, 1 it has not, 77 there is no wgpu or no compiler here.
+"""
+
+from __future__ import annotations
+
+import functools
+import sys
+import unittest
+from collections.abc import Sequence
+from pathlib import Path
+from unittest import mock
+
+from pick import command, printer
+from pick.evaluate import Module
+from pick.languages_test import POINTS, SKIPPED, difference, functions, words
+from pick.languages_test import module as split_module
+from pick.program import Program, chosen, public, read
+from pick.shading import LANGUAGES
+from pick.shading_runners import RUNNERS, Case, Runner, WgslRunner
+from thorough import THOROUGH, in_thorough_runs
+from tree import GLSL
+from wgsl.device import Absent
+from wgsl.golden import Page, shaders_over
+
+
+@functools.cache
+def module(arithmetic: str) -> Module:
+    return read(GLSL, command.settings(arithmetic, "lattice"))
+
+
+def text(language: str, arithmetic: str, *names: str) -> str:
+    of = module(arithmetic)
+    return Program(of, chosen(of, names)).text(LANGUAGES[language])
+
+
+class Header(unittest.TestCase):
+    """Beside the C++ header, in one language."""
+    language: str
+    runner: Runner
+    folder: Path
+
+    def differences(self, texts: Sequence[tuple[str, str, str]]) -> list[str]:
+        """How each text of a function, by its arithmetic and its name, differs from the header; nothing where it does
+        not."""
+        cases: list[Case] = []
+        expected: list[bytes] = []
+        for arithmetic, name, shown in texts:
+            of = split_module(arithmetic)
+            passed, back = words(self.folder, arithmetic, of)[name]
+            cases.append(Case(of, functions(of, arithmetic)[name], shown, passed, len(back)))
+            expected.append(back)
+        found = self.runner.run(cases, POINTS)
+        return [difference(case.function, back, got) for case, back, got in zip(cases, expected, found, strict=True)]
+
+    def test_the_bits_are_those_of_the_library_and_a_fault_of_the_printer_is_noticed(self) -> None:
+        """At once, since a language may take seconds to compile anything."""
+        keys = [(arithmetic, name) for arithmetic in self.runner.arithmetics
+                for name in functions(split_module(arithmetic), arithmetic)]
+        self.assertGreater(len(keys), 5)
+        right = [(*key, text(self.language, *key)) for key in keys]
+        key = self.runner.arithmetics[0], "hn_perlin2"
+        with mock.patch.dict(printer.STRENGTH, {"-": 11}):  # as strong as a product
+            wrong = (*key, text(self.language, *key))
+        self.assertNotIn(wrong, right)
+        *found, of_wrong = self.differences([*right, wrong])
+        self.assertEqual([f"{key}: {said}" for key, said in zip(keys, found) if said], [])
+        self.assertRegex(of_wrong, f"^[1-9][0-9]* of {POINTS} ")
+
+
+class Bounds(unittest.TestCase):
+    """Golden values of HN_FAST, within what the suite allows."""
+    runner: WgslRunner
+    program: str
+    page: Page
+
+    @classmethod
+    def setUpClass(cls) -> None:
+        cls.page = Page(cls.program, f"{'*' if THOROUGH else 'noise2d.*'}.lattice.fast.compute.wgsl.golden")
+
+    def wrong(self, change: tuple[str, str] = ("", ""), every: int = 1, only: str = "") -> list[str]:
+        cases = [case for case in self.page.cases if not only or case["id"].startswith(only)][::every]
+        rows = {case["id"]: ".".join(case["id"].split(".")[:2]) for case in cases}
+        known = public(module("fast"))
+        shaders = shaders_over([*rows.values()], "HN_FAST", lambda names: text(
+            "wgsl", "fast", *(name for name in names if name in known)))
+        self.assertGreater(len(cases), 0)
+        found = []
+        for case in cases:
+            shader = shaders[rows[case["id"]]]
+            self.assertIn(change[0], shader)
+            if wrong := self.page.wrong(self.runner.device, case, shader.replace(*change)):
+                found.append(f"{case['id']}: {wrong}")
+        return found
+
+    def test_they_are_kept(self) -> None:
+        self.assertGreater(len(self.page.cases), 285 if THOROUGH else 30)
+        self.assertEqual(self.wrong(every=1 if THOROUGH else 12), [])
+
+    def test_a_changed_constant_is_noticed(self) -> None:
+        self.assertEqual(len(self.wrong(("* 0.5", "* 0.50002"), only="noise2d.cellular.")), 1)
+
+
+class Wgsl(unittest.TestCase):
+    runner: WgslRunner
+
+    def test_a_hash_of_the_users_is_called(self) -> None:
+        """One that is a hash of the library gives the words of that."""
+        of = split_module("fixed")
+        function, (passed, back) = functions(of, "fixed")["hn_perlin2"], words(Header.folder, "fixed", of)["hn_perlin2"]
+        cases = []
+        for options in ({"hash": "pcg"}, {"hash": "custom", "hash_function": "mine"}):
+            library = command.read_library(GLSL, command.Choice("wgsl", "fixed", **options))
+            shown = Program(library, chosen(library, ["hn_perlin2"])).text(LANGUAGES["wgsl"])
+            self.assertEqual("mine(" in shown, options["hash"] == "custom")
+            own = text("wgsl", "fixed", "hn_hash_pcg").replace("hn_hash_pcg", "mine")
+            cases.append(Case(of, function, own + shown, passed, len(back)))
+        one, other = self.runner.run(cases, POINTS)
+        self.assertEqual(one, other)
+        self.assertNotEqual(one, back)
+
+    @in_thorough_runs
+    def test_every_function_compiles(self) -> None:
+        for arithmetic in ("fast", "fixed"):
+            for name in public(module(arithmetic)):
+                with self.subTest(name=name, arithmetic=arithmetic):
+                    self.runner.device.compile(text("wgsl", arithmetic, name))
+
+    def test_the_compilation_can_fail(self) -> None:
+        with self.assertRaises(Exception):
+            self.runner.device.compile(text("wgsl", "fast", "hn_perlin2").replace("-> f32", "-> u32"))
+
+
+if __name__ == "__main__":
+    Bounds.program, Header.folder = sys.argv[1], Path(sys.argv[2]).resolve()
+    languages = sys.argv[3:]
+    suite = unittest.TestSuite()
+    try:
+        for language in languages:
+            runner = RUNNERS[language]()
+            of_language = type(f"Header_{language}", (Header,), {"language": language, "runner": runner})
+            suite.addTest(unittest.defaultTestLoader.loadTestsFromTestCase(of_language))
+            if language == "wgsl":
+                Bounds.runner = Wgsl.runner = runner
+                suite.addTests(map(unittest.defaultTestLoader.loadTestsFromTestCase, (Bounds, Wgsl)))
+    except Absent as reason:
+        print(f"skipped: {reason}")
+        sys.exit(SKIPPED)
+    sys.exit(not unittest.TextTestRunner().run(suite).wasSuccessful())
