@@ -19,17 +19,18 @@ BUILD = "import scikit_build_core.build, sys; print(scikit_build_core.build.buil
 
 
 class Source(unittest.TestCase):
-    def setUp(self):
+    @classmethod
+    def setUpClass(cls):
         scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(scratch.cleanup)
-        scratch = Path(scratch.name)
-        done = subprocess.run([sys.executable, "-B", "-c", BUILD, scratch], cwd=golden.ROOT, capture_output=True,
+        cls.addClassCleanup(scratch.cleanup)
+        done = subprocess.run([sys.executable, "-B", "-c", BUILD, scratch.name], cwd=golden.ROOT, capture_output=True,
                               text=True, check=False)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        self.archive = scratch / done.stdout.splitlines()[-1]
-        with tarfile.open(self.archive) as archive:
-            archive.extractall(scratch)
-        self.root = scratch / self.archive.name.removesuffix(".tar.gz")
+        if done.returncode != 0:
+            raise RuntimeError(done.stderr)
+        cls.archive = Path(scratch.name) / done.stdout.splitlines()[-1]
+        with tarfile.open(cls.archive) as archive:
+            archive.extractall(scratch.name)
+        cls.root = Path(scratch.name) / cls.archive.name.removesuffix(".tar.gz")
 
     def missing_headers(self) -> str:
         """What the preprocessor misses of the files that the sources include."""
@@ -53,7 +54,9 @@ class Source(unittest.TestCase):
         self.assertEqual(self.missing_headers(), "")
 
     def test_a_file_that_is_missing_is_noticed(self):
-        (self.root / "glsl" / "hashnoise" / "perlin2d.glsl").unlink()
+        path = self.root / "glsl" / "hashnoise" / "perlin2d.glsl"
+        self.addCleanup(path.write_bytes, path.read_bytes())
+        path.unlink()
         self.assertIn("perlin2d.glsl", self.missing_headers())
 
     def test_it_is_small(self):

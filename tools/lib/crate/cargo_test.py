@@ -44,7 +44,8 @@ class Crate(unittest.TestCase):
     def cargo(self, *arguments: str) -> subprocess.CompletedProcess[str]:
         # Cargo wants no network, and a warning is an error.
         return subprocess.run(["cargo", *arguments, "--offline"], cwd=self.folder, capture_output=True, text=True,
-                              check=False, env={**os.environ, "RUSTFLAGS": "-D warnings", "CARGO_TERM_COLOR": "never"})
+                              check=False, env={**os.environ, "RUSTFLAGS": "-D warnings", "CARGO_TERM_COLOR": "never",
+                                                  "CARGO_INCREMENTAL": "0", "CARGO_PROFILE_DEV_DEBUG": "0"})
 
     def test_it_has_the_values_of_the_library(self) -> None:
         done = self.cargo("test", "--tests")
@@ -68,6 +69,8 @@ class Crate(unittest.TestCase):
         self.assertLess({"Cargo.toml", "LICENSE", "README.md", "src/lib.rs", "src/fixed/place.rs",
                          "vectors/hash.lattice2.json", "tests/vectors/calls.rs"}, names)
         self.assertIn(f'version = "{version()}"', (self.folder / "Cargo.toml").read_text(encoding="utf-8"))
+        self.assertNotIn("version =", (ROOT / "packages" / "rust" / "Cargo.toml").read_text(encoding="utf-8"))
+        self.assertEqual((self.folder / "LICENSE").read_bytes(), (ROOT / "LICENSE").read_bytes())
 
     @in_thorough_runs
     def test_its_pages_compile_and_its_comments_are_comments(self) -> None:

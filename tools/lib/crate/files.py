@@ -22,8 +22,8 @@ from vectors.files import name_of, names
 PACKAGE = ROOT / "packages" / "rust"
 ARITHMETICS = ("fast", "fixed")
 AXES = "xyzw"
-# The modules of each arithmetic: the functions of the library that they have, and in how many dimensions at most. What
-# is asked for most; a text of everything takes tools/pick an hour, and a reader a day.
+# The modules of each arithmetic: the functions of the library that they have, and in how many dimensions at most. That
+# is what is asked for most. In one text they would take tools/pick far longer, since it compares all that is called.
 MODULES = {"place": (("hn_place", "hn_tile", "hn_position"), 4), "perlin": (("hn_perlin",), 4),
            "perlin_d": (("hn_perlin_d",), 3), "simplex": (("hn_simplex",), 4), "simplex_d": (("hn_simplex_d",), 3),
            "value": (("hn_value",), 4), "value_cubic": (("hn_value_cubic",), 3), "random": (("hn_random",), 4),

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import struct
 import subprocess
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -148,23 +148,26 @@ def asked(program: Path, questions: Sequence[str]) -> list[list[float]]:
     return answers
 
 
-def vectors(program: Path) -> dict[str, str]:
-    """All files, by their names."""
+def vectors(program: Path, kept: Mapping[str, str] = {}) -> dict[str, str]:
+    """All files, by their names. Those that are `kept` are not made, but as they are."""
     settings, known = read_configurations(), names()
     of_functions = {function: groups_of(function, settings) for function in read_functions()}
-    questions = {id(group): group.questions() for groups in of_functions.values() for group in groups}
+    questions = {id(group): group.questions() for function, groups in of_functions.items() for group in groups
+                 if f"{function.id}.json" not in kept}
     answers = iter(asked(program, [line for lines in questions.values() for line in lines]))
     bounds = {number: [next(answers) for _ in lines] for number, lines in questions.items()}
-    files, listed = {}, []
+    files, listed = dict(kept), []
     for function, groups in of_functions.items():
         name = name_of(function, known)
-        head = {"format": FORMAT, "function": function.id, "calls": function.calls, "name": name, "bits": BITS,
-                "inputs": columns(function.inputs), "outputs": columns(function.outputs)}
-        kept: dict[str, set] = {}
-        said = [group.said(bounds[id(group)], kept) for group in groups]
-        files[f"{function.id}.json"] = written({**head, "settings": said})
         listed.append({"file": f"{function.id}.json", "calls": function.calls, "name": name,
                        "settings": [group.name for group in groups]})
+        if f"{function.id}.json" in kept:
+            continue
+        head = {"format": FORMAT, "function": function.id, "calls": function.calls, "name": name, "bits": BITS,
+                "inputs": columns(function.inputs), "outputs": columns(function.outputs)}
+        of_words: dict[str, set] = {}
+        said = [group.said(bounds[id(group)], of_words) for group in groups]
+        files[f"{function.id}.json"] = written({**head, "settings": said})
     files[INDEX] = written({"format": FORMAT, "bits": BITS, "files": listed})
     return files
 
