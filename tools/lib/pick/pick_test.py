@@ -272,6 +272,13 @@ class Statements(unittest.TestCase):
                 with self.subTest(shown, language=language):
                     self.assertEqual(self.written(shown, language), expected)
 
+    def test_no_variable_has_the_name_of_the_users_hash(self) -> None:
+        choice = command.Choice("wgsl", hash="custom", hash_function="h2")
+        library = command.read_library(GLSL, choice)
+        shown = Program(library, chosen(library, ["hn_perlin2"])).text(LANGUAGES["wgsl"])
+        self.assertRegex(shown, r"\bh2\(")
+        self.assertNotRegex(shown, r"\blet h2\b")
+
     def test_overloads_that_become_alike_have_names_of_their_own(self) -> None:
         shown = ("float hn_i_a(float x, int n) { float y = x * x + x * 3.0f - x / (x + 2.0f); "
                  "return y * y + float(n); } "
@@ -358,6 +365,7 @@ class Command(unittest.TestCase):
                                    (("hn_value2", "--hash", "custom", "--hash-function", "a-b"), "not 'a-b'"),
                                    (("hn_value2", "--hash", "custom", "--hash-function", "mine", "--language", "c"),
                                     "is of shading languages: glsl"),
+                                   (("hn_value2", "--hash", "custom", "--hash-function", "seed"), "call your function"),
                                    (("hn_value2", "--import-path", "noise"), "is of --language wgsl"),
                                    (("hn_value2", "--language", "wgsl", "--import-path", "a b"), "such as game::noise"),
                                    (("hn_value2", "--language", "wgls"), "invalid choice: 'wgls'"),

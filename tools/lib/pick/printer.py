@@ -110,7 +110,9 @@ class Writer:
         self.hints = hints
         self.names = names
         self.precise = precise
-        self.taken = {*parameters, *names.values(), *RESERVED, *reserved}
+        known = (node for node in values_of(block) if isinstance(node, Operation))
+        functions = (str(node.name) for node in known if node.kind == "builtin")
+        self.taken = {*parameters, *names.values(), *functions, *RESERVED, *reserved}
         self.called: dict[Node, str] = {}  # the names of values and variables
         self.named: set[Operation] = set()
         self._numbers = {id(one): number for number, one in enumerate(blocks(block))}

@@ -32,7 +32,13 @@ def read(library: Path, settings: dict[str, str], splits: bool = False, own: Seq
     preprocessor.read('#include "hashnoise.glsl"\n', "the library")
     # Where floats are precise, all are: the printer says so.
     tokens = [token for token in preprocessor.tokens if token.text != "precise"]
-    return Module(Parser(tokens).parse(), preprocessor.constants, splits, own)
+    tree = Parser(tokens).parse()
+    for item in tree:
+        names = {item.name, *(parameter.at.text for parameter in item.parameters)} if isinstance(item, Function) else ()
+        for function in own:
+            if function.name in names:
+                raise Unknown(f"{function.name} is a name that the library has: call your function otherwise")
+    return Module(tree, preprocessor.constants, splits, own)
 
 
 @functools.lru_cache(maxsize=16)  # tests ask for it with each function

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import importlib
 import os
-import shutil
 import subprocess
 import sys
 import tempfile
@@ -44,16 +43,22 @@ def installed(package: str, *options: str) -> Path:
     folder = ROOT / "build" / package.replace("==", "-")
     if folder.exists():
         return folder
-    command = [sys.executable, "-m", "pip", "install", "--quiet", "--no-input", *options, package]
-    # What is there is whole.
-    with tempfile.TemporaryDirectory(dir=folder.parent) as place:
+    folder.parent.mkdir(exist_ok=True)
+    with tempfile.TemporaryDirectory(dir=folder.parent) as place:  # what is in the folder itself is whole
+        whole = Path(place) / "whole"
+        command = [sys.executable, "-m", "pip", "install", "--quiet", "--no-input", *options, "--target", str(whole),
+                   package]
         try:
-            done = subprocess.run([*command, "--target", place], capture_output=True, text=True, check=False, timeout=300)
+            done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=300)
         except (OSError, subprocess.TimeoutExpired) as error:
             raise Absent(f"{package} cannot be installed: {error}") from error
         if done.returncode != 0:
             raise Absent(f"{package} cannot be installed: {done.stderr.strip()[-300:]}")
-        shutil.copytree(place, folder)
+        try:
+            whole.rename(folder)
+        except OSError:
+            if not folder.exists():  # another test was faster
+                raise
     return folder
 
 

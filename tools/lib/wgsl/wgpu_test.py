@@ -21,8 +21,8 @@ from tables.functions import read_functions
 from thorough import THOROUGH
 from tree import FUNCTIONS, GLSL, ROOT, TOOLS
 from wgsl.device import Absent, Device
-from wgsl.golden import Page, differing
 from wgsl.evaluation import evaluations, macros_of_rows
+from wgsl.golden import Page, differing
 from wgsl.module import ARITHMETICS, Module, Settings
 
 SKIPPED = 77
