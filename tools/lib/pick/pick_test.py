@@ -239,6 +239,11 @@ class Statements(unittest.TestCase):
         ("void hn_set(inout vec2 p, out float old) { old = p.x; p.x = p.y + 1.0f; p.y = p.x * 2.0f; }",
          "fn hn_set2(p: ptr<function, vec2f>, old: ptr<function, f32>) {\n  let old2 = (*p).x;\n"
          "  let n = (*p).y + 1.0;\n  *p = vec2f(n, n * 2.0);\n  *old = old2;\n}\n"),
+        ("void hn_more(inout vec2 p) { p = vec2((p.x + 1.0f) * 2.0f, p.y); p = (p - 1.0f) * (p * 3.0f); }",
+         "fn hn_more2(p: ptr<function, vec2f>) {\n  let p2 = vec2f(((*p).x + 1.0) * 2.0, (*p).y);\n"
+         "  *p = (p2 - 1.0) * (p2 * 3.0);\n}\n"),
+        ("void hn_next(inout float a) { a = (a + 1.0f) * -a; }",
+         "fn hn_next1(a: ptr<function, f32>) { *a = (*a + 1.0) * -(*a); }\n"),
         ("uvec2 hn_bits(uvec2 a, int n, uint k) { return ((a >> 3u) >> 1u) ^ uvec2(k) | uvec2(ivec2(n)); }",
          "fn hn_bits2(a: vec2u, n: i32, k: u32) -> vec2u {\n"
          "  return (((a >> vec2u(3u)) >> vec2u(1u)) ^ vec2u(k)) | vec2u(vec2i(n));\n}\n"),

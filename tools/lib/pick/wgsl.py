@@ -93,15 +93,10 @@ class WgslWriter(Writer):
         return ".".join([name, *fields])
 
     def _expression(self, node: Node) -> tuple[str, int]:
-        text, binds = self._in_words(node)
-        return text, UNARY if text.startswith("*") else binds
-
-    def _in_words(self, node: Node) -> tuple[str, int]:
-        if not isinstance(node, Operation) or node in self.called:
-            return super()._expression(node)
-        if node.kind == "construct":
+        if isinstance(node, Operation) and node.kind == "construct" and node not in self.called:
             return self._constructed(node)
-        return super()._expression(node)
+        text, binds = super()._expression(node)
+        return text, UNARY if isinstance(node, Variable) and text.startswith("*") else binds
 
     def _constructed(self, node: Operation) -> tuple[str, int]:
         """Arguments are converted first, if they are several, or if one is repeated."""
