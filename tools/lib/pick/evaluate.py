@@ -16,7 +16,8 @@ from parsing import syntax
 from parsing.preprocessor import Constant as Macro
 from parsing.syntax import Expression, Function, Parameter, Parser, Struct
 from parsing.tokens import Token
-from pick.statements import Break, Declare, Environment, If, Loop, Return, Set, Statement, blocks
+from pick.statements import (Break, Declare, Environment, If, Loop, Return, Set, Statement, blocks, reachable,
+                             values_of)
 from pick.values import (AXES, SIZES, Constant, Node, Operation, Variable, binary, builtin, choice, construct, member,
                          operation, scalar_of, unary, vector_of, with_member)
 
@@ -374,8 +375,8 @@ class Evaluation:
         if not over:
             body += _sets(carried, now)
         if asks_behind and condition is not None:
-            condition = _replaced(condition, {now[key]: variable for key, variable in carried.items()
-                                              if isinstance(now[key], Operation)})
+            condition = _behind(condition, body, {now[key]: variable for key, variable in carried.items()
+                                                  if isinstance(now[key], Operation)})
         block.append(Loop(condition, asks_behind, body))
         state.update(carried)
 
@@ -545,6 +546,17 @@ def _derived(key: tuple[object, ...], carried: dict[tuple[object, ...], Variable
                 _replaced(state[key], {first: now[other]}) is now[key] for now in states):
             return other, state[key]
     return None
+
+
+def _behind(condition: Node, body: Sequence[Statement], new: dict[Node, Node]) -> Node:
+    """The condition of a loop that asks behind its body, of the variables that the body has set. Where the body computes
+    the same of what they were before, it is of copies, so that it is not the same node."""
+    shown = _replaced(condition, dict(new))
+    made = {node for node in reachable([shown]) if isinstance(node, Operation)}
+    if made & values_of(body) == set():
+        return shown
+    return _replaced(condition, {value: operation("copy", "", variable.type, (variable,))
+                                 for value, variable in new.items()})
 
 
 def _replaced(node: Node, new: dict[Node, Node]) -> Node:

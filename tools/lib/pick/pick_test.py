@@ -229,6 +229,11 @@ class Statements(unittest.TestCase):
          "    result = a + 1.0;\n  } else {\n    result = a;\n  }\n  return result;\n}\n"),
         ("uint hn_same(uint a, bool b) { uint c = a & 0xFFFFFFFFu; return (c == 0u ? 0u : c) + (b ? 1u : 0u); }",
          "uint hn_same(uint a, bool b) { return a + (b ? 1u : 0u); }\n"),
+        # A condition behind the body is of what the body set, also where that asked the same before.
+        ("uint hn_walk(uint x, uint n) { uint v = 9u; do { x = x * 5u + 1u; v = v >= n ? x : v; } while (v >= n); "
+         "return v; }",
+         "uint hn_walk(uint x, uint n) {\n  uint v = 9u;\n  do {\n    uint x2 = x * 5u + 1u;\n    x = x2;\n"
+         "    v = v >= n ? x2 : v;\n  } while (v >= n);\n  return v;\n}\n"),
         # What branches read they do not set before.
         ("float hn_read(float r, float b) { for (int i = 0; i < 3; i++) { float s; if (r < b) { s = b; } "
          "else { s = r + 1.0f; } r = s; } return r; }",
