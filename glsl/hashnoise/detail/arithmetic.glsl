@@ -41,6 +41,7 @@
 //   hn_i_choice(c, a, b)       the same of two integers, which may be literals: in HLSL a literal has no type of its
 //                              own, so an overload for integers could not be told from the others
 //   hn_i_truth(c)              the condition as a bool, if it is the same for all points
+//   hn_i_any(c)                whether the condition holds at one of the points
 //
 // derivative.glsl has the steps of derivatives, cubic_spline.glsl those of splines, direction_turning.glsl those of
 // turning gradients, and falloff.glsl those of simplex noise.
@@ -51,6 +52,7 @@ HN_FN hn_int hn_i_select(bool condition, hn_int a, hn_int b) { return condition 
 HN_FN hn_uint hn_i_select(bool condition, hn_uint a, hn_uint b) { return condition ? a : b; }
 HN_FN hn_int hn_i_choice(bool condition, hn_int a, hn_int b) { return condition ? a : b; }
 HN_FN bool hn_i_truth(bool condition) { return condition; }
+HN_FN bool hn_i_any(bool condition) { return condition; }
 
 // Of each component and the same word. Godot and WGSL have such operators for two vectors alone, and HLSL has no
 // constructor from one number.
@@ -82,6 +84,7 @@ HN_FN hn_float hn_i_signed(hn_float m, hn_uint word) {
   return hn_i_select((word & 0x80000000u) != 0u, -m, m);
 #endif
 }
+HN_FN hn_int hn_i_signed(hn_int m, hn_uint word) { return hn_i_select((word & 0x80000000u) != 0u, -m, m); }
 HN_FN hn_vec3 hn_i_signed(hn_vec3 m, hn_uvec3 words) {
 #if HN_I_BITCAST
   return uintBitsToFloat(floatBitsToUint(m) | hn_i_and(words, 0x80000000u));
@@ -345,7 +348,6 @@ HN_FN hn_ivec4 hn_i_to_num(hn_vec4 f) {
 
 HN_FN hn_int hn_i_plus(hn_int a, hn_int b) { return a + b; }
 HN_FN hn_int hn_i_minus(hn_int a, hn_int b) { return a - b; }
-HN_FN hn_int hn_i_signed(hn_int m, hn_uint word) { return hn_i_select((word & 0x80000000u) != 0u, -m, m); }
 HN_FN hn_ivec3 hn_i_signed(hn_ivec3 m, hn_uvec3 words) {
   hn_ivec3 sign = ivec3(words) >> 31;  // -1 or 0
   return (m ^ sign) - sign;

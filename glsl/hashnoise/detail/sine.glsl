@@ -9,6 +9,29 @@
 //   hn_i_quarter_sine(q)       sin(x pi / 2) of a word of [0, 2^30] that stands for x in [0, 1]
 //   hn_i_wave(angle, sign)     the sine of an angle in units of 2^-32 turns, or its negative if the highest bit of the
 //                              word `sign` is set
+//
+// They are numbers of HN_ARITHMETIC. With every HN_ARITHMETIC there are those of HN_FIXED, in units of 2^-16:
+//
+//   hn_i_whole_quarter_sine(q), hn_i_whole_wave(angle, sign)
+
+// The first quarter of the wave is enough: the second is its mirror image, and the second half is the first, negated.
+// The quarter is in units of 2^-30 of itself.
+HN_FN hn_uint hn_i_in_quarter(hn_uint angle) {
+  hn_uint q = angle & 0x7FFFFFFFu;
+  return min(q, 0x80000000u - q);
+}
+
+// This is nearly the polynomial of the floats, in units of 2^-16. It is at most 1.
+HN_FN hn_int hn_i_whole_quarter_sine(hn_uint q) {
+  hn_uint x = min((q + 8192u) >> 14u, 65535u);
+  hn_uint t = (x * x) >> 16u;
+  hn_uint y = 102943u - ((t * (42328u - ((t * (5208u - ((t * 288u) >> 16u))) >> 16u))) >> 16u);
+  return int((x * (y >> 1u) + 16384u) >> 15u);
+}
+
+HN_FN hn_int hn_i_whole_wave(hn_uint angle, hn_uint sign) {
+  return hn_i_signed(hn_i_whole_quarter_sine(hn_i_in_quarter(angle)), angle ^ sign);
+}
 
 #if HN_ARITHMETIC != HN_FIXED
 
@@ -21,23 +44,14 @@ HN_FN hn_float hn_i_quarter_sine(hn_uint q) {
   return sine;
 }
 
+HN_FN hn_float hn_i_wave(hn_uint angle, hn_uint sign) {
+  return hn_i_signed(hn_i_quarter_sine(hn_i_in_quarter(angle)), angle ^ sign);
+}
+
 #else
 
-// This is nearly the polynomial of the floats, in units of 2^-16. It is at most 1.
-HN_FN hn_int hn_i_quarter_sine(hn_uint q) {
-  hn_uint x = min((q + 8192u) >> 14u, 65535u);
-  hn_uint t = (x * x) >> 16u;
-  hn_uint y = 102943u - ((t * (42328u - ((t * (5208u - ((t * 288u) >> 16u))) >> 16u))) >> 16u);
-  return int((x * (y >> 1u) + 16384u) >> 15u);
-}
+HN_FN hn_int hn_i_wave(hn_uint angle, hn_uint sign) { return hn_i_whole_wave(angle, sign); }
 
 #endif
-
-// The first quarter of the wave is enough: the second is its mirror image, and the second half is the first, negated.
-// The quarter is in units of 2^-30 of itself.
-HN_FN hn_num hn_i_wave(hn_uint angle, hn_uint sign) {
-  hn_uint q = angle & 0x7FFFFFFFu;
-  return hn_i_signed(hn_i_quarter_sine(min(q, 0x80000000u - q)), angle ^ sign);
-}
 
 #endif
