@@ -143,6 +143,21 @@ int main() {
 #endif
   print_digest("gradient3", [](const Point& p) { return hn_gradient(hn_ivec3(p.cx, p.cy, p.cz), p.seed).y; });
   print_digest("hash", [](const Point& p) { return hn_unorm(hn_hash(p.seed) ^ hn_lattice(hn_ivec2(p.cx, p.cy))); });
+  print_digest("pcg3d", [](const Point& p) { return hn_unorm(hn_hash_pcg3d(hn_uvec3(p.cx, p.cy, p.seed)).z); });
+  print_digest("normal", [](const Point& p) { return hn_normal(p.seed); });
+  print_digest("ball", [](const Point& p) {
+    const hn_vec3 point = hn_ball(p.seed);
+    return point.x + 2.0f * point.y + 3.0f * point.z;
+  });
+  print_digest("sobol", [](const Point& p) {
+    const hn_vec2 point = hn_sobol(hn_uint(p.cx), p.seed);
+    return point.x + 2.0f * point.y;
+  });
+  // Of numbers of any size: some points need more steps than others.
+  print_digest("shuffle", [](const Point& p) {
+    const hn_uint n = hn_uint(p.cy) >> (hn_uint(p.cz) & 31u);
+    return hn_unorm(hn_shuffle(hn_uint(p.cx), n, p.seed) << 8u) + hn_unorm(hn_shuffle(hn_uint(p.cx), 1000u, p.seed));
+  });
   print_digest("fbm2", [](const Point& p) { return hn_fbm(hn_vec2(p.x, p.y), 4, 2.0f, 0.5f, p.seed); });
   print_digest("fbm2_cell", [](const Point& p) {
     return hn_fbm(hn_place(hn_ivec2(p.cx, p.cy), hn_vec2(p.fx, p.fy)), 4, 2.0f, 0.5f, p.seed);

@@ -76,6 +76,12 @@ class Lanes(unittest.TestCase):
                     self.assertEqual(self.compiled(compiler, *setting, *LANES, flags=flags), "")
                     self.assertEqual(self.printed(), self.scalar(*setting))
 
+    def test_numbers_of_a_word_are_the_same_with_every_setting(self):
+        exact = ("pcg3d", "normal", "ball", "sobol", "shuffle")
+        found = [[line for line in self.scalar(*setting) if line.split()[0] in exact] for setting in SETTINGS[::2]]
+        self.assertEqual(len(found[0]), len(exact))
+        self.assertEqual(found[0], found[1])
+
     def test_a_lane_that_takes_the_value_of_another_is_noticed(self):
         faulty = self.digests(COMPILERS[0], *SETTINGS[0], *LANES, "FAULTY_LANE")
         self.assertEqual([line for line in self.scalar(*SETTINGS[0]) if line in faulty], [])

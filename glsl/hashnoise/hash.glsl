@@ -116,6 +116,87 @@ HN_FN hn_uint hn_hash_xxhash32(hn_uint k) {
   return h ^ (h >> 16u);
 }
 
+// Wellons' hash with the least bias that he found for two multiplications.
+//   k        any uint
+//   returns  any uint; a bijection
+//   cost     2 multiplications
+//   source   Wellons, hash-prospector, lowbias32
+HN_FN hn_uint hn_hash_lowbias32(hn_uint k) {
+  k ^= k >> 16u;
+  k *= 0x7FEB352Du;
+  k ^= k >> 15u;
+  k *= 0x846CA68Bu;
+  return k ^ (k >> 16u);
+}
+
+// Several words of as many, such as the pixel and the frame. They are no choices of HN_HASH, which takes one word.
+
+HN_FN hn_uint hn_i_congruential(hn_uint k) { return k * 1664525u + 1013904223u; }
+HN_FN hn_uint hn_i_folded(hn_uint k) { return k ^ (k >> 16u); }
+
+// PCG's step of each of two words, which are then mixed with each other.
+//   v        any uvec2
+//   returns  any uvec2; a bijection
+//   cost     6 multiplications
+//   source   Jarzynski and Olano 2020, pcg2d
+HN_FN hn_uvec2 hn_hash_pcg2d(hn_uvec2 v) {
+  hn_uint x = hn_i_congruential(v.x);
+  hn_uint y = hn_i_congruential(v.y);
+  x += y * 1664525u;
+  y += x * 1664525u;
+  x = hn_i_folded(x);
+  y = hn_i_folded(y);
+  x += y * 1664525u;
+  y += x * 1664525u;
+  return uvec2(hn_i_folded(x), hn_i_folded(y));
+}
+
+// The same of three words, which are mixed by products of two.
+//   v        any uvec3
+//   returns  any uvec3; a bijection
+//   cost     9 multiplications
+//   source   Jarzynski and Olano 2020, pcg3d
+HN_FN hn_uvec3 hn_hash_pcg3d(hn_uvec3 v) {
+  hn_uint x = hn_i_congruential(v.x);
+  hn_uint y = hn_i_congruential(v.y);
+  hn_uint z = hn_i_congruential(v.z);
+  x += y * z;
+  y += z * x;
+  z += x * y;
+  x = hn_i_folded(x);
+  y = hn_i_folded(y);
+  z = hn_i_folded(z);
+  x += y * z;
+  y += z * x;
+  z += x * y;
+  return uvec3(x, y, z);
+}
+
+// The same of four words.
+//   v        any uvec4
+//   returns  any uvec4; a bijection
+//   cost     12 multiplications
+//   source   Jarzynski and Olano 2020, pcg4d
+HN_FN hn_uvec4 hn_hash_pcg4d(hn_uvec4 v) {
+  hn_uint x = hn_i_congruential(v.x);
+  hn_uint y = hn_i_congruential(v.y);
+  hn_uint z = hn_i_congruential(v.z);
+  hn_uint w = hn_i_congruential(v.w);
+  x += y * w;
+  y += z * x;
+  z += x * y;
+  w += y * z;
+  x = hn_i_folded(x);
+  y = hn_i_folded(y);
+  z = hn_i_folded(z);
+  w = hn_i_folded(w);
+  x += y * w;
+  y += z * x;
+  z += x * y;
+  w += y * z;
+  return uvec4(x, y, z, w);
+}
+
 // ---------------------------------------------------------------------------------------------------------------------
 // The word of a lattice point.
 

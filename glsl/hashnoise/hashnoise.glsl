@@ -12,6 +12,7 @@
 #include "fbm.glsl"
 #include "fbm_d.glsl"
 #include "gradient.glsl"
+#include "numbers.glsl"
 #include "octaves.glsl"
 #include "position.glsl"
 #include "warp.glsl"

@@ -18,7 +18,8 @@ umbrella = load_script("umbrella")
 # What hashnoise.glsl includes first.
 NOISES = ["noise1d.glsl", "noise2d.glsl", "noise3d.glsl", "noise4d.glsl"]
 # And then.
-BUILT = ["curl.glsl", "fbm.glsl", "fbm_d.glsl", "gradient.glsl", "octaves.glsl", "position.glsl", "warp.glsl"]
+BUILT = ["curl.glsl", "fbm.glsl", "fbm_d.glsl", "gradient.glsl", "numbers.glsl", "octaves.glsl", "position.glsl",
+         "warp.glsl"]
 
 
 class Umbrella(unittest.TestCase):

@@ -22,6 +22,8 @@ OF_EVERY_HASH = ("hash", "gradient", "gradient_noise", "lattice_noise")
 # What the names of the inputs say that a function takes; n of them have an axis.
 FORMS = {
     "words": re.compile(r"(?:key|h):u32|(?:[xyzw]:u32 ?)+"),
+    # Words of which each has a meaning of its own.
+    "items": re.compile(r"h:u32 k:u32|i:u32 (?:n:u32 )?seed:u32"),
     "point": re.compile(r"(?:[xyzw]:i32 )+seed:u32"),
     "position": re.compile(r"(?:[xyzw]:f32 )+(?:p[xyzw]:i32 )*(?:phase:f32 )?(?:jitter:f32 )?(?:metric:i32 )?"
                            r"seed:u32"),
@@ -128,7 +130,7 @@ class Function:
 
     @property
     def types(self) -> tuple[str, ...]:
-        """The types of its arguments, without the seed and what it sets."""
+        """The types of its arguments, without the seed (but of items) and what it sets."""
         def vector(prefix: str, scalar: str) -> str:
             return f"{prefix}vec{self.axes}" if self.axes > 1 else scalar
 
@@ -136,7 +138,7 @@ class Function:
         phase = ("float",) * self.has_phase
         chosen = (*phase, *("float",) * self.has_jitter, *("int",) * self.has_metric)
         settings = tuple("int" if setting == "octaves" else "float" for setting in self.settings)
-        return {"words": (vector("u", "uint"),), "point": (vector("i", "int"),),
+        return {"words": (vector("u", "uint"),), "items": ("uint",) * len(self.inputs.split()), "point": (vector("i", "int"),),
                 "position": (where, *chosen), "cell": (where, *chosen), "place_of_noise": (where,),
                 "sum": (where, *settings),
                 "place": (vector("i", "int"), "int", "int")}[self.form]
@@ -145,7 +147,7 @@ class Function:
     def overloads(self) -> tuple[tuple[str, ...], ...]:
         """The types without a seed, and with one. At a place, and with what is chosen beside it, there is always a seed."""
         out = (f"out ivec{self.axes}", f"out vec{self.axes}") if self.sets else ()
-        if self.form in ("words", "place"):
+        if self.form in ("words", "items", "place"):
             return (self.types,)
         seeded = (*self.types, "uint", *out)
         always = (self.has_place or self.has_phase or self.has_jitter or "detail" in self.settings

@@ -38,6 +38,9 @@ class Tables(unittest.TestCase):
                                        ("noise3d.perlin_cell", "cell", 3, "gradient_noise"),
                                        ("noise4d.perlin_d_cell_period", "cell", 4, "octahedral_noise"),
                                        ("noise1d.perlin_period", "position", 1, "octahedral_noise"),
+                                       ("hash.pcg3d", "words", 3, "independent"),
+                                       ("numbers.rehash", "items", 1, "independent"),
+                                       ("numbers.shuffle", "items", 1, "independent"),
                                        ("position.cell3", "place", 3, "independent"),
                                        ("position.perlin2", "place_of_noise", 2, "further_gradient_noise"),
                                        ("noise3d.cellular_cell_full", "cell", 3, "further_cellular"),
@@ -57,6 +60,8 @@ class Tables(unittest.TestCase):
         self.assertEqual((cell.noise, cell.calls), ("perlin", "hn_perlin"))
         self.assertEqual(cell.overloads, (("place3", "uint"),))
         self.assertEqual((word.calls, word.overloads), ("hn_hash", (("uint",),)))
+        self.assertEqual(functions["numbers.shuffle"].overloads, (("uint", "uint", "uint"),))
+        self.assertEqual(functions["hash.pcg3d"].overloads, (("uvec3",),))
         self.assertEqual(functions["noise2d.perlin_cell_period"].overloads, (("place2", "uint"),))
         self.assertEqual(functions["noise4d.value_d"].overloads, (("vec4",), ("vec4", "uint")))
         self.assertEqual(functions["noise4d.value_d_value"].noise, "value_d")

@@ -10,8 +10,8 @@ A public function has its name in GLSL, and behind it:
   _nearest    as _full, if it also sets the nearest point
   _detail, _footprint    if it takes that
 
-So hn_perlin(hn_place2 place, uint seed) is hn_perlin2_place. Functions of a word that are not overloaded keep their
-names: hn_hash_pcg, hn_unorm, hn_gradient2. So hn_gradient of a cell is hn_gradient_lattice2. A struct that users know
+So hn_perlin(hn_place2 place, uint seed) is hn_perlin2_place. Functions of words that are not overloaded keep their
+names: hn_hash_pcg, hn_unorm, hn_gradient2, hn_shuffle; and so have all hashes by name, such as hn_hash_pcg2d. So hn_gradient of a cell is hn_gradient_lattice2. A struct that users know
 keeps its name, too. So what makes a hn_place2 is hn_place_of2 of a position, hn_place_of_cell2 of a cell and a fraction,
 hn_place_at_cell2 of a cell, and hn_place_of_units2.
 
@@ -25,8 +25,9 @@ import re
 
 from parsing.syntax import Function
 
-# A function of a word that is not overloaded.
-ONE_WORD = ("h", "k")
+# What a function of words that is not overloaded takes; and hashes by name.
+NOT_OVERLOADED = (("h",), ("k",), ("h", "k"), ("i", "n", "seed"), ("i", "seed"))
+OF_A_NAME = "hn_hash_"
 # What is called otherwise, since its name is that of another function or of a struct; by its first parameter.
 OTHERS = {("hn_gradient", "cell"): "hn_gradient_lattice", ("hn_place", "p"): "hn_place_of",
           ("hn_place", "cell"): "hn_place_of_cell", ("hn_place", "position"): "hn_place_of_units",
@@ -99,7 +100,7 @@ def _internal(function: Function) -> str:
 
 def _public(function: Function) -> str:
     takes = [parameter.at.text for parameter in function.parameters]
-    if tuple(takes) in ((word,) for word in ONE_WORD):
+    if tuple(takes) in NOT_OVERLOADED or function.name.startswith(OF_A_NAME):
         return function.name
     name = ALONE.get((function.name, *takes)) or OTHERS.get((function.name, takes[0]), function.name)
     parts = [f"{name}{components(function.types[0])}"]

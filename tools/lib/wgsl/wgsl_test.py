@@ -61,6 +61,8 @@ def name_by_row(function: Function) -> str:
         return f"hn_{noise}{function.file[5]}{place}{name.removeprefix(noise)}"
     if function.file == "gradient":
         return f"hn_gradient_lattice{function.axes}"
+    if function.calls.startswith("hn_hash_"):
+        return f"hn_hash_{name}"
     words = re.fullmatch(r"word|vec(\d)", name)
     if words:
         return f"hn_hash{words[1] or 1}"
