@@ -18,6 +18,7 @@ from tables.functions import FAMILIES, NOISES, OF_EVERY_HASH, Function, read_fun
 from tree import BOUNDS, CONFIGURATIONS, FUNCTIONS, GLSL, GOLDEN, ROOT, glsl_files
 
 KNOBS = "docs/knobs.md"
+RANDOM = "docs/random.md"  # of functions for which the README has one line
 ENTRIES = "tools/lib/{}/noises/{}.py"
 OF_A_NOISE = {"error", "cost"}  # in each comment; and in one of its comments
 OF_A_NOISE_ONCE = OF_A_NOISE | {"returns", "period", "source"}
@@ -66,12 +67,15 @@ def functions_without_a_row(tree: Tree) -> Iterator[str]:
     for declared in tree.declarations:
         if (declared.path, declared.name) in sums or STEPS.fullmatch(declared.name):
             continue
+        if (declared.name, declared.types) in rows:
+            continue
         if declared.name.startswith("hn_hash_") and declared.types == ("uint",):
             name = declared.name.removeprefix("hn_hash_")
             if name not in hashes:
                 yield (f"{declared.place}: {declared} is the hash of no configuration: add CONFIGURATION(\"{name}\", "
-                       f"{name.upper()}, ...) to {CONFIGURATIONS.relative_to(ROOT)}")
-        elif (declared.name, declared.types) not in rows:
+                       f"{name.upper()}, ...) to {CONFIGURATIONS.relative_to(ROOT)}, or a FUNCTION that calls it to "
+                       f"{FUNCTIONS.relative_to(ROOT)}")
+        else:
             yield (f"{declared.place}: {declared} has no row: give it an entry in catalog/ and run tools/catalog, or add "
                    f"a FUNCTION that calls it to {FUNCTIONS.relative_to(ROOT)}")
 
@@ -91,16 +95,17 @@ def rows_without_a_function(tree: Tree) -> Iterator[str]:
 
 
 def functions_without_words(tree: Tree) -> Iterator[str]:
-    """In the comments of the library, in the README, and in the contract."""
+    """In the comments of the library, in the README or a page that its table leaves them to, and in the contract."""
     functions = tree.text("README.md").partition("\n## Functions\n")[2].partition("\n- ")[0]
-    first_cells = [line.split(" | ")[0] for line in functions.split("\n") if line.startswith("|")]
+    first_cells = [line.split(" | ")[0] for line in f"{functions}\n{tree.text(RANDOM)}".split("\n")
+                   if line.startswith("|")]
     contract = tree.text("docs/contract.md")
     for declared in tree.declarations:
         if not declared.comment or "returns" not in declared.comment.headings:
             yield f"{declared.place}: {declared} has no comment that says what it returns: write one over it"
     for name in sorted({function.calls for function in tree.functions}):
         if not any(is_named(name, cell) for cell in first_cells):
-            yield f"README.md: no line for {name}: add one to the table of functions"
+            yield f"README.md: no line for {name}: add one to the table of functions, or to that of {RANDOM}"
         if not re.search(rf"`{name}\b", contract):
             yield f"docs/contract.md: no word of {name}(...): say what its value is"
 

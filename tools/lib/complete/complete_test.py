@@ -33,8 +33,8 @@ class Deletions(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.root = Path(folder.name)
         for path in (GLSL, ROOT / "include" / "hashnoise", ROOT / "README.md", ROOT / "docs" / "contract.md",
-                     ROOT / "docs" / "knobs.md", CATALOG, FUNCTIONS, FORMS, CONFIGURATIONS, BOUNDS,
-                     ROOT / "tools" / "lib" / "oracle" / "noises", ROOT / "tools" / "lib" / "bounds" / "noises"):
+                     ROOT / "docs" / "knobs.md", ROOT / "docs" / "random.md", CATALOG, FUNCTIONS, FORMS, CONFIGURATIONS,
+                     BOUNDS, ROOT / "tools" / "lib" / "oracle" / "noises", ROOT / "tools" / "lib" / "bounds" / "noises"):
             target = self.root / path.relative_to(ROOT)
             target.parent.mkdir(parents=True, exist_ok=True)
             (shutil.copytree if path.is_dir() else shutil.copy)(path, target)
@@ -119,6 +119,10 @@ class Deletions(unittest.TestCase):
     def test_the_readme(self) -> None:
         self.change("README.md", r"^\| `hn_perlin\b.*\n")
         self.noticed(r"^README\.md: no line for hn_perlin: add one to the table of functions")
+
+    def test_the_page_of_random_numbers(self) -> None:
+        self.change("docs/random.md", r"^\| `hn_shuffle\b.*\n")
+        self.noticed(r"^README\.md: no line for hn_shuffle: .* or to that of docs/random\.md$")
 
     def test_a_comment(self) -> None:
         self.change("glsl/hashnoise/*.glsl", r"^(//.*\n)+(HN_FN .*\bhn_snorm\()", "\\2")
@@ -205,6 +209,10 @@ class Deletions(unittest.TestCase):
     def test_a_hash_by_its_name(self) -> None:
         self.change(SETTINGS_FILE, r'^CONFIGURATION\("xxhash32".*\n')
         self.noticed(r"^glsl/hashnoise/\w+\.glsl:\d+: hn_hash_xxhash32\(uint\) is the hash of no configuration: add CONFIGURATION")
+
+    def test_a_hash_that_is_no_setting(self) -> None:
+        self.change(TABLE, r'^FUNCTION\("hash\.lowbias32"(.|\n)*?;\)\n')
+        self.noticed(r"^glsl/hashnoise/\w+\.glsl:\d+: hn_hash_lowbias32\(uint\) is the hash of no .*, or a FUNCTION that calls")
 
     def test_a_golden_file(self) -> None:
         self.golden.unlink()

@@ -18,7 +18,7 @@ from tables import glsl
 from tree import ROOT, TOOLS
 
 PAGES = ("README.md", "docs/build-systems.md", "docs/cellular.md", "docs/cpu.md", "docs/knobs.md", "docs/noises.md",
-         "docs/same-bits.md", "docs/sums.md")
+         "docs/random.md", "docs/same-bits.md", "docs/sums.md")
 BLOCK = re.compile(r"^```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 SINGLE_FILE = re.compile(r"^// here: what tools/single-file makes of (\w+\.glsl)$", re.MULTILINE)
 
@@ -41,8 +41,15 @@ def single_file(*arguments):
     return run(str(TOOLS / "single-file"), *arguments).stdout
 
 
+# What a part of a shader stands in.
+HEAD = "#version 330\n#extension GL_GOOGLE_include_directive : require\n"
+TAIL = "out vec4 color;\nvoid main() { color = vec4(1.0); }\n"
+
+
 def compile_glsl(code):
-    """By the command of the README, and with single files where they belong."""
+    """By the command of the README, and with single files where they belong. Functions without a main get one."""
+    if "#version" not in code:
+        code = HEAD + code + TAIL
     with tempfile.TemporaryDirectory() as folder:
         shader = pathlib.Path(folder) / "shader.frag"
         shader.write_text(SINGLE_FILE.sub(lambda place: single_file("--strip", place[1]), code))
@@ -173,7 +180,8 @@ class Code(unittest.TestCase):
 
     def test_functions_that_pages_name_exist(self):
         known = {function.name for function in glsl.declarations()}
-        for page in ["README.md", "docs/moving.md", "docs/sums.md", "docs/noises.md", "docs/cellular.md"]:
+        for page in ["README.md", "docs/moving.md", "docs/sums.md", "docs/noises.md", "docs/cellular.md",
+                     "docs/random.md"]:
             named = set(re.findall(r"\b(hn_\w+)\(", (ROOT / page).read_text()))
             self.assertGreater(len(named), 5, page)
             self.assertLessEqual(named, known, page)
