@@ -22,6 +22,19 @@ std::uint32_t random_word(Random& random) {
   return choice == 1 ? 1u << random.below(32) : random.word();
 }
 
+// How many items are shuffled, up to 2^31: few, a power of two or one beside it, and any number of bits.
+std::uint32_t random_count(Random& random) {
+  constexpr std::uint32_t kMost = 1u << 31;
+  switch (random.below(3)) {
+    case 0:
+      return random.below(8);
+    case 1:
+      return std::min((1u << random.below(32)) + random.below(3) - 1u, kMost);
+    default:
+      return 1u + (random.word() >> (1u + random.below(31)));
+  }
+}
+
 // Where a point lies. All coordinates of a point share it.
 enum class Region { near, negative, lattice, far, very_far, extreme, steep };
 // The last two only where they are asked for. A steep point is one of an octave sum at a position: a tiny one, which a
@@ -325,7 +338,7 @@ std::uint32_t random_input(const Column& column, const Function& function, Regio
                            Random& random) {
   switch (column.type) {
     case WordType::u32:
-      return random_word(random);
+      return column.name == "n" ? random_count(random) : random_word(random);
     case WordType::i32:
       return random_whole(column, function, region, extremes, random);
     case WordType::f32:
@@ -384,6 +397,15 @@ void go_to_seams(const Function& function, std::span<std::uint32_t> words, Rando
   }
 }
 
+// Every other item is one of those that are there, often the first or the last; the others count modulo their number.
+void go_to_items(const Function& function, std::span<std::uint32_t> words, Random& random) {
+  const std::uint32_t n = words[static_cast<std::size_t>(function.input("n"))];
+  std::uint32_t& item = words[static_cast<std::size_t>(function.input("i"))];
+  if (n == 0 || random.below(2) == 0) return;
+  const std::uint32_t end = random.below(8);
+  item = end == 0 ? n - 1u : end == 1 ? n : item % n;
+}
+
 // Where the noise in four dimensions, whose gradients have components of 0, is 2^-96 or -2^-96 with HN_PRECISE, and
 // where x is one float less, so that the noise is below and becomes 0. Random numbers do not find these; a bisection
 // along x did, with the default hash. unit.Twin holds that they are what they are here for.
@@ -424,6 +446,7 @@ std::vector<std::uint32_t> random_points(const Function& function, std::size_t c
     }
     if (region == Region::extreme || region == Region::steep) continue;
     const auto point = std::span(words).subspan(i * kInputWords, kInputWords);
+    if (function.takes_count()) go_to_items(function, point, random);
     if (function.takes_period()) go_to_seams(function, point, random);
     if (function.is_cellular()) go_to_middles(function, point, random);
   }

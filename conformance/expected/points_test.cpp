@@ -226,6 +226,27 @@ TEST(Points, PeriodsAreOfAllKindsAndPointsLieAtTheirSeams) {
   EXPECT_GT(at_seams, 300);
 }
 
+TEST(Points, ItemsAreOfAnyNumberAndAmongThemOrBeyond) {
+  const Function& function = find_function("numbers.shuffle");
+  const auto words = random_points(function, 10000, Random(1, "test"));
+  std::set<std::uint32_t> counts;
+  int last = 0, first_beyond = 0, among_many = 0, beyond = 0;
+  for (std::size_t point = 0; point < words.size(); point += kInputWords) {
+    const std::uint32_t i = words[point], n = words[point + 1];
+    ASSERT_LE(n, 1u << 31);
+    counts.insert(n);
+    if (n < 8) continue;
+    last += i == n - 1;
+    first_beyond += i == n;
+    among_many += i < n && n > 256;
+    beyond += i > n;
+  }
+  for (const std::uint32_t n : {0u, 1u, 2u, 3u, 1023u, 1024u, 1025u, (1u << 31) - 1, 1u << 31}) {
+    EXPECT_EQ(counts.count(n), 1u) << n;
+  }
+  for (const int count : {last, first_beyond, among_many, beyond}) EXPECT_GT(count, 200);
+}
+
 TEST(Points, FractionsReachBothEnds) {
   const auto words = random_points(find_function("noise2d.perlin_cell"), 10000, Random(1, "test"));
   bool zero = false, one = false;

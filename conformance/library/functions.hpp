@@ -53,6 +53,7 @@ struct Function {
   bool takes_strength() const { return input("strength") >= 0; }
   bool takes_amplitude() const { return input("amplitude") >= 0; }
   bool takes_footprint() const { return input("footprint") >= 0; }
+  bool takes_count() const { return input("n") >= 0; }        // of items
   bool takes_detail() const { return input("detail") >= 0; }  // a float of octaves
   // Whether an output is the cell of the nearest feature point, or a component of the vector to it.
   bool is_name(std::size_t output) const { return outputs[output].type == WordType::i32 && !exact(); }
