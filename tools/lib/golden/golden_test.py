@@ -447,6 +447,17 @@ class GoldenContents(unittest.TestCase):
         signs = {tuple((x > 0) - (x < 0) for x in gradients.gradient3(word)) for word in words}
         self.assertEqual(signs, {(x, y, z) for x, y, z in itertools.product((-1, 0, 1), repeat=3) if z and (x or y)})
 
+    def test_item_rows_reach_every_case(self) -> None:
+        rows = rows_with("numbers.shuffle")
+        counts = {n for _, n, _ in rows}
+        self.assertLessEqual({0, 1, 2, 3, 2**16 - 1, 2**16, 2**16 + 1, 2**31}, counts)
+        self.assertLessEqual(max(counts), 2**31)
+        for n in (3, 52, 2**31):
+            self.assertLessEqual({0, n - 1, n}, {i for i, other, _ in rows if other == n})
+        self.assertGreater(sum(n / 2 < i < n for i, n, _ in rows), 10)
+        self.assertGreater(sum(i > n for i, n, _ in rows), 10)
+        self.assertLessEqual(set(range(6)), {k for _, k in rows_with("numbers.rehash")})
+
     def test_perlin_rows_reach_every_case(self) -> None:
         for n in (2, 3):
             points = [row[:n] for row in rows_with(f"noise{n}d.perlin")]

@@ -31,6 +31,26 @@ def vec_rows(n: int, generator: Generator) -> list[Row]:
     return rows + [tuple(generator.word() for _ in range(n)) for _ in range(64 - len(rows))]
 
 
+WORD_EDGES = (0, 1, 2, 0xFF, 0xFFFF, INT_MAX, 0x80000000, 0xFFFFFFFF)
+# Numbers of items: none, few, powers of two and those beside them, and as many as there may be.
+COUNTS = (0, 1, 2, 3, 4, 5, 7, 8, 9, 31, 32, 33, 52, 1000, 2**16 - 1, 2**16, 2**16 + 1, 2**30 + 1, 2**31 - 1, 2**31)
+
+
+def item_rows(inputs: str, generator: Generator) -> list[Row]:
+    """128 rows of words of which each has a meaning of its own; of items the first, the last, and those beyond them."""
+    names = [column.split(":")[0] for column in inputs.split()]
+    if "n" in names:
+        rows = [(i, n, 0) for n in COUNTS for i in dict.fromkeys((0, max(n - 1, 0), n))]
+        while len(rows) < 128:
+            n = generator.pick(COUNTS) or generator.integer(1, 2**generator.integer(1, 31))
+            rows.append((generator.pick((generator.word(), generator.integer(0, max(n - 1, 0)))), n, generator.seed()))
+        return rows
+    second = range(6) if "k" in names else SEEDS
+    rows = [(word, other) for word in WORD_EDGES for other in second]
+    rows += [(1 << i, generator.seed()) for i in range(32)]
+    return rows + [(generator.word(), generator.seed()) for _ in range(128 - len(rows))]
+
+
 def lattice_rows(n: int, generator: Generator) -> list[Row]:
     """64 lattice points of n coordinates, with seeds."""
     edges = (0, 1, -1, INT_MAX, INT_MIN)
@@ -204,6 +224,8 @@ def rows_of(function: Function, fixed: bool, settings: Sequence[Configuration],
         if function.name.startswith("gradient"):
             return gradient_rows(generator), []
         return word_rows(generator) if n == 1 else vec_rows(n, generator), []
+    if form == "items":
+        return item_rows(function.inputs, generator), []
     if form == "point":
         if function.family == "hash":
             return lattice_rows(n, generator), []
