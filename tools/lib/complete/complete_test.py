@@ -121,8 +121,8 @@ class Deletions(unittest.TestCase):
         self.noticed(r"^README\.md: no line for hn_perlin: add one to the table of functions")
 
     def test_the_page_of_random_numbers(self) -> None:
-        self.change("docs/random.md", r"^\| `hn_shuffle\b.*\n")
-        self.noticed(r"^README\.md: no line for hn_shuffle: .* or to that of docs/random\.md$")
+        self.change("docs/random.md", r"^\| `hn_normal\b.*\n")
+        self.noticed(r"^README\.md: no line for hn_normal: .* or to that of docs/random\.md$")
 
     def test_a_comment(self) -> None:
         self.change("glsl/hashnoise/*.glsl", r"^(//.*\n)+(HN_FN .*\bhn_snorm\()", "\\2")
