@@ -30,9 +30,10 @@ from twin import compile_program
 
 POINTS = 200
 SKIPPED = 77
-# What has the most of what is written in different ways: vectors that are returned or set, structs, loops. Each
-# arithmetic has two of them.
-SPECIAL = ("hn_next2", "hn_fbm2", "hn_cellular2_nearest", "hn_cell_border2_nearest", "hn_tile2", "hn_fbm_d2")
+# What has the most of what is written in different ways: vectors that are returned or set, structs, loops, of which one
+# ends when it may. Each arithmetic has two of them or three.
+SPECIAL = ("hn_next2", "hn_fbm2", "hn_cellular2_nearest", "hn_cell_border2_nearest", "hn_tile2", "hn_fbm_d2",
+           "hn_shuffle")
 
 TOGETHER = ("hn_perlin2", "hn_value3_place", "hn_tile3")  # in one text
 
