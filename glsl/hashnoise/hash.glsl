@@ -129,7 +129,8 @@ HN_FN hn_uint hn_hash_lowbias32(hn_uint k) {
   return k ^ (k >> 16u);
 }
 
-// Several words of as many, such as the pixel and the frame. They are no choices of HN_HASH, which takes one word.
+// Hashes of several words, which return as many: of a pixel and a frame, for example. They are no choices of HN_HASH,
+// which is of one word.
 
 HN_FN hn_uint hn_i_congruential(hn_uint k) { return k * 1664525u + 1013904223u; }
 HN_FN hn_uint hn_i_folded(hn_uint k) { return k ^ (k >> 16u); }

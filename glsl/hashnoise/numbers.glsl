@@ -1,9 +1,9 @@
 // hashnoise: random numbers, directions and points of a word, a shuffled order, and points that fill a square evenly.
 // SPDX-License-Identifier: MIT
 //
-// The word says for what the number is: hn_lattice(cell, seed) is one for each cell, hn_lattice(ivec2(pixel), frame) for
-// each pixel of a frame, and hn_lattice(int(i), seed) for each item. Where one thing needs several numbers that have
-// nothing to do with each other, each takes a word of its own:
+// The word says for what the number is: hn_lattice(cell, seed) is one for each cell, hn_lattice(pixel, frame) for each
+// pixel of a frame, and hn_lattice(int(i), seed) for each item. Where one thing needs several numbers that have nothing
+// to do with each other, each takes a word of its own:
 //
 //   uint h = hn_lattice(cell, seed);
 //   vec2 place = hn_unorm_two(h);
@@ -70,8 +70,8 @@ HN_FN hn_uint hn_i_sum_of_bytes(hn_uint bytes) { return (bytes * 0x01010101u) >>
 
 // A normally distributed number: a height, a size, or how far a shot misses.
 //   h        any uint
-//   returns  an odd multiple of 2^-13 in [-67581/8192, 67581/8192], with mean 0 and deviation 1. It is the sum of 63 coins
-//            and of three uniform numbers, which is nearly normally distributed
+//   returns  an odd multiple of 2^-13 in [-67581/8192, 67581/8192], with mean 0 and deviation 1. It is the sum of 63
+//            coins and of three uniform numbers, which is nearly normally distributed
 //   error    none
 //   cost     5 multiplications, and 1 of floats
 //   source   docs/contract.md, section 18
@@ -160,14 +160,14 @@ HN_FN hn_uint hn_i_shuffle_round(hn_uint x, hn_uint shift, hn_uint key, hn_uint 
   return ((x ^ (x >> shift)) * (a | 1u) + (a >> 16u)) & most;
 }
 
-// Where an item goes in a shuffled order of n items, without a table: of 0 to n - 1 each goes elsewhere than the others.
+// Where an item goes in a shuffled order of n items, without a table: from 0 to n - 1 no two go to the same place.
 //   i        the item, or the place in the deck: any uint; from n on it counts modulo n
 //   n        how many there are: 1 to 2^31 (0 counts as 1)
 //   seed     any uint: 7u, not 7; each has an order of its own
 //   returns  0 to n - 1
 //   error    none
-//   cost     1 division of integers, 4 multiplications, and 30 to 60 more: 30 a step, of which an item takes less than 2
-//            on the average, where n is a power of two 1. 2 less for a seed that is constant
+//   cost     1 division of integers, 4 multiplications, and 30 for each step. An item takes less than 2 steps on the
+//            average, and where n is a power of two always 1. 2 multiplications less for a seed that is constant
 //   source   docs/contract.md, section 18
 HN_FN hn_uint hn_shuffle(hn_uint i, hn_uint n, hn_uint seed) {
   hn_uint size = max(n, 1u);
@@ -228,8 +228,8 @@ HN_FN hn_uint hn_i_pascal(hn_uint i) {
 // falls faster than that of random ones. Each seed has a sequence of its own: take one for each pixel.
 //   i        which point: any uint, from 0 on
 //   seed     any uint: 7u, not 7
-//   returns  a point in [0, 1)^2, multiples of 2^-24. Of 2^(a + b) points, from a multiple of that on, one is in each of
-//            the 2^a by 2^b equal boxes of the square, for a + b up to 24
+//   returns  a point in [0, 1)^2, multiples of 2^-24. Of 2^(a + b) points, from a multiple of that on, one is in each
+//            of the 2^a by 2^b equal boxes of the square, for a + b up to 24
 //   error    none
 //   cost     14 multiplications, and 2 of floats. 6 less for a seed that is constant
 //   source   Sobol; Owen 1995; Laine and Karras 2011; Vegdahl's constants; docs/contract.md, section 18

@@ -13,15 +13,16 @@
 //   hn_i_sizes(x)         the absolute values of three numbers, as ranks
 //   hn_i_squares(x, ...)  the squares of three lengths
 //   hn_i_squared(x, ...)  the square of the length of an offset
-//   hn_i_root(q)          the square root of a square. In HN_FIXED it is in units of 2^-18, rounded down. That of a word
-//                         is there with every HN_ARITHMETIC
+//   hn_i_root(q)          the square root of a square. In HN_FIXED it is in units of 2^-18, rounded down. That of a
+//                         word is there with every HN_ARITHMETIC
 //   hn_i_over_root(n, q)  n divided by the square root of q, which is not 0. n is the difference of two squares. In
 //                         HN_FIXED the square is in units of 2^-26, and the quotient in units of 2^-15, rounded down
 //   hn_i_unit(x, ...)     an offset divided by its length; 0 if the length is 0. Its components are floats, and in
 //                         HN_FIXED multiples of 2^-21
 
-// Of a word, with every HN_ARITHMETIC. The root of 2^8 q is guessed in floats. The guess is less than 1 off, even if a driver's sqrt is 6 units in the last
-// place off. So the integers around it decide. What is left of 2^8 q is small: 32 bits are enough to tell its sign.
+// Of a word, with every HN_ARITHMETIC. The root of 2^8 q is guessed in floats. The guess is less than 1 off, even if a
+// driver's sqrt is 6 units in the last place off. So the integers around it decide. What is left of 2^8 q is small: 32
+// bits are enough to tell its sign.
 HN_FN hn_uint hn_i_root(hn_uint q) {
   hn_uint v = uint(sqrt(hn_i_float(q)) * 16.0f);
   v = hn_i_select(int((q << 8u) - v * v) < 0, v - 1u, v);

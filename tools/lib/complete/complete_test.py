@@ -34,7 +34,8 @@ class Deletions(unittest.TestCase):
         self.root = Path(folder.name)
         for path in (GLSL, ROOT / "include" / "hashnoise", ROOT / "README.md", ROOT / "docs" / "contract.md",
                      ROOT / "docs" / "knobs.md", ROOT / "docs" / "random.md", CATALOG, FUNCTIONS, FORMS, CONFIGURATIONS,
-                     BOUNDS, ROOT / "tools" / "lib" / "oracle" / "noises", ROOT / "tools" / "lib" / "bounds" / "noises"):
+                     BOUNDS, ROOT / "tools" / "lib" / "oracle" / "noises",
+                     ROOT / "tools" / "lib" / "bounds" / "noises"):
             target = self.root / path.relative_to(ROOT)
             target.parent.mkdir(parents=True, exist_ok=True)
             (shutil.copytree if path.is_dir() else shutil.copy)(path, target)

@@ -549,8 +549,8 @@ def _derived(key: tuple[object, ...], carried: dict[tuple[object, ...], Variable
 
 
 def _behind(condition: Node, body: Sequence[Statement], new: dict[Node, Node]) -> Node:
-    """The condition of a loop that asks behind its body, of the variables that the body has set. Where the body computes
-    the same of what they were before, it is of copies, so that it is not the same node."""
+    """The condition of a loop that asks behind its body, of the variables that the body has set. Where the body
+    computes the same of what they were before, it is of copies, so that it is not the same node."""
     shown = _replaced(condition, dict(new))
     made = {node for node in reachable([shown]) if isinstance(node, Operation)}
     if made & values_of(body) == set():

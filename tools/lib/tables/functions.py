@@ -138,9 +138,9 @@ class Function:
         phase = ("float",) * self.has_phase
         chosen = (*phase, *("float",) * self.has_jitter, *("int",) * self.has_metric)
         settings = tuple("int" if setting == "octaves" else "float" for setting in self.settings)
-        return {"words": (vector("u", "uint"),), "items": ("uint",) * len(self.inputs.split()), "point": (vector("i", "int"),),
-                "position": (where, *chosen), "cell": (where, *chosen), "place_of_noise": (where,),
-                "sum": (where, *settings),
+        return {"words": (vector("u", "uint"),), "items": ("uint",) * len(self.inputs.split()),
+                "point": (vector("i", "int"),), "position": (where, *chosen), "cell": (where, *chosen),
+                "place_of_noise": (where,), "sum": (where, *settings),
                 "place": (vector("i", "int"), "int", "int")}[self.form]
 
     @property
