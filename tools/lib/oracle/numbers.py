@@ -115,8 +115,6 @@ def shuffle_step(x: int, m: int, seed: int) -> int:
 
 def shuffle(i: int, n: int, seed: int) -> int:
     """hn_shuffle."""
-    if not 0 <= n <= 2**31:
-        raise ValueError(f"hn_shuffle has no value for n = {n}, which is beyond 2^31")
     if n <= 1:
         return 0
     m = 2**(n - 1).bit_length() - 1

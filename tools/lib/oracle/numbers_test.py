@@ -331,8 +331,8 @@ class Shuffles(unittest.TestCase):
                 self.assertEqual(numbers.shuffle(i, n, seed), numbers.shuffle(i % n, n, seed))
         for i, n in itertools.product((0, 1, 7, words.MASK), (0, 1)):
             self.assertEqual(numbers.shuffle(i, n, 5), 0)
-        with self.assertRaisesRegex(ValueError, "beyond 2\\^31"):
-            numbers.shuffle(0, 2**31 + 1, 0)
+        for n in (2**31 + 1, words.MASK):
+            self.assertLess(numbers.shuffle(7, n, 5), n)
 
     def unevenness_of_permutations(self, n: int) -> float:
         cells = equal_chances(itertools.permutations(range(n)))
