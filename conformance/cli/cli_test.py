@@ -124,7 +124,7 @@ class Cli(unittest.TestCase):
         done = self.call("list", "--thorough", "--filter", "noise2d.perlin.lattice.fast.fragment.*.golden")
         self.assertEqual(done.returncode, 0)
         found = done.stdout.splitlines()
-        self.assertGreater(len(found), 3)
+        self.assertGreater(len(found), 1)
         for case in found:
             self.assertRegex(case, r"^noise2d\.perlin\.lattice\.fast\.fragment\..*\.golden$")
 
