@@ -11,7 +11,7 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
-from compile_times import command
+from compile_times import command, texts
 from compile_times.texts import SUBJECTS, WAYS, fragment, shaders
 
 
@@ -46,10 +46,11 @@ class CompileTimes(unittest.TestCase):
 
     def test_a_record_of_a_compiler(self):
         out = self.folder / "compile.csv"
-        self.assertEqual(self.main("--compiler", "glslang", "--rounds", "1", "--out", str(out))[0], 0)
+        with mock.patch.object(texts, "SUBJECTS", SUBJECTS[:1]):
+            self.assertEqual(self.main("--compiler", "glslang", "--rounds", "1", "--out", str(out))[0], 0)
         with mock.patch.object(command, "RECORD", out):
             rows = command.record()
-        self.assertEqual(len(rows), len(SUBJECTS) * len(WAYS))
+        self.assertEqual([row["way"] for row in rows], list(WAYS))
         sizes = {row["way"]: int(row["bytes"]) for row in rows if row["function"] == "hn_perlin2"}
         self.assertGreater(sizes["whole"], 3 * sizes["part"])
         self.assertGreater(sizes["part"], 10 * sizes["pick"])

@@ -3,6 +3,7 @@ as tools/pick prints it."""
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Iterator
 from typing import NamedTuple
 
@@ -24,9 +25,15 @@ SUBJECTS = (Subject("hn_perlin2", "perlin2d.glsl", "hn_perlin(p, 7u)", 2),
 WAYS = {"whole": "the whole library", "part": "the files that it needs", "pick": "tools/pick"}
 
 
+@functools.cache
+def whole() -> str:
+    return text(["hashnoise.glsl"], strip=True)
+
+
+@functools.cache
 def texts(subject: Subject) -> dict[str, str]:
     """By way."""
-    return {"whole": text(["hashnoise.glsl"], strip=True), "part": text([subject.file], strip=True),
+    return {"whole": whole(), "part": text([subject.file], strip=True),
             "pick": picked([subject.picked], Choice("glsl-es"))}
 
 

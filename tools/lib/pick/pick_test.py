@@ -336,7 +336,7 @@ class Command(unittest.TestCase):
         self.assertEqual((folder / "README.md").read_text(), pages.index())
         self.assertEqual({path.stem for path in folder.glob("hn_*")}, set(pages.FUNCTIONS))
         picked = command.for_pages(GLSL)
-        for name in pages.FUNCTIONS if THOROUGH else ("hn_value2",):
+        for name in pages.FUNCTIONS if THOROUGH else ("hn_random2",):
             self.assertEqual((folder / f"{name}.md").read_text(), pages.page(name, picked),
                              f"run tools/pick --pages docs/snippets for {name}")
 
