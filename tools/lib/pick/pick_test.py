@@ -323,13 +323,10 @@ class Command(unittest.TestCase):
         self.assertEqual(self.call(*again.split())[1], shown)
         self.assertEqual(code(shown), text("hn_value2", arithmetic="fixed", language="glsl-es"))
 
-    def test_the_page_shows_what_it_writes(self) -> None:
+    def test_the_page_says_how_many_functions_there_are(self) -> None:
+        """What it shows of them is made by tools/readme."""
         page = (ROOT / "docs" / "languages.md").read_text()
-        self.assertIn(f"```glsl\n{self.call('hn_value2')[1]}```\n", page)
         self.assertIn(f"# {len(public(module('fast')))} functions\n", page)
-        for language in ("wgsl", *command.SYNTAXES):
-            shown = self.call("hn_lattice2", "--language", language)[1]
-            self.assertIn(f"```{language}\n{shown}```\n", page)
 
     def test_the_pages_of_snippets_are_what_it_writes(self) -> None:
         folder = ROOT / "docs" / "snippets"
@@ -350,7 +347,7 @@ class Command(unittest.TestCase):
 
     def test_the_text_is_the_same_in_another_process(self) -> None:
         """Python's sets have another order there, and other functions may have been evaluated before."""
-        names = ("hn_fbm2", "hn_cell_border2_full")
+        names = ("hn_fbm2", "hn_cellular2")
         shown = subprocess.run([TOOLS / "pick", *names, "--arithmetic", "fixed"], capture_output=True, text=True,
                                check=True).stdout
         self.assertEqual(code(shown), text(*names, arithmetic="fixed"))
