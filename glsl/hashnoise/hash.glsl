@@ -116,7 +116,7 @@ HN_FN hn_uint hn_hash_xxhash32(hn_uint k) {
   return h ^ (h >> 16u);
 }
 
-// Wellons' hash with the least bias that he found for two multiplications.
+// Wellons' hash with little bias, of two multiplications.
 //   k        any uint
 //   returns  any uint; a bijection
 //   cost     2 multiplications

@@ -162,7 +162,7 @@ HN_FN hn_uint hn_i_shuffle_round(hn_uint x, hn_uint shift, hn_uint key, hn_uint 
 
 // Where an item goes in a shuffled order of n items, without a table: from 0 to n - 1 no two go to the same place.
 //   i        the item, or the place in the deck: any uint; from n on it counts modulo n
-//   n        how many there are: 1 to 2^31 (0 counts as 1)
+//   n        how many there are: any uint; 0 counts as 1
 //   seed     any uint: 7u, not 7; each has an order of its own
 //   returns  0 to n - 1
 //   error    none

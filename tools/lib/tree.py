@@ -2,6 +2,7 @@
 
 import posixpath
 import re
+import shutil
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -10,6 +11,7 @@ GLSL = ROOT / "glsl" / "hashnoise"
 FUNCTIONS = ROOT / "conformance" / "library" / "functions.inc"
 CONFIGURATIONS = ROOT / "conformance" / "library" / "configurations.inc"
 BOUNDS = ROOT / "conformance" / "expected" / "bounds.inc"
+HN_CONFORM = ROOT / "build" / "conformance" / "hn-conform"  # where tools/bench builds it
 VECTORS = ROOT / "vectors"
 GOLDEN = ROOT / "conformance" / "expected" / "golden"
 
@@ -22,6 +24,11 @@ def glsl_files(library: Path = GLSL) -> dict[str, Path]:
 def included_from(name: str, include: str) -> str:
     """The name of what a file of the library includes, as it is written there."""
     return posixpath.normpath(posixpath.join(posixpath.dirname(name), include))
+
+
+def hn_conform() -> str:
+    """The program of the suite: that on the PATH, or the one built here; empty if there is none."""
+    return shutil.which("hn-conform") or shutil.which(str(HN_CONFORM)) or ""
 
 
 def version() -> str:

@@ -19,7 +19,7 @@ from tempfile import TemporaryDirectory
 
 from compile_times.texts import SUBJECTS, WAYS, Subject, fragment, shaders
 from tables.markdown import table
-from tree import ROOT
+from tree import HN_CONFORM, ROOT
 
 DESCRIPTION = """\
 Times how long shaders take to compile: a function with the whole library before it, with the files that it needs, or
@@ -144,7 +144,7 @@ def by_angle(program: str, folder: Path, rounds: int) -> Times:
 
 COMPILERS: dict[str, tuple[tuple[str, ...], Callable[[str, Path, int], Times]]] = {
     "glslang": (("glslangValidator",), by_glslang),
-    "mesa": (("hn-conform", str(ROOT / "build" / "conformance" / "hn-conform")), by_mesa),
+    "mesa": (("hn-conform", str(HN_CONFORM)), by_mesa),
     "angle": (("chromium", "google-chrome"), by_angle),
 }
 

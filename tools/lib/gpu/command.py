@@ -20,7 +20,6 @@ from __future__ import annotations
 
 import argparse
 import os
-import shutil
 import subprocess
 import sys
 import tempfile
@@ -35,7 +34,7 @@ from gpu.chips import CHIPS, Chip
 from gpu.compiling import Compiled, Device, compile_all
 from gpu.drivers import Drivers, Missing
 from tables.peers import PEERS, against
-from tree import ROOT
+from tree import ROOT, hn_conform
 
 ARITHMETICS = ("*.lattice", "*.lattice+precise", "*.lattice+fixed", "*.any")
 DRIVERS = ROOT / "build" / "gpu-drivers"
@@ -68,8 +67,7 @@ class Progress:
 
 
 def program() -> str:
-    built = ROOT / "build" / "conformance" / "hn-conform"
-    found = shutil.which("hn-conform") or (str(built) if built.exists() else "")
+    found = hn_conform()
     if not found:
         raise BadUsage("there is no hn-conform: build it by tools/bench, or put it on the PATH")
     return found

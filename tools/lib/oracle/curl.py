@@ -10,7 +10,7 @@ from typing import TypeVar
 from oracle.integers import SLOPE_UNIT, signed
 from oracle.lattice import Lattice
 from oracle.noises import Noise, simplex_d
-from oracle.words import MASK, mix
+from oracle.words import MASK, SEED_STEP, mix
 
 Number = TypeVar("Number", int, Fraction)
 
@@ -21,7 +21,7 @@ COARSER = 8  # in space a component with HN_FIXED is in units of 2^-16
 
 def second(lattice: Lattice) -> Lattice:
     """That of the second noise in space."""
-    return replace(lattice, seed=mix((lattice.seed + 0x9E3779B9) & MASK))
+    return replace(lattice, seed=mix((lattice.seed + SEED_STEP) & MASK))
 
 
 def in_the_plane(gradient: Sequence[Number]) -> tuple[Number, Number]:

@@ -16,8 +16,8 @@ from oracle import sums
 from oracle.gradients import Knobs, Real
 from oracle.integers import NOISE_UNIT, SLOPE_UNIT, word
 from oracle.noises import Noise
-from oracle.sums import FixedPlace, Options, Place, SEED_STEP, Terms, clamped, fixed_at, turn
-from oracle.words import MASK, mix, signed as wrapped
+from oracle.sums import FixedPlace, Options, Place, Terms, clamped, fixed_at, turn
+from oracle.words import MASK, SEED_STEP, mix, signed as wrapped
 
 LARGEST_STRENGTH, LARGEST_AMPLITUDE = 16, 64
 LARGEST_SUM = 8  # of the slopes that an eroded sum looks at

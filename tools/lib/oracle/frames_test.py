@@ -16,7 +16,7 @@ from oracle.gradients import Knobs, Real
 from oracle.integers import NOISE_UNIT, signed
 from oracle.noises import Noise
 from oracle.sums import Options, in_cell
-from oracle.words import MASK, mix
+from oracle.words import MASK, SEED_STEP, mix
 
 LATTICE = Knobs("lattice")
 ONE = 2**18
@@ -219,7 +219,7 @@ class Derivatives(unittest.TestCase):
     def test_two_octaves_by_hand(self) -> None:
         # Slopes of (1/4, 1/2) and then of (-1, 1/8), each with a gain times a lacunarity of 3/2: turned back they are
         # (-25 + 20/8, 25/8 + 20) / 32 times 3/2, and the weights are 3/2.
-        octaves = {0: (0, 2**17, 2**18), sums.SEED_STEP: (0, -2**19, 2**16)}
+        octaves = {0: (0, 2**17, 2**18), SEED_STEP: (0, -2**19, 2**16)}
         noise = Noise("by hand", lambda lattice, *_: tuple(Fraction(x, 2**19) for x in octaves[lattice.seed]),
                       lambda lattice, *_: octaves[lattice.seed])
         found = frames.exact("fbm_d", noise, LATTICE, in_cell((0, 0), (0, 0)), Options(2, 3.0, 0.5))
@@ -277,7 +277,7 @@ class Eroded(unittest.TestCase):
 
     def eroded(self, n: int, slopes: Sequence[Sequence[Real]], strength: Real, periods: Sequence[int] = ()) -> tuple:
         """Of octaves that are all 1, and have these slopes."""
-        seeds = [i * sums.SEED_STEP & MASK for i in range(len(slopes))]
+        seeds = [i * SEED_STEP & MASK for i in range(len(slopes))]
         of_seed = dict(zip(seeds, slopes, strict=True))
         noise = Noise("by hand", lambda lattice, *_: (Fraction(1), *map(Fraction, of_seed[lattice.seed])),
                       lambda lattice, *_: (2**21, *(int(x * 2**19) for x in of_seed[lattice.seed])))

@@ -11,16 +11,15 @@ from oracle import integers
 from oracle.feature_points import fixed_root
 from oracle.gradients import unorm
 from oracle.integers import signed
-from oracle.words import MASK, mix
+from oracle.words import MASK, SEED_STEP, mix
 
-STEP = 0x9E3779B9  # between the words that are mixed
 POINT_UNIT = 2**16  # of directions and points
 NORMAL_UNIT = 2**13
 
 
 def rehash(h: int, k: int) -> int:
     """hn_rehash: r_k, a further word of h."""
-    return mix(h + k * STEP & MASK)
+    return mix(h + k * SEED_STEP & MASK)
 
 
 # --- Numbers -----------------------------------------------------------------------------------------------------

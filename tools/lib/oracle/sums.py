@@ -12,10 +12,9 @@ from oracle.gradients import Knobs, Real
 from oracle.integers import NOISE_UNIT, clamp_to_int, signed, word
 from oracle.lattice import Lattice
 from oracle.noises import Noise
-from oracle.words import MASK, signed as wrapped
+from oracle.words import MASK, SEED_STEP, signed as wrapped
 
 SHIFT = (Fraction(11, 32), Fraction(19, 32), Fraction(23, 32), Fraction(27, 32))
-SEED_STEP = 0x9E3779B9
 # In 32nds the cosines and the sines of the turns: in the plane of x and y, then in that of y and z, then of z and w.
 TURNS = ((25, 20), (29, 13), (25, 20))
 

@@ -108,6 +108,10 @@ def mix(k: int) -> int:
     return k ^ k >> 15
 
 
+# Between the words of a series that are mixed, such as the seeds of octaves: 2^32 over the golden ratio.
+SEED_STEP = 0x9E3779B9
+
+
 def chain(name: str, words: Sequence[int]) -> int:
     """The paper's chain of one to four words under the word hash `name`."""
     k = 0

@@ -14,6 +14,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from oracle import words
+
 BATCH = 1 << 20  # lags at a time
 TURN = 1 << 32   # coordinates are modulo this
 
@@ -21,9 +23,9 @@ TURN = 1 << 32   # coordinates are modulo this
 @dataclass(frozen=True)
 class Joins:
     """The constants of section 3, by axis."""
-    primes: tuple[int, ...] = (0x9E3779B1, 0x85EBCA77, 0xC2B2AE3D, 0x27D4EB2F)
-    shifts: tuple[int, ...] = (12, 11, 10, 9)  # of the first join
-    factors: tuple[int, ...] = (1, 0xE6133E, 0x913FDC, 0x85AAB8)  # of the second
+    primes: tuple[int, ...] = words.PRIMES[:4]
+    shifts: tuple[int, ...] = words.SHIFTS  # of the first join
+    factors: tuple[int, ...] = (1, *words.FACTORS)  # of the second
     sum_bits: int = 23  # that the second join takes
 
 
