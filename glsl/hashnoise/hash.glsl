@@ -334,6 +334,13 @@ HN_FN hn_uint hn_i_point(hn_uint cell, hn_uint seed) { return hn_i_seeded_word(h
 HN_FN hn_uint hn_i_point(hn_uvec3 cell, hn_uint seed) { return hn_i_seeded_word(hn_i_spread(cell), hn_i_mix(seed)); }
 HN_FN hn_uint hn_i_point(hn_uvec4 cell, hn_uint seed) { return hn_i_seeded_word(hn_i_spread(cell), hn_i_mix(seed)); }
 
+// hn_lattice of spread coordinates and the mixed seed s.
+HN_FN hn_uint hn_i_lattice(hn_uvec2 c, hn_uint s) { return hn_i_mix(hn_i_seeded_word(c, s) + (hn_i_sum(c) + s)); }
+// The same in 1, 3 and 4 dimensions: tools/umbrella makes it.
+HN_FN hn_uint hn_i_lattice(hn_uint c, hn_uint s) { return hn_i_mix(hn_i_seeded_word(c, s) + (hn_i_sum(c) + s)); }
+HN_FN hn_uint hn_i_lattice(hn_uvec3 c, hn_uint s) { return hn_i_mix(hn_i_seeded_word(c, s) + (hn_i_sum(c) + s)); }
+HN_FN hn_uint hn_i_lattice(hn_uvec4 c, hn_uint s) { return hn_i_mix(hn_i_seeded_word(c, s) + (hn_i_sum(c) + s)); }
+
 // Lattice hashing: a well mixed hash of a point of the integer lattice, with any HN_HASH. It is made of the word from
 // which noise starts, and of the sum: where the first join is 0, at one point in two million, the word is 0, too. Use
 // the hash to scatter things.
@@ -344,25 +351,17 @@ HN_FN hn_uint hn_i_point(hn_uvec4 cell, hn_uint seed) { return hn_i_seeded_word(
 //   cost     1 hash (none with HN_HASH_LATTICE); 1 multiplication per axis and 3 more; 2 more for a seed that is not
 //            constant
 HN_FN hn_uint hn_lattice(hn_ivec2 cell, hn_uint seed) {
-  hn_uvec2 c = hn_i_spread(uvec2(cell));
-  hn_uint s = hn_i_mix(seed);
-  return hn_i_mix(hn_i_seeded_word(c, s) + (hn_i_sum(c) + s));
+  return hn_i_lattice(hn_i_spread(uvec2(cell)), hn_i_mix(seed));
 }
 // The same in 1, 3 and 4 dimensions: tools/umbrella makes it.
 HN_FN hn_uint hn_lattice(hn_int cell, hn_uint seed) {
-  hn_uint c = hn_i_spread(uint(cell));
-  hn_uint s = hn_i_mix(seed);
-  return hn_i_mix(hn_i_seeded_word(c, s) + (hn_i_sum(c) + s));
+  return hn_i_lattice(hn_i_spread(uint(cell)), hn_i_mix(seed));
 }
 HN_FN hn_uint hn_lattice(hn_ivec3 cell, hn_uint seed) {
-  hn_uvec3 c = hn_i_spread(uvec3(cell));
-  hn_uint s = hn_i_mix(seed);
-  return hn_i_mix(hn_i_seeded_word(c, s) + (hn_i_sum(c) + s));
+  return hn_i_lattice(hn_i_spread(uvec3(cell)), hn_i_mix(seed));
 }
 HN_FN hn_uint hn_lattice(hn_ivec4 cell, hn_uint seed) {
-  hn_uvec4 c = hn_i_spread(uvec4(cell));
-  hn_uint s = hn_i_mix(seed);
-  return hn_i_mix(hn_i_seeded_word(c, s) + (hn_i_sum(c) + s));
+  return hn_i_lattice(hn_i_spread(uvec4(cell)), hn_i_mix(seed));
 }
 
 HN_FN hn_uint hn_lattice(hn_ivec2 cell) { return hn_lattice(cell, 0u); }

@@ -12,9 +12,9 @@
 #include "fbm.glsl"
 #include "fbm_d.glsl"
 #include "gradient.glsl"
-#include "numbers.glsl"
 #include "octaves.glsl"
-#include "position.glsl"
+#include "scatter.glsl"
+#include "self_check.glsl"
 #include "warp.glsl"
 
 #endif

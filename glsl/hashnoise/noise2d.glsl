@@ -9,6 +9,7 @@
 #include "cellular_d2d.glsl"
 #include "cellular_smooth2d.glsl"
 #include "cellular_three2d.glsl"
+#include "hex_tiling2d.glsl"
 #include "perlin2d.glsl"
 #include "perlin_d2d.glsl"
 #include "perlin_phase2d.glsl"

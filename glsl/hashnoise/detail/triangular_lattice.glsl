@@ -46,32 +46,47 @@ HN_FN hn_int hn_i_column_of(hn_num2 skewed) {
   return hn_i_add_wrapping(hn_i_floor(skewed.x), -((row >> 1) + (row & 1)));
 }
 
-// The words of the corners, in the order above.
-HN_FN hn_uvec3 hn_i_triangle(hn_place2 place, hn_num2 skewed, hn_uint seed) {
+// The spread coordinates of the corners, in the order above.
+struct hn_i_triangle2 {
+  hn_uvec2 first;
+  hn_uvec2 middle;
+  hn_uvec2 last;
+};
+HN_FN hn_i_triangle2 hn_i_triangle(hn_place2 place, hn_num2 skewed) {
   hn_int row = hn_i_floor(skewed.y);
   hn_int column = hn_i_column_of(skewed);
   hn_num u = hn_i_fract(skewed.x);
   hn_num v = hn_i_fract(skewed.y);
-  hn_uvec2 first;
-  hn_uvec2 middle;
-  hn_uvec2 last;
+  HN_I_NEW(hn_i_triangle2, corners);
   if (place.tiled) {
     hn_int last_column = hn_i_add_wrapping(column, row & 1);
     hn_int middle_column = hn_i_select(u > v, hn_i_add_wrapping(column, 1), hn_i_add_wrapping(last_column, -1));
     hn_uvec2 c = hn_i_wrap(place.cell, place.period);
     hn_uint lower = hn_i_doubled(c.y, row, place.period.y);
     hn_uint upper = hn_i_doubled(c.y, hn_i_add_wrapping(row, 1), place.period.y);
-    first = hn_i_spread(uvec2(hn_i_doubled(c.x, column, place.period.x), lower));
-    middle = hn_i_spread(uvec2(hn_i_doubled(c.x, middle_column, place.period.x), hn_i_select(u > v, lower, upper)));
-    last = hn_i_spread(uvec2(hn_i_doubled(c.x, last_column, place.period.x), upper));
+    corners.first = hn_i_spread(uvec2(hn_i_doubled(c.x, column, place.period.x), lower));
+    corners.middle =
+        hn_i_spread(uvec2(hn_i_doubled(c.x, middle_column, place.period.x), hn_i_select(u > v, lower, upper)));
+    corners.last = hn_i_spread(uvec2(hn_i_doubled(c.x, last_column, place.period.x), upper));
   } else {
-    first = hn_i_spread(uvec2(hn_i_doubled(uint(place.cell.x), column), hn_i_doubled(uint(place.cell.y), row)));
+    hn_uvec2 first =
+        hn_i_spread(uvec2(hn_i_doubled(uint(place.cell.x), column), hn_i_doubled(uint(place.cell.y), row)));
     hn_uvec2 next = hn_i_upper(first);
-    last = uvec2(hn_i_select((row & 1) == 0, first.x, next.x), next.y);
-    middle = uvec2(hn_i_select(u > v, next.x, last.x - HN_I_STEP_X), hn_i_select(u > v, first.y, next.y));
+    hn_uvec2 last = uvec2(hn_i_select((row & 1) == 0, first.x, next.x), next.y);
+    corners.first = first;
+    corners.middle =
+        uvec2(hn_i_select(u > v, next.x, last.x - HN_I_STEP_X), hn_i_select(u > v, first.y, next.y));
+    corners.last = last;
   }
+  return corners;
+}
+
+// The words of the corners.
+HN_FN hn_uvec3 hn_i_triangle(hn_place2 place, hn_num2 skewed, hn_uint seed) {
+  hn_i_triangle2 corners = hn_i_triangle(place, skewed);
   hn_uint s = hn_i_mix(seed);
-  return uvec3(hn_i_seeded_word(first, s), hn_i_seeded_word(middle, s), hn_i_seeded_word(last, s));
+  return uvec3(hn_i_seeded_word(corners.first, s), hn_i_seeded_word(corners.middle, s),
+               hn_i_seeded_word(corners.last, s));
 }
 
 // The offsets from the corners along x and along y, and how near the corners are.

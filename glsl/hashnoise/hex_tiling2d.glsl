@@ -1,0 +1,61 @@
+// hashnoise: three weighted patches around each position, for textures that do not repeat (hex tiling).
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_HEX_TILING2D_GLSL
+#define HN_HEX_TILING2D_GLSL
+
+#include "detail/triangular_lattice.glsl"
+
+// The three hexagons that overlap at a position, a component for each. Their centres are the corners of a triangle.
+struct hn_hexes {
+  hn_vec3 weights;  // not negative; their sum is 1
+  hn_uvec3 words;   // a random word for each hexagon: hn_lattice of its centre
+  hn_vec3 x;        // from the centres to the position, in cells: (x.x, y.x) is the vector from the first, and so on
+  hn_vec3 y;
+};
+
+// A number of a fraction as a float, which is exact.
+#if HN_ARITHMETIC != HN_FIXED
+HN_FN hn_float hn_i_of_fraction(hn_float f) { return f; }
+#else
+HN_FN hn_float hn_i_of_fraction(hn_int f) { return hn_i_float(f) * (1.0f / 1048576.0f); }
+#endif
+HN_FN hn_vec3 hn_i_of_fractions(hn_num a, hn_num b, hn_num c) {
+  return vec3(hn_i_of_fraction(a), hn_i_of_fraction(b), hn_i_of_fraction(c));
+}
+
+// Hex tiling: which three hexagons overlap at a position, and how much each counts. Each has its own random word: give
+// each a piece of a texture of your own, moved and turned by its word, and mix the three by their weights. So the
+// texture never repeats, and no seam shows: a hexagon changes where its weight is 0. Hexagons are one cell wide and one
+// high; docs/recipes.md has the two ways of mixing that people use.
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
+//   seed     any uint: 7u, not 7; different seeds give independent words
+//   returns  weights, words and offsets. The weights are in [0, 1], continuous, and change by at most sqrt(5) per cell;
+//            an offset is at most 0.56 long
+//   error    WEIGHT_ERROR
+//   period   2^31 cells per axis, or that of the tile
+//   cost     3 hashes (none with HN_HASH_LATTICE) and 12 multiplications; 2 more to spread the coordinates, and 2 more
+//            for a seed that is not constant
+//   source   Heitz and Neyret, "High-performance by-example noise using a histogram-preserving blending operator", 2018,
+//            for the three weights; docs/contract.md, section 20
+HN_FN hn_hexes hn_hex_tiling(hn_place2 place, hn_uint seed) {
+  hn_num2 skewed = hn_i_skewed(place.fraction);
+  hn_i_triangle2 corners = hn_i_triangle(place, skewed);
+  hn_num u = hn_i_fract(skewed.x);
+  hn_num v = hn_i_fract(skewed.y);
+  hn_num most = max(u, v);
+  hn_num least = min(u, v);
+  hn_uint s = hn_i_mix(seed);
+  HN_I_NEW(hn_hexes, hexes);
+  hexes.weights = hn_i_of_fractions(hn_i_minus(HN_I_ONE, most), hn_i_minus(most, least), least);
+  hexes.words = uvec3(hn_i_lattice(corners.first, s), hn_i_lattice(corners.middle, s), hn_i_lattice(corners.last, s));
+  hn_num3 x = hn_i_triangle_x(skewed);
+  hn_num3 y = hn_i_triangle_y(skewed);
+  hexes.x = hn_i_of_fractions(x.x, x.y, x.z) * 0.5f;  // a step is half a cell
+  hexes.y = hn_i_of_fractions(y.x, y.y, y.z) * 0.5f;
+  return hexes;
+}
+HN_FN hn_hexes hn_hex_tiling(hn_vec2 p, hn_uint seed) { return hn_hex_tiling(hn_place(p), seed); }
+
+#endif

@@ -1,0 +1,138 @@
+// hashnoise: scattered points, no two of which are nearer than a radius, without a list of them.
+// SPDX-License-Identifier: MIT
+//
+// Each cell has a candidate: a random point of the cell. It stands if no candidate within the radius has a larger word.
+// So whether it stands follows from the cells around alone: every program that asks gets the same answer.
+//
+// Everything in this file is exact: the same bits with every HN_ARITHMETIC and on every driver. docs/contract.md,
+// section 19, defines each value.
+
+#ifndef HN_SCATTER_GLSL
+#define HN_SCATTER_GLSL
+
+#include "detail/cell.glsl"
+#include "numbers.glsl"
+
+// The candidate of a cell with the word h, in units of 2^-15 cells.
+HN_FN hn_ivec2 hn_i_candidate2(hn_uint h) {
+  hn_uint r = hn_rehash(h, 1u);
+  return ivec2(int(r >> 17u), int((r >> 2u) & 32767u));
+}
+HN_FN hn_ivec3 hn_i_candidate3(hn_uint h) {
+  hn_ivec2 p = hn_i_candidate2(h);
+  return ivec3(p.x, p.y, int(hn_rehash(h, 2u) >> 17u));
+}
+
+// The radius in these units.
+HN_FN hn_uint hn_i_reach(hn_float radius) { return uint(min(max(radius, 0.0f), 1.0f) * 32768.0f); }
+
+// The square of an offset. A longer one counts as 1 cell, where no radius reaches: so a sum of three fits a uint.
+HN_FN hn_uint hn_i_square_below_cell(hn_int d) {
+  hn_uint size = uint(min(max(d, d * -1), 32768));
+  return size * size;
+}
+
+// The coordinate of the cell one before, of the cell, or of the one after, by a step of -1, 0 or 1.
+HN_FN hn_uint hn_i_stepped(hn_uint previous, hn_uint here, hn_uint following, hn_int step) {
+  return hn_i_select(step < 0, previous, hn_i_select(step > 0, following, here));
+}
+
+// The word to return of a cell whose word is h, if none of its rivals beats it.
+HN_FN hn_uint hn_i_unbeaten(hn_uint h, hn_uint beaten) {
+  return hn_i_select(beaten == 0u, hn_rehash(h, 5u) | 1u, 0u);
+}
+
+// The point of a cell. Whether it stands hn_scattered says.
+//   cell     the cell: an ivec2
+//   place    a place in its stead: hn_tile(hn_place(cell), period), for example (place.glsl). Its cell and period count
+//   seed     any uint: 7u, not 7; different seeds give independent points
+//   returns  where in the cell it is: [0, 1) along each axis, multiples of 2^-15; uniform
+//   error    none
+//   period   2^32 cells per axis, or that of the tile
+//   cost     1 hash (none with HN_HASH_LATTICE) and 7 multiplications; 2 more for a seed that is not constant
+//   source   docs/contract.md, section 19
+HN_FN hn_vec2 hn_scatter_point(hn_place2 place, hn_uint seed) {
+  hn_ivec2 cell = place.cell;
+  if (place.tiled) cell = ivec2(hn_i_wrap(place.cell, place.period));
+  hn_ivec2 p = hn_i_candidate2(hn_lattice(cell, seed));
+  return vec2(hn_i_float(p.x), hn_i_float(p.y)) * (1.0f / 32768.0f);
+}
+HN_FN hn_vec2 hn_scatter_point(hn_ivec2 cell, hn_uint seed) { return hn_scatter_point(hn_place(cell), seed); }
+
+// Whether the point of a cell stands. Things at the points that stand do not overlap: no two of them are nearer than
+// the radius. Nothing has to be stored, and nothing to be visited in an order.
+//   cell     the cell: an ivec2
+//   place    a place in its stead, as above. A tile repeats without a seam
+//   radius   the least distance, in cells; what is outside of [0, 1] counts as the nearer end. It is cut off to a
+//            multiple of 2^-15
+//   seed     that of hn_scatter_point
+//   returns  0 if it does not stand; else a random word of the point, which is odd
+//   error    none
+//   period   2^32 cells per axis, or that of the tile
+//   cost     9 hashes (none with HN_HASH_LATTICE) and 80 multiplications
+//   source   Matern, "Spatial variation", 1960 (his second process); docs/contract.md, section 19
+HN_FN hn_uint hn_scattered(hn_place2 place, hn_float radius, hn_uint seed) {
+  hn_i_block2 block = hn_i_block(place);
+  hn_uint s = hn_i_mix(seed);
+  hn_uint h = hn_i_lattice(block.cell, s);
+  hn_ivec2 point = hn_i_candidate2(h);
+  hn_uint reach = hn_i_reach(radius);
+  hn_uint beaten = 0u;
+  for (hn_int j = -1; j <= 1; ++j) {
+    hn_uint y = hn_i_stepped(block.previous.y, block.cell.y, block.following.y, j);
+    for (hn_int i = -1; i <= 1; ++i) {
+      hn_uint rival = hn_i_lattice(uvec2(hn_i_stepped(block.previous.x, block.cell.x, block.following.x, i), y), s);
+      hn_ivec2 other = hn_i_candidate2(rival);
+      hn_uint square = hn_i_square_below_cell(other.x - point.x + i * 32768) +
+                       hn_i_square_below_cell(other.y - point.y + j * 32768);
+      hn_uint beats = hn_i_select(rival >= h, 1u, 0u) & hn_i_select(square < reach * reach, 1u, 0u);
+      beaten |= hn_i_select((i | j) == 0, 0u, beats);
+    }
+  }
+  return hn_i_unbeaten(h, beaten);
+}
+HN_FN hn_uint hn_scattered(hn_ivec2 cell, hn_float radius, hn_uint seed) {
+  return hn_scattered(hn_place(cell), radius, seed);
+}
+
+// The same in space. A cell is an ivec3.
+//   cost     of hn_scatter_point 1 hash (none with HN_HASH_LATTICE) and 10 multiplications; of hn_scattered 27 hashes and
+//            330 multiplications
+HN_FN hn_vec3 hn_scatter_point(hn_place3 place, hn_uint seed) {
+  hn_ivec3 cell = place.cell;
+  if (place.tiled) cell = ivec3(hn_i_wrap(place.cell, place.period));
+  hn_ivec3 p = hn_i_candidate3(hn_lattice(cell, seed));
+  return vec3(hn_i_float(p.x), hn_i_float(p.y), hn_i_float(p.z)) * (1.0f / 32768.0f);
+}
+HN_FN hn_vec3 hn_scatter_point(hn_ivec3 cell, hn_uint seed) { return hn_scatter_point(hn_place(cell), seed); }
+
+HN_FN hn_uint hn_scattered(hn_place3 place, hn_float radius, hn_uint seed) {
+  hn_i_block3 block = hn_i_block(place);
+  hn_uint s = hn_i_mix(seed);
+  hn_uint h = hn_i_lattice(block.cell, s);
+  hn_ivec3 point = hn_i_candidate3(h);
+  hn_uint reach = hn_i_reach(radius);
+  hn_uint beaten = 0u;
+  for (hn_int k = -1; k <= 1; ++k) {
+    hn_uint z = hn_i_stepped(block.previous.z, block.cell.z, block.following.z, k);
+    for (hn_int j = -1; j <= 1; ++j) {
+      hn_uint y = hn_i_stepped(block.previous.y, block.cell.y, block.following.y, j);
+      for (hn_int i = -1; i <= 1; ++i) {
+        hn_uint x = hn_i_stepped(block.previous.x, block.cell.x, block.following.x, i);
+        hn_uint rival = hn_i_lattice(uvec3(x, y, z), s);
+        hn_ivec3 other = hn_i_candidate3(rival);
+        hn_uint square = hn_i_square_below_cell(other.x - point.x + i * 32768) +
+                         hn_i_square_below_cell(other.y - point.y + j * 32768) +
+                         hn_i_square_below_cell(other.z - point.z + k * 32768);
+        hn_uint beats = hn_i_select(rival >= h, 1u, 0u) & hn_i_select(square < reach * reach, 1u, 0u);
+        beaten |= hn_i_select((i | j | k) == 0, 0u, beats);
+      }
+    }
+  }
+  return hn_i_unbeaten(h, beaten);
+}
+HN_FN hn_uint hn_scattered(hn_ivec3 cell, hn_float radius, hn_uint seed) {
+  return hn_scattered(hn_place(cell), radius, seed);
+}
+
+#endif

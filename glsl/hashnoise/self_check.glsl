@@ -1,0 +1,47 @@
+// hashnoise: a word that tells whether a driver, a compiler or a port computes what it should.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_SELF_CHECK_GLSL
+#define HN_SELF_CHECK_GLSL
+
+#include "numbers.glsl"
+#include "position.glsl"
+
+// A whole number that a float is when multiplied by a power of two, as a word.
+HN_FN hn_uint hn_i_whole(hn_float x, hn_float units) { return uint(int(x * units)); }
+
+HN_FN hn_uint hn_i_checked(hn_uint w, hn_uint n) { return hn_i_mix(w + n); }
+HN_FN hn_uint hn_i_checked(hn_uint w, hn_vec2 v, hn_float units) {
+  return hn_i_checked(hn_i_checked(w, hn_i_whole(v.x, units)), hn_i_whole(v.y, units));
+}
+HN_FN hn_uint hn_i_checked(hn_uint w, hn_vec3 v, hn_float units) {
+  return hn_i_checked(hn_i_checked(w, vec2(v.x, v.y), units), hn_i_whole(v.z, units));
+}
+
+// A check of the driver, the compiler or the port that you use: one word, equal everywhere, of 16 points each of
+// hashes, random numbers, directions, orders and whole positions. These take every operation on integers that the
+// noises have with HN_FIXED. docs/same-bits.md says which word is right, and what to do if yours is not.
+//   zero     0u, from a uniform or an argument: so the compiler cannot compute the word itself
+//   returns  0xSELF_CHECK with the default hash, and another word with each HN_HASH
+//   error    none
+//   cost     16 hashes (none with HN_HASH_LATTICE) and 3300 multiplications: call it once, not in each pixel
+//   source   docs/contract.md, section 18
+HN_FN hn_uint hn_self_check(hn_uint zero) {
+  hn_uint w = zero;
+  for (hn_int i = 0; i < 16; ++i) {
+    hn_uint seed = w;
+    hn_uint h = hn_lattice(ivec3(int(seed), i - 8, int(seed >> 9u) - 4194304), seed);
+    w = hn_i_checked(w, h);
+    w = hn_i_checked(w, hn_unorm_three(h), 16777216.0f);
+    w = hn_i_checked(w, hn_sphere(h), 65536.0f);
+    w = hn_i_checked(w, hn_disk(h), 65536.0f);
+    w = hn_i_checked(w, hn_i_whole(hn_normal(h), 8192.0f));
+    w = hn_i_checked(w, hn_shuffle(h, uint(i + 1000), seed));
+    w = hn_i_checked(w, hn_sobol(h, seed), 16777216.0f);
+    w = hn_i_checked(w, uint(hn_cell(int(h), i + 1, 7)));
+    w = hn_i_checked(w, hn_i_whole(hn_fraction(int(h), i + 1, 7), 16777216.0f));
+  }
+  return w;
+}
+
+#endif
