@@ -57,9 +57,9 @@ RWStructuredBuffer<float> values;
 
 
 def printed(language: str) -> list[str]:
-    """The code of a language in its page."""
-    return re.findall(rf"^```{language}\n(.*?)^```$", (ROOT / "docs" / "languages.md").read_text(),
-                      re.MULTILINE | re.DOTALL)
+    """The code of a language in the pages that have some."""
+    return re.findall(rf"^```{language}\n(.*?)^```$", "\n".join(
+        (ROOT / "docs" / page).read_text() for page in ("languages.md", "hex-tiling.md")), re.MULTILINE | re.DOTALL)
 
 
 def settings(arithmetics: tuple[str, ...]) -> list[dict[str, str]]:
@@ -121,7 +121,7 @@ class Hlsl(Shim):
 
     def test_the_code_of_the_page_compiles(self):
         shaders = printed("hlsl")
-        self.assertEqual(len(shaders), 2)
+        self.assertEqual(len(shaders), 4)
         for shader in shaders:
             self.written(shader, {})
             self.assertEqual(self.accepted("frag"), "")

@@ -27,7 +27,7 @@ HN_FN hn_vec3 hn_i_of_fractions(hn_num a, hn_num b, hn_num c) {
 // Hex tiling: which three hexagons overlap at a position, and how much each counts. Each has its own random word: give
 // each a piece of a texture of your own, moved and turned by its word, and mix the three by their weights. So the
 // texture never repeats, and no seam shows: a hexagon changes where its weight is 0. Hexagons are one cell wide and one
-// high; docs/recipes.md has the two ways of mixing that people use.
+// high; docs/hex-tiling.md has the two ways of mixing that people use.
 //   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
 //   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
 //   seed     any uint: 7u, not 7; different seeds give independent words

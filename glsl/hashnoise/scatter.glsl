@@ -23,8 +23,11 @@ HN_FN hn_ivec3 hn_i_candidate3(hn_uint h) {
   return ivec3(p.x, p.y, int(hn_rehash(h, 2u) >> 17u));
 }
 
-// The radius in these units.
-HN_FN hn_uint hn_i_reach(hn_float radius) { return uint(min(max(radius, 0.0f), 1.0f) * 32768.0f); }
+// The square of the radius in these units.
+HN_FN hn_uint hn_i_square_of_reach(hn_float radius) {
+  hn_uint reach = uint(min(max(radius, 0.0f), 1.0f) * 32768.0f);
+  return reach * reach;
+}
 
 // The square of an offset. A longer one counts as 1 cell, where no radius reaches: so a sum of three fits a uint.
 HN_FN hn_uint hn_i_square_below_cell(hn_int d) {
@@ -32,14 +35,16 @@ HN_FN hn_uint hn_i_square_below_cell(hn_int d) {
   return size * size;
 }
 
-// The coordinate of the cell one before, of the cell, or of the one after, by a step of -1, 0 or 1.
-HN_FN hn_uint hn_i_stepped(hn_uint previous, hn_uint here, hn_uint following, hn_int step) {
-  return hn_i_select(step < 0, previous, hn_i_select(step > 0, following, here));
+// What is left of a square when a candidate with the word `rival` comes to one with the word h: the least of those
+// whose words are not smaller.
+HN_FN hn_uint hn_i_nearest_rival(hn_uint square, hn_uint h, hn_uint rival, hn_uint other) {
+  return hn_i_select(rival < h, square, min(square, other));
 }
 
-// The word to return of a cell whose word is h, if none of its rivals beats it.
-HN_FN hn_uint hn_i_unbeaten(hn_uint h, hn_uint beaten) {
-  return hn_i_select(beaten == 0u, hn_rehash(h, 5u) | 1u, 0u);
+// The word to return of a candidate with the word h, by the square of its nearest rival and that of the reach.
+HN_FN hn_uint hn_i_unbeaten(hn_uint h, hn_uint square, hn_uint reach) {
+  hn_uint none = 0u;
+  return hn_i_select(square < reach, none, hn_rehash(h, 5u) | 1u);
 }
 
 // The point of a cell. Whether it stands hn_scattered says.
@@ -75,21 +80,21 @@ HN_FN hn_uint hn_scattered(hn_place2 place, hn_float radius, hn_uint seed) {
   hn_i_block2 block = hn_i_block(place);
   hn_uint s = hn_i_mix(seed);
   hn_uint h = hn_i_lattice(block.cell, s);
-  hn_ivec2 point = hn_i_candidate2(h);
-  hn_uint reach = hn_i_reach(radius);
-  hn_uint beaten = 0u;
+  hn_ivec2 own = hn_i_candidate2(h);
+  hn_uint reach = hn_i_square_of_reach(radius);
+  hn_uint nearest = reach;
   for (hn_int j = -1; j <= 1; ++j) {
-    hn_uint y = hn_i_stepped(block.previous.y, block.cell.y, block.following.y, j);
+    hn_uint y = hn_i_of_three(hn_i_along_y(block), j);
     for (hn_int i = -1; i <= 1; ++i) {
-      hn_uint rival = hn_i_lattice(uvec2(hn_i_stepped(block.previous.x, block.cell.x, block.following.x, i), y), s);
+      hn_uint x = hn_i_of_three(hn_i_along_x(block), i);
+      hn_uint rival = hn_i_lattice(uvec2(x, y), s);
       hn_ivec2 other = hn_i_candidate2(rival);
-      hn_uint square = hn_i_square_below_cell(other.x - point.x + i * 32768) +
-                       hn_i_square_below_cell(other.y - point.y + j * 32768);
-      hn_uint beats = hn_i_select(rival >= h, 1u, 0u) & hn_i_select(square < reach * reach, 1u, 0u);
-      beaten |= hn_i_select((i | j) == 0, 0u, beats);
+      hn_uint square = hn_i_square_below_cell(other.x - own.x + i * 32768) +
+                       hn_i_square_below_cell(other.y - own.y + j * 32768);
+      if ((i | j) != 0) nearest = hn_i_nearest_rival(nearest, h, rival, square);
     }
   }
-  return hn_i_unbeaten(h, beaten);
+  return hn_i_unbeaten(h, nearest, reach);
 }
 HN_FN hn_uint hn_scattered(hn_ivec2 cell, hn_float radius, hn_uint seed) {
   return hn_scattered(hn_place(cell), radius, seed);
@@ -110,26 +115,25 @@ HN_FN hn_uint hn_scattered(hn_place3 place, hn_float radius, hn_uint seed) {
   hn_i_block3 block = hn_i_block(place);
   hn_uint s = hn_i_mix(seed);
   hn_uint h = hn_i_lattice(block.cell, s);
-  hn_ivec3 point = hn_i_candidate3(h);
-  hn_uint reach = hn_i_reach(radius);
-  hn_uint beaten = 0u;
+  hn_ivec3 own = hn_i_candidate3(h);
+  hn_uint reach = hn_i_square_of_reach(radius);
+  hn_uint nearest = reach;
   for (hn_int k = -1; k <= 1; ++k) {
-    hn_uint z = hn_i_stepped(block.previous.z, block.cell.z, block.following.z, k);
+    hn_uint z = hn_i_of_three(hn_i_along_z(block), k);
     for (hn_int j = -1; j <= 1; ++j) {
-      hn_uint y = hn_i_stepped(block.previous.y, block.cell.y, block.following.y, j);
+      hn_uint y = hn_i_of_three(hn_i_along_y(block), j);
       for (hn_int i = -1; i <= 1; ++i) {
-        hn_uint x = hn_i_stepped(block.previous.x, block.cell.x, block.following.x, i);
+        hn_uint x = hn_i_of_three(hn_i_along_x(block), i);
         hn_uint rival = hn_i_lattice(uvec3(x, y, z), s);
         hn_ivec3 other = hn_i_candidate3(rival);
-        hn_uint square = hn_i_square_below_cell(other.x - point.x + i * 32768) +
-                         hn_i_square_below_cell(other.y - point.y + j * 32768) +
-                         hn_i_square_below_cell(other.z - point.z + k * 32768);
-        hn_uint beats = hn_i_select(rival >= h, 1u, 0u) & hn_i_select(square < reach * reach, 1u, 0u);
-        beaten |= hn_i_select((i | j | k) == 0, 0u, beats);
+        hn_uint square = hn_i_square_below_cell(other.x - own.x + i * 32768) +
+                         hn_i_square_below_cell(other.y - own.y + j * 32768) +
+                         hn_i_square_below_cell(other.z - own.z + k * 32768);
+        if ((i | j | k) != 0) nearest = hn_i_nearest_rival(nearest, h, rival, square);
       }
     }
   }
-  return hn_i_unbeaten(h, beaten);
+  return hn_i_unbeaten(h, nearest, reach);
 }
 HN_FN hn_uint hn_scattered(hn_ivec3 cell, hn_float radius, hn_uint seed) {
   return hn_scattered(hn_place(cell), radius, seed);

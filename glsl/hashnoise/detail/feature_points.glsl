@@ -63,9 +63,6 @@ HN_FN hn_int hn_i_y_of(hn_int code) { return ((code >> 2) & 3) - 1; }
 HN_FN hn_int hn_i_z_of(hn_int code) { return (code >> 4) - 1; }
 #define HN_I_NO_CODE 64
 
-// What belongs to the cell at n, which is -1, 0 or 1.
-HN_FN hn_uint hn_i_of_three(hn_uvec3 v, hn_int n) { return hn_i_select(n < 0, v.x, hn_i_select(n > 0, v.z, v.y)); }
-
 #if HN_ARITHMETIC != HN_FIXED
 
 #define HN_I_NO_OFFSET 0.0f

@@ -15,10 +15,6 @@ HN_FN hn_uvec2 hn_i_toward_place(hn_num2 d, hn_uvec2 a, hn_uvec2 b) {
   return uvec2(hn_i_select(d.x > HN_I_NO_OFFSET, b.x, a.x), hn_i_select(d.y > HN_I_NO_OFFSET, b.y, a.y));
 }
 
-// The spread coordinates of a block along an axis.
-HN_FN hn_uvec3 hn_i_along_x(hn_i_block2 block) { return uvec3(block.previous.x, block.cell.x, block.following.x); }
-HN_FN hn_uvec3 hn_i_along_y(hn_i_block2 block) { return uvec3(block.previous.y, block.cell.y, block.following.y); }
-
 // The spread coordinates of the cell that is two steps on along all axes, on the side of the place.
 HN_FN hn_uvec2 hn_i_two_steps(hn_place2 place, hn_i_block2 block, hn_num2 d) {
   hn_uvec2 two;

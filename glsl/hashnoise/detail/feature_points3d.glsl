@@ -18,11 +18,6 @@ HN_FN hn_uvec3 hn_i_toward_place(hn_num3 d, hn_uvec3 a, hn_uvec3 b) {
                hn_i_select(d.z > HN_I_NO_OFFSET, b.z, a.z));
 }
 
-// The spread coordinates of a block along an axis.
-HN_FN hn_uvec3 hn_i_along_x(hn_i_block3 block) { return uvec3(block.previous.x, block.cell.x, block.following.x); }
-HN_FN hn_uvec3 hn_i_along_y(hn_i_block3 block) { return uvec3(block.previous.y, block.cell.y, block.following.y); }
-HN_FN hn_uvec3 hn_i_along_z(hn_i_block3 block) { return uvec3(block.previous.z, block.cell.z, block.following.z); }
-
 // The spread coordinates of the cell that is two steps on along all axes, on the side of the place.
 HN_FN hn_uvec3 hn_i_two_steps(hn_place3 place, hn_i_block3 block, hn_num3 d) {
   hn_uvec3 two;

@@ -54,12 +54,16 @@ class Wgpu(unittest.TestCase):
         with self.assertRaises(Exception):
             self.device.compile("fn f() -> f32 { return 1u; }")
 
-    def test_the_code_of_the_page_compiles(self):
-        text = (ROOT / "docs" / "languages.md").read_text()
-        command = re.search(r"^    tools/pick (.*--language wgsl.*) --out noise.wgsl$", text, re.MULTILINE)[1]
-        shader, = re.findall(r"^```wgsl\n(@fragment.*?)^```$", text, re.MULTILINE | re.DOTALL)
-        done = subprocess.run([TOOLS / "pick", *command.split()], capture_output=True, text=True, check=True)
-        self.device.compile(done.stdout + shader)
+    def test_the_code_of_pages_compiles(self):
+        for page, count in (("languages.md", 1), ("hex-tiling.md", 2)):
+            text = (ROOT / "docs" / page).read_text()
+            command = re.search(r"^    tools/pick (.*--language wgsl.*) --out noise.wgsl$", text, re.MULTILINE)[1]
+            done = subprocess.run([TOOLS / "pick", *command.split()], capture_output=True, text=True, check=True)
+            shaders = re.findall(r"^```wgsl\n(@.*?)^```$", text, re.MULTILINE | re.DOTALL)
+            self.assertEqual(len(shaders), count)
+            for shader in shaders:
+                with self.subTest(page=page):
+                    self.device.compile(done.stdout + shader)
 
     def test_naga_reads_the_glsl(self):
         for arithmetic in ARITHMETICS:
