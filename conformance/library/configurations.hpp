@@ -35,6 +35,7 @@ enum class Family : unsigned {
   further_cellular = 1u << 14,  // with periods, a jitter, a metric, and what it sets
   // Octave sums of noise that is not declared with the sine gradient.
   octahedral_octave_sum = 1u << 15,
+  utility = 1u << 16,  // what HN_ARITHMETIC changes, and is no noise
 };
 
 constexpr unsigned operator|(Family a, Family b) { return static_cast<unsigned>(a) | static_cast<unsigned>(b); }

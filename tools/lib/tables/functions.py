@@ -12,7 +12,8 @@ from tree import FUNCTIONS
 # Functions whose values depend on the same knobs.
 FAMILIES = ("independent", "hash", "gradient", "sine_gradient", "gradient_noise", "lattice_noise", "octave_sum",
             "further_gradient_noise", "octahedral_noise", "further_lattice_noise", "further_octave_sum",
-            "simplex_noise", "curl", "cellular", "further_cellular", "octahedral_octave_sum")
+            "simplex_noise", "curl", "cellular", "further_cellular", "octahedral_octave_sum",
+            "utility")
 NOISES = ("gradient_noise", "lattice_noise", "further_gradient_noise", "octahedral_noise", "further_lattice_noise",
           "simplex_noise", "cellular", "further_cellular")
 OCTAVE_SUMS = ("octave_sum", "further_octave_sum", "octahedral_octave_sum")
