@@ -18,6 +18,7 @@ from pathlib import Path
 
 import numpy as np
 
+from likeness.renderer import Renderer
 from quality import controls
 from quality import fields
 from quality import gate
@@ -25,6 +26,7 @@ from quality import isotropy
 from quality import library
 from quality import noise
 from quality import octaves
+from quality import others
 from quality import report
 from quality.judgement import Finding
 from quality.lattice import Lattice, sample
@@ -152,6 +154,24 @@ def judge_given(options, folder: Path) -> int:
     return 0 if passed else 1
 
 
+def judge_others(options, folder: Path) -> int:
+    """Judges hashes from shaders."""
+    twin = library.build("stage", [], options.include, folder)
+    renderer = Renderer(others.SIDE)
+    results: list[HashResult] = []
+    for other in options.against:
+        try:
+            found = others.judge(other, (options.dimensions,) if options.dimensions else DIMENSIONS, twin, renderer)
+        except others.BadExpression as error:
+            options.parser.error(str(error))
+        print("\n".join(others.lines(found)), flush=True)
+        results += found
+    if options.out:
+        options.out.mkdir(parents=True, exist_ok=True)
+        others.write(results, options.out / "hashes.csv")
+    return 0 if all(result.passed for result in results) else 1
+
+
 def odd_words(text: str) -> tuple[int, ...]:
     words = tuple(int(word, 0) for word in text.split(","))
     for word in words:
@@ -176,6 +196,10 @@ def parse(arguments: list[str]) -> argparse.Namespace:
     parser.add_argument("--dimensions", type=int, choices=DIMENSIONS, help="only in the plane, or only in space")
     parser.add_argument("--words2", type=Path, metavar="FILE", help="judge words in the plane: .npy, uint32")
     parser.add_argument("--words3", type=Path, metavar="FILE", help="the same in space")
+    parser.add_argument("--against", type=others.Other.parse, action="append", metavar="NAME=FILE:EXPRESSION",
+                        help="judge a hash of a shader: a uint, or a float in [0, 1), of c, an ivec2 or ivec3, or of p, "
+                        "the same as floats, in the plane, in space, or in both, whichever compiles; --out DIR "
+                        "writes hashes.csv (repeatable)")
     parser.add_argument("--include", type=Path, default=ROOT / "include", metavar="DIR",
                         help="another copy of include/, with its glsl/ beside it")
     parser.add_argument("--seeds", type=lambda text: tuple(int(s, 0) & gate.WORD for s in text.split(",")),
@@ -197,8 +221,11 @@ def parse(arguments: list[str]) -> argparse.Namespace:
     options.parser = parser
     for name in ("words2", "words3"):
         refuse(options, name, (*PARTS, "quick", "least", "check"))
+    refuse(options, "against", (*(part for part in PARTS if part != "dimensions"), "words2", "words3", "quick", "least",
+                                "check"))
     refuse(options, "check", (*PARTS, "quick", "least"))
-    refuse(options, "out", (*PARTS, "words2", "words3", "least"))
+    if not options.against:
+        refuse(options, "out", (*PARTS, "words2", "words3", "least"))
     if options.jobs < 1:
         parser.error("--jobs must be 1 or more")
     return options
@@ -225,6 +252,8 @@ def statistic(finding: Finding) -> dict:
 
 
 def run(options, folder: Path) -> int:
+    if options.against:
+        return judge_others(options, folder)
     if options.words2 or options.words3:
         return judge_given(options, folder)
     twins = chosen_twins(options, folder)

@@ -9,7 +9,8 @@ A picture is drawn from the code below it, which the C++ twin evaluates at each 
 docs/gallery. The typical values are those of 2^18 points. The costs are those of docs/results/llvmpipe/bench.csv,
 which hn-conform bench writes, and of peers.csv beside it, which tools/peers writes; so it does likeness.csv, of which
 the tables of docs/moving.md are made. Those on GPUs by their compilers are of docs/results/gpu, by tools/gpu-costs, and
-compile.csv is by tools/compile-times. The times of commands are those of tools/costs.csv, which tools/test --record writes.
+compile.csv is by tools/compile-times. How hashes of others fare is in docs/results/hashes.csv, by tools/quality
+--against. The times of commands are those of tools/costs.csv, which tools/test --record writes.
 
 Exit status: 0 all is as it should be, 1 something is not: prose is for you to mend; 2 bad usage, the code does not
 compile, or a page cannot be read.
@@ -25,7 +26,7 @@ from collections.abc import Sequence
 from compile_times import command as of_compilers
 from gpu import pages as of_gpus
 from likeness import ports
-from readme import files, gallery, numbers, picture
+from readme import files, gallery, hashes, numbers, picture
 from readme import times as of_commands
 from tables.markdown import with_section
 from tree import ROOT
@@ -37,6 +38,7 @@ SUMS = "docs/sums.md"
 CONFORMANCE = "docs/conformance.md"
 MOVING = "docs/moving.md"
 LANGUAGES = "docs/languages.md"
+HASHES = "docs/hashes.md"
 SIZE = re.compile(r"(--strip --out noise\.glsl`, )\d+ kB")  # of the whole library, in the README
 
 
@@ -63,6 +65,7 @@ def tables(times: of_commands.Times) -> list[tuple[str, str, str]]:
             (MEASURING, "tools/readme: compile times", of_compilers.page_table(of_compilers.record())),
             (MEASURING, "tools/readme: peers", numbers.peer_table(numbers.peer_costs(numbers.CPU))),
             (MEASURING, "tools/readme: peers on a GPU", numbers.peer_table(numbers.peer_costs(numbers.GPU))),
+            (HASHES, "tools/readme: hashes", hashes.hash_table(hashes.record())),
             *((MOVING, *named) for named in ports.page_tables(ports.read()))]
 
 
