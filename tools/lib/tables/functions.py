@@ -20,12 +20,18 @@ OCTAVE_SUMS = ("octave_sum", "further_octave_sum", "octahedral_octave_sum")
 # Every hash has values of these: they hash words, or blend them first. The others are the same code with any hash.
 OF_EVERY_HASH = ("hash", "gradient", "gradient_noise", "lattice_noise")
 
+# What is proven under these names has a seed at a position, too.
+ALWAYS_SEEDED = ("hex_tiling",)
+
 # What the names of the inputs say that a function takes; n of them have an axis.
 FORMS = {
     "words": re.compile(r"(?:key|h):u32|(?:[xyzw]:u32 ?)+"),
     # Words of which each has a meaning of its own.
     "items": re.compile(r"h:u32 k:u32|i:u32 (?:n:u32 )?seed:u32"),
+    "zero": re.compile(r"zero:u32"),  # what a check of words begins with
     "point": re.compile(r"(?:[xyzw]:i32 )+seed:u32"),
+    # A cell that has a candidate, and how near another may be.
+    "candidate": re.compile(r"(?:c[xyz]:i32 )+(?:p[xyz]:i32 )+(?:radius:f32 )?seed:u32"),
     "position": re.compile(r"(?:[xyzw]:f32 )+(?:p[xyzw]:i32 )*(?:phase:f32 )?(?:jitter:f32 )?(?:metric:i32 )?"
                            r"seed:u32"),
     "cell": re.compile(r"(?:c[xyzw]:i32 )+(?:f[xyzw]:f32 )+(?:p[xyzw]:i32 )*(?:phase:f32 )?(?:jitter:f32 )?"
@@ -98,13 +104,21 @@ class Function:
         return "jitter:" in self.inputs
 
     @property
+    def has_radius(self) -> bool:
+        """Whether it takes a radius, behind the periods."""
+        return "radius:" in self.inputs
+
+    @property
     def has_metric(self) -> bool:
         """Whether it takes a metric, right behind the jitter."""
         return "metric:" in self.inputs
 
     @property
     def sets(self) -> str:
-        """What of the function it has: "nearest" or "offset", which that is given to set, or "" for its value."""
+        """What of the function it has: "nearest" or "offset", which that is given to set, or "" for its value. A
+        candidate's vector is its value."""
+        if self.form == "candidate":
+            return ""
         return {"nx:": "nearest", "ox:": "offset"}.get(self.outputs[:3], "")
 
     @property
@@ -139,20 +153,24 @@ class Function:
         phase = ("float",) * self.has_phase
         chosen = (*phase, *("float",) * self.has_jitter, *("int",) * self.has_metric)
         settings = tuple("int" if setting == "octaves" else "float" for setting in self.settings)
-        return {"words": (vector("u", "uint"),), "items": ("uint",) * len(self.inputs.split()),
+        return {"words": (vector("u", "uint"),), "zero": ("uint",), "candidate": (where, *("float",) * self.has_radius),
+                "items": ("uint",) * len(self.inputs.split()),
                 "point": (vector("i", "int"),), "position": (where, *chosen), "cell": (where, *chosen),
                 "place_of_noise": (where,), "sum": (where, *settings),
                 "place": (vector("i", "int"), "int", "int")}[self.form]
 
     @property
     def overloads(self) -> tuple[tuple[str, ...], ...]:
-        """The types without a seed, and with one. At a place, and with what is chosen beside it, there is always a seed."""
+        """The types without a seed, and with one. At a place, and with what is chosen beside it, there is always a
+        seed, and so there is of some others. Of a candidate a cell may stand for the place."""
         out = (f"out ivec{self.axes}", f"out vec{self.axes}") if self.sets else ()
-        if self.form in ("words", "items", "place"):
+        if self.form in ("words", "items", "place", "zero"):
             return (self.types,)
         seeded = (*self.types, "uint", *out)
+        if self.form == "candidate":
+            return (seeded, (f"ivec{self.axes}", *seeded[1:]))
         always = (self.has_place or self.has_phase or self.has_jitter or "detail" in self.settings
-                  or "footprint" in self.settings)
+                  or "footprint" in self.settings or self.bound in ALWAYS_SEEDED)
         return (seeded,) if always else ((*self.types, *out), seeded)
 
 

@@ -90,6 +90,25 @@ class Tables(unittest.TestCase):
                                                               "noise2d.cellular_nearest")],
                          [True, True, False, False])
 
+    def test_columns_of_candidates_and_checks(self) -> None:
+        cells, periods = "cx:i32 cy:i32 cz:i32", "px:i32 py:i32 pz:i32"
+        for columns, form, axes, overloads in (
+                ("zero:u32 = value:u32", "zero", 1, (("uint",),)),
+                (f"{cells} {periods} seed:u32 = ox:f32 oy:f32 oz:f32", "candidate", 3,
+                 (("place3", "uint"), ("ivec3", "uint"))),
+                ("cx:i32 cy:i32 px:i32 py:i32 radius:f32 seed:u32 = value:u32", "candidate", 2,
+                 (("place2", "float", "uint"), ("ivec2", "float", "uint")))):
+            self.path.write_text(FUNCTION.format(columns=columns))
+            function, = read_functions(self.path)
+            self.assertEqual((function.form, function.axes, function.overloads), (form, axes, overloads))
+            self.assertEqual((function.sets, function.has_radius), ("", "radius" in columns))
+
+    def test_hex_tiling_has_a_seed_at_a_position(self) -> None:
+        text = FUNCTION.format(columns="x:f32 y:f32 seed:u32 = wa:f64 wb:f64 wc:f64")
+        for bound, overloads in (("perlin", (("vec2",), ("vec2", "uint"))), ("hex_tiling", (("vec2", "uint"),))):
+            self.path.write_text(text.replace('"perlin"', f'"{bound}"'))
+            self.assertEqual(read_functions(self.path)[0].overloads, overloads)
+
     def test_unknown_columns_and_families(self) -> None:
         good = FUNCTION.format(columns="x:f32 y:f32 seed:u32 = value:f64")
         self.path.write_text(good)
