@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
-from oracle import frames, gradients, integers, noises, numbers, positions, sums, words
+from oracle import frames, gradients, integers, noises, numbers, positions, scatter, sums, words
 from oracle.curl import CURL
 from oracle.gradients import Knobs, Real
-from oracle.lattice import Choice
+from oracle.hexes import HEXES
+from oracle.lattice import Choice, Lattice
 from oracle.nearest import NEAREST, OFFSET
 from oracle.noises import Noise
+from oracle.self_check import self_check
 from tables.configurations import Configuration
 from tables.functions import NOISES, OCTAVE_SUMS, Function
 
@@ -47,6 +49,12 @@ def evaluator(function: Function, fixed: bool) -> Evaluate:
     if function.form == "place":
         along_axis = OF_A_PLACE[function.name.rstrip("1234")]
         return lambda _, row: tuple(along_axis(x, *row[n:]) for x in row[:n])
+    if function.form == "zero":
+        return lambda knobs, row: (self_check(knobs.hash, *row),)
+    if function.form == "candidate":
+        return _candidate_evaluator(function)
+    if function.bound == HEXES.name:
+        return _evaluator(HEXES, function, fixed)
     if family == "hash" and function.form == "words":
         return lambda knobs, row: (words.hash_words(knobs.hash, row),)
     if family == "hash" and function.form == "point":
@@ -61,6 +69,18 @@ def evaluator(function: Function, fixed: bool) -> Evaluate:
     if family in OCTAVE_SUMS and function.bound in (*sums.SUMS, *frames.SUMS):
         return _sum_evaluator(function, fixed)
     raise function.row.error(f"the oracle has no {function.id}: tools/lib/oracle/functions.py finds what it evaluates")
+
+
+def _candidate_evaluator(function: Function) -> Evaluate:
+    """Where the candidate of a cell is, or whether it stands among those within a radius."""
+    n = function.axes
+
+    def evaluate(knobs: Knobs, row: Sequence[Real]) -> tuple[Real, ...]:
+        *radius, seed = row[2 * n:]
+        lattice, cell = Lattice(knobs, seed, tuple(row[n:2 * n])), row[:n]
+        return (int(scatter.stands(lattice, cell, *radius)),) if radius else scatter.point(lattice, cell)
+
+    return evaluate
 
 
 def _of_a_place(position: Sequence[int], cells: int, units: int) -> tuple[list[int], list[float]]:

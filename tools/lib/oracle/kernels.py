@@ -9,7 +9,7 @@ import functools
 import itertools
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from fractions import Fraction
 
 from oracle import ramps
@@ -91,7 +91,7 @@ class Point:
 
     def word(self, kernel: Kernel, lattice: Lattice, cell: Sequence[int]) -> int:
         if kernel.triangles:
-            lattice = replace(lattice, periods=tuple(2 * period for period in lattice.periods))
+            lattice = lattice.of_triangles
         return lattice.word([kernel.steps * c + i for c, i in zip(cell, self.numbers)], self.centre)
 
 

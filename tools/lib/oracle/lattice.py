@@ -4,7 +4,7 @@ and what a caller of cellular noise chooses (16)."""
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from oracle import gradients, integers, ramps, turning
 from oracle.gradients import Knobs, Real
@@ -39,6 +39,11 @@ class Lattice:
         if not self.periods:
             return list(corner)
         return [repeated(c, period) for c, period in zip(corner, self.periods, strict=True)]
+
+    @property
+    def of_triangles(self) -> Lattice:
+        """That of section 13, whose points are half a cell apart along each axis."""
+        return replace(self, periods=tuple(2 * period for period in self.periods))
 
     def word(self, corner: Sequence[int], centre: bool = False) -> int:
         """Of a corner, or of the centre of the cell of which it is the first corner."""

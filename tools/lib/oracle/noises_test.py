@@ -18,6 +18,7 @@ from golden.generator import Generator, generator_of
 from oracle import noises
 from oracle.curl import CURL
 from oracle.gradients import Knobs
+from oracle.hexes import HEXES
 from oracle.integers import NOISE_UNIT, UNIT
 from oracle.lattice import Choice, Lattice
 from oracle.noises import Noise
@@ -29,6 +30,10 @@ PHASE = 0.3  # of noises that turn
 # How much of their range values use at least. The factors of a product, as a curl in space is, are seldom large
 # together, and nearly all positions are far nearer to points of cells, and to borders, than the farthest one.
 USED, SELDOM_USED = 0.5, 0.25
+
+
+# What has bounds and a place as noises have, and is none.
+NO_NOISES = {of.name: of for of in (CURL, HEXES)}
 
 
 def settings(bounds: Bounds) -> list[Knobs]:
@@ -43,7 +48,7 @@ def tried_settings(bounds: Bounds) -> list[Knobs]:
 
 def noise_of(bounds: Bounds) -> Noise:
     """With its gradients turned, if they turn."""
-    noise = CURL if bounds.noise == CURL.name else noises.find(bounds.noise)
+    noise = NO_NOISES.get(bounds.noise) or noises.find(bounds.noise)
     return noise if noise.phase is None else noise.turned(PHASE)
 
 
@@ -138,7 +143,7 @@ class EveryNoise(unittest.TestCase):
                 check(noise_of(bounds), bounds)
 
     def test_every_noise_has_bounds(self) -> None:
-        self.assertEqual(sorted({bounds.noise for bounds in table.read()}), sorted([*noises.names(), CURL.name]))
+        self.assertEqual(sorted({bounds.noise for bounds in table.read()}), sorted([*noises.names(), *NO_NOISES]))
 
     def test_a_position_is_a_cell_and_a_fraction(self) -> None:
         self.on_every_noise(self.check_position)

@@ -6,38 +6,20 @@ import itertools
 import math
 import unittest
 from collections import Counter
-from collections.abc import Callable, Hashable, Iterable, Mapping
+from collections.abc import Callable, Iterable
 from fractions import Fraction
 from pathlib import Path
 from unittest import mock
 
 from golden.generator import generator_of, to_f32
 from oracle import functions, gradients, numbers, words
+from oracle.evenness import LIMIT, equal_chances, unevenness
 from tables.functions import Function
 from tables.inc import Row
 from thorough import in_thorough_runs
 
-# Chi-square has the mean and half the variance of its degrees of freedom. By chance it is so many deviations above the
-# mean in fewer than one of a thousand samples, if there are five degrees or more; what is not uniform is far above.
-LIMIT = 5
-
 Shuffle = Callable[[int, int, int], int]
 Point = Callable[[int], tuple[float, ...]]
-
-
-def unevenness(found: Iterable[Hashable], chances: Mapping[Hashable, float]) -> float:
-    """By how many deviations chi-square is above its mean."""
-    counts = Counter(found)
-    if not counts.keys() <= chances.keys():
-        raise ValueError(f"no chance for {counts.keys() - chances.keys()}")
-    total, freedom = counts.total(), len(chances) - 1
-    square = sum((counts[cell] - total * chance)**2 / (total * chance) for cell, chance in chances.items())
-    return (square - freedom) / math.sqrt(2 * freedom)
-
-
-def equal_chances(cells: Iterable[Hashable]) -> dict[Hashable, float]:
-    cells = list(cells)
-    return {cell: 1 / len(cells) for cell in cells}
 
 
 def some_words(name: str, count: int) -> list[int]:

@@ -1,0 +1,72 @@
+"""Tests of self_check.py: what a program in C makes of it, and that everything it is made of shows."""
+
+from __future__ import annotations
+
+import unittest
+from pathlib import Path
+from unittest import mock
+
+from oracle import functions, numbers, positions, self_check, words
+from oracle.gradients import Knobs
+from tables.functions import Function
+from tables.inc import Row
+
+# The program was written from the contract.
+VALUES = {("lattice", 0): 240234850, ("lattice", 1): 2937394595, ("lattice", 2): 4130282317,
+          ("lattice", words.MASK): 3888241058, ("pcg", 0): 1917842424, ("pcg", 1): 298487038}
+
+
+class SelfCheck(unittest.TestCase):
+    def test_of_a_program_in_c(self) -> None:
+        self.assertEqual({key: self_check.self_check(*key) for key in VALUES}, VALUES)
+
+    def check_fails(self) -> None:
+        self.assertNotEqual(self_check.self_check("lattice", 0), VALUES["lattice", 0])
+
+    def test_each_number_and_their_order_show(self) -> None:
+        numbers_of, count = self_check.numbers_of, len(list(self_check.numbers_of(5, 7, 3)))
+        self.assertEqual(count, 15)
+        for at in range(count):
+            def without(*arguments) -> list[float]:
+                found = list(numbers_of(*arguments))
+                return found[:at] + found[at + 1:]
+
+            def one_off(*arguments) -> list[float]:
+                found = list(numbers_of(*arguments))
+                return [*found[:at], found[at] + 1, *found[at + 1:]]
+
+            def exchanged(*arguments) -> list[float]:
+                found = list(numbers_of(*arguments))
+                return [*found[:at], *found[at:at + 2][::-1], *found[at + 2:]]
+
+            for fault in (without, one_off, *([exchanged] if at + 1 < count else [])):
+                with mock.patch.object(self_check, "numbers_of", fault):
+                    self.check_fails()
+
+    def test_each_function_and_the_rounds_show(self) -> None:
+        for module, name in ((numbers, "unorms"), (numbers, "sphere"), (numbers, "disk"), (numbers, "sobol"),
+                             (numbers, "shuffle"), (positions, "cell")):
+            right = getattr(module, name)
+
+            def of_another(h, *others):
+                return right(h ^ 1 << 20, *others)
+
+            with mock.patch.object(module, name, of_another):
+                self.check_fails()
+        for name, value in (("ROUNDS", 15), ("UNITS", 8)):
+            with mock.patch.object(self_check, name, value):
+                self.check_fails()
+
+    def test_each_of_the_first_words_gives_another(self) -> None:
+        self.assertEqual(len({self_check.self_check("lattice", zero) for zero in range(40)}), 40)
+
+    def test_what_is_no_whole_number(self) -> None:
+        with mock.patch.object(numbers, "normal", lambda h: 2.0**-14), self.assertRaisesRegex(ValueError, "no whole"):
+            self_check.self_check("lattice", 0)
+
+    def test_the_row(self) -> None:
+        row = Row(Path("functions.inc"), 1, "FUNCTION", ())
+        function = Function(row, "hash.self_check", "hash", "exact", "zero:u32", "value:u32", "zero")
+        evaluate = functions.evaluator(function, False)
+        for (name, zero), value in VALUES.items():
+            self.assertEqual(evaluate(Knobs(name), (zero,)), (value,))
