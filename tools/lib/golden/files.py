@@ -21,14 +21,17 @@ BITS = "0.4.0"  # the version in which the values last changed
 
 @dataclass(frozen=True)
 class Digest:
-    """The block of points that a digest runs over, and the seed of the functions that take one."""
+    """The block of points that a digest runs over, and the seed of the functions that take one. A float stands there as
+    its word."""
     origin: tuple[int, ...]
     size: tuple[int, ...]
     seed: int | None = None
 
 
 # Of hashes, by what they take and by the number of axes. The blocks of words run over the wrap at 2^32, those of
-# coordinates over the sign change.
+# coordinates over the sign change. Those of candidates run over the seams of a tile, too, with
+# a radius of 1.
+ONE = 0x3F800000
 DIGESTS = {
     ("words", 1): Digest((0,), (16384,)),
     ("words", 2): Digest((2**32 - 64,) * 2, (128, 128)),
@@ -38,7 +41,17 @@ DIGESTS = {
     ("point", 2): Digest((-64, -64), (128, 128), 5),
     ("point", 3): Digest((-16, -16, -8), (32, 32, 16), 5),
     ("point", 4): Digest((-8, -8, -4, -4), (16, 16, 8, 8), 5),
+    ("zero", 1): Digest((2**32 - 16,), (64,)),
+    ("candidate", 2): Digest((-8, -8, 13, 11, ONE), (16, 16, 1, 1, 1), 5),
+    ("candidate", 3): Digest((-4, -4, -2, 7, 5, 3, ONE), (8, 8, 4, 1, 1, 1, 1), 5),
 }
+
+
+def meaning(kind: str, word: int) -> int | float:
+    """Of a number in a digest's block, which may go on beyond the largest word."""
+    if kind == "f32":
+        return struct.unpack("<f", struct.pack("<I", word))[0]
+    return word & 0xFFFFFFFF if kind == "u32" else word
 
 
 @dataclass(frozen=True)
@@ -63,7 +76,8 @@ class Values:
         seed = () if digest.seed is None else (digest.seed,)
         knobs, evaluate = knobs_of(self.configuration), evaluator(self.function, fixed=False)
         points = itertools.product(*(range(start, start + size) for start, size in zip(digest.origin, digest.size)))
-        values = [evaluate(knobs, point + seed)[0] for point in points]
+        kinds = [column.split(":")[1] for column in self.function.inputs.split()]
+        values = [evaluate(knobs, tuple(map(meaning, kinds, point + seed)))[0] for point in points]
         return f"{self.start_of(digest)}{fnv1a64(struct.pack(f'<{len(values)}I', *values)):016x}"
 
     def start_of(self, digest: Digest) -> str:
@@ -116,7 +130,8 @@ class GoldenFile:
                 continue
             lines.append(start + "".join(f" = {line(function.outputs, group.evaluate(row)) if one else '-'}"
                                          for group, one in zip(values, has)))
-        for i, group in enumerate(values if function.family == "hash" else (), len(every) + len(of_fixed)):
+        has_digest = function.family == "hash" and function.outputs.split()[0].endswith(":u32")
+        for i, group in enumerate(values if has_digest else (), len(every) + len(of_fixed)):
             digest = DIGESTS[function.form, function.axes]
             kept = there.get(i, "")
             is_kept = (chosen is not None and i not in chosen and

@@ -6,7 +6,7 @@ import itertools
 from collections.abc import Sequence
 
 import catalog.model
-from golden import cellular_rows, period_rows, simplex_rows, sum_rows
+from golden import cellular_rows, hex_rows, period_rows, scatter_rows, simplex_rows, sum_rows
 from golden.generator import INT_MAX, INT_MIN, SEEDS, Generator, Row, to_f32
 from oracle import gradients, words
 from tables.configurations import Configuration
@@ -49,6 +49,11 @@ def item_rows(inputs: str, generator: Generator) -> list[Row]:
     rows = [(word, other) for word in WORD_EDGES for other in second]
     rows += [(1 << i, generator.seed()) for i in range(32)]
     return rows + [(generator.word(), generator.seed()) for _ in range(128 - len(rows))]
+
+
+def zero_rows(generator: Generator) -> list[Row]:
+    """64 words: 0, which everybody passes, and others."""
+    return [(word,) for word in (*WORD_EDGES, *(generator.word() for _ in range(64 - len(WORD_EDGES))))]
 
 
 def lattice_rows(n: int, generator: Generator) -> list[Row]:
@@ -226,6 +231,12 @@ def rows_of(function: Function, fixed: bool, settings: Sequence[Configuration],
         return word_rows(generator) if n == 1 else vec_rows(n, generator), []
     if form == "items":
         return item_rows(function.inputs, generator), []
+    if form == "zero":
+        return zero_rows(generator), []
+    if form == "candidate":
+        return scatter_rows.rows_of(function, generator), []
+    if function.bound == hex_rows.BOUND:
+        return hex_rows.plain(function, generator), hex_rows.for_fixed(function, generator) if fixed else []
     if form == "point":
         if function.family == "hash":
             return lattice_rows(n, generator), []
