@@ -1,0 +1,67 @@
+"""hn_hex_tiling: what is proven of its weights and vectors, from docs/contract.md, section 20. One bound holds for both.
+
+RANGE. Weights are from 0 to 1. A vector from a corner stays within the hexagon around it: half a cell along each axis.
+
+LIPSCHITZ. A weight changes as X, as Y or as X - Y, which change by at most 3 where the coordinates change by 1. A vector
+changes by 1.
+
+FLOATS, in steps, of which a cell has two:
+
+    X = 2*x + y;  Y = 2*y;  u = X - floor(X);  v = Y - floor(Y)
+    1 - u, u - v, v    or, unless u > v,    1 - v, v - u, u
+    a = u - v/2;  a or a - 1 or a + 1/2 or a - 1/2;    v or v - 1;    halved
+
+X is below 4 and rounds by up to 2^-22: SKEWED. u and v are exact after that, as are halves. Where that moves X over a
+whole number, the corners are those of the other side; where it moves u over v, the weights of both sides differ by no
+more than u moved. Each difference is at most 1 and rounds by up to 2^-24: ONE. So a weight is off by SKEWED and ONE, and
+a vector by half of SKEWED and twice ONE, which is less.
+
+FIXED. A coordinate is cut to a multiple of 2^-20, which moves it by less than that. There is no other error.
+"""
+
+from __future__ import annotations
+
+from bounds.floats import TINY, position_error, rounding
+from bounds.gradients import Gradient
+from bounds.integers import ONE
+from bounds.noises import Derived
+from bounds.table import scientific
+
+CASES = ((2, None),)
+LIPSCHITZ = 3.0
+LARGEST_SKEWED = 3.0  # X, at the end of a cell
+BELOW_ONE = 1 - 2.0**-24
+
+
+def skewed_error(ulps: float = 1.0) -> float:
+    """Of X, and so of u; a coordinate that is subnormal may be 0."""
+    return rounding(LARGEST_SKEWED, ulps) + 3 * TINY
+
+
+def weight_error(ulps: float = 1.0) -> float:
+    """From a cell."""
+    return skewed_error(ulps) + rounding(BELOW_ONE, ulps)
+
+
+def offset_error(_: int, fixed: bool) -> float:
+    """Of a component of a vector, in cells."""
+    if fixed:
+        return 1 / ONE
+    return position_error((skewed_error() + 2 * rounding(BELOW_ONE, 1.0)) / 2, 1.0)
+
+
+def derive(_: int, __: Gradient | None) -> Derived:
+    cell_error, cut = weight_error(), LIPSCHITZ / ONE
+    return Derived(1.0, 1.0, LIPSCHITZ, cell_error, position_error(cell_error, LIPSCHITZ), 1.0, cut, 1.0, {"cut": cut})
+
+
+def largest_intermediates(_: int, __: Gradient | None) -> dict[str, float]:
+    return {"skewed": LARGEST_SKEWED * ONE}
+
+
+def quotes() -> list[tuple[str, str]]:
+    return [("docs/accuracy.md", f"vector is within {scientific(offset_error(2, False))} cells")]
+
+
+def describe(_: int, __: Gradient | None) -> dict[str, object]:
+    return {"error_from_cell_to_nearest": weight_error(0.5), "error_of_a_vector": offset_error(2, False)}
