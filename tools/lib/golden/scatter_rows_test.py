@@ -122,7 +122,7 @@ class ScatterRows(unittest.TestCase):
             for axis in range(n):
                 self.assertTrue(set(scatter_rows.PERIODS) <= {row[n + axis] for row in of.rows})
                 self.assertTrue({INT_MIN, INT_MAX} <= {row[axis] for row in of.rows})
-            values = [value for value, in of.right]
+            values = [value > 0 for value, in of.right]
             self.assertTrue(len(values) / 3 < sum(values) < len(values) * 3 / 4, (n, sum(values), len(values)))
         for n, of in POINTS.items():
             self.assertTrue({INT_MIN, INT_MAX} <= {row[0] for row in of.rows})

@@ -78,7 +78,7 @@ def _candidate_evaluator(function: Function) -> Evaluate:
     def evaluate(knobs: Knobs, row: Sequence[Real]) -> tuple[Real, ...]:
         *radius, seed = row[2 * n:]
         lattice, cell = Lattice(knobs, seed, tuple(row[n:2 * n])), row[:n]
-        return (int(scatter.stands(lattice, cell, *radius)),) if radius else scatter.point(lattice, cell)
+        return (scatter.scattered(lattice, cell, *radius),) if radius else scatter.point(lattice, cell)
 
     return evaluate
 

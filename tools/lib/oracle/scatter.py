@@ -55,6 +55,10 @@ def rivals(lattice: Lattice, cell: Sequence[int]) -> Iterator[tuple[tuple[int, .
 
 
 def stands(lattice: Lattice, cell: Sequence[int], radius: Real) -> bool:
-    """hn_scattered."""
     limit = reach(radius)**2
     return all(square >= limit for _, square in rivals(lattice, cell))
+
+
+def scattered(lattice: Lattice, cell: Sequence[int], radius: Real) -> int:
+    """hn_scattered."""
+    return rehash(candidate(lattice, tuple(cell)).word, 5) | 1 if stands(lattice, cell, radius) else 0
