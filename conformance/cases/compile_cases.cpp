@@ -178,11 +178,12 @@ void add_highp_case(std::vector<Case>& cases, std::string_view file, const Confi
 // most machines never contract. So glslang is asked for the SPIR-V, where every operation that rounds must be marked.
 // These functions need no mark: what they compute is exact, contracted or not.
 Outcome check_uncontracted(const Suite& suite, std::string_view file, const Configuration& configuration) {
-  constexpr std::array<std::string_view, 20> kExact = {
-      "hn_unorm(",      "hn_snorm(",      "hn_gradient2(",         "hn_gradient3(",  "hn_i_fraction_of_units(",
-      "hn_i_quarters(", "hn_i_falloff(",  "hn_i_rotation(",        "hn_i_per_cell(", "hn_i_offset_from_cell(",
-      "hn_i_toward(",   "hn_i_distance(", "hn_i_border_distance(", "hn_i_whole(",    "hn_i_whole_fraction(",
-      "hn_i_ratio(",    "hn_normal(",     "hn_i_component(",       "hn_i_root(u1;",  "hn_i_displaced(vi2;f1;"};
+  constexpr std::array<std::string_view, 23> kExact = {
+      "hn_unorm(",      "hn_snorm(",         "hn_gradient2(",         "hn_gradient3(",  "hn_i_fraction_of_units(",
+      "hn_i_quarters(", "hn_i_falloff(",     "hn_i_rotation(",        "hn_i_per_cell(", "hn_i_offset_from_cell(",
+      "hn_i_toward(",   "hn_i_distance(",    "hn_i_border_distance(", "hn_i_whole(",    "hn_i_whole_fraction(",
+      "hn_i_ratio(",    "hn_normal(",        "hn_i_component(",       "hn_i_root(u1;",  "hn_i_displaced(vi2;f1;",
+      "hn_i_in_cells(", "hn_scatter_point(", "hn_i_square_of_reach("};
   const Profile& profile = profile_named("vulkan");
   const auto source = expand(suite.sources, profile, calling_shader(file, configuration, profile, Stage::fragment));
   if (!source) return outcome_with(Status::fail, source.error());
@@ -400,9 +401,8 @@ Outcome expect_refusal(const CompilationKind& compilation, const Result<void>& c
 void add_refusal_cases(std::vector<Case>& cases, const Refusal& refusal) {
   const std::string fragment = fmt::format("{}#include \"{}\"\n{}void main() {{}}\n", refusal.knobs,
                                            refusal.after.empty() ? "config.glsl" : "hashnoise.glsl", refusal.after);
-  const CompilationKind compilation{
-      &profile_named(refusal.profile), [fragment] { return fragment; }, refusal.expected,
-      refusal.name.starts_with("version") || refusal.profile == "es310"};
+  const CompilationKind compilation{&profile_named(refusal.profile), [fragment] { return fragment; }, refusal.expected,
+                                    refusal.name.starts_with("version") || refusal.profile == "es310"};
   cases.push_back(
       {name_of_setting(refusal.name, refusal.profile, "refused_by_glslang"), ReferenceKind{[=](const Suite& suite) {
          const auto text = expand(suite.sources, *compilation.profile, compilation.fragment());

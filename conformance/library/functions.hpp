@@ -55,8 +55,12 @@ struct Function {
   bool takes_footprint() const { return input("footprint") >= 0; }
   bool takes_count() const { return input("n") >= 0; }        // of items
   bool takes_detail() const { return input("detail") >= 0; }  // a float of octaves
-  // Whether an output is the cell of the nearest feature point, or a component of the vector to it.
-  bool is_name(std::size_t output) const { return outputs[output].type == WordType::i32 && !exact(); }
+  // Whether an output is the cell of the nearest feature point or the word of a hexagon, or a component of the vector to
+  // that point. A name is exact, though other outputs are not.
+  bool is_name(std::size_t output) const {
+    const WordType type = outputs[output].type;
+    return (type == WordType::i32 || type == WordType::u32) && !exact();
+  }
   bool is_offset(std::size_t output) const { return outputs[output].name.front() == 'o'; }
   // Whether an output, or the last one at least, jumps where two feature points are equally near.
   bool jumps(std::size_t output) const {

@@ -44,6 +44,9 @@ function shortNumber(value) {
   return `${digits}e${exponent < 0 ? "-" : "+"}${String(Math.abs(exponent)).padStart(2, "0")}`;
 }
 
+// Such a word counts as a whole, even of a function whose floats may be off.
+const isWhole = (type) => type === "i32" || type === "u32";
+
 function describeWord(word, type) {
   // f64: the value of a golden file, which a shader has as a float.
   if (type === "f32" || type === "f64") return describeFloat(floatOf(word));
@@ -175,7 +178,7 @@ async function checkValues(renderer, suite, test) {
     const got = outputs[point * kOutputWords + (i % width)];
     const { type } = columns.outputs[i % width];
     if (test.exact) comparison.bits(point, got, expected[i], type);
-    else if (type === "i32") comparison.bits(point, got, expected[i] >>> 0, type);
+    else if (isWhole(type)) comparison.bits(point, got, expected[i] >>> 0, type);
     else comparison.number(point, floatOf(got), expected[i], allowed(i));
   }
   const outcome = comparison.finish();
@@ -198,7 +201,7 @@ async function checkSame(renderer, suite, test) {
     const within = allowed(point * width + word);
     // Negative where a value jumps so near that two ways of rounding need not agree.
     if (!test.exact && within < 0) return;
-    if (test.exact || type === "i32") comparison.bits(point, got, wanted, type);
+    if (test.exact || isWhole(type)) comparison.bits(point, got, wanted, type);
     else comparison.number(point, floatOf(got), test.factor * floatOf(wanted), within);
   };
   for (let point = 0; point * kInputWords < inputs.length; ++point) {

@@ -14,14 +14,15 @@ struct hn_hexes {
   hn_vec3 y;
 };
 
-// A number of a fraction as a float, which is exact.
+// A number of a fraction as a float, which is exact. No 0 is negative.
 #if HN_ARITHMETIC != HN_FIXED
-HN_FN hn_float hn_i_of_fraction(hn_float f) { return f; }
+HN_FN hn_float hn_i_of_fraction(hn_float f) { return hn_i_flushed(f); }
 #else
 HN_FN hn_float hn_i_of_fraction(hn_int f) { return hn_i_float(f) * (1.0f / 1048576.0f); }
 #endif
-HN_FN hn_vec3 hn_i_of_fractions(hn_num a, hn_num b, hn_num c) {
-  return vec3(hn_i_of_fraction(a), hn_i_of_fraction(b), hn_i_of_fraction(c));
+HN_FN hn_float hn_i_in_cells(hn_num step) { return hn_i_of_fraction(step) * 0.5f; }  // a step is half a cell
+HN_FN hn_vec3 hn_i_in_cells(hn_num3 steps) {
+  return vec3(hn_i_in_cells(steps.x), hn_i_in_cells(steps.y), hn_i_in_cells(steps.z));
 }
 
 // Hex tiling: which three hexagons overlap at a position, and how much each counts. Each has its own random word: give
@@ -33,9 +34,9 @@ HN_FN hn_vec3 hn_i_of_fractions(hn_num a, hn_num b, hn_num c) {
 //   seed     any uint: 7u, not 7; different seeds give independent words
 //   returns  weights, words and offsets. The weights are in [0, 1], continuous, and change by at most sqrt(5) per cell;
 //            an offset is at most 0.56 long
-//   error    of the weights at most 4.77e-7 against the exact value, in any rounding mode (docs/accuracy.md); of the offset
-//            at most 2.39e-7. HN_FIXED 2.87e-6. From a cell at most 2.99e-7. Where a corner changes, up to the error, it
-//            may be either
+//   error    at most 4.77e-7 against the exact weights, in any rounding mode (docs/accuracy.md). HN_FIXED 2.87e-6.
+//            From a cell at most 2.99e-7; of the offset at most 2.39e-7. HN_FIXED 9.54e-7. Where a corner changes, up
+//            to the error, it may be either
 //   period   2^31 cells per axis, or that of the tile
 //   cost     3 hashes (none with HN_HASH_LATTICE) and 12 multiplications; 2 more to spread the coordinates, and 2 more
 //            for a seed that is not constant
@@ -50,12 +51,11 @@ HN_FN hn_hexes hn_hex_tiling(hn_place2 place, hn_uint seed) {
   hn_num least = min(u, v);
   hn_uint s = hn_i_mix(seed);
   HN_I_NEW(hn_hexes, hexes);
-  hexes.weights = hn_i_of_fractions(hn_i_minus(HN_I_ONE, most), hn_i_minus(most, least), least);
+  hexes.weights = vec3(hn_i_of_fraction(hn_i_minus(HN_I_ONE, most)), hn_i_of_fraction(hn_i_minus(most, least)),
+                       hn_i_of_fraction(least));
   hexes.words = uvec3(hn_i_lattice(corners.first, s), hn_i_lattice(corners.middle, s), hn_i_lattice(corners.last, s));
-  hn_num3 x = hn_i_triangle_x(skewed);
-  hn_num3 y = hn_i_triangle_y(skewed);
-  hexes.x = hn_i_of_fractions(x.x, x.y, x.z) * 0.5f;  // a step is half a cell
-  hexes.y = hn_i_of_fractions(y.x, y.y, y.z) * 0.5f;
+  hexes.x = hn_i_in_cells(hn_i_triangle_x(skewed));
+  hexes.y = hn_i_in_cells(hn_i_triangle_y(skewed));
   return hexes;
 }
 HN_FN hn_hexes hn_hex_tiling(hn_vec2 p, hn_uint seed) { return hn_hex_tiling(hn_place(p), seed); }

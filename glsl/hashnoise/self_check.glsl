@@ -8,14 +8,14 @@
 #include "position.glsl"
 
 // A whole number that a float is when multiplied by a power of two, as a word.
-HN_FN hn_uint hn_i_whole(hn_float x, hn_float units) { return uint(int(x * units)); }
+HN_FN hn_uint hn_i_in_units(hn_float x, hn_float units) { return uint(int(x * units)); }
 
 HN_FN hn_uint hn_i_checked(hn_uint w, hn_uint n) { return hn_i_mix(w + n); }
 HN_FN hn_uint hn_i_checked(hn_uint w, hn_vec2 v, hn_float units) {
-  return hn_i_checked(hn_i_checked(w, hn_i_whole(v.x, units)), hn_i_whole(v.y, units));
+  return hn_i_checked(hn_i_checked(w, hn_i_in_units(v.x, units)), hn_i_in_units(v.y, units));
 }
 HN_FN hn_uint hn_i_checked(hn_uint w, hn_vec3 v, hn_float units) {
-  return hn_i_checked(hn_i_checked(w, vec2(v.x, v.y), units), hn_i_whole(v.z, units));
+  return hn_i_checked(hn_i_checked(w, vec2(v.x, v.y), units), hn_i_in_units(v.z, units));
 }
 
 // A check of the driver, the compiler or the port that you use: one word, equal everywhere, of 16 points each of
@@ -35,11 +35,11 @@ HN_FN hn_uint hn_self_check(hn_uint zero) {
     w = hn_i_checked(w, hn_unorm_three(h), 16777216.0f);
     w = hn_i_checked(w, hn_sphere(h), 65536.0f);
     w = hn_i_checked(w, hn_disk(h), 65536.0f);
-    w = hn_i_checked(w, hn_i_whole(hn_normal(h), 8192.0f));
+    w = hn_i_checked(w, hn_i_in_units(hn_normal(h), 8192.0f));
     w = hn_i_checked(w, hn_shuffle(h, uint(i + 1000), seed));
     w = hn_i_checked(w, hn_sobol(h, seed), 16777216.0f);
     w = hn_i_checked(w, uint(hn_cell(int(h), i + 1, 7)));
-    w = hn_i_checked(w, hn_i_whole(hn_fraction(int(h), i + 1, 7), 16777216.0f));
+    w = hn_i_checked(w, hn_i_in_units(hn_fraction(int(h), i + 1, 7), 16777216.0f));
   }
   return w;
 }
