@@ -67,12 +67,13 @@ class Evaluated:
     evaluation: Evaluation
     block: list[Statement]
     parameters: list[Parameter]  # that are left
+    asked: set[Key]  # of which functions it mattered whether they are called
 
-    @property
+    @functools.cached_property
     def nodes(self) -> set[Node]:
         return values_of(self.block)
 
-    @property
+    @functools.cached_property
     def size(self) -> int:
         """How many operations it has."""
         return sum(isinstance(node, Operation) and node.kind not in ("member", "construct") for node in self.nodes)
@@ -84,21 +85,33 @@ class Program:
     def __init__(self, module: Module, roots: Sequence[Function]):
         self.module = module
         self.kept: dict[Key, Kept] = {}
+        self._done: dict[tuple[Kept, bool], Evaluated] = {}  # that the functions in `kept` leave as they are
         while True:
             self.roots = [self._evaluated(self._all_passed(root), is_root=True) for root in roots]
             self.called = self._called()
             kept = self._worth_a_call() or self._joined()
             if kept is None:
                 break
-            self.kept[kept.name, kept.types] = kept
-
-    def _keeps(self, function: Function, arguments: Sequence[Node]) -> Kept | None:
-        kept = self.kept.get((function.name, function.types))
-        return kept if kept and kept.left(arguments) is not None else None
+            key = kept.name, kept.types
+            self.kept[key] = kept
+            self._done = {of: one for of, one in self._done.items() if key not in one.asked}
 
     def _evaluated(self, kept: Kept, is_root: bool = False) -> Evaluated:
+        if (kept, is_root) not in self._done:
+            self._done[kept, is_root] = self._evaluate(kept, is_root)
+        return self._done[kept, is_root]
+
+    def _evaluate(self, kept: Kept, is_root: bool) -> Evaluated:
         function = self.module.functions[kept.name, kept.types]
-        evaluation = Evaluation(self.module, self._keeps)
+        asked: set[Key] = set()
+
+        def keeps(called: Function, arguments: Sequence[Node]) -> Kept | None:
+            key = called.name, called.types
+            asked.add(key)
+            found = self.kept.get(key)
+            return found if found and found.left(arguments) is not None else None
+
+        evaluation = Evaluation(self.module, keeps)
         parameters: list[Parameter] = []
         values: list[Typed] = []
         nodes: list[Node] = []  # of what is passed
@@ -114,7 +127,8 @@ class Program:
                 elif isinstance(of, int):
                     nodes.append(nodes[of])
                 elif isinstance(of, Kept):
-                    inside = self._evaluated(of)
+                    inside = self._evaluate(of, is_root=False)  # afresh, since its variables get other names
+                    asked |= inside.asked
                     taken = {one.at.text for one in (*function.parameters, *parameters)}
                     parameters += [_renamed(one, inside.nodes, taken) for one in inside.parameters]
                     evaluation.hints.update(inside.evaluation.hints)
@@ -128,7 +142,7 @@ class Program:
                     leaves |= {(*path, *rest): node for rest, node in self.module.leaves(nodes[-1]).items()}
             values.append(Typed(parameter.type, leaves))
         return Evaluated(function, evaluation, without_copies(without_dead(evaluation.run(function, values))),
-                         parameters)
+                         parameters, asked)
 
     def _named(self, function: Function, parameter: Parameter, path: tuple[str, ...]) -> str:
         """What is passed for a parameter. A position that is split is x, y and so on."""
