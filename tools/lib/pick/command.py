@@ -26,7 +26,7 @@ import argparse
 import functools
 import shlex
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, fields, replace
 from pathlib import Path
 
@@ -93,31 +93,44 @@ def read_library(library: Path, choice: Choice) -> Module:
     return read(library, knobs.macros(), choice.language in SYNTAXES, knobs.own_functions())
 
 
-def picked(names: Sequence[str], choice: Choice = Choice(), library: Path = GLSL, module: Module | None = None) -> str:
-    """The text. The module is that of the choice, if it was read before."""
-    choice.check()
-    module = module or read_library(library, choice)
-    functions = chosen(module, names)
-    command = shlex.join(["tools/pick", *dict.fromkeys(names), *choice.options()])
-    precise = choice.arithmetic == "precise"
-    if choice.language in SYNTAXES:
-        return text(Program(module, functions), SYNTAXES[choice.language](precise), facts(functions, library),
-                    origin(command))
-    language = LANGUAGES[choice.language]
-    return (imported_as(choice.import_path) + heading(functions, language, command, library)
-            + Program(module, functions).text(language, precise))
+def command_of(names: Sequence[str], choice: Choice) -> str:
+    return shlex.join(["tools/pick", *dict.fromkeys(names), *choice.options()])
+
+
+def picker(library: Path = GLSL) -> Callable[[Sequence[str], Choice], str]:
+    """What makes many texts: the library is read once for each setting and kind of language, and functions that are
+    asked for in one language after the other are evaluated once."""
+    module = functools.cache(functools.partial(read_library, library))
+
+    @functools.lru_cache(maxsize=4)
+    def program(names: tuple[str, ...], choice: Choice) -> Program:
+        return Program(module(choice), chosen(module(choice), names))
+
+    def pick(names: Sequence[str], choice: Choice) -> str:
+        choice.check()
+        splits = choice.language in SYNTAXES
+        made = program(tuple(names), replace(choice, language="c" if splits else "glsl", import_path=""))
+        functions = [root.function for root in made.roots]
+        command = command_of(names, choice)
+        precise = choice.arithmetic == "precise"
+        if splits:
+            return text(made, SYNTAXES[choice.language](precise), facts(functions, library), origin(command))
+        language = LANGUAGES[choice.language]
+        return (imported_as(choice.import_path) + heading(functions, language, command, library)
+                + made.text(language, precise))
+
+    return pick
+
+
+def picked(names: Sequence[str], choice: Choice = Choice(), library: Path = GLSL) -> str:
+    """One text."""
+    return picker(library)(names, choice)
 
 
 def for_pages(library: Path) -> pages.Picked:
-    """The texts of docs/snippets. The library is read once for each kind of language and arithmetic."""
-    @functools.cache
-    def module(splits: bool, arithmetic: str) -> Module:
-        return read_library(library, Choice("c" if splits else "glsl", arithmetic))
-
-    def of_function(name: str, language: str, arithmetic: str) -> str:
-        return picked([name], Choice(language, arithmetic), library, module(language in SYNTAXES, arithmetic))
-
-    return of_function
+    """The texts of docs/snippets."""
+    pick = picker(library)
+    return lambda name, language, arithmetic: pick([name], Choice(language, arithmetic))
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
