@@ -148,7 +148,7 @@ class Shaders(unittest.TestCase):
         ES."""
         for language, head in (("glsl", "#version 330\n"), ("glsl-es", "#version 300 es\nprecision mediump float;\n"),
                                ("godot", "#version 300 es\nprecision highp float;\nprecision highp int;\n")):
-            shader = head + text(*MIXED, language=language) + "void main() {}\n"
+            shader = head + text(*MIXED, language=language) + "void main() { int metric = HN_METRIC_HYBRID; }\n"
             with self.subTest(language=language), tempfile.TemporaryDirectory() as folder:
                 file = Path(folder) / "shader.frag"
                 file.write_text(shader, encoding="ascii")

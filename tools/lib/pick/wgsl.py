@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 
 from parsing.syntax import Function, Parameter
-from pick.evaluate import CASTS, Kept, Module
+from pick.evaluate import CASTS, Kept
 from pick.printer import BITS, PRIMARY, TRUTH, UNARY, Language, Writer, splatted
 from pick.statements import Set, Statement, walk
 from pick.values import SIZES, Node, Operation, Variable, construct, converted, scalar_of, vector_of
-from wgsl.names import RESERVED, is_passed, variable, wgsl_name, wgsl_type
+from wgsl.names import RESERVED, variable, wgsl_name, wgsl_type
 
 SHIFTS = ("<<", ">>")
 
@@ -37,11 +37,8 @@ class Wgsl(Language):
     def signature(self, function: Function) -> str:
         return self.head(function.type, wgsl_name(function), function.parameters, set())[len("fn "):-len(" {")]
 
-    def constants(self, functions: Sequence[Function], module: Module) -> str:
-        if not any(parameter.at.text == "metric" for function in functions for parameter in function.parameters):
-            return ""
-        return "".join(f"const {name}: i32 = {module.constant(name).at};\n"
-                       for name in module.constants if is_passed(name))
+    def constant(self, name: str, value: str) -> str:
+        return f"const {name}: i32 = {value};\n"
 
     def head(self, type_: str, name: str, parameters: Iterable[Parameter], read: set[str]) -> str:
         def typed(one: Parameter) -> str:
