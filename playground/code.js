@@ -73,7 +73,7 @@ class Writer {
     this.types = kTypes[language];
     this.noise = kNoises[state.noise];
     this.files = new Set();
-    this.needs = new Set(); // of WGSL: what the functions call
+    this.needs = new Set(); // what the functions call, by the names in WGSL
     this.summed = state.sum !== "none";
     // Where a noise is asked: at a position, in a cell, or at a place that is given.
     this.position = { position: "p" };
@@ -91,9 +91,8 @@ class Writer {
 
   // A call of a function of the library by the name that it has in WGSL, which has no overloads.
   called(name, renamed, ...passed) {
-    const wgsl = this.language === "wgsl";
-    if (wgsl) this.needs.add(renamed);
-    return `${wgsl ? renamed : name}(${passed.join(", ")})`;
+    this.needs.add(renamed);
+    return `${this.language === "wgsl" ? renamed : name}(${passed.join(", ")})`;
   }
 
   // A call of a noise or of a sum, in a tile if the state has one. A place that is given is in it already.
@@ -139,13 +138,12 @@ class Writer {
       const wgsl = this.language === "wgsl";
       const set = wgsl ? ["&nearest", "&offset"] : ["nearest", "offset"];
       const call = this.call(noise.calls, where, "nearest", values.jitter, metric, values.seed, ...set);
-      const word = wgsl ? `hn_lattice${this.n}` : "hn_lattice";
-      this.needs.add(word).add("hn_unorm");
+      const word = this.called("hn_lattice", `hn_lattice${this.n}`, "nearest", values.otherSeed);
       return {
         lines: wgsl
           ? [`var nearest: ${int(this.n)};`, `var offset: ${float(this.n)};`, `${call};`]
           : [`${int(this.n)} nearest;`, `${float(this.n)} offset;`, `${call};`],
-        value: `hn_unorm(${word}(nearest, ${values.otherSeed}))`,
+        value: this.called("hn_unorm", "hn_unorm", word),
       };
     }
     let call;
@@ -428,19 +426,22 @@ export const kKinds = {
   cpp: { function: { label: "Functions" } },
 };
 
-// Beyond so many cells a position in floats has too few digits behind the point.
-const kFar = 1024;
-const isFar = ({ cells }, place) => cells > kFar || place.some((parts) => Math.abs(cellOf(parts)) > kFar);
+const middleOf = ({ x, y, z, w, dimensions }) => [x, y, partsOf(z), partsOf(w)].slice(0, dimensions);
 
-// {form, lines}: the main function of a whole shader, which draws the picture as the page has it, and which form of
-// "pattern" it calls.
+// By which form of "pattern" the picture is drawn: beyond so many cells a position in floats has too few digits behind
+// the point.
+const kFar = 1024;
+const formOf = (state) =>
+  state.cells > kFar || middleOf(state).some((parts) => Math.abs(cellOf(parts)) > kFar) ? "cell" : "position";
+
+// The lines of the main function of a whole shader, which draws the picture as the page has it.
 function mainOf(language, state, { main, pixel, below, result }) {
   const { float, int } = kTypes[language];
   const n = state.dimensions;
   const set = (type, name, value) => declaration(language, type, name, value);
   const vector = (type, parts) => (parts.length === 1 ? parts[0] : `${type}(${parts.join(", ")})`);
-  const place = [state.x, state.y, partsOf(state.z), partsOf(state.w)].slice(0, n);
-  const far = isFar(state, place);
+  const place = middleOf(state);
+  const far = formOf(state) === "cell";
   const numbers = place.map((parts) => decimal((far ? placeOf(parts) : Number(parts)) / kPartsOfCell));
   const flat = Math.min(n, 2); // The pixel has so many coordinates; the others are those of the slice.
   const scaled = `${n === 1 ? "pixel.x" : "pixel"} * ${decimal(state.cells)}`;
@@ -471,58 +472,57 @@ function mainOf(language, state, { main, pixel, below, result }) {
       result(`colour(value) * (1.0 - 0.875 * above)`),
     );
   }
-  return { form: far ? "cell" : "position", lines: [main, ...lines.map((line) => `  ${line}`), "}"] };
+  return [main, ...lines.map((line) => `  ${line}`), "}"];
 }
 
-// {head, library, code}: lines; of the library a function that makes them. Without it the head includes it, if the
-// language can. Whole shaders always have it.
+// {head, library, code}: lines; of the library a function that makes them: what tools/pick writes of what is called, or
+// the files, if the page has not picked that. Without it the head includes it, if the language can. Whole shaders
+// always have it.
 export function copied(library, language, state, kind = "function", withLibrary = true) {
   const shell = kKinds[language][kind];
-  const main = shell.main && mainOf(language, state, shell);
+  const [cpp, wgsl] = [language === "cpp", language === "wgsl"];
   const values = numbers(language, state);
-  const { lines, files, needs, public: called } = functions(library, language, state, values, main && [main.form]);
-  const inside = language !== "cpp" && (main || withLibrary);
-  const head = [
-    ...(shell.first ?? []),
-    `// Made by hashnoise's playground, version ${library.version}. ${shell.use ?? kPlaces[language]}`,
-    ...(inside ? [kLicense] : []),
+  const shown = functions(library, language, state, values, [formOf(state)]);
+  const inside = !cpp && (shell.main || withLibrary);
+  const picked = inside ? library.picked(pickCommand(language, state, shown.public)) : [];
+  const single = shell.main || picked.length > 0;
+  const { lines, files, needs, public: called } = single ? shown : functions(library, language, state, values);
+  const included = language === "hlsl" ? ["begin.hlsl", ...files, "end.hlsl"] : files;
+  const headers = cpp ? ["<hashnoise/hashnoise.hpp>"] : included.map((file) => `"hashnoise/${file}"`);
+  const command = [
+    `// ${inside ? "Less than the library below is" : "In front of it stands"} what tools/pick writes:`,
+    `// ${pickCommand(language, state, called)}`,
   ];
   const note = state.dimensions === 1 ? "p counts cells" : "p is a position in cells: uv * 8.0 has 8 of them on a side";
-  const comment = main ? [] : [`// ${note}. Far out pass an integer cell and the place in it.`];
   const code = [
-    ...comment,
+    ...(shell.main ? [] : [`// ${note}.${single ? "" : " Far out pass an integer cell and the place in it."}`]),
     ...lines,
-    ...(language === "cpp" ? [] : ["", ...colours(language, state)]),
-    ...(main ? ["", ...shell.declared, ...main.lines] : []),
+    ...(cpp ? [] : ["", ...colours(language, state)]),
+    ...(shell.main ? ["", ...shell.declared, ...mainOf(language, state, shell)] : []),
   ];
-  if (language === "wgsl") {
-    const command = [`// In front of it stands what tools/pick writes:`, `// ${wgslCommand(state, called)}`];
-    return {
-      head: [...head, ...(inside ? [] : command), ""],
-      library: () => (inside ? library.wgsl(needs, state).flatMap((piece) => piece.split("\n")) : []),
-      code,
-    };
-  }
-  if (language === "cpp") {
-    return {
-      head: [...head, ...knobs(state), "#include <hashnoise/hashnoise.hpp>", ""],
-      library: () => [],
-      code: ["namespace hashnoise {", ...code, "}  // namespace hashnoise"],
-    };
-  }
-  const included = language === "hlsl" ? ["begin.hlsl", ...files, "end.hlsl"] : files;
   return {
-    head: [...head, ...knobs(state), ...(inside ? [] : included.map((file) => `#include "hashnoise/${file}"`)), ""],
-    library: () => (inside ? library.lines(included) : []),
-    code,
+    head: [
+      ...(shell.first ?? []),
+      `// Made by hashnoise's playground, version ${library.version}. ${shell.use ?? kPlaces[language]}`,
+      ...(inside && !picked.length ? [kLicense] : []),
+      ...(picked.length || (!inside && !wgsl) ? [] : command),
+      ...(picked.length || wgsl ? [] : knobs(state)),
+      ...(inside || wgsl ? [] : headers.map((header) => `#include ${header}`)),
+      "",
+    ],
+    library: () => {
+      if (!inside || picked.length) return picked;
+      return wgsl ? library.wgsl(needs, state).flatMap((piece) => piece.split("\n")) : library.lines(included);
+    },
+    code: cpp ? ["namespace hashnoise {", ...code, "}  // namespace hashnoise"] : code,
   };
 }
 
-function wgslCommand({ arithmetic, hash }, names) {
+function pickCommand(language, { arithmetic, hash }, names) {
   return [
     "tools/pick",
     ...names,
-    "--language wgsl",
+    ...(language === "glsl" ? [] : [`--language ${language}`]),
     ...(arithmetic === "fixed" ? ["--arithmetic fixed"] : []),
     ...(hash === "lattice" ? [] : [`--hash ${hash}`]),
   ].join(" ");

@@ -236,7 +236,7 @@ export class Controls {
     byId("choose-whole").hidden = !optional;
     byId("note-code").hidden = optional;
     byId("note-code").textContent =
-      this.language === "cpp" ? "It needs include/ and glsl/ of the library." : "The library is in it.";
+      this.language === "cpp" ? "It needs include/ and glsl/ of the library." : "What it calls is in it.";
     this.showCode();
   }
 

@@ -1,10 +1,11 @@
-// The library inside the page: the text of glsl/hashnoise/ and the definitions of its translation to WGSL.
+// The library inside the page: the text of glsl/hashnoise/, the definitions of its translation to WGSL, and what
+// tools/pick writes of functions.
 
-// In the page the library is JSON, gzipped and written as base64 (tools/playground).
+// In the page both are JSON, gzipped and written as base64 (tools/playground).
 export async function unpacked(base64) {
   const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
   const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
-  return new Library(JSON.parse(await new Response(stream).text()));
+  return JSON.parse(await new Response(stream).text());
 }
 
 export class Library {
@@ -16,6 +17,14 @@ export class Library {
     this.definitions = data.wgsl.definitions;
     this.settings = data.wgsl.settings;
     this.modules = new Map();
+    this.picks = { lines: [], texts: {} }; // tools/lib/playground/picks.py; the page has them after its first picture
+  }
+
+  // The lines that a command of tools/pick writes. Nothing for one that the page does not have.
+  picked(command) {
+    const spans = this.picks.texts[command] ?? [];
+    const lines = spans.flatMap((place, at) => (at % 2 ? [] : this.picks.lines.slice(place, place + spans[at + 1])));
+    return lines.map((line) => line.replace("{command}", command));
   }
 
   // The lines of these files and of all that they include, each once and where it is first included: what

@@ -2,7 +2,7 @@
 import { shaderKey } from "./code.js";
 import { byId, Controls } from "./controls.js";
 import { costOf } from "./cost.js";
-import { unpacked } from "./library.js";
+import { Library, unpacked } from "./library.js";
 import {
   kNoises,
   kRenderers,
@@ -611,9 +611,12 @@ class Playground {
 
 // What the tests ask, and who opens the console: hashnoise.pixels(64, 64), hashnoise.state, ...
 unpacked(byId("library").textContent)
-  .then(async (library) => {
+  .then(async (data) => {
+    const library = new Library(data);
     window.hashnoise = new Playground(library);
     await window.hashnoise.start();
+    library.picks = await unpacked(byId("picks").textContent);
+    window.hashnoise.controls.showCode();
     document.documentElement.dataset.ready = "yes";
   })
   .catch((error) => {

@@ -5,13 +5,14 @@ import { writeFile } from "node:fs/promises";
 import { join } from "node:path";
 import test, { after, before } from "node:test";
 import { usualState } from "../model.js";
+import { simpleStates } from "./states.mjs";
 import { compiled, copiedCode, inFolder, kRoot, launched, opened, pixels, run, setState } from "./support.mjs";
 
 // Eighths of a cell from 0 on, so that both pattern(cell, f) and pattern(p) are exact.
 const kWidth = 32;
 const kHeight = 24;
 const kOrigin = { x: BigInt(kWidth / 2) << 21n, y: BigInt(kHeight / 2) << 21n, cells: 3 };
-const states = [
+const chosen = [
   { sum: "fbm", noise: "perlin" },
   { sum: "ridged", noise: "simplex", hash: "pcg", map: "land" },
   { sum: "none", noise: "cell_border", jitter: 0.5, period: 3, map: "signed" },
@@ -22,7 +23,18 @@ const states = [
   { sum: "ping_pong", noise: "value", warp: "warp", amplitude: 0.5, strength: 2.5, contrast: 2 },
   { sum: "clouds", noise: "value_cubic", dimensions: 1 },
   { sum: "weighted", noise: "simplex", dimensions: 4, z: 0.25, w: 1.5, arithmetic: "fast" },
-].map((state) => ({ ...usualState(), arithmetic: "fixed", ...kOrigin, ...state, renderer: "webgl2" }));
+];
+// What tools/pick has written is all compiled and drawn in a thorough run.
+const picked = simpleStates()
+  .filter((_, at) => process.env.HN_THOROUGH || at % 19 === 7)
+  .map((state) => ({ ...state, z: 0.75, w: 1.5 }));
+const common = { ...kOrigin, renderer: "webgl2" };
+const states = [...chosen, ...picked].map((state) => ({
+  ...usualState(),
+  arithmetic: "fixed",
+  ...state,
+  ...common,
+}));
 const nameOf = ({ sum, noise, dimensions, period }) => `${sum} of ${noise} in ${dimensions}D${period ? ", tiled" : ""}`;
 
 // A call of pattern() at the pixel, at a position or from a cell.
@@ -45,6 +57,10 @@ function call(language, state, cell) {
   return `${language === "wgsl" ? "pattern_cell" : "pattern"}(${vector(int, ends[1], whole)}, ${vector(float, ends[0], rests)})`;
 }
 
+// Whether the forms of pattern() that a text has take a cell.
+const formsOf = (code) => [true, false].filter((cell) => /pattern(_cell)?\((\w+ cell,|cell:)/.test(code) || !cell);
+const callsOf = (language, code, state) => formsOf(code).map((cell) => call(language, state, cell)).join(" + ");
+
 // glslang's opinion of a shader.
 const glslang = (text, name, ...options) =>
   inFolder(async (folder) => {
@@ -65,7 +81,7 @@ const glslShader = (code, state, version = "450") => {
 void main() {
   int column = int(gl_FragCoord.x);
   int row = int(gl_FragCoord.y);
-  color = vec4(colour(${call("glsl", state, true)} + ${call("glsl", state, false)}), 1.0);
+  color = vec4(colour(${callsOf("glsl", code, state)}), 1.0);
 }
 `;
 };
@@ -89,7 +105,7 @@ const hlslShader = (code, state) => `${code}
 float4 main(float4 position : SV_Position) : SV_Target {
   int column = int(position.x);
   int row = int(position.y);
-  return float4(colour(${call("hlsl", state, true)} + ${call("hlsl", state, false)}), 1.0f);
+  return float4(colour(${callsOf("hlsl", code, state)}), 1.0f);
 }
 `;
 
@@ -264,16 +280,22 @@ const kHlslForms = [
   ["function", true, hlslShader],
 ];
 
+// One of the forms for each state; what was picked is in those that have what they call in them.
+const formOf = (forms, number) => {
+  const possible = number < chosen.length ? forms : forms.filter(([, whole]) => whole);
+  return possible[number % possible.length];
+};
+
 test("copied GLSL and HLSL compile", async () => {
   const include = `-I${join(kRoot, "glsl")}`;
   const hlslOptions = ["-D", "-V", "--target-env", "vulkan1.1", "-S", "frag", "-e", "main", include];
   for (const [number, state] of states.entries()) {
     await setState(page, state);
     // glslang takes a second for each, so each form has some of the states. Below, browsers compile them all.
-    const [kind, whole, options, glsl] = kGlslForms[number % kGlslForms.length];
+    const [kind, whole, options, glsl] = formOf(kGlslForms, number);
     const text = glsl(await copiedCode(page, "glsl", whole, kind), state);
     assert.equal(await glslang(text, "shader.frag", ...options, include), "", `${kind}: ${nameOf(state)}`);
-    const [hlslKind, hlslWhole, hlsl] = kHlslForms[number % kHlslForms.length];
+    const [hlslKind, hlslWhole, hlsl] = formOf(kHlslForms, number);
     const hlslText = hlsl(await copiedCode(page, "hlsl", hlslWhole, hlslKind), state);
     assert.equal(await glslang(hlslText, "shader.hlsl", ...hlslOptions), "", `HLSL, ${hlslKind}: ${nameOf(state)}`);
   }
@@ -323,7 +345,7 @@ test("copied GLSL and WGSL draw the picture", async () => {
     await setState(page, state);
     const shown = await pixels(page, kWidth, kHeight, true);
     const [glsl, wgsl] = [await copiedCode(page, "glsl", true), await copiedCode(page, "wgsl", true)];
-    for (const cell of [true, false]) {
+    for (const cell of formsOf(glsl)) {
       // At a position floats round the way to it, and so does the sum of a position and a shift.
       const same = cell || (state.arithmetic === "fixed" && state.warp === "none");
       const exact = state.arithmetic === "fixed" && same;
@@ -365,8 +387,20 @@ test("code that is wrong is noticed", async () => {
     /hn_absent/,
   );
   const shown = await pixels(page, kWidth, kHeight, true);
-  assert.notDeepEqual(await drawnGlsl(code.replaceAll("7u)", "8u)"), state, true), shown);
+  assert.notDeepEqual(await drawnGlsl(code.replace(", 7u)", ", 8u)"), state, false), shown);
   const wgsl = await copiedCode(page, "wgsl", true);
-  assert.match(await drawnWgsl(wgsl.replace("return hn_fbm2_place(", "return hn_absent("), state, true), /hn_absent/);
-  assert.notDeepEqual(await drawnWgsl(wgsl.replaceAll("7u)", "8u)"), state, true), shown);
+  assert.match(await drawnWgsl(wgsl.replace("return hn_fbm2(p", "return hn_absent(p"), state, false), /hn_absent/);
+  assert.notDeepEqual(await drawnWgsl(wgsl.replace(", 7u)", ", 8u)"), state, false), shown);
+  // What tools/pick writes of other arithmetic.
+  await page.evaluate(() => {
+    const { texts } = window.hashnoise.library.picks;
+    for (const command of Object.keys(texts)) texts[command] = texts[command.replace(" --arithmetic fixed", "")];
+  });
+  for (const found of [
+    await drawnGlsl(await copiedCode(page, "glsl", true), state, false),
+    await drawnWgsl(await copiedCode(page, "wgsl", true), state, false),
+  ]) {
+    assert.equal(found.length, shown.length); // it compiles
+    assert.notDeepEqual(found, shown);
+  }
 });

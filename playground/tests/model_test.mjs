@@ -7,7 +7,7 @@ import test from "node:test";
 import { fileURLToPath } from "node:url";
 import { copied, copiedText, functions, kKinds, kLicense, numbers, shaderKey } from "../code.js";
 import { costOf } from "../cost.js";
-import { unpacked } from "../library.js";
+import { Library, unpacked } from "../library.js";
 import {
   dimensionsOf,
   kHashes,
@@ -31,10 +31,13 @@ import {
 import { pageShader } from "../shaders.js";
 import { Speed } from "../speed.js";
 import { originOf, panned, positionOfPixel, stepOf, zoomed } from "../view.js";
+import { simpleStates } from "./states.mjs";
 
 const root = resolve(dirname(fileURLToPath(import.meta.url)), "..", "..");
 const page = readFileSync(process.argv[2], "utf8");
-const library = await unpacked(/id="library">([^<]*)</.exec(page)[1]);
+const inPage = (id) => unpacked(new RegExp(`id="${id}">([^<]*)<`).exec(page)[1]);
+const library = new Library(await inPage("library"));
+library.picks = await inPage("picks");
 
 // Numbers that are the same in every run.
 function* chance(word) {
@@ -398,6 +401,49 @@ test("states with one shader have one text of it, and others have another", () =
     texts.set(key, made);
   }
   assert.equal(new Set(texts.values()).size, texts.size);
+});
+
+// What is wrong with the text of tools/pick in what is copied: nothing, if it defines what the picture calls.
+function wrongPick(from, language, state) {
+  const text = copiedText(from, language, state);
+  if (/#include|^#define HN_VERSION_MAJOR|^const HN_I_/m.test(text)) return "the library is in it";
+  const n = state.dimensions > 1 ? state.dimensions : "";
+  const types = { glsl: `float|vec${n}|ivec${n}|u?int`, hlsl: `float${n}|int${n}|uint` }[language];
+  for (const name of functions(from, language, state, numbers(language, state), ["position"]).public) {
+    const [, overloaded] = /^(\w+?)\d?(?:_phase|_full|_nearest)?$/.exec(name);
+    const head = language === "wgsl" ? `^fn ${name}\\(` : `^\\w+ ${overloaded}\\((?:${types}) `;
+    if (!new RegExp(head, "m").test(text)) return `there is no ${name}`;
+  }
+  return "";
+}
+
+test("what tools/pick writes of what a picture calls is in the text that is copied", () => {
+  const asked = new Set();
+  const from = Object.create(library, {
+    picked: { value: (command) => library.picked(asked.add(command) && command) },
+  });
+  for (const state of simpleStates())
+    for (const language of ["glsl", "hlsl", "wgsl"])
+      assert.equal(wrongPick(from, language, state), "", `${language}, ${linkOf(state)}`);
+  assert.deepEqual([...asked].toSorted(), Object.keys(library.picks.texts).toSorted());
+});
+
+test("a text of another function is noticed, and so is a picture without one", () => {
+  const [state] = simpleStates().filter(({ sum }) => sum === "fbm");
+  const { lines, texts } = library.picks;
+  for (const language of ["glsl", "hlsl", "wgsl"]) {
+    const command = `tools/pick hn_fbm1${language === "glsl" ? "" : ` --language ${language}`}`;
+    for (const [other, wrong] of [
+      [command.replace("fbm1", "fbm2"), "there is no hn_fbm1"],
+      [command.replace("fbm1", "clouds1"), "there is no hn_fbm1"],
+      ["tools/pick hn_absent1", "the library is in it"],
+    ]) {
+      const picks = { lines, texts: { ...texts, [command]: texts[other] } };
+      assert.equal(wrongPick(Object.assign(Object.create(library), { picks }), language, state), wrong);
+    }
+    for (const more of [{ hash: "pcg" }, { period: 4 }, { warp: "warp", dimensions: 2 }, { cells: 4096 }])
+      assert.equal(wrongPick(library, language, { ...state, ...more }), "the library is in it", JSON.stringify(more));
+  }
 });
 
 test("what is copied says what is chosen", () => {

@@ -227,6 +227,12 @@ def package(twin: Twin) -> dict[Path, str]:
 # The playground. The page has to stay small, so what is not true or not there is left out.
 
 
+def drawn(catalog: Catalog) -> tuple[list[Noise], list[Sum]]:
+    """What gives slopes, too, is another form of what does not, and no picture of its own."""
+    return ([noise for noise in catalog.noises if "slopes" not in noise.shape],
+            [sum_ for sum_ in catalog.sums if sum_.shape == "value"])
+
+
 def playground(catalog: Catalog) -> str:
     slopes = {noise.name for noise in catalog.noises if noise.shape == "slopes"}
 
@@ -242,13 +248,12 @@ def playground(catalog: Catalog) -> str:
                 **({"mean": sum_.mean} if sum_.mean else {}),
                 **({"range": sum_.range} if sum_.range == (0, 1) else {})}
 
-    # What gives slopes, too, is another form of what does not, and no picture of its own.
-    noises = {noise.name: of_noise(noise) for noise in catalog.noises if "slopes" not in noise.shape}
-    of_sums = {sum_.name: of_sum(sum_) for sum_ in catalog.sums if sum_.shape == "value"}
+    noises, sums = drawn(catalog)
     return "".join([
         "// Made by tools/catalog. Of a steep noise there are slopes, and a steep sum needs them.\n",
-        "export const kCatalog = {\n", "  noises: {\n", rows(noises, "    "), "  },\n",
-        "  sums: {\n", rows(of_sums, "    "), "  },\n", f"  metrics: {literal(catalog.metrics)},\n", "};\n"])
+        "export const kCatalog = {\n", "  noises: {\n",
+        rows({noise.name: of_noise(noise) for noise in noises}, "    "), "  },\n", "  sums: {\n",
+        rows({sum_.name: of_sum(sum_) for sum_ in sums}, "    "), "  },\n", f"  metrics: {literal(catalog.metrics)},\n", "};\n"])
 
 
 def files(catalog: Catalog) -> dict[Path, str]:

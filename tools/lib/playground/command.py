@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 
 from parsing.tokens import Unknown
+from playground import picks
 from playground.page import Unfit, page
 from tree import ROOT
 
@@ -16,16 +17,23 @@ def main() -> int:
                                      epilog="docs/playground.md tells what the page does.")
     parser.add_argument("--out", type=Path, default=ROOT / "build" / "playground.html", metavar="FILE",
                         help="the file to write (default: build/playground.html)")
+    parser.add_argument("--picks", action="store_true",
+                        help="write playground/picks.json in place of the page: what tools/pick writes of its functions")
     arguments = parser.parse_args()
+    out = picks.FILE if arguments.picks else arguments.out
+
+    def tell(step: str) -> None:
+        print(step, file=sys.stderr, flush=True)
+
     try:
-        text = page(lambda step: print(step, file=sys.stderr, flush=True))
+        text = picks.written(picks.texts(picks.calls(), tell)) if arguments.picks else page(tell)
     except (Unknown, Unfit) as error:
         sys.stderr.write(f"tools/playground: {error}\n")
         return 1
     try:
-        arguments.out.parent.mkdir(parents=True, exist_ok=True)
-        arguments.out.write_text(text, encoding="utf-8")
+        out.parent.mkdir(parents=True, exist_ok=True)
+        out.write_text(text, encoding="utf-8")
     except OSError as error:
-        parser.error(f"cannot write {arguments.out}: {error.strerror}")
-    print(arguments.out.resolve())
+        parser.error(f"cannot write {out}: {error.strerror}")
+    print(out.resolve())
     return 0

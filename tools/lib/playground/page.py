@@ -1,4 +1,4 @@
-"""The page: index.html of playground/ with the style, the modules and the library inside."""
+"""The page: index.html of playground/ with the style, the modules, the library and picked functions inside."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ import json
 import re
 from collections.abc import Callable
 
+from playground import picks
 from playground.library import library
 from tree import ROOT
 
@@ -59,6 +60,6 @@ def packed(data: dict) -> str:
 def page(tell: Callable[[str], None] = lambda _: None) -> str:
     """`tell` takes a sentence before each step that takes long."""
     parts = {"style": (SOURCES / "style.css").read_text(encoding="utf-8").strip(), "script": script().strip(),
-             "library": packed(library(tell))}
+             "library": packed(library(tell)), "picks": packed(json.loads(picks.FILE.read_text(encoding="ascii")))}
     return re.sub(r"\{\{(\w+)\}\}", lambda match: parts[match[1]],
                   (SOURCES / "index.html").read_text(encoding="utf-8"))

@@ -15,10 +15,12 @@ from unittest import mock
 
 import playground.command as command
 import playground.page as page
+from playground import picks
 from playground.library import EVERYTHING, definitions, library, modules, written
+from thorough import THOROUGH
 from tree import TOOLS, version
 
-MOST_BYTES = 300_000
+MOST_BYTES = 415_000
 
 
 class Page(unittest.TestCase):
@@ -51,6 +53,8 @@ class Page(unittest.TestCase):
         self.assertEqual(self.library["version"], version())
         self.assertIn("#define HN_HASH_LATTICE 8", self.library["glsl"]["config.glsl"])
         self.assertEqual(len(self.library["wgsl"]["settings"]), 16)
+        of_tools_pick = re.search(r'id="picks">([^<]*)<', self.text)[1]
+        self.assertEqual(json.loads(gzip.decompress(base64.b64decode(of_tools_pick))), json.loads(picks.FILE.read_text()))
 
     def test_the_settings_of_wgsl_are_those_of_the_whole_library(self):
         def entries(found):
@@ -67,6 +71,34 @@ class Page(unittest.TestCase):
             self.assertEqual(len(names), len(numbers))
             for number in numbers:
                 self.assertLessEqual(set(entries[number]["needs"]), names, setting)
+
+
+class Picks(unittest.TestCase):
+    def differing(self, file: str, calls: list[list[str]]) -> list[str]:
+        """The commands whose texts in the file are not what they write."""
+        in_file = picks.unwoven(file)
+        return [command for command, text in picks.texts(calls).items() if in_file.get(command) != text]
+
+    def test_they_are_what_tools_pick_writes(self):
+        file = picks.FILE.read_text(encoding="ascii")
+        calls = picks.calls()
+        with mock.patch.object(picks, "picker", lambda: lambda names, choice: ""):
+            self.assertEqual(set(picks.unwoven(file)), set(picks.texts(calls)), "run tools/playground --picks")
+        some = calls if THOROUGH else [["hn_perlin2"], ["hn_value1"], ["hn_random3"]]
+        self.assertEqual(self.differing(file, some), [], "run tools/playground --picks")
+
+    def test_another_text_is_noticed(self):
+        texts = picks.texts([["hn_value1"], ["hn_random3"]])
+        one, other = "tools/pick hn_value1", "tools/pick hn_random3 --language wgsl"
+        wrong = picks.written(texts | {one: texts[other], other: texts[one].replace("0x", "0X", 1)})
+        self.assertCountEqual(self.differing(wrong, [["hn_value1"], ["hn_random3"]]), [one, other])
+
+    def test_lines_that_are_alike_are_there_once(self):
+        named = {"a": "1\n2\n3\n", "b": "0\n2\n3\n1\n2\n", "c": "2\n3\n0\n2\n", "d": ""}
+        lines, spans = picks.woven(named)
+        self.assertEqual(lines, ["1", "2", "3", "0"])
+        self.assertEqual(spans, {"a": [0, 3], "b": [3, 1, 1, 2, 0, 2], "c": [1, 3, 1, 1], "d": []})
+        self.assertEqual(picks.unwoven(picks.written(named)), named)
 
 
 class Script(unittest.TestCase):
@@ -111,6 +143,16 @@ class Command(unittest.TestCase):
             self.assertEqual(command.main(), 0)
             path = Path(folder).resolve() / "a" / "page.html"
             self.assertEqual((out.getvalue(), path.read_text()), (f"{path}\n", "the page"))
+
+    def test_picks_are_written_where_the_page_reads_them(self):
+        with tempfile.TemporaryDirectory() as folder, mock.patch.object(picks, "FILE", Path(folder) / "picks.json"), \
+                mock.patch.object(picks, "calls", lambda: [["hn_random3"]]), \
+                mock.patch.object(sys, "argv", ["playground", "--picks"]), \
+                contextlib.redirect_stdout(io.StringIO()) as out, contextlib.redirect_stderr(io.StringIO()) as err:
+            self.assertEqual(command.main(), 0)
+            self.assertEqual(out.getvalue(), f"{picks.FILE.resolve()}\n")
+            self.assertEqual(err.getvalue(), "Picking what 1 pictures call, in 6 texts each ...\n")
+            self.assertEqual(picks.unwoven(picks.FILE.read_text()), picks.texts([["hn_random3"]]))
 
     def test_bad_usage_is_status_2(self):
         for arguments in (["--out"], ["more"], ["--out", "/dev/null/page.html"]):
