@@ -24,17 +24,10 @@ const chosen = [
   { sum: "clouds", noise: "value_cubic", dimensions: 1 },
   { sum: "weighted", noise: "simplex", dimensions: 4, z: 0.25, w: 1.5, arithmetic: "fast" },
 ];
-// What tools/pick has written is all compiled and drawn in a thorough run.
-const picked = simpleStates()
-  .filter((_, at) => process.env.HN_THOROUGH || at % 19 === 7)
-  .map((state) => ({ ...state, z: 0.75, w: 1.5 }));
-const common = { ...kOrigin, renderer: "webgl2" };
-const states = [...chosen, ...picked].map((state) => ({
-  ...usualState(),
-  arithmetic: "fixed",
-  ...state,
-  ...common,
-}));
+const placed = (state) => ({ ...usualState(), arithmetic: "fixed", ...state, ...kOrigin, renderer: "webgl2" });
+// What tools/pick has written is all compiled in a thorough run. (Those of tools/pick hold the bits of all of it to the C++ header.)
+const picked = simpleStates().map((state) => placed({ ...state, z: 0.75, w: 1.5 }));
+const states = [...chosen.map(placed), ...picked.filter((_, at) => at % 19 === 7)];
 const nameOf = ({ sum, noise, dimensions, period }) => `${sum} of ${noise} in ${dimensions}D${period ? ", tiled" : ""}`;
 
 // A call of pattern() at the pixel, at a position or from a cell.
@@ -289,7 +282,7 @@ const formOf = (forms, number) => {
 test("copied GLSL and HLSL compile", async () => {
   const include = `-I${join(kRoot, "glsl")}`;
   const hlslOptions = ["-D", "-V", "--target-env", "vulkan1.1", "-S", "frag", "-e", "main", include];
-  for (const [number, state] of states.entries()) {
+  for (const [number, state] of (process.env.HN_THOROUGH ? [...states, ...picked] : states).entries()) {
     await setState(page, state);
     // glslang takes a second for each, so each form has some of the states. Below, browsers compile them all.
     const [kind, whole, options, glsl] = formOf(kGlslForms, number);

@@ -26,14 +26,13 @@ def main() -> int:
         print(step, file=sys.stderr, flush=True)
 
     try:
+        out.parent.mkdir(parents=True, exist_ok=True)  # before what takes long
         text = picks.written(picks.texts(picks.calls(), tell)) if arguments.picks else page(tell)
+        out.write_text(text, encoding="utf-8")
     except (Unknown, Unfit) as error:
         sys.stderr.write(f"tools/playground: {error}\n")
         return 1
-    try:
-        out.parent.mkdir(parents=True, exist_ok=True)
-        out.write_text(text, encoding="utf-8")
     except OSError as error:
-        parser.error(f"cannot write {out}: {error.strerror}")
+        parser.error(f"cannot write {out}: {error.filename}: {error.strerror}")
     print(out.resolve())
     return 0

@@ -74,24 +74,24 @@ class Page(unittest.TestCase):
 
 
 class Picks(unittest.TestCase):
-    def differing(self, file: str, calls: list[list[str]]) -> list[str]:
-        """The commands whose texts in the file are not what they write."""
-        in_file = picks.unwoven(file)
-        return [command for command, text in picks.texts(calls).items() if in_file.get(command) != text]
+    SOME = (["hn_value1"], ["hn_random3"])
 
-    def test_they_are_what_tools_pick_writes(self):
+    @staticmethod
+    def differing(file: str, texts: dict[str, str]) -> list[str]:
+        """The commands whose texts in the file are not these."""
+        in_file = picks.unwoven(file)
+        return [command for command, text in texts.items() if in_file.get(command) != text]
+
+    def test_they_are_what_tools_pick_writes_and_another_text_is_noticed(self):
         file = picks.FILE.read_text(encoding="ascii")
         calls = picks.calls()
         with mock.patch.object(picks, "picker", lambda: lambda names, choice: ""):
             self.assertEqual(set(picks.unwoven(file)), set(picks.texts(calls)), "run tools/playground --picks")
-        some = calls if THOROUGH else [["hn_perlin2"], ["hn_value1"], ["hn_random3"]]
-        self.assertEqual(self.differing(file, some), [], "run tools/playground --picks")
-
-    def test_another_text_is_noticed(self):
-        texts = picks.texts([["hn_value1"], ["hn_random3"]])
+        texts = picks.texts(calls if THOROUGH else self.SOME)
+        self.assertEqual(self.differing(file, texts), [], "run tools/playground --picks")
         one, other = "tools/pick hn_value1", "tools/pick hn_random3 --language wgsl"
-        wrong = picks.written(texts | {one: texts[other], other: texts[one].replace("0x", "0X", 1)})
-        self.assertCountEqual(self.differing(wrong, [["hn_value1"], ["hn_random3"]]), [one, other])
+        wrong = texts | {one: texts[other], other: texts[other].replace("0x", "0X", 1)}
+        self.assertCountEqual(self.differing(picks.written(wrong), texts), [one, other])
 
     def test_lines_that_are_alike_are_there_once(self):
         named = {"a": "1\n2\n3\n", "b": "0\n2\n3\n1\n2\n", "c": "2\n3\n0\n2\n", "d": ""}
