@@ -25,7 +25,8 @@ const chosen = [
   { sum: "weighted", noise: "simplex", dimensions: 4, z: 0.25, w: 1.5, arithmetic: "fast" },
 ];
 const placed = (state) => ({ ...usualState(), arithmetic: "fixed", ...state, ...kOrigin, renderer: "webgl2" });
-// What tools/pick has written is all compiled in a thorough run. (Those of tools/pick hold the bits of all of it to the C++ header.)
+// What tools/pick has written is all compiled in a thorough run. (In those the tests of tools/pick hold the bits of all
+// functions to the C++ header.)
 const picked = simpleStates().map((state) => placed({ ...state, z: 0.75, w: 1.5 }));
 const states = [...chosen.map(placed), ...picked.filter((_, at) => at % 19 === 7)];
 const nameOf = ({ sum, noise, dimensions, period }) => `${sum} of ${noise} in ${dimensions}D${period ? ", tiled" : ""}`;

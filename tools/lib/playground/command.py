@@ -18,7 +18,7 @@ def main() -> int:
     parser.add_argument("--out", type=Path, default=ROOT / "build" / "playground.html", metavar="FILE",
                         help="the file to write (default: build/playground.html)")
     parser.add_argument("--picks", action="store_true",
-                        help="write playground/picks.json in place of the page: what tools/pick writes of its functions")
+                        help="write playground/picks.json in place of the page: what tools/pick writes for it")
     arguments = parser.parse_args()
     out = picks.FILE if arguments.picks else arguments.out
 

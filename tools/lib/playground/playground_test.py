@@ -53,8 +53,8 @@ class Page(unittest.TestCase):
         self.assertEqual(self.library["version"], version())
         self.assertIn("#define HN_HASH_LATTICE 8", self.library["glsl"]["config.glsl"])
         self.assertEqual(len(self.library["wgsl"]["settings"]), 16)
-        of_tools_pick = re.search(r'id="picks">([^<]*)<', self.text)[1]
-        self.assertEqual(json.loads(gzip.decompress(base64.b64decode(of_tools_pick))), json.loads(picks.FILE.read_text()))
+        packed = re.search(r'id="picks">([^<]*)<', self.text)[1]
+        self.assertEqual(json.loads(gzip.decompress(base64.b64decode(packed))), json.loads(picks.FILE.read_text()))
 
     def test_the_settings_of_wgsl_are_those_of_the_whole_library(self):
         def entries(found):
