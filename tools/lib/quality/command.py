@@ -156,6 +156,10 @@ def judge_given(options, folder: Path) -> int:
 
 def judge_others(options, folder: Path) -> int:
     """Judges hashes from shaders."""
+    given = [(other.name, n) for other in options.against for n in other.dimensions]
+    twice = next((each for each in given if given.count(each) > 1), None)
+    if twice:
+        options.parser.error(f"--against names {twice[0]} twice in {twice[1]}D: write {twice[0]}/2=... and {twice[0]}/3=...")
     twin = library.build("stage", [], options.include, folder)
     renderer = Renderer(others.SIDE)
     results: list[HashResult] = []
@@ -196,10 +200,10 @@ def parse(arguments: list[str]) -> argparse.Namespace:
     parser.add_argument("--dimensions", type=int, choices=DIMENSIONS, help="only in the plane, or only in space")
     parser.add_argument("--words2", type=Path, metavar="FILE", help="judge words in the plane: .npy, uint32")
     parser.add_argument("--words3", type=Path, metavar="FILE", help="the same in space")
-    parser.add_argument("--against", type=others.Other.parse, action="append", metavar="NAME=FILE:EXPRESSION",
-                        help="judge a hash of a shader: a uint, or a float in [0, 1), of c, an ivec2 or ivec3, or of p, "
-                        "the same as floats, in the plane, in space, or in both, whichever compiles; --out DIR "
-                        "writes hashes.csv (repeatable)")
+    parser.add_argument("--against", type=others.Other.parse, action="append", metavar="NAME[/2|/3]=FILE:EXPRESSION",
+                        help="judge a hash of a shader: a uint, or a float in [0, 1), of c, an ivec2 and an ivec3, or of "
+                        "p, the same as floats; with /2 or /3 only in the plane or in space; --out DIR writes "
+                        "hashes.csv (repeatable)")
     parser.add_argument("--include", type=Path, default=ROOT / "include", metavar="DIR",
                         help="another copy of include/, with its glsl/ beside it")
     parser.add_argument("--seeds", type=lambda text: tuple(int(s, 0) & gate.WORD for s in text.split(",")),

@@ -53,20 +53,22 @@ class BadExpression(ValueError):
 
 @dataclass(frozen=True)
 class Other:
-    """A hash of somebody else's: NAME=FILE:EXPRESSION."""
+    """A hash of somebody else's: NAME=FILE:EXPRESSION, or NAME/2=... if it is for the plane alone."""
     name: str
     file: Path
     expression: str
+    dimensions: tuple[int, ...] = (2, 3)
 
     @staticmethod
     def parse(text: str) -> Other:
-        name, equals, rest = text.partition("=")
+        head, equals, rest = text.partition("=")
+        name, slash, only = head.partition("/")
         file, colon, expression = rest.partition(":")
-        if not (name and equals and file and colon and expression.strip()):
+        if not (name and equals and file and colon and expression.strip()) or (slash and only not in ("2", "3")):
             raise argparse.ArgumentTypeError(f"{text} is not NAME=FILE:EXPRESSION, as in sine=random.glsl:random(p)")
         if not Path(file).is_file():
             raise argparse.ArgumentTypeError(f"there is no file {file}")
-        return Other(name, Path(file), expression)
+        return Other(name, Path(file), expression, (int(only),) if slash else (2, 3))
 
 
 def shader(text: str, expression: str, n: int, kind: str) -> str:
@@ -111,17 +113,9 @@ def words_of(renderer: Renderer, other: Other, origin: tuple[int, ...]) -> np.nd
 
 
 def judge(other: Other, dimensions: Sequence[int], twin: Twin, renderer: Renderer) -> list[HashResult]:
-    """A result for each window, of the dimensions for which the expression compiles."""
-    results, refusals = [], []
-    for n in dimensions:
-        try:
-            results += [HashResult(other.name, n, gate.judge_words(words_of(renderer, other, origin), twin), None)
-                        for origin in ORIGINS[n]]
-        except BadExpression as error:
-            refusals.append(error)
-    if not results:
-        raise refusals[0]
-    return results
+    """A result for each window."""
+    return [HashResult(other.name, n, gate.judge_words(words_of(renderer, other, origin), twin), None)
+            for n in dimensions if n in other.dimensions for origin in ORIGINS[n]]
 
 
 def lines(results: Sequence[HashResult]) -> list[str]:

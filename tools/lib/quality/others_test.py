@@ -84,15 +84,21 @@ class Others(unittest.TestCase):
 
     def test_what_is_no_hash_is_told(self):
         for text, problem in (("sine", "is not NAME=FILE:EXPRESSION"), ("s=none.glsl:random(p)", "no file none.glsl"),
-                              (f"s={self.folder / 'hashes.glsl'}:", "is not NAME=FILE:EXPRESSION")):
+                              (f"s={self.folder / 'hashes.glsl'}:", "is not NAME=FILE:EXPRESSION"),
+                              (f"s/4={self.folder / 'hashes.glsl'}:p.x", "is not NAME=FILE:EXPRESSION")):
             with self.assertRaisesRegex(argparse.ArgumentTypeError, problem):
                 Other.parse(text)
         with self.assertRaisesRegex(others.BadExpression, "neither a uint nor a float.*(?s:.)*absent"):
             others.judge(self.other("absent(p)"), (2, 3), self.twin, self.renderer)
+        given = f"theirs={self.folder / 'hashes.glsl'}:good(c)"
+        with contextlib.redirect_stderr(io.StringIO()) as told, self.assertRaises(SystemExit):
+            command.main(["--against", given, "--against", given.replace("=", "/3=", 1)])
+        self.assertIn("names theirs twice in 3D: write theirs/2=... and theirs/3=...", told.getvalue())
 
-    def test_only_dimensions_that_compile_are_judged(self):
+    def test_a_hash_may_be_for_the_plane_alone(self):
+        plane = Other.parse(f"theirs/2={self.folder / 'hashes.glsl'}:good(c)")
         with mock.patch.object(gate, "judge_words", return_value=[]):
-            results = others.judge(self.other("good(c)"), (2, 3), self.twin, self.renderer)
+            results = others.judge(plane, (2, 3), self.twin, self.renderer)
         self.assertEqual({result.dimensions for result in results}, {2})
 
 
