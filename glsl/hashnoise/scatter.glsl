@@ -100,9 +100,15 @@ HN_FN hn_uint hn_scattered(hn_ivec2 cell, hn_float radius, hn_uint seed) {
   return hn_scattered(hn_place(cell), radius, seed);
 }
 
-// The same in space. A cell is an ivec3.
-//   cost     of hn_scatter_point 1 hash (none with HN_HASH_LATTICE) and 10 multiplications; of hn_scattered 27 hashes and
-//            330 multiplications
+// The point of a cell in space.
+//   cell     the cell: an ivec3
+//   place    a place in its stead, as in the plane
+//   seed     any uint: 7u, not 7; different seeds give independent points
+//   returns  where in the cell it is: [0, 1) along each axis, multiples of 2^-15; uniform
+//   error    none
+//   period   2^32 cells per axis, or that of the tile
+//   cost     1 hash (none with HN_HASH_LATTICE) and 10 multiplications; 2 more for a seed that is not constant
+//   source   docs/contract.md, section 19
 HN_FN hn_vec3 hn_scatter_point(hn_place3 place, hn_uint seed) {
   hn_ivec3 cell = place.cell;
   if (place.tiled) cell = ivec3(hn_i_wrap(place.cell, place.period));
@@ -111,6 +117,17 @@ HN_FN hn_vec3 hn_scatter_point(hn_place3 place, hn_uint seed) {
 }
 HN_FN hn_vec3 hn_scatter_point(hn_ivec3 cell, hn_uint seed) { return hn_scatter_point(hn_place(cell), seed); }
 
+// Whether the point of a cell stands, in space.
+//   cell     the cell: an ivec3
+//   place    a place in its stead, as in the plane
+//   radius   the least distance, in cells; what is outside of [0, 1] counts as the nearer end. It is cut off to a
+//            multiple of 2^-15
+//   seed     that of hn_scatter_point
+//   returns  0 if it does not stand; else a random word of the point, which is odd
+//   error    none
+//   period   2^32 cells per axis, or that of the tile
+//   cost     27 hashes (none with HN_HASH_LATTICE) and 330 multiplications
+//   source   Matern, "Spatial variation", 1960 (his second process); docs/contract.md, section 19
 HN_FN hn_uint hn_scattered(hn_place3 place, hn_float radius, hn_uint seed) {
   hn_i_block3 block = hn_i_block(place);
   hn_uint s = hn_i_mix(seed);

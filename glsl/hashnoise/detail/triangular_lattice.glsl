@@ -73,9 +73,9 @@ HN_FN hn_i_triangle2 hn_i_triangle(hn_place2 place, hn_num2 skewed) {
         hn_i_spread(uvec2(hn_i_doubled(uint(place.cell.x), column), hn_i_doubled(uint(place.cell.y), row)));
     hn_uvec2 next = hn_i_upper(first);
     hn_uvec2 last = uvec2(hn_i_select((row & 1) == 0, first.x, next.x), next.y);
+    hn_uvec2 middle = uvec2(hn_i_select(u > v, next.x, last.x - HN_I_STEP_X), hn_i_select(u > v, first.y, next.y));
     corners.first = first;
-    corners.middle =
-        uvec2(hn_i_select(u > v, next.x, last.x - HN_I_STEP_X), hn_i_select(u > v, first.y, next.y));
+    corners.middle = middle;
     corners.last = last;
   }
   return corners;
