@@ -27,7 +27,7 @@ import re
 from parsing.syntax import Function
 
 # What a function of words that is not overloaded takes; and hashes by name.
-NOT_OVERLOADED = (("h",), ("k",), ("h", "k"), ("i", "n", "seed"), ("i", "seed"))
+NOT_OVERLOADED = (("h",), ("k",), ("h", "k"), ("i", "n", "seed"), ("i", "seed"), ("zero",))
 OF_A_NAME = "hn_hash_"
 # What is called otherwise, since its name is that of another function or of a struct; by its first parameter.
 OTHERS = {("hn_gradient", "cell"): "hn_gradient_lattice", ("hn_place", "p"): "hn_place_of",
