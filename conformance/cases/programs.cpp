@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <set>
 #include <string_view>
 #include <tuple>
+#include <unordered_map>
 #include <utility>
 
 namespace hn {
@@ -16,6 +18,7 @@ namespace {
 
 // What a program is about.
 enum class Facet { row, noise, bound, family, axes, form, setting, hash, gradient, arithmetic, version, stage };
+constexpr std::size_t kFacets = static_cast<std::size_t>(Facet::stage) + 1;
 
 // What its arguments are, beside the coordinates and the seed: a cell and a fraction, periods, a phase and so on. A
 // function of one noise is in another form the same code with other glue. Positions that are whole numbers of units
@@ -173,14 +176,23 @@ class Numbers {
 Things things_of(const std::vector<PlannedProgram>& programs) {
   Things things;
   Numbers numbers;
-  std::map<std::tuple<std::size_t, int, int>, std::size_t> known;
+  std::array<std::unordered_map<std::uint64_t, std::size_t>, 2 * kShown.size()>
+      known;  // of a pair of numbers the thing
   for (const PlannedProgram& program : programs) {
     const bool apart = !is_opengl(program);
     Candidate candidate{.shows = {}, .round = 0, .cost = 0};
+    std::array<int, kFacets> numbers_here;  // asked for once: a facet is in several pairs
+    numbers_here.fill(-1);
+    const auto number_of = [&](Facet facet) {
+      int& number = numbers_here[static_cast<std::size_t>(facet)];
+      if (number < 0) number = numbers.of(facet, program);
+      return number;
+    };
     for_each_thing(program, [&](std::size_t kind, Facet first, std::optional<Facet> with) {
-      const int a = numbers.of(first, program);
-      const int b = with ? numbers.of(*with, program) : -1;
-      const auto [found, is_new] = known.try_emplace({kind * 2 + (apart ? 1 : 0), a, b}, things.words.size());
+      const int a = number_of(first);
+      const int b = with ? number_of(*with) : -1;
+      const std::uint64_t pair = (static_cast<std::uint64_t>(a) << 32) + static_cast<std::uint32_t>(b);
+      const auto [found, is_new] = known[kind * 2 + (apart ? 1 : 0)].try_emplace(pair, things.words.size());
       if (is_new) {
         things.words.push_back(numbers.word(a) + (with ? " with " + numbers.word(b) : "") + where_shown(program));
       }
@@ -252,8 +264,11 @@ std::vector<std::string> not_shown(std::span<const Extent> extents) {
 std::vector<bool> cover_of(std::span<const Candidate> candidates, std::size_t things) {
   std::vector<bool> chosen(candidates.size());
   std::vector<bool> shown(things);
-  const auto news_of = [&](const Candidate& candidate) {
-    return std::ranges::count_if(candidate.shows, [&](std::size_t thing) { return !shown[thing]; });
+  // What is new of each candidate: of those that were not counted lately, so much at most, since it only becomes less.
+  std::vector<std::ptrdiff_t> news;
+  for (const Candidate& candidate : candidates) news.push_back(std::ssize(candidate.shows));
+  const auto count = [&](std::size_t i) {
+    news[i] = std::ranges::count_if(candidates[i].shows, [&](std::size_t thing) { return !shown[thing]; });
   };
   const auto choose = [&](std::size_t i) {
     chosen[i] = true;
@@ -265,13 +280,14 @@ std::vector<bool> cover_of(std::span<const Candidate> candidates, std::size_t th
   for (std::size_t i = 0; i < candidates.size(); ++i) rounds[candidates[i].round].push_back(i);
   const auto best_of = [&](const std::vector<std::size_t>& members) -> std::optional<std::size_t> {
     std::optional<std::size_t> best;
-    std::ptrdiff_t most = 0;
+    const auto is_better = [&](std::size_t i) {
+      if (!best) return news[i] > 0;
+      return news[i] > news[*best] || (news[i] == news[*best] && candidates[i].cost < candidates[*best].cost);
+    };
     for (const std::size_t i : members) {
-      const auto news = chosen[i] ? 0 : news_of(candidates[i]);
-      if (news > most || (news == most && news > 0 && candidates[i].cost < candidates[*best].cost)) {
-        best = i;
-        most = news;
-      }
+      if (!is_better(i)) continue;
+      count(i);
+      if (is_better(i)) best = i;
     }
     return best;
   };
