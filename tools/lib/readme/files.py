@@ -5,8 +5,9 @@ from __future__ import annotations
 import functools
 import re
 
-from pick.command import ARITHMETICS, SYNTAXES, Choice, picked, settings
-from pick.program import Program, chosen, read
+from pick.command import ARITHMETICS, SYNTAXES, Choice, picked, read_library
+from pick.evaluate import Module
+from pick.program import Program, chosen
 from pick.shading import LANGUAGES
 from single_file.files import text
 from tables import glsl
@@ -40,9 +41,15 @@ PICKED = {"hn_perlin2": "perlin2d.glsl", "hn_perlin3": "perlin3d.glsl", "hn_simp
 
 
 @functools.cache
+def library(arithmetic: str, for_program: bool = False) -> Module:
+    """As tools/pick reads it, which takes half a second, for shaders or for programs."""
+    return read_library(GLSL, Choice("c" if for_program else "glsl", arithmetic))
+
+
+@functools.cache
 def picks_table() -> str:
     """What tools/pick writes of functions, without the comment, beside the files that they are in."""
-    modules = [read(GLSL, settings(arithmetic, "lattice")) for arithmetic in ARITHMETICS[:2]]
+    modules = [library(arithmetic) for arithmetic in ARITHMETICS[:2]]
     rows = []
     for name, file in PICKED.items():
         programs = [Program(module, chosen(module, [name])) for module in modules]
@@ -52,7 +59,8 @@ def picks_table() -> str:
 
 
 def picked_text(name: str, language: str) -> str:
-    return f"```{language}\n{picked([name], Choice(language))}```\n"
+    module = library(Choice.arithmetic, language in SYNTAXES)
+    return f"```{language}\n{picked([name], Choice(language), module=module)}```\n"
 
 
 @functools.cache
