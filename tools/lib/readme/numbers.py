@@ -13,7 +13,7 @@ import catalog.model
 from tables.markdown import table
 from tables.peers import CALLS, PEERS, dimensions, subject
 from tree import ROOT
-from twin import compile_program
+from twin import SOON, compile_program
 
 RESULTS = ROOT / "docs" / "results"
 CPU, GPU = "llvmpipe", "h100"  # the renderers in RESULTS, of which pages tell
@@ -31,7 +31,7 @@ def lines_of(source: str) -> list[list[str]]:
     """The words of each line that a program beside this file prints."""
     with TemporaryDirectory() as folder:
         program = Path(folder) / "program"
-        compile_program(source, Path(__file__).with_name(source), program)
+        compile_program(source, Path(__file__).with_name(source), program, SOON)
         output = subprocess.run([program], capture_output=True, text=True, check=True).stdout
     return [line.split() for line in output.splitlines()]
 

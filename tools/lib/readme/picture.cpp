@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <iterator>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -59,23 +60,32 @@ struct Sheet {
   int most;
 };
 
+// The pixels of a tile, which several sheets may show.
+const std::vector<png_byte>& pixels_of(std::size_t tile) {
+  static std::vector<std::vector<png_byte>> known(std::size(kTiles));
+  std::vector<png_byte>& pixels = known[tile];
+  if (!pixels.empty()) return pixels;
+  for (int y = 0; y < kTile; ++y) {
+    for (int x = 0; x < kTile; ++x) {
+      // As a shader sees a square: the middle of the pixel, and y upwards.
+      const vec2 uv = vec2(static_cast<float>(2 * x + 1), static_cast<float>(2 * (kTile - y) - 1)) * (0.5f / kTile);
+      const vec3 colour = kTiles[tile](uv);
+      pixels.insert(pixels.end(), {to_byte(colour.x), to_byte(colour.y), to_byte(colour.z)});
+    }
+  }
+  return pixels;
+}
+
 std::vector<png_byte> draw(const Sheet& sheet) {
   std::vector<png_byte> pixels(static_cast<std::size_t>(sheet.width()) * static_cast<std::size_t>(sheet.height()) * 3,
                                255);
   int place = 0;
   for (const std::size_t tile : sheet.tiles) {
+    const std::vector<png_byte>& of_tile = pixels_of(tile);
     for (int y = 0; y < kTile; ++y) {
-      for (int x = 0; x < kTile; ++x) {
-        // As a shader sees a square: the middle of the pixel, and y upwards.
-        const vec2 uv = vec2(static_cast<float>(2 * x + 1), static_cast<float>(2 * (kTile - y) - 1)) * (0.5f / kTile);
-        const vec3 colour = kTiles[tile](uv);
-        const int column = place % sheet.columns() * (kTile + kBorder) + x;
-        const int row = place / sheet.columns() * (kTile + kBorder) + y;
-        const auto at = static_cast<std::size_t>(row * sheet.width() + column) * 3;
-        pixels[at] = to_byte(colour.x);
-        pixels[at + 1] = to_byte(colour.y);
-        pixels[at + 2] = to_byte(colour.z);
-      }
+      const int row = place / sheet.columns() * (kTile + kBorder) + y;
+      const int column = place % sheet.columns() * (kTile + kBorder);
+      std::copy_n(of_tile.begin() + y * kTile * 3, kTile * 3, pixels.begin() + (row * sheet.width() + column) * 3);
     }
     ++place;
   }

@@ -11,7 +11,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from tree import ROOT
-from twin import compile_program
+from twin import SOON, compile_program
 
 PICTURES = {  # the page that shows each
     "noise.png": "README.md",
@@ -67,7 +67,7 @@ def draw(sheets: Sequence[Sheet], check: bool = False, functions: str = "") -> i
         folder = Path(name)
         (folder / "functions.inc").write_text(functions, encoding="utf-8")
         (folder / "tiles.inc").write_text("".join(f"TILE({in_cpp(code)})\n" for code in numbers), encoding="utf-8")
-        compile_program("the code of the pictures", Path(__file__).with_name("picture.cpp"), folder / "picture",
+        compile_program("the code of the pictures", Path(__file__).with_name("picture.cpp"), folder / "picture", SOON,
                         "-I", name, "-lpng")
         asked = ([sheet.path, str(sheet.columns), ",".join(str(numbers[code]) for code in sheet.expressions)]
                  for sheet in sheets)
