@@ -5,8 +5,7 @@ from __future__ import annotations
 import functools
 import re
 
-from pick.command import ARITHMETICS, SYNTAXES, Choice, picked, read_library
-from pick.evaluate import Module
+from pick.command import ARITHMETICS, SYNTAXES, Choice, picker, read_library
 from pick.program import Program, chosen
 from pick.shading import LANGUAGES
 from single_file.files import text
@@ -40,16 +39,14 @@ PICKED = {"hn_perlin2": "perlin2d.glsl", "hn_perlin3": "perlin3d.glsl", "hn_simp
           "hn_simplex3": "simplex3d.glsl", "hn_cellular2": "cellular2d.glsl", "hn_fbm2": "fbm2d.glsl"}
 
 
-@functools.cache
-def library(arithmetic: str, for_program: bool = False) -> Module:
-    """As tools/pick reads it, which takes half a second, for shaders or for programs."""
-    return read_library(GLSL, Choice("c" if for_program else "glsl", arithmetic))
+# The library takes half a second to read, so it is read once for each kind of text.
+pick = functools.cache(picker)
 
 
 @functools.cache
 def picks_table() -> str:
     """What tools/pick writes of functions, without the comment, beside the files that they are in."""
-    modules = [library(arithmetic) for arithmetic in ARITHMETICS[:2]]
+    modules = [read_library(GLSL, Choice(arithmetic=arithmetic)) for arithmetic in ARITHMETICS[:2]]
     rows = []
     for name, file in PICKED.items():
         programs = [Program(module, chosen(module, [name])) for module in modules]
@@ -59,8 +56,7 @@ def picks_table() -> str:
 
 
 def picked_text(name: str, language: str) -> str:
-    module = library(Choice.arithmetic, language in SYNTAXES)
-    return f"```{language}\n{picked([name], Choice(language), module=module)}```\n"
+    return f"```{language}\n{pick()([name], Choice(language))}```\n"
 
 
 @functools.cache
