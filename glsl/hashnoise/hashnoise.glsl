@@ -15,6 +15,7 @@
 #include "octaves.glsl"
 #include "scatter.glsl"
 #include "self_check.glsl"
+#include "uniform.glsl"
 #include "warp.glsl"
 
 #endif

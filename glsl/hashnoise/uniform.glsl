@@ -1,0 +1,253 @@
+// hashnoise: noise with uniform values, so that "30% of the land is water" is a number.
+// SPDX-License-Identifier: MIT
+//
+// Most values of a noise are near 0, and how many are depends on the noise and on its octaves. hn_uniform turns a value
+// into the fraction of all values that are smaller:
+//
+//   float height = hn_fbm(p, 5, 2.0, 0.5, 7u);
+//   vec4 spread = hn_spread_fbm(hn_spread(HN_SPREAD_PERLIN2), 5.0, 0.5);
+//   bool water = hn_uniform(height, spread) < 0.3;   // 30% of the plane
+//
+// A spread is four numbers that say how values are distributed: the reach, beyond which there are none, and three
+// coefficients. docs/uniform.md says how near to uniform the results are, and tools/uniform measures it.
+//
+// With s = |value| / reach the tail, which is twice the fraction of values farther out, is a polynomial of y = (1 - s)^2
+// with the Bernstein coefficients 0, a, b, c, 1. These rise, and so the tail does; its slope is 0 at the reach.
+
+#ifndef HN_UNIFORM_GLSL
+#define HN_UNIFORM_GLSL
+
+#include "detail/octave.glsl"
+#include "detail/square_root.glsl"
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The spreads of the noises.
+
+// tools/uniform: numbers
+#define HN_SPREAD_VALUE1 1
+#define HN_SPREAD_VALUE2 2
+#define HN_SPREAD_VALUE3 3
+#define HN_SPREAD_VALUE4 4
+#define HN_SPREAD_VALUE_CUBIC1 5
+#define HN_SPREAD_VALUE_CUBIC2 6
+#define HN_SPREAD_VALUE_CUBIC3 7
+#define HN_SPREAD_PERLIN1 8
+#define HN_SPREAD_PERLIN2 9
+#define HN_SPREAD_PERLIN3 10
+#define HN_SPREAD_PERLIN4 11
+#define HN_SPREAD_SIMPLEX2 12
+#define HN_SPREAD_SIMPLEX3 13
+#define HN_SPREAD_SIMPLEX4 14
+#define HN_SPREAD_SIMPLEX_SMOOTH2 15
+#define HN_SPREAD_SIMPLEX_SMOOTH3 16
+#define HN_SPREAD_SINE2 17
+#define HN_SPREAD_SINE3 18
+// tools/uniform: end
+
+HN_FN hn_vec4 hn_i_spread(hn_int reach, hn_int a, hn_int b, hn_int c) {
+  return vec4(hn_i_float(reach), hn_i_float(a), hn_i_float(b), hn_i_float(c)) * (1.0f / 4096.0f);
+}
+
+// How the values of a noise are distributed.
+//   noise    one of HN_SPREAD_PERLIN2 and so on, above; any other number counts as that
+//   returns  the reach, in [1/16, 3], and the three coefficients of the tail, which rise from 0 to 1
+//   error    none
+//   cost     none for a constant
+//   source   docs/contract.md, section 21; fitted by tools/uniform
+HN_FN hn_vec4 hn_spread(hn_int noise) {
+  // tools/uniform: spreads
+  if (noise == HN_SPREAD_VALUE1) return hn_i_spread(4386, 1861, 2547, 3506);
+  if (noise == HN_SPREAD_VALUE2) return hn_i_spread(4192, 1310, 2400, 3358);
+  if (noise == HN_SPREAD_VALUE3) return hn_i_spread(4043, 833, 2233, 3164);
+  if (noise == HN_SPREAD_VALUE4) return hn_i_spread(3957, 453, 1904, 2991);
+  if (noise == HN_SPREAD_VALUE_CUBIC1) return hn_i_spread(3847, 1006, 2480, 3274);
+  if (noise == HN_SPREAD_VALUE_CUBIC2) return hn_i_spread(3312, 126, 1874, 2995);
+  if (noise == HN_SPREAD_VALUE_CUBIC3) return hn_i_spread(2423, 68, 1551, 2913);
+  if (noise == HN_SPREAD_PERLIN1) return hn_i_spread(3930, 91, 1356, 1679);
+  if (noise == HN_SPREAD_PERLIN3) return hn_i_spread(2737, 35, 1728, 2996);
+  if (noise == HN_SPREAD_PERLIN4) return hn_i_spread(2707, 122, 1749, 2951);
+  if (noise == HN_SPREAD_SIMPLEX2) return hn_i_spread(3760, 4, 2870, 3097);
+  if (noise == HN_SPREAD_SIMPLEX3) return hn_i_spread(3883, 739, 1645, 2930);
+  if (noise == HN_SPREAD_SIMPLEX4) return hn_i_spread(3718, 507, 886, 2305);
+  if (noise == HN_SPREAD_SIMPLEX_SMOOTH2) return hn_i_spread(4018, 43, 2406, 3131);
+  if (noise == HN_SPREAD_SIMPLEX_SMOOTH3) return hn_i_spread(3200, 1162, 2325, 3290);
+  if (noise == HN_SPREAD_SINE2) return hn_i_spread(2596, 306, 1551, 2823);
+  if (noise == HN_SPREAD_SINE3) return hn_i_spread(2954, 111, 1490, 2882);
+  return hn_i_spread(3139, 571, 1838, 3169);
+  // tools/uniform: end
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The steps. With HN_FIXED values are in units of 2^-21, and all else is in units of weights, 2^-18.
+
+#if HN_ARITHMETIC == HN_FIXED
+
+#define HN_I_VALUE_ONE 2097152
+#define HN_I_VALUE_TWO 4194304
+
+HN_FN hn_int hn_i_as_value(hn_float x, hn_float least, hn_float most) {
+  return int(min(max(x, least), most) * 2097152.0f);
+}
+HN_FN hn_int hn_i_as_reach(hn_float x) { return int(min(max(x, 0.0625f), 3.0f) * 262144.0f); }
+HN_FN hn_float hn_i_half_value(hn_int n) { return hn_i_float(n) * (1.0f / 4194304.0f); }
+HN_FN hn_float hn_i_of_units(hn_int n) { return hn_i_float(n) * (1.0f / 262144.0f); }
+
+// n / 1024 of a number. A shift rounds down, as a product with a weight does.
+HN_FN hn_int hn_i_parts(hn_int x, hn_int n) { return (x * n) >> 10; }
+
+// In units of 2^-15, since a mean has 23 bits.
+HN_FN hn_int hn_i_variance(hn_int a, hn_int b, hn_int c) { return (65 * a + 33 * b + 17 * c + 1835008) >> 3; }
+HN_FN hn_int hn_i_root_of_ratio(hn_int ratio) { return int(hn_i_root(uint(min(ratio, 2097152)) << 10u)); }
+
+#else
+
+#define HN_I_VALUE_ONE 1.0f
+#define HN_I_VALUE_TWO 2.0f
+
+HN_FN hn_float hn_i_as_value(hn_float x, hn_float least, hn_float most) { return min(max(x, least), most); }
+HN_FN hn_float hn_i_as_reach(hn_float x) { return min(max(x, 0.0625f), 3.0f); }
+HN_FN hn_float hn_i_half_value(hn_float n) { return hn_i_flushed(hn_i_times(n, 0.5f)); }
+HN_FN hn_float hn_i_of_units(hn_float n) { return hn_i_flushed(n); }
+HN_FN hn_float hn_i_parts(hn_float x, hn_int n) { return hn_i_times(x, hn_i_float(n) * (1.0f / 1024.0f)); }
+HN_FN hn_float hn_i_variance(hn_float a, hn_float b, hn_float c) {
+  HN_I_PRECISE hn_float n = 65.0f * a + 33.0f * b + 17.0f * c + 7.0f;
+  return n;
+}
+HN_FN hn_float hn_i_root_of_ratio(hn_float ratio) { return hn_i_root(min(ratio, 8.0f)); }
+
+#endif
+
+// From p to q, which is not smaller, by a weight. It does not fall where p, q or y rises; with HN_FIXED not by a single
+// unit, as the product is rounded down once. So neither does the tail.
+HN_FN hn_num hn_i_mix(hn_num p, hn_num q, hn_num y) { return hn_i_plus(p, hn_i_weight_times(hn_i_minus(q, p), y)); }
+
+// A tail lies between two numbers, the difference of which is a quarter of its slope by y = w^2.
+struct hn_i_tail {
+  hn_num low;
+  hn_num high;
+  hn_num w;  // how far the value is from the end: 1 at 0, and 0 at the reach and beyond
+  hn_num reach;
+  hn_num value;
+};
+
+HN_FN hn_i_tail hn_i_tail_of(hn_float value, hn_vec4 spread) {
+  HN_I_NEW(hn_i_tail, tail);
+  tail.reach = hn_i_as_value(spread.x, 0.0625f, 3.0f);
+  tail.value = hn_i_as_value(value, -3.0f, 3.0f);
+  hn_num a = hn_i_as_value(spread.y, 0.0f, 1.0f);
+  hn_num b = max(a, hn_i_as_value(spread.z, 0.0f, 1.0f));
+  hn_num c = max(b, hn_i_as_value(spread.w, 0.0f, 1.0f));
+  // A quotient of floats may be beyond 1.
+  hn_num s = hn_i_mean(min(hn_i_size(tail.value), tail.reach), tail.reach);
+  tail.w = max(hn_i_minus(HN_I_WEIGHT_ONE, s), HN_I_NO_WEIGHT);
+  // De Casteljau's rounds, without that of the last two numbers.
+  hn_num y = hn_i_weight_times(tail.w, tail.w);
+  hn_num ab = hn_i_mix(a, b, y);
+  hn_num bc = hn_i_mix(b, c, y);
+  hn_num low = hn_i_mix(hn_i_weight_times(a, y), ab, y);
+  hn_num middle = hn_i_mix(ab, bc, y);
+  hn_num high = hn_i_mix(bc, hn_i_mix(c, HN_I_VALUE_ONE, y), y);
+  tail.low = hn_i_mix(low, middle, y);
+  tail.high = hn_i_mix(middle, high, y);
+  return tail;
+}
+
+HN_FN hn_float hn_i_uniform(hn_i_tail tail) {
+  hn_num n = hn_i_mix(tail.low, tail.high, hn_i_weight_times(tail.w, tail.w));
+  return hn_i_half_value(hn_i_select(tail.value < HN_I_NO_WEIGHT, n, hn_i_minus(HN_I_VALUE_TWO, n)));
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Uniform values.
+
+// The fraction of all values of a noise that are smaller than a value: noise with uniform values.
+//   value    of a noise, or of hn_fbm
+//   spread   of the noise: hn_spread(HN_SPREAD_PERLIN2) and so on, or hn_spread_fbm of that. A number beyond its range
+//            counts as the nearer end
+//   returns  [0, 1], 1/2 at 0; it never falls where the value rises (with HN_FIXED; roundings of floats may take it
+//            down by 1e-6), and is twice continuously differentiable but for 0, where its slope has a crease
+//   error    of floats 3e-6, in HN_FIXED 6e-6. How near to uniform the results are says docs/uniform.md
+//   cost     about 40 operations, with a division; in HN_FIXED 3 divisions and 20 multiplications
+//   source   docs/contract.md, section 21
+HN_FN hn_float hn_uniform(hn_float value, hn_vec4 spread) { return hn_i_uniform(hn_i_tail_of(value, spread)); }
+
+// The same, and how steep it is: a slope of the noise, times this, is the slope of its uniform values.
+//   value    of a noise, or of hn_fbm
+//   spread   as above
+//   returns  the uniform value, and its derivative by the value: how many values there are near it. Not negative
+//   error    of the value as above; of the derivative 2e-5 / reach, in HN_FIXED 6e-5 / reach
+//   cost     that of hn_uniform, and a division more
+//   source   docs/contract.md, section 21
+HN_FN hn_vec2 hn_uniform_d(hn_float value, hn_vec4 spread) {
+  hn_i_tail tail = hn_i_tail_of(value, spread);
+  hn_num rise = hn_i_weight_times(hn_i_minus(tail.high, tail.low), tail.w);
+  hn_num twice = hn_i_plus(rise, rise);
+  return vec2(hn_i_uniform(tail), hn_i_of_units(hn_i_mean(hn_i_plus(twice, twice), tail.reach)));
+}
+
+// A coefficient of a sum: between that of a bell and that of the noise. Of what the noise has beyond the bell the part
+// that goes with its kurtosis falls as the kurtosis of a sum does, and the rest faster.
+HN_FN hn_num hn_i_of_sum(hn_num x, hn_int bell, hn_int way, hn_num d, hn_num fourth, hn_num eighth) {
+  hn_num start = hn_i_parts(HN_I_WEIGHT_ONE, bell);
+  hn_num h = hn_i_parts(d, way);
+  hn_num rest = hn_i_minus(hn_i_minus(x, start), h);
+  hn_num n = hn_i_plus(hn_i_plus(start, hn_i_weight_times(h, fourth)), hn_i_weight_times(rest, eighth));
+  return min(max(n, HN_I_NO_WEIGHT), HN_I_WEIGHT_ONE);
+}
+
+// How the values of a sum of octaves are distributed, from how those of its noise are. Every gain and number of octaves
+// has its spread; each octave has its own seed, so that they are independent.
+//   spread   of the noise: hn_spread(HN_SPREAD_PERLIN2) and so on
+//   octaves  as of hn_fbm, from 1 to 32: 5.0, and 3.5 for a detail that is no whole number. The lacunarity does not
+//            matter
+//   gain     as of hn_fbm, in [0, 1]
+//   returns  the spread of hn_fbm, or of another mean of octaves of the noise (hn_add)
+//   error    of floats 6e-6 of each number, in HN_FIXED 1e-3
+//   cost     about 10 operations for each octave and 60 more. It does not depend on the position: compute it on the CPU,
+//            or let the compiler, where octaves and gain are constants
+//   source   docs/contract.md, section 21
+HN_FN hn_vec4 hn_spread_fbm(hn_vec4 spread, hn_float octaves, hn_float gain) {
+  hn_num a = hn_i_setting(spread.y, 1.0f);
+  hn_num b = max(a, hn_i_setting(spread.z, 1.0f));
+  hn_num c = max(b, hn_i_setting(spread.w, 1.0f));
+  hn_float detail = min(max(octaves, 1.0f), 32.0f);
+  hn_int count = hn_i_whole_octaves(detail);
+  hn_num ratio = hn_i_setting(gain, 1.0f);
+
+  // The sums of the weights, and of their powers.
+  hn_num sum = HN_I_NO_WEIGHT;
+  hn_num sum2 = HN_I_NO_WEIGHT;
+  hn_num sum4 = HN_I_NO_WEIGHT;
+  hn_num sum8 = HN_I_NO_WEIGHT;
+  hn_num weight = HN_I_WEIGHT_ONE;
+  for (hn_int i = 1; i <= count; ++i) {
+    if (i == count) weight = hn_i_weight_times(weight, hn_i_last_part(detail, count));
+    hn_num square = hn_i_weight_times(weight, weight);
+    hn_num fourth = hn_i_weight_times(square, square);
+    sum = hn_i_plus(sum, weight);
+    sum2 = hn_i_plus(sum2, square);
+    sum4 = hn_i_plus(sum4, fourth);
+    sum8 = hn_i_plus(sum8, hn_i_weight_times(fourth, fourth));
+    weight = hn_i_weight_times(weight, ratio);
+  }
+  hn_num per_square = hn_i_mean(HN_I_WEIGHT_ONE, sum2);
+  hn_num rho4 = hn_i_weight_times(hn_i_weight_times(sum4, per_square), per_square);
+  hn_num per_fourth = hn_i_weight_times(per_square, per_square);
+  hn_num rho8 = hn_i_weight_times(hn_i_weight_times(sum8, per_fourth), per_fourth);
+
+  // docs/contract.md, section 21: the bell, and how a sum comes near to it. tools/uniform fits them.
+  hn_num d = hn_i_minus(c, hn_i_parts(HN_I_WEIGHT_ONE, 736));
+  hn_num new_a = hn_i_of_sum(a, 103, 592, d, rho4, rho8);
+  hn_num new_b = hn_i_of_sum(b, 381, 1958, d, rho4, rho8);
+  hn_num new_c = hn_i_of_sum(c, 736, 452, d, rho4, rho8);
+
+  // The reach, so that the variance is that of the sum: that of the noise, times sum2 / sum^2.
+  hn_num per_sum = hn_i_mean(HN_I_WEIGHT_ONE, sum);
+  hn_num falls = hn_i_weight_times(hn_i_weight_times(sum2, per_sum), per_sum);
+  hn_num variance = hn_i_weight_times(hn_i_variance(a, b, c), falls);
+  hn_num stretch = hn_i_root_of_ratio(hn_i_mean(variance, hn_i_variance(new_a, new_b, new_c)));
+  hn_num reach = hn_i_weight_times(hn_i_as_reach(spread.x), stretch);
+  return vec4(hn_i_of_units(reach), hn_i_of_units(new_a), hn_i_of_units(new_b), hn_i_of_units(new_c));
+}
+
+#endif
