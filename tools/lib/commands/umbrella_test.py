@@ -19,7 +19,7 @@ umbrella = load_script("umbrella")
 NOISES = ["noise1d.glsl", "noise2d.glsl", "noise3d.glsl", "noise4d.glsl"]
 # And then.
 BUILT = ["curl.glsl", "fbm.glsl", "fbm_d.glsl", "gradient.glsl", "numbers.glsl", "octaves.glsl", "position.glsl",
-         "warp.glsl"]
+         "uniform.glsl", "warp.glsl"]
 
 
 class Umbrella(unittest.TestCase):
