@@ -66,6 +66,11 @@ double largest_slope_of(const Function& function, const Configuration& configura
 // What an output of the function can be; those of some depend on their settings.
 Range range_of(const Function& function, const Configuration& configuration, std::span<const std::uint32_t> inputs,
                std::size_t output) {
+  if (function.family == Family::distribution) {
+    const std::string_view name = function.outputs[output].name;
+    // A slope is largest with the smallest reach, 1/16. The root of a ratio of variances is at most that of 8.
+    return {0.0f, name == "slope" ? 64.01f : name == "reach" ? 8.5f : 1.0f};
+  }
   if (function.is_octave_sum() && function.is_slope(output)) {
     const auto slope = static_cast<float>(largest_slope_of(function, configuration, inputs));
     return {-slope, slope};

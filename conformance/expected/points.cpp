@@ -315,9 +315,22 @@ std::uint32_t random_whole(const Column& column, const Function& function, Regio
   if (is_period(column)) return random_period(function.is_octave_sum(), random);
   if (column.name == "cells" || column.name == "units") return random_scale(random);
   if (column.name == "metric") return random_metric(random);
+  if (column.name == "spread") return random.below(20);  // one that is none at either end
   if (column.name != "octaves") return random_cell(region, random);
   if (region == Region::steep) return 1 + random.below(2);  // the position of a third octave would overflow
   return extremes == Extremes::none ? random_octaves(function, region, random) : extreme_octaves(extremes, random);
+}
+
+// Of a value and of its distribution: mostly where it has no end, often at an end, and now and then far beyond. A
+// number of octaves is one of what hn_spread_fbm takes.
+float random_of_distribution(std::string_view name, Region region, Random& random) {
+  if (region == Region::extreme && random.below(2) == 0) return random_extreme(128, random);
+  constexpr std::array kEnds = {0.0f, -0.0f, 1.0f, -1.0f, 3.0f, 0.0625f};
+  if (random.below(16) == 0) return kEnds[random.below(kEnds.size())];
+  if (name == "detail")
+    return random.below(2) == 0 ? random.uniform(1.0f, 9.0f) : 1.0f + static_cast<float>(random.below(32));
+  if (name == "noise") return random.uniform(-1.0f, 1.0f);
+  return name == "reach" ? random.uniform(0.1f, 1.5f) : random.uniform(0.0f, 1.0f);
 }
 
 bool is_setting(std::string_view name) {
@@ -327,6 +340,7 @@ bool is_setting(std::string_view name) {
 }
 
 float random_float(const Column& column, const Function& function, Region region, Extremes extremes, Random& random) {
+  if (function.family == Family::distribution) return random_of_distribution(column.name, region, random);
   if (is_setting(column.name)) return random_setting(function, column.name, region, extremes, random);
   if (column.name == "phase") return random_phase(region, random);
   if (column.name == "jitter") return random_jitter(region, random);

@@ -181,6 +181,13 @@ double octave_sum_tolerance(const Function& function, Gradient gradient, std::sp
                                    : octave_tolerance(octave_sum_of(function), function.axes, arguments, gradient);
 }
 
+// As the comments in uniform.glsl state.
+double distribution_tolerance(const Function& function, std::span<const std::uint32_t> inputs, std::size_t output) {
+  const std::string_view name = function.outputs[output].name;
+  if (name != "slope") return name == "value" ? 2e-6 : 6e-6;
+  return 1e-5 / std::clamp(float_input(inputs, function.input("reach")), 0.0625, 3.0);
+}
+
 }  // namespace
 
 const NoiseBounds& noise_bounds(std::string_view noise, int axes, Gradient gradient) {
@@ -266,6 +273,7 @@ double tolerance(const Function& function, const Configuration& configuration, s
     return octave_sum_tolerance(function, configuration.gradient, inputs, output);
   }
   if (function.is_cellular()) return cellular_tolerance(function, configuration, inputs, output);
+  if (function.family == Family::distribution) return distribution_tolerance(function, inputs, output);
   return error_of(function, configuration, output);
 }
 

@@ -35,7 +35,8 @@ enum class Family : unsigned {
   further_cellular = 1u << 14,  // with periods, a jitter, a metric, and what it sets
   // Octave sums of noise that is not declared with the sine gradient.
   octahedral_octave_sum = 1u << 15,
-  utility = 1u << 16,  // what HN_ARITHMETIC changes, and is no noise
+  utility = 1u << 16,       // what HN_ARITHMETIC changes, and is no noise
+  distribution = 1u << 17,  // the same, of a value and the numbers of its distribution
 };
 
 constexpr unsigned operator|(Family a, Family b) { return static_cast<unsigned>(a) | static_cast<unsigned>(b); }

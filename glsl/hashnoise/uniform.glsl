@@ -211,7 +211,7 @@ HN_FN hn_vec4 hn_spread_fbm(hn_vec4 spread, hn_float octaves, hn_float gain) {
   hn_num b = max(a, hn_i_setting(spread.z, 1.0f));
   hn_num c = max(b, hn_i_setting(spread.w, 1.0f));
   hn_float detail = min(max(octaves, 1.0f), 32.0f);
-  hn_int count = hn_i_whole_octaves(detail);
+  hn_int count = min(hn_i_whole_octaves(detail), 32);  // of a NaN, too
   hn_num ratio = hn_i_setting(gain, 1.0f);
 
   // The sums of the weights, and of their powers.

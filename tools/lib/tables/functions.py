@@ -13,7 +13,7 @@ from tree import FUNCTIONS
 FAMILIES = ("independent", "hash", "gradient", "sine_gradient", "gradient_noise", "lattice_noise", "octave_sum",
             "further_gradient_noise", "octahedral_noise", "further_lattice_noise", "further_octave_sum",
             "simplex_noise", "curl", "cellular", "further_cellular", "octahedral_octave_sum",
-            "utility")
+            "utility", "distribution")
 NOISES = ("gradient_noise", "lattice_noise", "further_gradient_noise", "octahedral_noise", "further_lattice_noise",
           "simplex_noise", "cellular", "further_cellular")
 OCTAVE_SUMS = ("octave_sum", "further_octave_sum", "octahedral_octave_sum")
@@ -32,6 +32,10 @@ FORMS = {
     "point": re.compile(r"(?:[xyzw]:i32 )+seed:u32"),
     # A cell that has a candidate, and how near another may be.
     "candidate": re.compile(r"(?:c[xyz]:i32 )+(?:p[xyz]:i32 )+(?:radius:f32 )?seed:u32"),
+    # A spread, by its number, for a value, and of a sum of octaves.
+    "spread": re.compile(r"spread:i32"),
+    "spread_value": re.compile(r"noise:f32 reach:f32 a:f32 b:f32 c:f32"),
+    "spread_sum": re.compile(r"reach:f32 a:f32 b:f32 c:f32 detail:f32 gain:f32"),
     "position": re.compile(r"(?:[xyzw]:f32 )+(?:p[xyzw]:i32 )*(?:phase:f32 )?(?:jitter:f32 )?(?:metric:i32 )?"
                            r"seed:u32"),
     "cell": re.compile(r"(?:c[xyzw]:i32 )+(?:f[xyzw]:f32 )+(?:p[xyzw]:i32 )*(?:phase:f32 )?(?:jitter:f32 )?"
@@ -44,6 +48,9 @@ FORMS = {
     "place": re.compile(r"(?:[xyzw]:i32 )+cells:i32 units:i32"),
     "place_of_noise": re.compile(r"(?:[xyzw]:i32 )+cells:i32 units:i32 seed:u32"),
 }
+
+
+SPREADS = ("spread", "spread_value", "spread_sum")  # forms without a seed
 
 
 @dataclass(frozen=True)
@@ -157,14 +164,15 @@ class Function:
                 "items": ("uint",) * len(self.inputs.split()),
                 "point": (vector("i", "int"),), "position": (where, *chosen), "cell": (where, *chosen),
                 "place_of_noise": (where,), "sum": (where, *settings),
-                "place": (vector("i", "int"), "int", "int")}[self.form]
+                "place": (vector("i", "int"), "int", "int"), "spread": ("int",), "spread_value": ("float", "vec4"),
+                "spread_sum": ("vec4", "float", "float")}[self.form]
 
     @property
     def overloads(self) -> tuple[tuple[str, ...], ...]:
         """The types without a seed, and with one. At a place, and with what is chosen beside it, there is always a
         seed, and so there is of some others. Of a candidate a cell may stand for the place."""
         out = (f"out ivec{self.axes}", f"out vec{self.axes}") if self.sets else ()
-        if self.form in ("words", "items", "place", "zero"):
+        if self.form in ("words", "items", "place", "zero", *SPREADS):
             return (self.types,)
         seeded = (*self.types, "uint", *out)
         if self.form == "candidate":
