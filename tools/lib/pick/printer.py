@@ -13,7 +13,7 @@ from parsing.syntax import Function, Parameter
 from pick.evaluate import Kept, Module
 from pick.statements import Break, Declare, If, Loop, Return, Set, Statement, blocks, inner, operands, values_of, walk
 from pick.values import PREFIXES, SIZES, Constant, Node, Operation, Variable, operation, scalar_of
-from wgsl.names import is_passed
+from wgsl.names import PASSED
 
 WIDTH = 100  # of lines, as far as values have parts that can be named
 # Names that no variable has: those of the languages, and what readers would take for something else.
@@ -80,10 +80,11 @@ class Language:
         return f"{function.name}({parameters})"
 
     def constants(self, functions: Sequence[Function], module: Module) -> str:
-        """Those that users pass to the functions, where no library beside the text has them."""
-        if not self.structs or not any(one.at.text == "metric" for function in functions for one in function.parameters):
-            return ""
-        return "".join(self.constant(name, module.constant(name).at.text) for name in module.constants if is_passed(name))
+        """What a user passes to these functions by name."""
+        taken = {parameter.at.text for function in functions for parameter in function.parameters}
+        beginnings = tuple(PASSED[name] for name in PASSED if name in taken)
+        return "".join(self.constant(name, module.constant(name).at.text)
+                       for name in module.constants if name.startswith(beginnings))
 
     def constant(self, name: str, value: str) -> str:
         return f"#define {name} {value}\n"

@@ -41,6 +41,9 @@ PLACE = re.compile(r"hn_place([1-4])")
 OF_AXES = re.compile(r"hn_(place|octaves|slopes|shifts)([1-4])")  # structs
 WITH_VECTORS = ("hn_add", "hn_mean")  # beside the octaves they may take a sum of slopes or shifts
 
+# How the constants begin that users pass, by the name of the parameter.
+PASSED = {"metric": "HN_METRIC_", "noise": "HN_SPREAD_"}
+
 # Names of variables that WGSL reserves, or that the module calls.
 RESERVED = frozenset("""
     NULL Self abstract active alignas alignof as asm asm_fragment async attribute auto await become cast catch class
@@ -87,7 +90,7 @@ def is_public(name: str) -> bool:
 
 def is_passed(constant: str) -> bool:
     """Whether users pass it. (Knobs and versions are the preprocessor's own.)"""
-    return constant.startswith(("HN_METRIC_", "HN_SPREAD_"))
+    return constant.startswith(tuple(PASSED.values()))
 
 
 def wgsl_name(function: Function) -> str:
