@@ -18,7 +18,7 @@ from tables.functions import FAMILIES, NOISES, OF_EVERY_HASH, Function, read_fun
 from tree import BOUNDS, CONFIGURATIONS, FUNCTIONS, GLSL, GOLDEN, ROOT, glsl_files
 
 KNOBS = "docs/knobs.md"
-RANDOM = "docs/random.md"  # of functions for which the README has one line
+OTHERS = ("docs/uniform.md", "docs/random.md")  # of functions for which the README has one line
 ENTRIES = "tools/lib/{}/noises/{}.py"
 OF_A_NOISE = {"error", "cost"}  # in each comment; and in one of its comments
 OF_A_NOISE_ONCE = OF_A_NOISE | {"returns", "period", "source"}
@@ -97,15 +97,15 @@ def rows_without_a_function(tree: Tree) -> Iterator[str]:
 def functions_without_words(tree: Tree) -> Iterator[str]:
     """In the comments of the library, in the README or a page that its table leaves them to, and in the contract."""
     functions = tree.text("README.md").partition("\n## Functions\n")[2].partition("\n- ")[0]
-    first_cells = [line.split(" | ")[0] for line in f"{functions}\n{tree.text(RANDOM)}".split("\n")
-                   if line.startswith("|")]
+    tables = "\n".join([functions, *map(tree.text, OTHERS)])
+    first_cells = [line.split(" | ")[0] for line in tables.split("\n") if line.startswith("|")]
     contract = tree.text("docs/contract.md")
     for declared in tree.declarations:
         if not declared.comment or "returns" not in declared.comment.headings:
             yield f"{declared.place}: {declared} has no comment that says what it returns: write one over it"
     for name in sorted({function.calls for function in tree.functions}):
         if not any(is_named(name, cell) for cell in first_cells):
-            yield f"README.md: no line for {name}: add one to the table of functions, or to that of {RANDOM}"
+            yield f"README.md: no line for {name}: add one to the table of functions, or to that of {' or '.join(OTHERS)}"
         if not re.search(rf"`{name}\b", contract):
             yield f"docs/contract.md: no word of {name}(...): say what its value is"
 

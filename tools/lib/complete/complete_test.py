@@ -33,8 +33,8 @@ class Deletions(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.root = Path(folder.name)
         for path in (GLSL, ROOT / "include" / "hashnoise", ROOT / "README.md", ROOT / "docs" / "contract.md",
-                     ROOT / "docs" / "knobs.md", ROOT / "docs" / "random.md", CATALOG, FUNCTIONS, FORMS, CONFIGURATIONS,
-                     BOUNDS, ROOT / "tools" / "lib" / "oracle" / "noises",
+                     ROOT / "docs" / "knobs.md", ROOT / "docs" / "random.md", ROOT / "docs" / "uniform.md",
+                     CATALOG, FUNCTIONS, FORMS, CONFIGURATIONS, BOUNDS, ROOT / "tools" / "lib" / "oracle" / "noises",
                      ROOT / "tools" / "lib" / "bounds" / "noises"):
             target = self.root / path.relative_to(ROOT)
             target.parent.mkdir(parents=True, exist_ok=True)
@@ -121,9 +121,11 @@ class Deletions(unittest.TestCase):
         self.change("README.md", r"^\| `hn_perlin\b.*\n")
         self.noticed(r"^README\.md: no line for hn_perlin: add one to the table of functions")
 
-    def test_the_page_of_random_numbers(self) -> None:
-        self.change("docs/random.md", r"^\| `hn_normal\b.*\n")
-        self.noticed(r"^README\.md: no line for hn_normal: .* or to that of docs/random\.md$")
+    def test_pages_with_tables_of_functions(self) -> None:
+        for page, name in (("random", "hn_normal"), ("uniform", "hn_spread_fbm")):
+            with self.subTest(page=page):
+                self.change(f"docs/{page}.md", rf"^\| `{name}\b.*\n")
+                self.noticed(rf"^README\.md: no line for {name}: .* or to that of docs/uniform\.md or docs/random\.md$")
 
     def test_a_comment(self) -> None:
         self.change("glsl/hashnoise/*.glsl", r"^(//.*\n)+(HN_FN .*\bhn_snorm\()", "\\2")

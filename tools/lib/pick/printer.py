@@ -80,7 +80,9 @@ class Language:
         return f"{function.name}({parameters})"
 
     def constants(self, functions: Sequence[Function], module: Module) -> str:
-        """What a user passes to these functions by name."""
+        """Those that users pass to the functions, where no library beside the text has them."""
+        if not self.structs:
+            return ""
         taken = {parameter.at.text for function in functions for parameter in function.parameters}
         beginnings = tuple(PASSED[name] for name in PASSED if name in taken)
         return "".join(self.constant(name, module.constant(name).at.text)
