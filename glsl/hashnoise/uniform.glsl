@@ -11,8 +11,9 @@
 // A spread is four numbers that say how values are distributed: the reach, beyond which there are none, and three
 // coefficients. docs/uniform.md says how near to uniform the results are, and tools/uniform measures it.
 //
-// With s = |value| / reach the tail, which is twice the fraction of values farther out, is a polynomial of y = (1 - s)^2
-// with the Bernstein coefficients 0, a, b, c, 1. These rise, and so the tail does; its slope is 0 at the reach.
+// With s = |value| / reach the tail, which is twice the fraction of values farther out, is a polynomial of
+// y = (1 - s)^2 with the Bernstein coefficients 0, a, b, c, 1. These rise, and so the tail does; its slope is 0 at the
+// reach.
 
 #ifndef HN_UNIFORM_GLSL
 #define HN_UNIFORM_GLSL
@@ -203,8 +204,8 @@ HN_FN hn_num hn_i_of_sum(hn_num x, hn_int bell, hn_int way, hn_num d, hn_num fou
 //   gain     as of hn_fbm, in [0, 1]
 //   returns  the spread of hn_fbm, or of another mean of octaves of the noise (hn_add)
 //   error    of floats 6e-6 of each number, in HN_FIXED 1e-3
-//   cost     about 10 operations for each octave and 60 more. It does not depend on the position: compute it on the CPU,
-//            or let the compiler, where octaves and gain are constants
+//   cost     about 10 operations for each octave and 60 more. It does not depend on the position: compute it on the
+//            CPU, or let the compiler, where octaves and gain are constants
 //   source   docs/contract.md, section 21
 HN_FN hn_vec4 hn_spread_fbm(hn_vec4 spread, hn_float octaves, hn_float gain) {
   hn_num a = hn_i_setting(spread.y, 1.0f);

@@ -18,14 +18,14 @@ from twin import NotBuilt
 DESCRIPTION = """\
 Measures how uniform the results of hn_uniform are, for every noise and for sums of octaves, or fits its constants.
 
-    tools/uniform [--points N] [--out FILE]    measures; docs/results/uniform.csv is such a file, of 10^7 points a row, of
-                                               which tools/readme makes the table of docs/uniform.md
+    tools/uniform [--points N] [--out FILE]    measures; docs/results/uniform.csv is such a file, of 10^7 points a row,
+                                               of which tools/readme makes the table of docs/uniform.md
     tools/uniform --fit [--points N]           fits the spread of each noise, and writes them into uniform.glsl and the
                                                contract. The bell that sums come near to stays
     tools/uniform --bell [--points N]          fits the bell together with all spreads, and prints it
 
-Each point is at a random cell and fraction, with a random seed. The error of a noise is the largest difference between the
-share of results below u and u itself, over all u (Kolmogorov's distance). Chance alone adds about 0.9 / sqrt(N).
+Each point is at a random cell and fraction, with a random seed. The error of a noise is the largest difference between
+the share of results below u and u itself, over all u (Kolmogorov's distance). Chance alone adds about 0.9 / sqrt(N).
 
 Exit status: 0 done, 1 an error is above the bound that docs/uniform.md states, 2 bad usage, 4 it could not be built."""
 
@@ -33,7 +33,8 @@ RECORD = ROOT / "docs" / "results" / "uniform.csv"
 CONTRACT = ROOT / "docs" / "contract.md"
 COLUMNS = ("noise", "octaves", "gain", "points", "error")
 GAIN = 0.5
-SUMS = (*((octaves, GAIN) for octaves in range(1, 9)), (2.0, 0.7), (5.0, 0.7), (2.0, 1.0), (3.0, 0.3), (3.5, GAIN), (8.0, 0.8))
+SUMS = (*((octaves, GAIN) for octaves in range(1, 9)),
+        (2.0, 0.7), (5.0, 0.7), (2.0, 1.0), (3.0, 0.3), (3.5, GAIN), (8.0, 0.8))
 # The aim; and what one dimension reaches, where the density of Perlin noise is infinite at 0: no polynomial follows it.
 BOUND, LINE_BOUND = 0.005, 0.007
 
@@ -51,8 +52,8 @@ def bound_of(row: Row) -> float:
 
 
 def too_large(rows: Sequence[Row]) -> list[str]:
-    return [f"{row.noise}, {row.octaves:g} octaves with a gain of {row.gain:g}: the error is {row.error:.4f}, and the bound "
-            f"{bound_of(row)}" for row in rows if row.error > bound_of(row)]
+    return [f"{row.noise}, {row.octaves:g} octaves with a gain of {row.gain:g}: the error is {row.error:.4f}, and the "
+            f"bound {bound_of(row)}" for row in rows if row.error > bound_of(row)]
 
 
 def read(path: Path = RECORD) -> list[Row]:
@@ -74,7 +75,8 @@ def write(path: Path, rows: Sequence[Row]) -> None:
     with path.open("w", encoding="utf-8", newline="") as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(COLUMNS)
-        writer.writerows((row.noise, f"{row.octaves:g}", f"{row.gain:g}", row.points, f"{row.error:.5f}") for row in rows)
+        writer.writerows((row.noise, f"{row.octaves:g}", f"{row.gain:g}", row.points, f"{row.error:.5f}")
+                         for row in rows)
 
 
 def page_table(rows: Sequence[Row]) -> str:
@@ -146,8 +148,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
             if not options.fit and not options.bell:
                 errors = sampler.errors(options.points, model.spreads_of(text), SUMS)
                 by_name = [subject.name for subject in model.SUBJECTS]
-                rows = [Row(*key, options.points, error)
-                        for key, error in sorted(errors.items(), key=lambda item: (by_name.index(item[0][0]), *item[0][1:]))]
+                rows = sorted((Row(*key, options.points, error) for key, error in errors.items()),
+                              key=lambda row: (by_name.index(row.noise), row.octaves, row.gain))
                 write(options.out, rows)
                 problems = too_large(rows)
                 print("\n".join(problems) if problems else page_table(rows), end="\n" if problems else "")

@@ -41,7 +41,8 @@ def distributions(density: np.ndarray) -> np.ndarray:
     padded[:COARSE] = coarse
     frequencies = np.fft.rfftfreq(8 * COARSE, d=step) * 2 * np.pi
     of_noise = (np.fft.rfft(padded) * np.exp(1j * frequencies * (SPAN / 2 - step / 2))).real
-    spline = CubicSpline(np.concatenate([-frequencies[:0:-1], frequencies]), np.concatenate([of_noise[:0:-1], of_noise]))
+    spline = CubicSpline(np.concatenate([-frequencies[:0:-1], frequencies]),
+                         np.concatenate([of_noise[:0:-1], of_noise]))
     wanted = np.fft.rfftfreq(2 * COARSE, d=step) * 2 * np.pi
     found = []
     for octaves, gain in SUMS:

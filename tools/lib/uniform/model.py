@@ -105,7 +105,7 @@ def uniform(values: np.ndarray, reach: np.ndarray, shape: np.ndarray) -> np.ndar
 
 
 class Sampler:
-    """The program, with each gradient when it is asked for; `include` is the folder of the header, `macros` are knobs."""
+    """The program, with each gradient when it is asked for; `include` is the header's folder, and `macros` are knobs."""
 
     def __init__(self, folder: Path, include: Path = ROOT / "include", macros: Sequence[str] = ()) -> None:
         self.folder, self.include, self.macros = folder, include, macros
@@ -131,8 +131,8 @@ class Sampler:
                 found[int(number)] = histogram / histogram.sum()
         return found
 
-    def errors(self, points: int, spreads: Mapping[str, Sequence[float]],
-               sums: Sequence[tuple[float, float]], subjects: Sequence[Subject] = SUBJECTS) -> dict[tuple[str, float, float], float]:
+    def errors(self, points: int, spreads: Mapping[str, Sequence[float]], sums: Sequence[tuple[float, float]],
+               subjects: Sequence[Subject] = SUBJECTS) -> dict[tuple[str, float, float], float]:
         """The largest errors of the distribution, by noise, octaves and gain."""
         found = {}
         for is_sine in (False, True):

@@ -54,7 +54,7 @@ class UniformTest(unittest.TestCase):
                 self.assertIn(f"{round(number * model.PARTS)}", page.partition("The bell, which")[2])
 
     def test_the_tail_of_every_sum_rises(self) -> None:
-        # A coefficient of a sum is linear in rho_8, which lies between rho_4^3 and rho_4^2 (Hoelder's inequality, on the
+        # A coefficient of a sum is linear in rho_8, which lies between rho_4^3 and rho_4^2 (Hoelder, on the
         # squares of weights as probabilities). So the coefficients are in order for every gain and number of octaves if
         # they are on these two curves. There a difference of two is a cubic in rho_4, and this is where it is least.
         for name, (_, *shape) in self.spreads.items():
@@ -71,7 +71,8 @@ class UniformTest(unittest.TestCase):
 
     def test_the_library_computes_the_model(self) -> None:
         random = np.random.default_rng(1)
-        spreads = np.concatenate([random.uniform(0.1, 2.9, (3000, 1)), np.sort(random.random((3000, 3)), axis=1)], axis=1)
+        shapes = np.sort(random.random((3000, 3)), axis=1)
+        spreads = np.concatenate([random.uniform(0.1, 2.9, (3000, 1)), shapes], axis=1)
         values = random.uniform(-1.1, 1.1, 3000) * spreads[:, 0]
         values, spreads = values.astype(np.float32), spreads.astype(np.float32)
         lines = np.column_stack([values, spreads]).tolist()
@@ -106,8 +107,8 @@ class UniformTest(unittest.TestCase):
         random = np.random.default_rng(2)
         values = np.sort(np.round(random.normal(0.0, 0.3, 20000) * 2**21) / 2**21)
         for spread in (self.spreads["PERLIN1"], self.spreads["VALUE1"], (0.07, 0.9, 0.1, 0.3), (2.9, 0.0, 0.0, 0.0)):
-            found = np.array(self.samplers["FIXED"].run(False, "map", lines=[(value, *spread) for value in values]))[:, 1]
-            self.assertTrue(np.all(np.diff(found) >= 0.0), spread)
+            found = np.array(self.samplers["FIXED"].run(False, "map", lines=[(value, *spread) for value in values]))
+            self.assertTrue(np.all(np.diff(found[:, 1]) >= 0.0), spread)
 
     def test_wrong_constants_are_reported(self) -> None:
         def problems(spread: tuple[float, ...]) -> list[str]:
@@ -130,7 +131,8 @@ class UniformTest(unittest.TestCase):
         self.assertEqual({row.points for row in rows}, {10**7})
 
     def test_wrong_input_is_refused(self) -> None:
-        for arguments, message in ((["--points", "10"], "1000 points at least"), (["--out", "/none/x.csv"], "there is no folder"),
+        for arguments, message in ((["--points", "10"], "1000 points at least"),
+                                   (["--out", "/none/x.csv"], "there is no folder"),
                                    (["--fit", "--bell"], "not allowed with")):
             errors = io.StringIO()
             with self.assertRaises(SystemExit) as ended, contextlib.redirect_stderr(errors):
@@ -138,7 +140,8 @@ class UniformTest(unittest.TestCase):
             self.assertEqual(ended.exception.code, 2)
             self.assertIn(message, errors.getvalue())
         path = self.folder / "record.csv"
-        for text, message in (("a,b\n", "the first line has to be"), ("noise,octaves,gain,points,error\nX,1\n", r"csv:2: ")):
+        for text, message in (("a,b\n", "the first line has to be"),
+                              ("noise,octaves,gain,points,error\nX,1\n", r"csv:2: ")):
             path.write_text(text, encoding="utf-8")
             with self.assertRaisesRegex(ValueError, message):
                 command.read(path)
