@@ -197,7 +197,7 @@ HN_FN hn_num hn_i_of_sum(hn_num x, hn_int bell, hn_int way, hn_num d, hn_num fou
 }
 
 // How the values of a sum of octaves are distributed, from how those of its noise are. Every gain and number of octaves
-// has its spread; each octave has its own seed, so that they are independent.
+// has its spread. It takes octaves as independent, which on the line they are not quite (docs/uniform.md).
 //   spread   of the noise: hn_spread(HN_SPREAD_PERLIN2) and so on
 //   octaves  as of hn_fbm, from 1 to 32: 5.0, and 3.5 for a detail that is no whole number. The lacunarity does not
 //            matter

@@ -10,7 +10,8 @@ docs/gallery. The typical values are those of 2^18 points. The costs are those o
 which hn-conform bench writes, and of peers.csv beside it, which tools/peers writes; so it does likeness.csv, of which
 the tables of docs/moving.md are made. Those on GPUs by their compilers are of docs/results/gpu, by tools/gpu-costs, and
 compile.csv is by tools/compile-times. How hashes of others fare is in docs/results/hashes.csv, by tools/quality
---against. The times of commands are those of tools/costs.csv, which tools/test --record writes.
+--against, and how uniform values are in uniform.csv beside it, by tools/uniform. The times of commands are those of
+tools/costs.csv, which tools/test --record writes.
 
 Exit status: 0 all is as it should be, 1 something is not: prose is for you to mend; 2 bad usage, the code does not
 compile, or a page cannot be read.
@@ -30,6 +31,7 @@ from readme import files, gallery, hashes, numbers, picture
 from readme import times as of_commands
 from tables.markdown import with_section
 from tree import ROOT
+from uniform import command as of_uniform
 
 README = "README.md"
 MEASURING = "docs/measuring.md"
@@ -39,6 +41,7 @@ CONFORMANCE = "docs/conformance.md"
 MOVING = "docs/moving.md"
 LANGUAGES = "docs/languages.md"
 HASHES = "docs/hashes.md"
+UNIFORM = "docs/uniform.md"
 SIZE = re.compile(r"(--strip --out noise\.glsl`, )\d+ kB")  # of the whole library, in the README
 
 
@@ -61,6 +64,7 @@ def tables(times: of_commands.Times) -> list[tuple[str, str, str]]:
              numbers.cost_table(numbers.costs(numbers.GPU), "nvidia", "of NVIDIA's assembly")),
             (MEASURING, "tools/readme: costs by compilers", of_gpus.chip_table(of_gpus.costs())),
             (OPERATIONS, "tools/readme: operations", of_gpus.operation_table(of_gpus.operation_costs())),
+            (UNIFORM, "tools/readme: uniform", of_uniform.page_table(of_uniform.read())),
             (MEASURING, "tools/readme: noises", numbers.form_table(costs)),
             (MEASURING, "tools/readme: compile times", of_compilers.page_table(of_compilers.record())),
             (MEASURING, "tools/readme: peers", numbers.peer_table(numbers.peer_costs(numbers.CPU))),

@@ -35,8 +35,10 @@ COLUMNS = ("noise", "octaves", "gain", "points", "error")
 GAIN = 0.5
 SUMS = (*((octaves, GAIN) for octaves in range(1, 9)),
         (2.0, 0.7), (5.0, 0.7), (2.0, 1.0), (3.0, 0.3), (3.5, GAIN), (8.0, 0.8))
-# The aim; and what one dimension reaches, where the density of Perlin noise is infinite at 0: no polynomial follows it.
-BOUND, LINE_BOUND = 0.005, 0.007
+# The aim; and what the line reaches. There nothing turns, so that the octaves of a sum depend on each other: near lattice
+# points of the first all others have the same fractions. And the density of Perlin noise is infinite at 0.
+BOUND = 0.005
+LINE_BOUNDS = {"PERLIN1": 0.015, "VALUE1": 0.006}
 
 
 class Row(NamedTuple):
@@ -48,7 +50,7 @@ class Row(NamedTuple):
 
 
 def bound_of(row: Row) -> float:
-    return LINE_BOUND if row.noise == "PERLIN1" else BOUND
+    return LINE_BOUNDS.get(row.noise, BOUND)
 
 
 def too_large(rows: Sequence[Row]) -> list[str]:
