@@ -38,7 +38,7 @@ SUMS = (*((octaves, GAIN) for octaves in range(1, 9)),
 # The aim; and what the line reaches. There nothing turns, so that the octaves of a sum depend on each other: near lattice
 # points of the first all others have the same fractions. And the density of Perlin noise is infinite at 0.
 BOUND = 0.005
-LINE_BOUNDS = {"PERLIN1": 0.015, "VALUE1": 0.006}
+LINE_BOUNDS = {"PERLIN1": 0.015}
 
 
 class Row(NamedTuple):
