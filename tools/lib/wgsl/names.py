@@ -10,8 +10,8 @@ A public function has its name in GLSL, and behind it:
   _nearest    as _full, if it also sets the nearest point
   _detail, _footprint    if it takes that
 
-So hn_perlin(hn_place2 place, uint seed) is hn_perlin2_place. Functions of words or spreads that are not overloaded keep their
-names: hn_hash_pcg, hn_unorm, hn_gradient2, hn_shuffle. So do the hashes of several words that have a name, such as
+So hn_perlin(hn_place2 place, uint seed) is hn_perlin2_place. Functions of words or spreads that are not overloaded keep
+their names: hn_hash_pcg, hn_unorm, hn_gradient2, hn_shuffle. So do the hashes of several words that have a name, such as
 hn_hash_pcg2d. So hn_gradient of a cell is hn_gradient_lattice2. A struct that users know keeps its name, too. So what
 makes a hn_place2 is hn_place_of2 of a position, hn_place_of_cell2 of a cell and a fraction, hn_place_at_cell2 of a
 cell, and hn_place_of_units2.
@@ -27,8 +27,8 @@ import re
 from parsing.syntax import Function
 
 # What a function of words, or of spreads, that is not overloaded takes; and hashes by name.
-NOT_OVERLOADED = (("h",), ("k",), ("h", "k"), ("i", "n", "seed"), ("i", "seed"), ("zero",), ("noise",), ("value", "spread"),
-                  ("spread", "octaves", "gain"))
+NOT_OVERLOADED = (("h",), ("k",), ("h", "k"), ("i", "n", "seed"), ("i", "seed"), ("zero",), ("noise",),
+                  ("value", "spread"), ("spread", "octaves", "gain"))
 OF_A_NAME = "hn_hash_"
 # What is called otherwise, since its name is that of another function or of a struct; by its first parameter.
 OTHERS = {("hn_gradient", "cell"): "hn_gradient_lattice", ("hn_place", "p"): "hn_place_of",
