@@ -67,6 +67,7 @@ constexpr bool is_covered(std::string_view id, hn::Family family) {
 #define HN_TWIN_cellular HN_TWIN_ENTRY
 #define HN_TWIN_further_cellular HN_TWIN_ENTRY
 #define HN_TWIN_utility HN_TWIN_ENTRY
+#define HN_TWIN_distribution HN_TWIN_ENTRY
 
 constexpr hn::TwinEntry kEntries[] = {
 #define FUNCTION(id, file, family, bound, columns, call, ...) HN_TWIN_##family(id, family, __VA_ARGS__)

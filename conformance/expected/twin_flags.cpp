@@ -153,6 +153,7 @@ int main(int argc, char**) {
 #define OF_cellular TRIED
 #define OF_further_cellular TRIED
 #define OF_utility TRIED
+#define OF_distribution TRIED
 #define FUNCTION(id, file, family, bound, columns, call, ...) OF_##family(id, #family, columns, __VA_ARGS__)
 #include "library/functions.inc"
 #endif
