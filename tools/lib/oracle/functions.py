@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
-from oracle import frames, gradients, integers, noises, numbers, positions, scatter, sums, words
+from oracle import frames, gradients, integers, noises, numbers, positions, scatter, sums, uniform, words
 from oracle.curl import CURL
 from oracle.gradients import Knobs, Real
 from oracle.hexes import HEXES
@@ -30,7 +30,13 @@ OF_WORDS: dict[str, Callable[..., tuple[Real, ...]]] = {
     "numbers.unorm_four": lambda h: numbers.unorms(h, 4), "numbers.normal": lambda h: (numbers.normal(h),),
     "numbers.circle": numbers.circle, "numbers.disk": numbers.disk,
     "numbers.sphere": numbers.sphere, "numbers.ball": numbers.ball,
-    "numbers.shuffle": lambda i, n, seed: (numbers.shuffle(i, n, seed),), "numbers.sobol": numbers.sobol}
+    "numbers.shuffle": lambda i, n, seed: (numbers.shuffle(i, n, seed),), "numbers.sobol": numbers.sobol,
+    "uniform.spread": uniform.spread}
+# Whatever the knobs but the arithmetic: exact, and in fixed arithmetic.
+OF_SPREADS: dict[str, tuple[Callable[..., tuple[Real, ...]], Callable[..., tuple[Real, ...]]]] = {
+    "uniform.uniform": (lambda *row: uniform.uniform_d(*row)[:1], lambda *row: uniform.fixed_uniform_d(*row)[:1]),
+    "uniform.uniform_d": (uniform.uniform_d, uniform.fixed_uniform_d),
+    "uniform.spread_fbm": (uniform.spread_fbm, uniform.fixed_spread_fbm)}
 # Of a position that is a whole number, along one axis, with cells and units.
 OF_A_PLACE: dict[str, Callable[[int, int, int], Real]] = {"cell": positions.cell, "fraction": positions.fraction}
 
@@ -46,6 +52,8 @@ def evaluator(function: Function, fixed: bool) -> Evaluate:
     n, family = function.axes, function.family
     if function.id in OF_WORDS:
         return lambda _, row: OF_WORDS[function.id](*row)
+    if function.id in OF_SPREADS:
+        return lambda _, row: OF_SPREADS[function.id][fixed](*row)
     if function.form == "place":
         along_axis = OF_A_PLACE[function.name.rstrip("1234")]
         return lambda _, row: tuple(along_axis(x, *row[n:]) for x in row[:n])
