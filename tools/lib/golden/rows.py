@@ -6,11 +6,11 @@ import itertools
 from collections.abc import Sequence
 
 import catalog.model
-from golden import cellular_rows, hex_rows, period_rows, scatter_rows, simplex_rows, sum_rows
+from golden import cellular_rows, hex_rows, period_rows, scatter_rows, simplex_rows, sum_rows, uniform_rows
 from golden.generator import INT_MAX, INT_MIN, SEEDS, Generator, Row, to_f32
 from oracle import gradients, words
 from tables.configurations import Configuration
-from tables.functions import Function
+from tables.functions import SPREADS, Function
 
 
 def word_rows(generator: Generator) -> list[Row]:
@@ -237,6 +237,9 @@ def rows_of(function: Function, fixed: bool, settings: Sequence[Configuration],
         return scatter_rows.rows_of(function, generator), []
     if function.bound == hex_rows.BOUND:
         return hex_rows.plain(function, generator), hex_rows.for_fixed(function, generator) if fixed else []
+    if form in SPREADS:
+        return (uniform_rows.plain(function, generator),
+                uniform_rows.for_fixed(function, generator) if fixed else [])
     if form == "point":
         if function.family == "hash":
             return lattice_rows(n, generator), []
