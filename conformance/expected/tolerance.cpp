@@ -20,31 +20,41 @@ namespace {
 constexpr std::optional<Gradient> octahedral = Gradient::octahedral;
 constexpr std::optional<Gradient> sine = Gradient::sine;
 [[maybe_unused]] constexpr std::optional<Gradient> none = std::nullopt;
+struct UniformBounds {
+  double value, slope, reach, coefficient;
+  double fixed_value, fixed_slope, fixed_reach, fixed_coefficient;
+};
 const std::vector<NoiseBounds> kNoiseBounds = {
 #define NOISE_BOUNDS(...) NoiseBounds{__VA_ARGS__},
 #define SLOPE_BOUNDS(...)
 #define SINE_BOUNDS(error, fixed_error)
+#define UNIFORM_BOUNDS(...)
 #include "expected/bounds.inc"
 #undef NOISE_BOUNDS
 #undef SLOPE_BOUNDS
 #undef SINE_BOUNDS
+#undef UNIFORM_BOUNDS
 };
 const std::vector<NoiseBounds> kSlopeBounds = {
 #define NOISE_BOUNDS(...)
 #define SLOPE_BOUNDS(...) NoiseBounds{__VA_ARGS__},
 #define SINE_BOUNDS(error, fixed_error)
+#define UNIFORM_BOUNDS(...)
 #include "expected/bounds.inc"
 #undef NOISE_BOUNDS
 #undef SLOPE_BOUNDS
 #undef SINE_BOUNDS
+#undef UNIFORM_BOUNDS
 };
 #define NOISE_BOUNDS(...)
 #define SLOPE_BOUNDS(...)
 #define SINE_BOUNDS(error, fixed_error) constexpr double kSineError = error;
+#define UNIFORM_BOUNDS(...) constexpr UniformBounds kUniformBounds{__VA_ARGS__};
 #include "expected/bounds.inc"
 #undef NOISE_BOUNDS
 #undef SLOPE_BOUNDS
 #undef SINE_BOUNDS
+#undef UNIFORM_BOUNDS
 
 // The components of the shift between octaves (docs/contract.md); 2D uses the first two.
 constexpr std::array kShift = {11.0 / 32.0, 19.0 / 32.0, 23.0 / 32.0, 27.0 / 32.0};
@@ -181,11 +191,13 @@ double octave_sum_tolerance(const Function& function, Gradient gradient, std::sp
                                    : octave_tolerance(octave_sum_of(function), function.axes, arguments, gradient);
 }
 
-// As the comments in uniform.glsl state.
+// Of uniform values and of spreads of sums.
 double distribution_tolerance(const Function& function, std::span<const std::uint32_t> inputs, std::size_t output) {
   const std::string_view name = function.outputs[output].name;
-  if (name != "slope") return name == "value" ? 2e-6 : 6e-6;
-  return 1e-5 / std::clamp(float_input(inputs, function.input("reach")), 0.0625, 3.0);
+  const double reach = std::clamp(float_input(inputs, function.input("reach")), 0.0625, 3.0);
+  if (name == "value") return kUniformBounds.value;
+  if (name == "slope") return kUniformBounds.slope / reach;
+  return name == "reach" ? kUniformBounds.reach * reach : kUniformBounds.coefficient;
 }
 
 }  // namespace

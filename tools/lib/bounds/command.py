@@ -22,14 +22,14 @@ from concurrent.futures import ProcessPoolExecutor
 from dataclasses import asdict, fields, replace
 from pathlib import Path
 
-from bounds import noises, sine
+from bounds import noises, sine, uniform
 from bounds.documents import (ACCURACY, EXAMPLES, FRAMED, Everything, Key, frame_tolerances, missing_quotes, name_of,
                               sum_tolerances, with_tables, wrong_comments)
 from bounds.gradients import SINE
 from bounds.integers import fade_errors, overshoot
 from bounds.noises import Derived
 from bounds.sums import Sum
-from bounds.table import HEAD, PATH, SineBounds, noise_row, sine_row, slope_row
+from bounds.table import HEAD, PATH, SineBounds, noise_row, sine_row, slope_row, uniform_row
 from tables.inc import TableError
 from tree import ROOT
 
@@ -61,6 +61,7 @@ def rendered(derived: Everything) -> str:
     rows = [noise_row(of_noise.bounds(*key)) for key, of_noise in derived.items()]
     rows += [slope_row(of_noise.slope.bounds(*key)) for key, of_noise in derived.items() if of_noise.slope]
     rows.append(sine_row(SineBounds(SINE.component_error, sine.fixed_sine_error())))
+    rows.append(uniform_row(uniform.errors(False), uniform.errors(True)))
     return HEAD + "".join(rows)
 
 
@@ -107,6 +108,9 @@ def everything_for_a_reader(derived: Everything) -> dict[str, dict]:
             "below_1_by_any_rounding": 1 - sine.sine_largest(),
             "fixed_error": sine.fixed_sine_error(),
             "fixed_largest": float(sine.fixed_sine_largest())},
+        "uniform values, slopes times a reach, and spreads of sums: in floats": asdict(uniform.errors(False)),
+        "the same to nearest": asdict(uniform.errors(False, 0.5)),
+        "the same fixed": asdict(uniform.errors(True)),
         "the fixed fade": {"error_from": float(fade_errors().min()), "error_to": float(fade_errors().max()),
                            "overshoot": overshoot()},
         "octave sums: octahedral in floats, fixed; sine in floats, fixed": {

@@ -9,7 +9,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
-from bounds import frames, kernel_floats, noises, sine, sums
+from bounds import frames, kernel_floats, noises, sine, sums, uniform
 from bounds.float_sums import octave_tolerance
 from bounds.gradients import GRADIENTS, SINE, Gradient
 from bounds.integers import fade_errors, slope_errors, spline_weight_error
@@ -200,6 +200,7 @@ def quotes(derived: Everything) -> list[tuple[str, str]]:
         f"at most 1 - {math.floor((1 - sine.sine_largest()) * 1e9) / 1e9:.2e}".replace("e-0", "e-"),
         f"adds {scientific(sums.cloud_error())} ",
         f"within {scientific(kernel_floats.turn_error(1.0))} of those of the phase")]
+    stated += [(ACCURACY, text) for text in uniform.quotes()]
     return stated + [quote for name in noises.names() for quote in noises.find(name).quotes()]
 
 

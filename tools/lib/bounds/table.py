@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import astuple, dataclass, replace
 from decimal import ROUND_CEILING, Decimal
 from functools import cache
 from pathlib import Path
@@ -27,6 +27,11 @@ HEAD = """\
 //   SLOPE_BOUNDS(the same fields)      of each component of a derivative, with its own units
 //
 //   SINE_BOUNDS(error, fixed_error)    of a component of the sine gradient
+//
+//   UNIFORM_BOUNDS(value, slope, reach, coefficient, fixed_value, fixed_slope, fixed_reach, fixed_coefficient)
+//
+//   value         the error of hn_uniform; slope, that of its derivative, times the reach
+//   reach         that of the first number of hn_spread_fbm, divided by the reach; coefficient, that of another one
 
 """
 
@@ -57,6 +62,16 @@ DIGITS = {"cell_error": 3, "error": 3, "lipschitz": 3, "limit": 6, "fixed_error"
 class SineBounds:
     error: float
     fixed_error: float
+
+
+@dataclass(frozen=True)
+class UniformBounds:
+    """Of a value; of a slope, times the reach; of the reach of a sum, divided by that of its noise; and of another
+    number of its spread."""
+    value: float
+    slope: float
+    reach: float
+    coefficient: float
 
 
 def rounded_up(value: float, digits: int) -> Decimal:
@@ -108,7 +123,11 @@ def sine_row(bounds: SineBounds) -> str:
     return f"SINE_BOUNDS({bounds.error.hex().replace('1.0000000000000p', '1p')}, {scientific(bounds.fixed_error)})\n"
 
 
-ROWS = {"NOISE_BOUNDS": 9, "SLOPE_BOUNDS": 9, "SINE_BOUNDS": 2}  # with the number of their fields
+def uniform_row(floats: UniformBounds, fixed: UniformBounds) -> str:
+    return f"UNIFORM_BOUNDS({', '.join(scientific(error) for of in (floats, fixed) for error in astuple(of))})\n"
+
+
+ROWS = {"NOISE_BOUNDS": 9, "SLOPE_BOUNDS": 9, "SINE_BOUNDS": 2, "UNIFORM_BOUNDS": 8}  # with the number of their fields
 
 
 def _rows(path: Path, macro: str) -> list[Row]:
@@ -124,6 +143,13 @@ def read(path: Path = PATH, macro: str = "NOISE_BOUNDS") -> list[Bounds]:
 def read_sine(path: Path = PATH) -> SineBounds:
     row, = _rows(path, "SINE_BOUNDS")
     return SineBounds(float.fromhex(row.arguments[0]), float(row.arguments[1]))
+
+
+def read_uniform(path: Path = PATH) -> tuple[UniformBounds, UniformBounds]:
+    """Of floats, and of fixed arithmetic."""
+    row, = _rows(path, "UNIFORM_BOUNDS")
+    numbers = list(map(float, row.arguments))
+    return UniformBounds(*numbers[:4]), UniformBounds(*numbers[4:])
 
 
 @cache
