@@ -249,6 +249,10 @@ def of_function(function: glsl.Declaration, gradient: Gradient, derived: Everyth
     return derived.get((noise, dims, gradient)) or derived[noise, dims, None]
 
 
+# Of which of their numbers the comments of these functions tell the error.
+UNIFORM = {"hn_uniform": "value", "hn_uniform_d": "slope", "hn_spread_fbm": "coefficient"}
+
+
 def derived_for(function: glsl.Declaration, kind: str, fixed: bool, gradient: Gradient,
                 derived: Everything, place: int = 0) -> float | None:
     """What a number in the comment of a function should be, rounded up: an "error", that "in a cell", that of an
@@ -271,6 +275,8 @@ def derived_for(function: glsl.Declaration, kind: str, fixed: bool, gradient: Gr
         return sums.cloud_error() if fixed else beyond_fbm("clouds")
     if function.name == "hn_fbm_d" and kind == "range":
         return sums.TURNS[0]  # by which a derivative's range grows
+    if function.name in UNIFORM and kind == "error":
+        return getattr(uniform.errors(fixed), UNIFORM[function.name])
     return None
 
 
