@@ -1,7 +1,9 @@
-"""The library as the page has it inside: the text of glsl/hashnoise/, and its translation to WGSL for every setting."""
+"""The library as the page has it inside, as far as pictures take it: its text, and the translation to WGSL for every
+setting."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator
 
 from single_file.files import INCLUDE, stripped
@@ -11,7 +13,9 @@ from wgsl.translator import Definition
 
 # The user's own hash is no choice in the page.
 CHOSEN_HASHES = tuple(name for name in HASHES if name != "CUSTOM")
-EVERYTHING = "hashnoise.glsl"
+# The files of which pictures are made: noise and sums of a dimension. Those named noise include others, and what hex
+# tiling is for are the user's own pictures.
+OF_PICTURES = re.compile(r"(?!noise|hex_tiling)\w+[1-4]d\.glsl")
 # The file to which a hash makes a difference. What others call of it has the same name with every hash but LATTICE.
 OF_THE_HASH = "hash.glsl"
 # What other files have of the library's own kind: languages that need names of their own.
@@ -19,23 +23,34 @@ OTHERS = ("begin.hlsl", "end.hlsl", "detail/vectors_begin.h", "detail/vectors_en
 
 
 def glsl() -> dict[str, list[str]]:
-    """The lines of the files, without comments. What they include has its name in the library."""
-    paths = glsl_files() | {name: GLSL / name for name in OTHERS}
-    return {name: [named_include(name, line) for line in stripped(path.read_text(encoding="ascii").splitlines())]
-            for name, path in sorted(paths.items())}
+    """The lines of the files and of what they include, without comments. What they include has its name in the
+    library."""
+    found: dict[str, list[str]] = {}
+    wanted = [*of_pictures(), *OTHERS]
+    while wanted:
+        name = wanted.pop()
+        if name not in found:
+            lines = stripped((GLSL / name).read_text(encoding="ascii").splitlines())
+            found[name] = [named_include(name, line) for line in lines]
+            wanted += [include[1] for line in found[name] if (include := INCLUDE.match(line))]
+    return dict(sorted(found.items()))
+
+
+def of_pictures() -> list[str]:
+    return [name for name in glsl_files() if OF_PICTURES.fullmatch(name)]
 
 
 def named_include(name: str, line: str) -> str:
     return INCLUDE.sub(lambda include: f'#include "{included_from(name, include[1])}"', line)
 
 
-def definitions(file: str, arithmetic: str, name: str) -> dict[str, Definition]:
-    found = Module(GLSL, f'#include "{file}"\n', Settings(arithmetic, name)).definitions()
-    return {definition.name: definition for definition in found}
+def definitions(files: list[str], arithmetic: str, name: str) -> dict[str, Definition]:
+    text = "".join(f'#include "{file}"\n' for file in files)
+    return {found.name: found for found in Module(GLSL, text, Settings(arithmetic, name)).definitions()}
 
 
 def modules(tell: Callable[[str], None]) -> Iterator[tuple[str, dict[str, Definition]]]:
-    """The definitions of everything with each setting, which is called "fast lattice" and so on. To translate all of
+    """The definitions of all these files with each setting, which is called "fast lattice" and so on. To translate all of
     the library takes long, so hashes but the first differ in their own file alone; a test compares them with the whole.
     `tell` takes a sentence before each long step."""
     for number, arithmetic in enumerate(ARITHMETICS, 1):
@@ -43,9 +58,9 @@ def modules(tell: Callable[[str], None]) -> Iterator[tuple[str, dict[str, Defini
         first: dict[str, Definition] = {}
         for name in CHOSEN_HASHES:
             if name == "LATTICE" or not first:
-                found = definitions(EVERYTHING, arithmetic, name)
+                found = definitions(of_pictures(), arithmetic, name)
             else:
-                found = {**first, **definitions(OF_THE_HASH, arithmetic, name)}
+                found = {**first, **definitions([OF_THE_HASH], arithmetic, name)}
             first = first or found
             yield f"{arithmetic.removeprefix('HN_')} {name}".lower(), found
 

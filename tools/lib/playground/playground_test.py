@@ -16,7 +16,7 @@ from unittest import mock
 import playground.command as command
 import playground.page as page
 from playground import picks
-from playground.library import EVERYTHING, definitions, library, modules, written
+from playground.library import definitions, library, modules, of_pictures, written
 from thorough import THOROUGH
 from tree import TOOLS, version
 
@@ -60,7 +60,7 @@ class Page(unittest.TestCase):
         def entries(found):
             return sorted(map(written, found.values()), key=lambda entry: entry["name"])
 
-        whole = entries(definitions(EVERYTHING, "HN_FIXED", "JENKINS"))
+        whole = entries(definitions(of_pictures(), "HN_FIXED", "JENKINS"))
         self.assertEqual(entries(self.modules["fixed jenkins"]), whole)
         self.assertNotEqual(entries(self.modules["fixed lattice"]), whole)
 
