@@ -282,7 +282,7 @@ from tree import GLSL
 from wgsl.module import Module, Settings`;
 
 test("the library in the page is that of tools/single-file, and of the translator", () => {
-  for (const file of ["fbm2d.glsl", "hashnoise.glsl"]) {
+  for (const file of ["fbm2d.glsl", "noise3d.glsl"]) {
     const made = execFileSync(join(root, "tools", "single-file"), ["--strip", file], { encoding: "utf8" });
     // In the page the text goes on, and keeps the numbers of its lines.
     const text = made.split("\n").slice(2).join("\n").replace(/\n#line 1\n$/, "");
@@ -290,7 +290,9 @@ test("the library in the page is that of tools/single-file, and of the translato
     assert.equal(made.split("\n")[1], kLicense);
   }
   const script = `${kImports}
-module = Module(GLSL, '#include "hashnoise.glsl"\\n', Settings("HN_FIXED", "PCG"))
+from playground.library import of_pictures
+text = "".join(f'#include "{file}"\\n' for file in of_pictures())
+module = Module(GLSL, text, Settings("HN_FIXED", "PCG"))
 print(module.text(["hn_ridged3_place"], strip=True), end="")
 `;
   const made = execFileSync("python3", ["-c", script], { encoding: "utf8" });
@@ -341,8 +343,9 @@ json.dump({d.name: "\\n".join(d.lines) for d in made}, sys.stdout)
   assert.notEqual(plain([...ours.values()][0]), plain([...ours.values()][1]));
 });
 
-// What the library has that nobody can choose here: derivatives, and forms of noises that are there.
-const kLeftOut = ["cellular_d", "perlin_d", "perlin_phase", "simplex_d", "simplex_phase", "value_d"];
+// What the library has that nobody can choose here: derivatives, forms of noises that are there, and what is for a
+// user's own pictures.
+const kLeftOut = ["cellular_d", "hex_tiling", "perlin_d", "perlin_phase", "simplex_d", "simplex_phase", "value_d"];
 
 test("everything that the library has can be chosen", () => {
   const of = (pattern, files = Object.keys(library.glsl)) =>

@@ -13,9 +13,8 @@ from wgsl.translator import Definition
 
 # The user's own hash is no choice in the page.
 CHOSEN_HASHES = tuple(name for name in HASHES if name != "CUSTOM")
-# The files of which pictures are made: noise and sums of a dimension. Those named noise include others, and what hex
-# tiling is for are the user's own pictures.
-OF_PICTURES = re.compile(r"(?!noise|hex_tiling)\w+[1-4]d\.glsl")
+# The files of which pictures are made: noise and sums of a dimension.
+OF_PICTURES = re.compile(r"(?:curl|\w+[1-4]d)\.glsl")
 # The file to which a hash makes a difference. What others call of it has the same name with every hash but LATTICE.
 OF_THE_HASH = "hash.glsl"
 # What other files have of the library's own kind: languages that need names of their own.
