@@ -79,7 +79,7 @@ class Page:
         allowed = case["allowed"]
         allowed = self.data(allowed["data"], "d") if isinstance(allowed, dict) else [allowed] * len(expected)
         for i, (one, right, within) in enumerate(zip(got, expected, allowed, strict=True)):
-            whole = case["exact"] or outputs[i % len(outputs)] == "i32"
+            whole = case["exact"] or outputs[i % len(outputs)] in ("i32", "u32")
             value = struct.unpack("<f", struct.pack("<I", one))[0]
             if (one != int(right) & 0xFFFFFFFF) if whole else not abs(value - right) <= within:
                 return f"{points[i // len(outputs)]}: got {value} ({one:08x}), expected {right} within {within}"
