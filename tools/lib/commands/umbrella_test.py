@@ -18,7 +18,7 @@ umbrella = load_script("umbrella")
 # What hashnoise.glsl includes first.
 NOISES = ["noise1d.glsl", "noise2d.glsl", "noise3d.glsl", "noise4d.glsl"]
 # And then.
-BUILT = ["curl.glsl", "fbm.glsl", "fbm_d.glsl", "gradient.glsl", "numbers.glsl", "octaves.glsl", "position.glsl",
+BUILT = ["curl.glsl", "fbm.glsl", "fbm_d.glsl", "gradient.glsl", "octaves.glsl", "scatter.glsl", "self_check.glsl",
          "uniform.glsl", "warp.glsl"]
 
 
