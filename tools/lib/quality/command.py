@@ -162,7 +162,7 @@ def judge_others(options, folder: Path) -> int:
         options.parser.error(f"--against names {twice[0]} twice in {twice[1]}D: write {twice[0]}/2=... and {twice[0]}/3=...")
     twin = library.build("stage", [], options.include, folder)
     renderer = Renderer(others.SIDE)
-    results: list[HashResult] = []
+    results: list[others.Judged] = []
     for other in options.against:
         try:
             found = others.judge(other, (options.dimensions,) if options.dimensions else DIMENSIONS, twin, renderer)
@@ -173,7 +173,7 @@ def judge_others(options, folder: Path) -> int:
     if options.out:
         options.out.mkdir(parents=True, exist_ok=True)
         others.write(results, options.out / "hashes.csv")
-    return 0 if all(result.passed for result in results) else 1
+    return 0 if all(judged.result.passed for judged in results) else 1
 
 
 def odd_words(text: str) -> tuple[int, ...]:

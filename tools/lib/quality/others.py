@@ -91,11 +91,10 @@ def compiled(renderer: Renderer, other: Other, n: int) -> tuple[int, str]:
                         f"c and p: {logs[-1]}")
 
 
-def words_of(renderer: Renderer, other: Other, origin: tuple[int, ...]) -> np.ndarray:
+def words_of(renderer: Renderer, program: int, kind: str, origin: tuple[int, ...]) -> np.ndarray:
     """Those of the window at that origin, as the gate takes it: axis 0 is x."""
     n = len(origin)
     side = gate.SIDES[n]
-    program, kind = compiled(renderer, other, n)
     rows = side ** n // SIDE
     found = []
     for first in range(0, rows, SIDE):
@@ -112,39 +111,47 @@ def words_of(renderer: Renderer, other: Other, origin: tuple[int, ...]) -> np.nd
     return np.ascontiguousarray(words.transpose())
 
 
-def judge(other: Other, dimensions: Sequence[int], twin: Twin, renderer: Renderer) -> list[HashResult]:
-    """A result for each window."""
-    return [HashResult(other.name, n, gate.judge_words(words_of(renderer, other, origin), twin), None)
-            for n in dimensions if n in other.dimensions for origin in ORIGINS[n]]
+@dataclass(frozen=True)
+class Judged:
+    """What is known of the window of a hash at an origin."""
+    origin: tuple[int, ...]
+    result: HashResult
+
+    @property
+    def place(self) -> str:
+        return ", ".join(map(str, self.origin))
 
 
-def lines(results: Sequence[HashResult]) -> list[str]:
+def judge(other: Other, dimensions: Sequence[int], twin: Twin, renderer: Renderer) -> list[Judged]:
+    """Every window."""
+    found = []
+    for n in dimensions:
+        if n in other.dimensions:
+            program, kind = compiled(renderer, other, n)
+            found += [Judged(origin, HashResult(other.name, n, gate.judge_words(
+                words_of(renderer, program, kind, origin), twin), None)) for origin in ORIGINS[n]]
+    return found
+
+
+def lines(found: Sequence[Judged]) -> list[str]:
     """For the terminal."""
     told = []
-    for result, origin in zip(results, placed(results)):
+    for judged in found:
+        result = judged.result
         wrong = sorted((f for f in result.worst.values() if not f.passed), key=lambda f: f.p)
-        head = f"{result.name} {result.dimensions}D at {origin}: "
+        head = f"{result.name} {result.dimensions}D at {judged.place}: "
         told.append(head + (f"fails {len(wrong)} of {len(result.worst)} tests, such as {describe(wrong[0])}" if wrong
                             else f"passes {len(result.worst)} tests"))
     return told
 
 
-def placed(results: Sequence[HashResult]) -> list[str]:
-    """The origins of results, which are in the order of ORIGINS."""
-    seen: dict[tuple[str, int], int] = {}
-    names = []
-    for result in results:
-        number = seen[result.name, result.dimensions] = seen.get((result.name, result.dimensions), -1) + 1
-        names.append(", ".join(map(str, ORIGINS[result.dimensions][number])))
-    return names
-
-
-def write(results: Sequence[HashResult], path: Path) -> None:
+def write(found: Sequence[Judged], path: Path) -> None:
     with open(path, "w", newline="", encoding="utf-8") as file:
         rows = csv.writer(file, lineterminator="\n")
         rows.writerow(RECORD)
-        for result, origin in zip(results, placed(results)):
+        for judged in found:
+            result = judged.result
             findings = result.worst.values()
             worst = min(findings, key=lambda f: f.p)
-            rows.writerow((result.name, result.dimensions, origin, sum(not f.passed for f in findings), len(findings),
+            rows.writerow((result.name, result.dimensions, judged.place, sum(not f.passed for f in findings), len(findings),
                            worst.test, f"{worst.statistic:.4g}", f"{worst.threshold:.4g}", f"{worst.p:.3g}"))

@@ -45,7 +45,8 @@ class Others(unittest.TestCase):
         return Other.parse(f"theirs={self.folder / 'hashes.glsl'}:{expression}")
 
     def words(self, expression: str, origin: tuple[int, ...]) -> np.ndarray:
-        return others.words_of(self.renderer, self.other(expression), origin)
+        program, kind = others.compiled(self.renderer, self.other(expression), len(origin))
+        return others.words_of(self.renderer, program, kind, origin)
 
     def test_words_are_where_their_cells_are(self):
         for origin, expression in ((ORIGINS[2][2], "uint(c.x) * 7919u + uint(c.y)"),
@@ -53,7 +54,8 @@ class Others(unittest.TestCase):
             words = self.words(expression, origin)
             self.assertEqual(words.shape, (gate.SIDES[len(origin)],) * len(origin))
             cells = np.indices(words.shape).astype(np.int64) + np.array(origin).reshape(-1, *[1] * len(origin))
-            expected = sum(axis * factor for axis, factor in zip(cells, (7919, 1, 0) if len(origin) == 2 else (7919, 104729, 1)))
+            factors = (7919, 1) if len(origin) == 2 else (7919, 104729, 1)
+            expected = sum(axis * factor for axis, factor in zip(cells, factors))
             np.testing.assert_array_equal(words, expected & gate.WORD)
 
     def test_a_float_gives_the_bits_of_gradients(self):
@@ -99,7 +101,7 @@ class Others(unittest.TestCase):
         plane = Other.parse(f"theirs/2={self.folder / 'hashes.glsl'}:good(c)")
         with mock.patch.object(gate, "judge_words", return_value=[]):
             results = others.judge(plane, (2, 3), self.twin, self.renderer)
-        self.assertEqual({result.dimensions for result in results}, {2})
+        self.assertEqual({judged.result.dimensions for judged in results}, {2})
 
 
 if __name__ == "__main__":
