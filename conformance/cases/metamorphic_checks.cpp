@@ -109,7 +109,9 @@ std::vector<Relation> relations_of(const Evaluation& evaluation, const Target& t
   // Sums on the line and in four dimensions have not all forms in the table.
   const bool has_position = function.is_octave_sum() && function.takes_cell() && has_without(function, "cell");
   if (has_position) add("from_cell", from_cell_pairing, without(function, "cell"));
-  if (function.is_octave_sum() && function.takes_detail()) add("whole_detail", whole_detail_pairing, without(function, "detail"));
+  if (function.is_octave_sum() && function.takes_detail()) {
+    add("whole_detail", whole_detail_pairing, without(function, "detail"));
+  }
   if (function.takes_footprint()) add("small_footprint", small_footprint_pairing, without(function, "footprint"));
   // With periods the field has no values but those that it has without.
   if (function.takes_phase() && !function.takes_period()) {

@@ -55,8 +55,8 @@ struct Function {
   bool takes_footprint() const { return input("footprint") >= 0; }
   bool takes_count() const { return input("n") >= 0; }        // of items
   bool takes_detail() const { return input("detail") >= 0; }  // a float of octaves
-  // Whether an output is the cell of the nearest feature point or the word of a hexagon, or a component of the vector to
-  // that point. A name is exact, though other outputs are not.
+  // Whether an output is the cell of the nearest feature point or the word of a hexagon, which is exact though other
+  // outputs are not; or a component of the vector to that point.
   bool is_name(std::size_t output) const {
     const WordType type = outputs[output].type;
     return (type == WordType::i32 || type == WordType::u32) && !exact();

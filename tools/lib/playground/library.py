@@ -49,9 +49,9 @@ def definitions(files: list[str], arithmetic: str, name: str) -> dict[str, Defin
 
 
 def modules(tell: Callable[[str], None]) -> Iterator[tuple[str, dict[str, Definition]]]:
-    """The definitions of all these files with each setting, which is called "fast lattice" and so on. To translate all of
-    the library takes long, so hashes but the first differ in their own file alone; a test compares them with the whole.
-    `tell` takes a sentence before each long step."""
+    """The definitions of these files with each setting, which is called "fast lattice" and so on. To translate them takes
+    long, so hashes but the first differ in their own file alone; a test compares them with the whole. `tell` takes a
+    sentence before each long step."""
     for number, arithmetic in enumerate(ARITHMETICS, 1):
         tell(f"Translating the library to WGSL with {arithmetic}, {number} of {len(ARITHMETICS)} ...")
         first: dict[str, Definition] = {}
