@@ -113,8 +113,9 @@ std::vector<Relation> relations_of(const Evaluation& evaluation, const Target& t
     add("whole_detail", whole_detail_pairing, without(function, "detail"));
   }
   if (function.takes_footprint()) add("small_footprint", small_footprint_pairing, without(function, "footprint"));
-  // With periods the field has no values but those that it has without.
-  if (function.takes_phase() && !function.takes_period()) {
+  // With periods the field has no values but those that it has without. Points that go round are nearer to the centres of
+  // their cells.
+  if (function.takes_phase() && !function.takes_period() && !function.is_cellular()) {
     add("phase_zero", phase_zero_pairing, without(function, "phase"));
   }
   const bool comes_with_value = function.is_noise() || function.is_octave_sum();
@@ -134,7 +135,7 @@ std::vector<Relation> repetitions_of(const Evaluation& evaluation) {
   if (function.takes_period()) add("period", period_pairing);
   if (function.takes_phase()) {
     add("loop", loop_pairing);
-    if (!function.takes_period()) add("half_turn", half_turn_pairing);
+    if (!function.takes_period() && !function.is_cellular()) add("half_turn", half_turn_pairing);
   }
   return repetitions;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace hn {
@@ -28,6 +29,9 @@ struct Place {
   Metric metric;
   Word seed;
   bool pcg;
+  bool moves;                     // its points go round; then the rest says how far
+  Word angle;                     // in units of 2^-32 turns
+  std::array<Vector, 3> turn;     // of fixed arithmetic, in units of 2^-16: the rows that turn the place backwards
 };
 
 constexpr double kUnits = 0x1p20;
@@ -49,6 +53,41 @@ void put_in_cell(Place& place, std::size_t axis, std::int64_t cell, double f) {
   place.cell[axis] = cell;
   place.fraction[axis] = f;
   place.units[axis] = static_cast<std::int64_t>(std::trunc(std::clamp(f, 0.0, 1.0) * kUnits));
+}
+
+// The sine of an angle by fixed arithmetic, section 8, in units of 2^-16.
+std::int64_t fixed_sine(Word angle) {
+  const std::uint64_t half = angle & 0x7FFFFFFFu;
+  const std::uint64_t quarter = std::min<std::uint64_t>(half, 0x80000000u - half);
+  const std::uint64_t x = std::min<std::uint64_t>((quarter + 8192) >> 14, 65535);
+  const std::uint64_t u = (x * x) >> 16;
+  const std::uint64_t y = 102943 - ((u * (42328 - ((u * (5208 - ((u * 288) >> 16))) >> 16))) >> 16);
+  const auto g = static_cast<std::int64_t>((x * (y >> 1) + 16384) >> 15);
+  return angle >> 31 ? -g : g;
+}
+
+// Of two sines.
+std::int64_t fixed_product(std::int64_t a, std::int64_t b) { return ((a >> 1) * b + 16384) >> 15; }
+
+// Points that go round: how far they are, and how near to the centres of their cells.
+void put_phase(Place& place, float phase) {
+  place.moves = true;
+  const float part = phase - std::trunc(phase);
+  place.angle = static_cast<Word>(static_cast<std::int64_t>(std::trunc(part * 0x1p30f))) * 4u;
+  const std::int64_t k = place.axes == 2 ? 28 : 25;
+  place.jitter *= static_cast<double>(k) / 32.0;
+  place.jitter_units = place.jitter_units * k >> 5;
+  const std::int64_t c = fixed_sine(place.angle + 0x40000000u);
+  const std::int64_t s = fixed_sine(place.angle);
+  const auto vector = [](std::int64_t x, std::int64_t y, std::int64_t z) {
+    return Vector{static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
+  };
+  if (place.axes == 2) {
+    place.turn = {vector(c, s, 0), vector(-s, c, 0), Vector{}};
+  } else {
+    const std::int64_t both = fixed_product(s, c);
+    place.turn = {vector(c, s, 0), vector(-both, fixed_product(c, c), s), vector(fixed_product(s, s), -both, c)};
+  }
 }
 
 Place place_of(const Function& function, const Configuration& configuration, std::span<const Word> inputs) {
@@ -73,6 +112,7 @@ Place place_of(const Function& function, const Configuration& configuration, std
   place.metric = metric >= 1 && metric <= 5 ? static_cast<Metric>(metric) : Metric::euclidean;
   place.seed = word(function.seed_word());
   place.pcg = configuration.hash == "PCG";
+  if (function.takes_phase()) put_phase(place, std::bit_cast<float>(word(function.input("phase"))));
   return place;
 }
 
@@ -131,7 +171,7 @@ Vector direction_of(Word h, std::size_t axes) {
 // A point, seen from the place. Of fixed arithmetic the offset is in units of 2^-20, and the rank what it compares.
 struct Seen {
   Coordinates from_cell;
-  Vector offset;  // of the place from the point
+  Vector offset;  // of the place from the point; of fixed arithmetic, where points go round, turned backwards
   double square;  // in cells, or in units of 2^-28: `N`
   double rank;
 };
@@ -181,15 +221,54 @@ double distance_of(double rank, Metric metric, bool fixed) {
   return metric == Metric::squared ? floor_of(rank / 0x1p8) * 0x1p-20 : rank * 0x1p-20;
 }
 
+// Where a direction has gone.
+Vector moved(const Place& place, Vector u) {
+  if (!place.moves) return u;
+  const double a = static_cast<double>(place.angle) * 0x1p-32 * 2.0 * std::numbers::pi;
+  const double c = std::cos(a);
+  const double s = std::sin(a);
+  if (place.axes == 3) u = {u[0], u[1] * c - u[2] * s, u[1] * s + u[2] * c};
+  return {u[0] * c - u[1] * s, u[0] * s + u[1] * c, u[2]};
+}
+
+// An offset times a sine, in units of 2^-20.
+double turned(double offset, double sine) {
+  const double high = floor_of(offset / 0x1p8);
+  return floor_of(high * sine / 0x1p8) + floor_of((offset - high * 0x1p8) * sine / 0x1p16);
+}
+
+// The offset of a place from the centre of a cell, along an axis, turned backwards.
+double turned_from(const Place& place, const Coordinates& step, std::size_t row) {
+  double sum = 0.0;
+  for (std::size_t axis = 0; axis < place.axes; ++axis) {
+    const double b = place.turn[row][axis];
+    sum += turned(static_cast<double>(place.units[axis] - 0x80000), b) - 16.0 * static_cast<double>(step[axis]) * b;
+  }
+  return sum;
+}
+
+// The offset of a place from a point, turned forwards again.
+Vector offset_of(const Place& place, const Seen& seen) {
+  if (!place.moves || !place.fixed) return seen.offset;
+  Vector offset{};
+  for (std::size_t axis = 0; axis < place.axes; ++axis) {
+    for (std::size_t row = 0; row < place.axes; ++row) offset[axis] += turned(seen.offset[row], place.turn[row][axis]);
+  }
+  return offset;
+}
+
 Seen seen_from(const Place& place, const Coordinates& step) {
   Coordinates cell{};
   for (std::size_t axis = 0; axis < place.axes; ++axis) cell[axis] = place.cell[axis] + step[axis];
-  const Vector u = direction_of(word_at(place, cell), place.axes);
+  const Vector direction = direction_of(word_at(place, cell), place.axes);
+  const Vector u = place.fixed ? direction : moved(place, direction);
   Seen seen{step, {}, 0.0, 0.0};
   for (std::size_t axis = 0; axis < place.axes; ++axis) {
     if (place.fixed) {
-      const double moved = floor_of(512.0 * u[axis] * static_cast<double>(place.jitter_units) / 0x1p10);
-      seen.offset[axis] = static_cast<double>(place.units[axis] - step[axis] * 0x100000 - 0x80000) - moved;
+      const double centre = place.moves
+                                ? turned_from(place, step, axis)
+                                : static_cast<double>(place.units[axis] - step[axis] * 0x100000 - 0x80000);
+      seen.offset[axis] = centre - floor_of(512.0 * u[axis] * static_cast<double>(place.jitter_units) / 0x1p10);
     } else {
       seen.offset[axis] = place.fraction[axis] - static_cast<double>(step[axis]) - 0.5 - place.jitter / 2.0 * u[axis];
     }
@@ -295,10 +374,11 @@ Vector derivatives_of(const Seen& nearest, bool fixed) {
 
 FeaturePoint point_of(const Place& place, const Seen& seen) {
   FeaturePoint point{{}, seen.from_cell};
+  const Vector offset = offset_of(place, seen);
   for (std::size_t axis = 0; axis < place.axes; ++axis) {
     const double unit = place.fixed ? 1.0 / kUnits : 1.0;
     const double fraction = place.fixed ? static_cast<double>(place.units[axis]) / kUnits : place.fraction[axis];
-    point.at[axis] = fraction - seen.offset[axis] * unit;
+    point.at[axis] = fraction - offset[axis] * unit;
   }
   return point;
 }
@@ -331,7 +411,7 @@ Searched searched(const Function& function, const Configuration& configuration, 
     } else if (name.front() == 'n') {
       value = name_of(place, nearest, axis);
     } else if (name.front() == 'o') {
-      value = without_sign_of_zero(-nearest.offset[axis] * (place.fixed ? 1.0 / kUnits : 1.0));
+      value = without_sign_of_zero(-offset_of(place, nearest)[axis] * (place.fixed ? 1.0 / kUnits : 1.0));
     } else if (function.bound == "cell_border") {
       value = border_of(all, nearest, place.fixed);
     } else {

@@ -7,6 +7,7 @@
 #include "cell_border2d.glsl"
 #include "cellular2d.glsl"
 #include "cellular_d2d.glsl"
+#include "cellular_phase2d.glsl"
 #include "cellular_smooth2d.glsl"
 #include "cellular_three2d.glsl"
 #include "hex_tiling2d.glsl"

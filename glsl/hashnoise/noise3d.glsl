@@ -7,6 +7,7 @@
 #include "cell_border3d.glsl"
 #include "cellular3d.glsl"
 #include "cellular_d3d.glsl"
+#include "cellular_phase3d.glsl"
 #include "cellular_smooth3d.glsl"
 #include "cellular_three3d.glsl"
 #include "perlin3d.glsl"

@@ -15,10 +15,10 @@ from dimensions.numbers import IN_SPACE
 from dimensions.rule import WHERE, Unclear, in_dimension
 from tree import included_from
 
-WHOLE = {"cellular2d.glsl": (3,), "fbm2d.glsl": (1, 3, 4), "fbm_d2d.glsl": (3,), "random2d.glsl": (1, 3, 4),
-         "warp2d.glsl": (3,)}
+WHOLE = {"cellular2d.glsl": (3,), "cellular_phase2d.glsl": (3,), "fbm2d.glsl": (1, 3, 4), "fbm_d2d.glsl": (3,),
+         "random2d.glsl": (1, 3, 4), "warp2d.glsl": (3,)}
 WITHOUT_PAPERS_GRADIENT = (1, 4)  # the paper has Perlin noise in 2D and 3D
-RESULTS_STAY = ("cellular2d.glsl", "cellular_three2d.glsl")  # of as many distances in every dimension
+RESULTS_STAY = ("cellular2d.glsl", "cellular_phase2d.glsl", "cellular_three2d.glsl")  # as many distances everywhere
 
 BY_HAND = "// By hand in each dimension.\n"
 OF_FILE = r"// The same [^\n]*: tools/umbrella makes it of \w+2d\.glsl\.\n"

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 
+from golden import simplex_rows
 from golden.generator import INT_MAX, INT_MIN, Generator, Row, to_f32
 from golden.period_rows import near_seam
 from oracle import noises
@@ -48,8 +49,12 @@ def metric(generator: Generator) -> int:
 
 def with_choices(rows: Iterable[Row], function: Function, generator: Generator) -> list[Row]:
     """The rows of the form without choices, with those that the function takes before the seed."""
-    return [(*row[:-1], *(jitter(generator),) * function.has_jitter, *(metric(generator),) * function.has_metric,
-             row[-1]) for row in rows]
+    return [(*row[:-1], *phases(function, index, generator), *(jitter(generator),) * function.has_jitter,
+             *(metric(generator),) * function.has_metric, row[-1]) for index, row in enumerate(rows)]
+
+
+def phases(function: Function, index: int, generator: Generator) -> tuple[float, ...]:
+    return (simplex_rows.phase(index, generator),) if function.has_phase else ()
 
 
 # --- Positions --------------------------------------------------------------------------------------------------
@@ -150,7 +155,8 @@ def jumps(function: Function) -> bool:
 
 
 def is_clear(function: Function, knobs: Knobs, row: Row) -> bool:
-    first, second = values_of(noises.find("cellular"), function, False)(knobs, row)
+    first, second = values_of(noises.find("cellular_phase" if function.has_phase else "cellular"), function, False)(
+        knobs, row)
     return second - first >= CLEAR
 
 
@@ -175,7 +181,8 @@ def ties(function: Function, generator: Generator) -> list[Row]:
     rows = []
     for index in range(TIES if function.has_jitter else 0):
         *row, seed = placed(function, fraction((0, 5, 8, 7)[index % 4], function.axes, generator), generator)
-        rows.append((*row, 0.0, *(METRICS[index % 5],) * function.has_metric, seed))
+        rows.append((*row, *phases(function, index, generator), 0.0, *(METRICS[index % 5],) * function.has_metric,
+                     seed))
     if function.axes == 2 and function.form == "cell" and function.has_metric:
         rows.append(FAR_TIE)
     return rows
@@ -188,7 +195,8 @@ def changes(function: Function, knobs: Knobs, generator: Generator) -> list[Row]
     while len(rows) < 2 * CHANGES:
         *row, seed = placed(function, fraction(2, function.axes, generator), generator)
         x = function.axes if function.form == "cell" else 0
-        chosen = [generator.pick((1.0, generator.uniform(0.25, 1)))] * function.has_jitter
+        chosen = [*phases(function, len(rows), generator)]
+        chosen += [generator.pick((1.0, generator.uniform(0.25, 1)))] * function.has_jitter
         chosen += [generator.pick(METRICS)] * function.has_metric
         whole = 0 if function.form == "cell" else int(row[0] // 1)
 

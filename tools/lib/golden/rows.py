@@ -253,6 +253,12 @@ def rows_of(function: Function, fixed: bool, settings: Sequence[Configuration],
             rows_of_fixed(function, settings, generator) if fixed else [])
 
 
+def with_phases(rows: list[Row], function: Function, generator: Generator) -> list[Row]:
+    """Rows of cellular noise have one among what a caller chooses."""
+    has_none = not function.has_phase or function.family in cellular_rows.FAMILIES
+    return rows if has_none else simplex_rows.with_phases(rows, generator)
+
+
 def rows_of_fixed(function: Function, settings: Sequence[Configuration], generator: Generator) -> list[Row]:
     """Those of noises, and of what is made of them, for fixed arithmetic alone."""
     n, form = function.axes, function.form
@@ -262,7 +268,7 @@ def rows_of_fixed(function: Function, settings: Sequence[Configuration], generat
     if function.family in cellular_rows.FAMILIES:
         rows = cellular_rows.with_choices(rows, function, generator)
         rows += cellular_rows.for_fixed(function, settings, generator)
-    return simplex_rows.with_phases(rows, generator) if function.has_phase else rows
+    return with_phases(rows, function, generator)
 
 
 def plain_rows(function: Function, settings: Sequence[Configuration], generator: Generator) -> list[Row]:
@@ -283,4 +289,4 @@ def plain_rows(function: Function, settings: Sequence[Configuration], generator:
             rows = list(cellular_rows.cleared(rows, function, generator))
     if function.noise in JUMPING and form == "position":
         rows = [tuple(-LEAST if -LEAST < x < 0 else x for x in row[:n]) + row[n:] for row in rows]
-    return simplex_rows.with_phases(rows, generator) if function.has_phase else rows
+    return with_phases(rows, function, generator)

@@ -128,8 +128,13 @@ PHASES = tuple(map(to_f32, (
     2.0**23 - 0.5, 2.0**24, -3e38)))
 
 
+def phase(index: int, generator: Generator) -> float:
+    """That of a row by its number: every other one is an edge."""
+    if index % 2:
+        return PHASES[index // 2 % len(PHASES)]
+    return generator.uniform(-1, 1) if index % 4 else generator.uniform(-1000, 1000)
+
+
 def with_phases(rows: Sequence[Row], generator: Generator) -> list[Row]:
-    """The rows of the form without a phase, with one before the seed: every other one an edge."""
-    return [(*row[:-1], PHASES[index // 2 % len(PHASES)] if index % 2 else
-             generator.uniform(-1, 1) if index % 4 else generator.uniform(-1000, 1000), row[-1])
-            for index, row in enumerate(rows)]
+    """The rows of the form without a phase, with one before the seed."""
+    return [(*row[:-1], phase(index, generator), row[-1]) for index, row in enumerate(rows)]

@@ -1,0 +1,59 @@
+// hashnoise: cellular noise in space whose points go round with a phase.
+// SPDX-License-Identifier: MIT
+//
+// Made from cellular_phase2d.glsl by tools/umbrella.
+
+#ifndef HN_CELLULAR_PHASE3D_GLSL
+#define HN_CELLULAR_PHASE3D_GLSL
+
+#include "detail/feature_points_moving3d.glsl"
+
+HN_FN hn_rank4 hn_i_nearest(hn_place3 place, hn_i_turn3 turn, hn_float jitter, hn_uint seed) {
+  return hn_i_nearest(hn_i_block(place), hn_i_from_centre(place.fraction), turn, hn_i_moving_jitter3(jitter), seed);
+}
+
+// Cellular noise in space whose points go round: cells that move in place, and loop after one turn.
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
+//   phase    in turns, any float: phase + 1 has the same bits. A float far from 0 has few bits left for the turn: wrap
+//            it yourself
+//   jitter   how far the points are from the centres of their cells: 0 for a regular lattice, up to 1, with which they
+//            are at 7/8 of where those of hn_cellular are; what is outside of [0, 1] counts as the nearer end
+//   seed     any uint: 7u, not 7; different seeds give independent fields
+//   returns  the two distances, in cells, by the Euclidean metric: the first in [0, 1.2], the second in
+//            [0, 1.5] (proven bounds), and not below the first. Both are continuous (HN_FIXED: in steps of
+//            2^-18), in the phase, too
+//   error    at most 1e-5 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 1e-4
+//   period   2^32 cells per axis, or that of the tile
+//   cost     that of hn_cellular, a sine and a cosine of 6 multiplications of floats each, and 8 multiplications
+//   source   Worley, "A cellular texture basis function", 1996; docs/contract.md, section 16
+HN_FN hn_vec2 hn_cellular(hn_place3 place, hn_float phase, hn_float jitter, hn_uint seed) {
+  return hn_i_two_distances(hn_i_nearest(place, hn_i_turning3(phase), jitter, seed), HN_METRIC_EUCLIDEAN);
+}
+HN_FN hn_vec2 hn_cellular(hn_vec3 p, hn_float phase, hn_float jitter, hn_uint seed) {
+  return hn_cellular(hn_place(p), phase, jitter, seed);
+}
+
+// The same with the nearest point.
+//   nearest  is set to the cell of the nearest point, modulo the period: hn_lattice(nearest, seed) is a word of its own
+//            for each cell. Of points at the same distance that of the first cell counts, by y, then by x
+//   offset   is set to the vector from the position to that point, in cells
+//   returns  as above
+//   error    as above; of the offset at most 1e-6. HN_FIXED 1e-5
+//   cost     as above; one more hash
+//   (parameters as above)
+HN_FN hn_vec2 hn_cellular(hn_place3 place, hn_float phase, hn_float jitter, hn_uint seed, HN_I_OUT(hn_ivec3) nearest,
+                          HN_I_OUT(hn_vec3) offset) {
+  hn_i_turn3 turn = hn_i_turning3(phase);
+  hn_rank4 best = hn_i_nearest(place, turn, jitter, seed);
+  nearest = hn_i_cell_of(place, best.w);
+  offset = hn_i_to_nearest(hn_i_block(place), hn_i_from_centre(place.fraction), turn, hn_i_moving_jitter3(jitter), seed,
+                           best.w);
+  return hn_i_two_distances(best, HN_METRIC_EUCLIDEAN);
+}
+HN_FN hn_vec2 hn_cellular(hn_vec3 p, hn_float phase, hn_float jitter, hn_uint seed, HN_I_OUT(hn_ivec3) nearest,
+                          HN_I_OUT(hn_vec3) offset) {
+  return hn_cellular(hn_place(p), phase, jitter, seed, nearest, offset);
+}
+
+#endif
