@@ -14,6 +14,7 @@
 #include "perlin2d.glsl"
 #include "perlin_d2d.glsl"
 #include "perlin_phase2d.glsl"
+#include "perlin_vector2d.glsl"
 #include "random2d.glsl"
 #include "simplex2d.glsl"
 #include "simplex_d2d.glsl"
@@ -22,5 +23,6 @@
 #include "value2d.glsl"
 #include "value_cubic2d.glsl"
 #include "value_d2d.glsl"
+#include "value_vector2d.glsl"
 
 #endif

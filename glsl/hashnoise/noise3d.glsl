@@ -13,6 +13,7 @@
 #include "perlin3d.glsl"
 #include "perlin_d3d.glsl"
 #include "perlin_phase3d.glsl"
+#include "perlin_vector3d.glsl"
 #include "random3d.glsl"
 #include "simplex3d.glsl"
 #include "simplex_d3d.glsl"
@@ -21,5 +22,6 @@
 #include "value3d.glsl"
 #include "value_cubic3d.glsl"
 #include "value_d3d.glsl"
+#include "value_vector3d.glsl"
 
 #endif

@@ -6,12 +6,6 @@
 
 #include "detail/cell.glsl"
 
-// The noise in the numbers of HN_ARITHMETIC.
-HN_FN hn_num hn_i_value_noise(hn_i_box2 box, hn_num2 f, hn_uint seed) {
-  hn_num2 t = hn_i_fade(f);
-  return hn_i_of_numbers(hn_i_lerp(hn_i_numbers(hn_i_corners(box, seed)), t.x, t.y));
-}
-
 // Value noise on the square lattice: hashed numbers, Perlin's 2002 interpolant. It is cheaper than gradient noise, and
 // coarser: its values are large at lattice points.
 //   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
@@ -26,7 +20,7 @@ HN_FN hn_num hn_i_value_noise(hn_i_box2 box, hn_num2 f, hn_uint seed) {
 //            for a seed that is not constant
 //   source   Perlin, "Improving noise", 2002, for the interpolant
 HN_FN hn_float hn_value(hn_place2 place, hn_uint seed) {
-  return hn_i_value(hn_i_value_noise(hn_i_box(place), place.fraction, seed));
+  return hn_i_value(hn_i_value_noise(hn_i_corners(hn_i_box(place), seed), hn_i_fade(place.fraction)));
 }
 HN_FN hn_float hn_value(hn_vec2 p, hn_uint seed) { return hn_value(hn_place(p), seed); }
 HN_FN hn_float hn_value(hn_vec2 p) { return hn_value(p, 0u); }

@@ -6,14 +6,6 @@
 
 #include "detail/cell.glsl"
 
-// The noise in the numbers of HN_ARITHMETIC.
-HN_FN hn_num hn_i_value_noise(hn_i_box3 box, hn_num3 f, hn_uint seed) {
-  hn_num3 t = hn_i_fade(f);
-  hn_num front = hn_i_lerp(hn_i_numbers(hn_i_corners(box, false, seed)), t.x, t.y);
-  hn_num back = hn_i_lerp(hn_i_numbers(hn_i_corners(box, true, seed)), t.x, t.y);
-  return hn_i_of_numbers(hn_i_lerp(front, back, t.z));
-}
-
 // Value noise on the cubic lattice: hashed numbers, Perlin's 2002 interpolant. It is cheaper than gradient noise, and
 // coarser: its values are large at lattice points.
 //   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
@@ -28,7 +20,9 @@ HN_FN hn_num hn_i_value_noise(hn_i_box3 box, hn_num3 f, hn_uint seed) {
 //            for a seed that is not constant
 //   source   Perlin, "Improving noise", 2002, for the interpolant
 HN_FN hn_float hn_value(hn_place3 place, hn_uint seed) {
-  return hn_i_value(hn_i_value_noise(hn_i_box(place), place.fraction, seed));
+  hn_i_box3 box = hn_i_box(place);
+  return hn_i_value(hn_i_value_noise(hn_i_corners(box, false, seed), hn_i_corners(box, true, seed),
+                                     hn_i_fade(place.fraction)));
 }
 HN_FN hn_float hn_value(hn_vec3 p, hn_uint seed) { return hn_value(hn_place(p), seed); }
 HN_FN hn_float hn_value(hn_vec3 p) { return hn_value(p, 0u); }

@@ -6,7 +6,7 @@
 
 #include "detail/jacobian.glsl"
 #include "octaves2d.glsl"
-#include "value2d.glsl"
+#include "value_vector2d.glsl"
 
 // A sum of vectors, and the Jacobian of the octave.
 // Its numbers are apart: where points leave a loop at different octaves, lavapipe of Mesa 22.3 takes a vector that is
@@ -74,28 +74,19 @@ HN_FN hn_vec2 hn_mean(hn_octaves2 o, hn_shifts2 s) {
               hn_i_mean_displacement(o.sum, s.y, total, s.amplitude));
 }
 
-// By hand in each dimension.
-
-// The noises of an octave, each with a seed of its own.
-HN_FN hn_vec2 hn_i_values(hn_octaves2 o) {
-  return vec2(hn_value(o.place, o.seed), hn_value(o.place, hn_i_other_seed(o.seed)));
-}
-
-// The same in every dimension: tools/umbrella makes it of warp2d.glsl.
-
 HN_FN hn_vec2 hn_i_warp(hn_octaves2 o, hn_float amplitude) {
   hn_shifts2 s = hn_shifts(o, amplitude);
-  do hn_add(o, s, hn_i_values(o)); while (hn_next(o));
+  do hn_add(o, s, hn_value_vector(o.place, o.seed)); while (hn_next(o));
   return hn_mean(o, s);
 }
 HN_FN hn_vec2 hn_i_warp_progressive(hn_octaves2 o, hn_float amplitude) {
   hn_shifts2 s = hn_shifts(o, amplitude);
-  do hn_add_progressive(o, s, hn_i_values(o)); while (hn_next(o));
+  do hn_add_progressive(o, s, hn_value_vector(o.place, o.seed)); while (hn_next(o));
   return hn_mean(o, s);
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// Shifts by hn_value, in the forms of hn_fbm.
+// Shifts by hn_value_vector, in the forms of hn_fbm.
 
 // How far a position is moved: another noise is taken at p + hn_warp(p, ...). Far out it is taken at
 // hn_place(cell, f + hn_warp(hn_place(cell, f), ...)), of which the whole part belongs to the cell.
@@ -111,7 +102,7 @@ HN_FN hn_vec2 hn_i_warp_progressive(hn_octaves2 o, hn_float amplitude) {
 //   returns     the shift along x and y, each in [-amplitude, amplitude]
 //   error       docs/accuracy.md
 //   period      none that floats reach, or that of the tile
-//   cost        2 noises per octave, which share the cell and its fades
+//   cost        hn_value_vector per octave
 //   source      Quilez, "Domain warping", 2002
 HN_FN hn_vec2 hn_warp(hn_place2 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_float amplitude,
                       hn_uint seed) {
@@ -129,7 +120,7 @@ HN_FN hn_vec2 hn_warp(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_float g
 //   returns     the shift along x and y, each in [-amplitude, amplitude]
 //   error       grows with the amplitude and with each octave, which is taken at a place that has an error:
 //               docs/accuracy.md
-//   cost        2 noises per octave, and 8 multiplications for the Jacobian
+//   cost        hn_value_vector per octave, and 8 multiplications for the Jacobian
 HN_FN hn_vec2 hn_warp_progressive(hn_place2 place, hn_int octaves, hn_float lacunarity, hn_float gain,
                                   hn_float amplitude, hn_uint seed) {
   return hn_i_warp_progressive(hn_octaves(place, octaves, lacunarity, gain, seed), amplitude);

@@ -218,6 +218,10 @@ struct Vector4 {
     return {a.x / b.x, a.y / b.y, a.z / b.z, a.w / b.w};
   }
   HN_I_INLINE friend constexpr Vector4 operator/(Vector4 a, T b) { return a / Vector4(b); }
+  template <typename Count>
+  HN_I_INLINE friend constexpr Vector4 operator>>(Vector4 a, Count b) {
+    return {a.x >> T(b), a.y >> T(b), a.z >> T(b), a.w >> T(b)};
+  }
 };
 
 using vec2 = Vector2<float>;

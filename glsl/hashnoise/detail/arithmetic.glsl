@@ -34,6 +34,8 @@
 //   hn_i_number(word)          the low 23 bits of a word as a number in [-1, 1), with an offset: see hn_i_of_numbers
 //   hn_i_numbers(words)        the same of four words
 //   hn_i_of_numbers(n)         a noise, from an interpolation between such numbers
+//   hn_i_value_noise(h, t)     value noise, from the words of the corners of a square and the fades along each axis; in
+//                              space from those of the front and of the back face
 //   hn_i_scaled(n, s)          a noise, from an interpolation between ramps, times s / 1024
 //   hn_i_flushed(n)            floats only: n, or 0 where subnormal numbers could have changed it
 //   hn_i_value(n)              the float of a noise; hn_i_derivative(n), that of a derivative
@@ -410,6 +412,13 @@ HN_FN hn_num hn_i_lerp(hn_num4 n, hn_num x, hn_num y) {
 
 HN_FN hn_num4 hn_i_numbers(hn_uvec4 h) {
   return hn_i_num(hn_i_number(h.x), hn_i_number(h.y), hn_i_number(h.z), hn_i_number(h.w));
+}
+HN_FN hn_num hn_i_value_noise(hn_uvec4 h, hn_num2 t) {
+  return hn_i_of_numbers(hn_i_lerp(hn_i_numbers(h), t.x, t.y));
+}
+HN_FN hn_num hn_i_value_noise(hn_uvec4 front, hn_uvec4 back, hn_num3 t) {
+  return hn_i_of_numbers(
+      hn_i_lerp(hn_i_lerp(hn_i_numbers(front), t.x, t.y), hn_i_lerp(hn_i_numbers(back), t.x, t.y), t.z));
 }
 
 // What noises with derivatives return in four dimensions, where no vector has room for it.

@@ -20,13 +20,14 @@ HN_FN hn_num hn_i_scaled1(hn_num n) { return hn_i_scaled(n, 2048); }
 
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
 
-HN_FN hn_num4 hn_i_ramps(hn_i_box2 box, hn_num2 f, hn_uint seed) {
-  hn_uvec4 h = hn_i_corners(box, seed);
+// The same from the words of the corners.
+HN_FN hn_num4 hn_i_ramps(hn_uvec4 h, hn_num2 f) {
   hn_num x = hn_i_minus_one(f.x);
   hn_num y = hn_i_minus_one(f.y);
   return hn_i_num(hn_i_ramp(hn_i_direction2(h.x), f.x, f.y), hn_i_ramp(hn_i_direction2(h.y), x, f.y),
                   hn_i_ramp(hn_i_direction2(h.z), f.x, y), hn_i_ramp(hn_i_direction2(h.w), x, y));
 }
+HN_FN hn_num4 hn_i_ramps(hn_i_box2 box, hn_num2 f, hn_uint seed) { return hn_i_ramps(hn_i_corners(box, seed), f); }
 
 // The ramps of a face, given the directions of its corners.
 HN_FN hn_num4 hn_i_ramps(hn_num4 d00, hn_num4 d10, hn_num4 d01, hn_num4 d11, hn_num3 f, bool back) {
@@ -41,9 +42,11 @@ HN_FN hn_num4 hn_i_ramps(hn_num4 d00, hn_num4 d10, hn_num4 d01, hn_num4 d11, hn_
                   hn_i_ramp(d01, u1, hn_i_plus(v, step), w), hn_i_ramp(d11, hn_i_minus(u1, step), v, w));
 }
 
-HN_FN hn_num4 hn_i_ramps(hn_i_box3 box, hn_num3 f, bool back, hn_uint seed) {
-  hn_uvec4 h = hn_i_corners(box, back, seed);
+HN_FN hn_num4 hn_i_ramps(hn_uvec4 h, hn_num3 f, bool back) {
   return hn_i_ramps(hn_i_direction3(h.x), hn_i_direction3(h.y), hn_i_direction3(h.z), hn_i_direction3(h.w), f, back);
+}
+HN_FN hn_num4 hn_i_ramps(hn_i_box3 box, hn_num3 f, bool back, hn_uint seed) {
+  return hn_i_ramps(hn_i_corners(box, back, seed), f, back);
 }
 
 HN_FN hn_num hn_i_scaled2(hn_num n) { return hn_i_scaled(n, 1365); }

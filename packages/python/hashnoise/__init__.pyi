@@ -114,6 +114,14 @@ def cell_border(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = No
 def curl(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: int = 0,
          period: int | Sequence[int] | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
          out: _Values | None = None, threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
+def value_vector(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: int = 0,
+                 period: int | Sequence[int] | None = None, cell: _Cells | None = None,
+                 arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: int | None = None,
+                 instruction_set: str | None = None) -> _Values: ...
+def perlin_vector(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: int = 0,
+                  period: int | Sequence[int] | None = None, cell: _Cells | None = None,
+                  arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: int | None = None,
+                  instruction_set: str | None = None) -> _Values: ...
 @overload
 def random(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *,
            seed: int = 0, period: int | Sequence[int] | None = None, cell: int | Sequence[int] | None = None,

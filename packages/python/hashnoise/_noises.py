@@ -4,7 +4,8 @@
 from ._evaluate import points
 
 __all__ = ["perlin", "perlin_d", "value", "value_d", "value_cubic", "simplex", "simplex_d", "simplex_smooth",
-           "cellular", "cellular_three", "cellular_d", "cellular_smooth", "cell_border", "curl", "random"]
+           "cellular", "cellular_three", "cellular_d", "cellular_smooth", "cell_border", "curl", "value_vector",
+           "perlin_vector", "random"]
 
 
 def perlin(x, y=None, z=None, w=None, /, *, seed=0, period=None, phase=None, cell=None, arithmetic="fast", out=None,
@@ -240,6 +241,38 @@ def curl(x, y, z=None, /, *, seed=0, period=None, cell=None, arithmetic="fast", 
     """
     return points("curl", (x, y, z), cell, out, threads, noise="curl", seed=seed, period=period, arithmetic=arithmetic,
                   instruction_set=instruction_set)
+
+
+def value_vector(x, y, z=None, /, *, seed=0, period=None, cell=None, arithmetic="fast", out=None, threads=None,
+                 instruction_set=None):
+    """Value noises that do not depend on each other, one along each axis, in 2D and 3D, from one hash for each corner
+    of a cell.
+
+    The first component is `value`. It costs less than as many noises with seeds of their own.
+
+    returns  planes: [-1, 1] along each axis, mean 0, twice continuously differentiable
+    source   Perlin, "Improving noise", 2002, for the interpolant; docs/contract.md, section 22
+
+    >>> hashnoise.value_vector(0.5, 0.25, seed=7, arithmetic="fixed")
+    """
+    return points("value_vector", (x, y, z), cell, out, threads, noise="value_vector", seed=seed, period=period,
+                  arithmetic=arithmetic, instruction_set=instruction_set)
+
+
+def perlin_vector(x, y, z=None, /, *, seed=0, period=None, cell=None, arithmetic="fast", out=None, threads=None,
+                  instruction_set=None):
+    """Perlin noises that do not depend on each other, one along each axis, in 2D and 3D, from one hash for each corner
+    of a cell.
+
+    The first component is `perlin`. It costs less than as many noises with seeds of their own.
+
+    returns  planes: [-1, 1] along each axis, mean 0, 0 at lattice points, twice continuously differentiable
+    source   Perlin, "Improving noise", 2002; docs/contract.md, section 22
+
+    >>> hashnoise.perlin_vector(0.5, 0.25, seed=7, arithmetic="fixed")
+    """
+    return points("perlin_vector", (x, y, z), cell, out, threads, noise="perlin_vector", seed=seed, period=period,
+                  arithmetic=arithmetic, instruction_set=instruction_set)
 
 
 def random(x, y=None, z=None, w=None, /, *, seed=0, period=None, cell=None, arithmetic="fast", out=None, threads=None,

@@ -23,6 +23,5 @@ IN_SPACE: dict[str, dict[str, str]] = {
     },
     "warp2d.glsl": {
         "8 multiplications": "18 multiplications",
-        "2 noises": "3 noises",
     },
 }

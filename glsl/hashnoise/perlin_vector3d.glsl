@@ -1,0 +1,45 @@
+// hashnoise: vectors of Perlin noise in space.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_PERLIN_VECTOR3D_GLSL
+#define HN_PERLIN_VECTOR3D_GLSL
+
+#include "detail/ramps.glsl"
+
+// The paper's gradient has no noise of this kind.
+#if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
+
+// The noise in the numbers of HN_ARITHMETIC, from the words of the corners of both faces and the fades.
+HN_FN hn_num hn_i_perlin(hn_uvec4 front, hn_uvec4 back, hn_num3 f, hn_num3 t) {
+  return hn_i_scaled3(hn_i_lerp(hn_i_lerp(hn_i_ramps(front, f, false), t.x, t.y),
+                                hn_i_lerp(hn_i_ramps(back, f, true), t.x, t.y), t.z));
+}
+
+// Three Perlin noises that do not depend on each other, from one hash for each corner: to move positions, for the parts
+// of a flow.
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
+//   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   returns  along x hn_perlin, and along y and z other such noises, each in [-1, 1] (proven bound 0.99976), mean 0,
+//            0 at lattice points, twice continuously differentiable (HN_FIXED: in steps of 2^-21)
+//   error    of each at most 2.85e-6 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED
+//            4.23e-5. From a cell at most 2.63e-6
+//   period   2^32 cells per axis, or that of the tile
+//   cost     that of hn_perlin, and twice the same again without the hashes; for each corner two multiplications
+//            more
+//   source   Perlin, "Improving noise", 2002; docs/contract.md, section 22
+HN_FN hn_vec3 hn_perlin_vector(hn_place3 place, hn_uint seed) {
+  hn_i_box3 box = hn_i_box(place);
+  hn_uvec4 a = hn_i_corners(box, false, seed);
+  hn_uvec4 b = hn_i_corners(box, true, seed);
+  hn_num3 f = place.fraction;
+  hn_num3 t = hn_i_fade(f);
+  return vec3(hn_i_value(hn_i_perlin(a, b, f, t)),
+              hn_i_value(hn_i_perlin(hn_i_words_of_y(a), hn_i_words_of_y(b), f, t)),
+              hn_i_value(hn_i_perlin(hn_i_words_of_z(a), hn_i_words_of_z(b), f, t)));
+}
+HN_FN hn_vec3 hn_perlin_vector(hn_vec3 p, hn_uint seed) { return hn_perlin_vector(hn_place(p), seed); }
+HN_FN hn_vec3 hn_perlin_vector(hn_vec3 p) { return hn_perlin_vector(p, 0u); }
+
+#endif
+#endif

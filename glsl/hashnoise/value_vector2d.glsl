@@ -1,0 +1,29 @@
+// hashnoise: vectors of value noise on the plane.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_VALUE_VECTOR2D_GLSL
+#define HN_VALUE_VECTOR2D_GLSL
+
+#include "detail/cell.glsl"
+
+// Two value noises that do not depend on each other, from one hash for each corner: to move positions, for the two
+// parts of a flow, for two colours.
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
+//   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   returns  along x hn_value, and along y another such noise, each in [-1, 1], mean 0, twice continuously
+//            differentiable (HN_FIXED: in steps of 2^-21)
+//   error    of each at most 4.11e-6 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED
+//            4.42e-5. From a cell at most 3.82e-6
+//   period   2^32 cells per axis, or that of the tile
+//   cost     that of hn_value, and for each corner a multiplication more
+//   source   Perlin, "Improving noise", 2002, for the interpolant; docs/contract.md, section 22
+HN_FN hn_vec2 hn_value_vector(hn_place2 place, hn_uint seed) {
+  hn_uvec4 h = hn_i_corners(hn_i_box(place), seed);
+  hn_num2 t = hn_i_fade(place.fraction);
+  return vec2(hn_i_value(hn_i_value_noise(h, t)), hn_i_value(hn_i_value_noise(hn_i_words_of_y(h), t)));
+}
+HN_FN hn_vec2 hn_value_vector(hn_vec2 p, hn_uint seed) { return hn_value_vector(hn_place(p), seed); }
+HN_FN hn_vec2 hn_value_vector(hn_vec2 p) { return hn_value_vector(p, 0u); }
+
+#endif
