@@ -255,8 +255,10 @@ FloatBounds float_bounds(const NoiseBounds& bounds) {
   return {bounds.axes, bounds.cell_error, bounds.error, bounds.lipschitz, bounds.limit};
 }
 
-// Of the derivative of a noise, if it has one.
+// Of the derivative of a noise, if it has one, or of a vector's components.
 FloatBounds float_slope_bounds(std::string_view noise, int axes) {
+  constexpr std::string_view kVector = "_vector";
+  if (noise.ends_with(kVector)) noise.remove_suffix(kVector.size());
   const std::string name = noise.ends_with("_d") ? std::string(noise) : fmt::format("{}_d", noise);
   return float_bounds(slope_bounds(name, axes, Gradient::octahedral));
 }

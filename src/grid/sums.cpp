@@ -144,6 +144,8 @@ class Framed {
   Given<D> given_;
 };
 template <int D>
+using Vector = std::conditional_t<D == 2, vec2, vec3>;
+template <int D>
 using Slopes = Framed<D, std::conditional_t<D == 2, vec3, vec4>>;
 
 template <int D>
@@ -173,34 +175,22 @@ class Eroded : public Slopes<D> {
 };
 
 template <int D, bool kProgressive>
-class Warp : public Framed<D, Float> {
+class Warp : public Framed<D, Vector<D>> {
  public:
-  using Framed<D, Float>::Framed;
+  using Framed<D, Vector<D>>::Framed;
   template <typename Position>
   HN_I_INLINE auto at(Position p) const {
     auto o = octaves_at(p, this->given_);
     auto s = hn_shifts(o, this->given_.strength);
     do {
+      const Vector<D> v = this->noise_.octave(o.place, o.seed);
       if constexpr (kProgressive) {
-        hn_add_progressive(o, s, values(o));
+        hn_add_progressive(o, s, v);
       } else {
-        hn_add(o, s, values(o));
+        hn_add(o, s, v);
       }
     } while (hn_next(o));
     return hn_mean(o, s);
-  }
-
- private:
-  template <typename Octaves>
-  HN_I_INLINE auto values(const Octaves& o) const {
-    const Uint second = hn_i_other_seed(o.seed);
-    const Float x = this->noise_.octave(o.place, o.seed);
-    const Float y = this->noise_.octave(o.place, second);
-    if constexpr (D == 2) {
-      return vec2(x, y);
-    } else {
-      return vec3(x, y, this->noise_.octave(o.place, hn_i_other_seed(second)));
-    }
   }
 };
 

@@ -7,7 +7,7 @@ export interface Settings {
   /** After how many cells the field repeats, along all axes or along each; 0 for never. */
   period?: number | number[];
   // tools/catalog: settings
-  /** "perlin" if it is left out, and of sums what the shader's take: "perlin", "perlin_d" or "value". */
+  /** "perlin" if it is left out, and of sums what the shader's take: "perlin", "perlin_d" or "value_vector". */
   noise?: NoiseName;
   /** Of sums; 6 if it is left out. */
   octaves?: number;
@@ -38,6 +38,7 @@ export type NoiseName =
   | "simplex_smooth"
   | "cellular"
   | "curl"
+  | "value_vector"
   | "random";
 
 export type SumName =

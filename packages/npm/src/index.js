@@ -24,6 +24,7 @@ const NOISES = {
   simplex_smooth: { dimensions: [2, 3], shape: "value", takes: [] },
   cellular: { dimensions: [2, 3], shape: "two_distances", takes: ["jitter", "metric"] },
   curl: { dimensions: [2, 3], shape: "vector", takes: [] },
+  value_vector: { dimensions: [2, 3], shape: "vector", takes: [] },
   random: { dimensions: [1, 2, 3], shape: "value", takes: [] },
 };
 const SUMS = {
@@ -37,8 +38,8 @@ const SUMS = {
   weighted: { dimensions: [1, 2, 3], shape: "value", noise: "perlin", strength: "strength", usual: 1, most: 1 },
   fbm_d: { dimensions: [2, 3], shape: "slopes", noise: "perlin_d" },
   eroded: { dimensions: [2, 3], shape: "value", noise: "perlin_d", strength: "strength", usual: 1, most: 16 },
-  warp: { dimensions: [2, 3], shape: "vector", noise: "value", strength: "amplitude", usual: 1, most: 64 },
-  warp_progressive: { dimensions: [2, 3], shape: "vector", noise: "value", strength: "amplitude", usual: 1, most: 64 },
+  warp: { dimensions: [2, 3], shape: "vector", noise: "value_vector", strength: "amplitude", usual: 1, most: 64 },
+  warp_progressive: { dimensions: [2, 3], shape: "vector", noise: "value_vector", strength: "amplitude", usual: 1, most: 64 },
 };
 const METRICS = ["euclidean", "squared", "manhattan", "chebyshev", "hybrid"];
 const NUMBERS = {

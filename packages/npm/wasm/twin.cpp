@@ -92,6 +92,7 @@ const Kernel1 kLine[] = {
     nullptr,
     nullptr,
     nullptr,
+    nullptr,
     TWIN_LINE(random, seed),
 };
 const Kernel2 kPlane[] = {
@@ -105,6 +106,7 @@ const Kernel2 kPlane[] = {
     TWIN_PLANE(simplex_smooth, seed),
     TWIN_PLANE(cellular, settings.jitter, settings.metric, seed),
     TWIN_PLANE(curl, seed),
+    TWIN_PLANE(value_vector, seed),
     TWIN_PLANE(random, seed),
 };
 const Kernel3 kSpace[] = {
@@ -118,6 +120,7 @@ const Kernel3 kSpace[] = {
     TWIN_SPACE(simplex_smooth, seed),
     TWIN_SPACE(cellular, settings.jitter, settings.metric, seed),
     TWIN_SPACE(curl, seed),
+    TWIN_SPACE(value_vector, seed),
     TWIN_SPACE(random, seed),
 };
 // clang-format on
@@ -197,6 +200,8 @@ bool is_warp() { return settings.sum == kWarp || settings.sum == kWarpProgressiv
 
 HN_I_INLINE vec3 slopes_of(hn_octaves2, const Numbers& n) { return vec3(n[0], n[1], n[2]); }
 HN_I_INLINE vec4 slopes_of(hn_octaves3, const Numbers& n) { return vec4(n[0], n[1], n[2], n[3]); }
+HN_I_INLINE vec2 vector_of(hn_octaves2, const Numbers& n) { return vec2(n[0], n[1]); }
+HN_I_INLINE vec3 vector_of(hn_octaves3, const Numbers& n) { return vec3(n[0], n[1], n[2]); }
 
 template <int D>
 using Place = decltype(hn_place(CellOf<D>(), PlaceOf<D>()));
@@ -223,20 +228,10 @@ void sum(const Place<D>& place, Numbers& n) {
     auto shifts = hn_shifts(o, settings.strength);
     do {
       const Float value = octave<D>(o.place, o.seed, n);
-      if (is_warp()) {
-        const Uint other = hn_i_other_seed(o.seed);
-        const Float y = octave<D>(o.place, other, n);
-        decltype(hn_mean(o, shifts)) v;
-        if constexpr (D == 2) {
-          v = vec2(value, y);
-        } else {
-          v = vec3(value, y, octave<D>(o.place, hn_i_other_seed(other), n));
-        }
-        if (settings.sum == kWarpProgressive) {
-          hn_add_progressive(o, shifts, v);
-        } else {
-          hn_add(o, shifts, v);
-        }
+      if (settings.sum == kWarpProgressive) {
+        hn_add_progressive(o, shifts, vector_of(o, n));
+      } else if (settings.sum == kWarp) {
+        hn_add(o, shifts, vector_of(o, n));
       } else if (settings.sum == kFbmD) {
         hn_add(o, slopes, slopes_of(o, n));
       } else if (settings.sum == kEroded) {

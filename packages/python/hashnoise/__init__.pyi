@@ -80,9 +80,9 @@ def simplex_smooth(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None =
                    arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: int | None = None,
                    instruction_set: str | None = None) -> _Values: ...
 def cellular(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: int = 0,
-             period: int | Sequence[int] | None = None, jitter: float = 1.0, metric: _Metric = "euclidean",
-             cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
-             threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
+             period: int | Sequence[int] | None = None, phase: float | None = None, jitter: float = 1.0,
+             metric: _Metric = "euclidean", cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
+             out: _Values | None = None, threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
 def cellular_three(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: int = 0,
                    period: int | Sequence[int] | None = None, jitter: float = 1.0, metric: _Metric = "euclidean",
                    cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
@@ -244,12 +244,13 @@ def eroded(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /
            noise: str = "perlin_d", octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5, strength: float = 1.0,
            period: int | Sequence[int] | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
            out: _Values | None = None, threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
-def warp(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: int = 0, noise: str = "value",
-         octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5, amplitude: float = 1.0,
-         period: int | Sequence[int] | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
-         out: _Values | None = None, threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
+def warp(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: int = 0,
+         noise: str = "value_vector", octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5,
+         amplitude: float = 1.0, period: int | Sequence[int] | None = None, cell: _Cells | None = None,
+         arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: int | None = None,
+         instruction_set: str | None = None) -> _Values: ...
 def warp_progressive(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: int = 0,
-                     noise: str = "value", octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5,
+                     noise: str = "value_vector", octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5,
                      amplitude: float = 1.0, period: int | Sequence[int] | None = None, cell: _Cells | None = None,
                      arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: int | None = None,
                      instruction_set: str | None = None) -> _Values: ...

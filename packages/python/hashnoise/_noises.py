@@ -142,8 +142,8 @@ def simplex_smooth(x, y, z=None, /, *, seed=0, period=None, cell=None, arithmeti
                   arithmetic=arithmetic, instruction_set=instruction_set)
 
 
-def cellular(x, y, z=None, /, *, seed=0, period=None, jitter=1.0, metric="euclidean", cell=None, arithmetic="fast",
-             out=None, threads=None, instruction_set=None):
+def cellular(x, y, z=None, /, *, seed=0, period=None, phase=None, jitter=1.0, metric="euclidean", cell=None,
+             arithmetic="fast", out=None, threads=None, instruction_set=None):
     """Cellular noise, in 2D and 3D: distances to the two nearest of points that are strewn one in each cell.
 
     They are Worley's F1 and F2, and those of the whole infinite field.
@@ -152,6 +152,8 @@ def cellular(x, y, z=None, /, *, seed=0, period=None, jitter=1.0, metric="euclid
              [0, 1] counts as the nearer end
     metric   "euclidean", "squared" (the square of it), "manhattan" (the sum of the sizes along the axes), "chebyshev"
              (the largest of them) or "hybrid" (Manhattan and squared, added)
+    phase    the points go round by so many turns, and come back after one; with it the metric is Euclidean, and a
+             jitter of 1 is 7/8 of what it is without one in 2D, and 25/32 in 3D
     returns  planes: the two distances, in cells, ascending and continuous. With the Euclidean metric the first is in
              [0, 1.1181] in 2D and [0, 1.2248] in 3D, and the second in [0, 1.5001]
     source   Worley, "A cellular texture basis function", 1996; docs/contract.md, section 16
@@ -159,8 +161,8 @@ def cellular(x, y, z=None, /, *, seed=0, period=None, jitter=1.0, metric="euclid
     >>> hashnoise.cellular(0.5, 0.25, seed=7, arithmetic="fixed")
     array([0.5304756, 0.8378334], dtype=float32)
     """
-    return points("cellular", (x, y, z), cell, out, threads, noise="cellular", seed=seed, period=period, jitter=jitter,
-                  metric=metric, arithmetic=arithmetic, instruction_set=instruction_set)
+    return points("cellular", (x, y, z), cell, out, threads, noise="cellular", seed=seed, period=period, phase=phase,
+                  jitter=jitter, metric=metric, arithmetic=arithmetic, instruction_set=instruction_set)
 
 
 def cellular_three(x, y, z=None, /, *, seed=0, period=None, jitter=1.0, metric="euclidean", cell=None,

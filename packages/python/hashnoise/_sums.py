@@ -174,10 +174,12 @@ def eroded(x, y, z=None, /, *, seed=0, noise="perlin_d", octaves=6, lacunarity=2
                   instruction_set=instruction_set)
 
 
-def warp(x, y, z=None, /, *, seed=0, noise="value", octaves=6, lacunarity=2.0, gain=0.5, amplitude=1.0, period=None,
-         cell=None, arithmetic="fast", out=None, threads=None, instruction_set=None):
+def warp(x, y, z=None, /, *, seed=0, noise="value_vector", octaves=6, lacunarity=2.0, gain=0.5, amplitude=1.0,
+         period=None, cell=None, arithmetic="fast", out=None, threads=None, instruction_set=None):
     """How far to move a position before another noise is taken there, in 2D and 3D.
 
+    noise      one of vectors: "value_vector", "perlin_vector" or "curl", of which what is beyond [-1, 1] counts as the
+               nearer end
     amplitude  the largest shift along an axis, in cells, in [0, 64]
     returns    planes: the shift along each axis, in [-amplitude, amplitude]
     source     Quilez, "Domain warping", 2002
@@ -190,12 +192,15 @@ def warp(x, y, z=None, /, *, seed=0, noise="value", octaves=6, lacunarity=2.0, g
                   instruction_set=instruction_set)
 
 
-def warp_progressive(x, y, z=None, /, *, seed=0, noise="value", octaves=6, lacunarity=2.0, gain=0.5, amplitude=1.0,
-                     period=None, cell=None, arithmetic="fast", out=None, threads=None, instruction_set=None):
+def warp_progressive(x, y, z=None, /, *, seed=0, noise="value_vector", octaves=6, lacunarity=2.0, gain=0.5,
+                     amplitude=1.0, period=None, cell=None, arithmetic="fast", out=None, threads=None,
+                     instruction_set=None):
     """The shift of `warp`, in 2D and 3D, where each octave is taken at the place to which those before it moved.
 
     It draws strands and eddies.
 
+    noise      one of vectors: "value_vector", "perlin_vector" or "curl", of which what is beyond [-1, 1] counts as the
+               nearer end
     amplitude  the largest shift along an axis, in cells, in [0, 64]
     returns    planes: the shift along each axis, in [-amplitude, amplitude]
     source     as of `warp`

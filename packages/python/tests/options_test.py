@@ -11,6 +11,7 @@ import numpy
 
 X = numpy.linspace(0, 9, 100, dtype=numpy.float32)
 EXACT = ("random",)  # the same numbers with every arithmetic
+OF_SHAPES = {"perlin_d": "simplex_d", "value_vector": "perlin_vector"}  # noises that a sum may take in place of one
 
 
 class Options(unittest.TestCase):
@@ -44,8 +45,8 @@ class Options(unittest.TestCase):
                 if option in same or (option == "arithmetic" and name in EXACT):
                     continue
                 value = changed[option]
-                if option == "noise" and function.__kwdefaults__["noise"].endswith("_d"):
-                    value = "simplex_d"
+                if option == "noise":
+                    value = OF_SHAPES.get(function.__kwdefaults__["noise"], value)
                 with self.subTest(name, option=option):
                     x, y = (X % 1, X[::-1] % 1) if option == "cell" else (X, X[::-1])
                     self.assert_other(function(x, y, **{option: value}), function(x, y))
@@ -60,7 +61,7 @@ class Options(unittest.TestCase):
         """Those that are written in the signature are those of the library."""
         self.assertEqual(hashnoise.fbm(X, seed=0, octaves=6, lacunarity=2.0, gain=0.5, noise="perlin").tobytes(),
                          hashnoise.fbm(X).tobytes())
-        self.assertEqual(hashnoise.warp(X, X, noise="value").tobytes(), hashnoise.warp(X, X).tobytes())
+        self.assertEqual(hashnoise.warp(X, X, noise="value_vector").tobytes(), hashnoise.warp(X, X).tobytes())
 
     def test_kinds_of_numbers(self):
         for seed in (numpy.uint32(7), numpy.int64(7), True + 6):
@@ -74,7 +75,7 @@ class Options(unittest.TestCase):
     def test_names_of_planes(self):
         self.assertEqual(hashnoise.components("cellular_three", 3), ("f1", "f2", "f3"))
         self.assertEqual(hashnoise.components("simplex_d", 4), ("value", "dx", "dy", "dz", "dw"))
-        self.assertEqual(hashnoise.components("warp", 2, noise="simplex"), ("x", "y"))
+        self.assertEqual(hashnoise.components("warp", 2, noise="perlin_vector"), ("x", "y"))
         self.assertEqual(hashnoise.components("eroded", 2), ("value",))
 
     def test_instruction_sets(self):

@@ -26,7 +26,7 @@ image: npt.NDArray[np.float32] = hashnoise.grid("cellular", (640, 480), step=0.0
 volume, (least, greatest) = hashnoise.grid("clouds", (9, 9, 9), step=(0.1, 0.1, 0.2), return_range=True)
 extent: float = greatest - least
 names: tuple[str, ...] = hashnoise.noises(2) + hashnoise.sums(2) + hashnoise.instruction_sets()
-planes: tuple[str, ...] = hashnoise.components("warp", 2, noise="simplex")
+planes: tuple[str, ...] = hashnoise.components("warp", 2, noise="perlin_vector")
 version: str = hashnoise.__version__
 '''
 WRONG = {

@@ -250,7 +250,7 @@ TEST(GoldenFile, NamesWhatItIsOf) {
   EXPECT_EQ(name("curl.curl3_cell_period"), "/curl");
   EXPECT_EQ(name("fbm.ping_pong2_cell_period"), "ping_pong/perlin");
   EXPECT_EQ(name("fbm_d.eroded3_cell_period"), "eroded/perlin_d");
-  EXPECT_EQ(name("warp.warp_progressive2_cell"), "warp_progressive/value");
+  EXPECT_EQ(name("warp.warp_progressive2_cell"), "warp_progressive/value_vector");
   EXPECT_EQ(name("position.perlin2"), "");
 }
 

@@ -73,7 +73,7 @@ TEST_P(AnyExecutor, GivesTheSame) {
     }
     Settings sum;
     sum.sum = "warp";
-    sum.noise = "value";
+    sum.noise = "value_vector";
     sum.arithmetic = GetParam();
     sum.instruction_set = set;
     expect_same_with_any<2>(sum, Grid<2>{{0.1f, -50.0f}, {0.0371f, 0.05f}, {307, 211}});
