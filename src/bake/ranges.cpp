@@ -14,7 +14,9 @@ bool is_derivative(std::string_view component) { return component.size() == 2 &&
 // What the catalog calls a component.
 std::string_view name_of(std::string_view component, Shape shape, bool has_phase) {
   if (shape == Shape::kVector) return "axis";
-  return is_derivative(component) ? has_phase ? "d_phase" : "d" : component;
+  if (is_derivative(component)) return has_phase ? "d_phase" : "d";
+  if (has_phase && component == "f1") return "f1_phase";
+  return has_phase && component == "f2" ? "f2_phase" : component;
 }
 
 // A noise alone.

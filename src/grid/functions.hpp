@@ -19,9 +19,13 @@ struct NoiseRow {
   Shape shape;
   Takes takes;
 
-  constexpr bool has_phase() const { return takes == Takes::kPhase; }  // in 2D and 3D
+  constexpr bool has_phase() const {  // in 2D and 3D
+    return takes == Takes::kPhase || takes == Takes::kJitterAndMetricAndPhase;
+  }
   constexpr bool has_jitter() const { return takes == Takes::kJitter || has_metric(); }
-  constexpr bool has_metric() const { return takes == Takes::kJitterAndMetric; }
+  constexpr bool has_metric() const {
+    return takes == Takes::kJitterAndMetric || takes == Takes::kJitterAndMetricAndPhase;
+  }
 };
 
 // What a value is known to be in.
@@ -41,8 +45,8 @@ struct SumRow {
   double least, greatest;  // kThese
 };
 
-// Of a component of a noise that is not in [-1, 1]. "d" is each derivative, "d_phase" the same with a phase, and "axis"
-// each component of a vector.
+// Of a component of a noise that is not in [-1, 1]. "d" is each derivative, "d_phase" the same with a phase, as "f1_phase"
+// is of "f1", and "axis" each component of a vector.
 struct RangeRow {
   NoiseId noise;
   std::string_view component;

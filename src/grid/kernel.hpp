@@ -17,7 +17,8 @@ enum class Shape {
 };
 
 // What a noise takes beside a seed and a period. A phase it has in 2D and 3D.
-enum class Takes { kNothing, kPhase, kJitter, kJitterAndMetric };
+// With a phase there is no metric to choose.
+enum class Takes { kNothing, kPhase, kJitter, kJitterAndMetric, kJitterAndMetricAndPhase };
 
 // The noises, and the functions that sum them, in the order of the catalog.
 enum NoiseId {

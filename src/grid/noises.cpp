@@ -30,6 +30,11 @@ namespace {
   HN_GRID_NOISE(full, name, HN_GRID_TILE, given.seed)        \
   HN_GRID_NOISE(phase, name, place, given.phase, given.seed) \
   HN_GRID_NOISE(phase_full, name, HN_GRID_TILE, given.phase, given.seed)
+#define HN_GRID_kJitterAndMetricAndPhase(name)                                     \
+  HN_GRID_NOISE(plain, name, place, given.seed)                                    \
+  HN_GRID_NOISE(full, name, HN_GRID_TILE, given.jitter, given.metric, given.seed)  \
+  HN_GRID_NOISE(phase, name, place, given.phase, given.jitter, given.seed)         \
+  HN_GRID_NOISE(phase_full, name, HN_GRID_TILE, given.phase, given.jitter, given.seed)
 
 #define HN_CATALOG_NOISE(Id, name, first, last, shape, takes) HN_GRID_##takes(name)
 #include "catalog.inc"
@@ -110,8 +115,10 @@ template <int D, grid::Shape shape, grid::Takes takes, typename Plain, typename 
 NoiseKernels kernels_of() {
   constexpr bool kIsFlatOrInSpace = D == 2 || D == 3;
   constexpr bool kIsSearched = takes == grid::Takes::kJitter && shape == grid::Shape::kValue;
-  // Sums of noises with slopes are in 2D and 3D.
-  constexpr bool kIsSummed = shape == grid::Shape::kValue || (shape == grid::Shape::kWithSlopes && kIsFlatOrInSpace);
+  // Sums of noises with slopes, and of vectors, are in 2D and 3D.
+  constexpr bool kIsSummed =
+      shape == grid::Shape::kValue ||
+      ((shape == grid::Shape::kWithSlopes || shape == grid::Shape::kVector) && kIsFlatOrInSpace);
   // Where it was measured to be faster: for others what the axes share is little of the whole.
   constexpr bool kIsFasterInRows =
       kIsFlatOrInSpace && ((shape == grid::Shape::kValue && !kIsSearched) || shape == grid::Shape::kTwoDistances);
@@ -133,7 +140,8 @@ NoiseKernels kernels_of() {
     k.octave = reinterpret_cast<Octave>(&Called<D, Plain>::plain);
     k.octave_full = reinterpret_cast<Octave>(&Called<D, Full>::tiled);
   }
-  if constexpr (takes == grid::Takes::kPhase && kIsFlatOrInSpace) {
+  constexpr bool kHasPhase = takes == grid::Takes::kPhase || takes == grid::Takes::kJitterAndMetricAndPhase;
+  if constexpr (kHasPhase && kIsFlatOrInSpace) {
     k.phase = at_points<D, Phase>;
     k.phase_full = at_points<D, PhaseFull>;
   }

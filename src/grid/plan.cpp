@@ -137,6 +137,9 @@ void plan_noise(Plan& plan, const Settings& settings, NoiseId id, bool tiled) {
   const NoiseKernels& kernels = plan.kernels->noises[id][plan.dimensions - 1];
   plan.shape = kNoiseRows.at(id).shape;
   if (settings.phase) {
+    if (plan.options.metric != static_cast<int>(Metric::kEuclidean)) {
+      refuse(quoted(kNoiseRows.at(id).name) + " with a phase has no metric but euclidean");
+    }
     plan.in = tiled ? kernels.phase_full : kernels.phase;
   } else {
     const bool is_usual = plan.options.jitter == 1.0f && plan.options.metric == static_cast<int>(Metric::kEuclidean);

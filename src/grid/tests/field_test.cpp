@@ -121,8 +121,8 @@ TEST(Components, AreNamed) {
   EXPECT_EQ(names_of<2>("perlin_d", "fbm_d"), (Names{"value", "dx", "dy"}));
   EXPECT_EQ(names_of<3>("simplex_d", "fbm_d"), (Names{"value", "dx", "dy", "dz"}));
   EXPECT_EQ(names_of<3>("perlin_d", "eroded"), (Names{"value"}));
-  EXPECT_EQ(names_of<2>("value", "warp"), (Names{"x", "y"}));
-  EXPECT_EQ(names_of<3>("value", "warp_progressive"), (Names{"x", "y", "z"}));
+  EXPECT_EQ(names_of<2>("value_vector", "warp"), (Names{"x", "y"}));
+  EXPECT_EQ(names_of<3>("value_vector", "warp_progressive"), (Names{"x", "y", "z"}));
 }
 
 TEST(InstructionSets, AreNamedAndChosen) {
@@ -298,8 +298,8 @@ TEST(Errors, OfASumInAnotherDimension) {
     EXPECT_ERROR(error_of<4>(of("perlin_d", sum))) << sum;
   }
   for (const std::string sum : {"warp", "warp_progressive"}) {
-    EXPECT_ERROR(error_of<1>(of("value", sum))) << sum;
-    EXPECT_ERROR(error_of<4>(of("value", sum))) << sum;
+    EXPECT_ERROR(error_of<1>(of("value_vector", sum))) << sum;
+    EXPECT_ERROR(error_of<4>(of("value_vector", sum))) << sum;
   }
 }
 
@@ -342,6 +342,11 @@ void expect_errors_of_settings() {
     settings = of(noise.name);
     settings.metric = Metric::kEuclidean;
     EXPECT_EQ(error_of<D>(settings).empty(), twin::has_metric(noise.name)) << settings;
+    settings.phase = 0.0f;
+    EXPECT_EQ(error_of<D>(settings).empty(), twin::has_metric(noise.name) && twin::can_have_phase(noise.name, D))
+        << settings;
+    settings.metric = Metric::kManhattan;
+    EXPECT_ERROR(error_of<D>(settings)) << settings;
     settings = of(noise.name);
     settings.strength = 1.0f;
     EXPECT_ERROR(error_of<D>(settings)) << settings;
@@ -400,8 +405,8 @@ TEST(Errors, OfSettingsOutsideOfTheirRange) {
   expect_range(of("perlin", "weighted"), strength, 0.0f, 1.0f);
   expect_range(of("perlin_d", "eroded"), strength, 0.0f, 16.0f);
   const auto amplitude = [](Settings& settings, float x) { settings.amplitude = x; };
-  expect_range(of("value", "warp"), amplitude, 0.0f, 64.0f);
-  expect_range(of("value", "warp_progressive"), amplitude, 0.0f, 64.0f);
+  expect_range(of("value_vector", "warp"), amplitude, 0.0f, 64.0f);
+  expect_range(of("value_vector", "warp_progressive"), amplitude, 0.0f, 64.0f);
   const auto jitter = [](Settings& settings, float x) { settings.jitter = x; };
   for (const std::string noise : {"cellular", "cellular_three", "cellular_d", "cellular_smooth", "cell_border"}) {
     expect_range(of(noise), jitter, 0.0f, 1.0f);
@@ -476,7 +481,7 @@ TEST(Errors, OfADetailOrAFootprintWhereThereIsNone) {
       EXPECT_ERROR(error_of<2>(with(of("perlin", sum)))) << sum;
     }
     EXPECT_ERROR(error_of<2>(with(of("perlin_d", "fbm_d"))));
-    EXPECT_ERROR(error_of<2>(with(of("value", "warp"))));
+    EXPECT_ERROR(error_of<2>(with(of("value_vector", "warp"))));
   }
 }
 
@@ -519,7 +524,7 @@ TEST(Errors, OfSettingsThatAreNotFinite) {
     settings = of("perlin", "ping_pong");
     settings.strength = wrong;
     EXPECT_ERROR(error_of<2>(settings)) << wrong;
-    settings = of("value", "warp");
+    settings = of("value_vector", "warp");
     settings.amplitude = wrong;
     EXPECT_ERROR(error_of<2>(settings)) << wrong;
   }

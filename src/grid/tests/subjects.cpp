@@ -63,7 +63,7 @@ void draw_settings(Settings& s, int dimensions, bool tiled, Draw draw, Chance& c
   if (s.phase) s.phase = chance.of({0.0f, 0.25f, 1.0f / 3.0f, -0.7f, 12345.625f, chance.between(-2.0f, 2.0f)});
   if (s.sum.empty()) {
     if (has_jitter(s.noise)) s.jitter = chance.of({1.0f, 1.0f, 0.0f, 0.5f, chance.between(0.0f, 1.0f)});
-    if (has_metric(s.noise)) s.metric = static_cast<Metric>(chance.whole(1, 5));
+    if (has_metric(s.noise) && !s.phase) s.metric = static_cast<Metric>(chance.whole(1, 5));
     return;
   }
   const bool has_frames = s.sum == "fbm_d" || s.sum == "eroded" || s.sum == "warp_progressive";

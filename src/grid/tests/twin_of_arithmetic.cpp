@@ -86,7 +86,8 @@ namespace call {
 #undef CALL
 
 // What a noise takes between its place and its seed.
-enum class Options { kNothing, kPhase, kJitter, kJitterAndMetric };
+// With a phase cellular noise takes no metric.
+enum class Options { kNothing, kPhase, kJitter, kJitterAndMetric, kJitterAndMetricAndPhase, kJitterAndPhase };
 
 template <int D>
 using Place = decltype(hn_place(Ints<D>{}, Floats<D>{}));
@@ -99,6 +100,8 @@ auto called([[maybe_unused]] const Settings& s, std::uint32_t seed, auto where) 
     return Call::of(where, *s.phase, seed);
   } else if constexpr (O == Options::kJitter) {
     return Call::of(where, twin::jitter_of(s), seed);
+  } else if constexpr (O == Options::kJitterAndPhase) {
+    return Call::of(where, *s.phase, twin::jitter_of(s), seed);
   } else {
     return Call::of(where, twin::jitter_of(s), twin::metric_of(s), seed);
   }
@@ -117,7 +120,7 @@ template <int D, typename Call, Options O = Options::kNothing>
 NoiseEntry<D> entry(std::string_view name) {
   NoiseEntry<D> e;
   e.name = name;
-  e.has_phase = O == Options::kPhase;
+  e.has_phase = O == Options::kPhase || O == Options::kJitterAndPhase;
   e.components = kComponents<decltype(called<Call, O>(std::declval<Settings>(), 0u, Floats<D>{}))>;
   e.at = [](const Settings& s, Floats<D> p, std::uint32_t seed, float* values) {
     store(called<Call, O>(s, seed, p), values);
@@ -134,6 +137,9 @@ void add(std::vector<NoiseEntry<D>>& all, std::string_view name) {
   if constexpr (O == Options::kPhase) {
     all.push_back(entry<D, Call>(name));
     if constexpr (D == 2 || D == 3) all.push_back(entry<D, Call, Options::kPhase>(name));
+  } else if constexpr (O == Options::kJitterAndMetricAndPhase) {
+    all.push_back(entry<D, Call, Options::kJitterAndMetric>(name));
+    all.push_back(entry<D, Call, Options::kJitterAndPhase>(name));
   } else {
     all.push_back(entry<D, Call, O>(name));
   }
@@ -158,7 +164,7 @@ const NoiseEntry<D>& noise_entry(std::string_view name, bool has_phase) {
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// Sums. What they add up is `chosen`, with a value, or `chosen_d`, with derivatives, in 2D and 3D.
+// Sums. What they add up is `chosen`, with a value, or `chosen_d`, with derivatives, or `chosen_vector`, in 2D and 3D.
 
 template <int D>
 struct Chosen {
@@ -179,21 +185,20 @@ std::array<float, 5> of_choice(Place<D> place, std::uint32_t seed) {
   float chosen(Place<D> place, std::uint32_t seed) { return of_choice<D>(place, seed)[0]; }
 #define CHOSEN_D(D) \
   Floats<D + 1> chosen_d(Place<D> place, std::uint32_t seed) { return glsl<D + 1>(of_choice<D>(place, seed)); }
+#define CHOSEN_VECTOR(D) \
+  Floats<D> chosen_vector(Place<D> place, std::uint32_t seed) { return glsl<D>(of_choice<D>(place, seed)); }
 CHOSEN(1)
 CHOSEN(2)
 CHOSEN(3)
 CHOSEN(4)
 CHOSEN_D(2)
 CHOSEN_D(3)
+CHOSEN_VECTOR(2)
+CHOSEN_VECTOR(3)
 
 template <typename Octaves>
 float n_of(const Octaves& o) {
   return chosen(o.place, o.seed);
-}
-vec2 shifts_of(const hn_octaves2& o) { return {n_of(o), chosen(o.place, hn_i_other_seed(o.seed))}; }
-vec3 shifts_of(const hn_octaves3& o) {
-  const std::uint32_t second = hn_i_other_seed(o.seed);
-  return {n_of(o), chosen(o.place, second), chosen(o.place, hn_i_other_seed(second))};
 }
 
 // A sum, at a position or a place: its loop over the octaves o.
@@ -217,10 +222,10 @@ vec3 shifts_of(const hn_octaves3& o) {
 SUM(fbm_d, auto d = hn_slopes(o); do hn_add(o, d, chosen_d(o.place, o.seed)); while (hn_next(o)); return hn_mean(o, d);)
 SUM(eroded, auto d = hn_slopes(o);
     do hn_add_eroded(o, d, chosen_d(o.place, o.seed), twin::strength_of(settings)); while (hn_next(o)); return hn_mean(o);)
-SUM(warp, auto w = hn_shifts(o, twin::amplitude_of(settings)); do hn_add(o, w, shifts_of(o)); while (hn_next(o));
-    return hn_mean(o, w);)
+SUM(warp, auto w = hn_shifts(o, twin::amplitude_of(settings));
+    do hn_add(o, w, chosen_vector(o.place, o.seed)); while (hn_next(o)); return hn_mean(o, w);)
 SUM(warp_progressive, auto w = hn_shifts(o, twin::amplitude_of(settings));
-    do hn_add_progressive(o, w, shifts_of(o)); while (hn_next(o)); return hn_mean(o, w);)
+    do hn_add_progressive(o, w, chosen_vector(o.place, o.seed)); while (hn_next(o)); return hn_mean(o, w);)
 #undef SUM
 
 template <int D>

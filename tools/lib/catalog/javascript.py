@@ -237,7 +237,9 @@ def playground(catalog: Catalog) -> str:
     slopes = {noise.name for noise in catalog.noises if noise.shape == "slopes"}
 
     def of_noise(noise: Noise) -> dict[str, Any]:
-        return {"dimensions": dimensions_of(noise, 4), **{option: True for option in noise.options},
+        # Of points that go round it has nothing: at a phase of 0 they are not those of the noise without one.
+        drawn_options = [option for option in noise.options if not (option == "phase" and "jitter" in noise.options)]
+        return {"dimensions": dimensions_of(noise, 4), **{option: True for option in drawn_options},
                 **({"steep": True} if f"{noise.name}_d" in slopes else {}),
                 **({"range": noise.ranges["value"][0]} if "value" in noise.ranges else {})}
 

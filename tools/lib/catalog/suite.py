@@ -201,12 +201,15 @@ def of_noise(noise: Noise) -> Iterator[Row]:
                 yield of_form("_cell_full", tiles, "0u", cell=True, tile=True, options=options)
             # A file has the noise with a phase and its derivatives.
             if "phase" in noise.options and is_usual:
-                phase = {"options": [PHASE], "seeded": True}
+                jitters = "jitter" in noise.options
+                phase = {"options": [PHASE, *[JITTER] * jitters], "seeded": True}
                 file = f"{noise.name.removesuffix('_d')}_phase{dimensions}d.glsl"
                 for form, seed, place in (("", "0u", {}), ("_cell", "floatBitsToUint(p.x)", {"cell": True}),
                                           ("_cell_period", "0u", {"cell": True, "tile": True})):
-                    yield Row(f"{folder}_phase{form}", file, families.others, f"{noise.name}_phase", called, dimensions,
-                              result, bench_seed=seed, **phase, **place)
+                    if jitters and form == "_cell":
+                        continue  # a period of 0 is none
+                    yield Row(f"{folder}_phase{form}", file, tiles if jitters else families.others,
+                              f"{noise.name}_phase", called, dimensions, result, bench_seed=seed, **phase, **place)
 
 
 def of_sum(sum_: Sum) -> Iterator[Row]:

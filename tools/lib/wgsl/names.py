@@ -6,7 +6,7 @@ A public function has its name in GLSL, and behind it:
   1 to 4      its dimensions: those of the position, the place, the cell or the words that it takes
   _place      if it takes a place
   _phase      if it takes a phase
-  _full       if it takes everything that may be chosen, a jitter among it
+  _full       if it takes everything that may be chosen, a jitter among it, and no phase
   _nearest    as _full, if it also sets the nearest point
   _detail, _footprint    if it takes that
 
@@ -116,7 +116,7 @@ def _public(function: Function) -> str:
     parts += ["phase"] * ("phase" in takes)
     if "nearest" in takes:
         parts.append("nearest")
-    elif "jitter" in takes:
+    elif "jitter" in takes and "phase" not in takes:
         parts.append("full")
     parts += [word for word in ("detail", "footprint") if word in takes]
     return "_".join(parts)
