@@ -30,6 +30,23 @@ def points_of(n: int, jitter: float, name: str = "lattice") -> tuple[np.ndarray,
     return cells, cells + 0.5 + jitter / 2 * u
 
 
+NEARER = {2: 7 / 8, 3: 25 / 32}
+
+
+def turn(n: int, phase: float) -> np.ndarray:
+    """M, of points that move."""
+    c, s = math.cos(2 * math.pi * phase), math.sin(2 * math.pi * phase)
+    in_the_plane = np.array(((c, -s, 0), (s, c, 0), (0, 0, 1)))
+    return in_the_plane[:2, :2] if n == 2 else in_the_plane @ np.array(((1, 0, 0), (0, c, -s), (0, s, c)))
+
+
+def moved(n: int, jitter: float, phase: float) -> np.ndarray:
+    """The points of the block with a phase."""
+    cells, points = points_of(n, NEARER[n] * jitter)
+    middles = cells + 0.5
+    return middles + (points - middles) @ turn(n, phase).T
+
+
 def positions(n: int, count: int) -> list[list[float]]:
     numbers = generator_of(f"witness{n}")
     return [[numbers.uniform(EDGE, BLOCK[n] - EDGE) for _ in range(n)] for _ in range(count)]
@@ -80,6 +97,26 @@ class Witness(unittest.TestCase):
             found, = noises.find("cellular_smooth").chosen(Choice(jitter)).exact(Knobs("lattice"), p, SEED)
             self.assertAlmostEqual(float(found), 1 - (np.sum(near**4) + 1 / 4096)**0.25, 11)
 
+    def check_moving(self, n: int, jitter: float, phase: float, points: np.ndarray) -> None:
+        tree, cells = cKDTree(points), points_of(n, 0)[0]
+        distance, near, offset = (noise.chosen(Choice(jitter)).turned(phase) for noise in
+                                  (noises.find("cellular_phase"), nearest.NEAREST, nearest.OFFSET))
+        for p in positions(n, 20):
+            distances, indices = tree.query(p, 2)
+            found = distance.exact(Knobs("lattice"), p, SEED)
+            np.testing.assert_allclose([float(x) for x in found], distances, rtol=0, atol=NEAR)
+            if distances[1] - distances[0] > NEAR:
+                self.assertEqual(near.exact(Knobs("lattice"), p, SEED), tuple(cells[indices[0]]))
+                found = offset.exact(Knobs("lattice"), p, SEED)
+                np.testing.assert_allclose([float(x) for x in found], points[indices[0]] - p, rtol=0, atol=NEAR)
+
+    def test_distances_of_points_that_move_are_those_of_a_tree(self) -> None:
+        for n, (jitter, phase) in itertools.product((2, 3), ((1.0, 0.3), (0.75, -0.125), (1.0, 0.5))):
+            self.check_moving(n, jitter, phase, moved(n, jitter, phase))
+            for other in (moved(n, jitter, phase + 0.001), moved(n, 0.99 * jitter, phase)):
+                with self.assertRaises(AssertionError):
+                    self.check_moving(n, jitter, phase, other)
+
     def test_distances_are_those_of_a_tree(self) -> None:
         for n, jitter in settings():
             cells, points = points_of(n, jitter)
@@ -92,6 +129,33 @@ class Witness(unittest.TestCase):
     def test_smooth_is_that_of_all_points(self) -> None:
         for n, jitter in settings():
             self.check_smooth(n, jitter, points_of(n, jitter)[1])
+
+    def least_gap(self, n: int, k: float, phases: int) -> float:
+        """How much farther than the nearest two points of the cell of a position and of its neighbours, wherever in
+        their octahedra they are, all others are at least, wherever they are. Positions are at corners of cells, along
+        their edges and within them."""
+        r, gaps = k / 2, []
+        around = np.array(list(itertools.product(range(-2, 3), repeat=n)))
+        is_beside = np.max(np.abs(around), axis=1) < 2
+        p = np.array(list(itertools.product((0, 1 / 8, 1 / 4, 3 / 8, 1 / 2, 3 / 4, 1), repeat=n)))
+        corners = r * np.concatenate((np.eye(n), -np.eye(n)))
+        for phase in range(phases):
+            # Turned backwards: octahedra are upright there.
+            d = (p[:, None] - 0.5 - around) @ turn(n, phase / phases)
+            farthest = np.linalg.norm(d[:, is_beside, None] - corners, axis=-1).max(axis=-1)
+            # The nearest point of an octahedron: what its offsets lack is the same along all axes that lack some.
+            away = -np.sort(-np.abs(d[:, ~is_beside]), axis=-1)
+            lacks = np.max((np.cumsum(away, axis=-1) - r) / np.arange(1, n + 1), axis=-1)
+            least = np.linalg.norm(np.minimum(away, lacks[..., None]), axis=-1)
+            gaps.append(np.min(least.min(axis=-1) - np.sort(farthest, axis=-1)[:, 1]))
+        return min(gaps)
+
+    def test_of_points_that_move_two_of_the_neighbours_are_nearest(self) -> None:
+        # That is what k is for. With a whole jitter it would not be so, nor with more than k in the plane.
+        for n, phases in ((2, 48), (3, 24)):
+            self.assertGreater(self.least_gap(n, NEARER[n], phases), 1 / 64)
+            self.assertLess(self.least_gap(n, 1, phases), 0)
+        self.assertLess(self.least_gap(2, 29 / 32, 48), 0)
 
     def test_other_points_are_noticed(self) -> None:
         for n in (2, 3):

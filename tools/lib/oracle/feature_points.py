@@ -3,6 +3,7 @@
 All cells of a block around the position are candidates. A point lies within an octahedron about the middle of its cell,
 so it is at least as far as a box around that. The candidates are taken in the order of these least distances, until all
 others are farther than what was found; what lies outside of the block must be farther, too, or a search raises.
+With a phase points go round about the middle of their cells, and no farther from it.
 
 Both arithmetics count in whole numbers: exactly, in units in which everything is whole, or in units of 2^-20.
 """
@@ -12,14 +13,16 @@ from __future__ import annotations
 import functools
 import itertools
 import math
-from collections.abc import Iterator, Sequence
+import operator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
-from oracle import gradients
+from oracle import gradients, moving_points
 from oracle.gradients import Real
 from oracle.integers import UNIT
 from oracle.lattice import EUCLIDEAN, Lattice
+from oracle.moving_points import Matrix
 from oracle.words import signed
 
 # How far the block reaches beyond the cell of the position, in cells: 7 x 7 or 7 x 7 x 7 of them.
@@ -60,19 +63,44 @@ def square(d: Sequence[int]) -> int:
     return sum(x * x for x in d)
 
 
+# A cell of the block, as so many cells away, and the least magnitude of the offset from its point along each axis.
+Candidate = tuple[tuple[int, ...], tuple[int, ...]]
+
+
 @dataclass(frozen=True)
 class Arithmetic:
     """How a point is placed and how far it is. A rank grows with the distance, and with each component."""
     unit: int  # of a cell
 
-    def moved(self, u: int) -> int:
-        """How far a point is from the middle of its cell along an axis, of a component of U."""
+    def from_middle(self, fraction: Sequence[int], beside: Sequence[int]) -> tuple[int, ...]:
+        """The offset of the position from the middle of the cell which is so many cells away."""
+        return tuple(f - o * self.unit - self.unit // 2 for f, o in zip(fraction, beside))
+
+    def candidates(self, fraction: Sequence[int]) -> Iterator[Candidate]:
+        """The cells of the block."""
+        axes = [[(o, max(0, abs(f - o * self.unit - self.unit // 2) - self.reach)) for o in range(-AROUND, AROUND + 1)]
+                for f in fraction]
+        for along_axes in itertools.product(*axes):
+            beside, least = zip(*along_axes)
+            yield beside, least
+
+    def moved(self, u: Sequence[int]) -> tuple[int, ...]:
+        """How far a point is from the middle of its cell along each axis, by its direction U."""
         raise NotImplementedError
 
     @property
     def reach(self) -> int:
         """How far it is at most."""
         raise NotImplementedError
+
+    @property
+    def outside(self) -> int:
+        """How far any point outside of the block is at least."""
+        return AROUND * self.unit - 1
+
+    def straight(self, d: tuple[int, ...]) -> tuple[int, ...]:
+        """The offset along the axes of the caller."""
+        return d
 
     def rank(self, metric: int, d: Sequence[int]) -> int:
         raise NotImplementedError
@@ -89,15 +117,25 @@ class Exact(Arithmetic):
     @classmethod
     def of(cls, lattice: Lattice, f: Sequence[Fraction]) -> Exact:
         jitter = clamped(lattice.choice.jitter)
-        return cls(2 * DIRECTION_UNIT * math.lcm(UNIT, jitter.denominator, *(x.denominator for x in f)), jitter)
+        if lattice.phase is None:
+            return cls(cls.unit_of(f, [jitter]), jitter)
+        ways = moving_points.ways(len(f), lattice.phase, jitter)
+        unit = cls.unit_of(f, itertools.chain(*ways))
+        steps = tuple(tuple(int(x * unit) // (2 * DIRECTION_UNIT) for x in row) for row in ways)
+        return MovingExact(unit, jitter, steps)
+
+    @staticmethod
+    def unit_of(f: Sequence[Fraction], ways: Iterable[Fraction]) -> int:
+        """Of what a point moves, for each half of a direction."""
+        return 2 * DIRECTION_UNIT * math.lcm(UNIT, *(x.denominator for x in (*f, *ways)))
 
     @functools.cached_property
     def step(self) -> int:
         """For each unit of U."""
         return int(self.jitter * self.unit) // (2 * DIRECTION_UNIT)
 
-    def moved(self, u: int) -> int:
-        return u * self.step
+    def moved(self, u: Sequence[int]) -> tuple[int, ...]:
+        return tuple(x * self.step for x in u)
 
     @property
     def reach(self) -> int:
@@ -119,6 +157,20 @@ class Exact(Arithmetic):
         return squared if metric in (SQUARED, HYBRID) else root(squared)
 
 
+@dataclass(frozen=True)
+class MovingExact(Exact):
+    """Points that have gone round."""
+    steps: Matrix  # for each unit of each component of U: what is moved along each axis
+
+    def moved(self, u: Sequence[int]) -> tuple[int, ...]:
+        return tuple(sum(a * x for a, x in zip(row, u)) for row in self.steps)
+
+    @property
+    def reach(self) -> int:
+        # The magnitudes of U sum to that of one direction.
+        return DIRECTION_UNIT * max(abs(x) for row in self.steps for x in row)
+
+
 def fixed_root(n: int) -> int:
     """root(N)."""
     return math.isqrt(2**8 * n)
@@ -134,11 +186,14 @@ class Fixed(Arithmetic):
     jitter: int  # J
 
     @classmethod
-    def of(cls, lattice: Lattice) -> Fixed:
-        return cls(UNIT, math.trunc(clamped(lattice.choice.jitter) * 2**20))
+    def of(cls, lattice: Lattice, n: int) -> Fixed:
+        jitter = clamped(lattice.choice.jitter)
+        if lattice.phase is None:
+            return cls(UNIT, math.trunc(jitter * 2**20))
+        return MovingFixed(UNIT, moving_points.fixed_jitter(n, jitter), moving_points.backwards(n, lattice.phase))
 
-    def moved(self, u: int) -> int:
-        return u * self.jitter // 2**10
+    def moved(self, u: Sequence[int]) -> tuple[int, ...]:
+        return tuple(x * self.jitter // 2**10 for x in u)
 
     @property
     def reach(self) -> int:
@@ -157,6 +212,30 @@ class Fixed(Arithmetic):
         if metric in (MANHATTAN, CHEBYSHEV, HYBRID):
             return Fraction(rank, 2**20)
         return Fraction(rank // 2**8, 2**20) if metric == SQUARED else Fraction(fixed_root(rank), 2**18)
+
+
+@dataclass(frozen=True)
+class MovingFixed(Fixed):
+    """Of points that go round: the position is turned instead, backwards."""
+    backwards: Matrix  # B
+
+    def from_middle(self, fraction: Sequence[int], beside: Sequence[int]) -> tuple[int, ...]:
+        middle = moving_points.times(self.backwards, tuple(f - 2**19 for f in fraction))
+        return tuple(x - sum(16 * o * b for o, b in zip(beside, row)) for x, row in zip(middle, self.backwards))
+
+    def candidates(self, fraction: Sequence[int]) -> Iterator[Candidate]:
+        # Along an axis of the turned block cells are not one behind the other.
+        reach = self.reach
+        for beside in itertools.product(range(-AROUND, AROUND + 1), repeat=len(fraction)):
+            yield beside, tuple(max(0, abs(d) - reach) for d in self.from_middle(fraction, beside))
+
+    @property
+    def outside(self) -> int:
+        # B makes nothing shorter by more than 2^-12, and roundings are a few units.
+        return AROUND * (self.unit - self.unit // 2**10)
+
+    def straight(self, d: tuple[int, ...]) -> tuple[int, ...]:
+        return moving_points.times(moving_points.columns(self.backwards), d)
 
 
 @dataclass(frozen=True)
@@ -199,25 +278,18 @@ class Field:
 
     @classmethod
     def fixed(cls, lattice: Lattice, cell: Sequence[int], fraction: Sequence[int], metric: int) -> Field:
-        return cls(lattice, Fixed.of(lattice), tuple(cell), tuple(fraction), metric)
+        return cls(lattice, Fixed.of(lattice, len(cell)), tuple(cell), tuple(fraction), metric)
 
     def point(self, beside: Sequence[int]) -> Point:
         """That of the cell which is so many cells away."""
-        unit, moved = self.arithmetic.unit, self.arithmetic.moved
         cell = tuple(c + o for c, o in zip(self.cell, beside))
-        u = direction(self.lattice.word(cell), len(cell))
-        offset = tuple(f - o * unit - unit // 2 - moved(a) for f, o, a in zip(self.fraction, beside, u))
+        moved = self.arithmetic.moved(direction(self.lattice.word(cell), len(cell)))
+        offset = tuple(map(operator.sub, self.arithmetic.from_middle(self.fraction, beside), moved))
         is_beside = all(abs(o) <= 1 for o in beside)
         return Point(self.arithmetic.rank(self.metric, offset), cell, offset, is_beside)
 
-    def candidates(self) -> Iterator[tuple[tuple[int, ...], tuple[int, ...]]]:
-        """The cells of the block, and the least magnitude of the offset from their points along each axis."""
-        unit, reach = self.arithmetic.unit, self.arithmetic.reach
-        axes = [[(o, max(0, abs(f - o * unit - unit // 2) - reach)) for o in range(-AROUND, AROUND + 1)]
-                for f in self.fraction]
-        for along_axes in itertools.product(*axes):
-            beside, least = zip(*along_axes)
-            yield beside, least
+    def candidates(self) -> Iterator[Candidate]:
+        return self.arithmetic.candidates(self.fraction)
 
     def nearest_first(self) -> list[tuple[int, tuple[int, ...]]]:
         """The cells of the block with the least rank that their points can have."""
@@ -226,8 +298,8 @@ class Field:
 
     @property
     def outside(self) -> tuple[int, ...]:
-        """The least magnitude of the offset from a point outside of the block, along the axis along which it is out."""
-        return (AROUND * self.arithmetic.unit - 1,) + (0,) * (len(self.cell) - 1)
+        """The least magnitude of the offset from a point outside of the block, as if it were out along x."""
+        return (self.arithmetic.outside,) + (0,) * (len(self.cell) - 1)
 
     def nearest(self, count: int) -> list[Point]:
         """The nearest points, in their order."""
@@ -244,13 +316,18 @@ class Field:
         return tuple(self.arithmetic.distance(self.metric, point.rank) for point in self.nearest(count))
 
 
+def metric_of(lattice: Lattice) -> int:
+    """Points that move have the Euclidean one."""
+    return lattice.choice.metric if lattice.phase is None else EUCLIDEAN
+
+
 def exact_field(lattice: Lattice, cell: Sequence[int], f: Sequence[Fraction]) -> Field:
     """With the metric that the caller chose."""
-    return Field.exact(lattice, cell, f, lattice.choice.metric)
+    return Field.exact(lattice, cell, f, metric_of(lattice))
 
 
 def fixed_field(lattice: Lattice, cell: Sequence[int], fraction: Sequence[int]) -> Field:
-    return Field.fixed(lattice, cell, fraction, lattice.choice.metric)
+    return Field.fixed(lattice, cell, fraction, metric_of(lattice))
 
 
 def whole_numbers(values: Sequence[Fraction], unit: int) -> tuple[int, ...]:

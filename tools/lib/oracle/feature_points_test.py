@@ -77,16 +77,19 @@ class Points(unittest.TestCase):
 
     def test_fixed_points_are_rounded_down(self) -> None:
         fixed = feature_points.Fixed(UNIT, 3)
-        self.assertEqual([fixed.moved(u) for u in (511, 1, -1, -511)], [1, 0, -1, -2])
+        self.assertEqual(fixed.moved((511, 1, -1, -511)), (1, 0, -1, -2))
         self.assertGreaterEqual(fixed.reach, 2)
 
     def test_no_point_moves_farther_than_it_can(self) -> None:
         # The least distances of a search hold only then.
-        for jitter in (0, 2.0**-149, 2.0**-20, to_f32(0.3), to_f32(1 - 2.0**-24), 1, 1.75, -0.5):
-            lattice = Lattice(LATTICE, choice=Choice(jitter))
-            for arithmetic in (feature_points.Exact.of(lattice, (EIGHTH,)), feature_points.Fixed.of(lattice)):
-                for u in (-512, -511, -1, 0, 1, 511, 512):
-                    self.assertLessEqual(abs(arithmetic.moved(u)), arithmetic.reach)
+        jitters = (0, 2.0**-149, 2.0**-20, to_f32(0.3), to_f32(1 - 2.0**-24), 1, 1.75, -0.5)
+        for jitter, phase, n in itertools.product(jitters, (None, 0.0, 0.125, to_f32(0.3)), (2, 3)):
+            lattice = Lattice(LATTICE, phase=phase, choice=Choice(jitter))
+            for arithmetic in (feature_points.Exact.of(lattice, (EIGHTH,) * n), feature_points.Fixed.of(lattice, n)):
+                for axis, u in itertools.product(range(n), (-512, -511, -1, 0, 1, 511, 512)):
+                    corner = [u if i == axis else 0 for i in range(n)]
+                    corner[axis - 1] = 512 - abs(u)
+                    self.assertLessEqual(max(map(abs, arithmetic.moved(corner))), arithmetic.reach)
                 self.assertLessEqual(arithmetic.reach, arithmetic.unit // 2)
 
     def test_jitter_is_clamped(self) -> None:

@@ -112,15 +112,14 @@ def _noise_evaluator(function: Function, fixed: bool) -> Evaluate:
 
 
 def chosen(noise: Noise, function: Function, numbers: list[Real]) -> Noise:
-    """The noise with the phase, or the jitter and the metric, that it takes from the end of the numbers."""
-    if function.has_phase:
-        return noise.turned(numbers.pop())
+    """The noise with the phase, the jitter and the metric that it takes from the end of the numbers."""
     choice = Choice()
     if function.has_metric:
         choice = replace(choice, metric=numbers.pop())
     if function.has_jitter:
         choice = replace(choice, jitter=numbers.pop())
-    return noise.chosen(choice)
+    of = noise.chosen(choice)
+    return of.turned(numbers.pop()) if function.has_phase else of
 
 
 def values_of(noise: Noise, function: Function, fixed: bool) -> Evaluate:

@@ -1,5 +1,5 @@
-"""The lattice under a noise: its points with a seed, with periods and with a phase (docs/contract.md, 6, 13 and 14),
-and what a caller of cellular noise chooses (16)."""
+"""The lattice under a noise: its points with a seed, with periods and with a phase (docs/contract.md, 6, 13, 14 and
+16), and what a caller of cellular noise chooses (16)."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ class Lattice:
     knobs: Knobs
     seed: int = 0
     periods: tuple[int, ...] = ()  # one for each axis, 0 and less for none; or empty, for none at all
-    phase: Real | None = None  # by which octahedral gradients are turned
+    phase: Real | None = None  # by which octahedral gradients are turned, and feature points go round
     choice: Choice = Choice()
 
     def point(self, corner: Sequence[int]) -> list[int]:

@@ -24,14 +24,15 @@ def fixed_cell(lattice: Lattice, cell: Sequence[int], fraction: Sequence[int]) -
 def exact_offset(lattice: Lattice, cell: Sequence[int], f: Sequence[Fraction]) -> tuple[Fraction, ...]:
     field = exact_field(lattice, cell, f)
     point, = field.nearest(1)
-    return tuple(Fraction(-d, field.arithmetic.unit) for d in point.offset)
+    return tuple(Fraction(-d, field.arithmetic.unit) for d in field.arithmetic.straight(point.offset))
 
 
 def fixed_offset(lattice: Lattice, cell: Sequence[int], fraction: Sequence[int]) -> tuple[int, ...]:
-    point, = fixed_field(lattice, cell, fraction).nearest(1)
-    return tuple(-d for d in point.offset)
+    field = fixed_field(lattice, cell, fraction)
+    point, = field.nearest(1)
+    return tuple(-d for d in field.arithmetic.straight(point.offset))
 
 
-# With the Euclidean metric, if none is chosen, these are what borders say, too.
-NEAREST = Noise("nearest", exact_cell, fixed_cell, ("nx", "ny", "nz"), (1,) * 3)
-OFFSET = Noise("offset", exact_offset, fixed_offset, ("ox", "oy", "oz"), (UNIT,) * 3)
+# With the Euclidean metric, if none is chosen, these are what borders say, too. Turned they are of points that move.
+NEAREST = Noise("nearest", exact_cell, fixed_cell, ("nx", "ny", "nz"), (1,) * 3, turns=True)
+OFFSET = Noise("offset", exact_offset, fixed_offset, ("ox", "oy", "oz"), (UNIT,) * 3, turns=True)

@@ -58,8 +58,9 @@ def is_cellular(noise: Noise) -> bool:
 
 
 def with_each_metric(noise: Noise) -> list[Noise]:
-    """Its bounds are those of all metrics."""
-    return [noise.chosen(Choice(metric=metric)) for metric in (1, 2, 3, 4, 5)] if is_cellular(noise) else [noise]
+    """Its bounds are those of all metrics; points that move have one."""
+    has_metrics = is_cellular(noise) and noise.phase is None
+    return [noise.chosen(Choice(metric=metric)) for metric in (1, 2, 3, 4, 5)] if has_metrics else [noise]
 
 
 def values_of(noise: Noise, numbers: Sequence[Fraction]) -> Sequence[Fraction]:

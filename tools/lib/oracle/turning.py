@@ -45,11 +45,16 @@ def quarter_turned(g: Sequence[Number]) -> tuple[Number, ...]:
 # --- Exact ------------------------------------------------------------------------------------------------------
 
 
+def cosine_and_sine(phase: Real) -> tuple[Fraction, Fraction]:
+    """Exact at whole quarters of a turn, else each is off by less than SINE_ERROR."""
+    turns = Fraction(phase)
+    return gradients.sine_of_turns(turns + Fraction(1, 4)), gradients.sine_of_turns(turns)
+
+
 @functools.lru_cache(maxsize=4096)  # a noise with derivatives asks several times
 def turned(g: tuple[Real, ...], phase: Real) -> tuple[Fraction, ...]:
     """The gradient g after `phase` turns."""
-    turns = Fraction(phase)
-    cosine, sine = gradients.sine_of_turns(turns + Fraction(1, 4)), gradients.sine_of_turns(turns)
+    cosine, sine = cosine_and_sine(phase)
     return tuple(cosine * Fraction(a) + sine * Fraction(b) for a, b in zip(g, quarter_turned(g)))
 
 
@@ -73,7 +78,12 @@ class Turn:
         return integers.signed(integers.part(a, self.cosine) + integers.part(b, self.sine))
 
 
+def fixed_cosine_and_sine(phase: Real) -> tuple[int, int]:
+    """In units of 2^-16."""
+    return integers.cosine_and_sine(angle(phase))
+
+
 @functools.cache
 def turn_of(phase: Real) -> Turn:
-    cosine, sine = integers.cosine_and_sine(angle(phase))
+    cosine, sine = fixed_cosine_and_sine(phase)
     return Turn(4 * cosine, 4 * sine)

@@ -6,7 +6,7 @@
 
 What they return is the value, and after it the derivatives along x, y, z, w of a noise that has them. A fixed value is
 in units of 2^-21, a fixed derivative in units of 2^-19. A module with other names of what it returns has OUTPUTS, one
-with other units UNITS. The gradients of a noise called ..._phase turn.
+with other units UNITS. The gradients of a noise called ..._phase turn, or its feature points do.
 """
 
 from __future__ import annotations
@@ -38,10 +38,11 @@ class Noise:
     units: tuple[int, ...] = UNITS
     phase: Real | None = None
     choice: Choice = Choice()  # of cellular noise
+    turns: bool = False  # whether it may have a phase
 
     def turned(self, phase: Real) -> Noise:
-        """The noise with its gradients turned."""
-        if self.phase is None:
+        """The noise with its gradients, or its feature points, turned."""
+        if not self.turns:
             raise ValueError(f"the gradients of {self.name} do not turn")
         return replace(self, phase=phase)
 
@@ -82,6 +83,6 @@ def names() -> list[str]:
 def find(name: str) -> Noise:
     if name not in names():
         raise LookupError(f"the oracle has no {name}: write tools/lib/oracle/noises/{name}.py from docs/contract.md")
-    module = importlib.import_module(f"{__name__}.{name}")
+    module, turns = importlib.import_module(f"{__name__}.{name}"), name.endswith(TURNING)
     return Noise(name, module.exact, module.fixed, getattr(module, "OUTPUTS", OUTPUTS), getattr(module, "UNITS", UNITS),
-                 Fraction(0) if name.endswith(TURNING) else None)
+                 Fraction(0) if turns else None, turns=turns)

@@ -1,0 +1,298 @@
+"""Tests of cellular_phase.py, and of what is said of the nearest point that moves: by hand, by naive searches of points
+that are turned in floats and in whole numbers, and by what a phase does."""
+
+from __future__ import annotations
+
+import itertools
+import math
+import unittest
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+from unittest import mock
+
+from golden.generator import INT_MAX, INT_MIN, generator_of, to_f32
+from golden.simplex_rows import PHASES
+from oracle import feature_points, gradients, noises
+from oracle.feature_points import Field, TooFar
+from oracle.gradients import Knobs
+from oracle.integers import UNIT, cosine_and_sine
+from oracle.lattice import Choice, Lattice
+from oracle.moving_points_test import LARGEST
+from oracle.nearest import NEAREST, OFFSET
+from oracle.noises import Noise
+from oracle.turning import angle
+
+LATTICE = Knobs("lattice")
+STILL, MOVING = noises.find("cellular"), noises.find("cellular_phase")
+NEARER = {2: 7 / 8, 3: 25 / 32}
+
+
+def at(noise: Noise, phase: float, jitter: float = 1.0) -> Noise:
+    return noise.chosen(Choice(jitter)).turned(phase)
+
+
+def samples(name: str, n: int, count: int = 24) -> Iterator[tuple[list[Fraction], int, float, float]]:
+    """Positions that fixed arithmetic does not cut, seeds, phases and jitters."""
+    numbers = generator_of(f"{name}{n}")
+    edges = [*PHASES, *LARGEST]
+    for index in range(count):
+        phase = edges[index // 2 % len(edges)] if index % 2 else numbers.uniform(-2, 2)
+        jitter = (1.0, numbers.integer(0, UNIT) / UNIT, 1.0, 0.0)[index % 4]
+        p = [Fraction(numbers.integer(-2**24, 2**24), UNIT) for _ in range(n)]
+        if index % 3 == 0:  # on a wall
+            p[index % n] = Fraction(round(p[index % n]))
+        yield p, numbers.word(), phase, jitter
+
+
+def direction(cell: Sequence[int], seed: int) -> tuple[float, ...]:
+    return (gradients.direction2 if len(cell) == 2 else gradients.direction3)(Lattice(LATTICE, seed).word(cell))
+
+
+def cells_around(p: Sequence[Fraction], around: int = 2) -> Iterator[tuple[int, ...]]:
+    for beside in itertools.product(range(-around, around + 1), repeat=len(p)):
+        yield tuple(math.floor(x) + o for x, o in zip(p, beside))
+
+
+def point(cell: Sequence[int], seed: int, phase: float, jitter: float) -> list[float]:
+    """In floats, from the text of the contract."""
+    a = 2 * math.pi * math.fmod(phase, 1)
+    u = list(direction(cell, seed))
+    if len(u) == 3:
+        u[1:] = u[1] * math.cos(a) - u[2] * math.sin(a), u[2] * math.cos(a) + u[1] * math.sin(a)
+    u[:2] = u[0] * math.cos(a) - u[1] * math.sin(a), u[0] * math.sin(a) + u[1] * math.cos(a)
+    return [c + 0.5 + NEARER[len(u)] * jitter / 2 * x for c, x in zip(cell, u)]
+
+
+def t(e: int, b: int) -> int:
+    """The contract's turned(e, b)."""
+    return ((e >> 8) * b >> 8) + ((e & 255) * b >> 16)
+
+
+def sines(phase: float) -> tuple[int, int, int, int, int]:
+    """C, S, CC, SS and SC."""
+    c, s = cosine_and_sine(angle(phase))
+    return c, s, (c >> 1) * c + 2**14 >> 15, (s >> 1) * s + 2**14 >> 15, (s >> 1) * c + 2**14 >> 15
+
+
+def fixed_offset(f: Sequence[int], o: Sequence[int], word: int, phase: float, jitter: float) -> list[int]:
+    """D, from the text of the contract, without a loop over the axes."""
+    c, s, cc, ss, sc = sines(phase)
+    whole = int(Fraction(jitter) * 2**20)
+    if len(f) == 2:
+        j = whole * 7 >> 3
+        ux, uy = (int(512 * x) for x in gradients.direction2(word))
+        ex, ey = f[0] - 2**19, f[1] - 2**19
+        return [t(ex, c) + t(ey, s) - 16 * o[0] * c - 16 * o[1] * s - (ux * j >> 10),
+                t(ex, -s) + t(ey, c) + 16 * o[0] * s - 16 * o[1] * c - (uy * j >> 10)]
+    j = whole * 25 >> 5
+    ux, uy, uz = (int(512 * x) for x in gradients.direction3(word))
+    ex, ey, ez = (x - 2**19 for x in f)
+    return [t(ex, c) + t(ey, s) - 16 * (o[0] * c + o[1] * s) - (ux * j >> 10),
+            t(ex, -sc) + t(ey, cc) + t(ez, s) - 16 * (o[1] * cc + o[2] * s - o[0] * sc) - (uy * j >> 10),
+            t(ex, ss) + t(ey, -sc) + t(ez, c) - 16 * (o[0] * ss - o[1] * sc + o[2] * c) - (uz * j >> 10)]
+
+
+def forwards(d: Sequence[int], phase: float) -> tuple[int, ...]:
+    """What stands in an offset, in units of -2^-20."""
+    c, s, cc, ss, sc = sines(phase)
+    if len(d) == 2:
+        x, y = d
+        return t(x, c) + t(y, -s), t(x, s) + t(y, c)
+    x, y, z = d
+    return t(x, c) + t(y, -sc) + t(z, ss), t(x, s) + t(y, cc) + t(z, -sc), t(y, s) + t(z, c)
+
+
+class ByHand(unittest.TestCase):
+    # u is (89, -423) / 512 in the plane: a = 2 * 300 - 511, and m = -(512 - 89).
+    WORD = 1 << 31 | 300 << 14
+
+    def offset(self, phase: float, jitter: float, o: tuple[int, ...], f: Sequence[int]) -> tuple[tuple, tuple]:
+        """From the point of the cell at o to a fraction in units of 2^-20, exactly and in fixed arithmetic."""
+        lattice = Lattice(LATTICE, phase=phase, choice=Choice(jitter))
+        exact = Field.exact(lattice, (0,) * len(f), [Fraction(x, UNIT) for x in f], 1)
+        fixed = Field.fixed(lattice, (0,) * len(f), f, 1)
+        with mock.patch.object(Lattice, "word", return_value=self.WORD):
+            return (tuple(Fraction(d, exact.arithmetic.unit) for d in exact.point(o).offset), fixed.point(o).offset)
+
+    def test_in_the_plane(self) -> None:
+        f = (2**17, 3 * 2**17)
+        # A quarter takes u to (423, 89) / 512; k j / 2 is 7 / 32.
+        exact, fixed = self.offset(0.25, 0.5, (1, -2), f)
+        self.assertEqual(exact, (Fraction(1, 8) - Fraction(3, 2) - Fraction(7 * 423, 32 * 512),
+                                 Fraction(3, 8) + Fraction(3, 2) - Fraction(7 * 89, 32 * 512)))
+        # E is (-3, -1) times 2^17, B takes (x, y) to (y, -x) times 65535 / 2^16, and J is 458752.
+        self.assertEqual(fixed, (-2**17 + 2 + 2 * 16 * 65535 - 89 * 448, 3 * 2**17 - 6 + 16 * 65535 + 423 * 448))
+
+    def test_in_space(self) -> None:
+        # p = q = 1 and m = 255, so that u is (2, 0, 510) / 512; a quarter takes it to (510, 2, 0).
+        with mock.patch.object(ByHand, "WORD", 128 << 23 | 128 << 15):
+            exact, fixed = self.offset(0.25, 1.0, (1, -1, 2), (2**17, 3 * 2**17, 2**19 + 2**10))
+        k = Fraction(25, 64 * 512)
+        self.assertEqual(exact, (Fraction(-11, 8) - 510 * k, Fraction(7, 8) - 2 * k, Fraction(1, 2**10) - 2))
+        # E is (-3 * 2^17, -2^17, 2^10), and the rows are (0, 65535, 0), (0, 0, 65535), (65533, 0, 0).
+        self.assertEqual(fixed, (-2**17 + 2 + 16 * 65535 - 2 * 800, 2**10 - 1 - 32 * 65535,
+                                 -3 * 2**17 + 18 - 16 * 65533 - 510 * 800))
+
+    def test_a_fifth_of_a_turn(self) -> None:
+        # The cosine of a fifth of a turn is (sqrt(5) - 1) / 4.
+        exact, fixed = self.offset(0.2, 1.0, (0, 0), (2**19, 2**19))
+        c = (math.sqrt(5) - 1) / 4
+        s = math.sqrt(1 - c * c)
+        for found, x in zip(exact, (89 * c + 423 * s, 89 * s - 423 * c)):
+            self.assertAlmostEqual(float(found), -7 / 16 / 512 * x, 14)
+        self.assertEqual(fixed, (-89 * 896, 423 * 896))
+
+
+class Naive(unittest.TestCase):
+    def test_distances_offsets_and_cells_in_floats(self) -> None:
+        for n in (2, 3):
+            for p, seed, phase, jitter in samples("floats", n, 32 if n == 2 else 12):
+                found = [([a - x for a, x in zip(point(cell, seed, phase, jitter), map(float, p))], cell)
+                         for cell in cells_around(p)]
+                (offset, cell), (second, _), *_ = sorted(found, key=lambda one: math.hypot(*one[0]))
+                distances = at(MOVING, phase, jitter).exact(LATTICE, p, seed)
+                for a, b in zip(distances, (math.hypot(*offset), math.hypot(*second)), strict=True):
+                    self.assertAlmostEqual(float(a), b, 12)
+                if distances[1] - distances[0] > 1e-9:
+                    self.assertEqual(at(NEAREST, phase, jitter).exact(LATTICE, p, seed), cell)
+                    for a, b in zip(at(OFFSET, phase, jitter).exact(LATTICE, p, seed), offset, strict=True):
+                        self.assertAlmostEqual(float(a), b, 12)
+
+    def test_all_of_fixed_arithmetic(self) -> None:
+        for n in (2, 3):
+            for p, seed, phase, jitter in samples("fixed", n, 60 if n == 2 else 20):
+                cell = [math.floor(x) for x in p]
+                f = [int((x - c) * UNIT) for x, c in zip(p, cell)]
+                found = []
+                for o in itertools.product(range(-2, 3), repeat=n):
+                    name = tuple(c + a for c, a in zip(cell, o))
+                    d = fixed_offset(f, o, Lattice(LATTICE, seed).word(name), phase, jitter)
+                    found.append((sum(x * x for x in d) >> 12, max(map(abs, o)) > 1, name[::-1], d))
+                (first, _, name, d), (second, *_), *_ = sorted(found)
+                self.assertEqual(at(MOVING, phase, jitter).fixed(LATTICE, p, seed),
+                                 tuple(Fraction(math.isqrt(rank << 8), 2**18) for rank in (first, second)))
+                self.assertEqual(at(NEAREST, phase, jitter).fixed(LATTICE, p, seed), name[::-1])
+                self.assertEqual(at(OFFSET, phase, jitter).fixed(LATTICE, p, seed),
+                                 tuple(Fraction(-a, UNIT) for a in forwards(d, phase)))
+
+
+class Phases(unittest.TestCase):
+    def test_without_a_turn_points_are_nearer_to_the_middle(self) -> None:
+        for n in (2, 3):
+            for p, seed, _, jitter in samples("zero", n, 8):
+                nearer = STILL.chosen(Choice(Fraction(jitter) * Fraction(NEARER[n])))
+                self.assertEqual(at(MOVING, 0.0, jitter).exact(LATTICE, p, seed), nearer.exact(LATTICE, p, seed))
+
+    def test_without_a_jitter_nothing_moves(self) -> None:
+        for n in (2, 3):
+            for p, seed, phase, _ in samples("no jitter", n, 12):
+                still = STILL.chosen(Choice(0.0)).exact(LATTICE, p, seed)
+                moving = at(MOVING, phase, 0.0)
+                self.assertEqual(moving.exact(LATTICE, p, seed), still)
+                for a, b in zip(moving.fixed(LATTICE, p, seed), still):
+                    self.assertLess(abs(a - b), 2**-12)
+
+    def test_whole_turns_change_nothing(self) -> None:
+        for n, phase in itertools.product((2, 3), (0.0, 0.375, -2.0**-20)):
+            p, whole = (Fraction(-2611, 1024), Fraction(5003, 1024), Fraction(777, 1024))[:n], 1 if phase >= 0 else -1
+            for noise, of in itertools.product((MOVING, NEAREST, OFFSET), ("exact", "fixed")):
+                found = [getattr(at(noise, phase + turns * whole), of)(LATTICE, p, 7) for turns in (0, 1, 3, 2**20)]
+                self.assertEqual(found, found[:1] * 4)
+
+    def test_phases_take_effect(self) -> None:
+        p = (Fraction(-2611, 1024), Fraction(5003, 1024), Fraction(777, 1024))
+        for n, of in itertools.product((2, 3), ("exact", "fixed")):
+            self.assertEqual(len({getattr(at(MOVING, i / 16), of)(LATTICE, p[:n], 7) for i in range(16)}), 16)
+
+    def test_points_go_on_ways_without_a_leap(self) -> None:
+        # A turn of 2^-16 moves a point by 2 pi 2^-16 times half of k at most, and in space by twice that.
+        for n in (2, 3):
+            for p, seed, phase, jitter in samples("ways", n, 16):
+                phase = math.fmod(phase, 1)
+                for a, b in zip(*(at(MOVING, Fraction(phase) + step, jitter).exact(LATTICE, p, seed)
+                                  for step in (0, Fraction(1, 2**16)))):
+                    self.assertLessEqual(abs(a - b), 2 * math.pi * NEARER[n] / 2 * (n - 1) / 2**16)
+
+    def test_the_metric_is_the_euclidean_one(self) -> None:
+        for noise, of in itertools.product((MOVING, NEAREST, OFFSET), ("exact", "fixed")):
+            found = {getattr(noise.chosen(Choice(0.75, metric)).turned(0.3), of)(LATTICE, (0.3, 0.9), 5)
+                     for metric in (1, 2, 3, 4, 5)}
+            self.assertEqual(len(found), 1)
+
+    def test_jitters_beyond_the_ends(self) -> None:
+        for of, (jitter, end) in itertools.product(("exact", "fixed"), ((-0.5, 0.0), (1.75, 1.0))):
+            self.assertEqual(*(getattr(at(MOVING, 0.3, x), of)(LATTICE, (0.25, 3.5), 7) for x in (jitter, end)))
+
+
+class FixedArithmetic(unittest.TestCase):
+    def test_is_near(self) -> None:
+        for n in (2, 3):
+            for p, seed, phase, jitter in samples("near", n):
+                exact, fixed = (getattr(at(MOVING, phase, jitter), of)(LATTICE, p, seed) for of in ("exact", "fixed"))
+                for a, b in zip(exact, fixed):
+                    self.assertLess(abs(a - b), 2**-12)
+                if exact[1] - exact[0] > 2**-11:
+                    self.assertEqual(*(getattr(at(NEAREST, phase, jitter), of)(LATTICE, p, seed)
+                                       for of in ("exact", "fixed")))
+                    for a, b in zip(*(getattr(at(OFFSET, phase, jitter), of)(LATTICE, p, seed)
+                                      for of in ("exact", "fixed"))):
+                        self.assertLess(abs(a - b), 2**-11)
+
+    def test_ties_are_those_of_the_contract(self) -> None:
+        # At a corner, without a jitter, points are equally far: that of the cell with the smallest z, y, x counts. In
+        # space the rounded B makes some axes longer than others, unless it turns by whole quarters.
+        for phase in (*PHASES, *LARGEST, to_f32(0.3)):
+            for p, cell in (((4.0, -6.0), (3, -7)), ((4.0, -6.0, 8.0), (3, -7, 7))):
+                self.assertEqual(at(NEAREST, phase, 0.0).exact(LATTICE, p), cell, phase)
+                if len(p) == 2 or phase * 4 % 1 == 0:
+                    self.assertEqual(at(NEAREST, phase, 0.0).fixed(LATTICE, p), cell, phase)
+
+    def test_names_at_the_ends_of_int(self) -> None:
+        noise = at(NEAREST, 0.3, 0.0)
+        for of in (noise.exact_cell, noise.fixed_cell):
+            self.assertEqual(of(LATTICE, (INT_MIN, 0), (0.125, 0.5)), (INT_MIN, 0))
+            self.assertEqual(of(LATTICE, (INT_MIN, 0), (0.0, 0.0), 0, (7, 0)), ((-2**31 - 1) % 7, -1))
+            self.assertEqual(of(LATTICE, (INT_MAX, -1), (0.875, 1.0)), (INT_MAX, -1))
+
+
+class Searches(unittest.TestCase):
+    def test_two_of_the_block_of_neighbours_are_nearest(self) -> None:
+        # That is what k is for: the library looks at no other cells.
+        for n, count in ((2, 160), (3, 24)):
+            numbers = generator_of(f"block{n}")
+            for index in range(count):
+                # Near a corner the nearest points may be farthest away.
+                p = [Fraction(numbers.integer(0, UNIT >> index % 2 * 3), UNIT) for _ in range(n)]
+                lattice = Lattice(LATTICE, numbers.word(), phase=numbers.uniform(-1, 1))
+                for field in (Field.exact(lattice, (0,) * n, p, 1),
+                              Field.fixed(lattice, (0,) * n, [int(x * UNIT) for x in p], 1)):
+                    found = sorted(field.point(beside).rank for beside in itertools.product((-1, 0, 1), repeat=n))
+                    self.assertEqual(found[:2], [point.rank for point in field.nearest(2)])
+
+    def test_a_larger_block_changes_nothing(self) -> None:
+        for n in (2, 3):
+            for p, seed, phase, jitter in samples("larger", n, 10 if n == 2 else 3):
+                noise = at(MOVING, phase, jitter)
+                found = noise.exact(LATTICE, p, seed), noise.fixed(LATTICE, p, seed)
+                with mock.patch.object(feature_points, "AROUND", 5):
+                    self.assertEqual((noise.exact(LATTICE, p, seed), noise.fixed(LATTICE, p, seed)), found)
+
+    def test_a_block_that_is_too_small_is_found(self) -> None:
+        for of in ("exact", "fixed"):
+            with mock.patch.object(feature_points, "AROUND", 0), self.assertRaises(TooFar):
+                getattr(at(MOVING, 0.3), of)(LATTICE, (0.0, 0.25), 1)
+
+    def test_a_search_that_takes_cells_for_too_far_is_found(self) -> None:
+        for arithmetic in (feature_points.MovingExact, feature_points.MovingFixed):
+            with mock.patch.object(arithmetic, "reach", 0), self.assertRaises(AssertionError):
+                self.test_two_of_the_block_of_neighbours_are_nearest()
+
+
+class Others(unittest.TestCase):
+    def test_still_noises_do_not_turn(self) -> None:
+        with self.assertRaisesRegex(ValueError, "cellular do not turn"):
+            STILL.turned(0.5)
+
+
+if __name__ == "__main__":
+    unittest.main()
