@@ -9,12 +9,11 @@ from typing import TypeVar
 
 from oracle.integers import SLOPE_UNIT, signed
 from oracle.lattice import Lattice
-from oracle.noises import Noise, simplex_d
+from oracle.noises import VECTOR, Noise, simplex_d
 from oracle.words import MASK, SEED_STEP, mix
 
 Number = TypeVar("Number", int, Fraction)
 
-OUTPUTS = ("vx", "vy", "vz")
 UNITS = (SLOPE_UNIT,) * 3
 COARSER = 8  # in space a component with HN_FIXED is in units of 2^-16
 
@@ -55,4 +54,4 @@ def fixed(lattice: Lattice, cell: Sequence[int], fraction: Sequence[int]) -> tup
     return tuple(fixed_component(a, b, i, j) for i, j in ((1, 2), (2, 0), (0, 1)))
 
 
-CURL = Noise("curl", exact, fixed, OUTPUTS, UNITS)
+CURL = Noise("curl", exact, fixed, VECTOR, UNITS)

@@ -17,17 +17,10 @@ from oracle.gradients import Knobs, Real
 from oracle.integers import NOISE_UNIT, SLOPE_UNIT, word
 from oracle.noises import Noise
 from oracle.sums import FixedPlace, Options, Place, Terms, clamped, fixed_at, turn
-from oracle.words import MASK, SEED_STEP, mix, signed as wrapped
+from oracle.words import signed as wrapped
 
 LARGEST_STRENGTH, LARGEST_AMPLITUDE = 16, 64
 LARGEST_SUM = 8  # of the slopes that an eroded sum looks at
-
-
-def seeds_of(seed: int, n: int) -> Iterator[int]:
-    """Those of the components of a vector of noises."""
-    for _ in range(n):
-        yield seed
-        seed = mix((seed + SEED_STEP) & MASK)
 
 
 # --- Exact -------------------------------------------------------------------------------------------------------
@@ -95,7 +88,7 @@ def eroded(noise: Noise, knobs: Knobs, place: Place, options: Options, seed: int
 def vector(noise: Noise, knobs: Knobs, octave: sums.Octave) -> Vector:
     """v_i."""
     q, periods, seed = octave
-    return [clamped(noise.exact(knobs, q, s, periods)[0], -1, 1) for s in seeds_of(seed, len(q))]
+    return [clamped(v, -1, 1) for v in noise.exact(knobs, q, seed, periods)]
 
 
 def shift_of(vectors: list[Vector], options: Options, n: int) -> tuple[Fraction, ...]:
@@ -270,9 +263,7 @@ def fixed_eroded(noise: Noise, knobs: Knobs, place: FixedPlace, options: Options
 
 
 def fixed_vector(noise: Noise, knobs: Knobs, octave: sums.FixedOctave) -> list[int]:
-    place, periods, seed = octave
-    values = [fixed_at(noise, knobs, (place, periods, s))[0] for s in seeds_of(seed, len(place))]
-    return [clamped_to(v, NOISE_UNIT) for v in values]
+    return [clamped_to(v, NOISE_UNIT) for v in fixed_at(noise, knobs, octave)]
 
 
 def fixed_amplitude(options: Options) -> int:
@@ -322,8 +313,8 @@ class Sum:
 
 
 SUMS = {"fbm_d": Sum("perlin_d", fbm_d, fixed_fbm_d, (NOISE_UNIT, *(SLOPE_UNIT,) * 3)),
-        "eroded": Sum("perlin_d", eroded, fixed_eroded), "warp": Sum("value", warp, fixed_warp),
-        "warp_progressive": Sum("value", warp_progressive, fixed_warp_progressive)}
+        "eroded": Sum("perlin_d", eroded, fixed_eroded), "warp": Sum("value_vector", warp, fixed_warp),
+        "warp_progressive": Sum("value_vector", warp_progressive, fixed_warp_progressive)}
 
 
 def exact(name: str, noise: Noise, knobs: Knobs, place: Place, options: Options, seed: int = 0,

@@ -16,11 +16,11 @@ from oracle.gradients import Knobs, Real
 from oracle.integers import NOISE_UNIT, signed
 from oracle.noises import Noise
 from oracle.sums import Options, in_cell
-from oracle.words import MASK, SEED_STEP, mix
+from oracle.words import MASK, SEED_STEP
 
 LATTICE = Knobs("lattice")
 ONE = 2**18
-PERLIN, SLOPES, VALUE = map(noises.find, ("perlin", "perlin_d", "value"))
+PERLIN, SLOPES, VECTOR = map(noises.find, ("perlin", "perlin_d", "value_vector"))
 
 
 def exact(name: str, p: Sequence[Real], options: Options, seed: int = 0,
@@ -35,8 +35,8 @@ def fixed(name: str, p: Sequence[Real], options: Options, seed: int = 0,
     return frames.fixed(name, noise, LATTICE, sums.fixed_at_position(p), options, seed, periods)
 
 
-def value_at(p: Sequence[Real], seed: int, periods: Sequence[int] = ()) -> Fraction:
-    return VALUE.exact(LATTICE, p, seed, periods)[0]
+def vector_at(p: Sequence[Real], seed: int, periods: Sequence[int] = ()) -> tuple[Fraction, ...]:
+    return VECTOR.exact(LATTICE, p, seed, periods)
 
 
 def somewhere(n: int, numbers: Generator) -> list[Fraction]:
@@ -171,7 +171,7 @@ class LargestNumbers(unittest.TestCase):
             vectors = [max(([x * 2**21 for x in end] for end in ends), key=lambda v: frame.times(v)[axis])
                        for frame in found]
             with mock.patch.object(frames, "fixed_vector", side_effect=vectors):
-                frames.fixed_warp_progressive(VALUE, LATTICE, place, options, 0, periods)
+                frames.fixed_warp_progressive(VECTOR, LATTICE, place, options, 0, periods)
 
     def test_in_the_domain_nothing_wraps(self) -> None:
         with mock.patch.object(frames, "wrapped", signed):
@@ -330,24 +330,22 @@ class Eroded(unittest.TestCase):
 
 
 class Warps(unittest.TestCase):
-    def test_seeds(self) -> None:
-        second = mix(7 + 0x9E3779B9)
-        self.assertEqual(list(frames.seeds_of(7, 3)), [7, second, mix(second + 0x9E3779B9 & MASK)])
-        self.assertEqual(list(frames.seeds_of(0xFFFFFFFF, 2)), [0xFFFFFFFF, mix(0x9E3779B8)])
-
     def test_one_octave_by_hand(self) -> None:
         for p, seed, periods in cases("one octave"):
-            values = [value_at(p, s, periods) for s in frames.seeds_of(seed, len(p))]
+            values = VECTOR.exact(LATTICE, p, seed, periods)
+            self.assertEqual(values[:1], noises.find("value").exact(LATTICE, p, seed, periods))
             for name in ("warp", "warp_progressive"):
                 self.assertEqual(exact(name, p, Options(1, 2.0, 0.5, amplitude=2.5), seed, periods),
                                  tuple(Fraction(5, 2) * v for v in values))
+                self.assertEqual(fixed(name, p, Options(1, 2.0, 0.5, amplitude=2.0), seed, periods),
+                                 tuple(2 * v for v in VECTOR.fixed(LATTICE, p, seed, periods)))
 
     def test_two_octaves_by_hand(self) -> None:
         # 1.5 times as far at half the weight: a weight of 2/3 and of 1/3, a frame of 3/4 of the turn for what follows.
         for p, seed, periods in cases("two octaves", 2):
             n, options = len(p), Options(2, 1.5, 0.5, amplitude=1.25)
             q = list(p)
-            first = [value_at(q, s, periods) for s in frames.seeds_of(seed, n)]
+            first = vector_at(q, seed, periods)
             factor, moved = (1 if periods else Fraction(3, 2)), [x + Fraction(5, 6) * v for x, v in zip(q, first)]
             for name, at in (("warp", q), ("warp_progressive", moved)):
                 following = [factor * x for x in at]
@@ -358,7 +356,7 @@ class Warps(unittest.TestCase):
                         y = following.pop()
                         following += [(29 * y - 13 * z[0]) / 32, (13 * y + 29 * z[0]) / 32]
                 following = [x + Fraction(shift, 32) for x, shift in zip(following, (11, 19, 23))]
-                second = [value_at(following, s, periods) for s in frames.seeds_of(seed + 0x9E3779B9 & MASK, n)]
+                second = vector_at(following, seed + 0x9E3779B9 & MASK, periods)
                 for a, b, found in zip(first, second, exact(name, p, options, seed, periods)):
                     self.assertLess(abs(Fraction(5, 4) * (2 * a + b) / 3 - found), 2**-200)
 
@@ -366,8 +364,8 @@ class Warps(unittest.TestCase):
         """The position of the last octave is that of the position moved by what the sums before it have come to."""
         for p, seed, periods in cases("moves", 2):
             options = Options(3, 2.0, 0.5, amplitude=0.75)
-            octaves = [octave for octave, _ in frames.progressive_octaves(VALUE, LATTICE, p, options, seed, periods)]
-            vectors = [v for _, v in frames.progressive_octaves(VALUE, LATTICE, p, options, seed, periods)]
+            octaves = [octave for octave, _ in frames.progressive_octaves(VECTOR, LATTICE, p, options, seed, periods)]
+            vectors = [v for _, v in frames.progressive_octaves(VECTOR, LATTICE, p, options, seed, periods)]
             frame = list(itertools.islice(frames.frames_of(len(p), options, periods), 2))
             # In cells of the first octave, the second moves by as much as its frame and its gain say: the turn back of
             # what it moves, over the lacunarity.
@@ -410,7 +408,7 @@ class Warps(unittest.TestCase):
                     self.assertNotEqual([float(x) for x in exact("warp_progressive", *arguments)], found)
 
     def test_a_larger_noise(self) -> None:
-        noise = Noise("large", lambda *_: (Fraction(-3, 2),), lambda *_: (-3 * 2**20,))
+        noise = Noise("large", lambda *_: (Fraction(-3, 2),) * 2, lambda *_: (-3 * 2**20,) * 2)
         for name in ("warp", "warp_progressive"):
             options = Options(2, 2.0, 0.5, amplitude=3.0)
             self.assertEqual(frames.exact(name, noise, LATTICE, in_cell((0, 0), (0, 0)), options), (-3, -3))
@@ -428,7 +426,7 @@ class Warps(unittest.TestCase):
         # The mean of a single octave is that octave, and prod rounds down.
         for v, amplitude, component in ((700001, 1.0, 700001), (-700001, 0.5, -350001), (700001, 0.5, 350000),
                                         (2**21, 64.0, 2**27), (1 - 2**21, 63.75, -1044479 * 128)):
-            noise = Noise("alike", None, lambda *_: (v,))
+            noise = Noise("alike", None, lambda *_: (v, v))
             found = frames.fixed("warp", noise, LATTICE, [(0, 0)] * 2, Options(1, 2.0, 0.5, amplitude=amplitude))
             self.assertEqual(found, (Fraction(component, NOISE_UNIT),) * 2, (v, amplitude))
 

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from oracle import gradients, integers, ramps, turning
 from oracle.gradients import Knobs, Real
 from oracle.ramps import WHOLE, Lengthening
-from oracle.words import lattice, point_word
+from oracle.words import component_word, lattice, point_word
 
 EUCLIDEAN = 1  # HN_METRIC_EUCLIDEAN
 
@@ -33,6 +33,7 @@ class Lattice:
     periods: tuple[int, ...] = ()  # one for each axis, 0 and less for none; or empty, for none at all
     phase: Real | None = None  # by which octahedral gradients are turned, and feature points go round
     choice: Choice = Choice()
+    component: int = 0  # of a vector, whose noises have words of their own (section 22)
 
     def point(self, corner: Sequence[int]) -> list[int]:
         """What is hashed for a corner of a cell."""
@@ -47,7 +48,7 @@ class Lattice:
 
     def word(self, corner: Sequence[int], centre: bool = False) -> int:
         """Of a corner, or of the centre of the cell of which it is the first corner."""
-        return point_word(self.knobs.hash, self.point(corner), self.seed, centre)
+        return component_word(point_word(self.knobs.hash, self.point(corner), self.seed, centre), self.component)
 
     def hash(self, corner: Sequence[int]) -> int:
         """hn_lattice of a corner."""

@@ -64,8 +64,8 @@ def with_each_metric(noise: Noise) -> list[Noise]:
 
 
 def values_of(noise: Noise, numbers: Sequence[Fraction]) -> Sequence[Fraction]:
-    """The value, or each distance, without derivatives."""
-    return numbers if is_cellular(noise) else numbers[:1]
+    """The value, each distance, or each component, without derivatives."""
+    return numbers if is_cellular(noise) or noise.outputs == noises.VECTOR else numbers[:1]
 
 
 def points(bounds: Bounds, numbers: Generator, count: int = POINTS) -> Iterator[tuple[list[Fraction], int]]:

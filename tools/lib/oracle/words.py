@@ -1,4 +1,5 @@
-"""Sections 2 and 3 of docs/contract.md: hashes of words, and of lattice points; and the published ones of section 18.
+"""Sections 2 and 3 of docs/contract.md: hashes of words, and of lattice points; the published ones of section 18;
+and the words of vectors of section 22.
 
 All values are words: Python integers masked to 32 bits. A `name` is that of a hash.
 """
@@ -231,3 +232,14 @@ def pcg4d(x: int, y: int, z: int, w: int) -> tuple[int, int, int, int]:
 
     x, y, z, w = products(congruential(x), congruential(y), congruential(z), congruential(w))
     return products(x ^ x >> 16, y ^ y >> 16, z ^ z >> 16, w ^ w >> 16)
+
+
+# --- Section 22: further words of a lattice point ------------------------------------------------------------------
+
+# Of the components of a vector after the first.
+COMPONENT_FACTORS = (0x9E3779, 0x85EBCB)
+
+
+def component_word(word: int, component: int) -> int:
+    """What stands in place of the word of a lattice point for a component of a vector, which is 0 for x."""
+    return (word >> 8) * COMPONENT_FACTORS[component - 1] & MASK if component else word

@@ -298,3 +298,11 @@ class NearTheOrigin(unittest.TestCase):
     def test_origin_is_not_zero(self) -> None:
         for name, n in itertools.product(words.HASHES, (1, 2, 3, 4)):
             self.assertNotEqual(words.lattice(name, (0,) * n, 0), 0, (name, n))
+
+
+class Components(unittest.TestCase):
+    def test_by_hand(self) -> None:
+        # The high bits of the last are -1, but for those that are shifted out: 0x79000000 - 0x9E3779.
+        for word, y, z in ((0, 0, 0), (0xFF, 0, 0), (0x100, 0x9E3779, 0x85EBCB), (0x3FF, 3 * 0x9E3779, 3 * 0x85EBCB),
+                           (0x01000000, 0x37790000, 0xEBCB0000), (words.MASK, 0x7861C887, 0xCA7A1435)):
+            self.assertEqual([words.component_word(word, i) for i in range(3)], [word, y, z], hex(word))

@@ -1,7 +1,7 @@
 """The noises. Each is a module of this package, under its name, with its two definitions side by side:
 
-    exact(lattice, cell, f) -> tuple[Fraction, ...]         sections 6, 9 to 11, 13, 14 and 16 of docs/contract.md; f
-                                                            are fractions
+    exact(lattice, cell, f) -> tuple[Fraction, ...]         sections 6, 9 to 11, 13, 14, 16 and 22 of docs/contract.md;
+                                                            f are fractions
     fixed(lattice, cell, fraction) -> tuple[int, ...]       with HN_FIXED; fractions in units of 2^-20
 
 What they return is the value, and after it the derivatives along x, y, z, w of a noise that has them. A fixed value is
@@ -25,6 +25,7 @@ from oracle.lattice import Choice, Lattice
 
 OUTPUTS = ("value", "dx", "dy", "dz", "dw")
 UNITS = (NOISE_UNIT, *(SLOPE_UNIT,) * 4)
+VECTOR = ("vx", "vy", "vz")  # the outputs of what returns a vector
 TURNING = "_phase"
 
 

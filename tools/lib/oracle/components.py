@@ -1,0 +1,28 @@
+"""Section 22 of docs/contract.md: vectors whose components are noises of one hash."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from fractions import Fraction
+from typing import TypeVar
+
+from oracle.integers import NOISE_UNIT
+from oracle.lattice import Lattice
+
+DIMENSIONS = (2, 3)
+UNITS = (NOISE_UNIT,) * 3
+
+Number = TypeVar("Number", int, Fraction)
+InCell = Callable[[Lattice, Sequence[int], Sequence[Number]], tuple[Number, ...]]
+
+
+def vector(noise: InCell[Number]) -> InCell[Number]:
+    """Of a noise, exact or in fixed arithmetic, that returns one number: one for each axis."""
+    def components(lattice: Lattice, cell: Sequence[int], f: Sequence[Number]) -> tuple[Number, ...]:
+        if len(cell) not in DIMENSIONS:
+            raise ValueError(f"vectors of noises are in two and three dimensions, not in {len(cell)}D")
+        found = [noise(replace(lattice, component=i), cell, f) for i in range(len(cell))]
+        return tuple(value for value, in found)
+
+    return components
