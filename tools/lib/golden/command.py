@@ -1,6 +1,6 @@
 """Writes or checks the golden files: inputs, and what the oracle says comes out.
 
-    tools/golden [--out DIR] [--check [--sample N]]
+    tools/golden [--out DIR] [--only NAMES] [--check [--sample N]]
 
 Each file is <function>.golden (docs/formats.md). The functions are those of functions.inc, the settings those of
 configurations.inc; "any" where the function depends on no knob. A value that is not exact in a float32 is the double
@@ -14,6 +14,9 @@ With --sample the oracle computes N rows of each file, with every setting, and N
 has; the heads and the inputs of all rows are compared as ever. Which rows they are follows from the text of the oracle
 and of the contract, so that whoever changes one of these asks other rows than before.
 
+With --only the files are those of the functions whose names the pattern matches, such as 'warp.*'; all others stay as
+they are, and are not looked at. It may be given several times.
+
 Exit status: 0 written, or all is as the oracle says; 1 something is not; 2 bad usage, or a table that is wrong.
 """
 
@@ -25,6 +28,7 @@ import itertools
 import sys
 from collections.abc import Sequence
 from concurrent.futures import ProcessPoolExecutor
+from fnmatch import fnmatchcase
 from functools import partial
 from pathlib import Path
 
@@ -35,9 +39,11 @@ from tables.inc import TableError
 from tree import CONFIGURATIONS, FUNCTIONS, GOLDEN, ROOT, TOOLS
 
 
-def generate(directory: Path | None = None, sample: Sample | None = None) -> dict[str, str]:
-    """All golden files: the text by the file name. What a sample leaves out is as the file in the directory has it."""
-    files = golden_files(read_functions(), read_configurations())
+def generate(directory: Path | None = None, sample: Sample | None = None, only: Sequence[str] = ()) -> dict[str, str]:
+    """The golden files, all or those whose functions a pattern matches: the text by the file name. What a sample leaves
+    out is as the file in the directory has it."""
+    files = [file for file in golden_files(read_functions(), read_configurations())
+             if not only or any(fnmatchcase(file.function.id, pattern) for pattern in only)]
     with ProcessPoolExecutor() as pool:
         return dict(zip((file.name for file in files), pool.map(partial(generated, directory, sample), files)))
 
@@ -63,10 +69,10 @@ def stale(directory: Path, files: dict[str, str], ending: str = "golden") -> lis
     return sorted(path.name for path in directory.glob(f"*.{ending}") if path.name not in files)
 
 
-def write(directory: Path, files: dict[str, str], ending: str = "golden") -> None:
-    """Makes the golden files of the directory be `files`."""
+def write(directory: Path, files: dict[str, str], ending: str = "golden", all_of_them: bool = True) -> None:
+    """Makes the golden files of the directory be `files`, or have `files` among them."""
     directory.mkdir(parents=True, exist_ok=True)
-    for name in stale(directory, files, ending):
+    for name in stale(directory, files, ending) if all_of_them else ():
         (directory / name).unlink()
     for name, text in files.items():
         (directory / name).write_bytes(text.encode("ascii"))
@@ -79,8 +85,9 @@ def first_difference(expected: str, found: str) -> str:
     return f"line {number}: expected {pair[0]!r}, found {pair[1]!r}"
 
 
-def differences(directory: Path, files: dict[str, str], ending: str = "golden") -> list[str]:
-    """What is wrong with the golden files in the directory, one message per file."""
+def differences(directory: Path, files: dict[str, str], ending: str = "golden", all_of_them: bool = True) -> list[str]:
+    """What is wrong with the golden files in the directory, which should have no others if these are all; one message
+    per file."""
     messages = []
     for name, text in sorted(files.items()):
         path = directory / name
@@ -89,12 +96,14 @@ def differences(directory: Path, files: dict[str, str], ending: str = "golden") 
         elif (found := path.read_bytes()) != text.encode("ascii"):
             # latin-1 shows any byte, and keeps different bytes different.
             messages.append(f"{name}: differs, {first_difference(text, found.decode('latin-1'))}")
-    return messages + [f"{name}: extra" for name in stale(directory, files, ending)]
+    return messages + [f"{name}: extra" for name in (stale(directory, files, ending) if all_of_them else ())]
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     parser = argparse.ArgumentParser(prog="golden", description="Writes or checks the golden files.")
     parser.add_argument("--out", type=Path, default=GOLDEN, metavar="DIR", help=f"default: {GOLDEN}")
+    parser.add_argument("--only", action="append", default=[], metavar="NAMES",
+                        help="only functions whose names this pattern matches, such as 'warp.*'")
     parser.add_argument("--check", action="store_true", help="compare with DIR instead of writing")
     parser.add_argument("--sample", type=int, metavar="N", help="compute so many rows of each file, with --check")
     options = parser.parse_args(arguments)
@@ -102,15 +111,17 @@ def main(arguments: Sequence[str] | None = None) -> int:
         parser.error("--sample wants a positive number, and --check")
     sample = Sample(options.sample, salt()) if options.sample else None
     try:
-        files = generate(options.out, sample) if sample else generate()
+        files = generate(options.out if sample else None, sample, options.only)
     except TableError as error:
         print(error, file=sys.stderr)
         return 2
+    if not files:
+        parser.error(f"no function has such a name: {' '.join(options.only)}")
     if not options.check:
-        write(options.out, files)
+        write(options.out, files, all_of_them=not options.only)
         print(f"{len(files)} golden files written to {options.out}")
         return 0
-    messages = differences(options.out, files)
+    messages = differences(options.out, files, all_of_them=not options.only)
     what = f"{options.sample} rows and more of each of {len(files)}" if sample else f"{len(files)}"
     print("\n".join(messages) if messages else f"{what} golden files are as the oracle says")
     return 1 if messages else 0

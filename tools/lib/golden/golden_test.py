@@ -714,6 +714,20 @@ class GoldenCheck(unittest.TestCase):
         self.assertEqual({path.name for path in self.directory.iterdir()}, {*self.files, "README.md"})
         self.assertEqual(self.run_main("--check")[0], 0)
 
+    def test_only_some_files(self) -> None:
+        # Of one file that is missing, one that is wrong, and one that is extra, each command sees what it is asked for.
+        (self.directory / "hash.old.golden").write_text("")
+        (self.directory / "hash.unorm.golden").write_text("")
+        (self.directory / "hash.snorm.golden").unlink()
+        self.assertEqual(self.run_main("--check", "--only", "hash.gradient[34]")[0], 0)
+        self.assertEqual(self.run_main("--check", "--only", "*.snorm", "--only", "hash.gradient*"),
+                         (1, "hash.snorm.golden: missing\n"))
+        self.assertEqual(self.run_main("--only", "*.snorm")[1], f"1 golden files written to {self.directory}\n")
+        self.assertEqual((self.directory / "hash.snorm.golden").read_text(), self.files["hash.snorm.golden"])
+        self.assertEqual([(self.directory / f"hash.{name}.golden").read_text() for name in ("old", "unorm")], ["", ""])
+        with contextlib.redirect_stderr(io.StringIO()), self.assertRaises(SystemExit):
+            self.run_main("--only", "hash.no_such*")
+
     def test_bad_usage(self) -> None:
         with contextlib.redirect_stderr(io.StringIO()), self.assertRaises(SystemExit) as exit_:
             golden.main(["--chekc"])
