@@ -1,4 +1,5 @@
-"""The inputs of cellular noise: jitters and metrics, and positions on walls, at corners and in the middle of cells.
+"""The inputs of cellular noise: phases, jitters and metrics, and positions on walls, at corners and in the middle of
+cells.
 
 What is said of the nearest point jumps where another becomes the nearest. Floats may say either there, so such a
 function has no such positions, but for fixed arithmetic: that has some where points are equally near, and pairs of
@@ -7,6 +8,7 @@ positions between which the nearest point changes.
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 
@@ -14,7 +16,7 @@ from golden import simplex_rows
 from golden.generator import INT_MAX, INT_MIN, Generator, Row, to_f32
 from golden.period_rows import near_seam
 from oracle import noises
-from oracle.functions import knobs_of, values_of
+from oracle.functions import Evaluate, knobs_of, values_of
 from oracle.gradients import Knobs
 from oracle.nearest import NEAREST
 from tables.configurations import Configuration
@@ -25,7 +27,8 @@ FINE = 2**20  # fractions are multiples of 2^-20, which fixed arithmetic does no
 CLEAR = Fraction(1, 2**10)  # what the nearest point is nearer than the second, where it matters
 # The knobs with which that is so, by family. They may be more than have values: then rows stay as they are.
 HASHES = {"cellular": (Knobs("pcg"), Knobs("lattice")), "further_cellular": (Knobs("lattice"),)}
-SPECIAL, TIES, CHANGES = 36, 16, 12  # how many
+KINDS = 9  # of fractions
+SPECIAL, TIES, CHANGES = 4 * KINDS, 16, 12  # how many
 # With the Manhattan metric a point two cells away is as near as the nearest ones of the neighbours: those count.
 FAR_TIE = (1760080, 0, 0.75, 0.0, 2, 48, 1.0, 3, 2020091907)
 
@@ -57,6 +60,20 @@ def phases(function: Function, index: int, generator: Generator) -> tuple[float,
     return (simplex_rows.phase(index, generator),) if function.has_phase else ()
 
 
+# Quarters of a turn, and phases beside them: with these, and a few others, a sine or a cosine in fixed arithmetic is 1
+# or -1, and the product of two of them does not fit a signed integer before it is divided.
+TURNS = (0.0, 0.25, 0.5, -0.25, 2.0**-17, 0.25 - 2.0**-17, 0.5 + 2.0**-17, -0.25 - 2.0**-17)
+
+
+def turns(function: Function, generator: Generator) -> list[Row]:
+    """Rows of points that move: with each of these phases a position in each kind of place."""
+    rows = []
+    for phase, kind in itertools.product(TURNS if function.has_phase else (), range(KINDS)):
+        *row, seed = placed(function, fraction(kind, function.axes, generator), generator)
+        rows.append((*row, phase, generator.pick((1.0, 1.0, 1.0, 0.0, generator.uniform(0, 1))), seed))
+    return rows
+
+
 # --- Positions --------------------------------------------------------------------------------------------------
 
 
@@ -64,23 +81,24 @@ def fraction(kind: int, n: int, generator: Generator) -> tuple[float, ...]:
     """A fraction in a cell, ..."""
     f = [generator.integer(0, FINE - 1) / FINE for _ in range(n)]
     first, second = generator.pick([(i, j) for i in range(n) for j in range(n) if i != j])
-    if kind % 9 == 0:    # on a wall
+    kind %= KINDS
+    if kind == 0:    # on a wall
         f[first] = 0.0
-    elif kind % 9 == 1:  # right beside one
+    elif kind == 1:  # right beside one
         f[first] = generator.pick((1 / FINE, 1 - 1 / FINE))
-    elif kind % 9 == 2:  # in the middle along an axis
+    elif kind == 2:  # in the middle along an axis
         f[first] = 0.5
-    elif kind % 9 == 3:  # at the same offset along two axes
+    elif kind == 3:  # at the same offset along two axes
         f[first] = f[second]
-    elif kind % 9 == 4:  # at opposite ones
+    elif kind == 4:  # at opposite ones
         f[first] = (1 - f[second]) % 1
-    elif kind % 9 == 5:  # at a corner
+    elif kind == 5:  # at a corner
         f = [0.0] * n
-    elif kind % 9 == 6:  # in the middle
+    elif kind == 6:  # in the middle
         f = [0.5] * n
-    elif kind % 9 == 7:  # in the middle of a wall, in space or of an edge
+    elif kind == 7:  # in the middle of a wall, in space or of an edge
         f = [generator.pick((0.0, 0.5)) for _ in range(n)]
-    else:                # on two walls
+    else:            # on two walls
         f[first] = f[second] = 0.0
     return tuple(f)
 
@@ -154,9 +172,13 @@ def jumps(function: Function) -> bool:
     return bool(function.sets) or "dx:" in function.outputs
 
 
+def distances_of(function: Function, fixed: bool) -> Evaluate:
+    """The two of the points of which the function says something."""
+    return values_of(noises.find("cellular_phase" if function.has_phase else "cellular"), function, fixed)
+
+
 def is_clear(function: Function, knobs: Knobs, row: Row) -> bool:
-    first, second = values_of(noises.find("cellular_phase" if function.has_phase else "cellular"), function, False)(
-        knobs, row)
+    first, second = distances_of(function, False)(knobs, row)
     return second - first >= CLEAR
 
 

@@ -23,7 +23,7 @@ from golden import cellular_rows, period_rows, simplex_rows, sum_rows
 from golden.files import Digest, GoldenFile, Sample, Values, golden_files, line
 from golden.generator import INT_MAX, INT_MIN, fnv1a64, generator_of, to_f32
 from golden_values import Golden, ids
-from oracle import feature_points, frames, gradients, kernels, noises, sums, words
+from oracle import feature_points, frames, gradients, kernels, noises, sums, turning, words
 from oracle.functions import knobs_of, values_of
 from oracle.gradients import Knobs
 from oracle.integers import signed
@@ -215,11 +215,29 @@ class GoldenContents(unittest.TestCase):
     def test_phases_reach_every_case(self) -> None:
         for n, name, form in itertools.product((2, 3), ("perlin", "perlin_d", "simplex", "simplex_d"),
                                                ("", "_cell", "_cell_period")):
-            rows = rows_with(f"noise{n}d.{name}_phase{form}")
-            found = [row[-2] for row in rows]
-            self.assertTrue(set(simplex_rows.PHASES) <= set(found))
-            self.assertTrue(any(math.copysign(1, phase) < 0 for phase in found if phase == 0))
-            self.assertGreater(len(set(found)), len(found) / 3)
+            self.check_phases(f"noise{n}d.{name}_phase{form}", -2)
+        for n, form in itertools.product((2, 3), ("", "_cell_full")):
+            self.check_phases(f"noise{n}d.cellular_phase{form}", -3)
+
+    def check_phases(self, id: str, column: int) -> None:
+        found = [row[column] for row in rows_with(id)]
+        self.assertTrue(set(simplex_rows.PHASES) <= set(found))
+        self.assertTrue(any(math.copysign(1, phase) < 0 for phase in found if phase == 0))
+        self.assertGreater(len(set(found)), len(found) / 3)
+
+    def test_points_that_move_are_in_every_kind_of_place(self) -> None:
+        for n in (2, 3):
+            places: dict[float, list[tuple]] = {}
+            for row in rows_with(f"noise{n}d.cellular_phase_cell_full", "lattice"):
+                if row[-2] == 1:  # where a jitter moves points farthest
+                    places.setdefault(row[-3], []).append(row[n:2 * n])
+            for phase in (0.0, 0.25, 0.5, -0.25):
+                for at in (0.0, 0.5):
+                    self.assertTrue(any(at in f for f in places[phase]), (n, phase))
+            # Of those beside quarters the sines and the cosines are 1 and -1.
+            found = [turning.fixed_cosine_and_sine(phase) for phase in places]
+            for numbers in zip(*found):
+                self.assertTrue({2**16, -2**16} <= set(numbers), n)
 
     def test_simplex_rows_reach_every_plane(self) -> None:
         for n, name in ((2, "simplex"), (2, "simplex_phase"), (3, "simplex_smooth"), (4, "simplex_d")):
@@ -339,7 +357,7 @@ class GoldenContents(unittest.TestCase):
     @in_thorough_runs
     def test_the_nearest_point_is_clear_where_it_matters(self) -> None:
         jumping = [function for function in CELLULAR if cellular_rows.jumps(function)]
-        self.assertEqual(len(jumping), 2 * (3 + 6 + 2))
+        self.assertEqual(len(jumping), 2 * (3 + 6 + 2 + 2))
         for function in jumping:
             rows = rows_with(function.id, "lattice")
             hashes = [setting.name for setting in SETTINGS if setting.covers(function) and not setting.fixed]
@@ -356,7 +374,7 @@ class GoldenContents(unittest.TestCase):
             if not cellular_rows.jumps(function):
                 continue
             rows = rows_with(function.id, "lattice+fixed")
-            distances = values_of(noises.find("cellular"), function, True)
+            distances = cellular_rows.distances_of(function, True)
             nearest = values_of(NEAREST, function, True)
             if function.has_jitter:
                 equal = sum(first == second for first, second in (distances(knobs, row) for row in rows))
@@ -482,7 +500,8 @@ class GoldenContents(unittest.TestCase):
         options, place, periods = self.of_row(function, row)
         if function.bound != "warp_progressive":
             return [q for q, *_ in sums.octaves_of(place, options, 0, periods)]
-        octaves = frames.progressive_octaves(noises.find("value"), Knobs("lattice"), place, options, row[-1], periods)
+        noise = noises.find(frames.SUMS[function.bound].noise)
+        octaves = frames.progressive_octaves(noise, Knobs("lattice"), place, options, row[-1], periods)
         return [q for (q, *_), _ in octaves]
 
     def test_frames_keep_to_what_their_bounds_are_for(self) -> None:

@@ -284,6 +284,7 @@ def plain_rows(function: Function, settings: Sequence[Configuration], generator:
         rows += of_simplex[form](n, generator)
     if function.family in cellular_rows.FAMILIES:
         rows = cellular_rows.with_choices(rows + cellular_rows.special(function, generator), function, generator)
+        rows += cellular_rows.turns(function, generator)
         rows += cellular_rows.far_borders(function)
         if cellular_rows.jumps(function):
             rows = list(cellular_rows.cleared(rows, function, generator))
