@@ -6,6 +6,7 @@
 #include "bake/planes.hpp"
 #include "bake/tests/options_fixture.hpp"
 #include "base/file.hpp"
+#include "grid/functions.hpp"
 
 namespace hn {
 namespace {
