@@ -146,22 +146,24 @@ class Fixed(unittest.TestCase):
         """As a fault of the library would be."""
         def transposed(frame, g):
             return shift_through(frame, g)
-        shift_through = frames_model.shift_through
+        def same(cells, seed):
+            return words_of_components(cells, seed)[:1] * len(cells)
+        shift_through, words_of_components = frames_model.shift_through, frames_model.words_of_components
         for name, fault, kind in (
                 ("slopes_through", transposed, "fbm_d"), ("coarse", lambda v: v & ~1023, "fbm_d"),
                 ("factor_of_fall", lambda fall, strength: 2**18, "eroded"),
-                ("seeds", lambda seed, dims: [np.int64(seed)] * dims, "warp"),
+                ("words_of_components", same, "warp"),
                 ("turned_frame", lambda rows: [np.array(row) for row in rows], "warp_progressive")):
-            # The exact model has the seeds of its own name.
+            # The exact model has the words of its own name.
             own = frames_model.exact_sum
             with mock.patch.object(frames_model, name, fault), self.assertRaises(AssertionError), \
-                    mock.patch.object(frames_model, "exact_sum", self.with_seeds(own)):
+                    mock.patch.object(frames_model, "exact_sum", self.with_words(own)):
                 self.check(kinds=(kind,), octaves=4, lacunarity=2.0, gain=0.5, strength=1.0, amplitude=1.0, draws=1)
 
     @staticmethod
-    def with_seeds(exact_sum, seeds=frames_model.seeds):
+    def with_words(exact_sum, words=frames_model.words_of_components):
         def exactly(s, p):
-            with mock.patch.object(frames_model, "seeds", seeds):
+            with mock.patch.object(frames_model, "words_of_components", words):
                 return exact_sum(s, p)
         return exactly
 

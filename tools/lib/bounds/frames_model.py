@@ -1,5 +1,5 @@
 """Octave sums with slopes, and warps, on arrays with LATTICE: exactly in doubles, and in integers that wrap as the
-contract says. Written from docs/contract.md, sections 7 and 8, for bounds_frames_test.py.
+contract says. Written from docs/contract.md, sections 7, 8 and 22, for bounds_frames_test.py.
 
 A sum is a bounds.sums.Sum of one of the kinds fbm_d, eroded, warp and warp_progressive. It gives a list of arrays: the
 value, the value and the derivatives, or the components."""
@@ -17,12 +17,10 @@ from bounds.gradients import OCTAHEDRAL
 GOLDEN = 0x9E3779B9
 
 
-def seeds(seed, dims):
-    """Of the components of a warp, from that of the octave."""
-    found = [np.int64(seed)]
-    while len(found) < dims:
-        found.append(exact.mix(u32(found[-1] + GOLDEN)))
-    return found
+def words_of_components(cells, seed):
+    """For each component of hn_value_vector, those of the corners."""
+    words = exact.words_at(OCTAHEDRAL, cells, np.int64(seed))
+    return [exact.words_of_component(words, axis) for axis in range(len(cells))]
 
 
 # --- Exactly ----------------------------------------------------------------------------------------------------------
@@ -40,8 +38,7 @@ def exact_sum(s, p):
         weight = s.gain**i
         if s.kind in ("warp", "warp_progressive"):
             cells, f = exact.cells_and_fractions(p)
-            v = [np.clip(exact.value(exact.words_at(OCTAHEDRAL, cells, of_axis), f)[0], -1, 1)
-                 for of_axis in seeds(seed, dims)]
+            v = [np.clip(exact.value(words, f)[0], -1, 1) for words in words_of_components(cells, seed)]
             sums = [a + weight * x for a, x in zip(sums, v)]
             if s.kind == "warp_progressive":
                 p = [x + amplitude / total * move for x, move in zip(p, times(frame, v))]
@@ -127,8 +124,7 @@ def fixed_sum(s, q):
     for weight in all_weights:
         cells, f = [x >> 24 for x in q], [(x & (2**24 - 1)) >> 4 for x in q]
         if s.kind in ("warp", "warp_progressive"):
-            v = [np.clip(fixed.value(exact.words_at(OCTAHEDRAL, cells, of_axis), f)[0], -2**21, 2**21)
-                 for of_axis in seeds(seed, dims)]
+            v = [np.clip(fixed.value(words, f)[0], -2**21, 2**21) for words in words_of_components(cells, seed)]
             sums = [s32(a + fixed.weighted(x, weight)) for a, x in zip(sums, v)]
             if s.kind == "warp_progressive":
                 cut = largest * 2**18 // sum(all_weights)
