@@ -215,8 +215,10 @@ const NoiseBounds& bounds_of(const Function& function, const Configuration& conf
   if (function.is_octave_sum()) {
     return bounds_in(table, noise_of(octave_sum_of(function)), function.axes, configuration.gradient);
   }
-  // A component of the vector to a point is as exact as the Manhattan distance, of which it is a part.
-  const std::string_view bound = function.is_cellular() && function.is_offset(output) ? "cellular" : function.bound;
+  // A component of the vector to a point is as exact as the Manhattan distance, of which it is a part. Of points that
+  // go round it has the bound of their own.
+  const bool is_part = function.is_cellular() && function.is_offset(output) && !function.takes_phase();
+  const std::string_view bound = is_part ? "cellular" : function.bound;
   return bounds_in(table, bound, function.axes, configuration.gradient);
 }
 

@@ -1,7 +1,7 @@
 // hashnoise: cellular noise in space whose points go round with a phase.
 // SPDX-License-Identifier: MIT
 //
-// Made from cellular_phase2d.glsl by tools/umbrella.
+// Made from cellular_phase2d.glsl by tools/umbrella. tools/lib/dimensions/numbers.py has its numbers.
 
 #ifndef HN_CELLULAR_PHASE3D_GLSL
 #define HN_CELLULAR_PHASE3D_GLSL
@@ -18,14 +18,15 @@ HN_FN hn_rank4 hn_i_nearest(hn_place3 place, hn_i_turn3 turn, hn_float jitter, h
 //   phase    in turns, any float: phase + 1 has the same bits. A float far from 0 has few bits left for the turn: wrap
 //            it yourself
 //   jitter   how far the points are from the centres of their cells: 0 for a regular lattice, up to 1, with which they
-//            are at 7/8 of where those of hn_cellular are; what is outside of [0, 1] counts as the nearer end
+//            are at 25/32 of where those of hn_cellular are; what is outside of [0, 1] counts as the nearer end
 //   seed     any uint: 7u, not 7; different seeds give independent fields
-//   returns  the two distances, in cells, by the Euclidean metric: the first in [0, 1.2], the second in
-//            [0, 1.5] (proven bounds), and not below the first. Both are continuous (HN_FIXED: in steps of
-//            2^-18), in the phase, too
-//   error    at most 1e-5 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 1e-4
+//   returns  the two distances, in cells, by the Euclidean metric: the first in [0, 1.208], the second in [0, 1.3892]
+//            (proven bounds), and not below the first. Both are continuous (HN_FIXED: in steps of 2^-18), in the
+//            phase, too
+//   error    at most 1.15e-5 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED
+//            3.01e-4. From a cell at most 1.14e-5
 //   period   2^32 cells per axis, or that of the tile
-//   cost     that of hn_cellular, a sine and a cosine of 6 multiplications of floats each, and 8 multiplications
+//   cost     that of hn_cellular, a sine and a cosine of 6 multiplications of floats each, and 21 multiplications
 //   source   Worley, "A cellular texture basis function", 1996; docs/contract.md, section 16
 HN_FN hn_vec2 hn_cellular(hn_place3 place, hn_float phase, hn_float jitter, hn_uint seed) {
   return hn_i_two_distances(hn_i_nearest(place, hn_i_turning3(phase), jitter, seed), HN_METRIC_EUCLIDEAN);
@@ -36,10 +37,10 @@ HN_FN hn_vec2 hn_cellular(hn_vec3 p, hn_float phase, hn_float jitter, hn_uint se
 
 // The same with the nearest point.
 //   nearest  is set to the cell of the nearest point, modulo the period: hn_lattice(nearest, seed) is a word of its own
-//            for each cell. Of points at the same distance that of the first cell counts, by y, then by x
+//            for each cell. Of points at the same distance that of the first cell counts, by z, then by y, then by x
 //   offset   is set to the vector from the position to that point, in cells
 //   returns  as above
-//   error    as above; of the offset at most 1e-6. HN_FIXED 1e-5
+//   error    as above; of the offset at most 1.14e-5. HN_FIXED 3.01e-4
 //   cost     as above; one more hash
 //   (parameters as above)
 HN_FN hn_vec2 hn_cellular(hn_place3 place, hn_float phase, hn_float jitter, hn_uint seed, HN_I_OUT(hn_ivec3) nearest,

@@ -2,16 +2,20 @@
 attained, and simulated arithmetic stays within the bounds."""
 
 import itertools
+import math
 import unittest
+from fractions import Fraction
 
 import numpy as np
 
-from bounds import borders, distances, features
+from bounds import borders, distances, features, moving
 from bounds import cellular_model as model
 from bounds.cellular_model import Shader, shaders
-from bounds.exact_model import direction
+from bounds.exact_model import direction, lattice_word
+from bounds.rounded import Rounding, Text, along_axes, roundings
+from bounds.sine import fixed_sines
 from bounds.table import bounds_of, slope_bounds_of
-from thorough import in_thorough_runs
+from thorough import in_thorough_runs, some
 
 DIMS = (2, 3)
 COUNT = {2: 3000, 3: 800}
@@ -248,6 +252,215 @@ class Errors(unittest.TestCase):
             self.assertLessEqual(fixed.border().max(), proven("cell_border", dims).fixed_limit)
             self.assertGreaterEqual(fixed.border().min(), 0)
             self.assertLessEqual(abs(fixed.unit()).max(), slope_bounds_of("cellular_d", dims).fixed_limit)
+
+
+def phases(rng, count):
+    """Of any angle, or near an eighth of a turn."""
+    near = rng.integers(-8, 9, count) / 8 + rng.uniform(-1, 1, count) * 2.0 ** -rng.integers(3, 26, count)
+    return np.clip(np.where(rng.random(count) < 0.5, near, rng.uniform(-1, 1, count)), -1, 1).astype(
+        np.float32).astype(float)
+
+
+class MovingPoints(unittest.TestCase):
+    """Points that go round with a phase."""
+
+    def points(self, rng, dims, reach=1):
+        cells, words = model.words_of_cells(rng, dims, COUNT[dims], reach)
+        jitter = np.where(rng.random(COUNT[dims]) < 0.2, rng.random(COUNT[dims]), 1.0).astype(np.float32).astype(float)
+        return cells, words, model.fractions(rng, dims, COUNT[dims]), jitter, phases(rng, COUNT[dims])
+
+    def test_the_neighbours_have_the_two_nearest(self):
+        for dims in DIMS:
+            block, radius = features.neighbours(dims), moving.RADIUS[dims]
+            self.assertEqual(moving.not_proven(dims, block, radius), [])
+            self.assertTrue(0.98 < 2 * radius / moving.room(dims) < 1)
+
+    def test_fails_for_smaller_blocks_and_more_jitter(self):
+        """Without any one cell, and with 1/32 more of the jitter."""
+        for dims in DIMS:
+            block, radius = features.neighbours(dims), moving.RADIUS[dims]
+            for cell in block:
+                self.assertIn(cell, moving.not_proven(dims, block - {cell}, radius))
+            self.assertTrue(moving.not_proven(dims, block, radius + moving.LONGEST[dims] / 64))
+
+    def test_random_points_agree(self):
+        rng = np.random.default_rng(51)
+        for dims in DIMS:
+            cells, *others = self.points(rng, dims, 2)
+            every = model.distance("euclidean", model.MovingExact(cells, *others).offsets)
+            block = np.array([max(map(abs, c)) <= 1 for c in cells])
+            of_all, of_block = (np.sort(part, axis=0)[:2] for part in (every, every[block]))
+            self.assertLess(abs(of_all - of_block).max(), 1e-15)
+
+    def test_factors_and_directions(self):
+        words = np.arange(2**18, dtype=np.int64) << 14
+        for dims in DIMS:
+            longest = np.linalg.norm(model.directions(dims, words), axis=0).max() / 512
+            self.assertAlmostEqual(longest, moving.LONGEST[dims], delta=1e-15)
+            self.assertEqual(moving.JITTER[dims], {2: Fraction(7, 8), 3: Fraction(25, 32)}[dims])
+
+    @staticmethod
+    def farthest(f, phase):
+        """The largest distances to the points of all cells, smallest first: of any words."""
+        dims, every = len(f), np.arange(2**18, dtype=np.int64) << 14
+        _, which = np.unique(model.directions(dims, every), axis=1, return_index=True)
+        cells = sorted(features.neighbours(dims))
+        place = np.repeat(np.array(f)[:, None], len(which), axis=1)
+        points = model.MovingExact(cells, np.repeat(every[which][None], len(cells), axis=0), place, 1.0, phase)
+        return np.sort(model.distance("euclidean", points.offsets).max(axis=1))
+
+    def test_ends_are_attained(self):
+        """In space the first was searched."""
+        off = math.atan(1 / 511) / (2 * math.pi)
+        for dims, count, f, phase in ((2, 1, (1.0, 1.0), 1 / 8 - off), (2, 2, (0.5, 0.5), 0.0),
+                                      (3, 1, (0.96134, 0.03665, 0.0), 3.99007 / (2 * math.pi)),
+                                      (3, 2, (0.5, 0.5, 0.5), 0.25)):
+            end, found = moving.largest_distance(dims, count), self.farthest(f, phase)[count - 1]
+            self.assertTrue((0.99999, 0.997)[(dims, count) == (3, 1)] * end < found <= end, (dims, count, found, end))
+
+    def test_random_points_are_within(self):
+        rng = np.random.default_rng(52)
+        for dims in DIMS:
+            cells, words, f, _, phase = self.points(rng, dims)
+            largest = model.MovingExact(cells, words, f, 1.0, phase).nearest("euclidean").max(axis=1)
+            for count in (1, 2):
+                end = moving.largest_distance(dims, count)
+                self.assertTrue(0.6 * end < largest[count - 1] <= end)
+
+    def largest(self, dims, made, seed):
+        """The errors of the distances and of an offset, where no other point is as near."""
+        points = self.points(np.random.default_rng(seed), dims)
+        exact, found = model.MovingExact(*points), made(*points)
+        first, second, _ = exact.nearest("euclidean")
+        clear = second - first > 2.0**-10
+        return (abs(exact.nearest("euclidean") - found.nearest("euclidean"))[:2].max(),
+                abs(exact.to_nearest() - found.to_nearest())[:, clear].max())
+
+    def test_floats(self):
+        for dims in DIMS:
+            distance, offset = np.max([self.largest(dims, lambda *points: model.MovingFloats(shader, *points), 53)
+                                       for shader in some(shaders(54), dims, 3)], axis=0)
+            bound = moving.distance_error(dims, moving.largest_distance(dims, 2))
+            self.assertTrue(bound / 5 < distance < bound, (dims, distance, bound))
+            bound = moving.offset_error(dims, False)
+            self.assertTrue(bound / 8 < offset < bound <= proven("cellular_phase", dims).cell_error)
+
+    def test_fails_with_fewer_bits(self):
+        for dims in DIMS:
+            shader = Shader("nearest", 55, lost_bits=6)
+            for error in self.largest(dims, lambda *points: model.MovingFloats(shader, *points), 56):
+                self.assertGreater(error, proven("cellular_phase", dims).cell_error)
+
+    def test_fixed(self):
+        for dims in DIMS:
+            distance, offset = self.largest(dims, model.MovingFixed, 57)
+            bound = moving.fixed_distance_error(dims)
+            self.assertTrue(bound / 4 < distance < bound, (dims, distance, bound))
+            bound = moving.offset_error(dims, True)
+            self.assertTrue(bound / 5 < offset < bound <= proven("cellular_phase", dims).fixed_error, (offset, bound))
+
+    def test_fixed_near_a_point(self):
+        """Without jitter, at the middle of a cell, the rank takes the most."""
+        f = 0.5 + np.zeros((2, 2000))
+        f[0] += np.arange(2000) * 2.0**-23
+        cells, words = model.words_of_cells(np.random.default_rng(58), 2, 2000, 1)
+        points = cells, words, f, np.zeros(2000), np.full(2000, 0.125)
+        exact, fixed = (made(*points).nearest("euclidean")[0] for made in (model.MovingExact, model.MovingFixed))
+        bound = moving.fixed_distance_error(2)
+        self.assertTrue(bound / 2 < abs(exact - fixed).max() < bound)
+
+    def test_what_is_not_the_turn(self):
+        """Offsets that are turned, against those that the same matrix gives exactly: in units of a cell, and of floats
+        in half cells, as far as these matter."""
+        for dims in DIMS:
+            cells, words, f, jitter, phase = self.points(np.random.default_rng(63), dims)
+            off = f[:, None] - np.array(cells).T[:, :, None] - 0.5
+            own = moving.JITTER[dims] * jitter / 2 * model.directions(dims, words) / 512
+
+            def exactly(rows):
+                return np.array([sum(b * x for b, x in zip(row, off)) for row in rows]) - own
+            fixed = model.MovingFixed(cells, words, f, jitter, phase)
+            seen = np.linalg.norm(fixed.offsets / 2**20 - exactly(np.array(fixed.rows) / 2**16), axis=0).max()
+            bound = moving.fixed_points(dims) + distances.fixed_place(dims)
+            self.assertTrue(bound / 3 < seen < bound, (dims, seen, bound))
+            reach = moving.largest_distance(dims, 2)
+            bound = distances.length_of(*moving.components(dims, reach, 1.0))
+            for shader in shaders(64):
+                floats = model.MovingFloats(shader, cells, words, f, jitter, phase)
+                exact, found = 2 * exactly(floats.turn), floats.offsets
+                if dims == 3:
+                    found = np.array([(found[0] + found[1]) / 2, (found[0] - found[1]) / 2, found[2]])
+                seen = np.linalg.norm(found - exact, axis=0)[np.linalg.norm(exact, axis=0) < 2 * reach].max()
+                self.assertTrue(bound / 10 < seen < bound, (dims, seen, bound))
+
+    @staticmethod
+    def largest_norm(dims, rows, phase):
+        """Of what a matrix is off by."""
+        rows, a = np.array(rows), 2 * np.pi * phase
+        exact = np.array(model.rows_of_turn(dims, np.cos(a), np.sin(a), np.multiply))
+        return np.linalg.norm((rows - exact).transpose(2, 0, 1), 2, axis=(1, 2)).max()
+
+    def test_turns(self):
+        """The matrices of random phases, many near those where sines of fixed arithmetic are worst."""
+        rng = np.random.default_rng(59)
+        worst = 11116544 / 2**32 + rng.integers(-4, 4, 20_000) / 4 + rng.uniform(-1, 1, 20_000) * 2.0**-18
+        phase = np.concatenate([phases(rng, 20_000), worst]).astype(np.float32).astype(float)
+        for dims in DIMS:
+            angle = model.angles(phase)
+            cosine, sine = (model.MovingFixed.sine(x & 0xFFFFFFFF) for x in (angle + 2**30, angle))
+            fixed = np.array(model.rows_of_turn(dims, cosine, sine, moving.fixed_product)) / 2**16
+            seen = self.largest_norm(dims, fixed, phase)
+            self.assertTrue(0.9 * moving.fixed_turn_error(dims) < seen < moving.fixed_turn_error(dims), (dims, seen))
+            for shader in shaders(60):
+                floats = model.MovingFloats.__new__(model.MovingFloats)
+                floats.s, floats.dims = shader, dims
+                seen, bound = self.largest_norm(dims, floats.rows(phase), phase), moving.turn_error(dims, 1.0)
+                self.assertTrue(bound / 3 < seen < bound, (dims, seen, bound))
+
+    def test_nothing_wraps(self):
+        """A sine may be 1. So its half times itself would wrap, which no sine below 1 does. The library multiplies in
+        two parts, with the same result."""
+        for dims in DIMS:
+            self.assertLess(max(moving.largest_intermediates(dims).values()), 2**31)
+        largest = int(fixed_sines().max())
+        self.assertTrue((largest >> 1) * largest >= 2**31 > (largest - 1 >> 1) * (largest - 1) + 2**14)
+        sines = np.concatenate([fixed_sines(), -fixed_sines()])
+        for other in (sines, sines[::-1], np.full(len(sines), largest)):
+            first, low = sines >> 1, (sines >> 1) * (other & 1) + 2**14
+            parts = first * (other >> 1) + (low >> 1)
+            self.assertTrue((parts >> 14 == moving.fixed_product(sines, other)).all())
+            self.assertLessEqual(abs(parts).max(), moving.largest_intermediates(3)["product of two sines"])
+
+    @in_thorough_runs
+    def test_the_text(self):
+        """The library's floats are within the bounds. Its fixed results are those of the model, bit by bit, also where
+        a sine is 1."""
+        ids = [f"noise{dims}d.cellular_phase_cell_{form}" for dims in DIMS for form in ("full", "offset")]
+        text, fixed_text = Text(ids), Text(ids, "HN_ARITHMETIC=HN_FIXED")
+        rng = np.random.default_rng(61)
+        for dims in DIMS:
+            cells, _, f, jitter, phase = self.points(rng, dims)
+            phase[:50] = 0.000911712646484375
+            home = rng.integers(-2**31, 2**31, f.shape)
+            words = np.array([lattice_word([h + o for h, o in zip(home, c)], np.int64(7)) for c in cells])
+            points = cells, words, f, jitter, phase
+            exact, fixed = model.MovingExact(*points), model.MovingFixed(*points)
+            first, second, _ = exact.nearest("euclidean")
+            clear, bound = second - first > 2.0**-10, proven("cellular_phase", dims).cell_error
+            columns = (along_axes("c", home) | along_axes("f", f) | along_axes("p", [0] * dims)
+                       | {"phase": phase, "jitter": jitter, "seed": 7})
+
+            def found(of, rounding):
+                return [np.array(of(f"noise{dims}d.cellular_phase_cell_{form}", rounding, **columns))
+                        for form in ("full", "offset")]
+            distances_found, offsets = found(fixed_text, Rounding("nearest"))
+            self.assertTrue((distances_found == fixed.nearest("euclidean")[:2]).all())
+            self.assertTrue((offsets == fixed.to_nearest())[:, clear].all())
+            for rounding in roundings(62):
+                distances_found, offsets = found(text, rounding)
+                worst = max(abs(distances_found - [first, second]).max(),
+                            abs(offsets - exact.to_nearest())[:, clear].max())
+                self.assertTrue(bound / 12 < worst < bound, (dims, worst, bound))
 
 
 class Roots(unittest.TestCase):

@@ -9,6 +9,7 @@ from bounds import exact_model as exact
 from bounds.distances import QUOTIENT_ULPS, ROOT_ULPS, UNIT
 from bounds.floats import TINY
 from bounds.rounded import MODES
+from bounds.sine import SINE_COEFFICIENTS, fixed_sine
 
 METRICS = ("euclidean", "squared", "manhattan", "chebyshev", "hybrid")
 
@@ -71,6 +72,38 @@ class Exact:
         rank = np.where(np.isinf(apart), np.inf, (square - (own**2).sum(axis=0)) / (2 * np.where(np.isinf(apart), 1,
                                                                                                    apart)))
         return rank.min(axis=0), np.take_along_axis(apart, rank.argmin(axis=0)[None], axis=0)[0]
+
+
+MOST = {2: 28 / 32, 3: 25 / 32}  # of the jitter, of points that move
+
+
+def angles(phase):
+    """In units of 2^-32 turns."""
+    phase = np.asarray(phase, float)
+    return exact.u32(np.trunc((phase - np.trunc(phase)) * 2**30).astype(np.int64) * 4)
+
+
+def rows_of_turn(dims, cosine, sine, product):
+    """The matrix that turns a place backwards."""
+    if dims == 2:
+        return [[cosine, sine], [-sine, cosine]]
+    both = product(sine, cosine)
+    return [[cosine, sine, 0 * sine], [-both, product(cosine, cosine), sine], [product(sine, sine), -both, cosine]]
+
+
+class MovingExact(Exact):
+    """Of points that go round."""
+
+    def __init__(self, cells, words, f, jitter, phase):
+        dims, a = len(f), 2 * np.pi * np.asarray(phase)
+        u = directions(dims, words) / 512
+        if dims == 3:
+            u = np.array([u[0], u[1] * np.cos(a) - u[2] * np.sin(a), u[1] * np.sin(a) + u[2] * np.cos(a)])
+        u = np.array([u[0] * np.cos(a) - u[1] * np.sin(a), u[0] * np.sin(a) + u[1] * np.cos(a), *u[2:]])
+        self.offsets = f[:, None, :] - (np.array(cells).T[:, :, None] + 0.5 + MOST[dims] * jitter / 2 * u)
+
+    def to_nearest(self):
+        return -self.of_nearest()[0]
 
 
 class Shader:
@@ -177,6 +210,51 @@ class Floats:
         return self.root(self.quotient(self.s.round(gap * gap), apart)).min(axis=0) / 4
 
 
+class MovingFloats(Floats):
+    """Of points that go round, from phases in [-1, 1]."""
+
+    def __init__(self, shader, cells, words, f, jitter, phase):
+        self.s, self.dims = shader, len(f)
+        s, n = shader, np.array(cells).T[:, :, None]
+        self.turn = self.rows(phase)
+        d = s.round(2 * f - 1)
+        projected = [self.projected(d, row)[None] for row in self.turn]
+        for axis in reversed(range(self.dims)):
+            projected = [s.round(x - 2 * n[axis] * row[axis]) for x, row in zip(projected, self.turn)]
+        self.parts = np.array(exact.direction(self.dims, words)[:self.dims]) / (512 if self.dims == 2 else 256)
+        if self.dims == 3:
+            x, y, z = projected
+            projected = [s.round(x + y), s.round(x - y), z]
+        jitter = s.round(s.round(np.asarray(jitter) * (32 * MOST[self.dims]))) / 32
+        self.offsets = s.mad(-self.parts, np.broadcast_to(jitter, self.parts.shape), np.array(projected))
+
+    def sine(self, angle):
+        """Of angles in units of 2^-32 turns, in the steps of sine.glsl."""
+        half = angle & 0x7FFFFFFF
+        x = (np.minimum(half, 2**31 - half) >> 6) / 2**24
+        c1, c3, c5, c7 = SINE_COEFFICIENTS
+        t = self.s.round(x * x)
+        inner = self.s.mad(t, self.s.mad(t, self.s.mad(t, c7, c5), c3), c1)
+        return np.where(angle >> 31 & 1, -1, 1) * self.s.round(x * inner)
+
+    def rows(self, phase):
+        angle = angles(phase)
+        return rows_of_turn(self.dims, self.sine(exact.u32(angle + 2**30)), self.sine(angle),
+                            lambda a, b: self.s.round(a * b))
+
+    def projected(self, d, row):
+        total = self.s.round(d[0] * row[0])
+        for x, b in list(zip(d, row))[1:]:
+            total = self.s.mad(x, b, total)
+        return total
+
+    def to_nearest(self):
+        own, _ = self.of_nearest()
+        if self.dims == 3:
+            own = np.array([self.s.round(own[0] + own[1]) / 2, self.s.round(own[0] - own[1]) / 2, own[2]])
+        return np.array([-self.projected(own, column) / 2 for column in zip(*self.turn)])
+
+
 def fixed_root(q):
     """floor(sqrt(2^8 q)) of words."""
     n = q.astype(np.int64) << 8
@@ -234,3 +312,32 @@ class Fixed:
         root[first, np.arange(len(first))] = 1
         gap[first, np.arange(len(first))] = 2**40
         return (16 * gap // root).min(axis=0) / 2**16
+
+
+class MovingFixed(Fixed):
+    """Of points that go round."""
+
+    def __init__(self, cells, words, f, jitter, phase):
+        dims, n = len(f), np.array(cells).T[:, :, None]
+        place = (f * 2**20).astype(np.int64) - 2**19
+        cut = (np.trunc(np.asarray(jitter) * 2**20).astype(np.int64) * int(32 * MOST[dims])) >> 5
+        angle = angles(phase)
+        self.rows = rows_of_turn(dims, self.sine(exact.u32(angle + 2**30)), self.sine(angle),
+                                 lambda a, b: ((a >> 1) * b + 2**14) >> 15)
+        points = directions(dims, words) * cut >> 10
+        self.offsets = np.array([sum(self.turned(x, b)[None] - 16 * step * b for x, step, b in zip(place, n, row))
+                                 for row in self.rows]) - points
+
+    @staticmethod
+    def sine(angle):
+        half = angle & 0x7FFFFFFF
+        g = fixed_sine(np.minimum((np.minimum(half, 2**31 - half) + 2**13) >> 14, 65535))
+        return np.where(angle >> 31 & 1, -g, g)
+
+    @staticmethod
+    def turned(offset, b):
+        return ((offset >> 8) * b >> 8) + ((offset & 255) * b >> 16)
+
+    def to_nearest(self):
+        own, _ = self.of_nearest()
+        return -np.array([sum(map(self.turned, own, column)) for column in zip(*self.rows)]) / 2**20

@@ -50,9 +50,14 @@ def f32(magnitude: float, ulps: float) -> float:
 def components(dims: int, reach: float, ulps: float) -> tuple[float, float]:
     """The errors of a component along x or y, in space of x + y or x - y, and of one along z. `reach` is the largest
     distance that matters, in cells; all else here is in half cells."""
-    length = 2 * reach
-    centre = f32(1.0, ulps) + f32(min(length + 1, 3.99), ulps)
-    point = f32(0.99, ulps) + 2.0**-32  # the product with the jitter, which HN_PRECISE may take as 0
+    centre = f32(1.0, ulps) + f32(min(2 * reach + 1, 3.99), ulps)
+    return from_points(dims, reach, centre, f32(0.99, ulps), ulps)
+
+
+def from_points(dims: int, reach: float, centre: float, product: float, ulps: float) -> tuple[float, float]:
+    """The same, where a component of the offset from the centre of a cell, and the product of a direction and the
+    jitter, are off by so much. HN_PRECISE may take a jitter as 0."""
+    length, point = 2 * reach, product + 2.0**-32
     along = centre + point + f32(length * 1.001, ulps)
     if dims == 2:
         return along, along
@@ -62,8 +67,12 @@ def components(dims: int, reach: float, ulps: float) -> tuple[float, float]:
 
 def length_error(dims: int, reach: float, ulps: float) -> float:
     """Of an offset, before its length is computed, in half cells."""
-    across, along = components(dims, reach, ulps)
-    return math.hypot(across, along)  # of three, two are turned, and longer by sqrt(2)
+    return length_of(*components(dims, reach, ulps))
+
+
+def length_of(across: float, along: float) -> float:
+    """Of two components; of three, two are turned, and longer by sqrt(2)."""
+    return math.hypot(across, along)
 
 
 def relative(operations: float, ulps: float) -> float:
@@ -77,7 +86,12 @@ def square_error(dims: int, reach: float, ulps: float) -> float:
 
 
 def distance_error(dims: int, reach: float, ulps: float = 1.0) -> float:
-    length, err = 2 * reach, length_error(dims, reach, ulps)
+    return root_error(dims, reach, length_error(dims, reach, ulps), ulps)
+
+
+def root_error(dims: int, reach: float, err: float, ulps: float) -> float:
+    """Of the length of an offset, in cells, given the error of the offset in half cells."""
+    length = 2 * reach
     computed = (length + err) * (1 + relative(OPERATIONS[dims] / 2, ulps)) * (1 + UNIT * ROOT_ULPS)
     return (computed - length + 2.0**-60) / 2 * SAFE
 
@@ -251,11 +265,14 @@ def largest_square(dims: int) -> float:
     return 2.5**2 + (dims - 1) * 1.5**2 + 2.0**-10
 
 
+def square_intermediates(largest: float) -> dict[str, float]:
+    """Of a square of so many cells, and of what is left of it after a root."""
+    return {"half of a square": largest * 2**28 / 2, "rest of a square": 2 * math.sqrt(largest) * 2**18 + 2}
+
+
 def largest_intermediates(dims: int) -> dict[str, float]:
-    """The product of a direction and the jitter, a square, and what is left of it after a root."""
-    root = math.sqrt(largest_square(dims)) * 2**18
-    return {"offset of a point": 512 * LARGEST_COMPONENT[dims] * 2.0**20, "half of a square":
-            largest_square(dims) * 2**28 / 2, "rest of a square": 2 * root + 2}
+    """The product of a direction and the jitter, and the square."""
+    return {"offset of a point": 512 * LARGEST_COMPONENT[dims] * 2.0**20, **square_intermediates(largest_square(dims))}
 
 
 def largest_direction_intermediates(dims: int) -> dict[str, float]:

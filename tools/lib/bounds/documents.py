@@ -234,10 +234,10 @@ def dimensions_of(function: glsl.Declaration) -> int:
 
 
 def takes_phase(function: glsl.Declaration) -> bool:
-    """On the line a float is a position. Octave sums take floats, too; they are no noises. Of cellular noise a float
-    is the jitter, for which one bound holds."""
-    return (dimensions_of(function) > 1 and "float" in function.types
-            and function.name.removeprefix("hn_") + PHASE in noises.names())
+    """On the line a float is a position. Octave sums take floats, too; they are no noises. Of cellular noise the last
+    float is the jitter, for which one bound holds."""
+    floats = function.types.count("float") - (function.name == "hn_cellular")
+    return dimensions_of(function) > 1 and floats > 0 and function.name.removeprefix("hn_") + PHASE in noises.names()
 
 
 def noise_of(function: glsl.Declaration) -> str:

@@ -194,6 +194,9 @@ class Phases(unittest.TestCase):
                          ["perlin"] * 3)
         for types in (("vec2", "float", "uint"), ("place3", "float", "uint")):
             self.assertEqual(named(*types, name="hn_simplex_d"), "simplex_d_phase")
+        for types, noise in ((("place2", "float", "int", "uint"), "cellular"), (("vec3", "uint"), "cellular"),
+                             (("place2", "float", "float", "uint"), "cellular_phase")):
+            self.assertEqual(named(*types, name="hn_cellular"), noise)
         self.assertEqual(documents.name_of(("perlin_phase", 2, OCTAHEDRAL)), "`hn_perlin(vec2)`, with a phase")
 
     def test_numbers(self):

@@ -23,7 +23,7 @@ from __future__ import annotations
 
 import functools
 import itertools
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from fractions import Fraction
 
 import numpy as np
@@ -74,10 +74,11 @@ def always_nearer(c: Cell, o: Cell) -> bool:
     return True
 
 
-def not_proven(block: Iterable[Cell], dims: int, count: int) -> list[Cell]:
+def not_proven(block: Iterable[Cell], dims: int, count: int,
+               nearer: Callable[[Cell, Cell], bool] = always_nearer) -> list[Cell]:
     """The cells outside of the block that are not proven to have none of the nearest points, so many of them."""
     block = frozenset(block)
-    return [o for o in outside(block, dims) if sum(always_nearer(c, o) for c in block) < count]
+    return [o for o in outside(block, dims) if sum(nearer(c, o) for c in block) < count]
 
 
 def not_beyond(block: Iterable[Cell], dims: int) -> list[Cell]:

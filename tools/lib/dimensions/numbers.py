@@ -17,6 +17,16 @@ IN_SPACE: dict[str, dict[str, str]] = {
         "by y, then by x": "by z, then by y, then by x",
         "3.88e-7": "1.05e-6",
     },
+    "cellular_phase2d.glsl": {
+        "7/8 of": "25/32 of",
+        "8 multiplications": "21 multiplications",
+        "1.1438": "1.208",
+        "1.4367": "1.3892",
+        "5.38e-6": "1.15e-5",
+        "1.22e-4": "3.01e-4",
+        "5.30e-6": "1.14e-5",
+        "by y, then by x": "by z, then by y, then by x",
+    },
     "fbm_d2d.glsl": {
         "4 multiplications": "9 multiplications",
         "2.95 times": "3.75 times",

@@ -1,0 +1,59 @@
+"""hn_cellular with a phase: what is proven of it, from docs/contract.md, section 16. moving.py of the folder above has
+the proofs. How fast distances change with the phase is not bounded here.
+
+One bound holds for the distances and for each component of an offset: the larger one. That is the offset's, which is
+turned twice.
+"""
+
+from __future__ import annotations
+
+import math
+
+from bounds import moving
+from bounds.floats import position_error
+from bounds.gradients import Gradient
+from bounds.noises import Derived, cellular, listed
+from bounds.table import rounded_up, scientific, shortest
+
+CASES = cellular.CASES
+COUNT = cellular.COUNT
+offset_error = moving.offset_error
+
+
+def derive(dims: int, _: Gradient | None) -> Derived:
+    largest, lipschitz = moving.largest_distance(dims, COUNT), math.sqrt(dims)
+    cell_error = max(moving.distance_error(dims, largest), offset_error(dims, False))
+    fixed = max(moving.fixed_distance_error(dims), offset_error(dims, True))
+    error = position_error(cell_error, lipschitz)
+    return Derived(largest, largest, lipschitz, cell_error, error, largest + error, fixed, largest + fixed,
+                   moving.fixed_parts(dims))
+
+
+def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
+    return moving.largest_intermediates(dims)
+
+
+def ends(dims: int) -> list[float]:
+    return [moving.largest_distance(dims, count) for count in (1, COUNT)]
+
+
+def quotes() -> list[tuple[str, str]]:
+    plane, space = (listed(ends(dims)) for dims in (2, 3))
+    radii, twice = ([shortest(of * moving.RADIUS[dims], digits) for dims in (2, 3)] for of, digits in ((1, 4), (2, 5)))
+    errors = [position_error(moving.distance_error(dims, ends(dims)[-1]), math.sqrt(dims)) for dims in (2, 3)]
+    off = [moving.fixed_distance_error(dims) for dims in (2, 3)]
+    rooms = [str(-rounded_up(-moving.room(dims), 5)) for dims in (2, 3)]
+    floats, fixed = ([scientific(norm) for norm in norms] for norms in zip(
+        *((moving.turn_error(dims, 1.0), moving.fixed_turn_error(dims)) for dims in (2, 3))))
+    return [("docs/accuracy.md", text) for text in (
+        f"With a phase the two distances stay below {plane} in 2D, and below {space} in 3D",
+        f"which is {radii[0]} in 2D and {radii[1]} in 3D",
+        f"the difference is {rooms[0]} in 2D and {rooms[1]} in 3D, and 2 r is {twice[0]} and {twice[1]}",
+        f"distances is at most {scientific(errors[0])} in 2D and {scientific(errors[1])} in 3D",
+        f"the distances are within {scientific(off[0])} in 2D and {scientific(off[1])} in 3D",
+        f"off by {floats[0]} in 2D and by {floats[1]} in 3D", f"as a norm {fixed[0]} in 2D and {fixed[1]} in 3D")]
+
+
+def describe(dims: int, _: Gradient | None) -> dict[str, object]:
+    return {"first_largest": moving.largest_distance(dims, 1), "offset_error": offset_error(dims, False),
+            "fixed_offset_error": offset_error(dims, True), "radius": moving.RADIUS[dims]}
