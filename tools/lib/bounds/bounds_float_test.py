@@ -2,6 +2,7 @@
 over floats of any rounding mode stays within the bounds."""
 
 import functools
+import itertools
 import math
 import unittest
 from unittest import mock
@@ -35,9 +36,15 @@ def text(kind):
     ids = [f"noise{dims}d.{name}{form}" for dims in DIMS
            for name in ("perlin", "value", "perlin_d", "value_d", "value_cubic") for form in ("", "_cell")]
     ids += [f"fbm.{name}{dims}{form}" for dims in DIMS for name in sums.KINDS for form in FORMS]
+    ids += [vector_row(name, dims) for name in VECTORS for dims in (2, 3)]
     return Text([id for id in ids if id in table()], quarter_sine=QUARTER_SINE)
 
 
+def vector_row(name, dims):
+    return f"{name}_vector.{name}_vector{dims}_cell"
+
+
+VECTORS = {"value": exact.value, "perlin": functools.partial(exact.perlin, OCTAHEDRAL)}
 FORMS = ("", "_cell", "_cell_period", "_detail", "_footprint")
 
 
@@ -135,6 +142,35 @@ class FloatError(unittest.TestCase):
             p = list((rng.uniform(-1, 1, (dims, 2000)) * reach).astype(np.float32).astype(float))
             found, = text(kind)(f"noise{dims}d.perlin", rounding, **along_axes("", p), seed=0)
             self.assertLess(abs(found - exact.perlin_at(kind, p)[0]).max(), proven(kind, dims).error)
+
+
+class Vectors(unittest.TestCase):
+    """Each component of a vector is the noise with other words, and within its bounds."""
+
+    def largest(self, name, dims, simulated):
+        """The largest error of each component."""
+        rng, errors = np.random.default_rng(16), [0.0] * dims
+        for rounding in simulated:
+            f = random_fractions(rng, dims, COUNT[dims])
+            cells = list(rng.integers(-2**31, 2**31, (dims, COUNT[dims])))
+            columns = along_axes("c", cells) | along_axes("f", f) | {"seed": 0}
+            found = text(OCTAHEDRAL)(vector_row(name, dims), rounding, **columns)
+            words = exact.words_at(OCTAHEDRAL, cells)
+            for axis, component in enumerate(found):
+                value = VECTORS[name](exact.words_of_component(words, axis), f)[0]
+                errors[axis] = max(errors[axis], abs(component - value).max())
+        return errors
+
+    def test_simulated_from_cell(self):
+        for name, dims in itertools.product(VECTORS, (2, 3)):
+            bound = bounds_of(f"{name}_vector", dims, "octahedral").cell_error
+            for seen in self.largest(name, dims, some(roundings(17), dims, 2)):
+                self.assertTrue(bound / 20 < seen < bound, (name, dims, seen, bound))
+
+    def test_fails_with_fewer_bits(self):
+        for name, dims in itertools.product(VECTORS, (2, 3)):
+            bound = bounds_of(f"{name}_vector", dims, "octahedral").cell_error
+            self.assertGreater(min(self.largest(name, dims, [Rounding("nearest", lost_bits=6)])), bound)
 
 
 class Sine(unittest.TestCase):

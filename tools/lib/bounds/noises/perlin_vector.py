@@ -1,0 +1,15 @@
+"""hn_perlin_vector (docs/contract.md, section 22): each component is hn_perlin with other words. What is proven of that
+holds for any words; see value_vector.py.
+"""
+
+from __future__ import annotations
+
+from bounds.gradients import OCTAHEDRAL
+from bounds.noises import perlin
+
+CASES = ((2, OCTAHEDRAL), (3, OCTAHEDRAL))
+derive, largest_intermediates, describe = perlin.derive, perlin.largest_intermediates, perlin.describe
+
+
+def quotes() -> list[tuple[str, str]]:
+    return []
