@@ -258,8 +258,8 @@ HN_FN hn_uint hn_i_other_seed(hn_uint seed) { return hn_i_mix(seed + 0x9E3779B9u
 
 // The words of a vector's second and third component, from those of the first: an odd number of 24 bits times their good
 // bits. With other factors two components may depend on each other: docs/quality.md has a test of it.
-HN_FN hn_uvec4 hn_i_words_of_y(hn_uvec4 words) { return (words >> 8u) * 0x9E3779u; }
-HN_FN hn_uvec4 hn_i_words_of_z(hn_uvec4 words) { return (words >> 8u) * 0x85EBCBu; }
+HN_FN hn_uvec4 hn_i_words_of_y(hn_uvec4 words) { return (words >> 8u) * 0xEB1831u; }
+HN_FN hn_uvec4 hn_i_words_of_z(hn_uvec4 words) { return (words >> 8u) * 0x84A5E5u; }
 
 // The word of a point is the product of two joins of its spread coordinates. One is the hash of the exclusive or of
 // their high bits and of the seed's. The other is an odd number of 24 bits, so that the product loses nothing, made of

@@ -49,7 +49,7 @@ class Components(unittest.TestCase):
             for p, seed, periods in places("others"):
                 found = of_noise(Knobs("lattice"), p, seed, periods)
                 self.assertEqual(len(found), len(p))
-                for value, factor in zip(found[1:], (0x9E3779, 0x85EBCB)):
+                for value, factor in zip(found[1:], (0xEB1831, 0x84A5E5)):
                     with mock.patch.object(Lattice, "word", other):
                         self.assertEqual((value,), noise(Knobs("lattice"), p, seed, periods))
 

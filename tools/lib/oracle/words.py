@@ -237,7 +237,7 @@ def pcg4d(x: int, y: int, z: int, w: int) -> tuple[int, int, int, int]:
 # --- Section 22: further words of a lattice point ------------------------------------------------------------------
 
 # Of the components of a vector after the first.
-COMPONENT_FACTORS = (0x9E3779, 0x85EBCB)
+COMPONENT_FACTORS = (0xEB1831, 0x84A5E5)
 
 
 def component_word(word: int, component: int) -> int:

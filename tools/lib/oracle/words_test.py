@@ -302,7 +302,7 @@ class NearTheOrigin(unittest.TestCase):
 
 class Components(unittest.TestCase):
     def test_by_hand(self) -> None:
-        # The high bits of the last are -1, but for those that are shifted out: 0x79000000 - 0x9E3779.
-        for word, y, z in ((0, 0, 0), (0xFF, 0, 0), (0x100, 0x9E3779, 0x85EBCB), (0x3FF, 3 * 0x9E3779, 3 * 0x85EBCB),
-                           (0x01000000, 0x37790000, 0xEBCB0000), (words.MASK, 0x7861C887, 0xCA7A1435)):
+        # The high bits of the last are -1, but for those that are shifted out: 0x31000000 - 0xEB1831.
+        for word, y, z in ((0, 0, 0), (0xFF, 0, 0), (0x100, 0xEB1831, 0x84A5E5), (0x3FF, 3 * 0xEB1831, 3 * 0x84A5E5),
+                           (0x01000000, 0x18310000, 0xA5E50000), (words.MASK, 0x3014E7CF, 0xE47B5A1B)):
             self.assertEqual([words.component_word(word, i) for i in range(3)], [word, y, z], hex(word))

@@ -16,12 +16,12 @@ VECTOR = noises.find("value_vector")
 
 class Numbers(unittest.TestCase):
     # The word of a lattice point, and the numbers of the vector there, times 2^22: what is left of the low 23 bits of
-    # the words, less 2^22. 0x9E3779 is 10368889, of which the bit of 2^23 is lost, and 0x85EBCB is 8776651. All high
+    # the words, less 2^22. 0xEB1831 is 15407153, of which the bit of 2^23 is lost, and 0x84A5E5 is 8693221. All high
     # bits are a factor of -1, but for bits beyond the lowest 24.
     WORDS = {0: (-2**22,) * 3, 255: (255 - 2**22, -2**22, -2**22),
-             256: (256 - 2**22, 10368889 - 2**23 - 2**22, 8776651 - 2**23 - 2**22),
-             0x80000200: (512 - 2**22, 2 * 10368889 - 2 * 2**23 - 2**22, 2 * 8776651 - 2 * 2**23 - 2**22),
-             words.MASK: (2**22 - 1, 2 * 2**23 - 10368889 - 2**22, 2 * 2**23 - 8776651 - 2**22)}
+             256: (256 - 2**22, 15407153 - 2**23 - 2**22, 8693221 - 2**23 - 2**22),
+             0x80000200: (512 - 2**22, 2 * 15407153 - 3 * 2**23 - 2**22, 2 * 8693221 - 2 * 2**23 - 2**22),
+             words.MASK: (2**22 - 1, 2 * 2**23 - 15407153 - 2**22, 2 * 2**23 - 8693221 - 2**22)}
 
     def test_by_hand(self) -> None:
         for word, expected in self.WORDS.items():
@@ -37,7 +37,7 @@ class Numbers(unittest.TestCase):
         # s(1/4) is 106 / 1024, and its fade 27136 in units of 2^-18.
         a, b = (words.point_word("pcg", (c, 5), 7) for c in (-3, -2))
         exact, fixed = VECTOR.exact(Knobs("pcg"), (-2.75, 5.0), 7), VECTOR.fixed(Knobs("pcg"), (-2.75, 5.0), 7)
-        for i, (x, y) in enumerate(((a, b), (a // 256 * 0x9E3779, b // 256 * 0x9E3779))):
+        for i, (x, y) in enumerate(((a, b), (a // 256 * 0xEB1831, b // 256 * 0xEB1831))):
             x, y = x % 2**23, y % 2**23
             self.assertEqual(exact[i], Fraction(x * 918 + y * 106, 1024 * 2**22) - 1)
             self.assertEqual(fixed[i], Fraction(lerp(x * 128 - 2**29, y * 128 - 2**29, 27136) + 128 >> 8, 2**21))
