@@ -101,7 +101,8 @@ std::vector<Relation> relations_of(const Evaluation& evaluation, const Target& t
   };
   if (function.takes_period()) {
     // Without a period octaves turn, so that a sum is another one.
-    if (function.has_form_without_period() && !function.is_octave_sum()) {
+    const bool is_one_of_two = function.has_form_without_period() && has_without(function, "period");
+    if (is_one_of_two && !function.is_octave_sum()) {
       add("wrapped", wrapped_pairing, without(function, "period"));
     }
     relations.push_back({"constant_period", PairingKind{evaluation, constant_period_pairing}});
