@@ -72,7 +72,7 @@ WRONG = (
     "hn_perlin(d, 16)", "hn_perlin(x, octaves)", "hn_perlin(p, 16)", "hn_perlin(p, 16.0f)", "hn_perlin(vec3(x), 16)",
     "hn_perlin(vec4(x), 16)", "hn_perlin(hn_place(3, p.x), 7)", "hn_perlin(x, 16u, 7u)", "hn_perlin(p, 1, 7u)",
     "hn_perlin(x, 7ul)", "hn_perlin(x, true)", "hn_perlin(3)", "hn_perlin(hn_place(c, p), 7)", "hn_perlin(hn_tile(x, 16.0f), 7u)", "hn_perlin(hn_tile(x, 16u), 7u)", "hn_cellular(p, 7).x",
-    "hn_cellular(p, 1, 3, 7u).x", "hn_cellular(p, 1.0f, 3.0f, 7u).x", "hn_hash(7)", "hn_unorm(1)",
+    "hn_cellular(p, 1, 3, 7u).x", "hn_cellular_three(p, 1.0f, 3.0f, 7u).x", "hn_hash(7)", "hn_unorm(1)",
     "hn_gradient(c, 7).x",
 )
 CALLS = """

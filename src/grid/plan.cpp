@@ -198,7 +198,6 @@ int components_of(Shape shape, int dimensions) {
 Plan plan_of(int dimensions, const Settings& settings) {
   Plan plan{};
   plan.dimensions = dimensions;
-  const auto noise = static_cast<NoiseId>(find(kNoiseRows, "noise", settings.noise, dimensions));
   const int arithmetic = static_cast<int>(settings.arithmetic);
   if (arithmetic < 1 || arithmetic > 3) refuse("arithmetic has to be kFast, kPrecise or kFixed");
   const int metric = static_cast<int>(settings.metric.value_or(Metric::kEuclidean));
@@ -207,6 +206,8 @@ Plan plan_of(int dimensions, const Settings& settings) {
   }
   std::optional<SumId> sum;
   if (!settings.sum.empty()) sum = static_cast<SumId>(find(kSumRows, "sum", settings.sum, dimensions));
+  NoiseId noise = sum ? kSumRows.at(*sum).usual_noise : kPerlin;
+  if (!settings.noise.empty()) noise = static_cast<NoiseId>(find(kNoiseRows, "noise", settings.noise, dimensions));
   bool tiled = false;
   for (std::size_t axis = 0; axis < settings.period.size(); ++axis) {
     check(kPeriodRule, settings.period[axis]);

@@ -60,7 +60,7 @@ void print_all(hashnoise::Arithmetic arithmetic) {
     }
     settings.octaves = 3;
     for (const std::string_view sum : hashnoise::sum_names(D)) {
-      settings.noise = sum == "fbm_d" || sum == "eroded" ? "perlin_d" : "perlin";
+      settings.noise.clear();
       settings.sum = sum;
       print<D>(settings);
     }

@@ -216,7 +216,7 @@ class GoldenContents(unittest.TestCase):
         for n, name, form in itertools.product((2, 3), ("perlin", "perlin_d", "simplex", "simplex_d"),
                                                ("", "_cell", "_cell_period")):
             self.check_phases(f"noise{n}d.{name}_phase{form}", -2)
-        for n, form in itertools.product((2, 3), ("", "_cell_full")):
+        for n, form in itertools.product((2, 3), ("", "_cell_period")):
             self.check_phases(f"noise{n}d.cellular_phase{form}", -3)
 
     def check_phases(self, id: str, column: int) -> None:
@@ -228,7 +228,7 @@ class GoldenContents(unittest.TestCase):
     def test_points_that_move_are_in_every_kind_of_place(self) -> None:
         for n in (2, 3):
             places: dict[float, list[tuple]] = {}
-            for row in rows_with(f"noise{n}d.cellular_phase_cell_full", "lattice"):
+            for row in rows_with(f"noise{n}d.cellular_phase_cell_period", "lattice"):
                 if row[-2] == 1:  # where a jitter moves points farthest
                     places.setdefault(row[-3], []).append(row[n:2 * n])
             for phase in (0.0, 0.25, 0.5, -0.25):
