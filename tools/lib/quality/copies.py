@@ -57,10 +57,14 @@ def expected_runs(runs: int, others: int, length: int, bits: int, dimensions: in
 
 def duplicates(lattice: Lattice) -> list[Finding]:
     """Pairs of equal words, of equal consumed bits, and of equal runs."""
+    return words(lattice) + consumed(lattice)
+
+
+def consumed(lattice: Lattice) -> list[Finding]:
+    """The same without the words: what of them is consumed."""
     n, bits = lattice.words.size, len(lattice.bits)
-    findings = words(lattice)
+    findings = []
     chance = 2.0 ** -bits
-    expected = n * (n - 1) / 2 * chance
     if bits < 32:
         # Counting pairs is the chi-square over all values: sum of (count - n chance)^2 / (n chance), which has
         # 2^bits - 1 degrees of freedom if every value is expected often; else pairs are rare, and so Poisson.
@@ -68,7 +72,7 @@ def duplicates(lattice: Lattice) -> list[Finding]:
         if n * chance >= 5:
             findings.append(two_tails("equal values", (2 * count + n) / (n * chance) - n, stats.chi2(2 ** bits - 1), n))
         else:
-            findings.append(poisson("equal values", count, expected, n))
+            findings.append(poisson("equal values", count, n * (n - 1) / 2 * chance, n))
     return findings + [runs(lattice)]
 
 
@@ -142,9 +146,15 @@ def shared(a: np.ndarray, b: np.ndarray) -> int:
 
 def between(a: Lattice, b: Lattice) -> list[Finding]:
     """What two seeds have in common: words anywhere, and runs of cells."""
-    n, bits = a.words.size, len(a.bits)
+    n = a.words.size
+    return [poisson("seeds: common words", shared(a.words, b.words), n * b.words.size * 2.0 ** -a.varying, n),
+            common_runs("seeds: common runs", a, b)]
+
+
+def common_runs(test: str, a: Lattice, b: Lattice) -> Finding:
+    """Pairs of equal runs of cells, one from each window, by their consumed bits."""
+    bits = len(a.bits)
     length = run_length(bits)
     ours, theirs = run_keys(a.values, length), run_keys(b.values, length)
     expected = expected_runs(ours.size, theirs.size, length, bits, a.dimensions)
-    return [poisson("seeds: common words", shared(a.words, b.words), n * b.words.size * 2.0 ** -a.varying, n),
-            poisson("seeds: common runs", shared(ours, theirs), expected, ours.size, f"runs of {length} cells")]
+    return poisson(test, shared(ours, theirs), expected, ours.size, f"runs of {length} cells")

@@ -61,13 +61,13 @@ def autocorrelation(lattice: Lattice) -> list[Finding]:
     scores = np.stack([ordinate_scores(s) for s in spectra])
     at = np.unravel_index(np.argmax(scores), scores.shape)
     # Opposite lags and opposite frequencies have the same values: half of them count, and Bonferroni may count all.
-    return [normal("autocorrelation", z, size, lambda axis, *lag: f"{'xyz'[axis]}, lag {_signed(lag, z.shape[1:])}",
+    return [normal("autocorrelation", z, size, lambda axis, *lag: f"{'xyz'[axis]}, lag {signed(lag, z.shape[1:])}",
                    1 / np.sqrt(size)),
             peak("spectral peak", scores[at], stats.expon(), size, scores.size // 2,
-                 f"{'xyz'[at[0]]}, frequency {_signed(at[1:], z.shape[1:])}")]
+                 f"{'xyz'[at[0]]}, frequency {signed(at[1:], z.shape[1:])}")]
 
 
-def _signed(index, shape) -> str:
+def signed(index, shape) -> str:
     return ",".join(str(int(i) - n if 2 * i > n else int(i)) for i, n in zip(index, shape))
 
 
@@ -90,7 +90,7 @@ def bit_autocorrelation(lattice: Lattice) -> list[Finding]:
         z[:2, self_inverse(lattice.words.shape)] /= np.sqrt(2)  # there each product is in the sum twice
         z[:2, *([0] * lattice.dimensions)] = 0
         names = (f"bit {a}", f"bit {b}", f"bits {a} and {b}")
-        one = normal("", z, size, lambda part, *lag: f"{names[part]}, lag {_signed(lag, lattice.words.shape)}", pool=False)
+        one = normal("", z, size, lambda part, *lag: f"{names[part]}, lag {signed(lag, lattice.words.shape)}", pool=False)
         if worst is None or one.statistic > worst.statistic:
             worst = one
     return [peak("autocorrelation of bits", worst.statistic, stats.norm(), size, worst.comparisons * len(pairs),
@@ -104,14 +104,18 @@ def signs(words: np.ndarray, bit: int) -> np.ndarray:
 
 def cross_correlation(a: Lattice, b: Lattice) -> Finding:
     """The correlation of two windows over all shifts: gradient against gradient, and against the reflected window."""
-    size, n = a.words.size, a.dimensions
-    axes = tuple(range(n))
-    of_a = fft.fftn(a.gradients, axes=axes, workers=WORKERS)
-    of_b = fft.fftn(b.gradients, axes=axes, workers=WORKERS)
+    return crossed("seeds: correlation", a.gradients, b.gradients)
+
+
+def crossed(test: str, a: np.ndarray, b: np.ndarray) -> Finding:
+    """The same of vectors in the cells of two windows, which the last axis has."""
+    shape = a.shape[:-1]
+    size, axes = int(np.prod(shape)), tuple(range(len(shape)))
+    of_a = fft.fftn(a, axes=axes, workers=WORKERS)
+    of_b = fft.fftn(b, axes=axes, workers=WORKERS)
     # A sum over the components of products of independent values whose variances are those of the components.
-    variance = sum(float((component(a, k).astype(float) ** 2).mean() * (component(b, k).astype(float) ** 2).mean())
-                   for k in range(n))
+    variance = float(((a.astype(float) ** 2).mean(axis=axes) * (b.astype(float) ** 2).mean(axis=axes)).sum())
     z = np.stack([fft.ifftn((of_a * other).sum(axis=-1), workers=WORKERS).real
                   for other in (of_b.conj(), of_b)]) / np.sqrt(size * variance)
-    return normal("seeds: correlation", z, size, lambda mirrored, *lag: f"{'mirrored, ' * mirrored}lag "
-                  f"{_signed(lag, a.words.shape)}", 1 / np.sqrt(size), pool=False)
+    return normal(test, z, size, lambda mirrored, *lag: f"{'mirrored, ' * mirrored}lag {signed(lag, shape)}",
+                  1 / np.sqrt(size), pool=False)
