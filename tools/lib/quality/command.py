@@ -82,7 +82,7 @@ def measure_all(tasks: list[Task], jobs: int) -> tuple[list[HashResult], list[di
 
 
 def control_results(twin: library.Twin) -> list[HashResult]:
-    """Every control in the plane, small, and a random lattice and random gradients, which pass."""
+    """Every control in the plane, those of components in space, small; and what is random, which passes."""
     side = gate.SIDES[2]
     results = [HashResult("random", 2, gate.judge_words(controls.random((side, side)), twin), None)]
     for name, (make, _) in controls.WINDOWS.items():
@@ -93,6 +93,13 @@ def control_results(twin: library.Twin) -> list[HashResult]:
     for name, (make, _) in controls.GRADIENTS.items():
         window = controls.of_gradients(make(controls.GRADIENT_SHAPES[2]))
         results.append(HashResult(name, 2, gate.judge_gradients(window), None))
+    words = controls.random(controls.COMPONENT_SHAPE)
+    for name, (make, _) in controls.COMPONENTS.items():
+        results.append(HashResult(name, 3, list(gate.judge_components([words, *make(words)], twin)), None))
+    for name, (make, _) in controls.VECTORS.items():
+        stand_in = controls.Vectors(name, twin.program, twin.bits, others=make)
+        found = gate.components.of_noise(stand_in, 3, 0, gate.LEAST.samples >> 3)
+        results.append(HashResult(name, 3, found, None))
     return results
 
 

@@ -409,3 +409,100 @@ FUNCTIONS: dict[str, tuple[Callable, tuple[str, ...]]] = {
     "product": (product, NEAR_RETURNS),
     "near_copies": (near_copies, NEAR_RETURNS),
 }
+
+
+# Words of the further components of vectors in space, from those of the first. Factors are those of the good bits.
+
+def _times(words: np.ndarray, *factors: int) -> list[np.ndarray]:
+    return [(words >> np.uint32(8)) * np.uint32(factor) for factor in factors]
+
+
+def _good(words: np.ndarray, seed: int) -> np.ndarray:
+    """Words of 24 random bits that have nothing to do with others."""
+    return random(words.shape, seed) & np.uint32(0xFFFFFF00)
+
+
+def independent(words: np.ndarray) -> list[np.ndarray]:
+    """Components that do not depend on each other."""
+    return [_good(words, 100), _good(words, 101)]
+
+
+def first_factors(words: np.ndarray) -> list[np.ndarray]:
+    """The factors 0x9E3779 and 0x85EBCB, with which vectors were made first. 256 times the first one is nearly a
+    multiple of 2^32 over the golden ratio; and the factors depend on each other."""
+    return _times(words, 0x9E3779, 0x85EBCB)
+
+
+def factor_of_one(words: np.ndarray) -> list[np.ndarray]:
+    """The factors 1 and 3."""
+    return _times(words, 1, 3)
+
+
+def same_factor(words: np.ndarray) -> list[np.ndarray]:
+    """The same factor for y and z."""
+    return _times(words, 0xC2B2AF, 0xC2B2AF)
+
+
+def three_times(words: np.ndarray) -> list[np.ndarray]:
+    """The factor of z is three times that of y, modulo 2^24."""
+    return _times(words, 0x85EBCB, 0x91C361)
+
+
+def rotated(words: np.ndarray) -> list[np.ndarray]:
+    """The word, rotated by 8 bits and by 16."""
+    return [words << np.uint32(turn) | words >> np.uint32(32 - turn) for turn in (8, 16)]
+
+
+def sum_of_two(words: np.ndarray) -> list[np.ndarray]:
+    """x + y + z is a multiple of 2^32, and any two of them are independent."""
+    y = _good(words, 100)
+    return [y, np.uint32(0) - words - y]
+
+
+def xor_of_two(words: np.ndarray) -> list[np.ndarray]:
+    """z is the exclusive or of x and y."""
+    y = _good(words, 100)
+    return [y, words ^ y]
+
+
+def moved_component(words: np.ndarray) -> list[np.ndarray]:
+    """y is x elsewhere."""
+    return [np.roll(words, (3, -1, 5), (0, 1, 2)), _good(words, 100)]
+
+
+def few_words(words: np.ndarray) -> list[np.ndarray]:
+    """The further words are made of 20 bits."""
+    return [mix(words >> np.uint32(12)), mix(words >> np.uint32(12) ^ np.uint32(0xABCDE000))]
+
+
+def alike_vectors(name: str, positions: np.ndarray, seed: int, twin: Twin) -> np.ndarray:
+    """The noises of a vector are the same noise, moved by one and a half cells for each."""
+    return np.stack([twin.vectors(name, positions + 1.5 * k, seed)[:, 0] for k in range(positions.shape[1])], -1)
+
+
+COMPONENTS: dict[str, tuple[Callable[[np.ndarray], list[np.ndarray]], tuple[str, ...]]] = {
+    "independent": (independent, ()),
+    "first_factors": (first_factors, ("three components: parities",)),
+    "factor_of_one": (factor_of_one, ("one component: chi-square of values",)),
+    "same_factor": (same_factor, ("components: correlation", "components: correlation of numbers",
+                                  "components: pairs of bits", "components: common runs")),
+    "three_times": (three_times, ("two components: numbers", "two components: waves")),
+    "rotated": (rotated, ("two components: gradients", "two components: parities", "components: pairs of bits")),
+    "sum_of_two": (sum_of_two, ("three components: numbers", "three components: waves")),
+    "xor_of_two": (xor_of_two, ("three components: gradients", "three components: parities")),
+    "moved_component": (moved_component, ("components: correlation", "components: correlation of numbers",
+                                          "components: common runs")),
+    "few_words": (few_words, ("one component: equal words",)),
+}
+# Of their windows: so large that it shows how the first factors depend on each other.
+COMPONENT_SHAPE = (128, 64, 64)
+VECTORS = {"alike_vectors": (alike_vectors, ("components: value noise", "components: perlin noise"))}
+
+
+@dataclass
+class Vectors(Twin):
+    """The library, with other vectors."""
+    others: Callable[[str, np.ndarray, int, Twin], np.ndarray] = None
+
+    def vectors(self, name, positions, seed):
+        return self.others(name, positions, seed, super())

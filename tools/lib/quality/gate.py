@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Callable, Iterable
 
 import numpy as np
 
 from quality import avalanche
 from quality import bits
+from quality import components
 from quality import copies
 from quality import directions
 from quality import fourier
@@ -61,6 +62,10 @@ Keep = Callable[[Lattice], None]  # is shown each window whose gradients are jud
 WINDOW_TESTS: list[Callable[[Lattice], list[Finding]]] = [
     fourier.autocorrelation, bits.values, bits.pairs, bits.local, directions.uniformity, copies.duplicates]
 COSTLY_TESTS: list[Callable[[Lattice], list[Finding]]] = [fourier.bit_autocorrelation, bits.bit_pairs, bits.quads]
+# Further components are judged in those of so many first windows that have costly tests. Their words have fewer bits, so
+# that what counts equal words does not hold for them.
+COMPONENT_WINDOWS = 4
+COMPONENT_TESTS = [copies.consumed if test is copies.duplicates else test for test in WINDOW_TESTS]
 
 
 def seed_pairs(count: int) -> list[tuple[int, int]]:
@@ -142,6 +147,36 @@ def each_finding(twin: Twin, dimensions: int, effort: Effort,
         found = near_returns.near_returns(twin, dimensions, seed, effort.samples >> 3)
         yield from _placed(found, f"seed {seed}")
     yield from many_windows(twin, dimensions, effort)
+    yield from each_of_components(twin, dimensions, effort)
+
+
+def judge_components(words: list[np.ndarray], twin: Twin) -> Iterable[Finding]:
+    """Everything that can be said of the words of components in a window."""
+    tables = components.Tables(words[0].ndim)
+    tables.add(words)
+    yield from tables.judge()
+    lattices = [of_words(w, twin) for w in words]
+    yield from components.between(lattices)
+    yield from components.alone(lattices, COMPONENT_TESTS + COSTLY_TESTS)
+
+
+def each_of_components(twin: Twin, dimensions: int, effort: Effort) -> Iterable[Finding]:
+    """Everything about vectors, whose components are made of one word."""
+    shape = (effort.sides[dimensions],) * dimensions
+    tables = components.Tables(dimensions)
+    for i, (origin, seed, costly) in enumerate(effort.windows_of(dimensions)):
+        words = twin.words(cells_of(origin, shape), seed).reshape(shape)
+        words_of_all = [words, *twin.further(words, dimensions)]
+        tables.add(words_of_all)
+        if costly and i < COMPONENT_WINDOWS:
+            lattices = [of_words(w, twin) for w in words_of_all]
+            tests = COMPONENT_TESTS + (COSTLY_TESTS if i == 0 else [])
+            found = [*components.between(lattices), *components.alone(lattices, tests)]
+            yield from _placed(found, replace(lattices[0], origin=origin, seed=seed).place)
+    yield from tables.judge()
+    for seed in effort.seeds:
+        found = components.of_noise(twin, dimensions, seed, effort.samples >> 3)
+        yield from _placed(found, f"seed {seed}")
 
 
 def judge_seeds(a: Lattice, b: Lattice) -> list[Finding]:

@@ -5,6 +5,11 @@
 // gradient  hn_gradient(cell, seed): the same points; a value is the floats of the gradient
 // noise     hn_perlin(p, seed): a point is the floats of p and the seed; a value is a float
 // stage     hn_gradient2(word), hn_gradient3(word): a point is a word; a value is the floats of the gradient
+// further   hn_i_words_of_y(word), and in space hn_i_words_of_z(word) as well: a point is a word; a value is the words
+//           of the components of a vector but the first
+// value_vector, perlin_vector
+//           hn_value_vector(p, seed), hn_perlin_vector(p, seed): a point is the floats of p and the seed; a value is
+//           the floats of the vector
 // NAME      hn_NAME(hn_tile(p, period), seed), with the same period along each axis: a point is the floats of p, the
 //           period as an integer, and the seed; a value is a float
 // sum       hn_fbm(hn_place(cell, f), octaves, lacunarity, gain, seed): a point is the cell, the floats of f, the
@@ -30,6 +35,7 @@ using Word = std::uint32_t;
 using hashnoise::ivec2;
 using hashnoise::ivec3;
 using hashnoise::ivec4;
+using hashnoise::uvec4;
 using hashnoise::vec2;
 using hashnoise::vec3;
 using hashnoise::vec4;
@@ -104,6 +110,26 @@ constexpr auto kQuantities = std::to_array<Quantity>({
      }},
     {"stage", '2', 1, 2, [](const Word* in, Word* out) { put(hashnoise::hn_gradient2(*in), out); }},
     {"stage", '3', 1, 3, [](const Word* in, Word* out) { put(hashnoise::hn_gradient3(*in), out); }},
+    {"further", '2', 1, 1, [](const Word* in, Word* out) { *out = hashnoise::hn_i_words_of_y(uvec4(*in)).x; }},
+    {"further", '3', 1, 2,
+     [](const Word* in, Word* out) {
+       out[0] = hashnoise::hn_i_words_of_y(uvec4(*in)).x;
+       out[1] = hashnoise::hn_i_words_of_z(uvec4(*in)).x;
+     }},
+    {"value_vector", '2', 3, 2,
+     [](const Word* in, Word* out) { put(hashnoise::hn_value_vector(vec2(real(in[0]), real(in[1])), in[2]), out); }},
+    {"value_vector", '3', 4, 3,
+     [](const Word* in, Word* out) {
+       put(hashnoise::hn_value_vector(vec3(real(in[0]), real(in[1]), real(in[2])), in[3]), out);
+     }},
+#if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL  // the paper's gradient has no vectors
+    {"perlin_vector", '2', 3, 2,
+     [](const Word* in, Word* out) { put(hashnoise::hn_perlin_vector(vec2(real(in[0]), real(in[1])), in[2]), out); }},
+    {"perlin_vector", '3', 4, 3,
+     [](const Word* in, Word* out) {
+       put(hashnoise::hn_perlin_vector(vec3(real(in[0]), real(in[1]), real(in[2])), in[3]), out);
+     }},
+#endif
     {"sum", '2', 8, 1,
      [](const Word* in, Word* out) {
        *out = std::bit_cast<Word>(hashnoise::hn_fbm(place2(in), integer(in[4]), real(in[5]), real(in[6]), in[7]));

@@ -14,6 +14,7 @@ from twin import NotBuilt, compile_program
 
 SOURCE = Path(__file__).resolve().parent / "lattice.cpp"
 AXES = "xyzw"
+WORDS = ("word", "further")  # quantities that are no floats
 # What hashes of a lattice often multiply the coordinates by: the first primes of xxHash, in this order. They are tried
 # where a library does not say what it takes.
 USUAL_STEPS = ((0x9E3779B1,), (0x85EBCA77,), (0xC2B2AE3D,), (0x27D4EB2F,))
@@ -72,7 +73,7 @@ class Twin:
             given.seek(0)
             done = subprocess.run([self.program, quantity, str(dimensions)], stdin=given, stdout=subprocess.PIPE,
                                   check=True)
-        return np.frombuffer(done.stdout, np.uint32 if quantity == "word" else np.float32)
+        return np.frombuffer(done.stdout, np.uint32 if quantity in WORDS else np.float32)
 
     def words(self, cells: np.ndarray, seeds) -> np.ndarray:
         """hn_i_point of cells (rows of integers), with one seed or one for each."""
@@ -83,6 +84,16 @@ class Twin:
 
     def noise(self, positions: np.ndarray, seed: int) -> np.ndarray:
         return self.evaluate("noise", positions.shape[1], _points(positions.astype(np.float32).view(np.uint32), seed))
+
+    def further(self, words: np.ndarray, dimensions: int) -> list[np.ndarray]:
+        """The words of the components of a vector but the first, which has the given ones."""
+        found = self.evaluate("further", dimensions, words).reshape(*words.shape, dimensions - 1)
+        return [np.ascontiguousarray(component) for component in np.moveaxis(found, -1, 0)]
+
+    def vectors(self, name: str, positions: np.ndarray, seed: int) -> np.ndarray:
+        """hn_<name>_vector: a row for each position."""
+        points = _points(positions.astype(np.float32).view(np.uint32), seed)
+        return self.evaluate(f"{name}_vector", positions.shape[1], points).reshape(positions.shape)
 
     def tile(self, name: str, positions: np.ndarray, period: int, seed: int) -> np.ndarray:
         """hn_<name> with a period, the same along each axis."""

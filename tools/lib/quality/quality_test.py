@@ -14,6 +14,7 @@ import numpy as np
 from scipy import stats
 
 from quality import avalanche, command
+from quality import components
 from quality import controls
 from quality import copies
 from quality import directions
@@ -114,6 +115,66 @@ class Functions(unittest.TestCase):
         another = Another("another", TWIN.program, {}, controls.strong)
         self.assertEqual(missing({"gradient of the word", "directions: on the shape"},
                                  gate.each_finding(another, 2, gate.LEAST)), set())
+
+
+class Components(unittest.TestCase):
+    """Words and noises of vectors."""
+
+    def judge(self, make, shape=(32, 32, 32)):
+        words = controls.random(shape)
+        return gate.judge_components([words, *make(words)], TWIN)
+
+    def test_independent_components_are_accepted(self):
+        self.assertEqual(rejecting(self.judge(controls.independent)), set())
+
+    def test_the_library_is_accepted(self):
+        cells = gate.cells_of((0, 0, 0), controls.COMPONENT_SHAPE)
+        tables = components.Tables(3)
+        words = TWIN.words(cells, 7)
+        tables.add([words, *TWIN.further(words, 3)])
+        self.assertEqual(rejecting(tables.judge()), set())
+
+    @in_thorough_runs
+    def test_the_library_is_accepted_by_all_tests(self):
+        for n in (2, 3):
+            self.assertEqual(rejecting(gate.each_of_components(TWIN, n, gate.LEAST)), set())
+
+    def test_each_control_is_rejected_by_the_tests_meant_for_it(self):
+        for name, (make, tests) in controls.COMPONENTS.items():
+            shape = controls.COMPONENT_SHAPE if name == "first_factors" else (32, 32, 32)
+            self.assertEqual(missing(tests, self.judge(make, shape)), set(), name)
+
+    def test_every_test_has_a_control(self):
+        meant = {test for _, tests in (*controls.COMPONENTS.values(), *controls.VECTORS.values()) for test in tests}
+        small = replace(gate.LEAST, sides={3: 16}, samples=1 << 9)
+        made = {finding.test for finding in gate.each_of_components(TWIN, 3, small)}
+        of_windows = {f"one component: {test}" for _, tests in controls.WINDOWS.values() for test in tests}
+        # As of windows: what fewer bits have of "equal words".
+        self.assertEqual(made - meant - of_windows, {"one component: equal values"})
+
+    def test_vectors_of_one_noise_are_rejected(self):
+        (make, tests), = controls.VECTORS.values()
+        for n in some([2, 3], 1):
+            twin = controls.Vectors("alike", TWIN.program, TWIN.bits, others=make)
+            self.assertEqual(rejecting(components.of_noise(twin, n, 7, gate.LEAST.samples >> 5)), set(tests), n)
+
+    def test_the_bits_that_are_compared_are_consumed(self):
+        for n, chosen in components.GRADIENT.items():
+            self.assertLessEqual(set(chosen), set(TWIN.consumed(n).tolist()))
+
+    def test_the_words_are_those_of_the_noise(self):
+        # At a lattice point value noise is the number of its word, and Perlin noise beside it is a part of its ramp.
+        for n in (2, 3):
+            cells = np.random.default_rng(n).integers(-1000, 1000, (500, n))
+            words = TWIN.words(cells, 5)
+            all_words = [words, *TWIN.further(words, n)]
+            values = TWIN.vectors("value", cells, 5)
+            near = TWIN.vectors("perlin", cells + 2.0 ** -10 * np.eye(n)[0], 5)
+            for k, component in enumerate(all_words):
+                numbers = (component & np.uint32(0x7FFFFF)) * 2.0 ** -22 - 1
+                self.assertLess(np.abs(values[:, k] - numbers).max(), 1e-5)
+                slope = TWIN.stage(component, n)[:, 0]
+                self.assertGreater(np.corrcoef(near[:, k], slope)[0, 1], 0.999)
 
 
 class NearReturns(unittest.TestCase):

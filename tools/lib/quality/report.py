@@ -105,7 +105,8 @@ def hash_table(results: list[HashResult]) -> str:
     return table(head, rows)
 
 
-CONTROLS = {**controls.WINDOWS, **controls.FUNCTIONS, **controls.GRADIENTS}
+CONTROLS = {**controls.WINDOWS, **controls.FUNCTIONS, **controls.GRADIENTS, **controls.COMPONENTS,
+            **controls.VECTORS}
 
 
 def rejected_as_meant(results: list[HashResult]) -> bool:

@@ -11,7 +11,7 @@ on such a lattice (SMHasher3's limit for a failure). The number of comparisons i
 lattice exceeds every second time, and the *allowed* limit. All hashes together make {tests} tests; a random library would fail one with a probability of {chance} at most.
 
 The windows are 1024 x 1024 and 128 x 128 x 128 cells at {origins} origins (around 0, negative, at the end of what `hn_perlin` takes, near 2^31), each with two of {seeds} seeds;
-{pairs} pairs of seeds are compared, and {windows} more windows at random origins are searched for copies. Cells that are too far apart for a window are compared at powers of two, and at the lags after which spread coordinates are nearly what they were. The tables show the most improbable value over all of them. Lines that end in "all" judge the windows together: they show a weakness that is everywhere, even a small one.
+{pairs} pairs of seeds are compared, and {windows} more windows at random origins are searched for copies. The components of vectors, which are made of one word (`hn_value_vector`, `hn_perlin_vector`), are compared with each other, two in the plane and three in space: by 12 bits together at most, since they have only 24 bits in common, and nothing makes them independent to the last of these. Cells that are too far apart for a window are compared at powers of two, and at the lags after which spread coordinates are nearly what they were. The tables show the most improbable value over all of them. Lines that end in "all" judge the windows together: they show a weakness that is everywhere, even a small one.
 
 ![Autocorrelation and spectrum of the default hash and of two that fail](images/quality-lattice.png)
 """
@@ -70,6 +70,18 @@ ROWS = [
     ("seeds: common words", "pairs of equal words, one from each seed's window", "Poisson, `n^2 / 2^b`; both tails", "seeds that permute the field"),
     ("seeds: common runs", "pairs of equal runs, one from each seed's window", "Poisson; both tails", "copied parts"),
     ("seeds: avalanche", "as avalanche, where each of the 32 bits of the seed flips", "as avalanche", "bits of the seed without effect"),
+    ("two components: numbers", "chi-square of the 6 high bits of the numbers of two components of a vector (`hn_value_vector`) at the same point, all windows together", "chi-square, 4095 degrees of freedom; both tails", "components that depend on each other"),
+    ("two components: waves", "largest ordinate of the spectrum of the table of these numbers, without those along an axis: the spectral test of congruential generators, as measured", "exponential; peak", "pairs on few lines"),
+    ("two components: gradients", "chi-square of the weightiest consumed bits of each of two components (`hn_perlin_vector`): 6 in the plane, 5 in space", "chi-square, 4095 or 1023 degrees of freedom; both tails", "gradients that depend on each other"),
+    ("two components: parities", "the parity of every choice of these bits, some from either component: how often it is even, in standard deviations", "normal; peak, two sides", "a relation between bits of components"),
+    ("three components: ...", "the same of three components, 4 bits of each number, and the octant of each gradient (3 bits)", "as above, 4095 and 511 degrees of freedom", "triples on few planes, where any two components are independent"),
+    ("components: correlation", "gradients of two components at all shifts, and reflected", "normal; peak, two sides", "components that are the same field elsewhere"),
+    ("components: correlation of numbers", "the same of the numbers of value noise", "normal; peak, two sides", "the same"),
+    ("components: pairs of bits", "agreement of any two consumed bits of two components, at the same point and at the next ones along axes", "normal; peak, two sides", "components that have a bit in common"),
+    ("components: common runs", "pairs of equal runs, one from each component's window", "Poisson; both tails", "copied parts"),
+    ("components: value noise, perlin noise", "correlation of two components of `hn_value_vector` and `hn_perlin_vector` at places in cells, with those at the same place and at 64 places up to three cells away along each axis", "normal, by the spread of the products, `1 / sqrt(n)`; peak, two sides", "noises that depend on each other"),
+    ("one component: ...", "the tests of these names of the words of a further component, alone, in two windows (the costly ones in one)", "as above", "a component that is a worse noise than the first"),
+    ("one component: equal words", "pairs of equal words: as they are made of 24 bits, so many", "Poisson, `n (n - 1) / 2 / 2^24`; both tails", "words that lose bits"),
 ]
 
 SHAPE = """## The shape's own directions
@@ -81,7 +93,7 @@ harmonics of an order, each of mean square 1 on the circle or sphere. Measured h
 
 CONTROLS = """## What the gate rejects
 
-Each test has a lattice that it must reject, and all tests accept an independent random lattice (Philox). The lattices are made by numpy, in the plane. `tools/lib/quality/quality_test.py` has most of them in space as well.
+Each test has a lattice that it must reject, and all tests accept an independent random lattice (Philox). The lattices are made by numpy, in the plane; those of components, in space. `tools/lib/quality/quality_test.py` has most of them in space as well.
 
 """
 
