@@ -126,6 +126,7 @@ TEST_P(Bits, WithOneLongAxis) {
     for (std::size_t axis = 0; axis < D; ++axis) {
       for (const int points : {1, 2, 15, 16, 17, 1009}) {
         Settings settings;
+        settings.noise = "perlin";
         settings.arithmetic = arithmetic();
         Grid<D> grid;
         grid.size.fill(1);

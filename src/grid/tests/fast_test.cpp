@@ -222,6 +222,7 @@ TEST_P(Fast, Sums) {
     }
     Settings fbm;
     fbm.sum = "fbm";
+    fbm.noise = "perlin";
     const auto draw = [&](Settings& s) { draw_settings(s, D, false, Draw::kTame, chance); };
     const auto bound = [](const Settings& s, const auto& places) { return bound_of_sum<D>(s, places); };
     fbm.detail = 1.0f;

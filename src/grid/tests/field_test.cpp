@@ -266,12 +266,28 @@ TEST(Range, HasTheExtremesWhereverTheyAre) {
   }
 }
 
+// --- The usual noise -------------------------------------------------------------------------------------------------
+
+TEST(Settings, WithoutANoiseHaveTheUsualOne) {
+  const Grid<2> grid = {{0.3f, -1.7f}, {0.17f, 0.23f}, {9, 7}};
+  const auto values_of = [&](const Settings& settings) {
+    const Field<2> field(settings);
+    std::vector<float> values(static_cast<std::size_t>(field.components()) * 63);
+    field.fill(grid, values);
+    return values;
+  };
+  EXPECT_EQ(values_of(Settings{}), values_of(of("perlin")));
+  for (const std::string& sum : twin::sums(2)) {
+    EXPECT_EQ(values_of(of("", sum)), values_of(of(twin::noise_below(sum), sum))) << sum;
+  }
+  EXPECT_NE(values_of(of("", "warp")), values_of(of("perlin_vector", "warp")));
+}
+
 // --- Errors of settings ----------------------------------------------------------------------------------------------
 
 TEST(Errors, OfAnUnknownNoiseNameTheKnownOnes) {
   EXPECT_TRUE(says(error_of<2>(of("perlln")), {"perlln", "perlin", "cell_border"}));
   EXPECT_TRUE(says(error_of<1>(of("hn_perlin")), {"value_cubic"}));
-  EXPECT_ERROR(error_of<3>(of("")));
   EXPECT_ERROR(error_of<3>(of("Perlin")));
   EXPECT_ERROR(error_of<3>(of("perlin ")));
 }

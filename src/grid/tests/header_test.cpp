@@ -40,6 +40,7 @@ void expect_bits_everywhere(Settings settings, const At& at, const In& in) {
 
 TEST(Header, FillsWithAValue) {
   Settings settings;
+  settings.noise = "perlin";
   settings.seed = 7;
   expect_bits_everywhere(
       settings, [](lanes::vec2 p) { return lanes::hn_perlin(p, 7u); },
@@ -56,6 +57,7 @@ TEST(Header, FillsWithPlanes) {
 
 TEST(Header, FillsWithSums) {
   Settings settings;
+  settings.noise = "perlin";
   settings.sum = "ridged";
   settings.octaves = 4;
   expect_bits_everywhere(
