@@ -26,9 +26,8 @@ HN_FN hn_int hn_i_mixed(hn_ivec2 r, hn_int a, hn_int b) { return hn_i_part(a, r.
 
 #endif
 
-// Every step up to the angle is exact, and the angle of a negative phase wraps. So whole turns change no bit.
 HN_FN hn_num2 hn_i_rotation(hn_float phase) {
-  hn_uint angle = uint(int((phase - trunc(phase)) * 1073741824.0f)) << 2u;
+  hn_uint angle = hn_i_angle(phase);
   return hn_i_rotation(hn_i_wave(angle + 0x40000000u, 0u), hn_i_wave(angle, 0u));
 }
 

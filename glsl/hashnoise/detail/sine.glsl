@@ -6,6 +6,7 @@
 
 #include "arithmetic.glsl"
 
+//   hn_i_angle(turns)          the angle of a number of turns, in units of 2^-32 turns
 //   hn_i_quarter_sine(q)       sin(x pi / 2) of a word of [0, 2^30] that stands for x in [0, 1]
 //   hn_i_wave(angle, sign)     the sine of an angle in units of 2^-32 turns, or its negative if the highest bit of the
 //                              word `sign` is set
@@ -13,6 +14,10 @@
 // They are numbers of HN_ARITHMETIC. With every HN_ARITHMETIC there are those of HN_FIXED, in units of 2^-16:
 //
 //   hn_i_whole_quarter_sine(q), hn_i_whole_wave(angle, sign)
+
+// A number of turns is cut off to a multiple of 2^-30. Every step is exact, and the angle of a negative one wraps. So whole
+// turns change no bit.
+HN_FN hn_uint hn_i_angle(hn_float turns) { return uint(int((turns - trunc(turns)) * 1073741824.0f)) << 2u; }
 
 // The first quarter of the wave is enough: the second is its mirror image, and the second half is the first, negated.
 // The quarter is in units of 2^-30 of itself.

@@ -5,7 +5,7 @@ A public function has its name in GLSL, and behind it:
 
   1 to 4      its dimensions: those of the position, the place, the cell or the words that it takes
   _place      if it takes a place
-  _phase      if it takes a phase
+  _phase      if it takes a phase, which it need not: hn_phasor always does
   _full       if it takes everything that may be chosen, a jitter among it, and no phase
   _nearest    as _full, if it also sets the nearest point
   _detail, _footprint    if it takes that
@@ -113,7 +113,7 @@ def _public(function: Function) -> str:
         parts.append("place")
     if function.name in WITH_VECTORS and len(function.types) > 1 and (other := OF_AXES.fullmatch(function.types[1])):
         parts.append(other[1])
-    parts += ["phase"] * ("phase" in takes)
+    parts += ["phase"] * ("phase" in takes and "wave" not in takes)
     if "nearest" in takes:
         parts.append("nearest")
     elif "jitter" in takes and "phase" not in takes:

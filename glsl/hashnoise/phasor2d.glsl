@@ -1,0 +1,47 @@
+// hashnoise: phasor noise on the plane.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_PHASOR2D_GLSL
+#define HN_PHASOR2D_GLSL
+
+#include "detail/phasor.glsl"
+#include "detail/triangular_lattice.glsl"
+
+// Phasor noise on the plane: stripes in a direction and with a wavelength of your choice, which may change from place to
+// place. They bend where the random phases of the lattice do not agree. The value by itself looks as Gabor noise does.
+// The angle of value and quadrature, atan(n.y, n.x), grows across the stripes: any profile may be made of it, such as
+// sin(atan(n.y, n.x)) or n.x / length(n), stripes that are alike in height. Their length says how well the stripes agree.
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
+//   wave     the direction in which the waves run, times the waves per cell: 2 to 8 of them show as stripes. Each
+//            component counts as the nearer end outside [-16, 16]
+//   phase    in turns, any float: phase + 1 has the same bits. The stripes move along the wave as it falls, and loop
+//            after one turn. A float far from 0 has few bits left for the turn: wrap it yourself
+//   seed     any uint: 7u, not 7; different seeds give independent fields
+//   returns  a value and its quadrature, which is the value a quarter of a turn of the phase before, each in [-1, 1]
+//            (proven bound 0.9992), mean 0, twice continuously differentiable (HN_FIXED: in steps of 2^-21)
+//   error    at most 1e-5 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 1e-4.
+//            From a cell at most 1e-5
+//   period   2^31 cells per axis, or that of the tile
+//   cost     3 hashes (none with HN_HASH_LATTICE), 6 sines of 5 multiplications each, and 15 multiplications; 2 more to
+//            spread the coordinates, and 2 more for a seed that is not constant
+//   source   Tricard et al., "Procedural phasor noise", 2019; Lagae et al., "Procedural noise using sparse Gabor
+//            convolution", 2009; docs/contract.md, section 23
+HN_FN hn_vec2 hn_phasor(hn_place2 place, hn_vec2 wave, hn_float phase, hn_uint seed) {
+  hn_num2 skewed = hn_i_skewed(place.fraction);
+  hn_uvec3 h = hn_i_triangle(place, skewed, seed);
+  hn_num3 x = hn_i_triangle_x(skewed);
+  hn_num3 y = hn_i_triangle_y(skewed);
+  hn_num3 t = hn_i_triangle_falloff(x, y);
+  hn_num2 k = hn_i_num(hn_i_waves(wave.x), hn_i_waves(wave.y));
+  hn_uint angle = hn_i_angle(phase);
+  hn_num2 n = hn_i_wave_at(h.x + angle + hn_i_waves_from(k, x.x, y.x), hn_i_weight_plane(t.x));
+  n = hn_i_plus(n, hn_i_wave_at(h.y + angle + hn_i_waves_from(k, x.y, y.y), hn_i_weight_plane(t.y)));
+  n = hn_i_plus(n, hn_i_wave_at(h.z + angle + hn_i_waves_from(k, x.z, y.z), hn_i_weight_plane(t.z)));
+  return vec2(hn_i_value(hn_i_scaled(n.x, 1428)), hn_i_value(hn_i_scaled(n.y, 1428)));
+}
+HN_FN hn_vec2 hn_phasor(hn_vec2 p, hn_vec2 wave, hn_float phase, hn_uint seed) {
+  return hn_phasor(hn_place(p), wave, phase, seed);
+}
+
+#endif
