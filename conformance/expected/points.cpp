@@ -261,6 +261,23 @@ float random_phase(Region region, Random& random) {
   }
 }
 
+// Of waves per cell: mostly where they are not cut off, often none or a whole number, and now and then at a limit or beyond.
+float random_wave(Region region, Random& random) {
+  if (region == Region::extreme) return random_extreme(128, random);
+  switch (random.below(8)) {
+    case 0:
+      return 0.0f;
+    case 1:
+      return static_cast<float>(random.below(33)) - 16.0f;
+    case 2:
+      return random_magnitude(-20, 4, random);
+    case 3:
+      return random.uniform(-20.0f, 20.0f);
+    default:
+      return random.uniform(-8.0f, 8.0f);
+  }
+}
+
 // Mostly from 0 to 1, and often at one of the ends; rarely outside. On a regular lattice, with 0, many places are
 // equally near to several points.
 float random_jitter(Region region, Random& random) {
@@ -343,6 +360,7 @@ float random_float(const Column& column, const Function& function, Region region
   if (function.family == Family::distribution) return random_of_distribution(column.name, region, random);
   if (is_setting(column.name)) return random_setting(function, column.name, region, extremes, random);
   if (column.name == "phase") return random_phase(region, random);
+  if (column.name.starts_with("k")) return random_wave(region, random);
   if (column.name == "jitter") return random_jitter(region, random);
   if (!column.name.starts_with("f")) return random_coordinate(region, function.is_octave_sum(), extremes, random);
   return region == Region::extreme ? extreme_fraction(extremes, random) : random_fraction(random);

@@ -80,15 +80,15 @@ std::string id_without(std::string_view text, std::string_view part) {
 }  // namespace
 
 bool Function::is_noise() const {
-  return is_gradient_noise() || is_cellular() ||
+  return is_gradient_noise() || is_simplex_noise() || is_cellular() ||
          is_one_of(family, {Family::lattice_noise, Family::further_lattice_noise});
 }
 
 bool Function::is_cellular() const { return is_one_of(family, {Family::cellular, Family::further_cellular}); }
 
 bool Function::is_gradient_noise() const {
-  return is_one_of(family, {Family::gradient_noise, Family::further_gradient_noise, Family::octahedral_noise,
-                            Family::simplex_noise});
+  return is_one_of(family, {Family::gradient_noise, Family::further_gradient_noise, Family::octahedral_noise}) ||
+         (is_simplex_noise() && !takes_wave());
 }
 
 bool Function::is_octave_sum() const {

@@ -42,13 +42,14 @@ struct Function {
   bool is_continuous() const;      // of a noise
   bool is_never_negative() const;  // of a noise
   bool is_gradient_noise() const;  // it is 0 at lattice points
-  bool is_simplex_noise() const { return family == Family::simplex_noise; }
+  bool is_simplex_noise() const { return family == Family::simplex_noise; }  // or phasor noise, of the same lattices
   bool is_cellular() const;
   bool is_octave_sum() const;
   bool is_further() const;                              // it is of a family that few settings have values of
   bool takes_cell() const { return input("cx") >= 0; }  // and the fraction in it, in place of a position
   bool takes_period() const { return period_word() >= 0; }
   bool takes_phase() const { return input("phase") >= 0; }
+  bool takes_wave() const { return input("kx") >= 0; }
   bool takes_jitter() const { return input("jitter") >= 0; }
   bool takes_strength() const { return input("strength") >= 0; }
   bool takes_amplitude() const { return input("amplitude") >= 0; }

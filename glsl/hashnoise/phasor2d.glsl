@@ -23,7 +23,7 @@
 //   error    at most 1e-5 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 1e-4.
 //            From a cell at most 1e-5
 //   period   2^31 cells per axis, or that of the tile
-//   cost     3 hashes (none with HN_HASH_LATTICE), 6 sines of 5 multiplications each, and 15 multiplications; 2 more to
+//   cost     3 hashes (none with HN_HASH_LATTICE), 6 sines of 6 multiplications each, and 15 multiplications; 2 more to
 //            spread the coordinates, and 2 more for a seed that is not constant
 //   source   Tricard et al., "Procedural phasor noise", 2019; Lagae et al., "Procedural noise using sparse Gabor
 //            convolution", 2009; docs/contract.md, section 23

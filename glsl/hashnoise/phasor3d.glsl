@@ -21,7 +21,7 @@
 //   error    at most 1e-5 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 1e-4.
 //            From a cell at most 1e-5
 //   period   2^32 cells per axis, or that of the tile
-//   cost     4 hashes (none with HN_HASH_LATTICE), 8 sines of 5 multiplications each, and 24 multiplications; 3 more to
+//   cost     4 hashes (none with HN_HASH_LATTICE), 8 sines of 6 multiplications each, and 24 multiplications; 3 more to
 //            spread the coordinates, and 2 more for a seed that is not constant
 //   source   as of hn_phasor on the plane; docs/contract.md, section 23
 HN_FN hn_vec2 hn_phasor(hn_place3 place, hn_vec3 wave, hn_float phase, hn_uint seed) {

@@ -11,8 +11,8 @@
 //
 //   hn_i_waves(k)              a component of a wave vector, in waves per cell: at most 16 in size. In HN_FIXED in units
 //                              of 2^-16
-//   hn_i_crossed(k, d, n)      the angle of the waves along an offset d of 2^n cells; in HN_FIXED rounded down
-//   hn_i_waves_from(k, x, y)   the same of an offset on the plane, whose steps are half a cell, or in space
+//   hn_i_waves_from(k, x, y)   the angle of the waves along an offset, whose steps are half a cell on the plane, and a cell
+//                              in space; in HN_FIXED that of each axis rounded down
 //   hn_i_wave_at(angle, w)     the cosine and the sine of an angle, times a weight
 
 #if HN_ARITHMETIC != HN_FIXED
@@ -32,7 +32,7 @@ HN_FN hn_float hn_i_as_ramp(hn_float sine) { return sine; }
 
 HN_FN hn_int hn_i_waves(hn_float k) { return int(min(max(k, -16.0f), 16.0f) * 65536.0f); }
 
-// The product has 41 bits, of which the low 32 count behind the shift by `s`. Half of the offset at a time keeps each
+// k d, shifted right by s. Of its up to 42 bits the low 32 count behind the shift. Half of the offset at a time keeps each
 // product below 2^31.
 HN_FN hn_uint hn_i_crossed(hn_int k, hn_int d, hn_uint s) {
   return (uint(k * (d >> 10)) << (10u - s)) + uint((k * (d & 1023)) >> s);
