@@ -36,10 +36,10 @@ FORMS = {
     "spread": re.compile(r"spread:i32"),
     "spread_value": re.compile(r"noise:f32 reach:f32 a:f32 b:f32 c:f32"),
     "spread_sum": re.compile(r"reach:f32 a:f32 b:f32 c:f32 detail:f32 gain:f32"),
-    "position": re.compile(r"(?:[xyzw]:f32 )+(?:p[xyzw]:i32 )*(?:phase:f32 )?(?:jitter:f32 )?(?:metric:i32 )?"
-                           r"seed:u32"),
-    "cell": re.compile(r"(?:c[xyzw]:i32 )+(?:f[xyzw]:f32 )+(?:p[xyzw]:i32 )*(?:phase:f32 )?(?:jitter:f32 )?"
-                       r"(?:metric:i32 )?seed:u32"),
+    "position": re.compile(r"(?:[xyzw]:f32 )+(?:p[xyzw]:i32 )*(?:(?:k[xyz]:f32 )+phase:f32 |phase:f32 )?"
+                           r"(?:jitter:f32 )?(?:metric:i32 )?seed:u32"),
+    "cell": re.compile(r"(?:c[xyzw]:i32 )+(?:f[xyzw]:f32 )+(?:p[xyzw]:i32 )*(?:(?:k[xyz]:f32 )+phase:f32 |phase:f32 )?"
+                       r"(?:jitter:f32 )?(?:metric:i32 )?seed:u32"),
     # From a position, or from a cell and a fraction: the settings stand behind those and the periods.
     "sum": re.compile(r"(?:(?:[xyzw]:f32 )+|(?:c[xyzw]:i32 )+(?:f[xyzw]:f32 )+)(?:p[xyzw]:i32 )*"
                       r"(?P<settings>(?:(?:footprint:f32 )?octaves:i32|detail:f32) lacunarity:f32 gain:f32 "
@@ -106,6 +106,11 @@ class Function:
         return "phase:" in self.inputs
 
     @property
+    def has_wave(self) -> bool:
+        """Whether it takes a wave, with a number for each axis, right before the phase."""
+        return "kx:" in self.inputs
+
+    @property
     def has_jitter(self) -> bool:
         """Whether it takes a jitter, behind the periods."""
         return "jitter:" in self.inputs
@@ -157,8 +162,8 @@ class Function:
             return f"{prefix}vec{self.axes}" if self.axes > 1 else scalar
 
         where = f"place{self.axes}" if self.has_place else vector("", "float")
-        phase = ("float",) * self.has_phase
-        chosen = (*phase, *("float",) * self.has_jitter, *("int",) * self.has_metric)
+        wave, phase = (vector("", "float"),) * self.has_wave, ("float",) * self.has_phase
+        chosen = (*wave, *phase, *("float",) * self.has_jitter, *("int",) * self.has_metric)
         settings = tuple("int" if setting == "octaves" else "float" for setting in self.settings)
         return {"words": (vector("u", "uint"),), "zero": ("uint",), "candidate": (where, *("float",) * self.has_radius),
                 "items": ("uint",) * len(self.inputs.split()),

@@ -45,6 +45,9 @@ class Tables(unittest.TestCase):
                                        ("position.perlin2", "place_of_noise", 2, "further_gradient_noise"),
                                        ("noise3d.cellular_cell_full", "cell", 3, "further_cellular"),
                                        ("noise2d.cell_border_nearest", "position", 2, "further_cellular"),
+                                       ("noise2d.phasor", "position", 2, "simplex_noise"),
+                                       ("noise2d.phasor_cell_period", "cell", 2, "simplex_noise"),
+                                       ("noise3d.phasor_cell", "cell", 3, "simplex_noise"),
                                        ("fbm.fbm2_period", "sum", 2, "further_octave_sum"),
                                        ("fbm.ping_pong3_cell_period", "sum", 3, "further_octave_sum"),
                                        ("fbm.weighted2_cell", "sum", 2, "further_octave_sum"),
@@ -70,6 +73,9 @@ class Tables(unittest.TestCase):
         self.assertEqual(functions["noise2d.cellular_full"].overloads, (("vec2", "float", "int", "uint"),))
         self.assertEqual(functions["noise3d.cell_border_cell_offset"].overloads,
                          (("place3", "float", "uint", "out ivec3", "out vec3"),))
+        self.assertEqual(functions["noise2d.phasor"].overloads, (("vec2", "vec2", "float", "uint"),))
+        self.assertEqual(functions["noise3d.phasor_cell"].overloads, (("place3", "vec3", "float", "uint"),))
+        self.assertEqual([functions[id].has_wave for id in ("noise3d.phasor", "noise3d.simplex_phase")], [True, False])
         self.assertEqual([functions[f"noise2d.cellular_{form}"].sets for form in ("full", "nearest", "cell_offset")],
                          ["", "nearest", "offset"])
         self.assertEqual(functions["fbm.fbm2"].types, ("vec2", "int", "float", "float"))
@@ -117,6 +123,8 @@ class Tables(unittest.TestCase):
                         "x:f32 y:f32 seed:u32 = value:f16",
                         "x:f32 y:f32 octaves:i32 gain:f32 lacunarity:f32 seed:u32 = value:f64",
                         "x:f32 cy:i32 fx:f32 fy:f32 octaves:i32 lacunarity:f32 gain:f32 seed:u32 = value:f64",
+                        "x:f32 y:f32 kx:f32 ky:f32 seed:u32 = value:f64",  # a wave has a phase behind it
+                        "x:f32 y:f32 phase:f32 kx:f32 ky:f32 seed:u32 = value:f64",
                         "x:f32 y:f32 detail:f32 octaves:i32 lacunarity:f32 gain:f32 seed:u32 = value:f64",
                         "x:f32 y:f32 seed:u32"):
             self.refused(read_functions, FUNCTION.format(columns=columns), "are not columns that the tools know")
