@@ -12,6 +12,7 @@ from oracle.hexes import HEXES
 from oracle.lattice import Choice, Lattice
 from oracle.nearest import NEAREST, OFFSET
 from oracle.noises import Noise
+from oracle.phasor import PHASOR
 from oracle.self_check import self_check
 from tables.configurations import Configuration
 from tables.functions import NOISES, OCTAVE_SUMS, Function
@@ -61,8 +62,9 @@ def evaluator(function: Function, fixed: bool) -> Evaluate:
         return lambda knobs, row: (self_check(knobs.hash, *row),)
     if function.form == "candidate":
         return _candidate_evaluator(function)
-    if function.bound == HEXES.name:
-        return _evaluator(HEXES, function, fixed)
+    for noise in (HEXES, PHASOR):
+        if function.bound == noise.name:
+            return _evaluator(noise, function, fixed)
     if family == "hash" and function.form == "words":
         return lambda knobs, row: (words.hash_words(knobs.hash, row),)
     if family == "hash" and function.form == "point":
@@ -112,14 +114,17 @@ def _noise_evaluator(function: Function, fixed: bool) -> Evaluate:
 
 
 def chosen(noise: Noise, function: Function, numbers: list[Real]) -> Noise:
-    """The noise with the phase, the jitter and the metric that it takes from the end of the numbers."""
+    """The noise with the wave, the phase, the jitter and the metric that it takes from the end of the numbers."""
     choice = Choice()
     if function.has_metric:
         choice = replace(choice, metric=numbers.pop())
     if function.has_jitter:
         choice = replace(choice, jitter=numbers.pop())
-    of = noise.chosen(choice)
-    return of.turned(numbers.pop()) if function.has_phase else of
+    of = noise.turned(numbers.pop()) if function.has_phase else noise
+    if function.has_wave:
+        choice = replace(choice, wave=tuple(numbers[-function.axes:]))
+        del numbers[-function.axes:]
+    return of.chosen(choice)
 
 
 def values_of(noise: Noise, function: Function, fixed: bool) -> Evaluate:

@@ -1,5 +1,5 @@
 """The lattice under a noise: its points with a seed, with periods and with a phase (docs/contract.md, 6, 13, 14 and
-16), and what a caller of cellular noise chooses (16)."""
+16), and what a caller of cellular noise (16) and of phasor noise (23) chooses."""
 
 from __future__ import annotations
 
@@ -21,9 +21,10 @@ def repeated(coordinate: int, period: int) -> int:
 
 @dataclass(frozen=True)
 class Choice:
-    """What a caller of cellular noise chooses (section 16)."""
+    """What a caller chooses: of cellular noise the jitter and the metric (section 16), of phasor noise a wave (23)."""
     jitter: Real = 1
     metric: int = EUCLIDEAN
+    wave: tuple[Real, ...] = ()  # one number for each axis
 
 
 @dataclass(frozen=True)

@@ -38,7 +38,7 @@ class Noise:
     outputs: tuple[str, ...] = OUTPUTS  # the names of what it returns; as many as it has dimensions
     units: tuple[int, ...] = UNITS
     phase: Real | None = None
-    choice: Choice = Choice()  # of cellular noise
+    choice: Choice = Choice()  # of cellular noise, and of phasor noise
     turns: bool = False  # whether it may have a phase
 
     def turned(self, phase: Real) -> Noise:

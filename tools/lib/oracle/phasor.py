@@ -1,0 +1,97 @@
+"""Section 23 of docs/contract.md: phasor noise, a sum of waves around the points of the lattices of simplex noise.
+
+A caller chooses the wave: so many turns of the phase there are in a cell, along each axis.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
+from fractions import Fraction
+from typing import TypeVar
+
+from oracle import integers, kernels, ramps, turning
+from oracle.gradients import Real
+from oracle.integers import NOISE_UNIT, part, signed
+from oracle.kernels import Kernel
+from oracle.lattice import Lattice
+from oracle.noises import Noise, simplex
+from oracle.words import MASK
+
+Number = TypeVar("Number", int, Fraction)
+
+OUTPUTS = ("value", "quadrature")
+UNITS = (NOISE_UNIT,) * 2
+# By the number of dimensions. The weights are those of simplex noise, in space the one that it has in four dimensions.
+KERNELS = {2: replace(simplex.KERNELS[2], scale=1428), 3: replace(simplex.KERNELS[4], scale=1022)}
+
+MOST = 16  # waves in a cell, along each axis
+TURN = 2**32  # in units of words
+FIXED_WAVE = 2**16  # the unit of K
+
+
+def clamped(wave: Sequence[Real]) -> list[Fraction]:
+    """k."""
+    return [min(max(Fraction(k), Fraction(-MOST)), Fraction(MOST)) for k in wave]
+
+
+def summed(waves: Iterable[tuple[Number, Sequence[Number]]],
+           product: Callable[[Number, Number], Number]) -> tuple[Number, ...]:
+    """The sum of cosines, and that of sines: of each point its weight, and both."""
+    return tuple(map(sum, zip(*([product(x, weight) for x in wave] for weight, wave in waves))))
+
+
+# --- Exact ------------------------------------------------------------------------------------------------------
+
+
+def along(kernel: Kernel, wave: Sequence[Real], d: Sequence[Fraction]) -> Fraction:
+    """k . d, in turns; an offset is in steps, and a wave counts in a cell."""
+    return sum(k * x for k, x in zip(clamped(wave), d, strict=True)) / kernel.steps
+
+
+def turns(lattice: Lattice, kernel: Kernel, h: int, d: Sequence[Fraction]) -> Fraction:
+    """a, at the offset d from a point with the word h."""
+    return Fraction(h, TURN) + Fraction(lattice.phase) + along(kernel, lattice.choice.wave, d)
+
+
+def exact(lattice: Lattice, cell: Sequence[int], f: Sequence[Fraction]) -> tuple[Fraction, ...]:
+    kernel = KERNELS[len(cell)]
+    waves = []
+    for point, d, t in kernels.weighted_points(kernel, tuple(f)):
+        a = turns(lattice, kernel, point.word(kernel, lattice, cell), d)
+        waves.append((kernel.weight.exact(t), turning.cosine_and_sine(a)))
+    return tuple(Fraction(kernel.scale, 1024) * total for total in summed(waves, lambda x, weight: x * weight))
+
+
+# --- Fixed ------------------------------------------------------------------------------------------------------
+
+
+def fixed_wave(wave: Sequence[Real]) -> list[int]:
+    """K."""
+    return [math.trunc(k * FIXED_WAVE) for k in clamped(wave)]
+
+
+def fixed_along(kernel: Kernel, wave: Sequence[Real], d: Sequence[int]) -> int:
+    """D, in units of 2^-32 turns, of which there may be several: only the sum of all is reduced. The products have 40
+    bits."""
+    return sum(k * x // (2**4 * kernel.steps) for k, x in zip(fixed_wave(wave), d, strict=True))
+
+
+def fixed_turns(lattice: Lattice, kernel: Kernel, h: int, d: Sequence[int]) -> int:
+    """a, a word."""
+    return h + turning.angle(lattice.phase) + fixed_along(kernel, lattice.choice.wave, d) & MASK
+
+
+def fixed(lattice: Lattice, cell: Sequence[int], fraction: Sequence[int]) -> tuple[int, ...]:
+    kernel = KERNELS[len(cell)]
+    waves = []
+    for point in kernels.fixed_points(kernel, fraction):
+        a = fixed_turns(lattice, kernel, point.word(kernel, lattice, cell), point.offset)
+        weight = kernel.weight.of_square(*kernels.fixed_t(kernel, point.square))
+        waves.append((weight, integers.cosine_and_sine(a)))
+    totals = summed(waves, lambda x, weight: part(signed(2**13 * x), weight))
+    return tuple(ramps.scaled(signed(total), kernel.scale) for total in totals)
+
+
+PHASOR = Noise("phasor", exact, fixed, OUTPUTS, UNITS, Fraction(0), turns=True)
