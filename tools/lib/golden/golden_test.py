@@ -19,7 +19,7 @@ from pathlib import Path
 from unittest import mock
 
 from golden import command as golden
-from golden import cellular_rows, period_rows, simplex_rows, sum_rows
+from golden import cellular_rows, period_rows, phasor_rows, simplex_rows, sum_rows
 from golden.files import Digest, GoldenFile, Sample, Values, golden_files, line
 from golden.generator import INT_MAX, INT_MIN, fnv1a64, generator_of, to_f32
 from golden_values import Golden, ids
@@ -40,6 +40,7 @@ from thorough import THOROUGH, in_thorough_runs
 FUNCTIONS = {function.id: function for function in read_functions()}
 SUMS = [function for function in FUNCTIONS.values() if function.family in OCTAVE_SUMS]
 CELLULAR = [function for function in FUNCTIONS.values() if function.family in cellular_rows.FAMILIES]
+PHASORS = [function for function in FUNCTIONS.values() if function.has_wave]
 SETTINGS = read_configurations()
 FILES = {file.function.id: file for file in golden_files(list(FUNCTIONS.values()), SETTINGS)}
 
@@ -224,6 +225,24 @@ class GoldenContents(unittest.TestCase):
         self.assertTrue(set(simplex_rows.PHASES) <= set(found))
         self.assertTrue(any(math.copysign(1, phase) < 0 for phase in found if phase == 0))
         self.assertGreater(len(set(found)), len(found) / 3)
+
+    def test_waves_reach_every_case(self) -> None:
+        self.assertEqual(len(PHASORS), 4)
+        for function in PHASORS:
+            n = function.axes
+            self.check_phases(function.id, -2)
+            for rows, edges in zip(rows_of(function.id), (phasor_rows.EDGES, phasor_rows.CUT)):
+                waves = {row[-2 - n:-2] for row in rows}
+                alone = {(edge, axis) for edge, axis in itertools.product(edges, range(n))
+                         if tuple(edge if i == axis else 0 for i in range(n)) in waves}
+                self.assertEqual({edge for edge, _ in alone}, set(edges), function.id)
+                if len(rows) > 5 * n * len(edges):
+                    self.assertEqual(len(alone), n * len(set(edges)), function.id)
+                self.assertLessEqual({(abs(edge),) * n for edge in edges}, {tuple(map(abs, wave)) for wave in waves})
+                self.assertGreater(len(waves), len(rows) / 2)
+                # An edge of a phase is with waves of each kind, and so is a phase that is none.
+                self.assertEqual({(row[-2] in simplex_rows.PHASES, index % 5) for index, row in enumerate(rows)},
+                                 set(itertools.product((False, True), range(5))))
 
     def test_points_that_move_are_in_every_kind_of_place(self) -> None:
         for n in (2, 3):

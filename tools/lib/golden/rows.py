@@ -6,7 +6,8 @@ import itertools
 from collections.abc import Sequence
 
 import catalog.model
-from golden import cellular_rows, hex_rows, period_rows, scatter_rows, simplex_rows, sum_rows, uniform_rows
+from golden import (cellular_rows, hex_rows, period_rows, phasor_rows, scatter_rows, simplex_rows, sum_rows,
+                    uniform_rows)
 from golden.generator import INT_MAX, INT_MIN, SEEDS, Generator, Row, to_f32
 from oracle import gradients, words
 from tables.configurations import Configuration
@@ -253,10 +254,13 @@ def rows_of(function: Function, fixed: bool, settings: Sequence[Configuration],
             rows_of_fixed(function, settings, generator) if fixed else [])
 
 
-def with_phases(rows: list[Row], function: Function, generator: Generator) -> list[Row]:
-    """Rows of cellular noise have one among what a caller chooses."""
-    has_none = not function.has_phase or function.family in cellular_rows.FAMILIES
-    return rows if has_none else simplex_rows.with_phases(rows, generator)
+def with_phases(rows: list[Row], function: Function, waves: Sequence[float], generator: Generator) -> list[Row]:
+    """And with waves, if it has some, among them `waves`. Rows of cellular noise have a phase among what a caller
+    chooses."""
+    if not function.has_phase or function.family in cellular_rows.FAMILIES:
+        return rows
+    rows = simplex_rows.with_phases(rows, generator)
+    return phasor_rows.with_waves(rows, function.axes, waves, generator) if function.has_wave else rows
 
 
 def rows_of_fixed(function: Function, settings: Sequence[Configuration], generator: Generator) -> list[Row]:
@@ -268,7 +272,7 @@ def rows_of_fixed(function: Function, settings: Sequence[Configuration], generat
     if function.family in cellular_rows.FAMILIES:
         rows = cellular_rows.with_choices(rows, function, generator)
         rows += cellular_rows.for_fixed(function, settings, generator)
-    return with_phases(rows, function, generator)
+    return with_phases(rows, function, phasor_rows.CUT, generator)
 
 
 def plain_rows(function: Function, settings: Sequence[Configuration], generator: Generator) -> list[Row]:
@@ -290,4 +294,4 @@ def plain_rows(function: Function, settings: Sequence[Configuration], generator:
             rows = list(cellular_rows.cleared(rows, function, generator))
     if function.noise in JUMPING and form == "position":
         rows = [tuple(-LEAST if -LEAST < x < 0 else x for x in row[:n]) + row[n:] for row in rows]
-    return with_phases(rows, function, generator)
+    return with_phases(rows, function, phasor_rows.EDGES, generator)
