@@ -84,18 +84,32 @@ def near_error(kernel: Kernel, t):
     return HALF_NEAR + kernel.fall * 2.0**-30 + np.where(t > 1 - 1 / NEAR_ONE, HALF_NEAR, 0.0)
 
 
-class Point:
-    """The largest of what a lattice point has in each box."""
+class Weighted:
+    """The largest of what a lattice point has in each box, whatever its weight is multiplied with: a ramp, which is
+    less than 2^31 in units of 1 / one."""
 
-    def __init__(self, kernel: Kernel, boxes: Boxes, point, turns: bool):
-        self.offsets = Offsets.of(kernel, boxes, point)
-        t, self.one, self.weights, self.fall = self.offsets.largest, ramp_one(kernel.dims), kernel.weight, kernel.fall
+    def __init__(self, kernel: Kernel, boxes: Boxes, point, one: int):
+        self.offsets, self.one = Offsets.of(kernel, boxes, point), one
+        t, self.weights, self.fall = self.offsets.largest, kernel.weight, kernel.fall
         self.counts, self.near_error = t > 0, near_error(kernel, t)
-        gradient, factor = kernels.reach(kernel, turns)
         self.weight = kernel.weight.size(0, self.offsets.least, t)
         self.weight_error = kernel.weight.fixed(t, self.near_error)
+
+    def added(self, ramp, ramp_error):
+        """How far what it adds is off."""
+        error = ((ramp + ramp_error) * self.weight_error + ramp_error * self.weight
+                 + part_rounding(self.weight + self.weight_error) / self.one)
+        return np.where(self.counts, error, 0.0)
+
+
+class Point(Weighted):
+    """With a gradient."""
+
+    def __init__(self, kernel: Kernel, boxes: Boxes, point, turns: bool):
+        super().__init__(kernel, boxes, point, ramp_one(kernel.dims))
+        gradient, factor = kernels.reach(kernel, turns)
         self.ramp = factor * gradient.support(self.offsets.size)
-        self.ramp_error = np.full(t.shape, ramp_rounding(kernel.dims, kernel.more, turns) / self.one)
+        self.ramp_error = np.full(self.counts.shape, ramp_rounding(kernel.dims, kernel.more, turns) / self.one)
         self.gradient, self.gradient_error = factor, 0.0
         if turns:
             length = np.sqrt((self.offsets.size**2).sum(axis=0))
@@ -103,9 +117,7 @@ class Point:
             self.gradient_error = turn_effect(kernel.longest) + MIXED_ROUNDING / self.one
 
     def value(self):
-        error = ((self.ramp + self.ramp_error) * self.weight_error + self.ramp_error * self.weight
-                 + part_rounding(self.weight + self.weight_error) / self.one)
-        return np.where(self.counts, error, 0.0)
+        return self.added(self.ramp, self.ramp_error)
 
     def derivative(self, axis: int):
         upright = ((self.gradient + self.gradient_error) * self.weight_error + self.gradient_error * self.weight
@@ -123,7 +135,8 @@ class Point:
 LEVELS, TOLERANCE = {2: 10, 3: 8, 4: 7}, 0.01
 
 
-def _supremum(kernel: Kernel, of_boxes) -> float:
+def error_supremum(kernel: Kernel, of_boxes) -> float:
+    """Of what is given for each box."""
     def bound(boxes: Boxes):
         # What a box has in its middle is no bound, but no box around it can have less.
         return of_boxes(boxes), of_boxes(Boxes(30, (boxes.index * 2 + 1) << (29 - boxes.level)))
@@ -134,7 +147,8 @@ def _supremum(kernel: Kernel, of_boxes) -> float:
 @functools.cache
 def rounding_effect(kernel: Kernel, turns: bool) -> float:
     """All but CUT and SCALE, not scaled."""
-    return _supremum(kernel, lambda boxes: sum(Point(kernel, boxes, point, turns).value() for point in kernel.points))
+    return error_supremum(kernel, lambda boxes: sum(Point(kernel, boxes, point, turns).value()
+                                                    for point in kernel.points))
 
 
 @functools.cache
@@ -144,7 +158,7 @@ def slope_rounding_effect(kernel: Kernel, turns: bool) -> float:
         points = [Point(kernel, boxes, point, turns) for point in kernel.points]
         return np.maximum.reduce([sum(point.derivative(axis) for point in points)
                                   for axis in range(kernel.dims)])
-    return _supremum(kernel, of_boxes)
+    return error_supremum(kernel, of_boxes)
 
 
 # --- Bounds -----------------------------------------------------------------------------------------------------------
@@ -200,17 +214,20 @@ def pieces(kernel: Kernel) -> tuple[np.ndarray, np.ndarray]:
     return low, low + kernel.radius / 4096
 
 
-def largest_intermediates(kernel: Kernel, turns: bool) -> dict[str, float]:
-    """The value is at most 1. No offset from a point that is visited is more than 1 along an axis: so the squares sum
-    to at most 2 steps on the plane, and elsewhere to 1, or 3/2 with the larger kernel, of which m is 1. The word m q is
-    then at most 2^31. Those of the weights fit 32 bits, since t < 2^16, and t (98304 - t) is at most 49152^2. A sum of
-    the parts of some of the points is as large as that of all can be."""
-    ramp, one = longest_ramp(kernel, turns), ramp_one(kernel.dims)
+def weighted_intermediates(kernel: Kernel, ramp: float) -> dict[str, float]:
+    """Of ramps up to that size. The value is at most 1. No offset from a point that is visited is more than 1 along an
+    axis: so the squares sum to at most 2 steps on the plane, and elsewhere to 1, or 3/2 with the larger kernel, of
+    which m is 1. The word m q is then at most 2^31. Those of the weights fit 32 bits, since t < 2^16, and
+    t (98304 - t) is at most 49152^2. A sum of the parts of some of the points is as large as that of all can be."""
     weight = kernel.weight.size(0, *pieces(kernel)).max() * FADE_ONE + 1
-    return {**(turned_intermediates(kernel.dims, kernel.longest) if turns else {}),
-            "half of the word of a square": 2.0**30, "ramp": ramp,
+    return {"half of the word of a square": 2.0**30, "ramp": ramp,
             "attenuated": part_intermediate(ramp, np.array([math.ceil(weight)])),
-            "scaled": scaled_intermediate(1024 / kernel.scale * one, fixed_scale(kernel))}
+            "scaled": scaled_intermediate(1024 / kernel.scale * ramp_one(kernel.dims), fixed_scale(kernel))}
+
+
+def largest_intermediates(kernel: Kernel, turns: bool) -> dict[str, float]:
+    return {**(turned_intermediates(kernel.dims, kernel.longest) if turns else {}),
+            **weighted_intermediates(kernel, longest_ramp(kernel, turns))}
 
 
 def largest_slope_intermediates(kernel: Kernel, turns: bool) -> dict[str, float]:

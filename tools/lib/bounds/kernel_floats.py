@@ -207,7 +207,8 @@ LEVELS, TOLERANCE = {2: 10, 3: 7, 4: 6}, 0.003
 SKEWED = 2.0**-22 + 2.0**-24  # in steps: how far the place moves on the plane
 
 
-def _supremum(error, kernel: Kernel) -> float:
+def error_supremum(error, kernel: Kernel) -> float:
+    """Of an error that is given for boxes by their ends."""
     def bound(boxes: Boxes):
         middle = (boxes.lo + boxes.hi) / 2
         return error(boxes.lo, boxes.hi), error(middle, middle)
@@ -226,7 +227,7 @@ def _moved(kernel: Kernel, quantity: Quantity, ulps, gradient, factor: float) ->
 @functools.cache
 def error_bound(kernel: Kernel, turns: bool = False, ulps: float = 1.0) -> float:
     """A proven upper bound of the error from (cell, fraction)."""
-    return (_supremum(functools.partial(value_error, kernel, turns, ulps), kernel)
+    return (error_supremum(functools.partial(value_error, kernel, turns, ulps), kernel)
             + _moved(kernel, kernels.VALUE, ulps, *kernels.reach(kernel, turns)))
 
 
@@ -234,4 +235,4 @@ def error_bound(kernel: Kernel, turns: bool = False, ulps: float = 1.0) -> float
 def slope_error_bound(kernel: Kernel, turns: bool = False, ulps: float = 1.0) -> float:
     """The same of the derivatives, per cell."""
     moved = max(_moved(kernel, Quantity((axis,)), ulps, *kernels.reach(kernel, turns)) for axis in kernels.axes(kernel))
-    return kernel.steps * (_supremum(functools.partial(slope_error, kernel, turns, ulps), kernel) + moved)
+    return kernel.steps * (error_supremum(functools.partial(slope_error, kernel, turns, ulps), kernel) + moved)
