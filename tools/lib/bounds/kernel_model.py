@@ -1,5 +1,6 @@
-"""Sums over lattice points, and gradients that turn, on arrays: exactly in doubles, and in integers. Written from
-docs/contract.md, sections 13 and 14, for bounds_kernel_test.py. Floats are those of the library's text (rounded.py).
+"""Sums over lattice points, gradients that turn, and waves, on arrays: exactly in doubles, and in integers. Written
+from docs/contract.md, sections 13, 14 and 23, for bounds_kernel_test.py and bounds_phasor_test.py. Floats are those of
+the library's text (rounded.py).
 
 A noise takes the fractions along its axes, and a function from a lattice point, as coordinates in half steps, to its
 words. A phase is a word in units of 2^-32 turns, or None."""
@@ -15,6 +16,8 @@ from bounds.exact_model import s32, u32
 from bounds.fixed_model import ONE, part
 from bounds.gradients import OCTAHEDRAL
 from bounds.kernels import SMOOTH
+from bounds.weights import CUBE, FIFTH, PLANE
+
 
 def more_of(kernel):
     return {(2, False): 3 / 8, (2, True): 3 / 8, (3, False): 1, (3, True): 2}.get((kernel.dims, is_smooth(kernel)))
@@ -89,31 +92,46 @@ def turned(g, phase):
 
 def weight(kernel, t):
     """w and its derivative."""
-    if kernel.dims == 4 or (kernel.dims == 2 and is_smooth(kernel)):
+    if kernel.weight is CUBE:
         return t**3, 3 * t**2
-    if kernel.dims == 2:
+    if kernel.weight is PLANE:
         return 3 * t**3 - 2 * t**4, 9 * t**2 - 8 * t**3
-    return (4 * t**5, 20 * t**4) if is_smooth(kernel) else (t**4, 4 * t**3)
+    return (4 * t**5, 20 * t**4) if kernel.weight is FIFTH else (t**4, 4 * t**3)
+
+
+def near_points(kernel, place):
+    """Each point, the places that it is near to, its offsets there and t."""
+    for point in points(kernel):
+        d = place - np.array(point)[:, None]
+        t = kernel.radius - kernel.fall * sum(d * d)
+        near = np.flatnonzero(t > 0)
+        if near.size:
+            yield halves(point), near, d[:, near], t[near]
 
 
 def simplex(kernel, words_of, fractions, phase=None):
     """The value, and the derivatives per cell."""
     place = np.array([x * kernel.steps for x in fractions])
     value, derivatives = np.zeros(place.shape[1]), np.zeros(place.shape)
-    for point in points(kernel):
-        d = place - np.array(point)[:, None]
-        t = kernel.radius - kernel.fall * sum(d * d)
-        near = np.flatnonzero(t > 0)
-        if not near.size:
-            continue
-        d, (w, slope) = d[:, near], weight(kernel, t[near])
-        g = turned(lengthened(kernel, at(near, words_of(halves(point)))), at(near, phase))
+    for point, near, d, t in near_points(kernel, place):
+        w, slope = weight(kernel, t)
+        g = turned(lengthened(kernel, at(near, words_of(point))), at(near, phase))
         ramp = sum(a * b for a, b in zip(g, d))
         value[near] += w * ramp
         for axis, a in enumerate(g):
             derivatives[axis, near] += a * w - 2 * kernel.fall * d[axis] * slope * ramp
     scale = kernel.scale / 1024
     return scale * value, list(scale * kernel.steps * derivatives)
+
+
+def phasor(kernel, words_of, fractions, wave, phase):
+    """The value, and the quadrature as the imaginary part. The phase is in turns."""
+    place = np.array([x * kernel.steps for x in fractions])
+    waves, total = np.clip(wave, -16, 16), np.zeros(place.shape[1], complex)
+    for point, near, d, t in near_points(kernel, place):
+        turns = at(near, words_of(point)) / 2**32 + phase[near] + sum(waves[:, near] * d) / kernel.steps
+        total[near] += weight(kernel, t)[0] * np.exp(2j * math.pi * (turns % 1))
+    return kernel.scale / 1024 * total
 
 
 def perlin(words_of, fractions, phase):
@@ -180,29 +198,37 @@ def fixed_weight(kernel, t):
     """W and E."""
     q = u32(t * t + 2**15) >> 16
     cube = u32(q * t + 2**13) >> 14
-    if kernel.dims == 4 or (kernel.dims == 2 and is_smooth(kernel)):
+    if kernel.weight is CUBE:
         return cube, 6 * q
-    if kernel.dims == 2:
+    if kernel.weight is PLANE:
         u = u32(t * (98304 - t) + 2**15) >> 16
         return u32(q * u + 2**12) >> 13, s32(q * (73728 - t) + 2**12) >> 13
-    if is_smooth(kernel):
+    if kernel.weight is FIFTH:
         return u32((u32(q * q + 2**15) >> 16) * t + 2**11) >> 12, None
     return u32(q * q + 2**13) >> 14, 2 * cube
+
+
+def near_fixed_points(kernel, place):
+    for point in points(kernel):
+        d = place - np.array([int(x * ONE) for x in point])[:, None]
+        n = sum(d * d) >> 10
+        t = np.minimum((np.maximum(int(kernel.radius * 2**30) - kernel.fall * n, 0) + 2**13) >> 14, 65535)
+        near = np.flatnonzero(t > 0)
+        if near.size:
+            yield halves(point), near, d[:, near], t[near]
+
+
+def fixed_scaled(n, scale):
+    return s32((s32(n + 256) >> 9) * scale + 256) >> 9
 
 
 def fixed_simplex(kernel, words_of, fractions, phase=None):
     """v in units of 2^-21, and the derivatives in units of 2^-19."""
     place = np.array([kernel.steps * f for f in fractions])
     total, along = np.zeros(place.shape[1], np.int64), np.zeros(place.shape, np.int64)
-    for point in points(kernel):
-        d = place - np.array([int(x * ONE) for x in point])[:, None]
-        n = sum(d * d) >> 10
-        t = np.minimum((np.maximum(int(kernel.radius * 2**30) - kernel.fall * n, 0) + 2**13) >> 14, 65535)
-        near = np.flatnonzero(t > 0)
-        if not near.size:
-            continue
-        d, (w, fall) = d[:, near], fixed_weight(kernel, t[near])
-        words, turn = at(near, words_of(halves(point))), at(near, phase)
+    for point, near, d, t in near_fixed_points(kernel, place):
+        w, fall = fixed_weight(kernel, t)
+        words, turn = at(near, words_of(point)), at(near, phase)
         ramp = fixed_ramp(kernel, words, d, turn)
         total[near] += part(ramp, w)
         if fall is not None:
@@ -210,7 +236,26 @@ def fixed_simplex(kernel, words_of, fractions, phase=None):
             for axis, a in enumerate(g):
                 along[axis, near] += (part(a, w) >> 2) - 2 * part(k, d[axis] >> 2)
     scale = kernel.scale * (2 if kernel.dims == 4 else 1)
+    return fixed_scaled(s32(total), scale), [kernel.steps * fixed_scaled(s32(e), scale) for e in along]
 
-    def scaled(n):
-        return s32((s32(n + 256) >> 9) * scale + 256) >> 9
-    return scaled(s32(total)), [kernel.steps * scaled(s32(e)) for e in along]
+
+def fixed_angle(turns):
+    """A number of turns as a word."""
+    return u32(4 * np.trunc((turns - np.trunc(turns)) * 2.0**30).astype(np.int64))
+
+
+def fixed_waves(wave):
+    """K."""
+    return np.trunc(np.clip(wave, -16, 16) * 2.0**16).astype(np.int64)
+
+
+def fixed_phasor(kernel, words_of, fractions, wave, phase):
+    """The value and the quadrature in units of 2^-21."""
+    place, waves, angle = np.array([kernel.steps * f for f in fractions]), fixed_waves(wave), fixed_angle(phase)
+    total = np.zeros((2, place.shape[1]), np.int64)
+    for point, near, d, t in near_fixed_points(kernel, place):
+        a = at(near, words_of(point)) + angle[near] + sum((waves[:, near] * d) >> (5 if kernel.triangles else 4))
+        w = fixed_weight(kernel, t)[0]
+        for n, word in zip(total, (u32(a + 2**30), u32(a))):
+            n[near] += part(2**13 * fixed.sine_of_turns(word), w)
+    return [fixed_scaled(s32(n), kernel.scale) for n in total]

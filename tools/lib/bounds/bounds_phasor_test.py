@@ -1,0 +1,219 @@
+"""Tests of what is proven of phasor noise: the models of docs/contract.md and the text of the library stay within the
+bounds, and reach a part of them. A wrong constant is noticed."""
+
+import functools
+import unittest
+from unittest import mock
+
+import numpy as np
+
+from bounds import fixed_model as fixed
+from bounds import kernel_fixed, kernel_model
+from bounds.boxes import Boxes
+from bounds.fixed_model import ONE
+from bounds.kernels import Offsets
+from bounds.noises import phasor
+from bounds.noises.phasor import KERNELS, WAVES
+from bounds.rounded import Body, Rounding, Text, along_axes, roundings
+from bounds.table import bounds_of
+
+AXES = {2: "xy", 3: "xyz"}
+
+
+def random_case(seed, dims, count):
+    """Cells, fractions, waves and phases: floats. Half of the components of waves are as large as counts; some are
+    larger. A third of the places is near lattice points, where the waves weigh most."""
+    rng = np.random.default_rng(seed)
+    cells = list(rng.integers(-2**31, 2**31, (dims, count)))
+    near = rng.integers(0, 2, (1, count)) / 2 + abs(rng.normal(0, 2.0**-rng.integers(1, 12, count), (dims, count)))
+    f = np.where(rng.random(count) < 1 / 3, np.minimum(near, 1), rng.random((dims, count)))
+    wave = np.where(rng.random((dims, count)) < 0.5, rng.choice([-WAVES, WAVES, 2 * WAVES], (dims, count)),
+                    rng.uniform(-WAVES, WAVES, (dims, count)))
+    f, wave, phase = (x.astype(np.float32).astype(float) for x in (f, wave, rng.uniform(-2, 2, count)))
+    return cells, f, wave, phase
+
+
+def numbers(n):
+    """The value and the quadrature of the exact noise."""
+    return np.array([n.real, n.imag])
+
+
+def exactly(dims, cells, f, wave, phase):
+    kernel = KERNELS[dims]
+    return numbers(kernel_model.phasor(kernel, kernel_model.words_at(kernel, cells), f, wave, phase))
+
+
+# --- The text of the library ------------------------------------------------------------------------------------------
+
+def body(dims, from_cell):
+    """From a position, or a cell and a fraction; then the wave and the phase."""
+    axes = AXES[dims]
+    inputs = [f"c{axis}:i32" for axis in axes * from_cell] + [f"{'f' * from_cell}{axis}:f32" for axis in axes]
+    inputs += [f"k{axis}:f32" for axis in axes] + ["phase:f32"]
+    words = [f"{vector}.{axis}" for vector in "abc" for axis in "xyzw"]
+
+    def taken(count, kind):
+        some = [words.pop(0) for _ in range(count)]
+        return f"ivec{count}({', '.join(f'int({x})' for x in some)})" if kind == "cell" else (
+            f"vec{count}({', '.join(f'float_of({x})' for x in some)})")
+    place = f"hn_place({taken(dims, 'cell')}, {taken(dims, 'float')})" if from_cell else taken(dims, "float")
+    wave = taken(dims, "float")
+    return Body(" ".join(inputs), "value:f32 quadrature:f32",
+                f"hn_vec2 n = hn_phasor({place}, {wave}, float_of({words[0]}), 0u);"
+                "return uvec4(bits_of(n.x), bits_of(n.y), 0u, 0u);")
+
+
+@functools.cache
+def text(*macros):
+    return Text([], *macros, **{f"{form}{dims}": body(dims, form == "cell") for dims in KERNELS
+                                for form in ("cell", "position")})
+
+
+def from_cell(dims, rounding, cells, f, wave, phase, *macros):
+    columns = along_axes("c", cells) | along_axes("f", f) | along_axes("k", wave)
+    return np.array(text(*macros)(f"cell{dims}", rounding, **columns, phase=phase))
+
+
+class Exact(unittest.TestCase):
+    def test_model_is_what_is_bounded(self):
+        """With words that make all waves agree, the value is the sum of the weights, and at a lattice point it is the
+        largest."""
+        rng = np.random.default_rng(1)
+        for dims, kernel in KERNELS.items():
+            f = rng.uniform(0, 0.5, (dims, 3000)) / kernel.steps
+            f[:, 0] = 0
+            still = np.zeros((dims, 3000))
+            value = kernel_model.phasor(kernel, lambda _: np.zeros(1), f, still, still[0])
+            sums = kernel.scale / 1024 * phasor.attained(kernel, (0.0,) * dims, 1.0, f * kernel.steps)
+            self.assertLess(abs(value - sums).max(), 1e-12)
+            self.assertTrue(0.99999 * phasor.range_of(kernel) < value.real.max() <= phasor.range_of(kernel))
+
+    def test_scales_leave_little_room(self):
+        for dims, kernel in KERNELS.items():
+            self.assertTrue(0.9985 < phasor.length(dims) < 1)
+            self.assertGreater(phasor.range_of(kernel) * (kernel.scale + 2) / kernel.scale, 1)
+            self.assertEqual((bounds_of("phasor", dims, "none").limit, bounds_of("phasor", dims, "none").fixed_limit),
+                             (1, 1))
+
+    def test_slopes(self):
+        """The steepest wave, at a lattice point, nearly reaches the constant; elsewhere none exceeds it."""
+        rng, step = np.random.default_rng(2), 1e-7
+        for dims, kernel in KERNELS.items():
+            words = {point: rng.integers(0, 2**32, 2000) for point in
+                     [tuple(kernel_model.halves(point)) for point in kernel_model.points(kernel)]}
+            f, wave = rng.random((dims, 2000)), rng.choice([-WAVES, WAVES], (dims, 2000))
+            f[:, 0], words[(0,) * dims][0] = 0, 2**30
+            ends = [numbers(kernel_model.phasor(kernel, lambda point: words[tuple(point)],
+                                                f + sign * step * np.sign(wave), wave, np.zeros(2000)))
+                    for sign in (1, -1)]
+            slopes = abs(ends[0] - ends[1]) / (2 * step)
+            bound = phasor.lipschitz_of(kernel)
+            self.assertTrue(0.9999 * bound < slopes.max() < bound, (slopes.max(), bound))
+
+    def test_shorter_waves(self):
+        """What docs/accuracy.md says of a quarter of the longest."""
+        for kernel in KERNELS.values():
+            slope, error = phasor.lipschitz_of(kernel), phasor.error_bound(kernel)
+            with mock.patch.object(phasor, "WAVES", WAVES / 4):
+                self.assertTrue(0.999 < 4 * phasor.lipschitz_of(kernel) / slope < 1.001)
+                self.assertTrue(0.3 < phasor.error_bound.__wrapped__(kernel) / error < 0.5)
+
+    def test_second_derivatives(self):
+        """Of waves at random angles, in small boxes: they are within what is assumed."""
+        rng, step = np.random.default_rng(3), 1e-4
+        for dims, kernel in KERNELS.items():
+            boxes, angle = Boxes(5, rng.integers(0, 16, (dims, 200))), rng.uniform(0, 2 * np.pi, 200)
+            u, rate = (1.0,) * dims, phasor.rate_along(kernel, dims)
+            for point in kernel.points:
+                def rise(d):
+                    t = np.maximum(kernel.radius - kernel.fall * (d * d).sum(axis=0), 0)
+                    w, dw = kernel_model.weight(kernel, t)
+                    return np.cos(angle) * 2 * kernel.fall * dw * d.sum(axis=0) + np.sin(angle) * rate * w
+                middle, offsets = (boxes.lo + boxes.hi) / 2 - np.array(point)[:, None], Offsets.of(kernel, boxes, point)
+                for axis, unit in enumerate(np.eye(dims)):
+                    moved = step * unit[:, None]
+                    second = (rise(middle + moved) + rise(middle - moved) - 2 * rise(middle)) / step**2
+                    bound = phasor.second_derivative(kernel, u, rate, offsets, axis)
+                    self.assertLess((abs(second) - bound).max(), 1e-3)
+
+
+class Fixed(unittest.TestCase):
+    COUNT = 8000
+
+    def errors(self, dims):
+        kernel, (cells, f, wave, phase) = KERNELS[dims], random_case(4, dims, self.COUNT)
+        words = kernel_model.words_at(kernel, cells)
+        found = kernel_model.fixed_phasor(kernel, words, [np.trunc(x * ONE).astype(np.int64) for x in f], wave, phase)
+        return abs(np.array(found) / 2**21 - exactly(dims, cells, f, wave, phase)).max()
+
+    def test_random_points(self):
+        for dims in KERNELS:
+            bound = bounds_of("phasor", dims, "none").fixed_error
+            seen = self.errors(dims)
+            self.assertTrue(bound / 3 < seen < bound, (dims, seen, bound))
+
+    def test_fails_with_fewer_bits(self):
+        """Must-fail checks: of a wave, of a sine, and of an angle."""
+        waves, sine, angle = kernel_model.fixed_waves, fixed.sine_of_turns, kernel_model.fixed_angle
+        for dims in KERNELS:
+            for module, name, coarse in ((kernel_model, "fixed_waves", lambda wave: waves(wave) & ~31),
+                                         (fixed, "sine_of_turns", lambda turns: sine(turns) & ~63),
+                                         (kernel_model, "fixed_angle", lambda turns: angle(turns) & ~(2**19 - 1))):
+                with mock.patch.object(module, name, coarse):
+                    self.assertGreater(self.errors(dims), bounds_of("phasor", dims, "none").fixed_error, (dims, name))
+
+    def test_model_has_the_bits_of_the_text(self):
+        for dims, kernel in KERNELS.items():
+            cells, f, wave, phase = random_case(5, dims, 2000)
+            f[:, 0], wave[:, 0], phase[0] = 1, -WAVES, 0  # the largest products
+            found = kernel_model.fixed_phasor(kernel, kernel_model.words_at(kernel, cells),
+                                              [np.trunc(x * ONE).astype(np.int64) for x in f], wave, phase)
+            of_text = from_cell(dims, Rounding("up"), cells, f, wave, phase, "HN_ARITHMETIC=HN_FIXED")
+            self.assertTrue(np.array_equal(np.array(found), of_text * 2**21))
+            self.assertLessEqual(np.hypot(*of_text).max(), 1)
+
+    def test_no_product_overflows(self):
+        """Of the largest wave, the ends of offsets and all sines: they reach the sizes that are proven."""
+        k, d = int(kernel_model.fixed_waves(np.array([WAVES]))[0]), np.array([-ONE, -1, ONE - 1, ONE])
+        ramp = fixed.sine_of_turns(np.arange(2**16) << 15).max() * 2**13
+        for dims in KERNELS:
+            largest = phasor.largest_intermediates(dims, None)
+            self.assertLess(max(largest.values()), 2**31)
+            reached = [abs(k * (d >> 10)).max(), abs(k * (d & 1023)).max(), ramp]
+            self.assertEqual(reached, [largest[name] for name in (
+                "wave times the high bits", "wave times the low bits", "ramp")])
+
+
+class Floats(unittest.TestCase):
+    """The text of the library over floats of any rounding mode."""
+
+    def test_from_a_cell(self):
+        for dims in KERNELS:
+            case, bound = random_case(6, dims, 3000), bounds_of("phasor", dims, "none")
+            expected = exactly(dims, *case)
+            found = [from_cell(dims, rounding, *case) for rounding in roundings(7)]
+            seen = max(abs(n - expected).max() for n in found)
+            self.assertTrue(bound.cell_error / 8 < seen < bound.cell_error, (dims, seen, bound.cell_error))
+            self.assertLessEqual(max(np.hypot(*n).max() for n in found), 1)
+
+    def test_from_a_position(self):
+        """Just below 0, where the fraction rounds most, and near a lattice point, where the noise is steepest."""
+        for dims in KERNELS:
+            bound, (_, f, wave, phase) = bounds_of("phasor", dims, "none"), random_case(8, dims, 3000)
+            p = -(f / 2**np.random.default_rng(9).integers(1, 20, 3000)).astype(np.float32).astype(float)
+            expected = exactly(dims, [np.full(3000, -1)] * dims, 1 + p, wave, phase)
+            columns = along_axes("", p) | along_axes("k", wave) | {"phase": phase}
+            seen = max(abs(np.array(text()(f"position{dims}", rounding, **columns)) - expected).max()
+                       for rounding in roundings(10))
+            self.assertTrue(bound.cell_error / 3 < seen < bound.error, (dims, seen, bound.error))
+
+    def test_fails_with_fewer_bits(self):
+        """A must-fail check: a mantissa without 4 of its bits."""
+        for dims in KERNELS:
+            case = random_case(6, dims, 3000)
+            found = from_cell(dims, Rounding("nearest", lost_bits=4), *case)
+            self.assertGreater(abs(found - exactly(dims, *case)).max(), bounds_of("phasor", dims, "none").cell_error)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,200 @@
+"""hn_phasor: what is proven of it, from docs/contract.md, section 23. One bound holds for the value and for the
+quadrature: each is the real part of
+
+    S * sum of w(t) e(a)        e(a) = exp(2 pi i a) for the value, and -i times that for the quadrature
+
+over the points of simplex noise (kernels.py), of which the words, and so the angles, may be any.
+
+RANGE. It is S times the supremum of the sum of the weights, which is that of the length of value and quadrature, too.
+
+LIPSCHITZ. The derivative along a vector u, per step, has in place of the weight
+
+    -2 m w' (d.u) + 2 pi i (k.u) w        with k per step
+
+The supremum over all angles is the sum of the magnitudes. |k.u| is at most the sum of 16 waves per cell along each
+axis, for any signs of u. For given angles the sum is as smooth as the weights: so in a box it is bounded by its values
+at the vertices and its second derivatives, as in kernels.py.
+
+FLOATS, as in kernel_floats.py, with these in place of a ramp:
+
+    turns = k*d + ..;  on the plane turns/2;  the angle is cut off to a multiple of 2^-30 turns;  cosine and sine
+
+Everything behind the sum is exact up to the sine, of which sine.py has the error. The angle of the phase is cut off,
+too. On the plane the skewed coordinate moves the place, for all points alike.
+
+FIXED, as in kernel_fixed.py. The wave is cut to a multiple of 2^-16 along each axis, which turns a point by up to that
+times its offset. The product along each axis rounds down by less than 2^-32 turns. Sines times 2^13 are exact.
+
+NO OVERFLOW. K is at most 2^20. An offset is at most 1 step along an axis, of which the contract's product takes the
+high and the low 10 bits in turn: the low ones are below 2^10, and the high ones are at most 2^10.
+"""
+
+from __future__ import annotations
+
+import functools
+import math
+from dataclasses import replace
+
+import numpy as np
+
+from bounds import kernel_fixed, kernel_floats, kernels
+from bounds.boxes import Boxes, cell, supremum
+from bounds.floats import Approx, position_error
+from bounds.gradients import Gradient
+from bounds.integers import ONE, UNIT
+from bounds.kernel_floats import ANGLE_CUT, SKEWED
+from bounds.kernels import SIMPLEX, Jet, Kernel, Offsets, dot, weight_jet
+from bounds.noises import Derived, listed
+from bounds.sine import fixed_sine_largest
+from bounds.table import scientific, shortest
+from bounds.weights import CUBE
+
+KERNELS = {2: replace(SIMPLEX[2], scale=1428), 3: replace(SIMPLEX[3], scale=1022, weight=CUBE)}
+CASES = tuple((dims, None) for dims in KERNELS)
+WAVES = 16  # per cell along an axis, at most
+TURN = 2 * math.pi
+WAVE_CUT, ANGLE_UNIT = 2.0**-16, 2.0**-32  # in waves per cell, and in turns
+RAMP_ONE = 2**29  # the unit of what is multiplied with the weights
+
+
+# --- Exactly ----------------------------------------------------------------------------------------------------------
+
+def attained(kernel: Kernel, u: tuple[float, ...], rate: float, place: np.ndarray) -> np.ndarray:
+    """The sum of | -2 m w' (d.u) + i rate w | at places: axes by places. Without a direction, and with a rate of 1, it
+    is the sum of the weights."""
+    total = 0.0
+    for point in kernel.points:
+        d = place - np.array(point)[:, None]
+        t = np.maximum(kernel.radius - kernel.fall * (d * d).sum(axis=0), 0.0)
+        w, dw = (kernel.weight.derivative(order, t) for order in range(2))
+        total = total + np.hypot(2 * kernel.fall * dw * dot(d, u), rate * w)
+    return total
+
+
+def second_derivative(kernel: Kernel, u: tuple[float, ...], rate: float, offsets: Offsets, axis: int) -> np.ndarray:
+    """A bound of that of what one point adds, in each box."""
+    fall = weight_jet(kernel, offsets, axis, 1) * Jet(offsets.along(u), abs(u[axis]))
+    return np.hypot(2 * kernel.fall * fall.second, rate * weight_jet(kernel, offsets, axis).second)
+
+
+LEVELS, TOLERANCE = {2: 16, 3: 12}, 1e-6
+
+
+@functools.cache
+def largest(kernel: Kernel, u: tuple[float, ...], rate: float, same_axes_from: int = 0) -> float:
+    """A proven upper bound of that sum. From an axis on, axes may be exchanged."""
+    def bound(boxes: Boxes):
+        value = boxes.at_vertices(functools.partial(attained, kernel, u, rate)).max(axis=0)
+        second = sum(second_derivative(kernel, u, rate, Offsets.of(kernel, boxes, point), axis)
+                     for point in kernel.points for axis in range(kernel.dims))
+        return value + second / 8 * boxes.side**2, value
+    exchange = kernel.dims - 1 if kernel.triangles else min(same_axes_from, kernel.dims - 1)
+    return supremum(bound, cell(kernel.dims, half=True), LEVELS[kernel.dims], TOLERANCE, exchange)
+
+
+def scale_of(kernel: Kernel) -> float:
+    return kernel.scale / 1024
+
+
+def range_of(kernel: Kernel) -> float:
+    return scale_of(kernel) * largest(kernel, (0.0,) * kernel.dims, 1.0)
+
+
+def rate_along(kernel: Kernel, axes: int) -> float:
+    """How fast an angle grows along so many axes at most, per step."""
+    return TURN * WAVES * axes / kernel.steps
+
+
+def lipschitz_of(kernel: Kernel) -> float:
+    """Per cell."""
+    rate = rate_along(kernel, kernel.dims)
+    return kernel.steps * scale_of(kernel) * max(largest(kernel, sign, rate, same)
+                                                 for sign, same in kernels.signs(kernel))
+
+
+# --- Floats -----------------------------------------------------------------------------------------------------------
+
+def angle_error(kernel: Kernel, own: kernel_floats.Offsets, ulps: float):
+    """Of the waves along an offset, before they are cut off."""
+    turns = kernel_floats.total(Approx(-d.size(), d.size(), d.err, ulps).scaled(float(WAVES)) for d in own)
+    return TURN * turns.err / kernel.steps
+
+
+def value_error(kernel: Kernel, ulps, lo, hi):
+    """The largest error in each box of places, given by its ends along each axis. No sine is above 1."""
+    terms = []
+    for own, q in kernel_floats.distances(kernel, lo, hi, ulps):
+        err = angle_error(kernel, own, ulps) + ANGLE_CUT + kernel_floats.turn_error(ulps)
+        weight = kernel_floats.weighted(kernel, kernel_floats.nearness(kernel, q))
+        terms.append(Approx(-1.0, 1.0, err, ulps).times(weight))
+    return kernel_floats.added(kernel, terms, ulps).err
+
+
+def moved(kernel: Kernel, ulps: float = 1.0) -> float:
+    """What the move of the place does."""
+    if not kernel.triangles:
+        return 0.0
+    return SKEWED * ulps * scale_of(kernel) * largest(kernel, (1.0, 0.0), rate_along(kernel, 1))
+
+
+@functools.cache
+def error_bound(kernel: Kernel, ulps: float = 1.0) -> float:
+    """A proven upper bound of the error from (cell, fraction)."""
+    return kernel_floats.error_supremum(functools.partial(value_error, kernel, ulps), kernel) + moved(kernel, ulps)
+
+
+# --- Fixed ------------------------------------------------------------------------------------------------------------
+
+def fixed_wave_error(kernel: Kernel, offsets: Offsets):
+    """Of the cosine and the sine of a point, in each box."""
+    turns = WAVE_CUT * offsets.size.sum(axis=0) / kernel.steps + kernel.dims * ANGLE_UNIT
+    return kernel_fixed.turn_error() + TURN * turns
+
+
+@functools.cache
+def fixed_rounding_effect(kernel: Kernel) -> float:
+    """All but the cut of the place and the scaling, not scaled."""
+    def of_boxes(boxes: Boxes):
+        points = [kernel_fixed.Weighted(kernel, boxes, point, RAMP_ONE) for point in kernel.points]
+        return sum(point.added(1.0, fixed_wave_error(kernel, point.offsets)) for point in points)
+    return kernel_fixed.error_supremum(kernel, of_boxes)
+
+
+def fixed_parts(kernel: Kernel, lipschitz: float) -> dict[str, float]:
+    return {"cut": lipschitz / ONE, "points": scale_of(kernel) * fixed_rounding_effect(kernel),
+            "scaling": kernel_fixed.scaling_error(kernel, UNIT)}
+
+
+# --- What is proven ---------------------------------------------------------------------------------------------------
+
+def derive(dims: int, _: Gradient | None) -> Derived:
+    kernel = KERNELS[dims]
+    exact, lipschitz, cell_error = range_of(kernel), lipschitz_of(kernel), error_bound(kernel)
+    error, parts = position_error(cell_error, lipschitz), fixed_parts(kernel, lipschitz)
+    return Derived(1.0, exact, lipschitz, cell_error, error, exact + error, kernel_fixed.total(parts),
+                   exact + kernel_fixed.without_cut(parts), parts)
+
+
+def length(dims: int) -> float:
+    """How long value and quadrature can be, as computed in floats or in integers: both are off by their error."""
+    proven = derive(dims, None)
+    return proven.range + math.sqrt(2) * max(proven.error, proven.fixed_error)
+
+
+def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
+    kernel, wave = KERNELS[dims], WAVES / WAVE_CUT
+    return {"wave times the high bits": wave * 2**10, "wave times the low bits": wave * (2**10 - 1),
+            **kernel_fixed.weighted_intermediates(kernel, fixed_sine_largest() * RAMP_ONE)}
+
+
+def quotes() -> list[tuple[str, str]]:
+    below = listed([range_of(kernel) for kernel in KERNELS.values()])
+    long = [shortest(length(dims), 5) for dims in KERNELS]
+    return [("docs/accuracy.md", text) for text in (
+        f"`hn_phasor` stays below {below} in 2D and 3D", f"are at most {long[0]} long in 2D and {long[1]} in 3D",
+        f"which costs {scientific(moved(KERNELS[2]))}")]
+
+
+def describe(dims: int, _: Gradient | None) -> dict[str, object]:
+    kernel = KERNELS[dims]
+    return {"scale": scale_of(kernel), "longest": length(dims), "error_from_cell_to_nearest": error_bound(kernel, 0.5)}
