@@ -115,8 +115,8 @@ std::vector<Relation> relations_of(const Evaluation& evaluation, const Target& t
   }
   if (function.takes_footprint()) add("small_footprint", small_footprint_pairing, without(function, "footprint"));
   // With periods the field has no values but those that it has without. Points that go round are nearer to the centres of
-  // their cells.
-  if (function.takes_phase() && !function.takes_period() && !function.is_cellular()) {
+  // their cells, and waves always have a phase.
+  if (function.takes_phase() && !function.takes_period() && !function.is_cellular() && !function.takes_wave()) {
     add("phase_zero", phase_zero_pairing, without(function, "phase"));
   }
   const bool comes_with_value = function.is_noise() || function.is_octave_sum();

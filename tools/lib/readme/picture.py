@@ -21,6 +21,7 @@ PICTURES = {  # the page that shows each
     "simplex.png": "docs/noises.md",
     "phase.png": "docs/noises.md",
     "curl.png": "docs/noises.md",
+    "phasor.png": "docs/noises.md",
     "vectors.png": "docs/noises.md",
     "cellular.png": "docs/cellular.md",
     "jitter.png": "docs/cellular.md",
