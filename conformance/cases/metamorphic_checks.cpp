@@ -114,8 +114,8 @@ std::vector<Relation> relations_of(const Evaluation& evaluation, const Target& t
     add("whole_detail", whole_detail_pairing, without(function, "detail"));
   }
   if (function.takes_footprint()) add("small_footprint", small_footprint_pairing, without(function, "footprint"));
-  // With periods the field has no values but those that it has without. Points that go round are nearer to the centres of
-  // their cells, and waves always have a phase.
+  // With periods the field has no values but those that it has without. Points that go round are nearer to the centres
+  // of their cells, and waves always have a phase.
   if (function.takes_phase() && !function.takes_period() && !function.is_cellular() && !function.takes_wave()) {
     add("phase_zero", phase_zero_pairing, without(function, "phase"));
   }

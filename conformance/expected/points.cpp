@@ -261,7 +261,8 @@ float random_phase(Region region, Random& random) {
   }
 }
 
-// Of waves per cell: mostly where they are not cut off, often none or a whole number, and now and then at a limit or beyond.
+// Of waves per cell: mostly where they are not cut off, often none or a whole number, and now and then at a limit or
+// beyond.
 float random_wave(Region region, Random& random) {
   if (region == Region::extreme) return random_extreme(128, random);
   switch (random.below(8)) {

@@ -7,10 +7,10 @@
 #include "detail/phasor.glsl"
 #include "detail/triangular_lattice.glsl"
 
-// Phasor noise on the plane: stripes in a direction and with a wavelength of your choice, which may change from place to
-// place. They bend where the random phases of the lattice do not agree. The value by itself looks as Gabor noise does.
-// The angle of value and quadrature, atan(n.y, n.x), grows across the stripes: any profile may be made of it, such as
-// sin(atan(n.y, n.x)) or n.x / length(n), stripes that are alike in height. Their length says how well the stripes agree.
+// Phasor noise on the plane: stripes in a direction and with a wavelength of your choice, which may change from place
+// to place. They bend where the random phases of the lattice do not agree. The value by itself looks as Gabor noise
+// does. The angle of value and quadrature, atan(n.y, n.x), grows across the stripes: any profile may be made of it. So
+// n.x / length(n) is stripes of one height. length(n) says how well the stripes agree.
 //   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
 //   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
 //   wave     the direction in which the waves run, times the waves per cell: 2 to 8 of them show as stripes. Each

@@ -9,18 +9,18 @@
 
 // An angle is a word, in units of 2^-32 turns, so that it wraps as turns do.
 //
-//   hn_i_waves(k)              a component of a wave vector, in waves per cell: at most 16 in size. In HN_FIXED in units
-//                              of 2^-16
-//   hn_i_waves_from(k, x, y)   the angle of the waves along an offset, whose steps are half a cell on the plane, and a cell
-//                              in space; in HN_FIXED that of each axis rounded down
+//   hn_i_waves(k)              a component of a wave vector, in waves per cell: at most 16 in size. In HN_FIXED in
+//                              units of 2^-16
+//   hn_i_waves_from(k, x, y)   the angle of the waves along an offset, whose steps are half a cell on the plane, and a
+//                              cell in space; in HN_FIXED that of each axis rounded down
 //   hn_i_wave_at(angle, w)     the cosine and the sine of an angle, times a weight
 
 #if HN_ARITHMETIC != HN_FIXED
 
 HN_FN hn_float hn_i_waves(hn_float k) { return min(max(k, -16.0f), 16.0f); }
 HN_FN hn_uint hn_i_waves_from(hn_vec2 k, hn_float x, hn_float y) {
-  HN_I_PRECISE hn_float turns = k.x * x + k.y * y;
-  return hn_i_angle(turns * 0.5f);
+  HN_I_PRECISE hn_float turns = (k.x * x + k.y * y) * 0.5f;
+  return hn_i_angle(turns);
 }
 HN_FN hn_uint hn_i_waves_from(hn_vec3 k, hn_float x, hn_float y, hn_float z) {
   HN_I_PRECISE hn_float turns = k.x * x + k.y * y + k.z * z;
@@ -32,14 +32,16 @@ HN_FN hn_float hn_i_as_ramp(hn_float sine) { return sine; }
 
 HN_FN hn_int hn_i_waves(hn_float k) { return int(min(max(k, -16.0f), 16.0f) * 65536.0f); }
 
-// k d, shifted right by s. Of its up to 42 bits the low 32 count behind the shift. Half of the offset at a time keeps each
-// product below 2^31.
-HN_FN hn_uint hn_i_crossed(hn_int k, hn_int d, hn_uint s) {
-  return (uint(k * (d >> 10)) << (10u - s)) + uint((k * (d & 1023)) >> s);
+// k d, shifted right by s. Of its up to 42 bits the low 32 count behind the shift. Half of the offset at a time keeps
+// each product below 2^31.
+HN_FN hn_uint hn_i_crossed(hn_int k, hn_int d, hn_int s) {
+  return (uint(k * (d >> 10)) << uint(10 - s)) + uint((k * (d & 1023)) >> s);
 }
-HN_FN hn_uint hn_i_waves_from(hn_ivec2 k, hn_int x, hn_int y) { return hn_i_crossed(k.x, x, 5u) + hn_i_crossed(k.y, y, 5u); }
+HN_FN hn_uint hn_i_waves_from(hn_ivec2 k, hn_int x, hn_int y) {
+  return hn_i_crossed(k.x, x, 5) + hn_i_crossed(k.y, y, 5);
+}
 HN_FN hn_uint hn_i_waves_from(hn_ivec3 k, hn_int x, hn_int y, hn_int z) {
-  return hn_i_crossed(k.x, x, 4u) + hn_i_crossed(k.y, y, 4u) + hn_i_crossed(k.z, z, 4u);
+  return hn_i_crossed(k.x, x, 4) + hn_i_crossed(k.y, y, 4) + hn_i_crossed(k.z, z, 4);
 }
 // From units of 2^-16 to those of ramps.
 HN_FN hn_int hn_i_as_ramp(hn_int sine) { return sine * 8192; }

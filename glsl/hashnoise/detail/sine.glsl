@@ -15,8 +15,8 @@
 //
 //   hn_i_whole_quarter_sine(q), hn_i_whole_wave(angle, sign)
 
-// A number of turns is cut off to a multiple of 2^-30. Every step is exact, and the angle of a negative one wraps. So whole
-// turns change no bit.
+// A number of turns is cut off to a multiple of 2^-30. Every step is exact, and the angle of a negative one wraps. So
+// whole turns change no bit.
 HN_FN hn_uint hn_i_angle(hn_float turns) { return uint(int((turns - trunc(turns)) * 1073741824.0f)) << 2u; }
 
 // The first quarter of the wave is enough: the second is its mirror image, and the second half is the first, negated.
