@@ -200,8 +200,8 @@ bool is_warp() { return settings.sum == kWarp || settings.sum == kWarpProgressiv
 
 HN_I_INLINE vec3 slopes_of(hn_octaves2, const Numbers& n) { return vec3(n[0], n[1], n[2]); }
 HN_I_INLINE vec4 slopes_of(hn_octaves3, const Numbers& n) { return vec4(n[0], n[1], n[2], n[3]); }
-HN_I_INLINE vec2 vector_of(hn_octaves2, const Numbers& n) { return vec2(n[0], n[1]); }
-HN_I_INLINE vec3 vector_of(hn_octaves3, const Numbers& n) { return vec3(n[0], n[1], n[2]); }
+HN_I_INLINE vec2 shift_of(hn_octaves2, const Numbers& n) { return vec2(n[0], n[1]); }
+HN_I_INLINE vec3 shift_of(hn_octaves3, const Numbers& n) { return vec3(n[0], n[1], n[2]); }
 
 template <int D>
 using Place = decltype(hn_place(CellOf<D>(), PlaceOf<D>()));
@@ -229,9 +229,9 @@ void sum(const Place<D>& place, Numbers& n) {
     do {
       const Float value = octave<D>(o.place, o.seed, n);
       if (settings.sum == kWarpProgressive) {
-        hn_add_progressive(o, shifts, vector_of(o, n));
+        hn_add_progressive(o, shifts, shift_of(o, n));
       } else if (settings.sum == kWarp) {
-        hn_add(o, shifts, vector_of(o, n));
+        hn_add(o, shifts, shift_of(o, n));
       } else if (settings.sum == kFbmD) {
         hn_add(o, slopes, slopes_of(o, n));
       } else if (settings.sum == kEroded) {

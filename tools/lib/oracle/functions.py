@@ -12,7 +12,6 @@ from oracle.hexes import HEXES
 from oracle.lattice import Choice, Lattice
 from oracle.nearest import NEAREST, OFFSET
 from oracle.noises import Noise
-from oracle.phasor import PHASOR
 from oracle.self_check import self_check
 from tables.configurations import Configuration
 from tables.functions import NOISES, OCTAVE_SUMS, Function
@@ -62,9 +61,8 @@ def evaluator(function: Function, fixed: bool) -> Evaluate:
         return lambda knobs, row: (self_check(knobs.hash, *row),)
     if function.form == "candidate":
         return _candidate_evaluator(function)
-    for noise in (HEXES, PHASOR):
-        if function.bound == noise.name:
-            return _evaluator(noise, function, fixed)
+    if function.bound == HEXES.name:
+        return _evaluator(HEXES, function, fixed)
     if family == "hash" and function.form == "words":
         return lambda knobs, row: (words.hash_words(knobs.hash, row),)
     if family == "hash" and function.form == "point":

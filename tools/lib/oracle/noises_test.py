@@ -27,6 +27,7 @@ from thorough import THOROUGH
 PERIOD = 48
 POINTS = 24
 PHASE = 0.3  # of noises that turn
+WAVE = (2.25, -1.5, 0.7)  # of phasor noise
 # How much of their range values use at least. The factors of a product, as a curl in space is, are seldom large
 # together, and nearly all positions are far nearer to points of cells, and to borders, than the farthest one.
 USED, SELDOM_USED = 0.5, 0.25
@@ -49,6 +50,8 @@ def tried_settings(bounds: Bounds) -> list[Knobs]:
 def noise_of(bounds: Bounds) -> Noise:
     """With its gradients turned, if they turn."""
     noise = NO_NOISES.get(bounds.noise) or noises.find(bounds.noise)
+    if bounds.noise == "phasor":
+        noise = noise.chosen(Choice(wave=WAVE[:bounds.dimensions]))
     return noise if noise.phase is None else noise.turned(PHASE)
 
 

@@ -6,7 +6,8 @@
 
 What they return is the value, and after it the derivatives along x, y, z, w of a noise that has them. A fixed value is
 in units of 2^-21, a fixed derivative in units of 2^-19. A module with other names of what it returns has OUTPUTS, one
-with other units UNITS. The gradients of a noise called ..._phase turn, or its feature points do.
+with other units UNITS. The gradients of a noise called ..._phase turn, or its feature points do; of another that takes a
+phase the module has TURNS.
 """
 
 from __future__ import annotations
@@ -84,6 +85,7 @@ def names() -> list[str]:
 def find(name: str) -> Noise:
     if name not in names():
         raise LookupError(f"the oracle has no {name}: write tools/lib/oracle/noises/{name}.py from docs/contract.md")
-    module, turns = importlib.import_module(f"{__name__}.{name}"), name.endswith(TURNING)
+    module = importlib.import_module(f"{__name__}.{name}")
+    turns = name.endswith(TURNING) or getattr(module, "TURNS", False)
     return Noise(name, module.exact, module.fixed, getattr(module, "OUTPUTS", OUTPUTS), getattr(module, "UNITS", UNITS),
                  Fraction(0) if turns else None, turns=turns)

@@ -16,12 +16,13 @@ from oracle.gradients import Real
 from oracle.integers import NOISE_UNIT, part, signed
 from oracle.kernels import Kernel
 from oracle.lattice import Lattice
-from oracle.noises import Noise, simplex
+from oracle.noises import simplex
 from oracle.words import MASK
 
 Number = TypeVar("Number", int, Fraction)
 
 OUTPUTS = ("value", "quadrature")
+TURNS = True
 UNITS = (NOISE_UNIT,) * 2
 # By the number of dimensions. The weights are those of simplex noise, in space the one that it has in four dimensions.
 KERNELS = {2: replace(simplex.KERNELS[2], scale=1428), 3: replace(simplex.KERNELS[4], scale=1022)}
@@ -92,6 +93,3 @@ def fixed(lattice: Lattice, cell: Sequence[int], fraction: Sequence[int]) -> tup
         waves.append((weight, integers.cosine_and_sine(a)))
     totals = summed(waves, lambda x, weight: part(signed(2**13 * x), weight))
     return tuple(ramps.scaled(signed(total), kernel.scale) for total in totals)
-
-
-PHASOR = Noise("phasor", exact, fixed, OUTPUTS, UNITS, Fraction(0), turns=True)

@@ -13,14 +13,16 @@ from unittest import mock
 
 from golden.generator import INT_MAX, INT_MIN, Generator, generator_of, to_f32
 from golden.simplex_rows import PHASES, fractions
-from oracle import functions, integers, kernels, phasor, turning, words
+from oracle import functions, integers, kernels, noises, turning, words
 from oracle.gradients import Knobs, Real
 from oracle.integers import NOISE_UNIT, UNIT
 from oracle.lattice import Choice, Lattice
-from oracle.phasor import KERNELS, PHASOR
+from oracle.noises import phasor
+from oracle.noises.phasor import KERNELS
 from tables.functions import Function
 from tables.inc import Row
 
+PHASOR = noises.find("phasor")
 KNOBS = Knobs("lattice")
 TILES = {2: ((), (1, 1), (2, 3), (7, 0), (INT_MAX, -4)), 3: ((), (1, 1, 1), (2, 1, 3), (0, 7, -1), (5, INT_MAX, 2))}
 ENDS = (INT_MIN, -3, -1, 0, 4, INT_MAX)
