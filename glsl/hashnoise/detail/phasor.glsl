@@ -32,10 +32,12 @@ HN_FN hn_float hn_i_as_ramp(hn_float sine) { return sine; }
 
 HN_FN hn_int hn_i_waves(hn_float k) { return int(min(max(k, -16.0f), 16.0f) * 65536.0f); }
 
-// k d / 2^4, and half of that. Of the up to 42 bits of k d the low 32 count behind the shift. Half of the offset at a time
-// keeps each product below 2^31.
+// k d / 2^4, and half of that. Of the up to 42 bits of k d the low 32 count behind the shift. Half of the offset at a
+// time keeps each product below 2^31.
 HN_FN hn_uint hn_i_crossed(hn_int k, hn_int d) { return (uint(k * (d >> 10)) << 6u) + uint((k * (d & 1023)) >> 4); }
-HN_FN hn_uint hn_i_crossed_half(hn_int k, hn_int d) { return (uint(k * (d >> 10)) << 5u) + uint((k * (d & 1023)) >> 5); }
+HN_FN hn_uint hn_i_crossed_half(hn_int k, hn_int d) {
+  return (uint(k * (d >> 10)) << 5u) + uint((k * (d & 1023)) >> 5);
+}
 HN_FN hn_uint hn_i_waves_from(hn_ivec2 k, hn_int x, hn_int y) {
   return hn_i_crossed_half(k.x, x) + hn_i_crossed_half(k.y, y);
 }
