@@ -11,8 +11,6 @@ export const kCatalog = {
     cellular_smooth: { dimensions: [2, 3], jitter: true, range: [-0.1937, 0.875] },
     cell_border: { dimensions: [2, 3], jitter: true, range: [0, 0.844] },
     curl: { dimensions: [2, 3] },
-    value_vector: { dimensions: [2, 3] },
-    perlin_vector: { dimensions: [2, 3] },
     random: { dimensions: [1, 2, 3, 4], range: [0, 1] },
   },
   sums: {

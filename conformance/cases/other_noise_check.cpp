@@ -151,6 +151,9 @@ std::string with_constant_noise(const Function& function) {
       value += fmt::format(", {:.3f}f", slope);
     }
     value += ")";
+  } else if (noise.ends_with("_vector")) {
+    type = fmt::format("hn_vec{}", axes);
+    value = fmt::format("vec{}({})", axes, value);
   }
   return fmt::format(
       "#include \"{0}{1}d.glsl\"\n{2}"

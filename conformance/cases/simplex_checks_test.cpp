@@ -64,15 +64,17 @@ TEST_F(SimplexChecks, AFieldOfTheWrongSizeIsCaught) {
 }
 
 TEST_F(SimplexChecks, APhaseThatDoesNotLoopIsCaught) {
-  constexpr std::string_view kPart = "(phase - trunc(phase))";
+  constexpr std::string_view kPart = "(turns - trunc(turns))";
   constexpr Replaced kFaults[] = {
-      {"noise2d.simplex_phase.lattice.fast.fragment.gl330.loop", "detail/direction_turning.glsl", kPart,
-       "(phase - 0.99999f * trunc(phase))"},
-      {"noise3d.simplex_d_phase_cell_period.lattice.fixed.fragment.gl330.loop", "detail/direction_turning.glsl", kPart,
-       "(phase - trunc(phase) + 0.0000001f * trunc(phase))"},
+      {"noise2d.simplex_phase.lattice.fast.fragment.gl330.loop", "detail/sine.glsl", kPart,
+       "(turns - 0.99999f * trunc(turns))"},
+      {"noise3d.simplex_d_phase_cell_period.lattice.fixed.fragment.gl330.loop", "detail/sine.glsl", kPart,
+       "(turns - trunc(turns) + 0.0000001f * trunc(turns))"},
       // A negative phase that turns the other way.
-      {"noise3d.perlin_phase_cell.lattice.precise.fragment.gl400.loop", "detail/direction_turning.glsl", kPart,
-       "abs(phase - trunc(phase))"}};
+      {"noise3d.perlin_phase_cell.lattice.precise.fragment.gl400.loop", "detail/sine.glsl", kPart,
+       "abs(turns - trunc(turns))"},
+      {"noise2d.phasor.lattice.fixed.fragment.gl330.loop", "detail/sine.glsl", kPart,
+       "(turns - trunc(turns) + 0.0000001f * trunc(turns))"}};
   expect_all_caught(kFaults);
 }
 

@@ -345,7 +345,19 @@ json.dump({d.name: "\\n".join(d.lines) for d in made}, sys.stdout)
 
 // What the library has that nobody can choose here: derivatives, forms of noises that are there, and what is for a
 // user's own pictures.
-const kLeftOut = ["cellular_d", "hex_tiling", "perlin_d", "perlin_phase", "simplex_d", "simplex_phase", "value_d"];
+const kLeftOut = [
+  "cellular_d",
+  "cellular_phase",
+  "hex_tiling",
+  "perlin_d",
+  "perlin_phase",
+  "perlin_vector",
+  "phasor",
+  "simplex_d",
+  "simplex_phase",
+  "value_d",
+  "value_vector",
+];
 
 test("everything that the library has can be chosen", () => {
   const of = (pattern, files = Object.keys(library.glsl)) =>

@@ -256,6 +256,7 @@ def value_vector(x, y, z=None, /, *, seed=0, period=None, cell=None, arithmetic=
     source   Perlin, "Improving noise", 2002, for the interpolant; docs/contract.md, section 22
 
     >>> hashnoise.value_vector(0.5, 0.25, seed=7, arithmetic="fixed")
+    array([-0.22854185, -0.6436415 ], dtype=float32)
     """
     return points("value_vector", (x, y, z), cell, out, threads, noise="value_vector", seed=seed, period=period,
                   arithmetic=arithmetic, instruction_set=instruction_set)
@@ -272,6 +273,7 @@ def perlin_vector(x, y, z=None, /, *, seed=0, period=None, cell=None, arithmetic
     source   Perlin, "Improving noise", 2002; docs/contract.md, section 22
 
     >>> hashnoise.perlin_vector(0.5, 0.25, seed=7, arithmetic="fixed")
+    array([-0.5171008 , -0.10943842], dtype=float32)
     """
     return points("perlin_vector", (x, y, z), cell, out, threads, noise="perlin_vector", seed=seed, period=period,
                   arithmetic=arithmetic, instruction_set=instruction_set)

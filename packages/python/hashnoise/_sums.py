@@ -185,7 +185,7 @@ def warp(x, y, z=None, /, *, seed=0, noise="value_vector", octaves=6, lacunarity
     source     Quilez, "Domain warping", 2002
 
     >>> hashnoise.warp(0.5, 0.25, seed=7, arithmetic="fixed")
-    array([0.00859165, 0.05902672], dtype=float32)
+    array([ 0.00859165, -0.26816893], dtype=float32)
     """
     return points("warp", (x, y, z), cell, out, threads, sum="warp", seed=seed, noise=noise, octaves=octaves,
                   lacunarity=lacunarity, gain=gain, amplitude=amplitude, period=period, arithmetic=arithmetic,
@@ -206,7 +206,7 @@ def warp_progressive(x, y, z=None, /, *, seed=0, noise="value_vector", octaves=6
     source     as of `warp`
 
     >>> hashnoise.warp_progressive(0.5, 0.25, seed=7, arithmetic="fixed")
-    array([-0.05926752,  0.05099487], dtype=float32)
+    array([-0.21678829, -0.21608591], dtype=float32)
     """
     return points("warp_progressive", (x, y, z), cell, out, threads, sum="warp_progressive", seed=seed, noise=noise,
                   octaves=octaves, lacunarity=lacunarity, gain=gain, amplitude=amplitude, period=period,
