@@ -234,13 +234,16 @@ def drawn(catalog: Catalog) -> tuple[list[Noise], list[Sum]]:
             [sum_ for sum_ in catalog.sums if sum_.shape == "value"])
 
 
+def may_draw(noise: Noise, option: str) -> bool:
+    """Of points that go round there is nothing: at a phase of 0 they are not those of the noise without one."""
+    return option != "phase" or "jitter" not in noise.options
+
+
 def playground(catalog: Catalog) -> str:
     slopes = {noise.name for noise in catalog.noises if noise.shape == "slopes"}
 
     def of_noise(noise: Noise) -> dict[str, Any]:
-        # Of points that go round it has nothing: at a phase of 0 they are not those of the noise without one.
-        drawn_options = [option for option in noise.options if not (option == "phase" and "jitter" in noise.options)]
-        return {"dimensions": dimensions_of(noise, 4), **{option: True for option in drawn_options},
+        return {"dimensions": dimensions_of(noise, 4), **{option: True for option in noise.options if may_draw(noise, option)},
                 **({"steep": True} if f"{noise.name}_d" in slopes else {}),
                 **({"range": noise.ranges["value"][0]} if "value" in noise.ranges else {})}
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Collection, Mapping, Sequence
 
-from catalog.javascript import dimensions_of, drawn
+from catalog.javascript import dimensions_of, drawn, may_draw
 from catalog.model import read
 from pick.command import Choice, command_of, picker, read_library
 from pick.program import public
@@ -23,7 +23,7 @@ def calls() -> list[list[str]]:
     """The functions of each picture that has no tile, no warp, and no sum over another noise than Perlin's."""
     noises, sums = drawn(read())
     names = [f"hn_{function.name}{n}{form}" for function in (*noises, *sums) for n in dimensions_of(function, 4)
-             for form in FORMS]
+             for form in FORMS if form != "_phase" or may_draw(function, "phase")]
     known = public(read_library(GLSL, Choice()))
     cells = [[f"hn_cellular{n}_nearest", f"hn_lattice{n}", "hn_unorm"] for n in (2, 3)]
     return [*([name] for name in names if name in known), *cells]
