@@ -12,10 +12,14 @@
 #include "fbm.glsl"
 #include "fbm_d.glsl"
 #include "gradient.glsl"
+#include "gullies.glsl"
 #include "octaves.glsl"
+#include "perlin_vector_d.glsl"
+#include "perlin_worley.glsl"
 #include "scatter.glsl"
 #include "self_check.glsl"
 #include "uniform.glsl"
+#include "value_vector_d.glsl"
 #include "warp.glsl"
 
 #endif

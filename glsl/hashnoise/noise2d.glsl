@@ -16,6 +16,7 @@
 #include "perlin_phase2d.glsl"
 #include "perlin_vector2d.glsl"
 #include "phasor2d.glsl"
+#include "phasor_d2d.glsl"
 #include "random2d.glsl"
 #include "simplex2d.glsl"
 #include "simplex_d2d.glsl"

@@ -15,6 +15,7 @@
 #include "perlin_phase3d.glsl"
 #include "perlin_vector3d.glsl"
 #include "phasor3d.glsl"
+#include "phasor_d3d.glsl"
 #include "random3d.glsl"
 #include "simplex3d.glsl"
 #include "simplex_d3d.glsl"

@@ -10,9 +10,8 @@
 // The paper's gradient has no noise of this kind.
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
 
-// The noise and its derivatives.
-HN_FN hn_vec3 hn_i_perlin_d(hn_i_box2 box, hn_num2 f, hn_uint seed) {
-  hn_uvec4 h = hn_i_corners(box, seed);
+// The noise and its derivatives, from the words of the corners.
+HN_FN hn_vec3 hn_i_perlin_d(hn_uvec4 h, hn_num2 f) {
   hn_num3 d00 = hn_i_direction2(h.x);
   hn_num3 d10 = hn_i_direction2(h.y);
   hn_num3 d01 = hn_i_direction2(h.z);
@@ -37,7 +36,7 @@ HN_FN hn_vec3 hn_i_perlin_d(hn_i_box2 box, hn_num2 f, hn_uint seed) {
 //   cost     the hashes of hn_perlin, which are most of its cost, and about twice the rest
 //   source   the product rule on the interpolation; docs/contract.md, section 10
 HN_FN hn_vec3 hn_perlin_d(hn_place2 place, hn_uint seed) {
-  return hn_i_perlin_d(hn_i_box(place), place.fraction, seed);
+  return hn_i_perlin_d(hn_i_corners(hn_i_box(place), seed), place.fraction);
 }
 HN_FN hn_vec3 hn_perlin_d(hn_vec2 p, hn_uint seed) { return hn_perlin_d(hn_place(p), seed); }
 HN_FN hn_vec3 hn_perlin_d(hn_vec2 p) { return hn_perlin_d(p, 0u); }

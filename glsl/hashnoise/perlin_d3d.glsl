@@ -12,8 +12,7 @@
 
 // What the corners of the front or back face make of the noise: the interpolated ramp, its derivatives along x and y,
 // and what the gradients' last components add.
-HN_FN hn_num4 hn_i_face_d(hn_i_box3 box, hn_num3 f, bool back, hn_num3 t, hn_num3 s, hn_uint seed) {
-  hn_uvec4 h = hn_i_corners(box, back, seed);
+HN_FN hn_num4 hn_i_face_d(hn_uvec4 h, hn_num3 f, bool back, hn_num3 t, hn_num3 s) {
   hn_num4 d00 = hn_i_direction3(h.x);
   hn_num4 d10 = hn_i_direction3(h.y);
   hn_num4 d01 = hn_i_direction3(h.z);
@@ -22,12 +21,12 @@ HN_FN hn_num4 hn_i_face_d(hn_i_box3 box, hn_num3 f, bool back, hn_num3 t, hn_num
   return hn_i_face_d(r, hn_i_gradient(d00), hn_i_gradient(d10), hn_i_gradient(d01), hn_i_gradient(d11), t, s);
 }
 
-// The noise and its derivatives.
-HN_FN hn_vec4 hn_i_perlin_d(hn_i_box3 box, hn_num3 f, hn_uint seed) {
+// The noise and its derivatives, from the words of the corners of both faces.
+HN_FN hn_vec4 hn_i_perlin_d(hn_uvec4 a, hn_uvec4 b, hn_num3 f) {
   hn_num3 t = hn_i_fade(f);
   hn_num3 s = hn_i_d_fade(f);
-  hn_num4 front = hn_i_face_d(box, f, false, t, s, seed);
-  hn_num4 back = hn_i_face_d(box, f, true, t, s, seed);
+  hn_num4 front = hn_i_face_d(a, f, false, t, s);
+  hn_num4 back = hn_i_face_d(b, f, true, t, s);
   hn_num dz = hn_i_d_faded(hn_i_lerp(front.w, back.w, t.z), hn_i_d_corner(front.x, back.x), s.z);
   return vec4(hn_i_value(hn_i_scaled3(hn_i_lerp(front.x, back.x, t.z))),
               hn_i_derivative(hn_i_scaled3(hn_i_lerp(front.y, back.y, t.z))),
@@ -46,7 +45,8 @@ HN_FN hn_vec4 hn_i_perlin_d(hn_i_box3 box, hn_num3 f, hn_uint seed) {
 //   cost     the hashes of hn_perlin, which are most of its cost, and about twice the rest
 //   source   the product rule on the interpolation; docs/contract.md, section 10
 HN_FN hn_vec4 hn_perlin_d(hn_place3 place, hn_uint seed) {
-  return hn_i_perlin_d(hn_i_box(place), place.fraction, seed);
+  hn_i_box3 box = hn_i_box(place);
+  return hn_i_perlin_d(hn_i_corners(box, false, seed), hn_i_corners(box, true, seed), place.fraction);
 }
 HN_FN hn_vec4 hn_perlin_d(hn_vec3 p, hn_uint seed) { return hn_perlin_d(hn_place(p), seed); }
 HN_FN hn_vec4 hn_perlin_d(hn_vec3 p) { return hn_perlin_d(p, 0u); }

@@ -7,10 +7,10 @@
 #include "detail/cell.glsl"
 #include "detail/derivative.glsl"
 
-// The noise and its derivatives.
-HN_FN hn_vec3 hn_i_value_d(hn_i_box2 box, hn_num2 f, hn_uint seed) {
+// The noise and its derivatives, from the words of the corners.
+HN_FN hn_vec3 hn_i_value_d(hn_uvec4 h, hn_num2 f) {
   hn_num2 t = hn_i_fade(f);
-  hn_num3 n = hn_i_lerp_d(hn_i_numbers(hn_i_corners(box, seed)), t, hn_i_d_fade(f));
+  hn_num3 n = hn_i_lerp_d(hn_i_numbers(h), t, hn_i_d_fade(f));
   return vec3(hn_i_value(hn_i_of_numbers(n.x)), hn_i_derivative(hn_i_of_d_corners(n.y)),
               hn_i_derivative(hn_i_of_d_corners(n.z)));
 }
@@ -26,7 +26,9 @@ HN_FN hn_vec3 hn_i_value_d(hn_i_box2 box, hn_num2 f, hn_uint seed) {
 //   period   2^32 cells per axis, or that of the tile
 //   cost     the hashes of hn_value, which are most of its cost, and about twice the rest
 //   source   the product rule on the interpolation; docs/contract.md, section 10
-HN_FN hn_vec3 hn_value_d(hn_place2 place, hn_uint seed) { return hn_i_value_d(hn_i_box(place), place.fraction, seed); }
+HN_FN hn_vec3 hn_value_d(hn_place2 place, hn_uint seed) {
+  return hn_i_value_d(hn_i_corners(hn_i_box(place), seed), place.fraction);
+}
 HN_FN hn_vec3 hn_value_d(hn_vec2 p, hn_uint seed) { return hn_value_d(hn_place(p), seed); }
 HN_FN hn_vec3 hn_value_d(hn_vec2 p) { return hn_value_d(p, 0u); }
 

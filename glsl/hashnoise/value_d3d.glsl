@@ -7,14 +7,14 @@
 #include "detail/cell.glsl"
 #include "detail/derivative.glsl"
 
-// The noise and its derivatives.
-HN_FN hn_vec4 hn_i_value_d(hn_i_box3 box, hn_num3 f, hn_uint seed) {
+// The noise and its derivatives, from the words of the corners of both faces.
+HN_FN hn_vec4 hn_i_value_d(hn_uvec4 a, hn_uvec4 b, hn_num3 f) {
   hn_num3 t = hn_i_fade(f);
   hn_num3 s = hn_i_d_fade(f);
   hn_num2 t2 = hn_i_num(t.x, t.y);
   hn_num2 s2 = hn_i_num(s.x, s.y);
-  hn_num3 front = hn_i_lerp_d(hn_i_numbers(hn_i_corners(box, false, seed)), t2, s2);
-  hn_num3 back = hn_i_lerp_d(hn_i_numbers(hn_i_corners(box, true, seed)), t2, s2);
+  hn_num3 front = hn_i_lerp_d(hn_i_numbers(a), t2, s2);
+  hn_num3 back = hn_i_lerp_d(hn_i_numbers(b), t2, s2);
   return vec4(hn_i_value(hn_i_of_numbers(hn_i_lerp(front.x, back.x, t.z))),
               hn_i_derivative(hn_i_of_d_corners(hn_i_lerp(front.y, back.y, t.z))),
               hn_i_derivative(hn_i_of_d_corners(hn_i_lerp(front.z, back.z, t.z))),
@@ -32,7 +32,10 @@ HN_FN hn_vec4 hn_i_value_d(hn_i_box3 box, hn_num3 f, hn_uint seed) {
 //   period   2^32 cells per axis, or that of the tile
 //   cost     the hashes of hn_value, which are most of its cost, and about twice the rest
 //   source   the product rule on the interpolation; docs/contract.md, section 10
-HN_FN hn_vec4 hn_value_d(hn_place3 place, hn_uint seed) { return hn_i_value_d(hn_i_box(place), place.fraction, seed); }
+HN_FN hn_vec4 hn_value_d(hn_place3 place, hn_uint seed) {
+  hn_i_box3 box = hn_i_box(place);
+  return hn_i_value_d(hn_i_corners(box, false, seed), hn_i_corners(box, true, seed), place.fraction);
+}
 HN_FN hn_vec4 hn_value_d(hn_vec3 p, hn_uint seed) { return hn_value_d(hn_place(p), seed); }
 HN_FN hn_vec4 hn_value_d(hn_vec3 p) { return hn_value_d(p, 0u); }
 

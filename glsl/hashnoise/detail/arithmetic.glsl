@@ -427,4 +427,24 @@ struct hn_derivatives4 {
   hn_vec4 gradient;
 };
 
+// What vectors with derivatives return: as many components, along as many axes. dx has the derivatives of all of them
+// along x, and so on.
+struct hn_derivatives2x2 {
+  hn_vec2 value;
+  hn_vec2 dx;
+  hn_vec2 dy;
+};
+struct hn_derivatives2x3 {
+  hn_vec2 value;
+  hn_vec2 dx;
+  hn_vec2 dy;
+  hn_vec2 dz;
+};
+struct hn_derivatives3x3 {
+  hn_vec3 value;
+  hn_vec3 dx;
+  hn_vec3 dy;
+  hn_vec3 dz;
+};
+
 #endif

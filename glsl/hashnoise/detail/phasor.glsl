@@ -13,7 +13,13 @@
 //                              units of 2^-16
 //   hn_i_waves_from(k, x, y)   the angle of the waves along an offset, whose steps are half a cell on the plane, and a
 //                              cell in space; in HN_FIXED that of each axis rounded down
-//   hn_i_wave_at(angle, w)     the cosine and the sine of an angle, times a weight
+//   hn_i_unit_wave(angle)      the cosine and the sine of an angle, as ramps
+//   hn_i_weighted_wave(n, w)   these times a weight or a fall; hn_i_wave_at(angle, w) is both steps
+//   hn_i_falling_wave(n, x)    what falls along the offset x: -n x, of these times a fall
+//   hn_i_of_fall(n, steps)     the part of a derivative that comes from the weights, from a sum of those that was
+//                              scaled; with so many steps in a cell. In HN_FIXED in units of 2^-24
+//   hn_i_turning(n, k)         2 pi k n, in these units
+//   hn_i_wave_slope(d)         the float of a derivative
 
 #if HN_ARITHMETIC != HN_FIXED
 
@@ -27,6 +33,10 @@ HN_FN hn_uint hn_i_waves_from(hn_vec3 k, hn_float x, hn_float y, hn_float z) {
   return hn_i_angle(turns);
 }
 HN_FN hn_float hn_i_as_ramp(hn_float sine) { return sine; }
+HN_FN hn_float hn_i_falling(hn_float n, hn_float x) { return hn_i_times(n, -x); }
+HN_FN hn_float hn_i_of_fall(hn_float n, hn_int steps) { return n * hn_i_float(steps); }
+HN_FN hn_float hn_i_turning(hn_float n, hn_float k) { return hn_i_times(hn_i_times(k, 6.2831853f), hn_i_flushed(n)); }
+HN_FN hn_float hn_i_wave_slope(hn_float d) { return hn_i_derivative(d); }
 
 #else
 
@@ -47,12 +57,34 @@ HN_FN hn_uint hn_i_waves_from(hn_ivec3 k, hn_int x, hn_int y, hn_int z) {
 // From units of 2^-16 to those of ramps.
 HN_FN hn_int hn_i_as_ramp(hn_int sine) { return sine * 8192; }
 
+// From units of 2^-29 to those of 2^-27.
+HN_FN hn_int hn_i_falling(hn_int n, hn_int x) { return -2 * hn_i_part(n, x >> 2); }
+HN_FN hn_int hn_i_of_fall(hn_int n, hn_int steps) { return n * (32 * steps); }
+
+// 205887 is 2 pi / 8 in units of 2^-18: 2 pi k in units of 2^-13, below 2^20.
+HN_FN hn_int hn_i_turning(hn_int n, hn_int k) {
+  hn_int rate = hn_i_part(k * 512, 205887) >> 9;
+  return hn_i_part(n * 256, rate);
+}
+HN_FN hn_float hn_i_wave_slope(hn_int d) { return hn_i_float((d + 128) >> 8) * (1.0f / 65536.0f); }
+
 #endif
 
-HN_FN hn_num2 hn_i_wave_at(hn_uint angle, hn_num w) {
-  return hn_i_num(hn_i_weighted_ramp(hn_i_as_ramp(hn_i_wave(angle + 0x40000000u, 0u)), w),
-                  hn_i_weighted_ramp(hn_i_as_ramp(hn_i_wave(angle, 0u)), w));
+HN_FN hn_num2 hn_i_unit_wave(hn_uint angle) {
+  return hn_i_num(hn_i_as_ramp(hn_i_wave(angle + 0x40000000u, 0u)), hn_i_as_ramp(hn_i_wave(angle, 0u)));
 }
+HN_FN hn_num2 hn_i_weighted_wave(hn_num2 n, hn_num w) {
+  return hn_i_num(hn_i_weighted_ramp(n.x, w), hn_i_weighted_ramp(n.y, w));
+}
+HN_FN hn_num2 hn_i_falling_wave(hn_num2 n, hn_num x) { return hn_i_num(hn_i_falling(n.x, x), hn_i_falling(n.y, x)); }
+HN_FN hn_num2 hn_i_wave_at(hn_uint angle, hn_num w) { return hn_i_weighted_wave(hn_i_unit_wave(angle), w); }
 HN_FN hn_num2 hn_i_plus(hn_num2 a, hn_num2 b) { return hn_i_num(hn_i_plus(a.x, b.x), hn_i_plus(a.y, b.y)); }
+
+// The derivatives of value and quadrature along an axis: n are both, fall is the sum of what falls along it, and k is
+// the wave along it.
+HN_FN hn_vec2 hn_i_wave_slopes(hn_num2 n, hn_num2 fall, hn_num k) {
+  return vec2(hn_i_wave_slope(hn_i_minus(fall.x, hn_i_turning(n.y, k))),
+              hn_i_wave_slope(hn_i_plus(fall.y, hn_i_turning(n.x, k))));
+}
 
 #endif

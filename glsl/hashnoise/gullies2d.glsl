@@ -1,0 +1,113 @@
+// hashnoise: gullies that water has cut into a slope, on the plane.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_GULLIES2D_GLSL
+#define HN_GULLIES2D_GLSL
+
+#include "detail/jacobian.glsl"
+#include "detail/square_root.glsl"
+#include "octaves2d.glsl"
+#include "phasor_d2d.glsl"
+
+//   hn_i_eroding_slope(x)   a component of a slope, at most 8 in size. In HN_FIXED slopes are in units of 2^-16
+//   hn_i_eroded_slope(e, d) the same of a sum
+//   hn_i_over_steepness     x / (r + 1/8), as a float, of a component x of a slope; r is how steep the slope is
+//   hn_i_steepness(r)       r / (r + 1/8), in the units of weights
+//   hn_i_added_slope(a, b)  a - b, as a float
+
+#if HN_ARITHMETIC == HN_FIXED
+
+HN_FN hn_int hn_i_eroding_slope(hn_float x) { return int(min(max(x, -8.0f), 8.0f) * 65536.0f); }
+HN_FN hn_int hn_i_eroded_slope(hn_int e, hn_int d) { return min(max(e + d, -524288), 524288); }
+HN_FN hn_int hn_i_slope_of_waves(hn_float d) { return int(d * 65536.0f); }
+
+// r is in units of 2^-14, and 2048 is 1/8. A quotient is a multiple of 2^-21, so 3/2 of it is exact.
+HN_FN hn_float hn_i_over_steepness(hn_int x, hn_uint r) { return hn_i_over(x, r + 2048u); }
+HN_FN hn_int hn_i_steepness(hn_uint r) { return hn_i_setting(hn_i_over(int(r * 4u), r + 2048u), 1.0f); }
+HN_FN hn_float hn_i_added_slope(hn_int a, hn_int b) { return hn_i_float(a - b) * (1.0f / 65536.0f); }
+
+#else
+
+HN_FN hn_float hn_i_eroding_slope(hn_float x) { return min(max(hn_i_to_num(x), -8.0f), 8.0f); }
+HN_FN hn_float hn_i_eroded_slope(hn_float e, hn_float d) { return hn_i_eroding_slope(hn_i_plus(e, d)); }
+HN_FN hn_float hn_i_slope_of_waves(hn_float d) { return d; }
+HN_FN hn_float hn_i_over_steepness(hn_float x, hn_float r) { return hn_i_quotient(x, hn_i_plus(r, 0.125f)); }
+HN_FN hn_float hn_i_steepness(hn_float r) { return hn_i_over_steepness(r, r); }
+HN_FN hn_float hn_i_added_slope(hn_float a, hn_float b) { return hn_i_derivative(hn_i_minus(a, b)); }
+
+#endif
+
+HN_FN hn_vec3 hn_i_gullies(hn_octaves2 octaves, hn_vec2 slope, hn_float depth) {
+  hn_octaves2 o = octaves;
+  hn_num deep = hn_i_setting(depth, 8.0f);
+  hn_num growth = hn_i_growth(o.sum.gain, o.lacunarity);
+  hn_num scale = HN_I_WEIGHT_ONE;  // (gain * lacunarity)^i
+  hn_num2 before = hn_i_num(hn_i_eroding_slope(slope.x), hn_i_eroding_slope(slope.y));
+  hn_num2 e = before;
+  do {
+    hn_rank r = hn_i_root(hn_i_squared(e.x, e.y));
+    hn_vec2 wave = vec2(hn_i_over_steepness(e.y, r) * -1.5f, hn_i_over_steepness(e.x, r) * 1.5f);
+    hn_num part = hn_i_weight_times(hn_i_steepness(r), hn_i_resolved(o.sum.footprint));
+    hn_derivatives2x2 n = hn_phasor_d(o.place, wave, 0.0f, o.seed);
+    o.sum = hn_i_with(o.sum, hn_i_octave(n.value.x), hn_i_weight_times(o.sum.weight, part));
+    hn_num rate = hn_i_wide_times(hn_i_wide_times(scale, deep), part);
+    e = hn_i_num(hn_i_eroded_slope(e.x, hn_i_wide_times(hn_i_slope_of_waves(n.dx.x), rate)),
+                 hn_i_eroded_slope(e.y, hn_i_wide_times(hn_i_slope_of_waves(n.dy.x), rate)));
+    scale = hn_i_wide_times(scale, growth);
+    o.sum.footprint = hn_i_next_footprint(o.sum.footprint, o.lacunarity);
+  } while (hn_next(o));
+  bool none = hn_i_truth(o.sum.octaves < 1);
+  hn_num height = hn_i_select(none, HN_I_NO_WEIGHT, hn_i_coarse(hn_i_wide_times(o.sum.value, deep)));
+  return vec3(hn_i_value(height), hn_i_added_slope(hn_i_select(none, before.x, e.x), before.x),
+              hn_i_added_slope(hn_i_select(none, before.y, e.y), before.y));
+}
+
+// Gullies that run down a slope, and smaller ones that run down into them, octave by octave: what erosion by water adds
+// to any height. Add it to a height and its derivatives:
+//
+//   vec3 land = hn_fbm_d(p, 3, 2.0, 0.4, 7u);
+//   land += hn_gullies(p, land.yz, 5, 2.0, 0.5, 0.1, 7u);
+//
+// Where the ground is flat there are none. Their first octave is about a cell apart. For others take another multiple
+// of the position: at 3 p give a third of the slope, and add three times the slope that comes back.
+//   p           position, in cells of the first octave
+//   place       a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl). The period of a
+//               tile times lacunarity^octaves is below 2^31
+//   footprint   the size of a pixel at p, in cells of the first octave; 0 if it is left out. An octave fades out as a
+//               pixel grows from 1/4 to 3/4 of its cells
+//   slope       the derivatives of the height along x and y, per cell of p; counts as the nearer end outside [-8, 8]
+//   octaves     how many; with fewer than 1 all is 0
+//   lacunarity  ratio of frequencies, usually 2: a whole number from 1 to 255; others are rounded down
+//   gain        ratio of depths, usually 0.5; not negative
+//   depth       of the first octave, half from ridge to floor on steep ground: usually 0.05 to 0.2; counts as the
+//               nearer end outside [0, 8]
+//   seed        any uint: 7u, not 7; different seeds give independent fields
+//   returns     what is added to the height, at most depth * sum of gain^i in size, and to its derivatives along x and
+//               y. It is continuous where the slope is. The derivatives leave out how the gullies turn
+//   error       it grows from octave to octave, since each follows those before it (docs/accuracy.md). HN_FIXED has the
+//               same bits everywhere
+//   period      2^31 cells per axis, or that of the tile
+//   cost        hn_phasor_d, a square root and three divisions per octave
+//   HN_FIXED    takes a gain above 1 as 1, and more than 32 octaves as 32
+//   source      docs/contract.md, section 24; waves across the slope as gullies: Tricard et al., "Procedural phasor
+//               noise", 2019, for the waves
+HN_FN hn_vec3 hn_gullies(hn_place2 place, hn_float footprint, hn_vec2 slope, hn_int octaves, hn_float lacunarity,
+                         hn_float gain, hn_float depth, hn_uint seed) {
+  hn_octaves2 o = hn_octaves(hn_tile(place, place.period), octaves, lacunarity, gain, seed);
+  o.sum.footprint = hn_i_footprint(footprint * 2.0f);
+  return hn_i_gullies(o, slope, depth);
+}
+HN_FN hn_vec3 hn_gullies(hn_place2 place, hn_vec2 slope, hn_int octaves, hn_float lacunarity, hn_float gain,
+                         hn_float depth, hn_uint seed) {
+  return hn_gullies(place, 0.0f, slope, octaves, lacunarity, gain, depth, seed);
+}
+HN_FN hn_vec3 hn_gullies(hn_vec2 p, hn_float footprint, hn_vec2 slope, hn_int octaves, hn_float lacunarity,
+                         hn_float gain, hn_float depth, hn_uint seed) {
+  return hn_gullies(hn_place(p), footprint, slope, octaves, lacunarity, gain, depth, seed);
+}
+HN_FN hn_vec3 hn_gullies(hn_vec2 p, hn_vec2 slope, hn_int octaves, hn_float lacunarity, hn_float gain, hn_float depth,
+                         hn_uint seed) {
+  return hn_gullies(hn_place(p), 0.0f, slope, octaves, lacunarity, gain, depth, seed);
+}
+
+#endif

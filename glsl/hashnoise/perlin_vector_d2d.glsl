@@ -1,0 +1,38 @@
+// hashnoise: vectors of Perlin noise and their derivatives on the plane.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_PERLIN_VECTOR_D2D_GLSL
+#define HN_PERLIN_VECTOR_D2D_GLSL
+
+#include "perlin_d2d.glsl"
+
+// The paper's gradient has no noise of this kind.
+#if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
+
+// Two Perlin noises that do not depend on each other, and how steep they are, from one hash for each corner. value is
+// hn_perlin_vector.
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
+//   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   returns  value, and in dx and dy its derivatives along x and y. A derivative is per cell, in [-2.78, 2.78], once
+//            continuously differentiable (HN_FIXED: in steps of 2^-19)
+//   error    that of hn_perlin_vector, and of a derivative at most 1.46e-5 against the exact value, in any rounding
+//            mode (docs/accuracy.md). HN_FIXED 1.87e-4. From a cell at most 1.37e-5
+//   period   2^32 cells per axis, or that of the tile
+//   cost     that of hn_perlin_d, and the same again without the hashes; for each corner a multiplication more
+//   source   the product rule on the interpolation; docs/contract.md, section 22
+HN_FN hn_derivatives2x2 hn_perlin_vector_d(hn_place2 place, hn_uint seed) {
+  hn_uvec4 h = hn_i_corners(hn_i_box(place), seed);
+  hn_vec3 x = hn_i_perlin_d(h, place.fraction);
+  hn_vec3 y = hn_i_perlin_d(hn_i_words_of_y(h), place.fraction);
+  HN_I_NEW(hn_derivatives2x2, d);
+  d.value = vec2(x.x, y.x);
+  d.dx = vec2(x.y, y.y);
+  d.dy = vec2(x.z, y.z);
+  return d;
+}
+HN_FN hn_derivatives2x2 hn_perlin_vector_d(hn_vec2 p, hn_uint seed) { return hn_perlin_vector_d(hn_place(p), seed); }
+HN_FN hn_derivatives2x2 hn_perlin_vector_d(hn_vec2 p) { return hn_perlin_vector_d(p, 0u); }
+
+#endif
+#endif

@@ -1,0 +1,44 @@
+// hashnoise: vectors of Perlin noise and their derivatives in space.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_PERLIN_VECTOR_D3D_GLSL
+#define HN_PERLIN_VECTOR_D3D_GLSL
+
+#include "perlin_d3d.glsl"
+
+// The paper's gradient has no noise of this kind.
+#if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
+
+// Three Perlin noises that do not depend on each other, and how steep they are, from one hash for each corner. value is
+// hn_perlin_vector.
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
+//   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   returns  value, and in dx, dy and dz its derivatives along x, y and z. A derivative is per cell, in [-3.38, 3.38],
+//            once continuously differentiable (HN_FIXED: in steps of 2^-19)
+//   error    that of hn_perlin_vector, and of a derivative at most 2.21e-5 against the exact value, in any rounding
+//            mode (docs/accuracy.md). HN_FIXED 2.25e-4. From a cell at most 2.11e-5
+//   period   2^32 cells per axis, or that of the tile
+//   cost     that of hn_perlin_d, and twice the same again without the hashes; for each corner two multiplications
+//            more
+//   source   the product rule on the interpolation; docs/contract.md, section 22
+HN_FN hn_derivatives3x3 hn_perlin_vector_d(hn_place3 place, hn_uint seed) {
+  hn_i_box3 box = hn_i_box(place);
+  hn_uvec4 a = hn_i_corners(box, false, seed);
+  hn_uvec4 b = hn_i_corners(box, true, seed);
+  hn_num3 f = place.fraction;
+  hn_vec4 x = hn_i_perlin_d(a, b, f);
+  hn_vec4 y = hn_i_perlin_d(hn_i_words_of_y(a), hn_i_words_of_y(b), f);
+  hn_vec4 z = hn_i_perlin_d(hn_i_words_of_z(a), hn_i_words_of_z(b), f);
+  HN_I_NEW(hn_derivatives3x3, d);
+  d.value = vec3(x.x, y.x, z.x);
+  d.dx = vec3(x.y, y.y, z.y);
+  d.dy = vec3(x.z, y.z, z.z);
+  d.dz = vec3(x.w, y.w, z.w);
+  return d;
+}
+HN_FN hn_derivatives3x3 hn_perlin_vector_d(hn_vec3 p, hn_uint seed) { return hn_perlin_vector_d(hn_place(p), seed); }
+HN_FN hn_derivatives3x3 hn_perlin_vector_d(hn_vec3 p) { return hn_perlin_vector_d(p, 0u); }
+
+#endif
+#endif

@@ -1,0 +1,63 @@
+// hashnoise: Perlin-Worley noise in space.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_PERLIN_WORLEY3D_GLSL
+#define HN_PERLIN_WORLEY3D_GLSL
+
+#include "cellular3d.glsl"
+#include "detail/jacobian.glsl"
+#include "fbm3d.glsl"
+
+// The paper's gradient has no noise of this kind.
+#if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
+
+// 1 - (1 - a) (1 - b) / 4
+#if HN_ARITHMETIC == HN_FIXED
+HN_FN hn_int hn_i_either(hn_int a, hn_int b) {
+  return 2097152 - ((hn_i_wide_times(2097152 - a, 2097152 - b) + 16) >> 5);
+}
+#else
+HN_FN hn_float hn_i_either(hn_float a, hn_float b) {
+  HN_I_PRECISE hn_float neither = (1.0f - a) * (1.0f - b) * 0.25f;
+  return hn_i_minus(1.0f, neither);
+}
+#endif
+
+HN_FN hn_float hn_i_perlin_worley(hn_octaves3 wisps, hn_octaves3 billows) {
+  hn_octaves3 o = billows;
+  do hn_add(o, 1.0f - 2.0f * hn_cellular(o.place, o.seed).x); while (hn_next(o));
+  return hn_i_value(hn_i_either(hn_i_bounded_octave(hn_i_fbm(wisps)), hn_i_bounded_octave(hn_mean(o))));
+}
+
+// Perlin-Worley noise: round billows where the points of cellular noise are, and wisps of Perlin noise between them. It
+// is what volumes of clouds are made of. In a tile it repeats along all three axes, so a texture of one tile fills a
+// sky.
+//   p           position, in cells of the first octave; (|p| + 1) * lacunarity^octaves < 2^23, for a lacunarity of 2
+//               or more
+//   place       a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl). The period of a
+//               tile times lacunarity^octaves is below 2^31
+//   octaves     how many of Perlin noise; the first three have billows, too. With fewer than 1 the result is 3/4
+//   lacunarity  ratio of frequencies, usually 2. In a tile it is a whole number from 1 to 255; others are rounded down
+//   gain        ratio of amplitudes, usually 0.5; not negative
+//   seed        any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   returns     [0, 1], continuous. Half of the values are above 0.8 or so; a cloud is where it is above a threshold
+//   error       docs/accuracy.md
+//   period      2^32 cells per axis, or that of the tile
+//   cost        hn_fbm, and three times hn_cellular in space, which is most of it
+//   HN_FIXED    takes a gain above 1 as 1, and more than 32 octaves as 32
+//   source      Schneider and Vos, "The Real-time Volumetric Cloudscapes of Horizon: Zero Dawn", 2015;
+//               docs/contract.md, section 25
+HN_FN hn_float hn_perlin_worley(hn_place3 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
+  return hn_i_perlin_worley(hn_octaves(place, octaves, lacunarity, gain, seed),
+                            hn_octaves(place, min(octaves, 3), lacunarity, gain, hn_i_other_seed(seed)));
+}
+HN_FN hn_float hn_perlin_worley(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
+  return hn_i_perlin_worley(hn_octaves(p, octaves, lacunarity, gain, seed),
+                            hn_octaves(p, min(octaves, 3), lacunarity, gain, hn_i_other_seed(seed)));
+}
+HN_FN hn_float hn_perlin_worley(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float gain) {
+  return hn_perlin_worley(p, octaves, lacunarity, gain, 0u);
+}
+
+#endif
+#endif

@@ -1,0 +1,68 @@
+// hashnoise: phasor noise and its derivatives on the plane.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_PHASOR_D2D_GLSL
+#define HN_PHASOR_D2D_GLSL
+
+#include "detail/phasor.glsl"
+#include "detail/triangular_lattice.glsl"
+
+// The waves around lattice points, weighted, and how they fall along each axis.
+struct hn_i_waves2 {
+  hn_num2 n;
+  hn_num2 x;
+  hn_num2 y;
+};
+HN_FN hn_i_waves2 hn_i_waves_at(hn_uint angle, hn_num x, hn_num y, hn_num t) {
+  HN_I_NEW(hn_i_waves2, s);
+  hn_num2 wave = hn_i_unit_wave(angle);
+  hn_num2 fall = hn_i_weighted_wave(wave, hn_i_d_weight_plane(t, 1));
+  s.n = hn_i_weighted_wave(wave, hn_i_weight_plane(t));
+  s.x = hn_i_falling_wave(fall, x);
+  s.y = hn_i_falling_wave(fall, y);
+  return s;
+}
+HN_FN hn_i_waves2 hn_i_plus(hn_i_waves2 a, hn_i_waves2 b) {
+  HN_I_NEW(hn_i_waves2, s);
+  s.n = hn_i_plus(a.n, b.n);
+  s.x = hn_i_plus(a.x, b.x);
+  s.y = hn_i_plus(a.y, b.y);
+  return s;
+}
+HN_FN hn_num2 hn_i_scaled_waves2(hn_num2 n) { return hn_i_num(hn_i_scaled(n.x, 1428), hn_i_scaled(n.y, 1428)); }
+HN_FN hn_num2 hn_i_scaled_fall2(hn_num2 n) {
+  hn_num2 fall = hn_i_scaled_waves2(n);
+  return hn_i_num(hn_i_of_fall(fall.x, 2), hn_i_of_fall(fall.y, 2));
+}
+
+// Phasor noise on the plane and how steep it is. value has the value and the quadrature of hn_phasor.
+//   (parameters and period as for hn_phasor in phasor2d.glsl)
+//   returns  value, and in dx and dy the derivatives of both along x and y, per cell, at a constant wave and phase: in
+//            [-142, 142] for the largest waves, once continuously differentiable (HN_FIXED: in steps of 2^-16)
+//   error    that of hn_phasor, and of a derivative at most 4.1e-3 against the exact value, in any rounding mode
+//            (docs/accuracy.md). HN_FIXED 4.1e-2. From a cell at most 2.9e-3
+//   cost     the hashes and sines of hn_phasor, which are most of its cost, and about twice the rest
+//   source   the product rule on weight and wave; docs/contract.md, section 23
+HN_FN hn_derivatives2x2 hn_phasor_d(hn_place2 place, hn_vec2 wave, hn_float phase, hn_uint seed) {
+  hn_num2 skewed = hn_i_skewed(place.fraction);
+  hn_uvec3 h = hn_i_triangle(place, skewed, seed);
+  hn_num3 x = hn_i_triangle_x(skewed);
+  hn_num3 y = hn_i_triangle_y(skewed);
+  hn_num3 t = hn_i_triangle_falloff(x, y);
+  hn_num2 k = hn_i_num(hn_i_waves(wave.x), hn_i_waves(wave.y));
+  hn_uint angle = hn_i_angle(phase);
+  hn_i_waves2 s = hn_i_waves_at(h.x + angle + hn_i_waves_from(k, x.x, y.x), x.x, y.x, t.x);
+  s = hn_i_plus(s, hn_i_waves_at(h.y + angle + hn_i_waves_from(k, x.y, y.y), x.y, y.y, t.y));
+  s = hn_i_plus(s, hn_i_waves_at(h.z + angle + hn_i_waves_from(k, x.z, y.z), x.z, y.z, t.z));
+  hn_num2 n = hn_i_scaled_waves2(s.n);
+  HN_I_NEW(hn_derivatives2x2, d);
+  d.value = vec2(hn_i_value(n.x), hn_i_value(n.y));
+  d.dx = hn_i_wave_slopes(n, hn_i_scaled_fall2(s.x), k.x);
+  d.dy = hn_i_wave_slopes(n, hn_i_scaled_fall2(s.y), k.y);
+  return d;
+}
+HN_FN hn_derivatives2x2 hn_phasor_d(hn_vec2 p, hn_vec2 wave, hn_float phase, hn_uint seed) {
+  return hn_phasor_d(hn_place(p), wave, phase, seed);
+}
+
+#endif

@@ -1,0 +1,34 @@
+// hashnoise: vectors of value noise and their derivatives on the plane.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_VALUE_VECTOR_D2D_GLSL
+#define HN_VALUE_VECTOR_D2D_GLSL
+
+#include "value_d2d.glsl"
+
+// Two value noises that do not depend on each other, and how steep they are, from one hash for each corner. value is
+// hn_value_vector.
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
+//   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   returns  value, and in dx and dy its derivatives along x and y. A derivative is per cell, in [-3.76, 3.76], once
+//            continuously differentiable (HN_FIXED: in steps of 2^-19)
+//   error    that of hn_value_vector, and of a derivative at most 1.12e-5 against the exact value, in any rounding mode
+//            (docs/accuracy.md). HN_FIXED 2.86e-4. From a cell at most 1.04e-5
+//   period   2^32 cells per axis, or that of the tile
+//   cost     that of hn_value_d, and the same again without the hashes; for each corner a multiplication more
+//   source   the product rule on the interpolation; docs/contract.md, section 22
+HN_FN hn_derivatives2x2 hn_value_vector_d(hn_place2 place, hn_uint seed) {
+  hn_uvec4 h = hn_i_corners(hn_i_box(place), seed);
+  hn_vec3 x = hn_i_value_d(h, place.fraction);
+  hn_vec3 y = hn_i_value_d(hn_i_words_of_y(h), place.fraction);
+  HN_I_NEW(hn_derivatives2x2, d);
+  d.value = vec2(x.x, y.x);
+  d.dx = vec2(x.y, y.y);
+  d.dy = vec2(x.z, y.z);
+  return d;
+}
+HN_FN hn_derivatives2x2 hn_value_vector_d(hn_vec2 p, hn_uint seed) { return hn_value_vector_d(hn_place(p), seed); }
+HN_FN hn_derivatives2x2 hn_value_vector_d(hn_vec2 p) { return hn_value_vector_d(p, 0u); }
+
+#endif
