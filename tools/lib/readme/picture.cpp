@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "shading.hpp"
+#include "simulated_erosion.hpp"
 
 namespace hashnoise {
 #include "functions.inc"

@@ -29,6 +29,8 @@ PICTURES = {  # the page that shows each
     "cellular-phase.png": "docs/cellular.md",
     "cellular-tiles.png": "docs/cellular.md",
     "sums.png": "docs/sums.md",
+    "gullies.png": "docs/sums.md",
+    "erosion.png": "docs/sums.md",
     "footprint.png": "docs/sums.md",
 }
 BELOW_A_PICTURE = r"^!\[[^\]]*\]\((?:docs/)?images/{}\)\n\n(?:\S.*\n)*\n((?:    \S.*\n)+)"
