@@ -1,6 +1,6 @@
 """Sums over lattice points, gradients that turn, and waves, on arrays: exactly in doubles, and in integers. Written
-from docs/contract.md, sections 13, 14 and 23, for bounds_kernel_test.py and bounds_phasor_test.py. Floats are those of
-the library's text (rounded.py).
+from docs/contract.md, sections 13, 14 and 23, for bounds_kernel_test.py, bounds_phasor_test.py and
+bounds_phasor_d_test.py. Floats are those of the library's text (rounded.py).
 
 A noise takes the fractions along its axes, and a function from a lattice point, as coordinates in half steps, to its
 words. A phase is a word in units of 2^-32 turns, or None."""
@@ -134,6 +134,17 @@ def phasor(kernel, words_of, fractions, wave, phase):
     return kernel.scale / 1024 * total
 
 
+def phasor_d(kernel, words_of, fractions, wave, phase):
+    """The same with the derivatives per cell, each with its quadrature as the imaginary part: first the value."""
+    place = np.array([x * kernel.steps for x in fractions])
+    waves, falls = np.clip(wave, -16, 16), np.zeros(place.shape, complex)
+    for point, near, d, t in near_points(kernel, place):
+        turns = at(near, words_of(point)) / 2**32 + phase[near] + sum(waves[:, near] * d) / kernel.steps
+        falls[:, near] -= 2 * kernel.fall * d * weight(kernel, t)[1] * np.exp(2j * math.pi * (turns % 1))
+    value = phasor(kernel, words_of, fractions, wave, phase)
+    return [value, *(kernel.steps * kernel.scale / 1024 * falls + 2j * math.pi * waves * value)]
+
+
 def perlin(words_of, fractions, phase):
     return exact.perlin(OCTAHEDRAL, words_of, fractions, lambda g: turned(g, phase))
 
@@ -259,3 +270,22 @@ def fixed_phasor(kernel, words_of, fractions, wave, phase):
         for n, word in zip(total, (u32(a + 2**30), u32(a))):
             n[near] += part(2**13 * fixed.sine_of_turns(word), w)
     return [fixed_scaled(s32(n), kernel.scale) for n in total]
+
+
+def fixed_phasor_d(kernel, words_of, fractions, wave, phase):
+    """The value and the quadrature, and then those of each derivative, in units of 2^-16."""
+    place, waves, angle = np.array([kernel.steps * f for f in fractions]), fixed_waves(wave), fixed_angle(phase)
+    falls = np.zeros((kernel.dims, 2, place.shape[1]), np.int64)
+    for point, near, d, t in near_fixed_points(kernel, place):
+        a = at(near, words_of(point)) + angle[near] + sum((waves[:, near] * d) >> (5 if kernel.triangles else 4))
+        fall = fixed_weight(kernel, t)[1]
+        for axis, part_number in itertools.product(range(kernel.dims), range(2)):
+            sine = fixed.sine_of_turns(u32(a + 2**30 * (part_number == 0)))
+            falls[axis, part_number, near] -= 2 * part(part(2**13 * sine, fall), d[axis] >> 2)
+    v, z = fixed_phasor(kernel, words_of, fractions, wave, phase)
+    results = [[v, z]]
+    for k, of_axis in zip(waves, falls):
+        a, b = (fixed_scaled(s32(n), kernel.scale) * 32 * kernel.steps for n in of_axis)
+        turns = part(2**9 * k, 205887) >> 9
+        results.append([s32(a - part(2**8 * z, turns) + 2**7) >> 8, s32(b + part(2**8 * v, turns) + 2**7) >> 8])
+    return results

@@ -120,13 +120,17 @@ def angle_error(kernel: Kernel, own: kernel_floats.Offsets, ulps: float):
     return TURN * turns.err / kernel.steps
 
 
+def wave_error(kernel: Kernel, own: kernel_floats.Offsets, ulps: float):
+    """Of the cosine and the sine of a point."""
+    return angle_error(kernel, own, ulps) + ANGLE_CUT + kernel_floats.turn_error(ulps)
+
+
 def value_error(kernel: Kernel, ulps, lo, hi):
     """The largest error in each box of places, given by its ends along each axis. No sine is above 1."""
     terms = []
     for own, q in kernel_floats.distances(kernel, lo, hi, ulps):
-        err = angle_error(kernel, own, ulps) + ANGLE_CUT + kernel_floats.turn_error(ulps)
         weight = kernel_floats.weighted(kernel, kernel_floats.nearness(kernel, q))
-        terms.append(Approx(-1.0, 1.0, err, ulps).times(weight))
+        terms.append(Approx(-1.0, 1.0, wave_error(kernel, own, ulps), ulps).times(weight))
     return kernel_floats.added(kernel, terms, ulps).err
 
 

@@ -1,0 +1,220 @@
+"""Tests of what is proven of the derivatives of phasor noise: the models of docs/contract.md and the text of the library
+stay within the bounds, and reach a part of them. A wrong constant is noticed."""
+
+import functools
+import unittest
+from unittest import mock
+
+import numpy as np
+
+from bounds import fixed_model as fixed
+from bounds import kernel_model
+from bounds.bounds_phasor_test import AXES, random_case
+from bounds.boxes import Boxes
+from bounds.fixed_model import ONE
+from bounds.kernels import Offsets
+from bounds.noises import phasor, phasor_d
+from bounds.noises.phasor import KERNELS, WAVES
+from bounds.rounded import Body, Rounding, Text, along_axes, roundings
+from bounds.table import bounds_of
+
+FINE, COARSE = 2.0**-21, 2.0**-16  # the units of fixed values and derivatives
+
+
+def proven(dims):
+    return bounds_of("phasor_d", dims, "none", "SLOPE_BOUNDS")
+
+
+def exactly(dims, cells, f, wave, phase):
+    """The derivatives, and the same of the quadrature: axes by 2 by places."""
+    kernel = KERNELS[dims]
+    results = kernel_model.phasor_d(kernel, kernel_model.words_at(kernel, cells), f, wave, phase)
+    return np.array([[n.real, n.imag] for n in results[1:]])
+
+
+# --- The text of the library ------------------------------------------------------------------------------------------
+
+def body(dims, from_cell, what):
+    """Of the value and the quadrature, or of their derivatives along an axis; from a position, or a cell and a
+    fraction, and then from the wave and the phase."""
+    axes = AXES[dims]
+    inputs = [f"c{axis}:i32" for axis in axes * from_cell] + [f"{'f' * from_cell}{axis}:f32" for axis in axes]
+    inputs += [f"k{axis}:f32" for axis in axes] + ["phase:f32"]
+    words = iter([f"{vector}.{axis}" for vector in "abc" for axis in "xyzw"])
+
+    def taken(kind, convert, count=dims):
+        return f"{kind}{count}({', '.join(f'{convert}({next(words)})' for _ in range(count))})"
+    place = (f"hn_place({taken('ivec', 'int')}, {taken('vec', 'float_of')})" if from_cell else taken("vec", "float_of"))
+    arguments = f"{place}, {taken('vec', 'float_of')}, float_of({next(words)}), 0u"
+    return Body(" ".join(inputs), "value:f32 quadrature:f32",
+                f"hn_vec2 n = hn_phasor_d({arguments}).{what}; return uvec4(bits_of(n.x), bits_of(n.y), 0u, 0u);")
+
+
+@functools.cache
+def text(*macros):
+    forms = [(dims, form, what) for dims in KERNELS for form in ("cell", "position")
+             for what in ("value", *(f"d{axis}" for axis in AXES[dims]))]
+    return Text([], *macros, **{f"{form}{dims}{what}": body(dims, form == "cell", what) for dims, form, what in forms})
+
+
+def derivatives(form, dims, rounding, columns, *macros):
+    return np.array([text(*macros)(f"{form}{dims}d{axis}", rounding, **columns) for axis in AXES[dims]])
+
+
+def columns_of(cells, f, wave, phase):
+    return along_axes("c", cells) | along_axes("f", f) | along_axes("k", wave) | {"phase": phase}
+
+
+class Exact(unittest.TestCase):
+    def test_model_is_the_derivative(self):
+        rng, step = np.random.default_rng(1), 1e-6
+        for dims, kernel in KERNELS.items():
+            words = {tuple(kernel_model.halves(point)): rng.integers(0, 2**32, 500)
+                     for point in kernel_model.points(kernel)}
+            f, wave, phase = rng.random((dims, 500)), rng.uniform(-20, 20, (dims, 500)), rng.random(500)
+            _, *slopes = kernel_model.phasor_d(kernel, lambda point: words[tuple(point)], f, wave, phase)
+            for axis, slope in enumerate(slopes):
+                moved = step * np.eye(dims)[axis][:, None]
+                ends = [kernel_model.phasor(kernel, lambda point: words[tuple(point)], f + sign * moved, wave, phase)
+                        for sign in (1, -1)]
+                self.assertLess(abs((ends[0] - ends[1]) / (2 * step) - slope).max(), 1e-5)
+
+    def test_range_is_reached(self):
+        """At a lattice point the sum of the weights is largest, and all waves may agree."""
+        for dims, kernel in KERNELS.items():
+            f, wave = np.zeros((dims, 1)), np.full((dims, 1), float(WAVES))
+            slope = kernel_model.phasor_d(kernel, lambda _: np.zeros(1), f, wave, np.zeros(1))[1]
+            self.assertTrue(0.999 < abs(slope).max() / phasor_d.range_of(kernel) <= 1)
+
+    def test_steepest(self):
+        """A derivative of the steepest wave, at a lattice point, nearly reaches the constant."""
+        rng, step = np.random.default_rng(2), 1e-7
+        for dims, kernel in KERNELS.items():
+            words = {tuple(kernel_model.halves(point)): rng.integers(0, 2**32, 2000)
+                     for point in kernel_model.points(kernel)}
+            f, wave = rng.random((dims, 2000)), rng.choice([-WAVES, WAVES], (dims, 2000))
+            f[:, 0], words[(0,) * dims][0] = 0, 0
+            ends = [kernel_model.phasor_d(kernel, lambda point: words[tuple(point)], f + sign * step * np.sign(wave),
+                                          wave, np.zeros(2000))[1:] for sign in (1, -1)]
+            slopes = abs(np.array(ends[0]).real - np.array(ends[1]).real) / (2 * step)
+            bound = phasor_d.lipschitz_of(kernel)
+            self.assertTrue(0.95 * bound < slopes.max() < bound, (slopes.max(), bound))
+
+    def test_first_derivatives(self):
+        """Of second derivatives of waves at random angles, in small boxes: they are within what is assumed."""
+        rng, step = np.random.default_rng(3), 1e-5
+        for dims, kernel in KERNELS.items():
+            boxes, angle = Boxes(5, rng.integers(0, 16, (dims, 200))), rng.uniform(0, 2 * np.pi, 200)
+            u, s, m = (1.0,) + (0.0,) * (dims - 1), (1.0,) * dims, kernel.fall
+            rates = phasor.rate_along(kernel, 1), -phasor.rate_along(kernel, dims)
+            for point in kernel.points:
+                def bend(d):
+                    t = np.maximum(kernel.radius - m * (d * d).sum(axis=0), 0)
+                    w, dw, ddw = (kernel.weight.derivative(order, t) for order in range(3))
+                    real = -2 * m * dw + 4 * m * m * ddw * d[0] * d.sum(axis=0) - rates[0] * rates[1] * w
+                    return np.cos(angle) * real + np.sin(angle) * 2 * m * dw * (
+                        rates[0] * d.sum(axis=0) + rates[1] * d[0])
+                middle, offsets = (boxes.lo + boxes.hi) / 2 - np.array(point)[:, None], Offsets.of(kernel, boxes, point)
+                for axis, unit in enumerate(np.eye(dims)):
+                    moved = step * unit[:, None]
+                    first = (bend(middle + moved) - bend(middle - moved)) / (2 * step)
+                    bound = phasor_d.slope_along(kernel, u, s, rates, offsets, axis)
+                    self.assertLess((abs(first) - bound).max(), 1e-3)
+
+
+class Fixed(unittest.TestCase):
+    COUNT = 8000
+
+    def computed(self, dims, cells, f, wave, phase):
+        kernel = KERNELS[dims]
+        return kernel_model.fixed_phasor_d(kernel, kernel_model.words_at(kernel, cells),
+                                           [np.trunc(x * ONE).astype(np.int64) for x in f], wave, phase)
+
+    def errors(self, dims):
+        case = random_case(4, dims, self.COUNT)
+        return abs(np.array(self.computed(dims, *case)[1:]) * COARSE - exactly(dims, *case)).max()
+
+    def test_random_points(self):
+        for dims in KERNELS:
+            bound, seen = proven(dims).fixed_error, self.errors(dims)
+            self.assertTrue(bound / 4 < seen < bound, (dims, seen, bound))
+
+    def test_fails_with_fewer_bits(self):
+        """Must-fail checks: of a wave, of a sine, and of a weight and its fall."""
+        waves, sine, weight = kernel_model.fixed_waves, fixed.sine_of_turns, kernel_model.fixed_weight
+        for dims in KERNELS:
+            for module, name, coarse in (
+                    (kernel_model, "fixed_waves", lambda wave: waves(wave) & ~31),
+                    (fixed, "sine_of_turns", lambda turns: sine(turns) & ~63),
+                    (kernel_model, "fixed_weight", lambda kernel, t: [n & ~1023 for n in weight(kernel, t)])):
+                with mock.patch.object(module, name, coarse):
+                    self.assertGreater(self.errors(dims), proven(dims).fixed_error, (dims, name))
+
+    def test_model_has_the_bits_of_the_text(self):
+        for dims in KERNELS:
+            cells, f, wave, phase = random_case(5, dims, 2000)
+            f[:, 0], wave[:, 0], phase[0] = 1, -WAVES, 0  # the largest products
+            found = self.computed(dims, cells, f, wave, phase)
+            columns, macro = columns_of(cells, f, wave, phase), "HN_ARITHMETIC=HN_FIXED"
+            value = np.array(text(macro)(f"cell{dims}value", Rounding("up"), **columns))
+            of_text = derivatives("cell", dims, Rounding("up"), columns, macro)
+            self.assertTrue(np.array_equal(np.array(found[0]), value / FINE))
+            self.assertTrue(np.array_equal(np.array(found[1:]), of_text / COARSE))
+            self.assertLessEqual(abs(of_text).max(), proven(dims).fixed_limit)
+
+    def test_no_product_overflows(self):
+        """The largest wave and the ends of values and of offsets reach nearly what is proven."""
+        turns = phasor_d.whole_turns()
+        k = kernel_model.fixed_waves(np.array([WAVES, -WAVES]))
+        self.assertTrue(np.array_equal(turns[[-1, 0]], fixed.part(2**9 * k, 205887) >> 9))
+        self.assertLess(abs(turns).max(), 2**20)
+        for dims in KERNELS:
+            largest = phasor_d.largest_intermediates(dims, None)
+            self.assertLess(max(largest.values()), 2**31)
+            high = abs(np.array([-2**29, 2**29]) >> 9) * (abs(turns).max() >> 9)
+            self.assertTrue(0.99 < high.max() / largest["turned"] <= 1)
+
+
+class Floats(unittest.TestCase):
+    """The text of the library over floats of any rounding mode."""
+
+    def test_from_a_cell(self):
+        for dims in KERNELS:
+            case, bound = random_case(6, dims, 3000), proven(dims)
+            found = [derivatives("cell", dims, rounding, columns_of(*case)) for rounding in roundings(7)]
+            seen = max(abs(n - exactly(dims, *case)).max() for n in found)
+            self.assertTrue(bound.cell_error / 8 < seen < bound.cell_error, (dims, seen, bound.cell_error))
+            self.assertLessEqual(max(abs(n).max() for n in found), bound.limit)
+
+    def test_from_a_position(self):
+        """Just below 0, where the fraction rounds most, and near a lattice point, where the noise is steepest."""
+        for dims in KERNELS:
+            bound, (_, f, wave, phase) = proven(dims), random_case(8, dims, 3000)
+            p = -(f / 2**np.random.default_rng(9).integers(1, 20, 3000)).astype(np.float32).astype(float)
+            expected = exactly(dims, [np.full(3000, -1)] * dims, 1 + p, wave, phase)
+            columns = along_axes("", p) | along_axes("k", wave) | {"phase": phase}
+            seen = max(abs(derivatives("position", dims, rounding, columns) - expected).max()
+                       for rounding in roundings(10))
+            self.assertTrue(bound.cell_error / 3 < seen < bound.error, (dims, seen, bound.error))
+
+    def test_the_value_is_that_of_phasor(self):
+        """So it has the same bounds."""
+        for dims in KERNELS:
+            of_value, bound = phasor.derive(dims, None), bounds_of("phasor_d", dims, "none")
+            self.assertEqual(of_value.bounds("phasor_d", dims, None).rounded(), bound)
+            case = random_case(6, dims, 500)
+            kernel = KERNELS[dims]
+            value = kernel_model.phasor(kernel, kernel_model.words_at(kernel, case[0]), *case[1:])
+            found = text()(f"cell{dims}value", Rounding("nearest"), **columns_of(*case))
+            self.assertLess(abs(found[0] + 1j * found[1] - value).max(), 2 * bound.cell_error)
+
+    def test_fails_with_fewer_bits(self):
+        """A must-fail check: a mantissa without 4 of its bits."""
+        for dims in KERNELS:
+            case = random_case(6, dims, 3000)
+            found = derivatives("cell", dims, Rounding("nearest", lost_bits=4), columns_of(*case))
+            self.assertGreater(abs(found - exactly(dims, *case)).max(), proven(dims).cell_error)
+
+
+if __name__ == "__main__":
+    unittest.main()

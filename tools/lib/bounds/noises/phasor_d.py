@@ -1,0 +1,277 @@
+"""hn_phasor_d: hn_phasor with its derivatives, from docs/contract.md, section 23. The value is computed in the same
+steps, so it has the same bounds. One bound holds for the derivatives of the value and of the quadrature: as in
+phasor.py each is the real part of a sum of z e(a) over the points, with e(a) of length 1 and along an axis
+
+    z = -2 m w' d_i + 2 pi i k_i w
+
+RANGE. It is what phasor.py bounds along a vector.
+
+LIPSCHITZ. The derivative of that along a vector s has in place of z
+
+    -2 m w' s_i + 4 m^2 w'' d_i (d.s) - c b w  +  i (c (-2 m w' (d.s)) + b (-2 m w' d_i))    c = 2 pi k_i, b = 2 pi k.s
+
+Its length is convex in c and in b, so it is largest where both are: for both signs of their product. As in kernels.py
+it is bounded by the value in the middle of a box and the first derivatives.
+
+FLOATS. Of each point the derivative has fall * cosine * x, in any order, and then
+
+    S * sum;  on the plane times 2;  (k * 6.2831853) * z, of the quadrature or the value z as it is returned;  the sum
+
+On the plane the skewed coordinate moves the place for all of this alike.
+
+FIXED. The fall is that of kernel_fixed.py with a cosine in place of a ramp. The sum is in units of 2^-27 per step. Its
+product with S, in units of 2^-19, is exact in units of 2^-24 per cell, and so
+
+    TURN     2 pi k_i is off by what all 2^21 + 1 integers K show, and by the cut of the wave, times a value of at most
+             1. With T = 512 a + b the part of 2^8 z is z/2 a + z/2^10 b, of which z >> 1 and z >> 10 round down
+    VALUE    the error of z times 2 pi k_i
+    LAST     the last sum is rounded to a multiple of 2^-16
+
+NO OVERFLOW. |z| is at most 2^21. The last sum is the derivative in units of 2^-24, which is less than 128. Its two
+terms are less than that each, too.
+"""
+
+from __future__ import annotations
+
+import functools
+import itertools
+from dataclasses import replace
+
+import numpy as np
+
+from bounds import kernel_fixed, kernel_floats, kernels
+from bounds.boxes import Boxes, cell, supremum
+from bounds.floats import TINY, Approx, constant, position_error
+from bounds.floats import UNIT as ROUNDED
+from bounds.gradients import Gradient
+from bounds.integers import ONE, SLOPE_UNIT, UNIT, part_intermediate
+from bounds.kernel_floats import SKEWED
+from bounds.kernels import Jet, Kernel, Offsets, dot, weight_jet
+from bounds.noises import Derived, phasor
+from bounds.noises.perlin.floats import largest_of
+from bounds.noises.phasor import KERNELS, RAMP_ONE, TURN, WAVE_CUT, scale_of
+
+CASES = phasor.CASES
+FINE, LAST = 2.0**-24, 2.0**-16  # the units of the terms of a derivative, and of the derivative
+
+
+# --- Exactly ----------------------------------------------------------------------------------------------------------
+
+def range_of(kernel: Kernel) -> float:
+    """Of a derivative, per cell."""
+    rate = phasor.rate_along(kernel, 1)
+    return kernel.steps * scale_of(kernel) * max(phasor.largest(kernel, axis, rate, 1) for axis in kernels.axes(kernel))
+
+
+def attained(kernel: Kernel, u, s, rates: tuple[float, float], place: np.ndarray) -> np.ndarray:
+    """The sum of the lengths of the second derivatives along u and s, at places: axes by places."""
+    m, total = kernel.fall, 0.0
+    for point in kernel.points:
+        d = place - np.array(point)[:, None]
+        t = np.maximum(kernel.radius - m * (d * d).sum(axis=0), 0.0)
+        w, dw, ddw = (kernel.weight.derivative(order, t) for order in range(3))
+        real = -2 * m * dw * np.dot(u, s) + 4 * m * m * ddw * dot(d, u) * dot(d, s) - rates[0] * rates[1] * w
+        total = total + np.hypot(real, 2 * m * dw * (rates[0] * dot(d, s) + rates[1] * dot(d, u)))
+    return total
+
+
+def slope_along(kernel: Kernel, u, s, rates: tuple[float, float], offsets: Offsets, axis: int) -> np.ndarray:
+    """A bound of the first derivative of what one point adds, in each box."""
+    m = kernel.fall
+    of_u, of_s = (Jet(offsets.along(v), abs(v[axis])) for v in (u, s))
+    w, dw, ddw = (weight_jet(kernel, offsets, axis, order) for order in range(3))
+    real = (dw.times(2 * m * abs(np.dot(u, s))) + (ddw * of_u * of_s).times(4 * m * m)
+            + w.times(abs(rates[0] * rates[1])))
+    across = (dw * (of_s.times(abs(rates[0])) + of_u.times(abs(rates[1])))).times(2 * m)
+    return np.hypot(real.first, across.first)
+
+
+LEVELS, TOLERANCE = {2: 14, 3: 9}, {2: 0.003, 3: 0.02}
+
+
+@functools.cache
+def steepest(kernel: Kernel, u: tuple[float, ...], s: tuple[float, ...], rates: tuple[float, float],
+             same_axes_from: int) -> float:
+    """A proven upper bound of that sum, not scaled. From an axis on, axes may be exchanged."""
+    def bound(boxes: Boxes):
+        value, first = attained(kernel, u, s, rates, boxes.lo + boxes.side / 2), 0.0
+        for point in kernel.points:
+            offsets = Offsets.of(kernel, boxes, point)
+            first = first + sum(slope_along(kernel, u, s, rates, offsets, axis) for axis in range(kernel.dims))
+        return value + first / 2 * boxes.side, value
+    exchange = kernel.dims - 1 if kernel.triangles else min(same_axes_from, kernel.dims - 1)
+    return supremum(bound, cell(kernel.dims, half=True), LEVELS[kernel.dims], TOLERANCE[kernel.dims], exchange)
+
+
+def second_derivative(kernel: Kernel, u: tuple[float, ...], s: tuple[float, ...], same_axes_from: int) -> float:
+    """The largest along an axis and then a vector of signs or another axis, per step, not scaled."""
+    along, across = (phasor.rate_along(kernel, sum(map(abs, v))) for v in (u, s))
+    return max(steepest(kernel, u, s, (along, sign * across), same_axes_from) for sign in (1, -1))
+
+
+def lipschitz_of(kernel: Kernel) -> float:
+    """Of a derivative, per cell."""
+    if kernel.triangles:
+        pairs = [(axis, sign, 2) for axis in kernels.axes(kernel) for sign in ((1.0, 1.0), (1.0, -1.0))]
+    else:
+        pairs = [(kernels.axes(kernel)[0], sign, same) for sign, same in kernels.signs(kernel, 1)]
+    return kernel.steps**2 * scale_of(kernel) * max(second_derivative(kernel, *pair) for pair in pairs)
+
+
+# --- Floats -----------------------------------------------------------------------------------------------------------
+
+def falling(fall: Approx, cosine: Approx, d: Approx) -> Approx:
+    """Their product, in any order."""
+    orders = [a.times(b).times(c) for a, b, c in itertools.permutations((fall, cosine, d)) if a is not d]
+    size = largest_of(product.size() for product in orders)
+    return Approx(-size, size, largest_of(product.err for product in orders), d.ulps)
+
+
+def slope_error(kernel: Kernel, ulps, largest: float, lo, hi):
+    """The largest error of a derivative, per cell, in each box of places, given by its ends along each axis."""
+    values, along = [], [[] for _ in range(kernel.dims)]
+    for own, q in kernel_floats.distances(kernel, lo, hi, ulps):
+        t = kernel_floats.nearness(kernel, q)
+        cosine = Approx(-1.0, 1.0, phasor.wave_error(kernel, own, ulps), ulps)
+        ends = [2 * kernel.fall * end for end in kernel.weight.ends(1, t.lo, t.hi)]
+        fall = kernel.weight.float_fall(t, kernel.fall).clipped(*ends)
+        values.append(cosine.times(kernel_floats.weighted(kernel, t)))
+        for terms, d in zip(along, own):
+            terms.append(falling(fall, cosine, d))
+    z = kernel_floats.added(kernel, values, ulps)
+    turned = turned_value(z, ulps)
+    sums = [kernel_floats.added(kernel, terms, ulps) for terms in along]
+    derivatives = [Approx(kernel.steps * a.lo, kernel.steps * a.hi, kernel.steps * a.err, ulps) for a in sums]
+    return largest_of(last_sum(a, turned, largest).err for a in derivatives)
+
+
+def turned_value(z: Approx, ulps) -> Approx:
+    """2 pi k z, in any order of its two products."""
+    rate = constant(TURN, ulps)
+    largest = phasor.WAVES * (rate.hi + rate.err) * (z.size() + z.err)
+    err = phasor.WAVES * (rate.hi * z.err + rate.err * (z.size() + z.err))
+    err = err + 2.001 * ulps * ROUNDED * largest + TINY
+    return Approx(-phasor.WAVES * TURN * z.size(), phasor.WAVES * TURN * z.size(), err, ulps)
+
+
+def last_sum(a: Approx, b: Approx, largest: float) -> Approx:
+    """Of which the exact one is known to be that large at most."""
+    return Approx(-largest, largest, a.err + b.err, a.ulps).rounded()
+
+
+def moved(kernel: Kernel, ulps: float = 1.0) -> float:
+    """What the move of the place does, per cell."""
+    if not kernel.triangles:
+        return 0.0
+    most = max(second_derivative(kernel, axis, (1.0, 0.0), 2) for axis in kernels.axes(kernel))
+    return SKEWED * ulps * kernel.steps * scale_of(kernel) * most
+
+
+@functools.cache
+def error_bound(kernel: Kernel, ulps: float = 1.0) -> float:
+    """A proven upper bound of the error of a derivative from (cell, fraction), per cell."""
+    error = functools.partial(slope_error, kernel, ulps, range_of(kernel))
+    return kernel_floats.error_supremum(error, kernel) + moved(kernel, ulps)
+
+
+# --- Fixed ------------------------------------------------------------------------------------------------------------
+
+class Point(kernel_fixed.Weighted):
+    """A cosine and its weight, and the fall of the weight."""
+
+    def __init__(self, kernel: Kernel, boxes: Boxes, point):
+        super().__init__(kernel, boxes, point, RAMP_ONE)
+        self.wave_error = phasor.fixed_wave_error(kernel, self.offsets)
+        self.eighth = kernel.fall / 4 * kernel.weight.size(1, self.offsets.least, self.offsets.largest)  # E
+        self.eighth_error = kernel.weight.fixed_fall(self.offsets.largest, self.near_error)
+
+    def value(self):
+        return self.added(1.0, self.wave_error)
+
+    def derivative(self, axis: int):
+        """As in kernel_fixed.py, without an upright part. No cosine is above 1."""
+        d, factor = self.offsets.size[axis], self.eighth + self.eighth_error
+        negative = self.offsets.middle[axis] + self.offsets.half <= 0
+        off = d * (self.eighth_error + self.wave_error * self.eighth)
+        rounding = d * kernel_fixed.part_rounding(factor) + kernel_fixed.part_rounding(d, negative)
+        return np.where(self.counts, 8 * (off + rounding / self.one + factor * 3 / ONE), 0.0)
+
+
+@functools.cache
+def fixed_rounding_effect(kernel: Kernel) -> float:
+    """Of the points: on a derivative and, times 2 pi k, through the value; per cell, not scaled."""
+    rate = TURN * phasor.WAVES
+
+    def of_boxes(boxes: Boxes):
+        points = [Point(kernel, boxes, point) for point in kernel.points]
+        through_value = rate * sum(point.value() for point in points)
+        return through_value + kernel.steps * np.maximum.reduce(
+            [sum(point.derivative(axis) for point in points) for axis in range(kernel.dims)])
+    return kernel_fixed.error_supremum(kernel, of_boxes)
+
+
+def whole_turns() -> np.ndarray:
+    """T of every K up to that of the largest wave."""
+    k = np.arange(-int(phasor.WAVES / WAVE_CUT), int(phasor.WAVES / WAVE_CUT) + 1)
+    return (k * (205887 >> 9) + (k >> 9) * (205887 & 511)) >> 9
+
+
+@functools.cache
+def fixed_turn_error() -> float:
+    """How far T times a value of at most 1 is off, and the part of the contract from it."""
+    turns = whole_turns()
+    exactly = TURN * 2.0**-3 * np.arange(-(len(turns) // 2), len(turns) // 2 + 1)
+    off = abs(turns - exactly).max() * 2.0**-13 + TURN * WAVE_CUT
+    rounding = abs((turns >> 9) / 2).max() + abs(turns & 511).max()
+    return off + rounding * FINE
+
+
+def fixed_parts(kernel: Kernel, lipschitz: float) -> dict[str, float]:
+    scaling = (kernel.steps * kernel_fixed.scaling_error(kernel, SLOPE_UNIT)
+               + TURN * phasor.WAVES * kernel_fixed.scaling_error(kernel, UNIT))
+    return {"cut": lipschitz / ONE, "points": scale_of(kernel) * fixed_rounding_effect(kernel), "scaling": scaling,
+            "turn": fixed_turn_error() + LAST / 2}
+
+
+# --- What is proven ---------------------------------------------------------------------------------------------------
+
+def derived_slope(kernel: Kernel) -> Derived:
+    exact, lipschitz, cell_error = range_of(kernel), lipschitz_of(kernel), error_bound(kernel)
+    error, parts = position_error(cell_error, lipschitz), fixed_parts(kernel, lipschitz)
+    return Derived(0.0, exact, lipschitz, cell_error, error, exact + error, kernel_fixed.total(parts),
+                   exact + kernel_fixed.without_cut(parts), parts)
+
+
+def derive(dims: int, gradient: Gradient | None) -> Derived:
+    return replace(phasor.derive(dims, gradient), slope=derived_slope(KERNELS[dims]))
+
+
+def largest_intermediates(dims: int, gradient: Gradient | None) -> dict[str, float]:
+    kernel, slope = KERNELS[dims], derive(dims, gradient).slope
+    low, high = kernel_fixed.pieces(kernel)
+    eighth = kernel.fall / 4 * kernel.weight.size(1, low, high)
+    factor = np.array([np.ceil(eighth.max() * 2**18) + 1])
+    whole, turns = np.array([2**18]), whole_turns()
+    k = float(eighth.max()) * RAMP_ONE + 2 * 1023
+    leaning = sum_of_falls(kernel) + kernel_fixed.part_rounding(1.0).item() * 8 * len(kernel.points)
+    return phasor.largest_intermediates(dims, gradient) | {
+        "fall of the plane": 4 / 27 * 73728**3 / 2**16 + 2**16,
+        "falling": part_intermediate(float(RAMP_ONE), factor), "leaning": 2 * part_intermediate(k, whole),
+        "scaled derivative": kernel_fixed.scaled_intermediate(leaning, kernel.scale),
+        "turn": part_intermediate(2.0**9 * phasor.WAVES / WAVE_CUT, np.array([205887])),
+        "turned": part_intermediate(2.0**29, turns[[0, -1]]),
+        "last sum": (slope.fixed_largest + LAST) / FINE,
+        "first term": kernel.steps * scale_of(kernel) * leaning / 2**27 / FINE}
+
+
+def sum_of_falls(kernel: Kernel) -> float:
+    """The largest sum of fall * |d_i|, in units of 2^-27."""
+    return max(phasor.largest(kernel, axis, 0.0, 1) for axis in kernels.axes(kernel)) * 2**27
+
+
+def quotes() -> list[tuple[str, str]]:
+    return []
+
+
+def describe(dims: int, _: Gradient | None) -> dict[str, object]:
+    return {"slope_error_from_cell_to_nearest": error_bound(KERNELS[dims], 0.5)}
