@@ -1,31 +1,17 @@
 #include "expected/sum_bounds.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
+
+#include "expected/sum_errors.hpp"
 
 namespace hn {
 namespace {
 
-constexpr double kUnit = 0x1p-23;     // the largest relative error of one operation, in any rounding mode
-constexpr double kTiny = 0x1p-126;    // the largest error of flushing a subnormal to 0
-constexpr double kSettled = 0x1p-96;  // below which HN_PRECISE makes a result 0
-constexpr double kWhole = 0x1p-24;    // the unit of whole positions
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kLargestAmplitude = 64.0;
 constexpr double kLargestFall = 8.0;  // of a component of the slopes that an erosion sums, beyond which it is cut off
-
-// By how much the rotations of a position make a length larger at most: those in the planes of x and y and of z and w.
-// The one between them makes lengths in its plane smaller, but not that along x.
-const double kStretch = std::hypot(25.0, 20.0) / 32.0;
-constexpr std::array kLargestShift = {11.0 / 32.0, 19.0 / 32.0, 23.0 / 32.0, 27.0 / 32.0};  // between octaves, by axes
-
-int count_of(const OctaveArguments& arguments) {
-  return arguments.octaves < 0x1p-32 ? 0 : static_cast<int>(std::ceil(arguments.octaves));
-}
 
 double strength_of(const SumRule& rule, const OctaveArguments& arguments) {
   return std::clamp(arguments.strength, 0.0, rule.most_strength);
@@ -37,91 +23,6 @@ double amplitude_of(const OctaveArguments& arguments) {
 
 // One value for each octave.
 using Errors = std::vector<double>;
-
-// Relative, of so many operations.
-double rounding_of(int operations) { return std::pow(1.0 + kUnit, operations) - 1.0; }
-
-// --- Positions ---
-//
-// Without rotations a position goes by q = q*lacunarity + shift, and each coordinate is bounded on its own. Else the
-// steps are, with c = lacunarity*25/32 and s = lacunarity*5/8, and in space d = lacunarity*29/32 and e =
-// lacunarity*13/32,
-//
-//   2D: x' = (c*x - s*y) + 11/32;  y' = (s*x + c*y) + 19/32
-//   3D: v = s*x + c*y;  x' as before;  y' = (29/32*v - e*z) + 19/32;  z' = (13/32*v + d*z) + 23/32
-//   4D: u = 13/32*v + d*z;  x', y' as before;  z' = (25/32*u - s*w) + 23/32;  w' = (20/32*u + c*w) + 27/32
-//   1D: as without rotations
-//
-// and lengths are bounded, which rotations stretch by kStretch, coordinates by much more. A coordinate goes through no
-// more than 2 n roundings, the last of them behind the shift, of terms whose magnitudes sum to no more than the stretched
-// length (Cauchy). Terms below 2^-126 may become 0.
-
-bool turns(int axes, const OctaveArguments& arguments) { return arguments.turns && axes > 1; }
-
-// Where an octave is: how far from the origin at most, and by how much its position may be off. With rotations these are
-// lengths; without, each coordinate is bounded on its own.
-struct Whereabouts {
-  double position;
-  double error;
-};
-
-// How much longer a vector can be than its largest coordinate, where lengths are bounded.
-double diagonal_of(int axes, const OctaveArguments& arguments) {
-  return turns(axes, arguments) ? std::sqrt(axes) : 1.0;
-}
-
-// What the rotations between two octaves make of a length.
-double stretch_of(int axes, const OctaveArguments& arguments) {
-  if (!turns(axes, arguments)) return 1.0;
-  return axes == 4 ? kStretch * kStretch : kStretch;
-}
-
-double largest_shift(int axes) { return kLargestShift[static_cast<std::size_t>(axes) - 1]; }
-
-// From a cell the contract cuts the lacunarity.
-double cut_lacunarity(const OctaveArguments& arguments) { return std::trunc(arguments.lacunarity * 0x1p23) / 0x1p23; }
-
-Whereabouts next_straight(int axes, const OctaveArguments& arguments, const Whereabouts& at) {
-  const double lacunarity = std::fabs(arguments.lacunarity);
-  const double product_error = lacunarity * (at.error + kUnit * (at.position + at.error) + kTiny) + kTiny;
-  const double position = lacunarity * at.position + largest_shift(axes);
-  return {position, product_error + kUnit * (position + product_error)};
-}
-
-Whereabouts next_turned(int axes, const OctaveArguments& arguments, const Whereabouts& at) {
-  const double shift = largest_shift(axes);
-  const double diagonal = std::sqrt(axes);
-  const double stretch = std::fabs(arguments.lacunarity) * stretch_of(axes, arguments);
-  const double reach = at.position + at.error;
-  const double of_coordinate = rounding_of(2 * axes) * stretch * reach + kUnit * shift + kTiny * (4.0 * reach + 8.0);
-  return {stretch * at.position + diagonal * shift, stretch * at.error + diagonal * of_coordinate};
-}
-
-// A coordinate of a whole position is cut to a multiple of 2^-24, and the lacunarity to one of 2^-23; the product is
-// rounded down, and so are both coordinates after each rotation.
-Whereabouts next_whole(int axes, const OctaveArguments& arguments, const Whereabouts& at) {
-  const double ratio = cut_lacunarity(arguments);
-  const double diagonal = diagonal_of(axes, arguments);
-  double error = ratio * at.error + (arguments.lacunarity - ratio) * at.position + diagonal * kWhole;
-  for (int turn = 0; turns(axes, arguments) && turn < axes - 1; ++turn) {
-    error = (turn % 2 == 0 ? kStretch : 1.0) * error + std::sqrt(2.0) * kWhole;
-  }
-  return {arguments.lacunarity * stretch_of(axes, arguments) * at.position + diagonal * largest_shift(axes), error};
-}
-
-Whereabouts first_octave(int axes, const OctaveArguments& arguments) {
-  const double diagonal = diagonal_of(axes, arguments);
-  return {diagonal * arguments.largest_coordinate,
-          arguments.from_cell && !arguments.exact_positions ? diagonal * kWhole : 0.0};
-}
-
-Whereabouts next_octave(int axes, const OctaveArguments& arguments, const Whereabouts& at) {
-  Whereabouts next = arguments.from_cell      ? next_whole(axes, arguments, at)
-                     : turns(axes, arguments) ? next_turned(axes, arguments, at)
-                                              : next_straight(axes, arguments, at);
-  if (arguments.exact_positions) next.error = 0.0;
-  return next;
-}
 
 // Of a noise, or a component of its derivative, at a position that is off.
 double error_at(const OctaveArguments& arguments, const FloatBounds& bounds, double lipschitz, double limit,
@@ -204,11 +105,6 @@ Terms terms_of(SumStep step, double strength, double limit, const Errors& noise_
 
 // --- The mean ---
 
-// Of clamp(3/2 - e, 0, 1), e = footprint * max(lacunarity, 1)^i computed step by step. It counts up to 3/2 only.
-double fade_error(std::size_t i) {
-  return 1.501 * (std::pow(1.0 + kUnit, static_cast<double>(i)) - 1.0) + 1.001 * kUnit + 2.0 * kTiny;
-}
-
 // The total of a detail's weights.
 double detail_total(const OctaveArguments& arguments) {
   double total = 0.0;
@@ -219,21 +115,6 @@ double detail_total(const OctaveArguments& arguments) {
   }
   return total;
 }
-
-// The total of the weights, octave by octave: total = gain*total + 1.
-struct Total {
-  double value = 0.0;
-  double error = 0.0;
-
-  void add_octave(double gain) {
-    const double product_error = gain * (error + kUnit * (value + error)) + kTiny;
-    value = 1.0 + gain * value;
-    error = product_error + kUnit * (value + product_error);
-  }
-};
-
-// GLSL bounds the error of a division only for divisors up to this.
-constexpr double kLargestTotal = 0x1p126;
 
 // Of the mean of the octaves. Each *_error bounds the error of its float.
 //
@@ -286,14 +167,6 @@ double mean_error(const SumRule& rule, const OctaveArguments& arguments, double 
 // length, but for what rotations stretch, and no vector becomes longer by more. Without rotations each axis is on its own,
 // and lengths are those of coordinates. The lipschitz of a noise is the largest sum of the magnitudes of its derivatives:
 // it bounds the lengths of gradients, and with them how far noise changes with the length of a step.
-
-// No number of a Jacobian may overflow.
-bool in_domain(const OctaveArguments& arguments) {
-  Total total;
-  for (int i = 0; i < count_of(arguments); ++i) total.add_octave(arguments.gain);
-  const double growth = std::fabs(arguments.gain * arguments.lacunarity);
-  return total.value <= kLargestTotal && std::pow(growth, std::max(count_of(arguments) - 1, 0)) <= 0x1p96;
-}
 
 struct Jacobian {
   double length = 1.0;  // of a column, and how much longer a vector becomes

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "expected/cellular.hpp"
+#include "expected/gullies.hpp"
 
 namespace hn {
 namespace {
@@ -29,32 +30,38 @@ const std::vector<NoiseBounds> kNoiseBounds = {
 #define SLOPE_BOUNDS(...)
 #define SINE_BOUNDS(error, fixed_error)
 #define UNIFORM_BOUNDS(...)
+#define GULLIES_BOUNDS(...)
 #include "expected/bounds.inc"
 #undef NOISE_BOUNDS
 #undef SLOPE_BOUNDS
 #undef SINE_BOUNDS
 #undef UNIFORM_BOUNDS
+#undef GULLIES_BOUNDS
 };
 const std::vector<NoiseBounds> kSlopeBounds = {
 #define NOISE_BOUNDS(...)
 #define SLOPE_BOUNDS(...) NoiseBounds{__VA_ARGS__},
 #define SINE_BOUNDS(error, fixed_error)
 #define UNIFORM_BOUNDS(...)
+#define GULLIES_BOUNDS(...)
 #include "expected/bounds.inc"
 #undef NOISE_BOUNDS
 #undef SLOPE_BOUNDS
 #undef SINE_BOUNDS
 #undef UNIFORM_BOUNDS
+#undef GULLIES_BOUNDS
 };
 #define NOISE_BOUNDS(...)
 #define SLOPE_BOUNDS(...)
 #define SINE_BOUNDS(error, fixed_error) constexpr double kSineError = error;
 #define UNIFORM_BOUNDS(...) constexpr UniformBounds kUniformBounds{__VA_ARGS__};
+#define GULLIES_BOUNDS(...) constexpr GulliesBounds kGulliesBounds{__VA_ARGS__};
 #include "expected/bounds.inc"
 #undef NOISE_BOUNDS
 #undef SLOPE_BOUNDS
 #undef SINE_BOUNDS
 #undef UNIFORM_BOUNDS
+#undef GULLIES_BOUNDS
 
 // The components of the shift between octaves (docs/contract.md); 2D uses the first two.
 constexpr std::array kShift = {11.0 / 32.0, 19.0 / 32.0, 23.0 / 32.0, 27.0 / 32.0};
@@ -65,6 +72,8 @@ constexpr double kSine = 20.0 / 32.0;
 constexpr double kSecondCosine = 29.0 / 32.0;
 constexpr double kSecondSine = 13.0 / 32.0;
 constexpr double kWhole = 0x1p-24;  // the unit of whole positions
+
+constexpr std::string_view kPerlinWorley = "perlin_worley";
 
 double float_input(std::span<const std::uint32_t> inputs, int word) {
   return static_cast<double>(std::bit_cast<float>(inputs[static_cast<std::size_t>(word)]));
@@ -161,12 +170,12 @@ Start start_of(const Function& function, std::span<const std::uint32_t> inputs) 
   return start;
 }
 
-double octave_sum_tolerance(const Function& function, Gradient gradient, std::span<const std::uint32_t> inputs,
-                            std::size_t output) {
+// What an octave sum takes. Gullies are as in a tile wherever they are.
+OctaveArguments octave_arguments(const Function& function, std::span<const std::uint32_t> inputs) {
   const Start start = start_of(function, inputs);
   const auto input = [&](std::string_view name) { return float_input(inputs, function.input(name)); };
   double lacunarity = input("lacunarity");
-  const bool tiled = function.takes_period();
+  const bool tiled = function.takes_period() || function.is_gullies();
   const bool whole = function.takes_cell() || tiled;  // it starts from a place
   if (whole) lacunarity = std::clamp(lacunarity, 0.0, 255.0);
   if (tiled) lacunarity = std::floor(lacunarity);  // a tile stays a tile
@@ -187,6 +196,25 @@ double octave_sum_tolerance(const Function& function, Gradient gradient, std::sp
   arguments.turns = !tiled;
   arguments.from_cell = whole;
   arguments.is_detail = function.takes_detail();
+  return arguments;
+}
+
+double gullies_output_tolerance(const Function& function, std::span<const std::uint32_t> inputs, std::size_t output) {
+  const auto slope = [&](std::string_view name) {
+    return std::clamp(float_input(inputs, function.input(name)), -8.0, 8.0);
+  };
+  const GulliesTolerance found =
+      gullies_tolerance({octave_arguments(function, inputs), std::hypot(slope("ex"), slope("ey")),
+                         float_input(inputs, function.input("depth"))},
+                        kGulliesBounds);
+  return function.is_slope(output) ? found.slope : found.height;
+}
+
+double octave_sum_tolerance(const Function& function, Gradient gradient, std::span<const std::uint32_t> inputs,
+                            std::size_t output) {
+  if (function.is_gullies()) return gullies_output_tolerance(function, inputs, output);
+  const OctaveArguments arguments = octave_arguments(function, inputs);
+  if (function.bound == kPerlinWorley) return perlin_worley_tolerance(arguments);
   return function.is_slope(output) ? octave_slope_tolerance(function.axes, arguments)
                                    : octave_tolerance(octave_sum_of(function), function.axes, arguments, gradient);
 }
@@ -210,10 +238,20 @@ const NoiseBounds& slope_bounds(std::string_view noise, int axes, Gradient gradi
   return bounds_in(kSlopeBounds, noise, axes, gradient);
 }
 
+namespace {
+
+// The noise that an octave sum adds up; the first, of two.
+std::string_view summed_noise(const Function& function) {
+  if (function.is_gullies()) return "phasor_d";
+  return function.bound == kPerlinWorley ? "perlin" : noise_of(octave_sum_of(function));
+}
+
+}  // namespace
+
 const NoiseBounds& bounds_of(const Function& function, const Configuration& configuration, std::size_t output) {
   const auto& table = function.is_slope(output) ? kSlopeBounds : kNoiseBounds;
   if (function.is_octave_sum()) {
-    return bounds_in(table, noise_of(octave_sum_of(function)), function.axes, configuration.gradient);
+    return bounds_in(table, summed_noise(function), function.axes, configuration.gradient);
   }
   // A component of the vector to a point is as exact as the Manhattan distance, of which it is a part. Of points that
   // go round it has the bound of their own.
@@ -279,6 +317,21 @@ double octave_slope_tolerance(int axes, const OctaveArguments& arguments) {
   const std::string_view noise = noise_of(OctaveSum::fbm_d);
   return octave_slope_tolerance(arguments, float_bounds(noise_bounds(noise, axes, Gradient::octahedral)),
                                 float_slope_bounds(noise, axes));
+}
+
+//   billow = 1 - 2*distance;  P and B are means of octaves, at most 1;  value = 1 - (1 - P)*(1 - B)*0.25
+//
+// The distance is that of cellular_d, at most 3/2. 1 - 2*distance rounds once, and so do 1 - P and 1 - B, which are at
+// most 2, their product, and the difference from 1.
+double perlin_worley_tolerance(OctaveArguments arguments) {
+  constexpr double kUnit = 0x1p-23;
+  const double wisps = std::min(octave_tolerance(OctaveSum::fbm, 3, arguments), 2.0);
+  const NoiseBounds& distance = noise_bounds("cellular_d", 3, Gradient::octahedral);
+  const FloatBounds billow{3, 2.0 * distance.cell_error + kUnit, 2.0 * distance.error + kUnit,
+                           2.0 * distance.lipschitz, 2.0 * distance.limit - 1.0};
+  arguments.octaves = std::min(arguments.octaves, 3.0);
+  const double billows = std::min(octave_tolerance(facts_of(OctaveSum::fbm).rule, arguments, billow, {}), 2.0);
+  return std::min(wisps / 2.0 + billows / 2.0 + wisps * billows / 4.0 + 3.001 * kUnit, 1.0);
 }
 
 double tolerance(const Function& function, const Configuration& configuration, std::span<const std::uint32_t> inputs,

@@ -55,6 +55,9 @@ double octave_tolerance(OctaveSum kind, int axes, const OctaveArguments& argumen
 // The same of a component of the derivative of an fBm.
 double octave_slope_tolerance(int axes, const OctaveArguments& arguments);
 
+// The same of hn_perlin_worley.
+double perlin_worley_tolerance(OctaveArguments arguments);
+
 // The same of an output of cellular noise at a point. A derivative is off by as much as its point, divided by the
 // distance to the point. Names of cells are right or wrong.
 double cellular_tolerance(const Function& function, const Configuration& configuration,

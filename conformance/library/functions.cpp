@@ -121,6 +121,14 @@ bool is_noise_with(bool NoiseFacts::* fact, std::string_view name) {
 }  // namespace
 
 bool Function::is_continuous() const { return !is_noise_with(&NoiseFacts::jumps, bound); }
+bool Function::is_sum_of_noise() const {
+  constexpr std::string_view kSums[] = {
+#define OCTAVE_SUM(name, ...) #name,
+#include "library/facts.inc"
+  };
+  return is_octave_sum() && std::ranges::find(kSums, bound) != std::end(kSums);
+}
+
 bool Function::is_never_negative() const { return is_noise_with(&NoiseFacts::is_never_negative, bound); }
 
 bool Function::is_derived() const { return bound.ends_with("_d") || bound.ends_with("_d_phase"); }

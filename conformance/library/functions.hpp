@@ -45,6 +45,10 @@ struct Function {
   bool is_simplex_noise() const { return family == Family::simplex_noise; }  // or phasor noise, of the same lattices
   bool is_cellular() const;
   bool is_octave_sum() const;
+  bool is_gullies() const { return bound == "gullies"; }
+  // Whether it is an octave sum of one noise, each octave of which adds to a mean, so that its derivatives are those of
+  // its value.
+  bool is_sum_of_noise() const;
   bool is_further() const;                              // it is of a family that few settings have values of
   bool takes_cell() const { return input("cx") >= 0; }  // and the fraction in it, in place of a position
   bool takes_period() const { return period_word() >= 0; }
@@ -54,6 +58,7 @@ struct Function {
   bool takes_strength() const { return input("strength") >= 0; }
   bool takes_amplitude() const { return input("amplitude") >= 0; }
   bool takes_footprint() const { return input("footprint") >= 0; }
+  bool takes_depth() const { return input("depth") >= 0; }
   bool takes_count() const { return input("n") >= 0; }        // of items
   bool takes_detail() const { return input("detail") >= 0; }  // a float of octaves
   // Whether an output is the cell of the nearest feature point or the word of a hexagon, which is exact though other

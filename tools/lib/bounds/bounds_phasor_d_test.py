@@ -164,7 +164,7 @@ class Fixed(unittest.TestCase):
 
     def test_no_product_overflows(self):
         """The largest wave and the ends of values and of offsets reach nearly what is proven."""
-        turns = phasor_d.whole_turns()
+        turns = phasor_d.whole_turns(KERNELS[2])
         k = kernel_model.fixed_waves(np.array([WAVES, -WAVES]))
         self.assertTrue(np.array_equal(turns[[-1, 0]], fixed.part(2**9 * k, 205887) >> 9))
         self.assertLess(abs(turns).max(), 2**20)

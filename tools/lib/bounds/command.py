@@ -22,14 +22,14 @@ from concurrent.futures import ProcessPoolExecutor
 from dataclasses import asdict, fields, replace
 from pathlib import Path
 
-from bounds import noises, sine, uniform
+from bounds import gullies, noises, sine, uniform
 from bounds.documents import (ACCURACY, EXAMPLES, FRAMED, Everything, Key, frame_tolerances, missing_quotes, name_of,
                               sum_tolerances, with_tables, wrong_comments)
 from bounds.gradients import SINE
 from bounds.integers import fade_errors, overshoot
 from bounds.noises import Derived
 from bounds.sums import Sum
-from bounds.table import HEAD, PATH, SineBounds, noise_row, sine_row, slope_row, uniform_row
+from bounds.table import HEAD, PATH, SineBounds, gullies_row, noise_row, sine_row, slope_row, uniform_row
 from tables.inc import TableError
 from tree import ROOT
 
@@ -62,6 +62,7 @@ def rendered(derived: Everything) -> str:
     rows += [slope_row(of_noise.slope.bounds(*key)) for key, of_noise in derived.items() if of_noise.slope]
     rows.append(sine_row(SineBounds(SINE.component_error, sine.fixed_sine_error())))
     rows.append(uniform_row(uniform.errors(False), uniform.errors(True)))
+    rows.append(gullies_row(gullies.bounds()))
     return HEAD + "".join(rows)
 
 

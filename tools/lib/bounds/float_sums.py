@@ -1,5 +1,5 @@
 """How far an octave sum of floats may be off: what the suite says of it, in C++, so that it is said once. The proofs are in
-conformance/expected/sum_bounds.cpp."""
+conformance/expected/sum_bounds.cpp and gullies.cpp."""
 
 from __future__ import annotations
 
@@ -7,10 +7,11 @@ import atexit
 import functools
 import subprocess
 import tempfile
+from dataclasses import astuple
 from pathlib import Path
 
 from bounds.sums import Sum
-from bounds.table import Bounds
+from bounds.table import Bounds, GulliesBounds
 from tree import ROOT
 from twin import compile_program
 
@@ -33,15 +34,20 @@ def _program() -> subprocess.Popen[str]:
     return process
 
 
-def _told(what: str, s: Sum, *bounds: Bounds) -> float:
+def _answer(what: str, rule: str, s: Sum, *others: float) -> list[float]:
     footprint = -1.0 if s.footprint is None else s.footprint
     arguments = (s.p_max, s.octaves, s.lacunarity, s.gain, s.exact_positions, s.strength, footprint, s.turns, s.from_cell,
                  isinstance(s.octaves, float), s.amplitude)
-    of_noise = [x for b in bounds for x in (b.dimensions, b.cell_error, b.error, b.lipschitz, b.limit)]
     process = _program()
-    print(what, rule_of(s), *(float(x) if isinstance(x, float) else int(x) for x in (*arguments, *of_noise)),
+    print(what, rule, *(float(x) if isinstance(x, float) else int(x) for x in (*arguments, *others)),
           file=process.stdin)
-    return float(process.stdout.readline())
+    return list(map(float, process.stdout.readline().split()))
+
+
+def _told(what: str, s: Sum, *bounds: Bounds) -> float:
+    of_noise = [x for b in bounds for x in (b.dimensions, b.cell_error, b.error, b.lipschitz, b.limit)]
+    number, = _answer(what, rule_of(s), s, *of_noise)
+    return number
 
 
 def rule_of(s: Sum) -> str:
@@ -58,3 +64,9 @@ def octave_tolerance(s: Sum, noise: Bounds, slope: Bounds | None = None) -> floa
 def slope_tolerance(s: Sum, noise: Bounds, slope: Bounds) -> float:
     """The largest error of a derivative of hn_fbm_d."""
     return _told("slope", s, noise, slope)
+
+
+def gullies_tolerance(s: Sum, slope: float, depth: float, bounds: GulliesBounds) -> tuple[float, float]:
+    """The largest error of the height and of a slope of hn_gullies in a tile, for a slope of that length."""
+    height, added = _answer("gullies", "gullies", s, float(slope), float(depth), *astuple(bounds))
+    return height, added

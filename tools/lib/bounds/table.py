@@ -32,6 +32,12 @@ HEAD = """\
 //
 //   value         the error of hn_uniform; slope, that of its derivative, times the reach
 //   reach         that of the first number of hn_spread_fbm, divided by the reach; coefficient, that of another one
+//
+//   GULLIES_BOUNDS(value, lipschitz, turn, slope, slope_lipschitz, slope_turn, steepest, fixed_value, fixed_slope)
+//
+//   value         the error of the waves of gullies in floats, from a cell; slope, that of a component of their derivative
+//   lipschitz     how fast they change with the position; turn, with the length by which a wave changes
+//   steepest      how long the vector of their derivatives is at most
 
 """
 
@@ -62,6 +68,20 @@ DIGITS = {"cell_error": 3, "error": 3, "lipschitz": 3, "limit": 6, "fixed_error"
 class SineBounds:
     error: float
     fixed_error: float
+
+
+@dataclass(frozen=True)
+class GulliesBounds:
+    """Of the waves of gullies, as HEAD says."""
+    value: float
+    lipschitz: float
+    turn: float
+    slope: float
+    slope_lipschitz: float
+    slope_turn: float
+    steepest: float
+    fixed_value: float
+    fixed_slope: float
 
 
 @dataclass(frozen=True)
@@ -127,7 +147,12 @@ def uniform_row(floats: UniformBounds, fixed: UniformBounds) -> str:
     return f"UNIFORM_BOUNDS({', '.join(scientific(error) for of in (floats, fixed) for error in astuple(of))})\n"
 
 
-ROWS = {"NOISE_BOUNDS": 9, "SLOPE_BOUNDS": 9, "SINE_BOUNDS": 2, "UNIFORM_BOUNDS": 8}  # with the number of their fields
+def gullies_row(bounds: GulliesBounds) -> str:
+    return f"GULLIES_BOUNDS({', '.join(map(scientific, astuple(bounds)))})\n"
+
+
+# With the number of their fields.
+ROWS = {"NOISE_BOUNDS": 9, "SLOPE_BOUNDS": 9, "SINE_BOUNDS": 2, "UNIFORM_BOUNDS": 8, "GULLIES_BOUNDS": 9}
 
 
 def _rows(path: Path, macro: str) -> list[Row]:
@@ -150,6 +175,11 @@ def read_uniform(path: Path = PATH) -> tuple[UniformBounds, UniformBounds]:
     row, = _rows(path, "UNIFORM_BOUNDS")
     numbers = list(map(float, row.arguments))
     return UniformBounds(*numbers[:4]), UniformBounds(*numbers[4:])
+
+
+def read_gullies(path: Path = PATH) -> GulliesBounds:
+    row, = _rows(path, "GULLIES_BOUNDS")
+    return GulliesBounds(*map(float, row.arguments))
 
 
 @cache

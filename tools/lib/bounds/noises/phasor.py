@@ -33,7 +33,7 @@ from __future__ import annotations
 
 import functools
 import math
-from dataclasses import replace
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -43,15 +43,24 @@ from bounds.floats import Approx, position_error
 from bounds.gradients import Gradient
 from bounds.integers import ONE, UNIT
 from bounds.kernel_floats import ANGLE_CUT, SKEWED
-from bounds.kernels import SIMPLEX, Jet, Kernel, Offsets, dot, weight_jet
+from bounds.kernels import Jet, Kernel, Offsets, dot, weight_jet
 from bounds.noises import Derived, listed
 from bounds.sine import fixed_sine_largest
 from bounds.table import scientific, shortest
-from bounds.weights import CUBE
+from bounds.weights import CUBE, PLANE
 
-KERNELS = {2: replace(SIMPLEX[2], scale=1428), 3: replace(SIMPLEX[3], scale=1022, weight=CUBE)}
-CASES = tuple((dims, None) for dims in KERNELS)
 WAVES = 16  # per cell along an axis, at most
+
+
+@dataclass(frozen=True, eq=False)
+class Waves(Kernel):
+    """With so many waves per cell along an axis at most."""
+    waves: float = WAVES
+
+
+# The lattices and the distances are those of hn_simplex.
+KERNELS = {2: Waves(2, 819 / 1024, 1, 1428, 3, PLANE, triangles=True), 3: Waves(3, 1.0, 2, 1022, 4, CUBE)}
+CASES = tuple((dims, None) for dims in KERNELS)
 TURN = 2 * math.pi
 WAVE_CUT, ANGLE_UNIT = 2.0**-16, 2.0**-32  # in waves per cell, and in turns
 RAMP_ONE = 2**29  # the unit of what is multiplied with the weights
@@ -100,12 +109,12 @@ def range_of(kernel: Kernel) -> float:
     return scale_of(kernel) * largest(kernel, (0.0,) * kernel.dims, 1.0)
 
 
-def rate_along(kernel: Kernel, axes: int) -> float:
+def rate_along(kernel: Waves, axes: float) -> float:
     """How fast an angle grows along so many axes at most, per step."""
-    return TURN * WAVES * axes / kernel.steps
+    return TURN * kernel.waves * axes / kernel.steps
 
 
-def lipschitz_of(kernel: Kernel) -> float:
+def lipschitz_of(kernel: Waves) -> float:
     """Per cell."""
     rate = rate_along(kernel, kernel.dims)
     return kernel.steps * scale_of(kernel) * max(largest(kernel, sign, rate, same)
@@ -114,18 +123,18 @@ def lipschitz_of(kernel: Kernel) -> float:
 
 # --- Floats -----------------------------------------------------------------------------------------------------------
 
-def angle_error(kernel: Kernel, own: kernel_floats.Offsets, ulps: float):
+def angle_error(kernel: Waves, own: kernel_floats.Offsets, ulps: float):
     """Of the waves along an offset, before they are cut off."""
-    turns = kernel_floats.total(Approx(-d.size(), d.size(), d.err, ulps).scaled(float(WAVES)) for d in own)
+    turns = kernel_floats.total(Approx(-d.size(), d.size(), d.err, ulps).scaled(float(kernel.waves)) for d in own)
     return TURN * turns.err / kernel.steps
 
 
-def wave_error(kernel: Kernel, own: kernel_floats.Offsets, ulps: float):
+def wave_error(kernel: Waves, own: kernel_floats.Offsets, ulps: float):
     """Of the cosine and the sine of a point."""
     return angle_error(kernel, own, ulps) + ANGLE_CUT + kernel_floats.turn_error(ulps)
 
 
-def value_error(kernel: Kernel, ulps, lo, hi):
+def value_error(kernel: Waves, ulps, lo, hi):
     """The largest error in each box of places, given by its ends along each axis. No sine is above 1."""
     terms = []
     for own, q in kernel_floats.distances(kernel, lo, hi, ulps):
@@ -134,7 +143,7 @@ def value_error(kernel: Kernel, ulps, lo, hi):
     return kernel_floats.added(kernel, terms, ulps).err
 
 
-def moved(kernel: Kernel, ulps: float = 1.0) -> float:
+def moved(kernel: Waves, ulps: float = 1.0) -> float:
     """What the move of the place does."""
     if not kernel.triangles:
         return 0.0
@@ -142,7 +151,7 @@ def moved(kernel: Kernel, ulps: float = 1.0) -> float:
 
 
 @functools.cache
-def error_bound(kernel: Kernel, ulps: float = 1.0) -> float:
+def error_bound(kernel: Waves, ulps: float = 1.0) -> float:
     """A proven upper bound of the error from (cell, fraction)."""
     return kernel_floats.error_supremum(functools.partial(value_error, kernel, ulps), kernel) + moved(kernel, ulps)
 
@@ -171,12 +180,15 @@ def fixed_parts(kernel: Kernel, lipschitz: float) -> dict[str, float]:
 
 # --- What is proven ---------------------------------------------------------------------------------------------------
 
-def derive(dims: int, _: Gradient | None) -> Derived:
-    kernel = KERNELS[dims]
+def derived_value(kernel: Waves) -> Derived:
     exact, lipschitz, cell_error = range_of(kernel), lipschitz_of(kernel), error_bound(kernel)
     error, parts = position_error(cell_error, lipschitz), fixed_parts(kernel, lipschitz)
     return Derived(1.0, exact, lipschitz, cell_error, error, exact + error, kernel_fixed.total(parts),
                    exact + kernel_fixed.without_cut(parts), parts)
+
+
+def derive(dims: int, _: Gradient | None) -> Derived:
+    return derived_value(KERNELS[dims])
 
 
 def length(dims: int) -> float:

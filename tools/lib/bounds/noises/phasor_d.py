@@ -22,7 +22,7 @@ On the plane the skewed coordinate moves the place for all of this alike.
 FIXED. The fall is that of kernel_fixed.py with a cosine in place of a ramp. The sum is in units of 2^-27 per step. Its
 product with S, in units of 2^-19, is exact in units of 2^-24 per cell, and so
 
-    TURN     2 pi k_i is off by what all 2^21 + 1 integers K show, and by the cut of the wave, times a value of at most
+    TURN     2 pi k_i is off by what all integers K show, of which there are 2^21 + 1, and by the cut of the wave, times a value of at most
              1. With T = 512 a + b the part of 2^8 z is z/2 a + z/2^10 b, of which z >> 1 and z >> 10 round down
     VALUE    the error of z times 2 pi k_i
     LAST     the last sum is rounded to a multiple of 2^-16
@@ -46,10 +46,10 @@ from bounds.floats import UNIT as ROUNDED
 from bounds.gradients import Gradient
 from bounds.integers import ONE, SLOPE_UNIT, UNIT, part_intermediate
 from bounds.kernel_floats import SKEWED
-from bounds.kernels import Jet, Kernel, Offsets, dot, weight_jet
+from bounds.kernels import Jet, Offsets, dot, weight_jet
 from bounds.noises import Derived, phasor
 from bounds.noises.perlin.floats import largest_of
-from bounds.noises.phasor import KERNELS, RAMP_ONE, TURN, WAVE_CUT, scale_of
+from bounds.noises.phasor import KERNELS, RAMP_ONE, TURN, WAVE_CUT, Waves, scale_of
 
 CASES = phasor.CASES
 FINE, LAST = 2.0**-24, 2.0**-16  # the units of the terms of a derivative, and of the derivative
@@ -57,13 +57,13 @@ FINE, LAST = 2.0**-24, 2.0**-16  # the units of the terms of a derivative, and o
 
 # --- Exactly ----------------------------------------------------------------------------------------------------------
 
-def range_of(kernel: Kernel) -> float:
+def range_of(kernel: Waves) -> float:
     """Of a derivative, per cell."""
     rate = phasor.rate_along(kernel, 1)
     return kernel.steps * scale_of(kernel) * max(phasor.largest(kernel, axis, rate, 1) for axis in kernels.axes(kernel))
 
 
-def attained(kernel: Kernel, u, s, rates: tuple[float, float], place: np.ndarray) -> np.ndarray:
+def attained(kernel: Waves, u, s, rates: tuple[float, float], place: np.ndarray) -> np.ndarray:
     """The sum of the lengths of the second derivatives along u and s, at places: axes by places."""
     m, total = kernel.fall, 0.0
     for point in kernel.points:
@@ -75,7 +75,7 @@ def attained(kernel: Kernel, u, s, rates: tuple[float, float], place: np.ndarray
     return total
 
 
-def slope_along(kernel: Kernel, u, s, rates: tuple[float, float], offsets: Offsets, axis: int) -> np.ndarray:
+def slope_along(kernel: Waves, u, s, rates: tuple[float, float], offsets: Offsets, axis: int) -> np.ndarray:
     """A bound of the first derivative of what one point adds, in each box."""
     m = kernel.fall
     of_u, of_s = (Jet(offsets.along(v), abs(v[axis])) for v in (u, s))
@@ -90,7 +90,7 @@ LEVELS, TOLERANCE = {2: 14, 3: 9}, {2: 0.003, 3: 0.02}
 
 
 @functools.cache
-def steepest(kernel: Kernel, u: tuple[float, ...], s: tuple[float, ...], rates: tuple[float, float],
+def steepest(kernel: Waves, u: tuple[float, ...], s: tuple[float, ...], rates: tuple[float, float],
              same_axes_from: int) -> float:
     """A proven upper bound of that sum, not scaled. From an axis on, axes may be exchanged."""
     def bound(boxes: Boxes):
@@ -103,13 +103,13 @@ def steepest(kernel: Kernel, u: tuple[float, ...], s: tuple[float, ...], rates: 
     return supremum(bound, cell(kernel.dims, half=True), LEVELS[kernel.dims], TOLERANCE[kernel.dims], exchange)
 
 
-def second_derivative(kernel: Kernel, u: tuple[float, ...], s: tuple[float, ...], same_axes_from: int) -> float:
+def second_derivative(kernel: Waves, u: tuple[float, ...], s: tuple[float, ...], same_axes_from: int) -> float:
     """The largest along an axis and then a vector of signs or another axis, per step, not scaled."""
     along, across = (phasor.rate_along(kernel, sum(map(abs, v))) for v in (u, s))
     return max(steepest(kernel, u, s, (along, sign * across), same_axes_from) for sign in (1, -1))
 
 
-def lipschitz_of(kernel: Kernel) -> float:
+def lipschitz_of(kernel: Waves) -> float:
     """Of a derivative, per cell."""
     if kernel.triangles:
         pairs = [(axis, sign, 2) for axis in kernels.axes(kernel) for sign in ((1.0, 1.0), (1.0, -1.0))]
@@ -127,7 +127,7 @@ def falling(fall: Approx, cosine: Approx, d: Approx) -> Approx:
     return Approx(-size, size, largest_of(product.err for product in orders), d.ulps)
 
 
-def slope_error(kernel: Kernel, ulps, largest: float, lo, hi):
+def slope_error(kernel: Waves, ulps, largest: float, lo, hi):
     """The largest error of a derivative, per cell, in each box of places, given by its ends along each axis."""
     values, along = [], [[] for _ in range(kernel.dims)]
     for own, q in kernel_floats.distances(kernel, lo, hi, ulps):
@@ -139,19 +139,19 @@ def slope_error(kernel: Kernel, ulps, largest: float, lo, hi):
         for terms, d in zip(along, own):
             terms.append(falling(fall, cosine, d))
     z = kernel_floats.added(kernel, values, ulps)
-    turned = turned_value(z, ulps)
+    turned = turned_value(kernel, z, ulps)
     sums = [kernel_floats.added(kernel, terms, ulps) for terms in along]
     derivatives = [Approx(kernel.steps * a.lo, kernel.steps * a.hi, kernel.steps * a.err, ulps) for a in sums]
     return largest_of(last_sum(a, turned, largest).err for a in derivatives)
 
 
-def turned_value(z: Approx, ulps) -> Approx:
+def turned_value(kernel: Waves, z: Approx, ulps) -> Approx:
     """2 pi k z, in any order of its two products."""
     rate = constant(TURN, ulps)
-    largest = phasor.WAVES * (rate.hi + rate.err) * (z.size() + z.err)
-    err = phasor.WAVES * (rate.hi * z.err + rate.err * (z.size() + z.err))
+    largest = kernel.waves * (rate.hi + rate.err) * (z.size() + z.err)
+    err = kernel.waves * (rate.hi * z.err + rate.err * (z.size() + z.err))
     err = err + 2.001 * ulps * ROUNDED * largest + TINY
-    return Approx(-phasor.WAVES * TURN * z.size(), phasor.WAVES * TURN * z.size(), err, ulps)
+    return Approx(-kernel.waves * TURN * z.size(), kernel.waves * TURN * z.size(), err, ulps)
 
 
 def last_sum(a: Approx, b: Approx, largest: float) -> Approx:
@@ -159,7 +159,7 @@ def last_sum(a: Approx, b: Approx, largest: float) -> Approx:
     return Approx(-largest, largest, a.err + b.err, a.ulps).rounded()
 
 
-def moved(kernel: Kernel, ulps: float = 1.0) -> float:
+def moved(kernel: Waves, ulps: float = 1.0) -> float:
     """What the move of the place does, per cell."""
     if not kernel.triangles:
         return 0.0
@@ -168,7 +168,7 @@ def moved(kernel: Kernel, ulps: float = 1.0) -> float:
 
 
 @functools.cache
-def error_bound(kernel: Kernel, ulps: float = 1.0) -> float:
+def error_bound(kernel: Waves, ulps: float = 1.0) -> float:
     """A proven upper bound of the error of a derivative from (cell, fraction), per cell."""
     error = functools.partial(slope_error, kernel, ulps, range_of(kernel))
     return kernel_floats.error_supremum(error, kernel) + moved(kernel, ulps)
@@ -179,7 +179,7 @@ def error_bound(kernel: Kernel, ulps: float = 1.0) -> float:
 class Point(kernel_fixed.Weighted):
     """A cosine and its weight, and the fall of the weight."""
 
-    def __init__(self, kernel: Kernel, boxes: Boxes, point):
+    def __init__(self, kernel: Waves, boxes: Boxes, point):
         super().__init__(kernel, boxes, point, RAMP_ONE)
         self.wave_error = phasor.fixed_wave_error(kernel, self.offsets)
         self.eighth = kernel.fall / 4 * kernel.weight.size(1, self.offsets.least, self.offsets.largest)  # E
@@ -198,9 +198,9 @@ class Point(kernel_fixed.Weighted):
 
 
 @functools.cache
-def fixed_rounding_effect(kernel: Kernel) -> float:
+def fixed_rounding_effect(kernel: Waves) -> float:
     """Of the points: on a derivative and, times 2 pi k, through the value; per cell, not scaled."""
-    rate = TURN * phasor.WAVES
+    rate = TURN * kernel.waves
 
     def of_boxes(boxes: Boxes):
         points = [Point(kernel, boxes, point) for point in kernel.points]
@@ -210,32 +210,32 @@ def fixed_rounding_effect(kernel: Kernel) -> float:
     return kernel_fixed.error_supremum(kernel, of_boxes)
 
 
-def whole_turns() -> np.ndarray:
+def whole_turns(kernel: Waves) -> np.ndarray:
     """T of every K up to that of the largest wave."""
-    k = np.arange(-int(phasor.WAVES / WAVE_CUT), int(phasor.WAVES / WAVE_CUT) + 1)
+    k = np.arange(-int(kernel.waves / WAVE_CUT), int(kernel.waves / WAVE_CUT) + 1)
     return (k * (205887 >> 9) + (k >> 9) * (205887 & 511)) >> 9
 
 
 @functools.cache
-def fixed_turn_error() -> float:
+def fixed_turn_error(kernel: Waves) -> float:
     """How far T times a value of at most 1 is off, and the part of the contract from it."""
-    turns = whole_turns()
+    turns = whole_turns(kernel)
     exactly = TURN * 2.0**-3 * np.arange(-(len(turns) // 2), len(turns) // 2 + 1)
     off = abs(turns - exactly).max() * 2.0**-13 + TURN * WAVE_CUT
     rounding = abs((turns >> 9) / 2).max() + abs(turns & 511).max()
     return off + rounding * FINE
 
 
-def fixed_parts(kernel: Kernel, lipschitz: float) -> dict[str, float]:
+def fixed_parts(kernel: Waves, lipschitz: float) -> dict[str, float]:
     scaling = (kernel.steps * kernel_fixed.scaling_error(kernel, SLOPE_UNIT)
-               + TURN * phasor.WAVES * kernel_fixed.scaling_error(kernel, UNIT))
+               + TURN * kernel.waves * kernel_fixed.scaling_error(kernel, UNIT))
     return {"cut": lipschitz / ONE, "points": scale_of(kernel) * fixed_rounding_effect(kernel), "scaling": scaling,
-            "turn": fixed_turn_error() + LAST / 2}
+            "turn": fixed_turn_error(kernel) + LAST / 2}
 
 
 # --- What is proven ---------------------------------------------------------------------------------------------------
 
-def derived_slope(kernel: Kernel) -> Derived:
+def derived_slope(kernel: Waves) -> Derived:
     exact, lipschitz, cell_error = range_of(kernel), lipschitz_of(kernel), error_bound(kernel)
     error, parts = position_error(cell_error, lipschitz), fixed_parts(kernel, lipschitz)
     return Derived(0.0, exact, lipschitz, cell_error, error, exact + error, kernel_fixed.total(parts),
@@ -251,20 +251,20 @@ def largest_intermediates(dims: int, gradient: Gradient | None) -> dict[str, flo
     low, high = kernel_fixed.pieces(kernel)
     eighth = kernel.fall / 4 * kernel.weight.size(1, low, high)
     factor = np.array([np.ceil(eighth.max() * 2**18) + 1])
-    whole, turns = np.array([2**18]), whole_turns()
+    whole, turns = np.array([2**18]), whole_turns(kernel)
     k = float(eighth.max()) * RAMP_ONE + 2 * 1023
     leaning = sum_of_falls(kernel) + kernel_fixed.part_rounding(1.0).item() * 8 * len(kernel.points)
     return phasor.largest_intermediates(dims, gradient) | {
         "fall of the plane": 4 / 27 * 73728**3 / 2**16 + 2**16,
         "falling": part_intermediate(float(RAMP_ONE), factor), "leaning": 2 * part_intermediate(k, whole),
         "scaled derivative": kernel_fixed.scaled_intermediate(leaning, kernel.scale),
-        "turn": part_intermediate(2.0**9 * phasor.WAVES / WAVE_CUT, np.array([205887])),
+        "turn": part_intermediate(2.0**9 * kernel.waves / WAVE_CUT, np.array([205887])),
         "turned": part_intermediate(2.0**29, turns[[0, -1]]),
         "last sum": (slope.fixed_largest + LAST) / FINE,
         "first term": kernel.steps * scale_of(kernel) * leaning / 2**27 / FINE}
 
 
-def sum_of_falls(kernel: Kernel) -> float:
+def sum_of_falls(kernel: Waves) -> float:
     """The largest sum of fall * |d_i|, in units of 2^-27."""
     return max(phasor.largest(kernel, axis, 0.0, 1) for axis in kernels.axes(kernel)) * 2**27
 
