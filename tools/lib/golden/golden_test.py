@@ -227,7 +227,7 @@ class GoldenContents(unittest.TestCase):
         self.assertGreater(len(set(found)), len(found) / 3)
 
     def test_waves_reach_every_case(self) -> None:
-        self.assertEqual(len(PHASORS), 4)
+        self.assertEqual(len(PHASORS), 8)
         for function in PHASORS:
             n = function.axes
             self.check_phases(function.id, -2)

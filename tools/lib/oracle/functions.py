@@ -142,10 +142,16 @@ def values_of(noise: Noise, function: Function, fixed: bool) -> Evaluate:
     return values
 
 
+def names_of(function: Function) -> list[str]:
+    """Of what it returns, as the noise calls it: the derivatives behind a quadrature are those of it."""
+    names = [column.split(":")[0] for column in function.outputs.split()]
+    return [name.replace("d", "q") if len(name) == 2 else name for name in names] if "quadrature" in names else names
+
+
 def _evaluator(noise: Noise, function: Function, fixed: bool) -> Evaluate:
     values = values_of(noise, function, fixed)
     # In four dimensions the value and the derivatives have a row each.
-    indices = [noise.outputs.index(column.split(":")[0]) for column in function.outputs.split()]
+    indices = [noise.outputs.index(name) for name in names_of(function)]
 
     def evaluate(knobs: Knobs, row: Sequence[Real]) -> tuple[Real, ...]:
         found = values(knobs, row)

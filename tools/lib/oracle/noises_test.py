@@ -50,7 +50,7 @@ def tried_settings(bounds: Bounds) -> list[Knobs]:
 def noise_of(bounds: Bounds) -> Noise:
     """With its gradients turned, if they turn."""
     noise = NO_NOISES.get(bounds.noise) or noises.find(bounds.noise)
-    if bounds.noise == "phasor":
+    if bounds.noise in ("phasor", "phasor_d"):
         noise = noise.chosen(Choice(wave=WAVE[:bounds.dimensions]))
     return noise if noise.phase is None else noise.turned(PHASE)
 

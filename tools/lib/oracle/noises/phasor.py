@@ -6,7 +6,7 @@ A caller chooses the wave: so many turns of the phase there are in a cell, along
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from typing import TypeVar
@@ -56,13 +56,18 @@ def turns(lattice: Lattice, kernel: Kernel, h: int, d: Sequence[Fraction]) -> Fr
     return Fraction(h, TURN) + Fraction(lattice.phase) + along(kernel, lattice.choice.wave, d)
 
 
+def waves(lattice: Lattice, cell: Sequence[int],
+          f: Sequence[Fraction]) -> Iterator[tuple[Sequence[Fraction], Fraction, tuple[Fraction, Fraction]]]:
+    """Of each point the offset from it in steps, t, and the cosine and the sine of its turns."""
+    kernel = KERNELS[len(cell)]
+    for point, d, t in kernels.weighted_points(kernel, tuple(f)):
+        yield d, t, turning.cosine_and_sine(turns(lattice, kernel, point.word(kernel, lattice, cell), d))
+
+
 def exact(lattice: Lattice, cell: Sequence[int], f: Sequence[Fraction]) -> tuple[Fraction, ...]:
     kernel = KERNELS[len(cell)]
-    waves = []
-    for point, d, t in kernels.weighted_points(kernel, tuple(f)):
-        a = turns(lattice, kernel, point.word(kernel, lattice, cell), d)
-        waves.append((kernel.weight.exact(t), turning.cosine_and_sine(a)))
-    return tuple(Fraction(kernel.scale, 1024) * total for total in summed(waves, lambda x, weight: x * weight))
+    weighted = [(kernel.weight.exact(t), wave) for _, t, wave in waves(lattice, cell, f)]
+    return tuple(Fraction(kernel.scale, 1024) * total for total in summed(weighted, lambda x, weight: x * weight))
 
 
 # --- Fixed ------------------------------------------------------------------------------------------------------
@@ -84,12 +89,17 @@ def fixed_turns(lattice: Lattice, kernel: Kernel, h: int, d: Sequence[int]) -> i
     return h + turning.angle(lattice.phase) + fixed_along(kernel, lattice.choice.wave, d) & MASK
 
 
-def fixed(lattice: Lattice, cell: Sequence[int], fraction: Sequence[int]) -> tuple[int, ...]:
+def fixed_waves(lattice: Lattice, cell: Sequence[int],
+                fraction: Sequence[int]) -> Iterator[tuple[Sequence[int], tuple[int, int], tuple[int, int]]]:
+    """Of each point the offset from it in units of 2^-20 steps, t and Q, and the cosine and the sine times 2^29."""
     kernel = KERNELS[len(cell)]
-    waves = []
     for point in kernels.fixed_points(kernel, fraction):
         a = fixed_turns(lattice, kernel, point.word(kernel, lattice, cell), point.offset)
-        weight = kernel.weight.of_square(*kernels.fixed_t(kernel, point.square))
-        waves.append((weight, integers.cosine_and_sine(a)))
-    totals = summed(waves, lambda x, weight: part(signed(2**13 * x), weight))
-    return tuple(ramps.scaled(signed(total), kernel.scale) for total in totals)
+        cosine, sine = integers.cosine_and_sine(a)
+        yield point.offset, kernels.fixed_t(kernel, point.square), (signed(2**13 * cosine), signed(2**13 * sine))
+
+
+def fixed(lattice: Lattice, cell: Sequence[int], fraction: Sequence[int]) -> tuple[int, ...]:
+    kernel = KERNELS[len(cell)]
+    weighted = [(kernel.weight.of_square(*powers), wave) for _, powers, wave in fixed_waves(lattice, cell, fraction)]
+    return tuple(ramps.scaled(signed(total), kernel.scale) for total in summed(weighted, part))

@@ -1,0 +1,195 @@
+"""Tests of phasor_d.py: beside differences of phasor noise, by hand, and beside a program in C."""
+
+from __future__ import annotations
+
+import itertools
+import math
+import unittest
+from collections.abc import Sequence
+from dataclasses import replace
+from fractions import Fraction
+from pathlib import Path
+from unittest import mock
+
+from golden.generator import INT_MAX, INT_MIN, generator_of, to_f32
+from oracle import functions, kernels, noises, words
+from oracle.gradients import Knobs, Real
+from oracle.integers import UNIT
+from oracle.lattice import Choice
+from oracle.noises import phasor, phasor_d
+from oracle.noises.phasor import KERNELS
+from oracle.noises.phasor_test import WORD, places
+from tables.functions import Function
+from tables.inc import Row
+
+KNOBS = Knobs("lattice")
+SLOPES, PHASOR = map(noises.find, ("phasor_d", "phasor"))
+
+# How far fixed arithmetic may be off where it cuts neither the place nor the wave. The worst of 3600 was 2^-7.13: its
+# value is off by 2^-14, and in a cell there are up to 16 turns of it.
+ERROR = 2**-6.8
+
+
+def of(noise: noises.Noise, place: tuple, fixed: bool = False) -> tuple[Fraction, ...]:
+    cell, f, wave, phase, seed, periods = place
+    noise = noise.turned(phase).chosen(Choice(wave=tuple(wave)))
+    return (noise.fixed_cell if fixed else noise.exact_cell)(KNOBS, cell, f, seed, periods)
+
+
+def moved(place: tuple, axis: int, step: Fraction) -> tuple:
+    cell, f, *others = place
+    return (cell, [Fraction(x) + step * (i == axis) for i, x in enumerate(f)], *others)
+
+
+def derivatives(found: Sequence[Real]) -> list[Sequence[Real]]:
+    """A pair along each axis."""
+    return list(zip(found[2::2], found[3::2], strict=True))
+
+
+# What a program in C makes of it, with its words of 32 bits, which was written from the contract: the cell, the
+# fraction in units of 2^-20, the periods, the wave, the phase and the seed; value, quadrature and their derivatives.
+VECTORS = (
+    ((0, 0), (0, 0), (0, 0), (0.0, 0.0), 0.0, 0,
+     (-1953303, -758360, 0, 0, 0, 0)),
+    ((-1, INT_MAX), (300000, 700001), (3, 0), (16.0, -16.0), 0.75, 7,
+     (-1409185, -628903, 2008308, -4447343, -1801926, 4452168)),
+    ((INT_MIN, -7), (UNIT, 524287), (0, 7), (-3e+38, 2.0**-17), -1 / 3, words.MASK,
+     (55670, -6275, -76390, -680003, 2, 0)),
+    ((4, -3), (12345, 1040000), (5, INT_MAX), (-9.625, 1e-40), 1000.125, 9,
+     (-2082512, 192010, 377142, 3934344, -9914, 914)),
+    ((0, 0, 0), (0, 0, 0), (0, 0, 0), (0.0, 0.0, 0.0), 0.0, 0,
+     (-1951070, -757492, 0, 0, 0, 0, 0, 0)),
+    ((INT_MAX, INT_MIN, -1), (UNIT, 524287, 700001), (0, 0, 0), (16.0, 16.0, -16.0), 0.25, 3,
+     (49102, 26716, -169899, 282770, -107298, 197547, 104890, -142974)),
+    ((-3, 8, 1000), (262144, 262144, 262143), (3, 4, 0), (-1 - 2.0**-17, 2.0**-17, 17.0), -0.75, 5,
+     (49824, -711482, -249231, -17454, -109532, -7670, 2125651, 148855)),
+    ((1, 2, 3), (500000, 23456, 999999), (0, -48, 2), (11.390625, -7.2578125, 1.5), 0.4, 77,
+     (-163600, 438318, -1045818, -428940, 627878, 233203, -135674, -39027)))
+
+
+class Derivatives(unittest.TestCase):
+    def check_noise(self) -> None:
+        """The first two numbers are phasor noise."""
+        for place, fixed in itertools.product(places("noise", 9), (False, True)):
+            self.assertEqual(of(SLOPES, place, fixed)[:2], of(PHASOR, place, fixed))
+
+    def check_differences(self) -> None:
+        """Of the exact value, on both sides, also where points come and go."""
+        step = Fraction(1, 2**24)
+        for place in places("differences", 15):
+            for axis, along in enumerate(derivatives(of(SLOPES, place))):
+                ends = [of(PHASOR, moved(place, axis, step * side)) for side in (-1, 1)]
+                for a, b, derivative in zip(*ends, along):
+                    # A third derivative is up to (2 pi 16)^3 and somewhat more.
+                    self.assertLess(abs((b - a) / (2 * step) - derivative), 2**22 * step**2, place)
+
+    def check_fixed(self) -> None:
+        for place in places("fixed derivatives"):
+            for exact, fixed in zip(of(SLOPES, place)[2:], of(SLOPES, place, True)[2:], strict=True):
+                self.assertLess(abs(exact - fixed), ERROR, place)
+                self.assertEqual((fixed * 2**16).denominator, 1)
+                self.assertLess(abs(fixed), 2**8)
+
+    def check_program(self) -> None:
+        for cell, fraction, periods, wave, phase, seed, expected in VECTORS:
+            place = (cell, [Fraction(x, UNIT) for x in fraction], tuple(map(to_f32, wave)), to_f32(phase), seed, periods)
+            found = of(SLOPES, place, True)
+            self.assertEqual(tuple(x * unit for x, unit in zip(found, SLOPES.units)), expected)
+
+    CHECKS = ("noise", "differences", "fixed", "program")
+
+    def test_every_check_passes(self) -> None:
+        for check in self.CHECKS:
+            with self.subTest(check):
+                getattr(self, f"check_{check}")()
+
+    def assert_noticed(self, *noticing: str) -> None:
+        for check in noticing:
+            with self.assertRaises(AssertionError, msg=check):
+                getattr(self, f"check_{check}")()
+
+    def test_a_changed_constant_is_noticed(self) -> None:
+        for name, other, noticing in (("TWO_PI", Fraction(355, 56), ("differences",)),
+                                      ("FIXED_TWO_PI", 205888, ("program",)), ("FIXED_TWO_PI", 205000, ("fixed",))):
+            with mock.patch.object(phasor_d, name, other):
+                self.assert_noticed(*noticing)
+        for n, weight in ((2, kernels.QUARTIC), (3, kernels.CUBE)):
+            fall = replace(weight, fall=lambda t, q: weight.fall(t, q) + 2**10)
+            for changes, noticing in (({"weight": fall}, ("fixed", "program")), ({"scale": KERNELS[n].scale + 4}, ("program",))):
+                with mock.patch.dict(KERNELS, {n: replace(KERNELS[n], **changes)}):
+                    self.assert_noticed(*noticing)
+
+    def test_what_is_left_out_is_noticed(self) -> None:
+        for name, fault, noticing in (
+                ("of_weights", lambda lattice, cell, fraction: [(0, 0)] * len(cell), ("fixed", "program")),
+                ("fixed_turn", lambda k: 0, ("fixed", "program")), ("fixed_turn", lambda k: -abs(k), ("fixed",))):
+            with mock.patch.object(phasor_d, name, fault):
+                self.assert_noticed(*noticing)
+        right = kernels.Weight.slope
+        with mock.patch.object(kernels.Weight, "slope", lambda weight, t: 2 * right(weight, t)):
+            self.assert_noticed("differences", "fixed")
+        # The wave that counts is the one within [-16, 16], here as there.
+        with mock.patch.object(phasor_d, "KERNELS", {n: replace(kernel, triangles=False)
+                                                     for n, kernel in KERNELS.items()}):
+            self.assert_noticed("differences", "program")
+
+
+class ByHand(unittest.TestCase):
+    def test_at_a_point(self) -> None:
+        """There the weight is the largest, and the wave alone counts."""
+        for n, wave in ((2, (3, -5)), (2, (17, 0)), (3, (3, -5, 16))):
+            t = Fraction(KERNELS[n].r, 1024)
+            most = Fraction(KERNELS[n].scale, 1024) * KERNELS[n].weight.exact(t)
+            place = ((0,) * n, (0,) * n, wave, -Fraction(WORD, 2**32), 0, ())
+            value, quadrature, *found = of(SLOPES, place)
+            self.assertEqual((value, quadrature), (most, 0))
+            for k, (of_value, of_quadrature) in zip(wave, derivatives((value, quadrature, *found))):
+                self.assertEqual(of_value, 0)
+                self.assertAlmostEqual(float(of_quadrature), 2 * math.pi * min(k, 16) * float(most), 12)
+
+    def test_beside_a_point_without_a_wave(self) -> None:
+        # A quarter of a cell from one point along y, where there is no other so near but the two of the next row.
+        t = Fraction(819, 1024) - Fraction(1, 16)
+        fall = -2 * (9 * t**2 - 8 * t**3) * Fraction(1, 4) * 2 * Fraction(1428, 1024)
+        a = 2 * math.pi * WORD / 2**32
+        *_, dx, qx, dy, qy = of(SLOPES, ((0, 0), (0, Fraction(1, 8)), (0, 0), 0, 0, ()))
+        # Those two are at 1/2 along x and 3/4 along y, in steps, where t is negative.
+        self.assertLess(Fraction(819, 1024) - Fraction(1, 4) - Fraction(9, 16), 0)
+        self.assertEqual((dx, qx), (0, 0))
+        self.assertAlmostEqual(float(dy), float(fall) * math.cos(a), 12)
+        self.assertAlmostEqual(float(qy), float(fall) * math.sin(a), 12)
+
+    def test_turns_of_fixed_arithmetic(self) -> None:
+        # 2 pi is 51471.85 in units of 2^-13, and 16 times that 823549.7.
+        self.assertEqual([phasor_d.fixed_turn(k * 2**16) for k in (-16, -1, 0, 1, 16)],
+                         [-823548, -51472, 0, 51471, 823548])
+
+    def test_where_waves_are_steepest_nothing_overflows(self) -> None:
+        """`signed` raises where it would. All waves meet, in the direction that makes sums largest."""
+        with mock.patch.object(phasor.integers, "cosine_and_sine", lambda a: (65536, -65536)), \
+                mock.patch.object(phasor_d.phasor, "fixed", lambda *_: (2**21, -2**21)):
+            numbers = generator_of("steepest")
+            for n, _ in itertools.product((2, 3), range(100)):
+                f = [Fraction(numbers.integer(0, 64), 64) for _ in range(n)]
+                for sign in (-16, 16):
+                    of(SLOPES, ((0,) * n, f, (sign,) * n, 0, 0, ()), True)
+
+
+class Rows(unittest.TestCase):
+    def test_evaluation(self) -> None:
+        for place, (first, name), fixed in itertools.product(
+                places("derivative rows", 3), (("value", "d"), ("quadrature", "q")), (False, True)):
+            cell, f, wave, phase, seed, _ = place
+            axes = "xyz"[:len(cell)]
+            inputs = " ".join([*(f"c{x}:i32" for x in axes), *(f"f{x}:f32" for x in axes), *(f"k{x}:f32" for x in axes),
+                               "phase:f32", "seed:u32"])
+            outputs = " ".join([f"{first}:f64", *(f"d{x}:f64" for x in axes)])
+            function = Function(Row(Path("functions.inc"), 1, "FUNCTION", ()), "noise2d.phasor_d_any", "simplex_noise",
+                                "phasor_d", inputs, outputs, "cell")
+            found = functions.evaluator(function, fixed)(KNOBS, (*cell, *f, *wave, phase, seed))
+            all_of_it = dict(zip(SLOPES.outputs, of(SLOPES, (cell, f, wave, phase, seed, ()), fixed)))
+            self.assertEqual(found, (all_of_it[first], *(all_of_it[name + x] for x in axes)))
+
+
+if __name__ == "__main__":
+    unittest.main()
