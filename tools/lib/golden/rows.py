@@ -6,8 +6,8 @@ import itertools
 from collections.abc import Sequence
 
 import catalog.model
-from golden import (cellular_rows, hex_rows, period_rows, phasor_rows, scatter_rows, simplex_rows, sum_rows,
-                    uniform_rows)
+from golden import (cellular_rows, gullies_rows, hex_rows, period_rows, phasor_rows, scatter_rows, simplex_rows,
+                    sum_rows, uniform_rows)
 from golden.generator import INT_MAX, INT_MIN, SEEDS, Generator, Row, to_f32
 from oracle import gradients, words
 from tables.configurations import Configuration
@@ -247,6 +247,9 @@ def rows_of(function: Function, fixed: bool, settings: Sequence[Configuration],
         return lattice_gradient_rows(n, settings, generator), []
     if form in ("place", "place_of_noise"):
         return place_rows(n, form == "place_of_noise", generator), []
+    if function.bound == gullies_rows.BOUND:
+        return (gullies_rows.plain(function, generator),
+                gullies_rows.fixed(function, FIXED_COORDINATES, generator) if fixed else [])
     if form == "sum":
         return (sum_rows.plain(function, generator),
                 sum_rows.fixed(function, FIXED_COORDINATES, generator) if fixed else [])

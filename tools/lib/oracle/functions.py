@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
-from oracle import frames, gradients, integers, noises, numbers, positions, scatter, sums, uniform, words
+from oracle import frames, gradients, gullies, integers, noises, numbers, positions, scatter, sums, uniform, words
 from oracle.curl import CURL
 from oracle.gradients import Knobs, Real
 from oracle.hexes import HEXES
@@ -40,6 +40,8 @@ OF_SPREADS: dict[str, tuple[Callable[..., tuple[Real, ...]], Callable[..., tuple
 # Of a position that is a whole number, along one axis, with cells and units.
 OF_A_PLACE: dict[str, Callable[[int, int, int], Real]] = {"cell": positions.cell, "fraction": positions.fraction}
 
+# Sums of noises that nobody chooses.
+OF_THEIR_OWN = {"gullies": gullies}
 NOISE_OF_SUMS = "perlin"  # unless the user names another
 
 
@@ -74,7 +76,7 @@ def evaluator(function: Function, fixed: bool) -> Evaluate:
         return _evaluator(CURL, function, fixed)
     if family in NOISES and function.form in ("position", "cell", "place_of_noise"):
         return _noise_evaluator(function, fixed)
-    if family in OCTAVE_SUMS and function.bound in (*sums.SUMS, *frames.SUMS):
+    if family in OCTAVE_SUMS and function.bound in (*sums.SUMS, *frames.SUMS, *OF_THEIR_OWN):
         return _sum_evaluator(function, fixed)
     raise function.row.error(f"the oracle has no {function.id}: tools/lib/oracle/functions.py finds what it evaluates")
 
@@ -162,6 +164,8 @@ def _evaluator(noise: Noise, function: Function, fixed: bool) -> Evaluate:
 
 def sum_values(name: str, fixed: bool) -> Callable[..., tuple[Real, ...]]:
     """What a sum returns: of the knobs, the place, the options, the seed and the periods."""
+    if name in OF_THEIR_OWN:
+        return OF_THEIR_OWN[name].fixed if fixed else OF_THEIR_OWN[name].exact
     if name in frames.SUMS:
         noise, of_several = noises.find(frames.SUMS[name].noise), frames.fixed if fixed else frames.exact
         return lambda *arguments: of_several(name, noise, *arguments)

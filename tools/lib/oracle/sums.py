@@ -30,6 +30,9 @@ class Options:
     strength: Real = 0
     footprint: Real = 0  # all octaves are visible
     amplitude: Real = 0
+    depth: Real = 0  # of gullies
+    ex: Real = 0  # the slope that they begin with
+    ey: Real = 0
 
 
 @dataclass(frozen=True)
@@ -307,12 +310,17 @@ def fixed_terms(noise: Noise, knobs: Knobs, place: FixedPlace, options: Options,
                  in_weights(options.strength, 64))
 
 
+def fixed_weighted_by(u: int, b: int) -> int:
+    """The contract's `weighted`."""
+    return signed(signed(u * (b >> 9)) + signed((u >> 9) * (b & 511))) >> 9
+
+
 def fixed_mean(of: Terms[int], values: Sequence[int]) -> int:
     """The contract's v, in units of 2^-21."""
     if not values:
         return 0
-    shares = [signed(signed(u * (b >> 9)) + signed((u >> 9) * (b & 511))) >> 9 for u, b in zip(values, of.shares)]
-    return math.trunc(Fraction(signed(sum(shares)) * 2**18, signed(sum(of.weights))))
+    shares = sum(map(fixed_weighted_by, values, of.shares))
+    return math.trunc(Fraction(signed(shares) * 2**18, signed(sum(of.weights))))
 
 
 def fixed_within(of: Terms[int], largest: Real) -> list[int]:

@@ -21,7 +21,7 @@ OCTAVE_SUMS = ("octave_sum", "further_octave_sum", "octahedral_octave_sum")
 OF_EVERY_HASH = ("hash", "gradient", "gradient_noise", "lattice_noise")
 
 # What is proven under these names has a seed at a position, too.
-ALWAYS_SEEDED = ("hex_tiling",)
+ALWAYS_SEEDED = ("hex_tiling", "gullies")
 
 # What the names of the inputs say that a function takes; n of them have an axis.
 FORMS = {
@@ -43,7 +43,8 @@ FORMS = {
     # From a position, or from a cell and a fraction: the settings stand behind those and the periods.
     "sum": re.compile(r"(?:(?:[xyzw]:f32 )+|(?:c[xyzw]:i32 )+(?:f[xyzw]:f32 )+)(?:p[xyzw]:i32 )*"
                       r"(?P<settings>(?:(?:footprint:f32 )?octaves:i32|detail:f32) lacunarity:f32 gain:f32 "
-                      r"(?:strength:f32 |amplitude:f32 )?)seed:u32"),
+                      r"(?:strength:f32 |amplitude:f32 )?|"
+                      r"(?:footprint:f32 )?ex:f32 ey:f32 octaves:i32 lacunarity:f32 gain:f32 depth:f32 )seed:u32"),
     # A position that is a whole number of units: where it is, and the noise there.
     "place": re.compile(r"(?:[xyzw]:i32 )+cells:i32 units:i32"),
     "place_of_noise": re.compile(r"(?:[xyzw]:i32 )+cells:i32 units:i32 seed:u32"),
@@ -164,7 +165,7 @@ class Function:
         where = f"place{self.axes}" if self.has_place else vector("", "float")
         wave, phase = (vector("", "float"),) * self.has_wave, ("float",) * self.has_phase
         chosen = (*wave, *phase, *("float",) * self.has_jitter, *("int",) * self.has_metric)
-        settings = tuple("int" if setting == "octaves" else "float" for setting in self.settings)
+        settings = tuple({"octaves": "int", "ex": "vec2"}.get(name, "float") for name in self.settings if name != "ey")
         return {"words": (vector("u", "uint"),), "zero": ("uint",), "candidate": (where, *("float",) * self.has_radius),
                 "items": ("uint",) * len(self.inputs.split()),
                 "point": (vector("i", "int"),), "position": (where, *chosen), "cell": (where, *chosen),

@@ -90,6 +90,10 @@ class Tables(unittest.TestCase):
         self.assertEqual(functions["fbm.fbm2_detail"].overloads, (("vec2", "float", "float", "float", "uint"),))
         self.assertEqual(functions["fbm.fbm3_footprint"].overloads,
                          (("vec3", "float", "int", "float", "float", "uint"),))
+        self.assertEqual(functions["noise2d.gullies"].overloads,
+                         (("vec2", "vec2", "int", "float", "float", "float", "uint"),))
+        self.assertEqual(functions["noise2d.gullies_cell_period_footprint"].overloads,
+                         (("place2", "float", "vec2", "int", "float", "float", "float", "uint"),))
         self.assertEqual([functions[id].has_cell for id in ("fbm.fbm2", "fbm.weighted3_cell", "noise2d.perlin_cell",
                                                             "hash.word")], [False, True, True, False])
         self.assertEqual([functions[id].exact for id in ("hash.word", "gradient.lattice2", "gradient.sine2",
@@ -126,6 +130,8 @@ class Tables(unittest.TestCase):
                         "x:f32 y:f32 kx:f32 ky:f32 seed:u32 = value:f64",  # a wave has a phase behind it
                         "x:f32 y:f32 phase:f32 kx:f32 ky:f32 seed:u32 = value:f64",
                         "x:f32 y:f32 detail:f32 octaves:i32 lacunarity:f32 gain:f32 seed:u32 = value:f64",
+                        "x:f32 y:f32 ex:f32 octaves:i32 lacunarity:f32 gain:f32 depth:f32 seed:u32 = value:f64",
+                        "x:f32 y:f32 ex:f32 ey:f32 octaves:i32 lacunarity:f32 gain:f32 seed:u32 = value:f64",
                         "x:f32 y:f32 seed:u32"):
             self.refused(read_functions, FUNCTION.format(columns=columns), "are not columns that the tools know")
         self.refused(read_functions, good.replace("gradient_noise", "cell_noise"), "cell_noise is not a family")

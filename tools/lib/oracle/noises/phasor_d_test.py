@@ -92,8 +92,8 @@ class Derivatives(unittest.TestCase):
 
     def check_program(self) -> None:
         for cell, fraction, periods, wave, phase, seed, expected in VECTORS:
-            place = (cell, [Fraction(x, UNIT) for x in fraction], tuple(map(to_f32, wave)), to_f32(phase), seed, periods)
-            found = of(SLOPES, place, True)
+            wave, f = tuple(map(to_f32, wave)), [Fraction(x, UNIT) for x in fraction]
+            found = of(SLOPES, (cell, f, wave, to_f32(phase), seed, periods), True)
             self.assertEqual(tuple(x * unit for x, unit in zip(found, SLOPES.units)), expected)
 
     CHECKS = ("noise", "differences", "fixed", "program")
@@ -115,7 +115,8 @@ class Derivatives(unittest.TestCase):
                 self.assert_noticed(*noticing)
         for n, weight in ((2, kernels.QUARTIC), (3, kernels.CUBE)):
             fall = replace(weight, fall=lambda t, q: weight.fall(t, q) + 2**10)
-            for changes, noticing in (({"weight": fall}, ("fixed", "program")), ({"scale": KERNELS[n].scale + 4}, ("program",))):
+            larger = KERNELS[n].scale + 4
+            for changes, noticing in (({"weight": fall}, ("fixed", "program")), ({"scale": larger}, ("program",))):
                 with mock.patch.dict(KERNELS, {n: replace(KERNELS[n], **changes)}):
                     self.assert_noticed(*noticing)
 

@@ -1,0 +1,265 @@
+"""Tests of gullies.py: by hand, beside floats and a program in C, and by differences of the exact value."""
+
+from __future__ import annotations
+
+import itertools
+import math
+import unittest
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from fractions import Fraction
+from unittest import mock
+
+from golden.generator import INT_MAX, INT_MIN, generator_of, to_f32
+from oracle import frames, gullies, noises, sums
+from oracle.gradients import Knobs, Real
+from oracle.integers import NOISE_UNIT
+from oracle.lattice import Choice
+from oracle.noises.phasor_test import naive
+from oracle.sums import Options
+from oracle.words import MASK, SEED_STEP
+
+KNOBS = Knobs("lattice")
+DEFAULT = Options(3, 2.0, 0.5, depth=0.1, ex=0.6, ey=-0.3)
+EIGHTH = Fraction(1, 8)
+
+# How far fixed arithmetic may be off with up to three octaves of the depths of `places`: in the height, and in a slope.
+# The worst of 2000 were 2^-8.2 and 2^-6.3: an octave where there is hardly a slope runs anywhere.
+ERROR, SLOPE_ERROR = 2**-8, 2**-6
+
+
+def exact(p: Sequence[Real], options: Options, seed: int = 7, periods: Sequence[int] = ()) -> tuple[Fraction, ...]:
+    return gullies.exact(KNOBS, sums.at_position(p), options, seed, periods)
+
+
+def fixed(p: Sequence[Real], options: Options, seed: int = 7, periods: Sequence[int] = ()) -> tuple[Fraction, ...]:
+    return gullies.fixed(KNOBS, sums.fixed_at_position(p), options, seed, periods)
+
+
+def in_floats(p: Sequence[Real], options: Options, seed: int, periods: Sequence[int]) -> tuple[float, ...]:
+    """From the contract, with the naive sum of waves and differences of it for their derivatives."""
+    whole = math.floor(min(max(options.lacunarity, 0), 255))
+    q, tile = list(map(float, p)), list(periods) or [0, 0]
+    start = [min(max(float(x), -8.0), 8.0) for x in (options.ex, options.ey)]
+    height, e, step = 0.0, start, 1e-5
+    for i in range(options.octaves):
+        x, y = (component / (math.hypot(*e) + 0.125) for component in e)
+        cell = list(map(math.floor, q))
+
+        def at(dx: float, dy: float) -> float:
+            return naive(cell, [q[0] - cell[0] + dx, q[1] - cell[1] + dy], (-1.5 * y, 1.5 * x), 0, seed, tile)[0]
+
+        a = options.gain**i * math.hypot(x, y)
+        a *= min(max(1.5 - 2 * options.footprint * max(whole, 1)**i, 0), 1)
+        height += a * at(0, 0)
+        slopes = ((at(step, 0) - at(-step, 0)) / (2 * step), (at(0, step) - at(0, -step)) / (2 * step))
+        e = [min(max(c + options.depth * whole**i * a * g, -8.0), 8.0) for c, g in zip(e, slopes)]
+        q = [c * whole + shift for c, shift in zip(q, (11 / 32, 19 / 32))]
+        tile, seed = [period * whole for period in tile], (seed + SEED_STEP) & MASK
+    return options.depth * height, e[0] - start[0], e[1] - start[1]
+
+
+Place = tuple[list[Fraction], Options, int, tuple[int, ...]]
+
+
+def places(name: str, count: int = 16) -> Iterator[Place]:
+    """Positions and slopes that fixed arithmetic does not cut."""
+    numbers = generator_of(f"gullies {name}")
+    for index in range(count):
+        p = [Fraction(numbers.integer(-2**23, 2**23), 2**20) for _ in range(2)]
+        most = (2**13, 2**16, 2**20, 2**6)[index % 4]
+        ex, ey = (Fraction(numbers.integer(-most, most), 2**16) for _ in range(2))
+        octaves, lacunarity, gain = numbers.pick(((1, 2.0, 0.5), (2, 2.5, 0.5), (3, 2.0, 0.25), (2, 0.5, 1.0)))
+        depth = numbers.pick((0.0625, 0.125, 0.03125))
+        options = Options(octaves, lacunarity, gain, depth=depth, ex=ex, ey=ey,
+                          footprint=numbers.pick((0, 0, Fraction(3, 16), Fraction(5, 8))))
+        yield p, options, numbers.word(), ((), (), (3, 0), (7, 1000003))[numbers.integer(0, 3)]
+
+
+# What a program in C makes of it, with its words of 32 bits, which was written from the contract: the cell, the
+# fraction in units of 2^-24, the periods, the settings and the seed; the height and both slopes.
+VECTORS = (
+    ((0, 0), (0, 0), (0, 0), (1, 2.0, 0.5, 0.1, 0.6, -0.3, 0.0), 0,
+     (-164646, 7097, 14194)),
+    ((-3, 7), (5000000, 11000001), (0, 0), (3, 2.0, 0.5, 0.1, -0.25, 0.7, 0.0), 9,
+     (66260, -37932, -17568)),
+    ((4, -3), (2**24, 12345), (5, 3), (3, 2.75, 0.5, 0.2, 0.01, -0.004, 0.1), MASK,
+     (-26031, -2198, 2890)),
+    ((INT_MAX, INT_MIN), (2**24, 8388608), (0, INT_MAX), (4, 2.0, 0.7, 0.3, 9.5, -3e38, 0.05), 5,
+     (75102, 0, 576122)),
+    ((1000, -77), (16777215, 1), (48, 1000003), (33, 2.0, 0.5, 8.0, -8.0, 0.5, 0.0), 77,
+     (-14264464, 1048576, 491520)),
+    ((6, 6), (4194304, 4194305), (7, 7), (2, 255.0, 0.2, 0.25, 1.0, 1e-40, 1 / 7), 3,
+     (-94969, 12469, -60515)),
+    ((-1, -1), (1, 2), (2, 2), (6, 300.0, 0.0, 1 / 3, 0.3, 0.3, 0.3), 4,
+     (-359999, 52411, -52411)),
+    ((12, 5), (6291456, 0), (0, -4), (32, 1.0, 1.0, 8.0, 2.0, -0.125, 0.0), 123,
+     (66911616, -655360, -369859)),
+    ((3, 3), (9999999, 7777777), (0, 0), (5, 0.5, 1.5, 0.05, -1 / 3, 1 / 7, -1.0), 1,
+     (128264, -14177, -4353)))
+
+
+class Gullies(unittest.TestCase):
+    def check_floats(self) -> None:
+        for p, options, *others in places("floats"):
+            for a, b in zip(exact(p, options, *others), in_floats(p, options, *others), strict=True):
+                self.assertAlmostEqual(float(a), b, 5)
+
+    def check_fixed(self) -> None:
+        for p, options, *others in places("fixed"):
+            found = zip(exact(p, options, *others), fixed(p, options, *others), (ERROR, SLOPE_ERROR, SLOPE_ERROR))
+            for a, b, most in found:
+                self.assertLessEqual(abs(a - b), most, (p, options, others))
+
+    def check_program(self) -> None:
+        for cell, r, periods, (octaves, lacunarity, gain, depth, ex, ey, footprint), seed, expected in VECTORS:
+            options = Options(octaves, *map(to_f32, (lacunarity, gain)), footprint=to_f32(footprint),
+                              depth=to_f32(depth), ex=to_f32(ex), ey=to_f32(ey))
+            found = gullies.fixed(KNOBS, list(zip(cell, r)), options, seed, periods)
+            self.assertEqual(tuple(x * unit for x, unit in zip(found, gullies.UNITS)), expected)
+
+    def check_differences(self) -> None:
+        """The waves of the first octave do not turn with the place: there slopes are what a height rises by."""
+        step = Fraction(1, 2**24)
+        for p, options, *others in places("differences", 12):
+            options = replace(options, octaves=1, ex=options.ex / 4, ey=options.ey / 4)  # they stay within 8
+            _, *slopes = exact(p, options, *others)
+            for axis, slope in enumerate(slopes):
+                low, high = (exact([x + side * step * (i == axis) for i, x in enumerate(p)], options, *others)[0]
+                             for side in (-1, 1))
+                self.assertLess(abs((high - low) / (2 * step) - slope), 2**10 * step**2)
+
+    def check_clamps(self) -> None:
+        """Slopes beyond 8 and depths outside [0, 8] count as the nearer end."""
+        for of in (exact, fixed):
+            for beyond, end in (({"ex": 9.0}, {"ex": 8.0}), ({"ey": -3e38}, {"ey": -8.0}),
+                                ({"depth": 8.5}, {"depth": 8.0}), ({"depth": -1.0}, {"depth": 0.0}),
+                                ({"lacunarity": 300.0}, {"lacunarity": 255.5}),
+                                ({"lacunarity": -1.5}, {"lacunarity": 0.9})):
+                a, b = (of((0.3, 0.7), replace(DEFAULT, octaves=2, **of_these)) for of_these in (beyond, end))
+                self.assertEqual(a, b)
+            for within, end in (({"ex": 7.5}, {"ex": 8.0}), ({"depth": 7.5}, {"depth": 8.0})):
+                self.assertNotEqual(*(of((0.3, 0.7), replace(DEFAULT, octaves=1, **of_these))
+                                      for of_these in (within, end)))
+            # After an octave that is deep the slope is at its end.
+            _, dx, dy = of((0.3, 0.7), replace(DEFAULT, octaves=1, depth=8.0, ex=1.0, ey=1.0))
+            self.assertTrue({dx, dy} & {7, -9}, (dx, dy))
+
+    CHECKS = ("floats", "fixed", "program", "differences", "clamps")
+
+    def test_every_check_passes(self) -> None:
+        for check in self.CHECKS:
+            with self.subTest(check):
+                getattr(self, f"check_{check}")()
+
+    def assert_noticed(self, *noticing: str) -> None:
+        for check in noticing:
+            with self.assertRaises(AssertionError, msg=check):
+                getattr(self, f"check_{check}")()
+
+    def test_a_changed_constant_is_noticed(self) -> None:
+        unit_of, fixed_unit, over, growths = gullies.unit_of, gullies.fixed_unit, gullies.over, gullies.fixed_growths
+        for name, other, noticing in (
+                ("LARGEST_SLOPE", 9, ("clamps",)), ("LARGEST_FIXED_SLOPE", 9 * 2**16, ("clamps",)),
+                ("LARGEST_DEPTH", 9, ("clamps",)), ("SLOPE_UNIT", 2**15, ("fixed", "program")),
+                ("NOTHING", (), ("floats",)),
+                ("wave_of", lambda u: (-u[1], u[0]), ("floats", "program")),
+                ("wave_of", lambda u: (Fraction(3, 2) * u[1], Fraction(-3, 2) * u[0]), ("floats", "program")),
+                ("wave_of", lambda u: (Fraction(3, 2) * u[0], Fraction(3, 2) * u[1]), ("floats", "program")),
+                ("unit_of", lambda e: (unit_of(e)[0], 1), ("floats", "fixed")),
+                ("unit_of", lambda e: ([x / 2 for x in unit_of(e)[0]], unit_of(e)[1]), ("floats", "fixed")),
+                ("fixed_unit", lambda e: (fixed_unit(e)[0], 2**18), ("fixed", "program")),
+                ("over", lambda x, d: over(x, d + 1), ("program",)),
+                ("fixed_growths", lambda options: (g + 1 for g in growths(options)), ("program",)),
+                ("fixed_growths", lambda options: itertools.repeat(next(growths(options))), ("program",)),
+                ("coarse", lambda v: v, ("program",))):
+            with self.subTest(name), mock.patch.object(gullies, name, other):
+                self.assert_noticed(*noticing)
+
+    def test_what_is_left_out_is_noticed(self) -> None:
+        right = sums.visible
+        with mock.patch.object(sums, "visible", lambda options, i: right(replace(options, footprint=0), i)):
+            self.assert_noticed("floats", "fixed")
+        with mock.patch.object(sums, "fixed_visible", lambda options: itertools.repeat(2**18)):
+            self.assert_noticed("fixed", "program")
+        find = noises.find
+
+        def without_seed(name: str) -> noises.Noise:
+            of = find(name).exact_in_cell
+            return replace(find(name), exact_in_cell=lambda lattice, *rest: of(replace(lattice, seed=0), *rest))
+
+        with mock.patch.object(noises, "find", without_seed):
+            self.assert_noticed("floats", "fixed")
+
+
+class ByHand(unittest.TestCase):
+    def test_of_no_slope_there_is_nothing(self) -> None:
+        for of, octaves, depth in itertools.product((exact, fixed), (-1, 0, 1, 4, 33), (0.0, 0.1, 8.0)):
+            self.assertEqual(of((0.3, 0.7), Options(octaves, 2.0, 0.5, depth=depth)), (0, 0, 0))
+
+    def test_without_octaves_or_depth_there_is_nothing(self) -> None:
+        for of in (exact, fixed):
+            for options in (replace(DEFAULT, octaves=0), replace(DEFAULT, octaves=-3), replace(DEFAULT, depth=0.0)):
+                self.assertEqual(of((0.3, 0.7), options), (0, 0, 0))
+
+    def test_one_octave(self) -> None:
+        # A slope that is 3/8 long: with an eighth more it leaves 3/4 of a wave, of which there are 9/8 in a cell.
+        noise = noises.find("phasor_d").chosen(Choice(wave=(Fraction(-9, 8), Fraction(0))))
+        value, _, dx, _, dy, _ = noise.exact(KNOBS, (Fraction(5, 16), Fraction(3, 4)), 9)
+        options = Options(1, 2.0, 0.5, depth=0.5, ex=0, ey=Fraction(3, 8))
+        found = exact((0.3125, 0.75), options, 9)
+        for a, b in zip(found, (value, dx, dy), strict=True):
+            self.assertLess(abs(a - Fraction(3, 8) * b), 2**-200)
+
+    def test_a_second_octave_runs_across_the_slope_that_the_first_has_left(self) -> None:
+        options = Options(2, 3.0, Fraction(1, 4), depth=0.125, ex=Fraction(1, 2), ey=Fraction(-1, 4))
+        _, dx, dy = exact((0.3125, 0.75), replace(options, octaves=1), 9)
+        # The settings of an octave, as if it was the first: what it adds counts 3/4 as much, and its height 1/4.
+        left = replace(options, octaves=1, ex=options.ex + dx, ey=options.ey + dy)
+        q = [3 * Fraction(5, 16) + Fraction(11, 32), 3 * Fraction(3, 4) + Fraction(19, 32)]
+        one, both = (exact((0.3125, 0.75), replace(options, octaves=octaves), 9) for octaves in (1, 2))
+        second = exact(q, left, 9 + SEED_STEP & MASK)
+        for a, b, c, share in zip(both, one, second, (Fraction(1, 4), Fraction(3, 4), Fraction(3, 4)), strict=True):
+            self.assertLess(abs(a - b - share * c), 2**-200)
+
+    def test_a_position_is_in_a_tile_without_periods(self) -> None:
+        for of in (exact, fixed):
+            self.assertEqual(of((5.3, -7.7), DEFAULT), of((5.3, -7.7), DEFAULT, 7, (0, -5)))
+            self.assertNotEqual(of((5.3, -7.7), DEFAULT), of((5.3, -7.7), DEFAULT, 7, (3, 0)))
+            for p, period in (((0.3, -7.7), (3, 0)), ((1.25, 4.5), (0, 2))):
+                moved = [x + period_ for x, period_ in zip(map(Fraction, p), period)]
+                self.assertEqual(of(moved, DEFAULT, 7, period), of(list(map(Fraction, p)), DEFAULT, 7, period))
+
+    def test_units_of_fixed_arithmetic(self) -> None:
+        # 5 units of length and what a slope of (3, 4) leaves of a wave: 3/5 and 4/5 of 40/41.
+        u, length = gullies.fixed_unit([3 * 2**16, -4 * 2**16])
+        self.assertEqual((u, length), ([2**21 * 24 // 41, -(2**21 * 32 // 41)], (2**21 * 40 // 41) >> 3))
+        self.assertEqual(gullies.fixed_unit([0, 0]), ([0, 0], 0))
+        # Less than 2^-10 of a slope has no length.
+        self.assertEqual(gullies.fixed_unit([63, -1]), ([63 * 2**8, -2**8], 0))
+        d = 2**11 + 16
+        self.assertEqual(gullies.fixed_unit([64, 0]), ([2**25 // d, 0], (2**25 // d) >> 3))
+
+    def test_ranges_of_fixed_arithmetic(self) -> None:
+        """What the contract says of floats, and how many bits the integers have."""
+        end = 2**19
+        for e in ((end, end), (end, 0), (-end, end), (end, 1), (end - 1, -end)):
+            u, length = gullies.fixed_unit(e)
+            self.assertTrue(max(map(abs, u)) < 2**21 and length < 2**18)
+            self.assertTrue(all(to_f32(float(3 * x / 2**22)) == Fraction(3 * x, 2**22) for x in u))
+        self.assertEqual(max(map(abs, (gullies.fixed_unit((end, end))[0]))), 2**38 // (185363 + 2**11))
+
+    def test_growths_of_fixed_arithmetic(self) -> None:
+        def growths(count: int, lacunarity: float, gain: float, depth: float) -> list[int]:
+            options = gullies.whole(Options(count, lacunarity, gain, depth=depth))
+            return list(itertools.islice(gullies.fixed_growths(options), count))
+
+        self.assertEqual(growths(4, 3.9, 0.5, 0.75), [3 * 2**16 * 3**i // 2**i for i in range(4)])
+        # They wrap where a depth is small and an octave counts more than 2^13 times as much as the first.
+        self.assertEqual(growths(14, 2.0, 1.0, 2.0**-9)[-2:], [2**21, -2**22])
+        with mock.patch.object(frames, "wrapped", lambda n: n):
+            self.assertEqual(growths(14, 2.0, 1.0, 2.0**-9)[-1], 2**22)
+
+
+if __name__ == "__main__":
+    unittest.main()
