@@ -6,8 +6,8 @@ import itertools
 from collections.abc import Sequence
 
 import catalog.model
-from golden import (cellular_rows, gullies_rows, hex_rows, period_rows, phasor_rows, scatter_rows, simplex_rows,
-                    sum_rows, uniform_rows)
+from golden import (cellular_rows, gullies_rows, hex_rows, period_rows, perlin_worley_rows, phasor_rows, scatter_rows,
+                    simplex_rows, sum_rows, uniform_rows)
 from golden.generator import INT_MAX, INT_MIN, SEEDS, Generator, Row, to_f32
 from oracle import gradients, words
 from tables.configurations import Configuration
@@ -217,6 +217,8 @@ def fixed_cell_rows(n: int, generator: Generator) -> list[Row]:
 
 SIMPLEX = ("simplex_noise", "curl")  # the families above its lattices
 # Noises that jump at whole numbers have no values for negative coordinates that drivers may flush to 0.
+# The rows of sums of their own.
+OF_SUMS = {gullies_rows.BOUND: gullies_rows, perlin_worley_rows.BOUND: perlin_worley_rows}
 JUMPING = frozenset(noise.name for noise in catalog.model.read().noises if noise.jumps)
 LEAST = 2.0**-30
 
@@ -247,12 +249,9 @@ def rows_of(function: Function, fixed: bool, settings: Sequence[Configuration],
         return lattice_gradient_rows(n, settings, generator), []
     if form in ("place", "place_of_noise"):
         return place_rows(n, form == "place_of_noise", generator), []
-    if function.bound == gullies_rows.BOUND:
-        return (gullies_rows.plain(function, generator),
-                gullies_rows.fixed(function, FIXED_COORDINATES, generator) if fixed else [])
     if form == "sum":
-        return (sum_rows.plain(function, generator),
-                sum_rows.fixed(function, FIXED_COORDINATES, generator) if fixed else [])
+        of = OF_SUMS.get(function.bound, sum_rows)
+        return of.plain(function, generator), of.fixed(function, FIXED_COORDINATES, generator) if fixed else []
     return (plain_rows(function, settings, generator),
             rows_of_fixed(function, settings, generator) if fixed else [])
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
-from oracle import frames, gradients, gullies, integers, noises, numbers, positions, scatter, sums, uniform, words
+from oracle import (frames, gradients, gullies, integers, noises, numbers, perlin_worley, positions, scatter, sums,
+                    uniform, words)
 from oracle.curl import CURL
 from oracle.gradients import Knobs, Real
 from oracle.hexes import HEXES
@@ -41,7 +42,7 @@ OF_SPREADS: dict[str, tuple[Callable[..., tuple[Real, ...]], Callable[..., tuple
 OF_A_PLACE: dict[str, Callable[[int, int, int], Real]] = {"cell": positions.cell, "fraction": positions.fraction}
 
 # Sums of noises that nobody chooses.
-OF_THEIR_OWN = {"gullies": gullies}
+OF_THEIR_OWN = {"gullies": gullies, "perlin_worley": perlin_worley}
 NOISE_OF_SUMS = "perlin"  # unless the user names another
 
 

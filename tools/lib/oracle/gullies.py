@@ -19,7 +19,7 @@ from oracle.lattice import Choice
 from oracle.sums import FixedPlace, Options, Place, clamped, product
 from oracle.words import signed as wrapped
 
-NOISE = "phasor_d"
+PHASOR = noises.find("phasor_d")
 LARGEST_SLOPE, LARGEST_DEPTH = 8, 8
 SLOPE_UNIT = 2**16
 UNITS = (NOISE_UNIT, SLOPE_UNIT, SLOPE_UNIT)
@@ -50,13 +50,13 @@ def unit_of(e: Sequence[Fraction]) -> tuple[list[Fraction], Fraction]:
 def exact(knobs: Knobs, place: Place, options: Options, seed: int = 0,
           periods: Sequence[int] = ()) -> tuple[Fraction, ...]:
     options, periods = whole(options), tuple(periods) or NOTHING
-    noise, depth = noises.find(NOISE), clamped(options.depth, 0, LARGEST_DEPTH)
+    depth = clamped(options.depth, 0, LARGEST_DEPTH)
     start = [clamped(x, -LARGEST_SLOPE, LARGEST_SLOPE) for x in (options.ex, options.ey)]
     height, e, doubled = Fraction(0), start, replace(options, footprint=2 * Fraction(options.footprint))
     for i, (q, p, s) in enumerate(sums.octaves_of(place, options, seed, periods)):
         u, length = unit_of(e)
         share = Fraction(options.gain)**i * length * sums.visible(doubled, i)
-        value, _, dx, _, dy, _ = noise.chosen(Choice(wave=wave_of(u))).exact(knobs, q, s, p)
+        value, _, dx, _, dy, _ = PHASOR.chosen(Choice(wave=wave_of(u))).exact(knobs, q, s, p)
         height += share * value
         grown = depth * options.lacunarity**i * share
         e = [clamped(frames.rounded(x + grown * g), -LARGEST_SLOPE, LARGEST_SLOPE) for x, g in zip(e, (dx, dy))]
@@ -92,7 +92,6 @@ def fixed_growths(options: Options) -> Iterator[int]:
 def fixed(knobs: Knobs, place: FixedPlace, options: Options, seed: int = 0,
           periods: Sequence[int] = ()) -> tuple[Fraction, ...]:
     options, periods = whole(options), tuple(periods) or NOTHING
-    noise = noises.find(NOISE)
     start = [math.trunc(clamped(x, -LARGEST_SLOPE, LARGEST_SLOPE) * SLOPE_UNIT) for x in (options.ex, options.ey)]
     height, e, doubled = 0, start, replace(options, footprint=2 * Fraction(options.footprint))
     octaves = sums.fixed_octaves_of(place, options, seed, periods)
@@ -101,8 +100,8 @@ def fixed(knobs: Knobs, place: FixedPlace, options: Options, seed: int = 0,
         u, length = fixed_unit(e)
         share = product(length, visible)
         wave = wave_of([Fraction(x, NOISE_UNIT) for x in u])
-        lattice = noise.chosen(Choice(wave=wave)).lattice(knobs, s, p)
-        value, _, dx, _, dy, _ = noise.fixed_in_cell(lattice, [cell for cell, _ in at], [r >> 4 for _, r in at])
+        lattice = PHASOR.chosen(Choice(wave=wave)).lattice(knobs, s, p)
+        value, _, dx, _, dy, _ = PHASOR.fixed_in_cell(lattice, [cell for cell, _ in at], [r >> 4 for _, r in at])
         height = signed(height + sums.fixed_weighted_by(value, product(weight, share)))
         e = [clamped_to(wrapped(x + prod(g, prod(growth, share))), LARGEST_FIXED_SLOPE) for x, g in zip(e, (dx, dy))]
     numbers = (coarse(prod(height, sums.in_weights(options.depth, LARGEST_DEPTH))),

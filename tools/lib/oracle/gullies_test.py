@@ -182,13 +182,9 @@ class Gullies(unittest.TestCase):
             self.assert_noticed("floats", "fixed")
         with mock.patch.object(sums, "fixed_visible", lambda options: itertools.repeat(2**18)):
             self.assert_noticed("fixed", "program")
-        find = noises.find
-
-        def without_seed(name: str) -> noises.Noise:
-            of = find(name).exact_in_cell
-            return replace(find(name), exact_in_cell=lambda lattice, *rest: of(replace(lattice, seed=0), *rest))
-
-        with mock.patch.object(noises, "find", without_seed):
+        of = gullies.PHASOR.exact_in_cell
+        without_seed = replace(gullies.PHASOR, exact_in_cell=lambda lattice, *rest: of(replace(lattice, seed=0), *rest))
+        with mock.patch.object(gullies, "PHASOR", without_seed):
             self.assert_noticed("floats", "fixed")
 
 

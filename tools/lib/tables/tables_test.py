@@ -94,6 +94,8 @@ class Tables(unittest.TestCase):
                          (("vec2", "vec2", "int", "float", "float", "float", "uint"),))
         self.assertEqual(functions["noise2d.gullies_cell_period_footprint"].overloads,
                          (("place2", "float", "vec2", "int", "float", "float", "float", "uint"),))
+        self.assertEqual(functions["noise3d.perlin_worley"].overloads,
+                         (("vec3", "int", "float", "float"), ("vec3", "int", "float", "float", "uint")))
         self.assertEqual([functions[id].has_cell for id in ("fbm.fbm2", "fbm.weighted3_cell", "noise2d.perlin_cell",
                                                             "hash.word")], [False, True, True, False])
         self.assertEqual([functions[id].exact for id in ("hash.word", "gradient.lattice2", "gradient.sine2",
