@@ -17,12 +17,12 @@ from tables.functions import Function
 
 BOUND = "gullies"
 
-# None, along each axis and a diagonal, where half of a wave is left, hardly any, with a component that is hardly there,
-# the largest, and what counts as that.
+# None, along each axis and a diagonal, where half of a wave is left, hardly any, so little that the square of it is a
+# subnormal number or none, with a component that is hardly there, the largest, and what counts as that.
 SLOPES = tuple(tuple(map(to_f32, slope)) for slope in (
     (0.0, 0.0), (-0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0), (0.6, 0.8), (-0.5, 0.5), (0.125, 0.0),
-    (0.0, -0.125), (2.0**-10, -2.0**-12), (-2.0**-30, 2.0**-30), (2.0**-100, 0.0), (1.0, 2.0**-20), (-2.0**-16, -2.0),
-    (8.0, 0.0), (-8.0, 8.0), (8 - 2.0**-20, -8 + 2.0**-20), (9.0, 0.5), (-0.25, -300.0), (3e38, -3e38)))
+    (0.0, -0.125), (2.0**-10, -2.0**-12), (-2.0**-30, 2.0**-30), (2.0**-66, 0.0), (2.0**-100, 0.0),
+    (1.0, 2.0**-20), (-2.0**-16, -2.0), (8.0, 0.0), (-8.0, 8.0), (8 - 2.0**-20, -8 + 2.0**-20), (9.0, 0.5), (-0.25, -300.0), (3e38, -3e38)))
 # What fixed arithmetic cuts to a multiple of 2^-16, and lengths of few units of it.
 CUT = tuple(tuple(map(to_f32, slope)) for slope in (
     (1e-40, -1e-40), (2.0**-149, 0.0), (2.0**-17, -2.0**-17), (2.0**-16 - 2.0**-40, 2.0**-16),

@@ -9,6 +9,7 @@ from typing import TypeVar
 
 from oracle.integers import NOISE_UNIT
 from oracle.lattice import Lattice
+from oracle.noises import Noise
 
 DIMENSIONS = (2, 3)
 UNITS = (NOISE_UNIT,) * 3
@@ -26,3 +27,16 @@ def vector(noise: InCell[Number]) -> InCell[Number]:
         return tuple(value for value, in found)
 
     return components
+
+
+def component(noise: Noise, i: int) -> Noise:
+    """Component i of a vector with derivatives: the noise with its derivatives, of other words."""
+    def of(in_cell: InCell[Number]) -> InCell[Number]:
+        def numbers(lattice: Lattice, cell: Sequence[int], f: Sequence[Number]) -> tuple[Number, ...]:
+            if len(cell) not in DIMENSIONS or i >= len(cell):
+                raise ValueError(f"a vector in {len(cell)}D has no component {i} with derivatives")
+            return in_cell(replace(lattice, component=i), cell, f)
+
+        return numbers
+
+    return replace(noise, exact_in_cell=of(noise.exact_in_cell), fixed_in_cell=of(noise.fixed_in_cell))

@@ -3,18 +3,22 @@
 from __future__ import annotations
 
 import itertools
+import math
 import unittest
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from dataclasses import replace
 from fractions import Fraction
 from unittest import mock
 
 from golden.generator import INT_MAX, generator_of
-from oracle import noises, words
-from oracle.components import vector
+from oracle import components, noises, words
+from oracle.components import component, vector
+from oracle.functions import evaluator
 from oracle.gradients import Knobs
 from oracle.integers import UNIT
 from oracle.lattice import Lattice
 from oracle.noises import Noise
+from tables.functions import read_functions
 
 NAMES = ("value", "perlin")
 ARITHMETICS = ("exact", "fixed")
@@ -76,6 +80,82 @@ class Components(unittest.TestCase):
         for name, n, arithmetic in itertools.product(NAMES, (1, 4), ARITHMETICS):
             with self.assertRaisesRegex(ValueError, "two and three"):
                 getattr(of(name)[1], arithmetic)(Knobs("lattice"), (0.5,) * n)
+
+    def check_derivatives(self) -> None:
+        """Of each component, beside differences of the exact vector."""
+        step = Fraction(1, 2**40)
+        for name in NAMES:
+            _, of_noise = of(name)
+            for p, seed, periods in places("derivatives", 8):
+                for i in range(len(p)):
+                    value, *slopes = component(noises.find(f"{name}_d"), i).exact(Knobs("lattice"), p, seed, periods)
+                    self.assertEqual(value, of_noise.exact(Knobs("lattice"), p, seed, periods)[i])
+                    for axis, slope in enumerate(slopes):
+                        low, high = (of_noise.exact(Knobs("lattice"), [x + side * step * (j == axis)
+                                                                      for j, x in enumerate(p)], seed, periods)[i]
+                                     for side in (-1, 1))
+                        self.assertLess(abs((high - low) / (2 * step) - slope), 2**-32)
+
+    def check_fixed_derivatives(self) -> None:
+        """With the bits of the vector, and near the exact ones."""
+        for name in NAMES:
+            for p, seed, periods in places("fixed derivatives", 8):
+                found = of(name)[1].fixed(Knobs("lattice"), p, seed, periods)
+                for i in range(len(p)):
+                    noise = component(noises.find(f"{name}_d"), i)
+                    value, *slopes = noise.fixed(Knobs("lattice"), p, seed, periods)
+                    self.assertEqual(value, found[i])
+                    for a, b in zip(slopes, noise.exact(Knobs("lattice"), p, seed, periods)[1:], strict=True):
+                        self.assertLess(abs(a - b), 2**-11)
+
+    def test_derivatives(self) -> None:
+        self.check_derivatives()
+        self.check_fixed_derivatives()
+
+    def test_derivatives_of_another_component_are_noticed(self) -> None:
+        for factors in ((1, 0x84A5E5, 0xEB1831), (1, 0xEB1833, 0x84A5E7)):
+            right = Lattice.word
+
+            def other(lattice: Lattice, corner: list[int]) -> int:
+                if lattice.component == 0:
+                    return right(lattice, corner)
+                word = words.point_word("lattice", lattice.point(corner), lattice.seed)
+                return word // 256 * factors[lattice.component] % 2**32
+
+            def of_noise(noise: Noise, i: int) -> Noise:
+                def patched(in_cell: Callable) -> Callable:
+                    def found(*rest: object) -> tuple:
+                        with mock.patch.object(Lattice, "word", other):
+                            return in_cell(*rest)
+                    return found
+
+                found = components.component(noise, i)
+                return replace(found, exact_in_cell=patched(found.exact_in_cell),
+                               fixed_in_cell=patched(found.fixed_in_cell))
+
+            for check in (self.check_derivatives, self.check_fixed_derivatives):
+                with mock.patch.dict(globals(), component=of_noise), self.assertRaises(AssertionError):
+                    check()
+
+    def test_rows_are_of_the_component_that_they_name(self) -> None:
+        numbers = generator_of("component rows")
+        found = [function for function in read_functions() if function.component is not None]
+        self.assertEqual(len(found), 10)
+        for function, fixed in itertools.product(found, (False, True)):
+            n, noise = function.axes, component(noises.find(function.bound), function.component)
+            p, periods = [numbers.uniform(-8, 8) for _ in range(n)], (3, 0, 5)[:n] * function.has_period
+            place = tuple(p)
+            if function.has_cell:
+                cell = list(map(math.floor, p))
+                place = (*cell, *(x - c for x, c in zip(p, cell)), *periods)
+            right = (noise.fixed if fixed else noise.exact)(Knobs("lattice"), p, 5, periods)
+            self.assertEqual(evaluator(function, fixed)(Knobs("lattice"), (*place, 5)), right, function.id)
+            self.assertEqual(function.component, "xyz".index(function.id[-1]))
+
+    def test_components_that_are_not_there(self) -> None:
+        for n, i in ((1, 0), (2, 2), (4, 1)):
+            with self.assertRaisesRegex(ValueError, f"in {n}D has no component {i}"):
+                component(noises.find("value_d"), i).exact(Knobs("lattice"), (0.5,) * n)
 
     def test_of_a_noise_with_more_numbers_there_is_none(self) -> None:
         with self.assertRaises(ValueError):

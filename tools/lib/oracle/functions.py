@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from oracle import (frames, gradients, gullies, integers, noises, numbers, perlin_worley, positions, scatter, sums,
                     uniform, words)
+from oracle.components import component
 from oracle.curl import CURL
 from oracle.gradients import Knobs, Real
 from oracle.hexes import HEXES
@@ -111,6 +112,8 @@ def _noise_evaluator(function: Function, fixed: bool) -> Evaluate:
         noise = noises.find(function.noise)
     except LookupError as error:
         raise function.row.error(str(error)) from error
+    if function.component is not None:
+        noise = component(noise, function.component)
     return _evaluator(noise, function, fixed)
 
 

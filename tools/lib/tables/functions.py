@@ -144,6 +144,13 @@ class Function:
         return self.bound
 
     @property
+    def component(self) -> int | None:
+        """Which component of a vector it has with its derivatives: as 1 for noise2d.value_vector_d_y. None if it has
+        no such part."""
+        named = re.search(r"_vector_d(?:_\w+)?_([xyz])$", self.name)
+        return "xyz".index(named[1]) if named else None
+
+    @property
     def body(self) -> str:
         """Of a function of four vectors of words, a to d."""
         return self.row.arguments[6]

@@ -94,6 +94,9 @@ class Tables(unittest.TestCase):
                          (("vec2", "vec2", "int", "float", "float", "float", "uint"),))
         self.assertEqual(functions["noise2d.gullies_cell_period_footprint"].overloads,
                          (("place2", "float", "vec2", "int", "float", "float", "float", "uint"),))
+        self.assertEqual([functions[f"noise3d.{name}"].component for name in (
+            "value_vector_d_z", "perlin_vector_d_cell_period_y", "value_vector_d_x", "value_d", "phasor_d")],
+            [2, 1, 0, None, None])
         self.assertEqual(functions["noise3d.perlin_worley"].overloads,
                          (("vec3", "int", "float", "float"), ("vec3", "int", "float", "float", "uint")))
         self.assertEqual([functions[id].has_cell for id in ("fbm.fbm2", "fbm.weighted3_cell", "noise2d.perlin_cell",
