@@ -215,10 +215,10 @@ def fixed_cell_rows(n: int, generator: Generator) -> list[Row]:
 
 # --- Which rows a function has ----------------------------------------------------------------------------------
 
+# What makes the rows of sums that need other ones.
+OF_SUMS = {gullies_rows.BOUND: gullies_rows, perlin_worley_rows.BOUND: perlin_worley_rows}
 SIMPLEX = ("simplex_noise", "curl")  # the families above its lattices
 # Noises that jump at whole numbers have no values for negative coordinates that drivers may flush to 0.
-# The rows of sums of their own.
-OF_SUMS = {gullies_rows.BOUND: gullies_rows, perlin_worley_rows.BOUND: perlin_worley_rows}
 JUMPING = frozenset(noise.name for noise in catalog.model.read().noises if noise.jumps)
 LEAST = 2.0**-30
 
