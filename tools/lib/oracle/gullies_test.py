@@ -13,7 +13,6 @@ from unittest import mock
 from golden.generator import INT_MAX, INT_MIN, generator_of, to_f32
 from oracle import frames, gullies, noises, sums
 from oracle.gradients import Knobs, Real
-from oracle.integers import NOISE_UNIT
 from oracle.lattice import Choice
 from oracle.noises.phasor_test import naive
 from oracle.sums import Options

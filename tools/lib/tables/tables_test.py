@@ -90,6 +90,14 @@ class Tables(unittest.TestCase):
         self.assertEqual(functions["fbm.fbm2_detail"].overloads, (("vec2", "float", "float", "float", "uint"),))
         self.assertEqual(functions["fbm.fbm3_footprint"].overloads,
                          (("vec3", "float", "int", "float", "float", "uint"),))
+        self.assertEqual([functions[id].has_cell for id in ("fbm.fbm2", "fbm.weighted3_cell", "noise2d.perlin_cell",
+                                                            "hash.word")], [False, True, True, False])
+        self.assertEqual([functions[id].exact for id in ("hash.word", "gradient.lattice2", "gradient.sine2",
+                                                              "noise2d.cellular_nearest")],
+                         [True, True, False, False])
+
+    def test_sums_with_settings_of_their_own_and_components(self) -> None:
+        functions = {function.id: function for function in read_functions()}
         self.assertEqual(functions["noise2d.gullies"].overloads,
                          (("vec2", "vec2", "int", "float", "float", "float", "uint"),))
         self.assertEqual(functions["noise2d.gullies_cell_period_footprint"].overloads,
@@ -99,11 +107,6 @@ class Tables(unittest.TestCase):
             [2, 1, 0, None, None])
         self.assertEqual(functions["noise3d.perlin_worley"].overloads,
                          (("vec3", "int", "float", "float"), ("vec3", "int", "float", "float", "uint")))
-        self.assertEqual([functions[id].has_cell for id in ("fbm.fbm2", "fbm.weighted3_cell", "noise2d.perlin_cell",
-                                                            "hash.word")], [False, True, True, False])
-        self.assertEqual([functions[id].exact for id in ("hash.word", "gradient.lattice2", "gradient.sine2",
-                                                              "noise2d.cellular_nearest")],
-                         [True, True, False, False])
 
     def test_columns_of_candidates_and_checks(self) -> None:
         cells, periods = "cx:i32 cy:i32 cz:i32", "px:i32 py:i32 pz:i32"
