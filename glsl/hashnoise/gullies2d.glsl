@@ -18,7 +18,7 @@
 #if HN_ARITHMETIC == HN_FIXED
 
 HN_FN hn_int hn_i_eroding_slope(hn_float x) { return int(min(max(x, -8.0f), 8.0f) * 65536.0f); }
-HN_FN hn_int hn_i_eroded_slope(hn_int e, hn_int d) { return min(max(e + d, -524288), 524288); }
+HN_FN hn_int hn_i_eroded_slope(hn_int e, hn_int d) { return min(max(hn_i_wide_plus(e, d), -524288), 524288); }
 HN_FN hn_int hn_i_slope_of_waves(hn_float d) { return int(d * 65536.0f); }
 
 // r is in units of 2^-14, and 2048 is 1/8. A quotient is a multiple of 2^-21, so 3/2 of it is exact.
@@ -41,7 +41,7 @@ HN_FN hn_vec3 hn_i_gullies(hn_octaves2 octaves, hn_vec2 slope, hn_float depth) {
   hn_octaves2 o = octaves;
   hn_num deep = hn_i_setting(depth, 8.0f);
   hn_num growth = hn_i_growth(o.sum.gain, o.lacunarity);
-  hn_num scale = HN_I_WEIGHT_ONE;  // (gain * lacunarity)^i
+  hn_num steepening = deep;  // depth * (gain * lacunarity)^i
   hn_num2 before = hn_i_num(hn_i_eroding_slope(slope.x), hn_i_eroding_slope(slope.y));
   hn_num2 e = before;
   do {
@@ -50,10 +50,10 @@ HN_FN hn_vec3 hn_i_gullies(hn_octaves2 octaves, hn_vec2 slope, hn_float depth) {
     hn_num part = hn_i_weight_times(hn_i_steepness(r), hn_i_resolved(o.sum.footprint));
     hn_derivatives2x2 n = hn_phasor_d(o.place, wave, 0.0f, o.seed);
     o.sum = hn_i_with(o.sum, hn_i_octave(n.value.x), hn_i_weight_times(o.sum.weight, part));
-    hn_num rate = hn_i_wide_times(hn_i_wide_times(scale, deep), part);
+    hn_num rate = hn_i_wide_times(steepening, part);
     e = hn_i_num(hn_i_eroded_slope(e.x, hn_i_wide_times(hn_i_slope_of_waves(n.dx.x), rate)),
                  hn_i_eroded_slope(e.y, hn_i_wide_times(hn_i_slope_of_waves(n.dy.x), rate)));
-    scale = hn_i_wide_times(scale, growth);
+    steepening = hn_i_wide_times(steepening, growth);
     o.sum.footprint = hn_i_next_footprint(o.sum.footprint, o.lacunarity);
   } while (hn_next(o));
   bool none = hn_i_truth(o.sum.octaves < 1);

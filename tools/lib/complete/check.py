@@ -154,8 +154,10 @@ def noises_without_comments(tree: Tree) -> Iterator[str]:
 
 def entries_without_a_noise(tree: Tree) -> Iterator[str]:
     noises = {function.noise for function in tree.noises}
-    # What is built on noise may have bounds of its own: hn_curl has.
-    known = {"oracle": noises, "bounds": noises | {function.bound for function in tree.functions}}
+    # What is built on noise may have bounds of its own: hn_curl has. Vectors with derivatives have those of their
+    # components, under their name.
+    known = {"oracle": noises, "bounds": noises | {function.bound for function in tree.functions} |
+             {function.calls.removeprefix("hn_") for function in tree.functions if function.component is not None}}
     for of in ("oracle", "bounds"):
         folder = tree.root / Path(ENTRIES.format(of, "")).parent
         for path in sorted(folder.glob("[a-z]*")):
@@ -174,7 +176,7 @@ def functions_that_are_not_in_the_catalog(tree: Tree) -> Iterator[str]:
             for file, entries in (("noises.toml", catalog.noises), ("sums.toml", catalog.sums))
             for entry in entries for axes in range(entry.first, entry.last + 1)}
     noises = {(function.calls, function.axes) for function in tree.noises
-              if not function.has_wave and not function.noise.endswith("_vector_d")}
+              if not function.has_wave and function.component is None}
     sums = {(declared.name, declared.dimensions_of_sum) for declared in tree.declarations
             if declared.dimensions_of_sum and declared.name not in ("hn_gullies", "hn_perlin_worley")}
     for name, axes in sorted((noises | sums) - rows.keys()):

@@ -81,11 +81,11 @@ def fixed_unit(e: Sequence[int]) -> tuple[list[int], int]:
 
 
 def fixed_growths(options: Options) -> Iterator[int]:
-    """prod(c_i, P) of each octave, without end."""
-    depth, c = sums.in_weights(options.depth, LARGEST_DEPTH), 2**18
+    """c_i of each octave, without end."""
+    c = sums.in_weights(options.depth, LARGEST_DEPTH)
     m = sums.in_weights(options.gain) * math.trunc(options.lacunarity * 2**23) >> 23
     while True:
-        yield prod(c, depth)
+        yield c
         c = prod(c, m)
 
 

@@ -85,7 +85,7 @@ VECTORS = (
     ((4, -3), (2**24, 12345), (5, 3), (3, 2.75, 0.5, 0.2, 0.01, -0.004, 0.1), MASK,
      (-26031, -2198, 2890)),
     ((INT_MAX, INT_MIN), (2**24, 8388608), (0, INT_MAX), (4, 2.0, 0.7, 0.3, 9.5, -3e38, 0.05), 5,
-     (75102, 0, 576122)),
+     (75102, 0, 576118)),
     ((1000, -77), (16777215, 1), (48, 1000003), (33, 2.0, 0.5, 8.0, -8.0, 0.5, 0.0), 77,
      (-14264464, 1048576, 491520)),
     ((6, 6), (4194304, 4194305), (7, 7), (2, 255.0, 0.2, 0.25, 1.0, 1e-40, 1 / 7), 3,
@@ -250,10 +250,11 @@ class ByHand(unittest.TestCase):
             return list(itertools.islice(gullies.fixed_growths(options), count))
 
         self.assertEqual(growths(4, 3.9, 0.5, 0.75), [3 * 2**16 * 3**i // 2**i for i in range(4)])
-        # They wrap where a depth is small and an octave counts more than 2^13 times as much as the first.
-        self.assertEqual(growths(14, 2.0, 1.0, 2.0**-9)[-2:], [2**21, -2**22])
+        self.assertEqual(growths(14, 2.0, 1.0, 2.0**-9)[-2:], [2**21, 2**22])
+        # They wrap far beyond the domain.
+        self.assertEqual(growths(14, 2.0, 1.0, 1.0)[-1], -2**31)
         with mock.patch.object(frames, "wrapped", lambda n: n):
-            self.assertEqual(growths(14, 2.0, 1.0, 2.0**-9)[-1], 2**22)
+            self.assertEqual(growths(14, 2.0, 1.0, 1.0)[-1], 2**31)
 
 
 if __name__ == "__main__":
