@@ -18,9 +18,9 @@ namespace {
 //
 //   (G / 8 + 3/2 G' r) / (r + 1/8)^2 * d
 //
-// and this is the larger the nearer r is to 0, or to where it is largest. No octave takes e further than A*f*G*s. So r is
-// known to be in a range, and it is so between e and what is computed in its place, too. A clamp brings no two vectors
-// further apart. Errors and slopes are lengths.
+// and this is the larger the nearer r is to 0, or to where it is largest. No octave takes e further than A*f*G*s. So r
+// is known to be in a range, and, but for d, it is in that between e and what is computed in its place, too. A clamp
+// brings no two vectors further apart. Errors and slopes are lengths.
 //
 // ROUNDINGS. A square root is within 6 ulp and a quotient within 3 (docs/accuracy.md). The sum of the squares rounds
 // twice, which moves the root by one, and the sum with 1/8 once; so r is off by 7, s by 18 and u by 11 of kUnit. The
@@ -99,6 +99,7 @@ GulliesTolerance gullies_tolerance(const GulliesArguments& arguments, const Gull
   Slope slope{std::max(arguments.slope - kSmallSlope, 0.0), arguments.slope, kSmallSlope};
   double weight = 1.0;
   double rate = depth;
+  double moved = 0.0;
   double sum = 0.0;
   double sum_error = 0.0;
   Total total;
@@ -114,6 +115,7 @@ GulliesTolerance gullies_tolerance(const GulliesArguments& arguments, const Gull
     sum_error += term_error + rounding_of(i + 4) * (weight * height.largest + term_error) + 2.0 * kTiny;
     sum_error += kUnit * (sum + sum_error);
     slope = next_slope(slope, rate, step, i);
+    moved = std::min(moved + rate * step.largest, 2.0 * kLargestSlope);
     total.add_octave(octaves.gain);
     weight *= octaves.gain;
     rate *= octaves.gain * octaves.lacunarity;
@@ -121,7 +123,7 @@ GulliesTolerance gullies_tolerance(const GulliesArguments& arguments, const Gull
   }
   const double most = 2.0 * depth * (total.value + total.error);
   const double height = std::min(depth * (sum_error + kUnit * (sum + sum_error)), most) + kSettled + kTiny;
-  const double added = slope.error + kUnit * (2.0 * kLargestSlope + slope.error);
+  const double added = slope.error + kUnit * (moved + slope.error);
   return {height, std::min(added, 2.0 * kLargestSlope * (1.0 + kUnit)) + kSettled};
 }
 

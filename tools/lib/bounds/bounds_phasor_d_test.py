@@ -1,5 +1,5 @@
-"""Tests of what is proven of the derivatives of phasor noise: the models of docs/contract.md and the text of the library
-stay within the bounds, and reach a part of them. A wrong constant is noticed."""
+"""Tests of what is proven of the derivatives of phasor noise: the models of docs/contract.md and the text of the
+library stay within the bounds, and reach a part of them. A wrong constant is noticed."""
 
 import functools
 import unittest

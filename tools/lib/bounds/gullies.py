@@ -1,9 +1,10 @@
-"""hn_gullies: what is proven of the waves of its octaves, and how far the sum may be off, from docs/contract.md, section
-24. float_sums.py has the same of floats, for which the suite has the formula: conformance/expected/gullies.cpp.
+"""hn_gullies: what is proven of the waves of its octaves, and how far the sum may be off in fixed arithmetic, from
+docs/contract.md, section 24. The suite has the formula of floats, and float_sums.py asks it:
+conformance/expected/gullies.cpp has the proof.
 
 WAVES. A wave is k = 3/2 (-u_y, u_x) with |u| < 1, so it is shorter than 3/2. The bounds of value and derivatives are
-those of phasor noise for 3/2 waves along each axis. How long the vector g of both derivatives is, and how fast v and g
-change with k, is bounded by a sum over the points of
+those of phasor noise for 3/2 waves along each axis. How long the vector g of both derivatives is, and how fast v
+and g change with k, is bounded by a sum over the points of
 
     G            hypot(2 m w' |d|, |k| w)                              in units of 1 / cells, times 2 pi with each k
     of v         2 pi |d| w
@@ -17,20 +18,28 @@ STEP. An octave takes the slope e to e + A |u| g(k), A = depth (gain L)^i f. Wit
 
     (G / 8 + 3/2 G' r) / (r + 1/8)^2 s
 
-with G' for g, and |u| v likewise. A clamp brings no two slopes further apart."""
+with G' for g, and |u| v likewise. A clamp brings no two slopes further apart.
+
+FIXED. The square of r rounds down by less than 2^-20. That moves r by less than 2^-20 / r, and by 2^-10 at most; the
+root rounds down by less than 2^-14. So r times the first is below 2^-20, and u is off by both over (r + 1/8)^2, but for
+a hundredth. Each of its components is rounded down to 2^-21. |u| is rounded down to 2^-18 twice, and so is its product
+with a rate or a weight. Rates and weights are compared with the exact ones as they are."""
 
 from __future__ import annotations
 
 import functools
 import math
-from dataclasses import astuple, dataclass, replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from bounds.boxes import Boxes, cell, supremum
+from bounds.integers import FADE_ONE, UNIT
 from bounds.kernels import Offsets
 from bounds.noises import phasor, phasor_d
 from bounds.noises.phasor import KERNELS, TURN, Waves, scale_of
+from bounds.steps import WEIGHT_UNIT
+from bounds.sums import Sum, doubled, fixed_fades, fixed_weights, whole_positions
 from bounds.table import GulliesBounds
 
 LONGEST = 3 / 2  # wave
@@ -84,3 +93,92 @@ def bounds() -> GulliesBounds:
     value, slope = phasor.derived_value(PLANE), phasor_d.derived_slope(PLANE)
     return GulliesBounds(value.cell_error, value.lipschitz, largest("turning"), slope.cell_error, slope.lipschitz,
                          largest("turning_slope"), largest("steep"), value.fixed_error, slope.fixed_error)
+
+
+# --- The sum, fixed ---------------------------------------------------------------------------------------------------
+
+FLAT = 1 / 8
+LARGEST_SLOPE = math.sqrt(2) * 8
+SLOPE_UNIT, ROOT_UNIT = 2.0**-16, 2.0**-14
+LARGEST_RATE = 64.0  # for which the bounds are promised
+COARSE = 127  # what a large height loses at most, in its units
+
+
+def clamped_depth(depth: float) -> float:
+    return min(max(depth, 0.0), 8.0)
+
+
+def is_bounded(s: Sum, depth: float) -> bool:
+    """Whether the bounds are promised for these arguments."""
+    return (0 <= s.lacunarity <= 255 and 0 <= s.gain <= 1 and s.octaves <= 32
+            and all(clamped_depth(depth) * (s.gain * s.lacunarity)**i <= LARGEST_RATE for i in range(s.count)))
+
+
+def largest_rate(a: float, b: float, r: float) -> float:
+    """The largest (a / 8 + b r) / (r + 1/8)^2 from some r on: it rises up to an r, and falls from there."""
+    at = max(r, FLAT * (1 - 2 * a / b))
+    return (a * FLAT + b * at) / (at + FLAT)**2
+
+
+@dataclass(frozen=True)
+class Slope:
+    """How long it is at least and at most, and its error."""
+    least: float
+    most: float
+    error: float
+
+    @property
+    def steepness(self) -> float:
+        return self.most / (self.most + FLAT)
+
+    def next(self, step: float, error: float) -> Slope:
+        return Slope(max(self.least - step, 0.0), min(self.most + step, LARGEST_SLOPE), min(error, 2 * LARGEST_SLOPE))
+
+
+def fixed_product_error(slope: Slope, limit: float, turn: float, error: float) -> float:
+    """Of |u| times a number that is at most that large, changes with k as `turn` says, and has that error."""
+    nearest = max(slope.least - slope.error, 0.0)
+    root_error = min(2.0**-10, 2.0**-20 / nearest if nearest else 1.0) + ROOT_UNIT
+    of_u = 1.01 * (2.0**-20 / (nearest + FLAT)**2 + ROOT_UNIT * largest_rate(0.0, 1.0, nearest))
+    of_size = 1.01 * FLAT * root_error / (nearest + FLAT)**2 + 2.0**-21 + 2 * WEIGHT_UNIT
+    of_number = min(turn * LONGEST * (of_u + math.sqrt(2) * 2.0**-21) + error, 2 * limit)
+    off = largest_rate(limit, LONGEST * turn, nearest) * slope.error
+    return min(off + slope.steepness * of_number + of_size * (limit + of_number), 2.001 * limit)
+
+
+def fixed_rates(s: Sum, depth: float) -> list[float]:
+    """Of each octave the number that is multiplied with |u| g."""
+    deep, c = math.trunc(clamped_depth(depth) * FADE_ONE), FADE_ONE
+    growth, rates = math.trunc(s.gain * FADE_ONE) * math.trunc(s.lacunarity * 2**23) >> 23, []
+    for _ in range(s.count):
+        rates.append((c * deep >> 18) / FADE_ONE)
+        c = c * growth >> 18
+    return rates
+
+
+def fixed_tolerance(s: Sum, slope: float, depth: float, bounds: GulliesBounds) -> tuple[float, float]:
+    """The largest error of the height and of a slope, for a slope of that length, in a tile."""
+    if not is_bounded(s, depth):
+        return math.inf, math.inf
+    deep, cut = clamped_depth(depth), math.trunc(clamped_depth(depth) * FADE_ONE) / FADE_ONE
+    if not s.count or not deep:
+        return 0.0, 0.0
+    e = Slope(slope, slope, math.sqrt(2) * SLOPE_UNIT)
+    height, total, fades = 0.0, 0.0, doubled(s).fades
+    octaves = zip(fixed_weights(s), fixed_fades(doubled(s)), fixed_rates(s, depth), whole_positions(s, 2))
+    for i, (weight, fade, rate, position_error) in enumerate(octaves):
+        weight, fade, exact_weight, exact_rate = weight / FADE_ONE, fade / FADE_ONE, s.gain**i, deep * (
+            s.gain * s.lacunarity)**i
+        of_fade = abs(fade - fades[i])
+        of_value = fixed_product_error(e, 1.0, bounds.turn, bounds.lipschitz * position_error + bounds.fixed_value)
+        height += weight * (fade * of_value + of_fade) + abs(weight - exact_weight) + WEIGHT_UNIT + 2 * UNIT
+        total += exact_weight * fades[i] * e.steepness
+        of_slope = fixed_product_error(e, bounds.steepest, bounds.slope_turn, math.sqrt(2) * (
+            bounds.slope_lipschitz * position_error + bounds.fixed_slope))
+        largest = bounds.steepest * e.steepness * fades[i]
+        error = rate * (fade * of_slope + of_fade * bounds.steepest) + abs(rate - exact_rate) * largest
+        error += 1.01 * bounds.steepest * WEIGHT_UNIT + math.sqrt(2) * SLOPE_UNIT
+        e = e.next(exact_rate * largest, e.error + error)
+    most = 2 * deep * sum(s.weights)
+    error = min(cut * height + (deep - cut) * total + UNIT, most)
+    return error + (COARSE * UNIT if deep * total >= 7 else 0.0), min(e.error, 16.0)

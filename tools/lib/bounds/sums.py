@@ -6,7 +6,7 @@ from __future__ import annotations
 import functools
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -64,6 +64,11 @@ class Sum:
             return [1.0] * self.count
         finer = max(self.lacunarity, 1.0)
         return [min(max(1.5 - self.footprint * finer**i, 0.0), 1.0) for i in range(self.count)]
+
+
+def doubled(s: Sum) -> Sum:
+    """With twice the footprint, as gullies have it."""
+    return s if s.footprint is None else replace(s, footprint=2 * s.footprint)
 
 
 LARGEST_STRENGTH = {name: float(sum_.strength.most) for name, sum_ in CATALOG.items() if sum_.strength}

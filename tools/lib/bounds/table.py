@@ -35,7 +35,7 @@ HEAD = """\
 //
 //   GULLIES_BOUNDS(value, lipschitz, turn, slope, slope_lipschitz, slope_turn, steepest, fixed_value, fixed_slope)
 //
-//   value         the error of the waves of gullies in floats, from a cell; slope, that of a component of their derivative
+//   value         the error of the waves of gullies in floats, from a cell; slope, that of a derivative of theirs
 //   lipschitz     how fast they change with the position; turn, with the length by which a wave changes
 //   steepest      how long the vector of their derivatives is at most
 
