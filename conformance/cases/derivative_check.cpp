@@ -59,10 +59,16 @@ Stencil polynomial_through_cell(const Place& place) {
 // both sides is off by no more than the third derivative times the square of the step over 6: that needs a second
 // derivative that changes no faster, and no third one. At the step of cbrt(3 error / third) this and the errors of the
 // values, over the step, are the least together. It is a multiple of 2^-12, which positions of this size hold exactly.
-Stencil difference_to_both_sides(const Place& place, int axes, double value_error) {
-  const double third = simplex_third_derivative(axes);
+Stencil difference_to_both_sides(const Place& place, double third, double value_error) {
   const double step = std::max(std::round(std::cbrt(3.0 * value_error / third) * 0x1p12), 1.0) * 0x1p-12;
   return {{moved(place, -step), moved(place, step)}, {-0.5 / step, 0.5 / step}, third * step * step / 6.0};
+}
+
+// Along an axis.
+double third_derivative(const Function& function, std::span<const std::uint32_t> inputs, std::size_t axis) {
+  if (!function.takes_wave()) return simplex_third_derivative(function.axes);
+  const std::size_t word = static_cast<std::size_t>(function.input("kx")) + axis;
+  return phasor_third_derivative(function.axes, static_cast<double>(std::bit_cast<float>(inputs[word])));
 }
 
 // The third derivative of a distance r along an axis is 3 (1 - c^2) c / r^2 at most, where c is the cosine of the angle
@@ -136,8 +142,10 @@ Outcome check_derivative(Session& session, const Evaluation& evaluation) {
     for (const Place& place : places) {
       stencils[i].push_back(function.is_cellular()
                                 ? difference_of_distances(place, searched(function, configuration, words).first)
-                            : function.is_simplex_noise() ? difference_to_both_sides(place, function.axes, error)
-                                                          : polynomial_through_cell(place));
+                            : function.is_simplex_noise()
+                                ? difference_to_both_sides(place, third_derivative(function, words, stencils[i].size()),
+                                                           error)
+                                : polynomial_through_cell(place));
     }
   }
   const auto derivatives = evaluate(session, evaluation, inputs);

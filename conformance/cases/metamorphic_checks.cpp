@@ -65,7 +65,7 @@ struct Variant {
 
 // It is held against the noise, or the sum, without a derivative.
 bool has_value_with_derivative(const Function& function) {
-  return function.is_derived() && function.outputs.front().name == "value";
+  return function.is_derived() && function.outputs.front().name == "value" && has_plain_noise(function);
 }
 
 constexpr std::array kVariants = {

@@ -63,6 +63,20 @@ double largest_slope_of(const Function& function, const Configuration& configura
   return fixed && sum > 64.0 ? 4096.0 : largest;
 }
 
+// Of a height, and of what is added to a slope of which both ends are cut off. Integers round down with each octave.
+double largest_of_gullies(const Function& function, const Configuration& configuration,
+                          std::span<const std::uint32_t> inputs, std::size_t output) {
+  if (function.is_slope(output)) return 16.0;
+  const bool fixed = configuration.arithmetic == Arithmetic::fixed;
+  const double gain = number(function, inputs, "gain");
+  const auto octaves = static_cast<std::int32_t>(inputs[static_cast<std::size_t>(function.input("octaves"))]);
+  double total = 0.0;
+  for (int i = 0; i < std::min(octaves, fixed ? 32 : octaves); ++i) {
+    total += std::pow(fixed ? std::clamp(gain, 0.0, 1.0) : gain, i);
+  }
+  return 1.00001 * std::clamp(number(function, inputs, "depth"), 0.0, 8.0) * total + (fixed ? 0x1p-12 : 0.0);
+}
+
 // What an output of the function can be; those of some depend on their settings.
 Range range_of(const Function& function, const Configuration& configuration, std::span<const std::uint32_t> inputs,
                std::size_t output) {
@@ -71,6 +85,11 @@ Range range_of(const Function& function, const Configuration& configuration, std
     // A slope is largest with the smallest reach, 1/16. The root of a ratio of variances is at most that of 8.
     return {0.0f, name == "slope" ? 64.01f : name == "reach" ? 8.5f : 1.0f};
   }
+  if (function.is_gullies()) {
+    const auto largest = static_cast<float>(largest_of_gullies(function, configuration, inputs, output));
+    return {-largest, largest};
+  }
+  if (function.bound == "perlin_worley") return {0.0f, 1.0f};
   if (function.is_octave_sum() && function.is_slope(output)) {
     const auto slope = static_cast<float>(largest_slope_of(function, configuration, inputs));
     return {-slope, slope};

@@ -53,15 +53,15 @@ std::vector<Relation> further_cases_of(const Evaluation& evaluation, const Targe
   const bool once = configuration.is_default();  // for what does not depend on the knobs
   // HN_FIXED converts a noise of the user's to an integer.
   const bool takes_noise = once || configuration.name == "lattice+fixed";
-  if (takes_noise && function.is_octave_sum()) add("other_noise", check_other_noise);
+  if (takes_noise && function.is_sum_of_noise()) add("other_noise", check_other_noise);
   if (!profile.es && (function.id.ends_with("cellular_cell_nearest") || function.id.ends_with("cell_border_nearest"))) {
     further.push_back({"cell_names", CheckKind{evaluation, check_cell_names}, nullptr, 4});
   }
   if (!function.has_slopes()) return further;
-  if (function.is_octave_sum()) {
+  if (function.is_sum_of_noise()) {
     // The errors of sums in integers are no part of this suite: golden files have their bits.
     if (configuration.arithmetic != Arithmetic::fixed) add("derivative", check_slope_sum, &plain_noise_of(function));
-  } else if (function.is_noise()) {
+  } else if (function.is_noise() && has_plain_noise(function)) {
     add("derivative", check_derivative, &plain_noise_of(function));
   }
   return further;

@@ -138,8 +138,10 @@ Place random_place(const Function& function, std::int64_t period, Random& random
   return {beside < -reach || beside >= reach ? anywhere : beside, eighths};
 }
 
-// What is made of simplex noise.
-bool is_of_simplex(const Function& function) { return function.is_simplex_noise() || function.family == Family::curl; }
+// What is made of simplex noise, or of its lattice.
+bool is_of_simplex(const Function& function) {
+  return function.is_simplex_noise() || function.family == Family::curl || function.is_gullies();
+}
 
 // After how many cells a field repeats without a period: simplex noise on the plane has two lattice points to a cell
 // along each axis. All others repeat after 2^32 cells, which is the same int.
@@ -421,7 +423,7 @@ Pairing whole_detail_pairing(const Evaluation& evaluation, std::uint64_t seed, s
                     has_same_bits(function, evaluation.configuration));
 }
 
-// Up to half a cell of the last octave, none fades. With floats the compiler may contract the two in other
+// Up to half a cell of the last octave, or a quarter of those of gullies, none fades. With floats the compiler may contract the two in other
 // ways.
 Pairing small_footprint_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points) {
   const Function& function = evaluation.function;
@@ -432,8 +434,9 @@ Pairing small_footprint_pairing(const Evaluation& evaluation, std::uint64_t seed
     const auto here = std::span(inputs).subspan(i, kInputWords);
     const auto octaves = static_cast<std::int32_t>(here[static_cast<std::size_t>(function.input("octaves"))]);
     const auto lacunarity = std::bit_cast<float>(here[static_cast<std::size_t>(function.input("lacunarity"))]);
-    const auto most =
-        static_cast<float>(0.5 / std::pow(std::max(static_cast<double>(lacunarity), 1.0), std::max(octaves - 1, 0)));
+    const double of_last = function.is_gullies() ? 0.25 : 0.5;
+    const auto most = static_cast<float>(
+        of_last / std::pow(std::max(static_cast<double>(lacunarity), 1.0), std::max(octaves - 1, 0)));
     const float footprint = random.below(4) == 0 ? 0.0f : random.below(2) == 0 ? most : random.uniform(0.0f, most);
     put_float(function, here, "footprint", footprint);
   }

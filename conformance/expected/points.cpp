@@ -38,12 +38,13 @@ std::uint32_t random_count(Random& random) {
 // Where a point lies. All coordinates of a point share it.
 enum class Region { near, negative, lattice, far, very_far, extreme, steep };
 // The last two only where they are asked for. A steep point is one of an octave sum at a position: a tiny one, which a
-// huge lacunarity makes large. (From a cell a lacunarity beyond 255 is cut off.)
+// huge lacunarity makes large. (From a cell, and of gullies, a lacunarity beyond 255 is cut off.)
 constexpr std::uint32_t kRegions = 5;
 
 std::uint32_t regions_of(const Function& function, Extremes extremes) {
   if (extremes == Extremes::none) return kRegions;
-  const bool steep = function.is_octave_sum() && !function.takes_cell() && extremes == Extremes::floats;
+  const bool steep =
+      function.is_octave_sum() && !function.takes_cell() && !function.is_gullies() && extremes == Extremes::floats;
   return steep ? kRegions + 2 : kRegions + 1;
 }
 
@@ -201,6 +202,34 @@ float random_amplitude(const Function& function, Region region, Extremes extreme
   return random.below(2) == 0 ? usual : kSome[random.below(kSome.size())];
 }
 
+// Of gullies: what people use, none, its end, beyond, and so little that HN_PRECISE sees nothing of it. An error grows
+// with each octave, by more for a larger depth: so most are small.
+float random_depth(Region region, Extremes extremes, Random& random) {
+  if (region == Region::extreme && extremes == Extremes::integers && random.below(2) == 0) {
+    return random_extreme(128, random);
+  }
+  constexpr std::array kSome = {0.0f, 8.0f, 9.0f, -1.0f, 0x1p-20f, 1e-30f};
+  if (random.below(4) != 0) return random.uniform(0.0f, 0.5f);
+  return random.below(2) == 0 ? 0.1f : kSome[random.below(kSome.size())];
+}
+
+// A component of the slope that gullies run down: mostly of hills, often flat or nearly so, where gullies turn fast, and
+// now and then at an end or beyond.
+float random_slope(Region region, Random& random) {
+  if (region == Region::extreme && random.below(2) == 0) return random_extreme(128, random);
+  constexpr std::array kSome = {8.0f, -8.0f, 9.5f, -100.0f};
+  switch (random.below(8)) {
+    case 0:
+      return 0.0f;
+    case 1:
+      return random_magnitude(-20, -2, random);
+    case 2:
+      return random.below(2) == 0 ? kSome[random.below(kSome.size())] : random.uniform(-9.0f, 9.0f);
+    default:
+      return random.uniform(-3.0f, 3.0f);
+  }
+}
+
 // Seldom more than a few: points are drawn in groups, and a group takes as long as the point with the most.
 std::uint32_t extreme_octaves(Extremes extremes, Random& random) {
   constexpr std::array<std::uint32_t, 6> kEdges = {0xFFFFFFFFu, 0x80000000u, 31u, 32u, 33u, 0x7FFFFFFFu};
@@ -233,6 +262,7 @@ float random_setting(const Function& function, std::string_view name, Region reg
   if (name == "footprint") return random_footprint(region, extremes, random);
   if (name == "strength") return random_strength(function, region, extremes, random);
   if (name == "amplitude") return random_amplitude(function, region, extremes, random);
+  if (name == "depth") return random_depth(region, extremes, random);
   if (region == Region::steep && name == "lacunarity")
     return random_magnitude(20, has_frame(function) ? 29 : 126, random);
   if (region == Region::extreme && extremes == Extremes::integers && random.below(2) == 0) {
@@ -352,8 +382,8 @@ float random_of_distribution(std::string_view name, Region region, Random& rando
 }
 
 bool is_setting(std::string_view name) {
-  constexpr std::array<std::string_view, 6> kSettings = {"lacunarity", "gain",      "strength",
-                                                         "amplitude",  "footprint", "detail"};
+  constexpr std::array<std::string_view, 7> kSettings = {"lacunarity", "gain",   "strength", "amplitude",
+                                                         "footprint",  "detail", "depth"};
   return std::ranges::find(kSettings, name) != kSettings.end();
 }
 
@@ -363,6 +393,7 @@ float random_float(const Column& column, const Function& function, Region region
   if (column.name == "phase") return random_phase(region, random);
   if (column.name.starts_with("k")) return random_wave(region, random);
   if (column.name == "jitter") return random_jitter(region, random);
+  if (column.name == "ex" || column.name == "ey") return random_slope(region, random);
   if (!column.name.starts_with("f")) return random_coordinate(region, function.is_octave_sum(), extremes, random);
   return region == Region::extreme ? extreme_fraction(extremes, random) : random_fraction(random);
 }

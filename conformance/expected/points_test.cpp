@@ -160,6 +160,24 @@ TEST(Points, StrengthsLieInTheirRangeAtItsEndsAndBeyond) {
   }
 }
 
+TEST(Points, GulliesRunDownHillsAndFlatGround) {
+  for (const std::string_view id : {"noise2d.gullies", "noise2d.gullies_cell_period_footprint"}) {
+    const auto depths = column_of(id, "depth");
+    EXPECT_GT(count_floats(depths, [](float d) { return d > 0.0f && d <= 0.5f; }), 8000) << id;
+    for (const float value : {0.0f, 8.0f, 9.0f, -1.0f}) {
+      EXPECT_GT(count_floats(depths, [&](float d) { return d == value; }), 100) << id;
+    }
+    for (const std::string_view axis : {"ex", "ey"}) {
+      const auto slopes = column_of(id, axis);
+      EXPECT_GT(count_floats(slopes, [](float e) { return std::fabs(e) <= 3.0f; }), 8000) << id;
+      EXPECT_GT(count_floats(slopes, [](float e) { return e == 0.0f; }), 1000) << id;
+      EXPECT_GT(count_floats(slopes, [](float e) { return std::fabs(e) > 8.0f; }), 200) << id;
+      EXPECT_GT(count_floats(column_of(id, axis, Extremes::floats), [](float e) { return std::fabs(e) > 1e20f; }), 50);
+    }
+    EXPECT_EQ(count_steep(id, Extremes::floats).first, 0) << id;
+  }
+}
+
 TEST(Points, FootprintsAreOfAllSizes) {
   const auto footprints = column_of("fbm.fbm3_footprint", "footprint");
   for (const float value : {0.0f, 3.0f}) {

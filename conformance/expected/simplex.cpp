@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 namespace hn {
@@ -28,6 +29,12 @@ Kernel kernel_of(int axes) {
   return {1.0, 2.0, 1.0, 0.0, 4298.0 / 1024.0, 1.0, 1.4143};
 }
 
+// Of phasor noise, which has no gradients.
+Kernel waves_of(int axes) {
+  if (axes == 2) return {819.0 / 1024.0, 1.0, 3.0, -2.0, 1428.0 / 1024.0, 2.0, 1.0};
+  return {1.0, 2.0, 1.0, 0.0, 1022.0 / 1024.0, 1.0, 1.0};
+}
+
 // The lattice points that count anywhere in the part of space that is searched, in steps: a square of one step on the
 // plane, where two rows count; else the part of a cell that is nearest to one corner.
 std::vector<Place> points_of(int axes) {
@@ -46,38 +53,45 @@ std::vector<Place> points_of(int axes) {
   return points;
 }
 
-// With u = d along the axis, R = g . d, t' = -2 m u and t'' = -2 m, the third derivative of w(t) R is
-//   (w''' t'^3 + 3 w'' t' t'') R + 3 (w'' t'^2 + w' t'') R'
-// and |R| <= longest * |d|, |R'| <= longest.
-double third(const Kernel& kernel, double u, double distance) {
+// The weight and its derivatives along an axis, with u = d along that, t' = -2 m u and t'' = -2 m:
+//   w    w' t'    w'' t'^2 + w' t''    w''' t'^3 + 3 w'' t' t''
+using Derivatives = std::array<double, 4>;
+Derivatives weight_at(const Kernel& kernel, double u, double distance) {
   const double t = std::max(kernel.r - kernel.m * distance * distance, 0.0);
   const double t1 = -2.0 * kernel.m * u;
   const double t2 = -2.0 * kernel.m;
+  const double w = kernel.cubic * t * t * t + kernel.quartic * t * t * t * t;
   const double w1 = 3.0 * kernel.cubic * t * t + 4.0 * kernel.quartic * t * t * t;
   const double w2 = 6.0 * kernel.cubic * t + 12.0 * kernel.quartic * t * t;
   const double w3 = 6.0 * kernel.cubic + 24.0 * kernel.quartic * t;
-  return kernel.longest * (std::fabs(w3 * t1 * t1 * t1 + 3.0 * w2 * t1 * t2) * distance +
-                           3.0 * std::fabs(w2 * t1 * t1 + w1 * t2));
+  return {w, w1 * t1, w2 * t1 * t1 + w1 * t2, w3 * t1 * t1 * t1 + 3.0 * w2 * t1 * t2};
+}
+
+// The third derivative of w(t) R with R = g . d is w^(3) R + 3 w^(2) R', and |R| <= longest * |d|, |R'| <= longest.
+double third(const Kernel& kernel, double u, double distance) {
+  const Derivatives w = weight_at(kernel, u, distance);
+  return kernel.longest * (std::fabs(w[3]) * distance + 3.0 * std::fabs(w[2]));
 }
 
 // The sum over the points. One that is a little beyond the radius counts as if it were there: the third derivative jumps
 // at the radius, and the places are those of a grid.
-double third_at(const Kernel& kernel, const std::vector<Place>& points, const Place& place, std::size_t axis,
-                double reach) {
+template <typename OfPoint>
+double sum_at(const Kernel& kernel, const std::vector<Place>& points, const Place& place, std::size_t axis,
+              double reach, const OfPoint& of_point) {
   double sum = 0.0;
   for (const Place& at : points) {
     double square = 0.0;
     for (std::size_t i = 0; i < place.size(); ++i) square += (place[i] - at[i]) * (place[i] - at[i]);
     const double distance = std::sqrt(square);
-    if (distance < std::sqrt(kernel.r / kernel.m) + reach) sum += third(kernel, place[axis] - at[axis], distance);
+    if (distance < std::sqrt(kernel.r / kernel.m) + reach) sum += of_point(kernel, place[axis] - at[axis], distance);
   }
   return sum;
 }
 
 // By numbers of places along an axis that make a grid of some thousands; the lattices of three and four dimensions are
 // the same along each axis.
-double searched(int axes) {
-  const Kernel kernel = kernel_of(axes);
+template <typename OfPoint>
+double searched(const Kernel& kernel, int axes, const OfPoint& of_point) {
   const std::vector<Place> points = points_of(axes);
   const int places = axes == 2 ? 65 : axes == 3 ? 17 : 9;
   const double spacing = (axes == 2 ? 1.0 : 0.5) / (places - 1);
@@ -91,18 +105,44 @@ double searched(int axes) {
     // No place is farther than this from one of the grid.
     const double reach = spacing * std::sqrt(axes) / 2.0;
     for (std::size_t axis = 0; axis < (axes == 2 ? 2u : 1u); ++axis) {
-      largest = std::max(largest, third_at(kernel, points, place, axis, reach));
+      largest = std::max(largest, sum_at(kernel, points, place, axis, reach, of_point));
     }
   }
   // Between the places of the grid it is larger by less than a tenth.
-  return 1.1 * largest * kernel.scale * std::pow(kernel.steps, 3.0);
+  return 1.1 * largest * kernel.scale;
+}
+
+double found_third(int axes) {
+  const Kernel kernel = kernel_of(axes);
+  return searched(kernel, axes, third) * std::pow(kernel.steps, 3.0);
+}
+
+// Of the sum of the weights, per cell, each order.
+Derivatives found_waves(int axes) {
+  const Kernel kernel = waves_of(axes);
+  Derivatives found{};
+  for (std::size_t order = 0; order < found.size(); ++order) {
+    const auto of_point = [order](const Kernel& of, double u, double distance) {
+      return std::fabs(weight_at(of, u, distance)[order]);
+    };
+    found[order] = searched(kernel, axes, of_point) * std::pow(kernel.steps, static_cast<double>(order));
+  }
+  return found;
 }
 
 }  // namespace
 
 double simplex_third_derivative(int axes) {
-  static const std::array<double, 3> kFound = {searched(2), searched(3), searched(4)};
+  static const std::array<double, 3> kFound = {found_third(2), found_third(3), found_third(4)};
   return kFound[static_cast<std::size_t>(axes - 2)];
+}
+
+// The waves are turned by an angle whose derivative along the axis is 2 pi times their number.
+double phasor_third_derivative(int axes, double waves) {
+  static const std::array<Derivatives, 2> kFound = {found_waves(2), found_waves(3)};
+  const Derivatives& w = kFound[static_cast<std::size_t>(axes - 2)];
+  const double rate = 2.0 * std::numbers::pi * std::min(std::fabs(waves), 16.0);
+  return w[3] + 3.0 * rate * w[2] + 3.0 * rate * rate * w[1] + rate * rate * rate * w[0];
 }
 
 }  // namespace hn

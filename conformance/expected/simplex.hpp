@@ -1,4 +1,4 @@
-// How fast the second derivative of simplex noise changes: what a difference in place of a derivative may be off by.
+// How fast the second derivatives of simplex and of phasor noise change: what a difference in place of a derivative may be off by.
 #pragma once
 
 namespace hn {
@@ -7,5 +7,8 @@ namespace hn {
 // continuously differentiable, so between the places where the third derivative jumps the bound holds for the change of
 // the second as well.
 double simplex_third_derivative(int axes);
+
+// The same of hn_phasor, along an axis along which so many waves run in a cell.
+double phasor_third_derivative(int axes, double waves);
 
 }  // namespace hn

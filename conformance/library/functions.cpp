@@ -176,15 +176,26 @@ bool has_without(const Function& function, std::string_view part) {
                              [id = id_without(function.id, part)](const Function& other) { return other.id == id; });
 }
 
+namespace {
+
 // In four dimensions value and derivative are two rows: perlin_d_value and perlin_d. The sums of noises with
 // derivatives are in a file of their own: fbm_d.fbm_d2 and fbm_d.eroded2 belong to fbm.fbm2.
-const Function& plain_noise_of(const Function& function) {
+std::string plain_id(const Function& function) {
   if (function.is_octave_sum()) {
     const auto behind = function.id.find('.') + 1 + function.bound.size();
-    return find_function(fmt::format("fbm.fbm{}", function.id.substr(behind)));
+    return fmt::format("fbm.fbm{}", function.id.substr(behind));
   }
   const bool is_value = function.id.find("_d_") != std::string_view::npos && function.id.ends_with("_value");
-  return find_function(id_without(is_value ? id_without(function.id, "value") : function.id, "d"));
+  return id_without(is_value ? id_without(function.id, "value") : function.id, "d");
+}
+
+}  // namespace
+
+const Function& plain_noise_of(const Function& function) { return find_function(plain_id(function)); }
+
+bool has_plain_noise(const Function& function) {
+  return std::ranges::any_of(functions(),
+                             [id = plain_id(function)](const Function& other) { return other.id == id; });
 }
 
 bool is_declared(const Function& function, const Configuration& configuration) {

@@ -107,6 +107,9 @@ bool has_without(const Function& function, std::string_view part);
 // The noise whose derivative, or whose value beside it, a function is; of an octave sum of such noises, the sum without
 // slopes. It must exist.
 const Function& plain_noise_of(const Function& function);
+// Whether there is one, of a noise that is derived: the components of vectors have no rows without derivatives, and
+// neither has a quadrature.
+bool has_plain_noise(const Function& function);
 // Whether the library declares it with these knobs.
 bool is_declared(const Function& function, const Configuration& configuration);
 
