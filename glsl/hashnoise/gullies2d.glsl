@@ -11,7 +11,7 @@
 
 //   hn_i_eroding_slope(x)   a component of a slope, at most 8 in size. In HN_FIXED slopes are in units of 2^-16
 //   hn_i_eroded_slope(e, d) the same of a sum
-//   hn_i_over_steepness     x / (r + 1/8), as a float, of a component x of a slope; r is how steep the slope is
+//   hn_i_gully_wave(x, r)   3/2 x / (r + 1/8), as a float, of a component x of a slope; r is how steep the slope is
 //   hn_i_steepness(r)       r / (r + 1/8), in the units of weights
 //   hn_i_added_slope(a, b)  a - b, as a float
 
@@ -22,7 +22,7 @@ HN_FN hn_int hn_i_eroded_slope(hn_int e, hn_int d) { return min(max(hn_i_wide_pl
 HN_FN hn_int hn_i_slope_of_waves(hn_float d) { return int(d * 65536.0f); }
 
 // r is in units of 2^-14, and 2048 is 1/8. A quotient is a multiple of 2^-21, so 3/2 of it is exact.
-HN_FN hn_float hn_i_over_steepness(hn_int x, hn_uint r) { return hn_i_over(x, r + 2048u); }
+HN_FN hn_float hn_i_gully_wave(hn_int x, hn_uint r) { return hn_i_over(x, r + 2048u) * 1.5f; }
 HN_FN hn_int hn_i_steepness(hn_uint r) { return hn_i_setting(hn_i_over(int(r * 4u), r + 2048u), 1.0f); }
 HN_FN hn_float hn_i_added_slope(hn_int a, hn_int b) { return hn_i_float(a - b) * (1.0f / 65536.0f); }
 
@@ -31,8 +31,10 @@ HN_FN hn_float hn_i_added_slope(hn_int a, hn_int b) { return hn_i_float(a - b) *
 HN_FN hn_float hn_i_eroding_slope(hn_float x) { return min(max(hn_i_to_num(x), -8.0f), 8.0f); }
 HN_FN hn_float hn_i_eroded_slope(hn_float e, hn_float d) { return hn_i_eroding_slope(hn_i_plus(e, d)); }
 HN_FN hn_float hn_i_slope_of_waves(hn_float d) { return d; }
-HN_FN hn_float hn_i_over_steepness(hn_float x, hn_float r) { return hn_i_quotient(x, hn_i_plus(r, 0.125f)); }
-HN_FN hn_float hn_i_steepness(hn_float r) { return hn_i_over_steepness(r, r); }
+HN_FN hn_float hn_i_steepness(hn_float r) { return hn_i_quotient(r, hn_i_plus(r, 0.125f)); }
+HN_FN hn_float hn_i_gully_wave(hn_float x, hn_float r) {
+  return hn_i_times(hn_i_quotient(x, hn_i_plus(r, 0.125f)), 1.5f);
+}
 HN_FN hn_float hn_i_added_slope(hn_float a, hn_float b) { return hn_i_derivative(hn_i_minus(a, b)); }
 
 #endif
@@ -46,7 +48,7 @@ HN_FN hn_vec3 hn_i_gullies(hn_octaves2 octaves, hn_vec2 slope, hn_float depth) {
   hn_num2 e = before;
   do {
     hn_rank r = hn_i_root(hn_i_squared(e.x, e.y));
-    hn_vec2 wave = vec2(hn_i_over_steepness(e.y, r) * -1.5f, hn_i_over_steepness(e.x, r) * 1.5f);
+    hn_vec2 wave = vec2(-hn_i_gully_wave(e.y, r), hn_i_gully_wave(e.x, r));
     hn_num part = hn_i_weight_times(hn_i_steepness(r), hn_i_resolved(o.sum.footprint));
     hn_derivatives2x2 n = hn_phasor_d(o.place, wave, 0.0f, o.seed);
     o.sum = hn_i_with(o.sum, hn_i_octave(n.value.x), hn_i_weight_times(o.sum.weight, part));
@@ -94,7 +96,8 @@ HN_FN hn_vec3 hn_i_gullies(hn_octaves2 octaves, hn_vec2 slope, hn_float depth) {
 HN_FN hn_vec3 hn_gullies(hn_place2 place, hn_float footprint, hn_vec2 slope, hn_int octaves, hn_float lacunarity,
                          hn_float gain, hn_float depth, hn_uint seed) {
   hn_octaves2 o = hn_octaves(hn_tile(place, place.period), octaves, lacunarity, gain, seed);
-  o.sum.footprint = hn_i_footprint(footprint * 2.0f);
+  HN_I_PRECISE hn_float twice = footprint * 2.0f;
+  o.sum.footprint = hn_i_footprint(twice);
   return hn_i_gullies(o, slope, depth);
 }
 HN_FN hn_vec3 hn_gullies(hn_place2 place, hn_vec2 slope, hn_int octaves, hn_float lacunarity, hn_float gain,

@@ -11,6 +11,12 @@
 // The paper's gradient has no noise of this kind.
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
 
+// A billow around a point, of the distance to it. Twice a distance is exact, and in HN_FIXED the difference is.
+HN_FN hn_float hn_i_billow_at(hn_float distance) {
+  HN_I_PRECISE hn_float n = 1.0f - 2.0f * distance;
+  return n;
+}
+
 // 1 - (1 - a) (1 - b) / 4
 #if HN_ARITHMETIC == HN_FIXED
 HN_FN hn_int hn_i_either(hn_int a, hn_int b) {
@@ -25,7 +31,7 @@ HN_FN hn_float hn_i_either(hn_float a, hn_float b) {
 
 HN_FN hn_float hn_i_perlin_worley(hn_octaves3 wisps, hn_octaves3 billows) {
   hn_octaves3 o = billows;
-  do hn_add(o, 1.0f - 2.0f * hn_cellular(o.place, o.seed).x); while (hn_next(o));
+  do hn_add(o, hn_i_billow_at(hn_cellular(o.place, o.seed).x)); while (hn_next(o));
   return hn_i_value(hn_i_either(hn_i_bounded_octave(hn_i_fbm(wisps)), hn_i_bounded_octave(hn_mean(o))));
 }
 

@@ -34,7 +34,7 @@ HN_FN hn_uint hn_i_waves_from(hn_vec3 k, hn_float x, hn_float y, hn_float z) {
 }
 HN_FN hn_float hn_i_as_ramp(hn_float sine) { return sine; }
 HN_FN hn_float hn_i_falling(hn_float n, hn_float x) { return hn_i_times(n, -x); }
-HN_FN hn_float hn_i_of_fall(hn_float n, hn_int steps) { return n * hn_i_float(steps); }
+HN_FN hn_float hn_i_of_fall(hn_float n, hn_int steps) { return hn_i_times(n, hn_i_float(steps)); }
 HN_FN hn_float hn_i_turning(hn_float n, hn_float k) { return hn_i_times(hn_i_times(k, 6.2831853f), hn_i_flushed(n)); }
 HN_FN hn_float hn_i_wave_slope(hn_float d) { return hn_i_derivative(d); }
 
