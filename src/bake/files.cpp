@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "bake/ktx2.hpp"
 #include "bake/mapping.hpp"
 #include "bake/picture.hpp"
 #include "bake/ranges.hpp"
@@ -71,7 +72,8 @@ std::string channel_name(const std::vector<Component>& components, std::size_t i
   return components.size() > kMostInPng ? components[index].name : std::string(1, "RGBA"[index]);
 }
 
-nlohmann::ordered_json settings_of(const BakeOptions& options, hashnoise::InstructionSet set) {
+// What a function of the library has.
+nlohmann::ordered_json parameters_of(const BakeOptions& options) {
   using namespace hashnoise;
   const Settings& settings = options.settings;
   nlohmann::ordered_json json = {{"noise", settings.noise}};
@@ -101,10 +103,23 @@ nlohmann::ordered_json settings_of(const BakeOptions& options, hashnoise::Instru
     if (!sum.strength.empty())
       json[std::string(sum.strength)] = number(strength_of(settings, sum).value_or(sum.usual_strength));
   }
+  return json;
+}
+
+nlohmann::ordered_json settings_of(const BakeOptions& options, hashnoise::InstructionSet set) {
+  using namespace hashnoise;
+  const Settings& settings = options.settings;
+  nlohmann::ordered_json json;
+  if (options.expression) {
+    json["expression"] = options.expression->text;
+    if (!options.expression->source.empty()) json["source"] = options.expression->source_text;
+  } else {
+    json = parameters_of(options);
+  }
   constexpr std::string_view kArithmetics[] = {"fast", "precise", "fixed"};
   json["arithmetic"] = kArithmetics[static_cast<std::size_t>(settings.arithmetic) - 1];
   // The others have the same bits by all of them.
-  if (settings.arithmetic == Arithmetic::kFast) json["instructions"] = name(set);
+  if (settings.arithmetic == Arithmetic::kFast && !options.expression) json["instructions"] = name(set);
   json["seed"] = settings.seed;
   const auto end = settings.period.begin() + static_cast<std::ptrdiff_t>(options.size.size());
   if (std::any_of(settings.period.begin(), end, [](int period) { return period != 0; })) {
@@ -158,21 +173,24 @@ Result<std::string> picture_of(const BakeOptions& options, const std::vector<std
   }
 }
 
+Texts texts_of(const nlohmann::ordered_json& record, const std::string& name_of_writer) {
+  return {{name_of_writer, fmt::format("hn-bake of hashnoise {}", library_version())}, {"hashnoise", dump(record)}};
+}
+
 template <typename T>
 Result<void> write_planes(const BakeOptions& options, std::vector<std::vector<T>> planes, Report& report,
                           nlohmann::ordered_json record, const WriteFile& write) {
   if (!is_picture(options.format)) {
     report.files = {options.out};
-    return write(options.out, raw_of(std::move(planes)));
+    return write(options.out, is_texture(options.format) ? ktx2(planes, options.size, texts_of(record, "KTXwriter"))
+                                                         : raw_of(std::move(planes)));
   }
   const bool sliced = options.layout == Layout::slices;
   const int files = sliced ? report.atlas.slices : 1;
   for (int slice = 0; slice < files; ++slice) {
     report.files.push_back(sliced ? path_of_slice(options.out, slice, files) : options.out);
     if (sliced) record["slice"] = slice;
-    const Texts texts = {{"Software", fmt::format("hn-bake of hashnoise {}", library_version())},
-                         {"hashnoise", dump(record)}};
-    const auto bytes = picture_of(options, planes, slice, report, texts);
+    const auto bytes = picture_of(options, planes, slice, report, texts_of(record, "Software"));
     if (!bytes) return fail(fmt::format("cannot make {}: {}", report.files.back().string(), bytes.error().text()));
     HN_DO(write(report.files.back(), *bytes));
   }
@@ -187,6 +205,15 @@ Result<std::vector<Mapping>> mappings_of(const BakeOptions& options, const std::
         fmt::format("{} has {} components in {}D, and a PNG has at most {}; choose some with --components, or "
                     "write .exr, .f32 or .r16",
                     options.function, components.size(), options.size.size(), kMostInPng));
+  }
+  if (is_texture(options.format)) {
+    if (options.size.size() > 3) return fail("--size: a texture has at most three axes; write .f32 or .r16");
+    if (components.size() > kMostInTexture) {
+      return fail(
+          fmt::format("{} has {} components in {}D, and a texture has at most {}; choose some with "
+                      "--components, or write .f32 or .r16",
+                      options.function, components.size(), options.size.size(), kMostInTexture));
+    }
   }
   const Atlas atlas = atlas_of(options);
   if (is_picture(options.format) && (static_cast<long long>(atlas.columns) * options.size[0] > kLongestSide ||
@@ -207,7 +234,9 @@ Result<std::vector<Mapping>> mappings_of(const BakeOptions& options, const std::
       mappings.push_back({given.size() == 1 ? given.front() : given[i], "given"});
       continue;
     }
-    const auto documented = documented_range(options.settings, static_cast<int>(options.size.size()), components[i]);
+    const auto documented =
+        options.expression ? std::nullopt
+                           : documented_range(options.settings, static_cast<int>(options.size.size()), components[i]);
     if (!documented) {
       return fail(
           fmt::format("no range is documented for the component {} of {} with these settings; name one with "
@@ -236,6 +265,10 @@ Result<Report> write_files(const BakeOptions& options, Planes planes, std::vecto
   std::vector<std::vector<std::uint16_t>> words;
   for (std::size_t i = 0; i < planes.planes.size(); ++i) {
     Plane& plane = planes.planes[i];
+    if (options.normalize && !(std::isfinite(plane.range.least) && std::isfinite(plane.range.greatest))) {
+      return fail(fmt::format("--normalize: the values of {} go from {} to {}; name the range with --range",
+                              plane.component, plane.range.least, plane.range.greatest));
+    }
     Mapping mapping =
         options.normalize
             ? Mapping{{static_cast<double>(plane.range.least), static_cast<double>(plane.range.greatest)}, "normalized"}

@@ -12,8 +12,10 @@
 #include <new>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 
+#include "bake/expression_program.hpp"
 #include "bake/files.hpp"
 #include "bake/options.hpp"
 #include "bake/planes.hpp"
@@ -22,6 +24,7 @@
 #include "base/file.hpp"
 #include "base/interruption.hpp"
 #include "base/json.hpp"
+#include "base/temporary_folder.hpp"
 
 namespace {
 
@@ -34,6 +37,7 @@ std::mutex writing;
 void say_farewell(int signal, bool) {
   if (isatty(STDERR_FILENO) != 0) std::fputs("\n", stderr);  // below a line of progress, or ^C
   writing.lock();
+  hn::remove_folders_of(getpid());  // where an expression was compiled; its processes end with this one
   hn::complain(kProgram, fmt::format("ended by {}; what was not finished is not there", hn::name_of_signal(signal)));
 }
 
@@ -120,46 +124,85 @@ void warn_of_clamped(const hn::Report& report) {
   }
 }
 
-int bake(const hn::BakeOptions& options) {
+// Reads what the expression calls, and compiles it; the status of the program if that is impossible.
+tl::expected<hn::ExpressionProgram, int> program_of(hn::BakeOptions& options) {
+  const auto& source = options.expression->source;
+  if (!source.empty()) {
+    auto text = hn::read_file(source, "--source wants a file of GLSL with functions");
+    if (!text) return tl::unexpected(usage_error(text.error().text()));
+    options.expression->source_text = *std::move(text);
+  }
+  const bool terminal = isatty(STDERR_FILENO) != 0;
+  if (terminal) std::fputs("\r\033[Kcompiling the expression", stderr);
+  auto program = hn::ExpressionProgram::make(options);
+  if (terminal) std::fputs("\r\033[K", stderr);
+  if (program) return std::move(*program);
+  hn::complain(kProgram, program.error().message);
+  return tl::unexpected(program.error().status);
+}
+
+// The values of the expression or the function, with a line of progress.
+hn::Result<hn::Planes> values_of(const hn::BakeOptions& options, const std::optional<hn::ExpressionProgram>& program) {
+  const auto width = static_cast<std::size_t>(options.size.front());
+  hn::RowsProgress progress(static_cast<std::size_t>(points_of(options)) / width, width);
+  const auto rows_done = [&](std::size_t rows) { progress.add(rows); };
+  return program ? hn::compute(*program, options, rows_done) : hn::compute(options, rows_done);
+}
+
+void print_record(const hn::BakeOptions& options, const hn::Planes& planes, const hn::Report& report, double seconds) {
+  auto record = hn::record_of(options, planes, report);
+  record["files"] = nlohmann::ordered_json::array();
+  for (const auto& file : report.files) record["files"].push_back(file.string());
+  if (!options.expression) record["instructions"] = hashnoise::name(planes.instruction_set);
+  record["seconds"] = seconds;
+  fmt::print("{}\n", hn::dump(record, 1));
+}
+
+int bake(hn::BakeOptions options) {
+  const auto start = std::chrono::steady_clock::now();
+  if (const auto possible = make_sure_it_can_be_written(options.out); !possible) {
+    return usage_error(possible.error().text());
+  }
+  std::optional<hn::ExpressionProgram> program;
+  if (options.expression) {
+    auto made = program_of(options);
+    if (!made) return made.error();
+    program.emplace(*std::move(made));
+  }
   std::vector<std::string> names;
   try {
-    names = hn::component_names(options);
+    if (program) {
+      for (const std::size_t i : hn::chosen_components(program->components(), options)) {
+        names.push_back(program->components()[i]);
+      }
+    } else {
+      names = hn::component_names(options);
+    }
   } catch (const std::invalid_argument& problem) {
     return usage_error(problem.what());
   }
   const auto mappings = hn::mappings_of(options, names);
   if (!mappings) return usage_error(mappings.error().text());
-  if (const auto possible = make_sure_it_can_be_written(options.out); !possible) {
-    return usage_error(possible.error().text());
-  }
   if (const auto fits = make_sure_it_fits(options, names.size()); !fits) return usage_error(fits.error().text());
-  const auto width = static_cast<std::size_t>(options.size.front());
-  const auto points = static_cast<std::size_t>(points_of(options));
-  const auto start = std::chrono::steady_clock::now();
-  hn::Planes planes;
-  {
-    hn::RowsProgress progress(points / width, width);
-    planes = hn::compute(options, [&](std::size_t rows) { progress.add(rows); });
+  auto planes = values_of(options, program);
+  if (!planes) {
+    hn::complain(kProgram, planes.error().text());
+    return hn::kNotWritten;
   }
   hn::Planes without_values;
-  without_values.instruction_set = planes.instruction_set;
-  const auto report = hn::write_files(options, std::move(planes), *mappings, write_whole);
+  without_values.instruction_set = planes->instruction_set;
+  const auto report = hn::write_files(options, *std::move(planes), *mappings, write_whole);
   if (!report) {
     hn::complain(kProgram, report.error().text());
     return hn::kNotWritten;
   }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   warn_of_clamped(*report);
-  if (!options.json) {
+  if (options.json) {
+    print_record(options, without_values, *report, seconds);
+  } else {
     print_text(options, *report, seconds);
-    return 0;
   }
-  auto record = hn::record_of(options, without_values, *report);
-  record["files"] = nlohmann::ordered_json::array();
-  for (const auto& file : report->files) record["files"].push_back(file.string());
-  record["instructions"] = hashnoise::name(without_values.instruction_set);
-  record["seconds"] = seconds;
-  fmt::print("{}\n", hn::dump(record, 1));
   return 0;
 }
 

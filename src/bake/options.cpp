@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -11,6 +10,7 @@
 #include <numeric>
 #include <utility>
 
+#include "bake/arguments.hpp"
 #include "base/closest.hpp"
 #include "base/output/text.hpp"
 #include "base/result.hpp"
@@ -22,12 +22,12 @@
 namespace hn {
 namespace {
 
-constexpr int kLongestAxis = static_cast<int>(hashnoise::grid::kSizeRule.most);
 constexpr double kMostCells = 1 << 30;  // so that positions fit into 64 bits, in units of 2^-32
 
 constexpr std::array kFormats = {
-    std::pair{Format::png, std::string_view("png")}, std::pair{Format::exr, std::string_view("exr")},
-    std::pair{Format::f32, std::string_view("f32")}, std::pair{Format::r16, std::string_view("r16")}};
+    std::pair{Format::png, std::string_view("png")},   std::pair{Format::exr, std::string_view("exr")},
+    std::pair{Format::f32, std::string_view("f32")},   std::pair{Format::r16, std::string_view("r16")},
+    std::pair{Format::ktx2, std::string_view("ktx2")}, std::pair{Format::ktx2_float, std::string_view("ktx2-float")}};
 
 // A number and nothing behind it.
 template <typename Number>
@@ -78,7 +78,44 @@ std::string noise_of(std::string_view sum) {
   return std::string(hashnoise::grid::kNoiseRows[hashnoise::grid::sum_row(sum).usual_noise].name);
 }
 
-Result<void> choose_function(BakeOptions& options, const std::optional<std::string>& noise) {
+// An expression names its noises itself, and with them all that noises and sums have.
+Result<void> choose_expression(BakeOptions& options, const Words& words) {
+  if (!options.function.empty()) {
+    return fail(fmt::format("{} is one argument too many: --expression stands in place of a function",
+                            in_quotes(options.function)));
+  }
+  const hashnoise::Settings& settings = options.settings;
+  const std::pair<std::string_view, bool> given[] = {{"--noise", words.noise.has_value()},
+                                                     {"--octaves", settings.octaves.has_value()},
+                                                     {"--lacunarity", settings.lacunarity.has_value()},
+                                                     {"--gain", settings.gain.has_value()},
+                                                     {"--strength", settings.strength.has_value()},
+                                                     {"--amplitude", settings.amplitude.has_value()},
+                                                     {"--detail", settings.detail.has_value()},
+                                                     {"--footprint", settings.footprint.has_value()},
+                                                     {"--phase", settings.phase.has_value()},
+                                                     {"--jitter", settings.jitter.has_value()},
+                                                     {"--metric", words.metric.has_value()},
+                                                     {"--instructions", words.instructions.has_value()}};
+  for (const auto& [option, is_given] : given) {
+    if (!is_given) continue;
+    return fail(fmt::format("{} is for a function; {}", option,
+                            option == "--instructions"
+                                ? "an expression is compiled for every processor of this kind"
+                                : "write it into the --expression, as in hn_fbm(p, 6, 2.0, 0.5)"));
+  }
+  options.function = "expression";
+  options.expression = Expression{*words.expression, words.source.value_or("")};
+  return {};
+}
+
+Result<void> choose_function(BakeOptions& options, const Words& words) {
+  if (words.expression) return choose_expression(options, words);
+  if (words.source) return fail("--source has functions for an --expression, and there is none");
+  if (options.function.empty()) {
+    return fail("a function is missing, such as fbm, or an --expression; --help tells more");
+  }
+  const std::optional<std::string>& noise = words.noise;
   const int dimensions = static_cast<int>(options.size.size());
   const auto noises = hashnoise::noise_names(dimensions);
   const auto sums = hashnoise::sum_names(dimensions);
@@ -174,10 +211,11 @@ Result<void> choose_format(BakeOptions& options, const std::string& format) {
     return {};
   }
   if (!format.empty())
-    return fail(fmt::format("--format: there is no {}; there are png, exr, f32 and r16", in_quotes(format)));
+    return fail(
+        fmt::format("--format: there is no {}; there are png, exr, f32, r16, ktx2 and ktx2-float", in_quotes(format)));
   return fail(
-      fmt::format("--out {}: the name does not tell the format{}; end it with .png, .exr, .f32 or .r16, or say "
-                  "--format png, exr, f32 (planes of floats) or r16 (planes of 16 bits)",
+      fmt::format("--out {}: the name does not tell the format{}; end it with .png, .exr, .f32, .r16 or .ktx2, or say "
+                  "--format png, exr, f32 (planes of floats), r16 (planes of 16 bits), ktx2 or ktx2-float",
                   in_quotes(options.out.string()),
                   name == "raw" ? ", since some programs take 16 bits for .raw and others floats" : ""));
 }
@@ -200,6 +238,12 @@ Result<void> choose_ranges(BakeOptions& options, const std::vector<std::string>&
   if (!has_16_bits(options.format) && (options.normalize || !options.ranges.empty())) {
     return fail(fmt::format("{} is for 16 bits; {} holds the values as they are",
                             options.normalize ? "--normalize" : "--range", name_of(options.format)));
+  }
+  if (options.expression && has_16_bits(options.format) && !options.normalize && options.ranges.empty()) {
+    return fail(
+        fmt::format("no range is documented for an expression, and {} has 16 bits; name one with --range "
+                    "LEAST:GREATEST, let --normalize find it, or write floats: .exr, .f32 or --format ktx2-float",
+                    name_of(options.format)));
   }
   return {};
 }
@@ -227,24 +271,10 @@ Result<T> chosen(std::string_view option, std::string_view word, const std::vect
   return fail(fmt::format("{}: there is no {}{}", option, in_quotes(word), choice(word, names)));
 }
 
-struct Words {
-  std::string size = "512x512";
-  std::string cells = "8";
-  std::optional<std::string> origin;
-  std::optional<std::string> period;
-  std::optional<std::string> noise;
-  std::string arithmetic = "fixed";
-  std::optional<std::string> metric;
-  std::optional<std::string> instructions;
-  std::string format;
-  std::string layout;
-  std::vector<std::string> ranges;
-};
-
 Result<void> interpret(BakeOptions& options, const Words& words) {
   using namespace hashnoise;
   HN_TRY(options.size, axes_of("--size", words.size, 1, kLongestAxis, "1024x1024, or 128x128x64 for a volume"));
-  HN_DO(choose_function(options, words.noise));
+  HN_DO(choose_function(options, words));
   HN_DO(choose_cells(options, words.cells));
   HN_DO(choose_tile(options, words.period));
   HN_DO(choose_origin(options, words.origin));
@@ -267,154 +297,6 @@ Result<void> interpret(BakeOptions& options, const Words& words) {
   for (const InstructionSet set : instruction_sets()) sets.emplace_back(name(set), set);
   HN_TRY(options.settings.instruction_set, chosen<InstructionSet>("--instructions", *words.instructions, sets));
   return {};
-}
-
-// CLI11 takes "nan" and "inf" for numbers.
-CLI::Validator finite() {
-  return {[](const std::string& text) {
-            double number = 0.0;
-            const bool right = CLI::detail::lexical_cast(text, number) && std::isfinite(number);
-            return right ? std::string() : fmt::format("{} is not a number", text);
-          },
-          ""};
-}
-
-// The rule has to live on, as those of rules.hpp do.
-CLI::Validator within(const hashnoise::grid::Rule& rule) {
-  return {[&rule](const std::string& text) {
-            double number = 0.0;
-            if (!CLI::detail::lexical_cast(text, number)) return fmt::format("{} is not a number", text);
-            return problem_of(rule, number);
-          },
-          ""};
-}
-
-template <typename T>
-void add_number(CLI::App& app, const std::string& name, T& value, const std::string& what) {
-  app.add_option(name, value, what)->type_name("NUMBER")->check(finite())->group("Parameters, as in GLSL");
-}
-
-// "perlin, simplex": the noises that have it.
-std::string noises_with(bool (hashnoise::grid::NoiseRow::*option)() const) {
-  return fmt::format("{}", fmt::join(names_where(hashnoise::grid::kNoiseRows, option), ", "));
-}
-
-// The sums that have a strength of that name, each with what it is if it is left out.
-std::string owners_of(std::string_view strength) {
-  std::vector<std::string> sums;
-  for (const auto& row : hashnoise::grid::kSumRows) {
-    if (row.strength == strength) sums.push_back(fmt::format("{} (default: {})", row.name, row.usual_strength));
-  }
-  return fmt::format("Of {}", fmt::join(sums, ", "));
-}
-
-void add_parameters(CLI::App& app, BakeOptions& options, Words& words) {
-  const char* const group = "Parameters, as in GLSL";
-  hashnoise::Settings& settings = options.settings;
-  app.add_option("--noise", words.noise, "The noise of a sum (default: that of the function in GLSL, mostly perlin)")
-      ->type_name("NAME")
-      ->group(group);
-  app.add_option("--seed", settings.seed, "Different seeds give independent fields")
-      ->type_name("N")
-      ->check(within(hashnoise::grid::kSeedRule))
-      ->capture_default_str()
-      ->group(group);
-  app.add_option("--period", words.period, "Cells after which the field repeats, along each axis; 0 for none")
-      ->type_name("X[xY...]")
-      ->group(group);
-  app.add_option("--octaves", settings.octaves,
-                 fmt::format("Of a sum (default: {})", hashnoise::grid::kOctavesRule.usual))
-      ->type_name("N")
-      ->check(within(hashnoise::grid::kOctavesRule))
-      ->group(group);
-  add_number(app, "--lacunarity", settings.lacunarity,
-             fmt::format("Of a sum: by how much an octave is finer than the one before (default: {})",
-                         hashnoise::grid::kLacunarityRule.usual));
-  add_number(app, "--gain", settings.gain,
-             fmt::format("Of a sum: by how much an octave is weaker, a factor (default: {})",
-                         hashnoise::grid::kGainRule.usual));
-  add_number(app, "--strength", settings.strength, owners_of("strength"));
-  add_number(app, "--amplitude", settings.amplitude, owners_of("amplitude") + ", in cells");
-  add_number(app, "--detail", settings.detail, "Of fbm: octaves as a number with a fraction, in place of --octaves");
-  add_number(app, "--footprint", settings.footprint, "Of fbm: the size of a pixel, in cells, which fades octaves out");
-  add_number(app, "--phase", settings.phase,
-             fmt::format("In turns; of {} in 2D and 3D", noises_with(&hashnoise::grid::NoiseRow::has_phase)));
-  add_number(app, "--jitter", settings.jitter,
-             fmt::format("Of cellular noises: how far points are from the centres of their cells (default: {})",
-                         hashnoise::grid::kJitterRule.usual));
-  app.add_option("--metric", words.metric,
-                 fmt::format("Of {}: {}; the default is the first", noises_with(&hashnoise::grid::NoiseRow::has_metric),
-                             fmt::join(hashnoise::grid::kMetricNames, ", ")))
-      ->type_name("NAME")
-      ->group(group);
-  app.add_option("--arithmetic", words.arithmetic,
-                 "fixed, precise or fast. The default has the same bits on every machine, and those of shaders with "
-                 "HN_FIXED")
-      ->type_name("NAME")
-      ->capture_default_str()
-      ->group(group);
-}
-
-void add_places(CLI::App& app, BakeOptions& options, Words& words) {
-  const char* const group = "Places";
-  app.add_option("--size", words.size, "Points along each axis: one number to four, and as many dimensions")
-      ->type_name("X[xY...]")
-      ->capture_default_str()
-      ->group(group);
-  app.add_option("--cells", words.cells,
-                 "Cells along each axis; one number is for x, and cells are as large along the others")
-      ->type_name("X[xY...]")
-      ->capture_default_str()
-      ->group(group);
-  app.add_option("--origin", words.origin, "The first point, in cells (default: 0 along each axis)")
-      ->type_name("X[xY...]")
-      ->group(group);
-  app.add_flag("--tile", options.tile, "Make the cells the period, so that the file repeats without a seam")
-      ->group(group);
-}
-
-void add_files(CLI::App& app, BakeOptions& options, Words& words) {
-  const char* const group = "The file";
-  app.add_option("-o,--out", options.out, "The file")->type_name("FILE")->required()->group(group);
-  app.add_option("--format", words.format,
-                 "png (16 bits), exr (floats), f32 or r16 (planes of floats or of 16 bits, little-endian, without a "
-                 "header); by default the ending of the file's name")
-      ->type_name("NAME")
-      ->group(group);
-  app.add_option("--components", options.components, "Which, as in f1,f2; all by default")
-      ->type_name("NAME,...")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->group(group);
-  app.add_option("--range", words.ranges,
-                 "The values that become 0 and 65535; by default the range that the function documents. Once for all "
-                 "components, or once for each")
-      ->type_name("LEAST:GREATEST")
-      ->allow_extra_args(false)
-      ->group(group);
-  app.add_flag("--normalize", options.normalize, "Map what is there to 0 to 65535, each component by itself")
-      ->group(group);
-  app.add_option("--layout", words.layout,
-                 "Of a volume as a picture: atlas, one picture (the default), or slices, a file for each")
-      ->type_name("NAME")
-      ->check(CLI::IsMember({"atlas", "slices"}))
-      ->group(group);
-  app.add_option("--columns", options.columns,
-                 "Slices beside each other in an atlas (default: so that it is about a square)")
-      ->type_name("N")
-      ->check(CLI::Range(1, kLongestAxis))
-      ->group(group);
-  app.add_flag("--json", options.json, "Say in JSON how it was made")->group(group);
-  app.add_option("--threads", options.threads, "How many; nothing in the file depends on it (default: all)")
-      ->type_name("N")
-      ->check(within(hashnoise::grid::kThreadsRule))
-      ->group(group);
-  app.add_option(
-         "--instructions", words.instructions,
-         "An instruction set such as avx2 (default: the widest that the processor has); only with --arithmetic fast "
-         "values depend on it")
-      ->type_name("NAME")
-      ->group(group);
 }
 
 tl::unexpected<Stop> wrong_usage(const std::string& message) { return tl::unexpected(Stop{kBadUsage, {}, message}); }
@@ -443,21 +325,15 @@ std::string_view name_of(Format format) {
 }
 
 tl::expected<BakeOptions, Stop> parse_options(int argc, const char* const* argv) {
-  CLI::App app("Writes a noise or a sum of its octaves as a picture, a volume or raw numbers.", "hn-bake");
+  CLI::App app("Writes a noise, a sum of its octaves or an expression as a picture, a volume or raw numbers.",
+               "hn-bake");
   app.set_version_flag("--version", library_version());
   app.footer(
-      "Exit status: 0 done, 1 the file could not be written, 2 bad usage, 130 ended by Ctrl-C (SIGINT), 143 by "
-      "SIGTERM, "
-      "129 by SIGHUP; of tools/bake also 4, it could not be built.");
+      "Exit status: 0 done, 1 the file could not be written, 2 bad usage, 4 it or an expression could not be built, "
+      "130 ended by Ctrl-C (SIGINT), 143 by SIGTERM, 129 by SIGHUP.");
   BakeOptions options;
   Words words;
-  app.add_option("FUNCTION", options.function,
-                 "A noise (perlin, cellular, ...) or a sum (fbm, ridged, ...), as in GLSL without hn_")
-      ->type_name("")
-      ->required();
-  add_parameters(app, options, words);
-  add_places(app, options, words);
-  add_files(app, options, words);
+  add_options(app, options, words);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ExtrasError&) {

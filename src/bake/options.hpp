@@ -14,15 +14,21 @@ namespace hn {
 // Exit statuses. 0 means that the file is there.
 constexpr int kNotWritten = 1;
 constexpr int kBadUsage = 2;
+constexpr int kNotBuilt = 4;  // an expression, by no fault of its own
 
 enum class Format {
-  png,  // 16 bits
-  exr,  // floats
-  f32,  // planes of floats, one for each component
-  r16,  // the same of 16 bits
+  png,         // 16 bits
+  exr,         // floats
+  f32,         // planes of floats, one for each component
+  r16,         // the same of 16 bits
+  ktx2,        // a texture of 16 bits
+  ktx2_float,  // one of floats
 };
 std::string_view name_of(Format format);
-inline bool has_16_bits(Format format) { return format == Format::png || format == Format::r16; }
+inline bool has_16_bits(Format format) {
+  return format == Format::png || format == Format::r16 || format == Format::ktx2;
+}
+inline bool is_texture(Format format) { return format == Format::ktx2 || format == Format::ktx2_float; }
 
 enum class Layout {
   atlas,   // all slices of a volume in one picture
@@ -36,8 +42,16 @@ struct Interval {
   friend bool operator==(const Interval&, const Interval&) = default;
 };
 
+// A value that GLSL computes, of the position p, in place of a function of the library.
+struct Expression {
+  std::string text;
+  std::filesystem::path source{};  // of functions that it calls; empty for none
+  std::string source_text{};       // what is there, once it was read
+};
+
 struct BakeOptions {
-  std::string function;  // as it was named: a noise, or a sum
+  std::string function;  // as it was named: a noise, or a sum; "expression" for one
+  std::optional<Expression> expression;
   hashnoise::Settings settings;
   std::vector<int> size;       // points along each axis; as many as there are dimensions
   std::vector<double> cells;   // along each axis

@@ -15,28 +15,6 @@ namespace {
 // Points that a thread computes at a time. Few enough to stay in its cache.
 constexpr std::size_t kBand = 16384;
 
-template <int D>
-std::vector<std::size_t> chosen_components(const hashnoise::Field<D>& field, const BakeOptions& options) {
-  const std::vector<std::string> names = field.component_names();
-  std::vector<std::size_t> chosen;
-  for (const std::string& wanted : options.components) {
-    const auto found = std::ranges::find(names, wanted);
-    if (found == names.end()) {
-      throw std::invalid_argument(fmt::format("--components: {} has no component {}; it has {}", options.function,
-                                              in_quotes(wanted), fmt::join(names, ", ")));
-    }
-    const auto index = static_cast<std::size_t>(found - names.begin());
-    if (std::ranges::count(chosen, index) != 0) {
-      throw std::invalid_argument(fmt::format("--components: {} stands there twice", wanted));
-    }
-    chosen.push_back(index);
-  }
-  if (chosen.empty()) {
-    for (std::size_t i = 0; i < names.size(); ++i) chosen.push_back(i);
-  }
-  return chosen;
-}
-
 // Where the points of a band are, along each axis.
 template <int D>
 class BandPoints {
@@ -91,21 +69,12 @@ class BandPoints {
   std::array<std::vector<float>, D> f_;
 };
 
-hashnoise::Range range_of(std::span<const float> values) {
-  hashnoise::Range range;
-  for (const float value : values) {
-    range.least = std::min(range.least, value);
-    range.greatest = std::max(range.greatest, value);
-  }
-  return range;
-}
-
 template <int D>
 Planes compute_in(const BakeOptions& options, const RowsDone& rows_done) {
   const hashnoise::Field<D> field(options.settings);
   const auto components = static_cast<std::size_t>(field.components());
-  const auto chosen = chosen_components(field, options);
   const auto names = field.component_names();
+  const auto chosen = chosen_components(names, options);
   std::array<Axis, D> axes;
   std::size_t rows = 1;
   for (std::size_t axis = 0; axis < D; ++axis) {
@@ -146,11 +115,40 @@ std::vector<std::string> component_names_in(const BakeOptions& options) {
   const hashnoise::Field<D> field(options.settings);
   const auto names = field.component_names();
   std::vector<std::string> chosen;
-  for (const std::size_t component : chosen_components(field, options)) chosen.push_back(names[component]);
+  for (const std::size_t component : chosen_components(names, options)) chosen.push_back(names[component]);
   return chosen;
 }
 
 }  // namespace
+
+std::vector<std::size_t> chosen_components(const std::vector<std::string>& names, const BakeOptions& options) {
+  std::vector<std::size_t> chosen;
+  for (const std::string& wanted : options.components) {
+    const auto found = std::ranges::find(names, wanted);
+    if (found == names.end()) {
+      throw std::invalid_argument(fmt::format("--components: {} has no component {}; it has {}", options.function,
+                                              in_quotes(wanted), fmt::join(names, ", ")));
+    }
+    const auto index = static_cast<std::size_t>(found - names.begin());
+    if (std::ranges::count(chosen, index) != 0) {
+      throw std::invalid_argument(fmt::format("--components: {} stands there twice", wanted));
+    }
+    chosen.push_back(index);
+  }
+  if (chosen.empty()) {
+    for (std::size_t i = 0; i < names.size(); ++i) chosen.push_back(i);
+  }
+  return chosen;
+}
+
+hashnoise::Range range_of(std::span<const float> values) {
+  hashnoise::Range range;
+  for (const float value : values) {
+    range.least = std::min(range.least, value);
+    range.greatest = std::max(range.greatest, value);
+  }
+  return range;
+}
 
 std::vector<std::string> component_names(const BakeOptions& options) {
   switch (options.size.size()) {

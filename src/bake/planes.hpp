@@ -26,7 +26,14 @@ struct Planes {
 // What is called while the work goes on, from several threads: rows that are done.
 using RowsDone = std::function<void(std::size_t rows)>;
 
-// Throws std::invalid_argument for settings that no field has, and for a component that this one has not.
+// Which of these the options choose, by their numbers. Throws std::invalid_argument for a name that is not there.
+std::vector<std::size_t> chosen_components(const std::vector<std::string>& names, const BakeOptions& options);
+
+// The least and the greatest; what is no number has no say.
+hashnoise::Range range_of(std::span<const float> values);
+
+// Of a function of the library. Throws std::invalid_argument for settings that no field has, and for a component that
+// this one has not.
 std::vector<std::string> component_names(const BakeOptions& options);
 
 // Throws std::bad_alloc if so many values do not fit.
