@@ -100,6 +100,9 @@ HN_BAKE_EACH(atan, std::atan(x))
 HN_BAKE_EACH(sinh, std::sinh(x))
 HN_BAKE_EACH(cosh, std::cosh(x))
 HN_BAKE_EACH(tanh, std::tanh(x))
+HN_BAKE_EACH(asinh, std::asinh(x))
+HN_BAKE_EACH(acosh, std::acosh(x))
+HN_BAKE_EACH(atanh, std::atanh(x))
 HN_BAKE_EACH(exp, std::exp(x))
 HN_BAKE_EACH(log, std::log(x))
 HN_BAKE_EACH(exp2, std::exp2(x))
@@ -172,7 +175,12 @@ inline float length(float v) { return std::fabs(v); }
   inline float length(Vector v) { return std::sqrt(dot(v, v)); }                                                     \
   inline float distance(Vector a, Vector b) { return length(a - b); }                                                \
   inline Vector normalize(Vector v) { return v / length(v); }                                                        \
-  inline Vector reflect(Vector i, Vector n) { return i - 2.0f * dot(n, i) * n; }
+  inline Vector reflect(Vector i, Vector n) { return i - 2.0f * dot(n, i) * n; }                                     \
+  inline Vector faceforward(Vector n, Vector i, Vector reference) { return dot(reference, i) < 0.0f ? n : -n; }      \
+  inline Vector refract(Vector i, Vector n, float eta) {                                                             \
+    const float k = 1.0f - eta * eta * (1.0f - dot(n, i) * dot(n, i));                                               \
+    return k < 0.0f ? Vector(0.0f) : eta * i - (eta * dot(n, i) + std::sqrt(k)) * n;                                 \
+  }
 inline vec2 each_less(vec2 a, vec2 b) { return vec2(a.x < b.x, a.y < b.y); }
 inline vec3 each_less(vec3 a, vec3 b) { return vec3(a.x < b.x, a.y < b.y, a.z < b.z); }
 inline vec4 each_less(vec4 a, vec4 b) { return vec4(a.x < b.x, a.y < b.y, a.z < b.z, a.w < b.w); }

@@ -196,7 +196,7 @@ class Bake(unittest.TestCase):
             (["fbm"], "--out"),
             (["fbm", "-o", "a.raw"], ".r16", "--format"),
             (["fbm", "-o", "a"], "--format"),
-            (["fbm", "-o", "a.png", "--format", "tiff"], "exr, f32 and r16"),
+            (["fbm", "-o", "a.png", "--format", "tiff"], "exr, f32, r16, ktx2"),
             (["fbm", "-o", "a.png", "--size", "0x4"], '--size "0x4"', "as in 1024x1024"),
             (["fbm", "-o", "a.png", "--size", "4xx4"], "--size"),
             (["fbm", "-o", "a.png", "--size", "1e3"], "--size"),

@@ -21,6 +21,8 @@ class Page(unittest.TestCase):
         self.assertGreaterEqual(len(calls), 5)
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)
+            source, text = re.search(r"`(\w+\.glsl)`:\n\n```glsl\n(.*?)```", PAGE.read_text(), re.DOTALL).groups()
+            (folder / source).write_text(text)
             for call in calls:
                 with self.subTest(call=call):
                     done = subprocess.run([PROGRAM, *call[1:]], cwd=folder, capture_output=True, text=True, check=False)
