@@ -173,8 +173,10 @@ Result<std::string> picture_of(const BakeOptions& options, const std::vector<std
   }
 }
 
+// In ASCII, since a PNG's texts are in Latin-1, and the comments of a source may be in anything.
 Texts texts_of(const nlohmann::ordered_json& record, const std::string& name_of_writer) {
-  return {{name_of_writer, fmt::format("hn-bake of hashnoise {}", library_version())}, {"hashnoise", dump(record)}};
+  return {{name_of_writer, fmt::format("hn-bake of hashnoise {}", library_version())},
+          {"hashnoise", record.dump(-1, ' ', true, nlohmann::ordered_json::error_handler_t::replace)}};
 }
 
 template <typename T>

@@ -35,6 +35,8 @@ constexpr std::string_view kLeftOutDirectives = " version extension line pragma 
 constexpr std::string_view kDirectives = " define undef if ifdef ifndef else elif endif error ";
 constexpr std::string_view kPunctuation = "()[]{}.,;:?+-*/%<>=!&|^~ \t\r\n";
 
+constexpr std::string_view kSwizzle = "swizzled<";  // builtins.hpp has it
+
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool is_of_word(char c) { return is_letter(c) || is_digit(c); }
@@ -55,7 +57,7 @@ std::vector<std::size_t> swizzle_of(std::string_view member) {
 
 class Translator {
  public:
-  Translator(GlslText glsl, bool is_expression) : is_expression_(is_expression), in_(glsl.text) {
+  Translator(GlslText glsl, bool is_expression) : is_expression_(is_expression) {
     cpp_.glsl = std::move(glsl);
     in_ = cpp_.glsl.text;
   }
@@ -216,36 +218,47 @@ class Translator {
   }
 
   // Where the operand of what follows begins, in the C++: v, f(p), v.x or a[1], which end at `end`.
-  std::size_t begin_of_operand(std::size_t end) const {
+  std::size_t begin_of_operand(const std::size_t dot) const {
     const std::string& text = cpp_.text;
-    const auto skip = [&] {
-      while (end > 0 && is_space(text[end - 1])) --end;
-    };
+    std::size_t at = dot;
     while (true) {
-      skip();
-      while (end > 0 && (text[end - 1] == ')' || text[end - 1] == ']')) {
-        int depth = 0;
-        do {
-          --end;
-          depth += text[end] == ')' || text[end] == ']';
-          depth -= text[end] == '(' || text[end] == '[';
-        } while (end > 0 && depth > 0);
-        skip();
-      }
-      if (end > 0 && text[end - 1] == '>') end = text.rfind('<', end);  // of swizzled<21>, the one template
-      const std::size_t behind_word = end;
-      while (end > 0 && is_of_word(text[end - 1])) --end;
-      if (text.substr(end, behind_word - end) == "return") return text.find_first_not_of(" \n", behind_word);
-      std::size_t dot = end;
-      while (dot > 0 && is_space(text[dot - 1])) --dot;
-      if (dot == 0 || text[dot - 1] != '.') return end;
-      end = dot - 1;
+      at = before_brackets(before_space(at));
+      const std::size_t behind_word = at;
+      while (at > 0 && is_of_word(text[at - 1])) --at;
+      if (text.substr(at, behind_word - at) == "return")
+        return std::min(text.find_first_not_of(" \n", behind_word), dot);
+      const std::size_t before = before_space(at);
+      if (before == 0 || text[before - 1] != '.') return at;
+      at = before - 1;
     }
+  }
+
+  std::size_t before_space(std::size_t at) const {
+    while (at > 0 && is_space(cpp_.text[at - 1])) --at;
+    return at;
+  }
+
+  // Before all pairs of brackets that end there, and before the digits of swizzled<21>(p).
+  std::size_t before_brackets(std::size_t at) const {
+    const std::string& text = cpp_.text;
+    while (at > 0 && (text[at - 1] == ')' || text[at - 1] == ']')) {
+      int depth = 0;
+      do {
+        --at;
+        depth += text[at] == ')' || text[at] == ']';
+        depth -= text[at] == '(' || text[at] == '[';
+      } while (at > 0 && depth > 0);
+      at = before_space(at);
+    }
+    const std::size_t digits = text.rfind(kSwizzle, at);
+    if (at == 0 || text[at - 1] != '>' || digits == std::string::npos) return at;
+    const std::size_t end = text.find_first_not_of("1234", digits + kSwizzle.size());
+    return end == at - 1 ? digits + kSwizzle.size() - 1 : at;
   }
 
   void swizzle(std::string_view member, const std::vector<std::size_t>& components) {
     std::size_t dot = cpp_.text.find_last_of('.');
-    std::string call = "swizzled<";  // the components as digits, since a comma would separate arguments of a macro
+    std::string call(kSwizzle);  // the components as digits, since a comma would separate arguments of a macro
     for (const std::size_t component : components) call += static_cast<char>('1' + component);
     cpp_.text[dot] = ' ';
     leave_out(member.size());

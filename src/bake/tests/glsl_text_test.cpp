@@ -27,6 +27,8 @@ TEST(GlslText, SwizzlesAreFunctions) {
   EXPECT_EQ(expression("2.0*f(p, (q)).rgb - 1.0"), "2.0f*swizzled<123>(f(p, (q))    ) - 1.0f");
   EXPECT_EQ(expression("a.b.xxyy.zw.x"), "swizzled<34>(swizzled<1122>(a.b     )   ).x");
   EXPECT_EQ(expression("p.x + p.color + p.xg"), "p.x + p.color + p.xg");
+  EXPECT_EQ(functions("a > (b).xy"), "a > swizzled<12>((b)   )");
+  EXPECT_EQ(functions(").xy]>.yx return .zw"), "swizzled<12>()   )]>swizzled<21>(   ) return swizzled<34>(   )");
   EXPECT_EQ(functions("return (a + b).xy;"), "return swizzled<12>((a + b)   );");
 }
 
