@@ -78,6 +78,7 @@ std::string in_glsl(std::string_view message) {
   }
   for (std::size_t at = text.find("'using "); at != std::string::npos; at = text.find("'using ", at)) {
     const std::size_t end = text.find(" = ", at);
+    if (end == std::string::npos) break;
     text.erase(end, text.find('\'', end) - end);
     text.erase(at + 1, 6);
   }

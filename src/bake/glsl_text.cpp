@@ -29,8 +29,7 @@ constexpr std::string_view kOfShaders =
     " uniform varying attribute layout buffer shared discard subroutine sampler2D sampler3D texture ";
 constexpr std::string_view kNotInTwin =
     " double dvec2 dvec3 dvec4 bvec2 bvec3 bvec4 mat2 mat3 mat4 mat2x2 mat2x3 mat2x4 mat3x2 mat3x3 mat3x4 mat4x2 "
-    "mat4x3 "
-    "mat4x4 ";
+    "mat4x3 mat4x4 ";
 constexpr std::string_view kLeftOutDirectives = " version extension line pragma ";
 constexpr std::string_view kDirectives = " define undef if ifdef ifndef else elif endif error ";
 constexpr std::string_view kPunctuation = "()[]{}.,;:?+-*/%<>=!&|^~ \t\r\n";
@@ -256,7 +255,18 @@ class Translator {
     return end == at - 1 ? digits + kSwizzle.size() - 1 : at;
   }
 
+  // Whether = or += and the like stand behind this place.
+  bool is_assigned_to(std::size_t at) const {
+    while (at < in_.size() && is_space(in_[at])) ++at;
+    const std::string_view rest = in_.substr(at);
+    if (rest.starts_with('=')) return !rest.starts_with("==");
+    return rest.size() > 1 && rest[1] == '=' && std::string_view("+-*/").find(rest[0]) != std::string_view::npos;
+  }
+
   void swizzle(std::string_view member, const std::vector<std::size_t>& components) {
+    if (is_assigned_to(at_ + member.size())) {
+      return refuse(at_, fmt::format(".{} can only be read here; assign to one component at a time", member));
+    }
     std::size_t dot = cpp_.text.find_last_of('.');
     std::string call(kSwizzle);  // the components as digits, since a comma would separate arguments of a macro
     for (const std::size_t component : components) call += static_cast<char>('1' + component);

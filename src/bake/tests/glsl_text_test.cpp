@@ -27,8 +27,8 @@ TEST(GlslText, SwizzlesAreFunctions) {
   EXPECT_EQ(expression("2.0*f(p, (q)).rgb - 1.0"), "2.0f*swizzled<123>(f(p, (q))    ) - 1.0f");
   EXPECT_EQ(expression("a.b.xxyy.zw.x"), "swizzled<34>(swizzled<1122>(a.b     )   ).x");
   EXPECT_EQ(expression("p.x + p.color + p.xg"), "p.x + p.color + p.xg");
-  EXPECT_EQ(functions("a > (b).xy"), "a > swizzled<12>((b)   )");
-  EXPECT_EQ(functions(").xy]>.yx return .zw"), "swizzled<12>()   )]>swizzled<21>(   ) return swizzled<34>(   )");
+  EXPECT_EQ(functions("a > (b).xy"), "a >swizzled<12>( (b)   )");
+  EXPECT_EQ(functions(">.xy > .yx, return .zw"), ">swizzled<12>(   ) >swizzled<21>(    ), return swizzled<34>(   )");
   EXPECT_EQ(functions("return (a + b).xy;"), "return swizzled<12>((a + b)   );");
 }
 
@@ -66,6 +66,9 @@ TEST(GlslText, WhatIsWrongIsToldWithItsPlace) {
   EXPECT_NE(functions("#include \"other.glsl\"").find("no other files"), std::string::npos);
   EXPECT_NE(functions("\n#define HN_HASH 1").find("line 2, column 1: a knob"), std::string::npos);
   EXPECT_EQ(functions("#define M HN_METRIC_SQUARED"), "#define M HN_METRIC_SQUARED");
+  EXPECT_NE(functions("a.xy = b;").find("column 3: .xy can only be read here"), std::string::npos);
+  EXPECT_NE(functions("a.xy *= b;").find("column 3: .xy can only be read here"), std::string::npos);
+  EXPECT_EQ(functions("a.xy == b;"), "swizzled<12>(a   ) == b;");
   EXPECT_NE(functions("uniform float time;").find("belongs to a shader"), std::string::npos);
   EXPECT_NE(functions("class A;").find("GLSL reserves the word class"), std::string::npos);
 }
