@@ -9,8 +9,8 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
-from bounds import frames, kernel_floats, noises, sine, sums, uniform
-from bounds.float_sums import octave_tolerance
+from bounds import frames, gullies, kernel_floats, noises, sine, sums, uniform
+from bounds.float_sums import gullies_tolerance, octave_tolerance
 from bounds.gradients import GRADIENTS, SINE, Gradient
 from bounds.integers import fade_errors, slope_errors, spline_weight_error
 from bounds.noises import Derived
@@ -132,6 +132,20 @@ def frames_table(derived: Everything) -> str:
     return table(("", "fast and precise: from a position", "from a cell", "fixed"), rows)
 
 
+CUT = tuple(  # of gullies: a title, the sum, the length of the slope, the depth
+    (f"{count} octaves, depth {depth:g}, a slope of {slope:g}",
+     Sum("fbm", 16.0, count, 2.0, 0.5, turns=False, from_cell=True), slope, depth)
+    for count, slope, depth in ((2, 1.0, 0.1), (3, 1.0, 0.05), (3, 1.0, 0.1), (3, 3.0, 0.1), (5, 1.0, 0.05),
+                                (5, 3.0, 0.05), (5, 1.0, 0.1), (5, 3.0, 0.1), (5, 3.0, 0.2)))
+
+
+def gullies_table(_: Everything) -> str:
+    bounds = gullies.bounds().rounded()
+    rows = [[title, *(scientific(error, 2) for of in (gullies_tolerance, gullies.fixed_tolerance)
+                      for error in of(s, slope, depth, bounds))] for title, s, slope, depth in CUT]
+    return table(("", "fast and precise: height", "a slope", "fixed: height", "a slope"), rows)
+
+
 def _parts_table(derived: Everything) -> str:
     """In units of 1e-6."""
     def number(value: float) -> str:
@@ -151,7 +165,7 @@ def slope_parts_table(derived: Everything) -> str:
 
 
 TABLES: dict[str, Callable[[Everything], str]] = {
-    "noises": noise_table, "derivatives": slope_table, "sums": sums_table, "frames": frames_table, "parts": parts_table,
+    "noises": noise_table, "derivatives": slope_table, "sums": sums_table, "frames": frames_table, "gullies": gullies_table, "parts": parts_table,
     "parts of derivatives": slope_parts_table}
 
 
@@ -200,7 +214,7 @@ def quotes(derived: Everything) -> list[tuple[str, str]]:
         f"at most 1 - {math.floor((1 - sine.sine_largest()) * 1e9) / 1e9:.2e}".replace("e-0", "e-"),
         f"adds {scientific(sums.cloud_error())} ",
         f"within {scientific(kernel_floats.turn_error(1.0))} of those of the phase")]
-    stated += [(ACCURACY, text) for text in uniform.quotes()]
+    stated += [(ACCURACY, text) for text in (*uniform.quotes(), *gullies.quotes())]
     return stated + [quote for name in noises.names() for quote in noises.find(name).quotes()]
 
 

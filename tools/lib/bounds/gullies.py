@@ -23,7 +23,10 @@ with G' for g, and |u| v likewise. A clamp brings no two slopes further apart.
 FIXED. The square of r rounds down by less than 2^-20. That moves r by less than 2^-20 / r, and by 2^-10 at most; the
 root rounds down by less than 2^-14. So r times the first is below 2^-20, and u is off by both over (r + 1/8)^2, but for
 a hundredth. Each of its components is rounded down to 2^-21. |u| is rounded down to 2^-18 twice, and so is its product
-with a rate or a weight. Rates and weights are compared with the exact ones as they are."""
+with a rate or a weight. Rates and weights are compared with the exact ones as they are.
+
+NO OVERFLOW. Where the bounds hold a rate is at most 64, which is 2^24, and a step of a slope is at most 64 G, below
+2^26. The heights sum to no more than those of 32 octaves of an fBm."""
 
 from __future__ import annotations
 
@@ -40,7 +43,7 @@ from bounds.noises import phasor, phasor_d
 from bounds.noises.phasor import KERNELS, TURN, Waves, scale_of
 from bounds.steps import WEIGHT_UNIT
 from bounds.sums import Sum, doubled, fixed_fades, fixed_weights, whole_positions
-from bounds.table import GulliesBounds
+from bounds.table import GulliesBounds, scientific, shortest
 
 LONGEST = 3 / 2  # wave
 PLANE = replace(KERNELS[2], waves=LONGEST)
@@ -148,10 +151,10 @@ def fixed_product_error(slope: Slope, limit: float, turn: float, error: float) -
 
 def fixed_rates(s: Sum, depth: float) -> list[float]:
     """Of each octave the number that is multiplied with |u| g."""
-    deep, c = math.trunc(clamped_depth(depth) * FADE_ONE), FADE_ONE
+    c = math.trunc(clamped_depth(depth) * FADE_ONE)
     growth, rates = math.trunc(s.gain * FADE_ONE) * math.trunc(s.lacunarity * 2**23) >> 23, []
     for _ in range(s.count):
-        rates.append((c * deep >> 18) / FADE_ONE)
+        rates.append(c / FADE_ONE)
         c = c * growth >> 18
     return rates
 
@@ -182,3 +185,16 @@ def fixed_tolerance(s: Sum, slope: float, depth: float, bounds: GulliesBounds) -
     most = 2 * deep * sum(s.weights)
     error = min(cut * height + (deep - cut) * total + UNIT, most)
     return error + (COARSE * UNIT if deep * total >= 7 else 0.0), min(e.error, 16.0)
+
+
+def quotes() -> list[str]:
+    """Numbers in the prose of docs/accuracy.md."""
+    exact, of = bounds(), bounds().rounded()
+
+    def rate(r: float, digits: int) -> str:
+        return shortest(largest_rate(of.steepest, LONGEST * of.slope_turn, r), digits)
+    return [f"within {scientific(exact.value)} of the value and {scientific(exact.slope)} of a derivative",
+            f"no longer than G = {of.steepest:g}, and changes", f"no more than G' = {of.slope_turn:g} times",
+            f"v changes by {of.turn:g} times", f"by {rate(0.0, 2)} d on flat ground, {rate(1.0, 3)} d for a slope of 1, "
+            f"and {rate(3.0, 3)} d for one of 3",
+            f"{scientific(exact.fixed_value)} of the value and {scientific(exact.fixed_slope)} of a derivative, with the cut"]

@@ -61,7 +61,7 @@ def fixed_gullies(s, slope, depth, q):
     """From whole positions."""
     e = first = [np.trunc(np.clip(x, -8, 8) * 2**16).astype(np.int64) for x in slope]
     deep, ratio = math.trunc(min(max(depth, 0.0), 8.0) * 2**18), math.floor(s.lacunarity) * 2**23
-    growth, c, seed, total = math.trunc(s.gain * 2**18) * ratio >> 23, 2**18, 0, 0 * first[0]
+    growth, c, seed, total = math.trunc(s.gain * 2**18) * ratio >> 23, deep, 0, 0 * first[0]
     for weight, fade in zip(sums.fixed_weights(s), sums.fixed_fades(sums.doubled(s))):
         cells, f = [x >> 24 for x in q], [(x & (2**24 - 1)) >> 4 for x in q]
         r = root((e[0]**2 + e[1]**2) >> 12)
@@ -69,7 +69,7 @@ def fixed_gullies(s, slope, depth, q):
         part = product(over(4 * r, r + 2**11) >> 3, fade)
         value, *slopes = kernel_model.fixed_phasor_d(KERNEL, words_at(cells, seed), f, wave, np.zeros(r.shape))
         total = s32(total + fixed.weighted(value[0], product(weight, part)))
-        rate = prod(prod(c, deep), part)
+        rate = prod(c, part)
         e = [np.clip(s32(x + prod(y[0], rate)), -2**19, 2**19) for x, y in zip(e, slopes)]
         c, seed = prod(c, growth), u32(seed + GOLDEN)
         q = [s56(fixed.times(x, ratio) + int(shift * 2**24)) for x, shift in zip(q, SHIFT)]

@@ -83,6 +83,10 @@ class GulliesBounds:
     fixed_value: float
     fixed_slope: float
 
+    def rounded(self) -> GulliesBounds:
+        """As the table has it."""
+        return GulliesBounds(*(float(rounded_up(number, 3)) for number in astuple(self)))
+
 
 @dataclass(frozen=True)
 class UniformBounds:
