@@ -41,7 +41,12 @@ TEST_F(SimplexChecks, WrongDerivativesAreCaught) {
   constexpr Replaced kTerms[] = {{"noise4d.simplex_d.lattice.fast.fragment.gl330.derivative", "detail/falloff.glsl",
                                   "hn_float d = g * w - k * x;", "hn_float d = g * w;"},
                                  {"noise2d.simplex_d.lattice.fast.fragment.gl330.derivative", "detail/falloff.glsl",
-                                  "hn_float d = g * w - k * x;", "hn_float d = g * w - 0.99 * k * x;"}};
+                                  "hn_float d = g * w - k * x;", "hn_float d = g * w - 0.99 * k * x;"},
+                                 {"noise2d.phasor_d.lattice.fast.fragment.gl330.derivative", "detail/phasor.glsl",
+                                  "hn_i_minus(fall.x, hn_i_turning(n.y, k))",
+                                  "hn_i_plus(fall.x, hn_i_turning(n.y, k))"},
+                                 {"noise3d.phasor_d.lattice.fast.fragment.gl330.derivative", "detail/phasor.glsl",
+                                  "return hn_i_times(n, -x);", "return hn_i_times(n, x);"}};
   expect_all_caught(kTerms);
 }
 

@@ -213,8 +213,8 @@ float random_depth(Region region, Extremes extremes, Random& random) {
   return random.below(2) == 0 ? 0.1f : kSome[random.below(kSome.size())];
 }
 
-// A component of the slope that gullies run down: mostly of hills, often flat or nearly so, where gullies turn fast, and
-// now and then at an end or beyond.
+// A component of the slope that gullies run down: mostly of hills, often flat or nearly so, where gullies turn fast,
+// and now and then at an end or beyond.
 float random_slope(Region region, Random& random) {
   if (region == Region::extreme && random.below(2) == 0) return random_extreme(128, random);
   constexpr std::array kSome = {8.0f, -8.0f, 9.5f, -100.0f};
