@@ -329,7 +329,8 @@ tl::expected<BakeOptions, Stop> parse_options(int argc, const char* const* argv)
                "hn-bake");
   app.set_version_flag("--version", library_version());
   app.footer(
-      "Exit status: 0 done, 1 the file could not be written, 2 bad usage, 4 it or an expression could not be built, "
+      "Exit status: 0 done, 1 the file could not be written, 2 bad usage, 4 it could not be built, or an expression "
+      "could not, "
       "130 ended by Ctrl-C (SIGINT), 143 by SIGTERM, 129 by SIGHUP.");
   BakeOptions options;
   Words words;
