@@ -23,6 +23,9 @@ float hn_bench_value(vec3 v) { return v.x + v.y + v.z; }
 float hn_bench_value(vec4 v) { return v.x + v.y + v.z + v.w; }
 #ifdef HN_ARITHMETIC_GLSL
 float hn_bench_value(hn_derivatives4 n) { return n.value + hn_bench_value(n.gradient); }
+float hn_bench_value(hn_derivatives2x2 n) { return hn_bench_value(n.value + n.dx + n.dy); }
+float hn_bench_value(hn_derivatives2x3 n) { return hn_bench_value(n.value + n.dx + n.dy + n.dz); }
+float hn_bench_value(hn_derivatives3x3 n) { return hn_bench_value(n.value + n.dx + n.dy + n.dz); }
 #endif
 // What a function sets.
 ivec2 hn_bench_cell2;
