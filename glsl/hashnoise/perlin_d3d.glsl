@@ -21,12 +21,8 @@ HN_FN hn_num4 hn_i_face_d(hn_uvec4 h, hn_num3 f, bool back, hn_num3 t, hn_num3 s
   return hn_i_face_d(r, hn_i_gradient(d00), hn_i_gradient(d10), hn_i_gradient(d01), hn_i_gradient(d11), t, s);
 }
 
-// The noise and its derivatives, from the words of the corners of both faces.
-HN_FN hn_vec4 hn_i_perlin_d(hn_uvec4 a, hn_uvec4 b, hn_num3 f) {
-  hn_num3 t = hn_i_fade(f);
-  hn_num3 s = hn_i_d_fade(f);
-  hn_num4 front = hn_i_face_d(a, f, false, t, s);
-  hn_num4 back = hn_i_face_d(b, f, true, t, s);
+// The noise and its derivatives, from those of both faces.
+HN_FN hn_vec4 hn_i_perlin_d(hn_num4 front, hn_num4 back, hn_num3 t, hn_num3 s) {
   hn_num dz = hn_i_d_faded(hn_i_lerp(front.w, back.w, t.z), hn_i_d_corner(front.x, back.x), s.z);
   return vec4(hn_i_value(hn_i_scaled3(hn_i_lerp(front.x, back.x, t.z))),
               hn_i_derivative(hn_i_scaled3(hn_i_lerp(front.y, back.y, t.z))),
@@ -46,7 +42,13 @@ HN_FN hn_vec4 hn_i_perlin_d(hn_uvec4 a, hn_uvec4 b, hn_num3 f) {
 //   source   the product rule on the interpolation; docs/contract.md, section 10
 HN_FN hn_vec4 hn_perlin_d(hn_place3 place, hn_uint seed) {
   hn_i_box3 box = hn_i_box(place);
-  return hn_i_perlin_d(hn_i_corners(box, false, seed), hn_i_corners(box, true, seed), place.fraction);
+  hn_num3 f = place.fraction;
+  hn_num3 t = hn_i_fade(f);
+  hn_num3 s = hn_i_d_fade(f);
+  // One face after the other: some compilers keep what they are told first in registers.
+  hn_num4 front = hn_i_face_d(hn_i_corners(box, false, seed), f, false, t, s);
+  hn_num4 back = hn_i_face_d(hn_i_corners(box, true, seed), f, true, t, s);
+  return hn_i_perlin_d(front, back, t, s);
 }
 HN_FN hn_vec4 hn_perlin_d(hn_vec3 p, hn_uint seed) { return hn_perlin_d(hn_place(p), seed); }
 HN_FN hn_vec4 hn_perlin_d(hn_vec3 p) { return hn_perlin_d(p, 0u); }
