@@ -18,8 +18,8 @@ from tables.functions import FAMILIES, NOISES, OF_EVERY_HASH, Function, read_fun
 from tree import BOUNDS, CONFIGURATIONS, FUNCTIONS, GLSL, GOLDEN, ROOT, glsl_files
 
 KNOBS = "docs/knobs.md"
-# Of functions for which the README has one line, or that are another with derivatives.
-OTHERS = ("docs/noises.md", "docs/random.md", "docs/sums.md", "docs/uniform.md")
+OTHERS = ("docs/uniform.md", "docs/random.md")  # of functions for which the README has one line
+OF_DERIVATIVES = "docs/noises.md"  # whose table has what returns the derivatives of vectors
 ENTRIES = "tools/lib/{}/noises/{}.py"
 OF_A_NOISE = {"error", "cost"}  # in each comment; and in one of its comments
 OF_A_NOISE_ONCE = OF_A_NOISE | {"returns", "period", "source"}
@@ -100,6 +100,7 @@ def functions_without_words(tree: Tree) -> Iterator[str]:
     functions = tree.text("README.md").partition("\n## Functions\n")[2].partition("\n- ")[0]
     tables = "\n".join([functions, *map(tree.text, OTHERS)])
     first_cells = [line.split(" | ")[0] for line in tables.split("\n") if line.startswith("|")]
+    first_cells += [line.split(" | ")[0] for line in tree.text(OF_DERIVATIVES).split("\n") if "`hn_derivatives" in line]
     contract = tree.text("docs/contract.md")
     for declared in tree.declarations:
         if not declared.comment or "returns" not in declared.comment.headings:

@@ -33,8 +33,8 @@ class Deletions(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.root = Path(folder.name)
         for path in (GLSL, ROOT / "include" / "hashnoise", ROOT / "README.md", ROOT / "docs" / "contract.md",
-                     ROOT / "docs" / "knobs.md", ROOT / "docs" / "random.md", ROOT / "docs" / "uniform.md",
-                     CATALOG, FUNCTIONS, FORMS, CONFIGURATIONS, BOUNDS, ROOT / "tools" / "lib" / "oracle" / "noises",
+                     ROOT / "docs" / "knobs.md", ROOT / "docs" / "noises.md", ROOT / "docs" / "random.md",
+                     ROOT / "docs" / "uniform.md", CATALOG, FUNCTIONS, FORMS, CONFIGURATIONS, BOUNDS, ROOT / "tools" / "lib" / "oracle" / "noises",
                      ROOT / "tools" / "lib" / "bounds" / "noises"):
             target = self.root / path.relative_to(ROOT)
             target.parent.mkdir(parents=True, exist_ok=True)
@@ -122,7 +122,7 @@ class Deletions(unittest.TestCase):
         self.noticed(r"^README\.md: no line for hn_perlin: add one to the table of functions")
 
     def test_pages_with_tables_of_functions(self) -> None:
-        for page, name in (("random", "hn_normal"), ("uniform", "hn_spread_fbm")):
+        for page, name in (("random", "hn_normal"), ("uniform", "hn_spread_fbm"), ("noises", "hn_phasor_d")):
             with self.subTest(page=page):
                 self.change(f"docs/{page}.md", rf"^\| `{name}\b.*\n")
                 self.noticed(rf"^README\.md: no line for {name}: .* or to that of docs/uniform\.md or docs/random\.md$")

@@ -33,8 +33,8 @@ def evaluated(function: Function, row: Row, fixed: bool) -> tuple:
 
 
 class Rows(unittest.TestCase):
-    def test_there_are_three_functions_with_two_settings(self) -> None:
-        self.assertEqual(len(GULLIES), 3)
+    def test_there_are_four_functions_with_two_settings(self) -> None:
+        self.assertEqual(len(GULLIES), 4)
         for file in golden_files(GULLIES, read_configurations()):
             self.assertEqual([values.name for values in file.values], ["lattice", "lattice+fixed"])
             self.assertTrue(90 <= len(ROWS[file.function.id][0]) <= 140)

@@ -49,7 +49,8 @@ def types_of(overload: tuple[str, ...]) -> tuple[str, ...]:
 def name_by_row(function: Function, types: tuple[str, ...]) -> str:
     """The name that a function has in WGSL by the id of its row: without what repeats the file, or says of which kind
     the place is."""
-    if function.form == "candidate" or function.bound == "hex_tiling":  # several rows of one function
+    of_parts = function.component is not None or function.name.endswith("_quadrature")
+    if of_parts or function.form == "candidate" or function.bound == "hex_tiling":  # several rows of one function
         return f"{function.calls}{function.axes}{'_place' * types[0].startswith('hn_place')}"
     name = re.sub(r"_(?:cell|period)(?=_|$)", "", function.name)
     place = "_place" if function.has_place else ""
