@@ -317,6 +317,7 @@ NB_MODULE(_core, module) {
       .def_rw("seed", &Settings::seed)
       .def_rw("period", &Settings::period)
       .def_rw("phase", &Settings::phase)
+      .def_rw("wave", &Settings::wave)
       .def_rw("jitter", &Settings::jitter)
       .def_prop_rw(
           "metric",

@@ -20,6 +20,7 @@ struct Words {
   std::optional<std::string> origin;
   std::optional<std::string> period;
   std::optional<std::string> noise;
+  std::optional<std::string> wave;
   std::optional<std::string> expression;
   std::optional<std::string> source;
   std::string arithmetic = "fixed";

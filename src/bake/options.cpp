@@ -93,6 +93,7 @@ Result<void> choose_expression(BakeOptions& options, const Words& words) {
                                                      {"--amplitude", settings.amplitude.has_value()},
                                                      {"--detail", settings.detail.has_value()},
                                                      {"--footprint", settings.footprint.has_value()},
+                                                     {"--wave", words.wave.has_value()},
                                                      {"--phase", settings.phase.has_value()},
                                                      {"--jitter", settings.jitter.has_value()},
                                                      {"--metric", words.metric.has_value()},
@@ -197,6 +198,19 @@ Result<void> choose_origin(BakeOptions& options, const std::optional<std::string
                           options.origin.size(), options.size.size()));
 }
 
+// The form is that of --origin, which has numbers with signs, too. Which function has a wave the field says.
+Result<void> choose_wave(BakeOptions& options, const std::optional<std::string>& text) {
+  using hashnoise::grid::kWaveRule;
+  if (!text) return {};
+  HN_TRY(const auto wave, axes_of("--wave", *text, kWaveRule.least, kWaveRule.most, "2.5x-1.5"));
+  if (wave.size() != options.size.size()) {
+    return fail(fmt::format("--wave {} has {} axes, and --size has {}; give one number for each", in_quotes(*text),
+                            wave.size(), options.size.size()));
+  }
+  for (const double along : wave) options.settings.wave.push_back(static_cast<float>(along));
+  return {};
+}
+
 Result<void> choose_format(BakeOptions& options, const std::string& format) {
   std::string name = format;
   if (name.empty()) {
@@ -278,6 +292,7 @@ Result<void> interpret(BakeOptions& options, const Words& words) {
   HN_DO(choose_cells(options, words.cells));
   HN_DO(choose_tile(options, words.period));
   HN_DO(choose_origin(options, words.origin));
+  HN_DO(choose_wave(options, words.wave));
   HN_DO(choose_format(options, words.format));
   HN_DO(choose_ranges(options, words.ranges));
   HN_DO(choose_layout(options, words.layout));

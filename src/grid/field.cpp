@@ -362,6 +362,8 @@ std::vector<std::string> Field<D>::component_names() const {
       return {"f1", "f2", "f3"};
     case grid::Shape::kVector:
       return {axes.begin(), axes.begin() + D};
+    case grid::Shape::kValueAndQuadrature:
+      return {"value", "quadrature"};
     case grid::Shape::kValue:
     case grid::Shape::kWithSlopes:
       names = {"value"};

@@ -20,8 +20,9 @@ struct NoiseRow {
   Takes takes;
 
   constexpr bool has_phase() const {  // in 2D and 3D
-    return takes == Takes::kPhase || takes == Takes::kJitterAndMetricAndPhase;
+    return takes == Takes::kPhase || takes == Takes::kJitterAndMetricAndPhase || has_wave();
   }
+  constexpr bool has_wave() const { return takes == Takes::kPhaseAndWave; }
   constexpr bool has_jitter() const { return takes == Takes::kJitter || has_metric(); }
   constexpr bool has_metric() const {
     return takes == Takes::kJitterAndMetric || takes == Takes::kJitterAndMetricAndPhase;

@@ -14,11 +14,12 @@ enum class Shape {
   kThreeDistances,
   kDistanceWithSlopes,
   kVector,  // a component along each axis
+  kValueAndQuadrature,
 };
 
 // What a noise takes beside a seed and a period. A phase it has in 2D and 3D.
-// With a phase there is no metric to choose.
-enum class Takes { kNothing, kPhase, kJitter, kJitterAndMetric, kJitterAndMetricAndPhase };
+// With a phase there is no metric to choose. What has a wave has no form without both.
+enum class Takes { kNothing, kPhase, kJitter, kJitterAndMetric, kJitterAndMetricAndPhase, kPhaseAndWave };
 
 // The noises, and the functions that sum them, in the order of the catalog.
 enum NoiseId {
@@ -43,6 +44,7 @@ struct Options {
   std::uint32_t seed;
   std::int32_t period[4];
   float phase;
+  float wave[4];
   float jitter;
   std::int32_t metric;
   std::int32_t octaves;

@@ -28,6 +28,7 @@ struct Given {
   Uint seed;
   Cell<D> period;
   Float phase, jitter;
+  Fraction<D> wave;
   Int metric, octaves;
   Float lacunarity, gain, strength, limit;
 
@@ -36,6 +37,7 @@ struct Given {
         period(vector_of<Cell<D>, D>([&](int axis) __attribute__((always_inline)) { return Int(o.period[axis]); })),
         phase(o.phase),
         jitter(o.jitter),
+        wave(vector_of<Fraction<D>, D>([&](int axis) __attribute__((always_inline)) { return Float(o.wave[axis]); })),
         metric(o.metric),
         octaves(o.octaves),
         lacunarity(o.lacunarity),

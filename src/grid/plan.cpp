@@ -83,9 +83,9 @@ InstructionSet chosen(const std::optional<InstructionSet>& wanted) {
 
 // "perlin, simplex and curl"
 std::string with_and(std::vector<std::string_view> names) {
-  const std::string last = " and " + std::string(names.back());
+  const std::string last(names.back());
   names.pop_back();
-  return listed(names) + last;
+  return names.empty() ? last : listed(names) + " and " + last;
 }
 
 std::string noises_with(bool (NoiseRow::*option)() const) { return with_and(names_where(kNoiseRows, option)); }
@@ -112,6 +112,8 @@ void check_owners(const Settings& settings, int dimensions, const NoiseRow& nois
   const Given all[] = {
       {"phase", settings.phase.has_value(), has_phase,
        [] { return noises_with(&NoiseRow::has_phase) + " have one in 2D and 3D"; }},
+      {"wave", !settings.wave.empty(), is_noise && noise.has_wave(),
+       [] { return noises_with(&NoiseRow::has_wave) + " has one in 2D and 3D"; }},
       {"jitter", settings.jitter.has_value(), is_noise && noise.has_jitter(),
        [] { return noises_with(&NoiseRow::has_jitter) + " have one"; }},
       {"metric", settings.metric.has_value(), is_noise && noise.has_metric(),
@@ -130,6 +132,24 @@ void check_owners(const Settings& settings, int dimensions, const NoiseRow& nois
     if (!given.is_given || given.is_had) continue;
     refuse((is_sum ? "the sum " + quoted(sum->name) : quoted(noise.name)) + in_dimensions(dimensions) +
            (tiled ? " with a period" : "") + " has no " + std::string(given.setting) + "; " + given.owners());
+  }
+}
+
+// A number for each axis. Without a wave there are 3 waves to a cell along x: enough to show as stripes, and few enough
+// for a picture of some cells. Nothing else in a field says along which direction they should run.
+void plan_wave(Plan& plan, const std::vector<float>& wave) {
+  if (wave.empty()) {
+    plan.options.wave[0] = 3.0f;
+    return;
+  }
+  const auto dimensions = static_cast<std::size_t>(plan.dimensions);
+  if (wave.size() != dimensions) {
+    refuse("wave has " + std::to_string(wave.size()) + (wave.size() == 1 ? " component" : " components") +
+           ", and has to have " + std::to_string(dimensions) + in_dimensions(plan.dimensions) + ", one for each axis");
+  }
+  for (std::size_t axis = 0; axis < dimensions; ++axis) {
+    check(kWaveRule, static_cast<double>(wave[axis]));
+    plan.options.wave[axis] = wave[axis];
   }
 }
 
@@ -183,6 +203,7 @@ int components_of(Shape shape, int dimensions) {
     case Shape::kValue:
       return 1;
     case Shape::kTwoDistances:
+    case Shape::kValueAndQuadrature:
       return 2;
     case Shape::kThreeDistances:
       return 3;
@@ -219,6 +240,7 @@ Plan plan_of(int dimensions, const Settings& settings) {
   plan.kernels = &kernels_for(plan.set, settings.arithmetic);
   plan.options.seed = settings.seed;
   plan.options.phase = checked(kPhaseRule, settings.phase);
+  plan_wave(plan, settings.wave);
   plan.options.jitter = checked(kJitterRule, settings.jitter);
   plan.options.metric = metric;
   plan.options.octaves = checked(kOctavesRule, settings.octaves);

@@ -22,7 +22,7 @@ struct Rule {
 constexpr double kMostFloat = std::numeric_limits<float>::max();
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();  // nothing is usual
 
-// kSeedRule, kPeriodRule and so on; the period, the cell and the size are for each axis.
+// kSeedRule, kPeriodRule and so on; the period, the cell, the size and the wave are for each axis.
 #define HN_CATALOG_SETTING(Id, name, is_whole, least, most, usual) \
   constexpr Rule k##Id##Rule = {#name, is_whole, least, most, usual};
 #include "catalog.inc"

@@ -122,6 +122,10 @@ def perlin_vector(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = 
                   period: int | Sequence[int] | None = None, cell: _Cells | None = None,
                   arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: int | None = None,
                   instruction_set: str | None = None) -> _Values: ...
+def phasor(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: int = 0,
+           period: int | Sequence[int] | None = None, wave: Sequence[float] | None = None, phase: float | None = None,
+           cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
+           threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
 @overload
 def random(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *,
            seed: int = 0, period: int | Sequence[int] | None = None, cell: int | Sequence[int] | None = None,
@@ -261,27 +265,27 @@ def grid(name: str, size: int | Sequence[int], *, step: float | Sequence[float],
          cell: int | Sequence[int] | None = None, seed: int = 0, noise: str | None = None, octaves: int | None = None,
          lacunarity: float | None = None, gain: float | None = None, strength: float | None = None,
          amplitude: float | None = None, detail: float | None = None, footprint: float | None = None,
-         period: int | Sequence[int] | None = None, phase: float | None = None, jitter: float | None = None,
-         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
-         return_range: Literal[False] = False, threads: int | None = None,
+         period: int | Sequence[int] | None = None, wave: Sequence[float] | None = None, phase: float | None = None,
+         jitter: float | None = None, metric: _Metric | None = None, arithmetic: _Arithmetic = "fast",
+         out: _Values | None = None, return_range: Literal[False] = False, threads: int | None = None,
          instruction_set: str | None = None) -> _Values: ...
 @overload
 def grid(name: str, size: int | Sequence[int], *, step: float | Sequence[float], origin: float | Sequence[float] = 0.0,
          cell: int | Sequence[int] | None = None, seed: int = 0, noise: str | None = None, octaves: int | None = None,
          lacunarity: float | None = None, gain: float | None = None, strength: float | None = None,
          amplitude: float | None = None, detail: float | None = None, footprint: float | None = None,
-         period: int | Sequence[int] | None = None, phase: float | None = None, jitter: float | None = None,
-         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
-         return_range: Literal[True], threads: int | None = None,
+         period: int | Sequence[int] | None = None, wave: Sequence[float] | None = None, phase: float | None = None,
+         jitter: float | None = None, metric: _Metric | None = None, arithmetic: _Arithmetic = "fast",
+         out: _Values | None = None, return_range: Literal[True], threads: int | None = None,
          instruction_set: str | None = None) -> tuple[_Values, tuple[float, float]]: ...
 @overload
 def grid(name: str, size: int | Sequence[int], *, step: float | Sequence[float], origin: float | Sequence[float] = 0.0,
          cell: int | Sequence[int] | None = None, seed: int = 0, noise: str | None = None, octaves: int | None = None,
          lacunarity: float | None = None, gain: float | None = None, strength: float | None = None,
          amplitude: float | None = None, detail: float | None = None, footprint: float | None = None,
-         period: int | Sequence[int] | None = None, phase: float | None = None, jitter: float | None = None,
-         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
-         return_range: bool, threads: int | None = None,
+         period: int | Sequence[int] | None = None, wave: Sequence[float] | None = None, phase: float | None = None,
+         jitter: float | None = None, metric: _Metric | None = None, arithmetic: _Arithmetic = "fast",
+         out: _Values | None = None, return_range: bool, threads: int | None = None,
          instruction_set: str | None = None) -> _Values | tuple[_Values, tuple[float, float]]: ...
 def components(name: str, dimensions: int, *, noise: str | None = None) -> tuple[str, ...]: ...
 def noises(dimensions: int) -> tuple[str, ...]: ...

@@ -194,6 +194,16 @@ def _period(function, name, value, dimensions):
     return (*per_axis(function, name, value, dimensions, ruled_number), 0, 0, 0)[:4]
 
 
+def _wave(function, name, value, dimensions):
+    if not _is_sequence(value):
+        raise TypeError(f"{function}: {name} must be a number for each of the {dimensions} axes, as in "
+                        f"{(2.5, 1.5, 0.0, 0.0)[:max(2, dimensions)]}, not {_shown(value)}")
+    if len(value) != dimensions:
+        raise ValueError(f"{function}: {name} must have a number for each of the {dimensions} axes, not {len(value)}; "
+                         f"it is {_shown(value)}")
+    return [real_number(function, name, part) for part in value]
+
+
 def _whole(function, name, value, dimensions):
     return ruled_number(function, name, value)
 
@@ -216,6 +226,7 @@ def _shown(value):
 _CHECKS = {
     **dict.fromkeys(("seed", "octaves"), _whole),
     "period": _period,
+    "wave": _wave,
     "arithmetic": _one_of(ARITHMETICS),
     "metric": _one_of(METRICS),
     "instruction_set": _instruction_set,

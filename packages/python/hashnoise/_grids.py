@@ -7,8 +7,8 @@ from ._evaluate import (checked_out, checked_threads, make_field, per_axis, real
 
 
 def grid(name, size, *, step, origin=0.0, cell=None, seed=0, noise=None, octaves=None, lacunarity=None, gain=None,
-         strength=None, amplitude=None, detail=None, footprint=None, period=None, phase=None, jitter=None, metric=None,
-         arithmetic="fast", out=None, return_range=False, threads=None, instruction_set=None):
+         strength=None, amplitude=None, detail=None, footprint=None, period=None, wave=None, phase=None, jitter=None,
+         metric=None, arithmetic="fast", out=None, return_range=False, threads=None, instruction_set=None):
     """A noise or a sum on a uniform grid: an image, or a volume. It needs no coordinates, and is fastest.
 
     name          which: "perlin", "fbm", ..., as the functions are called
@@ -33,13 +33,14 @@ def grid(name, size, *, step, origin=0.0, cell=None, seed=0, noise=None, octaves
     True
     >>> hashnoise.grid("fbm", (512, 512), step=1 / 64, cell=(10**9, -(10**9)), octaves=8).shape
     (512, 512)
+    >>> value, quadrature = hashnoise.grid("phasor", (512, 512), step=1 / 64, wave=(2.5, 1.5), phase=0.25)
     >>> heights, (least, greatest) = hashnoise.grid("ridged", (64, 64, 64), step=0.1, return_range=True)
     >>> (least, greatest) == (heights.min(), heights.max())
     True
     """
     options = {"noise": noise, "octaves": octaves, "lacunarity": lacunarity, "gain": gain, "strength": strength,
-               "amplitude": amplitude, "detail": detail, "footprint": footprint, "phase": phase, "jitter": jitter,
-               "metric": metric}
+               "amplitude": amplitude, "detail": detail, "footprint": footprint, "wave": wave, "phase": phase,
+               "jitter": jitter, "metric": metric}
     settings = _options("grid", name, {option: value for option, value in options.items() if value is not None})
     settings.update(seed=seed, period=period, arithmetic=arithmetic, instruction_set=instruction_set)
     dimensions = len(size) if hasattr(size, "__len__") else 1

@@ -5,7 +5,7 @@ from ._evaluate import points
 
 __all__ = ["perlin", "perlin_d", "value", "value_d", "value_cubic", "simplex", "simplex_d", "simplex_smooth",
            "cellular", "cellular_three", "cellular_d", "cellular_smooth", "cell_border", "curl", "value_vector",
-           "perlin_vector", "random"]
+           "perlin_vector", "phasor", "random"]
 
 
 def perlin(x, y=None, z=None, w=None, /, *, seed=0, period=None, phase=None, cell=None, arithmetic="fast", out=None,
@@ -277,6 +277,27 @@ def perlin_vector(x, y, z=None, /, *, seed=0, period=None, cell=None, arithmetic
     """
     return points("perlin_vector", (x, y, z), cell, out, threads, noise="perlin_vector", seed=seed, period=period,
                   arithmetic=arithmetic, instruction_set=instruction_set)
+
+
+def phasor(x, y, z=None, /, *, seed=0, period=None, wave=None, phase=None, cell=None, arithmetic="fast", out=None,
+           threads=None, instruction_set=None):
+    """Phasor noise, in 2D and 3D: stripes across a direction and with a wavelength of your choice.
+
+    The angle of both numbers, atan2(quadrature, value), grows across the stripes, so any profile can be made of it; the
+    length of both says how well the stripes agree.
+
+    wave     the direction in which the waves run, times the waves per cell: a number from -16 to 16 for each axis, of
+             which 2 to 8 waves show as stripes; 3 waves along x if it is left out
+    phase    in turns: the stripes move along the wave as it falls, and loop after one
+    returns  planes: the value and its quadrature, which is the value a quarter of a turn of the phase before, each in
+             [-1, 1], mean 0, twice continuously differentiable
+    source   Tricard et al., "Procedural phasor noise", 2019; Lagae et al., "Procedural noise using sparse Gabor
+             convolution", 2009; docs/contract.md, section 23
+
+    >>> hashnoise.phasor(0.5, 0.25, seed=7, arithmetic="fixed")
+    """
+    return points("phasor", (x, y, z), cell, out, threads, noise="phasor", seed=seed, period=period, wave=wave,
+                  phase=phase, arithmetic=arithmetic, instruction_set=instruction_set)
 
 
 def random(x, y=None, z=None, w=None, /, *, seed=0, period=None, cell=None, arithmetic="fast", out=None, threads=None,

@@ -94,11 +94,12 @@ def computed(golden: Golden, arithmetic: str) -> numpy.ndarray:
     points = [golden.arguments[f"f{axis}" if has_cells else axis] for axis in axes]
     cells = [golden.arguments[f"c{axis}"] for axis in axes] if has_cells else None
     periods = [f"p{axis}" for axis in axes if f"p{axis}" in golden.arguments]
+    waves = [f"k{axis}" for axis in axes if f"k{axis}" in golden.arguments]
     options = [name for name in golden.arguments
-               if name not in {*axes, *periods, *(f"{kind}{axis}" for kind in "cf" for axis in axes)}]
+               if name not in {*axes, *periods, *waves, *(f"{kind}{axis}" for kind in "cf" for axis in axes)}]
     rows: dict[tuple, list[int]] = {}
     for row in range(len(points[0])):
-        rows.setdefault(tuple(golden.arguments[name][row].item() for name in options + periods), []).append(row)
+        rows.setdefault(tuple(golden.arguments[name][row].item() for name in options + waves + periods), []).append(row)
     function = getattr(hashnoise, golden.function)
     first = len(hashnoise.components(golden.function, golden.axes)) - len(golden.results)
     if golden.name.endswith("_value"):
@@ -109,8 +110,10 @@ def computed(golden: Golden, arithmetic: str) -> numpy.ndarray:
         for name, value in chosen.items():
             least, most = RANGES.get(name if name != "strength" else golden.function, (value, value))
             chosen[name] = min(max(value, least), most)
+        if waves:
+            chosen["wave"] = [min(max(along, -16.0), 16.0) for along in values[len(options):len(options + waves)]]
         if periods:
-            chosen["period"] = tuple(max(period, 0) for period in values[len(options):])
+            chosen["period"] = tuple(max(period, 0) for period in values[len(options + waves):])
         if "metric" in chosen:
             chosen["metric"] = METRICS[chosen["metric"] if 0 <= chosen["metric"] < len(METRICS) else 0]
         if cells is not None:
@@ -146,7 +149,8 @@ def too_far(golden: Golden, results: numpy.ndarray) -> list[str]:
 
 def bound(golden: Golden, column: str) -> float:
     """The error of a noise that the project has proven, of its value or of its derivatives."""
-    noise = golden.function + ("_phase" if "phase" in golden.arguments else "")
+    has_other_form = "phase" in golden.arguments and "kx" not in golden.arguments  # what has a wave has a phase always
+    noise = golden.function + ("_phase" if has_other_form else "")
     kind = "SLOPE_BOUNDS" if column in ("dx", "dy", "dz", "dw") else "NOISE_BOUNDS"
     row = re.search(rf'^{kind}\("{noise}", {golden.axes}, (?:octahedral|none), (\S+), (\S+),', BOUNDS.read_text(), re.M)
     if row is None:

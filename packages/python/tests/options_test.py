@@ -35,7 +35,8 @@ class Options(unittest.TestCase):
 
     def test_each_option_counts(self):
         """What is changed from its default changes the values."""
-        changed = {"seed": 5, "period": 3, "phase": 0.25, "jitter": 0.5, "metric": "manhattan", "noise": "simplex",
+        changed = {"seed": 5, "period": 3, "wave": (2.5, -1.5), "phase": 0.25, "jitter": 0.5,
+                   "metric": "manhattan", "noise": "simplex",
                    "octaves": 3, "lacunarity": 3.0, "gain": 0.25, "strength": 0.5, "amplitude": 0.5, "detail": 2.5,
                    "footprint": 0.25, "arithmetic": "fixed", "cell": (3, 4)}
         same = {"out", "threads", "instruction_set"}
@@ -62,6 +63,7 @@ class Options(unittest.TestCase):
         self.assertEqual(hashnoise.fbm(X, seed=0, octaves=6, lacunarity=2.0, gain=0.5, noise="perlin").tobytes(),
                          hashnoise.fbm(X).tobytes())
         self.assertEqual(hashnoise.warp(X, X, noise="value_vector").tobytes(), hashnoise.warp(X, X).tobytes())
+        self.assertEqual(hashnoise.phasor(X, X, X, wave=(3, 0, 0), phase=0.0).tobytes(), hashnoise.phasor(X, X, X).tobytes())
 
     def test_kinds_of_numbers(self):
         for seed in (numpy.uint32(7), numpy.int64(7), True + 6):
@@ -71,12 +73,15 @@ class Options(unittest.TestCase):
                          hashnoise.fbm(X, X, period=(3, 5)).tobytes())
         self.assertEqual(hashnoise.fbm(X, X, period=[4, 4]).tobytes(), hashnoise.fbm(X, X, period=4).tobytes())
         hashnoise.perlin(X, seed=2**32 - 1)
+        for wave in ([2, -1], numpy.array([2, -1]), numpy.array([2, -1], numpy.float32), (numpy.float64(2), -1)):
+            self.assertEqual(hashnoise.phasor(X, X, wave=wave).tobytes(), hashnoise.phasor(X, X, wave=(2.0, -1.0)).tobytes())
 
     def test_names_of_planes(self):
         self.assertEqual(hashnoise.components("cellular_three", 3), ("f1", "f2", "f3"))
         self.assertEqual(hashnoise.components("simplex_d", 4), ("value", "dx", "dy", "dz", "dw"))
         self.assertEqual(hashnoise.components("warp", 2, noise="perlin_vector"), ("x", "y"))
         self.assertEqual(hashnoise.components("eroded", 2), ("value",))
+        self.assertEqual(hashnoise.components("phasor", 3), ("value", "quadrature"))
 
     def test_instruction_sets(self):
         sets = hashnoise.instruction_sets()
@@ -147,6 +152,24 @@ class Wrong(unittest.TestCase):
                 (TypeError, {"cell": (0.5, 1)}, "the cells along x must be whole numbers, not float64")):
             with self.subTest(options):
                 self.assert_told(kind, f"^fbm: .*{said}", lambda: hashnoise.fbm(X, X, **options))
+
+    def test_waves(self):
+        for kind, wave, said in (
+                (TypeError, 2.5, r"wave must be a number for each of the 2 axes, as in \(2.5, 1.5\), not 2.5 \(float\)"),
+                (TypeError, "xy", r"wave must be a number for each of the 2 axes, as in .*, not 'xy' \(str\)"),
+                (ValueError, (), r"wave must have a number for each of the 2 axes, not 0; it is \(\)"),
+                (ValueError, (2.5,), "wave must have a number for each of the 2 axes, not 1"),
+                (ValueError, [2.5, 1.5, 0], "wave must have a number for each of the 2 axes, not 3"),
+                (TypeError, (2.5, "1"), "wave must be a number, not '1'"),
+                (ValueError, (2.5, float("nan")), "wave must be finite, not nan"),
+                (ValueError, (2.5, float("-inf")), "wave must be finite, not -inf"),
+                (ValueError, (2.5, 16.25), "wave is 16.25, and has to be from -16 to 16"),
+                (ValueError, (-1e300, 0), "wave")):
+            with self.subTest(wave=wave):
+                self.assert_told(kind, f"^phasor: .*{said}", lambda: hashnoise.phasor(X, X, wave=wave))
+                self.assert_told(kind, f"^grid: .*{said}",
+                                 lambda: hashnoise.grid("phasor", (9, 9), step=0.1, wave=wave))
+        self.assert_told(TypeError, "^grid: fbm has no option wave", lambda: hashnoise.grid("fbm", 9, step=0.1, wave=(1,)))
 
     def test_options_that_there_are_not(self):
         self.assert_told(TypeError, "unexpected keyword argument 'octave'", lambda: hashnoise.fbm(X, octave=3))

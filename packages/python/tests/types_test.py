@@ -26,6 +26,8 @@ image: npt.NDArray[np.float32] = hashnoise.grid("cellular", (640, 480), step=0.0
 volume, (least, greatest) = hashnoise.grid("clouds", (9, 9, 9), step=(0.1, 0.1, 0.2), return_range=True)
 extent: float = greatest - least
 names: tuple[str, ...] = hashnoise.noises(2) + hashnoise.sums(2) + hashnoise.instruction_sets()
+stripes, quadrature = hashnoise.phasor(x, 0.5, wave=(2.5, -1.5), phase=0.25)
+layers: npt.NDArray[np.float32] = hashnoise.grid("phasor", (9, 9, 9), step=0.1, wave=[1, 2, 3])
 planes: tuple[str, ...] = hashnoise.components("warp", 2, noise="perlin_vector")
 version: str = hashnoise.__version__
 '''
@@ -35,6 +37,7 @@ WRONG = {
     'hashnoise.perlin(0.5, arithmetic="exact")': "call-overload",
     'hashnoise.perlin(0.5, seed=0.5)': "call-overload",
     'hashnoise.cellular(0.5, 0.5, metric="taxicab")': "arg-type",
+    'hashnoise.phasor(0.5, 0.5, wave=2.5)': "arg-type",
     'hashnoise.simplex(0.5)': "call-overload",
     'hashnoise.grid("perlin", 9)': "call-overload",
     'text: str = hashnoise.perlin(0.5)': "assignment",

@@ -112,6 +112,7 @@ class Bake(unittest.TestCase):
         for call in (["fbm", "--seed", "3", "--gain", "0.6", "--detail", "3.25"], ["cellular", "--jitter", "0.4"],
                      ["ping_pong", "--strength", "1.75", "--noise", "value"], ["warp", "--amplitude", "0.3"],
                      ["perlin", "--phase", "0.1", "--period", "4x0", "--origin", "5x-6.5"],
+                     ["phasor", "--wave", "-2.5x0.1", "--phase", "0.25"], ["phasor"],
                      ["fbm", "--noise", "cellular_smooth"], ["eroded", "--strength", "0.5"], ["warp"]):
             with self.subTest(call=call):
                 self.bake(*call, "--size", "20x10", "--cells", "4", "-o", "a.png")
@@ -120,7 +121,7 @@ class Bake(unittest.TestCase):
                 for name, value in record["settings"].items():
                     if name == "noise" and record["function"] == value:
                         continue
-                    again += [f"--{name}", "x".join(map(str, value)) if name == "period" else str(value)]
+                    again += [f"--{name}", "x".join(map(str, value)) if isinstance(value, list) else str(value)]
                 for name in ("size", "cells", "origin"):
                     again += [f"--{name}", "x".join(f"{value:g}" for value in record[name])]
                 self.bake(*again, "-o", "b.png")
@@ -228,6 +229,12 @@ class Bake(unittest.TestCase):
             (["fbm", "-o", "a.png", "--seed", "-1"], "--seed"),
             (["fbm", "-o", "a.png", "--seed", "4294967296"], "--seed"),
             (["fbm", "-o", "a.png", "--phase", "0.5"], "phase"),
+            (["fbm", "-o", "a.png", "--wave", "2x1"], '"fbm" in 2D has no wave; phasor has one in 2D and 3D'),
+            (["phasor", "-o", "a.png", "--wave", "2"], '--wave "2" has 1 axes, and --size has 2'),
+            (["phasor", "-o", "a.png", "--wave", "2x1x0"], '--wave "2x1x0" has 3 axes, and --size has 2'),
+            (["phasor", "-o", "a.png", "--wave", "2x-16.5"], '"-16.5" is not a number from -16 to 16', "2.5x-1.5"),
+            (["phasor", "-o", "a.png", "--wave", "nanx2"], '"nan" is not a number from -16 to 16'),
+            (["phasor", "-o", "a.png", "--wave", "2.5,1.5"], "as in 2.5x-1.5"),
             (["fbm", "-o", "a.png", "--detail", "2", "--tile"], ""),
             (["fbm", "-o", "a.png", "--octave", "2"], "did you mean --octaves?"),
             (["fbm", "ridged", "-o", "a.png"], '"ridged"'),

@@ -51,6 +51,7 @@ class Expressions(unittest.TestCase):
             ([*VALUE, "-o", "a.ktx2"], "--format ktx2-float"),
             ([*VALUE, "--noise", "perlin", "-o", "a.exr"], "--noise is for a function", "hn_fbm(p, 6"),
             ([*VALUE, "--octaves", "6", "-o", "a.exr"], "--octaves is for a function"),
+            ([*VALUE, "--wave", "2x1", "-o", "a.exr"], "--wave is for a function"),
             ([*VALUE, "--phase", "0.5", "-o", "a.exr"], "--phase is for a function"),
             ([*VALUE, "--metric", "squared", "-o", "a.exr"], "--metric is for a function"),
             ([*VALUE, "--instructions", "sse4.1", "-o", "a.exr"], "--instructions is for a function"),

@@ -16,6 +16,7 @@ std::ostream& operator<<(std::ostream& out, const Settings& s) {
       << ", seed " << s.seed << ", period";
   for (const std::int32_t period : s.period) out << " " << period;
   if (s.phase) out << ", phase " << *s.phase;
+  for (const float wave : s.wave) out << ", wave " << wave;
   if (s.jitter) out << ", jitter " << *s.jitter;
   if (s.metric) out << ", metric " << static_cast<int>(*s.metric);
   if (s.octaves) out << ", octaves " << *s.octaves;

@@ -117,6 +117,8 @@ TEST(Components, AreNamed) {
   EXPECT_EQ(names_of<3>("cellular_d"), (Names{"f1", "dx", "dy", "dz"}));
   EXPECT_EQ(names_of<2>("curl"), (Names{"x", "y"}));
   EXPECT_EQ(names_of<3>("curl"), (Names{"x", "y", "z"}));
+  EXPECT_EQ(names_of<2>("phasor"), (Names{"value", "quadrature"}));
+  EXPECT_EQ(names_of<3>("phasor"), (Names{"value", "quadrature"}));
   EXPECT_EQ(names_of<2>("perlin", "ridged"), (Names{"value"}));
   EXPECT_EQ(names_of<2>("perlin_d", "fbm_d"), (Names{"value", "dx", "dy"}));
   EXPECT_EQ(names_of<3>("simplex_d", "fbm_d"), (Names{"value", "dx", "dy", "dz"}));
@@ -268,6 +270,18 @@ TEST(Range, HasTheExtremesWhereverTheyAre) {
 
 // --- The usual noise -------------------------------------------------------------------------------------------------
 
+// Without a wave and a phase there are 3 waves to a cell along x.
+TEST(Settings, WithoutAWaveHaveTheUsualOne) {
+  const Grid<3> grid = {{0.3f, -1.7f, 0.6f}, {0.17f, 0.23f, 0.11f}, {9, 7, 5}};
+  Settings settings = of("phasor");
+  const auto usual = twin::fill(Field<3>(settings), grid, 315);
+  settings.wave = {3.0f, 0.0f, 0.0f};
+  settings.phase = 0.0f;
+  EXPECT_TRUE(twin::same_bits(twin::fill(Field<3>(settings), grid, 315).values, usual.values, 315));
+  settings.wave[1] = 0.5f;
+  EXPECT_FALSE(twin::same_bits(twin::fill(Field<3>(settings), grid, 315).values, usual.values, 315));
+}
+
 TEST(Settings, WithoutANoiseHaveTheUsualOne) {
   const Grid<2> grid = {{0.3f, -1.7f}, {0.17f, 0.23f}, {9, 7}};
   const auto values_of = [&](const Settings& settings) {
@@ -364,6 +378,9 @@ void expect_errors_of_settings() {
     settings.metric = Metric::kManhattan;
     EXPECT_ERROR(error_of<D>(settings)) << settings;
     settings = of(noise.name);
+    settings.wave.assign(D, 3.0f);
+    EXPECT_EQ(error_of<D>(settings).empty(), twin::has_wave(noise.name)) << settings;
+    settings = of(noise.name);
     settings.strength = 1.0f;
     EXPECT_ERROR(error_of<D>(settings)) << settings;
     // Those of sums, also where they are what is usual.
@@ -383,6 +400,9 @@ void expect_errors_of_settings() {
     settings = subject;
     settings.metric = Metric::kManhattan;
     EXPECT_ERROR(error_of<D>(settings)) << settings;
+    settings = subject;
+    settings.wave.assign(D, 3.0f);
+    EXPECT_TRUE(says(error_of<D>(settings), {"has no wave; phasor has one in 2D and 3D"})) << settings;
     settings = subject;
     settings.strength = 1.0f;
     const bool has_strength = grid::sum_row(subject.sum).strength == "strength";
@@ -435,6 +455,28 @@ TEST(Errors, OfSettingsOutsideOfTheirRange) {
   settings = of("perlin", "fbm");
   settings.footprint = -0.25f;
   EXPECT_TRUE(says(error_of<2>(settings), {"footprint is -0.25, and has to be a finite number of 0 or more"}));
+}
+
+TEST(Errors, OfAWave) {
+  const auto error = [](std::vector<float> wave) {
+    Settings settings = of("phasor");
+    settings.wave = std::move(wave);
+    return error_of<2>(settings);
+  };
+  EXPECT_NO_ERROR(error({}));
+  EXPECT_NO_ERROR(error({16.0f, -16.0f}));
+  EXPECT_NO_ERROR(error({0.0f, 0.0f}));
+  EXPECT_EQ(error({2.5f}), "wave has 1 component, and has to have 2 in 2D, one for each axis");
+  EXPECT_EQ(error({2.5f, 1.5f, 0.0f}), "wave has 3 components, and has to have 2 in 2D, one for each axis");
+  for (const float wrong : {16.5f, -16.5f, 1e9f, kInfinity, -kInfinity, kNan}) {
+    EXPECT_TRUE(says(error({wrong, 1.0f}), {"wave is ", "and has to be from -16 to 16"})) << wrong;
+    EXPECT_TRUE(says(error({1.0f, wrong}), {"wave is ", "and has to be from -16 to 16"})) << wrong;
+  }
+  Settings settings = of("phasor");
+  settings.wave = {2.5f, 1.5f};
+  EXPECT_EQ(error_of<3>(settings), "wave has 2 components, and has to have 3 in 3D, one for each axis");
+  settings.noise = "perlin";
+  EXPECT_EQ(error_of<2>(settings), "\"perlin\" in 2D has no wave; phasor has one in 2D and 3D");
 }
 
 // A field of zeros is what nobody wants, and more octaves than 32 would count as 32 with HN_FIXED.

@@ -67,17 +67,21 @@ Golden read(const hn::Function& function) {
 }
 
 // The field that has what a file is of. None if no field has what the function returns: the nearest cell, or the way to
-// its point; or what it takes: a wave.
+// its point; or what it is: derivatives of several numbers, or gullies.
 std::optional<Settings> settings_of(const hn::Function& function, const Golden& golden) {
-  if (function.inputs_are_units() || function.is_name(0) || function.is_offset(0) || function.takes_wave()) return {};
+  if (function.inputs_are_units() || function.is_name(0) || function.is_offset(0)) return {};
   Settings settings;
   settings.arithmetic = Arithmetic::kFixed;
   if (function.is_octave_sum()) {
+    const std::vector<std::string> there_are = sums(golden.dimensions);
+    if (std::ranges::find(there_are, golden.calls) == there_are.end()) return {};
     settings.sum = golden.calls;
     settings.noise = noise_below(golden.calls);
     return settings;
   }
   if (!function.is_noise() && function.family != hn::Family::curl) return {};
+  const std::vector<Noise> there_are = noises(golden.dimensions);
+  if (std::ranges::find(there_are, golden.calls, &Noise::name) == there_are.end()) return {};
   settings.noise = golden.calls;
   return settings;
 }
@@ -89,6 +93,7 @@ bool are_in_domain(const Settings& s) {
   return std::ranges::all_of(s.period, [](std::int32_t period) { return period >= 0; }) && octaves_of(s) >= 1 &&
          octaves_of(s) <= 32 && gain_of(s) >= 0.0f && is_between(s.detail.value_or(0.0f), 0.0f, 32.0f) &&
          s.footprint.value_or(0.0f) >= 0.0f && is_between(s.strength.value_or(0.0f), 0.0f, most) &&
+         std::ranges::all_of(s.wave, [&](float wave) { return is_between(wave, -16.0f, 16.0f); }) &&
          is_between(jitter_of(s), 0.0f, 1.0f) && is_between(amplitude_of(s), 0.0f, 64.0f);
 }
 
@@ -107,6 +112,11 @@ bool set(Settings& settings, const Golden& golden, const Row& row) {
   }
   if (has("px") && !settings.sum.empty() && !has_period) return false;
   if (has("phase")) settings.phase = number("phase");
+  settings.wave.clear();
+  constexpr std::array<const char*, 3> kWaves = {"kx", "ky", "kz"};
+  for (const char* const column : kWaves) {
+    if (has(column)) settings.wave.push_back(number(column));
+  }
   if (has("jitter")) settings.jitter = number("jitter");
   if (has("metric")) {
     if (word("metric") < 1 || word("metric") > 5) return false;
@@ -199,7 +209,9 @@ TEST(Golden, Values) {
   std::set<std::string> expected;
   for (int dimensions = 1; dimensions <= 4; ++dimensions) {
     const std::string d = std::to_string(dimensions);
-    for (const Noise& noise : noises(dimensions)) expected.insert(" " + noise.name + d);
+    for (const Noise& noise : noises(dimensions)) {
+      if (!has_wave(noise.name)) expected.insert(" " + noise.name + d);  // it has no form without a phase
+    }
     if (dimensions == 2 || dimensions == 3) {
       for (const Noise& noise : noises(dimensions)) {
         if (can_have_phase(noise.name, dimensions)) expected.insert(" " + noise.name + d + " phase");
@@ -245,6 +257,8 @@ TEST(GoldenFile, NamesWhatItIsOf) {
   EXPECT_EQ(name("noise2d.perlin"), "/perlin");
   EXPECT_EQ(name("noise2d.perlin_d_phase_cell_period"), "/perlin_d");
   EXPECT_EQ(name("noise3d.cellular_smooth_cell_full"), "/cellular_smooth");
+  EXPECT_EQ(name("noise3d.phasor_cell"), "/phasor");
+  EXPECT_EQ(name("noise3d.phasor_d"), "");
   EXPECT_EQ(name("noise2d.cellular_cell_nearest"), "");
   EXPECT_EQ(name("noise3d.cellular_offset"), "");
   EXPECT_EQ(name("curl.curl3_cell_period"), "/curl");

@@ -16,6 +16,7 @@ const grid::NoiseRow& row_of(const std::string& noise) { return grid::kNoiseRows
 
 bool has_jitter(const std::string& noise) { return row_of(noise).has_jitter(); }
 bool has_metric(const std::string& noise) { return row_of(noise).has_metric(); }
+bool has_wave(const std::string& noise) { return row_of(noise).has_wave(); }
 
 bool can_have_phase(const std::string& noise, int dimensions) {
   return (dimensions == 2 || dimensions == 3) && row_of(noise).has_phase();
@@ -64,6 +65,12 @@ void draw_settings(Settings& s, int dimensions, bool tiled, Draw draw, Chance& c
   if (s.sum.empty()) {
     if (has_jitter(s.noise)) s.jitter = chance.of({1.0f, 1.0f, 0.0f, 0.5f, chance.between(0.0f, 1.0f)});
     if (has_metric(s.noise) && !s.phase) s.metric = static_cast<Metric>(chance.whole(1, 5));
+    s.wave.clear();
+    if (has_wave(s.noise) && !chance.one_in(5)) {
+      for (int axis = 0; axis < dimensions; ++axis) {
+        s.wave.push_back(chance.of({0.0f, 16.0f, -16.0f, 2.5f, chance.between(-16.0f, 16.0f)}));
+      }
+    }
     return;
   }
   const bool has_frames = s.sum == "fbm_d" || s.sum == "eroded" || s.sum == "warp_progressive";

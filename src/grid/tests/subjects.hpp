@@ -16,6 +16,7 @@ namespace hashnoise::twin {
 // What a noise can have.
 bool has_jitter(const std::string& noise);
 bool has_metric(const std::string& noise);
+bool has_wave(const std::string& noise);
 bool can_have_phase(const std::string& noise, int dimensions);
 
 // Every noise, with a phase where it can have one, and every sum over every noise. The rest is as Settings has it.

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -44,6 +45,12 @@ bool has_period(const Settings& settings, int dimensions);
 // The numbers of settings. Those that are left out are what field.hpp says.
 inline float jitter_of(const Settings& s) { return s.jitter.value_or(1.0f); }
 inline int metric_of(const Settings& s) { return static_cast<int>(s.metric.value_or(Metric::kEuclidean)); }
+// 3 along x without one; 0 behind the last axis.
+inline std::array<float, 4> wave_of(const Settings& s) {
+  std::array<float, 4> wave = {s.wave.empty() ? 3.0f : 0.0f};
+  std::copy(s.wave.begin(), s.wave.end(), wave.begin());
+  return wave;
+}
 inline int octaves_of(const Settings& s) { return s.octaves.value_or(6); }
 inline float lacunarity_of(const Settings& s) { return s.lacunarity.value_or(2.0f); }
 inline float gain_of(const Settings& s) { return s.gain.value_or(0.5f); }

@@ -87,12 +87,20 @@ namespace call {
 
 // What a noise takes between its place and its seed.
 // With a phase cellular noise takes no metric.
-enum class Options { kNothing, kPhase, kJitter, kJitterAndMetric, kJitterAndMetricAndPhase, kJitterAndPhase };
+enum class Options {
+  kNothing,
+  kPhase,
+  kJitter,
+  kJitterAndMetric,
+  kJitterAndMetricAndPhase,
+  kJitterAndPhase,
+  kPhaseAndWave
+};
 
 template <int D>
 using Place = decltype(hn_place(Ints<D>{}, Floats<D>{}));
 
-template <typename Call, Options O>
+template <int D, typename Call, Options O>
 auto called([[maybe_unused]] const Settings& s, std::uint32_t seed, auto where) {
   if constexpr (O == Options::kNothing) {
     return Call::of(where, seed);
@@ -102,6 +110,8 @@ auto called([[maybe_unused]] const Settings& s, std::uint32_t seed, auto where) 
     return Call::of(where, twin::jitter_of(s), seed);
   } else if constexpr (O == Options::kJitterAndPhase) {
     return Call::of(where, *s.phase, twin::jitter_of(s), seed);
+  } else if constexpr (O == Options::kPhaseAndWave) {
+    return Call::of(where, glsl<D>(twin::wave_of(s)), s.phase.value_or(0.0f), seed);
   } else {
     return Call::of(where, twin::jitter_of(s), twin::metric_of(s), seed);
   }
@@ -121,17 +131,17 @@ NoiseEntry<D> entry(std::string_view name) {
   NoiseEntry<D> e;
   e.name = name;
   e.has_phase = O == Options::kPhase || O == Options::kJitterAndPhase;
-  e.components = kComponents<decltype(called<Call, O>(std::declval<Settings>(), 0u, Floats<D>{}))>;
+  e.components = kComponents<decltype(called<D, Call, O>(std::declval<Settings>(), 0u, Floats<D>{}))>;
   e.at = [](const Settings& s, Floats<D> p, std::uint32_t seed, float* values) {
-    store(called<Call, O>(s, seed, p), values);
+    store(called<D, Call, O>(s, seed, p), values);
   };
   e.in = [](const Settings& s, Place<D> place, std::uint32_t seed, float* values) {
-    store(called<Call, O>(s, seed, place), values);
+    store(called<D, Call, O>(s, seed, place), values);
   };
   return e;
 }
 
-// With a phase there are two forms, in 2D and 3D.
+// With a phase there are two forms, in 2D and 3D. What has a wave has one, and without a phase it is 0.
 template <int D, typename Call, Options O>
 void add(std::vector<NoiseEntry<D>>& all, std::string_view name) {
   if constexpr (O == Options::kPhase) {
@@ -140,6 +150,10 @@ void add(std::vector<NoiseEntry<D>>& all, std::string_view name) {
   } else if constexpr (O == Options::kJitterAndMetricAndPhase) {
     all.push_back(entry<D, Call, Options::kJitterAndMetric>(name));
     all.push_back(entry<D, Call, Options::kJitterAndPhase>(name));
+  } else if constexpr (O == Options::kPhaseAndWave) {
+    all.push_back(entry<D, Call, O>(name));
+    all.push_back(all.back());
+    all.back().has_phase = true;
   } else {
     all.push_back(entry<D, Call, O>(name));
   }

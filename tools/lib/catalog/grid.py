@@ -21,7 +21,8 @@ MACROS = {
     "HN_CATALOG_METRIC": "(Id, name)",
 }
 SHAPES = {"value": "kValue", "slopes": "kWithSlopes", "two_distances": "kTwoDistances",
-          "three_distances": "kThreeDistances", "distance_with_slopes": "kDistanceWithSlopes", "vector": "kVector"}
+          "three_distances": "kThreeDistances", "distance_with_slopes": "kDistanceWithSlopes", "vector": "kVector",
+          "value_and_quadrature": "kValueAndQuadrature"}
 
 
 def in_camel_case(name: str) -> str:

@@ -228,8 +228,10 @@ def package(twin: Twin) -> dict[Path, str]:
 
 
 def drawn(catalog: Catalog) -> tuple[list[Noise], list[Sum]]:
-    """What gives slopes, too, or a noise along each axis, is another form of what does not, and no picture of its own."""
-    forms = [noise for noise in catalog.noises if "slopes" in noise.shape or noise.name.endswith("_vector")]
+    """What gives slopes, too, or a noise along each axis, is another form of what does not, and no picture of its own. For
+    a wave there is no control."""
+    forms = [noise for noise in catalog.noises
+             if "slopes" in noise.shape or noise.name.endswith("_vector") or "wave" in noise.options]
     return ([noise for noise in catalog.noises if noise not in forms],
             [sum_ for sum_ in catalog.sums if sum_.shape == "value"])
 

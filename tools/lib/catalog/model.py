@@ -11,7 +11,7 @@ from typing import Any
 from tree import ROOT
 
 CATALOG = ROOT / "catalog"
-SHAPES = ("value", "slopes", "two_distances", "three_distances", "distance_with_slopes", "vector")
+SHAPES = ("value", "slopes", "two_distances", "three_distances", "distance_with_slopes", "vector", "value_and_quadrature")
 AXES = "xyzw"
 MEANS = ("", "density", "billows", "bounded")  # glsl/hashnoise/detail/octave.glsl
 
@@ -60,7 +60,7 @@ class Function:
     source: str
     example: str  # the printed numbers; "" if it is left out
     options: Mapping[str, str]
-    families: Families
+    families: Families | None  # None: its rows stand there by hand
     brief: str  # for the README
     use: str  # for the pages
 
@@ -68,6 +68,8 @@ class Function:
         return self.about.format(dimensions=self.dimensions_in_words())
 
     def dimensions_in_words(self) -> str:
+        if self.first == self.last:
+            return f"in {self.first}D"
         between = "and" if self.last == self.first + 1 else "to"
         return f"in {self.first}D {between} {self.last}D"
 
@@ -172,14 +174,23 @@ def _function(entry: _Entry, name: str) -> dict[str, Any]:
     if "{dimensions}" not in about:
         raise CatalogError(f"{entry.where}: about has to say {{dimensions}}, which becomes \"in 2D and 3D\" and so on")
     options = entry.take("options", dict, {})
-    families = _Entry(entry.file, f"{name}.families", entry.take("families", dict))
-    usual = families.take("usual", str)
-    of_suite = Families(usual, families.take("tiles", str, usual), families.take("others", str, usual))
-    families.end()
     return {"name": name, "first": first, "last": last, "shape": entry.one_of("shape", SHAPES), "about": about,
             "more": entry.take("more", str, ""), "returns": entry.take("returns", str),
             "source": entry.take("source", str), "example": entry.take("example", str, ""), "options": options,
-            "families": of_suite, "brief": entry.take("brief", str), "use": entry.take("use", str)}
+            "families": _families(entry, name), "brief": entry.take("brief", str), "use": entry.take("use", str)}
+
+
+def _families(entry: _Entry, name: str) -> Families | None:
+    if "rows" in entry.keys:
+        entry.one_of("rows", ("by hand",))
+        if "families" in entry.keys:
+            raise CatalogError(f"{entry.where}: rows that stand by hand name their families themselves")
+        return None
+    families = _Entry(entry.file, f"{name}.families", entry.take("families", dict))
+    usual = families.take("usual", str)
+    made = Families(usual, families.take("tiles", str, usual), families.take("others", str, usual))
+    families.end()
+    return made
 
 
 def _noise(name: str, keys: Any) -> Noise:
@@ -191,7 +202,7 @@ def _noise(name: str, keys: Any) -> Noise:
             raise CatalogError(f"{entry.where}: the ranges of {component} have to be one for each dimension")
         ranges[component] = tuple(entry.pair(component, pair) if pair else None for pair in by_dimension)
     noise = Noise(**common, small=entry.take("small", bool, False), jumps=entry.take("jumps", bool, False), ranges=ranges)
-    if unknown := noise.options.keys() - {"phase", "jitter", "metric"}:
+    if unknown := noise.options.keys() - {"wave", "phase", "jitter", "metric"}:
         raise CatalogError(f"{entry.where}: a noise has no option {min(unknown)}")
     entry.end()
     return noise

@@ -31,10 +31,15 @@ def settings(sum_: Sum) -> str:
     return ", ".join(["p", "octaves", "lacunarity", "gain", *([sum_.strength.name] if sum_.strength else [])])
 
 
+def parameters(noise: Noise) -> str:
+    """Of the form with the fewest. What has a wave has no form without all others."""
+    return ", ".join(["p", *noise.options, "seed"] if "wave" in noise.options else ["p [, seed]"])
+
+
 def in_readme(catalog: Catalog) -> str:
     rows = []
     for group, brief in grouped(catalog.noises, lambda noise: noise.brief):
-        rows.append((called(group, "p [, seed]"), brief))
+        rows.append((called(group, parameters(group[0])), brief))
     usual = next(sum_ for sum_ in catalog.sums if sum_.name == USUAL_SUM)
     others = [sum_ for sum_ in catalog.sums if sum_ is not usual]
     rows += [(called([usual], f"{settings(usual)} [, seed]"), usual.brief),

@@ -47,6 +47,7 @@ class _Option:
 
 
 _PERIOD = _Option("period", "None", "int | Sequence[int] | None")
+_WAVE = _Option("wave", "None", "Sequence[float] | None")
 _PHASE = _Option("phase", "None", "float | None")
 _SUM_IN_DETAIL = (_Option("detail", "None", "float | None"), _Option("footprint", "None", "float | None"))
 _CELL = _Option("cell", "None", "_Cells | None", "int | Sequence[int] | None", is_setting=False)
@@ -70,7 +71,7 @@ def _options(function: Function, catalog: Catalog) -> tuple[_Option, ...]:
 
 def _of_noise(noise: Function, catalog: Catalog) -> Iterable[_Option]:
     """Those that not every noise has."""
-    known = (_PHASE, _setting("jitter", catalog), _Option("metric", f'"{catalog.metrics[0]}"', "_Metric"))
+    known = (_WAVE, _PHASE, _setting("jitter", catalog), _Option("metric", f'"{catalog.metrics[0]}"', "_Metric"))
     return (option for option in known if option.name in noise.options)
 
 

@@ -1,7 +1,8 @@
 """What the conformance suite knows of noises and sums: their rows of the table of functions, library/forms.inc.
 
 A row is a form of a function in so many dimensions: at a position, from a cell, in a tile, and some with what may be set.
-conformance/library/functions.inc says what the parts of a row mean.
+conformance/library/functions.inc says what the parts of a row mean. Where the catalog says that rows stand by hand, they
+stand there, and nothing of such a function is made here.
 """
 
 from __future__ import annotations
@@ -265,13 +266,14 @@ def step_and_mean(sum_: Sum) -> tuple[str, str]:
 
 
 def files(catalog: Catalog) -> dict[Path, str]:
-    rows = [one for noise in catalog.noises for one in of_noise(noise)]
-    rows += [one for sum_ in catalog.sums for one in of_sum(sum_)]
-    steps, means = zip(*map(step_and_mean, catalog.sums))
-    facts = [*map(facts_of_noise, catalog.noises), *map(facts_of, catalog.sums),
+    noises = [noise for noise in catalog.noises if noise.families]
+    sums = [sum_ for sum_ in catalog.sums if sum_.families]
+    rows = [*(one for noise in noises for one in of_noise(noise)), *(one for sum_ in sums for one in of_sum(sum_))]
+    steps, means = zip(*map(step_and_mean, sums))
+    facts = [*map(facts_of_noise, noises), *map(facts_of, sums),
              *(row("SUM_STEP", step) for step in dict.fromkeys(steps)),
              *(row("SUM_MEAN", mean) for mean in dict.fromkeys(means)),
-             *(row("OCTAVE_STEP", sum_.name, sum_.adds("s", "n", "strength"), sum_.makes("mean")) for sum_ in catalog.sums
+             *(row("OCTAVE_STEP", sum_.name, sum_.adds("s", "n", "strength"), sum_.makes("mean")) for sum_ in sums
                if sum_.is_of_values)]
     end = "#undef NOISE\n#undef OCTAVE_SUM\n#undef SUM_STEP\n#undef SUM_MEAN\n#undef OCTAVE_STEP\n// clang-format on\n"
     return {PATH: HEAD + "\n".join(one.text() for one in rows) + "// clang-format on\n",

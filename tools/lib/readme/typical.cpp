@@ -78,6 +78,7 @@ void print_in(const char* name, int first_dimension, int last_dimension, Noise n
 #define VALUE_kTwoDistances(...)
 #define VALUE_kThreeDistances(...)
 #define VALUE_kDistanceWithSlopes(...)
+#define VALUE_kValueAndQuadrature(...)
 #define SUM_kValue(...) print_in(__VA_ARGS__);
 #define SUM_kVector(...) print_in(__VA_ARGS__);
 #define SUM_kWithSlopes(...)
