@@ -13,8 +13,11 @@ from wgsl.translator import Definition
 
 # The user's own hash is no choice in the page.
 CHOSEN_HASHES = tuple(name for name in HASHES if name != "CUSTOM")
-# The files of which pictures are made: noise and sums of a dimension.
+# The files of which pictures are made: noise and sums of a dimension. Nobody can choose the others in the page, which
+# everybody loads.
 OF_PICTURES = re.compile(r"(?:curl|\w+[1-4]d)\.glsl")
+OF_NO_PICTURE = re.compile(r"(?:cellular_phase|gullies|hex_tiling|noise|perlin_vector|perlin_worley|phasor(?:_d)?|"
+                           r"\w+_vector_d)[1-4]d\.glsl")
 # The file to which a hash makes a difference. What others call of it has the same name with every hash but LATTICE.
 OF_THE_HASH = "hash.glsl"
 # What other files have of the library's own kind: languages that need names of their own.
@@ -36,7 +39,7 @@ def glsl() -> dict[str, list[str]]:
 
 
 def of_pictures() -> list[str]:
-    return [name for name in glsl_files() if OF_PICTURES.fullmatch(name)]
+    return [name for name in glsl_files() if OF_PICTURES.fullmatch(name) and not OF_NO_PICTURE.fullmatch(name)]
 
 
 def named_include(name: str, line: str) -> str:
