@@ -49,7 +49,7 @@ struct Settings {
   std::array<std::int32_t, 4> period{};  // in cells, along each axis; 0 for none, and not negative
 
   // Of noises.
-  std::optional<float> phase{};    // in turns; perlin, perlin_d, simplex, simplex_d, cellular and phasor in 2D and 3D
+  std::optional<float> phase{};  // in turns; perlin, perlin_d, simplex, simplex_d, cellular and phasor in 2D and 3D
   std::optional<float> jitter{};   // in [0, 1], and 1 if it is left out; cellular noises
   std::optional<Metric> metric{};  // kEuclidean if it is left out; cellular and cellular_three
   // A number for each axis, in [-16, 16]: the direction in which waves run, times the waves per cell. 3 along x if it is

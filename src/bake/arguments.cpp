@@ -79,8 +79,8 @@ void add_parameters(CLI::App& app, BakeOptions& options, Words& words) {
   add_number(app, "--detail", settings.detail, "Of fbm: octaves as a number with a fraction, in place of --octaves");
   add_number(app, "--footprint", settings.footprint, "Of fbm: the size of a pixel, in cells, which fades octaves out");
   app.add_option("--wave", words.wave,
-                 fmt::format("Of {}: the direction in which waves run, times the waves per cell, as in 2.5x-1.5; each {} "
-                             "(default: 3 along x)",
+                 fmt::format("Of {}: the direction in which waves run, times the waves per cell, as in 2.5x-1.5; each "
+                             "{} (default: 3 along x)",
                              noises_with(&hashnoise::grid::NoiseRow::has_wave), words_of(hashnoise::grid::kWaveRule)))
       ->type_name("X[xY...]")
       ->group(group);

@@ -79,7 +79,7 @@ nlohmann::ordered_json parameters_of(const BakeOptions& options) {
   nlohmann::ordered_json json = {{"noise", settings.noise}};
   // Floats as they are written shortest, not as the doubles that they are.
   const auto number = [](float value) { return nlohmann::json::parse(fmt::format("{}", value)); };
-  for (const float along : settings.wave) json["wave"].push_back(number(along));
+  for (const float along : settings.wave) json["wave"].push_back(nlohmann::ordered_json(number(along)));
   if (settings.phase) json["phase"] = number(*settings.phase);
   const auto number_or_usual = [&](const std::optional<float>& value, const grid::Rule& rule) {
     return number(value.value_or(static_cast<float>(rule.usual)));

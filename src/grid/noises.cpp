@@ -36,10 +36,10 @@ namespace {
   HN_GRID_NOISE(phase, name, place, given.phase, given.jitter, given.seed)         \
   HN_GRID_NOISE(phase_full, name, HN_GRID_TILE, given.phase, given.jitter, given.seed)
 // What has a wave has a phase always: 0 if none is given.
-#define HN_GRID_kPhaseAndWave(name)                                               \
-  HN_GRID_NOISE(plain, name, place, given.wave, given.phase, given.seed)         \
+#define HN_GRID_kPhaseAndWave(name)                                            \
+  HN_GRID_NOISE(plain, name, place, given.wave, given.phase, given.seed)       \
   HN_GRID_NOISE(full, name, HN_GRID_TILE, given.wave, given.phase, given.seed) \
-  using name##_phase = name##_plain;                                              \
+  using name##_phase = name##_plain;                                           \
   using name##_phase_full = name##_full;
 
 #define HN_CATALOG_NOISE(Id, name, first, last, shape, takes) HN_GRID_##takes(name)

