@@ -42,7 +42,9 @@ enum class InstructionSet { kSse41, kAvx2, kAvx512, kNeon, kGeneric };
 // setting that is given and that the function does not have, or a number outside of its range, is an error of Field's
 // constructor. A sum with no period is the one whose octaves are turned.
 struct Settings {
-  std::string noise{};  // "value", "simplex_d", ...: see noise_names; if empty "perlin", or what the sum takes in GLSL
+  // "value", "simplex_d", ...: see noise_names; if empty "perlin", or what the sum takes in GLSL. The sum perlin_worley
+  // has noises of its own, and takes none.
+  std::string noise{};
   std::string sum{};    // "fbm", "ridged", ...: see sum_names; the noise itself if empty
   Arithmetic arithmetic = Arithmetic::kFast;
   std::uint32_t seed = 0;

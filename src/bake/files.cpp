@@ -76,7 +76,8 @@ std::string channel_name(const std::vector<Component>& components, std::size_t i
 nlohmann::ordered_json parameters_of(const BakeOptions& options) {
   using namespace hashnoise;
   const Settings& settings = options.settings;
-  nlohmann::ordered_json json = {{"noise", settings.noise}};
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  if (!settings.noise.empty()) json["noise"] = settings.noise;
   // Floats as they are written shortest, not as the doubles that they are.
   const auto number = [](float value) { return nlohmann::json::parse(fmt::format("{}", value)); };
   for (const float along : settings.wave) json["wave"].push_back(nlohmann::ordered_json(number(along)));
@@ -84,14 +85,13 @@ nlohmann::ordered_json parameters_of(const BakeOptions& options) {
   const auto number_or_usual = [&](const std::optional<float>& value, const grid::Rule& rule) {
     return number(value.value_or(static_cast<float>(rule.usual)));
   };
-  const grid::NoiseRow& noise = grid::kNoiseRows[grid::noise_named(settings.noise)];
-  if (settings.sum.empty() && noise.has_jitter()) {
-    json["jitter"] = number_or_usual(settings.jitter, grid::kJitterRule);
-  }
-  if (settings.sum.empty() && noise.has_metric()) {
-    json["metric"] = grid::kMetricNames[static_cast<std::size_t>(settings.metric.value_or(Metric::kEuclidean)) - 1];
-  }
-  if (!settings.sum.empty()) {
+  if (settings.sum.empty()) {
+    const grid::NoiseRow& noise = grid::kNoiseRows[grid::noise_named(settings.noise)];
+    if (noise.has_jitter()) json["jitter"] = number_or_usual(settings.jitter, grid::kJitterRule);
+    if (noise.has_metric()) {
+      json["metric"] = grid::kMetricNames[static_cast<std::size_t>(settings.metric.value_or(Metric::kEuclidean)) - 1];
+    }
+  } else {
     if (settings.detail) {
       json["detail"] = number(*settings.detail);
     } else {

@@ -122,6 +122,10 @@ Result<void> choose_function(BakeOptions& options, const Words& words) {
   const auto sums = hashnoise::sum_names(dimensions);
   if (has(sums, options.function)) {
     options.settings.sum = options.function;
+    if (!hashnoise::grid::sum_row(options.function).takes_noise()) {
+      if (!noise) return {};
+      return fail(fmt::format("--noise: the sum {} has noises of its own; leave it out", options.function));
+    }
     options.settings.noise = noise.value_or(noise_of(options.function));
     if (has(noises, options.settings.noise)) return {};
     return fail(fmt::format("--noise: there is no noise {} in {}{}", in_quotes(options.settings.noise),

@@ -38,12 +38,14 @@ struct SumRow {
   int first_dimension, last_dimension;
   Shape shape;
   Shape of;
-  NoiseId usual_noise;
+  NoiseId usual_noise;      // kNoises if nobody chooses them
   std::string_view strength;  // what it calls that parameter; nothing if it has none
   float usual_strength;
   float most_strength;
   Bounds bounds;
   double least, greatest;  // kThese
+
+  constexpr bool takes_noise() const { return usual_noise != kNoises; }
 };
 
 // Of a component of a noise that is not in [-1, 1]. "d" is each derivative, "d_phase" the same with a phase, as "f1_phase"
@@ -66,6 +68,7 @@ constexpr NoiseId noise_named(std::string_view name) {
   while (kNoiseRows.at(i).name != name) ++i;
   return static_cast<NoiseId>(i);
 }
+constexpr NoiseId noise_or_none(std::string_view name) { return name == "none" ? kNoises : noise_named(name); }
 constexpr std::array<SumRow, kNamedSums> kSumRows = {{
 // "none" is the strength of a sum without one.
 #define HN_CATALOG_SUM(Id, name, first, last, shape, of, noise, strength, usual, most, bounds, least, greatest) \
@@ -74,7 +77,7 @@ constexpr std::array<SumRow, kNamedSums> kSumRows = {{
    last,                                                                                                        \
    Shape::shape,                                                                                                \
    Shape::of,                                                                                                   \
-   noise_named(#noise),                                                                                         \
+   noise_or_none(#noise),                                                                                       \
    std::string_view(#strength) == "none" ? std::string_view() : #strength,                                      \
    usual,                                                                                                       \
    most,                                                                                                        \

@@ -170,7 +170,7 @@ void plan_noise(Plan& plan, const Settings& settings, NoiseId id, bool tiled) {
 
 void plan_sum(Plan& plan, const Settings& settings, NoiseId noise, SumId id, bool tiled) {
   const SumRow& row = kSumRows.at(id);
-  if (kNoiseRows.at(noise).shape != row.of) {
+  if (row.takes_noise() && kNoiseRows.at(noise).shape != row.of) {
     refuse("the sum " + quoted(row.name) + " does not take the noise " + quoted(kNoiseRows.at(noise).name) +
            in_dimensions(plan.dimensions) + "; it takes: " + listed(summands(row.of, plan.dimensions)));
   }
@@ -227,7 +227,12 @@ Plan plan_of(int dimensions, const Settings& settings) {
   }
   std::optional<SumId> sum;
   if (!settings.sum.empty()) sum = static_cast<SumId>(find(kSumRows, "sum", settings.sum, dimensions));
-  NoiseId noise = sum ? kSumRows.at(*sum).usual_noise : kPerlin;
+  // What sums noises of its own calls Perlin noise.
+  NoiseId noise = sum && kSumRows.at(*sum).takes_noise() ? kSumRows.at(*sum).usual_noise : kPerlin;
+  if (sum && !kSumRows.at(*sum).takes_noise() && !settings.noise.empty()) {
+    refuse("the sum " + quoted(settings.sum) + " has noises of its own; leave the noise " + quoted(settings.noise) +
+           " out");
+  }
   if (!settings.noise.empty()) noise = static_cast<NoiseId>(find(kNoiseRows, "noise", settings.noise, dimensions));
   bool tiled = false;
   for (std::size_t axis = 0; axis < settings.period.size(); ++axis) {

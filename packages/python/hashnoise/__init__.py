@@ -31,7 +31,7 @@ All functions have these options:
 
 Sums (fbm and the others that sums() names) also have these:
 
-    noise            what is summed: the name of a noise that returns one number for a point
+    noise            what is summed: the name of a noise that returns one number for a point. perlin_worley sums its own
     octaves          how many, from 1 to 32; each costs one noise
     lacunarity       how much finer each octave is than the one before, usually 2
     gain             how much weaker, usually 0.5; not negative

@@ -258,6 +258,16 @@ def warp_progressive(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None
                      amplitude: float = 1.0, period: int | Sequence[int] | None = None, cell: _Cells | None = None,
                      arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: int | None = None,
                      instruction_set: str | None = None) -> _Values: ...
+@overload
+def perlin_worley(x: _Number, y: _Number, z: _Number, /, *, seed: int = 0, octaves: int = 6, lacunarity: float = 2.0,
+                  gain: float = 0.5, period: int | Sequence[int] | None = None, cell: int | Sequence[int] | None = None,
+                  arithmetic: _Arithmetic = "fast", out: None = None, threads: int | None = None,
+                  instruction_set: str | None = None) -> float: ...
+@overload
+def perlin_worley(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike, /, *, seed: int = 0, octaves: int = 6,
+                  lacunarity: float = 2.0, gain: float = 0.5, period: int | Sequence[int] | None = None,
+                  cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
+                  threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
 # tools/catalog: end
 
 @overload

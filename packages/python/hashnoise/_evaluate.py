@@ -21,12 +21,12 @@ _INT32 = np.dtype(np.int32)
 _INT64 = np.dtype(np.int64)
 
 
-def points(function, coordinates, cell, out, threads, *, noise, sum="", **options):
+def points(function, coordinates, cell, out, threads, *, noise="", sum="", **options):
     """What a function returns: its field at the points of arrays.
 
     function     its name, for messages
     coordinates  x, y, z and w; None for each that was left out
-    noise, sum   as in field.hpp
+    noise, sum   as in field.hpp; a sum of noises of its own takes no noise
     options      those of the function, by name
     """
     dimensions = _dimensions(function, coordinates)

@@ -130,7 +130,8 @@ def _options(function, name, given):
         if option not in defaults:
             raise TypeError(f"{function}: {name} has no option {option}; it has {', '.join(defaults)}")
     made = {option: value for option, value in defaults.items() if option not in ("cell", "out", "threads")}
-    return {**made, **{option: value for option, value in chosen.items() if value is not None}, **given}
+    # A sum of noises of its own has no option for them.
+    return {"noise": "", **made, **{option: value for option, value in chosen.items() if value is not None}, **given}
 
 
 def _dimensions(function, dimensions):

@@ -43,7 +43,9 @@ class Docstrings(unittest.TestCase):
                 self.assertRegex(function.__doc__, r"(?m)^ *source +\S")
                 dimensions = [axes for axes in range(1, 5)
                               if function.__name__ in hashnoise.noises(axes) + hashnoise.sums(axes)]
-                said = f"{dimensions[0]}D {'and' if len(dimensions) == 2 else 'to'} {dimensions[-1]}D"
+                said = f"{dimensions[0]}D"
+                if len(dimensions) > 1:
+                    said += f" {'and' if len(dimensions) == 2 else 'to'} {dimensions[-1]}D"
                 self.assertIn(f"in {said}", function.__doc__.partition("\n")[0])
 
     def test_each_option_is_explained(self):

@@ -54,6 +54,12 @@ class Options(unittest.TestCase):
                     grid = {"name": name, "size": (40, 30), "step": 0.17, "origin": 0.05}
                     self.assert_other(hashnoise.grid(**grid, **{option: value}), hashnoise.grid(**grid))
 
+    def test_each_option_counts_of_what_is_in_space_alone(self):
+        usual = hashnoise.perlin_worley(X, X[::-1], 0.5)
+        for option, value in {"seed": 5, "octaves": 3, "lacunarity": 3.0, "gain": 0.25, "period": 3}.items():
+            with self.subTest(option):
+                self.assert_other(hashnoise.perlin_worley(X, X[::-1], 0.5, **{option: value}), usual)
+
     def assert_other(self, values, others):
         self.assertEqual(values.shape, others.shape)
         self.assertFalse((values == others).all())
@@ -173,6 +179,8 @@ class Wrong(unittest.TestCase):
                                  lambda: hashnoise.grid("phasor", (9, 9), step=0.1, wave=wave))
         self.assert_told(TypeError, "^grid: fbm has no option wave",
                          lambda: hashnoise.grid("fbm", 9, step=0.1, wave=(1,)))
+        self.assert_told(TypeError, "^grid: perlin_worley has no option noise",
+                         lambda: hashnoise.grid("perlin_worley", (9, 9, 9), step=0.1, noise="value"))
 
     def test_options_that_there_are_not(self):
         self.assert_told(TypeError, "unexpected keyword argument 'octave'", lambda: hashnoise.fbm(X, octave=3))

@@ -127,6 +127,11 @@ class Bake(unittest.TestCase):
                 self.bake(*again, "-o", "b.png")
                 self.assertEqual((self.folder / "a.png").read_bytes(), (self.folder / "b.png").read_bytes())
 
+    def test_a_sum_of_its_own_noises_names_none(self):
+        done = self.bake("perlin_worley", "--octaves", "4", "--size", "6x5x4", "--cells", "3", "-o", "a.r16", "--json")
+        self.assertEqual(json.loads(done.stdout)["settings"],
+                         {"octaves": 4, "lacunarity": 2, "gain": 0.5, "arithmetic": "fixed", "seed": 0})
+
     def test_the_bytes_depend_on_nothing_but_the_settings(self):
         sets = ["sse4.1", "avx2", "avx512"]
         have = [name for name in sets if self.call("perlin", "--size", "1", "--instructions", name, "-o",
@@ -235,6 +240,8 @@ class Bake(unittest.TestCase):
             (["phasor", "-o", "a.png", "--wave", "2x-16.5"], '"-16.5" is not a number from -16 to 16', "2.5x-1.5"),
             (["phasor", "-o", "a.png", "--wave", "nanx2"], '"nan" is not a number from -16 to 16'),
             (["phasor", "-o", "a.png", "--wave", "2.5,1.5"], "as in 2.5x-1.5"),
+            (["perlin_worley", "-o", "a.ktx2", "--size", "4x4x4", "--noise", "value"],
+             "--noise: the sum perlin_worley has noises of its own"),
             (["fbm", "-o", "a.png", "--detail", "2", "--tile"], ""),
             (["fbm", "-o", "a.png", "--octave", "2"], "did you mean --octaves?"),
             (["fbm", "ridged", "-o", "a.png"], '"ridged"'),

@@ -94,6 +94,10 @@ Bound bound_of_sum(const Settings& s, const std::vector<Place>& places) {
   }
   if (s.footprint) arguments.footprint = static_cast<double>(*s.footprint);
   const bool has_slopes = s.sum == "fbm_d";
+  if (s.sum == "perlin_worley") {
+    const double error = 2.0 * hn::perlin_worley_tolerance(arguments);
+    return [=](std::size_t, std::size_t) { return error; };
+  }
   const double value = hn::octave_tolerance(has_slopes ? hn::OctaveSum::fbm : kind_of(s.sum), D, arguments, kGradient);
   const double slope = has_slopes ? hn::octave_slope_tolerance(D, arguments) : value;
   return [=](std::size_t component, std::size_t) { return 2.0 * (has_slopes && component > 0 ? slope : value); };

@@ -123,6 +123,7 @@ TEST(Components, AreNamed) {
   EXPECT_EQ(names_of<2>("perlin_d", "fbm_d"), (Names{"value", "dx", "dy"}));
   EXPECT_EQ(names_of<3>("simplex_d", "fbm_d"), (Names{"value", "dx", "dy", "dz"}));
   EXPECT_EQ(names_of<3>("perlin_d", "eroded"), (Names{"value"}));
+  EXPECT_EQ(names_of<3>("", "perlin_worley"), (Names{"value"}));
   EXPECT_EQ(names_of<2>("value_vector", "warp"), (Names{"x", "y"}));
   EXPECT_EQ(names_of<3>("value_vector", "warp_progressive"), (Names{"x", "y", "z"}));
 }
@@ -322,7 +323,15 @@ TEST(Errors, OfANoiseInAnotherDimension) {
   EXPECT_TRUE(says(error_of<4>(of("curl")), {"curl"}));
 }
 
+TEST(Errors, OfANoiseBesideNoisesOfItsOwn) {
+  EXPECT_NO_ERROR(error_of<3>(of("", "perlin_worley")));
+  EXPECT_EQ(error_of<3>(of("simplex", "perlin_worley")),
+            "the sum \"perlin_worley\" has noises of its own; leave the noise \"simplex\" out");
+}
+
 TEST(Errors, OfASumInAnotherDimension) {
+  EXPECT_ERROR(error_of<2>(of("", "perlin_worley")));
+  EXPECT_ERROR(error_of<4>(of("", "perlin_worley")));
   for (const std::string sum : {"fbm_d", "eroded"}) {
     EXPECT_ERROR(error_of<1>(of("perlin_d", sum))) << sum;
     EXPECT_ERROR(error_of<4>(of("perlin_d", sum))) << sum;

@@ -265,6 +265,7 @@ TEST(GoldenFile, NamesWhatItIsOf) {
   EXPECT_EQ(name("fbm.ping_pong2_cell_period"), "ping_pong/perlin");
   EXPECT_EQ(name("fbm_d.eroded3_cell_period"), "eroded/perlin_d");
   EXPECT_EQ(name("warp.warp_progressive2_cell"), "warp_progressive/value_vector");
+  EXPECT_EQ(name("noise3d.perlin_worley_cell_period"), "perlin_worley/");
   EXPECT_EQ(name("position.perlin2"), "");
 }
 

@@ -47,6 +47,7 @@ std::vector<std::string> sums(int dimensions) {
 }
 
 std::vector<std::string> noises_of(const std::string& sum, int dimensions) {
+  if (!grid::sum_row(sum).takes_noise()) return {""};
   const grid::Shape shape = grid::sum_row(sum).of;
   std::vector<std::string> names;
   for (const Noise& noise : noises(dimensions)) {
@@ -56,7 +57,8 @@ std::vector<std::string> noises_of(const std::string& sum, int dimensions) {
 }
 
 std::string noise_below(const std::string& sum) {
-  return std::string(grid::kNoiseRows[grid::sum_row(sum).usual_noise].name);
+  const grid::SumRow& row = grid::sum_row(sum);
+  return row.takes_noise() ? std::string(grid::kNoiseRows[row.usual_noise].name) : "";
 }
 
 float strength_of(const Settings& s) { return s.strength.value_or(grid::sum_row(s.sum).usual_strength); }

@@ -35,9 +35,9 @@ struct Noise {
 std::vector<Noise> noises(int dimensions);
 std::vector<std::string> sums(int dimensions);
 
-// The noises that a sum can be taken over.
+// The noises that a sum can be taken over; "" alone for a sum of noises of its own.
 std::vector<std::string> noises_of(const std::string& sum, int dimensions);
-// That of its GLSL function.
+// That of its GLSL function; "" if that is several.
 std::string noise_below(const std::string& sum);
 
 bool has_period(const Settings& settings, int dimensions);

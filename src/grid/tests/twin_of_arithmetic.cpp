@@ -241,6 +241,11 @@ SUM(warp, auto w = hn_shifts(o, twin::amplitude_of(settings));
 SUM(warp_progressive, auto w = hn_shifts(o, twin::amplitude_of(settings));
     do hn_add_progressive(o, w, chosen_vector(o.place, o.seed)); while (hn_next(o)); return hn_mean(o, w);)
 #undef SUM
+struct perlin_worley_call {
+  static auto of(const Settings& s, auto where) {
+    return hn_perlin_worley(where, twin::octaves_of(s), twin::lacunarity_of(s), twin::gain_of(s), s.seed);
+  }
+};
 
 template <int D>
 twin::Function<D> of_noise(const Settings& s) {
@@ -266,7 +271,8 @@ twin::Function<D> of_noise(const Settings& s) {
 
 template <int D, typename Call>
 twin::Function<D> of_sum(const Settings& s) {
-  const NoiseEntry<D>* noise = &noise_entry<D>(s.noise, false);
+  // What sums noises of its own chooses none.
+  const NoiseEntry<D>* noise = s.noise.empty() ? nullptr : &noise_entry<D>(s.noise, false);
   const Ints<D> period = glsl<D>(s.period);
   const bool tile = twin::has_period(s, D);
   twin::Function<D> function;
@@ -320,6 +326,9 @@ twin::Function<D> of_settings(const Settings& s) {
     SUM(eroded)
     SUM(warp)
     SUM(warp_progressive)
+  }
+  if constexpr (D == 3) {
+    SUM(perlin_worley)
   }
 #undef SUM
   throw std::logic_error("the twin has no sum " + s.sum);

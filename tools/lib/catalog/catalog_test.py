@@ -36,12 +36,17 @@ class Made(unittest.TestCase):
 
     def test_every_part_knows_of_every_entry(self):
         made = {path.name: text for path, text in command.files().items()}
+        by_hand = suite.PATH.with_name("functions.inc").read_text(encoding="utf-8")
         catalog = read()
         for function in (*catalog.noises, *catalog.sums):
             with self.subTest(function=function.name):
                 self.assertIn(f", {function.name}, {function.first}, {function.last}, ", made["catalog.inc"])
                 self.assertRegex(made["__init__.pyi"], rf"(?m)^def {function.name}\(")
-                self.assertRegex(made["forms.inc"], rf'(?m)^ +"hn_{function.name}\(p')
+                rows = rf'(?m)^ +"hn_{function.name}\(p'
+                self.assertRegex(made["forms.inc"] if function.families else by_hand, rows)
+                if not function.families:
+                    self.assertFalse(re.search(rows, made["forms.inc"]))
+                    self.assertFalse(re.search(rf"\({function.name},", made["facts.inc"]))
                 self.assertIn(f"HN_ONLY_TYPES_OF_GLSL(hn_{function.name})\n", made["hashnoise.hpp"])
                 if getattr(function, "step", "") not in ("", "eroded"):
                     self.assertRegex(made["fbm2d.glsl"], rf"(?m)^HN_FN hn_float hn_i_{function.name}\(hn_octaves2 o")
@@ -123,6 +128,14 @@ class Wrong(unittest.TestCase):
                 ("noises.toml", rf"{perlin}((?:.*\n)+?)families = .*\n", r"\1", "perlin has no families"),
                 ("noises.toml", rf"{perlin}((?:.*\n)+?)families = \{{ usual", r"\1families = { unusual",
                  "perlin.families has no usual"),
+                ("noises.toml", r'(?<=^\[phasor\]\n)((?:.*\n)+?)rows = .*', r'\1rows = "by machine"',
+                 "phasor: rows is 'by machine', and has to be one of by hand"),
+                ("noises.toml", r'(?<=^\[phasor\]\n)((?:.*\n)+?)rows = ', r'\1families = { usual = "curl" }\nrows = ',
+                 "phasor: rows that stand by hand name their families themselves"),
+                ("sums.toml", r'(?<=^\[perlin_worley\]\n)', 'noise = "perlin"\n',
+                 "perlin_worley has a key 'noise', which means nothing"),
+                ("sums.toml", r'(?<=^\[perlin_worley\]\n)', 'step = "noise"\n',
+                 "perlin_worley: a sum that is a value has a step, and no other has one"),
                 ("sums.toml", r'(?<=^\[ridged\]\n)((?:.*\n)+?)step = .*\n', r"\1",
                  "ridged: a sum that is a value has a step, and no other has one"),
                 ("sums.toml", r'(?<=^\[ridged\]\n)((?:.*\n)+?)mean = .*', r'\1mean = "median"',

@@ -13,8 +13,9 @@ HEADER = "include/hashnoise/hashnoise.hpp"
 MACROS = {
     "HN_CATALOG_NOISE": "(Id, name, first dimension, last dimension, shape, takes): Shape::shape and Takes::takes",
     "HN_CATALOG_RANGE": "(noise, component, dimensions, least, greatest): of a component that is not in [-1, 1]",
-    "HN_CATALOG_SUM": "(Id, name, first dimension, last dimension, shape, shape of its noises, its usual noise, name "
-                      "of its strength, usual strength, most strength, Bounds::bounds of its value, least, greatest)",
+    "HN_CATALOG_SUM": "(Id, name, first dimension, last dimension, shape, shape of its noises, its usual noise or none "
+                      "if nobody chooses them, name of its strength, usual strength, most strength, Bounds::bounds of its "
+                      "value, least, greatest)",
     "HN_CATALOG_STEP": "(Id, name, the sum s with an octave n more, what it makes of the mean): of a sum of values; the "
                        "first may take a strength",
     "HN_CATALOG_SETTING": "(Id, name, is whole, least, most, usual)",
@@ -54,7 +55,8 @@ def of_sum(sum_: Sum) -> str:
         bounds: tuple[object, ...] = ("kThese", *sum_.range)
     else:
         bounds = (f"kOfThe{in_camel_case(sum_.range)}", 0, 0)
-    return row("HN_CATALOG_SUM", *of_function(sum_), SHAPES[sum_.of], sum_.noise, *strength, *bounds)
+    summed = (SHAPES[sum_.of], sum_.noise) if sum_.takes_noise else ("kValue", "none")
+    return row("HN_CATALOG_SUM", *of_function(sum_), *summed, *strength, *bounds)
 
 
 def steps(sum_: Sum) -> str:

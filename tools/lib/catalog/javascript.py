@@ -67,8 +67,10 @@ class Twin:
 
     def __init__(self, catalog: Catalog) -> None:
         self.noises = [noise for noise in catalog.noises if noise.small and noise.first <= MOST_DIMENSIONS]
-        self.absent = [noise for noise in catalog.noises if noise not in self.noises]
-        self.sums = [sum_ for sum_ in catalog.sums if sum_.first <= MOST_DIMENSIONS]
+        # Of a sum of its own noises there would be kernels of these.
+        self.sums = [sum_ for sum_ in catalog.sums if sum_.first <= MOST_DIMENSIONS and sum_.takes_noise]
+        self.absent = [function for function in (*catalog.noises, *catalog.sums)
+                       if function not in (*self.noises, *self.sums)]
         self.metrics = catalog.metrics
         self.settings = catalog.settings
 
@@ -216,7 +218,7 @@ def package(twin: Twin) -> dict[Path, str]:
     page = (ROOT / PAGE).read_text(encoding="utf-8")
     page = with_table(PAGE, page, "tools/catalog: settings", settings_of_page(twin))
     page = with_table(PAGE, page, "tools/catalog: noises that are not there",
-                      f"Noises that did not fit into {MOST_BYTES // 1000} kB: {code([noise.name for noise in twin.absent])}.\n")
+                      f"Noises that did not fit into {MOST_BYTES // 1000} kB: {code([function.name for function in twin.absent])}.\n")
     with_kernels = with_section(TWIN, "noises", kernels(twin))[1]
     return dict([with_section(FIELDS, "noises and sums", noises_and_sums(twin)),
                  with_section(TYPES, "names", types_of_names(twin), with_settings),
@@ -229,11 +231,11 @@ def package(twin: Twin) -> dict[Path, str]:
 
 def drawn(catalog: Catalog) -> tuple[list[Noise], list[Sum]]:
     """What gives slopes, too, or a noise along each axis, is another form of what does not, and no picture of its own. For
-    a wave there is no control."""
+    a wave there is no control, and of noises that nobody chooses there is no formula to show."""
     forms = [noise for noise in catalog.noises
              if "slopes" in noise.shape or noise.name.endswith("_vector") or "wave" in noise.options]
     return ([noise for noise in catalog.noises if noise not in forms],
-            [sum_ for sum_ in catalog.sums if sum_.shape == "value"])
+            [sum_ for sum_ in catalog.sums if sum_.shape == "value" and sum_.takes_noise])
 
 
 def may_draw(noise: Noise, option: str) -> bool:

@@ -13,6 +13,7 @@ from tree import ROOT
 CATALOG = ROOT / "catalog"
 SHAPES = ("value", "slopes", "two_distances", "three_distances", "distance_with_slopes", "vector", "value_and_quadrature")
 AXES = "xyzw"
+OWN = "own"  # what a sum is of whose noises nobody chooses
 MEANS = ("", "density", "billows", "bounded")  # glsl/hashnoise/detail/octave.glsl
 
 
@@ -89,14 +90,18 @@ class Noise(Function):
 
 @dataclass(frozen=True)
 class Sum(Function):
-    of: str  # the shape of the noises that it sums
-    noise: str
+    of: str  # the shape of the noises that it sums, or OWN
+    noise: str  # "" of noises of its own
     range: tuple[float, float] | str  # "noise": that of the noise; "strength": all up to that size
     strength: Strength | None
     step: str  # by which it adds an octave to a value; "" if it is none
     mean: str  # what it makes of the mean
     adds_words: str  # what the step adds, in words
     error: str  # in words
+
+    @property
+    def takes_noise(self) -> bool:
+        return self.of != OWN
 
     @property
     def is_of_values(self) -> bool:
@@ -225,14 +230,15 @@ def _sum(name: str, keys: Any, noises: Mapping[str, Noise]) -> Sum:
     if isinstance(value, str) and value not in ("noise", "strength"):
         raise CatalogError(f"{entry.where}: range is {value!r}, and has to be two numbers, \"noise\" or \"strength\"")
     strength = entry.take("strength", dict, None)
-    made = Sum(**common, of=entry.one_of("of", SHAPES), noise=entry.one_of("noise", tuple(noises)),
+    of = entry.one_of("of", (*SHAPES, OWN))
+    made = Sum(**common, of=of, noise=entry.one_of("noise", tuple(noises)) if of != OWN else "",
                range=entry.pair("range", value) if isinstance(value, list) else value,
                strength=_strength(f"{name}.strength", strength) if strength else None,
                step=entry.take("step", str, ""), mean=entry.one_of("mean", MEANS) if "mean" in entry.keys else "",
                adds_words=entry.take("adds", str, ""), error=entry.take("error", str, ""))
-    if bool(made.step) != (made.shape == "value"):
+    if bool(made.step) != (made.shape == "value" and made.takes_noise):
         raise CatalogError(f"{entry.where}: a sum that is a value has a step, and no other has one")
-    if noises[made.noise].shape != made.of:
+    if made.takes_noise and noises[made.noise].shape != made.of:
         raise CatalogError(f"{entry.where}: it sums noises of the shape {made.of}, and {made.noise} is none")
     entry.end()
     return made

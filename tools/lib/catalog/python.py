@@ -78,7 +78,8 @@ def _of_noise(noise: Function, catalog: Catalog) -> Iterable[_Option]:
 def _of_sum(function: Sum, catalog: Catalog) -> Iterable[_Option]:
     """Those that only sums have. Where a detail may stand in place of octaves, neither has a default."""
     in_detail = tuple(option for option in _SUM_IN_DETAIL if option.name in function.options)
-    yield _Option("noise", f'"{function.noise}"', "str")
+    if function.takes_noise:
+        yield _Option("noise", f'"{function.noise}"', "str")
     yield _Option("octaves", "None", "int | None") if in_detail else _setting("octaves", catalog)
     yield _setting("lacunarity", catalog)
     yield _setting("gain", catalog)
