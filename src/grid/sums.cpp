@@ -194,8 +194,8 @@ class Warp : public Framed<D, Vector<D>> {
   }
 };
 
-// How near the nearest point of cellular noise is. With it inlined in each of its kernels Perlin-Worley noise takes half
-// as long again to compile.
+// How near the nearest point of cellular noise is. With it inlined in each of its kernels Perlin-Worley noise takes
+// half as long again to compile.
 [[gnu::noinline]] Float nearest_point(const Place<3>& place, Uint seed) { return hn_cellular(place, seed).x; }
 
 // hn_i_perlin_worley, over Perlin noise that is called.

@@ -14,8 +14,8 @@ MACROS = {
     "HN_CATALOG_NOISE": "(Id, name, first dimension, last dimension, shape, takes): Shape::shape and Takes::takes",
     "HN_CATALOG_RANGE": "(noise, component, dimensions, least, greatest): of a component that is not in [-1, 1]",
     "HN_CATALOG_SUM": "(Id, name, first dimension, last dimension, shape, shape of its noises, its usual noise or none "
-                      "if nobody chooses them, name of its strength, usual strength, most strength, Bounds::bounds of its "
-                      "value, least, greatest)",
+                      "if nobody chooses them, name of its strength, usual strength, most strength, Bounds::bounds of "
+                      "its value, least, greatest)",
     "HN_CATALOG_STEP": "(Id, name, the sum s with an octave n more, what it makes of the mean): of a sum of values; the "
                        "first may take a strength",
     "HN_CATALOG_SETTING": "(Id, name, is whole, least, most, usual)",

@@ -217,8 +217,9 @@ def package(twin: Twin) -> dict[Path, str]:
     with_settings = with_section(TYPES, "settings", types_of_settings(twin))[1]
     page = (ROOT / PAGE).read_text(encoding="utf-8")
     page = with_table(PAGE, page, "tools/catalog: settings", settings_of_page(twin))
+    absent = code([function.name for function in twin.absent])
     page = with_table(PAGE, page, "tools/catalog: noises that are not there",
-                      f"Noises that did not fit into {MOST_BYTES // 1000} kB: {code([function.name for function in twin.absent])}.\n")
+                      f"Noises that did not fit into {MOST_BYTES // 1000} kB: {absent}.\n")
     with_kernels = with_section(TWIN, "noises", kernels(twin))[1]
     return dict([with_section(FIELDS, "noises and sums", noises_and_sums(twin)),
                  with_section(TYPES, "names", types_of_names(twin), with_settings),
