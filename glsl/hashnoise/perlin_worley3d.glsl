@@ -46,7 +46,7 @@ HN_FN hn_float hn_i_perlin_worley(hn_octaves3 wisps, hn_octaves3 billows) {
 //   lacunarity  ratio of frequencies, usually 2. In a tile it is a whole number from 1 to 255; others are rounded down
 //   gain        ratio of amplitudes, usually 0.5; not negative
 //   seed        any uint: 7u, not 7; 0 if left out; different seeds give independent fields
-//   returns     [0, 1], continuous. Half of the values are above 0.8 or so; a cloud is where it is above a threshold
+//   returns     [0, 1], continuous. A cloud is where it is above a threshold, of about 0.75
 //   error       docs/accuracy.md
 //   period      2^32 cells per axis, or that of the tile
 //   cost        hn_fbm, and three times hn_cellular in space, which is most of it
