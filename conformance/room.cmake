@@ -10,6 +10,7 @@
 #        ROOMS name...           the rooms that it sees, with all that these see
 #        LIBRARIES target...     and packages
 #        FAST                    its units go through millions of points
+#        COMPILES                its tests compile shaders for most of their time
 #        APART file.cpp...)      those of its units and tests that have names of their own; see units.cmake
 #
 # Includes are "room/file.hpp". The only way to a room is an include root that has nothing but that room in it, and a
@@ -34,6 +35,15 @@ function(read_once target first headers)
     target_precompile_headers(${target} PRIVATE ${headers})
   else()
     target_precompile_headers(${target} REUSE_FROM ${first})
+  endif()
+endfunction()
+
+# Mesa and glslang compile shaders in very many small allocations. With glibc's a run of hn-conform takes a third longer;
+# sanitizers have their own.
+find_library(JEMALLOC jemalloc)
+function(allocate_quickly target)
+  if(JEMALLOC AND NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize")
+    target_link_libraries(${target} PRIVATE -Wl,--no-as-needed ${JEMALLOC})
   endif()
 endfunction()
 
@@ -66,7 +76,7 @@ extern const std::span<const EmbeddedFile> ${name};
 endfunction()
 
 function(room_tests name)
-  cmake_parse_arguments(PARSE_ARGV 1 room "" "TIMED_TESTS" "TESTS")
+  cmake_parse_arguments(PARSE_ARGV 1 room "COMPILES" "TIMED_TESTS" "TESTS")
   add_executable(hn-${name}-test ${room_TESTS})
   target_compile_definitions(hn-${name}-test PRIVATE HN_GOLDEN_DIRECTORY="${golden_directory}")
   target_link_libraries(hn-${name}-test PRIVATE hn-${name} GTest::gtest_main)
@@ -74,6 +84,9 @@ function(room_tests name)
   target_compile_options(hn-${name}-test PRIVATE -Og)
   compile_units_as_one(hn-${name}-test)
   read_once(hn-${name}-test hn-base-test "${headers_read_once};<gtest/gtest.h>")
+  if(room_COMPILES)
+    allocate_quickly(hn-${name}-test)
+  endif()
   # Mesa compiles the shaders of these tests without optimizing them: they are drawn once, and compiling them is what
   # such a test costs. What is timed, and the run on all drivers (conform.all), has Mesa as everybody has it.
   set(quickly_compiled PROPERTIES ENVIRONMENT GALLIVM_PERF=nopt)
@@ -87,7 +100,7 @@ function(room_tests name)
 endfunction()
 
 function(room name)
-  cmake_parse_arguments(PARSE_ARGV 1 room "FAST" "TIMED_TESTS;BASE" "SOURCES;FUZZED;FILES;TESTS;ROOMS;LIBRARIES;APART")
+  cmake_parse_arguments(PARSE_ARGV 1 room "COMPILES;FAST" "TIMED_TESTS;BASE" "SOURCES;FUZZED;FILES;TESTS;ROOMS;LIBRARIES;APART")
   set(embedded "")
   set(root ${rooms_directory}/roots/${name})
   file(MAKE_DIRECTORY ${root})
@@ -125,6 +138,10 @@ function(room name)
     set_property(GLOBAL APPEND PROPERTY HN_FUZZED ${room_FUZZED} ${embedded})
   endif()
   if(HASHNOISE_TESTS AND room_TESTS)
-    room_tests(${name} TESTS ${room_TESTS} TIMED_TESTS ${room_TIMED_TESTS})
+    set(compiles)
+    if(room_COMPILES)
+      set(compiles COMPILES)
+    endif()
+    room_tests(${name} ${compiles} TESTS ${room_TESTS} TIMED_TESTS ${room_TIMED_TESTS})
   endif()
 endfunction()
