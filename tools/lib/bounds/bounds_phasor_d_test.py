@@ -1,7 +1,6 @@
 """Tests of what is proven of the derivatives of phasor noise: the models of docs/contract.md and the text of the
 library stay within the bounds, and reach a part of them. A wrong constant is noticed."""
 
-import functools
 import unittest
 from unittest import mock
 
@@ -9,13 +8,13 @@ import numpy as np
 
 from bounds import fixed_model as fixed
 from bounds import kernel_model
-from bounds.bounds_phasor_test import AXES, random_case
+from bounds.bounds_phasor_test import AXES, random_case, text
 from bounds.boxes import Boxes
 from bounds.fixed_model import ONE
 from bounds.kernels import Offsets
 from bounds.noises import phasor, phasor_d
 from bounds.noises.phasor import KERNELS, WAVES
-from bounds.rounded import Body, Rounding, Text, along_axes, roundings
+from bounds.rounded import Rounding, along_axes, roundings
 from bounds.table import bounds_of
 
 FINE, COARSE = 2.0**-21, 2.0**-16  # the units of fixed values and derivatives
@@ -33,29 +32,6 @@ def exactly(dims, cells, f, wave, phase):
 
 
 # --- The text of the library ------------------------------------------------------------------------------------------
-
-def body(dims, from_cell, what):
-    """Of the value and the quadrature, or of their derivatives along an axis; from a position, or a cell and a
-    fraction, and then from the wave and the phase."""
-    axes = AXES[dims]
-    inputs = [f"c{axis}:i32" for axis in axes * from_cell] + [f"{'f' * from_cell}{axis}:f32" for axis in axes]
-    inputs += [f"k{axis}:f32" for axis in axes] + ["phase:f32"]
-    words = iter([f"{vector}.{axis}" for vector in "abc" for axis in "xyzw"])
-
-    def taken(kind, convert, count=dims):
-        return f"{kind}{count}({', '.join(f'{convert}({next(words)})' for _ in range(count))})"
-    place = (f"hn_place({taken('ivec', 'int')}, {taken('vec', 'float_of')})" if from_cell else taken("vec", "float_of"))
-    arguments = f"{place}, {taken('vec', 'float_of')}, float_of({next(words)}), 0u"
-    return Body(" ".join(inputs), "value:f32 quadrature:f32",
-                f"hn_vec2 n = hn_phasor_d({arguments}).{what}; return uvec4(bits_of(n.x), bits_of(n.y), 0u, 0u);")
-
-
-@functools.cache
-def text(*macros):
-    forms = [(dims, form, what) for dims in KERNELS for form in ("cell", "position")
-             for what in ("value", *(f"d{axis}" for axis in AXES[dims]))]
-    return Text([], *macros, **{f"{form}{dims}{what}": body(dims, form == "cell", what) for dims, form, what in forms})
-
 
 def derivatives(form, dims, rounding, columns, *macros):
     return np.array([text(*macros)(f"{form}{dims}d{axis}", rounding, **columns) for axis in AXES[dims]])

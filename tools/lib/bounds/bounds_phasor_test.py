@@ -46,28 +46,29 @@ def exactly(dims, cells, f, wave, phase):
 
 # --- The text of the library ------------------------------------------------------------------------------------------
 
-def body(dims, from_cell):
-    """From a position, or a cell and a fraction; then the wave and the phase."""
+def body(dims, from_cell, what):
+    """From a position, or a cell and a fraction; then the wave and the phase. Of hn_phasor, or if `what` says so a part
+    of hn_phasor_d."""
     axes = AXES[dims]
     inputs = [f"c{axis}:i32" for axis in axes * from_cell] + [f"{'f' * from_cell}{axis}:f32" for axis in axes]
     inputs += [f"k{axis}:f32" for axis in axes] + ["phase:f32"]
-    words = [f"{vector}.{axis}" for vector in "abc" for axis in "xyzw"]
+    words = iter([f"{vector}.{axis}" for vector in "abc" for axis in "xyzw"])
 
-    def taken(count, kind):
-        some = [words.pop(0) for _ in range(count)]
-        return f"ivec{count}({', '.join(f'int({x})' for x in some)})" if kind == "cell" else (
-            f"vec{count}({', '.join(f'float_of({x})' for x in some)})")
-    place = f"hn_place({taken(dims, 'cell')}, {taken(dims, 'float')})" if from_cell else taken(dims, "float")
-    wave = taken(dims, "float")
+    def taken(kind, convert, count=dims):
+        return f"{kind}{count}({', '.join(f'{convert}({next(words)})' for _ in range(count))})"
+    place = (f"hn_place({taken('ivec', 'int')}, {taken('vec', 'float_of')})" if from_cell else taken("vec", "float_of"))
+    arguments = f"{place}, {taken('vec', 'float_of')}, float_of({next(words)}), 0u"
+    called = f"hn_phasor_d({arguments}).{what}" if what else f"hn_phasor({arguments})"
     return Body(" ".join(inputs), "value:f32 quadrature:f32",
-                f"hn_vec2 n = hn_phasor({place}, {wave}, float_of({words[0]}), 0u);"
-                "return uvec4(bits_of(n.x), bits_of(n.y), 0u, 0u);")
+                f"hn_vec2 n = {called}; return uvec4(bits_of(n.x), bits_of(n.y), 0u, 0u);")
 
 
 @functools.cache
 def text(*macros):
-    return Text([], *macros, **{f"{form}{dims}": body(dims, form == "cell") for dims in KERNELS
-                                for form in ("cell", "position")})
+    """With the derivatives, for bounds_phasor_d_test.py: reading the library is half of what a text costs."""
+    forms = [(dims, form, what) for dims in KERNELS for form in ("cell", "position")
+             for what in ("", "value", *(f"d{axis}" for axis in AXES[dims]))]
+    return Text([], *macros, **{f"{form}{dims}{what}": body(dims, form == "cell", what) for dims, form, what in forms})
 
 
 def from_cell(dims, rounding, cells, f, wave, phase, *macros):
