@@ -29,7 +29,7 @@ BODY = Body(
 
 @functools.cache
 def text(*macros):
-    return Text([], *macros, gullies=BODY)
+    return Text([], *macros, optimized=True, gullies=BODY)
 
 
 def a_sum(octaves, lacunarity=2.0, gain=0.5, footprint=None):

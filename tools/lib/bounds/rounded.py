@@ -43,17 +43,18 @@ class Body:
 
 
 class Text:
-    """Some functions of the library, by their rows or with bodies of their own, compiled with these macros."""
+    """Some functions of the library, by their rows or with bodies of their own, compiled with these macros; optimized,
+    if they are called so often that this saves more time than it takes."""
 
-    def __init__(self, wanted: Iterable[str], *macros: str, **others: Body):
+    def __init__(self, wanted: Iterable[str], *macros: str, optimized: bool = False, **others: Body):
         self.bodies = {id: table()[id] for id in wanted} | others
         self.folder = tempfile.TemporaryDirectory()
         bodies = "".join(f"FUNCTION({body.code})\n" for body in self.bodies.values())
         Path(self.folder.name, "rounded.inc").write_text(bodies)
         program = Path(self.folder.name, "rounded")
         # As the suite's twin: the functions need not be inlined, which takes long.
-        compile_program("the text over floats that round", SOURCE, program, "-O1", "-w", f"-I{self.folder.name}",
-                        macros=("always_inline=unused", *macros))
+        compile_program("the text over floats that round", SOURCE, program, "-O1" if optimized else "-O0", "-w",
+                        f"-I{self.folder.name}", macros=("always_inline=unused", *macros))
         self.process = subprocess.Popen([program], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
         atexit.register(self.end)
 
