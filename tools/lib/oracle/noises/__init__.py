@@ -12,6 +12,7 @@ phase the module has TURNS.
 
 from __future__ import annotations
 
+import functools
 import importlib
 import math
 import pkgutil
@@ -78,6 +79,7 @@ class Noise:
         return self.in_units(self.fixed_in_cell(self.lattice(knobs, seed, periods), cell, list(map(fraction_of, f))))
 
 
+@functools.cache  # golden files ask for thousands of noises
 def names() -> list[str]:
     return [module.name for module in pkgutil.iter_modules(__path__) if not module.name.endswith("_test")]
 
