@@ -45,23 +45,24 @@ HN_FN hn_vec3 hn_i_gullies(hn_octaves2 octaves, hn_vec2 slope, hn_float depth) {
   hn_num growth = hn_i_growth(o.sum.gain, o.lacunarity);
   hn_num steepening = deep;  // depth * (gain * lacunarity)^i
   hn_num2 before = hn_i_num(hn_i_eroding_slope(slope.x), hn_i_eroding_slope(slope.y));
-  hn_num2 e = before;
+  hn_num x = before.x;  // apart, for the reason that hn_slopes2 has (fbm_d2d.glsl)
+  hn_num y = before.y;
   do {
-    hn_rank r = hn_i_root(hn_i_squared(e.x, e.y));
-    hn_vec2 wave = vec2(-hn_i_gully_wave(e.y, r), hn_i_gully_wave(e.x, r));
+    hn_rank r = hn_i_root(hn_i_squared(x, y));
+    hn_vec2 wave = vec2(-hn_i_gully_wave(y, r), hn_i_gully_wave(x, r));
     hn_num part = hn_i_weight_times(hn_i_steepness(r), hn_i_resolved(o.sum.footprint));
     hn_derivatives2x2 n = hn_phasor_d(o.place, wave, 0.0f, o.seed);
     o.sum = hn_i_with(o.sum, hn_i_octave(n.value.x), hn_i_weight_times(o.sum.weight, part));
     hn_num rate = hn_i_wide_times(steepening, part);
-    e = hn_i_num(hn_i_eroded_slope(e.x, hn_i_wide_times(hn_i_slope_of_waves(n.dx.x), rate)),
-                 hn_i_eroded_slope(e.y, hn_i_wide_times(hn_i_slope_of_waves(n.dy.x), rate)));
+    x = hn_i_eroded_slope(x, hn_i_wide_times(hn_i_slope_of_waves(n.dx.x), rate));
+    y = hn_i_eroded_slope(y, hn_i_wide_times(hn_i_slope_of_waves(n.dy.x), rate));
     steepening = hn_i_wide_times(steepening, growth);
     o.sum.footprint = hn_i_next_footprint(o.sum.footprint, o.lacunarity);
   } while (hn_next(o));
   bool none = hn_i_truth(o.sum.octaves < 1);
   hn_num height = hn_i_select(none, HN_I_NO_WEIGHT, hn_i_coarse(hn_i_wide_times(o.sum.value, deep)));
-  return vec3(hn_i_value(height), hn_i_added_slope(hn_i_select(none, before.x, e.x), before.x),
-              hn_i_added_slope(hn_i_select(none, before.y, e.y), before.y));
+  return vec3(hn_i_value(height), hn_i_added_slope(hn_i_select(none, before.x, x), before.x),
+              hn_i_added_slope(hn_i_select(none, before.y, y), before.y));
 }
 
 // Gullies that run down a slope, and smaller ones that run down into them, octave by octave: what erosion by water adds
