@@ -34,7 +34,8 @@ def make(folder: Path, requirements: Path, library: Path | None = None) -> int:
     if status := install(python, requirements):
         return status
     linked = ["--library", library] if library else []
-    done = subprocess.run([ROOT / "tools" / "wheel", "--python", sys.executable, *linked, folder / "wheels"],
+    # It has pip and numpy, which tools/wheel would install once more.
+    done = subprocess.run([ROOT / "tools" / "wheel", "--python", python, *linked, folder / "wheels"],
                           stdout=subprocess.PIPE, text=True, check=False)
     if done.returncode != 0:
         print(f"tools/wheel ended with status {done.returncode}")
