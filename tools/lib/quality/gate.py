@@ -133,21 +133,28 @@ def each_finding(twin: Twin, dimensions: int, effort: Effort,
         preferences += isotropy.of_window(lattice)
     yield isotropy.judge(preferences, dimensions)
     yield isotropy.same_noise(twin, dimensions, effort.seeds[0])
-    for seed in effort.seeds:
-        yield from avalanche.of_twin(twin, dimensions, seed, effort.samples)
-        yield from avalanche.far(twin, dimensions, seed, effort.samples)
-    yield from avalanche.of_seeds(twin, dimensions, effort.samples)
-    for a, b in seed_pairs(effort.pairs):
-        windows = [sample(twin, shape, ORIGINS[dimensions][0], seed) for seed in (a, b)]
-        for lattice in windows:
-            keep(lattice)
-        yield from judge_seeds(*windows)
+    yield from each_of_choices(twin, dimensions, effort, keep)
     for seed in effort.seeds:
         # Fewer cells, since there are some hundred lags: with these it takes about as long as far pairs.
         found = near_returns.near_returns(twin, dimensions, seed, effort.samples >> 3)
         yield from _placed(found, f"seed {seed}")
     yield from many_windows(twin, dimensions, effort)
     yield from each_of_components(twin, dimensions, effort)
+
+
+def each_of_choices(twin: Twin, dimensions: int, effort: Effort,
+                    keep: Keep = lambda lattice: None) -> Iterable[Finding]:
+    """What chooses its cells and seeds: avalanche, far pairs, seeds."""
+    for seed in effort.seeds:
+        yield from avalanche.of_twin(twin, dimensions, seed, effort.samples)
+        yield from avalanche.far(twin, dimensions, seed, effort.samples)
+    yield from avalanche.of_seeds(twin, dimensions, effort.samples)
+    for a, b in seed_pairs(effort.pairs):
+        shape = (effort.sides[dimensions],) * dimensions
+        windows = [sample(twin, shape, ORIGINS[dimensions][0], seed) for seed in (a, b)]
+        for lattice in windows:
+            keep(lattice)
+        yield from judge_seeds(*windows)
 
 
 def judge_components(words: list[np.ndarray], twin: Twin) -> Iterable[Finding]:

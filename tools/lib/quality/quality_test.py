@@ -1,6 +1,7 @@
 """The gate accepts what is random and rejects what is not, by the test meant for it; thresholds are derived."""
 
 import contextlib
+import functools
 import io
 import json
 import shutil
@@ -27,6 +28,7 @@ from quality import report
 from thorough import in_thorough_runs, some
 from tree import ROOT
 
+SMALL = {2: (64, 64), 3: (16, 16, 16)}
 SHAPES = {2: (512, 512), 3: (32, 32, 256)}  # in space, long enough for a line to be told from chance
 FOLDER = tempfile.TemporaryDirectory()
 TWIN = library.build("LATTICE", [], ROOT / "include", Path(FOLDER.name))
@@ -46,10 +48,21 @@ def missing(meant, findings):
     return left
 
 
-def of_window(words):
-    """As judge_words has it, one by one."""
+TESTS = (*gate.WINDOW_TESTS, *gate.COSTLY_TESTS, avalanche.of_window)
+
+
+@functools.cache
+def makers(n):
+    """By finding the test that makes it, of a small window."""
+    window = gate.of_words(controls.random(SMALL[n]), TWIN)
+    return {finding.test: test for test in TESTS for finding in test(window)}
+
+
+def of_window(words, first=()):
+    """As judge_words has it, one by one; what makes these findings comes first."""
     window = gate.of_words(words, TWIN)
-    tests = (*gate.WINDOW_TESTS, *gate.COSTLY_TESTS, avalanche.of_window)
+    wanted = {makers(words.ndim).get(name) for name in first}
+    tests = sorted(TESTS, key=lambda test: test not in wanted)
     return (finding for test in tests for finding in test(window))
 
 
@@ -63,7 +76,7 @@ class Windows(unittest.TestCase):
         for turn, (name, (make, tests)) in enumerate(controls.WINDOWS.items()):
             for n in some([2] if name in controls.ONLY_2D else [2, 3], turn):
                 size = (gate.SIDES[n],) * n if name in controls.FULL_SIZE else SHAPES[n]
-                self.assertEqual(missing(tests, of_window(make(size))), set(), f"{name} in {n}D")
+                self.assertEqual(missing(tests, of_window(make(size), tests)), set(), f"{name} in {n}D")
 
     def test_what_is_not_rejected_is_missing(self):
         self.assertEqual(missing({"lines"}, of_window(controls.random(SHAPES[2]))), {"lines"})
@@ -79,7 +92,7 @@ class Windows(unittest.TestCase):
 
 
 class Functions(unittest.TestCase):
-    """What chooses its cells and seeds: avalanche, far pairs, seeds."""
+    """gate.each_of_choices."""
 
     def judge(self, function, n):
         return gate.judge_twin(controls.Function("control", TWIN.program, {}, function), n, gate.LEAST)
@@ -93,7 +106,15 @@ class Functions(unittest.TestCase):
         for name, (function, tests) in controls.FUNCTIONS.items():
             if tests != controls.NEAR_RETURNS:  # they have a class of their own, which judges without windows
                 control = controls.Function("control", TWIN.program, {}, function)
-                self.assertEqual(missing(tests, gate.each_finding(control, 2, gate.LEAST)), set(), name)
+                self.assertEqual(missing(tests, gate.each_of_choices(control, 2, gate.LEAST)), set(), name)
+
+    def test_they_are_among_all_findings(self):
+        small = replace(gate.LEAST, sides={2: 256}, samples=1 << 9, windows=1)
+        control = controls.Function("control", TWIN.program, {}, controls.strong)
+        of_choices, of_all = ({finding.test for finding in findings(control, 2, small)}
+                              for findings in (gate.each_of_choices, gate.each_finding))
+        self.assertLessEqual({name for _, tests in controls.FUNCTIONS.values() for name in tests}, of_all)
+        self.assertLess(of_choices, of_all)
 
     def test_weakness_everywhere_shows_in_the_windows_together(self):
         rng = np.random.default_rng(5)
