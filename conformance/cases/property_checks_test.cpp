@@ -76,9 +76,9 @@ TEST_F(Extreme, RangesThatDependOnSettingsAreHeld) {
   expect_caught("fbm_d.fbm_d3.lattice.fixed.fragment.gl330.finite", "fbm_d3d.glsl",
                 "hn_fbm_d(q, o, l, args) (hn_fbm_d(q, o, l, args) * vec4(1.0, 1.0, 1.0, 5000.0))");
   expect_caught("noise2d.gullies.lattice.fast.fragment.gl330.range", "gullies2d.glsl",
-                "hn_gullies(args) (3.0 * hn_gullies(args))");
+                "hn_gullies(q, e, o, l, g, d, args) (3.0 * hn_gullies(q, e, o, l, g, d, args))");
   expect_caught("noise3d.perlin_worley.lattice.fast.fragment.gl330.range", "perlin_worley3d.glsl",
-                "hn_perlin_worley(args) (0.5 + hn_perlin_worley(args))");
+                "hn_perlin_worley(q, o, l, args) (0.5 + hn_perlin_worley(q, o, l, args))");
 }
 
 // Not the noise, the octaves' weights, or what a sum makes of each octave.
