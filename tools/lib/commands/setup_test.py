@@ -19,7 +19,7 @@ from pathlib import Path
 
 from tree import TOOLS
 
-TICK = 0.25
+TICK = 0.4
 # A step is as long as many ticks, so that a step that shows nothing is noticed, and a busy machine is not.
 SLOW = 12 * TICK
 SILENT = 0.8 * SLOW

@@ -16,6 +16,7 @@ from bounds import table
 from bounds.table import Bounds
 from golden.generator import Generator, generator_of
 from oracle import noises
+from oracle.components import component
 from oracle.curl import CURL
 from oracle.gradients import Knobs
 from oracle.hexes import HEXES
@@ -33,8 +34,10 @@ WAVE = (2.25, -1.5, 0.7)  # of phasor noise
 USED, SELDOM_USED = 0.5, 0.25
 
 
-# What has bounds and a place as noises have, and is none.
-NO_NOISES = {of.name: of for of in (CURL, HEXES)}
+# What has bounds and a place as noises have, and is none. Of a vector with derivatives the second component stands for
+# all.
+NO_NOISES = {of.name: of for of in (CURL, HEXES)} | {
+    f"{of}_vector_d": component(noises.find(f"{of}_d"), 1) for of in ("perlin", "value")}
 
 
 def settings(bounds: Bounds) -> list[Knobs]:
