@@ -26,7 +26,7 @@ def string_of(name: str, files: dict[str, str]) -> str:
 
 
 # What no node takes or gives.
-STRUCTS = r"ptr<|-> ?hn_(?:derivatives4|hexes)|hn_(?:octaves|slopes|shifts)\d"
+STRUCTS = r"ptr<|-> ?hn_(?:derivatives[\dx]+|hexes)|hn_(?:octaves|slopes|shifts)\d"
 
 
 class Strings(unittest.TestCase):

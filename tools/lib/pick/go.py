@@ -11,7 +11,7 @@ from pick.values import AXES, SIZES, scalar_of
 
 PRODUCT = "float32(*)"  # the sign of a product that is rounded
 NUMBERS = re.compile(r"(?:0x[\dA-F]+|[\d.]+|[-+*/ ()])+")  # of which no type follows
-OPERATOR = re.compile(r" +([-+*/%&|^<>=!]+ )")              # at the beginning of a line
+OPERATOR = re.compile(r" +([-+*/%&|^<>=!]+(?: |$))")        # at the beginning of a line, or all of it
 
 
 class Go(Syntax):
@@ -170,7 +170,7 @@ func toWord(x float32) uint32 {
             if found := OPERATOR.match(line):
                 joined[i - 1] += f" {found[1].strip()}"
                 joined[i] = line.replace(found[1], "", 1)
-        return joined
+        return [line for line in joined if line.strip()]
 
     def file(self, heading: Sequence[str], names: Sequence[str], parts: Sequence[str]) -> str:
         imports = '\nimport "math"\n' if any("math." in part for part in parts) else ""
