@@ -52,7 +52,7 @@ TEST(Programs, WhatIsLeftOutIsListed) {
   for (const std::string& word : missing) EXPECT_TRUE(shown.contains(word)) << word;
 }
 
-TEST(Programs, ThereAreFewOfManyAndOfEachFunctionAtMostSixWithTheDefaults) {
+TEST(Programs, ThereAreFewOfManyAndOfEachFunctionAtMostSevenWithTheDefaults) {
   std::map<std::string_view, int> of;
   int chosen = 0;
   for (std::size_t i = 0; i < all_programs().size(); ++i) {
@@ -60,7 +60,8 @@ TEST(Programs, ThereAreFewOfManyAndOfEachFunctionAtMostSixWithTheDefaults) {
     if (program_extents()[i] == Extent::thorough || !opengl) continue;
     ++chosen;
     if (!all_programs()[i].configuration->default_but_for_arithmetic()) continue;
-    EXPECT_LE(++of[all_programs()[i].function->id], 6) << all_programs()[i].function->id;
+    // Seven of one that takes what few others take together, a period and a footprint, and stands for many pairs.
+    EXPECT_LE(++of[all_programs()[i].function->id], 7) << all_programs()[i].function->id;
   }
   EXPECT_LT(chosen * 10, static_cast<int>(all_programs().size()));
 }
