@@ -12,6 +12,7 @@ from unittest import mock
 
 from golden.generator import INT_MAX, INT_MIN, generator_of, to_f32
 from oracle import frames, gullies, noises, sums
+from oracle.checked import Checked
 from oracle.gradients import Knobs, Real
 from oracle.lattice import Choice
 from oracle.noises.phasor_test import naive
@@ -98,7 +99,7 @@ VECTORS = (
      (128264, -14177, -4353)))
 
 
-class Gullies(unittest.TestCase):
+class Gullies(Checked, unittest.TestCase):
     def check_floats(self) -> None:
         for p, options, *others in places("floats"):
             for a, b in zip(exact(p, options, *others), in_floats(p, options, *others), strict=True):
@@ -145,16 +146,6 @@ class Gullies(unittest.TestCase):
             self.assertTrue({dx, dy} & {7, -9}, (dx, dy))
 
     CHECKS = ("floats", "fixed", "program", "differences", "clamps")
-
-    def test_every_check_passes(self) -> None:
-        for check in self.CHECKS:
-            with self.subTest(check):
-                getattr(self, f"check_{check}")()
-
-    def assert_noticed(self, *noticing: str) -> None:
-        for check in noticing:
-            with self.assertRaises(AssertionError, msg=check):
-                getattr(self, f"check_{check}")()
 
     def test_a_changed_constant_is_noticed(self) -> None:
         unit_of, fixed_unit, over, growths = gullies.unit_of, gullies.fixed_unit, gullies.over, gullies.fixed_growths

@@ -13,6 +13,7 @@ from unittest import mock
 
 from golden.generator import INT_MAX, INT_MIN, generator_of, to_f32
 from oracle import functions, hexes, words
+from oracle.checked import Checked
 from oracle.gradients import Knobs
 from oracle.hexes import CORNERS, HEXES, OUTPUTS
 from oracle.integers import UNIT
@@ -58,7 +59,7 @@ def by_word(found: Found) -> dict[int, Fraction]:
     return total
 
 
-class Hexes(unittest.TestCase):
+class Hexes(Checked, unittest.TestCase):
     def places(self, name: str, count: int = 84) -> Iterator[tuple[Sequence[int], Sequence[Fraction], Sequence[int]]]:
         tried = itertools.cycle(itertools.product(CELLS, TILES))
         for (cell, periods), f in zip(tried, fractions(name, count)):
@@ -158,16 +159,6 @@ class Hexes(unittest.TestCase):
                         self.assertNotEqual(by_word(at(cell, f, 7, periods)), by_word(at(moved, f, 7, periods)))
 
     CHECKS = ("weights", "corners", "hexagons", "continuity", "slopes", "tiles")
-
-    def test_every_check_passes(self) -> None:
-        for check in self.CHECKS:
-            with self.subTest(check):
-                getattr(self, f"check_{check}")()
-
-    def assert_noticed(self, *noticing: str) -> None:
-        for check in noticing:
-            with self.assertRaises(AssertionError, msg=check):
-                getattr(self, f"check_{check}")()
 
     def test_faults_are_found(self) -> None:
         right = hexes.triangle

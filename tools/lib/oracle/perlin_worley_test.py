@@ -14,6 +14,7 @@ from golden import perlin_worley_rows
 from golden.files import golden_files
 from golden.generator import Row, generator_of
 from oracle import functions, noises, perlin_worley, sums, words
+from oracle.checked import Checked
 from oracle.gradients import Knobs, Real
 from oracle.integers import NOISE_UNIT
 from oracle.sums import Options
@@ -66,7 +67,7 @@ def by_parts(p: Sequence[Real], options: Options, seed: int, periods: Sequence[i
     return 1 - (1 - perlin / weights) * (1 - min(max(cells / few, -1), 1)) / 4
 
 
-class PerlinWorley(unittest.TestCase):
+class PerlinWorley(Checked, unittest.TestCase):
     def check_parts(self) -> None:
         for place in places("parts"):
             self.assertAlmostEqual(float(exact(*place)), by_parts(*place), 12)
@@ -110,11 +111,7 @@ class PerlinWorley(unittest.TestCase):
                 self.assertTrue(1 - 2**-6 < beside < 1, beside)
 
     CHECKS = ("parts", "fixed", "integers", "far", "points")
-
-    def test_every_check_passes(self) -> None:
-        for check in self.CHECKS:
-            with self.subTest(check):
-                getattr(self, f"check_{check}")()
+    NOTICED = AssertionError, ValueError
 
     def test_a_changed_constant_is_noticed(self) -> None:
         seeds, clamped_to = perlin_worley.with_seeds, perlin_worley.clamped_to
@@ -127,10 +124,8 @@ class PerlinWorley(unittest.TestCase):
                 ("prod", lambda a, b: a * b >> 19, ("fixed", "integers")),
                 ("clamped_to", lambda v, end: v, ("far",)), ("clamped", lambda v, low, high: v, ("far",)),
                 ("clamped_to", lambda v, end: clamped_to(v, end // 2), ("fixed", "integers", "points"))):
-            for check in noticing:
-                with self.subTest(name), mock.patch.object(perlin_worley, name, other), \
-                        self.assertRaises((AssertionError, ValueError), msg=check):
-                    getattr(self, f"check_{check}")()
+            with self.subTest(name), mock.patch.object(perlin_worley, name, other):
+                self.assert_noticed(*noticing)
 
     def test_range(self) -> None:
         """In [0, 1], and its ends are those of both parts."""

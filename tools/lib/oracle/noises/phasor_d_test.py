@@ -13,6 +13,7 @@ from unittest import mock
 
 from golden.generator import INT_MAX, INT_MIN, generator_of, to_f32
 from oracle import functions, kernels, noises, words
+from oracle.checked import Checked
 from oracle.gradients import Knobs, Real
 from oracle.integers import UNIT
 from oracle.lattice import Choice
@@ -67,7 +68,7 @@ VECTORS = (
      (-163600, 438318, -1045818, -428940, 627878, 233203, -135674, -39027)))
 
 
-class Derivatives(unittest.TestCase):
+class Derivatives(Checked, unittest.TestCase):
     def check_noise(self) -> None:
         """The first two numbers are phasor noise."""
         for place, fixed in itertools.product(places("noise", 9), (False, True)):
@@ -97,16 +98,6 @@ class Derivatives(unittest.TestCase):
             self.assertEqual(tuple(x * unit for x, unit in zip(found, SLOPES.units)), expected)
 
     CHECKS = ("noise", "differences", "fixed", "program")
-
-    def test_every_check_passes(self) -> None:
-        for check in self.CHECKS:
-            with self.subTest(check):
-                getattr(self, f"check_{check}")()
-
-    def assert_noticed(self, *noticing: str) -> None:
-        for check in noticing:
-            with self.assertRaises(AssertionError, msg=check):
-                getattr(self, f"check_{check}")()
 
     def test_a_changed_constant_is_noticed(self) -> None:
         for name, other, noticing in (("TWO_PI", Fraction(355, 56), ("differences",)),

@@ -14,6 +14,7 @@ from unittest import mock
 from golden.generator import INT_MAX, INT_MIN, Generator, generator_of, to_f32
 from golden.simplex_rows import PHASES, fractions
 from oracle import functions, integers, kernels, noises, turning, words
+from oracle.checked import Checked
 from oracle.gradients import Knobs, Real
 from oracle.integers import NOISE_UNIT, UNIT
 from oracle.lattice import Choice, Lattice
@@ -126,7 +127,7 @@ VECTORS = (
      (340084, 317800)))
 
 
-class Phasor(unittest.TestCase):
+class Phasor(Checked, unittest.TestCase):
     def check_floats(self) -> None:
         for place in places("floats"):
             self.assertLess(apart(at(*place), naive(*place)), 1e-12, place)
@@ -265,16 +266,6 @@ class Phasor(unittest.TestCase):
 
     CHECKS = ("floats", "fixed", "program", "turns", "tiles", "seams", "continuity", "smoothness", "lengths",
               "sums_of_weights", "clamps", "cuts")
-
-    def test_every_check_passes(self) -> None:
-        for check in self.CHECKS:
-            with self.subTest(check):
-                getattr(self, f"check_{check}")()
-
-    def assert_noticed(self, *noticing: str) -> None:
-        for check in noticing:
-            with self.assertRaises(AssertionError, msg=check):
-                getattr(self, f"check_{check}")()
 
     def test_faults_of_both_arithmetics_are_found(self) -> None:
         for change, noticing in (({"periods": ()}, ("floats", "program", "tiles")), ({"seed": 0}, ("floats",))):
