@@ -423,8 +423,8 @@ Pairing whole_detail_pairing(const Evaluation& evaluation, std::uint64_t seed, s
                     has_same_bits(function, evaluation.configuration));
 }
 
-// Up to half a cell of the last octave, or a quarter of those of gullies, none fades. With floats the compiler may contract the two in other
-// ways.
+// Up to half a cell of the last octave, or a quarter of those of gullies, none fades. With floats the compiler may
+// contract the two in other ways.
 Pairing small_footprint_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points) {
   const Function& function = evaluation.function;
   const Evaluation other{without(function, "footprint"), evaluation.configuration, evaluation.profile};

@@ -23,13 +23,8 @@
 //   source   the product rule on the interpolation; docs/contract.md, section 22
 HN_FN hn_derivatives2x2 hn_perlin_vector_d(hn_place2 place, hn_uint seed) {
   hn_uvec4 h = hn_i_corners(hn_i_box(place), seed);
-  hn_vec3 x = hn_i_perlin_d(h, place.fraction);
-  hn_vec3 y = hn_i_perlin_d(hn_i_words_of_y(h), place.fraction);
-  HN_I_NEW(hn_derivatives2x2, d);
-  d.value = vec2(x.x, y.x);
-  d.dx = vec2(x.y, y.y);
-  d.dy = vec2(x.z, y.z);
-  return d;
+  hn_num2 f = place.fraction;
+  return hn_i_of_components(hn_i_perlin_d(h, f), hn_i_perlin_d(hn_i_words_of_y(h), f));
 }
 HN_FN hn_derivatives2x2 hn_perlin_vector_d(hn_vec2 p, hn_uint seed) { return hn_perlin_vector_d(hn_place(p), seed); }
 HN_FN hn_derivatives2x2 hn_perlin_vector_d(hn_vec2 p) { return hn_perlin_vector_d(p, 0u); }

@@ -37,12 +37,7 @@ HN_FN hn_derivatives3x3 hn_perlin_vector_d(hn_place3 place, hn_uint seed) {
   hn_vec4 x = hn_i_perlin_d(a, b, f, t, s);
   hn_vec4 y = hn_i_perlin_d(hn_i_words_of_y(a), hn_i_words_of_y(b), f, t, s);
   hn_vec4 z = hn_i_perlin_d(hn_i_words_of_z(a), hn_i_words_of_z(b), f, t, s);
-  HN_I_NEW(hn_derivatives3x3, d);
-  d.value = vec3(x.x, y.x, z.x);
-  d.dx = vec3(x.y, y.y, z.y);
-  d.dy = vec3(x.z, y.z, z.z);
-  d.dz = vec3(x.w, y.w, z.w);
-  return d;
+  return hn_i_of_components(x, y, z);
 }
 HN_FN hn_derivatives3x3 hn_perlin_vector_d(hn_vec3 p, hn_uint seed) { return hn_perlin_vector_d(hn_place(p), seed); }
 HN_FN hn_derivatives3x3 hn_perlin_vector_d(hn_vec3 p) { return hn_perlin_vector_d(p, 0u); }

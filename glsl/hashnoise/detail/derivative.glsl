@@ -20,6 +20,7 @@
 //                          and h the gradients, t the fade and s its slope
 //   hn_i_face_d(...)       what four corners 00, 10, 01, 11 make of it: the interpolated ramp, its derivatives along x
 //                          and y, and in space what the gradients' last components add
+//   hn_i_of_components(...)  a vector with its derivatives, from its components, each a float with its own
 
 #if HN_ARITHMETIC != HN_FIXED
 
@@ -104,6 +105,22 @@ HN_FN hn_num4 hn_i_face_d(hn_num4 r, hn_num3 g00, hn_num3 g10, hn_num3 g01, hn_n
   hn_num4 n1 = hn_i_edge_d(r.z, r.w, g01, g11, t.x, s.x);
   return hn_i_num(hn_i_lerp(n0.x, n1.x, t.y), hn_i_lerp(n0.y, n1.y, t.y),
                   hn_i_d_faded(hn_i_lerp(n0.z, n1.z, t.y), hn_i_d_corner(n0.x, n1.x), s.y), hn_i_lerp(n0.w, n1.w, t.y));
+}
+
+HN_FN hn_derivatives2x2 hn_i_of_components(hn_vec3 x, hn_vec3 y) {
+  HN_I_NEW(hn_derivatives2x2, d);
+  d.value = vec2(x.x, y.x);
+  d.dx = vec2(x.y, y.y);
+  d.dy = vec2(x.z, y.z);
+  return d;
+}
+HN_FN hn_derivatives3x3 hn_i_of_components(hn_vec4 x, hn_vec4 y, hn_vec4 z) {
+  HN_I_NEW(hn_derivatives3x3, d);
+  d.value = vec3(x.x, y.x, z.x);
+  d.dx = vec3(x.y, y.y, z.y);
+  d.dy = vec3(x.z, y.z, z.z);
+  d.dz = vec3(x.w, y.w, z.w);
+  return d;
 }
 
 #endif
