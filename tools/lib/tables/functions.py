@@ -208,7 +208,9 @@ def _function(row: Row) -> Function:
 
 def read_functions(path: Path = FUNCTIONS) -> list[Function]:
     functions = [_function(row) for row in read_rows(path, "FUNCTION", 7)]
-    for index, function in enumerate(functions):
-        if function.id in (other.id for other in functions[:index]):
+    known = set()
+    for function in functions:
+        if function.id in known:
             raise function.row.error(f"{function.id} is there already")
+        known.add(function.id)
     return functions

@@ -6,6 +6,7 @@ beside it, and #undef. Anything else is an error that names the file and the lin
 
 from __future__ import annotations
 
+import functools
 import re
 from dataclasses import dataclass
 from pathlib import Path
@@ -59,16 +60,11 @@ def read_rows(path: Path, name: str, count: int, others: frozenset[str] = frozen
 
 
 def _rows(path: Path, names: set[str]) -> list[Row]:
-    text = COMMENT.sub(lambda match: match[1] or "", path.read_text(encoding="utf-8"))
     rows: list[Row] = []
-    lines = text.split("\n")
-    while lines:
-        where = Row(path, text.count("\n") - len(lines) + 2, "", ())
-        statement = lines.pop(0)
-        while not statement.startswith("#") and _depth(statement) > 0:
-            if not lines:
-                raise where.error("a row is not closed")
-            statement += "\n" + lines.pop(0)
+    for line, statement, is_closed in _statements(path.read_text(encoding="utf-8")):
+        where = Row(path, line, "", ())
+        if not is_closed:
+            raise where.error("a row is not closed")
         if not statement.startswith("#"):
             rows += _of_statement(statement, names, where)
         elif include := INCLUDE.fullmatch(statement.rstrip()):
@@ -76,6 +72,24 @@ def _rows(path: Path, names: set[str]) -> list[Row]:
         elif not UNDEFINE.fullmatch(statement.rstrip()):
             raise where.error(f'{statement} is neither #include "NAME.inc" nor #undef NAME')
     return rows
+
+
+@functools.lru_cache(maxsize=16)  # tests read the same tables in many copies of the tree
+def _statements(text: str) -> list[tuple[int, str, bool]]:
+    """Without comments, each with the number of its first line, and whether it is closed."""
+    lines = COMMENT.sub(lambda match: match[1] or "", text).split("\n")
+    statements: list[tuple[int, str, bool]] = []
+    number = 0
+    while number < len(lines):
+        first, statement = number, lines[number]
+        number += 1
+        while is_open := not statement.startswith("#") and _depth(statement) > 0:
+            if number == len(lines):
+                break
+            statement += "\n" + lines[number]
+            number += 1
+        statements.append((first + 1, statement, not is_open))
+    return statements
 
 
 def _depth(text: str) -> int:
@@ -90,13 +104,17 @@ def _of_statement(text: str, names: set[str], where: Row) -> list[Row]:
         used = re.match(r"\s*(\w+)\(", text)
         if not used or used[1] not in names:
             raise where.error(f"{text.split()[0]} is not {' or '.join(sorted(names))}")
-        arguments, text = _arguments(text[used.end():], where)
+        split = _arguments(text[used.end():])
+        if split is None:
+            raise where.error("a row is not closed")
+        arguments, text = split
         rows.append(Row(where.path, where.line, used[1], arguments))
     return rows
 
 
-def _arguments(text: str, where: Row) -> tuple[tuple[str, ...], str]:
-    """What stands before the closing parenthesis, split at the commas, and what follows it."""
+@functools.lru_cache(maxsize=4096)
+def _arguments(text: str) -> tuple[tuple[str, ...], str] | None:
+    """What stands before the closing parenthesis, split at the commas, and what follows it; None if there is none."""
     arguments, depth, position = [""], 0, 0
     for token in TOKEN.findall(text):
         position += len(token)
@@ -107,4 +125,4 @@ def _arguments(text: str, where: Row) -> tuple[tuple[str, ...], str]:
             arguments.append("")
         else:
             arguments[-1] += token
-    raise where.error("a row is not closed")
+    return None
