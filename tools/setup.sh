@@ -173,6 +173,7 @@ setup() {
     # Warnings are errors here, where the compiler is known, and not for users, where it is not.
     configuration+=(-DHASHNOISE_TESTS=ON -DHASHNOISE_BAKE=ON -DHASHNOISE_BENCH_CPU=ON
                      -DHASHNOISE_INSTRUCTION_SETS="${HASHNOISE_INSTRUCTION_SETS:-native}"
+                     -DHASHNOISE_QUICK_BUILD="${HASHNOISE_QUICK_BUILD:-ON}"
                      -DCMAKE_COMPILE_WARNING_AS_ERROR=ON)
     targets=()
   elif [[ $1 == bake ]]; then
