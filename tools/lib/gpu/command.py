@@ -29,11 +29,11 @@ from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from gpu import drivers, operations, record
+from gpu import drivers, operations, record, stripes
 from gpu.chips import CHIPS, Chip
 from gpu.compiling import Compiled, Device, compile_all
 from gpu.drivers import Drivers, Missing
-from tables.peers import PEERS, against
+from tables.peers import PEERS, Peer, against
 from tree import ROOT, hn_conform
 
 ARITHMETICS = ("*.lattice", "*.lattice+precise", "*.lattice+fixed", "*.any")
@@ -119,7 +119,9 @@ def run(options: argparse.Namespace) -> int:
     options.out.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as scratch:
         arguments = [word for glob in options.filter or ARITHMETICS for word in ("--filter", glob)]
-        arguments += [word for one in (*options.against, *against(peers(options))) for word in ("--against", one)]
+        foreign = (*options.against, *against(given(options, PEERS)),
+                   *stripes.against(given(options, stripes.PEERS), Path(scratch)))
+        arguments += [word for one in foreign for word in ("--against", one)]
         arguments += ["--glsl", str(options.glsl)] if options.glsl else []
         if not options.filter:
             arguments += operations.write_shaders(Path(scratch))
@@ -149,12 +151,13 @@ def run(options: argparse.Namespace) -> int:
     return 1 if lines else 3 if skipped else 0
 
 
-def peers(options: argparse.Namespace) -> dict[str, Path]:
-    given = {peer.option: getattr(options, peer.option.replace("-", "_")) for peer in PEERS}
-    for option, path in given.items():
+def given(options: argparse.Namespace, peers: Sequence[Peer]) -> dict[str, Path]:
+    """Where those of the peers are that options name."""
+    paths = {peer.option: getattr(options, peer.option.replace("-", "_")) for peer in peers}
+    for option, path in paths.items():
         if path is not None and not path.exists():
             raise BadUsage(f"--{option}: there is no {path}")
-    return {option: path for option, path in given.items() if path is not None}
+    return {option: path for option, path in paths.items() if path is not None}
 
 
 def list_chips(folder: Path) -> int:
@@ -178,7 +181,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--glsl", type=Path, metavar="DIR", help="another copy of the library: of glsl/hashnoise/")
     parser.add_argument("--against", action="append", metavar="NAME=FILE:EXPRESSION", default=[],
                         help="also another shader file, as of bench; may be repeated")
-    for peer in PEERS:
+    for peer in (*PEERS, *stripes.PEERS):
         parser.add_argument(f"--{peer.option}", type=Path, metavar="PATH", help=f"your copy of it: {peer.what}")
     parser.add_argument("--out", type=Path, metavar="DIR", default=Path("out"))
     parser.add_argument("--baseline", type=Path, metavar="FILE", help="an earlier costs.csv, to compare with")

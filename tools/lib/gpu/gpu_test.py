@@ -13,7 +13,7 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
-from gpu import chips, command, drivers, operations, pages, record
+from gpu import chips, command, drivers, operations, pages, record, stripes
 from gpu.chips import CHIPS, chip_named
 from gpu.compiling import Compiled, compile_all
 from gpu.drivers import Missing
@@ -188,11 +188,12 @@ class Pages(unittest.TestCase):
     def test_a_loop_and_a_failure_are_marked(self):
         rows = {}
         for chip in chips.SHOWN:
-            for call in CALLS:
+            for call in pages.SHOWN_CALLS:
                 for id in (f"{call.ours}.lattice", f"{call.ours}.lattice+fixed", f"{subject(call)}{dimensions(call)}"):
                     rows[id, chip] = record.Row(id, chip, "9", "9", "", "9", "0", "1.0", "")
-        self.assertNotRegex(pages.chip_table(rows), r"\*|fails|octaves")
+        self.assertNotRegex(pages.chip_table(rows), r"\*|fails|6 octaves")
         self.assertIn("| Perlin 2D | 9 / 9; F 9, W 9, M 9 | 9 / 9;", pages.chip_table(rows))
+        self.assertIn("| stripes 2D | 9 / 9; E 9, T 9 | 9 / 9;", pages.chip_table(rows))
         theirs = next(f"{subject(call)}2" for call in CALLS if call.peer == "fastnoiselite")
         rows[theirs, "adreno740"] = rows[theirs, "adreno740"]._replace(kinds="cat0 3, Loops 2")
         rows[theirs, "m1"] = rows[theirs, "m1"]._replace(cost="", problem="crashed")
@@ -208,6 +209,96 @@ class Pages(unittest.TestCase):
         table = pages.operation_table(rows).splitlines()
         self.assertTrue(table[2].endswith("| 4 / 1.5 |") and "`x * y` | fails | 4 |" in table[2], table[2])
         self.assertEqual({line.count(" | ") for line in table}, {len(pages.OF_OPERATIONS)})
+
+
+# Shaped as AdvancedTerrainErosion.cs and phasor.frag are, as far as what is made of them depends on it.
+CSHARP = """using System;
+#region Precision helper constants
+private const real R0 = (real)0.0;
+private static readonly vec2 HashIrrationals = new((real)(1.0 / math.PI_DBL), (real)0.5);
+#endregion
+#region Not wanted
+public static int Seed(in Config config) => config.Seed;
+#endregion
+#region Core algorithms
+/// <summary> Calls what stands below. </summary>
+private static vec4 ErosionFilter(
+    vec2 p, int octaves, // of which there are some
+    out real ridgeMap)
+{
+    vec2 sum = R0;
+    var phacelle = Waves(p, 3);
+    for (var i = 0; i < octaves; i++) sum += math.lerp(phacelle.xy, new vec2(R0, phacelle.x), HashIrrationals);
+    ridgeMap = math.frac(sum.x) * (real)2;
+    return new vec4(math.normalizesafe(sum), sum);
+}
+public static vec4 Waves(vec2 p, int seed)
+{
+    var gridPoint = math.floor(p) * Half(seed);
+    return new vec4(gridPoint, gridPoint);
+}
+#endregion
+#region Common shader-style helpers
+[MethodImpl(MethodImplOptions.AggressiveInlining)]
+private static real Half(real value)
+{
+    return (real)0.5 * value;
+}
+#endregion
+"""
+WHOLE_SHADER = """#version 450
+layout( location = 0 ) in vec2 TexCoord;
+layout( location = 0 ) out vec4 color;
+layout( set = 0, binding = 0 ) uniform UniformBuffer {
+    float _f;
+    int _count;
+};
+float waves(vec2 p) { return _f * float(_count) * p.x; }
+void main(){ color = vec4(waves(TexCoord)); }
+"""
+
+
+class Stripes(WithStandIn):
+    """What is made of files that are no GLSL for an expression."""
+
+    def compiled(self, text: str, expression: str) -> str:
+        """What glslang says of it."""
+        shader = ("#version 450\nlayout(location = 0) out float result;\nfloat set;\n"
+                  + text.replace("#version", "//") + f"void main() {{ result = ({expression}); }}\n")
+        return subprocess.run(["glslangValidator", "-V", "--stdin", "-S", "frag", "-o", "/dev/null"], input=shader,
+                              capture_output=True, text=True, check=False).stdout
+
+    def test_they_compile(self):
+        erosion, waves = "ErosionFilter(vec2(0.5), 5, set).x", "_f = 2.0, _count = 3, waves(vec2(0.5))"
+        self.assertNotIn("ERROR", self.compiled(stripes.of_csharp(CSHARP), erosion))
+        self.assertNotIn("ERROR", self.compiled(stripes.of_shader(WHOLE_SHADER), waves))
+        # As they are they do not, nor with a variable of a type that is not known here.
+        self.assertIn("ERROR", self.compiled(CSHARP, erosion))
+        self.assertIn("ERROR", self.compiled(WHOLE_SHADER, waves))
+        self.assertIn("ERROR", self.compiled(stripes.of_csharp(CSHARP.replace("gridPoint", "unheardOf")), erosion))
+
+    def test_each_call_is_of_a_file_that_is_given(self):
+        csharp, plain = self.folder / "erosion.cs", self.folder / "erosion.glsl"
+        csharp.write_text(CSHARP, encoding="utf-8-sig")
+        plain.write_text("vec3 erosion(vec2 p, vec2 dir) { return vec3(p, dir.x); }\n")
+        words = stripes.against({"terrain-erosion": csharp, "clay-john": plain}, self.folder)
+        made = self.folder / "terrain-erosion.glsl"
+        self.assertEqual([word.partition(":")[0] for word in words],
+                         [f"terrain-erosion-stripes-2d-={made}", f"clay-john-stripes-2d-with-derivatives-={plain}",
+                          f"terrain-erosion-gullies-2d-5-octaves-={made}"])
+        self.assertTrue(made.read_text().startswith("#define lerp mix\n"))
+        self.assertEqual({call.peer for call in stripes.CALLS}, {peer.option for peer in stripes.PEERS})
+
+    def test_a_file_of_another_shape_is_told(self):
+        for peer, text, part in (("terrain-erosion", CSHARP.replace("Core", "Other"), "no region 'Core algorithms'"),
+                                 ("phasor-noise", WHOLE_SHADER.replace("uniform", "buffer"), "uniforms in a block"),
+                                 ("phasor-noise", WHOLE_SHADER.replace("main", "other"), "uniforms in a block")):
+            with self.subTest(peer=peer, part=part):
+                path = self.folder / "given"
+                path.write_text(text)
+                status, _, err = self.call("--filter", "none", f"--{peer}", str(path))
+                self.assertEqual(status, 2)
+                self.assertRegex(err, f"--{peer} {path}: it (has|is) .*{part}")
 
 
 class Operations(unittest.TestCase):

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 
+from gpu import stripes
 from gpu.chips import SHOWN, chip_named
 from gpu.operations import OPERATIONS
 from gpu.record import COSTS, OPERATION_COSTS, Row, read, read_costs
@@ -15,8 +16,10 @@ from tree import ROOT
 RECORD = ROOT / "docs" / "results" / "gpu"
 OF_OPERATIONS = ("ampere", "blackwell", "polaris10", "navi21", "navi31", "gfx1201", "adreno630", "adreno740", "m1")
 # Of the peers, in cells.
-LETTERS = {"fastnoiselite": "F", "wombat": "W", "materialx": "M", "webgl-noise": "S", "psrdnoise": "P"}
+LETTERS = {"fastnoiselite": "F", "wombat": "W", "materialx": "M", "webgl-noise": "S", "psrdnoise": "P",
+           "terrain-erosion": "E", "phasor-noise": "T", "clay-john": "J"}
 SUMS = "octaves"  # in the names of noises: those have loops
+SHOWN_CALLS = (*(call for call in CALLS if SUMS not in call.noise), *stripes.CALLS)
 LOOPS = re.compile(r"\bLoops [1-9]")  # in the kinds of a row
 WITNESS = "adreno740"  # of loops, for compilers that do not tell whether they left one
 
@@ -32,8 +35,8 @@ def operation_costs() -> list[dict[str, str]]:
 def chip_table(rows: Mapping[tuple[str, str], Row]) -> str:
     """Ours with floats and with integers, then each peer; with a * where the shader has a loop."""
     lines = []
-    for noise in dict.fromkeys(call.noise for call in CALLS if SUMS not in call.noise):
-        calls = [call for call in CALLS if call.noise == noise]
+    for noise in dict.fromkeys(call.noise for call in SHOWN_CALLS):
+        calls = [call for call in SHOWN_CALLS if call.noise == noise]
         cells = []
         for chip in SHOWN:
             ours = [_cost(rows, f"{calls[0].ours}.lattice{fixed}", chip) for fixed in ("", "+fixed")]
