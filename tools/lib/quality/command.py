@@ -28,6 +28,7 @@ from quality import noise
 from quality import octaves
 from quality import others
 from quality import report
+from quality import stripes
 from quality.judgement import Finding
 from quality.lattice import Lattice, sample
 from quality.report import HashResult
@@ -289,9 +290,10 @@ def run(options, folder: Path) -> int:
     default = next(twin for twin in twins if twin.name == library.default_hash(options.include))
     rejected = control_results(default)
     sine = sine_results(library.hash_names(options.include), options.include, folder)
-    sums = octaves.shown(default)
-    passed &= report.rejected_as_meant(rejected) and sums.passed
-    text = report.page(results, rejected, sine, preferences(), fields.looks(default), sums, default, options.quick)
+    looks, waves, sums = fields.looks(default), stripes.shown(default.phasor), octaves.shown(default)
+    passed &= report.rejected_as_meant(rejected) and sums.passed and not any(found.problems for found in waves)
+    passed &= not any(look.problems for look in looks)
+    text = report.page(results, rejected, sine, preferences(), looks, waves, sums, default, options.quick)
     if options.check:
         return 0 if report.same(out / "quality.md", text) and passed else 1
     report.write(out, text, results, default)

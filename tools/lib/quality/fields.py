@@ -30,10 +30,18 @@ class Noise:
     def title(self) -> str:
         return f"`hn_{self.name}` {self.dimensions}D"
 
+    @property
+    def judged(self) -> bool:
+        return self.name == "perlin_worley"
+
 
 NOISES = (Noise("perlin", 2), Noise("simplex", 2, 2), Noise("simplex_smooth", 2, 2), Noise("value", 2),
           Noise("value_cubic", 2), Noise("perlin", 3), Noise("simplex", 3), Noise("simplex_smooth", 3),
-          Noise("value", 3), Noise("value_cubic", 3))
+          Noise("value", 3), Noise("value_cubic", 3), Noise("perlin_worley", 3))
+# What Perlin-Worley noise may show of its lattice: the aim of isotropy.py for structures, what octaves.py allows for
+# waves, and slices as unlike as those of Perlin noise in space. Distances to the points of cells have another mean at
+# another place of a cell; that mean may make this part of the variance, and is left out of the waves.
+STRUCTURES, WAVES, SLICES, FIXED = isotropy.AIM, 0.03, 0.85, 0.1
 
 
 @dataclass(frozen=True)
@@ -43,6 +51,17 @@ class Look:
     structures: dict[int, list[float]]  # by order
     spectrum: dict[int, list[float]]
     slices: list[float]  # of noise in space: the least deviation of a slice over the greatest
+    fixed: list[float]  # of noise that is judged: the part of its variance that is the same in each cell
+    rest: list[float]  # the spectrum of what is left without that
+
+    @property
+    def problems(self) -> list[str]:
+        """Where noise that is judged shows more of its lattice than it may."""
+        if not self.noise.judged:
+            return []
+        wrong = {"structures": abs(np.mean(self.structures[4])) > STRUCTURES, "fixed": np.mean(self.fixed) > FIXED,
+                 "rest": abs(np.mean(self.rest)) > WAVES, "slices": np.mean(self.slices) < SLICES}
+        return [name for name, is_wrong in wrong.items() if is_wrong]
 
 
 def block(twin: Twin, noise: Noise, seed: int) -> np.ndarray:
@@ -85,18 +104,31 @@ def slices(twin: Twin, noise: Noise, seed: int) -> float:
     return float(deviations.min() / deviations.max())
 
 
+def fixed_part(field: np.ndarray) -> np.ndarray:
+    """The mean over all cells at each of the samples of one, in each cell."""
+    cells = field.shape[0] // isotropy.PER_CELL
+    by_cell = field.reshape((cells, isotropy.PER_CELL) * field.ndim)
+    mean = by_cell.mean(axis=tuple(range(0, by_cell.ndim, 2)), keepdims=True)
+    return np.broadcast_to(mean, by_cell.shape).reshape(field.shape)
+
+
 def look(twin: Twin, noise: Noise) -> Look:
     structures: dict[int, list[float]] = {order: [] for order in orders(noise.dimensions)}
     spectrum: dict[int, list[float]] = {order: [] for order in orders(noise.dimensions)}
+    fixed, rest = [], []
     for seed in SEEDS:
         field = block(twin, noise, seed)
+        if noise.judged:
+            part = fixed_part(field.astype(float))
+            fixed.append(float(part.var() / field.var()))
+            rest.append(harmonic(*waves(field - part), 4))
         across = isotropy.across(isotropy.structure(field))
         of_waves = waves(field)
         for order in orders(noise.dimensions):
             structures[order].append(harmonic(*across, order))
             spectrum[order].append(harmonic(*of_waves, order))
     return Look(noise, structures, spectrum,
-                [slices(twin, noise, seed) for seed in SEEDS] if noise.dimensions == 3 else [])
+                [slices(twin, noise, seed) for seed in SEEDS] if noise.dimensions == 3 else [], fixed, rest)
 
 
 def looks(twin: Twin) -> list[Look]:

@@ -12,6 +12,10 @@
 //           the floats of the vector
 // NAME      hn_NAME(hn_tile(p, period), seed), with the same period along each axis: a point is the floats of p, the
 //           period as an integer, and the seed; a value is a float
+// perlin_worley
+//           the same of hn_perlin_worley(hn_tile(p, period), 1, 2, 1, seed), in space
+// phasor    hn_phasor(hn_tile(p, period), wave, 0, seed): a point is the floats of p, the period as an integer, the
+//           floats of the wave, and the seed; a value is the floats of the value and the quadrature
 // sum       hn_fbm(hn_place(cell, f), octaves, lacunarity, gain, seed): a point is the cell, the floats of f, the
 //           octaves as an integer, the floats of lacunarity and gain, and the seed; a value is a float
 // tiled_sum hn_fbm(hn_tile(hn_place(cell, f), period), octaves, lacunarity, gain, seed): the same points, with the
@@ -159,6 +163,28 @@ constexpr auto kQuantities = std::to_array<Quantity>({
     TILED(value_cubic),
     TILED(simplex),
     TILED(simplex_smooth),
+    {"phasor", '2', 6, 2,
+     [](const Word* in, Word* out) {
+       const vec2 p(real(in[0]), real(in[1]));
+       put(hashnoise::hn_phasor(hashnoise::hn_tile(p, ivec2(integer(in[2]))), vec2(real(in[3]), real(in[4])), 0.0f,
+                                in[5]),
+           out);
+     }},
+    {"phasor", '3', 8, 2,
+     [](const Word* in, Word* out) {
+       const vec3 p(real(in[0]), real(in[1]), real(in[2]));
+       put(hashnoise::hn_phasor(hashnoise::hn_tile(p, ivec3(integer(in[3]))),
+                                vec3(real(in[4]), real(in[5]), real(in[6])), 0.0f, in[7]),
+           out);
+     }},
+#if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL  // the paper's gradient has none
+    {"perlin_worley", '3', 5, 1,
+     [](const Word* in, Word* out) {
+       const vec3 p(real(in[0]), real(in[1]), real(in[2]));
+       *out = std::bit_cast<Word>(hashnoise::hn_perlin_worley(hashnoise::hn_tile(p, ivec3(integer(in[3]))), 1, 2.0f,
+                                                              1.0f, in[4]));
+     }},
+#endif
 });
 #undef TILED
 

@@ -102,6 +102,14 @@ class Twin:
         points[:, -2:] = period, seed
         return self.evaluate(name, positions.shape[1], points)
 
+    def phasor(self, positions: np.ndarray, period: int, wave, seed: int) -> np.ndarray:
+        """hn_phasor with a period, the same along each axis: the value and its quadrature as complex numbers."""
+        n = positions.shape[1]
+        points = np.empty((len(positions), 2 * n + 2), np.uint32)
+        points[:, :n] = positions.astype(np.float32).view(np.uint32)
+        points[:, n:] = [period, *np.array(wave, np.float32).view(np.uint32), seed]
+        return self.evaluate("phasor", n, points).view(np.complex64)
+
     def octave_sum(self, positions: np.ndarray, octaves: int, lacunarity: float, gain: float, seed: int,
                    period: int | None = None) -> np.ndarray:
         """hn_fbm from cells and fractions, where its octaves are at exact positions; with a period, the same along each

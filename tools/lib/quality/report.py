@@ -14,6 +14,7 @@ from quality import fields
 from quality import gate
 from quality import isotropy
 from quality import octaves
+from quality import stripes
 from quality import texts
 from quality.directions import shape_harmonics
 from quality.judgement import ALPHA, Finding
@@ -157,13 +158,28 @@ def look_table(looks: list[fields.Look]) -> str:
     def cells(values: dict[int, list[float]]) -> str:
         return ", ".join(with_error(*fields.mean_and_error(v)) for v in values.values())
 
-    rows = [[look.noise.title, cells(look.structures), cells(look.spectrum),
-             with_error(*fields.mean_and_error(look.slices)) if look.slices else ""] for look in looks]
+    rows = [[judged(look.noise.title, not look.problems), cells(look.structures),
+             cells(look.spectrum), with_error(*fields.mean_and_error(look.slices)) if look.slices else ""]
+            for look in looks]
     return table(["noise", "structures", "spectrum", "slices"], rows)
 
 
 def judged(text: str, passed: bool) -> str:
     return text if passed else f"**{text}**"
+
+
+def stripes_table(found: Sequence[stripes.Stripes]) -> str:
+    """Waves down; what is not as it should be is bold."""
+    def cells(each: stripes.Stripes) -> dict[str, str]:
+        widths = ", ".join(with_error(*fields.mean_and_error(width)) for width in (each.along, each.across))
+        return {"centre": number(each.away), "width": f"{widths} of {stripes.own_width(each.dimensions):.4f}",
+                "round": ", ".join(with_error(*fields.mean_and_error(v)) for v in each.harmonics.values()),
+                "even": number(each.even), "steady": number(each.steady),
+                "seeds": f"{number(each.seeds.statistic)} of {number(each.seeds.threshold)}"}
+
+    rows = [[f"{each.dimensions}D, ({', '.join(f'{k:g}' for k in each.wave)})",
+             *(judged(text, name not in each.problems) for name, text in cells(each).items())] for each in found]
+    return table(["wave", *cells(found[0])], rows)
 
 
 def sums_table(sums: octaves.Shown) -> str:
@@ -196,7 +212,8 @@ def _runs(bits: Sequence[int]) -> str:
 
 
 def page(results: list[HashResult], rejected: list[HashResult], sine: list[Sine], preferences: list[Preference],
-         looks: list[fields.Look], sums: octaves.Shown, default: Twin, quick: bool) -> str:
+         looks: list[fields.Look], waves: list[stripes.Stripes], sums: octaves.Shown, default: Twin,
+         quick: bool) -> str:
     tests = sum(len(result.findings) for result in results)
     text = texts.HEAD.format(remark=texts.QUICK if quick else "",
                              alpha=f"2^{round(log2(ALPHA))}", tests=tests, chance=f"{tests * ALPHA:.2g}",
@@ -212,12 +229,27 @@ def page(results: list[HashResult], rejected: list[HashResult], sine: list[Sine]
     text += texts.SHAPE + shape_table() + texts.CONTROLS + control_table(rejected) + texts.NOISE
     text += noise_table(results, lambda r: f"`{r.name}` {r.dimensions}D")
     text += texts.ISOTROPY.format(aim=number(isotropy.AIM)) + preference_table(preferences)
-    text += texts.LOOKS + look_table(looks) + sums_section(sums)
+    text += looks_section(looks) + stripes_section(waves) + sums_section(sums)
     rows = [[f"`{s.name}` {s.dimensions}D", *(number(f.statistic) for f in s.findings),
              *(number(f.threshold) for f in s.findings)] for s in sine]
     text += texts.SINE + table(["hash", "peak autocorrelation", "spectral peak", "allowed for the first",
                                 "allowed for the second"], rows)
     return text + noise_table(sine, lambda r: f"`{r.name}` {r.dimensions}D").rstrip("\n") + "\n"
+
+
+def looks_section(looks: list[fields.Look]) -> str:
+    clouds = next(look for look in looks if look.noise.judged)
+    return texts.LOOKS.format(structures=number(fields.STRUCTURES), waves=number(fields.WAVES),
+                              slices=number(fields.SLICES), most=number(fields.FIXED),
+                              fixed=with_error(*fields.mean_and_error(clouds.fixed)),
+                              rest=with_error(*fields.mean_and_error(clouds.rest))) + look_table(looks)
+
+
+def stripes_section(found: list[stripes.Stripes]) -> str:
+    least = {f"even{n}": number(limit) for n, limit in stripes.EVEN.items()}
+    return texts.STRIPES.format(seeds=len(stripes.EFFORTS[2].seeds), away=number(stripes.AWAY),
+                                width=number(100 * stripes.OF_WIDTH), round=number(stripes.ROUND),
+                                step=f"1/{round(1 / stripes.STEP)}", **least) + stripes_table(found)
 
 
 def sums_section(sums: octaves.Shown) -> str:

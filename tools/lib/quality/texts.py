@@ -129,8 +129,23 @@ LOOKS = """
 The noises of the library side by side, with 8 seeds each and the standard error. In the plane the four numbers are the means of the cosine of two, four, six and eight times an angle: of one axis alone, of the axes of squares, of the sides of triangles, of the axes and the diagonals of squares alike. In space the number is the one above. All directions alike give 0.
 *Structures* takes the directions across the strongest structures, as above; *spectrum* those of the waves that a field is made of, weighted by their power. All noises are sampled with four points to a step of their lattice, and smoothed alike: a step of 2D simplex noise is half a cell. *Slices* is the
 least deviation of a slice across z over the greatest, at 8 heights of a cell: 1 if all slices are alike.
+`hn_perlin_worley` has one octave, since further ones have lattices of their own. Its billows are a little denser at some places of a cell than at others, as the distances of cellular noise are: of its variance {fixed} is the same in each cell, and that is what its spectrum shows. Without it the spectrum has {rest}. It is judged: its structures may have {structures}, that part of the variance {most}, the spectrum without it {waves}, and its slices must have {slices}.
 
 ![Perlin noise, simplex noise, smooth simplex noise, and the directions across their structures](images/looks.png)
+
+"""
+
+STRIPES = """
+### What stripes show of theirs
+
+`hn_phasor` has a direction because a wave was asked for. So what is judged is the spectrum around that wave, of the value and the quadrature as a complex field in a tile, for {seeds} seeds, in cycles per cell:
+
+- *Centre* is how far the mean frequency is from the wave. It may be {away}.
+- *Width* is the deviation of the frequencies, along the wave and across it, with the standard error, and behind it that of the weight by which a point fades, from which it may be {width}% away. Stripes break more often the wider it is.
+- *Round* has the means of the cosines, as above, of the directions away from the wave: 0 if the spectrum is the same on all sides. They may be {round}.
+- *Even* is the least deviation of the field at a place of a cell over the greatest, among places that are spread over the cell: 1 if the lattice does not show. **It does show**: between points waves with different phases cancel, so that `n.x` and `length(n)` are smaller there. The least allowed is {even2} in 2D and {even3} in 3D, which holds what the weights have. `n.x / length(n)` and what is made of the angle do not fade.
+- *Steady* is how well these follow the wave where they do so least: the mean cosine of what the angle is off after a step of {step} of a cell along the wave. It is not judged.
+- *Seeds* is the largest squared correlation of the fields of two seeds, over all shifts, in units of its mean, and behind it what chance allows: it is judged as the tests of the gate are.
 
 """
 
