@@ -24,9 +24,10 @@ FUNCTIONS = {
 }
 # The heading, the language of tools/pick, its arithmetic, and the word that Markdown has for the language.
 LANGUAGES = (("GLSL", "glsl", "fast", "glsl"), ("HLSL", "hlsl", "fast", "hlsl"), ("WGSL", "wgsl", "fast", "wgsl"),
+             ("Slang", "slang", "fast", "slang"), ("Metal", "metal", "fast", "cpp"), ("Godot", "godot", "fast", "glsl"),
              ("GLSL, with the same bits everywhere", "glsl", "fixed", "glsl"), ("Rust", "rust", "fixed", "rust"),
              ("C#", "csharp", "fixed", "csharp"), ("C", "c", "fixed", "c"), ("TypeScript", "typescript", "fixed", "ts"),
-             ("Java", "java", "fixed", "java"), ("Go", "go", "fixed", "go"))
+             ("JavaScript", "javascript", "fixed", "js"), ("Java", "java", "fixed", "java"), ("Go", "go", "fixed", "go"))
 Picked = Callable[[str, str, str], str]  # the text of a function in a language, with an arithmetic
 
 
@@ -35,16 +36,17 @@ def page(name: str, picked: Picked) -> str:
     sections = [f"## {title}\n\n```{word}\n{picked(name, language, arithmetic)}```\n"
                 for title, language, arithmetic, word in LANGUAGES]
     return (f"# {name}: {FUNCTIONS[name]}\n\n"
-            "Paste what you need; each text stands alone. Those of the first three languages compute with floats "
+            "Paste what you need; each text stands alone. Those of the first six languages compute with floats "
             "(`HN_FAST`). All others compute the same bits as each other (`HN_FIXED`), for a server and its clients. "
-            "[More](../languages.md#one-function) about `tools/pick`, which wrote them, and about other languages, "
+            "[More](../languages.md#one-function) about `tools/pick`, which wrote them, and about other "
             "arithmetics and hashes.\n\n" + "\n".join(sections))
 
 
 def index() -> str:
     """The page that lists the others."""
-    return ("# Functions to paste\n\nEach page has one function in GLSL, HLSL, WGSL, Rust, C#, C, TypeScript, Java and Go. "
-            "`tools/pick --pages docs/snippets` writes them; `tools/pick --list` names all other functions.\n\n"
+    return ("# Functions to paste\n\nEach page has one function in GLSL, HLSL, WGSL, Slang, Metal, Godot, Rust, C#, C, "
+            "TypeScript, JavaScript, Java and Go. `tools/pick --pages docs/snippets` writes them; "
+            "`tools/pick --list` names all other functions.\n\n"
             + table(("", "what it is"), [[f"[{name}]({name}.md)", what] for name, what in FUNCTIONS.items()]))
 
 
