@@ -6,6 +6,7 @@ the CPU.
     tools/pick hn_perlin2 --language wgsl --out noise.wgsl
     tools/pick hn_fbm2 --language wgsl --import-path hashnoise    a module for Bevy: #import hashnoise::hn_fbm2
     tools/pick hn_simplex3 --language rust --out noise.rs
+    tools/pick hn_fbm3 --noise hn_simplex3 --arithmetic fixed --language rust --out noise.rs
     tools/pick --list                                  which functions there are
     tools/pick --pages docs/snippets                   pages of those that are asked for most, in each language
 
@@ -39,7 +40,7 @@ from pick.evaluate import Module
 from pick.go import Go
 from pick.java import Java
 from pick.javascript import JavaScript, TypeScript
-from pick.program import Program, chosen, facts, heading, origin, public, read
+from pick.program import Program, check_sums, chosen, facts, heading, origin, over, public, read
 from pick.rust import Rust
 from pick.scalars import Syntax, text
 from pick.shading import LANGUAGES
@@ -61,6 +62,7 @@ class Choice:
     hash: str = "lattice"
     hash_function: str = ""
     gradient: str = "octahedral"
+    noise: str = ""
     import_path: str = ""
 
     @property
@@ -90,7 +92,8 @@ def settings(arithmetic: str, hash_: str, gradient: str = "octahedral") -> dict[
 def read_library(library: Path, choice: Choice) -> Module:
     """The library as this choice has it."""
     knobs = choice.knobs
-    return read(library, knobs.macros(), choice.language in SYNTAXES, knobs.own_functions())
+    module = read(library, knobs.macros(), choice.language in SYNTAXES, knobs.own_functions())
+    return over(module, choice.noise) if choice.noise else module
 
 
 def command_of(names: Sequence[str], choice: Choice) -> str:
@@ -104,19 +107,23 @@ def picker(library: Path = GLSL) -> Callable[[Sequence[str], Choice], str]:
 
     @functools.lru_cache(maxsize=4)
     def program(names: tuple[str, ...], choice: Choice) -> Program:
-        return Program(module(choice), chosen(module(choice), names))
+        made = Program(module(choice), chosen(module(choice), names))
+        if made.module.summed:
+            check_sums(made, made.module.summed)
+        return made
 
     def pick(names: Sequence[str], choice: Choice) -> str:
         choice.check()
         splits = choice.language in SYNTAXES
         made = program(tuple(names), replace(choice, language="c" if splits else "glsl", import_path=""))
         functions = [root.function for root in made.roots]
-        command = command_of(names, choice)
+        command, summed = command_of(names, choice), made.module.summed
         precise = choice.arithmetic == "precise"
         if splits:
-            return text(made, SYNTAXES[choice.language](precise), facts(functions, library), origin(command))
+            return text(made, SYNTAXES[choice.language](precise), facts(functions, library, summed),
+                        origin(command))
         language = LANGUAGES[choice.language]
-        return (imported_as(choice.import_path) + heading(functions, language, command, library)
+        return (imported_as(choice.import_path) + heading(functions, language, command, library, summed)
                 + made.text(language, precise))
 
     return pick
@@ -150,6 +157,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
                         help="with --hash custom: your function, which takes and returns a uint")
     parser.add_argument("--gradient", choices=tuple(name.lower() for name in GRADIENTS), default="octahedral",
                         help="default: %(default)s")
+    parser.add_argument("--noise", metavar="FORM", help="what sums are over, in place of hn_perlin: such as hn_simplex3, "
+                        "or for sums with derivatives hn_simplex_d3")
     parser.add_argument("--import-path", metavar="NAME", type=import_path, help=IMPORT_PATH_HELP)
     parser.add_argument("--list", action="store_true", help="write the names of the functions, and what they take")
     parser.add_argument("--pages", type=Path, metavar="DIR", help="write the pages of docs/snippets into this folder")

@@ -54,6 +54,14 @@ class Kept:
 Known = Union[None, Constant, int, Kept]
 
 
+@dataclass(frozen=True)
+class Summed:
+    """The noise that sums ask for at the place of an octave, in place of the library's."""
+    name: str
+    replaced: str
+    types: tuple[str, ...]  # of both
+
+
 @dataclass
 class Typed:
     type: str
@@ -77,11 +85,12 @@ def dotted(path: Sequence[str]) -> str:
 class Module:
     """What functions are made of: those of the library, its structs and its constants. For languages without vectors
     it is split: a vector is its components, as a struct is its parts. `own` are functions of a word that the user
-    has."""
+    has. `summed` is the noise of sums, if it is not that of the library."""
 
     def __init__(self, tree: list[Function | Struct], constants: dict[str, Macro], splits: bool = False,
                  own: Sequence[Function] = ()):
         self.tree = tree
+        self.summed: Summed | None = None
         self.splits = splits
         self.own = {item.name: item.type for item in own}
         self.structs = {item.name: item for item in tree if isinstance(item, Struct)}
@@ -94,6 +103,11 @@ class Module:
         if name not in self._trees:
             self._trees[name] = Parser(list(self.constants[name].body))._expression()
         return self._trees[name]
+
+    def asks_other_noise(self, call: syntax.Call, types: tuple[str, ...]) -> bool:
+        """Whether the noise of sums stands here for what is called: hn_perlin(o.place, o.seed)."""
+        return (self.summed is not None and (call.at.text, types) == (self.summed.replaced, self.summed.types)
+                and isinstance(call.arguments[0], syntax.Member) and call.arguments[0].at.text == "place")
 
     def function(self, at: Token, types: tuple[str, ...]) -> Function:
         if (at.text, types) not in self.functions:
@@ -134,6 +148,7 @@ class Evaluation:
         self.module = module
         self.keeps = keeps
         self.arguments: dict[tuple[str, tuple[str, ...]], list[tuple[Node, ...]]] = {}
+        self.sums_other_noise = False
         self.hints: dict[Node, str] = {}
         self.axes: dict[Node, str] = {}  # of components of vectors that are split
         self._frames = itertools.count(1)
@@ -429,7 +444,11 @@ class Evaluation:
                 "builtin", name, vector_of(CASTS[name], SIZES[node.type]), (node,)), *arguments)
         if name in self.module.own:
             return self._each(lambda *nodes: operation("builtin", name, self.module.own[name], nodes), *arguments)
-        function = self.module.function(expression.at, tuple(argument.type for argument in arguments))
+        at, types = expression.at, tuple(argument.type for argument in arguments)
+        if self.module.asks_other_noise(expression, types):
+            at = at._replace(text=self.module.summed.name)
+            self.sums_other_noise = True
+        function = self.module.function(at, types)
         if self.module.is_plain(function):
             nodes = tuple(argument.node if () in argument.leaves else
                           construct(argument.type, tuple(argument.leaves.values())) for argument in arguments)

@@ -11,6 +11,7 @@ import subprocess
 import tempfile
 import unittest
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from unittest import mock
 
@@ -358,6 +359,28 @@ class Command(unittest.TestCase):
             self.assertEqual(self.call("hn_value2", "--out", str(path)), (0, f"{path}\n"))
             self.assertEqual(code(path.read_text()), text("hn_value2"))
 
+    def test_a_sum_over_another_noise_is_that_of_a_library_which_sums_it(self) -> None:
+        with tempfile.TemporaryDirectory() as folder:
+            library = Path(folder) / "glsl"
+            shutil.copytree(GLSL, library)
+            changed = 0
+            for file in library.glob("fbm*.glsl"):
+                lines = [re.sub(r"hn_perlin(?=(_d)?\(o\.place, o\.seed\))", "hn_simplex", line) for line in
+                         file.read_text().splitlines(keepends=True) if not file.name.startswith("fbm1d")]
+                changed += "hn_simplex(o.place" in "".join(lines)
+                file.write_text("".join(lines) if changed else file.read_text())
+            self.assertGreater(changed, 2)
+            cases = (("hn_fbm2", "hn_simplex2", "glsl"), ("hn_fbm_d2", "hn_simplex_d2", "c"))
+            for sum_, noise, language in cases if THOROUGH else cases[:1]:
+                choice = command.Choice(language, "fixed")
+                with self.subTest(sum_):
+                    here = command.picked([sum_], replace(choice, noise=noise))
+                    self.assertIn(f"tools/pick {sum_} {'--language c ' * (language == 'c')}--arithmetic fixed --noise {noise}\n",
+                                  here)
+                    self.assertRegex(here, rf"The noise is[\s/]+{noise[:-1]}\. The numbers below")
+                    self.assertEqual(code(here), code(command.picked([sum_], choice, library)))
+                    self.assertNotEqual(code(here), code(command.picked([sum_], choice)))
+
     def test_the_list_has_what_can_be_asked_for(self) -> None:
         status, shown = self.call("--list")
         self.assertEqual(status, 0)
@@ -381,6 +404,12 @@ class Command(unittest.TestCase):
                                    (("hn_value2", "--arithmetic", "precise", "--language", "godot"), "no `precise`"),
                                    (("hn_value2", "--arithmetic", "precise", "--language", "wgsl"), "Take HN_FIXED"),
                                    (("hn_value2", "--arithmetic", "precise", "--language", "glsl-es"), "GLSL ES has"),
+                                   (("hn_value2", "--noise", "hn_simplex2"), "hn_value(vec2, uint) is no sum"),
+                                   (("hn_fbm2", "--noise", "hn_simplex3"), "is no sum that asks for hn_perlin(hn_place3"),
+                                   (("hn_fbm2", "hn_warp2", "--noise", "hn_value2"), "hn_warp("),
+                                   (("hn_fbm2", "--noise", "hn_simplx2"), "there is no function hn_simplx2"),
+                                   (("hn_fbm2", "--noise", "hn_curl2"), "returns vec2, and what"),
+                                   (("hn_fbm2", "--noise", "hn_unorm"), "there is no hn_unorm(hn_place"),
                                    (("hn_value2", "--pages", "out"), "or ask for --list or --pages"),
                                    (("--pages", "/dev/null/out"), "/dev/null/out"),
                                    (("hn_value2", "--glsl", "/nowhere"), "/nowhere")):

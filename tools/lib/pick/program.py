@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import difflib
 import functools
 import re
@@ -15,7 +16,7 @@ from parsing.lines import wrapped
 from parsing.preprocessor import Preprocessor
 from parsing.syntax import Function, Parameter, Parser
 from parsing.tokens import Unknown
-from pick.evaluate import Evaluation, Kept, Known, Module, Typed, dotted
+from pick.evaluate import Evaluation, Kept, Known, Module, Summed, Typed, dotted
 from pick.printer import Language
 from pick.statements import Statement, values_of, without_copies, without_dead
 from pick.values import AXES, SIZES, Constant, Node, Operation, Variable
@@ -58,6 +59,31 @@ def chosen(module: Module, names: Sequence[str]) -> list[Function]:
             hint = f"; there {'are' if len(near) > 1 else 'is'} {', '.join(near)}" if near else "; --list tells them"
             raise Unknown(f"there is no function {name}{hint}")
     return [known[name] for name in dict.fromkeys(names)]
+
+
+def over(module: Module, form: str) -> Module:
+    """The library with sums over the noise of this form: hn_simplex3 or, for sums with derivatives, hn_simplex_d3."""
+    noise, = chosen(module, [form])
+    dimensions = SIZES.get(noise.types[0]) or int(noise.types[0][-1])
+    types = (f"hn_place{dimensions}", "uint")
+    at_place = module.functions.get((noise.name, types))
+    if at_place is None:
+        raise Unknown(f"--noise {form}: there is no {noise.name}({', '.join(types)}), and an octave has no more to give")
+    for replaced in ("hn_perlin", "hn_perlin_d"):
+        of_library = module.functions.get((replaced, types))
+        if of_library and of_library.type == at_place.type:
+            with_other = copy.copy(module)
+            with_other.summed = Summed(noise.name, replaced, types)
+            return with_other
+    raise Unknown(f"--noise {form} returns {at_place.type}, and what a sum asks for returns a float, or derivatives as "
+                  "those of hn_perlin_d")
+
+
+def check_sums(program: Program, summed: Summed) -> None:
+    for root in program.roots:
+        if not root.evaluation.sums_other_noise:
+            raise Unknown(f"{root.function.name}({', '.join(root.function.types)}) is no sum that asks for "
+                          f"{summed.replaced}({', '.join(summed.types)}), for which --noise could stand")
 
 
 @dataclass
@@ -272,10 +298,11 @@ class Program:
         return "\n".join([*wrapped(head, 0), *lines, "}"]) + "\n"
 
 
-def heading(functions: Sequence[Function], language: Language, command: str, library: Path) -> str:
+def heading(functions: Sequence[Function], language: Language, command: str, library: Path,
+            summed: Summed | None = None) -> str:
     """What the functions are, return and may be wrong by, by the library's comments, and how to make them again."""
     lines: list[str] = []
-    for function, of_function in zip(functions, facts(functions, library)):
+    for function, of_function in zip(functions, facts(functions, library, summed)):
         lines += [*textwrap.wrap(f" {language.signature(function)}", 118, subsequent_indent="     "), *of_function]
     return "".join(f"//{line}\n" for line in (*lines, *origin(command)))
 
@@ -284,13 +311,18 @@ def origin(command: str) -> list[str]:
     return [f" Of hashnoise {version()}, by: {command}", " Copyright (c) 2026 The hashnoise authors; MIT License."]
 
 
-def facts(functions: Sequence[Function], library: Path) -> list[list[str]]:
+def facts(functions: Sequence[Function], library: Path, summed: Summed | None = None) -> list[list[str]]:
     """What each function is, returns, and may be wrong by: lines of its comment in the library, without the slashes."""
     comments = {(one.name, tuple(type_.removeprefix("out ") for type_ in one.types)): one.comment
                 for one in declarations(library)}
     found = [comments.get((function.name, tuple(type_.removeprefix("hn_") for type_ in function.types)))
              for function in functions]
-    return [_facts(comment.lines if comment else ()) for comment in found]
+    made = [_facts(comment.lines if comment else ()) for comment in found]
+    if summed:
+        for lines in made:
+            end = next((i for i, line in enumerate(lines) if line.startswith("  ")), len(lines))
+            lines.insert(end, f" The noise is {summed.name}. The numbers below are those of sums over {summed.replaced}.")
+    return made
 
 
 def _facts(comment: Sequence[str]) -> list[str]:
