@@ -157,8 +157,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
                         help="with --hash custom: your function, which takes and returns a uint")
     parser.add_argument("--gradient", choices=tuple(name.lower() for name in GRADIENTS), default="octahedral",
                         help="default: %(default)s")
-    parser.add_argument("--noise", metavar="FORM", help="what sums are over, in place of hn_perlin: such as hn_simplex3, "
-                        "or for sums with derivatives hn_simplex_d3")
+    parser.add_argument("--noise", metavar="FORM", help="what sums are over, in place of hn_perlin: such as "
+                        "hn_simplex3, or for sums with derivatives hn_simplex_d3")
     parser.add_argument("--import-path", metavar="NAME", type=import_path, help=IMPORT_PATH_HELP)
     parser.add_argument("--list", action="store_true", help="write the names of the functions, and what they take")
     parser.add_argument("--pages", type=Path, metavar="DIR", help="write the pages of docs/snippets into this folder")

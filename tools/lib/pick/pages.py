@@ -27,7 +27,8 @@ LANGUAGES = (("GLSL", "glsl", "fast", "glsl"), ("HLSL", "hlsl", "fast", "hlsl"),
              ("Slang", "slang", "fast", "slang"), ("Metal", "metal", "fast", "cpp"), ("Godot", "godot", "fast", "glsl"),
              ("GLSL, with the same bits everywhere", "glsl", "fixed", "glsl"), ("Rust", "rust", "fixed", "rust"),
              ("C#", "csharp", "fixed", "csharp"), ("C", "c", "fixed", "c"), ("TypeScript", "typescript", "fixed", "ts"),
-             ("JavaScript", "javascript", "fixed", "js"), ("Java", "java", "fixed", "java"), ("Go", "go", "fixed", "go"))
+             ("JavaScript", "javascript", "fixed", "js"), ("Java", "java", "fixed", "java"),
+             ("Go", "go", "fixed", "go"))
 Picked = Callable[[str, str, str], str]  # the text of a function in a language, with an arithmetic
 
 

@@ -68,7 +68,7 @@ def over(module: Module, form: str) -> Module:
     types = (f"hn_place{dimensions}", "uint")
     at_place = module.functions.get((noise.name, types))
     if at_place is None:
-        raise Unknown(f"--noise {form}: there is no {noise.name}({', '.join(types)}), and an octave has no more to give")
+        raise Unknown(f"--noise {form}: there is no {noise.name}({', '.join(types)}), and more an octave has not")
     for replaced in ("hn_perlin", "hn_perlin_d"):
         of_library = module.functions.get((replaced, types))
         if of_library and of_library.type == at_place.type:
@@ -321,7 +321,7 @@ def facts(functions: Sequence[Function], library: Path, summed: Summed | None = 
     if summed:
         for lines in made:
             end = next((i for i, line in enumerate(lines) if line.startswith("  ")), len(lines))
-            lines.insert(end, f" The noise is {summed.name}. The numbers below are those of sums over {summed.replaced}.")
+            lines.insert(end, f" The noise is {summed.name}. The numbers below are those of {summed.replaced}.")
     return made
 
 
