@@ -10,7 +10,8 @@ docs/gallery. The typical values are those of 2^18 points. The costs are those o
 which hn-conform bench writes, and of peers.csv beside it, which tools/peers writes; so it does likeness.csv, of which
 the tables of docs/moving.md are made. Those on GPUs by their compilers are of docs/results/gpu, by tools/gpu-costs, and
 compile.csv is by tools/compile-times. How hashes of others fare is in docs/results/hashes.csv, by tools/quality
---against, and how uniform values are in uniform.csv beside it, by tools/uniform. The times of commands are those of
+--against, how noises are in judged.csv beside it, by tools/judge, and how uniform values are in uniform.csv, by
+tools/uniform. The times of commands are those of
 tools/costs.csv, which tools/test --record writes.
 
 Exit status: 0 all is as it should be, 1 something is not: prose is for you to mend; 2 bad usage, the code does not
@@ -26,6 +27,7 @@ from collections.abc import Sequence
 
 from compile_times import command as of_compilers
 from gpu import pages as of_gpus
+from judge import record as of_noises
 from likeness import ports
 from readme import files, gallery, hashes, numbers, picture
 from readme import times as of_commands
@@ -41,6 +43,7 @@ CONFORMANCE = "docs/conformance.md"
 MOVING = "docs/moving.md"
 LANGUAGES = "docs/languages.md"
 HASHES = "docs/hashes.md"
+JUDGE = "docs/judge.md"
 UNIFORM = "docs/uniform.md"
 SIZE = re.compile(r"(--strip --out noise\.glsl`, )\d+ kB")  # of the whole library, in the README
 
@@ -70,6 +73,7 @@ def tables(times: of_commands.Times) -> list[tuple[str, str, str]]:
             (MEASURING, "tools/readme: peers", numbers.peer_table(numbers.peer_costs(numbers.CPU))),
             (MEASURING, "tools/readme: peers on a GPU", numbers.peer_table(numbers.peer_costs(numbers.GPU))),
             (HASHES, "tools/readme: hashes", hashes.hash_table(hashes.record())),
+            (JUDGE, "tools/readme: judged", of_noises.judge_table(of_noises.read())),
             *((MOVING, *named) for named in ports.page_tables(ports.read()))]
 
 
