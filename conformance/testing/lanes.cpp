@@ -1,6 +1,9 @@
 // Prints digests of what the functions of the library are at random points, with the scalar twin or, if LANES is
-// defined, with several points at a time. The two print the same. (lanes_test.py compiles it with both.)
+// defined, with several points at a time. The two print the same. (lanes_test.py compiles it with both.) With
+// --faulty-lane a lane takes the value of another.
 #include <cstdio>
+
+static bool faulty_lane = false;
 
 #ifdef LANES
 #include <hashnoise/lanes.hpp>
@@ -17,9 +20,7 @@ template <typename Number, typename Function>
 Number points(Function function) {
   Number numbers;
   for (int i = 0; i < kLanes; ++i) numbers.v[i] = function();
-#ifdef FAULTY_LANE
-  numbers.v[3] = numbers.v[2];
-#endif
+  if (faulty_lane) numbers.v[3] = numbers.v[2];
   return numbers;
 }
 #else
@@ -38,7 +39,7 @@ Number points(Function function) {
 namespace {
 
 #ifdef FEW_POINTS
-constexpr int kPoints = 1 << 13;
+constexpr int kPoints = 1 << 11;
 #else
 constexpr int kPoints = 1 << 16;
 #endif
@@ -92,7 +93,8 @@ void print_digest(const char* name, Function function) {
 
 }  // namespace
 
-int main() {
+int main(int count, char**) {
+  faulty_lane = count > 1;
 #ifdef UNFIT
   print_digest("unfit", [](const Point& p) { return hn_unorm(unfit(p.seed, p.seed * 3u)); });
 #else
