@@ -4,11 +4,12 @@
 Usage: twin_flags_test.py [--every-function] [--thorough] COMPILER...
 
 A function of each kind is tried, and with --every-function all that have values of their own. Compilers, flags, gradients
-and arithmetics are tried in pairs; with --thorough all of them together. What checks each operation has few points, unless
-every function is tried.
+and arithmetics are tried in pairs; with --thorough all of them together. Unless every function is tried, what checks each
+operation has few points, and is what is not optimised, too.
 """
 
 import concurrent.futures
+import functools
 import itertools
 import os
 import pathlib
@@ -26,10 +27,13 @@ HERE = pathlib.Path(__file__).resolve().parent
 INLINE_NONE = "-Dalways_inline=noinline"
 INLINE_SOME = "-Dalways_inline=unused"  # an attribute that says nothing about it
 MOST = ("-O3", "-march=native", "-ffast-math")
-INLINED = () if "--every-function" in sys.argv else (INLINE_SOME,)
-LEVELS = (("-O0", INLINE_NONE), ("-O2", INLINE_SOME), (*MOST, *INLINED))
+EVERY_FUNCTION = "--every-function" in sys.argv
+INLINED = () if EVERY_FUNCTION else (INLINE_SOME,)
+# Each operation is checked whatever the level. To optimise takes longer than what it saves at few points.
+SANITIZED = ("-O1" if EVERY_FUNCTION else "-O0", INLINE_NONE, "-fsanitize=undefined,float-cast-overflow",
+             "-fno-sanitize-recover=all")
+LEVELS = (("-O0", INLINE_NONE) if EVERY_FUNCTION else SANITIZED, ("-O2", INLINE_SOME), (*MOST, *INLINED))
 CONTRACTION = ((), ("-ffp-contract=fast",))
-SANITIZED = ("-O1", INLINE_NONE, "-fsanitize=undefined,float-cast-overflow", "-fno-sanitize-recover=all")
 GRADIENTS = ("HN_GRADIENT_OCTAHEDRAL", "HN_GRADIENT_SINE")
 
 
@@ -44,28 +48,37 @@ def in_pairs(three, *twos):
     return [(three[first], *(two[number] for two, number in zip(twos, others))) for first, others in ROWS]
 
 
-class Flags(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
+def has_few_points(flags):
+    """What is not optimised takes long, and what is checked at each operation."""
+    return "-O0" in flags or (FUNCTIONS and SANITIZED[2] in flags)
 
-    @staticmethod
-    def points(flags):
-        """What is not optimised takes long, and what is checked at each operation."""
-        return ["few"] if "-O0" in flags or (FUNCTIONS and SANITIZED[2] in flags) else []
 
-    def digests(self, number, compiler, flags, *macros):
-        """What twin_flags.cpp prints, built so: by function its digests."""
-        program = self.folder / f"twin-{number}"
+@functools.cache
+def digests(compiler, flags, macros):
+    """What twin_flags.cpp prints, built so: by function its digests."""
+    with tempfile.TemporaryDirectory() as folder:
+        program = pathlib.Path(folder) / "twin"
         command = [compiler, "-std=c++20", *flags, *(f"-D{macro}" for macro in (*FUNCTIONS, *macros)),
                    f"-I{HERE.parent.parent / 'include'}", f"-I{HERE.parent}", str(HERE / "twin_flags.cpp"), "-o",
                    str(program)]
         subprocess.run(command, check=True)
-        done = subprocess.run([program, *self.points(flags)], capture_output=True, text=True)
-        self.assertEqual((done.returncode, done.stderr), (0, ""), " ".join(command))
-        return {line[0]: line[1:] for line in map(str.split, done.stdout.splitlines())}
+        done = subprocess.run([program, *["few"] * has_few_points(flags)], capture_output=True, text=True)
+    if done.returncode or done.stderr:
+        raise AssertionError(f"exit status {done.returncode}: {done.stderr}: {' '.join(command)}")
+    return {line[0]: line[1:] for line in map(str.split, done.stdout.splitlines())}
 
+
+def all_digests(*builds):
+    """Of each a compiler, flags and macros."""
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        return list(pool.map(lambda build: digests(*build), builds))
+
+
+def macros(arithmetic, gradient=GRADIENTS[0]):
+    return f"HN_ARITHMETIC={arithmetic}", f"HN_GRADIENT={gradient}"
+
+
+class Flags(unittest.TestCase):
     def assert_same(self, one, other, what):
         """Where one has fewer points, only these are compared."""
         self.assertEqual(one.keys(), other.keys(), what)
@@ -74,25 +87,19 @@ class Flags(unittest.TestCase):
             self.assertGreater(count, 0)
             self.assertEqual(digests[:count], other[function][:count], (function, what))
 
-    def all_digests(self, builds, *macros):
-        """By build, which is a compiler and flags."""
-        with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-            found = pool.map(lambda build: self.digests(build[0], *build[1], *macros), enumerate(builds))
-            return dict(zip(builds, found))
-
     def test_of_fixed_arithmetic_do_not_matter(self):
         rows = in_pairs(LEVELS, COMPILERS, CONTRACTION, GRADIENTS)
         for gradient in GRADIENTS:
             builds = [(compiler, level + contraction) for level, compiler, contraction, of in rows if of == gradient]
             with self.subTest(gradient=gradient):
                 self.assertGreaterEqual(len(builds), 3)
-                digests = self.all_digests(builds, f"HN_GRADIENT={gradient}", "HN_ARITHMETIC=HN_FIXED")
-                most = digests[builds[-1]]
+                found = all_digests(*((*build, macros("HN_FIXED", gradient)) for build in builds))
+                most = found[-1]
                 for function in ("gradient.lattice2", "noise3d.perlin_cell", "noise2d.cellular", "fbm.clouds3"):
                     self.assertEqual(len(most[function]), 2)
                 self.assertGreater(len(most), 20 if FUNCTIONS else 100)
-                self.assertGreaterEqual(sum(not self.points(flags) for _, flags in builds), 2)
-                for build, digest in digests.items():
+                self.assertGreaterEqual(sum(not has_few_points(flags) for _, flags in builds), 2)
+                for build, digest in zip(builds, found):
                     self.assert_same(digest, most, build)
 
     def test_are_tried_in_pairs(self):
@@ -104,25 +111,23 @@ class Flags(unittest.TestCase):
 
     def test_of_fast_arithmetic_do(self):
         """If these agreed, the digests would be of nothing."""
-        fast = (INLINE_SOME, *MOST, *CONTRACTION[1])
-        first, second = self.all_digests([(COMPILERS[0], LEVELS[0]), (COMPILERS[0], fast)],
-                                         "HN_ARITHMETIC=HN_FAST").values()
+        fast = ("-O1", INLINE_SOME, *MOST[1:], *CONTRACTION[1])
+        first, second = all_digests(*((COMPILERS[0], flags, macros("HN_FAST")) for flags in (LEVELS[0], fast)))
         self.assertNotEqual([digests[0] for digests in first.values()], [digests[0] for digests in second.values()])
 
     def test_show_no_undefined_behaviour(self):
         arithmetics = ("HN_FAST", "HN_PRECISE", "HN_FIXED")
         rows = in_pairs(arithmetics, GRADIENTS, COMPILERS)
         if FUNCTIONS:  # each arithmetic once, and each gradient and compiler with one of them
-            rows = [rows[number] for number in (0, 3, 4)]
-        builds = [(compiler, (*SANITIZED, f"-DHN_GRADIENT={gradient}", f"-DHN_ARITHMETIC={arithmetic}"))
-                  for arithmetic, gradient, compiler in rows]
-        self.assertEqual(len(self.all_digests(builds)), 3 if FUNCTIONS else 12 if THOROUGH else 6)
+            rows = list(zip(arithmetics, itertools.cycle(GRADIENTS), itertools.cycle(COMPILERS)))
+        found = all_digests(*((compiler, SANITIZED, macros(arithmetic, gradient))
+                              for arithmetic, gradient, compiler in rows))
+        self.assertEqual(len(found), 3 if FUNCTIONS else 12 if THOROUGH else 6)
 
     def test_show_undefined_behaviour_that_there_is(self):
         """A planted overflow of int."""
-        with self.assertRaises(AssertionError) as caught:
-            self.all_digests([(COMPILERS[0], SANITIZED)], "HN_ARITHMETIC=HN_FIXED", "HN_TEST_OVERFLOW")
-        self.assertIn("overflow", str(caught.exception))
+        with self.assertRaisesRegex(AssertionError, "overflow"):
+            digests(COMPILERS[0], SANITIZED, (*macros("HN_FIXED"), "HN_TEST_OVERFLOW"))
 
 
 if __name__ == "__main__":
