@@ -26,6 +26,7 @@ from pathlib import Path
 EXAMPLES = Path(__file__).resolve().parent
 sys.path.insert(0, str(EXAMPLES.parent / "tools" / "lib"))
 
+import chromium  # noqa: E402
 import twin  # noqa: E402
 from golden import Picture  # noqa: E402
 from screen import Absent, Screen  # noqa: E402
@@ -193,7 +194,8 @@ class Webgl(unittest.TestCase):
     work: Path
 
     def setUp(self):
-        if shutil.which("chromium") is None:
+        self.browser = chromium.found()
+        if self.browser is None:
             self.skipTest("there is no chromium")
         self.folder = self.work / "webgl"
         shutil.rmtree(self.folder, ignore_errors=True)
@@ -217,11 +219,8 @@ class Webgl(unittest.TestCase):
         handler.log_message = lambda *_: None
         with http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
             threading.Thread(target=server.serve_forever, daemon=True).start()
-            command = ["chromium", "--headless=new", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
-                       "--no-first-run", "--disable-dev-shm-usage", "--dump-dom", "--virtual-time-budget=20000",
-                       f"--user-data-dir={self.folder / 'profile'}"]
-            if os.geteuid() == 0:
-                command.append("--no-sandbox")
+            command = chromium.command(self.browser, self.folder / "profile", "--dump-dom",
+                                       "--virtual-time-budget=20000")
             done = subprocess.run([*command, f"http://127.0.0.1:{server.server_port}/"], capture_output=True, text=True,
                                   check=True, timeout=120)
             server.shutdown()

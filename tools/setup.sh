@@ -28,7 +28,7 @@ readonly conform_packages=(
 )
 readonly paper_packages=(libvulkan1 mesa-vulkan-drivers)
 # GLFW loads the libraries of OpenGL by their names.
-readonly driver_packages=("${paper_packages[@]}" chromium clang libgl1 libgles2 libglfw3 libglx-mesa0 xvfb)
+readonly driver_packages=("${paper_packages[@]}" chromium-headless-shell clang libgl1 libgles2 libglfw3 libglx-mesa0 xvfb)
 # Of the programs of src/, which have no need of drivers.
 readonly program_packages=(cmake g++ ninja-build
   libcli11-dev libexpected-dev libfmt-dev libkainjow-mustache-dev libpng-dev nlohmann-json3-dev pkg-config zlib1g-dev)

@@ -11,16 +11,19 @@ import os
 import pathlib
 import re
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
 import threading
 import unittest
 
-PROGRAM = ""
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-CHROMIUM = ["chromium", "--headless=new", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--no-first-run",
-            "--disable-background-networking", "--disable-dev-shm-usage"]
+sys.path.insert(0, str(ROOT / "tools" / "lib"))
+
+import chromium  # noqa: E402
+
+PROGRAM = ""
 SECONDS = 120
 
 
@@ -80,6 +83,9 @@ class Web(unittest.TestCase):
         self.assertEqual([path.name for path in (self.folder / "page").iterdir()], ["index.html"])
         return (self.folder / "page" / "index.html").read_text()
 
+    def chromium(self, *switches):
+        return chromium.command(chromium.found(), self.folder / "profile", *switches)
+
     def open(self, page, *switches):
         """What the page says when it is at its end."""
         server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Listener)
@@ -87,15 +93,12 @@ class Web(unittest.TestCase):
         self.assertNotEqual(server.page, page.encode())
         server.events, server.over = [], threading.Event()
         threading.Thread(target=server.serve_forever, daemon=True).start()
-        command = [*CHROMIUM, *switches, f"--user-data-dir={self.folder / 'profile'}"]
-        if os.geteuid() == 0:
-            command.append("--no-sandbox")
-        browser = subprocess.Popen([*command, f"http://127.0.0.1:{server.server_port}/"], stdout=subprocess.DEVNULL,
-                                   stderr=subprocess.DEVNULL, start_new_session=True)
+        browser = subprocess.Popen([*self.chromium(*switches), f"http://127.0.0.1:{server.server_port}/"],
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True)
         try:
             self.assertTrue(server.over.wait(SECONDS), server.events[-1:])
         finally:
-            browser.terminate()
+            os.killpg(browser.pid, signal.SIGTERM)  # what PATH has may be a script that has started it
             browser.wait()
             server.shutdown()
             server.server_close()
@@ -210,10 +213,7 @@ class Web(unittest.TestCase):
         page = self.page(*SMALL)
         for damaged in (SUITE.sub(lambda packed: packed[0][:len(packed[0]) // 8 * 4], page), SUITE.sub("?", page)):
             (self.folder / "damaged.html").write_text(damaged)
-            command = [*CHROMIUM, "--dump-dom", "--virtual-time-budget=10000",
-                       f"--user-data-dir={self.folder / 'profile'}"]
-            if os.geteuid() == 0:
-                command.append("--no-sandbox")
+            command = self.chromium("--dump-dom", "--virtual-time-budget=10000")
             done = subprocess.run([*command, f"file://{self.folder / 'damaged.html'}"], capture_output=True, text=True,
                                   check=True, timeout=SECONDS)
             self.assertIn("The page could not begin", done.stdout)

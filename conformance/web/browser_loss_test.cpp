@@ -6,15 +6,17 @@
 
 #include <array>
 
+#include "base/file.hpp"
 #include "web/browser_story.hpp"
 
 namespace hn {
 namespace {
 
+// Kills the processes that have this in their command line.
 void kill_chromium(std::string_view type) {
-  for (const pid_t pid : processes_with(folder_of(getpid()))) {
-    const auto typed = processes_with(type);
-    if (std::find(typed.begin(), typed.end(), pid) != typed.end()) kill(pid, SIGKILL);
+  for (const pid_t pid : chromium_of(getpid())) {
+    const auto line = read_file(std::filesystem::path("/proc") / std::to_string(pid) / "cmdline");
+    if (line && line->find(type) != std::string::npos) kill(pid, SIGKILL);
   }
 }
 
@@ -76,7 +78,7 @@ TEST(BrowserLoss, NothingOutlivesAProcessThatIsKilled) {
     setpgid(0, 0);
     Story story;
     story.on_start = [&](const std::string&) {
-      for (const pid_t pid : processes_with(folder_of(getpid()))) kill(pid, SIGSTOP);
+      for (const pid_t pid : chromium_of(getpid())) kill(pid, SIGSTOP);
       if (write(running[1], "x", 1) == 1) pause();
     };
     const bool ended = run(story, kSome).has_value();
@@ -85,7 +87,7 @@ TEST(BrowserLoss, NothingOutlivesAProcessThatIsKilled) {
   close(running[1]);
   char byte = 0;
   EXPECT_EQ(read(running[0], &byte, 1), 1);
-  EXPECT_FALSE(processes_with(folder_of(child)).empty());
+  EXPECT_FALSE(chromium_of(child).empty());
   kill(-child, SIGKILL);
   int status = 0;
   EXPECT_EQ(waitpid(child, &status, 0), child);

@@ -7,10 +7,9 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <fstream>
 #include <functional>
-#include <iterator>
 #include <string>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -66,20 +65,22 @@ inline Result<void> run(Story& story, std::span<const std::string> ids, std::str
   return run_in_browser(browser_named(browser), sources, golden, ids, story.events());
 }
 
-// The processes whose command line has a text in it.
-inline std::vector<pid_t> processes_with(std::string_view text) {
+// What the names of a process's folders begin with.
+inline std::string folder_of(pid_t owner) { return TemporaryFolder::prefix(owner); }
+
+// The processes of the Chromiums that a process has started. Each has inherited an output that goes to a log in a folder
+// of that process; their command lines and environments do not all tell it.
+inline std::vector<pid_t> chromium_of(pid_t owner) {
+  const std::string folder = (std::filesystem::temp_directory_path() / folder_of(owner)).string();
   std::vector<pid_t> found;
   for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
     const pid_t pid = std::atoi(entry.path().filename().c_str());
-    std::ifstream in(entry.path() / "cmdline", std::ios::binary);
-    const std::string line(std::istreambuf_iterator<char>(in), {});
-    if (pid > 0 && line.find(text) != std::string::npos) found.push_back(pid);
+    std::error_code ended;
+    const auto log = std::filesystem::read_symlink(entry.path() / "fd" / "2", ended);
+    if (pid > 0 && !ended && log.string().starts_with(folder)) found.push_back(pid);
   }
   return found;
 }
-
-// What the names of a process's folders begin with, in the command line of every process of Chromium that has one.
-inline std::string folder_of(pid_t owner) { return TemporaryFolder::prefix(owner); }
 
 inline bool has_folders(pid_t owner) {
   for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::temp_directory_path())) {
@@ -91,10 +92,10 @@ inline bool has_folders(pid_t owner) {
 inline void expect_nothing_is_left(pid_t owner) {
   using namespace std::chrono_literals;
   const auto deadline = std::chrono::steady_clock::now() + 10s;
-  const auto left = [&] { return has_folders(owner) || !processes_with(folder_of(owner)).empty(); };
+  const auto left = [&] { return has_folders(owner) || !chromium_of(owner).empty(); };
   while (left() && std::chrono::steady_clock::now() < deadline) std::this_thread::sleep_for(50ms);
   EXPECT_FALSE(has_folders(owner));
-  EXPECT_TRUE(processes_with(folder_of(owner)).empty());
+  EXPECT_TRUE(chromium_of(owner).empty());
 }
 
 }  // namespace hn

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "base/file.hpp"
@@ -225,16 +226,21 @@ TEST(BrowserFault, ABugThatIsThereFailsOrWarns) {
     return {};
   });
   std::vector<std::string> ids;
+  std::size_t seen = 0;
   for (const Case& test : all_cases()) {
-    if (test.id.starts_with("bugs.") && unsupported_in_browser(test).empty()) ids.push_back(test.id);
+    if (!test.id.starts_with("bugs.") || !unsupported_in_browser(test).empty()) continue;
+    if (seen++ % 5 == 0) ids.push_back(test.id);  // some of each kind; what is read is changed alike in all of them
   }
   Story story;
   ASSERT_TRUE(run(story, ids, "webgl2", sources));
+  std::set<Status> statuses;
   for (const CaseResult& result : story.finished) {
+    statuses.insert(result.outcome.status);
     const Status expected = result.id.ends_with(".defined") ? Status::fail : Status::warning;
     EXPECT_EQ(result.outcome.status, expected) << result.id << ": " << result.outcome.message;
     EXPECT_NE(result.outcome.message.find("Reported in: "), std::string::npos) << result.id;
   }
+  EXPECT_EQ(statuses, (std::set{Status::fail, Status::warning}));
 }
 
 }  // namespace

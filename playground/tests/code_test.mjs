@@ -28,7 +28,7 @@ const placed = (state) => ({ ...usualState(), arithmetic: "fixed", ...state, ...
 // What tools/pick has written is all compiled in a thorough run. (In those the tests of tools/pick hold the bits of all
 // functions to the C++ header.)
 const picked = simpleStates().map((state) => placed({ ...state, z: 0.75, w: 1.5 }));
-const states = [...chosen.map(placed), ...picked.filter((_, at) => at % 19 === 7)];
+const states = [...chosen.map(placed), ...picked.filter((_, at) => at % 57 === 7)];
 const nameOf = ({ sum, noise, dimensions, period }) => `${sum} of ${noise} in ${dimensions}D${period ? ", tiled" : ""}`;
 
 // A call of pattern() at the pixel, at a position or from a cell.

@@ -197,7 +197,8 @@ test("the focus is seen wherever it is, on a dark picture and on a light one", a
     [1, 255],
   ]) {
     const link = `#sum=none&noise=cells&map=grey&contrast=4&cells=0.02&seed=${seed}`;
-    const page = await opened(browser, { viewport: { ...kLaptop, deviceScaleFactor: 1 }, before: decoding, link });
+    const viewport = { width: 800, height: 600, deviceScaleFactor: 1 }; // A ring is a few pixels wide.
+    const page = await opened(browser, { viewport, before: decoding, link });
     assert.deepEqual(await pixels(page, 1, 1), [colour, colour, colour, 255]);
     for (const id of ["picture-webgl2", "play", "sum", "seed", "copy"]) {
       await tabTo(page, id);
@@ -289,10 +290,10 @@ const sharp = (page) =>
 
 test("a picture at rest is sharp", async () => {
   for (const [link, viewport] of [
-    ["", { width: 1280, height: 800 }],
+    ["", { width: 640, height: 400 }],
     ["#sum=none&noise=cellular&dimensions=3&renderer=webgpu", { ...kPane, deviceScaleFactor: 0.7 }],
     ["#sum=eroded&dimensions=3&warp=warp_progressive&octaves=8", kPane],
-    ["#sum=none", { ...kPhone, deviceScaleFactor: 3.5 }],
+    ["#sum=none", { ...kPhone, width: 195, height: 422, deviceScaleFactor: 3.5 }],
   ]) {
     const page = await opened(browser, { link, viewport });
     await sharp(page);
@@ -521,7 +522,7 @@ test("it fits a phone", async () => {
     [kLaptop, 28],
   ]) {
     const page = await opened(browser, {
-      viewport,
+      viewport: { ...viewport, deviceScaleFactor: 0.25 },
       link: "#sum=ping_pong&noise=cells&dimensions=3&warp=warp&metric=manhattan",
     });
     const found = await page.evaluate((size) => {
@@ -674,7 +675,7 @@ test("Back brings back what the picture did not use", async () => {
 });
 
 test("Smaller undoes Larger", async () => {
-  for (const link of ["", "#cells=7.3", "#cells=0.723456", "#cells=987654"]) {
+  for (const link of ["#sum=none", "#sum=none&cells=7.3", "#sum=none&cells=0.723456", "#sum=none&cells=987654"]) {
     const page = await opened(browser, { viewport: kLaptop, link });
     const { cells } = await stateOfPage(page);
     for (const id of ["in", "in", "in", "out", "out", "out"]) await page.click(`#${id}`);

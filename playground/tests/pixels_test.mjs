@@ -5,7 +5,9 @@ import test, { after, before } from "node:test";
 import { kMaps, rangeOf, usualState } from "../model.js";
 import { bitsOf, compiled, copiedCode, floatOf, golden, launched, opened, pixels, setState } from "./support.mjs";
 
-const kRows = 12; // of each file
+// Each row makes a program, or two; in a default run there are some of each file, and each picture has one renderer.
+const kThorough = Boolean(process.env.HN_THOROUGH);
+const kRows = kThorough ? 12 : 4;
 const kAxes = ["x", "y", "z", "w"];
 const kParts = 16777216;
 
@@ -173,12 +175,12 @@ test("a pixel has the golden value", async () => {
       assert.ok(found.tried >= 4, `${subject[0]} has only ${found.tried} rows that a pixel can have`);
     tried[form] += found.tried;
   }
-  assert.ok(tried.cell > 200 && tried.cell_period > 20, JSON.stringify(tried));
+  assert.ok(tried.cell > 16 * kRows && tried.cell_period > kRows, JSON.stringify(tried));
   console.log(`golden values: ${JSON.stringify(tried)}`);
 });
 
 test("every pixel of a picture has the value of C++, and its colour", async () => {
-  for (const state of pictures) {
+  for (const [number, state] of pictures.entries()) {
     const name = JSON.stringify({ sum: state.sum, noise: state.noise, dimensions: state.dimensions });
     await setState(page, { ...state, renderer: "webgl2" });
     const expected = (await compiled(await copiedCode(page, "cpp", false), mainOf(state)))
@@ -187,14 +189,14 @@ test("every pixel of a picture has the value of C++, and its colour", async () =
       .map((word) => parseInt(word, 16));
     assert.ok(new Set(expected).size > 5, `${name} shows next to nothing`);
     const colours = {};
-    for (const renderer of ["webgl2", "webgpu"]) {
+    for (const renderer of kThorough ? ["webgl2", "webgpu"] : [number % 2 ? "webgl2" : "webgpu"]) {
       await setState(page, { renderer });
       const values = await pixels(page, kWidth, kHeight, true);
       assert.equal(unequal(values, expected), 0, `${name} by ${renderer}`);
       colours[renderer] = await pixels(page, kWidth, kHeight);
       assert.equal(wrongColours(values, colours[renderer], state), 0, `colours of ${name} by ${renderer}`);
     }
-    assert.equal(unequal(colours.webgl2, colours.webgpu), 0);
+    if (kThorough) assert.equal(unequal(colours.webgl2, colours.webgpu), 0);
   }
 });
 

@@ -17,6 +17,7 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+import chromium
 from compile_times.texts import SUBJECTS, WAYS, Subject, fragment, shaders
 from tables.markdown import table
 from tree import HN_CONFORM, ROOT
@@ -131,9 +132,8 @@ def by_angle(program: str, folder: Path, rounds: int) -> Times:
         listed = [{"vertex": vertex.format(axes=subject.axes), "fragment": f"{text}// {number}\n"}
                   for subject, _, text in asked]
         page.write_text(PAGE % json.dumps(listed).replace("</", "<\\/"), encoding="utf-8")
-        dom = run([program, "--headless=new", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--no-first-run",
-                   "--disable-dev-shm-usage", f"--user-data-dir={folder / f'profile{number}'}", "--dump-dom",
-                   "--timeout=60000", *(["--no-sandbox"] if os.geteuid() == 0 else []), page.as_uri()])
+        dom = run([*chromium.command(program, folder / f"profile{number}", "--dump-dom", "--timeout=60000"),
+                   page.as_uri()])
         told = re.search(r'<pre id="times">(.*?)</pre>', dom, re.DOTALL)
         if not told or not told[1].startswith("["):
             raise Failed(f"the page in Chromium {html.unescape(told[1]) if told else 'told nothing'}")
@@ -145,7 +145,7 @@ def by_angle(program: str, folder: Path, rounds: int) -> Times:
 COMPILERS: dict[str, tuple[tuple[str, ...], Callable[[str, Path, int], Times]]] = {
     "glslang": (("glslangValidator",), by_glslang),
     "mesa": (("hn-conform", str(HN_CONFORM)), by_mesa),
-    "angle": (("chromium", "google-chrome"), by_angle),
+    "angle": (chromium.PROGRAMS, by_angle),
 }
 
 
