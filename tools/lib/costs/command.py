@@ -3,7 +3,7 @@
     python3 -B -m costs.command record BUILD [options of ctest that choose tests]
     python3 -B -m costs.command check BUILD
 
-Each test runs alone, and its processor time counts, with that of all processes that it waits for. A machine that others
+Each test runs alone, and its processor time counts, with that of all processes that it starts. A machine that others
 share is not always as fast: how fast it is, is asked before and after each test that takes long. A record of all tests
 makes this machine the one that the table speaks of. The tests should have run before, since what one makes another may
 use. Exit status: 0 done, 1 a test failed and its row is as it was, or the
@@ -12,12 +12,15 @@ table is not right, 2 bad usage.
 
 from __future__ import annotations
 
+import ctypes
 import json
 import os
 import resource
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 from collections import Counter
 from pathlib import Path
 
@@ -31,6 +34,8 @@ RUNS = {"conform": ("conformance/hn-conform", "run"), "bench": ("conformance/hn-
         "paper": ("conformance/hn-conform", "paper")}
 OWN_TEST = "costs.table"
 STEADY = 4.0  # seconds for which what was asked of the machine's speed holds
+PR_SET_CHILD_SUBREAPER = 36  # of linux/prctl.h
+LEFT = 5.0  # seconds that a process may take to end behind the test that started it
 
 
 def listed(build: Path, *options: str) -> list[dict]:
@@ -88,8 +93,29 @@ class Clock:
         return seconds * self.there / ((before + after) / 2)
 
 
+def children() -> list[int]:
+    return [int(pid) for pid in Path("/proc/thread-self/children").read_text(encoding="ascii").split()]
+
+
+def wait_for_what_is_left() -> None:
+    """Until no process is left of the test before, each of which is a child of this one now."""
+    end = time.monotonic() + LEFT
+    while left := children():
+        if time.monotonic() > end:
+            for pid in left:
+                os.kill(pid, signal.SIGKILL)
+        try:
+            while os.waitpid(-1, os.WNOHANG)[0]:
+                pass
+        except ChildProcessError:
+            return
+        time.sleep(0.02)
+
+
 def cost_of(command: list[str], folder: str | None, environment: dict[str, str], log: Path) -> tuple[int, float]:
     """The status of a command, and its processor time."""
+    # Chromium's processes end behind that which started them, and nobody else asks what they have used.
+    ctypes.CDLL(None).prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0)
     before = time_of_children()
     with log.open("w", encoding="utf-8") as out:
         try:
@@ -98,6 +124,7 @@ def cost_of(command: list[str], folder: str | None, environment: dict[str, str],
         except OSError as error:
             out.write(f"{command[0]}: {error.strerror}\n")
             status = 1
+    wait_for_what_is_left()
     return status, time_of_children() - before
 
 

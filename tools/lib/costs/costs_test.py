@@ -102,6 +102,16 @@ class Recording(unittest.TestCase):
         self.assertTrue(0.1 <= table["test", "twins"].value < 0.6, table)
         self.assertEqual(table["test", "golden"].before, 50)
 
+    def test_what_a_test_starts_and_does_not_wait_for_counts_until_it_ends_or_is_ended(self) -> None:
+        for then, name in (("", "twins"), ("import time; time.sleep(60)", "golden")):
+            starting = burning(name, 0)
+            inner = BURN.format(0.5) + then
+            starting["command"][2] = f"import subprocess, sys; subprocess.Popen([sys.executable, '-c', {inner!r}])"
+            with mock.patch.object(command, "LEFT", 1.0):
+                status, table, text = self.record(starting)
+            self.assertEqual(status, 0, text)
+            self.assertTrue(0.5 <= table["test", name].value < 1.1, table)
+
     def test_on_a_machine_that_is_half_as_fast_a_second_counts_half(self) -> None:
         table = self.record(burning("golden", 1), burning("twins", 0), speed=0.2)[1]
         self.assertTrue(0.5 <= table["test", "golden"].value < 0.9, table)
