@@ -47,6 +47,9 @@ struct Outcome {
   std::uint64_t max_ulp = 0;           // the same, in units in the last place of a float
   std::string message;
   std::vector<Mismatch> examples;  // the first of the values that are wrong
+  // CRC-32 of the words that came out for the rows of a golden file, where every bit counts: each driver that is right
+  // has the same.
+  std::optional<std::uint32_t> checksum = {};
 };
 
 // "123 of 192 values are wrong; the largest difference is 0.389, and 3.51e-06 is allowed": of compared values. Units in

@@ -1,6 +1,7 @@
 // hn-conform drivers, run and merge
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <sys/utsname.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -17,8 +18,10 @@
 #include "cases/costs.hpp"
 #include "cases/deal.hpp"
 #include "cli/command.hpp"
+#include "expected/exact_sets.hpp"
 #include "expected/golden.hpp"
 #include "fault/faults.hpp"
+#include "report/digest.hpp"
 #include "report/report.hpp"
 #include "run/expectation.hpp"
 #include "run/filter.hpp"
@@ -227,6 +230,32 @@ void add_timings(std::vector<Run>& runs, const RunPlan& plan, const std::filesys
   }
 }
 
+// "Linux", "macOS": without a version.
+std::string system_name() {
+  utsname names{};
+  if (uname(&names) != 0) return "";
+  const std::string name = names.sysname;
+  return name == "Darwin" ? "macOS" : name;
+}
+
+// Whether a run has the cases that everybody has who gives no options, so that its digest can be compared.
+bool has_default_cases(const RunCommand& options) {
+  const SuiteOptions usual;
+  const SuiteOptions& suite = options.suite;
+  return options.filters.empty() && !options.thorough && !options.deal && suite.glsl.empty() && suite.inject.empty() &&
+         suite.points == usual.points && suite.seed == usual.seed;
+}
+
+// Which files can be sent.
+std::string digests_text(const std::vector<Run>& runs, const std::filesystem::path& out) {
+  std::vector<std::string> paths;
+  for (const Run& run : runs) {
+    if (digest_text(run)) paths.push_back((out / digest_file(run)).string());
+  }
+  if (paths.empty()) return "";
+  return fmt::format("To send what was found (docs/conformance.md says how): {}\n", fmt::join(paths, ", "));
+}
+
 // Writes what there is to say about the runs, and says it: the exit status. problems: what is wrong beside the cases.
 int conclude(const std::vector<Run>& runs, const std::string& out, const std::vector<std::string>& problems) {
   const auto written = write_results(out, runs, problems);
@@ -237,6 +266,7 @@ int conclude(const std::vector<Run>& runs, const std::string& out, const std::ve
     complain(written.error().text());
     return kNotWritten;
   }
+  say(printable(digests_text(runs, out)));
   const bool good = problems.empty() && all_as_expected(runs);
   const std::string_view verdict = good                    ? "All as expected"
                                    : only_unfinished(runs) ? "NOT THE WHOLE RUN"
@@ -345,7 +375,10 @@ int run_to_the_end(const RunCommand& options, const RunPlan& plan, const SourceS
   announce(plan);
   auto [runs, problems] = run_plan(plan, options.out, journal, stderr);
   if (options.timings && journal.problem().empty()) add_timings(runs, plan, options.out);
+  const std::string golden = has_default_cases(options) ? golden_checksum(options.suite.golden) : "";
   for (Run& run : runs) {
+    if (run.info.system.empty()) run.info.system = system_name();
+    if (!run.is_reference()) run.golden = golden;
     run.date = now();
     run.library = sources.edited();
     run.commands = {options.line};

@@ -17,23 +17,44 @@ import sys
 import tempfile
 import threading
 import unittest
+import urllib.parse
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 sys.path.insert(0, str(ROOT / "tools" / "lib"))
 
-import chromium  # noqa: E402
+from results.page import address as address_of_project  # noqa: E402
 
-PROGRAM = ""
+ADDRESS = address_of_project()
+CHROMIUM = ["chromium", "--headless=new", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--no-first-run",
+            "--disable-background-networking", "--disable-dev-shm-usage", "--window-size=360,800"]  # a phone's
 SECONDS = 120
 
 
 SUITE = re.compile(r'(?<=<script type="application/gzip" id="suite">)[^<]+')
 
 
+def suite_of(page):
+    return json.loads(gzip.decompress(base64.b64decode(SUITE.search(page)[0])))
+
+
 def reporting(packed):
-    """The suite of a page, which tells here what happens."""
-    suite = json.loads(gzip.decompress(base64.b64decode(packed[0]))) | {"report_to": "event"}
+    """The suite of a page, which tells here what happens, as if it had all default cases."""
+    suite = json.loads(gzip.decompress(base64.b64decode(packed[0]))) | {"report_to": "event", "golden": "89abcdef"}
     return base64.b64encode(gzip.compress(json.dumps(suite).encode())).decode()
+
+
+# Tells at the end what stands on the page, too.
+LOOK = """<script>{
+  const send = window.fetch;
+  const place = (id) => document.getElementById(id);
+  window.fetch = (to, options) => {
+    const event = options?.body ? JSON.parse(options.body) : {};
+    if (event.type !== "done") return send(to, options);
+    const sent = { hidden: place("send").hidden, shown: place("digest").textContent, address: place("propose").href,
+                   name: place("save").download, width: document.documentElement.scrollWidth, window: innerWidth };
+    return send(to, { ...options, body: JSON.stringify({ ...event, sent, meaning: place("meaning").innerText }) });
+  };
+}</script>"""
 
 
 class Listener(http.server.BaseHTTPRequestHandler):
@@ -89,7 +110,7 @@ class Web(unittest.TestCase):
     def open(self, page, *switches):
         """What the page says when it is at its end."""
         server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Listener)
-        server.page = SUITE.sub(reporting, page).encode()
+        server.page = SUITE.sub(reporting, page).replace("<body>", f"<body>{LOOK}").encode()
         self.assertNotEqual(server.page, page.encode())
         server.events, server.over = [], threading.Event()
         threading.Thread(target=server.serve_forever, daemon=True).start()
@@ -123,6 +144,21 @@ class Web(unittest.TestCase):
         merged = subprocess.run([PROGRAM, "merge", self.folder / "results.json", "--out", self.folder / "merged"],
                                 capture_output=True, text=True, check=False)
         self.assertEqual(merged.returncode, 0, merged.stderr + merged.stdout)
+        # A digest says the same, whoever makes it; and it is what the page shows and offers.
+        digest, = (self.folder / "merged").glob("digest*")
+        self.assertEqual(digest.read_text(), end["digest"])
+        made = json.loads(end["digest"])
+        self.assertEqual(list(made["apis"]), ["webgl2", "webgpu"])
+        self.assertRegex(made["browser"], r"^Chrome \d+$")
+        self.assertEqual((made["system"], made["golden"]), ("Linux", "89abcdef"))
+        self.assertEqual(end["sent"]["shown"], end["digest"])
+        address = urllib.parse.urlsplit(end["sent"]["address"])
+        self.assertEqual(f"{address.scheme}://{address.netloc}{address.path}", f"{ADDRESS}/new/main/results")
+        fields = dict(urllib.parse.parse_qsl(address.query))
+        self.assertEqual(fields, {"filename": end["sent"]["name"], "value": end["digest"]})
+        self.assertRegex(fields["filename"], r"^webgl2-webgpu-linux-chrome-\d+-[a-z0-9-]*swiftshader[a-z0-9-]*-[0-9a-f]{8}\.json$")
+        self.assertIn("have the same bits here as everywhere", end["meaning"])
+        self.assertLessEqual(end["sent"]["width"], end["sent"]["window"])
         for key in ("id", "status", "samples", "mismatches", "max_abs", "max_ulp", "seconds", "message"):
             self.assertTrue(all(key in case for case in run["cases"]), key)
 
@@ -138,6 +174,10 @@ class Web(unittest.TestCase):
         file.write_text("\n".join(lines))
         end = self.open(self.page("--golden", golden, *SMALL))
         self.assertEqual(end["verdict"], "NOT AS EXPECTED")
+        self.assertIn("What is made of them is not what it is elsewhere.", end["meaning"])
+        made = json.loads(end["digest"])
+        self.assertEqual((made["apis"]["webgl2"]["verdict"], made["apis"]["webgl2"]["cases"]["hash.exact"][1]),
+                         ("fail", len(made["failed"])))
         wrong = [case for case in json.loads(end["results"])["runs"][0]["cases"] if case["status"] == "fail"]
         self.assertGreater(len(wrong), 0)
         (self.folder / "results.json").write_text(end["results"])
@@ -188,6 +228,7 @@ class Web(unittest.TestCase):
         page = self.page("--thorough", "--filter", "bugs.*")
         end = self.open(page.replace("<body>", f"<body>{press}"))
         self.assertRegex(end["verdict"], r"^All as expected, stopped after \d+ of \d+$")
+        self.assertEqual((end["digest"], end["sent"]["hidden"]), (None, True))
         run, = json.loads(end["results"])["runs"]
         ran, total = map(int, re.findall(r"\d+", end["verdict"]))
         self.assertEqual((len(run["cases"]), run["not_run"], run["as_expected"]), (ran, total - ran, False))
@@ -203,6 +244,9 @@ class Web(unittest.TestCase):
         run, = json.loads(end["results"])["runs"]
         statuses = {case["id"].split(".")[5]: case["status"] for case in run["cases"]}
         self.assertEqual((statuses["wgsl"], statuses["es300"]), ("unsupported", "pass"))
+
+    def test_a_page_of_some_cases_has_no_digest(self):
+        self.assertNotIn("golden", suite_of(self.page(*SMALL)))
 
     def test_a_filter_that_nothing_matches_is_bad_usage(self):
         done = self.call("--out", self.folder / "page", "--filter", "nothing*")

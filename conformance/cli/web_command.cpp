@@ -26,7 +26,8 @@ int web_command(const WebCommand& options, Interruption& interruption) {
   if (cases.empty()) return usage_error("no case of the page matches --filter; hn-conform list shows the ids");
   const auto write = [&]() -> Result<void> {
     HN_TRY(const auto folder, OutputFolder::prepare(options.out, {kPage}));
-    const PageSuite suite = make_suite(*sources, options.golden, cases);
+    const bool whole = options.filters.empty() && !options.thorough && options.glsl.empty();
+    const PageSuite suite = make_suite(*sources, options.golden, cases, {}, Platform::opengl, whole);
     if (suite.defect) return fail(*suite.defect);
     HN_TRY(const auto page, web_page(suite.json, sources->edited()));
     interruption.note_the_first();

@@ -14,6 +14,9 @@ struct ContextInfo {
   std::string gl_version;
   std::string glsl_version;
   LanguageSupport languages;
+  // What the page of a browser says: "Linux", "Firefox 140". A driver of this machine says neither.
+  std::string system = {};
+  std::string browser = {};
 };
 
 ContextInfo describe(const Context& context);

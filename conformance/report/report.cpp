@@ -10,6 +10,7 @@
 #include "base/file.hpp"
 #include "base/output/text.hpp"
 #include "base/strings.hpp"
+#include "report/digest.hpp"
 #include "run/failures.hpp"
 
 namespace hn {
@@ -110,13 +111,24 @@ std::string unsupported_lines(const Run& run) {
 }  // namespace
 
 Result<OutputFolder> prepare_results(const std::filesystem::path& directory) {
-  return OutputFolder::prepare(directory, {kResultsFile, kJunitFile, kPageFile});
+  HN_TRY(auto folder, OutputFolder::prepare(directory, {kResultsFile, kJunitFile, kPageFile}));
+  // This run may have other drivers, or none of which a digest can be made.
+  std::vector<std::filesystem::path> earlier;
+  std::error_code none;
+  for (const auto& entry : std::filesystem::directory_iterator(directory, none)) {
+    if (is_digest_file(entry.path().filename().string())) earlier.push_back(entry.path());
+  }
+  for (const std::filesystem::path& path : earlier) std::filesystem::remove(path, none);
+  return folder;
 }
 
 Result<void> write_results(const std::filesystem::path& directory, const std::vector<Run>& runs,
                            const std::vector<std::string>& problems) {
   HN_DO(write_file(directory / kResultsFile, results_text(runs)));
   HN_DO(write_file(directory / kJunitFile, junit_text(runs, problems)));
+  for (const Run& run : runs) {
+    if (const auto digest = digest_text(run)) HN_DO(write_file(directory / digest_file(run), *digest));
+  }
   HN_TRY(const auto page, report_page(runs, problems));
   return write_file(directory / kPageFile, page);
 }

@@ -12,10 +12,10 @@
 
 namespace hn {
 
-// All three files. problems: as for report_page.
+// All three files, and a digest of each run that has one. problems: as for report_page.
 Result<void> write_results(const std::filesystem::path& directory, const std::vector<Run>& runs,
                            const std::vector<std::string>& problems = {});
-// Makes sure that the files can be written, and removes those of an earlier run.
+// Makes sure that the files can be written, and removes what an earlier run left.
 Result<OutputFolder> prepare_results(const std::filesystem::path& directory);
 
 // A line for each copy of the library that was tested in place of the program's own; mostly nothing.

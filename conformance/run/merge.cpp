@@ -39,6 +39,7 @@ Result<void> append_cases(Run& to, Run& from) {
   to.cases.insert(to.cases.end(), std::make_move_iterator(from.cases.begin()),
                   std::make_move_iterator(from.cases.end()));
   to.not_run += from.not_run;
+  if (to.golden != from.golden) to.golden.clear();
   if (to.timings.empty()) to.timings = from.timings;
   to.date = std::max(to.date, from.date);  // of the same length, so in the order of time
   to.commands.merge(from.commands);

@@ -56,6 +56,16 @@ TEST(Merge, TheUnionOfTheShardsIsTheWhole) {
   EXPECT_EQ(ids, some_ids());
 }
 
+TEST(Merge, OnlyShardsOfTheDefaultCasesAreThoseOfARunOfThem) {
+  hn::Run first = shard_run("1/2");
+  hn::Run second = shard_run("2/2");
+  first.golden = second.golden = "89abcdef";
+  EXPECT_EQ(merge({first, second})->runs[0].golden, "89abcdef");
+  second.golden.clear();
+  EXPECT_EQ(merge({first, second})->runs[0].golden, "");
+  EXPECT_EQ(merge({second, first})->runs[0].golden, "");
+}
+
 TEST(Merge, WhatARunDidNotComeToIsAGap) {
   hn::Run whole = run_of({result("b", Status::pass), result("c", Status::pass)});
   whole.not_run = 8;

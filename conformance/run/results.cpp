@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <hashnoise/hashnoise.hpp>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -34,6 +35,15 @@ Mismatch mismatch_from(const nlohmann::json& json) {
           text_at(json, "expected")};
 }
 
+std::uint32_t checksum_from(std::string_view text) {
+  std::uint32_t checksum = 0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), checksum, 16);
+  if (error == std::errc() && stop == text.data() + text.size() && fmt::format("{:08x}", checksum) == text) {
+    return checksum;
+  }
+  throw std::invalid_argument(fmt::format("\"{}\" is not a checksum of eight hexadecimal digits", text));
+}
+
 Json to_json(const Run& run) {
   Json one = {{"driver", run.driver}};
   if (!run.absent.empty()) {
@@ -47,6 +57,7 @@ Json to_json(const Run& run) {
   if (!run.injected.empty()) one["injected"] = run.injected;
   if (!run.date.empty()) one["date"] = run.date;
   if (!run.commands.empty()) one["commands"] = run.commands;
+  if (!run.golden.empty()) one["golden"] = run.golden;
   if (!run.shard.empty()) {
     one["shard"] = run.shard;
     one["whole"] = run.whole;
@@ -81,6 +92,7 @@ Run run_from(const nlohmann::json& json, std::string& where) {
     const auto commands = texts_at(json, "commands");
     run.commands = {commands.begin(), commands.end()};
   }
+  if (json.contains("golden")) run.golden = text_at(json, "golden");
   if (json.contains("shard")) {
     run.shard = text_at(json, "shard");
     run.whole = whole_number_at(json, "whole");
@@ -124,18 +136,24 @@ bool all_as_expected(const std::vector<Run>& runs) {
 }
 
 Json to_json(const ContextInfo& info) {
-  return {{"vendor", info.vendor},
-          {"renderer", info.renderer},
-          {"gl_version", info.gl_version},
-          {"glsl_version", info.glsl_version}};
+  Json json = {{"vendor", info.vendor},
+               {"renderer", info.renderer},
+               {"gl_version", info.gl_version},
+               {"glsl_version", info.glsl_version}};
+  if (!info.system.empty()) json["system"] = info.system;
+  if (!info.browser.empty()) json["browser"] = info.browser;
+  return json;
 }
 
 ContextInfo context_info_from(const nlohmann::json& json) {
-  return {text_at(json, "vendor"),
-          text_at(json, "renderer"),
-          text_at(json, "gl_version"),
-          text_at(json, "glsl_version"),
-          {}};
+  ContextInfo info{text_at(json, "vendor"),
+                   text_at(json, "renderer"),
+                   text_at(json, "gl_version"),
+                   text_at(json, "glsl_version"),
+                   {}};
+  if (json.contains("system")) info.system = text_at(json, "system");
+  if (json.contains("browser")) info.browser = text_at(json, "browser");
+  return info;
 }
 
 Json to_json(const Evidence& evidence) {
@@ -164,6 +182,7 @@ Json to_json(const CaseResult& result) {
                {"message", outcome.message}};
   if (result.processor_seconds > 0.0) json["processor_seconds"] = result.processor_seconds;
   if (outcome.allowed) json["allowed"] = *outcome.allowed;
+  if (outcome.checksum) json["checksum"] = fmt::format("{:08x}", *outcome.checksum);
   if (!result.excuse.empty()) json["excuse"] = result.excuse;
   if (!outcome.examples.empty()) json["examples"] = examples_json(outcome.examples);
   if (result.evidence) json["evidence"] = to_json(*result.evidence);
@@ -186,6 +205,7 @@ CaseResult case_result_from(const nlohmann::json& json) {
   result.seconds = number_at(json, "seconds");
   if (json.contains("processor_seconds")) result.processor_seconds = number_at(json, "processor_seconds");
   if (json.contains("allowed")) result.outcome.allowed = number_at(json, "allowed");
+  if (json.contains("checksum")) result.outcome.checksum = checksum_from(text_at(json, "checksum"));
   if (json.contains("excuse")) result.excuse = text_at(json, "excuse");
   if (json.contains("examples")) {
     for (const nlohmann::json& example : list_at(json, "examples"))

@@ -33,6 +33,9 @@ struct Run {
   std::string timings;                  // JSON, if they were asked for
   std::string date = {};                // when it ended: UTC, ISO 8601
   std::set<std::string> commands = {};  // that made it: several if it was merged
+  // Only of a run of all cases that there are by default, without an option that changes what they do: the checksum of
+  // the golden files. A digest is made of such a run (report/digest.hpp).
+  std::string golden = {};
 
   bool is_reference() const { return driver == kReferenceCompiler; }
   std::size_t count(Status status) const;

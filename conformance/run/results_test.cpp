@@ -81,6 +81,10 @@ TEST(Json, IsReadAgain) {
   run.library = {.folder = "my/copy", .digest = "0123", .changed = {"hash.glsl"}};
   run.date = "2026-11-20T10:00:00Z";
   run.commands = {"hn-conform run", "hn-conform run --shard 2/2"};
+  run.golden = "89abcdef";
+  run.info.system = "Linux";
+  run.info.browser = "Firefox 140";
+  run.cases[1].outcome.checksum = 0x12abu;
   hn::Run absent;
   absent.driver = "zink";
   absent.absent = "no Vulkan";
@@ -89,6 +93,24 @@ TEST(Json, IsReadAgain) {
   ASSERT_TRUE(again) << again.error().text();
   EXPECT_EQ(results_text(*again), text);
   EXPECT_EQ(again->at(0).library, run.library);
+  EXPECT_EQ(again->at(0).golden, run.golden);
+  EXPECT_EQ(again->at(0).info.system, run.info.system);
+  EXPECT_EQ(again->at(0).info.browser, run.info.browser);
+  EXPECT_EQ(again->at(0).cases[1].outcome.checksum, run.cases[1].outcome.checksum);
+  EXPECT_NE(text.find("\"checksum\": \"000012ab\""), std::string::npos) << text;
+}
+
+TEST(Json, HasChecksumsOfEightDigits) {
+  CaseResult one = result("a.b", Status::pass);
+  one.outcome.checksum = 0x12345678u;
+  const std::string good = results_text({run_of({one})});
+  for (const char* wrong : {"1234567", "123456789", "1234567g", "0x345678", "ABCDEF01", "-1234567", ""}) {
+    std::string text = good;
+    text.replace(text.find("12345678"), 8, wrong);
+    const auto parsed = parse_results(text);
+    ASSERT_FALSE(parsed) << wrong;
+    EXPECT_NE(parsed.error().message.find("is not a checksum"), std::string::npos) << parsed.error().message;
+  }
 }
 
 TEST(Json, ThatIsNoneSaysWhatIsWrong) {

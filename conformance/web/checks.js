@@ -1,7 +1,7 @@
 // What the cases hold against what. As in case.hpp: an outcome is a status, counts, the largest differences, a message
 // and the first values that are wrong.
 import { DriverError } from "./renderer.js";
-import { digestInputs, fnv1a64, hex, kInputWords, kOutputWords } from "./suite.js";
+import { crc32, digestInputs, fnv1a64, hex, kInputWords, kOutputWords } from "./suite.js";
 
 export const kStatuses = ["pass", "warning", "fail", "unsupported", "crash", "timeout", "error"];
 export const kBadStatuses = ["fail", "crash", "timeout", "error"];
@@ -173,15 +173,18 @@ async function checkValues(renderer, suite, test) {
   const width = columns.outputs.length;
   const expected = test.exact ? suite.words(test.expected) : suite.doubles(test.expected);
   const allowed = suite.allowed(test);
+  const words = new Uint32Array(expected.length);
   for (let i = 0; i < expected.length; ++i) {
     const point = Math.floor(i / width);
     const got = outputs[point * kOutputWords + (i % width)];
+    words[i] = got;
     const { type } = columns.outputs[i % width];
     if (test.exact) comparison.bits(point, got, expected[i], type);
     else if (isWhole(type)) comparison.bits(point, got, expected[i] >>> 0, type);
     else comparison.number(point, floatOf(got), expected[i], allowed(i));
   }
   const outcome = comparison.finish();
+  if (test.exact) outcome.checksum = hex(crc32(words));
   return test.digest && outcome.status === "pass" ? checkDigest(renderer, suite, test, outcome) : outcome;
 }
 

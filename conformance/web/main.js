@@ -1,9 +1,11 @@
 // The page: runs the suite that it came with, and shows how it goes. If the suite names somebody to report to,
 // hn-conform drives this browser and hears of every event before the next one happens.
+import { digestText } from "./digest.js";
 import { bad } from "./report.js";
 import { resultsJson, showContext, showProgress, showResults, showStopped } from "./report.js";
 import { NoContext } from "./renderer.js";
 import { runSuite } from "./runner.js";
+import { offerToSend } from "./send.js";
 import { Suite, bytesOf } from "./suite.js";
 
 // More often than this nobody can read.
@@ -55,9 +57,12 @@ async function run(suite) {
     },
   });
   showResults(suite, info, results);
+  const digest = digestText(suite, info, results);
+  offerToSend(digest);
   document.title = `${bad(results).length ? "✗" : "✓"} ${document.title}`;
   const found = document.getElementById("found").innerText;
-  await tell(suite, { type: "done", verdict: shownVerdict(), found, results: resultsJson(suite, info, results) });
+  await tell(suite, { type: "done", verdict: shownVerdict(), found, digest,
+                      results: resultsJson(suite, info, results) });
 }
 
 // The suite is gzipped, and the bytes are written as base64: it is several megabytes of shaders and values.

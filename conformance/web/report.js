@@ -1,6 +1,7 @@
 // What was found: results.json, and the page.
 import { kBadStatuses, kStatuses, measureOf } from "./checks.js";
 import { failuresOf, functionOf } from "./failures.js";
+import { meaningsOf } from "./meaning.js";
 
 // All of them are in results.json.
 const kMostGroupsShown = 20;
@@ -21,12 +22,13 @@ export function asExpected(results) {
 }
 
 // Of the schema that hn-conform writes (docs/formats.md). The page has the random points of seed 1.
-export function resultsJson({ version, library, api, cases }, info, results) {
+export function resultsJson({ version, library, api, cases, golden }, info, results) {
   const notRun = cases.length - results.length; // since somebody has stopped the page
   const totals = Object.fromEntries(kStatuses.map((status) => [status, count(results, status)]));
   const date = new Date().toISOString().replace(/\.\d+Z$/, "Z");
   const tested = library === null ? {} : { library };
-  const run = { driver: api, ...info, seed: 1, ...tested, date, totals, ...(notRun ? { not_run: notRun } : {}),
+  const whole = golden === null ? {} : { golden };
+  const run = { driver: api, ...info, seed: 1, ...tested, date, ...whole, totals, ...(notRun ? { not_run: notRun } : {}),
                 as_expected: notRun === 0 && asExpected(results), cases: results };
   return JSON.stringify({ schema: 2, version, runs: [run] }, null, 1) + "\n";
 }
@@ -156,6 +158,7 @@ export function showResults(suite, info, results) {
   place("progress").remove();
   place("current").textContent = `${totalsText(results)}; ${samples.toLocaleString("en")} values compared`;
   offer(resultsJson(suite, info, results));
+  if (count(results, "pass")) place("meaning").append(...meaningsOf(results).map((text) => element("p", {}, text)));
   const found = place("found");
   if (bad(results).length) found.append(...wrongParts(failuresOf(results, suite.facets())));
   for (const [status, title] of [["warning", "Warnings"], ["unsupported", "Not supported here"]]) {

@@ -2,6 +2,7 @@
 import { kBadStatuses, outcomeWith, runCase } from "./checks.js";
 import { NoContext, Renderer, openContext } from "./renderer.js";
 import { openDevice } from "./webgpu.js";
+import { whereabouts } from "./whereabouts.js";
 
 // A context that is gone may come back when the browser has started its GPU process again.
 const kNewContextTries = 50;
@@ -44,7 +45,7 @@ const kOpen = { webgl2: () => new Renderer(openContext()), webgpu: openDevice };
 export async function runSuite(suite, listener) {
   // What runs the cases of each API; null where it was lost. The page cannot do without one.
   const renderers = { [suite.api]: await kOpen[suite.api]() };
-  await listener.ready(renderers[suite.api].describe());
+  await listener.ready({ ...renderers[suite.api].describe(), ...whereabouts(navigator.userAgent) });
   for (const test of suite.cases) {
     if (!listener.wantsMore()) return;
     const api = suite.apiOf(test);

@@ -14,6 +14,7 @@
 #include "base/version.hpp"
 #include "cases/bugs/bugs.hpp"
 #include "cases/facets.hpp"
+#include "expected/exact_sets.hpp"
 #include "expected/golden.hpp"
 #include "expected/pairing.hpp"
 #include "expected/tolerance.hpp"
@@ -64,10 +65,12 @@ class SuiteWriter {
 
   const std::optional<std::string>& defect() const { return defect_; }
 
-  Json finish(Json cases, std::string_view report_to, Platform platform) const {
+  Json finish(Json cases, std::string_view report_to, Platform platform, bool whole) const {
     Json suite = {{"schema", 1}, {"version", library_version()}, {"api", api_of(platform)}};
     if (sources_.edited()) suite["library"] = to_json(*sources_.edited());
     if (!report_to.empty()) suite["report_to"] = report_to;
+    if (whole) suite["golden"] = golden_checksum(golden_);
+    suite["sets"] = exact_sets().size();
     suite["uniforms"] = {{"trips", {{"type", "int"}, {"value", kLoopTrips}}},
                          {"variant_seed", {{"type", "uint"}, {"value", kVariantSeed}}}};
     suite["facets"] = facets_.values();
@@ -168,6 +171,7 @@ class SuiteWriter {
                  {"expected", expected_of(*golden, function, configuration)},
                  {"allowed", allowed_json(allowed_at(*golden, function, configuration))}};
     if (golden->digest) json["digest"] = digest_json(*golden->digest);
+    if (const auto set = exact_set(function, configuration)) json["set"] = *set;
     return json;
   }
 
@@ -312,11 +316,11 @@ bool is_on_page(const Case& test, bool thorough) {
 }
 
 PageSuite make_suite(const SourceSet& sources, const std::filesystem::path& golden, std::span<const Case> cases,
-                     std::string_view report_to, Platform platform) {
+                     std::string_view report_to, Platform platform, bool whole) {
   SuiteWriter writer(sources, golden, cases);
   Json list = Json::array();
   for (const Case& test : cases) list.push_back(writer.case_json(test));
-  const Json suite = writer.finish(std::move(list), report_to, platform);
+  const Json suite = writer.finish(std::move(list), report_to, platform, whole);
   return {dump(suite), writer.defect()};
 }
 

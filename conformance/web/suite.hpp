@@ -34,9 +34,10 @@ struct PageSuite {
 };
 
 // The JSON text of the cases. The page must be able to run each of them. The page posts what happens to report_to, if
-// that is not empty. The platform is that without which the page cannot begin.
+// that is not empty. The platform is that without which the page cannot begin. whole: these are all default cases, so a
+// digest can be made of their results.
 PageSuite make_suite(const SourceSet& sources, const std::filesystem::path& golden, std::span<const Case> cases,
-                     std::string_view report_to = {}, Platform platform = Platform::opengl);
+                     std::string_view report_to = {}, Platform platform = Platform::opengl, bool whole = false);
 
 // The page with a suite in it, of the library or an edited one: one HTML file that needs nothing else, not even a
 // server.

@@ -23,6 +23,8 @@ export class Suite {
     this.library = json.library ?? null;
     this.cases = json.cases;
     this.uniforms = json.uniforms;
+    this.golden = json.golden ?? null;  // only of all default cases
+    this.sets = json.sets;
     this.reportTo = json.report_to ?? null;
     this.json = json;
     this.api = json.api;
@@ -121,6 +123,20 @@ export function fnv1a64(words) {
   }
   return hex(high) + hex(low);
 }
+
+// CRC-32, as zlib has it, of words as little-endian bytes, or of their lowest bytes alone.
+export function crc32(words, bytesOfEach = 4) {
+  let crc = 0xffffffff;
+  for (const word of words) {
+    for (let byte = 0; byte < bytesOfEach; ++byte) crc = kCrcTable[(crc ^ (word >>> (8 * byte))) & 0xff] ^ (crc >>> 8);
+  }
+  return ~crc >>> 0;
+}
+
+const kCrcTable = Uint32Array.from({ length: 256 }, (_, value) => {
+  for (let bit = 0; bit < 8; ++bit) value = value & 1 ? 0xedb88320 ^ (value >>> 1) : value >>> 1;
+  return value;
+});
 
 export function hex(word) {
   return word.toString(16).padStart(8, "0");

@@ -13,6 +13,7 @@
 
 #include "base/output/base64.hpp"
 #include "base/temporary_folder.hpp"
+#include "expected/exact_sets.hpp"
 #include "expected/golden.hpp"
 #include "expected/tolerance.hpp"
 #include "library/configurations.hpp"
@@ -126,6 +127,19 @@ TEST(Suite, ValuesOfFixedArithmeticAreWords) {
   EXPECT_EQ(test["exact"], true);
   EXPECT_EQ(test["allowed"], 0.0);
   EXPECT_EQ(suite["data"][test["expected"].get<std::size_t>()], packed(expected));
+  EXPECT_EQ(test["set"], exact_set(function, configuration).value());
+  EXPECT_EQ(suite["sets"], exact_sets().size());
+}
+
+TEST(Suite, OfAllDefaultCasesSaysOfWhichGoldenFilesItIs) {
+  const Case& test = case_named("noise2d.perlin.lattice.fast.fragment.es300.golden");
+  const auto suite = [&](bool whole) {
+    return Json::parse(
+        make_suite(SourceSet::embedded(), HN_GOLDEN_DIRECTORY, std::span(&test, 1), {}, Platform::opengl, whole).json);
+  };
+  EXPECT_EQ(suite(true)["golden"], golden_checksum(HN_GOLDEN_DIRECTORY));
+  EXPECT_FALSE(suite(false).contains("golden"));
+  EXPECT_FALSE(suite(true)["cases"][0].contains("set"));  // floats may be off
 }
 
 TEST(Suite, AHashComesWithItsDigestAndExactWords) {
