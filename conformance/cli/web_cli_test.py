@@ -156,7 +156,8 @@ class Web(unittest.TestCase):
         self.assertEqual(f"{address.scheme}://{address.netloc}{address.path}", f"{ADDRESS}/new/main/results")
         fields = dict(urllib.parse.parse_qsl(address.query))
         self.assertEqual(fields, {"filename": end["sent"]["name"], "value": end["digest"]})
-        self.assertRegex(fields["filename"], r"^webgl2-webgpu-linux-chrome-\d+-[a-z0-9-]*swiftshader[a-z0-9-]*-[0-9a-f]{8}\.json$")
+        self.assertRegex(fields["filename"],
+                         r"^webgl2-webgpu-linux-chrome-\d+-[a-z0-9-]*swiftshader[a-z0-9-]*-[0-9a-f]{8}\.json$")
         self.assertIn("have the same bits here as everywhere", end["meaning"])
         self.assertLessEqual(end["sent"]["width"], end["sent"]["window"])
         for key in ("id", "status", "samples", "mismatches", "max_abs", "max_ulp", "seconds", "message"):

@@ -34,7 +34,8 @@ function partOf(results, sets, count) {
     const [file, name, , arithmetic] = id.split(".");
     const bad = kBadStatuses.includes(status);
     // What is about a file as a whole is one group: there are many files.
-    (counts[`${name === "all" ? "files" : file}.${arithmetic}`] ??= [0, 0, 0])[bad ? 1 : status === "unsupported" ? 2 : 0] += 1;
+    const group = `${name === "all" ? "files" : file}.${arithmetic}`;
+    (counts[group] ??= [0, 0, 0])[bad ? 1 : status === "unsupported" ? 2 : 0] += 1;
     const set = sets.get(id);
     // Versions and stages have a case each. What one returns that is wrong counts.
     if (checksum === undefined || set === undefined) continue;
@@ -65,7 +66,8 @@ export function digestText(suite, info, results) {
   for (const api of new Set(results.map(apiOf))) {
     apis[api] = partOf(results.filter((result) => apiOf(result) === api), sets, suite.sets);
   }
-  const failed = results.filter(({ status }) => kBadStatuses.includes(status)).slice(0, kMostFailed).map(({ id }) => id);
+  const bad = results.filter(({ status }) => kBadStatuses.includes(status));
+  const failed = bad.slice(0, kMostFailed).map(({ id }) => id);
   const device = { renderer: withoutBuilds(info.renderer), vendor: withoutBuilds(info.vendor) };
   for (;; failed.pop()) {
     const text = `${JSON.stringify(sorted({ apis, browser: withoutBuilds(info.browser), device, failed,

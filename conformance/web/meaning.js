@@ -18,8 +18,10 @@ function kindOf(id) {
 }
 
 const kSentences = {
-  exact: (names) => `Hashes or random numbers are wrong here, in ${names}. What is made of them is not what it is elsewhere.`,
-  fixed: (names) => `With HN_FIXED these have other bits here than on other devices: ${names}. Do not compare them between devices.`,
+  exact: (names) => `Hashes or random numbers are wrong here, in ${names}. ` +
+                    "What is made of them is not what it is elsewhere.",
+  fixed: (names) => `With HN_FIXED these have other bits here than on other devices: ${names}. ` +
+                    "Do not compare them between devices.",
   fast: (names) => `With floats these are off by more than their bounds allow: ${names}. They may look wrong here.`,
   text: (names) => `This browser does not take the text of the library as it should, in ${names}.`,
   driver: (names) => `The driver has faults that other shaders may meet as well: ${names}.`,

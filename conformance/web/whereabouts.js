@@ -1,8 +1,8 @@
 // What a browser says of itself, without the numbers of builds.
 
 // The first that is in the user agent. Those that are made of Chromium say so as well, and Chrome names Safari.
-const kBrowsers = [["Edge", /\bEdgA?\/(\d+)/], ["Opera", /\bOPR\/(\d+)/], ["Samsung Internet", /\bSamsungBrowser\/(\d+)/],
-                   ["Firefox", /\b(?:Firefox|FxiOS)\/(\d+)/], ["Chrome", /(?:Chrome|CriOS)\/(\d+)/],
+const kBrowsers = [["Edge", /\bEdgA?\/(\d+)/], ["Opera", /\bOPR\/(\d+)/],
+                   ["Samsung Internet", /\bSamsungBrowser\/(\d+)/], ["Firefox", /\b(?:Firefox|FxiOS)\/(\d+)/], ["Chrome", /(?:Chrome|CriOS)\/(\d+)/],
                    ["Safari", /\bVersion\/(\d+).*\bSafari\//]];
 const kSystems = [["Android", /Android/], ["iOS", /iPhone|iPad|iPod/], ["ChromeOS", /CrOS/], ["Windows", /Windows/],
                   ["macOS", /Mac OS X|Macintosh/], ["Linux", /Linux/]];
