@@ -1,0 +1,141 @@
+"""The page of results: one file without others, for a phone as well."""
+
+from __future__ import annotations
+
+import html
+import re
+from collections.abc import Iterable, Mapping, Sequence
+
+from gpu import pages as counts
+from gpu.chips import chip_named
+from results.devices import Device, devices_of, driver_of
+from results.digest import APIS, TIMED, UNIT, Digest
+from tree import ROOT, version
+
+STYLE = ROOT / "conformance" / "base" / "output" / "style.mustache"
+ADDRESS = ROOT / "conformance" / "web" / "address.js"
+# What this page has beside that: ids of cases are long words, and tables that fold need no box to scroll in.
+OWN_STYLE = "<style>code, h3 { overflow-wrap: anywhere; } .fold { max-height: none; }</style>\n"
+NAMES = {"opengl": "OpenGL", "opengles": "OpenGL ES", "vulkan": "Vulkan", "webgl2": "WebGL2", "webgpu": "WebGPU"}
+KINDS = (("HN_FIXED", ("fixed",)), ("hashes and random numbers", ("exact",)), ("floats", ("fast", "precise")),
+         ("everything", ("exact", "fast", "fixed", "precise")))
+UNIT_COUNTED = "noise2d.perlin.lattice"  # the same, as it is called there
+COUNTED = ("ampere", "navi31", "m1")  # chips whose static counts stand beside what was timed
+
+
+def escaped(text: object) -> str:
+    return html.escape(str(text), quote=True)
+
+
+def address() -> str:
+    """Of the project: the one constant that names it."""
+    return re.search(r'^export const kAddress = "([^"]+)";$', ADDRESS.read_text(encoding="utf-8"), re.MULTILINE)[1]
+
+
+def table(heads: Sequence[str], rows: Iterable[Sequence[str]], kind: str = "table fold") -> str:
+    """Of cells that are HTML. On a phone a row becomes a block, and each cell has its head."""
+    head = "".join(f"<th>{escaped(text)}</th>" for text in heads)
+    lines = "".join("<tr>" + "".join(
+        f"<th scope=row>{cell}</th>" if i == 0 else f'<td data-label="{escaped(heads[i])}">{cell}</td>'
+        for i, cell in enumerate(row)) + "</tr>\n" for row in rows)
+    return f'<div class="{kind}"><table><thead><tr>{head}</tr></thead><tbody>\n{lines}</tbody></table></div>\n'
+
+
+def of_devices(good: int, ran: int) -> str:
+    kind = "good" if good == ran else "bad"
+    return f'<span class="{kind}">{good} of {ran} {"device" if ran == 1 else "devices"}</span>'
+
+
+def what_holds(devices: Sequence[Device]) -> str:
+    rows = []
+    for api in APIS:
+        for what, arithmetics in KINDS:
+            verdicts = [device.passes(*arithmetics) for device in devices if device.api == api]
+            ran = [verdict for verdict in verdicts if verdict is not None]
+            if ran:
+                rows.append((f"{what} in {NAMES[api]}", of_devices(sum(ran), len(ran))))
+    return table(("what", "where it holds"), rows)
+
+
+def anchor(digest: Digest) -> str:
+    return f"result-{digest.name.removesuffix('.json')}"
+
+
+def state(digest: Digest | None, failed: bool) -> str:
+    if digest is None:
+        return '<span class="faint">none</span>'
+    text = f"{escaped(driver_of(digest))}, hashnoise {escaped(digest.version)}"
+    return f'<a class="bad" href="#{escaped(anchor(digest))}">{text}</a>' if failed else text
+
+
+def device_table(devices: Sequence[Device]) -> str:
+    return table(("device", "vendor", "API", "system", "newest driver that passes", "last that failed"),
+                 [(escaped(device.name), escaped(device.vendor), NAMES[device.api], escaped(device.system),
+                   state(device.last(failed=False), False), state(device.last(failed=True), True))
+                  for device in devices])
+
+
+def evidence(digest: Digest) -> str:
+    """What failed, and how to see it oneself."""
+    parts = []
+    for api, part in digest.parts.items():
+        failed = sum(numbers[1] for numbers in part.counts.values())
+        if not failed:
+            continue
+        groups = ", ".join(sorted(group for group, numbers in part.counts.items() if numbers[1]))
+        wrong = f" The checksums of {escaped(', '.join(sorted(part.wrong)))} are not those of other devices." \
+            if part.wrong else ""
+        parts.append(f"<p>{NAMES[api]}: {failed} {'case' if failed == 1 else 'cases'} failed, of {escaped(groups)}."
+                     f"{wrong}</p>")
+    cases = "".join(f"<li><code>{escaped(case)}</code></li>" for case in digest.failed)
+    command = f"hn-conform run --filter '{digest.failed[0]}'" if digest.failed else "hn-conform run"
+    file = f"{address()}/blob/main/results/{digest.name}"
+    return (f'<article id="{escaped(anchor(digest))}"><h3>{escaped(digest.renderer)}, {escaped(driver_of(digest))}, '
+            f"{escaped(digest.system)}</h3>{''.join(parts)}<p>Among them:</p><ul>{cases}</ul>"
+            f"<p>On such a device this shows the first: <code>{escaped(command)}</code>. "
+            f'<a href="{escaped(file)}">The whole digest</a></p></article>\n')
+
+
+def cost_table(devices: Sequence[Device]) -> str:
+    measured: dict[str, Mapping[str, int]] = {}
+    for device in devices:
+        for digest in device.newest:
+            if digest.costs:
+                measured[f"{device.name}, {NAMES[device.api]}, timed"] = digest.costs
+    if not measured:
+        return '<p class="faint">Nobody has sent times yet. <code>hn-conform run --timings</code> takes them.</p>\n'
+    static = counts.costs()
+    rows = []
+    for function in TIMED:
+        for arithmetic, setting in (("fast", "lattice"), ("fixed", "lattice+fixed")):
+            name = f"{function}.{arithmetic}"
+            cells = [f"{costs[name] / 100:.2f}" if name in costs else "" for costs in measured.values()]
+            for chip in COUNTED:
+                one, unit = (static.get((subject, chip)) for subject in (f"{function}.{setting}", UNIT_COUNTED))
+                cells.append(f"{float(one.cost) / float(unit.cost):.2f}" if one and unit and one.cost else "")
+            if any(cells[:len(measured)]):
+                rows.append((escaped(name), *cells))
+    heads = ["function", *measured, *(f"{chip_named(chip).title}, counted" for chip in COUNTED)]
+    return (f"<p>As multiples of <code>{UNIT}</code> on the same device. What is counted is what a compiler says of "
+            f"the same shader.</p>\n{table(heads, rows, 'table')}")
+
+
+def page(digests: Sequence[Digest]) -> str:
+    devices = devices_of(digests)
+    names = {(device.vendor.casefold(), device.name.rpartition(",")[0] or device.name) for device in devices}
+    failing = [digest for digest in digests if digest.failed]
+    facts = (f"{len(digests)} results of {len(names)} devices, "
+             f"{len(devices)} with each API and browser counted by itself.") if digests else "There are no results yet."
+    failures = "".join(map(evidence, failing)) or '<p class="good">No result that was sent has a failure.</p>\n'
+    sections = [("What holds",
+                 what_holds(devices) + "<p>Of each device the newest driver counts that somebody ran.</p>"),
+                ("Devices", device_table(devices)), ("What failed", failures), ("Costs", cost_table(devices))]
+    body = "".join(f"<h2>{title}</h2>\n{content}" for title, content in sections)
+    return (f'<!doctype html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
+            f'<meta name="viewport" content="width=device-width, initial-scale=1">\n'
+            f"<title>hashnoise on devices</title>\n<link rel=\"icon\" href=\"data:,\">\n"
+            f"{STYLE.read_text(encoding='utf-8')}{OWN_STYLE}</head>\n<body>\n<h1>hashnoise on devices</h1>\n"
+            f"<p>What people's devices returned when they ran the conformance suite of hashnoise, whose newest version "
+            f"is {escaped(version())}. {facts} A device that passes returned the bits that the golden files have.</p>\n"
+            f'<p><a href="{escaped(address())}">The project, and how to send a result</a></p>\n{body}</body>\n'
+            "</html>\n")
