@@ -12,7 +12,7 @@ from pathlib import Path
 
 from single_file.files import text
 from tables import glsl
-from tree import ROOT, TOOLS, VECTORS, version
+from tree import HN_CONFORM, ROOT, TOOLS, VECTORS, version
 from zips import zipped
 
 
@@ -103,6 +103,16 @@ class Release:
     def playground(self) -> None:
         run([TOOLS / "playground", "--out", self.folder / "playground.html"], env=self.environment)
 
+    def check(self) -> None:
+        """The page on which anybody checks a device. The program that makes it has the library inside, so it is built
+        of what is there."""
+        if not HN_CONFORM.exists():
+            raise NoRelease(f"there is no {HN_CONFORM.relative_to(ROOT)}, which makes check.html; tools/conform builds it")
+        run(["cmake", "--build", HN_CONFORM.parents[1], "--target", "hn-conform"])
+        with tempfile.TemporaryDirectory() as scratch:
+            run([HN_CONFORM, "web", "--out", scratch])
+            (self.folder / "check.html").write_bytes((Path(scratch) / "index.html").read_bytes())
+
     def checksums(self) -> None:
         """In the form of sha256sum, which also checks them."""
         lines = [f"{hashlib.sha256(path.read_bytes()).hexdigest()}  {path.name}\n" for path in sorted(self.folder.iterdir())]
@@ -110,7 +120,7 @@ class Release:
 
 
 PARTS = ("single", "parts", "vectors", "headers", "source", "npm", "python", "rust", "godot",
-         "playground")
+         "playground", "check")
 # What must be there of each, so that a tool that makes something else is noticed.
 NAMES = {"single": r"hashnoise(\.min|\.fixed)?\.(glsl|hlsl|metal|wgsl)", "parts": r"hashnoise-VERSION-parts\.zip",
          "vectors": r"hashnoise-VERSION-vectors\.zip",
@@ -118,7 +128,7 @@ NAMES = {"single": r"hashnoise(\.min|\.fixed)?\.(glsl|hlsl|metal|wgsl)", "parts"
          "source": r"hashnoise-VERSION-source\.tar\.gz", "npm": r"hashnoise-VERSION\.tgz",
          "python": r"hashnoise-VERSION-[\w.-]+\.whl", "rust": r"hashnoise-rust-VERSION\.zip",
          "godot": r"hashnoise-godot-VERSION\.zip",
-         "playground": r"playground\.html"}
+         "playground": r"playground\.html", "check": r"check\.html"}
 
 
 def named(part: str, names: set[str], wanted: str) -> set[str]:

@@ -10,6 +10,7 @@ import tempfile
 import unittest
 import zipfile
 from pathlib import Path
+from unittest import mock
 
 from release import files
 from tree import ROOT, VECTORS, version
@@ -72,7 +73,7 @@ class Makes(Project):
             done = self.call("--only", CHEAP, out=out)
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertEqual(done.stdout, f"{out}\n")
-            self.assertIn("Without npm, python, rust, godot, playground.", done.stderr)
+            self.assertIn("Without npm, python, rust, godot, playground, check.", done.stderr)
         names = {path.name for path in self.out.iterdir()}
         self.assertEqual(names, {path.name for path in other.iterdir()})
         for name in names:
@@ -167,6 +168,11 @@ class Refuses(Project):
         self.refused(2, "there is no part ruby; there are single, parts, vectors, headers", "--only", "ruby")
         self.refused(2, "no part is left", "--without", ",".join(files.PARTS))
         self.refused(2, "not allowed with", "--only", "single", "--without", "npm")
+
+    def test_a_page_without_the_program_that_makes_it(self):
+        with mock.patch.object(files, "HN_CONFORM", ROOT / "build" / "nowhere" / "hn-conform"), \
+                self.assertRaisesRegex(files.NoRelease, "there is no build/nowhere/hn-conform.*tools/conform builds it"):
+            files.Release.check(mock.Mock(folder=self.out))
 
 
 class Version(unittest.TestCase):
