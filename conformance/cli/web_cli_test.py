@@ -37,10 +37,11 @@ def suite_of(page):
     return json.loads(gzip.decompress(base64.b64decode(SUITE.search(page)[0])))
 
 
-def reporting(packed):
-    """The suite of a page, which tells here what happens, as if it had all default cases."""
-    suite = json.loads(gzip.decompress(base64.b64decode(packed[0]))) | {"report_to": "event", "golden": "89abcdef"}
-    return base64.b64encode(gzip.compress(json.dumps(suite).encode())).decode()
+def reporting(page, timed):
+    """The page with a suite that tells here what happens, as if it had all default cases."""
+    suite = suite_of(page) | {"report_to": "event", "golden": "89abcdef", "timed": timed}
+    packed = base64.b64encode(gzip.compress(json.dumps(suite).encode())).decode()
+    return SUITE.sub(packed, page)
 
 
 # Tells at the end what stands on the page, too.
@@ -104,13 +105,10 @@ class Web(unittest.TestCase):
         self.assertEqual([path.name for path in (self.folder / "page").iterdir()], ["index.html"])
         return (self.folder / "page" / "index.html").read_text()
 
-    def chromium(self, *switches):
-        return chromium.command(chromium.found(), self.folder / "profile", *switches)
-
-    def open(self, page, *switches):
-        """What the page says when it is at its end."""
+    def open(self, page, *switches, timed=()):
+        """What the page says when it is at its end. Nothing is timed but what is named."""
         server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Listener)
-        server.page = SUITE.sub(reporting, page).replace("<body>", f"<body>{LOOK}").encode()
+        server.page = reporting(page, list(timed)).replace("<body>", f"<body>{LOOK}").encode()
         self.assertNotEqual(server.page, page.encode())
         server.events, server.over = [], threading.Event()
         threading.Thread(target=server.serve_forever, daemon=True).start()
@@ -245,6 +243,17 @@ class Web(unittest.TestCase):
         run, = json.loads(end["results"])["runs"]
         statuses = {case["id"].split(".")[5]: case["status"] for case in run["cases"]}
         self.assertEqual((statuses["wgsl"], statuses["es300"]), ("unsupported", "pass"))
+
+    def test_costs_are_told_as_multiples(self):
+        page = self.page("--thorough", "--filter", "hash.lattice2.lattice.*")
+        timed = suite_of(page)["timed"]
+        self.assertEqual(len(timed), 13)
+        some = [one for one in timed if one["name"] in ("empty", "noise2d.perlin.fast", "noise2d.perlin.fixed")]
+        end = self.open(page, timed=some)
+        costs = json.loads(end["digest"])["costs"]
+        self.assertEqual((list(costs), costs["noise2d.perlin.fast"]), (["noise2d.perlin.fast", "noise2d.perlin.fixed"], 100))
+        self.assertGreater(costs["noise2d.perlin.fixed"], 100)
+        self.assertIn("What functions cost here", end["found"])
 
     def test_a_page_of_some_cases_has_no_digest(self):
         self.assertNotIn("golden", suite_of(self.page(*SMALL)))

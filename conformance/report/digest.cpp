@@ -14,6 +14,7 @@
 #include "base/file.hpp"
 #include "base/version.hpp"
 #include "expected/exact_sets.hpp"
+#include "library/timed.hpp"
 
 namespace hn {
 namespace {
@@ -27,10 +28,6 @@ constexpr std::size_t kMostBytesRead = 400;
 constexpr std::size_t kMostNameBytes = 96;
 constexpr std::string_view kSafe = "()+,./:;@_-";  // beside letters and digits
 constexpr std::size_t kMostFailed = 12;
-
-// What times are told of: functions of a position on the plane, since those of other dimensions have another measure.
-constexpr std::array<std::string_view, 6> kTimed = {"fbm.fbm2",        "noise2d.cellular", "noise2d.perlin",
-                                                    "noise2d.simplex", "noise2d.value",    "warp.warp2"};
 
 // The parts of a case's id.
 std::vector<std::string_view> parts_of(std::string_view id) {

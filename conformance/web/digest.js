@@ -57,7 +57,7 @@ function partOf(results, sets, count) {
 }
 
 // The text, or null if the results are not those of all default cases.
-export function digestText(suite, info, results) {
+export function digestText(suite, info, results, costs) {
   const whole = suite.golden !== null && suite.library === null && results.length === suite.cases.length;
   if (!whole || !results.some(({ status }) => status === "pass")) return null;
   const apiOf = ({ id }) => (id.split(".")[5] === "wgsl" ? "webgpu" : suite.api);
@@ -71,7 +71,7 @@ export function digestText(suite, info, results) {
   const device = { renderer: withoutBuilds(info.renderer), vendor: withoutBuilds(info.vendor) };
   for (;; failed.pop()) {
     const text = `${JSON.stringify(sorted({ apis, browser: withoutBuilds(info.browser), device, failed,
-                                            format: kFormat, golden: suite.golden, system: withoutBuilds(info.system),
+                                            format: kFormat, golden: suite.golden, ...(costs ? { costs } : {}), system: withoutBuilds(info.system),
                                             version: suite.version }))}\n`;
     if (text.length <= kMostDigestBytes) return text;
     if (!failed.length) return null;

@@ -32,6 +32,7 @@ function shownVerdict() {
 async function run(suite) {
   const results = [];
   let info = null;
+  let costs = null;
   let shown = -Infinity;
   const start = performance.now();
   const stop = document.getElementById("stop");
@@ -55,9 +56,12 @@ async function run(suite) {
       results.push(result);
       await tell(suite, { type: "finished", ...result });
     },
+    async timed(found) {
+      costs = found;
+    },
   });
-  showResults(suite, info, results);
-  const digest = digestText(suite, info, results);
+  showResults(suite, info, results, costs);
+  const digest = digestText(suite, info, results, costs);
   offerToSend(digest);
   document.title = `${bad(results).length ? "✗" : "✓"} ${document.title}`;
   const found = document.getElementById("found").innerText;

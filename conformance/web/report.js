@@ -148,7 +148,8 @@ export function showStopped(title, message) {
   place("current").textContent = message;
 }
 
-export function showResults(suite, info, results) {
+// costs: of costs.js, or null.
+export function showResults(suite, info, results, costs) {
   const good = asExpected(results);
   const total = suite.cases.length;
   const stopped = results.length === total ? "" : `, stopped after ${results.length} of ${total}`;
@@ -170,6 +171,11 @@ export function showResults(suite, info, results) {
   if (differences.length) {
     found.append(element("h2", {}, "Largest difference from the exact values"),
                  table(["function", "difference"], differences));
+  }
+  if (costs) {
+    found.append(element("h2", {}, "What functions cost here"),
+                 table(["function", "as a multiple of Perlin noise with floats"],
+                       Object.entries(costs).map(([name, percent]) => [name, (percent / 100).toFixed(2)])));
   }
   found.append(element("details", {}, element("summary", {}, "Every case"),
                        table(["case", "status", "values"], results.map((r) => [r.id, r.status, r.samples]))));

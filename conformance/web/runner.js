@@ -1,6 +1,7 @@
 // Runs the cases one after the other, over lost contexts.
 import { kBadStatuses, outcomeWith, runCase } from "./checks.js";
-import { NoContext, Renderer, openContext } from "./renderer.js";
+import { measureCosts } from "./costs.js";
+import { DriverError, NoContext, Renderer, openContext } from "./renderer.js";
 import { openDevice } from "./webgpu.js";
 import { whereabouts } from "./whereabouts.js";
 
@@ -40,8 +41,8 @@ async function reopened(open) {
 
 const kOpen = { webgl2: () => new Renderer(openContext()), webgpu: openDevice };
 
-// listener: async ready(info), started(id), finished(result); wantsMore(), which is asked before each case. Throws
-// NoContext if there is none.
+// listener: async ready(info), started(id), finished(result), and timed(costs) if the suite has what to time; wantsMore(),
+// which is asked before each case. Throws NoContext if there is none.
 export async function runSuite(suite, listener) {
   // What runs the cases of each API; null where it was lost. The page cannot do without one.
   const renderers = { [suite.api]: await kOpen[suite.api]() };
@@ -68,5 +69,16 @@ export async function runSuite(suite, listener) {
     }
     await listener.finished({ id: test.id, ...outcome, seconds });
     await breathe();
+  }
+  if (suite.timed.length && renderers.webgl2) await listener.timed(await costsOn(renderers.webgl2, suite));
+}
+
+// Null if the device cannot be timed; nothing of its verdict depends on that.
+async function costsOn(renderer, suite) {
+  try {
+    return await measureCosts(renderer, suite, breathe);
+  } catch (error) {
+    if (error instanceof DriverError) return null;
+    throw error;
   }
 }

@@ -18,6 +18,7 @@
 #include "expected/golden.hpp"
 #include "expected/pairing.hpp"
 #include "expected/tolerance.hpp"
+#include "web/timed.hpp"
 #include "web/wgsl.hpp"
 
 namespace hn {
@@ -65,12 +66,23 @@ class SuiteWriter {
 
   const std::optional<std::string>& defect() const { return defect_; }
 
-  Json finish(Json cases, std::string_view report_to, Platform platform, bool whole) const {
+  // What is timed, if people see the page.
+  Json timed_json() {
+    Json list = Json::array();
+    for (const TimedShader& timed : timed_shaders()) {
+      const auto made = program(profile_named("es300"), timed.text, Stage::fragment);
+      if (made) list.push_back({{"name", timed.name}, {"program", *made}});
+    }
+    return list;
+  }
+
+  Json finish(Json cases, std::string_view report_to, Platform platform, bool whole) {
     Json suite = {{"schema", 1}, {"version", library_version()}, {"api", api_of(platform)}};
     if (sources_.edited()) suite["library"] = to_json(*sources_.edited());
     if (!report_to.empty()) suite["report_to"] = report_to;
     if (whole) suite["golden"] = golden_checksum(golden_);
     suite["sets"] = exact_sets().size();
+    suite["timed"] = report_to.empty() ? timed_json() : Json::array();  // before the tables of what it adds to
     suite["uniforms"] = {{"trips", {{"type", "int"}, {"value", kLoopTrips}}},
                          {"variant_seed", {{"type", "uint"}, {"value", kVariantSeed}}}};
     suite["facets"] = facets_.values();

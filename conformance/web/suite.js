@@ -25,6 +25,7 @@ export class Suite {
     this.uniforms = json.uniforms;
     this.golden = json.golden ?? null;  // only of all default cases
     this.sets = json.sets;
+    this.timed = json.timed;
     this.reportTo = json.report_to ?? null;
     this.json = json;
     this.api = json.api;

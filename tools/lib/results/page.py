@@ -103,7 +103,8 @@ def cost_table(devices: Sequence[Device]) -> str:
             if digest.costs:
                 measured[f"{device.name}, {NAMES[device.api]}, timed"] = digest.costs
     if not measured:
-        return '<p class="faint">Nobody has sent times yet. <code>hn-conform run --timings</code> takes them.</p>\n'
+        return ('<p class="faint">Nobody has sent times yet. The page that checks a browser takes them, and so does '
+                "<code>hn-conform run --timings</code>.</p>\n")
     static = counts.costs()
     rows = []
     for function in TIMED:
@@ -122,7 +123,8 @@ def cost_table(devices: Sequence[Device]) -> str:
 
 def page(digests: Sequence[Digest]) -> str:
     devices = devices_of(digests)
-    names = {(device.vendor.casefold(), device.name.rpartition(",")[0] or device.name) for device in devices}
+    # Each API has its own word for the vendor, and a browser its name behind that of the device.
+    names = {(device.name.rpartition(",")[0] or device.name).casefold() for device in devices}
     failing = [digest for digest in digests if digest.failed]
     facts = (f"{len(digests)} results of {len(names)} devices, "
              f"{len(devices)} with each API and browser counted by itself.") if digests else "There are no results yet."

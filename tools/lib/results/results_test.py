@@ -483,7 +483,8 @@ class Constants(unittest.TestCase):
         whereabouts = (ROOT / "conformance" / "web" / "whereabouts.js").read_text().partition("kSystems")[0]
         browsers = re.findall(r'\["([A-Za-z ]+)", /', whereabouts)
         self.assertEqual(sorted(browsers), sorted(BROWSERS))
-        timed, = re.findall(r"kTimed = \{(.*?)\};", cpp, re.DOTALL)
+        timed_text = (ROOT / "conformance" / "library" / "timed.hpp").read_text()
+        timed, = re.findall(r"kTimed = \{(.*?)\};", timed_text, re.DOTALL)
         self.assertEqual(tuple(re.findall(r'"(.*?)"', timed)), TIMED)
 
 
