@@ -249,8 +249,11 @@ class Web(unittest.TestCase):
         timed = suite_of(page)["timed"]
         self.assertEqual(len(timed), 13)
         some = [one for one in timed if one["name"] in ("empty", "noise2d.perlin.fast", "noise2d.perlin.fixed")]
-        end = self.open(page, timed=some)
-        costs = json.loads(end["digest"])["costs"]
+        for _ in range(5):  # while others use the machine, the clock may tell nothing
+            end = self.open(page, timed=some)
+            costs = json.loads(end["digest"]).get("costs")
+            if costs is not None:
+                break
         self.assertEqual((list(costs), costs["noise2d.perlin.fast"]), (["noise2d.perlin.fast", "noise2d.perlin.fixed"], 100))
         self.assertGreater(costs["noise2d.perlin.fixed"], 100)
         self.assertIn("What functions cost here", end["found"])

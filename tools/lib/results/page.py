@@ -50,11 +50,13 @@ def what_holds(devices: Sequence[Device]) -> str:
     rows = []
     for api in APIS:
         for what, arithmetics in KINDS:
-            verdicts = [device.passes(*arithmetics) for device in devices if device.api == api]
-            ran = [verdict for verdict in verdicts if verdict is not None]
+            ran = [device for device in devices if device.api == api and device.passes(*arithmetics) is not None]
             if ran:
-                rows.append((f"{what} in {NAMES[api]}", of_devices(sum(ran), len(ran))))
-    return table(("what", "where it holds"), rows)
+                cases = sorted(part.ran(*arithmetics) for device in ran for part in device.parts())
+                rows.append((f"{what} in {NAMES[api]}",
+                             of_devices(sum(bool(device.passes(*arithmetics)) for device in ran), len(ran)),
+                             str(cases[0]) if cases[0] == cases[-1] else f"{cases[0]} to {cases[-1]}"))
+    return table(("what", "where it holds", "cases on each"), rows)
 
 
 def anchor(digest: Digest) -> str:

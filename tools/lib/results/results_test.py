@@ -352,11 +352,19 @@ class Page(unittest.TestCase):
 
     def test_ten_devices_are_counted_once_each(self):
         self.assertIn("14 results of 10 devices", self.text)
-        self.assertEqual(self.rows["HN_FIXED in OpenGL"], ["4 of 4 devices"])
-        self.assertEqual(self.rows["HN_FIXED in WebGL2"], ["4 of 6 devices"])
-        self.assertEqual(self.rows["floats in WebGL2"], ["6 of 6 devices"])
-        self.assertEqual(self.rows["everything in WebGPU"], ["2 of 2 devices"])
+        self.assertEqual(self.rows["HN_FIXED in OpenGL"], ["4 of 4 devices", "8"])
+        self.assertEqual(self.rows["HN_FIXED in WebGL2"], ["4 of 6 devices", "8"])
+        self.assertEqual(self.rows["floats in WebGL2"], ["6 of 6 devices", "4"])
+        self.assertEqual(self.rows["everything in WebGPU"], ["2 of 2 devices", "21"])
         self.assertNotIn("HN_FIXED in Vulkan", self.rows)
+
+    def test_it_says_how_much_was_run(self):
+        fewer = in_browser(digest(), "Chrome 150", "Mali-G78", "ARM")
+        fewer["apis"]["webgl2"]["cases"]["fbm.fast"] = [1, 0, 4]
+        devices = [fewer, in_browser(digest(), "Chrome 150", "Mali-G610", "ARM")]
+        reader = Reader()
+        reader.feed(page.page([digest_of("a.json", made, VERSIONS) for made in devices]))
+        self.assertIn(["floats in WebGL2", "2 of 2 devices", "1 to 4"], reader.rows)
 
     def test_the_newest_driver_that_passes_and_the_last_that_failed(self):
         self.assertEqual(self.rows["AMD Radeon RX 6600"], ["AMD", "OpenGL", "Linux", "4.6 Mesa 24.1, hashnoise 0.4.0",
