@@ -90,7 +90,7 @@ void add_expect(CLI::App& command, std::string& directory) {
 
 void add_run(CLI::App& app, RunCommand& options, const std::string& faults) {
   CLI::App& command =
-      *app.add_subcommand("run", "Run the cases on drivers and write results.json, junit.xml and index.html");
+      *app.add_subcommand("run", "Run the cases on drivers and write results.json, junit.xml, index.html and digests");
   command
       .add_option("--driver", options.drivers,
                   "A driver that hn-conform drivers lists, a glob, or all; may be repeated")
@@ -101,7 +101,7 @@ void add_run(CLI::App& app, RunCommand& options, const std::string& faults) {
   add_thorough(command, options.thorough);
   command.add_flag("--deal", options.deal,
                    "With several drivers: run on each what every driver must show, and each other case on one");
-  add_out(command, options.out, "results.json, junit.xml and index.html");
+  add_out(command, options.out, "results.json, junit.xml, index.html and digests");
   command.add_option("--seed", options.suite.seed, "The seed of the random points")
       ->type_name("N")
       ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{0xFFFFFFFF}))
@@ -146,7 +146,7 @@ void add_merge(CLI::App& app, MergeCommand& options) {
   command.add_option("inputs", options.inputs, "Files results.json, or the folders that hold them")
       ->type_name("PATH")
       ->required();
-  add_out(command, options.out, "results.json, junit.xml and index.html");
+  add_out(command, options.out, "results.json, junit.xml, index.html and digests");
   add_expect(command, options.expect);
 }
 
