@@ -8,7 +8,8 @@ from dataclasses import dataclass, field
 
 from results.digest import BROWSER_APIS, Digest, Part
 
-ANGLE = re.compile(r"ANGLE \([^,]*, (.*), [^,]*\)")
+# Its vendor, its device and its driver; browsers leave out one or two of them, and Firefox says that it is not exact.
+ANGLE = re.compile(r"ANGLE \((?:[^,()]+, )?(.+?)(?:, [^,()]+(?: \([^()]*\))?)?\)(?: on .*)?")
 # Of ANGLE's names: how it reaches the device.
 BACKENDS = re.compile(r"^(?:ANGLE Metal Renderer: |Vulkan [\d.]+ \(|OpenGL(?: ES)? )|"
                       r" (?:Direct3D\w+|OpenGL(?: ES)? [\d.]+|\(0x[0-9A-Fa-f]+\)).*$")
@@ -19,8 +20,9 @@ NUMBER = re.compile(r"\d+(?:\.\d+)?")
 
 def device_name(renderer: str) -> str:
     """Without the driver that draws: "llvmpipe" of "llvmpipe (LLVM 15.0, 256 bits)"."""
-    found = ANGLE.fullmatch(renderer)
-    name = BACKENDS.sub("", found[1]) if found else renderer
+    name = renderer.removesuffix(", or similar")
+    if found := ANGLE.fullmatch(name):
+        name = BACKENDS.sub("", found[1])
     return re.sub(r"(?:, | \()(?!R\)|TM\)).*$", "", name).strip() or renderer
 
 

@@ -425,7 +425,16 @@ class Names(unittest.TestCase):
     def test_a_device_is_not_its_driver(self):
         for renderer, name in (("llvmpipe (LLVM 15.0, 256 bits)", "llvmpipe"), ("Mali-G78", "Mali-G78"),
                                ("ANGLE (Mesa/X.org, llvmpipe (LLVM 15.0 256 bits), OpenGL ES 3.2)", "llvmpipe"),
-                               ("ANGLE (Samsung Xclipse 920) on Vulkan 1.1", "ANGLE")):
+                               ("ANGLE (Samsung Xclipse 920) on Vulkan 1.1", "Samsung Xclipse 920"),
+                               ("ANGLE (NVIDIA, NVIDIA GeForce GTX 980 Direct3D11 vs_5_0 ps_5_0), or similar",
+                                "NVIDIA GeForce GTX 980"),
+                               ("ANGLE (NVIDIA GeForce GTX 1080 Direct3D11 vs_5_0 ps_5_0)", "NVIDIA GeForce GTX 1080"),
+                               ("ANGLE (AMD, AMD Radeon (TM) Graphics (renoir, LLVM 15.0, DRM 3.49), OpenGL 4.6)",
+                                "AMD Radeon (TM) Graphics"),
+                               ("ANGLE (AMD, Vulkan 1.3 (AMD Radeon RX 6600 (RADV NAVI23) (0x000073FF)), radv)",
+                                "AMD Radeon RX 6600"),
+                               ("llvmpipe, or similar", "llvmpipe"), (ARC, "Intel(R) Arc(TM) A770 Graphics"),
+                               (SWIFTSHADER, "SwiftShader Device"), (M1, "Apple M1")):
             self.assertEqual(device_name(renderer), name)
 
 
