@@ -22,11 +22,12 @@ import urllib.parse
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 sys.path.insert(0, str(ROOT / "tools" / "lib"))
 
+import chromium  # noqa: E402
 from results.page import address as address_of_project  # noqa: E402
 
+PROGRAM = ""
 ADDRESS = address_of_project()
-CHROMIUM = ["chromium", "--headless=new", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--no-first-run",
-            "--disable-background-networking", "--disable-dev-shm-usage", "--window-size=360,800"]  # a phone's
+PHONE = "--window-size=360,800"
 SECONDS = 120
 
 
@@ -104,6 +105,9 @@ class Web(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual([path.name for path in (self.folder / "page").iterdir()], ["index.html"])
         return (self.folder / "page" / "index.html").read_text()
+
+    def chromium(self, *switches):
+        return chromium.command(chromium.found(), self.folder / "profile", PHONE, *switches)
 
     def open(self, page, *switches, timed=()):
         """What the page says when it is at its end. Nothing is timed but what is named."""
