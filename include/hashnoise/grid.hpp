@@ -110,18 +110,18 @@ class Writer {
 struct Positions {
   std::vector<float> p;
 
-  Positions(float origin, float step, int size) : p(static_cast<std::size_t>(size + kCount)) {
-    for (int i = 0; i < size; ++i) p[static_cast<std::size_t>(i)] = position_of(origin, step, i);
+  Positions(float origin, float step, int size, int first) : p(static_cast<std::size_t>(size + kCount)) {
+    for (int i = 0; i < size; ++i) p[static_cast<std::size_t>(i)] = position_of(origin, step, first + i);
   }
 };
 struct CellsAndPlaces {
   std::vector<std::int32_t> cell;
   std::vector<float> f;
 
-  CellsAndPlaces(std::int32_t first, float place, double step, int size)
+  CellsAndPlaces(std::int32_t first_cell, float place, double step, int size, int first)
       : cell(static_cast<std::size_t>(size + kCount)), f(cell.size()) {
     for (int i = 0; i < size; ++i) {
-      const CellAndPlace at = cell_and_place_of(first, place, step, i);
+      const CellAndPlace at = cell_and_place_of(first_cell, place, step, first + i);
       cell[static_cast<std::size_t>(i)] = at.cell;
       f[static_cast<std::size_t>(i)] = at.f;
     }
@@ -130,9 +130,14 @@ struct CellsAndPlaces {
 
 // Whether a grid has points. Checked before their coordinates are computed, which may be many: values for all of them.
 template <std::size_t D>
-bool has_points(const std::array<int, D>& size, std::span<float> values) {
-  for (const int n : size) {
-    if (n < 0 || n >= 1 << 29) throw std::invalid_argument("fill: a size of the grid is not from 0 to 536870911");
+bool has_points(const std::array<int, D>& size, const std::array<int, D>& first, std::span<float> values) {
+  for (std::size_t axis = 0; axis < D; ++axis) {
+    if (size[axis] < 0 || size[axis] >= 1 << 29) {
+      throw std::invalid_argument("fill: a size of the grid is not from 0 to 536870911");
+    }
+    if (first[axis] < 0 || first[axis] >= (1 << 29) - size[axis]) {
+      throw std::invalid_argument("fill: the first point of the grid, and with it the last, is not from 0 to 536870911");
+    }
   }
   if (std::find(size.begin(), size.end(), 0) != size.end()) {
     if (!values.empty()) throw std::invalid_argument("fill: there are values and no points");
@@ -196,8 +201,8 @@ HN_I_INLINE Lanes<Number> load_some(std::span<const Number> numbers, std::size_t
 
 template <int D, typename Noise>
 Range fill(const Grid<D>& grid, std::span<float> values, const Noise& noise) {
-  if (!detail::has_points(grid.size, values)) return {};
-  const auto axes = detail::axes_of<D, detail::Positions>(grid.origin, grid.step, grid.size);
+  if (!detail::has_points(grid.size, grid.first, values)) return {};
+  const auto axes = detail::axes_of<D, detail::Positions>(grid.origin, grid.step, grid.size, grid.first);
   return detail::fill_rows(
       grid.size, values, [&](const auto& at, std::size_t i) __attribute__((always_inline)) {
         return noise(vector_of<PlaceOf<D>, D>([&](int axis) __attribute__((always_inline)) {
@@ -209,8 +214,8 @@ Range fill(const Grid<D>& grid, std::span<float> values, const Noise& noise) {
 
 template <int D, typename Noise>
 Range fill(const CellGrid<D>& grid, std::span<float> values, const Noise& noise) {
-  if (!detail::has_points(grid.size, values)) return {};
-  const auto axes = detail::axes_of<D, detail::CellsAndPlaces>(grid.cell, grid.f, grid.step, grid.size);
+  if (!detail::has_points(grid.size, grid.first, values)) return {};
+  const auto axes = detail::axes_of<D, detail::CellsAndPlaces>(grid.cell, grid.f, grid.step, grid.size, grid.first);
   return detail::fill_rows(
       grid.size, values, [&](const auto& at, std::size_t i) __attribute__((always_inline)) {
         return noise(vector_of<CellOf<D>, D>([&](int axis) __attribute__((always_inline)) {

@@ -21,13 +21,16 @@ using PerAxis = std::array<T, static_cast<std::size_t>(D)>;
 //   origin  the first point, in cells
 //   step    from point to point along each axis, in cells
 //   size    points along each axis, less than 2^29
-// Point i along an axis is at the float nearest to origin + i * step, as computed in doubles, so that errors do not
-// add up. Values are stored with x fastest, then y, then z, then w.
+//   first   the number of the first point along each axis, not negative: then this is a part of a larger grid, and has
+//           the bits that the larger one has there. first + size is less than 2^29
+// Point i along an axis is at the float nearest to origin + (first + i) * step, as computed in doubles, so that errors
+// do not add up. Values are stored with x fastest, then y, then z, then w.
 template <int D>
 struct Grid {
   PerAxis<float, D> origin{};
   PerAxis<float, D> step{};
   PerAxis<int, D> size{};
+  PerAxis<int, D> first{};
 };
 
 // A uniform grid from a cell and a position in it: exact however far out, and no two points fall together.
@@ -35,14 +38,16 @@ struct Grid {
 //   f       its position in the cell, in [0, 1]
 //   step    from point to point along each axis, in cells; rounded to a multiple of 2^-32, and less than 2^31
 //   size    points along each axis, less than 2^29
-// Point i is in the cell and at the place that cell + f + i * step is, where the place is cut off to a multiple of
-// 2^-24.
+//   first   as of Grid
+// Point i is in the cell and at the place that cell + f + (first + i) * step is, where the place is cut off to a
+// multiple of 2^-24.
 template <int D>
 struct CellGrid {
   PerAxis<std::int32_t, D> cell{};
   PerAxis<float, D> f{};
   PerAxis<double, D> step{};
   PerAxis<int, D> size{};
+  PerAxis<int, D> first{};
 };
 
 // Points at positions, in cells: an array of coordinates for each axis, all of the same length.

@@ -87,6 +87,14 @@ void check_size(int size) {
   }
 }
 
+// The last point has a number, too, and the sum of both is an int.
+void check_first(int first, int size) {
+  const int most = static_cast<int>(grid::kSizeRule.most) - size;
+  if (first >= 0 && first <= most) return;
+  throw std::invalid_argument("first is " + std::to_string(first) + ", and has to be from 0 to " +
+                              std::to_string(most) + " where the size is " + std::to_string(size));
+}
+
 void check_finite(const char* what, double number) {
   if (!std::isfinite(number)) throw std::invalid_argument(std::string(what) + " of a grid has to be finite");
 }
@@ -99,14 +107,14 @@ void split(const Plan& plan, const std::vector<float>& positions, Axis& axis) {
                       axis.place.data());
 }
 
-Axis axis_of(const Plan& plan, float origin, float step, int size) {
+Axis axis_of(const Plan& plan, float origin, float step, int size, int first) {
   check_finite("the origin", origin);
   check_finite("the step", step);
-  const double last = static_cast<double>(origin) + static_cast<double>(size) * static_cast<double>(step);
+  const double last = static_cast<double>(origin) + static_cast<double>(first + size) * static_cast<double>(step);
   check_finite("the last point", static_cast<double>(static_cast<float>(last)));
   std::vector<float> positions(padded(static_cast<std::size_t>(size)));
   for (int i = 0; i < size; ++i) {
-    positions[static_cast<std::size_t>(i)] = position_of(origin, step, i);
+    positions[static_cast<std::size_t>(i)] = position_of(origin, step, first + i);
   }
   Axis axis;
   if (plan.takes_positions) {
@@ -117,7 +125,7 @@ Axis axis_of(const Plan& plan, float origin, float step, int size) {
   return axis;
 }
 
-Axis axis_of(std::int32_t cell, float f, double step, int size) {
+Axis axis_of(std::int32_t cell, float f, double step, int size, int first) {
   check_finite("the place", f);
   check_finite("the step", step);
   if (std::abs(step) >= 2147483648.0) throw std::invalid_argument("the step of a grid has to be less than 2^31 cells");
@@ -125,7 +133,7 @@ Axis axis_of(std::int32_t cell, float f, double step, int size) {
   axis.cell.resize(padded(static_cast<std::size_t>(size)));
   axis.place.resize(axis.cell.size());
   for (int i = 0; i < size; ++i) {
-    const CellAndPlace at = cell_and_place_of(cell, f, step, i);
+    const CellAndPlace at = cell_and_place_of(cell, f, step, first + i);
     axis.cell[static_cast<std::size_t>(i)] = at.cell;
     axis.place[static_cast<std::size_t>(i)] = at.f;
   }
@@ -290,8 +298,10 @@ std::int64_t points_of(const std::array<int, D>& size) {
 
 // Checks what a grid has before its coordinates are computed, which may be many.
 template <std::size_t D>
-std::int64_t check_grid(const Plan& plan, const std::array<int, D>& size, std::span<float> values) {
+std::int64_t check_grid(const Plan& plan, const std::array<int, D>& size, const std::array<int, D>& first,
+                        std::span<float> values) {
   const std::int64_t points = points_of(size);
+  for (std::size_t axis = 0; axis < D; ++axis) check_first(first[axis], size[axis]);
   check_values(plan, static_cast<std::size_t>(points), values.size());
   return points;
 }
@@ -384,10 +394,12 @@ InstructionSet Field<D>::instruction_set() const {
 template <int D>
 Range Field<D>::fill(const Grid<D>& grid, std::span<float> values, const Executor& executor) const {
   const Kernel kernel = plan_->takes_positions ? plan_->at : plan_->in;
-  const std::int64_t points = check_grid(*plan_, grid.size, values);
+  const std::int64_t points = check_grid(*plan_, grid.size, grid.first, values);
   if (points == 0) return {};
   std::vector<Axis> axes;
-  for (std::size_t i = 0; i < D; ++i) axes.push_back(axis_of(*plan_, grid.origin[i], grid.step[i], grid.size[i]));
+  for (std::size_t i = 0; i < D; ++i) {
+    axes.push_back(axis_of(*plan_, grid.origin[i], grid.step[i], grid.size[i], grid.first[i]));
+  }
   return fill_box(*plan_, kernel, plan_->takes_positions ? kernel : plan_->row, grid.size, std::move(axes), points,
                   values, executor);
 }
@@ -395,10 +407,12 @@ Range Field<D>::fill(const Grid<D>& grid, std::span<float> values, const Executo
 template <int D>
 Range Field<D>::fill(const CellGrid<D>& grid, std::span<float> values, const Executor& executor) const {
   const Kernel kernel = in_cells(*plan_);
-  const std::int64_t points = check_grid(*plan_, grid.size, values);
+  const std::int64_t points = check_grid(*plan_, grid.size, grid.first, values);
   if (points == 0) return {};
   std::vector<Axis> axes;
-  for (std::size_t i = 0; i < D; ++i) axes.push_back(axis_of(grid.cell[i], grid.f[i], grid.step[i], grid.size[i]));
+  for (std::size_t i = 0; i < D; ++i) {
+    axes.push_back(axis_of(grid.cell[i], grid.f[i], grid.step[i], grid.size[i], grid.first[i]));
+  }
   return fill_box(*plan_, kernel, plan_->row, grid.size, std::move(axes), points, values, executor);
 }
 

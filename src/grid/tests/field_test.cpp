@@ -301,14 +301,14 @@ TEST(Settings, WithoutANoiseHaveTheUsualOne) {
 // --- Errors of settings ----------------------------------------------------------------------------------------------
 
 TEST(Errors, OfAnUnknownNoiseNameTheKnownOnes) {
-  EXPECT_TRUE(says(error_of<2>(of("perlln")), {"perlln", "perlin", "cell_border"}));
+  EXPECT_TRUE(says(error_of<2>(of("perlln")), {"perlln", "(did you mean perlin?)", "cell_border"}));
   EXPECT_TRUE(says(error_of<1>(of("hn_perlin")), {"value_cubic"}));
   EXPECT_ERROR(error_of<3>(of("Perlin")));
   EXPECT_ERROR(error_of<3>(of("perlin ")));
 }
 
 TEST(Errors, OfAnUnknownSumNameTheKnownOnes) {
-  EXPECT_TRUE(says(error_of<2>(of("perlin", "fmb")), {"fmb", "fbm", "turbulence", "warp_progressive"}));
+  EXPECT_TRUE(says(error_of<2>(of("perlin", "fmb")), {"fmb", "(did you mean fbm?)", "turbulence", "warp_progressive"}));
   EXPECT_ERROR(error_of<2>(of("perlin", "perlin")));
   EXPECT_ERROR(error_of<2>(of("fbm")));
 }
@@ -676,6 +676,24 @@ TEST(Errors, OfSizes) {
       }
     }
   }
+}
+
+TEST(Errors, OfAFirstPoint) {
+  const Grid<2> right = {{0, 0}, {1, 1}, {2, 2}, {0, 536870909}};
+  EXPECT_NO_ERROR(error_of<2>(right, 4));
+  for (const int wrong : {-1, std::numeric_limits<int>::min(), 536870910, std::numeric_limits<int>::max()}) {
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      Grid<2> grid = right;
+      grid.first[axis] = wrong;
+      CellGrid<2> cells = {{0, 0}, {0, 0}, {1, 1}, {2, 2}};
+      cells.first[axis] = wrong;
+      const std::string said = "first is " + std::to_string(wrong) + ", and has to be from 0 to 536870909 where the size is 2";
+      EXPECT_EQ(error_of<2>(grid, 4), said);
+      EXPECT_EQ(error_of<2>(cells, 4), said);
+    }
+  }
+  // The last point of the part is no finite float.
+  EXPECT_ERROR(error_of<2>(Grid<2>{{3e38f, 0}, {1e37f, 1}, {2, 2}, {10, 0}}, 4));
 }
 
 // The product of these is a multiple of 2^64, or of 2^32. It is noticed before anything is done for any point: that

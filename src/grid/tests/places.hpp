@@ -59,7 +59,9 @@ std::vector<Position<D>> places_of(const Grid<D>& grid) {
   std::vector<Position<D>> places;
   for_each_index<D>(grid.size, [&](const std::array<int, D>& index) {
     Position<D> p{};
-    for (std::size_t axis = 0; axis < D; ++axis) p[axis] = coordinate(grid.origin[axis], grid.step[axis], index[axis]);
+    for (std::size_t axis = 0; axis < D; ++axis) {
+      p[axis] = coordinate(grid.origin[axis], grid.step[axis], grid.first[axis] + index[axis]);
+    }
     places.push_back(p);
   });
   return places;
@@ -71,7 +73,8 @@ std::vector<CellPlace<D>> places_of(const CellGrid<D>& grid) {
   for_each_index<D>(grid.size, [&](const std::array<int, D>& index) {
     CellPlace<D> place;
     for (std::size_t axis = 0; axis < D; ++axis) {
-      const CellCoordinate at = cell_coordinate(grid.cell[axis], grid.f[axis], grid.step[axis], index[axis]);
+      const CellCoordinate at =
+          cell_coordinate(grid.cell[axis], grid.f[axis], grid.step[axis], grid.first[axis] + index[axis]);
       place.cell[axis] = at.cell;
       place.f[axis] = at.f;
     }

@@ -135,6 +135,7 @@ Grid<D> draw_grid(int most, float largest, Draw draw, Chance& chance) {
     grid.step[axis] = draw == Draw::kTame
                           ? chance.of({0.0371f, -0.0371f, 0.01f})
                           : chance.of({1e-6f, 0.0371f, -0.0371f, 0.0f, 1.0f, 0.125f, 2.75f, -3.1f, 0.141421356f});
+    grid.first[axis] = draw == Draw::kTame ? 0 : chance.of({0, 0, 1, 63, 100003});
   }
   return grid;
 }
@@ -148,6 +149,7 @@ CellGrid<D> draw_cell_grid(int most, Chance& chance) {
     grid.f[axis] = chance.of({0.0f, 0.5f, 1.0f, chance.between(0.0f, 1.0f)});
     grid.step[axis] = chance.of({1e-9, 0x1p-32, 0.0371, -0.0371, 0.0, 1.0, 0.125, 2.75, -3.1, 0.14142135623730951,
                                  -1.0 / 3.0, 1e6 / 3.0, 2147483646.7});
+    grid.first[axis] = chance.of({0, 0, 1, 63, 100003, (1 << 29) - 1 - grid.size[axis]});
   }
   return grid;
 }

@@ -83,6 +83,37 @@ TEST_P(AnyExecutor, GivesTheSame) {
 INSTANTIATE_TEST_SUITE_P(, AnyExecutor, testing::Values(Arithmetic::kFast, Arithmetic::kPrecise, Arithmetic::kFixed),
                          [](const auto& parameter) { return std::to_string(static_cast<int>(parameter.param)); });
 
+// With kFast, too. What a grid of this size has from point (first[0], first[1]) on is at `from` of the whole.
+template <typename AnyGrid>
+void expect_part_of_whole(const Settings& settings, AnyGrid grid, std::array<int, 2> first, std::array<int, 2> size) {
+  const Field<2> field(settings);
+  const auto width = static_cast<std::size_t>(grid.size[0]);
+  const std::vector<float> whole = fill(field, grid, places_of(grid).size()).values;
+  grid.first = first;
+  grid.size = size;
+  const std::vector<float> part = fill(field, grid, places_of(grid).size()).values;
+  for (std::size_t y = 0; y < static_cast<std::size_t>(size[1]); ++y) {
+    const auto row = static_cast<std::size_t>(size[0]);
+    const std::size_t from = (static_cast<std::size_t>(first[1]) + y) * width + static_cast<std::size_t>(first[0]);
+    EXPECT_TRUE(same_bits(std::span(part).subspan(y * row, row), std::span(whole).subspan(from, row), row)) << settings;
+  }
+}
+
+TEST_P(AnyExecutor, GivesAPartOfAGridTheBitsOfTheWhole) {
+  for (const InstructionSet set : instruction_sets()) {
+    for (const std::string sum : {"", "fbm"}) {
+      Settings settings;
+      settings.sum = sum;
+      settings.arithmetic = GetParam();
+      settings.instruction_set = set;
+      for (const auto& size : {std::array{70, 20}, std::array{5, 31}, std::array{1, 1}}) {
+        expect_part_of_whole(settings, Grid<2>{{0.1f, -50.0f}, {0.0371f, 0.05f}, {211, 67}}, {101, 33}, size);
+        expect_part_of_whole(settings, CellGrid<2>{{7, -9}, {0.1f, 0.9f}, {0.0371, 0.05}, {211, 67}}, {101, 33}, size);
+      }
+    }
+  }
+}
+
 TEST(Threads, ManyUseOneField) {
   Settings settings;
   settings.arithmetic = Arithmetic::kFixed;
