@@ -1,14 +1,11 @@
-// The known name that a user probably meant by an unknown word.
+// The known name that a user probably meant by an unknown word, as the library knows it.
 #pragma once
 
-#include <span>
-#include <string>
-#include <string_view>
+#include <hashnoise/detail/closest.hpp>
 
 namespace hn {
 
-// The name that a few typing errors turn into the word: a letter too many, too few, wrong, or two exchanged. Empty if
-// that takes more errors than a third of the letters.
-std::string closest(std::string_view word, std::span<const std::string> names);
+using hashnoise::detail::closest;
+using hashnoise::detail::suggestion;
 
 }  // namespace hn

@@ -219,12 +219,6 @@ std::vector<std::string> names_of_options(const CLI::App& command) {
   return names;
 }
 
-// What to say of a word that is not one of the names.
-std::string suggestion(std::string_view word, const std::vector<std::string>& names) {
-  const std::string meant = closest(word, names);
-  return meant.empty() ? std::string() : fmt::format(" (did you mean {}?)", meant);
-}
-
 tl::unexpected<Stop> unknown_command(const CLI::App& app, const std::string& word) {
   return wrong_usage(fmt::format("there is no command \"{}\"{}; there are {}", word,
                                  suggestion(word, names_of_commands(app)), kCommands));

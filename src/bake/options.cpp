@@ -64,9 +64,7 @@ std::vector<std::string> texts_of(const std::vector<std::string_view>& names) { 
 
 // What to say of a word that is none of the names.
 std::string choice(std::string_view word, const std::vector<std::string>& names) {
-  const std::string meant = closest(word, names);
-  return fmt::format("{}; there are {}", meant.empty() ? std::string() : fmt::format(" (did you mean {}?)", meant),
-                     fmt::join(names, ", "));
+  return fmt::format("{}; there are {}", suggestion(word, names), fmt::join(names, ", "));
 }
 
 bool has(const std::vector<std::string_view>& names, std::string_view name) {
@@ -332,9 +330,8 @@ tl::unexpected<Stop> unexpected_argument(const CLI::App& app) {
     for (const std::string& name : option->get_lnames()) names.push_back(fmt::format("--{}", name));
   }
   const std::string word = argument.substr(0, argument.find('='));
-  const std::string meant = closest(word, names);
-  return wrong_usage(fmt::format("there is no option {}{}; --help tells more", in_quotes(word),
-                                 meant.empty() ? std::string() : fmt::format(" (did you mean {}?)", meant)));
+  return wrong_usage(
+      fmt::format("there is no option {}{}; --help tells more", in_quotes(word), suggestion(word, names)));
 }
 
 }  // namespace

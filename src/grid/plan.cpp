@@ -1,6 +1,7 @@
 #include "plan.hpp"
 
 #include <algorithm>
+#include <hashnoise/detail/closest.hpp>
 #include <iterator>
 #include <stdexcept>
 
@@ -33,13 +34,14 @@ std::vector<std::string_view> names_in(const Rows& rows, int dimensions) {
   return names_where(rows, [=](const auto& row) { return has(row, dimensions); });
 }
 
-// The row of a name, or an error that lists those that there are.
+// The row of a name, or an error that lists those that there are, and says which is nearest.
 template <typename Rows>
 std::size_t find(const Rows& rows, const char* what, const std::string& name, int dimensions) {
   const auto row = std::find_if(rows.begin(), rows.end(), [&](const auto& r) { return r.name == name; });
   if (row == rows.end() || !has(*row, dimensions)) {
+    const std::vector<std::string_view> names = names_in(rows, dimensions);
     refuse("there is no " + std::string(what) + " " + quoted(name) + in_dimensions(dimensions) +
-           "; there are: " + listed(names_in(rows, dimensions)));
+           detail::suggestion(name, names) + "; there are: " + listed(names));
   }
   return static_cast<std::size_t>(row - rows.begin());
 }
