@@ -9,6 +9,8 @@
 #include <tl/expected.hpp>
 #include <vector>
 
+#include "grid/ranges.hpp"
+
 namespace hn {
 
 // Exit statuses. 0 means that the file is there.
@@ -36,11 +38,7 @@ enum class Layout {
 };
 
 // What 16 bits stand for: 0 for the least, 65535 for the greatest.
-struct Interval {
-  double least;
-  double greatest;
-  friend bool operator==(const Interval&, const Interval&) = default;
-};
+using hashnoise::grid::Interval;
 
 // A value that GLSL computes, of the position p, in place of a function of the library.
 struct Expression {
