@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
+#include <numeric>
 #include <stdexcept>
 #include <string_view>
 #include <vector>
@@ -72,18 +74,19 @@ inline Strided broadcast(const Memory& memory, const std::vector<std::ptrdiff_t>
   return strided;
 }
 
-// The points of a result, in the order of C, and the arrays along them.
+// The points of a result, in the order in which the last of the arrays has them in memory, and the arrays along them.
 class Walk {
  public:
   Walk(std::vector<std::ptrdiff_t> shape, std::vector<Strided> arrays)
       : shape_(std::move(shape)), arrays_(std::move(arrays)) {
     for (std::size_t axis = shape_.size(); axis-- > 0;) {
-      if (shape_[axis] == 1) {
-        erase(axis);
-      } else if (axis + 1 < shape_.size() && is_one_with_next(axis)) {
-        shape_[axis + 1] *= shape_[axis];
-        erase(axis);
-      }
+      if (shape_[axis] == 1) erase(axis);
+    }
+    order_axes();
+    for (std::size_t axis = shape_.size(); axis-- > 0;) {
+      if (axis + 1 >= shape_.size() || !is_one_with_next(axis)) continue;
+      shape_[axis + 1] *= shape_[axis];
+      erase(axis);
     }
   }
 
@@ -171,6 +174,22 @@ class Walk {
     return std::all_of(arrays_.begin(), arrays_.end(), [&](const Strided& array) {
       return array.steps[axis] == array.steps[axis + 1] * shape_[axis + 1];
     });
+  }
+
+  // The axis along which the last array has its numbers side by side comes last: so transposed arrays are read and
+  // written in rows, too.
+  void order_axes() {
+    const std::vector<std::ptrdiff_t> steps = arrays_.back().steps;
+    std::vector<std::size_t> order(shape_.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return std::abs(steps[a]) > std::abs(steps[b]); });
+    const auto reorder = [&](std::vector<std::ptrdiff_t>& along) {
+      const std::vector<std::ptrdiff_t> before = along;
+      for (std::size_t i = 0; i < order.size(); ++i) along[i] = before[order[i]];
+    };
+    reorder(shape_);
+    for (Strided& array : arrays_) reorder(array.steps);
   }
 
   void erase(std::size_t axis) {

@@ -15,7 +15,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
+#include <cstring>
 #include <deque>
+#include <hashnoise/detail/closest.hpp>
 #include <hashnoise/field.hpp>
 #include <hashnoise/points.hpp>
 #include <limits>
@@ -28,7 +31,9 @@
 #include <vector>
 
 #include "arrays.hpp"
+#include "grid/ranges.hpp"
 #include "grid/rules.hpp"
+#include "half.hpp"
 
 namespace nb = nanobind;
 
@@ -40,6 +45,7 @@ constexpr std::size_t kTask = 8 * kBlock;       // points that a thread takes at
 constexpr std::size_t kWorthThreads = 1 << 17;  // points: below, starting threads takes too large a part of the time
 
 using Pair = std::pair<float, float>;
+using Ranges = std::vector<std::pair<double, double>>;
 
 // 0 threads are as many as are worth it.
 Executor executor(int count, std::size_t points) {
@@ -56,12 +62,21 @@ void run(const Executor& executor, std::size_t count, const Task& task) {
   for (std::size_t i = 0; i < count; ++i) task(i);
 }
 
+// What the numbers of a result are.
+enum class Numbers { kFloat32, kFloat16, kUint16 };
+
+inline Numbers numbers_of(const Memory& memory) {
+  if (memory.holds("f", 4)) return Numbers::kFloat32;
+  if (memory.holds("e", 2)) return Numbers::kFloat16;
+  if (memory.holds("H", 2)) return Numbers::kUint16;
+  throw std::invalid_argument("the result must be of float32, float16 or uint16");
+}
+
 // A result: planes of components, along its first axis.
 class Planes {
  public:
-  Planes(nb::handle array, int components) : memory_(array, PyBUF_RECORDS) {
+  Planes(nb::handle array, int components) : memory_(array, PyBUF_RECORDS), numbers_(numbers_of(memory_)) {
     const Py_buffer& view = memory_.view();
-    if (kind_of(memory_) != Kind::kFloat32) throw std::invalid_argument("the result must be of float32");
     if (view.ndim < 1 || view.shape[0] != components) {
       throw std::invalid_argument("the first axis of the result must be that of the components");
     }
@@ -69,6 +84,7 @@ class Planes {
     for (const std::ptrdiff_t size : shape_) points_ *= static_cast<std::size_t>(size);
   }
 
+  Numbers numbers() const { return numbers_; }
   std::size_t points() const { return points_; }
   const std::vector<std::ptrdiff_t>& shape() const { return shape_; }
   std::ptrdiff_t step() const { return memory_.view().strides[0]; }  // in bytes, from plane to plane
@@ -81,17 +97,104 @@ class Planes {
     return strided;
   }
 
-  // All numbers, if they lie one behind the other.
+  // All numbers, if they are as a field writes them: floats that lie one behind the other. Else none.
   std::span<float> whole() const {
     const Py_buffer& view = memory_.view();
-    if (!PyBuffer_IsContiguous(&view, 'C')) throw std::invalid_argument("the result must be contiguous");
+    const bool is_aligned = reinterpret_cast<std::uintptr_t>(view.buf) % alignof(float) == 0;
+    if (numbers_ != Numbers::kFloat32 || !is_aligned || !PyBuffer_IsContiguous(&view, 'C')) return {};
     return {static_cast<float*>(view.buf), static_cast<std::size_t>(view.shape[0]) * points_};
   }
 
  private:
   Memory memory_;
+  Numbers numbers_;
   std::vector<std::ptrdiff_t> shape_{};
   std::size_t points_ = 1;
+};
+
+// Writes a line of values, `from_step` floats from each other, as numbers that are `step` bytes from each other.
+template <class Convert>
+void write_line(const float* from, std::size_t from_step, std::byte* to, std::ptrdiff_t step, std::size_t count,
+                const Convert& convert) {
+  constexpr auto size = static_cast<std::ptrdiff_t>(sizeof(convert(0.0f)));
+  const auto write = [&](std::size_t i, std::size_t from_at, std::ptrdiff_t to_at) {
+    const auto number = convert(from[i * from_at]);
+    std::memcpy(to + static_cast<std::ptrdiff_t>(i) * to_at, &number, sizeof number);
+  };
+  if (step == size && from_step == 1) {  // a loop of its own, which compilers vectorize
+    for (std::size_t i = 0; i < count; ++i) write(i, 1, size);
+  } else {
+    for (std::size_t i = 0; i < count; ++i) write(i, from_step, step);
+  }
+}
+
+// A part of a grid that is computed at a time, where the numbers of a grid are not those that a field writes: they go
+// from there to their places.
+template <int D>
+struct Tile {
+  std::array<int, D> first{};
+  std::array<int, D> size{};
+
+  std::size_t points() const {
+    std::size_t points = 1;
+    for (const int n : size) points *= static_cast<std::size_t>(n);
+    return points;
+  }
+};
+
+// Cuts a grid into such parts. They are long along the axis that is the nearest in the memory of the result, so that
+// what is written lies together, and along x, where a field is fast.
+template <int D>
+class Tiles {
+ public:
+  // `steps` are those of a plane of the result, along x first.
+  Tiles(const std::array<int, D>& size, const std::array<std::ptrdiff_t, D>& steps) : size_(size) {
+    for (std::size_t axis = 1; axis < D; ++axis) {
+      const bool is_nearer = size_[nearest_] == 1 || std::abs(steps[axis]) < std::abs(steps[nearest_]);
+      if (size_[axis] > 1 && is_nearer) nearest_ = axis;
+    }
+    tile_.fill(1);
+    int room = kTilePoints;
+    const auto take = [&](std::size_t axis, int most) {
+      tile_[axis] = std::clamp(std::min(size_[axis], most), 1, room);
+      room /= tile_[axis];
+    };
+    take(nearest_, nearest_ == 0 ? kTilePoints : kTileSide);
+    if (nearest_ != 0) take(0, kTileWidth);
+    for (std::size_t axis = 1; axis < D; ++axis) {
+      if (axis != nearest_) take(axis, kTilePoints);
+    }
+    for (std::size_t axis = 0; axis < D; ++axis) {
+      counts_[axis] = (static_cast<std::size_t>(size_[axis]) + static_cast<std::size_t>(tile_[axis]) - 1) /
+                      static_cast<std::size_t>(tile_[axis]);
+    }
+  }
+
+  std::size_t nearest() const { return nearest_; }
+  std::size_t count() const {
+    std::size_t count = 1;
+    for (const std::size_t n : counts_) count *= n;
+    return count;
+  }
+  Tile<D> operator[](std::size_t number) const {
+    Tile<D> tile;
+    for (std::size_t axis = 0; axis < D; ++axis) {
+      tile.first[axis] = static_cast<int>(number % counts_[axis]) * tile_[axis];
+      tile.size[axis] = std::min(tile_[axis], size_[axis] - tile.first[axis]);
+      number /= counts_[axis];
+    }
+    return tile;
+  }
+
+ private:
+  static constexpr int kTilePoints = 1 << 14;  // they stay in the second cache
+  static constexpr int kTileSide = 144;
+  static constexpr int kTileWidth = 112;  // a power of two would put all of a column into the same places of a cache
+
+  std::array<int, D> size_;
+  std::array<int, D> tile_{};
+  std::array<std::size_t, D> counts_{};
+  std::size_t nearest_ = 0;
 };
 
 // A field in as many dimensions as were asked for at run time.
@@ -105,10 +208,13 @@ class AnyField {
   virtual std::vector<std::string> component_names() const = 0;
   virtual std::string_view instruction_set() const = 0;
   virtual void points(const nb::list& coordinates, const nb::list& cells, nb::handle out, int threads) const = 0;
-  virtual Pair grid(const nb::tuple& origin, const nb::tuple& step, const nb::tuple& size, nb::handle out,
-                    int threads) const = 0;
+  // The documented range of each component, or nothing.
+  virtual std::vector<std::optional<std::pair<double, double>>> ranges() const = 0;
+  // `ranges` are what words of 16 bits stand for, for each component.
+  virtual Pair grid(const nb::tuple& origin, const nb::tuple& step, const nb::tuple& size, const nb::tuple& first,
+                    nb::handle out, const Ranges& ranges, int threads) const = 0;
   virtual Pair cell_grid(const nb::tuple& cell, const nb::tuple& f, const nb::tuple& step, const nb::tuple& size,
-                         nb::handle out, int threads) const = 0;
+                         const nb::tuple& first, nb::handle out, const Ranges& ranges, int threads) const = 0;
 };
 
 // Points of a field that are evaluated together. What does not lie in memory as the field reads and writes it is
@@ -198,7 +304,7 @@ class Block {
 template <int D>
 class FieldOf final : public AnyField {
  public:
-  explicit FieldOf(const Settings& settings) : field_(settings) {}
+  explicit FieldOf(const Settings& settings) : field_(settings), settings_(settings) {}
 
   std::vector<std::string> component_names() const override { return field_.component_names(); }
   std::string_view instruction_set() const override { return name(field_.instruction_set()); }
@@ -209,6 +315,7 @@ class FieldOf final : public AnyField {
       throw std::invalid_argument("an array for each axis is needed");
     }
     const Planes planes(out, field_.components());
+    if (planes.numbers() != Numbers::kFloat32) throw std::invalid_argument("the result must be of float32");
     std::deque<Memory> memories;
     std::vector<Strided> arrays;
     for (const nb::list* list : {&coordinates, &cells}) {
@@ -224,15 +331,26 @@ class FieldOf final : public AnyField {
     evaluate(walk, planes, has_cells, executor(threads, planes.points()));
   }
 
-  Pair grid(const nb::tuple& origin, const nb::tuple& step, const nb::tuple& size, nb::handle out,
-            int threads) const override {
-    return fill(Grid<D>{numbers<float>(origin), numbers<float>(step), numbers<int>(size)}, out, threads);
+  std::vector<std::optional<std::pair<double, double>>> ranges() const override {
+    std::vector<std::optional<std::pair<double, double>>> ranges;
+    for (const std::string& component : field_.component_names()) {
+      const auto range = grid::documented_range(settings_, D, component);
+      ranges.push_back(range ? std::optional(std::pair(range->least, range->greatest)) : std::nullopt);
+    }
+    return ranges;
+  }
+
+  Pair grid(const nb::tuple& origin, const nb::tuple& step, const nb::tuple& size, const nb::tuple& first,
+            nb::handle out, const Ranges& ranges, int threads) const override {
+    return fill(Grid<D>{numbers<float>(origin), numbers<float>(step), numbers<int>(size), numbers<int>(first)}, out,
+                ranges, threads);
   }
 
   Pair cell_grid(const nb::tuple& cell, const nb::tuple& f, const nb::tuple& step, const nb::tuple& size,
-                 nb::handle out, int threads) const override {
-    return fill(CellGrid<D>{numbers<std::int32_t>(cell), numbers<float>(f), numbers<double>(step), numbers<int>(size)},
-                out, threads);
+                 const nb::tuple& first, nb::handle out, const Ranges& ranges, int threads) const override {
+    return fill(CellGrid<D>{numbers<std::int32_t>(cell), numbers<float>(f), numbers<double>(step), numbers<int>(size),
+                            numbers<int>(first)},
+                out, ranges, threads);
   }
 
  private:
@@ -242,12 +360,108 @@ class FieldOf final : public AnyField {
   }
 
   template <class AnyGrid>
-  Pair fill(const AnyGrid& grid, nb::handle out, int threads) const {
+  Pair fill(const AnyGrid& grid, nb::handle out, const Ranges& ranges, int threads) const {
     const Planes planes(out, field_.components());
+    if (planes.numbers() == Numbers::kUint16 && ranges.size() != static_cast<std::size_t>(field_.components())) {
+      throw std::invalid_argument("words of 16 bits want a range for each component");
+    }
     const std::span<float> values = planes.whole();
+    const bool has_points = planes.points() > 0;
     const nb::gil_scoped_release released;
-    const Range range = field_.fill(grid, values, executor(threads, planes.points()));
+    const Executor run_by = executor(threads, planes.points());
+    const Range range =
+        has_points && values.empty() ? fill_by_tiles(grid, planes, ranges, run_by) : field_.fill(grid, values, run_by);
     return {range.least, range.greatest};
+  }
+
+  template <class AnyGrid>
+  Range fill_by_tiles(const AnyGrid& grid, const Planes& planes, const Ranges& ranges, const Executor& executor) const {
+    if (planes.shape().size() != D) throw std::invalid_argument("the result must have an axis for each of the grid");
+    const Strided plane = planes.first();
+    std::array<std::ptrdiff_t, D> steps{};  // x is the last axis of an array
+    for (std::size_t axis = 0; axis < D; ++axis) {
+      steps[axis] = plane.steps[D - 1 - axis];
+      if (planes.shape()[D - 1 - axis] != grid.size[axis]) throw std::invalid_argument("the result has another shape");
+    }
+    check_corners(grid);
+    const Tiles<D> tiles(grid.size, steps);
+    std::vector<Range> found(tiles.count());
+    run(executor, tiles.count(), [&](std::size_t number) {
+      const Tile<D> tile = tiles[number];
+      AnyGrid part = grid;
+      part.size = tile.size;
+      std::byte* to = plane.data;
+      for (std::size_t axis = 0; axis < D; ++axis) {
+        part.first[axis] += tile.first[axis];
+        to += static_cast<std::ptrdiff_t>(tile.first[axis]) * steps[axis];
+      }
+      const std::size_t points = tile.points();
+      std::vector<float> values(points * static_cast<std::size_t>(field_.components()));
+      found[number] = field_.fill(part, values);
+      for (std::size_t i = 0; i < static_cast<std::size_t>(field_.components()); ++i) {
+        const float* const from = values.data() + i * points;
+        std::byte* const to_plane = to + static_cast<std::ptrdiff_t>(i) * planes.step();
+        switch (planes.numbers()) {
+          case Numbers::kFloat32:
+            write_tile(from, to_plane, tile.size, steps, tiles.nearest(), [](float value) { return value; });
+            break;
+          case Numbers::kFloat16:
+            write_tile(from, to_plane, tile.size, steps, tiles.nearest(), [](float value) { return half_of(value); });
+            break;
+          case Numbers::kUint16:
+            write_tile(from, to_plane, tile.size, steps, tiles.nearest(),
+                       [range = grid::Interval{ranges[i].first, ranges[i].second}](float value) {
+                         return grid::word_of(value, range);
+                       });
+            break;
+        }
+      }
+    });
+    Range range;
+    for (const Range& of_tile : found) {
+      range.least = std::min(range.least, of_tile.least);
+      range.greatest = std::max(range.greatest, of_tile.greatest);
+    }
+    return range;
+  }
+
+  // What is wrong with a grid is an error of its first or its last point. It is thrown here, and not by a thread.
+  template <class AnyGrid>
+  void check_corners(const AnyGrid& grid) const {
+    std::vector<float> values(static_cast<std::size_t>(field_.components()));
+    AnyGrid corner = grid;
+    corner.size.fill(1);
+    field_.fill(corner, values);
+    for (std::size_t axis = 0; axis < D; ++axis) corner.first[axis] += grid.size[axis] - 1;
+    field_.fill(corner, values);
+  }
+
+  // Values of a tile, x fastest, to their places, in lines along the axis `nearest`.
+  template <class Convert>
+  static void write_tile(const float* from, std::byte* to, const std::array<int, D>& size,
+                         const std::array<std::ptrdiff_t, D>& steps, std::size_t nearest, const Convert& convert) {
+    std::array<std::size_t, D> strides{};
+    std::size_t stride = 1;
+    for (std::size_t axis = 0; axis < D; ++axis) {
+      strides[axis] = stride;
+      stride *= static_cast<std::size_t>(size[axis]);
+    }
+    std::array<int, D> at{};
+    const auto length = static_cast<std::size_t>(size[nearest]);
+    for (std::size_t lines = stride / length; lines > 0; --lines) {
+      const float* line = from;
+      std::byte* line_to = to;
+      for (std::size_t axis = 0; axis < D; ++axis) {
+        line += static_cast<std::size_t>(at[axis]) * strides[axis];
+        line_to += at[axis] * steps[axis];
+      }
+      write_line(line, strides[nearest], line_to, steps[nearest], length, convert);
+      for (std::size_t axis = 0; axis < D; ++axis) {
+        if (axis == nearest) continue;
+        if (++at[axis] < size[axis]) break;
+        at[axis] = 0;
+      }
+    }
   }
 
   void evaluate(const Walk& walk, const Planes& planes, bool has_cells, const Executor& executor) const {
@@ -265,6 +479,7 @@ class FieldOf final : public AnyField {
   }
 
   Field<D> field_;
+  Settings settings_;
 };
 
 std::unique_ptr<AnyField> make_field(int dimensions, const Settings& settings) {
@@ -344,11 +559,18 @@ NB_MODULE(_core, module) {
       .def_prop_ro("component_names", &AnyField::component_names)
       .def_prop_ro("instruction_set", &AnyField::instruction_set)
       .def("points", &AnyField::points, nb::arg("coordinates"), nb::arg("cells"), nb::arg("out"), nb::arg("threads"))
-      .def("grid", &AnyField::grid, nb::arg("origin"), nb::arg("step"), nb::arg("size"), nb::arg("out"),
-           nb::arg("threads"))
+      .def_prop_ro("ranges", &AnyField::ranges)
+      .def("grid", &AnyField::grid, nb::arg("origin"), nb::arg("step"), nb::arg("size"), nb::arg("first"),
+           nb::arg("out"), nb::arg("ranges"), nb::arg("threads"))
       .def("cell_grid", &AnyField::cell_grid, nb::arg("cell"), nb::arg("f"), nb::arg("step"), nb::arg("size"),
-           nb::arg("out"), nb::arg("threads"));
+           nb::arg("first"), nb::arg("out"), nb::arg("ranges"), nb::arg("threads"));
 
+  module.def(
+      "suggestion",
+      [](std::string_view word, const std::vector<std::string>& names) {
+        return hashnoise::detail::suggestion(word, names);
+      },
+      nb::arg("word"), nb::arg("names"));
   module.def("noise_names", &hashnoise::noise_names, nb::arg("dimensions"));
   module.def("sum_names", &hashnoise::sum_names, nb::arg("dimensions"));
   module.def("instruction_sets", [] { return hashnoise::python::names_of(hashnoise::instruction_sets()); });

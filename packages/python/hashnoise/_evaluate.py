@@ -19,6 +19,8 @@ _FLOAT32 = np.dtype(np.float32)
 _FLOAT64 = np.dtype(np.float64)
 _INT32 = np.dtype(np.int32)
 _INT64 = np.dtype(np.int64)
+_UINT16 = np.dtype(np.uint16)
+_OF_GRIDS = (_FLOAT32, np.dtype(np.float16), _UINT16)
 
 
 def points(function, coordinates, cell, out, threads, *, noise="", sum="", **options):
@@ -37,7 +39,7 @@ def points(function, coordinates, cell, out, threads, *, noise="", sum="", **opt
     shape = _shape(function, arrays + cells)
     wanted = shape if components == 1 else (components, *shape)
     if out is None:
-        result = np.empty(wanted, _FLOAT32)
+        result = _empty(wanted, shape, arrays + cells)
     else:
         result = checked_out(function, out, wanted)
         arrays = [array.copy() if np.may_share_memory(array, out) else array for array in arrays]
@@ -99,14 +101,53 @@ def per_axis(function, name, value, dimensions, check):
     return tuple(check(function, name, part) for part in value)
 
 
-def checked_out(function, out, shape):
+def checked_out(function, out, shape, dtype=_FLOAT32):
     if not isinstance(out, np.ndarray):
-        raise TypeError(f"{function}: out must be an array of float32, not {_shown(out)}")
-    if out.dtype != _FLOAT32 or out.shape != shape or not out.flags.writeable:
+        raise TypeError(f"{function}: out must be an array of {dtype}, not {_shown(out)}")
+    if out.dtype != dtype or out.shape != shape or not out.flags.writeable:
         kind = "a writeable" if out.flags.writeable else "a read-only"
-        raise ValueError(f"{function}: out must be a writeable array of float32 of the shape {shape}, "
+        raise ValueError(f"{function}: out must be a writeable array of {dtype} of the shape {shape}, "
                          f"not {kind} one of {out.dtype} of the shape {out.shape}")
     return out
+
+
+def checked_dtype(function, dtype, out):
+    """The type of the numbers of a grid: what is asked for, or else that of `out`, or else float32."""
+    if dtype is None:
+        return out.dtype if isinstance(out, np.ndarray) and out.dtype in _OF_GRIDS else _FLOAT32
+    try:
+        chosen = np.dtype(dtype)
+    except TypeError:
+        chosen = None
+    if chosen not in _OF_GRIDS:
+        raise ValueError(f"{function}: dtype must be float32, float16 or uint16, not {_shown(dtype)}")
+    return chosen
+
+
+def checked_ranges(function, name, range, dtype, field):
+    """What 0 and 65535 stand for, for each plane: what is asked for, or else what the function documents."""
+    if dtype != _UINT16:
+        if range is not None:
+            raise ValueError(f"{function}: a range says what 0 and 65535 stand for, and is for dtype=\"uint16\" alone, "
+                             f"not for {dtype}")
+        return []
+    if range is None:
+        if None in field.ranges:
+            plane = field.component_names[field.ranges.index(None)]
+            raise ValueError(f"{function}: {name} documents no range of its plane {plane!r}; say with "
+                             "range=(least, greatest) what 0 and 65535 stand for")
+        return field.ranges
+    if not _is_sequence(range) or len(range) != 2:
+        raise TypeError(f"{function}: range must be a pair, (least, greatest), not {_shown(range)}")
+    least, greatest = (real_number(function, "range", end) for end in range)
+    if not least < greatest:
+        raise ValueError(f"{function}: range must have a least end below its greatest, not {_shown(range)}")
+    return [(least, greatest)] * len(field.component_names)
+
+
+def suggestion(word, names):
+    """ (did you mean perlin?), or nothing."""
+    return _core.suggestion(word, list(names)) if isinstance(word, str) else ""
 
 
 def checked_threads(function, threads):
@@ -176,6 +217,15 @@ def _shape(function, arrays):
         raise ValueError(f"{function}: the coordinates have shapes that do not go together: {shapes}") from None
 
 
+def _empty(wanted, shape, arrays):
+    """An array for a result, which lies in memory as the coordinates do: transposed if they all are."""
+    whole = [array for array in arrays if array.shape == shape]
+    if len(shape) < 2 or not whole or not all(a.flags.f_contiguous and not a.flags.c_contiguous for a in whole):
+        return np.empty(wanted, _FLOAT32)
+    planes = wanted[:len(wanted) - len(shape)]
+    return np.moveaxis(np.empty((*planes, *shape[::-1]), _FLOAT32).T, range(-len(planes), 0), range(len(planes)))
+
+
 def _text(function, name, value):
     if not isinstance(value, str):
         raise TypeError(f"{function}: {name} must be a name, not {_shown(value)}")
@@ -186,7 +236,8 @@ def _one_of(names):
     def check(function, name, value, dimensions):
         if isinstance(value, str) and value in names:
             return names[value]
-        raise ValueError(f"{function}: {name} must be one of {', '.join(names)}; not {_shown(value)}")
+        raise ValueError(f"{function}: {name} must be one of {', '.join(names)}; not {_shown(value)}"
+                         f"{suggestion(value, names)}")
     return check
 
 

@@ -3,12 +3,16 @@
 import numpy as np
 
 from . import _core, _noises, _sums
-from ._evaluate import (checked_out, checked_threads, make_field, per_axis, real_number, ruled_number, whole_number)
+from ._evaluate import (AXES, checked_dtype, checked_out, checked_ranges, checked_threads, make_field, per_axis,
+                        real_number, ruled_number, suggestion, whole_number)
+
+MOST_POINTS = _core.rules["size"][1]
 
 
-def grid(name, size, *, step, origin=0.0, cell=None, seed=0, noise=None, octaves=None, lacunarity=None, gain=None,
-         strength=None, amplitude=None, detail=None, footprint=None, period=None, wave=None, phase=None, jitter=None,
-         metric=None, arithmetic="fast", out=None, return_range=False, threads=None, instruction_set=None):
+def grid(name, size, *, step, origin=0.0, cell=None, first=0, seed=0, noise=None, octaves=None, lacunarity=None,
+         gain=None, strength=None, amplitude=None, detail=None, footprint=None, period=None, wave=None, phase=None,
+         jitter=None, metric=None, arithmetic="fast", dtype=None, range=None, out=None, return_range=False,
+         threads=None, instruction_set=None):
     """A noise or a sum on a uniform grid: an image, or a volume. It needs no coordinates, and is fastest.
 
     name          which: "perlin", "fbm", ..., as the functions are called
@@ -20,7 +24,16 @@ def grid(name, size, *, step, origin=0.0, cell=None, seed=0, noise=None, octaves
     cell          the cell of the first point, a whole number for each axis. Then the grid is exact however far out: it
                   is computed in whole numbers, and steps are rounded to multiples of 2^-32. Without a cell, a point is
                   the float32 nearest to origin + i * step
-    return_range  whether to return a pair: the array, and the least and the greatest value (of the first plane)
+    first         the number of the first point, for each axis: the array is then that part of the grid from point 0
+                  on, with its bits, whatever the step is. first + size is at most 536870911
+    dtype         what the array is of: "float32", "float16" or, for height maps, "uint16"; as `out` is, or else float32
+    range         of uint16: the pair (least, greatest) of the values for which 0 and 65535 stand, as `--range` of
+                  tools/bake has it. What is outside becomes the nearer end. Left out it is the range that the function
+                  documents
+    out           a writeable array to fill and return, of the shape of the result and of one of these types. It may lie
+                  in memory in any order, also transposed
+    return_range  whether to return a pair: the array, and the least and the greatest value (of the first plane), before
+                  it becomes another type than float32
 
     The other options are those of the function that is called `name`, with its defaults; one that it does not have is a
     TypeError. Of a function that returns planes the array has an axis of planes in front: (planes, height, width).
@@ -34,41 +47,50 @@ def grid(name, size, *, step, origin=0.0, cell=None, seed=0, noise=None, octaves
     >>> hashnoise.grid("fbm", (512, 512), step=1 / 64, cell=(10**9, -(10**9)), octaves=8).shape
     (512, 512)
     >>> value, quadrature = hashnoise.grid("phasor", (512, 512), step=1 / 64, wave=(2.5, 1.5), phase=0.25)
+    >>> part = hashnoise.grid("perlin", (64, 48), step=0.01, first=(576, 432), seed=7)
+    >>> (part == image[432:, 576:]).all()
+    True
+    >>> hashnoise.grid("ridged", (4, 2), step=0.3, seed=7, dtype="uint16", arithmetic="fixed")
+    array([[]], dtype=uint16)
     >>> heights, (least, greatest) = hashnoise.grid("ridged", (64, 64, 64), step=0.1, return_range=True)
     >>> (least, greatest) == (heights.min(), heights.max())
     True
     """
     options = {"noise": noise, "octaves": octaves, "lacunarity": lacunarity, "gain": gain, "strength": strength,
                "amplitude": amplitude, "detail": detail, "footprint": footprint, "wave": wave, "phase": phase,
-               "jitter": jitter, "metric": metric}
-    settings = _options("grid", name, {option: value for option, value in options.items() if value is not None})
-    settings.update(seed=seed, period=period, arithmetic=arithmetic, instruction_set=instruction_set)
+               "jitter": jitter, "metric": metric, "seed": seed, "period": period, "arithmetic": arithmetic,
+               "instruction_set": instruction_set}
     dimensions = len(size) if hasattr(size, "__len__") else 1
     if not 1 <= dimensions <= 4:
         raise ValueError(f"grid: size must have 1 to 4 numbers, not {dimensions}")
     size = per_axis("grid", "size", size, dimensions, ruled_number)
     step = per_axis("grid", "step", step, dimensions, real_number)
     origin = per_axis("grid", "origin", origin, dimensions, real_number)
+    first = per_axis("grid", "first", first, dimensions, lambda function, name, value: whole_number(
+        function, name, value, 0, MOST_POINTS))
+    for axis, (begin, points) in enumerate(zip(first, size)):
+        if begin + points > MOST_POINTS:
+            raise ValueError(f"grid: first + size must be at most {MOST_POINTS}, and is {begin + points} along "
+                             f"{AXES[axis]}")
     if cell is not None:
         cell = per_axis("grid", "cell", cell, dimensions, ruled_number)
         if not all(0 <= place <= 1 for place in origin):
             raise ValueError(f"grid: with a cell, origin is the place in it and must be from 0 to 1, not {origin}")
-    field = make_field("grid", dimensions, settings.pop("noise"), settings.pop("sum"), settings)
+    field = field_of("grid", name, dimensions, options)
     planes = len(field.component_names)
     shape = size[::-1] if planes == 1 else (planes, *size[::-1])
-    values = np.empty(shape, np.float32) if out is None else checked_out("grid", out, shape)
-    target = values if values.flags.c_contiguous else np.empty(shape, np.float32)
-    planar = target[np.newaxis] if planes == 1 else target
+    dtype = checked_dtype("grid", dtype, out)
+    ranges = checked_ranges("grid", name, range, dtype, field)
+    values = np.empty(shape, dtype) if out is None else checked_out("grid", out, shape, dtype)
+    planar = values[np.newaxis] if planes == 1 else values
     threads = checked_threads("grid", threads)
     try:
         if cell is None:
-            extent = field.grid(origin, step, size, planar, threads)
+            extent = field.grid(origin, step, size, first, planar, ranges, threads)
         else:
-            extent = field.cell_grid(cell, origin, step, size, planar, threads)
+            extent = field.cell_grid(cell, origin, step, size, first, planar, ranges, threads)
     except ValueError as error:
         raise ValueError(f"grid: {error}") from None
-    if target is not values:
-        values[...] = target
     return (values, extent) if return_range else values
 
 
@@ -80,9 +102,7 @@ def components(name, dimensions, *, noise=None):
     >>> hashnoise.components("perlin", 3)
     ('value',)
     """
-    settings = _options("components", name, {} if noise is None else {"noise": noise})
-    field = make_field("components", _dimensions("components", dimensions), settings.pop("noise"), settings.pop("sum"),
-                       settings)
+    field = field_of("components", name, _dimensions("components", dimensions), {"noise": noise})
     return tuple(field.component_names)
 
 
@@ -116,6 +136,12 @@ def instruction_sets():
     return tuple(_core.instruction_sets())
 
 
+def field_of(function, name, dimensions, options):
+    """The field that the function called `name` is of, with its defaults for what is left out or None."""
+    settings = _options(function, name, {option: value for option, value in options.items() if value is not None})
+    return make_field(function, dimensions, settings.pop("noise"), settings.pop("sum"), settings)
+
+
 def _options(function, name, given):
     """The noise, the sum and the options that make the function called `name`: its defaults, and what is given."""
     if isinstance(name, str) and name in _noises.NOISES:
@@ -123,8 +149,9 @@ def _options(function, name, given):
     elif isinstance(name, str) and name in _sums.SUMS:
         own, chosen = _sums.SUMS[name], {"noise": None, "sum": name}
     else:
-        raise ValueError(f"{function}: there is no function {name!r}; there are "
-                         f"{', '.join([*_noises.NOISES, *_sums.SUMS])}")
+        names = [*_noises.NOISES, *_sums.SUMS]
+        raise ValueError(f"{function}: there is no function {name!r}{suggestion(name, names)}; there are "
+                         f"{', '.join(names)}")
     defaults = own.__kwdefaults__
     for option in given:
         if option not in defaults:
