@@ -251,7 +251,9 @@ struct Box {
   }
 
   Range fill(std::int64_t points, const Executor& executor) const {
-    if (size[0] < kNarrow) {
+    // A narrow part of a grid has the bits of the whole, so it takes the kernel of that.
+    const bool has_kernel_of_rows = row != kernel && plan.may_fuse;
+    if (size[0] < kNarrow && !has_kernel_of_rows) {
       return run_tasks((points + kTask - 1) / kTask, executor, [&](std::int64_t task, Ranges& ranges) {
         const std::int64_t end = std::min(points, (task + 1) * kTask);
         for (std::int64_t i = task * kTask; i < end; i += kBlock) {

@@ -244,6 +244,7 @@ Plan plan_of(int dimensions, const Settings& settings) {
   }
   check_owners(settings, dimensions, kNoiseRows.at(noise), sum ? &kSumRows.at(*sum) : nullptr, tiled);
   plan.set = chosen(settings.instruction_set);
+  plan.may_fuse = settings.arithmetic == Arithmetic::kFast;
   plan.kernels = &kernels_for(plan.set, settings.arithmetic);
   plan.options.seed = settings.seed;
   plan.options.phase = checked(kPhaseRule, settings.phase);

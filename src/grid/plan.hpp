@@ -13,6 +13,7 @@ struct Plan {
   Shape shape;
   int components;
   InstructionSet set;
+  bool may_fuse;  // products with sums: kernels of one function may then differ in their last bits
   Options options;
   bool takes_positions;  // a sum at positions; a noise takes cells always
   Kernel at;             // at positions; null for a noise

@@ -83,34 +83,56 @@ TEST_P(AnyExecutor, GivesTheSame) {
 INSTANTIATE_TEST_SUITE_P(, AnyExecutor, testing::Values(Arithmetic::kFast, Arithmetic::kPrecise, Arithmetic::kFixed),
                          [](const auto& parameter) { return std::to_string(static_cast<int>(parameter.param)); });
 
-// With kFast, too. What a grid of this size has from point (first[0], first[1]) on is at `from` of the whole.
-template <typename AnyGrid>
-void expect_part_of_whole(const Settings& settings, AnyGrid grid, std::array<int, 2> first, std::array<int, 2> size) {
-  const Field<2> field(settings);
-  const auto width = static_cast<std::size_t>(grid.size[0]);
-  const std::vector<float> whole = fill(field, grid, places_of(grid).size()).values;
+// With kFast, too. The first component of a part of a grid is that of the whole there.
+template <int D, typename AnyGrid>
+void expect_part_of_whole(const Settings& settings, AnyGrid grid, const std::array<int, D>& first,
+                          const std::array<int, D>& size) {
+  const Field<D> field(settings);
+  const std::array<int, D> whole_size = grid.size;
+  const std::vector<float> whole = fill(field, grid, count_of<D>(whole_size)).values;
   grid.first = first;
   grid.size = size;
-  const std::vector<float> part = fill(field, grid, places_of(grid).size()).values;
-  for (std::size_t y = 0; y < static_cast<std::size_t>(size[1]); ++y) {
-    const auto row = static_cast<std::size_t>(size[0]);
-    const std::size_t from = (static_cast<std::size_t>(first[1]) + y) * width + static_cast<std::size_t>(first[0]);
-    EXPECT_TRUE(same_bits(std::span(part).subspan(y * row, row), std::span(whole).subspan(from, row), row)) << settings;
-  }
+  const std::vector<float> part = fill(field, grid, count_of<D>(size)).values;
+  std::vector<float> there;
+  for_each_index<D>(size, [&](const std::array<int, D>& index) {
+    std::size_t at = 0;
+    for (std::size_t axis = D; axis-- > 0;) {
+      at = at * static_cast<std::size_t>(whole_size[axis]) + static_cast<std::size_t>(first[axis] + index[axis]);
+    }
+    there.push_back(whole[at]);
+  });
+  EXPECT_TRUE(same_bits(std::span(part).first(there.size()), there, there.size())) << settings;
 }
 
+// Narrow parts, too, which may take another kernel, and each noise and sum.
 TEST_P(AnyExecutor, GivesAPartOfAGridTheBitsOfTheWhole) {
   for (const InstructionSet set : instruction_sets()) {
-    for (const std::string sum : {"", "fbm"}) {
-      Settings settings;
-      settings.sum = sum;
+    const auto expect = [&]<int D>(Settings settings, std::integral_constant<int, D>) {
       settings.arithmetic = GetParam();
       settings.instruction_set = set;
-      for (const auto& size : {std::array{70, 20}, std::array{5, 31}, std::array{1, 1}}) {
-        expect_part_of_whole(settings, Grid<2>{{0.1f, -50.0f}, {0.0371f, 0.05f}, {211, 67}}, {101, 33}, size);
-        expect_part_of_whole(settings, CellGrid<2>{{7, -9}, {0.1f, 0.9f}, {0.0371, 0.05}, {211, 67}}, {101, 33}, size);
-      }
-    }
+      Grid<D> grid;
+      grid.origin.fill(0.3f);
+      grid.step.fill(0.0371f);
+      grid.size.fill(12);
+      grid.size[0] = 90;
+      CellGrid<D> cells;
+      cells.cell.fill(-7);
+      cells.f.fill(0.3f);
+      cells.step.fill(0.0371);
+      cells.size = grid.size;
+      std::array<int, D> first;
+      first.fill(5);
+      std::array<int, D> size;
+      size.fill(4);
+      size[0] = settings.sum.empty() ? 70 : 17;
+      expect_part_of_whole<D>(settings, grid, first, size);
+      size[0] = 5;
+      expect_part_of_whole<D>(settings, grid, first, size);
+      expect_part_of_whole<D>(settings, cells, first, size);
+    };
+    for (const Settings& settings : noise_subjects(2)) expect(settings, std::integral_constant<int, 2>{});
+    for (const Settings& settings : noise_subjects(3)) expect(settings, std::integral_constant<int, 3>{});
+    for (const Settings& settings : sum_subjects(2)) expect(settings, std::integral_constant<int, 2>{});
   }
 }
 
