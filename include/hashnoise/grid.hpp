@@ -136,7 +136,7 @@ bool has_points(const std::array<int, D>& size, const std::array<int, D>& first,
       throw std::invalid_argument("fill: a size of the grid is not from 0 to 536870911");
     }
     if (first[axis] < 0 || first[axis] >= (1 << 29) - size[axis]) {
-      throw std::invalid_argument("fill: the first point of the grid, and with it the last, is not from 0 to 536870911");
+      throw std::invalid_argument("fill: the first or the last point of the grid is not from 0 to 536870910");
     }
   }
   if (std::find(size.begin(), size.end(), 0) != size.end()) {

@@ -17,8 +17,8 @@ struct Interval {
 };
 
 // The least of the interval becomes 0, the greatest 65535, and what is between the nearest number; of two that are as
-// near the greater one. What lies outside becomes the nearer end, and what is no number 0. An interval without an extent
-// makes 0 of everything that is not above it.
+// near the greater one. What lies outside becomes the nearer end, and what is no number 0. An interval without an
+// extent makes 0 of everything that is not above it.
 inline std::uint16_t word_of(float value, const Interval& interval) {
   constexpr double kGreatest = 65535.0;
   const double v = static_cast<double>(value);

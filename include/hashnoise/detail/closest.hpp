@@ -1,37 +1,38 @@
-// The known name that a user probably meant by an unknown word. The compiled library, the programs and the suite ask it.
+// The known name that a user probably meant by an unknown word. The compiled library, the packages, the programs and
+// the suite ask it.
 // SPDX-License-Identifier: MIT
 
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace hashnoise::detail {
 
 constexpr std::size_t kLongestWord = 64;  // no name of ours comes near it, and the work grows with its length
 
-// How many typing errors turn the word into the name: a letter too many, too few, wrong, or two exchanged.
-inline std::size_t slips_between(std::string_view word, std::string_view name) {
-  using Row = std::array<std::size_t, kLongestWord + 1>;
-  Row before{}, last{}, row{};  // row[j]: from the first i letters of the word to the first j of the name
-  for (std::size_t i = 0; i <= word.size(); ++i) {
-    for (std::size_t j = 0; j <= name.size(); ++j) {
-      if (i == 0 || j == 0) {
-        row[j] = i + j;
-        continue;
+// How many typing errors turn the word into the name: a letter too many, too few, wrong, or two exchanged. It is small:
+// the npm package has it as WebAssembly. `room` has (word + 1) * (name + 1) numbers.
+inline int slips_between(const char* word, int word_length, const char* name, int name_length, int* room) {
+  const int line = name_length + 1;
+  int* at = room;  // from the first i letters of the word to the first j of the name
+  for (int i = 0; i <= word_length; ++i) {
+    for (int j = 0; j <= name_length; ++j, ++at) {
+      int slips = i + j;
+      const auto take = [&](int other) __attribute__((always_inline)) { slips = other < slips ? other : slips; };
+      if (i > 0 && j > 0) {
+        take(at[-line] + 1);
+        take(at[-1] + 1);
+        take(at[-line - 1] + (word[i - 1] != name[j - 1]));
+        if (i > 1 && j > 1 && word[i - 1] == name[j - 2] && word[i - 2] == name[j - 1]) take(at[-2 * line - 2] + 1);
       }
-      const std::size_t changed = last[j - 1] + (word[i - 1] == name[j - 1] ? 0 : 1);
-      row[j] = std::min({changed, last[j] + 1, row[j - 1] + 1});
-      const bool exchanged = i > 1 && j > 1 && word[i - 1] == name[j - 2] && word[i - 2] == name[j - 1];
-      if (exchanged) row[j] = std::min(row[j], before[j - 2] + 1);
+      *at = slips;
     }
-    before = last;
-    last = row;
   }
-  return last[name.size()];
+  return at[-1];
 }
 
 // The name that a few typing errors turn into the word. Empty if that takes more errors than a third of the letters, or
@@ -39,11 +40,13 @@ inline std::size_t slips_between(std::string_view word, std::string_view name) {
 template <typename Names>
 std::string closest(std::string_view word, const Names& names) {
   std::string best;
-  std::size_t fewest = std::max<std::size_t>(word.size() / 3, 1) + 1;
+  int fewest = std::max(static_cast<int>(std::min(word.size(), kLongestWord)) / 3, 1) + 1;
   if (word.size() > kLongestWord) return best;
+  std::vector<int> room((kLongestWord + 1) * (kLongestWord + 1));
   for (const std::string_view name : names) {
     if (name.size() > kLongestWord) continue;
-    const std::size_t slips = slips_between(word, name);
+    const int slips = slips_between(word.data(), static_cast<int>(word.size()), name.data(),
+                                    static_cast<int>(name.size()), room.data());
     if (slips >= fewest) continue;
     fewest = slips;
     best = name;

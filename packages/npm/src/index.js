@@ -58,6 +58,8 @@ const OWNERS = {
 // tools/catalog: end
 const KNOWN = ["noise", "sum", "seed", "period", "octaves", "lacunarity", "gain", "strength", "amplitude", "jitter", "metric"];
 const OF_SUMS = ["octaves", "lacunarity", "gain"];
+const LONGEST_WORD = 48; // of which the module has room for the numbers
+const LEAST_OCTAVES = 0; // of which a sum is 0, or what it makes of that
 const MOST_OCTAVES = 1024; // more than any float shows
 const MOST_VALUES = 2 ** 31 - 1; // of an array, in every browser
 const BATCH = 1024; // points, as in twin.cpp
@@ -69,13 +71,14 @@ let twin;
 let current; // the field whose settings are in it
 
 function started(instance) {
-  const { memory, settings, batch, split, run } = instance.exports;
+  const { memory, settings, batch, split, run, slips } = instance.exports;
   const floats = (first, count = BATCH) => new Float32Array(memory.buffer, first, count);
   const at = batch();
   const plane = (number) => at + 4 * BATCH * number;
   return {
     split,
     run,
+    slips,
     settings: new DataView(memory.buffer, settings(), 60),
     cells: [0, 1, 2].map((axis) => new Int32Array(memory.buffer, plane(axis), BATCH)),
     places: [3, 4, 5].map((number) => floats(plane(number))),
@@ -127,8 +130,32 @@ function real(name, value, least = -Infinity, most = Infinity) {
 }
 
 function oneOf(name, value, names) {
-  if (!names.includes(value)) throw new RangeError(`${name} has to be one of ${names.join(", ")}, not ${shown(value)}`);
+  if (!names.includes(value)) {
+    throw new RangeError(`${name} has to be one of ${names.join(", ")}, not ${shown(value)}${suggestion(value, names)}`);
+  }
   return value;
+}
+
+/** The name that a few typing errors turn into the word, of which there are no more than a third of the letters. */
+function suggestion(word, names) {
+  if (typeof word !== "string" || word.length > LONGEST_WORD || /[^ -~]/.test(word)) return "";
+  try {
+    start();
+  } catch {
+    return ""; // it is in the way of what was wrong
+  }
+  let meant;
+  let fewest = Math.max(Math.floor(word.length / 3), 1) + 1;
+  for (const name of names) {
+    // Where the points of the next batch will be.
+    const letters = new Uint8Array(twin.cells[0].buffer, twin.cells[0].byteOffset, word.length + name.length);
+    letters.set(new TextEncoder().encode(word + name));
+    const slips = twin.slips(word.length, name.length);
+    if (slips >= fewest) continue;
+    fewest = slips;
+    meant = name;
+  }
+  return meant === undefined ? "" : ` (did you mean "${meant}"?)`;
 }
 
 function shown(value) {
@@ -194,7 +221,7 @@ export class Field {
       period,
       jitter: number("jitter"),
       metric: METRICS.indexOf(oneOf("metric", given.metric ?? METRICS[0], METRICS)) + 1,
-      octaves: whole("octaves", given.octaves ?? NUMBERS.octaves.usual, -(2 ** 31), MOST_OCTAVES),
+      octaves: whole("octaves", given.octaves ?? NUMBERS.octaves.usual, LEAST_OCTAVES, MOST_OCTAVES),
       lacunarity: number("lacunarity"),
       gain: number("gain"),
       strength: row?.strength ? real(row.strength, given[row.strength] ?? row.usual, 0, row.most) : 0,

@@ -110,13 +110,19 @@ test("options that there are not, and arrays that do not fit, are named in a lin
 test("wrong settings are told", () => {
   for (const [dimensions, settings, said] of [
     [4, {}, /dimensions has to be a whole number from 1 to 3, not 4/],
-    [2, { noise: "perlim" }, /noise in 2D has to be one of perlin, .*, not "perlim"/],
+    [2, { noise: "perlim" }, /noise in 2D has to be one of perlin, .*, not "perlim" \(did you mean "perlin"\?\)$/],
+    [3, { sum: "fbn" }, /sum in 3D has to be one of fbm, .*, not "fbn" \(did you mean "fbm"\?\)$/],
+    [3, { sum: "pign_pong" }, /not "pign_pong" \(did you mean "ping_pong"\?\)$/],
+    [2, { noise: "perlin".repeat(20) }, /not "(perlin){20}"$/],
+    [2, { noise: "gabor" }, /not "gabor"$/],
+    [2, { noise: 3 }, /not 3$/],
     [1, { noise: "simplex" }, /noise in 1D has to be one of perlin, (?!.*simplex,).*, not "simplex"/],
     [1, { sum: "warp" }, /sum in 1D has to be one of fbm, .*weighted, not "warp"/],
     [2, { sum: "eroded", noise: "perlin" }, /noise of eroded has to be one of perlin_d, value_d, simplex_d, not "perlin"/],
-    [2, { octave: 3 }, /a setting has to be one of noise, .*, not "octave"/],
+    [2, { octave: 3 }, /a setting has to be one of noise, .*, not "octave" \(did you mean "octaves"\?\)$/],
     [2, { octaves: 3 }, /perlin has no octaves; sums have it/],
-    [2, { sum: "fbm", octaves: 2000 }, /octaves has to be a whole number from .* to 1024, not 2000/],
+    [2, { sum: "fbm", octaves: 2000 }, /octaves has to be a whole number from 0 to 1024, not 2000/],
+    [2, { sum: "fbm", octaves: -1 }, /octaves has to be a whole number from 0 to 1024, not -1/],
     [2, { sum: "fbm", strength: 1 }, /fbm has no strength; ping_pong, weighted and eroded have one/],
     [2, { sum: "weighted", strength: 2 }, /strength has to be from 0 to 1, not 2/],
     [2, { sum: "fbm", gain: -1 }, /gain has to be 0 or more, not -1/],
@@ -126,6 +132,7 @@ test("wrong settings are told", () => {
     [2, { period: 1.5 }, /period has to be a whole number/],
     [2, { jitter: 1 }, /perlin has no jitter; cellular has one/],
     [2, { noise: "cellular", metric: "taxi" }, /metric has to be one of euclidean, .*, not "taxi"/],
+    [2, { noise: "cellular", metric: "manhatten" }, /not "manhatten" \(did you mean "manhattan"\?\)$/],
   ]) {
     assert.throws(() => new Field(dimensions, settings), { name: "RangeError", message: said });
   }

@@ -687,7 +687,8 @@ TEST(Errors, OfAFirstPoint) {
       grid.first[axis] = wrong;
       CellGrid<2> cells = {{0, 0}, {0, 0}, {1, 1}, {2, 2}};
       cells.first[axis] = wrong;
-      const std::string said = "first is " + std::to_string(wrong) + ", and has to be from 0 to 536870909 where the size is 2";
+      const std::string said =
+          "first is " + std::to_string(wrong) + ", and has to be from 0 to 536870909 where the size is 2";
       EXPECT_EQ(error_of<2>(grid, 4), said);
       EXPECT_EQ(error_of<2>(cells, 4), said);
     }

@@ -204,7 +204,7 @@ def settings_of_page(twin: Twin) -> str:
         ("`sum`", by_dimensions(twin.sums), "none"),
         ("`seed`", f"all; 0 to 2^{int(twin.settings['seed'].most).bit_length()} - 1", twin.default("seed")),
         ("`period`", "all; cells, a number or one for each axis", "none"),
-        ("`octaves`, `lacunarity`, `gain`", "sums",
+        ("`octaves`, `lacunarity`, `gain`", "sums; octaves from 0 to 1024",
          ", ".join(map(twin.default, ("octaves", "lacunarity", "gain")))),
         ("`strength`; `amplitude`", "; ".join(code(twin.owners(name)) for name in STRENGTHS),
          "; ".join(map(strengths, STRENGTHS))),
