@@ -1,12 +1,14 @@
 """The types of the package. Docstrings are beside the code; that both have the same functions is tested."""
 
 from collections.abc import Sequence
-from typing import Literal, TypeAlias, overload
+from typing import Any, Literal, TypeAlias, overload
 
 import numpy as np
 import numpy.typing as npt
 
 _Values: TypeAlias = npt.NDArray[np.float32]
+_OfGrids: TypeAlias = npt.NDArray[np.float32] | npt.NDArray[np.float16] | npt.NDArray[np.uint16]
+_Extent: TypeAlias = tuple[float, float]
 _Number: TypeAlias = float | np.floating | np.integer
 _Cells: TypeAlias = npt.ArrayLike | Sequence[npt.ArrayLike]
 _Arithmetic: TypeAlias = Literal["fast", "precise", "fixed"]
@@ -272,31 +274,65 @@ def perlin_worley(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike, /, *, se
 
 @overload
 def grid(name: str, size: int | Sequence[int], *, step: float | Sequence[float], origin: float | Sequence[float] = 0.0,
-         cell: int | Sequence[int] | None = None, seed: int = 0, noise: str | None = None, octaves: int | None = None,
-         lacunarity: float | None = None, gain: float | None = None, strength: float | None = None,
-         amplitude: float | None = None, detail: float | None = None, footprint: float | None = None,
-         period: int | Sequence[int] | None = None, wave: Sequence[float] | None = None, phase: float | None = None,
-         jitter: float | None = None, metric: _Metric | None = None, arithmetic: _Arithmetic = "fast",
-         out: _Values | None = None, return_range: Literal[False] = False, threads: int | None = None,
-         instruction_set: str | None = None) -> _Values: ...
+         cell: int | Sequence[int] | None = None, first: int | Sequence[int] = 0, seed: int = 0,
+         noise: str | None = None, octaves: int | None = None, lacunarity: float | None = None,
+         gain: float | None = None, strength: float | None = None, amplitude: float | None = None,
+         detail: float | None = None, footprint: float | None = None, period: int | Sequence[int] | None = None,
+         wave: Sequence[float] | None = None, phase: float | None = None, jitter: float | None = None,
+         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: None = None,
+         range: tuple[float, float] | None = None, out: _Values | None = None, return_range: Literal[False] = False,
+         threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
 @overload
 def grid(name: str, size: int | Sequence[int], *, step: float | Sequence[float], origin: float | Sequence[float] = 0.0,
-         cell: int | Sequence[int] | None = None, seed: int = 0, noise: str | None = None, octaves: int | None = None,
-         lacunarity: float | None = None, gain: float | None = None, strength: float | None = None,
-         amplitude: float | None = None, detail: float | None = None, footprint: float | None = None,
-         period: int | Sequence[int] | None = None, wave: Sequence[float] | None = None, phase: float | None = None,
-         jitter: float | None = None, metric: _Metric | None = None, arithmetic: _Arithmetic = "fast",
-         out: _Values | None = None, return_range: Literal[True], threads: int | None = None,
-         instruction_set: str | None = None) -> tuple[_Values, tuple[float, float]]: ...
+         cell: int | Sequence[int] | None = None, first: int | Sequence[int] = 0, seed: int = 0,
+         noise: str | None = None, octaves: int | None = None, lacunarity: float | None = None,
+         gain: float | None = None, strength: float | None = None, amplitude: float | None = None,
+         detail: float | None = None, footprint: float | None = None, period: int | Sequence[int] | None = None,
+         wave: Sequence[float] | None = None, phase: float | None = None, jitter: float | None = None,
+         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: None = None,
+         range: tuple[float, float] | None = None, out: _Values | None = None, return_range: Literal[True],
+         threads: int | None = None, instruction_set: str | None = None) -> tuple[_Values, _Extent]: ...
 @overload
 def grid(name: str, size: int | Sequence[int], *, step: float | Sequence[float], origin: float | Sequence[float] = 0.0,
-         cell: int | Sequence[int] | None = None, seed: int = 0, noise: str | None = None, octaves: int | None = None,
-         lacunarity: float | None = None, gain: float | None = None, strength: float | None = None,
-         amplitude: float | None = None, detail: float | None = None, footprint: float | None = None,
-         period: int | Sequence[int] | None = None, wave: Sequence[float] | None = None, phase: float | None = None,
-         jitter: float | None = None, metric: _Metric | None = None, arithmetic: _Arithmetic = "fast",
-         out: _Values | None = None, return_range: bool, threads: int | None = None,
-         instruction_set: str | None = None) -> _Values | tuple[_Values, tuple[float, float]]: ...
+         cell: int | Sequence[int] | None = None, first: int | Sequence[int] = 0, seed: int = 0,
+         noise: str | None = None, octaves: int | None = None, lacunarity: float | None = None,
+         gain: float | None = None, strength: float | None = None, amplitude: float | None = None,
+         detail: float | None = None, footprint: float | None = None, period: int | Sequence[int] | None = None,
+         wave: Sequence[float] | None = None, phase: float | None = None, jitter: float | None = None,
+         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: None = None,
+         range: tuple[float, float] | None = None, out: _Values | None = None, return_range: bool,
+         threads: int | None = None, instruction_set: str | None = None) -> _Values | tuple[_Values, _Extent]: ...
+@overload
+def grid(name: str, size: int | Sequence[int], *, step: float | Sequence[float], origin: float | Sequence[float] = 0.0,
+         cell: int | Sequence[int] | None = None, first: int | Sequence[int] = 0, seed: int = 0,
+         noise: str | None = None, octaves: int | None = None, lacunarity: float | None = None,
+         gain: float | None = None, strength: float | None = None, amplitude: float | None = None,
+         detail: float | None = None, footprint: float | None = None, period: int | Sequence[int] | None = None,
+         wave: Sequence[float] | None = None, phase: float | None = None, jitter: float | None = None,
+         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: npt.DTypeLike | None = None,
+         range: tuple[float, float] | None = None, out: _OfGrids | None = None, return_range: Literal[False] = False,
+         threads: int | None = None, instruction_set: str | None = None) -> npt.NDArray[Any]: ...
+@overload
+def grid(name: str, size: int | Sequence[int], *, step: float | Sequence[float], origin: float | Sequence[float] = 0.0,
+         cell: int | Sequence[int] | None = None, first: int | Sequence[int] = 0, seed: int = 0,
+         noise: str | None = None, octaves: int | None = None, lacunarity: float | None = None,
+         gain: float | None = None, strength: float | None = None, amplitude: float | None = None,
+         detail: float | None = None, footprint: float | None = None, period: int | Sequence[int] | None = None,
+         wave: Sequence[float] | None = None, phase: float | None = None, jitter: float | None = None,
+         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: npt.DTypeLike | None = None,
+         range: tuple[float, float] | None = None, out: _OfGrids | None = None, return_range: Literal[True],
+         threads: int | None = None, instruction_set: str | None = None) -> tuple[npt.NDArray[Any], _Extent]: ...
+@overload
+def grid(name: str, size: int | Sequence[int], *, step: float | Sequence[float], origin: float | Sequence[float] = 0.0,
+         cell: int | Sequence[int] | None = None, first: int | Sequence[int] = 0, seed: int = 0,
+         noise: str | None = None, octaves: int | None = None, lacunarity: float | None = None,
+         gain: float | None = None, strength: float | None = None, amplitude: float | None = None,
+         detail: float | None = None, footprint: float | None = None, period: int | Sequence[int] | None = None,
+         wave: Sequence[float] | None = None, phase: float | None = None, jitter: float | None = None,
+         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: npt.DTypeLike | None = None,
+         range: tuple[float, float] | None = None, out: _OfGrids | None = None, return_range: bool,
+         threads: int | None = None,
+         instruction_set: str | None = None) -> npt.NDArray[Any] | tuple[npt.NDArray[Any], _Extent]: ...
 def components(name: str, dimensions: int, *, noise: str | None = None) -> tuple[str, ...]: ...
 def noises(dimensions: int) -> tuple[str, ...]: ...
 def sums(dimensions: int) -> tuple[str, ...]: ...

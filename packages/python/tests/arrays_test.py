@@ -12,6 +12,12 @@ import numpy
 SHAPE = (90, 130)  # more points than are copied at a time
 
 
+def words(values, least, greatest):
+    """The nearest of 65,536 numbers, as `--range` of tools/bake has them."""
+    inside = numpy.clip(values.astype(float), least, greatest)
+    return numpy.floor((inside - least) / (greatest - least) * 65535 + 0.5).astype(numpy.uint16)
+
+
 class Arrays(unittest.TestCase):
     def setUp(self):
         random = numpy.random.default_rng(1)
@@ -41,6 +47,23 @@ class Arrays(unittest.TestCase):
         self.assert_same(hashnoise.perlin(self.x.T, self.y.T, seed=3), self.values.T)
         self.assert_same(hashnoise.perlin_d(self.x.T, self.y.T, seed=3), self.planes.transpose(0, 2, 1))
         self.assert_same(hashnoise.perlin(numpy.asfortranarray(self.x), self.y, seed=3), self.values)
+
+    def test_a_result_lies_as_the_coordinates_do(self):
+        for name, x, y, is_transposed in (("transposed", self.x.T, self.y.T, True),
+                                          ("as in Fortran", *map(numpy.asfortranarray, (self.x, self.y)), True),
+                                          ("beside a number", self.x.T, 0.5, True), ("as usual", self.x, self.y, False),
+                                          ("one of each", numpy.asfortranarray(self.x), self.y, False)):
+            with self.subTest(name):
+                values, planes = hashnoise.perlin(x, y, seed=3), hashnoise.perlin_d(x, y, seed=3)
+                self.assertEqual(values.flags.f_contiguous, is_transposed)
+                self.assertTrue(all(plane.flags.f_contiguous == is_transposed for plane in planes))
+                usual = [numpy.ascontiguousarray(coordinate) for coordinate in numpy.broadcast_arrays(x, y)]
+                self.assert_same(values, hashnoise.perlin(*usual, seed=3))
+                self.assert_same(planes, hashnoise.perlin_d(*usual, seed=3))
+        volume = numpy.random.default_rng(5).uniform(-9, 9, (3, 20, 30, 40)).astype(numpy.float32)
+        expected = hashnoise.perlin(*volume)
+        for order in ((2, 1, 0), (1, 0, 2), (0, 2, 1)):
+            self.assert_same(hashnoise.perlin(*(axis.transpose(order) for axis in volume)), expected.transpose(order))
 
     def test_fields_of_records(self):
         """Their numbers are at any byte."""
@@ -202,6 +225,29 @@ class Out(unittest.TestCase):
         hashnoise.grid("perlin_d", (40, 30), step=0.1, out=pixels.transpose(2, 0, 1))
         self.assertEqual(pixels.transpose(2, 0, 1).tobytes(), expected.tobytes())
 
+    def test_grids_in_any_order(self):
+        for size in ((400, 300), (3, 500), (500, 3), (1, 1), (130,), (40, 30, 20), (9, 8, 7, 6)):
+            expected, extent = hashnoise.grid("perlin_d", size, step=0.1, return_range=True)
+            large = numpy.full((len(size) + 1, *(2 * n + 3 for n in size[::-1])), 7, numpy.float32)
+            cut = (slice(None), *(slice(1, 2 * n + 1, 2) for n in size[::-1]))
+            for name, out in (("transposed", numpy.empty(expected.shape[::-1], numpy.float32).T),
+                              ("pixels", numpy.moveaxis(numpy.empty((*size[::-1], len(size) + 1), "f4"), -1, 0)),
+                              ("backwards", numpy.empty(expected.shape, numpy.float32)[..., ::-1]),
+                              ("every second", large[cut]),
+                              ("at odd bytes", numpy.zeros(expected.shape, [("kind", "u1"), ("n", "f4")])["n"])):
+                for threads in (1, 3):
+                    with self.subTest(name, size=size, threads=threads):
+                        out[...] = 0
+                        found = hashnoise.grid("perlin_d", size, step=0.1, out=out, return_range=True, threads=threads)
+                        self.assertIs(found[0], out)
+                        self.assertEqual(out.tobytes(), expected.tobytes())
+                        self.assertEqual(found[1], extent)
+            large[cut] = 7
+            self.assertTrue((large == 7).all(), "something beside it was written")
+        wrong = numpy.empty((30, 40), numpy.float32).T
+        with self.assertRaisesRegex(ValueError, "finite"):
+            hashnoise.grid("perlin", (30, 40), step=1e38, origin=3e38, out=wrong, threads=3)
+
 
 class Grids(unittest.TestCase):
     def test_order_of_the_axes(self):
@@ -224,6 +270,67 @@ class Grids(unittest.TestCase):
         far = hashnoise.grid("perlin", (65, 33), step=1 / 16, cell=2**31 - 2)
         self.assertEqual(far[32:, 32:].tobytes(), hashnoise.grid("perlin", (33, 1), step=1 / 16, cell=-2**31).tobytes())
         self.assertGreater(numpy.abs(numpy.diff(far)).min(), 0)
+
+    def test_parts(self):
+        for where in ({"step": 0.0371, "origin": (0.1, -50)}, {"step": 0.01, "cell": (2**31 - 3, -9), "origin": 0.3}):
+            for arithmetic in ("fast", "precise", "fixed"):
+                for name in ("perlin_d", "fbm"):
+                    options = {**where, "arithmetic": arithmetic, "seed": 3}
+                    whole = hashnoise.grid(name, (301, 203), **options)
+                    for first, size in (((0, 0), (301, 203)), ((37, 101), (64, 50)), ((300, 202), (1, 1)),
+                                        ((5, 7), (3, 0))):
+                        with self.subTest(name, first=first, **options):
+                            part = hashnoise.grid(name, size, first=first, **options)
+                            there = (..., *(slice(begin, begin + n) for begin, n in zip(first[::-1], size[::-1])))
+                            self.assertEqual(part.shape, whole[there].shape)
+                            self.assertEqual(part.tobytes(), whole[there].tobytes())
+        # Far away, where a step that was added up would be wrong.
+        far = hashnoise.grid("perlin", 2, step=0.01, cell=0, first=536870909)
+        at = (round(0.01 * 2**32) * 536870909, round(0.01 * 2**32) * 536870910)
+        self.assertEqual(far.tolist(), [hashnoise.perlin((n & 0xFFFFFF00) / 2**32, cell=n >> 32) for n in at])
+
+    def test_types(self):
+        for dtype in (numpy.float16, "float16", numpy.dtype("f2"), "uint16", numpy.uint16, "H"):
+            values = hashnoise.grid("fbm", (301, 203), step=0.05, seed=3)
+            found = hashnoise.grid("fbm", (301, 203), step=0.05, seed=3, dtype=dtype)
+            self.assertEqual(found.dtype, numpy.dtype(dtype))
+            expected = words(values, -1, 1) if found.dtype == numpy.uint16 else values.astype(numpy.float16)
+            self.assertEqual(found.tobytes(), expected.tobytes())
+            out = numpy.zeros((301, 203), dtype).T
+            self.assertIs(hashnoise.grid("fbm", (301, 203), step=0.05, seed=3, out=out), out)
+            self.assertEqual(out.tobytes(), expected.tobytes())
+        planes = hashnoise.grid("perlin_d", (31, 23), step=0.05)
+        self.assertEqual(hashnoise.grid("perlin_d", (31, 23), step=0.05, dtype="float16").tobytes(),
+                         planes.astype(numpy.float16).tobytes())
+        self.assertEqual(hashnoise.grid("fbm", (9, 0), step=0.05, dtype="uint16").shape, (0, 9))
+
+    def test_every_float16(self):
+        """Of a line through 0, whose values are all that a float16 may be between -1 and 1."""
+        for step in (2.0**-26, 2.0**-20, 2.0**-12, 0.0371):
+            values = hashnoise.grid("perlin", 40_001, step=step, origin=-20_000 * step)
+            self.assertEqual(hashnoise.grid("perlin", 40_001, step=step, origin=-20_000 * step, dtype="f2").tobytes(),
+                             values.astype(numpy.float16).tobytes())
+        # What is larger: distances in squares of cells are at most 5.
+        values = hashnoise.grid("cellular", (99, 99), step=0.1, metric="squared")
+        self.assertEqual(hashnoise.grid("cellular", (99, 99), step=0.1, metric="squared", dtype="f2").tobytes(),
+                         values.astype(numpy.float16).tobytes())
+
+    def test_words(self):
+        for name, dimensions, least, greatest in (("ridged", 2, 0, 1), ("perlin", 3, -1, 1), ("value", 1, -1, 1)):
+            size = (41, 31, 21)[:dimensions]
+            values = hashnoise.grid(name, size, step=0.07)
+            found, extent = hashnoise.grid(name, size, step=0.07, dtype="uint16", return_range=True)
+            self.assertEqual(found.tobytes(), words(values, least, greatest).tobytes())
+            self.assertEqual(extent, (values.min(), values.max()))
+        values = hashnoise.grid("perlin", (301, 203), step=0.05)
+        for ends in ((-0.25, 0.5), (0.1, 0.11), [-3, 1e6]):
+            found = hashnoise.grid("perlin", (301, 203), step=0.05, dtype="uint16", range=ends)
+            self.assertEqual(found.tobytes(), words(values, *ends).tobytes())
+        # Each plane by its own range: derivatives are larger.
+        planes = hashnoise.grid("perlin_d", (31, 23), step=0.05, dtype="uint16")
+        alone = hashnoise.grid("perlin", (31, 23), step=0.05, dtype="uint16")
+        self.assertEqual(planes[0].tobytes(), alone.tobytes())
+        self.assertLess(numpy.ptp(planes[1].astype(int)), 65535)
 
     def test_range(self):
         values, (least, greatest) = hashnoise.grid("perlin_d", (64, 48), step=0.1, return_range=True)
