@@ -15,6 +15,14 @@ add_test(NAME python.notebook CONFIGURATIONS Thorough
          COMMAND Python3::Interpreter -B ${package_tests}/environment.py run --with notebook.txt ${package_environment}
                  notebook_test)
 set_tests_properties(python.notebook PROPERTIES FIXTURES_REQUIRED python_wheel SKIP_RETURN_CODE 77 RUN_SERIAL ON)
+# Dask is kept beside the environment, since it takes longer to install than its test.
+add_test(NAME python.dask COMMAND Python3::Interpreter -B ${package_tests}/environment.py run --with dask.txt
+                                  ${package_environment} dask_test)
+# Workers that are killed, and what takes long to install: distributed, xarray with pandas, and Zarr.
+add_test(NAME python.dask_cluster CONFIGURATIONS Thorough
+         COMMAND Python3::Interpreter -B ${package_tests}/environment.py run --with dask_cluster.txt
+                 ${package_environment} dask_cluster_test)
+set_tests_properties(python.dask python.dask_cluster PROPERTIES FIXTURES_REQUIRED python_wheel SKIP_RETURN_CODE 77)
 foreach(subject arrays documents golden options source types)
   add_test(NAME python.${subject} COMMAND Python3::Interpreter -B ${package_tests}/environment.py run ${package_environment} ${subject}_test)
   set_tests_properties(python.${subject} PROPERTIES FIXTURES_REQUIRED python_wheel SKIP_RETURN_CODE 77)

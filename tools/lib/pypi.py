@@ -12,9 +12,11 @@ OFFLINE = re.compile("NewConnectionError|ConnectTimeout|ReadTimeout|NameResoluti
                      "Max retries exceeded|connection broken", re.I)
 
 
-def install(python: Path, requirements: Path) -> int:
-    """What a file names, for the Python of a virtual environment: 0 if it is there, 1 if not, SKIPPED without PyPI."""
-    done = subprocess.run([python, "-m", "pip", "--disable-pip-version-check", "install", "--quiet", "--no-compile",
+def install(python: Path, requirements: Path, folder: Path | None = None) -> int:
+    """What a file names, for the Python of a virtual environment, or into a folder: 0 if it is there, 1 if not, SKIPPED
+    without PyPI. What is in a folder is used for long, and so is compiled."""
+    where = ["--no-compile"] if folder is None else ["--target", folder]
+    done = subprocess.run([python, "-m", "pip", "--disable-pip-version-check", "install", "--quiet", *where,
                            "--retries", "1", "--requirement", requirements], capture_output=True, text=True, check=False)
     if done.returncode == 0:
         return 0

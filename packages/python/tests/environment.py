@@ -3,14 +3,15 @@
     environment.py make FOLDER [LIBRARY]   makes it in FOLDER; the wheel is built by tools/wheel, and linked with
                                            LIBRARY if that is named
     environment.py run [--with FILE] FOLDER MODULE...
-                                           runs modules of tests in it; what a file of requirements names beside this
-                                           one is installed first
+                                           runs modules of tests in it, with what a file of requirements names beside
+                                           this one, which is kept in a folder beside FOLDER
 
 Exit status: 0 done, 1 not, 77 PyPI cannot be reached, so there is no such environment.
 """
 
 from __future__ import annotations
 
+import os
 import shutil
 import subprocess
 import sys
@@ -51,9 +52,27 @@ def run(folder: Path, modules: list[str], more: Path | None = None) -> int:
         print(f"{folder} has no environment: python.wheel was skipped, or did not run")
         return SKIPPED
     python = folder / "venv" / "bin" / "python"
-    if more and (status := install(python, more)):
+    variables = {**os.environ}
+    if more:
+        added = folder.with_name(f"{folder.name}-{more.stem}")
+        if status := add(python, more, added):
+            return status
+        variables["PYTHONPATH"] = str(added)
+    return subprocess.run([python, "-B", "-m", "unittest", *modules], cwd=TESTS, env=variables, check=False).returncode
+
+
+def add(python: Path, requirements: Path, folder: Path) -> int:
+    """What the file names, in a folder for Python's path. It is installed once, until the file or Python differs."""
+    wanted = "".join(path.read_text(encoding="utf-8") for path in (requirements, *sorted(TESTS.glob("*.txt"))))
+    wanted += os.path.realpath(python)
+    made = folder / MADE
+    if made.exists() and made.read_text(encoding="utf-8") == wanted:
+        return 0
+    shutil.rmtree(folder, ignore_errors=True)
+    if status := install(python, requirements, folder):
         return status
-    return subprocess.run([python, "-B", "-m", "unittest", *modules], cwd=TESTS, check=False).returncode
+    made.write_text(wanted, encoding="utf-8")
+    return 0
 
 
 def main(arguments: list[str]) -> int:

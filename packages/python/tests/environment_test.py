@@ -58,6 +58,21 @@ class Environment(unittest.TestCase):
             status, told = self.make("numpy==0.0.0\n")
         self.assertEqual(status, 1, told)
 
+    def test_what_is_added_is_installed_once(self):
+        added, python = self.scratch / "added", Path("python3")
+        installed = []
+
+        def install(python: Path, requirements: Path, folder: Path) -> int:
+            installed.append(requirements.read_text(encoding="utf-8"))
+            folder.mkdir()
+            return 1 if "no-such" in installed[-1] else 0
+
+        with mock.patch("environment.install", install):
+            for text, status in (("one", 0), ("one", 0), ("two", 0), ("no-such", 1), ("no-such", 1), ("one", 0)):
+                self.requirements.write_text(text, encoding="utf-8")
+                self.assertEqual(environment.add(python, self.requirements, added), status)
+        self.assertEqual(installed, ["one", "two", "no-such", "no-such", "one"])
+
     def test_bad_usage(self):
         for arguments in ([], ["make"], ["run", "x"], ["run", "--with", "x", "y"], ["no_such", "x", "y"]):
             self.assertEqual(self.call(arguments)[0], 2, arguments)

@@ -1,0 +1,212 @@
+"""Grids that are larger than a machine, as Dask arrays: the same bits however they are cut, on any cluster.
+
+    >>> import hashnoise.dask
+    >>> world = hashnoise.dask.grid("fbm", (200_000, 200_000), step=1 / 256, cell=(0, 0), octaves=8, seed=7)
+    >>> world.shape, world.dtype, world.chunksize
+    ((200000, 200000), dtype('float32'), (2048, 2048))
+    >>> world[100_000, 100_000:100_003].compute()  # computes one of 9,604 blocks
+    array([0.02505398, 0.02533531, 0.02429342], dtype=float32)
+
+A block is hashnoise.grid(..., first=...), so it has the bits that one call for the whole area would give, had a machine
+the memory for it. A block that is lost with its worker is computed again, by another one, and is the same.
+
+This module wants Dask, and data_array wants xarray: pip install 'hashnoise[dask]' installs them, and Zarr and
+distributed.
+"""
+
+import functools
+import math
+
+import numpy as np
+
+from . import __version__
+from ._evaluate import AXES, checked_ranges, per_axis, real_number, ruled_number
+from ._grids import components, field_of
+from ._grids import grid as _grid
+
+try:
+    import dask.array as _arrays
+    from dask.array.core import normalize_chunks as _normalize_chunks
+    from dask.base import tokenize as _tokenize
+except ImportError as error:
+    raise ImportError(f"hashnoise.dask wants Dask, which cannot be imported ({error}): pip install 'hashnoise[dask]' "
+                      "installs it") from error
+
+__all__ = ["data_array", "grid"]
+
+_OF_GRIDS = ("cell", "chunks", "dtype", "origin", "range", "threads")  # options that are not of a field
+_BLOCK = 22  # 2^22 points: 16 MiB of float32, which take long beside what a task costs Dask
+
+
+def grid(name, size, *, step, chunks="auto", arithmetic="fixed", threads=1, **options):
+    """A noise or a sum on a uniform grid, as a lazy Dask array.
+
+    name, size, step  as of hashnoise.grid, and so are the other options, without `first`, `out` and `return_range`
+    chunks            the blocks: as Dask has them, for each axis of the array but that of planes, which is never cut.
+                      (rows, columns), one number for all axes, or the sizes of all blocks. They may begin anywhere, and
+                      no bit depends on them. Left out they have about 2^22 points, and sides that are powers of two:
+                      with a step such as 1 / 256 each then begins where the first one does, in another cell, so a
+                      shader that knows the cell can make it alone
+    arithmetic        "fixed" if it is left out, or "precise": the same bits on every processor. "fast" may differ in
+                      its last bits between processors with other instructions, so it wants workers of one kind
+    threads           of each task; 1 if it is left out, since Dask runs as many tasks as a worker has threads
+
+    What is wrong raises TypeError or ValueError here, and not on a worker. Workers need the same version of hashnoise,
+    and say so if they have another one.
+
+    >>> terrain = hashnoise.dask.grid("fbm", (1000, 600), step=0.01, chunks=(256, 300), seed=7)
+    >>> whole = hashnoise.grid("fbm", (1000, 600), step=0.01, seed=7, arithmetic="fixed")
+    >>> terrain.compute().tobytes() == whole.tobytes()
+    True
+    >>> hashnoise.dask.grid("perlin_d", (1000, 600), step=0.01).shape
+    (3, 600, 1000)
+    """
+    for option in ("first", "out", "return_range"):
+        if option in options:
+            raise TypeError(f"dask.grid: {option} is an option of hashnoise.grid alone; cut the array in its place, as "
+                            "in grid(...)[600:, 400:]")
+    options = {"step": step, "arithmetic": arithmetic, "threads": threads, **options}
+    size = _size(size)
+    # One point, the last, has all errors that the whole may have.
+    last = _grid(name, (1,) * len(size), first=tuple(max(points - 1, 0) for points in size), **options)
+    planes = last.shape[:last.ndim - len(size)]
+    cut = _chunks(chunks, size, last.dtype)
+    token = _tokenize("hashnoise", __version__, name, size, cut, options)
+    chunks = (*((n,) for n in planes), *cut)
+    return _arrays.map_blocks(functools.partial(_block, __version__, name, len(size), options), chunks=chunks,
+                              dtype=last.dtype, meta=np.empty((0,) * last.ndim, last.dtype),
+                              name=f"hashnoise-{name}-{token}")
+
+
+def data_array(name, size, *, step, cell_size=1.0, unit="cells", **options):
+    """The same as an xarray.DataArray, with coordinates: to cut by place, and to write as Zarr.
+
+    cell_size  the side of a cell in the unit of the coordinates: with step=1 / 256 and cell_size=256 points are 1 apart
+    unit       its name, as in "m"; the attribute `units` of the coordinates
+
+    The other arguments are those of `grid`. The axes are called x, y, z and w, and that of planes "component", whose
+    coordinates are the names that hashnoise.components gives. The attributes say how it was made. Of uint16 they have
+    `scale_factor` and `add_offset`, by which xarray makes values of words when it opens a file.
+
+    >>> land = hashnoise.dask.data_array("fbm", (1000, 600), step=1 / 256, cell_size=256, unit="m", seed=7)
+    >>> land.dims, float(land.x[0]), float(land.x[-1]), land.x.units
+    (('y', 'x'), 0.0, 999.0, 'm')
+    >>> land.sel(x=slice(100, 199), y=slice(0, 49)).shape
+    (50, 100)
+    """
+    try:
+        import xarray
+    except ImportError as error:
+        raise ImportError(f"hashnoise.dask.data_array wants xarray, which cannot be imported ({error}): "
+                          "pip install 'hashnoise[dask]' installs it") from error
+    cell_size = real_number("dask.data_array", "cell_size", cell_size)
+    if cell_size <= 0:
+        raise ValueError(f"dask.data_array: cell_size must be more than 0, not {cell_size}")
+    if not isinstance(unit, str):
+        raise TypeError(f"dask.data_array: unit must be a name, as in \"m\", not {unit!r}")
+    values = grid(name, size, step=step, **options)
+    size = _size(size)
+    axes = AXES[:len(size)]
+    coordinates = {axis: (axis, positions * cell_size, {"units": unit})
+                   for axis, positions in zip(axes, _positions(size, step, options))}
+    dims = tuple(reversed(axes))
+    if values.ndim > len(size):
+        coordinates["component"] = list(components(name, len(size), noise=options.get("noise")))
+        dims = ("component", *dims)
+    attributes = _attributes(name, step, values.dtype, len(size), options)
+    return xarray.DataArray(values, coordinates, dims, name, attributes)
+
+
+def _block(version, name, dimensions, options, block_info=None):
+    """What a worker computes."""
+    if version != __version__:
+        raise RuntimeError(f"this worker has hashnoise {__version__}, and the array was made with {version}: other "
+                           "versions may have other bits. Install the same version on all workers")
+    place = block_info[None]["array-location"][-dimensions:][::-1]  # along x first
+    return _grid(name, tuple(end - begin for begin, end in place), first=tuple(begin for begin, _ in place), **options)
+
+
+def _size(size):
+    return per_axis("dask.grid", "size", size, len(size) if hasattr(size, "__len__") else 1, ruled_number)
+
+
+def _chunks(chunks, size, dtype):
+    """The blocks along each axis of a plane."""
+    shape = size[::-1]
+    wanted = _usual_chunks(size) if isinstance(chunks, str) and chunks == "auto" else chunks
+    try:
+        cut = _normalize_chunks(wanted, shape=shape, dtype=dtype)
+    except (TypeError, ValueError, ZeroDivisionError) as error:
+        raise _wrong_chunks(chunks, shape, str(error)) from None
+    for points, blocks in zip(shape, cut):
+        if sum(blocks) != points or not all(isinstance(n, (int, np.integer)) and n >= 0 for n in blocks):
+            raise _wrong_chunks(chunks, shape, f"{blocks} are no whole numbers whose sum is {points}")
+    return cut
+
+
+def _wrong_chunks(chunks, shape, why):
+    axes = ", ".join(reversed(AXES[:len(shape)]))
+    return ValueError(f"dask.grid: chunks must be a number of points of 1 or more, or a tuple with such a number, or "
+                      f"with the sizes of all blocks, for each of the axes {axes}, along which there are {shape} "
+                      f"points; not {chunks!r}: {why}")
+
+
+def _usual_chunks(size):
+    """Blocks of about 2^22 points, whose sides are powers of two."""
+    sides = [1] * len(size)
+    room = _BLOCK
+    # A short axis leaves more to the others.
+    for rank, axis in enumerate(sorted(range(len(size)), key=size.__getitem__)):
+        side = room // (len(size) - rank)
+        room -= min(side, max(size[axis] - 1, 0).bit_length())
+        sides[axis] = 1 << side
+    return tuple(reversed(sides))
+
+
+def _units(step):
+    """A step of a grid of cells, in units of 2^-32 cells, as the compiled part rounds it."""
+    return int(math.copysign(math.floor(abs(step) * 2**32 + 0.5), step))
+
+
+def _positions(size, step, options):
+    """The coordinates of the points along each axis, in cells."""
+    dimensions = len(size)
+    step = per_axis("dask.grid", "step", step, dimensions, real_number)
+    origin = per_axis("dask.grid", "origin", options.get("origin", 0.0), dimensions, real_number)
+    if options.get("cell") is None:
+        return [(np.float64(np.float32(begin)) + np.arange(points) * np.float64(np.float32(along))).astype(np.float32)
+                .astype(np.float64) for points, along, begin in zip(size, step, origin)]
+    cell = per_axis("dask.grid", "cell", options["cell"], dimensions, ruled_number)
+    positions = []
+    for points, along, begin, first in zip(size, step, origin, cell):
+        start = (first << 32) + int(float(np.float32(begin)) * 2**32)
+        at = np.int64(start) + np.int64(_units(along)) * np.arange(points)  # cells wrap, and so does this
+        positions.append((at >> 8) / 2**24)
+    return positions
+
+
+def _attributes(name, step, dtype, dimensions, options):
+    """How an array was made, as Zarr can write it; and of words what they stand for."""
+    attributes = {"hashnoise": __version__, "function": name, "step": step, "arithmetic": "fixed", **options}
+    made = {key: _plain(value) for key, value in attributes.items()
+            if value is not None and key not in ("chunks", "threads")}
+    if dtype == np.uint16:
+        settings = {key: value for key, value in options.items() if key not in _OF_GRIDS}
+        ranges = set(checked_ranges("dask.grid", name, options.get("range"), dtype,
+                                    field_of("dask.grid", name, dimensions, settings)))
+        if len(ranges) == 1:
+            least, greatest = ranges.pop()
+            made["scale_factor"] = (greatest - least) / 65535
+            made["add_offset"] = least
+    return made
+
+
+def _plain(value):
+    """A value as JSON has it."""
+    if isinstance(value, (tuple, list, np.ndarray)):
+        return [_plain(part) for part in value]
+    if isinstance(value, (str, bool)):
+        return value
+    if isinstance(value, (int, np.integer)):
+        return int(value)
+    return float(value) if isinstance(value, (float, np.floating)) else str(np.dtype(value))

@@ -1,0 +1,241 @@
+"""Grids on a cluster whose workers are killed, with coordinates, and in files of Zarr: the same bits."""
+
+from __future__ import annotations
+
+import contextlib
+import doctest
+import importlib.util
+import io
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+import distributed
+import golden
+import hashnoise
+import hashnoise.dask
+import numpy
+import xarray
+from distributed.client import futures_of
+from documents_test import FENCE
+
+SIZE = (1500, 1100)
+OPTIONS = {"step": 0.0371, "octaves": 32, "seed": 7}  # so that it takes long beside what is told of it
+PAGE = golden.ROOT / "docs" / "dask.md"
+EXAMPLE = golden.ROOT / "examples" / "dask" / "terrain.py"
+
+
+def example():
+    specification = importlib.util.spec_from_file_location("terrain", EXAMPLE)
+    module = importlib.util.module_from_spec(specification)
+    specification.loader.exec_module(module)
+    return module
+
+
+def files(folder: Path) -> list[Path]:
+    """The blocks of an array."""
+    return [path for path in (folder / "fbm").rglob("*") if path.is_file()]
+
+
+class Cluster(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.whole = hashnoise.grid("fbm", SIZE, **OPTIONS, arithmetic="fixed")
+
+    def setUp(self):
+        self.scratch = Path(self.enterContext(tempfile.TemporaryDirectory()))
+        self.cluster = self.enterContext(distributed.LocalCluster(
+            n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None, silence_logs=50))
+        self.client = self.enterContext(distributed.Client(self.cluster))
+
+    def processes(self) -> dict[str, int]:
+        """Of the workers, by their addresses."""
+        return self.client.run(os.getpid)
+
+    def test_blocks_of_killed_workers_are_the_same_again(self):
+        computed = self.client.persist(hashnoise.dask.grid("fbm", SIZE, **OPTIONS, chunks=100))
+        futures = futures_of(computed)
+        processes = self.processes()
+        for number, future in enumerate(distributed.as_completed(futures)):
+            if number == 10:
+                break
+        holder, *_ = next(iter(self.client.who_has([future]).values()))
+        self.assertTrue(any(other.status == "pending" for other in futures), "all blocks were there already")
+        os.kill(processes[holder], signal.SIGKILL)  # which has this block, and others
+        values = computed.compute()
+        self.assertNotIn(processes[holder], self.processes().values())
+        self.assertEqual(values.tobytes(), self.whole.tobytes())
+
+    def test_a_file_that_a_killed_worker_wrote_to(self):
+        path = self.scratch / "land.zarr"
+        land = hashnoise.dask.data_array("fbm", SIZE, **OPTIONS, chunks=100)
+        processes = self.processes()
+        written = self.client.compute(land.to_zarr(path, compute=False, consolidated=False))
+        while len(files(path)) < 10 and not written.done():
+            time.sleep(0.01)
+        self.assertFalse(written.done(), "all of it was written already")
+        killed = min(processes.values())
+        os.kill(killed, signal.SIGKILL)
+        written.result()
+        self.assertNotIn(killed, self.processes().values())
+        with xarray.open_dataarray(path, engine="zarr", consolidated=False) as found:
+            self.assertEqual(found.values.tobytes(), self.whole.tobytes())
+
+    def test_a_worker_that_computes_otherwise_is_noticed(self):
+        array = hashnoise.dask.grid("fbm", SIZE, **OPTIONS, chunks=500)
+        def spoil():
+            import hashnoise.dask
+            hashnoise.dask._grid = lambda *arguments, **options: 2 * hashnoise.grid(*arguments, **options)
+        self.client.run(spoil)
+        self.assertNotEqual(array.compute().tobytes(), self.whole.tobytes())
+
+
+class Coordinates(unittest.TestCase):
+    def test_positions_are_those_of_the_points(self):
+        for where in ({"step": (0.0371, 0.05), "origin": (0.1, -50.0)}, {"step": 0.01, "cell": (7, -9)},
+                      {"step": (1 / 3, -0.17), "cell": (-5, 10**6), "origin": (0.25, 0.1)}):
+            with self.subTest(where):
+                land = hashnoise.dask.data_array("perlin", (50, 30), **where, seed=3)
+                x, y = land.x.values, land.y.values[:, numpy.newaxis]
+                cell = numpy.floor(x).astype(int), numpy.floor(y).astype(int)
+                if "cell" in where:
+                    values = hashnoise.perlin(x - cell[0], y - cell[1], cell=cell, seed=3, arithmetic="fixed")
+                else:
+                    values = hashnoise.perlin(x, y, seed=3, arithmetic="fixed")
+                self.assertEqual(land.values.tobytes(), values.tobytes())
+
+    def test_units_and_names(self):
+        land = hashnoise.dask.data_array("fbm", (1000, 600), step=1 / 256, cell=(0, 2), cell_size=256, unit="m")
+        self.assertEqual(land.dims, ("y", "x"))
+        self.assertEqual((land.x[10], land.y[10], land.x.units), (10.0, 522.0, "m"))
+        self.assertEqual(land.name, "fbm")
+        planes = hashnoise.dask.data_array("perlin_d", (9, 8, 7), step=0.1)
+        self.assertEqual(planes.dims, ("component", "z", "y", "x"))
+        self.assertEqual(planes.component.values.tolist(), ["value", "dx", "dy", "dz"])
+        self.assertEqual(planes.sel(component="dy").values.tobytes(),
+                         hashnoise.grid("perlin_d", (9, 8, 7), step=0.1, arithmetic="fixed")[2].tobytes())
+
+    def test_attributes_make_it_again(self):
+        land = hashnoise.dask.data_array("fbm", (30, 20), step=(0.1, 0.2), cell=(3, 4), octaves=3, seed=numpy.uint32(5),
+                                         dtype=numpy.uint16, range=(-0.5, 0.5), chunks=16)
+        made = dict(land.attrs)
+        self.assertEqual(made.pop("hashnoise"), hashnoise.__version__)
+        self.assertEqual((made.pop("scale_factor"), made.pop("add_offset")), (1 / 65535, -0.5))
+        again = hashnoise.grid(made.pop("function"), (30, 20), **made)
+        self.assertEqual(again.tobytes(), land.values.tobytes())
+
+    def test_wrong(self):
+        for kind, options, said in ((ValueError, {"cell_size": 0}, "cell_size must be more than 0, not 0.0"),
+                                    (TypeError, {"cell_size": "m"}, "cell_size must be a number"),
+                                    (TypeError, {"unit": 3}, 'unit must be a name, as in "m", not 3')):
+            with self.assertRaisesRegex(kind, said):
+                hashnoise.dask.data_array("fbm", (9, 9), step=0.1, **options)
+
+
+class Files(unittest.TestCase):
+    def setUp(self):
+        self.scratch = Path(self.enterContext(tempfile.TemporaryDirectory()))
+
+    def test_words_are_read_as_values(self):
+        path = self.scratch / "land.zarr"
+        land = hashnoise.dask.data_array("fbm", (300, 200), step=0.05, dtype="uint16", chunks=64)
+        land.to_zarr(path, consolidated=False)
+        with xarray.open_dataarray(path, engine="zarr", consolidated=False) as found:
+            values = hashnoise.grid("fbm", (300, 200), step=0.05, arithmetic="fixed")
+            self.assertLess(numpy.abs(found.values - values).max(), 1.01 / 65535)
+        with xarray.open_dataarray(path, engine="zarr", consolidated=False, mask_and_scale=False) as found:
+            self.assertEqual(found.values.tobytes(), land.values.tobytes())
+            self.assertEqual(found.attrs["octaves"] if "octaves" in found.attrs else 6, 6)
+
+
+class Example(unittest.TestCase):
+    def setUp(self):
+        self.scratch = Path(self.enterContext(tempfile.TemporaryDirectory()))
+        self.example = example()
+
+    def test_a_small_terrain(self):
+        with contextlib.redirect_stdout(io.StringIO()):
+            self.assertEqual(self.example.main(["--size", "700", "--out", str(self.scratch / "small.zarr")]), 0)
+        with xarray.open_dataarray(self.scratch / "small.zarr", engine="zarr", consolidated=False,
+                                   mask_and_scale=False) as found:
+            whole = hashnoise.grid("fbm", (700, 700), step=1 / 4096, cell=(0, 0), octaves=11, seed=7, dtype="uint16",
+                                   arithmetic="fixed")
+            self.assertEqual(found.values.tobytes(), whole.tobytes())
+
+    def test_the_large_one_is_a_description(self):
+        land = self.example.terrain(200_000)
+        self.assertEqual((land.shape, land.dtype, land.data.chunksize), ((200_000, 200_000), "uint16", (2048, 2048)))
+        self.assertEqual((land.x[-1], land.x.units), (199_999.0, "m"))
+        part = land.sel(x=slice(150_000, 150_009), y=slice(199_990, 199_999))
+        expected = hashnoise.grid("fbm", (10, 10), step=1 / 4096, cell=(0, 0), first=(150_000, 199_990), octaves=11,
+                                  seed=7, dtype="uint16", arithmetic="fixed")
+        self.assertEqual(part.values.tobytes(), expected.tobytes())
+
+    def test_memory_does_not_grow_with_the_terrain(self):
+        small, large = (self.example.measure(size, {"octaves": 1}) for size in (4096, 12288))
+        self.assertLess(large["memory"], 1.5 * small["memory"] + 50e6)
+
+    def test_the_table(self):
+        table = self.example.table(((300, {}), (300, {"dtype": "float32"})))
+        self.assertIn("| 300 m | float32 | 11 | fixed | ", table)
+        text = f"# Page\n{self.example.BEGIN}old\n{self.example.END}rest\n"
+        self.assertEqual(self.example.with_table(text, table), text.replace("old\n", table))
+
+    def test_a_page_without_its_marks_is_noticed(self):
+        for text in ("", self.example.BEGIN, self.example.END + self.example.BEGIN):
+            with self.assertRaisesRegex(ValueError, "the page must have the marks"):
+                self.example.with_table(text, "table")
+
+
+class Page(unittest.TestCase):
+    def test_code_runs(self):
+        blocks = FENCE.findall(PAGE.read_text(encoding="utf-8"))
+        self.assertGreater(len(blocks), 2)
+        here = os.getcwd()
+        self.addCleanup(os.chdir, here)
+        os.chdir(self.enterContext(tempfile.TemporaryDirectory()))
+        for block in blocks:
+            with self.subTest(block):
+                # The large terrain is written small.
+                exec(compile(block.replace("200_000", "2_000"), PAGE.name, "exec"), {"__name__": "__main__"})
+
+    def test_its_table_is_there(self):
+        module = example()
+        table = PAGE.read_text(encoding="utf-8").partition(module.BEGIN)[2].partition(module.END)[0]
+        for size, options in module.MEASURED:
+            self.assertRegex(table, rf"(?m)^\| {size:,} m \| {options.get('dtype', 'uint16')} \| "
+                                    rf"{options.get('octaves', 11)} \| {options.get('arithmetic', 'fixed')} \| \d")
+
+    def test_examples_of_docstrings(self):
+        results = doctest.testmod(hashnoise.dask, extraglobs={"hashnoise": hashnoise, "numpy": numpy})
+        self.assertGreater(results.attempted, 8)
+        self.assertEqual(results.failed, 0)
+
+
+class Types(unittest.TestCase):
+    def compare(self, folder: Path) -> subprocess.CompletedProcess[str]:
+        """The stub with the code; a package in the folder stands before the installed one."""
+        (folder / "mypy.ini").write_text("[mypy]\nignore_missing_imports = True\nfollow_imports = silent\n")
+        return subprocess.run([sys.executable, "-B", "-m", "mypy.stubtest", "hashnoise.dask", "--mypy-config-file",
+                               "mypy.ini"], cwd=folder, capture_output=True, text=True, check=False)
+
+    def test_the_stub_has_what_the_code_has(self):
+        folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
+        done = self.compare(folder)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        shutil.copytree(Path(hashnoise.__file__).parent, folder / "hashnoise")
+        stub = folder / "hashnoise" / "dask.pyi"
+        stub.write_text(stub.read_text().replace("cell_size: float = 1.0", "cell_side: float = 1.0"))
+        done = self.compare(folder)
+        self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+        self.assertIn("error: hashnoise.dask.data_array ", done.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()
