@@ -23,6 +23,11 @@ add_test(NAME python.dask_cluster CONFIGURATIONS Thorough
          COMMAND Python3::Interpreter -B ${package_tests}/environment.py run --with dask_cluster.txt
                  ${package_environment} dask_cluster_test)
 set_tests_properties(python.dask python.dask_cluster PROPERTIES FIXTURES_REQUIRED python_wheel SKIP_RETURN_CODE 77)
+# It builds a wheel once more.
+add_test(NAME python.manylinux CONFIGURATIONS Thorough
+         COMMAND Python3::Interpreter -B ${package_tests}/environment.py run ${package_environment} manylinux_test)
+set_tests_properties(python.manylinux PROPERTIES FIXTURES_REQUIRED python_wheel SKIP_RETURN_CODE 77
+                     ENVIRONMENT HASHNOISE_LIBRARY=$<TARGET_FILE:hashnoise-grid>)
 foreach(subject arrays documents golden options source types)
   add_test(NAME python.${subject} COMMAND Python3::Interpreter -B ${package_tests}/environment.py run ${package_environment} ${subject}_test)
   set_tests_properties(python.${subject} PROPERTIES FIXTURES_REQUIRED python_wheel SKIP_RETURN_CODE 77)

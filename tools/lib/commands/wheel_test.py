@@ -45,7 +45,7 @@ class Wheel(unittest.TestCase):
             with self.subTest(arguments):
                 done = self.call(*arguments)
                 self.assertEqual((done.returncode, done.stderr), (0, ""))
-                self.assertIn("tools/wheel [--python PYTHON] [FOLDER]", done.stdout)
+                self.assertIn("tools/wheel [--python PYTHON] [--manylinux] [FOLDER]", done.stdout)
                 self.assertIn("Exit status: 0 done", done.stdout)
                 self.assertNotIn("#", done.stdout)
                 self.assertFalse((self.root / "build").exists())
