@@ -1,7 +1,7 @@
 // What people do with the page: open it from a disk, use a keyboard alone, two fingers, links, the clipboard.
 import assert from "node:assert/strict";
 import test, { after, before } from "node:test";
-import { kPage, kPhone, launched, opened, pixels, ready, stateOfPage } from "./support.mjs";
+import { kForWebGl, kPage, kPhone, launched, opened, pixels, ready, stateOfPage } from "./support.mjs";
 
 // A pixel of the picture has four on a side of the page, since most tests are not about the picture.
 const kLaptop = { width: 1280, height: 720, deviceScaleFactor: 0.25 };
@@ -88,8 +88,13 @@ const differing = (page, first, second) =>
   );
 
 let browser;
-before(async () => (browser = await launched()));
-after(() => browser.close());
+let other; // for the few tests that see WebGPU's canvas
+const withWebGpu = async () => (other ??= await launched());
+before(async () => (browser = await launched(kForWebGl)));
+after(async () => {
+  await browser.close();
+  await other?.close();
+});
 
 test("it opens from a disk, and loads nothing", async () => {
   assert.match(kPage, /^file:/);
@@ -295,7 +300,7 @@ test("a picture at rest is sharp", async () => {
     ["#sum=eroded&dimensions=3&warp=warp_progressive&octaves=8", kPane],
     ["#sum=none", { ...kPhone, width: 195, height: 422, deviceScaleFactor: 3.5 }],
   ]) {
-    const page = await opened(browser, { link, viewport });
+    const page = await opened(link.includes("webgpu") ? await withWebGpu() : browser, { link, viewport });
     await sharp(page);
     assert.equal(await visibleText(page, "drawing"), "");
     assert.deepEqual(page.complaints, []);
@@ -310,7 +315,8 @@ const kBesideOthers = process.env.HN_BESIDE_OTHERS === "1";
 test("a slow picture becomes sharp in strips that leave the page time", { skip: kBesideOthers }, async () => {
   for (const renderer of ["webgl2", "webgpu"]) {
     const link = `#sum=none&map=grey&cells=40&renderer=${renderer}`;
-    const page = await opened(browser, { link, viewport: kPane, before: decoding });
+    const on = renderer === "webgpu" ? await withWebGpu() : browser;
+    const page = await opened(on, { link, viewport: kPane, before: decoding });
     await sharp(page);
     // Forty milliseconds for nothing are no reason for a coarse picture.
     await slowDown(page, 40, 0.0001);
@@ -515,16 +521,18 @@ test("a wheel changes the scale around the pointer, whose value is shown", async
 });
 
 test("it fits a phone", async () => {
+  const page = await opened(browser, {
+    viewport: { ...kPhone, deviceScaleFactor: 0.25 },
+    link: "#sum=ping_pong&noise=cells&dimensions=3&warp=warp&metric=manhattan",
+  });
   for (const [viewport, least] of [
     [kPhone, 40],
     [{ ...kPhone, width: 320, height: 568 }, 40],
     [{ ...kPhone, width: 844, height: 390 }, 40],
     [kLaptop, 28],
   ]) {
-    const page = await opened(browser, {
-      viewport: { ...viewport, deviceScaleFactor: 0.25 },
-      link: "#sum=ping_pong&noise=cells&dimensions=3&warp=warp&metric=manhattan",
-    });
+    await page.setViewport({ ...viewport, deviceScaleFactor: 0.25 });
+    await ready(page);
     const found = await page.evaluate((size) => {
       const sheet = document.getElementById("sheet");
       const small = [
@@ -547,8 +555,8 @@ test("it fits a phone", async () => {
       };
     }, least);
     assert.deepEqual(found, { small: [], wide: [], scrolls: false }, JSON.stringify(viewport));
-    await page.close();
   }
+  await page.close();
 });
 
 test("light and dark have enough contrast", async () => {
@@ -582,7 +590,7 @@ test("light and dark have enough contrast", async () => {
 });
 
 test("WebGPU draws, and where there is none the page says so and goes on", async () => {
-  const page = await opened(browser, { link: "#renderer=webgpu", viewport: kLaptop });
+  const page = await opened(await withWebGpu(), { link: "#renderer=webgpu", viewport: kLaptop });
   assert.match(await page.$eval("#gpu", (text) => text.textContent), /swiftshader/i);
   assert.equal(await page.$eval("#picture-webgpu", (canvas) => canvas.hidden), false);
   assert.deepEqual(page.complaints, []);

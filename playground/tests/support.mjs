@@ -19,10 +19,13 @@ const { launch, open } = await import(pathToFileURL(resolve("chromium.mjs")));
 
 const kSkipped = 77;
 
-// A canvas of WebGPU needs the compositor to be on the same Vulkan.
-export async function launched() {
+// A canvas of WebGPU needs the compositor to be on the same Vulkan, where each frame of the page is expensive.
+export const kForWebGpu = ["--enable-features=Vulkan", "--use-vulkan=swiftshader"];
+export const kForWebGl = ["--disable-gpu-compositing"];
+
+export async function launched(args = kForWebGpu) {
   try {
-    return await launch({ args: ["--enable-features=Vulkan", "--use-vulkan=swiftshader"] });
+    return await launch({ args });
   } catch (error) {
     if (!/^there is no /.test(error.message)) throw error;
     console.log(`skipped: ${error.message}`);
