@@ -107,14 +107,14 @@ std::vector<Subject> some_of(const std::vector<Subject>& all, std::size_t every)
 }
 
 TEST_F(SubjectShaders, OfTheLibraryCompile) {
-  for (const Subject& subject : some_of(library_subjects(default_configuration()), 9)) expect_shaders_work(subject);
+  for (const Subject& subject : some_of(library_subjects(default_configuration()), 17)) expect_shaders_work(subject);
 }
 
 // What a row of the table calls is the same with each setting, so a part of the rows shows that the setting gets there.
 TEST_F(SubjectShaders, OfOtherSettingsCompile) {
   for (const std::string_view name : {"custom", "fnv1+sine", "lattice+precise", "lattice+fixed"}) {
     ASSERT_EQ(configuration_named(name).name, name);
-    const std::vector<Subject> subjects = some_of(library_subjects(configuration_named(name)), 7);
+    const std::vector<Subject> subjects = some_of(library_subjects(configuration_named(name)), 11);
     for (std::size_t i = 0; i < subjects.size(); i += 5) expect_shaders_work(subjects[i]);
   }
 }
@@ -135,7 +135,7 @@ TEST_F(SubjectShaders, CostMoreThanTheEmptyOnes) {
     const auto optimised = words ? optimise_spirv(*words) : words;
     return optimised ? count_spirv(*optimised) : 0;
   };
-  std::vector<Subject> subjects = some_of(library_subjects(default_configuration()), 7);
+  std::vector<Subject> subjects = some_of(library_subjects(default_configuration()), 13);
   for (const int dimensions : {2, 3}) {
     subjects.push_back(float_subject(dimensions));
     subjects.push_back(integer_subject(dimensions));
