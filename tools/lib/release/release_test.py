@@ -144,6 +144,9 @@ class Refuses(Project):
         self.git(self.root, "commit", "-qam", "Take the day back")
         self.refused(1, 'has "not released" in place of the day', "--only", "single")
 
+    def test_a_citation_is_of_this_version(self):
+        self.assertIn(f"\nversion: {version()}\n", (ROOT / "CITATION.cff").read_text())
+
     def test_a_version_that_the_changelog_does_not_have(self):
         with self.assertRaisesRegex(files.NoRelease, "says nothing of 7.0.0"):
             files.notes("## 0.7.0 (2026-01-01)\n\n- Something.\n", "7.0.0", trial=True)
