@@ -4,16 +4,18 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <hashnoise/detail/closest.hpp>
 #include <sstream>
 #include <string_view>
 #include <thread>
 
-#include "base/closest.hpp"
 #include "base/command_line.hpp"
 #include "base/version.hpp"
 
 namespace hn {
 namespace {
+
+using hashnoise::detail::suggestion;
 
 constexpr std::uint64_t kMostPoints = 10'000'000'000;
 

@@ -21,7 +21,6 @@
 #include "expected/exact_sets.hpp"
 #include "expected/golden.hpp"
 #include "fault/faults.hpp"
-#include "report/digest.hpp"
 #include "report/report.hpp"
 #include "run/expectation.hpp"
 #include "run/filter.hpp"
@@ -247,12 +246,10 @@ bool has_default_cases(const RunCommand& options) {
 }
 
 // Which files can be sent.
-std::string digests_text(const std::vector<Run>& runs, const std::filesystem::path& out) {
+std::string digests_text(const std::vector<std::filesystem::path>& digests) {
+  if (digests.empty()) return "";
   std::vector<std::string> paths;
-  for (const Run& run : runs) {
-    if (digest_text(run)) paths.push_back((out / digest_file(run)).string());
-  }
-  if (paths.empty()) return "";
+  for (const std::filesystem::path& digest : digests) paths.push_back(digest.string());
   return fmt::format("To send what was found (docs/conformance.md says how): {}\n", fmt::join(paths, ", "));
 }
 
@@ -266,7 +263,7 @@ int conclude(const std::vector<Run>& runs, const std::string& out, const std::ve
     complain(written.error().text());
     return kNotWritten;
   }
-  say(printable(digests_text(runs, out)));
+  say(printable(digests_text(*written)));
   const bool good = problems.empty() && all_as_expected(runs);
   const std::string_view verdict = good                    ? "All as expected"
                                    : only_unfinished(runs) ? "NOT THE WHOLE RUN"

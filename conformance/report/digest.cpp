@@ -1,6 +1,7 @@
 #include "report/digest.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -12,6 +13,7 @@
 
 #include "base/checksum.hpp"
 #include "base/file.hpp"
+#include "base/strings.hpp"
 #include "base/version.hpp"
 #include "expected/exact_sets.hpp"
 #include "library/timed.hpp"
@@ -28,17 +30,6 @@ constexpr std::size_t kMostBytesRead = 400;
 constexpr std::size_t kMostNameBytes = 96;
 constexpr std::string_view kSafe = "()+,./:;@_-";  // beside letters and digits
 constexpr std::size_t kMostFailed = 12;
-
-// The parts of a case's id.
-std::vector<std::string_view> parts_of(std::string_view id) {
-  std::vector<std::string_view> parts;
-  while (!id.empty()) {
-    const std::string_view part = id.substr(0, id.find('.'));
-    id.remove_prefix(std::min(part.size() + 1, id.size()));
-    parts.push_back(part);
-  }
-  return parts;
-}
 
 // Empty for what is no driver of a device.
 std::string_view api_of(std::string_view driver) {
@@ -91,19 +82,17 @@ struct Part {
       failed = failed || numbers[1] != 0;
     }
     std::map<std::string, std::vector<std::uint32_t>> words;
-    std::string bits((exact_sets().size() + 3) / 4, '0');
+    std::vector<unsigned> digits((exact_sets().size() + 3) / 4);
     for (const auto& [set, checksum] : checksums) {
       const std::string_view function = exact_sets()[set].function;
       words[std::string(function.substr(0, function.find('.')))].push_back(checksum);
-      char& digit = bits[set / 4];
-      const int value = (digit <= '9' ? digit - '0' : digit - 'a' + 10) | (8 >> (set % 4));
-      digit = "0123456789abcdef"[value];
+      digits[set / 4] |= 8u >> (set % 4);
     }
     Json sums = Json::object();
     for (const auto& [group, list] : words) {
       sums[group] = fmt::format("{:08x}", crc32_of(bytes_of(std::span<const std::uint32_t>(list))));
     }
-    return {{"cases", groups}, {"checksums", sums}, {"sets", bits}, {"verdict", failed ? "fail" : "pass"}};
+    return {{"cases", groups}, {"checksums", sums}, {"sets", fmt::format("{:x}", fmt::join(digits, ""))}, {"verdict", failed ? "fail" : "pass"}};
   }
 };
 
@@ -170,7 +159,7 @@ std::optional<std::string> digest_text(const Run& run) {
   std::map<std::string, Part> parts;
   std::vector<std::string> failed;
   for (const CaseResult& result : run.cases) {
-    const auto names = parts_of(result.id);
+    const auto names = split(result.id, '.');
     if (names.size() != 7) return {};
     parts[names[5] == "wgsl" ? "webgpu" : std::string(api)].add(result, names);
     if (is_bad(result.outcome.status) && failed.size() < kMostFailed) failed.push_back(result.id);

@@ -122,15 +122,21 @@ Result<OutputFolder> prepare_results(const std::filesystem::path& directory) {
   return folder;
 }
 
-Result<void> write_results(const std::filesystem::path& directory, const std::vector<Run>& runs,
-                           const std::vector<std::string>& problems) {
+Result<std::vector<std::filesystem::path>> write_results(const std::filesystem::path& directory,
+                                                         const std::vector<Run>& runs,
+                                                         const std::vector<std::string>& problems) {
   HN_DO(write_file(directory / kResultsFile, results_text(runs)));
   HN_DO(write_file(directory / kJunitFile, junit_text(runs, problems)));
+  std::vector<std::filesystem::path> digests;
   for (const Run& run : runs) {
-    if (const auto digest = digest_text(run)) HN_DO(write_file(directory / digest_file(run), *digest));
+    const auto digest = digest_text(run);
+    if (!digest) continue;
+    digests.push_back(directory / digest_file(run));
+    HN_DO(write_file(digests.back(), *digest));
   }
   HN_TRY(const auto page, report_page(runs, problems));
-  return write_file(directory / kPageFile, page);
+  HN_DO(write_file(directory / kPageFile, page));
+  return digests;
 }
 
 std::string edited_libraries(const std::vector<Run>& runs) {

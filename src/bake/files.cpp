@@ -10,11 +10,11 @@
 #include "bake/ktx2.hpp"
 #include "bake/mapping.hpp"
 #include "bake/picture.hpp"
-#include "bake/ranges.hpp"
 #include "base/file.hpp"
 #include "base/json.hpp"
 #include "base/version.hpp"
 #include "grid/functions.hpp"
+#include "grid/ranges.hpp"
 #include "grid/rules.hpp"
 
 namespace hn {
@@ -239,7 +239,7 @@ Result<std::vector<Mapping>> mappings_of(const BakeOptions& options, const std::
     }
     const auto documented =
         options.expression ? std::nullopt
-                           : documented_range(options.settings, static_cast<int>(options.size.size()), components[i]);
+                           : hashnoise::grid::documented_range(options.settings, static_cast<int>(options.size.size()), components[i]);
     if (!documented) {
       return fail(
           fmt::format("no range is documented for the component {} of {} with these settings; name one with "

@@ -7,11 +7,11 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <hashnoise/detail/closest.hpp>
 #include <numeric>
 #include <utility>
 
 #include "bake/arguments.hpp"
-#include "base/closest.hpp"
 #include "base/output/text.hpp"
 #include "base/result.hpp"
 #include "base/strings.hpp"
@@ -21,6 +21,8 @@
 
 namespace hn {
 namespace {
+
+using hashnoise::detail::suggestion;
 
 constexpr double kMostCells = 1 << 30;  // so that positions fit into 64 bits, in units of 2^-32
 

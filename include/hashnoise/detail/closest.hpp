@@ -40,8 +40,8 @@ inline int slips_between(const char* word, int word_length, const char* name, in
 template <typename Names>
 std::string closest(std::string_view word, const Names& names) {
   std::string best;
-  int fewest = std::max(static_cast<int>(std::min(word.size(), kLongestWord)) / 3, 1) + 1;
   if (word.size() > kLongestWord) return best;
+  int fewest = std::max(static_cast<int>(word.size()) / 3, 1) + 1;
   std::vector<int> room((kLongestWord + 1) * (kLongestWord + 1));
   for (const std::string_view name : names) {
     if (name.size() > kLongestWord) continue;

@@ -1,4 +1,4 @@
-#include "bake/ranges.hpp"
+#include "grid/ranges.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -10,6 +10,8 @@
 
 namespace hn {
 namespace {
+
+using hashnoise::grid::documented_range;
 
 std::string text_of_glsl(const std::string& name) {
   const auto text = read_file(fmt::format("{}/{}.glsl", HN_GLSL_DIRECTORY, name));
