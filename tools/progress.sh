@@ -39,6 +39,10 @@ calibration() {
   done | awk '{ sum += $1 } END { print sum / NR }'
 }
 
+# The mean of that and of what it was before: a machine that others share is not always as fast.
+#   calibration_since BEFORE [HOW_MANY]
+calibration_since() { awk -v before="$1" -v now="$(calibration "${2:-1}")" 'BEGIN { print (before + now) / 2 }'; }
+
 speed_here=
 seconds_here() {
   [[ -n $speed_here ]] || speed_here=$(calibration "$(nproc 2>/dev/null || echo 1)")

@@ -201,7 +201,7 @@ setup() {
 
 #   configure_and_build NAME_IN_THE_TABLE FOLDER BY_WHOM OPTION... -- [TARGET...]
 configure_and_build() {
-  local name=$1 folder=$2 by=$3 new='' steps before time_of_children
+  local name=$1 folder=$2 by=$3 new='' steps before speed time_of_children
   local -a options=()
   shift 3
   while [[ $1 != -- ]]; do
@@ -216,12 +216,13 @@ configure_and_build() {
   [[ $steps != 0 ]] || return 0
   take_time_of_children
   before=$time_of_children
+  speed=$(calibration "$(nproc 2>/dev/null || echo 1)")
   expected=$(predict_build "$name" "$steps") logged "Building${steps:+ $steps steps}$by" "The build$by failed" \
     cmake --build "$folder" ${1:+--target "$@"}
   take_time_of_children
   if [[ -n $new && -n $steps ]]; then
     keep_measured build "$name" "$(awk -v a="$time_of_children" -v b="$before" 'BEGIN { printf "%.0f", a - b }')" \
-      "$(calibration "$(nproc 2>/dev/null || echo 1)")"
+      "$(calibration_since "$speed" "$(nproc 2>/dev/null || echo 1)")"
     keep_measured steps "$name" "$steps"
   fi
 }

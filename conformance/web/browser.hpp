@@ -21,7 +21,7 @@ struct Browser {
   std::vector<std::string_view> environment;  // NAME=value
   std::string_view renderer;                  // what the renderer's name has in it then
   Platform platform = Platform::opengl;
-  // In PATH. The first is Chromium without what draws windows, which starts in a third of the time.
+  // In PATH. The first is Chromium without what draws windows, which starts in less than half of the time.
   std::vector<std::string_view> programs = {"chromium-headless-shell", "chromium", "chromium-browser", "google-chrome"};
 };
 

@@ -6,7 +6,7 @@ import os
 import shutil
 from pathlib import Path
 
-# The first is Chromium without what draws windows, which starts in a third of the time.
+# The first is Chromium without what draws windows, which starts in less than half of the time.
 PROGRAMS = ("chromium-headless-shell", "chromium", "chromium-browser", "google-chrome")
 
 

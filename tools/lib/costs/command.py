@@ -114,8 +114,6 @@ def wait_for_what_is_left() -> None:
 
 def cost_of(command: list[str], folder: str | None, environment: dict[str, str], log: Path) -> tuple[int, float]:
     """The status of a command, and its processor time."""
-    # Chromium's processes end behind that which started them, and nobody else asks what they have used.
-    ctypes.CDLL(None).prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0)
     before = time_of_children()
     with log.open("w", encoding="utf-8") as out:
         try:
@@ -146,6 +144,8 @@ def record(build: Path, path: Path, options: list[str]) -> int:
     there = table.setdefault(("speed", "loop"), costs.Row(busy)).value
     measured = kept_rows(build, there)
     tests = [] if "-N" in options else listed(build, *options)
+    # Chromium's processes end behind that which started them, and nobody else asks what they have used.
+    ctypes.CDLL(None).prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0)
     failed = []
     log = build / "recorded.log"
     clock = Clock(there)

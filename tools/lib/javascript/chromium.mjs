@@ -28,7 +28,7 @@ async function program(...names) {
 /** puppeteer's browser, with WebGL2 and WebGPU. Close it. */
 export async function launch({ args = [], ...others } = {}) {
   return puppeteer.launch({
-    // The first is Chromium without what draws windows, which starts in a third of the time.
+    // The first is Chromium without what draws windows, which starts in less than half of the time.
     executablePath: await program("chromium-headless-shell", "chromium", "chromium-browser", "google-chrome"),
     headless: true,
     args: [...options, ...args],
