@@ -14,6 +14,15 @@ std::vector<std::size_t> able(const Case& test, std::span<const DealtDriver> dri
   return able;
 }
 
+// Each driver as many times as it has turns.
+std::vector<std::size_t> in_a_round(const std::vector<std::size_t>& candidates, std::span<const DealtDriver> drivers) {
+  std::vector<std::size_t> round;
+  for (const std::size_t driver : candidates) {
+    round.insert(round.end(), static_cast<std::size_t>(drivers[driver].turns), driver);
+  }
+  return round;
+}
+
 }  // namespace
 
 std::vector<std::vector<std::size_t>> deal(std::span<const Case> cases, std::span<const DealtDriver> drivers) {
@@ -30,7 +39,8 @@ std::vector<std::vector<std::size_t>> deal(std::span<const Case> cases, std::spa
       }
       continue;
     }
-    dealt[candidates.empty() ? 0 : candidates[turn % candidates.size()]].push_back(i);
+    const auto turns = in_a_round(candidates, drivers);
+    dealt[turns.empty() ? 0 : turns[turn % turns.size()]].push_back(i);
   }
   return dealt;
 }

@@ -19,6 +19,7 @@ struct DealtDriver {
   // What draws. Windows, surfaces and buffers of one renderer are other ways to the same compiler, so the first of them
   // shows what every driver must; the others have their share of the rest.
   std::string renderer;
+  int turns = 1;  // of the cases for one driver, how many it gets in a round
 };
 
 // For each driver, the indices in `cases` of those that it runs. Cases that share a program stay together. A case that

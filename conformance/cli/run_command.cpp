@@ -107,6 +107,14 @@ Result<DriverChoice> choose_drivers(const std::vector<std::string>& wanted, cons
   return choice;
 }
 
+// How many cases a driver gets where a compiler of CPUs gets four, as a case costs there, at first: softpipe interprets
+// shaders, and zink has each compiled once more behind its own compiler.
+int turns_of(std::string_view renderer) {
+  if (renderer.starts_with("softpipe")) return 1;
+  if (renderer.starts_with("zink")) return 2;
+  return 4;
+}
+
 // What a driver can run, and what draws, as far as it says; nothing if it does not say.
 std::optional<DealtDriver> describe_for_deal(const std::string& name, const Inquiry& inquiry) {
   const auto report = inquiry.ask(Task::describe, name);
@@ -114,7 +122,7 @@ std::optional<DealtDriver> describe_for_deal(const std::string& name, const Inqu
   const std::string renderer = context_info_from(report->at("ready")).renderer;
   if (const Browser* browser = find_driver(name)->browser) {
     return DealtDriver{[browser](const Case& test) { return unsupported_in_browser(test, browser->platform).empty(); },
-                       renderer};
+                       renderer, turns_of(renderer)};
   }
   const LanguageSupport languages = report->at("languages").get<LanguageSupport>();
   const auto can_run = [=](const Case& test) {
@@ -123,7 +131,7 @@ std::optional<DealtDriver> describe_for_deal(const std::string& name, const Inqu
     const auto reason = only_compiled ? unsupported_reason(profile, languages) : unsupported_to_run(profile, languages);
     return reason.empty() && languages.has_stage(test.name.stage);
   };
-  return DealtDriver{can_run, renderer};
+  return DealtDriver{can_run, renderer, turns_of(renderer)};
 }
 
 Platform platform_of(const Case& test) { return profile_named(test.name.profile).platform(); }
