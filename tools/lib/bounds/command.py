@@ -43,8 +43,14 @@ def family(key: Key) -> str:
     return key[0].split("_")[0]
 
 
+def derived_of(key: Key) -> Derived:
+    noise = noises.find(key[0])
+    largest = max(noise.largest_intermediates(*key[1:]).values(), default=0.0)
+    return replace(noise.derive(*key[1:]), fixed_intermediate=largest)
+
+
 def derive_family(name: str) -> list[Derived]:
-    return [noises.find(key[0]).derive(*key[1:]) for key in keys() if family(key) == name]
+    return [derived_of(key) for key in keys() if family(key) == name]
 
 
 def derive() -> Everything:

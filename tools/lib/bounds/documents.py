@@ -179,11 +179,9 @@ def with_tables(text: str, derived: Everything) -> str:
 # --- Prose ------------------------------------------------------------------------------------------------------------
 
 
-def overflow() -> float:
+def overflow(derived: Everything) -> float:
     """How much of 2^31 the largest of the intermediates that are not checked as evaluated takes."""
-    largest = max(value for name in noises.names() for case in noises.find(name).CASES
-                  for value in noises.find(name).largest_intermediates(*case).values())
-    return float(rounded_up(largest / 2**31, 2))
+    return float(rounded_up(max(of_noise.fixed_intermediate for of_noise in derived.values()) / 2**31, 2))
 
 
 def frames_overflow() -> float:
@@ -205,7 +203,9 @@ def quotes(derived: Everything) -> list[tuple[str, str]]:
     stated += [(ACCURACY, text) for text in (
         f"by -{scientific(-slope_errors().min())} to {scientific(slope_errors().max())},",
         f"the sum {scientific(spline_weight_error())} along",
-        f"in 3D: {overflow():g} * 2^31", f"{frames_overflow():g} * 2^31 in a step of a progressive warp", f"{scientific(-fade_errors().min())} too small",
+        f"in 3D: {overflow(derived):g} * 2^31",
+        f"{frames_overflow():g} * 2^31 in a step of a progressive warp",
+        f"{scientific(-fade_errors().min())} too small",
         f"{scientific(fade_errors().max())} too large",
         *(f"{c:.8f}" for c in sine.SINE_DECIMALS), f"{round(sine.SINE_ARGUMENT_ERROR * 2**30)} / 2^30",
         f"times that, {scientific(math.pi / 2 * sine.SINE_ARGUMENT_ERROR)}",

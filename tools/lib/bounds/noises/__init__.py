@@ -38,6 +38,7 @@ class Derived:
     fixed_largest: float
     fixed_parts: dict[str, float]  # of fixed_error, each at its largest
     slope: Derived | None = None  # the same of each of its derivatives, if it returns them; they have no promise
+    fixed_intermediate: float = 0.0  # the largest number on the way to it
 
     def bounds(self, noise: str, dimensions: int, gradient: Gradient | None) -> Bounds:
         """Its row of the table. A limit is what the contract promises, unless rounding takes a value beyond."""
