@@ -14,6 +14,7 @@ BOUNDS = ROOT / "conformance" / "expected" / "bounds.inc"
 HN_CONFORM = ROOT / "build" / "conformance" / "hn-conform"  # where tools/bench builds it
 VECTORS = ROOT / "vectors"
 GOLDEN = ROOT / "conformance" / "expected" / "golden"
+FROZEN = GOLDEN.parent / "frozen.csv"
 
 
 def glsl_files(library: Path = GLSL) -> dict[str, Path]:

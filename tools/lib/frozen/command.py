@@ -1,0 +1,142 @@
+"""Keeps the values that never change from version 1.0 on: checksums of a million values of each function with HN_FIXED,
+and of each hash. docs/frozen.md tells what is promised.
+
+    tools/freeze                          adds what has no entry. From 1.0 on it also freezes what is provisional
+    tools/freeze --check [--all]          holds the library to the table, at 2,048 points of each function, or at all
+    tools/freeze --provisional [NAME...]  before 1.0: makes the entries of these functions anew, or all entries
+
+The table is conformance/expected/frozen.csv. An entry that exists is never written again, and where one is wrong
+nothing is written. Only --provisional replaces entries, and from version 1.0.0 on it is refused. A NAME is that of
+functions in the table, such as 'noise2d.phasor*'. The values are those of hn-frozen, which tools/test builds.
+
+All entries take about eight minutes of processor time.
+
+Exit status: 0 written, or all is as it was; 1 something is not, and nothing is written; 2 bad usage, or the program or
+the table cannot be read.
+"""
+
+from __future__ import annotations
+
+import argparse
+import subprocess
+import sys
+from collections.abc import Mapping, Sequence
+from fnmatch import fnmatchcase
+from pathlib import Path
+
+from frozen import table
+from frozen.table import ALL, FIRST, PROVISIONAL, Entry, Key, Sums
+from tree import FROZEN, ROOT, version
+
+PROGRAM = ROOT / "build" / "conformance" / "hn-frozen"
+
+
+class NoProgram(Exception):
+    """What computes the values does not."""
+
+
+class Library:
+    """What the library returns, as hn-frozen computes it."""
+
+    def __init__(self, program: Path) -> None:
+        self.program = program
+
+    def sums(self, count: int, functions: Sequence[str] = ()) -> dict[Key, Sums]:
+        """Of these functions, or of all."""
+        try:
+            done = subprocess.run([self.program, str(count), *functions], capture_output=True, text=True, check=False)
+        except OSError as error:
+            raise NoProgram(f"{self.program} does not run: {error.strerror}; tools/test -N builds it") from error
+        if done.returncode != 0:
+            raise NoProgram(f"{self.program} ended with status {done.returncode}: {done.stderr.strip()}")
+        return table.parse_sums(done.stdout)
+
+    def entries(self, keys: set[Key], since: str) -> dict[Key, Entry]:
+        """New ones, of all points. One function at a time, so that whoever waits sees how far it is."""
+        made = {}
+        functions = sorted({function for function, _ in keys})
+        for number, function in enumerate(functions, 1):
+            print(f"\r{number} of {len(functions)}: {function:40}", end="", file=sys.stderr, flush=True)
+            first, every = self.sums(FIRST, [function]), self.sums(ALL, [function])
+            made |= {key: Entry(since, first[key], every[key]) for key in first if key in keys}
+        if functions:
+            print(file=sys.stderr)
+        return made
+
+
+def added(entries: Mapping[Key, Entry], library: Library, of: str) -> tuple[dict[Key, Entry], list[str]]:
+    """The entries with those that are missing, and what hinders that."""
+    first = library.sums(FIRST)
+    since = of if table.is_stable(of) else PROVISIONAL
+    settled = {key for key, entry in entries.items() if table.is_stable(of) and not entry.is_frozen}
+    wrong = [*table.changed(entries, first, FIRST), *table.gone(entries, first)]
+    if wrong:
+        return {}, wrong
+    made = library.entries(settled | (first.keys() - entries.keys()), since)
+    wrong = list(table.changed({key: entries[key] for key in settled}, {key: made[key].all for key in settled}, ALL))
+    return {**entries, **made}, wrong
+
+
+def replaced(entries: Mapping[Key, Entry], library: Library,
+             names: Sequence[str]) -> tuple[dict[Key, Entry], list[str]]:
+    """The entries with those of some functions, or of all, made anew; and which names there are not."""
+    known = set(library.sums(1))
+
+    def is_named(key: Key) -> bool:
+        return not names or any(fnmatchcase(key[0], name) for name in names)
+
+    unknown = [f"there is no function {name}" for name in names
+               if not any(fnmatchcase(function, name) for function, _ in known | entries.keys())]
+    if unknown:
+        return {}, unknown
+    kept = {key: entry for key, entry in entries.items() if not is_named(key)}
+    return kept | library.entries({key for key in known if is_named(key)}, PROVISIONAL), []
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    parser = argparse.ArgumentParser(prog="tools/freeze", description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    what = parser.add_mutually_exclusive_group()
+    what.add_argument("--check", action="store_true", help="say what is not as it was")
+    what.add_argument("--provisional", action="store_true", help="before 1.0: make entries anew")
+    parser.add_argument("--all", action="store_true", help="with --check: at all points")
+    parser.add_argument("--program", type=Path, default=PROGRAM, metavar="PATH",
+                        help="hn-frozen (default: %(default)s)")
+    parser.add_argument("--table", type=Path, default=FROZEN, metavar="PATH",
+                        help="the table (default: %(default)s)")
+    parser.add_argument("names", nargs="*", metavar="NAME", help="with --provisional: functions of the table")
+    given = parser.parse_args(arguments)
+    if given.all and not given.check:
+        parser.error("--all goes with --check")
+    if given.names and not given.provisional:
+        parser.error("a NAME goes with --provisional")
+    if given.provisional and table.is_stable(version()):
+        parser.error(f"--provisional is for versions before 1.0, and the library is {version()}: its values stay. "
+                     "docs/frozen.md tells how a mistake is corrected")
+    library = Library(given.program)
+    try:
+        exists = given.table.exists()
+        if given.check and not exists:
+            raise ValueError(f"there is no {given.table}; tools/freeze writes it")
+        entries = table.read(given.table) if exists else {}
+        if given.check:
+            count = ALL if given.all else FIRST
+            wrong = table.problems(entries, library.sums(count), count, version())
+        elif given.provisional:
+            entries, wrong = replaced(entries, library, given.names)
+        else:
+            entries, wrong = added(entries, library, version())
+        for message in wrong:
+            print(message, file=sys.stderr)
+        if wrong:
+            return 1
+        if not given.check:
+            given.table.write_text(table.text_of(entries), encoding="ascii")
+    except (NoProgram, ValueError, OSError) as error:
+        parser.exit(2, f"tools/freeze: {error}\n")
+    print(f"{len(entries)} entries are {'right' if given.check else f'in {given.table}'}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

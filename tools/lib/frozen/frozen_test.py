@@ -1,0 +1,225 @@
+"""tools/freeze: what it notices, what it refuses, and what the committed table has."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import tempfile
+import unittest
+from collections import defaultdict
+from pathlib import Path
+from unittest import mock
+
+from frozen import command, table
+from frozen.table import ALL, FIRST
+from tree import FROZEN
+
+PERLIN = ("noise2d.perlin", "lattice+fixed:fixed")
+HASHED = ("noise2d.perlin", "fnv1+fixed:fixed")
+WORD = ("hash.word", "pcg:exact")
+VALUES = {PERLIN: ("11111111", "aaaa0001"), HASHED: ("11111111", "aaaa0002"), WORD: ("22222222", "aaaa0003")}
+
+
+class Command(unittest.TestCase):
+    """With a program that prints what a library would have."""
+
+    def setUp(self) -> None:
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.folder = Path(scratch.name)
+        self.program, self.table = self.folder / "hn-frozen", self.folder / "frozen.csv"
+        self.library = {key: list(sums) for key, sums in VALUES.items()}
+
+    def write_program(self) -> None:
+        """Of all points the checksums are others than of the first."""
+        lines = "\n".join(",".join((*key, *sums)) for key, sums in sorted(self.library.items()))
+        self.program.write_text(f"""#!/bin/sh
+count=$1; shift
+print() {{ if [ "$count" = {ALL} ]; then sed s,aaaa,bbbb,; else cat; fi; }}
+if [ $# = 0 ]; then print; else grep "^$1," | print; fi <<end
+{lines}
+end
+""")
+        self.program.chmod(0o755)
+
+    def call(self, *arguments: str, version: str = "0.4.0") -> tuple[int, str, str]:
+        self.write_program()
+        out, error = io.StringIO(), io.StringIO()
+        with mock.patch.object(command, "version", lambda: version), contextlib.redirect_stdout(out), \
+                contextlib.redirect_stderr(error):
+            try:
+                status = command.main([*arguments, "--program", str(self.program), "--table", str(self.table)])
+            except SystemExit as ended:
+                status = ended.code
+        return status, out.getvalue(), error.getvalue()
+
+    def assert_told(self, pattern: str, *arguments: str, version: str = "0.4.0", status: int = 1) -> None:
+        before = self.table.read_text() if self.table.exists() else None
+        found, out, error = self.call(*arguments, version=version)
+        self.assertEqual((found, out), (status, ""), error)
+        self.assertRegex(error, pattern)
+        self.assertEqual(self.table.read_text() if self.table.exists() else None, before, "it was written all the same")
+
+    def assert_right(self, *arguments: str, version: str = "0.4.0") -> None:
+        status, _, error = self.call(*arguments, version=version)
+        self.assertEqual(status, 0, error)
+
+    def change_table(self, before: str, after: str) -> None:
+        text = self.table.read_text()
+        self.assertEqual(text.count(before), 1)
+        self.table.write_text(text.replace(before, after))
+
+
+class BeforeOne(Command):
+    def test_it_is_made_and_checked(self) -> None:
+        self.assert_right()
+        self.assertEqual(self.table.read_text().splitlines()[1], "hash.word,pcg:exact,provisional,22222222,aaaa0003,"
+                                                                 "22222222,bbbb0003")
+        self.assert_right("--check")
+        self.assert_right("--check", "--all")
+
+    def test_a_checksum_that_is_another_is_told_and_stays(self) -> None:
+        self.assert_right()
+        for before, after, arguments in (("aaaa0001", "aaaa0009", ["--check"]), ("aaaa0001", "aaaa0009", []),
+                                         ("bbbb0001", "bbbb0009", ["--check", "--all"])):
+            with self.subTest(before, arguments=arguments):
+                self.change_table(before, after)
+                self.assert_told(r"\Anoise2d.perlin with lattice\+fixed:fixed: of \d+ points some have other values "
+                                 r"than those of its entry, which is provisional.*--provisional$", *arguments)
+                self.change_table(after, before)
+        self.assert_right("--check")
+
+    def test_a_function_without_an_entry_is_told_and_added(self) -> None:
+        self.assert_right()
+        self.library["noise2d.new", "lattice+fixed:fixed"] = ["33333333", "aaaa0004"]
+        self.assert_told(r"\Anoise2d.new with lattice\+fixed:fixed: it has no entry. Run tools/freeze$", "--check")
+        self.assert_right()
+        self.assert_right("--check")
+        self.assertEqual(len(table.read(self.table)), 4)
+
+    def test_a_function_that_is_gone_is_told(self) -> None:
+        self.assert_right()
+        del self.library[WORD]
+        for arguments in (["--check"], []):
+            self.assert_told("hash.word with pcg:exact: there is no such function any more. Its entry is provisional",
+                             *arguments)
+        self.assert_right("--provisional", "hash.word")
+        self.assertEqual(set(table.read(self.table)), {PERLIN, HASHED})
+
+    def test_provisional_entries_are_made_anew_by_their_names_or_all(self) -> None:
+        self.assert_right()
+        for sums in self.library.values():
+            sums[1] = sums[1].replace("0", "1")
+        self.assert_right("--provisional", "noise2d.*")
+        self.assert_told(r"\Ahash.word[^\n]*\n\Z", "--check")
+        self.assert_right("--provisional")
+        self.assert_right("--check")
+        self.assert_told("there is no function fbm.*", "--provisional", "hash.word", "fbm.*")
+
+    def test_other_points_are_told_apart_from_other_values(self) -> None:
+        self.assert_right()
+        self.library[WORD][0] = "2222222f"
+        self.assert_told("hash.word with pcg:exact: the points are others", "--check")
+
+
+class FromOneOn(Command):
+    def setUp(self) -> None:
+        super().setUp()
+        self.assert_right()
+
+    def freeze(self) -> None:
+        self.assert_right(version="1.0.0")
+
+    def test_what_is_provisional_is_told_and_frozen(self) -> None:
+        self.assert_told("provisional, but the library is 1.0.0. Run tools/freeze", "--check", version="1.0.0")
+        self.freeze()
+        self.assertEqual({entry.since for entry in table.read(self.table).values()}, {"1.0.0"})
+        self.assert_right("--check", version="1.0.0")
+        self.assert_right("--check", "--all", version="1.2.0")
+
+    def test_what_differs_is_not_frozen(self) -> None:
+        self.change_table("bbbb0001", "bbbb0009")
+        self.assert_told("of 1048576 points some have other values", version="1.0.0")
+
+    def test_nothing_replaces_an_entry(self) -> None:
+        self.freeze()
+        self.library[PERLIN][1] = "aaaa0009"
+        for arguments in ([], ["--check"], ["--check", "--all"]):
+            self.assert_told(r"frozen since 1.0.0. They must not change: give what is new another name$", *arguments,
+                             version="1.1.0")
+        for version in ("1.0.0", "1.1.0", "2.0.0", "10.0.0"):
+            self.assert_told(f"--provisional is for versions before 1.0, and the library is {version}", "--provisional",
+                             version=version, status=2)
+            self.assert_told("--provisional is for versions before 1.0", "--provisional", "noise2d.perlin",
+                             version=version, status=2)
+
+    def test_a_function_has_to_stay(self) -> None:
+        self.freeze()
+        del self.library[WORD]
+        self.assert_told("no such function any more. It is frozen since 1.0.0, so it has to stay", version="1.1.0")
+
+    def test_a_new_function_is_frozen_at_once(self) -> None:
+        self.freeze()
+        self.library["noise2d.new", "lattice+fixed:fixed"] = ["33333333", "aaaa0004"]
+        self.assert_right(version="1.1.0")
+        entries = table.read(self.table)
+        self.assertEqual(entries["noise2d.new", "lattice+fixed:fixed"].since, "1.1.0")
+        self.assertEqual(entries[PERLIN].since, "1.0.0")
+
+    def test_a_version_that_cannot_be_is_told(self) -> None:
+        self.freeze()
+        self.assert_told("frozen since 1.0.0, but the library is 0.9.0", "--check", version="0.9.0")
+        self.change_table("hash.word,pcg:exact,1.0.0", "hash.word,pcg:exact,0.9.0")
+        self.assert_told("hash.word with pcg:exact: it is frozen since 0.9.0, before 1.0", "--check", version="1.0.0")
+
+
+class Unreadable(Command):
+    def test_a_table_that_is_none_is_told(self) -> None:
+        self.assert_told("there is no .*frozen.csv; tools/freeze writes it", "--check", status=2)
+        self.assert_right()
+        text = self.table.read_text()
+        line = text.splitlines(keepends=True)[1]
+        for broken, said in ((text.splitlines()[0], "it has no entry"),
+                             (text.replace("since", "from", 1), "line 1: it has to be function,"),
+                             (text + "a,b\n", "line 5: it has 2 fields in place of 7"),
+                             (text + line, "line 5: hash.word with pcg:exact has a line already"),
+                             ("\u00e9" + text, "frozen.csv: 'ascii' codec")):
+            with self.subTest(said):
+                self.table.write_text(broken, encoding="utf-8")
+                self.assert_told(f"tools/freeze: .*{said}", "--check", status=2)
+
+    def test_a_program_that_is_missing_or_fails_is_told(self) -> None:
+        for body, said in ((None, "does not run: No such file.*tools/test -N builds it"),
+                           ("#!/bin/sh\necho no >&2\nexit 3\n", "ended with status 3: no")):
+            with self.subTest(said), mock.patch.object(self, "write_program", lambda: None):
+                if body is not None:
+                    self.program.write_text(body)
+                    self.program.chmod(0o755)
+                self.assert_told(f"tools/freeze: .*{said}", status=2)
+
+    def test_options_that_do_not_go_together_are_told(self) -> None:
+        self.assert_told("--all goes with --check", "--all", status=2)
+        self.assert_told("a NAME goes with --provisional", "noise2d.perlin", status=2)
+        self.assert_told("not allowed with", "--check", "--provisional", status=2)
+
+
+class Committed(unittest.TestCase):
+    """The test frozen.values holds the library to it."""
+
+    def test_values_depend_on_the_setting_and_points_do_not(self) -> None:
+        entries = table.read(FROZEN)
+        self.assertEqual(FROZEN.read_text(encoding="ascii"), table.text_of(entries))
+        of_function = defaultdict(list)
+        for (function, _), entry in entries.items():
+            of_function[function].append(entry)
+        for function, those in of_function.items():
+            for count in (FIRST, ALL):
+                sums = [entry.sums(count) for entry in those]
+                with self.subTest(function, count=count):
+                    self.assertEqual(len({one.points for one in sums}), 1)
+                    self.assertEqual(len({one.values for one in sums}), len(sums))
+                    self.assertNotIn("00000000", [one.values for one in sums])
+
+
+if __name__ == "__main__":
+    unittest.main()

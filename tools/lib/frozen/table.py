@@ -1,0 +1,137 @@
+"""The table of frozen values, conformance/expected/frozen.csv, and what is wrong with it. docs/frozen.md tells what it
+promises."""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+FIRST = 2048     # points in each run of the tests
+ALL = 1024 ** 2  # points in a thorough one; the first ones are among them
+COLUMNS = ("function", "setting", "since", f"points_{FIRST}", f"values_{FIRST}", f"points_{ALL}", f"values_{ALL}")
+PROVISIONAL = "provisional"  # in place of the version since which the values are frozen
+
+Key = tuple[str, str]  # a function and a setting
+
+
+@dataclass(frozen=True)
+class Sums:
+    """Checksums of what goes in at some points, and of what comes out."""
+
+    points: str
+    values: str
+
+
+@dataclass(frozen=True)
+class Entry:
+    """What is frozen of a function with a setting."""
+
+    since: str
+    first: Sums
+    all: Sums
+
+    @property
+    def is_frozen(self) -> bool:
+        return self.since != PROVISIONAL
+
+    def sums(self, count: int) -> Sums:
+        return {FIRST: self.first, ALL: self.all}[count]
+
+
+def parsed_version(text: str) -> tuple[int, ...]:
+    return tuple(map(int, text.split(".")))
+
+
+def is_stable(version: str) -> bool:
+    """Whether values of this version stay for good."""
+    return parsed_version(version) >= (1, 0, 0)
+
+
+def parse(text: str) -> dict[Key, Entry]:
+    """Raises ValueError with a sentence that names the line."""
+    entries: dict[Key, Entry] = {}
+    for number, row in enumerate(csv.reader(io.StringIO(text)), 1):
+        if number == 1:
+            if tuple(row) != COLUMNS:
+                raise ValueError(f"line 1: it has to be {','.join(COLUMNS)}")
+            continue
+        if len(row) != len(COLUMNS):
+            raise ValueError(f"line {number}: it has {len(row)} fields in place of {len(COLUMNS)}")
+        key = (row[0], row[1])
+        if key in entries:
+            raise ValueError(f"line {number}: {row[0]} with {row[1]} has a line already")
+        entries[key] = Entry(row[2], Sums(row[3], row[4]), Sums(row[5], row[6]))
+    if not entries:
+        raise ValueError("it has no entry")
+    return entries
+
+
+def read(path: Path) -> dict[Key, Entry]:
+    try:
+        return parse(path.read_text(encoding="ascii"))
+    except ValueError as error:
+        raise ValueError(f"{path}: {error}") from error
+
+
+def text_of(entries: Mapping[Key, Entry]) -> str:
+    """In the order of the names, so that a new function is a few lines among the others."""
+    out = io.StringIO()
+    writer = csv.writer(out, lineterminator="\n")
+    writer.writerow(COLUMNS)
+    for key, entry in sorted(entries.items()):
+        writer.writerow((*key, entry.since, entry.first.points, entry.first.values, entry.all.points, entry.all.values))
+    return out.getvalue()
+
+
+def parse_sums(text: str) -> dict[Key, Sums]:
+    """What hn-frozen prints."""
+    return {(row[0], row[1]): Sums(row[2], row[3]) for row in csv.reader(io.StringIO(text))}
+
+
+def changed(entries: Mapping[Key, Entry], computed: Mapping[Key, Sums], count: int) -> Iterator[str]:
+    """Of the entries that were computed, at so many points: what is not as it was."""
+    for key, sums in sorted(computed.items()):
+        if key not in entries:
+            continue
+        entry, name = entries[key], f"{key[0]} with {key[1]}"
+        since = f"frozen since {entry.since}" if entry.is_frozen else "provisional"
+        if sums.points != entry.sums(count).points:
+            yield (f"{name}: the points are others than those of its entry, which is {since}. Let the function have "
+                   "the points that it had (conformance/expected/points.cpp)")
+        elif sums.values != entry.sums(count).values:
+            yield (f"{name}: of {count} points some have other values than those of its entry, which is {since}. "
+                   + ("They must not change: give what is new another name" if entry.is_frozen else
+                      "If they are meant to change, run tools/freeze --provisional"))
+
+
+def missing(entries: Mapping[Key, Entry], known: Iterable[Key]) -> Iterator[str]:
+    for function, setting in sorted(set(known) - entries.keys()):
+        yield f"{function} with {setting}: it has no entry. Run tools/freeze"
+
+
+def gone(entries: Mapping[Key, Entry], known: Iterable[Key]) -> Iterator[str]:
+    for key in sorted(entries.keys() - set(known)):
+        yield (f"{key[0]} with {key[1]}: there is no such function any more. "
+               + (f"It is frozen since {entries[key].since}, so it has to stay" if entries[key].is_frozen else
+                  "Its entry is provisional: if the function is meant to go, run tools/freeze --provisional"))
+
+
+def unsettled(entries: Mapping[Key, Entry], version: str) -> Iterator[str]:
+    """From 1.0 on nothing is provisional, and before nothing is frozen; and no entry is of a later version."""
+    for key, entry in sorted(entries.items()):
+        name = f"{key[0]} with {key[1]}"
+        if entry.is_frozen and not is_stable(entry.since):
+            yield f"{name}: it is frozen since {entry.since}, before 1.0"
+        elif entry.is_frozen and parsed_version(entry.since) > parsed_version(version):
+            yield f"{name}: it is frozen since {entry.since}, but the library is {version}"
+        elif not entry.is_frozen and is_stable(version):
+            yield f"{name}: it is provisional, but the library is {version}. Run tools/freeze"
+
+
+def problems(entries: Mapping[Key, Entry], computed: Mapping[Key, Sums], count: int, version: str) -> list[str]:
+    """All that is wrong, where `computed` is all that the library has."""
+    return [*changed(entries, computed, count), *missing(entries, computed), *gone(entries, computed),
+            *unsettled(entries, version)]
