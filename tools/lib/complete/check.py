@@ -18,6 +18,7 @@ from tables.functions import FAMILIES, NOISES, OF_EVERY_HASH, Function, read_fun
 from tree import BOUNDS, CONFIGURATIONS, FUNCTIONS, GLSL, GOLDEN, ROOT, glsl_files
 
 KNOBS = "docs/knobs.md"
+SAME_BITS = "docs/same-bits.md"
 OTHERS = ("docs/uniform.md", "docs/random.md")  # of functions for which the README has one line
 OF_DERIVATIVES = "docs/noises.md"  # whose table has what returns the derivatives of vectors
 ENTRIES = "tools/lib/{}/noises/{}.py"
@@ -110,6 +111,18 @@ def functions_without_words(tree: Tree) -> Iterator[str]:
             yield f"README.md: no line for {name}: add one to the table of functions, or to that of {' or '.join(OTHERS)}"
         if not re.search(rf"`{name}\b", contract):
             yield f"docs/contract.md: no word of {name}(...): say what its value is"
+
+
+def arguments_without_words(tree: Tree) -> Iterator[str]:
+    """Of floats docs/same-bits.md says when they are the same everywhere. Of positions and fractions it says so before."""
+    said = tree.text(SAME_BITS).partition("\n## The other arguments\n")[2].partition("\n## ")[0].lower()
+    told = set()
+    for declared in tree.declarations:
+        for type_, name in zip(declared.types, declared.arguments, strict=True):
+            is_float = re.fullmatch("float|vec[234]", type_) and name not in ("p", "f")
+            if is_float and name not in told and not re.search(rf"\b{name}\b", said):
+                told.add(name)
+                yield f"{declared.place}: {declared} takes {name}, of which {SAME_BITS} says nothing: name it there"
 
 
 def is_named(name: str, cell: str) -> bool:
@@ -341,6 +354,7 @@ def names_of_two_kinds(tree: Tree) -> Iterator[str]:
 
 
 CHECKS = (functions_without_a_row, functions_in_another_form, rows_without_a_function, functions_without_words,
+          arguments_without_words,
           noises_without_entries, noises_without_comments, entries_without_a_noise, families_without_settings,
           hashes_of_unlike_families, further_values_of_nothing, arithmetics_of_unlike_settings, knobs_without_entries, values_without_settings,
           hashes_without_entries, missing_golden_values, names_of_two_kinds, functions_that_are_not_in_the_catalog)

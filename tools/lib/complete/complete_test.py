@@ -34,7 +34,7 @@ class Deletions(unittest.TestCase):
         self.root = Path(folder.name)
         for path in (GLSL, ROOT / "include" / "hashnoise", ROOT / "README.md", ROOT / "docs" / "contract.md",
                      ROOT / "docs" / "knobs.md", ROOT / "docs" / "noises.md", ROOT / "docs" / "random.md",
-                     ROOT / "docs" / "uniform.md", CATALOG, FUNCTIONS, FORMS, CONFIGURATIONS, BOUNDS, ROOT / "tools" / "lib" / "oracle" / "noises",
+                     ROOT / "docs" / "same-bits.md", ROOT / "docs" / "uniform.md", CATALOG, FUNCTIONS, FORMS, CONFIGURATIONS, BOUNDS, ROOT / "tools" / "lib" / "oracle" / "noises",
                      ROOT / "tools" / "lib" / "bounds" / "noises"):
             target = self.root / path.relative_to(ROOT)
             target.parent.mkdir(parents=True, exist_ok=True)
@@ -80,6 +80,10 @@ class Deletions(unittest.TestCase):
         self.change("glsl/hashnoise/*.glsl", r"^(// Gradient noise on the square lattice)",
                     "// New.\n//   returns  0\nHN_FN hn_float hn_merlin(hn_vec4 p, hn_uint seed) {\n}\n\n\\1")
         self.noticed(r"^glsl/hashnoise/\w+\.glsl:\d+: hn_merlin\(vec4, uint\) has no row: .*add a FUNCTION that calls it")
+
+    def test_an_argument_that_may_not_be_the_same_everywhere(self) -> None:
+        self.change("docs/same-bits.md", r"^- \*\*Amplitude, depth, detail", "- **Amplitude, detail")
+        self.noticed(r"^glsl/hashnoise/gullies2d\.glsl:\d+: hn_gullies\(.*\) takes depth, of which docs/same-bits\.md says")
 
     def test_a_function_in_another_form(self) -> None:
         self.change("glsl/hashnoise/*.glsl", r"^HN_FN (hn_float hn_snorm\()", "  \\1")

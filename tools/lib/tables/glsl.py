@@ -40,6 +40,7 @@ class Declaration:
     types: tuple[str, ...]  # of its arguments, as in GLSL: vec2, uint
     comment: Comment | None
     dimensions_of_sum: int | None = None  # of a sum of octaves
+    arguments: tuple[str, ...] = ()  # their names
 
     def __str__(self) -> str:
         return f"{self.name}({', '.join(self.types)})"
@@ -74,12 +75,15 @@ def _dimensions_of_sum(text: str, types: tuple[str, ...]) -> int | None:
     return int(found[1]) if found and not any("octaves" in type_ for type_ in types) else None
 
 
-def _functions(text: str) -> list[tuple[int, str, tuple[str, ...], int | None]]:
-    """Where each public function is defined, its name, the types of its arguments, and the dimensions of a sum."""
+def _functions(text: str) -> list[tuple[int, str, tuple[str, ...], int | None, tuple[str, ...]]]:
+    """Where each public function is defined, its name, the types of its arguments, the dimensions of a sum, and the
+    names of its arguments."""
     found = []
     for match in FUNCTION.finditer(text):
-        types = tuple(map(_type, match[2].split(",")))
-        found.append((match.start(), match[1], types, _dimensions_of_sum(text, types)))
+        arguments = match[2].split(",")
+        types = tuple(map(_type, arguments))
+        names = tuple(argument.split()[-1] for argument in arguments)
+        found.append((match.start(), match[1], types, _dimensions_of_sum(text, types), names))
     return found
 
 
@@ -88,12 +92,12 @@ def declarations(library: Path = LIBRARY) -> list[Declaration]:
     for path in glsl_files(library).values():
         text = path.read_text(encoding="utf-8")
         lines, last = text.split("\n"), None
-        for start, name, types, dimensions in _functions(text):
+        for start, name, types, dimensions, arguments in _functions(text):
             line = text.count("\n", 0, start) + 1
             comment = _comment_above(lines, line)
             if comment is None and last is not None and (last.name == name or lines[line - 2].strip()):
                 comment = last.comment  # of an overload, or of what stands above without a blank line
-            last = Declaration(path, line, name, types, comment, dimensions)
+            last = Declaration(path, line, name, types, comment, dimensions, arguments)
             found.append(last)
     return found
 
