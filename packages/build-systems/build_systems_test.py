@@ -25,6 +25,7 @@ TESTS = Path(__file__).resolve().parent
 sys.path.insert(0, str(TESTS.parents[1] / "tools" / "lib"))
 
 from golden_values import Golden  # noqa: E402
+from pypi import is_made  # noqa: E402
 from tree import ROOT  # noqa: E402
 
 SKIPPED = 77
@@ -61,7 +62,7 @@ class Way(unittest.TestCase):
         for program in self.programs:
             if shutil.which(program) is None:
                 self.skipTest(f"there is no {program}")
-        if self.needs_environment and not environment.complete(self.environment):
+        if self.needs_environment and not is_made(self.environment, environment.REQUIREMENTS):
             self.skipTest("build_systems.environment was skipped, or did not run")
         self.folder = self.work / self.id().split(".", 1)[1]
         shutil.rmtree(self.folder, ignore_errors=True)

@@ -8,5 +8,8 @@ foreach(subject twin fields bundles browser)
   add_test(NAME npm.${subject} COMMAND ${project} run ${packages_of_node} node ${subject}.mjs ${golden})
   list(APPEND npm_tests npm.${subject})
 endforeach()
+add_test(NAME npm.registry CONFIGURATIONS Thorough
+         COMMAND ${project} run ${packages_of_node} node registry.mjs ${PROJECT_SOURCE_DIR}/docs/publishing.md)
+list(APPEND npm_tests npm.registry)
 add_test(NAME npm.types COMMAND ${project} run ${packages_of_node} npx --no-install tsc --project .)
 set_tests_properties(${npm_tests} npm.types PROPERTIES FIXTURES_REQUIRED "javascript;npm" SKIP_RETURN_CODE 77)

@@ -28,6 +28,10 @@ add_test(NAME python.manylinux CONFIGURATIONS Thorough
          COMMAND Python3::Interpreter -B ${package_tests}/environment.py run ${package_environment} manylinux_test)
 set_tests_properties(python.manylinux PROPERTIES FIXTURES_REQUIRED python_wheel SKIP_RETURN_CODE 77
                      ENVIRONMENT HASHNOISE_LIBRARY=$<TARGET_FILE:hashnoise-grid>)
+# It installs twine.
+add_test(NAME python.registry CONFIGURATIONS Thorough
+         COMMAND Python3::Interpreter -B ${package_tests}/environment.py run --with twine.txt ${package_environment} registry_test)
+set_tests_properties(python.registry PROPERTIES FIXTURES_REQUIRED python_wheel SKIP_RETURN_CODE 77)
 foreach(subject arrays documents golden options source types)
   add_test(NAME python.${subject} COMMAND Python3::Interpreter -B ${package_tests}/environment.py run ${package_environment} ${subject}_test)
   set_tests_properties(python.${subject} PROPERTIES FIXTURES_REQUIRED python_wheel SKIP_RETURN_CODE 77)

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import re
+import shutil
 import subprocess
+import venv
 from pathlib import Path
 
 SKIPPED = 77
@@ -25,3 +27,24 @@ def install(python: Path, requirements: Path, folder: Path | None = None) -> int
         return 1
     print(f"PyPI cannot be reached, so what {requirements.name} names cannot be installed.")
     return SKIPPED
+
+
+MADE = "made"  # a file of an environment, which is written last
+
+
+def is_made(folder: Path, requirements: Path) -> bool:
+    """Whether the virtual environment has all that the file names now."""
+    made = folder / MADE
+    return made.is_file() and made.read_text(encoding="ascii") == requirements.read_text(encoding="ascii")
+
+
+def environment(folder: Path, requirements: Path) -> int:
+    """A virtual environment with what a file names. One that has it is kept. What is returned is as of install()."""
+    if is_made(folder, requirements):
+        return 0
+    shutil.rmtree(folder, ignore_errors=True)
+    venv.create(folder, with_pip=True, symlinks=True)
+    if status := install(folder / "bin" / "python", requirements):
+        return status
+    shutil.copyfile(requirements, folder / MADE)
+    return 0

@@ -17,6 +17,8 @@ def parsed_arguments(arguments: list[str] | None) -> argparse.Namespace:
                                      epilog=f"The parts are {', '.join(PARTS)}. docs/release.md tells what they are.")
     parser.add_argument("--trial", action="store_true",
                         help="whatever is not committed, and whatever CHANGELOG.md says of the day")
+    parser.add_argument("--tag", metavar="NAME",
+                        help="there is no release unless the version is that of this tag: v1.2.3")
     chosen = parser.add_mutually_exclusive_group()
     chosen.add_argument("--only", metavar="PARTS", help="these parts, with commas between")
     chosen.add_argument("--without", metavar="PARTS", help="all parts but these")
@@ -31,6 +33,8 @@ def parsed_arguments(arguments: list[str] | None) -> argparse.Namespace:
     parsed.parts = [name for name in PARTS if (name in listed if parsed.only is not None else name not in listed)]
     if not parsed.parts:
         parser.error(f"no part is left; there are {', '.join(PARTS)}")
+    if parsed.tag not in (None, f"v{version()}"):
+        parser.error(f"the version is {version()}, so its tag is v{version()} and not {parsed.tag}")
     if parsed.folder.exists():
         parser.error(f"{parsed.folder} exists; name another folder, or remove it")
     try:
@@ -59,6 +63,7 @@ def make(folder: Path, parts: list[str], trial: bool) -> None:
             if not named(part, {path.name for path in release.folder.iterdir()}, release.version):
                 raise NoRelease(f"{part} was made, but has another name than version {release.version} must have")
         (release.folder / "NOTES.md").write_text(said, encoding="utf-8")
+        release.materials()
         release.checksums()
         release.folder.chmod(0o755)
         shutil.move(release.folder, folder)

@@ -10,6 +10,7 @@ import subprocess
 import tempfile
 from pathlib import Path
 
+from release import sbom
 from single_file.files import text
 from tables import glsl
 from tree import HN_CONFORM, ROOT, TOOLS, VECTORS, version
@@ -112,6 +113,15 @@ class Release:
         with tempfile.TemporaryDirectory() as scratch:
             run([HN_CONFORM, "web", "--out", scratch])
             (self.folder / "check.html").write_bytes((Path(scratch) / "index.html").read_bytes())
+
+    def materials(self) -> None:
+        """What is in it, for who has to keep lists of that."""
+        files = {path.name: path.read_bytes() for path in self.folder.iterdir()}
+        try:
+            made = sbom.text(sbom.bom(self.version, self.seconds, files, sbom.of_others()))
+        except sbom.Unknown as error:
+            raise NoRelease(str(error)) from error
+        (self.folder / f"hashnoise-{self.version}.cdx.json").write_text(made, encoding="ascii")
 
     def checksums(self) -> None:
         """In the form of sha256sum, which also checks them."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import re
 import shutil
@@ -16,7 +17,7 @@ from release import files
 from tree import ROOT, VECTORS, version
 
 # Enough of the tree for what is tried here.
-COPIED = ("CMakeLists.txt", "LICENSE", "glsl", "include", "tools")
+COPIED = ("CMakeLists.txt", "LICENSE", "glsl", "include", "packages/npm/package.json", "pyproject.toml", "tools")
 CHEAP = "single,parts,vectors,headers,source"
 
 
@@ -32,6 +33,7 @@ class Project(unittest.TestCase):
         cls.original.mkdir()
         for name in COPIED:
             copy = shutil.copytree if (ROOT / name).is_dir() else shutil.copy
+            (cls.original / name).parent.mkdir(parents=True, exist_ok=True)
             copy(ROOT / name, cls.original / name)
         (cls.original / "vectors").mkdir()  # some are enough
         for path in (VECTORS / "index.json", VECTORS / "hash.word.json"):
@@ -81,6 +83,9 @@ class Makes(Project):
         with zipfile.ZipFile(next(self.out.glob("*-vectors.zip"))) as packed:
             self.assertEqual(packed.namelist(), ["vectors/hash.word.json", "vectors/index.json"])
             self.assertEqual(packed.read("vectors/index.json"), (VECTORS / "index.json").read_bytes())
+        listed = json.loads((self.out / f"hashnoise-{version()}.cdx.json").read_text())["components"]
+        self.assertEqual({one["name"] for one in listed},
+                         names - {"SHA256SUMS", f"hashnoise-{version()}.cdx.json"})
         checked = ["sha256sum", "--check", "--quiet", "SHA256SUMS"]
         self.assertEqual(subprocess.run(checked, cwd=self.out, check=False).returncode, 0)
         self.assertEqual(len((self.out / "SHA256SUMS").read_text().splitlines()), len(names) - 1)
@@ -171,6 +176,10 @@ class Refuses(Project):
         self.refused(2, "there is no part ruby; there are single, parts, vectors, headers", "--only", "ruby")
         self.refused(2, "no part is left", "--without", ",".join(files.PARTS))
         self.refused(2, "not allowed with", "--only", "single", "--without", "npm")
+
+    def test_a_tag_of_another_version(self):
+        self.refused(2, f"the version is {version()}, so its tag is v{version()} and not v9.9.9", "--tag", "v9.9.9")
+        self.refused(2, "there is no part ruby", "--tag", f"v{version()}", "--only", "ruby")
 
     def test_a_page_without_the_program_that_makes_it(self):
         with mock.patch.object(files, "HN_CONFORM", ROOT / "build" / "nowhere" / "hn-conform"), \
