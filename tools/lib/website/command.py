@@ -1,0 +1,109 @@
+"""Makes a site of docs/ and the other pages, with a search, the playground and the page of results.
+
+    tools/site [--out DIR]      into build/site unless DIR says otherwise; what a site has there is replaced
+
+Open DIR/index.html, from a disk or from a server. Nothing in it is fetched from anywhere else. Sphinx, which makes it,
+is installed from PyPI into build/site-environment at first. Each link to a page, a heading or a file has to lead there.
+
+Exit status: 0 done, 1 a link leads nowhere, or a page is in no group of tools/lib/website/pages.py; 2 bad usage, 4 PyPI
+cannot be reached, or a part could not be made.
+"""
+
+from __future__ import annotations
+
+import argparse
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from collections.abc import Sequence
+from pathlib import Path
+
+from pypi import environment
+from tree import ROOT, TOOLS
+from website import pages
+
+HERE = Path(__file__).parent
+ENVIRONMENT = ROOT / "build" / "site-environment"
+MARK = "searchindex.js"  # by which a folder is known as a site
+# What is made beside the pages: the command, where its page appears, and its name in the site.
+EXTRA = (("playground.html", ["playground", "--out", "{}/playground.html"], "playground.html"),
+         ("results.html", ["results", "--earlier", "--page", "{}"], "index.html"))
+MORE = """
+## On this site
+
+- <a href="playground.html">The playground</a>
+- <a href="results.html">What devices returned</a>
+"""
+
+
+class NoSite(Exception):
+    """Why there is none, with an exit status."""
+
+    def __init__(self, status: int, reason: str) -> None:
+        super().__init__(reason)
+        self.status = status
+
+
+def extra(folder: Path) -> None:
+    for name, (tool, *options), made in EXTRA:
+        with tempfile.TemporaryDirectory() as scratch:
+            done = subprocess.run([TOOLS / tool, *(option.format(scratch) for option in options)], capture_output=True,
+                                  text=True, check=False)
+            if done.returncode != 0:
+                raise NoSite(4, f"tools/{tool} ended with status {done.returncode}: {done.stderr.strip()}")
+            shutil.copyfile(Path(scratch) / made, folder / name)
+
+
+def build(source: Path, out: Path) -> None:
+    """Sphinx, for which a warning is an error."""
+    shutil.copyfile(HERE / "conf.py", source / "conf.py")
+    (source / "extra").mkdir(exist_ok=True)
+    sphinx = [ENVIRONMENT / "bin" / "python", "-m", "sphinx", "-b", "html", "-q", "-W", "--keep-going", "--no-color"]
+    done = subprocess.run([*sphinx, "-d", source.with_name("doctrees"), source, out], capture_output=True, text=True,
+                          check=False)
+    if done.returncode != 0:
+        said = re.sub(rf"{re.escape(str(source))}/", "", done.stderr)
+        raise NoSite(1, said.strip())
+
+
+def make(out: Path) -> None:
+    if left := pages.ungrouped(pages.pages(ROOT)):
+        raise NoSite(1, f"{', '.join(left)}: no group of tools/lib/website/pages.py has it")
+    if environment(ENVIRONMENT, HERE / "requirements.txt"):
+        raise NoSite(4, "what makes the site could not be installed")
+    out.parent.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(dir=out.parent, prefix=f".{out.name}.") as scratch:
+        source, made = Path(scratch) / "source", Path(scratch) / "made"
+        (source / "extra").mkdir(parents=True)
+        pages.write(ROOT, source, MORE)
+        extra(source / "extra")
+        build(source, made)
+        for name in (".buildinfo", "objects.inv"):
+            (made / name).unlink(missing_ok=True)
+        shutil.rmtree(out, ignore_errors=True)
+        shutil.move(made, out)
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    parser = argparse.ArgumentParser(prog="tools/site", description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--out", type=Path, default=ROOT / "build" / "site", metavar="DIR",
+                        help="where it goes (default: build/site)")
+    out = parser.parse_args(arguments).out
+    if out.exists() and not (out / MARK).is_file() and (not out.is_dir() or any(out.iterdir())):
+        parser.error(f"{out} is no site; name a new folder, an empty one, or one that this command has made")
+    try:
+        make(out.resolve())
+    except NoSite as reason:
+        print(f"tools/site: {reason}", file=sys.stderr)
+        return reason.status
+    except OSError as error:
+        parser.error(f"{error.filename}: {error.strerror}")
+    print(out / "index.html")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

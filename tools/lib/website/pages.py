@@ -1,0 +1,108 @@
+"""The pages of the site, and what Sphinx needs them to be: a copy in which every link leads to what is there."""
+
+from __future__ import annotations
+
+import os
+import posixpath
+import re
+import shutil
+import subprocess
+from collections.abc import Iterable
+from pathlib import Path
+
+# What the site shows beside its pages, in the order in which a reader needs them. A page of docs/ is in one group.
+GROUPS = {
+    "Noise": ["noises", "sums", "cellular", "random", "uniform", "hex-tiling", "gallery/README", "snippets/README",
+              "knobs", "same-bits", "moving", "glossary"],
+    "Where you are": ["languages", "build-systems", "javascript", "python", "dask", "cpu", "bake", "engines", "godot",
+                      "playground", "porting"],
+    "What is promised and measured": ["contract", "frozen", "accuracy", "quality", "hashes", "default-hash", "judge",
+                                      "measuring", "gpu-operations", "results/README"],
+    "Your driver": ["conformance", "checks", "faults", "suite", "formats"],
+    "Work on hashnoise": ["internals", "adding", "release", "publishing"],
+}
+TOP = ("CHANGELOG", "CONTRIBUTING", "CODE_OF_CONDUCT", "SECURITY", "results/README", "conformance/run/expect/README")
+# The link of a page, but for its anchor.
+LINK = re.compile(r"(?<=\]\()(?!\w+:|#)([^)#\s]+)")
+
+
+def pages(root: Path) -> list[str]:
+    """Those that a site shows: the README, what lies in docs/, and a few others."""
+    found = subprocess.run(["git", "-C", root, "ls-files", "-z", "--cached", "--others", "--exclude-standard", "*.md"],
+                           capture_output=True, text=True, check=True).stdout.split("\0")
+    return sorted(name for name in found if name and (root / name).exists() and
+                  (name.startswith("docs/") or name.removesuffix(".md") in ("README", *TOP)))
+
+
+def ungrouped(names: Iterable[str]) -> list[str]:
+    """The pages of docs/ that no group has; those in its folders are found by their README."""
+    grouped = {f"docs/{name}.md" for those in GROUPS.values() for name in those}
+    return [name for name in names if name.count("/") == 1 and name.startswith("docs/") and name not in grouped]
+
+
+def table_of_contents(names: Iterable[str]) -> str:
+    """Of the first page, for the side of each page."""
+    def tree(caption: str, entries: Iterable[str]) -> str:
+        lines = ["```{toctree}", ":hidden:", f":caption: {caption}", *entries, "```"]
+        return "\n" + "".join(f"{line}\n" for line in lines)
+
+    deep = [name.removesuffix(".md") for name in names if name.count("/") > 1 and name.startswith("docs/")]
+    grouped = {f"docs/{name}" for those in GROUPS.values() for name in those}
+    text = "".join(tree(caption, [f"docs/{name}" for name in those]) for caption, those in GROUPS.items())
+    return text + tree("More", [*TOP, *(name for name in deep if name not in grouped)])
+
+
+def listing(folder: str, files: Iterable[str]) -> str:
+    """A page in place of a folder that a page links to."""
+    return f"---\norphan: true\n---\n\n# {folder}\n\n" + "".join(f"- [{name}]({name})\n" for name in files)
+
+
+class Copy:
+    """Pages, and the files that they link to, in a folder for Sphinx."""
+
+    def __init__(self, root: Path, folder: Path) -> None:
+        self.root, self.folder = root, folder
+
+    def keep(self, name: str) -> None:
+        """A file as it is, unless it is there."""
+        if not (self.folder / name).exists():
+            (self.folder / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(self.root / name, self.folder / name)
+
+    def target(self, page: str, link: str) -> str:
+        """What a link of a page has to be in the copy."""
+        name = posixpath.normpath(posixpath.join(posixpath.dirname(page), link))
+        if name == "README.md":
+            return posixpath.relpath("index.md", posixpath.dirname(page) or ".")
+        if name.startswith("..") or not (self.root / name).exists() or name.endswith(".md"):
+            return link  # Sphinx tells whether it is there
+        if (self.root / name).is_file():
+            self.keep(name)
+            return link
+        if not (self.root / name / "README.md").exists():
+            self.list_folder(name)
+        return posixpath.join(link, "README.md")
+
+    def list_folder(self, name: str) -> None:
+        files = subprocess.run(["git", "-C", self.root / name, "ls-files", "-z"], capture_output=True, text=True,
+                               check=True).stdout.split("\0")
+        for file in filter(None, files):
+            self.keep(f"{name}/{file}")
+        (self.folder / name / "README.md").write_text(listing(name, filter(None, files)), encoding="utf-8")
+
+    def page(self, name: str, more: str = "") -> None:
+        text = (self.root / name).read_text(encoding="utf-8")
+        text = LINK.sub(lambda link: self.target(name, link[1]), text) + more
+        copied = self.folder / ("index.md" if name == "README.md" else name)
+        copied.parent.mkdir(parents=True, exist_ok=True)
+        copied.write_text(text, encoding="utf-8")
+
+
+def write(root: Path, folder: Path, more: str) -> None:
+    """All pages, with more at the end of the first one."""
+    names = pages(root)
+    copy = Copy(root, folder)
+    for name in names:
+        copy.page(name, more + table_of_contents(names) if name == "README.md" else "")
+    for images in (root / "docs").rglob("*.png"):
+        copy.keep(os.path.relpath(images, root))

@@ -1,0 +1,144 @@
+"""The site: every page is in it, links are made for it, and in a whole one a link that leads nowhere is told.
+
+    website_test.py [CLASS...]     without a class as a module of unittest, all but Whole
+
+Whole installs Sphinx. Exit status: that of the tests; 77 PyPI cannot be reached, so there is no site.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import chromium
+from pypi import SKIPPED, environment
+from tree import ROOT
+from website import command, pages
+
+PAGE = """# One
+
+[there](two.md#a-heading) [top](../README.md) [code](../code) [file](../code/a.c) [out](https://example.com)
+"""
+TOP = """# Top
+
+[one](docs/one.md) [license](LICENSE)
+
+```{toctree}
+:hidden:
+docs/one
+docs/two
+```
+"""
+# Whatever a page loads by itself, from elsewhere.
+LOADED = re.compile('<(?:script|img|iframe)[^>]*\\bsrc="(?:https?:)?//|'
+                    '<link[^>]*rel="(?:stylesheet|preload)"[^>]*href="(?:https?:)?//')
+
+
+class Tree(unittest.TestCase):
+    """A repository of two pages and a folder."""
+
+    def setUp(self) -> None:
+        self.root = Path(self.enterContext(tempfile.TemporaryDirectory()))
+        self.copy = self.root / "copy"
+        self.write("README.md", TOP)
+        self.write("docs/one.md", PAGE)
+        self.write("docs/two.md", "# Two\n\n## A heading\n\ntext\n")
+        self.write("LICENSE", "MIT\n")
+        self.write("code/a.c", "int a;\n")
+        subprocess.run(["git", "init", "-q", "--template=", self.root], check=True)
+        subprocess.run(["git", "-C", self.root, "add", "-A"], check=True)
+
+    def write(self, name: str, text: str) -> None:
+        (self.root / name).parent.mkdir(parents=True, exist_ok=True)
+        (self.root / name).write_text(text, encoding="utf-8")
+
+    def copied(self) -> None:
+        copy = pages.Copy(self.root, self.copy)
+        for name in pages.pages(self.root):
+            copy.page(name)
+
+
+class Links(Tree):
+    def test_they_lead_to_what_the_site_has(self) -> None:
+        self.assertEqual(pages.pages(self.root), ["README.md", "docs/one.md", "docs/two.md"])
+        self.copied()
+        text = (self.copy / "docs" / "one.md").read_text()
+        self.assertEqual(re.findall(r"\]\(([^)]*)\)", text), ["two.md#a-heading", "../index.md", "../code/README.md",
+                                                              "../code/a.c", "https://example.com"])
+        self.assertEqual((self.copy / "code" / "README.md").read_text().splitlines()[-1], "- [a.c](a.c)")
+        self.assertEqual((self.copy / "LICENSE").read_text(), "MIT\n")
+
+
+class Groups(unittest.TestCase):
+    def test_each_page_is_in_one(self) -> None:
+        grouped = [name for those in pages.GROUPS.values() for name in those]
+        self.assertEqual(len(grouped), len(set(grouped)))
+        self.assertEqual([name for name in grouped if not (ROOT / "docs" / f"{name}.md").is_file()], [])
+        self.assertEqual(pages.ungrouped(pages.pages(ROOT)), [])
+
+    def test_a_page_that_is_in_none_is_told(self) -> None:
+        self.assertEqual(pages.ungrouped(["README.md", "docs/sums.md", "docs/lost.md", "docs/results/cpu/gcc.md"]),
+                         ["docs/lost.md"])
+
+
+class Usage(unittest.TestCase):
+    def test_a_folder_that_is_no_site_stays(self) -> None:
+        folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
+        (folder / "mine").touch()
+        for out in (folder, folder / "mine"):
+            error = io.StringIO()
+            with contextlib.redirect_stderr(error), self.assertRaises(SystemExit) as ended:
+                command.main(["--out", str(out)])
+            self.assertEqual(ended.exception.code, 2)
+            self.assertIn(f"{out} is no site", error.getvalue())
+        self.assertTrue((folder / "mine").exists())
+
+
+@unittest.skipUnless(__name__ == "__main__", "the test site.whole has Sphinx")
+class Whole(Tree):
+    def refusal(self) -> str:
+        self.copied()
+        try:
+            command.build(self.copy, self.root / "made")
+        except command.NoSite as reason:
+            self.assertEqual(reason.status, 1)
+            return str(reason)
+        return ""
+
+    def test_a_link_that_leads_nowhere_is_told(self) -> None:
+        self.assertEqual(self.refusal(), "")
+        for right, wrong in (("two.md#a-heading", "two.md#a-header"), ("two.md#a-heading", "three.md"),
+                             ("../code/a.c", "../code/b.c")):
+            with self.subTest(wrong):
+                self.write("docs/one.md", PAGE.replace(right, wrong))
+                self.assertRegex(self.refusal(), "docs/one.md:3: WARNING: ")
+
+    def test_that_of_the_project(self) -> None:
+        out = self.root / "site"
+        with contextlib.redirect_stdout(io.StringIO()):
+            self.assertEqual(command.main(["--out", str(out)]), 0)
+        first = (out / "index.html").read_text(encoding="utf-8")
+        for name, _, _ in command.EXTRA:
+            self.assertIn(f'href="{name}"', first)
+            self.assertGreater((out / name).stat().st_size, 1000)
+        for page in out.rglob("*.html"):
+            self.assertIsNone(LOADED.search(page.read_text(encoding="utf-8")), page)
+        self.assertIsNotNone(LOADED.search('<script src="https://example.com/x.js">'))
+        if not (program := chromium.found()):
+            self.skipTest("there is no Chromium, which would search")
+        searched = chromium.command(program, self.root / "profile", "--virtual-time-budget=8000", "--dump-dom")
+        done = subprocess.run([*searched, f"{(out / 'search.html').as_uri()}?q=cellular"], capture_output=True,
+                              text=True, check=False)
+        self.assertRegex(done.stdout, r'<li[^>]*><a href="docs/cellular\.html"')
+
+
+if __name__ == "__main__":
+    if status := environment(command.ENVIRONMENT, command.HERE / "requirements.txt"):
+        sys.exit(status if status == SKIPPED else 1)
+    unittest.main()
