@@ -18,7 +18,7 @@ from tables import glsl
 from tree import ROOT, TOOLS
 
 PAGES = ("README.md", "docs/build-systems.md", "docs/cellular.md", "docs/cpu.md", "docs/hex-tiling.md", "docs/knobs.md",
-         "docs/noises.md", "docs/random.md", "docs/same-bits.md", "docs/sums.md", "docs/uniform.md")
+         "docs/noises.md", "docs/random.md", "docs/same-bits.md", "docs/sums.md", "docs/tutorial.md", "docs/uniform.md")
 BLOCK = re.compile(r"^```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 SINGLE_FILE = re.compile(r"^// here: what tools/single-file makes of (\w+\.glsl)$", re.MULTILINE)
 
@@ -183,10 +183,19 @@ class Code(unittest.TestCase):
     def test_functions_that_pages_name_exist(self):
         known = {function.name for function in glsl.declarations()}
         for page in ["README.md", "docs/moving.md", "docs/sums.md", "docs/noises.md", "docs/cellular.md",
-                     "docs/random.md"]:
+                     "docs/random.md", "docs/tutorial.md"]:
             named = set(re.findall(r"\b(hn_\w+)\(", (ROOT / page).read_text()))
             self.assertGreater(len(named), 5, page)
             self.assertLessEqual(named, known, page)
+
+    def test_links_of_the_tutorial_are_what_the_playground_knows(self):
+        links = re.findall(r"\*\*Playground\*\*: `#([^`]+)`", (ROOT / "docs" / "tutorial.md").read_text())
+        self.assertGreater(len(links), 3)
+        model = (ROOT / "playground" / "model.js").read_text()
+        for name, value in (part.split("=") for link in links for part in link.split("&")):
+            self.assertRegex(model, rf"(?m)^  {name}: ", name)
+            if value != "none":
+                self.assertRegex(model, rf"(?m)^  {value}: \{{", value)
 
     def test_both_compilations_can_fail(self):
         self.assertNotEqual(compile_glsl(blocks("glsl")[0].replace("hn_fbm", "hn_fmb")).returncode, 0)

@@ -12,8 +12,8 @@ from pathlib import Path
 
 # What the site shows beside its pages, in the order in which a reader needs them. A page of docs/ is in one group.
 GROUPS = {
-    "Noise": ["noises", "sums", "cellular", "random", "uniform", "hex-tiling", "gallery/README", "snippets/README",
-              "knobs", "same-bits", "moving", "glossary"],
+    "Noise": ["tutorial", "noises", "sums", "cellular", "random", "uniform", "hex-tiling", "gallery/README",
+              "snippets/README", "knobs", "same-bits", "moving", "glossary"],
     "Where you are": ["languages", "build-systems", "javascript", "python", "dask", "cpu", "bake", "engines", "godot",
                       "playground", "porting"],
     "What is promised and measured": ["contract", "frozen", "accuracy", "quality", "hashes", "default-hash", "judge",
