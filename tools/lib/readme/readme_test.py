@@ -13,12 +13,13 @@ from unittest import mock
 from gpu import pages as of_gpus
 from likeness import ports
 from png import png
-from readme import command, numbers, picture, times
+from readme import command, files, numbers, picture, times
 from tables import glsl
 from tree import ROOT, TOOLS
 
-PAGES = ("README.md", "docs/build-systems.md", "docs/cellular.md", "docs/cpu.md", "docs/hex-tiling.md", "docs/knobs.md",
-         "docs/noises.md", "docs/random.md", "docs/same-bits.md", "docs/sums.md", "docs/tutorial.md", "docs/uniform.md")
+PAGES = ("README.md", "llms.txt", "docs/build-systems.md", "docs/cellular.md", "docs/cpu.md", "docs/hex-tiling.md",
+         "docs/knobs.md", "docs/noises.md", "docs/random.md", "docs/same-bits.md", "docs/sums.md", "docs/tutorial.md",
+         "docs/uniform.md")
 BLOCK = re.compile(r"^```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 SINGLE_FILE = re.compile(r"^// here: what tools/single-file makes of (\w+\.glsl)$", re.MULTILINE)
 
@@ -235,12 +236,35 @@ class Code(unittest.TestCase):
         self.assertEqual(compile_glsl(code).returncode, 0)
 
 
+class ForMachines(unittest.TestCase):
+    """llms.txt, whose shaders Code and wgsl.wgpu_test compile."""
+    text = (ROOT / "llms.txt").read_text()
+
+    def test_it_begins_as_llmstxt_org_says(self):
+        self.assertRegex(self.text, r"\A# hashnoise\n\n> [^\n]+\n")
+        lists = re.findall(r"^## (?:Docs|Optional)\n\n((?:- \[.*\]\(.*\).*\n)+)", self.text, re.MULTILINE)
+        self.assertEqual(len(lists), 2)
+
+    def test_calls_in_other_languages_take_what_picked_functions_take(self):
+        rows = dict(re.findall(r"^\| ([A-Z][\w+#, ]*) \| `(.*)` \|$", self.text, re.MULTILINE))
+        for heading, language in (("Rust", "rust"), ("C#", "csharp"), ("C", "c"), ("JavaScript, TypeScript", "javascript"),
+                                  ("JavaScript, TypeScript", "typescript"), ("Java", "java"), ("Go", "go")):
+            with self.subTest(language):
+                name, arguments = re.fullmatch(r"(?:\w+\.)?(\w+)\((.*)\)", rows[heading]).groups()
+                written = files.picked_text("hn_fbm2", language)
+                declared = re.search(rf"(?:fn|func|function|public static float|static inline float) {name}\((.*?)\)",
+                                     written, re.DOTALL)
+                self.assertEqual(arguments.count(","), declared[1].rstrip(", \n").count(","))
+        self.assertEqual(compile_cpp(f"#include <hashnoise/hashnoise.hpp>\nfloat f(float x, float y) {{ return {rows['C++']}; }}"
+                                     ).returncode, 0)
+
+
 class Readme(unittest.TestCase):
     def test_it_is_short(self):
         self.assertLess(len((ROOT / "README.md").read_bytes()), 9000)
 
     def test_links_lead_somewhere(self):
-        for page in [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *(ROOT / "docs").rglob("*.md")]:
+        for page in [ROOT / "README.md", ROOT / "llms.txt", ROOT / "CONTRIBUTING.md", *(ROOT / "docs").rglob("*.md")]:
             for target in re.findall(r"\]\(([^)#\s]+)(?:#[\w-]+)?\)", page.read_text()):
                 if "://" not in target:
                     self.assertTrue((page.parent / target).exists(), f"{page.name}: {target}")
