@@ -15,8 +15,9 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from crate.command import NEEDED, put
+from crate.command import NEEDED
 from crate.files import MODULES, package
+from packing import put
 from pick.runners import NotInstalled
 from thorough import THOROUGH, in_thorough_runs
 from tree import ROOT, version

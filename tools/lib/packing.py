@@ -1,0 +1,60 @@
+"""What commands that make a package have in common: a folder with its files, or one zip file of it."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import shutil
+from collections.abc import Mapping
+from pathlib import Path
+
+from tree import ROOT
+from zips import zipped
+
+
+def add_arguments(parser: argparse.ArgumentParser, folder: str) -> None:
+    parser.add_argument("folder", nargs="?", default=str(ROOT / folder), metavar="FOLDER",
+                        help=f"where it goes (default: {folder})")
+    parser.add_argument("--zip", action="store_true", help="one file, for a release")
+
+
+class Destination:
+    """Where a package goes, as the arguments say; what is wrong with them is told before anything is made."""
+
+    def __init__(self, parser: argparse.ArgumentParser, given: argparse.Namespace):
+        self.parser = parser
+        self.is_zip = given.zip
+        seconds = os.environ.get("SOURCE_DATE_EPOCH", "0")
+        if not given.folder:
+            parser.error("the folder has no name")
+        if not seconds.isdigit():
+            parser.error(f"SOURCE_DATE_EPOCH is a number of seconds, not {seconds}")
+        self.seconds = int(seconds)
+        self.folder = Path(given.folder)
+        if self.folder.exists() and not self.folder.is_dir():
+            parser.error(f"{self.folder} is a file; it must be a folder, or a name for a new one")
+
+    def write(self, name: str, archive: str, files: Mapping[str, str]) -> Path:
+        """The folder of that name, or the zip file in which it is."""
+        made = self.folder / (archive if self.is_zip else name)
+        try:
+            self.folder.mkdir(parents=True, exist_ok=True)
+            if self.is_zip:
+                packed = {f"{name}/{path}": text.encode("utf-8") for path, text in files.items()}
+                made.write_bytes(zipped(packed, self.seconds))
+            else:
+                put(made, files)
+        except OSError as error:
+            self.parser.error(f"cannot write {error.filename or made}: {error.strerror}")
+        return made
+
+
+def put(folder: Path, files: Mapping[str, str]) -> None:
+    """The files, and no others that an earlier run left. What cargo made stays."""
+    for path in folder.glob("*"):
+        if path.name not in ("target", "Cargo.lock"):
+            shutil.rmtree(path) if path.is_dir() else path.unlink()
+    for name, text in files.items():
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
