@@ -14,10 +14,11 @@ from typing import NamedTuple
 from parsing.syntax import Function
 from pick.calling import Form
 from pick.evaluate import Module
-from pick.runners import NotRun, ran
+from pick.runners import ran
 from pick.shading import LANGUAGES
+from pick.slang import Slang
 from tree import ROOT
-from wgsl.device import Absent, Device, installed
+from wgsl.device import Device
 from wgsl.evaluation import GROUP
 
 
@@ -103,44 +104,12 @@ class HlslRunner(WgslRunner):
 
 
 class SlangRunner(HlslRunner):
-    """The compiler is a library of C in a package of PyPI, which has no program for it."""
-    PACKAGE = "slangpy==0.43.1"
-    SLANG, WGSL, COMPUTE = 1, 28, 6  # of SlangSourceLanguage, SlangCompileTarget and SlangStage in slang.h
-
     def __init__(self) -> None:
         super().__init__()
-        libraries = sorted(installed(self.PACKAGE, "--no-deps").glob("slangpy/libslang-compiler.so*"))
-        if not libraries:
-            raise Absent(f"{self.PACKAGE} has no compiler here")
-        self._slang = ctypes.CDLL(str(libraries[0]))
-        for name, result, parameters in (
-                ("CreateSession", ctypes.c_void_p, [ctypes.c_char_p]),
-                ("CreateCompileRequest", ctypes.c_void_p, [ctypes.c_void_p]),
-                ("DestroyCompileRequest", None, [ctypes.c_void_p]),
-                ("SetCodeGenTarget", None, [ctypes.c_void_p, ctypes.c_int]),
-                ("AddTranslationUnit", ctypes.c_int, [ctypes.c_void_p, ctypes.c_int, ctypes.c_char_p]),
-                ("AddTranslationUnitSourceString", None, [ctypes.c_void_p, ctypes.c_int, *[ctypes.c_char_p] * 2]),
-                ("AddEntryPoint", ctypes.c_int, [ctypes.c_void_p, ctypes.c_int, ctypes.c_char_p, ctypes.c_int]),
-                ("Compile", ctypes.c_int, [ctypes.c_void_p]),
-                ("GetDiagnosticOutput", ctypes.c_char_p, [ctypes.c_void_p]),
-                ("GetEntryPointSource", ctypes.c_char_p, [ctypes.c_void_p, ctypes.c_int])):
-            function = getattr(self._slang, f"sp{name}")
-            function.restype, function.argtypes = result, parameters
-        self._session = self._slang.spCreateSession(None)
+        self.slang = Slang()
 
     def compiled(self, text: str) -> str | bytes:
-        slang = self._slang
-        request = slang.spCreateCompileRequest(self._session)
-        slang.spSetCodeGenTarget(request, self.WGSL)
-        unit = slang.spAddTranslationUnit(request, self.SLANG, b"")
-        slang.spAddTranslationUnitSourceString(request, unit, b"shader.slang", text.encode("ascii"))
-        entry = slang.spAddEntryPoint(request, unit, b"main", self.COMPUTE)
-        try:
-            if slang.spCompile(request) != 0:
-                raise NotRun(slang.spGetDiagnosticOutput(request).decode())
-            return slang.spGetEntryPointSource(request, entry).decode()
-        finally:
-            slang.spDestroyCompileRequest(request)
+        return self.slang.compiled(text).decode()
 
 
 class MetalRunner(Runner):

@@ -155,7 +155,7 @@ class SingleFile(unittest.TestCase):
     def test_an_unknown_language_is_named(self):
         done = generate("--language", "wgsl")
         self.assertEqual(done.returncode, 2)
-        self.assertIn("'glsl', 'hlsl', 'metal', 'godot'", done.stderr)
+        self.assertIn("'glsl', 'hlsl', 'slang', 'metal', 'godot'", done.stderr)
 
     def test_the_compilation_can_fail(self):
         right, _ = compile_shader("#version 460\n" + generate("hash.glsl").stdout + "\nvoid main() { absent(); }\n")
@@ -176,7 +176,7 @@ class SingleFile(unittest.TestCase):
         def tokens(text):
             return re.findall(r"[\w.]+|[^\w\s]", text)
 
-        for language in ("glsl", "hlsl", "metal", "godot"):
+        for language in ("glsl", "hlsl", "slang", "metal", "godot"):
             with self.subTest(language=language):
                 full, small = (generate("--language", language, option).stdout for option in ("--strip", "--minify"))
                 lines = list(zip(full.splitlines(), small.splitlines(), strict=True))
