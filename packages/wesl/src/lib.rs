@@ -7,8 +7,11 @@ use wesl_core::{StaticPackage, StaticPackageModule};
 
 static FIXED: StaticPackageModule =
     StaticPackageModule { name: "fixed", source: include_str!("../shaders/fixed.wesl"), submodules: &[] };
-static ROOT: StaticPackageModule =
-    StaticPackageModule { name: "hashnoise_wgsl", source: include_str!("../shaders/package.wesl"), submodules: &[&FIXED] };
+static ROOT: StaticPackageModule = StaticPackageModule {
+    name: "hashnoise_wgsl",
+    source: include_str!("../shaders/package.wesl"),
+    submodules: &[&FIXED],
+};
 
 /// What a resolver of the crate `wesl` takes: `resolver.add_package(&hashnoise_wgsl::PACKAGE)`.
 pub static PACKAGE: StaticPackage =

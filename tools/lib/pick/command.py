@@ -6,6 +6,7 @@ the CPU.
     tools/pick hn_perlin2 --language wgsl --out noise.wgsl
     tools/pick hn_fbm2 --language wgsl --import-path hashnoise    a module for Bevy: #import hashnoise::hn_fbm2
     tools/pick hn_simplex3 --language rust --out noise.rs
+    tools/pick hn_fbm2 --language osl --out fbm2.osl   a node for Blender's Cycles
     tools/pick hn_fbm3 --noise hn_simplex3 --arithmetic fixed --language rust --out noise.rs
     tools/pick --list                                  which functions there are
     tools/pick --pages docs/snippets                   pages of those that are asked for most, in each language
@@ -40,6 +41,7 @@ from pick.evaluate import Module
 from pick.go import Go
 from pick.java import Java
 from pick.javascript import JavaScript, TypeScript
+from pick.osl import Osl
 from pick.program import Program, check_sums, chosen, facts, heading, origin, over, public, read
 from pick.rust import Rust
 from pick.scalars import Syntax, text
@@ -51,7 +53,7 @@ ARITHMETICS = ("fast", "fixed", "precise")
 
 
 SYNTAXES: dict[str, type[Syntax]] = {"rust": Rust, "csharp": CSharp, "c": C, "typescript": TypeScript,
-                                     "javascript": JavaScript, "java": Java, "go": Go}
+                                     "javascript": JavaScript, "java": Java, "go": Go, "osl": Osl}
 
 
 @dataclass(frozen=True)
@@ -79,6 +81,9 @@ class Choice:
         shading = LANGUAGES.get(self.language)
         if self.arithmetic == "precise" and shading and shading.no_precise:
             raise Unknown(shading.no_precise)
+        if self.arithmetic == "precise" and self.language == "osl":
+            raise Unknown("a renderer may reorder what OSL computes with floats: take --arithmetic fixed, whose bits "
+                          "are the same everywhere")
         if self.import_path and self.language != "wgsl":
             raise Unknown("--import-path is of --language wgsl")
         if self.hash_function and not shading:
@@ -92,7 +97,9 @@ def settings(arithmetic: str, hash_: str, gradient: str = "octahedral") -> dict[
 def read_library(library: Path, choice: Choice) -> Module:
     """The library as this choice has it."""
     knobs = choice.knobs
-    module = read(library, knobs.macros(), choice.language in SYNTAXES, knobs.own_functions())
+    syntax = SYNTAXES.get(choice.language)
+    macros = {**knobs.macros(), **(syntax.library if syntax else {})}
+    module = read(library, macros, syntax is not None, knobs.own_functions())
     return over(module, choice.noise) if choice.noise else module
 
 
@@ -115,7 +122,8 @@ def picker(library: Path = GLSL) -> Callable[[Sequence[str], Choice], str]:
     def pick(names: Sequence[str], choice: Choice) -> str:
         choice.check()
         splits = choice.language in SYNTAXES
-        made = program(tuple(names), replace(choice, language="c" if splits else "glsl", import_path=""))
+        kind = "osl" if choice.language == "osl" else "c" if splits else "glsl"  # what is evaluated in the same way
+        made = program(tuple(names), replace(choice, language=kind, import_path=""))
         functions = [root.function for root in made.roots]
         command, summed = command_of(names, choice), made.module.summed
         precise = choice.arithmetic == "precise"
@@ -149,7 +157,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
                         help="glsl (the default) is for 3.30 and later, and with precise for 4.00; glsl-es says highp, "
                         "and is for WebGL2, too; hlsl is for the shader models 5 and 6; precise is for glsl, hlsl and "
                         "the languages of the CPU; rust needs core alone; csharp is a static class; c is a header of "
-                        "C99; typescript and javascript are modules; java is for 17 and later; go for 1.18 and later")
+                        "C99; typescript and javascript are modules; java is for 17 and later; go for 1.18 and later; "
+                        "osl is a shader of the first function, too")
     parser.add_argument("--arithmetic", choices=ARITHMETICS, default="fast", help="default: %(default)s")
     parser.add_argument("--hash", type=str.lower, choices=hashes, default="lattice", metavar="NAME",
                         help=f"{', '.join(hashes)} (default: %(default)s)")

@@ -21,8 +21,9 @@ from parsing.syntax import Function
 from pick import command
 from pick.comparison import words_source
 from pick.evaluate import Module
+from pick.osl_runner import OslRunner
 from pick.program import Program, chosen, public, read
-from pick.runners import RUNNERS, Case, NotInstalled, Runner
+from pick.runners import RUNNERS, Case, NotInstalled, NotRun, Runner
 from pick.scalars import Piece, Syntax, text
 from thorough import THOROUGH
 from tree import GLSL
@@ -39,8 +40,8 @@ TOGETHER = ("hn_perlin2", "hn_value3_place", "hn_tile3")  # in one text
 
 
 @functools.cache
-def module(arithmetic: str) -> Module:
-    return read(GLSL, command.settings(arithmetic, "lattice"), splits=True)
+def module(arithmetic: str, syntax: type[Syntax] = Syntax) -> Module:
+    return read(GLSL, {**command.settings(arithmetic, "lattice"), **syntax.library}, splits=True)
 
 
 def functions(of: Module, arithmetic: str) -> dict[str, Function]:
@@ -103,8 +104,9 @@ class Language(unittest.TestCase):
 
     def arithmetics(self) -> Sequence[str]:
         """By default integers, and floats that are precise or not, in turn from language to language."""
-        turn = list(RUNNERS.values()).index(type(self.runner))
-        return command.ARITHMETICS if THOROUGH else ("fixed", ("fast", "precise")[turn % 2])
+        turn = [*RUNNERS.values(), OslRunner].index(type(self.runner))
+        known = self.runner.arithmetics
+        return known if THOROUGH else ("fixed", *(("fast", "precise")[turn % 2:][:1] if "precise" in known else ("fast",)))
 
     def text(self, arithmetic: str, of: Module, *names: str, syntax: type[Syntax] | None = None) -> str:
         syntax = syntax or self.runner.syntax
@@ -112,12 +114,20 @@ class Language(unittest.TestCase):
 
     def test_the_bits_are_those_of_the_library(self) -> None:
         for arithmetic in self.arithmetics():
-            of = module(arithmetic)
+            of = module(arithmetic, self.runner.syntax)
             texts = [(name, self.text(arithmetic, of, name)) for name in functions(of, arithmetic)]
             texts += [(TOGETHER[0], self.text(arithmetic, of, *TOGETHER))]
             with self.subTest(arithmetic=arithmetic):
                 self.assertGreater(len(texts), 5)
                 self.assertEqual("\n".join(filter(None, self.differing(arithmetic, of, texts))), "")
+
+    def test_a_text_that_is_not_compiled_is_told(self) -> None:
+        if not isinstance(self.runner, OslRunner):
+            self.skipTest("the texts are one program, which is compiled or not")
+        of = module("fixed", self.runner.syntax)
+        right = self.text("fixed", of, "hn_perlin2")
+        with self.assertRaisesRegex(NotRun, "1.osl is not compiled"):
+            self.differing("fixed", of, [("hn_perlin2", right), ("hn_perlin2", right.replace(";", "", 1))])
 
     def test_what_the_language_lacks_is_exact(self) -> None:
         if not self.runner.exact:
@@ -126,7 +136,7 @@ class Language(unittest.TestCase):
             self.runner.run_exact(Path(folder))
 
     def test_a_fault_of_the_printer_is_noticed(self) -> None:
-        of = module("fixed")
+        of = module("fixed", self.runner.syntax)
         texts = [("hn_perlin2", self.text("fixed", of, "hn_perlin2", syntax=faulty(self.runner.syntax, *fault)))
                  for fault in self.runner.faults.items()]
         right = self.text("fixed", of, "hn_perlin2")
@@ -169,7 +179,7 @@ if __name__ == "__main__":
     if what == "points":
         write_points(where)
         sys.exit(0)
-    Language.runner, Language.folder = RUNNERS[what](), where
+    Language.runner, Language.folder = (OslRunner if what == "osl" else RUNNERS[what])(), where
     try:
         Language.runner.check()
     except NotInstalled as reason:

@@ -52,6 +52,7 @@ class Runner:
     read: Mapping[str, str]
     write: Mapping[str, str]
     faults: Mapping[tuple[str, str], str]  # operators of types, and what would be wrong with {} as operands
+    arithmetics: Sequence[str] = ("fast", "fixed", "precise")  # that the language has
     exact = ""               # a program that compares the helpers of the syntax with the language's own
     loop: str                # the head of a loop of {points}
     indent = "        "

@@ -124,6 +124,7 @@ class Syntax:
     end = ";"
     head = "({})"                    # of a condition
     types: Mapping[str, str] = {}    # of scalars
+    library: Mapping[str, str] = {}  # macros with which the library is read
     reserved: frozenset[str] = frozenset()
     helpers: Mapping[str, str] = {}  # functions that the language lacks, with what is said of them
     needs: Mapping[str, Sequence[str]] = {}  # of helpers: other helpers
@@ -222,6 +223,10 @@ class Syntax:
 
     def member(self, of: Piece, axis: str) -> Piece:
         return Piece(f"{of.within(UNARY)}.{axis}")
+
+    def component_of(self, of: Piece, axis: str, type_: str) -> Piece:
+        """The same of an expression of that type."""
+        return self.member(of, axis)
 
     def convert(self, to: str, of: str, piece: Piece) -> Piece:
         raise NotImplementedError
@@ -501,7 +506,7 @@ class Scalars(Writer):
         arguments = [self._piece(argument) for argument in node.arguments]
         types = [argument.type for argument in node.arguments]
         if node.kind == "member":
-            return syntax.member(arguments[0], node.name)
+            return syntax.component_of(arguments[0], node.name, types[0])
         if node.kind == "unary":
             return syntax.unary(node.name, types[0], arguments[0])
         if node.kind == "choice":

@@ -7,7 +7,7 @@ import re
 import unittest
 
 from parsing.syntax import Parser
-from parsing.tokens import tokens_of
+from parsing.tokens import Unknown, tokens_of
 from pick import command
 from pick.c import C
 from pick.evaluate import Module
@@ -109,6 +109,38 @@ class InAll(unittest.TestCase):
             programs = ("hn-no-such-compiler",)
         with self.assertRaisesRegex(NotInstalled, "no hn-no-such-compiler: apt-get install default-jdk-headless"):
             Absent().check()
+
+
+class OfOsl(unittest.TestCase):
+    pick = staticmethod(command.picker())
+
+    def picked(self, name: str) -> str:
+        return self.pick([name], command.Choice("osl"))
+
+    def test_a_component_of_a_result_is_taken_by_a_function(self) -> None:
+        made = self.picked("hn_cell2")
+        self.assertIn("int hn_i_x_of_uvec2(hn_uvec2 a) { return a.x; }", made)
+        self.assertNotIn(").x", made)
+
+    def test_a_shader_has_the_position_and_defaults(self) -> None:
+        made = self.picked("hn_fbm2").partition("\nshader ")[2]
+        self.assertIn("point p = P, int octaves = 6, float lacunarity = 2.0, float gain = 0.5, int seed = 0,", made)
+        self.assertIn("value = hn_fbm2(p[0], p[1], octaves, lacunarity, gain, seed);", made)
+        self.assertIn("value = vector(value_n.x, value_n.y, 0);", self.picked("hn_curl2"))
+        self.assertIn("value_w = value_n.w;", self.picked("hn_perlin_d3"))
+        self.assertIn("output float result = 0", self.picked("hn_uniform"))  # whose first input is a value
+
+    def test_a_struct_in_a_struct_is_set_by_itself(self) -> None:
+        made = self.picked("hn_octaves_of1")
+        self.assertIn("  made.place = place;\n", made)
+        self.assertIn("return hn_i_made_octaves1(hn_place1(", made)
+
+    def test_a_place_has_no_shader(self) -> None:
+        self.assertNotIn("\nshader ", self.picked("hn_perlin2_place"))
+
+    def test_precise_is_refused(self) -> None:
+        with self.assertRaisesRegex(Unknown, "take --arithmetic fixed"):
+            command.picked(["hn_perlin2"], command.Choice("osl", "precise"))
 
 
 if __name__ == "__main__":

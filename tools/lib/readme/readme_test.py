@@ -247,16 +247,16 @@ class ForMachines(unittest.TestCase):
 
     def test_calls_in_other_languages_take_what_picked_functions_take(self):
         rows = dict(re.findall(r"^\| ([A-Z][\w+#, ]*) \| `(.*)` \|$", self.text, re.MULTILINE))
-        for heading, language in (("Rust", "rust"), ("C#", "csharp"), ("C", "c"), ("JavaScript, TypeScript", "javascript"),
-                                  ("JavaScript, TypeScript", "typescript"), ("Java", "java"), ("Go", "go")):
+        for heading, language in (("Rust", "rust"), ("C#", "csharp"), ("C", "c"), ("Java", "java"), ("Go", "go"),
+                                  ("JavaScript, TypeScript", "javascript"), ("JavaScript, TypeScript", "typescript")):
             with self.subTest(language):
                 name, arguments = re.fullmatch(r"(?:\w+\.)?(\w+)\((.*)\)", rows[heading]).groups()
                 written = files.picked_text("hn_fbm2", language)
                 declared = re.search(rf"(?:fn|func|function|public static float|static inline float) {name}\((.*?)\)",
                                      written, re.DOTALL)
                 self.assertEqual(arguments.count(","), declared[1].rstrip(", \n").count(","))
-        self.assertEqual(compile_cpp(f"#include <hashnoise/hashnoise.hpp>\nfloat f(float x, float y) {{ return {rows['C++']}; }}"
-                                     ).returncode, 0)
+        code = f"#include <hashnoise/hashnoise.hpp>\nfloat f(float x, float y) {{ return {rows['C++']}; }}"
+        self.assertEqual(compile_cpp(code).returncode, 0)
 
 
 class Readme(unittest.TestCase):

@@ -1,5 +1,5 @@
-"""The module of Slang that tools/single-file makes: its compiler writes it in four languages, and wgpu has the bits of the
-C++ header.
+"""The module of Slang that tools/single-file makes: its compiler writes it in four languages, and wgpu has the bits of
+the C++ header.
 
     python3 -m single_file.slang_test FOLDER     FOLDER has what pick.languages_test has written
 
@@ -53,7 +53,8 @@ class Module(unittest.TestCase):
         of = module("fixed")
         known = functions(of, "fixed")
         passed = [words(self.points, "fixed", of)[name] for name in names]
-        cases = [Case(of, known[name], "import hashnoise;\n", given, len(back)) for name, (given, back) in zip(names, passed)]
+        cases = [Case(of, known[name], "import hashnoise;\n", given, len(back))
+                 for name, (given, back) in zip(names, passed)]
         found = self.runner.run(cases, POINTS)
         return [f"{name}: {said}" for name, (_, back), got in zip(names, passed, found)
                 if (said := difference(known[name], back, got))]

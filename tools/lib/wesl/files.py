@@ -46,7 +46,8 @@ def renamed(code: str) -> str:
 
 
 def module(arithmetic: str) -> str:
-    lines = (code for item in definitions(arithmetic) for line in item.lines if (code := line.partition("//")[0].strip()))
+    lines = (code for item in definitions(arithmetic) for line in item.lines
+             if (code := line.partition("//")[0].strip()))
     return MADE.format(version()) + "".join(f"{renamed(line)}\n" for line in lines)
 
 

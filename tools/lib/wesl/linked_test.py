@@ -1,5 +1,5 @@
-"""Shaders that import the package for WESL, linked by npm's wesl or by cargo's: they have the golden values, and no code
-that they do not call.
+"""Shaders that import the package for WESL, linked by npm's wesl or by cargo's: they have the golden values, and no
+code that they do not call.
 
     python3 -m wesl.linked_test npm FOLDER      FOLDER has the packages of tools/lib/javascript
     python3 -m wesl.linked_test cargo FOLDER    where cargo builds what links
@@ -121,12 +121,14 @@ class Linked(unittest.TestCase):
         self.linker.linked({"all": f"{calls}@fragment fn main() -> @location(0) vec4f {{ return vec4f(1.0); }}\n"})
 
     def test_what_is_not_there_is_refused(self) -> None:
-        call = "import hashnoise_wgsl::merlin2;\n@fragment fn main() -> @location(0) vec4f { return vec4f(merlin2(vec2f(1.5), 7u)); }\n"
+        call = ("import hashnoise_wgsl::merlin2;\n"
+                "@fragment fn main() -> @location(0) vec4f { return vec4f(merlin2(vec2f(1.5), 7u)); }\n")
         with self.assertRaisesRegex(Refused, "merlin2"):
             self.linker.linked({"wrong": call})
 
     def test_the_code_of_the_page(self) -> None:
-        page = (ROOT / "docs" / "engines.md").read_text(encoding="utf-8").partition("\n## WESL\n")[2].partition("\n## ")[0]
+        page = (ROOT / "docs" / "engines.md").read_text(encoding="utf-8")
+        page = page.partition("\n## WESL\n")[2].partition("\n## ")[0]
         shaders = re.findall(r"^```wgsl\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)
         self.assertEqual(len(shaders), 1)
         self.device.compile(self.linker.linked({"page": shaders[0]})["page"])

@@ -1,0 +1,251 @@
+"""Open Shading Language, for Blender's Cycles and other renderers: functions, and a shader of the first one.
+
+An int has 32 bits and a sign there, and wraps, so it is a word as well. There are no bits of floats: the library is
+taken as it is written for GLSL 1.30, where there are none, either.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from parsing.lines import wrapped
+from pick.printer import UNARY
+from pick.scalars import Part, Piece, Syntax, Taken, bare
+from pick.values import AXES, PREFIXES, SIZES, Constant
+
+MASKED = re.compile(r"(\(\w+ >> \d+\)) & (0x[0-9A-F]+)")
+COMPARED = {"<": ("hn_i_less", "{0}, {1}"), ">": ("hn_i_less", "{1}, {0}")}
+UNSIGNED = {"/": "hn_i_quotient", "%": "hn_i_rest"}
+# What a parameter of the shader is unless it is set.
+DEFAULTS = {"octaves": "6", "lacunarity": "2.0", "gain": "0.5", "jitter": "1.0", "metric": "1", "strength": "1.0",
+            "amplitude": "1.0"}
+VECTORS = {f"hn_{prefix}vec{size}": ("float" if scalar == "float" else "int", AXES[:size])
+           for scalar, prefix in PREFIXES.items() for size in (2, 3, 4)}
+# A component of what a function returns: the language has it of variables alone.
+COMPONENTS = {f"hn_i_{axis}_of_{name.removeprefix('hn_')}": (axis, name)
+              for name, (_, axes) in VECTORS.items() for axis in axes}
+
+
+class Osl(Syntax):
+    indent = 2
+    library = {"__VERSION__": "130"}
+    types = dict.fromkeys(("int", "uint", "bool"), "int") | {"float": "float"}
+    # The language's own words, its global variables, and a function that is overloaded.
+    reserved = frozenset("""and break closure color continue do else emit float for if illuminance illuminate int matrix
+        normal not or output point public return string struct vector void while bool case char class const default
+        double enum extern false friend inline long private protected short signed sizeof static template this true
+        typedef uniform union unsigned varying virtual volatile shader surface displacement volume u v P N I Ng Ps Ci
+        time dtime dPdu dPdv dPdtime noise""".split())
+    helpers_first = True
+    joins = re.compile(r" *(float|int) (\w+(?: = .*[^{])?;)")
+    needs = {**{name: (vector,) for name, (_, vector) in COMPONENTS.items()}, "hn_i_quotient": ("hn_i_less",),
+             "hn_i_rest": ("hn_i_quotient",), "hn_i_smaller": ("hn_i_less",),
+             "hn_i_larger": ("hn_i_less",)}
+    helpers = {
+        **{name: f"struct {name} {{ {' '.join(f'{scalar} {axis};' for axis in axes)} }};\n"
+           for name, (scalar, axes) in VECTORS.items()},
+        **{name: f"{VECTORS[vector][0]} {name}({vector} a) {{ return a.{axis}; }}\n"
+           for name, (axis, vector) in COMPONENTS.items()},
+        "hn_i_shifted": """\
+// Without the sign.
+int hn_i_shifted(int a, int n) { return n == 0 ? a : (a >> n) & (0x7FFFFFFF >> (n - 1)); }
+""",
+        "hn_i_less": "// Words.\nint hn_i_less(int a, int b) { return (a ^ 0x80000000) < (b ^ 0x80000000); }\n",
+        "hn_i_smaller": "int hn_i_smaller(int a, int b) { return hn_i_less(b, a) ? b : a; }\n",
+        "hn_i_larger": "int hn_i_larger(int a, int b) { return hn_i_less(a, b) ? b : a; }\n",
+        "hn_i_quotient": """\
+int hn_i_quotient(int a, int b) {
+  if (b < 0) return !hn_i_less(a, b);
+  int q = (((a >> 1) & 0x7FFFFFFF) / b) << 1;
+  return q + !hn_i_less(a - q * b, b);
+}
+""",
+        "hn_i_rest": "int hn_i_rest(int a, int b) { return a - hn_i_quotient(a, b) * b; }\n",
+        "hn_i_from_word": """\
+// The last bit of a half decides how it is rounded.
+float hn_i_from_word(int a) { return a >= 0 ? (float)a : 2.0 * (float)(((a >> 1) & 0x7FFFFFFF) | (a & 1)); }
+""",
+        "hn_i_to_int": """\
+int hn_i_to_int(float x) {
+  if (x >= -2147483648.0 && x < 2147483648.0) return (int)x;
+  return x > 0.0 ? 0x7FFFFFFF : x < 0.0 ? 0x80000000 : 0;
+}
+""",
+        "hn_i_to_word": """\
+int hn_i_to_word(float x) {
+  if (x >= 2147483648.0) return x < 4294967296.0 ? (int)(x - 2147483648.0) ^ 0x80000000 : 0xFFFFFFFF;
+  return x > 0.0 ? (int)x : 0;
+}
+"""}
+
+    def __init__(self, precise: bool = False):
+        super().__init__(precise)
+        self.public: list[tuple[str, Sequence[Taken], Sequence[Part]]] = []
+
+    def function_name(self, name: str, is_public: bool) -> str:
+        return name
+
+    def type_name(self, name: str) -> str:
+        return name
+
+    def field_name(self, name: str) -> str:
+        return name.replace(".", "_")
+
+    def variable(self, name: str) -> str:
+        return f"{name}_" if name in self.reserved else name
+
+    def vector(self, type_: str) -> str:
+        return self.helper(f"hn_{type_}")
+
+    # Expressions.
+
+    def constant(self, constant: Constant) -> str:
+        return str(int(constant.value)) if constant.type == "bool" else super().constant(constant)
+
+    def float(self, text: str) -> str:
+        return text
+
+    def int(self, value: int) -> str:
+        return str(value) if value != -(1 << 31) else "0x80000000"
+
+    def uint(self, value: int) -> str:
+        return f"0x{value:X}" if value > 9999 else str(value)
+
+    def binary(self, sign: str, type_: str, left: Piece, right: Piece) -> Piece:
+        if type_ == "uint" and sign == ">>":
+            if right.text.isdigit() and 0 < int(right.text) < 32:
+                mask = Piece(f"0x{(1 << 32 - int(right.text)) - 1:X}")
+                return self.infix("&", self.infix(">>", left, right), mask)
+            return self.call(self.helper("hn_i_shifted"), [left, right])
+        if type_ == "uint" and sign in UNSIGNED:
+            return self.call(self.helper(UNSIGNED[sign]), [left, right])
+        if type_ == "uint" and sign[0] in COMPARED and sign not in ("<<", ">>"):
+            negated = sign in ("<=", ">=")
+            name, arguments = COMPARED[{"<=": ">", ">=": "<"}.get(sign, sign)]
+            return Piece(f"{'!' * negated}{self.helper(name)}({arguments.format(left.text, right.text)})",
+                         UNARY if negated else Piece("").binds)
+        if type_ == "uint" and sign == "&" and (found := MASKED.fullmatch(left.text)) and right.text.isalnum():
+            asked, kept = int(right.text, 0), int(found[2], 0)
+            if asked & kept == asked:  # what is masked already
+                left = Piece(found[1])
+        return super().binary(sign, type_, left, right)
+
+    def component_of(self, of: Piece, axis: str, type_: str) -> Piece:
+        if re.fullmatch(r"[\w.]+", of.text):
+            return super().component_of(of, axis, type_)
+        return self.call(self.helper(f"hn_i_{axis}_of_{type_}"), [of])
+
+    def convert(self, to: str, of: str, piece: Piece) -> Piece:
+        if of == to or "float" not in (to, of):
+            return piece
+        if of == "float":
+            return self.call(self.helper("hn_i_to_int" if to == "int" else "hn_i_to_word"), [piece])
+        if of == "uint" and not re.search(r" & 0x[0-7]?[0-9A-F]{1,7}$", piece.text):
+            return self.call(self.helper("hn_i_from_word"), [piece])
+        return Piece(f"(float){piece.within(UNARY - 1)}", UNARY)
+
+    def builtin(self, name: str, type_: str, arguments: Sequence[Piece]) -> Piece:
+        if type_ == "uint" and name in ("min", "max"):
+            return self.call(self.helper("hn_i_smaller" if name == "min" else "hn_i_larger"), arguments)
+        return self.call(name, arguments)
+
+    def make_vector(self, type_: str, parts: Sequence[Piece]) -> Piece:
+        return self.call(self.vector(type_), parts)
+
+    def make_struct(self, type_: str, fields: Sequence[Part], parts: Sequence[Piece]) -> Piece:
+        return self.call(self._maker(type_) if self._is_nested(fields) else type_, parts)
+
+    def _is_nested(self, fields: Sequence[Part]) -> bool:
+        """Whether structs are in a struct: its constructor loses those, in OSL 1.14."""
+        return any(self.type(field.type) not in ("int", "float") for field in fields)
+
+    def _maker(self, type_: str) -> str:
+        return f"hn_i_made_{bare(type_)}"
+
+    # Statements.
+
+    def change(self, type_: str, name: str, sign: str, by: str) -> str | None:
+        return None if type_ == "uint" and sign in (">>", *UNSIGNED) else super().change(type_, name, sign, by)
+
+    def forever(self) -> str:
+        return "while (1) {"
+
+    def returned(self, results: Sequence[Part], pieces: Sequence[Piece]) -> list[str]:
+        """What GLSL sets is set by parameters."""
+        lines = [f"{self.variable(part.name)} = {piece.text};" for part, piece in zip(results, pieces)
+                 if part.name != "value"]
+        return [*lines, *(f"return {piece.text};" for part, piece in zip(results, pieces) if part.name == "value")]
+
+    # Functions.
+
+    def function(self, name: str, parameters: Sequence[Taken], results: Sequence[Part], is_public: bool) -> str:
+        if is_public:
+            self.public.append((name, parameters, results))
+        # A parameter can be changed only if it is an output.
+        taken = [f"{'output ' * one.is_set}{self.type(one.type)} {one.name}{'_0' * (one.changes and not one.is_set)}"
+                 for one in parameters]
+        taken += [f"output {self.type(part.type)} {self.variable(part.name)}" for part in results
+                  if part.name != "value"]
+        given = next((self.type(part.type) for part in results if part.name == "value"), "void")
+        return f"{given} {name}({', '.join(taken)}) {{"
+
+    def beginning(self, parameters: Sequence[Taken], is_public: bool) -> list[str]:
+        return [f"{self.type(one.type)} {one.name} = {one.name}_0;" for one in parameters
+                if one.changes and not one.is_set]
+
+    def struct(self, name: str, fields: Sequence[Part]) -> str:
+        inside = "".join(f"  {self.type(field.type)} {self.field_name(field.name)};\n" for field in fields)
+        made = ""
+        if self._is_nested(fields):
+            names = [self.field_name(field.name) for field in fields]
+            taken = ", ".join(f"{self.type(field.type)} {one}" for field, one in zip(fields, names))
+            head = "\n".join(wrapped(f"{name} {self._maker(name)}({taken}) {{", 0))
+            sets = "".join(f"  made.{one} = {one};\n" for one in names)
+            made = f"\n{head}\n  {name} made;\n{sets}  return made;\n}}\n"
+        return f"struct {name} {{\n{inside}}};\n{made}"
+
+    def file(self, heading: Sequence[str], names: Sequence[str], parts: Sequence[str]) -> str:
+        return super().file(heading, names, [*parts, *shader(self, *self.public[0])])
+
+
+def shader(syntax: Osl, name: str, parameters: Sequence[Taken], results: Sequence[Part]) -> list[str]:
+    """What a node of a renderer is made of; nothing for a function that takes or sets a struct, or returns one."""
+    if any(one.type not in SIZES for one in (*parameters, *results)):
+        return []
+    axes = [one.name for one in parameters if one.name in AXES]
+    inputs = ["point p = P"] if len(axes) > 1 else []
+    passed = []
+    for one in parameters:
+        if len(axes) > 1 and one.name in axes[:3]:
+            passed.append(f"p[{axes.index(one.name)}]")
+        else:
+            default = DEFAULTS.get(one.name, "0" if one.type != "float" else "0.0")
+            inputs.append(f"{syntax.type(one.type)} {one.name} = {default}")
+            passed.append(one.name)
+    before, after = [], []
+    outputs = []
+    renamed = {"value": "result"} if "value" in passed else {}  # an input has the name
+    results = [part._replace(name=renamed.get(part.name, part.name)) for part in results]
+    returned = renamed.get("value", "value")
+    for part in results:
+        size, local = SIZES[part.type], f"{part.name}_n"
+        if size == 1:
+            outputs.append(f"output {syntax.type(part.type)} {part.name} = 0")
+            local = part.name
+        else:
+            before.append(f"{syntax.type(part.type)} {local};")
+            outputs.append(f"output vector {part.name} = 0")
+            three = [*(f"{local}.{axis}" for axis in AXES[:min(size, 3)]), "0", "0"][:3]
+            after.append(f"{part.name} = vector({', '.join(three)});")
+            if size == 4:
+                outputs.append(f"output float {part.name}_w = 0")
+                after.append(f"{part.name}_w = {local}.w;")
+        if part.name != returned:
+            passed.append(local)
+    call = f"{name}({', '.join(passed)});"
+    if value := next((part for part in results if part.name == returned), None):
+        call = f"{returned}{'_n' * (SIZES[value.type] > 1)} = {call}"
+    body = "".join(f"  {line}\n" for line in (*before, call, *after))
+    declared = ",\n    ".join([", ".join(inputs), ", ".join(outputs)])
+    return [f"shader hashnoise_{bare(name)}(\n    {declared}) {{\n{body}}}\n"]
