@@ -287,6 +287,7 @@ TEST(Suite, ThePageIsOneFileOfAModestSize) {
   EXPECT_LT(page->size(), 5'000'000u);  // most of it are golden values and points, of all functions
   EXPECT_EQ(page->find("src="), std::string::npos);
   EXPECT_EQ(page->find("from \"./"), std::string::npos);
+  EXPECT_NE(page->find("Content-Security-Policy\" content=\"default-src 'none';"), std::string::npos);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 import gzip
+import hashlib
 import json
 import re
 from collections.abc import Callable
@@ -57,9 +58,15 @@ def packed(data: dict) -> str:
     return base64.b64encode(gzip.compress(json.dumps(data, separators=(",", ":")).encode(), 9, mtime=0)).decode("ascii")
 
 
+def hash_of(code: str) -> str:
+    """By which the page's policy allows its script, and no other."""
+    return "sha256-" + base64.b64encode(hashlib.sha256(code.encode()).digest()).decode("ascii")
+
+
 def page(tell: Callable[[str], None] = lambda _: None) -> str:
     """`tell` takes a sentence before each step that takes long."""
-    parts = {"style": (SOURCES / "style.css").read_text(encoding="utf-8").strip(), "script": script().strip(),
+    code = f"\n{script().strip()}\n"
+    parts = {"style": (SOURCES / "style.css").read_text(encoding="utf-8").strip(), "script": code, "hash": hash_of(code),
              "library": packed(library(tell)), "picks": packed(json.loads(picks.FILE.read_text(encoding="ascii")))}
     return re.sub(r"\{\{(\w+)\}\}", lambda match: parts[match[1]],
                   (SOURCES / "index.html").read_text(encoding="utf-8"))

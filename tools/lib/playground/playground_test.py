@@ -3,6 +3,7 @@
 import base64
 import contextlib
 import gzip
+import hashlib
 import io
 import json
 import re
@@ -42,6 +43,14 @@ class Page(unittest.TestCase):
         self.assertNotIn("{{", self.text)
         self.assertNotRegex(self.text, r'(?i)(?:src|href)="(?!data:)')
         self.assertNotRegex(self.text, r"\bimport\(|@import|url\((?!data:)")
+
+    def test_only_its_own_script_may_run(self):
+        """Of the scripts, those of a type that browsers run."""
+        code = re.findall(r'(?s)<script(?: type="module")?>(.*?)</script>', self.text)
+        self.assertEqual(len(code), 1)
+        allowed = "sha256-" + base64.b64encode(hashlib.sha256(code[0].encode()).digest()).decode()
+        self.assertIn(f"default-src 'none'; script-src '{allowed}';", self.text)
+        self.assertNotIn(page.hash_of(code[0] + " "), self.text)
 
     def test_each_long_step_is_told(self):
         steps = "HN_FAST, 1 of 2", "HN_FIXED, 2 of 2"
