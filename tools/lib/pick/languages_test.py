@@ -106,7 +106,7 @@ class Language(unittest.TestCase):
         """By default integers, and floats that are precise or not, in turn from language to language."""
         turn = [*RUNNERS.values(), OslRunner].index(type(self.runner))
         known = self.runner.arithmetics
-        return known if THOROUGH else ("fixed", *(("fast", "precise")[turn % 2:][:1] if "precise" in known else ("fast",)))
+        return known if THOROUGH else ("fixed", "precise" if turn % 2 and "precise" in known else "fast")
 
     def text(self, arithmetic: str, of: Module, *names: str, syntax: type[Syntax] | None = None) -> str:
         syntax = syntax or self.runner.syntax
