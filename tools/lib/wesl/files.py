@@ -52,9 +52,9 @@ def module(arithmetic: str) -> str:
 
 
 def imported(names: Iterable[str], arithmetic: str = "HN_FAST") -> str:
-    """The statement that imports functions by their names in WGSL."""
+    """The statement that imports definitions, which then have their names in WGSL."""
     path = NAME if arithmetic == "HN_FAST" else f"{NAME}::fixed"
-    return f"import {path}::{{{', '.join(map(renamed, names))}}};\n"
+    return f"import {path}::{{{', '.join(f'{renamed(name)} as {name}' for name in names)}}};\n"
 
 
 def bundle(modules: dict[str, str]) -> str:

@@ -31,6 +31,15 @@ class Names(unittest.TestCase):
             self.assertEqual(len(set(new)), len(new))
             self.assertFalse(RESERVED & set(new))
 
+    def test_no_variable_hides_a_function_that_is_called(self) -> None:
+        for arithmetic in files.MODULES.values():
+            for item in files.definitions(arithmetic):
+                code = "\n".join(item.lines)
+                declared = set(re.findall(r"\b(?:let|var) (\w+)|\b(\w+): ", code))
+                declared = {name for pair in declared for name in pair if name}
+                with self.subTest(item.name):
+                    self.assertFalse(declared & {files.renamed(name) for name in item.needs})
+
     def test_those_with_a_line_behind_them_are_those_that_the_page_names(self) -> None:
         new = {files.renamed(item.name) for item in files.definitions("HN_FAST")}
         page = (files.PACKAGE / "README.md").read_text(encoding="utf-8")
