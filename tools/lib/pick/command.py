@@ -79,11 +79,9 @@ class Choice:
 
     def check(self) -> None:
         shading = LANGUAGES.get(self.language)
-        if self.arithmetic == "precise" and shading and shading.no_precise:
-            raise Unknown(shading.no_precise)
-        if self.arithmetic == "precise" and self.language == "osl":
-            raise Unknown("a renderer may reorder what OSL computes with floats: take --arithmetic fixed, whose bits "
-                          "are the same everywhere")
+        no_precise = (shading or SYNTAXES[self.language]).no_precise
+        if self.arithmetic == "precise" and no_precise:
+            raise Unknown(no_precise)
         if self.import_path and self.language != "wgsl":
             raise Unknown("--import-path is of --language wgsl")
         if self.hash_function and not shading:
@@ -121,8 +119,10 @@ def picker(library: Path = GLSL) -> Callable[[Sequence[str], Choice], str]:
 
     def pick(names: Sequence[str], choice: Choice) -> str:
         choice.check()
-        splits = choice.language in SYNTAXES
-        kind = "osl" if choice.language == "osl" else "c" if splits else "glsl"  # what is evaluated in the same way
+        syntax = SYNTAXES.get(choice.language)
+        splits = syntax is not None
+        # What is evaluated in the same way, once.
+        kind = choice.language if syntax and syntax.library else "c" if splits else "glsl"
         made = program(tuple(names), replace(choice, language=kind, import_path=""))
         functions = [root.function for root in made.roots]
         command, summed = command_of(names, choice), made.module.summed

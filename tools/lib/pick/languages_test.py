@@ -36,6 +36,7 @@ SKIPPED = 77
 SPECIAL = ("hn_next2", "hn_fbm2", "hn_cellular2_nearest", "hn_cell_border2_nearest", "hn_tile2", "hn_fbm_d2",
            "hn_shuffle")
 
+ALL_RUNNERS = {**RUNNERS, "osl": OslRunner}
 TOGETHER = ("hn_perlin2", "hn_value3_place", "hn_tile3")  # in one text
 
 
@@ -104,7 +105,7 @@ class Language(unittest.TestCase):
 
     def arithmetics(self) -> Sequence[str]:
         """By default integers, and floats that are precise or not, in turn from language to language."""
-        turn = [*RUNNERS.values(), OslRunner].index(type(self.runner))
+        turn = list(ALL_RUNNERS.values()).index(type(self.runner))
         known = self.runner.arithmetics
         return known if THOROUGH else ("fixed", "precise" if turn % 2 and "precise" in known else "fast")
 
@@ -179,7 +180,7 @@ if __name__ == "__main__":
     if what == "points":
         write_points(where)
         sys.exit(0)
-    Language.runner, Language.folder = (OslRunner if what == "osl" else RUNNERS[what])(), where
+    Language.runner, Language.folder = ALL_RUNNERS[what](), where
     try:
         Language.runner.check()
     except NotInstalled as reason:

@@ -30,6 +30,8 @@ COMPONENTS = {f"hn_i_{axis}_of_{name.removeprefix('hn_')}": (axis, name)
 class Osl(Syntax):
     indent = 2
     library = {"__VERSION__": "130"}
+    no_precise = ("a renderer may reorder what OSL computes with floats: take --arithmetic fixed, whose bits are the same "
+                  "everywhere")
     types = dict.fromkeys(("int", "uint", "bool"), "int") | {"float": "float"}
     # The language's own words, its global variables, and a function that is overloaded.
     reserved = frozenset("""and break closure color continue do else emit float for if illuminance illuminate int matrix

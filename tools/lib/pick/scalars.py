@@ -125,6 +125,7 @@ class Syntax:
     head = "({})"                    # of a condition
     types: Mapping[str, str] = {}    # of scalars
     library: Mapping[str, str] = {}  # macros with which the library is read
+    no_precise = ""                  # why it has no `precise`, and what to take
     reserved: frozenset[str] = frozenset()
     helpers: Mapping[str, str] = {}  # functions that the language lacks, with what is said of them
     needs: Mapping[str, Sequence[str]] = {}  # of helpers: other helpers
