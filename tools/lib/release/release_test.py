@@ -14,10 +14,11 @@ from pathlib import Path
 from unittest import mock
 
 from release import files
-from tree import ROOT, VECTORS, version
+from tree import ROOT, TOOLS, VECTORS, version
 
 # Enough of the tree for what is tried here.
-COPIED = ("CMakeLists.txt", "LICENSE", "glsl", "include", "packages/npm/package.json", "pyproject.toml", "tools")
+COPIED = ("CMakeLists.txt", "LICENSE", "glsl", "include", "packages/npm/package.json",
+          "packages/wesl/Cargo.toml", "pyproject.toml", "tools")
 CHEAP = "single,parts,vectors,headers,source"
 
 
@@ -176,6 +177,10 @@ class Refuses(Project):
         self.refused(2, "there is no part ruby; there are single, parts, vectors, headers", "--only", "ruby")
         self.refused(2, "no part is left", "--without", ",".join(files.PARTS))
         self.refused(2, "not allowed with", "--only", "single", "--without", "npm")
+
+    def test_the_help_names_each_part(self):
+        named = re.search(r"PARTS are names with commas between: ([^.]*)\.", (TOOLS / "release").read_text())[1]
+        self.assertEqual(tuple(re.split(r",\s+", named)), files.PARTS)
 
     def test_a_tag_of_another_version(self):
         self.refused(2, f"the version is {version()}, so its tag is v{version()} and not v9.9.9", "--tag", "v9.9.9")

@@ -10,13 +10,15 @@ import re
 import tomllib
 import uuid
 from collections.abc import Iterable, Mapping
+from fnmatch import fnmatchcase
 from pathlib import Path
 
 from tree import ROOT
 
 SPECIFICATION = "1.6"
 OURS = "hashnoise"
-LICENSES = {"numpy": "BSD-3-Clause", "nanobind": "BSD-3-Clause", "three": "MIT"}  # of what others wrote
+# Of what others wrote. Of two the user may choose.
+LICENSES = {"numpy": "BSD-3-Clause", "nanobind": "BSD-3-Clause", "three": "MIT", "wesl-core": "MIT OR Apache-2.0"}
 KINDS = {".whl": "pypi", ".tgz": "npm"}  # of package, by the ending of its file
 Component = dict[str, object]
 
@@ -32,8 +34,8 @@ def required(text: str) -> tuple[str, str]:
 
 
 def of_others(root: Path = ROOT) -> dict[str, list[Component]]:
-    """What others wrote, by the ending of the file that needs it: what pip and npm install beside the package, and what
-    is compiled into the wheel. No other file of a release has or needs anything of that kind."""
+    """What others wrote, by the names of the files that need it: what pip, npm and cargo install beside a package, and
+    what is compiled into the wheel. No other file of a release has or needs anything of that kind."""
     project = tomllib.loads((root / "pyproject.toml").read_text(encoding="utf-8"))
     package = json.loads((root / "packages" / "npm" / "package.json").read_text(encoding="utf-8"))
     compiled_in = [text for text in project["build-system"]["requires"] if not text.startswith("scikit-build-core")]
@@ -45,7 +47,10 @@ def of_others(root: Path = ROOT) -> dict[str, list[Component]]:
            for name, versions in package.get("dependencies", {}).items()]
     npm += [component("npm", name, versions, "optional", "a project that has it may use its part of the package")
             for name, versions in package.get("peerDependencies", {}).items()]
-    return {".whl": wheel, ".tgz": npm}
+    crate = tomllib.loads((root / "packages" / "wesl" / "Cargo.toml").read_text(encoding="utf-8"))
+    wesl = [component("cargo", name, versions, "optional", "cargo builds it with the package, and npm needs nothing")
+            for name, versions in crate["dependencies"].items()]
+    return {"*.whl": wheel, "*.tgz": npm, "hashnoise_wgsl-*.zip": wesl}
 
 
 def component(kind: str, name: str, versions: str, scope: str, how: str) -> Component:
@@ -56,7 +61,11 @@ def component(kind: str, name: str, versions: str, scope: str, how: str) -> Comp
     reference = f"pkg:{kind}/{name}" + (f"@{exact}" if exact else "")
     return {"type": "library", "bom-ref": reference, "name": name, **({"version": exact} if exact else {}),
             "description": f"{how}; version {exact or versions}", "scope": scope,
-            "licenses": [{"license": {"id": LICENSES[name]}}], "purl": reference}
+            "licenses": [license_of(LICENSES[name])], "purl": reference}
+
+
+def license_of(name: str) -> dict[str, object]:
+    return {"expression": name} if " OR " in name else {"license": {"id": name}}
 
 
 def of_file(name: str, data: bytes, version: str) -> Component:
@@ -69,7 +78,8 @@ def of_file(name: str, data: bytes, version: str) -> Component:
 def bom(version: str, seconds: int, files: Mapping[str, bytes], others: Mapping[str, list[Component]]) -> Component:
     """That of these files, made at the time of the commit. The number of it follows from what it says."""
     made = [of_file(name, data, version) for name, data in sorted(files.items())]
-    needed = {name: others.get(Path(name).suffix, []) for name in sorted(files)}
+    needed = {name: [one for pattern, those in others.items() if fnmatchcase(name, pattern) for one in those]
+              for name in sorted(files)}
     unique = {one["bom-ref"]: one for those in needed.values() for one in those}
     time = datetime.datetime.fromtimestamp(seconds, datetime.timezone.utc)
     said: Component = {

@@ -22,7 +22,8 @@ from release import sbom
 from tree import ROOT
 
 FILES = {"hashnoise.glsl": b"// text\n", "hashnoise-1.2.3.tgz": b"npm", "NOTES.md": b"# Notes\n",
-         "hashnoise-1.2.3-cp312-abi3-linux_x86_64.whl": b"wheel"}
+         "hashnoise-1.2.3-cp312-abi3-linux_x86_64.whl": b"wheel", "hashnoise_wgsl-1.2.3.zip": b"crate",
+         "hashnoise-rust-1.2.3.zip": b"crate"}
 REQUIREMENTS = Path(__file__).with_name("requirements.txt")
 # The schema of the version that the file names is in the package.
 CHECKER = """
@@ -53,6 +54,8 @@ class Contents(unittest.TestCase):
         names = [reference.partition("@")[0] for reference in needs[wheel]]
         self.assertEqual(names, ["pkg:pypi/nanobind", "pkg:pypi/numpy"])
         self.assertEqual(needs["hashnoise-1.2.3.tgz"], ["pkg:npm/three"])
+        self.assertEqual(needs["hashnoise_wgsl-1.2.3.zip"], ["pkg:cargo/wesl-core"])
+        self.assertEqual(needs["hashnoise-rust-1.2.3.zip"], [])
         self.assertEqual((needs["hashnoise.glsl"], needs["hashnoise"]), ([], sorted(FILES)))
         self.assertEqual(len(made({"hashnoise.glsl": b""})["components"]), 1)
 
@@ -63,8 +66,9 @@ class Contents(unittest.TestCase):
     def test_what_is_needed_and_unknown_is_told(self) -> None:
         with tempfile.TemporaryDirectory() as scratch:
             root = Path(scratch)
-            (root / "packages" / "npm").mkdir(parents=True)
-            shutil.copy(ROOT / "packages" / "npm" / "package.json", root / "packages" / "npm")
+            for name in ("packages/npm/package.json", "packages/wesl/Cargo.toml"):
+                (root / name).parent.mkdir(parents=True)
+                shutil.copy(ROOT / name, root / name)
             text = (ROOT / "pyproject.toml").read_text(encoding="utf-8")
             for before, after in (('"nanobind==', '"pybind11==3.0", "nanobind=='), ('["numpy>=1.23"]', '["pandas"]')):
                 self.assertIn(before, text)
