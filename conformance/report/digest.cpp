@@ -92,7 +92,10 @@ struct Part {
     for (const auto& [group, list] : words) {
       sums[group] = fmt::format("{:08x}", crc32_of(bytes_of(std::span<const std::uint32_t>(list))));
     }
-    return {{"cases", groups}, {"checksums", sums}, {"sets", fmt::format("{:x}", fmt::join(digits, ""))}, {"verdict", failed ? "fail" : "pass"}};
+    return {{"cases", groups},
+            {"checksums", sums},
+            {"sets", fmt::format("{:x}", fmt::join(digits, ""))},
+            {"verdict", failed ? "fail" : "pass"}};
   }
 };
 
