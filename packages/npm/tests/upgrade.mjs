@@ -1,0 +1,69 @@
+// A page that has this version and the one before: a world that was built with the old one stays as it is, beside what
+// is new. Each has its own bits, in JavaScript and in shaders, also in one shader.
+//
+//   node upgrade.mjs ROOT COMMIT    of the repository, and a commit whose version is the one before
+//
+// Exit status: that of the tests; 77 the commit is not here, as in a clone without history.
+import assert from "node:assert/strict";
+import { execFileSync, spawnSync } from "node:child_process";
+import { mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import test, { after, before } from "node:test";
+import { build, preview } from "vite";
+import { launch, open } from "../chromium.mjs";
+
+const [repository, commit] = process.argv.slice(2);
+const root = join(import.meta.dirname, "upgrade");
+if (spawnSync("git", ["-C", repository, "cat-file", "-e", `${commit}^{commit}`]).status !== 0) {
+  console.log(`skipped: ${repository} has no commit ${commit}`);
+  process.exit(77);
+}
+
+const points = Array.from({ length: 64 }, (_, i) => [i * 0.37 - 11, 5 - i * 0.61]);
+let page, server, browser;
+const versionOf = (name) => JSON.parse(readFileSync(join(import.meta.dirname, "node_modules", name, "package.json"))).version;
+
+before(async () => {
+  const old = mkdtempSync(join(tmpdir(), "before-"));
+  const archive = execFileSync("git", ["-C", repository, "archive", commit], { maxBuffer: 2 ** 30 });
+  execFileSync("tar", ["-x", "-C", old], { input: archive });
+  const packed = execFileSync(join(old, "tools", "npm"), [join(old, "made")], { encoding: "utf8" }).trim();
+  execFileSync("npm", ["install", "--offline", "--no-save", "--no-audit", "--no-fund", `hashnoise-before@file:${packed}`],
+    { cwd: import.meta.dirname });
+  rmSync(old, { recursive: true });
+  await build({ root, configFile: false, logLevel: "warn" });
+  server = await preview({ root, configFile: false, preview: { port: 0, host: "127.0.0.1" } });
+  browser = await launch();
+  page = await open(browser, `http://127.0.0.1:${server.httpServer.address().port}/`);
+  await page.waitForFunction("globalThis.hashnoise");
+});
+after(async () => {
+  await browser?.close();
+  await server?.close();
+});
+
+const drawn = (...names) => page.evaluate((...given) => hashnoise.drawn(...given), names, points);
+const computed = (name) => page.evaluate((...given) => hashnoise.computed(...given), name, points);
+
+test("the two are of different versions, with different values", async () => {
+  assert.notEqual(versionOf("hashnoise"), versionOf("hashnoise-before"));
+  const [now, old] = [await computed("now"), await computed("before")];
+  const differing = now.filter((word, i) => word !== old[i]).length;
+  assert.ok(differing > points.length / 2, `${differing} of ${points.length} heights differ`);
+});
+
+test("each has its own bits in a shader of its own", async () => {
+  assert.deepEqual(await drawn("now"), [await computed("now")]);
+  assert.deepEqual(await drawn("before"), [await computed("before")]);
+});
+
+test("each has its own bits in one shader, where the names of one are others", async () => {
+  assert.deepEqual(await drawn("now", "renamed"), [await computed("now"), await computed("before")]);
+  assert.deepEqual(page.complaints, []);
+});
+
+test("without that one shader has one of them, or none", async () => {
+  const wrong = await drawn("now", "before").catch(() => [[], []]);
+  assert.notDeepEqual(wrong[1], await computed("before"));
+});
