@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 import tempfile
@@ -98,6 +99,7 @@ class Types(unittest.TestCase):
         done = self.compare_with_the_code()
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
+    @unittest.skipUnless("HN_THOROUGH" in os.environ, "mypy takes long: tools/test --thorough")
     def test_another_stub_is_noticed(self):
         """In a copy of the package, which stands before the installed one."""
         import hashnoise
