@@ -37,10 +37,11 @@ readonly bake_packages=("${program_packages[@]}" libopenexr-dev)
 readonly npm_packages=(clang libc++-dev-wasm32 lld python3 wasi-libc)
 # Of the tests of examples/, which build raylib.
 readonly example_packages=(git libxcursor-dev libxi-dev libxinerama-dev libxrandr-dev vulkan-validationlayers x11-utils)
-# Those behind python3-venv compile for ARM, and run what they compile; those of Mono do so with C#.
+# Those behind python3-venv compile for ARM, and run what they compile; those of Mono do so with C#. abigail-tools compare
+# binary interfaces.
 readonly test_packages=("${driver_packages[@]}" "${npm_packages[@]}" "${example_packages[@]}" ccache libopenexr-dev
   libclang-rt-dev libgtest-dev python3 python3-dev python3-numpy python3-scipy python3-venv g++-aarch64-linux-gnu
-  qemu-user mono-mcs mono-runtime)
+  qemu-user mono-mcs mono-runtime abigail-tools)
 # Of tools/quality, which has no need of hn-conform.
 readonly quality_packages=(g++ python3 python3-numpy python3-scipy)
 readonly plot_packages=(python3-matplotlib)

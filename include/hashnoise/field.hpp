@@ -29,7 +29,14 @@
 
 #include "points.hpp"
 
-namespace hashnoise {
+// What a shared library offers; the rest of it stays inside.
+#if defined(__GNUC__) && !defined(_WIN32)
+#define HN_I_OFFERED __attribute__((visibility("default")))
+#else
+#define HN_I_OFFERED
+#endif
+
+namespace hashnoise::inline HN_I_NAMESPACE {
 
 enum class Arithmetic { kFast = 1, kPrecise = 2, kFixed = 3 };  // HN_FAST, HN_PRECISE, HN_FIXED
 
@@ -76,11 +83,11 @@ struct Settings {
 using Executor = std::function<void(int count, const std::function<void(int)>& task)>;
 
 // An executor of that many threads, this one included; 0 for as many as the processor has.
-Executor threads(int count = 0);
+HN_I_OFFERED Executor threads(int count = 0);
 
 // A field in D dimensions, 1 to 4. It has no state that changes: many threads may use one at once.
 template <int D>
-class Field {
+class HN_I_OFFERED Field {
  public:
   // Throws std::invalid_argument, which says what is wrong and what would be right. It does so for all settings where
   // instruction_sets() is empty.
@@ -116,12 +123,12 @@ extern template class Field<3>;
 extern template class Field<4>;
 
 // The noises and the sums that there are in so many dimensions, in the order of the documents.
-std::vector<std::string_view> noise_names(int dimensions);
-std::vector<std::string_view> sum_names(int dimensions);
+HN_I_OFFERED std::vector<std::string_view> noise_names(int dimensions);
+HN_I_OFFERED std::vector<std::string_view> sum_names(int dimensions);
 
 // What both this processor and the library have, the widest first. A library for x86 has nothing for processors without
 // SSE4.1; which sets it has is CMake's HASHNOISE_INSTRUCTION_SETS.
-std::vector<InstructionSet> instruction_sets();
-std::string_view name(InstructionSet set);  // "sse4.1", "avx2", "avx512", "neon", "generic"
+HN_I_OFFERED std::vector<InstructionSet> instruction_sets();
+HN_I_OFFERED std::string_view name(InstructionSet set);  // "sse4.1", "avx2", "avx512", "neon", "generic"
 
 }  // namespace hashnoise

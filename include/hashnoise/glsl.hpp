@@ -26,7 +26,11 @@
 #define HN_I_INLINE [[gnu::always_inline]] inline
 #endif
 
-namespace hashnoise {
+// The major and the minor version, for a namespace that users need not name. Linkers see it: a program may have two
+// versions, of a plugin and its host, and none of them gets the functions of the other.
+#define HN_I_NAMESPACE v0_4
+
+namespace hashnoise::inline HN_I_NAMESPACE {
 
 using uint = std::uint32_t;
 

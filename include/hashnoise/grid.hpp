@@ -29,7 +29,7 @@
 #include "lanes.hpp"
 #include "points.hpp"
 
-namespace hashnoise {
+namespace hashnoise::inline HN_I_NAMESPACE {
 namespace HN_LANES {
 
 namespace detail {

@@ -33,7 +33,7 @@
 
 #include <type_traits>
 
-namespace hashnoise::detail {
+namespace hashnoise::inline HN_I_NAMESPACE::detail {
 
 // Of these types C++ would convert one to another. Vectors of lanes and types of others are not among them: what they
 // convert to is their own affair.
@@ -85,7 +85,7 @@ HN_I_INLINE constexpr auto as_in_glsl(T argument) {
 #define HN_I_PASTE(a, b) HN_I_PASTE_TOKENS(a, b)
 
 // clang-format off
-namespace hashnoise {
+namespace hashnoise::inline HN_I_NAMESPACE {
 inline namespace HN_I_PASTE(hash_, HN_HASH) {
 inline namespace HN_I_PASTE(gradient_, HN_GRADIENT) {
 inline namespace HN_I_PASTE(arithmetic_, HN_ARITHMETIC) {

@@ -82,7 +82,7 @@
 #pragma GCC diagnostic ignored "-Weffc++"  // of operator&&, which has nothing to leave out
 #endif
 
-namespace hashnoise {
+namespace hashnoise::inline HN_I_NAMESPACE {
 namespace HN_LANES {
 
 constexpr int kCount = HN_I_LANE_BYTES / 4;

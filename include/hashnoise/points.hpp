@@ -12,7 +12,7 @@
 
 #include "glsl.hpp"
 
-namespace hashnoise {
+namespace hashnoise::inline HN_I_NAMESPACE {
 
 template <typename T, int D>
 using PerAxis = std::array<T, static_cast<std::size_t>(D)>;

@@ -4,6 +4,8 @@
 
 #include <array>
 #include <charconv>
+#include <hashnoise/glsl.hpp>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -11,6 +13,12 @@
 
 namespace hn {
 namespace {
+
+using namespace std::string_view_literals;
+
+#define HN_BAKE_QUOTED(text) #text
+#define HN_BAKE_TEXT_OF(macro) HN_BAKE_QUOTED(macro)
+constexpr std::string_view kVersion = HN_BAKE_TEXT_OF(HN_I_NAMESPACE) "::";  // the namespace of the version
 
 constexpr std::string_view kOwn = "hn-bake: ";  // what a static_assert of ours says begins so
 
@@ -57,7 +65,7 @@ void replace_all(std::string& text, std::string_view old, std::string_view by) {
 // The types by GLSL's names, and functions without the namespaces that they are in.
 std::string in_glsl(std::string_view message) {
   std::string text(message.substr(0, message.find(" [-W")));
-  for (const std::string_view space : {"hashnoise::", "of_the_user::", "const "}) replace_all(text, space, "");
+  for (const std::string_view space : {"hashnoise::"sv, kVersion, "of_the_user::"sv, "const "sv}) replace_all(text, space, "");
   for (const std::string_view knob : {"hash_", "gradient_", "arithmetic_"}) {
     for (std::size_t at = text.find(knob); at != std::string::npos; at = text.find(knob, at + 1)) {
       const std::size_t end = text.find("::", at);

@@ -6,7 +6,7 @@
 #include "plan.hpp"
 #include "rules.hpp"
 
-namespace hashnoise {
+namespace hashnoise::inline HN_I_NAMESPACE {
 
 template <int D>
 struct Field<D>::Plan : grid::Plan {};

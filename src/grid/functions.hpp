@@ -11,7 +11,7 @@
 #include "kernel.hpp"
 #include "rules.hpp"
 
-namespace hashnoise::grid {
+namespace hashnoise::inline HN_I_NAMESPACE::grid {
 
 struct NoiseRow {
   std::string_view name;

@@ -7,7 +7,7 @@
 #include "processor.hpp"
 #include "tables.hpp"
 
-namespace hashnoise {
+namespace hashnoise::inline HN_I_NAMESPACE {
 
 namespace {
 
@@ -21,7 +21,7 @@ struct Build {
 
 #define HASHNOISE_BUILD(set, name)                                                                  \
   Build {                                                                                           \
-    set, grid::has_##name,                                                                          \
+    set, processor::has_##name,                                                                     \
         {grid::noises_##name##_fast, grid::noises_##name##_precise, grid::noises_##name##_fixed}, { \
       grid::sums_##name##_fast, grid::sums_##name##_precise, grid::sums_##name##_fixed              \
     }                                                                                               \

@@ -5,7 +5,7 @@
 
 #include "kernel.hpp"
 
-namespace hashnoise::grid {
+namespace hashnoise::inline HN_I_NAMESPACE::grid {
 
 // What this library was compiled for, the widest first, whether the processor has it or not.
 std::vector<InstructionSet> compiled_instruction_sets();

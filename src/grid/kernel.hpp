@@ -3,8 +3,9 @@
 #pragma once
 
 #include <cstdint>
+#include <hashnoise/glsl.hpp>
 
-namespace hashnoise::grid {
+namespace hashnoise::inline HN_I_NAMESPACE::grid {
 
 // What the numbers at a point are.
 enum class Shape {

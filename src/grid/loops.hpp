@@ -6,7 +6,7 @@
 
 #include "kernel.hpp"
 
-namespace hashnoise {
+namespace hashnoise::inline HN_I_NAMESPACE {
 namespace HN_LANES {
 namespace {  // a copy for each translation unit: they differ in their flags
 

@@ -6,7 +6,7 @@
 
 int main() {
 #if defined(HASHNOISE_X86)
-  using namespace hashnoise::grid;
+  using namespace hashnoise::processor;
   std::puts(has_avx512() ? "avx512" : has_avx2() ? "avx2" : has_sse41() ? "sse4.1" : "");
 #endif
 }

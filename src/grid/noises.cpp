@@ -2,7 +2,7 @@
 #include "loops.hpp"
 #include "tables.hpp"
 
-namespace hashnoise {
+namespace hashnoise::inline HN_I_NAMESPACE {
 namespace HN_LANES {
 namespace {
 

@@ -8,7 +8,7 @@
 #include "instruction_sets.hpp"
 #include "rules.hpp"
 
-namespace hashnoise::grid {
+namespace hashnoise::inline HN_I_NAMESPACE::grid {
 
 namespace {
 
@@ -265,7 +265,7 @@ Plan plan_of(int dimensions, const Settings& settings) {
 
 }  // namespace hashnoise::grid
 
-namespace hashnoise {
+namespace hashnoise::inline HN_I_NAMESPACE {
 
 std::vector<std::string_view> noise_names(int dimensions) { return grid::names_in(grid::kNoiseRows, dimensions); }
 std::vector<std::string_view> sum_names(int dimensions) { return grid::names_in(grid::kSumRows, dimensions); }

@@ -6,7 +6,7 @@
 #include "functions.hpp"
 #include "kernel.hpp"
 
-namespace hashnoise::grid {
+namespace hashnoise::inline HN_I_NAMESPACE::grid {
 
 struct Plan {
   int dimensions;

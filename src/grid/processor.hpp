@@ -2,7 +2,7 @@
 // CMake runs the same questions to find what HASHNOISE_INSTRUCTION_SETS=native means (native.cpp).
 #pragma once
 
-namespace hashnoise::grid {
+namespace hashnoise::processor {
 
 #if defined(HASHNOISE_X86)
 inline bool has_avx512() {
@@ -16,4 +16,4 @@ inline bool has_sse41() { return __builtin_cpu_supports("sse4.1"); }
 inline bool has_neon() { return true; }
 inline bool has_generic() { return true; }
 
-}  // namespace hashnoise::grid
+}  // namespace hashnoise::processor

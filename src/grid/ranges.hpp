@@ -8,7 +8,7 @@
 
 #include "functions.hpp"
 
-namespace hashnoise::grid {
+namespace hashnoise::inline HN_I_NAMESPACE::grid {
 
 struct Interval {
   double least;

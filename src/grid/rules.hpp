@@ -5,11 +5,12 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <hashnoise/glsl.hpp>
 #include <limits>
 #include <string>
 #include <string_view>
 
-namespace hashnoise::grid {
+namespace hashnoise::inline HN_I_NAMESPACE::grid {
 
 struct Rule {
   std::string_view setting;

@@ -4,7 +4,7 @@
 
 #include "kernel.hpp"
 
-namespace hashnoise::grid {
+namespace hashnoise::inline HN_I_NAMESPACE::grid {
 
 #define HASHNOISE_TABLES(set)            \
   void noises_##set##_fast(Kernels&);    \

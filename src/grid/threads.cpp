@@ -5,7 +5,7 @@
 #include <mutex>
 #include <thread>
 
-namespace hashnoise {
+namespace hashnoise::inline HN_I_NAMESPACE {
 
 Executor threads(int count) {
   if (count <= 0) count = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));

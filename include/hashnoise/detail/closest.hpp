@@ -10,7 +10,9 @@
 #include <string_view>
 #include <vector>
 
-namespace hashnoise::detail {
+#include "../glsl.hpp"
+
+namespace hashnoise::inline HN_I_NAMESPACE::detail {
 
 constexpr std::size_t kLongestWord = 64;  // no name of ours comes near it, and the work grows with its length
 

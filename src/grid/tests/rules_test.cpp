@@ -10,7 +10,7 @@
 
 #include "grid/functions.hpp"
 
-namespace hashnoise::grid {
+namespace hashnoise::inline HN_I_NAMESPACE::grid {
 namespace {
 
 std::string page() {

@@ -153,6 +153,10 @@ class Refuses(Project):
     def test_a_citation_is_of_this_version(self):
         self.assertIn(f"\nversion: {version()}\n", (ROOT / "CITATION.cff").read_text())
 
+    def test_a_namespace_is_of_this_version(self):
+        major, minor, _ = version().split(".")
+        self.assertIn(f"\n#define HN_I_NAMESPACE v{major}_{minor}\n", (ROOT / "include/hashnoise/glsl.hpp").read_text())
+
     def test_a_version_that_the_changelog_does_not_have(self):
         with self.assertRaisesRegex(files.NoRelease, "says nothing of 7.0.0"):
             files.notes("## 0.7.0 (2026-01-01)\n\n- Something.\n", "7.0.0", trial=True)

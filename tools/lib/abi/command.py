@@ -1,0 +1,149 @@
+"""Holds the binary interface of hashnoise::grid, as a shared library, to what this minor version has promised.
+
+    tools/abi --check     builds the library, and says what differs from src/grid/tests/grid.abi
+    tools/abi --write     writes that file anew; refused in a patch, whose interface is that of its minor version
+
+A program that was compiled with 1.2.0 runs with the library of 1.2.3, and not with that of 1.3.0: its SONAME differs, and
+so does the namespace of its functions. abidw describes the library, and abidiff compares; both are in Debian's
+abigail-tools. The file is for x86-64, and elsewhere the command is skipped.
+
+The library is compiled anew, which takes minutes; FOLDER (build/abi) keeps it.
+
+Exit status: 0 the interface is as it was, or is written; 1 it is not as it was, or must stay; 2 bad usage; 4 the library
+cannot be built or described; 77 the machine is no x86-64, or there is no abigail-tools.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import platform
+import re
+import shutil
+import subprocess
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+from tree import ROOT, version
+
+INTERFACE = ROOT / "src" / "grid" / "tests" / "grid.abi"
+FOLDER = ROOT / "build" / "abi"
+NEEDED = ("abidw", "abidiff", "c++filt")
+# What is left out has no say in what a program of another patch needs.
+OPTIONS = ("--no-corpus-path", "--no-comp-dir-path", "--no-elf-needed", "--no-show-locs", "--no-parameter-names",
+           "--exported-interfaces-only", "--drop-undefined-syms", "--drop-private-types", "--headers-dir",
+           str(ROOT / "include" / "hashnoise"))
+
+
+class Failed(Exception):
+    """The library is not there, or a program does not do its work."""
+
+
+def skipped() -> str:
+    """Why nothing can be said here; empty if it can."""
+    missing = [program for program in NEEDED if shutil.which(program) is None]
+    if missing:
+        return f"skipped: there is no {' and no '.join(missing)}"
+    return "" if platform.machine() == "x86_64" else "skipped: this machine is no x86-64"
+
+
+def output_of(*command: str | Path, accepted: Sequence[int] = (0,)) -> str:
+    done = subprocess.run([str(part) for part in command], capture_output=True, text=True, check=False)
+    if done.returncode not in accepted:
+        raise Failed(f"{command[0]} ended with status {done.returncode}: {(done.stdout + done.stderr)[-2000:].strip()}")
+    return done.stdout
+
+
+def build(folder: Path) -> Path:
+    """The shared library, with what abidw needs to know of its types. One instruction set stands for all: they have the
+    same interface."""
+    output_of("cmake", "-S", ROOT, "-B", folder, "-G", "Ninja", "-DBUILD_SHARED_LIBS=ON", "-DHASHNOISE_CONFORMANCE=OFF",
+              "-DHASHNOISE_INSTRUCTION_SETS=sse4.1", "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_CXX_FLAGS=-g")
+    output_of("cmake", "--build", folder, "--target", "hashnoise-grid", "--parallel", str(os.cpu_count() or 1))
+    return folder / "src" / "grid" / "libhashnoise-grid.so"
+
+
+def described(library: Path) -> str:
+    return output_of("abidw", *OPTIONS, library)
+
+
+def compared(before: Path, now: Path) -> str:
+    """What abidiff says; its status tells of changes, too. Another name of a member is harmless to it."""
+    return output_of("abidiff", "--harmless", before, now, accepted=range(0, 16)).strip()
+
+
+def promised(of: str) -> str:
+    """The SONAME of the library in a version."""
+    return "libhashnoise-grid.so." + ".".join(of.split(".")[:2])
+
+
+def soname(interface: str) -> str:
+    found = re.search(r"<abi-corpus [^>]*\bsoname='([^']*)'", interface)
+    return found[1] if found else ""
+
+
+def functions(interface: str) -> list[str]:
+    """What the library offers to a linker, by the names that C++ gives, of hashnoise's own."""
+    symbols = re.findall(r"<elf-symbol name='([^']*)'", interface)
+    names = output_of("c++filt", *symbols).splitlines() if symbols else []
+    return sorted(name for name in names if "hashnoise" in name)
+
+
+def problems(before: Path, now: Path, of: str) -> list[str]:
+    """What is not as it was in the description of a library."""
+    text = now.read_text(encoding="utf-8")
+    wrong = []
+    if soname(text) != promised(of):
+        wrong.append(f"the SONAME is {soname(text) or 'missing'}; of version {of} it is {promised(of)}")
+    space = "hashnoise::v" + "_".join(of.split(".")[:2]) + "::"
+    wrong += [f"{name} is not in the namespace {space[:-2]}: HN_I_NAMESPACE in include/hashnoise/glsl.hpp names it"
+              for name in functions(text) if space not in name]
+    wrong += [f"{name} is not for users, and is offered to them" for name in functions(text) if f"{space}grid::" in name]
+    if not before.exists():
+        return [*wrong, f"there is no {before}; tools/abi --write makes it"]
+    report = compared(before, now)
+    return wrong + ([report] if report else [])
+
+
+def is_kept(before: Path, of: str) -> bool:
+    """Whether the interface of this version may not change: that of its minor version is released."""
+    return of.split(".")[2] != "0" and before.exists() and soname(before.read_text(encoding="utf-8")) == promised(of)
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    parser = argparse.ArgumentParser(prog="tools/abi", description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    what = parser.add_mutually_exclusive_group(required=True)
+    what.add_argument("--check", action="store_true", help="say what is not as it was")
+    what.add_argument("--write", action="store_true", help="write the interface anew")
+    parser.add_argument("folder", nargs="?", type=Path, default=FOLDER, metavar="FOLDER",
+                        help="where the library is built (default: %(default)s)")
+    given = parser.parse_args(arguments)
+    if skipped():
+        print(skipped())
+        return 77
+    try:
+        now = given.folder / "grid.abi"
+        library = build(given.folder)
+        now.write_text(described(library), encoding="utf-8")
+        if given.check:
+            wrong = problems(INTERFACE, now, version())
+        elif is_kept(INTERFACE, version()) and compared(INTERFACE, now):
+            wrong = [f"{version()} is a patch: its interface is that of {'.'.join(version().split('.')[:2])}.0. "
+                     "Put the change into the next minor version"]
+        else:
+            shutil.copyfile(now, INTERFACE)
+            wrong = problems(INTERFACE, now, version())
+    except (Failed, OSError) as error:
+        print(f"tools/abi: {error}", file=sys.stderr)
+        return 4
+    for message in wrong:
+        print(message, file=sys.stderr)
+    if not wrong:
+        print(f"the binary interface of {library.resolve().name} is {'as it was' if given.check else f'in {INTERFACE}'}")
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
