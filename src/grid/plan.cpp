@@ -200,24 +200,6 @@ void plan_sum(Plan& plan, const Settings& settings, NoiseId noise, SumId id, boo
 
 }  // namespace
 
-int components_of(Shape shape, int dimensions) {
-  switch (shape) {
-    case Shape::kValue:
-      return 1;
-    case Shape::kTwoDistances:
-    case Shape::kValueAndQuadrature:
-      return 2;
-    case Shape::kThreeDistances:
-      return 3;
-    case Shape::kVector:
-      return dimensions;
-    case Shape::kWithSlopes:
-    case Shape::kDistanceWithSlopes:
-      return dimensions + 1;
-  }
-  throw std::logic_error("a shape that there is not");
-}
-
 Plan plan_of(int dimensions, const Settings& settings) {
   Plan plan{};
   plan.dimensions = dimensions;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <hashnoise/field.hpp>
+#include <stdexcept>
 
 #include "functions.hpp"
 #include "kernel.hpp"
@@ -26,6 +27,22 @@ struct Plan {
 // Throws std::invalid_argument.
 Plan plan_of(int dimensions, const Settings& settings);
 
-int components_of(Shape shape, int dimensions);
+inline int components_of(Shape shape, int dimensions) {
+  switch (shape) {
+    case Shape::kValue:
+      return 1;
+    case Shape::kTwoDistances:
+    case Shape::kValueAndQuadrature:
+      return 2;
+    case Shape::kThreeDistances:
+      return 3;
+    case Shape::kVector:
+      return dimensions;
+    case Shape::kWithSlopes:
+    case Shape::kDistanceWithSlopes:
+      return dimensions + 1;
+  }
+  throw std::logic_error("a shape that there is not");
+}
 
 }  // namespace hashnoise::grid
