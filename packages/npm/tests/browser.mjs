@@ -2,6 +2,9 @@
 //
 //   node browser.mjs GOLDEN    a folder of golden files
 import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { createServer } from "node:http";
+import { extname, join } from "node:path";
 import test, { after, before } from "node:test";
 import { build, preview } from "vite";
 import { Field } from "hashnoise";
@@ -13,20 +16,30 @@ const root = import.meta.dirname;
 let server;
 let browser;
 let address;
+let files; // of the project as they are, without Vite
 
 before(async () => {
   await build({ root });
   server = await preview({ root, preview: { port: 0, host: "127.0.0.1" } });
   address = `http://127.0.0.1:${server.httpServer.address().port}/pages/`;
+  files = createServer(async ({ url }, answer) => {
+    const path = new URL(url, "http://localhost").pathname;
+    const type = { ".html": "text/html", ".js": "text/javascript" }[extname(path)];
+    // As Node.js finds packages: here, and above.
+    const text = type && (await readFile(join(root, path)).catch(() => readFile(join(root, "..", path))).catch(() => null));
+    answer.writeHead(text ? 200 : 404, { "Content-Type": type ?? "text/plain" }).end(text);
+  });
+  await new Promise((resolve) => files.listen(0, "127.0.0.1", resolve));
   browser = await launch({ protocolTimeout: 60_000 });
 });
 after(async () => {
   await browser?.close();
   await server?.close();
+  files?.close();
 });
 
-async function page(path) {
-  const opened = await open(browser, address + path);
+async function page(path, at = address) {
+  const opened = await open(browser, at + path);
   await opened.waitForFunction("globalThis.hashnoise").catch((error) => {
     throw new Error(`${error.message}\n${opened.complaints.join("\n")}`);
   });
@@ -172,6 +185,52 @@ for (const [path, backend] of [["webgpu.html", "WebGPU"], ["webgpu.html?webgl", 
     assert.deepEqual(opened.complaints, []);
   });
 }
+
+for (const [path, backend] of [["bits.html", "WebGPU"], ["bits.html?webgl", "WebGL2"]]) {
+  test(`nodes of tools/pick have the bits of Field with ${backend}, without a build step`, async () => {
+    const opened = await page(path, `http://127.0.0.1:${files.address().port}/picked/`);
+    assert.equal(await opened.evaluate(() => hashnoise.backend), backend);
+    const points = Array.from({ length: 64 }, (_, i) => [i * 0.37 - 11, 5 - i * 0.61].map(Math.fround));
+    const of = (settings) => points.map((p) => bitsOf(new Field(2, settings).at(...p)));
+    const expected = {
+      fbm: of({ sum: "fbm", octaves: 6, seed: 7 }), fbmOfSeedZero: of({ sum: "fbm", octaves: 6 }),
+      tile: of({ noise: "perlin", period: [8, 5], seed: 7 }),
+    };
+    for (const [name, bits] of Object.entries(expected)) {
+      const results = await opened.evaluate((...given) => hashnoise.evaluate(...given), name, points);
+      assert.deepEqual(results.map(bitsOf), bits, name);
+    }
+    assert.notDeepEqual(expected.fbm, expected.fbmOfSeedZero);
+    assert.deepEqual(opened.complaints, []);
+  });
+}
+
+test("the documentation's page without a build step draws what Field computes", async () => {
+  const found = [];
+  for (const name of ["page.html", "wrong.html"]) {
+    const opened = await open(browser, "about:blank");
+    await opened.evaluateOnNewDocument(() => Object.defineProperty(navigator, "gpu", { value: undefined })); // WebGL2 is seen
+    await opened.goto(`http://127.0.0.1:${files.address().port}/picked/${name}`);
+    const canvas = await opened.waitForSelector("canvas");
+    await opened.waitForNetworkIdle();
+    const png = await canvas.screenshot({ encoding: "base64" });
+    found.push(await opened.evaluate(async (text) => {
+      const image = await createImageBitmap(await (await fetch(`data:image/png;base64,${text}`)).blob());
+      const context = new OffscreenCanvas(image.width, image.height).getContext("2d");
+      context.drawImage(image, 0, 0);
+      return Array.from({ length: 512 / 16 }, (_, i) => context.getImageData(16 * i, 16 * i, 1, 1).data[0]);
+    }, png));
+  }
+  const field = new Field(2, { sum: "fbm", octaves: 6, seed: 7 });
+  const shown = (v) => 255 * (v <= 0.0031308 ? 12.92 * v : 1.055 * v ** (1 / 2.4) - 0.055); // sRGB
+  const expected = found[0].map((_, i) => {
+    const at = (8 * (16 * i + 0.5)) / 512;
+    return shown(Math.min(Math.max(0.5 + field.at(at, 8 - at), 0), 1));
+  });
+  const off = found.map((pixels) => Math.max(...pixels.map((pixel, i) => Math.abs(pixel - expected[i]))));
+  console.log("furthest, and with a mistake:", ...off);
+  assert.ok(off[0] <= 1.5 && off[1] > 3, off.join(", "));
+});
 
 test("the documentation's WGSL draws what Field computes", async () => {
   const opened = await page("webgpu.html");

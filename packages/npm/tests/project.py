@@ -4,7 +4,8 @@
     project.py run FOLDER PROGRAM [ARGUMENT]...    runs a program of Node.js in it, by tools/node
 
 The package is what tools/npm packs, installed by npm. The code blocks of docs/javascript.md become modules of the project:
-blocks/NAME.js as they are printed, and faulty/NAME.js with a mistake that a test has to notice. Exit status: that of the
+blocks/NAME.js as they are printed, and faulty/NAME.js with a mistake that a test has to notice. picked/ has what tools/pick
+writes, and the page of that document which needs no build step: page.html and wrong.html. Exit status: that of the
 program, 0 made, 1 it could not be made, 77 npm's packages or the compiler are not here.
 """
 
@@ -42,6 +43,20 @@ def blocks() -> dict[str, str]:
     return {name: code for name, (_, code) in zip(BLOCKS, found)}
 
 
+def picked() -> dict[str, str]:
+    """The page without a build step and another with a mistake, where three.js comes from this disk; and its modules."""
+    page = (ROOT / "docs" / "javascript.md").read_text(encoding="utf-8")
+    html, = re.findall(r"^```html\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)
+    command, = re.findall(r"^    hashnoise/(tools/pick .*) --out noise\.js$", page, re.MULTILINE)
+    html, replaced = re.subn(r"https://cdn\.jsdelivr\.net/npm/three@[\d.]+/", "/node_modules/three/", html)
+    if replaced != 2 or html.count("6, 2") != 1:
+        raise ValueError(f"docs/javascript.md takes three.js from {replaced} addresses, and a page from two")
+    modules = {"noise.js": command, "fixed.js": "tools/pick hn_fbm2 hn_perlin2_place hn_tile2 --language tsl --arithmetic fixed"}
+    return {"page.html": html, "wrong.html": html.replace("6, 2", "5, 2"),
+            **{name: subprocess.run([ROOT / words.split()[0], *words.split()[1:]], capture_output=True, text=True,
+                                    check=True).stdout for name, words in modules.items()}}
+
+
 def missing(packages: Path) -> str:
     """What a project needs and is not here."""
     if not (packages / "made").exists():
@@ -76,6 +91,8 @@ def make(packages: Path) -> int:
         for folder, text in (("blocks", code), ("faulty", code.replace(right, wrong))):
             (project / folder).mkdir(exist_ok=True)
             (project / folder / name).write_text(text, encoding="utf-8")
+    for name, text in picked().items():
+        (project / "picked" / name).write_text(text, encoding="utf-8")
     done = subprocess.run([ROOT / "tools" / "node", "npm", "install", "--offline", "--no-audit", "--no-fund", packed],
                           cwd=project, capture_output=True, text=True, check=False)
     print(done.stdout + done.stderr)

@@ -7,6 +7,7 @@ the CPU.
     tools/pick hn_fbm2 --language wgsl --import-path hashnoise    a module for Bevy: #import hashnoise::hn_fbm2
     tools/pick hn_simplex3 --language rust --out noise.rs
     tools/pick hn_fbm2 --language osl --out fbm2.osl   a node for Blender's Cycles
+    tools/pick hn_fbm2 --language tsl --out noise.js   nodes for three.js
     tools/pick hn_fbm3 --noise hn_simplex3 --arithmetic fixed --language rust --out noise.rs
     tools/pick --list                                  which functions there are
     tools/pick --pages docs/snippets                   pages of those that are asked for most, in each language
@@ -34,7 +35,7 @@ from pathlib import Path
 
 from library_file import IMPORT_PATH_HELP, function_name, import_path, imported_as, write
 from parsing.tokens import Unknown
-from pick import pages
+from pick import pages, tsl
 from pick.c import C
 from pick.csharp import CSharp
 from pick.evaluate import Module
@@ -54,6 +55,7 @@ ARITHMETICS = ("fast", "fixed", "precise")
 
 SYNTAXES: dict[str, type[Syntax]] = {"rust": Rust, "csharp": CSharp, "c": C, "typescript": TypeScript,
                                      "javascript": JavaScript, "java": Java, "go": Go, "osl": Osl}
+TSL = "tsl"  # three.js's, which is none: a module with the text of two of the shading languages
 
 
 @dataclass(frozen=True)
@@ -79,7 +81,7 @@ class Choice:
 
     def check(self) -> None:
         shading = LANGUAGES.get(self.language)
-        no_precise = (shading or SYNTAXES[self.language]).no_precise
+        no_precise = tsl.NO_PRECISE if self.language == TSL else (shading or SYNTAXES[self.language]).no_precise
         if self.arithmetic == "precise" and no_precise:
             raise Unknown(no_precise)
         if self.import_path and self.language != "wgsl":
@@ -130,6 +132,8 @@ def picker(library: Path = GLSL) -> Callable[[Sequence[str], Choice], str]:
         if splits:
             return text(made, SYNTAXES[choice.language](precise), facts(functions, library, summed),
                         origin(command))
+        if choice.language == TSL:
+            return tsl.text(made, facts(functions, library, summed), origin(command))
         language = LANGUAGES[choice.language]
         return (imported_as(choice.import_path) + heading(functions, language, command, library, summed)
                 + made.text(language, precise))
@@ -153,12 +157,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     hashes = tuple(name.lower() for name in HASHES)
     parser.add_argument("names", nargs="*", metavar="FUNCTION", help="such as hn_perlin2")
-    parser.add_argument("--language", choices=(*LANGUAGES, *SYNTAXES), default="glsl",
+    parser.add_argument("--language", choices=(*LANGUAGES, *SYNTAXES, TSL), default="glsl",
                         help="glsl (the default) is for 3.30 and later, and with precise for 4.00; glsl-es says highp, "
                         "and is for WebGL2, too; hlsl is for the shader models 5 and 6; precise is for glsl, hlsl and "
                         "the languages of the CPU; rust needs core alone; csharp is a static class; c is a header of "
                         "C99; typescript and javascript are modules; java is for 17 and later; go for 1.18 and later; "
-                        "osl is a shader of the first function, too")
+                        "osl is a shader of the first function, too; tsl is a module of nodes for three.js")
     parser.add_argument("--arithmetic", choices=ARITHMETICS, default="fast", help="default: %(default)s")
     parser.add_argument("--hash", type=str.lower, choices=hashes, default="lattice", metavar="NAME",
                         help=f"{', '.join(hashes)} (default: %(default)s)")

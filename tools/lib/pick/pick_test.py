@@ -17,7 +17,7 @@ from unittest import mock
 
 from parsing.syntax import Parser
 from parsing.tokens import Unknown, tokens_of
-from pick import command, pages, printer
+from pick import command, pages, printer, tsl
 from pick.comparison import source
 from pick.evaluate import Module
 from pick.printer import Language
@@ -302,6 +302,27 @@ class Statements(unittest.TestCase):
     def test_a_return_in_a_loop_is_refused_with_its_place(self) -> None:
         with self.assertRaisesRegex(Unknown, "^the text:1: a return in a loop"):
             self.written("float hn_f(int n) { for (int i = 0; i < n; i++) { return 1.0f; } return 2.0f; }")
+
+
+class Nodes(unittest.TestCase):
+    """Of three.js; npm.browser has what they compute."""
+
+    def test_a_module_has_a_node_of_each_function_and_both_texts(self) -> None:
+        shown = command.picked(["hn_perlin2", "hn_tile2"], command.Choice("tsl"))
+        self.assertEqual(re.findall(r"^export const (\w+)", shown, re.MULTILINE), ["hn_perlin2", "hn_tile2"])
+        self.assertEqual(re.findall(r"^import .* from (.*);$", shown, re.MULTILINE), ['"three/tsl"'])
+        for language in ("glsl-es", "wgsl"):
+            with self.subTest(language):
+                picked = command.picked(["hn_perlin2", "hn_tile2"], command.Choice(language))
+                self.assertIn(f"({tsl.quoted(code(picked))});\n", shown)
+
+    def test_what_returns_or_sets_more_has_none(self) -> None:
+        for name in ("hn_simplex_d4", "hn_cellular2_nearest"):
+            with self.subTest(name), self.assertRaisesRegex(Unknown, "three.js has no nodes for|there is no function"):
+                command.picked([name], command.Choice("tsl"))
+
+    def test_a_text_is_quoted(self) -> None:
+        self.assertEqual(tsl.quoted("a `b` ${c} \\ d"), "`a \\`b\\` \\${c} \\\\ d`")
 
 
 class Command(unittest.TestCase):

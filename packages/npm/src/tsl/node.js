@@ -1,9 +1,6 @@
-// Nodes of three.js: a function of the library in WGSL or in GLSL, whichever the renderer speaks.
-import { Fn, glsl, glslFn, uint, wgsl, wgslFn } from "three/tsl";
-import { wgsl as textOf } from "../wgsl/wgsl.js";
-
-const WGSL_TYPES = { float: "f32", int: "i32", uint: "u32" };
-const wgslType = (type) => WGSL_TYPES[type] ?? type.replace(/^([iu]?)vec(\d)$/, (_, kind, size) => `vec${size}${kind || "f"}`);
+// The functions of the package as nodes of three.js, over the texts of its other modules.
+import { glsl, wgsl } from "three/tsl";
+import { nodesOf } from "./function.js";
 
 // A text stands in a shader once, however many functions need it: its node is made once.
 const nodes = new Map();
@@ -24,30 +21,6 @@ const checked = (arithmetic, text) => `#ifndef HN_CONFIG_GLSL
 ${text}`;
 const textNode = (arithmetic, text) => once(`${arithmetic}\n${text}`, () => glsl(checked(arithmetic, text)));
 
-/**
- * A function that makes nodes. `declared` are its parameters in GLSL, `called` its name there, `text` what that needs;
- * `definition` is the function in WGSL.
- */
-export function node(name, type, declared, called, text, definition, arithmetic) {
-  const parameters = declared.split(", ").map((one) => one.split(" "));
-  const passed = parameters.map(([, parameter]) => parameter).join(", ");
-  const inWgsl = () => {
-    const typed = parameters.map(([of, parameter]) => `${parameter}: ${wgslType(of)}`).join(", ");
-    const code = `fn tsl_${name}(${typed}) -> ${wgslType(type)} { return ${name}(${passed}); }`;
-    return once(`wgsl ${arithmetic} ${name}`, () => wgslFn(code, [definitionNode(definition)]));
-  };
-  const inGlsl = () => {
-    const code = `${type} tsl_${name}(${declared}) { return ${called}(${passed}); }`;
-    return once(`glsl ${arithmetic} ${name}`, () => glslFn(code, [textNode(arithmetic, text)]));
-  };
-  const chosen = Fn((inputs, builder) => {
-    const speaks = builder.renderer.backend.isWebGPUBackend ? inWgsl() : inGlsl();
-    return speaks(...parameters.map((_, i) => inputs[i]));
-  }, type);
-  const seedAt = parameters.at(-1)[1] === "seed" ? parameters.length - 1 : -1;
-  return (...given) => {
-    if (given.length === seedAt) given.push(uint(0));
-    if (given.length !== parameters.length) throw new TypeError(`${name} wants (${passed}), and got ${given.length} values`);
-    return chosen(...given);
-  };
-}
+/** What makes the nodes of a function. `text` is what it needs in GLSL, and `definition` is the function in WGSL. */
+export const node = (name, type, declared, called, text, definition, arithmetic) =>
+  nodesOf(name, type, declared, called, () => definitionNode(definition), () => textNode(arithmetic, text));

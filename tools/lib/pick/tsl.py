@@ -1,0 +1,47 @@
+"""three.js's shading language: a module whose functions make nodes, with the text of both languages that renderers speak."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from parsing.syntax import Function
+from parsing.tokens import Unknown
+from pick.program import Program
+from pick.shading import LANGUAGES
+from tree import ROOT
+from wgsl.names import wgsl_name
+
+NODES = ROOT / "packages" / "npm" / "src" / "tsl" / "function.js"
+TYPES = re.compile(r"float|u?int|[iu]?vec[234]|hn_place[1-4]")
+NO_PRECISE = "three.js passes `precise` to no shader: take --arithmetic fixed, whose bits are the same everywhere"
+
+
+def signature(function: Function) -> str:
+    """The parameters as in GLSL."""
+    is_node = all(map(TYPES.fullmatch, (function.type, *function.types)))
+    if not is_node or not function.parameters or any(one.is_set for one in function.parameters):
+        raise Unknown(f"three.js has no nodes for {function.name}({', '.join(function.types)}), which returns "
+                      f"{function.type}: take functions of numbers, vectors and places")
+    return ", ".join(f"{one.type} {one.at.text}" for one in function.parameters)
+
+
+def quoted(text: str) -> str:
+    """As a template of JavaScript."""
+    return "`" + text.replace("\\", r"\\").replace("`", r"\`").replace("${", r"\${") + "`"
+
+
+def text(program: Program, comments: Sequence[Sequence[str]], heading: Sequence[str]) -> str:
+    functions = [root.function for root in program.roots]
+    signatures = [signature(function) for function in functions]
+    opening, nodes = NODES.read_text(encoding="ascii").split("\n\n", 1)
+    imports = opening.splitlines()[-1].replace("{ Fn, glslFn,", "{ Fn, glsl, glslFn,").replace(" wgslFn }", " wgsl, wgslFn }")
+    written = ["".join(f"//{line}\n" for line in heading), f"{imports}\n", nodes.replace("export ", ""),
+               f"const textOfGlsl = glsl({quoted(program.text(LANGUAGES['glsl-es'], False))});\n",
+               f"const textOfWgsl = wgsl({quoted(program.text(LANGUAGES['wgsl'], False))});\n"]
+    for function, declared, lines in zip(functions, signatures, comments):
+        name = wgsl_name(function)
+        written.append("".join(f"//{line}\n" for line in (f" {name}({', '.join(declared.split(', '))})", *lines)) +
+                       f'export const {name} = nodesOf("{name}", "{function.type}", "{declared}",\n'
+                       f'  "{function.name}", () => textOfWgsl, () => textOfGlsl);\n')
+    return "\n".join(written)
