@@ -41,6 +41,7 @@ std::vector<std::string> shell_words(std::string_view line) {
 
 void check(const DriversCommand&) {}
 void check(const ListCommand&) {}
+void check(const SpirvCommand&) {}
 void check(const WebCommand& web) { require(!web.golden.empty(), "there are golden files"); }
 
 void check(const RunCommand& run) {
