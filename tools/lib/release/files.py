@@ -101,6 +101,9 @@ class Release:
     def wesl(self) -> None:
         run([TOOLS / "wesl", "--zip", self.folder], env=self.environment)
 
+    def unity(self) -> None:
+        run([TOOLS / "unity", "--zip", self.folder], env=self.environment)
+
     def godot(self) -> None:
         run([TOOLS / "godot-addon", self.folder], env=self.environment)
 
@@ -132,7 +135,7 @@ class Release:
         (self.folder / "SHA256SUMS").write_text("".join(lines), encoding="ascii")
 
 
-PARTS = ("single", "parts", "vectors", "headers", "source", "npm", "python", "rust", "wesl", "godot",
+PARTS = ("single", "parts", "vectors", "headers", "source", "npm", "python", "rust", "wesl", "unity", "godot",
          "playground", "check")
 # What must be there of each, so that a tool that makes something else is noticed.
 NAMES = {"single": r"hashnoise(\.min|\.fixed)?\.(glsl|hlsl|metal|wgsl)", "parts": r"hashnoise-VERSION-parts\.zip",
@@ -141,6 +144,7 @@ NAMES = {"single": r"hashnoise(\.min|\.fixed)?\.(glsl|hlsl|metal|wgsl)", "parts"
          "source": r"hashnoise-VERSION-source\.tar\.gz", "npm": r"hashnoise-VERSION\.tgz",
          "python": r"hashnoise-VERSION-[\w.-]+\.whl", "rust": r"hashnoise-rust-VERSION\.zip",
          "wesl": r"hashnoise_wgsl-VERSION\.zip",
+         "unity": r"com\.hashnoise\.noise-VERSION\.zip",
          "godot": r"hashnoise-godot-VERSION\.zip",
          "playground": r"playground\.html", "check": r"check\.html"}
 

@@ -1,0 +1,30 @@
+"""Makes the package com.hashnoise.noise for Unity, and prints where it is.
+
+    tools/unity [--zip] [FOLDER]
+
+It is com.hashnoise.noise-VERSION/ in FOLDER, which is build/unity unless you name one; what was there is replaced. With
+--zip it is com.hashnoise.noise-VERSION.zip in its place. Unity's Package Manager takes the folder. It has functions for
+HLSL, for the Custom Function nodes of Shader Graph, and for C#, of what is asked for most. Nothing but Python is needed.
+
+The same tree makes the same bytes; the times in a zip are SOURCE_DATE_EPOCH's, or of 1980.
+Exit status: 0 done, 2 bad usage.
+"""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Sequence
+
+from packing import Destination, add_arguments
+from tree import version
+from unity.files import NAME, package
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    parser = argparse.ArgumentParser(prog="tools/unity", description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    add_arguments(parser, "build/unity")
+    destination = Destination(parser, parser.parse_args(arguments))
+    name = f"{NAME}-{version()}"
+    print(destination.write(name, f"{name}.zip", package()))
+    return 0
