@@ -39,21 +39,25 @@
 #define HN_LANES avx512
 #define HN_I_LANE_BYTES 64
 // With a mask of all lanes, since GCC 12 warns of the plain ones: they name a variable that has no value.
+#define HN_I_X86_INT __m512i
 #define HN_I_X86(name, x, ...) _mm512_mask_##name(x, 0xFFFF, __VA_ARGS__)
 #define HN_I_X86_ROUND(x, mode) _mm512_mask_roundscale_ps(x, 0xFFFF, x, mode)
 #elif defined(__AVX2__)
 #define HN_LANES avx2
 #define HN_I_LANE_BYTES 32
+#define HN_I_X86_INT __m256i
 #define HN_I_X86(name, x, ...) _mm256_##name(__VA_ARGS__)
 #define HN_I_X86_ROUND(x, mode) _mm256_round_ps(x, mode)
 #elif defined(__SSE4_1__)
 #define HN_LANES sse41
 #define HN_I_LANE_BYTES 16
+#define HN_I_X86_INT __m128i
 #define HN_I_X86(name, x, ...) _mm_##name(__VA_ARGS__)
 #define HN_I_X86_ROUND(x, mode) _mm_round_ps(x, mode)
 #elif defined(__SSE2__)
 #define HN_LANES sse2
 #define HN_I_LANE_BYTES 16
+#define HN_I_X86_INT __m128i
 #define HN_I_X86(name, x, ...) _mm_##name(__VA_ARGS__)
 #elif defined(__aarch64__) && defined(__ARM_NEON)
 #define HN_LANES neon
@@ -295,15 +299,22 @@ HN_I_INLINE Vector4<Float> floor(Vector4<Float> v) { return {floor(v.x), floor(v
 
 namespace detail {
 
-// The constructors of vectors: what does not fit becomes the nearest int, and NaN becomes 0, as in glsl.hpp.
+// The constructors of vectors: what does not fit becomes the nearest int, and NaN becomes 0, as in glsl.hpp. On x86 the
+// instruction makes -2^31 of both, and that is left so: no noise has a value there, only a range.
 template <>
 HN_I_INLINE HN_LANES::Int convert<HN_LANES::Int, HN_LANES::Float>(HN_LANES::Float value) {
   using namespace HN_LANES;
+#if defined(HN_I_X86)
+  return Int(HN_LANES::detail::IntVector(HN_I_X86(cvttps_epi32, HN_I_X86_INT(value.v), value.v)));
+#elif defined(__aarch64__) && defined(__ARM_NEON)
+  return Int(HN_LANES::detail::IntVector(vcvtq_s32_f32(value.v)));
+#else
   const Uint bits = floatBitsToUint(value);
   const Uint magnitude = bits & 0x7FFFFFFFu;
   const Mask fits = magnitude < 0x4F000000u;  // 2^31
   const Uint nearest = hn_i_select(magnitude > 0x7F800000u, Uint(0u), (bits >> 31u) + 0x7FFFFFFFu);
   return hn_i_select(fits, Int(uintBitsToFloat(hn_i_select(fits, bits, Uint(0u)))), Int(nearest));
+#endif
 }
 
 }  // namespace detail
@@ -428,4 +439,5 @@ namespace lanes = HN_LANES;
 
 #undef HN_I_LANE_BYTES
 #undef HN_I_X86
+#undef HN_I_X86_INT
 #undef HN_I_X86_ROUND
