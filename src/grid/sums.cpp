@@ -102,8 +102,8 @@ HN_I_INLINE auto octaves_at(const Position& p, const Given<D>& given) {
   return hn_octaves(p, given.octaves, given.lacunarity, given.gain, given.seed);
 }
 
-// A sum over a noise, in any dimension. What does not depend on the point is computed once.
-template <int D, typename Noise, typename Sum>
+// Any sum over a noise that is called, in any dimension. What does not depend on the point is computed once.
+template <int D>
 class SumOf {
  public:
   HN_I_INLINE SumOf(Octave noise, const Options& options, const Given<D>& given)
@@ -126,8 +126,8 @@ class SumOf {
   }
 
  private:
-  Noise noise_;
-  Sum sum_;
+  Called<D, Float> noise_;
+  AnySum sum_;
   Given<D> given_;
   hn_num part_ = HN_I_WEIGHT_ONE;
   hn_num footprint_, total_;
@@ -246,6 +246,104 @@ void at_points(const Batch& batch, const Options& options, Octave octave) {
   for (int i = 0; i < b.count; i += kCount) store(b, i, sum.at(At::of(b, i, given)));
 }
 
+// What an octave leaves to the next one, at some vectors of points. The arrays are of numbers, since those of vectors
+// would be filled with zeros first.
+template <int D, typename Position, int kVectors>
+class Reached {
+ public:
+  template <typename Octaves>
+  HN_I_INLINE void keep(int vector, const Octaves& o) {
+    const int i = vector * kCount;
+    if constexpr (kIsWhole) {
+      keep_whole(i, 0, o.x);
+      keep_whole(i, 1, o.y);
+      if constexpr (D == 3) keep_whole(i, 2, o.z);
+    } else {
+      o.p.x.store(at_[0] + i);
+      o.p.y.store(at_[1] + i);
+      if constexpr (D == 3) o.p.z.store(at_[2] + i);
+    }
+    o.sum.value.store(value_ + i);
+    o.sum.carried.store(carried_ + i);
+  }
+  template <typename Octaves>
+  HN_I_INLINE void put(int vector, Octaves& o) const {
+    const int i = vector * kCount;
+    if constexpr (kIsWhole) {
+      o.x = whole(i, 0);
+      o.y = whole(i, 1);
+      if constexpr (D == 3) o.z = whole(i, 2);
+      hn_i_put(o);
+    } else {
+      o.p = vector_of<Fraction<D>, D>(
+          [&](int axis) __attribute__((always_inline)) { return Float::load(at_[axis] + i); });
+      o.place.cell = hn_i_cell(o.p);
+      o.place.fraction = hn_i_fraction(o.p);
+    }
+    o.sum.value = hn_num::load(value_ + i);
+    o.sum.carried = hn_num::load(carried_ + i);
+  }
+  HN_I_INLINE hn_num value(int vector) const { return hn_num::load(value_ + vector * kCount); }
+  template <typename Octaves>
+  HN_I_INLINE static void go_on(Octaves& o) {
+    if constexpr (kIsWhole) {
+      hn_i_go_on(o);
+    } else {
+      o.p = hn_i_next(o.p, o.lacunarity);
+    }
+  }
+
+ private:
+  static constexpr bool kIsWhole = std::is_same_v<Position, Place<D>>;
+  static constexpr int kPoints = kVectors * kCount;
+  using Number = decltype(hn_num()[0]);
+
+  HN_I_INLINE void keep_whole(int i, int axis, ivec2 x) {
+    x.x.store(at_[axis] + i);
+    x.y.store(rest_[axis] + i);
+  }
+  HN_I_INLINE ivec2 whole(int i, int axis) const { return ivec2(Int::load(at_[axis] + i), Int::load(rest_[axis] + i)); }
+
+  std::conditional_t<kIsWhole, std::int32_t, float> at_[D][kPoints];  // the cell, or the position
+  std::int32_t rest_[D][kPoints];  // what a whole position has beside the cell
+  Number value_[kPoints], carried_[kPoints];
+};
+
+// Octave by octave over some points, in place of point by point over the octaves. So what all points of an octave
+// share, such as the mixed seed and constants, is made once for them, and no point waits for its octave before. How
+// many vectors of points are taken at a time matters little: of 8 to 64 none was faster.
+template <int D, typename At, typename Noise, typename Sum>
+void by_octaves(const Batch& batch, const Options& options, Octave octave) {
+  constexpr int kVectors = 16;
+  const Batch b = batch;
+  const Given<D> given(options);
+  const Sum sum(options);
+  const Noise noise(octave);
+  const hn_num total = hn_i_total(hn_i_octaves(given.octaves), hn_i_gain(given.gain), HN_I_WEIGHT_ONE);
+  Reached<D, decltype(At::of(b, 0, given)), kVectors> reached;
+  for (int start = 0; start < b.count; start += kVectors * kCount) {
+    const int left = (b.count - start) / kCount;
+    const int vectors = left < kVectors ? left : kVectors;
+    auto o = octaves_at(At::of(b, start, given), given);
+    for (int v = 0; v < vectors; ++v) reached.keep(v, octaves_at(At::of(b, start + v * kCount, given), given));
+    for (int number = 1;; ++number) {
+      const bool more = number < options.octaves;
+      for (int v = 0; v < vectors; ++v) {
+        reached.put(v, o);
+        sum.add(o, noise.octave(o.place, o.seed));
+        if (more) reached.go_on(o);
+        reached.keep(v, o);
+      }
+      if (!more) break;
+      o.seed += HN_I_SEED_STEP;
+      o.sum.weight = hn_i_weight_times(o.sum.weight, o.sum.gain);
+    }
+    for (int v = 0; v < vectors; ++v) {
+      store(b, start + v * kCount, hn_i_value(sum.end(hn_i_mean(o.sum, reached.value(v), total))));
+    }
+  }
+}
+
 using grid::SumKernels;
 
 #if HN_ARITHMETIC == HN_FIXED
@@ -267,6 +365,13 @@ SumKernels without_period() {
   k.in = at_points<D, FromCells<D>, Sum>;
   return k;
 }
+template <int D, typename Noise, typename Sum>
+SumKernels octave_by_octave() {
+  SumKernels k{};
+  k.at = by_octaves<D, FromPositions<D>, Noise, Sum>;
+  k.in = by_octaves<D, FromCells<D>, Noise, Sum>;
+  return k;
+}
 template <int D, typename Sum>
 SumKernels kernels_of() {
   SumKernels k = without_period<D, Sum>();
@@ -276,7 +381,7 @@ SumKernels kernels_of() {
 
 template <int D>
 void enter_sums(SumKernels (&sums)[grid::kSums][4]) {
-  const SumKernels any = kernels_of<D, SumOf<D, Called<D, Float>, AnySum>>();
+  const SumKernels any = kernels_of<D, SumOf<D>>();
   // Those with frames, and those of noises of their own, have other kernels, and are entered after these.
 #define HN_CATALOG_STEP(Id, ...) sums[grid::k##Id][D - 1] = any;
 #include "catalog.inc"
@@ -287,8 +392,8 @@ void enter_sums(SumKernels (&sums)[grid::kSums][4]) {
 // The sums that are asked for most, over the noises that are.
 template <int D, typename Noise>
 void enter_inlined(SumKernels (&sums)[grid::kSums][4]) {
-  sums[grid::kFbm][D - 1] = without_period<D, SumOf<D, Noise, Fbm>>();
-  sums[grid::kRidged][D - 1] = without_period<D, SumOf<D, Noise, Ridged>>();
+  sums[grid::kFbm][D - 1] = octave_by_octave<D, Noise, Fbm>();
+  sums[grid::kRidged][D - 1] = octave_by_octave<D, Noise, Ridged>();
 }
 
 void enter(grid::Kernels& kernels) {
