@@ -220,6 +220,13 @@ HN_I_INLINE Uint operator/(Uint a, Uint b) {
   const v128_t x = v128_t(a.v), y = v128_t(b.v);
   const v128_t high = two(wasm_i32x4_shuffle(x, x, 2, 3, 2, 3), wasm_i32x4_shuffle(y, y, 2, 3, 2, 3));
   const Uint near(detail::UintVector(wasm_i32x4_shuffle(two(x, y), high, 0, 1, 4, 5)));
+#elif defined(HN_I_X86) && HN_I_LANE_BYTES < 64
+  // There is no instruction from doubles to longs, but to ints, which a quotient by 2 or more fits. By 1 it is a.
+  const Uint divisor = hn_i_select(b == 1u, Uint(2u), b);
+  const detail::DoubleVector quotient =
+      __builtin_convertvector(a.v, detail::DoubleVector) / __builtin_convertvector(divisor.v, detail::DoubleVector);
+  const Int whole(__builtin_convertvector(quotient, detail::IntVector));
+  const Uint near = hn_i_select(b == 1u, a, Uint(whole));
 #else
   const detail::DoubleVector quotient =
       __builtin_convertvector(a.v, detail::DoubleVector) / __builtin_convertvector(b.v, detail::DoubleVector);
