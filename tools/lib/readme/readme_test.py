@@ -18,8 +18,8 @@ from tables import glsl
 from tree import ROOT, TOOLS
 
 PAGES = ("README.md", "llms.txt", "docs/build-systems.md", "docs/cellular.md", "docs/cpu.md", "docs/hex-tiling.md",
-         "docs/knobs.md", "docs/noises.md", "docs/random.md", "docs/same-bits.md", "docs/sums.md", "docs/tutorial.md",
-         "docs/uniform.md")
+         "docs/knobs.md", "docs/moving.md", "docs/noises.md", "docs/random.md", "docs/same-bits.md", "docs/sums.md",
+         "docs/tutorial.md", "docs/uniform.md")
 BLOCK = re.compile(r"^```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 SINGLE_FILE = re.compile(r"^// here: what tools/single-file makes of (\w+\.glsl)$", re.MULTILINE)
 
