@@ -28,11 +28,11 @@ HN_FN hn_rank4 hn_i_nearest(hn_place3 place, hn_i_turn3 turn, hn_float jitter, h
 //   period   2^32 cells per axis, or that of the tile
 //   cost     that of hn_cellular, a sine and a cosine of 6 multiplications of floats each, and 21 multiplications
 //   source   Worley, "A cellular texture basis function", 1996; docs/contract.md, section 16
-HN_FN hn_vec2 hn_cellular(hn_place3 place, hn_float phase, hn_float jitter, hn_uint seed) {
+HN_FN hn_vec2 hn_cellular_phase(hn_place3 place, hn_float phase, hn_float jitter, hn_uint seed) {
   return hn_i_two_distances(hn_i_nearest(place, hn_i_turning3(phase), jitter, seed), HN_METRIC_EUCLIDEAN);
 }
-HN_FN hn_vec2 hn_cellular(hn_vec3 p, hn_float phase, hn_float jitter, hn_uint seed) {
-  return hn_cellular(hn_place(p), phase, jitter, seed);
+HN_FN hn_vec2 hn_cellular_phase(hn_vec3 p, hn_float phase, hn_float jitter, hn_uint seed) {
+  return hn_cellular_phase(hn_place(p), phase, jitter, seed);
 }
 
 // The same with the nearest point.
@@ -43,8 +43,8 @@ HN_FN hn_vec2 hn_cellular(hn_vec3 p, hn_float phase, hn_float jitter, hn_uint se
 //   error    as above; of the offset at most 1.14e-5. HN_FIXED 3.01e-4
 //   cost     as above; one more hash
 //   (parameters as above)
-HN_FN hn_vec2 hn_cellular(hn_place3 place, hn_float phase, hn_float jitter, hn_uint seed, HN_I_OUT(hn_ivec3) nearest,
-                          HN_I_OUT(hn_vec3) offset) {
+HN_FN hn_vec2 hn_cellular_phase(hn_place3 place, hn_float phase, hn_float jitter, hn_uint seed,
+                                HN_I_OUT(hn_ivec3) nearest, HN_I_OUT(hn_vec3) offset) {
   hn_i_turn3 turn = hn_i_turning3(phase);
   hn_rank4 best = hn_i_nearest(place, turn, jitter, seed);
   nearest = hn_i_cell_of(place, best.w);
@@ -52,9 +52,9 @@ HN_FN hn_vec2 hn_cellular(hn_place3 place, hn_float phase, hn_float jitter, hn_u
                            best.w);
   return hn_i_two_distances(best, HN_METRIC_EUCLIDEAN);
 }
-HN_FN hn_vec2 hn_cellular(hn_vec3 p, hn_float phase, hn_float jitter, hn_uint seed, HN_I_OUT(hn_ivec3) nearest,
-                          HN_I_OUT(hn_vec3) offset) {
-  return hn_cellular(hn_place(p), phase, jitter, seed, nearest, offset);
+HN_FN hn_vec2 hn_cellular_phase(hn_vec3 p, hn_float phase, hn_float jitter, hn_uint seed,
+                                HN_I_OUT(hn_ivec3) nearest, HN_I_OUT(hn_vec3) offset) {
+  return hn_cellular_phase(hn_place(p), phase, jitter, seed, nearest, offset);
 }
 
 #endif

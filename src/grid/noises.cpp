@@ -8,11 +8,12 @@ namespace {
 
 // A noise at a place, by how it is called: plain, in a tile with everything that may be chosen (full), with a phase,
 // and both.
-#define HN_GRID_NOISE(kind, name, in, ...)                                               \
-  struct name##_##kind {                                                                 \
+#define HN_GRID_NOISE(kind, name, in, ...) HN_GRID_CALL(name##_##kind, hn_##name, in, __VA_ARGS__)
+#define HN_GRID_CALL(type, function, in, ...)                                            \
+  struct type {                                                                          \
     template <int D>                                                                     \
     HN_I_INLINE static auto at(Place<D> place, [[maybe_unused]] const Given<D>& given) { \
-      return hn_##name(in, __VA_ARGS__);                                                 \
+      return function(in, __VA_ARGS__);                                                  \
     }                                                                                    \
   };
 #define HN_GRID_TILE hn_tile(place, given.period)
@@ -30,11 +31,11 @@ namespace {
   HN_GRID_NOISE(full, name, HN_GRID_TILE, given.seed)        \
   HN_GRID_NOISE(phase, name, place, given.phase, given.seed) \
   HN_GRID_NOISE(phase_full, name, HN_GRID_TILE, given.phase, given.seed)
-#define HN_GRID_kJitterAndMetricAndPhase(name)                                     \
-  HN_GRID_NOISE(plain, name, place, given.seed)                                    \
-  HN_GRID_NOISE(full, name, HN_GRID_TILE, given.jitter, given.metric, given.seed)  \
-  HN_GRID_NOISE(phase, name, place, given.phase, given.jitter, given.seed)         \
-  HN_GRID_NOISE(phase_full, name, HN_GRID_TILE, given.phase, given.jitter, given.seed)
+#define HN_GRID_kJitterAndMetricAndPhase(name)                                                \
+  HN_GRID_NOISE(plain, name, place, given.seed)                                               \
+  HN_GRID_NOISE(full, name, HN_GRID_TILE, given.jitter, given.metric, given.seed)             \
+  HN_GRID_CALL(name##_phase, hn_##name##_phase, place, given.phase, given.jitter, given.seed) \
+  HN_GRID_CALL(name##_phase_full, hn_##name##_phase, HN_GRID_TILE, given.phase, given.jitter, given.seed)
 // What has a wave has a phase always: 0 if none is given.
 #define HN_GRID_kPhaseAndWave(name)                                            \
   HN_GRID_NOISE(plain, name, place, given.wave, given.phase, given.seed)       \

@@ -48,12 +48,17 @@ class Golden:
     results: dict[str, numpy.ndarray]
 
 
+def of_package(calls: str) -> str:
+    """What the package calls a function. Of hn_cellular_phase the phase is an option of cellular there."""
+    return calls.removeprefix("hn_").removesuffix("_phase")
+
+
 def names(setting: str) -> list[str]:
     """The functions that the package has and that have golden values with this setting: noise2d.perlin, ..."""
     found = []
     for id, _ in golden_values.ids(setting):
         head = golden_values.head_of(GOLDEN / f"{id}.golden")
-        name, columns = head.calls.removeprefix("hn_"), {name for name, _ in head.columns + head.results}
+        name, columns = of_package(head.calls), {name for name, _ in head.columns + head.results}
         if not columns & ABSENT and head.axes and name in hashnoise.noises(head.axes) + hashnoise.sums(head.axes):
             found.append(id)
     return found
@@ -65,7 +70,7 @@ def read(name: str, setting: str, folder: Path = GOLDEN) -> Golden:
         {column: numpy.array(words, numpy.uint64 if kind == "f64" else numpy.uint32).view(TYPES[kind])
          for (column, kind), words in zip(columns, zip(*rows))}
         for columns, rows in ((file.head.columns, file.inputs), (file.head.results, file.values)))
-    return askable(Golden(name, file.head.calls.removeprefix("hn_"), file.head.axes, arguments, results))
+    return askable(Golden(name, of_package(file.head.calls), file.head.axes, arguments, results))
 
 
 def askable(golden: Golden) -> Golden:

@@ -19,15 +19,19 @@ class Fixed(unittest.TestCase):
     """arithmetic="fixed" has the bits of HN_FIXED: each function in each dimension and form."""
 
     def test_bits(self):
-        tested = set()
+        tested, turning = set(), set()
         for name in golden.names("lattice+fixed"):
             with self.subTest(name):
                 file = golden.read(name, "lattice+fixed")
                 self.assertGreater(len(file.arguments["seed"]), 60)
                 self.assertEqual(golden.different_bits(file, golden.computed(file, "fixed"))[:5], [])
                 tested.add((file.function, file.axes))
+                if "phase" in file.arguments:
+                    turning.add((file.function, file.axes))
         everything = {(name, axes) for axes in range(1, 5) for name in hashnoise.noises(axes) + hashnoise.sums(axes)}
         self.assertEqual(tested, everything)
+        with_phase = ("perlin", "perlin_d", "simplex", "simplex_d", "cellular", "phasor")
+        self.assertEqual(turning, {(name, axes) for name in with_phase for axes in (2, 3)})
 
     def test_instruction_sets(self):
         for instruction_set in hashnoise.instruction_sets():

@@ -82,6 +82,7 @@ constexpr int kComponents = sizeof(T) / sizeof(float);
 namespace call {
 #define HN_CATALOG_NOISE(Id, name, ...) CALL(name)
 #include "grid/catalog.inc"
+CALL(cellular_phase)  // of the setting `phase` of cellular
 }  // namespace call
 #undef CALL
 
@@ -149,7 +150,7 @@ void add(std::vector<NoiseEntry<D>>& all, std::string_view name) {
     if constexpr (D == 2 || D == 3) all.push_back(entry<D, Call, Options::kPhase>(name));
   } else if constexpr (O == Options::kJitterAndMetricAndPhase) {
     all.push_back(entry<D, Call, Options::kJitterAndMetric>(name));
-    all.push_back(entry<D, Call, Options::kJitterAndPhase>(name));
+    all.push_back(entry<D, call::cellular_phase, Options::kJitterAndPhase>(name));
   } else if constexpr (O == Options::kPhaseAndWave) {
     all.push_back(entry<D, Call, O>(name));
     all.push_back(all.back());

@@ -25,6 +25,7 @@ KNOBS = "docs/knobs.md"
 Key = tuple[str, int, Gradient | None]  # a noise, the number of its dimensions, a kind of gradient
 Everything = dict[Key, Derived]
 PHASE = "_phase"  # ends the name of a noise with the forms that take one
+OF_A_NAME = ("cellular_phase",)  # of which it ends the function's name, too
 NOISE_OF_SUMS = "perlin"  # unless the user names another
 
 # --- Tables -----------------------------------------------------------------------------------------------------------
@@ -33,8 +34,9 @@ NOISE_OF_SUMS = "perlin"  # unless the user names another
 def name_of(key: Key) -> str:
     noise, dims, gradient = key
     position = f"vec{dims}" if dims > 1 else "float"
-    kind = "with a phase" if noise.endswith(PHASE) else gradient and gradient.name
-    return f"`hn_{noise.removesuffix(PHASE)}({position})`" + (f", {kind}" if kind else "")
+    is_form = noise.endswith(PHASE) and noise not in OF_A_NAME
+    kind = "with a phase" if is_form else gradient and gradient.name
+    return f"`hn_{noise.removesuffix(PHASE) if is_form else noise}({position})`" + (f", {kind}" if kind else "")
 
 
 def values_of(derived: Everything) -> Everything:
@@ -248,10 +250,11 @@ def dimensions_of(function: glsl.Declaration) -> int:
 
 
 def takes_phase(function: glsl.Declaration) -> bool:
-    """On the line a float is a position. Octave sums take floats, too; they are no noises. Of cellular noise the last
-    float is the jitter, for which one bound holds."""
-    floats = function.types.count("float") - (function.name == "hn_cellular")
-    return dimensions_of(function) > 1 and floats > 0 and function.name.removeprefix("hn_") + PHASE in noises.names()
+    """On the line a float is a position. Octave sums take floats, too; they are no noises. That of hn_cellular is the
+    jitter, for which one bound holds."""
+    with_phase = function.name.removeprefix("hn_") + PHASE
+    return (dimensions_of(function) > 1 and "float" in function.types and with_phase not in OF_A_NAME
+            and with_phase in noises.names())
 
 
 def noise_of(function: glsl.Declaration) -> str:

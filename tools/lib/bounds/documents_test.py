@@ -197,8 +197,9 @@ class Phases(unittest.TestCase):
             self.assertEqual(named(*types, name="hn_simplex_d"), "simplex_d_phase")
         for types, noise in ((("place2", "float", "int", "uint"), "cellular"), (("vec3", "uint"), "cellular"),
                              (("place2", "float", "float", "uint"), "cellular_phase")):
-            self.assertEqual(named(*types, name="hn_cellular"), noise)
+            self.assertEqual(named(*types, name=f"hn_{noise}"), noise)
         self.assertEqual(documents.name_of(("perlin_phase", 2, OCTAHEDRAL)), "`hn_perlin(vec2)`, with a phase")
+        self.assertEqual(documents.name_of(("cellular_phase", 3, None)), "`hn_cellular_phase(vec3)`")
 
     def test_numbers(self):
         """The larger error for both, and the range of a derivative; another number is wrong."""

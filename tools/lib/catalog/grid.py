@@ -80,7 +80,11 @@ def guards(catalog: Catalog) -> str:
     functions = (*catalog.noises, *catalog.sums)
     steps = dict.fromkeys(step for sum_ in catalog.sums if sum_.step and (step := public_step(sum_.step)))
     some = [function for function in functions if needs_octahedral_gradients(function)]
-    lines = {function.name: f"HN_ONLY_TYPES_OF_GLSL(hn_{function.name})\n" for function in functions}
+    names = {function.name: [f"hn_{function.name}"] for function in functions}
+    for noise in catalog.noises:
+        if "phase" in noise.options:
+            names[noise.name] = list(dict.fromkeys([*names[noise.name], noise.called_with_phase]))
+    lines = {name: "".join(f"HN_ONLY_TYPES_OF_GLSL({called})\n" for called in calls) for name, calls in names.items()}
     return "".join([*(f"HN_ONLY_TYPES_OF_GLSL({step})\n" for step in steps),
                     *(lines[function.name] for function in functions if function not in some),
                     "#if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL\n",

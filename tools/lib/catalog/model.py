@@ -87,6 +87,12 @@ class Noise(Function):
     jumps: bool  # whether it is not continuous
     ranges: Mapping[str, tuple[Range, ...]]  # by component, for each dimension from the first on
 
+    @property
+    def called_with_phase(self) -> str:
+        """The function with a phase. With a jitter it has a name of its own: both are floats, so that of two overloads
+        one would be taken for the other."""
+        return f"hn_{self.name}_phase" if "jitter" in self.options else f"hn_{self.name}"
+
 
 @dataclass(frozen=True)
 class Sum(Function):

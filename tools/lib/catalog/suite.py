@@ -210,7 +210,8 @@ def of_noise(noise: Noise) -> Iterator[Row]:
                     if jitters and form == "_cell":
                         continue  # a period of 0 is none
                     yield Row(f"{folder}_phase{form}", file, tiles if jitters else families.others,
-                              f"{noise.name}_phase", called, dimensions, result, bench_seed=seed, **phase, **place)
+                              f"{noise.name}_phase", noise.called_with_phase, dimensions, result, bench_seed=seed,
+                              **phase, **place)
 
 
 def of_sum(sum_: Sum) -> Iterator[Row]:

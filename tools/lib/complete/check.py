@@ -183,13 +183,14 @@ def entries_without_a_noise(tree: Tree) -> Iterator[str]:
 def functions_that_are_not_in_the_catalog(tree: Tree) -> Iterator[str]:
     """The catalog has every noise and every sum in all of their dimensions, and no others. But what takes a slope, or
     returns the derivatives of several numbers, is in shaders and in the header alone: the compiled library and what is
-    built on it have no such setting, and no such result. tools/bake --expression has them."""
+    built on it have no such setting, and no such result. tools/bake --expression has them. And hn_cellular_phase is
+    hn_cellular with a setting there."""
     catalog = read_catalog(tree.root / "catalog")
     rows = {(f"hn_{entry.name}", axes): f"catalog/{file}"
             for file, entries in (("noises.toml", catalog.noises), ("sums.toml", catalog.sums))
             for entry in entries for axes in range(entry.first, entry.last + 1)}
     noises = {(function.calls, function.axes) for function in tree.noises
-              if function.calls != "hn_phasor_d" and function.component is None}
+              if function.calls not in ("hn_phasor_d", "hn_cellular_phase") and function.component is None}
     sums = {(declared.name, declared.dimensions_of_sum) for declared in tree.declarations
             if declared.dimensions_of_sum and declared.name != "hn_gullies"}
     for name, axes in sorted((noises | sums) - rows.keys()):

@@ -5,7 +5,7 @@ A public function has its name in GLSL, and behind it:
 
   1 to 4      its dimensions: those of the position, the place, the cell or the words that it takes
   _place      if it takes a place
-  _phase      if it takes a phase, which it need not: hn_phasor always does
+  _phase      if it takes a phase, which it need not: hn_phasor and hn_cellular_phase always do
   _full       if it takes everything that may be chosen, a jitter among it, and no phase
   _nearest    as _full, if it also sets the nearest point
   _detail, _footprint    if it takes that
@@ -37,6 +37,7 @@ OTHERS = {("hn_gradient", "cell"): "hn_gradient_lattice", ("hn_place", "p"): "hn
           ("hn_slopes", "o"): "hn_slopes_of", ("hn_shifts", "o"): "hn_shifts_of"}
 ALONE = {("hn_place", "cell"): "hn_place_at_cell"}  # of these parameters alone
 ALWAYS_OF_A_PLACE = ("hn_position",)
+ALWAYS_WITH_A_PHASE = ("hn_phasor", "hn_phasor_d", "hn_cellular_phase")
 PLACE = re.compile(r"hn_place([1-4])")
 OF_AXES = re.compile(r"hn_(place|octaves|slopes|shifts)([1-4])")  # structs
 WITH_VECTORS = ("hn_add", "hn_mean")  # beside the octaves they may take a sum of slopes or shifts
@@ -113,7 +114,7 @@ def _public(function: Function) -> str:
         parts.append("place")
     if function.name in WITH_VECTORS and len(function.types) > 1 and (other := OF_AXES.fullmatch(function.types[1])):
         parts.append(other[1])
-    parts += ["phase"] * ("phase" in takes and "wave" not in takes)
+    parts += ["phase"] * ("phase" in takes and function.name not in ALWAYS_WITH_A_PHASE)
     if "nearest" in takes:
         parts.append("nearest")
     elif "jitter" in takes and "phase" not in takes:

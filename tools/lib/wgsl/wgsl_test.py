@@ -59,8 +59,8 @@ def name_by_row(function: Function, types: tuple[str, ...]) -> str:
     if function.bound.endswith("_d") and function.axes == 4:
         name = name.removesuffix("_value")
     if re.fullmatch(r"noise\dd", function.file):
-        # The dimensions stand behind the noise.
-        noise = function.bound.removesuffix("_phase")
+        # The dimensions stand behind the noise. hn_cellular_phase is one by its name.
+        noise = function.bound if function.bound == "cellular_phase" else function.bound.removesuffix("_phase")
         return f"hn_{noise}{function.file[5]}{place}{name.removeprefix(noise)}"
     if function.file == "gradient":
         return f"hn_gradient_lattice{function.axes}"

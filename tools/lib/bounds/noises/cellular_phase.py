@@ -1,4 +1,4 @@
-"""hn_cellular with a phase: what is proven of it, from docs/contract.md, section 16. moving.py of the folder above has
+"""hn_cellular_phase: what is proven of it, from docs/contract.md, section 16. moving.py of the folder above has
 the proofs. How fast distances change with the phase is not bounded here.
 
 One bound holds for the distances and for each component of an offset: the larger one. That is the offset's, which is
