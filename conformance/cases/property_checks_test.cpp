@@ -57,18 +57,18 @@ TEST_F(Extreme, SumsHaveRangesOfTheirOwn) {
        "hn_ridged(c, o, l, g, args) (hn_ridged(c, o, l, g, args) + 0.2)"},
       {"fbm.billow2.lattice.precise.fragment.gl400.range", "hn_billow(q, o, l, args) (hn_billow(q, o, l, args) - 0.2)"},
       {"fbm.ping_pong2.lattice.fast.fragment.gl330.range",
-       "hn_ping_pong(q, o, l, g, args) (hn_ping_pong(q, o, l, g, args) + 0.001)"},
+       "hn_ping_pong(q, o, l, g, s, args) (hn_ping_pong(q, o, l, g, s, args) + 0.001)"},
       {"fbm.ping_pong2_cell.lattice.fixed.fragment.gl330.range",
        "hn_ping_pong(c, o, l, g, s, args) (hn_ping_pong(c, o, l, g, s, args) - 0.0000005)"},
       {"fbm.weighted2.lattice.fast.fragment.gl330.range",
-       "hn_weighted(q, o, l, g, args) (hn_weighted(q, o, l, g, args) * 1.5)"}};
+       "hn_weighted(q, o, l, g, s, args) (hn_weighted(q, o, l, g, s, args) * 1.5)"}};
   for (const auto& [id, fault] : kFaults) expect_caught(id, "fbm2d.glsl", fault);
 }
 
 // The settings say how far a shift can be, and how steep a sum.
 TEST_F(Extreme, RangesThatDependOnSettingsAreHeld) {
   expect_caught("warp.warp2.lattice.fast.fragment.gl330.range", "warp2d.glsl",
-                "hn_warp(q, o, l, g, args) (hn_warp(q, o, l, g, args) * 1.2)");
+                "hn_warp(q, o, l, g, s, args) (hn_warp(q, o, l, g, s, args) * 1.2)");
   expect_caught("warp.warp_progressive3_cell.lattice.fixed.fragment.gl330.range", "warp3d.glsl",
                 "hn_warp_progressive(c, o, l, g, s, args) (hn_warp_progressive(c, o, l, g, s, args) * 1.2)");
   expect_caught("fbm_d.fbm_d2.lattice.fast.fragment.gl330.range", "fbm_d2d.glsl",

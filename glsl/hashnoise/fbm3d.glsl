@@ -45,7 +45,7 @@ HN_FN hn_float hn_i_weighted(hn_octaves3 o, hn_float strength) {
 }
 // tools/catalog: end
 
-// Each sum has three forms:
+// Each sum has three forms, and with a strength the last two:
 //
 //   hn_fbm(p, octaves, lacunarity, gain)
 //   hn_fbm(p, octaves, lacunarity, gain, seed)
@@ -185,7 +185,8 @@ HN_FN hn_float hn_hybrid(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_floa
 
 // Ping-pong: each octave is folded up and down, which gives the rings of wood and of agate.
 //   strength    how many times from one end to the other on the way from -1 to 1, times 1/2; usually 2, in [0, 64]
-//   (other parameters, period and cost as for hn_fbm; the strength stands behind the gain)
+//   (other parameters, period and cost as for hn_fbm; the strength stands behind the gain, and the seed cannot be
+//   left out)
 //   returns     [-1, 1]
 //   error       twice the strength times that of hn_fbm, and a little more; docs/accuracy.md
 //   source      FastNoiseLite, FractalType_PingPong
@@ -197,13 +198,11 @@ HN_FN hn_float hn_ping_pong(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_f
                             hn_uint seed) {
   return hn_i_ping_pong(hn_octaves(p, octaves, lacunarity, gain, seed), strength);
 }
-HN_FN hn_float hn_ping_pong(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_float strength) {
-  return hn_ping_pong(p, octaves, lacunarity, gain, strength, 0u);
-}
 
 // Weighted fBm: where an octave is low, the finer ones count less. Valleys are smoother than heights.
 //   strength    how much less: 0 is hn_fbm, 1 leaves nothing of the finer octaves at -1; in [0, 1]
-//   (other parameters, period and cost as for hn_fbm; the strength stands behind the gain)
+//   (other parameters, period and cost as for hn_fbm; the strength stands behind the gain, and the seed cannot be
+//   left out)
 //   returns     [-1, 1]
 //   error       docs/accuracy.md
 //   source      FastNoiseLite, SetFractalWeightedStrength
@@ -214,9 +213,6 @@ HN_FN hn_float hn_weighted(hn_place3 place, hn_int octaves, hn_float lacunarity,
 HN_FN hn_float hn_weighted(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_float strength,
                            hn_uint seed) {
   return hn_i_weighted(hn_octaves(p, octaves, lacunarity, gain, seed), strength);
-}
-HN_FN hn_float hn_weighted(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_float strength) {
-  return hn_weighted(p, octaves, lacunarity, gain, strength, 0u);
 }
 // tools/catalog: end
 

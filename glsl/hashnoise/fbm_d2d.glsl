@@ -100,7 +100,8 @@ HN_FN hn_vec3 hn_fbm_d(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_float 
 // Eroded fBm: an octave counts less where those before it and itself are steep, so that slopes are smooth and detail
 // gathers in valleys and on summits.
 //   strength  how much less: 0 is hn_fbm, and usually 1; in [0, 16]. A slope of 1 cell in 1 leaves 1 / (1 + strength)
-//   (other parameters, period and source as for hn_fbm; the strength stands behind the gain)
+//   (other parameters, period and source as for hn_fbm; the strength stands behind the gain, and the seed cannot be
+//   left out)
 //   returns   [-1, 1]
 //   error     docs/accuracy.md
 //   cost      1 noise with derivatives per octave, and a division
@@ -112,9 +113,6 @@ HN_FN hn_float hn_eroded(hn_place2 place, hn_int octaves, hn_float lacunarity, h
 HN_FN hn_float hn_eroded(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_float strength,
                          hn_uint seed) {
   return hn_i_eroded(hn_octaves(p, octaves, lacunarity, gain, seed), strength);
-}
-HN_FN hn_float hn_eroded(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_float strength) {
-  return hn_eroded(p, octaves, lacunarity, gain, strength, 0u);
 }
 
 #endif

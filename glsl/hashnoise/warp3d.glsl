@@ -93,7 +93,7 @@ HN_FN hn_vec3 hn_i_warp_progressive(hn_octaves3 o, hn_float amplitude) {
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// Shifts by hn_value_vector, in the forms of hn_fbm.
+// Shifts by hn_value_vector, in the forms of hn_fbm with a seed.
 
 // How far a position is moved: another noise is taken at p + hn_warp(p, ...). Far out it is taken at
 // hn_place(cell, f + hn_warp(hn_place(cell, f), ...)), of which the whole part belongs to the cell.
@@ -105,7 +105,7 @@ HN_FN hn_vec3 hn_i_warp_progressive(hn_octaves3 o, hn_float amplitude) {
 //               down
 //   gain        ratio of amplitudes, usually 0.5; not negative
 //   amplitude   the largest shift along an axis, in cells, in [0, 64]
-//   seed        any uint: 7u, not 7; 0 if left out
+//   seed        any uint: 7u, not 7; different seeds give independent shifts
 //   returns     the shift along x, y and z, each in [-amplitude, amplitude]
 //   error       docs/accuracy.md
 //   period      none that floats reach, or that of the tile
@@ -117,9 +117,6 @@ HN_FN hn_vec3 hn_warp(hn_place3 place, hn_int octaves, hn_float lacunarity, hn_f
 }
 HN_FN hn_vec3 hn_warp(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_float amplitude, hn_uint seed) {
   return hn_i_warp(hn_octaves(p, octaves, lacunarity, gain, seed), amplitude);
-}
-HN_FN hn_vec3 hn_warp(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_float amplitude) {
-  return hn_warp(p, octaves, lacunarity, gain, amplitude, 0u);
 }
 
 // The same, where each octave is taken at the place to which those before it have moved. It draws strands and eddies.
@@ -135,9 +132,6 @@ HN_FN hn_vec3 hn_warp_progressive(hn_place3 place, hn_int octaves, hn_float lacu
 HN_FN hn_vec3 hn_warp_progressive(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_float amplitude,
                                   hn_uint seed) {
   return hn_i_warp_progressive(hn_octaves(p, octaves, lacunarity, gain, seed), amplitude);
-}
-HN_FN hn_vec3 hn_warp_progressive(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float gain, hn_float amplitude) {
-  return hn_warp_progressive(p, octaves, lacunarity, gain, amplitude, 0u);
 }
 
 #endif

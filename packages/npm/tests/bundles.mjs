@@ -1,4 +1,4 @@
-// What a bundler keeps of the package: what is used, and each text once.
+// What a bundler keeps of the package: what is used, and each text once. And what a node takes.
 //
 //   node bundles.mjs
 import assert from "node:assert/strict";
@@ -59,4 +59,13 @@ test("the twin brings its module alone", async () => {
   console.log(`Field: ${code.length} bytes`);
   assert.ok(code.length < 74_000);
   assert.equal(count(code, "HN_CONFIG_GLSL"), 0);
+});
+
+test("a node lacks its seed at most, and that not behind a strength", async () => {
+  const { vec2 } = await import("three/tsl");
+  const { hn_fbm2, hn_warp2 } = await import("hashnoise/tsl");
+  hn_fbm2(vec2(1, 2), 6, 2, 0.5);
+  hn_warp2(vec2(1, 2), 6, 2, 0.5, 1, 7);
+  assert.throws(() => hn_fbm2(vec2(1, 2), 6, 2), /^TypeError: hn_fbm2 wants .* got 3 values$/);
+  assert.throws(() => hn_warp2(vec2(1, 2), 6, 2, 0.5, 7), /^TypeError: hn_warp2 wants .* got 5 values$/);
 });

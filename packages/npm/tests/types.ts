@@ -6,7 +6,7 @@ import noise2d from "hashnoise/glsl/noise2d";
 import included from "hashnoise/glsl/fbm2d.glsl";
 import everything from "hashnoise/hashnoise.glsl?raw";
 import { registerChunks } from "hashnoise/three";
-import { hn_fbm2, hn_fbm2_place, hn_perlin_d2, hn_tile2 } from "hashnoise/tsl";
+import { hn_fbm2, hn_fbm2_place, hn_perlin_d2, hn_tile2, hn_warp2 } from "hashnoise/tsl";
 import { hn_lattice2 } from "hashnoise/tsl/fixed";
 import { hn_cellular2, wgsl } from "hashnoise/wgsl";
 import { hn_fbm3 } from "hashnoise/wgsl/fixed";
@@ -20,6 +20,7 @@ export const started: Promise<void> = init();
 export const text: string = fbm2d + noise2d + included + everything + wgsl(hn_cellular2, hn_fbm3);
 export const color = vec3(hn_fbm2(uv().mul(8), 6, 2, 0.5).add(0.5)).add(hn_perlin_d2(uv(), 7).mul(0.1));
 export const tile = hn_fbm2_place(hn_tile2(uv().mul(8), ivec2(8, 8)), 6, 2, 0.5, 7);
+export const shift = hn_warp2(uv(), 6, 2, 0.5, 1, 7);
 registerChunks();
 
 // @ts-expect-error there is no such noise
@@ -38,6 +39,8 @@ export const wrongText: number = fbm2d;
 hn_fbm2(1, 6, 2, 0.5);
 // @ts-expect-error the octaves are missing
 hn_fbm2(uv());
+// @ts-expect-error behind an amplitude the seed cannot be left out
+hn_warp2(uv(), 6, 2, 0.5, 7);
 // @ts-expect-error nor is it a place
 hn_fbm2_place(uv(), 6, 2, 0.5);
 // @ts-expect-error a cell is of integers

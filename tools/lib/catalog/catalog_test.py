@@ -65,9 +65,9 @@ class Made(unittest.TestCase):
         self.assertEqual(next(suite.of_sum(warp)).text(), """\
 FUNCTION("warp.warp2", "warp2d.glsl", further_octave_sum, "warp",
          "x:f32 y:f32 octaves:i32 lacunarity:f32 gain:f32 amplitude:f32 seed:u32 = sx:f64 sy:f64",
-         "hn_warp(p, 6, 2.0, 0.5, 1.0)",
+         "hn_warp(p, 6, 2.0, 0.5, 1.0, 0u)",
          hn_vec2 p = vec2(float_of(a.x), float_of(a.y));
-         hn_vec2 n = hn_warp(p, int(a.z), float_of(a.w), float_of(b.x), float_of(b.y) SEEDED(b.z));
+         hn_vec2 n = hn_warp(p, int(a.z), float_of(a.w), float_of(b.x), float_of(b.y), SEED(b.z));
          return uvec4(bits_of(n.x), bits_of(n.y), 0u, 0u);)
 """)
 

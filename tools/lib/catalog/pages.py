@@ -36,13 +36,17 @@ def parameters(noise: Noise) -> str:
     return ", ".join(["p", *noise.options, "seed"] if "wave" in noise.options else ["p [, seed]"])
 
 
+def parameters_of(sum_: Sum) -> str:
+    return f"{settings(sum_)}, seed" if sum_.strength else f"{settings(sum_)} [, seed]"
+
+
 def in_readme(catalog: Catalog) -> str:
     rows = []
     for group, brief in grouped(catalog.noises, lambda noise: noise.brief):
         rows.append((called(group, parameters(group[0])), brief))
     usual = next(sum_ for sum_ in catalog.sums if sum_.name == USUAL_SUM)
     others = [sum_ for sum_ in catalog.sums if sum_ is not usual]
-    rows += [(called([usual], f"{settings(usual)} [, seed]"), usual.brief),
+    rows += [(called([usual], parameters_of(usual)), usual.brief),
              (called(others, "..."),
               f"{', '.join(dict.fromkeys(sum_.brief for sum_ in others))} ([sums]({SUMS}))")]
     return table(("function", "value"), rows)
@@ -58,7 +62,7 @@ def of_noises(catalog: Catalog) -> str:
 
 
 def of_sums(sums: Sequence[Sum]) -> str:
-    return table(("function", "value"), [(called(group, f"{settings(group[0])} [, seed]"), use)
+    return table(("function", "value"), [(called(group, parameters_of(group[0])), use)
                                          for group, use in grouped(sums, lambda sum_: sum_.use)])
 
 

@@ -68,7 +68,8 @@ def comment(sum_: Sum) -> str:
     about = re.sub(r",? \{dimensions\}", "", f"{sum_.about} {sum_.more}".strip())
     if sum_.strength:
         settings = [commented(named(sum_.strength.about), "strength"),
-                    "//   (other parameters, period and cost as for hn_fbm; the strength stands behind the gain)\n"]
+                    "//   (other parameters, period and cost as for hn_fbm; the strength stands behind the gain, and the "
+                    "seed cannot be\n//   left out)\n"]
     else:
         settings = ["//   (parameters, period and cost as for hn_fbm)\n"]
     return "".join([commented(named(about)), *settings, commented(named(sum_.returns), "returns"),
@@ -76,7 +77,8 @@ def comment(sum_: Sum) -> str:
 
 
 def forms(sum_: Sum) -> str:
-    """At a place and at a position with a seed, and at a position without."""
+    """At a place and at a position with a seed, and at a position without. A sum with a strength has no form without a
+    seed: whoever forgot the strength there would have passed the seed for it."""
     strength = ["strength"] if sum_.strength else []
     settings = [*SETTINGS, *(f"hn_float {name}" for name in strength)]
     names = [setting.split()[1] for setting in settings]
@@ -87,8 +89,8 @@ def forms(sum_: Sum) -> str:
         return function(head, [place, *settings, "hn_uint seed"],
                         f"return hn_i_{sum_.name}({', '.join([octaves, *strength])});")
 
-    return "".join([*map(of_octaves, PLACES),
-                    function(head, [PLACES[1], *settings], f"return hn_{sum_.name}({', '.join(['p', *names, '0u'])});")])
+    without = function(head, [PLACES[1], *settings], f"return hn_{sum_.name}({', '.join(['p', *names, '0u'])});")
+    return "".join([*map(of_octaves, PLACES), *([] if sum_.strength else [without])])
 
 
 def public_steps(sums: Sequence[Sum]) -> str:

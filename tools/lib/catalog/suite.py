@@ -226,11 +226,12 @@ def of_sum(sum_: Sum) -> Iterator[Row]:
 
         def of_form(form: str, family: str, bench_seed: str = "", **more: object) -> Row:
             more.setdefault("options", options)
+            more.setdefault("seeded", bool(sum_.strength))
             return Row(f"{file}.{sum_.name}{dimensions}{form}", f"{file}{dimensions}d.glsl", family, sum_.name,
                        f"hn_{sum_.name}", dimensions, result, bench_seed=bench_seed, **more)
 
         further = families.tiles if is_usual else families.others
-        yield of_form("", families.usual if is_usual else families.others)
+        yield of_form("", families.usual if is_usual else families.others, "0u" if sum_.strength else "")
         has_room = len(options) + 1 + 3 * dimensions <= len(WORDS)
         if is_usual or not has_room or (sum_.name == "fbm" and dimensions == 1):
             yield of_form("_cell", further, "0u", cell=True)

@@ -12,6 +12,7 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from single_file.files import in_order, minified, parts, text
+from tables.functions import STRENGTHS
 from tree import GLSL, ROOT, VECTORS, glsl_files, version
 from wgsl.module import Module, Settings
 from wgsl.names import is_public
@@ -130,7 +131,8 @@ def tsl_files(modules: dict[str, list[Definition]],
             nodes.append(f"export const {item.name} = /*#__PURE__*/ node({quoted(item.name)}, "
                          f"{quoted(TYPES[signature['type']])}, {quoted(declared)}, {quoted(glsl)}, {file}, "
                          f"wgsl_{item.name}, {quoted(ARITHMETICS[folder])});\n")
-            taken = ", ".join(f"{name}{'?' if name == 'seed' else ''}: {accepted(type_)}"
+            may_lack_seed = not any(name in STRENGTHS for name, _ in parameters)
+            taken = ", ".join(f"{name}{'?' if name == 'seed' and may_lack_seed else ''}: {accepted(type_)}"
                               for (name, _), type_ in zip(parameters, glsl_types))
             types.append(documented(item, f"export declare function {item.name}({taken}): "
                                           f"Node<\"{TYPES[signature['type']]}\">;\n"))

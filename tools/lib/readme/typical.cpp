@@ -85,8 +85,8 @@ void print_in(const char* name, int first_dimension, int last_dimension, Noise n
 #define SUM_kVector(...) print_in(__VA_ARGS__);
 #define SUM_kWithSlopes(...)
 #define STRENGTH_none(usual)
-#define STRENGTH_strength(usual) , usual
-#define STRENGTH_amplitude(usual) , usual
+#define STRENGTH_strength(usual) , usual, 0u
+#define STRENGTH_amplitude(usual) , usual, 0u
 
 int main() {
 #define HN_CATALOG_NOISE(Id, name, first, last, shape, takes) VALUE_##shape(name, takes)

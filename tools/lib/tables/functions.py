@@ -22,6 +22,7 @@ OF_EVERY_HASH = ("hash", "gradient", "gradient_noise", "lattice_noise")
 
 # What is proven under these names has a seed at a position, too.
 ALWAYS_SEEDED = ("hex_tiling", "gullies")
+STRENGTHS = ("strength", "amplitude")  # settings behind which there is always a seed
 
 # What the names of the inputs say that a function takes; n of them have an axis.
 FORMS = {
@@ -190,8 +191,8 @@ class Function:
         seeded = (*self.types, "uint", *out)
         if self.form == "candidate":
             return (seeded, (f"ivec{self.axes}", *seeded[1:]))
-        always = (self.has_place or self.has_phase or self.has_jitter or "detail" in self.settings
-                  or "footprint" in self.settings or self.bound in ALWAYS_SEEDED)
+        always = (self.has_place or self.has_phase or self.has_jitter or self.bound in ALWAYS_SEEDED
+                  or any(name in self.settings for name in ("detail", "footprint", *STRENGTHS)))
         return (seeded,) if always else ((*self.types, *out), seeded)
 
 

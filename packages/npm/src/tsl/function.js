@@ -23,9 +23,11 @@ export function nodesOf(name, type, declared, called, inWgsl, inGlsl) {
     const speaks = builder.renderer.backend.isWebGPUBackend ? (made.wgsl ??= ofWgsl()) : (made.glsl ??= ofGlsl());
     return speaks(...parameters.map((_, i) => inputs[i]));
   }, type);
-  const seedAt = parameters.at(-1)[1] === "seed" ? parameters.length - 1 : -1;
+  // Not behind a strength: whoever forgot that would have passed the seed for it.
+  const [before, last] = ["", ...parameters.map(([, parameter]) => parameter)].slice(-2);
+  const mayLackSeed = last === "seed" && !["strength", "amplitude"].includes(before);
   return (...given) => {
-    if (given.length === seedAt) given.push(uint(0));
+    if (mayLackSeed && given.length === parameters.length - 1) given.push(uint(0));
     if (given.length !== parameters.length) throw new TypeError(`${name} wants (${passed}), and got ${given.length} values`);
     return chosen(...given);
   };
