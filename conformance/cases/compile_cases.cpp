@@ -237,36 +237,36 @@ vec4 mine_d(hn_place3 place, uint seed) { return vec4(mine(place, seed), 1.0, 0.
 float on_a_line(hn_octaves1 o) {
   hn_octaves1 other = o;
   do hn_add(o, mine(o.place, o.seed)); while (hn_next(o));
-  do hn_add_bent(other, hn_value(other.place, other.seed), 1.0); while (hn_next(other));
+  do hn_add_weighted(other, hn_value(other.place, other.seed), 1.0); while (hn_next(other));
   return hn_mean(o) + hn_mean(other);
 }
 float on_a_plane(hn_octaves2 o) {
   hn_octaves2 size = o;
   hn_octaves2 wave = o;
   do hn_add(o, hn_simplex(o.place, o.seed)); while (hn_next(o));
-  do hn_add_size(size, mine(size.place, size.seed)); while (hn_next(size));
-  do hn_add_wave(wave, hn_value_cubic(wave.place, wave.seed), 2.0); while (hn_next(wave));
+  do hn_add_turbulence(size, mine(size.place, size.seed)); while (hn_next(size));
+  do hn_add_ping_pong(wave, hn_value_cubic(wave.place, wave.seed), 2.0); while (hn_next(wave));
   return hn_mean(o) + hn_mean(size) + hn_mean(wave);
 }
 float in_space(hn_octaves3 o) {
   hn_octaves3 bent = o;
-  do hn_add_ridge(o, hn_value(o.place, o.seed)); while (hn_next(o));
-  do hn_add_bent(bent, hn_cellular(bent.place, bent.seed).x, 1.0); while (hn_next(bent));
+  do hn_add_ridged(o, hn_value(o.place, o.seed)); while (hn_next(o));
+  do hn_add_weighted(bent, hn_cellular(bent.place, bent.seed).x, 1.0); while (hn_next(bent));
   return hn_mean(o) + hn_mean(bent);
 }
 float in_4d(hn_octaves4 o) {
   hn_octaves4 wave = o;
-  do hn_add_ridge(o, hn_simplex(o.place, o.seed)); while (hn_next(o));
-  do hn_add_wave(wave, mine(wave.place, wave.seed), 2.0); while (hn_next(wave));
+  do hn_add_ridged(o, hn_simplex(o.place, o.seed)); while (hn_next(o));
+  do hn_add_ping_pong(wave, mine(wave.place, wave.seed), 2.0); while (hn_next(wave));
   return hn_mean(o) + hn_mean(wave);
 }
 float limited(vec2 p) {
   hn_octaves1 line = hn_octaves(p.x, 4.5, 2.0, 0.5, 7u);
-  do hn_add_part(line, mine(line.place, line.seed)); while (hn_next(line));
+  do hn_add_detail(line, mine(line.place, line.seed)); while (hn_next(line));
   hn_octaves2 plane = hn_octaves(p, 0.01, 5, 2.0, 0.5, 7u);
-  do hn_add_resolved(plane, hn_value(plane.place, plane.seed)); while (hn_next(plane));
+  do hn_add_footprint(plane, hn_value(plane.place, plane.seed)); while (hn_next(plane));
   hn_octaves4 more = hn_octaves(vec4(p, p), 0.01, 5, 2.0, 0.5, 7u);
-  do hn_add_resolved(more, mine(more.place, more.seed)); while (hn_next(more));
+  do hn_add_footprint(more, mine(more.place, more.seed)); while (hn_next(more));
   return hn_mean(line) + hn_mean(plane) + hn_mean(more);
 }
 vec3 with_slopes(hn_octaves2 o) {

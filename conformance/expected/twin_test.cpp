@@ -27,7 +27,7 @@ float fbm_of_perlin(hn_octaves2 o) {
   return hn_mean(o);
 }
 float ping_pong_of_perlin(hn_octaves3 o, float strength) {
-  do hn_add_wave(o, hn_perlin(o.place, o.seed), strength); while (hn_next(o));
+  do hn_add_ping_pong(o, hn_perlin(o.place, o.seed), strength); while (hn_next(o));
   return hn_mean(o);
 }
 float fbm_of_simplex(hn_octaves2 o) {

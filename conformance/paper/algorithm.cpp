@@ -103,7 +103,7 @@ Subject subject_of(const Entry& entry, int dimensions, Picture picture, std::uin
   if (entry.form != Form::ours || period != 0) {
     const bool is_clouds = picture == Picture::clouds;
     text += fmt::format("float paper_sum(hn_octaves{} o) {{\n  do {}(o, {}); while (hn_next(o));\n  return {}(o);\n}}\n",
-                        dimensions, is_clouds ? "hn_add" : "hn_add_size",
+                        dimensions, is_clouds ? "hn_add" : "hn_add_turbulence",
                         noise_at("hn_position(o.place)", entry, dimensions, period, "o.seed"),
                         is_clouds ? "hn_density" : "hn_mean");
     expression = "paper_sum(hn_octaves(p, 6, 2.0, 0.5, 0u))";

@@ -17,12 +17,12 @@ ARITHMETICS = ("HN_FAST", "HN_PRECISE", "HN_FIXED")
 SUMS = """
 namespace hashnoise {
 inline float ridged_of_value(hn_octaves2 o) {
-  do hn_add_ridge(o, hn_value(o.place, o.seed));
+  do hn_add_ridged(o, hn_value(o.place, o.seed));
   while (hn_next(o));
   return hn_mean(o);
 }
 inline float weighted_of_value(hn_octaves3 o) {
-  do hn_add_bent(o, hn_value(o.place, o.seed), 1.0f);
+  do hn_add_weighted(o, hn_value(o.place, o.seed), 1.0f);
   while (hn_next(o));
   return hn_mean(o);
 }
@@ -31,8 +31,8 @@ inline float mine(hn_place2 place, uint seed) {
 }
 inline float limited_of_mine(hn_octaves2 o, bool part) {
   do {
-    if (part) hn_add_part(o, mine(o.place, o.seed));
-    else hn_add_resolved(o, mine(o.place, o.seed));
+    if (part) hn_add_detail(o, mine(o.place, o.seed));
+    else hn_add_footprint(o, mine(o.place, o.seed));
   } while (hn_next(o));
   return hn_mean(o);
 }

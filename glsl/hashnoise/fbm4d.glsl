@@ -19,7 +19,7 @@ HN_FN hn_float hn_i_fbm(hn_octaves4 o) {
   return hn_mean(o);
 }
 HN_FN hn_float hn_i_turbulence(hn_octaves4 o) {
-  do hn_add_size(o, hn_perlin(o.place, o.seed)); while (hn_next(o));
+  do hn_add_turbulence(o, hn_perlin(o.place, o.seed)); while (hn_next(o));
   return hn_mean(o);
 }
 HN_FN hn_float hn_i_clouds(hn_octaves4 o) {
@@ -31,19 +31,19 @@ HN_FN hn_float hn_i_billow(hn_octaves4 o) {
   return hn_i_value(hn_i_billows(hn_i_mean(o.sum)));
 }
 HN_FN hn_float hn_i_ridged(hn_octaves4 o) {
-  do hn_add_ridge(o, hn_perlin(o.place, o.seed)); while (hn_next(o));
+  do hn_add_ridged(o, hn_perlin(o.place, o.seed)); while (hn_next(o));
   return hn_i_value(hn_i_bounded(hn_i_mean(o.sum)));
 }
 HN_FN hn_float hn_i_hybrid(hn_octaves4 o) {
-  do hn_add_height(o, hn_perlin(o.place, o.seed)); while (hn_next(o));
+  do hn_add_hybrid(o, hn_perlin(o.place, o.seed)); while (hn_next(o));
   return hn_i_value(hn_i_bounded(hn_i_mean(o.sum)));
 }
 HN_FN hn_float hn_i_ping_pong(hn_octaves4 o, hn_float strength) {
-  do hn_add_wave(o, hn_perlin(o.place, o.seed), strength); while (hn_next(o));
+  do hn_add_ping_pong(o, hn_perlin(o.place, o.seed), strength); while (hn_next(o));
   return hn_i_value(hn_i_bounded(hn_i_mean(o.sum)));
 }
 HN_FN hn_float hn_i_weighted(hn_octaves4 o, hn_float strength) {
-  do hn_add_bent(o, hn_perlin(o.place, o.seed), strength); while (hn_next(o));
+  do hn_add_weighted(o, hn_perlin(o.place, o.seed), strength); while (hn_next(o));
   return hn_i_value(hn_i_bounded(hn_i_mean(o.sum)));
 }
 // tools/catalog: end
@@ -97,13 +97,13 @@ HN_FN hn_float hn_fbm(hn_vec4 p, hn_int octaves, hn_float lacunarity, hn_float g
 //   cost        1 noise per octave; octaves that have faded out cost none
 HN_FN hn_float hn_fbm(hn_vec4 p, hn_float detail, hn_float lacunarity, hn_float gain, hn_uint seed) {
   hn_octaves4 o = hn_octaves(p, detail, lacunarity, gain, seed);
-  do hn_add_part(o, hn_perlin(o.place, o.seed)); while (hn_next(o));
+  do hn_add_detail(o, hn_perlin(o.place, o.seed)); while (hn_next(o));
   return hn_mean(o);
 }
 HN_FN hn_float hn_fbm(hn_vec4 p, hn_float footprint, hn_int octaves, hn_float lacunarity, hn_float gain,
                       hn_uint seed) {
   hn_octaves4 o = hn_octaves(p, footprint, octaves, lacunarity, gain, seed);
-  do hn_add_resolved(o, hn_perlin(o.place, o.seed)); while (hn_next(o));
+  do hn_add_footprint(o, hn_perlin(o.place, o.seed)); while (hn_next(o));
   return hn_mean(o);
 }
 

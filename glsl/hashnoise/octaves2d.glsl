@@ -15,9 +15,10 @@
 //   float height = hn_mean(o);
 //
 // It asks behind an octave, since drivers unroll such a loop, and run it faster than one that asks first. In place of
-// hn_add there are hn_add_size, hn_add_ridge, hn_add_wave and hn_add_bent; and hn_add_part and hn_add_resolved for
-// octaves without detail that a pixel cannot show. The sums of the library are made so (fbm2d.glsl). To sum a noise of
-// your own, which takes a position, ask for it at hn_position(o.place).
+// hn_add there are hn_add_turbulence, hn_add_ridged, hn_add_hybrid, hn_add_ping_pong and hn_add_weighted, as in sums of
+// these names; and hn_add_detail and hn_add_footprint for octaves without detail that a pixel cannot show. The sums of
+// the library are made so (fbm2d.glsl). To sum a noise of your own, which takes a position, ask for it at
+// hn_position(o.place).
 //
 //   place    where the noise of the octave is asked
 //   seed     its seed
@@ -125,8 +126,8 @@ HN_FN hn_octaves2 hn_octaves(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_
 }
 #endif
 
-// The octaves that a pixel can show: with a number of octaves that is no whole number, for hn_add_part, and with a
-// footprint, for hn_add_resolved.
+// The octaves that a pixel can show: with a number of octaves that is no whole number, for hn_add_detail, and with a
+// footprint, for hn_add_footprint.
 //   detail      octaves, as a float: 3.5 is three octaves and half of the fourth. So octaves can come and go without a
 //               jump
 //   footprint   the size of a pixel at p, in cells of the first octave: in a fragment shader
@@ -180,21 +181,21 @@ HN_FN bool hn_next(HN_I_INOUT(hn_octaves2) o) {
 // (hn_ridged); its height above -1, as far as that of the octave before lets it (hn_hybrid); folded up and down between
 // -1 and 1 (hn_ping_pong); so that finer octaves count less where it is low (hn_weighted).
 //   o         the octaves
-//   n         the noise at o.place with o.seed, in [-1, 1]. hn_add and hn_add_size take what is beyond, the others cut
-//             it off
+//   n         the noise at o.place with o.seed, in [-1, 1]. hn_add and hn_add_turbulence take what is beyond, others
+//             cut it off
 //   strength  as of the sum that is made so (fbm2d.glsl)
 //   returns   nothing: the octaves have the sum
 //   error     as of the sums in fbm2d.glsl
 //   cost      1 to 10 operations
 //   source    docs/contract.md, section 7
 HN_FN void hn_add(HN_I_INOUT(hn_octaves2) o, hn_float n) { o.sum = hn_i_with_noise(o.sum, n); }
-HN_FN void hn_add_size(HN_I_INOUT(hn_octaves2) o, hn_float n) { o.sum = hn_i_with_size(o.sum, n); }
-HN_FN void hn_add_ridge(HN_I_INOUT(hn_octaves2) o, hn_float n) { o.sum = hn_i_with_ridge(o.sum, n); }
-HN_FN void hn_add_height(HN_I_INOUT(hn_octaves2) o, hn_float n) { o.sum = hn_i_with_height(o.sum, n); }
-HN_FN void hn_add_wave(HN_I_INOUT(hn_octaves2) o, hn_float n, hn_float strength) {
+HN_FN void hn_add_turbulence(HN_I_INOUT(hn_octaves2) o, hn_float n) { o.sum = hn_i_with_size(o.sum, n); }
+HN_FN void hn_add_ridged(HN_I_INOUT(hn_octaves2) o, hn_float n) { o.sum = hn_i_with_ridge(o.sum, n); }
+HN_FN void hn_add_hybrid(HN_I_INOUT(hn_octaves2) o, hn_float n) { o.sum = hn_i_with_height(o.sum, n); }
+HN_FN void hn_add_ping_pong(HN_I_INOUT(hn_octaves2) o, hn_float n, hn_float strength) {
   o.sum = hn_i_with_wave(o.sum, n, strength);
 }
-HN_FN void hn_add_bent(HN_I_INOUT(hn_octaves2) o, hn_float n, hn_float strength) {
+HN_FN void hn_add_weighted(HN_I_INOUT(hn_octaves2) o, hn_float n, hn_float strength) {
   o.sum = hn_i_with_bent(o.sum, n, strength);
 }
 // tools/catalog: end
@@ -202,14 +203,14 @@ HN_FN void hn_add_bent(HN_I_INOUT(hn_octaves2) o, hn_float n, hn_float strength)
 // Add the noise of an octave as it is, and as much of it as a detail or a footprint leaves.
 //   (parameters, error, cost and source as above)
 //   returns   nothing: the octaves have the sum
-HN_FN void hn_add_part(HN_I_INOUT(hn_octaves2) o, hn_float n) { o.sum = hn_i_with_part(o.sum, n); }
-HN_FN void hn_add_resolved(HN_I_INOUT(hn_octaves2) o, hn_float n) {
+HN_FN void hn_add_detail(HN_I_INOUT(hn_octaves2) o, hn_float n) { o.sum = hn_i_with_part(o.sum, n); }
+HN_FN void hn_add_footprint(HN_I_INOUT(hn_octaves2) o, hn_float n) {
   o.sum = hn_i_with_resolved(o.sum, n, o.lacunarity);
 }
 
 // The mean of the octaves by their weights.
 //   o        the octaves, after the last
-//   returns  [-1, 1]; of hn_add_size and hn_add_ridge [0, 1]. Roundings may take floats beyond by 1e-6
+//   returns  [-1, 1]; of hn_add_turbulence and hn_add_ridged [0, 1]. Roundings may take floats beyond by 1e-6
 //   error    as of the sums in fbm2d.glsl
 //   cost     a division; with a number of octaves that is no constant some operations for each
 //   source   docs/contract.md, section 7

@@ -480,7 +480,7 @@ test("what is copied says what is chosen", () => {
     "#define HN_ARITHMETIC HN_FIXED",
     "#define HN_HASH HN_HASH_PCG",
     '#include "hashnoise/fbm2d.glsl"',
-    "do hn_add_ridge(o, hn_simplex(o.place, o.seed)); while (hn_next(o));",
+    "do hn_add_ridged(o, hn_simplex(o.place, o.seed)); while (hn_next(o));",
     "ridged_simplex(hn_octaves(hn_place(cell, f), 5, 2.0, 0.5, 9u))",
     "vec3 colour(float value)",
   ]) {
@@ -496,6 +496,6 @@ test("what is copied says what is chosen", () => {
   }
   assert.match(
     copied(library, "wgsl", state, "function", false).head.join("\n"),
-    /tools\/pick .*hn_add_ridge2 .*--language wgsl --arithmetic fixed --hash pcg/,
+    /tools\/pick .*hn_add_ridged2 .*--language wgsl --arithmetic fixed --hash pcg/,
   );
 });

@@ -63,9 +63,9 @@ struct AnySum {
     return;
 #include "catalog.inc"
       case grid::kDetail:
-        return hn_add_part(o, n);
+        return hn_add_detail(o, n);
       case grid::kFootprint:
-        return hn_add_resolved(o, n);
+        return hn_add_footprint(o, n);
     }
   }
   HN_I_INLINE hn_num end(hn_num mean) const {
@@ -91,7 +91,7 @@ struct Ridged {
   HN_I_INLINE explicit Ridged(const Options&) {}
   template <typename Octaves>
   HN_I_INLINE void add(Octaves& o, Float n) const {
-    hn_add_ridge(o, n);
+    hn_add_ridged(o, n);
   }
   HN_I_INLINE hn_num end(hn_num mean) const { return hn_i_bounded(mean); }
 };

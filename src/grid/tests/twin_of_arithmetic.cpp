@@ -304,9 +304,9 @@ twin::Function<D> of_limited(const Settings& s) {
                       : hn_octaves(q, *s.footprint, twin::octaves_of(s), lacunarity, gain, s.seed);
     do {
       if (s.detail) {
-        hn_add_part(o, n_of(o));
+        hn_add_detail(o, n_of(o));
       } else {
-        hn_add_resolved(o, n_of(o));
+        hn_add_footprint(o, n_of(o));
       }
     } while (hn_next(o));
     *values = hn_mean(o);

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from catalog.model import Catalog, Function, Noise, Setting, Sum, public_step
+from catalog.model import Catalog, Function, Noise, Setting, Sum
 from catalog.sections import with_section
 from tree import ROOT
 
@@ -78,7 +78,7 @@ def needs_octahedral_gradients(function: Function) -> bool:
 def guards(catalog: Catalog) -> str:
     """Of the header: calls that GLSL would refuse are refused."""
     functions = (*catalog.noises, *catalog.sums)
-    steps = dict.fromkeys(step for sum_ in catalog.sums if sum_.step and (step := public_step(sum_.step)))
+    steps = dict.fromkeys(sum_.public_step for sum_ in catalog.sums if sum_.public_step)
     some = [function for function in functions if needs_octahedral_gradients(function)]
     names = {function.name: [f"hn_{function.name}"] for function in functions}
     for noise in catalog.noises:

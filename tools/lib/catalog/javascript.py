@@ -255,7 +255,7 @@ def playground(catalog: Catalog) -> str:
     def of_sum(sum_: Sum) -> dict[str, Any]:
         strength = {"strength": {"usual": sum_.strength.default, "most": sum_.strength.most}} if sum_.strength else {}
         return {"dimensions": dimensions_of(sum_, 4), **strength, **({"steep": True} if sum_.of == "slopes" else {}),
-                **({"step": step} if (step := {"noise": "", "bounded_size": "size"}.get(sum_.step, sum_.step)) else {}),
+                **({"step": step} if (step := sum_.step_of_loops.removeprefix("hn_add").removeprefix("_")) else {}),
                 **({"mean": sum_.mean} if sum_.mean else {}),
                 **({"range": sum_.range} if sum_.range == (0, 1) else {})}
 

@@ -17,14 +17,8 @@ OWN = "own"  # what a sum is of whose noises nobody chooses
 MEANS = ("", "density", "billows", "bounded")  # glsl/hashnoise/detail/octave.glsl
 
 
-# The public step of each of glsl/hashnoise/detail/octave.glsl that has one under another name, or none.
-PUBLIC = {"noise": "", "bounded_size": None}
-
-
-def public_step(step: str) -> str | None:
-    """hn_add, or hn_add_ridge; None if there is none."""
-    name = PUBLIC.get(step, step)
-    return None if name is None else f"hn_add_{name}".rstrip("_")
+# Of the steps of glsl/hashnoise/detail/octave.glsl, that of hn_add, and one that is not public.
+PLAIN, BOUNDED = "noise", "bounded_size"
 
 
 class CatalogError(ValueError):
@@ -108,6 +102,19 @@ class Sum(Function):
     @property
     def takes_noise(self) -> bool:
         return self.of != OWN
+
+    @property
+    def public_step(self) -> str | None:
+        """hn_add, or hn_add_ridged for hn_ridged; None if there is none."""
+        if self.step in ("", BOUNDED):
+            return None
+        return "hn_add" if self.step == PLAIN else f"hn_add_{self.name}"
+
+    @property
+    def step_of_loops(self) -> str:
+        """That of a loop of a user's own, "" if there is none. Billows have one that bounds the noise, and is not
+        public."""
+        return "hn_add_turbulence" if self.step == BOUNDED else self.public_step or ""
 
     @property
     def is_of_values(self) -> bool:

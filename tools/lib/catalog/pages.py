@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 
-from catalog.model import Catalog, Function, Noise, Sum, public_step
+from catalog.model import Catalog, Function, Noise, Sum
 from catalog.shaders import sums_of_values
 from tables.markdown import table, with_section
 from tree import ROOT
@@ -71,9 +71,8 @@ def of_steps(catalog: Catalog) -> str:
     means = {"": "hn_mean(o)", "bounded": "hn_mean(o)", "density": "hn_density(o)", "billows": "2.0 * hn_mean(o) - 1.0"}
 
     def row(sum_: Sum) -> tuple[str, ...]:
-        step = public_step(sum_.step) or "hn_add_size"
         strength = ", strength" if sum_.strength else ""
-        return f"`hn_{sum_.name}`", f"`{step}(o, n{strength})`", f"`{means[sum_.mean]}`"
+        return f"`hn_{sum_.name}`", f"`{sum_.step_of_loops}(o, n{strength})`", f"`{means[sum_.mean]}`"
 
     return table(("the library's sum", "adds an octave", "makes the value"), [*map(row, sums_of_values(catalog))])
 

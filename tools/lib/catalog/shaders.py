@@ -10,7 +10,7 @@ import textwrap
 from collections.abc import Sequence
 from pathlib import Path
 
-from catalog.model import Catalog, Sum, public_step
+from catalog.model import Catalog, Sum
 from catalog.sections import with_section
 from parsing.lines import WIDTH
 
@@ -50,9 +50,8 @@ def function(head: str, parameters: Sequence[str], body: str) -> str:
 
 def loop(sum_: Sum) -> str:
     strength = ["strength"] if sum_.strength else []
-    step = public_step(sum_.step)
-    if step:
-        adds = f"{step}({', '.join(['o', OCTAVE, *strength])})"
+    if sum_.public_step:
+        adds = f"{sum_.public_step}({', '.join(['o', OCTAVE, *strength])})"
     else:
         adds = f"o.sum = {sum_.adds('o.sum', OCTAVE, 'strength')}"
     if sum_.mean in ("", "density"):
@@ -68,8 +67,8 @@ def comment(sum_: Sum) -> str:
     about = re.sub(r",? \{dimensions\}", "", f"{sum_.about} {sum_.more}".strip())
     if sum_.strength:
         settings = [commented(named(sum_.strength.about), "strength"),
-                    "//   (other parameters, period and cost as for hn_fbm; the strength stands behind the gain, and the "
-                    "seed cannot be\n//   left out)\n"]
+                    "//   (other parameters, period and cost as for hn_fbm; the strength stands behind the gain, and "
+                    "the seed cannot be\n//   left out)\n"]
     else:
         settings = ["//   (parameters, period and cost as for hn_fbm)\n"]
     return "".join([commented(named(about)), *settings, commented(named(sum_.returns), "returns"),
@@ -97,20 +96,20 @@ def public_steps(sums: Sequence[Sum]) -> str:
     """Each once, with the sums that are made of it."""
     owners: dict[str, list[Sum]] = {}
     for sum_ in sums:
-        if public_step(sum_.step):
-            owners.setdefault(sum_.step, []).append(sum_)
+        if sum_.public_step:
+            owners.setdefault(sum_.public_step, []).append(sum_)
     kinds = [f"{of[0].adds_words} ({', '.join(f'hn_{sum_.name}' for sum_ in of)})" for of in owners.values()]
     head = commented(f"Add the noise of an octave: {'; '.join(kinds)}.")
     return head + """\
 //   o         the octaves
-//   n         the noise at o.place with o.seed, in [-1, 1]. hn_add and hn_add_size take what is beyond, the others cut
-//             it off
+//   n         the noise at o.place with o.seed, in [-1, 1]. hn_add and hn_add_turbulence take what is beyond, others
+//             cut it off
 //   strength  as of the sum that is made so (fbm2d.glsl)
 //   returns   nothing: the octaves have the sum
 //   error     as of the sums in fbm2d.glsl
 //   cost      1 to 10 operations
 //   source    docs/contract.md, section 7
-""" + "".join(function(f"HN_FN void {public_step(step)}",
+""" + "".join(function(f"HN_FN void {step}",
                        ["HN_I_INOUT(hn_octaves2) o", "hn_float n", *(["hn_float strength"] if of[0].strength else [])],
                        f"o.sum = {of[0].adds('o.sum', 'n', 'strength')};") for step, of in owners.items())
 

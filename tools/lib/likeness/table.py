@@ -36,8 +36,8 @@ class Row(NamedTuple):
 
 # --- Sums over another noise than the library's own: # stands for the number of dimensions ----------------------------
 
-STEPS = {"fbm": "hn_add(o, {})", "weighted": "hn_add_bent(o, {}, strength)", "billow": "hn_add_size(o, {})",
-         "ping_pong": "hn_add_wave(o, {}, strength)", "warp": "hn_add", "warp_progressive": "hn_add_progressive"}
+STEPS = {"fbm": "hn_add(o, {})", "weighted": "hn_add_weighted(o, {}, strength)", "billow": "hn_add_turbulence(o, {})",
+         "ping_pong": "hn_add_ping_pong(o, {}, strength)", "warp": "hn_add", "warp_progressive": "hn_add_progressive"}
 MEANS = {"billow": "2.0 * hn_mean(o) - 1.0"}
 OWN_SUM = """float {name}(vec# p, int octaves, float lacunarity, float gain, {strength}uint seed) {{
   hn_octaves# o = hn_octaves(p, octaves, lacunarity, gain, seed);

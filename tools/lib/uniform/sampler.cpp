@@ -63,7 +63,7 @@ float sum(Random& random, Noise noise, float detail, float gain) {
   const int count = hn_i_whole_octaves(detail);
   auto o = hn_octaves(place<Axes>(random), count, 2.0f, gain, random.word());
   o.sum.part = hn_i_last_part(detail, count);
-  do hn_add_part(o, noise(o.place, o.seed));
+  do hn_add_detail(o, noise(o.place, o.seed));
   while (hn_next(o));
   return hn_mean(o);
 }
