@@ -146,7 +146,7 @@ int main(int count, char**) {
   print_digest("gradient3", [](const Point& p) { return hn_gradient(hn_ivec3(p.cx, p.cy, p.cz), p.seed).y; });
   print_digest("hash", [](const Point& p) { return hn_unorm(hn_hash(p.seed) ^ hn_lattice(hn_ivec2(p.cx, p.cy))); });
   print_digest("pcg3d", [](const Point& p) { return hn_unorm(hn_hash_pcg3d(hn_uvec3(p.cx, p.cy, p.seed)).z); });
-  print_digest("normal", [](const Point& p) { return hn_normal(p.seed); });
+  print_digest("gaussian", [](const Point& p) { return hn_gaussian(p.seed); });
   print_digest("ball", [](const Point& p) {
     const hn_vec3 point = hn_ball(p.seed);
     return point.x + 2.0f * point.y + 3.0f * point.z;

@@ -73,7 +73,7 @@ class Lanes(unittest.TestCase):
                     self.assertEqual(digests(compiler, *setting, *LANES, flags=flags), scalar(*setting))
 
     def test_numbers_of_a_word_are_the_same_with_every_setting(self):
-        exact = ("pcg3d", "normal", "ball", "sobol", "shuffle")
+        exact = ("pcg3d", "gaussian", "ball", "sobol", "shuffle")
         found = [[line for line in scalar(*setting) if line.split()[0] in exact] for setting in SETTINGS[::2]]
         self.assertEqual(len(found[0]), len(exact))
         self.assertEqual(found[0], found[1])

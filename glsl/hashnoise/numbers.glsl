@@ -75,7 +75,7 @@ HN_FN hn_uint hn_i_sum_of_bytes(hn_uint bytes) { return (bytes * 0x01010101u) >>
 //   error    none
 //   cost     5 multiplications, and 1 of floats
 //   source   docs/contract.md, section 18
-HN_FN hn_float hn_normal(hn_uint h) {
+HN_FN hn_float hn_gaussian(hn_uint h) {
   hn_uint coins = hn_i_sum_of_bytes(hn_i_bits_of_bytes(hn_rehash(h, 1u)) + hn_i_bits_of_bytes(hn_rehash(h, 2u) >> 1u));
   hn_uint sum = (h & 1023u) + ((h >> 10u) & 1023u) + ((h >> 20u) & 1023u);
   return hn_i_float(int((coins << 11u) + (sum << 1u)) - 67581) * (1.0f / 8192.0f);

@@ -35,7 +35,7 @@ HN_FN hn_uint hn_self_check(hn_uint zero) {
     w = hn_i_checked(w, hn_unorm_three(h), 16777216.0f);
     w = hn_i_checked(w, hn_sphere(h), 65536.0f);
     w = hn_i_checked(w, hn_disk(h), 65536.0f);
-    w = hn_i_checked(w, hn_i_in_units(hn_normal(h), 8192.0f));
+    w = hn_i_checked(w, hn_i_in_units(hn_gaussian(h), 8192.0f));
     w = hn_i_checked(w, hn_shuffle(h, uint(i + 1000), seed));
     w = hn_i_checked(w, hn_sobol(h, seed), 16777216.0f);
     w = hn_i_checked(w, uint(hn_cell(int(h), i + 1, 7)));

@@ -126,7 +126,7 @@ class Deletions(unittest.TestCase):
         self.noticed(r"^README\.md: no line for hn_perlin: add one to the table of functions")
 
     def test_pages_with_tables_of_functions(self) -> None:
-        for page, name in (("random", "hn_normal"), ("uniform", "hn_spread_fbm"), ("noises", "hn_phasor_d")):
+        for page, name in (("random", "hn_gaussian"), ("uniform", "hn_spread_fbm"), ("noises", "hn_phasor_d")):
             with self.subTest(page=page):
                 self.change(f"docs/{page}.md", rf"^\| `{name}\b.*\n")
                 self.noticed(rf"^README\.md: no line for {name}: .* or to that of docs/uniform\.md or docs/random\.md$")

@@ -29,7 +29,7 @@ OF_WORDS: dict[str, Callable[..., tuple[Real, ...]]] = {
     "hash.pcg2d": words.pcg2d, "hash.pcg3d": words.pcg3d, "hash.pcg4d": words.pcg4d,
     "numbers.rehash": lambda h, k: (numbers.rehash(h, k),),
     "numbers.unorm_two": lambda h: numbers.unorms(h, 2), "numbers.unorm_three": lambda h: numbers.unorms(h, 3),
-    "numbers.unorm_four": lambda h: numbers.unorms(h, 4), "numbers.normal": lambda h: (numbers.normal(h),),
+    "numbers.unorm_four": lambda h: numbers.unorms(h, 4), "numbers.gaussian": lambda h: (numbers.gaussian(h),),
     "numbers.circle": numbers.circle, "numbers.disk": numbers.disk,
     "numbers.sphere": numbers.sphere, "numbers.ball": numbers.ball,
     "numbers.shuffle": lambda i, n, seed: (numbers.shuffle(i, n, seed),), "numbers.sobol": numbers.sobol,

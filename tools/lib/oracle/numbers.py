@@ -30,16 +30,16 @@ def unorms(h: int, count: int) -> tuple[float, ...]:
     return (unorm(h), *(unorm(rehash(h, k)) for k in range(1, count)))
 
 
-def normal_of(coins: int, total: int) -> int:
+def gaussian_of(coins: int, total: int) -> int:
     """N of so many coins, 0 to 63, and the sum of three numbers of ten bits."""
     return 2048 * coins + 2 * total - 67581
 
 
-def normal(h: int) -> float:
-    """hn_normal."""
+def gaussian(h: int) -> float:
+    """hn_gaussian."""
     coins = rehash(h, 1).bit_count() + (rehash(h, 2) >> 1).bit_count()
     total = sum(h >> shift & 1023 for shift in (0, 10, 20))
-    return normal_of(coins, total) / NORMAL_UNIT
+    return gaussian_of(coins, total) / NORMAL_UNIT
 
 
 # --- Directions and points ---------------------------------------------------------------------------------------

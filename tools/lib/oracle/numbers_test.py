@@ -60,7 +60,7 @@ def normal_counts() -> dict[int, int]:
     """How often each N comes, of 2^93 equally likely cases: 63 coins and thirty bits."""
     counts: Counter[int] = Counter()
     for coins, (total, count) in itertools.product(range(64), enumerate(sums_of_three())):
-        counts[numbers.normal_of(coins, total)] += math.comb(63, coins) * count
+        counts[numbers.gaussian_of(coins, total)] += math.comb(63, coins) * count
     return dict(sorted(counts.items()))
 
 
@@ -99,8 +99,8 @@ class Normal(unittest.TestCase):
             first, second = (f"{words.mix(h + k * 0x9E3779B9 & words.MASK):032b}" for k in (1, 2))
             coins = (first + second[:-1]).count("1")
             total = h % 1024 + h // 1024 % 1024 + h // 2**20 % 1024
-            self.assertEqual(numbers.normal(h) * 8192, 2048 * coins + 2 * total - 67581)
-            self.assertEqual(to_f32(numbers.normal(h)), numbers.normal(h))
+            self.assertEqual(numbers.gaussian(h) * 8192, 2048 * coins + 2 * total - 67581)
+            self.assertEqual(to_f32(numbers.gaussian(h)), numbers.gaussian(h))
 
     def test_words_have_this_distribution(self) -> None:
         # In slices of about a 24th.
@@ -110,7 +110,7 @@ class Normal(unittest.TestCase):
             slice_of[n] = 24 * below // self.CASES
             chances[slice_of[n]] += count / self.CASES
             below += count
-        found = [round(8192 * numbers.normal(h)) for h in SAMPLE]
+        found = [round(8192 * numbers.gaussian(h)) for h in SAMPLE]
         self.assertLess(unevenness((slice_of[n] for n in found), chances), LIMIT)
         # With a coin less it is not.
         self.assertGreater(unevenness((slice_of[n - 2048 * (numbers.rehash(n, 1) & 1)] for n in found), chances), LIMIT)
@@ -425,7 +425,7 @@ class Rows(unittest.TestCase):
         "hash.pcg4d": "x:u32 y:u32 z:u32 w:u32 = a:u32 b:u32 c:u32 d:u32",
         "numbers.rehash": "h:u32 k:u32 = value:u32", "numbers.unorm_two": "h:u32 = a:f32 b:f32",
         "numbers.unorm_three": "h:u32 = a:f32 b:f32 c:f32", "numbers.unorm_four": "h:u32 = a:f32 b:f32 c:f32 d:f32",
-        "numbers.normal": "h:u32 = value:f32", "numbers.circle": "h:u32 = x:f32 y:f32",
+        "numbers.gaussian": "h:u32 = value:f32", "numbers.circle": "h:u32 = x:f32 y:f32",
         "numbers.disk": "h:u32 = x:f32 y:f32", "numbers.sphere": "h:u32 = x:f32 y:f32 z:f32",
         "numbers.ball": "h:u32 = x:f32 y:f32 z:f32", "numbers.shuffle": "i:u32 n:u32 seed:u32 = value:u32",
         "numbers.sobol": "i:u32 seed:u32 = x:f32 y:f32"}

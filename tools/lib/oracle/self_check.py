@@ -18,7 +18,7 @@ def numbers_of(h: int, w: int, i: int) -> Iterator[float]:
     yield from (2**24 * x for x in numbers.unorms(h, 3))
     yield from (2**16 * x for x in numbers.sphere(h))
     yield from (2**16 * x for x in numbers.disk(h))
-    yield 2**13 * numbers.normal(h)
+    yield 2**13 * numbers.gaussian(h)
     yield numbers.shuffle(h, i + 1000, w)
     yield from (2**24 * x for x in numbers.sobol(h, w))
     yield positions.cell(signed(h), i + 1, UNITS)

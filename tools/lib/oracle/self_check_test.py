@@ -61,7 +61,7 @@ class SelfCheck(unittest.TestCase):
         self.assertEqual(len({self_check.self_check("lattice", zero) for zero in range(40)}), 40)
 
     def test_what_is_no_whole_number(self) -> None:
-        with mock.patch.object(numbers, "normal", lambda h: 2.0**-14), self.assertRaisesRegex(ValueError, "no whole"):
+        with mock.patch.object(numbers, "gaussian", lambda h: 2.0**-14), self.assertRaisesRegex(ValueError, "no whole"):
             self_check.self_check("lattice", 0)
 
     def test_the_row(self) -> None:
