@@ -9,7 +9,7 @@ export interface Settings {
   // tools/catalog: settings
   /** "perlin" if it is left out, and of sums what the shader's take: "perlin", "perlin_d" or "value_vector". */
   noise?: NoiseName;
-  /** Of sums; 6 if it is left out. */
+  /** Of sums, from 1 to 32; 6 if they are left out. */
   octaves?: number;
   /** Of sums; 2 if it is left out. */
   lacunarity?: number;

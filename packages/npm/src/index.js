@@ -44,8 +44,9 @@ const SUMS = {
 const METRICS = ["euclidean", "squared", "manhattan", "chebyshev", "hybrid"];
 const NUMBERS = {
   seed: { usual: 0, least: 0, most: 4294967295 },
+  period: { usual: 0, least: 0, most: 2147483647 },
   jitter: { usual: 1, least: 0, most: 1 },
-  octaves: { usual: 6 },
+  octaves: { usual: 6, least: 1, most: 32 },
   lacunarity: { usual: 2 },
   gain: { usual: 0.5, least: 0 },
 };
@@ -59,8 +60,6 @@ const OWNERS = {
 const KNOWN = ["noise", "sum", "seed", "period", "octaves", "lacunarity", "gain", "strength", "amplitude", "jitter", "metric"];
 const OF_SUMS = ["octaves", "lacunarity", "gain"];
 const LONGEST_WORD = 48; // of which the module has room for the numbers
-const LEAST_OCTAVES = 0; // of which a sum is 0, or what it makes of that
-const MOST_OCTAVES = 1024; // more than any float shows
 const MOST_VALUES = 2 ** 31 - 1; // of an array, in every browser
 const BATCH = 1024; // points, as in twin.cpp
 
@@ -209,19 +208,18 @@ export class Field {
     if (!sum) for (const name of OF_SUMS) refuse(name, "sums have it");
     const takes = sum ? [row.strength] : NOISES[noise].takes;
     for (const [name, owners] of Object.entries(OWNERS)) if (!takes.includes(name)) refuse(name, owners);
-    const number = (name) => {
-      const { usual, least, most } = NUMBERS[name];
-      return real(name, given[name] ?? usual, least, most);
-    };
-    const period = perAxis("period", given.period ?? 0, dimensions, (name, one) => whole(name, one, -(2 ** 31), 2 ** 31 - 1));
+    const of = (check, name, value) => check(name, value, NUMBERS[name].least, NUMBERS[name].most);
+    const number = (name, check = real) => of(check, name, given[name] ?? NUMBERS[name].usual);
+    const periods = given.period ?? NUMBERS.period.usual;
+    const period = perAxis("period", periods, dimensions, (name, one) => of(whole, name, one));
     this.#isSum = sum !== undefined;
     this.#settings = {
       integers: [dimensions, Object.keys(NOISES).indexOf(noise), Object.keys(SUMS).indexOf(sum), period.some((one) => one > 0)],
-      seed: whole("seed", given.seed ?? NUMBERS.seed.usual, NUMBERS.seed.least, NUMBERS.seed.most),
+      seed: number("seed", whole),
       period,
       jitter: number("jitter"),
       metric: METRICS.indexOf(oneOf("metric", given.metric ?? METRICS[0], METRICS)) + 1,
-      octaves: whole("octaves", given.octaves ?? NUMBERS.octaves.usual, LEAST_OCTAVES, MOST_OCTAVES),
+      octaves: number("octaves", whole),
       lacunarity: number("lacunarity"),
       gain: number("gain"),
       strength: row?.strength ? real(row.strength, given[row.strength] ?? row.usual, 0, row.most) : 0,

@@ -23,8 +23,7 @@ PLAYGROUND = ROOT / "playground" / "catalog.js"
 MOST_DIMENSIONS = 3  # of the twin
 PARTS = ("jitter", "metric")  # what a noise of the twin takes beside a seed and a period; it has no phases
 STRENGTHS = ("strength", "amplitude")
-NUMBERS = ("seed", "jitter", "octaves", "lacunarity", "gain")
-UNENDED = ("octaves",)  # the twin takes more than the settings say
+NUMBERS = ("seed", "period", "jitter", "octaves", "lacunarity", "gain")
 
 
 def literal(value: Any) -> str:
@@ -100,7 +99,7 @@ def noises_and_sums(twin: Twin) -> str:
 
     def of_number(name: str) -> dict[str, Any]:
         setting = twin.settings[name]
-        ends = {} if name in UNENDED else {"least": setting.least, "most": setting.most}
+        ends = {"least": setting.least, "most": setting.most}
         return {"usual": setting.default, **{end: value for end, value in ends.items() if value is not None}}
 
     def have(option: str) -> str:
@@ -129,13 +128,15 @@ def types_of_settings(twin: Twin) -> str:
         return (f"Of {listed(list(owners))}{unit}, from 0 to {each([one.most for one in owners.values()])}; "
                 f"{each([one.default for one in owners.values()])} if it is left out.")
 
-    jitter = twin.settings["jitter"]
+    jitter, octaves = twin.settings["jitter"], twin.settings["octaves"]
     usual = list(dict.fromkeys(sum_.noise for sum_ in twin.sums))
     return "".join([
         member("noise", "NoiseName", f'"perlin" if it is left out, and of sums what the shader\'s take: '
                                      f'{in_quotes(usual[:-1])} or "{usual[-1]}".'),
+        member("octaves", "number", f"Of sums, from {octaves.least} to {octaves.most}; {twin.default('octaves')} if "
+                                    "they are left out."),
         *(member(name, "number", f"Of sums; {twin.default(name)} if it is left out.")
-          for name in ("octaves", "lacunarity", "gain")),
+          for name in ("lacunarity", "gain")),
         member("strength", "number", strength("strength")),
         member("amplitude", "number", strength("amplitude", ", in cells")),
         member("jitter", "number", f"Of {listed(twin.owners('jitter'))}, from {jitter.least} to {jitter.most}; "
@@ -198,13 +199,13 @@ def settings_of_page(twin: Twin) -> str:
         values = [sum_.strength.default for sum_ in twin.sums if sum_.strength and sum_.strength.name == name]
         return ", ".join(map(literal, values if len(set(values)) > 1 else values[:1]))
 
-    jitter = twin.settings["jitter"]
+    jitter, octaves = twin.settings["jitter"], twin.settings["octaves"]
     return table(("setting", "of", "if it is left out"), [
         ("`noise`", by_dimensions(twin.noises), '`"perlin"`; of sums as in the shader'),
         ("`sum`", by_dimensions(twin.sums), "none"),
         ("`seed`", f"all; 0 to 2^{int(twin.settings['seed'].most).bit_length()} - 1", twin.default("seed")),
-        ("`period`", "all; cells, a number or one for each axis", "none"),
-        ("`octaves`, `lacunarity`, `gain`", "sums; octaves from 0 to 1024",
+        ("`period`", "all; cells, a number or one for each axis; 0 for none", "none"),
+        ("`octaves`, `lacunarity`, `gain`", f"sums; octaves from {octaves.least} to {octaves.most}",
          ", ".join(map(twin.default, ("octaves", "lacunarity", "gain")))),
         ("`strength`; `amplitude`", "; ".join(code(twin.owners(name)) for name in STRENGTHS),
          "; ".join(map(strengths, STRENGTHS))),
