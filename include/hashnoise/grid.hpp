@@ -111,7 +111,9 @@ struct Positions {
   std::vector<float> p;
 
   Positions(float origin, float step, int size, int first) : p(static_cast<std::size_t>(size + kCount)) {
-    for (int i = 0; i < size; ++i) p[static_cast<std::size_t>(i)] = position_of(origin, step, first + i);
+    for (int i = 0; i < size; ++i) {
+      p[static_cast<std::size_t>(i)] = hashnoise::detail::position_of(origin, step, first + i);
+    }
   }
 };
 struct CellsAndPlaces {
@@ -121,7 +123,7 @@ struct CellsAndPlaces {
   CellsAndPlaces(std::int32_t first_cell, float place, double step, int size, int first)
       : cell(static_cast<std::size_t>(size + kCount)), f(cell.size()) {
     for (int i = 0; i < size; ++i) {
-      const CellAndPlace at = cell_and_place_of(first_cell, place, step, first + i);
+      const auto at = hashnoise::detail::cell_and_place_of(first_cell, place, step, first + i);
       cell[static_cast<std::size_t>(i)] = at.cell;
       f[static_cast<std::size_t>(i)] = at.f;
     }

@@ -70,6 +70,9 @@ struct Range {
   friend bool operator==(const Range&, const Range&) = default;
 };
 
+// What follows belongs to the library: both kinds of grids are made of it.
+namespace detail {
+
 // The coordinates of point i of a grid along an axis.
 HN_I_INLINE float position_of(float origin, float step, int i) {
   // The product is exact, so that it does not matter whether it is contracted with the sum.
@@ -91,4 +94,5 @@ HN_I_INLINE CellAndPlace cell_and_place_of(std::int32_t cell, float f, double st
           static_cast<float>(static_cast<std::uint32_t>(at) >> 8u) * (1.0f / 16777216.0f)};
 }
 
+}  // namespace detail
 }  // namespace hashnoise

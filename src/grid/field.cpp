@@ -114,7 +114,7 @@ Axis axis_of(const Plan& plan, float origin, float step, int size, int first) {
   check_finite("the last point", static_cast<double>(static_cast<float>(last)));
   std::vector<float> positions(padded(static_cast<std::size_t>(size)));
   for (int i = 0; i < size; ++i) {
-    positions[static_cast<std::size_t>(i)] = position_of(origin, step, first + i);
+    positions[static_cast<std::size_t>(i)] = detail::position_of(origin, step, first + i);
   }
   Axis axis;
   if (plan.takes_positions) {
@@ -133,7 +133,7 @@ Axis axis_of(std::int32_t cell, float f, double step, int size, int first) {
   axis.cell.resize(padded(static_cast<std::size_t>(size)));
   axis.place.resize(axis.cell.size());
   for (int i = 0; i < size; ++i) {
-    const CellAndPlace at = cell_and_place_of(cell, f, step, first + i);
+    const detail::CellAndPlace at = detail::cell_and_place_of(cell, f, step, first + i);
     axis.cell[static_cast<std::size_t>(i)] = at.cell;
     axis.place[static_cast<std::size_t>(i)] = at.f;
   }

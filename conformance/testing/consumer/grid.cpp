@@ -11,13 +11,17 @@ namespace {
 constexpr int kWidth = 37;
 constexpr int kHeight = 3;
 
+// Point i along an axis, as points.hpp says.
+float coordinate(float origin, float step, int i) {
+  return static_cast<float>(static_cast<double>(origin) + static_cast<double>(i) * static_cast<double>(step));
+}
+
 // How many values differ from those of the scalar function.
 int differences(const hashnoise::Grid<2>& grid, const std::vector<float>& values) {
   int count = 0;
   for (int y = 0; y < kHeight; ++y) {
     for (int x = 0; x < kWidth; ++x) {
-      const hashnoise::vec2 p(hashnoise::position_of(grid.origin[0], grid.step[0], x),
-                              hashnoise::position_of(grid.origin[1], grid.step[1], y));
+      const hashnoise::vec2 p(coordinate(grid.origin[0], grid.step[0], x), coordinate(grid.origin[1], grid.step[1], y));
       const float value = hashnoise::hn_simplex(p, 7u);
       if (!(values[static_cast<std::size_t>(y * kWidth + x)] == value)) ++count;
     }

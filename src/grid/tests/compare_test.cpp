@@ -184,9 +184,9 @@ TEST(Places, AreThoseOfTheHeader) {
     const Grid<1> grid = draw_grid<1>(10, 0x1p22f, Draw::kWild, chance);
     const CellGrid<1> cells = draw_cell_grid<1>(10, chance);
     const int i = chance.of({0, 1, 2, 15, 1000003, (1 << 29) - 1, chance.whole(0, (1 << 29) - 1)});
-    EXPECT_EQ(position_of(grid.origin[0], grid.step[0], i), coordinate(grid.origin[0], grid.step[0], i)) << i;
+    EXPECT_EQ(detail::position_of(grid.origin[0], grid.step[0], i), coordinate(grid.origin[0], grid.step[0], i)) << i;
     const double step = chance.one_in(4) ? (chance.one_in(2) ? 1 : -1) * (0x1p31 - 0x1p-21) : cells.step[0];
-    const auto got = cell_and_place_of(cells.cell[0], cells.f[0], step, i);
+    const auto got = detail::cell_and_place_of(cells.cell[0], cells.f[0], step, i);
     const auto expected = cell_coordinate(cells.cell[0], cells.f[0], step, i);
     EXPECT_EQ(got.cell, expected.cell) << i << " " << step;
     EXPECT_EQ(got.f, expected.f) << i << " " << step;
