@@ -81,14 +81,14 @@ export declare class Field {
   /** All components at a position. */
   all(...position: number[]): number[];
 
-  /** The first component in a cell, at a place in it from 0 to 1 along each axis: exact however far out. */
-  inCell(cell: number | number[], place: number | number[]): number;
+  /** The first component in a cell, at a fraction in it from 0 to 1 along each axis: exact however far out. */
+  inCell(cell: number | number[], fraction: number | number[]): number;
   /** All components there. */
-  allInCell(cell: number | number[], place: number | number[]): number[];
+  allInCell(cell: number | number[], fraction: number | number[]): number[];
 
   /**
    * The values at many positions: an array of coordinates for each axis, all of the same length. With `cells`, arrays of
-   * whole numbers, the coordinates are places in those. All first components come first, then all second ones.
+   * whole numbers, the coordinates are the fractions in those. All first components come first, then all second ones.
    */
   points(
     coordinates: (Float32Array | number[])[],
@@ -97,7 +97,7 @@ export declare class Field {
 
   /**
    * A uniform grid of size[0] by size[1] points and so on, from `origin` on, `step` cells apart; x is the fastest. With a
-   * `cell` the origin is the place in it, and the grid is exact however far out.
+   * `cell` the origin is the fraction in it, and the grid is exact however far out.
    */
   grid(
     size: number | number[],

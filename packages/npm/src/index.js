@@ -271,14 +271,14 @@ export class Field {
     twin.run(1);
   }
 
-  #enter(cell, place) {
+  #enter(cell, fraction) {
     const { dimensions } = this;
     const cells = perAxis("cell", cell, dimensions, wholeCell);
-    const places = perAxis("place", place, dimensions, real);
+    const fractions = perAxis("fraction", fraction, dimensions, real);
     this.#load();
     for (let axis = 0; axis < dimensions; ++axis) {
       twin.cells[axis][0] = cells[axis];
-      twin.places[axis][0] = places[axis];
+      twin.places[axis][0] = fractions[axis];
     }
     twin.run(1);
   }
@@ -299,21 +299,21 @@ export class Field {
     return this.#components();
   }
 
-  /** The first component in a cell, at a place in it from 0 to 1 along each axis: exact however far out. */
-  inCell(cell, place) {
-    this.#enter(cell, place);
+  /** The first component in a cell, at a fraction in it from 0 to 1 along each axis: exact however far out. */
+  inCell(cell, fraction) {
+    this.#enter(cell, fraction);
     return twin.values[0][0];
   }
 
   /** All components there. */
-  allInCell(cell, place) {
-    this.#enter(cell, place);
+  allInCell(cell, fraction) {
+    this.#enter(cell, fraction);
     return this.#components();
   }
 
   /**
    * The values at many positions: an array of coordinates for each axis, all of the same length. With `cells`, arrays of
-   * whole numbers, the coordinates are places in those.
+   * whole numbers, the coordinates are the fractions in those.
    */
   points(coordinates, options = {}) {
     known(options, ["cells", "out"]);
@@ -355,7 +355,7 @@ export class Field {
 
   /**
    * A uniform grid of size[0] by size[1] points and so on, from `origin` on, `step` cells apart; x is the fastest. With a
-   * `cell` the origin is the place in it, and the grid is exact however far out.
+   * `cell` the origin is the fraction in it, and the grid is exact however far out.
    */
   grid(size, options = {}) {
     known(options, ["step", "origin", "cell", "out"]);

@@ -66,10 +66,11 @@ test("cells are exact far out, and wrap at 2^32", () => {
     }
   }
   assert.equal(field.inCell([2 ** 31, -3], [0.5, 0.25]), field.inCell([-(2 ** 31), -3 + 2 ** 32], [0.5, 0.25]));
-  const places = [[0.5, 0.75], [0.25, 0]];
+  const fractions = [[0.5, 0.75], [0.25, 0]];
   const cells = [[1e9, 2 ** 31], [5, -5]];
-  const some = field.points(places, { cells });
-  assert.deepEqual(Array.from(some), [0, 1].map((i) => field.inCell(cells.map((c) => c[i]), places.map((f) => f[i]))));
+  const some = field.points(fractions, { cells });
+  const alone = [0, 1].map((i) => field.inCell(cells.map((c) => c[i]), fractions.map((f) => f[i])));
+  assert.deepEqual(Array.from(some), alone);
   assert.equal(field.inCell([3, 4], [0.5, 0.25]), field.at(3.5, 4.25));
   // Steps backward, and smaller than a float tells apart there.
   const back = field.grid([3, 1], { step: [-0.5, 1], cell: [0, 0], origin: [0.25, 0] });

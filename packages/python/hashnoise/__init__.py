@@ -10,8 +10,8 @@ instructions.
     >>> value, dx, dy = hashnoise.perlin_d(x, 0.5)
 
 Each function takes 1 to 4 coordinates: as many as the field has dimensions. They are arrays or numbers, and are
-broadcast against each other. Positions are in cells, and |x| < 2^23: far out, floats lose the place in a cell. What is
-not float32 is converted. The result is an array of float32; of numbers alone it is a float. A function that returns
+broadcast against each other. Positions are in cells, and |x| < 2^23: far out, floats lose the fraction in a cell. What
+is not float32 is converted. The result is an array of float32; of numbers alone it is a float. A function that returns
 several numbers for a point returns planes, an array with an axis for them in front, which can be unpacked.
 
 All functions have these options:
@@ -20,7 +20,7 @@ All functions have these options:
     period           the field repeats after so many cells: one whole number, or one for each axis, not negative; 0
                      for none. A sum then takes the whole part of its lacunarity, which is from 1 to 255
     cell             cells, as a tuple with an array of whole numbers for each axis, from -2^31 to 2^31 - 1. The
-                     coordinates are then places in the cells, in [0, 1], and the field is exact however far out
+                     coordinates are then the fractions in the cells, in [0, 1], and the field is exact however far out
     arithmetic       "fast": floats, within the error that the function states (docs/accuracy.md); the last bits may
                      differ from processor to processor. "precise": floats with the bits of IEEE arithmetic. "fixed":
                      integers, with the bits of HN_FIXED in every shader

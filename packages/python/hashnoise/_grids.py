@@ -20,7 +20,7 @@ def grid(name, size, *, step, origin=0.0, cell=None, first=0, seed=0, noise=None
                   in the order x, y, z, w. The array has the order of images in NumPy, which is the other way round: of
                   size=(width, height) its shape is (height, width), and the point (x, y) is at array[y, x]
     step          from point to point, in cells: one number, or one for each axis
-    origin        the first point, in cells; with a cell the place in it, in [0, 1]
+    origin        the first point, in cells; with a cell the fraction in it, in [0, 1]
     cell          the cell of the first point, a whole number for each axis. Then the grid is exact however far out: it
                   is computed in whole numbers, and steps are rounded to multiples of 2^-32. Without a cell, a point is
                   the float32 nearest to origin + i * step
@@ -76,7 +76,7 @@ def grid(name, size, *, step, origin=0.0, cell=None, first=0, seed=0, noise=None
     if cell is not None:
         cell = per_axis("grid", "cell", cell, dimensions, ruled_number)
         if not all(0 <= place <= 1 for place in origin):
-            raise ValueError(f"grid: with a cell, origin is the place in it and must be from 0 to 1, not {origin}")
+            raise ValueError(f"grid: with a cell, origin is the fraction in it and must be from 0 to 1, not {origin}")
     field = field_of("grid", name, dimensions, options)
     planes = len(field.component_names)
     shape = size[::-1] if planes == 1 else (planes, *size[::-1])

@@ -261,7 +261,7 @@ class Wrong(unittest.TestCase):
                 (TypeError, {"octaves": 3}, "perlin has no option octaves"),
                 (ValueError, {"period": -4}, "period must be from 0 to 2147483647, not -4"),
                 (ValueError, {"cell": 3, "step": 2.0**31}, "step"),
-                (ValueError, {"cell": 3, "origin": (0.5, 1.5)}, "origin is the place in it and must be from 0 to 1"),
+                (ValueError, {"cell": 3, "origin": (0.5, 1.5)}, "origin is the fraction in it and must be from 0 to 1"),
                 (ValueError, {"step": 1e38, "origin": 3e38}, ""),
                 (ValueError, {"out": numpy.zeros((3, 4), "f4")}, r"of the shape \(4, 3\)")):
             with self.subTest(arguments):
