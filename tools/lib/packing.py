@@ -5,10 +5,10 @@ from __future__ import annotations
 import argparse
 import os
 import shutil
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
-from tree import ROOT
+from tree import ROOT, version
 from zips import zipped
 
 
@@ -47,6 +47,18 @@ class Destination:
         except OSError as error:
             self.parser.error(f"cannot write {error.filename or made}: {error.strerror}")
         return made
+
+
+def command(tool: str, help_: str | None, name: str, package: Callable[[], Mapping[str, str]],
+            arguments: Sequence[str] | None) -> int:
+    """A command that makes one package, NAME-VERSION, and prints where it is."""
+    parser = argparse.ArgumentParser(prog=f"tools/{tool}", description=help_,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    add_arguments(parser, f"build/{tool}")
+    destination = Destination(parser, parser.parse_args(arguments))
+    made = f"{name}-{version()}"
+    print(destination.write(made, f"{made}.zip", package()))
+    return 0
 
 
 def put(folder: Path, files: Mapping[str, str]) -> None:

@@ -12,19 +12,11 @@ Exit status: 0 done, 2 bad usage.
 
 from __future__ import annotations
 
-import argparse
 from collections.abc import Sequence
 
-from packing import Destination, add_arguments
-from tree import version
+from packing import command
 from unity.files import NAME, package
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    parser = argparse.ArgumentParser(prog="tools/unity", description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    add_arguments(parser, "build/unity")
-    destination = Destination(parser, parser.parse_args(arguments))
-    name = f"{NAME}-{version()}"
-    print(destination.write(name, f"{name}.zip", package()))
-    return 0
+    return command("unity", __doc__, NAME, package, arguments)
