@@ -61,11 +61,14 @@ test("the twin brings its module alone", async () => {
   assert.equal(count(code, "HN_CONFIG_GLSL"), 0);
 });
 
-test("a node lacks its seed at most, and that not behind a strength", async () => {
+test("a node lacks its seed at most, and that where GLSL lets it", async () => {
   const { vec2 } = await import("three/tsl");
-  const { hn_fbm2, hn_warp2 } = await import("hashnoise/tsl");
+  const { hn_fbm2, hn_perlin2_phase, hn_phasor2, hn_warp2 } = await import("hashnoise/tsl");
   hn_fbm2(vec2(1, 2), 6, 2, 0.5);
   hn_warp2(vec2(1, 2), 6, 2, 0.5, 1, 7);
   assert.throws(() => hn_fbm2(vec2(1, 2), 6, 2), /^TypeError: hn_fbm2 wants .* got 3 values$/);
+  // Each has forgotten what stands before the seed.
   assert.throws(() => hn_warp2(vec2(1, 2), 6, 2, 0.5, 7), /^TypeError: hn_warp2 wants .* got 5 values$/);
+  assert.throws(() => hn_phasor2(vec2(1, 2), vec2(3, 0), 7), /^TypeError: hn_phasor2 wants .* got 3 values$/);
+  assert.throws(() => hn_perlin2_phase(vec2(1, 2), 7), /^TypeError: hn_perlin2_phase wants .* got 2 values$/);
 });

@@ -42,7 +42,7 @@ hn_fbm2(uv());
 // @ts-expect-error behind an amplitude the seed cannot be left out
 hn_warp2(uv(), 6, 2, 0.5, 7);
 // @ts-expect-error nor is it a place
-hn_fbm2_place(uv(), 6, 2, 0.5);
+hn_fbm2_place(uv(), 6, 2, 0.5, 7);
 // @ts-expect-error a cell is of integers
 hn_lattice2(uv());
 // @ts-expect-error a name is not a definition

@@ -10,9 +10,9 @@ import json
 import re
 from collections.abc import Iterable
 from pathlib import Path
+from typing import NamedTuple
 
 from single_file.files import in_order, minified, parts, text
-from tables.functions import STRENGTHS
 from tree import GLSL, ROOT, VECTORS, glsl_files, version
 from wgsl.module import Module, Settings
 from wgsl.names import is_public
@@ -100,15 +100,22 @@ def wgsl_files(modules: dict[str, list[Definition]]) -> dict[str, str]:
 # TSL.
 
 
-def in_glsl(module: Module) -> dict[tuple[str, tuple[str, ...]], tuple[str, str]]:
-    """The name in GLSL of what has this name and these types in WGSL, and the file that defines it."""
+class InGlsl(NamedTuple):
+    name: str
+    file: str  # that defines it
+    may_lack_seed: bool
+
+
+def in_glsl(module: Module) -> dict[tuple[str, tuple[str, ...]], InGlsl]:
+    """What has this name and these types in WGSL."""
     functions = module.translator.functions
-    return {(new, types): (old, Path(functions[old, types].at.path).stem)
+    return {(new, types): InGlsl(old, Path(functions[old, types].at.path).stem,
+                                 types[-1:] == ("uint",) and (old, types[:-1]) in functions)
             for (old, types), new in module.names().items()}
 
 
 def tsl_files(modules: dict[str, list[Definition]],
-              names: dict[tuple[str, tuple[str, ...]], tuple[str, str]]) -> dict[str, str]:
+              names: dict[tuple[str, tuple[str, ...]], InGlsl]) -> dict[str, str]:
     """A node for each function whose result is all that it sets, and is a number, a vector or a place, and which takes
     no other structs: octaves are for loops of one's own."""
     found = {}
@@ -124,14 +131,13 @@ def tsl_files(modules: dict[str, list[Definition]],
             if not all(type_ in TYPES for _, type_ in parameters):
                 continue
             glsl_types = tuple(TYPES[type_] for _, type_ in parameters)
-            glsl, file = names[item.name, glsl_types]
+            glsl, file, may_lack_seed = names[item.name, glsl_types]
             needed.add(file)
             imported.append(item.name)
             declared = ", ".join(f"{type_} {name}" for (name, _), type_ in zip(parameters, glsl_types))
             nodes.append(f"export const {item.name} = /*#__PURE__*/ node({quoted(item.name)}, "
                          f"{quoted(TYPES[signature['type']])}, {quoted(declared)}, {quoted(glsl)}, {file}, "
-                         f"wgsl_{item.name}, {quoted(ARITHMETICS[folder])});\n")
-            may_lack_seed = not any(name in STRENGTHS for name, _ in parameters)
+                         f"wgsl_{item.name}, {quoted(ARITHMETICS[folder])}{', true' * may_lack_seed});\n")
             taken = ", ".join(f"{name}{'?' if name == 'seed' and may_lack_seed else ''}: {accepted(type_)}"
                               for (name, _), type_ in zip(parameters, glsl_types))
             types.append(documented(item, f"export declare function {item.name}({taken}): "

@@ -1,4 +1,4 @@
-"""three.js's shading language: a module whose functions make nodes, with the text of both languages that renderers speak."""
+"""three.js's shading language: a module whose functions make nodes, with the text of both languages of its renderers."""
 
 from __future__ import annotations
 
@@ -26,6 +26,11 @@ def signature(function: Function) -> str:
     return ", ".join(f"{one.type} {one.at.text}" for one in function.parameters)
 
 
+def may_lack_seed(program: Program, function: Function) -> bool:
+    """Whether GLSL has it without the seed behind its other parameters."""
+    return function.types[-1] == "uint" and (function.name, function.types[:-1]) in program.module.functions
+
+
 def quoted(text: str) -> str:
     """As a template of JavaScript."""
     return "`" + text.replace("\\", r"\\").replace("`", r"\`").replace("${", r"\${") + "`"
@@ -35,13 +40,15 @@ def text(program: Program, comments: Sequence[Sequence[str]], heading: Sequence[
     functions = [root.function for root in program.roots]
     signatures = [signature(function) for function in functions]
     opening, nodes = NODES.read_text(encoding="ascii").split("\n\n", 1)
-    imports = opening.splitlines()[-1].replace("{ Fn, glslFn,", "{ Fn, glsl, glslFn,").replace(" wgslFn }", " wgsl, wgslFn }")
+    imports = opening.splitlines()[-1]
+    for used in ("glsl", "wgsl"):
+        imports = imports.replace(f" {used}Fn", f" {used}, {used}Fn")
     written = ["".join(f"//{line}\n" for line in heading), f"{imports}\n", nodes.replace("export ", ""),
                f"const textOfGlsl = glsl({quoted(program.text(LANGUAGES['glsl-es'], False))});\n",
                f"const textOfWgsl = wgsl({quoted(program.text(LANGUAGES['wgsl'], False))});\n"]
     for function, declared, lines in zip(functions, signatures, comments):
-        name = wgsl_name(function)
+        name, seed = wgsl_name(function), ", true" * may_lack_seed(program, function)
         written.append("".join(f"//{line}\n" for line in (f" {name}({', '.join(declared.split(', '))})", *lines)) +
                        f'export const {name} = nodesOf("{name}", "{function.type}", "{declared}",\n'
-                       f'  "{function.name}", () => textOfWgsl, () => textOfGlsl);\n')
+                       f'  "{function.name}", () => textOfWgsl, () => textOfGlsl{seed});\n')
     return "\n".join(written)

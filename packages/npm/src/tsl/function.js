@@ -6,10 +6,11 @@ const WGSL_TYPES = { float: "f32", int: "i32", uint: "u32" };
 const wgslType = (type) => WGSL_TYPES[type] ?? type.replace(/^([iu]?)vec(\d)$/, (_, kind, size) => `vec${size}${kind || "f"}`);
 
 /**
- * What makes the nodes of a function. `declared` are its parameters in GLSL, and `called` is its name there; `inWgsl` and
- * `inGlsl` return the node of the text that it needs.
+ * What makes the nodes of a function. `declared` are its parameters in GLSL, and `called` is its name there; `inWgsl`
+ * and `inGlsl` return the node of the text that it needs. The seed is the last parameter, and may be left out where
+ * GLSL lets it: elsewhere it would be taken for what was forgotten before it.
  */
-export function nodesOf(name, type, declared, called, inWgsl, inGlsl) {
+export function nodesOf(name, type, declared, called, inWgsl, inGlsl, mayLackSeed = false) {
   const parameters = declared.split(", ").map((one) => one.split(" "));
   const passed = parameters.map(([, parameter]) => parameter).join(", ");
   const ofWgsl = () => {
@@ -23,9 +24,6 @@ export function nodesOf(name, type, declared, called, inWgsl, inGlsl) {
     const speaks = builder.renderer.backend.isWebGPUBackend ? (made.wgsl ??= ofWgsl()) : (made.glsl ??= ofGlsl());
     return speaks(...parameters.map((_, i) => inputs[i]));
   }, type);
-  // Not behind a strength: whoever forgot that would have passed the seed for it.
-  const [before, last] = ["", ...parameters.map(([, parameter]) => parameter)].slice(-2);
-  const mayLackSeed = last === "seed" && !["strength", "amplitude"].includes(before);
   return (...given) => {
     if (mayLackSeed && given.length === parameters.length - 1) given.push(uint(0));
     if (given.length !== parameters.length) throw new TypeError(`${name} wants (${passed}), and got ${given.length} values`);

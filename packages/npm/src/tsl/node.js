@@ -22,5 +22,6 @@ ${text}`;
 const textNode = (arithmetic, text) => once(`${arithmetic}\n${text}`, () => glsl(checked(arithmetic, text)));
 
 /** What makes the nodes of a function. `text` is what it needs in GLSL, and `definition` is the function in WGSL. */
-export const node = (name, type, declared, called, text, definition, arithmetic) =>
-  nodesOf(name, type, declared, called, () => definitionNode(definition), () => textNode(arithmetic, text));
+export const node = (name, type, declared, called, text, definition, arithmetic, mayLackSeed) =>
+  nodesOf(name, type, declared, called, () => definitionNode(definition), () => textNode(arithmetic, text),
+    mayLackSeed);
