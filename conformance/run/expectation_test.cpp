@@ -48,7 +48,8 @@ TEST(Expectations, NeedNoEndOfTheLastLine) {
 }
 
 TEST(Expectations, WithANulAreNone) {
-  const auto rows = parse(std::string("d,r,c,fail,why\nd,r,c,fail,why\0not", 35));
+  using namespace std::string_literals;
+  const auto rows = parse("d,r,c,fail,why\nd,r,c,fail,why\0not"s);
   ASSERT_FALSE(rows);
   EXPECT_EQ(rows.error().message, "x.csv:3: a table must not contain NUL");
 }

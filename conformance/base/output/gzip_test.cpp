@@ -24,7 +24,7 @@ std::string unpacked(const std::string& packed) {
 
 TEST(Gzip, UnpacksToTheSame) {
   std::string data;
-  for (int i = 0; i < 100'000; ++i) data += static_cast<char>(i * i % 251);
+  for (unsigned i = 0; i < 100'000; ++i) data += static_cast<char>(i * i % 251);
   for (const std::string& text : {std::string(), std::string("a"), std::string(3, '\0'), data}) {
     EXPECT_EQ(unpacked(to_gzip(text)), text);
   }
