@@ -3,14 +3,14 @@
     tools/abi --check     builds the library, and says what differs from src/grid/tests/grid.abi
     tools/abi --write     writes that file anew; refused in a patch, whose interface is that of its minor version
 
-A program that was compiled with 1.2.0 runs with the library of 1.2.3, and not with that of 1.3.0: its SONAME differs, and
-so does the namespace of its functions. abidw describes the library, and abidiff compares; both are in Debian's
+A program that was compiled with 1.2.0 runs with the library of 1.2.3, and not with that of 1.3.0: its SONAME differs,
+and so does the namespace of its functions. abidw describes the library, and abidiff compares; both are in Debian's
 abigail-tools. The file is for x86-64, and elsewhere the command is skipped.
 
 The library is compiled anew, which takes minutes; FOLDER (build/abi) keeps it.
 
-Exit status: 0 the interface is as it was, or is written; 1 it is not as it was, or must stay; 2 bad usage; 4 the library
-cannot be built or described; 77 the machine is no x86-64, or there is no abigail-tools.
+Exit status: 0 the interface is as it was, or is written; 1 it is not as it was, or must stay; 2 bad usage; 4 the
+library cannot be built or described; 77 the machine is no x86-64, or there is no abigail-tools.
 """
 
 from __future__ import annotations
@@ -65,7 +65,8 @@ def build(folder: Path) -> Path:
 
 
 def described(library: Path) -> str:
-    return output_of("abidw", *OPTIONS, library)
+    """With the names of sources as they are in the tree, wherever that is."""
+    return output_of("abidw", *OPTIONS, library).replace(f"'{ROOT}/", "'")
 
 
 def compared(before: Path, now: Path) -> str:
@@ -96,10 +97,11 @@ def problems(before: Path, now: Path, of: str) -> list[str]:
     wrong = []
     if soname(text) != promised(of):
         wrong.append(f"the SONAME is {soname(text) or 'missing'}; of version {of} it is {promised(of)}")
+    offered = functions(text)
     space = "hashnoise::v" + "_".join(of.split(".")[:2]) + "::"
     wrong += [f"{name} is not in the namespace {space[:-2]}: HN_I_NAMESPACE in include/hashnoise/glsl.hpp names it"
-              for name in functions(text) if space not in name]
-    wrong += [f"{name} is not for users, and is offered to them" for name in functions(text) if f"{space}grid::" in name]
+              for name in offered if space not in name]
+    wrong += [f"{name} is not for users, and is offered to them" for name in offered if f"{space}grid::" in name]
     if not before.exists():
         return [*wrong, f"there is no {before}; tools/abi --write makes it"]
     report = compared(before, now)
@@ -141,7 +143,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     for message in wrong:
         print(message, file=sys.stderr)
     if not wrong:
-        print(f"the binary interface of {library.resolve().name} is {'as it was' if given.check else f'in {INTERFACE}'}")
+        state = "as it was" if given.check else f"in {INTERFACE}"
+        print(f"the binary interface of {library.resolve().name} is {state}")
     return 1 if wrong else 0
 
 
