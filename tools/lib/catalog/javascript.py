@@ -11,6 +11,7 @@ from catalog.grid import in_camel_case
 from catalog.model import Catalog, Function, Noise, Sum
 from catalog.sections import with_section
 from npm.twin import MOST_BYTES
+from tables.functions import STRENGTHS
 from tables.markdown import table
 from tables.markdown import with_section as with_table
 from tree import ROOT
@@ -22,7 +23,6 @@ PAGE = "docs/javascript.md"
 PLAYGROUND = ROOT / "playground" / "catalog.js"
 MOST_DIMENSIONS = 3  # of the twin
 PARTS = ("jitter", "metric")  # what a noise of the twin takes beside a seed and a period; it has no phases
-STRENGTHS = ("strength", "amplitude")
 NUMBERS = ("seed", "period", "jitter", "octaves", "lacunarity", "gain")
 
 

@@ -37,7 +37,6 @@ OTHERS = {("hn_gradient", "cell"): "hn_gradient_lattice", ("hn_place", "p"): "hn
           ("hn_slopes", "o"): "hn_slopes_of", ("hn_shifts", "o"): "hn_shifts_of"}
 ALONE = {("hn_place", "cell"): "hn_place_at_cell"}  # of these parameters alone
 ALWAYS_OF_A_PLACE = ("hn_position",)
-ALWAYS_WITH_A_PHASE = ("hn_phasor", "hn_phasor_d", "hn_cellular_phase")
 PLACE = re.compile(r"hn_place([1-4])")
 OF_AXES = re.compile(r"hn_(place|octaves|slopes|shifts)([1-4])")  # structs
 WITH_VECTORS = ("hn_add", "hn_mean")  # beside the octaves they may take a sum of slopes or shifts
@@ -114,7 +113,8 @@ def _public(function: Function) -> str:
         parts.append("place")
     if function.name in WITH_VECTORS and len(function.types) > 1 and (other := OF_AXES.fullmatch(function.types[1])):
         parts.append(other[1])
-    parts += ["phase"] * ("phase" in takes and function.name not in ALWAYS_WITH_A_PHASE)
+    is_phase_chosen = "phase" in takes and "wave" not in takes and not function.name.endswith("_phase")
+    parts += ["phase"] * is_phase_chosen
     if "nearest" in takes:
         parts.append("nearest")
     elif "jitter" in takes and "phase" not in takes:
