@@ -1,4 +1,4 @@
-"""The files of the package for Unity: what tools/pick writes in HLSL and in C#, and functions for nodes of Shader Graph."""
+"""The files of the package for Unity: what tools/pick writes in HLSL and C#, and functions for nodes of Shader Graph."""
 
 from __future__ import annotations
 
@@ -121,7 +121,7 @@ def seen(paths: Iterable[str]) -> list[str]:
 def package() -> dict[str, str]:
     """All files, by their paths."""
     found = {path.relative_to(PACKAGE).as_posix(): path.read_text(encoding="utf-8")
-             for path in sorted(PACKAGE.rglob("*")) if path.is_file() and path.name != "tests.cmake"}
+             for path in sorted(PACKAGE.rglob("*")) if path.is_file()}
     described = json.loads(found["package.json"])
     found["package.json"] = json.dumps({"name": NAME, "version": version(), **described}, indent=2) + "\n"
     found["README.md"] = found["README.md"].replace("<!-- nodes -->\n", table())
