@@ -306,20 +306,21 @@ class Statements(unittest.TestCase):
 
 class Nodes(unittest.TestCase):
     """Of three.js; npm.browser has what they compute."""
+    pick = staticmethod(command.picker())
 
     def test_a_module_has_a_node_of_each_function_and_both_texts(self) -> None:
-        shown = command.picked(["hn_perlin2", "hn_tile2"], command.Choice("tsl"))
+        shown = self.pick(["hn_perlin2", "hn_tile2"], command.Choice("tsl"))
         self.assertEqual(re.findall(r"^export const (\w+)", shown, re.MULTILINE), ["hn_perlin2", "hn_tile2"])
         self.assertEqual(re.findall(r"^import .* from (.*);$", shown, re.MULTILINE), ['"three/tsl"'])
         for language in ("glsl-es", "wgsl"):
             with self.subTest(language):
-                picked = command.picked(["hn_perlin2", "hn_tile2"], command.Choice(language))
+                picked = self.pick(["hn_perlin2", "hn_tile2"], command.Choice(language))
                 self.assertIn(f"({tsl.quoted(code(picked))});\n", shown)
 
     def test_what_returns_or_sets_more_has_none(self) -> None:
         for name in ("hn_simplex_d4", "hn_cellular2_nearest"):
             with self.subTest(name), self.assertRaisesRegex(Unknown, "three.js has no nodes for|there is no function"):
-                command.picked([name], command.Choice("tsl"))
+                self.pick([name], command.Choice("tsl"))
 
     def test_a_text_is_quoted(self) -> None:
         self.assertEqual(tsl.quoted("a `b` ${c} \\ d"), "`a \\`b\\` \\${c} \\\\ d`")
