@@ -8,7 +8,7 @@ import numpy as np
 
 from bounds import fixed_model as fixed
 from bounds import kernel_model
-from bounds.bounds_phasor_test import AXES, random_case, text
+from bounds.bounds_phasor_test import AXES, MIDDLE, agreeing_words, random_case, text
 from bounds.boxes import Boxes
 from bounds.fixed_model import ONE
 from bounds.kernels import Offsets
@@ -56,20 +56,23 @@ class Exact(unittest.TestCase):
                 self.assertLess(abs((ends[0] - ends[1]) / (2 * step) - slope).max(), 1e-5)
 
     def test_range_is_reached(self):
-        """At a lattice point the sum of the weights is largest, and all waves may agree."""
+        """In the middle of two lattice points the sum of the weights is largest, and all waves may agree."""
         for dims, kernel in KERNELS.items():
-            f, wave = np.zeros((dims, 1)), np.full((dims, 1), float(WAVES))
-            slope = kernel_model.phasor_d(kernel, lambda _: np.zeros(1), f, wave, np.zeros(1))[1]
+            f, wave = np.array(MIDDLE[dims])[:, None], np.full((dims, 1), float(WAVES))
+            words = agreeing_words(kernel, wave[:, 0])
+            slope = kernel_model.phasor_d(kernel, lambda point: np.array([words(point)]), f, wave, np.zeros(1))[1]
             self.assertTrue(0.999 < abs(slope).max() / phasor_d.range_of(kernel) <= 1)
 
     def test_steepest(self):
-        """A derivative of the steepest wave, at a lattice point, nearly reaches the constant."""
+        """A derivative of the steepest waves, where they agree and weigh most, nearly reaches the constant."""
         rng, step = np.random.default_rng(2), 1e-7
         for dims, kernel in KERNELS.items():
             words = {tuple(kernel_model.halves(point)): rng.integers(0, 2**32, 2000)
                      for point in kernel_model.points(kernel)}
             f, wave = rng.random((dims, 2000)), rng.choice([-WAVES, WAVES], (dims, 2000))
-            f[:, 0], words[(0,) * dims][0] = 0, 0
+            f[:, 0] = MIDDLE[dims]
+            for point, of_point in words.items():
+                of_point[0] = agreeing_words(kernel, wave[:, 0])(point)
             ends = [kernel_model.phasor_d(kernel, lambda point: words[tuple(point)], f + sign * step * np.sign(wave),
                                           wave, np.zeros(2000))[1:] for sign in (1, -1)]
             slopes = abs(np.array(ends[0]).real - np.array(ends[1]).real) / (2 * step)

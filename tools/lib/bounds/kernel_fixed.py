@@ -93,7 +93,7 @@ class Weighted:
         t, self.weights, self.fall = self.offsets.largest, kernel.weight, kernel.fall
         self.counts, self.near_error = t > 0, near_error(kernel, t)
         self.weight = kernel.weight.size(0, self.offsets.least, t)
-        self.weight_error = kernel.weight.fixed(t, self.near_error)
+        self.weight_error = kernel.weight.fixed(self.offsets.least, t, self.near_error)
 
     def added(self, ramp, ramp_error):
         """How far what it adds is off."""
@@ -124,7 +124,7 @@ class Point(Weighted):
                    + (part_rounding(self.weight + self.weight_error) + 3) / self.one)
         d, ramp = self.offsets.size[axis], self.ramp + self.ramp_error
         eighth = self.fall / 4 * self.weights.size(1, self.offsets.least, self.offsets.largest)  # E
-        eighth_error = self.weights.fixed_fall(self.offsets.largest, self.near_error)
+        eighth_error = self.weights.fixed_fall(self.offsets.least, self.offsets.largest, self.near_error, self.fall)
         falling = d * (ramp * eighth_error + self.ramp_error * eighth)
         negative = self.offsets.middle[axis] + self.offsets.half <= 0
         rounding = d * part_rounding(eighth + eighth_error) + part_rounding(d, negative)
@@ -217,8 +217,8 @@ def pieces(kernel: Kernel) -> tuple[np.ndarray, np.ndarray]:
 def weighted_intermediates(kernel: Kernel, ramp: float) -> dict[str, float]:
     """Of ramps up to that size. The value is at most 1. No offset from a point that is visited is more than 1 along an
     axis: so the squares sum to at most 2 steps on the plane, and elsewhere to 1, or 3/2 with the larger kernel, of
-    which m is 1. The word m q is then at most 2^31. Those of the weights fit 32 bits, since t < 2^16, and
-    t (98304 - t) is at most 49152^2. A sum of the parts of some of the points is as large as that of all can be."""
+    which m is 1. The word m q is then at most 2^31. Those of the weights of simplex noise fit 32 bits, since
+    t < 2^16, and t (98304 - t) is at most 49152^2. A sum of the parts of some of the points is as large as that of all can be."""
     weight = kernel.weight.size(0, *pieces(kernel)).max() * FADE_ONE + 1
     return {"half of the word of a square": 2.0**30, "ramp": ramp,
             "attenuated": part_intermediate(ramp, np.array([math.ceil(weight)])),

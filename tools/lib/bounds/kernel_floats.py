@@ -17,7 +17,8 @@ distances are sums: of the squares of the sizes s_i of the offsets from the near
     hn_simplex_smooth   from the nearest point of either kind min(1 - 2 s_i, 2 - 2 sum s + 2 s_i)
 
 What is not visited because of rounding, or visited with the distance of another point, is as far away as the radius but
-for some 2^-22, and so is its t. Its weight is below 2^-58, and the fall below 2^-36: FORGOTTEN is more than all of
+for some 2^-22, and so is its t. A weight of simplex noise is below 2^-58 there, and its fall below 2^-36. Those of
+phasor noise, at most 16 t^3 and 192 t^2, are below 2^-55 and 2^-32. What is `forgotten` of a weight is more than all of
 that.
 
 What a box of places may have of a point is propagated as in floats.py. The points that are not near add zeros, so sums
@@ -39,7 +40,6 @@ from bounds.gradients import longest
 from bounds.kernels import SMOOTH, Kernel, Quantity
 from bounds.noises.perlin.floats import MORE, approx_direction, approx_sum_of_two, largest_of
 
-FORGOTTEN = 1e-10
 ANGLE_CUT = 2 * math.pi * 2.0**-30  # a phase is cut off to a multiple of 2^-30 turns
 Offsets = list[Approx]
 
@@ -174,7 +174,7 @@ def added(kernel: Kernel, terms: list[Approx], ulps) -> Approx:
     err = sum(term.err for term in terms)
     for _ in range(kernel.visited - 1):
         err = err + rounding(size + err, ulps)
-    return Approx(-size, size, err + FORGOTTEN, ulps).scaled(kernel.scale / 1024)
+    return Approx(-size, size, err + kernel.weight.forgotten, ulps).scaled(kernel.scale / 1024)
 
 
 def weighted(kernel: Kernel, t: Approx) -> Approx:

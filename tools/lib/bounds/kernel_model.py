@@ -16,7 +16,7 @@ from bounds.exact_model import s32, u32
 from bounds.fixed_model import ONE, part
 from bounds.gradients import OCTAHEDRAL
 from bounds.kernels import SMOOTH
-from bounds.weights import CUBE, FIFTH, PLANE
+from bounds.weights import CUBE, EVEN, FIFTH, PLANE
 
 
 def more_of(kernel):
@@ -96,6 +96,8 @@ def weight(kernel, t):
         return t**3, 3 * t**2
     if kernel.weight is PLANE:
         return 3 * t**3 - 2 * t**4, 9 * t**2 - 8 * t**3
+    if kernel.weight is EVEN:
+        return t**3 * (1 + 15 * (1 - t)**2), 3 * (4 * t - 5 * t**2)**2
     return (4 * t**5, 20 * t**4) if kernel.weight is FIFTH else (t**4, 4 * t**3)
 
 
@@ -208,6 +210,10 @@ def fixed_perlin(words_of, fractions, phase):
 def fixed_weight(kernel, t):
     """W and E."""
     q = u32(t * t + 2**15) >> 16
+    if kernel.weight is EVEN:
+        g, h = t - q, 4 * t - 5 * q
+        inner = q + (u32(15 * g * g + 2**15) >> 16)
+        return u32(inner * t + 2**13) >> 14, 3 * kernel.fall * (u32(h * h + 2**15) >> 16)
     cube = u32(q * t + 2**13) >> 14
     if kernel.weight is CUBE:
         return cube, 6 * q

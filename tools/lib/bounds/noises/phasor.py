@@ -3,9 +3,12 @@ quadrature: each is the real part of
 
     S * sum of w(t) e(a)        e(a) = exp(2 pi i a) for the value, and -i times that for the quadrature
 
-over the points of simplex noise (kernels.py), of which the words, and so the angles, may be any.
+over the points of simplex noise (kernels.py), of which the words, and so the angles, may be any. The weight w is EVEN
+of weights.py.
 
 RANGE. It is S times the supremum of the sum of the weights, which is that of the length of value and quadrature, too.
+That is not at a point, but in the middle of two: half a step from each on the plane, and in space half way from a
+corner to a centre. What moves the place, a cut or the rounding of a fraction, takes neither out of its range.
 
 LIPSCHITZ. The derivative along a vector u, per step, has in place of the weight
 
@@ -26,7 +29,8 @@ FIXED, as in kernel_fixed.py. The wave is cut to a multiple of 2^-16 along each 
 times its offset. The product along each axis rounds down by less than 2^-32 turns. Sines times 2^13 are exact.
 
 NO OVERFLOW. K is at most 2^20. An offset is at most 1 step along an axis, of which the contract's product takes the
-high and the low 10 bits in turn: the low ones are below 2^10, and the high ones are at most 2^10.
+high and the low 10 bits in turn: the low ones are below 2^10, and the high ones are at most 2^10. The words on the way
+to a weight and to its fall are evaluated for every t.
 """
 
 from __future__ import annotations
@@ -41,13 +45,13 @@ from bounds import kernel_fixed, kernel_floats, kernels
 from bounds.boxes import Boxes, cell, supremum
 from bounds.floats import Approx, position_error
 from bounds.gradients import Gradient
-from bounds.integers import ONE, UNIT
+from bounds.integers import ONE, UNIT, word
 from bounds.kernel_floats import ANGLE_CUT, SKEWED
 from bounds.kernels import Jet, Kernel, Offsets, dot, weight_jet
 from bounds.noises import Derived, listed
 from bounds.sine import fixed_sine_largest
 from bounds.table import scientific, shortest
-from bounds.weights import CUBE, PLANE
+from bounds.weights import EVEN
 
 WAVES = 16  # per cell along an axis, at most
 
@@ -59,7 +63,7 @@ class Waves(Kernel):
 
 
 # The lattices and the distances are those of hn_simplex.
-KERNELS = {2: Waves(2, 819 / 1024, 1, 1428, 3, PLANE, triangles=True), 3: Waves(3, 1.0, 2, 1022, 4, CUBE)}
+KERNELS = {2: Waves(2, 819 / 1024, 1, 762, 3, EVEN, triangles=True), 3: Waves(3, 1.0, 2, 674, 4, EVEN)}
 CASES = tuple((dims, None) for dims in KERNELS)
 TURN = 2 * math.pi
 WAVE_CUT, ANGLE_UNIT = 2.0**-16, 2.0**-32  # in waves per cell, and in turns
@@ -192,13 +196,26 @@ def derive(dims: int, _: Gradient | None) -> Derived:
 
 
 def length(dims: int) -> float:
-    """How long value and quadrature can be, as computed in floats or in integers: both are off by their error."""
+    """How long value and quadrature can be, as computed in floats or in integers: both leave their range by their
+    error, but for the cut of the place."""
     proven = derive(dims, None)
-    return proven.range + math.sqrt(2) * max(proven.error, proven.fixed_error)
+    return proven.range + math.sqrt(2) * (max(proven.largest, proven.fixed_largest) - proven.range)
+
+
+@functools.cache
+def largest_words() -> dict[str, int]:
+    """The largest words on the way to W and E, as they are evaluated for every t."""
+    t = np.arange(2**16, dtype=np.int64)
+    q = (t * t + 2**15) >> 16
+    g, h = t - q, 4 * t - 5 * q
+    of_g = 15 * g * g + 2**15
+    words = {"of G": of_g, "of M": (q + (of_g >> 16)) * t + 2**13, "of H": h * h + 2**15}
+    return {name: int(word(of_t).max()) for name, of_t in words.items()}
 
 
 def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
     kernel, wave = KERNELS[dims], WAVES / WAVE_CUT
+    largest_words()  # raises where one would not fit
     return {"wave times the high bits": wave * 2**10, "wave times the low bits": wave * (2**10 - 1),
             **kernel_fixed.weighted_intermediates(kernel, fixed_sine_largest() * RAMP_ONE)}
 

@@ -183,7 +183,8 @@ class Point(kernel_fixed.Weighted):
         super().__init__(kernel, boxes, point, RAMP_ONE)
         self.wave_error = phasor.fixed_wave_error(kernel, self.offsets)
         self.eighth = kernel.fall / 4 * kernel.weight.size(1, self.offsets.least, self.offsets.largest)  # E
-        self.eighth_error = kernel.weight.fixed_fall(self.offsets.largest, self.near_error)
+        self.eighth_error = kernel.weight.fixed_fall(self.offsets.least, self.offsets.largest, self.near_error,
+                                                     kernel.fall)
 
     def value(self):
         return self.added(1.0, self.wave_error)
@@ -255,7 +256,6 @@ def largest_intermediates(dims: int, gradient: Gradient | None) -> dict[str, flo
     k = float(eighth.max()) * RAMP_ONE + 2 * 1023
     leaning = sum_of_falls(kernel) + kernel_fixed.part_rounding(1.0).item() * 8 * len(kernel.points)
     return phasor.largest_intermediates(dims, gradient) | {
-        "fall of the plane": 4 / 27 * 73728**3 / 2**16 + 2**16,
         "falling": part_intermediate(float(RAMP_ONE), factor), "leaning": 2 * part_intermediate(k, whole),
         "scaled derivative": kernel_fixed.scaled_intermediate(leaning, kernel.scale),
         "turn": part_intermediate(2.0**9 * kernel.waves / WAVE_CUT, np.array([205887])),
