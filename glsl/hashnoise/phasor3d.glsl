@@ -17,9 +17,9 @@
 //            after one turn. A float far from 0 has few bits left for the turn: wrap it yourself
 //   seed     any uint: 7u, not 7; different seeds give independent fields
 //   returns  a value and its quadrature, which is the value a quarter of a turn of the phase before, each in [-1, 1]
-//            (proven bound 0.99805), mean 0, twice continuously differentiable (HN_FIXED: in steps of 2^-21)
-//   error    at most 3.67e-5 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 3.83e-4.
-//            From a cell at most 1.88e-5
+//            (proven bound 0.99932), mean 0, twice continuously differentiable (HN_FIXED: in steps of 2^-21)
+//   error    at most 4.91e-5 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 4.97e-4.
+//            From a cell at most 3.11e-5
 //   period   2^32 cells per axis, or that of the tile
 //   cost     4 hashes (none with HN_HASH_LATTICE), 8 sines of 6 multiplications each, and 24 multiplications; 3 more to
 //            spread the coordinates, and 2 more for a seed that is not constant

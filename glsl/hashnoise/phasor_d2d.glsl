@@ -38,9 +38,9 @@ HN_FN hn_num2 hn_i_scaled_fall2(hn_num2 n) {
 // Phasor noise on the plane and how steep it is. value has the value and the quadrature of hn_phasor.
 //   (parameters as for hn_phasor in phasor2d.glsl)
 //   returns  value, and in dx and dy the derivatives of both along x and y, per cell, at a constant wave and phase: in
-//            [-100.5, 100.5] for the largest waves, once continuously differentiable (HN_FIXED: in steps of 2^-16)
-//   error    that of hn_phasor, and of a derivative at most 4.21e-3 against the exact value, in any rounding mode
-//            (docs/accuracy.md). HN_FIXED 3.72e-2. From a cell at most 3.01e-3
+//            [-100.6, 100.6] for the largest waves, once continuously differentiable (HN_FIXED: in steps of 2^-16)
+//   error    that of hn_phasor, and of a derivative at most 4.43e-3 against the exact value, in any rounding mode
+//            (docs/accuracy.md). HN_FIXED 3.81e-2. From a cell at most 3.22e-3
 //   period   2^31 cells per axis, or that of the tile
 //   cost     the hashes and sines of hn_phasor, which are most of its cost, and about twice the rest
 //   source   the product rule on weight and wave; docs/contract.md, section 23

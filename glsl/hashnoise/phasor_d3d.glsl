@@ -41,10 +41,10 @@ HN_FN hn_num2 hn_i_scaled_fall3(hn_num2 n) {
 // Phasor noise in space and how steep it is. value has the value and the quadrature of hn_phasor.
 //   (parameters as for hn_phasor in phasor3d.glsl)
 //   returns  value, and in dx, dy and dz the derivatives of both along x, y and z, per cell, at a constant wave and
-//            phase: in [-100.4, 100.4] for the largest waves, once continuously differentiable (HN_FIXED: in steps of
+//            phase: in [-100.5, 100.5] for the largest waves, once continuously differentiable (HN_FIXED: in steps of
 //            2^-16)
-//   error    that of hn_phasor, and of a derivative at most 3.78e-3 against the exact value, in any rounding mode
-//            (docs/accuracy.md). HN_FIXED 3.95e-2. From a cell at most 1.95e-3
+//   error    that of hn_phasor, and of a derivative at most 5.20e-3 against the exact value, in any rounding mode
+//            (docs/accuracy.md). HN_FIXED 5.23e-2. From a cell at most 3.35e-3
 //   period   2^32 cells per axis, or that of the tile
 //   cost     the hashes and sines of hn_phasor, which are most of its cost, and about twice the rest
 //   source   the product rule on weight and wave; docs/contract.md, section 23
