@@ -1,4 +1,4 @@
-"""Section 13 of docs/contract.md: sums over the points of a lattice of triangles, or of a centred one.
+"""Sections 13 and 23 of docs/contract.md: sums over the points of a lattice of triangles, or of a centred one.
 
 Every point in the neighbourhood of a cell is tried, so nothing here knows which of them a position meets.
 """
@@ -51,11 +51,27 @@ def quartic(t: int, q: int) -> int:
     return word(word(q * u) + 2**12) >> 13
 
 
+def even(t: int, q: int) -> int:
+    """t^3 (1 + 15 (1 - t)^2). The squares of these weights sum to nearly the same everywhere."""
+    g = t - q
+    m = q + (word(word(15 * g * g) + 2**15) >> 16)
+    return word(word(m * t) + 2**13) >> 14
+
+
+def even_fall(t: int, q: int) -> int:
+    """A quarter of the slope, 3 (4 t - 5 t^2)^2, in units of 2^-18."""
+    h = 4 * t - 5 * q
+    return 3 * (word(word(h * h) + 2**15) >> 16)
+
+
 QUARTIC = Weight(((Fraction(3), 3), (Fraction(-2), 4)), quartic,
                  lambda t, q: signed(signed(q * (73728 - t)) + 2**12) >> 13)
 CUBE = Weight(monomial(1, 3), third, lambda t, q: 6 * q)
 FOURTH = Weight(monomial(1, 4), lambda t, q: word(word(q * q) + 2**13) >> 14, lambda t, q: 2 * third(t, q))
 FIFTH = Weight(monomial(4, 5), lambda t, q: word(word((word(word(q * q) + 2**15) >> 16) * t) + 2**11) >> 12)
+EVEN_TERMS = ((Fraction(16), 3), (Fraction(-30), 4), (Fraction(15), 5))
+PLANE_EVEN = Weight(EVEN_TERMS, even, even_fall)
+SPACE_EVEN = Weight(EVEN_TERMS, even, lambda t, q: 2 * even_fall(t, q))
 
 
 @dataclass(frozen=True)

@@ -85,13 +85,17 @@ class Weights(unittest.TestCase):
         half = Fraction(1, 2)
         for weight, value, slope in (
                 (kernels.QUARTIC, Fraction(1, 4), Fraction(5, 4)), (kernels.CUBE, half**3, 3 * half**2),
-                (kernels.FOURTH, half**4, 4 * half**3), (kernels.FIFTH, 4 * half**5, 20 * half**4)):
+                (kernels.FOURTH, half**4, 4 * half**3), (kernels.FIFTH, 4 * half**5, 20 * half**4),
+                (kernels.PLANE_EVEN, Fraction(19, 32), Fraction(27, 16)),
+                (kernels.SPACE_EVEN, Fraction(19, 32), Fraction(27, 16))):
             self.assertEqual((weight.exact(half), weight.slope(half)), (value, slope))
 
     def test_fixed_by_hand(self) -> None:
         # t is 2^15, and its square 2^14.
         for weight, value, fall in ((kernels.QUARTIC, 2**16, 5 * 2**14),
-                                    (kernels.CUBE, 2**15, 6 * 2**14), (kernels.FOURTH, 2**14, 2**16)):
+                                    (kernels.CUBE, 2**15, 6 * 2**14), (kernels.FOURTH, 2**14, 2**16),
+                                    (kernels.PLANE_EVEN, 19 * 2**13, 27 * 2**12),
+                                    (kernels.SPACE_EVEN, 19 * 2**13, 27 * 2**13)):
             self.assertEqual((weight.of_square(2**15, 2**14), weight.fall(2**15, 2**14)), (value, fall))
         self.assertEqual(kernels.FIFTH.of_square(2**15, 2**14), 2**15)
 

@@ -24,8 +24,10 @@ Number = TypeVar("Number", int, Fraction)
 OUTPUTS = ("value", "quadrature")
 TURNS = True
 UNITS = (NOISE_UNIT,) * 2
-# By the number of dimensions. The weights are those of simplex noise, in space the one that it has in four dimensions.
-KERNELS = {2: replace(simplex.KERNELS[2], scale=1428), 3: replace(simplex.KERNELS[4], scale=1022)}
+# By the number of dimensions. The lattices and t are those of simplex noise. In space the same weight falls twice as
+# fast, since t does.
+KERNELS = {2: replace(simplex.KERNELS[2], weight=kernels.PLANE_EVEN, scale=762),
+           3: replace(simplex.KERNELS[3], weight=kernels.SPACE_EVEN, scale=674)}
 
 MOST = 16  # waves in a cell, along each axis
 TURN = 2**32  # in units of words
