@@ -172,7 +172,7 @@ def stripes_table(found: Sequence[stripes.Stripes]) -> str:
     """Waves down; what is not as it should be is bold."""
     def cells(each: stripes.Stripes) -> dict[str, str]:
         widths = ", ".join(with_error(*fields.mean_and_error(width)) for width in (each.along, each.across))
-        return {"centre": number(each.away), "width": f"{widths} of {stripes.own_width(each.dimensions):.4f}",
+        return {"centre": number(each.away), "width": f"{widths} of {each.own:.4f}",
                 "round": ", ".join(with_error(*fields.mean_and_error(v)) for v in each.harmonics.values()),
                 "even": number(each.even), "steady": number(each.steady),
                 "seeds": f"{number(each.seeds.statistic)} of {number(each.seeds.threshold)}"}

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
-from scipy import fft, stats
+from scipy import fft, special, stats
 
 from quality import fields
 from quality.judgement import Finding, peak
@@ -38,18 +38,19 @@ STEP = 1 / 16    # cells along the wave, over which stripes are followed
 # So far may the centre of the spectrum be from the wave, in cycles per cell. The random phases of all seeds leave it to
 # chance by a fourth of that at most.
 AWAY = 0.02
-# So far may the width be from that of the weight, as a part of it: samples do not show the weight's farthest waves.
+# So far may the width be from that of the weight, as a part of it: samples show what is beyond their reach as nearer.
 OF_WIDTH = 0.05
 # Harmonics: the aim of isotropy.py is 0.1 for directions of structures, and this is what octaves.py allows for waves.
 ROUND = 0.03
 # Of the library's own weights, less a little: a weight that falls sooner leaves larger gaps.
-EVEN = {2: 0.36, 3: 0.1}
+EVEN = {2: 0.75, 3: 0.64}
 
 
 @dataclass(frozen=True)
 class Stripes:
     """Numbers by seed, but for those of all seeds together."""
     wave: tuple[float, ...]
+    own: float                     # the width that the weight has
     centres: np.ndarray            # of the spectrum, less the wave: a row for each seed
     along: list[float]             # the width of the spectrum, as a deviation
     across: list[float]
@@ -69,24 +70,29 @@ class Stripes:
     @property
     def problems(self) -> list[str]:
         """The statistics that are not as they should be."""
-        own = own_width(self.dimensions)
         wrong = {"centre": self.away > AWAY,
-                 "width": any(abs(np.mean(width) / own - 1) > OF_WIDTH for width in (self.along, self.across)),
+                 "width": any(abs(np.mean(width) / self.own - 1) > OF_WIDTH for width in (self.along, self.across)),
                  "round": any(abs(np.mean(values)) > ROUND for values in self.harmonics.values()),
                  "even": self.even < EVEN[self.dimensions], "seeds": not self.seeds.passed}
         return [name for name, is_wrong in wrong.items() if is_wrong]
 
 
-def own_width(dimensions: int) -> float:
-    """The deviation along an axis of the power of the weight (docs/contract.md, section 23), in cycles per cell: that
-    of its slopes over that of itself, as Parseval has it."""
-    reach, steps = {2: (819 / 1024, 2.0), 3: (0.5, 1.0)}[dimensions]
-    r = np.linspace(0.0, reach ** 0.5, 1 << 12)  # from the point, in steps of the lattice
-    t = reach - r * r if dimensions == 2 else 1 - 2 * r * r
-    w = t ** 3 * (3 - 2 * t) if dimensions == 2 else t ** 3
-    slopes = np.gradient(w, r) * steps
-    shell = r ** (dimensions - 1)
-    return float(((slopes ** 2 * shell).sum() / (w ** 2 * shell).sum() / dimensions) ** 0.5 / (2 * np.pi))
+def own_width(dimensions: int, reach: float) -> float:
+    """The deviation along an axis of the power of the weight (docs/contract.md, section 23), in cycles per cell, of the
+    frequencies that are no longer than `reach`: the weight is steep, so that some of its power is beyond."""
+    end = {2: (819 / 1024) ** 0.5 / 2, 3: 0.5 ** 0.5}[dimensions]
+    r = (np.arange(1 << 10) + 0.5) / (1 << 10) * end  # from the point, in cells
+    t = 819 / 1024 - 4 * r * r if dimensions == 2 else 1 - 2 * r * r
+    w = t ** 3 * (1 + 15 * (1 - t) ** 2)
+    k = (np.arange(1 << 10) + 0.5) / (1 << 10) * reach
+    wave = special.j0(2 * np.pi * np.outer(k, r)) if dimensions == 2 else np.sinc(2 * np.outer(k, r))
+    power = (wave @ (w * r ** (dimensions - 1))) ** 2 * k ** (dimensions - 1)
+    return float(((power * k * k).sum() / power.sum() / dimensions) ** 0.5)
+
+
+def reach_of(wave: Sequence[float], per_cell: int) -> float:
+    """How far from the wave, in cycles per cell, samples show its surroundings whole."""
+    return per_cell / 2 - max(map(abs, wave))
 
 
 def tile(field: Field, wave: Sequence[float], seed: int, effort: Effort) -> np.ndarray:
@@ -99,7 +105,7 @@ def around(spectrum: np.ndarray, wave: Sequence[float], per_cell: int) -> tuple[
     samples show whole."""
     axes = [fft.fftfreq(side, 1 / per_cell) - k for side, k in zip(spectrum.shape, wave)]
     away = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, len(wave))
-    inside = np.linalg.norm(away, axis=-1) < per_cell / 2 - max(map(abs, wave))
+    inside = np.linalg.norm(away, axis=-1) < reach_of(wave, per_cell)
     return away[inside], (np.abs(spectrum) ** 2).reshape(-1)[inside]
 
 
@@ -136,7 +142,8 @@ def measure(field: Field, wave: Sequence[float], effort: Effort | None = None) -
         moved = lengths > 0
         for order, values in harmonics.items():
             values.append(fields.harmonic(away[moved] / lengths[moved, None], power[moved], order))
-    return Stripes(tuple(wave), np.array(centres), along, across, harmonics, *places(field, wave, effort),
+    own = own_width(len(wave), reach_of(wave, effort.per_cell))
+    return Stripes(tuple(wave), own, np.array(centres), along, across, harmonics, *places(field, wave, effort),
                    independence(spectra, effort))
 
 
