@@ -12,27 +12,28 @@ namespace {
 using Place = std::array<double, 4>;
 
 // Of docs/contract.md, section 13: the noise is scale * sum of w(t) (g . d) with t = r - m |d|^2, d in steps, and
-// w = cubic * t^3 + quartic * t^4. `longest` is the length of the longest gradient, rounded up.
+// w = cubic * t^3 + quartic * t^4 + quintic * t^5. `longest` is the length of the longest gradient, rounded up.
 struct Kernel {
   double r;
   double m;
   double cubic;
   double quartic;
+  double quintic;
   double scale;
   double steps;  // per cell
   double longest;
 };
 
 Kernel kernel_of(int axes) {
-  if (axes == 2) return {819.0 / 1024.0, 1.0, 3.0, -2.0, 3242.0 / 1024.0, 2.0, 1.0};
-  if (axes == 3) return {1.0, 2.0, 0.0, 1.0, 6570.0 / 1024.0, 1.0, 1.07};
-  return {1.0, 2.0, 1.0, 0.0, 4298.0 / 1024.0, 1.0, 1.4143};
+  if (axes == 2) return {819.0 / 1024.0, 1.0, 3.0, -2.0, 0.0, 3242.0 / 1024.0, 2.0, 1.0};
+  if (axes == 3) return {1.0, 2.0, 0.0, 1.0, 0.0, 6570.0 / 1024.0, 1.0, 1.07};
+  return {1.0, 2.0, 1.0, 0.0, 0.0, 4298.0 / 1024.0, 1.0, 1.4143};
 }
 
-// Of phasor noise, which has no gradients.
+// Of phasor noise, which has no gradients: its weight is t^3 (1 + 15 (1 - t)^2).
 Kernel waves_of(int axes) {
-  if (axes == 2) return {819.0 / 1024.0, 1.0, 3.0, -2.0, 1428.0 / 1024.0, 2.0, 1.0};
-  return {1.0, 2.0, 1.0, 0.0, 1022.0 / 1024.0, 1.0, 1.0};
+  if (axes == 2) return {819.0 / 1024.0, 1.0, 16.0, -30.0, 15.0, 762.0 / 1024.0, 2.0, 1.0};
+  return {1.0, 2.0, 16.0, -30.0, 15.0, 674.0 / 1024.0, 1.0, 1.0};
 }
 
 // The lattice points that count anywhere in the part of space that is searched, in steps: a square of one step on the
@@ -60,10 +61,13 @@ Derivatives weight_at(const Kernel& kernel, double u, double distance) {
   const double t = std::max(kernel.r - kernel.m * distance * distance, 0.0);
   const double t1 = -2.0 * kernel.m * u;
   const double t2 = -2.0 * kernel.m;
-  const double w = kernel.cubic * t * t * t + kernel.quartic * t * t * t * t;
-  const double w1 = 3.0 * kernel.cubic * t * t + 4.0 * kernel.quartic * t * t * t;
-  const double w2 = 6.0 * kernel.cubic * t + 12.0 * kernel.quartic * t * t;
-  const double w3 = 6.0 * kernel.cubic + 24.0 * kernel.quartic * t;
+  const double a = kernel.cubic;
+  const double b = kernel.quartic;
+  const double c = kernel.quintic;
+  const double w = t * t * t * (a + t * (b + t * c));
+  const double w1 = t * t * (3.0 * a + t * (4.0 * b + t * 5.0 * c));
+  const double w2 = t * (6.0 * a + t * (12.0 * b + t * 20.0 * c));
+  const double w3 = 6.0 * a + t * (24.0 * b + t * 60.0 * c);
   return {w, w1 * t1, w2 * t1 * t1 + w1 * t2, w3 * t1 * t1 * t1 + 3.0 * w2 * t1 * t2};
 }
 
