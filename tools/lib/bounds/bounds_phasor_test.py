@@ -26,15 +26,23 @@ MIDDLE = {2: (0.25, 0.0), 3: (0.25, 0.25, 0.25)}  # of two lattice points, in ce
 
 def random_case(seed, dims, count):
     """Cells, fractions, waves and phases: floats. Half of the components of waves are as large as counts; some are
-    larger. A third of the places is near lattice points, where the waves weigh most."""
+    larger. A third of the places is near lattice points or in the middle of two, where the waves weigh most."""
     rng = np.random.default_rng(seed)
     cells = list(rng.integers(-2**31, 2**31, (dims, count)))
-    near = rng.integers(0, 2, (1, count)) / 2 + abs(rng.normal(0, 2.0**-rng.integers(1, 12, count), (dims, count)))
+    near = rng.integers(0, 2, (1, count)) / 2 + np.array(MIDDLE[dims])[:, None] * rng.integers(0, 2, (1, count))
+    near = near + abs(rng.normal(0, 2.0**-rng.integers(1, 12, count), (dims, count)))
     f = np.where(rng.random(count) < 1 / 3, np.minimum(near, 1), rng.random((dims, count)))
     wave = np.where(rng.random((dims, count)) < 0.5, rng.choice([-WAVES, WAVES, 2 * WAVES], (dims, count)),
                     rng.uniform(-WAVES, WAVES, (dims, count)))
     f, wave, phase = (x.astype(np.float32).astype(float) for x in (f, wave, rng.uniform(-2, 2, count)))
     return cells, f, wave, phase
+
+
+def below_zero(dims, f):
+    """Positions whose fractions round: those near 0, and as many near the middle of two lattice points."""
+    rng = np.random.default_rng(9)
+    middle = np.array(MIDDLE[dims])[:, None] * rng.integers(0, 2, f.shape[1])
+    return -abs(middle - f / 2**rng.integers(1, 20, f.shape[1])).astype(np.float32).astype(float)
 
 
 def agreeing_words(kernel, wave, angle=0):
@@ -286,10 +294,10 @@ class Floats(unittest.TestCase):
             self.assertLessEqual(max(np.hypot(*n).max() for n in found), 1)
 
     def test_from_a_position(self):
-        """Just below 0, where the fraction rounds most, and near a lattice point, where the noise is steepest."""
+        """Below 0, where the fraction rounds most, and where the noise is steepest."""
         for dims in KERNELS:
             bound, (_, f, wave, phase) = bounds_of("phasor", dims, "none"), random_case(8, dims, 3000)
-            p = -(f / 2**np.random.default_rng(9).integers(1, 20, 3000)).astype(np.float32).astype(float)
+            p = below_zero(dims, f)
             expected = exactly(dims, [np.full(3000, -1)] * dims, 1 + p, wave, phase)
             columns = along_axes("", p) | along_axes("k", wave) | {"phase": phase}
             seen = max(abs(np.array(text()(f"position{dims}", rounding, **columns)) - expected).max()
