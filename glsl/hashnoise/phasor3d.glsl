@@ -32,11 +32,11 @@ HN_FN hn_vec2 hn_phasor(hn_place3 place, hn_vec3 wave, hn_float phase, hn_uint s
   hn_uvec4 h = hn_i_four_points(hn_i_block(place), place.fraction, seed, x, y, z, t);
   hn_num3 k = hn_i_num(hn_i_waves(wave.x), hn_i_waves(wave.y), hn_i_waves(wave.z));
   hn_uint angle = hn_i_angle(phase);
-  hn_num2 n = hn_i_wave_at(h.x + angle + hn_i_waves_from(k, x.x, y.x, z.x), hn_i_weight3(t.x));
-  n = hn_i_plus(n, hn_i_wave_at(h.y + angle + hn_i_waves_from(k, x.y, y.y, z.y), hn_i_weight3(t.y)));
-  n = hn_i_plus(n, hn_i_wave_at(h.z + angle + hn_i_waves_from(k, x.z, y.z, z.z), hn_i_weight3(t.z)));
-  n = hn_i_plus(n, hn_i_wave_at(h.w + angle + hn_i_waves_from(k, x.w, y.w, z.w), hn_i_weight3(t.w)));
-  return vec2(hn_i_value(hn_i_scaled(n.x, 1022)), hn_i_value(hn_i_scaled(n.y, 1022)));
+  hn_num2 n = hn_i_wave_at(h.x + angle + hn_i_waves_from(k, x.x, y.x, z.x), hn_i_weight_wave(t.x));
+  n = hn_i_plus(n, hn_i_wave_at(h.y + angle + hn_i_waves_from(k, x.y, y.y, z.y), hn_i_weight_wave(t.y)));
+  n = hn_i_plus(n, hn_i_wave_at(h.z + angle + hn_i_waves_from(k, x.z, y.z, z.z), hn_i_weight_wave(t.z)));
+  n = hn_i_plus(n, hn_i_wave_at(h.w + angle + hn_i_waves_from(k, x.w, y.w, z.w), hn_i_weight_wave(t.w)));
+  return vec2(hn_i_value(hn_i_scaled(n.x, 674)), hn_i_value(hn_i_scaled(n.y, 674)));
 }
 HN_FN hn_vec2 hn_phasor(hn_vec3 p, hn_vec3 wave, hn_float phase, hn_uint seed) {
   return hn_phasor(hn_place(p), wave, phase, seed);

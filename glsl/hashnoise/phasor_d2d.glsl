@@ -16,8 +16,8 @@ struct hn_i_waves2 {
 HN_FN hn_i_waves2 hn_i_waves_at(hn_uint angle, hn_num x, hn_num y, hn_num t) {
   HN_I_NEW(hn_i_waves2, s);
   hn_num2 wave = hn_i_unit_wave(angle);
-  hn_num2 fall = hn_i_weighted_wave(wave, hn_i_d_weight_plane(t, 1));
-  s.n = hn_i_weighted_wave(wave, hn_i_weight_plane(t));
+  hn_num2 fall = hn_i_weighted_wave(wave, hn_i_d_weight_wave(t, 1));
+  s.n = hn_i_weighted_wave(wave, hn_i_weight_wave(t));
   s.x = hn_i_falling_wave(fall, x);
   s.y = hn_i_falling_wave(fall, y);
   return s;
@@ -29,7 +29,7 @@ HN_FN hn_i_waves2 hn_i_plus(hn_i_waves2 a, hn_i_waves2 b) {
   s.y = hn_i_plus(a.y, b.y);
   return s;
 }
-HN_FN hn_num2 hn_i_scaled_waves2(hn_num2 n) { return hn_i_num(hn_i_scaled(n.x, 1428), hn_i_scaled(n.y, 1428)); }
+HN_FN hn_num2 hn_i_scaled_waves2(hn_num2 n) { return hn_i_num(hn_i_scaled(n.x, 762), hn_i_scaled(n.y, 762)); }
 HN_FN hn_num2 hn_i_scaled_fall2(hn_num2 n) {
   hn_num2 fall = hn_i_scaled_waves2(n);
   return hn_i_num(hn_i_of_fall(fall.x, 2), hn_i_of_fall(fall.y, 2));

@@ -17,8 +17,8 @@ struct hn_i_waves3 {
 HN_FN hn_i_waves3 hn_i_waves_at(hn_uint angle, hn_num x, hn_num y, hn_num z, hn_num t) {
   HN_I_NEW(hn_i_waves3, s);
   hn_num2 wave = hn_i_unit_wave(angle);
-  hn_num2 fall = hn_i_weighted_wave(wave, hn_i_d_weight3(t, 2));
-  s.n = hn_i_weighted_wave(wave, hn_i_weight3(t));
+  hn_num2 fall = hn_i_weighted_wave(wave, hn_i_d_weight_wave(t, 2));
+  s.n = hn_i_weighted_wave(wave, hn_i_weight_wave(t));
   s.x = hn_i_falling_wave(fall, x);
   s.y = hn_i_falling_wave(fall, y);
   s.z = hn_i_falling_wave(fall, z);
@@ -32,7 +32,7 @@ HN_FN hn_i_waves3 hn_i_plus(hn_i_waves3 a, hn_i_waves3 b) {
   s.z = hn_i_plus(a.z, b.z);
   return s;
 }
-HN_FN hn_num2 hn_i_scaled_waves3(hn_num2 n) { return hn_i_num(hn_i_scaled(n.x, 1022), hn_i_scaled(n.y, 1022)); }
+HN_FN hn_num2 hn_i_scaled_waves3(hn_num2 n) { return hn_i_num(hn_i_scaled(n.x, 674), hn_i_scaled(n.y, 674)); }
 HN_FN hn_num2 hn_i_scaled_fall3(hn_num2 n) {
   hn_num2 fall = hn_i_scaled_waves3(n);
   return hn_i_num(hn_i_of_fall(fall.x, 1), hn_i_of_fall(fall.y, 1));

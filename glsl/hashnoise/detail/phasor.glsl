@@ -14,6 +14,9 @@
 //   hn_i_waves_from(k, x, y)   the angle of the waves along an offset, whose steps are half a cell on the plane, and a
 //                              cell in space; in HN_FIXED that of each axis rounded down
 //   hn_i_unit_wave(angle)      the cosine and the sine of an angle, as ramps
+//   hn_i_weight_wave(t)        the weight of a point, t^3 (1 + 15 (1 - t)^2): the energy of the waves, which is the sum
+//                              of the squared weights, is nearly the same everywhere
+//   hn_i_d_weight_wave(t, m)   how the weight falls: 2 m times its derivative by t; in HN_FIXED an eighth of that
 //   hn_i_weighted_wave(n, w)   these times a weight or a fall; hn_i_wave_at(angle, w) is both steps
 //   hn_i_falling_wave(n, x)    what falls along the offset x: -n x, of these times a fall
 //   hn_i_of_fall(n, steps)     the part of a derivative that comes from the weights, from a sum of those that was
@@ -33,6 +36,17 @@ HN_FN hn_uint hn_i_waves_from(hn_vec3 k, hn_float x, hn_float y, hn_float z) {
   return hn_i_angle(turns);
 }
 HN_FN hn_float hn_i_as_ramp(hn_float sine) { return sine; }
+HN_FN hn_float hn_i_weight_wave(hn_float t) {
+  HN_I_PRECISE hn_float q = t * t;
+  HN_I_PRECISE hn_float g = t - q;
+  HN_I_PRECISE hn_float w = (g * g * 15.0f + q) * t;
+  return w;
+}
+HN_FN hn_float hn_i_d_weight_wave(hn_float t, hn_int m) {
+  HN_I_PRECISE hn_float h = t * 4.0f - t * t * 5.0f;
+  HN_I_PRECISE hn_float k = h * h * hn_i_float(6 * m);
+  return k;
+}
 HN_FN hn_float hn_i_falling(hn_float n, hn_float x) { return hn_i_times(n, -x); }
 HN_FN hn_float hn_i_of_fall(hn_float n, hn_int steps) { return hn_i_times(n, hn_i_float(steps)); }
 HN_FN hn_float hn_i_turning(hn_float n, hn_float k) { return hn_i_times(hn_i_times(k, 6.2831853f), hn_i_flushed(n)); }
@@ -56,6 +70,18 @@ HN_FN hn_uint hn_i_waves_from(hn_ivec3 k, hn_int x, hn_int y, hn_int z) {
 }
 // From units of 2^-16 to those of ramps.
 HN_FN hn_int hn_i_as_ramp(hn_int sine) { return sine * 8192; }
+
+// t^2 (1 - t)^2 is at most 1/16, so 15 times that is below 1. A word has the largest square of the other, which may be
+// negative.
+HN_FN hn_int hn_i_weight_wave(hn_int t) {
+  hn_uint q = hn_i_falloff_square(t);
+  hn_uint g = uint(t) - q;
+  return int(((q + ((g * g * 15u + 32768u) >> 16u)) * uint(t) + 8192u) >> 14u);
+}
+HN_FN hn_int hn_i_d_weight_wave(hn_int t, hn_int m) {
+  hn_uint h = uint(t * 4 - int(hn_i_falloff_square(t)) * 5);
+  return int((h * h + 32768u) >> 16u) * 3 * m;
+}
 
 // From units of 2^-29 to those of 2^-27.
 HN_FN hn_int hn_i_falling(hn_int n, hn_int x) { return -2 * hn_i_part(n, x >> 2); }
