@@ -143,7 +143,7 @@ STRIPES = """
 - *Centre* is how far the mean frequency is from the wave. It may be {away}.
 - *Width* is the deviation of the frequencies, along the wave and across it, with the standard error, and behind it that of the weight by which a point fades, as far from the wave as samples show it, from which it may be {width}% away. Stripes break more often the wider it is.
 - *Round* has the means of the cosines, as above, of the directions away from the wave: 0 if the spectrum is the same on all sides. They may be {round}.
-- *Even* is the least deviation of the field at a place of a cell over the greatest, among places that are spread over the cell: 1 if the lattice does not show. It shows a little, since the sum of the squares of the weights, which is the mean energy, is nearly the same everywhere. The least allowed is {even2} in 2D and {even3} in 3D, which holds what the weights have. `n.x / length(n)` and what is made of the angle do not fade.
+- *Even* is the least deviation of the field at a place of a cell over the greatest, among places that are spread over the cell: 1 if the lattice does not show. It shows little: the sum of the squares of the weights, which is the mean energy, is nearly the same everywhere. The least allowed is {even2} in 2D and {even3} in 3D, which holds what the weights have. `n.x / length(n)` and what is made of the angle do not fade.
 - *Steady* is how well these follow the wave where they do so least: the mean cosine of what the angle is off after a step of {step} of a cell along the wave. It is not judged.
 - *Seeds* is the largest squared correlation of the fields of two seeds, over all shifts, in units of its mean, and behind it what chance allows: it is judged as the tests of the gate are.
 
