@@ -251,3 +251,8 @@ def shader(syntax: Osl, name: str, parameters: Sequence[Taken], results: Sequenc
     body = "".join(f"  {line}\n" for line in (*before, call, *after))
     declared = ",\n    ".join([", ".join(inputs), ", ".join(outputs)])
     return [f"shader hashnoise_{bare(name)}(\n    {declared}) {{\n{body}}}\n"]
+
+
+def without_shader(text: str) -> str:
+    """The functions alone: the shader is the last thing in a text."""
+    return re.sub(r"(?ms)^shader .*", "", text)

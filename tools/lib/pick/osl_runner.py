@@ -12,7 +12,7 @@ from array import array
 from collections.abc import Sequence
 from pathlib import Path
 
-from pick.osl import Osl
+from pick.osl import Osl, without_shader
 from pick.runners import CRunner, NotInstalled, ran
 from wgsl.device import Absent, installed
 
@@ -64,7 +64,7 @@ class OslRunner(CRunner):
             points = int(re.search(r"at < (\d+) \*", call)[1])
             taken, given = call.count("[at++]"), re.findall(r"\b(put(?:_float)?)\(", call)
             words, inputs = inputs[:points * taken], inputs[points * taken:]
-            functions = re.sub(r"(?ms)^shader .*", "", text)
+            functions = without_shader(text)
             signed, = struct.iter_unpack(f"{len(words)}i", words.tobytes())
             floats = (f"{x:.9g}" if abs(x) < 1e38 else "0" for x in array("f", words.tobytes()))
             (folder / f"m{i}.osl").write_text(functions + WORDS + SHADER.format(

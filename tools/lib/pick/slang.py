@@ -12,7 +12,8 @@ from wgsl.device import Absent, installed
 PACKAGE = "slangpy==0.43.1"
 # Of SlangCompileTarget in slang.h.
 TARGETS = {"hlsl": 5, "spirv": 6, "metal": 24, "wgsl": 28}
-SOURCE, COMPUTE = 1, 6  # of SlangSourceLanguage and SlangStage: Slang, a compute shader
+SOURCE = 1  # of SlangSourceLanguage: Slang
+STAGES = {"vertex": 1, "fragment": 5, "compute": 6}  # of SlangStage
 
 
 class Slang:
@@ -40,8 +41,8 @@ class Slang:
         self._session = self._slang.spCreateSession(None)
 
     def compiled(self, text: str, target: str = "wgsl", folder: Path | None = None,
-                 macros: Mapping[str, str] | None = None) -> bytes:
-        """The entry point main, with modules of a folder and macros, which modules see as well; raises NotRun."""
+                 macros: Mapping[str, str] | None = None, entry: str = "main", stage: str = "compute") -> bytes:
+        """An entry point, with modules of a folder and macros, which modules see as well; raises NotRun."""
         slang = self._slang
         request = slang.spCreateCompileRequest(self._session)
         try:
@@ -52,11 +53,11 @@ class Slang:
                 slang.spAddPreprocessorDefine(request, name.encode(), value.encode())
             unit = slang.spAddTranslationUnit(request, SOURCE, b"")
             slang.spAddTranslationUnitSourceString(request, unit, b"shader.slang", text.encode("ascii"))
-            entry = slang.spAddEntryPoint(request, unit, b"main", COMPUTE)
+            point = slang.spAddEntryPoint(request, unit, entry.encode(), STAGES[stage])
             if slang.spCompile(request) != 0:
                 raise NotRun(slang.spGetDiagnosticOutput(request).decode())
             size = ctypes.c_size_t()
-            code = slang.spGetEntryPointCode(request, entry, ctypes.byref(size))
+            code = slang.spGetEntryPointCode(request, point, ctypes.byref(size))
             return ctypes.string_at(code, size.value)
         finally:
             slang.spDestroyCompileRequest(request)
