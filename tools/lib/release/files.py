@@ -104,6 +104,9 @@ class Release:
     def unity(self) -> None:
         run([TOOLS / "unity", "--zip", self.folder], env=self.environment)
 
+    def materialx(self) -> None:
+        run([TOOLS / "materialx", "--zip", self.folder], env=self.environment)
+
     def godot(self) -> None:
         run([TOOLS / "godot-addon", self.folder], env=self.environment)
 
@@ -135,8 +138,8 @@ class Release:
         (self.folder / "SHA256SUMS").write_text("".join(lines), encoding="ascii")
 
 
-PARTS = ("single", "parts", "vectors", "headers", "source", "npm", "python", "rust", "wesl", "unity", "godot",
-         "playground", "check")
+PARTS = ("single", "parts", "vectors", "headers", "source", "npm", "python", "rust", "wesl", "unity",
+         "materialx", "godot", "playground", "check")
 # What must be there of each, so that a tool that makes something else is noticed.
 NAMES = {"single": r"hashnoise(\.min|\.fixed)?\.(glsl|hlsl|metal|wgsl)", "parts": r"hashnoise-VERSION-parts\.zip",
          "vectors": r"hashnoise-VERSION-vectors\.zip",
@@ -145,6 +148,7 @@ NAMES = {"single": r"hashnoise(\.min|\.fixed)?\.(glsl|hlsl|metal|wgsl)", "parts"
          "python": r"hashnoise-VERSION-[\w.-]+\.whl", "rust": r"hashnoise-rust-VERSION\.zip",
          "wesl": r"hashnoise_wgsl-VERSION\.zip",
          "unity": r"com\.hashnoise\.noise-VERSION\.zip",
+         "materialx": r"hashnoise-materialx-VERSION\.zip",
          "godot": r"hashnoise-godot-VERSION\.zip",
          "playground": r"playground\.html", "check": r"check\.html"}
 
