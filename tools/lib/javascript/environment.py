@@ -24,18 +24,20 @@ OFFLINE = re.compile("ENOTFOUND|EAI_AGAIN|ECONNREFUSED|ECONNRESET|ETIMEDOUT|ENET
                      "ConnectTimeout|ReadTimeout|NameResolutionError|ProxyError|Max retries exceeded", re.I)
 
 
-def wanted() -> str:
-    return (HERE / "package-lock.json").read_text(encoding="utf-8")
+def wanted(packages: Path = HERE) -> str:
+    return (packages / "package-lock.json").read_text(encoding="utf-8")
 
 
-def make(folder: Path) -> int:
+def make(folder: Path, packages: Path = HERE) -> int:
+    """With what the package.json of a folder names. Other tests have other packages, in a folder below this one."""
     made = folder / MADE
-    if made.exists() and made.read_text(encoding="utf-8") == wanted():
+    if made.exists() and made.read_text(encoding="utf-8") == wanted(packages):
         return 0
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
-    for name in ("package.json", "package-lock.json", "chromium.mjs"):
-        shutil.copy(HERE / name, folder)
+    for name in ("package.json", "package-lock.json"):
+        shutil.copy(packages / name, folder)
+    shutil.copy(HERE / "chromium.mjs", folder)
     done = subprocess.run([NODE, "npm", "ci", "--no-audit", "--no-fund", "--fetch-retries", "1"], cwd=folder,
                           capture_output=True, text=True, check=False)
     if done.returncode != 0:
@@ -44,7 +46,7 @@ def make(folder: Path) -> int:
             return 1
         print("npm's registry cannot be reached, so what package.json names cannot be installed.")
         return SKIPPED
-    made.write_text(wanted(), encoding="utf-8")
+    made.write_text(wanted(packages), encoding="utf-8")
     return 0
 
 
