@@ -27,10 +27,11 @@ from wgsl.translator import Translator
 Key = tuple[str, tuple[str, ...]]
 
 
-def read(library: Path, settings: dict[str, str], splits: bool = False, own: Sequence[Function] = ()) -> Module:
-    """The whole library with these knobs, and with these functions of the user's."""
+def read(library: Path, settings: dict[str, str], splits: bool = False, own: Sequence[Function] = (),
+         below: str = "") -> Module:
+    """The whole library with these knobs, with these functions of the user's, and with a text below it."""
     preprocessor = Preprocessor(library, settings)
-    preprocessor.read('#include "hashnoise.glsl"\n', "the library")
+    preprocessor.read(f'#include "hashnoise.glsl"\n{below}', "the library")
     # Where floats are precise, all are: the printer says so.
     tokens = [token for token in preprocessor.tokens if token.text != "precise"]
     tree = Parser(tokens).parse()
