@@ -101,6 +101,9 @@ class Release:
     def wesl(self) -> None:
         run([TOOLS / "wesl", "--zip", self.folder], env=self.environment)
 
+    def glsl_noise(self) -> None:
+        run([TOOLS / "glsl-noise", "--zip", self.folder], env=self.environment)
+
     def unity(self) -> None:
         run([TOOLS / "unity", "--zip", self.folder], env=self.environment)
 
@@ -138,8 +141,8 @@ class Release:
         (self.folder / "SHA256SUMS").write_text("".join(lines), encoding="ascii")
 
 
-PARTS = ("single", "parts", "vectors", "headers", "source", "npm", "python", "rust", "wesl", "unity",
-         "materialx", "godot", "playground", "check")
+PARTS = ("single", "parts", "vectors", "headers", "source", "npm", "python", "rust", "wesl", "glsl-noise",
+         "unity", "materialx", "godot", "playground", "check")
 # What must be there of each, so that a tool that makes something else is noticed.
 NAMES = {"single": r"hashnoise(\.min|\.fixed)?\.(glsl|hlsl|metal|wgsl)", "parts": r"hashnoise-VERSION-parts\.zip",
          "vectors": r"hashnoise-VERSION-vectors\.zip",
@@ -147,6 +150,7 @@ NAMES = {"single": r"hashnoise(\.min|\.fixed)?\.(glsl|hlsl|metal|wgsl)", "parts"
          "source": r"hashnoise-VERSION-source\.tar\.gz", "npm": r"hashnoise-VERSION\.tgz",
          "python": r"hashnoise-VERSION-[\w.-]+\.whl", "rust": r"hashnoise-rust-VERSION\.zip",
          "wesl": r"hashnoise_wgsl-VERSION\.zip",
+         "glsl-noise": r"hashnoise-glsl-noise-VERSION\.zip",
          "unity": r"com\.hashnoise\.noise-VERSION\.zip",
          "materialx": r"hashnoise-materialx-VERSION\.zip",
          "godot": r"hashnoise-godot-VERSION\.zip",

@@ -1,0 +1,1 @@
+export default "float snoise(vec3 p) { return flour(p.x); }";
