@@ -1,4 +1,4 @@
-"""Functions in HLSL that are nodes of engines' shader graphs: what is asked for most, with what a node passes to them."""
+"""Functions in HLSL that are nodes of engines' shader graphs: what is asked for most, with what a node passes."""
 
 from __future__ import annotations
 

@@ -107,6 +107,9 @@ class Release:
     def unity(self) -> None:
         run([TOOLS / "unity", "--zip", self.folder], env=self.environment)
 
+    def unreal(self) -> None:
+        run([TOOLS / "unreal", "--zip", self.folder], env=self.environment)
+
     def materialx(self) -> None:
         run([TOOLS / "materialx", "--zip", self.folder], env=self.environment)
 
@@ -142,7 +145,7 @@ class Release:
 
 
 PARTS = ("single", "parts", "vectors", "headers", "source", "npm", "python", "rust", "wesl", "glsl-noise",
-         "unity", "materialx", "godot", "playground", "check")
+         "unity", "unreal", "materialx", "godot", "playground", "check")
 # What must be there of each, so that a tool that makes something else is noticed.
 NAMES = {"single": r"hashnoise(\.min|\.fixed)?\.(glsl|hlsl|metal|wgsl)", "parts": r"hashnoise-VERSION-parts\.zip",
          "vectors": r"hashnoise-VERSION-vectors\.zip",
@@ -152,6 +155,7 @@ NAMES = {"single": r"hashnoise(\.min|\.fixed)?\.(glsl|hlsl|metal|wgsl)", "parts"
          "wesl": r"hashnoise_wgsl-VERSION\.zip",
          "glsl-noise": r"hashnoise-glsl-noise-VERSION\.zip",
          "unity": r"com\.hashnoise\.noise-VERSION\.zip",
+         "unreal": r"hashnoise-unreal-VERSION\.zip",
          "materialx": r"hashnoise-materialx-VERSION\.zip",
          "godot": r"hashnoise-godot-VERSION\.zip",
          "playground": r"playground\.html", "check": r"check\.html"}
