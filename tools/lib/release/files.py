@@ -113,6 +113,9 @@ class Release:
     def materialx(self) -> None:
         run([TOOLS / "materialx", "--zip", self.folder], env=self.environment)
 
+    def isf(self) -> None:
+        run([TOOLS / "isf", "--zip", self.folder], env=self.environment)
+
     def godot(self) -> None:
         run([TOOLS / "godot-addon", self.folder], env=self.environment)
 
@@ -145,7 +148,7 @@ class Release:
 
 
 PARTS = ("single", "parts", "vectors", "headers", "source", "npm", "python", "rust", "wesl", "glsl-noise",
-         "unity", "unreal", "materialx", "godot", "playground", "check")
+         "unity", "unreal", "materialx", "isf", "godot", "playground", "check")
 # What must be there of each, so that a tool that makes something else is noticed.
 NAMES = {"single": r"hashnoise(\.min|\.fixed)?\.(glsl|hlsl|metal|wgsl)", "parts": r"hashnoise-VERSION-parts\.zip",
          "vectors": r"hashnoise-VERSION-vectors\.zip",
@@ -157,6 +160,7 @@ NAMES = {"single": r"hashnoise(\.min|\.fixed)?\.(glsl|hlsl|metal|wgsl)", "parts"
          "unity": r"com\.hashnoise\.noise-VERSION\.zip",
          "unreal": r"hashnoise-unreal-VERSION\.zip",
          "materialx": r"hashnoise-materialx-VERSION\.zip",
+         "isf": r"hashnoise-isf-VERSION\.zip",
          "godot": r"hashnoise-godot-VERSION\.zip",
          "playground": r"playground\.html", "check": r"check\.html"}
 
