@@ -302,7 +302,7 @@ class Osl(Language):
             type_ = {1: "float", 2: "vector2", 3: "vector"}[n]
             parts = {1: ["result"], 2: ["result.x", "result.y"], 3: [f"result[{axis}]" for axis in range(3)]}[n]
             made = call(form, self.READ, "vector{}").replace("vector3(", "vector(").replace("float(", "(float)(")
-            # A pixel is a row of vectors below, and the signs of the results above.
+            # Pixels have no signs: those below have what is positive of a result, and those above what is negative.
             (folder / f"row{i}.osl").write_text(f"""#include "mx_funcs.h"
 {text}
 shader rows(output color shown = 0) {{
