@@ -32,7 +32,11 @@ set_tests_properties(python.manylinux PROPERTIES FIXTURES_REQUIRED python_wheel 
 add_test(NAME python.registry CONFIGURATIONS Thorough
          COMMAND Python3::Interpreter -B ${package_tests}/environment.py run --with twine.txt ${package_environment} registry_test)
 set_tests_properties(python.registry PROPERTIES FIXTURES_REQUIRED python_wheel SKIP_RETURN_CODE 77)
-foreach(subject arrays documents golden options source types)
+# mypy reads all of NumPy's types, and the stub changes seldom.
+add_test(NAME python.types CONFIGURATIONS Thorough
+         COMMAND Python3::Interpreter -B ${package_tests}/environment.py run --with mypy.txt ${package_environment} types_test)
+set_tests_properties(python.types PROPERTIES FIXTURES_REQUIRED python_wheel SKIP_RETURN_CODE 77)
+foreach(subject arrays documents golden options source)
   add_test(NAME python.${subject} COMMAND Python3::Interpreter -B ${package_tests}/environment.py run ${package_environment} ${subject}_test)
   set_tests_properties(python.${subject} PROPERTIES FIXTURES_REQUIRED python_wheel SKIP_RETURN_CODE 77)
 endforeach()

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -99,11 +99,9 @@ class Types(unittest.TestCase):
         done = self.compare_with_the_code()
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
-    @unittest.skipUnless("HN_THOROUGH" in os.environ, "mypy takes long: tools/test --thorough")
     def test_another_stub_is_noticed(self):
         """In a copy of the package, which stands before the installed one."""
         import hashnoise
-        import shutil
         shutil.copytree(Path(hashnoise.__file__).parent, self.scratch / "hashnoise")
         stub = self.scratch / "hashnoise" / "__init__.pyi"
         text = stub.read_text()

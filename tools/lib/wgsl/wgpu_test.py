@@ -82,13 +82,15 @@ class Wgpu(unittest.TestCase):
     def test_golden_values_of_fixed(self):
         golden = dict(ids("lattice+fixed", "any"))
         self.assertGreater(len(golden), 300)
-        self.assertEqual(differing(self.device, shaders(GLSL, golden), golden), {})
+        # By default a third of the functions: a driver takes long to compile them, and the text of all compiles above.
+        some = golden if THOROUGH else dict(list(golden.items())[::3])
+        self.assertEqual(differing(self.device, shaders(GLSL, some), some), {})
 
     def test_golden_values_of_floats(self):
         page = Page(self.program, "*.lattice.fast.compute.wgsl.golden")
         self.assertGreater(len(page.cases), 285)
-        # By default some of each file: all functions have their bits above, and their floats in a browser.
-        cases = page.cases if THOROUGH else page.cases[::4]
+        # By default some of each file, and others than above.
+        cases = page.cases if THOROUGH else page.cases[1::4]
         wrong = {case["id"]: text for case in cases if (text := page.wrong(self.device, case))}
         self.assertEqual(wrong, {})
 
