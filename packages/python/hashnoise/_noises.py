@@ -295,7 +295,7 @@ def phasor(x, y, z=None, /, *, seed=0, period=None, wave=None, phase=None, cell=
              convolution", 2009; docs/contract.md, section 23
 
     >>> hashnoise.phasor(0.5, 0.25, seed=7, arithmetic="fixed")
-    array([-0.1496172 , -0.46759605], dtype=float32)
+    array([-0.18757296, -0.56310844], dtype=float32)
     """
     return points("phasor", (x, y, z), cell, out, threads, noise="phasor", seed=seed, period=period, wave=wave,
                   phase=phase, arithmetic=arithmetic, instruction_set=instruction_set)
