@@ -114,9 +114,8 @@ def table() -> str:
 def package() -> dict[str, str]:
     """All files, by their paths."""
     described = json.loads((PACKAGE / "package.json").read_text(encoding="utf-8"))
-    page = (PACKAGE / "README.md").read_text(encoding="utf-8")
     found = {"package.json": json.dumps({"name": NAME, "version": version(), **described}, indent=2) + "\n",
-             "README.md": page.replace("<!-- files -->\n", table()),
+             "README.md": (PACKAGE / "README.md").read_text(encoding="utf-8"),
              "LICENSE": (ROOT / "LICENSE").read_text(encoding="utf-8")}
     for file in FILES:
         text = glsl(file)

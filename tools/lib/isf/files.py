@@ -91,7 +91,6 @@ def table() -> str:
 @cache
 def package() -> dict[str, str]:
     """All files, by their paths."""
-    page = (PACKAGE / "README.md").read_text(encoding="utf-8")
-    return {"README.md": page.replace("<!-- looks -->\n", table()),
+    return {"README.md": (PACKAGE / "README.md").read_text(encoding="utf-8"),
             "LICENSE": (ROOT / "LICENSE").read_text(encoding="utf-8"),
             **{f"hn-{name}.fs": shader(name) for name in LOOKS}}

@@ -189,8 +189,7 @@ def table() -> str:
 @cache
 def package() -> dict[str, str]:
     """All files, by their paths."""
-    page = (PACKAGE / "README.md").read_text(encoding="utf-8")
-    found = {"README.md": page.replace("<!-- nodes -->\n", table()),
+    found = {"README.md": (PACKAGE / "README.md").read_text(encoding="utf-8"),
              "LICENSE": (ROOT / "LICENSE").read_text(encoding="utf-8"),
              f"{LIBRARY}/hashnoise_defs.mtlx": document("".join(map(declared, FORMS)))}
     for target in TARGETS:

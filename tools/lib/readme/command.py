@@ -1,6 +1,6 @@
 """Makes what the pages show of the library: their pictures, the table of typical values, the tables of costs, which
-file has which function, the size of all of them in one, how long the commands take, and what looks like the noise of
-other libraries.
+file has which function, the size of all of them in one, how long the commands take, what looks like the noise of
+other libraries, and what packages for other programs have.
 
     tools/readme            writes them
     tools/readme --check    whether they are what they should be, and the README states the costs and the times
@@ -26,14 +26,19 @@ import sys
 from collections.abc import Sequence
 
 from compile_times import command as of_compilers
+from glsl_noise import files as glsl_noise
 from gpu import pages as of_gpus
+from isf import files as isf
 from judge import record as of_noises
 from likeness import ports
+from materialx import files as materialx
 from readme import files, gallery, hashes, numbers, picture
 from readme import times as of_commands
 from tables.markdown import with_section
 from tree import ROOT
 from uniform import command as of_uniform
+from unity import files as unity
+from unreal import files as unreal
 
 README = "README.md"
 MEASURING = "docs/measuring.md"
@@ -74,6 +79,11 @@ def tables(times: of_commands.Times) -> list[tuple[str, str, str]]:
             (MEASURING, "tools/readme: peers on a GPU", numbers.peer_table(numbers.peer_costs(numbers.GPU))),
             (HASHES, "tools/readme: hashes", hashes.hash_table(hashes.record())),
             (JUDGE, "tools/readme: judged", of_noises.judge_table(of_noises.read())),
+            ("packages/materialx/README.md", "tools/readme: nodes", materialx.table()),
+            ("packages/unity/README.md", "tools/readme: nodes", unity.table()),
+            ("packages/unreal/README.md", "tools/readme: nodes", unreal.table()),
+            ("packages/isf/README.md", "tools/readme: looks", isf.table()),
+            ("packages/glsl-noise/README.md", "tools/readme: files", glsl_noise.table()),
             *((MOVING, *named) for named in ports.page_tables(ports.read()))]
 
 

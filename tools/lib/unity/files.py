@@ -73,7 +73,6 @@ def package() -> dict[str, str]:
              for path in sorted(PACKAGE.rglob("*")) if path.is_file()}
     described = json.loads(found["package.json"])
     found["package.json"] = json.dumps({"name": NAME, "version": version(), **described}, indent=2) + "\n"
-    found["README.md"] = found["README.md"].replace("<!-- nodes -->\n", table())
     found["LICENSE.md"] = (ROOT / "LICENSE").read_text(encoding="utf-8")
     for arithmetic, suffix in ARITHMETICS.items():
         found[f"Shaders/HashNoise{suffix}.hlsl"] = graph(arithmetic)

@@ -42,7 +42,6 @@ def package() -> dict[str, str]:
     found = {path.relative_to(PACKAGE).as_posix(): path.read_text(encoding="utf-8")
              for path in sorted(PACKAGE.rglob("*")) if path.is_file()}
     found[DESCRIPTION] = json.dumps({**json.loads(found[DESCRIPTION]), "VersionName": version()}, indent=2) + "\n"
-    found["README.md"] = found["README.md"].replace("<!-- nodes -->\n", table())
     found["LICENSE"] = (ROOT / "LICENSE").read_text(encoding="utf-8")
     for arithmetic, suffix in ARITHMETICS.items():
         found[f"Shaders/HashNoise{suffix}.ush"] = shader(arithmetic)

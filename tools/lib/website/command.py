@@ -79,6 +79,7 @@ def make(out: Path) -> None:
         (source / "extra").mkdir(parents=True)
         pages.write(ROOT, source, MORE)
         extra(source / "extra")
+        shutil.copyfile(HERE / "live.js", source / "extra" / "live.js")
         build(source, made)
         for name in (".buildinfo", "objects.inv"):
             (made / name).unlink(missing_ok=True)

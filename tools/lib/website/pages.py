@@ -10,6 +10,8 @@ import subprocess
 from collections.abc import Iterable
 from pathlib import Path
 
+from website import live
+
 # What the site shows beside its pages, in the order in which a reader needs them. A page of docs/ is in one group.
 GROUPS = {
     "Noise": ["tutorial", "noises", "sums", "cellular", "random", "uniform", "hex-tiling", "gallery/README",
@@ -22,6 +24,10 @@ GROUPS = {
     "Work on hashnoise": ["internals", "adding", "release", "publishing"],
 }
 TOP = ("CHANGELOG", "CONTRIBUTING", "CODE_OF_CONDUCT", "SECURITY", "results/README", "conformance/run/expect/README")
+# The page of a package that a command makes; pages of docs/ lead there.
+PACKAGE = re.compile(r"packages/[\w-]+/README\.md")
+# What the site makes of a page.
+CHANGED = {"docs/tutorial.md": live.with_pictures}
 # The link of a page, but for its anchor.
 LINK = re.compile(r"(?<=\]\()(?!\w+:|#)([^)#\s]+)")
 
@@ -31,7 +37,7 @@ def pages(root: Path) -> list[str]:
     found = subprocess.run(["git", "-C", root, "ls-files", "-z", "--cached", "--others", "--exclude-standard", "*.md"],
                            capture_output=True, text=True, check=True).stdout.split("\0")
     return sorted(name for name in found if name and (root / name).exists() and
-                  (name.startswith("docs/") or name.removesuffix(".md") in ("README", *TOP)))
+                  (name.startswith("docs/") or PACKAGE.fullmatch(name) or name.removesuffix(".md") in ("README", *TOP)))
 
 
 def ungrouped(names: Iterable[str]) -> list[str]:
@@ -46,7 +52,8 @@ def table_of_contents(names: Iterable[str]) -> str:
         lines = ["```{toctree}", ":hidden:", f":caption: {caption}", *entries, "```"]
         return "\n" + "".join(f"{line}\n" for line in lines)
 
-    deep = [name.removesuffix(".md") for name in names if name.count("/") > 1 and name.startswith("docs/")]
+    deep = [name.removesuffix(".md") for name in names
+            if name.count("/") > 1 and (name.startswith("docs/") or PACKAGE.fullmatch(name))]
     grouped = {f"docs/{name}" for those in GROUPS.values() for name in those}
     text = "".join(tree(caption, [f"docs/{name}" for name in those]) for caption, those in GROUPS.items())
     return text + tree("More", [*TOP, *(name for name in deep if name not in grouped)])
@@ -92,6 +99,7 @@ class Copy:
 
     def page(self, name: str, more: str = "") -> None:
         text = (self.root / name).read_text(encoding="utf-8")
+        text = CHANGED.get(name, str)(text)
         text = LINK.sub(lambda link: self.target(name, link[1]), text) + more
         copied = self.folder / ("index.md" if name == "README.md" else name)
         copied.parent.mkdir(parents=True, exist_ok=True)

@@ -15,11 +15,15 @@ import sys
 import tempfile
 import unittest
 from pathlib import Path
+from unittest import mock
 
 import chromium
 from pypi import SKIPPED, environment
+from thorough import THOROUGH
 from tree import ROOT
-from website import command, pages
+from website import command, live, pages
+
+TUTORIAL = (ROOT / "docs" / "tutorial.md").read_text(encoding="utf-8")
 
 PAGE = """# One
 
@@ -100,6 +104,31 @@ class Usage(unittest.TestCase):
         self.assertTrue((folder / "mine").exists())
 
 
+class Live(unittest.TestCase):
+    """The pictures of the tutorial."""
+
+    def test_shaders_compile(self) -> None:
+        steps = [step.groups() for step in live.STEP.finditer(TUTORIAL)]
+        self.assertEqual([int(number) for number, _, _ in steps], list(range(1, 13)))
+        for number, _, code in steps if THOROUGH else [steps[8]]:  # with what GLSL has, and the library lacks
+            with self.subTest(number):
+                done = subprocess.run(["glslangValidator", "--stdin", "-S", "frag"], input=live.shader(number, code),
+                                      capture_output=True, text=True, check=False)
+                self.assertEqual(done.returncode, 0, done.stdout)
+
+    def test_what_cannot_be_drawn_is_told(self) -> None:
+        with self.assertRaisesRegex(ValueError, "step 3 has no picture: .*no function hn_merlin"):
+            live.with_pictures(TUTORIAL.replace("hn_perlin(p))", "hn_merlin(p))"))
+
+    def test_a_step_has_its_picture_behind_its_code_and_before_its_text(self) -> None:
+        with mock.patch.object(live, "shader", return_value="void main() {}"):
+            text = live.with_pictures(TUTORIAL)
+        second = text[text.index("## 2."):text.index("## 3.")]
+        self.assertRegex(second, r'hn_value.*\n```\n\n<figure class="live">\n(?:.*\n){2}</figure>\n\nThis is value')
+        self.assertEqual((text.count("</figure>"), text.count("data-moves")), (12, 1))
+        self.assertIn('<a href="../playground.html#sum=none&amp;noise=value">', text)
+
+
 @unittest.skipUnless(__name__ == "__main__", "the test site.whole has Sphinx")
 class Whole(Tree):
     def refusal(self) -> str:
@@ -132,10 +161,19 @@ class Whole(Tree):
         self.assertIsNotNone(LOADED.search('<script src="https://example.com/x.js">'))
         if not (program := chromium.found()):
             self.skipTest("there is no Chromium, which would search")
-        searched = chromium.command(program, self.root / "profile", "--virtual-time-budget=8000", "--dump-dom")
-        done = subprocess.run([*searched, f"{(out / 'search.html').as_uri()}?q=cellular"], capture_output=True,
-                              text=True, check=False)
-        self.assertRegex(done.stdout, r'<li[^>]*><a href="docs/cellular\.html"')
+        browser = chromium.command(program, self.root / "profile", "--virtual-time-budget=8000", "--dump-dom")
+
+        def shown(address: str) -> str:
+            return subprocess.run([*browser, address], capture_output=True, text=True, check=False).stdout
+
+        self.assertRegex(shown(f"{(out / 'search.html').as_uri()}?q=cellular"), r'<li[^>]*><a href="docs/cellular\.html"')
+        tutorial = out / "docs" / "tutorial.html"
+        self.assertEqual(len(re.findall(r'<figure class="live"[^>]* data-drawn=""', shown(tutorial.as_uri()))), 12)
+        tutorial.write_text(tutorial.read_text(encoding="utf-8").replace("highp vec3 color_at", "highp vec3 at", 1),
+                            encoding="utf-8")
+        page = shown(tutorial.as_uri())
+        self.assertEqual(page.count('data-drawn=""'), 11)
+        self.assertIn("There is no picture here: ", page)
 
 
 if __name__ == "__main__":
