@@ -1,0 +1,71 @@
+"""Commands that install nothing open no connection: strace tells.
+
+    python3 -m commands.network_test HN_CONFORM
+
+Browsers are left out, since they ask by themselves which networks there are. Exit status: 0 it is so, 1 it is not, 77
+strace is not here, or may not trace.
+"""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+from tree import ROOT, TOOLS
+
+SKIPPED = 77
+# {} is an empty folder. Those that install are conform, test, bench and what else setup.sh serves, what needs NumPy
+# (scientific-python), what has packages of npm, PyPI or cargo (npm, wheel, site), and gpu-costs --get-drivers.
+COMMANDS = (["catalog", "--check"], ["crate", "{}"], ["freeze", "--check"], ["glsl-noise", "{}"], ["godot-addon", "{}"],
+            ["golden", "--check", "--sample", "50"], ["isf", "{}"], ["materialx", "{}"], ["pick", "hn_fbm2"],
+            ["playground", "--out", "{}/page.html"], ["results", "--check", "--earlier"],
+            ["single-file", "--out", "{}/all.glsl"], ["umbrella", "--check"], ["unity", "{}"], ["unreal", "{}"],
+            ["vectors", "--check", "--sample", "60"], ["wesl", "{}"], ["wgsl", "noise2d.glsl"])
+OF_CONFORM = (["run", "--filter", "noise2d.perlin.lattice.fast.*", "--out", "{}/out"], ["web", "--out", "{}/web"])
+OUTWARD = re.compile(r"connect\(.*AF_INET6?,(?!.*(?:\"127\.|\"::1\")).*")
+
+
+def connections(command: list[str | Path], folder: str) -> tuple[int, list[str]]:
+    """The exit status of a command, and what it and all that it starts connect to, beyond this machine."""
+    record = Path(folder, "strace")
+    traced = ["strace", "-f", "--seccomp-bpf", "-qq", "-e", "trace=connect", "-o", record, *command]
+    done = subprocess.run(traced, cwd=ROOT, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False)
+    return done.returncode, OUTWARD.findall(record.read_text(encoding="utf-8", errors="replace"))
+
+
+class Network(unittest.TestCase):
+    program: str
+
+    def setUp(self) -> None:
+        self.folder = self.enterContext(tempfile.TemporaryDirectory())
+
+    def test_it_is_not_used(self) -> None:
+        commands = [[TOOLS / name, *options] for name, *options in COMMANDS]
+        commands += [[self.program, *options] for options in OF_CONFORM]
+        for number, command in enumerate(commands):
+            with self.subTest(command=command):
+                made = Path(self.folder, str(number))
+                made.mkdir()
+                filled = [str(part).replace("{}", str(made)) for part in command]
+                self.assertEqual(connections(filled, self.folder), (0, []))
+
+    def test_a_connection_is_told(self) -> None:
+        """To an address that nobody has, by a socket that sends nothing."""
+        code = "import socket; socket.socket({}, socket.SOCK_DGRAM).connect(({!r}, 443))"
+        for family, address, told in (("socket.AF_INET", "192.0.2.1", 1), ("socket.AF_INET", "127.0.0.1", 0)):
+            status, found = connections([sys.executable, "-c", code.format(family, address)], self.folder)
+            self.assertEqual(len(found), told, found)
+
+
+if __name__ == "__main__":
+    Network.program = sys.argv.pop(1)
+    try:
+        subprocess.run(["strace", "-qq", "-o", "/dev/null", "true"], check=True, capture_output=True)
+    except (OSError, subprocess.CalledProcessError) as reason:
+        print(f"skipped: {reason}; Debian's package is strace")
+        sys.exit(SKIPPED)
+    unittest.main()
