@@ -1,5 +1,7 @@
 // The panel: what is chosen there, and how it shows the state.
-import { copied, copiedText, kKinds, kLanguages } from "./code.js";
+import { kLanguages } from "./code.js";
+import { copied, copiedText, kKinds } from "./copied.js";
+import { byId, element } from "./elements.js";
 import {
   dimensionsOf,
   kArithmetics,
@@ -21,8 +23,6 @@ import {
   uses,
 } from "./model.js";
 import { gradientOf } from "./palette.js";
-
-export const byId = (id) => document.getElementById(id);
 
 // name: [label, from, to, step].
 const kSliders = {
@@ -53,12 +53,6 @@ const kNotes = {
 
 function labels(table) {
   return Object.fromEntries(Object.entries(table).map(([name, { label }]) => [name, label]));
-}
-
-function element(tag, properties = {}, ...children) {
-  const made = Object.assign(document.createElement(tag), properties);
-  made.append(...children);
-  return made;
 }
 
 // The value so many steps further. A step is one; but a scale has no end at one cell, and halves below it.

@@ -1,7 +1,9 @@
 // The page: the state, the picture, and what moves it.
 import { shaderKey } from "./code.js";
-import { byId, Controls } from "./controls.js";
+import { Controls } from "./controls.js";
 import { costOf } from "./cost.js";
+import { byId } from "./elements.js";
+import { listen } from "./hands.js";
 import { Library, unpacked } from "./library.js";
 import {
   kNoises,
@@ -14,39 +16,19 @@ import {
   stateOf,
   stateOfLook,
   uses,
-  usualState,
 } from "./model.js";
-import { paletteOf } from "./palette.js";
-import { frameOf, kBits, kColours, pageShader } from "./shaders.js";
-import { Speed } from "./speed.js";
+import { kBackends, Picture } from "./picture.js";
 import { panned, partsOf, positionOfPixel, zoomed } from "./view.js";
-import { WebGL2 } from "./webgl.js";
-import { WebGPU } from "./webgpu.js";
 
-const kBackends = { webgl2: WebGL2, webgpu: WebGPU };
-const kKeptPrograms = 24;
-const kMostPixels = 16e6;
-const kMoving = 34; // milliseconds that a picture may take while it moves; else it is drawn coarser
-const kResting = 1200; // when it rests; one that takes longer is drawn finer in steps, until it is sharp
-const kStrip = 40; // milliseconds that a part of a picture takes; between two the page and the GPU do other things
-const kMostStrips = 256; // of a picture, since one waits for each
-const kCoarsest = 8;
-const kRest = 160; // milliseconds without a change after which it is drawn fine again
-const kPatience = 250; // milliseconds after which the page says that it draws
 const kLinkDelay = 300; // browsers refuse an address that changes too often
 const kStill = "This picture does not move. Choose 3D or 4D, or one octave of Perlin or simplex noise in 2D.";
 const kTold = 1500; // milliseconds for which a button says that it has copied
 const kSpeed = 0.25; // cells, or turns over four, in a second
 
-class Playground {
+class Playground extends Picture {
   constructor(library) {
-    this.library = library;
-    this.backends = {};
-    this.programs = new Map();
-    this.state = stateOf(location.hash);
-    this.speeds = new WeakMap(); // by the program
+    super(library, stateOf(location.hash));
     this.labelTimers = new Map(); // by the button
-    this.moves = false;
     this.playing = false;
     this.pointer = undefined; // where the value is read
     this.controls = new Controls(
@@ -56,10 +38,6 @@ class Playground {
     );
     byId("version").textContent = library.version;
     byId("drawing").hidden = false; // until there is a picture
-  }
-
-  get canvas() {
-    return byId(`picture-${this.state.renderer}`);
   }
 
   // ------------------------------------------------------------------------------------------------------------------
@@ -141,162 +119,6 @@ class Playground {
     if (!this.probed) byId("value").textContent = "";
   }
 
-  // ------------------------------------------------------------------------------------------------------------------
-  // The picture.
-
-  chooseCanvas() {
-    for (const name of Object.keys(kBackends)) byId(`picture-${name}`).hidden = name !== this.state.renderer;
-  }
-
-  // The backend of the state. One that is not to be had is replaced by the other.
-  async backend() {
-    const name = this.state.renderer;
-    if (!this.backends[name] || this.backends[name].lost) {
-      for (const key of this.programs.keys()) if (key.startsWith(`${name} `)) this.programs.delete(key);
-      const canvas = byId(`picture-${name}`);
-      this.backends[name] = await kBackends[name].create(canvas);
-    }
-    return this.backends[name];
-  }
-
-  async program(backend, state) {
-    const key = `${state.renderer} ${shaderKey(state)}`;
-    let found = this.programs.get(key);
-    this.programs.delete(key);
-    if (!found) {
-      found = await backend.build(pageShader(this.library, backend.language, state));
-      if (this.programs.size >= kKeptPrograms) {
-        const [oldest, program] = this.programs.entries().next().value;
-        this.programs.delete(oldest);
-        this.backends[oldest.split(" ")[0]]?.discard(program);
-      }
-    }
-    this.programs.set(key, found);
-    return found;
-  }
-
-  usePalette(backend, map) {
-    if (backend.map === map) return;
-    backend.map = map;
-    backend.setPalette(paletteOf(map));
-  }
-
-  // The size of the picture in pixels of the screen.
-  get size() {
-    const box = this.canvas.getBoundingClientRect();
-    let ratio = window.devicePixelRatio || 1;
-    ratio *= Math.min(1, Math.sqrt(kMostPixels / Math.max(1, box.width * box.height * ratio * ratio)));
-    return [Math.max(1, Math.round(box.width * ratio)), Math.max(1, Math.round(box.height * ratio))];
-  }
-
-  // Something moves: a slow picture is drawn coarser until it rests.
-  restless() {
-    this.moves = true;
-    clearTimeout(this.restTimer);
-    this.restTimer = setTimeout(() => {
-      this.moves = false;
-      if (this.coarse > 1) this.request();
-    }, kRest);
-  }
-
-  // How many pixels of the screen on a side a pixel of the next picture has: at first so many that it takes no longer
-  // than one that moves may, and then fewer with every picture.
-  coarseness(speed, [width, height], first) {
-    const within = (milliseconds) => Math.max(1, Math.ceil(Math.sqrt((width * height) / speed.pixelsIn(milliseconds))));
-    return first ? Math.min(kCoarsest, within(kMoving)) : Math.min(Math.ceil(this.coarse / 2), within(kResting));
-  }
-
-  async speedOf(backend, program, state) {
-    if (!this.speeds.has(program)) {
-      const size = this.size;
-      const area = size[0] * size[1];
-      const time = async (pixels) => {
-        const [width, height] = size.map((side) => Math.max(1, Math.round(side * Math.sqrt(pixels / area))));
-        return this.timedStrip(backend, program, frameOf(state, width, height, kColours), width, height, 0, height);
-      };
-      this.speeds.set(program, await Speed.measured(time, area));
-    }
-    return this.speeds.get(program);
-  }
-
-  async timedStrip(backend, ...strip) {
-    const start = performance.now();
-    backend.strip(...strip);
-    await backend.finished();
-    return performance.now() - start;
-  }
-
-  // Draws a picture in strips where nobody sees it. One that is not the first of a state gives way as soon as another
-  // is wanted: false.
-  async drawHidden(backend, program, speed, state, width, height, first) {
-    const frame = frameOf(state, width, height, kColours);
-    const least = Math.ceil(height / kMostStrips);
-    for (let row = 0; row < height; ) {
-      if (row > 0 && this.wanted && !first) return false;
-      const rows = Math.min(height - row, Math.max(least, Math.floor(speed.pixelsIn(kStrip) / width)));
-      speed.learn(rows * width, await this.timedStrip(backend, program, frame, width, height, row, rows));
-      row += rows;
-    }
-    return true;
-  }
-
-  // Says that a picture is drawn, if that takes long.
-  tell(draws) {
-    if (draws) {
-      this.drawingTimer ??= setTimeout(() => (byId("drawing").hidden = false), kPatience);
-      return;
-    }
-    clearTimeout(this.drawingTimer);
-    this.drawingTimer = undefined;
-    byId("drawing").hidden = true;
-  }
-
-  // Draws soon, and once for all changes until then.
-  request() {
-    this.wanted = true;
-    if (!this.drawing) this.drawing = this.drawWhatIsWanted().finally(() => (this.drawing = undefined));
-    return this.drawing;
-  }
-
-  async drawWhatIsWanted() {
-    while (this.wanted) {
-      this.wanted = false;
-      this.tell(true);
-      await new Promise((resolve) => (document.hidden ? setTimeout(resolve) : requestAnimationFrame(resolve)));
-      try {
-        await this.draw();
-        byId("message").hidden = true;
-      } catch (error) {
-        this.tell(false);
-        await this.failed(error);
-        if (!this.wanted) this.begun();
-      }
-    }
-  }
-
-  async draw() {
-    const wanted = this.state;
-    const state = { ...wanted };
-    const backend = await this.backend();
-    const program = await this.program(backend, state);
-    if (state.renderer !== this.state.renderer) return;
-    this.usePalette(backend, state.map);
-    const speed = await this.speedOf(backend, program, state);
-    const size = this.size;
-    const first = this.moves || this.shown !== wanted;
-    const coarse = this.coarseness(speed, size, first);
-    const [width, height] = size.map((side) => Math.max(1, Math.round(side / coarse)));
-    if (!(await this.drawHidden(backend, program, speed, state, width, height, first))) return;
-    backend.show();
-    this.shown = wanted;
-    this.begun();
-    this.coarse = coarse;
-    if (coarse === 1 || this.moves) this.tell(false);
-    else this.wanted = true;
-    byId("gpu").textContent = `Drawn by ${backend.describe()}.`;
-    if (this.probed) await this.probe();
-  }
-
   async failed(error) {
     const { renderer } = this.state;
     const { webgl2, webgpu } = this.backends;
@@ -317,26 +139,8 @@ class Playground {
     return true;
   }
 
-  // Four bytes a pixel from the lower left corner on, of a picture of this size: of colours, or of the bits of values.
-  async pixels(width, height, mode = kColours) {
-    const state = { ...this.state };
-    const backend = await this.backend();
-    const program = await this.program(backend, state);
-    this.usePalette(backend, state.map);
-    return backend.read(program, frameOf(state, width, height, mode), width, height);
-  }
-
-  // The values at these points, each [x, y, z, w] in parts of a cell.
-  async values(points) {
-    const state = { ...this.state };
-    const backend = await this.backend();
-    const program = await this.program(backend, state);
-    const values = new Float32Array(points.length);
-    for (const [i, point] of points.entries()) {
-      const bytes = await backend.read(program, frameOf(state, 1, 1, kBits, point), 1, 1);
-      values[i] = new DataView(bytes.buffer).getFloat32(0, true);
-    }
-    return values;
+  async drawn() {
+    if (this.probed) await this.probe();
   }
 
   // The value below the pointer.
@@ -495,62 +299,6 @@ class Playground {
     this.change({ seed: crypto.getRandomValues(new Uint32Array(1))[0] % 1000000 });
   }
 
-  listen(canvas) {
-    const fingers = new Map();
-    const middle = () => {
-      const all = [...fingers.values()];
-      return {
-        x: all.reduce((sum, { x }) => sum + x, 0) / all.length,
-        y: all.reduce((sum, { y }) => sum + y, 0) / all.length,
-      };
-    };
-    const spread = () => {
-      const [a, b] = [...fingers.values()];
-      return b ? Math.hypot(a.x - b.x, a.y - b.y) : 0;
-    };
-    canvas.addEventListener("pointerdown", (event) => {
-      if (event.button !== 0) return;
-      canvas.setPointerCapture(event.pointerId);
-      fingers.set(event.pointerId, { x: event.clientX, y: event.clientY });
-    });
-    canvas.addEventListener("pointermove", (event) => {
-      this.pointer = { x: event.clientX, y: event.clientY };
-      if (fingers.has(event.pointerId)) {
-        const [before, wide] = [this.fromMiddle(middle()), spread()];
-        fingers.set(event.pointerId, { x: event.clientX, y: event.clientY });
-        const after = this.fromMiddle(middle());
-        this.pan(after[0] - before[0], after[1] - before[1]);
-        if (wide > 0 && spread() > 0) this.zoom(wide / spread(), after);
-      }
-      this.probe().catch(() => {});
-    });
-    for (const type of ["pointerup", "pointercancel"])
-      canvas.addEventListener(type, (event) => fingers.delete(event.pointerId));
-    canvas.addEventListener("pointerleave", () => {
-      this.pointer = this.probed = undefined;
-      this.describe();
-    });
-    canvas.addEventListener(
-      "wheel",
-      (event) => {
-        event.preventDefault();
-        const lines = event.deltaMode === 1 ? 16 : 1;
-        this.zoom(
-          2 ** ((event.deltaY * lines) / (event.ctrlKey ? 100 : 300)),
-          this.fromMiddle({ x: event.clientX, y: event.clientY }),
-        );
-      },
-      { passive: false },
-    );
-    canvas.addEventListener("dblclick", (event) =>
-      this.zoom(0.5, this.fromMiddle({ x: event.clientX, y: event.clientY })),
-    );
-    canvas.addEventListener("keydown", (event) => this.key(event));
-    // A lost context is taken again when the browser gives it back; a lost device at once.
-    canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
-    for (const type of ["webglcontextrestored", "lost"]) canvas.addEventListener(type, () => this.restored(canvas));
-  }
-
   restored(canvas) {
     const name = canvas.id.replace("picture-", "");
     if (name === "webgpu" && this.state.renderer === name) this.without("webgpu", "webgl2");
@@ -559,31 +307,8 @@ class Playground {
     if (name === this.state.renderer) this.request();
   }
 
-  key(event) {
-    if (event.ctrlKey || event.metaKey || event.altKey) return;
-    // Whole pixels, so that the picture is the same one, moved.
-    const step = Math.round(this.size[0] * (event.shiftKey ? 0.5 : 0.08));
-    const actions = {
-      ArrowLeft: () => this.pan(step, 0),
-      ArrowRight: () => this.pan(-step, 0),
-      ArrowUp: () => this.pan(0, -step),
-      ArrowDown: () => this.pan(0, step),
-      "+": () => this.zoom(2 ** -0.25),
-      "=": () => this.zoom(2 ** -0.25),
-      "-": () => this.zoom(2 ** 0.25),
-      Home: () => this.home(),
-      " ": () => this.play(!this.playing),
-      r: () => this.roll(),
-      R: () => this.roll(),
-    };
-    const action = actions[event.key];
-    if (!action) return;
-    event.preventDefault();
-    action();
-  }
-
   async start() {
-    for (const name of Object.keys(kBackends)) this.listen(byId(`picture-${name}`));
+    for (const name of Object.keys(kBackends)) listen(this, byId(`picture-${name}`));
     byId("play").addEventListener("click", () => this.play(!this.playing));
     byId("dice").addEventListener("click", () => this.roll());
     byId("in").addEventListener("click", () => this.zoom(2 ** -0.5));

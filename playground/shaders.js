@@ -1,6 +1,7 @@
 // The shaders of the page, and the numbers that they read. Each exists in GLSL for WebGL2 and in WGSL for WebGPU; with
 // HN_FIXED both draw the same bytes, since everything from the position to the colour is whole numbers.
-import { functions, knobs, kWgslVertex, numbers } from "./code.js";
+import { functions, knobs, numbers } from "./code.js";
+import { kWgslVertex } from "./copied.js";
 import { rangeOf } from "./model.js";
 import { cellOf, originOf, partsOf, placeOf, stepOf } from "./view.js";
 

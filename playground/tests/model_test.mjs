@@ -5,7 +5,8 @@ import { readFileSync } from "node:fs";
 import { dirname, join, resolve } from "node:path";
 import test from "node:test";
 import { fileURLToPath } from "node:url";
-import { copied, copiedText, functions, kKinds, kLicense, numbers, shaderKey } from "../code.js";
+import { functions, numbers, shaderKey } from "../code.js";
+import { copied, copiedText, kKinds, kLicense } from "../copied.js";
 import { costOf } from "../cost.js";
 import { Library, unpacked } from "../library.js";
 import {

@@ -1,0 +1,233 @@
+// What is copied: the functions of code.js with the colours, with what they call, and as a whole shader.
+import { decimal, declaration, functions, kTypes, knobs, numbers } from "./code.js";
+import { kMaps, rangeOf } from "./model.js";
+import { cellOf, kPartsOfCell, partsOf, placeOf } from "./view.js";
+
+// The values that the lowest and the highest colour stand for, and how the lowest is taken off.
+function endsOf(state) {
+  const [low, high] = rangeOf(state).map((end) => Number(end.toFixed(4)));
+  return { low, high, span: high - low, minus: low < 0 ? `+ ${decimal(-low)}` : `- ${decimal(low)}` };
+}
+
+// The colours as a function of the value.
+function colours(language, state) {
+  const { low, high, span, minus } = endsOf(state);
+  const { float } = kTypes[language];
+  const colour = (stop) => {
+    const parts = [0, 2, 4].map((at) => (parseInt(stop.slice(at, at + 2), 16) / 255).toFixed(3));
+    return `${float(3)}(${parts.join(", ")})`;
+  };
+  const stops = kMaps[state.map].stops;
+  const last = stops.length - 1;
+  const mix = language === "hlsl" ? "lerp" : "mix";
+  const scale = Number((last / span).toPrecision(7));
+  const wgsl = language === "wgsl";
+  const three = (part) => (wgsl ? `vec3f(${part})` : part);
+  const lines = [
+    wgsl
+      ? `let t = clamp((value ${minus}) * ${decimal(scale)}, 0.0, ${last}.0);`
+      : `float t = clamp((value ${minus}) * ${decimal(scale)}, 0.0, ${last}.0);`,
+    wgsl ? `var c = ${colour(stops[0])};` : `${float(3)} c = ${colour(stops[0])};`,
+    ...stops
+      .slice(1)
+      .map((stop, at) => `c = ${mix}(c, ${colour(stop)}, ${three(`clamp(${at ? `t - ${at}.0` : "t"}, 0.0, 1.0)`)});`),
+    "return c;",
+  ];
+  const head = wgsl ? "fn colour(value: f32) -> vec3f {" : `${float(3)} colour(float value) {`;
+  return [`// From ${low} to ${high}: the colours of the picture.`, head, ...lines.map((line) => `  ${line}`), "}"];
+}
+
+const kPlaces = {
+  glsl: "Put it below your #version and #extension lines. " +
+    "In GLSL ES write precision highp float; and precision highp int; first.",
+  hlsl: "Shader model 5 or 6.",
+  wgsl: "Put your entry points below.",
+  cpp: "C++20.",
+};
+
+// Of the library's own files.
+export const kLicense = "// Copyright (c) 2026 The hashnoise authors; MIT License.";
+
+// As what the code is copied, and of whole shaders what stands around the functions: the first lines, how it is used,
+// what is declared, how main begins, where its pixel is, counted from the middle in shorter sides of the picture, which
+// part of the height is below it, and what becomes of the colour.
+const kGlslMain = {
+  use: "Draw a triangle over the picture with it.",
+  declared: ["uniform vec2 resolution;  // of the picture, in pixels", "out vec4 fragment;", ""],
+  main: "void main() {",
+  pixel: "(gl_FragCoord.xy - 0.5 * resolution) / min(resolution.x, resolution.y)",
+  below: "gl_FragCoord.y / resolution.y",
+  result: (colour) => `fragment = vec4(${colour}, 1.0);`,
+};
+// Here rows are counted from above.
+const kTurned = {
+  below: "1.0 - position.y / resolution.y",
+  pixel: (float2) =>
+    `${float2}(position.x - 0.5 * resolution.x, 0.5 * resolution.y - position.y) / min(resolution.x, resolution.y)`,
+};
+export const kWgslVertex = [
+  "@vertex fn vertex(@builtin(vertex_index) i: u32) -> @builtin(position) vec4f {",
+  "  return vec4f(select(-1.0, 3.0, i == 1u), select(-1.0, 3.0, i == 2u), 0.0, 1.0);",
+  "}",
+];
+export const kKinds = {
+  glsl: {
+    function: { label: "Functions" },
+    shader: {
+      ...kGlslMain,
+      label: "Whole shader, GLSL ES 3.00",
+      first: ["#version 300 es", "precision highp float;", "precision highp int;"],
+    },
+    desktop: { ...kGlslMain, label: "Whole shader, GLSL 3.30", first: ["#version 330"] },
+    shadertoy: {
+      label: "Shadertoy",
+      first: [],
+      use: "Paste it into the tab Image of a new shader on shadertoy.com.",
+      declared: [],
+      main: "void mainImage(out vec4 fragColor, in vec2 fragCoord) {",
+      pixel: "(fragCoord - 0.5 * iResolution.xy) / min(iResolution.x, iResolution.y)",
+      below: "fragCoord.y / iResolution.y",
+      result: (colour) => `fragColor = vec4(${colour}, 1.0);`,
+    },
+  },
+  hlsl: {
+    function: { label: "Functions" },
+    shader: {
+      label: "Whole pixel shader",
+      first: [],
+      use: "A pixel shader of shader model 5 or 6. Draw a triangle over the picture with it.",
+      declared: ["cbuffer Frame : register(b0) { float2 resolution; };  // of the picture, in pixels", ""],
+      main: "float4 main(float4 position : SV_Position) : SV_Target {",
+      pixel: kTurned.pixel("float2"),
+      below: kTurned.below,
+      result: (colour) => `return float4(${colour}, 1.0);`,
+    },
+  },
+  wgsl: {
+    function: { label: "Functions" },
+    shader: {
+      label: "Whole shader",
+      first: [],
+      use: "Draw three vertices with it.",
+      declared: [
+        "@group(0) @binding(0) var<uniform> resolution: vec2f;  // of the picture, in pixels",
+        "",
+        ...kWgslVertex,
+        "",
+      ],
+      main: "@fragment fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {",
+      pixel: kTurned.pixel("vec2f"),
+      below: kTurned.below,
+      result: (colour) => `return vec4f(${colour}, 1.0);`,
+    },
+  },
+  cpp: { function: { label: "Functions" } },
+};
+
+const middleOf = ({ x, y, z, w, dimensions }) => [x, y, partsOf(z), partsOf(w)].slice(0, dimensions);
+
+// By which form of "pattern" the picture is drawn: beyond so many cells a position in floats has too few digits behind
+// the point.
+const kFar = 1024;
+const formOf = (state) =>
+  state.cells > kFar || middleOf(state).some((parts) => Math.abs(cellOf(parts)) > kFar) ? "cell" : "position";
+
+// The lines of the main function of a whole shader, which draws the picture as the page has it.
+function mainOf(language, state, { main, pixel, below, result }) {
+  const { float, int } = kTypes[language];
+  const n = state.dimensions;
+  const set = (type, name, value) => declaration(language, type, name, value);
+  const vector = (type, parts) => (parts.length === 1 ? parts[0] : `${type}(${parts.join(", ")})`);
+  const place = middleOf(state);
+  const far = formOf(state) === "cell";
+  const numbers = place.map((parts) => decimal((far ? placeOf(parts) : Number(parts)) / kPartsOfCell));
+  const flat = Math.min(n, 2); // The pixel has so many coordinates; the others are those of the slice.
+  const scaled = `${n === 1 ? "pixel.x" : "pixel"} * ${decimal(state.cells)}`;
+  const slice = `${scaled} + ${vector(float(flat), numbers.slice(0, flat))}`;
+  const lines = [set(float(2), "pixel", pixel)];
+  if (far) {
+    // A literal of the lowest cell would be too large without its sign.
+    const cells = place.map(cellOf).map((cell) => (cell === -2147483648 ? "-2147483647 - 1" : String(cell)));
+    const cell = `${vector(int(flat), cells.slice(0, flat))} + ${int(flat)}(whole)`;
+    lines.push(
+      set(float(flat), "q", slice),
+      set(float(flat), "whole", "floor(q)"),
+      set(int(n), "cell", vector(int(n), [cell, ...cells.slice(2)])),
+      set(float(n), "f", vector(float(n), ["q - whole", ...numbers.slice(2)])),
+    );
+  } else {
+    lines.push(set(float(n), "p", vector(float(n), [slice, ...numbers.slice(2)])));
+  }
+  const call = far ? `${language === "wgsl" ? "pattern_cell" : "pattern"}(cell, f)` : "pattern(p)";
+  if (n > 1) {
+    lines.push(result(`colour(${call})`));
+  } else {
+    // A graph of the values.
+    const { minus, span } = endsOf(state);
+    lines.push(
+      set(float(1), "value", call),
+      set(float(1), "above", `step((value ${minus}) * ${decimal(Number((1 / span).toPrecision(7)))}, ${below})`),
+      result(`colour(value) * (1.0 - 0.875 * above)`),
+    );
+  }
+  return [main, ...lines.map((line) => `  ${line}`), "}"];
+}
+
+// {head, library, code}: lines; of the library a function that makes them: what tools/pick writes of what is called, or
+// the files, if the page has not picked that. Without it the head includes it, if the language can. Whole shaders
+// always have it.
+export function copied(library, language, state, kind = "function", withLibrary = true) {
+  const shell = kKinds[language][kind];
+  const [cpp, wgsl] = [language === "cpp", language === "wgsl"];
+  const values = numbers(language, state);
+  const shown = functions(library, language, state, values, [formOf(state)]);
+  const inside = !cpp && (shell.main || withLibrary);
+  const picked = inside ? library.picked(pickCommand(language, state, shown.public)) : [];
+  const single = shell.main || picked.length > 0;
+  const { lines, files, needs, public: called } = single ? shown : functions(library, language, state, values);
+  const included = language === "hlsl" ? ["begin.hlsl", ...files, "end.hlsl"] : files;
+  const headers = cpp ? ["<hashnoise/hashnoise.hpp>"] : included.map((file) => `"hashnoise/${file}"`);
+  const command = [
+    `// ${inside ? "Less than the library below is" : "In front of it stands"} what tools/pick writes:`,
+    `// ${pickCommand(language, state, called)}`,
+  ];
+  const note = state.dimensions === 1 ? "p counts cells" : "p is a position in cells: uv * 8.0 has 8 of them on a side";
+  const code = [
+    ...(shell.main ? [] : [`// ${note}.${single ? "" : " Far out pass an integer cell and the place in it."}`]),
+    ...lines,
+    ...(cpp ? [] : ["", ...colours(language, state)]),
+    ...(shell.main ? ["", ...shell.declared, ...mainOf(language, state, shell)] : []),
+  ];
+  return {
+    head: [
+      ...(shell.first ?? []),
+      `// Made by hashnoise's playground, version ${library.version}. ${shell.use ?? kPlaces[language]}`,
+      ...(inside && !picked.length ? [kLicense] : []),
+      ...(picked.length || (!inside && !wgsl) ? [] : command),
+      ...(picked.length || wgsl ? [] : knobs(state)),
+      ...(inside || wgsl ? [] : headers.map((header) => `#include ${header}`)),
+      "",
+    ],
+    library: () => {
+      if (!inside || picked.length) return picked;
+      return wgsl ? library.wgsl(needs, state).flatMap((piece) => piece.split("\n")) : library.lines(included);
+    },
+    code: cpp ? ["namespace hashnoise {", ...code, "}  // namespace hashnoise"] : code,
+  };
+}
+
+function pickCommand(language, { arithmetic, hash }, names) {
+  return [
+    "tools/pick",
+    ...names,
+    ...(language === "glsl" ? [] : [`--language ${language}`]),
+    ...(arithmetic === "fixed" ? ["--arithmetic fixed"] : []),
+    ...(hash === "lattice" ? [] : [`--hash ${hash}`]),
+  ].join(" ");
+}
+
+export function copiedText(library, language, state, kind, withLibrary) {
+  const { head, library: text, code } = copied(library, language, state, kind, withLibrary);
+  const inside = text();
+  return [...head, ...inside, ...(inside.length ? [""] : []), ...code, ""].join("\n");
+}

@@ -1,0 +1,80 @@
+// What moves the picture: pointers, fingers, a wheel and keys.
+
+export function listen(page, canvas) {
+  const fingers = new Map();
+  const middle = () => {
+    const all = [...fingers.values()];
+    return {
+      x: all.reduce((sum, { x }) => sum + x, 0) / all.length,
+      y: all.reduce((sum, { y }) => sum + y, 0) / all.length,
+    };
+  };
+  const spread = () => {
+    const [a, b] = [...fingers.values()];
+    return b ? Math.hypot(a.x - b.x, a.y - b.y) : 0;
+  };
+  canvas.addEventListener("pointerdown", (event) => {
+    if (event.button !== 0) return;
+    canvas.setPointerCapture(event.pointerId);
+    fingers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+  });
+  canvas.addEventListener("pointermove", (event) => {
+    page.pointer = { x: event.clientX, y: event.clientY };
+    if (fingers.has(event.pointerId)) {
+      const [before, wide] = [page.fromMiddle(middle()), spread()];
+      fingers.set(event.pointerId, { x: event.clientX, y: event.clientY });
+      const after = page.fromMiddle(middle());
+      page.pan(after[0] - before[0], after[1] - before[1]);
+      if (wide > 0 && spread() > 0) page.zoom(wide / spread(), after);
+    }
+    page.probe().catch(() => {});
+  });
+  for (const type of ["pointerup", "pointercancel"])
+    canvas.addEventListener(type, (event) => fingers.delete(event.pointerId));
+  canvas.addEventListener("pointerleave", () => {
+    page.pointer = page.probed = undefined;
+    page.describe();
+  });
+  canvas.addEventListener(
+    "wheel",
+    (event) => {
+      event.preventDefault();
+      const lines = event.deltaMode === 1 ? 16 : 1;
+      page.zoom(
+        2 ** ((event.deltaY * lines) / (event.ctrlKey ? 100 : 300)),
+        page.fromMiddle({ x: event.clientX, y: event.clientY }),
+      );
+    },
+    { passive: false },
+  );
+  canvas.addEventListener("dblclick", (event) =>
+    page.zoom(0.5, page.fromMiddle({ x: event.clientX, y: event.clientY })),
+  );
+  canvas.addEventListener("keydown", (event) => press(page, event));
+  // A lost context is taken again when the browser gives it back; a lost device at once.
+  canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
+  for (const type of ["webglcontextrestored", "lost"]) canvas.addEventListener(type, () => page.restored(canvas));
+}
+
+function press(page, event) {
+  if (event.ctrlKey || event.metaKey || event.altKey) return;
+  // Whole pixels, so that the picture is the same one, moved.
+  const step = Math.round(page.size[0] * (event.shiftKey ? 0.5 : 0.08));
+  const actions = {
+    ArrowLeft: () => page.pan(step, 0),
+    ArrowRight: () => page.pan(-step, 0),
+    ArrowUp: () => page.pan(0, -step),
+    ArrowDown: () => page.pan(0, step),
+    "+": () => page.zoom(2 ** -0.25),
+    "=": () => page.zoom(2 ** -0.25),
+    "-": () => page.zoom(2 ** 0.25),
+    Home: () => page.home(),
+    " ": () => page.play(!page.playing),
+    r: () => page.roll(),
+    R: () => page.roll(),
+  };
+  const action = actions[event.key];
+  if (!action) return;
+  event.preventDefault();
+  action();
+}

@@ -1,0 +1,211 @@
+// The picture: what draws the state, how finely, and what else reads its pixels.
+import { shaderKey } from "./code.js";
+import { byId } from "./elements.js";
+import { paletteOf } from "./palette.js";
+import { frameOf, kBits, kColours, pageShader } from "./shaders.js";
+import { Speed } from "./speed.js";
+import { WebGL2 } from "./webgl.js";
+import { WebGPU } from "./webgpu.js";
+
+export const kBackends = { webgl2: WebGL2, webgpu: WebGPU };
+const kKeptPrograms = 24;
+const kMostPixels = 16e6;
+const kMoving = 34; // milliseconds that a picture may take while it moves; else it is drawn coarser
+const kResting = 1200; // when it rests; one that takes longer is drawn finer in steps, until it is sharp
+const kStrip = 40; // milliseconds that a part of a picture takes; between two the page and the GPU do other things
+const kMostStrips = 256; // of a picture, since one waits for each
+const kCoarsest = 8;
+const kRest = 160; // milliseconds without a change after which it is drawn fine again
+const kPatience = 250; // milliseconds after which the page says that it draws
+
+// Of `state`, which whoever extends this sets. Whoever does has begun() and drawn(), too, which are called when there is
+// the first picture and each time that there is one, and failed(error).
+export class Picture {
+  constructor(library, state) {
+    this.library = library;
+    this.state = state;
+    this.backends = {};
+    this.programs = new Map();
+    this.speeds = new WeakMap(); // by the program
+    this.moves = false;
+  }
+
+  get canvas() {
+    return byId(`picture-${this.state.renderer}`);
+  }
+
+  chooseCanvas() {
+    for (const name of Object.keys(kBackends)) byId(`picture-${name}`).hidden = name !== this.state.renderer;
+  }
+
+  // The backend of the state. One that is not to be had is replaced by the other.
+  async backend() {
+    const name = this.state.renderer;
+    if (!this.backends[name] || this.backends[name].lost) {
+      for (const key of this.programs.keys()) if (key.startsWith(`${name} `)) this.programs.delete(key);
+      const canvas = byId(`picture-${name}`);
+      this.backends[name] = await kBackends[name].create(canvas);
+    }
+    return this.backends[name];
+  }
+
+  async program(backend, state) {
+    const key = `${state.renderer} ${shaderKey(state)}`;
+    let found = this.programs.get(key);
+    this.programs.delete(key);
+    if (!found) {
+      found = await backend.build(pageShader(this.library, backend.language, state));
+      if (this.programs.size >= kKeptPrograms) {
+        const [oldest, program] = this.programs.entries().next().value;
+        this.programs.delete(oldest);
+        this.backends[oldest.split(" ")[0]]?.discard(program);
+      }
+    }
+    this.programs.set(key, found);
+    return found;
+  }
+
+  usePalette(backend, map) {
+    if (backend.map === map) return;
+    backend.map = map;
+    backend.setPalette(paletteOf(map));
+  }
+
+  // The size of the picture in pixels of the screen.
+  get size() {
+    const box = this.canvas.getBoundingClientRect();
+    let ratio = window.devicePixelRatio || 1;
+    ratio *= Math.min(1, Math.sqrt(kMostPixels / Math.max(1, box.width * box.height * ratio * ratio)));
+    return [Math.max(1, Math.round(box.width * ratio)), Math.max(1, Math.round(box.height * ratio))];
+  }
+
+  // Something moves: a slow picture is drawn coarser until it rests.
+  restless() {
+    this.moves = true;
+    clearTimeout(this.restTimer);
+    this.restTimer = setTimeout(() => {
+      this.moves = false;
+      if (this.coarse > 1) this.request();
+    }, kRest);
+  }
+
+  // How many pixels of the screen on a side a pixel of the next picture has: at first so many that it takes no longer
+  // than one that moves may, and then fewer with every picture.
+  coarseness(speed, [width, height], first) {
+    const within = (milliseconds) => Math.max(1, Math.ceil(Math.sqrt((width * height) / speed.pixelsIn(milliseconds))));
+    return first ? Math.min(kCoarsest, within(kMoving)) : Math.min(Math.ceil(this.coarse / 2), within(kResting));
+  }
+
+  async speedOf(backend, program, state) {
+    if (!this.speeds.has(program)) {
+      const size = this.size;
+      const area = size[0] * size[1];
+      const time = async (pixels) => {
+        const [width, height] = size.map((side) => Math.max(1, Math.round(side * Math.sqrt(pixels / area))));
+        return this.timedStrip(backend, program, frameOf(state, width, height, kColours), width, height, 0, height);
+      };
+      this.speeds.set(program, await Speed.measured(time, area));
+    }
+    return this.speeds.get(program);
+  }
+
+  async timedStrip(backend, ...strip) {
+    const start = performance.now();
+    backend.strip(...strip);
+    await backend.finished();
+    return performance.now() - start;
+  }
+
+  // Draws a picture in strips where nobody sees it. One that is not the first of a state gives way as soon as another
+  // is wanted: false.
+  async drawHidden(backend, program, speed, state, width, height, first) {
+    const frame = frameOf(state, width, height, kColours);
+    const least = Math.ceil(height / kMostStrips);
+    for (let row = 0; row < height; ) {
+      if (row > 0 && this.wanted && !first) return false;
+      const rows = Math.min(height - row, Math.max(least, Math.floor(speed.pixelsIn(kStrip) / width)));
+      speed.learn(rows * width, await this.timedStrip(backend, program, frame, width, height, row, rows));
+      row += rows;
+    }
+    return true;
+  }
+
+  // Says that a picture is drawn, if that takes long.
+  tell(draws) {
+    if (draws) {
+      this.drawingTimer ??= setTimeout(() => (byId("drawing").hidden = false), kPatience);
+      return;
+    }
+    clearTimeout(this.drawingTimer);
+    this.drawingTimer = undefined;
+    byId("drawing").hidden = true;
+  }
+
+  // Draws soon, and once for all changes until then.
+  request() {
+    this.wanted = true;
+    if (!this.drawing) this.drawing = this.drawWhatIsWanted().finally(() => (this.drawing = undefined));
+    return this.drawing;
+  }
+
+  async drawWhatIsWanted() {
+    while (this.wanted) {
+      this.wanted = false;
+      this.tell(true);
+      await new Promise((resolve) => (document.hidden ? setTimeout(resolve) : requestAnimationFrame(resolve)));
+      try {
+        await this.draw();
+        byId("message").hidden = true;
+      } catch (error) {
+        this.tell(false);
+        await this.failed(error);
+        if (!this.wanted) this.begun();
+      }
+    }
+  }
+
+  async draw() {
+    const wanted = this.state;
+    const state = { ...wanted };
+    const backend = await this.backend();
+    const program = await this.program(backend, state);
+    if (state.renderer !== this.state.renderer) return;
+    this.usePalette(backend, state.map);
+    const speed = await this.speedOf(backend, program, state);
+    const size = this.size;
+    const first = this.moves || this.shown !== wanted;
+    const coarse = this.coarseness(speed, size, first);
+    const [width, height] = size.map((side) => Math.max(1, Math.round(side / coarse)));
+    if (!(await this.drawHidden(backend, program, speed, state, width, height, first))) return;
+    backend.show();
+    this.shown = wanted;
+    this.begun();
+    this.coarse = coarse;
+    if (coarse === 1 || this.moves) this.tell(false);
+    else this.wanted = true;
+    byId("gpu").textContent = `Drawn by ${backend.describe()}.`;
+    await this.drawn();
+  }
+
+  // Four bytes a pixel from the lower left corner on, of a picture of this size: of colours, or of the bits of values.
+  async pixels(width, height, mode = kColours) {
+    const state = { ...this.state };
+    const backend = await this.backend();
+    const program = await this.program(backend, state);
+    this.usePalette(backend, state.map);
+    return backend.read(program, frameOf(state, width, height, mode), width, height);
+  }
+
+  // The values at these points, each [x, y, z, w] in parts of a cell.
+  async values(points) {
+    const state = { ...this.state };
+    const backend = await this.backend();
+    const program = await this.program(backend, state);
+    const values = new Float32Array(points.length);
+    for (const [i, point] of points.entries()) {
+      const bytes = await backend.read(program, frameOf(state, 1, 1, kBits, point), 1, 1);
+      values[i] = new DataView(bytes.buffer).getFloat32(0, true);
+    }
+    return values;
+  }
+}
