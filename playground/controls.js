@@ -5,6 +5,7 @@ import { byId, element } from "./elements.js";
 import {
   dimensionsOf,
   kArithmetics,
+  kFiles,
   kHashes,
   kLooks,
   kMaps,
@@ -43,8 +44,8 @@ const kChoices = {
   arithmetic: kArithmetics,
   renderer: kRenderers,
 };
-const kSelects = { sum: labels(kSums), noise: labels(kNoises), metric: kMetrics, hash: kHashes };
-const kTexts = ["seed", "period", "x", "y", "cells"];
+const kSelects = { sum: labels(kSums), noise: labels(kNoises), metric: kMetrics, hash: kHashes, file: labels(kFiles) };
+const kTexts = ["seed", "period", "x", "y", "cells", "width", "height"];
 const kArrows = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1, PageUp: 10, PageDown: -10 };
 const kNotes = {
   fast: "Floats are the fastest. They are within a few millionths of the exact value.",
@@ -316,6 +317,7 @@ export class Controls {
       if (row) row.hidden = !used[name];
     }
     byId("note-arithmetic").textContent = kNotes[state.arithmetic];
+    byId("note-file").textContent = kFiles[state.file].note;
     this.showCode();
   }
 }

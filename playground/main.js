@@ -235,6 +235,25 @@ class Playground extends Picture {
     }
   }
 
+  async save() {
+    const button = byId("save");
+    if (button.ariaDisabled === "true") return;
+    button.ariaDisabled = "true";
+    const label = button.textContent;
+    try {
+      const file = await this.file((part) => (button.textContent = `${Math.round(part * 100)} %`));
+      const url = URL.createObjectURL(file);
+      Object.assign(document.createElement("a"), { href: url, download: file.name }).click();
+      setTimeout(() => URL.revokeObjectURL(url), kTold);
+      byId("said").textContent = `${file.name} is saved.`;
+    } catch (error) {
+      byId("said").textContent = byId("note-file").textContent = `The file is not saved. ${error.message}`;
+    } finally {
+      button.ariaDisabled = "false";
+      button.textContent = label;
+    }
+  }
+
   async copy(text, button, what) {
     let done = true;
     try {
@@ -314,6 +333,7 @@ class Playground extends Picture {
     byId("in").addEventListener("click", () => this.zoom(2 ** -0.5));
     byId("out").addEventListener("click", () => this.zoom(2 ** 0.5));
     byId("home").addEventListener("click", () => this.home());
+    byId("save").addEventListener("click", () => this.save());
     byId("measure").addEventListener("click", () => this.measure());
     byId("copy").addEventListener("click", () => this.copy(this.controls.code, byId("copy"), "The code"));
     byId("link").addEventListener("click", () => {

@@ -79,6 +79,15 @@ export const kHashes = {
   lattice: "Lattice, the default", fnv1: "FNV-1", partial_fnv1: "FNV-1, partial", jenkins: "Jenkins",
   partial_jenkins: "Jenkins, partial", murmur: "Murmur", pcg: "PCG", xxhash32: "xxHash32",
 };
+// What can be saved. A height is a number of 16 bits.
+const kOfHeights = "Heights go from 0 for the lowest colour to 65535 for the highest. ";
+const kOfRaw = "The upper row comes first, and of each number the lowest byte.";
+export const kFiles = {
+  colours: { label: "PNG, colours", png: true, ending: "png", note: "The file has the colours of the picture." },
+  heights: { label: "PNG, heights in 16 bits", png: true, ending: "png", note: kOfHeights },
+  r16: { label: "Raw heights in 16 bits", ending: "r16", note: kOfHeights + kOfRaw },
+  r32: { label: "Raw values in floats", ending: "r32", note: `Values are as pattern(p) returns them. ${kOfRaw}` },
+};
 export const kRenderers = { webgl2: "WebGL2", webgpu: "WebGPU" };
 
 // Colours from the lowest value to the highest, at even distances; between them they are mixed.
@@ -124,6 +133,9 @@ export const kSettings = {
   y: { usual: 0n },
   cells: { usual: 8, from: 1 / 64, to: 1048576 },
   renderer: { usual: "webgl2", of: kRenderers },
+  file: { usual: "colours", of: kFiles },
+  width: { usual: 1024, from: 1, to: 8192, whole: true },
+  height: { usual: 1024, from: 1, to: 8192, whole: true },
 };
 
 // A position is a whole number of these parts of a cell: a BigInt of 56 bits, since cells wrap at 2^32.
@@ -242,6 +254,7 @@ export function uses(state) {
   return {
     sum: true, noise: true, dimensions: true, seed: true, period: true, arithmetic: true, hash: true, map: true,
     contrast: true, x: true, y: state.dimensions > 1, cells: true, renderer: true,
+    file: true, width: true, height: true,
     octaves: sum, lacunarity: sum, gain: sum, strength: Boolean(kSums[state.sum].strength),
     jitter: Boolean(noise.jitter), metric: Boolean(noise.metric),
     warp: warped, amplitude: warped && state.warp !== "none",
@@ -331,9 +344,9 @@ export const kLooks = {
   },
 };
 
-export function stateOfLook(name, { renderer, arithmetic }) {
+export function stateOfLook(name, { renderer, arithmetic, file, width, height }) {
   const look = kLooks[name];
-  const state = { ...usualState(), ...look, renderer, arithmetic };
+  const state = { ...usualState(), ...look, renderer, arithmetic, file, width, height };
   if (look.strength === undefined) state.strength = usualOf("strength", state);
   return possible(state);
 }

@@ -1,6 +1,7 @@
 // The picture: what draws the state, how finely, and what else reads its pixels.
 import { shaderKey } from "./code.js";
 import { byId } from "./elements.js";
+import { fileOf } from "./files.js";
 import { paletteOf } from "./palette.js";
 import { frameOf, kBits, kColours, pageShader } from "./shaders.js";
 import { Speed } from "./speed.js";
@@ -18,8 +19,8 @@ const kCoarsest = 8;
 const kRest = 160; // milliseconds without a change after which it is drawn fine again
 const kPatience = 250; // milliseconds after which the page says that it draws
 
-// Of `state`, which whoever extends this sets. Whoever does has begun() and drawn(), too, which are called when there is
-// the first picture and each time that there is one, and failed(error).
+// It draws `state`. Whoever extends this has three functions, too: begun() is called when there is the first picture,
+// drawn() each time that there is one, and failed(error) when there is none.
 export class Picture {
   constructor(library, state) {
     this.library = library;
@@ -196,6 +197,18 @@ export class Picture {
     return backend.read(program, frameOf(state, width, height, mode), width, height);
   }
 
+  // The file that the state asks for.
+  async file(tell) {
+    const state = { ...this.state };
+    const backend = await this.backend();
+    const program = await this.program(backend, state);
+    this.usePalette(backend, state.map);
+    const { width, height } = state;
+    const read = (mode, first, rows) =>
+      backend.read(program, frameOf(state, width, height, mode, { first, rows }), width, rows);
+    return fileOf(state, read, tell);
+  }
+
   // The values at these points, each [x, y, z, w] in parts of a cell.
   async values(points) {
     const state = { ...this.state };
@@ -203,7 +216,7 @@ export class Picture {
     const program = await this.program(backend, state);
     const values = new Float32Array(points.length);
     for (const [i, point] of points.entries()) {
-      const bytes = await backend.read(program, frameOf(state, 1, 1, kBits, point), 1, 1);
+      const bytes = await backend.read(program, frameOf(state, 1, 1, kBits, { position: point }), 1, 1);
       values[i] = new DataView(bytes.buffer).getFloat32(0, true);
     }
     return values;

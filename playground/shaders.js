@@ -31,8 +31,16 @@ const kWgslFrame = `struct Frame {
 
 const placed = (state, width, height) => [...originOf(state, width, height), partsOf(state.z), partsOf(state.w)];
 
-// `position` is that of the pixel in the lower left corner, if it is not that of the state.
-export function frameOf(state, width, height, mode, position = placed(state, width, height)) {
+// The values that the lowest and the highest colour stand for, in whole numbers of steps of 2^-20.
+export function unitsOf(state) {
+  const [low, high] = rangeOf(state).map((end) => Math.round(end * kUnit));
+  return { low, span: Math.min(Math.max(high - low, 64), 16777215) };
+}
+
+// Of a picture of this size, or of so many rows of it, the first of which is `first`, counted from below. `position` is
+// that of the pixel in the lower left corner of the picture, if it is not that of the state.
+export function frameOf(state, width, height, mode, { position, first = 0, rows = height } = {}) {
+  position ??= placed(state, width, height);
   const bytes = new ArrayBuffer(kFrameBytes);
   const whole = new Int32Array(bytes);
   const word = new Uint32Array(bytes);
@@ -41,9 +49,9 @@ export function frameOf(state, width, height, mode, position = placed(state, wid
   word.set(position.map(placeOf), 4);
   const step = stepOf(state, width, height);
   word.set([Math.floor(step / 16777216), step % 16777216, width, height], 8);
-  const [low, high] = rangeOf(state).map((end) => Math.round(end * kUnit));
-  whole.set([low, Math.min(Math.max(high - low, 64), 16777215), mode, 0], 12);
-  whole.set([state.octaves, state.period, kTimes, 0], 16);
+  const { low, span } = unitsOf(state);
+  whole.set([low, span, mode, first], 12);
+  whole.set([state.octaves, state.period, kTimes, first + rows - 1], 16);
   float.set([state.lacunarity, state.gain, state.strength, state.amplitude], 20);
   float.set([state.jitter, state.phase, 0, 0], 24);
   word.set([state.seed, (state.seed + 1) % 4294967296, 0, 0], 28);
@@ -148,7 +156,7 @@ function glsl(library, state, values, { timed, form = "cell", value } = {}) {
     kGlslPlace,
     kGlslShade,
     "void main() {",
-    "  uvec2 at = uvec2(gl_FragCoord.xy);",
+    "  uvec2 at = uvec2(gl_FragCoord.xy) + uvec2(0u, uint(u_shown.w));",
     "  uvec2 x = place_of(u_cell.x, u_place.x, at.x);",
     "  uvec2 y = place_of(u_cell.y, u_place.y, at.y);",
     ...(timed
@@ -174,7 +182,7 @@ function wgsl(library, state, values, { timed, form = "cell", value } = {}) {
     ...kWgslVertex,
     "@fragment fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {",
     // Rows are counted from the lower end, as in OpenGL.
-    "  let at = vec2u(u32(position.x), u.step.w - 1u - u32(position.y));",
+    "  let at = vec2u(u32(position.x), u32(u.octaves.w) - u32(position.y));",
     "  var x = place_of(u.cell.x, u.place.x, at.x);",
     "  var y = place_of(u.cell.y, u.place.y, at.y);",
     ...(timed

@@ -211,6 +211,43 @@ test("floats are as near as the library promises", async () => {
   }
 });
 
+// What the button saves: the words of the file, and its name.
+const saved = () =>
+  page.evaluate(async () => {
+    const make = URL.createObjectURL.bind(URL);
+    const saving = new Promise((resolve) => {
+      URL.createObjectURL = (file) => {
+        resolve(file);
+        URL.createObjectURL = make;
+        return make(file);
+      };
+    });
+    document.getElementById("save").click();
+    const file = await saving;
+    const bytes = new Uint8Array(await file.arrayBuffer());
+    return { name: file.name, bytes: Array.from(bytes) };
+  });
+
+test("a file that is saved has the picture", async () => {
+  const state = { ...pictures[4], width: kWidth, height: kHeight };
+  for (const renderer of ["webgl2", "webgpu"]) {
+    await setState(page, { ...state, file: "r32", renderer });
+    const file = await saved();
+    assert.equal(file.name, "hashnoise-curl-40x32.r32");
+    const words = Array.from(new Uint32Array(new Uint8Array(file.bytes).buffer));
+    const rows = (list) => [...Array(kHeight).keys()].map((row) => list.slice(row * kWidth, (row + 1) * kWidth));
+    assert.deepEqual(rows(words).toReversed(), rows(await pixels(page, kWidth, kHeight, true)), renderer);
+  }
+  // Of more pixels than one draw takes: each row has its own, whatever the part that it is drawn in.
+  await setState(page, { ...state, file: "r16", width: 1024, height: 300 });
+  const { bytes } = await saved();
+  assert.equal(bytes.length, 1024 * 300 * 2);
+  const lines = new Set([...Array(300).keys()].map((row) => bytes.slice(row * 2048, row * 2048 + 64).join()));
+  assert.equal(lines.size, 300);
+  await setState(page, { file: "heights", width: 8, height: 8 });
+  assert.deepEqual((await saved()).bytes.slice(1, 4), [...Buffer.from("PNG")]);
+});
+
 test("a changed library is noticed", async () => {
   const broken = await opened(browser);
   await broken.evaluate(() => {

@@ -1,0 +1,66 @@
+// The files that the page saves: pictures and heights of any size, from the same shaders that draw.
+import { kFiles, linkOf } from "./model.js";
+import { Png } from "./png.js";
+import { kBits, kColours, unitsOf } from "./shaders.js";
+
+const kMostOfStrip = 262144; // pixels, so that no draw keeps the GPU for long
+const kGreys = 65536;
+
+// The heights of values, as numbers of 16 bits: each value is a whole number of steps of 2^-20, and those between the
+// lowest and the highest colour are dealt to the numbers as they are to the 256 colours.
+export function heightsOf(values, state) {
+  const { low, span } = unitsOf(state);
+  return Uint16Array.from(values, (value) => {
+    const d = Math.min(Math.max(Math.floor(value * 1048576) - low, 0), span - 1);
+    return Math.floor((d * kGreys) / span);
+  });
+}
+
+const inOrder = (numbers, littleEndian) => {
+  const bytes = new DataView(new ArrayBuffer(numbers.length * 2));
+  numbers.forEach((number, at) => bytes.setUint16(at * 2, number, littleEndian));
+  return new Uint8Array(bytes.buffer);
+};
+const floatsOf = (bytes) => {
+  const view = new DataView(bytes.buffer);
+  return Float32Array.from({ length: bytes.length / 4 }, (_, at) => view.getFloat32(at * 4, true));
+};
+
+// What the four bytes of each pixel become in a file.
+const kEncoded = {
+  colours: (bytes) => bytes.filter((_, at) => at % 4 < 3),
+  heights: (bytes, state) => inOrder(heightsOf(floatsOf(bytes), state), false),
+  r16: (bytes, state) => inOrder(heightsOf(floatsOf(bytes), state), true),
+  r32: (bytes) => bytes,
+};
+
+// Rows from the lower left corner on, turned, so that the upper row comes first.
+function turned(bytes, width) {
+  const rows = bytes.length / (4 * width);
+  const made = new Uint8Array(bytes.length);
+  for (let row = 0; row < rows; ++row)
+    made.set(bytes.subarray(row * width * 4, (row + 1) * width * 4), (rows - 1 - row) * width * 4);
+  return made;
+}
+
+// The file of the state. `read(mode, first, rows)` gives the bytes of so many rows, the first of which is this one,
+// counted from below; `tell` takes which part is done.
+export async function fileOf(state, read, tell = () => {}) {
+  const { file, width, height } = state;
+  const { png, ending } = kFiles[file];
+  const made = png ? new Png(width, height, file === "heights", `hashnoise ${linkOf(state)}`.trim()) : undefined;
+  const parts = [];
+  const most = Math.max(1, Math.floor(kMostOfStrip / width));
+  for (let above = height; above > 0; ) {
+    const rows = Math.min(most, above);
+    const bytes = await read(file === "colours" ? kColours : kBits, above - rows, rows);
+    const encoded = kEncoded[file](turned(bytes, width), state);
+    if (made) await made.add(encoded);
+    else parts.push(encoded);
+    above -= rows;
+    tell(1 - above / height);
+  }
+  const type = png ? "image/png" : "application/octet-stream";
+  const name = `hashnoise-${state.sum === "none" ? "" : `${state.sum}-`}${state.noise}-${width}x${height}.${ending}`;
+  return new File(made ? await made.parts() : parts, name, { type });
+}

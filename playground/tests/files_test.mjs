@@ -1,0 +1,113 @@
+// The files that are saved, without a browser: read back by other code than wrote them.
+import assert from "node:assert/strict";
+import test from "node:test";
+import { inflateSync } from "node:zlib";
+import { fileOf, heightsOf } from "../files.js";
+import { possible, rangeOf, stateOf, usualState } from "../model.js";
+
+// The parts of a PNG, and its pixels as it has them, without the filter; throws for a checksum that is wrong.
+function readPng(bytes) {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
+  assert.deepEqual([...bytes.subarray(0, 8)], [...Buffer.from("\x89PNG\r\n\x1a\n", "latin1")]);
+  const found = {};
+  for (let at = 8; at < bytes.length; ) {
+    const length = view.getUint32(at);
+    const type = String.fromCharCode(...bytes.subarray(at + 4, at + 8));
+    found[type] = bytes.subarray(at + 8, at + 8 + length);
+    assert.equal(view.getUint32(at + 8 + length), crc(bytes.subarray(at + 4, at + 8 + length)), `checksum of ${type}`);
+    at += length + 12;
+  }
+  assert.deepEqual(Object.keys(found), ["IHDR", "tEXt", "IDAT", "IEND"]);
+  const header = new DataView(found.IHDR.buffer, found.IHDR.byteOffset, 13);
+  const [width, height] = [header.getUint32(0), header.getUint32(4)];
+  const [depth, kind, ...rest] = [...found.IHDR.subarray(8)];
+  assert.deepEqual(rest, [0, 0, 0]);
+  const pixel = (depth / 8) * { 0: 1, 2: 3 }[kind];
+  const lines = inflateSync(found.IDAT);
+  assert.equal(lines.length, height * (width * pixel + 1));
+  const pixels = [];
+  for (let row = 0; row < height; ++row) {
+    const line = lines.subarray(row * (width * pixel + 1));
+    assert.equal(line[0], 1);
+    for (let at = 0; at < width * pixel; ++at)
+      pixels.push(at < pixel ? line[1 + at] : (line[1 + at] + pixels.at(-pixel)) & 255);
+  }
+  return { width, height, depth, kind, pixels, comment: Buffer.from(found.tEXt).toString("latin1") };
+}
+// Bit by bit, as the specification has it.
+function crc(bytes) {
+  let word = 0xffffffffn;
+  for (const byte of bytes)
+    for (let bit = 0n; bit < 8n; ++bit) {
+      const low = (word ^ (BigInt(byte) >> bit)) & 1n;
+      word = (word >> 1n) ^ (low ? 0xedb88320n : 0n);
+    }
+  return Number(word ^ 0xffffffffn);
+}
+
+// A picture whose pixel (x, y), counted from below, has the value (97 x - 211 y) / 65536.
+const valueOf = (x, y) => (97 * x - 211 * y) / 65536;
+function reader(width, asked = []) {
+  return async (mode, first, rows) => {
+    asked.push([mode, first, rows]);
+    const bytes = new DataView(new ArrayBuffer(width * rows * 4));
+    for (let row = 0; row < rows; ++row)
+      for (let x = 0; x < width; ++x) {
+        if (mode) bytes.setFloat32((row * width + x) * 4, valueOf(x, first + row), true);
+        else bytes.setUint32((row * width + x) * 4, ((x & 255) << 24) | (((first + row) & 255) << 16) | (7 << 8) | 255);
+      }
+    return new Uint8Array(bytes.buffer);
+  };
+}
+const saved = async (state, asked) => {
+  const file = await fileOf(state, reader(state.width, asked));
+  return { file, bytes: new Uint8Array(await file.arrayBuffer()) };
+};
+const stateFor = (settings) => possible({ ...usualState(), width: 600, height: 450, ...settings });
+
+test("a PNG has the colours, the upper row first, and the link", async () => {
+  const asked = [];
+  const { file, bytes } = await saved(stateFor({ file: "colours", seed: 9 }), asked);
+  const { width, height, depth, kind, pixels, comment } = readPng(bytes);
+  assert.deepEqual([width, height, depth, kind, file.name, file.type],
+                   [600, 450, 8, 2, "hashnoise-fbm-perlin-600x450.png", "image/png"]);
+  for (const [x, y] of [[0, 0], [599, 0], [0, 449], [301, 13], [17, 440]]) {
+    const at = ((449 - y) * 600 + x) * 3;
+    assert.deepEqual(pixels.slice(at, at + 3), [x & 255, y & 255, 7], `${x}, ${y}`);
+  }
+  // A large picture comes in parts, each row once.
+  assert.deepEqual(asked, [[0, 14, 436], [0, 0, 14]]);
+  assert.equal(comment, "Comment\0hashnoise #seed=9&width=600&height=450");
+  assert.equal(stateOf(comment.split(" ")[1]).seed, 9);
+});
+
+test("heights are the whole numbers that the page's description says", async () => {
+  const state = stateFor({ file: "heights", contrast: 0.8 });
+  const { depth, kind, pixels } = readPng((await saved(state)).bytes);
+  assert.deepEqual([depth, kind], [16, 0]);
+  const raw = new DataView((await saved({ ...state, file: "r16" })).bytes.buffer);
+  const values = new DataView((await saved({ ...state, file: "r32" })).bytes.buffer);
+  const [low, high] = rangeOf(state).map((end) => BigInt(Math.round(end * 2 ** 20)));
+  const seen = new Set();
+  for (let at = 0; at < 600 * 450; at += 7) {
+    const value = valueOf(at % 600, 449 - Math.floor(at / 600));
+    assert.equal(values.getFloat32(at * 4, true), value);
+    const d = BigInt(Math.floor(value * 2 ** 20)) - low;
+    const height = d < 0n ? 0n : d >= high - low ? 65535n : (d * 65536n) / (high - low);
+    assert.equal(pixels[2 * at] * 256 + pixels[2 * at + 1], Number(height), `${value}`);
+    assert.equal(raw.getUint16(at * 2, true), Number(height));
+    seen.add(height);
+  }
+  assert.ok(seen.size > 10000 && seen.has(0n));
+  assert.deepEqual([...heightsOf([-9, 9], state)], [0, 65535]);
+});
+
+test("a file that is wrong is noticed", async () => {
+  const { bytes } = await saved(stateFor({ file: "heights", width: 5, height: 3 }));
+  readPng(bytes);
+  for (const at of [0, 17, 24, 60, bytes.length - 20]) {
+    const wrong = bytes.slice();
+    wrong[at] ^= 4;
+    assert.throws(() => readPng(wrong), undefined, `byte ${at}`);
+  }
+});
