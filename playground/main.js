@@ -13,16 +13,21 @@ import {
   linkOf,
   possible,
   positionText,
+  rangeOf,
   stateOf,
   stateOfLook,
   uses,
 } from "./model.js";
+import { gradientOf } from "./palette.js";
 import { kBackends, Picture } from "./picture.js";
+import { kBits } from "./shaders.js";
+import { histogramOf, summaryOf, wordsOf } from "./values.js";
 import { panned, partsOf, positionOfPixel, zoomed } from "./view.js";
 
 const kLinkDelay = 300; // browsers refuse an address that changes too often
 const kStill = "This picture does not move. Choose 3D or 4D, or one octave of Perlin or simplex noise in 2D.";
 const kTold = 1500; // milliseconds for which a button says that it has copied
+const kSampled = 48; // pixels on the shorter side, of whose values the page tells
 const kSpeed = 0.25; // cells, or turns over four, in a second
 
 class Playground extends Picture {
@@ -141,6 +146,23 @@ class Playground extends Picture {
 
   async drawn() {
     if (this.probed) await this.probe();
+  }
+
+  // How the values of the picture are distributed, of some of its pixels.
+  async rested() {
+    const state = this.state;
+    const [width, height] = this.size;
+    const scale = kSampled / Math.min(width, height);
+    const size = [width, height].map((side) => Math.min(Math.round(side * scale), 4 * kSampled));
+    const bytes = await this.pixels(...size, kBits);
+    if (state !== this.state) return;
+    const range = rangeOf(state);
+    const summary = summaryOf(new Float32Array(bytes.buffer), range);
+    const { words, shape } = histogramOf(summary);
+    byId("values").textContent = wordsOf(summary, range);
+    byId("histogram").setAttribute("aria-label", words);
+    byId("bars").style.clipPath = shape;
+    byId("bars").style.background = gradientOf(state.map);
   }
 
   // The value below the pointer.

@@ -19,8 +19,9 @@ const kCoarsest = 8;
 const kRest = 160; // milliseconds without a change after which it is drawn fine again
 const kPatience = 250; // milliseconds after which the page says that it draws
 
-// It draws `state`. Whoever extends this has three functions, too: begun() is called when there is the first picture,
-// drawn() each time that there is one, and failed(error) when there is none.
+// It draws `state`. Whoever extends this has four functions, too: begun() is called when there is the first picture,
+// drawn() each time that there is one, rested() some time after the last change, and failed(error) when there is no
+// picture.
 export class Picture {
   constructor(library, state) {
     this.library = library;
@@ -87,6 +88,7 @@ export class Picture {
     this.restTimer = setTimeout(() => {
       this.moves = false;
       if (this.coarse > 1) this.request();
+      this.rested().catch(() => {}); // who has no picture has read why
     }, kRest);
   }
 

@@ -1,0 +1,48 @@
+// What the values of a picture are: how far they go, and how often each is.
+
+const kBins = 40;
+const kTenths = 10; // for people who hear the histogram
+
+// {least, greatest, mean, below, above, bins}: `below` and `above` are the shares of the values beyond the colours, which
+// go from `low` to `high`; of each of the bins, which divide the colours evenly, there is the share in it.
+export function summaryOf(values, [low, high]) {
+  const bins = new Array(kBins).fill(0);
+  let [least, greatest, sum, below, above] = [Infinity, -Infinity, 0, 0, 0];
+  for (const value of values) {
+    least = Math.min(least, value);
+    greatest = Math.max(greatest, value);
+    sum += value;
+    if (value < low) ++below;
+    else if (value > high) ++above;
+    else ++bins[Math.min(Math.floor(((value - low) / (high - low)) * kBins), kBins - 1)];
+  }
+  const share = (count) => count / values.length;
+  return { least, greatest, mean: share(sum), below: share(below), above: share(above), bins: bins.map(share) };
+}
+
+const shown = (value) => String(Number(value.toFixed(3)) || 0).replace("-", "−");
+const percent = (share) => `${share > 0 && share < 0.01 ? "less than 1" : Math.round(share * 100)} %`;
+
+// The summary in words.
+export function wordsOf({ least, greatest, mean, below, above }, [low, high]) {
+  const beyond = below + above > 0 ? `; ${percent(below)} of the values are below, and ${percent(above)} above` : "";
+  return (
+    `The values are from ${shown(least)} to ${shown(greatest)}, and ${shown(mean)} in the mean. ` +
+    `The colours go from ${shown(low)} to ${shown(high)}${beyond}.`
+  );
+}
+
+// The histogram in words, and as a shape for CSS.
+export function histogramOf({ bins }) {
+  const size = kBins / kTenths;
+  const parts = Array.from({ length: kTenths }, (_, part) =>
+    percent(bins.slice(part * size, (part + 1) * size).reduce((sum, share) => sum + share)),
+  );
+  const most = Math.max(...bins, 1e-9);
+  const steps = bins.flatMap((share, at) => [at, at + 1].map((x) => [x / kBins, 1 - share / most]));
+  const corners = [[0, 1], ...steps, [1, 1]].map((corner) => corner.map((side) => `${(side * 100).toFixed(2)}%`).join(" "));
+  return {
+    words: `Histogram: of ten equal parts of the colours, from the lowest, each has ${parts.join(", ")} of the values.`,
+    shape: `polygon(${corners.join(", ")})`,
+  };
+}
