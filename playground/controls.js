@@ -15,6 +15,7 @@ import {
   kRenderers,
   kSettings,
   kSums,
+  kViews,
   kWarps,
   noisesOf,
   numbersOf,
@@ -40,6 +41,7 @@ const kSliders = {
 };
 const kChoices = {
   dimensions: { 1: "1D", 2: "2D", 3: "3D", 4: "4D" },
+  view: kViews,
   warp: kWarps,
   arithmetic: kArithmetics,
   renderer: kRenderers,

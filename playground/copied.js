@@ -1,7 +1,7 @@
 // What is copied: the functions of code.js with the colours, with what they call, and as a whole shader.
 import { decimal, declaration, functions, kTypes, knobs, numbers } from "./code.js";
 import { kMaps, rangeOf } from "./model.js";
-import { cellOf, kPartsOfCell, partsOf, placeOf } from "./view.js";
+import { cellOf, cellsAcross, kPartsOfCell, partsOf, placeOf } from "./view.js";
 
 // The values that the lowest and the highest colour stand for, and how the lowest is taken off.
 function endsOf(state) {
@@ -130,7 +130,7 @@ const middleOf = ({ x, y, z, w, dimensions }) => [x, y, partsOf(z), partsOf(w)].
 // the point.
 const kFar = 1024;
 const formOf = (state) =>
-  state.cells > kFar || middleOf(state).some((parts) => Math.abs(cellOf(parts)) > kFar) ? "cell" : "position";
+  cellsAcross(state) > kFar || middleOf(state).some((parts) => Math.abs(cellOf(parts)) > kFar) ? "cell" : "position";
 
 // The lines of the main function of a whole shader, which draws the picture as the page has it.
 function mainOf(language, state, { main, pixel, below, result }) {
@@ -142,7 +142,7 @@ function mainOf(language, state, { main, pixel, below, result }) {
   const far = formOf(state) === "cell";
   const numbers = place.map((parts) => decimal((far ? placeOf(parts) : Number(parts)) / kPartsOfCell));
   const flat = Math.min(n, 2); // The pixel has so many coordinates; the others are those of the slice.
-  const scaled = `${n === 1 ? "pixel.x" : "pixel"} * ${decimal(state.cells)}`;
+  const scaled = `${n === 1 ? "pixel.x" : "pixel"} * ${decimal(cellsAcross(state))}`;
   const slice = `${scaled} + ${vector(float(flat), numbers.slice(0, flat))}`;
   const lines = [set(float(2), "pixel", pixel)];
   if (far) {

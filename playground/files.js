@@ -43,6 +43,10 @@ function turned(bytes, width) {
   return made;
 }
 
+// The state whose picture a file has. In place of tiles it is one tile.
+export const fileState = (state) =>
+  state.view === "tiles" ? { ...state, view: "plane", cells: state.period } : { ...state };
+
 // The file of the state. `read(mode, first, rows)` gives the bytes of so many rows, the first of which is this one,
 // counted from below; `tell` takes which part is done.
 export async function fileOf(state, read, tell = () => {}) {

@@ -26,6 +26,7 @@ import { panned, partsOf, positionOfPixel, zoomed } from "./view.js";
 
 const kLinkDelay = 300; // browsers refuse an address that changes too often
 const kStill = "This picture does not move. Choose 3D or 4D, or one octave of Perlin or simplex noise in 2D.";
+const kUsualTile = 4; // cells
 const kTold = 1500; // milliseconds for which a button says that it has copied
 const kSampled = 48; // pixels on the shorter side, of whose values the page tells
 const kSpeed = 0.25; // cells, or turns over four, in a second
@@ -54,6 +55,7 @@ class Playground extends Picture {
     // A strength is that of its sum.
     if (changes.sum && changes.sum !== before.sum)
       next.strength = kSums[changes.sum].strength?.usual ?? kSettings.strength.usual;
+    if (changes.view === "tiles" && !next.period) next.period = kUsualTile;
     this.take(possible(next));
   }
 
@@ -64,6 +66,7 @@ class Playground extends Picture {
     byId("play").setAttribute("aria-disabled", String(!this.animated));
     byId("play").title = this.animated ? "Play (space)" : kStill;
     byId("still").textContent = this.animated ? "" : kStill;
+    for (const id of ["in", "out"]) byId(id).ariaDisabled = String(!uses(state).cells);
     if (!this.playing) {
       byId("hint").hidden = true;
       this.controls.showUncopied();
@@ -324,6 +327,7 @@ class Playground extends Picture {
 
   // A scale has six digits. What they leave out is kept, so that one step back undoes one forth.
   zoom(factor, at = [0, 0]) {
+    if (!uses(this.state).cells) return;
     const [width, height] = this.size;
     const { cells } = this.state;
     const { from, to } = kSettings.cells;

@@ -88,6 +88,7 @@ export const kFiles = {
   r16: { label: "Raw heights in 16 bits", ending: "r16", note: kOfHeights + kOfRaw },
   r32: { label: "Raw values in floats", ending: "r32", note: `Values are as pattern(p) returns them. ${kOfRaw}` },
 };
+export const kViews = { plane: "Plane", tiles: "Tiles, 3 × 3" };
 export const kRenderers = { webgl2: "WebGL2", webgpu: "WebGPU" };
 
 // Colours from the lowest value to the highest, at even distances; between them they are mixed.
@@ -127,6 +128,7 @@ export const kSettings = {
   w: { usual: 0.62, from: -1e9, to: 1e9 },
   arithmetic: { usual: "fast", of: kArithmetics },
   hash: { usual: "lattice", of: kHashes },
+  view: { usual: "plane", of: kViews },
   map: { usual: "dusk", of: kMaps },
   contrast: { usual: 1, from: 0.25, to: 4 },
   x: { usual: 0n },
@@ -231,6 +233,7 @@ export function possible(state) {
   if (!dimensions.includes(next.dimensions)) next.dimensions = 2;
   const { strength } = kSums[next.sum];
   next.strength = strength ? Math.min(next.strength, strength.most) : kSettings.strength.usual;
+  if (!next.period || next.dimensions === 1) next.view = "plane";
   if (next.period && next.sum !== "none") next.lacunarity = Math.floor(next.lacunarity);
   return next;
 }
@@ -253,7 +256,8 @@ export function uses(state) {
   const warped = state.dimensions === 2 || state.dimensions === 3;
   return {
     sum: true, noise: true, dimensions: true, seed: true, period: true, arithmetic: true, hash: true, map: true,
-    contrast: true, x: true, y: state.dimensions > 1, cells: true, renderer: true,
+    contrast: true, x: true, y: state.dimensions > 1, cells: state.view !== "tiles", renderer: true,
+    view: state.dimensions > 1,
     file: true, width: true, height: true,
     octaves: sum, lacunarity: sum, gain: sum, strength: Boolean(kSums[state.sum].strength),
     jitter: Boolean(noise.jitter), metric: Boolean(noise.metric),

@@ -1,7 +1,7 @@
 // The picture: what draws the state, how finely, and what else reads its pixels.
 import { shaderKey } from "./code.js";
 import { byId } from "./elements.js";
-import { fileOf } from "./files.js";
+import { fileOf, fileState } from "./files.js";
 import { paletteOf } from "./palette.js";
 import { frameOf, kBits, kColours, pageShader } from "./shaders.js";
 import { Speed } from "./speed.js";
@@ -201,7 +201,7 @@ export class Picture {
 
   // The file that the state asks for.
   async file(tell) {
-    const state = { ...this.state };
+    const state = fileState(this.state);
     const backend = await this.backend();
     const program = await this.program(backend, state);
     this.usePalette(backend, state.map);

@@ -3,7 +3,7 @@
 import { functions, knobs, numbers } from "./code.js";
 import { kWgslVertex } from "./copied.js";
 import { rangeOf } from "./model.js";
-import { cellOf, originOf, partsOf, placeOf, stepOf } from "./view.js";
+import { cellOf, originOf, partsOf, placeOf, stepOf, tileOf } from "./view.js";
 
 // What a pixel is: a colour of the map, or the four bytes of the value.
 export const kColours = 0;
@@ -54,7 +54,7 @@ export function frameOf(state, width, height, mode, { position, first = 0, rows 
   whole.set([state.octaves, state.period, kTimes, first + rows - 1], 16);
   float.set([state.lacunarity, state.gain, state.strength, state.amplitude], 20);
   float.set([state.jitter, state.phase, 0, 0], 24);
-  word.set([state.seed, (state.seed + 1) % 4294967296, 0, 0], 28);
+  word.set([state.seed, (state.seed + 1) % 4294967296, tileOf(state, width, height), 0], 28);
   return bytes;
 }
 
@@ -156,7 +156,7 @@ function glsl(library, state, values, { timed, form = "cell", value } = {}) {
     kGlslPlace,
     kGlslShade,
     "void main() {",
-    "  uvec2 at = uvec2(gl_FragCoord.xy) + uvec2(0u, uint(u_shown.w));",
+    "  uvec2 at = (uvec2(gl_FragCoord.xy) + uvec2(0u, uint(u_shown.w))) % u_seed.z;",
     "  uvec2 x = place_of(u_cell.x, u_place.x, at.x);",
     "  uvec2 y = place_of(u_cell.y, u_place.y, at.y);",
     ...(timed
@@ -182,7 +182,7 @@ function wgsl(library, state, values, { timed, form = "cell", value } = {}) {
     ...kWgslVertex,
     "@fragment fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {",
     // Rows are counted from the lower end, as in OpenGL.
-    "  let at = vec2u(u32(position.x), u32(u.octaves.w) - u32(position.y));",
+    "  let at = vec2u(u32(position.x), u32(u.octaves.w) - u32(position.y)) % u.seed.z;",
     "  var x = place_of(u.cell.x, u.place.x, at.x);",
     "  var y = place_of(u.cell.y, u.place.y, at.y);",
     ...(timed

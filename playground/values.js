@@ -3,8 +3,8 @@
 const kBins = 40;
 const kTenths = 10; // for people who hear the histogram
 
-// {least, greatest, mean, below, above, bins}: `below` and `above` are the shares of the values beyond the colours, which
-// go from `low` to `high`; of each of the bins, which divide the colours evenly, there is the share in it.
+// {least, greatest, mean, below, above, bins}: `below` and `above` are the shares of the values beyond the colours,
+// which go from `low` to `high`; of each of the bins, which divide the colours evenly, there is the share in it.
 export function summaryOf(values, [low, high]) {
   const bins = new Array(kBins).fill(0);
   let [least, greatest, sum, below, above] = [Infinity, -Infinity, 0, 0, 0];
@@ -40,7 +40,8 @@ export function histogramOf({ bins }) {
   );
   const most = Math.max(...bins, 1e-9);
   const steps = bins.flatMap((share, at) => [at, at + 1].map((x) => [x / kBins, 1 - share / most]));
-  const corners = [[0, 1], ...steps, [1, 1]].map((corner) => corner.map((side) => `${(side * 100).toFixed(2)}%`).join(" "));
+  const place = (corner) => corner.map((side) => `${(side * 100).toFixed(2)}%`).join(" ");
+  const corners = [[0, 1], ...steps, [1, 1]].map(place);
   return {
     words: `Histogram: of ten equal parts of the colours, from the lowest, each has ${parts.join(", ")} of the values.`,
     shape: `polygon(${corners.join(", ")})`,

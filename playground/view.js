@@ -4,15 +4,30 @@ import { kParts, wrapped } from "./model.js";
 
 export const kPartsOfCell = Number(kParts);
 
-// The distance between two pixels, in parts: the shorter side of the picture has `cells` cells.
+// Tiles along the shorter side of the picture, where it has some.
+const kTiles = 3;
+const kNoTile = 1 << 24; // pixels, more than any picture has
+
+// How many cells the shorter side of the picture has.
+export const cellsAcross = (state) => (state.view === "tiles" ? kTiles * state.period : state.cells);
+
+// How many pixels a tile has on a side. Its pixels are those of the first one, so that one sees whether it has a seam.
+export const tileOf = (state, width, height) =>
+  state.view === "tiles" ? Math.ceil(Math.min(width, height) / kTiles) : kNoTile;
+
+// The distance between two pixels, in parts.
 export function stepOf(state, width, height) {
-  return Math.max(1, Math.round((state.cells / Math.min(width, height)) * kPartsOfCell));
+  const step =
+    state.view === "tiles" ? state.period / tileOf(state, width, height) : state.cells / Math.min(width, height);
+  return Math.max(1, Math.round(step * kPartsOfCell));
 }
 
 // The position of the pixel in the lower left corner; the middle of the picture is at x and y.
 export function originOf(state, width, height) {
   const step = BigInt(stepOf(state, width, height));
-  return [wrapped(state.x - step * BigInt(width >> 1)), wrapped(state.y - step * BigInt(height >> 1))];
+  const tile = tileOf(state, width, height);
+  const before = (side) => step * BigInt((side >> 1) % tile);
+  return [wrapped(state.x - before(width)), wrapped(state.y - before(height))];
 }
 
 export const cellOf = (parts) => Number(BigInt.asIntN(32, parts >> 24n));
@@ -24,8 +39,9 @@ export const partsOf = (number) => wrapped(BigInt(Math.round(number * kPartsOfCe
 // The position of a pixel, counted from the lower left corner.
 export function positionOfPixel(state, width, height, column, row) {
   const step = BigInt(stepOf(state, width, height));
+  const tile = tileOf(state, width, height);
   const [x, y] = originOf(state, width, height);
-  return [wrapped(x + step * BigInt(column)), wrapped(y + step * BigInt(row))];
+  return [wrapped(x + step * BigInt(column % tile)), wrapped(y + step * BigInt(row % tile))];
 }
 
 // The state after a drag by so many pixels of a picture of this size.

@@ -31,7 +31,7 @@ import {
 } from "../model.js";
 import { pageShader } from "../shaders.js";
 import { Speed } from "../speed.js";
-import { originOf, panned, positionOfPixel, stepOf, zoomed } from "../view.js";
+import { cellsAcross, originOf, panned, positionOfPixel, stepOf, zoomed } from "../view.js";
 import { simpleStates } from "./states.mjs";
 
 const root = resolve(dirname(fileURLToPath(import.meta.url)), "..", "..");
@@ -72,7 +72,7 @@ test("a link brings its state back", () => {
     assert.equal(linkOf(stateOf(link)), link);
     // What the state does not use is not in its link; all else is.
     const shader = (of) =>
-      (of.dimensions === 1 ? [of.x] : [of.x, of.y]).concat([shaderKey(of), of.seed, of.period, of.map, of.cells]);
+      (of.dimensions === 1 ? [of.x] : [of.x, of.y]).concat([shaderKey(of), of.seed, of.period, of.map, cellsAcross(of)]);
     assert.deepEqual(shader(stateOf(link)), shader(state), link);
     assert.match(link, /^(#[\w.=&-]+)?$/);
   }
@@ -273,6 +273,23 @@ test("what is below a pointer stays there while the scale changes", () => {
   assert.equal(stepOf(state, 64, 48), 2 ** 21);
   assert.deepEqual(originOf(state, 64, 48), [-(32n << 21n), -(24n << 21n)]);
   assert.deepEqual(panned(state, 64, 48, 8, -4), { x: -(8n << 21n), y: 4n << 21n });
+});
+
+test("a picture of tiles has one tile three times on its shorter side", () => {
+  const state = possible({ ...usualState(), period: 3, view: "tiles", x: 5n << 24n, cells: 100 });
+  assert.equal(stepOf(state, 800, 600), Math.round((3 / 200) * 16777216));
+  const at = (column, row) => positionOfPixel(state, 800, 600, column, row);
+  assert.deepEqual(at(400, 300), [5n << 24n, 0n]);
+  assert.deepEqual(at(0, 0), originOf(state, 800, 600));
+  for (const [column, row] of [[17, 30], [199, 199], [0, 100]]) {
+    for (const [right, up] of [[1, 0], [0, 2], [3, 1]])
+      assert.deepEqual(at(column + 200 * right, row + 200 * up), at(column, row));
+    assert.notDeepEqual(at(column + 201, row), at(column, row));
+  }
+  // Without a period, and on a line, there is nothing to repeat.
+  assert.equal(stateOf("#view=tiles").view, "plane");
+  assert.equal(stateOf("#view=tiles&period=3&dimensions=1").view, "plane");
+  assert.equal(linkOf(state), "#period=3&view=tiles&x=5");
 });
 
 const kImports = `

@@ -211,6 +211,32 @@ test("floats are as near as the library promises", async () => {
   }
 });
 
+test("tiles have no seam, and one that is there is seen", async () => {
+  const side = 48;
+  const state = { ...usualState(), arithmetic: "fixed", period: 4, cells: 12, x: 99n << 20n };
+  for (const renderer of ["webgl2", "webgpu"]) {
+    await setState(page, { ...state, renderer });
+    const plane = await pixels(page, side, side, true);
+    await setState(page, { view: "tiles" });
+    const tiles = await pixels(page, side, side, true);
+    tiles.forEach((word, at) => assert.equal(word, tiles[(Math.floor(at / side) % 16) * side + (at % side) % 16]));
+    assert.equal(unequal(tiles, plane), 0, renderer);
+  }
+  // Of noise with another period.
+  const wrong = await page.evaluate(async (size) => {
+    const { hashnoise } = window;
+    const build = hashnoise.backends.webgpu.build.bind(hashnoise.backends.webgpu);
+    hashnoise.programs.clear();
+    hashnoise.backends.webgpu.build = (text) => build(text.replaceAll("vec2i(u.octaves.y)", "vec2i(u.octaves.y + 1)"));
+    const bytes = await hashnoise.pixels(size, size, 1);
+    hashnoise.programs.clear();
+    hashnoise.backends.webgpu.build = build;
+    return Array.from(new Uint32Array(bytes.buffer));
+  }, side);
+  await setState(page, { view: "plane", period: 5 });
+  assert.notEqual(unequal(wrong, await pixels(page, side, side, true)), 0);
+});
+
 // What the button saves: the words of the file, and its name.
 const saved = () =>
   page.evaluate(async () => {
