@@ -1,16 +1,22 @@
 // The functions of what is shown, in each language. The page draws with the same functions: the text that is copied has
 // numbers where that of the page has uniforms, so that no shader is compiled again when a number changes.
-import { kNoises, kSums, uses } from "./model.js";
+import { settingsOf, shownLayers, uses } from "./model.js";
+import { kNoises, kSums } from "./tables.js";
 
 export const kLanguages = { glsl: "GLSL", hlsl: "HLSL", wgsl: "WGSL", cpp: "C++" };
 
 const vector = (prefix, scalar) => (n) => (n === 1 ? scalar : `${prefix}${n}`);
 export const kTypes = {
-  glsl: { float: vector("vec", "float"), int: vector("ivec", "int"), uint: "uint" },
-  hlsl: { float: vector("float", "float"), int: vector("int", "int"), uint: "uint" },
-  cpp: { float: vector("vec", "float"), int: vector("ivec", "int"), uint: "uint" },
-  wgsl: { float: (n) => (n === 1 ? "f32" : `vec${n}f`), int: (n) => (n === 1 ? "i32" : `vec${n}i`), uint: "u32" },
+  glsl: { float: vector("vec", "float"), int: vector("ivec", "int"), uints: vector("uvec", "uint"), uint: "uint" },
+  hlsl: { float: vector("float", "float"), int: vector("int", "int"), uints: vector("uint", "uint"), uint: "uint" },
+  wgsl: {
+    float: (n) => (n === 1 ? "f32" : `vec${n}f`),
+    int: (n) => (n === 1 ? "i32" : `vec${n}i`),
+    uints: (n) => (n === 1 ? "u32" : `vec${n}u`),
+    uint: "u32",
+  },
 };
+kTypes.cpp = kTypes.glsl;
 
 export const decimal = (value) => (Number.isInteger(value) ? `${value}.0` : String(value));
 
@@ -22,37 +28,57 @@ function literal(language, value) {
   return language === "cpp" ? `${decimal(value)}f` : decimal(value);
 }
 
-// What the functions are called with, as numbers.
+// A part of a value with integers is a whole number of these steps, so that no product of two has to be rounded.
+const kSteps = 65536;
+export const partOf = ({ arithmetic }, value) =>
+  arithmetic === "fixed" ? Math.round(value * kSteps) / kSteps : value;
+
+// What the functions of each layer that is shown are called with, as numbers.
 export function numbers(language, state) {
   const { int } = kTypes[language];
   const n = state.dimensions;
-  const whole = String(state.period);
-  const alike = language === "hlsl" && n > 1 ? Array(n).fill(whole).join(", ") : whole;
-  return {
-    seed: `${state.seed}u`,
-    otherSeed: `${(state.seed + 1) % 4294967296}u`,
-    octaves: String(state.octaves),
-    lacunarity: literal(language, state.lacunarity),
-    gain: literal(language, state.gain),
-    strength: literal(language, state.strength),
-    amplitude: literal(language, state.amplitude),
-    jitter: literal(language, state.jitter),
-    phase: literal(language, state.phase),
-    period: n === 1 ? whole : `${int(n)}(${alike})`,
-  };
+  const part = (value) => literal(language, partOf(state, value));
+  return shownLayers(state).map((layer) => {
+    const whole = String(state.period * layer.scale);
+    const alike = language === "hlsl" && n > 1 ? Array(n).fill(whole).join(", ") : whole;
+    return {
+      seed: `${layer.seed}u`,
+      otherSeed: `${(layer.seed + 1) % 4294967296}u`,
+      octaves: String(layer.octaves),
+      lacunarity: literal(language, layer.lacunarity),
+      gain: literal(language, layer.gain),
+      strength: literal(language, layer.strength),
+      amplitude: literal(language, layer.amplitude),
+      jitter: literal(language, layer.jitter),
+      phase: literal(language, state.phase),
+      period: n === 1 ? whole : `${int(n)}(${alike})`,
+      weight: part(layer.weight),
+      offset: part(layer.offset),
+      scale: literal(language, layer.scale),
+      wholeScale: `${layer.scale}u`,
+    };
+  });
 }
 
-// Which forms of the functions what is shown needs. States that agree in this have one shader.
-function shape(state) {
-  const used = uses(state);
-  return {
-    ...state,
-    warp: used.warp ? state.warp : "none",
-    metric: used.metric ? state.metric : "euclidean",
-    tiled: state.period > 0,
-    turned: used.phase && state.phase > 0,
-    full: (used.jitter && state.jitter !== 1) || (used.metric && state.metric !== "euclidean"),
-  };
+// Which forms of the functions each layer that is shown needs. States that agree in this have one shader.
+function shapes(state) {
+  return state.layers.flatMap((layer, at) => {
+    const used = uses(state, at);
+    if (!layer.on) return [];
+    return [
+      {
+        ...settingsOf(state, at),
+        warp: used.warp ? layer.warp : "none",
+        metric: used.metric ? layer.metric : "euclidean",
+        tiled: state.period > 0,
+        turned: layer.sum === "none" && Boolean(kNoises[layer.noise].phase) && used.phase && state.phase > 0,
+        full: (used.jitter && layer.jitter !== 1) || (used.metric && layer.metric !== "euclidean"),
+        weighted: used.weight && layer.weight !== 1,
+        moved: used.offset && layer.offset !== 0,
+        scaled: used.scale && layer.scale !== 1,
+      },
+    ];
+  });
 }
 
 // What a sum makes of the mean, by what the catalog calls it: the function that ends the loop, and what becomes of that.
@@ -62,13 +88,16 @@ const kMeans = {
   bounded: { of: (mean) => `min(max(${mean}, -1.0), 1.0)` }, // roundings may take it beyond
 };
 
-// The functions of what is shown, in one language. `values` are what numbers() returns, or names of uniforms.
+// The functions of a layer, in one language. `values` are what numbers() returns of it, or names of uniforms; `name` is
+// what the layer's function is called, and `suffix` stands behind the names of the functions that it calls.
 class Writer {
-  constructor(library, language, state, values) {
+  constructor(library, language, state, values, name, suffix) {
     this.library = library;
     this.language = language;
-    this.state = shape(state);
+    this.state = state;
     this.values = values;
+    this.name = name;
+    this.suffix = suffix;
     this.types = kTypes[language];
     this.noise = kNoises[state.noise];
     this.files = new Set();
@@ -173,9 +202,10 @@ class Writer {
       [`hn_place${this.n}`, "place"],
       [this.types.uint, "seed"],
     ];
+    const name = `${state.noise}${this.suffix}`;
     return {
-      name: state.noise,
-      lines: this.define(state.noise, parameters, [...lines, `return ${this.number(noise.signed(value))};`]),
+      name,
+      lines: this.define(name, parameters, [...lines, `return ${this.number(noise.signed(value))};`]),
     };
   }
 
@@ -188,7 +218,7 @@ class Writer {
     this.sum = `hn_${state.sum}`;
     if (state.noise === "perlin") return [];
     const noise = this.summedNoise();
-    this.sum = `${state.sum}_${state.noise}`;
+    this.sum = `${state.sum}_${state.noise}${this.suffix}`;
     const wgsl = this.language === "wgsl";
     const step = `hn_add${kSums[state.sum].step ? `_${kSums[state.sum].step}` : ""}`;
     const { end = "hn_mean", of = (mean) => mean } = kMeans[made] ?? {};
@@ -231,6 +261,19 @@ class Writer {
     return { lines: [], value: `${this.sum}(${[octaves, ...strength].join(", ")})` };
   }
 
+  // Finer cells: the lines, and the place in them. Products with powers of two are exact.
+  scaled(where) {
+    const { values, n } = this;
+    if (!this.state.scaled) return { lines: [], where };
+    const { float, int, uints } = this.types;
+    if (!where.cell) return { lines: [this.let(float(n), "s", `p * ${values.scale}`)], where: { position: "s" } };
+    const cell = `${uints(n)}(cell) * ${values.wholeScale} + ${uints(n)}(first)`;
+    return {
+      lines: [this.let(float(n), "s", `f * ${values.scale}`), this.let(float(n), "first", "floor(s)")],
+      where: { cell: `${int(n)}(${cell})`, f: "s - first" },
+    };
+  }
+
   // A shift of the place, and where it leads.
   moved(where) {
     const { state, values } = this;
@@ -247,50 +290,146 @@ class Writer {
       values.amplitude,
       values.otherSeed,
     );
-    if (!where.cell) return { lines: [this.let(float(this.n), "q", `p + ${shift}`)], where: { position: "q" } };
+    const set = (name, value) => this.let(float(this.n), name, value);
+    if (!where.cell) return { lines: [set("q", `${where.position} + ${shift}`)], where: { position: "q" } };
     return {
-      lines: [this.let(float(this.n), "q", `f + ${shift}`), this.let(float(this.n), "whole", "floor(q)")],
-      where: { cell: `cell + ${int(this.n)}(whole)`, f: "q - whole" },
+      lines: [set("q", `${where.f} + ${shift}`), set("whole", "floor(q)")],
+      where: { cell: `${where.cell} + ${int(this.n)}(whole)`, f: "q - whole" },
     };
   }
 
-  // "pattern" at a place.
-  pattern(where) {
-    const { float, int } = this.types;
-    const { lines, where: there } = this.moved(where);
-    const shown = this.shownAt(there);
-    const name = this.language === "wgsl" && where.cell ? "pattern_cell" : "pattern";
-    const parameters = where.cell
-      ? [
-          [int(this.n), "cell"],
-          [float(this.n), "f"],
-        ]
-      : [[float(this.n), "p"]];
-    return this.define(name, parameters, [...lines, ...shown.lines, `return ${shown.value};`]);
+  nameOf(where) {
+    return this.language === "wgsl" && where.cell ? `${this.name}_cell` : this.name;
   }
 
-  // {definitions: lines, files, needs}: "pattern" in these forms.
+  parametersOf(where) {
+    const { float, int } = this.types;
+    return where.cell ? [[int(this.n), "cell"], [float(this.n), "f"]] : [[float(this.n), "p"]];
+  }
+
+  // The function of the layer at a place.
+  pattern(where) {
+    const { lines: scaling, where: near } = this.scaled(where);
+    const { lines: moving, where: there } = this.moved(near);
+    const shown = this.shownAt(there);
+    const lines = [...scaling, ...moving, ...shown.lines, `return ${shown.value};`];
+    return this.define(this.nameOf(where), this.parametersOf(where), lines);
+  }
+
+  // The lines of the functions in these forms.
   write(forms) {
     const sums = this.summed ? this.defineSum() : [];
-    const patterns = forms.flatMap((form) => this.pattern(this[form]));
-    return {
-      lines: [...sums, ...(sums.length ? [""] : []), ...patterns],
-      files: [...this.files],
-      needs: [...this.needs],
-      public: [...this.needs].filter((name) => /^hn_(?!i_|place\d$)/.test(name)),
-    };
+    return [...sums, ...(sums.length ? [""] : []), ...forms.flatMap((form) => this.pattern(this[form]))];
   }
 }
 
-// The forms are "cell", pattern(cell, f), and "position", pattern(p).
+// Layers in one value. With integers each value is a whole number of steps, and so is a product, which is computed in
+// integers; sums of them are exact in floats. So no compiler can round one in another way.
+class Mixer {
+  constructor(language, shown, writers) {
+    this.language = language;
+    this.shown = shown;
+    this.writers = writers;
+    this.fixed = shown.some(({ arithmetic }) => arithmetic === "fixed");
+  }
+
+  product(one, other) {
+    return this.fixed ? `layer_product(${one}, ${other})` : `${one} * ${other}`;
+  }
+
+  stepped(value) {
+    return this.fixed ? `layer_steps(${value})` : value;
+  }
+
+  // The value of a layer in the sum of all.
+  remapped({ weighted, moved }, { values }, call) {
+    const value = this.stepped(call);
+    const weightedValue = weighted ? this.product(values.weight, value) : value;
+    return moved ? `${weightedValue} + ${values.offset}` : weightedValue;
+  }
+
+  next({ blend, ...shape }, writer, call) {
+    if (blend === "mix") {
+      const rest = `${this.stepped(call)} - v`;
+      return `v + ${this.product(writer.values.weight, this.fixed ? rest : `(${rest})`)}`;
+    }
+    const value = this.remapped(shape, writer, call);
+    if (blend === "add") return `v + ${value}`;
+    const plain = !shape.weighted && !shape.moved;
+    if (blend === "multiply") return this.product("v", plain ? value : this.fixed ? this.stepped(value) : `(${value})`);
+    return `${blend}(v, ${value})`;
+  }
+
+  // "pattern" at a place.
+  pattern(form) {
+    const { language, shown, writers } = this;
+    const [writer] = writers;
+    const where = writer[form];
+    const wgsl = language === "wgsl";
+    const passed = where.cell ? "cell, f" : "p";
+    const lines = writers.map((writer, at) => {
+      const call = `${writer.nameOf(where)}(${passed})`;
+      if (at > 0) return `v = ${this.stepped(this.next(shown[at], writer, call))};`;
+      const { weighted, moved } = shown[0];
+      const value = this.remapped(shown[0], writer, call);
+      const first = weighted || moved ? this.stepped(value) : value;
+      return wgsl ? `var v = ${first};` : `float v = ${first};`;
+    });
+    const name = wgsl && where.cell ? "pattern_cell" : "pattern";
+    return writer.define(name, writer.parametersOf(where), [...lines, "return v;"]);
+  }
+
+  // What the layers are made steps and multiplied by.
+  helpers() {
+    if (!this.fixed) return [];
+    const [writer] = this.writers;
+    const { float, int } = writer.types;
+    const step = writer.number(String(1 / kSteps));
+    const [low, high, steps] = ["-8.0", "8.0", `${kSteps}.0`].map((text) => writer.number(text));
+    const parts = ["a", "b"].map((name, at) => writer.let(int(1), "ij"[at], `${int(1)}(${name} * ${steps})`));
+    return [
+      `// Values are whole numbers of steps of 1/${kSteps}, so that no product is rounded.`,
+      ...writer.define("layer_steps", [[float(1), "v"]], [
+        `return ${float(1)}(${int(1)}(floor(min(max(v, ${low}), ${high}) * ${steps}))) * ${step};`,
+      ]),
+      ...writer.define("layer_product", [[float(1), "a"], [float(1), "b"]], [
+        ...parts,
+        `return ${float(1)}(((i >> 8) * j + (((i & 255) * j) >> 8)) >> 8) * ${step};`,
+      ]),
+      "",
+    ];
+  }
+
+  write(forms) {
+    const layers = this.writers.flatMap((writer) => [...writer.write(forms), ""]);
+    return [...this.helpers(), ...layers, ...forms.flatMap((form) => this.pattern(form))];
+  }
+}
+
+// {lines, files, needs, public}: the definition of "pattern" in these forms, the files of the library and the functions
+// that it needs, and which of those anybody may call. The forms are "cell", pattern(cell, f), and "position",
+// pattern(p). `values` are what numbers() returns, or names of uniforms.
 export function functions(library, language, state, values, forms = ["cell", "position"]) {
-  return new Writer(library, language, state, values).write(forms);
+  const shown = shapes(state);
+  const alone = shown.length === 1 && !shown[0].weighted && !shown[0].moved;
+  const writers = shown.map((shape, at) => {
+    const name = alone ? "pattern" : `layer_${at + 1}`;
+    return new Writer(library, language, shape, values[at], name, alone ? "" : `_${at + 1}`);
+  });
+  const lines = alone ? writers[0].write(forms) : new Mixer(language, shown, writers).write(forms);
+  const all = (of) => [...new Set(writers.flatMap((writer) => [...writer[of]]))];
+  const needs = all("needs");
+  return { lines, files: all("files"), needs, public: needs.filter((name) => /^hn_(?!i_|place\d$)/.test(name)) };
 }
 
 // What names the shader of a state: states with the same key differ in uniforms alone.
 export function shaderKey(state) {
-  const { noise, sum, dimensions, warp, metric, arithmetic, hash, tiled, turned, full } = shape(state);
-  return [noise, sum, dimensions, warp, full ? metric : "", arithmetic, hash, tiled, turned].join(" ");
+  const { dimensions, arithmetic, hash } = state;
+  const layers = shapes(state).map((shape, at) => {
+    const { noise, sum, warp, metric, tiled, turned, full, weighted, moved, scaled, blend } = shape;
+    return [noise, sum, warp, full ? metric : "", tiled, turned, weighted, moved, scaled, at ? blend : ""].join(" ");
+  });
+  return [dimensions, arithmetic, hash, ...layers].join(" ");
 }
 
 // The knobs that differ from the library's defaults.

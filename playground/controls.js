@@ -2,29 +2,24 @@
 import { kLanguages } from "./code.js";
 import { copied, copiedText, kKinds } from "./copied.js";
 import { byId, element } from "./elements.js";
+import { LayerList } from "./layerlist.js";
+import { kLooks, numbersOf, parsed } from "./links.js";
+import { dimensionsOf, kSettings, noisesOf, settingsOf, uses } from "./model.js";
+import { kParts, positionText, sameNumber } from "./numbers.js";
+import { gradientOf } from "./palette.js";
 import {
-  dimensionsOf,
   kArithmetics,
+  kBlends,
   kFiles,
   kHashes,
-  kLooks,
   kMaps,
   kMetrics,
   kNoises,
-  kParts,
   kRenderers,
-  kSettings,
   kSums,
   kViews,
   kWarps,
-  noisesOf,
-  numbersOf,
-  parsed,
-  positionText,
-  sameNumber,
-  uses,
-} from "./model.js";
-import { gradientOf } from "./palette.js";
+} from "./tables.js";
 
 // name: [label, from, to, step].
 const kSliders = {
@@ -38,6 +33,8 @@ const kSliders = {
   w: ["Slice at w", -8, 8, 0.01],
   amplitude: ["Amplitude", 0, 8, 0.05],
   contrast: ["Contrast", 0.25, 4, 0.05],
+  weight: ["Weight", -2, 2, 0.05],
+  offset: ["Offset", -2, 2, 0.05],
 };
 const kChoices = {
   dimensions: { 1: "1D", 2: "2D", 3: "3D", 4: "4D" },
@@ -46,7 +43,16 @@ const kChoices = {
   arithmetic: kArithmetics,
   renderer: kRenderers,
 };
-const kSelects = { sum: labels(kSums), noise: labels(kNoises), metric: kMetrics, hash: kHashes, file: labels(kFiles) };
+const kScales = Object.fromEntries([1, 2, 4, 8, 16, 32, 64].map((scale) => [scale, `${scale} × as fine`]));
+const kSelects = {
+  sum: labels(kSums),
+  noise: labels(kNoises),
+  metric: kMetrics,
+  hash: kHashes,
+  file: labels(kFiles),
+  blend: labels(kBlends),
+  scale: kScales,
+};
 const kTexts = ["seed", "period", "x", "y", "cells", "width", "height"];
 const kArrows = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1, PageUp: 10, PageDown: -10 };
 const kNotes = {
@@ -71,15 +77,29 @@ function counted(name, value, steps) {
 }
 
 export class Controls {
-  // `change` takes what is chosen, {name: value}, and `look` the name of a look.
-  constructor(library, change, look) {
+  // `change` takes what is chosen, {name: value}, and of which layer; `look` the name of a look; `replace` a state with
+  // other layers, and a sentence on it.
+  constructor(library, { change, look, replace }) {
     this.library = library;
     this.change = change;
     this.language = "glsl";
     this.kind = "function";
     this.state = undefined;
+    this.layer = 0; // the number of the one that the panel shows
     this.typed = undefined; // the field whose text nobody has entered yet
     this.corrected = undefined; // {name, value}: the field that says what its number became
+    const choose = (layer) => {
+      this.layer = layer;
+      this.show(this.state);
+    };
+    this.layers = new LayerList({
+      choose,
+      change,
+      replace: (state, layer, said) => {
+        this.layer = layer;
+        replace(state, said);
+      },
+    });
     for (const [name, table] of Object.entries(kSelects)) this.makeSelect(name, table);
     for (const [name, setting] of Object.entries(kSliders)) this.makeSlider(name, ...setting);
     for (const [name, table] of Object.entries(kChoices)) this.makeChoices(name, table);
@@ -101,7 +121,7 @@ export class Controls {
   makeSelect(name, table) {
     const select = byId(name);
     select.append(...Object.entries(table).map(([value, label]) => new Option(label, value)));
-    select.addEventListener("change", () => this.change({ [name]: select.value }));
+    select.addEventListener("change", () => this.change({ [name]: parsed(name, select.value) }));
   }
 
   makeSlider(name, label, min, max, step) {
@@ -109,7 +129,7 @@ export class Controls {
     row.classList.add("slider");
     const input = element("input", { type: "range", id: name, min, max, step });
     row.append(
-      element("label", { htmlFor: name, textContent: label }),
+      element("label", { htmlFor: name, id: `label-${name}`, textContent: label }),
       input,
       element("output", { htmlFor: name, id: `of-${name}` }),
     );
@@ -119,7 +139,7 @@ export class Controls {
       const steps = kArrows[event.key];
       if (!steps) return;
       event.preventDefault();
-      const value = this.state[name];
+      const value = this.settings[name];
       const wanted = value + steps * Number(input.step);
       const [least, most] = [Math.min(value, Number(input.min)), Math.max(value, Number(input.max))];
       this.change({ [name]: Math.min(Math.max(wanted, least), most) });
@@ -155,7 +175,7 @@ export class Controls {
       this.typed = this.corrected = undefined;
       this.change({ [name]: value });
       if (!sameNumber(typed, input.value)) {
-        this.corrected = { name, value: this.state[name] };
+        this.corrected = { name, value: this.settings[name] };
         say(`${typed} became ${input.value}. This field takes ${numbersOf(name)}.`);
       }
       return true;
@@ -170,7 +190,7 @@ export class Controls {
       event.preventDefault();
       if (this.typed === name && !entered()) return;
       this.corrected = undefined;
-      this.change({ [name]: counted(name, this.state[name], steps) });
+      this.change({ [name]: counted(name, this.settings[name], steps) });
     });
     // What is wrong stays until something else is shown.
     input.addEventListener("blur", () => {
@@ -283,10 +303,15 @@ export class Controls {
     byId("renderer").parentElement.setAttribute("aria-describedby", "note-renderer");
   }
 
-  show(state) {
-    this.state = state;
-    const used = uses(state);
+  show(whole) {
+    this.state = whole;
+    this.layer = Math.min(this.layer, whole.layers.length - 1);
+    this.layers.show(whole, this.layer);
+    const state = (this.settings = settingsOf(whole, this.layer));
+    const used = uses(whole, this.layer);
     const noises = noisesOf(state.sum);
+    byId("heading-noise").textContent = whole.layers.length > 1 ? `Noise of layer ${this.layer + 1}` : "Noise";
+    byId("label-weight").textContent = used.blend && state.blend === "mix" ? "Its part" : "Weight";
     for (const option of byId("noise").options) option.hidden = option.disabled = !noises.includes(option.value);
     byId("label-noise").textContent = state.sum === "none" ? "Noise" : "of the noise";
     for (const name of Object.keys(kSelects)) byId(name).value = state[name];

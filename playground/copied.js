@@ -1,6 +1,7 @@
 // What is copied: the functions of code.js with the colours, with what they call, and as a whole shader.
 import { decimal, declaration, functions, kTypes, knobs, numbers } from "./code.js";
-import { kMaps, rangeOf } from "./model.js";
+import { rangeOf, shownLayers } from "./model.js";
+import { kMaps } from "./tables.js";
 import { cellOf, cellsAcross, kPartsOfCell, partsOf, placeOf } from "./view.js";
 
 // The values that the lowest and the highest colour stand for, and how the lowest is taken off.
@@ -130,7 +131,7 @@ const middleOf = ({ x, y, z, w, dimensions }) => [x, y, partsOf(z), partsOf(w)].
 // the point.
 const kFar = 1024;
 const formOf = (state) =>
-  cellsAcross(state) > kFar || middleOf(state).some((parts) => Math.abs(cellOf(parts)) > kFar) ? "cell" : "position";
+  cellsAcross(state) * Math.max(...shownLayers(state).map(({ scale }) => scale)) > kFar || middleOf(state).some((parts) => Math.abs(cellOf(parts)) > kFar) ? "cell" : "position";
 
 // The lines of the main function of a whole shader, which draws the picture as the page has it.
 function mainOf(language, state, { main, pixel, below, result }) {

@@ -1,7 +1,7 @@
 // What the copied functions cost on this GPU, pattern(p) and pattern(cell, f), as ratios to hn_perlin(p) on the plane.
 // All are drawn in turns, so that what else the machine does concerns all; what a shader costs that computes nothing
 // is taken off all.
-import { emptyShader, frameOf, kColours, kPlain, timedShader } from "./shaders.js";
+import { emptyShader, frameOf, kColours, plainOf, timedShader } from "./shaders.js";
 
 const kRounds = 12;
 const kFewRounds = 3; // of what is so slow that more would take too long
@@ -23,7 +23,7 @@ export async function costOf(backend, library, state) {
   const { language } = backend;
   // Far out, where floats have no fractions, a position would be the same for all pixels.
   const shown = { ...state, x: 0n, y: 0n };
-  const plain = { ...shown, ...kPlain };
+  const plain = plainOf(shown);
   const states = [plain, plain, shown, shown];
   const texts = [
     emptyShader(library, language, plain),

@@ -1,7 +1,8 @@
 // The files that the page saves: pictures and heights of any size, from the same shaders that draw.
-import { kFiles, linkOf } from "./model.js";
+import { linkOf } from "./links.js";
 import { Png } from "./png.js";
 import { kBits, kColours, unitsOf } from "./shaders.js";
+import { kFiles } from "./tables.js";
 
 const kMostOfStrip = 262144; // pixels, so that no draw keeps the GPU for long
 const kGreys = 65536;
@@ -65,6 +66,8 @@ export async function fileOf(state, read, tell = () => {}) {
     tell(1 - above / height);
   }
   const type = png ? "image/png" : "application/octet-stream";
-  const name = `hashnoise-${state.sum === "none" ? "" : `${state.sum}-`}${state.noise}-${width}x${height}.${ending}`;
+  const [{ sum, noise }, ...others] = state.layers;
+  const subject = others.length ? "layers" : `${sum === "none" ? "" : `${sum}-`}${noise}`;
+  const name = `hashnoise-${subject}-${width}x${height}.${ending}`;
   return new File(made ? await made.parts() : parts, name, { type });
 }

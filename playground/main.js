@@ -5,28 +5,18 @@ import { costOf } from "./cost.js";
 import { byId } from "./elements.js";
 import { listen } from "./hands.js";
 import { Library, unpacked } from "./library.js";
-import {
-  kNoises,
-  kRenderers,
-  kSettings,
-  kSums,
-  linkOf,
-  possible,
-  positionText,
-  rangeOf,
-  stateOf,
-  stateOfLook,
-  uses,
-} from "./model.js";
+import { linkOf, stateOf, stateOfLook } from "./links.js";
+import { changed, chosen, kSettings, possible, rangeOf, titlesOf, uses } from "./model.js";
+import { positionText } from "./numbers.js";
 import { gradientOf } from "./palette.js";
 import { kBackends, Picture } from "./picture.js";
 import { kBits } from "./shaders.js";
+import { kRenderers } from "./tables.js";
 import { histogramOf, summaryOf, wordsOf } from "./values.js";
 import { panned, partsOf, positionOfPixel, zoomed } from "./view.js";
 
 const kLinkDelay = 300; // browsers refuse an address that changes too often
 const kStill = "This picture does not move. Choose 3D or 4D, or one octave of Perlin or simplex noise in 2D.";
-const kUsualTile = 4; // cells
 const kTold = 1500; // milliseconds for which a button says that it has copied
 const kSampled = 48; // pixels on the shorter side, of whose values the page tells
 const kSpeed = 0.25; // cells, or turns over four, in a second
@@ -37,11 +27,11 @@ class Playground extends Picture {
     this.labelTimers = new Map(); // by the button
     this.playing = false;
     this.pointer = undefined; // where the value is read
-    this.controls = new Controls(
-      library,
-      (changes) => this.change(changes),
-      (name) => this.look(name),
-    );
+    this.controls = new Controls(library, {
+      change: (changes, at) => this.change(changes, at),
+      look: (name) => this.look(name),
+      replace: (state, said) => this.replace(state, said),
+    });
     byId("version").textContent = library.version;
     byId("drawing").hidden = false; // until there is a picture
   }
@@ -49,14 +39,14 @@ class Playground extends Picture {
   // ------------------------------------------------------------------------------------------------------------------
   // The state.
 
-  change(changes) {
-    const before = this.state;
-    const next = { ...before, ...changes };
-    // A strength is that of its sum.
-    if (changes.sum && changes.sum !== before.sum)
-      next.strength = kSums[changes.sum].strength?.usual ?? kSettings.strength.usual;
-    if (changes.view === "tiles" && !next.period) next.period = kUsualTile;
-    this.take(possible(next));
+  // The state with these settings, as they are.
+  with(changes, at = this.controls.layer) {
+    return changed(this.state, changes, at);
+  }
+
+  // Settings of this layer, and of the whole picture.
+  change(changes, at = this.controls.layer) {
+    this.take(chosen(this.state, changes, at));
   }
 
   take(state) {
@@ -85,14 +75,17 @@ class Playground extends Picture {
     this.linkTimer = setTimeout(() => this.writeLink(), kLinkDelay);
   }
 
-  // A look changes everything, so the browser's Back brings back what was shown.
-  look(name) {
-    const next = stateOfLook(name, this.state);
+  // What changes more than a setting can be undone: the browser's Back brings back what was shown.
+  replace(next, said) {
     const other = linkOf(next) !== this.link;
     this.writeLink();
     this.take(next);
     if (other) this.writeLink("pushState");
-    byId("said").textContent = `${name} is shown. Back undoes it.`;
+    byId("said").textContent = said;
+  }
+
+  look(name) {
+    this.replace(stateOfLook(name, this.state), `${name} is shown. Back undoes it.`);
   }
 
   get link() {
@@ -111,11 +104,8 @@ class Playground extends Picture {
 
   describe() {
     const { state } = this;
-    const sum = state.sum === "none" ? "" : `${kSums[state.sum].label} of `;
-    this.canvas.setAttribute(
-      "aria-label",
-      `Picture of ${sum}${kNoises[state.noise].label} noise in ${state.dimensions}D`,
-    );
+    const titles = titlesOf(state).join(", ");
+    this.canvas.setAttribute("aria-label", `Picture of ${titles} noise in ${state.dimensions}D`);
     const coordinate = (parts) => {
       const [whole, fraction = ""] = positionText(parts).split(".");
       const digits = Math.max(0, Math.min(6, Math.ceil(Math.log10(400 / state.cells))));
@@ -228,8 +218,8 @@ class Playground extends Picture {
   // Cost, and what is copied.
 
   get costKey() {
-    const { octaves, period, renderer } = this.state;
-    return [renderer, shaderKey(this.state), octaves, period].join(" ");
+    const { layers, period, renderer } = this.state;
+    return [renderer, shaderKey(this.state), ...layers.map(({ octaves }) => octaves), period].join(" ");
   }
 
   async measure() {
@@ -367,7 +357,7 @@ class Playground extends Picture {
       this.copy(location.href, byId("link"), "The link");
     });
     // At popstate already, so that no link is written to the place in the history that is gone to.
-    addEventListener("popstate", ({ state }) => this.take(state ? possible(state) : stateOf(location.hash)));
+    addEventListener("popstate", ({ state }) => this.take(state?.layers ? possible(state) : stateOf(location.hash)));
     new ResizeObserver(() => this.request()).observe(byId("stage"));
     document.addEventListener("visibilitychange", () => document.hidden && this.play(false));
     if (!navigator.gpu) this.controls.refuseRenderer("webgpu", "This browser has no WebGPU.", "webgl2");

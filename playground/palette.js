@@ -1,5 +1,5 @@
 // The 256 colours of a map.
-import { kMaps } from "./model.js";
+import { kMaps } from "./tables.js";
 
 export function paletteOf(map) {
   const stops = kMaps[map].stops.map((stop) => [0, 2, 4].map((at) => parseInt(stop.slice(at, at + 2), 16)));

@@ -1,8 +1,8 @@
 // The shaders of the page, and the numbers that they read. Each exists in GLSL for WebGL2 and in WGSL for WebGPU; with
 // HN_FIXED both draw the same bytes, since everything from the position to the colour is whole numbers.
-import { functions, knobs, numbers } from "./code.js";
+import { functions, knobs, numbers, partOf } from "./code.js";
 import { kWgslVertex } from "./copied.js";
-import { rangeOf } from "./model.js";
+import { kMostLayers, rangeOf, shownLayers, usualLayer } from "./model.js";
 import { cellOf, originOf, partsOf, placeOf, stepOf, tileOf } from "./view.js";
 
 // What a pixel is: a colour of the map, or the four bytes of the value.
@@ -11,20 +11,23 @@ export const kBits = 1;
 const kTimes = 8; // that a shader computes the noise of a pixel, when it is timed
 const kUnit = 1048576; // of a value, when it is made a whole number: 2^20
 
-// The words of a frame, as both languages lay them out: eight vectors of four.
-export const kFrameBytes = 128;
-const kGlslFrame = `layout(std140) uniform Frame {
+// The words of a frame, as both languages lay them out: six vectors of four, and four more for each layer.
+const kWordsOfFrame = 24;
+const kWordsOfLayer = 16;
+export const kFrameBytes = 4 * (kWordsOfFrame + kMostLayers * kWordsOfLayer);
+const kGlslFrame = `struct Layer { ivec4 octaves; vec4 sum; vec4 more; uvec4 seed; };
+layout(std140) uniform Frame {
   ivec4 u_cell;
   uvec4 u_place;
   uvec4 u_step;
   ivec4 u_shown;
-  ivec4 u_octaves;
-  vec4 u_sum;
-  vec4 u_more;
-  uvec4 u_seed;
+  uvec4 u_drawn;
+  vec4 u_turn;
+  Layer u_layers[${kMostLayers}];
 };`;
-const kWgslFrame = `struct Frame {
-  cell: vec4i, place: vec4u, step: vec4u, shown: vec4i, octaves: vec4i, sum: vec4f, more: vec4f, seed: vec4u,
+const kWgslFrame = `struct Layer { octaves: vec4i, sum: vec4f, more: vec4f, seed: vec4u }
+struct Frame {
+  cell: vec4i, place: vec4u, step: vec4u, shown: vec4i, drawn: vec4u, turn: vec4f, layers: array<Layer, ${kMostLayers}>,
 }
 @group(0) @binding(0) var<uniform> u: Frame;
 @group(0) @binding(1) var palette: texture_2d<f32>;`;
@@ -51,32 +54,44 @@ export function frameOf(state, width, height, mode, { position, first = 0, rows 
   word.set([Math.floor(step / 16777216), step % 16777216, width, height], 8);
   const { low, span } = unitsOf(state);
   whole.set([low, span, mode, first], 12);
-  whole.set([state.octaves, state.period, kTimes, first + rows - 1], 16);
-  float.set([state.lacunarity, state.gain, state.strength, state.amplitude], 20);
-  float.set([state.jitter, state.phase, 0, 0], 24);
-  word.set([state.seed, (state.seed + 1) % 4294967296, tileOf(state, width, height), 0], 28);
+  word.set([kTimes, first + rows - 1, tileOf(state, width, height), 0], 16);
+  float.set([state.phase, 0, 0, 0], 20);
+  for (const [at, layer] of shownLayers(state).entries()) {
+    const start = kWordsOfFrame + at * kWordsOfLayer;
+    const { scale, lacunarity, gain, strength, amplitude, seed } = layer;
+    const [weight, offset] = [layer.weight, layer.offset].map((part) => partOf(state, part));
+    whole.set([layer.octaves, scale, state.period * scale, 0], start);
+    float.set([lacunarity, gain, strength, amplitude, layer.jitter, weight, offset, 0], start + 4);
+    word.set([seed, (seed + 1) % 4294967296, 0, 0], start + 12);
+  }
   return bytes;
 }
 
-const kGlslUniforms = {
-  seed: "u_seed.x",
-  otherSeed: "u_seed.y",
-  octaves: "u_octaves.x",
-  lacunarity: "u_sum.x",
-  gain: "u_sum.y",
-  strength: "u_sum.z",
-  amplitude: "u_sum.w",
-  jitter: "u_more.x",
-  phase: "u_more.y",
-};
-const kWgslUniforms = Object.fromEntries(
-  Object.entries(kGlslUniforms).map(([name, text]) => [name, text.replace("u_", "u.")]),
-);
-
-function uniforms(language, n) {
-  return language === "glsl"
-    ? { ...kGlslUniforms, period: n === 1 ? "u_octaves.y" : `ivec${n}(u_octaves.y)` }
-    : { ...kWgslUniforms, period: n === 1 ? "u.octaves.y" : `vec${n}i(u.octaves.y)` };
+// Names of uniforms for the layers that are shown.
+function uniforms(language, state) {
+  const n = state.dimensions;
+  const glsl = language === "glsl";
+  const [int, float, uint] = glsl ? ["int", "float", "uint"] : ["i32", "f32", "u32"];
+  const ints = n === 1 ? int : glsl ? `ivec${n}` : `vec${n}i`;
+  return shownLayers(state).map((_, at) => {
+    const of = `${glsl ? "u_" : "u."}layers[${at}]`;
+    return {
+      seed: `${of}.seed.x`,
+      otherSeed: `${of}.seed.y`,
+      octaves: `${of}.octaves.x`,
+      lacunarity: `${of}.sum.x`,
+      gain: `${of}.sum.y`,
+      strength: `${of}.sum.z`,
+      amplitude: `${of}.sum.w`,
+      jitter: `${of}.more.x`,
+      weight: `${of}.more.y`,
+      offset: `${of}.more.z`,
+      phase: glsl ? "u_turn.x" : "u.turn.x",
+      period: `${ints}(${of}.octaves.z)`,
+      scale: `${float}(${of}.octaves.y)`,
+      wholeScale: `${uint}(${of}.octaves.y)`,
+    };
+  });
 }
 
 // The place of a pixel along an axis is origin + i * step. The step is taken in halves, so that no product leaves 32
@@ -156,11 +171,11 @@ function glsl(library, state, values, { timed, form = "cell", value } = {}) {
     kGlslPlace,
     kGlslShade,
     "void main() {",
-    "  uvec2 at = (uvec2(gl_FragCoord.xy) + uvec2(0u, uint(u_shown.w))) % u_seed.z;",
+    "  uvec2 at = (uvec2(gl_FragCoord.xy) + uvec2(0u, uint(u_shown.w))) % u_drawn.z;",
     "  uvec2 x = place_of(u_cell.x, u_place.x, at.x);",
     "  uvec2 y = place_of(u_cell.y, u_place.y, at.y);",
     ...(timed
-      ? [`  float sum = 0.0;`, `  for (int i = 0; i < u_octaves.z; ++i) { sum += ${shown}; x.x += 8u; y.x += 5u; }`]
+      ? [`  float sum = 0.0;`, `  for (uint i = 0u; i < u_drawn.x; ++i) { sum += ${shown}; x.x += 8u; y.x += 5u; }`]
       : [`  float sum = ${shown};`]),
     `  color = shade(sum, ${n === 1 ? "int(at.y)" : "-1"});`,
     "}",
@@ -182,11 +197,11 @@ function wgsl(library, state, values, { timed, form = "cell", value } = {}) {
     ...kWgslVertex,
     "@fragment fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {",
     // Rows are counted from the lower end, as in OpenGL.
-    "  let at = vec2u(u32(position.x), u32(u.octaves.w) - u32(position.y)) % u.seed.z;",
+    "  let at = vec2u(u32(position.x), u.drawn.y - u32(position.y)) % u.drawn.z;",
     "  var x = place_of(u.cell.x, u.place.x, at.x);",
     "  var y = place_of(u.cell.y, u.place.y, at.y);",
     ...(timed
-      ? [`  var sum = 0.0f;`, `  for (var i = 0; i < u.octaves.z; i++) { sum += ${shown}; x.x += 8u; y.x += 5u; }`]
+      ? [`  var sum = 0.0f;`, `  for (var i = 0u; i < u.drawn.x; i++) { sum += ${shown}; x.x += 8u; y.x += 5u; }`]
       : [`  let sum = ${shown};`]),
     `  return shade(sum, ${n === 1 ? "i32(at.y)" : "-1"});`,
     "}",
@@ -196,20 +211,19 @@ function wgsl(library, state, values, { timed, form = "cell", value } = {}) {
 
 const kWrite = { glsl, wgsl };
 // To what costs are compared: hn_perlin on the plane, as the library has it by default.
-export const kPlain = {
-  sum: "none",
-  noise: "perlin",
+export const plainOf = (state) => ({
+  ...state,
+  layers: [{ ...usualLayer(), sum: "none", noise: "perlin" }],
   dimensions: 2,
-  warp: "none",
   phase: 0,
   period: 0,
   arithmetic: "fast",
   hash: "lattice",
-};
+});
 
 // What the page draws with: numbers are uniforms.
 export const pageShader = (library, language, state) =>
-  kWrite[language](library, state, uniforms(language, state.dimensions));
+  kWrite[language](library, state, uniforms(language, state));
 
 // What is timed: the numbers stand in the text, as in a shader of somebody who copied it.
 export const timedShader = (library, language, state, form) =>
@@ -217,7 +231,7 @@ export const timedShader = (library, language, state, form) =>
 
 // A shader in which nothing is computed but the position.
 export function emptyShader(library, language, state) {
-  const plain = { ...state, ...kPlain };
+  const plain = plainOf(state);
   const value = language === "glsl" ? "float(x.x + x.y + y.y) * kPart" : "f32(x.x + x.y + y.y) * kPart";
   return kWrite[language](library, plain, numbers(language, plain), { timed: true, value });
 }

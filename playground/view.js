@@ -1,6 +1,6 @@
 // Where the picture is. Positions are whole numbers of parts of a cell, so that a pixel's cell and its place in the
 // cell are exact, however far out.
-import { kParts, wrapped } from "./model.js";
+import { kParts, wrapped } from "./numbers.js";
 
 export const kPartsOfCell = Number(kParts);
 

@@ -4,10 +4,12 @@ import assert from "node:assert/strict";
 import { writeFile } from "node:fs/promises";
 import { join } from "node:path";
 import test, { after, before } from "node:test";
-import { usualState } from "../model.js";
+import { linkOf, stateOf } from "../links.js";
+import { changed, usualState } from "../model.js";
 import { simpleStates } from "./states.mjs";
 import { compiled, copiedCode, inFolder, kRoot, launched, opened, pixels, run, setState } from "./support.mjs";
 
+const kThorough = Boolean(process.env.HN_THOROUGH);
 // Eighths of a cell from 0 on, so that both pattern(cell, f) and pattern(p) are exact.
 const kWidth = 32;
 const kHeight = 24;
@@ -24,12 +26,23 @@ const chosen = [
   { sum: "clouds", noise: "value_cubic", dimensions: 1 },
   { sum: "weighted", noise: "simplex", dimensions: 4, z: 0.25, w: 1.5, arithmetic: "fast" },
 ];
-const placed = (state) => ({ ...usualState(), arithmetic: "fixed", ...state, ...kOrigin, renderer: "webgl2" });
+const placed = (settings, state = usualState()) =>
+  changed(changed(state, { arithmetic: "fixed" }), { ...settings, ...kOrigin, renderer: "webgl2" });
 // What tools/pick has written is all compiled in a thorough run. (In those the tests of tools/pick hold the bits of all
 // functions to the C++ header.)
-const picked = simpleStates().map((state) => placed({ ...state, z: 0.75, w: 1.5 }));
-const states = [...chosen.map(placed), ...picked.filter((_, at) => at % 57 === 7)];
-const nameOf = ({ sum, noise, dimensions, period }) => `${sum} of ${noise} in ${dimensions}D${period ? ", tiled" : ""}`;
+const picked = simpleStates().map((state) => changed(state, { z: 0.75, w: 1.5, ...kOrigin }));
+// Every way to combine layers, with integers, and in a thorough run with floats.
+const layered = (kThorough ? ["fixed", "fast"] : ["fixed"]).map((arithmetic) =>
+  placed(
+    { arithmetic, period: 3 },
+    stateOf(
+      "#sum=ridged&scale=2&blend2=multiply&noise2=simplex&weight2=0.3&offset2=-0.75&blend3=max&sum3=none&noise3=" +
+        "cellular_between&weight3=-1.5&seed3=9&blend4=mix&sum4=billow&noise4=value&weight4=0.3&scale4=4",
+    ),
+  ),
+);
+const whole = [...chosen.map((settings) => placed(settings)), ...layered];
+const states = [...whole, ...picked.filter((_, at) => at % 101 === 7)];
 
 // A call of pattern() at the pixel, at a position or from a cell.
 function call(language, state, cell) {
@@ -276,22 +289,22 @@ const kHlslForms = [
 
 // One of the forms for each state; what was picked is in those that have what they call in them.
 const formOf = (forms, number) => {
-  const possible = number < chosen.length ? forms : forms.filter(([, whole]) => whole);
+  const possible = number < whole.length ? forms : forms.filter(([, whole]) => whole);
   return possible[number % possible.length];
 };
 
 test("copied GLSL and HLSL compile", async () => {
   const include = `-I${join(kRoot, "glsl")}`;
   const hlslOptions = ["-D", "-V", "--target-env", "vulkan1.1", "-S", "frag", "-e", "main", include];
-  for (const [number, state] of (process.env.HN_THOROUGH ? [...states, ...picked] : states).entries()) {
+  for (const [number, state] of (kThorough ? [...states, ...picked] : states).entries()) {
     await setState(page, state);
     // glslang takes a second for each, so each form has some of the states. Below, browsers compile them all.
     const [kind, whole, options, glsl] = formOf(kGlslForms, number);
     const text = glsl(await copiedCode(page, "glsl", whole, kind), state);
-    assert.equal(await glslang(text, "shader.frag", ...options, include), "", `${kind}: ${nameOf(state)}`);
+    assert.equal(await glslang(text, "shader.frag", ...options, include), "", `${kind}: ${linkOf(state)}`);
     const [hlslKind, hlslWhole, hlsl] = formOf(kHlslForms, number);
     const hlslText = hlsl(await copiedCode(page, "hlsl", hlslWhole, hlslKind), state);
-    assert.equal(await glslang(hlslText, "shader.hlsl", ...hlslOptions), "", `HLSL, ${hlslKind}: ${nameOf(state)}`);
+    assert.equal(await glslang(hlslText, "shader.hlsl", ...hlslOptions), "", `HLSL, ${hlslKind}: ${linkOf(state)}`);
   }
 });
 
@@ -316,7 +329,7 @@ test("a whole shader draws the picture", async () => {
   ]) {
     await setState(page, { ...state, x: state.x + half, y: state.y + half });
     const shown = await pixels(page, kWidth, kHeight);
-    assert.ok(unlike(shown, shown.toReversed()) > 100, `${nameOf(state)} shows next to nothing`);
+    assert.ok(unlike(shown, shown.toReversed()) > 100, `${linkOf(state)} shows next to nothing`);
     await setState(page, state);
     const most = state.dimensions === 1 ? 2 * kWidth : 4;
     for (const [name, found] of [
@@ -324,8 +337,8 @@ test("a whole shader draws the picture", async () => {
       ["Shadertoy", await drawn(onShadertoy(await copiedCode(page, "glsl", true, "shadertoy")))],
       ["WGSL", await drawnByWgsl(await copiedCode(page, "wgsl", true, "shader"))],
     ]) {
-      assert.ok(Array.isArray(found), `${name}, ${nameOf(state)}: ${found}`);
-      assert.ok(unlike(found, shown) <= most, `${name}, ${nameOf(state)}: ${unlike(found, shown)} pixels`);
+      assert.ok(Array.isArray(found), `${name}, ${linkOf(state)}: ${found}`);
+      assert.ok(unlike(found, shown) <= most, `${name}, ${linkOf(state)}: ${unlike(found, shown)} pixels`);
     }
   }
   await setState(page, { ...states[0], x: 1n << 24n });
@@ -341,21 +354,21 @@ test("copied GLSL and WGSL draw the picture", async () => {
     const [glsl, wgsl] = [await copiedCode(page, "glsl", true), await copiedCode(page, "wgsl", true)];
     for (const cell of formsOf(glsl)) {
       // At a position floats round the way to it, and so does the sum of a position and a shift.
-      const same = cell || (state.arithmetic === "fixed" && state.warp === "none");
+      const same = cell || (state.arithmetic === "fixed" && state.layers.every(({ warp }) => warp === "none"));
       const exact = state.arithmetic === "fixed" && same;
       for (const [language, drawn] of [
         ["GLSL", await drawnGlsl(glsl, state, cell)],
         ["WGSL", await drawnWgsl(wgsl, state, cell)],
       ]) {
-        assert.ok(Array.isArray(drawn), `${language}, ${nameOf(state)}: ${drawn}`);
+        assert.ok(Array.isArray(drawn), `${language}, ${linkOf(state)}: ${drawn}`);
         const off = drawn.map((word, at) =>
           Math.abs(
             new Float32Array(new Uint32Array([word]).buffer)[0] -
               new Float32Array(new Uint32Array([shown[at]]).buffer)[0],
           ),
         );
-        assert.ok(Math.max(...off) <= (exact ? 0 : 1e-4), `${language}, ${nameOf(state)}: off by ${Math.max(...off)}`);
-        if (exact) assert.deepEqual(drawn, shown, `${language}, ${nameOf(state)}`);
+        assert.ok(Math.max(...off) <= (exact ? 0 : 1e-4), `${language}, ${linkOf(state)}: off by ${Math.max(...off)}`);
+        if (exact) assert.deepEqual(drawn, shown, `${language}, ${linkOf(state)}`);
       }
     }
   }

@@ -3,7 +3,8 @@ import assert from "node:assert/strict";
 import test from "node:test";
 import { inflateSync } from "node:zlib";
 import { fileOf, heightsOf } from "../files.js";
-import { possible, rangeOf, stateOf, usualState } from "../model.js";
+import { stateOf } from "../links.js";
+import { changed, possible, rangeOf, settingsOf, usualState } from "../model.js";
 
 // The parts of a PNG, and its pixels as it has them, without the filter; throws for a checksum that is wrong.
 function readPng(bytes) {
@@ -63,7 +64,7 @@ const saved = async (state, asked) => {
   const file = await fileOf(state, reader(state.width, asked));
   return { file, bytes: new Uint8Array(await file.arrayBuffer()) };
 };
-const stateFor = (settings) => possible({ ...usualState(), width: 600, height: 450, ...settings });
+const stateFor = (settings) => possible(changed(usualState(), { width: 600, height: 450, ...settings }));
 
 test("a PNG has the colours, the upper row first, and the link", async () => {
   const asked = [];
@@ -78,7 +79,7 @@ test("a PNG has the colours, the upper row first, and the link", async () => {
   // A large picture comes in parts, each row once.
   assert.deepEqual(asked, [[0, 14, 436], [0, 0, 14]]);
   assert.equal(comment, "Comment\0hashnoise #seed=9&width=600&height=450");
-  assert.equal(stateOf(comment.split(" ")[1]).seed, 9);
+  assert.equal(settingsOf(stateOf(comment.split(" ")[1])).seed, 9);
 });
 
 test("heights are the whole numbers that the page's description says", async () => {

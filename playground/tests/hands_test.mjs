@@ -87,6 +87,19 @@ const differing = (page, first, second) =>
     second,
   );
 
+// One page for several tests, since to open one takes long: with the state of this link, and nothing else of the others.
+let shared;
+async function shownOnShared(link = "") {
+  shared ??= await opened(browser, { viewport: kLaptop });
+  await shared.evaluate((hash) => {
+    history.replaceState(null, "", location.pathname + hash);
+    window.dispatchEvent(new PopStateEvent("popstate", { state: null }));
+    return window.hashnoise.drawing;
+  }, link);
+  assert.deepEqual(shared.complaints, []);
+  return shared;
+}
+
 let browser;
 let other; // for the few tests that see WebGPU's canvas
 const withWebGpu = async () => (other ??= await launched());
@@ -135,7 +148,7 @@ test("a link shows the same picture", async () => {
   assert.deepEqual(await pixels(other, 48, 32), await pixels(page, 48, 32));
   // A link that is pasted into the address of an open page.
   await other.evaluate(() => (location.hash = "#noise=value&sum=none&seed=3"));
-  await other.waitForFunction(() => window.hashnoise.state.noise === "value");
+  await other.waitForFunction(() => window.hashnoise.state.layers[0].noise === "value");
   assert.equal((await stateOfPage(other)).seed, 3);
   assert.deepEqual([...page.complaints, ...other.complaints], []);
   await Promise.all([page.close(), other.close()]);
@@ -205,7 +218,7 @@ test("the focus is seen wherever it is, on a dark picture and on a light one", a
     const viewport = { width: 800, height: 600, deviceScaleFactor: 1 }; // A ring is a few pixels wide.
     const page = await opened(browser, { viewport, before: decoding, link });
     assert.deepEqual(await pixels(page, 1, 1), [colour, colour, colour, 255]);
-    for (const id of ["picture-webgl2", "play", "sum", "seed", "copy"]) {
+    for (const id of ["picture-webgl2", "play", ...(colour ? [] : ["sum", "seed", "copy"])]) {
       await tabTo(page, id);
       const focus = await screenshot(page);
       await page.evaluate(() => document.activeElement.blur());
@@ -218,7 +231,7 @@ test("the focus is seen wherever it is, on a dark picture and on a light one", a
 });
 
 test("what is not of a place is not taken, and said", async () => {
-  const page = await opened(browser, { viewport: kLaptop });
+  const page = await shownOnShared();
   const enter = async (id, text) => {
     await page.$eval(
       `#${id}`,
@@ -249,7 +262,6 @@ test("what is not of a place is not taken, and said", async () => {
   await enter("x", "1000000000.5");
   assert.equal((await stateOfPage(page)).x, 1000000000n * 16777216n + 8388608n);
   assert.equal(await page.$eval("#x", (input) => input.getAttribute("aria-invalid")), null);
-  await page.close();
 });
 
 // A GPU in slow motion: each picture takes so many milliseconds and more for each pixel. Keeps the sizes that are shown
@@ -344,7 +356,7 @@ test("a slow picture becomes sharp in strips that leave the page time", { skip: 
     await page.evaluate(() => window.hashnoise.change({ seed: 9 }));
     await page.waitForFunction((count) => window.seen.sizes.length > count, {}, seen.sizes.length + 1);
     await page.evaluate(() => window.hashnoise.change({ seed: 10 }));
-    await page.waitForFunction(() => window.hashnoise.shown.seed === 10, { timeout: 800 });
+    await page.waitForFunction(() => window.hashnoise.shown.layers[0].seed === 10, { timeout: 800 });
     await page.close();
   }
 });
@@ -371,7 +383,7 @@ test("the page says that it draws until there is a picture", async () => {
 });
 
 test("a typed number that is changed says so", async () => {
-  const page = await opened(browser, { viewport: kLaptop, link: "#dimensions=3" });
+  const page = await shownOnShared("#dimensions=3");
   const enter = async (id, text) => {
     await page.click(`#${id}`, { count: 3 });
     await page.keyboard.type(text);
@@ -400,12 +412,11 @@ test("a typed number that is changed says so", async () => {
   await page.click("#play");
   await page.click("#home");
   assert.equal(await visibleText(page, "wrong-cells"), "");
-  await page.close();
 });
 
 test("one arrow key is one whole step", async () => {
   const link = "#dimensions=3&z=0.375&octaves=16&x=0.25&sum=ridged&noise=simplex&cells=8.5&w=3";
-  const page = await opened(browser, { viewport: kLaptop, link });
+  const page = await shownOnShared(link);
   const after = async (id, ...keys) => {
     await page.focus(`#${id}`);
     await press(page, ...keys);
@@ -432,12 +443,11 @@ test("one arrow key is one whole step", async () => {
   const { x } = await stateOfPage(page);
   const step = await page.evaluate(() => Math.round((8 / Math.min(...window.hashnoise.size)) * 16777216));
   assert.ok(x > 0n && x % BigInt(step) === 0n, `${x} is no multiple of ${step}`);
-  await page.close();
 });
 
 test("every control has a name", async () => {
   const page = await opened(browser, {
-    link: "#sum=ping_pong&noise=cellular&dimensions=3&warp=warp",
+    link: "#sum=ping_pong&noise=cellular&dimensions=3&warp=warp&blend2=add",
     viewport: kLaptop,
   });
   assert.deepEqual(await nameless(page), []);
@@ -510,7 +520,7 @@ test("two fingers change the scale, and one moves the picture", async () => {
 });
 
 test("a wheel changes the scale around the pointer, whose value is shown", async () => {
-  const page = await opened(browser, { viewport: kLaptop });
+  const page = await shownOnShared();
   await page.mouse.move(300, 200);
   await page.waitForFunction(() => document.getElementById("value").textContent !== "");
   const shown = () => page.$eval("#value", (output) => Number(output.textContent.replace("−", "-")));
@@ -524,13 +534,12 @@ test("a wheel changes the scale around the pointer, whose value is shown", async
   await page.waitForFunction(() => window.hashnoise.state.cells < 3);
   await wait(settled);
   assert.ok(Math.abs((await shown()) - before) < 0.05);
-  await page.close();
 });
 
 test("it fits a phone", async () => {
   const page = await opened(browser, {
     viewport: { ...kPhone, deviceScaleFactor: 0.25 },
-    link: "#sum=ping_pong&noise=cells&dimensions=3&warp=warp&metric=manhattan",
+    link: "#sum=ping_pong&noise=cells&dimensions=3&warp=warp&metric=manhattan&blend2=mix&blend3=add&noise3=cellular_between",
   });
   for (const [viewport, least] of [
     [kPhone, 40],
@@ -567,8 +576,8 @@ test("it fits a phone", async () => {
 });
 
 test("light and dark have enough contrast", async () => {
+  const page = await shownOnShared();
   for (const value of ["light", "dark"]) {
-    const page = await opened(browser, { viewport: kPhone });
     await page.emulateMediaFeatures([{ name: "prefers-color-scheme", value }]);
     const ratios = await page.evaluate(() => {
       const style = getComputedStyle(document.documentElement);
@@ -592,8 +601,8 @@ test("light and dark have enough contrast", async () => {
       ];
     });
     assert.ok(Math.min(...ratios) >= 4.5, `${value}: ${ratios}`);
-    await page.close();
   }
+  await page.emulateMediaFeatures([]);
 });
 
 test("WebGPU draws, and where there is none the page says so and goes on", async () => {
@@ -651,7 +660,7 @@ test("Back undoes a look, and nothing else", async () => {
   const page = await opened(browser, { viewport: kLaptop, link: "#noise=value&octaves=3" });
   const back = async (seed) => {
     await page.evaluate(() => history.back());
-    await page.waitForFunction((expected) => window.hashnoise.state.seed === expected, {}, seed);
+    await page.waitForFunction((expected) => window.hashnoise.state.layers[0].seed === expected, {}, seed);
   };
   const entries = () => page.evaluate(() => history.length);
   const number = await entries();
@@ -679,26 +688,73 @@ test("Back undoes a look, and nothing else", async () => {
 });
 
 test("Back brings back what the picture did not use", async () => {
-  const page = await opened(browser, { viewport: kLaptop, link: "#dimensions=3&z=3.5" });
+  const page = await shownOnShared("#dimensions=3&z=3.5");
   await page.click("#dimensions label:nth-child(2)");
   await page.click("#looks button:nth-child(1)");
   await page.evaluate(() => history.back());
-  await page.waitForFunction(() => window.hashnoise.state.seed === 7);
+  await page.waitForFunction(() => window.hashnoise.state.layers[0].seed === 7);
   await page.click("#dimensions label:nth-child(3)");
   assert.equal((await stateOfPage(page)).z, 3.5);
-  await page.close();
+});
+
+test("layers are added, chosen, moved, switched off and removed by the keyboard, and Back undoes it", async () => {
+  const page = await shownOnShared("#sum=ridged&seed=3");
+  const layers = async () => (await stateOfPage(page)).layers.map(({ sum, seed, on }) => `${sum} ${seed} ${on}`);
+  const go = async (id, ...keys) => {
+    await page.focus(`#${id}`);
+    await press(page, ...keys);
+  };
+  assert.equal(await visibleText(page, "layers"), "");
+  const one = await pixels(page, 16, 16);
+  await go("add-layer", "Enter");
+  assert.deepEqual(await layers(), ["ridged 3 1", "fbm 13 1"]);
+  assert.equal(await visibleText(page, "heading-noise"), "Noise of layer 2");
+  // The settings are those of the layer that is chosen.
+  await go("blend", "ArrowDown");
+  await go("seed", "ArrowUp");
+  await go("weight", "ArrowLeft", "ArrowLeft");
+  await go("layer-2", "ArrowUp");
+  assert.equal(await visibleText(page, "heading-noise"), "Noise of layer 1");
+  assert.equal(await page.$eval("#seed", (field) => field.value), "3");
+  assert.deepEqual(await layers(), ["ridged 3 1", "fbm 14 1"]);
+  assert.deepEqual(
+    await page.$$eval("#layers li:not([hidden]) .layer", (rows) => rows.map((row) => row.textContent)),
+    ["Ridged of Perlin", "× fBm of Perlin"],
+  );
+  assert.match(await page.$eval("#picture-webgl2", (canvas) => canvas.ariaLabel), /Ridged of Perlin, × fBm of Perlin/);
+  assert.equal(
+    await page.evaluate(() => window.hashnoise.link),
+    "#sum=ridged&seed=3&seed2=14&blend2=multiply&weight2=0.9",
+  );
+  assert.match(await page.evaluate(() => window.hashnoise.controls.code), /v = v \* \(0\.9 \* layer_2\(p\)\);/);
+  const two = await pixels(page, 16, 16);
+  assert.notDeepEqual(two, one);
+  await go("on-2", "Space");
+  assert.deepEqual(await pixels(page, 16, 16), one);
+  await go("on-2", "Space");
+  await go("up-2", "Enter");
+  assert.deepEqual(await layers(), ["fbm 14 1", "ridged 3 1"]);
+  assert.equal(await focused(page), "up-1");
+  await go("remove-2", "Enter");
+  assert.deepEqual(await layers(), ["fbm 14 1"]);
+  assert.equal(await focused(page), "add-layer");
+  await page.evaluate(() => history.back());
+  await page.waitForFunction(() => window.hashnoise.state.layers.length === 2);
+  await page.evaluate(() => history.back());
+  await page.waitForFunction(() => window.hashnoise.state.layers[0].sum === "ridged");
+  assert.deepEqual(await pixels(page, 16, 16), two);
+  assert.deepEqual(page.complaints, []);
 });
 
 test("Smaller undoes Larger", async () => {
   for (const link of ["#sum=none", "#sum=none&cells=7.3", "#sum=none&cells=0.723456", "#sum=none&cells=987654"]) {
-    const page = await opened(browser, { viewport: kLaptop, link });
+    const page = await shownOnShared(link);
     const { cells } = await stateOfPage(page);
     for (const id of ["in", "in", "in", "out", "out", "out"]) await page.click(`#${id}`);
     assert.equal((await stateOfPage(page)).cells, cells);
     await page.focus("#cells");
     await press(page, "ArrowDown", "ArrowDown", "ArrowDown", "ArrowUp", "ArrowUp", "ArrowUp");
     assert.equal((await stateOfPage(page)).cells, cells);
-    await page.close();
   }
 });
 
@@ -745,7 +801,7 @@ test("it says that it has copied only if it has", async () => {
 });
 
 test("Play says why it does not", async () => {
-  const page = await opened(browser, { viewport: kLaptop });
+  const page = await shownOnShared();
   const described = () =>
     page.$eval("#play", (button) => document.getElementById(button.getAttribute("aria-describedby")).textContent);
   assert.match(await described(), /^This picture does not move\. Choose 3D or 4D/);
@@ -761,11 +817,10 @@ test("Play says why it does not", async () => {
     await page.click("#dimensions label:nth-child(2)");
   }
   assert.equal(await page.evaluate(() => window.hashnoise.playing), false);
-  await page.close();
 });
 
 test("a picture that plays leaves what is typed", async () => {
-  const page = await opened(browser, { link: "#dimensions=3", viewport: kLaptop });
+  const page = await shownOnShared("#dimensions=3");
   await page.click("#play");
   await page.click("#seed", { count: 3 });
   await page.keyboard.type("12");
@@ -774,7 +829,6 @@ test("a picture that plays leaves what is typed", async () => {
   await page.keyboard.press("Enter");
   await wait(settled);
   assert.equal(Number((await stateOfPage(page)).seed), 12);
-  await page.close();
 });
 
 test("a lost context comes back", async () => {

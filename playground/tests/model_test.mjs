@@ -9,28 +9,23 @@ import { functions, numbers, shaderKey } from "../code.js";
 import { copied, copiedText, kKinds, kLicense } from "../copied.js";
 import { costOf } from "../cost.js";
 import { Library, unpacked } from "../library.js";
+import { kLooks, linkOf, stateOf, stateOfLook } from "../links.js";
 import {
+  changed,
   dimensionsOf,
-  kHashes,
-  kLooks,
-  kMetrics,
-  kNoises,
+  dimensionsOfLayer,
   kSettings,
-  kSums,
-  kWarps,
-  linkOf,
   noisesOf,
-  parsedNumber,
-  parsedPosition,
-  positionText,
   possible,
-  sameNumber,
-  stateOf,
-  stateOfLook,
+  settingsOf,
+  shownLayers,
+  usualLayer,
   usualState,
 } from "../model.js";
+import { parsedNumber, parsedPosition, positionText, sameNumber } from "../numbers.js";
 import { pageShader } from "../shaders.js";
 import { Speed } from "../speed.js";
+import { kHashes, kMetrics, kNoises, kSums, kWarps } from "../tables.js";
 import { cellsAcross, originOf, panned, positionOfPixel, stepOf, zoomed } from "../view.js";
 import { simpleStates } from "./states.mjs";
 
@@ -51,17 +46,25 @@ const from = chance(19);
 const next = () => from.next().value;
 const one = (list) => list[Math.floor(next() * list.length)];
 
-function anyState() {
-  const state = usualState();
+function anySettings(ofLayer) {
+  const found = {};
   for (const [name, setting] of Object.entries(kSettings)) {
-    if (setting.of) state[name] = one(Object.keys(setting.of));
+    if (Boolean(setting.layer) !== ofLayer) continue;
+    if (setting.of) found[name] = one(Object.keys(setting.of));
     else if (typeof setting.usual === "bigint")
-      state[name] = BigInt.asIntN(56, BigInt(Math.floor(next() * 2 ** 53)) * 8n);
-    else state[name] = setting.from + next() * (Math.min(setting.to, 1e6) - setting.from);
+      found[name] = BigInt.asIntN(56, BigInt(Math.floor(next() * 2 ** 53)) * 8n);
+    else found[name] = setting.from + next() * (Math.min(setting.to, 1e6) - setting.from);
   }
-  state.noise = one(noisesOf(state.sum));
-  state.dimensions = one(dimensionsOf(state));
-  return possible(state);
+  return found;
+}
+
+function anyState(most = 4) {
+  const layers = Array.from({ length: 1 + Math.floor(next() * most) }, () => {
+    const layer = { ...usualLayer(), ...anySettings(true) };
+    return { ...layer, noise: one(noisesOf(layer.sum)) };
+  });
+  const state = { ...usualState(), ...anySettings(false), layers };
+  return possible({ ...state, dimensions: one(dimensionsOf(state)) });
 }
 const text = (state) => JSON.stringify(state, (_, value) => (typeof value === "bigint" ? `${value} parts` : value));
 
@@ -72,7 +75,7 @@ test("a link brings its state back", () => {
     assert.equal(linkOf(stateOf(link)), link);
     // What the state does not use is not in its link; all else is.
     const shader = (of) =>
-      (of.dimensions === 1 ? [of.x] : [of.x, of.y]).concat([shaderKey(of), of.seed, of.period, of.map, cellsAcross(of)]);
+      (of.dimensions === 1 ? [of.x] : [of.x, of.y]).concat([shaderKey(of), ...shownLayers(of).map(({ seed }) => seed), of.period, of.map, cellsAcross(of)]);
     assert.deepEqual(shader(stateOf(link)), shader(state), link);
     assert.match(link, /^(#[\w.=&-]+)?$/);
   }
@@ -80,7 +83,7 @@ test("a link brings its state back", () => {
 });
 
 test("the links of the page's description mean what it says", () => {
-  const state = stateOf("#sum=ridged&noise=simplex&dimensions=3&z=1.5&seed=42&x=1000000000.25&cells=4");
+  const state = settingsOf(stateOf("#sum=ridged&noise=simplex&dimensions=3&z=1.5&seed=42&x=1000000000.25&cells=4"));
   assert.deepEqual(
     [state.sum, state.noise, state.dimensions, state.z, state.seed, state.x, state.cells],
     ["ridged", "simplex", 3, 1.5, 42, 1000000000n * 16777216n + 4194304n, 4],
@@ -123,14 +126,16 @@ test("a link with what is not there still opens", () => {
     ["#cells=0", "cells", 1 / 64],
     ["#map=constructor", "map", "dusk"],
   ]) {
-    assert.equal(stateOf(link)[name], name === "cells" ? Number((1 / 64).toPrecision(6)) : value, link);
+    assert.equal(settingsOf(stateOf(link))[name], name === "cells" ? Number((1 / 64).toPrecision(6)) : value, link);
   }
 });
 
 test("a look is possible as it is written", () => {
   for (const [name, look] of Object.entries(kLooks)) {
     const state = stateOfLook(name, usualState());
-    for (const [setting, value] of Object.entries(look)) assert.equal(state[setting], value, `${name}: ${setting}`);
+    for (const [at, settings] of [look, ...(look.layers ?? [])].entries())
+      for (const [setting, value] of Object.entries(settings))
+        if (setting !== "layers") assert.equal(settingsOf(state, at)[setting], value, `${name}: ${setting}`);
   }
 });
 
@@ -329,8 +334,8 @@ json.dump({d.name: "\\n".join(d.lines) for d in made}, sys.stdout)
   const ours = new Map();
   for (const sum of Object.keys(kSums).filter((name) => name !== "none")) {
     for (const noise of noisesOf(sum).filter((name) => name !== "perlin" && !kNoises[name].signed)) {
-      for (const dimensions of dimensionsOf({ noise, sum })) {
-        const state = { ...usualState(), sum, noise, dimensions, arithmetic: "fixed" };
+      for (const dimensions of dimensionsOfLayer({ noise, sum })) {
+        const state = changed(usualState(), { sum, noise, dimensions, arithmetic: "fixed" });
         const name = `hn_i_own_${sum}_${noise}_${dimensions}`;
         const of = (language) => {
           const { lines } = functions(library, language, state, numbers(language, state));
@@ -430,8 +435,8 @@ test("everything that the library has can be chosen", () => {
 
 test("states with one shader have one text of it, and others have another", () => {
   const texts = new Map();
-  for (let i = 0; i < 400; ++i) {
-    const state = anyState();
+  for (let i = 0; i < 250; ++i) {
+    const state = anyState(2);
     const key = shaderKey(state);
     const made = pageShader(library, "glsl", state) + pageShader(library, "wgsl", state);
     assert.equal(texts.get(key) ?? made, made, key);
@@ -466,7 +471,7 @@ test("what tools/pick writes of what a picture calls is in the text that is copi
 });
 
 test("a text of another function is noticed, and so is a picture without one", () => {
-  const [state] = simpleStates().filter(({ sum }) => sum === "fbm");
+  const [state] = simpleStates().filter((shown) => settingsOf(shown).sum === "fbm");
   const { lines, texts } = library.picks;
   for (const language of ["glsl", "hlsl", "wgsl"]) {
     const command = `tools/pick hn_fbm1${language === "glsl" ? "" : ` --language ${language}`}`;
@@ -479,20 +484,14 @@ test("a text of another function is noticed, and so is a picture without one", (
       assert.equal(wrongPick(Object.assign(Object.create(library), { picks }), language, state), wrong);
     }
     for (const more of [{ hash: "pcg" }, { period: 4 }, { warp: "warp", dimensions: 2 }, { cells: 4096 }])
-      assert.equal(wrongPick(library, language, { ...state, ...more }), "the library is in it", JSON.stringify(more));
+      assert.equal(wrongPick(library, language, changed(state, more)), "the library is in it", JSON.stringify(more));
   }
 });
 
 test("what is copied says what is chosen", () => {
-  const state = possible({
-    ...usualState(),
-    sum: "ridged",
-    noise: "simplex",
-    octaves: 5,
-    seed: 9,
-    arithmetic: "fixed",
-    hash: "pcg",
-  });
+  const state = possible(
+    changed(usualState(), { sum: "ridged", noise: "simplex", octaves: 5, seed: 9, arithmetic: "fixed", hash: "pcg" }),
+  );
   const short = copiedText(library, "glsl", state, "function", false);
   for (const part of [
     "#define HN_ARITHMETIC HN_FIXED",

@@ -1,5 +1,6 @@
 // The states whose functions tools/pick has written for the page, each once.
-import { dimensionsOf, kArithmetics, kNoises, kSums, possible, uses, usualState } from "../model.js";
+import { changed, dimensionsOfLayer, possible, uses, usualState } from "../model.js";
+import { kArithmetics, kNoises, kSums } from "../tables.js";
 
 const kForms = [{}, { phase: 0.25 }, { jitter: 0.5 }, { metric: "hybrid" }];
 
@@ -8,11 +9,11 @@ export const simpleStates = () =>
   Object.keys(kArithmetics).flatMap((arithmetic) =>
     Object.keys(kSums).flatMap((sum) =>
       (sum === "none" ? Object.keys(kNoises) : ["perlin"]).flatMap((noise) =>
-        dimensionsOf({ sum, noise }).flatMap((dimensions) => {
-          const state = possible({ ...usualState(), arithmetic, sum, noise, dimensions });
+        dimensionsOfLayer({ sum, noise }).flatMap((dimensions) => {
+          const state = possible(changed(usualState(), { arithmetic, sum, noise, dimensions }));
           return kForms
             .filter((form) => Object.keys(form).every((setting) => uses(state)[setting]))
-            .map((form) => ({ ...state, ...form }));
+            .map((form) => changed(state, form));
         }),
       ),
     ),

@@ -57,18 +57,19 @@ export const received = (value) =>
     part && typeof part === "object" && part.parts ? BigInt(part.parts) : part,
   );
 
-// Sets the state of the page as it is, without the limits of what can be chosen.
+// Sets the state of the page as it is, or settings of it, without the limits of what can be chosen.
 export const setState = (page, state) =>
   page.evaluate((given) => {
     const state = JSON.parse(JSON.stringify(given), (_, part) => (part?.parts ? BigInt(part.parts) : part));
-    window.hashnoise.state = { ...window.hashnoise.state, ...state };
+    window.hashnoise.state = window.hashnoise.with(state);
   }, sent(state));
 
+// The state, with the settings of the first layer by their names.
 export const stateOfPage = async (page) =>
   received(
     await page.evaluate(() =>
       JSON.parse(
-        JSON.stringify(window.hashnoise.state, (_, part) =>
+        JSON.stringify({ ...window.hashnoise.state, ...window.hashnoise.state.layers[0] }, (_, part) =>
           typeof part === "bigint" ? { parts: String(part) } : part,
         ),
       ),

@@ -192,11 +192,11 @@ class Code(unittest.TestCase):
     def test_links_of_the_tutorial_are_what_the_playground_knows(self):
         links = re.findall(r"\*\*Playground\*\*: `#([^`]+)`", (ROOT / "docs" / "tutorial.md").read_text())
         self.assertGreater(len(links), 3)
-        model = (ROOT / "playground" / "model.js").read_text()
+        settings, tables = ((ROOT / "playground" / name).read_text() for name in ("model.js", "tables.js"))
         for name, value in (part.split("=") for link in links for part in link.split("&")):
-            self.assertRegex(model, rf"(?m)^  {name}: ", name)
+            self.assertRegex(settings, rf"(?m)^  {name}: ", name)
             if name in ("sum", "noise") and value != "none":
-                self.assertRegex(model, rf"(?m)^  {value}: \{{", value)
+                self.assertRegex(tables, rf"(?m)^  {value}: \{{", value)
 
     def test_both_compilations_can_fail(self):
         self.assertNotEqual(compile_glsl(blocks("glsl")[0].replace("hn_fbm", "hn_fmb")).returncode, 0)

@@ -1,0 +1,98 @@
+// Links, which carry the whole state, and the looks to begin with.
+
+import { changed, kMostLayers, kSettings, possible, usualLayer, usualOf, usualState, uses } from "./model.js";
+import { parsedNumber, parsedPosition, positionText } from "./numbers.js";
+import { kSums } from "./tables.js";
+
+// The first layer has plain names, and the second has "sum2" and so on.
+const nameIn = (name, at) => `${name}${at ? at + 1 : ""}`;
+
+// "#noise=simplex&cells=16": what differs from the usual, in one order, so that equal states have equal links. How a
+// layer above the first is combined is always there, so that there is the layer.
+export function linkOf(state) {
+  const parts = state.layers.flatMap((layer, at) => {
+    const used = uses(state, at);
+    return Object.entries(kSettings).flatMap(([name, setting]) => {
+      const value = setting.layer ? layer[name] : state[name];
+      const here = used[name] && (setting.layer || at === 0);
+      if (!here || (value === usualOf(name, layer) && name !== "blend")) return [];
+      return [`${nameIn(name, at)}=${typeof value === "bigint" ? positionText(value) : value}`];
+    });
+  });
+  return parts.length ? `#${parts.join("&")}` : "";
+}
+
+// What somebody wrote as the value of a setting. Nothing for what is no number where it should be one.
+export function parsed(name, text) {
+  const setting = kSettings[name];
+  if (setting.of) return text;
+  return typeof setting.usual === "bigint" ? parsedPosition(text) : parsedNumber(text);
+}
+
+// Which numbers a setting takes, for people.
+export function numbersOf(name) {
+  const { usual, whole, from, to } = kSettings[name];
+  if (typeof usual === "bigint") return "a number from −2147483648 to 2147483648, such as 12.5 or 1e9";
+  const digits = name === "cells" ? " of at most six digits" : "";
+  return `a ${whole ? "whole " : ""}number${digits} from ${from} to ${to}`;
+}
+
+// The state of a link. Unknown names and values that are none count as absent.
+export function stateOf(link) {
+  const given = new URLSearchParams(link.replace(/^#/, ""));
+  const number = Math.max(...Array.from({ length: kMostLayers }, (_, at) => (given.has(nameIn("blend", at)) ? at : 0)));
+  let state = { ...usualState(), layers: Array.from({ length: number + 1 }, usualLayer) };
+  for (let at = 0; at <= number; ++at) {
+    const found = Object.entries(kSettings).flatMap(([name, setting]) => {
+      const text = at > 0 && !setting.layer ? null : given.get(nameIn(name, at));
+      return text === null ? [] : [[name, parsed(name, text) ?? setting.usual]];
+    });
+    state = changed(state, Object.fromEntries(found), at);
+    const layer = state.layers[at];
+    if (!given.has(nameIn("strength", at)) && Object.hasOwn(kSums, layer.sum)) layer.strength = usualOf("strength", layer);
+  }
+  return possible(state);
+}
+
+// Looks to begin with. `layers` are those above the first.
+export const kLooks = {
+  Hills: { sum: "fbm", octaves: 8, map: "land", cells: 5, seed: 21 },
+  Dusk: {},
+  Ridges: { sum: "ridged", octaves: 8, map: "grey", cells: 3, seed: 3 },
+  Ink: { sum: "fbm", warp: "warp_progressive", map: "lagoon", cells: 5, octaves: 7 },
+  Sky: { sum: "clouds", dimensions: 3, map: "sky", cells: 6, octaves: 8 },
+  Agate: { sum: "ping_pong", octaves: 4, gain: 0.4, strength: 3, warp: "warp", amplitude: 1, map: "wood", cells: 3 },
+  Stones: { sum: "none", noise: "cellular_between", map: "moss", cells: 9 },
+  Cracks: { sum: "none", noise: "cell_border", map: "ember", cells: 7, warp: "warp", amplitude: 0.6 },
+  Slopes: { sum: "eroded", octaves: 9, map: "marble", cells: 4, strength: 4 },
+  Tiles: { sum: "fbm", period: 3, map: "signed", cells: 9, seed: 4 },
+  Foam: { sum: "fbm", noise: "cellular", octaves: 4, map: "lagoon", cells: 7 },
+  Peaks: {
+    sum: "ridged", octaves: 8, map: "land", cells: 4, seed: 12,
+    layers: [
+      { blend: "multiply", sum: "none", weight: 0.8, offset: 0.5, seed: 5 },
+      { blend: "add", noise: "simplex", weight: 0.3, scale: 4, seed: 8 },
+    ],
+  },
+  Mud: {
+    sum: "none", noise: "cell_border", map: "wood", cells: 6, contrast: 1.2, warp: "warp", amplitude: 0.3,
+    layers: [
+      { blend: "min", sum: "none", noise: "cell_border", scale: 4, weight: 0.8, offset: 0.1, seed: 4 },
+      { blend: "add", sum: "billow", weight: 0.08, scale: 8, seed: 9 },
+    ],
+  },
+  "Far out": {
+    sum: "fbm", noise: "simplex", map: "dusk", cells: 4, x: 1000000000n * 16777216n, y: -2000000000n * 16777216n,
+  },
+};
+
+export function stateOfLook(name, { renderer, arithmetic, file, width, height }) {
+  const { layers = [], ...look } = kLooks[name];
+  let state = { ...usualState(), renderer, arithmetic, file, width, height };
+  state.layers.push(...layers.map(usualLayer));
+  for (const [at, changes] of [look, ...layers].entries()) {
+    state = changed(state, changes, at);
+    if (changes.strength === undefined) state.layers[at].strength = usualOf("strength", state.layers[at]);
+  }
+  return possible(state);
+}

@@ -1,0 +1,150 @@
+// Layers: what is chosen of them, their links, their range and their code, without a browser.
+import assert from "node:assert/strict";
+import test from "node:test";
+import { functions, numbers, shaderKey } from "../code.js";
+import { linkOf, stateOf } from "../links.js";
+import {
+  changed,
+  chosen,
+  dimensionsOf,
+  kMostLayers,
+  possible,
+  rangeOf,
+  settingsOf,
+  swapped,
+  titlesOf,
+  usualState,
+  uses,
+  withLayer,
+  withoutLayer,
+} from "../model.js";
+
+const kThree = "#sum=none&noise=value&weight=2&sum2=none&blend2=add&offset2=0.5&scale2=4&blend3=mix&weight3=0.25";
+// What is called in the text needs no text of the library.
+const textOf = (state, language = "glsl", forms = ["position"]) =>
+  functions(undefined, language, state, numbers(language, state), forms).lines.join("\n");
+
+test("links of one layer are as they were, and a number names another layer", () => {
+  const one = stateOf("#sum=ridged&noise=simplex&seed=42&weight=0.5&sum2=none");
+  assert.equal(one.layers.length, 1);
+  assert.equal(linkOf(one), "#sum=ridged&noise=simplex&seed=42");
+  const three = stateOf(kThree);
+  assert.equal(linkOf(three), kThree);
+  assert.deepEqual(titlesOf(three), ["Value", "+ Perlin", "mix fBm of Perlin"]);
+  // A layer between two that a link names is there, too, and there are no more than four.
+  assert.equal(linkOf(stateOf("#blend3=min")), "#blend2=add&blend3=min");
+  assert.equal(stateOf("#blend9=min").layers.length, 1);
+  assert.equal(settingsOf(stateOf("#blend2=add&scale2=5"), 1).scale, 4);
+  assert.equal(settingsOf(stateOf("#blend2=add&scale2=1e9&weight2=-99&blend3=x"), 1).scale, 64);
+  assert.equal(settingsOf(stateOf("#blend2=absent&sum2=ping_pong"), 1).strength, 2);
+  // One of the layers at least is shown.
+  assert.deepEqual(stateOf("#on=0&blend2=add&on2=0").layers.map(({ on }) => on), [1, 0]);
+});
+
+test("a choice is that of its layer, and what goes with it follows", () => {
+  const state = stateOf(kThree);
+  const next = chosen(state, { sum: "ping_pong", seed: 99, map: "land" }, 1);
+  assert.deepEqual(next.layers.map(({ sum, strength, seed }) => [sum, strength, seed]),
+                   [["none", 1, 7], ["ping_pong", 2, 99], ["fbm", 1, 7]]);
+  assert.equal(next.map, "land");
+  assert.equal(chosen(state, { view: "tiles" }).period, 4);
+  assert.equal(settingsOf(chosen(state, { blend: "mix" }, 1), 1).weight, 0.5);
+  // Dimensions are those that all layers have.
+  assert.deepEqual(dimensionsOf(state), [1, 2, 3, 4]);
+  const plane = chosen(changed(state, { dimensions: 1 }), { sum: "none", noise: "simplex_smooth" }, 2);
+  assert.deepEqual([plane.dimensions, dimensionsOf(plane)], [2, [2, 3]]);
+  assert.deepEqual([uses(state, 0).blend, uses(state, 1).blend, uses(state, 2).offset], [false, true, false]);
+  assert.equal(uses(usualState()).weight, false);
+});
+
+test("layers are added, moved and removed", () => {
+  let state = chosen(usualState(), { seed: 4294967295, sum: "ridged" });
+  for (let number = 2; number <= kMostLayers; ++number) state = withLayer(state);
+  // Each has noise of its own. Above the largest seed they go on from 0.
+  assert.deepEqual(state.layers.map(({ seed }) => seed), [4294967295, 9, 19, 29]);
+  assert.equal(withLayer(state).layers.length, kMostLayers);
+  assert.deepEqual(swapped(state, 0).layers.map(({ sum }) => sum), ["fbm", "ridged", "fbm", "fbm"]);
+  assert.deepEqual(withoutLayer(swapped(state, 0), 1).layers.map(({ sum }) => sum), ["fbm", "fbm", "fbm"]);
+});
+
+test("the colours span what the layers may be together", () => {
+  const range = (link) => rangeOf(stateOf(link)).map((end) => Number(end.toFixed(3)));
+  const cells = "#sum=none&noise=cells"; // from 0 to 1
+  for (const [more, expected] of [
+    ["&blend2=max&sum2=none&noise2=cells&offset2=0.5", [0.5, 1.5]],
+    ["&blend2=min&sum2=none&noise2=cells&offset2=0.5", [0, 1]],
+    ["&blend2=multiply&sum2=none&noise2=cells&weight2=-2&offset2=0.5", [-1.5, 0.5]],
+    ["&blend2=add&sum2=none&noise2=cells&on2=0", [0, 1]],
+    ["&blend2=mix&sum2=none&noise2=cells&weight2=0", [0, 1]],
+    // Both ends are seldom met together.
+    ["&blend2=add&sum2=none&noise2=cells&weight2=-1", [-0.707, 0.707]],
+  ])
+    assert.deepEqual(range(cells + more), expected, more);
+});
+
+test("the code has each layer, and pattern() combines them", () => {
+  const text = textOf(stateOf(kThree));
+  assert.match(text, /^float layer_1\(vec2 p\) \{ return hn_value\(p, 7u\); \}$/m);
+  assert.match(text, /^float layer_2\(vec2 p\) \{\n  vec2 s = p \* 4\.0;\n  return hn_perlin\(s, 7u\);\n\}$/m);
+  assert.ok(
+    text.endsWith(`float pattern(vec2 p) {
+  float v = 2.0 * layer_1(p);
+  v = v + layer_2(p) + 0.5;
+  v = v + 0.25 * (layer_3(p) - v);
+  return v;
+}`),
+    text,
+  );
+  const off = changed(stateOf(kThree), { on: 0 }, 1);
+  assert.doesNotMatch(textOf(off), /hn_perlin\(|layer_3/);
+  // One layer alone is as it always was; but its weight counts if there is another one that is off.
+  assert.equal(textOf(stateOf("#seed=3")), textOf(stateOf("#seed=3&blend2=add&on2=0")));
+  assert.match(textOf(stateOf("#blend2=add&on2=0&weight=0.5")), /float v = 0\.5 \* layer_1\(p\);/);
+  const far = textOf(stateOf(kThree), "wgsl", ["cell"]);
+  assert.match(far, /fn layer_2_cell\(cell: vec2i, f: vec2f\) -> f32 \{/);
+  assert.match(far, /vec2i\(vec2u\(cell\) \* 4u \+ vec2u\(first\)\)/);
+  assert.match(far, /var v = 2\.0 \* layer_1_cell\(cell, f\);/);
+});
+
+test("a tile of a finer layer has more of its cells", () => {
+  assert.match(textOf(changed(stateOf(kThree), { period: 3 })), /hn_tile\(s, ivec2\(12\)\)/);
+});
+
+test("two sums over one noise have functions of their own", () => {
+  const text = textOf(stateOf("#noise=value&blend2=add&noise2=value&blend3=add&noise3=cellular&jitter3=0.5"));
+  for (const name of ["fbm_value_1", "fbm_value_2", "cellular_3", "fbm_cellular_3"])
+    assert.equal(text.split(`float ${name}(`).length, 2, name);
+});
+
+// What the functions of the text do with integers, in JavaScript.
+const steps = (value) => Math.floor(Math.min(Math.max(value, -8), 8) * 65536) / 65536;
+test("with integers weights are whole steps, and products are exact", () => {
+  const state = changed(stateOf(kThree), { arithmetic: "fixed", weight: 0.3 });
+  const text = textOf(state, "cpp");
+  const [weight] = /layer_product\((0\.3\d+)f, layer_steps\(layer_1\(p\)\)\)/.exec(text).slice(1).map(Number);
+  assert.equal(weight * 65536, Math.round(0.3 * 65536));
+  const product = (a, b) => {
+    const [i, j] = [a * 65536, b * 65536];
+    const [high, low] = [(i >> 8) * j, ((i & 255) * j) >> 8];
+    assert.ok(Math.abs(high) < 2 ** 31 && Math.abs((i & 255) * j) < 2 ** 31 && Math.abs(high + low) < 2 ** 31);
+    return ((high + low) >> 8) / 65536;
+  };
+  for (let i = -40; i <= 40; ++i)
+    for (let j = -40; j <= 40; ++j) {
+      const [a, b] = [steps(i * 0.2001), steps(j * 0.1999)];
+      const exact = (BigInt(a * 65536) * BigInt(b * 65536)) >> 16n;
+      assert.equal(product(a, b) * 65536, Number(exact), `${a} * ${b}`);
+    }
+  assert.match(text, /\(\(i >> 8\) \* j \+ \(\(\(i & 255\) \* j\) >> 8\)\) >> 8\)/);
+  // A mixture multiplies what is twice as large.
+  assert.equal(product(-4, 15.5), -62);
+});
+
+test("a key names the form of the layers, and not their numbers", () => {
+  const state = stateOf(kThree);
+  const same = changed(state, { weight: 0.7, scale: 16, seed: 2, octaves: 3 }, 1);
+  assert.equal(shaderKey(changed(state, { weight: 3, scale: 2 }, 1)), shaderKey(same));
+  for (const [changes, at] of [[{ weight: 1 }, 0], [{ scale: 1 }, 1], [{ blend: "min" }, 2], [{ on: 0 }, 1]])
+    assert.notEqual(shaderKey(changed(state, changes, at)), shaderKey(state), JSON.stringify(changes));
+  assert.equal(possible(state).layers.length, 3);
+});
