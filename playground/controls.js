@@ -33,6 +33,9 @@ const kSliders = {
   w: ["Slice at w", -8, 8, 0.01],
   amplitude: ["Amplitude", 0, 8, 0.05],
   contrast: ["Contrast", 0.25, 4, 0.05],
+  turn: ["Turn", 0, 1, 0.01],
+  tilt: ["Tilt", 0.02, 0.25, 0.01],
+  steep: ["Relief", 0, 1, 0.01],
   weight: ["Weight", -2, 2, 0.05],
   offset: ["Offset", -2, 2, 0.05],
 };

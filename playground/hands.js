@@ -1,5 +1,7 @@
 // What moves the picture: pointers, fingers, a wheel and keys.
 
+const kKeyTurn = 25; // pixels of a drag that a key turns terrain by
+
 export function listen(page, canvas) {
   const fingers = new Map();
   const middle = () => {
@@ -24,7 +26,9 @@ export function listen(page, canvas) {
       const [before, wide] = [page.fromMiddle(middle()), spread()];
       fingers.set(event.pointerId, { x: event.clientX, y: event.clientY });
       const after = page.fromMiddle(middle());
-      page.pan(after[0] - before[0], after[1] - before[1]);
+      const way = [after[0] - before[0], after[1] - before[1]];
+      if (page.state.view === "terrain" && fingers.size === 1) page.turn(...way);
+      else page.pan(...way);
       if (wide > 0 && spread() > 0) page.zoom(wide / spread(), after);
     }
     page.probe().catch(() => {});
@@ -60,11 +64,14 @@ function press(page, event) {
   if (event.ctrlKey || event.metaKey || event.altKey) return;
   // Whole pixels, so that the picture is the same one, moved.
   const step = Math.round(page.size[0] * (event.shiftKey ? 0.5 : 0.08));
+  const terrain = page.state.view === "terrain" && !event.shiftKey;
+  const move = (right, up) =>
+    terrain ? page.turn(right * kKeyTurn, up * kKeyTurn) : page.pan(-right * step, -up * step);
   const actions = {
-    ArrowLeft: () => page.pan(step, 0),
-    ArrowRight: () => page.pan(-step, 0),
-    ArrowUp: () => page.pan(0, -step),
-    ArrowDown: () => page.pan(0, step),
+    ArrowLeft: () => move(-1, 0),
+    ArrowRight: () => move(1, 0),
+    ArrowUp: () => move(0, 1),
+    ArrowDown: () => move(0, -1),
     "+": () => page.zoom(2 ** -0.25),
     "=": () => page.zoom(2 ** -0.25),
     "-": () => page.zoom(2 ** 0.25),

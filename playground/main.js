@@ -9,7 +9,7 @@ import { linkOf, stateOf, stateOfLook } from "./links.js";
 import { changed, chosen, kSettings, possible, rangeOf, titlesOf, uses } from "./model.js";
 import { positionText } from "./numbers.js";
 import { gradientOf } from "./palette.js";
-import { kBackends, Picture } from "./picture.js";
+import { kCanvases, Picture } from "./picture.js";
 import { kBits } from "./shaders.js";
 import { kRenderers } from "./tables.js";
 import { histogramOf, summaryOf, wordsOf } from "./values.js";
@@ -17,6 +17,7 @@ import { panned, partsOf, positionOfPixel, zoomed } from "./view.js";
 
 const kLinkDelay = 300; // browsers refuse an address that changes too often
 const kStill = "This picture does not move. Choose 3D or 4D, or one octave of Perlin or simplex noise in 2D.";
+const kTurnOfPixel = 0.0008; // turns of terrain by a pixel
 const kTold = 1500; // milliseconds for which a button says that it has copied
 const kSampled = 48; // pixels on the shorter side, of whose values the page tells
 const kSpeed = 0.25; // cells, or turns over four, in a second
@@ -50,7 +51,7 @@ class Playground extends Picture {
   }
 
   take(state) {
-    const moved = this.state.renderer !== state.renderer;
+    const { canvas } = this;
     this.state = state;
     if (this.playing && !this.animated) this.play(false);
     byId("play").setAttribute("aria-disabled", String(!this.animated));
@@ -68,7 +69,7 @@ class Playground extends Picture {
       byId("note-cost").hidden = true;
       this.measured = undefined;
     }
-    if (moved) this.chooseCanvas();
+    if (this.canvas !== canvas) this.chooseCanvas();
     this.restless();
     this.request();
     clearTimeout(this.linkTimer);
@@ -105,7 +106,7 @@ class Playground extends Picture {
   describe() {
     const { state } = this;
     const titles = titlesOf(state).join(", ");
-    this.canvas.setAttribute("aria-label", `Picture of ${titles} noise in ${state.dimensions}D`);
+    this.canvas.setAttribute("aria-label", `${state.view === "terrain" ? "Terrain" : "Picture"} of ${titles} noise in ${state.dimensions}D`);
     const coordinate = (parts) => {
       const [whole, fraction = ""] = positionText(parts).split(".");
       const digits = Math.max(0, Math.min(6, Math.ceil(Math.log10(400 / state.cells))));
@@ -160,7 +161,7 @@ class Playground extends Picture {
 
   // The value below the pointer.
   async probe() {
-    if (!this.pointer || this.probing) return;
+    if (!this.pointer || this.probing || this.state.view === "terrain") return;
     this.probing = true;
     try {
       const { state } = this;
@@ -315,14 +316,21 @@ class Playground extends Picture {
     this.change(panned(this.state, width, height, right, up));
   }
 
+  // Terrain, by so many pixels of a finger that drags it.
+  turn(right, up) {
+    const { turn, tilt } = this.state;
+    this.change({ turn: (((turn - right * kTurnOfPixel) % 1) + 1) % 1, tilt: tilt - up * kTurnOfPixel });
+  }
+
   // A scale has six digits. What they leave out is kept, so that one step back undoes one forth.
   zoom(factor, at = [0, 0]) {
     if (!uses(this.state).cells) return;
     const [width, height] = this.size;
     const { cells } = this.state;
     const { from, to } = kSettings.cells;
+    const around = this.state.view === "terrain" ? [0, 0] : at;
     const exact = (this.scale?.shown === cells ? this.scale.exact : cells) * factor;
-    this.change(zoomed(this.state, width, height, exact / cells, ...at, kSettings.cells));
+    this.change(zoomed(this.state, width, height, exact / cells, ...around, kSettings.cells));
     this.scale = { shown: this.state.cells, exact: Math.min(Math.max(exact, from), to) };
   }
 
@@ -343,7 +351,7 @@ class Playground extends Picture {
   }
 
   async start() {
-    for (const name of Object.keys(kBackends)) listen(this, byId(`picture-${name}`));
+    for (const name of kCanvases) listen(this, byId(name));
     byId("play").addEventListener("click", () => this.play(!this.playing));
     byId("dice").addEventListener("click", () => this.roll());
     byId("in").addEventListener("click", () => this.zoom(2 ** -0.5));

@@ -42,6 +42,9 @@ export const kSettings = {
   arithmetic: { usual: "fast", of: kArithmetics },
   hash: { usual: "lattice", of: kHashes },
   view: { usual: "plane", of: kViews },
+  turn: { usual: 0.1, from: 0, to: 1 },
+  tilt: { usual: 0.1, from: 0.02, to: 0.25 },
+  steep: { usual: 0.2, from: 0, to: 1 },
   map: { usual: "dusk", of: kMaps },
   contrast: { usual: 1, from: 0.25, to: 4 },
   x: { usual: 0n },
@@ -136,7 +139,7 @@ export function possible(state) {
   next.layers = state.layers.slice(0, kMostLayers).map((layer) => possibleLayer(layer, next.period));
   if (!shownLayers(next).length) next.layers[0].on = 1;
   if (!dimensionsOf(next).includes(next.dimensions)) next.dimensions = 2;
-  if (!next.period || next.dimensions === 1) next.view = "plane";
+  if ((next.view === "tiles" && !next.period) || next.dimensions === 1) next.view = "plane";
   return next;
 }
 
@@ -160,6 +163,7 @@ export function uses(state, at = 0) {
   const layer = state.layers[at];
   const noise = kNoises[layer.noise];
   const sum = layer.sum !== "none";
+  const terrain = state.view === "terrain";
   const several = state.layers.length > 1;
   const mixed = at > 0 && layer.blend === "mix";
   const warped = state.dimensions === 2 || state.dimensions === 3;
@@ -167,7 +171,7 @@ export function uses(state, at = 0) {
   return {
     sum: true, noise: true, dimensions: true, seed: true, period: true, arithmetic: true, hash: true, map: true,
     contrast: true, x: true, y: state.dimensions > 1, cells: state.view !== "tiles", renderer: true,
-    view: state.dimensions > 1, file: true, width: true, height: true,
+    view: state.dimensions > 1, turn: terrain, tilt: terrain, steep: terrain, file: true, width: true, height: true,
     octaves: sum, lacunarity: sum, gain: sum, strength: Boolean(kSums[layer.sum].strength),
     jitter: Boolean(noise.jitter), metric: Boolean(noise.metric),
     warp: warped, amplitude: warped && layer.warp !== "none",

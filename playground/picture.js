@@ -2,13 +2,20 @@
 import { shaderKey } from "./code.js";
 import { byId } from "./elements.js";
 import { fileOf, fileState } from "./files.js";
+import { linkOf } from "./links.js";
+import { rangeOf } from "./model.js";
 import { paletteOf } from "./palette.js";
+import { reliefOf, surfaceOf } from "./relief.js";
 import { frameOf, kBits, kColours, pageShader } from "./shaders.js";
 import { Speed } from "./speed.js";
 import { WebGL2 } from "./webgl.js";
 import { WebGPU } from "./webgpu.js";
 
 export const kBackends = { webgl2: WebGL2, webgpu: WebGPU };
+export const kCanvases = [...Object.keys(kBackends), "terrain"].map((name) => `picture-${name}`);
+const kSideOfTerrain = 384; // values, at rest
+const kSideOfMoving = 128;
+const kPixelsOfTerrain = 1.2e6;
 const kKeptPrograms = 24;
 const kMostPixels = 16e6;
 const kMoving = 34; // milliseconds that a picture may take while it moves; else it is drawn coarser
@@ -32,12 +39,13 @@ export class Picture {
     this.moves = false;
   }
 
+  // Terrain is drawn on a canvas of its own, of the values that a backend computes.
   get canvas() {
-    return byId(`picture-${this.state.renderer}`);
+    return byId(`picture-${this.state.view === "terrain" ? "terrain" : this.state.renderer}`);
   }
 
   chooseCanvas() {
-    for (const name of Object.keys(kBackends)) byId(`picture-${name}`).hidden = name !== this.state.renderer;
+    for (const canvas of kCanvases.map(byId)) canvas.hidden = canvas !== this.canvas;
   }
 
   // The backend of the state. One that is not to be had is replaced by the other.
@@ -174,6 +182,7 @@ export class Picture {
     const program = await this.program(backend, state);
     if (state.renderer !== this.state.renderer) return;
     this.usePalette(backend, state.map);
+    if (state.view === "terrain") return this.drawTerrain(backend, program, state, wanted);
     const speed = await this.speedOf(backend, program, state);
     const size = this.size;
     const first = this.moves || this.shown !== wanted;
@@ -181,6 +190,10 @@ export class Picture {
     const [width, height] = size.map((side) => Math.max(1, Math.round(side / coarse)));
     if (!(await this.drawHidden(backend, program, speed, state, width, height, first))) return;
     backend.show();
+    await this.wasDrawn(backend, wanted, coarse);
+  }
+
+  async wasDrawn(backend, wanted, coarse) {
     this.shown = wanted;
     this.begun();
     this.coarse = coarse;
@@ -188,6 +201,29 @@ export class Picture {
     else this.wanted = true;
     byId("gpu").textContent = `Drawn by ${backend.describe()}.`;
     await this.drawn();
+  }
+
+  // The surface is kept, since often the block is only turned.
+  async drawTerrain(backend, program, state, wanted) {
+    const side = this.moves ? kSideOfMoving : kSideOfTerrain;
+    const key = [side, linkOf({ ...state, turn: 0, tilt: 0, width: 0, height: 0 })].join(" ");
+    if (this.surface?.key !== key && !(this.moves && this.surface?.key === key.replace(side, kSideOfTerrain))) {
+      const bytes = await backend.read(program, frameOf(state, side, side, kBits), side, side);
+      const values = new Float32Array(bytes.buffer);
+      this.surface = { key, ...surfaceOf(values, side, rangeOf(state), paletteOf(state.map), state.steep) };
+    }
+    const canvas = byId("picture-terrain");
+    const box = canvas.getBoundingClientRect();
+    const { left } = byId("panel").getBoundingClientRect();
+    const [width, height] = this.size.map(
+      (length, _, size) => Math.ceil(length * Math.min(1, Math.sqrt(kPixelsOfTerrain / (size[0] * size[1])))),
+    );
+    // The panel lies on the picture, or beside or below it.
+    const free = left > box.left + box.width / 3 && left < box.right ? (left - box.left) / box.width : 1;
+    Object.assign(canvas, { width, height });
+    const bytes = reliefOf(this.surface, state, width, height, Math.round(width * free));
+    canvas.getContext("2d").putImageData(new ImageData(bytes, width, height), 0, 0);
+    await this.wasDrawn(backend, wanted, this.surface.side === kSideOfTerrain ? 1 : 2);
   }
 
   // Four bytes a pixel from the lower left corner on, of a picture of this size: of colours, or of the bits of values.

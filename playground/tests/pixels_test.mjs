@@ -269,6 +269,23 @@ test("tiles have no seam, and one that is there is seen", async () => {
   assert.notEqual(unequal(wrong, await pixels(page, side, side, true)), 0);
 });
 
+test("terrain is the same by WebGL2 and by WebGPU", async () => {
+  const seen = [];
+  for (const renderer of ["webgl2", "webgpu"]) {
+    await setState(page, { ...pictures[1], renderer, view: "terrain" });
+    const bytes = await page.evaluate(async () => {
+      window.hashnoise.take(window.hashnoise.state);
+      await window.hashnoise.drawing;
+      const { surface, state } = window.hashnoise;
+      return [surface.key.includes(`renderer=webgpu`), state.renderer, Array.from(surface.heights.slice(5000, 7000))];
+    });
+    seen.push(bytes.pop());
+    assert.deepEqual(bytes, [renderer === "webgpu", renderer]);
+  }
+  assert.deepEqual(seen[0], seen[1]);
+  assert.ok(new Set(seen[0]).size > 100);
+});
+
 // What the button saves: the words of the file, and its name.
 const saved = () =>
   page.evaluate(async () => {

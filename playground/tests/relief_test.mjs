@@ -1,0 +1,69 @@
+// Terrain, without a browser.
+import assert from "node:assert/strict";
+import test from "node:test";
+import { paletteOf } from "../palette.js";
+import { reliefOf, surfaceOf } from "../relief.js";
+
+const kSide = 32;
+const kGrey = paletteOf("grey");
+const surface = (of, steep = 0.2) => {
+  const values = Array.from({ length: kSide * kSide }, (_, at) => of(at % kSide, Math.floor(at / kSide)));
+  return surfaceOf(values, kSide, [0, 1], kGrey, steep);
+};
+const kWidth = 90;
+const kHeight = 60;
+const drawn = (of, { turn = 0, tilt = 0.25, steep, free } = {}) => {
+  const bytes = reliefOf(surface(of, steep), { turn, tilt }, kWidth, kHeight, free);
+  // A pixel, counted from the middle, to the right and up.
+  return (right, up) => {
+    const at = 4 * ((kHeight / 2 - 1 - up) * kWidth + kWidth / 2 + right);
+    return [...bytes.subarray(at, at + 4)];
+  };
+};
+
+test("from above it is the plane, and a turn turns it", () => {
+  // Only the quarter above and to the right is bright, but for the light.
+  const quarter = (x, y) => (x >= kSide / 2 && y >= kSide / 2 ? 1 : 0);
+  for (const [turn, right, up] of [[0, 1, 1], [0.25, 1, -1], [0.5, -1, -1], [0.75, -1, 1]]) {
+    const at = drawn(quarter, { turn, steep: 0 });
+    for (const [x, y] of [[1, 1], [1, -1], [-1, -1], [-1, 1]]) {
+      const bright = x === right && y === up ? 255 : 0;
+      assert.deepEqual(at(10 * x, 10 * y), [bright, bright, bright, 255], `${turn}: ${x}, ${y}`);
+    }
+    assert.deepEqual(at(-44, 0), [0, 0, 0, 0]);
+  }
+});
+
+test("what stands in front hides what is behind, and a flat look sees its side", () => {
+  const wall = (_, y) => (y >= 6 && y <= 9 ? 1 : 0);
+  const count = (tilt) => {
+    const at = drawn(wall, { tilt, steep: 0.6 });
+    let ground = 0;
+    for (let up = -30; up < 30; ++up) if (at(0, up)[3] && at(0, up)[0] < 5) ++ground;
+    return ground;
+  };
+  assert.ok(count(0.05) < count(0.15) && count(0.15) < count(0.25), [count(0.05), count(0.15), count(0.25)].join());
+  // The side of the block is in front, below everything.
+  const at = drawn(() => 1, { tilt: 0.06, steep: 0.4 });
+  const column = [...Array(60).keys()].map((row) => at(0, row - 30)).filter((pixel) => pixel[3]);
+  assert.deepEqual(column[0], [52, 48, 50, 255]);
+  assert.deepEqual(column.at(-1), [255, 255, 255, 255]);
+});
+
+test("slopes towards the light are brighter than those away from it", () => {
+  const shade = (sign) => drawn((x) => 0.5 + (sign * (x - 16)) / 64, { steep: 1 })(0, 0)[0];
+  assert.ok(shade(1) > shade(-1) + 40, `${shade(1)} and ${shade(-1)}`);
+});
+
+test("all of the block is in the picture, and beside a panel", () => {
+  for (const [turn, tilt, free] of [[0.125, 0.25, 90], [0.125, 0.02, 90], [0.3, 0.1, 60], [0.625, 0.2, 40]]) {
+    const at = drawn((x, y) => (x + y) / 62, { turn, tilt, steep: 1, free });
+    const seen = [];
+    for (let up = -30; up < 30; ++up)
+      for (let right = -45; right < 45; ++right) if (at(right, up)[3]) seen.push([right, up]);
+    const ends = (axis) => seen.map((pixel) => pixel[axis]);
+    assert.ok(seen.length > 100);
+    assert.ok(Math.min(...ends(0)) > -45 && Math.max(...ends(0)) < free - 45, `${free}: ${Math.max(...ends(0))}`);
+    assert.ok(Math.min(...ends(1)) > -30 && Math.max(...ends(1)) < 29, `${Math.min(...ends(1))}`);
+  }
+});
