@@ -144,6 +144,7 @@ class Playground extends Picture {
 
   // How the values of the picture are distributed, of some of its pixels.
   async rested() {
+    await this.drawing;
     const state = this.state;
     const [width, height] = this.size;
     const scale = kSampled / Math.min(width, height);

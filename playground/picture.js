@@ -34,6 +34,7 @@ export class Picture {
     this.library = library;
     this.state = state;
     this.backends = {};
+    this.creating = {}; // promises of backends
     this.programs = new Map();
     this.speeds = new WeakMap(); // by the program
     this.moves = false;
@@ -53,8 +54,9 @@ export class Picture {
     const name = this.state.renderer;
     if (!this.backends[name] || this.backends[name].lost) {
       for (const key of this.programs.keys()) if (key.startsWith(`${name} `)) this.programs.delete(key);
-      const canvas = byId(`picture-${name}`);
-      this.backends[name] = await kBackends[name].create(canvas);
+      // Once, however many ask until it is there.
+      this.creating[name] ??= kBackends[name].create(byId(`picture-${name}`)).finally(() => delete this.creating[name]);
+      this.backends[name] = await this.creating[name];
     }
     return this.backends[name];
   }
