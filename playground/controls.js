@@ -56,7 +56,7 @@ const kSelects = {
   blend: labels(kBlends),
   scale: kScales,
 };
-const kTexts = ["seed", "period", "x", "y", "cells", "width", "height"];
+const kTexts = ["seed", "period", "x", "y", "cells", "width", "height", "frames"];
 const kArrows = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1, PageUp: 10, PageDown: -10 };
 const kNotes = {
   fast: "Floats are the fastest. They are within a few millionths of the exact value.",

@@ -1,5 +1,8 @@
 // The files that the page saves: pictures and heights of any size, from the same shaders that draw.
+import { Gif } from "./gif.js";
 import { linkOf } from "./links.js";
+import { uses } from "./model.js";
+import { paletteOf } from "./palette.js";
 import { Png } from "./png.js";
 import { kBits, kColours, unitsOf } from "./shaders.js";
 import { kFiles } from "./tables.js";
@@ -48,26 +51,73 @@ function turned(bytes, width) {
 export const fileState = (state) =>
   state.view === "tiles" ? { ...state, view: "plane", cells: state.period } : { ...state };
 
-// The file of the state. `read(mode, first, rows)` gives the bytes of so many rows, the first of which is this one,
-// counted from below; `tell` takes which part is done.
-export async function fileOf(state, read, tell = () => {}) {
-  const { file, width, height } = state;
-  const { png, ending } = kFiles[file];
-  const made = png ? new Png(width, height, file === "heights", `hashnoise ${linkOf(state)}`.trim()) : undefined;
-  const parts = [];
+// The states of the frames of a loop: what moves comes back to where it was. A picture in which nothing does is one
+// frame.
+export function framesOf(state) {
+  const used = uses(state);
+  const last = used.w ? "w" : "z";
+  const moved = used.phase
+    ? (part) => ({ phase: part })
+    : used.z && state.period
+      ? (part) => ({ [last]: state[last] + part * state.period })
+      : undefined;
+  if (!moved) return [state];
+  // The phase is never 0, for which there is another shader, but a whole turn.
+  return Array.from({ length: state.frames }, (_, at) => ({ ...state, ...moved((at + 1) / state.frames) }));
+}
+
+// The bytes of strips of a picture, from the upper one on, each with its upper row first.
+async function* strips(read, mode, state) {
+  const { width, height } = state;
   const most = Math.max(1, Math.floor(kMostOfStrip / width));
-  for (let above = height; above > 0; ) {
+  for (let above = height; above > 0; above -= most) {
     const rows = Math.min(most, above);
-    const bytes = await read(file === "colours" ? kColours : kBits, above - rows, rows);
-    const encoded = kEncoded[file](turned(bytes, width), state);
+    yield turned(await read(mode, above - rows, rows, state), width);
+  }
+}
+
+async function gifOf(state, read, tell) {
+  const { width, height, map } = state;
+  const made = new Gif(width, height, paletteOf(map));
+  const frames = framesOf(state);
+  for (const [number, frame] of frames.entries()) {
+    const pixels = new Uint8Array(width * height);
+    let done = 0;
+    for await (const bytes of strips(read, kBits, frame)) {
+      pixels.set(heightsOf(floatsOf(bytes), frame).map((height) => height >> 8), done);
+      done += bytes.length / 4;
+    }
+    made.add(pixels);
+    tell((number + 1) / frames.length);
+  }
+  return made.done();
+}
+
+async function partsOfFile(state, read, tell) {
+  const { file, width, height } = state;
+  const made = kFiles[file].png
+    ? new Png(width, height, file === "heights", `hashnoise ${linkOf(state)}`.trim())
+    : undefined;
+  const parts = [];
+  let done = 0;
+  for await (const bytes of strips(read, file === "colours" ? kColours : kBits, state)) {
+    const encoded = kEncoded[file](bytes, state);
     if (made) await made.add(encoded);
     else parts.push(encoded);
-    above -= rows;
-    tell(1 - above / height);
+    done += bytes.length / 4;
+    tell(done / (width * height));
   }
-  const type = png ? "image/png" : "application/octet-stream";
+  return made ? made.parts() : parts;
+}
+
+// The file of the state. `read(mode, first, rows, state)` gives the bytes of so many rows, the first of which is this
+// one, counted from below; `tell` takes which part is done.
+export async function fileOf(state, read, tell = () => {}) {
+  const { file, width, height } = state;
+  const { ending } = kFiles[file];
+  const parts = await (file === "gif" ? gifOf : partsOfFile)(state, read, tell);
   const [{ sum, noise }, ...others] = state.layers;
   const subject = others.length ? "layers" : `${sum === "none" ? "" : `${sum}-`}${noise}`;
-  const name = `hashnoise-${subject}-${width}x${height}.${ending}`;
-  return new File(made ? await made.parts() : parts, name, { type });
+  const type = { png: "image/png", gif: "image/gif" }[ending] ?? "application/octet-stream";
+  return new File(parts, `hashnoise-${subject}-${width}x${height}.${ending}`, { type });
 }

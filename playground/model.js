@@ -54,6 +54,7 @@ export const kSettings = {
   file: { usual: "colours", of: kFiles },
   width: { usual: 1024, from: 1, to: 8192, whole: true },
   height: { usual: 1024, from: 1, to: 8192, whole: true },
+  frames: { usual: 40, from: 2, to: 200, whole: true },
 };
 
 export const kMostLayers = 4;
@@ -171,7 +172,7 @@ export function uses(state, at = 0) {
   return {
     sum: true, noise: true, dimensions: true, seed: true, period: true, arithmetic: true, hash: true, map: true,
     contrast: true, x: true, y: state.dimensions > 1, cells: state.view !== "tiles", renderer: true,
-    view: state.dimensions > 1, turn: terrain, tilt: terrain, steep: terrain, file: true, width: true, height: true,
+    view: state.dimensions > 1, turn: terrain, tilt: terrain, steep: terrain, file: true, width: true, height: true, frames: state.file === "gif",
     octaves: sum, lacunarity: sum, gain: sum, strength: Boolean(kSums[layer.sum].strength),
     jitter: Boolean(noise.jitter), metric: Boolean(noise.metric),
     warp: warped, amplitude: warped && layer.warp !== "none",

@@ -1,7 +1,7 @@
 // The picture: what draws the state, how finely, and what else reads its pixels.
 import { shaderKey } from "./code.js";
 import { byId } from "./elements.js";
-import { fileOf, fileState } from "./files.js";
+import { fileOf, fileState, framesOf } from "./files.js";
 import { linkOf } from "./links.js";
 import { rangeOf } from "./model.js";
 import { paletteOf } from "./palette.js";
@@ -241,11 +241,11 @@ export class Picture {
   async file(tell) {
     const state = fileState(this.state);
     const backend = await this.backend();
-    const program = await this.program(backend, state);
+    const program = await this.program(backend, state.file === "gif" ? framesOf(state)[0] : state);
     this.usePalette(backend, state.map);
     const { width, height } = state;
-    const read = (mode, first, rows) =>
-      backend.read(program, frameOf(state, width, height, mode, { first, rows }), width, rows);
+    const read = (mode, first, rows, shown) =>
+      backend.read(program, frameOf(shown, width, height, mode, { first, rows }), width, rows);
     return fileOf(state, read, tell);
   }
 

@@ -82,9 +82,12 @@ export const kHashes = {
 // What can be saved. A height is a number of 16 bits.
 const kOfHeights = "Heights go from 0 for the lowest colour to 65535 for the highest. ";
 const kOfRaw = "The upper row comes first, and of each number the lowest byte.";
+const kOfLoop =
+  "One octave of Perlin or simplex noise loops in 2D and 3D. Others need a period, in 3D or 4D, or have one frame.";
 export const kFiles = {
   colours: { label: "PNG, colours", png: true, ending: "png", note: "The file has the colours of the picture." },
   heights: { label: "PNG, heights in 16 bits", png: true, ending: "png", note: kOfHeights },
+  gif: { label: "GIF, a loop", ending: "gif", note: kOfLoop },
   r16: { label: "Raw heights in 16 bits", ending: "r16", note: kOfHeights + kOfRaw },
   r32: { label: "Raw values in floats", ending: "r32", note: `Values are as pattern(p) returns them. ${kOfRaw}` },
 };

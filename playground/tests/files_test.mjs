@@ -2,8 +2,10 @@
 import assert from "node:assert/strict";
 import test from "node:test";
 import { inflateSync } from "node:zlib";
-import { fileOf, heightsOf } from "../files.js";
+import { fileOf, framesOf, heightsOf } from "../files.js";
+import { Gif } from "../gif.js";
 import { stateOf } from "../links.js";
+import { paletteOf } from "../palette.js";
 import { changed, possible, rangeOf, settingsOf, usualState } from "../model.js";
 
 // The parts of a PNG, and its pixels as it has them, without the filter; throws for a checksum that is wrong.
@@ -101,6 +103,95 @@ test("heights are the whole numbers that the page's description says", async () 
   }
   assert.ok(seen.size > 10000 && seen.has(0n));
   assert.deepEqual([...heightsOf([-9, 9], state)], [0, 65535]);
+});
+
+// The frames of a GIF, as numbers of colours, by a decoder of LZW as the specification has it.
+function readGif(bytes) {
+  assert.equal(Buffer.from(bytes.subarray(0, 6)).toString(), "GIF89a");
+  const word = (at) => bytes[at] | (bytes[at + 1] << 8);
+  const found = { width: word(6), height: word(8), colours: bytes.slice(13, 13 + 768), frames: [], delays: [] };
+  let at = 13 + 768;
+  const blocks = () => {
+    const parts = [];
+    for (; bytes[at]; at += bytes[at] + 1) parts.push(bytes.subarray(at + 1, at + 1 + bytes[at]));
+    ++at;
+    return Buffer.concat(parts);
+  };
+  while (bytes[at] !== 0x3b) {
+    const kind = bytes[at++];
+    if (kind === 0x21) {
+      const label = bytes[at++];
+      const content = blocks();
+      if (label === 0xf9) found.delays.push(content[1]);
+      else found.loops = content.toString("latin1", 0, 11) === "NETSCAPE2.0" && content.readUInt16LE(12) === 0;
+      continue;
+    }
+    assert.deepEqual([kind, word(at), word(at + 2), word(at + 4), word(at + 6), bytes[at + 8], bytes[at + 9]],
+                     [0x2c, 0, 0, found.width, found.height, 0, 8]);
+    at += 10;
+    found.frames.push(uncompressed(blocks()));
+  }
+  assert.equal(at, bytes.length - 1);
+  return found;
+}
+function uncompressed(bytes) {
+  const pixels = [];
+  let [table, last, length, bit] = [[], undefined, 9, 0];
+  for (;;) {
+    let code = 0;
+    for (let i = 0; i < length; ++i, ++bit) code |= ((bytes[bit >> 3] >> (bit & 7)) & 1) << i;
+    if (code === 257) return pixels;
+    if (code === 256) {
+      table = [...Array.from({ length: 256 }, (_, colour) => [colour]), undefined, undefined];
+      [last, length] = [undefined, 9];
+      continue;
+    }
+    assert.ok(table[code] || (last && code === table.length), `code ${code} of ${table.length}`);
+    const string = table[code] ?? [...last, last[0]];
+    if (last && table.length < 4096) table.push([...last, string[0]]);
+    if (table.length === 1 << length && length < 12) ++length;
+    pixels.push(...string);
+    last = string;
+  }
+}
+
+test("a GIF has the numbers of the colours, frame after frame", async () => {
+  let word = 7;
+  const noise = Array.from({ length: 90 * 70 }, () => (word = (Math.imul(word, 1664525) + 1013904223) >>> 0) >>> 24);
+  // Long strings, and so many that the table is full more than once.
+  const frames = [noise, noise.map(() => 5), noise.map((_, at) => at % 256), noise.map((colour) => colour & 1)];
+  const made = new Gif(90, 70, paletteOf("land"));
+  for (const frame of frames) made.add(Uint8Array.from(frame));
+  const bytes = Buffer.concat(made.done());
+  const found = readGif(bytes);
+  assert.deepEqual([found.width, found.height, found.loops, found.delays], [90, 70, true, [4, 4, 4, 4]]);
+  assert.deepEqual(found.frames, frames);
+  assert.deepEqual([...found.colours], [...paletteOf("land")].filter((_, at) => at % 4 < 3));
+  bytes[bytes.length - 40] ^= 1;
+  let wrong;
+  try {
+    wrong = readGif(bytes).frames;
+  } catch {
+    // what is no GIF
+  }
+  assert.notDeepEqual(wrong, frames);
+});
+
+test("a loop comes back to where it was", async () => {
+  const loop = (settings) => framesOf(stateFor({ file: "gif", frames: 4, ...settings }));
+  assert.deepEqual(loop({ sum: "none" }).map(({ phase }) => phase), [0.25, 0.5, 0.75, 1]);
+  assert.deepEqual(loop({ dimensions: 3, period: 4, z: 0.5 }).map(({ z }) => z), [1.5, 2.5, 3.5, 4.5]);
+  assert.deepEqual(loop({ dimensions: 4, period: 2, w: 0 }).map(({ w }) => w), [0.5, 1, 1.5, 2]);
+  assert.equal(loop({ dimensions: 3 }).length, 1);
+  const frame = [];
+  const state = stateFor({ file: "gif", frames: 3, sum: "none", contrast: 0.8 });
+  const read = reader(600);
+  const file = await fileOf(state, (mode, first, rows, { phase }) => frame.push(phase) && read(mode, first, rows));
+  assert.deepEqual([frame, file.name, file.type],
+                   [[1, 1, 2, 2, 3, 3].map((part) => part / 3), "hashnoise-perlin-600x450.gif", "image/gif"]);
+  const { frames } = readGif(new Uint8Array(await file.arrayBuffer()));
+  const expected = heightsOf([valueOf(3, 449), valueOf(599, 0)], state).map((height) => height >> 8);
+  assert.deepEqual([frames.length, frames[0][3], frames[2].at(-1)], [3, ...expected]);
 });
 
 test("a file that is wrong is noticed", async () => {

@@ -305,6 +305,9 @@ const saved = () =>
     return { name: file.name, bytes: Array.from(bytes) };
   });
 
+const turned = (list) => [...Array(kHeight).keys()].flatMap((row) =>
+  list.slice((kHeight - 1 - row) * kWidth * 4, (kHeight - row) * kWidth * 4));
+
 test("a file that is saved has the picture", async () => {
   const state = { ...pictures[4], width: kWidth, height: kHeight };
   for (const renderer of ["webgl2", "webgpu"]) {
@@ -321,6 +324,18 @@ test("a file that is saved has the picture", async () => {
   assert.equal(bytes.length, 1024 * 300 * 2);
   const lines = new Set([...Array(300).keys()].map((row) => bytes.slice(row * 2048, row * 2048 + 64).join()));
   assert.equal(lines.size, 300);
+  // The browser shows the first frame of a loop as the picture.
+  const turning = { ...usualState(), layers: [{ ...state.layers[0], noise: "perlin" }], file: "gif", frames: 2 };
+  await setState(page, { ...turning, dimensions: 2, width: kWidth, height: kHeight, map: "land" });
+  const gif = await saved();
+  const shown = await page.evaluate(async (list) => {
+    const image = await createImageBitmap(new Blob([Uint8Array.from(list)], { type: "image/gif" }));
+    const context = new OffscreenCanvas(image.width, image.height).getContext("2d");
+    context.drawImage(image, 0, 0);
+    return Array.from(context.getImageData(0, 0, image.width, image.height).data);
+  }, gif.bytes);
+  await setState(page, { phase: 0.5 });
+  assert.deepEqual(turned(shown), await pixels(page, kWidth, kHeight));
   await setState(page, { file: "heights", width: 8, height: 8 });
   assert.deepEqual((await saved()).bytes.slice(1, 4), [...Buffer.from("PNG")]);
 });
