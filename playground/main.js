@@ -144,7 +144,9 @@ class Playground extends Picture {
 
   // How the values of the picture are distributed, of some of its pixels.
   async rested() {
+    // What is read in the frame in which a picture was drawn can take the picture from the screen.
     await this.drawing;
+    await new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
     const state = this.state;
     const [width, height] = this.size;
     const scale = kSampled / Math.min(width, height);

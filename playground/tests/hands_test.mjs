@@ -219,6 +219,11 @@ test("the focus is seen wherever it is, on a dark picture and on a light one", a
     const link = `#sum=none&noise=cells&map=grey&contrast=4&cells=0.02&seed=${seed}`;
     const viewport = { width: 720, height: 400, deviceScaleFactor: 1 }; // A ring is a few pixels wide.
     const page = await opened(browser, { viewport, before: decoding, link });
+    // It is still on the screen when its values have been read.
+    await page.waitForFunction(() => document.getElementById("values").textContent);
+    const clip = { x: 300, y: 200, width: 4, height: 4 };
+    const png = await page.screenshot({ encoding: "base64", clip });
+    assert.ok((await pixelsOf(page, png)).every((part, at) => part === (at % 4 === 3 ? 255 : colour)));
     assert.deepEqual(await pixels(page, 1, 1), [colour, colour, colour, 255]);
     for (const id of ["picture-webgl2", "play", ...(colour ? [] : ["sum", "seed", "copy"])]) {
       await tabTo(page, id);
