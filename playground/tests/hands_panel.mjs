@@ -1,0 +1,421 @@
+// What people do with the panel: fields, sliders, layers, the clipboard. hands_test.mjs runs it.
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { resolve } from "node:path";
+import test from "node:test";
+import {
+  browser,
+  focused,
+  keepCopies,
+  kLaptop,
+  nameless,
+  press,
+  settled,
+  shownOnShared,
+  tabTo,
+  visibleText,
+  wait,
+} from "./hands_support.mjs";
+import { kPage, kPhone, opened, pixels, ready, stateOfPage } from "./support.mjs";
+
+test("a keyboard alone is enough", async () => {
+  const page = await opened(browser, { viewport: kLaptop, before: keepCopies });
+  await press(page, "Tab");
+  assert.equal(await focused(page), "picture-webgl2");
+  await press(page, "ArrowRight", "ArrowUp", "ArrowUp", "+");
+  let state = await stateOfPage(page);
+  assert.ok(state.x > 0n && state.y > 0n && state.cells < 8);
+  await press(page, "Home", "r", "-");
+  state = await stateOfPage(page);
+  assert.ok(state.x === 0n && state.y === 0n && state.cells > 8 && state.seed !== 7);
+
+  await tabTo(page, "sum");
+  await press(page, "ArrowDown", "ArrowDown", "ArrowDown", "ArrowDown");
+  await tabTo(page, "noise");
+  await press(page, "ArrowDown");
+  await tabTo(page, "dimensions-2");
+  await press(page, "ArrowRight");
+  await tabTo(page, "octaves");
+  await press(page, "ArrowRight", "ArrowRight");
+  await tabTo(page, "z");
+  await press(page, "ArrowLeft");
+  await tabTo(page, "seed");
+  await page.keyboard.down("Control");
+  await press(page, "a");
+  await page.keyboard.up("Control");
+  await page.keyboard.type("99");
+  await press(page, "Enter", "ArrowUp");
+  await tabTo(page, "map-dusk");
+  await press(page, "ArrowRight");
+  await tabTo(page, "language-glsl");
+  await press(page, "ArrowRight", "ArrowRight");
+  await tabTo(page, "copy");
+  await press(page, "Enter");
+  await tabTo(page, "arithmetic-fast");
+  await press(page, "ArrowRight");
+  state = await stateOfPage(page);
+  assert.deepEqual(
+    [state.sum, state.noise, state.dimensions, state.octaves, state.z, state.seed, state.map, state.arithmetic],
+    ["ridged", "value", 3, 8, 0.36, 100, "lagoon", "fixed"],
+  );
+  const copies = (await page.evaluate(() => window.copies)).join();
+  assert.match(copies, /fn pattern_cell\(cell: vec3i, f: vec3f\)/);
+  assert.match(copies, /fn hn_i_cell_vec3f/);
+
+  await page.evaluate(() => document.getElementById("picture-webgl2").focus());
+  const before = (await stateOfPage(page)).z;
+  await press(page, "Space");
+  await page.waitForFunction((z) => window.hashnoise.state.z > z + 0.02, {}, before);
+  await press(page, "Space");
+  assert.equal(await page.evaluate(() => window.hashnoise.playing), false);
+  assert.deepEqual(page.complaints, []);
+  await page.close();
+});
+
+test("what is not of a place is not taken, and said", async () => {
+  const page = await shownOnShared();
+  const enter = async (id, text) => {
+    await page.$eval(
+      `#${id}`,
+      (input, value) => {
+        input.value = value;
+        input.dispatchEvent(new Event("change"));
+      },
+      text,
+    );
+  };
+  const message = () => page.$eval("#wrong-x", (text) => (text.checkVisibility() ? text.textContent : ""));
+  assert.equal(await message(), "");
+  await enter("x", "nowhere");
+  assert.equal(await page.$eval("#x", (input) => input.getAttribute("aria-invalid")), "true");
+  assert.match(await message(), /takes a number from −2147483648 to 2147483648, such as/);
+  assert.equal(await page.$eval("#x", (input) => input.getAttribute("aria-describedby")), "wrong-x");
+  // It stays while people look elsewhere, until they choose something.
+  await page.focus("#x");
+  await page.focus("#y");
+  assert.notEqual(await message(), "");
+  assert.equal(await page.$eval("#x", (input) => input.value), "nowhere");
+  await enter("y", "2.5e1");
+  assert.equal((await stateOfPage(page)).y, 25n << 24n);
+  assert.equal(await message(), "");
+  assert.equal(await page.$eval("#x", (input) => input.value), "0");
+  await enter("seed", "many");
+  assert.match(await page.$eval("#wrong-seed", (text) => text.textContent), /a whole number from 0 to 4294967295\.$/);
+  await enter("x", "1000000000.5");
+  assert.equal((await stateOfPage(page)).x, 1000000000n * 16777216n + 8388608n);
+  assert.equal(await page.$eval("#x", (input) => input.getAttribute("aria-invalid")), null);
+});
+
+test("a typed number that is changed says so", async () => {
+  const page = await shownOnShared("#dimensions=3");
+  const enter = async (id, text) => {
+    await page.click(`#${id}`, { count: 3 });
+    await page.keyboard.type(text);
+    await press(page, "Tab");
+    return visibleText(page, `wrong-${id}`);
+  };
+  for (const [id, typed, sentence] of [
+    ["seed", "5000000000", "5000000000 became 4294967295. This field takes a whole number from 0 to 4294967295."],
+    ["seed", "2.5", "2.5 became 3. This field takes a whole number from 0 to 4294967295."],
+    ["seed", "1e3", ""],
+    ["period", "-4", "-4 became 0. This field takes a whole number from 0 to 65536."],
+    ["x", "1e10", /^1e10 became 2147483647\.99999994\. /],
+    ["x", "0,50", ""],
+    ["x", "0.12345678901", /^0\.12345678901 became 0\.1234567\d\. /],
+    ["cells", "7.1234567", /^7\.1234567 became 7\.12346\. This field takes a number of at most six digits /],
+  ]) {
+    const said = await enter(id, typed);
+    if (typeof sentence === "string") assert.equal(said, sentence);
+    else assert.match(said, sentence);
+    assert.equal(await page.$eval(`#${id}`, (input) => input.getAttribute("aria-invalid")), null);
+  }
+  // It stays while the picture plays, and goes with the number.
+  await page.click("#play");
+  await page.waitForFunction(() => window.hashnoise.state.z > 0.5);
+  assert.match(await visibleText(page, "wrong-cells"), /became/);
+  await page.click("#play");
+  await page.click("#home");
+  assert.equal(await visibleText(page, "wrong-cells"), "");
+});
+
+test("one arrow key is one whole step", async () => {
+  const link = "#dimensions=3&z=0.375&octaves=16&x=0.25&sum=ridged&noise=simplex&cells=8.5&w=3";
+  const page = await shownOnShared(link);
+  const after = async (id, ...keys) => {
+    await page.focus(`#${id}`);
+    await press(page, ...keys);
+    return (await stateOfPage(page))[id];
+  };
+  // These numbers lie between the slider's, and beyond them.
+  assert.equal(await after("z", "ArrowRight"), 0.385);
+  assert.equal(await after("z", "ArrowLeft", "ArrowDown", "PageUp"), 0.465);
+  assert.equal(await after("octaves", "ArrowRight"), 16);
+  assert.equal(await after("octaves", "ArrowLeft"), 15);
+  assert.equal(await after("gain", "ArrowUp"), 0.51);
+  assert.equal(await after("x", "ArrowUp"), 5n << 22n);
+  assert.equal(await after("x", "ArrowLeft"), 5n << 22n);
+  assert.equal(await after("cells", "ArrowUp"), 9.5);
+  assert.equal(await after("cells", "PageDown", "ArrowDown"), 0.1875);
+  // What is typed counts, whether or not it is entered.
+  await page.click("#seed", { count: 3 });
+  await page.keyboard.type("41");
+  assert.equal(await after("seed", "ArrowUp"), 42);
+  // The picture goes by whole pixels.
+  await page.evaluate(() => window.hashnoise.change({ x: 0n, cells: 8 }));
+  await page.focus("#picture-webgl2");
+  await press(page, "ArrowRight");
+  const { x } = await stateOfPage(page);
+  const step = await page.evaluate(() => Math.round((8 / Math.min(...window.hashnoise.size)) * 16777216));
+  assert.ok(x > 0n && x % BigInt(step) === 0n, `${x} is no multiple of ${step}`);
+});
+
+test("every control has a name", async () => {
+  const page = await opened(browser, {
+    link: "#sum=ping_pong&noise=cellular&dimensions=3&warp=warp&blend2=add&sum2=none",
+    viewport: kLaptop,
+  });
+  assert.deepEqual(await nameless(page), []);
+  // The values of the picture, in words.
+  await page.waitForFunction(() => document.getElementById("values").textContent);
+  const [, least, greatest] = /^The values are from (\S+) to (\S+), and/.exec(await visibleText(page, "values"));
+  const values = new Float32Array(new Uint32Array(await pixels(page, 85, 48, true)).buffer);
+  assert.ok(Math.abs(Math.min(...values) - least.replace("−", "-")) < 0.001);
+  assert.ok(Math.abs(Math.max(...values) - greatest) < 0.001);
+  assert.match(await page.$eval("#histogram", (shown) => shown.ariaLabel), /^Histogram: of ten equal parts/);
+  await page.evaluate(() => {
+    document.querySelector("label[for=octaves]").remove();
+    document.getElementById("play").removeAttribute("aria-label");
+    document.getElementById("play").removeAttribute("title");
+  });
+  assert.deepEqual((await nameless(page)).toSorted(), ["button", "slider"]);
+  await page.close();
+});
+
+// What axe-core finds, by the names of its rules. (It reads colours, too, but not of what lies on glass.)
+async function foundByAxe(page) {
+  await page.evaluate(await readFile(resolve("node_modules", "axe-core", "axe.min.js"), "utf8"));
+  const { violations } = await page.evaluate(() => window.axe.run(document));
+  return violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).join()}`);
+}
+
+test("axe finds nothing", async () => {
+  const page = await shownOnShared("#sum=none&blend2=add&sum2=none&period=3&dimensions=3&file=gif");
+  assert.deepEqual(await foundByAxe(page), []);
+  await page.click("#view label:nth-child(3)");
+  await page.emulateMediaFeatures([{ name: "prefers-color-scheme", value: "dark" }]);
+  assert.deepEqual(await foundByAxe(page), []);
+  await page.emulateMediaFeatures([]);
+  const name = await page.$eval("#up-2", (button) => {
+    button.textContent = button.title = "";
+    const { ariaLabel } = button;
+    button.ariaLabel = null;
+    return ariaLabel;
+  });
+  const [found, ...more] = await foundByAxe(page);
+  assert.ok(/^button-name: /.test(found) && more.length === 0, found);
+  await page.$eval("#up-2", (button, label) => Object.assign(button, { ariaLabel: label, textContent: "↑" }), name);
+});
+
+test("it fits a phone", async () => {
+  const page = await opened(browser, {
+    viewport: { ...kPhone, deviceScaleFactor: 0.25 },
+    link: "#sum=ping_pong&noise=cells&dimensions=3&warp=warp&metric=manhattan&blend2=mix&sum2=none&blend3=add&sum3=none",
+  });
+  for (const [viewport, least] of [
+    [kPhone, 40],
+    [{ ...kPhone, width: 320, height: 568 }, 40],
+    [{ ...kPhone, width: 844, height: 390 }, 40],
+    [kLaptop, 28],
+  ]) {
+    await page.setViewport({ ...viewport, deviceScaleFactor: 0.25 });
+    await ready(page);
+    const found = await page.evaluate((size) => {
+      const sheet = document.getElementById("sheet");
+      const small = [
+        ...document.querySelectorAll(
+          "button, select, input:not([type=radio], [type=checkbox]), .choices label, .swatches label",
+        ),
+      ]
+        .filter((control) => control.checkVisibility() && control.getBoundingClientRect().height < size)
+        .map((control) => control.id || control.textContent);
+      const wide = [...sheet.querySelectorAll("*")]
+        .filter(
+          (inner) =>
+            !inner.closest("#looks, pre, .unseen, select") && inner.getBoundingClientRect().right > innerWidth + 1,
+        )
+        .map((inner) => inner.id || inner.className);
+      return {
+        small,
+        wide,
+        scrolls: document.documentElement.scrollWidth > innerWidth || sheet.scrollWidth > sheet.clientWidth,
+      };
+    }, least);
+    assert.deepEqual(found, { small: [], wide: [], scrolls: false }, JSON.stringify(viewport));
+  }
+  await page.close();
+});
+
+test("light and dark have enough contrast", async () => {
+  const page = await shownOnShared();
+  for (const value of ["light", "dark"]) {
+    await page.emulateMediaFeatures([{ name: "prefers-color-scheme", value }]);
+    const ratios = await page.evaluate(() => {
+      const style = getComputedStyle(document.documentElement);
+      const light = (name) => {
+        const hex = style.getPropertyValue(name).trim().replace("#", "");
+        const full = hex.length === 3 ? [...hex].map((digit) => digit + digit).join("") : hex;
+        const parts = [0, 2, 4]
+          .map((at) => parseInt(full.slice(at, at + 2), 16) / 255)
+          .map((part) => (part <= 0.04045 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4));
+        return 0.2126 * parts[0] + 0.7152 * parts[1] + 0.0722 * parts[2];
+      };
+      const ratio = (a, b) => (Math.max(light(a), light(b)) + 0.05) / (Math.min(light(a), light(b)) + 0.05);
+      return [
+        ratio("--ink", "--paper"),
+        ratio("--faint", "--paper"),
+        ratio("--faint", "--code"),
+        ratio("--on-accent", "--accent"),
+        ratio("--ink", "--field"),
+        ratio("--ink", "--chosen"),
+        ratio("--wrong", "--paper"),
+      ];
+    });
+    assert.ok(Math.min(...ratios) >= 4.5, `${value}: ${ratios}`);
+  }
+  await page.emulateMediaFeatures([]);
+});
+
+test("layers are added, chosen, moved, switched off and removed by the keyboard, and Back undoes it", async () => {
+  const page = await shownOnShared("#sum=ridged&seed=3");
+  const layers = async () => (await stateOfPage(page)).layers.map(({ sum, seed, on }) => `${sum} ${seed} ${on}`);
+  const go = async (id, ...keys) => {
+    await page.focus(`#${id}`);
+    await press(page, ...keys);
+  };
+  assert.equal(await visibleText(page, "layers"), "");
+  const one = await pixels(page, 16, 16);
+  await go("add-layer", "Enter");
+  assert.deepEqual(await layers(), ["ridged 3 1", "fbm 13 1"]);
+  assert.equal(await visibleText(page, "heading-noise"), "Noise of layer 2");
+  // The settings are those of the layer that is chosen.
+  await go("blend", "ArrowDown");
+  await go("seed", "ArrowUp");
+  await go("weight", "ArrowLeft", "ArrowLeft");
+  await go("layer-2", "ArrowUp");
+  assert.equal(await visibleText(page, "heading-noise"), "Noise of layer 1");
+  assert.equal(await page.$eval("#seed", (field) => field.value), "3");
+  assert.deepEqual(await layers(), ["ridged 3 1", "fbm 14 1"]);
+  assert.deepEqual(
+    await page.$$eval("#layers li:not([hidden]) .layer", (rows) => rows.map((row) => row.textContent)),
+    ["Ridged of Perlin", "× fBm of Perlin"],
+  );
+  assert.match(await page.$eval("#picture-webgl2", (canvas) => canvas.ariaLabel), /Ridged of Perlin, × fBm of Perlin/);
+  assert.equal(
+    await page.evaluate(() => window.hashnoise.link),
+    "#sum=ridged&seed=3&seed2=14&blend2=multiply&weight2=0.9",
+  );
+  assert.match(await page.evaluate(() => window.hashnoise.controls.code), /v = v \* \(0\.9 \* layer_2\(p\)\);/);
+  const two = await pixels(page, 16, 16);
+  assert.notDeepEqual(two, one);
+  await go("on-2", "Space");
+  assert.deepEqual(await pixels(page, 16, 16), one);
+  await go("on-2", "Space");
+  await go("up-2", "Enter");
+  assert.deepEqual(await layers(), ["fbm 14 1", "ridged 3 1"]);
+  assert.equal(await focused(page), "up-1");
+  await go("remove-2", "Enter");
+  assert.deepEqual(await layers(), ["fbm 14 1"]);
+  assert.equal(await focused(page), "add-layer");
+  await page.evaluate(() => history.back());
+  await page.waitForFunction(() => window.hashnoise.state.layers.length === 2);
+  await page.evaluate(() => history.back());
+  await page.waitForFunction(() => window.hashnoise.state.layers[0].sum === "ridged");
+  assert.deepEqual(await pixels(page, 16, 16), two);
+  assert.deepEqual(page.complaints, []);
+});
+
+test("Smaller undoes Larger", async () => {
+  for (const link of ["#sum=none", "#sum=none&cells=7.3", "#sum=none&cells=0.723456", "#sum=none&cells=987654"]) {
+    const page = await shownOnShared(link);
+    const { cells } = await stateOfPage(page);
+    for (const id of ["in", "in", "in", "out", "out", "out"]) await page.click(`#${id}`);
+    assert.equal((await stateOfPage(page)).cells, cells);
+    await page.focus("#cells");
+    await press(page, "ArrowDown", "ArrowDown", "ArrowDown", "ArrowUp", "ArrowUp", "ArrowUp");
+    assert.equal((await stateOfPage(page)).cells, cells);
+  }
+});
+
+test("it says that it has copied only if it has", async () => {
+  const page = await opened(browser, {
+    viewport: kLaptop,
+    before: () => {
+      window.works = false;
+      const writeText = async () => {
+        if (!window.works) throw new Error("refused");
+      };
+      Object.defineProperty(navigator, "clipboard", { value: { writeText } });
+      document.execCommand = () => false;
+    },
+  });
+  const label = (id) => page.$eval(`#${id}`, (button) => button.textContent);
+  for (const [id, expected] of [
+    ["copy", await page.evaluate(() => window.hashnoise.controls.code)],
+    ["link", kPage],
+  ]) {
+    const before = await label(id);
+    await page.click(`#${id}`);
+    assert.equal(await label(id), before);
+    assert.match(await visibleText(page, "note-uncopied"), /did not let the page copy/);
+    assert.match(await page.$eval("#said", (said) => said.textContent), /is not copied/);
+    const selected = await page.evaluate(() => {
+      const { value, selectionStart, selectionEnd } = document.activeElement;
+      return value.slice(selectionStart, selectionEnd);
+    });
+    assert.equal(selected, expected);
+  }
+  await page.evaluate(() => (window.works = true));
+  await page.click("#copy");
+  assert.equal(await label("copy"), "Copied");
+  assert.equal(await visibleText(page, "note-uncopied"), "");
+  // The second time counts from its own beginning.
+  await wait(1000);
+  await page.click("#copy");
+  await wait(1000);
+  assert.equal(await label("copy"), "Copied");
+  await wait(800);
+  assert.equal(await label("copy"), "Copy");
+  await page.close();
+});
+
+test("Play says why it does not", async () => {
+  const page = await shownOnShared();
+  const described = () =>
+    page.$eval("#play", (button) => document.getElementById(button.getAttribute("aria-describedby")).textContent);
+  assert.match(await described(), /^This picture does not move\. Choose 3D or 4D/);
+  assert.equal(await visibleText(page, "hint"), "");
+  for (const id of ["play", "picture-webgl2"]) {
+    await page.focus(`#${id}`);
+    await press(page, "Space");
+    assert.equal(await visibleText(page, "hint"), await described());
+    await page.waitForFunction(() => /does not move/.test(document.getElementById("said").textContent));
+    await page.click("#dimensions label:nth-child(3)");
+    assert.equal(await visibleText(page, "hint"), "");
+    assert.equal(await described(), "");
+    await page.click("#dimensions label:nth-child(2)");
+  }
+  assert.equal(await page.evaluate(() => window.hashnoise.playing), false);
+});
+
+test("a picture that plays leaves what is typed", async () => {
+  const page = await shownOnShared("#dimensions=3");
+  await page.click("#play");
+  await page.click("#seed", { count: 3 });
+  await page.keyboard.type("12");
+  await wait(settled);
+  assert.equal(await page.$eval("#seed", (field) => field.value), "12");
+  await page.keyboard.press("Enter");
+  await wait(settled);
+  assert.equal(Number((await stateOfPage(page)).seed), 12);
+  await page.click("#play"); // it would play on beside the other tests
+});
