@@ -107,7 +107,7 @@ test("what is not of a place is not taken, and said", async () => {
 });
 
 test("a typed number that is changed says so", async () => {
-  const page = await shownOnShared("#dimensions=3");
+  const page = await shownOnShared("#dimensions=3&z=0.49");
   const enter = async (id, text) => {
     await page.click(`#${id}`, { count: 3 });
     await page.keyboard.type(text);
