@@ -1,6 +1,6 @@
 // The functions of what is shown, in each language. The page draws with the same functions: the text that is copied has
 // numbers where that of the page has uniforms, so that no shader is compiled again when a number changes.
-import { settingsOf, shownLayers, uses } from "./model.js";
+import { remapOf, settingsOf, shownLayers, uses } from "./model.js";
 import { kNoises, kSums } from "./tables.js";
 
 export const kLanguages = { glsl: "GLSL", hlsl: "HLSL", wgsl: "WGSL", cpp: "C++" };
@@ -63,8 +63,9 @@ export function numbers(language, state) {
 // Which forms of the functions each layer that is shown needs. States that agree in this have one shader.
 function shapes(state) {
   return state.layers.flatMap((layer, at) => {
-    const used = uses(state, at);
     if (!layer.on) return [];
+    const used = uses(state, at);
+    const { weight, offset } = remapOf(state, at);
     return [
       {
         ...settingsOf(state, at),
@@ -73,8 +74,8 @@ function shapes(state) {
         tiled: state.period > 0,
         turned: layer.sum === "none" && Boolean(kNoises[layer.noise].phase) && used.phase && state.phase > 0,
         full: (used.jitter && layer.jitter !== 1) || (used.metric && layer.metric !== "euclidean"),
-        weighted: used.weight && layer.weight !== 1,
-        moved: used.offset && layer.offset !== 0,
+        weighted: weight !== 1,
+        moved: offset !== 0,
         scaled: used.scale && layer.scale !== 1,
       },
     ];

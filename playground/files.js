@@ -8,6 +8,7 @@ import { kBits, kColours, unitsOf } from "./shaders.js";
 import { kFiles } from "./tables.js";
 
 const kMostOfStrip = 262144; // pixels, so that no draw keeps the GPU for long
+const kMostOfLoop = 4e8; // pixels, since all frames are in memory until the file is saved
 const kGreys = 65536;
 
 // The heights of values, as numbers of 16 bits: each value is a whole number of steps of 2^-20, and those between the
@@ -78,8 +79,10 @@ async function* strips(read, mode, state) {
 
 async function gifOf(state, read, tell) {
   const { width, height, map } = state;
-  const made = new Gif(width, height, paletteOf(map));
   const frames = framesOf(state);
+  if (width * height * frames.length > kMostOfLoop)
+    throw new Error("A loop has at most 400 million pixels in all frames.");
+  const made = new Gif(width, height, paletteOf(map));
   for (const [number, frame] of frames.entries()) {
     const pixels = new Uint8Array(width * height);
     let done = 0;

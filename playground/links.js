@@ -49,7 +49,8 @@ export function stateOf(link) {
     });
     state = changed(state, Object.fromEntries(found), at);
     const layer = state.layers[at];
-    if (!given.has(nameIn("strength", at)) && Object.hasOwn(kSums, layer.sum)) layer.strength = usualOf("strength", layer);
+    if (!given.has(nameIn("strength", at)) && Object.hasOwn(kSums, layer.sum))
+      layer.strength = usualOf("strength", layer);
   }
   return possible(state);
 }

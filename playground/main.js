@@ -106,7 +106,8 @@ class Playground extends Picture {
   describe() {
     const { state } = this;
     const titles = titlesOf(state).join(", ");
-    this.canvas.setAttribute("aria-label", `${state.view === "terrain" ? "Terrain" : "Picture"} of ${titles} noise in ${state.dimensions}D`);
+    const kind = state.view === "terrain" ? "Terrain" : "Picture";
+    this.canvas.setAttribute("aria-label", `${kind} of ${titles} noise in ${state.dimensions}D`);
     const coordinate = (parts) => {
       const [whole, fraction = ""] = positionText(parts).split(".");
       const digits = Math.max(0, Math.min(6, Math.ceil(Math.log10(400 / state.cells))));

@@ -123,7 +123,9 @@ function possibleSetting(name, given) {
 }
 
 const possibleSettings = (usuals, given) =>
-  Object.fromEntries(Object.entries(usuals).map(([name, usual]) => [name, possibleSetting(name, given[name] ?? usual)]));
+  Object.fromEntries(
+    Object.entries(usuals).map(([name, usual]) => [name, possibleSetting(name, given[name] ?? usual)]),
+  );
 
 function possibleLayer(given, period) {
   const layer = possibleSettings(usualLayer(), given);
@@ -172,13 +174,22 @@ export function uses(state, at = 0) {
   return {
     sum: true, noise: true, dimensions: true, seed: true, period: true, arithmetic: true, hash: true, map: true,
     contrast: true, x: true, y: state.dimensions > 1, cells: state.view !== "tiles", renderer: true,
-    view: state.dimensions > 1, turn: terrain, tilt: terrain, steep: terrain, file: true, width: true, height: true, frames: state.file === "gif",
+    view: state.dimensions > 1, turn: terrain, tilt: terrain, steep: terrain,
+    file: true, width: true, height: true, frames: state.file === "gif",
     octaves: sum, lacunarity: sum, gain: sum, strength: Boolean(kSums[layer.sum].strength),
     jitter: Boolean(noise.jitter), metric: Boolean(noise.metric),
     warp: warped, amplitude: warped && layer.warp !== "none",
     on: several, blend: at > 0, weight: several, offset: several && !mixed, scale: several,
     phase: warped && state.layers.some(turns), z: state.dimensions > 2, w: state.dimensions > 3,
   };
+}
+
+// What the values of a layer are multiplied by, and what is added then, before the layer is combined. The weight of a
+// mixture is another thing.
+export function remapOf({ layers }, at) {
+  const { weight, offset, blend } = layers[at];
+  const plain = layers.length === 1 || (at > 0 && blend === "mix");
+  return plain ? { weight: 1, offset: 0 } : { weight, offset };
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -239,18 +250,21 @@ const kRanges = {
 
 // The values that the lowest and the highest colour stand for.
 export function rangeOf(state) {
-  const several = state.layers.length > 1;
-  const ranges = shownLayers(state).map((layer) => [layer, rangeOfLayer(layer, state.dimensions)]);
-  const remapped = ([{ weight, offset }, range]) =>
-    several ? times(range, weight).map((end) => end + offset) : range;
-  const [low, high] = ranges.slice(1).reduce(
-    (range, next) => {
-      const { blend, weight } = next[0];
-      if (blend !== "mix") return kRanges[blend](range, remapped(next));
-      return sumOfRanges(times(range, 1 - weight), times(next[1], weight));
-    },
-    ranges.length ? remapped(ranges[0]) : [-1, 1],
-  );
+  const found = state.layers.flatMap((layer, at) => {
+    if (!layer.on) return [];
+    const { weight, offset } = remapOf(state, at);
+    const range = times(rangeOfLayer(layer, state.dimensions), weight).map((end) => end + offset);
+    return [{ layer, range }];
+  });
+  const [low, high] = found
+    .slice(1)
+    .reduce(
+      (below, { layer: { blend, weight }, range }) =>
+        blend === "mix"
+          ? sumOfRanges(times(below, 1 - weight), times(range, weight))
+          : kRanges[blend](below, range),
+      found[0].range,
+    );
   const middle = (low + high) / 2;
   const half = Math.max(high - low, 0.001) / 2 / state.contrast;
   return [middle - half, middle + half];

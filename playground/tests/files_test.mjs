@@ -191,6 +191,8 @@ test("a loop comes back to where it was", async () => {
                    [[1, 1, 2, 2, 3, 3].map((part) => part / 3), "hashnoise-perlin-600x450.gif", "image/gif"]);
   const { frames } = readGif(new Uint8Array(await file.arrayBuffer()));
   const expected = heightsOf([valueOf(3, 449), valueOf(599, 0)], state).map((height) => height >> 8);
+  const large = { ...state, frames: 200, width: 8192, height: 8192 };
+  await assert.rejects(fileOf(large, read), /at most 400 million pixels/);
   assert.deepEqual([frames.length, frames[0][3], frames[2].at(-1)], [3, ...expected]);
 });
 

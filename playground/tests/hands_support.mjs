@@ -20,7 +20,8 @@ export const keepCopies = () => {
   });
 };
 export const wait = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
-export const focused = (page) => page.evaluate(() => document.activeElement.id || document.activeElement.textContent.trim());
+export const focused = (page) =>
+  page.evaluate(() => document.activeElement.id || document.activeElement.textContent.trim());
 
 export async function press(page, ...keys) {
   for (const key of keys) await page.keyboard.press(key);
@@ -89,7 +90,7 @@ export const differing = (page, first, second) =>
     second,
   );
 
-// One page for several tests, since to open one takes long: with the state of this link, and nothing else of the others.
+// One page for several tests, since to open one takes long: with the state of this link.
 let shared;
 export async function shownOnShared(link = "") {
   shared ??= await opened(browser, { viewport: kLaptop });

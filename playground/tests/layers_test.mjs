@@ -100,6 +100,10 @@ test("the code has each layer, and pattern() combines them", () => {
   // One layer alone is as it always was; but its weight counts if there is another one that is off.
   assert.equal(textOf(stateOf("#seed=3")), textOf(stateOf("#seed=3&blend2=add&on2=0")));
   assert.match(textOf(stateOf("#blend2=add&on2=0&weight=0.5")), /float v = 0\.5 \* layer_1\(p\);/);
+  // A mixture without anything below is the layer itself.
+  const mixture = stateOf("#on=0&blend2=mix&weight2=0.25&sum2=none");
+  assert.match(textOf(mixture), /^float pattern\(vec2 p\) \{ return hn_perlin\(p, 7u\); \}$/);
+  assert.deepEqual(rangeOf(mixture), rangeOf(stateOf("#sum=none")));
   const far = textOf(stateOf(kThree), "wgsl", ["cell"]);
   assert.match(far, /fn layer_2_cell\(cell: vec2i, f: vec2f\) -> f32 \{/);
   assert.match(far, /vec2i\(vec2u\(cell\) \* 4u \+ vec2u\(first\)\)/);

@@ -74,8 +74,11 @@ test("a link brings its state back", () => {
     const link = linkOf(state);
     assert.equal(linkOf(stateOf(link)), link);
     // What the state does not use is not in its link; all else is.
-    const shader = (of) =>
-      (of.dimensions === 1 ? [of.x] : [of.x, of.y]).concat([shaderKey(of), ...shownLayers(of).map(({ seed }) => seed), of.period, of.map, cellsAcross(of)]);
+    const shader = (of) => {
+      const seeds = shownLayers(of).map(({ seed }) => seed);
+      const place = of.dimensions === 1 ? [of.x] : [of.x, of.y];
+      return [...place, shaderKey(of), ...seeds, of.period, of.map, cellsAcross(of)];
+    };
     assert.deepEqual(shader(stateOf(link)), shader(state), link);
     assert.match(link, /^(#[\w.=&-]+)?$/);
   }

@@ -105,10 +105,11 @@ const pictures = [
 ].map((state) => changed(usualState(), { x: 5n, y: -7n, cells: 6, ...state, arithmetic: "fixed" }));
 // Layers, far out: every way to combine them, finer ones, one that is off, a warp and weights that are rounded.
 const kLayered =
-  "#sum=ridged&weight=1.1&blend2=add&sum2=billow&noise2=simplex&weight2=-0.7&offset2=0.1&scale2=4&blend3=multiply&on3=0&" +
-  "blend4=mix&sum4=none&noise4=cells&weight4=0.35&seed4=3&warp4=warp";
-const kOthers = "#noise=value&blend2=multiply&weight2=1.3&blend3=min&sum3=none&noise3=cellular&offset3=-0.6&blend4=max&" +
-  "sum4=none&noise4=curl&weight4=0.2&scale4=64&dimensions=3&z=7.3&period=3";
+  "#sum=ridged&weight=1.1&blend2=add&sum2=billow&noise2=simplex&weight2=-0.7&offset2=0.1&scale2=4&" +
+  "blend3=multiply&on3=0&blend4=mix&sum4=none&noise4=cells&weight4=0.35&seed4=3&warp4=warp";
+const kOthers =
+  "#noise=value&blend2=multiply&weight2=1.3&blend3=min&sum3=none&noise3=cellular&offset3=-0.6&" +
+  "blend4=max&sum4=none&noise4=curl&weight4=0.2&scale4=64&dimensions=3&z=7.3&period=3";
 pictures.push(changed(stateOf(kLayered), { ...far, arithmetic: "fixed", map: "land" }));
 pictures.push(changed(stateOf(kOthers), { x: 5n, y: -7n, cells: 6, arithmetic: "fixed" }));
 const kWidth = 40;
