@@ -10,7 +10,7 @@ from unittest import mock
 import numpy as np
 
 from bounds import fixed_model as fixed
-from bounds import kernel_fixed, kernel_model
+from bounds import kernel_model
 from bounds.boxes import Boxes
 from bounds.fixed_model import ONE
 from bounds.floats import Approx

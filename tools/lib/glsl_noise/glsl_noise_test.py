@@ -63,12 +63,6 @@ class Package(unittest.TestCase):
                                   text=True, check=False)
             self.assertEqual(done.returncode, status, done.stdout)
 
-    def test_bad_usage(self) -> None:
-        with contextlib.redirect_stderr(io.StringIO()) as error, self.assertRaises(SystemExit) as ended:
-            command.main([__file__])
-        self.assertEqual(ended.exception.code, 2)
-        self.assertIn("is a file; it must be a folder", error.getvalue())
-
 
 class Values(unittest.TestCase):
     """Beside the call of the library, at places that no cell has alike."""

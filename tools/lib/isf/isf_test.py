@@ -101,18 +101,13 @@ class Text(unittest.TestCase):
             r"^    ((?:void mainImage|out vec4).*?)\n\n", page, re.MULTILINE | re.DOTALL))
         text = files.pick()((named,), Choice("glsl-es"))
         whole = {shadertoy: ("#version 300 es\nprecision highp float;\nuniform vec3 iResolution;\n"
-                             "uniform float iTime;\nout vec4 color;\n", "\nvoid main() { mainImage(color, gl_FragCoord.xy); }\n"),
+                             "uniform float iTime;\nout vec4 color;\n",
+                             "\nvoid main() { mainImage(color, gl_FragCoord.xy); }\n"),
                  touch_designer: ("#version 330\nin vec3 vUV;\nvec4 TDOutputSwizzle(vec4 c) { return c; }\n", "\n")}
         for code, (before, behind) in whole.items():
             done = glslang(f"{before}{text}{code}{behind}")
             self.assertEqual(done.returncode, 0, done.stdout)
             self.assertNotEqual(glslang(f"{before}{text}{code.replace('6, ', '')}{behind}").returncode, 0)
-
-    def test_bad_usage(self) -> None:
-        with contextlib.redirect_stderr(io.StringIO()) as error, self.assertRaises(SystemExit) as ended:
-            command.main([__file__])
-        self.assertEqual(ended.exception.code, 2)
-        self.assertIn("is a file; it must be a folder", error.getvalue())
 
 
 @unittest.skipUnless(__name__ == "__main__", "the test isf.looks makes all")

@@ -9,18 +9,15 @@ Exit status: that of the tests; 77 something that the second needs is not here.
 
 from __future__ import annotations
 
-import contextlib
-import io
 import re
 import shutil
 import sys
-import tempfile
 import unittest
 import xml.etree.ElementTree as xml
-from pathlib import Path
 
 from materialx import command, files
 from materialx.generated import LANGUAGES, MISSING, Generated, Job, materialx, needed, vectors
+from packing_support import made
 
 SKIPPED = 77
 
@@ -68,23 +65,12 @@ void hn_perlin2d_tile(float amplitude, float pivot, vector2 texcoord, vector2 pe
 }
 """)
 
-    def test_bad_usage(self) -> None:
-        with contextlib.redirect_stderr(io.StringIO()) as error, self.assertRaises(SystemExit) as ended:
-            command.main([__file__])
-        self.assertEqual(ended.exception.code, 2)
-        self.assertIn("is a file; it must be a folder", error.getvalue())
-
 
 @unittest.skipUnless(__name__ == "__main__", "the test materialx.library makes all nodes")
 class Library(unittest.TestCase):
     @classmethod
     def setUpClass(cls) -> None:
-        scratch = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(scratch.cleanup)
-        cls.root = Path(scratch.name)
-        with contextlib.redirect_stdout(io.StringIO()) as out:
-            command.main([scratch.name])
-        cls.folder = Path(out.getvalue().strip())
+        cls.root, cls.folder = made(cls, command.main)
         cls.made = Generated(cls.folder)
 
     def test_materialx_takes_it(self) -> None:

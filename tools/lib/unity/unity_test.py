@@ -8,18 +8,16 @@ Exit status: that of the tests; 77 Mono or glslang is not here.
 
 from __future__ import annotations
 
-import contextlib
-import io
 import json
 import re
 import shutil
 import struct
 import subprocess
 import sys
-import tempfile
 import unittest
 from pathlib import Path
 
+from packing_support import made
 from tree import VECTORS, version
 from unity import command, files
 
@@ -68,22 +66,12 @@ class Text(unittest.TestCase):
         self.assertRegex(files.meta("a"), r"\AfileFormatVersion: 2\nguid: [0-9a-f]{32}\n\Z")
         self.assertNotEqual(files.meta("a"), files.meta("b"))
 
-    def test_bad_usage(self) -> None:
-        with contextlib.redirect_stderr(io.StringIO()) as error, self.assertRaises(SystemExit) as ended:
-            command.main([__file__])
-        self.assertEqual(ended.exception.code, 2)
-        self.assertIn("is a file; it must be a folder", error.getvalue())
-
 
 @unittest.skipUnless(__name__ == "__main__", "the test unity.package writes all functions")
 class Package(unittest.TestCase):
     @classmethod
     def setUpClass(cls) -> None:
-        scratch = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(scratch.cleanup)
-        with contextlib.redirect_stdout(io.StringIO()) as out:
-            command.main([scratch.name])
-        cls.root, cls.folder = Path(scratch.name), Path(out.getvalue().strip())
+        cls.root, cls.folder = made(cls, command.main)
 
     def run_in(self, *words: str | Path) -> str:
         done = subprocess.run([str(word) for word in words], cwd=self.root, capture_output=True, text=True, check=False)

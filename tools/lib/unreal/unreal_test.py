@@ -8,18 +8,16 @@ Exit status: that of the tests; 77 glslang, Clang or Mono is not here.
 
 from __future__ import annotations
 
-import contextlib
-import io
 import json
 import re
 import shutil
 import subprocess
 import sys
-import tempfile
 import unittest
 from pathlib import Path
 
 from hlsl_nodes import NODES, PORTS, forms, own_names, ports
+from packing_support import made
 from tree import version
 from unreal import command, files
 
@@ -78,22 +76,12 @@ class Text(unittest.TestCase):
         self.assertIn("| `return hn_value(Position, (uint)(int)Seed);` | `Position`, `Seed` | 2 or 3 | CMOT Float 1 |",
                       rows)
 
-    def test_bad_usage(self) -> None:
-        with contextlib.redirect_stderr(io.StringIO()) as error, self.assertRaises(SystemExit) as ended:
-            command.main([__file__])
-        self.assertEqual(ended.exception.code, 2)
-        self.assertIn("is a file; it must be a folder", error.getvalue())
-
 
 @unittest.skipUnless(__name__ == "__main__", "the test unreal.plugin writes all functions")
 class Plugin(unittest.TestCase):
     @classmethod
     def setUpClass(cls) -> None:
-        scratch = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(scratch.cleanup)
-        with contextlib.redirect_stdout(io.StringIO()) as out:
-            command.main([scratch.name])
-        cls.root, cls.folder = Path(scratch.name), Path(out.getvalue().strip())
+        cls.root, cls.folder = made(cls, command.main)
         # Where the module says that they are.
         (cls.root / "HashNoise").symlink_to(cls.folder / "Shaders")
 

@@ -1,4 +1,4 @@
-"""Live pictures below the steps of the tutorial: each is drawn in the reader's browser, by the code that stands there."""
+"""Live pictures below the steps of the tutorial: the reader's browser draws each by the code that stands there."""
 
 from __future__ import annotations
 

@@ -166,7 +166,8 @@ class Whole(Tree):
         def shown(address: str) -> str:
             return subprocess.run([*browser, address], capture_output=True, text=True, check=False).stdout
 
-        self.assertRegex(shown(f"{(out / 'search.html').as_uri()}?q=cellular"), r'<li[^>]*><a href="docs/cellular\.html"')
+        search = f"{(out / 'search.html').as_uri()}?q=cellular"
+        self.assertRegex(shown(search), r'<li[^>]*><a href="docs/cellular\.html"')
         tutorial = out / "docs" / "tutorial.html"
         self.assertEqual(len(re.findall(r'<figure class="live"[^>]* data-drawn=""', shown(tutorial.as_uri()))), 12)
         tutorial.write_text(tutorial.read_text(encoding="utf-8").replace("highp vec3 color_at", "highp vec3 at", 1),
