@@ -18,7 +18,7 @@ import unittest
 PROGRAM = ""
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 CHEAP = "bugs.abs_of_int.any.exact.fragment.gl330.defined"  # needs no list of the cases of all functions
-SOME = ("--thorough", "--filter", "hash.*.fragment.*.golden")  # many that are compiled quickly
+SOME = ("--thorough", "--filter", "hash.*.fragment.gl330.golden")  # many that are compiled quickly
 
 
 def runs(pid):
