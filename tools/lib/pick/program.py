@@ -30,6 +30,19 @@ Key = tuple[str, tuple[str, ...]]
 def read(library: Path, settings: dict[str, str], splits: bool = False, own: Sequence[Function] = (),
          below: str = "") -> Module:
     """The whole library with these knobs, with these functions of the user's, and with a text below it."""
+    if own or below:
+        return _read(library, settings, splits, own, below)
+    # Tests ask for the same again and again, and nobody changes a module.
+    state = tuple((path, path.stat().st_mtime_ns) for path in sorted(library.rglob("*.*")))
+    return _read_once(library, tuple(settings.items()), splits, state)
+
+
+@functools.lru_cache(maxsize=8)
+def _read_once(library: Path, settings: tuple[tuple[str, str], ...], splits: bool, _: object) -> Module:
+    return _read(library, dict(settings), splits, (), "")
+
+
+def _read(library: Path, settings: dict[str, str], splits: bool, own: Sequence[Function], below: str) -> Module:
     preprocessor = Preprocessor(library, settings)
     preprocessor.read(f'#include "hashnoise.glsl"\n{below}', "the library")
     # Where floats are precise, all are: the printer says so.
