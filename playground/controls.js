@@ -7,6 +7,7 @@ import { kLooks, numbersOf, parsed } from "./links.js";
 import { dimensionsOf, kSettings, noisesOf, settingsOf, uses } from "./model.js";
 import { kParts, positionText, sameNumber } from "./numbers.js";
 import { gradientOf } from "./palette.js";
+import { StopList } from "./stoplist.js";
 import {
   kArithmetics,
   kBlends,
@@ -81,8 +82,8 @@ function counted(name, value, steps) {
 
 export class Controls {
   // `change` takes what is chosen, {name: value}, and of which layer; `look` the name of a look; `replace` a state with
-  // other layers, and a sentence on it.
-  constructor(library, { change, look, replace }) {
+  // other layers, and a sentence on it; `say` a sentence alone.
+  constructor(library, { change, look, replace, say }) {
     this.library = library;
     this.change = change;
     this.language = "glsl";
@@ -103,6 +104,7 @@ export class Controls {
         replace(state, said);
       },
     });
+    this.stops = new StopList(change, say);
     for (const [name, table] of Object.entries(kSelects)) this.makeSelect(name, table);
     for (const [name, setting] of Object.entries(kSliders)) this.makeSlider(name, ...setting);
     for (const [name, table] of Object.entries(kChoices)) this.makeChoices(name, table);
@@ -111,7 +113,7 @@ export class Controls {
     this.makeLanguages();
     for (const [name, made] of Object.entries(kLooks)) {
       const dot = element("i");
-      dot.style.background = gradientOf(made.map ?? kSettings.map.usual);
+      dot.style.background = gradientOf({ map: made.map ?? kSettings.map.usual });
       byId("looks").append(
         element("button", { type: "button", className: "quiet", onclick: () => look(name) }, dot, name),
       );
@@ -208,7 +210,8 @@ export class Controls {
       input.setAttribute("aria-label", label);
       input.addEventListener("change", () => this.change({ map: value }));
       const swatch = element("label", { title: label }, input);
-      swatch.style.background = gradientOf(value);
+      if (value === "own") swatch.append(element("span", { textContent: label }));
+      else swatch.style.background = gradientOf({ map: value });
       byId("map").append(swatch);
     }
   }
@@ -346,6 +349,8 @@ export class Controls {
       const row = byId(`row-${name}`);
       if (row) row.hidden = !used[name];
     }
+    this.stops.show(state);
+    byId("map-own").parentElement.style.background = gradientOf({ map: "own", stops: state.stops });
     byId("note-arithmetic").textContent = kNotes[state.arithmetic];
     byId("note-file").textContent = kFiles[state.file].note;
     this.showCode();

@@ -1,7 +1,7 @@
 // What is copied: the functions of code.js with the colours, with what they call, and as a whole shader.
 import { decimal, declaration, functions, kTypes, knobs, numbers } from "./code.js";
 import { rangeOf, shownLayers } from "./model.js";
-import { kMaps } from "./tables.js";
+import { partsOfColour, rampOf } from "./palette.js";
 import { cellOf, cellsAcross, kPartsOfCell, partsOf, placeOf } from "./view.js";
 
 // The values that the lowest and the highest colour stand for, and how the lowest is taken off.
@@ -15,23 +15,29 @@ function colours(language, state) {
   const { low, high, span, minus } = endsOf(state);
   const { float } = kTypes[language];
   const colour = (stop) => {
-    const parts = [0, 2, 4].map((at) => (parseInt(stop.slice(at, at + 2), 16) / 255).toFixed(3));
+    const parts = partsOfColour(stop.colour).map((part) => (part / 255).toFixed(3));
     return `${float(3)}(${parts.join(", ")})`;
   };
-  const stops = kMaps[state.map].stops;
-  const last = stops.length - 1;
+  const { whole, stops } = rampOf(state);
   const mix = language === "hlsl" ? "lerp" : "mix";
-  const scale = Number((last / span).toPrecision(7));
+  const scale = Number((whole / span).toPrecision(7));
   const wgsl = language === "wgsl";
   const three = (part) => (wgsl ? `vec3f(${part})` : part);
+  // Which part of the way from one stop to the next one is behind `t`. Two stops in one place are an edge.
+  const way = (from, to) => {
+    if (from === to) return `step(${to}.0, t)`;
+    const gone = from ? `t - ${from}.0` : "t";
+    if (to - from === 1) return `clamp(${gone}, 0.0, 1.0)`;
+    return `clamp(${from ? `(${gone})` : gone} / ${to - from}.0, 0.0, 1.0)`;
+  };
   const lines = [
     wgsl
-      ? `let t = clamp((value ${minus}) * ${decimal(scale)}, 0.0, ${last}.0);`
-      : `float t = clamp((value ${minus}) * ${decimal(scale)}, 0.0, ${last}.0);`,
+      ? `let t = clamp((value ${minus}) * ${decimal(scale)}, 0.0, ${whole}.0);`
+      : `float t = clamp((value ${minus}) * ${decimal(scale)}, 0.0, ${whole}.0);`,
     wgsl ? `var c = ${colour(stops[0])};` : `${float(3)} c = ${colour(stops[0])};`,
     ...stops
       .slice(1)
-      .map((stop, at) => `c = ${mix}(c, ${colour(stop)}, ${three(`clamp(${at ? `t - ${at}.0` : "t"}, 0.0, 1.0)`)});`),
+      .map((stop, at) => `c = ${mix}(c, ${colour(stop)}, ${three(way(stops[at].place, stop.place))});`),
     "return c;",
   ];
   const head = wgsl ? "fn colour(value: f32) -> vec3f {" : `${float(3)} colour(float value) {`;

@@ -78,11 +78,11 @@ async function* strips(read, mode, state) {
 }
 
 async function gifOf(state, read, tell) {
-  const { width, height, map } = state;
+  const { width, height } = state;
   const frames = framesOf(state);
   if (width * height * frames.length > kMostOfLoop)
     throw new Error("A loop has at most 400 million pixels in all frames.");
-  const made = new Gif(width, height, paletteOf(map));
+  const made = new Gif(width, height, paletteOf(state));
   for (const [number, frame] of frames.entries()) {
     const pixels = new Uint8Array(width * height);
     let done = 0;

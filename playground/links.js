@@ -25,7 +25,7 @@ export function linkOf(state) {
 // What somebody wrote as the value of a setting. Nothing for what is no number where it should be one.
 export function parsed(name, text) {
   const setting = kSettings[name];
-  if (setting.of) return text;
+  if (typeof setting.usual === "string") return text;
   return typeof setting.usual === "bigint" ? parsedPosition(text) : parsedNumber(text);
 }
 

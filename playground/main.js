@@ -32,6 +32,7 @@ class Playground extends Picture {
       change: (changes, at) => this.change(changes, at),
       look: (name) => this.look(name),
       replace: (state, said) => this.replace(state, said),
+      say: (sentence) => (byId("said").textContent = sentence),
     });
     byId("version").textContent = library.version;
     byId("drawing").hidden = false; // until there is a picture
@@ -160,7 +161,7 @@ class Playground extends Picture {
     byId("values").textContent = wordsOf(summary, range);
     byId("histogram").setAttribute("aria-label", words);
     byId("bars").style.clipPath = shape;
-    byId("bars").style.background = gradientOf(state.map);
+    byId("bars").style.background = gradientOf(state);
   }
 
   // The value below the pointer.

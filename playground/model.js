@@ -1,6 +1,7 @@
 // The state: what is shown, as a list of layers and the settings of the whole picture.
 
 import { wrapped } from "./numbers.js";
+import { possibleStops, stopsOfMap } from "./palette.js";
 import {
   kArithmetics,
   kBlends,
@@ -46,6 +47,7 @@ export const kSettings = {
   tilt: { usual: 0.1, from: 0.02, to: 0.25 },
   steep: { usual: 0.2, from: 0, to: 1 },
   map: { usual: "dusk", of: kMaps },
+  stops: { usual: "0-000000_100-ffffff", fit: possibleStops },
   contrast: { usual: 1, from: 0.25, to: 4 },
   x: { usual: 0n },
   y: { usual: 0n },
@@ -101,13 +103,15 @@ export function changed(state, changes, at = 0) {
 }
 
 // The same for what somebody chose, with what goes with it: a strength is that of its sum, half of a mixture is seen of
-// each, and tiles have a period.
+// each, tiles have a period, and a map of one's own begins with the one that was shown.
 export function chosen(state, changes, at = 0) {
   const next = changed(state, changes, at);
   const layer = next.layers[at];
   if (changes.sum && changes.sum !== state.layers[at].sum) layer.strength = usualOf("strength", layer);
   if (changes.blend === "mix" && layer.weight === 1) layer.weight = 0.5;
   if (changes.view === "tiles" && !next.period) next.period = kUsualTile;
+  const untouched = next.stops === kSettings.stops.usual;
+  if (changes.map === "own" && state.map !== "own" && untouched) next.stops = stopsOfMap(state.map);
   return possible(next);
 }
 
@@ -116,6 +120,7 @@ function possibleSetting(name, given) {
   const setting = kSettings[name];
   const { usual } = setting;
   if (setting.of) return Object.hasOwn(setting.of, given) ? given : usual;
+  if (setting.fit) return setting.fit(given) ?? usual;
   if (typeof usual === "bigint") return typeof given === "bigint" ? wrapped(given) : usual;
   const value = typeof given !== "number" || Number.isNaN(given) ? usual : given;
   const within = Math.min(Math.max(value, setting.from), setting.to);
@@ -173,7 +178,7 @@ export function uses(state, at = 0) {
   const turns = (other) => other.sum === "none" && Boolean(kNoises[other.noise].phase);
   return {
     sum: true, noise: true, dimensions: true, seed: true, period: true, arithmetic: true, hash: true, map: true,
-    contrast: true, x: true, y: state.dimensions > 1, cells: state.view !== "tiles", renderer: true,
+    stops: state.map === "own", contrast: true, x: true, y: state.dimensions > 1, cells: state.view !== "tiles", renderer: true,
     view: state.dimensions > 1, turn: terrain, tilt: terrain, steep: terrain,
     file: true, width: true, height: true, frames: state.file === "gif",
     octaves: sum, lacunarity: sum, gain: sum, strength: Boolean(kSums[layer.sum].strength),

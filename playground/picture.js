@@ -4,7 +4,7 @@ import { byId } from "./elements.js";
 import { fileOf, fileState, framesOf } from "./files.js";
 import { linkOf } from "./links.js";
 import { rangeOf } from "./model.js";
-import { paletteOf } from "./palette.js";
+import { gradientOf, paletteOf } from "./palette.js";
 import { reliefOf, surfaceOf } from "./relief.js";
 import { frameOf, kBits, kColours, pageShader } from "./shaders.js";
 import { Speed } from "./speed.js";
@@ -77,10 +77,11 @@ export class Picture {
     return found;
   }
 
-  usePalette(backend, map) {
-    if (backend.map === map) return;
-    backend.map = map;
-    backend.setPalette(paletteOf(map));
+  usePalette(backend, state) {
+    const colours = gradientOf(state);
+    if (backend.colours === colours) return;
+    backend.colours = colours;
+    backend.setPalette(paletteOf(state));
   }
 
   // The size of the picture in pixels of the screen.
@@ -183,7 +184,7 @@ export class Picture {
     const backend = await this.backend();
     const program = await this.program(backend, state);
     if (state.renderer !== this.state.renderer) return;
-    this.usePalette(backend, state.map);
+    this.usePalette(backend, state);
     if (state.view === "terrain") return this.drawTerrain(backend, program, state, wanted);
     const speed = await this.speedOf(backend, program, state);
     const size = this.size;
@@ -212,7 +213,7 @@ export class Picture {
     if (this.surface?.key !== key && !(this.moves && this.surface?.key === key.replace(side, kSideOfTerrain))) {
       const bytes = await backend.read(program, frameOf(state, side, side, kBits), side, side);
       const values = new Float32Array(bytes.buffer);
-      this.surface = { key, ...surfaceOf(values, side, rangeOf(state), paletteOf(state.map), state.steep) };
+      this.surface = { key, ...surfaceOf(values, side, rangeOf(state), paletteOf(state), state.steep) };
     }
     const canvas = byId("picture-terrain");
     const box = canvas.getBoundingClientRect();
@@ -233,7 +234,7 @@ export class Picture {
     const state = { ...this.state };
     const backend = await this.backend();
     const program = await this.program(backend, state);
-    this.usePalette(backend, state.map);
+    this.usePalette(backend, state);
     return backend.read(program, frameOf(state, width, height, mode), width, height);
   }
 
@@ -242,7 +243,7 @@ export class Picture {
     const state = fileState(this.state);
     const backend = await this.backend();
     const program = await this.program(backend, state.file === "gif" ? framesOf(state)[0] : state);
-    this.usePalette(backend, state.map);
+    this.usePalette(backend, state);
     const { width, height } = state;
     const read = (mode, first, rows, shown) =>
       backend.read(program, frameOf(shown, width, height, mode, { first, rows }), width, rows);

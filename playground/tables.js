@@ -117,4 +117,5 @@ export const kMaps = {
     label: "Below and above the middle",
     stops: ["1f4e9c", "6fa0d6", "c9dcee", "f7f6f3", "f3c7a5", "dd7f4c", "a8361a"],
   },
+  own: { label: "Your own" }, // of the setting "stops"
 };

@@ -160,13 +160,13 @@ test("a GIF has the numbers of the colours, frame after frame", async () => {
   const noise = Array.from({ length: 90 * 70 }, () => (word = (Math.imul(word, 1664525) + 1013904223) >>> 0) >>> 24);
   // Long strings, and so many that the table is full more than once.
   const frames = [noise, noise.map(() => 5), noise.map((_, at) => at % 256), noise.map((colour) => colour & 1)];
-  const made = new Gif(90, 70, paletteOf("land"));
+  const made = new Gif(90, 70, paletteOf({ map: "land" }));
   for (const frame of frames) made.add(Uint8Array.from(frame));
   const bytes = Buffer.concat(made.done());
   const found = readGif(bytes);
   assert.deepEqual([found.width, found.height, found.loops, found.delays], [90, 70, true, [4, 4, 4, 4]]);
   assert.deepEqual(found.frames, frames);
-  assert.deepEqual([...found.colours], [...paletteOf("land")].filter((_, at) => at % 4 < 3));
+  assert.deepEqual([...found.colours], [...paletteOf({ map: "land" })].filter((_, at) => at % 4 < 3));
   bytes[bytes.length - 40] ^= 1;
   let wrong;
   try {

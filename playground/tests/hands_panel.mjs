@@ -199,7 +199,7 @@ async function foundByAxe(page) {
 }
 
 test("axe finds nothing", async () => {
-  const page = await shownOnShared("#sum=none&blend2=add&sum2=none&period=3&dimensions=3&file=gif");
+  const page = await shownOnShared("#sum=none&blend2=add&sum2=none&period=3&dimensions=3&file=gif&map=own");
   assert.deepEqual(await foundByAxe(page), []);
   await page.click("#view label:nth-child(3)");
   await page.emulateMediaFeatures([{ name: "prefers-color-scheme", value: "dark" }]);
@@ -219,7 +219,7 @@ test("axe finds nothing", async () => {
 test("it fits a phone", async () => {
   const page = await opened(browser, {
     viewport: { ...kPhone, deviceScaleFactor: 0.25 },
-    link: "#sum=ping_pong&noise=cells&dimensions=3&warp=warp&metric=manhattan&blend2=mix&sum2=none&blend3=add",
+    link: "#sum=ping_pong&noise=cells&dimensions=3&warp=warp&metric=manhattan&blend2=mix&sum2=none&blend3=add&map=own",
   });
   for (const [viewport, least] of [
     [kPhone, 40],
@@ -331,6 +331,38 @@ test("layers are added, chosen, moved, switched off and removed by the keyboard,
   await page.evaluate(() => history.back());
   await page.waitForFunction(() => window.hashnoise.state.layers[0].sum === "ridged");
   assert.deepEqual(await pixels(page, 16, 16), two);
+  assert.deepEqual(page.complaints, []);
+});
+
+test("a map of one's own is made by the keyboard", async () => {
+  const page = await shownOnShared("#map=signed");
+  const go = async (id, ...keys) => {
+    await page.focus(`#${id}`);
+    await press(page, ...keys);
+  };
+  const before = await pixels(page, 16, 16);
+  await go("edit-map", "Enter");
+  assert.equal(await focused(page), "picked-1");
+  assert.match((await stateOfPage(page)).stops, /^0-1f4e9c_17-6fa0d6_.*_100-a8361a$/);
+  for (let i = 0; i < 5; ++i) await go("remove-stop-2", "Enter");
+  await go("place-1", "ArrowRight", "PageUp");
+  await page.click("#colour-2", { count: 3 });
+  await page.keyboard.type("#FF00zz");
+  await press(page, "Enter");
+  assert.match(await page.$eval("#said", (said) => said.textContent), /is no colour\. The field takes six/);
+  await page.click("#colour-2", { count: 3 });
+  await page.keyboard.type("#FFEE00");
+  await press(page, "Enter");
+  await go("add-stop", "Enter");
+  assert.equal(await focused(page), "place-2");
+  await page.$eval("#picked-2", (picker) => {
+    picker.value = "#00aa00";
+    picker.dispatchEvent(new Event("input"));
+  });
+  const { stops } = await stateOfPage(page);
+  assert.match(stops, /^11-1f4e9c_\d\d-00aa00_100-ffee00$/);
+  assert.equal(await page.evaluate(() => window.hashnoise.link), `#map=own&stops=${stops}`);
+  assert.notDeepEqual(await pixels(page, 16, 16), before);
   assert.deepEqual(page.complaints, []);
 });
 

@@ -23,6 +23,7 @@ import {
   usualState,
 } from "../model.js";
 import { parsedNumber, parsedPosition, positionText, sameNumber } from "../numbers.js";
+import { paletteOf } from "../palette.js";
 import { pageShader } from "../shaders.js";
 import { Speed } from "../speed.js";
 import { kHashes, kMetrics, kNoises, kSums, kWarps } from "../tables.js";
@@ -51,6 +52,7 @@ function anySettings(ofLayer) {
   for (const [name, setting] of Object.entries(kSettings)) {
     if (Boolean(setting.layer) !== ofLayer) continue;
     if (setting.of) found[name] = one(Object.keys(setting.of));
+    else if (setting.fit) found[name] = one([setting.usual, "5-0a0b0c_5-ffffff_90-000000", "7-12"]);
     else if (typeof setting.usual === "bigint")
       found[name] = BigInt.asIntN(56, BigInt(Math.floor(next() * 2 ** 53)) * 8n);
     else found[name] = setting.from + next() * (Math.min(setting.to, 1e6) - setting.from);
@@ -77,7 +79,7 @@ test("a link brings its state back", () => {
     const shader = (of) => {
       const seeds = shownLayers(of).map(({ seed }) => seed);
       const place = of.dimensions === 1 ? [of.x] : [of.x, of.y];
-      return [...place, shaderKey(of), ...seeds, of.period, of.map, cellsAcross(of)];
+      return [...place, shaderKey(of), ...seeds, of.period, ...paletteOf(of), cellsAcross(of)];
     };
     assert.deepEqual(shader(stateOf(link)), shader(state), link);
     assert.match(link, /^(#[\w.=&-]+)?$/);
@@ -128,6 +130,11 @@ test("a link with what is not there still opens", () => {
     ["#toString=1&__proto__=2", "seed", 7],
     ["#cells=0", "cells", 1 / 64],
     ["#map=constructor", "map", "dusk"],
+    ["#map=own&stops=60-ABCDEF_20-123456", "stops", "20-123456_60-abcdef"],
+    ["#map=own&stops=20-123456", "stops", "0-000000_100-ffffff"],
+    ["#map=own&stops=0-123456_101-ffffff", "stops", "0-000000_100-ffffff"],
+    ["#map=own&stops=0-12345_100-ffffff", "stops", "0-000000_100-ffffff"],
+    [`#map=own&stops=${Array(9).fill("5-000000").join("_")}`, "stops", "0-000000_100-ffffff"],
   ]) {
     assert.equal(settingsOf(stateOf(link))[name], name === "cells" ? Number((1 / 64).toPrecision(6)) : value, link);
   }

@@ -5,7 +5,7 @@ import { paletteOf } from "../palette.js";
 import { reliefOf, surfaceOf } from "../relief.js";
 
 const kSide = 32;
-const kGrey = paletteOf("grey");
+const kGrey = paletteOf({ map: "grey" });
 const surface = (of, steep = 0.2) => {
   const values = Array.from({ length: kSide * kSide }, (_, at) => of(at % kSide, Math.floor(at / kSide)));
   return surfaceOf(values, kSide, [0, 1], kGrey, steep);

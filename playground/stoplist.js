@@ -1,0 +1,89 @@
+// The stops of a map of one's own: a row for each, with its colour and its place.
+import { byId, element } from "./elements.js";
+import { canLoseStop, kMostStops, stopsOf, stopsOfMap, withAnotherStop, withoutStop, withStop } from "./palette.js";
+
+export class StopList {
+  // `change` takes settings, and `say` a sentence.
+  constructor(change, say) {
+    this.change = (stops) => change({ stops });
+    this.say = say;
+    this.rows = Array.from({ length: kMostStops }, (_, at) => this.made(at));
+    byId("stops").append(...this.rows.map(({ row }) => row));
+    byId("add-stop").addEventListener("click", () => {
+      const { text, at } = withAnotherStop(this.text);
+      if (at === undefined) return;
+      this.change(text);
+      this.rows[at].place.focus();
+      say(`There are ${stopsOf(text).length} stops.`);
+    });
+    byId("edit-map").addEventListener("click", () => {
+      change({ map: "own", stops: stopsOfMap(this.map) });
+      this.rows[0].picked.focus();
+    });
+  }
+
+  made(at) {
+    const name = `stop ${at + 1}`;
+    const set = (stop) => this.change(withStop(this.text, at, stop));
+    const picked = element("input", { type: "color", id: `picked-${at + 1}`, ariaLabel: `Colour of ${name}` });
+    picked.addEventListener("input", () => set({ colour: picked.value.slice(1) }));
+    const typed = element("input", {
+      type: "text", id: `colour-${at + 1}`, maxLength: 7, spellcheck: false,
+      ariaLabel: `Colour of ${name}, in hexadecimal`,
+    });
+    // What is no colour is not taken: the field has the colour again, and says so.
+    typed.addEventListener("input", () => (typed.dataset.typed = "yes"));
+    typed.addEventListener("change", () => {
+      delete typed.dataset.typed;
+      const [, colour] = /^\s*#?([\da-f]{6})\s*$/i.exec(typed.value) ?? [];
+      if (colour) return set({ colour: colour.toLowerCase() });
+      this.say(`${typed.value} is no colour. The field takes six hexadecimal digits, such as e8695a.`);
+      return this.showRows();
+    });
+    typed.addEventListener("blur", () => {
+      delete typed.dataset.typed;
+      this.showRows();
+    });
+    const place = element("input", {
+      type: "range", id: `place-${at + 1}`, min: 0, max: 100, step: 1, ariaLabel: `Place of ${name}`,
+    });
+    place.addEventListener("input", () => set({ place: Number(place.value) }));
+    const label = `Remove ${name}`;
+    const remove = element("button", {
+      type: "button", className: "quiet", id: `remove-stop-${at + 1}`, textContent: "×", ariaLabel: label,
+      title: label,
+    });
+    remove.addEventListener("click", () => this.remove(at));
+    return { row: element("li", { hidden: true }, picked, typed, place, remove), picked, typed, place, remove };
+  }
+
+  remove(at) {
+    if (!canLoseStop(this.text)) return;
+    this.change(withoutStop(this.text, at));
+    const { length } = stopsOf(this.text);
+    this.rows[Math.min(at, length - 1)].place.focus();
+    this.say(`Stop ${at + 1} is removed.`);
+  }
+
+  show({ map, stops }) {
+    this.map = map;
+    this.text = stops;
+    byId("edit-map").hidden = map === "own";
+    this.showRows();
+  }
+
+  showRows() {
+    const { text } = this;
+    const stops = stopsOf(text);
+    byId("add-stop").ariaDisabled = String(stops.length === kMostStops);
+    for (const [at, { row, picked, typed, place, remove }] of this.rows.entries()) {
+      row.hidden = at >= stops.length;
+      if (row.hidden) continue;
+      picked.value = `#${stops[at].colour}`;
+      if (!typed.dataset.typed) typed.value = stops[at].colour;
+      place.value = stops[at].place;
+      place.setAttribute("aria-valuetext", `${stops[at].place} %`);
+      remove.ariaDisabled = String(!canLoseStop(text));
+    }
+  }
+}
