@@ -60,6 +60,17 @@ export function listen(page, canvas) {
   for (const type of ["webglcontextrestored", "lost"]) canvas.addEventListener(type, () => page.restored(canvas));
 }
 
+// Anywhere on the page. A text that nobody has entered yet is the browser's.
+export function undoing(page, event) {
+  const { target } = event;
+  const key = event.key.toLowerCase();
+  if (!(event.ctrlKey || event.metaKey) || event.altKey || (key !== "z" && key !== "y")) return;
+  if (target.dataset.typed || (target.id && target.id === page.controls.typed)) return;
+  event.preventDefault();
+  if (key === "y" || event.shiftKey) page.redo();
+  else page.undo();
+}
+
 function press(page, event) {
   if (event.ctrlKey || event.metaKey || event.altKey) return;
   // Whole pixels, so that the picture is the same one, moved.

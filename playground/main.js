@@ -3,7 +3,7 @@ import { shaderKey } from "./code.js";
 import { Controls } from "./controls.js";
 import { costOf } from "./cost.js";
 import { byId } from "./elements.js";
-import { listen } from "./hands.js";
+import { listen, undoing } from "./hands.js";
 import { Library, unpacked } from "./library.js";
 import { linkOf, stateOf, stateOfLook } from "./links.js";
 import { changed, chosen, kSettings, possible, rangeOf, titlesOf, uses } from "./model.js";
@@ -12,6 +12,7 @@ import { gradientOf } from "./palette.js";
 import { kCanvases, Picture } from "./picture.js";
 import { kBits } from "./shaders.js";
 import { kRenderers } from "./tables.js";
+import { Steps } from "./undo.js";
 import { histogramOf, summaryOf, wordsOf } from "./values.js";
 import { panned, partsOf, positionOfPixel, zoomed } from "./view.js";
 
@@ -26,13 +27,14 @@ class Playground extends Picture {
   constructor(library) {
     super(library, stateOf(location.hash));
     this.labelTimers = new Map(); // by the button
+    this.steps = new Steps();
     this.playing = false;
     this.pointer = undefined; // where the value is read
     this.controls = new Controls(library, {
       change: (changes, at) => this.change(changes, at),
       look: (name) => this.look(name),
       replace: (state, said) => this.replace(state, said),
-      say: (sentence) => (byId("said").textContent = sentence),
+      say: (sentence) => this.say(sentence),
     });
     byId("version").textContent = library.version;
     byId("drawing").hidden = false; // until there is a picture
@@ -48,7 +50,9 @@ class Playground extends Picture {
 
   // Settings of this layer, and of the whole picture.
   change(changes, at = this.controls.layer) {
-    this.take(chosen(this.state, changes, at));
+    const next = chosen(this.state, changes, at);
+    this.steps.note(this.state, next, [at, ...Object.keys(changes)].join(" "));
+    this.take(next);
   }
 
   take(state) {
@@ -59,6 +63,8 @@ class Playground extends Picture {
     byId("play").title = this.animated ? "Play (space)" : kStill;
     byId("still").textContent = this.animated ? "" : kStill;
     for (const id of ["in", "out"]) byId(id).ariaDisabled = String(!uses(state).cells);
+    for (const [id, { length }] of [["undo", this.steps.done], ["redo", this.steps.undone]])
+      byId(id).ariaDisabled = String(length === 0);
     if (!this.playing) {
       byId("hint").hidden = true;
       this.controls.showUncopied();
@@ -81,6 +87,7 @@ class Playground extends Picture {
   replace(next, said) {
     const other = linkOf(next) !== this.link;
     this.writeLink();
+    this.steps.note(this.state, next);
     this.take(next);
     if (other) this.writeLink("pushState");
     byId("said").textContent = said;
@@ -88,6 +95,29 @@ class Playground extends Picture {
 
   look(name) {
     this.replace(stateOfLook(name, this.state), `${name} is shown. Back undoes it.`);
+  }
+
+  // One step back, or forth again. A renderer that does not work is not tried again.
+  step(how, said) {
+    const next = this.steps[how](this.state);
+    if (!next) return;
+    if (byId(`renderer-${next.renderer}`).disabled) next.renderer = this.state.renderer;
+    this.take(next);
+    this.say(said);
+  }
+
+  undo() {
+    this.step("undo", "The last change is undone.");
+  }
+
+  redo() {
+    this.step("redo", "The change is there again.");
+  }
+
+  // The words are new each time, so that they are read aloud each time.
+  say(sentence) {
+    byId("said").textContent = "";
+    requestAnimationFrame(() => (byId("said").textContent = sentence));
   }
 
   get link() {
@@ -195,11 +225,9 @@ class Playground extends Picture {
 
   play(on) {
     if (on && !this.animated) {
-      // The words are new each time, so that they are read aloud each time.
       byId("hint").textContent = kStill;
       byId("hint").hidden = false;
-      byId("said").textContent = "";
-      requestAnimationFrame(() => (byId("said").textContent = kStill));
+      this.say(kStill);
       return;
     }
     this.playing = on;
@@ -215,7 +243,8 @@ class Playground extends Picture {
       last = now;
       const name = this.animated;
       const value = this.state[name] + seconds * kSpeed;
-      this.change({ [name]: name === "phase" ? value % 1 : value });
+      // This is no step, since nobody chose it.
+      this.take(chosen(this.state, { [name]: name === "phase" ? value % 1 : value }));
     };
     requestAnimationFrame(step);
   }
@@ -369,8 +398,15 @@ class Playground extends Picture {
       this.writeLink();
       this.copy(location.href, byId("link"), "The link");
     });
+    byId("undo").addEventListener("click", () => this.undo());
+    byId("redo").addEventListener("click", () => this.redo());
+    addEventListener("keydown", (event) => undoing(this, event));
     // At popstate already, so that no link is written to the place in the history that is gone to.
-    addEventListener("popstate", ({ state }) => this.take(state?.layers ? possible(state) : stateOf(location.hash)));
+    addEventListener("popstate", ({ state }) => {
+      const next = state?.layers ? possible(state) : stateOf(location.hash);
+      this.steps.note(this.state, next);
+      this.take(next);
+    });
     new ResizeObserver(() => this.request()).observe(byId("stage"));
     document.addEventListener("visibilitychange", () => document.hidden && this.play(false));
     if (!navigator.gpu) this.controls.refuseRenderer("webgpu", "This browser has no WebGPU.", "webgl2");

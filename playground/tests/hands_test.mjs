@@ -384,6 +384,39 @@ test("Back brings back what the picture did not use", async () => {
   assert.equal((await stateOfPage(page)).z, 3.5);
 });
 
+test("Ctrl+Z and a button undo settings, and leave a text that is typed", async () => {
+  const page = await shownOnShared("#octaves=4");
+  const ctrl = async (...keys) => {
+    for (const key of ["Control", ...keys]) await page.keyboard.down(key);
+    for (const key of [...keys, "Control"]) await page.keyboard.up(key);
+  };
+  const shown = async () => {
+    const { gain, seed } = await stateOfPage(page);
+    return `${gain} ${seed} ${await page.evaluate(() => window.hashnoise.link)}`;
+  };
+  const number = await page.evaluate(() => history.length);
+  await page.focus("#gain");
+  await press(page, "ArrowRight", "ArrowRight");
+  await page.click("#dice");
+  const last = await shown();
+  await ctrl("z");
+  assert.equal(await shown(), "0.52 7 #octaves=4&gain=0.52");
+  await page.waitForFunction(() => document.getElementById("said").textContent === "The last change is undone.");
+  await page.click("#undo");
+  assert.equal(await shown(), "0.5 7 #octaves=4");
+  await ctrl("Shift", "z");
+  await page.click("#redo");
+  assert.equal(await shown(), last);
+  assert.equal(await page.$eval("#redo", (button) => button.ariaDisabled), "true");
+  await page.click("#seed", { count: 3 });
+  await page.keyboard.type("12");
+  await ctrl("z");
+  assert.equal(await shown(), last);
+  await press(page, "Escape");
+  assert.equal(await page.evaluate(() => history.length), number);
+  assert.deepEqual(page.complaints, []);
+});
+
 test("terrain is turned by keys and by a finger, and is sharp at rest", async () => {
   const page = await shownOnShared("#map=land&cells=4");
   await page.focus("#view-plane");
