@@ -1,6 +1,6 @@
 // The functions of what is shown, in each language. The page draws with the same functions: the text that is copied has
 // numbers where that of the page has uniforms, so that no shader is compiled again when a number changes.
-import { remapOf, settingsOf, shownLayers, uses } from "./model.js";
+import { isSolid, remapOf, settingsOf, shownLayers, uses } from "./model.js";
 import { kNoises, kSums } from "./tables.js";
 
 export const kLanguages = { glsl: "GLSL", hlsl: "HLSL", wgsl: "WGSL", cpp: "C++" };
@@ -430,7 +430,7 @@ export function shaderKey(state) {
     const { noise, sum, warp, metric, tiled, turned, full, weighted, moved, scaled, blend } = shape;
     return [noise, sum, warp, full ? metric : "", tiled, turned, weighted, moved, scaled, at ? blend : ""].join(" ");
   });
-  return [dimensions, arithmetic, hash, ...layers].join(" ");
+  return [dimensions, arithmetic, hash, isSolid(state) ? state.view : "", ...layers].join(" ");
 }
 
 // The knobs that differ from the library's defaults.

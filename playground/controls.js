@@ -4,7 +4,7 @@ import { copied, copiedText, kKinds } from "./copied.js";
 import { byId, element } from "./elements.js";
 import { LayerList } from "./layerlist.js";
 import { kLooks, numbersOf, parsed } from "./links.js";
-import { dimensionsOf, kSettings, noisesOf, settingsOf, uses } from "./model.js";
+import { dimensionsOf, isSolid, kLeastTilt, kSettings, noisesOf, settingsOf, uses } from "./model.js";
 import { kParts, positionText, sameNumber } from "./numbers.js";
 import { gradientOf } from "./palette.js";
 import { StopList } from "./stoplist.js";
@@ -324,12 +324,15 @@ export class Controls {
     const dimensions = dimensionsOf(state);
     for (const input of byId("dimensions").querySelectorAll("input"))
       input.disabled = !dimensions.includes(Number(input.value));
+    for (const view of ["sphere", "cube"])
+      byId(`view-${view}`).disabled = !dimensions.some((number) => number > 2);
     for (const name of [...Object.keys(kChoices), "map"]) {
       const chosen = byId(`${name}-${state[name]}`);
       if (chosen) chosen.checked = true;
     }
     for (const name of Object.keys(kSliders)) {
       const input = byId(name);
+      if (name === "tilt") input.min = isSolid(state) ? kSettings.tilt.from : kLeastTilt;
       if (name === "strength") input.max = kSums[state.sum].strength?.most ?? 8;
       if (name === "lacunarity") input.step = state.period ? 1 : 0.01;
       input.value = state[name];

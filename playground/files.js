@@ -1,7 +1,7 @@
 // The files that the page saves: pictures and heights of any size, from the same shaders that draw.
 import { Gif } from "./gif.js";
 import { linkOf } from "./links.js";
-import { uses } from "./model.js";
+import { isSolid, uses } from "./model.js";
 import { paletteOf } from "./palette.js";
 import { Png } from "./png.js";
 import { kBits, kColours, unitsOf } from "./shaders.js";
@@ -48,9 +48,12 @@ function turned(bytes, width) {
   return made;
 }
 
+// The state as a plane: a solid has the plane through its middle.
+export const planeOf = (state) => (isSolid(state) ? { ...state, view: "plane" } : { ...state });
+
 // The state whose picture a file has. In place of tiles it is one tile.
 export const fileState = (state) =>
-  state.view === "tiles" ? { ...state, view: "plane", cells: state.period } : { ...state };
+  state.view === "tiles" ? { ...state, view: "plane", cells: state.period } : planeOf(state);
 
 // The states of the frames of a loop: what moves comes back to where it was. A picture in which nothing does is one
 // frame.

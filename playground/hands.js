@@ -1,6 +1,7 @@
 // What moves the picture: pointers, fingers, a wheel and keys.
+import { isTurned } from "./model.js";
 
-const kKeyTurn = 25; // pixels of a drag that a key turns terrain by
+const kKeyTurn = 25; // pixels of a drag that a key turns terrain or a solid by
 
 export function listen(page, canvas) {
   const fingers = new Map();
@@ -27,7 +28,7 @@ export function listen(page, canvas) {
       fingers.set(event.pointerId, { x: event.clientX, y: event.clientY });
       const after = page.fromMiddle(middle());
       const way = [after[0] - before[0], after[1] - before[1]];
-      if (page.state.view === "terrain" && fingers.size === 1) page.turn(...way);
+      if (isTurned(page.state) && fingers.size === 1) page.turn(...way);
       else page.pan(...way);
       if (wide > 0 && spread() > 0) page.zoom(wide / spread(), after);
     }
@@ -75,9 +76,9 @@ function press(page, event) {
   if (event.ctrlKey || event.metaKey || event.altKey) return;
   // Whole pixels, so that the picture is the same one, moved.
   const step = Math.round(page.size[0] * (event.shiftKey ? 0.5 : 0.08));
-  const terrain = page.state.view === "terrain" && !event.shiftKey;
+  const turns = isTurned(page.state) && !event.shiftKey;
   const move = (right, up) =>
-    terrain ? page.turn(right * kKeyTurn, up * kKeyTurn) : page.pan(-right * step, -up * step);
+    turns ? page.turn(right * kKeyTurn, up * kKeyTurn) : page.pan(-right * step, -up * step);
   const actions = {
     ArrowLeft: () => move(-1, 0),
     ArrowRight: () => move(1, 0),

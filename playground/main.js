@@ -6,19 +6,19 @@ import { byId } from "./elements.js";
 import { listen, undoing } from "./hands.js";
 import { Library, unpacked } from "./library.js";
 import { linkOf, stateOf, stateOfLook } from "./links.js";
-import { changed, chosen, kSettings, possible, rangeOf, titlesOf, uses } from "./model.js";
+import { changed, chosen, isTurned, kSettings, possible, rangeOf, titlesOf, uses } from "./model.js";
 import { positionText } from "./numbers.js";
 import { gradientOf } from "./palette.js";
 import { kCanvases, Picture } from "./picture.js";
 import { kBits } from "./shaders.js";
-import { kRenderers } from "./tables.js";
+import { kRenderers, kViews } from "./tables.js";
 import { Steps } from "./undo.js";
 import { histogramOf, summaryOf, wordsOf } from "./values.js";
 import { panned, partsOf, positionOfPixel, zoomed } from "./view.js";
 
 const kLinkDelay = 300; // browsers refuse an address that changes too often
 const kStill = "This picture does not move. Choose 3D or 4D, or one octave of Perlin or simplex noise in 2D.";
-const kTurnOfPixel = 0.0008; // turns of terrain by a pixel
+const kTurnOfPixel = 0.0008; // turns by a pixel
 const kTold = 1500; // milliseconds for which a button says that it has copied
 const kSampled = 48; // pixels on the shorter side, of whose values the page tells
 const kSpeed = 0.25; // cells, or turns over four, in a second
@@ -137,7 +137,8 @@ class Playground extends Picture {
   describe() {
     const { state } = this;
     const titles = titlesOf(state).join(", ");
-    const kind = state.view === "terrain" ? "Terrain" : "Picture";
+    const kind = isTurned(state) ? kViews[state.view] : "Picture";
+    this.canvas.setAttribute("aria-describedby", isTurned(state) ? "keys-turned" : "keys");
     this.canvas.setAttribute("aria-label", `${kind} of ${titles} noise in ${state.dimensions}D`);
     const coordinate = (parts) => {
       const [whole, fraction = ""] = positionText(parts).split(".");
@@ -186,7 +187,9 @@ class Playground extends Picture {
     const bytes = await this.pixels(...size, kBits);
     if (state !== this.state) return;
     const range = rangeOf(state);
-    const summary = summaryOf(new Float32Array(bytes.buffer), range);
+    // Beside a solid there are no values.
+    const values = new Float32Array(bytes.buffer).filter((value) => !Number.isNaN(value));
+    const summary = summaryOf(values, range);
     const { words, shape } = histogramOf(summary);
     byId("values").textContent = wordsOf(summary, range);
     byId("histogram").setAttribute("aria-label", words);
@@ -196,7 +199,7 @@ class Playground extends Picture {
 
   // The value below the pointer.
   async probe() {
-    if (!this.pointer || this.probing || this.state.view === "terrain") return;
+    if (!this.pointer || this.probing || isTurned(this.state)) return;
     this.probing = true;
     try {
       const { state } = this;
@@ -254,7 +257,7 @@ class Playground extends Picture {
 
   get costKey() {
     const { layers, period, renderer } = this.state;
-    return [renderer, shaderKey(this.state), ...layers.map(({ octaves }) => octaves), period].join(" ");
+    return [renderer, shaderKey({ ...this.state, view: "plane" }), ...layers.map(({ octaves }) => octaves), period].join(" ");
   }
 
   async measure() {
@@ -350,7 +353,7 @@ class Playground extends Picture {
     this.change(panned(this.state, width, height, right, up));
   }
 
-  // Terrain, by so many pixels of a finger that drags it.
+  // Terrain or a solid, by so many pixels of a finger that drags it.
   turn(right, up) {
     const { turn, tilt } = this.state;
     this.change({ turn: (((turn - right * kTurnOfPixel) % 1) + 1) % 1, tilt: tilt - up * kTurnOfPixel });
@@ -362,7 +365,7 @@ class Playground extends Picture {
     const [width, height] = this.size;
     const { cells } = this.state;
     const { from, to } = kSettings.cells;
-    const around = this.state.view === "terrain" ? [0, 0] : at;
+    const around = isTurned(this.state) ? [0, 0] : at;
     const exact = (this.scale?.shown === cells ? this.scale.exact : cells) * factor;
     this.change(zoomed(this.state, width, height, exact / cells, ...around, kSettings.cells));
     this.scale = { shown: this.state.cells, exact: Math.min(Math.max(exact, from), to) };

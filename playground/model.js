@@ -44,7 +44,7 @@ export const kSettings = {
   hash: { usual: "lattice", of: kHashes },
   view: { usual: "plane", of: kViews },
   turn: { usual: 0.1, from: 0, to: 1 },
-  tilt: { usual: 0.1, from: 0.02, to: 0.25 },
+  tilt: { usual: 0.1, from: -0.25, to: 0.25 },
   steep: { usual: 0.2, from: 0, to: 1 },
   map: { usual: "dusk", of: kMaps },
   stops: { usual: "0-000000_100-ffffff", fit: possibleStops },
@@ -60,6 +60,7 @@ export const kSettings = {
 };
 
 export const kMostLayers = 4;
+export const kLeastTilt = 0.02; // of terrain, which has nothing to be seen from below
 const kUsualTile = 4; // cells of a period that nobody has chosen
 
 // Numbers have at most four digits behind the point, and at most seven in all, so that a link has them as they are.
@@ -87,6 +88,11 @@ export const settingsOf = (state, at = 0) => ({ ...state, ...state.layers[at] })
 // The layers that are not switched off.
 export const shownLayers = ({ layers }) => layers.filter(({ on }) => on);
 
+// A ball or a cube of space, for which there have to be three dimensions.
+export const isSolid = ({ view, dimensions }) => dimensions > 2 && (view === "sphere" || view === "cube");
+// What is not a plane can be turned.
+export const isTurned = (state) => state.view === "terrain" || isSolid(state);
+
 // What the layers are, for people.
 const titleOf = ({ sum, noise }) =>
   sum === "none" ? kNoises[noise].label : `${kSums[sum].label} of ${kNoises[noise].label}`;
@@ -103,13 +109,14 @@ export function changed(state, changes, at = 0) {
 }
 
 // The same for what somebody chose, with what goes with it: a strength is that of its sum, half of a mixture is seen of
-// each, tiles have a period, and a map of one's own begins with the one that was shown.
+// each, tiles have a period, solids have three dimensions, and a map of one's own begins with the one that was shown.
 export function chosen(state, changes, at = 0) {
   const next = changed(state, changes, at);
   const layer = next.layers[at];
   if (changes.sum && changes.sum !== state.layers[at].sum) layer.strength = usualOf("strength", layer);
   if (changes.blend === "mix" && layer.weight === 1) layer.weight = 0.5;
   if (changes.view === "tiles" && !next.period) next.period = kUsualTile;
+  if (isSolid({ ...next, dimensions: 3 }) && changes.view && next.dimensions < 3) next.dimensions = 3;
   const untouched = next.stops === kSettings.stops.usual;
   if (changes.map === "own" && state.map !== "own" && untouched) next.stops = stopsOfMap(state.map);
   return possible(next);
@@ -148,6 +155,8 @@ export function possible(state) {
   if (!shownLayers(next).length) next.layers[0].on = 1;
   if (!dimensionsOf(next).includes(next.dimensions)) next.dimensions = 2;
   if ((next.view === "tiles" && !next.period) || next.dimensions === 1) next.view = "plane";
+  if (next.view !== "plane" && next.view !== "tiles" && !isTurned(next)) next.view = "plane";
+  if (!isSolid(next)) next.tilt = Math.max(next.tilt, kLeastTilt);
   return next;
 }
 
@@ -171,7 +180,7 @@ export function uses(state, at = 0) {
   const layer = state.layers[at];
   const noise = kNoises[layer.noise];
   const sum = layer.sum !== "none";
-  const terrain = state.view === "terrain";
+  const turned = isTurned(state);
   const several = state.layers.length > 1;
   const mixed = at > 0 && layer.blend === "mix";
   const warped = state.dimensions === 2 || state.dimensions === 3;
@@ -179,7 +188,7 @@ export function uses(state, at = 0) {
   return {
     sum: true, noise: true, dimensions: true, seed: true, period: true, arithmetic: true, hash: true, map: true,
     stops: state.map === "own", contrast: true, x: true, y: state.dimensions > 1, cells: state.view !== "tiles", renderer: true,
-    view: state.dimensions > 1, turn: terrain, tilt: terrain, steep: terrain,
+    view: state.dimensions > 1, turn: turned, tilt: turned, steep: state.view === "terrain",
     file: true, width: true, height: true, frames: state.file === "gif",
     octaves: sum, lacunarity: sum, gain: sum, strength: Boolean(kSums[layer.sum].strength),
     jitter: Boolean(noise.jitter), metric: Boolean(noise.metric),

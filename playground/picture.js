@@ -1,9 +1,9 @@
 // The picture: what draws the state, how finely, and what else reads its pixels.
 import { shaderKey } from "./code.js";
 import { byId } from "./elements.js";
-import { fileOf, fileState, framesOf } from "./files.js";
+import { fileOf, fileState, framesOf, planeOf } from "./files.js";
 import { linkOf } from "./links.js";
-import { rangeOf } from "./model.js";
+import { isSolid, rangeOf } from "./model.js";
 import { gradientOf, paletteOf } from "./palette.js";
 import { reliefOf, surfaceOf } from "./relief.js";
 import { frameOf, kBits, kColours, pageShader } from "./shaders.js";
@@ -116,11 +116,24 @@ export class Picture {
       const area = size[0] * size[1];
       const time = async (pixels) => {
         const [width, height] = size.map((side) => Math.max(1, Math.round(side * Math.sqrt(pixels / area))));
-        return this.timedStrip(backend, program, frameOf(state, width, height, kColours), width, height, 0, height);
+        const frame = this.frameSeen(state, width, height);
+        return this.timedStrip(backend, program, frame, width, height, 0, height);
       };
       this.speeds.set(program, await Speed.measured(time, area));
     }
     return this.speeds.get(program);
+  }
+
+  // Which part of the width of the picture the panel leaves: it lies on the picture, or beside or below it.
+  get free() {
+    const box = this.canvas.getBoundingClientRect();
+    const { left } = byId("panel").getBoundingClientRect();
+    return left > box.left + box.width / 3 && left < box.right ? (left - box.left) / box.width : 1;
+  }
+
+  // The frame of the picture that people see.
+  frameSeen(state, width, height) {
+    return frameOf(state, width, height, kColours, { free: Math.round(width * this.free) });
   }
 
   async timedStrip(backend, ...strip) {
@@ -133,7 +146,7 @@ export class Picture {
   // Draws a picture in strips where nobody sees it. One that is not the first of a state gives way as soon as another
   // is wanted: false.
   async drawHidden(backend, program, speed, state, width, height, first) {
-    const frame = frameOf(state, width, height, kColours);
+    const frame = this.frameSeen(state, width, height);
     const least = Math.ceil(height / kMostStrips);
     for (let row = 0; row < height; ) {
       if (row > 0 && this.wanted && !first) return false;
@@ -216,15 +229,11 @@ export class Picture {
       this.surface = { key, ...surfaceOf(values, side, rangeOf(state), paletteOf(state), state.steep) };
     }
     const canvas = byId("picture-terrain");
-    const box = canvas.getBoundingClientRect();
-    const { left } = byId("panel").getBoundingClientRect();
     const [width, height] = this.size.map(
       (length, _, size) => Math.ceil(length * Math.min(1, Math.sqrt(kPixelsOfTerrain / (size[0] * size[1])))),
     );
-    // The panel lies on the picture, or beside or below it.
-    const free = left > box.left + box.width / 3 && left < box.right ? (left - box.left) / box.width : 1;
     Object.assign(canvas, { width, height });
-    const bytes = reliefOf(this.surface, state, width, height, Math.round(width * free));
+    const bytes = reliefOf(this.surface, state, width, height, Math.round(width * this.free));
     canvas.getContext("2d").putImageData(new ImageData(bytes, width, height), 0, 0);
     await this.wasDrawn(backend, wanted, this.surface.side === kSideOfTerrain ? 1 : 2);
   }
@@ -252,7 +261,7 @@ export class Picture {
 
   // The values at these points, each [x, y, z, w] in parts of a cell.
   async values(points) {
-    const state = { ...this.state };
+    const state = planeOf(this.state);
     const backend = await this.backend();
     const program = await this.program(backend, state);
     const values = new Float32Array(points.length);

@@ -2,7 +2,8 @@
 // HN_FIXED both draw the same bytes, since everything from the position to the colour is whole numbers.
 import { functions, knobs, numbers, partOf } from "./code.js";
 import { kWgslVertex } from "./copied.js";
-import { kMostLayers, rangeOf, shownLayers, usualLayer } from "./model.js";
+import { isSolid, kMostLayers, rangeOf, shownLayers, usualLayer } from "./model.js";
+import { solidPlace, solidShader, wordsOfSolid } from "./solid.js";
 import { cellOf, originOf, partsOf, placeOf, stepOf, tileOf } from "./view.js";
 
 // What a pixel is: a colour of the map, or the four bytes of the value.
@@ -11,8 +12,8 @@ export const kBits = 1;
 const kTimes = 8; // that a shader computes the noise of a pixel, when it is timed
 const kUnit = 1048576; // of a value, when it is made a whole number: 2^20
 
-// The words of a frame, as both languages lay them out: six vectors of four, and four more for each layer.
-const kWordsOfFrame = 24;
+// The words of a frame, as both languages lay them out: ten vectors of four, and four more for each layer.
+const kWordsOfFrame = 40;
 const kWordsOfLayer = 16;
 export const kFrameBytes = 4 * (kWordsOfFrame + kMostLayers * kWordsOfLayer);
 const kGlslFrame = `struct Layer { ivec4 octaves; vec4 sum; vec4 more; uvec4 seed; };
@@ -23,16 +24,23 @@ layout(std140) uniform Frame {
   ivec4 u_shown;
   uvec4 u_drawn;
   vec4 u_turn;
+  ivec4 u_solid[4];
   Layer u_layers[${kMostLayers}];
 };`;
 const kWgslFrame = `struct Layer { octaves: vec4i, sum: vec4f, more: vec4f, seed: vec4u }
 struct Frame {
-  cell: vec4i, place: vec4u, step: vec4u, shown: vec4i, drawn: vec4u, turn: vec4f, layers: array<Layer, ${kMostLayers}>,
+  cell: vec4i, place: vec4u, step: vec4u, shown: vec4i, drawn: vec4u, turn: vec4f, solid: array<vec4i, 4>,
+  layers: array<Layer, ${kMostLayers}>,
 }
 @group(0) @binding(0) var<uniform> u: Frame;
 @group(0) @binding(1) var palette: texture_2d<f32>;`;
 
-const placed = (state, width, height) => [...originOf(state, width, height), partsOf(state.z), partsOf(state.w)];
+// Where the frame begins, and how long a step is from one of its places to the next.
+function placed(state, width, height) {
+  if (isSolid(state)) return solidPlace(state);
+  const position = [...originOf(state, width, height), partsOf(state.z), partsOf(state.w)];
+  return { position, step: stepOf(state, width, height) };
+}
 
 // The values that the lowest and the highest colour stand for, in whole numbers of steps of 2^-20.
 export function unitsOf(state) {
@@ -41,21 +49,23 @@ export function unitsOf(state) {
 }
 
 // Of a picture of this size, or of so many rows of it, the first of which is `first`, counted from below. `position` is
-// that of the pixel in the lower left corner of the picture, if it is not that of the state.
-export function frameOf(state, width, height, mode, { position, first = 0, rows = height } = {}) {
-  position ??= placed(state, width, height);
+// that of the pixel in the lower left corner of the picture, if it is not that of the state. A solid is in the middle
+// of the first `free` columns.
+export function frameOf(state, width, height, mode, { position, first = 0, rows = height, free = width } = {}) {
+  const { position: begin, step } = placed(state, width, height);
+  position ??= begin;
   const bytes = new ArrayBuffer(kFrameBytes);
   const whole = new Int32Array(bytes);
   const word = new Uint32Array(bytes);
   const float = new Float32Array(bytes);
   whole.set(position.map(cellOf), 0);
   word.set(position.map(placeOf), 4);
-  const step = stepOf(state, width, height);
   word.set([Math.floor(step / 16777216), step % 16777216, width, height], 8);
   const { low, span } = unitsOf(state);
   whole.set([low, span, mode, first], 12);
   word.set([kTimes, first + rows - 1, tileOf(state, width, height), 0], 16);
   float.set([state.phase, 0, 0, 0], 20);
+  if (isSolid(state)) whole.set(wordsOfSolid(state, free, height), 24);
   for (const [at, layer] of shownLayers(state).entries()) {
     const start = kWordsOfFrame + at * kWordsOfLayer;
     const { scale, lacunarity, gain, strength, amplitude, seed } = layer;
@@ -131,14 +141,16 @@ const kWgslShade = `fn shade(value: f32, row: i32) -> vec4f {
 }`;
 
 // What "pattern" is called with at a pixel, for a number of dimensions: the cell and the place in it, or the position.
-function glslArguments(n, form) {
+function glslArguments(n, form, solid) {
   const vector = (type, parts) => (n === 1 ? parts[0] : `${type}(${parts.slice(0, n).join(", ")})`);
-  const cell = vector(`ivec${n}`, ["int(x.x)", "int(y.x)", "u_cell.z", "u_cell.w"]);
-  const places = vector(`vec${n}`, ["float(x.y)", "float(y.y)", "float(u_place.z)", "float(u_place.w)"]);
-  return form === "cell" ? `${cell}, ${places} * kPart` : `${n === 1 ? "float" : `vec${n}`}(${cell}) + ${places} * kPart`;
+  const cell = vector(`ivec${n}`, ["int(x.x)", "int(y.x)", solid ? "int(z.x)" : "u_cell.z", "u_cell.w"]);
+  const third = `float(${solid ? "z.y" : "u_place.z"})`;
+  const places = vector(`vec${n}`, ["float(x.y)", "float(y.y)", third, "float(u_place.w)"]);
+  if (form === "cell") return `${cell}, ${places} * kPart`;
+  return `${n === 1 ? "float" : `vec${n}`}(${cell}) + ${places} * kPart`;
 }
-const wgslArguments = (n, form) =>
-  glslArguments(n, form)
+const wgslArguments = (n, form, solid) =>
+  glslArguments(n, form, solid)
     .replace(/\bivec(\d)/g, "vec$1i")
     .replace(/\bvec(\d)\(/g, "vec$1f(")
     .replaceAll("int(", "i32(")
@@ -154,8 +166,9 @@ void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2
 // coordinates go on, so that no compiler computes one of them before the loop.
 function glsl(library, state, values, { timed, form = "cell", value } = {}) {
   const { lines, files } = functions(library, "glsl", state, values, [form]);
+  const solid = isSolid(state) && !timed ? solidShader("glsl", state, kBits) : undefined;
   const n = state.dimensions;
-  const shown = value ?? `pattern(${glslArguments(n, form)})`;
+  const shown = value ?? `pattern(${glslArguments(n, form, solid)})`;
   return [
     "#version 300 es",
     "precision highp float;",
@@ -170,14 +183,19 @@ function glsl(library, state, values, { timed, form = "cell", value } = {}) {
     ...lines,
     kGlslPlace,
     kGlslShade,
+    ...(solid ? [solid.point] : []),
     "void main() {",
     "  uvec2 at = (uvec2(gl_FragCoord.xy) + uvec2(0u, uint(u_shown.w))) % u_drawn.z;",
-    "  uvec2 x = place_of(u_cell.x, u_place.x, at.x);",
-    "  uvec2 y = place_of(u_cell.y, u_place.y, at.y);",
+    ...(solid
+      ? [solid.places]
+      : [
+          "  uvec2 x = place_of(u_cell.x, u_place.x, at.x);",
+          "  uvec2 y = place_of(u_cell.y, u_place.y, at.y);",
+        ]),
     ...(timed
       ? [`  float sum = 0.0;`, `  for (uint i = 0u; i < u_drawn.x; ++i) { sum += ${shown}; x.x += 8u; y.x += 5u; }`]
       : [`  float sum = ${shown};`]),
-    `  color = shade(sum, ${n === 1 ? "int(at.y)" : "-1"});`,
+    `  color = shade(sum, ${n === 1 ? "int(at.y)" : "-1"})${solid ? ` * (${solid.light})` : ""};`,
     "}",
     "",
   ].join("\n");
@@ -185,8 +203,9 @@ function glsl(library, state, values, { timed, form = "cell", value } = {}) {
 
 function wgsl(library, state, values, { timed, form = "cell", value } = {}) {
   const { lines, needs } = functions(library, "wgsl", state, values, [form]);
+  const solid = isSolid(state) && !timed ? solidShader("wgsl", state, kBits) : undefined;
   const n = state.dimensions;
-  const shown = value ?? `${form === "cell" ? "pattern_cell" : "pattern"}(${wgslArguments(n, form)})`;
+  const shown = value ?? `${form === "cell" ? "pattern_cell" : "pattern"}(${wgslArguments(n, form, solid)})`;
   return [
     ...library.wgsl(needs, state),
     kWgslFrame,
@@ -194,16 +213,18 @@ function wgsl(library, state, values, { timed, form = "cell", value } = {}) {
     ...lines,
     kWgslPlace,
     kWgslShade,
+    ...(solid ? [solid.point] : []),
     ...kWgslVertex,
     "@fragment fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {",
     // Rows are counted from the lower end, as in OpenGL.
     "  let at = vec2u(u32(position.x), u.drawn.y - u32(position.y)) % u.drawn.z;",
-    "  var x = place_of(u.cell.x, u.place.x, at.x);",
-    "  var y = place_of(u.cell.y, u.place.y, at.y);",
+    ...(solid
+      ? [solid.places]
+      : ["  var x = place_of(u.cell.x, u.place.x, at.x);", "  var y = place_of(u.cell.y, u.place.y, at.y);"]),
     ...(timed
       ? [`  var sum = 0.0f;`, `  for (var i = 0u; i < u.drawn.x; i++) { sum += ${shown}; x.x += 8u; y.x += 5u; }`]
       : [`  let sum = ${shown};`]),
-    `  return shade(sum, ${n === 1 ? "i32(at.y)" : "-1"});`,
+    `  return shade(sum, ${n === 1 ? "i32(at.y)" : "-1"})${solid ? ` * ${solid.light}` : ""};`,
     "}",
     "",
   ].join("\n");

@@ -91,7 +91,7 @@ export const kFiles = {
   r16: { label: "Raw heights in 16 bits", ending: "r16", note: kOfHeights + kOfRaw },
   r32: { label: "Raw values in floats", ending: "r32", note: `Values are as pattern(p) returns them. ${kOfRaw}` },
 };
-export const kViews = { plane: "Plane", tiles: "3 × 3 tiles", terrain: "Terrain" };
+export const kViews = { plane: "Plane", tiles: "3 × 3 tiles", terrain: "Terrain", sphere: "Sphere", cube: "Cube" };
 // How a layer is combined with what is below it.
 export const kBlends = {
   add: { label: "Add", sign: "+" },

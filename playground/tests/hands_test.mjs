@@ -22,6 +22,7 @@ import {
 } from "./hands_support.mjs";
 import { kPage, kPhone, opened, pixels, ready, stateOfPage } from "./support.mjs";
 import "./hands_panel.mjs";
+import "./hands_turned.mjs";
 
 test("it opens from a disk, and loads nothing", async () => {
   assert.match(kPage, /^file:/);
@@ -414,40 +415,6 @@ test("Ctrl+Z and a button undo settings, and leave a text that is typed", async 
   assert.equal(await shown(), last);
   await press(page, "Escape");
   assert.equal(await page.evaluate(() => history.length), number);
-  assert.deepEqual(page.complaints, []);
-});
-
-test("terrain is turned by keys and by a finger, and is sharp at rest", async () => {
-  const page = await shownOnShared("#map=land&cells=4");
-  await page.focus("#view-plane");
-  await press(page, "ArrowRight", "ArrowRight");
-  const seen = () =>
-    page.evaluate(async () => {
-      await window.hashnoise.drawing;
-      return document.getElementById("picture-terrain").toDataURL();
-    });
-  assert.equal((await stateOfPage(page)).view, "terrain");
-  assert.equal(await page.$eval("#picture-webgl2", (canvas) => canvas.hidden), true);
-  await page.waitForFunction(() => window.hashnoise.surface?.side === 384 && !window.hashnoise.drawing);
-  assert.match(await page.$eval("#picture-terrain", (canvas) => canvas.ariaLabel), /^Terrain of fBm of Perlin noise/);
-  const first = await seen();
-  await page.focus("#picture-terrain");
-  await press(page, "ArrowRight", "ArrowUp");
-  assert.notEqual(await seen(), first);
-  let { turn, tilt, x } = await stateOfPage(page);
-  assert.ok(turn < 0.1 && tilt < 0.1 && x === 0n, `${turn}, ${tilt}, ${x}`);
-  await page.keyboard.down("Shift");
-  await press(page, "ArrowRight");
-  await page.keyboard.up("Shift");
-  assert.ok((await stateOfPage(page)).x > 0n);
-  await page.mouse.move(400, 300);
-  await page.mouse.down();
-  await page.mouse.move(300, 300, { steps: 2 });
-  await page.mouse.up();
-  assert.ok((await stateOfPage(page)).turn > turn);
-  await page.click("#home");
-  ({ turn, tilt, x } = await stateOfPage(page));
-  assert.deepEqual([x, await page.evaluate(() => window.hashnoise.link.includes("view=terrain"))], [0n, true]);
   assert.deepEqual(page.complaints, []);
 });
 

@@ -289,6 +289,62 @@ test("terrain is the same by WebGL2 and by WebGPU", async () => {
   assert.ok(new Set(seen[0]).size > 100);
 });
 
+// Where the point is that a pixel of a solid shows, in cells from its middle; nothing beside it. In floats.
+function pointAt({ view, turn, tilt, cells }, column, row) {
+  const radius = 0.46 * Math.min(kWidth, kHeight);
+  const [right, up] = [column + 0.5 - kWidth / 2, row + 0.5 - kHeight / 2].map((part) => part / radius);
+  const [a, b] = [turn, tilt].map((part) => part * 2 * Math.PI);
+  const [sine, cosine, down, across] = [Math.sin(a), Math.cos(a), Math.sin(b), Math.cos(b)];
+  const towards = [sine * across, -cosine * across, down];
+  const beside = [right * cosine - up * sine * down, right * sine + up * cosine * down, up * across];
+  const half = Math.sqrt(1 / 3);
+  const near =
+    view === "sphere"
+      ? Math.sqrt(1 - right * right - up * up)
+      : Math.min(...towards.map((part, k) => (half * Math.sign(part) - beside[k]) / part));
+  const point = beside.map((part, k) => part + near * towards[k]);
+  if (view === "sphere") return Number.isNaN(near) ? undefined : point.map((part) => (part * cells) / 2);
+  return point.some((part) => Math.abs(part) > half * 1.0001)
+    ? undefined
+    : point.map((part) => (part * cells) / 2 / half);
+}
+
+test("a sphere and a cube show points of space, the same by WebGL2 and by WebGPU", async () => {
+  const layers = [{ ...pictures[0].layers[0], sum: "none", noise: "value" }];
+  for (const view of ["sphere", "cube"]) {
+    const state = { ...pictures[0], layers, dimensions: 3, z: 0.25, cells: 3, x: far.x, view, turn: 0.3, tilt: -0.1 };
+    const [seen, colours] = [[], []];
+    for (const renderer of ["webgl2", "webgpu"]) {
+      await setState(page, { ...state, renderer });
+      seen.push(await pixels(page, kWidth, kHeight, true));
+      colours.push(await pixels(page, kWidth, kHeight));
+    }
+    assert.equal(unequal(...seen), 0, view);
+    assert.ok(colours[0].every((part, at) => Math.abs(part - colours[1][at]) <= 1));
+    // Beside the solid there are no values, and on its points there are those of space.
+    const found = async (shown) => {
+      let [beside, wrong] = [0, 0];
+      for (let at = 3; at < seen[0].length; at += 61) {
+        const point = pointAt(shown, at % kWidth, Math.floor(at / kWidth));
+        const value = floatOf(seen[0][at]);
+        if (!point) beside += 1;
+        if (!point !== Number.isNaN(value)) wrong += 1;
+        if (!point || Number.isNaN(value)) continue;
+        const parts = [state.x, state.y, 4194304n].map((middle, k) => middle + BigInt(Math.round(point[k] * 16777216)));
+        const expected = await page.evaluate(
+          async (list) => (await window.hashnoise.values([[...list.map(BigInt), 0n]]))[0],
+          parts.map(String),
+        );
+        if (Math.abs(value - expected) > 0.01) wrong += 1;
+      }
+      return { beside, wrong };
+    };
+    const { beside, wrong } = await found(state);
+    assert.ok(beside > 3 && beside < 18 && wrong === 0, `${view}: ${beside} beside, ${wrong} wrong`);
+    if (view === "cube") assert.ok((await found({ ...state, turn: 0.27 })).wrong > 3, "another turn looks the same");
+  }
+});
+
 // What the button saves: the words of the file, and its name.
 const saved = () =>
   page.evaluate(async () => {

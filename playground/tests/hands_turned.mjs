@@ -1,0 +1,58 @@
+// What people turn: terrain and solids. hands_test.mjs runs it.
+import assert from "node:assert/strict";
+import test from "node:test";
+import { press, shownOnShared } from "./hands_support.mjs";
+import { pixels, stateOfPage } from "./support.mjs";
+
+test("terrain is turned by keys and by a finger, and is sharp at rest", async () => {
+  const page = await shownOnShared("#map=land&cells=4");
+  await page.focus("#view-plane");
+  await press(page, "ArrowRight", "ArrowRight");
+  const seen = () =>
+    page.evaluate(async () => {
+      await window.hashnoise.drawing;
+      return document.getElementById("picture-terrain").toDataURL();
+    });
+  assert.equal((await stateOfPage(page)).view, "terrain");
+  assert.equal(await page.$eval("#picture-webgl2", (canvas) => canvas.hidden), true);
+  await page.waitForFunction(() => window.hashnoise.surface?.side === 384 && !window.hashnoise.drawing);
+  assert.match(await page.$eval("#picture-terrain", (canvas) => canvas.ariaLabel), /^Terrain of fBm of Perlin noise/);
+  const first = await seen();
+  await page.focus("#picture-terrain");
+  await press(page, "ArrowRight", "ArrowUp");
+  assert.notEqual(await seen(), first);
+  let { turn, tilt, x } = await stateOfPage(page);
+  assert.ok(turn < 0.1 && tilt < 0.1 && x === 0n, `${turn}, ${tilt}, ${x}`);
+  await page.keyboard.down("Shift");
+  await press(page, "ArrowRight");
+  await page.keyboard.up("Shift");
+  assert.ok((await stateOfPage(page)).x > 0n);
+  await page.mouse.move(400, 300);
+  await page.mouse.down();
+  await page.mouse.move(300, 300, { steps: 2 });
+  await page.mouse.up();
+  assert.ok((await stateOfPage(page)).turn > turn);
+  await page.click("#home");
+  ({ turn, tilt, x } = await stateOfPage(page));
+  assert.deepEqual([x, await page.evaluate(() => window.hashnoise.link.includes("view=terrain"))], [0n, true]);
+  assert.deepEqual(page.complaints, []);
+});
+
+test("a sphere is turned by keys, and by a finger", async () => {
+  const page = await shownOnShared("#sum=none&noise=value");
+  await page.click("#view label:nth-child(4)");
+  assert.equal(await page.evaluate(() => window.hashnoise.link), "#sum=none&noise=value&dimensions=3&view=sphere");
+  assert.match(await page.$eval("#picture-webgl2", (canvas) => canvas.ariaLabel), /^Sphere of Value noise in 3D/);
+  const first = await pixels(page, 32, 32);
+  await page.focus("#picture-webgl2");
+  await press(page, "ArrowRight", "ArrowDown");
+  assert.notDeepEqual(await pixels(page, 32, 32), first);
+  const { turn, tilt } = await stateOfPage(page);
+  await page.mouse.move(400, 300);
+  await page.mouse.down();
+  await page.mouse.move(300, 200, { steps: 2 });
+  await page.mouse.up();
+  const after = await stateOfPage(page);
+  assert.ok(turn < 0.1 && tilt > 0.1 && after.turn > turn && after.tilt < tilt && after.x === 0n);
+  assert.deepEqual(page.complaints, []);
+});
