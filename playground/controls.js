@@ -113,7 +113,7 @@ export class Controls {
     this.makeLanguages();
     for (const [name, made] of Object.entries(kLooks)) {
       const dot = element("i");
-      dot.style.background = gradientOf({ map: made.map ?? kSettings.map.usual });
+      dot.style.background = gradientOf({ map: kSettings.map.usual, ...made });
       byId("looks").append(
         element("button", { type: "button", className: "quiet", onclick: () => look(name) }, dot, name),
       );

@@ -82,6 +82,27 @@ export const kLooks = {
       { blend: "add", sum: "billow", weight: 0.08, scale: 8, seed: 9 },
     ],
   },
+  Planet: {
+    octaves: 8, gain: 0.55, dimensions: 3, view: "sphere", tilt: 0.06, cells: 3.4, z: 0, seed: 11, map: "own",
+    stops: "0-051238_44-0f4766_44-33592a_60-6e7a4a_72-9e876b_86-9e876b_90-f5f8ff_100-ffffff",
+    layers: [
+      { blend: "add", sum: "ridged", octaves: 7, weight: 0.5, offset: -0.32, seed: 3 },
+      { blend: "max", sum: "clouds", octaves: 7, gain: 0.55, weight: 1.2, offset: -0.3, scale: 2, seed: 5 },
+    ],
+  },
+  Caustics: {
+    sum: "none", noise: "cellular", dimensions: 3, cells: 5, z: 0, warp: "warp", amplitude: 0.5, map: "own",
+    stops: "0-08455f_30-1b6f82_70-8fdcd2_100-d9fbf2",
+    layers: [
+      { blend: "multiply", sum: "none", noise: "cellular", warp: "warp", amplitude: 0.5 },
+      { blend: "add", sum: "none", noise: "cellular", warp: "warp", amplitude: 0.5, scale: 2, weight: 0.3, seed: 8 },
+    ],
+  },
+  Granite: {
+    octaves: 5, gain: 0.8, scale: 4, cells: 5, map: "own",
+    stops: "0-54221d_38-6b3128_56-9a5f50_84-b87a66_90-e6d2c2_100-f4ebe0",
+    layers: [{ blend: "max", sum: "ridged", gain: 0.6, weight: 3, offset: -2.1, seed: 8 }],
+  },
   "Far out": {
     sum: "fbm", noise: "simplex", map: "dusk", cells: 4, x: 1000000000n * 16777216n, y: -2000000000n * 16777216n,
   },
