@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import test from "node:test";
 import { press, shownOnShared } from "./hands_support.mjs";
-import { pixels, stateOfPage } from "./support.mjs";
+import { stateOfPage } from "./support.mjs";
 
 test("terrain is turned by keys and by a finger, and is sharp at rest", async () => {
   const page = await shownOnShared("#map=land&cells=4");
@@ -38,21 +38,14 @@ test("terrain is turned by keys and by a finger, and is sharp at rest", async ()
   assert.deepEqual(page.complaints, []);
 });
 
-test("a sphere is turned by keys, and by a finger", async () => {
+test("a sphere is turned by keys", async () => {
   const page = await shownOnShared("#sum=none&noise=value");
   await page.click("#view label:nth-child(4)");
   assert.equal(await page.evaluate(() => window.hashnoise.link), "#sum=none&noise=value&dimensions=3&view=sphere");
   assert.match(await page.$eval("#picture-webgl2", (canvas) => canvas.ariaLabel), /^Sphere of Value noise in 3D/);
-  const first = await pixels(page, 32, 32);
   await page.focus("#picture-webgl2");
   await press(page, "ArrowRight", "ArrowDown");
-  assert.notDeepEqual(await pixels(page, 32, 32), first);
-  const { turn, tilt } = await stateOfPage(page);
-  await page.mouse.move(400, 300);
-  await page.mouse.down();
-  await page.mouse.move(300, 200, { steps: 2 });
-  await page.mouse.up();
-  const after = await stateOfPage(page);
-  assert.ok(turn < 0.1 && tilt > 0.1 && after.turn > turn && after.tilt < tilt && after.x === 0n);
+  const { turn, tilt, x } = await stateOfPage(page);
+  assert.ok(turn < 0.1 && tilt > 0.1 && x === 0n);
   assert.deepEqual(page.complaints, []);
 });

@@ -28,6 +28,8 @@ import { pageShader } from "../shaders.js";
 import { Speed } from "../speed.js";
 import { kHashes, kMetrics, kNoises, kSums, kWarps } from "../tables.js";
 import { cellsAcross, originOf, panned, positionOfPixel, stepOf, zoomed } from "../view.js";
+import "./model_palette.mjs";
+import "./model_undo.mjs";
 import { simpleStates } from "./states.mjs";
 
 const root = resolve(dirname(fileURLToPath(import.meta.url)), "..", "..");

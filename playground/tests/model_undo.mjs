@@ -1,4 +1,4 @@
-// Undoing, without a browser.
+// Undoing. model_test.mjs runs it.
 import assert from "node:assert/strict";
 import test from "node:test";
 import { stateOfLook } from "../links.js";

@@ -1,4 +1,4 @@
-// Maps of colours, those of one's own among them, without a browser.
+// Maps of colours, those of one's own among them. model_test.mjs runs it.
 import assert from "node:assert/strict";
 import test from "node:test";
 import { copied } from "../copied.js";
