@@ -3,6 +3,7 @@ import { shaderKey } from "./code.js";
 import { Controls } from "./controls.js";
 import { costOf } from "./cost.js";
 import { byId } from "./elements.js";
+import { planeOf } from "./files.js";
 import { listen, undoing } from "./hands.js";
 import { Library, unpacked } from "./library.js";
 import { linkOf, stateOf, stateOfLook } from "./links.js";
@@ -270,7 +271,7 @@ class Playground extends Picture {
       this.play(false);
       const key = this.costKey;
       const backend = await this.backend();
-      const { ratio, low, high, cell } = await costOf(backend, this.library, { ...this.state });
+      const { ratio, low, high, cell } = await costOf(backend, this.library, planeOf(this.state));
       const text = (number) => (number < 10 ? number.toFixed(2) : number.toFixed(1));
       byId("cost").textContent = `${text(ratio)} × hn_perlin`;
       byId("note-cost").textContent =

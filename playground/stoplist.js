@@ -31,13 +31,15 @@ export class StopList {
       type: "text", id: `colour-${at + 1}`, maxLength: 7, spellcheck: false,
       ariaLabel: `Colour of ${name}, in hexadecimal`,
     });
-    // What is no colour is not taken: the field has the colour again, and says so.
+    // What is no colour is not taken: the field has its colour again, and a sentence says so until something changes.
     typed.addEventListener("input", () => (typed.dataset.typed = "yes"));
     typed.addEventListener("change", () => {
       delete typed.dataset.typed;
       const [, colour] = /^\s*#?([\da-f]{6})\s*$/i.exec(typed.value) ?? [];
       if (colour) return set({ colour: colour.toLowerCase() });
-      this.say(`${typed.value} is no colour. The field takes six hexadecimal digits, such as e8695a.`);
+      byId("wrong-stops").textContent =
+        `${typed.value} is no colour. This field takes six hexadecimal digits, such as e8695a.`;
+      byId("wrong-stops").hidden = false;
       return this.showRows();
     });
     typed.addEventListener("blur", () => {
@@ -66,6 +68,7 @@ export class StopList {
   }
 
   show({ map, stops }) {
+    if (map !== this.map || stops !== this.text) byId("wrong-stops").hidden = true;
     this.map = map;
     this.text = stops;
     byId("edit-map").hidden = map === "own";

@@ -354,9 +354,10 @@ test("a map of one's own is made by the keyboard", async () => {
     await press(page, "Enter");
   };
   await type("#F0z");
-  const refused = () => /is no colour\. The field takes six/.test(document.getElementById("said").textContent);
-  await page.waitForFunction(refused);
+  assert.match(await visibleText(page, "wrong-stops"), /^#F0z is no colour\. This field takes six/);
+  assert.equal(await page.$eval("#colour-2", (field) => field.value), "3a0a0f");
   await type("#FFEE00");
+  assert.equal(await visibleText(page, "wrong-stops"), "");
   await go("add-stop", "Enter");
   assert.equal(await focused(page), "place-3");
   await page.$eval("#picked-3", (picker) => {
