@@ -10,6 +10,11 @@ static bool faulty_lane = false;
 
 using namespace hashnoise::lanes;
 constexpr int kLanes = kCount;
+#if defined(HN_LANES_PORTABLE) || defined(_MSC_VER)
+static_assert(std::is_class_v<decltype(hn_float().v)> && kCount == 4);
+#else
+static_assert(!std::is_class_v<decltype(hn_float().v)>);
+#endif
 
 #ifdef UNFIT
 HN_FN hn_uint unfit(hn_uint x, [[maybe_unused]] hn_uint y) { return UNFIT; }
@@ -39,7 +44,7 @@ Number points(Function function) {
 namespace {
 
 #ifdef FEW_POINTS
-constexpr int kPoints = 1 << 11;
+constexpr int kPoints = 1 << 10;
 #else
 constexpr int kPoints = 1 << 16;
 #endif

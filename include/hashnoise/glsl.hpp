@@ -19,11 +19,17 @@
 #include <limits>
 
 // Before each function: vectors of lanes (lanes.hpp) are fast only if none is called, and a linker may take the copy of
-// a called one from another translation unit, which was compiled for another processor.
+// a called one from another translation unit, which was compiled for another processor. Behind the parameters of a
+// lambda stands HN_I_INLINED, for which MSVC has no word.
 #ifdef _MSC_VER
 #define HN_I_INLINE __forceinline
 #else
 #define HN_I_INLINE [[gnu::always_inline]] inline
+#endif
+#if defined(__GNUC__) || defined(__clang__)
+#define HN_I_INLINED __attribute__((always_inline))
+#else
+#define HN_I_INLINED
 #endif
 
 // The major and the minor version, for a namespace that users need not name. Linkers see it: a program may have two

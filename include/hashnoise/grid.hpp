@@ -162,7 +162,7 @@ Range fill_rows(const std::array<int, D>& size, std::span<float> values, const V
   for (std::size_t axis = 1; axis < D; ++axis) rows *= static_cast<std::size_t>(size[axis]);
   const auto width = static_cast<std::size_t>(size[0]);
   std::array<std::size_t, D> at{};
-  const auto in_row = [&](std::size_t i) __attribute__((always_inline)) { return value(at, i); };
+  const auto in_row = [&](std::size_t i) HN_I_INLINED { return value(at, i); };
   Writer<decltype(in_row)> writer(values, rows * width);
   for (std::size_t row = 0; row < rows; ++row) {
     writer.write(row * width, width, in_row);
@@ -206,8 +206,8 @@ Range fill(const Grid<D>& grid, std::span<float> values, const Noise& noise) {
   if (!detail::has_points(grid.size, grid.first, values)) return {};
   const auto axes = detail::axes_of<D, detail::Positions>(grid.origin, grid.step, grid.size, grid.first);
   return detail::fill_rows(
-      grid.size, values, [&](const auto& at, std::size_t i) __attribute__((always_inline)) {
-        return noise(vector_of<PlaceOf<D>, D>([&](int axis) __attribute__((always_inline)) {
+      grid.size, values, [&](const auto& at, std::size_t i) HN_I_INLINED {
+        return noise(vector_of<PlaceOf<D>, D>([&](int axis) HN_I_INLINED {
           const auto a = static_cast<std::size_t>(axis);
           return a == 0 ? Float::load(axes[0].p.data() + i) : Float(axes[a].p[at[a]]);
         }));
@@ -219,12 +219,12 @@ Range fill(const CellGrid<D>& grid, std::span<float> values, const Noise& noise)
   if (!detail::has_points(grid.size, grid.first, values)) return {};
   const auto axes = detail::axes_of<D, detail::CellsAndPlaces>(grid.cell, grid.f, grid.step, grid.size, grid.first);
   return detail::fill_rows(
-      grid.size, values, [&](const auto& at, std::size_t i) __attribute__((always_inline)) {
-        return noise(vector_of<CellOf<D>, D>([&](int axis) __attribute__((always_inline)) {
+      grid.size, values, [&](const auto& at, std::size_t i) HN_I_INLINED {
+        return noise(vector_of<CellOf<D>, D>([&](int axis) HN_I_INLINED {
                        const auto a = static_cast<std::size_t>(axis);
                        return a == 0 ? Int::load(axes[0].cell.data() + i) : Int(axes[a].cell[at[a]]);
                      }),
-                     vector_of<PlaceOf<D>, D>([&](int axis) __attribute__((always_inline)) {
+                     vector_of<PlaceOf<D>, D>([&](int axis) HN_I_INLINED {
                        const auto a = static_cast<std::size_t>(axis);
                        return a == 0 ? Float::load(axes[0].f.data() + i) : Float(axes[a].f[at[a]]);
                      }));
@@ -234,8 +234,8 @@ Range fill(const CellGrid<D>& grid, std::span<float> values, const Noise& noise)
 template <int D, typename Noise>
 Range fill(const Points<D>& points, std::span<float> values, const Noise& noise) {
   const std::size_t count = detail::common_length(points.p);
-  const auto value = [&](std::size_t i) __attribute__((always_inline)) {
-    return noise(vector_of<PlaceOf<D>, D>([&](int axis) __attribute__((always_inline)) {
+  const auto value = [&](std::size_t i) HN_I_INLINED {
+    return noise(vector_of<PlaceOf<D>, D>([&](int axis) HN_I_INLINED {
       return detail::load_some(points.p[static_cast<std::size_t>(axis)], i);
     }));
   };
@@ -250,11 +250,11 @@ Range fill(const CellPoints<D>& points, std::span<float> values, const Noise& no
   if (detail::common_length(points.f) != count) {
     throw std::invalid_argument("fill: the arrays of points differ in length");
   }
-  const auto value = [&](std::size_t i) __attribute__((always_inline)) {
-    return noise(vector_of<CellOf<D>, D>([&](int axis) __attribute__((always_inline)) {
+  const auto value = [&](std::size_t i) HN_I_INLINED {
+    return noise(vector_of<CellOf<D>, D>([&](int axis) HN_I_INLINED {
                    return detail::load_some(points.cell[static_cast<std::size_t>(axis)], i);
                  }),
-                 vector_of<PlaceOf<D>, D>([&](int axis) __attribute__((always_inline)) {
+                 vector_of<PlaceOf<D>, D>([&](int axis) HN_I_INLINED {
                    return detail::load_some(points.f[static_cast<std::size_t>(axis)], i);
                  }));
   };

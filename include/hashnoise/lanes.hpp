@@ -1,5 +1,5 @@
-// Many numbers as one, by the vector extensions of GCC and Clang, and the functions of the library for them: hn_perlin
-// of lanes::vec2 is the noise at lanes::kCount points at once.
+// Many numbers as one, by the vector extensions of GCC and Clang or else as an array, and the functions of the library
+// for them: hn_perlin of lanes::vec2 is the noise at lanes::kCount points at once.
 // SPDX-License-Identifier: MIT
 //
 //   #include <hashnoise/lanes.hpp>
@@ -7,7 +7,9 @@
 //   lanes::Float n = lanes::hn_perlin(lanes::vec2(x, y), lanes::Uint(7u));  // n[0] to n[lanes::kCount - 1]
 //
 // How many lanes there are follows from the flags of the compiler: 16 with AVX-512 (F, BW, DQ and VL), 8 with AVX2,
-// else 4.
+// else 4. They are arrays of 4 numbers with other compilers (MSVC), and with GCC and Clang if you define
+// HN_LANES_PORTABLE: the bits are the same, and how fast that is depends on what the compiler makes of short loops.
+//
 // The namespace `lanes` is another name of one that is named after the instruction set, so that translation units
 // with other flags may be linked together. HN_LANES is its own name.
 //
@@ -19,10 +21,6 @@
 
 #pragma once
 
-#ifndef __GNUC__
-#error hashnoise/lanes.hpp needs the vector extensions of GCC or Clang
-#endif
-
 // clang-format off
 #include "glsl.hpp"
 #include "../../glsl/hashnoise/config.glsl"
@@ -32,10 +30,18 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdlib>
+#include <cstring>
 #include <type_traits>
 
+#if !defined(__GNUC__) && !defined(__clang__) && !defined(HN_LANES_PORTABLE)
+#define HN_LANES_PORTABLE
+#endif
+
 // Of the instruction sets that the flags allow, the widest.
-#if defined(__AVX512F__) && defined(__AVX512BW__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
+#if defined(HN_LANES_PORTABLE)
+#define HN_LANES portable
+#define HN_I_LANE_BYTES 16
+#elif defined(__AVX512F__) && defined(__AVX512BW__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 #define HN_LANES avx512
 #define HN_I_LANE_BYTES 64
 // With a mask of all lanes, since GCC 12 warns of the plain ones: they name a variable that has no value.
@@ -62,28 +68,32 @@
 #elif defined(__aarch64__) && defined(__ARM_NEON)
 #define HN_LANES neon
 #define HN_I_LANE_BYTES 16
+#define HN_I_NEON
 #elif defined(__wasm_simd128__)
 #define HN_LANES simd128
 #define HN_I_LANE_BYTES 16
+#define HN_I_SIMD128
 #else
 #define HN_LANES generic
 #define HN_I_LANE_BYTES 16
 #endif
 
-#if defined(__SSE2__)
+#if defined(HN_I_X86)
 #include <immintrin.h>
-#elif defined(__aarch64__) && defined(__ARM_NEON)
+#elif defined(HN_I_NEON)
 #include <arm_neon.h>
-#elif defined(__wasm_simd128__)
+#elif defined(HN_I_SIMD128)
 #include <wasm_simd128.h>
 #endif
 
+#if defined(__GNUC__) || defined(__clang__)
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wsign-conversion"  // of masks, in the compilers' own headers
 #ifdef __clang__
 #pragma GCC diagnostic ignored "-Wkeyword-macro"
 #else
 #pragma GCC diagnostic ignored "-Weffc++"  // of operator&&, which has nothing to leave out
+#endif
 #endif
 
 namespace hashnoise::inline HN_I_NAMESPACE {
@@ -93,11 +103,78 @@ constexpr int kCount = HN_I_LANE_BYTES / 4;
 
 namespace detail {
 
+#ifdef HN_LANES_PORTABLE
+// What the vector extensions have, as far as it is needed here: a comparison gives all bits, or none. The numbers have
+// names, since there are compilers that keep arrays in memory.
+template <typename S>
+struct Four {
+  using Number = S;
+
+  S a, b, c, d;
+
+  HN_I_INLINE S operator[](int i) const { return i == 0 ? a : i == 1 ? b : i == 2 ? c : d; }
+  HN_I_INLINE S& operator[](int i) { return i == 0 ? a : i == 1 ? b : i == 2 ? c : d; }
+
+#define HN_I_FOUR_NUMBERS(op)                                      \
+  HN_I_INLINE friend Four operator op(Four x, Four y) {            \
+    return {x.a op y.a, x.b op y.b, x.c op y.c, x.d op y.d};       \
+  }
+  HN_I_FOUR_NUMBERS(+)
+  HN_I_FOUR_NUMBERS(-)
+  HN_I_FOUR_NUMBERS(*)
+  HN_I_FOUR_NUMBERS(/)
+  HN_I_FOUR_NUMBERS(&)
+  HN_I_FOUR_NUMBERS(|)
+  HN_I_FOUR_NUMBERS(^)
+  HN_I_FOUR_NUMBERS(<<)
+  HN_I_FOUR_NUMBERS(>>)
+#undef HN_I_FOUR_NUMBERS
+  HN_I_INLINE friend Four operator-(Four x) { return {-x.a, -x.b, -x.c, -x.d}; }
+  HN_I_INLINE friend Four operator-(S s, Four x) { return {s - x.a, s - x.b, s - x.c, s - x.d}; }
+
+#define HN_I_FOUR_ANSWERS(op)                                                                         \
+  HN_I_INLINE friend Four<std::int32_t> operator op(Four x, Four y) {                                 \
+    return {x.a op y.a ? -1 : 0, x.b op y.b ? -1 : 0, x.c op y.c ? -1 : 0, x.d op y.d ? -1 : 0};      \
+  }
+  HN_I_FOUR_ANSWERS(<)
+  HN_I_FOUR_ANSWERS(>)
+  HN_I_FOUR_ANSWERS(<=)
+  HN_I_FOUR_ANSWERS(>=)
+  HN_I_FOUR_ANSWERS(==)
+  HN_I_FOUR_ANSWERS(!=)
+#undef HN_I_FOUR_ANSWERS
+};
+
+using FloatVector = Four<float>;
+using IntVector = Four<std::int32_t>;
+using UintVector = Four<std::uint32_t>;
+
+template <typename To, typename S>
+HN_I_INLINE To converted(Four<S> x) {
+  using T = typename To::Number;
+  return {static_cast<T>(x.a), static_cast<T>(x.b), static_cast<T>(x.c), static_cast<T>(x.d)};
+}
+template <typename Vector>
+HN_I_INLINE Vector chosen(IntVector if_not_0, Vector x, Vector y) {
+  return {if_not_0.a != 0 ? x.a : y.a, if_not_0.b != 0 ? x.b : y.b, if_not_0.c != 0 ? x.c : y.c,
+          if_not_0.d != 0 ? x.d : y.d};
+}
+#else
 using FloatVector [[gnu::vector_size(HN_I_LANE_BYTES)]] = float;
 using IntVector [[gnu::vector_size(HN_I_LANE_BYTES)]] = std::int32_t;
 using UintVector [[gnu::vector_size(HN_I_LANE_BYTES)]] = std::uint32_t;
 using DoubleVector [[gnu::vector_size(2 * HN_I_LANE_BYTES)]] = double;
 using LongVector [[gnu::vector_size(2 * HN_I_LANE_BYTES)]] = std::int64_t;
+
+template <typename To, typename Vector>
+HN_I_INLINE To converted(Vector vector) {
+  return __builtin_convertvector(vector, To);
+}
+template <typename Vector>
+HN_I_INLINE Vector chosen(IntVector condition, Vector a, Vector b) {
+  return condition ? a : b;
+}
+#endif
 
 template <typename S>
 struct VectorOf;
@@ -146,15 +223,15 @@ struct Lanes {
       : v(number(static_cast<S>(s)) - Vector{}) {}
   // What does not fit is undefined, as it is in C++.
   template <typename T>
-  HN_I_INLINE explicit Lanes(Lanes<T> other) : v(__builtin_convertvector(other.v, Vector)) {}
-  HN_I_INLINE explicit Lanes(Mask mask) : v(__builtin_convertvector(-mask.v, Vector)) {}
+  HN_I_INLINE explicit Lanes(Lanes<T> other) : v(detail::converted<Vector>(other.v)) {}
+  HN_I_INLINE explicit Lanes(Mask mask) : v(detail::converted<Vector>(-mask.v)) {}
 
   HN_I_INLINE S operator[](int i) const { return v[i]; }
 
   // A number, of which all lanes are made. In WebAssembly the constant of a vector takes 18 bytes, and that of a number
   // 6 at most: where size matters, the compiler is kept from making the first of the second.
   HN_I_INLINE static S number(S s) {
-#if defined(__wasm_simd128__) && defined(__OPTIMIZE_SIZE__)
+#if defined(HN_I_SIMD128) && defined(__OPTIMIZE_SIZE__)
     asm("" : "+r"(s));
 #endif
     return s;
@@ -163,10 +240,10 @@ struct Lanes {
   // kCount numbers in memory, with any alignment.
   HN_I_INLINE static Lanes load(const S* from) {
     Lanes lanes;
-    __builtin_memcpy(&lanes.v, from, sizeof(Vector));
+    std::memcpy(&lanes.v, from, sizeof(Vector));
     return lanes;
   }
-  HN_I_INLINE void store(S* to) const { __builtin_memcpy(to, &v, sizeof(Vector)); }
+  HN_I_INLINE void store(S* to) const { std::memcpy(to, &v, sizeof(Vector)); }
 
 #define HN_I_LANE_OPERATOR(op)                                                         \
   HN_I_INLINE friend Lanes operator op(Lanes a, Lanes b) { return Lanes(a.v op b.v); } \
@@ -193,7 +270,9 @@ struct Lanes {
   HN_I_LANE_COMPARISON(!=)
 #undef HN_I_LANE_COMPARISON
 
-  HN_I_INLINE friend Lanes hn_i_select(Mask condition, Lanes a, Lanes b) { return Lanes(condition.v ? a.v : b.v); }
+  HN_I_INLINE friend Lanes hn_i_select(Mask condition, Lanes a, Lanes b) {
+    return Lanes(detail::chosen(condition.v, a.v, b.v));
+  }
 };
 
 using Float = Lanes<float>;
@@ -212,7 +291,9 @@ HN_I_INLINE Float operator/(Float a, Float b) { return Float(a.v / b.v); }
 
 // No processor divides vectors of integers. A quotient of doubles is right, or, under -ffast-math, off by one. b > 0.
 HN_I_INLINE Uint operator/(Uint a, Uint b) {
-#if defined(__wasm_simd128__)  // the conversions below would be done lane by lane
+#if defined(HN_LANES_PORTABLE)
+  const Uint near(a.v / b.v);
+#elif defined(HN_I_SIMD128)  // the conversions below would be done lane by lane
   const auto two = [](v128_t x, v128_t y) __attribute__((always_inline)) {
     return wasm_u32x4_trunc_sat_f64x2_zero(
         wasm_f64x2_div(wasm_f64x2_convert_low_u32x4(x), wasm_f64x2_convert_low_u32x4(y)));
@@ -232,7 +313,7 @@ HN_I_INLINE Uint operator/(Uint a, Uint b) {
       __builtin_convertvector(a.v, detail::DoubleVector) / __builtin_convertvector(b.v, detail::DoubleVector);
   const Uint near(__builtin_convertvector(__builtin_convertvector(quotient, detail::LongVector), detail::UintVector));
 #endif
-#ifdef __FAST_MATH__
+#if defined(__FAST_MATH__) && !defined(HN_LANES_PORTABLE)
   const Uint below = near - Uint(near * b > a);
   return below + Uint(a - below * b >= b);
 #else
@@ -260,10 +341,10 @@ HN_I_INLINE Float cut_off(Float x) { return Float(Int(hn_i_select(abs(x) < 83886
 // Down, and toward 0; without exceptions.
 HN_I_INLINE Float floor(Float x) { return Float(HN_I_X86_ROUND(x.v, 9)); }
 HN_I_INLINE Float trunc(Float x) { return Float(HN_I_X86_ROUND(x.v, 11)); }
-#elif defined(__aarch64__) && defined(__ARM_NEON)
+#elif defined(HN_I_NEON)
 HN_I_INLINE Float floor(Float x) { return Float(vrndmq_f32(x.v)); }
 HN_I_INLINE Float trunc(Float x) { return Float(vrndq_f32(x.v)); }
-#elif defined(__wasm_simd128__)
+#elif defined(HN_I_SIMD128)
 HN_I_INLINE Float floor(Float x) { return Float(detail::FloatVector(wasm_f32x4_floor(v128_t(x.v)))); }
 HN_I_INLINE Float trunc(Float x) { return Float(detail::FloatVector(wasm_f32x4_trunc(v128_t(x.v)))); }
 #else
@@ -281,12 +362,12 @@ HN_I_INLINE Float min(Float x, Float y) { return Float(HN_I_X86(min_ps, x.v, y.v
 HN_I_INLINE Float max(Float x, Float y) { return Float(HN_I_X86(max_ps, x.v, y.v, x.v)); }
 #else
 HN_I_INLINE Float sqrt(Float x) {
-#if defined(__aarch64__) && defined(__ARM_NEON)
+#if defined(HN_I_NEON)
   return Float(vsqrtq_f32(x.v));
-#elif defined(__wasm_simd128__)
+#elif defined(HN_I_SIMD128)
   return Float(detail::FloatVector(wasm_f32x4_sqrt(v128_t(x.v))));
 #else
-  for (int i = 0; i < kCount; ++i) x.v[i] = __builtin_sqrtf(x.v[i]);
+  for (int i = 0; i < kCount; ++i) x.v[i] = hashnoise::sqrt(x.v[i]);
   return x;
 #endif
 }
@@ -313,7 +394,7 @@ HN_I_INLINE HN_LANES::Int convert<HN_LANES::Int, HN_LANES::Float>(HN_LANES::Floa
   using namespace HN_LANES;
 #if defined(HN_I_X86)
   return Int(HN_LANES::detail::IntVector(HN_I_X86(cvttps_epi32, HN_I_X86_INT(value.v), value.v)));
-#elif defined(__aarch64__) && defined(__ARM_NEON)
+#elif defined(HN_I_NEON)
   return Int(HN_LANES::detail::IntVector(vcvtq_s32_f32(value.v)));
 #else
   const Uint bits = floatBitsToUint(value);
@@ -442,9 +523,13 @@ namespace lanes = HN_LANES;
 
 }  // namespace hashnoise
 
+#if defined(__GNUC__) || defined(__clang__)
 #pragma GCC diagnostic pop
+#endif
 
 #undef HN_I_LANE_BYTES
+#undef HN_I_NEON
+#undef HN_I_SIMD128
 #undef HN_I_X86
 #undef HN_I_X86_INT
 #undef HN_I_X86_ROUND

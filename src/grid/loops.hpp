@@ -34,10 +34,10 @@ struct Given {
 
   HN_I_INLINE explicit Given(const Options& o)
       : seed(o.seed),
-        period(vector_of<Cell<D>, D>([&](int axis) __attribute__((always_inline)) { return Int(o.period[axis]); })),
+        period(vector_of<Cell<D>, D>([&](int axis) HN_I_INLINED { return Int(o.period[axis]); })),
         phase(o.phase),
         jitter(o.jitter),
-        wave(vector_of<Fraction<D>, D>([&](int axis) __attribute__((always_inline)) { return Float(o.wave[axis]); })),
+        wave(vector_of<Fraction<D>, D>([&](int axis) HN_I_INLINED { return Float(o.wave[axis]); })),
         metric(o.metric),
         octaves(o.octaves),
         lacunarity(o.lacunarity),
@@ -48,13 +48,13 @@ struct Given {
 
 template <int D>
 HN_I_INLINE Cell<D> cells_at(const Batch& b, int i) {
-  return vector_of<Cell<D>, D>([&](int axis) __attribute__((always_inline)) {
+  return vector_of<Cell<D>, D>([&](int axis) HN_I_INLINED {
     return Int::load(b.cell[axis] + i * b.stride[axis]);
   });
 }
 template <int D>
 HN_I_INLINE Fraction<D> fractions_at(const Batch& b, int i) {
-  return vector_of<Fraction<D>, D>([&](int axis) __attribute__((always_inline)) {
+  return vector_of<Fraction<D>, D>([&](int axis) HN_I_INLINED {
     return Float::load(b.place[axis] + i * b.stride[axis]);
   });
 }

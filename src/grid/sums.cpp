@@ -290,7 +290,7 @@ class Reached {
       hn_i_put(o);
     } else {
       o.p = vector_of<Fraction<D>, D>(
-          [&](int axis) __attribute__((always_inline)) { return Float::load(at_[axis] + i); });
+          [&](int axis) HN_I_INLINED { return Float::load(at_[axis] + i); });
       o.place.cell = hn_i_cell(o.p);
       o.place.fraction = hn_i_fraction(o.p);
     }

@@ -24,7 +24,7 @@ inline int slips_between(const char* word, int word_length, const char* name, in
   for (int i = 0; i <= word_length; ++i) {
     for (int j = 0; j <= name_length; ++j, ++at) {
       int slips = i + j;
-      const auto take = [&](int other) __attribute__((always_inline)) { slips = other < slips ? other : slips; };
+      const auto take = [&](int other) HN_I_INLINED { slips = other < slips ? other : slips; };
       if (i > 0 && j > 0) {
         take(at[-line] + 1);
         take(at[-1] + 1);
