@@ -6,6 +6,12 @@
 
 #include "kernel.hpp"
 
+#ifdef _MSC_VER
+#define HN_GRID_NOINLINE __declspec(noinline)
+#else
+#define HN_GRID_NOINLINE [[gnu::noinline]]
+#endif
+
 namespace hashnoise::inline HN_I_NAMESPACE {
 namespace HN_LANES {
 namespace {  // a copy for each translation unit: they differ in their flags

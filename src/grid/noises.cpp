@@ -74,12 +74,12 @@ template <int D, typename Noise, typename Axes = std::make_index_sequence<D>>
 struct Called;
 template <int D, typename Noise, std::size_t... Axis>
 struct Called<D, Noise, std::index_sequence<Axis...>> {
-  [[gnu::noinline]] static auto plain(ForEach<Int, Axis>... cell, ForEach<hn_num, Axis>... fraction, Uint seed) {
+  HN_GRID_NOINLINE static auto plain(ForEach<Int, Axis>... cell, ForEach<hn_num, Axis>... fraction, Uint seed) {
     Given<D> given{Options{}};
     given.seed = seed;
     return Noise::template at<D>(place(cell..., fraction...), given);
   }
-  [[gnu::noinline]] static auto tiled(ForEach<Int, Axis>... cell, ForEach<hn_num, Axis>... fraction,
+  HN_GRID_NOINLINE static auto tiled(ForEach<Int, Axis>... cell, ForEach<hn_num, Axis>... fraction,
                                       const Tile<D>& tile, Uint seed) {
     Given<D> given{Options{}};
     given.period = tile.period;

@@ -106,7 +106,7 @@ HN_I_INLINE auto octaves_at(const Position& p, const Given<D>& given) {
 // doubles in place of three divisions of words, for which there are no instructions. sum * 2^18 is exact, since it has
 // 45 bits. A quotient that is no integer is at least 1 / total from the next one: far more than the division rounds.
 HN_I_INLINE hn_num mean_of(hn_num sum, hn_num total) {
-#if HN_ARITHMETIC == HN_FIXED
+#if HN_ARITHMETIC == HN_FIXED && !defined(HN_LANES_PORTABLE)
   using detail::DoubleVector;
   const DoubleVector dividend = __builtin_convertvector(sum.v, DoubleVector) * 262144.0;
   const DoubleVector quotient = dividend / __builtin_convertvector(total.v, DoubleVector);
@@ -210,7 +210,7 @@ class Warp : public Framed<D, Vector<D>> {
 
 // How near the nearest point of cellular noise is. With it inlined in each of its kernels Perlin-Worley noise takes
 // half as long again to compile.
-[[gnu::noinline]] Float nearest_point(const Place<3>& place, Uint seed) { return hn_cellular(place, seed).x; }
+HN_GRID_NOINLINE Float nearest_point(const Place<3>& place, Uint seed) { return hn_cellular(place, seed).x; }
 
 // hn_i_perlin_worley, over Perlin noise that is called.
 class PerlinWorley : public Framed<3, Float> {
