@@ -1,0 +1,100 @@
+"""The library as other machines and compilers have it: python3 elsewhere_test.py WHERE DIGESTS FOLDER
+
+It is compiled into FOLDER, which is kept, and run: for ARM and Windows with Debian's cross compilers, by qemu and
+wine, and without vector extensions as MSVC would compile it. What it computes has the digests that the native program
+DIGESTS prints, and so has the program of conformance/testing/consumer/, which takes the header, lanes and a Field. Where a
+compiler or what runs the program is missing it is skipped (status 77).
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[3]
+TESTING = ROOT / "conformance" / "testing"
+sys.path.insert(0, str(TESTING))
+sys.argv, (WHERE, *PATHS) = sys.argv[:1], sys.argv[1:]
+from msvc import AS_MSVC  # noqa: E402
+
+DIGESTS, FOLDER = (Path(path).resolve() for path in PATHS)
+# Of each the compiler, what runs a program, the name of the system and of the processor, flags, and the instructions. CMake
+# takes "generic" for a processor that it does not know. Where nothing is forced inline that one takes a quarter of the time
+# to compile.
+PLACES = {
+    "neon": ("aarch64-linux-gnu-g++", ("qemu-aarch64", "-L", "/usr/aarch64-linux-gnu"), "Linux", "aarch64", (),
+             ("neon",)),
+    "windows": ("x86_64-w64-mingw32-g++-posix", ("wine",), "Windows", "x86_64", ("-static",),
+                ("sse4.1", "avx2", "avx512")),
+    "msvc": ("clang++", (), "Linux", "unknown", ("-DAS_MSVC_WHOLE_LIBRARY", "-D__forceinline=inline", *AS_MSVC),
+             ("generic",)),
+}
+COMPILER, RUNNER, SYSTEM, PROCESSOR, FLAGS, SETS = PLACES[WHERE]
+# Wine makes a folder for itself where this says, and says by itself what is not done yet.
+ENVIRONMENT = {**os.environ, "WINEPREFIX": str(FOLDER / "wine"), "WINEDEBUG": "-all"}
+
+
+def output_of(*command: object) -> str:
+    done = subprocess.run([str(part) for part in command], capture_output=True, text=True, check=False, env=ENVIRONMENT)
+    if done.returncode != 0:
+        raise AssertionError(f"{command[0]} ended with {done.returncode}: {done.stdout[-2000:]}{done.stderr[-2000:]}")
+    return done.stdout
+
+
+def compiled(source: Path) -> Path:
+    """The program of a source file, with the library."""
+    program = FOLDER / f"{source.stem}.exe"
+    output_of(COMPILER, *FLAGS, "-std=c++20", "-O1", "-I", ROOT / "include", source,
+              FOLDER / "src/grid/libhashnoise-grid.a", "-o", program, "-pthread")
+    return program
+
+
+def differences(ours: str, theirs: str) -> list[str]:
+    """The lines of the first text that the second lacks."""
+    return sorted(set(ours.splitlines()) - set(theirs.splitlines()))
+
+
+class Elsewhere(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        # It is compiled for this test alone, and not by ninja's jobs but by those of ctest.
+        FOLDER.mkdir(parents=True, exist_ok=True)
+        # Read after CMake has found out which compiler it has; to that the flags are unknown.
+        flags = FOLDER / "flags.cmake"
+        flags.write_text(f"add_compile_options({' '.join(FLAGS)})\n", encoding="utf-8")
+        output_of("cmake", "-S", ROOT, "-B", FOLDER, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
+                  f"-DCMAKE_SYSTEM_NAME={SYSTEM}", f"-DCMAKE_SYSTEM_PROCESSOR={PROCESSOR}",
+                  f"-DCMAKE_CXX_COMPILER={COMPILER}", f"-DCMAKE_PROJECT_hashnoise_INCLUDE={flags}",
+                  "-DHASHNOISE_CONFORMANCE=OFF", "-DHASHNOISE_INSTALL=OFF")
+        output_of("cmake", "--build", FOLDER, "--target", "hashnoise-grid", "--parallel", os.cpu_count() or 1)
+
+    def test_the_bits_are_those_of_the_native_library(self):
+        program = compiled(Path(__file__).with_name("digests.cpp"))
+        native = output_of(DIGESTS)
+        self.assertGreater(len(native.splitlines()), 200)
+        there = output_of(*RUNNER, program, "--list").split()
+        self.assertGreater(len(there), 0)
+        for name in there:  # a processor may lack the wider ones
+            with self.subTest(instructions=name):
+                self.assertIn(name, SETS)
+                self.assertEqual(differences(native, output_of(*RUNNER, program, name)), [])
+
+    def test_header_and_lanes_and_fields_agree(self):
+        self.assertIn("0 and 0 of 111 values differ", output_of(*RUNNER, compiled(TESTING / "consumer" / "grid.cpp")))
+
+    def test_a_digest_that_differs_is_noticed(self):
+        native = output_of(DIGESTS)
+        first = native.splitlines()[0]
+        self.assertEqual(differences(native, native.replace(first, first[:-1] + "x")), [first])
+
+
+if __name__ == "__main__":
+    missing = [program for program in (COMPILER, *RUNNER[:1]) if shutil.which(program) is None]
+    if missing:
+        print(f"skipped: there is no {' and no '.join(missing)}")
+        sys.exit(77)
+    unittest.main()
