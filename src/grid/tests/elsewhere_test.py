@@ -1,6 +1,6 @@
 """The library as other machines and compilers have it: python3 elsewhere_test.py WHERE DIGESTS FOLDER
 
-It is compiled into FOLDER, which is kept, and run: for ARM and Windows with Debian's cross compilers, by qemu and
+It is compiled into FOLDER, which is kept, and run: for ARM, RISC-V and Windows with Debian's cross compilers, by qemu and
 wine, and without vector extensions as MSVC would compile it. What it computes has the digests that the native program
 DIGESTS prints, and so has the program of conformance/testing/consumer/, which takes the header, lanes and a Field. Where a
 compiler or what runs the program is missing it is skipped (status 77).
@@ -23,11 +23,13 @@ from msvc import AS_MSVC  # noqa: E402
 
 DIGESTS, FOLDER = (Path(path).resolve() for path in PATHS)
 # Of each the compiler, what runs a program, the name of the system and of the processor, flags, and the instructions. CMake
-# takes "generic" for a processor that it does not know. Where nothing is forced inline that one takes a quarter of the time
-# to compile.
+# takes "generic" for a processor that it does not know. Where nothing is forced inline, a quarter of the time is enough to
+# compile.
 PLACES = {
     "neon": ("aarch64-linux-gnu-g++", ("qemu-aarch64", "-L", "/usr/aarch64-linux-gnu"), "Linux", "aarch64", (),
              ("neon",)),
+    "riscv": ("riscv64-linux-gnu-g++", ("qemu-riscv64", "-L", "/usr/riscv64-linux-gnu"), "Linux", "riscv64",
+              ("-Dalways_inline=unused",), ("generic",)),
     "windows": ("x86_64-w64-mingw32-g++-posix", ("wine",), "Windows", "x86_64", ("-static",),
                 ("sse4.1", "avx2", "avx512")),
     "msvc": ("clang++", (), "Linux", "unknown", ("-DAS_MSVC_WHOLE_LIBRARY", "-D__forceinline=inline", *AS_MSVC),
