@@ -1,11 +1,15 @@
 // With Arithmetic::kFixed and kPrecise a field has the bits of the scalar functions, at any place, with any settings,
 // with every instruction set.
 #include <gtest/gtest.h>
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
 
 #include <cmath>
 #include <limits>
 #include <string>
 #include <tuple>
+#include <vector>
 
 #include "fields.hpp"
 #include "subjects.hpp"
@@ -94,6 +98,47 @@ TEST_P(Bits, FarOut) {
     }
   });
 }
+
+#if defined(__SSE2__)
+// What GCC and Clang do at the start of a program that is linked with -ffast-math or -Ofast: subnormal numbers count as 0,
+// those that come in and those that come out.
+class SubnormalsAreZero {
+ public:
+  SubnormalsAreZero() : before_(_mm_getcsr()) { _mm_setcsr(before_ | 0x8040u); }
+  ~SubnormalsAreZero() { _mm_setcsr(before_); }
+  SubnormalsAreZero(const SubnormalsAreZero&) = delete;
+  SubnormalsAreZero& operator=(const SubnormalsAreZero&) = delete;
+
+ private:
+  unsigned before_;
+};
+
+TEST(Processor, HasNoSubnormals) {
+  const volatile float subnormal = 0x1p-140f;
+  EXPECT_NE(subnormal * 4.0f, 0.0f);
+  const SubnormalsAreZero processor;
+  EXPECT_EQ(subnormal * 4.0f, 0.0f);
+}
+
+TEST_P(Bits, InAProgramWithFastMath) {
+  in_dimensions([&]<int D>(std::integral_constant<int, D>) {
+    std::vector<Settings> subjects = noise_subjects(D);
+    for (const Settings& sum : sum_subjects(D)) subjects.push_back(sum);
+    for (Settings settings : subjects) {
+      settings.arithmetic = arithmetic();
+      draw_settings(settings, D, false, Draw::kWild, chance);
+      PointList<D> list;
+      for (auto& axis : list.p) {
+        for (int i = 0; i < 64; ++i) {
+          axis.push_back(chance.of({0x1p-140f, -0x1p-149f, -0x1p-126f, 0x1p-100f, 0x1p-32f, -0x1p-31f, 0.0f, 0.25f,
+                                    chance.between(-1.0f, 1.0f)}));
+        }
+      }
+      expect_bits<D, SubnormalsAreZero>(settings, Points<D>(list));
+    }
+  });
+}
+#endif
 
 // A few thousand points, so that there are several tasks and full rows of vectors.
 TEST_P(Bits, OfManyPoints) {

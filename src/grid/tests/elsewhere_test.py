@@ -1,7 +1,7 @@
 """The library as other machines and compilers have it: python3 elsewhere_test.py WHERE DIGESTS FOLDER
 
 It is compiled into FOLDER, which is kept, and run: for ARM, RISC-V and Windows with Debian's cross compilers, by qemu and
-wine, and without vector extensions as MSVC would compile it. What it computes has the digests that the native program
+wine, without vector extensions as MSVC would compile it, and with -Ofast. What it computes has the digests that the native program
 DIGESTS prints, and so has the program of conformance/testing/consumer/, which takes the header, lanes and a Field. Where a
 compiler or what runs the program is missing it is skipped (status 77).
 """
@@ -34,10 +34,36 @@ PLACES = {
                 ("sse4.1", "avx2", "avx512")),
     "msvc": ("clang++", (), "Linux", "unknown", ("-DAS_MSVC_WHOLE_LIBRARY", "-D__forceinline=inline", *AS_MSVC),
              ("generic",)),
+    "fast_math": ("g++", (), os.uname().sysname, os.uname().machine,
+                  ("-Ofast", "-Dalways_inline=unused"), ("sse4.1", "avx2", "avx512", "neon", "generic")),
 }
 COMPILER, RUNNER, SYSTEM, PROCESSOR, FLAGS, SETS = PLACES[WHERE]
 # Wine makes a folder for itself where this says, and says by itself what is not done yet.
 ENVIRONMENT = {**os.environ, "WINEPREFIX": str(FOLDER / "wine"), "WINEDEBUG": "-all"}
+# With -ffinite-math-only a compiler may leave out what asks for such numbers.
+NO_NUMBER = """
+#include <bit>
+#include <cstdio>
+#include <hashnoise/field.hpp>
+#include <stdexcept>
+int main() {
+  const float number = std::bit_cast<float>(0x7FC00000u);
+  float value = 0.0f;
+  try {
+    hashnoise::Field<1>(hashnoise::Settings{}).fill(hashnoise::Grid<1>{{number}, {1.0f}, {1}}, {&value, 1});
+  } catch (const std::invalid_argument&) {
+    std::puts("origin");
+  }
+  try {
+    hashnoise::Settings settings;
+    settings.sum = "fbm";
+    settings.gain = number;
+    const hashnoise::Field<2> field(settings);
+  } catch (const std::invalid_argument&) {
+    std::puts("gain");
+  }
+}
+"""
 
 
 def output_of(*command: object) -> str:
@@ -87,6 +113,11 @@ class Elsewhere(unittest.TestCase):
 
     def test_header_and_lanes_and_fields_agree(self):
         self.assertIn("0 and 0 of 111 values differ", output_of(*RUNNER, compiled(TESTING / "consumer" / "grid.cpp")))
+
+    def test_what_is_no_number_is_refused(self):
+        source = FOLDER / "no_number.cpp"
+        source.write_text(NO_NUMBER, encoding="utf-8")
+        self.assertEqual(output_of(*RUNNER, compiled(source)).split(), ["origin", "gain"])
 
     def test_a_digest_that_differs_is_noticed(self):
         native = output_of(DIGESTS)
