@@ -128,7 +128,8 @@ int main(int count, char**) {
     hn_vec3 offset;
     const hn_vec2 distances = hn_cellular(hn_tile(hn_vec3(p.x, p.y, p.z), hn_ivec3(p.cx, p.cy, p.cz)), p.fx,
                                           HN_METRIC_MANHATTAN, p.seed, nearest, offset);
-    return distances.y + offset.z + hn_unorm(hn_lattice(nearest));
+    // Not the sum of three floats, which -ffast-math may add in any order.
+    return hn_unorm(hn_hash_pcg(floatBitsToUint(distances.y) ^ floatBitsToUint(offset.z) ^ hn_lattice(nearest)));
   });
   print_digest("cellular_three3", [](const Point& p) { return hn_cellular_three(hn_vec3(p.x, p.y, p.z), p.seed).z; });
   print_digest("cellular_d2", [](const Point& p) { return hn_cellular_d(hn_vec2(p.x, p.y), p.seed).y; });

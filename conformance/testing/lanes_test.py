@@ -1,9 +1,9 @@
 """The lanes of <hashnoise/lanes.hpp>: python3 lanes_test.py [--thorough] COMPILER...
 
 The functions over lanes have the values of the scalar twin bit by bit, and a condition that differs between lanes is
-noticed. So it is without vector extensions, as MSVC has none: Clang compiles that in its mode for MSVC, on the headers of
-GCC's C++ library, since those of Microsoft are not here. One setting each way is tried at few points, each by one compiler,
-and with --thorough all settings by each compiler at many.
+noticed. So it is without vector extensions, as MSVC has none: Clang compiles that in its mode for MSVC, on the headers
+of GCC's C++ library, since those of Microsoft are not here. One setting each way is tried at few points, each by one
+compiler, and with --thorough all settings by each compiler at many.
 """
 
 from __future__ import annotations
@@ -103,9 +103,11 @@ class Lanes(unittest.TestCase):
         machines = [name for name, flag in MACHINES.items() if flag in PROCESSOR]
         for compiler in COMPILERS if THOROUGH else COMPILERS[-1:]:
             for machine in machines[-1:]:
-                flags = ("-O1", "-ffast-math", f"-march={machine}")
-                with self.subTest(compiler=compiler, flags=flags):
-                    self.assertEqual(digests(compiler, *setting, *LANES, flags=flags), scalar(*setting))
+                for flags in (("-O1", "-ffast-math"), ("-Ofast",)) if THOROUGH else (("-O1", "-ffast-math"),):
+                    for lanes in ((), ("HN_LANES_PORTABLE",)) if THOROUGH else ((),):
+                        with self.subTest(compiler=compiler, machine=machine, flags=flags, lanes=lanes):
+                            found = digests(compiler, *setting, *LANES, *lanes, flags=(*flags, f"-march={machine}"))
+                            self.assertEqual(found, scalar(*setting))
 
     def test_numbers_of_a_word_are_the_same_with_every_setting(self):
         exact = ("pcg3d", "gaussian", "ball", "sobol", "shuffle")

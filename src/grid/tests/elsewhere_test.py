@@ -1,9 +1,9 @@
 """The library as other machines and compilers have it: python3 elsewhere_test.py WHERE DIGESTS FOLDER
 
-It is compiled into FOLDER, which is kept, and run: for ARM, RISC-V and Windows with Debian's cross compilers, by qemu and
-wine, without vector extensions as MSVC would compile it, and with -Ofast. What it computes has the digests that the native program
-DIGESTS prints, and so has the program of conformance/testing/consumer/, which takes the header, lanes and a Field. Where a
-compiler or what runs the program is missing it is skipped (status 77).
+It is compiled into FOLDER, which is kept, and run: for ARM, RISC-V and Windows with Debian's cross compilers, by qemu
+and wine, without vector extensions as MSVC would compile it, and with -Ofast. What it computes has the digests that the
+native program DIGESTS prints, and so has the program of conformance/testing/consumer/, which takes the header, lanes
+and a Field. Where a compiler or what runs the program is missing it is skipped (status 77).
 """
 
 from __future__ import annotations
@@ -22,9 +22,9 @@ sys.argv, (WHERE, *PATHS) = sys.argv[:1], sys.argv[1:]
 from msvc import AS_MSVC  # noqa: E402
 
 DIGESTS, FOLDER = (Path(path).resolve() for path in PATHS)
-# Of each the compiler, what runs a program, the name of the system and of the processor, flags, and the instructions. CMake
-# takes "generic" for a processor that it does not know. Where nothing is forced inline, a quarter of the time is enough to
-# compile.
+# Of each the compiler, what runs a program, the name of the system and of the processor, flags, and the instructions.
+# CMake takes "generic" for a processor that it does not know. Where nothing is forced inline, a quarter of the time is
+# enough to compile.
 PLACES = {
     "neon": ("aarch64-linux-gnu-g++", ("qemu-aarch64", "-L", "/usr/aarch64-linux-gnu"), "Linux", "aarch64", (),
              ("neon",)),
