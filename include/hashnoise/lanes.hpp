@@ -1,5 +1,5 @@
-// Many numbers as one, by the vector extensions of GCC and Clang or else as an array, and the functions of the library
-// for them: hn_perlin of lanes::vec2 is the noise at lanes::kCount points at once.
+// Many numbers as one, by the vector extensions of GCC and Clang or else side by side, and the functions of the
+// library for them: hn_perlin of lanes::vec2 is the noise at lanes::kCount points at once.
 // SPDX-License-Identifier: MIT
 //
 //   #include <hashnoise/lanes.hpp>
@@ -7,8 +7,8 @@
 //   lanes::Float n = lanes::hn_perlin(lanes::vec2(x, y), lanes::Uint(7u));  // n[0] to n[lanes::kCount - 1]
 //
 // How many lanes there are follows from the flags of the compiler: 16 with AVX-512 (F, BW, DQ and VL), 8 with AVX2,
-// else 4. They are arrays of 4 numbers with other compilers (MSVC), and with GCC and Clang if you define
-// HN_LANES_PORTABLE: the bits are the same, and how fast that is depends on what the compiler makes of short loops.
+// else 4. With other compilers (MSVC) they are 4 numbers side by side, and so they are with GCC and Clang if you define
+// HN_LANES_PORTABLE: the bits are the same, and how fast that is depends on the compiler.
 //
 // The namespace `lanes` is another name of one that is named after the instruction set, so that translation units
 // with other flags may be linked together. HN_LANES is its own name.
