@@ -18,6 +18,12 @@ def add_arguments(parser: argparse.ArgumentParser, folder: str) -> None:
     parser.add_argument("--zip", action="store_true", help="one file, for a release")
 
 
+def papers(package: Path) -> dict[str, str]:
+    """The page of a package, and the license, by their paths."""
+    return {"README.md": (package / "README.md").read_text(encoding="utf-8"),
+            "LICENSE": (ROOT / "LICENSE").read_text(encoding="utf-8")}
+
+
 class Destination:
     """Where a package goes, as the arguments say; what is wrong with them is told before anything is made."""
 

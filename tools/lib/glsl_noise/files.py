@@ -9,11 +9,13 @@ from typing import NamedTuple
 
 from likeness import ports
 from likeness.table import ROWS
+from packing import papers
 from parsing.syntax import Function
 from pick import command
 from pick.evaluate import Module
 from pick.program import Program, read
 from pick.shading import LANGUAGES
+from tables.markdown import table
 from tree import GLSL, ROOT, version
 
 PACKAGE = ROOT / "packages" / "glsl-noise"
@@ -104,10 +106,10 @@ def module(text: str) -> str:
     return f"export default {json.dumps(text)};\n"
 
 
-def table() -> str:
+def file_table() -> str:
     """What each file stands for, for the page."""
-    rows = "".join(f"| `glsl-noise/{file.path}` | `{file.head}` | `{call(file)}` |\n" for file in FILES)
-    return f"| file | function | what it returns |\n| --- | --- | --- |\n{rows}"
+    return table(("file", "function", "what it returns"),
+                 [(f"`glsl-noise/{file.path}`", f"`{file.head}`", f"`{call(file)}`") for file in FILES])
 
 
 @cache
@@ -115,8 +117,7 @@ def package() -> dict[str, str]:
     """All files, by their paths."""
     described = json.loads((PACKAGE / "package.json").read_text(encoding="utf-8"))
     found = {"package.json": json.dumps({"name": NAME, "version": version(), **described}, indent=2) + "\n",
-             "README.md": (PACKAGE / "README.md").read_text(encoding="utf-8"),
-             "LICENSE": (ROOT / "LICENSE").read_text(encoding="utf-8")}
+             **papers(PACKAGE)}
     for file in FILES:
         text = glsl(file)
         found |= {f"{file.path}.glsl": text, f"{file.path}.js": module(text),

@@ -6,7 +6,9 @@ import json
 from functools import cache
 from typing import NamedTuple
 
+from packing import papers
 from pick.command import Choice, picker
+from tables.markdown import table
 from tree import ROOT, version
 
 PACKAGE = ROOT / "packages" / "isf"
@@ -81,16 +83,14 @@ void main() {{
 """
 
 
-def table() -> str:
+def look_table() -> str:
     """The looks, for the page."""
-    rows = "".join(f"| `hn-{name}.fs` | {look.said} | {', '.join(f'`{one}`' for one in look.more)} |\n"
-                   for name, look in LOOKS.items())
-    return f"| file | what it is | inputs of its own |\n| --- | --- | --- |\n{rows}"
+    return table(("file", "what it is", "inputs of its own"),
+                 [(f"`hn-{name}.fs`", look.said, ", ".join(f"`{one}`" for one in look.more))
+                  for name, look in LOOKS.items()])
 
 
 @cache
 def package() -> dict[str, str]:
     """All files, by their paths."""
-    return {"README.md": (PACKAGE / "README.md").read_text(encoding="utf-8"),
-            "LICENSE": (ROOT / "LICENSE").read_text(encoding="utf-8"),
-            **{f"hn-{name}.fs": shader(name) for name in LOOKS}}
+    return {**papers(PACKAGE), **{f"hn-{name}.fs": shader(name) for name in LOOKS}}

@@ -18,6 +18,7 @@ import sys
 import unittest
 from pathlib import Path
 
+import glslang
 from isf import command, files
 from javascript.environment import OFFLINE
 from likeness.renderer import NoRenderer, Renderer
@@ -69,11 +70,6 @@ def values_of(text: str, **others: str) -> dict[str, str]:
     return found | others
 
 
-def glslang(text: str) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(["glslangValidator", "--stdin", "-S", "frag"], input=text, capture_output=True, text=True,
-                          check=False)
-
-
 class Text(unittest.TestCase):
     def test_inputs_are_used_and_begin_within_their_ranges(self) -> None:
         for name, look in files.LOOKS.items():
@@ -89,9 +85,9 @@ class Text(unittest.TestCase):
         text = files.shader("clouds")
         self.assertEqual(described(text)["DESCRIPTION"], f"Octaves of gradient noise, of hashnoise {version()}")
         for first in ("#version 330", "#version 300 es"):
-            done = glslang(compiled(text, first))
+            done = glslang.compiled(compiled(text, first))
             self.assertEqual(done.returncode, 0, done.stdout)
-        self.assertNotEqual(glslang(compiled(text).replace("hn_fbm(p", "hn_fbm(at")).returncode, 0)
+        self.assertNotEqual(glslang.compiled(compiled(text).replace("hn_fbm(p", "hn_fbm(at")).returncode, 0)
 
     @unittest.skipUnless(shutil.which("glslangValidator"), "Debian's package glslang-tools is missing")
     def test_what_the_page_has_for_other_programs_compiles(self) -> None:
@@ -105,9 +101,9 @@ class Text(unittest.TestCase):
                              "\nvoid main() { mainImage(color, gl_FragCoord.xy); }\n"),
                  touch_designer: ("#version 330\nin vec3 vUV;\nvec4 TDOutputSwizzle(vec4 c) { return c; }\n", "\n")}
         for code, (before, behind) in whole.items():
-            done = glslang(f"{before}{text}{code}{behind}")
+            done = glslang.compiled(f"{before}{text}{code}{behind}")
             self.assertEqual(done.returncode, 0, done.stdout)
-            self.assertNotEqual(glslang(f"{before}{text}{code.replace('6, ', '')}{behind}").returncode, 0)
+            self.assertNotEqual(glslang.compiled(f"{before}{text}{code.replace('6, ', '')}{behind}").returncode, 0)
 
 
 @unittest.skipUnless(__name__ == "__main__", "the test isf.looks makes all")
@@ -142,7 +138,7 @@ class Looks(unittest.TestCase):
         for path in self.made:
             with self.subTest(path.name):
                 text = path.read_text()
-                self.assertEqual(glslang(compiled(text)).returncode, 0)
+                self.assertEqual(glslang.compiled(compiled(text)).returncode, 0)
                 first, again, seed, later = (
                     self.renderer.draw(self.renderer.program(drawn(text, values_of(text, **others))))[0::4]
                     for others in ({}, {}, {"number": "8.0"}, {"TIME": "4.0"}))

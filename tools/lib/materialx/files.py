@@ -7,11 +7,13 @@ from functools import cache
 from typing import NamedTuple
 from xml.sax.saxutils import quoteattr
 
+from packing import papers
 from parsing.syntax import Function
 from pick.command import SYNTAXES, Choice, picker, read_library
 from pick.osl import without_shader
 from pick.program import facts, public
 from pick.shading import LANGUAGES
+from tables.markdown import table
 from tree import GLSL, ROOT, version
 
 PACKAGE = ROOT / "packages" / "materialx"
@@ -179,19 +181,17 @@ def implementations(target: str) -> str:
         f'file="{node(form)}.{ending(target)}" function="{node(form)}" target="{target}" />\n' for form in FORMS))
 
 
-def table() -> str:
+def node_table() -> str:
     """The nodes, for the page."""
-    rows = "".join(f"| `{node(form)}` | {', '.join(f'`{one.name}`' for one in inputs(form))} | "
-                   f"{TYPES[forms()[form].type]} |\n" for form in FORMS)
-    return f"| node | inputs | `out` |\n| --- | --- | --- |\n{rows}"
+    return table(("node", "inputs", "`out`"),
+                 [(f"`{node(form)}`", ", ".join(f"`{one.name}`" for one in inputs(form)), TYPES[forms()[form].type])
+                  for form in FORMS])
 
 
 @cache
 def package() -> dict[str, str]:
     """All files, by their paths."""
-    found = {"README.md": (PACKAGE / "README.md").read_text(encoding="utf-8"),
-             "LICENSE": (ROOT / "LICENSE").read_text(encoding="utf-8"),
-             f"{LIBRARY}/hashnoise_defs.mtlx": document("".join(map(declared, FORMS)))}
+    found = {**papers(PACKAGE), f"{LIBRARY}/hashnoise_defs.mtlx": document("".join(map(declared, FORMS)))}
     for target in TARGETS:
         found[f"{LIBRARY}/{target}/hashnoise_{target}_impl.mtlx"] = implementations(target)
         for form in FORMS:

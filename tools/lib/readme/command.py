@@ -79,11 +79,11 @@ def tables(times: of_commands.Times) -> list[tuple[str, str, str]]:
             (MEASURING, "tools/readme: peers on a GPU", numbers.peer_table(numbers.peer_costs(numbers.GPU))),
             (HASHES, "tools/readme: hashes", hashes.hash_table(hashes.record())),
             (JUDGE, "tools/readme: judged", of_noises.judge_table(of_noises.read())),
-            ("packages/materialx/README.md", "tools/readme: nodes", materialx.table()),
-            ("packages/unity/README.md", "tools/readme: nodes", unity.table()),
-            ("packages/unreal/README.md", "tools/readme: nodes", unreal.table()),
-            ("packages/isf/README.md", "tools/readme: looks", isf.table()),
-            ("packages/glsl-noise/README.md", "tools/readme: files", glsl_noise.table()),
+            ("packages/materialx/README.md", "tools/readme: nodes", materialx.node_table()),
+            ("packages/unity/README.md", "tools/readme: nodes", unity.node_table()),
+            ("packages/unreal/README.md", "tools/readme: nodes", unreal.node_table()),
+            ("packages/isf/README.md", "tools/readme: looks", isf.look_table()),
+            ("packages/glsl-noise/README.md", "tools/readme: files", glsl_noise.file_table()),
             *((MOVING, *named) for named in ports.page_tables(ports.read()))]
 
 

@@ -59,7 +59,7 @@ def make(folder: Path, parts: list[str], trial: bool) -> None:
         release.folder.mkdir()
         for part in parts:
             print(f"{part} ...", file=sys.stderr)
-            getattr(release, part.replace("-", "_"))()
+            release.make(part)
             if not named(part, {path.name for path in release.folder.iterdir()}, release.version):
                 raise NoRelease(f"{part} was made, but has another name than version {release.version} must have")
         (release.folder / "NOTES.md").write_text(said, encoding="utf-8")

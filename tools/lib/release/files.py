@@ -42,6 +42,11 @@ def notes(changelog: str, wanted: str, trial: bool) -> str:
     return f"# hashnoise {wanted}\n\n{text}\n"
 
 
+# The parts that are one zip file of a command, by the names of both.
+ZIPPED = {"rust": "crate", "wesl": "wesl", "glsl-noise": "glsl-noise", "unity": "unity", "unreal": "unreal",
+          "materialx": "materialx", "isf": "isf"}
+
+
 class Release:
     """The parts, made into a folder."""
 
@@ -50,6 +55,12 @@ class Release:
         self.version = version()
         self.seconds = int(run(["git", "-C", ROOT, "log", "-1", "--format=%ct"]))
         self.environment = {**os.environ, "SOURCE_DATE_EPOCH": str(self.seconds)}
+
+    def make(self, part: str) -> None:
+        if part in ZIPPED:
+            run([TOOLS / ZIPPED[part], "--zip", self.folder], env=self.environment)
+        else:
+            getattr(self, part)()
 
     def single(self) -> None:
         for language in ("glsl", "hlsl", "metal"):
@@ -94,27 +105,6 @@ class Release:
 
     def python(self) -> None:
         run([TOOLS / "wheel", self.folder], env=self.environment)
-
-    def rust(self) -> None:
-        run([TOOLS / "crate", "--zip", self.folder], env=self.environment)
-
-    def wesl(self) -> None:
-        run([TOOLS / "wesl", "--zip", self.folder], env=self.environment)
-
-    def glsl_noise(self) -> None:
-        run([TOOLS / "glsl-noise", "--zip", self.folder], env=self.environment)
-
-    def unity(self) -> None:
-        run([TOOLS / "unity", "--zip", self.folder], env=self.environment)
-
-    def unreal(self) -> None:
-        run([TOOLS / "unreal", "--zip", self.folder], env=self.environment)
-
-    def materialx(self) -> None:
-        run([TOOLS / "materialx", "--zip", self.folder], env=self.environment)
-
-    def isf(self) -> None:
-        run([TOOLS / "isf", "--zip", self.folder], env=self.environment)
 
     def godot(self) -> None:
         run([TOOLS / "godot-addon", self.folder], env=self.environment)

@@ -9,6 +9,7 @@ from functools import cache
 from pathlib import PurePosixPath
 
 from hlsl_nodes import ARITHMETICS, NODES, PORTS, TILE, call, camel, forms, picked, ports, shader
+from tables.markdown import table
 from tree import ROOT, version
 
 PACKAGE = ROOT / "packages" / "unity"
@@ -39,11 +40,11 @@ def script(arithmetic: str) -> str:
                                                          f"static class HashNoise{ARITHMETICS[arithmetic]} ")
 
 
-def table() -> str:
+def node_table() -> str:
     """The nodes, for the page."""
-    rows = "".join(f"| `HashNoise{camel(form)}` | {', '.join(f'{name} ({shown(of)})' for of, name in ports(form))} | "
-                   f"{shown(PORTS[forms()[form].type])} |\n" for form in NODES)
-    return f"| name | inputs | output, `Out` |\n| --- | --- | --- |\n{rows}"
+    return table(("name", "inputs", "output, `Out`"),
+                 [(f"`HashNoise{camel(form)}`", ", ".join(f"{name} ({shown(of)})" for of, name in ports(form)),
+                   shown(PORTS[forms()[form].type])) for form in NODES])
 
 
 def shown(type_: str) -> str:

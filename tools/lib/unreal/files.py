@@ -6,6 +6,7 @@ import json
 from functools import cache
 
 from hlsl_nodes import ARITHMETICS, NODES, PORTS, call, forms, ports, shader
+from tables.markdown import table
 from tree import ROOT, version
 
 PACKAGE = ROOT / "packages" / "unreal"
@@ -23,7 +24,7 @@ def output(form: str) -> str:
     return f"CMOT Float {type_[-1] if type_[-1].isdigit() else 1}"
 
 
-def table() -> str:
+def node_table() -> str:
     """The nodes, for the page. HLSL has one name in 2D and in 3D."""
     sizes: dict[tuple[str, str], list[str]] = {}
     types: dict[tuple[str, str], list[str]] = {}
@@ -31,9 +32,9 @@ def table() -> str:
         key = code(form), ", ".join(f"`{name}`" for _, name in ports(form))
         sizes.setdefault(key, []).append(ports(form)[0][0][-1])
         types.setdefault(key, []).append(output(form))
-    rows = "".join(f"| `{key[0]}` | {key[1]} | {' or '.join(of)} | {' or '.join(dict.fromkeys(types[key]))} |\n"
-                   for key, of in sizes.items())
-    return f"| Code | Inputs | Components of Position | Output Type |\n| --- | --- | --- | --- |\n{rows}"
+    return table(("Code", "Inputs", "Components of Position", "Output Type"),
+                 [(f"`{key[0]}`", key[1], " or ".join(of), " or ".join(dict.fromkeys(types[key])))
+                  for key, of in sizes.items()])
 
 
 @cache

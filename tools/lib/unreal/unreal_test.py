@@ -71,7 +71,7 @@ class Text(unittest.TestCase):
             self.assertEqual((files.code(form), files.output(form)), (code, output))
 
     def test_the_page_has_each_node_once(self) -> None:
-        rows = files.table().splitlines()[2:]
+        rows = files.node_table().splitlines()[2:]
         self.assertEqual(len(rows), len({files.code(form) for form in NODES}))
         self.assertIn("| `return hn_value(Position, (uint)(int)Seed);` | `Position`, `Seed` | 2 or 3 | CMOT Float 1 |",
                       rows)

@@ -8,6 +8,7 @@ from functools import cache
 
 from parsing.tokens import Unknown
 from pick.command import settings
+from pick.evaluate import Module
 from pick.program import Program, read
 from pick.shading import LANGUAGES
 from tree import GLSL
@@ -36,31 +37,37 @@ void main() { color = vec4(color_at(gl_FragCoord.xy / size * 8.0, time), 1.0); }
 def in_words_of_the_library(code: str) -> str:
     text = re.sub(r"\b(float|vec2|vec3)(?= \w)", r"hn_\1", AROUND.sub("", code))
     text = text.replace("hn_vec3 color_at(hn_vec2 p)", "HN_FN hn_vec3 color_at(hn_vec2 p, hn_float time)")
-    return GLSL_HAS + re.sub(r"\b(smoothstep|mix)\(", r"live_\1(", text)
+    return re.sub(r"\b(smoothstep|mix)\(", r"live_\1(", text)
 
 
 @cache
-def shader(step: str, code: str) -> str:
-    """A fragment shader for WebGL2, of a step's code. It needs no other file."""
+def library(steps: tuple[tuple[str, str], ...]) -> Module:
+    """With the functions of these steps below it, each by a name of its own."""
+    below = "".join(in_words_of_the_library(code).replace("color_at(", f"color_at_{step}(") for step, code in steps)
+    return read(GLSL, settings("fast", "lattice"), below=GLSL_HAS + below)
+
+
+def shader(steps: tuple[tuple[str, str], ...], step: str) -> str:
+    """A fragment shader for WebGL2, of the code of one of the steps. It needs no other file."""
     try:
-        library = read(GLSL, settings("fast", "lattice"), below=in_words_of_the_library(code))
-        function = library.functions["color_at", ("vec2", "float")]
-        text = Program(library, [function]).text(LANGUAGE)
+        function = library(steps).functions[f"color_at_{step}", ("vec2", "float")]
+        text = Program(library(steps), [function]).text(LANGUAGE).replace(f"color_at_{step}(", "color_at(")
     except (KeyError, Unknown) as error:
         raise ValueError(f"docs/tutorial.md: step {step} has no picture: {error}") from error
     return re.sub(r"\n{2,}", "\n", f"#version 300 es\n{text}{MAIN}")  # HTML within Markdown ends at an empty line
 
 
-def figure(step: str, title: str, code: str) -> str:
+def figure(steps: tuple[tuple[str, str], ...], step: str, title: str, code: str) -> str:
     moves = " data-moves" if re.search(r"\buniform float time\b", code) else ""
     return (f'\n\n<figure class="live"{moves}>\n<canvas width="384" height="384" role="img" '
             f'aria-label="The picture of step {step}: {html.escape(title)}"></canvas>\n'
-            f'<script type="text/plain">{shader(step, code)}</script>\n</figure>')
+            f'<script type="text/plain">{shader(steps, step)}</script>\n</figure>')
 
 
 def with_pictures(page: str) -> str:
     """The tutorial with a picture below the code of each step, and with links to the playground."""
-    text = STEP.sub(lambda step: step[0] + figure(*step.groups()), page)
+    steps = tuple((step[1], step[3]) for step in STEP.finditer(page))
+    text = STEP.sub(lambda step: step[0] + figure(steps, *step.groups()), page)
     text = PLAYGROUND.sub(lambda link: f'**Playground**: <a href="../playground.html{html.escape(link[1])}">'
                                        f"{html.escape(link[1])}</a>", text)
     return text + '\n<script src="../live.js"></script>\n'

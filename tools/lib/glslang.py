@@ -1,0 +1,11 @@
+"""What Khronos' reference compiler says of a shader."""
+
+from __future__ import annotations
+
+import subprocess
+
+
+def compiled(text: str, *options: str) -> subprocess.CompletedProcess[str]:
+    """Of a fragment shader. Nothing is written, unless options say so."""
+    return subprocess.run(["glslangValidator", *options, "--stdin", "-S", "frag"], input=text, capture_output=True,
+                          text=True, check=False)
