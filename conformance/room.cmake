@@ -90,15 +90,17 @@ function(room_tests name)
   # Mesa compiles the shaders of these tests without optimizing them: they are drawn once, and compiling them is what
   # such a test costs. What is timed, and the run on all drivers (conform.all), has Mesa as everybody has it.
   set(quickly_compiled PROPERTIES ENVIRONMENT GALLIVM_PERF=nopt)
-  if(room_TOGETHER)  # in one process, where a context of its own would be most of what each test costs
-    add_test(NAME unit.${name} COMMAND hn-${name}-test)
-    set_tests_properties(unit.${name} ${quickly_compiled})
-  elseif(room_TIMED_TESTS)
-    gtest_discover_tests(hn-${name}-test TEST_PREFIX unit. TEST_FILTER "-${room_TIMED_TESTS}" ${quickly_compiled})
+  set(filter "")  # all
+  if(room_TIMED_TESTS)
     gtest_discover_tests(hn-${name}-test TEST_PREFIX unit. TEST_FILTER "${room_TIMED_TESTS}" TEST_LIST timed_tests
                          PROPERTIES RUN_SERIAL ON)
+    set(filter "-${room_TIMED_TESTS}")
+  endif()
+  if(room_TOGETHER)  # in one process, where a context of its own would be most of what each test costs
+    add_test(NAME unit.${name} COMMAND hn-${name}-test --gtest_filter=${filter})
+    set_tests_properties(unit.${name} ${quickly_compiled})
   else()
-    gtest_discover_tests(hn-${name}-test TEST_PREFIX unit. ${quickly_compiled})
+    gtest_discover_tests(hn-${name}-test TEST_PREFIX unit. TEST_FILTER "${filter}" ${quickly_compiled})
   endif()
 endfunction()
 
