@@ -6,7 +6,7 @@ other libraries, and what packages for other programs have.
     tools/readme --check    whether they are what they should be, and the README states the costs and the times
 
 A picture is drawn from the code below it, which the C++ twin evaluates at each pixel of a tile; so are those of
-docs/gallery. The typical values are those of 2^18 points. The costs are those of docs/results/llvmpipe/bench.csv,
+docs/gallery. The typical values are those of 2^16 points. The costs are those of docs/results/llvmpipe/bench.csv,
 which hn-conform bench writes, and of peers.csv beside it, which tools/peers writes; so it does likeness.csv, of which
 the tables of docs/moving.md are made. Those on GPUs by their compilers are of docs/results/gpu, by tools/gpu-costs, and
 compile.csv is by tools/compile-times. How hashes of others fare is in docs/results/hashes.csv, by tools/quality

@@ -10,7 +10,7 @@ namespace {
 using hashnoise::vec2;
 
 constexpr int kPixels = 256;
-constexpr int kPlaces = 32;  // along each side of a pixel
+constexpr int kPlaces = 16;  // along each side of a pixel
 constexpr int kOctaves = 8;
 constexpr float kGain = 0.6f;
 constexpr hashnoise::uint kSeed = 7;

@@ -67,7 +67,7 @@ def footprint() -> dict[str, float]:
 
 
 def footprint_quote(errors: Mapping[str, float]) -> str:
-    return ("Against the mean of 32 by 32 places in each pixel of the picture's far half, the error (root mean square) is "
+    return ("Against the mean of 16 by 16 places in each pixel of the picture's far half, the error (root mean square) is "
             f"{errors['with']:.3f} with the footprint and {errors['without']:.3f} without; the deviation of the noise is "
             f"{errors['deviation']:.2f}.\n")
 
