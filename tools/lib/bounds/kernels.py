@@ -29,7 +29,7 @@ import functools
 import itertools
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -141,11 +141,13 @@ class Jet:
 @dataclass(frozen=True)
 class Offsets:
     """Of one lattice point, in each box: the middle of d, half a side, the largest |d_i|, the least and largest t."""
+    kernel: Kernel
     middle: np.ndarray
     half: float
     size: np.ndarray
     least: np.ndarray
     largest: np.ndarray
+    sizes: dict[int, np.ndarray] = field(default_factory=dict)  # what weight_size has computed: it is asked for each axis
 
     @staticmethod
     def of(kernel: Kernel, boxes: Boxes, point: tuple[float, ...]) -> Offsets:
@@ -153,18 +155,24 @@ class Offsets:
         middle = boxes.lo + half - np.array(point)[:, None]
         size, near = np.abs(middle) + half, np.maximum(np.abs(middle) - half, 0.0)
         least, largest = (np.maximum(kernel.radius - kernel.fall * (d * d).sum(axis=0), 0.0) for d in (size, near))
-        return Offsets(middle, half, size, least, largest)
+        return Offsets(kernel, middle, half, size, least, largest)
 
     def along(self, u: tuple[float, ...]) -> np.ndarray:
         """The largest |d.u|."""
         return np.abs(dot(self.middle, u)) + self.half * sum(map(abs, u))
 
+    def weight_size(self, order: int) -> np.ndarray:
+        """The largest magnitude of a derivative of the weight by t."""
+        if order not in self.sizes:
+            size = self.kernel.weight.size(order, self.least, self.largest)
+            self.sizes[order] = np.where(self.largest > 0, size, 0.0)
+        return self.sizes[order]
 
-def weight_jet(kernel: Kernel, offsets: Offsets, axis: int, order: int = 0) -> Jet:
+
+def weight_jet(offsets: Offsets, axis: int, order: int = 0) -> Jet:
     """Of a derivative of the weight by t. t has the derivatives -2 m d and -2 m along the axis."""
-    sizes = [np.where(offsets.largest > 0, kernel.weight.size(order + i, offsets.least, offsets.largest), 0.0)
-             for i in range(3)]
-    m, d = kernel.fall, offsets.size[axis]
+    sizes = [offsets.weight_size(order + i) for i in range(3)]
+    m, d = offsets.kernel.fall, offsets.size[axis]
     return Jet(sizes[0], 2 * m * d * sizes[1], (2 * m * d) ** 2 * sizes[2] + 2 * m * sizes[1])
 
 
@@ -178,18 +186,18 @@ def jet(kernel: Kernel, quantity: Quantity, gradient: Gradient, offsets: Offsets
     m, unit = kernel.fall, tuple(float(i == axis) for i in range(kernel.dims))
     ramp = Jet(gradient.support(offsets.size), reach_along(gradient, unit))
     if not quantity.along:
-        return weight_jet(kernel, offsets, axis) * ramp
+        return weight_jet(offsets, axis) * ramp
 
     def of(u: tuple[float, ...]) -> Jet:
         return Jet(offsets.along(u), abs(u[axis]))
-    u, slope = quantity.along[0], weight_jet(kernel, offsets, axis, 1)
+    u, slope = quantity.along[0], weight_jet(offsets, axis, 1)
     of_u = Jet(reach_along(gradient, u))
     if len(quantity.along) == 1:
-        return weight_jet(kernel, offsets, axis) * of_u + (slope * of(u) * ramp).times(2 * m)
+        return weight_jet(offsets, axis) * of_u + (slope * of(u) * ramp).times(2 * m)
     s = quantity.along[1]
     lines = of(s) * of_u + of(u) * Jet(reach_along(gradient, s)) + ramp.times(abs(np.dot(u, s)))
     return ((slope * lines).times(2 * m)
-            + (weight_jet(kernel, offsets, axis, 2) * of(s) * of(u) * ramp).times(4 * m * m))
+            + (weight_jet(offsets, axis, 2) * of(s) * of(u) * ramp).times(4 * m * m))
 
 
 # --- Suprema ----------------------------------------------------------------------------------------------------------

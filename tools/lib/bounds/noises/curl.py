@@ -53,8 +53,8 @@ def curvature(kernel: Kernel, boxes: Boxes):
         length = np.sqrt((offsets.size**2).sum(axis=0))
         for axis in range(kernel.dims):
             ramp = Jet(kernel.gradient.support(offsets.size), 1.0)
-            falling = weight_jet(kernel, offsets, axis, 1) * Jet(length, 1.0) * ramp
-            derivative = weight_jet(kernel, offsets, axis).times(kernel.longest) + falling.times(2 * kernel.fall)
+            falling = weight_jet(offsets, axis, 1) * Jet(length, 1.0) * ramp
+            derivative = weight_jet(offsets, axis).times(kernel.longest) + falling.times(2 * kernel.fall)
             by_place = by_place + derivative.second
         by_angle = by_angle + derivative.value
     return by_place, by_angle

@@ -86,8 +86,8 @@ def attained(kernel: Kernel, u: tuple[float, ...], rate: float, place: np.ndarra
 
 def second_derivative(kernel: Kernel, u: tuple[float, ...], rate: float, offsets: Offsets, axis: int) -> np.ndarray:
     """A bound of that of what one point adds, in each box."""
-    fall = weight_jet(kernel, offsets, axis, 1) * Jet(offsets.along(u), abs(u[axis]))
-    return np.hypot(2 * kernel.fall * fall.second, rate * weight_jet(kernel, offsets, axis).second)
+    fall = weight_jet(offsets, axis, 1) * Jet(offsets.along(u), abs(u[axis]))
+    return np.hypot(2 * kernel.fall * fall.second, rate * weight_jet(offsets, axis).second)
 
 
 LEVELS, TOLERANCE = {2: 16, 3: 12}, 1e-6

@@ -79,7 +79,7 @@ def slope_along(kernel: Waves, u, s, rates: tuple[float, float], offsets: Offset
     """A bound of the first derivative of what one point adds, in each box."""
     m = kernel.fall
     of_u, of_s = (Jet(offsets.along(v), abs(v[axis])) for v in (u, s))
-    w, dw, ddw = (weight_jet(kernel, offsets, axis, order) for order in range(3))
+    w, dw, ddw = (weight_jet(offsets, axis, order) for order in range(3))
     real = (dw.times(2 * m * abs(np.dot(u, s))) + (ddw * of_u * of_s).times(4 * m * m)
             + w.times(abs(rates[0] * rates[1])))
     across = (dw * (of_s.times(abs(rates[0])) + of_u.times(abs(rates[1])))).times(2 * m)
