@@ -170,7 +170,7 @@ TEST(Twin, BitsOfPreciseAndFixedDoNotDependOnSubnormals) {
     if (configuration.fast()) continue;
     for (const Function& function : all_functions()) {
       if (!covers(configuration, function)) continue;
-      const auto inputs = random_points(function, 4000, Random(1, function.id), defined_extremes(configuration));
+      const auto inputs = random_points(function, 1000, Random(1, function.id), defined_extremes(configuration));
       const auto values = evaluate_twin(function, configuration, inputs);
       const FlushedSubnormals flushed;
       EXPECT_TRUE(values == evaluate_twin(function, configuration, inputs)) << function.id << " " << configuration.name;

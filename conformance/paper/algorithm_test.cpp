@@ -109,9 +109,12 @@ Result<std::vector<std::uint32_t>> spirv_of(const Subject& subject) {
 }
 
 TEST(Algorithm, EverySubjectCompilesForVulkan) {
+  // Turbulence and clouds take turns, since what each adds to a noise is the same for all.
+  Picture other = Picture::clouds;
   for (const Entry& entry : all_entries()) {
+    other = other == Picture::clouds ? Picture::turbulence : Picture::clouds;
     for (const int dimensions : {2, 3}) {
-      for (const Picture picture : {Picture::noise, Picture::turbulence, Picture::clouds}) {
+      for (const Picture picture : {Picture::noise, other}) {
         const Subject subject = subject_of(entry, dimensions, picture);
         const auto words = spirv_of(subject);
         ASSERT_TRUE(words) << subject.id << ": " << words.error().text();

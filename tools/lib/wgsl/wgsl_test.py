@@ -26,8 +26,8 @@ WHOLE = '#include "hashnoise.glsl"\n'
 
 def files_with(arithmetic: str) -> list[str]:
     """Each of some files has one of the arithmetics, and in a thorough run each file all; the whole library always has
-    all. A step of 5 takes files of each number of dimensions, of which there are 4."""
-    return FILES if THOROUGH else FILES[2 * ARITHMETICS.index(arithmetic)::5]
+    all. A step of 9 takes files of each number of dimensions, of which there are 4."""
+    return FILES if THOROUGH else FILES[3 * ARITHMETICS.index(arithmetic)::9]
 
 
 @functools.lru_cache(maxsize=None)
