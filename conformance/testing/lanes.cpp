@@ -35,6 +35,11 @@ using namespace hashnoise;
 constexpr int kLanes = 1;
 
 float lane(hn_float value, int) { return value; }
+// What lanes::select is for a number.
+template <typename Number>
+Number select(bool condition, Number a, Number b) {
+  return condition ? a : b;
+}
 template <typename Number, typename Function>
 Number points(Function function) {
   return function();
@@ -140,6 +145,11 @@ int main(int count, char**) {
                [](const Point& p) { return hn_perlin(hn_tile(hn_vec2(p.x, p.y), hn_ivec2(p.cx, p.cy)), p.seed); });
   print_digest("cell",
                [](const Point& p) { return hn_fraction(p.cx, p.cy, p.cz) + hn_unorm(hn_uint(hn_cell(p.cx, 3, 7))); });
+  print_digest("select", [](const Point& p) {
+    const hn_float folded = select(p.x < p.y && p.z < 0.0f, p.x, -1.5f);
+    const hn_uint word = select(p.cx > p.cy, p.seed, 5u) + hn_uint(select(p.cz > 0, 3, p.cx));
+    return folded + hn_unorm(word);
+  });
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
   print_digest("perlin1", [](const Point& p) { return hn_perlin(p.x, p.seed); });
   print_digest("perlin4", [](const Point& p) { return hn_perlin(hn_vec4(p.x, p.y, p.z, p.fx), p.seed); });

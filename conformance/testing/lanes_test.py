@@ -123,7 +123,7 @@ class Lanes(unittest.TestCase):
     def test_what_lanes_cannot_do_is_noticed(self):
         messages, _ = built(COMPILERS[0], *LANES, "UNFIT=(x >> 8, x + 1)")
         self.assertEqual(messages.count(" error: no match for"), 2, messages)
-        messages, program = built(COMPILERS[0], *LANES, "UNFIT=faulty_lane ? x > y ? x : y : hn_i_select(x > y, x, y)")
+        messages, program = built(COMPILERS[0], *LANES, "UNFIT=faulty_lane ? x > y ? x : y : select(x > y, x, y)")
         self.assertEqual(messages, "")
         for options, works in (["--faulty-lane"], False), ([], True):
             done = subprocess.run([program, *options], capture_output=True, check=False)

@@ -14,7 +14,7 @@
 // with other flags may be linked together. HN_LANES is its own name.
 //
 // A condition of an `if`, of a loop and of `?:` has to be the same in all lanes: octaves, a metric. HN_LANES_CHECKED
-// makes it an error (std::abort) if it is not. Where it differs, the text of the library uses hn_i_select.
+// makes it an error (std::abort) if it is not. Where it differs from lane to lane, take lanes::select.
 //
 // The bits are those of the scalar functions under the same flags: HN_FIXED under any, HN_PRECISE with
 // -ffp-contract=off and without fast-math.
@@ -286,6 +286,11 @@ HN_I_INLINE bool hn_i_any(Mask condition) {
   return any != 0;
 }
 HN_I_INLINE Int hn_i_choice(Mask condition, Int a, Int b) { return hn_i_select(condition, a, b); }
+
+// In each lane a where the condition holds, else b: select(n > 0.0f, n, 0.5f * n). Both are computed.
+HN_I_INLINE Float select(Mask condition, Float a, Float b) { return hn_i_select(condition, a, b); }
+HN_I_INLINE Int select(Mask condition, Int a, Int b) { return hn_i_select(condition, a, b); }
+HN_I_INLINE Uint select(Mask condition, Uint a, Uint b) { return hn_i_select(condition, a, b); }
 
 HN_I_INLINE Float operator/(Float a, Float b) { return Float(a.v / b.v); }
 
