@@ -354,11 +354,29 @@ def names_of_two_kinds(tree: Tree) -> Iterator[str]:
         yield f"{macros[name]}: {name} is also a function: give the macro another name"
 
 
+PAGES = ("README.md", "CHANGELOG.md", "CONTRIBUTING.md", "llms.txt", "docs/*.md", "docs/gallery/*.md", "examples/**/*.md",
+         "packages/*/README.md")
+OF_THE_INSIDE = {"adding", "frozen", "glossary", "internals", "release"}  # pages for who changes the library
+PICKED = re.compile(r"<!-- tools/readme: picked.*?<!-- end -->", re.DOTALL)  # texts that tools/pick writes
+
+
+def internal_names_in_pages(tree: Tree) -> Iterator[str]:
+    """Nobody is told to call what may have another name tomorrow."""
+    for path in (path for pages in PAGES for path in sorted(tree.root.glob(pages))):
+        if path.stem in OF_THE_INSIDE:
+            continue
+        page = PICKED.sub(lambda text: "\n" * text[0].count("\n"), path.read_text(encoding="utf-8"))
+        for match in re.finditer(r"\bhn_i_\w*|\bHN_I_\w*", page):
+            yield (f"{path}:{page.count(chr(10), 0, match.start()) + 1}: {match[0]} is internal: recommend a public "
+                   "function, or publish one")
+
+
 CHECKS = (functions_without_a_row, functions_in_another_form, rows_without_a_function, functions_without_words,
           arguments_without_words,
           noises_without_entries, noises_without_comments, entries_without_a_noise, families_without_settings,
           hashes_of_unlike_families, further_values_of_nothing, arithmetics_of_unlike_settings, knobs_without_entries, values_without_settings,
-          hashes_without_entries, missing_golden_values, names_of_two_kinds, functions_that_are_not_in_the_catalog)
+          hashes_without_entries, missing_golden_values, names_of_two_kinds, functions_that_are_not_in_the_catalog,
+          internal_names_in_pages)
 
 
 def problems(root: Path = ROOT) -> list[str]:

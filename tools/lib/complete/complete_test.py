@@ -50,10 +50,11 @@ class Deletions(unittest.TestCase):
         text = files[0].read_text()
         files[0].write_text(re.sub(pattern, new, text, flags=re.MULTILINE))
 
-    def noticed(self, *messages: str) -> None:
+    def noticed(self, *messages: str) -> list[str]:
         found = problems(self.root)
         for message in messages:
             self.assertTrue(any(re.search(message, text) for text in found), f"{message} is not in {found}")
+        return found
 
     def test_the_copy_is_complete(self) -> None:
         self.assertEqual(problems(self.root), [])
@@ -227,3 +228,11 @@ class Deletions(unittest.TestCase):
         self.change(f"{self.golden.relative_to(self.root)}/noise2d.perlin.golden", r"^(settings .*) fnv1\+fixed:fixed", "\\1")
         self.noticed(r"golden: noise1d\.perlin has no golden values with lattice, lattice\+fixed: run tools/golden$",
                      r"golden: noise2d\.perlin has no golden values with fnv1\+fixed: run tools/golden$")
+
+    def test_an_internal_name_in_a_page(self) -> None:
+        self.change("docs/uniform.md", r"\A", "Take `hn_i_select`.\n")
+        self.change("docs/random.md", r"\A",
+                    "\n<!-- tools/readme: picked -->\nhn_i_mix(k)\n<!-- end -->\n`HN_I_FLOAT`\n")
+        found = self.noticed(r"^docs/uniform\.md:1: hn_i_select is internal: recommend a public function, or publish",
+                             r"^docs/random\.md:5: HN_I_FLOAT is internal")
+        self.assertFalse(any("hn_i_mix" in text for text in found), found)
