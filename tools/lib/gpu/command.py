@@ -3,6 +3,7 @@
     tools/gpu-costs --get-drivers [--drivers DIR]      downloads them, some 70 MB of Debian's packages, into DIR
     tools/gpu-costs [--chip NAME]... [--filter GLOB]... [--against NAME=FILE:EXPRESSION]... [--out DIR]
     tools/gpu-costs --wombat Wombat/ --filter '*.perlin.*' --baseline docs/results/gpu/costs.csv
+    tools/gpu-costs --compare docs/results/gpu/costs-0.3.0.csv docs/results/gpu/costs.csv
     tools/gpu-costs --list-chips
 
 Mesa's drivers for NVIDIA, AMD, Adreno and Apple compile shaders without a GPU, for a stand-in of the kernel. Of each
@@ -10,7 +11,8 @@ shader, which is one call in a fragment shader, less the empty shader, they tell
 spills. The default is every function with each arithmetic, on every chip, and what an operation costs; with --filter
 the operations are left out. It needs hn-conform on the PATH or built (tools/bench builds it). DIR gets costs.csv,
 operations.csv and chips.csv; docs/results/gpu has such files, of which tools/readme makes tables. docs/measuring.md
-explains them.
+explains them. --compare measures nothing: it prints a table of how many times each noise costs in the second record
+what it did in the first, on a chip of each vendor.
 
 Exit status: 0 done, 1 something became dearer than in the baseline, 2 bad usage, 3 there are no drivers for a chip, and
 why; 4 the drivers could not be had; 130 it was interrupted.
@@ -29,7 +31,7 @@ from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from gpu import drivers, operations, record, stripes
+from gpu import comparing, drivers, operations, record, stripes
 from gpu.chips import CHIPS, Chip
 from gpu.compiling import Compiled, Device, compile_all
 from gpu.drivers import Drivers, Missing
@@ -185,6 +187,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         parser.add_argument(f"--{peer.option}", type=Path, metavar="PATH", help=f"your copy of it: {peer.what}")
     parser.add_argument("--out", type=Path, metavar="DIR", default=Path("out"))
     parser.add_argument("--baseline", type=Path, metavar="FILE", help="an earlier costs.csv, to compare with")
+    parser.add_argument("--compare", type=Path, nargs=2, metavar=("BEFORE", "NOW"),
+                        help="print the table of two costs.csv, and do nothing else")
     parser.add_argument("--drivers", type=Path, metavar="DIR", default=DRIVERS,
                         help="where they are (build/gpu-drivers)")
     parser.add_argument("--get-drivers", action="store_true", help="download them, and do nothing else")
@@ -195,6 +199,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         if options.list_chips:
             return list_chips(options.drivers)
+        if options.compare:
+            print(comparing.page_table(*map(record.read_costs, options.compare)), end="")
+            return 0
         if options.get_drivers:
             drivers.get(options.drivers.absolute(), options.mirror, options.suite)
             print(f"{options.drivers} has {drivers.find(options.drivers).version()}")

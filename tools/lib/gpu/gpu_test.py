@@ -14,7 +14,7 @@ from pathlib import Path
 from unittest import mock
 
 import glslang
-from gpu import chips, command, drivers, operations, pages, record, stripes
+from gpu import chips, command, comparing, drivers, operations, pages, record, stripes
 from gpu.chips import CHIPS, chip_named
 from gpu.compiling import Compiled, compile_all
 from gpu.drivers import Missing
@@ -212,6 +212,29 @@ class Pages(unittest.TestCase):
         self.assertEqual({line.count(" | ") for line in table}, {len(pages.OF_OPERATIONS)})
 
 
+class Comparing(unittest.TestCase):
+    def records(self, *noises: str, cost: str = "8", kinds: str = "") -> comparing.Rows:
+        return {(id, chip): record.Row(id, chip, cost, "2", kinds, "9", "0", "1", "") for noise in noises
+                for id in (noise + comparing.FLOATS, noise + comparing.FIXED) for chip in chips.SHOWN}
+
+    def test_what_a_shader_takes(self):
+        rows = self.records("noise2d.perlin", kinds="FSCIB 3, IC 12")
+        self.assertEqual([comparing.weight(rows["noise2d.perlin.lattice", chip]) for chip in chips.SHOWN],
+                         [4, 8, 8, 12])
+
+    def test_noises_of_both_records_have_a_line(self):
+        before = self.records("noise2d.perlin", "noise3d.cell_border", "noise2d.old", "noise2d.refused")
+        now = dict(self.records("noise2d.new", "noise3d.cell_border", "noise2d.refused")) | self.records(
+            "noise2d.perlin", cost="4")
+        for key, changed in ((("noise2d.refused.lattice", "m1"), {"cost": "", "problem": "too hard"}),
+                             (("noise2d.perlin.lattice+fixed", "navi31"), {"cost": "16"})):
+            now[key] = now[key]._replace(**changed)
+        lines = comparing.page_table(before, now).splitlines()
+        self.assertEqual(lines[2:], [
+            "| Perlin 2D | **0.55**: 0.71, 0.50, 0.50, 0.50 | **0.93**: 0.71, 2.00, 0.50, 0.50 | 1.75 |",
+            "| cell border 3D | **1.00**: 1.00, 1.00, 1.00, 1.00 | **1.00**: 1.00, 1.00, 1.00, 1.00 | 1.00 |"])
+
+
 # Shaped as AdvancedTerrainErosion.cs and phasor.frag are, as far as what is made of them depends on it.
 CSHARP = """using System;
 #region Precision helper constants
@@ -363,6 +386,16 @@ class Command(WithStandIn):
         self.assertEqual(status, 1)
         self.assertIn("DEARER perlin on ampere: 14, was 13", out)
 
+    def test_two_records_are_compared_without_a_driver(self):
+        before, now = (str(pages.RECORD / name) for name in (pages.COSTS_OF_0_3_0, record.COSTS))
+        status, out, err = self.call("--compare", before, now, "--drivers", str(self.folder / "none"))
+        self.assertEqual((status, out), (0, pages.change_table()), err)
+        empty = self.folder / "empty.csv"
+        empty.write_text(",".join(record.Row._fields) + "\n")
+        status, out, err = self.call("--compare", before, str(empty))
+        self.assertEqual((status, out), (2, ""))
+        self.assertIn("the records have no noise with floats and with HN_FIXED on ampere, navi31", err)
+
     def test_without_drivers_it_is_skipped_with_a_reason(self):
         status, _, err = self.call("--drivers", str(self.folder / "none"))
         self.assertEqual(status, 3)
@@ -383,6 +416,7 @@ class Command(WithStandIn):
         for arguments, part in ((["--chip", "voodoo"], "invalid choice: 'voodoo'"),
                                 (["--baseline", str(bad)], "the first line must be"),
                                 (["--baseline", str(self.folder / "none.csv")], "none.csv"),
+                                (["--compare", str(bad), str(bad)], "the first line must be"),
                                 (["--wombat", str(self.folder / "none")], "--wombat: there is no"),
                                 (["--frobnicate"], "--frobnicate")):
             with self.subTest(arguments=arguments):

@@ -1,11 +1,11 @@
-"""The tables that pages have of what was measured: docs/measuring.md and docs/gpu-operations.md."""
+"""The tables of what was measured in docs/measuring.md, docs/default-hash.md and docs/gpu-operations.md."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
 
-from gpu import stripes
+from gpu import comparing, stripes
 from gpu.chips import SHOWN, chip_named
 from gpu.operations import OPERATIONS
 from gpu.record import COSTS, OPERATION_COSTS, Row, read, read_costs
@@ -14,6 +14,7 @@ from tables.peers import CALLS, dimensions, subject
 from tree import ROOT
 
 RECORD = ROOT / "docs" / "results" / "gpu"
+COSTS_OF_0_3_0 = "costs-0.3.0.csv"
 OF_OPERATIONS = ("ampere", "blackwell", "polaris10", "navi21", "navi31", "gfx1201", "adreno630", "adreno740", "m1")
 # Of the peers, in cells.
 LETTERS = {"fastnoiselite": "F", "wombat": "W", "materialx": "M", "webgl-noise": "S", "psrdnoise": "P",
@@ -45,6 +46,11 @@ def chip_table(rows: Mapping[tuple[str, str], Row]) -> str:
             cells.append(f"{' / '.join(ours)}; {', '.join(theirs)}")
         lines.append([noise, *cells])
     return table(("noise", *(_head(name) for name in SHOWN)), lines)
+
+
+def change_table() -> str:
+    """What tools/gpu-costs --compare prints of the record of 0.3.0 and today's."""
+    return comparing.page_table(read_costs(RECORD / COSTS_OF_0_3_0), costs())
 
 
 def quotes(rows: Mapping[tuple[str, str], Row]) -> list[str]:

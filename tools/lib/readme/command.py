@@ -42,6 +42,7 @@ from unreal import files as unreal
 
 README = "README.md"
 MEASURING = "docs/measuring.md"
+DEFAULT_HASH = "docs/default-hash.md"
 OPERATIONS = "docs/gpu-operations.md"
 SUMS = "docs/sums.md"
 CONFORMANCE = "docs/conformance.md"
@@ -71,6 +72,7 @@ def tables(times: of_commands.Times) -> list[tuple[str, str, str]]:
             (MEASURING, "tools/readme: costs on a GPU",
              numbers.cost_table(numbers.costs(numbers.GPU), "nvidia", "of NVIDIA's assembly")),
             (MEASURING, "tools/readme: costs by compilers", of_gpus.chip_table(of_gpus.costs())),
+            (DEFAULT_HASH, "tools/readme: costs since 0.3.0", of_gpus.change_table()),
             (OPERATIONS, "tools/readme: operations", of_gpus.operation_table(of_gpus.operation_costs())),
             (UNIFORM, "tools/readme: uniform", of_uniform.page_table(of_uniform.read())),
             (MEASURING, "tools/readme: noises", numbers.form_table(costs)),
