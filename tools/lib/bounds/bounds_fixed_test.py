@@ -8,7 +8,7 @@ import numpy as np
 
 from bounds import exact_model as exact
 from bounds import fixed_model as fixed
-from bounds import integers, noises
+from bounds import integers, noises, smoothness
 from bounds.adverse import adverse_words, changes, random_fractions, random_positions
 from bounds.boxes import corners
 from bounds.fixed_model import ONE
@@ -104,6 +104,24 @@ class Noise(unittest.TestCase):
         for dims, kind in CASES:
             cells = list(np.random.default_rng(6).integers(-2**31, 2**31, (dims, 1000)))
             self.assertFalse(fixed.perlin(kind, exact.words_at(kind, cells), [np.zeros(1000, np.int64)] * dims).any())
+
+
+class Steps(unittest.TestCase):
+    """How smooth slopes are, which is measured."""
+
+    def test_coarser_steps_are_measured(self):
+        differences, returned = smoothness.measure("perlin", 2, 250)
+        fade, slope = fixed.fade, fixed.slope
+        with mock.patch.object(fixed, "fade", lambda f: fade(f & ~63)), \
+                mock.patch.object(fixed, "slope", lambda f: slope(f & ~63)):
+            coarser, coarse = smoothness.measure("perlin", 2, 250)
+        self.assertTrue(3 < coarser.rms / differences.rms < 12, (differences, coarser))
+        self.assertGreater(coarse.rms, 2 * returned.rms)
+        self.assertEqual(coarser.own, differences.own)
+
+    def test_differences_step_by_more_the_nearer_the_pixels_are(self):
+        far, near = (smoothness.measure("value", 3, pitch) for pitch in (60, 1000))
+        self.assertTrue(14 < near[0].rms / far[0].rms < 18 and 0.8 < near[1].rms / far[1].rms < 1.25, (far, near))
 
 
 class Derivatives(unittest.TestCase):

@@ -9,7 +9,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
-from bounds import frames, gullies, kernel_floats, noises, sine, sums, uniform
+from bounds import frames, gullies, kernel_floats, noises, sine, smoothness, sums, uniform
 from bounds.float_sums import gullies_tolerance, octave_tolerance
 from bounds.gradients import GRADIENTS, SINE, Gradient
 from bounds.integers import fade_errors, slope_errors, spline_weight_error
@@ -167,8 +167,9 @@ def slope_parts_table(derived: Everything) -> str:
 
 
 TABLES: dict[str, Callable[[Everything], str]] = {
-    "noises": noise_table, "derivatives": slope_table, "sums": sums_table, "frames": frames_table, "gullies": gullies_table, "parts": parts_table,
-    "parts of derivatives": slope_parts_table}
+    "noises": noise_table, "derivatives": slope_table, "sums": sums_table, "frames": frames_table,
+    "gullies": gullies_table, "parts": parts_table, "parts of derivatives": slope_parts_table,
+    "steps": lambda _: smoothness.steps_table()}
 
 
 def with_tables(text: str, derived: Everything) -> str:

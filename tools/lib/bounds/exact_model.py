@@ -1,5 +1,5 @@
 """docs/contract.md on arrays, with LATTICE, in doubles: words, gradients and numbers of lattice points, and the exact
-noises, their derivatives and octave sums. Written from that page alone, for the tests of the bounds.
+noises, their derivatives and octave sums. Written from that page alone, for the tests of the bounds and smoothness.py.
 
 A noise takes the fractions along its axes, and a function from a corner of the cell (0 and 1 along each axis; -1 to 2
 in cubic noise) to its words: an array, or with the sine gradient one for each component.

@@ -1,6 +1,6 @@
 """The fixed arithmetic of docs/contract.md on arrays, with LATTICE, in integers that wrap as the contract says. Written
-from that page alone, for bounds_fixed_test.py. A noise takes what those of exact_model.py take, with fractions in units
-of 2^-20, and returns integers."""
+from that page alone, for bounds_fixed_test.py and smoothness.py. A noise takes what those of exact_model.py take, with
+fractions in units of 2^-20, and returns integers."""
 
 import itertools
 import math
