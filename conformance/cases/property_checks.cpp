@@ -12,7 +12,7 @@
 
 namespace hn {
 
-// Or what the driver can do.
+// How many random points a property is checked at: fewer where the function is costly, or the driver can do no more.
 std::size_t property_points(const Session& session, const Function& function) {
   constexpr std::size_t kPropertyPoints = std::size_t{1} << 16;
   return std::min(function.is_costly() ? kPropertyPoints / 4 : kPropertyPoints, session.most_points);

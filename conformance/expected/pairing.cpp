@@ -19,7 +19,7 @@ namespace {
 
 using Words = std::vector<std::uint32_t>;
 
-// A shader with the noise in it so often takes long to compile.
+// Each constant point has the noise in the shader once more, which takes long to compile: so they are few.
 constexpr std::size_t kConstantPoints = 4;
 
 // The same, evaluated as most cases do, so that its program need not be built for this.
@@ -103,8 +103,9 @@ bool moves_octaves(const Function& function) { return function.bound == "warp_pr
 // octave's cell wraps, and neither does that of a point some periods on.
 constexpr std::int64_t kSumReach = std::int64_t{1} << 22;
 
-// Of cells an int is enough for any period. Positions are multiples of 1/8 that are floats a period on, too. Octave
-// sums have few cells: with a whole lacunarity the positions of all octaves are multiples of 1/32 and floats.
+// If the function takes cells, any int is a period. Positions are multiples of 1/8 that are floats a period on, too.
+// The periods of octave sums are small: with a whole lacunarity the positions of all octaves are multiples of 1/32 and
+// floats.
 std::int32_t chosen_period(const Function& function, Random& random) {
   constexpr std::array<std::int32_t, 13> kPeriods = {0,  1,       2,       3,       5,          7, 48,
                                                      64, 1000003, 1 << 20, 1 << 30, 0x7FFFFFFF, -3};

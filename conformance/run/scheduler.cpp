@@ -18,15 +18,15 @@
 namespace hn {
 namespace {
 
-// So many processes in a row that end before they are ready, and the driver is given up: once could be chance. No more,
-// for a hang takes as long as the limit.
+// A driver is given up after so many processes in a row have ended before they were ready. Once could be chance; and
+// each that hangs costs a whole time limit.
 constexpr int kMostFutileStarts = 2;
-// So many cases of a function in a row that end their process, and its others will, too; and so many functions in a
-// row, and the others will.
+// After so many cases of a function in a row have ended their process, its other cases are taken to do the same; and
+// after so many such functions in a row, all other functions are.
 constexpr int kMostCrashesInARow = 10;
 constexpr int kMostFunctionsInARow = 3;
 constexpr std::size_t kLogEnd = 2000;
-// By so much we wake up too late only if we were stopped.
+// We wake up so late only if we were stopped.
 constexpr auto kLate = std::chrono::milliseconds(500);
 
 // The cases of a driver, or a part of them: what is done, what is not, and its process.

@@ -231,7 +231,8 @@ def cell_border(x, y, z=None, /, *, seed=0, period=None, jitter=1.0, cell=None, 
 
 def curl(x, y, z=None, /, *, seed=0, period=None, cell=None, arithmetic="fast", out=None, threads=None,
          instruction_set=None):
-    """Curl noise, in 2D and 3D: velocities of a flow that neither gathers nor spreads what it carries.
+    """Curl noise, in 2D and 3D: velocities of a flow without divergence, which neither gathers nor spreads what it
+    carries.
 
     returns  planes: the velocity along each axis, once continuously differentiable. In 2D they are derivatives of
              `simplex`, in [-8.36, 8.36]; in 3D they are in [-46.2, 46.2]

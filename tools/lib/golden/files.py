@@ -1,5 +1,5 @@
-"""What stands in a golden file: which there are, and with which settings, follows
-from the tables of functions and of configurations."""
+"""The contents of golden files. The tables of functions and of configurations say which files there are, and with which
+settings."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""WGSL of a tree. Types are known everywhere, since GLSL's overloads are chosen by them."""
+"""Writes the tree of GLSL as WGSL. It derives the type of each expression, since GLSL chooses overloads by types."""
 
 from __future__ import annotations
 
