@@ -1,4 +1,4 @@
-// What a program says, and whether it arrived.
+// Prints what a program says, and notices whether it arrived.
 #pragma once
 
 #include <string_view>

@@ -1,4 +1,4 @@
-// What every function, hash and knob costs on a driver, next to table noise and to other people's shaders.
+// Measures what every function, hash and knob costs on a driver, next to table noise and to other people's shaders.
 #pragma once
 
 #include <filesystem>

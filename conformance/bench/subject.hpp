@@ -1,4 +1,5 @@
-// What is measured: an expression of a position, with what it needs; and the shaders that evaluate it.
+// A subject of measurements is an expression of a position, with what it needs. Here are the shaders that evaluate it,
+// too.
 #pragma once
 
 #include <span>

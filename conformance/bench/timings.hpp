@@ -1,4 +1,4 @@
-// What the functions of cases cost on a driver, for run --timings.
+// Measures what the functions of cases cost on a driver, for run --timings.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

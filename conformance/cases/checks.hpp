@@ -1,4 +1,4 @@
-// What each check demands, in words: docs/checks.md.
+// Says in words what each check demands: docs/checks.md is made of that.
 #pragma once
 
 #include <span>

@@ -1,5 +1,5 @@
-// What cases cost: recorded once, so that a run can say before it begins how long it will take, and a test how long the
-// default run has become.
+// Reads what cases cost. It is recorded, so that a run can say before it begins how long it will take, and a test how
+// long the default run has become.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// What a developer needs to see a fault: a shader that stands alone, and pictures.
+// Makes what a developer needs to see a fault: a shader that stands alone, and pictures.
 #pragma once
 
 #include <array>

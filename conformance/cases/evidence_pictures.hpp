@@ -1,4 +1,4 @@
-// What the values around a point look like: on a driver, as they should be, and the difference.
+// Draws the values around a point: those of a driver, those that should be, and the difference.
 #pragma once
 
 #include <string>

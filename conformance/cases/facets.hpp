@@ -1,4 +1,4 @@
-// What a case's id says about it, in words: what failed cases may have in common.
+// Facets are what a case's id says about it, in words. Failed cases may have some in common.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Where a point lies along an axis, for checks that compare it with its neighbours.
+// Finds where a point lies along an axis, for checks that compare it with its neighbours.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// What a case may use while it runs.
+// A session has what a case may use while it runs.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What the subcommands of hn-conform share.
+// Here is what the subcommands of hn-conform share.
 #pragma once
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
-// What bounds of octave sums have in common: the errors of positions, of weights and of operations. The bounds are in
-// sum_bounds.cpp and gullies.cpp.
+// The bounds of octave sums have this in common: the errors of positions, of weights and of operations. The bounds are
+// in sum_bounds.cpp and gullies.cpp.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// What a context says about itself, and which versions of the language it accepts.
+// A ContextInfo has what a context says about itself, and which versions of the language it accepts.
 #pragma once
 
 #include <string>

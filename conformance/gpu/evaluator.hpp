@@ -1,5 +1,5 @@
-// What evaluates functions at points, and says what it is: a context of OpenGL, or something else. The cases that look
-// at values do not know which.
+// An evaluator evaluates functions at points, and says what it is: a context of OpenGL, or something else. The cases
+// that look at values do not know which.
 #pragma once
 
 #include <cstdint>

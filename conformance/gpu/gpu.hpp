@@ -1,4 +1,4 @@
-// What the cases do with a context: build a program, evaluate it over a grid of points, read back the raw bits.
+// With a context the cases build a program, evaluate it over a grid of points, and read back the raw bits.
 #pragma once
 
 #include <array>

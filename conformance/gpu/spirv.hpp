@@ -1,4 +1,4 @@
-// What can be said about a module of SPIR-V.
+// Tells about a module of SPIR-V.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// What the paper leaves for later: hash noise against table noise in a shader that memory holds up. A sweep over the
-// number of further fetches, from a texture far larger than the caches.
+// Compares hash noise with table noise in a shader that memory holds up, which the paper leaves for later: it sweeps
+// over the number of further fetches, from a texture far larger than the caches.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What the sections of the report measure with, and what they hand over.
+// Here is what the sections of the report measure with, and what they hand over.
 #pragma once
 
 #include <filesystem>

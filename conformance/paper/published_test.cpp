@@ -1,5 +1,5 @@
-// What the listings compute on OSMesa, next to the library's hashes of the same names. The sine is left out wherever a
-// value is looked at: GLSL leaves it open.
+// Compares what the listings compute on OSMesa with the library's hashes of the same names. The sine is left out
+// wherever a value is looked at: GLSL leaves it open.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// What a sample of noise values is like: its moments, its histogram, and whether it is normally distributed.
+// Describes a sample of noise values: its moments, its histogram, and whether it is normally distributed.
 #pragma once
 
 #include <cstddef>

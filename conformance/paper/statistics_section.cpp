@@ -1,4 +1,4 @@
-// What the paper's section on statistical properties claims, measured.
+// Measures what the paper's section on statistical properties claims.
 #include <fmt/format.h>
 
 #include <boost/math/distributions/chi_squared.hpp>

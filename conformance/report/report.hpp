@@ -1,4 +1,4 @@
-// What a run leaves behind: results.json, junit.xml, index.html, and what a person reads in a terminal.
+// Writes what a run leaves behind: results.json, junit.xml, index.html, and what a person reads in a terminal.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// What is known to go wrong on some drivers, and why that is not a reason to call a run wrong.
+// An expectation says what is known to go wrong on some drivers, and why that does not make a run wrong.
 #pragma once
 
 #include <filesystem>

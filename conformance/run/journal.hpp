@@ -1,4 +1,4 @@
-// What a run has found so far, on disk as soon as it is found: for --resume.
+// The journal has what a run has found so far, and is on disk as soon as that is found: for --resume.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-"""What compilers say of the headers where a user goes wrong: python3 header_test.py COMPILER..."""
+"""Tests what compilers say of the headers where a user goes wrong: python3 header_test.py COMPILER..."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-// What can happen to a browser, and that it leaves nothing behind.
+// Tries what can happen to a browser, and that it leaves nothing behind.
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/wait.h>

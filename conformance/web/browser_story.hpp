@@ -1,4 +1,4 @@
-// What the tests of browsers share.
+// Here is what the tests of browsers share.
 #pragma once
 
 #include <gtest/gtest.h>

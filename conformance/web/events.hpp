@@ -1,4 +1,4 @@
-// What a runner of cases reports while it runs.
+// Events are what a runner of cases reports while it runs.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-// What a compiler of C++ says of a user's GLSL, in the words of GLSL.
+// Puts what a compiler of C++ says of a user's GLSL into the words of GLSL.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// What is written: the bytes of each file, and how the values became what is in them.
+// Makes what is written: the bytes of each file, and how the values became what is in them.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// Where the points of an axis are: exactly, at any size, so that the last one of a tile is followed by the first.
+// Says where the points of an axis are: exactly, at any size, so that the last one of a tile is followed by the first.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What this library is to reach. A page states each aim beside the number, met or missed.
+// Aims are what this library is to reach. A page states each beside the number, met or missed.
 #pragma once
 
 #include <optional>

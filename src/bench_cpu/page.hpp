@@ -1,4 +1,4 @@
-// What is left of a run: a page for people, and the same as JSON.
+// A run leaves this behind: a page for people, and the same as JSON.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -1,4 +1,4 @@
-// What a call from Python costs beside one from C++.
+// Measures what a call from Python costs beside one from C++.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// What is measured: fields of this library, and what does the same in FastNoise2.
+// The subjects are fields of this library, and what does the same in FastNoise2.
 #pragma once
 
 #include <hashnoise/field.hpp>

@@ -1,5 +1,5 @@
-// What the part of the library that is compiled for one instruction set gives to the part that is compiled for all: a
-// table of kernels. These are plain types: an inline function here could be linked from the wrong part.
+// The part of the library that is compiled for one instruction set gives a table of kernels to the part that is
+// compiled for all. These are plain types: an inline function here could be linked from the wrong part.
 #pragma once
 
 #include <cstdint>

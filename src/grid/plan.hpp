@@ -1,4 +1,4 @@
-// What a field computes: checked settings, and the kernels for them.
+// A plan says what a field computes: checked settings, and the kernels for them.
 #pragma once
 
 #include <hashnoise/field.hpp>

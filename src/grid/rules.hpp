@@ -1,5 +1,5 @@
-// What settings may be. The constructor of Field checks it, and so the Python package and hn-bake
-// do, too. They read from here what they have to know before there is a Field. docs/cpu.md has it as a table.
+// These rules say what settings may be. The constructor of Field checks them, so the Python package and hn-bake do,
+// too. They read from here what they have to know before there is a Field. docs/cpu.md has it as a table.
 #pragma once
 
 #include <cmath>

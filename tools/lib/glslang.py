@@ -1,4 +1,4 @@
-"""What Khronos' reference compiler says of a shader."""
+"""Asks Khronos' reference compiler about a shader."""
 
 from __future__ import annotations
 

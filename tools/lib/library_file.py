@@ -1,4 +1,4 @@
-"""What commands that make a text of glsl/hashnoise/ have in common: the names of files, of the user's functions and of
+"""Commands that make a text of glsl/hashnoise/ have this in common: the names of files, of the user's functions and of
 modules, and where the text goes."""
 
 from __future__ import annotations

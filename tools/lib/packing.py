@@ -1,4 +1,4 @@
-"""What commands that make a package have in common: a folder with its files, or one zip file of it."""
+"""Commands that make a package have this in common: a folder with its files, or one zip file of it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where things are. A file that moves is named anew here."""
+"""Says where things are. A file that moves is named anew here."""
 
 import posixpath
 import re

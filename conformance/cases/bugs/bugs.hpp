@@ -1,4 +1,5 @@
-// What real drivers have got wrong, a case each: a few lines of GLSL, inputs, and the words that should come out.
+// Each case here is something that a real driver has got wrong: a few lines of GLSL, inputs, and the words that should
+// come out.
 //
 // A bug is data, so that a browser can run the same. Its expected words are computed by C++ that is not GLSL, from what
 // the specification says, when the table is made.

@@ -1,5 +1,5 @@
-// What the fuzz targets share. Each defines LLVMFuzzerTestOneInput for one parser: it must not crash. What it accepts
-// must survive being written and read again, and an error must name a place.
+// Here is what the fuzz targets share. Each defines LLVMFuzzerTestOneInput for one parser: it must not crash. What it
+// accepts must survive being written and read again, and an error must name a place.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,6 @@
-// What the harness does to texts of shaders and of logs: #include, and the way back from a line of the expanded text.
-// The input is a log, then the case's shader, then files a, b, c, ... to include, with a line "%%" between them.
+// Tries what the harness does to texts of shaders and of logs: it expands #include, and finds the way back from a line
+// of the expanded text. The input is a log, then the case's shader, then files a, b, c, ... to include, with a line
+// "%%" between them.
 #include <fmt/format.h>
 
 #include <map>

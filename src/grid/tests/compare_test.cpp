@@ -1,4 +1,4 @@
-// What compares fields must report what is wrong with them.
+// The comparison of fields must report what is wrong with them.
 #include "compare.hpp"
 
 #include <gtest/gtest-spi.h>

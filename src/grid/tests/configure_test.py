@@ -1,4 +1,4 @@
-"""What CMake makes of HASHNOISE_INSTRUCTION_SETS: python3 configure_test.py CMAKE COMPILER
+"""Tests what CMake makes of HASHNOISE_INSTRUCTION_SETS: python3 configure_test.py CMAKE COMPILER
 
 Nothing is compiled but what CMake asks the compiler.
 """

@@ -1,4 +1,4 @@
-// What a field says of itself, empty grids, and every error that field.hpp promises.
+// Tests what a field says of itself, empty grids, and every error that field.hpp promises.
 #include "hashnoise/field.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What kernels read and write: arrays end at a page that cannot be touched.
+// Tests what kernels read and write: arrays end at a page that cannot be touched.
 #include <gtest/gtest.h>
 #include <sys/mman.h>
 #include <unistd.h>

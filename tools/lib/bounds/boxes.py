@@ -1,4 +1,4 @@
-"""What is proven of a cell, box by box: the fade and its derivatives, and suprema by branch and bound.
+"""Proves things of a cell, box by box: the fade and its derivatives, and suprema by branch and bound.
 
 Nothing is sampled: a supremum is bounded by branch and bound over boxes of fractions. Bounds are computed in doubles,
 for many boxes at a time; SAFE inflates each result by far more than their own rounding errors.

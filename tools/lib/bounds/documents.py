@@ -1,4 +1,4 @@
-"""What quotes the bounds: tables in docs/accuracy.md, which are written from here, and numbers in prose and in the
+"""Bounds are quoted in tables in docs/accuracy.md, which are written from here, and as numbers in prose and in the
 comments of the library, which are compared."""
 
 from __future__ import annotations

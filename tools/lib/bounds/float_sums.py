@@ -1,4 +1,4 @@
-"""How far an octave sum of floats may be off: what the suite says of it, in C++, so that it is said once. The proofs are in
+"""Asks the suite's C++ how far an octave sum of floats may be off, so that it is said once. The proofs are in
 conformance/expected/sum_bounds.cpp and gullies.cpp."""
 
 from __future__ import annotations

@@ -1,5 +1,5 @@
-"""How far octave sums with slopes, and warps, may be off in fixed arithmetic, from the bounds of their noise and its
-derivatives. Of floats float_sums.py has the same.
+"""Derives how far octave sums with slopes, and warps, may be off in fixed arithmetic, from the bounds of their noise
+and its derivatives. float_sums.py has the same for floats.
 
 The frame of an octave is a matrix K. Its columns, which a derivative is a product with, and its rows, which a shift is,
 are lengthened by no more than the turns stretch lengths. Integers of a frame do not depend on the position, and so they

@@ -1,4 +1,4 @@
-"""How large the exact noise and its derivatives can be, before they are scaled: suprema over the cell and all
+"""Derives how large the exact noise and its derivatives can be, before they are scaled: suprema over the cell and all
 gradients.
 
 The noise is sum_o w_o n_o over the corners o of a cell, with w_o the product of s(f_i) or 1 - s(f_i). n_o is the ramp

@@ -1,4 +1,4 @@
-"""What the tests of the commands share."""
+"""Here is what the tests of the commands share."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What comments in space say in place of those on the plane, where it does not follow from the dimension: costs, and
+"""Comments in space differ from those on the plane in these numbers, which do not follow from the dimension: costs, and
 bounds, which tools/bounds --check holds against its proofs."""
 
 IN_SPACE: dict[str, dict[str, str]] = {

@@ -1,4 +1,4 @@
-"""What an operation costs: shaders that do it over and over, and the price of one by the slope between two lengths."""
+"""Measures what an operation costs: by shaders that do it over and over, and the slope between two lengths."""
 
 from __future__ import annotations
 

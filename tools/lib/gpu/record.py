@@ -1,4 +1,5 @@
-"""What was measured, as files: costs.csv, operations.csv and chips.csv; and the comparison with earlier ones."""
+"""Writes and reads the files of what was measured, costs.csv, operations.csv and chips.csv, and compares costs with
+earlier ones."""
 
 from __future__ import annotations
 

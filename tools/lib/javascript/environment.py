@@ -1,4 +1,4 @@
-"""Where tests in JavaScript run: a folder with the packages of package.json, from npm's registry.
+"""Tests in JavaScript run in a folder with the packages of package.json, from npm's registry. It is made here.
 
     environment.py make FOLDER                     makes it
     environment.py run FOLDER PROGRAM [ARGUMENT]...    runs a program of Node.js there, such as node, by tools/node

@@ -1,4 +1,4 @@
-"""What is measured of a noise. Each measure is a number, a sentence, and whether it fails what noise should be."""
+"""Measures a noise. Each measure is a number, a sentence, and whether it fails what noise should be."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What tools/peers --likeness does."""
+"""Measures what looks like the noise of other libraries: tools/peers --likeness."""
 
 from __future__ import annotations
 

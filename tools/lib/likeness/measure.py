@@ -1,4 +1,4 @@
-"""What a noise looks like, in numbers: its mean, its deviation, and the size of its features."""
+"""Measures what a noise looks like: its mean, its deviation, and the size of its features."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How the oracle evaluates a function of the library, found by its row: the family, what it takes, and its name."""
+"""Chooses how the oracle evaluates a function of the library, by its row: the family, what it takes, and its name."""
 
 from __future__ import annotations
 

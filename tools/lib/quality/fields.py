@@ -1,4 +1,4 @@
-"""What each noise shows of its lattice, side by side: the directions of its structures, its spectrum, its slices."""
+"""Compares what each noise shows of its lattice: the directions of its structures, its spectrum, its slices."""
 
 from __future__ import annotations
 

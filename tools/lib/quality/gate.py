@@ -1,4 +1,4 @@
-"""What is measured of a hash: which windows, with which seeds, by which tests."""
+"""The gate says what is measured of a hash: which windows, with which seeds, by which tests."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""What octave sums show of their lattices: directions, since the axes of unturned octaves add up, and copies in a tile,
-where octaves would repeat sooner than the tile does."""
+"""Measures what octave sums show of their lattices: directions, since the axes of unturned octaves add up, and copies
+in a tile, where octaves would repeat sooner than the tile does."""
 
 from __future__ import annotations
 

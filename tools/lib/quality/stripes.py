@@ -1,4 +1,4 @@
-"""What phasor noise is beside the wave that it was asked for, and what it shows of its lattice.
+"""Compares phasor noise with the wave that it was asked for, and measures what it shows of its lattice.
 
 To have a direction is no fault of stripes: it is chosen. So the directions of their spectrum are those from the wave
 that was asked for, around which the power of a sum of waves lies as the weight of a point has it, the same all around.

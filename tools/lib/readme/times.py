@@ -1,4 +1,4 @@
-"""How long the commands of the README take, by tools/costs.csv."""
+"""Tells how long the commands of the README take, by tools/costs.csv."""
 
 from __future__ import annotations
 

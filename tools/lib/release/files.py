@@ -1,4 +1,4 @@
-"""What a release has, and how each part of it is made."""
+"""Makes the parts of a release."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What stands in the vectors, the files of vectors/: rows of the golden files, as JSON."""
+"""Makes the vectors, the files of vectors/: rows of the golden files, as JSON."""
 
 from __future__ import annotations
 

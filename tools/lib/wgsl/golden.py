@@ -1,5 +1,5 @@
-"""What shaders of rows of the suite give, beside what the golden files have. What floats may differ by is in the page
-that hn-conform writes for browsers."""
+"""Compares what shaders of rows of the suite give with the golden files. The page that hn-conform writes for browsers
+says by what floats may differ."""
 
 from __future__ import annotations
 

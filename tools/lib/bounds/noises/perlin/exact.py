@@ -1,5 +1,5 @@
-"""How large hn_perlin and its derivatives can be and how fast they can change, proven: suprema.py of the folder above,
-times the scale of docs/contract.md, section 6.
+"""Proves how large hn_perlin and its derivatives can be and how fast they can change: as suprema.py of the folder
+above, times the scale of docs/contract.md, section 6.
 
 RANGE. With the octahedral gradient the supremum before scaling is 1/2 times 511/512 in 1D. It is in the middle of the
 cell in the other dimensions, too: 3/4 in 2D, 5/6 in 3D; in 4D it is 1.07346, elsewhere. The scales are multiples of
