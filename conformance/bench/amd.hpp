@@ -14,7 +14,7 @@
 
 namespace hn {
 
-// Of the fragment stage of a pipeline, as VK_KHR_pipeline_executable_properties tells them.
+// VK_KHR_pipeline_executable_properties tells these of the fragment stage of a pipeline.
 struct AmdStatistics {
   std::int64_t instructions = 0;
   std::int64_t inverse_throughput = 0;  // RADV's estimate of the cycles that one wave keeps the GPU busy

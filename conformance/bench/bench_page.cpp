@@ -157,7 +157,8 @@ Bar bar_of(const Measurement& measurement, std::string_view name, bool marked) {
           measurement.ratio.spread, marked};
 }
 
-// Of what has the prefix, with the table noises of as many dimensions and what is not the library's.
+// Draws a bar for each subject with the prefix, for table noises of as many dimensions and for what is not the
+// library's.
 std::string bars(const BenchReport& report, std::string_view prefix, int dimensions, const std::string& title) {
   std::vector<Bar> bars;
   for (const Measurement& measurement : report.measurements) {

@@ -62,7 +62,7 @@ Result<std::vector<std::uint32_t>> vertex_shader() {
 }
 
 double processor_seconds() {
-  // Of all threads, since a driver may compile in others.
+  // The clock counts all threads, since a driver may compile in others.
   timespec time{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
   return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9;
@@ -242,7 +242,7 @@ class Device final : public FragmentCompiler {
       return std::string_view(extension.extensionName) == kStatisticsExtension;
     });
     if (!has_statistics) return fail(fmt::format("{} has no {}", name_, kStatisticsExtension));
-    // Of Vulkan 1.2, which the loader of Debian 12 hands through; older drivers leave it as it is.
+    // This is of Vulkan 1.2, which the loader of Debian 12 hands through; older drivers leave it as it is.
     auto driver = of_type<VkPhysicalDeviceDriverProperties>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES);
     auto more = of_type<VkPhysicalDeviceProperties2>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2);
     more.pNext = &driver;

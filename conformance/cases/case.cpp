@@ -27,7 +27,7 @@ Outcome run(Session& session, const BugKind& kind) { return check_bug(session, *
 Outcome run(Session& session, const CompilationKind& kind) { return check_compilation(session, kind); }
 Outcome run(Session& session, const ReferenceKind& kind) { return kind.check(session); }
 
-// Of this process, and of those that it started and that have ended.
+// Counts this process, and those that it started and that have ended.
 double processor_seconds() {
   double seconds = 0.0;
   for (const auto who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
@@ -107,7 +107,7 @@ std::vector<std::string> ids_of(const std::vector<Case>& cases) {
 
 namespace {
 
-// Of the cases that only a thorough run has, those that begin with one of these and some others. All are 80,000, and a
+// Returns those of a thorough run's cases that begin with one of these, and some others. All are 80,000, and a
 // process wants a few.
 std::vector<Case> thorough_cases_of(const Subjects& subjects) {
   const auto is_function = [](std::string_view subject) {

@@ -21,7 +21,7 @@ constexpr std::size_t kPoints = 2048;  // a quarter of what is costly
 constexpr std::uint32_t kFurthestCell = 64;
 constexpr double kUnit = 0x1p-16;  // of places
 constexpr std::uint32_t kUnits = 65536;
-// Of places that may depend on far cells, how many are tried to find some that do.
+// So many places that may depend on far cells are tried to find some that do.
 constexpr std::size_t kTries = 4096;
 constexpr std::size_t kFarPoints = 64;
 

@@ -34,7 +34,7 @@ CaseName name_of(std::string_view file, const Configuration& configuration, Stag
           .check = std::string(check)};
 }
 
-// Of the knobs themselves, whatever else they are.
+// Names a case about the knobs themselves, whatever their values are.
 CaseName name_of_setting(std::string_view name, std::string_view profile, std::string_view check) {
   return {.function = fmt::format("config.{}", name),
           .configuration = "any",
@@ -216,7 +216,7 @@ struct Refusal {
   std::string after = {};     // behind the include
 };
 
-// Of the library that this program was built with, whose last hash is the custom one.
+// The last hash of the library that this program was built with is the custom one.
 const std::string kHashBeyondTheLast = fmt::format("#define HN_HASH {}\n", HN_HASH_CUSTOM + 1);
 
 const std::string kFixed = "#define HN_ARITHMETIC HN_FIXED\n";
@@ -355,7 +355,7 @@ std::vector<Acceptance> acceptances() {
   return {
       {"other_sums", "", kOtherSums, true},
       {"fixed_other_sums", kFixed, kOtherSums, true},
-      // Of the library that this program was built with.
+      // It has to be that of the library that this program was built with.
       {"version", "",
        fmt::format("#if HN_VERSION_MAJOR != {} || HN_VERSION_MINOR != {} || HN_VERSION_PATCH != {}\n"
                    "#error this is another version\n#endif\n",

@@ -19,7 +19,7 @@ namespace hn {
 // of record, 60 s on two cores.
 inline constexpr double kBudget = 120.0;
 
-// Of a check and a function: how many cases a run had, and what they took together.
+// How many cases of a check and a function a run had, and what they took together.
 struct Cost {
   std::string check;
   std::string function;
@@ -33,7 +33,7 @@ class Costs {
  public:
   // The text of costs.csv.
   static Result<Costs> parse(std::string_view text);
-  // Of results, by their processor time.
+  // Adds up the processor time of results.
   static Costs of(std::span<const CaseResult> results, double calibration);
   static const Costs& recorded();  // costs.csv
 

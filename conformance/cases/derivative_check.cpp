@@ -16,7 +16,7 @@ namespace hn {
 namespace {
 
 constexpr std::size_t kPoints = 512;
-// Of positions: they have 10 bits of a fraction.
+// Positions go no further, so that they have 10 bits of a fraction.
 constexpr std::uint32_t kFurthestCell = 1024;
 
 // The derivative at a place is the sum of values of the noise at others times their weights, but for an error.

@@ -52,7 +52,7 @@ Outcome check_pairing(Session& session, const Pairing& pairing) {
 
 namespace {
 
-// Of an exact function one goes the same ways as another: those of three axes and a seed stand for all.
+// All exact functions go the same ways, so that those of three axes and a seed stand for all.
 bool has_variants(const Function& function) {
   return !function.exact() || (function.axes == 3 && function.seed_word() >= 0);
 }
@@ -83,7 +83,7 @@ std::vector<Relation> variants_of(const Evaluation& evaluation, const Target& ta
   if (!(target.main || of_vulkan) || !configuration.default_but_for_arithmetic() || !has_variants(function)) return {};
   std::vector<Relation> variants;
   for (const auto& [name, variant, make] : kVariants) {
-    // Of several words that are near the right ones nothing can be said by what a trip leaves of them.
+    // If several words are only near the right ones, what a trip leaves of them says nothing.
     if (name == "in_loop" && function.outputs.size() > 1 && !has_same_bits(function, configuration)) continue;
     variants.push_back({name, PairingKind{{function, configuration, profile, variant, stage}, make}});
   }

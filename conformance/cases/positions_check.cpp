@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kPointsOfEach = 64;
 constexpr std::uint32_t kMostAxes = 4;
-// Of what a place is made: a cell and a fraction, a cell alone, or a position.
+// A place is made in one of three ways: of a cell and a fraction, of a cell alone, or of a position.
 constexpr std::uint32_t kWays = 3;
 constexpr std::uint32_t kCellAlone = 1;
 

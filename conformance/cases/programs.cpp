@@ -210,8 +210,8 @@ const Things& all_things() {
   return kThings;
 }
 
-// Of equals the default hash is taken; and the stage that compiles faster: llvmpipe compiles a pixel's shader twice,
-// for triangles that cover a block and that do not.
+// Among equals it prefers the default hash, and the stage that compiles faster: llvmpipe compiles a pixel's shader
+// twice, for triangles that cover a block and that do not.
 int cost_of(const PlannedProgram& program) {
   const bool default_hash = program.configuration->hash == default_configuration().hash;
   return (default_hash ? 0 : 2) + (program.target.stage == Stage::fragment ? 1 : 0);

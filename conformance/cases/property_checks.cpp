@@ -63,7 +63,7 @@ double largest_slope_of(const Function& function, const Configuration& configura
   return fixed && sum > 64.0 ? 4096.0 : largest;
 }
 
-// Of a height, and of what is added to a slope of which both ends are cut off. Integers round down with each octave.
+// The largest height, or addition to a slope whose ends are both cut off. Integers round down with each octave.
 double largest_of_gullies(const Function& function, const Configuration& configuration,
                           std::span<const std::uint32_t> inputs, std::size_t output) {
   if (function.is_slope(output)) return 16.0;
@@ -241,7 +241,7 @@ Outcome check_zero(Session& session, const Evaluation& evaluation) {
   return comparison.finish();
 }
 
-// Of distances that is nearly what a million points reach: the nearest point is far only if all around are, so the ends
+// A million distances reach little more than this: the nearest point is far only if all around are, so the ends
 // of the range are rare.
 float cellular_used_of(const Function& function) {
   const bool plane = function.axes == 2;

@@ -30,7 +30,7 @@ struct Crossing {
 
 double rest_of(double x) { return x - std::floor(x); }
 
-// Of the triangles: with u = 2 x + y and v = 2 y, the lines where u, v or u - v are whole.
+// The seams of the triangles are the lines where u, v or u - v are whole, with u = 2 x + y and v = 2 y.
 Crossing crossing_of_triangles(Fractions f, Random& random) {
   const double y = 2.0 * kUnit * std::floor(f[1] / kUnit / 2.0);  // so that its half is exact
   const double half = random.below(2) == 0 ? 0.0 : 0.5;
@@ -44,7 +44,7 @@ Crossing crossing_of_triangles(Fractions f, Random& random) {
   }
 }
 
-// Of smooth noise: a row has its points at multiples of 1/2 along x, or between them.
+// In smooth noise a row has its points at multiples of 1/2 along x, or between them.
 Crossing crossing_of_rows(Fractions f, Random& random) {
   if (random.below(2) == 0) return {{f[0], random.below(2) == 0 ? 0.0 : 0.5}, 1};
   return {{static_cast<double>(random.below(4)) / 4.0, f[1]}, 0};
@@ -53,7 +53,7 @@ Crossing crossing_of_rows(Fractions f, Random& random) {
 double from_nearest_end(double f) { return std::min(f, 1.0 - f); }
 double at_distance(double distance, Random& random) { return random.below(2) == 0 ? distance : 1.0 - distance; }
 
-// Of the centred lattice: the middle of a cell, and where two axes are as far from their nearest ends.
+// The seams of the centred lattice are in the middle of a cell, and where two axes are as far from their nearest ends.
 Crossing crossing_of_centred(Fractions f, std::size_t axes, Random& random) {
   const std::size_t axis = random.below(static_cast<std::uint32_t>(axes));
   const std::size_t other = (axis + 1 + random.below(static_cast<std::uint32_t>(axes - 1))) % axes;
@@ -61,8 +61,8 @@ Crossing crossing_of_centred(Fractions f, std::size_t axes, Random& random) {
   return {f, axis};
 }
 
-// Of smooth noise in space: the middle of a cell, and where one end of a diagonal of the cube is as near as the other.
-// With the distances a, b and c from the nearest ends that is where a + b - c is 0 or 1/2.
+// Those of smooth noise in space are in the middle of a cell, and where both ends of a diagonal of the cube are as
+// near. With the distances a, b and c from the nearest ends that is where a + b - c is 0 or 1/2.
 Crossing crossing_of_diagonals(Fractions f, Random& random) {
   const std::size_t axis = random.below(3);
   const double b = from_nearest_end(f[(axis + 1) % 3]);
@@ -74,7 +74,8 @@ Crossing crossing_of_diagonals(Fractions f, Random& random) {
   return {f, axis};
 }
 
-// Of cellular noise: the wall of a cell, where other cells are searched, and its middle, where others are beyond them.
+// Those of cellular noise are at a wall, where other cells are searched, and in the middle, where others are beyond
+// them.
 Crossing crossing_of_cells(Fractions f, std::size_t axes, Random& random) {
   const std::size_t axis = random.below(static_cast<std::uint32_t>(axes));
   f[axis] = random.below(2) == 0 ? 0.0 : 0.5;

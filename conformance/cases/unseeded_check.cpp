@@ -13,7 +13,7 @@
 
 namespace hn {
 
-// Of one function, by the twin.
+// Checks one function, by the twin.
 Outcome check_unseeded(Session& session, const Evaluation& evaluation) {
   const Function& function = evaluation.function;
   Words inputs = random_points(function, property_points(session, function), Random(session.seed, "unseeded"));
@@ -66,7 +66,7 @@ std::string both_overloads(std::string_view file, std::span<const Function* cons
   return text;
 }
 
-// Of a sum two octaves, of which the second has a lacunarity and a gain: in a loop whose end is not known a compiler
+// A sum has two octaves, of which the second has a lacunarity and a gain: in a loop whose end is not known a compiler
 // sees nothing.
 std::string two_octaves(const Function& function) {
   const int word = function.input("octaves");

@@ -54,7 +54,7 @@ Words inputs_of(const Golden& golden) {
   return words;
 }
 
-// Of the words that came out, row by row.
+// Sums up the words that came out, row by row.
 std::uint32_t checksum_of(const Golden& golden, const Words& outputs) {
   Words words;
   for (std::size_t i = 0; i < golden.rows.size(); ++i) {

@@ -322,7 +322,7 @@ std::vector<std::string> missing_drivers(const std::vector<Run>& runs, const std
   return {"none of the drivers is here"};
 }
 
-// Of a run that ended before its end. why: a part of a sentence, or nothing where a case says it.
+// Adds the problem of a run that ended early. why: a part of a sentence, or nothing where a case says it.
 // Whether it did.
 bool note_what_was_not_run(const RunPlan& plan, const std::vector<Run>& runs, const std::string& why,
                            std::vector<std::string>& problems) {

@@ -66,7 +66,7 @@ std::int64_t fixed_sine(Word angle) {
   return angle >> 31 ? -g : g;
 }
 
-// Of two sines.
+// Multiplies two sines.
 std::int64_t fixed_product(std::int64_t a, std::int64_t b) { return ((a >> 1) * b + 16384) >> 15; }
 
 // Points that go round: how far they are, and how near to the centres of their cells.
@@ -290,7 +290,7 @@ std::vector<Seen> all_seen(const Place& place, int reach) {
   return all;
 }
 
-// Of points at the same distance those of the cell of the place and its neighbours come first.
+// Where points are at the same distance, those of the place's cell and of its neighbours come first.
 bool is_nearer(const Seen& one, const Seen& other) {
   const auto beside = [](const Seen& seen) {
     return std::all_of(seen.from_cell.begin(), seen.from_cell.end(), [](std::int64_t c) { return c >= -1 && c <= 1; });

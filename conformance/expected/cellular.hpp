@@ -22,7 +22,7 @@ struct FeaturePoint {
 
 // What a row of cellular noise should be at a point.
 struct Searched {
-  // Of each output: the exact value, or with fixed arithmetic the value that the contract defines.
+  // For each output the exact value, or with fixed arithmetic the value that the contract defines.
   std::array<double, kOutputWords> values;
   // In the metric of the row. Of rows that name the nearest point or lead to it this is how clear it is which one that
   // is.

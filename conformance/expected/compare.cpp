@@ -14,10 +14,10 @@
 namespace hn {
 namespace {
 
-// Of one case; more of them tell nothing new.
+// A case tells of so many failures; more of them tell nothing new.
 constexpr std::size_t kMostExamples = 8;
 
-// Of the values of a case; more would be no test.
+// Such a part of the values of a case may be left out; with more it would be no test.
 constexpr double kMostLeftOut = 1.0 / 8.0;
 
 // Maps floats to integers in their order, with -0 and 0 together.

@@ -44,7 +44,7 @@ std::vector<std::uint32_t> frozen_points(const hn::Function& function, hn::Extre
   return words;
 }
 
-// Of the first words of each point, which has `stride`.
+// Sums up the first words of each point, which has `stride`.
 std::uint32_t checksum(std::span<const std::uint32_t> words, std::size_t stride, std::size_t first) {
   std::uint32_t sum = 0;
   for (; !words.empty(); words = words.subspan(stride)) {

@@ -25,7 +25,7 @@ struct GulliesArguments {
   double depth;
 };
 
-// Of the height, and of each slope.
+// How far the height and each slope may be off.
 struct GulliesTolerance {
   double height;
   double slope;

@@ -191,7 +191,7 @@ Pairing variant_pairing(const Evaluation& evaluation, std::uint64_t seed, std::s
   return pairing_on(evaluation, points_for(evaluation, seed, points));
 }
 
-// Of so few points each is to count: those come first whose values are decided.
+// There are so few points that each has to count: those whose values are decided come first.
 Pairing folded_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points) {
   Words inputs;
   Words undecided;
@@ -314,7 +314,7 @@ float random_turns(Random& random) {
 
 }  // namespace
 
-// Of fast arithmetic, too: the steps from a phase to its angle are exact.
+// It holds with fast arithmetic, too: the steps from a phase to its angle are exact.
 Pairing loop_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points) {
   Random random(seed, "loop");
   Words here = points_for(evaluation, seed, points);

@@ -45,24 +45,24 @@ Pairing variant_pairing(const Evaluation& evaluation, std::uint64_t seed, std::s
 // Points that are constants in the shader's text, so that the compiler may evaluate the function itself: few of them,
 // whatever count is given.
 Pairing folded_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points = kPairingPoints);
-// Of functions with periods: points a whole number of periods apart,
+// For functions with periods: points a whole number of periods apart,
 Pairing period_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points = kPairingPoints);
 // points against the form without periods, whose cell is the remainder, and which is the same where it reaches no seam
 // (but of octave sums, which turn without periods),
 Pairing wrapped_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points = kPairingPoints);
 // and periods that are constants in the shader's text.
 Pairing constant_period_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points = kPairingPoints);
-// Of functions with a phase: whole turns apart; half a turn apart, where the noise is the negative; and without a turn
+// For functions with a phase: whole turns apart; half a turn apart, where the noise is the negative; and without a turn
 // against the noise without a phase.
 Pairing loop_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points = kPairingPoints);
 Pairing half_turn_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points = kPairingPoints);
 Pairing phase_zero_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points = kPairingPoints);
-// Of octave sums: from a cell and a fraction against the position that is their sum; with a detail that is a whole
+// For octave sums: from a cell and a fraction against the position that is their sum; with a detail that is a whole
 // number, and with a footprint that leaves all octaves, against the sum without.
 Pairing from_cell_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points = kPairingPoints);
 Pairing whole_detail_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points = kPairingPoints);
 Pairing small_footprint_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points = kPairingPoints);
-// Of sums that slopes wear down: with a strength of 0, against the sum without slopes.
+// For sums that slopes wear down: with a strength of 0, against the sum without slopes.
 Pairing zero_strength_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points = kPairingPoints);
 // The value that comes with a derivative, against the noise or the sum without one.
 Pairing derivative_value_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points = kPairingPoints);

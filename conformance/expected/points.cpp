@@ -65,7 +65,7 @@ std::uint32_t random_cell(Region region, Random& random) {
   return random_word(random);
 }
 
-// Of either sign, from 2^low up to and without 2^high: every power of two as often. -127 is where numbers are
+// Draws a number of either sign, from 2^low up to and without 2^high, every power of two as often. At -127 numbers are
 // subnormal.
 float random_magnitude(int low, int high, Random& random) {
   const auto exponent = static_cast<std::uint32_t>(low + 127) + random.below(static_cast<std::uint32_t>(high - low));
@@ -202,8 +202,8 @@ float random_amplitude(const Function& function, Region region, Extremes extreme
   return random.below(2) == 0 ? usual : kSome[random.below(kSome.size())];
 }
 
-// Of gullies: what people use, none, its end, beyond, and so little that HN_PRECISE sees nothing of it. An error grows
-// with each octave, by more for a larger depth: so most are small.
+// Draws a depth of gullies: a usual one, none, its end, beyond, or so little that HN_PRECISE sees nothing. An error
+// grows with each octave, by more for a larger depth: so most are small.
 float random_depth(Region region, Extremes extremes, Random& random) {
   if (region == Region::extreme && extremes == Extremes::integers && random.below(2) == 0) {
     return random_extreme(128, random);
@@ -291,7 +291,7 @@ float random_phase(Region region, Random& random) {
   }
 }
 
-// Of waves per cell: mostly where they are not cut off, often none or a whole number, and now and then at a limit or
+// Draws waves per cell: mostly where they are not cut off, often none or a whole number, and now and then at a limit or
 // beyond.
 float random_wave(Region region, Random& random) {
   if (region == Region::extreme) return random_extreme(128, random);
@@ -352,7 +352,7 @@ std::uint32_t random_period(bool octave_sum, Random& random) {
   return kPeriods[random.below(octave_sum ? 8 : kPeriods.size())];
 }
 
-// Of whole-numbered positions: how many cells are how many units long.
+// Draws the scale of whole-numbered positions: how many cells are how many units long.
 std::uint32_t random_scale(Random& random) {
   constexpr std::array<std::uint32_t, 8> kScales = {1, 2, 3, 7, 100, 1024, 65535, 65536};
   return random.below(2) == 0 ? kScales[random.below(kScales.size())] : 1 + random.below(65536);
@@ -369,7 +369,7 @@ std::uint32_t random_whole(const Column& column, const Function& function, Regio
   return extremes == Extremes::none ? random_octaves(function, region, random) : extreme_octaves(extremes, random);
 }
 
-// Of a value and of its distribution: mostly where it has no end, often at an end, and now and then far beyond. A
+// Draws a value or its distribution: mostly where it has no end, often at an end, and now and then far beyond. A
 // number of octaves is one of what hn_spread_fbm takes.
 float random_of_distribution(std::string_view name, Region region, Random& random) {
   if (region == Region::extreme && random.below(2) == 0) return random_extreme(128, random);

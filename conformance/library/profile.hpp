@@ -55,7 +55,7 @@ struct LanguageSupport {
   int es_version = 0;        // highest GLSL ES version, 0 for none
   bool gl130 = true;         // a core context need not take GLSL 1.30
   bool bit_encoding = true;  // GL_ARB_shader_bit_encoding
-  // Of a driver of another platform than OpenGL: the names of the profiles whose compute shaders it runs.
+  // If a driver is of another platform than OpenGL: the names of the profiles whose compute shaders it runs.
   std::vector<std::string> profiles = {};
 
   // Compute shaders came with GLSL 4.30 and GLSL ES 3.10.

@@ -6,7 +6,7 @@
 
 namespace hn {
 
-// Of a position on the plane: those of other dimensions are measured in another way (bench/).
+// They take a position on the plane: those of other dimensions are measured in another way (bench/).
 inline constexpr std::array<std::string_view, 6> kTimed = {"fbm.fbm2",        "noise2d.cellular", "noise2d.perlin",
                                                            "noise2d.simplex", "noise2d.value",    "warp.warp2"};
 

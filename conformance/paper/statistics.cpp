@@ -48,7 +48,7 @@ Result<Moments> moments(std::span<const float> values) {
   const auto [least, greatest] = std::minmax_element(wide.begin(), wide.end());
   const auto [mean, m2, m3, m4] = boost::math::statistics::first_four_moments(wide);
   Moments result{wide.size(), *least, *greatest, mean, m2, 0.0, 0.0};
-  // Of values all the same not even rounding may make a distribution.
+  // If all values are the same, not even rounding may make a distribution of them.
   const bool constant = *least == *greatest;
   result.skewness = constant ? std::numeric_limits<double>::quiet_NaN() : m3 / (m2 * std::sqrt(m2));
   result.excess_kurtosis = constant ? std::numeric_limits<double>::quiet_NaN() : m4 / (m2 * m2) - 3;

@@ -10,7 +10,7 @@
 
 namespace hn {
 
-// Of the sample itself, not estimates of a larger population: numpy.var(x), scipy.stats.skew(x),
+// They describe the sample itself, and estimate no larger population: numpy.var(x), scipy.stats.skew(x),
 // scipy.stats.kurtosis(x) of the values as doubles. Skewness and excess kurtosis of values that are all the same are
 // NaN.
 struct Moments {

@@ -146,7 +146,7 @@ std::string success_of(const Rows& rows, std::string_view which, std::string_vie
   return good == 1 ? fmt::format("the {} passes", one) : fmt::format("all {} {} pass", good, which);
 }
 
-// Of all cases that ran, so that it is true whatever else is said.
+// It counts all cases that ran, so that it is true whatever else is said.
 std::string sentence_of(const Trait& trait, const Rows& others, const Texts& texts) {
   Rows apart;
   for (const Row* row : others) {

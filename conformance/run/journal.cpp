@@ -45,7 +45,7 @@ Journal::Entry entry_from(std::string_view line) {
   return entry;
 }
 
-// Of the first line. Null if it has none.
+// Reads the plan of the first line. Null if it has none.
 nlohmann::json plan_from(std::string_view line) {
   try {
     const nlohmann::json json = parse_json(line);

@@ -17,7 +17,7 @@ std::string name_of(const Run& run) {
   return fmt::format("{} on {}, {}", run.driver, run.info.renderer, run.info.gl_version);
 }
 
-// Of how many shards a run is one.
+// Tells how many shards there are, of which a run is one.
 Result<std::size_t> shards_of(const Run& run) {
   HN_TRY(const auto shard, parse_shard(run.shard));
   return shard.count;

@@ -6,7 +6,7 @@ import { crc32, digestInputs, fnv1a64, hex, kInputWords, kOutputWords } from "./
 export const kStatuses = ["pass", "warning", "fail", "unsupported", "crash", "timeout", "error"];
 export const kBadStatuses = ["fail", "crash", "timeout", "error"];
 
-// Of one case; more of them tell nothing new.
+// A case tells of so many failures; more of them tell nothing new.
 const kMostExamples = 8;
 
 const kScratch = new DataView(new ArrayBuffer(4));

@@ -1,6 +1,7 @@
 // What functions cost, compared with each other on this device: times alone say more of the browser than of them.
 
-// Of a draw: a browser's clock may have steps of a millisecond, and what takes long is ended as if it hung.
+// A draw takes as long as this: a browser's clock may have steps of a millisecond, and what takes long is ended as if
+// it hung.
 const kLeastMilliseconds = 10;
 const kMostRounds = 1 << 14;
 const kSamples = 7;

@@ -26,7 +26,7 @@ function sorted(value) {
   return Object.fromEntries(Object.keys(value).sort().map((key) => [key, sorted(value[key])]));
 }
 
-// Of the results of one API. sets: the numbers of the cases' sets, by id.
+// The part of the results of one API. sets: the numbers of the cases' sets, by id.
 function partOf(results, sets, count) {
   const counts = {};
   const checksums = new Map();

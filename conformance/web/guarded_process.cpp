@@ -22,7 +22,7 @@ namespace hn {
 namespace {
 
 constexpr int kPollMilliseconds = 50;
-// Of a log, for a message: about ten lines.
+// A message has so much of a log: about ten lines.
 constexpr std::size_t kMostOfLog = 2000;
 
 // What the guard needs; made before it is, since another thread may hold a lock when we fork.

@@ -2,7 +2,7 @@
 // vertex, its input words come from up to four RGBA32UI textures, and nothing is converted on the way in or out.
 import { kInputWords, kOutputWords } from "./suite.js";
 
-// Of the textures. A digest, the largest grid, has 16,384 points: 16 rows. Phones have little memory.
+// The size of the textures. A digest, the largest grid, has 16,384 points: 16 rows. Phones have little memory.
 const kWidth = 1024;
 const kHeight = 64;
 // Cases that share a program follow each other: a variant, what it is compared with, and the same in another stage.

@@ -28,7 +28,8 @@ using Json = nlohmann::ordered_json;
 
 static_assert(std::endian::native == std::endian::little, "the page's numbers are little-endian");
 
-// Of what is random, the page takes a prefix of what other drivers take by default: its size is that of its points.
+// The page takes the first of the random points that other drivers take by default, since its size is that of its
+// points.
 constexpr std::uint64_t kPageSeed = 1;
 constexpr std::size_t kPagePoints = 1024;
 constexpr std::size_t kFurtherPagePoints = 128;  // of further functions, which are many

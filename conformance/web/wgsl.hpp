@@ -16,7 +16,7 @@ namespace hn {
 class WgslShaders {
  public:
   WgslShaders() = default;
-  // Of the cases that are in WGSL. Python makes them, once for all; where it is missing, all are unsupported.
+  // Makes those of the cases that are in WGSL. Python does it, once for all; where it is missing, all are unsupported.
   WgslShaders(const SourceSet& sources, std::span<const Case> cases);
 
   // The text of what evaluates a function, in pieces that shaders have in common; or why there is none, as a verdict.

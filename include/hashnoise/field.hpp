@@ -57,7 +57,7 @@ struct Settings {
   std::uint32_t seed = 0;
   std::array<std::int32_t, 4> period{};  // in cells, along each axis; 0 for none, and not negative
 
-  // Of noises.
+  // For noises.
   std::optional<float> phase{};  // in turns; perlin, perlin_d, simplex, simplex_d, cellular and phasor in 2D and 3D
   std::optional<float> jitter{};   // in [0, 1], and 1 if it is left out; cellular noises
   std::optional<Metric> metric{};  // kEuclidean if it is left out; cellular and cellular_three
@@ -65,11 +65,11 @@ struct Settings {
   // empty; phasor.
   std::vector<float> wave{};
 
-  // Of sums.
+  // For sums.
   std::optional<int> octaves{};       // from 1 to 32, and 6 if it is left out
   std::optional<float> lacunarity{};  // 2 if it is left out
   std::optional<float> gain{};        // not negative; 0.5 if it is left out
-  // Of ping_pong in [0, 64], and 2 if it is left out; of weighted in [0, 1], and 1; of eroded in [0, 16], and 1.
+  // ping_pong: in [0, 64], and 2 if it is left out; weighted: in [0, 1], and 1; eroded: in [0, 16], and 1.
   std::optional<float> strength{};
   std::optional<float> amplitude{};  // in [0, 64], and 1 if it is left out; warp, warp_progressive
   std::optional<float> detail{};     // in [0, 32]; fbm without a period: octaves as a float, in place of `octaves`

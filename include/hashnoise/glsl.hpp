@@ -170,7 +170,7 @@ struct Vector3 {
   HN_I_INLINE friend constexpr Vector3 operator*(T a, Vector3 b) { return Vector3(a) * b; }
   HN_I_INLINE friend constexpr Vector3 operator/(Vector3 a, Vector3 b) { return {a.x / b.x, a.y / b.y, a.z / b.z}; }
   HN_I_INLINE friend constexpr Vector3 operator/(Vector3 a, T b) { return a / Vector3(b); }
-  // Of integers.
+  // For integers.
   HN_I_INLINE friend constexpr Vector3 operator&(Vector3 a, Vector3 b) { return {a.x & b.x, a.y & b.y, a.z & b.z}; }
   HN_I_INLINE friend constexpr Vector3 operator&(Vector3 a, T b) { return {a.x & b, a.y & b, a.z & b}; }
   HN_I_INLINE friend constexpr Vector3 operator|(Vector3 a, T b) { return {a.x | b, a.y | b, a.z | b}; }

@@ -35,7 +35,7 @@
 
 namespace hashnoise::inline HN_I_NAMESPACE::detail {
 
-// Of these types C++ would convert one to another. Vectors of lanes and types of others are not among them: what they
+// C++ would convert one of these types to another. Vectors of lanes and types of others are not among them: what they
 // convert to is their own affair.
 template <typename T>
 constexpr bool kIsOfGlsl = std::is_arithmetic_v<T> || requires(T place) {

@@ -94,8 +94,8 @@ std::string in_glsl(std::string_view message) {
   return text;
 }
 
-// Of a call that HN_ONLY_TYPES_OF_GLSL deletes: "...hn_value(TypesThatGlslRefuses ...) [with TypesThatGlslRefuses =
-// {vec2, int}]"; Clang does not say the types.
+// Explains a call that HN_ONLY_TYPES_OF_GLSL deletes: "...hn_value(TypesThatGlslRefuses ...) [with TypesThatGlslRefuses
+// = {vec2, int}]"; Clang does not say the types.
 std::string of_refused_call(const std::string& text) {
   const std::size_t end = text.find_first_of("('", text.find("hn_"));
   const std::size_t begin = text.find("hn_");

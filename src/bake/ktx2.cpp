@@ -20,7 +20,7 @@ constexpr std::size_t kLevel = 24;   // of the index of levels
 constexpr std::uint32_t kUnorm16[] = {70, 77, 84, 91};      // VK_FORMAT_R16_UNORM, R16G16, R16G16B16, R16G16B16A16
 constexpr std::uint32_t kFloat32[] = {100, 103, 106, 109};  // VK_FORMAT_R32_SFLOAT and so on
 
-// Of the Khronos Data Format.
+// Numbers of the Khronos Data Format.
 constexpr std::uint8_t kRgbsda = 1;
 constexpr std::uint8_t kNoPrimaries = 0;  // these are numbers, and no colours
 constexpr std::uint8_t kLinear = 1;

@@ -21,7 +21,7 @@ class BandPoints {
  public:
   BandPoints(const std::array<Axis, D>& axes, bool as_floats) : axes_(axes), as_floats_(as_floats) {}
 
-  // Of the rows from first up to and without end.
+  // Places the rows from first up to and without end.
   void place(std::size_t first, std::size_t end) {
     for (std::size_t axis = 0; axis < D; ++axis) {
       cell_[axis].clear();

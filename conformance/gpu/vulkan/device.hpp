@@ -34,7 +34,7 @@ class VulkanDevice {
   virtual ~VulkanDevice() = default;
 
   virtual const VulkanDeviceInfo& info() const = 0;
-  // Of a module with the entry point "main". Must not outlive the device.
+  // Builds a kernel of a module with the entry point "main". It must not outlive the device.
   virtual Result<std::unique_ptr<VulkanKernel>> build(std::span<const std::uint32_t> spirv) = 0;
   // Runs so many groups. Before, `results` is what the buffer of results holds; then it is what the shader left there.
   virtual Result<void> run(const VulkanKernel& kernel, std::span<const std::uint32_t> points,

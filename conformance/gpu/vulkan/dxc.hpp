@@ -16,7 +16,7 @@ class Dxc {
   static Result<Dxc> find();
   // Whether the variable is set, so that another compiler must not stand in.
   static bool is_named();
-  // Of a compute shader of shader model 6.0.
+  // Compiles a compute shader of shader model 6.0.
   Result<std::vector<std::uint32_t>> spirv(const ShaderText& shader) const;
 
   const std::string& version() const { return version_; }  // the first line of what it says

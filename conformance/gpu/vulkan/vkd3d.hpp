@@ -16,7 +16,7 @@ class Vkd3d {
   // The program that the environment variable HN_VKD3D_COMPILER names, or vkd3d-compiler. An error says why there is
   // none that reads HLSL.
   static Result<Vkd3d> find();
-  // Of a compute shader, with all of its buffers as storage buffers.
+  // Compiles a compute shader, with all of its buffers as storage buffers.
   Result<std::vector<std::uint32_t>> spirv(const ShaderText& shader) const;
 
   const std::string& version() const { return version_; }  // "2.1"

@@ -5,7 +5,7 @@
 //   PROGRAM AXES FIRST STEP ROWS       writes bands of so many rows to kRows: band FIRST, then each that is STEP
 //   further
 //
-// Of each component a band has all values, x fastest. AXES is a file with the cells, the places in them and the
+// A band has all values of each component, x fastest. AXES is a file with the cells, the places in them and the
 // positions of all points along x, then of those along y and so on.
 #pragma once
 

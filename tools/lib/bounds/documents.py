@@ -267,7 +267,7 @@ def of_function(function: glsl.Declaration, gradient: Gradient, derived: Everyth
     return derived.get((noise, dims, gradient)) or derived[noise, dims, None]
 
 
-# Of which of their numbers the comments of these functions tell the error.
+# The comments of these functions tell the errors of these numbers.
 UNIFORM = {"hn_uniform": "value", "hn_uniform_d": "slope", "hn_spread_fbm": "coefficient"}
 
 

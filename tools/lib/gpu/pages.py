@@ -16,7 +16,7 @@ from tree import ROOT
 RECORD = ROOT / "docs" / "results" / "gpu"
 COSTS_OF_0_3_0 = "costs-0.3.0.csv"
 OF_OPERATIONS = ("ampere", "blackwell", "polaris10", "navi21", "navi31", "gfx1201", "adreno630", "adreno740", "m1")
-# Of the peers, in cells.
+# The letters of the peers in cells.
 LETTERS = {"fastnoiselite": "F", "wombat": "W", "materialx": "M", "webgl-noise": "S", "psrdnoise": "P",
            "terrain-erosion": "E", "phasor-noise": "T", "clay-john": "J"}
 SUMS = "octaves"  # in the names of noises: those have loops

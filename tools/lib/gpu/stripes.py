@@ -33,7 +33,7 @@ CALLS = (
          f"dot(ErosionFilter({FIVE_OCTAVES}).xyz, vec3(1.0))"),
 )
 
-# Of the C#, in this order.
+# The regions of the C# that are taken, in this order.
 REGIONS = ("Precision helper constants", "Common shader-style helpers", "Core algorithms")
 # What C# leaves to its compiler. All others are floats.
 TYPES = {**dict.fromkeys(("i", "j"), "int"),

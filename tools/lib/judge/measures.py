@@ -150,7 +150,7 @@ def slopes(m: Measured) -> Finding | None:
     size = float(np.sqrt((claimed ** 2).mean()))
     errors = []
     for axis, direction in enumerate(m.axes()):
-        # Of four differences, so that the curvature does not count.
+        # It takes four differences, so that the curvature does not count.
         at = [m.sampler.random(-8, 8, 400, moved=k * step * direction)[0].astype(float) for k in (-2, -1, 1, 2)]
         errors.append(np.abs((8 * (at[2] - at[1]) - (at[3] - at[0])) / (12 * step) - claimed[:, axis]))
     error = float(np.quantile(np.array(errors), 0.999)) / max(size, 1e-30)  # where the noise has kinks there is more

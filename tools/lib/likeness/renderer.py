@@ -11,8 +11,8 @@ FRAGMENT, VERTEX = 0x8B30, 0x8B31
 COMPILED, LINKED = 0x8B81, 0x8B82
 TRIANGLES = 4
 SIDE = 512  # so a quarter of a million places: deviations and sizes of other seeds differ by less than 1%
-# Of OSMesaCreateContextAttribs, in pairs that a 0 ends: pixels of four floats, in a core profile of OpenGL 4.5, the
-# newest that this renderer has.
+# What OSMesaCreateContextAttribs takes is pairs that a 0 ends: pixels of four floats, in a core profile of OpenGL 4.5,
+# the newest that this renderer has.
 CONTEXT = (0x22, RGBA, 0x33, 0x34, 0x36, 4, 0x37, 5, 0)
 # One triangle that covers every pixel.
 CORNERS = """#version 450

@@ -39,7 +39,7 @@ OF_SPREADS: dict[str, tuple[Callable[..., tuple[Real, ...]], Callable[..., tuple
     "uniform.uniform": (lambda *row: uniform.uniform_d(*row)[:1], lambda *row: uniform.fixed_uniform_d(*row)[:1]),
     "uniform.uniform_d": (uniform.uniform_d, uniform.fixed_uniform_d),
     "uniform.spread_fbm": (uniform.spread_fbm, uniform.fixed_spread_fbm)}
-# Of a position that is a whole number, along one axis, with cells and units.
+# They take a position that is a whole number, along one axis, and cells and units.
 OF_A_PLACE: dict[str, Callable[[int, int, int], Real]] = {"cell": positions.cell, "fraction": positions.fraction}
 
 # Sums of noises that nobody chooses.

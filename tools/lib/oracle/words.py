@@ -135,7 +135,7 @@ SHIFTS, SEED_SHIFT = (12, 11, 10, 9), 8
 # What the low 24 bits of the spread coordinates after the first are multiplied by in the sum A.
 FACTORS = (0xE6133E, 0x913FDC, 0x85AAB8)
 
-# Of the centre of a cell (section 13): h', the spread coordinate that a corner does not have, and its shift.
+# The centre of a cell (section 13) has h', a spread coordinate that a corner does not have, and its shift.
 CENTRE, CENTRE_SHIFT = PRIMES[4], 8
 
 
@@ -236,7 +236,7 @@ def pcg4d(x: int, y: int, z: int, w: int) -> tuple[int, int, int, int]:
 
 # --- Section 22: further words of a lattice point ------------------------------------------------------------------
 
-# Of the components of a vector after the first.
+# The factors of a vector's components after the first.
 COMPONENT_FACTORS = (0xEB1831, 0x84A5E5)
 
 

@@ -18,7 +18,7 @@ HEAD = """#include <bit>
 #include "hashnoise/hashnoise.hpp"
 
 namespace hashnoise {
-// Of structs their parts are compared, since there may be gaps between them.
+// Structs are compared part by part, since there may be gaps between the parts.
 template <typename T>
 bool differs(const T& a, const T& b) { return std::memcmp(&a, &b, sizeof a) != 0; }
 """

@@ -10,7 +10,7 @@ from pick.runners import NotRun
 from wgsl.device import Absent, installed
 
 PACKAGE = "slangpy==0.43.1"
-# Of SlangCompileTarget in slang.h.
+# The numbers of SlangCompileTarget in slang.h.
 TARGETS = {"hlsl": 5, "spirv": 6, "metal": 24, "wgsl": 28}
 SOURCE = 1  # of SlangSourceLanguage: Slang
 STAGES = {"vertex": 1, "fragment": 5, "compute": 6}  # of SlangStage

@@ -28,7 +28,7 @@ GRADIENT = {2: [31, *range(22, 17, -1)], 3: [31, 30, 22, 29, 21]}
 # at most together, as where neighbours are compared. A vector is made of the 24 good bits of one word, so 4096 of these
 # make each combination of 12 bits. Of 15 bits together few factors would pass, and to the last bit none can. The three
 # bits of a gradient in space are its octant, but for a turn around z.
-# Of 135 pairs of random factors, 106 fail with these numbers. (The words were all multiples of 2^8, each once, and the
+# With these numbers 106 of 135 pairs of random factors fail. (The words were all multiples of 2^8, each once, and the
 # limits those of eight windows.)
 TOGETHER = {"numbers": {2: {2: 6}, 3: {2: 6, 3: 4}}, "gradients": {2: {2: 6}, 3: {2: 5, 3: 3}}}
 

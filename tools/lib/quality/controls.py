@@ -494,7 +494,7 @@ COMPONENTS: dict[str, tuple[Callable[[np.ndarray], list[np.ndarray]], tuple[str,
                                           "components: common runs")),
     "few_words": (few_words, ("one component: equal words",)),
 }
-# Of their windows: so large that it shows how the first factors depend on each other.
+# Their windows are so large that they show how the first factors depend on each other.
 COMPONENT_SHAPE = (128, 64, 64)
 VECTORS = {"alike_vectors": (alike_vectors, ("components: value noise", "components: perlin noise"))}
 

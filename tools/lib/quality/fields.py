@@ -15,8 +15,8 @@ SEEDS = range(8)  # a block of its own each
 HEIGHTS = 8  # of slices, in a cell
 PLACES = 1 << 16  # in a slice
 SIDES = {2: 256, 3: 32}  # steps of the lattice along an axis of a block
-# Of the harmonics in the plane: of one axis, of the axes of squares, of the sides of triangles, of the axes and the
-# diagonals of squares alike.
+# The orders of the harmonics in the plane: of one axis, of the axes of squares, of the sides of triangles, of the axes
+# and the diagonals of squares alike.
 ORDERS = (2, 4, 6, 8)
 
 

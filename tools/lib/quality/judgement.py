@@ -91,7 +91,7 @@ def join(findings: list[Finding]) -> Finding:
 def two_tails(test: str, statistic: float, null: Any, samples: int, comparisons: int = 1, where: str = "") -> Finding:
     """A verdict on a value that may be neither too large nor too small: too even is as wrong as too uneven."""
     statistic = float(statistic)
-    # Of a discrete distribution, reaching a value counts, not only exceeding it.
+    # With a discrete distribution reaching a value counts, not only exceeding it.
     discrete = isinstance(null.dist, stats.rv_discrete)
     reach = null.sf(statistic - 1 if discrete else statistic)
     tail = min(float(reach), float(null.cdf(statistic)))

@@ -17,12 +17,12 @@ SEEDS = range(8)
 SIDE = 1024       # samples along a picture
 STEP = 2.0 ** -10  # cells: differences over it are slopes, as the cells of the finest octave are 2^-5 at least
 
-# Of the spectrum: few octaves, so that the samples show all of their waves.
+# The spectrum is that of few octaves, so that the samples show all of their waves.
 WAVE_OCTAVES = 5
 WAVES_PER_CELL = 40
 LEAST_WAVES = 3.0  # cycles per cell: of longer waves a picture has too few
 
-# Of structures: the samples do not fall on the same places of finer cells.
+# For structures the samples do not fall on the same places of finer cells.
 OCTAVES = 6
 PER_CELL = 17.3
 SMOOTHINGS = (0.5, 1.0)  # cells of the first octave, the deviations of Gaussians

@@ -42,7 +42,7 @@ AWAY = 0.02
 OF_WIDTH = 0.05
 # Harmonics: the aim of isotropy.py is 0.1 for directions of structures, and this is what octaves.py allows for waves.
 ROUND = 0.03
-# Of the library's own weights, less a little: a weight that falls sooner leaves larger gaps.
+# These are a little less than the library's own weights have: a weight that falls sooner leaves larger gaps.
 EVEN = {2: 0.75, 3: 0.64}
 
 

@@ -48,7 +48,7 @@ def read_all(paths: Sequence[Path], versions: Mapping[str, Sets],
     """The digests; why others are refused; and which are of other golden files, if that is allowed."""
     digests, refused, left_out = [], [], []
     for path in (file for path in paths for file in files_in(path)):
-        # Of somebody else, and so shown with care.
+        # Somebody else named it, so it is shown with care.
         where = f"{path.parent}/{shown(path.name)[1:-1]}"
         try:
             digests.append(read(path, versions))

@@ -10,7 +10,7 @@ from results.digest import BROWSER_APIS, Digest, Part
 
 # Its vendor, its device and its driver; browsers leave out one or two of them, and Firefox says that it is not exact.
 ANGLE = re.compile(r"ANGLE \((?:[^,()]+, )?(.+?)(?:, [^,()]+(?: \([^()]*\))?)?\)(?: on .*)?")
-# Of ANGLE's names: how it reaches the device.
+# The part of ANGLE's names that says how it reaches the device.
 BACKENDS = re.compile(r"^(?:ANGLE Metal Renderer: |Vulkan [\d.]+ \(|OpenGL(?: ES)? )|"
                       r" (?:Direct3D\w+|OpenGL(?: ES)? [\d.]+|\(0x[0-9A-Fa-f]+\)).*$")
 # Those that number their releases in a string that has other numbers besides.

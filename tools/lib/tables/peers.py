@@ -29,7 +29,7 @@ PEERS = (
     Peer("webgl-noise", "the folder src of webgl-noise", "webgl-noise", ""),
     Peer("psrdnoise", "the folder src of psrdnoise", "psrdnoise", ""),
 )
-# Of these no cost is measured, only what they look like.
+# No cost of these is measured, only what they look like.
 OTHERS = (Peer("lygia", "the folder of lygia", "lygia", ""),)
 
 # FastNoiseLite's state: Perlin noise with the frequency 1, then octaves, lacunarity, gain, the strengths of weighted and

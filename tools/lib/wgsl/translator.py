@@ -455,7 +455,7 @@ class FunctionWriter:
             raise unknown
         type_ = OF_KIND[kinds[0]][max(sizes)]
         if sign in "&|^":
-            # Of a vector and a scalar WGSL has the arithmetic operators only.
+            # WGSL has only the arithmetic operators of a vector and a scalar.
             left, right = (Code(f"{wgsl_type(type_)}({code.text})", type_) if code.type != type_ else code
                            for code in (left, right))
         return type_, left, right
