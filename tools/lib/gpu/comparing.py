@@ -43,6 +43,7 @@ def page_table(before: Rows, now: Rows) -> str:
               if measured(before, noise) and measured(now, noise)]
     if not noises:
         raise ValueError(f"the records have no noise with floats and with HN_FIXED on {', '.join(SHOWN)} in common")
+
     def fixed_to_floats(noise: str) -> str:
         return f"{fmean(weight(now[noise + FIXED, chip]) / weight(now[noise + FLOATS, chip]) for chip in SHOWN):.2f}"
 
