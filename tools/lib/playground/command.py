@@ -3,13 +3,25 @@
 from __future__ import annotations
 
 import argparse
+import subprocess
 import sys
 from pathlib import Path
 
+from javascript import environment
 from parsing.tokens import Unknown
 from playground import picks
 from playground.page import Unfit, page
 from tree import ROOT
+
+
+PICTURE = ROOT / "docs" / "images" / "playground.png"
+
+
+def draw(html: Path) -> int:
+    """Writes the picture of a page, in Chromium; the exit status of the program that does."""
+    folder = ROOT / "build" / "javascript"
+    command = ["node", ROOT / "playground" / "picture.mjs", html.resolve(), PICTURE]
+    return subprocess.run([sys.executable, "-B", environment.__file__, "run", folder, *command], check=False).returncode
 
 
 def main() -> int:
@@ -17,8 +29,11 @@ def main() -> int:
                                      epilog="docs/playground.md tells what the page does.")
     parser.add_argument("--out", type=Path, default=ROOT / "build" / "playground.html", metavar="FILE",
                         help="the file to write (default: build/playground.html)")
-    parser.add_argument("--picks", action="store_true",
+    beside = parser.add_mutually_exclusive_group()
+    beside.add_argument("--picks", action="store_true",
                         help="write playground/picks.json in place of the page: what tools/pick writes for it")
+    beside.add_argument("--picture", action="store_true",
+                        help="also write docs/images/playground.png, the picture of the page, in Chromium")
     arguments = parser.parse_args()
     out = picks.FILE if arguments.picks else arguments.out
 
@@ -35,4 +50,4 @@ def main() -> int:
     except OSError as error:
         parser.error(f"cannot write {out}: {error.filename}: {error.strerror}")
     print(out.resolve())
-    return 0
+    return draw(out) if arguments.picture else 0
