@@ -7,7 +7,7 @@ import importlib
 import io
 import unittest
 
-COMMANDS = ("glsl_noise", "isf", "materialx", "unity", "unreal")
+COMMANDS = ("blender", "glsl_noise", "isf", "materialx", "unity", "unreal")
 
 
 class Usage(unittest.TestCase):

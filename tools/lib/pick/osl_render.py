@@ -68,23 +68,31 @@ def compiled(tree: bpy.types.NodeTree, shader: Path) -> bpy.types.Node:
     return script
 
 
-def render(scene: bpy.types.Scene, shader: Path, width: int, height: int) -> None:
+def pixels(scene: bpy.types.Scene, shown: bpy.types.NodeSocket, file: Path, width: int, height: int) -> array:
+    """What a color of the square's material is, four floats a pixel, from the first row on; an image goes into a file."""
     square, camera = scene.objects["square"], scene.objects["camera"]
     square.scale = (width, height, 1)
     camera.location = (width / 2, height / 2, 1)
     camera.data.ortho_scale = max(width, height)
     scene.render.resolution_x, scene.render.resolution_y = width, height
     tree = square.data.materials[0].node_tree
-    script = compiled(tree, shader)
-    tree.links.new(script.outputs["shown"], tree.nodes["Emission"].inputs["Color"])
-    scene.render.filepath = str(shader.with_suffix(".exr"))
+    tree.links.new(shown, tree.nodes["Emission"].inputs["Color"])
+    scene.render.filepath = str(file)
     bpy.ops.render.render(write_still=True)
     image = bpy.data.images.load(scene.render.filepath)
     image.colorspace_settings.name = "Non-Color"
     if tuple(image.size) != (width, height):
         raise RuntimeError(f"{scene.render.filepath} has another size")
-    shader.with_suffix(".pixels").write_bytes(array("f", image.pixels[:]).tobytes())
+    found = array("f", image.pixels[:])
     bpy.data.images.remove(image)
+    return found
+
+
+def render(scene: bpy.types.Scene, shader: Path, width: int, height: int) -> None:
+    tree = scene.objects["square"].data.materials[0].node_tree
+    script = compiled(tree, shader)
+    found = pixels(scene, script.outputs["shown"], shader.with_suffix(".exr"), width, height)
+    shader.with_suffix(".pixels").write_bytes(found.tobytes())
     tree.nodes.remove(script)
 
 

@@ -25,6 +25,7 @@ import re
 import sys
 from collections.abc import Sequence
 
+from blender import files as blender
 from compile_times import command as of_compilers
 from glsl_noise import files as glsl_noise
 from gpu import pages as of_gpus
@@ -81,6 +82,7 @@ def tables(times: of_commands.Times) -> list[tuple[str, str, str]]:
             (MEASURING, "tools/readme: peers on a GPU", numbers.peer_table(numbers.peer_costs(numbers.GPU))),
             (HASHES, "tools/readme: hashes", hashes.hash_table(hashes.record())),
             (JUDGE, "tools/readme: judged", of_noises.judge_table(of_noises.read())),
+            ("packages/blender/README.md", "tools/readme: nodes", blender.node_table()),
             ("packages/materialx/README.md", "tools/readme: nodes", materialx.node_table()),
             ("packages/unity/README.md", "tools/readme: nodes", unity.node_table()),
             ("packages/unreal/README.md", "tools/readme: nodes", unreal.node_table()),

@@ -44,7 +44,7 @@ def notes(changelog: str, wanted: str, trial: bool) -> str:
 
 # The parts that are one zip file of a command, by the names of both.
 ZIPPED = {"rust": "crate", "wesl": "wesl", "glsl-noise": "glsl-noise", "unity": "unity", "unreal": "unreal",
-          "materialx": "materialx", "isf": "isf"}
+          "blender": "blender", "materialx": "materialx", "isf": "isf"}
 
 
 class Release:
@@ -138,7 +138,7 @@ class Release:
 
 
 PARTS = ("single", "parts", "vectors", "headers", "source", "npm", "python", "rust", "wesl", "glsl-noise",
-         "unity", "unreal", "materialx", "isf", "godot", "playground", "check")
+         "unity", "unreal", "blender", "materialx", "isf", "godot", "playground", "check")
 # What must be there of each, so that a tool that makes something else is noticed.
 NAMES = {"single": r"hashnoise(\.min|\.fixed)?\.(glsl|hlsl|metal|wgsl)", "parts": r"hashnoise-VERSION-parts\.zip",
          "vectors": r"hashnoise-VERSION-vectors\.zip",
@@ -149,6 +149,7 @@ NAMES = {"single": r"hashnoise(\.min|\.fixed)?\.(glsl|hlsl|metal|wgsl)", "parts"
          "glsl-noise": r"hashnoise-glsl-noise-VERSION\.zip",
          "unity": r"com\.hashnoise\.noise-VERSION\.zip",
          "unreal": r"hashnoise-unreal-VERSION\.zip",
+         "blender": r"hashnoise-blender-VERSION\.zip",
          "materialx": r"hashnoise-materialx-VERSION\.zip",
          "isf": r"hashnoise-isf-VERSION\.zip",
          "godot": r"hashnoise-godot-VERSION\.zip",
