@@ -8,12 +8,15 @@ foreach(subject twin fields bundles browser)
   add_test(NAME npm.${subject} COMMAND ${project} run ${packages_of_node} node ${subject}.mjs ${golden})
   list(APPEND npm_tests npm.${subject})
 endforeach()
+# It draws on the processor what is meant for a GPU.
+add_test(NAME npm.three CONFIGURATIONS Thorough
+         COMMAND ${project} run ${packages_of_node} node three.mjs ${PROJECT_SOURCE_DIR})
 add_test(NAME npm.registry CONFIGURATIONS Thorough
          COMMAND ${project} run ${packages_of_node} node registry.mjs ${PROJECT_SOURCE_DIR}/docs/publishing.md)
 # The last commit of version 0.3.0. After a release it is the tag of the version before the one that is in the making.
 set(before 5301c2bbb34dc19427c8e36684e48987c682c24f)
 add_test(NAME npm.upgrade CONFIGURATIONS Thorough
          COMMAND ${project} run ${packages_of_node} node upgrade.mjs ${PROJECT_SOURCE_DIR} ${before})
-list(APPEND npm_tests npm.registry npm.upgrade)
+list(APPEND npm_tests npm.three npm.registry npm.upgrade)
 add_test(NAME npm.types COMMAND ${project} run ${packages_of_node} npx --no-install tsc --project .)
 set_tests_properties(${npm_tests} npm.types PROPERTIES FIXTURES_REQUIRED "javascript;npm" SKIP_RETURN_CODE 77)

@@ -3,12 +3,12 @@
 //   node browser.mjs GOLDEN    a folder of golden files
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
-import { createServer } from "node:http";
-import { extname, join } from "node:path";
+import { join } from "node:path";
 import test, { after, before } from "node:test";
 import { build, preview } from "vite";
 import { Field } from "hashnoise";
 import { launch, open } from "../chromium.mjs";
+import { serve } from "./files.mjs";
 import { bitsOf, meaning, read } from "./golden_values.mjs";
 
 const [golden] = process.argv.slice(2);
@@ -22,14 +22,8 @@ before(async () => {
   await build({ root });
   server = await preview({ root, preview: { port: 0, host: "127.0.0.1" } });
   address = `http://127.0.0.1:${server.httpServer.address().port}/pages/`;
-  files = createServer(async ({ url }, answer) => {
-    const path = new URL(url, "http://localhost").pathname;
-    const type = { ".html": "text/html", ".js": "text/javascript" }[extname(path)];
-    // As Node.js finds packages: here, and above.
-    const text = type && (await readFile(join(root, path)).catch(() => readFile(join(root, "..", path))).catch(() => null));
-    answer.writeHead(text ? 200 : 404, { "Content-Type": type ?? "text/plain" }).end(text);
-  });
-  await new Promise((resolve) => files.listen(0, "127.0.0.1", resolve));
+  // As Node.js finds packages: here, and above.
+  files = await serve((path) => readFile(join(root, path)).catch(() => readFile(join(root, "..", path))));
   browser = await launch({ protocolTimeout: 60_000 });
 });
 after(async () => {
