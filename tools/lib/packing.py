@@ -24,6 +24,14 @@ def papers(package: Path) -> dict[str, str]:
             "LICENSE": (ROOT / "LICENSE").read_text(encoding="utf-8")}
 
 
+class Refused(Exception):
+    """What is wrong with a file that a package should have."""
+
+
+def encoded(content: str | bytes) -> bytes:
+    return content.encode("utf-8") if isinstance(content, str) else content
+
+
 class Destination:
     """Where a package goes, as the arguments say; what is wrong with them is told before anything is made."""
 
@@ -40,13 +48,13 @@ class Destination:
         if self.folder.exists() and not self.folder.is_dir():
             parser.error(f"{self.folder} is a file; it must be a folder, or a name for a new one")
 
-    def write(self, name: str, archive: str, files: Mapping[str, str]) -> Path:
+    def write(self, name: str, archive: str, files: Mapping[str, str | bytes]) -> Path:
         """The folder of that name, or the zip file in which it is."""
         made = self.folder / (archive if self.is_zip else name)
         try:
             self.folder.mkdir(parents=True, exist_ok=True)
             if self.is_zip:
-                packed = {f"{name}/{path}": text.encode("utf-8") for path, text in files.items()}
+                packed = {f"{name}/{path}": encoded(content) for path, content in files.items()}
                 made.write_bytes(zipped(packed, self.seconds))
             else:
                 put(made, files)
@@ -55,24 +63,32 @@ class Destination:
         return made
 
 
-def command(tool: str, help_: str | None, name: str, package: Callable[[], Mapping[str, str]],
-            arguments: Sequence[str] | None) -> int:
-    """A command that makes one package, NAME-VERSION, and prints where it is."""
+def command(tool: str, help_: str | None, name: str, package: Callable[..., Mapping[str, str | bytes]],
+            arguments: Sequence[str] | None, **files: str) -> int:
+    """A command that makes one package, NAME-VERSION, and prints where it is. `files` are options, each with its help:
+    the package takes the file that one names."""
     parser = argparse.ArgumentParser(prog=f"tools/{tool}", description=help_,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     add_arguments(parser, f"build/{tool}")
-    destination = Destination(parser, parser.parse_args(arguments))
+    for option, said in files.items():
+        parser.add_argument(f"--{option}", metavar="FILE", help=said)
+    given = parser.parse_args(arguments)
+    destination = Destination(parser, given)
     made = f"{name}-{version()}"
-    print(destination.write(made, f"{made}.zip", package()))
+    try:
+        content = package(**{option: path for option in files if (path := getattr(given, option)) is not None})
+    except Refused as error:
+        parser.error(str(error))
+    print(destination.write(made, f"{made}.zip", content))
     return 0
 
 
-def put(folder: Path, files: Mapping[str, str]) -> None:
+def put(folder: Path, files: Mapping[str, str | bytes]) -> None:
     """The files, and no others that an earlier run left. What cargo made stays."""
     for path in folder.glob("*"):
         if path.name not in ("target", "Cargo.lock"):
             shutil.rmtree(path) if path.is_dir() else path.unlink()
-    for name, text in files.items():
+    for name, content in files.items():
         path = folder / name
         path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text, encoding="utf-8")
+        path.write_bytes(encoded(content))

@@ -9,7 +9,10 @@ Exit status: that of the tests; 77 bpy or the package is not here.
 
 from __future__ import annotations
 
+import contextlib
+import io
 import itertools
+import os
 import re
 import subprocess
 import sys
@@ -21,7 +24,9 @@ from unittest import mock
 from blender import command, files
 from blender.in_blender import Heights, NoBlender, found
 from packing_support import made
-from tree import version
+from pick.osl_runner import PACKAGE
+from tree import TOOLS, version
+from wgsl.device import installed
 
 SKIPPED = 77
 SIDE = 12  # pixels
@@ -40,9 +45,22 @@ class Text(unittest.TestCase):
         self.assertEqual(package["shaders/fbm2.osl"], "shader")
         self.assertTrue({"__init__.py", "displace.py", "nodes.py", "README.md", "LICENSE"} <= set(package))
 
+    def test_what_is_no_wheel_of_the_package_is_refused(self) -> None:
+        with tempfile.TemporaryDirectory() as folder:
+            for name in ("hashnoise-0.4.0.zip", "hashnoise-0.4.0-cp311-cp311-linux_x86_64.whl"):
+                Path(folder, name).write_text("no wheel")
+                with self.subTest(name), contextlib.redirect_stderr(io.StringIO()) as error:
+                    with mock.patch.object(files, "texts", return_value={}), self.assertRaises(SystemExit) as ended:
+                        command.main(["--wheel", f"{folder}/{name}", folder])
+                    self.assertEqual(ended.exception.code, 2)
+                    self.assertIn(f"{name} is no wheel of hashnoise; tools/wheel makes one", error.getvalue())
+
 
 @unittest.skipUnless(__name__ == "__main__", "the test blender.addon has Blender")
 class AddOn(unittest.TestCase):
+    FBM = -0.3247804641723633  # hashnoise.fbm(0.5, 0.25, seed=7, arithmetic="fixed"), of its documentation
+    environment: Path
+
     @classmethod
     def setUpClass(cls) -> None:
         cls.root, cls.zip = made(cls, command.main, "--zip")
@@ -68,6 +86,23 @@ class AddOn(unittest.TestCase):
             wrong = Path(folder, files.MANIFEST)
             wrong.write_text(files.package()[files.MANIFEST].replace("type =", "kind ="))
             self.assertNotEqual(status(Path(folder)), 0)
+
+    def test_a_wheel_is_installed_with_it(self) -> None:
+        """In a Blender that has none."""
+        wheel, = (self.environment / "wheels").glob("*.whl")
+        with contextlib.redirect_stdout(io.StringIO()) as out:
+            command.main(["--zip", "--wheel", str(wheel), str(self.root / "with wheel")])
+        lines = ("import sys; from pathlib import Path; from blender.in_blender import Heights\n"
+                 "heights = Heights(Path(sys.argv[1])).displaced([(0.5, 0.25, 0.0)], scale=1.0, strength=1.0, seed=7)\n"
+                 "import hashnoise; print(hashnoise.__file__, float(heights[0]).hex())\n")
+        user = self.root / "other user"
+        environment = {**os.environ, "BLENDER_USER_RESOURCES": str(user),
+                       "PYTHONPATH": os.pathsep.join(map(str, (installed(PACKAGE), TOOLS / "lib")))}
+        done = subprocess.run([sys.executable, "-B", "-c", lines, out.getvalue().strip()], env=environment,
+                              capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertRegex(done.stdout.splitlines()[-1],
+                         rf"^{re.escape(str(user))}/\S*hashnoise/__init__.py {re.escape(self.FBM.hex())}$")
 
     # The operator.
 
@@ -219,7 +254,8 @@ class AddOn(unittest.TestCase):
 if __name__ == "__main__":
     with tempfile.TemporaryDirectory() as user:
         try:
-            found(Path(sys.argv.pop(1)), Path(user))
+            AddOn.environment = Path(sys.argv.pop(1))
+            found(AddOn.environment, Path(user))
         except NoBlender as reason:
             print(f"skipped: {reason}")
             sys.exit(SKIPPED)

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import re
+import zipfile
 from functools import cache
+from pathlib import Path
 
-from packing import papers
+from packing import Refused, papers
 from pick.command import Choice, picker, read_library
 from pick.program import public
 from tables.markdown import table
@@ -47,9 +49,22 @@ def node_table() -> str:
                  [(name, ", ".join(of), others, kind) for (name, others, kind), of in sizes.items()])
 
 
+def wheel_file(path: Path) -> bytes:
+    if not re.fullmatch(r"hashnoise-[\w.+]+(-[\w.]+){3}\.whl", path.name) or not zipfile.is_zipfile(path):
+        raise Refused(f"{path} is no wheel of hashnoise; tools/wheel makes one")
+    return path.read_bytes()
+
+
 @cache
-def package() -> dict[str, str]:
-    """All files, by their paths."""
-    found = {path.name: path.read_text(encoding="utf-8") for path in sorted(PACKAGE.glob("*.py"))}
+def package(wheel: str | None = None) -> dict[str, str | bytes]:
+    """All files, by their paths, with a wheel of the Python package if that is named."""
+    found: dict[str, str | bytes] = {path.name: path.read_text(encoding="utf-8")
+                                     for path in sorted(PACKAGE.glob("*.py"))}
     found[MANIFEST] = (PACKAGE / MANIFEST).read_text(encoding="utf-8").replace('"VERSION"', f'"{version()}"')
-    return found | papers(PACKAGE) | {f"shaders/{shader(form)}.osl": text for form, text in texts().items()}
+    found |= papers(PACKAGE)
+    found |= {f"shaders/{shader(form)}.osl": text for form, text in texts().items()}
+    if wheel is not None:
+        path = Path(wheel)
+        found |= {f"wheels/{path.name}": wheel_file(path),
+                  MANIFEST: f'{found[MANIFEST]}\nwheels = ["./wheels/{path.name}"]\n'}
+    return found
