@@ -24,7 +24,7 @@ constexpr int kBlock = 1024;           // points whose coordinates stay in the f
 constexpr int kNarrow = 64;            // a row with fewer points is not worth a batch of its own
 
 // Runs a kernel over any number of points. The last ones, which do not fill the lanes, are computed together with those
-// before them once more. If there are none, then in a place of their own.
+// before them once more. If there are none, then in a place of their own, where the last one fills the lanes.
 void run(const Plan& plan, Kernel kernel, Batch batch, int count) {
   const int whole = count / kMostLanes * kMostLanes;
   if (whole > 0) {
@@ -52,10 +52,10 @@ void run(const Plan& plan, Kernel kernel, Batch batch, int count) {
   Batch own = batch;
   for (std::size_t axis = 0; axis < axes; ++axis) {
     const int numbers = batch.stride[axis] == 0 ? kMostLanes : rest;
-    std::copy_n(batch.place[axis], numbers, place[axis]);
+    std::fill_n(std::copy_n(batch.place[axis], numbers, place[axis]), kMostLanes - numbers, place[axis][numbers - 1]);
     own.place[axis] = place[axis];
     if (batch.cell[axis] == nullptr) continue;
-    std::copy_n(batch.cell[axis], numbers, cell[axis]);
+    std::fill_n(std::copy_n(batch.cell[axis], numbers, cell[axis]), kMostLanes - numbers, cell[axis][numbers - 1]);
     own.cell[axis] = cell[axis];
   }
   for (std::size_t i = 0; i < components; ++i) own.value[i] = value[i];
@@ -140,6 +140,18 @@ Axis axis_of(std::int32_t cell, float f, double step, int size, int first) {
   return axis;
 }
 
+// Sets how far points of a row are from each other. From 2^23 on floats are whole numbers, and positions leap.
+template <int D>
+void set_step(const CellGrid<D>& grid, Batch& row) {
+  row.step = std::abs(grid.step[0]);
+}
+template <int D>
+void set_step(const Grid<D>& grid, Batch& row) {
+  const auto size_at = [&](int i) { return std::abs(detail::position_of(grid.origin[0], grid.step[0], i)); };
+  if (std::max(size_at(grid.first[0]), size_at(grid.first[0] + grid.size[0] - 1)) >= 0x1p23f) return;
+  row.step = static_cast<double>(std::abs(grid.step[0]));
+}
+
 // The ranges of some of the values each, by lanes.
 struct Ranges {
   float least[kMostLanes];
@@ -183,6 +195,7 @@ struct Box {
   Kernel kernel;  // at points
   Kernel row;
   std::array<int, 4> size;
+  Batch blank;  // of a row, without its points
   std::vector<Axis> axes;
   Planes planes;
 
@@ -203,7 +216,7 @@ struct Box {
     const std::array<std::size_t, 4> at = row_at(number);
     std::int32_t cell[4][kMostLanes];
     float place[4][kMostLanes];
-    Batch batch{};
+    Batch batch = blank;
     for (std::size_t axis = 0; axis < axes.size(); ++axis) {
       if (axis == 0) {
         batch.place[0] = axes[0].place.data() + first;
@@ -308,12 +321,15 @@ std::int64_t check_grid(const Plan& plan, const std::array<int, D>& size, const 
   return points;
 }
 
-template <std::size_t D>
-Range fill_box(const Plan& plan, Kernel kernel, Kernel row, const std::array<int, D>& size, std::vector<Axis> axes,
+template <typename AnyGrid>
+Range fill_box(const Plan& plan, Kernel kernel, Kernel row, const AnyGrid& grid, std::vector<Axis> axes,
                std::int64_t points, std::span<float> values, const Executor& executor) {
   std::array<int, 4> sizes{};
-  std::copy(size.begin(), size.end(), sizes.begin());
-  const Box box{plan, kernel, row, sizes, std::move(axes), {values.data(), static_cast<std::size_t>(points)}};
+  std::copy(grid.size.begin(), grid.size.end(), sizes.begin());
+  const Planes planes{values.data(), static_cast<std::size_t>(points)};
+  Batch blank{};
+  set_step(grid, blank);
+  const Box box{plan, kernel, row, sizes, blank, std::move(axes), planes};
   return box.fill(points, executor);
 }
 
@@ -402,8 +418,8 @@ Range Field<D>::fill(const Grid<D>& grid, std::span<float> values, const Executo
   for (std::size_t i = 0; i < D; ++i) {
     axes.push_back(axis_of(*plan_, grid.origin[i], grid.step[i], grid.size[i], grid.first[i]));
   }
-  return fill_box(*plan_, kernel, plan_->takes_positions ? kernel : plan_->row, grid.size, std::move(axes), points,
-                  values, executor);
+  const Kernel row = plan_->takes_positions ? kernel : plan_->row;
+  return fill_box(*plan_, kernel, row, grid, std::move(axes), points, values, executor);
 }
 
 template <int D>
@@ -415,7 +431,7 @@ Range Field<D>::fill(const CellGrid<D>& grid, std::span<float> values, const Exe
   for (std::size_t i = 0; i < D; ++i) {
     axes.push_back(axis_of(grid.cell[i], grid.f[i], grid.step[i], grid.size[i], grid.first[i]));
   }
-  return fill_box(*plan_, kernel, plan_->row, grid.size, std::move(axes), points, values, executor);
+  return fill_box(*plan_, kernel, plan_->row, grid, std::move(axes), points, values, executor);
 }
 
 template <int D>

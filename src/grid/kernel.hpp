@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <hashnoise/glsl.hpp>
+#include <limits>
 
 namespace hashnoise::inline HN_I_NAMESPACE::grid {
 
@@ -62,6 +63,9 @@ struct Batch {
   const std::int32_t* cell[4];  // null for a sum at positions
   const float* place[4];        // in the cell, or the position
   int stride[4];
+  // How far points are from each other along x, in cells, where they lie in a row of a grid. There their coordinates
+  // along other axes have the stride 0.
+  double step = std::numeric_limits<double>::infinity();
   float* value[kMostComponents];
 };
 constexpr int kMostLanes = 16;

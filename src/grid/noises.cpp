@@ -1,4 +1,5 @@
 // The kernels of noises, for one instruction set and one arithmetic: the text of the library in a loop.
+#include "columns.hpp"
 #include "loops.hpp"
 #include "tables.hpp"
 
@@ -46,6 +47,24 @@ namespace {
 #define HN_CATALOG_NOISE(Id, name, first, last, shape, takes) HN_GRID_##takes(name)
 #include "catalog.inc"
 
+// The columns of a row, for noises that have them.
+template <int D, typename Noise>
+struct ColumnsOf {
+  using Type = void;
+};
+#ifdef HN_GRID_HAS_WINDOWS
+template <int D>
+requires(D == 2 || D == 3)
+struct ColumnsOf<D, perlin_plain> {
+  using Type = PerlinColumns<D>;
+};
+template <int D>
+requires(D == 2 || D == 3)
+struct ColumnsOf<D, simplex_plain> {
+  using Type = SimplexColumns<D>;
+};
+#endif
+
 template <int D, typename Noise>
 void at_points(const Batch& batch, const Options& options, Octave) {
   const Batch b = batch;
@@ -60,6 +79,10 @@ template <int D, typename Noise>
 void along_row(const Batch& batch, const Options& options, Octave) {
   const Batch b = batch;
   const Given<D> given(options);
+  using Columns = typename ColumnsOf<D, Noise>::Type;
+  if constexpr (!std::is_void_v<Columns>) {
+    if (b.step <= Columns::kMostStep) return along_columns<D, Columns>(b, given.seed);
+  }
   Cell<D> cell = cells_at<D>(b, 0);
   Fraction<D> f = fractions_at<D>(b, 0);
   for (int i = 0; i < b.count; i += kCount) {
