@@ -12,11 +12,13 @@
 #define HN_GRID_HAS_WINDOWS
 #endif
 
-#ifdef HN_GRID_HAS_WINDOWS
-
 namespace hashnoise::inline HN_I_NAMESPACE {
 namespace HN_LANES {
 namespace {
+
+constexpr int kPointsAtOnce = 256;  // their columns stay in the first cache
+
+#ifdef HN_GRID_HAS_WINDOWS
 
 // Takes of kCount numbers in memory that with the index of each lane.
 class Window {
@@ -62,7 +64,6 @@ HN_I_INLINE Lanes<S> of_either(const S* a, Int index_a, const S* b, Int index_b,
 
 using Number = decltype(hn_num()[0]);
 
-constexpr int kPointsAtOnce = 256;  // their columns stay in the first cache
 constexpr int kMostColumns = kPointsAtOnce + 2 * kCount;
 
 // Numbers of a corner in each column. The components of a direction are such numbers. The last one comes already
@@ -303,6 +304,8 @@ class SimplexColumns<3> {
   Corners<4> corners_, next_corners_, centres_, next_centres_;
 };
 
+#endif
+
 // Some points of a row, from `start` on and before `end`: uses the noise at each vector of them, whose place place_at
 // gives. earliest_at gives that of a single point. There are no more points than kPointsAtOnce.
 template <typename Columns, typename EarliestAt, typename PlaceAt, typename Use>
@@ -352,5 +355,3 @@ void along_columns(const Batch& batch, Uint seed) {
 }  // namespace
 }  // namespace HN_LANES
 }  // namespace hashnoise
-
-#endif

@@ -140,16 +140,20 @@ Axis axis_of(std::int32_t cell, float f, double step, int size, int first) {
   return axis;
 }
 
-// Sets how far points of a row are from each other. From 2^23 on floats are whole numbers, and positions leap.
+// Sets how far points of a row are from each other. Cell grids cut places off to multiples of 2^-24. Floats are wider
+// apart the further out they are, and from 2^23 on they are whole numbers, and positions leap.
 template <int D>
 void set_step(const CellGrid<D>& grid, Batch& row) {
   row.step = std::abs(grid.step[0]);
+  row.rounding = 0x1p-24;
 }
 template <int D>
 void set_step(const Grid<D>& grid, Batch& row) {
   const auto size_at = [&](int i) { return std::abs(detail::position_of(grid.origin[0], grid.step[0], i)); };
-  if (std::max(size_at(grid.first[0]), size_at(grid.first[0] + grid.size[0] - 1)) >= 0x1p23f) return;
+  const float furthest = std::max({size_at(grid.first[0]), size_at(grid.first[0] + grid.size[0] - 1), 1.0f});
+  if (furthest >= 0x1p23f) return;
   row.step = static_cast<double>(std::abs(grid.step[0]));
+  row.rounding = static_cast<double>(furthest) * 0x1p-23;
 }
 
 // The ranges of some of the values each, by lanes.
@@ -418,7 +422,8 @@ Range Field<D>::fill(const Grid<D>& grid, std::span<float> values, const Executo
   for (std::size_t i = 0; i < D; ++i) {
     axes.push_back(axis_of(*plan_, grid.origin[i], grid.step[i], grid.size[i], grid.first[i]));
   }
-  const Kernel row = plan_->takes_positions ? kernel : plan_->row;
+  // A sum at positions that is not the same from cells has no kernel of rows.
+  const Kernel row = kernel == plan_->in ? plan_->row : kernel;
   return fill_box(*plan_, kernel, row, grid, std::move(axes), points, values, executor);
 }
 

@@ -63,9 +63,10 @@ struct Batch {
   const std::int32_t* cell[4];  // null for a sum at positions
   const float* place[4];        // in the cell, or the position
   int stride[4];
-  // How far points are from each other along x, in cells, where they lie in a row of a grid. There their coordinates
-  // along other axes have the stride 0.
+  // How far points are from each other along x, in cells, where they lie in a row of a grid; and how much further a
+  // rounding may take some of them. There their coordinates along other axes have the stride 0.
   double step = std::numeric_limits<double>::infinity();
+  double rounding = 0.0;
   float* value[kMostComponents];
 };
 constexpr int kMostLanes = 16;
@@ -86,9 +87,10 @@ struct NoiseKernels {
   Octave octave_full;  // with a period
 };
 struct SumKernels {
-  Kernel at;    // at positions
-  Kernel in;    // in cells
-  Kernel tile;  // with a period, of both
+  Kernel at;        // at positions
+  Kernel in;        // in cells
+  Kernel tile;      // with a period, of both
+  Kernel tile_row;  // the same along a row
 };
 
 struct Kernels {

@@ -185,6 +185,10 @@ void plan_sum(Plan& plan, const Settings& settings, NoiseId noise, SumId id, boo
   const SumKernels& faster = plan.kernels->sums_of[noise][plan.options.sum][plan.dimensions - 1];
   if (faster.at != nullptr) kernels.at = faster.at;
   if (faster.in != nullptr) kernels.in = faster.in;
+  if (faster.tile != nullptr) {
+    kernels.tile = faster.tile;
+    kernels.tile_row = faster.tile_row;
+  }
   plan.takes_positions = true;
   plan.shape = row.shape;
   plan.octave = tiled ? of.octave_full : of.octave;
@@ -194,7 +198,8 @@ void plan_sum(Plan& plan, const Settings& settings, NoiseId noise, SumId id, boo
     plan.at = kernels.at;
   } else {
     plan.at = tiled ? kernels.tile : kernels.at;
-    plan.in = plan.row = tiled ? kernels.tile : kernels.in;
+    plan.in = tiled ? kernels.tile : kernels.in;
+    plan.row = tiled ? kernels.tile_row : kernels.in;
   }
 }
 

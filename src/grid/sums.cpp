@@ -1,6 +1,7 @@
 // The kernels of sums, for one instruction set and one arithmetic: the octaves of the library over a noise
 // that is called, since there are too many pairs of a sum and a noise to compile. Those that are asked for most are
 // compiled without that call.
+#include "columns.hpp"
 #include "loops.hpp"
 #include "tables.hpp"
 
@@ -298,6 +299,14 @@ class Reached {
     o.sum.carried = hn_num::load(carried_ + i);
   }
   HN_I_INLINE hn_num value(int vector) const { return hn_num::load(value_ + vector * kCount); }
+  // Of whole positions. Whether cells may wrap along x: a tile has a seam there, where the next column has other corners
+  // than the cell.
+  HN_I_INLINE bool is_at_wrap() const { return at_[0][0] < -2147482624 || at_[0][0] > 2147482624; }
+  // The cell of a point along x, and in which half of it the point is.
+  template <typename Columns>
+  HN_I_INLINE std::uint32_t earliest(int point) const {
+    return Columns::earliest(static_cast<std::uint32_t>(at_[0][point]), rest_[0][point] < 8388608 ? 0u : 1u);
+  }
   template <typename Octaves>
   HN_I_INLINE static void go_on(Octaves& o) {
     if constexpr (kIsWhole) {
@@ -323,10 +332,25 @@ class Reached {
   Number value_[kPoints], carried_[kPoints];
 };
 
+// An octave in a tile, along a row, by columns. `add` takes the noise at a vector of points.
+template <typename Columns, typename Reached, typename Octaves, typename Add>
+HN_I_INLINE void over_tile(const Reached& reached, int vectors, Octaves& o, const Add& add) {
+  Columns columns;
+  over_columns(
+      columns, 0, vectors * kCount, o.seed,
+      [&](int i) HN_I_INLINED { return reached.template earliest<Columns>(i); },
+      [&](int i) HN_I_INLINED {
+        reached.put(i / kCount, o);
+        return o.place;
+      },
+      [&](int i, hn_num n) HN_I_INLINED { add(i / kCount, hn_i_value(n)); });
+}
+
 // Octave by octave over some points, in place of point by point over the octaves. So what all points of an octave
 // share, such as the mixed seed and constants, is made once for them, and no point waits for its octave before. How
-// many vectors of points are taken at a time matters little: of 8 to 64 none was faster.
-template <int D, typename At, typename Noise, typename Sum>
+// many vectors of points are taken at a time matters little: of 8 to 64 none was faster. In a tile octaves are not turned,
+// so that they are taken by columns where a row's points are near each other.
+template <int D, typename At, typename Noise, typename Sum, typename Columns = void>
 void by_octaves(const Batch& batch, const Options& options, Octave octave) {
   constexpr int kVectors = 16;
   const Batch b = batch;
@@ -340,13 +364,29 @@ void by_octaves(const Batch& batch, const Options& options, Octave octave) {
     const int vectors = left < kVectors ? left : kVectors;
     auto o = octaves_at(At::of(b, start, given), given);
     for (int v = 0; v < vectors; ++v) reached.keep(v, octaves_at(At::of(b, start + v * kCount, given), given));
+    [[maybe_unused]] double step = b.step, scale = 1.0;
     for (int number = 1;; ++number) {
       const bool more = number < options.octaves;
-      for (int v = 0; v < vectors; ++v) {
-        reached.put(v, o);
-        sum.add(o, noise.octave(o.place, o.seed));
+      const auto period = o.place.period;
+      const auto add = [&](int v, Float n) HN_I_INLINED {
+        sum.add(o, n);
+        if (o.place.tiled) o.place.period = period;  // of which going on makes the next one
         if (more) reached.go_on(o);
         reached.keep(v, o);
+      };
+      bool is_added = false;
+      if constexpr (!std::is_void_v<Columns>) {
+        if (step <= Columns::kMostStep && !reached.is_at_wrap()) {
+          over_tile<Columns>(reached, vectors, o, add);
+          is_added = true;
+        }
+        scale *= static_cast<double>(o.lacunarity[0]);
+        step = (b.step + b.rounding) * scale;
+      }
+      for (int v = 0; v < vectors && !is_added; ++v) {
+        reached.put(v, o);
+        if (o.place.tiled) o.place.period = period;
+        add(v, noise.octave(o.place, o.seed));
       }
       if (!more) break;
       o.seed += HN_I_SEED_STEP;
@@ -356,6 +396,12 @@ void by_octaves(const Batch& batch, const Options& options, Octave octave) {
       store(b, start + v * kCount, hn_i_value(sum.end(mean_of(reached.value(v), total))));
     }
   }
+}
+
+// A kernel of rows by itself, so that narrow parts of a grid take it, too, and have the bits of the whole.
+template <Kernel kernel>
+void in_row(const Batch& batch, const Options& options, Octave octave) {
+  kernel(batch, options, octave);
 }
 
 using grid::SumKernels;
@@ -389,7 +435,7 @@ SumKernels octave_by_octave() {
 template <int D, typename Sum>
 SumKernels kernels_of() {
   SumKernels k = without_period<D, Sum>();
-  k.tile = at_points<D, Tiles<D>, Sum>;
+  k.tile = k.tile_row = at_points<D, Tiles<D>, Sum>;
   return k;
 }
 
@@ -408,6 +454,11 @@ template <int D, typename Noise>
 void enter_inlined(SumKernels (&sums)[grid::kSums][4]) {
   sums[grid::kFbm][D - 1] = octave_by_octave<D, Noise, Fbm>();
   sums[grid::kRidged][D - 1] = octave_by_octave<D, Noise, Ridged>();
+}
+template <int D, typename Noise, typename Columns>
+void enter_tiles(SumKernels (&sums)[grid::kSums][4]) {
+  sums[grid::kFbm][D - 1].tile = by_octaves<D, Tiles<D>, Noise, Fbm, Columns>;
+  sums[grid::kFbm][D - 1].tile_row = in_row<by_octaves<D, Tiles<D>, Noise, Fbm, Columns>>;
 }
 
 void enter(grid::Kernels& kernels) {
@@ -430,6 +481,12 @@ void enter(grid::Kernels& kernels) {
   enter_inlined<3, Perlin<3>>(kernels.sums_of[grid::kPerlin]);
   enter_inlined<2, Simplex<2>>(kernels.sums_of[grid::kSimplex]);
   enter_inlined<3, Simplex<3>>(kernels.sums_of[grid::kSimplex]);
+#ifdef HN_GRID_HAS_WINDOWS
+  enter_tiles<2, Perlin<2>, PerlinColumns<2>>(kernels.sums_of[grid::kPerlin]);
+  enter_tiles<3, Perlin<3>, PerlinColumns<3>>(kernels.sums_of[grid::kPerlin]);
+  enter_tiles<2, Simplex<2>, SimplexColumns<2>>(kernels.sums_of[grid::kSimplex]);
+  enter_tiles<3, Simplex<3>, SimplexColumns<3>>(kernels.sums_of[grid::kSimplex]);
+#endif
 }
 
 }  // namespace
