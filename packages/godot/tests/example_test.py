@@ -11,49 +11,20 @@ from __future__ import annotations
 import io
 import json
 import re
-import struct
 import tempfile
 import unittest
 import zipfile
-import zlib
 from pathlib import Path
 
 from engine import RENDERERS, Engine, Failure, main
 
 from godot_addon.addon import ADDON, TURN, archive, recipe_texts
+from png import read_png
 from tree import ROOT
 
 HERE = Path(__file__).resolve().parent
 SIDE = 256  # of the gallery's pictures
 NOISY = {"ink": 0.002}  # the part of the pixels that may differ more, where a little noise turns a colour
-
-
-def picture(path: Path) -> tuple[int, int, bytes]:
-    """The width, the height and the bytes of a PNG file, of three channels."""
-    data, position, packed = path.read_bytes(), 8, b""
-    while position < len(data):
-        size, kind = struct.unpack(">I4s", data[position:position + 8])
-        chunk = data[position + 8:position + 8 + size]
-        position += 12 + size
-        if kind == b"IHDR":
-            width, height, depth, colour = struct.unpack(">IIBB", chunk[:10])
-        packed += chunk if kind == b"IDAT" else b""
-    if depth != 8 or colour not in (2, 6):
-        raise ValueError(f"{path} has no bytes of colours")
-    channels = 3 if colour == 2 else 4
-    lines, above = zlib.decompress(packed), bytearray(width * channels)
-    found = bytearray()
-    for y in range(height):
-        start = y * (width * channels + 1)
-        kind, line = lines[start], bytearray(lines[start + 1:start + 1 + width * channels])
-        for i, value in enumerate(line):
-            left, up = line[i - channels] if i >= channels else 0, above[i]
-            corner = above[i - channels] if i >= channels else 0
-            near = min((abs(left + up - corner - side), order, side) for order, side in enumerate((left, up, corner)))[2]
-            line[i] = (value + (0, left, up, (left + up) // 2, near)[kind]) & 255
-        found += bytes(value for i, value in enumerate(line) if i % channels < 3)
-        above = line
-    return width, height, bytes(found)
 
 
 def new_project(folder: Path) -> None:
@@ -90,7 +61,7 @@ class Example(unittest.TestCase):
     engine: Engine
 
     def gallery(self, name: str) -> bytes:
-        width, height, colours = picture(ROOT / "docs" / "gallery" / f"{name}.png")
+        width, height, colours = read_png(ROOT / "docs" / "gallery" / f"{name}.png")
         self.assertEqual((width, height), (SIDE, SIDE))
         return colours
 
@@ -117,7 +88,7 @@ class Example(unittest.TestCase):
                 scenes = [f"res://{ADDON}/example/{name}.tscn" for name in ("gallery", "terrain")]
                 self.engine.run(Path(folder), renderer, "res://scenes.gd", out, *scenes)
                 for name in ("gallery", "terrain"):
-                    width, _, colours = picture(Path(out) / f"{name}.png")
+                    width, _, colours = read_png(Path(out) / f"{name}.png")
                     self.assertEqual(width, 1152)  # of a new project's window
                     with self.subTest(renderer=renderer, scene=name):
                         self.assertGreater(len({colours[i:i + 3] for i in range(0, len(colours), 3 * 97)}), 1000)
