@@ -29,6 +29,7 @@ sys.path.insert(0, str(EXAMPLES.parent / "tools" / "lib"))
 import chromium  # noqa: E402
 import twin  # noqa: E402
 from golden import Picture  # noqa: E402
+from png import read_png  # noqa: E402
 from screen import Absent, Screen  # noqa: E402
 from tree import ROOT  # noqa: E402
 
@@ -243,6 +244,73 @@ class Webgl(unittest.TestCase):
         library = self.folder / "fbm2d.single.glsl"
         library.write_text(library.read_text().replace("0x85EBCA77u", "0x85EBCA79u"))
         self.assertGreater(self.wrong(), 100_000)
+
+
+class Bevy(unittest.TestCase):
+    """The program, built by cargo, in a window on lavapipe: each pixel of the picture that it writes is as the twin has
+    it."""
+
+    work: Path
+    CLEAR = ((0.72, 0.83, 0.93), (0.2, 0.42, 0.75))  # below and above, as assets/shaders/clouds.wgsl has them
+
+    def setUp(self):
+        drivers = glob.glob("/usr/share/vulkan/icd.d/lvp_icd*.json")
+        for thing, is_there in (("cargo", shutil.which("cargo")), ("lavapipe", drivers)):
+            if not is_there:
+                self.skipTest(f"there is no {thing}")
+        self.folder = self.work / "bevy"
+        shutil.rmtree(self.folder, ignore_errors=True)
+        here = self.folder / "hashnoise"
+        here.mkdir(parents=True)
+        for part in ("catalog", "glsl", "tools", "CMakeLists.txt"):
+            (here / part).symlink_to(ROOT / part)
+        shutil.copytree(EXAMPLES / "bevy", here / "examples" / "bevy")
+        self.variables = {**os.environ, "VK_ICD_FILENAMES": drivers[0], "WGPU_BACKEND": "vulkan",
+                          "CARGO_TARGET_DIR": str(self.work / "bevy-target")}
+        twin.compile_program("heights", EXAMPLES / "heights.cpp", self.folder / "heights")
+
+    def type(self, command: str):
+        return subprocess.run(command, shell=True, cwd=self.folder, env=self.variables, capture_output=True, text=True,
+                              check=False)
+
+    def picture(self, command: str) -> bytes:
+        file = self.folder / "clouds.png"
+        file.unlink(missing_ok=True)
+        with Screen(1280, 720) as screen:
+            self.variables["DISPLAY"] = screen.display
+            done = self.type(f"{command} -- {file}")
+        self.assertTrue(file.is_file(), done.stdout + done.stderr)
+        width, height, pixels = read_png(file)
+        self.assertEqual((done.returncode, width, height), (0, 1280, 720))
+        return pixels
+
+    def wrong(self, pixels: bytes) -> int:
+        """How many pixels are more than a step of 255 from what they should be."""
+        thickness = array.array("f", subprocess.run([self.folder / "heights", "bevy"], check=True,
+                                                    stdout=subprocess.PIPE).stdout)
+        self.assertGreater(max(thickness) - min(thickness), 0.5)
+
+        def byte(linear: float) -> float:
+            return 255 * (12.92 * linear if linear <= 0.0031308 else 1.055 * linear ** (1 / 2.4) - 0.055)
+
+        count = 0
+        for i, thick in enumerate(thickness):
+            up = 1 - (i // 1280 + 0.5) / 720
+            clear = (low + (high - low) * up for low, high in zip(*self.CLEAR))
+            count += any(abs(pixels[3 * i + channel] - byte(colour + (1 - colour) * thick)) > 1
+                         for channel, colour in enumerate(clear))
+        return count
+
+    def test_each_pixel_is_as_the_twin_has_it(self):
+        command, = commands("Bevy and wgpu", "cd hashnoise/examples/bevy")
+        before, _, run = command.rpartition(" && ")
+        fetched = self.type("cargo fetch --manifest-path hashnoise/examples/bevy/Cargo.toml")
+        if fetched.returncode != 0:
+            self.skipTest(f"crates.io gave no Bevy: {fetched.stderr.strip()[-200:]}")
+        self.assertEqual(self.wrong(self.picture(f"{before} && {run}")), 0)
+        library = self.folder / "hashnoise/examples/bevy/assets/shaders/hashnoise.wgsl"
+        library.write_text(library.read_text().replace("0x85EBCA77u", "0x85EBCA79u"))
+        self.assertGreater(self.wrong(self.picture(f"cd hashnoise/examples/bevy && {run}")), 100_000)
 
 
 class Vulkan(Example):
