@@ -330,9 +330,14 @@ HN_I_INLINE void over_columns(Columns& columns, int start, int end, Uint seed, c
   }
 }
 
-// Along a row whose points are no further from each other than Columns::kMostStep.
-template <int D, typename Columns>
-void along_columns(const Batch& batch, Uint seed) {
+// Whether the 1024 cells from this one on, to both sides, reach the last cell, behind which the first one comes. A tile
+// has a seam there: the next column has other corners than the cell.
+HN_I_INLINE bool is_at_wrap(std::int32_t cell) { return cell < -2147482624 || cell > 2147482624; }
+
+// Along a row whose points are no further from each other than Columns::kMostStep. tile_of gives the place that a noise
+// is asked for, of one without a period; at a seam noise_at is asked, point by point.
+template <int D, typename Columns, bool kTiled, typename TileOf, typename NoiseAt>
+HN_I_INLINE void along_columns(const Batch& batch, Uint seed, const TileOf& tile_of, const NoiseAt& noise_at) {
   const Batch b = batch;
   Cell<D> cell = cells_at<D>(b, 0);
   Fraction<D> f = fractions_at<D>(b, 0);
@@ -347,8 +352,13 @@ void along_columns(const Batch& batch, Uint seed) {
   Columns columns;
   for (int start = 0; start < b.count; start += kPointsAtOnce) {
     const int end = b.count - start < kPointsAtOnce ? b.count : start + kPointsAtOnce;
-    over_columns(columns, start, end, seed, earliest_at, place_at,
-                 [&](int i, hn_num n) HN_I_INLINED { store(b, i, hn_i_value(n)); });
+    if (kTiled && is_at_wrap(b.cell[0][start])) {
+      for (int i = start; i < end; i += kCount) store(b, i, noise_at(place_at(i)));
+      continue;
+    }
+    over_columns(
+        columns, start, end, seed, earliest_at, [&](int i) HN_I_INLINED { return tile_of(place_at(i)); },
+        [&](int i, hn_num n) HN_I_INLINED { store(b, i, hn_i_value(n)); });
   }
 }
 

@@ -79,8 +79,9 @@ using Kernel = void (*)(const Batch& batch, const Options& options, Octave octav
 // Null where there is no such function.
 struct NoiseKernels {
   Kernel plain;
-  Kernel row;   // plain, where only the coordinates along x differ; plain itself if that is not faster
-  Kernel full;  // with a period, jitter and metric
+  Kernel row;       // plain, where only the coordinates along x differ; plain itself if that is not faster
+  Kernel full;      // with a period, jitter and metric
+  Kernel row_full;  // full, in such a row
   Kernel phase;
   Kernel phase_full;
   Octave octave;

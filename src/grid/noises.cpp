@@ -47,7 +47,7 @@ namespace {
 #define HN_CATALOG_NOISE(Id, name, first, last, shape, takes) HN_GRID_##takes(name)
 #include "catalog.inc"
 
-// The columns of a row, for noises that have them.
+// The columns of a row, for noises that have them, and whether they are asked in a tile.
 template <int D, typename Noise>
 struct ColumnsOf {
   using Type = void;
@@ -57,11 +57,25 @@ template <int D>
 requires(D == 2 || D == 3)
 struct ColumnsOf<D, perlin_plain> {
   using Type = PerlinColumns<D>;
+  static constexpr bool kTiled = false;
 };
 template <int D>
 requires(D == 2 || D == 3)
 struct ColumnsOf<D, simplex_plain> {
   using Type = SimplexColumns<D>;
+  static constexpr bool kTiled = false;
+};
+template <int D>
+requires(D == 2 || D == 3)
+struct ColumnsOf<D, perlin_full> {
+  using Type = PerlinColumns<D>;
+  static constexpr bool kTiled = true;
+};
+template <int D>
+requires(D == 2 || D == 3)
+struct ColumnsOf<D, simplex_full> {
+  using Type = SimplexColumns<D>;
+  static constexpr bool kTiled = true;
 };
 #endif
 
@@ -81,7 +95,18 @@ void along_row(const Batch& batch, const Options& options, Octave) {
   const Given<D> given(options);
   using Columns = typename ColumnsOf<D, Noise>::Type;
   if constexpr (!std::is_void_v<Columns>) {
-    if (b.step <= Columns::kMostStep) return along_columns<D, Columns>(b, given.seed);
+    constexpr bool kTiled = ColumnsOf<D, Noise>::kTiled;
+    if (b.step <= Columns::kMostStep) {
+      const auto tile_of = [&](const Place<D>& place) HN_I_INLINED {
+        if constexpr (kTiled) {
+          return hn_tile(place, given.period);
+        } else {
+          return place;
+        }
+      };
+      const auto noise_at = [&](const Place<D>& place) HN_I_INLINED { return Noise::template at<D>(place, given); };
+      return along_columns<D, Columns, kTiled>(b, given.seed, tile_of, noise_at);
+    }
   }
   Cell<D> cell = cells_at<D>(b, 0);
   Fraction<D> f = fractions_at<D>(b, 0);
@@ -165,7 +190,9 @@ NoiseKernels kernels_of() {
     k.full = at_points<D, Full>;
   }
   k.row = k.plain;
+  k.row_full = k.full;
   if constexpr (kIsFasterInRows) k.row = along_row<D, Plain>;
+  if constexpr (!std::is_void_v<typename ColumnsOf<D, Full>::Type>) k.row_full = along_row<D, Full>;
   if constexpr (kIsSummed) {
     k.octave = reinterpret_cast<Octave>(&Called<D, Plain>::plain);
     k.octave_full = reinterpret_cast<Octave>(&Called<D, Full>::tiled);

@@ -167,7 +167,7 @@ void plan_noise(Plan& plan, const Settings& settings, NoiseId id, bool tiled) {
     const bool is_usual = plan.options.jitter == 1.0f && plan.options.metric == static_cast<int>(Metric::kEuclidean);
     plan.in = tiled || !is_usual ? kernels.full : kernels.plain;
   }
-  plan.row = plan.in == kernels.plain ? kernels.row : plan.in;
+  plan.row = plan.in == kernels.plain ? kernels.row : plan.in == kernels.full ? kernels.row_full : plan.in;
 }
 
 void plan_sum(Plan& plan, const Settings& settings, NoiseId noise, SumId id, bool tiled) {

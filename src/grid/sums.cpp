@@ -299,9 +299,8 @@ class Reached {
     o.sum.carried = hn_num::load(carried_ + i);
   }
   HN_I_INLINE hn_num value(int vector) const { return hn_num::load(value_ + vector * kCount); }
-  // Of whole positions. Whether cells may wrap along x: a tile has a seam there, where the next column has other corners
-  // than the cell.
-  HN_I_INLINE bool is_at_wrap() const { return at_[0][0] < -2147482624 || at_[0][0] > 2147482624; }
+  // Whether whole positions are at the seam that a tile has.
+  HN_I_INLINE bool is_at_seam() const { return is_at_wrap(at_[0][0]); }
   // The cell of a point along x, and in which half of it the point is.
   template <typename Columns>
   HN_I_INLINE std::uint32_t earliest(int point) const {
@@ -376,7 +375,7 @@ void by_octaves(const Batch& batch, const Options& options, Octave octave) {
       };
       bool is_added = false;
       if constexpr (!std::is_void_v<Columns>) {
-        if (step <= Columns::kMostStep && !reached.is_at_wrap()) {
+        if (step <= Columns::kMostStep && !reached.is_at_seam()) {
           over_tile<Columns>(reached, vectors, o, add);
           is_added = true;
         }
