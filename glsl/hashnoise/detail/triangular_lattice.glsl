@@ -81,12 +81,21 @@ HN_FN hn_i_triangle2 hn_i_triangle(hn_place2 place, hn_num2 skewed) {
   return corners;
 }
 
-// The words of the corners.
+// The words of the corners. The middle corner lies in the row of the first or in that of the last. So it takes its row's
+// share of both joins from there.
 HN_FN hn_uvec3 hn_i_triangle(hn_place2 place, hn_num2 skewed, hn_uint seed) {
   hn_i_triangle2 corners = hn_i_triangle(place, skewed);
+  hn_num u = hn_i_fract(skewed.x);
+  hn_num v = hn_i_fract(skewed.y);
   hn_uint s = hn_i_mix(seed);
-  return uvec3(hn_i_seeded_word(corners.first, s), hn_i_seeded_word(corners.middle, s),
-               hn_i_seeded_word(corners.last, s));
+  hn_uint lower_join = hn_i_high(corners.first).y ^ hn_i_seed_join(s);
+  hn_uint upper_join = hn_i_high(corners.last).y ^ hn_i_seed_join(s);
+  hn_uint lower_sum = hn_i_sum_y(corners.first.y) + s;
+  hn_uint upper_sum = hn_i_sum_y(corners.last.y) + s;
+  return uvec3(hn_i_word(hn_i_high(corners.first.x) ^ lower_join, hn_i_odd(corners.first.x + lower_sum)),
+               hn_i_word(hn_i_high(corners.middle.x) ^ hn_i_select(u > v, lower_join, upper_join),
+                         hn_i_odd(corners.middle.x + hn_i_select(u > v, lower_sum, upper_sum))),
+               hn_i_word(hn_i_high(corners.last.x) ^ upper_join, hn_i_odd(corners.last.x + upper_sum)));
 }
 
 // The offsets from the corners along x and along y, and how near the corners are.

@@ -29,7 +29,7 @@ from tree import GLSL, ROOT, TOOLS
 from twin import compile_program
 
 # The largest that a text may be, without the comment.
-SIZES = {"hn_perlin2": (1400, 40), "hn_value2": (1400, 40), "hn_simplex2": (1950, 40), "hn_cellular2": (2500, 50),
+SIZES = {"hn_perlin2": (1400, 40), "hn_value2": (1400, 40), "hn_simplex2": (2350, 45), "hn_cellular2": (2500, 50),
          "hn_fbm2": (2000, 45)}
 POINTS = 300
 # What has the most of what languages write in different ways.
