@@ -108,6 +108,7 @@ HN_FN hn_float hn_fbm(hn_float p, hn_float footprint, hn_int octaves, hn_float l
 }
 
 // tools/catalog: forms
+
 // Turbulence: the mean of the octaves' absolute values. Use it for marble and fire.
 //   (parameters, period and cost as for hn_fbm)
 //   returns     [0, 1], with creases where the noise passes 0

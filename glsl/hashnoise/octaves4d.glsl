@@ -198,6 +198,7 @@ HN_FN bool hn_next(HN_I_INOUT(hn_octaves4) o) {
 }
 
 // tools/catalog: steps
+
 // Add the noise of an octave: as it is (hn_fbm, hn_clouds); its absolute value (hn_turbulence); a crest where it is 0
 // (hn_ridged); its height above -1, as far as that of the octave before lets it (hn_hybrid); folded up and down between
 // -1 and 1 (hn_ping_pong); so that finer octaves count less where it is low (hn_weighted).

@@ -119,5 +119,6 @@ def files(catalog: Catalog) -> dict[Path, str]:
     with_loops = with_section(SUMS, "loops", "".join(map(loop, sums)))[1]
     # Those of fBm stand there by hand, with what all others have from it.
     others = "\n".join(comment(sum_) + forms(sum_) for sum_ in sums if sum_.name != "fbm")
-    return dict([with_section(SUMS, "forms", others, with_loops),
-                 with_section(STEPS, "steps", public_steps(sums))])
+    # A comment that stood under the mark without a blank line would take it for its first line, and show it to users.
+    return dict([with_section(SUMS, "forms", f"\n{others}", with_loops),
+                 with_section(STEPS, "steps", f"\n{public_steps(sums)}")])

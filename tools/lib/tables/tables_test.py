@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import tempfile
 import unittest
 from collections.abc import Callable
@@ -241,6 +242,20 @@ HN_FN HN_I_HIGHP float hn_eight(hn_vec2 p) {
         self.assertEqual([str(f) for f in glsl.declarations(self.folder)], ["hn_one(vec2)"])
         self.assertEqual([text.replace(f"{self.folder}/", "") for text in glsl.overlooked(self.folder)],
                          ["a.glsl:3: hn_two", "a.glsl:7: hn_three", "a.glsl:13: hn_eight"])
+
+    def test_no_mark_of_a_generator_is_in_a_comment_that_users_see(self) -> None:
+        (self.folder / "a.glsl").write_text("""
+// tools/catalog: forms
+// What it is.
+HN_FN hn_float hn_one(hn_vec2 p) { return 0.0f; }
+""")
+
+        def marked(library: Path) -> list[str]:
+            return [function.name for function in glsl.declarations(library)
+                    if function.comment and any(re.match(r" tools/\w+: ", line) for line in function.comment.lines)]
+
+        self.assertEqual(marked(self.folder), ["hn_one"])
+        self.assertEqual(marked(glsl.LIBRARY), [])
 
     def test_the_bodies_of_the_library_are_closed(self) -> None:
         for path in glsl_files().values():
