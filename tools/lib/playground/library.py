@@ -6,6 +6,8 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator
 
+from catalog.javascript import drawn, may_draw
+from catalog.model import read
 from single_file.files import INCLUDE, stripped
 from tree import GLSL, glsl_files, included_from, version
 from wgsl.module import ARITHMETICS, HASHES, Module, Settings
@@ -13,11 +15,8 @@ from wgsl.translator import Definition
 
 # The user's own hash is no choice in the page.
 CHOSEN_HASHES = tuple(name for name in HASHES if name != "CUSTOM")
-# The files of which pictures are made: noise and sums of a dimension. Nobody can choose the others in the page, which
-# everybody loads.
-OF_PICTURES = re.compile(r"(?:curl|\w+[1-4]d)\.glsl")
-OF_NO_PICTURE = re.compile(r"(?:cellular_phase|gullies|hex_tiling|noise|perlin_vector|perlin_worley|phasor(?:_d)?|"
-                           r"\w+_vector_d)[1-4]d\.glsl")
+# The files of sums, and of what moves positions. A sum that is added has none of its own.
+OF_SUMS = ("octaves", "fbm", "fbm_d", "warp")
 # The file to which a hash makes a difference. What others call of it has the same name with every hash but LATTICE.
 OF_THE_HASH = "hash.glsl"
 # What other files have of the library's own kind: languages that need names of their own.
@@ -39,7 +38,12 @@ def glsl() -> dict[str, list[str]]:
 
 
 def of_pictures() -> list[str]:
-    return [name for name in glsl_files() if OF_PICTURES.fullmatch(name) and not OF_NO_PICTURE.fullmatch(name)]
+    """The files of which pictures are made: of the noises that can be chosen there, of the same with slopes and with a
+    phase, and of sums, in each dimension. Everybody loads the page, so it has no others."""
+    noises = [noise.name + form for noise in drawn(read())[0] for form in ("", "_d", "_phase")
+              if form != "_phase" or may_draw(noise, "phase")]
+    files = re.compile(rf"(?:{'|'.join([*noises, *OF_SUMS])})[1-4]d\.glsl")
+    return [name for name in glsl_files() if files.fullmatch(name)]
 
 
 def named_include(name: str, line: str) -> str:
