@@ -22,13 +22,13 @@ TEST_F(CellularChecks, ABlockThatIsTooSmallIsCaughtByTheSearch) {
       {"noise3d.cellular_offset.lattice.precise.fragment.gl400.search", "detail/feature_points3d.glsl",
        "joins.z, hn_i_odd(block.following.z * HN_I_SUM_Z + s)", "joins.y, hn_i_odd(block.cell.z * HN_I_SUM_Z + s)"},
       {"noise2d.cellular_three.lattice.fast.fragment.gl330.search", "cellular_three2d.glsl",
-       "best = hn_i_visited(best, hn_i_ranks(words, x, y, jitter, metric), HN_I_NO_CODE, 0);", ""},
+       "best = hn_i_insert(best, hn_i_ranks(words, x, y, jitter, metric), HN_I_NO_CODE, 0);", ""},
       {"noise2d.cellular_three_full.lattice.fixed.fragment.gl330.search", "detail/feature_points.glsl",
        "hn_i_choice(d > HN_I_NO_OFFSET, 2, -2)", "hn_i_choice(d > HN_I_NO_OFFSET, 2, 2)"},
       {"noise2d.cell_border.lattice.fast.fragment.gl330.search", "cell_border2d.glsl",
-       "best = hn_i_border(best, words, x, hn_i_thrice(y.z), jitter, hn_i_code(0, 1), 1, from, nearest);", ""},
+       "best = hn_i_border(best, words, x, hn_i_equal_triple(y.z), jitter, hn_i_code(0, 1), 1, from, nearest);", ""},
       {"noise2d.cell_border_cell.lattice.fixed.fragment.gl330.search", "cell_border2d.glsl",
-       "words, x, hn_i_thrice(y.x), jitter", "words, x, hn_i_thrice(y.y), jitter"},
+       "words, x, hn_i_equal_triple(y.x), jitter", "words, x, hn_i_equal_triple(y.y), jitter"},
       {"noise3d.cell_border.lattice.fixed.fragment.gl330.search", "cell_border3d.glsl", "slab = -1;", "slab = 0;"}};
   expect_all_caught(kFaults);
 }

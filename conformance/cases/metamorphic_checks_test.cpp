@@ -178,7 +178,7 @@ TEST_F(Periods, ASmallFootprintThatFadesOctavesIsCaught) {
       {"fbm.fbm2_footprint.lattice.fast.fragment.gl330.small_footprint", "detail/octave.glsl",
        "hn_i_minus(1.5f, footprint)", "hn_i_minus(1.4f, footprint)"},
       {"fbm.fbm3_footprint.lattice.fixed.fragment.gl330.small_footprint", "detail/octave.glsl",
-       "393216 - (footprint >> 6)", "393216 - 16 - (footprint >> 6)"},
+       "3 * HN_I_UNITS_WEIGHT / 2 - (footprint >> 6)", "3 * HN_I_UNITS_WEIGHT / 2 - 16 - (footprint >> 6)"},
       {"fbm.fbm3_footprint.lattice.precise.fragment.gl400.small_footprint", "detail/octave.glsl",
        "hn_i_times(footprint, max(lacunarity, 1.0f))", "hn_i_times(footprint, 2.0f * max(lacunarity, 1.0f))"}};
   for (const Replaced& fault : kFaults) expect_replaced_caught(fault);
@@ -252,7 +252,7 @@ TEST_F(Derivatives, FaultsOfSumsAreCaught) {
        "next.z = hn_i_rotated_by(z, y, HN_I_COS_YZ, HN_I_SIN_YZ);",
        "next.z = hn_i_rotated_by(z, y, HN_I_COS_YZ, -HN_I_SIN_YZ);"},
       {"fbm_d.fbm_d2_cell_period.lattice.precise.fragment.gl400.derivative", "detail/jacobian.glsl",
-       "hn_num2 next = hn_i_wide_times(k, growth);", "hn_num2 next = k;"},
+       "hn_i_num2 next = hn_i_wide_times(k, growth);", "hn_i_num2 next = k;"},
       {"fbm_d.fbm_d3_cell_period.lattice.fast.fragment.gl330.derivative", "detail/jacobian.glsl",
        "next.y = hn_i_wide_times(k.y, growth);", "next.y = hn_i_wide_times(k.y, 1.2f * growth);"}};
   for (const Replaced& fault : kFaults) expect_replaced_caught(fault);
@@ -271,7 +271,7 @@ TEST_F(Derivatives, ASumWithoutStrengthThatIsNoFbmIsCaught) {
 
 TEST_F(Derivatives, AnotherValueIsCaught) {
   expect_replaced_caught({"fbm_d.fbm_d3_cell.lattice.fixed.fragment.gl330.derivative_value", "fbm_d3d.glsl",
-                          "hn_i_with_noise(o.sum, n.x);", "hn_i_with_noise(o.sum, n.x + 0.000001f);"});
+                          "hn_i_add_noise(o.sum, n.x);", "hn_i_add_noise(o.sum, n.x + 0.000001f);"});
   constexpr Aperiodic kFaults[] = {
       {"noise2d.perlin_d.lattice.fast.fragment.gl330", "derivative_value", "perlin_d2d.glsl",
        "hn_perlin_d(args) (vec3(0.0001, 0.0, 0.0) + hn_perlin_d(args))"},

@@ -68,7 +68,7 @@ double eroded_constant_noise(const ConstantSum& sum) {
 double sum_of_constant_noise(const ConstantSum& sum) {
   const auto strength = static_cast<float>(sum.strength);
   const auto n = static_cast<float>(kConstantNoise);
-  hashnoise::hn_i_octave_sum s = hashnoise::hn_i_no_octave(sum.octaves, static_cast<float>(sum.gain));
+  hashnoise::hn_i_octave_sum s = hashnoise::hn_i_empty_sum(sum.octaves, static_cast<float>(sum.gain));
   const auto of_steps = [&](const auto& step, const auto& end) {
     for (int i = 0; i < sum.octaves; ++i) {
       s = step();

@@ -7,12 +7,12 @@
 #include "detail/feature_points2d.glsl"
 
 // The distance to the border between the cells of two points P and Q is (q - p) / (2 |P - Q|), where p and q are the
-// squares of the distances to them. So the nearest border of a row of cells: `from` is the offset from P, and `nearest`
-// has p and the code of its cell.
-HN_FN hn_rank hn_i_border(hn_rank best, hn_uvec3 words, hn_num3 x, hn_num3 y, hn_num jitter, hn_int code, hn_int step,
-                          hn_num2 from, hn_rank4 nearest) {
-  hn_num3 from_x = hn_i_from_x(words, x, jitter);
-  hn_num3 from_y = hn_i_from_y(words, y, jitter);
+// squares of the distances to them. hn_i_border compares the borders of a row of cells with the nearest one so far:
+// `from` is the offset from P, and `nearest` has p and the code of its cell.
+HN_FN hn_i_rank hn_i_border(hn_i_rank best, hn_uvec3 words, hn_i_num3 x, hn_i_num3 y, hn_i_num jitter, hn_int code,
+                            hn_int step, hn_i_num2 from, hn_i_rank4 nearest) {
+  hn_i_num3 from_x = hn_i_from_x(words, x, jitter);
+  hn_i_num3 from_y = hn_i_from_y(words, y, jitter);
   return hn_i_nearest_border(
       best, hn_i_rank_differences(hn_i_squares(from_x, from_y), nearest.x),
       hn_i_squares(hn_i_offset_difference(from_x, from.x), hn_i_offset_difference(from_y, from.y)), code, step,
@@ -21,20 +21,21 @@ HN_FN hn_rank hn_i_border(hn_rank best, hn_uvec3 words, hn_num3 x, hn_num3 y, hn
 
 // The distance to the border, given the smallest ranks. The cells beside the block are needed as well: where a place is
 // at the wall of its own cell, the cell two steps on may share the nearest border with the nearest one (tools/bounds).
-HN_FN hn_float hn_i_cell_border(hn_i_block2 block, hn_uvec2 two, hn_num2 d, hn_num jitter, hn_uint seed,
-                                hn_rank4 nearest) {
-  hn_num2 from = hn_i_from_nearest(block, d, jitter, seed, nearest.w);
+HN_FN hn_float hn_i_cell_border(hn_i_block2 block, hn_uvec2 two, hn_i_num2 d, hn_i_num jitter, hn_uint seed,
+                                hn_i_rank4 nearest) {
+  hn_i_num2 from = hn_i_from_nearest(block, d, jitter, seed, nearest.w);
   hn_uint s = hn_i_mix(seed);
-  hn_num3 x = hn_i_row(d.x);
-  hn_num3 y = hn_i_row(d.y);
-  hn_num3 two_x = hn_i_thrice(hn_i_offset_from_cell(d.x, hn_i_two(d.x)));
-  hn_num3 two_y = hn_i_thrice(hn_i_offset_from_cell(d.y, hn_i_two(d.y)));
+  hn_i_num3 x = hn_i_row(d.x);
+  hn_i_num3 y = hn_i_row(d.y);
+  hn_i_num3 two_x = hn_i_equal_triple(hn_i_offset_from_cell(d.x, hn_i_far_step(d.x)));
+  hn_i_num3 two_y = hn_i_equal_triple(hn_i_offset_from_cell(d.y, hn_i_far_step(d.y)));
   hn_uvec3 words = hn_i_words_along_x(block, block.previous.y, s);
-  hn_rank best = hn_i_border(hn_i_far_away().x, words, x, hn_i_thrice(y.x), jitter, hn_i_code(0, -1), 1, from, nearest);
+  hn_i_rank best =
+      hn_i_border(hn_i_far_away().x, words, x, hn_i_equal_triple(y.x), jitter, hn_i_code(0, -1), 1, from, nearest);
   words = hn_i_words_along_x(block, block.cell.y, s);
-  best = hn_i_border(best, words, x, hn_i_thrice(y.y), jitter, hn_i_code(0, 0), 1, from, nearest);
+  best = hn_i_border(best, words, x, hn_i_equal_triple(y.y), jitter, hn_i_code(0, 0), 1, from, nearest);
   words = hn_i_words_along_x(block, block.following.y, s);
-  best = hn_i_border(best, words, x, hn_i_thrice(y.z), jitter, hn_i_code(0, 1), 1, from, nearest);
+  best = hn_i_border(best, words, x, hn_i_equal_triple(y.z), jitter, hn_i_code(0, 1), 1, from, nearest);
   words = hn_i_words_along_x(block, two.y, s);
   best = hn_i_border(best, words, x, two_y, jitter, HN_I_NO_CODE, 0, from, nearest);
   words = hn_i_words_along_y(block, two.x, s);
@@ -44,25 +45,25 @@ HN_FN hn_float hn_i_cell_border(hn_i_block2 block, hn_uvec2 two, hn_num2 d, hn_n
 
 // The same in every dimension: tools/umbrella makes it of cell_border2d.glsl.
 
-HN_FN hn_float hn_i_cell_border(hn_place2 place, hn_num jitter, hn_uint seed) {
+HN_FN hn_float hn_i_cell_border(hn_place2 place, hn_i_num jitter, hn_uint seed) {
   hn_i_block2 block = hn_i_block(place);
-  hn_num2 d = hn_i_from_centre(place.fraction);
-  return hn_i_cell_border(block, hn_i_two_steps(place, block, d), d, jitter, seed,
+  hn_i_num2 d = hn_i_from_centre(place.fraction);
+  return hn_i_cell_border(block, hn_i_far_cell(place, block, d), d, jitter, seed,
                           hn_i_nearest(block, d, jitter, HN_METRIC_SQUARED, seed));
 }
-HN_FN hn_float hn_i_cell_border(hn_place2 place, hn_num jitter, hn_uint seed, HN_I_OUT(hn_ivec2) nearest,
+HN_FN hn_float hn_i_cell_border(hn_place2 place, hn_i_num jitter, hn_uint seed, HN_I_OUT(hn_ivec2) nearest,
                                 HN_I_OUT(hn_vec2) offset) {
   hn_i_block2 block = hn_i_block(place);
-  hn_num2 d = hn_i_from_centre(place.fraction);
-  hn_rank4 best = hn_i_nearest(block, d, jitter, HN_METRIC_SQUARED, seed);
+  hn_i_num2 d = hn_i_from_centre(place.fraction);
+  hn_i_rank4 best = hn_i_nearest(block, d, jitter, HN_METRIC_SQUARED, seed);
   nearest = hn_i_cell_of(place, best.w);
   offset = hn_i_toward(hn_i_from_nearest(block, d, jitter, seed, best.w));
-  return hn_i_cell_border(block, hn_i_two_steps(place, block, d), d, jitter, seed, best);
+  return hn_i_cell_border(block, hn_i_far_cell(place, block, d), d, jitter, seed, best);
 }
 
 // By hand in each dimension.
 
-// How far it is to the border of a cell of cellular noise on the plane: to the nearest place that is as near to another
+// The distance to the border of a cell of cellular noise on the plane: to the nearest place that is as near to another
 // feature point as to the nearest one (not the difference of the distances to both). Cracks, tiles and veins are drawn
 // with it.
 //   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
@@ -84,7 +85,7 @@ HN_FN hn_float hn_cell_border(hn_place2 place, hn_uint seed) {
 HN_FN hn_float hn_cell_border(hn_vec2 p, hn_uint seed) { return hn_cell_border(hn_place(p), seed); }
 HN_FN hn_float hn_cell_border(hn_vec2 p) { return hn_cell_border(p, 0u); }
 
-// The same with everything that may be chosen.
+// This form also takes the jitter.
 //   jitter   how far the points are from the centres of their cells: 1 as without it, 0 for a regular lattice; what is
 //            outside of [0, 1] counts as the nearer end
 //   seed     any uint: 7u, not 7
@@ -98,7 +99,7 @@ HN_FN hn_float hn_cell_border(hn_vec2 p, hn_float jitter, hn_uint seed) {
   return hn_cell_border(hn_place(p), jitter, seed);
 }
 
-// The same with everything that may be chosen, and with the nearest point.
+// This form also takes the jitter, and tells the nearest point.
 //   jitter   how far the points are from the centres of their cells: 1 as without it, 0 for a regular lattice; what is
 //            outside of [0, 1] counts as the nearer end
 //   seed     any uint: 7u, not 7

@@ -6,12 +6,12 @@
 
 #include "detail/feature_points3d.glsl"
 
-// The nearest border of a row of cells, as on the plane (cell_border2d.glsl).
-HN_FN hn_rank hn_i_border(hn_rank best, hn_uvec3 words, hn_num3 x, hn_num3 y, hn_num3 z, hn_num jitter, hn_int code,
-                          hn_int step, hn_num3 from, hn_rank4 nearest) {
-  hn_num3 u = hn_i_from_u(words, x, y, jitter);
-  hn_num3 v = hn_i_from_v(words, x, y, jitter);
-  hn_num3 w = hn_i_from_z(words, z, jitter);
+// Compares the borders of a row of cells with the nearest one so far, as on the plane (cell_border2d.glsl).
+HN_FN hn_i_rank hn_i_border(hn_i_rank best, hn_uvec3 words, hn_i_num3 x, hn_i_num3 y, hn_i_num3 z, hn_i_num jitter,
+                            hn_int code, hn_int step, hn_i_num3 from, hn_i_rank4 nearest) {
+  hn_i_num3 u = hn_i_from_u(words, x, y, jitter);
+  hn_i_num3 v = hn_i_from_v(words, x, y, jitter);
+  hn_i_num3 w = hn_i_from_z(words, z, jitter);
   return hn_i_nearest_border(best, hn_i_rank_differences(hn_i_squares(u, v, w), nearest.x),
                              hn_i_squares(hn_i_offset_difference(u, from.x), hn_i_offset_difference(v, from.y),
                                           hn_i_offset_difference(w, from.z)),
@@ -21,15 +21,16 @@ HN_FN hn_rank hn_i_border(hn_rank best, hn_uvec3 words, hn_num3 x, hn_num3 y, hn
 // The distance to the border, given the smallest ranks. The cells beside the block are needed as well: where a place is
 // at the wall of its own cell, the cell two steps on may share the nearest border with the nearest one (tools/bounds).
 // That makes 54 cells, in six slabs. They are visited in a loop: unrolled, a shader takes much longer to compile.
-HN_FN hn_float hn_i_cell_border(hn_i_block3 block, hn_uvec3 two, hn_num3 d, hn_num jitter, hn_uint seed,
-                                hn_rank4 nearest) {
-  hn_num3 from = hn_i_from_nearest(block, d, jitter, seed, nearest.w);
-  hn_rank best = hn_i_far_away().x;
+HN_FN hn_float hn_i_cell_border(hn_i_block3 block, hn_uvec3 two, hn_i_num3 d, hn_i_num jitter, hn_uint seed,
+                                hn_i_rank4 nearest) {
+  hn_i_num3 from = hn_i_from_nearest(block, d, jitter, seed, nearest.w);
+  hn_i_rank best = hn_i_far_away().x;
   for (hn_int slab = -1; slab < 5; ++slab) {
     hn_int axis = hn_i_select(slab > 1, slab - 2, 2);
-    hn_uint at = hn_i_select(slab > 1, hn_i_along(axis, two), hn_i_of_three(hn_i_along_z(block), slab));
-    hn_int steps = hn_i_select(slab > 1, hn_i_two_along(axis, d), slab);
-    hn_num3 x = hn_i_slab_x(d, axis, steps);
+    hn_uint at =
+        hn_i_select(slab > 1, hn_i_component_along(axis, two), hn_i_triple_at(hn_i_coordinates_z(block), slab));
+    hn_int steps = hn_i_select(slab > 1, hn_i_far_step_along(axis, d), slab);
+    hn_i_num3 x = hn_i_slab_x(d, axis, steps);
     for (hn_int n = -1; n <= 1; ++n) {
       hn_int code = hn_i_select(slab > 1, HN_I_NO_CODE, hn_i_code(0, n, slab));
       best = hn_i_border(best, hn_i_slab_words(block, axis, at, n, seed), x, hn_i_slab_y(d, axis, steps, n),
@@ -41,25 +42,25 @@ HN_FN hn_float hn_i_cell_border(hn_i_block3 block, hn_uvec3 two, hn_num3 d, hn_n
 
 // The same in every dimension: tools/umbrella makes it of cell_border2d.glsl.
 
-HN_FN hn_float hn_i_cell_border(hn_place3 place, hn_num jitter, hn_uint seed) {
+HN_FN hn_float hn_i_cell_border(hn_place3 place, hn_i_num jitter, hn_uint seed) {
   hn_i_block3 block = hn_i_block(place);
-  hn_num3 d = hn_i_from_centre(place.fraction);
-  return hn_i_cell_border(block, hn_i_two_steps(place, block, d), d, jitter, seed,
+  hn_i_num3 d = hn_i_from_centre(place.fraction);
+  return hn_i_cell_border(block, hn_i_far_cell(place, block, d), d, jitter, seed,
                           hn_i_nearest(block, d, jitter, HN_METRIC_SQUARED, seed));
 }
-HN_FN hn_float hn_i_cell_border(hn_place3 place, hn_num jitter, hn_uint seed, HN_I_OUT(hn_ivec3) nearest,
+HN_FN hn_float hn_i_cell_border(hn_place3 place, hn_i_num jitter, hn_uint seed, HN_I_OUT(hn_ivec3) nearest,
                                 HN_I_OUT(hn_vec3) offset) {
   hn_i_block3 block = hn_i_block(place);
-  hn_num3 d = hn_i_from_centre(place.fraction);
-  hn_rank4 best = hn_i_nearest(block, d, jitter, HN_METRIC_SQUARED, seed);
+  hn_i_num3 d = hn_i_from_centre(place.fraction);
+  hn_i_rank4 best = hn_i_nearest(block, d, jitter, HN_METRIC_SQUARED, seed);
   nearest = hn_i_cell_of(place, best.w);
   offset = hn_i_toward(hn_i_from_nearest(block, d, jitter, seed, best.w));
-  return hn_i_cell_border(block, hn_i_two_steps(place, block, d), d, jitter, seed, best);
+  return hn_i_cell_border(block, hn_i_far_cell(place, block, d), d, jitter, seed, best);
 }
 
 // By hand in each dimension.
 
-// How far it is to the border of a cell of cellular noise in space: to the nearest place that is as near to another
+// The distance to the border of a cell of cellular noise in space: to the nearest place that is as near to another
 // feature point as to the nearest one (not the difference of the distances to both). Cracks, tiles and veins are drawn
 // with it.
 //   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
@@ -82,7 +83,7 @@ HN_FN hn_float hn_cell_border(hn_place3 place, hn_uint seed) {
 HN_FN hn_float hn_cell_border(hn_vec3 p, hn_uint seed) { return hn_cell_border(hn_place(p), seed); }
 HN_FN hn_float hn_cell_border(hn_vec3 p) { return hn_cell_border(p, 0u); }
 
-// The same with everything that may be chosen.
+// This form also takes the jitter.
 //   jitter   how far the points are from the centres of their cells: 1 as without it, 0 for a regular lattice; what is
 //            outside of [0, 1] counts as the nearer end
 //   seed     any uint: 7u, not 7
@@ -96,7 +97,7 @@ HN_FN hn_float hn_cell_border(hn_vec3 p, hn_float jitter, hn_uint seed) {
   return hn_cell_border(hn_place(p), jitter, seed);
 }
 
-// The same with everything that may be chosen, and with the nearest point.
+// This form also takes the jitter, and tells the nearest point.
 //   jitter   how far the points are from the centres of their cells: 1 as without it, 0 for a regular lattice; what is
 //            outside of [0, 1] counts as the nearer end
 //   seed     any uint: 7u, not 7

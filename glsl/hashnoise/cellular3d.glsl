@@ -8,21 +8,21 @@
 
 #include "detail/feature_points3d.glsl"
 
-HN_FN hn_vec2 hn_i_cellular(hn_i_block3 block, hn_num3 f, hn_num jitter, hn_int metric, hn_uint seed) {
+HN_FN hn_vec2 hn_i_cellular(hn_i_block3 block, hn_i_num3 f, hn_i_num jitter, hn_int metric, hn_uint seed) {
   return hn_i_two_distances(hn_i_nearest(block, hn_i_from_centre(f), jitter, metric, seed), metric);
 }
-HN_FN hn_vec2 hn_i_cellular(hn_place3 place, hn_num jitter, hn_int metric, hn_uint seed, HN_I_OUT(hn_ivec3) nearest,
+HN_FN hn_vec2 hn_i_cellular(hn_place3 place, hn_i_num jitter, hn_int metric, hn_uint seed, HN_I_OUT(hn_ivec3) nearest,
                             HN_I_OUT(hn_vec3) offset) {
   hn_i_block3 block = hn_i_block(place);
-  hn_num3 d = hn_i_from_centre(place.fraction);
-  hn_rank4 best = hn_i_nearest(block, d, jitter, metric, seed);
+  hn_i_num3 d = hn_i_from_centre(place.fraction);
+  hn_i_rank4 best = hn_i_nearest(block, d, jitter, metric, seed);
   nearest = hn_i_cell_of(place, best.w);
   offset = hn_i_toward(hn_i_from_nearest(block, d, jitter, seed, best.w));
   return hn_i_two_distances(best, metric);
 }
 
-// Cellular noise in space: the distances to the nearest and the second nearest of points that are strewn one in
-// each cell (Worley's F1 and F2). They are those of the whole infinite field.
+// Cellular noise in space: the distances to the nearest and to the second nearest feature point (Worley's F1 and
+// F2). Each cell has one such point. In the whole infinite field no other point is nearer.
 //   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
 //   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
@@ -40,7 +40,7 @@ HN_FN hn_vec2 hn_cellular(hn_place3 place, hn_uint seed) {
 HN_FN hn_vec2 hn_cellular(hn_vec3 p, hn_uint seed) { return hn_cellular(hn_place(p), seed); }
 HN_FN hn_vec2 hn_cellular(hn_vec3 p) { return hn_cellular(p, 0u); }
 
-// The same with everything that may be chosen.
+// This form also takes the jitter and the metric.
 //   jitter   how far the points are from the centres of their cells: 1 as without it, 0 for a regular lattice; what is
 //            outside of [0, 1] counts as the nearer end
 //   metric   one of HN_METRIC_EUCLIDEAN, _SQUARED, _MANHATTAN, _CHEBYSHEV and _HYBRID; a constant costs
@@ -56,7 +56,7 @@ HN_FN hn_vec2 hn_cellular(hn_vec3 p, hn_float jitter, hn_int metric, hn_uint see
   return hn_cellular(hn_place(p), jitter, metric, seed);
 }
 
-// The same with everything that may be chosen, and with the nearest point.
+// This form also takes the jitter and the metric, and tells the nearest point.
 //   jitter   how far the points are from the centres of their cells: 1 as without it, 0 for a regular lattice; what is
 //            outside of [0, 1] counts as the nearer end
 //   metric   one of HN_METRIC_EUCLIDEAN, _SQUARED, _MANHATTAN, _CHEBYSHEV and _HYBRID; a constant costs

@@ -6,10 +6,10 @@
 
 #include "detail/feature_points2d.glsl"
 
-HN_FN hn_vec3 hn_i_cellular_d(hn_i_block2 block, hn_num2 f, hn_num jitter, hn_uint seed) {
-  hn_num2 d = hn_i_from_centre(f);
-  hn_rank4 best = hn_i_nearest(block, d, jitter, HN_METRIC_EUCLIDEAN, seed);
-  hn_num2 from = hn_i_from_nearest(block, d, jitter, seed, best.w);
+HN_FN hn_vec3 hn_i_cellular_d(hn_i_block2 block, hn_i_num2 f, hn_i_num jitter, hn_uint seed) {
+  hn_i_num2 d = hn_i_from_centre(f);
+  hn_i_rank4 best = hn_i_nearest(block, d, jitter, HN_METRIC_EUCLIDEAN, seed);
+  hn_i_num2 from = hn_i_from_nearest(block, d, jitter, seed, best.w);
   hn_vec2 slope = hn_i_unit(from.x, from.y);
   return vec3(hn_i_distance(best.x, HN_METRIC_EUCLIDEAN), slope.x, slope.y);
 }
@@ -34,7 +34,7 @@ HN_FN hn_vec3 hn_cellular_d(hn_place2 place, hn_uint seed) {
 HN_FN hn_vec3 hn_cellular_d(hn_vec2 p, hn_uint seed) { return hn_cellular_d(hn_place(p), seed); }
 HN_FN hn_vec3 hn_cellular_d(hn_vec2 p) { return hn_cellular_d(p, 0u); }
 
-// The same with everything that may be chosen.
+// This form also takes the jitter.
 //   jitter   how far the points are from the centres of their cells: 1 as without it, 0 for a regular lattice; what is
 //            outside of [0, 1] counts as the nearer end
 //   seed     any uint: 7u, not 7

@@ -8,7 +8,7 @@
 
 #include "detail/feature_points_moving3d.glsl"
 
-HN_FN hn_rank4 hn_i_nearest(hn_place3 place, hn_i_turn3 turn, hn_float jitter, hn_uint seed) {
+HN_FN hn_i_rank4 hn_i_nearest(hn_place3 place, hn_i_turn3 turn, hn_float jitter, hn_uint seed) {
   return hn_i_nearest(hn_i_block(place), hn_i_from_centre(place.fraction), turn, hn_i_moving_jitter3(jitter), seed);
 }
 
@@ -35,7 +35,7 @@ HN_FN hn_vec2 hn_cellular_phase(hn_vec3 p, hn_float phase, hn_float jitter, hn_u
   return hn_cellular_phase(hn_place(p), phase, jitter, seed);
 }
 
-// The same with the nearest point.
+// This form also tells the nearest point.
 //   nearest  is set to the cell of the nearest point, modulo the period: hn_lattice(nearest, seed) is a word of its own
 //            for each cell. Of points at the same distance that of the first cell counts, by z, then by y, then by x
 //   offset   is set to the vector from the position to that point, in cells
@@ -46,7 +46,7 @@ HN_FN hn_vec2 hn_cellular_phase(hn_vec3 p, hn_float phase, hn_float jitter, hn_u
 HN_FN hn_vec2 hn_cellular_phase(hn_place3 place, hn_float phase, hn_float jitter, hn_uint seed,
                                 HN_I_OUT(hn_ivec3) nearest, HN_I_OUT(hn_vec3) offset) {
   hn_i_turn3 turn = hn_i_turning3(phase);
-  hn_rank4 best = hn_i_nearest(place, turn, jitter, seed);
+  hn_i_rank4 best = hn_i_nearest(place, turn, jitter, seed);
   nearest = hn_i_cell_of(place, best.w);
   offset = hn_i_to_nearest(hn_i_block(place), hn_i_from_centre(place.fraction), turn, hn_i_moving_jitter3(jitter), seed,
                            best.w);

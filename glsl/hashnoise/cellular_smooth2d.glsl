@@ -6,18 +6,18 @@
 
 #include "detail/feature_points2d.glsl"
 
-HN_FN hn_float hn_i_cellular_smooth(hn_i_block2 block, hn_num2 f, hn_num jitter, hn_uint seed) {
-  hn_num2 d = hn_i_from_centre(f);
+HN_FN hn_float hn_i_cellular_smooth(hn_i_block2 block, hn_i_num2 f, hn_i_num jitter, hn_uint seed) {
+  hn_i_num2 d = hn_i_from_centre(f);
   hn_uint s = hn_i_mix(seed);
-  hn_num3 x = hn_i_row(d.x);
-  hn_num3 y = hn_i_row(d.y);
-  hn_rank weights = hn_i_no_weight();
+  hn_i_num3 x = hn_i_row(d.x);
+  hn_i_num3 y = hn_i_row(d.y);
+  hn_i_rank weights = hn_i_no_weight();
   hn_uvec3 words = hn_i_words_along_x(block, block.previous.y, s);
-  weights = hn_i_summed_weights(weights, hn_i_squares(words, x, hn_i_thrice(y.x), jitter));
+  weights = hn_i_summed_weights(weights, hn_i_squares(words, x, hn_i_equal_triple(y.x), jitter));
   words = hn_i_words_along_x(block, block.cell.y, s);
-  weights = hn_i_summed_weights(weights, hn_i_squares(words, x, hn_i_thrice(y.y), jitter));
+  weights = hn_i_summed_weights(weights, hn_i_squares(words, x, hn_i_equal_triple(y.y), jitter));
   words = hn_i_words_along_x(block, block.following.y, s);
-  weights = hn_i_summed_weights(weights, hn_i_squares(words, x, hn_i_thrice(y.z), jitter));
+  weights = hn_i_summed_weights(weights, hn_i_squares(words, x, hn_i_equal_triple(y.z), jitter));
   return hn_i_smooth_distance(weights);
 }
 
@@ -45,7 +45,7 @@ HN_FN hn_float hn_cellular_smooth(hn_place2 place, hn_uint seed) {
 HN_FN hn_float hn_cellular_smooth(hn_vec2 p, hn_uint seed) { return hn_cellular_smooth(hn_place(p), seed); }
 HN_FN hn_float hn_cellular_smooth(hn_vec2 p) { return hn_cellular_smooth(p, 0u); }
 
-// The same with everything that may be chosen.
+// This form also takes the jitter.
 //   jitter   how far the points are from the centres of their cells: 1 as without it, 0 for a regular lattice; what is
 //            outside of [0, 1] counts as the nearer end
 //   seed     any uint: 7u, not 7

@@ -6,30 +6,31 @@
 
 #include "detail/feature_points3d.glsl"
 
-// The sum of weights so far, with those of nine cells in a slab across z, as hn_i_visit_slab takes them.
-HN_FN hn_rank hn_i_weigh_slab(hn_rank weights, hn_i_block3 block, hn_uint join, hn_uint odd, hn_num3 x, hn_num3 y,
-                              hn_num z, hn_num jitter) {
+// Adds the weights of nine cells in a slab across z to the sum of weights so far. The parameters are those of
+// hn_i_visit_slab.
+HN_FN hn_i_rank hn_i_weigh_slab(hn_i_rank weights, hn_i_block3 block, hn_uint join, hn_uint odd, hn_i_num3 x,
+                                hn_i_num3 y, hn_i_num z, hn_i_num jitter) {
   hn_uvec3 joins = hn_i_joins_x(block);
-  hn_uvec3 odds = hn_i_odd_step(hn_i_along_x(block));
+  hn_uvec3 odds = hn_i_odd_step(hn_i_coordinates_x(block));
   hn_uvec3 rows = hn_i_xor(hn_i_joins_y(block), join);
-  hn_uvec3 row_odds = hn_i_odd_step(hn_i_along_y(block) * HN_I_SUM_Y) + odd;
-  hn_num3 across = hn_i_thrice(z);
+  hn_uvec3 row_odds = hn_i_odd_step(hn_i_coordinates_y(block) * HN_I_SUM_Y) + odd;
+  hn_i_num3 across = hn_i_equal_triple(z);
   hn_int metric = HN_METRIC_SQUARED;
   hn_uvec3 words = hn_i_row_words(joins, odds, rows.x, row_odds.x);
-  weights = hn_i_summed_weights(weights, hn_i_ranks(words, x, hn_i_thrice(y.x), across, jitter, metric));
+  weights = hn_i_summed_weights(weights, hn_i_ranks(words, x, hn_i_equal_triple(y.x), across, jitter, metric));
   words = hn_i_row_words(joins, odds, rows.y, row_odds.y);
-  weights = hn_i_summed_weights(weights, hn_i_ranks(words, x, hn_i_thrice(y.y), across, jitter, metric));
+  weights = hn_i_summed_weights(weights, hn_i_ranks(words, x, hn_i_equal_triple(y.y), across, jitter, metric));
   words = hn_i_row_words(joins, odds, rows.z, row_odds.z);
-  return hn_i_summed_weights(weights, hn_i_ranks(words, x, hn_i_thrice(y.z), across, jitter, metric));
+  return hn_i_summed_weights(weights, hn_i_ranks(words, x, hn_i_equal_triple(y.z), across, jitter, metric));
 }
-HN_FN hn_float hn_i_cellular_smooth(hn_i_block3 block, hn_num3 f, hn_num jitter, hn_uint seed) {
-  hn_num3 d = hn_i_from_centre(f);
+HN_FN hn_float hn_i_cellular_smooth(hn_i_block3 block, hn_i_num3 f, hn_i_num jitter, hn_uint seed) {
+  hn_i_num3 d = hn_i_from_centre(f);
   hn_uint s = hn_i_mix(seed);
-  hn_num3 x = hn_i_row(d.x);
-  hn_num3 y = hn_i_row(d.y);
-  hn_num3 z = hn_i_row(d.z);
+  hn_i_num3 x = hn_i_row(d.x);
+  hn_i_num3 y = hn_i_row(d.y);
+  hn_i_num3 z = hn_i_row(d.z);
   hn_uvec3 joins = hn_i_xor(hn_i_joins_z(block), hn_i_seed_join(s));
-  hn_rank weights = hn_i_no_weight();
+  hn_i_rank weights = hn_i_no_weight();
   weights = hn_i_weigh_slab(weights, block, joins.x, hn_i_odd(block.previous.z * HN_I_SUM_Z + s), x, y, z.x, jitter);
   weights = hn_i_weigh_slab(weights, block, joins.y, hn_i_odd(block.cell.z * HN_I_SUM_Z + s), x, y, z.y, jitter);
   weights = hn_i_weigh_slab(weights, block, joins.z, hn_i_odd(block.following.z * HN_I_SUM_Z + s), x, y, z.z, jitter);
@@ -60,7 +61,7 @@ HN_FN hn_float hn_cellular_smooth(hn_place3 place, hn_uint seed) {
 HN_FN hn_float hn_cellular_smooth(hn_vec3 p, hn_uint seed) { return hn_cellular_smooth(hn_place(p), seed); }
 HN_FN hn_float hn_cellular_smooth(hn_vec3 p) { return hn_cellular_smooth(p, 0u); }
 
-// The same with everything that may be chosen.
+// This form also takes the jitter.
 //   jitter   how far the points are from the centres of their cells: 1 as without it, 0 for a regular lattice; what is
 //            outside of [0, 1] counts as the nearer end
 //   seed     any uint: 7u, not 7

@@ -6,28 +6,28 @@
 
 #include "detail/feature_points2d.glsl"
 
-// a for the axis x, which is 0, else b.
+// Chooses a for the axis x, which is 0, else b.
 HN_FN hn_uvec3 hn_i_if_axis(hn_int axis, hn_uvec3 a, hn_uvec3 b) {
   return uvec3(hn_i_select(axis == 0, a.x, b.x), hn_i_select(axis == 0, a.y, b.y), hn_i_select(axis == 0, a.z, b.z));
 }
-HN_FN hn_num3 hn_i_if_axis(hn_int axis, hn_num3 a, hn_num3 b) {
-  return hn_i_three(hn_i_select(axis == 0, a.x, b.x), hn_i_select(axis == 0, a.y, b.y),
-                    hn_i_select(axis == 0, a.z, b.z));
+HN_FN hn_i_num3 hn_i_if_axis(hn_int axis, hn_i_num3 a, hn_i_num3 b) {
+  return hn_i_triple(hn_i_select(axis == 0, a.x, b.x), hn_i_select(axis == 0, a.y, b.y),
+                     hn_i_select(axis == 0, a.z, b.z));
 }
 
 // The third point may also be that of a cell two steps on, along the axis on which the place is farthest from the
-// centre of its cell (feature_points.glsl): three cells in a row along the other.
-HN_FN hn_vec3 hn_i_cellular_three(hn_place2 place, hn_num jitter, hn_int metric, hn_uint seed) {
+// centre of its cell (feature_points.glsl). Three cells in a row along the other axis are enough.
+HN_FN hn_vec3 hn_i_cellular_three(hn_place2 place, hn_i_num jitter, hn_int metric, hn_uint seed) {
   hn_i_block2 block = hn_i_block(place);
-  hn_num2 d = hn_i_from_centre(place.fraction);
-  hn_uvec2 two = hn_i_two_steps(place, block, d);
-  hn_rank4 best = hn_i_nearest(block, d, jitter, metric, seed);
+  hn_i_num2 d = hn_i_from_centre(place.fraction);
+  hn_uvec2 two = hn_i_far_cell(place, block, d);
+  hn_i_rank4 best = hn_i_nearest(block, d, jitter, metric, seed);
   hn_uint s = hn_i_mix(seed);
   hn_int axis = hn_i_choice(hn_i_size(d.x) >= hn_i_size(d.y), 0, 1);
   hn_uvec3 words = hn_i_if_axis(axis, hn_i_words_along_y(block, two.x, s), hn_i_words_along_x(block, two.y, s));
-  hn_num3 x = hn_i_if_axis(axis, hn_i_thrice(hn_i_offset_from_cell(d.x, hn_i_two(d.x))), hn_i_row(d.x));
-  hn_num3 y = hn_i_if_axis(axis, hn_i_row(d.y), hn_i_thrice(hn_i_offset_from_cell(d.y, hn_i_two(d.y))));
-  best = hn_i_visited(best, hn_i_ranks(words, x, y, jitter, metric), HN_I_NO_CODE, 0);
+  hn_i_num3 x = hn_i_if_axis(axis, hn_i_equal_triple(hn_i_offset_from_cell(d.x, hn_i_far_step(d.x))), hn_i_row(d.x));
+  hn_i_num3 y = hn_i_if_axis(axis, hn_i_row(d.y), hn_i_equal_triple(hn_i_offset_from_cell(d.y, hn_i_far_step(d.y))));
+  best = hn_i_insert(best, hn_i_ranks(words, x, y, jitter, metric), HN_I_NO_CODE, 0);
   return vec3(hn_i_distance(best.x, metric), hn_i_distance(best.y, metric), hn_i_distance(best.z, metric));
 }
 
@@ -51,7 +51,7 @@ HN_FN hn_vec3 hn_cellular_three(hn_place2 place, hn_uint seed) {
 HN_FN hn_vec3 hn_cellular_three(hn_vec2 p, hn_uint seed) { return hn_cellular_three(hn_place(p), seed); }
 HN_FN hn_vec3 hn_cellular_three(hn_vec2 p) { return hn_cellular_three(p, 0u); }
 
-// The same with everything that may be chosen.
+// This form also takes the jitter and the metric.
 //   jitter   how far the points are from the centres of their cells: 1 as without it, 0 for a regular lattice; what is
 //            outside of [0, 1] counts as the nearer end
 //   metric   one of HN_METRIC_EUCLIDEAN, _SQUARED, _MANHATTAN, _CHEBYSHEV and _HYBRID; a constant costs

@@ -7,28 +7,29 @@
 #include "detail/feature_points3d.glsl"
 
 // The axis along which the place is farthest from the centre of its cell.
-HN_FN hn_int hn_i_farthest_axis(hn_num3 d) {
-  hn_num x = hn_i_size(d.x);
-  hn_num y = hn_i_size(d.y);
-  hn_num z = hn_i_size(d.z);
+HN_FN hn_int hn_i_farthest_axis(hn_i_num3 d) {
+  hn_i_num x = hn_i_size(d.x);
+  hn_i_num y = hn_i_size(d.y);
+  hn_i_num z = hn_i_size(d.z);
   return hn_i_choice(x >= max(y, z), 0, hn_i_choice(y >= z, 1, 2));
 }
 
-// The third point may also be that of a cell two steps on along that axis (feature_points.glsl): nine cells in a slab.
-HN_FN hn_vec3 hn_i_cellular_three(hn_place3 place, hn_num jitter, hn_int metric, hn_uint seed) {
+// The third point may also be that of a cell two steps on along that axis (feature_points.glsl). Nine cells in a slab
+// are enough.
+HN_FN hn_vec3 hn_i_cellular_three(hn_place3 place, hn_i_num jitter, hn_int metric, hn_uint seed) {
   hn_i_block3 block = hn_i_block(place);
-  hn_num3 d = hn_i_from_centre(place.fraction);
-  hn_uvec3 two = hn_i_two_steps(place, block, d);
-  hn_rank4 best = hn_i_nearest(block, d, jitter, metric, seed);
+  hn_i_num3 d = hn_i_from_centre(place.fraction);
+  hn_uvec3 two = hn_i_far_cell(place, block, d);
+  hn_i_rank4 best = hn_i_nearest(block, d, jitter, metric, seed);
   hn_int axis = hn_i_farthest_axis(d);
-  hn_uint at = hn_i_along(axis, two);
-  hn_int steps = hn_i_two_along(axis, d);
+  hn_uint at = hn_i_component_along(axis, two);
+  hn_int steps = hn_i_far_step_along(axis, d);
   for (hn_int n = -1; n <= 1; ++n) {
     hn_uvec3 words = hn_i_slab_words(block, axis, at, n, seed);
-    best = hn_i_visited(best,
-                        hn_i_ranks(words, hn_i_slab_x(d, axis, steps), hn_i_slab_y(d, axis, steps, n),
-                                   hn_i_slab_z(d, axis, steps, n), jitter, metric),
-                        HN_I_NO_CODE, 0);
+    best = hn_i_insert(best,
+                       hn_i_ranks(words, hn_i_slab_x(d, axis, steps), hn_i_slab_y(d, axis, steps, n),
+                                  hn_i_slab_z(d, axis, steps, n), jitter, metric),
+                       HN_I_NO_CODE, 0);
   }
   return vec3(hn_i_distance(best.x, metric), hn_i_distance(best.y, metric), hn_i_distance(best.z, metric));
 }
@@ -53,7 +54,7 @@ HN_FN hn_vec3 hn_cellular_three(hn_place3 place, hn_uint seed) {
 HN_FN hn_vec3 hn_cellular_three(hn_vec3 p, hn_uint seed) { return hn_cellular_three(hn_place(p), seed); }
 HN_FN hn_vec3 hn_cellular_three(hn_vec3 p) { return hn_cellular_three(p, 0u); }
 
-// The same with everything that may be chosen.
+// This form also takes the jitter and the metric.
 //   jitter   how far the points are from the centres of their cells: 1 as without it, 0 for a regular lattice; what is
 //            outside of [0, 1] counts as the nearer end
 //   metric   one of HN_METRIC_EUCLIDEAN, _SQUARED, _MANHATTAN, _CHEBYSHEV and _HYBRID; a constant costs

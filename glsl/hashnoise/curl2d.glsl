@@ -6,7 +6,7 @@
 
 #include "simplex_d2d.glsl"
 
-// The negative of 0 would be -0, and of a difference from 0 some drivers make a negative.
+// A zero must not become -0. The negative of 0 would be -0, and some drivers turn a difference from 0 into a negative.
 HN_FN hn_vec2 hn_i_curl(hn_vec3 d) { return vec2(d.z, hn_i_select(d.y == 0.0f, 0.0f, -d.y)); }
 
 // The curl of hn_simplex on the plane: a field of velocities that neither flows together nor apart. What it carries

@@ -9,28 +9,30 @@
 #if HN_ARITHMETIC != HN_FIXED
 
 HN_FN hn_float hn_i_velocity(hn_float a, hn_float b, hn_float c, hn_float d) { return hn_i_cross(a, b, c, d); }
-HN_FN hn_float hn_i_of_curl(hn_float n) { return hn_i_flushed(n); }
-HN_FN hn_float hn_i_for_curl(hn_float d) { return d; }
+HN_FN hn_float hn_i_curl_to_float(hn_float n) { return hn_i_flushed(n); }
+HN_FN hn_float hn_i_float_to_curl(hn_float d) { return d; }
 
 #else
 
-// A product of derivatives in units of 2^-19, in units of 2^-20, without that of the low digits of 9 bits.
-HN_FN hn_int hn_i_product_of(hn_int a, hn_int b) {
+// Multiplies two derivatives, each in units of 2^-19. The product is in units of 2^-20. That of their low 9 bits, which
+// is below one unit, is dropped.
+HN_FN hn_int hn_i_slope_product(hn_int a, hn_int b) {
   return (a >> 9) * (b >> 9) + (((a >> 9) * (b & 511) + (a & 511) * (b >> 9)) >> 9);
 }
 HN_FN hn_int hn_i_velocity(hn_int a, hn_int b, hn_int c, hn_int d) {
-  return (hn_i_product_of(a, b) - hn_i_product_of(c, d) + 8) >> 4;
+  return (hn_i_slope_product(a, b) - hn_i_slope_product(c, d) + 8) >> 4;
 }
-HN_FN hn_float hn_i_of_curl(hn_int n) { return hn_i_float(n) * (1.0f / 65536.0f); }
-HN_FN hn_int hn_i_for_curl(hn_float d) { return int(d * 524288.0f); }
+HN_FN hn_float hn_i_curl_to_float(hn_int n) { return hn_i_float(n) * (1.0f / 65536.0f); }
+HN_FN hn_int hn_i_float_to_curl(hn_float d) { return int(d * HN_I_FLOAT_UNITS_SLOPE); }
 
 #endif
 
 HN_FN hn_vec3 hn_i_curl(hn_vec4 n, hn_vec4 m) {
-  hn_num3 a = hn_i_num(hn_i_for_curl(n.y), hn_i_for_curl(n.z), hn_i_for_curl(n.w));
-  hn_num3 b = hn_i_num(hn_i_for_curl(m.y), hn_i_for_curl(m.z), hn_i_for_curl(m.w));
-  return vec3(hn_i_of_curl(hn_i_velocity(a.y, b.z, a.z, b.y)), hn_i_of_curl(hn_i_velocity(a.z, b.x, a.x, b.z)),
-              hn_i_of_curl(hn_i_velocity(a.x, b.y, a.y, b.x)));
+  hn_i_num3 a = hn_i_vector(hn_i_float_to_curl(n.y), hn_i_float_to_curl(n.z), hn_i_float_to_curl(n.w));
+  hn_i_num3 b = hn_i_vector(hn_i_float_to_curl(m.y), hn_i_float_to_curl(m.z), hn_i_float_to_curl(m.w));
+  return vec3(hn_i_curl_to_float(hn_i_velocity(a.y, b.z, a.z, b.y)),
+              hn_i_curl_to_float(hn_i_velocity(a.z, b.x, a.x, b.z)),
+              hn_i_curl_to_float(hn_i_velocity(a.x, b.y, a.y, b.x)));
 }
 
 // The cross product of the gradients of two simplex noises: a field of velocities that neither flows together nor

@@ -12,10 +12,10 @@
 // Its numbers are apart: where points leave a loop at different octaves, lavapipe of Mesa 22.3 takes a vector that is
 // used behind it from the last octave of all.
 struct hn_slopes2 {
-  hn_num x;
-  hn_num y;
+  hn_i_num x;
+  hn_i_num y;
   hn_i_jacobian2 jacobian;
-  hn_num growth;  // of the Jacobian, from octave to octave
+  hn_i_num growth;  // of the Jacobian, from octave to octave
 };
 
 // Sums over a noise with derivatives, yours or the library's:
@@ -42,23 +42,23 @@ HN_FN hn_slopes2 hn_slopes(hn_octaves2 o) {
   return s;
 }
 HN_FN void hn_add(HN_I_INOUT(hn_octaves2) o, HN_I_INOUT(hn_slopes2) s, hn_vec3 n) {
-  hn_num2 g = hn_i_transposed_times(s.jacobian, hn_i_num(hn_i_octave_slope(n.y), hn_i_octave_slope(n.z)));
-  o.sum = hn_i_with_noise(o.sum, n.x);
+  hn_i_num2 g = hn_i_transposed_times(s.jacobian, hn_i_vector(hn_i_octave_slope(n.y), hn_i_octave_slope(n.z)));
+  o.sum = hn_i_add_noise(o.sum, n.x);
   s.x = hn_i_wide_plus(s.x, g.x);
   s.y = hn_i_wide_plus(s.y, g.y);
   s.jacobian = hn_i_next_jacobian(s.jacobian, s.growth, o.place.tiled);
 }
 HN_FN void hn_add_eroded(HN_I_INOUT(hn_octaves2) o, HN_I_INOUT(hn_slopes2) s, hn_vec3 n, hn_float strength) {
-  hn_num2 e = hn_i_num(hn_i_summed_slope(s.x, n.y), hn_i_summed_slope(s.y, n.z));
-  HN_I_PRECISE hn_i_square_of_slope square = hn_i_square(e.x) + hn_i_square(e.y);
-  hn_num left = hn_i_erosion_weight(square, hn_i_setting(strength, 16.0f));
-  o.sum = hn_i_with(o.sum, hn_i_octave(n.x), hn_i_weight_times(o.sum.weight, left));
+  hn_i_num2 e = hn_i_vector(hn_i_summed_slope(s.x, n.y), hn_i_summed_slope(s.y, n.z));
+  HN_I_PRECISE hn_i_square_of_slope square = hn_i_squared_slope(e.x) + hn_i_squared_slope(e.y);
+  hn_i_num left = hn_i_erosion_weight(square, hn_i_setting(strength, 16.0f));
+  o.sum = hn_i_add_octave(o.sum, hn_i_octave(n.x), hn_i_weight_times(o.sum.weight, left));
   e = hn_i_next_slope(e, o.place.tiled);
   s.x = e.x;
   s.y = e.y;
 }
 HN_FN hn_vec3 hn_mean(hn_octaves2 o, hn_slopes2 s) {
-  hn_num total = hn_i_total(o.sum);
+  hn_i_num total = hn_i_total(o.sum);
   return vec3(hn_i_value(hn_i_mean(o.sum, o.sum.value, total)),
               hn_i_derivative(hn_i_coarse(hn_i_mean(o.sum, s.x, total))),
               hn_i_derivative(hn_i_coarse(hn_i_mean(o.sum, s.y, total))));

@@ -10,7 +10,7 @@
 #include "phasor_d2d.glsl"
 
 //   hn_i_eroding_slope(x)   a component of a slope, at most 8 in size. In HN_FIXED slopes are in units of 2^-16
-//   hn_i_eroded_slope(e, d) the same of a sum
+//   hn_i_eroded_slope(e, d) the sum of two such components, at most 8 in size, too
 //   hn_i_gully_wave(x, r)   3/2 x / (r + 1/8), as a float, of a component x of a slope; r is how steep the slope is
 //   hn_i_steepness(r)       r / (r + 1/8), in the units of weights
 //   hn_i_added_slope(a, b)  a - b, as a float
@@ -41,26 +41,26 @@ HN_FN hn_float hn_i_added_slope(hn_float a, hn_float b) { return hn_i_derivative
 
 HN_FN hn_vec3 hn_i_gullies(hn_octaves2 octaves, hn_vec2 slope, hn_float depth) {
   hn_octaves2 o = octaves;
-  hn_num deep = hn_i_setting(depth, 8.0f);
-  hn_num growth = hn_i_growth(o.sum.gain, o.lacunarity);
-  hn_num steepening = deep;  // depth * (gain * lacunarity)^i
-  hn_num2 before = hn_i_num(hn_i_eroding_slope(slope.x), hn_i_eroding_slope(slope.y));
-  hn_num x = before.x;  // apart, for the reason that hn_slopes2 has (fbm_d2d.glsl)
-  hn_num y = before.y;
+  hn_i_num deep = hn_i_setting(depth, 8.0f);
+  hn_i_num growth = hn_i_growth(o.sum.gain, o.lacunarity);
+  hn_i_num steepening = deep;  // depth * (gain * lacunarity)^i
+  hn_i_num2 before = hn_i_vector(hn_i_eroding_slope(slope.x), hn_i_eroding_slope(slope.y));
+  hn_i_num x = before.x;  // apart, for the reason that hn_slopes2 has (fbm_d2d.glsl)
+  hn_i_num y = before.y;
   do {
-    hn_rank r = hn_i_root(hn_i_squared(x, y));
+    hn_i_rank r = hn_i_root(hn_i_squared(x, y));
     hn_vec2 wave = vec2(-hn_i_gully_wave(y, r), hn_i_gully_wave(x, r));
-    hn_num part = hn_i_weight_times(hn_i_steepness(r), hn_i_resolved(o.sum.footprint));
+    hn_i_num part = hn_i_weight_times(hn_i_steepness(r), hn_i_resolved_part(o.sum.footprint));
     hn_derivatives2x2 n = hn_phasor_d(o.place, wave, 0.0f, o.seed);
-    o.sum = hn_i_with(o.sum, hn_i_octave(n.value.x), hn_i_weight_times(o.sum.weight, part));
-    hn_num rate = hn_i_wide_times(steepening, part);
+    o.sum = hn_i_add_octave(o.sum, hn_i_octave(n.value.x), hn_i_weight_times(o.sum.weight, part));
+    hn_i_num rate = hn_i_wide_times(steepening, part);
     x = hn_i_eroded_slope(x, hn_i_wide_times(hn_i_slope_of_waves(n.dx.x), rate));
     y = hn_i_eroded_slope(y, hn_i_wide_times(hn_i_slope_of_waves(n.dy.x), rate));
     steepening = hn_i_wide_times(steepening, growth);
     o.sum.footprint = hn_i_next_footprint(o.sum.footprint, o.lacunarity);
   } while (hn_next(o));
   bool none = hn_i_truth(o.sum.octaves < 1);
-  hn_num height = hn_i_select(none, HN_I_NO_WEIGHT, hn_i_coarse(hn_i_wide_times(o.sum.value, deep)));
+  hn_i_num height = hn_i_select(none, HN_I_NO_WEIGHT, hn_i_coarse(hn_i_wide_times(o.sum.value, deep)));
   return vec3(hn_i_value(height), hn_i_added_slope(hn_i_select(none, before.x, x), before.x),
               hn_i_added_slope(hn_i_select(none, before.y, y), before.y));
 }

@@ -16,12 +16,12 @@ struct hn_hexes {
 
 // A number of a fraction as a float, which is exact. No 0 is negative.
 #if HN_ARITHMETIC != HN_FIXED
-HN_FN hn_float hn_i_of_fraction(hn_float f) { return hn_i_flushed(f); }
+HN_FN hn_float hn_i_fraction_to_float(hn_float f) { return hn_i_flushed(f); }
 #else
-HN_FN hn_float hn_i_of_fraction(hn_int f) { return hn_i_float(f) * (1.0f / 1048576.0f); }
+HN_FN hn_float hn_i_fraction_to_float(hn_int f) { return hn_i_float(f) * (1.0f / HN_I_FLOAT_UNITS_FRACTION); }
 #endif
-HN_FN hn_float hn_i_in_cells(hn_num step) { return hn_i_of_fraction(step) * 0.5f; }  // a step is half a cell
-HN_FN hn_vec3 hn_i_in_cells(hn_num3 steps) {
+HN_FN hn_float hn_i_in_cells(hn_i_num step) { return hn_i_fraction_to_float(step) * 0.5f; }  // a step is half a cell
+HN_FN hn_vec3 hn_i_in_cells(hn_i_num3 steps) {
   return vec3(hn_i_in_cells(steps.x), hn_i_in_cells(steps.y), hn_i_in_cells(steps.z));
 }
 
@@ -43,16 +43,16 @@ HN_FN hn_vec3 hn_i_in_cells(hn_num3 steps) {
 //   source   Heitz and Neyret, "High-performance by-example noise using a histogram-preserving blending operator", 2018,
 //            for the three weights; docs/contract.md, section 20
 HN_FN hn_hexes hn_hex_tiling(hn_place2 place, hn_uint seed) {
-  hn_num2 skewed = hn_i_skewed(place.fraction);
+  hn_i_num2 skewed = hn_i_skewed(place.fraction);
   hn_i_triangle2 corners = hn_i_triangle(place, skewed);
-  hn_num u = hn_i_fract(skewed.x);
-  hn_num v = hn_i_fract(skewed.y);
-  hn_num most = max(u, v);
-  hn_num least = min(u, v);
+  hn_i_num u = hn_i_fract(skewed.x);
+  hn_i_num v = hn_i_fract(skewed.y);
+  hn_i_num most = max(u, v);
+  hn_i_num least = min(u, v);
   hn_uint s = hn_i_mix(seed);
   HN_I_NEW(hn_hexes, hexes);
-  hexes.weights = vec3(hn_i_of_fraction(hn_i_minus(HN_I_ONE, most)), hn_i_of_fraction(hn_i_minus(most, least)),
-                       hn_i_of_fraction(least));
+  hexes.weights = vec3(hn_i_fraction_to_float(hn_i_minus(HN_I_ONE, most)),
+                       hn_i_fraction_to_float(hn_i_minus(most, least)), hn_i_fraction_to_float(least));
   hexes.words = uvec3(hn_i_lattice(corners.first, s), hn_i_lattice(corners.middle, s), hn_i_lattice(corners.last, s));
   hexes.x = hn_i_in_cells(hn_i_triangle_x(skewed));
   hexes.y = hn_i_in_cells(hn_i_triangle_y(skewed));

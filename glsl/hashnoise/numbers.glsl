@@ -28,7 +28,7 @@
 //   returns  any uint; for each k a bijection of h
 //   cost     2 multiplications; 1 more for a k that is not constant
 //   source   docs/contract.md, section 18
-HN_FN hn_uint hn_rehash(hn_uint h, hn_uint k) { return hn_i_mix(h + k * 0x9E3779B9u); }
+HN_FN hn_uint hn_rehash(hn_uint h, hn_uint k) { return hn_i_mix(h + k * HN_I_SEED_STEP); }
 
 // Two uniform numbers: a point of the unit square.
 //   h        any uint
@@ -160,7 +160,8 @@ HN_FN hn_uint hn_i_shuffle_round(hn_uint x, hn_uint shift, hn_uint key, hn_uint 
   return ((x ^ (x >> shift)) * (a | 1u) + (a >> 16u)) & most;
 }
 
-// Where an item goes in a shuffled order of n items, without a table: from 0 to n - 1 no two go to the same place.
+// The place of an item in a shuffled order of n items, without a table: no two items from 0 to n - 1 have the same
+// place.
 //   i        the item, or the place in the deck: any uint; from n on it counts modulo n
 //   n        how many there are: any uint; 0 counts as 1
 //   seed     any uint: 7u, not 7; each has an order of its own
@@ -186,8 +187,8 @@ HN_FN hn_uint hn_shuffle(hn_uint i, hn_uint n, hn_uint seed) {
   do {
     hn_uint key = s;
     for (hn_int pair = 0; pair < 5; ++pair) {
-      x = hn_i_shuffle_round(x, 1u, key + 0x9E3779B9u, most);
-      key += 0x3C6EF372u;  // 2 * 0x9E3779B9
+      x = hn_i_shuffle_round(x, 1u, key + HN_I_SEED_STEP, most);
+      key += 0x3C6EF372u;  // twice HN_I_SEED_STEP, modulo 2^32
       x = hn_i_shuffle_round(x, half_of_bits, key, most);
     }
     value = hn_i_select(value >= size, x, value);

@@ -39,9 +39,9 @@ struct hn_octaves3 {
 
 // Puts the place where the whole position is. Neither this nor hn_next touches what a period is made of where there is
 // none: compilers could no longer see that there is none.
-HN_FN void hn_i_put(HN_I_INOUT(hn_octaves3) o) {
+HN_FN void hn_i_update_place(HN_I_INOUT(hn_octaves3) o) {
   o.place.cell = ivec3(o.x.x, o.y.x, o.z.x);
-  o.place.fraction = hn_i_num(hn_i_whole_fraction(o.x), hn_i_whole_fraction(o.y), hn_i_whole_fraction(o.z));
+  o.place.fraction = hn_i_vector(hn_i_whole_fraction(o.x), hn_i_whole_fraction(o.y), hn_i_whole_fraction(o.z));
   o.place.rest = ivec3(HN_I_REST(o.x.y & 15), HN_I_REST(o.y.y & 15), HN_I_REST(o.z.y & 15));
 }
 
@@ -49,7 +49,7 @@ HN_FN hn_octaves3 hn_i_octaves(hn_place3 place, hn_int octaves, hn_float lacunar
   HN_I_NEW(hn_octaves3, o);
   o.place = place;
   o.seed = seed;
-  o.sum = hn_i_no_octave(octaves, gain);
+  o.sum = hn_i_empty_sum(octaves, gain);
   o.lacunarity = lacunarity;
   o.x = hn_i_whole(place.cell.x, place.fraction.x, place.rest.x);
   o.y = hn_i_whole(place.cell.y, place.fraction.y, place.rest.y);
@@ -64,7 +64,7 @@ HN_FN hn_octaves3 hn_i_octaves(hn_place3 place, hn_int octaves, hn_float lacunar
 // By hand in each dimension.
 
 #if HN_ARITHMETIC != HN_FIXED
-// The next position.
+// The position of the next octave.
 HN_FN hn_vec3 hn_i_next(hn_vec3 q, hn_float lacunarity) {
   hn_float a = hn_i_times(lacunarity, 25.0f / 32.0f);
   hn_float b = hn_i_times(lacunarity, 20.0f / 32.0f);
@@ -78,8 +78,8 @@ HN_FN hn_vec3 hn_i_next(hn_vec3 q, hn_float lacunarity) {
 }
 #endif
 
-// The next whole position. A tile must not rotate, as it would not fit itself.
-HN_FN void hn_i_go_on(HN_I_INOUT(hn_octaves3) o) {
+// Advances to the whole position of the next octave. A tile must not rotate, as it would not fit itself.
+HN_FN void hn_i_advance(HN_I_INOUT(hn_octaves3) o) {
   hn_uint ratio = hn_i_ratio(o.lacunarity);
   hn_ivec2 x = hn_i_times_ratio(o.x, ratio);
   hn_ivec2 y = hn_i_times_ratio(o.y, ratio);
@@ -98,13 +98,13 @@ HN_FN void hn_i_go_on(HN_I_INOUT(hn_octaves3) o) {
     o.y = hn_i_shifted(hn_i_rotated_axis(rotated, z, HN_I_COS_YZ, -HN_I_SIN_YZ), HN_I_SHIFT_Y);
     o.z = hn_i_shifted(hn_i_rotated_axis(z, rotated, HN_I_COS_YZ, HN_I_SIN_YZ), HN_I_SHIFT_Z);
   }
-  hn_i_put(o);
+  hn_i_update_place(o);
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
 // The same in every dimension: tools/umbrella makes it of octaves2d.glsl.
 
-// The octaves of a sum, at the first.
+// The octaves of a sum, with the place and the seed of the first one.
 //   p           position, in cells of the first octave; (|p| + 1) * lacunarity^octaves < 2^23, for a lacunarity of 2
 //               or more
 //   place       a place in its stead (place.glsl). The period of a tile times lacunarity^octaves is below 2^31
@@ -122,7 +122,7 @@ HN_FN void hn_i_go_on(HN_I_INOUT(hn_octaves3) o) {
 HN_FN hn_octaves3 hn_octaves(hn_place3 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
   hn_float ratio = hn_i_lacunarity(min(max(lacunarity, 0.0f), 255.0f), place.tiled);
   hn_octaves3 o = hn_i_octaves(place, octaves, ratio, gain, seed);
-  hn_i_put(o);
+  hn_i_update_place(o);
   return o;
 }
 #if HN_ARITHMETIC == HN_FIXED
@@ -176,10 +176,10 @@ HN_FN bool hn_next(HN_I_INOUT(hn_octaves3) o) {
   o.seed += HN_I_SEED_STEP;
   o.sum.weight = hn_i_weight_times(o.sum.weight, o.sum.gain);
 #if HN_ARITHMETIC == HN_FIXED
-  hn_i_go_on(o);
+  hn_i_advance(o);
 #else
   if (o.is_whole) {
-    hn_i_go_on(o);
+    hn_i_advance(o);
   } else {
     o.p = hn_i_next(o.p, o.lacunarity);
     o.place.cell = hn_i_cell(o.p);
@@ -202,24 +202,24 @@ HN_FN bool hn_next(HN_I_INOUT(hn_octaves3) o) {
 //   error     as of the sums in fbm3d.glsl
 //   cost      1 to 10 operations
 //   source    docs/contract.md, section 7
-HN_FN void hn_add(HN_I_INOUT(hn_octaves3) o, hn_float n) { o.sum = hn_i_with_noise(o.sum, n); }
-HN_FN void hn_add_turbulence(HN_I_INOUT(hn_octaves3) o, hn_float n) { o.sum = hn_i_with_size(o.sum, n); }
-HN_FN void hn_add_ridged(HN_I_INOUT(hn_octaves3) o, hn_float n) { o.sum = hn_i_with_ridge(o.sum, n); }
-HN_FN void hn_add_hybrid(HN_I_INOUT(hn_octaves3) o, hn_float n) { o.sum = hn_i_with_height(o.sum, n); }
+HN_FN void hn_add(HN_I_INOUT(hn_octaves3) o, hn_float n) { o.sum = hn_i_add_noise(o.sum, n); }
+HN_FN void hn_add_turbulence(HN_I_INOUT(hn_octaves3) o, hn_float n) { o.sum = hn_i_add_size(o.sum, n); }
+HN_FN void hn_add_ridged(HN_I_INOUT(hn_octaves3) o, hn_float n) { o.sum = hn_i_add_ridge(o.sum, n); }
+HN_FN void hn_add_hybrid(HN_I_INOUT(hn_octaves3) o, hn_float n) { o.sum = hn_i_add_height(o.sum, n); }
 HN_FN void hn_add_ping_pong(HN_I_INOUT(hn_octaves3) o, hn_float n, hn_float strength) {
-  o.sum = hn_i_with_wave(o.sum, n, strength);
+  o.sum = hn_i_add_wave(o.sum, n, strength);
 }
 HN_FN void hn_add_weighted(HN_I_INOUT(hn_octaves3) o, hn_float n, hn_float strength) {
-  o.sum = hn_i_with_bent(o.sum, n, strength);
+  o.sum = hn_i_add_bent(o.sum, n, strength);
 }
 // tools/catalog: end
 
 // Add the noise of an octave as it is, and as much of it as a detail or a footprint leaves.
 //   (parameters, error, cost and source as above)
 //   returns   nothing: the octaves have the sum
-HN_FN void hn_add_detail(HN_I_INOUT(hn_octaves3) o, hn_float n) { o.sum = hn_i_with_part(o.sum, n); }
+HN_FN void hn_add_detail(HN_I_INOUT(hn_octaves3) o, hn_float n) { o.sum = hn_i_add_part(o.sum, n); }
 HN_FN void hn_add_footprint(HN_I_INOUT(hn_octaves3) o, hn_float n) {
-  o.sum = hn_i_with_resolved(o.sum, n, o.lacunarity);
+  o.sum = hn_i_add_resolved(o.sum, n, o.lacunarity);
 }
 
 // The mean of the octaves by their weights.

@@ -7,9 +7,9 @@
 #include "detail/ramps.glsl"
 
 // The noise in the numbers of HN_ARITHMETIC.
-HN_FN hn_num hn_i_perlin(hn_i_box2 box, hn_num2 f, hn_uint seed) {
-  hn_num4 n = hn_i_ramps(box, f, seed);
-  hn_num2 t = hn_i_fade(f);
+HN_FN hn_i_num hn_i_perlin(hn_i_box2 box, hn_i_num2 f, hn_uint seed) {
+  hn_i_num4 n = hn_i_ramps(box, f, seed);
+  hn_i_num2 t = hn_i_fade(f);
   return hn_i_scaled2(hn_i_lerp(n, t.x, t.y));
 }
 

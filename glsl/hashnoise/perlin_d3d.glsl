@@ -10,20 +10,20 @@
 // The paper's gradient has no noise of this kind.
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
 
-// What the corners of the front or back face make of the noise: the interpolated ramp, its derivatives along x and y,
-// and what the gradients' last components add.
-HN_FN hn_num4 hn_i_face_d(hn_uvec4 h, hn_num3 f, bool back, hn_num3 t, hn_num3 s) {
-  hn_num4 d00 = hn_i_direction3(h.x);
-  hn_num4 d10 = hn_i_direction3(h.y);
-  hn_num4 d01 = hn_i_direction3(h.z);
-  hn_num4 d11 = hn_i_direction3(h.w);
-  hn_num4 r = hn_i_ramps(d00, d10, d01, d11, f, back);
+// The share of the front or back face in the noise: the interpolated ramp, its derivatives along x and y, and what the
+// gradients' last components add.
+HN_FN hn_i_num4 hn_i_face_d(hn_uvec4 h, hn_i_num3 f, bool back, hn_i_num3 t, hn_i_num3 s) {
+  hn_i_num4 d00 = hn_i_direction3(h.x);
+  hn_i_num4 d10 = hn_i_direction3(h.y);
+  hn_i_num4 d01 = hn_i_direction3(h.z);
+  hn_i_num4 d11 = hn_i_direction3(h.w);
+  hn_i_num4 r = hn_i_ramps(d00, d10, d01, d11, f, back);
   return hn_i_face_d(r, hn_i_gradient(d00), hn_i_gradient(d10), hn_i_gradient(d01), hn_i_gradient(d11), t, s);
 }
 
 // The noise and its derivatives, from those of both faces.
-HN_FN hn_vec4 hn_i_perlin_d(hn_num4 front, hn_num4 back, hn_num3 t, hn_num3 s) {
-  hn_num dz = hn_i_d_faded(hn_i_lerp(front.w, back.w, t.z), hn_i_d_corner(front.x, back.x), s.z);
+HN_FN hn_vec4 hn_i_perlin_d(hn_i_num4 front, hn_i_num4 back, hn_i_num3 t, hn_i_num3 s) {
+  hn_i_num dz = hn_i_d_faded(hn_i_lerp(front.w, back.w, t.z), hn_i_d_corner(front.x, back.x), s.z);
   return vec4(hn_i_value(hn_i_scaled3(hn_i_lerp(front.x, back.x, t.z))),
               hn_i_derivative(hn_i_scaled3(hn_i_lerp(front.y, back.y, t.z))),
               hn_i_derivative(hn_i_scaled3(hn_i_lerp(front.z, back.z, t.z))), hn_i_derivative(hn_i_scaled3(dz)));
@@ -42,12 +42,12 @@ HN_FN hn_vec4 hn_i_perlin_d(hn_num4 front, hn_num4 back, hn_num3 t, hn_num3 s) {
 //   source   the product rule on the interpolation; docs/contract.md, section 10
 HN_FN hn_vec4 hn_perlin_d(hn_place3 place, hn_uint seed) {
   hn_i_box3 box = hn_i_box(place);
-  hn_num3 f = place.fraction;
-  hn_num3 t = hn_i_fade(f);
-  hn_num3 s = hn_i_d_fade(f);
-  // One face after the other: some compilers keep what they are told first in registers.
-  hn_num4 front = hn_i_face_d(hn_i_corners(box, false, seed), f, false, t, s);
-  hn_num4 back = hn_i_face_d(hn_i_corners(box, true, seed), f, true, t, s);
+  hn_i_num3 f = place.fraction;
+  hn_i_num3 t = hn_i_fade(f);
+  hn_i_num3 s = hn_i_d_fade(f);
+  // This computes one face after the other: some compilers keep what comes first in registers.
+  hn_i_num4 front = hn_i_face_d(hn_i_corners(box, false, seed), f, false, t, s);
+  hn_i_num4 back = hn_i_face_d(hn_i_corners(box, true, seed), f, true, t, s);
   return hn_i_perlin_d(front, back, t, s);
 }
 HN_FN hn_vec4 hn_perlin_d(hn_vec3 p, hn_uint seed) { return hn_perlin_d(hn_place(p), seed); }

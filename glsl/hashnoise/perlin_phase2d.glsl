@@ -11,27 +11,28 @@
 // The paper's gradient has no noise of this kind.
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
 
-// What the corners add.
-HN_FN hn_num4 hn_i_phase_ramps(hn_uvec4 h, hn_num2 f, hn_num2 rotation) {
-  hn_num x = hn_i_minus_one(f.x);
-  hn_num y = hn_i_minus_one(f.y);
-  return hn_i_num(hn_i_ramp(hn_i_direction2(h.x), f.x, f.y, rotation),
-                  hn_i_ramp(hn_i_direction2(h.y), x, f.y, rotation), hn_i_ramp(hn_i_direction2(h.z), f.x, y, rotation),
-                  hn_i_ramp(hn_i_direction2(h.w), x, y, rotation));
+// The ramps of the corners.
+HN_FN hn_i_num4 hn_i_phase_ramps(hn_uvec4 h, hn_i_num2 f, hn_i_num2 rotation) {
+  hn_i_num x = hn_i_minus_one(f.x);
+  hn_i_num y = hn_i_minus_one(f.y);
+  return hn_i_vector(
+      hn_i_ramp(hn_i_direction2(h.x), f.x, f.y, rotation), hn_i_ramp(hn_i_direction2(h.y), x, f.y, rotation),
+      hn_i_ramp(hn_i_direction2(h.z), f.x, y, rotation), hn_i_ramp(hn_i_direction2(h.w), x, y, rotation));
 }
 
 // The noise in the numbers of HN_ARITHMETIC.
-HN_FN hn_num hn_i_perlin_phase(hn_i_box2 box, hn_num2 f, hn_num2 rotation, hn_uint seed) {
-  hn_num2 t = hn_i_fade(f);
+HN_FN hn_i_num hn_i_perlin_phase(hn_i_box2 box, hn_i_num2 f, hn_i_num2 rotation, hn_uint seed) {
+  hn_i_num2 t = hn_i_fade(f);
   return hn_i_scaled2(hn_i_lerp(hn_i_phase_ramps(hn_i_corners(box, seed), f, rotation), t.x, t.y));
 }
 
 // The noise and its derivatives.
-HN_FN hn_vec3 hn_i_perlin_phase_d(hn_i_box2 box, hn_num2 f, hn_num2 rotation, hn_uint seed) {
+HN_FN hn_vec3 hn_i_perlin_phase_d(hn_i_box2 box, hn_i_num2 f, hn_i_num2 rotation, hn_uint seed) {
   hn_uvec4 h = hn_i_corners(box, seed);
-  hn_num3 n = hn_i_face_d(hn_i_phase_ramps(h, f, rotation), hn_i_gradient(hn_i_direction2(h.x), rotation),
-                          hn_i_gradient(hn_i_direction2(h.y), rotation), hn_i_gradient(hn_i_direction2(h.z), rotation),
-                          hn_i_gradient(hn_i_direction2(h.w), rotation), hn_i_fade(f), hn_i_d_fade(f));
+  hn_i_num3 n =
+      hn_i_face_d(hn_i_phase_ramps(h, f, rotation), hn_i_gradient(hn_i_direction2(h.x), rotation),
+                  hn_i_gradient(hn_i_direction2(h.y), rotation), hn_i_gradient(hn_i_direction2(h.z), rotation),
+                  hn_i_gradient(hn_i_direction2(h.w), rotation), hn_i_fade(f), hn_i_d_fade(f));
   return vec3(hn_i_value(hn_i_scaled2(n.x)), hn_i_derivative(hn_i_scaled2(n.y)), hn_i_derivative(hn_i_scaled2(n.z)));
 }
 

@@ -10,7 +10,7 @@
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
 
 // The noise in the numbers of HN_ARITHMETIC, from the words of the corners and the fades.
-HN_FN hn_num hn_i_perlin(hn_uvec4 h, hn_num2 f, hn_num2 t) {
+HN_FN hn_i_num hn_i_perlin(hn_uvec4 h, hn_i_num2 f, hn_i_num2 t) {
   return hn_i_scaled2(hn_i_lerp(hn_i_ramps(h, f), t.x, t.y));
 }
 
@@ -28,8 +28,8 @@ HN_FN hn_num hn_i_perlin(hn_uvec4 h, hn_num2 f, hn_num2 t) {
 //   source   Perlin, "Improving noise", 2002; docs/contract.md, section 22
 HN_FN hn_vec2 hn_perlin_vector(hn_place2 place, hn_uint seed) {
   hn_uvec4 h = hn_i_corners(hn_i_box(place), seed);
-  hn_num2 f = place.fraction;
-  hn_num2 t = hn_i_fade(f);
+  hn_i_num2 f = place.fraction;
+  hn_i_num2 t = hn_i_fade(f);
   return vec2(hn_i_value(hn_i_perlin(h, f, t)), hn_i_value(hn_i_perlin(hn_i_words_of_y(h), f, t)));
 }
 HN_FN hn_vec2 hn_perlin_vector(hn_vec2 p, hn_uint seed) { return hn_perlin_vector(hn_place(p), seed); }

@@ -10,7 +10,7 @@
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
 
 // The noise in the numbers of HN_ARITHMETIC, from the words of the corners of both faces and the fades.
-HN_FN hn_num hn_i_perlin(hn_uvec4 front, hn_uvec4 back, hn_num3 f, hn_num3 t) {
+HN_FN hn_i_num hn_i_perlin(hn_uvec4 front, hn_uvec4 back, hn_i_num3 f, hn_i_num3 t) {
   return hn_i_scaled3(hn_i_lerp(hn_i_lerp(hn_i_ramps(front, f, false), t.x, t.y),
                                 hn_i_lerp(hn_i_ramps(back, f, true), t.x, t.y), t.z));
 }
@@ -32,8 +32,8 @@ HN_FN hn_vec3 hn_perlin_vector(hn_place3 place, hn_uint seed) {
   hn_i_box3 box = hn_i_box(place);
   hn_uvec4 a = hn_i_corners(box, false, seed);
   hn_uvec4 b = hn_i_corners(box, true, seed);
-  hn_num3 f = place.fraction;
-  hn_num3 t = hn_i_fade(f);
+  hn_i_num3 f = place.fraction;
+  hn_i_num3 t = hn_i_fade(f);
   return vec3(hn_i_value(hn_i_perlin(a, b, f, t)),
               hn_i_value(hn_i_perlin(hn_i_words_of_y(a), hn_i_words_of_y(b), f, t)),
               hn_i_value(hn_i_perlin(hn_i_words_of_z(a), hn_i_words_of_z(b), f, t)));

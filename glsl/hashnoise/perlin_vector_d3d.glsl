@@ -10,7 +10,7 @@
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
 
 // A component with its derivatives, from the words of the corners of both faces.
-HN_FN hn_vec4 hn_i_perlin_d(hn_uvec4 a, hn_uvec4 b, hn_num3 f, hn_num3 t, hn_num3 s) {
+HN_FN hn_vec4 hn_i_perlin_d(hn_uvec4 a, hn_uvec4 b, hn_i_num3 f, hn_i_num3 t, hn_i_num3 s) {
   return hn_i_perlin_d(hn_i_face_d(a, f, false, t, s), hn_i_face_d(b, f, true, t, s), t, s);
 }
 
@@ -31,9 +31,9 @@ HN_FN hn_derivatives3x3 hn_perlin_vector_d(hn_place3 place, hn_uint seed) {
   hn_i_box3 box = hn_i_box(place);
   hn_uvec4 a = hn_i_corners(box, false, seed);
   hn_uvec4 b = hn_i_corners(box, true, seed);
-  hn_num3 f = place.fraction;
-  hn_num3 t = hn_i_fade(f);
-  hn_num3 s = hn_i_d_fade(f);
+  hn_i_num3 f = place.fraction;
+  hn_i_num3 t = hn_i_fade(f);
+  hn_i_num3 s = hn_i_d_fade(f);
   hn_vec4 x = hn_i_perlin_d(a, b, f, t, s);
   hn_vec4 y = hn_i_perlin_d(hn_i_words_of_y(a), hn_i_words_of_y(b), f, t, s);
   hn_vec4 z = hn_i_perlin_d(hn_i_words_of_z(a), hn_i_words_of_z(b), f, t, s);

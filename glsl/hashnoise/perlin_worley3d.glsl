@@ -20,7 +20,7 @@ HN_FN hn_float hn_i_billow_at(hn_float distance) {
 // 1 - (1 - a) (1 - b) / 4
 #if HN_ARITHMETIC == HN_FIXED
 HN_FN hn_int hn_i_either(hn_int a, hn_int b) {
-  return 2097152 - ((hn_i_wide_times(2097152 - a, 2097152 - b) + 16) >> 5);
+  return HN_I_UNITS_VALUE - ((hn_i_wide_times(HN_I_UNITS_VALUE - a, HN_I_UNITS_VALUE - b) + 16) >> 5);
 }
 #else
 HN_FN hn_float hn_i_either(hn_float a, hn_float b) {

@@ -28,14 +28,14 @@
 //   source   Tricard et al., "Procedural phasor noise", 2019; Lagae et al., "Procedural noise using sparse Gabor
 //            convolution", 2009; docs/contract.md, section 23
 HN_FN hn_vec2 hn_phasor(hn_place2 place, hn_vec2 wave, hn_float phase, hn_uint seed) {
-  hn_num2 skewed = hn_i_skewed(place.fraction);
+  hn_i_num2 skewed = hn_i_skewed(place.fraction);
   hn_uvec3 h = hn_i_triangle(place, skewed, seed);
-  hn_num3 x = hn_i_triangle_x(skewed);
-  hn_num3 y = hn_i_triangle_y(skewed);
-  hn_num3 t = hn_i_triangle_falloff(x, y);
-  hn_num2 k = hn_i_num(hn_i_waves(wave.x), hn_i_waves(wave.y));
+  hn_i_num3 x = hn_i_triangle_x(skewed);
+  hn_i_num3 y = hn_i_triangle_y(skewed);
+  hn_i_num3 t = hn_i_triangle_falloff(x, y);
+  hn_i_num2 k = hn_i_vector(hn_i_waves(wave.x), hn_i_waves(wave.y));
   hn_uint angle = hn_i_angle(phase);
-  hn_num2 n = hn_i_wave_at(h.x + angle + hn_i_waves_from(k, x.x, y.x), hn_i_weight_wave(t.x));
+  hn_i_num2 n = hn_i_wave_at(h.x + angle + hn_i_waves_from(k, x.x, y.x), hn_i_weight_wave(t.x));
   n = hn_i_plus(n, hn_i_wave_at(h.y + angle + hn_i_waves_from(k, x.y, y.y), hn_i_weight_wave(t.y)));
   n = hn_i_plus(n, hn_i_wave_at(h.z + angle + hn_i_waves_from(k, x.z, y.z), hn_i_weight_wave(t.z)));
   return vec2(hn_i_value(hn_i_scaled(n.x, 762)), hn_i_value(hn_i_scaled(n.y, 762)));

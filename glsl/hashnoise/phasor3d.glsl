@@ -25,14 +25,14 @@
 //            spread the coordinates, and 2 more for a seed that is not constant
 //   source   as of hn_phasor on the plane; docs/contract.md, section 23
 HN_FN hn_vec2 hn_phasor(hn_place3 place, hn_vec3 wave, hn_float phase, hn_uint seed) {
-  hn_num4 x;
-  hn_num4 y;
-  hn_num4 z;
-  hn_num4 t;
+  hn_i_num4 x;
+  hn_i_num4 y;
+  hn_i_num4 z;
+  hn_i_num4 t;
   hn_uvec4 h = hn_i_four_points(hn_i_block(place), place.fraction, seed, x, y, z, t);
-  hn_num3 k = hn_i_num(hn_i_waves(wave.x), hn_i_waves(wave.y), hn_i_waves(wave.z));
+  hn_i_num3 k = hn_i_vector(hn_i_waves(wave.x), hn_i_waves(wave.y), hn_i_waves(wave.z));
   hn_uint angle = hn_i_angle(phase);
-  hn_num2 n = hn_i_wave_at(h.x + angle + hn_i_waves_from(k, x.x, y.x, z.x), hn_i_weight_wave(t.x));
+  hn_i_num2 n = hn_i_wave_at(h.x + angle + hn_i_waves_from(k, x.x, y.x, z.x), hn_i_weight_wave(t.x));
   n = hn_i_plus(n, hn_i_wave_at(h.y + angle + hn_i_waves_from(k, x.y, y.y, z.y), hn_i_weight_wave(t.y)));
   n = hn_i_plus(n, hn_i_wave_at(h.z + angle + hn_i_waves_from(k, x.z, y.z, z.z), hn_i_weight_wave(t.z)));
   n = hn_i_plus(n, hn_i_wave_at(h.w + angle + hn_i_waves_from(k, x.w, y.w, z.w), hn_i_weight_wave(t.w)));

@@ -9,14 +9,14 @@
 
 // The waves around lattice points, weighted, and how they fall along each axis.
 struct hn_i_waves2 {
-  hn_num2 n;
-  hn_num2 x;
-  hn_num2 y;
+  hn_i_num2 n;
+  hn_i_num2 x;
+  hn_i_num2 y;
 };
-HN_FN hn_i_waves2 hn_i_waves_at(hn_uint angle, hn_num x, hn_num y, hn_num t) {
+HN_FN hn_i_waves2 hn_i_waves_at(hn_uint angle, hn_i_num x, hn_i_num y, hn_i_num t) {
   HN_I_NEW(hn_i_waves2, s);
-  hn_num2 wave = hn_i_unit_wave(angle);
-  hn_num2 fall = hn_i_weighted_wave(wave, hn_i_d_weight_wave(t, 1));
+  hn_i_num2 wave = hn_i_unit_wave(angle);
+  hn_i_num2 fall = hn_i_weighted_wave(wave, hn_i_d_weight_wave(t, 1));
   s.n = hn_i_weighted_wave(wave, hn_i_weight_wave(t));
   s.x = hn_i_falling_wave(fall, x);
   s.y = hn_i_falling_wave(fall, y);
@@ -29,10 +29,10 @@ HN_FN hn_i_waves2 hn_i_plus(hn_i_waves2 a, hn_i_waves2 b) {
   s.y = hn_i_plus(a.y, b.y);
   return s;
 }
-HN_FN hn_num2 hn_i_scaled_waves2(hn_num2 n) { return hn_i_num(hn_i_scaled(n.x, 762), hn_i_scaled(n.y, 762)); }
-HN_FN hn_num2 hn_i_scaled_fall2(hn_num2 n) {
-  hn_num2 fall = hn_i_scaled_waves2(n);
-  return hn_i_num(hn_i_of_fall(fall.x, 2), hn_i_of_fall(fall.y, 2));
+HN_FN hn_i_num2 hn_i_scaled_waves2(hn_i_num2 n) { return hn_i_vector(hn_i_scaled(n.x, 762), hn_i_scaled(n.y, 762)); }
+HN_FN hn_i_num2 hn_i_scaled_fall2(hn_i_num2 n) {
+  hn_i_num2 fall = hn_i_scaled_waves2(n);
+  return hn_i_vector(hn_i_of_fall(fall.x, 2), hn_i_of_fall(fall.y, 2));
 }
 
 // Phasor noise on the plane and how steep it is. value has the value and the quadrature of hn_phasor.
@@ -45,17 +45,17 @@ HN_FN hn_num2 hn_i_scaled_fall2(hn_num2 n) {
 //   cost     the hashes and sines of hn_phasor, which are most of its cost, and about twice the rest
 //   source   the product rule on weight and wave; docs/contract.md, section 23
 HN_FN hn_derivatives2x2 hn_phasor_d(hn_place2 place, hn_vec2 wave, hn_float phase, hn_uint seed) {
-  hn_num2 skewed = hn_i_skewed(place.fraction);
+  hn_i_num2 skewed = hn_i_skewed(place.fraction);
   hn_uvec3 h = hn_i_triangle(place, skewed, seed);
-  hn_num3 x = hn_i_triangle_x(skewed);
-  hn_num3 y = hn_i_triangle_y(skewed);
-  hn_num3 t = hn_i_triangle_falloff(x, y);
-  hn_num2 k = hn_i_num(hn_i_waves(wave.x), hn_i_waves(wave.y));
+  hn_i_num3 x = hn_i_triangle_x(skewed);
+  hn_i_num3 y = hn_i_triangle_y(skewed);
+  hn_i_num3 t = hn_i_triangle_falloff(x, y);
+  hn_i_num2 k = hn_i_vector(hn_i_waves(wave.x), hn_i_waves(wave.y));
   hn_uint angle = hn_i_angle(phase);
   hn_i_waves2 s = hn_i_waves_at(h.x + angle + hn_i_waves_from(k, x.x, y.x), x.x, y.x, t.x);
   s = hn_i_plus(s, hn_i_waves_at(h.y + angle + hn_i_waves_from(k, x.y, y.y), x.y, y.y, t.y));
   s = hn_i_plus(s, hn_i_waves_at(h.z + angle + hn_i_waves_from(k, x.z, y.z), x.z, y.z, t.z));
-  hn_num2 n = hn_i_scaled_waves2(s.n);
+  hn_i_num2 n = hn_i_scaled_waves2(s.n);
   HN_I_NEW(hn_derivatives2x2, d);
   d.value = vec2(hn_i_value(n.x), hn_i_value(n.y));
   d.dx = hn_i_wave_slopes(n, hn_i_scaled_fall2(s.x), k.x);

@@ -9,15 +9,15 @@
 
 // The waves around lattice points, weighted, and how they fall along each axis.
 struct hn_i_waves3 {
-  hn_num2 n;
-  hn_num2 x;
-  hn_num2 y;
-  hn_num2 z;
+  hn_i_num2 n;
+  hn_i_num2 x;
+  hn_i_num2 y;
+  hn_i_num2 z;
 };
-HN_FN hn_i_waves3 hn_i_waves_at(hn_uint angle, hn_num x, hn_num y, hn_num z, hn_num t) {
+HN_FN hn_i_waves3 hn_i_waves_at(hn_uint angle, hn_i_num x, hn_i_num y, hn_i_num z, hn_i_num t) {
   HN_I_NEW(hn_i_waves3, s);
-  hn_num2 wave = hn_i_unit_wave(angle);
-  hn_num2 fall = hn_i_weighted_wave(wave, hn_i_d_weight_wave(t, 2));
+  hn_i_num2 wave = hn_i_unit_wave(angle);
+  hn_i_num2 fall = hn_i_weighted_wave(wave, hn_i_d_weight_wave(t, 2));
   s.n = hn_i_weighted_wave(wave, hn_i_weight_wave(t));
   s.x = hn_i_falling_wave(fall, x);
   s.y = hn_i_falling_wave(fall, y);
@@ -32,10 +32,10 @@ HN_FN hn_i_waves3 hn_i_plus(hn_i_waves3 a, hn_i_waves3 b) {
   s.z = hn_i_plus(a.z, b.z);
   return s;
 }
-HN_FN hn_num2 hn_i_scaled_waves3(hn_num2 n) { return hn_i_num(hn_i_scaled(n.x, 674), hn_i_scaled(n.y, 674)); }
-HN_FN hn_num2 hn_i_scaled_fall3(hn_num2 n) {
-  hn_num2 fall = hn_i_scaled_waves3(n);
-  return hn_i_num(hn_i_of_fall(fall.x, 1), hn_i_of_fall(fall.y, 1));
+HN_FN hn_i_num2 hn_i_scaled_waves3(hn_i_num2 n) { return hn_i_vector(hn_i_scaled(n.x, 674), hn_i_scaled(n.y, 674)); }
+HN_FN hn_i_num2 hn_i_scaled_fall3(hn_i_num2 n) {
+  hn_i_num2 fall = hn_i_scaled_waves3(n);
+  return hn_i_vector(hn_i_of_fall(fall.x, 1), hn_i_of_fall(fall.y, 1));
 }
 
 // Phasor noise in space and how steep it is. value has the value and the quadrature of hn_phasor.
@@ -49,18 +49,18 @@ HN_FN hn_num2 hn_i_scaled_fall3(hn_num2 n) {
 //   cost     the hashes and sines of hn_phasor, which are most of its cost, and about twice the rest
 //   source   the product rule on weight and wave; docs/contract.md, section 23
 HN_FN hn_derivatives2x3 hn_phasor_d(hn_place3 place, hn_vec3 wave, hn_float phase, hn_uint seed) {
-  hn_num4 x;
-  hn_num4 y;
-  hn_num4 z;
-  hn_num4 t;
+  hn_i_num4 x;
+  hn_i_num4 y;
+  hn_i_num4 z;
+  hn_i_num4 t;
   hn_uvec4 h = hn_i_four_points(hn_i_block(place), place.fraction, seed, x, y, z, t);
-  hn_num3 k = hn_i_num(hn_i_waves(wave.x), hn_i_waves(wave.y), hn_i_waves(wave.z));
+  hn_i_num3 k = hn_i_vector(hn_i_waves(wave.x), hn_i_waves(wave.y), hn_i_waves(wave.z));
   hn_uint angle = hn_i_angle(phase);
   hn_i_waves3 s = hn_i_waves_at(h.x + angle + hn_i_waves_from(k, x.x, y.x, z.x), x.x, y.x, z.x, t.x);
   s = hn_i_plus(s, hn_i_waves_at(h.y + angle + hn_i_waves_from(k, x.y, y.y, z.y), x.y, y.y, z.y, t.y));
   s = hn_i_plus(s, hn_i_waves_at(h.z + angle + hn_i_waves_from(k, x.z, y.z, z.z), x.z, y.z, z.z, t.z));
   s = hn_i_plus(s, hn_i_waves_at(h.w + angle + hn_i_waves_from(k, x.w, y.w, z.w), x.w, y.w, z.w, t.w));
-  hn_num2 n = hn_i_scaled_waves3(s.n);
+  hn_i_num2 n = hn_i_scaled_waves3(s.n);
   HN_I_NEW(hn_derivatives2x3, d);
   d.value = vec2(hn_i_value(n.x), hn_i_value(n.y));
   d.dx = hn_i_wave_slopes(n, hn_i_scaled_fall3(s.x), k.x);

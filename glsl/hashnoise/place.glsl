@@ -26,7 +26,7 @@
 struct hn_place2 {
   HN_I_MADE(hn_place2)
   hn_ivec2 cell;
-  hn_num2 fraction;
+  hn_i_num2 fraction;
   hn_ivec2 rest;
   hn_ivec2 period;
   bool tiled;
@@ -35,7 +35,7 @@ struct hn_place2 {
 struct hn_place1 {
   HN_I_MADE(hn_place1)
   hn_int cell;
-  hn_num fraction;
+  hn_i_num fraction;
   hn_int rest;
   hn_int period;
   bool tiled;
@@ -43,7 +43,7 @@ struct hn_place1 {
 struct hn_place3 {
   HN_I_MADE(hn_place3)
   hn_ivec3 cell;
-  hn_num3 fraction;
+  hn_i_num3 fraction;
   hn_ivec3 rest;
   hn_ivec3 period;
   bool tiled;
@@ -51,26 +51,28 @@ struct hn_place3 {
 struct hn_place4 {
   HN_I_MADE(hn_place4)
   hn_ivec4 cell;
-  hn_num4 fraction;
+  hn_i_num4 fraction;
   hn_ivec4 rest;
   hn_ivec4 period;
   bool tiled;
 };
 
-// What a fraction and a position leave beyond the numbers of HN_ARITHMETIC: 0 for floats. That of a position has its
-// sign, as hn_i_rest does.
+// The rest of a fraction and of a position, which the numbers of HN_ARITHMETIC do not hold; with floats it is 0. The
+// rest of a position has its sign, as the result of hn_i_rest has.
 #if HN_ARITHMETIC == HN_FIXED
 HN_FN hn_int hn_i_rest_of_fraction(hn_float f) {
-  return int(min(max(f, 0.0f), 1.0f) * 16777216.0f) - hn_i_to_num(f) * 16;
+  return int(min(max(f, 0.0f), 1.0f) * HN_I_FLOAT_UNITS_POSITION) - hn_i_to_num(f) * 16;
 }
-HN_FN hn_int hn_i_rest_of_position(hn_float p) { return int((p - trunc(p)) * 16777216.0f) - hn_i_rest(p) * 16; }
+HN_FN hn_int hn_i_rest_of_position(hn_float p) {
+  return int((p - trunc(p)) * HN_I_FLOAT_UNITS_POSITION) - hn_i_rest(p) * 16;
+}
 #define HN_I_REST(rest) rest
 #else
 #define HN_I_REST(rest) 0
 #endif
 
 // A place from its parts.
-HN_FN hn_place2 hn_i_place(hn_ivec2 cell, hn_num2 fraction, hn_ivec2 rest) {
+HN_FN hn_place2 hn_i_place(hn_ivec2 cell, hn_i_num2 fraction, hn_ivec2 rest) {
   HN_I_NEW(hn_place2, place);
   place.cell = cell;
   place.fraction = fraction;
@@ -80,7 +82,7 @@ HN_FN hn_place2 hn_i_place(hn_ivec2 cell, hn_num2 fraction, hn_ivec2 rest) {
   return place;
 }
 // The same in 1, 3 and 4 dimensions: tools/umbrella makes it.
-HN_FN hn_place1 hn_i_place(hn_int cell, hn_num fraction, hn_int rest) {
+HN_FN hn_place1 hn_i_place(hn_int cell, hn_i_num fraction, hn_int rest) {
   HN_I_NEW(hn_place1, place);
   place.cell = cell;
   place.fraction = fraction;
@@ -89,7 +91,7 @@ HN_FN hn_place1 hn_i_place(hn_int cell, hn_num fraction, hn_int rest) {
   place.tiled = false;
   return place;
 }
-HN_FN hn_place3 hn_i_place(hn_ivec3 cell, hn_num3 fraction, hn_ivec3 rest) {
+HN_FN hn_place3 hn_i_place(hn_ivec3 cell, hn_i_num3 fraction, hn_ivec3 rest) {
   HN_I_NEW(hn_place3, place);
   place.cell = cell;
   place.fraction = fraction;
@@ -98,7 +100,7 @@ HN_FN hn_place3 hn_i_place(hn_ivec3 cell, hn_num3 fraction, hn_ivec3 rest) {
   place.tiled = false;
   return place;
 }
-HN_FN hn_place4 hn_i_place(hn_ivec4 cell, hn_num4 fraction, hn_ivec4 rest) {
+HN_FN hn_place4 hn_i_place(hn_ivec4 cell, hn_i_num4 fraction, hn_ivec4 rest) {
   HN_I_NEW(hn_place4, place);
   place.cell = cell;
   place.fraction = fraction;
@@ -177,7 +179,7 @@ HN_FN hn_place4 hn_place(hn_vec4 p) {
                           HN_I_REST(hn_i_rest_of_position(p.z)), HN_I_REST(hn_i_rest_of_position(p.w))));
 }
 
-// A place in a tile: the field repeats after its period. Its values are those at the corners, or of the points, modulo
+// A place in a tile: the field repeats after its period. Corners and points have the words of their coordinates modulo
 // the period.
 //   place    the place, or the position, in cells
 //   period   cells along each axis: int, ivec2, ivec3 or ivec4; 0 for none along that axis. Less than 0 is none, too
@@ -216,10 +218,10 @@ HN_FN hn_place4 hn_tile(hn_place4 place, hn_ivec4 period) {
 }
 HN_FN hn_place4 hn_tile(hn_vec4 p, hn_ivec4 period) { return hn_tile(hn_place(p), period); }
 
-// Along one axis. Floats have no rest.
+// The position along one axis. Floats have no rest.
 #if HN_ARITHMETIC == HN_FIXED
 HN_FN hn_float hn_i_position_of(hn_int cell, hn_int fraction, hn_int rest) {
-  return hn_i_float(cell) + hn_i_float(fraction * 16 + rest) * (1.0f / 16777216.0f);
+  return hn_i_float(cell) + hn_i_float(fraction * 16 + rest) * (1.0f / HN_I_FLOAT_UNITS_POSITION);
 }
 #else
 HN_FN hn_float hn_i_position_of(hn_int cell, hn_float fraction, hn_int rest) {

@@ -11,7 +11,7 @@
 
 #include "place.glsl"
 
-// Along one axis: the cell, and what is left in units of 1 / units of a cell. The division is rounded down. GLSL leaves
+// The cell along one axis, and what is left, in units of 1 / units of a cell. The division is rounded down. GLSL leaves
 // / and % of negative numbers open, so these count back from -1.
 HN_FN hn_uvec2 hn_i_divided(hn_int position, hn_int cells, hn_int units) {
   hn_uint scale = uint(min(max(cells, 1), 65536));
@@ -31,7 +31,7 @@ HN_FN hn_float hn_i_fraction_of_units(hn_uint rest, hn_int units) {
   hn_uint size = uint(min(max(units, 1), 65536));
   hn_uint high = (rest << 12u) / size;
   hn_uint low = (((rest << 12u) - high * size) << 12u) / size;
-  return hn_i_float((high << 12u) | low) * (1.0f / 16777216.0f);
+  return hn_i_float((high << 12u) | low) * (1.0f / HN_I_FLOAT_UNITS_POSITION);
 }
 
 // The cell of a position that is a whole number of units, in a world where `cells` cells are `units` units long.

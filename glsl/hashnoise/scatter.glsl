@@ -35,8 +35,8 @@ HN_FN hn_uint hn_i_square_below_cell(hn_int d) {
   return size * size;
 }
 
-// What is left of a square when a candidate with the word `rival` comes to one with the word h: the least of those
-// whose words are not smaller.
+// The square of the distance to the nearest rival so far, and to one more, which has the word `rival` and the square
+// `other`. A rival whose word is smaller than h does not count.
 HN_FN hn_uint hn_i_nearest_rival(hn_uint square, hn_uint h, hn_uint rival, hn_uint other) {
   return hn_i_select(rival < h, square, min(square, other));
 }
@@ -47,7 +47,7 @@ HN_FN hn_uint hn_i_unbeaten(hn_uint h, hn_uint square, hn_uint reach) {
   return hn_i_select(square < reach, none, hn_rehash(h, 5u) | 1u);
 }
 
-// The point of a cell. Whether it stands hn_scattered says.
+// The point of a cell. hn_scattered tells whether it stands.
 //   cell     the cell: an ivec2
 //   place    a place in its stead: hn_tile(hn_place(cell), period), for example (place.glsl). Its cell and period count
 //   seed     any uint: 7u, not 7; different seeds give independent points
@@ -84,9 +84,9 @@ HN_FN hn_uint hn_scattered(hn_place2 place, hn_float radius, hn_uint seed) {
   hn_uint reach = hn_i_square_of_reach(radius);
   hn_uint nearest = reach;
   for (hn_int j = -1; j <= 1; ++j) {
-    hn_uint y = hn_i_of_three(hn_i_along_y(block), j);
+    hn_uint y = hn_i_triple_at(hn_i_coordinates_y(block), j);
     for (hn_int i = -1; i <= 1; ++i) {
-      hn_uint x = hn_i_of_three(hn_i_along_x(block), i);
+      hn_uint x = hn_i_triple_at(hn_i_coordinates_x(block), i);
       hn_uint rival = hn_i_lattice(uvec2(x, y), s);
       hn_ivec2 other = hn_i_candidate2(rival);
       hn_uint square = hn_i_square_below_cell(other.x - own.x + i * 32768) +
@@ -136,11 +136,11 @@ HN_FN hn_uint hn_scattered(hn_place3 place, hn_float radius, hn_uint seed) {
   hn_uint reach = hn_i_square_of_reach(radius);
   hn_uint nearest = reach;
   for (hn_int k = -1; k <= 1; ++k) {
-    hn_uint z = hn_i_of_three(hn_i_along_z(block), k);
+    hn_uint z = hn_i_triple_at(hn_i_coordinates_z(block), k);
     for (hn_int j = -1; j <= 1; ++j) {
-      hn_uint y = hn_i_of_three(hn_i_along_y(block), j);
+      hn_uint y = hn_i_triple_at(hn_i_coordinates_y(block), j);
       for (hn_int i = -1; i <= 1; ++i) {
-        hn_uint x = hn_i_of_three(hn_i_along_x(block), i);
+        hn_uint x = hn_i_triple_at(hn_i_coordinates_x(block), i);
         hn_uint rival = hn_i_lattice(uvec3(x, y, z), s);
         hn_ivec3 other = hn_i_candidate3(rival);
         hn_uint square = hn_i_square_below_cell(other.x - own.x + i * 32768) +

@@ -7,7 +7,7 @@
 #include "numbers.glsl"
 #include "position.glsl"
 
-// A whole number that a float is when multiplied by a power of two, as a word.
+// Multiplies a float by a power of two that makes a whole number of it, and returns that as a word.
 HN_FN hn_uint hn_i_in_units(hn_float x, hn_float units) { return uint(int(x * units)); }
 
 HN_FN hn_uint hn_i_checked(hn_uint w, hn_uint n) { return hn_i_mix(w + n); }

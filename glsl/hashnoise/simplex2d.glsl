@@ -7,17 +7,17 @@
 #include "detail/triangular_lattice.glsl"
 
 // The noise in the numbers of HN_ARITHMETIC, from the words of the corners.
-HN_FN hn_num hn_i_simplex(hn_uvec3 h, hn_num2 skewed) {
-  hn_num3 x = hn_i_triangle_x(skewed);
-  hn_num3 y = hn_i_triangle_y(skewed);
-  hn_num3 t = hn_i_triangle_falloff(x, y);
-  hn_num n = hn_i_weighted_ramp(hn_i_triangle_ramp(h.x, x.x, y.x), hn_i_weight_plane(t.x));
+HN_FN hn_i_num hn_i_simplex(hn_uvec3 h, hn_i_num2 skewed) {
+  hn_i_num3 x = hn_i_triangle_x(skewed);
+  hn_i_num3 y = hn_i_triangle_y(skewed);
+  hn_i_num3 t = hn_i_triangle_falloff(x, y);
+  hn_i_num n = hn_i_weighted_ramp(hn_i_triangle_ramp(h.x, x.x, y.x), hn_i_weight_plane(t.x));
   n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_triangle_ramp(h.y, x.y, y.y), hn_i_weight_plane(t.y)));
   n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_triangle_ramp(h.z, x.z, y.z), hn_i_weight_plane(t.z)));
   return hn_i_scaled_simplex2(n);
 }
-HN_FN hn_num hn_i_simplex(hn_place2 place, hn_uint seed) {
-  hn_num2 skewed = hn_i_skewed(place.fraction);
+HN_FN hn_i_num hn_i_simplex(hn_place2 place, hn_uint seed) {
+  hn_i_num2 skewed = hn_i_skewed(place.fraction);
   return hn_i_simplex(hn_i_triangle(place, skewed, seed), skewed);
 }
 

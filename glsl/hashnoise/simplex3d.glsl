@@ -7,13 +7,13 @@
 #include "detail/body_centred_lattice.glsl"
 
 // The noise in the numbers of HN_ARITHMETIC.
-HN_FN hn_num hn_i_simplex(hn_i_block3 block, hn_num3 f, hn_uint seed) {
-  hn_num4 x;
-  hn_num4 y;
-  hn_num4 z;
-  hn_num4 t;
+HN_FN hn_i_num hn_i_simplex(hn_i_block3 block, hn_i_num3 f, hn_uint seed) {
+  hn_i_num4 x;
+  hn_i_num4 y;
+  hn_i_num4 z;
+  hn_i_num4 t;
   hn_uvec4 h = hn_i_four_points(block, f, seed, x, y, z, t);
-  hn_num n = hn_i_weighted_ramp(hn_i_ramp_of(h.x, x.x, y.x, z.x), hn_i_weight4(t.x));
+  hn_i_num n = hn_i_weighted_ramp(hn_i_ramp_of(h.x, x.x, y.x, z.x), hn_i_weight4(t.x));
   n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_ramp_of(h.y, x.y, y.y, z.y), hn_i_weight4(t.y)));
   n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_ramp_of(h.z, x.z, y.z, z.z), hn_i_weight4(t.z)));
   n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_ramp_of(h.w, x.w, y.w, z.w), hn_i_weight4(t.w)));

@@ -6,24 +6,24 @@
 
 #include "detail/triangular_lattice.glsl"
 
-// What a corner adds to the noise and to its derivatives, in steps.
-HN_FN hn_num3 hn_i_weighted_ramp_d(hn_uint h, hn_num x, hn_num y, hn_num t) {
+// The share of a corner in the noise and in its derivatives, in steps.
+HN_FN hn_i_num3 hn_i_weighted_ramp_d(hn_uint h, hn_i_num x, hn_i_num y, hn_i_num t) {
   return hn_i_weighted_ramp_d(hn_i_triangle_ramp(h, x, y), hn_i_triangle_gradient(h), x, y, hn_i_weight_plane(t),
-                     hn_i_d_weight_plane(t, 1));
+                              hn_i_d_weight_plane(t, 1));
 }
 
 // The noise and its derivatives, from the words of the corners.
-HN_FN hn_vec3 hn_i_simplex_d(hn_uvec3 h, hn_num2 skewed) {
-  hn_num3 x = hn_i_triangle_x(skewed);
-  hn_num3 y = hn_i_triangle_y(skewed);
-  hn_num3 t = hn_i_triangle_falloff(x, y);
-  hn_num3 n = hn_i_plus(hn_i_plus(hn_i_weighted_ramp_d(h.x, x.x, y.x, t.x), hn_i_weighted_ramp_d(h.y, x.y, y.y, t.y)),
-                         hn_i_weighted_ramp_d(h.z, x.z, y.z, t.z));
+HN_FN hn_vec3 hn_i_simplex_d(hn_uvec3 h, hn_i_num2 skewed) {
+  hn_i_num3 x = hn_i_triangle_x(skewed);
+  hn_i_num3 y = hn_i_triangle_y(skewed);
+  hn_i_num3 t = hn_i_triangle_falloff(x, y);
+  hn_i_num3 n = hn_i_plus(hn_i_plus(hn_i_weighted_ramp_d(h.x, x.x, y.x, t.x), hn_i_weighted_ramp_d(h.y, x.y, y.y, t.y)),
+                          hn_i_weighted_ramp_d(h.z, x.z, y.z, t.z));
   return vec3(hn_i_value(hn_i_scaled_simplex2(n.x)), hn_i_per_cell(hn_i_derivative(hn_i_scaled_simplex2(n.y))),
               hn_i_per_cell(hn_i_derivative(hn_i_scaled_simplex2(n.z))));
 }
 HN_FN hn_vec3 hn_i_simplex_d(hn_place2 place, hn_uint seed) {
-  hn_num2 skewed = hn_i_skewed(place.fraction);
+  hn_i_num2 skewed = hn_i_skewed(place.fraction);
   return hn_i_simplex_d(hn_i_triangle(place, skewed, seed), skewed);
 }
 

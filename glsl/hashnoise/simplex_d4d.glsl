@@ -6,30 +6,30 @@
 
 #include "detail/body_centred_lattice.glsl"
 
-// What a point adds to the derivatives of the noise.
-HN_FN hn_num4 hn_i_weighted_ramp_d(hn_uint h, hn_num x, hn_num y, hn_num z, hn_num w, hn_num t) {
-  hn_num k = hn_i_weighted_ramp(hn_i_ramp(h, x, y, z, w), hn_i_d_weight3(t, 2));
-  hn_num weight = hn_i_weight3(t);
-  hn_num4 g = hn_i_gradient4(h);
-  return hn_i_num(hn_i_d_weighted_ramp(g.x, weight, k, x), hn_i_d_weighted_ramp(g.y, weight, k, y),
-                  hn_i_d_weighted_ramp(g.z, weight, k, z), hn_i_d_weighted_ramp(g.w, weight, k, w));
+// The share of a point in the derivatives of the noise.
+HN_FN hn_i_num4 hn_i_weighted_ramp_d(hn_uint h, hn_i_num x, hn_i_num y, hn_i_num z, hn_i_num w, hn_i_num t) {
+  hn_i_num k = hn_i_weighted_ramp(hn_i_ramp(h, x, y, z, w), hn_i_d_weight3(t, 2));
+  hn_i_num weight = hn_i_weight3(t);
+  hn_i_num4 g = hn_i_gradient4(h);
+  return hn_i_vector(hn_i_d_weighted_ramp(g.x, weight, k, x), hn_i_d_weighted_ramp(g.y, weight, k, y),
+                     hn_i_d_weighted_ramp(g.z, weight, k, z), hn_i_d_weighted_ramp(g.w, weight, k, w));
 }
 
-HN_FN hn_derivatives4 hn_i_simplex_d(hn_i_block4 block, hn_num4 f, hn_uint seed) {
-  hn_num4 x;
-  hn_num4 y;
-  hn_num4 z;
-  hn_num4 w;
-  hn_num4 t;
+HN_FN hn_derivatives4 hn_i_simplex_d(hn_i_block4 block, hn_i_num4 f, hn_uint seed) {
+  hn_i_num4 x;
+  hn_i_num4 y;
+  hn_i_num4 z;
+  hn_i_num4 w;
+  hn_i_num4 t;
   hn_uvec4 h = hn_i_four_points(block, f, seed, x, y, z, w, t);
-  hn_num4 corners =
+  hn_i_num4 corners =
       hn_i_plus(hn_i_weighted_ramp_d(h.x, x.x, y.x, z.x, w.x, t.x), hn_i_weighted_ramp_d(h.y, x.y, y.y, z.y, w.y, t.y));
-  hn_num4 d = hn_i_plus(hn_i_plus(corners, hn_i_weighted_ramp_d(h.z, x.z, y.z, z.z, w.z, t.z)),
-                         hn_i_weighted_ramp_d(h.w, x.w, y.w, z.w, w.w, t.w));
+  hn_i_num4 d = hn_i_plus(hn_i_plus(corners, hn_i_weighted_ramp_d(h.z, x.z, y.z, z.z, w.z, t.z)),
+                          hn_i_weighted_ramp_d(h.w, x.w, y.w, z.w, w.w, t.w));
   HN_I_NEW(hn_derivatives4, n);
   n.gradient = vec4(hn_i_derivative(hn_i_scaled_simplex4(d.x)), hn_i_derivative(hn_i_scaled_simplex4(d.y)),
                     hn_i_derivative(hn_i_scaled_simplex4(d.z)), hn_i_derivative(hn_i_scaled_simplex4(d.w)));
-  hn_num sum = hn_i_weighted_ramp(hn_i_ramp(h.x, x.x, y.x, z.x, w.x), hn_i_weight3(t.x));
+  hn_i_num sum = hn_i_weighted_ramp(hn_i_ramp(h.x, x.x, y.x, z.x, w.x), hn_i_weight3(t.x));
   sum = hn_i_plus(sum, hn_i_weighted_ramp(hn_i_ramp(h.y, x.y, y.y, z.y, w.y), hn_i_weight3(t.y)));
   sum = hn_i_plus(sum, hn_i_weighted_ramp(hn_i_ramp(h.z, x.z, y.z, z.z, w.z), hn_i_weight3(t.z)));
   sum = hn_i_plus(sum, hn_i_weighted_ramp(hn_i_ramp(h.w, x.w, y.w, z.w, w.w), hn_i_weight3(t.w)));

@@ -8,37 +8,37 @@
 #include "detail/direction_turning.glsl"
 
 // The noise in the numbers of HN_ARITHMETIC.
-HN_FN hn_num hn_i_simplex_phase(hn_i_block3 block, hn_num3 f, hn_num2 rotation, hn_uint seed) {
-  hn_num4 x;
-  hn_num4 y;
-  hn_num4 z;
-  hn_num4 t;
+HN_FN hn_i_num hn_i_simplex_phase(hn_i_block3 block, hn_i_num3 f, hn_i_num2 rotation, hn_uint seed) {
+  hn_i_num4 x;
+  hn_i_num4 y;
+  hn_i_num4 z;
+  hn_i_num4 t;
   hn_uvec4 h = hn_i_four_points(block, f, seed, x, y, z, t);
-  hn_num n = hn_i_weighted_ramp(hn_i_ramp(hn_i_direction3(h.x), x.x, y.x, z.x, rotation), hn_i_weight4(t.x));
+  hn_i_num n = hn_i_weighted_ramp(hn_i_ramp(hn_i_direction3(h.x), x.x, y.x, z.x, rotation), hn_i_weight4(t.x));
   n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_ramp(hn_i_direction3(h.y), x.y, y.y, z.y, rotation), hn_i_weight4(t.y)));
   n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_ramp(hn_i_direction3(h.z), x.z, y.z, z.z, rotation), hn_i_weight4(t.z)));
   n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_ramp(hn_i_direction3(h.w), x.w, y.w, z.w, rotation), hn_i_weight4(t.w)));
   return hn_i_scaled_simplex3(n);
 }
 
-// What a point adds to the noise and to its derivatives.
-HN_FN hn_num4 hn_i_turning_ramp_d(hn_uint h, hn_num x, hn_num y, hn_num z, hn_num t, hn_num2 rotation) {
-  hn_num4 d = hn_i_direction3(h);
+// The share of a point in the noise and in its derivatives.
+HN_FN hn_i_num4 hn_i_turning_ramp_d(hn_uint h, hn_i_num x, hn_i_num y, hn_i_num z, hn_i_num t, hn_i_num2 rotation) {
+  hn_i_num4 d = hn_i_direction3(h);
   return hn_i_weighted_ramp_d(hn_i_ramp(d, x, y, z, rotation), hn_i_gradient(d, rotation), x, y, z, hn_i_weight4(t),
                      hn_i_d_weight4(t, 2));
 }
 
 // The noise and its derivatives.
-HN_FN hn_vec4 hn_i_simplex_phase_d(hn_i_block3 block, hn_num3 f, hn_num2 rotation, hn_uint seed) {
-  hn_num4 x;
-  hn_num4 y;
-  hn_num4 z;
-  hn_num4 t;
+HN_FN hn_vec4 hn_i_simplex_phase_d(hn_i_block3 block, hn_i_num3 f, hn_i_num2 rotation, hn_uint seed) {
+  hn_i_num4 x;
+  hn_i_num4 y;
+  hn_i_num4 z;
+  hn_i_num4 t;
   hn_uvec4 h = hn_i_four_points(block, f, seed, x, y, z, t);
-  hn_num4 corners = hn_i_plus(hn_i_turning_ramp_d(h.x, x.x, y.x, z.x, t.x, rotation),
-                               hn_i_turning_ramp_d(h.y, x.y, y.y, z.y, t.y, rotation));
-  hn_num4 n = hn_i_plus(hn_i_plus(corners, hn_i_turning_ramp_d(h.z, x.z, y.z, z.z, t.z, rotation)),
-                         hn_i_turning_ramp_d(h.w, x.w, y.w, z.w, t.w, rotation));
+  hn_i_num4 corners = hn_i_plus(hn_i_turning_ramp_d(h.x, x.x, y.x, z.x, t.x, rotation),
+                                hn_i_turning_ramp_d(h.y, x.y, y.y, z.y, t.y, rotation));
+  hn_i_num4 n = hn_i_plus(hn_i_plus(corners, hn_i_turning_ramp_d(h.z, x.z, y.z, z.z, t.z, rotation)),
+                          hn_i_turning_ramp_d(h.w, x.w, y.w, z.w, t.w, rotation));
   return vec4(hn_i_value(hn_i_scaled_simplex3(n.x)), hn_i_derivative(hn_i_scaled_simplex3(n.y)),
               hn_i_derivative(hn_i_scaled_simplex3(n.z)), hn_i_derivative(hn_i_scaled_simplex3(n.w)));
 }

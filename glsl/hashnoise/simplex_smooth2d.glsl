@@ -8,11 +8,11 @@
 
 // The noise in the numbers of HN_ARITHMETIC, from the words of two neighbours in the lower row and of two in the upper
 // one, and the places between these.
-HN_FN hn_num hn_i_simplex_smooth(hn_uvec4 h, hn_num lower, hn_num upper, hn_num y) {
-  hn_num lower1 = hn_i_minus_one(lower);
-  hn_num upper1 = hn_i_minus_one(upper);
-  hn_num y1 = hn_i_minus_one(y);
-  hn_num n =
+HN_FN hn_i_num hn_i_simplex_smooth(hn_uvec4 h, hn_i_num lower, hn_i_num upper, hn_i_num y) {
+  hn_i_num lower1 = hn_i_minus_one(lower);
+  hn_i_num upper1 = hn_i_minus_one(upper);
+  hn_i_num y1 = hn_i_minus_one(y);
+  hn_i_num n =
       hn_i_weighted_ramp(hn_i_triangle_ramp(h.x, lower, y), hn_i_weight3(hn_i_falloff(hn_i_square(lower, y), 1024, 1)));
   n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_triangle_ramp(h.y, lower1, y),
                                       hn_i_weight3(hn_i_falloff(hn_i_square(lower1, y), 1024, 1))));
@@ -24,15 +24,15 @@ HN_FN hn_num hn_i_simplex_smooth(hn_uvec4 h, hn_num lower, hn_num upper, hn_num 
 }
 
 // The place along x in a row, in steps: odd rows are shifted.
-HN_FN hn_num hn_i_in_row(hn_num x, hn_int row) {
+HN_FN hn_i_num hn_i_in_row(hn_i_num x, hn_int row) {
   return hn_i_minus(x, hn_i_select((row & 1) == 0, hn_i_quarters(0), hn_i_quarters(2)));
 }
 
-HN_FN hn_num hn_i_simplex_smooth(hn_place2 place, hn_uint seed) {
-  hn_num2 p = hn_i_steps(place.fraction);
+HN_FN hn_i_num hn_i_simplex_smooth(hn_place2 place, hn_uint seed) {
+  hn_i_num2 p = hn_i_steps(place.fraction);
   hn_int row = hn_i_floor(p.y);
-  hn_num lower = hn_i_in_row(p.x, row);
-  hn_num upper = hn_i_in_row(p.x, hn_i_add_wrapping(row, 1));
+  hn_i_num lower = hn_i_in_row(p.x, row);
+  hn_i_num upper = hn_i_in_row(p.x, hn_i_add_wrapping(row, 1));
   hn_int i = hn_i_floor(lower);
   hn_int j = hn_i_floor(upper);
   // The spread coordinates of two points of the lower row and of two of the upper one, and of both rows.

@@ -10,63 +10,64 @@
 // one is as far away, or farther: the squares of both distances sum to 3/2 or more. So of each kind of points four are
 // enough: one end of each diagonal of the cube around the place, whichever is nearer.
 
-// What a point adds without its weight. Gradients are lengthened twice as much as those of Perlin noise.
-HN_FN hn_num hn_i_smooth_ramp(hn_uint h, hn_num x, hn_num y, hn_num z) {
-  hn_num4 d = hn_i_direction3(h);
+// The ramp of a point, before it is weighted. Gradients are lengthened twice as much as those of Perlin noise.
+HN_FN hn_i_num hn_i_smooth_ramp(hn_uint h, hn_i_num x, hn_i_num y, hn_i_num z) {
+  hn_i_num4 d = hn_i_direction3(h);
   return hn_i_times_one_plus(
       hn_i_dot_direction(d, hn_i_octahedral(hn_i_plus(x, y)), hn_i_octahedral(hn_i_minus(x, y)), hn_i_octahedral_z(z)),
       hn_i_plus(d.w, d.w));
 }
 
-// What a neighbour of the nearest point adds: the one along an axis, or the opposite end of its diagonal. `one` are the
-// spread coordinates and d the offsets of the first, `others` and e those of the second. `size` is the magnitude of the
-// offset along the axis, and `total` that along all three. q is the square of the distance of the nearest point.
-HN_FN hn_num hn_i_neighbour(hn_uvec3 one, hn_uvec3 others, hn_num3 d, hn_num3 e, hn_num size, hn_num total,
-                            hn_i_square_number q, hn_uint join, hn_uint sum) {
-  hn_num twice = hn_i_plus(size, size);
-  hn_num excess = hn_i_minus(total, twice);  // above 1/2 where the opposite end is nearer
-  hn_num middle = hn_i_quarters(2);
+// The share of a neighbour of the nearest point in the noise: the one along an axis, or the opposite end of its
+// diagonal. `one` are the spread coordinates and d the offsets of the first, `others` and e those of the second. `size`
+// is the magnitude of the offset along the axis, and `total` that along all three. q is the square of the distance of
+// the nearest point.
+HN_FN hn_i_num hn_i_neighbour(hn_uvec3 one, hn_uvec3 others, hn_i_num3 d, hn_i_num3 e, hn_i_num size, hn_i_num total,
+                              hn_i_square_number q, hn_uint join, hn_uint sum) {
+  hn_i_num twice = hn_i_plus(size, size);
+  hn_i_num excess = hn_i_minus(total, twice);  // above 1/2 where the opposite end is nearer
+  hn_i_num middle = hn_i_quarters(2);
   hn_uvec3 c = uvec3(hn_i_select(excess > middle, others.x, one.x), hn_i_select(excess > middle, others.y, one.y),
                      hn_i_select(excess > middle, others.z, one.z));
-  hn_num x = hn_i_select(excess > middle, e.x, d.x);
-  hn_num y = hn_i_select(excess > middle, e.y, d.y);
-  hn_num z = hn_i_select(excess > middle, e.z, d.z);
-  hn_num more =
+  hn_i_num x = hn_i_select(excess > middle, e.x, d.x);
+  hn_i_num y = hn_i_select(excess > middle, e.y, d.y);
+  hn_i_num z = hn_i_select(excess > middle, e.z, d.z);
+  hn_i_num more =
       min(hn_i_minus(HN_I_ONE, twice), hn_i_plus(hn_i_minus(hn_i_quarters(8), hn_i_plus(total, total)), twice));
   return hn_i_weighted_ramp(hn_i_smooth_ramp(hn_i_word(c, join, sum), x, y, z),
                             hn_i_weight5(hn_i_falloff(hn_i_square_plus(q, more), 768, 1)));
 }
 
-// What the four points of a kind add. The nearest has the spread coordinates n and the offsets d; along each axis the
-// next ones are m and e. `size` are the magnitudes of the offsets.
-HN_FN hn_num hn_i_cube(hn_uvec3 n, hn_uvec3 m, hn_num3 d, hn_num3 e, hn_num3 size, hn_i_square_number q, hn_uint join,
-                       hn_uint sum) {
-  hn_num total = hn_i_plus(hn_i_plus(size.x, size.y), size.z);
-  hn_num a = hn_i_weighted_ramp(hn_i_smooth_ramp(hn_i_word(n, join, sum), d.x, d.y, d.z),
-                                hn_i_weight5(hn_i_falloff(q, 768, 1)));
-  a = hn_i_plus(a, hn_i_neighbour(uvec3(m.x, n.y, n.z), uvec3(n.x, m.y, m.z), hn_i_num(e.x, d.y, d.z),
-                                  hn_i_num(d.x, e.y, e.z), size.x, total, q, join, sum));
-  a = hn_i_plus(a, hn_i_neighbour(uvec3(n.x, m.y, n.z), uvec3(m.x, n.y, m.z), hn_i_num(d.x, e.y, d.z),
-                                  hn_i_num(e.x, d.y, e.z), size.y, total, q, join, sum));
-  return hn_i_plus(a, hn_i_neighbour(uvec3(n.x, n.y, m.z), uvec3(m.x, m.y, n.z), hn_i_num(d.x, d.y, e.z),
-                                     hn_i_num(e.x, e.y, d.z), size.z, total, q, join, sum));
+// The share of the four points of a kind in the noise. The nearest has the spread coordinates n and the offsets d;
+// along each axis the next ones are m and e. `size` are the magnitudes of the offsets.
+HN_FN hn_i_num hn_i_cube(hn_uvec3 n, hn_uvec3 m, hn_i_num3 d, hn_i_num3 e, hn_i_num3 size, hn_i_square_number q,
+                         hn_uint join, hn_uint sum) {
+  hn_i_num total = hn_i_plus(hn_i_plus(size.x, size.y), size.z);
+  hn_i_num a = hn_i_weighted_ramp(hn_i_smooth_ramp(hn_i_word(n, join, sum), d.x, d.y, d.z),
+                                  hn_i_weight5(hn_i_falloff(q, 768, 1)));
+  a = hn_i_plus(a, hn_i_neighbour(uvec3(m.x, n.y, n.z), uvec3(n.x, m.y, m.z), hn_i_vector(e.x, d.y, d.z),
+                                  hn_i_vector(d.x, e.y, e.z), size.x, total, q, join, sum));
+  a = hn_i_plus(a, hn_i_neighbour(uvec3(n.x, m.y, n.z), uvec3(m.x, n.y, m.z), hn_i_vector(d.x, e.y, d.z),
+                                  hn_i_vector(e.x, d.y, e.z), size.y, total, q, join, sum));
+  return hn_i_plus(a, hn_i_neighbour(uvec3(n.x, n.y, m.z), uvec3(m.x, m.y, n.z), hn_i_vector(d.x, d.y, e.z),
+                                     hn_i_vector(e.x, e.y, d.z), size.z, total, q, join, sum));
 }
 
 // The noise in the numbers of HN_ARITHMETIC.
-HN_FN hn_num hn_i_simplex_smooth(hn_i_block3 block, hn_num3 f, hn_uint seed) {
-  hn_num4 x = hn_i_offsets(f.x);
-  hn_num4 y = hn_i_offsets(f.y);
-  hn_num4 z = hn_i_offsets(f.z);
-  hn_num3 size = hn_i_num(hn_i_size(x.x), hn_i_size(y.x), hn_i_size(z.x));
-  hn_num3 inner = hn_i_num(hn_i_size(x.z), hn_i_size(y.z), hn_i_size(z.z));
+HN_FN hn_i_num hn_i_simplex_smooth(hn_i_block3 block, hn_i_num3 f, hn_uint seed) {
+  hn_i_num4 x = hn_i_offsets(f.x);
+  hn_i_num4 y = hn_i_offsets(f.y);
+  hn_i_num4 z = hn_i_offsets(f.z);
+  hn_i_num3 size = hn_i_vector(hn_i_size(x.x), hn_i_size(y.x), hn_i_size(z.x));
+  hn_i_num3 inner = hn_i_vector(hn_i_size(x.z), hn_i_size(y.z), hn_i_size(z.z));
   hn_uint s = hn_i_mix(seed);
   hn_uint join = hn_i_seed_join(s);
-  hn_num corners =
+  hn_i_num corners =
       hn_i_cube(hn_i_nearer(f, block.cell, block.following), hn_i_nearer(f, block.following, block.cell),
-                hn_i_num(x.x, y.x, z.x), hn_i_num(x.y, y.y, z.y), size, hn_i_square(x.x, y.x, z.x), join, s);
-  hn_num centres = hn_i_cube(block.cell, hn_i_nearer(f, block.previous, block.following), hn_i_num(x.z, y.z, z.z),
-                             hn_i_num(x.w, y.w, z.w), inner, hn_i_square(x.z, y.z, z.z), join ^ HN_I_CENTRE_JOIN,
-                             s + HN_I_CENTRE_SUM);
+                hn_i_vector(x.x, y.x, z.x), hn_i_vector(x.y, y.y, z.y), size, hn_i_square(x.x, y.x, z.x), join, s);
+  hn_i_num centres = hn_i_cube(block.cell, hn_i_nearer(f, block.previous, block.following), hn_i_vector(x.z, y.z, z.z),
+                               hn_i_vector(x.w, y.w, z.w), inner, hn_i_square(x.z, y.z, z.z), join ^ HN_I_CENTRE_JOIN,
+                               s + HN_I_CENTRE_SUM);
   return hn_i_scaled(hn_i_plus(corners, centres), 3901);
 }
 

@@ -49,7 +49,7 @@ HN_FN hn_vec4 hn_i_spread(hn_int reach, hn_int a, hn_int b, hn_int c) {
   return vec4(hn_i_float(reach), hn_i_float(a), hn_i_float(b), hn_i_float(c)) * (1.0f / 4096.0f);
 }
 
-// How the values of a noise are distributed.
+// The distribution of the values of a noise.
 //   noise    one of HN_SPREAD_PERLIN2 and so on, above; any other number counts as that
 //   returns  the reach, in [1/16, 3], and the three coefficients of the tail, which rise from 0 to 1
 //   error    none
@@ -83,22 +83,22 @@ HN_FN hn_vec4 hn_spread(hn_int noise) {
 
 #if HN_ARITHMETIC == HN_FIXED
 
-#define HN_I_VALUE_ONE 2097152
-#define HN_I_VALUE_TWO 4194304
+#define HN_I_VALUE_ONE HN_I_UNITS_VALUE
+#define HN_I_VALUE_TWO (2 * HN_I_UNITS_VALUE)
 
 HN_FN hn_int hn_i_as_value(hn_float x, hn_float least, hn_float most) {
-  return int(min(max(x, least), most) * 2097152.0f);
+  return int(min(max(x, least), most) * HN_I_FLOAT_UNITS_VALUE);
 }
-HN_FN hn_int hn_i_as_reach(hn_float x) { return int(min(max(x, 0.0625f), 3.0f) * 262144.0f); }
-HN_FN hn_float hn_i_half_value(hn_int n) { return hn_i_float(n) * (1.0f / 4194304.0f); }
-HN_FN hn_float hn_i_of_units(hn_int n) { return hn_i_float(n) * (1.0f / 262144.0f); }
+HN_FN hn_int hn_i_as_reach(hn_float x) { return int(min(max(x, 0.0625f), 3.0f) * HN_I_FLOAT_UNITS_WEIGHT); }
+HN_FN hn_float hn_i_half_value(hn_int n) { return hn_i_float(n) * (0.5f / HN_I_FLOAT_UNITS_VALUE); }
+HN_FN hn_float hn_i_of_units(hn_int n) { return hn_i_float(n) * (1.0f / HN_I_FLOAT_UNITS_WEIGHT); }
 
 // n / 1024 of a number. A shift rounds down, as a product with a weight does.
 HN_FN hn_int hn_i_parts(hn_int x, hn_int n) { return (x * n) >> 10; }
 
-// In units of 2^-15, since a mean has 23 bits.
+// The result is in units of 2^-15, since a mean has 23 bits.
 HN_FN hn_int hn_i_variance(hn_int a, hn_int b, hn_int c) { return (65 * a + 33 * b + 17 * c + 1835008) >> 3; }
-HN_FN hn_int hn_i_root_of_ratio(hn_int ratio) { return int(hn_i_root(uint(min(ratio, 2097152)) << 10u)); }
+HN_FN hn_int hn_i_root_of_ratio(hn_int ratio) { return int(hn_i_root(uint(min(ratio, HN_I_UNITS_VALUE)) << 10u)); }
 
 #else
 
@@ -118,43 +118,45 @@ HN_FN hn_float hn_i_root_of_ratio(hn_float ratio) { return hn_i_root(min(ratio, 
 
 #endif
 
-// From p to q, which is not smaller, by a weight. It does not fall where p, q or y rises; with HN_FIXED not by a single
-// unit, as the product is rounded down once. So neither does the tail.
-HN_FN hn_num hn_i_mix(hn_num p, hn_num q, hn_num y) { return hn_i_plus(p, hn_i_weight_times(hn_i_minus(q, p), y)); }
+// Goes from p to q, which is not smaller, by a weight. The result does not fall where p, q or y rises; with HN_FIXED
+// not by a single unit, as the product is rounded down once. So neither does the tail.
+HN_FN hn_i_num hn_i_mix(hn_i_num p, hn_i_num q, hn_i_num y) {
+  return hn_i_plus(p, hn_i_weight_times(hn_i_minus(q, p), y));
+}
 
 // A tail lies between two numbers, the difference of which is a quarter of its slope by y = w^2.
 struct hn_i_tail {
-  hn_num low;
-  hn_num high;
-  hn_num w;  // how far the value is from the end: 1 at 0, and 0 at the reach and beyond
-  hn_num reach;
-  hn_num value;
+  hn_i_num low;
+  hn_i_num high;
+  hn_i_num w;  // how far the value is from the end: 1 at 0, and 0 at the reach and beyond
+  hn_i_num reach;
+  hn_i_num value;
 };
 
 HN_FN hn_i_tail hn_i_tail_of(hn_float value, hn_vec4 spread) {
   HN_I_NEW(hn_i_tail, tail);
   tail.reach = hn_i_as_value(spread.x, 0.0625f, 3.0f);
   tail.value = hn_i_as_value(value, -3.0f, 3.0f);
-  hn_num a = hn_i_as_value(spread.y, 0.0f, 1.0f);
-  hn_num b = max(a, hn_i_as_value(spread.z, 0.0f, 1.0f));
-  hn_num c = max(b, hn_i_as_value(spread.w, 0.0f, 1.0f));
+  hn_i_num a = hn_i_as_value(spread.y, 0.0f, 1.0f);
+  hn_i_num b = max(a, hn_i_as_value(spread.z, 0.0f, 1.0f));
+  hn_i_num c = max(b, hn_i_as_value(spread.w, 0.0f, 1.0f));
   // A quotient of floats may be beyond 1.
-  hn_num s = hn_i_mean(min(hn_i_size(tail.value), tail.reach), tail.reach);
+  hn_i_num s = hn_i_mean(min(hn_i_size(tail.value), tail.reach), tail.reach);
   tail.w = max(hn_i_minus(HN_I_WEIGHT_ONE, s), HN_I_NO_WEIGHT);
   // De Casteljau's rounds, without that of the last two numbers.
-  hn_num y = hn_i_weight_times(tail.w, tail.w);
-  hn_num ab = hn_i_mix(a, b, y);
-  hn_num bc = hn_i_mix(b, c, y);
-  hn_num low = hn_i_mix(hn_i_weight_times(a, y), ab, y);
-  hn_num middle = hn_i_mix(ab, bc, y);
-  hn_num high = hn_i_mix(bc, hn_i_mix(c, HN_I_VALUE_ONE, y), y);
+  hn_i_num y = hn_i_weight_times(tail.w, tail.w);
+  hn_i_num ab = hn_i_mix(a, b, y);
+  hn_i_num bc = hn_i_mix(b, c, y);
+  hn_i_num low = hn_i_mix(hn_i_weight_times(a, y), ab, y);
+  hn_i_num middle = hn_i_mix(ab, bc, y);
+  hn_i_num high = hn_i_mix(bc, hn_i_mix(c, HN_I_VALUE_ONE, y), y);
   tail.low = hn_i_mix(low, middle, y);
   tail.high = hn_i_mix(middle, high, y);
   return tail;
 }
 
 HN_FN hn_float hn_i_uniform(hn_i_tail tail) {
-  hn_num n = hn_i_mix(tail.low, tail.high, hn_i_weight_times(tail.w, tail.w));
+  hn_i_num n = hn_i_mix(tail.low, tail.high, hn_i_weight_times(tail.w, tail.w));
   return hn_i_half_value(hn_i_select(tail.value < HN_I_NO_WEIGHT, n, hn_i_minus(HN_I_VALUE_TWO, n)));
 }
 
@@ -182,23 +184,23 @@ HN_FN hn_float hn_uniform(hn_float value, hn_vec4 spread) { return hn_i_uniform(
 //   source   docs/contract.md, section 21
 HN_FN hn_vec2 hn_uniform_d(hn_float value, hn_vec4 spread) {
   hn_i_tail tail = hn_i_tail_of(value, spread);
-  hn_num rise = hn_i_weight_times(hn_i_minus(tail.high, tail.low), tail.w);
-  hn_num twice = hn_i_plus(rise, rise);
+  hn_i_num rise = hn_i_weight_times(hn_i_minus(tail.high, tail.low), tail.w);
+  hn_i_num twice = hn_i_plus(rise, rise);
   return vec2(hn_i_uniform(tail), hn_i_of_units(hn_i_mean(hn_i_plus(twice, twice), tail.reach)));
 }
 
-// A coefficient of a sum: between that of a bell and that of the noise. Of what the noise has beyond the bell the part
-// that goes with its kurtosis falls as the kurtosis of a sum does, and the rest faster.
-HN_FN hn_num hn_i_of_sum(hn_num x, hn_int bell, hn_int way, hn_num d, hn_num fourth, hn_num eighth) {
-  hn_num start = hn_i_parts(HN_I_WEIGHT_ONE, bell);
-  hn_num h = hn_i_parts(d, way);
-  hn_num rest = hn_i_minus(hn_i_minus(x, start), h);
-  hn_num n = hn_i_plus(hn_i_plus(start, hn_i_weight_times(h, fourth)), hn_i_weight_times(rest, eighth));
+// A coefficient of a sum lies between that of a bell and that of the noise. Their difference has two parts: the one
+// that goes with the kurtosis of the noise falls as the kurtosis of a sum does, and the rest falls faster.
+HN_FN hn_i_num hn_i_of_sum(hn_i_num x, hn_int bell, hn_int way, hn_i_num d, hn_i_num fourth, hn_i_num eighth) {
+  hn_i_num start = hn_i_parts(HN_I_WEIGHT_ONE, bell);
+  hn_i_num h = hn_i_parts(d, way);
+  hn_i_num rest = hn_i_minus(hn_i_minus(x, start), h);
+  hn_i_num n = hn_i_plus(hn_i_plus(start, hn_i_weight_times(h, fourth)), hn_i_weight_times(rest, eighth));
   return min(max(n, HN_I_NO_WEIGHT), HN_I_WEIGHT_ONE);
 }
 
-// How the values of a sum of octaves are distributed, from how those of its noise are. Every gain and number of octaves
-// has its spread. It takes octaves as independent, which on the line they are not quite (docs/uniform.md).
+// The distribution of the values of a sum of octaves, from that of its noise. Every gain and number of octaves has its
+// spread. It takes octaves as independent, which on the line they are not quite (docs/uniform.md).
 //   spread   of the noise: hn_spread(HN_SPREAD_PERLIN2) and so on
 //   octaves  as of hn_fbm, from 1 to 32: 5.0, and 3.5 for a detail that is no whole number. The lacunarity does not
 //            matter
@@ -209,46 +211,46 @@ HN_FN hn_num hn_i_of_sum(hn_num x, hn_int bell, hn_int way, hn_num d, hn_num fou
 //            CPU, or let the compiler, where octaves and gain are constants
 //   source   docs/contract.md, section 21
 HN_FN hn_vec4 hn_spread_fbm(hn_vec4 spread, hn_float octaves, hn_float gain) {
-  hn_num a = hn_i_setting(spread.y, 1.0f);
-  hn_num b = max(a, hn_i_setting(spread.z, 1.0f));
-  hn_num c = max(b, hn_i_setting(spread.w, 1.0f));
+  hn_i_num a = hn_i_setting(spread.y, 1.0f);
+  hn_i_num b = max(a, hn_i_setting(spread.z, 1.0f));
+  hn_i_num c = max(b, hn_i_setting(spread.w, 1.0f));
   hn_float detail = min(max(octaves, 1.0f), 32.0f);
   hn_int count = min(hn_i_whole_octaves(detail), 32);  // of a NaN, too
-  hn_num ratio = hn_i_setting(gain, 1.0f);
+  hn_i_num ratio = hn_i_setting(gain, 1.0f);
 
   // The sums of the weights, and of their powers.
-  hn_num sum = HN_I_NO_WEIGHT;
-  hn_num sum2 = HN_I_NO_WEIGHT;
-  hn_num sum4 = HN_I_NO_WEIGHT;
-  hn_num sum8 = HN_I_NO_WEIGHT;
-  hn_num weight = HN_I_WEIGHT_ONE;
+  hn_i_num sum = HN_I_NO_WEIGHT;
+  hn_i_num sum2 = HN_I_NO_WEIGHT;
+  hn_i_num sum4 = HN_I_NO_WEIGHT;
+  hn_i_num sum8 = HN_I_NO_WEIGHT;
+  hn_i_num weight = HN_I_WEIGHT_ONE;
   for (hn_int i = 1; i <= count; ++i) {
     if (i == count) weight = hn_i_weight_times(weight, hn_i_last_part(detail, count));
-    hn_num square = hn_i_weight_times(weight, weight);
-    hn_num fourth = hn_i_weight_times(square, square);
+    hn_i_num square = hn_i_weight_times(weight, weight);
+    hn_i_num fourth = hn_i_weight_times(square, square);
     sum = hn_i_plus(sum, weight);
     sum2 = hn_i_plus(sum2, square);
     sum4 = hn_i_plus(sum4, fourth);
     sum8 = hn_i_plus(sum8, hn_i_weight_times(fourth, fourth));
     weight = hn_i_weight_times(weight, ratio);
   }
-  hn_num per_square = hn_i_mean(HN_I_WEIGHT_ONE, sum2);
-  hn_num rho4 = hn_i_weight_times(hn_i_weight_times(sum4, per_square), per_square);
-  hn_num per_fourth = hn_i_weight_times(per_square, per_square);
-  hn_num rho8 = hn_i_weight_times(hn_i_weight_times(sum8, per_fourth), per_fourth);
+  hn_i_num per_square = hn_i_mean(HN_I_WEIGHT_ONE, sum2);
+  hn_i_num rho4 = hn_i_weight_times(hn_i_weight_times(sum4, per_square), per_square);
+  hn_i_num per_fourth = hn_i_weight_times(per_square, per_square);
+  hn_i_num rho8 = hn_i_weight_times(hn_i_weight_times(sum8, per_fourth), per_fourth);
 
   // docs/contract.md, section 21: the bell, and how a sum comes near to it. tools/uniform fits them.
-  hn_num d = hn_i_minus(c, hn_i_parts(HN_I_WEIGHT_ONE, 736));
-  hn_num new_a = hn_i_of_sum(a, 103, 592, d, rho4, rho8);
-  hn_num new_b = hn_i_of_sum(b, 381, 1958, d, rho4, rho8);
-  hn_num new_c = hn_i_of_sum(c, 736, 452, d, rho4, rho8);
+  hn_i_num d = hn_i_minus(c, hn_i_parts(HN_I_WEIGHT_ONE, 736));
+  hn_i_num new_a = hn_i_of_sum(a, 103, 592, d, rho4, rho8);
+  hn_i_num new_b = hn_i_of_sum(b, 381, 1958, d, rho4, rho8);
+  hn_i_num new_c = hn_i_of_sum(c, 736, 452, d, rho4, rho8);
 
   // The reach, so that the variance is that of the sum: that of the noise, times sum2 / sum^2.
-  hn_num per_sum = hn_i_mean(HN_I_WEIGHT_ONE, sum);
-  hn_num falls = hn_i_weight_times(hn_i_weight_times(sum2, per_sum), per_sum);
-  hn_num variance = hn_i_weight_times(hn_i_variance(a, b, c), falls);
-  hn_num stretch = hn_i_root_of_ratio(hn_i_mean(variance, hn_i_variance(new_a, new_b, new_c)));
-  hn_num reach = hn_i_weight_times(hn_i_as_reach(spread.x), stretch);
+  hn_i_num per_sum = hn_i_mean(HN_I_WEIGHT_ONE, sum);
+  hn_i_num falls = hn_i_weight_times(hn_i_weight_times(sum2, per_sum), per_sum);
+  hn_i_num variance = hn_i_weight_times(hn_i_variance(a, b, c), falls);
+  hn_i_num stretch = hn_i_root_of_ratio(hn_i_mean(variance, hn_i_variance(new_a, new_b, new_c)));
+  hn_i_num reach = hn_i_weight_times(hn_i_as_reach(spread.x), stretch);
   return vec4(hn_i_of_units(reach), hn_i_of_units(new_a), hn_i_of_units(new_b), hn_i_of_units(new_c));
 }
 

@@ -7,9 +7,9 @@
 #include "detail/cell.glsl"
 
 // The noise in the numbers of HN_ARITHMETIC.
-HN_FN hn_num hn_i_value_noise(hn_i_box1 box, hn_num f, hn_uint seed) {
+HN_FN hn_i_num hn_i_value_noise(hn_i_box1 box, hn_i_num f, hn_uint seed) {
   hn_uvec2 h = hn_i_corners(box, seed);
-  return hn_i_of_numbers(hn_i_lerp(hn_i_number(h.x), hn_i_number(h.y), hn_i_fade(f)));
+  return hn_i_noise_of_numbers(hn_i_lerp(hn_i_number(h.x), hn_i_number(h.y), hn_i_fade(f)));
 }
 
 // Value noise on the integers: hashed numbers, Perlin's 2002 interpolant. It is cheaper than gradient noise, and

@@ -7,16 +7,16 @@
 #include "detail/cell.glsl"
 
 // Interpolates the square that z and w choose, at a place that t gives by its fades.
-HN_FN hn_num hn_i_value_square(hn_i_box4 box, bool far_z, bool far_w, hn_num4 t, hn_uint seed) {
+HN_FN hn_i_num hn_i_value_square(hn_i_box4 box, bool far_z, bool far_w, hn_i_num4 t, hn_uint seed) {
   return hn_i_lerp(hn_i_numbers(hn_i_corners(box, far_z, far_w, seed)), t.x, t.y);
 }
 
 // The noise in the numbers of HN_ARITHMETIC.
-HN_FN hn_num hn_i_value_noise(hn_i_box4 box, hn_num4 f, hn_uint seed) {
-  hn_num4 t = hn_i_fade(f);
-  hn_num4 n = hn_i_num(hn_i_value_square(box, false, false, t, seed), hn_i_value_square(box, true, false, t, seed),
-                       hn_i_value_square(box, false, true, t, seed), hn_i_value_square(box, true, true, t, seed));
-  return hn_i_of_numbers(hn_i_lerp(n, t.z, t.w));
+HN_FN hn_i_num hn_i_value_noise(hn_i_box4 box, hn_i_num4 f, hn_uint seed) {
+  hn_i_num4 t = hn_i_fade(f);
+  hn_i_num4 n = hn_i_vector(hn_i_value_square(box, false, false, t, seed), hn_i_value_square(box, true, false, t, seed),
+                            hn_i_value_square(box, false, true, t, seed), hn_i_value_square(box, true, true, t, seed));
+  return hn_i_noise_of_numbers(hn_i_lerp(n, t.z, t.w));
 }
 
 // Value noise on the lattice of four dimensions: hashed numbers, Perlin's 2002 interpolant. It is cheaper than gradient

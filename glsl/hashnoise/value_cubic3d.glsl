@@ -7,20 +7,20 @@
 #include "detail/cubic_spline.glsl"
 
 // The noise in the numbers of HN_ARITHMETIC. x, y and z are the spread coordinates of four points along each axis.
-HN_FN hn_num hn_i_value_cubic(hn_uvec4 x, hn_uvec4 y, hn_uvec4 z, hn_num3 f, hn_uint seed) {
+HN_FN hn_i_num hn_i_value_cubic(hn_uvec4 x, hn_uvec4 y, hn_uvec4 z, hn_i_num3 f, hn_uint seed) {
   hn_uint s = hn_i_mix(seed);
-  hn_num4 wx = hn_i_spline(f.x);
-  hn_num4 wy = hn_i_spline(f.y);
+  hn_i_num4 wx = hn_i_spline(f.x);
+  hn_i_num4 wy = hn_i_spline(f.y);
   hn_uvec4 high = hn_i_high_of_line(z, 10u);
   hn_uint join = hn_i_seed_join(s);
-  hn_num4 n = hn_i_num(hn_i_cubic_square(x, y, high.x ^ join, z.x * HN_I_SUM_Z + s, wx, wy),
-                       hn_i_cubic_square(x, y, high.y ^ join, z.y * HN_I_SUM_Z + s, wx, wy),
-                       hn_i_cubic_square(x, y, high.z ^ join, z.z * HN_I_SUM_Z + s, wx, wy),
-                       hn_i_cubic_square(x, y, high.w ^ join, z.w * HN_I_SUM_Z + s, wx, wy));
-  return hn_i_of_numbers(hn_i_blend(n, hn_i_spline(f.z)));
+  hn_i_num4 n = hn_i_vector(hn_i_cubic_square(x, y, high.x ^ join, z.x * HN_I_SUM_Z + s, wx, wy),
+                            hn_i_cubic_square(x, y, high.y ^ join, z.y * HN_I_SUM_Z + s, wx, wy),
+                            hn_i_cubic_square(x, y, high.z ^ join, z.z * HN_I_SUM_Z + s, wx, wy),
+                            hn_i_cubic_square(x, y, high.w ^ join, z.w * HN_I_SUM_Z + s, wx, wy));
+  return hn_i_noise_of_numbers(hn_i_blend(n, hn_i_spline(f.z)));
 }
 
-HN_FN hn_num hn_i_value_cubic(hn_place3 place, hn_uint seed) {
+HN_FN hn_i_num hn_i_value_cubic(hn_place3 place, hn_uint seed) {
   return hn_i_value_cubic(hn_i_line(place.cell.x, place.period.x, place.tiled, HN_I_STEP_X, HN_I_ORIGIN_X),
                           hn_i_line(place.cell.y, place.period.y, place.tiled, HN_I_STEP_Y, 0u),
                           hn_i_line(place.cell.z, place.period.z, place.tiled, HN_I_STEP_Z, 0u), place.fraction, seed);

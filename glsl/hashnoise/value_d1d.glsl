@@ -8,11 +8,11 @@
 #include "detail/derivative.glsl"
 
 // The noise and its derivative.
-HN_FN hn_vec2 hn_i_value_d(hn_i_box1 box, hn_num f, hn_uint seed) {
+HN_FN hn_vec2 hn_i_value_d(hn_i_box1 box, hn_i_num f, hn_uint seed) {
   hn_uvec2 h = hn_i_corners(box, seed);
-  hn_num left = hn_i_number(h.x);
-  hn_num right = hn_i_number(h.y);
-  return vec2(hn_i_value(hn_i_of_numbers(hn_i_lerp(left, right, hn_i_fade(f)))),
+  hn_i_num left = hn_i_number(h.x);
+  hn_i_num right = hn_i_number(h.y);
+  return vec2(hn_i_value(hn_i_noise_of_numbers(hn_i_lerp(left, right, hn_i_fade(f)))),
               hn_i_derivative(hn_i_of_d_corners(hn_i_d_faded(hn_i_d_corner(left, right), hn_i_d_fade(f)))));
 }
 

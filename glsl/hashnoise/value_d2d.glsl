@@ -8,10 +8,10 @@
 #include "detail/derivative.glsl"
 
 // The noise and its derivatives, from the words of the corners.
-HN_FN hn_vec3 hn_i_value_d(hn_uvec4 h, hn_num2 f) {
-  hn_num2 t = hn_i_fade(f);
-  hn_num3 n = hn_i_lerp_d(hn_i_numbers(h), t, hn_i_d_fade(f));
-  return vec3(hn_i_value(hn_i_of_numbers(n.x)), hn_i_derivative(hn_i_of_d_corners(n.y)),
+HN_FN hn_vec3 hn_i_value_d(hn_uvec4 h, hn_i_num2 f) {
+  hn_i_num2 t = hn_i_fade(f);
+  hn_i_num3 n = hn_i_lerp_d(hn_i_numbers(h), t, hn_i_d_fade(f));
+  return vec3(hn_i_value(hn_i_noise_of_numbers(n.x)), hn_i_derivative(hn_i_of_d_corners(n.y)),
               hn_i_derivative(hn_i_of_d_corners(n.z)));
 }
 

@@ -8,14 +8,14 @@
 #include "detail/derivative.glsl"
 
 // The noise and its derivatives, from the words of the corners of both faces.
-HN_FN hn_vec4 hn_i_value_d(hn_uvec4 a, hn_uvec4 b, hn_num3 f) {
-  hn_num3 t = hn_i_fade(f);
-  hn_num3 s = hn_i_d_fade(f);
-  hn_num2 t2 = hn_i_num(t.x, t.y);
-  hn_num2 s2 = hn_i_num(s.x, s.y);
-  hn_num3 front = hn_i_lerp_d(hn_i_numbers(a), t2, s2);
-  hn_num3 back = hn_i_lerp_d(hn_i_numbers(b), t2, s2);
-  return vec4(hn_i_value(hn_i_of_numbers(hn_i_lerp(front.x, back.x, t.z))),
+HN_FN hn_vec4 hn_i_value_d(hn_uvec4 a, hn_uvec4 b, hn_i_num3 f) {
+  hn_i_num3 t = hn_i_fade(f);
+  hn_i_num3 s = hn_i_d_fade(f);
+  hn_i_num2 t2 = hn_i_vector(t.x, t.y);
+  hn_i_num2 s2 = hn_i_vector(s.x, s.y);
+  hn_i_num3 front = hn_i_lerp_d(hn_i_numbers(a), t2, s2);
+  hn_i_num3 back = hn_i_lerp_d(hn_i_numbers(b), t2, s2);
+  return vec4(hn_i_value(hn_i_noise_of_numbers(hn_i_lerp(front.x, back.x, t.z))),
               hn_i_derivative(hn_i_of_d_corners(hn_i_lerp(front.y, back.y, t.z))),
               hn_i_derivative(hn_i_of_d_corners(hn_i_lerp(front.z, back.z, t.z))),
               hn_i_derivative(hn_i_of_d_corners(hn_i_d_faded(hn_i_d_corner(front.x, back.x), s.z))));

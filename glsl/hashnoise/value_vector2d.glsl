@@ -20,7 +20,7 @@
 //   source   Perlin, "Improving noise", 2002, for the interpolant; docs/contract.md, section 22
 HN_FN hn_vec2 hn_value_vector(hn_place2 place, hn_uint seed) {
   hn_uvec4 h = hn_i_corners(hn_i_box(place), seed);
-  hn_num2 t = hn_i_fade(place.fraction);
+  hn_i_num2 t = hn_i_fade(place.fraction);
   return vec2(hn_i_value(hn_i_value_noise(h, t)), hn_i_value(hn_i_value_noise(hn_i_words_of_y(h), t)));
 }
 HN_FN hn_vec2 hn_value_vector(hn_vec2 p, hn_uint seed) { return hn_value_vector(hn_place(p), seed); }

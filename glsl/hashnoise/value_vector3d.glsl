@@ -22,7 +22,7 @@ HN_FN hn_vec3 hn_value_vector(hn_place3 place, hn_uint seed) {
   hn_i_box3 box = hn_i_box(place);
   hn_uvec4 a = hn_i_corners(box, false, seed);
   hn_uvec4 b = hn_i_corners(box, true, seed);
-  hn_num3 t = hn_i_fade(place.fraction);
+  hn_i_num3 t = hn_i_fade(place.fraction);
   return vec3(hn_i_value(hn_i_value_noise(a, b, t)),
               hn_i_value(hn_i_value_noise(hn_i_words_of_y(a), hn_i_words_of_y(b), t)),
               hn_i_value(hn_i_value_noise(hn_i_words_of_z(a), hn_i_words_of_z(b), t)));

@@ -23,7 +23,7 @@ HN_FN hn_derivatives3x3 hn_value_vector_d(hn_place3 place, hn_uint seed) {
   hn_i_box3 box = hn_i_box(place);
   hn_uvec4 a = hn_i_corners(box, false, seed);
   hn_uvec4 b = hn_i_corners(box, true, seed);
-  hn_num3 f = place.fraction;
+  hn_i_num3 f = place.fraction;
   hn_vec4 x = hn_i_value_d(a, b, f);
   hn_vec4 y = hn_i_value_d(hn_i_words_of_y(a), hn_i_words_of_y(b), f);
   hn_vec4 z = hn_i_value_d(hn_i_words_of_z(a), hn_i_words_of_z(b), f);

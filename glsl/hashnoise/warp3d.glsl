@@ -14,17 +14,17 @@
 // Its numbers are apart: where points leave a loop at different octaves, lavapipe of Mesa 22.3 takes a vector that is
 // used behind it from the last octave of all.
 struct hn_shifts3 {
-  hn_num x;
-  hn_num y;
-  hn_num z;
+  hn_i_num x;
+  hn_i_num y;
+  hn_i_num z;
   hn_i_jacobian3 jacobian;
-  hn_num growth;  // of the Jacobian, from octave to octave
-  hn_num amplitude;
-  hn_num rate;  // by which an octave of progressive shifts moves the next
+  hn_i_num growth;  // of the Jacobian, from octave to octave
+  hn_i_num amplitude;
+  hn_i_num rate;  // by which an octave of progressive shifts moves the next
 };
 
 // The position of an octave, moved by n of the octave's cells.
-HN_FN void hn_i_move(HN_I_INOUT(hn_octaves3) o, hn_num3 n) {
+HN_FN void hn_i_move(HN_I_INOUT(hn_octaves3) o, hn_i_num3 n) {
 #if HN_ARITHMETIC != HN_FIXED
   if (!o.is_whole) {
     o.p = vec3(hn_i_plus(o.p.x, n.x), hn_i_plus(o.p.y, n.y), hn_i_plus(o.p.z, n.z));
@@ -70,12 +70,12 @@ HN_FN void hn_add(hn_octaves3 o, HN_I_INOUT(hn_shifts3) s, hn_vec3 v) {
 }
 HN_FN void hn_add_progressive(HN_I_INOUT(hn_octaves3) o, HN_I_INOUT(hn_shifts3) s, hn_vec3 v) {
   hn_add(o, s, v);
-  hn_num3 n = hn_i_num(hn_i_bounded_octave(v.x), hn_i_bounded_octave(v.y), hn_i_bounded_octave(v.z));
+  hn_i_num3 n = hn_i_vector(hn_i_bounded_octave(v.x), hn_i_bounded_octave(v.y), hn_i_bounded_octave(v.z));
   hn_i_move(o, hn_i_displacements(hn_i_jacobian_times(s.jacobian, n), s.rate));
   s.jacobian = hn_i_next_jacobian(s.jacobian, s.growth, o.place.tiled);
 }
 HN_FN hn_vec3 hn_mean(hn_octaves3 o, hn_shifts3 s) {
-  hn_num total = hn_i_total(o.sum);
+  hn_i_num total = hn_i_total(o.sum);
   return vec3(hn_i_mean_displacement(o.sum, s.x, total, s.amplitude),
               hn_i_mean_displacement(o.sum, s.y, total, s.amplitude),
               hn_i_mean_displacement(o.sum, s.z, total, s.amplitude));
@@ -95,7 +95,7 @@ HN_FN hn_vec3 hn_i_warp_progressive(hn_octaves3 o, hn_float amplitude) {
 // ---------------------------------------------------------------------------------------------------------------------
 // Shifts by hn_value_vector, in the forms of hn_fbm with a seed.
 
-// How far a position is moved: another noise is taken at p + hn_warp(p, ...). Far out it is taken at
+// The shift of a position: another noise is taken at p + hn_warp(p, ...). Far out it is taken at
 // hn_place(cell, f + hn_warp(hn_place(cell, f), ...)), of which the whole part belongs to the cell.
 //   p           position, in cells of the first octave; (|p| + 1) * lacunarity^octaves < 2^23, for a lacunarity of 2
 //               or more

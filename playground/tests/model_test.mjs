@@ -395,8 +395,8 @@ test("everything that the catalog has can be chosen", () => {
     ),
   ];
   assert.ok(noises.length > 10, noises.join());
-  // The catalog has the noises that can be chosen (tools/lib/catalog/javascript.py): no forms of these, and none that is
-  // for a user's own pictures.
+  // The catalog has the noises that can be chosen (tools/lib/catalog/javascript.py): no forms of these, and none that
+  // is for a user's own pictures.
   const chosen = Object.keys(kCatalog.noises).toSorted();
   assert.deepEqual(
     chosen.filter((name) => !noises.includes(name)),

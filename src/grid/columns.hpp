@@ -62,7 +62,7 @@ HN_I_INLINE Lanes<S> of_either(const S* a, Int index_a, const S* b, Int index_b,
 #endif
 }
 
-using Number = decltype(hn_num()[0]);
+using Number = decltype(hn_i_num()[0]);
 
 constexpr int kMostColumns = kPointsAtOnce + 2 * kCount;
 
@@ -71,11 +71,11 @@ constexpr int kMostColumns = kPointsAtOnce + 2 * kCount;
 template <int kNumbers>
 class Corners {
  public:
-  HN_I_INLINE void put(int column, hn_num3 d, hn_num offset) {
+  HN_I_INLINE void put(int column, hn_i_num3 d, hn_i_num offset) {
     d.y = d.y * offset;
     keep(column, d.x, d.y, d.z);
   }
-  HN_I_INLINE void put(int column, hn_num4 d, hn_num offset) {
+  HN_I_INLINE void put(int column, hn_i_num4 d, hn_i_num offset) {
     d.z = d.z * offset;
     keep(column, d.x, d.y, d.z, d.w);
   }
@@ -100,9 +100,9 @@ class Corners {
   template <typename Function>
   HN_I_INLINE static auto direction(const Function& number) {
     if constexpr (kNumbers == 3) {
-      return hn_i_num(number(0), number(1), number(2));
+      return hn_i_vector(number(0), number(1), number(2));
     } else {
-      return hn_i_num(number(0), number(1), number(2), number(3));
+      return hn_i_vector(number(0), number(1), number(2), number(3));
     }
   }
   template <typename... Numbers>
@@ -113,7 +113,7 @@ class Corners {
 
   Number number_[kNumbers][kMostColumns];
 };
-HN_I_INLINE hn_num one() { return hn_num(Number{1}); }
+HN_I_INLINE hn_i_num one() { return hn_i_num(Number{1}); }
 
 // Each noise has
 //
@@ -149,27 +149,27 @@ class PerlinColumns {
     } else {
       for (int face = 0; face < 2; ++face) {
         const auto h = hn_i_corners(box, face == 1, seed);
-        const hn_num z = face == 0 ? f.z : hn_i_minus_one(f.z);
+        const hn_i_num z = face == 0 ? f.z : hn_i_minus_one(f.z);
         corners_[2 * face].put(column, hn_i_direction3(h.x), z);
         corners_[2 * face + 1].put(column, hn_i_direction3(h.z), z);
       }
     }
   }
-  HN_I_INLINE hn_num noise(int column, Int index, const Place<D>& place) const {
+  HN_I_INLINE hn_i_num noise(int column, Int index, const Place<D>& place) const {
     const auto f = place.fraction;
     const auto t = hn_i_fade(f);
     if constexpr (D == 2) {
-      const hn_num x = hn_i_minus_one(f.x);
-      return hn_i_scaled2(hn_i_lerp(hn_i_num(hn_i_ramp(corners_[0].of(column, index), f.x, one()),
-                                             hn_i_ramp(corners_[0].behind(column, index), x, one()),
-                                             hn_i_ramp(corners_[1].of(column, index), f.x, one()),
-                                             hn_i_ramp(corners_[1].behind(column, index), x, one())),
+      const hn_i_num x = hn_i_minus_one(f.x);
+      return hn_i_scaled2(hn_i_lerp(hn_i_vector(hn_i_ramp(corners_[0].of(column, index), f.x, one()),
+                                                hn_i_ramp(corners_[0].behind(column, index), x, one()),
+                                                hn_i_ramp(corners_[1].of(column, index), f.x, one()),
+                                                hn_i_ramp(corners_[1].behind(column, index), x, one())),
                                     t.x, t.y));
     } else {
       const auto face = [&](int first) HN_I_INLINED {
         return hn_i_lerp(hn_i_ramps(corners_[first].of(column, index), corners_[first].behind(column, index),
                                     corners_[first + 1].of(column, index), corners_[first + 1].behind(column, index),
-                                    hn_i_num(f.x, f.y, one()), false),
+                                    hn_i_vector(f.x, f.y, one()), false),
                          t.x, t.y);
       };
       return hn_i_scaled3(hn_i_lerp(face(0), face(2), t.z));
@@ -198,7 +198,7 @@ class SimplexColumns<2> {
     return Int(hn_i_doubled(Uint(place.cell.x), hn_i_floor(hn_i_skewed(place.fraction).x)));
   }
   HN_I_INLINE void put(int column, Int number, const Place<2>& place, Uint seed) {
-    const hn_num2 skewed = hn_i_skewed(place.fraction);
+    const hn_i_num2 skewed = hn_i_skewed(place.fraction);
     const Int row = hn_i_floor(skewed.y);
     const Int shift = hn_i_column_of(skewed) - hn_i_floor(skewed.x);
     // From twice the cell on, as of a place in it.
@@ -207,17 +207,17 @@ class SimplexColumns<2> {
     const auto direction = [&](Int x, Int y) HN_I_INLINED {
       return hn_i_triangle_direction(hn_i_seeded_word(hn_i_spread(point(place, x, y)), s));
     };
-    const hn_num3 y = hn_i_triangle_y(skewed);
+    const hn_i_num3 y = hn_i_triangle_y(skewed);
     lower_.put(column, direction(lower, row), y.x);
     upper_.put(column, direction(lower + (row & 1), row + 1), y.z);
   }
-  HN_I_INLINE hn_num noise(int column, Int index, const Place<2>& place) const {
-    const hn_num2 skewed = hn_i_skewed(place.fraction);
-    const hn_num3 x = hn_i_triangle_x(skewed);
-    const hn_num3 t = hn_i_triangle_falloff(x, hn_i_triangle_y(skewed));
-    const hn_num3 middle = upper_.or_of(column - 1, index, lower_, column + 1, index,
-                                        hn_i_fract(skewed.x) > hn_i_fract(skewed.y));
-    hn_num n = weighted(lower_.of(column, index), x.x, t.x);
+  HN_I_INLINE hn_i_num noise(int column, Int index, const Place<2>& place) const {
+    const hn_i_num2 skewed = hn_i_skewed(place.fraction);
+    const hn_i_num3 x = hn_i_triangle_x(skewed);
+    const hn_i_num3 t = hn_i_triangle_falloff(x, hn_i_triangle_y(skewed));
+    const hn_i_num3 middle =
+        upper_.or_of(column - 1, index, lower_, column + 1, index, hn_i_fract(skewed.x) > hn_i_fract(skewed.y));
+    hn_i_num n = weighted(lower_.of(column, index), x.x, t.x);
     n = hn_i_plus(n, weighted(middle, x.y, t.y));
     return hn_i_scaled_simplex2(hn_i_plus(n, weighted(upper_.behind(column - 1, index), x.z, t.z)));
   }
@@ -230,7 +230,7 @@ class SimplexColumns<2> {
     const uvec2 c = hn_i_wrap(ivec2(cell, place.cell.y), place.period);
     return uvec2(hn_i_doubled(c.x, x & 1, place.period.x), hn_i_doubled(c.y, y, place.period.y));
   }
-  HN_I_INLINE static hn_num weighted(hn_num3 d, hn_num x, hn_num t) {
+  HN_I_INLINE static hn_i_num weighted(hn_i_num3 d, hn_i_num x, hn_i_num t) {
     return hn_i_weighted_ramp(hn_i_triangle_times_one_plus(hn_i_dot_direction(d, x, one()), d.z), hn_i_weight_plane(t));
   }
 
@@ -252,17 +252,17 @@ class SimplexColumns<3> {
   HN_I_INLINE void put(int column, Int number, Place<3> place, Uint seed) {
     place.cell.x = number;
     const hn_i_block3 block = hn_i_block(place);
-    const hn_num3 f = place.fraction;
-    const hn_num4 y = hn_i_offsets(f.y), z = hn_i_offsets(f.z);
-    const hn_num size_y = hn_i_size(y.x), size_z = hn_i_size(z.x);
+    const hn_i_num3 f = place.fraction;
+    const hn_i_num4 y = hn_i_offsets(f.y), z = hn_i_offsets(f.z);
+    const hn_i_num size_y = hn_i_size(y.x), size_z = hn_i_size(z.x);
     const uvec3 corner = hn_i_nearer(f, block.cell, block.following);
     const uvec3 across = hn_i_nearer(f, block.following, block.cell);
     const uvec3 beyond = hn_i_nearer(f, block.previous, block.following);
     const Uint x = block.cell.x, s = hn_i_mix(seed);
-    const auto put_corner = [&](Corners<4>& row, Uint cy, Uint cz, hn_num offset) HN_I_INLINED {
+    const auto put_corner = [&](Corners<4>& row, Uint cy, Uint cz, hn_i_num offset) HN_I_INLINED {
       row.put(column, hn_i_direction3(hn_i_seeded_word(uvec3(x, cy, cz), s)), offset);
     };
-    const auto put_centre = [&](Corners<4>& row, Uint cy, Uint cz, hn_num offset) HN_I_INLINED {
+    const auto put_centre = [&](Corners<4>& row, Uint cy, Uint cz, hn_i_num offset) HN_I_INLINED {
       const Uint h = hn_i_word(uvec3(x, cy, cz), hn_i_seed_join(s) ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM);
       row.put(column, hn_i_direction3(h), offset);
     };
@@ -273,19 +273,19 @@ class SimplexColumns<3> {
     put_centre(next_centres_, hn_i_select(size_y <= size_z, beyond.y, block.cell.y),
                hn_i_select(size_z <= size_y, beyond.z, block.cell.z), hn_i_select(size_z <= size_y, z.w, z.z));
   }
-  HN_I_INLINE hn_num noise(int column, Int index, const Place<3>& place) const {
-    const hn_num3 f = place.fraction;
-    hn_num4 x, y, z, t;
+  HN_I_INLINE hn_i_num noise(int column, Int index, const Place<3>& place) const {
+    const hn_i_num3 f = place.fraction;
+    hn_i_num4 x, y, z, t;
     hn_i_four_points(hn_i_block3{}, f, Uint(0u), x, y, z, t);  // without the words
-    const auto size_of = [](hn_num along) HN_I_INLINED { return hn_i_size(hn_i_offsets(along).x); };
-    const hn_num size = size_of(f.x);
-    const hn_num larger = max(size_of(f.y), size_of(f.z));
-    const hn_num smaller = min(size_of(f.y), size_of(f.z));
+    const auto size_of = [](hn_i_num along) HN_I_INLINED { return hn_i_size(hn_i_offsets(along).x); };
+    const hn_i_num size = size_of(f.x);
+    const hn_i_num larger = max(size_of(f.y), size_of(f.z));
+    const hn_i_num smaller = min(size_of(f.y), size_of(f.z));
     const Mask is_behind = f.x > hn_i_quarters(2);
     const Int near = index + Int(is_behind), far = index + Int(f.x <= hn_i_quarters(2));
     const Int corner = hn_i_select(size >= larger, far, near);
     const Int centre = index + hn_i_select(size <= smaller, hn_i_select(is_behind, Int(2), Int(0)), Int(1));
-    hn_num n = weighted(corners_.of(column, near), x.x, y.x, t.x);
+    hn_i_num n = weighted(corners_.of(column, near), x.x, y.x, t.x);
     n = hn_i_plus(n, weighted(corners_.or_of(column, corner, next_corners_, column, corner, size <= larger), x.y, y.y,
                               t.y));
     n = hn_i_plus(n, weighted(centres_.of(column, index), x.z, y.z, t.z));
@@ -295,7 +295,7 @@ class SimplexColumns<3> {
   }
 
  private:
-  HN_I_INLINE static hn_num weighted(hn_num4 d, hn_num x, hn_num y, hn_num t) {
+  HN_I_INLINE static hn_i_num weighted(hn_i_num4 d, hn_i_num x, hn_i_num y, hn_i_num t) {
     return hn_i_weighted_ramp(
         hn_i_ramp(d, hn_i_octahedral(hn_i_plus(x, y)), hn_i_octahedral(hn_i_minus(x, y)), hn_i_octahedral_z(one())),
         hn_i_weight4(t));
@@ -358,7 +358,7 @@ HN_I_INLINE void along_columns(const Batch& batch, Uint seed, const TileOf& tile
     }
     over_columns(
         columns, start, end, seed, earliest_at, [&](int i) HN_I_INLINED { return tile_of(place_at(i)); },
-        [&](int i, hn_num n) HN_I_INLINED { store(b, i, hn_i_value(n)); });
+        [&](int i, hn_i_num n) HN_I_INLINED { store(b, i, hn_i_value(n)); });
   }
 }
 

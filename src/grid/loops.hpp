@@ -83,8 +83,8 @@ template <int D, typename Result, typename Axes = std::make_index_sequence<D>>
 struct OctaveOf;
 template <int D, typename Result, std::size_t... Axis>
 struct OctaveOf<D, Result, std::index_sequence<Axis...>> {
-  using Plain = Result (*)(ForEach<Int, Axis>... cell, ForEach<hn_num, Axis>... fraction, Uint seed);
-  using Tiled = Result (*)(ForEach<Int, Axis>... cell, ForEach<hn_num, Axis>... fraction, const Tile<D>& tile,
+  using Plain = Result (*)(ForEach<Int, Axis>... cell, ForEach<hn_i_num, Axis>... fraction, Uint seed);
+  using Tiled = Result (*)(ForEach<Int, Axis>... cell, ForEach<hn_i_num, Axis>... fraction, const Tile<D>& tile,
                            Uint seed);
 };
 

@@ -122,13 +122,13 @@ template <int D, typename Noise, typename Axes = std::make_index_sequence<D>>
 struct Called;
 template <int D, typename Noise, std::size_t... Axis>
 struct Called<D, Noise, std::index_sequence<Axis...>> {
-  HN_GRID_NOINLINE static auto plain(ForEach<Int, Axis>... cell, ForEach<hn_num, Axis>... fraction, Uint seed) {
+  HN_GRID_NOINLINE static auto plain(ForEach<Int, Axis>... cell, ForEach<hn_i_num, Axis>... fraction, Uint seed) {
     Given<D> given{Options{}};
     given.seed = seed;
     return Noise::template at<D>(place(cell..., fraction...), given);
   }
-  HN_GRID_NOINLINE static auto tiled(ForEach<Int, Axis>... cell, ForEach<hn_num, Axis>... fraction,
-                                      const Tile<D>& tile, Uint seed) {
+  HN_GRID_NOINLINE static auto tiled(ForEach<Int, Axis>... cell, ForEach<hn_i_num, Axis>... fraction,
+                                     const Tile<D>& tile, Uint seed) {
     Given<D> given{Options{}};
     given.period = tile.period;
     given.seed = seed;
@@ -156,7 +156,7 @@ struct Called<D, Noise, std::index_sequence<Axis...>> {
   }
 
  private:
-  HN_I_INLINE static Place<D> place(ForEach<Int, Axis>... cell, ForEach<hn_num, Axis>... fraction) {
+  HN_I_INLINE static Place<D> place(ForEach<Int, Axis>... cell, ForEach<hn_i_num, Axis>... fraction) {
     using Numbers = decltype(Place<D>::fraction);
     return hn_i_place(Cell<D>(cell...), Numbers(fraction...), Cell<D>(ForEach<Int, Axis>(0)...));
   }

@@ -69,7 +69,7 @@ struct AnySum {
         return hn_add_footprint(o, n);
     }
   }
-  HN_I_INLINE hn_num end(hn_num mean) const {
+  HN_I_INLINE hn_i_num end(hn_i_num mean) const {
     switch (id) {
 #define HN_CATALOG_STEP(Id, name, step, end) \
   case grid::k##Id:                          \
@@ -86,7 +86,7 @@ struct Fbm {
   HN_I_INLINE void add(Octaves& o, Float n) const {
     hn_add(o, n);
   }
-  HN_I_INLINE hn_num end(hn_num mean) const { return mean; }
+  HN_I_INLINE hn_i_num end(hn_i_num mean) const { return mean; }
 };
 struct Ridged {
   HN_I_INLINE explicit Ridged(const Options&) {}
@@ -94,7 +94,7 @@ struct Ridged {
   HN_I_INLINE void add(Octaves& o, Float n) const {
     hn_add_ridged(o, n);
   }
-  HN_I_INLINE hn_num end(hn_num mean) const { return hn_i_bounded(mean); }
+  HN_I_INLINE hn_i_num end(hn_i_num mean) const { return hn_i_bounded(mean); }
 };
 
 // The octaves at a position, or at a place.
@@ -106,7 +106,7 @@ HN_I_INLINE auto octaves_at(const Position& p, const Given<D>& given) {
 // hn_i_mean, of octaves of which there is one at least. With HN_FIXED it has the same integers by one division of
 // doubles in place of three divisions of words, for which there are no instructions. sum * 2^18 is exact, since it has
 // 45 bits. A quotient that is no integer is at least 1 / total from the next one: far more than the division rounds.
-HN_I_INLINE hn_num mean_of(hn_num sum, hn_num total) {
+HN_I_INLINE hn_i_num mean_of(hn_i_num sum, hn_i_num total) {
 #if HN_ARITHMETIC == HN_FIXED && !defined(HN_LANES_PORTABLE)
   using detail::DoubleVector;
   const DoubleVector dividend = __builtin_convertvector(sum.v, DoubleVector) * 262144.0;
@@ -144,8 +144,8 @@ class SumOf {
   Called<D, Float> noise_;
   AnySum sum_;
   Given<D> given_;
-  hn_num part_ = HN_I_WEIGHT_ONE;
-  hn_num footprint_, total_;
+  hn_i_num part_ = HN_I_WEIGHT_ONE;
+  hn_i_num footprint_, total_;
 };
 
 // Sums with frames, over a noise that is called.
@@ -288,17 +288,17 @@ class Reached {
       o.x = whole(i, 0);
       o.y = whole(i, 1);
       if constexpr (D == 3) o.z = whole(i, 2);
-      hn_i_put(o);
+      hn_i_update_place(o);
     } else {
       o.p = vector_of<Fraction<D>, D>(
           [&](int axis) HN_I_INLINED { return Float::load(at_[axis] + i); });
       o.place.cell = hn_i_cell(o.p);
       o.place.fraction = hn_i_fraction(o.p);
     }
-    o.sum.value = hn_num::load(value_ + i);
-    o.sum.carried = hn_num::load(carried_ + i);
+    o.sum.value = hn_i_num::load(value_ + i);
+    o.sum.carried = hn_i_num::load(carried_ + i);
   }
-  HN_I_INLINE hn_num value(int vector) const { return hn_num::load(value_ + vector * kCount); }
+  HN_I_INLINE hn_i_num value(int vector) const { return hn_i_num::load(value_ + vector * kCount); }
   // Whether whole positions are at the seam that a tile has.
   HN_I_INLINE bool is_at_seam() const { return is_at_wrap(at_[0][0]); }
   // The cell of a point along x, and in which half of it the point is.
@@ -309,7 +309,7 @@ class Reached {
   template <typename Octaves>
   HN_I_INLINE static void go_on(Octaves& o) {
     if constexpr (kIsWhole) {
-      hn_i_go_on(o);
+      hn_i_advance(o);
     } else {
       o.p = hn_i_next(o.p, o.lacunarity);
     }
@@ -318,7 +318,7 @@ class Reached {
  private:
   static constexpr bool kIsWhole = std::is_same_v<Position, Place<D>>;
   static constexpr int kPoints = kVectors * kCount;
-  using Number = decltype(hn_num()[0]);
+  using Number = decltype(hn_i_num()[0]);
 
   HN_I_INLINE void keep_whole(int i, int axis, ivec2 x) {
     x.x.store(at_[axis] + i);
@@ -336,13 +336,12 @@ template <typename Columns, typename Reached, typename Octaves, typename Add>
 HN_I_INLINE void over_tile(const Reached& reached, int vectors, Octaves& o, const Add& add) {
   Columns columns;
   over_columns(
-      columns, 0, vectors * kCount, o.seed,
-      [&](int i) HN_I_INLINED { return reached.template earliest<Columns>(i); },
+      columns, 0, vectors * kCount, o.seed, [&](int i) HN_I_INLINED { return reached.template earliest<Columns>(i); },
       [&](int i) HN_I_INLINED {
         reached.put(i / kCount, o);
         return o.place;
       },
-      [&](int i, hn_num n) HN_I_INLINED { add(i / kCount, hn_i_value(n)); });
+      [&](int i, hn_i_num n) HN_I_INLINED { add(i / kCount, hn_i_value(n)); });
 }
 
 // Octave by octave over some points, in place of point by point over the octaves. So what all points of an octave
@@ -356,7 +355,7 @@ void by_octaves(const Batch& batch, const Options& options, Octave octave) {
   const Given<D> given(options);
   const Sum sum(options);
   const Noise noise(octave);
-  const hn_num total = hn_i_total(hn_i_octaves(given.octaves), hn_i_gain(given.gain), HN_I_WEIGHT_ONE);
+  const hn_i_num total = hn_i_total(hn_i_octaves(given.octaves), hn_i_gain(given.gain), HN_I_WEIGHT_ONE);
   Reached<D, decltype(At::of(b, 0, given)), kVectors> reached;
   for (int start = 0; start < b.count; start += kVectors * kCount) {
     const int left = (b.count - start) / kCount;

@@ -10,10 +10,10 @@
 // A noise has one text for all three arithmetics. It is written in these steps, not in operators, so that with
 // HN_PRECISE each step can say what is rounded on its own:
 //
-//   hn_num                     a fraction of a cell, and what is computed from it: a float, or an integer. The fraction
-//                              is in units of 2^-20, and later numbers have other units (docs/contract.md, section 8).
-//                              hn_num2 to hn_num4 are vectors of it
-//   hn_i_num(x, y, ...)        such a vector
+//   hn_i_num                   a fraction of a cell, and what is computed from it: a float, or an integer. The fraction
+//                              is in units of 2^-20, and later numbers have other units, which stand below and in
+//                              docs/contract.md, section 8. hn_i_num2 to hn_i_num4 are vectors of such numbers
+//   hn_i_vector(x, y, ...)     such a vector
 //   HN_I_ONE                   1 as a fraction
 //   hn_i_cell(p)               the cell of a position; p is a float or a vector, and so is f in the next two
 //   hn_i_fraction(p)           the fraction in that cell
@@ -31,9 +31,10 @@
 //   hn_i_smooth(t)             floats only: 3 t^2 - 2 t^3
 //   hn_i_lerp(a, b, t)         interpolates from a to b by a fade t
 //   hn_i_lerp(n, x, y)         between four corners 00, 10, 01, 11
-//   hn_i_number(word)          the low 23 bits of a word as a number in [-1, 1), with an offset: see hn_i_of_numbers
+//   hn_i_number(word)          the low 23 bits of a word as a number in [-1, 1), with an offset, which
+//                              hn_i_noise_of_numbers takes off
 //   hn_i_numbers(words)        the same of four words
-//   hn_i_of_numbers(n)         a noise, from an interpolation between such numbers
+//   hn_i_noise_of_numbers(n)   a noise, from an interpolation between such numbers
 //   hn_i_value_noise(h, t)     value noise, from the words of the corners of a square and the fades along each axis; in
 //                              space from those of the front and of the back face
 //   hn_i_scaled(n, s)          a noise, from an interpolation between ramps, times s / 1024
@@ -48,6 +49,37 @@
 // derivative.glsl has the steps of derivatives, cubic_spline.glsl those of splines, direction_turning.glsl those of
 // turning gradients, and falloff.glsl those of simplex noise.
 
+// Units of HN_FIXED. A number is an integer there, which counts units of 2^-n. How many make up 1 has a name where the
+// text needs it, as an int and as a float:
+//
+//   n       name      quantity
+//   20      FRACTION  a fraction, an offset and a jitter, in cells; a rank that is not squared
+//   24      POSITION  the fraction of a whole position, and a footprint, in cells
+//   21      VALUE     a value, the sum of octaves, and a component of a unit vector
+//   19      SLOPE     a derivative; that of simplex noise on the plane is in units of 2^-18
+//   18      WEIGHT    a fade and its derivative; the weight of a spline, of a point of simplex noise and of an octave;
+//                     a setting of a sum; a number of a Jacobian; a cosine or sine by which something turns
+//   18      DISTANCE  a distance
+//   29      RAMP      a ramp, a component of a gradient, and the number of a word. In 4D ramps and gradients are in
+//                     units of 2^-28
+//   27                the difference of two corners, for derivatives (hn_i_d_corner)
+//   30, 16            the square of a distance in simplex noise, and its falloff
+//   28                a squared rank
+//   16                a distance to a border, a velocity of curl in 3D, a slope of gullies
+//   32                an angle, in turns
+#define HN_I_UNITS_FRACTION 1048576
+#define HN_I_UNITS_POSITION 16777216
+#define HN_I_UNITS_VALUE 2097152
+#define HN_I_UNITS_WEIGHT 262144
+#define HN_I_UNITS_RAMP 536870912
+#define HN_I_FLOAT_UNITS_FRACTION 1048576.0f
+#define HN_I_FLOAT_UNITS_POSITION 16777216.0f
+#define HN_I_FLOAT_UNITS_VALUE 2097152.0f
+#define HN_I_FLOAT_UNITS_SLOPE 524288.0f
+#define HN_I_FLOAT_UNITS_WEIGHT 262144.0f
+#define HN_I_FLOAT_UNITS_DISTANCE 262144.0f
+#define HN_I_FLOAT_UNITS_RAMP 536870912.0f
+
 // In C++ numbers may be vectors of many points, and these have no ?: operator, and conditions that are no bool.
 HN_FN hn_float hn_i_select(bool condition, hn_float a, hn_float b) { return condition ? a : b; }
 HN_FN hn_int hn_i_select(bool condition, hn_int a, hn_int b) { return condition ? a : b; }
@@ -56,8 +88,8 @@ HN_FN hn_int hn_i_choice(bool condition, hn_int a, hn_int b) { return condition 
 HN_FN bool hn_i_truth(bool condition) { return condition; }
 HN_FN bool hn_i_any(bool condition) { return condition; }
 
-// Of each component and the same word. Godot and WGSL have such operators for two vectors alone, and HLSL has no
-// constructor from one number.
+// These combine each component with the same word. In Godot and WGSL such operators take two vectors alone, and HLSL
+// has no constructor from one number.
 HN_FN hn_uvec3 hn_i_and(hn_uvec3 words, hn_uint mask) { return words & uvec3(mask, mask, mask); }
 HN_FN hn_uvec3 hn_i_or(hn_uvec3 words, hn_uint mask) { return words | uvec3(mask, mask, mask); }
 HN_FN hn_uvec3 hn_i_xor(hn_uvec3 words, hn_uint word) { return words ^ uvec3(word, word, word); }
@@ -97,20 +129,20 @@ HN_FN hn_vec3 hn_i_signed(hn_vec3 m, hn_uvec3 words) {
 
 #if HN_ARITHMETIC != HN_FIXED
 
-#define hn_num hn_float
-#define hn_num2 hn_vec2
-#define hn_num3 hn_vec3
-#define hn_num4 hn_vec4
+#define hn_i_num hn_float
+#define hn_i_num2 hn_vec2
+#define hn_i_num3 hn_vec3
+#define hn_i_num4 hn_vec4
 #define HN_I_ONE 1.0f
 
-HN_FN hn_vec2 hn_i_num(hn_float x, hn_float y) { return vec2(x, y); }
+HN_FN hn_vec2 hn_i_vector(hn_float x, hn_float y) { return vec2(x, y); }
 // The same in 3 and 4 dimensions: tools/umbrella makes it.
-HN_FN hn_vec3 hn_i_num(hn_float x, hn_float y, hn_float z) { return vec3(x, y, z); }
-HN_FN hn_vec4 hn_i_num(hn_float x, hn_float y, hn_float z, hn_float w) { return vec4(x, y, z, w); }
+HN_FN hn_vec3 hn_i_vector(hn_float x, hn_float y, hn_float z) { return vec3(x, y, z); }
+HN_FN hn_vec4 hn_i_vector(hn_float x, hn_float y, hn_float z, hn_float w) { return vec4(x, y, z, w); }
 
 #if HN_ARITHMETIC == HN_FAST
 
-// The constructor of a vector, since in C++ it has a result for a float that does not fit, too.
+// This takes the constructor of a vector, since in C++ it has a result for a float that does not fit, too.
 HN_FN hn_int hn_i_cell(hn_float p) { return ivec2(vec2(floor(p), 0.0f)).x; }
 
 HN_FN hn_ivec2 hn_i_cell(hn_vec2 p) { return ivec2(floor(p)); }
@@ -118,7 +150,8 @@ HN_FN hn_ivec2 hn_i_cell(hn_vec2 p) { return ivec2(floor(p)); }
 HN_FN hn_ivec3 hn_i_cell(hn_vec3 p) { return ivec3(floor(p)); }
 HN_FN hn_ivec4 hn_i_cell(hn_vec4 p) { return ivec4(floor(p)); }
 
-// As written: of (p - floor(p)) - 1 with a constant p, SPIRV-Tools makes (p - 1) - floor(p), which is rounded far out.
+// The difference must be computed as it is written. For a constant p SPIRV-Tools would turn (p - floor(p)) - 1 into
+// (p - 1) - floor(p), which is rounded far out.
 HN_FN hn_vec2 hn_i_fraction(hn_vec2 p) {
   HN_I_AS_WRITTEN hn_vec2 f = p - floor(p);
   return f;
@@ -300,28 +333,28 @@ HN_FN hn_float hn_i_number(hn_uint word) {
 #endif
 }
 
-HN_FN hn_float hn_i_of_numbers(hn_float n) { return hn_i_minus(n, 3.0f); }
+HN_FN hn_float hn_i_noise_of_numbers(hn_float n) { return hn_i_minus(n, 3.0f); }
 
 HN_FN hn_float hn_i_value(hn_float n) { return hn_i_flushed(n); }
 HN_FN hn_float hn_i_derivative(hn_float n) { return hn_i_flushed(n); }
 
 #else  // HN_FIXED
 
-#define hn_num hn_int
-#define hn_num2 hn_ivec2
-#define hn_num3 hn_ivec3
-#define hn_num4 hn_ivec4
-#define HN_I_ONE 1048576
+#define hn_i_num hn_int
+#define hn_i_num2 hn_ivec2
+#define hn_i_num3 hn_ivec3
+#define hn_i_num4 hn_ivec4
+#define HN_I_ONE HN_I_UNITS_FRACTION
 
-HN_FN hn_ivec2 hn_i_num(hn_int x, hn_int y) { return ivec2(x, y); }
+HN_FN hn_ivec2 hn_i_vector(hn_int x, hn_int y) { return ivec2(x, y); }
 // The same in 3 and 4 dimensions: tools/umbrella makes it.
-HN_FN hn_ivec3 hn_i_num(hn_int x, hn_int y, hn_int z) { return ivec3(x, y, z); }
-HN_FN hn_ivec4 hn_i_num(hn_int x, hn_int y, hn_int z, hn_int w) { return ivec4(x, y, z, w); }
+HN_FN hn_ivec3 hn_i_vector(hn_int x, hn_int y, hn_int z) { return ivec3(x, y, z); }
+HN_FN hn_ivec4 hn_i_vector(hn_int x, hn_int y, hn_int z, hn_int w) { return ivec4(x, y, z, w); }
 
 // Every step up to the integers is exact in floats, so rounding, contraction and flushed subnormal numbers cannot
 // change it. p - floor(p) would not be exact: for a small negative p it has too many bits. So the whole part is cut off
 // towards 0, and the rest, in (-1, 1), may be negative.
-HN_FN hn_int hn_i_rest(hn_float p) { return int((p - trunc(p)) * 1048576.0f); }
+HN_FN hn_int hn_i_rest(hn_float p) { return int((p - trunc(p)) * HN_I_FLOAT_UNITS_FRACTION); }
 
 // Converting a float that does not fit an int is undefined. 2147483520 is the largest float below 2^31.
 HN_FN hn_int hn_i_whole_cell(hn_float p) { return int(min(max(trunc(p), -2147483648.0f), 2147483520.0f)); }
@@ -332,7 +365,7 @@ HN_FN hn_ivec2 hn_i_cell(hn_vec2 p) { return ivec2(hn_i_cell(p.x), hn_i_cell(p.y
 HN_FN hn_ivec3 hn_i_cell(hn_vec3 p) { return ivec3(hn_i_cell(p.x), hn_i_cell(p.y), hn_i_cell(p.z)); }
 HN_FN hn_ivec4 hn_i_cell(hn_vec4 p) { return ivec4(hn_i_cell(p.x), hn_i_cell(p.y), hn_i_cell(p.z), hn_i_cell(p.w)); }
 
-HN_FN hn_int hn_i_fraction(hn_float p) { return hn_i_rest(p) & 1048575; }
+HN_FN hn_int hn_i_fraction(hn_float p) { return hn_i_rest(p) & (HN_I_UNITS_FRACTION - 1); }
 HN_FN hn_ivec2 hn_i_fraction(hn_vec2 p) { return ivec2(hn_i_fraction(p.x), hn_i_fraction(p.y)); }
 // The same in 3 and 4 dimensions: tools/umbrella makes it.
 HN_FN hn_ivec3 hn_i_fraction(hn_vec3 p) { return ivec3(hn_i_fraction(p.x), hn_i_fraction(p.y), hn_i_fraction(p.z)); }
@@ -340,7 +373,7 @@ HN_FN hn_ivec4 hn_i_fraction(hn_vec4 p) {
   return ivec4(hn_i_fraction(p.x), hn_i_fraction(p.y), hn_i_fraction(p.z), hn_i_fraction(p.w));
 }
 
-HN_FN hn_int hn_i_to_num(hn_float f) { return int(min(max(f, 0.0f), 1.0f) * 1048576.0f); }
+HN_FN hn_int hn_i_to_num(hn_float f) { return int(min(max(f, 0.0f), 1.0f) * HN_I_FLOAT_UNITS_FRACTION); }
 HN_FN hn_ivec2 hn_i_to_num(hn_vec2 f) { return ivec2(hn_i_to_num(f.x), hn_i_to_num(f.y)); }
 // The same in 3 and 4 dimensions: tools/umbrella makes it.
 HN_FN hn_ivec3 hn_i_to_num(hn_vec3 f) { return ivec3(hn_i_to_num(f.x), hn_i_to_num(f.y), hn_i_to_num(f.z)); }
@@ -356,8 +389,8 @@ HN_FN hn_ivec3 hn_i_signed(hn_ivec3 m, hn_uvec3 words) {
 }
 
 // The distance of a fraction from the nearer end, in units of 2^-17, rounded. It has 16 bits, so it is never 1/2, which
-// has one bit more. Of words, since compilers then see that its square is a product of 24 bits, which AMD and Adreno
-// have for a third of a product of 32.
+// has one bit more. It is unsigned, so that compilers see a product of 24 bits in its square. AMD and Adreno compute
+// that at a third of the cost of one of 32 bits.
 HN_FN hn_uint hn_i_from_end(hn_int f) {
   hn_uint x = uint(f);
   return min(min(x, 1048576u - x) + 4u, 524287u) >> 3u;
@@ -373,7 +406,7 @@ HN_FN hn_int hn_i_fade(hn_int f) {
   hn_uint r = ((1572864u + 6u * z - 30u * x) >> 2u) & 524287u;
   hn_uint q = (square + ((z * r) >> 2u) + 32768u) >> 16u;
   hn_int t = int((x * q + 16384u) >> 15u);
-  return hn_i_select(f > 524288, 262144 - t, t);
+  return hn_i_select(f > HN_I_UNITS_FRACTION / 2, HN_I_UNITS_WEIGHT - t, t);
 }
 HN_FN hn_ivec2 hn_i_fade(hn_ivec2 f) { return ivec2(hn_i_fade(f.x), hn_i_fade(f.y)); }
 // The same in 3 and 4 dimensions: tools/umbrella makes it.
@@ -388,47 +421,48 @@ HN_FN hn_int hn_i_lerp(hn_int a, hn_int b, hn_int t) { return a + hn_i_part(b - 
 
 HN_FN hn_int hn_i_times_one_plus(hn_int n, hn_int more) { return n + (n >> 9) * more; }
 
-// From units of 2^-29 to units of 2^-21, rounded.
+// Converts units of 2^-29 to units of 2^-21, rounded.
 HN_FN hn_int hn_i_scaled(hn_int n, hn_int s) { return (((n + 256) >> 9) * s + 256) >> 9; }
 
 // A number is in units of 2^-29 and has no offset. From there the noise is rounded to units of 2^-21.
-HN_FN hn_int hn_i_number(hn_uint word) { return int((word & 0x007FFFFFu) << 7u) - 536870912; }
-HN_FN hn_int hn_i_of_numbers(hn_int n) { return (n + 128) >> 8; }
+HN_FN hn_int hn_i_number(hn_uint word) { return int((word & 0x007FFFFFu) << 7u) - HN_I_UNITS_RAMP; }
+HN_FN hn_int hn_i_noise_of_numbers(hn_int n) { return (n + 128) >> 8; }
 
-HN_FN hn_float hn_i_value(hn_int n) { return hn_i_float(n) * (1.0f / 2097152.0f); }
+HN_FN hn_float hn_i_value(hn_int n) { return hn_i_float(n) * (1.0f / HN_I_FLOAT_UNITS_VALUE); }
 
-// The steps that make a noise of units of 2^-29 make a derivative of units of 2^-27, in units of 2^-19.
-HN_FN hn_float hn_i_derivative(hn_int n) { return hn_i_float(n) * (1.0f / 524288.0f); }
+// The step that takes a noise from units of 2^-29 to units of 2^-21 takes a derivative from units of 2^-27 to units of
+// 2^-19.
+HN_FN hn_float hn_i_derivative(hn_int n) { return hn_i_float(n) * (1.0f / HN_I_FLOAT_UNITS_SLOPE); }
 
 HN_FN hn_int hn_i_flipped(hn_int x, hn_uint word) { return hn_i_select((word & 0x80000000u) != 0u, -x, x); }
 
 #endif
 
-HN_FN hn_num hn_i_minus_one(hn_num f) { return hn_i_minus(f, HN_I_ONE); }
+HN_FN hn_i_num hn_i_minus_one(hn_i_num f) { return hn_i_minus(f, HN_I_ONE); }
 
-HN_FN hn_num hn_i_lerp(hn_num4 n, hn_num x, hn_num y) {
+HN_FN hn_i_num hn_i_lerp(hn_i_num4 n, hn_i_num x, hn_i_num y) {
   return hn_i_lerp(hn_i_lerp(n.x, n.y, x), hn_i_lerp(n.z, n.w, x), y);
 }
 
-HN_FN hn_num4 hn_i_numbers(hn_uvec4 h) {
-  return hn_i_num(hn_i_number(h.x), hn_i_number(h.y), hn_i_number(h.z), hn_i_number(h.w));
+HN_FN hn_i_num4 hn_i_numbers(hn_uvec4 h) {
+  return hn_i_vector(hn_i_number(h.x), hn_i_number(h.y), hn_i_number(h.z), hn_i_number(h.w));
 }
-HN_FN hn_num hn_i_value_noise(hn_uvec4 h, hn_num2 t) {
-  return hn_i_of_numbers(hn_i_lerp(hn_i_numbers(h), t.x, t.y));
+HN_FN hn_i_num hn_i_value_noise(hn_uvec4 h, hn_i_num2 t) {
+  return hn_i_noise_of_numbers(hn_i_lerp(hn_i_numbers(h), t.x, t.y));
 }
-HN_FN hn_num hn_i_value_noise(hn_uvec4 front, hn_uvec4 back, hn_num3 t) {
-  return hn_i_of_numbers(
+HN_FN hn_i_num hn_i_value_noise(hn_uvec4 front, hn_uvec4 back, hn_i_num3 t) {
+  return hn_i_noise_of_numbers(
       hn_i_lerp(hn_i_lerp(hn_i_numbers(front), t.x, t.y), hn_i_lerp(hn_i_numbers(back), t.x, t.y), t.z));
 }
 
-// What noises with derivatives return in four dimensions, where no vector has room for it.
+// Noises with derivatives return this in four dimensions, where no vector has room for all of it.
 struct hn_derivatives4 {
   hn_float value;
   hn_vec4 gradient;
 };
 
-// What vectors with derivatives return: as many components, along as many axes. dx has the derivatives of all of them
-// along x, and so on.
+// Vectors of noise with derivatives return these: 2x3 has two components, along three axes. dx has the derivatives of
+// all components along x, and so on.
 struct hn_derivatives2x2 {
   hn_vec2 value;
   hn_vec2 dx;

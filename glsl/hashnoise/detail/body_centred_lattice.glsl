@@ -18,36 +18,36 @@
 #define HN_I_CENTRE_JOIN 0x00165667u
 
 // Chooses b along each axis where the place is nearer to the far end of the cell, else a.
-HN_FN hn_uvec3 hn_i_nearer(hn_num3 f, hn_uvec3 a, hn_uvec3 b) {
-  hn_num middle = hn_i_quarters(2);
+HN_FN hn_uvec3 hn_i_nearer(hn_i_num3 f, hn_uvec3 a, hn_uvec3 b) {
+  hn_i_num middle = hn_i_quarters(2);
   return uvec3(hn_i_select(f.x > middle, b.x, a.x), hn_i_select(f.y > middle, b.y, a.y),
                hn_i_select(f.z > middle, b.z, a.z));
 }
-HN_FN hn_uvec4 hn_i_nearer(hn_num4 f, hn_uvec4 a, hn_uvec4 b) {
-  return uvec4(hn_i_nearer(hn_i_num(f.x, f.y, f.z), uvec3(a.x, a.y, a.z), uvec3(b.x, b.y, b.z)),
+HN_FN hn_uvec4 hn_i_nearer(hn_i_num4 f, hn_uvec4 a, hn_uvec4 b) {
+  return uvec4(hn_i_nearer(hn_i_vector(f.x, f.y, f.z), uvec3(a.x, a.y, a.z), uvec3(b.x, b.y, b.z)),
                hn_i_select(f.w > hn_i_quarters(2), b.w, a.w));
 }
 
-// Along one axis: the offset from the nearest corner of the cell, from the farthest, from the centre of the cell, and
-// from the nearest centre of another.
-HN_FN hn_num4 hn_i_offsets(hn_num f) {
-  hn_num middle = hn_i_quarters(2);
-  hn_num ahead = hn_i_minus_one(f);
-  hn_num inner = hn_i_minus(f, middle);
-  return hn_i_num(hn_i_select(f > middle, ahead, f), hn_i_select(f > middle, f, ahead), inner,
-                  hn_i_select(f > middle, hn_i_minus(inner, HN_I_ONE), hn_i_plus(inner, HN_I_ONE)));
+// The offsets along one axis: from the nearest corner of the cell, from the farthest, from the centre of the cell, and
+// from the nearest centre of another cell.
+HN_FN hn_i_num4 hn_i_offsets(hn_i_num f) {
+  hn_i_num middle = hn_i_quarters(2);
+  hn_i_num ahead = hn_i_minus_one(f);
+  hn_i_num inner = hn_i_minus(f, middle);
+  return hn_i_vector(hn_i_select(f > middle, ahead, f), hn_i_select(f > middle, f, ahead), inner,
+                     hn_i_select(f > middle, hn_i_minus(inner, HN_I_ONE), hn_i_plus(inner, HN_I_ONE)));
 }
 
-// What a point in space adds without its weight.
-HN_FN hn_num hn_i_ramp_of(hn_uint h, hn_num x, hn_num y, hn_num z) {
+// The ramp of a point in space, before it is weighted.
+HN_FN hn_i_num hn_i_ramp_of(hn_uint h, hn_i_num x, hn_i_num y, hn_i_num z) {
   return hn_i_ramp(hn_i_direction3(h), hn_i_octahedral(hn_i_plus(x, y)), hn_i_octahedral(hn_i_minus(x, y)),
                    hn_i_octahedral_z(z));
 }
 
 // A sum of weighted ramps is at most 1024 / 6570 in space, with turning gradients too, and 1024 / 4298 in four
 // dimensions (tools/bounds).
-HN_FN hn_num hn_i_scaled_simplex3(hn_num n) { return hn_i_scaled(n, 6570); }
-HN_FN hn_num hn_i_scaled_simplex4(hn_num n) { return hn_i_scaled_ramps(n, 4298); }
+HN_FN hn_i_num hn_i_scaled_simplex3(hn_i_num n) { return hn_i_scaled(n, 6570); }
+HN_FN hn_i_num hn_i_scaled_simplex4(hn_i_num n) { return hn_i_scaled_ramps(n, 4298); }
 
 // ---------------------------------------------------------------------------------------------------------------------
 // The points of a small kernel. At a place within 1/2 of a point along every axis, only that point and its neighbour
@@ -56,80 +56,83 @@ HN_FN hn_num hn_i_scaled_simplex4(hn_num n) { return hn_i_scaled_ramps(n, 4298);
 // each kind are enough: the nearest corner, the next one, the nearest centre and the next one. Ties need no care: where
 // two offsets are the largest, both neighbours are at the radius or beyond it.
 
-HN_FN hn_num hn_i_largest(hn_num3 size) { return max(max(size.x, size.y), size.z); }
-HN_FN hn_num hn_i_smallest(hn_num3 size) { return min(min(size.x, size.y), size.z); }
-HN_FN hn_num hn_i_largest(hn_num4 size) { return max(max(size.x, size.y), max(size.z, size.w)); }
-HN_FN hn_num hn_i_smallest(hn_num4 size) { return min(min(size.x, size.y), min(size.z, size.w)); }
+HN_FN hn_i_num hn_i_largest(hn_i_num3 size) { return max(max(size.x, size.y), size.z); }
+HN_FN hn_i_num hn_i_smallest(hn_i_num3 size) { return min(min(size.x, size.y), size.z); }
+HN_FN hn_i_num hn_i_largest(hn_i_num4 size) { return max(max(size.x, size.y), max(size.z, size.w)); }
+HN_FN hn_i_num hn_i_smallest(hn_i_num4 size) { return min(min(size.x, size.y), min(size.z, size.w)); }
 
 // The words of the four points of a cell and, through the out parameters, the offsets from them along each axis and how
 // near they are. The size of an offset from a centre is 1/2 less that from a corner: so it is the largest where that is
 // the smallest. The squares of the distances differ by sums of sizes alone.
-HN_FN hn_uvec4 hn_i_four_points(hn_i_block3 block, hn_num3 f, hn_uint seed, HN_I_OUT(hn_num4) x, HN_I_OUT(hn_num4) y,
-                                HN_I_OUT(hn_num4) z, HN_I_OUT(hn_num4) near_by) {
-  hn_num4 dx = hn_i_offsets(f.x);
-  hn_num4 dy = hn_i_offsets(f.y);
-  hn_num4 dz = hn_i_offsets(f.z);
-  hn_num3 size = hn_i_num(hn_i_size(dx.x), hn_i_size(dy.x), hn_i_size(dz.x));
-  hn_num a = hn_i_largest(size);
-  hn_num b = hn_i_smallest(size);
-  x = hn_i_num(dx.x, hn_i_select(size.x >= a, dx.y, dx.x), dx.z, hn_i_select(size.x <= b, dx.w, dx.z));
-  y = hn_i_num(dy.x, hn_i_select(size.y >= a, dy.y, dy.x), dy.z, hn_i_select(size.y <= b, dy.w, dy.z));
-  z = hn_i_num(dz.x, hn_i_select(size.z >= a, dz.y, dz.x), dz.z, hn_i_select(size.z <= b, dz.w, dz.z));
+HN_FN hn_uvec4 hn_i_four_points(hn_i_block3 block, hn_i_num3 f, hn_uint seed, HN_I_OUT(hn_i_num4) x,
+                                HN_I_OUT(hn_i_num4) y, HN_I_OUT(hn_i_num4) z, HN_I_OUT(hn_i_num4) near_by) {
+  hn_i_num4 dx = hn_i_offsets(f.x);
+  hn_i_num4 dy = hn_i_offsets(f.y);
+  hn_i_num4 dz = hn_i_offsets(f.z);
+  hn_i_num3 size = hn_i_vector(hn_i_size(dx.x), hn_i_size(dy.x), hn_i_size(dz.x));
+  hn_i_num a = hn_i_largest(size);
+  hn_i_num b = hn_i_smallest(size);
+  x = hn_i_vector(dx.x, hn_i_select(size.x >= a, dx.y, dx.x), dx.z, hn_i_select(size.x <= b, dx.w, dx.z));
+  y = hn_i_vector(dy.x, hn_i_select(size.y >= a, dy.y, dy.x), dy.z, hn_i_select(size.y <= b, dy.w, dy.z));
+  z = hn_i_vector(dz.x, hn_i_select(size.z >= a, dz.y, dz.x), dz.z, hn_i_select(size.z <= b, dz.w, dz.z));
   hn_i_square_number q = hn_i_square(dx.x, dy.x, dz.x);
-  hn_num sum = hn_i_plus(hn_i_plus(size.x, size.y), size.z);
+  hn_i_num sum = hn_i_plus(hn_i_plus(size.x, size.y), size.z);
   hn_i_square_number q_centre = hn_i_square_plus(q, hn_i_minus(hn_i_quarters(3), sum));
-  near_by = hn_i_num(
+  near_by = hn_i_vector(
       hn_i_falloff(q, 1024, 2), hn_i_falloff(hn_i_square_plus(q, hn_i_minus(HN_I_ONE, hn_i_plus(a, a))), 1024, 2),
       hn_i_falloff(q_centre, 1024, 2), hn_i_falloff(hn_i_square_plus(q_centre, hn_i_plus(b, b)), 1024, 2));
   hn_uvec3 cell = block.cell;
   hn_uvec3 corner = hn_i_nearer(f, cell, block.following);
-  hn_uvec3 across = hn_i_nearer(f, block.following, cell);
-  hn_uvec3 beyond = hn_i_nearer(f, block.previous, block.following);
+  hn_uvec3 opposite = hn_i_nearer(f, block.following, cell);
+  hn_uvec3 next_centre = hn_i_nearer(f, block.previous, block.following);
   hn_uint s = hn_i_mix(seed);
   return uvec4(
       hn_i_seeded_word(corner, s),
-      hn_i_seeded_word(uvec3(hn_i_select(size.x >= a, across.x, corner.x), hn_i_select(size.y >= a, across.y, corner.y),
-                             hn_i_select(size.z >= a, across.z, corner.z)),
-                       s),
+      hn_i_seeded_word(
+          uvec3(hn_i_select(size.x >= a, opposite.x, corner.x), hn_i_select(size.y >= a, opposite.y, corner.y),
+                hn_i_select(size.z >= a, opposite.z, corner.z)),
+          s),
       hn_i_word(cell, hn_i_seed_join(s) ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM),
-      hn_i_word(uvec3(hn_i_select(size.x <= b, beyond.x, cell.x), hn_i_select(size.y <= b, beyond.y, cell.y),
-                      hn_i_select(size.z <= b, beyond.z, cell.z)),
+      hn_i_word(uvec3(hn_i_select(size.x <= b, next_centre.x, cell.x), hn_i_select(size.y <= b, next_centre.y, cell.y),
+                      hn_i_select(size.z <= b, next_centre.z, cell.z)),
                 hn_i_seed_join(s) ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM));
 }
 
-HN_FN hn_uvec4 hn_i_four_points(hn_i_block4 block, hn_num4 f, hn_uint seed, HN_I_OUT(hn_num4) x, HN_I_OUT(hn_num4) y,
-                                HN_I_OUT(hn_num4) z, HN_I_OUT(hn_num4) w, HN_I_OUT(hn_num4) near_by) {
-  hn_num4 dx = hn_i_offsets(f.x);
-  hn_num4 dy = hn_i_offsets(f.y);
-  hn_num4 dz = hn_i_offsets(f.z);
-  hn_num4 dw = hn_i_offsets(f.w);
-  hn_num4 size = hn_i_num(hn_i_size(dx.x), hn_i_size(dy.x), hn_i_size(dz.x), hn_i_size(dw.x));
-  hn_num a = hn_i_largest(size);
-  hn_num b = hn_i_smallest(size);
-  x = hn_i_num(dx.x, hn_i_select(size.x >= a, dx.y, dx.x), dx.z, hn_i_select(size.x <= b, dx.w, dx.z));
-  y = hn_i_num(dy.x, hn_i_select(size.y >= a, dy.y, dy.x), dy.z, hn_i_select(size.y <= b, dy.w, dy.z));
-  z = hn_i_num(dz.x, hn_i_select(size.z >= a, dz.y, dz.x), dz.z, hn_i_select(size.z <= b, dz.w, dz.z));
-  w = hn_i_num(dw.x, hn_i_select(size.w >= a, dw.y, dw.x), dw.z, hn_i_select(size.w <= b, dw.w, dw.z));
+HN_FN hn_uvec4 hn_i_four_points(hn_i_block4 block, hn_i_num4 f, hn_uint seed, HN_I_OUT(hn_i_num4) x,
+                                HN_I_OUT(hn_i_num4) y, HN_I_OUT(hn_i_num4) z, HN_I_OUT(hn_i_num4) w,
+                                HN_I_OUT(hn_i_num4) near_by) {
+  hn_i_num4 dx = hn_i_offsets(f.x);
+  hn_i_num4 dy = hn_i_offsets(f.y);
+  hn_i_num4 dz = hn_i_offsets(f.z);
+  hn_i_num4 dw = hn_i_offsets(f.w);
+  hn_i_num4 size = hn_i_vector(hn_i_size(dx.x), hn_i_size(dy.x), hn_i_size(dz.x), hn_i_size(dw.x));
+  hn_i_num a = hn_i_largest(size);
+  hn_i_num b = hn_i_smallest(size);
+  x = hn_i_vector(dx.x, hn_i_select(size.x >= a, dx.y, dx.x), dx.z, hn_i_select(size.x <= b, dx.w, dx.z));
+  y = hn_i_vector(dy.x, hn_i_select(size.y >= a, dy.y, dy.x), dy.z, hn_i_select(size.y <= b, dy.w, dy.z));
+  z = hn_i_vector(dz.x, hn_i_select(size.z >= a, dz.y, dz.x), dz.z, hn_i_select(size.z <= b, dz.w, dz.z));
+  w = hn_i_vector(dw.x, hn_i_select(size.w >= a, dw.y, dw.x), dw.z, hn_i_select(size.w <= b, dw.w, dw.z));
   hn_i_square_number q = hn_i_square(dx.x, dy.x, dz.x, dw.x);
-  hn_num sum = hn_i_plus(hn_i_plus(size.x, size.y), hn_i_plus(size.z, size.w));
+  hn_i_num sum = hn_i_plus(hn_i_plus(size.x, size.y), hn_i_plus(size.z, size.w));
   hn_i_square_number q_centre = hn_i_square_plus(q, hn_i_minus(HN_I_ONE, sum));
-  near_by = hn_i_num(
+  near_by = hn_i_vector(
       hn_i_falloff(q, 1024, 2), hn_i_falloff(hn_i_square_plus(q, hn_i_minus(HN_I_ONE, hn_i_plus(a, a))), 1024, 2),
       hn_i_falloff(q_centre, 1024, 2), hn_i_falloff(hn_i_square_plus(q_centre, hn_i_plus(b, b)), 1024, 2));
   hn_uvec4 cell = block.cell;
   hn_uvec4 corner = hn_i_nearer(f, cell, block.following);
-  hn_uvec4 across = hn_i_nearer(f, block.following, cell);
-  hn_uvec4 beyond = hn_i_nearer(f, block.previous, block.following);
+  hn_uvec4 opposite = hn_i_nearer(f, block.following, cell);
+  hn_uvec4 next_centre = hn_i_nearer(f, block.previous, block.following);
   hn_uint s = hn_i_mix(seed);
-  return uvec4(hn_i_seeded_word(corner, s),
-               hn_i_seeded_word(
-                   uvec4(hn_i_select(size.x >= a, across.x, corner.x), hn_i_select(size.y >= a, across.y, corner.y),
-                         hn_i_select(size.z >= a, across.z, corner.z), hn_i_select(size.w >= a, across.w, corner.w)),
-                   s),
-               hn_i_word(cell, hn_i_seed_join(s) ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM),
-               hn_i_word(uvec4(hn_i_select(size.x <= b, beyond.x, cell.x), hn_i_select(size.y <= b, beyond.y, cell.y),
-                               hn_i_select(size.z <= b, beyond.z, cell.z), hn_i_select(size.w <= b, beyond.w, cell.w)),
-                         hn_i_seed_join(s) ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM));
+  return uvec4(
+      hn_i_seeded_word(corner, s),
+      hn_i_seeded_word(
+          uvec4(hn_i_select(size.x >= a, opposite.x, corner.x), hn_i_select(size.y >= a, opposite.y, corner.y),
+                hn_i_select(size.z >= a, opposite.z, corner.z), hn_i_select(size.w >= a, opposite.w, corner.w)),
+          s),
+      hn_i_word(cell, hn_i_seed_join(s) ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM),
+      hn_i_word(uvec4(hn_i_select(size.x <= b, next_centre.x, cell.x), hn_i_select(size.y <= b, next_centre.y, cell.y),
+                      hn_i_select(size.z <= b, next_centre.z, cell.z), hn_i_select(size.w <= b, next_centre.w, cell.w)),
+                hn_i_seed_join(s) ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM));
 }
 
 #endif

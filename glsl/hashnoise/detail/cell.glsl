@@ -233,13 +233,24 @@ HN_FN hn_i_block4 hn_i_block(hn_place4 place) {
   return block;
 }
 
-// The spread coordinates of a block along an axis, and of such three the one at n, which is -1, 0 or 1.
-HN_FN hn_uvec3 hn_i_along_x(hn_i_block2 block) { return uvec3(block.previous.x, block.cell.x, block.following.x); }
-HN_FN hn_uvec3 hn_i_along_y(hn_i_block2 block) { return uvec3(block.previous.y, block.cell.y, block.following.y); }
-HN_FN hn_uvec3 hn_i_along_x(hn_i_block3 block) { return uvec3(block.previous.x, block.cell.x, block.following.x); }
-HN_FN hn_uvec3 hn_i_along_y(hn_i_block3 block) { return uvec3(block.previous.y, block.cell.y, block.following.y); }
-HN_FN hn_uvec3 hn_i_along_z(hn_i_block3 block) { return uvec3(block.previous.z, block.cell.z, block.following.z); }
-HN_FN hn_uint hn_i_of_three(hn_uvec3 v, hn_int n) { return hn_i_select(n < 0, v.x, hn_i_select(n > 0, v.z, v.y)); }
+// The spread coordinates of a block along an axis. Of such three hn_i_triple_at chooses the first, the second or the
+// third, for an n of -1, 0 or 1.
+HN_FN hn_uvec3 hn_i_coordinates_x(hn_i_block2 block) {
+  return uvec3(block.previous.x, block.cell.x, block.following.x);
+}
+HN_FN hn_uvec3 hn_i_coordinates_y(hn_i_block2 block) {
+  return uvec3(block.previous.y, block.cell.y, block.following.y);
+}
+HN_FN hn_uvec3 hn_i_coordinates_x(hn_i_block3 block) {
+  return uvec3(block.previous.x, block.cell.x, block.following.x);
+}
+HN_FN hn_uvec3 hn_i_coordinates_y(hn_i_block3 block) {
+  return uvec3(block.previous.y, block.cell.y, block.following.y);
+}
+HN_FN hn_uvec3 hn_i_coordinates_z(hn_i_block3 block) {
+  return uvec3(block.previous.z, block.cell.z, block.following.z);
+}
+HN_FN hn_uint hn_i_triple_at(hn_uvec3 v, hn_int n) { return hn_i_select(n < 0, v.x, hn_i_select(n > 0, v.z, v.y)); }
 
 // The hashes of the corners 00, 10, 01, 11 of a square. c0 and c1 are the spread coordinates of its lower and upper
 // corner. Other axes and the seed add `join` to the exclusive or, `sum` to the sum before it is made odd, and `more` to

@@ -34,7 +34,8 @@ HN_FN hn_uint hn_i_sixth_of_cube(hn_uint x) {
   return ((square >> 15u) * x + (((square & 32767u) * x) >> 15u)) / 6u;
 }
 
-// The weights are in units of 2^-18, and their sum is 2^18. 715829931 is 2/3 in units of 2^-30, and 2048 that round.
+// The weights are in units of 2^-18, and their sum is 2^18. 715829931 is 2/3 in units of 2^-30 and 2048 more, which
+// rounds.
 HN_FN hn_ivec4 hn_i_spline(hn_int f) {
   hn_uint x = uint(f + 16) >> 5u;
   hn_uint before = hn_i_sixth_of_cube(32768u - x);
@@ -42,7 +43,7 @@ HN_FN hn_ivec4 hn_i_spline(hn_int f) {
   hn_int first = int((before + 2048u) >> 12u);
   hn_int last = int((after + 2048u) >> 12u);
   hn_int second = int((715829931u + 3u * after - x * x) >> 12u);
-  return ivec4(first, second, 262144 - first - second - last, last);
+  return ivec4(first, second, HN_I_UNITS_WEIGHT - first - second - last, last);
 }
 
 HN_FN hn_int hn_i_blend(hn_ivec4 n, hn_ivec4 w) {
@@ -67,14 +68,14 @@ HN_FN hn_uvec4 hn_i_line(hn_int cell, hn_int period, bool tiled, hn_uint step, h
   return coordinates;
 }
 
-// Their high bits; the shift is that of the axis.
+// The high bits of these coordinates; the shift is that of the axis.
 HN_FN hn_uvec4 hn_i_high_of_line(hn_uvec4 v, hn_uint shift) {
   return uvec4(v.x >> shift, v.y >> shift, v.z >> shift, v.w >> shift);
 }
 
 // The numbers of four points along x, blended with the weights w. The other axes and the seed add `join` to the
 // exclusive or, and `sum` to the sum before it is made odd.
-HN_FN hn_num hn_i_cubic_row(hn_uvec4 x, hn_uint join, hn_uint sum, hn_num4 w) {
+HN_FN hn_i_num hn_i_cubic_row(hn_uvec4 x, hn_uint join, hn_uint sum, hn_i_num4 w) {
   hn_uvec4 a = hn_i_high_of_line(x, 12u);
   hn_uint odd = hn_i_odd(sum);
   hn_uvec4 h = uvec4(hn_i_word(a.x ^ join, odd + hn_i_odd_step(x.x)), hn_i_word(a.y ^ join, odd + hn_i_odd_step(x.y)),
@@ -83,12 +84,12 @@ HN_FN hn_num hn_i_cubic_row(hn_uvec4 x, hn_uint join, hn_uint sum, hn_num4 w) {
 }
 
 // The same for four rows along y.
-HN_FN hn_num hn_i_cubic_square(hn_uvec4 x, hn_uvec4 y, hn_uint join, hn_uint sum, hn_num4 wx, hn_num4 wy) {
+HN_FN hn_i_num hn_i_cubic_square(hn_uvec4 x, hn_uvec4 y, hn_uint join, hn_uint sum, hn_i_num4 wx, hn_i_num4 wy) {
   hn_uvec4 b = hn_i_high_of_line(y, 11u);
-  hn_num4 rows = hn_i_num(hn_i_cubic_row(x, b.x ^ join, y.x * HN_I_SUM_Y + sum, wx),
-                          hn_i_cubic_row(x, b.y ^ join, y.y * HN_I_SUM_Y + sum, wx),
-                          hn_i_cubic_row(x, b.z ^ join, y.z * HN_I_SUM_Y + sum, wx),
-                          hn_i_cubic_row(x, b.w ^ join, y.w * HN_I_SUM_Y + sum, wx));
+  hn_i_num4 rows = hn_i_vector(hn_i_cubic_row(x, b.x ^ join, y.x * HN_I_SUM_Y + sum, wx),
+                               hn_i_cubic_row(x, b.y ^ join, y.y * HN_I_SUM_Y + sum, wx),
+                               hn_i_cubic_row(x, b.z ^ join, y.z * HN_I_SUM_Y + sum, wx),
+                               hn_i_cubic_row(x, b.w ^ join, y.w * HN_I_SUM_Y + sum, wx));
   return hn_i_blend(rows, wy);
 }
 

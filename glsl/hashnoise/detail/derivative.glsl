@@ -9,17 +9,17 @@
 // Derivatives, too, are numbers. Those that are interpolated have units four times as large:
 //
 //   hn_i_d_fade(f)         the derivative of the fade, 30 f^2 (1 - f)^2, along each axis
-//   hn_i_d_corner(a, b)    b - a, of what a derivative is made of
+//   hn_i_d_corner(a, b)    b - a: the difference of two corners, of which a derivative is made
 //   hn_i_d_faded(r, s)     a rise times the slope of a fade: what the fade adds to a derivative
 //   hn_i_d_faded(g, r, s)  the same, with what an interpolated gradient adds
 //   hn_i_lerp_d(n, t, s)   like hn_i_lerp between four corners, with the derivatives along x and y; t are the fades, s
 //                          their slopes
 //   hn_i_of_d_corners(n)   the derivative of a noise, from an interpolation between rises of hn_i_number
-//   hn_i_edge_d(...)       what two corners of a cell along x make of a gradient noise: the interpolated ramp, its
+//   hn_i_edge_d(...)       the share of two corners of a cell along x in gradient noise: the interpolated ramp, its
 //                          derivative along x, and what the gradients' other components add. a and b are the ramps, g
 //                          and h the gradients, t the fade and s its slope
-//   hn_i_face_d(...)       what four corners 00, 10, 01, 11 make of it: the interpolated ramp, its derivatives along x
-//                          and y, and in space what the gradients' last components add
+//   hn_i_face_d(...)       the share of four corners 00, 10, 01, 11 in it: the interpolated ramp, its derivatives along
+//                          x and y, and in space what the gradients' last components add
 //   hn_i_of_components(...)  a vector with its derivatives, from its components, each a float with its own
 
 #if HN_ARITHMETIC != HN_FIXED
@@ -77,34 +77,37 @@ HN_FN hn_int hn_i_of_d_corners(hn_int n) { return (n + 128) >> 8; }
 
 #endif
 
-HN_FN hn_num3 hn_i_lerp_d(hn_num4 n, hn_num2 t, hn_num2 s) {
-  hn_num lower = hn_i_lerp(n.x, n.y, t.x);
-  hn_num upper = hn_i_lerp(n.z, n.w, t.x);
-  hn_num along_x = hn_i_lerp(hn_i_d_corner(n.x, n.y), hn_i_d_corner(n.z, n.w), t.y);
-  return hn_i_num(hn_i_lerp(lower, upper, t.y), hn_i_d_faded(along_x, s.x),
-                  hn_i_d_faded(hn_i_d_corner(lower, upper), s.y));
+HN_FN hn_i_num3 hn_i_lerp_d(hn_i_num4 n, hn_i_num2 t, hn_i_num2 s) {
+  hn_i_num lower = hn_i_lerp(n.x, n.y, t.x);
+  hn_i_num upper = hn_i_lerp(n.z, n.w, t.x);
+  hn_i_num along_x = hn_i_lerp(hn_i_d_corner(n.x, n.y), hn_i_d_corner(n.z, n.w), t.y);
+  return hn_i_vector(hn_i_lerp(lower, upper, t.y), hn_i_d_faded(along_x, s.x),
+                     hn_i_d_faded(hn_i_d_corner(lower, upper), s.y));
 }
 
-HN_FN hn_num3 hn_i_edge_d(hn_num a, hn_num b, hn_num2 g, hn_num2 h, hn_num t, hn_num s) {
-  return hn_i_num(hn_i_lerp(a, b, t), hn_i_d_faded(hn_i_lerp(g.x, h.x, t), hn_i_d_corner(a, b), s),
-                  hn_i_lerp(g.y, h.y, t));
+HN_FN hn_i_num3 hn_i_edge_d(hn_i_num a, hn_i_num b, hn_i_num2 g, hn_i_num2 h, hn_i_num t, hn_i_num s) {
+  return hn_i_vector(hn_i_lerp(a, b, t), hn_i_d_faded(hn_i_lerp(g.x, h.x, t), hn_i_d_corner(a, b), s),
+                     hn_i_lerp(g.y, h.y, t));
 }
-HN_FN hn_num4 hn_i_edge_d(hn_num a, hn_num b, hn_num3 g, hn_num3 h, hn_num t, hn_num s) {
-  return hn_i_num(hn_i_lerp(a, b, t), hn_i_d_faded(hn_i_lerp(g.x, h.x, t), hn_i_d_corner(a, b), s),
-                  hn_i_lerp(g.y, h.y, t), hn_i_lerp(g.z, h.z, t));
+HN_FN hn_i_num4 hn_i_edge_d(hn_i_num a, hn_i_num b, hn_i_num3 g, hn_i_num3 h, hn_i_num t, hn_i_num s) {
+  return hn_i_vector(hn_i_lerp(a, b, t), hn_i_d_faded(hn_i_lerp(g.x, h.x, t), hn_i_d_corner(a, b), s),
+                     hn_i_lerp(g.y, h.y, t), hn_i_lerp(g.z, h.z, t));
 }
 
-HN_FN hn_num3 hn_i_face_d(hn_num4 r, hn_num2 g00, hn_num2 g10, hn_num2 g01, hn_num2 g11, hn_num2 t, hn_num2 s) {
-  hn_num3 n0 = hn_i_edge_d(r.x, r.y, g00, g10, t.x, s.x);
-  hn_num3 n1 = hn_i_edge_d(r.z, r.w, g01, g11, t.x, s.x);
-  return hn_i_num(hn_i_lerp(n0.x, n1.x, t.y), hn_i_lerp(n0.y, n1.y, t.y),
-                  hn_i_d_faded(hn_i_lerp(n0.z, n1.z, t.y), hn_i_d_corner(n0.x, n1.x), s.y));
+HN_FN hn_i_num3 hn_i_face_d(hn_i_num4 r, hn_i_num2 g00, hn_i_num2 g10, hn_i_num2 g01, hn_i_num2 g11, hn_i_num2 t,
+                            hn_i_num2 s) {
+  hn_i_num3 n0 = hn_i_edge_d(r.x, r.y, g00, g10, t.x, s.x);
+  hn_i_num3 n1 = hn_i_edge_d(r.z, r.w, g01, g11, t.x, s.x);
+  return hn_i_vector(hn_i_lerp(n0.x, n1.x, t.y), hn_i_lerp(n0.y, n1.y, t.y),
+                     hn_i_d_faded(hn_i_lerp(n0.z, n1.z, t.y), hn_i_d_corner(n0.x, n1.x), s.y));
 }
-HN_FN hn_num4 hn_i_face_d(hn_num4 r, hn_num3 g00, hn_num3 g10, hn_num3 g01, hn_num3 g11, hn_num3 t, hn_num3 s) {
-  hn_num4 n0 = hn_i_edge_d(r.x, r.y, g00, g10, t.x, s.x);
-  hn_num4 n1 = hn_i_edge_d(r.z, r.w, g01, g11, t.x, s.x);
-  return hn_i_num(hn_i_lerp(n0.x, n1.x, t.y), hn_i_lerp(n0.y, n1.y, t.y),
-                  hn_i_d_faded(hn_i_lerp(n0.z, n1.z, t.y), hn_i_d_corner(n0.x, n1.x), s.y), hn_i_lerp(n0.w, n1.w, t.y));
+HN_FN hn_i_num4 hn_i_face_d(hn_i_num4 r, hn_i_num3 g00, hn_i_num3 g10, hn_i_num3 g01, hn_i_num3 g11, hn_i_num3 t,
+                            hn_i_num3 s) {
+  hn_i_num4 n0 = hn_i_edge_d(r.x, r.y, g00, g10, t.x, s.x);
+  hn_i_num4 n1 = hn_i_edge_d(r.z, r.w, g01, g11, t.x, s.x);
+  return hn_i_vector(hn_i_lerp(n0.x, n1.x, t.y), hn_i_lerp(n0.y, n1.y, t.y),
+                     hn_i_d_faded(hn_i_lerp(n0.z, n1.z, t.y), hn_i_d_corner(n0.x, n1.x), s.y),
+                     hn_i_lerp(n0.w, n1.w, t.y));
 }
 
 HN_FN hn_derivatives2x2 hn_i_of_components(hn_vec3 x, hn_vec3 y) {

@@ -21,7 +21,7 @@ HN_FN hn_float hn_i_field3q(hn_uint h) {
   return hn_i_minus(uintBitsToFloat((h & 0x007F8000u) | 0x40000000u), 3.0f - 1.0f / 256.0f);
 }
 
-// The same of three words at once.
+// The fields of three words at once.
 HN_FN hn_vec3 hn_i_of_field_bits(hn_uvec3 bits, hn_float offset) {
   HN_I_PRECISE hn_vec3 x = uintBitsToFloat(hn_i_or(bits, 0x40000000u)) - offset;
   return x;
@@ -51,15 +51,16 @@ HN_FN hn_vec3 hn_i_fields3q(hn_uvec3 h) { return vec3(hn_i_field3q(h.x), hn_i_fi
 // points themselves would show the axes (docs/quality.md). Ramps are lengthened in place of gradients: it is cheaper.
 #if HN_ARITHMETIC != HN_FIXED
 
-// The plane: x, y, more.
+// On the plane a direction is x, y, more.
 HN_FN hn_vec3 hn_i_direction2(hn_uint h) {
   hn_float x = hn_i_field2(h);
   hn_float m = hn_i_minus(1.0f, abs(x));
   return vec3(x, hn_i_signed(m, h), min(abs(x), m));
 }
 
-// Space: p, q, z, more. Seen along z the octahedron is a square with corners on the axes. p and q run along its sides:
-// x = (p + q) / 2 and y = (p - q) / 2. The height above a point of the square is 1 minus the larger of |p| and |q|.
+// In space a direction is p, q, z, more. Seen along z the octahedron is a square with corners on the axes. p and q run
+// along its sides: x = (p + q) / 2 and y = (p - q) / 2. The height above a point of the square is 1 minus the larger of
+// |p| and |q|.
 HN_FN hn_vec4 hn_i_direction3(hn_uint h) {
   hn_float p = hn_i_field3p(h);
   hn_float q = hn_i_field3q(h);
@@ -89,19 +90,20 @@ HN_FN hn_float hn_i_cross(hn_float a, hn_float x, hn_float b, hn_float y) {
   return n;
 }
 
-// The offsets as ramps in space take them: u and v are made of halves.
+// Ramps in space take offsets in this form: u and v are made of halves.
 HN_FN hn_float hn_i_octahedral(hn_float x) { return hn_i_times(x, 0.5f); }
 HN_FN hn_float hn_i_octahedral_z(hn_float z) { return z; }
 
 #else
 
-// The same in units of 2^-9, but p, q and z in units of 2^-8. They are made as floats that are whole numbers of few
-// bits, so no step rounds: compilers of GPUs have the absolute value of a float for nothing, and that of an integer not.
+// The same in units of 2^-9, but p, q and z in units of 2^-8. They are computed as floats, since on GPUs the absolute
+// value of a float costs nothing, and that of an integer does. No step rounds: the floats are whole numbers of few
+// bits.
 #if HN_I_BITCAST
 HN_FN hn_float hn_i_whole2(hn_uint h) { return uintBitsToFloat((h & 0x007FC000u) | 0x44800000u) - 1535.0f; }
 HN_FN hn_float hn_i_whole3(hn_uint h) { return uintBitsToFloat((h & 0x007F8000u) | 0x44000000u) - 767.0f; }
 
-// The same of three words at once.
+// The fields of three words at once.
 HN_FN hn_vec3 hn_i_wholes2(hn_uvec3 h) {
   return uintBitsToFloat(hn_i_or(hn_i_and(h, 0x007FC000u), 0x44800000u)) - 1535.0f;
 }
@@ -145,9 +147,11 @@ HN_FN hn_int hn_i_octahedral_z(hn_int z) { return z + z; }
 
 #endif
 
-// What a corner adds.
-HN_FN hn_num hn_i_ramp(hn_num3 d, hn_num x, hn_num y) { return hn_i_times_one_plus(hn_i_dot_direction(d, x, y), d.z); }
-HN_FN hn_num hn_i_ramp(hn_num4 d, hn_num u, hn_num v, hn_num w) {
+// The ramp of a corner.
+HN_FN hn_i_num hn_i_ramp(hn_i_num3 d, hn_i_num x, hn_i_num y) {
+  return hn_i_times_one_plus(hn_i_dot_direction(d, x, y), d.z);
+}
+HN_FN hn_i_num hn_i_ramp(hn_i_num4 d, hn_i_num u, hn_i_num v, hn_i_num w) {
   return hn_i_times_one_plus(hn_i_dot_direction(d, u, v, w), d.w);
 }
 

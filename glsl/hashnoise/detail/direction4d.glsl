@@ -6,8 +6,8 @@
 
 #include "arithmetic.glsl"
 
-// Ramps in four dimensions are the sums of two offsets, whose 30 bits leave HN_FIXED units of 2^-28: twice those of
-// other ramps. So what is interpolated between them is scaled by twice as much there.
+// A ramp in four dimensions is the sum of two offsets. So it has 30 bits, and its units in HN_FIXED are 2^-28, twice
+// those of other ramps. An interpolation between such ramps is scaled by twice as much there.
 #if HN_ARITHMETIC != HN_FIXED
 HN_FN hn_float hn_i_ramp_of_offset(hn_float x) { return x; }
 HN_FN hn_float hn_i_scaled_ramps(hn_float n, hn_int s) { return hn_i_scaled(n, s); }
@@ -20,30 +20,31 @@ HN_FN hn_int hn_i_scaled_ramps(hn_int n, hn_int s) { return hn_i_scaled(n, s + s
 // 24 are as isotropic as a sphere up to the fifth harmonic. The size of the word chooses one of three ways to pair the
 // axes: xy and zw below the first third, xw and yz from the second third on, and xz and yw between. Bit 20 chooses the
 // second pair, and bits 19 and 18 are the signs.
-HN_FN hn_num hn_i_ramp(hn_uint h, hn_num x, hn_num y, hn_num z, hn_num w) {
+HN_FN hn_i_num hn_i_ramp(hn_uint h, hn_i_num x, hn_i_num y, hn_i_num z, hn_i_num w) {
   hn_uint second = h & 0x00100000u;
-  hn_num a = hn_i_select(second != 0u, hn_i_select(h < 0x55555555u, z, y), x);
-  hn_num b = hn_i_select(second != 0u, hn_i_select(h < 0xAAAAAAAAu, w, z),
-                         hn_i_select(h < 0x55555555u, y, hn_i_select(h < 0xAAAAAAAAu, z, w)));
+  hn_i_num a = hn_i_select(second != 0u, hn_i_select(h < 0x55555555u, z, y), x);
+  hn_i_num b = hn_i_select(second != 0u, hn_i_select(h < 0xAAAAAAAAu, w, z),
+                           hn_i_select(h < 0x55555555u, y, hn_i_select(h < 0xAAAAAAAAu, z, w)));
   return hn_i_ramp_of_offset(hn_i_plus(hn_i_flipped(a, h << 12u), hn_i_flipped(b, h << 13u)));
 }
 
 // The components of such a gradient, in the numbers of its ramps. None is -0.
-HN_FN hn_num4 hn_i_gradient4(hn_uint h) {
+HN_FN hn_i_num4 hn_i_gradient4(hn_uint h) {
   hn_uint second = h & 0x00100000u;
-  hn_num none = hn_i_minus(HN_I_ONE, HN_I_ONE);
-  hn_num a = hn_i_ramp_of_offset(hn_i_flipped(HN_I_ONE, h << 12u));
-  hn_num b = hn_i_ramp_of_offset(hn_i_flipped(HN_I_ONE, h << 13u));
-  hn_num a1 = hn_i_select(second != 0u, none, a);  // of the first pair
-  hn_num b1 = hn_i_select(second != 0u, none, b);
-  hn_num a2 = hn_i_select(second != 0u, a, none);  // of the second
-  hn_num b2 = hn_i_select(second != 0u, b, none);
-  return hn_i_num(a1, hn_i_select(h < 0x55555555u, b1, a2),
-                  hn_i_select(h < 0x55555555u, a2, hn_i_select(h < 0xAAAAAAAAu, b1, b2)),
-                  hn_i_select(h < 0xAAAAAAAAu, b2, b1));
+  hn_i_num none = hn_i_minus(HN_I_ONE, HN_I_ONE);
+  hn_i_num a = hn_i_ramp_of_offset(hn_i_flipped(HN_I_ONE, h << 12u));
+  hn_i_num b = hn_i_ramp_of_offset(hn_i_flipped(HN_I_ONE, h << 13u));
+  hn_i_num a1 = hn_i_select(second != 0u, none, a);  // of the first pair
+  hn_i_num b1 = hn_i_select(second != 0u, none, b);
+  hn_i_num a2 = hn_i_select(second != 0u, a, none);  // of the second
+  hn_i_num b2 = hn_i_select(second != 0u, b, none);
+  return hn_i_vector(a1, hn_i_select(h < 0x55555555u, b1, a2),
+                     hn_i_select(h < 0x55555555u, a2, hn_i_select(h < 0xAAAAAAAAu, b1, b2)),
+                     hn_i_select(h < 0xAAAAAAAAu, b2, b1));
 }
 
-// 953 / 1024 is 1 / 1.073455, rounded down: the largest value of Perlin noise before it is scaled (tools/bounds).
-HN_FN hn_num hn_i_scaled4(hn_num n) { return hn_i_scaled_ramps(n, 953); }
+// 953 / 1024 is 1 / 1.073455, rounded down. 1.073455 is the largest value of Perlin noise before it is scaled
+// (tools/bounds).
+HN_FN hn_i_num hn_i_scaled4(hn_i_num n) { return hn_i_scaled_ramps(n, 953); }
 
 #endif

@@ -99,10 +99,10 @@ HN_FN hn_float hn_i_d_weighted_ramp(hn_float g, hn_float w, hn_float k, hn_float
 
 #define hn_i_square_number hn_uint
 
-HN_FN hn_int hn_i_quarters(hn_int n) { return n * 262144; }
+HN_FN hn_int hn_i_quarters(hn_int n) { return n * (HN_I_UNITS_FRACTION / 4); }
 HN_FN hn_int hn_i_half(hn_int x) { return x >> 1; }
 HN_FN hn_int hn_i_floor(hn_int x) { return x >> 20; }
-HN_FN hn_int hn_i_fract(hn_int x) { return x & 1048575; }
+HN_FN hn_int hn_i_fract(hn_int x) { return x & (HN_I_UNITS_FRACTION - 1); }
 
 // Squares have 41 bits. They are summed by the products of the high digits, of a high and a low digit, and of the low
 // digits, so that the sum is exact before it is rounded down. A digit has 10 bits.
@@ -166,22 +166,23 @@ HN_FN hn_int hn_i_d_weighted_ramp(hn_int g, hn_int w, hn_int k, hn_int x) {
 
 #endif
 
-HN_FN hn_num3 hn_i_weighted_ramp_d(hn_num r, hn_num2 g, hn_num x, hn_num y, hn_num w, hn_num fall) {
-  hn_num k = hn_i_weighted_ramp(r, fall);
-  return hn_i_num(hn_i_weighted_ramp(r, w), hn_i_d_weighted_ramp(g.x, w, k, x), hn_i_d_weighted_ramp(g.y, w, k, y));
+HN_FN hn_i_num3 hn_i_weighted_ramp_d(hn_i_num r, hn_i_num2 g, hn_i_num x, hn_i_num y, hn_i_num w, hn_i_num fall) {
+  hn_i_num k = hn_i_weighted_ramp(r, fall);
+  return hn_i_vector(hn_i_weighted_ramp(r, w), hn_i_d_weighted_ramp(g.x, w, k, x), hn_i_d_weighted_ramp(g.y, w, k, y));
 }
 // The same in 3 dimensions: tools/umbrella makes it.
-HN_FN hn_num4 hn_i_weighted_ramp_d(hn_num r, hn_num3 g, hn_num x, hn_num y, hn_num z, hn_num w, hn_num fall) {
-  hn_num k = hn_i_weighted_ramp(r, fall);
-  return hn_i_num(hn_i_weighted_ramp(r, w), hn_i_d_weighted_ramp(g.x, w, k, x), hn_i_d_weighted_ramp(g.y, w, k, y),
-                  hn_i_d_weighted_ramp(g.z, w, k, z));
+HN_FN hn_i_num4 hn_i_weighted_ramp_d(hn_i_num r, hn_i_num3 g, hn_i_num x, hn_i_num y, hn_i_num z, hn_i_num w,
+                                     hn_i_num fall) {
+  hn_i_num k = hn_i_weighted_ramp(r, fall);
+  return hn_i_vector(hn_i_weighted_ramp(r, w), hn_i_d_weighted_ramp(g.x, w, k, x), hn_i_d_weighted_ramp(g.y, w, k, y),
+                     hn_i_d_weighted_ramp(g.z, w, k, z));
 }
 
-HN_FN hn_num3 hn_i_plus(hn_num3 a, hn_num3 b) {
-  return hn_i_num(hn_i_plus(a.x, b.x), hn_i_plus(a.y, b.y), hn_i_plus(a.z, b.z));
+HN_FN hn_i_num3 hn_i_plus(hn_i_num3 a, hn_i_num3 b) {
+  return hn_i_vector(hn_i_plus(a.x, b.x), hn_i_plus(a.y, b.y), hn_i_plus(a.z, b.z));
 }
-HN_FN hn_num4 hn_i_plus(hn_num4 a, hn_num4 b) {
-  return hn_i_num(hn_i_plus(a.x, b.x), hn_i_plus(a.y, b.y), hn_i_plus(a.z, b.z), hn_i_plus(a.w, b.w));
+HN_FN hn_i_num4 hn_i_plus(hn_i_num4 a, hn_i_num4 b) {
+  return hn_i_vector(hn_i_plus(a.x, b.x), hn_i_plus(a.y, b.y), hn_i_plus(a.z, b.z), hn_i_plus(a.w, b.w));
 }
 
 #endif

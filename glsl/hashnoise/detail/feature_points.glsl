@@ -8,8 +8,8 @@
 #include "direction.glsl"
 #include "square_root.glsl"
 
-// The metric of hn_cellular and hn_cellular_three: what they call a distance. It should be a constant: the compiler
-// then keeps that one alone. Any other number counts as HN_METRIC_EUCLIDEAN.
+// The metric of hn_cellular and hn_cellular_three says what they call a distance. It should be a constant: then the
+// compiler keeps that metric alone. Any other number counts as HN_METRIC_EUCLIDEAN.
 #define HN_METRIC_EUCLIDEAN 1
 #define HN_METRIC_SQUARED 2    // the square of the Euclidean distance
 #define HN_METRIC_MANHATTAN 3  // the sum of the sizes along the axes
@@ -23,10 +23,11 @@
 //   Let a place be off the centre of its cell by a >= b >= c, each from 0 to 1/2. No point is off its centre by more
 //   than 1/2 in sum along the axes, so it is farthest or nearest at a corner of its octahedron. The point of the cell
 //   itself is not farther than (a + 1/2, b, c), and that of the next cell along the first axis not farther than
-//   (3/2 - a, b, c). Outside of the neighbours no point is nearer than (3/2 - a, b, c). This holds in every metric here.
+//   (3/2 - a, b, c). Outside of the neighbours no point is nearer than (3/2 - a, b, c). All this holds in every
+//   metric here.
 //
 // The third is not farther than (a, 3/2 - b, c). To have it, the cells two steps away on the side of the place, along
-// the axis with a, are enough. What is beyond two steps along another axis is not nearer than that.
+// the axis with a, are enough. A point that is two steps away along another axis is not nearer than that.
 //
 // On the square a coordinate has the variance of one that is anywhere in a cell, 1/12. On the octahedron it has half of
 // that, so in space the lattice shows a little (docs/cellular.md).
@@ -39,17 +40,17 @@
 //   HN_I_NO_OFFSET                     0 as an offset
 //   hn_i_from_centre(f)                the offset of a fraction from the centre of its cell
 //   hn_i_offset_from_cell(d, n)        that offset from the centre of the n-th cell after it
-//   hn_i_three(a, b, c)                a vector of three numbers
+//   hn_i_triple(a, b, c)               a vector of three numbers
 //   hn_i_offsets_from_points(d, a, j)  the offsets of a place from three points, along an axis: d are those from the
 //                                      centres of their cells, and a the directions
 //   hn_i_toward(d)                     the opposite of an offset as a float, in cells; it is not -0
-//   hn_i_sum(a, b), hn_i_rank_differences(a, b)  of ranks a + b, and of three a - b
+//   hn_i_sum(a, b), hn_i_rank_differences(a, b)  a + b of ranks, and a - b of three ranks
 //   hn_i_hybrids(q, m)                 ranks of the hybrid metric, from squares and sums of sizes
 //   hn_i_distance(r, metric)           the distance of a rank
-//   hn_i_far_away(), hn_i_no_weight()  before the first point: the largest ranks, and a weight of 0
+//   hn_i_far_away(), hn_i_no_weight()  the largest ranks, and a weight of 0: they stand for no point yet
 //   hn_i_offset_difference(a, b)       a - b of offsets; in HN_FIXED in units of 2^-19, rounded down
-//   hn_i_border_ranks(n, q)            what borders are compared by: n are differences of two squares, and q squares.
-//                                      They grow with n / sqrt(q)
+//   hn_i_border_ranks(n, q)            numbers by which borders are compared. They grow with n / sqrt(q): n are
+//                                      differences of two squares, and q squares
 //   hn_i_border_distance(r)            the distance to a border, from that
 //   hn_i_smooth_weight(q)              the weight of a point for hn_cellular_smooth, from a square: (1 - distance)^4 up
 //                                      to 1
@@ -70,7 +71,7 @@ HN_FN hn_int hn_i_z_of(hn_int code) { return (code >> 4) - 1; }
 HN_FN hn_float hn_i_jitter(hn_float jitter) { return hn_i_to_num(min(max(jitter, 0.0f), 1.0f)); }
 HN_FN hn_float hn_i_from_centre(hn_float f) { return hn_i_times_plus(f, 2.0f, -1.0f); }
 HN_FN hn_float hn_i_offset_from_cell(hn_float d, hn_int n) { return hn_i_minus(d, hn_i_float(n) * 2.0f); }
-HN_FN hn_vec3 hn_i_three(hn_float a, hn_float b, hn_float c) { return vec3(a, b, c); }
+HN_FN hn_vec3 hn_i_triple(hn_float a, hn_float b, hn_float c) { return vec3(a, b, c); }
 HN_FN hn_vec3 hn_i_offsets_from_points(hn_vec3 d, hn_vec3 a, hn_float jitter) {
   HN_I_PRECISE hn_vec3 n = d - a * jitter;
   return n;
@@ -125,15 +126,15 @@ HN_FN hn_float hn_i_smooth_distance(hn_float weights) {
 
 #define HN_I_NO_OFFSET 0
 
-HN_FN hn_int hn_i_jitter(hn_float jitter) { return int(min(max(jitter, 0.0f), 1.0f) * 1048576.0f); }
-HN_FN hn_int hn_i_from_centre(hn_int f) { return f - 524288; }
-HN_FN hn_int hn_i_offset_from_cell(hn_int d, hn_int n) { return d - n * 1048576; }
+HN_FN hn_int hn_i_jitter(hn_float jitter) { return int(min(max(jitter, 0.0f), 1.0f) * HN_I_FLOAT_UNITS_FRACTION); }
+HN_FN hn_int hn_i_from_centre(hn_int f) { return f - HN_I_UNITS_FRACTION / 2; }
+HN_FN hn_int hn_i_offset_from_cell(hn_int d, hn_int n) { return d - n * HN_I_UNITS_FRACTION; }
 
-HN_FN hn_ivec3 hn_i_three(hn_int a, hn_int b, hn_int c) { return ivec3(a, b, c); }
+HN_FN hn_ivec3 hn_i_triple(hn_int a, hn_int b, hn_int c) { return ivec3(a, b, c); }
 
 // A direction is in units of 2^-9, of half a cell.
 HN_FN hn_ivec3 hn_i_offsets_from_points(hn_ivec3 d, hn_ivec3 a, hn_int jitter) { return d - ((a * jitter) >> 10); }
-HN_FN hn_float hn_i_toward(hn_int d) { return hn_i_float(-d) * (1.0f / 1048576.0f); }
+HN_FN hn_float hn_i_toward(hn_int d) { return hn_i_float(-d) * (1.0f / HN_I_FLOAT_UNITS_FRACTION); }
 
 HN_FN hn_ivec3 hn_i_offset_difference(hn_ivec3 a, hn_int b) { return (a - b) >> 1; }
 HN_FN hn_uint hn_i_sum(hn_uint a, hn_uint b) { return a + b; }
@@ -148,11 +149,11 @@ HN_FN hn_uvec3 hn_i_ranks(hn_uint x, hn_uint y, hn_uint z) { return uvec3(x, y, 
 // Squares are in units of 2^-28, and the ranks of the other metrics in units of 2^-20.
 HN_FN hn_uvec3 hn_i_hybrids(hn_uvec3 squares, hn_uvec3 sums) { return (squares >> 8u) + sums; }
 HN_FN hn_float hn_i_distance(hn_uint rank, hn_int metric) {
-  if (metric == HN_METRIC_SQUARED) return hn_i_float(rank >> 8u) * (1.0f / 1048576.0f);
+  if (metric == HN_METRIC_SQUARED) return hn_i_float(rank >> 8u) * (1.0f / HN_I_FLOAT_UNITS_FRACTION);
   if (metric == HN_METRIC_MANHATTAN || metric == HN_METRIC_CHEBYSHEV || metric == HN_METRIC_HYBRID) {
-    return hn_i_float(rank) * (1.0f / 1048576.0f);
+    return hn_i_float(rank) * (1.0f / HN_I_FLOAT_UNITS_FRACTION);
   }
-  return hn_i_float(hn_i_root(rank)) * (1.0f / 262144.0f);
+  return hn_i_float(hn_i_root(rank)) * (1.0f / HN_I_FLOAT_UNITS_DISTANCE);
 }
 HN_FN hn_uvec3 hn_i_border_ranks(hn_uvec3 gaps, hn_uvec3 apart) {
   return uvec3(hn_i_over_root(gaps.x, apart.x), hn_i_over_root(gaps.y, apart.y), hn_i_over_root(gaps.z, apart.z));
@@ -166,7 +167,7 @@ HN_FN hn_uint hn_i_smooth_weight(hn_uint square) {
   return (q * q) >> 2u;
 }
 
-// 262144 is 2^-12. The first root is in units of 2^-19, and so is the second.
+// 262144 is 1/4096 in units of 2^-30. The first root is in units of 2^-19, and so is the second.
 HN_FN hn_float hn_i_smooth_distance(hn_uint weights) {
   hn_uint root = hn_i_root(hn_i_root(weights + 262144u) << 11u);
   return hn_i_float(524288 - int(root)) * (1.0f / 524288.0f);
@@ -174,56 +175,62 @@ HN_FN hn_float hn_i_smooth_distance(hn_uint weights) {
 
 #endif
 
-// The number of the cell that is two steps on, on the side of a place with that offset from the centre of its cell.
-HN_FN hn_int hn_i_two(hn_num d) { return hn_i_choice(d > HN_I_NO_OFFSET, 2, -2); }
+// The number of steps, 2 or -2, to the cell beyond the neighbours of a cell, on the side of a place with the offset d
+// from the centre of that cell.
+HN_FN hn_int hn_i_far_step(hn_i_num d) { return hn_i_choice(d > HN_I_NO_OFFSET, 2, -2); }
 
-// The offsets from the centres of a cell and of those beside it, along an axis; and three times the same offset,
-// or the same word.
-HN_FN hn_num3 hn_i_row(hn_num d) { return hn_i_three(hn_i_offset_from_cell(d, -1), d, hn_i_offset_from_cell(d, 1)); }
-HN_FN hn_num3 hn_i_thrice(hn_num d) { return hn_i_three(d, d, d); }
-HN_FN hn_uvec3 hn_i_thrice(hn_uint word) { return uvec3(word, word, word); }
+// hn_i_row returns the offsets from the centres of a cell and of its neighbours along an axis. hn_i_equal_triple
+// repeats an offset, or a word, three times.
+HN_FN hn_i_num3 hn_i_row(hn_i_num d) {
+  return hn_i_triple(hn_i_offset_from_cell(d, -1), d, hn_i_offset_from_cell(d, 1));
+}
+HN_FN hn_i_num3 hn_i_equal_triple(hn_i_num d) { return hn_i_triple(d, d, d); }
+HN_FN hn_uvec3 hn_i_equal_triple(hn_uint word) { return uvec3(word, word, word); }
 
-// The words of three cells in a row, from what their coordinates add to the joins of a word, and what the rest adds.
+// The words of three cells in a row. Their coordinates add `joins` and `odds` to the two joins of a word, and all else
+// adds `join` and `odd`.
 HN_FN hn_uvec3 hn_i_row_words(hn_uvec3 joins, hn_uvec3 odds, hn_uint join, hn_uint odd) {
   joins = hn_i_xor(joins, join);
   odds = odds + odd;
   return uvec3(hn_i_word(joins.x, odds.x), hn_i_word(joins.y, odds.y), hn_i_word(joins.z, odds.z));
 }
 
-// The three smallest ranks so far and the code of the smallest, with one more. Of equal ranks the first stays.
-HN_FN hn_rank4 hn_i_visited(hn_rank4 best, hn_rank rank, hn_int code) {
+// Inserts a rank into the three smallest ranks so far, and keeps the code of the smallest. Of equal ranks the first
+// stays.
+HN_FN hn_i_rank4 hn_i_insert(hn_i_rank4 best, hn_i_rank rank, hn_int code) {
   return hn_i_ranks(min(best.x, rank), min(best.y, max(best.x, rank)), min(best.z, max(best.y, rank)),
                     hn_i_select(rank < best.x, hn_i_rank_of_code(code), best.w));
 }
 
-// The same with those of a row. `code` is that of the cell in the middle, and the others are a step from it.
-HN_FN hn_rank4 hn_i_visited(hn_rank4 best, hn_rank3 ranks, hn_int code, hn_int step) {
-  best = hn_i_visited(best, ranks.x, code - step);
-  best = hn_i_visited(best, ranks.y, code);
-  return hn_i_visited(best, ranks.z, code + step);
+// Inserts the ranks of a row. `code` is that of the cell in the middle, and the others are a step from it.
+HN_FN hn_i_rank4 hn_i_insert(hn_i_rank4 best, hn_i_rank3 ranks, hn_int code, hn_int step) {
+  best = hn_i_insert(best, ranks.x, code - step);
+  best = hn_i_insert(best, ranks.y, code);
+  return hn_i_insert(best, ranks.z, code + step);
 }
 
-// The smallest border rank so far, with those of a row, but for the cell that has the nearest point.
-HN_FN hn_rank hn_i_nearest_border(hn_rank best, hn_rank3 gaps, hn_rank3 apart, hn_int code, hn_int step, hn_rank own) {
-  hn_rank large = hn_i_far_away().x;
-  hn_rank before = hn_i_rank_of_code(code - step);
-  hn_rank middle = hn_i_rank_of_code(code);
-  hn_rank after = hn_i_rank_of_code(code + step);
-  hn_rank3 ranks = hn_i_border_ranks(
+// Compares the border ranks of a row with the smallest so far. The cell that has the nearest point does not count.
+HN_FN hn_i_rank hn_i_nearest_border(hn_i_rank best, hn_i_rank3 gaps, hn_i_rank3 apart, hn_int code, hn_int step,
+                                    hn_i_rank own) {
+  hn_i_rank large = hn_i_far_away().x;
+  hn_i_rank before = hn_i_rank_of_code(code - step);
+  hn_i_rank middle = hn_i_rank_of_code(code);
+  hn_i_rank after = hn_i_rank_of_code(code + step);
+  hn_i_rank3 ranks = hn_i_border_ranks(
       gaps, hn_i_ranks(hn_i_select(before == own, large, apart.x), hn_i_select(middle == own, large, apart.y),
                        hn_i_select(after == own, large, apart.z)));
   return min(min(best, hn_i_select(before == own, large, ranks.x)),
              min(hn_i_select(middle == own, large, ranks.y), hn_i_select(after == own, large, ranks.z)));
 }
 
-// The sum of weights so far, with those of a row.
-HN_FN hn_rank hn_i_summed_weights(hn_rank sum, hn_rank3 squares) {
+// Adds the weights of a row to the sum of weights so far.
+HN_FN hn_i_rank hn_i_summed_weights(hn_i_rank sum, hn_i_rank3 squares) {
   return hn_i_sum(hn_i_sum(sum, hn_i_smooth_weight(squares.x)),
                   hn_i_sum(hn_i_smooth_weight(squares.y), hn_i_smooth_weight(squares.z)));
 }
 
 // The distances of the two smallest ranks.
-HN_FN hn_vec2 hn_i_two_distances(hn_rank4 best, hn_int metric) {
+HN_FN hn_vec2 hn_i_two_distances(hn_i_rank4 best, hn_int metric) {
   return vec2(hn_i_distance(best.x, metric), hn_i_distance(best.y, metric));
 }
 

@@ -8,15 +8,15 @@
 
 // The same in every dimension: tools/umbrella makes it of feature_points2d.glsl.
 
-HN_FN hn_num2 hn_i_from_centre(hn_num2 f) { return hn_i_num(hn_i_from_centre(f.x), hn_i_from_centre(f.y)); }
+HN_FN hn_i_num2 hn_i_from_centre(hn_i_num2 f) { return hn_i_vector(hn_i_from_centre(f.x), hn_i_from_centre(f.y)); }
 
-// Along each axis b where the place is on that side of the centre, else a.
-HN_FN hn_uvec2 hn_i_toward_place(hn_num2 d, hn_uvec2 a, hn_uvec2 b) {
+// Chooses b along each axis where the place is above the centre of its cell, else a.
+HN_FN hn_uvec2 hn_i_toward_place(hn_i_num2 d, hn_uvec2 a, hn_uvec2 b) {
   return uvec2(hn_i_select(d.x > HN_I_NO_OFFSET, b.x, a.x), hn_i_select(d.y > HN_I_NO_OFFSET, b.y, a.y));
 }
 
-// The spread coordinates of the cell that is two steps on along all axes, on the side of the place.
-HN_FN hn_uvec2 hn_i_two_steps(hn_place2 place, hn_i_block2 block, hn_num2 d) {
+// The spread coordinates of the cell that is two steps away along all axes, on the side of the place.
+HN_FN hn_uvec2 hn_i_far_cell(hn_place2 place, hn_i_block2 block, hn_i_num2 d) {
   hn_uvec2 two;
   if (place.tiled) {
     hn_uvec2 c = hn_i_wrap(place.cell, place.period);
@@ -29,12 +29,12 @@ HN_FN hn_uvec2 hn_i_two_steps(hn_place2 place, hn_i_block2 block, hn_num2 d) {
 }
 
 // The cell of the block with a code, modulo the period.
-HN_FN hn_ivec2 hn_i_cell_of(hn_place2 place, hn_rank code) {
+HN_FN hn_ivec2 hn_i_cell_of(hn_place2 place, hn_i_rank code) {
   hn_uvec2 c = hn_i_wrap(place.cell, place.period);
   hn_uvec2 before = hn_i_previous(c, place.period);
   hn_uvec2 after = hn_i_following(c, place.period);
-  return ivec2(int(hn_i_of_three(uvec3(before.x, c.x, after.x), hn_i_x_of(int(code)))),
-               int(hn_i_of_three(uvec3(before.y, c.y, after.y), hn_i_y_of(int(code)))));
+  return ivec2(int(hn_i_triple_at(uvec3(before.x, c.x, after.x), hn_i_x_of(int(code)))),
+               int(hn_i_triple_at(uvec3(before.y, c.y, after.y), hn_i_y_of(int(code)))));
 }
 
 // By hand in each dimension.
@@ -57,22 +57,23 @@ HN_FN hn_ivec3 hn_i_points_y(hn_uvec3 words) {
 
 #endif
 
-// The offsets of a place from the points of three cells, along each axis, from those from the centres of the cells.
-HN_FN hn_num3 hn_i_from_x(hn_uvec3 words, hn_num3 x, hn_num jitter) {
+// Subtracts the points of three cells, along each axis: x and y hold the offsets of the place from the centres of the
+// cells, and the results its offsets from their points.
+HN_FN hn_i_num3 hn_i_from_x(hn_uvec3 words, hn_i_num3 x, hn_i_num jitter) {
   return hn_i_offsets_from_points(x, hn_i_points_x(words), jitter);
 }
-HN_FN hn_num3 hn_i_from_y(hn_uvec3 words, hn_num3 y, hn_num jitter) {
+HN_FN hn_i_num3 hn_i_from_y(hn_uvec3 words, hn_i_num3 y, hn_i_num jitter) {
   return hn_i_offsets_from_points(y, hn_i_points_y(words), jitter);
 }
-HN_FN hn_rank3 hn_i_squares(hn_uvec3 words, hn_num3 x, hn_num3 y, hn_num jitter) {
+HN_FN hn_i_rank3 hn_i_squares(hn_uvec3 words, hn_i_num3 x, hn_i_num3 y, hn_i_num jitter) {
   return hn_i_squares(hn_i_from_x(words, x, jitter), hn_i_from_y(words, y, jitter));
 }
 
 // The ranks of the distances to these points.
-HN_FN hn_rank3 hn_i_ranks(hn_uvec3 words, hn_num3 x, hn_num3 y, hn_num jitter, hn_int metric) {
+HN_FN hn_i_rank3 hn_i_ranks(hn_uvec3 words, hn_i_num3 x, hn_i_num3 y, hn_i_num jitter, hn_int metric) {
   if (metric == HN_METRIC_MANHATTAN || metric == HN_METRIC_CHEBYSHEV || metric == HN_METRIC_HYBRID) {
-    hn_rank3 a = hn_i_sizes(hn_i_from_x(words, x, jitter));
-    hn_rank3 b = hn_i_sizes(hn_i_from_y(words, y, jitter));
+    hn_i_rank3 a = hn_i_sizes(hn_i_from_x(words, x, jitter));
+    hn_i_rank3 b = hn_i_sizes(hn_i_from_y(words, y, jitter));
     if (metric == HN_METRIC_CHEBYSHEV) return max(a, b);
     if (metric == HN_METRIC_MANHATTAN) return hn_i_sum(a, b);
     return hn_i_hybrids(hn_i_squares(words, x, y, jitter), hn_i_sum(a, b));
@@ -83,43 +84,44 @@ HN_FN hn_rank3 hn_i_ranks(hn_uvec3 words, hn_num3 x, hn_num3 y, hn_num jitter, h
 // The words of a row of the cells around a place, from their spread coordinates: along x at y, and along y at x. s is
 // the mixed seed.
 HN_FN hn_uvec3 hn_i_words_along_x(hn_i_block2 block, hn_uint y, hn_uint s) {
-  hn_uvec3 x = hn_i_along_x(block);
-  return hn_i_row_words(x >> 12u, hn_i_odd_step(x), hn_i_high(uvec2(0u, y)).y ^ hn_i_seed_join(s),
+  hn_uvec3 x = hn_i_coordinates_x(block);
+  return hn_i_row_words(x >> HN_I_HIGH_X, hn_i_odd_step(x), hn_i_high(uvec2(0u, y)).y ^ hn_i_seed_join(s),
                         hn_i_odd(y * HN_I_SUM_Y + s));
 }
 HN_FN hn_uvec3 hn_i_words_along_y(hn_i_block2 block, hn_uint x, hn_uint s) {
-  hn_uvec3 y = hn_i_along_y(block);
-  return hn_i_row_words(y >> 11u, hn_i_odd_step(y * HN_I_SUM_Y), hn_i_high(x) ^ hn_i_seed_join(s), hn_i_odd(x + s));
+  hn_uvec3 y = hn_i_coordinates_y(block);
+  return hn_i_row_words(y >> HN_I_HIGH_Y, hn_i_odd_step(y * HN_I_SUM_Y), hn_i_high(x) ^ hn_i_seed_join(s),
+                        hn_i_odd(x + s));
 }
 
 // The three smallest ranks of the points of a cell and its neighbours, and the code of the nearest one's cell. d is the
 // offset of the place from the centre of the cell.
-HN_FN hn_rank4 hn_i_nearest(hn_i_block2 block, hn_num2 d, hn_num jitter, hn_int metric, hn_uint seed) {
+HN_FN hn_i_rank4 hn_i_nearest(hn_i_block2 block, hn_i_num2 d, hn_i_num jitter, hn_int metric, hn_uint seed) {
   hn_uint s = hn_i_mix(seed);
-  hn_num3 x = hn_i_row(d.x);
-  hn_num3 y = hn_i_row(d.y);
+  hn_i_num3 x = hn_i_row(d.x);
+  hn_i_num3 y = hn_i_row(d.y);
   hn_uvec3 words = hn_i_words_along_x(block, block.previous.y, s);
-  hn_rank4 best =
-      hn_i_visited(hn_i_far_away(), hn_i_ranks(words, x, hn_i_thrice(y.x), jitter, metric), hn_i_code(0, -1), 1);
+  hn_i_rank4 best =
+      hn_i_insert(hn_i_far_away(), hn_i_ranks(words, x, hn_i_equal_triple(y.x), jitter, metric), hn_i_code(0, -1), 1);
   words = hn_i_words_along_x(block, block.cell.y, s);
-  best = hn_i_visited(best, hn_i_ranks(words, x, hn_i_thrice(y.y), jitter, metric), hn_i_code(0, 0), 1);
+  best = hn_i_insert(best, hn_i_ranks(words, x, hn_i_equal_triple(y.y), jitter, metric), hn_i_code(0, 0), 1);
   words = hn_i_words_along_x(block, block.following.y, s);
-  return hn_i_visited(best, hn_i_ranks(words, x, hn_i_thrice(y.z), jitter, metric), hn_i_code(0, 1), 1);
+  return hn_i_insert(best, hn_i_ranks(words, x, hn_i_equal_triple(y.z), jitter, metric), hn_i_code(0, 1), 1);
 }
 
 // The offset of the place from the point of the cell with that code.
-HN_FN hn_num2 hn_i_from_nearest(hn_i_block2 block, hn_num2 d, hn_num jitter, hn_uint seed, hn_rank code) {
+HN_FN hn_i_num2 hn_i_from_nearest(hn_i_block2 block, hn_i_num2 d, hn_i_num jitter, hn_uint seed, hn_i_rank code) {
   hn_int x = hn_i_x_of(int(code));
   hn_int y = hn_i_y_of(int(code));
   hn_uint s = hn_i_mix(seed);
-  hn_uint word =
-      hn_i_seeded_word(uvec2(hn_i_of_three(hn_i_along_x(block), x), hn_i_of_three(hn_i_along_y(block), y)), s);
-  hn_uvec3 words = hn_i_thrice(word);
-  return hn_i_num(hn_i_from_x(words, hn_i_thrice(hn_i_offset_from_cell(d.x, x)), jitter).x,
-                  hn_i_from_y(words, hn_i_thrice(hn_i_offset_from_cell(d.y, y)), jitter).x);
+  hn_uint word = hn_i_seeded_word(
+      uvec2(hn_i_triple_at(hn_i_coordinates_x(block), x), hn_i_triple_at(hn_i_coordinates_y(block), y)), s);
+  hn_uvec3 words = hn_i_equal_triple(word);
+  return hn_i_vector(hn_i_from_x(words, hn_i_equal_triple(hn_i_offset_from_cell(d.x, x)), jitter).x,
+                     hn_i_from_y(words, hn_i_equal_triple(hn_i_offset_from_cell(d.y, y)), jitter).x);
 }
 
 // The vector from a place to a point, as floats, from the offset of the place from it.
-HN_FN hn_vec2 hn_i_toward(hn_num2 from) { return vec2(hn_i_toward(from.x), hn_i_toward(from.y)); }
+HN_FN hn_vec2 hn_i_toward(hn_i_num2 from) { return vec2(hn_i_toward(from.x), hn_i_toward(from.y)); }
 
 #endif

@@ -8,18 +8,18 @@
 
 // The same in every dimension: tools/umbrella makes it of feature_points2d.glsl.
 
-HN_FN hn_num3 hn_i_from_centre(hn_num3 f) {
-  return hn_i_num(hn_i_from_centre(f.x), hn_i_from_centre(f.y), hn_i_from_centre(f.z));
+HN_FN hn_i_num3 hn_i_from_centre(hn_i_num3 f) {
+  return hn_i_vector(hn_i_from_centre(f.x), hn_i_from_centre(f.y), hn_i_from_centre(f.z));
 }
 
-// Along each axis b where the place is on that side of the centre, else a.
-HN_FN hn_uvec3 hn_i_toward_place(hn_num3 d, hn_uvec3 a, hn_uvec3 b) {
+// Chooses b along each axis where the place is above the centre of its cell, else a.
+HN_FN hn_uvec3 hn_i_toward_place(hn_i_num3 d, hn_uvec3 a, hn_uvec3 b) {
   return uvec3(hn_i_select(d.x > HN_I_NO_OFFSET, b.x, a.x), hn_i_select(d.y > HN_I_NO_OFFSET, b.y, a.y),
                hn_i_select(d.z > HN_I_NO_OFFSET, b.z, a.z));
 }
 
-// The spread coordinates of the cell that is two steps on along all axes, on the side of the place.
-HN_FN hn_uvec3 hn_i_two_steps(hn_place3 place, hn_i_block3 block, hn_num3 d) {
+// The spread coordinates of the cell that is two steps away along all axes, on the side of the place.
+HN_FN hn_uvec3 hn_i_far_cell(hn_place3 place, hn_i_block3 block, hn_i_num3 d) {
   hn_uvec3 two;
   if (place.tiled) {
     hn_uvec3 c = hn_i_wrap(place.cell, place.period);
@@ -32,23 +32,24 @@ HN_FN hn_uvec3 hn_i_two_steps(hn_place3 place, hn_i_block3 block, hn_num3 d) {
 }
 
 // The cell of the block with a code, modulo the period.
-HN_FN hn_ivec3 hn_i_cell_of(hn_place3 place, hn_rank code) {
+HN_FN hn_ivec3 hn_i_cell_of(hn_place3 place, hn_i_rank code) {
   hn_uvec3 c = hn_i_wrap(place.cell, place.period);
   hn_uvec3 before = hn_i_previous(c, place.period);
   hn_uvec3 after = hn_i_following(c, place.period);
-  return ivec3(int(hn_i_of_three(uvec3(before.x, c.x, after.x), hn_i_x_of(int(code)))),
-               int(hn_i_of_three(uvec3(before.y, c.y, after.y), hn_i_y_of(int(code)))),
-               int(hn_i_of_three(uvec3(before.z, c.z, after.z), hn_i_z_of(int(code)))));
+  return ivec3(int(hn_i_triple_at(uvec3(before.x, c.x, after.x), hn_i_x_of(int(code)))),
+               int(hn_i_triple_at(uvec3(before.y, c.y, after.y), hn_i_y_of(int(code)))),
+               int(hn_i_triple_at(uvec3(before.z, c.z, after.z), hn_i_z_of(int(code)))));
 }
 
 // By hand in each dimension.
 
 // The directions of three words. Where they are floats, their components are u = x + y, v = x - y and z, as they come
-// (direction.glsl). So are those of the offsets from points. In HN_FIXED u and v stand for x and y, in units of 2^-9.
+// (direction.glsl). The offsets from points have such components, too. In HN_FIXED u and v stand for x and y, in units
+// of 2^-9.
 //
 //   hn_i_octahedral_u(x, y), hn_i_octahedral_v(x, y)  such components of offsets
-//   hn_i_squares, hn_i_manhattans, hn_i_chebyshevs  of such offsets: squares, sums of sizes, and largest sizes
-//   hn_i_from_octahedral(d)  the offset of one that is turned
+//   hn_i_squares, hn_i_manhattans, hn_i_chebyshevs  squares, sums of sizes and largest sizes of such offsets
+//   hn_i_from_octahedral(d)  the offset along x, y and z, from one with such components
 #if HN_ARITHMETIC != HN_FIXED
 
 HN_FN hn_vec3 hn_i_points_u(hn_uvec3 words) { return hn_i_fields3p(words); }
@@ -87,8 +88,8 @@ HN_FN hn_ivec3 hn_i_points_z(hn_uvec3 words) {
   return hn_i_signed((ivec3(256, 256, 256) - ivec3(larger)) * 2, words);
 }
 
-// Just x and y: compilers drop the rest. A parameter that is not used is a warning, and one without a name an error in
-// Mesa.
+// These return x and y. Compilers drop the rest, which is there since a parameter that is not used is a warning, and
+// one without a name an error in Mesa.
 HN_FN hn_ivec3 hn_i_octahedral_u(hn_ivec3 x, hn_ivec3 y) { return x + y * 0; }
 HN_FN hn_ivec3 hn_i_octahedral_v(hn_ivec3 x, hn_ivec3 y) { return x * 0 + y; }
 HN_FN hn_uvec3 hn_i_manhattans(hn_ivec3 x, hn_ivec3 y, hn_ivec3 z) {
@@ -101,74 +102,78 @@ HN_FN hn_ivec3 hn_i_from_octahedral(hn_ivec3 d) { return d; }
 
 #endif
 
-// The offsets of a place from the points of three cells, in u and v, from those from the centres of the cells.
-HN_FN hn_num3 hn_i_from_u(hn_uvec3 words, hn_num3 x, hn_num3 y, hn_num jitter) {
+// Subtracts the points of three cells, in u, v and z: x, y and z hold the offsets of the place from the centres of the
+// cells, and the results its offsets from their points.
+HN_FN hn_i_num3 hn_i_from_u(hn_uvec3 words, hn_i_num3 x, hn_i_num3 y, hn_i_num jitter) {
   return hn_i_offsets_from_points(hn_i_octahedral_u(x, y), hn_i_points_u(words), jitter);
 }
-HN_FN hn_num3 hn_i_from_v(hn_uvec3 words, hn_num3 x, hn_num3 y, hn_num jitter) {
+HN_FN hn_i_num3 hn_i_from_v(hn_uvec3 words, hn_i_num3 x, hn_i_num3 y, hn_i_num jitter) {
   return hn_i_offsets_from_points(hn_i_octahedral_v(x, y), hn_i_points_v(words), jitter);
 }
-HN_FN hn_num3 hn_i_from_z(hn_uvec3 words, hn_num3 z, hn_num jitter) {
+HN_FN hn_i_num3 hn_i_from_z(hn_uvec3 words, hn_i_num3 z, hn_i_num jitter) {
   return hn_i_offsets_from_points(z, hn_i_points_z(words), jitter);
 }
 
 // The ranks of the distances to these points.
-HN_FN hn_rank3 hn_i_ranks(hn_uvec3 words, hn_num3 x, hn_num3 y, hn_num3 z, hn_num jitter, hn_int metric) {
-  hn_num3 u = hn_i_from_u(words, x, y, jitter);
-  hn_num3 v = hn_i_from_v(words, x, y, jitter);
-  hn_num3 w = hn_i_from_z(words, z, jitter);
+HN_FN hn_i_rank3 hn_i_ranks(hn_uvec3 words, hn_i_num3 x, hn_i_num3 y, hn_i_num3 z, hn_i_num jitter, hn_int metric) {
+  hn_i_num3 u = hn_i_from_u(words, x, y, jitter);
+  hn_i_num3 v = hn_i_from_v(words, x, y, jitter);
+  hn_i_num3 w = hn_i_from_z(words, z, jitter);
   if (metric == HN_METRIC_MANHATTAN) return hn_i_manhattans(u, v, w);
   if (metric == HN_METRIC_CHEBYSHEV) return hn_i_chebyshevs(u, v, w);
   if (metric == HN_METRIC_HYBRID) return hn_i_hybrids(hn_i_squares(u, v, w), hn_i_manhattans(u, v, w));
   return hn_i_squares(u, v, w);
 }
 
-// What the cells around a place add along one axis to the joins of a word, and what one cell adds with the mixed seed.
+// The share of the cells around a place in the first join of a word, along one axis.
 HN_FN hn_uvec3 hn_i_joins_x(hn_i_block3 block) {
-  hn_uvec3 x = hn_i_along_x(block);
-  return x >> 12u;
+  hn_uvec3 x = hn_i_coordinates_x(block);
+  return x >> HN_I_HIGH_X;
 }
 HN_FN hn_uvec3 hn_i_joins_y(hn_i_block3 block) {
-  hn_uvec3 y = hn_i_along_y(block);
-  return y >> 11u;
+  hn_uvec3 y = hn_i_coordinates_y(block);
+  return y >> HN_I_HIGH_Y;
 }
 HN_FN hn_uvec3 hn_i_joins_z(hn_i_block3 block) {
-  hn_uvec3 z = hn_i_along_z(block);
-  return z >> 10u;
+  hn_uvec3 z = hn_i_coordinates_z(block);
+  return z >> HN_I_HIGH_Z;
 }
 
-// The three smallest ranks so far and the code of the smallest, with those of nine cells in a slab across z: x and y
-// are the offsets of the place from their centres along these axes, and z is that along z. `join` and `odd` are what z
-// and the seed add to the joins of a word. `code` is that of the cell in the middle.
-HN_FN hn_rank4 hn_i_visit_slab(hn_rank4 best, hn_i_block3 block, hn_uint join, hn_uint odd, hn_num3 x, hn_num3 y,
-                               hn_num z, hn_num jitter, hn_int metric, hn_int code) {
+// Inserts the ranks of nine cells in a slab across z into the three smallest so far. x and y are the offsets of the
+// place from their centres along these axes, and z is that along z. `join` and `odd` are what z and the seed add to the
+// joins of a word. `code` is that of the cell in the middle.
+HN_FN hn_i_rank4 hn_i_visit_slab(hn_i_rank4 best, hn_i_block3 block, hn_uint join, hn_uint odd, hn_i_num3 x,
+                                 hn_i_num3 y, hn_i_num z, hn_i_num jitter, hn_int metric, hn_int code) {
   hn_uvec3 joins = hn_i_joins_x(block);
-  hn_uvec3 odds = hn_i_odd_step(hn_i_along_x(block));
+  hn_uvec3 odds = hn_i_odd_step(hn_i_coordinates_x(block));
   hn_uvec3 rows = hn_i_xor(hn_i_joins_y(block), join);
-  hn_uvec3 row_odds = hn_i_odd_step(hn_i_along_y(block) * HN_I_SUM_Y) + odd;
-  hn_num3 across = hn_i_thrice(z);
-  best = hn_i_visited(
-      best, hn_i_ranks(hn_i_row_words(joins, odds, rows.x, row_odds.x), x, hn_i_thrice(y.x), across, jitter, metric),
+  hn_uvec3 row_odds = hn_i_odd_step(hn_i_coordinates_y(block) * HN_I_SUM_Y) + odd;
+  hn_i_num3 across = hn_i_equal_triple(z);
+  best = hn_i_insert(
+      best,
+      hn_i_ranks(hn_i_row_words(joins, odds, rows.x, row_odds.x), x, hn_i_equal_triple(y.x), across, jitter, metric),
       code - 4, 1);
-  best = hn_i_visited(
-      best, hn_i_ranks(hn_i_row_words(joins, odds, rows.y, row_odds.y), x, hn_i_thrice(y.y), across, jitter, metric),
+  best = hn_i_insert(
+      best,
+      hn_i_ranks(hn_i_row_words(joins, odds, rows.y, row_odds.y), x, hn_i_equal_triple(y.y), across, jitter, metric),
       code, 1);
-  return hn_i_visited(
-      best, hn_i_ranks(hn_i_row_words(joins, odds, rows.z, row_odds.z), x, hn_i_thrice(y.z), across, jitter, metric),
+  return hn_i_insert(
+      best,
+      hn_i_ranks(hn_i_row_words(joins, odds, rows.z, row_odds.z), x, hn_i_equal_triple(y.z), across, jitter, metric),
       code + 4, 1);
 }
 
 // The three smallest ranks of the points of a cell and its neighbours, and the code of the nearest one's cell. d is the
 // offset of the place from the centre of the cell. With a loop over z a shader compiles in about 0.6 of the time. But
 // llvmpipe does not unroll it, and then takes 1.6 times as long.
-HN_FN hn_rank4 hn_i_nearest(hn_i_block3 block, hn_num3 d, hn_num jitter, hn_int metric, hn_uint seed) {
+HN_FN hn_i_rank4 hn_i_nearest(hn_i_block3 block, hn_i_num3 d, hn_i_num jitter, hn_int metric, hn_uint seed) {
   hn_uint s = hn_i_mix(seed);
-  hn_num3 x = hn_i_row(d.x);
-  hn_num3 y = hn_i_row(d.y);
-  hn_num3 z = hn_i_row(d.z);
+  hn_i_num3 x = hn_i_row(d.x);
+  hn_i_num3 y = hn_i_row(d.y);
+  hn_i_num3 z = hn_i_row(d.z);
   hn_uvec3 joins = hn_i_xor(hn_i_joins_z(block), hn_i_seed_join(s));
-  hn_rank4 best = hn_i_visit_slab(hn_i_far_away(), block, joins.x, hn_i_odd(block.previous.z * HN_I_SUM_Z + s), x, y,
-                                  z.x, jitter, metric, hn_i_code(0, 0, -1));
+  hn_i_rank4 best = hn_i_visit_slab(hn_i_far_away(), block, joins.x, hn_i_odd(block.previous.z * HN_I_SUM_Z + s), x, y,
+                                    z.x, jitter, metric, hn_i_code(0, 0, -1));
   best = hn_i_visit_slab(best, block, joins.y, hn_i_odd(block.cell.z * HN_I_SUM_Z + s), x, y, z.y, jitter, metric,
                          hn_i_code(0, 0, 0));
   return hn_i_visit_slab(best, block, joins.z, hn_i_odd(block.following.z * HN_I_SUM_Z + s), x, y, z.z, jitter, metric,
@@ -176,24 +181,25 @@ HN_FN hn_rank4 hn_i_nearest(hn_i_block3 block, hn_num3 d, hn_num jitter, hn_int 
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// A slab across any axis: 0 for x, 1 for y and 2 for z. Its rows run along x, but along y across x; they follow each
-// other along y, but across y and x along z. `at` is the spread coordinate along the axis.
+// A slab of nine cells may lie across any axis: 0 is x, 1 is y and 2 is z. Its rows run along x, but a slab across x
+// has rows along y. They follow each other along y, but in a slab across x or y along z. `at` is the spread coordinate
+// along the axis.
 
 HN_FN hn_uvec3 hn_i_if_axis(hn_int axis, hn_int which, hn_uvec3 a, hn_uvec3 b) {
   return uvec3(hn_i_select(axis == which, a.x, b.x), hn_i_select(axis == which, a.y, b.y),
                hn_i_select(axis == which, a.z, b.z));
 }
-HN_FN hn_num3 hn_i_if_axis(hn_int axis, hn_int which, hn_num3 a, hn_num3 b) {
-  return hn_i_num(hn_i_select(axis == which, a.x, b.x), hn_i_select(axis == which, a.y, b.y),
-                  hn_i_select(axis == which, a.z, b.z));
+HN_FN hn_i_num3 hn_i_if_axis(hn_int axis, hn_int which, hn_i_num3 a, hn_i_num3 b) {
+  return hn_i_vector(hn_i_select(axis == which, a.x, b.x), hn_i_select(axis == which, a.y, b.y),
+                     hn_i_select(axis == which, a.z, b.z));
 }
-HN_FN hn_uint hn_i_along(hn_int axis, hn_uvec3 v) {
+HN_FN hn_uint hn_i_component_along(hn_int axis, hn_uvec3 v) {
   return hn_i_select(axis == 0, v.x, hn_i_select(axis == 1, v.y, v.z));
 }
 
-// How many steps it is to the slab beside the block, on the side of the place.
-HN_FN hn_int hn_i_two_along(hn_int axis, hn_num3 d) {
-  return hn_i_select(axis == 0, hn_i_two(d.x), hn_i_select(axis == 1, hn_i_two(d.y), hn_i_two(d.z)));
+// The number of steps to the slab beside the block, on the side of the place.
+HN_FN hn_int hn_i_far_step_along(hn_int axis, hn_i_num3 d) {
+  return hn_i_select(axis == 0, hn_i_far_step(d.x), hn_i_select(axis == 1, hn_i_far_step(d.y), hn_i_far_step(d.z)));
 }
 
 // The words of its row n, which is -1, 0 or 1.
@@ -202,48 +208,49 @@ HN_FN hn_uvec3 hn_i_slab_words(hn_i_block3 block, hn_int axis, hn_uint at, hn_in
   hn_uvec3 x = hn_i_joins_x(block);
   hn_uvec3 y = hn_i_joins_y(block);
   hn_uvec3 z = hn_i_joins_z(block);
-  hn_uvec3 along_y = hn_i_along_y(block) * HN_I_SUM_Y;
-  hn_uvec3 row = hn_i_if_axis(axis, 0, along_y, hn_i_along_x(block));
-  hn_uint next = hn_i_of_three(hn_i_if_axis(axis, 2, along_y, hn_i_along_z(block) * HN_I_SUM_Z), n);
+  hn_uvec3 along_y = hn_i_coordinates_y(block) * HN_I_SUM_Y;
+  hn_uvec3 row = hn_i_if_axis(axis, 0, along_y, hn_i_coordinates_x(block));
+  hn_uint next = hn_i_triple_at(hn_i_if_axis(axis, 2, along_y, hn_i_coordinates_z(block) * HN_I_SUM_Z), n);
   return hn_i_row_words(hn_i_if_axis(axis, 0, y, x), hn_i_odd_step(row),
-                        hn_i_of_three(hn_i_if_axis(axis, 2, y, z), n) ^ hn_i_along(axis, hn_i_high(uvec3(at, at, at))) ^
-                            hn_i_seed_join(s),
-                        hn_i_odd(next + hn_i_along(axis, uvec3(at, hn_i_sum_y(at), hn_i_sum_z(at))) + s));
+                        hn_i_triple_at(hn_i_if_axis(axis, 2, y, z), n) ^
+                            hn_i_component_along(axis, hn_i_high(uvec3(at, at, at))) ^ hn_i_seed_join(s),
+                        hn_i_odd(next + hn_i_component_along(axis, uvec3(at, hn_i_sum_y(at), hn_i_sum_z(at))) + s));
 }
 
 // The offsets of the place from the centres of the cells of that row, along each axis; the slab is some steps on.
-HN_FN hn_num3 hn_i_slab_x(hn_num3 d, hn_int axis, hn_int steps) {
-  return hn_i_if_axis(axis, 0, hn_i_thrice(hn_i_offset_from_cell(d.x, steps)), hn_i_row(d.x));
+HN_FN hn_i_num3 hn_i_slab_x(hn_i_num3 d, hn_int axis, hn_int steps) {
+  return hn_i_if_axis(axis, 0, hn_i_equal_triple(hn_i_offset_from_cell(d.x, steps)), hn_i_row(d.x));
 }
-HN_FN hn_num3 hn_i_slab_y(hn_num3 d, hn_int axis, hn_int steps, hn_int n) {
+HN_FN hn_i_num3 hn_i_slab_y(hn_i_num3 d, hn_int axis, hn_int steps, hn_int n) {
   return hn_i_if_axis(axis, 0, hn_i_row(d.y),
-                      hn_i_thrice(hn_i_offset_from_cell(d.y, hn_i_select(axis == 1, steps, n))));
+                      hn_i_equal_triple(hn_i_offset_from_cell(d.y, hn_i_select(axis == 1, steps, n))));
 }
-HN_FN hn_num3 hn_i_slab_z(hn_num3 d, hn_int axis, hn_int steps, hn_int n) {
-  return hn_i_thrice(hn_i_offset_from_cell(d.z, hn_i_select(axis == 2, steps, n)));
+HN_FN hn_i_num3 hn_i_slab_z(hn_i_num3 d, hn_int axis, hn_int steps, hn_int n) {
+  return hn_i_equal_triple(hn_i_offset_from_cell(d.z, hn_i_select(axis == 2, steps, n)));
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
 
 // The offset of the place from the point of the cell with that code, in u, v and z.
-HN_FN hn_num3 hn_i_from_nearest(hn_i_block3 block, hn_num3 d, hn_num jitter, hn_uint seed, hn_rank code) {
+HN_FN hn_i_num3 hn_i_from_nearest(hn_i_block3 block, hn_i_num3 d, hn_i_num jitter, hn_uint seed, hn_i_rank code) {
   hn_int x = hn_i_x_of(int(code));
   hn_int y = hn_i_y_of(int(code));
   hn_int z = hn_i_z_of(int(code));
   hn_uint s = hn_i_mix(seed);
-  hn_uint word = hn_i_seeded_word(uvec3(hn_i_of_three(hn_i_along_x(block), x), hn_i_of_three(hn_i_along_y(block), y),
-                                        hn_i_of_three(hn_i_along_z(block), z)),
-                                  s);
-  hn_uvec3 words = hn_i_thrice(word);
-  hn_num3 beside_x = hn_i_thrice(hn_i_offset_from_cell(d.x, x));
-  hn_num3 beside_y = hn_i_thrice(hn_i_offset_from_cell(d.y, y));
-  return hn_i_num(hn_i_from_u(words, beside_x, beside_y, jitter).x, hn_i_from_v(words, beside_x, beside_y, jitter).x,
-                  hn_i_from_z(words, hn_i_thrice(hn_i_offset_from_cell(d.z, z)), jitter).x);
+  hn_uint word =
+      hn_i_seeded_word(uvec3(hn_i_triple_at(hn_i_coordinates_x(block), x), hn_i_triple_at(hn_i_coordinates_y(block), y),
+                             hn_i_triple_at(hn_i_coordinates_z(block), z)),
+                       s);
+  hn_uvec3 words = hn_i_equal_triple(word);
+  hn_i_num3 beside_x = hn_i_equal_triple(hn_i_offset_from_cell(d.x, x));
+  hn_i_num3 beside_y = hn_i_equal_triple(hn_i_offset_from_cell(d.y, y));
+  return hn_i_vector(hn_i_from_u(words, beside_x, beside_y, jitter).x, hn_i_from_v(words, beside_x, beside_y, jitter).x,
+                     hn_i_from_z(words, hn_i_equal_triple(hn_i_offset_from_cell(d.z, z)), jitter).x);
 }
 
 // The vector from a place to a point, as floats, from the offset of the place from it.
-HN_FN hn_vec3 hn_i_toward(hn_num3 from) {
-  hn_num3 d = hn_i_from_octahedral(from);
+HN_FN hn_vec3 hn_i_toward(hn_i_num3 from) {
+  hn_i_num3 d = hn_i_from_octahedral(from);
   return vec3(hn_i_toward(d.x), hn_i_toward(d.y), hn_i_toward(d.z));
 }
 

@@ -14,11 +14,11 @@
 // around that. So it must be nearer to the centre of its cell than without a phase: or else a cell and its neighbours
 // would not always have the two nearest points.
 //
-//   hn_i_jitter(j, n)       n / 32 of the jitter
-//   hn_i_projected(d, b)    an offset times a cosine or a sine
-//   hn_i_beside(d, b, n)    an offset from the centre of a cell, turned, from that of the n-th cell after it along an
-//                           axis, which turns to b
-//   hn_i_row(d, b)          that for n from -1 to 1
+//   hn_i_jitter(j, n)            n / 32 of the jitter
+//   hn_i_projected(d, b)         an offset times a cosine or a sine
+//   hn_i_turned_offset(d, b, n)  the offset from the centre of the n-th cell after a cell, along an axis that turns to
+//                                b. d is the offset from the centre of that cell, turned
+//   hn_i_row(d, b)               that for n from -1 to 1
 
 #if HN_ARITHMETIC != HN_FIXED
 
@@ -26,7 +26,9 @@ HN_FN hn_float hn_i_jitter(hn_float jitter, hn_int n) {
   return hn_i_times(hn_i_times(hn_i_jitter(jitter), hn_i_float(n)), 1.0f / 32.0f);
 }
 HN_FN hn_float hn_i_projected(hn_float d, hn_float b) { return hn_i_times(d, b); }
-HN_FN hn_float hn_i_beside(hn_float d, hn_float b, hn_int n) { return hn_i_minus(d, hn_i_times(hn_i_float(n * 2), b)); }
+HN_FN hn_float hn_i_turned_offset(hn_float d, hn_float b, hn_int n) {
+  return hn_i_minus(d, hn_i_times(hn_i_float(n * 2), b));
+}
 
 #else
 
@@ -34,12 +36,12 @@ HN_FN hn_int hn_i_jitter(hn_float jitter, hn_int n) { return (hn_i_jitter(jitter
 
 // A cosine is in units of 2^-18, and an offset that is turned has up to 21 bits. A product with its high bits has 31.
 HN_FN hn_int hn_i_projected(hn_int d, hn_int b) { return (((d >> 8) * b) >> 10) + (((d & 255) * b) >> 18); }
-HN_FN hn_int hn_i_beside(hn_int d, hn_int b, hn_int n) { return d - n * 4 * b; }
+HN_FN hn_int hn_i_turned_offset(hn_int d, hn_int b, hn_int n) { return d - n * 4 * b; }
 
 #endif
 
-HN_FN hn_num3 hn_i_row(hn_num d, hn_num b) {
-  return hn_i_three(hn_i_beside(d, b, -1), d, hn_i_beside(d, b, 1));
+HN_FN hn_i_num3 hn_i_row(hn_i_num d, hn_i_num b) {
+  return hn_i_triple(hn_i_turned_offset(d, b, -1), d, hn_i_turned_offset(d, b, 1));
 }
 
 #endif

@@ -13,58 +13,58 @@
 // centre of a cell. A cell beyond has its centre sqrt(5/2) away. So the nearest two are among the four if
 // sqrt(1/2) + r < sqrt(5/2) - r, that is, for r < 0.4370; everywhere else there is more room. Directions are no longer
 // than sqrt(511^2 + 1) / 512, so with 7/8 of the jitter r is 0.4367.
-HN_FN hn_num hn_i_moving_jitter2(hn_float jitter) { return hn_i_jitter(jitter, 28); }
+HN_FN hn_i_num hn_i_moving_jitter2(hn_float jitter) { return hn_i_jitter(jitter, 28); }
 
-// What turns a place around the centre of a cell, backwards: the rows of a matrix.
+// The rows of a matrix that turns a place around the centre of a cell, backwards.
 struct hn_i_turn2 {
-  hn_num2 x;
-  hn_num2 y;
+  hn_i_num2 x;
+  hn_i_num2 y;
 };
 HN_FN hn_i_turn2 hn_i_turning2(hn_float phase) {
   HN_I_NEW(hn_i_turn2, turn);
   turn.x = hn_i_rotation(phase);
-  turn.y = hn_i_num(-turn.x.y, turn.x.x);
+  turn.y = hn_i_vector(-turn.x.y, turn.x.x);
   return turn;
 }
-HN_FN hn_num hn_i_projected(hn_num2 d, hn_num2 row) {
+HN_FN hn_i_num hn_i_projected(hn_i_num2 d, hn_i_num2 row) {
   return hn_i_plus(hn_i_projected(d.x, row.x), hn_i_projected(d.y, row.y));
 }
 
 // The three smallest ranks of the points of a cell and its neighbours, and the code of the nearest one's cell. d is the
 // offset of the place from the centre of the cell. x and y are those from the centres of the cells above and below it,
 // turned.
-HN_FN hn_rank4 hn_i_nearest(hn_i_block2 block, hn_num2 d, hn_i_turn2 turn, hn_num jitter, hn_uint seed) {
+HN_FN hn_i_rank4 hn_i_nearest(hn_i_block2 block, hn_i_num2 d, hn_i_turn2 turn, hn_i_num jitter, hn_uint seed) {
   hn_uint s = hn_i_mix(seed);
-  hn_num3 x = hn_i_row(hn_i_projected(d, turn.x), turn.x.y);
-  hn_num3 y = hn_i_row(hn_i_projected(d, turn.y), turn.y.y);
-  hn_rank4 best =
-      hn_i_visited(hn_i_far_away(),
-                   hn_i_squares(hn_i_words_along_x(block, block.previous.y, s), hn_i_row(x.x, turn.x.x),
-                                hn_i_row(y.x, turn.y.x), jitter),
-                   hn_i_code(0, -1), 1);
-  best = hn_i_visited(best,
-                      hn_i_squares(hn_i_words_along_x(block, block.cell.y, s), hn_i_row(x.y, turn.x.x),
-                                   hn_i_row(y.y, turn.y.x), jitter),
-                      hn_i_code(0, 0), 1);
-  return hn_i_visited(best,
-                      hn_i_squares(hn_i_words_along_x(block, block.following.y, s), hn_i_row(x.z, turn.x.x),
-                                   hn_i_row(y.z, turn.y.x), jitter),
-                      hn_i_code(0, 1), 1);
+  hn_i_num3 x = hn_i_row(hn_i_projected(d, turn.x), turn.x.y);
+  hn_i_num3 y = hn_i_row(hn_i_projected(d, turn.y), turn.y.y);
+  hn_i_rank4 best = hn_i_insert(hn_i_far_away(),
+                                hn_i_squares(hn_i_words_along_x(block, block.previous.y, s), hn_i_row(x.x, turn.x.x),
+                                             hn_i_row(y.x, turn.y.x), jitter),
+                                hn_i_code(0, -1), 1);
+  best = hn_i_insert(best,
+                     hn_i_squares(hn_i_words_along_x(block, block.cell.y, s), hn_i_row(x.y, turn.x.x),
+                                  hn_i_row(y.y, turn.y.x), jitter),
+                     hn_i_code(0, 0), 1);
+  return hn_i_insert(best,
+                     hn_i_squares(hn_i_words_along_x(block, block.following.y, s), hn_i_row(x.z, turn.x.x),
+                                  hn_i_row(y.z, turn.y.x), jitter),
+                     hn_i_code(0, 1), 1);
 }
 
 // The vector from the place to the point of the cell with that code.
-HN_FN hn_vec2 hn_i_to_nearest(hn_i_block2 block, hn_num2 d, hn_i_turn2 turn, hn_num jitter, hn_uint seed,
-                              hn_rank code) {
+HN_FN hn_vec2 hn_i_to_nearest(hn_i_block2 block, hn_i_num2 d, hn_i_turn2 turn, hn_i_num jitter, hn_uint seed,
+                              hn_i_rank code) {
   hn_int i = hn_i_x_of(int(code));
   hn_int j = hn_i_y_of(int(code));
   hn_uint s = hn_i_mix(seed);
-  hn_uvec3 words = hn_i_thrice(
-      hn_i_seeded_word(uvec2(hn_i_of_three(hn_i_along_x(block), i), hn_i_of_three(hn_i_along_y(block), j)), s));
-  hn_num x = hn_i_beside(hn_i_beside(hn_i_projected(d, turn.x), turn.x.y, j), turn.x.x, i);
-  hn_num y = hn_i_beside(hn_i_beside(hn_i_projected(d, turn.y), turn.y.y, j), turn.y.x, i);
-  hn_num2 from = hn_i_num(hn_i_from_x(words, hn_i_thrice(x), jitter).x, hn_i_from_y(words, hn_i_thrice(y), jitter).x);
-  return vec2(hn_i_toward(hn_i_projected(from, hn_i_num(turn.x.x, turn.y.x))),
-              hn_i_toward(hn_i_projected(from, hn_i_num(turn.x.y, turn.y.y))));
+  hn_uvec3 words = hn_i_equal_triple(hn_i_seeded_word(
+      uvec2(hn_i_triple_at(hn_i_coordinates_x(block), i), hn_i_triple_at(hn_i_coordinates_y(block), j)), s));
+  hn_i_num x = hn_i_turned_offset(hn_i_turned_offset(hn_i_projected(d, turn.x), turn.x.y, j), turn.x.x, i);
+  hn_i_num y = hn_i_turned_offset(hn_i_turned_offset(hn_i_projected(d, turn.y), turn.y.y, j), turn.y.x, i);
+  hn_i_num2 from = hn_i_vector(hn_i_from_x(words, hn_i_equal_triple(x), jitter).x,
+                               hn_i_from_y(words, hn_i_equal_triple(y), jitter).x);
+  return vec2(hn_i_toward(hn_i_projected(from, hn_i_vector(turn.x.x, turn.y.x))),
+              hn_i_toward(hn_i_projected(from, hn_i_vector(turn.x.y, turn.y.y))));
 }
 
 #endif

@@ -41,8 +41,8 @@ HN_FN hn_int hn_i_growth(hn_int gain, hn_float lacunarity) {
   return int(hn_i_multiply_high(uint(gain) << 9u, hn_i_ratio(lacunarity)));
 }
 
-// In units of 2^-19. The noises of the library stay below 4.
-HN_FN hn_int hn_i_octave_slope(hn_float g) { return int(min(max(g, -4.0f), 4.0f) * 524288.0f); }
+// The result is in units of 2^-19. The derivatives of the library's noises stay below 4.
+HN_FN hn_int hn_i_octave_slope(hn_float g) { return int(min(max(g, -4.0f), 4.0f) * HN_I_FLOAT_UNITS_SLOPE); }
 
 // A float has 24 bits, and the others are dropped, towards 0.
 HN_FN hn_int hn_i_coarse(hn_int n) {
@@ -51,11 +51,11 @@ HN_FN hn_int hn_i_coarse(hn_int n) {
   return hn_i_select(n < 0, -rounded, rounded);
 }
 
-// What slopes have summed to is in units of 2^-12, and at most 8.
+// The sum of slopes is in units of 2^-12, and at most 8.
 HN_FN hn_int hn_i_summed_slope(hn_int slope, hn_float g) {
   return min(max(slope + (hn_i_octave_slope(g) >> 7), -32768), 32768);
 }
-HN_FN hn_uint hn_i_square(hn_int slope) { return uint(slope * slope); }
+HN_FN hn_uint hn_i_squared_slope(hn_int slope) { return uint(slope * slope); }
 
 // The square is in units of 2^-24, and the divisor, up to 2^28, in units of 2^-16. 2^34 / divisor is 2^31 / divisor and
 // three bits more.
@@ -69,8 +69,8 @@ HN_FN hn_int hn_i_erosion_weight(hn_uint square, hn_int strength) {
 
 // Moves a coordinate, by a number in units of 2^-21.
 HN_FN hn_ivec2 hn_i_displaced(hn_ivec2 x, hn_int n) {
-  hn_int rest = x.y + ((n & 2097151) << 3);
-  return ivec2(int(uint(x.x) + uint(n >> 21) + uint(rest >> 24)), rest & 16777215);
+  hn_int rest = x.y + ((n & (HN_I_UNITS_VALUE - 1)) << 3);
+  return ivec2(int(uint(x.x) + uint(n >> 21) + uint(rest >> 24)), rest & (HN_I_UNITS_POSITION - 1));
 }
 HN_FN hn_int hn_i_displacement(hn_int n, hn_int rate) { return hn_i_wide_times(n, rate); }
 
@@ -91,17 +91,17 @@ HN_FN hn_float hn_i_growth(hn_float gain, hn_float lacunarity) { return hn_i_tim
 HN_FN hn_float hn_i_octave_slope(hn_float g) { return g; }
 HN_FN hn_float hn_i_coarse(hn_float n) { return n; }
 HN_FN hn_float hn_i_summed_slope(hn_float slope, hn_float g) { return min(max(hn_i_plus(slope, g), -8.0f), 8.0f); }
-HN_FN hn_float hn_i_square(hn_float slope) { return hn_i_times(slope, slope); }
+HN_FN hn_float hn_i_squared_slope(hn_float slope) { return hn_i_times(slope, slope); }
 
 HN_FN hn_float hn_i_erosion_weight(hn_float square, hn_float strength) {
   return hn_i_quotient(1.0f, hn_i_times_plus(square, strength, 1.0f));
 }
 
-// In a whole position. Beyond the domain the number may not fit an int, which C++ leaves undefined.
+// This moves a whole position, too. Beyond the domain the number may not fit an int, which C++ leaves undefined.
 HN_FN hn_ivec2 hn_i_displaced(hn_ivec2 x, hn_float n) {
   hn_float cells = floor(min(max(-1073741824.0f, n), 1073741824.0f));
-  hn_int rest = x.y + int(min(max(0.0f, hn_i_minus(n, cells)), 1.0f) * 16777216.0f);
-  return ivec2(int(uint(x.x) + uint(int(cells)) + uint(rest >> 24)), rest & 16777215);
+  hn_int rest = x.y + int(min(max(0.0f, hn_i_minus(n, cells)), 1.0f) * HN_I_FLOAT_UNITS_POSITION);
+  return ivec2(int(uint(x.x) + uint(int(cells)) + uint(rest >> 24)), rest & (HN_I_UNITS_POSITION - 1));
 }
 HN_FN hn_float hn_i_displacement(hn_float n, hn_float rate) { return hn_i_flushed(hn_i_times(n, rate)); }
 
@@ -110,88 +110,88 @@ HN_FN hn_float hn_i_displacement(hn_float n, hn_float rate) { return hn_i_flushe
 #endif
 
 // A component of a displacement.
-HN_FN hn_float hn_i_mean_displacement(hn_i_octave_sum s, hn_num sum, hn_num total, hn_num amplitude) {
+HN_FN hn_float hn_i_mean_displacement(hn_i_octave_sum s, hn_i_num sum, hn_i_num total, hn_i_num amplitude) {
   return hn_i_value(hn_i_coarse(hn_i_wide_times(hn_i_bounded(hn_i_mean(s, sum, total)), amplitude)));
 }
 
-HN_FN hn_num2 hn_i_wide_times(hn_num2 a, hn_num b) {
-  return hn_i_num(hn_i_wide_times(a.x, b), hn_i_wide_times(a.y, b));
+HN_FN hn_i_num2 hn_i_wide_times(hn_i_num2 a, hn_i_num b) {
+  return hn_i_vector(hn_i_wide_times(a.x, b), hn_i_wide_times(a.y, b));
 }
-HN_FN hn_num2 hn_i_displacements(hn_num2 n, hn_num rate) {
-  return hn_i_num(hn_i_displacement(n.x, rate), hn_i_displacement(n.y, rate));
+HN_FN hn_i_num2 hn_i_displacements(hn_i_num2 n, hn_i_num rate) {
+  return hn_i_vector(hn_i_displacement(n.x, rate), hn_i_displacement(n.y, rate));
 }
-HN_FN hn_num3 hn_i_wide_plus(hn_num3 a, hn_num3 b) {
-  return hn_i_num(hn_i_wide_plus(a.x, b.x), hn_i_wide_plus(a.y, b.y), hn_i_wide_plus(a.z, b.z));
+HN_FN hn_i_num3 hn_i_wide_plus(hn_i_num3 a, hn_i_num3 b) {
+  return hn_i_vector(hn_i_wide_plus(a.x, b.x), hn_i_wide_plus(a.y, b.y), hn_i_wide_plus(a.z, b.z));
 }
-HN_FN hn_num3 hn_i_rotated_by(hn_num3 a, hn_num3 b, hn_int along, hn_int across) {
-  return hn_i_num(hn_i_rotated_by(a.x, b.x, along, across), hn_i_rotated_by(a.y, b.y, along, across),
-                  hn_i_rotated_by(a.z, b.z, along, across));
+HN_FN hn_i_num3 hn_i_rotated_by(hn_i_num3 a, hn_i_num3 b, hn_int along, hn_int across) {
+  return hn_i_vector(hn_i_rotated_by(a.x, b.x, along, across), hn_i_rotated_by(a.y, b.y, along, across),
+                     hn_i_rotated_by(a.z, b.z, along, across));
 }
 // The same in 3 dimensions: tools/umbrella makes it.
-HN_FN hn_num3 hn_i_wide_times(hn_num3 a, hn_num b) {
-  return hn_i_num(hn_i_wide_times(a.x, b), hn_i_wide_times(a.y, b), hn_i_wide_times(a.z, b));
+HN_FN hn_i_num3 hn_i_wide_times(hn_i_num3 a, hn_i_num b) {
+  return hn_i_vector(hn_i_wide_times(a.x, b), hn_i_wide_times(a.y, b), hn_i_wide_times(a.z, b));
 }
-HN_FN hn_num3 hn_i_displacements(hn_num3 n, hn_num rate) {
-  return hn_i_num(hn_i_displacement(n.x, rate), hn_i_displacement(n.y, rate), hn_i_displacement(n.z, rate));
+HN_FN hn_i_num3 hn_i_displacements(hn_i_num3 n, hn_i_num rate) {
+  return hn_i_vector(hn_i_displacement(n.x, rate), hn_i_displacement(n.y, rate), hn_i_displacement(n.z, rate));
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// Rotations, on the plane and in space: of Jacobians, and of the slopes that an erosion sums. A tile must not rotate.
+// These rotate Jacobians, and the slopes that an erosion sums, on the plane and in space. A tile must not rotate.
 
-HN_FN hn_num2 hn_i_rotated(hn_num2 v) {
-  return hn_i_num(hn_i_rotated_by(v.x, v.y, HN_I_COS_XY, -HN_I_SIN_XY),
-                  hn_i_rotated_by(v.y, v.x, HN_I_COS_XY, HN_I_SIN_XY));
+HN_FN hn_i_num2 hn_i_rotated(hn_i_num2 v) {
+  return hn_i_vector(hn_i_rotated_by(v.x, v.y, HN_I_COS_XY, -HN_I_SIN_XY),
+                     hn_i_rotated_by(v.y, v.x, HN_I_COS_XY, HN_I_SIN_XY));
 }
-HN_FN hn_num3 hn_i_rotated(hn_num3 v) {
-  hn_num y = hn_i_rotated_by(v.y, v.x, HN_I_COS_XY, HN_I_SIN_XY);
-  return hn_i_num(hn_i_rotated_by(v.x, v.y, HN_I_COS_XY, -HN_I_SIN_XY),
-                  hn_i_rotated_by(y, v.z, HN_I_COS_YZ, -HN_I_SIN_YZ),
-                  hn_i_rotated_by(v.z, y, HN_I_COS_YZ, HN_I_SIN_YZ));
+HN_FN hn_i_num3 hn_i_rotated(hn_i_num3 v) {
+  hn_i_num y = hn_i_rotated_by(v.y, v.x, HN_I_COS_XY, HN_I_SIN_XY);
+  return hn_i_vector(hn_i_rotated_by(v.x, v.y, HN_I_COS_XY, -HN_I_SIN_XY),
+                     hn_i_rotated_by(y, v.z, HN_I_COS_YZ, -HN_I_SIN_YZ),
+                     hn_i_rotated_by(v.z, y, HN_I_COS_YZ, HN_I_SIN_YZ));
 }
 
-HN_FN hn_num2 hn_i_next_slope(hn_num2 e, bool tiled) {
-  hn_num2 next = e;
+HN_FN hn_i_num2 hn_i_next_slope(hn_i_num2 e, bool tiled) {
+  hn_i_num2 next = e;
   if (!tiled) next = hn_i_rotated(e);
   return next;
 }
 // The same in 3 dimensions: tools/umbrella makes it.
-HN_FN hn_num3 hn_i_next_slope(hn_num3 e, bool tiled) {
-  hn_num3 next = e;
+HN_FN hn_i_num3 hn_i_next_slope(hn_i_num3 e, bool tiled) {
+  hn_i_num3 next = e;
   if (!tiled) next = hn_i_rotated(e);
   return next;
 }
 
-#define hn_i_jacobian2 hn_num2
+#define hn_i_jacobian2 hn_i_num2
 struct hn_i_jacobian3 {
-  hn_num3 x;
-  hn_num3 y;
-  hn_num3 z;
+  hn_i_num3 x;
+  hn_i_num3 y;
+  hn_i_num3 z;
 };
 
-HN_FN hn_num2 hn_i_identity2() { return hn_i_num(HN_I_WEIGHT_ONE, HN_I_NO_WEIGHT); }
+HN_FN hn_i_num2 hn_i_identity2() { return hn_i_vector(HN_I_WEIGHT_ONE, HN_I_NO_WEIGHT); }
 HN_FN hn_i_jacobian3 hn_i_identity3() {
   HN_I_NEW(hn_i_jacobian3, k);
-  k.x = hn_i_num(HN_I_WEIGHT_ONE, HN_I_NO_WEIGHT, HN_I_NO_WEIGHT);
-  k.y = hn_i_num(HN_I_NO_WEIGHT, HN_I_WEIGHT_ONE, HN_I_NO_WEIGHT);
-  k.z = hn_i_num(HN_I_NO_WEIGHT, HN_I_NO_WEIGHT, HN_I_WEIGHT_ONE);
+  k.x = hn_i_vector(HN_I_WEIGHT_ONE, HN_I_NO_WEIGHT, HN_I_NO_WEIGHT);
+  k.y = hn_i_vector(HN_I_NO_WEIGHT, HN_I_WEIGHT_ONE, HN_I_NO_WEIGHT);
+  k.z = hn_i_vector(HN_I_NO_WEIGHT, HN_I_NO_WEIGHT, HN_I_WEIGHT_ONE);
   return k;
 }
 
-HN_FN hn_num2 hn_i_next_jacobian(hn_num2 k, hn_num growth, bool tiled) {
-  hn_num2 next = hn_i_wide_times(k, growth);
+HN_FN hn_i_num2 hn_i_next_jacobian(hn_i_num2 k, hn_i_num growth, bool tiled) {
+  hn_i_num2 next = hn_i_wide_times(k, growth);
   if (!tiled) next = hn_i_rotated(next);
   return next;
 }
 
-HN_FN hn_i_jacobian3 hn_i_next_jacobian(hn_i_jacobian3 k, hn_num growth, bool tiled) {
+HN_FN hn_i_jacobian3 hn_i_next_jacobian(hn_i_jacobian3 k, hn_i_num growth, bool tiled) {
   HN_I_NEW(hn_i_jacobian3, next);
   next.x = hn_i_wide_times(k.x, growth);
   next.y = hn_i_wide_times(k.y, growth);
   next.z = hn_i_wide_times(k.z, growth);
   if (!tiled) {
-    hn_num3 x = next.x;
-    hn_num3 y = hn_i_rotated_by(next.y, x, HN_I_COS_XY, HN_I_SIN_XY);
-    hn_num3 z = next.z;
+    hn_i_num3 x = next.x;
+    hn_i_num3 y = hn_i_rotated_by(next.y, x, HN_I_COS_XY, HN_I_SIN_XY);
+    hn_i_num3 z = next.z;
     next.x = hn_i_rotated_by(x, next.y, HN_I_COS_XY, -HN_I_SIN_XY);
     next.y = hn_i_rotated_by(y, z, HN_I_COS_YZ, -HN_I_SIN_YZ);
     next.z = hn_i_rotated_by(z, y, HN_I_COS_YZ, HN_I_SIN_YZ);
@@ -201,24 +201,24 @@ HN_FN hn_i_jacobian3 hn_i_next_jacobian(hn_i_jacobian3 k, hn_num growth, bool ti
 
 // The transposed Jacobian times a gradient of the octave is the gradient by the position of the sum. The Jacobian times
 // a displacement of that position is the displacement in the octave.
-HN_FN hn_num2 hn_i_transposed_times(hn_num2 k, hn_num2 g) {
-  return hn_i_num(hn_i_wide_plus(hn_i_wide_times(k.x, g.x), hn_i_wide_times(k.y, g.y)),
-                  hn_i_wide_minus(hn_i_wide_times(k.x, g.y), hn_i_wide_times(k.y, g.x)));
+HN_FN hn_i_num2 hn_i_transposed_times(hn_i_num2 k, hn_i_num2 g) {
+  return hn_i_vector(hn_i_wide_plus(hn_i_wide_times(k.x, g.x), hn_i_wide_times(k.y, g.y)),
+                     hn_i_wide_minus(hn_i_wide_times(k.x, g.y), hn_i_wide_times(k.y, g.x)));
 }
-HN_FN hn_num2 hn_i_jacobian_times(hn_num2 k, hn_num2 v) {
-  return hn_i_num(hn_i_wide_minus(hn_i_wide_times(k.x, v.x), hn_i_wide_times(k.y, v.y)),
-                  hn_i_wide_plus(hn_i_wide_times(k.y, v.x), hn_i_wide_times(k.x, v.y)));
+HN_FN hn_i_num2 hn_i_jacobian_times(hn_i_num2 k, hn_i_num2 v) {
+  return hn_i_vector(hn_i_wide_minus(hn_i_wide_times(k.x, v.x), hn_i_wide_times(k.y, v.y)),
+                     hn_i_wide_plus(hn_i_wide_times(k.y, v.x), hn_i_wide_times(k.x, v.y)));
 }
-HN_FN hn_num3 hn_i_transposed_times(hn_i_jacobian3 k, hn_num3 g) {
+HN_FN hn_i_num3 hn_i_transposed_times(hn_i_jacobian3 k, hn_i_num3 g) {
   return hn_i_wide_plus(hn_i_wide_plus(hn_i_wide_times(k.x, g.x), hn_i_wide_times(k.y, g.y)),
                         hn_i_wide_times(k.z, g.z));
 }
-HN_FN hn_num hn_i_dot_row(hn_num3 row, hn_num3 v) {
+HN_FN hn_i_num hn_i_dot_row(hn_i_num3 row, hn_i_num3 v) {
   return hn_i_wide_plus(hn_i_wide_plus(hn_i_wide_times(row.x, v.x), hn_i_wide_times(row.y, v.y)),
                         hn_i_wide_times(row.z, v.z));
 }
-HN_FN hn_num3 hn_i_jacobian_times(hn_i_jacobian3 k, hn_num3 v) {
-  return hn_i_num(hn_i_dot_row(k.x, v), hn_i_dot_row(k.y, v), hn_i_dot_row(k.z, v));
+HN_FN hn_i_num3 hn_i_jacobian_times(hn_i_jacobian3 k, hn_i_num3 v) {
+  return hn_i_vector(hn_i_dot_row(k.x, v), hn_i_dot_row(k.y, v), hn_i_dot_row(k.z, v));
 }
 
 #endif

@@ -12,10 +12,8 @@
 #ifndef HN_OCTAVE_GLSL
 #define HN_OCTAVE_GLSL
 
+#include "../hash.glsl"
 #include "../place.glsl"
-
-// From the seed of an octave to that of the next: 2^32 divided by the golden ratio.
-#define HN_I_SEED_STEP 0x9E3779B9u
 
 // The cosines and sines of the rotations, in 32nds: a position loses few bits by them. In the plane of x and y the
 // angle is arctan(4/5), in space then arctan(13/29) in that of y and z, and in 4D at last arctan(4/5) in that of z and
@@ -27,12 +25,12 @@
 
 // A sum under way. With HN_FIXED sums are in units of 2^-21, and weights in units of 2^-18.
 struct hn_i_octave_sum {
-  hn_num value;
-  hn_num weight;     // of the octave
-  hn_num carried;    // what a ridge or a height leaves of the next octave
-  hn_num gain;
-  hn_num part;       // of the last octave, that counts
-  hn_num footprint;  // in cells of the octave; with HN_FIXED in units of 2^-24
+  hn_i_num value;
+  hn_i_num weight;   // of the octave
+  hn_i_num carried;  // how much of the next octave a ridge or a height lets count
+  hn_i_num gain;
+  hn_i_num part;       // of the last octave: how much of it counts
+  hn_i_num footprint;  // in cells of the octave; with HN_FIXED in units of 2^-24
   hn_int octaves;
   hn_int at;         // the number of the octave, from 0
 };
@@ -42,12 +40,12 @@ struct hn_i_octave_sum {
 
 #if HN_ARITHMETIC == HN_FIXED
 
-#define HN_I_WEIGHT_ONE 262144
+#define HN_I_WEIGHT_ONE HN_I_UNITS_WEIGHT
 #define HN_I_NO_WEIGHT 0
 #define HN_I_MOST_DETAIL 32.0f
 
 // A setting in [0, most], in the units of weights.
-HN_FN hn_int hn_i_setting(hn_float x, hn_float most) { return int(min(max(x, 0.0f), most) * 262144.0f); }
+HN_FN hn_int hn_i_setting(hn_float x, hn_float most) { return int(min(max(x, 0.0f), most) * HN_I_FLOAT_UNITS_WEIGHT); }
 HN_FN hn_int hn_i_gain(hn_float gain) { return hn_i_setting(gain, 1.0f); }
 HN_FN hn_int hn_i_octaves(hn_int octaves) { return min(octaves, 32); }
 
@@ -60,32 +58,32 @@ HN_FN hn_int hn_i_summed(hn_int sum, hn_int n, hn_int weight) {
 }
 
 // The noise of an octave as it is, and in [-1, 1]. (That of HN_GRADIENT_SINE reaches 3/2 in space.)
-HN_FN hn_int hn_i_octave(hn_float n) { return int(min(max(n, -1.5f), 1.5f) * 2097152.0f); }
-HN_FN hn_int hn_i_bounded_octave(hn_float n) { return int(min(max(n, -1.0f), 1.0f) * 2097152.0f); }
+HN_FN hn_int hn_i_octave(hn_float n) { return int(min(max(n, -1.5f), 1.5f) * HN_I_FLOAT_UNITS_VALUE); }
+HN_FN hn_int hn_i_bounded_octave(hn_float n) { return int(min(max(n, -1.0f), 1.0f) * HN_I_FLOAT_UNITS_VALUE); }
 
-// 1 - abs(n), in the units of weights; and a number in these units as a value.
-HN_FN hn_int hn_i_ridge(hn_int n) { return (2097152 - hn_i_size(n)) >> 3; }
-HN_FN hn_int hn_i_of_weight(hn_int weight) { return weight << 3; }
+// hn_i_ridge is 1 - abs(n), in the units of weights, and hn_i_weight_to_value converts these to the units of values.
+HN_FN hn_int hn_i_ridge(hn_int n) { return (HN_I_UNITS_VALUE - hn_i_size(n)) >> 3; }
+HN_FN hn_int hn_i_weight_to_value(hn_int weight) { return weight << 3; }
 
 // (1 + n) / 2, in the units of weights.
-HN_FN hn_int hn_i_height(hn_int n) { return (2097152 + n) >> 4; }
+HN_FN hn_int hn_i_height(hn_int n) { return (HN_I_UNITS_VALUE + n) >> 4; }
 
 // A wave between -1 and 1: up and down again along two units of (n + 1) * strength. These are in units of 2^-30, and a
 // word holds them modulo 4.
 HN_FN hn_int hn_i_folds(hn_int n, hn_int strength) {
-  hn_uint u = uint(n + 2097152);
+  hn_uint u = uint(n + HN_I_UNITS_VALUE);
   hn_uint s = uint(strength);
   hn_uint t = (u * (s >> 9u) + ((u * (s & 511u)) >> 9u)) & 0x7FFFFFFFu;
-  return int(min(t, 0x80000000u - t) >> 8u) - 2097152;
+  return int(min(t, 0x80000000u - t) >> 8u) - HN_I_UNITS_VALUE;
 }
 
 // 1 - strength * (1 - n) / 2
-HN_FN hn_int hn_i_bent(hn_int n, hn_int strength) {
-  return HN_I_WEIGHT_ONE - hn_i_weight_times((2097152 - n) >> 4, strength);
+HN_FN hn_int hn_i_weight_factor(hn_int n, hn_int strength) {
+  return HN_I_WEIGHT_ONE - hn_i_weight_times((HN_I_UNITS_VALUE - n) >> 4, strength);
 }
 
-// The total of the weights. Of the last octave a part counts. (gain * total + 1 would round in another way than the
-// weights do, so these are added one by one.)
+// The total of the weights. Only a part of the last octave counts. (gain * total + 1 would round in another way than
+// the weights do, so these are added one by one.)
 HN_FN hn_int hn_i_total(hn_int octaves, hn_int gain, hn_int part) {
   hn_int total = 0;
   hn_int weight = HN_I_WEIGHT_ONE;
@@ -115,11 +113,11 @@ HN_FN hn_int hn_i_mean(hn_int sum, hn_int total) {
 // A sky of an fBm: it is clear below -1/8 and dense above 3/8, with a smooth step between. The density is
 // 1/2 + c (3/2 - 2 c^2) with c = 2 fbm - 1/4, clamped to [-1/2, 1/2], in units of 2^-16.
 HN_FN hn_int hn_i_density(hn_int fbm) {
-  hn_int c = (min(max(2 * fbm + 524288, 0), 2097152) - 1048576) >> 5;
-  return 1048576 + ((c * int((0xC0000000u - uint(c * c)) >> 16u)) >> 10);
+  hn_int c = (min(max(2 * fbm + HN_I_UNITS_VALUE / 4, 0), HN_I_UNITS_VALUE) - HN_I_UNITS_VALUE / 2) >> 5;
+  return HN_I_UNITS_VALUE / 2 + ((c * int((0xC0000000u - uint(c * c)) >> 16u)) >> 10);
 }
 
-HN_FN hn_int hn_i_billows(hn_int turbulence) { return 2 * turbulence - 2097152; }
+HN_FN hn_int hn_i_billows(hn_int turbulence) { return 2 * turbulence - HN_I_UNITS_VALUE; }
 
 #else
 
@@ -136,7 +134,7 @@ HN_FN hn_float hn_i_summed(hn_float sum, hn_float n, hn_float weight) { return h
 HN_FN hn_float hn_i_octave(hn_float n) { return n; }
 HN_FN hn_float hn_i_bounded_octave(hn_float n) { return min(max(n, -1.0f), 1.0f); }
 HN_FN hn_float hn_i_ridge(hn_float n) { return hn_i_minus(1.0f, abs(n)); }
-HN_FN hn_float hn_i_of_weight(hn_float weight) { return weight; }
+HN_FN hn_float hn_i_weight_to_value(hn_float weight) { return weight; }
 HN_FN hn_float hn_i_height(hn_float n) { return hn_i_times_plus(0.5f, n, 0.5f); }
 
 HN_FN hn_float hn_i_folds(hn_float n, hn_float strength) {
@@ -146,7 +144,7 @@ HN_FN hn_float hn_i_folds(hn_float n, hn_float strength) {
   return wave;
 }
 
-HN_FN hn_float hn_i_bent(hn_float n, hn_float strength) {
+HN_FN hn_float hn_i_weight_factor(hn_float n, hn_float strength) {
   HN_I_PRECISE hn_float factor = 1.0f - strength * (0.5f - 0.5f * n);
   return factor;
 }
@@ -169,8 +167,9 @@ HN_FN hn_float hn_i_billows(hn_float turbulence) { return min(hn_i_times_plus(2.
 #endif
 
 // ---------------------------------------------------------------------------------------------------------------------
-// Positions. Those of a sum from a cell are whole numbers with any arithmetic, since a float could not hold them far
-// out: along each axis x is the cell, and y the fraction in units of 2^-24. With HN_FIXED all positions are such.
+// Positions. A sum at a place has whole positions with any arithmetic, since a float could not hold them far out. They
+// are whole numbers: along each axis x is the cell, and y the fraction in units of 2^-24. With HN_FIXED every position
+// is whole.
 
 // How far an octave is shifted along each axis, in those units: 11/32, 19/32, 23/32 and 27/32 of its cells.
 #define HN_I_SHIFT_X 5767168
@@ -178,18 +177,19 @@ HN_FN hn_float hn_i_billows(hn_float turbulence) { return min(hn_i_times_plus(2.
 #define HN_I_SHIFT_Z 12058624
 #define HN_I_SHIFT_W 14155776
 
-// An axis of a place as such, and its fraction in the numbers of HN_ARITHMETIC again.
+// hn_i_whole converts one axis of a place to a whole position, and hn_i_whole_fraction converts the fraction of a whole
+// position back to a number of HN_ARITHMETIC.
 #if HN_ARITHMETIC == HN_FIXED
 HN_FN hn_ivec2 hn_i_whole(hn_int cell, hn_int fraction, hn_int rest) {
   hn_int units = fraction * 16 + rest;  // from -15 to 2^24
-  return ivec2(int(uint(cell) + uint(units >> 31)), units + ((units >> 31) & 16777216));
+  return ivec2(int(uint(cell) + uint(units >> 31)), units + ((units >> 31) & HN_I_UNITS_POSITION));
 }
 HN_FN hn_int hn_i_whole_fraction(hn_ivec2 x) { return x.y >> 4; }
 #else
 HN_FN hn_ivec2 hn_i_whole(hn_int cell, hn_float fraction, hn_int rest) {
-  return ivec2(cell, int(min(max(fraction, 0.0f), 1.0f) * 16777216.0f) + rest);
+  return ivec2(cell, int(min(max(fraction, 0.0f), 1.0f) * HN_I_FLOAT_UNITS_POSITION) + rest);
 }
-HN_FN hn_float hn_i_whole_fraction(hn_ivec2 x) { return hn_i_float(x.y) * (1.0f / 16777216.0f); }
+HN_FN hn_float hn_i_whole_fraction(hn_ivec2 x) { return hn_i_float(x.y) * (1.0f / HN_I_FLOAT_UNITS_POSITION); }
 #endif
 
 // The high word of a product of two words. umulExtended is not in GLSL 1.30.
@@ -202,7 +202,8 @@ HN_FN hn_uint hn_i_multiply_high(hn_uint a, hn_uint b) {
   return a1 * b1 + (middle >> 16u) + ((a0 * b1 + (middle & 0xFFFFu)) >> 16u);
 }
 
-// A lacunarity in units of 2^-23, below 2^31; and one with which a tile stays a tile.
+// hn_i_ratio converts a lacunarity to units of 2^-23; the result is below 2^31. hn_i_lacunarity rounds the lacunarity
+// of a tile down, so that the next octave fits the tile, too.
 HN_FN hn_uint hn_i_ratio(hn_float lacunarity) { return uint(min(max(lacunarity, 0.0f), 255.0f) * 8388608.0f); }
 HN_FN hn_float hn_i_lacunarity(hn_float lacunarity, bool tiled) {
   hn_float ratio = lacunarity;
@@ -210,10 +211,11 @@ HN_FN hn_float hn_i_lacunarity(hn_float lacunarity, bool tiled) {
   return ratio;
 }
 
-// Times a ratio. The product of the cell is exact, and that of the fraction loses what is below 2^-24. The rest and the
-// part together are at most 2^32 - 2.
+// Multiplies a whole position by a ratio. The product of the cell is exact, and that of the fraction loses what is
+// below 2^-24. The rest and the part together are at most 2^32 - 2.
 HN_FN hn_ivec2 hn_i_times_ratio(hn_ivec2 x, hn_uint ratio) {
-  if (ratio == 16777216u) return ivec2(int((uint(x.x) << 1u) + (uint(x.y) >> 23u)), (x.y << 1) & 16777215);
+  if (ratio == 16777216u)
+    return ivec2(int((uint(x.x) << 1u) + (uint(x.y) >> 23u)), (x.y << 1) & (HN_I_UNITS_POSITION - 1));
   hn_uint low = uint(x.x) * ratio;
   hn_uint high = hn_i_multiply_high(uint(x.x), ratio) - hn_i_select(x.x < 0, ratio, 0u);
   hn_uint part = (hn_i_multiply_high(uint(x.y), ratio) << 9u) | ((uint(x.y) * ratio) >> 23u);
@@ -221,40 +223,44 @@ HN_FN hn_ivec2 hn_i_times_ratio(hn_ivec2 x, hn_uint ratio) {
   return ivec2(int(((high << 9u) | (low >> 23u)) + (rest >> 24u)), int(rest & 16777215u));
 }
 
-// along / 32 * a + across / 32 * b, which are small numbers. The cell is taken apart, so that each product has 32 bits.
+// along / 32 * a + across / 32 * b, where `along` and `across` are small. The cell is taken apart, so that each product
+// has 32 bits.
 HN_FN hn_ivec2 hn_i_rotated_axis(hn_ivec2 a, hn_ivec2 b, hn_int along, hn_int across) {
   hn_int rest = along * a.y + across * b.y;
   hn_int near = along * (a.x & 31) + across * (b.x & 31) + (rest >> 24);
   hn_uint far = uint(along) * uint(a.x >> 5) + uint(across) * uint(b.x >> 5);
-  return ivec2(int(far + uint(near >> 5)), ((near & 31) << 19) | ((rest & 16777215) >> 5));
+  return ivec2(int(far + uint(near >> 5)), ((near & 31) << 19) | ((rest & (HN_I_UNITS_POSITION - 1)) >> 5));
 }
 
-// Plus a shift in units of 2^-24.
+// Adds a shift in units of 2^-24.
 HN_FN hn_ivec2 hn_i_shifted(hn_ivec2 x, hn_int shift) {
   hn_int rest = x.y + shift;
-  return ivec2(int(uint(x.x) + uint(rest >> 24)), rest & 16777215);
+  return ivec2(int(uint(x.x) + uint(rest >> 24)), rest & (HN_I_UNITS_POSITION - 1));
 }
 
 HN_FN hn_int hn_i_next_period(hn_int period, hn_float lacunarity) { return int(uint(period) * uint(lacunarity)); }
 
 #if HN_ARITHMETIC == HN_FIXED
 
-// A footprint, how much of an octave it leaves (all of it up to half a cell, nothing from one and a half on), and that
-// in cells of the next octave. It matters up to 2 cells.
-HN_FN hn_int hn_i_footprint(hn_float footprint) { return int(min(max(footprint, 0.0f), 2.0f) * 16777216.0f); }
-HN_FN hn_int hn_i_resolved(hn_int footprint) { return min(max(393216 - (footprint >> 6), 0), HN_I_WEIGHT_ONE); }
+// hn_i_footprint clamps a footprint, which matters up to 2 cells. hn_i_resolved_part tells how much of an octave it
+// leaves: all of it up to half a cell, and nothing from one and a half on. hn_i_next_footprint converts it to cells of
+// the next octave.
+HN_FN hn_int hn_i_footprint(hn_float footprint) {
+  return int(min(max(footprint, 0.0f), 2.0f) * HN_I_FLOAT_UNITS_POSITION);
+}
+HN_FN hn_int hn_i_resolved_part(hn_int footprint) {
+  return min(max(3 * HN_I_UNITS_WEIGHT / 2 - (footprint >> 6), 0), HN_I_WEIGHT_ONE);
+}
 HN_FN hn_int hn_i_next_footprint(hn_int footprint, hn_float lacunarity) {
-  hn_ivec2 next =
-      hn_i_times_ratio(ivec2(footprint >> 24, footprint & 16777215), max(hn_i_ratio(lacunarity), 8388608u));
-  return hn_i_select(next.x > 1, 33554432, (next.x << 24) + next.y);
+  hn_ivec2 next = hn_i_times_ratio(ivec2(footprint >> 24, footprint & (HN_I_UNITS_POSITION - 1)),
+                                   max(hn_i_ratio(lacunarity), 8388608u));
+  return hn_i_select(next.x > 1, 2 * HN_I_UNITS_POSITION, (next.x << 24) + next.y);
 }
 
 #else
 
 HN_FN hn_float hn_i_footprint(hn_float footprint) { return footprint; }
-HN_FN hn_float hn_i_resolved(hn_float footprint) {
-  return min(max(hn_i_minus(1.5f, footprint), 0.0f), 1.0f);
-}
+HN_FN hn_float hn_i_resolved_part(hn_float footprint) { return min(max(hn_i_minus(1.5f, footprint), 0.0f), 1.0f); }
 HN_FN hn_float hn_i_next_footprint(hn_float footprint, hn_float lacunarity) {
   return hn_i_times(footprint, max(lacunarity, 1.0f));
 }
@@ -264,24 +270,25 @@ HN_FN hn_float hn_i_next_footprint(hn_float footprint, hn_float lacunarity) {
 // ---------------------------------------------------------------------------------------------------------------------
 // The steps of sums.
 
-// Roundings of floats could take a mean of ends beyond the end.
+// Keeps a mean in [-1, 1]. Where all octaves are at an end, roundings of floats could take their mean beyond it.
 #if HN_ARITHMETIC == HN_FIXED
 HN_FN hn_int hn_i_bounded(hn_int mean) { return mean; }
 #else
 HN_FN hn_float hn_i_bounded(hn_float mean) { return min(max(mean, -1.0f), 1.0f); }
 #endif
 
-// A number of octaves that is no whole number: the octaves, and the part of the last one that counts. The first counts
-// as a whole. A detail below 2^-32 is none, since drivers may flush a subnormal one.
+// A detail is a number of octaves that need not be whole. hn_i_whole_octaves tells how many octaves it takes, and
+// hn_i_last_part which part of the last one counts. The first counts as a whole. A detail below 2^-32 takes none, since
+// drivers may flush a subnormal number.
 HN_FN hn_int hn_i_whole_octaves(hn_float detail) {
   return hn_i_select(detail < 1.0f / 4294967296.0f, 0, -int(floor(-min(max(detail, 0.0f), HN_I_MOST_DETAIL))));
 }
-HN_FN hn_num hn_i_last_part(hn_float detail, hn_int octaves) {
+HN_FN hn_i_num hn_i_last_part(hn_float detail, hn_int octaves) {
   hn_float part = hn_i_minus(min(detail, HN_I_MOST_DETAIL), hn_i_float(octaves - 1));
   return hn_i_setting(hn_i_select(octaves < 2, 1.0f, part), 1.0f);
 }
 
-HN_FN hn_i_octave_sum hn_i_no_octave(hn_int octaves, hn_float gain) {
+HN_FN hn_i_octave_sum hn_i_empty_sum(hn_int octaves, hn_float gain) {
   HN_I_NEW(hn_i_octave_sum, s);
   s.value = HN_I_NO_WEIGHT;
   s.weight = HN_I_WEIGHT_ONE;
@@ -294,63 +301,67 @@ HN_FN hn_i_octave_sum hn_i_no_octave(hn_int octaves, hn_float gain) {
   return s;
 }
 
-// A sum with an octave more, of which the noise is n.
-HN_FN hn_i_octave_sum hn_i_with(hn_i_octave_sum sum, hn_num n, hn_num weight) {
+// These add an octave to a sum; n is the noise of it.
+HN_FN hn_i_octave_sum hn_i_add_octave(hn_i_octave_sum sum, hn_i_num n, hn_i_num weight) {
   hn_i_octave_sum s = sum;
   s.value = hn_i_summed(s.value, n, weight);
   return s;
 }
-HN_FN hn_i_octave_sum hn_i_with_noise(hn_i_octave_sum s, hn_float n) { return hn_i_with(s, hn_i_octave(n), s.weight); }
-HN_FN hn_i_octave_sum hn_i_with_size(hn_i_octave_sum s, hn_float n) {
-  return hn_i_with(s, hn_i_size(hn_i_octave(n)), s.weight);
+HN_FN hn_i_octave_sum hn_i_add_noise(hn_i_octave_sum s, hn_float n) {
+  return hn_i_add_octave(s, hn_i_octave(n), s.weight);
 }
-HN_FN hn_i_octave_sum hn_i_with_bounded_size(hn_i_octave_sum s, hn_float n) {
-  return hn_i_with(s, hn_i_size(hn_i_bounded_octave(n)), s.weight);
+HN_FN hn_i_octave_sum hn_i_add_size(hn_i_octave_sum s, hn_float n) {
+  return hn_i_add_octave(s, hn_i_size(hn_i_octave(n)), s.weight);
 }
-HN_FN hn_i_octave_sum hn_i_with_ridge(hn_i_octave_sum s, hn_float n) {
-  hn_num ridge = hn_i_ridge(hn_i_bounded_octave(n));
+HN_FN hn_i_octave_sum hn_i_add_bounded_size(hn_i_octave_sum s, hn_float n) {
+  return hn_i_add_octave(s, hn_i_size(hn_i_bounded_octave(n)), s.weight);
+}
+HN_FN hn_i_octave_sum hn_i_add_ridge(hn_i_octave_sum s, hn_float n) {
+  hn_i_num ridge = hn_i_ridge(hn_i_bounded_octave(n));
   ridge = hn_i_weight_times(hn_i_weight_times(ridge, ridge), s.carried);
-  hn_i_octave_sum next = hn_i_with(s, hn_i_of_weight(ridge), s.weight);
+  hn_i_octave_sum next = hn_i_add_octave(s, hn_i_weight_to_value(ridge), s.weight);
   next.carried = min(hn_i_plus(ridge, ridge), HN_I_WEIGHT_ONE);
   return next;
 }
-HN_FN hn_i_octave_sum hn_i_with_height(hn_i_octave_sum s, hn_float n) {
-  hn_num height = hn_i_weight_times(hn_i_height(hn_i_bounded_octave(n)), s.carried);
-  hn_i_octave_sum next = hn_i_with(s, hn_i_of_weight(height), s.weight);
+HN_FN hn_i_octave_sum hn_i_add_height(hn_i_octave_sum s, hn_float n) {
+  hn_i_num height = hn_i_weight_times(hn_i_height(hn_i_bounded_octave(n)), s.carried);
+  hn_i_octave_sum next = hn_i_add_octave(s, hn_i_weight_to_value(height), s.weight);
   next.carried = min(hn_i_plus(height, height), HN_I_WEIGHT_ONE);
   return next;
 }
-HN_FN hn_i_octave_sum hn_i_with_wave(hn_i_octave_sum s, hn_float n, hn_float strength) {
-  return hn_i_with(s, hn_i_folds(hn_i_bounded_octave(n), hn_i_setting(strength, 64.0f)), s.weight);
+HN_FN hn_i_octave_sum hn_i_add_wave(hn_i_octave_sum s, hn_float n, hn_float strength) {
+  return hn_i_add_octave(s, hn_i_folds(hn_i_bounded_octave(n), hn_i_setting(strength, 64.0f)), s.weight);
 }
-HN_FN hn_i_octave_sum hn_i_with_bent(hn_i_octave_sum s, hn_float n, hn_float strength) {
-  hn_num value = hn_i_bounded_octave(n);
-  hn_i_octave_sum next = hn_i_with(s, value, s.weight);
-  next.weight = hn_i_weight_times(s.weight, hn_i_bent(value, hn_i_setting(strength, 1.0f)));
+HN_FN hn_i_octave_sum hn_i_add_bent(hn_i_octave_sum s, hn_float n, hn_float strength) {
+  hn_i_num value = hn_i_bounded_octave(n);
+  hn_i_octave_sum next = hn_i_add_octave(s, value, s.weight);
+  next.weight = hn_i_weight_times(s.weight, hn_i_weight_factor(value, hn_i_setting(strength, 1.0f)));
   return next;
 }
 
-// Of the last octave a part counts.
-HN_FN hn_i_octave_sum hn_i_with_part(hn_i_octave_sum s, hn_float n) {
-  hn_num weight = s.weight;
+// Adds the noise of an octave. Only a part of the last octave counts.
+HN_FN hn_i_octave_sum hn_i_add_part(hn_i_octave_sum s, hn_float n) {
+  hn_i_num weight = s.weight;
   if (s.at + 1 == s.octaves) weight = hn_i_weight_times(weight, s.part);
-  return hn_i_with(s, hn_i_octave(n), weight);
+  return hn_i_add_octave(s, hn_i_octave(n), weight);
 }
 
-// The octaves behind one that is not resolved would not be, either.
-HN_FN hn_i_octave_sum hn_i_with_resolved(hn_i_octave_sum s, hn_float n, hn_float lacunarity) {
-  hn_i_octave_sum next = hn_i_with(s, hn_i_octave(n), hn_i_weight_times(s.weight, hn_i_resolved(s.footprint)));
+// Adds as much of an octave as its footprint leaves. Where that is nothing, nothing is left of the octaves behind it,
+// either, and so the sum ends.
+HN_FN hn_i_octave_sum hn_i_add_resolved(hn_i_octave_sum s, hn_float n, hn_float lacunarity) {
+  hn_i_octave_sum next =
+      hn_i_add_octave(s, hn_i_octave(n), hn_i_weight_times(s.weight, hn_i_resolved_part(s.footprint)));
   next.footprint = hn_i_next_footprint(s.footprint, lacunarity);
-  if (hn_i_resolved(next.footprint) == HN_I_NO_WEIGHT) next.at = s.octaves;
+  if (hn_i_resolved_part(next.footprint) == HN_I_NO_WEIGHT) next.at = s.octaves;
   return next;
 }
 
-// The total of the weights; and the mean of what was summed with them, which is 0 of no octave: a loop adds one before
-// it asks whether there is any.
-HN_FN hn_num hn_i_total(hn_i_octave_sum s) { return hn_i_total(s.octaves, s.gain, s.part); }
-HN_FN hn_num hn_i_mean(hn_i_octave_sum s, hn_num sum, hn_num total) {
+// The total of the weights, and the mean of what was summed with them. With fewer octaves than one the mean is 0: a
+// loop adds an octave before it asks whether there is any.
+HN_FN hn_i_num hn_i_total(hn_i_octave_sum s) { return hn_i_total(s.octaves, s.gain, s.part); }
+HN_FN hn_i_num hn_i_mean(hn_i_octave_sum s, hn_i_num sum, hn_i_num total) {
   return hn_i_select(s.octaves < 1, HN_I_NO_WEIGHT, hn_i_mean(sum, total));
 }
-HN_FN hn_num hn_i_mean(hn_i_octave_sum s) { return hn_i_mean(s, s.value, hn_i_total(s)); }
+HN_FN hn_i_num hn_i_mean(hn_i_octave_sum s) { return hn_i_mean(s, s.value, hn_i_total(s)); }
 
 #endif

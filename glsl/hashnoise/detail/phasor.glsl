@@ -56,8 +56,8 @@ HN_FN hn_float hn_i_wave_slope(hn_float d) { return hn_i_derivative(d); }
 
 HN_FN hn_int hn_i_waves(hn_float k) { return int(min(max(k, -16.0f), 16.0f) * 65536.0f); }
 
-// k d / 2^4, and half of that. Of the up to 42 bits of k d the low 32 count behind the shift. Half of the offset at a
-// time keeps each product below 2^31.
+// k d / 2^4, and half of that. k d has up to 42 bits, of which the low 32 count behind the shift. Each product takes
+// half the bits of the offset, and so stays below 2^31.
 HN_FN hn_uint hn_i_crossed(hn_int k, hn_int d) { return (uint(k * (d >> 10)) << 6u) + uint((k * (d & 1023)) >> 4); }
 HN_FN hn_uint hn_i_crossed_half(hn_int k, hn_int d) {
   return (uint(k * (d >> 10)) << 5u) + uint((k * (d & 1023)) >> 5);
@@ -68,7 +68,7 @@ HN_FN hn_uint hn_i_waves_from(hn_ivec2 k, hn_int x, hn_int y) {
 HN_FN hn_uint hn_i_waves_from(hn_ivec3 k, hn_int x, hn_int y, hn_int z) {
   return hn_i_crossed(k.x, x) + hn_i_crossed(k.y, y) + hn_i_crossed(k.z, z);
 }
-// From units of 2^-16 to those of ramps.
+// Converts units of 2^-16 to those of ramps.
 HN_FN hn_int hn_i_as_ramp(hn_int sine) { return sine * 8192; }
 
 // t^2 (1 - t)^2 is at most 1/16, so 15 times that is below 1. A word has the largest square of the other, which may be
@@ -83,7 +83,7 @@ HN_FN hn_int hn_i_d_weight_wave(hn_int t, hn_int m) {
   return int((h * h + 32768u) >> 16u) * 3 * m;
 }
 
-// From units of 2^-29 to those of 2^-27.
+// Converts units of 2^-29 to units of 2^-27.
 HN_FN hn_int hn_i_falling(hn_int n, hn_int x) { return -2 * hn_i_part(n, x >> 2); }
 HN_FN hn_int hn_i_of_fall(hn_int n, hn_int steps) { return n * (32 * steps); }
 
@@ -96,19 +96,21 @@ HN_FN hn_float hn_i_wave_slope(hn_int d) { return hn_i_float((d + 128) >> 8) * (
 
 #endif
 
-HN_FN hn_num2 hn_i_unit_wave(hn_uint angle) {
-  return hn_i_num(hn_i_as_ramp(hn_i_wave(angle + 0x40000000u, 0u)), hn_i_as_ramp(hn_i_wave(angle, 0u)));
+HN_FN hn_i_num2 hn_i_unit_wave(hn_uint angle) {
+  return hn_i_vector(hn_i_as_ramp(hn_i_wave(angle + 0x40000000u, 0u)), hn_i_as_ramp(hn_i_wave(angle, 0u)));
 }
-HN_FN hn_num2 hn_i_weighted_wave(hn_num2 n, hn_num w) {
-  return hn_i_num(hn_i_weighted_ramp(n.x, w), hn_i_weighted_ramp(n.y, w));
+HN_FN hn_i_num2 hn_i_weighted_wave(hn_i_num2 n, hn_i_num w) {
+  return hn_i_vector(hn_i_weighted_ramp(n.x, w), hn_i_weighted_ramp(n.y, w));
 }
-HN_FN hn_num2 hn_i_falling_wave(hn_num2 n, hn_num x) { return hn_i_num(hn_i_falling(n.x, x), hn_i_falling(n.y, x)); }
-HN_FN hn_num2 hn_i_wave_at(hn_uint angle, hn_num w) { return hn_i_weighted_wave(hn_i_unit_wave(angle), w); }
-HN_FN hn_num2 hn_i_plus(hn_num2 a, hn_num2 b) { return hn_i_num(hn_i_plus(a.x, b.x), hn_i_plus(a.y, b.y)); }
+HN_FN hn_i_num2 hn_i_falling_wave(hn_i_num2 n, hn_i_num x) {
+  return hn_i_vector(hn_i_falling(n.x, x), hn_i_falling(n.y, x));
+}
+HN_FN hn_i_num2 hn_i_wave_at(hn_uint angle, hn_i_num w) { return hn_i_weighted_wave(hn_i_unit_wave(angle), w); }
+HN_FN hn_i_num2 hn_i_plus(hn_i_num2 a, hn_i_num2 b) { return hn_i_vector(hn_i_plus(a.x, b.x), hn_i_plus(a.y, b.y)); }
 
 // The derivatives of value and quadrature along an axis: n are both, fall is the sum of what falls along it, and k is
 // the wave along it.
-HN_FN hn_vec2 hn_i_wave_slopes(hn_num2 n, hn_num2 fall, hn_num k) {
+HN_FN hn_vec2 hn_i_wave_slopes(hn_i_num2 n, hn_i_num2 fall, hn_i_num k) {
   return vec2(hn_i_wave_slope(hn_i_minus(fall.x, hn_i_turning(n.y, k))),
               hn_i_wave_slope(hn_i_plus(fall.y, hn_i_turning(n.x, k))));
 }

@@ -70,15 +70,15 @@ HN_FN hn_int hn_i_dot(hn_ivec3 g, hn_int x, hn_int y, hn_int z) {
 #endif
 
 // The sine of a word. The comment over hn_gradient tells its error.
-HN_FN hn_num hn_i_sine(hn_uint w) { return hn_i_wave(hn_i_turns(w), w); }
+HN_FN hn_i_num hn_i_sine(hn_uint w) { return hn_i_wave(hn_i_turns(w), w); }
 
-HN_FN hn_num2 hn_i_gradient(hn_uint column, hn_uint y) {
+HN_FN hn_i_num2 hn_i_gradient(hn_uint column, hn_uint y) {
   hn_uint k = hn_hash(column + y);
-  return hn_i_num(hn_i_sine(column + k), hn_i_sine(k + k));
+  return hn_i_vector(hn_i_sine(column + k), hn_i_sine(k + k));
 }
-HN_FN hn_num3 hn_i_gradient(hn_uint column, hn_uint row, hn_uint z) {
+HN_FN hn_i_num3 hn_i_gradient(hn_uint column, hn_uint row, hn_uint z) {
   hn_uint k = hn_hash(row + z);
-  return hn_i_num(hn_i_sine(k + column), hn_i_sine(k + row), hn_i_sine(k + k));
+  return hn_i_vector(hn_i_sine(k + column), hn_i_sine(k + row), hn_i_sine(k + k));
 }
 
 // The coordinates that were spread. The factors are the inverses of those that spread, modulo 2^32; compilers cancel
@@ -87,32 +87,32 @@ HN_FN hn_uint hn_i_gathered(hn_uint x) { return (x - HN_I_ORIGIN_X) * 0x0E8B2F51
 HN_FN hn_uvec2 hn_i_gathered(hn_uvec2 v) { return uvec2(hn_i_gathered(v.x), v.y * 0xB6C92F47u); }
 HN_FN hn_uvec3 hn_i_gathered(hn_uvec3 v) { return uvec3(hn_i_gathered(v.x), v.y * 0xB6C92F47u, v.z * 0xA89ED915u); }
 
-HN_FN hn_num4 hn_i_ramps(hn_i_box2 box, hn_num2 f, hn_uint seed) {
+HN_FN hn_i_num4 hn_i_ramps(hn_i_box2 box, hn_i_num2 f, hn_uint seed) {
   hn_uint s = hn_i_mix(seed);
   hn_uvec2 c0 = hn_i_gathered(box.lower);
   hn_uvec2 c1 = hn_i_gathered(box.upper);
   hn_uint k0 = hn_i_column_key(c0.x, s);
   hn_uint k1 = hn_i_column_key(c1.x, s);
-  hn_num x = hn_i_minus_one(f.x);
-  hn_num y = hn_i_minus_one(f.y);
-  return hn_i_num(hn_i_dot(hn_i_gradient(k0, c0.y), f.x, f.y), hn_i_dot(hn_i_gradient(k1, c0.y), x, f.y),
-                  hn_i_dot(hn_i_gradient(k0, c1.y), f.x, y), hn_i_dot(hn_i_gradient(k1, c1.y), x, y));
+  hn_i_num x = hn_i_minus_one(f.x);
+  hn_i_num y = hn_i_minus_one(f.y);
+  return hn_i_vector(hn_i_dot(hn_i_gradient(k0, c0.y), f.x, f.y), hn_i_dot(hn_i_gradient(k1, c0.y), x, f.y),
+                     hn_i_dot(hn_i_gradient(k0, c1.y), f.x, y), hn_i_dot(hn_i_gradient(k1, c1.y), x, y));
 }
 
-HN_FN hn_num4 hn_i_ramps(hn_i_box3 box, hn_num3 f, bool back, hn_uint seed) {
+HN_FN hn_i_num4 hn_i_ramps(hn_i_box3 box, hn_i_num3 f, bool back, hn_uint seed) {
   hn_uint s = hn_i_mix(seed);
   hn_uvec3 c0 = hn_i_gathered(box.lower);
   hn_uvec3 c1 = hn_i_gathered(box.upper);
   hn_uint k0 = hn_i_column_key(c0.x, s);
   hn_uint k1 = hn_i_column_key(c1.x, s);
-  hn_num x = hn_i_minus_one(f.x);
-  hn_num y = hn_i_minus_one(f.y);
+  hn_i_num x = hn_i_minus_one(f.x);
+  hn_i_num y = hn_i_minus_one(f.y);
   hn_uint cz = hn_i_select(back, c1.z, c0.z);
-  hn_num z = hn_i_select(back, hn_i_minus_one(f.z), f.z);
-  return hn_i_num(hn_i_dot(hn_i_gradient(k0, hn_i_row_key(k0, c0.y), cz), f.x, f.y, z),
-                  hn_i_dot(hn_i_gradient(k1, hn_i_row_key(k1, c0.y), cz), x, f.y, z),
-                  hn_i_dot(hn_i_gradient(k0, hn_i_row_key(k0, c1.y), cz), f.x, y, z),
-                  hn_i_dot(hn_i_gradient(k1, hn_i_row_key(k1, c1.y), cz), x, y, z));
+  hn_i_num z = hn_i_select(back, hn_i_minus_one(f.z), f.z);
+  return hn_i_vector(hn_i_dot(hn_i_gradient(k0, hn_i_row_key(k0, c0.y), cz), f.x, f.y, z),
+                     hn_i_dot(hn_i_gradient(k1, hn_i_row_key(k1, c0.y), cz), x, f.y, z),
+                     hn_i_dot(hn_i_gradient(k0, hn_i_row_key(k0, c1.y), cz), f.x, y, z),
+                     hn_i_dot(hn_i_gradient(k1, hn_i_row_key(k1, c1.y), cz), x, y, z));
 }
 
 // The noise is not scaled, as in the paper.

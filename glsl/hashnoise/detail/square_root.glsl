@@ -8,7 +8,7 @@
 
 // The square of a length is a rank: by it lengths are compared. It is a float, or a word in units of 2^-28.
 //
-//   hn_rank               such a square, or another number that lengths are compared by; hn_rank3 and hn_rank4 are
+//   hn_i_rank             such a square, or another number that lengths are compared by; hn_i_rank3 and hn_i_rank4 are
 //                         vectors of it
 //   hn_i_sizes(x)         the absolute values of three numbers, as ranks
 //   hn_i_squares(x, ...)  the squares of three lengths
@@ -20,9 +20,9 @@
 //   hn_i_unit(x, ...)     an offset divided by its length; 0 if the length is 0. Its components are floats, and in
 //                         HN_FIXED multiples of 2^-21
 
-// Of a word, with every HN_ARITHMETIC. The root of 2^8 q is guessed in floats. The guess is less than 1 off, even if a
-// driver's sqrt is 6 units in the last place off. So the integers around it decide. What is left of 2^8 q is small: 32
-// bits are enough to tell its sign.
+// The root of a word is there with every HN_ARITHMETIC. First the root of 2^8 q is guessed in floats. The guess is less
+// than 1 off, even if a driver's sqrt is 6 units in the last place off. So the integers around it decide. What is left
+// of 2^8 q is small: 32 bits are enough to tell its sign.
 HN_FN hn_uint hn_i_root(hn_uint q) {
   hn_uint v = uint(sqrt(hn_i_float(q)) * 16.0f);
   v = hn_i_select(int((q << 8u) - v * v) < 0, v - 1u, v);
@@ -31,9 +31,9 @@ HN_FN hn_uint hn_i_root(hn_uint q) {
 
 #if HN_ARITHMETIC != HN_FIXED
 
-#define hn_rank hn_float
-#define hn_rank3 hn_vec3
-#define hn_rank4 hn_vec4
+#define hn_i_rank hn_float
+#define hn_i_rank3 hn_vec3
+#define hn_i_rank4 hn_vec4
 
 HN_FN hn_vec3 hn_i_sizes(hn_vec3 x) { return abs(x); }
 HN_FN hn_vec3 hn_i_squares(hn_vec3 x, hn_vec3 y) {
@@ -83,11 +83,11 @@ HN_FN hn_vec3 hn_i_unit(hn_float x, hn_float y, hn_float z) {
 
 #else  // HN_FIXED
 
-#define hn_rank hn_uint
-#define hn_rank3 hn_uvec3
-#define hn_rank4 hn_uvec4
+#define hn_i_rank hn_uint
+#define hn_i_rank3 hn_uvec3
+#define hn_i_rank4 hn_uvec4
 
-// As words, the largest of which is right on every driver (see hn_i_size).
+// The sizes are words, since the larger of two words is right on every driver (see hn_i_size).
 HN_FN hn_uvec3 hn_i_sizes(hn_ivec3 x) { return uvec3(max(x, x * -1)); }
 
 // An offset is below 4 cells, 2^22, and the square of a length below 16. A square has up to 44 bits, so it is made of
@@ -126,8 +126,8 @@ HN_FN hn_uint hn_i_over_root(hn_uint n, hn_uint q) {
   return hn_i_select(rest < 0, v - 1u, hn_i_select(rest >= int(s), v + 1u, v));
 }
 
-// What an offset is multiplied by, so that it is 0 or at least 2^17 long and its root has 15 bits: from the size of its
-// longest component, which is below 2^21.
+// The factor by which an offset is multiplied, so that it is 0 or at least 2^17 long and its root has 15 bits. It
+// depends on the size of the longest component, which is below 2^21.
 HN_FN hn_int hn_i_enlarging_factor(hn_int size) {
   hn_int a = hn_i_choice(size < 1024, 1024, 1);
   hn_int b = a * hn_i_choice(size * a < 32768, 32, 1);
@@ -140,7 +140,7 @@ HN_FN hn_float hn_i_over(hn_int x, hn_uint root) {
   hn_uint high = (size << 11u) / root;
   hn_uint low = (((size << 11u) - high * root) << 8u) / root;
   hn_int quotient = int((high << 8u) + low);
-  return hn_i_float(hn_i_select(x < 0, -quotient, quotient)) * (1.0f / 2097152.0f);
+  return hn_i_float(hn_i_select(x < 0, -quotient, quotient)) * (1.0f / HN_I_FLOAT_UNITS_VALUE);
 }
 HN_FN hn_vec2 hn_i_unit(hn_int x, hn_int y) {
   hn_int m = hn_i_enlarging_factor(max(hn_i_size(x), hn_i_size(y)));

@@ -17,9 +17,9 @@
 // integer lattice.
 
 // The place of a fraction of a cell, in steps.
-HN_FN hn_num2 hn_i_steps(hn_num2 f) { return hn_i_num(hn_i_plus(f.x, f.x), hn_i_plus(f.y, f.y)); }
+HN_FN hn_i_num2 hn_i_steps(hn_i_num2 f) { return hn_i_vector(hn_i_plus(f.x, f.x), hn_i_plus(f.y, f.y)); }
 
-// The sum of two numbers of rows or columns. Of a place that is far out of its cell they are so large that ints would
+// Adds two numbers of rows or columns. For a place that is far out of its cell they are so large that ints would
 // overflow, which C++ leaves undefined.
 HN_FN hn_int hn_i_add_wrapping(hn_int i, hn_int more) { return int(uint(i) + uint(more)); }
 
@@ -38,10 +38,12 @@ HN_FN hn_uint hn_i_doubled(hn_uint c, hn_int more, hn_int period) {
 // corners of the triangle are the first corner of the skewed square around the place, its last, and between them the
 // one along u if u has more beyond a whole number than v has, else the one along v.
 
-HN_FN hn_num2 hn_i_skewed(hn_num2 f) { return hn_i_num(hn_i_plus(hn_i_plus(f.x, f.x), f.y), hn_i_plus(f.y, f.y)); }
+HN_FN hn_i_num2 hn_i_skewed(hn_i_num2 f) {
+  return hn_i_vector(hn_i_plus(hn_i_plus(f.x, f.x), f.y), hn_i_plus(f.y, f.y));
+}
 
-// In which column of its row the first corner is, from twice the cell on.
-HN_FN hn_int hn_i_column_of(hn_num2 skewed) {
+// The column of the first corner in its row, counted from column 2 c.x, where c is the cell.
+HN_FN hn_int hn_i_column_of(hn_i_num2 skewed) {
   hn_int row = hn_i_floor(skewed.y);
   return hn_i_add_wrapping(hn_i_floor(skewed.x), -((row >> 1) + (row & 1)));
 }
@@ -52,11 +54,11 @@ struct hn_i_triangle2 {
   hn_uvec2 middle;
   hn_uvec2 last;
 };
-HN_FN hn_i_triangle2 hn_i_triangle(hn_place2 place, hn_num2 skewed) {
+HN_FN hn_i_triangle2 hn_i_triangle(hn_place2 place, hn_i_num2 skewed) {
   hn_int row = hn_i_floor(skewed.y);
   hn_int column = hn_i_column_of(skewed);
-  hn_num u = hn_i_fract(skewed.x);
-  hn_num v = hn_i_fract(skewed.y);
+  hn_i_num u = hn_i_fract(skewed.x);
+  hn_i_num v = hn_i_fract(skewed.y);
   HN_I_NEW(hn_i_triangle2, corners);
   if (place.tiled) {
     hn_int last_column = hn_i_add_wrapping(column, row & 1);
@@ -81,12 +83,12 @@ HN_FN hn_i_triangle2 hn_i_triangle(hn_place2 place, hn_num2 skewed) {
   return corners;
 }
 
-// The words of the corners. The middle corner lies in the row of the first or in that of the last. So it takes its row's
-// share of both joins from there.
-HN_FN hn_uvec3 hn_i_triangle(hn_place2 place, hn_num2 skewed, hn_uint seed) {
+// The words of the corners. The middle corner lies in the row of the first or in that of the last. So it takes its
+// row's share of both joins from there.
+HN_FN hn_uvec3 hn_i_triangle(hn_place2 place, hn_i_num2 skewed, hn_uint seed) {
   hn_i_triangle2 corners = hn_i_triangle(place, skewed);
-  hn_num u = hn_i_fract(skewed.x);
-  hn_num v = hn_i_fract(skewed.y);
+  hn_i_num u = hn_i_fract(skewed.x);
+  hn_i_num v = hn_i_fract(skewed.y);
   hn_uint s = hn_i_mix(seed);
   hn_uint lower_join = hn_i_high(corners.first).y ^ hn_i_seed_join(s);
   hn_uint upper_join = hn_i_high(corners.last).y ^ hn_i_seed_join(s);
@@ -99,22 +101,24 @@ HN_FN hn_uvec3 hn_i_triangle(hn_place2 place, hn_num2 skewed, hn_uint seed) {
 }
 
 // The offsets from the corners along x and along y, and how near the corners are.
-HN_FN hn_num3 hn_i_triangle_x(hn_num2 skewed) {
-  hn_num u = hn_i_fract(skewed.x);
-  hn_num v = hn_i_fract(skewed.y);
-  hn_num x = hn_i_minus(u, hn_i_half(v));
-  return hn_i_num(x, hn_i_select(u > v, hn_i_minus(x, HN_I_ONE), hn_i_plus(x, hn_i_quarters(2))),
-                  hn_i_minus(x, hn_i_quarters(2)));
+HN_FN hn_i_num3 hn_i_triangle_x(hn_i_num2 skewed) {
+  hn_i_num u = hn_i_fract(skewed.x);
+  hn_i_num v = hn_i_fract(skewed.y);
+  hn_i_num x = hn_i_minus(u, hn_i_half(v));
+  return hn_i_vector(x, hn_i_select(u > v, hn_i_minus(x, HN_I_ONE), hn_i_plus(x, hn_i_quarters(2))),
+                     hn_i_minus(x, hn_i_quarters(2)));
 }
-HN_FN hn_num3 hn_i_triangle_y(hn_num2 skewed) {
-  hn_num y = hn_i_fract(skewed.y);
-  return hn_i_num(y, hn_i_select(hn_i_fract(skewed.x) > y, y, hn_i_minus_one(y)), hn_i_minus_one(y));
+HN_FN hn_i_num3 hn_i_triangle_y(hn_i_num2 skewed) {
+  hn_i_num y = hn_i_fract(skewed.y);
+  return hn_i_vector(y, hn_i_select(hn_i_fract(skewed.x) > y, y, hn_i_minus_one(y)), hn_i_minus_one(y));
 }
 
-// The squared radius is 819 / 1024: just below 4/5, the squared height over the longer sides of a triangle.
-HN_FN hn_num3 hn_i_triangle_falloff(hn_num3 x, hn_num3 y) {
-  return hn_i_num(hn_i_falloff(hn_i_square(x.x, y.x), 819, 1), hn_i_falloff(hn_i_square(x.y, y.y), 819, 1),
-                  hn_i_falloff(hn_i_square(x.z, y.z), 819, 1));
+// The squared radius in units of 2^-10. It is just below 4/5, the squared height over the longer sides of a triangle.
+#define HN_I_TRIANGLE_RADIUS 819
+HN_FN hn_i_num3 hn_i_triangle_falloff(hn_i_num3 x, hn_i_num3 y) {
+  return hn_i_vector(hn_i_falloff(hn_i_square(x.x, y.x), HN_I_TRIANGLE_RADIUS, 1),
+                     hn_i_falloff(hn_i_square(x.y, y.y), HN_I_TRIANGLE_RADIUS, 1),
+                     hn_i_falloff(hn_i_square(x.z, y.z), HN_I_TRIANGLE_RADIUS, 1));
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -145,16 +149,16 @@ HN_FN hn_ivec2 hn_i_triangle_gradient(hn_uint h) {
 
 #endif
 
-// What a corner adds without its weight.
-HN_FN hn_num hn_i_triangle_ramp(hn_uint h, hn_num x, hn_num y) {
-  hn_num3 d = hn_i_triangle_direction(h);
+// The ramp of a corner, before it is weighted.
+HN_FN hn_i_num hn_i_triangle_ramp(hn_uint h, hn_i_num x, hn_i_num y) {
+  hn_i_num3 d = hn_i_triangle_direction(h);
   return hn_i_triangle_times_one_plus(hn_i_dot_direction(d, x, y), d.z);
 }
 
-// A derivative per cell, from that per step.
+// Converts a derivative per step to one per cell.
 HN_FN hn_float hn_i_per_cell(hn_float d) { return d * 2.0f; }
 
 // A sum of weighted ramps is at most 1024 / 3242 (tools/bounds), with turning gradients, too.
-HN_FN hn_num hn_i_scaled_simplex2(hn_num n) { return hn_i_scaled(n, 3242); }
+HN_FN hn_i_num hn_i_scaled_simplex2(hn_i_num n) { return hn_i_scaled(n, 3242); }
 
 #endif

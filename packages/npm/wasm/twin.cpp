@@ -163,14 +163,14 @@ enum Sum {
 // Once for all dimensions: what adds to octaves would be there for each.
 [[gnu::noinline]] hn_i_octave_sum with_value(hn_i_octave_sum s, Float n) {
   switch (static_cast<Sum>(settings.sum)) {
-    case kFbm: return hn_i_with_noise(s, n);
-    case kTurbulence: return hn_i_with_size(s, n);
-    case kClouds: return hn_i_with_noise(s, n);
-    case kBillow: return hn_i_with_bounded_size(s, n);
-    case kRidged: return hn_i_with_ridge(s, n);
-    case kHybrid: return hn_i_with_height(s, n);
-    case kPingPong: return hn_i_with_wave(s, n, settings.strength);
-    case kWeighted: return hn_i_with_bent(s, n, settings.strength);
+    case kFbm: return hn_i_add_noise(s, n);
+    case kTurbulence: return hn_i_add_size(s, n);
+    case kClouds: return hn_i_add_noise(s, n);
+    case kBillow: return hn_i_add_bounded_size(s, n);
+    case kRidged: return hn_i_add_ridge(s, n);
+    case kHybrid: return hn_i_add_height(s, n);
+    case kPingPong: return hn_i_add_wave(s, n, settings.strength);
+    case kWeighted: return hn_i_add_bent(s, n, settings.strength);
     case kFbmD: return s;
     case kEroded: return s;
     case kWarp: return s;

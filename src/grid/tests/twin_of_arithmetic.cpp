@@ -226,13 +226,14 @@ float n_of(const Octaves& o) {
     }                                                                                                              \
   };
 // Those of values by their steps in the catalog. That these are right is what the golden files are for.
-#define HN_CATALOG_STEP(Id, name, step, end)                                                \
-  SUM(                                                                                      \
-      name, [[maybe_unused]] const float strength = twin::strength_of(settings); do {       \
-        const hn_i_octave_sum s = o.sum;                                                    \
-        const float n = n_of(o);                                                            \
-        o.sum = step;                                                                       \
-      } while (hn_next(o)); const hn_num mean = hn_i_mean(o.sum); return hn_i_value(end);)
+#define HN_CATALOG_STEP(Id, name, step, end)                                          \
+  SUM(                                                                                \
+      name, [[maybe_unused]] const float strength = twin::strength_of(settings); do { \
+        const hn_i_octave_sum s = o.sum;                                              \
+        const float n = n_of(o);                                                      \
+        o.sum = step;                                                                 \
+      } while (hn_next(o));                                                           \
+      const hn_i_num mean = hn_i_mean(o.sum); return hn_i_value(end);)
 #include "grid/catalog.inc"
 SUM(fbm_d, auto d = hn_slopes(o); do hn_add(o, d, chosen_d(o.place, o.seed)); while (hn_next(o)); return hn_mean(o, d);)
 SUM(eroded, auto d = hn_slopes(o);

@@ -123,7 +123,7 @@ class Sum(Function):
 
     def adds(self, sum_: str, noise: str, strength: str) -> str:
         """The expression of a sum with an octave more."""
-        return f"hn_i_with_{self.step}({', '.join([sum_, noise, *([strength] if self.strength else [])])})"
+        return f"hn_i_add_{self.step}({', '.join([sum_, noise, *([strength] if self.strength else [])])})"
 
     def makes(self, mean: str) -> str:
         return f"hn_i_{self.mean}({mean})" if self.mean else mean

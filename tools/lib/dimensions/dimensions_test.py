@@ -11,10 +11,10 @@ from dimensions.rule import Unclear, in_dimension
 
 class Names(unittest.TestCase):
     def test_types_and_files_have_the_number_of_dimensions(self):
-        plane = '#include "a2d.glsl"\nhn_place2 f(hn_vec2 p, hn_ivec2 c, hn_num2 n, hn_i_box2 b) {}\n'
-        for n, made in ((1, '#include "a1d.glsl"\nhn_place1 f(hn_float p, hn_int c, hn_num n, hn_i_box1 b) {}\n'),
-                        (3, '#include "a3d.glsl"\nhn_place3 f(hn_vec3 p, hn_ivec3 c, hn_num3 n, hn_i_box3 b) {}\n'),
-                        (4, '#include "a4d.glsl"\nhn_place4 f(hn_vec4 p, hn_ivec4 c, hn_num4 n, hn_i_box4 b) {}\n')):
+        plane = '#include "a2d.glsl"\nhn_place2 f(hn_vec2 p, hn_ivec2 c, hn_i_num2 n, hn_i_box2 b) {}\n'
+        for n, made in ((1, '#include "a1d.glsl"\nhn_place1 f(hn_float p, hn_int c, hn_i_num n, hn_i_box1 b) {}\n'),
+                        (3, '#include "a3d.glsl"\nhn_place3 f(hn_vec3 p, hn_ivec3 c, hn_i_num3 n, hn_i_box3 b) {}\n'),
+                        (4, '#include "a4d.glsl"\nhn_place4 f(hn_vec4 p, hn_ivec4 c, hn_i_num4 n, hn_i_box4 b) {}\n')):
             with self.subTest(n=n):
                 self.assertEqual(in_dimension(n, plane), made)
 
@@ -58,8 +58,8 @@ class Pairs(unittest.TestCase):
                          "uvec4(c.x - HN_I_STEP_X, c.y - HN_I_STEP_Y, c.z - HN_I_STEP_Z, c.w - HN_I_STEP_W)")
 
     def test_parameters(self):
-        self.assertEqual(in_dimension(3, "f(hn_num r, hn_num x, hn_num y, hn_num t)"),
-                         "f(hn_num r, hn_num x, hn_num y, hn_num z, hn_num t)")
+        self.assertEqual(in_dimension(3, "f(hn_i_num r, hn_i_num x, hn_i_num y, hn_i_num t)"),
+                         "f(hn_i_num r, hn_i_num x, hn_i_num y, hn_i_num z, hn_i_num t)")
 
     def test_operands(self):
         self.assertEqual(in_dimension(3, "n = v.x * v.x + v.y * v.y;"), "n = v.x * v.x + v.y * v.y + v.z * v.z;")
@@ -69,8 +69,8 @@ class Pairs(unittest.TestCase):
     def test_statements_and_members(self):
         self.assertEqual(in_dimension(3, "{\n  s.x = f(v.x);\n  s.y = f(v.y);\n  return s;\n}"),
                          "{\n  s.x = f(v.x);\n  s.y = f(v.y);\n  s.z = f(v.z);\n  return s;\n}")
-        self.assertEqual(in_dimension(4, "  hn_num x;  // along each axis\n  hn_num y;\n"),
-                         "  hn_num x;  // along each axis\n  hn_num y;\n  hn_num z;\n  hn_num w;\n")
+        self.assertEqual(in_dimension(4, "  hn_i_num x;  // along each axis\n  hn_i_num y;\n"),
+                         "  hn_i_num x;  // along each axis\n  hn_i_num y;\n  hn_i_num z;\n  hn_i_num w;\n")
 
     def test_functions(self):
         function = "HN_FN hn_uint f_{0}(hn_i_box{1} b) {{ return b.{0}; }}\n"

@@ -1,6 +1,6 @@
 """The text of the plane in another number of dimensions.
 
-Names change: hn_place2, hn_vec2, octaves2d.glsl. hn_vec3 and hn_num3 are a value with its derivatives, and grow, too.
+Names change: hn_place2, hn_vec2, octaves2d.glsl. hn_vec3 and hn_i_num3 are a value with its derivatives, and grow, too.
 The type of what is named after an axis stays (hn_ivec2 x), and so do numbers in comments, but for those in numbers.py.
 
 A pair is two neighbours that differ in names of axes alone: where the first names one, the second names the next.
@@ -25,7 +25,7 @@ OPENING, CLOSING = ("(", "[", "{"), (")", "]", "}")
 OPERATORS = ("+", "^", "|", "&")  # of which the operands may be a pair
 SIGNS = (*OPERATORS, *"-=?:<>;", "return", "<<", ">>", "&&", "||", *(f"{sign}=" for sign in "+-*/&|^<>=!"))
 BEFORE_PAIRS = ("", "=", "return")
-VECTOR = re.compile(r"[iu]?vec2|hn_i_num")  # what makes a vector of the plane of its components
+VECTOR = re.compile(r"[iu]?vec2|hn_i_vector")  # what makes a vector of the plane of its components
 SCALARS = {"": "float", "i": "int", "u": "uint"}
 WHERE = {1: "on the line", 3: "in space", 4: "in four dimensions"}
 ALONG = {1: "along x", 3: "along x, y and z", 4: "along x, y, z and w"}
@@ -125,7 +125,7 @@ class Rule:
         is_vector = VECTOR.fullmatch(maker.text) is not None
         runs = self.runs(parts, self.operands, alike=is_vector and len(parts) == 2)
         found = [part for _, run in runs for part in run]
-        if is_vector and maker.text != "hn_i_num" and len(found) not in (1, self.n):
+        if is_vector and maker.text != "hn_i_vector" and len(found) not in (1, self.n):
             raise Unclear(f"`{maker.text}({text_of(tokens)})` has no argument for each axis")
         return found
 
@@ -197,12 +197,12 @@ class Rule:
     def name(self, name: str) -> str:
         if found := re.fullmatch(r"(hn_)?([iu]?)vec2", name):
             return (found[1] or "") + (SCALARS[found[2]] if self.n == 1 else f"{found[2]}vec{self.n}")
-        if found := re.fullmatch(r"((?:hn_)?vec|hn_num)3", name):
+        if found := re.fullmatch(r"((?:hn_)?vec|hn_i_num)3", name):
             if self.n == 4:
                 raise Unclear(f"{name} has no room for a value and four derivatives")
             return f"{found[1]}{self.n + 1}"
-        if self.n == 1 and name == "hn_num2":
-            return "hn_num"
+        if self.n == 1 and name == "hn_i_num2":
+            return "hn_i_num"
         name = re.sub(r"^(hn_\w*[a-z])2$", rf"\g<1>{self.n}", name)
         return re.sub(r"^(\w+)2([dD])(_\w+)?$", rf"\g<1>{self.n}\2\3", name)
 

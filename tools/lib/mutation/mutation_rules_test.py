@@ -54,7 +54,7 @@ int g() { return 14; }
         self.assertEqual(code.type_of(3), "")  # a component is not a variable
 
     def test_the_types_of_the_library_are_types(self):
-        head = "hn_num f(hn_num2 p, hn_float a, float b, hn_num n)"
+        head = "hn_i_num f(hn_i_num2 p, hn_float a, float b, hn_i_num n)"
         self.assertEqual([kind for _, _, kind in rules.Code("", head).variables], ["num2", "float", "float", "num"])
         self.assertEqual(changed(rules.swap_arguments, "g(a, b, p.x, n, p)", head),
                          ["g(b, a, p.x, n, p)", "g(a, b, n, p.x, p)"])

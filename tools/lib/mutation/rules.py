@@ -19,7 +19,7 @@ from parsing.tokens import NUMBER, SIGN, WORD
 COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
 DIRECTIVE = re.compile(r"^[ \t]*#(?:\\\n|[^\n])*", re.MULTILINE)
 CONDITIONAL = re.compile(r"[ \t]*#[ \t]*(if\w*|el\w+|endif)\b[ \t]*([^\n]*)")
-TYPE = re.compile(r"(?:hn_)?(float|int|uint|bool|[iu]?vec[234]|num[234]?)")  # without its prefix
+TYPE = re.compile(r"(?:hn_(?:i_)?)?(float|int|uint|bool|[iu]?vec[234]|num[234]?)")  # without its prefix
 TOKEN = re.compile(rf"(?P<number>{NUMBER})|(?P<name>{WORD})|(?P<operator>{SIGN}|[^\w\s])")
 
 
@@ -313,7 +313,7 @@ def swap_arguments(code: Code) -> Iterator[Change]:
             other = code.text[code.token(second).start:end]
             kinds = kind_of(code, first, first_end), kind_of(code, second, second_end)
             # What a function returns is not known. A constructor most likely gets it beside numbers, which it is, too.
-            same = kinds[0] == kinds[1] or "" in kinds and bool(TYPE.fullmatch(name) or name == "hn_i_num")
+            same = kinds[0] == kinds[1] or "" in kinds and bool(TYPE.fullmatch(name) or name == "hn_i_vector")
             if one != other and same:
                 yield Change(start, end, other + gap + one)
 

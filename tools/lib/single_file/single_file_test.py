@@ -78,7 +78,7 @@ class SingleFile(unittest.TestCase):
         self.assertLess(len(set(re.findall(r"#define (HN_I_\w+|hn_\w+)", text))), 25)
         # What knobs decide is still there.
         self.assertIn("#define HN_I_PRECISE", text)
-        self.assertEqual(len(re.findall(r"(?m)^#define hn_num2 ", text)), 2)
+        self.assertEqual(len(re.findall(r"(?m)^#define hn_i_num2 ", text)), 2)
         for knobs in (["HN_ARITHMETIC=HN_FIXED"], ["HN_HASH=HN_HASH_PCG", "HN_GRADIENT=HN_GRADIENT_SINE"]):
             with self.subTest(knobs=knobs):
                 self.assertEqual(tokens("--language", "godot", knobs=knobs), tokens(knobs=knobs))
@@ -125,7 +125,7 @@ class SingleFile(unittest.TestCase):
         self.assertEqual(expanded(lines), [*lines[:3], "float hn_f(hn_i_pair p_hn, vec2 seed_hn) { for (int i_hn = 0; "
                                            "i_hn < 3; ++i_hn) p_hn.seed += float(i_hn) * seed_hn.x; return p_hn.seed; }"])
         text = generate("--language", "godot", "--strip").stdout
-        declared = set(re.findall(r"\b(?:float|int|uint|[iu]?vec\d|hn_num\d?|hn_rank\d?|hn_i_\w+|HN_I_PLACE\d) (\w+)\b(?!\()",
+        declared = set(re.findall(r"\b(?:float|int|uint|[iu]?vec\d|hn_i_num\d?|hn_i_rank\d?|hn_i_\w+|HN_I_PLACE\d) (\w+)\b(?!\()",
                                   re.sub(r"(?s)struct .*?\};|#.*?\n", "", text)))
         self.assertGreater(len(declared), 100)
         self.assertEqual({name for name in declared if not name.endswith("_hn")}, set())

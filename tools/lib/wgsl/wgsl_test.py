@@ -142,7 +142,7 @@ class Modules(unittest.TestCase):
                 with self.subTest(file=file, arithmetic=arithmetic):
                     text = module_of(file, arithmetic).text()
                     code = re.sub(r"//.*", "", text)
-                    self.assertIsNone(re.search(r"\b([iu]?vec[234]|float|int|uint|hn_num\d?)\b|#|\?", code))
+                    self.assertIsNone(re.search(r"\b([iu]?vec[234]|float|int|uint|hn_i_num\d?)\b|#|\?", code))
                     self.assertEqual(text.count("{"), text.count("}"))
         for turn, hash_ in enumerate(HASHES):
             for gradient in some(GRADIENTS, turn):
