@@ -32,12 +32,12 @@ def text(kind):
     if kind is SINE:
         ids = [f"noise{dims}d.perlin{form}" for dims in (2, 3) for form in ("", "_cell")]
         ids += [f"fbm.{name}{dims}{form}" for dims in (2, 3) for name in sums.KINDS for form in FORMS]
-        return Text([id for id in ids if id in table()], "HN_GRADIENT=HN_GRADIENT_SINE")
+        return Text([id for id in ids if id in table()], "HN_GRADIENT=HN_GRADIENT_SINE", optimized=True)
     ids = [f"noise{dims}d.{name}{form}" for dims in DIMS
            for name in ("perlin", "value", "perlin_d", "value_d", "value_cubic") for form in ("", "_cell")]
     ids += [f"fbm.{name}{dims}{form}" for dims in DIMS for name in sums.KINDS for form in FORMS]
     ids += [vector_row(name, dims) for name in VECTORS for dims in (2, 3)]
-    return Text([id for id in ids if id in table()], quarter_sine=QUARTER_SINE)
+    return Text([id for id in ids if id in table()], optimized=True, quarter_sine=QUARTER_SINE)
 
 
 def vector_row(name, dims):

@@ -227,7 +227,7 @@ def text():
     ids = [f"noise{dims}d.{name}_cell" for dims in (2, 3, 4)
            for name in ("simplex", "simplex_d", "simplex_smooth", "simplex_phase", "simplex_d_phase", "perlin_phase",
                         "perlin_d_phase")]
-    return Text([id for id in ids if id in table()], rotation=ROTATION)
+    return Text([id for id in ids if id in table()], optimized=True, rotation=ROTATION)
 
 
 ROTATION = Body("phase:f32", "cosine:f32 sine:f32", "hn_vec2 r = hn_i_rotation(float_of(a.x));"
