@@ -255,7 +255,7 @@ class Bevy(unittest.TestCase):
 
     def setUp(self):
         drivers = glob.glob("/usr/share/vulkan/icd.d/lvp_icd*.json")
-        for thing, is_there in (("cargo", shutil.which("cargo")), ("lavapipe", drivers)):
+        for thing, is_there in (("cargo", shutil.which("cargo")), ("Xvfb", shutil.which("Xvfb")), ("lavapipe", drivers)):
             if not is_there:
                 self.skipTest(f"there is no {thing}")
         self.folder = self.work / "bevy"
@@ -264,7 +264,7 @@ class Bevy(unittest.TestCase):
         here.mkdir(parents=True)
         for part in ("catalog", "glsl", "tools", "CMakeLists.txt"):
             (here / part).symlink_to(ROOT / part)
-        shutil.copytree(EXAMPLES / "bevy", here / "examples" / "bevy")
+        shutil.copytree(EXAMPLES / "bevy", here / "examples" / "bevy", ignore=shutil.ignore_patterns("target"))
         self.variables = {**os.environ, "VK_ICD_FILENAMES": drivers[0], "WGPU_BACKEND": "vulkan",
                           "CARGO_TARGET_DIR": str(self.work / "bevy-target")}
         twin.compile_program("heights", EXAMPLES / "heights.cpp", self.folder / "heights")

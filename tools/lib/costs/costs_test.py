@@ -110,7 +110,8 @@ class Recording(unittest.TestCase):
             with mock.patch.object(command, "LEFT", 1.0):
                 status, table, text = self.record(starting)
             self.assertEqual(status, 0, text)
-            self.assertTrue(0.5 <= table["test", name].value < 1.1, table)
+            # Of a process that nobody waits for the system tells hundredths of a second, and the last are not seen.
+            self.assertTrue(0.45 <= table["test", name].value < 1.1, table)
 
     def test_on_a_machine_that_is_half_as_fast_a_second_counts_half(self) -> None:
         table = self.record(burning("golden", 1), burning("twins", 0), speed=0.2)[1]
