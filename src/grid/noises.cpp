@@ -53,30 +53,17 @@ struct ColumnsOf {
   using Type = void;
 };
 #ifdef HN_GRID_HAS_WINDOWS
-template <int D>
-requires(D == 2 || D == 3)
-struct ColumnsOf<D, perlin_plain> {
-  using Type = PerlinColumns<D>;
-  static constexpr bool kTiled = false;
-};
-template <int D>
-requires(D == 2 || D == 3)
-struct ColumnsOf<D, simplex_plain> {
-  using Type = SimplexColumns<D>;
-  static constexpr bool kTiled = false;
-};
-template <int D>
-requires(D == 2 || D == 3)
-struct ColumnsOf<D, perlin_full> {
-  using Type = PerlinColumns<D>;
-  static constexpr bool kTiled = true;
-};
-template <int D>
-requires(D == 2 || D == 3)
-struct ColumnsOf<D, simplex_full> {
-  using Type = SimplexColumns<D>;
-  static constexpr bool kTiled = true;
-};
+#define HN_GRID_COLUMNS(noise, Columns, tiled) \
+  template <int D>                             \
+  requires(D == 2 || D == 3)                   \
+  struct ColumnsOf<D, noise> {                 \
+    using Type = Columns<D>;                   \
+    static constexpr bool kTiled = tiled;      \
+  };
+HN_GRID_COLUMNS(perlin_plain, PerlinColumns, false)
+HN_GRID_COLUMNS(perlin_full, PerlinColumns, true)
+HN_GRID_COLUMNS(simplex_plain, SimplexColumns, false)
+HN_GRID_COLUMNS(simplex_full, SimplexColumns, true)
 #endif
 
 template <int D, typename Noise>
