@@ -17,7 +17,7 @@ from unittest import mock
 
 from parsing.syntax import Parser
 from parsing.tokens import Unknown, tokens_of
-from pick import command, pages, printer, tsl
+from pick import command, pages, printer, tsl, values
 from pick.comparison import source
 from pick.evaluate import Module
 from pick.printer import Language
@@ -374,6 +374,18 @@ class Command(unittest.TestCase):
         shown = subprocess.run([TOOLS / "pick", *names, "--arithmetic", "fixed"], capture_output=True, text=True,
                                check=True).stdout
         self.assertEqual(code(shown), text(*names, arithmetic="fixed"))
+
+    def test_the_text_is_the_same_behind_others(self) -> None:
+        """Where nothing is forgotten between them, statements that another function has, too, stand elsewhere."""
+        def behind(*others: str) -> str:
+            pick = command.picker()
+            return [pick([name], command.Choice("rust", "fixed")) for name in (*others, "hn_cell_border3")][-1]
+
+        alone = behind()
+        self.assertEqual(behind("hn_cellular3_nearest"), alone)
+        values.begin_anew()
+        with mock.patch("pick.program.begin_anew"):
+            self.assertNotEqual(behind("hn_cellular3_nearest"), alone)
 
     def test_a_file(self) -> None:
         with tempfile.TemporaryDirectory() as folder:

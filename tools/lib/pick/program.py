@@ -19,7 +19,7 @@ from parsing.tokens import Unknown
 from pick.evaluate import Evaluation, Kept, Known, Module, Summed, Typed, dotted
 from pick.printer import Language
 from pick.statements import Statement, values_of, without_copies, without_dead
-from pick.values import AXES, SIZES, Constant, Node, Operation, Variable
+from pick.values import AXES, SIZES, Constant, Node, Operation, Variable, begin_anew
 from tables.glsl import declarations
 from tree import version
 from wgsl.translator import Translator
@@ -123,6 +123,7 @@ class Program:
     """The functions that are asked for, and those that they call."""
 
     def __init__(self, module: Module, roots: Sequence[Function]):
+        begin_anew()
         self.module = module
         self.kept: dict[Key, Kept] = {}
         self._done: dict[tuple[Kept, bool], Evaluated] = {}  # that the functions in `kept` leave as they are

@@ -6,6 +6,7 @@ of floats stays as it is written, since another order of operations could round 
 
 from __future__ import annotations
 
+import itertools
 import struct
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -57,12 +58,19 @@ class Operation:
 
 Node = Union[Constant, Variable, Operation]
 _made: dict[tuple[object, ...], Operation] = {}
+_numbers = itertools.count()
+
+
+def begin_anew() -> None:
+    """Forgets all operations. Statements stand in the order of their numbers, so a text would otherwise depend on what
+    else its process has written before: an operation that some function had made would have its number."""
+    _made.clear()
 
 
 def operation(kind: str, name: str, type_: str, arguments: tuple[Node, ...]) -> Operation:
     key = (kind, name, type_, *arguments)
     if key not in _made:
-        _made[key] = Operation(kind, name, type_, arguments, len(_made))
+        _made[key] = Operation(kind, name, type_, arguments, next(_numbers))
     return _made[key]
 
 
