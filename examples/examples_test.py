@@ -45,8 +45,37 @@ def commands(title: str, start: str) -> list[str]:
     return [line.strip() for line in section.splitlines() if line.startswith(f"    {start}")]
 
 
+def copied(folder: Path, name: str) -> Path:
+    """A copy of the repository in an empty folder, as far as an example needs it, beside which its commands are typed;
+    and the program `heights`."""
+    shutil.rmtree(folder, ignore_errors=True)
+    here = folder / "hashnoise"
+    here.mkdir(parents=True)
+    for part in ("CMakeLists.txt", "catalog", "conformance", "glsl", "include", "src", "tools"):
+        (here / part).symlink_to(ROOT / part)
+    shutil.copytree(EXAMPLES / name, here / "examples" / name, ignore=shutil.ignore_patterns("target"))
+    compile_heights(folder)
+    return here
+
+
+def compile_heights(folder: Path) -> None:
+    twin.compile_program("heights", EXAMPLES / "heights.cpp", folder / "heights")
+
+
+def heights(folder: Path, name: str) -> array.array:
+    return array.array("f", subprocess.run([folder / "heights", name], check=True, stdout=subprocess.PIPE).stdout)
+
+
+def lavapipe() -> str:
+    """What describes it to the loader of Vulkan."""
+    drivers = glob.glob("/usr/share/vulkan/icd.d/lvp_icd*.json")
+    if not drivers:
+        raise unittest.SkipTest("there is no lavapipe")
+    return drivers[0]
+
+
 class Example(unittest.TestCase):
-    """A copy of the repository, as far as an example needs it, beside which its commands are typed."""
+    """It is built and run by the commands of the page."""
 
     work: Path
     name: str
@@ -60,17 +89,11 @@ class Example(unittest.TestCase):
         cls.variables = {**os.environ, "CMAKE_GENERATOR": "Ninja"}
         cls.prepare()
         cls.folder = cls.work / cls.name
-        shutil.rmtree(cls.folder, ignore_errors=True)
-        cls.copy = cls.folder / "hashnoise"
-        for part in ("CMakeLists.txt", "glsl", "include", "src", "tools"):
-            (cls.copy / part).parent.mkdir(parents=True, exist_ok=True)
-            (cls.copy / part).symlink_to(ROOT / part)
-        shutil.copytree(EXAMPLES / cls.name, cls.copy / "examples" / cls.name)
+        cls.copy = copied(cls.folder, cls.name)
         configure, build = commands(cls.title, "cmake")
         cls.build, cls.program = build.split(" && ")
         for command in (configure, cls.build):
             cls.type(command)
-        twin.compile_program("heights", EXAMPLES / "heights.cpp", cls.folder / "heights")
 
     @classmethod
     def prepare(cls):
@@ -83,10 +106,6 @@ class Example(unittest.TestCase):
         if done.returncode != 0:
             raise AssertionError(f"{command}:\n{done.stdout}\n{done.stderr}")
 
-    def heights(self) -> array.array:
-        return array.array("f", subprocess.run([self.folder / "heights", self.name], check=True,
-                                               stdout=subprocess.PIPE).stdout)
-
     def shown(self, wanted) -> tuple[list[bytes], str]:
         with Screen(*SIZE) as screen:
             return screen.run([self.folder / self.program], wanted, variables=self.variables)
@@ -97,14 +116,14 @@ class Example(unittest.TestCase):
 
     def assert_the_land_is_where_the_twin_has_it(self, pixels: list[bytes], least: float):
         """The sea is bluer than it is red, and the land is not. Heights below least may be either."""
-        heights = self.heights()
-        self.assertEqual(len(heights), SIZE[0] * SIZE[1])
+        land = heights(self.folder, self.name)
+        self.assertEqual(len(land), SIZE[0] * SIZE[1])
         flat = b"".join(pixels)
-        wrong = [i for i, height in enumerate(heights)
+        wrong = [i for i, height in enumerate(land)
                  if (flat[3 * i + 2] > flat[3 * i] + 8) != (height < 0.0) and abs(height) >= least]
         self.assertEqual(len(wrong), 0, f"first at {wrong and divmod(wrong[0], SIZE[0])}")
-        self.assertGreater(sum(height < 0.0 for height in heights), 1000)
-        self.assertGreater(sum(height > 0.0 for height in heights), 1000)
+        self.assertGreater(sum(height < 0.0 for height in land), 1000)
+        self.assertGreater(sum(height > 0.0 for height in land), 1000)
 
 
 class Raylib(Example):
@@ -205,7 +224,7 @@ class Webgl(unittest.TestCase):
         shutil.copy(EXAMPLES / "webgl" / "index.html", self.folder)
         command, = commands("A page by itself", "hashnoise/tools")
         subprocess.run(command, shell=True, cwd=self.folder, check=True, stdout=subprocess.DEVNULL)
-        twin.compile_program("heights", EXAMPLES / "heights.cpp", self.folder / "heights")
+        compile_heights(self.folder)
 
     def reds(self) -> bytes:
         """What the page draws, by rows from the bottom: it is told to put its pixels into itself, and to say errors."""
@@ -231,13 +250,12 @@ class Webgl(unittest.TestCase):
 
     def wrong(self) -> int:
         """How many pixels are not as bright as they should be; a float may be rounded to either byte beside it."""
-        heights = array.array("f", subprocess.run([self.folder / "heights", "webgl"], check=True,
-                                                  stdout=subprocess.PIPE).stdout)
+        land = heights(self.folder, "webgl")
         reds = self.reds()
-        self.assertEqual(len(reds), len(heights))
+        self.assertEqual(len(reds), len(land))
         rows = (reds[start:start + SIZE[0]] for start in range(len(reds) - SIZE[0], -1, -SIZE[0]))
         return sum(abs(red - 255.0 * min(max(0.5 + height, 0.0), 1.0)) > 0.51
-                   for red, height in zip(b"".join(rows), heights))
+                   for red, height in zip(b"".join(rows), land))
 
     def test_each_pixel_is_as_the_twin_has_it(self):
         self.assertEqual(self.wrong(), 0)
@@ -254,20 +272,13 @@ class Bevy(unittest.TestCase):
     CLEAR = ((0.72, 0.83, 0.93), (0.2, 0.42, 0.75))  # below and above, as assets/shaders/clouds.wgsl has them
 
     def setUp(self):
-        drivers = glob.glob("/usr/share/vulkan/icd.d/lvp_icd*.json")
-        for thing, is_there in (("cargo", shutil.which("cargo")), ("Xvfb", shutil.which("Xvfb")), ("lavapipe", drivers)):
-            if not is_there:
-                self.skipTest(f"there is no {thing}")
-        self.folder = self.work / "bevy"
-        shutil.rmtree(self.folder, ignore_errors=True)
-        here = self.folder / "hashnoise"
-        here.mkdir(parents=True)
-        for part in ("catalog", "glsl", "tools", "CMakeLists.txt"):
-            (here / part).symlink_to(ROOT / part)
-        shutil.copytree(EXAMPLES / "bevy", here / "examples" / "bevy", ignore=shutil.ignore_patterns("target"))
-        self.variables = {**os.environ, "VK_ICD_FILENAMES": drivers[0], "WGPU_BACKEND": "vulkan",
+        for program in ("cargo", "Xvfb"):
+            if shutil.which(program) is None:
+                self.skipTest(f"there is no {program}")
+        self.variables = {**os.environ, "VK_ICD_FILENAMES": lavapipe(), "WGPU_BACKEND": "vulkan",
                           "CARGO_TARGET_DIR": str(self.work / "bevy-target")}
-        twin.compile_program("heights", EXAMPLES / "heights.cpp", self.folder / "heights")
+        self.folder = self.work / "bevy"
+        self.copy = copied(self.folder, "bevy")
 
     def type(self, command: str):
         return subprocess.run(command, shell=True, cwd=self.folder, env=self.variables, capture_output=True, text=True,
@@ -286,8 +297,7 @@ class Bevy(unittest.TestCase):
 
     def wrong(self, pixels: bytes) -> int:
         """How many pixels are more than a step of 255 from what they should be."""
-        thickness = array.array("f", subprocess.run([self.folder / "heights", "bevy"], check=True,
-                                                    stdout=subprocess.PIPE).stdout)
+        thickness = heights(self.folder, "bevy")
         self.assertGreater(max(thickness) - min(thickness), 0.5)
 
         def byte(linear: float) -> float:
@@ -308,7 +318,7 @@ class Bevy(unittest.TestCase):
         if fetched.returncode != 0:
             self.skipTest(f"crates.io gave no Bevy: {fetched.stderr.strip()[-200:]}")
         self.assertEqual(self.wrong(self.picture(f"{before} && {run}")), 0)
-        library = self.folder / "hashnoise/examples/bevy/assets/shaders/hashnoise.wgsl"
+        library = self.copy / "examples/bevy/assets/shaders/hashnoise.wgsl"
         library.write_text(library.read_text().replace("0x85EBCA77u", "0x85EBCA79u"))
         self.assertGreater(self.wrong(self.picture(f"cd hashnoise/examples/bevy && {run}")), 100_000)
 
@@ -321,10 +331,7 @@ class Vulkan(Example):
 
     @classmethod
     def prepare(cls):
-        drivers = glob.glob("/usr/share/vulkan/icd.d/lvp_icd*.json")
-        if not drivers:
-            raise unittest.SkipTest("there is no lavapipe")
-        cls.variables["VK_ICD_FILENAMES"] = drivers[0]
+        cls.variables["VK_ICD_FILENAMES"] = lavapipe()
         if glob.glob("/usr/share/vulkan/explicit_layer.d/VkLayer_khronos_validation.json"):
             cls.variables["VK_INSTANCE_LAYERS"] = "VK_LAYER_KHRONOS_validation"
 
