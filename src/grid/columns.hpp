@@ -1,119 +1,45 @@
 // Rows of grids whose points are so near each other that neighbours share cells. Along such a row the corners of all
 // points lie in few columns, so what depends on a corner alone is computed once for a column, many columns at a time. A
-// point finds it by the number of its column. Numbers and their order are those of the library, and so are the bits.
+// point finds it by the number of its column. Numbers and their order are those of the library, and so are the bits,
+// but for what windows.hpp says of HN_FAST.
 #pragma once
 
-#include "loops.hpp"
-#if defined(__SSE4_1__)
-#include <immintrin.h>
-#define HN_GRID_HAS_WINDOWS
-#elif defined(__aarch64__) && defined(__ARM_NEON)
-#include <arm_neon.h>
-#define HN_GRID_HAS_WINDOWS
-#endif
+#include "windows.hpp"
 
 namespace hashnoise::inline HN_I_NAMESPACE {
 namespace HN_LANES {
 namespace {
 
-constexpr int kPointsAtOnce = 256;  // their columns stay in the first cache
-
 #ifdef HN_GRID_HAS_WINDOWS
-
-// Takes of kCount numbers in memory that with the index of each lane.
-class Window {
- public:
-#if defined(__AVX2__)
-  HN_I_INLINE explicit Window(Int index) : index_(index.v) {}
-#else
-  // The instruction takes bytes.
-  HN_I_INLINE explicit Window(Int index) : index_((index * 0x04040404 + 0x03020100).v) {}
-#endif
-
-  template <typename S>
-  HN_I_INLINE Lanes<S> of(const S* from) const {
-    using Vector = typename Lanes<S>::Vector;
-    const Vector numbers = Lanes<S>::load(from).v;
-#if defined(__AVX512F__)
-    return Lanes<S>(Vector(_mm512_maskz_permutexvar_epi32(0xFFFF, __m512i(index_), __m512i(numbers))));
-#elif defined(__AVX2__)
-    return Lanes<S>(Vector(_mm256_permutevar8x32_epi32(__m256i(numbers), __m256i(index_))));
-#elif defined(__SSE4_1__)
-    return Lanes<S>(Vector(_mm_shuffle_epi8(__m128i(numbers), __m128i(index_))));
-#else
-    return Lanes<S>(Vector(vqtbl1q_u8(uint8x16_t(numbers), uint8x16_t(index_))));
-#endif
-  }
-
- private:
-  detail::IntVector index_;
-};
-
-// For each lane from `a`, or where the condition holds from `b`.
-template <typename S>
-HN_I_INLINE Lanes<S> of_either(const S* a, Int index_a, const S* b, Int index_b, Mask is_b) {
-#if defined(__AVX512F__)
-  using Vector = typename Lanes<S>::Vector;
-  const Int index = hn_i_select(is_b, index_b + kCount, index_a);
-  return Lanes<S>(Vector(_mm512_permutex2var_epi32(__m512i(Lanes<S>::load(a).v), __m512i(index.v),
-                                                   __m512i(Lanes<S>::load(b).v))));
-#else
-  return hn_i_select(is_b, Window(index_b).of(b), Window(index_a).of(a));
-#endif
-}
-
-using Number = decltype(hn_i_num()[0]);
 
 constexpr int kMostColumns = kPointsAtOnce + 2 * kCount;
 
-// Numbers of a corner in each column. The components of a direction are such numbers. The last one comes already
-// multiplied by the offset along its axis, which is the same in all of the row. So for the points that offset is 1.
+// What a corner has in each column.
 template <int kNumbers>
-class Corners {
+using InColumns = Corners<kNumbers, kMostColumns>;
+
+// Gradients of corners in columns. Along the last axis a corner has the same offset in all of the row, so that
+// component is kept as a product with it. For the points that offset is 1.
+template <int kNumbers>
+class Gradients : public InColumns<kNumbers> {
  public:
-  HN_I_INLINE void put(int column, hn_i_num3 d, hn_i_num offset) {
-    d.y = d.y * offset;
-    keep(column, d.x, d.y, d.z);
-  }
-  HN_I_INLINE void put(int column, hn_i_num4 d, hn_i_num offset) {
-    d.z = d.z * offset;
-    keep(column, d.x, d.y, d.z, d.w);
-  }
-  // In the columns of points, from that column on, and in the next ones.
-  HN_I_INLINE auto of(int column, Int index) const {
-    const Window window(index);
-    return direction([&](int i) HN_I_INLINED { return window.of(number_[i] + column); });
-  }
-  // Where there are registers to spare, both are taken from one.
-  HN_I_INLINE auto behind(int column, Int index) const {
-    return kCount == 16 ? of(column, index + 1) : of(column + 1, index);
-  }
-  // The same, or where the condition holds from the corners of another row.
-  HN_I_INLINE auto or_of(int column, Int index, const Corners& other, int other_column, Int other_index,
-                         Mask is_other) const {
-    return direction([&](int i) HN_I_INLINED {
-      return of_either(number_[i] + column, index, other.number_[i] + other_column, other_index, is_other);
-    });
-  }
-
- private:
-  template <typename Function>
-  HN_I_INLINE static auto direction(const Function& number) {
-    if constexpr (kNumbers == 3) {
-      return hn_i_vector(number(0), number(1), number(2));
+  template <typename Gradient>
+  HN_I_INLINE void put(int column, Gradient g, hn_i_num offset) {
+    if constexpr (kNumbers == kGradient2) {
+      g.y = g.y * offset;
     } else {
-      return hn_i_vector(number(0), number(1), number(2), number(3));
+      g.z = g.z * offset;
     }
+    InColumns<kNumbers>::put(column, g);
   }
-  template <typename... Numbers>
-  HN_I_INLINE void keep(int column, Numbers... n) {
-    int i = 0;
-    (n.store(number_[i++] + column), ...);
-  }
-
-  Number number_[kNumbers][kMostColumns];
 };
-HN_I_INLINE hn_i_num one() { return hn_i_num(Number{1}); }
+using Gradients2 = Gradients<kGradient2>;
+using Gradients3 = Gradients<kGradient3>;
+// The ramp of a gradient in space: along z it has the offset already.
+template <typename Gradient>
+HN_I_INLINE hn_i_num row_ramp(Gradient g, hn_i_num x, hn_i_num y) {
+  return ramp(g, hn_i_octahedral(hn_i_plus(x, y)), hn_i_octahedral(hn_i_minus(x, y)), hn_i_octahedral_z(one()));
+}
 
 // Each noise has
 //
@@ -144,14 +70,14 @@ class PerlinColumns {
     const auto f = place.fraction;
     if constexpr (D == 2) {
       const auto h = hn_i_corners(box, seed);
-      corners_[0].put(column, hn_i_direction2(h.x), f.y);
-      corners_[1].put(column, hn_i_direction2(h.z), hn_i_minus_one(f.y));
+      corners_[0].put(column, kept2(h.x), f.y);
+      corners_[1].put(column, kept2(h.z), hn_i_minus_one(f.y));
     } else {
       for (int face = 0; face < 2; ++face) {
         const auto h = hn_i_corners(box, face == 1, seed);
         const hn_i_num z = face == 0 ? f.z : hn_i_minus_one(f.z);
-        corners_[2 * face].put(column, hn_i_direction3(h.x), z);
-        corners_[2 * face + 1].put(column, hn_i_direction3(h.z), z);
+        corners_[2 * face].put(column, kept3(h.x), z);
+        corners_[2 * face + 1].put(column, kept3(h.z), z);
       }
     }
   }
@@ -160,16 +86,16 @@ class PerlinColumns {
     const auto t = hn_i_fade(f);
     if constexpr (D == 2) {
       const hn_i_num x = hn_i_minus_one(f.x);
-      return hn_i_scaled2(hn_i_lerp(hn_i_vector(hn_i_ramp(corners_[0].of(column, index), f.x, one()),
-                                                hn_i_ramp(corners_[0].behind(column, index), x, one()),
-                                                hn_i_ramp(corners_[1].of(column, index), f.x, one()),
-                                                hn_i_ramp(corners_[1].behind(column, index), x, one())),
+      return hn_i_scaled2(hn_i_lerp(hn_i_vector(ramp(corners_[0].of(column, index), f.x, one()),
+                                                ramp(corners_[0].behind(column, index), x, one()),
+                                                ramp(corners_[1].of(column, index), f.x, one()),
+                                                ramp(corners_[1].behind(column, index), x, one())),
                                     t.x, t.y));
     } else {
       const auto face = [&](int first) HN_I_INLINED {
-        return hn_i_lerp(hn_i_ramps(corners_[first].of(column, index), corners_[first].behind(column, index),
+        return hn_i_lerp(face_ramps(corners_[first].of(column, index), corners_[first].behind(column, index),
                                     corners_[first + 1].of(column, index), corners_[first + 1].behind(column, index),
-                                    hn_i_vector(f.x, f.y, one()), false),
+                                    f.x, f.y, one()),
                          t.x, t.y);
       };
       return hn_i_scaled3(hn_i_lerp(face(0), face(2), t.z));
@@ -177,7 +103,50 @@ class PerlinColumns {
   }
 
  private:
-  Corners<D + 1> corners_[D == 2 ? 2 : 4];
+  Gradients<D == 2 ? kGradient2 : kGradient3> corners_[D == 2 ? 2 : 4];
+};
+
+// The numbers of value noise. Columns have the numbers of their cells.
+template <int D>
+class ValueColumns {
+ public:
+  static constexpr double kMostStep = 0.5;
+  static constexpr int kBefore = 0;
+  static constexpr int kBehind = 1;
+
+  HN_I_INLINE static std::uint32_t earliest(std::uint32_t cell, std::uint32_t) { return cell; }
+  HN_I_INLINE static Int number(const Place<D>& place) { return place.cell.x; }
+  HN_I_INLINE void put(int column, Int number, Place<D> place, Uint seed) {
+    place.cell.x = number;
+    const auto box = hn_i_box(place);
+    if constexpr (D == 2) {
+      const auto h = hn_i_corners(box, seed);
+      numbers_[0].put(column, hn_i_number(h.x));
+      numbers_[1].put(column, hn_i_number(h.z));
+    } else {
+      for (int face = 0; face < 2; ++face) {
+        const auto h = hn_i_corners(box, face == 1, seed);
+        numbers_[2 * face].put(column, hn_i_number(h.x));
+        numbers_[2 * face + 1].put(column, hn_i_number(h.z));
+      }
+    }
+  }
+  HN_I_INLINE hn_i_num noise(int column, Int index, const Place<D>& place) const {
+    const auto t = hn_i_fade(place.fraction);
+    const auto face = [&](int first) HN_I_INLINED {
+      return hn_i_lerp(hn_i_vector(numbers_[first].of(column, index), numbers_[first].behind(column, index),
+                                   numbers_[first + 1].of(column, index), numbers_[first + 1].behind(column, index)),
+                       t.x, t.y);
+    };
+    if constexpr (D == 2) {
+      return hn_i_noise_of_numbers(face(0));
+    } else {
+      return hn_i_noise_of_numbers(hn_i_lerp(face(0), face(2), t.z));
+    }
+  }
+
+ private:
+  InColumns<1> numbers_[D == 2 ? 2 : 4];
 };
 
 template <int D>
@@ -205,7 +174,7 @@ class SimplexColumns<2> {
     const Int lower = Int(Uint(number) - 2u * Uint(place.cell.x)) + shift;
     const Uint s = hn_i_mix(seed);
     const auto direction = [&](Int x, Int y) HN_I_INLINED {
-      return hn_i_triangle_direction(hn_i_seeded_word(hn_i_spread(point(place, x, y)), s));
+      return kept_of_triangle(hn_i_seeded_word(hn_i_spread(triangle_point(place, x, y)), s));
     };
     const hn_i_num3 y = hn_i_triangle_y(skewed);
     lower_.put(column, direction(lower, row), y.x);
@@ -215,7 +184,7 @@ class SimplexColumns<2> {
     const hn_i_num2 skewed = hn_i_skewed(place.fraction);
     const hn_i_num3 x = hn_i_triangle_x(skewed);
     const hn_i_num3 t = hn_i_triangle_falloff(x, hn_i_triangle_y(skewed));
-    const hn_i_num3 middle =
+    const auto middle =
         upper_.or_of(column - 1, index, lower_, column + 1, index, hn_i_fract(skewed.x) > hn_i_fract(skewed.y));
     hn_i_num n = weighted(lower_.of(column, index), x.x, t.x);
     n = hn_i_plus(n, weighted(middle, x.y, t.y));
@@ -223,18 +192,12 @@ class SimplexColumns<2> {
   }
 
  private:
-  // The point of the integer lattice that is so far from twice the cell. Along x it may be cells away.
-  HN_I_INLINE static uvec2 point(const Place<2>& place, Int x, Int y) {
-    const Int cell = Int(Uint(place.cell.x) + Uint(x >> 1));
-    if (!place.tiled) return uvec2(hn_i_doubled(Uint(cell), x & 1), hn_i_doubled(Uint(place.cell.y), y));
-    const uvec2 c = hn_i_wrap(ivec2(cell, place.cell.y), place.period);
-    return uvec2(hn_i_doubled(c.x, x & 1, place.period.x), hn_i_doubled(c.y, y, place.period.y));
-  }
-  HN_I_INLINE static hn_i_num weighted(hn_i_num3 d, hn_i_num x, hn_i_num t) {
-    return hn_i_weighted_ramp(hn_i_triangle_times_one_plus(hn_i_dot_direction(d, x, one()), d.z), hn_i_weight_plane(t));
+  template <typename Gradient>
+  HN_I_INLINE static hn_i_num weighted(Gradient g, hn_i_num x, hn_i_num t) {
+    return hn_i_weighted_ramp(triangle_ramp(g, x, one()), hn_i_weight_plane(t));
   }
 
-  Corners<3> lower_, upper_;
+  Gradients2 lower_, upper_;
 };
 
 // The points of simplex noise in space. Along y and z the row is in the same places of all cells. So it is the same
@@ -259,12 +222,11 @@ class SimplexColumns<3> {
     const uvec3 across = hn_i_nearer(f, block.following, block.cell);
     const uvec3 beyond = hn_i_nearer(f, block.previous, block.following);
     const Uint x = block.cell.x, s = hn_i_mix(seed);
-    const auto put_corner = [&](Corners<4>& row, Uint cy, Uint cz, hn_i_num offset) HN_I_INLINED {
-      row.put(column, hn_i_direction3(hn_i_seeded_word(uvec3(x, cy, cz), s)), offset);
-    };
-    const auto put_centre = [&](Corners<4>& row, Uint cy, Uint cz, hn_i_num offset) HN_I_INLINED {
+    const auto put_corner = [&](Gradients3& row, Uint cy, Uint cz, hn_i_num offset)
+                                HN_I_INLINED { row.put(column, kept3(hn_i_seeded_word(uvec3(x, cy, cz), s)), offset); };
+    const auto put_centre = [&](Gradients3& row, Uint cy, Uint cz, hn_i_num offset) HN_I_INLINED {
       const Uint h = hn_i_word(uvec3(x, cy, cz), hn_i_seed_join(s) ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM);
-      row.put(column, hn_i_direction3(h), offset);
+      row.put(column, kept3(h), offset);
     };
     put_corner(corners_, corner.y, corner.z, z.x);
     put_corner(next_corners_, hn_i_select(size_y >= size_z, across.y, corner.y),
@@ -286,8 +248,8 @@ class SimplexColumns<3> {
     const Int corner = hn_i_select(size >= larger, far, near);
     const Int centre = index + hn_i_select(size <= smaller, hn_i_select(is_behind, Int(2), Int(0)), Int(1));
     hn_i_num n = weighted(corners_.of(column, near), x.x, y.x, t.x);
-    n = hn_i_plus(n, weighted(corners_.or_of(column, corner, next_corners_, column, corner, size <= larger), x.y, y.y,
-                              t.y));
+    n = hn_i_plus(
+        n, weighted(corners_.or_of(column, corner, next_corners_, column, corner, size <= larger), x.y, y.y, t.y));
     n = hn_i_plus(n, weighted(centres_.of(column, index), x.z, y.z, t.z));
     n = hn_i_plus(n, weighted(centres_.or_of(column - 1, centre, next_centres_, column - 1, centre, size >= smaller),
                               x.w, y.w, t.w));
@@ -295,16 +257,215 @@ class SimplexColumns<3> {
   }
 
  private:
-  HN_I_INLINE static hn_i_num weighted(hn_i_num4 d, hn_i_num x, hn_i_num y, hn_i_num t) {
-    return hn_i_weighted_ramp(
-        hn_i_ramp(d, hn_i_octahedral(hn_i_plus(x, y)), hn_i_octahedral(hn_i_minus(x, y)), hn_i_octahedral_z(one())),
-        hn_i_weight4(t));
+  template <typename Gradient>
+  HN_I_INLINE static hn_i_num weighted(Gradient g, hn_i_num x, hn_i_num y, hn_i_num t) {
+    return hn_i_weighted_ramp(row_ramp(g, x, y), hn_i_weight4(t));
   }
 
-  Corners<4> corners_, next_corners_, centres_, next_centres_;
+  Gradients3 corners_, next_corners_, centres_, next_centres_;
 };
 
 #endif
+
+template <int D>
+class SmoothSimplexColumns;
+
+// The corners of smooth simplex noise on the plane: two of the lower row, and two of the upper one.
+template <>
+class SmoothSimplexColumns<2> {
+ public:
+  static constexpr double kMostStep = 0.125;
+  static constexpr int kBefore = 1;
+  static constexpr int kBehind = 4;
+
+  HN_I_INLINE static std::uint32_t earliest(std::uint32_t cell, std::uint32_t half) { return 2u * cell + half - 1u; }
+  HN_I_INLINE static Int number(const Place<2>& place) {
+    const hn_i_num2 p = hn_i_steps(place.fraction);
+    return Int(hn_i_doubled(Uint(place.cell.x), hn_i_floor(hn_i_in_row(p.x, hn_i_floor(p.y)))));
+  }
+  HN_I_INLINE void put(int column, Int number, const Place<2>& place, Uint seed) {
+    const hn_i_num y = hn_i_steps(place.fraction).y;
+    const Int row = hn_i_floor(y);
+    const Int x = Int(Uint(number) - 2u * Uint(place.cell.x));
+    const Uint s = hn_i_mix(seed);
+    const auto direction = [&](Int of_row) HN_I_INLINED {
+      return kept_of_triangle(hn_i_seeded_word(hn_i_spread(triangle_point(place, x, of_row)), s));
+    };
+    lower_.put(column, direction(row), hn_i_fract(y));
+    upper_.put(column, direction(row + 1), hn_i_minus_one(hn_i_fract(y)));
+  }
+  HN_I_INLINE hn_i_num noise(int column, Int index, const Place<2>& place) const {
+    const hn_i_num2 p = hn_i_steps(place.fraction);
+    const Int row = hn_i_floor(p.y);
+    const hn_i_num lower = hn_i_in_row(p.x, row), upper = hn_i_in_row(p.x, row + 1);
+    const Int of_upper = index + (hn_i_floor(upper) - hn_i_floor(lower) + 1);
+    const hn_i_num x = hn_i_fract(lower), of_x = hn_i_fract(upper);
+    const hn_i_num y = hn_i_fract(p.y), of_y = hn_i_minus_one(y);
+    hn_i_num n = weighted(lower_.of(column, index), x, y);
+    n = hn_i_plus(n, weighted(lower_.behind(column, index), hn_i_minus_one(x), y));
+    n = hn_i_plus(n, weighted(upper_.of(column - 1, of_upper), of_x, of_y));
+    n = hn_i_plus(n, weighted(upper_.behind(column - 1, of_upper), hn_i_minus_one(of_x), of_y));
+    return hn_i_scaled(n, 2428);
+  }
+
+ private:
+  template <typename Gradient>
+  HN_I_INLINE static hn_i_num weighted(Gradient g, hn_i_num x, hn_i_num y) {
+    return hn_i_weighted_ramp(triangle_ramp(g, x, one()), hn_i_weight3(hn_i_falloff(hn_i_square(x, y), 1024, 1)));
+  }
+
+  Gradients2 lower_, upper_;
+};
+
+// The points of smooth simplex noise in space: corners and centres in the four rows of each that are next to the row.
+// The first bit of a row's number tells whether it is further off along y, and the second one, along z.
+template <>
+class SmoothSimplexColumns<3> {
+ public:
+  static constexpr double kMostStep = 0.25;
+  static constexpr int kBefore = 1;
+  static constexpr int kBehind = 1;
+
+  HN_I_INLINE static std::uint32_t earliest(std::uint32_t cell, std::uint32_t) { return cell; }
+  HN_I_INLINE static Int number(const Place<3>& place) { return place.cell.x; }
+  HN_I_INLINE void put(int column, Int number, Place<3> place, Uint seed) {
+    place.cell.x = number;
+    const hn_i_block3 block = hn_i_block(place);
+    const hn_i_num3 f = place.fraction;
+    const hn_i_num4 z = hn_i_offsets(f.z);
+    const uvec3 corner = hn_i_nearer(f, block.cell, block.following);
+    const uvec3 across = hn_i_nearer(f, block.following, block.cell);
+    const uvec3 beyond = hn_i_nearer(f, block.previous, block.following);
+    const Uint s = hn_i_mix(seed), join = hn_i_seed_join(s);
+    for (int row = 0; row < 4; ++row) {
+      const bool far_y = (row & 1) != 0, far_z = (row & 2) != 0;
+      const uvec3 c(block.cell.x, far_y ? across.y : corner.y, far_z ? across.z : corner.z);
+      corners_[row].put(column, kept_of_smooth(hn_i_word(c, join, s)), far_z ? z.y : z.x);
+      const uvec3 d(block.cell.x, far_y ? beyond.y : block.cell.y, far_z ? beyond.z : block.cell.z);
+      centres_[row].put(column, kept_of_smooth(hn_i_word(d, join ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM)),
+                        far_z ? z.w : z.z);
+    }
+  }
+  HN_I_INLINE hn_i_num noise(int column, Int index, const Place<3>& place) const {
+    const hn_i_num3 f = place.fraction;
+    const hn_i_num4 x = hn_i_offsets(f.x), y = hn_i_offsets(f.y), z = hn_i_offsets(f.z);
+    const hn_i_num3 size = hn_i_vector(hn_i_size(x.x), hn_i_size(y.x), hn_i_size(z.x));
+    const hn_i_num3 inner = hn_i_vector(hn_i_size(x.z), hn_i_size(y.z), hn_i_size(z.z));
+    const Mask is_behind = f.x > hn_i_quarters(2);
+    const Int near = index + Int(is_behind), far = index + Int(f.x <= hn_i_quarters(2));
+    const Int next = index + hn_i_select(is_behind, Int(2), Int(0));
+    return hn_i_scaled(hn_i_plus(cube(corners_, {column, near}, {column, far}, {x.x, y.x}, {x.y, y.y}, size,
+                                      hn_i_square(x.x, y.x, z.x)),
+                                 cube(centres_, {column, index}, {column - 1, next}, {x.z, y.z}, {x.w, y.w}, inner,
+                                      hn_i_square(x.z, y.z, z.z))),
+                       3901);
+  }
+
+ private:
+  struct Side {
+    int column;
+    Int index;
+  };
+  struct Offset {
+    hn_i_num x, y;
+  };
+  // Of one kind, what the nearest point adds, and its three neighbours: hn_i_cube.
+  HN_I_INLINE static hn_i_num cube(const Gradients3 (&rows)[4], Side near, Side far, Offset d, Offset e, hn_i_num3 size,
+                                   hn_i_square_number q) {
+    const hn_i_num total = hn_i_plus(hn_i_plus(size.x, size.y), size.z);
+    const auto neighbour = [&](int row, Side one, Side other, Offset of_one, Offset of_other,
+                               hn_i_num along) HN_I_INLINED {
+      const hn_i_num twice = hn_i_plus(along, along);
+      const Mask is_other = hn_i_minus(total, twice) > hn_i_quarters(2);
+      const hn_i_num more =
+          min(hn_i_minus(HN_I_ONE, twice), hn_i_plus(hn_i_minus(hn_i_quarters(8), hn_i_plus(total, total)), twice));
+      return weighted(rows[row].or_of(one.column, one.index, rows[3 - row], other.column, other.index, is_other),
+                      hn_i_select(is_other, of_other.x, of_one.x), hn_i_select(is_other, of_other.y, of_one.y),
+                      hn_i_falloff(hn_i_square_plus(q, more), 768, 1));
+    };
+    hn_i_num a = weighted(rows[0].of(near.column, near.index), d.x, d.y, hn_i_falloff(q, 768, 1));
+    a = hn_i_plus(a, neighbour(0, far, near, {e.x, d.y}, {d.x, e.y}, size.x));
+    a = hn_i_plus(a, neighbour(1, near, far, {d.x, e.y}, {e.x, d.y}, size.y));
+    return hn_i_plus(a, neighbour(2, near, far, {d.x, d.y}, {e.x, e.y}, size.z));
+  }
+  template <typename Gradient>
+  HN_I_INLINE static hn_i_num weighted(Gradient g, hn_i_num x, hn_i_num y, hn_i_num t) {
+    return hn_i_weighted_ramp(row_ramp(g, x, y), hn_i_weight5(t));
+  }
+
+  Gradients3 corners_[4], centres_[4];
+};
+
+// The feature points of cellular noise in the Euclidean metric, in the cells of the row and in those around it. Columns
+// have the numbers of their cells. Offsets along x are kept as those of the middle of the cell.
+template <int D>
+class CellularColumns {
+ public:
+  static constexpr double kMostStep = 0.5;
+  static constexpr int kBefore = 1;
+  static constexpr int kBehind = 1;
+
+  HN_I_INLINE explicit CellularColumns(Float jitter) : jitter_(hn_i_jitter(jitter)) {}
+
+  HN_I_INLINE static std::uint32_t earliest(std::uint32_t cell, std::uint32_t) { return cell; }
+  HN_I_INLINE static Int number(const Place<D>& place) { return place.cell.x; }
+  HN_I_INLINE void put(int column, Int number, Place<D> place, Uint seed) {
+    place.cell.x = number;
+    const auto block = hn_i_block(place);
+    const auto d = hn_i_from_centre(place.fraction);
+    const hn_i_num jitter = jitter_;
+    const Uint s = hn_i_mix(seed);
+    const hn_i_num3 middle = hn_i_equal_triple(hn_i_num(Number{0}));
+    const hn_i_num3 y = hn_i_row(d.y);
+    if constexpr (D == 2) {
+      const hn_uvec3 words = hn_i_words_along_y(block, block.cell.x, s);
+      const hn_i_num3 from_x = hn_i_from_x(words, middle, jitter), from_y = hn_i_from_y(words, y, jitter);
+      points_[0].put(column, hn_i_vector(from_x.x, from_y.x));
+      points_[1].put(column, hn_i_vector(from_x.y, from_y.y));
+      points_[2].put(column, hn_i_vector(from_x.z, from_y.z));
+    } else {
+      const hn_i_num3 z = hn_i_row(d.z);
+      const Uint cz[] = {block.previous.z, block.cell.z, block.following.z};
+      const hn_i_num offset[] = {z.x, z.y, z.z};
+      for (int slab = 0; slab < 3; ++slab) {
+        const auto word = [&](Uint cy) HN_I_INLINED { return hn_i_seeded_word(uvec3(block.cell.x, cy, cz[slab]), s); };
+        const hn_uvec3 words(word(block.previous.y), word(block.cell.y), word(block.following.y));
+        const hn_i_num3 u = hn_i_offsets_from_points(middle, hn_i_points_u(words), jitter);
+        const hn_i_num3 v = hn_i_offsets_from_points(middle, hn_i_points_v(words), jitter);
+        const hn_i_num3 w = hn_i_from_z(words, hn_i_equal_triple(offset[slab]), jitter);
+        points_[3 * slab].put(column, hn_i_vector(u.x, v.x, w.x));
+        points_[3 * slab + 1].put(column, hn_i_vector(u.y, v.y, w.y));
+        points_[3 * slab + 2].put(column, hn_i_vector(u.z, v.z, w.z));
+      }
+    }
+  }
+  HN_I_INLINE vec2 noise(int column, Int index, const Place<D>& place) const {
+    const auto d = hn_i_from_centre(place.fraction);
+    const hn_i_num3 x = hn_i_row(d.x);
+    auto best = hn_i_far_away();
+    [[maybe_unused]] const hn_i_num3 y = hn_i_row(d.y);
+    for (int row = 0; row < (D == 2 ? 3 : 9); ++row) {
+      const auto a = points_[row].of(column - 1, index), b = points_[row].of(column, index);
+      const auto c = points_[row].of(column + 1, index);
+      const auto along = hn_i_vector(a.x, b.x, c.x);
+      if constexpr (D == 2) {
+        best = hn_i_insert(best, hn_i_squares(x + along, hn_i_vector(a.y, b.y, c.y)), 0, 1);
+      } else {
+        const hn_i_num3 across = hn_i_equal_triple(row % 3 == 0 ? y.x : row % 3 == 1 ? y.y : y.z);
+        best = hn_i_insert(
+            best,
+            hn_i_squares(hn_i_octahedral_u(x, across) + along,
+                         hn_i_octahedral_v(x, across) + hn_i_vector(a.y, b.y, c.y), hn_i_vector(a.z, b.z, c.z)),
+            0, 1);
+      }
+    }
+    return hn_i_two_distances(best, HN_METRIC_EUCLIDEAN);
+  }
+
+ private:
+  hn_i_num jitter_;
+  InColumns<D> points_[D == 2 ? 3 : 9];
+};
 
 // Some points of a row, from `start` on and before `end`: uses the noise at each vector of them, whose place place_at
 // gives. earliest_at gives that of a single point. There are no more points than kPointsAtOnce.
@@ -334,10 +495,14 @@ HN_I_INLINE void over_columns(Columns& columns, int start, int end, Uint seed, c
 // has a seam there: the next column has other corners than the cell.
 HN_I_INLINE bool is_at_wrap(std::int32_t cell) { return cell < -2147482624 || cell > 2147482624; }
 
+HN_I_INLINE Float value_of(hn_i_num n) { return hn_i_value(n); }
+HN_I_INLINE vec2 value_of(vec2 distances) { return distances; }
+
 // Along a row whose points are no further from each other than Columns::kMostStep. tile_of gives the place that a noise
 // is asked for, of one without a period; at a seam noise_at is asked, point by point.
-template <int D, typename Columns, bool kTiled, typename TileOf, typename NoiseAt>
-HN_I_INLINE void along_columns(const Batch& batch, Uint seed, const TileOf& tile_of, const NoiseAt& noise_at) {
+template <int D, bool kTiled, typename Columns, typename TileOf, typename NoiseAt>
+HN_I_INLINE void along_columns(Columns& columns, const Batch& batch, Uint seed, const TileOf& tile_of,
+                               const NoiseAt& noise_at) {
   const Batch b = batch;
   Cell<D> cell = cells_at<D>(b, 0);
   Fraction<D> f = fractions_at<D>(b, 0);
@@ -349,7 +514,6 @@ HN_I_INLINE void along_columns(const Batch& batch, Uint seed, const TileOf& tile
   const auto earliest_at = [&](int i) HN_I_INLINED {
     return Columns::earliest(static_cast<std::uint32_t>(b.cell[0][i]), b.place[0][i] < 0.5f ? 0u : 1u);
   };
-  Columns columns;
   for (int start = 0; start < b.count; start += kPointsAtOnce) {
     const int end = b.count - start < kPointsAtOnce ? b.count : start + kPointsAtOnce;
     if (kTiled && is_at_wrap(b.cell[0][start])) {
@@ -358,7 +522,7 @@ HN_I_INLINE void along_columns(const Batch& batch, Uint seed, const TileOf& tile
     }
     over_columns(
         columns, start, end, seed, earliest_at, [&](int i) HN_I_INLINED { return tile_of(place_at(i)); },
-        [&](int i, hn_i_num n) HN_I_INLINED { store(b, i, hn_i_value(n)); });
+        [&](int i, auto n) HN_I_INLINED { store(b, i, value_of(n)); });
   }
 }
 

@@ -17,6 +17,7 @@ using grid::Batch;
 using grid::Kernel;
 using grid::kMostComponents;
 using grid::kMostLanes;
+using grid::Loops;
 using grid::Plan;
 
 constexpr std::int64_t kTask = 65536;  // points; long enough that threads do not wait for each other
@@ -196,8 +197,7 @@ Range run_tasks(std::int64_t count, const Executor& executor, const Task& task) 
 
 struct Box {
   const Plan& plan;
-  Kernel kernel;  // at points
-  Kernel row;
+  Loops loops;
   std::array<int, 4> size;
   Batch blank;  // of a row, without its points
   std::vector<Axis> axes;
@@ -236,7 +236,7 @@ struct Box {
     }
     const std::size_t start = static_cast<std::size_t>(number) * static_cast<std::size_t>(size[0]);
     planes.point(batch, plan.components, start + static_cast<std::size_t>(first));
-    run(plan, row, batch, count);
+    run(plan, loops.row, batch, count);
     ranges.widen(plan, batch.value[0], count);
   }
 
@@ -263,13 +263,13 @@ struct Box {
       batch.stride[axis] = 1;
     }
     planes.point(batch, plan.components, static_cast<std::size_t>(first));
-    run(plan, kernel, batch, count);
+    run(plan, loops.points, batch, count);
     ranges.widen(plan, batch.value[0], count);
   }
 
   Range fill(std::int64_t points, const Executor& executor) const {
     // A narrow part of a grid has the bits of the whole, so it takes the kernel of that.
-    const bool has_kernel_of_rows = row != kernel && plan.may_fuse;
+    const bool has_kernel_of_rows = loops.row != loops.points && plan.may_fuse;
     if (size[0] < kNarrow && !has_kernel_of_rows) {
       return run_tasks((points + kTask - 1) / kTask, executor, [&](std::int64_t task, Ranges& ranges) {
         const std::int64_t end = std::min(points, (task + 1) * kTask);
@@ -299,8 +299,10 @@ void check_values(const Plan& plan, std::size_t points, std::size_t values) {
                               std::to_string(points) + " points");
 }
 
-Kernel in_cells(const Plan& plan) {
-  if (plan.in == nullptr) throw std::invalid_argument("detail and footprint need positions, and there are cells");
+const Loops& in_cells(const Plan& plan) {
+  if (plan.in.points == nullptr) {
+    throw std::invalid_argument("detail and footprint need positions, and there are cells");
+  }
   return plan.in;
 }
 
@@ -326,14 +328,14 @@ std::int64_t check_grid(const Plan& plan, const std::array<int, D>& size, const 
 }
 
 template <typename AnyGrid>
-Range fill_box(const Plan& plan, Kernel kernel, Kernel row, const AnyGrid& grid, std::vector<Axis> axes,
-               std::int64_t points, std::span<float> values, const Executor& executor) {
+Range fill_box(const Plan& plan, const Loops& loops, const AnyGrid& grid, std::vector<Axis> axes, std::int64_t points,
+               std::span<float> values, const Executor& executor) {
   std::array<int, 4> sizes{};
   std::copy(grid.size.begin(), grid.size.end(), sizes.begin());
   const Planes planes{values.data(), static_cast<std::size_t>(points)};
   Batch blank{};
   set_step(grid, blank);
-  const Box box{plan, kernel, row, sizes, blank, std::move(axes), planes};
+  const Box box{plan, loops, sizes, blank, std::move(axes), planes};
   return box.fill(points, executor);
 }
 
@@ -415,35 +417,33 @@ InstructionSet Field<D>::instruction_set() const {
 
 template <int D>
 Range Field<D>::fill(const Grid<D>& grid, std::span<float> values, const Executor& executor) const {
-  const Kernel kernel = plan_->takes_positions ? plan_->at : plan_->in;
+  const Loops& loops = plan_->takes_positions ? plan_->at : plan_->in;
   const std::int64_t points = check_grid(*plan_, grid.size, grid.first, values);
   if (points == 0) return {};
   std::vector<Axis> axes;
   for (std::size_t i = 0; i < D; ++i) {
     axes.push_back(axis_of(*plan_, grid.origin[i], grid.step[i], grid.size[i], grid.first[i]));
   }
-  // A sum at positions that is not the same from cells has no kernel of rows.
-  const Kernel row = kernel == plan_->in ? plan_->row : kernel;
-  return fill_box(*plan_, kernel, row, grid, std::move(axes), points, values, executor);
+  return fill_box(*plan_, loops, grid, std::move(axes), points, values, executor);
 }
 
 template <int D>
 Range Field<D>::fill(const CellGrid<D>& grid, std::span<float> values, const Executor& executor) const {
-  const Kernel kernel = in_cells(*plan_);
+  const Loops& loops = in_cells(*plan_);
   const std::int64_t points = check_grid(*plan_, grid.size, grid.first, values);
   if (points == 0) return {};
   std::vector<Axis> axes;
   for (std::size_t i = 0; i < D; ++i) {
     axes.push_back(axis_of(grid.cell[i], grid.f[i], grid.step[i], grid.size[i], grid.first[i]));
   }
-  return fill_box(*plan_, kernel, plan_->row, grid, std::move(axes), points, values, executor);
+  return fill_box(*plan_, loops, grid, std::move(axes), points, values, executor);
 }
 
 template <int D>
 Range Field<D>::fill(const Points<D>& points, std::span<float> values, const Executor& executor) const {
   const std::size_t count = common_length(points.p, points.p[0].size());
   const Plan& plan = *plan_;
-  return fill_points(plan, plan.takes_positions ? plan.at : plan.in, count, values, executor,
+  return fill_points(plan, (plan.takes_positions ? plan.at : plan.in).points, count, values, executor,
                      [&](std::size_t first, int n, Batch& batch, const auto& run_batch) {
                        std::int32_t cell[D][kBlock];
                        float place[D][kBlock];
@@ -469,7 +469,7 @@ Range Field<D>::fill(const Points<D>& points, std::span<float> values, const Exe
 template <int D>
 Range Field<D>::fill(const CellPoints<D>& points, std::span<float> values, const Executor& executor) const {
   const std::size_t count = common_length(points.f, common_length(points.cell, points.cell[0].size()));
-  return fill_points(*plan_, in_cells(*plan_), count, values, executor,
+  return fill_points(*plan_, in_cells(*plan_).points, count, values, executor,
                      [&](std::size_t first, int, Batch& batch, const auto& run_batch) {
                        for (std::size_t axis = 0; axis < D; ++axis) {
                          batch.stride[axis] = 1;

@@ -76,22 +76,25 @@ using Octave = void (*)();
 
 using Kernel = void (*)(const Batch& batch, const Options& options, Octave octave);
 
-// Null where there is no such function.
+// The kernels of a function; null where there is none.
+struct Loops {
+  Kernel points;
+  Kernel row;  // where only the coordinates along x differ; `points` itself if that is not faster
+};
+constexpr Loops both(Kernel kernel) { return {kernel, kernel}; }
+
 struct NoiseKernels {
-  Kernel plain;
-  Kernel row;       // plain, where only the coordinates along x differ; plain itself if that is not faster
-  Kernel full;      // with a period, jitter and metric
-  Kernel row_full;  // full, in such a row
-  Kernel phase;
-  Kernel phase_full;
+  Loops plain;
+  Loops full;  // with a period, jitter and metric
+  Loops phase;
+  Loops phase_full;
   Octave octave;
   Octave octave_full;  // with a period
 };
 struct SumKernels {
-  Kernel at;        // at positions
-  Kernel in;        // in cells
-  Kernel tile;      // with a period, of both
-  Kernel tile_row;  // the same along a row
+  Loops at;    // at positions
+  Loops in;    // in cells
+  Loops tile;  // with a period, of both
 };
 
 struct Kernels {

@@ -21,6 +21,9 @@ using grid::Kernel;
 using grid::Octave;
 using grid::Options;
 
+// What is kept for so many points of a row stays in the first cache.
+constexpr int kPointsAtOnce = 256;
+
 template <int D>
 using Cell = CellOf<D>;
 template <int D>

@@ -53,17 +53,21 @@ struct ColumnsOf {
   using Type = void;
 };
 #ifdef HN_GRID_HAS_WINDOWS
-#define HN_GRID_COLUMNS(noise, Columns, tiled) \
-  template <int D>                             \
-  requires(D == 2 || D == 3)                   \
-  struct ColumnsOf<D, noise> {                 \
-    using Type = Columns<D>;                   \
-    static constexpr bool kTiled = tiled;      \
+#define HN_GRID_COLUMNS(noise, Columns)             \
+  HN_GRID_COLUMNS_OF(noise##_plain, Columns, false) \
+  HN_GRID_COLUMNS_OF(noise##_full, Columns, true)
+#define HN_GRID_COLUMNS_OF(noise, Columns, tiled) \
+  template <int D>                                \
+  requires(D == 2 || D == 3)                      \
+  struct ColumnsOf<D, noise> {                    \
+    using Type = Columns<D>;                      \
+    static constexpr bool kTiled = tiled;         \
   };
-HN_GRID_COLUMNS(perlin_plain, PerlinColumns, false)
-HN_GRID_COLUMNS(perlin_full, PerlinColumns, true)
-HN_GRID_COLUMNS(simplex_plain, SimplexColumns, false)
-HN_GRID_COLUMNS(simplex_full, SimplexColumns, true)
+HN_GRID_COLUMNS(value, ValueColumns)
+HN_GRID_COLUMNS(perlin, PerlinColumns)
+HN_GRID_COLUMNS(simplex, SimplexColumns)
+HN_GRID_COLUMNS(simplex_smooth, SmoothSimplexColumns)
+HN_GRID_COLUMNS(cellular, CellularColumns)
 #endif
 
 template <int D, typename Noise>
@@ -83,7 +87,7 @@ void along_row(const Batch& batch, const Options& options, Octave) {
   using Columns = typename ColumnsOf<D, Noise>::Type;
   if constexpr (!std::is_void_v<Columns>) {
     constexpr bool kTiled = ColumnsOf<D, Noise>::kTiled;
-    if (b.step <= Columns::kMostStep) {
+    if (b.step <= Columns::kMostStep && options.metric == HN_METRIC_EUCLIDEAN) {
       const auto tile_of = [&](const Place<D>& place) HN_I_INLINED {
         if constexpr (kTiled) {
           return hn_tile(place, given.period);
@@ -92,7 +96,13 @@ void along_row(const Batch& batch, const Options& options, Octave) {
         }
       };
       const auto noise_at = [&](const Place<D>& place) HN_I_INLINED { return Noise::template at<D>(place, given); };
-      return along_columns<D, Columns, kTiled>(b, given.seed, tile_of, noise_at);
+      if constexpr (std::is_constructible_v<Columns, Float>) {
+        Columns columns(given.jitter);
+        return along_columns<D, kTiled>(columns, b, given.seed, tile_of, noise_at);
+      } else {
+        Columns columns;
+        return along_columns<D, kTiled>(columns, b, given.seed, tile_of, noise_at);
+      }
     }
   }
   Cell<D> cell = cells_at<D>(b, 0);
@@ -149,6 +159,7 @@ struct Called<D, Noise, std::index_sequence<Axis...>> {
   }
 };
 
+using grid::both;
 using grid::NoiseKernels;
 
 // The kernels of a noise.
@@ -170,24 +181,22 @@ NoiseKernels kernels_of() {
   constexpr bool kIsCalled = HN_ARITHMETIC == HN_FIXED && D == 3 && kIsSearched;
   NoiseKernels k{};
   if constexpr (kIsCalled) {
-    k.plain = Called<D, Plain>::plain_at_points;
-    k.full = Called<D, Full>::tiled_at_points;
+    k.plain = both(Called<D, Plain>::plain_at_points);
+    k.full = both(Called<D, Full>::tiled_at_points);
   } else {
-    k.plain = at_points<D, Plain>;
-    k.full = at_points<D, Full>;
+    k.plain = both(at_points<D, Plain>);
+    k.full = both(at_points<D, Full>);
   }
-  k.row = k.plain;
-  k.row_full = k.full;
-  if constexpr (kIsFasterInRows) k.row = along_row<D, Plain>;
-  if constexpr (!std::is_void_v<typename ColumnsOf<D, Full>::Type>) k.row_full = along_row<D, Full>;
+  if constexpr (kIsFasterInRows) k.plain.row = along_row<D, Plain>;
+  if constexpr (!std::is_void_v<typename ColumnsOf<D, Full>::Type>) k.full.row = along_row<D, Full>;
   if constexpr (kIsSummed) {
     k.octave = reinterpret_cast<Octave>(&Called<D, Plain>::plain);
     k.octave_full = reinterpret_cast<Octave>(&Called<D, Full>::tiled);
   }
   constexpr bool kHasPhase = takes == grid::Takes::kPhase || takes == grid::Takes::kJitterAndMetricAndPhase;
   if constexpr (kHasPhase && kIsFlatOrInSpace) {
-    k.phase = at_points<D, Phase>;
-    k.phase_full = at_points<D, PhaseFull>;
+    k.phase = both(at_points<D, Phase>);
+    k.phase_full = both(at_points<D, PhaseFull>);
   }
   if constexpr (takes == grid::Takes::kPhaseAndWave) {
     k.phase = k.plain;

@@ -167,7 +167,6 @@ void plan_noise(Plan& plan, const Settings& settings, NoiseId id, bool tiled) {
     const bool is_usual = plan.options.jitter == 1.0f && plan.options.metric == static_cast<int>(Metric::kEuclidean);
     plan.in = tiled || !is_usual ? kernels.full : kernels.plain;
   }
-  plan.row = plan.in == kernels.plain ? kernels.row : plan.in == kernels.full ? kernels.row_full : plan.in;
 }
 
 void plan_sum(Plan& plan, const Settings& settings, NoiseId noise, SumId id, bool tiled) {
@@ -183,12 +182,9 @@ void plan_sum(Plan& plan, const Settings& settings, NoiseId noise, SumId id, boo
   plan.options.sum = settings.detail ? kDetail : settings.footprint ? kFootprint : id;
   SumKernels kernels = plan.kernels->sums[plan.options.sum][plan.dimensions - 1];
   const SumKernels& faster = plan.kernels->sums_of[noise][plan.options.sum][plan.dimensions - 1];
-  if (faster.at != nullptr) kernels.at = faster.at;
-  if (faster.in != nullptr) kernels.in = faster.in;
-  if (faster.tile != nullptr) {
-    kernels.tile = faster.tile;
-    kernels.tile_row = faster.tile_row;
-  }
+  if (faster.at.points != nullptr) kernels.at = faster.at;
+  if (faster.in.points != nullptr) kernels.in = faster.in;
+  if (faster.tile.points != nullptr) kernels.tile = faster.tile;
   plan.takes_positions = true;
   plan.shape = row.shape;
   plan.octave = tiled ? of.octave_full : of.octave;
@@ -199,7 +195,6 @@ void plan_sum(Plan& plan, const Settings& settings, NoiseId noise, SumId id, boo
   } else {
     plan.at = tiled ? kernels.tile : kernels.at;
     plan.in = tiled ? kernels.tile : kernels.in;
-    plan.row = tiled ? kernels.tile_row : kernels.in;
   }
 }
 

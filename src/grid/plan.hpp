@@ -17,9 +17,8 @@ struct Plan {
   bool may_fuse;  // products with sums: kernels of one function may then differ in their last bits
   Options options;
   bool takes_positions;  // a sum at positions; a noise takes cells always
-  Kernel at;             // at positions; null for a noise
-  Kernel in;             // in cells; null for a sum that has no such form
-  Kernel row;            // the same along a row
+  Loops at;              // at positions; null for a noise
+  Loops in;              // in cells; null for a sum that has no such form
   Octave octave;
   const Kernels* kernels;
 };

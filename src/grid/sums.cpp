@@ -3,6 +3,7 @@
 // compiled without that call.
 #include "columns.hpp"
 #include "loops.hpp"
+#include "runs.hpp"
 #include "tables.hpp"
 
 namespace hashnoise::inline HN_I_NAMESPACE {
@@ -81,6 +82,7 @@ struct AnySum {
   }
 };
 struct Fbm {
+  static constexpr bool kCarries = false;  // anything to the next octave but the value
   HN_I_INLINE explicit Fbm(const Options&) {}
   template <typename Octaves>
   HN_I_INLINE void add(Octaves& o, Float n) const {
@@ -89,6 +91,7 @@ struct Fbm {
   HN_I_INLINE hn_i_num end(hn_i_num mean) const { return mean; }
 };
 struct Ridged {
+  static constexpr bool kCarries = true;
   HN_I_INLINE explicit Ridged(const Options&) {}
   template <typename Octaves>
   HN_I_INLINE void add(Octaves& o, Float n) const {
@@ -261,14 +264,13 @@ void at_points(const Batch& batch, const Options& options, Octave octave) {
   for (int i = 0; i < b.count; i += kCount) store(b, i, sum.at(At::of(b, i, given)));
 }
 
-// What an octave leaves to the next one, at some vectors of points. The arrays are of numbers, since those of vectors
-// would be filled with zeros first.
-template <int D, typename Position, int kVectors>
-class Reached {
+// Where some points are, as positions or as whole positions. The arrays are of numbers, since those of vectors would be
+// filled with zeros first.
+template <int D, bool kIsWhole, int kPoints>
+class Spots {
  public:
   template <typename Octaves>
-  HN_I_INLINE void keep(int vector, const Octaves& o) {
-    const int i = vector * kCount;
+  HN_I_INLINE void keep(int i, const Octaves& o) {
     if constexpr (kIsWhole) {
       keep_whole(i, 0, o.x);
       keep_whole(i, 1, o.y);
@@ -278,34 +280,79 @@ class Reached {
       o.p.y.store(at_[1] + i);
       if constexpr (D == 3) o.p.z.store(at_[2] + i);
     }
-    o.sum.value.store(value_ + i);
-    o.sum.carried.store(carried_ + i);
   }
   template <typename Octaves>
-  HN_I_INLINE void put(int vector, Octaves& o) const {
-    const int i = vector * kCount;
+  HN_I_INLINE void put(int i, Octaves& o) const {
     if constexpr (kIsWhole) {
       o.x = whole(i, 0);
       o.y = whole(i, 1);
       if constexpr (D == 3) o.z = whole(i, 2);
       hn_i_update_place(o);
     } else {
-      o.p = vector_of<Fraction<D>, D>(
-          [&](int axis) HN_I_INLINED { return Float::load(at_[axis] + i); });
+      o.p = vector_of<Fraction<D>, D>([&](int axis) HN_I_INLINED { return Float::load(at_[axis] + i); });
       o.place.cell = hn_i_cell(o.p);
       o.place.fraction = hn_i_fraction(o.p);
     }
-    o.sum.value = hn_i_num::load(value_ + i);
-    o.sum.carried = hn_i_num::load(carried_ + i);
+  }
+  // The cell of a point along x, and which half of it the point is in.
+  HN_I_INLINE std::int32_t cell(int point) const { return static_cast<std::int32_t>(floor_of(at_[0][point])); }
+  HN_I_INLINE std::uint32_t half(int point) const {
+    const auto at = at_[0][point];
+    return (kIsWhole ? rest_[0][point] < 8388608 : at - floor_of(at) < At(0.5)) ? 0u : 1u;
+  }
+#ifdef HN_GRID_HAS_WINDOWS
+  // Keeps those of a vector of others that are the first ones of runs.
+  HN_I_INLINE void keep_starts(int i, const Spots& others, int of, Starts starts) {
+    for (int axis = 0; axis < D; ++axis) {
+      starts.of(Lanes<At>::load(others.at_[axis] + of)).store(at_[axis] + i);
+      if constexpr (kIsWhole) starts.of(Int::load(others.rest_[axis] + of)).store(rest_[axis] + i);
+    }
+  }
+#endif
+
+ private:
+  using At = std::conditional_t<kIsWhole, std::int32_t, float>;
+
+  HN_I_INLINE static At floor_of(At at) {
+    if constexpr (kIsWhole) {
+      return at;
+    } else {
+      return hashnoise::floor(at);
+    }
+  }
+  HN_I_INLINE void keep_whole(int i, int axis, ivec2 x) {
+    x.x.store(at_[axis] + i);
+    x.y.store(rest_[axis] + i);
+  }
+  HN_I_INLINE ivec2 whole(int i, int axis) const { return ivec2(Int::load(at_[axis] + i), Int::load(rest_[axis] + i)); }
+
+  At at_[D][kPoints];                             // the cell, or the position
+  std::int32_t rest_[kIsWhole ? D : 1][kPoints];  // what a whole position has beside the cell
+};
+
+constexpr int kVectors = kPointsAtOnce / kCount;
+
+// What an octave leaves to the next one, at some vectors of points.
+template <int D, typename Position, bool kCarries>
+class Reached {
+ public:
+  template <typename Octaves>
+  HN_I_INLINE void keep(int vector, const Octaves& o) {
+    spots_.keep(vector * kCount, o);
+    o.sum.value.store(value_ + vector * kCount);
+    if constexpr (kCarries) o.sum.carried.store(carried_ + vector * kCount);
+  }
+  template <typename Octaves>
+  HN_I_INLINE void put(int vector, Octaves& o) const {
+    spots_.put(vector * kCount, o);
+    put_sum(vector, o);
+  }
+  template <typename Octaves>
+  HN_I_INLINE void put_sum(int vector, Octaves& o) const {
+    o.sum.value = hn_i_num::load(value_ + vector * kCount);
+    if constexpr (kCarries) o.sum.carried = hn_i_num::load(carried_ + vector * kCount);
   }
   HN_I_INLINE hn_i_num value(int vector) const { return hn_i_num::load(value_ + vector * kCount); }
-  // Whether whole positions are at the seam that a tile has.
-  HN_I_INLINE bool is_at_seam() const { return is_at_wrap(at_[0][0]); }
-  // The cell of a point along x, and in which half of it the point is.
-  template <typename Columns>
-  HN_I_INLINE std::uint32_t earliest(int point) const {
-    return Columns::earliest(static_cast<std::uint32_t>(at_[0][point]), rest_[0][point] < 8388608 ? 0u : 1u);
-  }
   template <typename Octaves>
   HN_I_INLINE static void go_on(Octaves& o) {
     if constexpr (kIsWhole) {
@@ -315,54 +362,75 @@ class Reached {
     }
   }
 
+#ifdef HN_GRID_HAS_WINDOWS
+  // Whether this is at the seam that a tile has.
+  HN_I_INLINE bool is_at_seam() const { return is_at_wrap(spots_.cell(0)); }
+  // An octave along a row, if it is not turned: by columns. `add` takes the noise at a vector of points.
+  template <typename Columns, typename Octaves, typename Add>
+  HN_I_INLINE void by_columns(int vectors, Octaves& o, const Add& add) const {
+    Columns columns;
+    over_columns(
+        columns, 0, vectors * kCount, o.seed,
+        [&](int i) HN_I_INLINED {
+          return Columns::earliest(static_cast<std::uint32_t>(spots_.cell(i)), spots_.half(i));
+        },
+        [&](int i) HN_I_INLINED {
+          put(i / kCount, o);
+          return o.place;
+        },
+        [&](int i, hn_i_num n) HN_I_INLINED { add(i / kCount, hn_i_value(n)); });
+  }
+  // Any octave along a row: by runs.
+  template <typename Pieces, typename Octaves, typename Add>
+  HN_I_INLINE void by_runs(int vectors, Octaves& o, const Add& add) const {
+    Spots<D, kIsWhole, kPoints + kCount> first;
+    const auto place_at = [&](int v) HN_I_INLINED {
+      spots_.put(v * kCount, o);
+      return o.place;
+    };
+    Pieces pieces;
+    over_runs(
+        pieces, vectors, o.seed, place_at,
+        [&](int v, Starts starts, int run) HN_I_INLINED { first.keep_starts(run, spots_, v * kCount, starts); },
+        [&](int run) HN_I_INLINED {
+          first.put(run, o);
+          return o.place;
+        },
+        [&](int v, hn_i_num n) HN_I_INLINED {
+          put_sum(v, o);
+          add(v, hn_i_value(n));
+        });
+  }
+#endif
+
  private:
   static constexpr bool kIsWhole = std::is_same_v<Position, Place<D>>;
   static constexpr int kPoints = kVectors * kCount;
   using Number = decltype(hn_i_num()[0]);
 
-  HN_I_INLINE void keep_whole(int i, int axis, ivec2 x) {
-    x.x.store(at_[axis] + i);
-    x.y.store(rest_[axis] + i);
-  }
-  HN_I_INLINE ivec2 whole(int i, int axis) const { return ivec2(Int::load(at_[axis] + i), Int::load(rest_[axis] + i)); }
-
-  std::conditional_t<kIsWhole, std::int32_t, float> at_[D][kPoints];  // the cell, or the position
-  std::int32_t rest_[D][kPoints];  // what a whole position has beside the cell
-  Number value_[kPoints], carried_[kPoints];
+  Spots<D, kIsWhole, kPoints + kCount> spots_;
+  Number value_[kPoints], carried_[kCarries ? kPoints : 1];
 };
 
-// An octave in a tile, along a row, by columns. `add` takes the noise at a vector of points.
-template <typename Columns, typename Reached, typename Octaves, typename Add>
-HN_I_INLINE void over_tile(const Reached& reached, int vectors, Octaves& o, const Add& add) {
-  Columns columns;
-  over_columns(
-      columns, 0, vectors * kCount, o.seed, [&](int i) HN_I_INLINED { return reached.template earliest<Columns>(i); },
-      [&](int i) HN_I_INLINED {
-        reached.put(i / kCount, o);
-        return o.place;
-      },
-      [&](int i, hn_i_num n) HN_I_INLINED { add(i / kCount, hn_i_value(n)); });
-}
-
 // Octave by octave over some points, in place of point by point over the octaves. So what all points of an octave
-// share, such as the mixed seed and constants, is made once for them, and no point waits for its octave before. How
-// many vectors of points are taken at a time matters little: of 8 to 64 none was faster. In a tile octaves are not turned,
-// so that they are taken by columns where a row's points are near each other.
-template <int D, typename At, typename Noise, typename Sum, typename Columns = void>
+// share, such as the mixed seed and constants, is made once for them, and no point waits for its octave before. Along a
+// row whose points are near each other, those in one piece of the lattice share more: by columns in octaves that are not
+// turned, which are the first one and all of a tile, and by runs in others.
+template <int D, typename At, typename Noise, typename Sum, typename Columns = void, typename Pieces = void>
 void by_octaves(const Batch& batch, const Options& options, Octave octave) {
-  constexpr int kVectors = 16;
   const Batch b = batch;
   const Given<D> given(options);
   const Sum sum(options);
   const Noise noise(octave);
   const hn_i_num total = hn_i_total(hn_i_octaves(given.octaves), hn_i_gain(given.gain), HN_I_WEIGHT_ONE);
-  Reached<D, decltype(At::of(b, 0, given)), kVectors> reached;
+  constexpr bool kIsTiled = std::is_same_v<At, Tiles<D>>;
+  Reached<D, decltype(At::of(b, 0, given)), Sum::kCarries> reached;
   for (int start = 0; start < b.count; start += kVectors * kCount) {
     const int left = (b.count - start) / kCount;
     const int vectors = left < kVectors ? left : kVectors;
     auto o = octaves_at(At::of(b, start, given), given);
     for (int v = 0; v < vectors; ++v) reached.keep(v, octaves_at(At::of(b, start + v * kCount, given), given));
-    [[maybe_unused]] double step = b.step, scale = 1.0;
+    double step = b.step, scale = 1.0;
     for (int number = 1;; ++number) {
       const bool more = number < options.octaves;
       const auto period = o.place.period;
@@ -374,13 +442,20 @@ void by_octaves(const Batch& batch, const Options& options, Octave octave) {
       };
       bool is_added = false;
       if constexpr (!std::is_void_v<Columns>) {
-        if (step <= Columns::kMostStep && !reached.is_at_seam()) {
-          over_tile<Columns>(reached, vectors, o, add);
+        const bool is_turned = !kIsTiled && number > 1;
+        if (!is_turned && step <= Columns::kMostStep && !(kIsTiled && reached.is_at_seam())) {
+          reached.template by_columns<Columns>(vectors, o, add);
           is_added = true;
         }
-        scale *= static_cast<double>(o.lacunarity[0]);
-        step = (b.step + b.rounding) * scale;
       }
+      if constexpr (!std::is_void_v<Pieces>) {
+        if (!is_added && step <= Pieces::kMostStep) {
+          reached.template by_runs<Pieces>(vectors, o, add);
+          is_added = true;
+        }
+      }
+      scale *= static_cast<double>(options.lacunarity < 0.0f ? -options.lacunarity : options.lacunarity);
+      step = (b.step + b.rounding) * scale;
       for (int v = 0; v < vectors && !is_added; ++v) {
         reached.put(v, o);
         if (o.place.tiled) o.place.period = period;
@@ -401,7 +476,12 @@ template <Kernel kernel>
 void in_row(const Batch& batch, const Options& options, Octave octave) {
   kernel(batch, options, octave);
 }
+template <Kernel kernel, typename Columns>
+constexpr grid::Loops loops_of() {
+  return {kernel, std::is_void_v<Columns> ? kernel : in_row<kernel>};
+}
 
+using grid::both;
 using grid::SumKernels;
 
 #if HN_ARITHMETIC == HN_FIXED
@@ -419,21 +499,21 @@ using FromCells = Cells<D>;
 template <int D, typename Sum>
 SumKernels without_period() {
   SumKernels k{};
-  k.at = at_points<D, FromPositions<D>, Sum>;
-  k.in = at_points<D, FromCells<D>, Sum>;
+  k.at = both(at_points<D, FromPositions<D>, Sum>);
+  k.in = both(at_points<D, FromCells<D>, Sum>);
   return k;
 }
-template <int D, typename Noise, typename Sum>
+template <int D, typename Noise, typename Sum, typename Columns, typename Pieces>
 SumKernels octave_by_octave() {
   SumKernels k{};
-  k.at = by_octaves<D, FromPositions<D>, Noise, Sum>;
-  k.in = by_octaves<D, FromCells<D>, Noise, Sum>;
+  k.at = loops_of<by_octaves<D, FromPositions<D>, Noise, Sum, Columns, Pieces>, Columns>();
+  k.in = loops_of<by_octaves<D, FromCells<D>, Noise, Sum, Columns, Pieces>, Columns>();
   return k;
 }
 template <int D, typename Sum>
 SumKernels kernels_of() {
   SumKernels k = without_period<D, Sum>();
-  k.tile = k.tile_row = at_points<D, Tiles<D>, Sum>;
+  k.tile = both(at_points<D, Tiles<D>, Sum>);
   return k;
 }
 
@@ -448,15 +528,13 @@ void enter_sums(SumKernels (&sums)[grid::kSums][4]) {
 }
 
 // The sums that are asked for most, over the noises that are.
-template <int D, typename Noise>
+template <int D, typename Noise, typename Columns = void, typename Pieces = void>
 void enter_inlined(SumKernels (&sums)[grid::kSums][4]) {
-  sums[grid::kFbm][D - 1] = octave_by_octave<D, Noise, Fbm>();
-  sums[grid::kRidged][D - 1] = octave_by_octave<D, Noise, Ridged>();
-}
-template <int D, typename Noise, typename Columns>
-void enter_tiles(SumKernels (&sums)[grid::kSums][4]) {
-  sums[grid::kFbm][D - 1].tile = by_octaves<D, Tiles<D>, Noise, Fbm, Columns>;
-  sums[grid::kFbm][D - 1].tile_row = in_row<by_octaves<D, Tiles<D>, Noise, Fbm, Columns>>;
+  sums[grid::kFbm][D - 1] = octave_by_octave<D, Noise, Fbm, Columns, Pieces>();
+  sums[grid::kRidged][D - 1] = octave_by_octave<D, Noise, Ridged, Columns, Pieces>();
+  if constexpr (!std::is_void_v<Columns>) {
+    sums[grid::kFbm][D - 1].tile = loops_of<by_octaves<D, Tiles<D>, Noise, Fbm, Columns>, Columns>();
+  }
 }
 
 void enter(grid::Kernels& kernels) {
@@ -473,17 +551,20 @@ void enter(grid::Kernels& kernels) {
   kernels.sums[grid::kWarpProgressive][1] = kernels_of<2, Warp<2, true>>();
   kernels.sums[grid::kWarpProgressive][2] = kernels_of<3, Warp<3, true>>();
   kernels.sums[grid::kPerlinWorley][2] = kernels_of<3, PerlinWorley>();
+#ifdef HN_GRID_HAS_WINDOWS
+  enter_inlined<2, Value<2>, ValueColumns<2>, ValuePieces<2>>(kernels.sums_of[grid::kValue]);
+  enter_inlined<3, Value<3>, ValueColumns<3>, ValuePieces<3>>(kernels.sums_of[grid::kValue]);
+  enter_inlined<2, Perlin<2>, PerlinColumns<2>, PerlinPieces<2>>(kernels.sums_of[grid::kPerlin]);
+  enter_inlined<3, Perlin<3>, PerlinColumns<3>, PerlinPieces<3>>(kernels.sums_of[grid::kPerlin]);
+  enter_inlined<2, Simplex<2>, SimplexColumns<2>, SimplexPieces>(kernels.sums_of[grid::kSimplex]);
+  enter_inlined<3, Simplex<3>, SimplexColumns<3>>(kernels.sums_of[grid::kSimplex]);
+#else
   enter_inlined<2, Value<2>>(kernels.sums_of[grid::kValue]);
   enter_inlined<3, Value<3>>(kernels.sums_of[grid::kValue]);
   enter_inlined<2, Perlin<2>>(kernels.sums_of[grid::kPerlin]);
   enter_inlined<3, Perlin<3>>(kernels.sums_of[grid::kPerlin]);
   enter_inlined<2, Simplex<2>>(kernels.sums_of[grid::kSimplex]);
   enter_inlined<3, Simplex<3>>(kernels.sums_of[grid::kSimplex]);
-#ifdef HN_GRID_HAS_WINDOWS
-  enter_tiles<2, Perlin<2>, PerlinColumns<2>>(kernels.sums_of[grid::kPerlin]);
-  enter_tiles<3, Perlin<3>, PerlinColumns<3>>(kernels.sums_of[grid::kPerlin]);
-  enter_tiles<2, Simplex<2>, SimplexColumns<2>>(kernels.sums_of[grid::kSimplex]);
-  enter_tiles<3, Simplex<3>, SimplexColumns<3>>(kernels.sums_of[grid::kSimplex]);
 #endif
 }
 

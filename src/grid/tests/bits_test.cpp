@@ -214,14 +214,23 @@ TEST_P(Bits, OfRowsOfNearPoints) {
     }
   };
   in_dimensions([&]<int D>(std::integral_constant<int, D> dimensions) {
-    for (const std::string noise : {"perlin", "simplex"}) {
-      if (noise == "simplex" && D == 1) continue;
-      for (const std::string sum : {"", "", "fbm"}) {
+    for (const std::string noise : {"value", "perlin", "simplex", "simplex_smooth", "cellular"}) {
+      if (D != 2 && D != 3 && noise != "perlin") continue;
+      for (const std::string sum : {"", "fbm", "ridged"}) {
+        if (!sum.empty() && noise == "cellular") continue;
         for (const int period : {0, 7}) {
           Settings settings;
           settings.noise = noise;
           settings.sum = sum;
           settings.period.fill(period);
+          if (!sum.empty()) {
+            settings.octaves = chance.whole(1, 5);
+            settings.lacunarity = chance.of({2.0f, 2.0f, 0.5f, 3.7f, -1.3f});
+          }
+          if (noise == "cellular") {
+            settings.jitter = chance.of({1.0f, 0.0f, 0.6f});
+            if (chance.one_in(4)) settings.metric = Metric::kManhattan;
+          }
           near_rows(dimensions, settings);
         }
       }
