@@ -41,9 +41,12 @@ HN_I_INLINE hn_i_num row_ramp(Gradient g, hn_i_num x, hn_i_num y) {
   return ramp(g, hn_i_octahedral(hn_i_plus(x, y)), hn_i_octahedral(hn_i_minus(x, y)), hn_i_octahedral_z(one()));
 }
 
+constexpr bool kIsWide = kCount > 4;
+
 // Each noise has
 //
-//   kMostStep              up to this distance of points the columns of kCount of them fit a window, and they gain
+//   kMostStep              up to this distance of points the columns of kCount of them fit a window, also where places
+//                          are rounded to halves of a cell, and they gain
 //   earliest(cell, half)   a column that is not behind those of a point and of all further points; `half` is 1 in the
 //                          far half of the cell, else 0
 //   number(place)          the column of a point
@@ -58,7 +61,7 @@ HN_I_INLINE hn_i_num row_ramp(Gradient g, hn_i_num x, hn_i_num y) {
 template <int D>
 class PerlinColumns {
  public:
-  static constexpr double kMostStep = 0.5;
+  static constexpr double kMostStep = 0.85;
   static constexpr int kBefore = 0;
   static constexpr int kBehind = 1;
 
@@ -110,7 +113,7 @@ class PerlinColumns {
 template <int D>
 class ValueColumns {
  public:
-  static constexpr double kMostStep = 0.5;
+  static constexpr double kMostStep = 0.85;
   static constexpr int kBefore = 0;
   static constexpr int kBehind = 1;
 
@@ -157,7 +160,7 @@ class SimplexColumns;
 template <>
 class SimplexColumns<2> {
  public:
-  static constexpr double kMostStep = 0.125;
+  static constexpr double kMostStep = kIsWide ? 0.25 : 0.125;
   static constexpr int kBefore = 1;
   static constexpr int kBehind = 3;
 
@@ -206,7 +209,7 @@ class SimplexColumns<2> {
 template <>
 class SimplexColumns<3> {
  public:
-  static constexpr double kMostStep = 0.25;
+  static constexpr double kMostStep = kIsWide ? 0.6 : 0.25;
   static constexpr int kBefore = 1;
   static constexpr int kBehind = 1;
 
@@ -274,7 +277,7 @@ class SmoothSimplexColumns;
 template <>
 class SmoothSimplexColumns<2> {
  public:
-  static constexpr double kMostStep = 0.125;
+  static constexpr double kMostStep = kIsWide ? 0.25 : 0.125;
   static constexpr int kBefore = 1;
   static constexpr int kBehind = 4;
 
@@ -322,7 +325,7 @@ class SmoothSimplexColumns<2> {
 template <>
 class SmoothSimplexColumns<3> {
  public:
-  static constexpr double kMostStep = 0.25;
+  static constexpr double kMostStep = kIsWide ? 0.6 : 0.25;
   static constexpr int kBefore = 1;
   static constexpr int kBehind = 1;
 
@@ -401,7 +404,7 @@ class SmoothSimplexColumns<3> {
 template <int D>
 class CellularColumns {
  public:
-  static constexpr double kMostStep = 0.5;
+  static constexpr double kMostStep = 0.85;
   static constexpr int kBefore = 1;
   static constexpr int kBehind = 1;
 
