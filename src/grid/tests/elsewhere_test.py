@@ -9,35 +9,34 @@ and a Field. Where a compiler or what runs the program is missing it is skipped 
 from __future__ import annotations
 
 import os
-import shutil
-import subprocess
 import sys
 import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[3]
 TESTING = ROOT / "conformance" / "testing"
-sys.path.insert(0, str(TESTING))
+sys.path[:0] = [str(TESTING), str(ROOT / "tools" / "lib")]
 sys.argv, (WHERE, *PATHS) = sys.argv[:1], sys.argv[1:]
+import elsewhere  # noqa: E402
+from elsewhere import NEON, Place  # noqa: E402
 from msvc import AS_MSVC  # noqa: E402
 
 DIGESTS, FOLDER = (Path(path).resolve() for path in PATHS)
-# Of each the compiler, what runs a program, the name of the system and of the processor, flags, and the instructions.
-# CMake takes "generic" for a processor that it does not know. Where nothing is forced inline, a quarter of the time is
-# enough to compile.
+# And the instructions of each. CMake takes "generic" for a processor that it does not know. Where nothing is forced
+# inline, a quarter of the time is enough to compile.
 PLACES = {
-    "neon": ("aarch64-linux-gnu-g++", ("qemu-aarch64", "-L", "/usr/aarch64-linux-gnu"), "Linux", "aarch64", (),
-             ("neon",)),
-    "riscv": ("riscv64-linux-gnu-g++", ("qemu-riscv64", "-L", "/usr/riscv64-linux-gnu"), "Linux", "riscv64",
-              ("-Dalways_inline=unused",), ("generic",)),
-    "windows": ("x86_64-w64-mingw32-g++-posix", ("wine",), "Windows", "x86_64", ("-static",),
+    "neon": (NEON, ("neon",)),
+    "riscv": (Place("riscv64-linux-gnu-g++", ("qemu-riscv64", "-L", "/usr/riscv64-linux-gnu"), "Linux", "riscv64",
+                    ("-Dalways_inline=unused",)), ("generic",)),
+    "windows": (Place("x86_64-w64-mingw32-g++-posix", ("wine",), "Windows", "x86_64", ("-static",)),
                 ("sse4.1", "avx2", "avx512")),
-    "msvc": ("clang++", (), "Linux", "unknown", ("-DAS_MSVC_WHOLE_LIBRARY", "-D__forceinline=inline", *AS_MSVC),
-             ("generic",)),
-    "fast_math": ("g++", (), os.uname().sysname, os.uname().machine,
-                  ("-Ofast", "-Dalways_inline=unused"), ("sse4.1", "avx2", "avx512", "neon", "generic")),
+    "msvc": (Place("clang++", (), "Linux", "unknown",
+                   ("-DAS_MSVC_WHOLE_LIBRARY", "-D__forceinline=inline", *AS_MSVC)), ("generic",)),
+    "fast_math": (Place("g++", (), os.uname().sysname, os.uname().machine, ("-Ofast", "-Dalways_inline=unused")),
+                  ("sse4.1", "avx2", "avx512", "neon", "generic")),
 }
-COMPILER, RUNNER, SYSTEM, PROCESSOR, FLAGS, SETS = PLACES[WHERE]
+PLACE, SETS = PLACES[WHERE]
+BUILD = elsewhere.Build(PLACE, FOLDER)
 # Wine makes a folder for itself where this says, and says by itself what is not done yet.
 ENVIRONMENT = {**os.environ, "WINEPREFIX": str(FOLDER / "wine"), "WINEDEBUG": "-all"}
 # With -ffinite-math-only a compiler may leave out what asks for such numbers.
@@ -67,18 +66,7 @@ int main() {
 
 
 def output_of(*command: object) -> str:
-    done = subprocess.run([str(part) for part in command], capture_output=True, text=True, check=False, env=ENVIRONMENT)
-    if done.returncode != 0:
-        raise AssertionError(f"{command[0]} ended with {done.returncode}: {done.stdout[-2000:]}{done.stderr[-2000:]}")
-    return done.stdout
-
-
-def compiled(source: Path) -> Path:
-    """The program of a source file, with the library."""
-    program = FOLDER / f"{source.stem}.exe"
-    output_of(COMPILER, *FLAGS, "-std=c++20", "-O1", "-I", ROOT / "include", source,
-              FOLDER / "src/grid/libhashnoise-grid.a", "-o", program, "-pthread")
-    return program
+    return elsewhere.output_of(*command, environment=ENVIRONMENT)
 
 
 def differences(ours: str, theirs: str) -> list[str]:
@@ -90,34 +78,27 @@ class Elsewhere(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         # It is compiled for this test alone, and not by ninja's jobs but by those of ctest.
-        FOLDER.mkdir(parents=True, exist_ok=True)
-        # Read after CMake has found out which compiler it has; to that the flags are unknown.
-        flags = FOLDER / "flags.cmake"
-        flags.write_text(f"add_compile_options({' '.join(FLAGS)})\n", encoding="utf-8")
-        output_of("cmake", "-S", ROOT, "-B", FOLDER, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
-                  f"-DCMAKE_SYSTEM_NAME={SYSTEM}", f"-DCMAKE_SYSTEM_PROCESSOR={PROCESSOR}",
-                  f"-DCMAKE_CXX_COMPILER={COMPILER}", f"-DCMAKE_PROJECT_hashnoise_INCLUDE={flags}",
-                  "-DHASHNOISE_CONFORMANCE=OFF", "-DHASHNOISE_INSTALL=OFF")
-        output_of("cmake", "--build", FOLDER, "--target", "hashnoise-grid", "--parallel", os.cpu_count() or 1)
+        BUILD.library()
 
     def test_the_bits_are_those_of_the_native_library(self):
-        program = compiled(Path(__file__).with_name("digests.cpp"))
+        program = BUILD.program(Path(__file__).with_name("digests.cpp"))
         native = output_of(DIGESTS)
         self.assertGreater(len(native.splitlines()), 200)
-        there = output_of(*RUNNER, program, "--list").split()
+        there = output_of(*PLACE.runner, program, "--list").split()
         self.assertGreater(len(there), 0)
         for name in there:  # a processor may lack the wider ones
             with self.subTest(instructions=name):
                 self.assertIn(name, SETS)
-                self.assertEqual(differences(native, output_of(*RUNNER, program, name)), [])
+                self.assertEqual(differences(native, output_of(*PLACE.runner, program, name)), [])
 
     def test_header_and_lanes_and_fields_agree(self):
-        self.assertIn("0 and 0 of 111 values differ", output_of(*RUNNER, compiled(TESTING / "consumer" / "grid.cpp")))
+        program = BUILD.program(TESTING / "consumer" / "grid.cpp")
+        self.assertIn("0 and 0 of 111 values differ", output_of(*PLACE.runner, program))
 
     def test_what_is_no_number_is_refused(self):
         source = FOLDER / "no_number.cpp"
         source.write_text(NO_NUMBER, encoding="utf-8")
-        self.assertEqual(output_of(*RUNNER, compiled(source)).split(), ["origin", "gain"])
+        self.assertEqual(output_of(*PLACE.runner, BUILD.program(source)).split(), ["origin", "gain"])
 
     def test_a_digest_that_differs_is_noticed(self):
         native = output_of(DIGESTS)
@@ -126,7 +107,7 @@ class Elsewhere(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    missing = [program for program in (COMPILER, *RUNNER[:1]) if shutil.which(program) is None]
+    missing = PLACE.missing()
     if missing:
         print(f"skipped: there is no {' and no '.join(missing)}")
         sys.exit(77)
