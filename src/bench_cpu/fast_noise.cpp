@@ -125,9 +125,12 @@ void FastNoiseField::fill_grid(int dimensions, std::span<float> values) const {
   float* const out = values.data();
   std::array<float, 2> range;  // as ours returns it
   if (dimensions == 2) {
-    functions_->grid2(nodes_.front(), out, 0.0f, 0.0f, 1024, 1024, kStep, kStep, kSeed, range.data());
+    const auto [width, height] = grid<2>().size;
+    functions_->grid2(nodes_.front(), out, 0.0f, 0.0f, width, height, kStep, kStep, kSeed, range.data());
   } else {
-    functions_->grid3(nodes_.front(), out, 0.0f, 0.0f, 0.0f, 128, 128, 64, kStep, kStep, kStep, kSeed, range.data());
+    const auto [width, height, depth] = grid<3>().size;
+    functions_->grid3(nodes_.front(), out, 0.0f, 0.0f, 0.0f, width, height, depth, kStep, kStep, kStep, kSeed,
+                      range.data());
   }
 }
 

@@ -21,7 +21,7 @@ class FastNoiseField {
   FastNoiseField(FastNoiseField&& other) noexcept = default;
   ~FastNoiseField();
 
-  // As many points as there are values, kPoints: 1024 x 1024, or 128 x 128 x 64.
+  // As many points as there are values, kPoints: those of grid().
   void fill_grid(int dimensions, std::span<float> values) const;
   void fill_points(std::span<const std::span<const float>> positions, std::span<float> values) const;
 

@@ -30,18 +30,6 @@ struct Places {
   std::optional<std::size_t> two_threads;
 };
 
-template <int D>
-hashnoise::Grid<D> grid() {
-  hashnoise::Grid<D> all;
-  all.step.fill(kStep);
-  if constexpr (D == 2) {
-    all.size = {1024, 1024};
-  } else {
-    all.size = {128, 128, 64};
-  }
-  return all;
-}
-
 // The works of a subject, and what they write.
 template <int D>
 class Works {

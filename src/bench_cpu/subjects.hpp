@@ -26,4 +26,17 @@ std::vector<Subject> subjects();
 hashnoise::Settings settings_of(const Subject& subject, hashnoise::Arithmetic arithmetic,
                                 hashnoise::InstructionSet set);
 
+// What is filled: kPoints points, kStep apart.
+template <int D>
+hashnoise::Grid<D> grid() {
+  hashnoise::Grid<D> all;
+  all.step.fill(kStep);
+  if constexpr (D == 2) {
+    all.size = {1024, 1024};
+  } else {
+    all.size = {128, 128, 64};
+  }
+  return all;
+}
+
 }  // namespace hn

@@ -1,5 +1,5 @@
-"""hashnoise::grid as other machines and compilers have it: compiled into a folder, which is kept, with programs over it,
-and what runs these here."""
+"""hashnoise::grid as other machines and compilers have it: compiled into a folder, which is kept, with programs over
+it, and what runs these here."""
 
 from __future__ import annotations
 
@@ -60,6 +60,6 @@ class Build:
     def program(self, *sources: Path, options: Sequence[str | Path] = ()) -> Path:
         """Compiles a program over the library, which has the name of its first source."""
         program = self.folder / f"{sources[0].stem}.exe"
-        output_of(self.place.compiler, *self.place.flags, "-std=c++20", "-O1", "-I", ROOT / "include", *options, *sources,
-                  self.folder / "src/grid/libhashnoise-grid.a", "-o", program, "-pthread")
+        output_of(self.place.compiler, *self.place.flags, "-std=c++20", "-O1", "-I", ROOT / "include", *options,
+                  *sources, self.folder / "src/grid/libhashnoise-grid.a", "-o", program, "-pthread")
         return program

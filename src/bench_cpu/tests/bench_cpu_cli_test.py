@@ -1,5 +1,8 @@
 #!/usr/bin/env python3
-"""hn-bench-cpu as its user meets it. Usage: bench_cpu_cli_test.py PROGRAM FAKE-FASTNOISE2 NO-FASTNOISE2"""
+"""hn-bench-cpu as its user meets it, and hn-fill.
+
+Usage: bench_cpu_cli_test.py PROGRAM FAKE-FASTNOISE2 NO-FASTNOISE2 HN-FILL
+"""
 
 from __future__ import annotations
 
@@ -13,7 +16,7 @@ import tempfile
 import time
 import unittest
 
-PROGRAM = FAKE = OTHER = ""
+PROGRAM = FAKE = OTHER = FILL = ""
 ATTEMPTS = 5  # other programs on the machine can spoil a measurement, but hardly every time
 
 
@@ -145,6 +148,43 @@ class BenchCpu(unittest.TestCase):
         self.assertIn("Exit status: 0 done", done.stdout)
 
 
+class Fill(unittest.TestCase):
+    def call(self, *arguments, **environment):
+        done = subprocess.run([FILL, *arguments], capture_output=True, text=True, check=False, timeout=300,
+                              env={**os.environ, **environment})
+        return done.returncode, done.stdout, done.stderr
+
+    def test_what_there_is_to_fill(self):
+        status, out, _ = self.call("--list")
+        head, *ids = out.splitlines()
+        self.assertEqual((status, head), (0, f"{1 << 20} 0.0371"))
+        self.assertEqual(len(ids), len(set(ids)))
+        self.assertLess({"value2", "cellular3", "fbm_perlin2", "ridged_simplex3"}, set(ids))
+
+    def test_nothing_else_is_done(self):
+        for what in ("fast", "fixed", "precise", f"fastnoise2={FAKE}"):
+            self.assertEqual(self.call(what, "perlin2", "1"), (0, "", ""))
+        self.assertEqual(self.call("fast", "perlin3", "1"), (0, "", ""))
+
+    def test_another_library_that_is_none(self):
+        for file, environment, expected, part in ((OTHER, {}, 2, "has no function fnGetMetadataName"),
+                                                  ("/nowhere/x.so", {}, 2, "cannot load /nowhere/x.so"),
+                                                  (FAKE, {"FAKE_FAST_NOISE": "node"}, 1, "has no node Perlin"),
+                                                  (FAKE, {"FAKE_FAST_NOISE": "all instructions"}, 1,
+                                                   "this FastNoise2 has no ")):
+            status, out, err = self.call(f"fastnoise2={file}", "perlin2", "1", **environment)
+            self.assertEqual((status, out), (expected, ""))
+            self.assertIn(part, err)
+
+    def test_bad_usage(self):
+        for words in ((), ("--help",), ("fast", "perlin2"), ("quick", "perlin2", "1"), ("fast", "perlin4", "1"),
+                      ("fast", "perlin2", "0"), ("fast", "perlin2", "1001"), ("fast", "perlin2", "1x"),
+                      ("fast", "perlin2", "1", "1")):
+            status, out, err = self.call(*words)
+            self.assertEqual((status, out), (2, ""), words)
+            self.assertIn("usage: hn-fill", err)
+
+
 if __name__ == "__main__":
-    PROGRAM, FAKE, OTHER = sys.argv[1:4]
+    PROGRAM, FAKE, OTHER, FILL = sys.argv[1:5]
     unittest.main(argv=sys.argv[:1])

@@ -53,7 +53,7 @@ void* fnNewFromMetadata(int, unsigned instructions) {
   hashnoise::Settings settings;
   settings.seed = 7;
   settings.instruction_set = set_of(instructions);
-  if (!settings.instruction_set) return nullptr;
+  if (!settings.instruction_set || lacks("all instructions")) return nullptr;
   return new Node{instructions, hashnoise::Field<2>(settings)};
 }
 void fnDeleteNodeRef(void* node) { delete static_cast<Node*>(node); }
