@@ -12,6 +12,10 @@
 #
 #   help_if_asked PROGRAM [ARGUMENT...] -- "$@"     the program has the options of the command
 #
+# and so is an option that there is not:
+#
+#   refuse_unknown_options COMMAND TEXT... -- "$@"  the texts name the options of the command
+#
 #   setup_bench_cpu COMPILER...                     hn-bench-cpu by each, in a folder of its own
 
 readonly root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -63,6 +67,58 @@ help_if_asked() {
   fi
   echo
   exec "${program[@]}" --help
+}
+
+# " (did you mean --out?)", or nothing, by the rule of include/hashnoise/detail/closest.hpp.
+#   suggestion WORD NAME...
+suggestion() {
+  printf '%s\n' "$@" | awk '
+    NR == 1 { word = $0; fewest = int(length(word) / 3); if (fewest < 1) fewest = 1; ++fewest; next }
+    {
+      for (i = 0; i <= length(word); ++i) {
+        a = substr(word, i, 1)
+        for (j = 0; j <= length($0); ++j) {
+          b = substr($0, j, 1)
+          slips = i + j
+          if (i && j) {
+            slips = least(at[i - 1, j] + 1, at[i, j - 1] + 1, at[i - 1, j - 1] + (a != b))
+            if (i > 1 && j > 1 && a == substr($0, j - 1, 1) && substr(word, i - 1, 1) == b)
+              slips = least(slips, at[i - 2, j - 2] + 1, slips)
+          }
+          at[i, j] = slips
+        }
+      }
+      if (slips < fewest) { fewest = slips; best = $0 }
+    }
+    END { if (best) printf " (did you mean %s?)", best }
+    function least(x, y, z) { if (y < x) x = y; return z < x ? z : x }'
+}
+
+# Stops with status 2 if one of the arguments behind -- is an option that no text names, before anything is installed or
+# built for it. The texts are the sources of the program that has the options: they are here before the program is, and are
+# never older than it. Only words such as --out are judged; of values, and of -o, the program says what is wrong with them.
+# With abbreviated=1 before it the beginning of an option will do, as it does for Python.
+refuse_unknown_options() {
+  local command=$1 argument word
+  local -a texts=() known
+  shift
+  while [[ $1 != -- ]]; do
+    texts+=("$1")
+    shift
+  done
+  shift
+  (($#)) || return 0
+  mapfile -t known < <(cat "${texts[@]}" 2>/dev/null | grep -oE -e '--[a-z][a-z0-9.-]*[a-z0-9]' | sort -u)
+  ((${#known[@]})) || return 0  # no text is here
+  known+=(--help --version)
+  for argument in "$@"; do
+    [[ $argument != -- ]] || break  # no option stands behind it
+    word=${argument%%=*}
+    [[ $word =~ ^--[a-zA-Z0-9][a-zA-Z0-9._-]*$ && " ${known[*]} " != *" $word "* ]] || continue
+    [[ -z ${abbreviated-} || " ${known[*]} " != *" $word"* ]] || continue
+    echo "tools/$command: there is no option $word$(suggestion "$word" "${known[@]}"); tools/$command --help tells more" >&2
+    exit 2
+  done
 }
 
 # Sets `missing` to those of the packages that are not installed.

@@ -1,31 +1,36 @@
-"""Tests of --help of the commands that build: it is there before anything is built."""
+"""Tests of what the commands that build answer before anything is installed or built: --help, and wrong options."""
 
 from __future__ import annotations
 
 import os
+import re
 import shutil
 import subprocess
 import tempfile
 import unittest
 from pathlib import Path
 
-from tree import TOOLS
+from tree import ROOT, TOOLS
 
 CONFORM = "conformance/hn-conform"
 # The program behind each, in build/, and what it is asked.
 COMMANDS = {"bake": ("src/bake/hn-bake", "--help"), "bench": (CONFORM, "bench --help"),
             "bench-cpu": ("bench-cpu-g++/src/bench_cpu/hn-bench-cpu", "--help"),
             "conform": (CONFORM, "run --help"), "paper": (CONFORM, "paper --help")}
+# By tools/scientific-python, which finds no Python here that has what they import.
+SCIENTIFIC = ("bounds", "judge", "quality", "uniform")
 
 
-class Help(unittest.TestCase):
+class Machine(unittest.TestCase):
+    """A copy of the commands, with nothing built."""
+
     def setUp(self):
         scratch = tempfile.TemporaryDirectory()
         self.addCleanup(scratch.cleanup)
         self.root = Path(scratch.name)
         tools = self.root / "tools"
         tools.mkdir()
-        for name in ("setup.sh", "progress.sh", "test", *COMMANDS):
+        for name in ("setup.sh", "progress.sh", "scientific-python", "test", *COMMANDS, *SCIENTIFIC):
             shutil.copy(TOOLS / name, tools)
         # Whoever builds or installs something is noticed.
         self.programs = self.root / "programs"
@@ -41,11 +46,16 @@ class Help(unittest.TestCase):
         return subprocess.run([self.root / "tools" / name, *arguments], capture_output=True, text=True, check=False,
                               env={**os.environ, "PATH": f"{self.programs}:{os.environ['PATH']}"})
 
+    def called(self) -> list[Path]:
+        return list(self.root.glob("*.called"))
+
+
+class Help(Machine):
     def assert_helped(self, done: subprocess.CompletedProcess[str]) -> None:
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertIn("Exit status:", done.stdout)
         self.assertIn("4 it could not be built", done.stdout)
-        self.assertEqual(list(self.root.glob("*.called")), [])
+        self.assertEqual(self.called(), [])
 
     def test_before_the_program_is_built(self):
         for name in COMMANDS:
@@ -70,7 +80,89 @@ class Help(unittest.TestCase):
 
     def test_whoever_asks_for_none_is_not_helped(self):
         self.assertEqual(self.call("conform", "--filter", "*help*").returncode, 4)
-        self.assertNotEqual(list(self.root.glob("*.called")), [])
+        self.assertNotEqual(self.called(), [])
+
+
+class WrongOptions(Machine):
+    def setUp(self):
+        super().setUp()
+        for file in ("conformance/cli/options.cpp", "src/bench_cpu/options.cpp",
+                     *(f"src/bake/{path.name}" for path in (ROOT / "src/bake").glob("*.cpp")),
+                     *(f"tools/lib/{name}/command.py" for name in SCIENTIFIC)):
+            (self.root / file).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(ROOT / file, self.root / file)
+        for name in ("python3", "g++", "ninja", "ctest"):
+            self.write_program(self.programs / name, f"touch {self.root}/{name}.called; exit 1")
+
+    def lose_pythons(self) -> None:
+        """Debian's own Python is not on the PATH."""
+        file = self.root / "tools" / "scientific-python"
+        file.write_text(file.read_text().replace("/usr/bin/python3", "no-other-python"))
+
+    def assert_refused(self, done: subprocess.CompletedProcess[str], said: str) -> None:
+        self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
+        self.assertIn(said, done.stderr)
+        self.assertEqual(len(done.stderr.splitlines()), 1)
+        self.assertFalse((self.root / "build").exists())
+
+    def test_nothing_is_installed_or_built_for_them(self):
+        for name, arguments, said in (
+                ("bake", ("fbm", "--octvaes", "3"), "no option --octvaes (did you mean --octaves?)"),
+                ("bench", ("--baselien=x",), "no option --baselien (did you mean --baseline?)"),
+                ("bench-cpu", ("--compiler", "g++", "--agianst", "x"), "no option --agianst (did you mean --against?)"),
+                ("bench-cpu", ("--compilers", "g++"), "no option --compilers (did you mean --compiler?)"),
+                ("conform", ("--drivre", "all"), "no option --drivre (did you mean --driver?)"),
+                ("conform", ("--no-such-thing",), "no option --no-such-thing; tools/conform --help tells more"),
+                ("conform", ("--Driver", "all"), "no option --Driver (did you mean --driver?)"),
+                ("paper", ("--out", "x", "--round=3"), "no option --round (did you mean --rounds?)")):
+            with self.subTest(name=name, arguments=arguments):
+                self.assert_refused(self.call(name, *arguments), f"tools/{name}: there is {said}")
+                self.assertEqual(self.called(), [])
+
+    def test_of_tests(self):
+        """ctest takes any option, so that tools/test --thorogh would run the tests that are not thorough."""
+        self.write_program(self.programs / "ctest", "echo '  -Q,--quiet  = Make ctest quiet.'")
+        self.assert_refused(self.call("test", "--thorogh"), "no option --thorogh (did you mean --thorough?)")
+        self.assert_refused(self.call("test", "--quite"), "no option --quite (did you mean --quiet?)")
+        self.assertEqual(self.called(), [])
+        self.assertEqual(self.call("test", "--thorough", "--quiet").returncode, 4)
+        self.assertNotEqual(self.called(), [])
+
+    def test_of_what_needs_scientific_python(self):
+        self.lose_pythons()
+        for name in SCIENTIFIC:
+            with self.subTest(name=name):
+                self.assert_refused(self.call(name, "--noize"), f"tools/{name}: there is no option --noize")
+        self.assertEqual([path.name for path in self.called()], ["python3.called"])  # which is asked what it has
+
+    def test_of_what_needs_scientific_python_beginnings_will_do(self):
+        self.lose_pythons()
+        done = self.call("quality", "--dim", "2", "--seeds=5")
+        self.assertEqual(done.returncode, 4, done.stderr)
+        self.assertIn("dpkg-query.called", [path.name for path in self.called()])
+
+    def test_options_of_built_programs_are_taken(self):
+        """What --help of a program tells is among what its sources tell, wherever they are."""
+        tried = 0
+        for name, (program, told) in COMMANDS.items():
+            path = ROOT / "build" / program.replace("bench-cpu-g++/", "")
+            if not path.exists():
+                continue
+            told = subprocess.run([path, *told.split()], capture_output=True, text=True, check=True).stdout
+            options = {*re.findall(r"^ +(?:-\w,)?(--[a-z-]+)", told, re.MULTILINE)} - {"--help"}
+            with self.subTest(name=name):
+                self.assertGreater(len(options), 3)
+                done = self.call(name, *options)
+                self.assertEqual(done.returncode, 4, done.stderr)
+                self.assertNotEqual(self.called(), [])
+            tried += 1
+        if not tried:
+            self.skipTest("no program is built")
+
+    def test_what_is_no_option(self):
+        for arguments in (("--filter", "*--x"), ("-x",), ("--", "--no-such-thing"), ("--out=--no-such-thing",)):
+            with self.subTest(arguments=arguments):
+                self.assertEqual(self.call("conform", *arguments).returncode, 4)
 
 
 if __name__ == "__main__":
