@@ -99,17 +99,18 @@ suggestion() {
 # never older than it. Only words such as --out are judged; of values, and of -o, the program says what is wrong with them.
 # With abbreviated=1 before it the beginning of an option will do, as it does for Python.
 refuse_unknown_options() {
-  local command=$1 argument word
-  local -a texts=() known
+  local command=$1 argument word text texts=
+  local -a known
   shift
   while [[ $1 != -- ]]; do
-    texts+=("$1")
+    text=$(cat "$1" 2>/dev/null) || true
+    [[ -n $text ]] || return 0  # it is not here, so nobody can tell
+    texts+=$text
     shift
   done
   shift
   (($#)) || return 0
-  mapfile -t known < <(cat "${texts[@]}" 2>/dev/null | grep -oE -e '--[a-z][a-z0-9.-]*[a-z0-9]' | sort -u)
-  ((${#known[@]})) || return 0  # no text is here
+  mapfile -t known < <(grep -oE -e '--[a-z][a-z0-9.-]*[a-z0-9]' <<<"$texts" | sort -u)
   known+=(--help --version)
   for argument in "$@"; do
     [[ $argument != -- ]] || break  # no option stands behind it

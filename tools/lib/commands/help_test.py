@@ -127,6 +127,8 @@ class WrongOptions(Machine):
         self.assertEqual(self.called(), [])
         self.assertEqual(self.call("test", "--thorough", "--quiet").returncode, 4)
         self.assertNotEqual(self.called(), [])
+        self.write_program(self.programs / "ctest", "exit 1")  # it is not installed: nobody can tell its options
+        self.assertEqual(self.call("test", "--no-such-thing").returncode, 4)
 
     def test_of_what_needs_scientific_python(self):
         self.lose_pythons()
@@ -163,6 +165,10 @@ class WrongOptions(Machine):
         for arguments in (("--filter", "*--x"), ("-x",), ("--", "--no-such-thing"), ("--out=--no-such-thing",)):
             with self.subTest(arguments=arguments):
                 self.assertEqual(self.call("conform", *arguments).returncode, 4)
+
+    def test_where_the_sources_are_not(self):
+        (self.root / "src" / "bench_cpu" / "options.cpp").unlink()
+        self.assertEqual(self.call("bench-cpu", "--agianst", "x").returncode, 4)
 
 
 if __name__ == "__main__":
