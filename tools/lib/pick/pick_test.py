@@ -422,7 +422,11 @@ class Command(unittest.TestCase):
 
     def test_bad_usage(self) -> None:
         for arguments, message in (((), "name functions"), (("--list", "hn_value2"), "name functions"),
-                                   (("hn_perln2",), "there is no function hn_perln2; there are hn_perlin2"),
+                                   (("hn_perln2",), "there is no function hn_perln2 (did you mean hn_perlin2"),
+                                   (("hn_perln",), "no function hn_perln (did you mean hn_perlin1, hn_perlin2, hn_per"),
+                                   (("perlin3",), "there is no function perlin3 (did you mean hn_perlin3"),
+                                   (("hn_gulies",), "no function hn_gulies (did you mean hn_gullies2?)"),
+                                   (("zzzzzzzz",), "there is no function zzzzzzzz; --list tells them"),
                                    (("hn_perlin",), "there are hn_perlin1, hn_perlin1_place"),
                                    (("hn_value2", "--hash", "custom"), "--hash-function my_hash"),
                                    (("hn_value2", "--hash", "custom", "--hash-function", "a-b"), "not 'a-b'"),

@@ -68,11 +68,26 @@ def chosen(module: Module, names: Sequence[str]) -> list[Function]:
     known = public(module)
     for name in names:
         if name not in known:
-            forms = sorted(form for form, function in known.items() if function.name == name)
-            near = forms or difflib.get_close_matches(name, known)
-            hint = f"; there {'are' if len(near) > 1 else 'is'} {', '.join(near)}" if near else "; --list tells them"
-            raise Unknown(f"there is no function {name}{hint}")
+            raise Unknown(f"there is no function {name}{_hint(name, known)}")
     return [known[name] for name in dict.fromkeys(names)]
+
+
+def _hint(name: str, known: dict[str, Function]) -> str:
+    """What was probably meant: the forms of a function, or a form that a few typing errors turn into the name."""
+    def forms(called: str) -> list[str]:
+        return sorted(form for form, function in known.items() if function.name == called)
+
+    if own := forms(name):
+        return f"; there {'are' if len(own) > 1 else 'is'} {', '.join(own)}"
+    functions = {function.name for function in known.values()}
+    near = difflib.get_close_matches(name, sorted({*functions, *known}))
+    if not near:
+        return "; --list tells them"
+    if near[0] in functions and near[0] not in known:
+        near = [form for form in forms(near[0]) if form[:-1] == near[0]] or forms(near[0])  # a dimension behind the name
+    near = [form for form in near if form in known]
+    *others, last = near
+    return f" (did you mean {', '.join(others)}{' or ' if others else ''}{last}?)"
 
 
 def over(module: Module, form: str) -> Module:
