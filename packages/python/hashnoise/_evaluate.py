@@ -1,5 +1,6 @@
 """Checks what users pass, and evaluates fields: what every function of the package does."""
 
+import functools
 import math
 import operator
 import reprlib
@@ -120,7 +121,8 @@ def checked_dtype(function, dtype, out):
     except TypeError:
         chosen = None
     if chosen not in _OF_GRIDS:
-        raise ValueError(f"{function}: dtype must be float32, float16 or uint16, not {_shown(dtype)}")
+        raise ValueError(f"{function}: dtype must be float32, float16 or uint16, not {_shown(dtype)}"
+                         f"{suggestion(dtype, [known.name for known in _OF_GRIDS])}")
     return chosen
 
 
@@ -148,6 +150,27 @@ def checked_ranges(function, name, range, dtype, field):
 def suggestion(word, names):
     """ (did you mean perlin?), or nothing."""
     return _core.suggestion(word, list(names)) if isinstance(word, str) else ""
+
+
+def suggesting(function):
+    """The function, with a TypeError that names the nearest of its options for one that it has not."""
+    code = function.__code__
+    options = code.co_varnames[code.co_posonlyargcount:code.co_argcount + code.co_kwonlyargcount]
+
+    @functools.wraps(function)
+    def called(*arguments, **given):
+        try:
+            return function(*arguments, **given)
+        except TypeError as error:
+            unknown = [option for option in given if option not in options and f"'{option}'" in str(error)]
+            # Python itself names the nearest from 3.13 on.
+            meant = suggestion(unknown[0], options) if unknown and "mean" not in str(error) else ""
+            if not meant:
+                raise
+            raise TypeError(f"{error}{meant}") from None
+
+    called.__kwdefaults__ = function.__kwdefaults__  # for who asks what options there are
+    return called
 
 
 def checked_threads(function, threads):
@@ -267,7 +290,8 @@ def _instruction_set(function, name, value, dimensions):
     if isinstance(value, str) and value in _core.instruction_sets():
         return value
     raise ValueError(f"{function}: instruction_set must be one of this processor's, which are "
-                     f"{', '.join(_core.instruction_sets())}; not {_shown(value)}")
+                     f"{', '.join(_core.instruction_sets())}; not {_shown(value)}"
+                     f"{suggestion(value, _core.instruction_sets())}")
 
 
 def _shown(value):

@@ -4,11 +4,12 @@ import numpy as np
 
 from . import _core, _noises, _sums
 from ._evaluate import (AXES, checked_dtype, checked_out, checked_ranges, checked_threads, make_field, per_axis,
-                        real_number, ruled_number, suggestion, whole_number)
+                        real_number, ruled_number, suggesting, suggestion, whole_number)
 
 MOST_POINTS = _core.rules["size"][1]
 
 
+@suggesting
 def grid(name, size, *, step, origin=0.0, cell=None, first=0, seed=0, noise=None, octaves=None, lacunarity=None,
          gain=None, strength=None, amplitude=None, detail=None, footprint=None, period=None, wave=None, phase=None,
          jitter=None, metric=None, arithmetic="fast", dtype=None, range=None, out=None, return_range=False,
@@ -95,6 +96,7 @@ def grid(name, size, *, step, origin=0.0, cell=None, first=0, seed=0, noise=None
     return (values, extent) if return_range else values
 
 
+@suggesting
 def components(name, dimensions, *, noise=None):
     """What the planes are of a function that is called `name`, in so many dimensions, over a noise.
 

@@ -1,13 +1,14 @@
 # Made by tools/catalog from catalog/noises.toml and settings.toml.
 """The noises: each is a function of arrays of coordinates. help(hashnoise) tells what they have in common."""
 
-from ._evaluate import points
+from ._evaluate import points, suggesting
 
 __all__ = ["perlin", "perlin_d", "value", "value_d", "value_cubic", "simplex", "simplex_d", "simplex_smooth",
            "cellular", "cellular_three", "cellular_d", "cellular_smooth", "cell_border", "curl", "value_vector",
            "perlin_vector", "phasor", "random"]
 
 
+@suggesting
 def perlin(x, y=None, z=None, w=None, /, *, seed=0, period=None, phase=None, cell=None, arithmetic="fast", out=None,
            threads=None, instruction_set=None):
     """Perlin noise, in 1D to 4D: gradient noise on the square lattice, with hashed gradients.
@@ -27,6 +28,7 @@ def perlin(x, y=None, z=None, w=None, /, *, seed=0, period=None, phase=None, cel
                   arithmetic=arithmetic, instruction_set=instruction_set)
 
 
+@suggesting
 def perlin_d(x, y=None, z=None, w=None, /, *, seed=0, period=None, phase=None, cell=None, arithmetic="fast", out=None,
              threads=None, instruction_set=None):
     """Perlin noise and how steep it is, in 1D to 4D.
@@ -44,6 +46,7 @@ def perlin_d(x, y=None, z=None, w=None, /, *, seed=0, period=None, phase=None, c
                   arithmetic=arithmetic, instruction_set=instruction_set)
 
 
+@suggesting
 def value(x, y=None, z=None, w=None, /, *, seed=0, period=None, cell=None, arithmetic="fast", out=None, threads=None,
           instruction_set=None):
     """Value noise on the square lattice, in 1D to 4D: cheaper than `perlin`, and coarser.
@@ -60,6 +63,7 @@ def value(x, y=None, z=None, w=None, /, *, seed=0, period=None, cell=None, arith
                   arithmetic=arithmetic, instruction_set=instruction_set)
 
 
+@suggesting
 def value_d(x, y=None, z=None, w=None, /, *, seed=0, period=None, cell=None, arithmetic="fast", out=None, threads=None,
             instruction_set=None):
     """Value noise and how steep it is, in 1D to 4D.
@@ -75,6 +79,7 @@ def value_d(x, y=None, z=None, w=None, /, *, seed=0, period=None, cell=None, ari
                   arithmetic=arithmetic, instruction_set=instruction_set)
 
 
+@suggesting
 def value_cubic(x, y=None, z=None, /, *, seed=0, period=None, cell=None, arithmetic="fast", out=None, threads=None,
                 instruction_set=None):
     """Cubic value noise, in 1D to 3D: a uniform cubic B-spline over hashed numbers.
@@ -92,6 +97,7 @@ def value_cubic(x, y=None, z=None, /, *, seed=0, period=None, cell=None, arithme
                   arithmetic=arithmetic, instruction_set=instruction_set)
 
 
+@suggesting
 def simplex(x, y, z=None, w=None, /, *, seed=0, period=None, phase=None, cell=None, arithmetic="fast", out=None,
             threads=None, instruction_set=None):
     """Simplex noise, in 2D to 4D: gradient noise on a lattice of triangles, or of simplices.
@@ -111,6 +117,7 @@ def simplex(x, y, z=None, w=None, /, *, seed=0, period=None, phase=None, cell=No
                   arithmetic=arithmetic, instruction_set=instruction_set)
 
 
+@suggesting
 def simplex_d(x, y, z=None, w=None, /, *, seed=0, period=None, phase=None, cell=None, arithmetic="fast", out=None,
               threads=None, instruction_set=None):
     """Simplex noise and how steep it is, in 2D to 4D.
@@ -128,6 +135,7 @@ def simplex_d(x, y, z=None, w=None, /, *, seed=0, period=None, phase=None, cell=
                   phase=phase, arithmetic=arithmetic, instruction_set=instruction_set)
 
 
+@suggesting
 def simplex_smooth(x, y, z=None, /, *, seed=0, period=None, cell=None, arithmetic="fast", out=None, threads=None,
                    instruction_set=None):
     """Smooth simplex noise, in 2D and 3D: its kernel is larger than that of `simplex`, so the field is calmer.
@@ -142,6 +150,7 @@ def simplex_smooth(x, y, z=None, /, *, seed=0, period=None, cell=None, arithmeti
                   arithmetic=arithmetic, instruction_set=instruction_set)
 
 
+@suggesting
 def cellular(x, y, z=None, /, *, seed=0, period=None, phase=None, jitter=1.0, metric="euclidean", cell=None,
              arithmetic="fast", out=None, threads=None, instruction_set=None):
     """Cellular noise, in 2D and 3D: distances to the two nearest of points that are strewn one in each cell.
@@ -165,6 +174,7 @@ def cellular(x, y, z=None, /, *, seed=0, period=None, phase=None, jitter=1.0, me
                   jitter=jitter, metric=metric, arithmetic=arithmetic, instruction_set=instruction_set)
 
 
+@suggesting
 def cellular_three(x, y, z=None, /, *, seed=0, period=None, jitter=1.0, metric="euclidean", cell=None,
                    arithmetic="fast", out=None, threads=None, instruction_set=None):
     """Cellular noise, in 2D and 3D: distances to the three nearest points, Worley's F1, F2 and F3.
@@ -182,6 +192,7 @@ def cellular_three(x, y, z=None, /, *, seed=0, period=None, jitter=1.0, metric="
                   jitter=jitter, metric=metric, arithmetic=arithmetic, instruction_set=instruction_set)
 
 
+@suggesting
 def cellular_d(x, y, z=None, /, *, seed=0, period=None, jitter=1.0, cell=None, arithmetic="fast", out=None,
                threads=None, instruction_set=None):
     """The distance to the nearest feature point and its gradient, in 2D and 3D.
@@ -198,6 +209,7 @@ def cellular_d(x, y, z=None, /, *, seed=0, period=None, jitter=1.0, cell=None, a
                   jitter=jitter, arithmetic=arithmetic, instruction_set=instruction_set)
 
 
+@suggesting
 def cellular_smooth(x, y, z=None, /, *, seed=0, period=None, jitter=1.0, cell=None, arithmetic="fast", out=None,
                     threads=None, instruction_set=None):
     """Cellular noise with rounded valleys, in 2D and 3D: it has no creases between cells.
@@ -214,6 +226,7 @@ def cellular_smooth(x, y, z=None, /, *, seed=0, period=None, jitter=1.0, cell=No
                   jitter=jitter, arithmetic=arithmetic, instruction_set=instruction_set)
 
 
+@suggesting
 def cell_border(x, y, z=None, /, *, seed=0, period=None, jitter=1.0, cell=None, arithmetic="fast", out=None,
                 threads=None, instruction_set=None):
     """The distance to the border of the cell of the nearest feature point, in 2D and 3D: cracks and tiles.
@@ -229,6 +242,7 @@ def cell_border(x, y, z=None, /, *, seed=0, period=None, jitter=1.0, cell=None, 
                   jitter=jitter, arithmetic=arithmetic, instruction_set=instruction_set)
 
 
+@suggesting
 def curl(x, y, z=None, /, *, seed=0, period=None, cell=None, arithmetic="fast", out=None, threads=None,
          instruction_set=None):
     """Curl noise, in 2D and 3D: velocities of a flow without divergence, which neither gathers nor spreads what it
@@ -246,6 +260,7 @@ def curl(x, y, z=None, /, *, seed=0, period=None, cell=None, arithmetic="fast", 
                   instruction_set=instruction_set)
 
 
+@suggesting
 def value_vector(x, y, z=None, /, *, seed=0, period=None, cell=None, arithmetic="fast", out=None, threads=None,
                  instruction_set=None):
     """Value noises that do not depend on each other, one along each axis, in 2D and 3D, from one hash for each corner
@@ -263,6 +278,7 @@ def value_vector(x, y, z=None, /, *, seed=0, period=None, cell=None, arithmetic=
                   arithmetic=arithmetic, instruction_set=instruction_set)
 
 
+@suggesting
 def perlin_vector(x, y, z=None, /, *, seed=0, period=None, cell=None, arithmetic="fast", out=None, threads=None,
                   instruction_set=None):
     """Perlin noises that do not depend on each other, one along each axis, in 2D and 3D, from one hash for each corner
@@ -280,6 +296,7 @@ def perlin_vector(x, y, z=None, /, *, seed=0, period=None, cell=None, arithmetic
                   arithmetic=arithmetic, instruction_set=instruction_set)
 
 
+@suggesting
 def phasor(x, y, z=None, /, *, seed=0, period=None, wave=None, phase=None, cell=None, arithmetic="fast", out=None,
            threads=None, instruction_set=None):
     """Phasor noise, in 2D and 3D: stripes across a direction and with a wavelength of your choice.
@@ -302,6 +319,7 @@ def phasor(x, y, z=None, /, *, seed=0, period=None, wave=None, phase=None, cell=
                   phase=phase, arithmetic=arithmetic, instruction_set=instruction_set)
 
 
+@suggesting
 def random(x, y=None, z=None, w=None, /, *, seed=0, period=None, cell=None, arithmetic="fast", out=None, threads=None,
            instruction_set=None):
     """A random number for each cell, in 1D to 4D: white noise.

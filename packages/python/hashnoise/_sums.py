@@ -1,12 +1,13 @@
 # Made by tools/catalog from catalog/sums.toml and settings.toml.
 """The octave sums and the warps, over any noise. help(hashnoise) tells what they have in common."""
 
-from ._evaluate import points
+from ._evaluate import points, suggesting
 
 __all__ = ["fbm", "turbulence", "clouds", "billow", "ridged", "hybrid", "ping_pong", "weighted", "fbm_d", "eroded",
            "warp", "warp_progressive", "perlin_worley"]
 
 
+@suggesting
 def fbm(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=None, lacunarity=2.0, gain=0.5, detail=None,
         footprint=None, period=None, cell=None, arithmetic="fast", out=None, threads=None, instruction_set=None):
     """Fractional Brownian motion, in 1D to 4D: octaves of noise, each finer, weaker, and rotated.
@@ -27,6 +28,7 @@ def fbm(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=None, l
                   arithmetic=arithmetic, instruction_set=instruction_set)
 
 
+@suggesting
 def turbulence(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6, lacunarity=2.0, gain=0.5,
                period=None, cell=None, arithmetic="fast", out=None, threads=None, instruction_set=None):
     """Turbulence, in 1D to 4D: the mean of the octaves' absolute values. Use it for marble and fire.
@@ -42,6 +44,7 @@ def turbulence(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=
                   instruction_set=instruction_set)
 
 
+@suggesting
 def clouds(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6, lacunarity=2.0, gain=0.5, period=None,
            cell=None, arithmetic="fast", out=None, threads=None, instruction_set=None):
     """Clouds, in 1D to 4D: the density of a sky, from an fBm.
@@ -57,6 +60,7 @@ def clouds(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6, l
                   instruction_set=instruction_set)
 
 
+@suggesting
 def billow(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6, lacunarity=2.0, gain=0.5, period=None,
            cell=None, arithmetic="fast", out=None, threads=None, instruction_set=None):
     """Billows, in 1D to 4D: twice the turbulence less 1. The round hills are the other side of ridges.
@@ -72,6 +76,7 @@ def billow(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6, l
                   instruction_set=instruction_set)
 
 
+@suggesting
 def ridged(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6, lacunarity=2.0, gain=0.5, period=None,
            cell=None, arithmetic="fast", out=None, threads=None, instruction_set=None):
     """Ridges, in 1D to 4D: sharp crests where the noise passes 0, with detail on them and smooth valleys between.
@@ -88,6 +93,7 @@ def ridged(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6, l
                   instruction_set=instruction_set)
 
 
+@suggesting
 def hybrid(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6, lacunarity=2.0, gain=0.5, period=None,
            cell=None, arithmetic="fast", out=None, threads=None, instruction_set=None):
     """Hybrid terrain, in 1D to 4D: plains are flat and heights are rough.
@@ -106,6 +112,7 @@ def hybrid(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6, l
                   instruction_set=instruction_set)
 
 
+@suggesting
 def ping_pong(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6, lacunarity=2.0, gain=0.5,
               strength=2.0, period=None, cell=None, arithmetic="fast", out=None, threads=None, instruction_set=None):
     """Ping-pong, in 1D to 4D: each octave is folded up and down, which gives the rings of wood and of agate.
@@ -122,6 +129,7 @@ def ping_pong(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6
                   arithmetic=arithmetic, instruction_set=instruction_set)
 
 
+@suggesting
 def weighted(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6, lacunarity=2.0, gain=0.5, strength=1.0,
              period=None, cell=None, arithmetic="fast", out=None, threads=None, instruction_set=None):
     """Weighted fBm, in 1D to 4D: where an octave is low, the finer ones count less. Valleys are smoother than heights.
@@ -138,6 +146,7 @@ def weighted(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6,
                   instruction_set=instruction_set)
 
 
+@suggesting
 def fbm_d(x, y, z=None, /, *, seed=0, noise="perlin_d", octaves=6, lacunarity=2.0, gain=0.5, period=None, cell=None,
           arithmetic="fast", out=None, threads=None, instruction_set=None):
     """Fractional Brownian motion and how steep it is, in 2D and 3D.
@@ -155,6 +164,7 @@ def fbm_d(x, y, z=None, /, *, seed=0, noise="perlin_d", octaves=6, lacunarity=2.
                   instruction_set=instruction_set)
 
 
+@suggesting
 def eroded(x, y, z=None, /, *, seed=0, noise="perlin_d", octaves=6, lacunarity=2.0, gain=0.5, strength=1.0, period=None,
            cell=None, arithmetic="fast", out=None, threads=None, instruction_set=None):
     """Eroded fBm, in 2D and 3D: smooth slopes, with detail in valleys and on summits.
@@ -174,6 +184,7 @@ def eroded(x, y, z=None, /, *, seed=0, noise="perlin_d", octaves=6, lacunarity=2
                   instruction_set=instruction_set)
 
 
+@suggesting
 def warp(x, y, z=None, /, *, seed=0, noise="value_vector", octaves=6, lacunarity=2.0, gain=0.5, amplitude=1.0,
          period=None, cell=None, arithmetic="fast", out=None, threads=None, instruction_set=None):
     """How far to move a position before another noise is taken there, in 2D and 3D.
@@ -192,6 +203,7 @@ def warp(x, y, z=None, /, *, seed=0, noise="value_vector", octaves=6, lacunarity
                   instruction_set=instruction_set)
 
 
+@suggesting
 def warp_progressive(x, y, z=None, /, *, seed=0, noise="value_vector", octaves=6, lacunarity=2.0, gain=0.5,
                      amplitude=1.0, period=None, cell=None, arithmetic="fast", out=None, threads=None,
                      instruction_set=None):
@@ -213,6 +225,7 @@ def warp_progressive(x, y, z=None, /, *, seed=0, noise="value_vector", octaves=6
                   arithmetic=arithmetic, instruction_set=instruction_set)
 
 
+@suggesting
 def perlin_worley(x, y, z, /, *, seed=0, octaves=6, lacunarity=2.0, gain=0.5, period=None, cell=None, arithmetic="fast",
                   out=None, threads=None, instruction_set=None):
     """Perlin-Worley noise, in 3D: round billows where the points of cellular noise are, and wisps of Perlin noise

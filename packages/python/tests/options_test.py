@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import inspect
+import pickle
 import re
 import unittest
 
@@ -11,6 +13,7 @@ import numpy
 
 X = numpy.linspace(0, 9, 100, dtype=numpy.float32)
 EXACT = ("random",)  # the same numbers with every arithmetic
+SETS = hashnoise.instruction_sets()
 OF_SHAPES = {"perlin_d": "simplex_d", "value_vector": "perlin_vector"}  # noises that a sum may take in place of one
 
 
@@ -130,6 +133,7 @@ class Wrong(unittest.TestCase):
                 (ValueError, {"threads": 0}, "threads must be from 1 to 1024, not 0"),
                 (TypeError, {"threads": 1.5}, "threads must be a whole number"),
                 (ValueError, {"instruction_set": "mmx"}, "instruction_set must be one of this processor's, .*; not 'mmx'"),
+                (ValueError, {"instruction_set": SETS[0] + "x"}, f"did you mean {re.escape(SETS[0])}"),
                 (TypeError, {"octaves": 2.5}, "octaves must be a whole number, not 2.5"),
                 (ValueError, {"octaves": 0}, "octaves must be from 1 to 32, not 0"),
                 (ValueError, {"octaves": -1}, "octaves must be from 1 to 32, not -1"),
@@ -186,11 +190,25 @@ class Wrong(unittest.TestCase):
                          lambda: hashnoise.grid("perlin_worley", (9, 9, 9), step=0.1, noise="value"))
 
     def test_options_that_there_are_not(self):
-        self.assert_told(TypeError, "unexpected keyword argument 'octave'", lambda: hashnoise.fbm(X, octave=3))
+        said = r"unexpected keyword argument 'octave'[ .(]+[Dd]id you mean '?octaves'?\?"
+        self.assert_told(TypeError, said, lambda: hashnoise.fbm(X, octave=3))
+        self.assert_told(TypeError, said, lambda: hashnoise.grid("fbm", 9, step=0.1, octave=3))
+        self.assert_told(TypeError, "did you mean '?dtype", lambda: hashnoise.grid("fbm", 9, step=0.1, dtpye="uint16"))
+        self.assert_told(TypeError, "did you mean '?step", lambda: hashnoise.grid("fbm", 9, stp=0.1))
+        self.assert_told(TypeError, "did you mean '?noise", lambda: hashnoise.components("warp", 2, niose="value"))
+        self.assert_told(TypeError, "unexpected keyword argument 'no_such'$", lambda: hashnoise.fbm(X, no_such=3))
         self.assert_told(TypeError, "unexpected keyword argument 'jitter'", lambda: hashnoise.perlin(X, jitter=0.5))
         self.assert_told(TypeError, "^grid: perlin has no option jitter; it has seed, ",
                          lambda: hashnoise.grid("perlin", 9, step=0.1, jitter=0.5))
         self.assert_told(ValueError, "phase", lambda: hashnoise.perlin(X, phase=0.5))
+
+    def test_functions_are_themselves_elsewhere(self):
+        """What names the nearest option stands around each function: it may be sent to a process, and tells its options."""
+        for name in hashnoise.__all__:
+            function = getattr(hashnoise, name)
+            self.assertIs(pickle.loads(pickle.dumps(function)), function)
+        self.assertIn("lacunarity=2.0", str(inspect.signature(hashnoise.fbm)))
+        self.assertEqual(hashnoise.fbm.__name__, "fbm")
 
     def test_coordinates(self):
         for kind, coordinates, said in (
@@ -234,7 +252,9 @@ class Wrong(unittest.TestCase):
                 (ValueError, {"first": (0, 536870908)},
                  "first [+] size must be at most 536870911, and is 536870912 along y"),
                 (ValueError, {"dtype": "float64"}, r"dtype must be float32, float16 or uint16, not 'float64' \(str\)"),
-                (ValueError, {"dtype": "no_such"}, "dtype must be float32, float16 or uint16, not 'no_such'"),
+                (ValueError, {"dtype": "no_such"}, "dtype must be float32, float16 or uint16, not 'no_such' [(]str[)]$"),
+                (ValueError, {"dtype": "unit16"}, r"not 'unit16' \(str\) \(did you mean uint16\?\)$"),
+                (ValueError, {"dtype": "flaot32"}, r"\(did you mean float32\?\)$"),
                 (ValueError, {"dtype": ">f2"}, "dtype must be float32, float16 or uint16, not '>f2'"),
                 (ValueError, {"dtype": "float16", "out": numpy.zeros((4, 3), "f4")}, "array of float16 of the shape"),
                 (ValueError, {"range": (0, 1)}, "a range .* is for dtype=\"uint16\" alone, not for float32"),

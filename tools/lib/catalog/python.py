@@ -100,7 +100,7 @@ def _setting(name: str, catalog: Catalog) -> _Option:
 def _module(head: str, functions: Sequence[Noise] | Sequence[Sum], table: str, catalog: Catalog) -> str:
     names = _list("__all__ = [", [f'"{function.name}"' for function in functions], "]")
     code = "".join(f"\n\n{_function(function, catalog)}" for function in functions)
-    return (f"{head}\nfrom ._evaluate import points\n\n{names}{code}\n\n"
+    return (f"{head}\nfrom ._evaluate import points, suggesting\n\n{names}{code}\n\n"
             f"{table} = {{name: globals()[name] for name in __all__}}\n")
 
 
@@ -112,7 +112,7 @@ def _function(function: Function, catalog: Catalog) -> str:
     kind = "sum" if isinstance(function, Sum) else "noise"
     passed = [f'"{function.name}"', f"({', '.join(axes)}{',' if len(axes) == 1 else ''})", "cell", "out", "threads",
               f'{kind}="{function.name}"', *(f"{option.name}={option.name}" for option in options if option.is_setting)]
-    return (_list(f"def {function.name}(", parameters, "):") + _docstring(function)
+    return ("@suggesting\n" + _list(f"def {function.name}(", parameters, "):") + _docstring(function)
             + _list("    return points(", passed, ")"))
 
 
