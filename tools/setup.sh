@@ -95,8 +95,8 @@ suggestion() {
 }
 
 # Stops with status 2 if one of the arguments behind -- is an option that no text names, before anything is installed or
-# built for it. The texts are the sources of the program that has the options: they are here before the program is, and are
-# never older than it. Only words such as --out are judged; of values, and of -o, the program says what is wrong with them.
+# built for it. The texts are the sources of the program that has the options: they are here before the program is, and
+# are never older than it. Only words such as --out are judged; what is wrong with values, or with -o, the program says.
 # With abbreviated=1 before it the beginning of an option will do, as it does for Python.
 refuse_unknown_options() {
   local command=$1 argument word text texts=
@@ -117,7 +117,8 @@ refuse_unknown_options() {
     word=${argument%%=*}
     [[ $word =~ ^--[a-zA-Z0-9][a-zA-Z0-9._-]*$ && " ${known[*]} " != *" $word "* ]] || continue
     [[ -z ${abbreviated-} || " ${known[*]} " != *" $word"* ]] || continue
-    echo "tools/$command: there is no option $word$(suggestion "$word" "${known[@]}"); tools/$command --help tells more" >&2
+    echo "tools/$command: there is no option $word$(suggestion "$word" "${known[@]}");" \
+      "tools/$command --help tells more" >&2
     exit 2
   done
 }

@@ -5,6 +5,8 @@
     environment.py run [--with FILE] FOLDER MODULE...
                                            runs modules of tests in it, with what a file of requirements names beside
                                            this one, which is kept in a folder beside FOLDER
+    environment.py call [--with FILE] FOLDER MODULE [ARGUMENT]...
+                                           runs one module as a program there
 
 Exit status: 0 done, 1 not, 77 PyPI cannot be reached, so there is no such environment.
 """
@@ -47,7 +49,8 @@ def make(folder: Path, requirements: Path, library: Path | None = None) -> int:
     return 0
 
 
-def run(folder: Path, modules: list[str], more: Path | None = None) -> int:
+def run(folder: Path, program: list[str], more: Path | None = None) -> int:
+    """python -m PROGRAM, in the folder of the tests."""
     if not (folder / MADE).exists():
         print(f"{folder} has no environment: python.wheel was skipped, or did not run")
         return SKIPPED
@@ -58,7 +61,7 @@ def run(folder: Path, modules: list[str], more: Path | None = None) -> int:
         if status := add(python, more, added):
             return status
         variables["PYTHONPATH"] = str(added)
-    return subprocess.run([python, "-B", "-m", "unittest", *modules], cwd=TESTS, env=variables, check=False).returncode
+    return subprocess.run([python, "-B", "-m", *program], cwd=TESTS, env=variables, check=False).returncode
 
 
 def add(python: Path, requirements: Path, folder: Path) -> int:
@@ -78,10 +81,11 @@ def add(python: Path, requirements: Path, folder: Path) -> int:
 def main(arguments: list[str]) -> int:
     if len(arguments) in (2, 3) and arguments[0] == "make":
         return make(Path(arguments[1]).resolve(), TESTS / "requirements.txt", *map(Path, arguments[2:]))
-    if len(arguments) > 4 and arguments[:2] == ["run", "--with"]:
-        return run(Path(arguments[3]).resolve(), arguments[4:], TESTS / arguments[2])
-    if len(arguments) > 2 and arguments[0] == "run" and not arguments[1].startswith("-"):
-        return run(Path(arguments[1]).resolve(), arguments[2:])
+    before = {"run": ["unittest"], "call": []}.get(arguments[0] if arguments else "")
+    if before is not None and len(arguments) > 4 and arguments[1] == "--with":
+        return run(Path(arguments[3]).resolve(), [*before, *arguments[4:]], TESTS / arguments[2])
+    if before is not None and len(arguments) > 2 and not arguments[1].startswith("-"):
+        return run(Path(arguments[1]).resolve(), [*before, *arguments[2:]])
     print(__doc__, file=sys.stderr)
     return 2
 

@@ -23,7 +23,9 @@ done
 echo "$(basename "$PWD") $shard $rest" >>"$HN_NOTES"
 echo "some words"
 status=0
-case " $HN_STATUS " in *" ${shard%/*}:"*) status=$(echo " $HN_STATUS " | sed "s/.* ${shard%/*}:\\([0-9]*\\) .*/\\1/");; esac
+case " $HN_STATUS " in
+  *" ${shard%/*}:"*) status=$(echo " $HN_STATUS " | sed "s/.* ${shard%/*}:\\([0-9]*\\) .*/\\1/");;
+esac
 [ $status -ge 2 ] || { mkdir -p "$out"; echo "results of $shard" >"$out/results.json"; }
 exit $status"""
 JOIN = """shift
@@ -134,8 +136,8 @@ class Shards(unittest.TestCase):
 
     def test_bad_usage(self) -> None:
         for arguments, said in (
-                ((), "say in how many parts"), (("0",), "there are 1 to 9999 parts, not 0"), (("--host",), "must be followed"),
-                (("2", "--shard", "1/2"), "it deals the shards itself"), (("--host=-oProxyCommand=x",), "is not HOST"),
+                ((), "say in how many parts"), (("0",), "there are 1 to 9999 parts, not 0"),
+                (("--host",), "must be followed by a name"), (("2", "--shard", "1/2"), "it deals the shards itself"), (("--host=-oProxyCommand=x",), "is not HOST"),
                 (("2", "--hots", "a"), "no option --hots (did you mean --host?)")):
             with self.subTest(arguments=arguments):
                 done = self.call(*arguments)
