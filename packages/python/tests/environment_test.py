@@ -78,13 +78,15 @@ class Environment(unittest.TestCase):
         (self.folder / "made").touch()
         with mock.patch("subprocess.run") as started:
             started.return_value.returncode = 3
-            for arguments, program in ((["run", str(self.folder), "a_test", "b_test"], ["unittest", "a_test", "b_test"]),
-                                       (["call", str(self.folder), "notebook", "-x"], ["notebook", "-x"])):
+            for arguments, program in (
+                    (["run", str(self.folder), "a_test", "b_test"], ["unittest", "a_test", "b_test"]),
+                    (["call", str(self.folder), "notebook", "-x"], ["notebook", "-x"])):
                 self.assertEqual(self.call(arguments)[0], 3)
                 self.assertEqual(started.call_args.args[0][1:], ["-B", "-m", *program])
 
     def test_bad_usage(self):
-        for arguments in ([], ["make"], ["run", "x"], ["call", "x"], ["call", "--with", "x", "y"], ["run", "--with", "x", "y"], ["no_such", "x", "y"]):
+        for arguments in ([], ["make"], ["run", "x"], ["call", "x"], ["call", "--with", "x", "y"],
+                          ["run", "--with", "x", "y"], ["no_such", "x", "y"]):
             self.assertEqual(self.call(arguments)[0], 2, arguments)
 
 

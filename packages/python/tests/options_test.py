@@ -203,7 +203,7 @@ class Wrong(unittest.TestCase):
         self.assert_told(ValueError, "phase", lambda: hashnoise.perlin(X, phase=0.5))
 
     def test_functions_are_themselves_elsewhere(self):
-        """What names the nearest option stands around each function: it may be sent to a process, and tells its options."""
+        """What names the nearest option stands around each function, which may be sent to a process even so."""
         for name in hashnoise.__all__:
             function = getattr(hashnoise, name)
             self.assertIs(pickle.loads(pickle.dumps(function)), function)
@@ -252,7 +252,7 @@ class Wrong(unittest.TestCase):
                 (ValueError, {"first": (0, 536870908)},
                  "first [+] size must be at most 536870911, and is 536870912 along y"),
                 (ValueError, {"dtype": "float64"}, r"dtype must be float32, float16 or uint16, not 'float64' \(str\)"),
-                (ValueError, {"dtype": "no_such"}, "dtype must be float32, float16 or uint16, not 'no_such' [(]str[)]$"),
+                (ValueError, {"dtype": "no_such"}, r"must be float32, float16 or uint16, not 'no_such' \(str\)$"),
                 (ValueError, {"dtype": "unit16"}, r"not 'unit16' \(str\) \(did you mean uint16\?\)$"),
                 (ValueError, {"dtype": "flaot32"}, r"\(did you mean float32\?\)$"),
                 (ValueError, {"dtype": ">f2"}, "dtype must be float32, float16 or uint16, not '>f2'"),

@@ -84,7 +84,7 @@ def _hint(name: str, known: dict[str, Function]) -> str:
     if not near:
         return "; --list tells them"
     if near[0] in functions and near[0] not in known:
-        near = [form for form in forms(near[0]) if form[:-1] == near[0]] or forms(near[0])  # a dimension behind the name
+        near = [form for form in forms(near[0]) if form[:-1] == near[0]] or forms(near[0])  # with a dimension
     near = [form for form in near if form in known]
     *others, last = near
     return f" (did you mean {', '.join(others)}{' or ' if others else ''}{last}?)"

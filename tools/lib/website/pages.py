@@ -16,8 +16,8 @@ from website import live
 GROUPS = {
     "Noise": ["tutorial", "noises", "sums", "cellular", "random", "uniform", "hex-tiling", "gallery/README",
               "snippets/README", "knobs", "same-bits", "moving", "glossary"],
-    "Where you are": ["languages", "build-systems", "javascript", "python", "notebook", "dask", "cpu", "bake", "engines",
-                      "godot", "playground", "porting"],
+    "Where you are": ["languages", "build-systems", "javascript", "python", "notebook", "dask", "cpu", "bake",
+                      "engines", "godot", "playground", "porting"],
     "What is promised and measured": ["contract", "frozen", "accuracy", "quality", "hashes", "default-hash", "judge",
                                       "measuring", "gpu-operations", "results/README"],
     "Your driver": ["conformance", "checks", "faults", "suite", "formats"],
