@@ -15,7 +15,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from msvc import AS_MSVC
+from msvc import AS_MSVC, fp_fast
 
 HERE = Path(__file__).resolve().parent
 INCLUDE = HERE.parent.parent / "include"
@@ -108,6 +108,18 @@ class Lanes(unittest.TestCase):
                         with self.subTest(compiler=compiler, machine=machine, flags=flags, lanes=lanes):
                             found = digests(compiler, *setting, *LANES, *lanes, flags=(*flags, f"-march={machine}"))
                             self.assertEqual(found, scalar(*setting))
+
+    def test_what_clang_makes_of_fp_fast(self):
+        self.assertLessEqual({"-ffast-math", "-ffp-contract=fast", "-ffinite-math-only", "-fno-signed-zeros"},
+                             {*fp_fast(COMPILERS[-1])})
+
+    @unittest.skipUnless(THOROUGH, "each is a compilation with optimization")
+    def test_fixed_bits_do_not_follow_fp_fast(self):
+        flags = ("-O1", *fp_fast(COMPILERS[-1]))
+        for setting, is_same in ((SETTINGS[2], True), (SETTINGS[0], False)):  # that it does something is seen by HN_FAST
+            messages, program = as_msvc(*setting, flags=flags)
+            self.assertEqual(messages, "")
+            self.assertEqual(printed(program) == scalar(*setting), is_same)
 
     def test_numbers_of_a_word_are_the_same_with_every_setting(self):
         exact = ("pcg3d", "gaussian", "ball", "sobol", "shuffle")
