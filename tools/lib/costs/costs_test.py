@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import io
+import re
 import sys
 import tempfile
 import unittest
@@ -11,6 +12,7 @@ from pathlib import Path
 from unittest import mock
 
 from costs import command, table as costs
+from tree import ROOT
 
 WITHIN = """kind,name,value,before
 budget,tests,100,
@@ -75,6 +77,20 @@ BURN = "import time; end = time.process_time() + {}\nwhile time.process_time() <
 def burning(name: str, seconds: float, status: int = 0, **properties: object) -> dict:
     return {"name": name, "command": [sys.executable, "-c", f"{BURN.format(seconds)}raise SystemExit({status})"],
             "properties": [{"name": key, "value": value} for key, value in properties.items()]}
+
+
+class Page(unittest.TestCase):
+    def test_what_cpu_md_says_of_an_instruction_set_is_what_was_measured(self) -> None:
+        """A build of hn-bench-cpu is almost nothing but the kernels of three sets."""
+        text = (ROOT / "docs" / "cpu.md").read_text(encoding="utf-8")
+        said = re.search(r"Each set takes about (\d+) seconds of processor time", text)
+        self.assertIsNotNone(said, "docs/cpu.md no longer says how long an instruction set takes")
+        measured = costs.read_file(command.TABLE)[("build", "bench-cpu")].value / 3
+        self.assertTrue(self.is_about(float(said[1]), measured), f"docs/cpu.md says {said[1]} s; it is {measured:.0f} s")
+        self.assertFalse(self.is_about(float(said[1]), measured * 2))
+
+    def is_about(self, said: float, measured: float) -> bool:
+        return abs(said - measured) <= measured / 4
 
 
 class Recording(unittest.TestCase):
