@@ -40,7 +40,15 @@ class InstructionSets(unittest.TestCase):
         self.assertNotEqual(done.returncode, 0)
         said = " ".join(done.stderr.split())
         self.assertIn('HASHNOISE_INSTRUCTION_SETS has "sse2".', said)
+        self.assertNotIn("did you mean", said)
         self.assertRegex(said, r"all, native, or a list of these sets of \w+: (sse4\.1, avx2, avx512|neon|generic)\.")
+
+    def test_another_spelling_is_an_error_that_has_the_name(self):
+        right, other = {"x86_64": ("sse4.1", "SSE41"), "aarch64": ("neon", "Neon")}.get(os.uname().machine,
+                                                                                        ("native", "Native"))
+        done = self.configure(other)
+        self.assertNotEqual(done.returncode, 0)
+        self.assertIn(f"(did you mean {right}?)", " ".join(done.stderr.split()))
 
 
 if __name__ == "__main__":
