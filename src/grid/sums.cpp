@@ -264,8 +264,8 @@ void at_points(const Batch& batch, const Options& options, Octave octave) {
   for (int i = 0; i < b.count; i += kCount) store(b, i, sum.at(At::of(b, i, given)));
 }
 
-// Where some points are, as positions or as whole positions. The arrays are of numbers, since those of vectors would be
-// filled with zeros first.
+// Where some points are, as positions or as whole positions, along the first axes. The arrays are of numbers, since
+// those of vectors would be filled with zeros first.
 template <int D, bool kIsWhole, int kPoints>
 class Spots {
  public:
@@ -273,8 +273,8 @@ class Spots {
   HN_I_INLINE void keep(int i, const Octaves& o) {
     if constexpr (kIsWhole) {
       keep_whole(i, 0, o.x);
-      keep_whole(i, 1, o.y);
-      if constexpr (D == 3) keep_whole(i, 2, o.z);
+      if constexpr (D > 1) keep_whole(i, 1, o.y);
+      if constexpr (D > 2) keep_whole(i, 2, o.z);
     } else {
       o.p.x.store(at_[0] + i);
       o.p.y.store(at_[1] + i);
@@ -285,8 +285,8 @@ class Spots {
   HN_I_INLINE void put(int i, Octaves& o) const {
     if constexpr (kIsWhole) {
       o.x = whole(i, 0);
-      o.y = whole(i, 1);
-      if constexpr (D == 3) o.z = whole(i, 2);
+      if constexpr (D > 1) o.y = whole(i, 1);
+      if constexpr (D > 2) o.z = whole(i, 2);
       hn_i_update_place(o);
     } else {
       o.p = vector_of<Fraction<D>, D>([&](int axis) HN_I_INLINED { return Float::load(at_[axis] + i); });
@@ -332,8 +332,10 @@ class Spots {
 
 constexpr int kVectors = kPointsAtOnce / kCount;
 
-// What an octave leaves to the next one, at some vectors of points.
-template <int D, typename Position, bool kCarries>
+// What an octave leaves to the next one, at some vectors of points. Along a row of a tile, whose octaves are not
+// turned, all points have one coordinate along each other axis. Those are in `across`, so that what depends on them
+// alone is computed once.
+template <int D, typename Position, bool kCarries, bool kIsRow>
 class Reached {
  public:
   template <typename Octaves>
@@ -343,7 +345,11 @@ class Reached {
     if constexpr (kCarries) o.sum.carried.store(carried_ + vector * kCount);
   }
   template <typename Octaves>
-  HN_I_INLINE void put(int vector, Octaves& o) const {
+  HN_I_INLINE void put(int vector, Octaves& o, const Octaves& across) const {
+    if constexpr (kIsRow) {
+      o.y = across.y;
+      if constexpr (D == 3) o.z = across.z;
+    }
     spots_.put(vector * kCount, o);
     put_sum(vector, o);
   }
@@ -367,7 +373,7 @@ class Reached {
   HN_I_INLINE bool is_at_seam() const { return is_at_wrap(spots_.cell(0)); }
   // An octave along a row, if it is not turned: by columns. `add` takes the noise at a vector of points.
   template <typename Columns, typename Octaves, typename Add>
-  HN_I_INLINE void by_columns(int vectors, Octaves& o, const Add& add) const {
+  HN_I_INLINE void by_columns(int vectors, Octaves& o, Octaves across, const Add& add) const {
     Columns columns;
     over_columns(
         columns, 0, vectors * kCount, o.seed,
@@ -375,7 +381,7 @@ class Reached {
           return Columns::earliest(static_cast<std::uint32_t>(spots_.cell(i)), spots_.half(i));
         },
         [&](int i) HN_I_INLINED {
-          put(i / kCount, o);
+          put(i / kCount, o, across);
           return o.place;
         },
         [&](int i, hn_i_num n) HN_I_INLINED { add(i / kCount, hn_i_value(n)); });
@@ -408,15 +414,16 @@ class Reached {
   static constexpr int kPoints = kVectors * kCount;
   using Number = decltype(hn_i_num()[0]);
 
-  Spots<D, kIsWhole, kPoints + kCount> spots_;
+  Spots<kIsRow ? 1 : D, kIsWhole, kPoints + kCount> spots_;
   Number value_[kPoints], carried_[kCarries ? kPoints : 1];
 };
 
 // Octave by octave over some points, in place of point by point over the octaves. So what all points of an octave
 // share, such as the mixed seed and constants, is made once for them, and no point waits for its octave before. Along a
-// row whose points are near each other, those in one piece of the lattice share more: by columns in octaves that are not
-// turned, which are the first one and all of a tile, and by runs in others.
-template <int D, typename At, typename Noise, typename Sum, typename Columns = void, typename Pieces = void>
+// row whose points are near each other, those in one piece of the lattice share more: by columns in octaves that are
+// not turned, which are the first one and all of a tile, and by runs in others.
+template <int D, typename At, typename Noise, typename Sum, bool kIsRow, typename Columns = void,
+          typename Pieces = void>
 void by_octaves(const Batch& batch, const Options& options, Octave octave) {
   const Batch b = batch;
   const Given<D> given(options);
@@ -424,12 +431,13 @@ void by_octaves(const Batch& batch, const Options& options, Octave octave) {
   const Noise noise(octave);
   const hn_i_num total = hn_i_total(hn_i_octaves(given.octaves), hn_i_gain(given.gain), HN_I_WEIGHT_ONE);
   constexpr bool kIsTiled = std::is_same_v<At, Tiles<D>>;
-  Reached<D, decltype(At::of(b, 0, given)), Sum::kCarries> reached;
+  Reached<D, decltype(At::of(b, 0, given)), Sum::kCarries, kIsRow> reached;
   for (int start = 0; start < b.count; start += kVectors * kCount) {
     const int left = (b.count - start) / kCount;
     const int vectors = left < kVectors ? left : kVectors;
     auto o = octaves_at(At::of(b, start, given), given);
     for (int v = 0; v < vectors; ++v) reached.keep(v, octaves_at(At::of(b, start + v * kCount, given), given));
+    auto across = o;
     double step = b.step, scale = 1.0;
     for (int number = 1;; ++number) {
       const bool more = number < options.octaves;
@@ -444,7 +452,7 @@ void by_octaves(const Batch& batch, const Options& options, Octave octave) {
       if constexpr (!std::is_void_v<Columns>) {
         const bool is_turned = !kIsTiled && number > 1;
         if (!is_turned && step <= Columns::kMostStep && !(kIsTiled && reached.is_at_seam())) {
-          reached.template by_columns<Columns>(vectors, o, add);
+          reached.template by_columns<Columns>(vectors, o, across, add);
           is_added = true;
         }
       }
@@ -457,11 +465,12 @@ void by_octaves(const Batch& batch, const Options& options, Octave octave) {
       scale *= static_cast<double>(options.lacunarity < 0.0f ? -options.lacunarity : options.lacunarity);
       step = (b.step + b.rounding) * scale;
       for (int v = 0; v < vectors && !is_added; ++v) {
-        reached.put(v, o);
+        reached.put(v, o, across);
         if (o.place.tiled) o.place.period = period;
         add(v, noise.octave(o.place, o.seed));
       }
       if (!more) break;
+      if constexpr (kIsRow) hn_i_advance(across);
       o.seed += HN_I_SEED_STEP;
       o.sum.weight = hn_i_weight_times(o.sum.weight, o.sum.gain);
     }
@@ -506,8 +515,8 @@ SumKernels without_period() {
 template <int D, typename Noise, typename Sum, typename Columns, typename Pieces>
 SumKernels octave_by_octave() {
   SumKernels k{};
-  k.at = loops_of<by_octaves<D, FromPositions<D>, Noise, Sum, Columns, Pieces>, Columns>();
-  k.in = loops_of<by_octaves<D, FromCells<D>, Noise, Sum, Columns, Pieces>, Columns>();
+  k.at = loops_of<by_octaves<D, FromPositions<D>, Noise, Sum, false, Columns, Pieces>, Columns>();
+  k.in = loops_of<by_octaves<D, FromCells<D>, Noise, Sum, false, Columns, Pieces>, Columns>();
   return k;
 }
 template <int D, typename Sum>
@@ -533,7 +542,8 @@ void enter_inlined(SumKernels (&sums)[grid::kSums][4]) {
   sums[grid::kFbm][D - 1] = octave_by_octave<D, Noise, Fbm, Columns, Pieces>();
   sums[grid::kRidged][D - 1] = octave_by_octave<D, Noise, Ridged, Columns, Pieces>();
   if constexpr (!std::is_void_v<Columns>) {
-    sums[grid::kFbm][D - 1].tile = loops_of<by_octaves<D, Tiles<D>, Noise, Fbm, Columns>, Columns>();
+    sums[grid::kFbm][D - 1].tile = {by_octaves<D, Tiles<D>, Noise, Fbm, false>,
+                                    by_octaves<D, Tiles<D>, Noise, Fbm, true, Columns>};
   }
 }
 
