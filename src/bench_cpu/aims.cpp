@@ -5,8 +5,8 @@
 namespace hn {
 
 std::string_view name_of(Comparison comparison) {
-  constexpr std::array<std::string_view, kComparisons> kNames = {"grids",   "points", "fixed",
-                                                                 "precise", "lists",  "threads"};
+  constexpr std::array<std::string_view, kComparisons> kNames = {"grids",   "points", "octaves", "fixed",
+                                                                 "precise", "tiles",  "lists",   "threads"};
   return kNames[static_cast<std::size_t>(comparison)];
 }
 
@@ -19,7 +19,9 @@ std::optional<double> aim_of(Comparison comparison, const Subject& subject) {
     case Comparison::lists:
       return 0.5;
     case Comparison::points:
+    case Comparison::octaves:
     case Comparison::precise:
+    case Comparison::tiles:
     case Comparison::threads:
       return std::nullopt;
   }

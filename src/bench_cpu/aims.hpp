@@ -12,12 +12,14 @@ namespace hn {
 enum class Comparison {
   grids,    // ours over FastNoise2's
   points,   // the same at a list of points
+  octaves,  // ours over FastNoise2's, where the octaves of ours are grids that are not turned
   fixed,    // HN_FIXED over HN_FAST
   precise,  // HN_PRECISE over HN_FAST
+  tiles,    // with a period over without
   lists,    // at points over on a grid
   threads,  // by two threads over by one
 };
-inline constexpr std::size_t kComparisons = 6;
+inline constexpr std::size_t kComparisons = 8;
 std::string_view name_of(Comparison comparison);
 
 // How large it is to be, or nothing if nobody has said.

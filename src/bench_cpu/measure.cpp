@@ -25,6 +25,8 @@ struct Places {
   std::size_t points = 0;
   std::size_t fixed = 0;
   std::size_t precise = 0;
+  std::size_t tiles = 0;
+  std::optional<std::size_t> octaves;
   std::optional<std::size_t> other_grid;
   std::optional<std::size_t> other_points;
   std::optional<std::size_t> two_threads;
@@ -58,6 +60,8 @@ class Works {
     } else {
       places.points = add_points(set);
     }
+    if (theirs && subject_.sum == "fbm") places.octaves = add_octaves(set);
+    places.tiles = add_tiles(set);
     places.fixed = add_ours(set, Arithmetic::kFixed, [this](const auto& field) { field.fill(grid<D>(), out_); });
     places.precise = add_ours(set, Arithmetic::kPrecise, [this](const auto& field) { field.fill(grid<D>(), out_); });
     if (with_threads) {
@@ -85,6 +89,43 @@ class Works {
     return add_ours(set, hashnoise::Arithmetic::kFast, [this](const auto& field) { field.fill(points_, out_); });
   }
 
+  std::size_t add_tiles(hashnoise::InstructionSet set) {
+    hashnoise::Settings settings = settings_of(subject_, hashnoise::Arithmetic::kFast, set);
+    settings.period.fill(1000);
+    const auto field = std::make_shared<const hashnoise::Field<D>>(settings);
+    return add_work([this, field] { field->fill(grid<D>(), out_); });
+  }
+
+  // Grids of the noise, added up in parts that stay in a cache.
+  std::size_t add_octaves(hashnoise::InstructionSet set) {
+    hashnoise::Settings settings = settings_of(subject_, hashnoise::Arithmetic::kFast, set);
+    settings.sum.clear();
+    settings.octaves.reset();
+    std::vector<std::shared_ptr<const hashnoise::Field<D>>> fields;
+    for (int octave = 0; octave < kOctaves; ++octave) {
+      fields.push_back(std::make_shared<const hashnoise::Field<D>>(settings));
+      ++settings.seed;
+    }
+    constexpr int kParts = 64;
+    octave_.resize(kPoints / kParts);
+    return add_work([this, fields] {
+      for (int part = 0; part < kParts; ++part) {
+        auto part_grid = grid<D>();
+        part_grid.size[D - 1] /= kParts;
+        part_grid.first[D - 1] = part * part_grid.size[D - 1];
+        float weight = 1.0f / (2.0f - std::ldexp(1.0f, 1 - kOctaves));
+        float* const sum = out_.data() + static_cast<std::size_t>(part) * octave_.size();
+        std::fill_n(sum, octave_.size(), 0.0f);
+        for (const auto& field : fields) {
+          field->fill(part_grid, octave_);
+          for (std::size_t i = 0; i < octave_.size(); ++i) sum[i] += weight * octave_[i];
+          weight *= 0.5f;
+          for (float& step : part_grid.step) step *= 2.0f;
+        }
+      }
+    });
+  }
+
   std::span<float> one_plane() { return std::span(out_).first(kPoints); }
 
   const Subject& subject_;
@@ -92,6 +133,7 @@ class Works {
   hashnoise::Points<D> points_;
   std::vector<std::span<const float>> spans_;
   std::vector<float> out_;
+  std::vector<float> octave_;  // of a part of it
   hashnoise::Executor two_threads_ = hashnoise::threads(2);
   std::vector<std::function<void()>> works_;
 };
@@ -102,8 +144,10 @@ void evaluate(Measurement& measurement, const Places& places, const std::vector<
   };
   add(Comparison::grids, places.fast, places.other_grid);
   add(Comparison::points, places.points, places.other_points);
+  if (places.octaves) add(Comparison::octaves, *places.octaves, places.other_grid);
   add(Comparison::fixed, places.fixed, places.fast);
   add(Comparison::precise, places.precise, places.fast);
+  add(Comparison::tiles, places.tiles, places.fast);
   add(Comparison::lists, places.points, places.fast);
   if (places.two_threads) add(Comparison::threads, *places.two_threads, places.fast);
   const auto tell = [&](const char* name, std::optional<std::size_t> place) {
@@ -112,6 +156,7 @@ void evaluate(Measurement& measurement, const Places& places, const std::vector<
   tell("fast", places.fast);
   tell("fixed", places.fixed);
   tell("precise", places.precise);
+  tell("tiles", places.tiles);
   tell("points", places.points);
   tell("two threads", places.two_threads);
   tell("FastNoise2", places.other_grid);

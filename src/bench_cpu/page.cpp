@@ -65,9 +65,14 @@ constexpr Section kSections[] = {
      "HN_FAST. The aim stands behind each noise."},
     {Comparison::points, "Lists of points, beside FastNoise2",
      "The same at a million points that are passed. There is no aim."},
+    {Comparison::octaves, "Octaves that are not turned, beside FastNoise2",
+     "FastNoise2 does not turn the octaves of a sum. Here they are not turned either: each is a grid of the noise, "
+     "twice as dense as the one before and with a seed of its own, and the grids are added up. There is no aim."},
     {Comparison::fixed, "HN_FIXED beside HN_FAST",
      "How many times as fast as with HN_FAST a grid is filled with HN_FIXED. The aim is 0.6."},
     {Comparison::precise, "HN_PRECISE beside HN_FAST", "The same with HN_PRECISE. There is no aim."},
+    {Comparison::tiles, "Tiles beside grids without a period",
+     "How many times as fast as without a period a grid with one of 1000 cells is filled. There is no aim."},
     {Comparison::lists, "Lists of points beside grids",
      "How many times as fast as a grid a list of the same points is computed. The aim is 0.5."},
     {Comparison::threads, "Two threads beside one",
@@ -113,8 +118,8 @@ std::string python_section(const CpuRun& run) {
 }
 
 std::string rates_section(const CpuRun& run) {
-  const std::vector<std::string> columns = {"fast",        "fixed",      "precise",          "points",
-                                            "two threads", "FastNoise2", "FastNoise2 points"};
+  const std::vector<std::string> columns = {"fast",   "fixed",       "precise",    "tiles",
+                                            "points", "two threads", "FastNoise2", "FastNoise2 points"};
   std::vector<std::string> head = {"noise", "instructions"};
   head.insert(head.end(), columns.begin(), columns.end());
   std::string text =

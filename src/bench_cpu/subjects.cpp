@@ -38,7 +38,7 @@ hashnoise::Settings settings_of(const Subject& subject, hashnoise::Arithmetic ar
   settings.sum = subject.sum;
   settings.arithmetic = arithmetic;
   settings.seed = 7;
-  if (!subject.sum.empty()) settings.octaves = 6;
+  if (!subject.sum.empty()) settings.octaves = kOctaves;
   settings.instruction_set = set;
   return settings;
 }

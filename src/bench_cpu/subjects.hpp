@@ -22,6 +22,7 @@ struct Subject {
 };
 
 std::vector<Subject> subjects();
+inline constexpr int kOctaves = 6;
 
 hashnoise::Settings settings_of(const Subject& subject, hashnoise::Arithmetic arithmetic,
                                 hashnoise::InstructionSet set);

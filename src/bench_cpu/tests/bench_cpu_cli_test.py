@@ -62,7 +62,7 @@ class BenchCpu(unittest.TestCase):
         report = self.report()
         self.assertEqual({entry["id"] for entry in report["measurements"]}, {"perlin2"})
         for entry in report["measurements"]:
-            self.assertLessEqual({"fixed", "precise", "lists"}, set(entry["ratios"]))
+            self.assertLessEqual({"fixed", "precise", "tiles", "lists"}, set(entry["ratios"]))
             self.assertNotIn("grids", entry["ratios"])
             for ratio in entry["ratios"].values():
                 self.assertGreater(ratio["ratio"], 0)

@@ -80,7 +80,9 @@ TEST(Aims, AreThoseOfTheProject) {
     EXPECT_EQ(aim_of(Comparison::grids, subject), found == higher.end() ? 1.0 : found->second) << subject.id;
     EXPECT_EQ(aim_of(Comparison::fixed, subject), 0.6);
     EXPECT_EQ(aim_of(Comparison::lists, subject), 0.5);
-    EXPECT_FALSE(aim_of(Comparison::threads, subject));
+    for (const Comparison comparison : {Comparison::octaves, Comparison::tiles, Comparison::threads}) {
+      EXPECT_FALSE(aim_of(comparison, subject)) << name_of(comparison);
+    }
   }
 }
 
