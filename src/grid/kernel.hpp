@@ -40,8 +40,26 @@ enum SumId {
 
 constexpr int kMostComponents = 5;  // a value and four derivatives
 
-// The numbers that a function takes beside the point.
+struct Batch;
+struct Options;
+
+// A noise that a sum calls, of lanes; its type is known to loops.hpp alone.
+using Octave = void (*)();
+
+using Kernel = void (*)(const Batch& batch, const Options& options, Octave octave);
+
+// The kernels of a function; null where there is none.
+struct Loops {
+  Kernel points;
+  // `points` itself if that is not faster:
+  Kernel row;   // where only the coordinates along x differ
+  Kernel line;  // of points that lie on a straight line, as far from each other as a batch says
+};
+constexpr Loops always(Kernel kernel) { return {kernel, kernel, kernel}; }
+
+// What a function takes beside the point.
 struct Options {
+  Loops noise;  // of which a sum is made
   std::int32_t sum;  // SumId
   std::uint32_t seed;
   std::int32_t period[4];
@@ -63,25 +81,13 @@ struct Batch {
   const std::int32_t* cell[4];  // null for a sum at positions
   const float* place[4];        // in the cell, or the position
   int stride[4];
-  // How far points are from each other along x, in cells, where they lie in a row of a grid; and how much further a
-  // rounding may take some of them. There their coordinates along other axes have the stride 0.
+  // How far points are from each other, in cells, where they lie in a row of a grid, whose coordinates along other axes
+  // have the stride 0, or on another straight line; and how much further a rounding may take some of them.
   double step = std::numeric_limits<double>::infinity();
   double rounding = 0.0;
   float* value[kMostComponents];
 };
 constexpr int kMostLanes = 16;
-
-// A noise that a sum calls, of lanes; its type is known to loops.hpp alone.
-using Octave = void (*)();
-
-using Kernel = void (*)(const Batch& batch, const Options& options, Octave octave);
-
-// The kernels of a function; null where there is none.
-struct Loops {
-  Kernel points;
-  Kernel row;  // where only the coordinates along x differ; `points` itself if that is not faster
-};
-constexpr Loops both(Kernel kernel) { return {kernel, kernel}; }
 
 struct NoiseKernels {
   Loops plain;
@@ -91,7 +97,7 @@ struct NoiseKernels {
   Octave octave;
   Octave octave_full;  // with a period
 };
-struct SumKernels {
+struct SumKernels {  // whose `line` nobody asks for
   Loops at;    // at positions
   Loops in;    // in cells
   Loops tile;  // with a period, of both
@@ -100,7 +106,6 @@ struct SumKernels {
 struct Kernels {
   NoiseKernels noises[kNoises][4];  // by dimensions less 1
   SumKernels sums[kSums][4];
-  SumKernels sums_of[kNoises][kSums][4];  // the same without a call for each octave; null where that is not worth it
   // The cells of positions along an axis, and the places in them.
   void (*split)(const float* position, int count, std::int32_t* cell, float* place);
   // Widens kMostLanes ranges, of which any may take any of the numbers.

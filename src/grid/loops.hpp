@@ -21,6 +21,8 @@ using grid::Kernel;
 using grid::Octave;
 using grid::Options;
 
+using Number = decltype(hn_i_num()[0]);
+
 // What is kept for so many points of a row stays in the first cache.
 constexpr int kPointsAtOnce = 256;
 

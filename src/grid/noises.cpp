@@ -1,6 +1,7 @@
 // The kernels of noises, for one instruction set and one arithmetic: the text of the library in a loop.
 #include "columns.hpp"
 #include "loops.hpp"
+#include "runs.hpp"
 #include "tables.hpp"
 
 namespace hashnoise::inline HN_I_NAMESPACE {
@@ -70,6 +71,28 @@ HN_GRID_COLUMNS(simplex_smooth, SmoothSimplexColumns)
 HN_GRID_COLUMNS(cellular, CellularColumns)
 #endif
 
+// What a noise has for points on a line. In a tile octaves are not turned, so no line but a row is asked for.
+template <int D, typename Noise>
+struct PiecesOf {
+  using Type = void;
+};
+#ifdef HN_GRID_HAS_WINDOWS
+template <int D>
+requires(D == 2 || D == 3)
+struct PiecesOf<D, value_plain> {
+  using Type = ValuePieces<D>;
+};
+template <int D>
+requires(D == 2 || D == 3)
+struct PiecesOf<D, perlin_plain> {
+  using Type = PerlinPieces<D>;
+};
+template <>
+struct PiecesOf<2, simplex_plain> {
+  using Type = SimplexPieces;
+};
+#endif
+
 template <int D, typename Noise>
 void at_points(const Batch& batch, const Options& options, Octave) {
   const Batch b = batch;
@@ -112,6 +135,28 @@ void along_row(const Batch& batch, const Options& options, Octave) {
     f.x = Float::load(b.place[0] + i);
     store(b, i, Noise::template at<D>(hn_place(cell, f), given));
   }
+}
+
+// Along another line.
+template <int D, typename Noise>
+void along_line(const Batch& batch, const Options& options, Octave octave) {
+#ifdef HN_GRID_HAS_WINDOWS
+  using Pieces = typename PiecesOf<D, Noise>::Type;
+  if (batch.step <= Pieces::kMostStep) {
+    const Batch b = batch;
+    const Uint seed(options.seed);
+    Pieces pieces;
+    for (int start = 0; start < b.count; start += kPointsAtOnce) {
+      const int left = b.count - start;
+      over_runs(
+          pieces, (left < kPointsAtOnce ? left : kPointsAtOnce) / kCount, seed,
+          [&](int v) HN_I_INLINED { return places_at<D>(b, start + v * kCount); },
+          [&](int v, hn_i_num n) HN_I_INLINED { store(b, start + v * kCount, hn_i_value(n)); });
+    }
+    return;
+  }
+#endif
+  at_points<D, Noise>(batch, options, octave);
 }
 
 // A noise for sums, and for kernels of its own that call it: see OctaveOf.
@@ -159,7 +204,7 @@ struct Called<D, Noise, std::index_sequence<Axis...>> {
   }
 };
 
-using grid::both;
+using grid::always;
 using grid::NoiseKernels;
 
 // The kernels of a noise.
@@ -181,22 +226,23 @@ NoiseKernels kernels_of() {
   constexpr bool kIsCalled = HN_ARITHMETIC == HN_FIXED && D == 3 && kIsSearched;
   NoiseKernels k{};
   if constexpr (kIsCalled) {
-    k.plain = both(Called<D, Plain>::plain_at_points);
-    k.full = both(Called<D, Full>::tiled_at_points);
+    k.plain = always(Called<D, Plain>::plain_at_points);
+    k.full = always(Called<D, Full>::tiled_at_points);
   } else {
-    k.plain = both(at_points<D, Plain>);
-    k.full = both(at_points<D, Full>);
+    k.plain = always(at_points<D, Plain>);
+    k.full = always(at_points<D, Full>);
   }
   if constexpr (kIsFasterInRows) k.plain.row = along_row<D, Plain>;
   if constexpr (!std::is_void_v<typename ColumnsOf<D, Full>::Type>) k.full.row = along_row<D, Full>;
+  if constexpr (!std::is_void_v<typename PiecesOf<D, Plain>::Type>) k.plain.line = along_line<D, Plain>;
   if constexpr (kIsSummed) {
     k.octave = reinterpret_cast<Octave>(&Called<D, Plain>::plain);
     k.octave_full = reinterpret_cast<Octave>(&Called<D, Full>::tiled);
   }
   constexpr bool kHasPhase = takes == grid::Takes::kPhase || takes == grid::Takes::kJitterAndMetricAndPhase;
   if constexpr (kHasPhase && kIsFlatOrInSpace) {
-    k.phase = both(at_points<D, Phase>);
-    k.phase_full = both(at_points<D, PhaseFull>);
+    k.phase = always(at_points<D, Phase>);
+    k.phase_full = always(at_points<D, PhaseFull>);
   }
   if constexpr (takes == grid::Takes::kPhaseAndWave) {
     k.phase = k.plain;

@@ -180,14 +180,11 @@ void plan_sum(Plan& plan, const Settings& settings, NoiseId noise, SumId id, boo
   plan.options.strength = checked(strength_rule(row), strength_of(settings, row));
   const NoiseKernels& of = plan.kernels->noises[noise][plan.dimensions - 1];
   plan.options.sum = settings.detail ? kDetail : settings.footprint ? kFootprint : id;
-  SumKernels kernels = plan.kernels->sums[plan.options.sum][plan.dimensions - 1];
-  const SumKernels& faster = plan.kernels->sums_of[noise][plan.options.sum][plan.dimensions - 1];
-  if (faster.at.points != nullptr) kernels.at = faster.at;
-  if (faster.in.points != nullptr) kernels.in = faster.in;
-  if (faster.tile.points != nullptr) kernels.tile = faster.tile;
+  const SumKernels& kernels = plan.kernels->sums[plan.options.sum][plan.dimensions - 1];
   plan.takes_positions = true;
   plan.shape = row.shape;
   plan.octave = tiled ? of.octave_full : of.octave;
+  plan.options.noise = tiled ? of.full : of.plain;
   if (settings.detail || settings.footprint) {
     plan.options.limit =
         settings.detail ? checked(kDetailRule, settings.detail) : checked(kFootprintRule, settings.footprint);

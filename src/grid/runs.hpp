@@ -265,25 +265,44 @@ class SimplexPieces {
   Corners<kGradient2, kMostRuns> first_, right_, left_, last_;
 };
 
-// Some vectors of points in a row: uses the noise at each, whose place place_at gives. keep_starts keeps the places of
-// those that begin a run, behind so many runs before, and place_of_start gives those of runs again.
-template <typename Pieces, typename PlaceAt, typename KeepStarts, typename PlaceOfStart, typename Use>
-HN_I_INLINE void over_runs(Pieces& pieces, int vectors, Uint seed, const PlaceAt& place_at,
-                           const KeepStarts& keep_starts, const PlaceOfStart& place_of_start, const Use& use) {
+// Some vectors of points on a line: uses the noise at each, whose place place_at gives.
+template <typename Pieces, typename PlaceAt, typename Use>
+HN_I_INLINE void over_runs(Pieces& pieces, int vectors, Uint seed, const PlaceAt& place_at, const Use& use) {
+  using Place = decltype(place_at(0));
+  constexpr int kAxes = sizeof(Place::cell) / sizeof(Int);
   Starts starts[kMostVectors];
   int run[kMostVectors];
+  std::int32_t cell[kAxes][kMostRuns];  // of the places that begin a run
+  Number fraction[kAxes][kMostRuns];
   int runs = 0;
   Uint before(0u);
   for (int v = 0; v < vectors; ++v) {
-    const Uint key = Pieces::key(place_at(v));
+    const Place place = place_at(v);
+    const Uint key = Pieces::key(place);
     starts[v] = Starts(key, before);
     before = key;
     if (v == 0) starts[v].set_first();
     run[v] = starts[v].first() ? runs : runs - 1;
-    keep_starts(v, starts[v], runs);
+    const auto keep = [&](int axis, Int c, hn_i_num f) HN_I_INLINED {
+      starts[v].of(c).store(cell[axis] + runs);
+      starts[v].of(f).store(fraction[axis] + runs);
+    };
+    keep(0, place.cell.x, place.fraction.x);
+    keep(1, place.cell.y, place.fraction.y);
+    if constexpr (kAxes == 3) keep(2, place.cell.z, place.fraction.z);
     runs += starts[v].count();
   }
-  for (int i = 0; i < runs; i += kCount) pieces.put(i, place_of_start(i), seed);
+  for (int i = 0; i < runs; i += kCount) {
+    Place place{};
+    const auto put = [&](int axis, Int& c, hn_i_num& f) HN_I_INLINED {
+      c = Int::load(cell[axis] + i);
+      f = hn_i_num::load(fraction[axis] + i);
+    };
+    put(0, place.cell.x, place.fraction.x);
+    put(1, place.cell.y, place.fraction.y);
+    if constexpr (kAxes == 3) put(2, place.cell.z, place.fraction.z);
+    pieces.put(i, place, seed);
+  }
   for (int v = 0; v < vectors; ++v) use(v, pieces.noise(run[v], starts[v].index(), place_at(v)));
 }
 

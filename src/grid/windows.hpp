@@ -59,7 +59,6 @@ HN_I_INLINE Lanes<S> of_either(const S* a, Int index_a, const S* b, Int index_b,
 #endif
 }
 
-using Number = decltype(hn_i_num()[0]);
 HN_I_INLINE hn_i_num one() { return hn_i_num(Number{1}); }
 
 // A gradient as it is kept: a direction, and by how much it is to be lengthened. With HN_FAST it is lengthened before
