@@ -7,6 +7,8 @@
 #include <numeric>
 #include <utility>
 
+#include "bench_cpu/add.hpp"
+
 namespace hn {
 namespace {
 
@@ -114,11 +116,11 @@ class Works {
         part_grid.size[D - 1] /= kParts;
         part_grid.first[D - 1] = part * part_grid.size[D - 1];
         float weight = 1.0f / (2.0f - std::ldexp(1.0f, 1 - kOctaves));
-        float* const sum = out_.data() + static_cast<std::size_t>(part) * octave_.size();
-        std::fill_n(sum, octave_.size(), 0.0f);
+        const auto sum = std::span(out_).subspan(static_cast<std::size_t>(part) * octave_.size(), octave_.size());
+        std::ranges::fill(sum, 0.0f);
         for (const auto& field : fields) {
           field->fill(part_grid, octave_);
-          for (std::size_t i = 0; i < octave_.size(); ++i) sum[i] += weight * octave_[i];
+          hn::add(sum, octave_, weight);
           weight *= 0.5f;
           for (float& step : part_grid.step) step *= 2.0f;
         }

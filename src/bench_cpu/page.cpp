@@ -93,6 +93,10 @@ std::string section_of(const CpuRun& run, const Section& section) {
   for (const hashnoise::InstructionSet set : sets) head.emplace_back(name(set));
   std::string text = fmt::format("## {}\n\n{}\n\n{}", section.title, section.text, head_of(head));
   for (const Subject& subject : subjects_of(run)) {
+    const bool is_compared = std::ranges::any_of(run.measurements, [&](const Measurement& m) {
+      return m.subject.id == subject.id && m.ratios.contains(section.comparison);
+    });
+    if (!is_compared) continue;
     const auto aim = aim_of(section.comparison, subject);
     std::vector<std::string> cells = {fmt::format("`{}`", subject.id)};
     if (own_aims) cells.push_back(fmt::format("{}", *aim));
