@@ -268,8 +268,6 @@ class SimplexColumns<3> {
   Gradients3 corners_, next_corners_, centres_, next_centres_;
 };
 
-#endif
-
 template <int D>
 class SmoothSimplexColumns;
 
@@ -469,6 +467,8 @@ class CellularColumns {
   hn_i_num jitter_;
   InColumns<D> points_[D == 2 ? 3 : 9];
 };
+
+#endif
 
 // Some points of a row, from `start` on and before `end`: uses the noise at each vector of them, whose place place_at
 // gives. earliest_at gives that of a single point. There are no more points than kPointsAtOnce.
