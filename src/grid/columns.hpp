@@ -398,7 +398,9 @@ class SmoothSimplexColumns<3> {
 };
 
 // The feature points of cellular noise in the Euclidean metric, in the cells of the row and in those around it. Columns
-// have the numbers of their cells. Offsets along x are kept as those of the middle of the cell.
+// have the numbers of their cells. Along x offsets from points are kept as those of the middle of the cell. What is
+// across is the same in all of the row, so its square is kept. In space that is so with HN_FIXED alone, since offsets of
+// floats come along the diagonals there.
 template <int D>
 class CellularColumns {
  public:
@@ -414,16 +416,15 @@ class CellularColumns {
     place.cell.x = number;
     const auto block = hn_i_block(place);
     const auto d = hn_i_from_centre(place.fraction);
-    const hn_i_num jitter = jitter_;
     const Uint s = hn_i_mix(seed);
     const hn_i_num3 middle = hn_i_equal_triple(hn_i_num(Number{0}));
     const hn_i_num3 y = hn_i_row(d.y);
     if constexpr (D == 2) {
       const hn_uvec3 words = hn_i_words_along_y(block, block.cell.x, s);
-      const hn_i_num3 from_x = hn_i_from_x(words, middle, jitter), from_y = hn_i_from_y(words, y, jitter);
-      points_[0].put(column, hn_i_vector(from_x.x, from_y.x));
-      points_[1].put(column, hn_i_vector(from_x.y, from_y.y));
-      points_[2].put(column, hn_i_vector(from_x.z, from_y.z));
+      const hn_i_num3 from_x = hn_i_from_x(words, middle, jitter_), from_y = hn_i_from_y(words, y, jitter_);
+      points_[0].put(column, kept(from_x.x, from_y.x));
+      points_[1].put(column, kept(from_x.y, from_y.y));
+      points_[2].put(column, kept(from_x.z, from_y.z));
     } else {
       const hn_i_num3 z = hn_i_row(d.z);
       const Uint cz[] = {block.previous.z, block.cell.z, block.following.z};
@@ -431,41 +432,62 @@ class CellularColumns {
       for (int slab = 0; slab < 3; ++slab) {
         const auto word = [&](Uint cy) HN_I_INLINED { return hn_i_seeded_word(uvec3(block.cell.x, cy, cz[slab]), s); };
         const hn_uvec3 words(word(block.previous.y), word(block.cell.y), word(block.following.y));
-        const hn_i_num3 u = hn_i_offsets_from_points(middle, hn_i_points_u(words), jitter);
-        const hn_i_num3 v = hn_i_offsets_from_points(middle, hn_i_points_v(words), jitter);
-        const hn_i_num3 w = hn_i_from_z(words, hn_i_equal_triple(offset[slab]), jitter);
-        points_[3 * slab].put(column, hn_i_vector(u.x, v.x, w.x));
-        points_[3 * slab + 1].put(column, hn_i_vector(u.y, v.y, w.y));
-        points_[3 * slab + 2].put(column, hn_i_vector(u.z, v.z, w.z));
+        const hn_i_num3 w = hn_i_from_z(words, hn_i_equal_triple(offset[slab]), jitter_);
+        // Along x, y and z with HN_FIXED, else along x + y, x - y and z, and the y of the row is left to the points.
+        const hn_i_num3 across = HN_ARITHMETIC == HN_FIXED ? y : middle;
+        const hn_i_num3 u = hn_i_from_u(words, middle, across, jitter_), v = hn_i_from_v(words, middle, across, jitter_);
+        points_[3 * slab].put(column, kept(u.x, v.x, w.x));
+        points_[3 * slab + 1].put(column, kept(u.y, v.y, w.y));
+        points_[3 * slab + 2].put(column, kept(u.z, v.z, w.z));
       }
     }
   }
   HN_I_INLINE vec2 noise(int column, Int index, const Place<D>& place) const {
     const auto d = hn_i_from_centre(place.fraction);
     const hn_i_num3 x = hn_i_row(d.x);
-    auto best = hn_i_far_away();
     [[maybe_unused]] const hn_i_num3 y = hn_i_row(d.y);
+    auto best = hn_i_far_away();
     for (int row = 0; row < (D == 2 ? 3 : 9); ++row) {
-      const auto a = points_[row].of(column - 1, index), b = points_[row].of(column, index);
-      const auto c = points_[row].of(column + 1, index);
-      const auto along = hn_i_vector(a.x, b.x, c.x);
-      if constexpr (D == 2) {
-        best = hn_i_insert(best, hn_i_squares(x + along, hn_i_vector(a.y, b.y, c.y)), 0, 1);
-      } else {
-        const hn_i_num3 across = hn_i_equal_triple(row % 3 == 0 ? y.x : row % 3 == 1 ? y.y : y.z);
-        best = hn_i_insert(
-            best,
-            hn_i_squares(hn_i_octahedral_u(x, across) + along,
-                         hn_i_octahedral_v(x, across) + hn_i_vector(a.y, b.y, c.y), hn_i_vector(a.z, b.z, c.z)),
-            0, 1);
-      }
+      const auto rank = [&](hn_i_num along, int next) HN_I_INLINED {
+        return square(points_[row].of(column + next, index), along, row % 3 == 0 ? y.x : row % 3 == 1 ? y.y : y.z);
+      };
+      best = hn_i_insert(best, hn_i_ranks(rank(x.x, -1), rank(x.y, 0), rank(x.z, 1)), 0, 1);
     }
     return hn_i_two_distances(best, HN_METRIC_EUCLIDEAN);
   }
 
  private:
+#if HN_ARITHMETIC == HN_FIXED
+  // A square as in hn_i_squares: by digits of 11 bits, of which the high one may be negative here.
+  static constexpr int kNumbers = 3;
+  HN_I_INLINE static Uint high_square(Int x) {
+    const Uint high = Uint(x >> 11);
+    return high * ((high << 10u) + Uint(x & 2047));
+  }
+  HN_I_INLINE static Uint low_square(Int x) { return Uint(x & 2047) * Uint(x & 2047); }
+  HN_I_INLINE static ivec3 kept(Int x, Int y, Int z = Int(0)) {
+    return ivec3(x, Int(high_square(y) + high_square(z)), Int(low_square(y) + low_square(z)));
+  }
+  HN_I_INLINE static Uint square(ivec3 point, Int x, Int) {
+    const Int from = x + point.x;
+    return Uint(point.y) + high_square(from) + ((Uint(point.z) + low_square(from)) >> 12u);
+  }
+#else
+  static constexpr int kNumbers = D;
+  HN_I_INLINE static vec2 kept(Float x, Float y) { return vec2(x, hn_i_times(y, y)); }
+  HN_I_INLINE static Float square(vec2 point, Float x, Float) {
+    const Float from = hn_i_plus(x, point.x);
+    return hn_i_times_plus(from, from, point.y);
+  }
+  HN_I_INLINE static vec3 kept(Float u, Float v, Float z) { return vec3(u, v, hn_i_times(z, z)); }
+  HN_I_INLINE static Float square(vec3 point, Float x, Float y) {
+    const Float u = hn_i_plus(hn_i_plus(x, y), point.x), v = hn_i_plus(hn_i_minus(x, y), point.y);
+    return hn_i_times_plus(hn_i_times_plus(u, u, hn_i_times(v, v)), 0.5f, point.z);
+  }
+#endif
+
   hn_i_num jitter_;
-  InColumns<D> points_[D == 2 ? 3 : 9];
+  InColumns<kNumbers> points_[D == 2 ? 3 : 9];
 };
 
 #endif
