@@ -399,8 +399,8 @@ class SmoothSimplexColumns<3> {
 
 // The feature points of cellular noise in the Euclidean metric, in the cells of the row and in those around it. Columns
 // have the numbers of their cells. Along x offsets from points are kept as those of the middle of the cell. What is
-// across is the same in all of the row, so its square is kept. In space that is so with HN_FIXED alone, since offsets of
-// floats come along the diagonals there.
+// across is the same in all of the row, so its square is kept. In space that is so with HN_FIXED alone, since offsets
+// of floats come along the diagonals there.
 template <int D>
 class CellularColumns {
  public:
@@ -435,7 +435,8 @@ class CellularColumns {
         const hn_i_num3 w = hn_i_from_z(words, hn_i_equal_triple(offset[slab]), jitter_);
         // Along x, y and z with HN_FIXED, else along x + y, x - y and z, and the y of the row is left to the points.
         const hn_i_num3 across = HN_ARITHMETIC == HN_FIXED ? y : middle;
-        const hn_i_num3 u = hn_i_from_u(words, middle, across, jitter_), v = hn_i_from_v(words, middle, across, jitter_);
+        const hn_i_num3 u = hn_i_from_u(words, middle, across, jitter_);
+        const hn_i_num3 v = hn_i_from_v(words, middle, across, jitter_);
         points_[3 * slab].put(column, kept(u.x, v.x, w.x));
         points_[3 * slab + 1].put(column, kept(u.y, v.y, w.y));
         points_[3 * slab + 2].put(column, kept(u.z, v.z, w.z));
