@@ -56,17 +56,23 @@ constexpr bool kIsWide = kCount > 4;
 //   noise(column, index, place)
 //                          the noise, from the earliest column and how far behind it the points' columns are
 //
-// The corners of Perlin noise: in each column there are two in the plane and four in space. Columns have the numbers of
-// their cells.
+// Columns may have the numbers of their cells.
 template <int D>
-class PerlinColumns {
+class InCells {
  public:
-  static constexpr double kMostStep = 0.85;
-  static constexpr int kBefore = 0;
   static constexpr int kBehind = 1;
 
   HN_I_INLINE static std::uint32_t earliest(std::uint32_t cell, std::uint32_t) { return cell; }
   HN_I_INLINE static Int number(const Place<D>& place) { return place.cell.x; }
+};
+
+// The corners of Perlin noise: in each column there are two in the plane and four in space.
+template <int D>
+class PerlinColumns : public InCells<D> {
+ public:
+  static constexpr double kMostStep = 0.85;
+  static constexpr int kBefore = 0;
+
   HN_I_INLINE void put(int column, Int number, Place<D> place, Uint seed) {
     place.cell.x = number;
     const auto box = hn_i_box(place);
@@ -109,16 +115,13 @@ class PerlinColumns {
   Gradients<D == 2 ? kGradient2 : kGradient3> corners_[D == 2 ? 2 : 4];
 };
 
-// The numbers of value noise. Columns have the numbers of their cells.
+// The numbers of value noise.
 template <int D>
-class ValueColumns {
+class ValueColumns : public InCells<D> {
  public:
   static constexpr double kMostStep = 0.85;
   static constexpr int kBefore = 0;
-  static constexpr int kBehind = 1;
 
-  HN_I_INLINE static std::uint32_t earliest(std::uint32_t cell, std::uint32_t) { return cell; }
-  HN_I_INLINE static Int number(const Place<D>& place) { return place.cell.x; }
   HN_I_INLINE void put(int column, Int number, Place<D> place, Uint seed) {
     place.cell.x = number;
     const auto box = hn_i_box(place);
@@ -205,16 +208,13 @@ class SimplexColumns<2> {
 
 // The points of simplex noise in space. Along y and z the row is in the same places of all cells. So it is the same
 // neighbour of the nearest corner in whose direction the row is, if it is not the one along x that is nearer: there are
-// two rows of corners, and two of centres. Columns have the numbers of their cells.
+// two rows of corners, and two of centres.
 template <>
-class SimplexColumns<3> {
+class SimplexColumns<3> : public InCells<3> {
  public:
   static constexpr double kMostStep = kIsWide ? 0.6 : 0.25;
   static constexpr int kBefore = 1;
-  static constexpr int kBehind = 1;
 
-  HN_I_INLINE static std::uint32_t earliest(std::uint32_t cell, std::uint32_t) { return cell; }
-  HN_I_INLINE static Int number(const Place<3>& place) { return place.cell.x; }
   HN_I_INLINE void put(int column, Int number, Place<3> place, Uint seed) {
     place.cell.x = number;
     const hn_i_block3 block = hn_i_block(place);
@@ -321,14 +321,11 @@ class SmoothSimplexColumns<2> {
 // The points of smooth simplex noise in space: corners and centres in the four rows of each that are next to the row.
 // The first bit of a row's number tells whether it is further off along y, and the second one, along z.
 template <>
-class SmoothSimplexColumns<3> {
+class SmoothSimplexColumns<3> : public InCells<3> {
  public:
   static constexpr double kMostStep = kIsWide ? 0.6 : 0.25;
   static constexpr int kBefore = 1;
-  static constexpr int kBehind = 1;
 
-  HN_I_INLINE static std::uint32_t earliest(std::uint32_t cell, std::uint32_t) { return cell; }
-  HN_I_INLINE static Int number(const Place<3>& place) { return place.cell.x; }
   HN_I_INLINE void put(int column, Int number, Place<3> place, Uint seed) {
     place.cell.x = number;
     const hn_i_block3 block = hn_i_block(place);
@@ -397,21 +394,16 @@ class SmoothSimplexColumns<3> {
   Gradients3 corners_[4], centres_[4];
 };
 
-// The feature points of cellular noise in the Euclidean metric, in the cells of the row and in those around it. Columns
-// have the numbers of their cells. Along x offsets from points are kept as those of the middle of the cell. What is
-// across is the same in all of the row, so its square is kept. In space that is so with HN_FIXED alone, since offsets
-// of floats come along the diagonals there.
+// The feature points of cellular noise in the Euclidean metric, in the cells of the row and in those around it. Along x
+// offsets from points are kept as those of the middle of the cell. What is across is the same in all of the row, so its
+// square is kept. In space that is so with HN_FIXED alone, since offsets of floats come along the diagonals there.
 template <int D>
-class CellularColumns {
+class CellularColumns : public InCells<D> {
  public:
   static constexpr double kMostStep = 0.85;
   static constexpr int kBefore = 1;
-  static constexpr int kBehind = 1;
 
   HN_I_INLINE explicit CellularColumns(Float jitter) : jitter_(hn_i_jitter(jitter)) {}
-
-  HN_I_INLINE static std::uint32_t earliest(std::uint32_t cell, std::uint32_t) { return cell; }
-  HN_I_INLINE static Int number(const Place<D>& place) { return place.cell.x; }
   HN_I_INLINE void put(int column, Int number, Place<D> place, Uint seed) {
     place.cell.x = number;
     const auto block = hn_i_block(place);
