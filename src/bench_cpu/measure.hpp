@@ -18,8 +18,8 @@
 
 namespace hn {
 
-// A sample of each per round, in turns. Each is done once before, and as often in a sample as makes it some
-// milliseconds long.
+// A sample of each per round, in turns. Each is done once before its sample, untimed, and as often in a sample as makes
+// it some milliseconds long.
 std::vector<Timing> measure(std::span<const std::function<void()>> works, int rounds);
 
 // The quotient of speeds of two that were timed in the same rounds.
