@@ -83,7 +83,11 @@ class Works {
 
   template <typename Fill>
   std::size_t add_ours(hashnoise::InstructionSet set, hashnoise::Arithmetic arithmetic, Fill fill) {
-    const auto field = std::make_shared<const hashnoise::Field<D>>(settings_of(subject_, arithmetic, set));
+    return add_field(settings_of(subject_, arithmetic, set), fill);
+  }
+  template <typename Fill>
+  std::size_t add_field(const hashnoise::Settings& settings, Fill fill) {
+    const auto field = std::make_shared<const hashnoise::Field<D>>(settings);
     out_.resize(std::max(out_.size(), static_cast<std::size_t>(field->components()) * kPoints));
     return add_work([field, fill] { fill(*field); });
   }
@@ -94,8 +98,7 @@ class Works {
   std::size_t add_tiles(hashnoise::InstructionSet set) {
     hashnoise::Settings settings = settings_of(subject_, hashnoise::Arithmetic::kFast, set);
     settings.period.fill(1000);
-    const auto field = std::make_shared<const hashnoise::Field<D>>(settings);
-    return add_work([this, field] { field->fill(grid<D>(), out_); });
+    return add_field(settings, [this](const auto& field) { field.fill(grid<D>(), out_); });
   }
 
   // Grids of the noise, added up in parts that stay in a cache.

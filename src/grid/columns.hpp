@@ -155,6 +155,15 @@ class ValueColumns : public InCells<D> {
   InColumns<1> numbers_[D == 2 ? 2 : 4];
 };
 
+// The nearest corner of a cell along each axis, the one opposite, and where the centre beyond is.
+struct Around {
+  uvec3 corner, across, beyond;
+};
+HN_I_INLINE Around around(const hn_i_block3& block, hn_i_num3 f) {
+  return {hn_i_nearer(f, block.cell, block.following), hn_i_nearer(f, block.following, block.cell),
+          hn_i_nearer(f, block.previous, block.following)};
+}
+
 template <int D>
 class SimplexColumns;
 
@@ -221,9 +230,7 @@ class SimplexColumns<3> : public InCells<3> {
     const hn_i_num3 f = place.fraction;
     const hn_i_num4 y = hn_i_offsets(f.y), z = hn_i_offsets(f.z);
     const hn_i_num size_y = hn_i_size(y.x), size_z = hn_i_size(z.x);
-    const uvec3 corner = hn_i_nearer(f, block.cell, block.following);
-    const uvec3 across = hn_i_nearer(f, block.following, block.cell);
-    const uvec3 beyond = hn_i_nearer(f, block.previous, block.following);
+    const auto [corner, across, beyond] = around(block, f);
     const Uint x = block.cell.x, s = hn_i_mix(seed);
     const auto put_corner = [&](Gradients3& row, Uint cy, Uint cz, hn_i_num offset)
                                 HN_I_INLINED { row.put(column, kept3(hn_i_seeded_word(uvec3(x, cy, cz), s)), offset); };
@@ -331,9 +338,7 @@ class SmoothSimplexColumns<3> : public InCells<3> {
     const hn_i_block3 block = hn_i_block(place);
     const hn_i_num3 f = place.fraction;
     const hn_i_num4 z = hn_i_offsets(f.z);
-    const uvec3 corner = hn_i_nearer(f, block.cell, block.following);
-    const uvec3 across = hn_i_nearer(f, block.following, block.cell);
-    const uvec3 beyond = hn_i_nearer(f, block.previous, block.following);
+    const auto [corner, across, beyond] = around(block, f);
     const Uint s = hn_i_mix(seed), join = hn_i_seed_join(s);
     for (int row = 0; row < 4; ++row) {
       const bool far_y = (row & 1) != 0, far_z = (row & 2) != 0;

@@ -123,7 +123,7 @@ void along_row(const Batch& batch, const Options& options, Octave) {
         Columns columns(given.jitter);
         return along_columns<D, kTiled>(columns, b, given.seed, tile_of, noise_at);
       } else {
-        Columns columns;
+        Columns columns;  // Columns() would be filled with zeros in each row
         return along_columns<D, kTiled>(columns, b, given.seed, tile_of, noise_at);
       }
     }
