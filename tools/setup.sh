@@ -44,8 +44,11 @@ readonly example_packages=(git libxcursor-dev libxi-dev libxinerama-dev libxrand
 # Those behind python3-venv compile for ARM, and run what they compile; those of Mono do so with C#. abigail-tools compare
 # binary interfaces.
 readonly test_packages=("${driver_packages[@]}" "${npm_packages[@]}" "${example_packages[@]}" ccache libopenexr-dev
-  libclang-rt-dev libgtest-dev python3 python3-dev python3-numpy python3-scipy python3-venv g++-aarch64-linux-gnu
+  libclang-rt-dev libgtest-dev python3 python3-dev python3-numpy python3-pip python3-scipy python3-venv g++-aarch64-linux-gnu
   qemu-user mono-mcs mono-runtime abigail-tools)
+# Compilers of the languages that tools/pick writes, as PROGRAM:PACKAGE. A machine may have the program from elsewhere, so
+# the package is missing only where the program is. Node.js is not among them: tools/node gets one that is new enough.
+readonly language_packages=(cargo:cargo go:golang-go javac:default-jdk-headless rustc:rustc)
 # Of tools/quality, which has no need of hn-conform.
 readonly quality_packages=(g++ python3 python3-numpy python3-scipy)
 readonly plot_packages=(python3-matplotlib)
@@ -229,6 +232,10 @@ setup() {
   if [[ $1 == test ]]; then
     name=test
     packages+=("${test_packages[@]}")
+    local language
+    for language in "${language_packages[@]}"; do
+      command -v "${language%:*}" >/dev/null || packages+=("${language#*:}")
+    done
     # Warnings are errors here, where the compiler is known, and not for users, where it is not.
     configuration+=(-DHASHNOISE_TESTS=ON -DHASHNOISE_BAKE=ON -DHASHNOISE_BENCH_CPU=ON
                      -DHASHNOISE_INSTRUCTION_SETS="${HASHNOISE_INSTRUCTION_SETS:-native}"

@@ -326,4 +326,4 @@ class SpirvCli(unittest.TestCase):
 
 if __name__ == "__main__":
     PROGRAM = sys.argv.pop(1)
-    unittest.main()
+    unittest.main(verbosity=2)

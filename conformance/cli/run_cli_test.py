@@ -265,4 +265,4 @@ class Run(unittest.TestCase):
 
 if __name__ == "__main__":
     PROGRAM = sys.argv.pop(1)
-    unittest.main()
+    unittest.main(verbosity=2)

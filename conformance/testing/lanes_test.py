@@ -83,14 +83,14 @@ class Lanes(unittest.TestCase):
                 self.assertEqual(messages, "")
                 self.assertEqual(printed(program), scalar(*setting))
 
-    @unittest.skipUnless(THOROUGH, "as MSVC takes them they are the same")
+    @unittest.skipUnless(THOROUGH, "takes long, and MSVC takes them as the same")
     def test_lanes_without_vector_extensions_may_be_asked_for(self):
         for compiler in COMPILERS:
             for setting in SETTINGS:
                 with self.subTest(compiler=compiler, setting=setting):
                     self.assertEqual(digests(compiler, *setting, *LANES, "HN_LANES_PORTABLE"), scalar(*setting))
 
-    @unittest.skipUnless(THOROUGH, "each is a compilation")
+    @unittest.skipUnless(THOROUGH, "takes long: each is a compilation")
     def test_what_msvc_does_not_have_is_noticed(self):
         for unfit in ("__builtin_sqrtf(1.0f) > 0.0f ? x : y", "[&]() __attribute__((always_inline)) { return x; }()",
                       "[&]() { [[gnu::unused]] int n = 0; return x; }()"):
@@ -113,7 +113,7 @@ class Lanes(unittest.TestCase):
         self.assertLessEqual({"-ffast-math", "-ffp-contract=fast", "-ffinite-math-only", "-fno-signed-zeros"},
                              {*fp_fast(COMPILERS[-1])})
 
-    @unittest.skipUnless(THOROUGH, "each is a compilation with optimization")
+    @unittest.skipUnless(THOROUGH, "takes long: each is a compilation with optimization")
     def test_fixed_bits_do_not_follow_fp_fast(self):
         flags = ("-O1", *fp_fast(COMPILERS[-1]))
         for setting, is_same in ((SETTINGS[2], True), (SETTINGS[0], False)):  # that it does something is seen by HN_FAST
@@ -143,4 +143,4 @@ class Lanes(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1])
+    unittest.main(argv=sys.argv[:1], verbosity=2)

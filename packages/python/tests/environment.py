@@ -81,7 +81,7 @@ def add(python: Path, requirements: Path, folder: Path) -> int:
 def main(arguments: list[str]) -> int:
     if len(arguments) in (2, 3) and arguments[0] == "make":
         return make(Path(arguments[1]).resolve(), TESTS / "requirements.txt", *map(Path, arguments[2:]))
-    before = {"run": ["unittest"], "call": []}.get(arguments[0] if arguments else "")
+    before = {"run": ["unittest", "-v"], "call": []}.get(arguments[0] if arguments else "")
     if before is not None and len(arguments) > 4 and arguments[1] == "--with":
         return run(Path(arguments[3]).resolve(), [*before, *arguments[4:]], TESTS / arguments[2])
     if before is not None and len(arguments) > 2 and not arguments[1].startswith("-"):

@@ -19,7 +19,7 @@ CMAKE, COMPILER = sys.argv[1:3]
 class InstructionSets(unittest.TestCase):
     def configure(self, sets: str) -> subprocess.CompletedProcess[str]:
         with tempfile.TemporaryDirectory() as folder:
-            return subprocess.run([CMAKE, "-S", ROOT, "-B", folder, f"-DCMAKE_CXX_COMPILER={COMPILER}",
+            return subprocess.run([CMAKE, "-S", ROOT, "-B", folder, "-G", "Ninja", f"-DCMAKE_CXX_COMPILER={COMPILER}",
                                    "-DHASHNOISE_CONFORMANCE=OFF", f"-DHASHNOISE_INSTRUCTION_SETS={sets}"],
                                   capture_output=True, text=True, check=False)
 

@@ -60,4 +60,4 @@ if __name__ == "__main__":
     if shutil.which(QEMU) is None or os.uname().machine != "x86_64":
         print(f"skipped: there is no {QEMU}, or this is not x86-64")
         sys.exit(77)
-    unittest.main(argv=sys.argv[:1])
+    unittest.main(argv=sys.argv[:1], verbosity=2)

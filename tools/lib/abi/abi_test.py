@@ -143,4 +143,4 @@ if __name__ == "__main__":
     if reason := command.skipped():
         print(reason)
         sys.exit(77)
-    unittest.main(defaultTest="Whole")
+    unittest.main(defaultTest="Whole", verbosity=2)

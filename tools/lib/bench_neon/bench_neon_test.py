@@ -236,4 +236,4 @@ if __name__ == "__main__":
     if packages := command.missing():
         print(f"skipped: there is no {' and no '.join(packages)}")
         sys.exit(77)
-    unittest.main(defaultTest="Whole")
+    unittest.main(defaultTest="Whole", verbosity=2)

@@ -259,4 +259,4 @@ if __name__ == "__main__":
         except NoBlender as reason:
             print(f"skipped: {reason}")
             sys.exit(SKIPPED)
-        unittest.main(defaultTest="AddOn")
+        unittest.main(defaultTest="AddOn", verbosity=2)

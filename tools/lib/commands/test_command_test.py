@@ -19,7 +19,7 @@ from tree import TOOLS
 TESTS = """add_test(quick "sh" "-c" "echo quick >> {ran}")
 add_test([=[name+with.signs/0  # GetParam() = 4-byte <02-00 00-00>]=] "sh" "-c" "echo signs >> {ran}")
 add_test(sometimes "sh" "-c" "echo sometimes >> {ran}; test -e {root}/well")
-add_test(skipped "sh" "-c" "exit 77")
+add_test(skipped "sh" "-c" "echo some output; echo 'skipped: there is no such program'; exit 77")
 set_tests_properties(skipped PROPERTIES SKIP_RETURN_CODE 77)
 if(CTEST_CONFIGURATION_TYPE MATCHES "^([Tt][Hh][Oo][Rr][Oo][Uu][Gg][Hh])$")
   add_test(long "sh" "-c" "echo long >> {ran}")
@@ -33,16 +33,16 @@ class Test(unittest.TestCase):
         self.addCleanup(scratch.cleanup)
         self.root = Path(scratch.name)
         tools = self.root / "tools"
-        tools.mkdir()
-        for name in ("setup.sh", "progress.sh", "test"):
-            shutil.copy(TOOLS / name, tools)
+        (tools / "lib").mkdir(parents=True)
+        for name in ("setup.sh", "progress.sh", "test", "node", "lib/skipped.py"):
+            shutil.copy(TOOLS / name, tools / name)
         self.ran = self.root / "build" / "ran"
         self.ran.parent.mkdir()
         (self.root / "build" / "CTestTestfile.cmake").write_text(TESTS.format(ran=self.ran, root=self.root))
         (self.root / "well").touch()
         programs = self.root / "build" / "programs"
         programs.mkdir()
-        for name, text in (("cmake", "exit 0"), ("ninja", "echo 'ninja: no work to do.'"),
+        for name, text in (("cmake", "exit 0"), ("ninja", "echo 'ninja: no work to do.'"), ("npm", "exit 0"), ("node", 'echo "$0"'),
                            ("dpkg-query", 'shift 3; for package; do echo "$package installed"; done')):
             (programs / name).write_text(f"#!/bin/sh\n{text}\n")
             (programs / name).chmod(0o755)
@@ -72,6 +72,37 @@ class Test(unittest.TestCase):
         self.assertFalse(measured.exists())
         self.call()
         self.assertRegex(measured.read_text(), r"^run,test,\d+,0\.\d+\n$")
+
+    def test_what_was_skipped_is_listed_with_its_reason(self) -> None:
+        _, text, _ = self.call()
+        self.assertIn("\nSkipped, in whole or in part:\n  skipped: there is no such program\n1 more tests run", text)
+        _, text, _ = self.call("-R", "quick")
+        self.assertNotIn("Skipped", text)
+
+    def test_cases_that_a_test_skips_are_listed_too(self) -> None:
+        """As unittest and GoogleTest print them; not those that take long, or that another test runs."""
+        (self.root / "build" / "parts.py").write_text("""import unittest
+class Parts(unittest.TestCase):
+    def test_one(self):
+        "It has a sentence."
+        self.skipTest("there is no one")
+    @unittest.skip("takes long: tools/test --thorough")
+    def test_two(self): pass
+    @unittest.skip("the test parts.whole has it")
+    def test_three(self): pass
+unittest.main()
+""")
+        (self.root / "build" / "CTestTestfile.cmake").write_text(f"""
+add_test(parts "python3" "{self.root}/build/parts.py" "-v")
+add_test(silent "python3" "{self.root}/build/parts.py")
+add_test(google "printf" "/a/b.cpp:20: Skipped\\nno device is here\\n[  SKIPPED ] Some.Thing (0 ms)\\n")
+""")
+        status, text, _ = self.call()
+        self.assertEqual(status, 0, text)
+        self.assertIn("  parts: there is no one\n", text)
+        self.assertIn("  silent: its cases print no reason: unittest wants -v\n", text)
+        self.assertIn("  google: no device is here\n", text)
+        self.assertIn("1 cases of other tests take long: tools/test --thorough runs them.\n", text)
 
     def test_options_of_ctest_choose_tests(self) -> None:
         status, text, ran = self.call("-R", "quick|long")

@@ -186,7 +186,7 @@ if __name__ == "__main__":
     Everywhere.environment, Everywhere.packages = map(Path, sys.argv[1:])
     with tempfile.TemporaryDirectory() as place:
         Everywhere.user = Path(place)
-        result = unittest.main(argv=sys.argv[:1], exit=False).result
+        result = unittest.main(argv=sys.argv[:1], exit=False, verbosity=2).result
     for _, reason in result.skipped:
         print(f"skipped: {reason}")
     sys.exit(1 if not result.wasSuccessful() else SKIPPED if result.skipped else 0)

@@ -174,4 +174,4 @@ if __name__ == "__main__":
         sys.exit(SKIPPED)
     if status := fetched(Looks.folder):
         sys.exit(status)
-    unittest.main(defaultTest="Looks")
+    unittest.main(defaultTest="Looks", verbosity=2)

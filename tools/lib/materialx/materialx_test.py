@@ -127,4 +127,4 @@ if __name__ == "__main__":
     except MISSING as reason:
         print(f"skipped: {reason}")
         sys.exit(SKIPPED)
-    unittest.main(defaultTest="Library")
+    unittest.main(defaultTest="Library", verbosity=2)

@@ -150,4 +150,4 @@ if __name__ == "__main__":
     except Absent as reason:
         print(f"skipped: {reason}")
         sys.exit(SKIPPED)
-    sys.exit(not unittest.TextTestRunner().run(suite).wasSuccessful())
+    sys.exit(not unittest.TextTestRunner(verbosity=2).run(suite).wasSuccessful())

@@ -86,8 +86,9 @@ class Release:
         """What is installed of the library without anything compiled, so find_package takes it from where it is."""
         with tempfile.TemporaryDirectory() as scratch:
             log = {"stderr": subprocess.STDOUT}
-            run(["cmake", "-S", ROOT, "-B", f"{scratch}/build", "-DHASHNOISE_GRID=OFF", "-DHASHNOISE_CONFORMANCE=OFF",
-                 "-DHASHNOISE_TESTS=OFF", "-DHASHNOISE_INSTALL=ON", "-DCMAKE_INSTALL_LIBDIR=lib"], **log)
+            run(["cmake", "-S", ROOT, "-B", f"{scratch}/build", "-G", "Ninja", "-DHASHNOISE_GRID=OFF",
+                 "-DHASHNOISE_CONFORMANCE=OFF", "-DHASHNOISE_TESTS=OFF", "-DHASHNOISE_INSTALL=ON",
+                 "-DCMAKE_INSTALL_LIBDIR=lib"], **log)
             top = Path(scratch) / "headers" / f"hashnoise-{self.version}"
             run(["cmake", "--install", f"{scratch}/build", "--prefix", top], **log)
             (top / "LICENSE").write_bytes((ROOT / "LICENSE").read_bytes())

@@ -150,4 +150,4 @@ if __name__ == "__main__":
     if missing := [package for program, package in NEEDED.items() if not shutil.which(program)]:
         print(f"skipped: Debian's packages {', '.join(missing)} are missing")
         sys.exit(SKIPPED)
-    unittest.main(defaultTest="Plugin")
+    unittest.main(defaultTest="Plugin", verbosity=2)
