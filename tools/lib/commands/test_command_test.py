@@ -42,7 +42,7 @@ class Test(unittest.TestCase):
         (self.root / "well").touch()
         programs = self.root / "build" / "programs"
         programs.mkdir()
-        for name, text in (("cmake", "exit 0"), ("ninja", "echo 'ninja: no work to do.'"), ("npm", "exit 0"), ("node", 'echo "$0"'),
+        for name, text in (("cmake", "exit 0"), ("ninja", "echo 'ninja: no work to do.'"), ("npm", "exit 0"), ("node", 'echo "$PATH"'),
                            ("dpkg-query", 'shift 3; for package; do echo "$package installed"; done')):
             (programs / name).write_text(f"#!/bin/sh\n{text}\n")
             (programs / name).chmod(0o755)
