@@ -20,7 +20,7 @@ from bounds.integers import FADE_ONE, SLOPE_UNIT, UNIT
 from bounds.float_sums import octave_tolerance, slope_tolerance
 from bounds.sums import (LARGEST_STRENGTH, TURNS, WEIGHT_UNIT, Sum, first_whole_position, fixed_mean_error,
                          fixed_strength, fixed_weights, lengths, next_whole_position, whole_positions)
-from bounds.table import Bounds
+from bounds.table import Bounds, slope_bounds_of
 
 PLANES = ((25, 20), (29, 13), (25, 20))  # the turns of the contract: of an axis and the next
 LARGEST_GROWTH, LARGEST_SHIFT = 64.0, 256.0  # for which the bounds are promised
@@ -29,6 +29,7 @@ SLOPE_LIMIT = 128.0  # of a component, beyond which it is cut off
 FALL_LIMIT = 8.0  # the same of what hn_eroded sums of slopes
 FALL_UNIT = 2.0**-12
 LARGEST_AMPLITUDE = 64.0
+FITTING = ("perlin_d", "simplex_d", "value_d", "cellular_d", "perlin_d_phase", "simplex_d_phase")  # what hn_add takes
 DOUBLES = 1e-12  # more than the rounding errors of 32 frames of up to 64, computed in doubles
 COARSE = 127  # what a large result loses at most, in its units
 
@@ -36,6 +37,11 @@ COARSE = 127  # what a large result loses at most, in its units
 def stretch(s: Sum, dims: int) -> float:
     """Of a length, by the turns between two octaves."""
     return math.prod(TURNS[:dims - 1]) if s.turns else 1.0
+
+
+def fitting_slopes() -> list[Bounds]:
+    """What is proven of the derivatives of the noises that fit the hn_add of a loop with slopes."""
+    return [slope_bounds_of(name, dims) for name in FITTING for dims in (2, 3)]
 
 
 def longest_gradient(noise: Bounds, slope: Bounds) -> float:
