@@ -197,7 +197,7 @@ TEST_F(Batches, AddUpWhatIsWrongAndKeepTheLargestDifference) {
   EXPECT_EQ(outcome.examples[1].words[0], second[3 * kInputWords]);
 }
 
-// The last bit of a fraction, and a corner that is beside the corner.
+// The last bit of a fraction, a corner that is beside the corner, and a first octave in the cell behind the place.
 TEST_F(FaultyLibrary, APositionThatIsNotThatOfThePlaceIsCaught) {
   constexpr std::string_view kFast = "place.all.lattice.fast.vertex.gl330.positions";
   constexpr std::string_view kFixed = "place.all.lattice.fixed.vertex.gl330.positions";
@@ -207,6 +207,8 @@ TEST_F(FaultyLibrary, APositionThatIsNotThatOfThePlaceIsCaught) {
            Replaced{kFast, "place.glsl", "vec3(0.0f, 0.0f, 0.0f)", "vec3(0.0f, 0.0f, 0.015625f)"},
            Replaced{kFixed, "place.glsl", "vec3(0.0f, 0.0f, 0.0f)", "vec3(0.0f, 0.0f, 0.015625f)"},
            Replaced{kFixed, "place.glsl", "HN_I_REST(hn_i_rest_of_position(p.y))", "HN_I_REST(0)"},
+           Replaced{kFast, "octaves2d.glsl", "ivec2(o.x.x, o.y.x)", "ivec2(o.x.x, o.y.x + (o.y.y >> 24))"},
+           Replaced{kFixed, "octaves2d.glsl", "ivec2(o.x.x, o.y.x)", "ivec2(o.x.x, o.y.x + (o.y.y >> 24))"},
        }) {
     expect_replaced_caught(fault);
   }
