@@ -505,6 +505,47 @@ int main() {{
         for found, x in zip(steep, exactly, strict=True):
             self.assertLess(abs(found - x), slope_bounds_of("simplex_d", 3).fixed_error)
 
+    # What adds one octave, how its value is asked for, and what it is of a noise of 1.25 and of 2.
+    AS_IT_IS, NEARER_END = (1.25, 2.0), (1.0, 1.0)
+    STEPS = {"hn_add(o, n)": ("hn_mean(o)", AS_IT_IS), "hn_add_turbulence(o, -n)": ("hn_mean(o)", AS_IT_IS),
+             "hn_add_detail(o, n)": ("hn_mean(o)", AS_IT_IS), "hn_add_footprint(o, n)": ("hn_mean(o)", AS_IT_IS),
+             "hn_add(o, s, vec3(n, 1.0f, 1.0f))": ("hn_mean(o, s).x", AS_IT_IS),
+             "hn_add_eroded(o, s, vec3(n, 0.0f, 0.0f), 1.0f)": ("hn_mean(o)", AS_IT_IS),
+             "hn_add_ridged(o, n)": ("hn_mean(o) + 1.0f", NEARER_END), "hn_add_hybrid(o, n)": ("hn_mean(o)", NEARER_END),
+             "hn_add_ping_pong(o, n, 0.5f)": ("hn_mean(o)", NEARER_END),
+             "hn_add_weighted(o, n, 1.0f)": ("hn_mean(o)", NEARER_END),
+             "hn_add(o, w, vec2(n, 0.0f))": ("hn_mean(o, w).x", NEARER_END),
+             "hn_add_progressive(o, w, vec2(n, 0.0f))": ("hn_mean(o, w).x", NEARER_END)}
+
+    def beyond(self, arithmetic):
+        """What the octave comes to of both noises, by the step."""
+        lines = "".join(f"""  for (float n : {{1.25f, 2.0f}}) {{
+    hn_octaves2 o = hn_octaves(vec2(0.5f, 0.5f), 1, 2.0f, 0.5f, 7u);
+    [[maybe_unused]] hn_slopes2 s = hn_slopes(o);
+    [[maybe_unused]] hn_shifts2 w = hn_shifts(o, 1.0f);
+    {step};
+    std::printf("%.9g ", {value});
+  }}
+""" for step, (value, _) in self.STEPS.items())
+        source = self.folder / f"{arithmetic}.cpp"
+        source.write_text("#include <cstdio>\n#include <initializer_list>\n#include <hashnoise/hashnoise.hpp>\n"
+                          f"using namespace hashnoise;\nint main() {{\n{lines}}}\n")
+        program = source.with_suffix("")
+        compile_program("steps of loops", source, program, SOON, macros=(f"HN_ARITHMETIC={arithmetic}",))
+        numbers = list(map(float, subprocess.run([program], capture_output=True, text=True, check=True).stdout.split()))
+        return dict(zip(self.STEPS, zip(numbers[::2], numbers[1::2]), strict=True))
+
+    def test_a_noise_beyond_its_range(self):
+        """Counts as the contract and docs/sums.md say."""
+        expected = {step: numbers for step, (_, numbers) in self.STEPS.items()}
+        self.assertEqual(self.beyond("HN_FAST"), expected)
+        self.assertEqual(self.beyond("HN_FIXED"), {step: tuple(min(number, 1.5) for number in numbers)
+                                                   for step, numbers in expected.items()})
+        text = (ROOT / "docs" / "contract.md").read_text()
+        sentence, = re.findall(r"^A noise beyond \[-1, 1\] counts as it is in (.*?);", text, re.MULTILINE)
+        as_it_is = {step.partition("(")[0] for step, numbers in expected.items() if numbers == self.AS_IT_IS}
+        self.assertEqual(set(re.findall(r"`(hn_\w+)`", sentence)), as_it_is)
+
     def test_a_cut_that_a_noise_reaches_is_noticed(self):
         library = self.folder / "library"
         for part in ("include", "glsl"):
