@@ -18,6 +18,10 @@ using Vector = std::array<double, 3>;
 
 constexpr double kConstantNoise = -0.5;
 constexpr Vector kConstantSlopes = {0.5, -0.25, 0.125};
+// Of a sum of slopes: all noises of the library that fit its loop are flatter. In HN_FIXED 64 times as much just fits.
+constexpr Vector kSteepSlopes = {-50.5, 30.25, 16.125};
+
+const Vector& slopes_of(OctaveSum sum) { return sum == OctaveSum::fbm_d ? kSteepSlopes : kConstantSlopes; }
 
 struct ConstantSum {
   OctaveSum kind;
@@ -106,7 +110,7 @@ Slope slope_of_constant_noise(const ConstantSum& sum, std::size_t axis) {
   double growths = 0.0;
   for (int i = 0; i < sum.octaves; ++i) {
     const double growth = std::pow(sum.gain * sum.lacunarity, i);
-    Vector v = kConstantSlopes;
+    Vector v = kSteepSlopes;
     if (sum.axes == 2) v[2] = 0.0;
     for (int turn = 0; turn < i; ++turn) v = turned_back(sum, v);
     slope += growth * v[axis];
@@ -147,7 +151,7 @@ std::string with_constant_noise(const Function& function) {
   if (noise == "perlin_d") {
     type = fmt::format("hn_vec{}", axes + 1);
     value = fmt::format("vec{}({}", axes + 1, value);
-    for (const double slope : std::span(kConstantSlopes).first(static_cast<std::size_t>(axes))) {
+    for (const double slope : std::span(slopes_of(octave_sum_of(function))).first(static_cast<std::size_t>(axes))) {
       value += fmt::format(", {:.3f}f", slope);
     }
     value += ")";
@@ -204,7 +208,7 @@ Outcome check_other_noise(Session& session, const Evaluation& evaluation) {
       const float got = std::bit_cast<float>(result(*outputs, i)[word]);
       if (function.is_slope(word)) {
         const Slope slope = slope_of_constant_noise(sum, word - 1);  // the value comes first
-        comparison.number(point(inputs, i), got, slope.value, 1e-5 * (1.0 + slope.growth), word);
+        comparison.number(point(inputs, i), got, slope.value, 1e-3 * (1.0 + slope.growth), word);
       } else {
         comparison.number(point(inputs, i), got, sum_of_constant_noise(sum),
                           tolerance_of_constant_noise(sum, configuration), word);

@@ -1,6 +1,7 @@
 // The positions of places: what a place was made of comes back from the first octave of a sum.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -13,9 +14,11 @@ namespace {
 
 constexpr std::size_t kPointsOfEach = 64;
 constexpr std::uint32_t kMostAxes = 4;
-// A place is made in one of three ways: of a cell and a fraction, of a cell alone, or of a position.
-constexpr std::uint32_t kWays = 3;
+// A place is made in one of four ways: of a cell and a fraction, of a cell alone, of a position, or of a cell and a
+// fraction of 1. Of the last it is the cell that comes back: the first octave must not go on to the next one.
+constexpr std::uint32_t kWays = 4;
 constexpr std::uint32_t kCellAlone = 1;
+constexpr std::uint32_t kAtTheEnd = 3;
 
 // Where the words of a point stand.
 constexpr std::size_t kFractions = 4;
@@ -48,6 +51,7 @@ std::string body_of(std::uint32_t axes) {
       "  if (d.y == 2u) place = hn_place(p.{1});\n"
       "  hn_octaves{0} o = hn_octaves(place, 1, 2.0f, 0.5f, 0u);\n"
       "  hn_{2} x = hn_position(o.place);\n"
+      "  if (d.y == 3u) x = {2}(o.place.cell);\n"
       "  return uvec4({3});\n"
       "}}\n",
       axes, components, axes == 1 ? "float" : fmt::format("vec{}", axes), bits);
@@ -88,6 +92,7 @@ Words places() {
     for (std::size_t axis = 0; axis < kMostAxes; ++axis) put_place(words, axis, random);
     words[kAxes] = static_cast<std::uint32_t>(i % kMostAxes) + 1;
     words[kWay] = static_cast<std::uint32_t>(i / kMostAxes % kWays);
+    if (words[kWay] == kAtTheEnd) std::ranges::fill(words.subspan(kFractions, kMostAxes), bits_of(1.0));
   }
   return inputs;
 }
@@ -100,8 +105,8 @@ Outcome check_positions(Session& session, const Evaluation& evaluation) {
   for (std::size_t i = 0; i < inputs.size() / kInputWords; ++i) {
     const auto in = point(inputs, i);
     for (std::size_t axis = 0; axis < in[kAxes]; ++axis) {
-      const bool alone = in[kWay] == kCellAlone;
-      const std::uint32_t right = alone ? bits_of(static_cast<std::int32_t>(in[axis])) : in[kPositions + axis];
+      const bool is_cell = in[kWay] == kCellAlone || in[kWay] == kAtTheEnd;
+      const std::uint32_t right = is_cell ? bits_of(static_cast<std::int32_t>(in[axis])) : in[kPositions + axis];
       comparison.bits(in, result(*outputs, i)[axis], right, axis);
     }
   }

@@ -97,6 +97,10 @@ TEST_F(Extreme, ASumOverAnotherNoiseThatIsNotThatSumIsCaught) {
       {"fbm_d.fbm_d2_cell.lattice.fixed.fragment.gl330.other_noise", "detail/jacobian.glsl",
        "hn_i_wide_minus(hn_i_wide_times(k.x, g.y), hn_i_wide_times(k.y, g.x))",
        "hn_i_wide_plus(hn_i_wide_times(k.x, g.y), hn_i_wide_times(k.y, g.x))"},
+      {"fbm_d.fbm_d2.lattice.fixed.fragment.gl330.other_noise", "detail/jacobian.glsl", "min(max(g, -128.0f), 128.0f)",
+       "min(max(g, -4.0f), 4.0f)"},
+      {"fbm_d.fbm_d3.lattice.fixed.fragment.gl330.other_noise", "detail/jacobian.glsl", "min(max(g, -128.0f), 128.0f)",
+       "min(max(g, -50.0f), 50.0f)"},
       {"fbm_d.eroded3.lattice.fixed.fragment.gl330.other_noise", "detail/jacobian.glsl", "(hn_i_octave_slope(g) >> 7)",
        "(hn_i_octave_slope(g) >> 8)"},
       {"fbm_d.eroded2_cell_period.lattice.fast.fragment.gl330.other_noise", "detail/jacobian.glsl",
@@ -193,7 +197,7 @@ TEST_F(Batches, AddUpWhatIsWrongAndKeepTheLargestDifference) {
   EXPECT_EQ(outcome.examples[1].words[0], second[3 * kInputWords]);
 }
 
-// The last bit of a fraction, and a corner that is beside the corner.
+// The last bit of a fraction, a corner that is beside the corner, and a first octave in the cell behind the place.
 TEST_F(FaultyLibrary, APositionThatIsNotThatOfThePlaceIsCaught) {
   constexpr std::string_view kFast = "place.all.lattice.fast.vertex.gl330.positions";
   constexpr std::string_view kFixed = "place.all.lattice.fixed.vertex.gl330.positions";
@@ -203,6 +207,8 @@ TEST_F(FaultyLibrary, APositionThatIsNotThatOfThePlaceIsCaught) {
            Replaced{kFast, "place.glsl", "vec3(0.0f, 0.0f, 0.0f)", "vec3(0.0f, 0.0f, 0.015625f)"},
            Replaced{kFixed, "place.glsl", "vec3(0.0f, 0.0f, 0.0f)", "vec3(0.0f, 0.0f, 0.015625f)"},
            Replaced{kFixed, "place.glsl", "HN_I_REST(hn_i_rest_of_position(p.y))", "HN_I_REST(0)"},
+           Replaced{kFast, "octaves2d.glsl", "ivec2(o.x.x, o.y.x)", "ivec2(o.x.x, o.y.x + (o.y.y >> 24))"},
+           Replaced{kFixed, "octaves2d.glsl", "ivec2(o.x.x, o.y.x)", "ivec2(o.x.x, o.y.x + (o.y.y >> 24))"},
        }) {
     expect_replaced_caught(fault);
   }

@@ -162,8 +162,8 @@ HN_FN bool hn_next(HN_I_INOUT(hn_octaves1) o) {
 // (hn_ridged); its height above -1, as far as that of the octave before lets it (hn_hybrid); folded up and down between
 // -1 and 1 (hn_ping_pong); so that finer octaves count less where it is low (hn_weighted).
 //   o         the octaves
-//   n         the noise at o.place with o.seed, in [-1, 1]. hn_add and hn_add_turbulence take what is beyond, others
-//             cut it off
+//   n         the noise at o.place with o.seed, in [-1, 1]. hn_add and hn_add_turbulence take what is beyond
+//             (HN_FIXED up to 3/2), others cut it off
 //   strength  as of the sum that is made so (fbm1d.glsl)
 //   returns   nothing: the octaves have the sum
 //   error     as of the sums in fbm1d.glsl
@@ -182,7 +182,8 @@ HN_FN void hn_add_weighted(HN_I_INOUT(hn_octaves1) o, hn_float n, hn_float stren
 // tools/catalog: end
 
 // Add the noise of an octave as it is, and as much of it as a detail or a footprint leaves.
-//   (parameters, error, cost and source as above)
+//   n         the noise, of which hn_add_detail and hn_add_footprint take what is beyond [-1, 1], as hn_add does
+//   (other parameters, error, cost and source as above)
 //   returns   nothing: the octaves have the sum
 HN_FN void hn_add_detail(HN_I_INOUT(hn_octaves1) o, hn_float n) { o.sum = hn_i_add_part(o.sum, n); }
 HN_FN void hn_add_footprint(HN_I_INOUT(hn_octaves1) o, hn_float n) {

@@ -41,8 +41,9 @@ HN_FN hn_int hn_i_growth(hn_int gain, hn_float lacunarity) {
   return int(hn_i_multiply_high(uint(gain) << 9u, hn_i_ratio(lacunarity)));
 }
 
-// The result is in units of 2^-19. The derivatives of the library's noises stay below 4.
-HN_FN hn_int hn_i_octave_slope(hn_float g) { return int(min(max(g, -4.0f), 4.0f) * HN_I_FLOAT_UNITS_SLOPE); }
+// The result is in units of 2^-19. The derivatives of all noises of the library stay below 128, and those that fit
+// hn_add below 9.
+HN_FN hn_int hn_i_octave_slope(hn_float g) { return int(min(max(g, -128.0f), 128.0f) * HN_I_FLOAT_UNITS_SLOPE); }
 
 // A float has 24 bits, and the others are dropped, towards 0.
 HN_FN hn_int hn_i_coarse(hn_int n) {

@@ -15,13 +15,14 @@ from bounds.gradients import GRADIENTS, SINE, Gradient
 from bounds.integers import fade_errors, slope_errors, spline_weight_error
 from bounds.noises import Derived
 from bounds.sums import Sum
-from bounds.table import Bounds, rounded_up, scientific, shortest
+from bounds.table import Bounds, bounds_of, rounded_up, scientific, shortest, slope_bounds_of
 from tables import glsl
 from tables.markdown import table, with_section
 from tree import ROOT
 
 ACCURACY = "docs/accuracy.md"
 KNOBS = "docs/knobs.md"
+SUMS = "docs/sums.md"
 Key = tuple[str, int, Gradient | None]  # a noise, the number of its dimensions, a kind of gradient
 Everything = dict[Key, Derived]
 PHASE = "_phase"  # ends the name of a noise with the forms that take one
@@ -104,8 +105,9 @@ def sums_table(derived: Everything) -> str:
     return table(("", *head), [row + [""] * (1 + len(head) - len(row)) for row in rows])
 
 
-FRAMED = (  # of sums with slopes, and of warps: a title, the sum
+FRAMED = (  # of sums with slopes, and of warps: a title, the sum, and a noise if it is not the sum's own
     ("`hn_fbm_d(vec{})`, a derivative", Sum("fbm_d", 16.0, 5, 2.0, 0.5)),
+    ("the same over `hn_simplex_d(vec{})`, in a loop", Sum("fbm_d", 16.0, 5, 2.0, 0.5), "simplex"),
     ("`hn_eroded(vec{})`, strength 1", Sum("eroded", 16.0, 5, 2.0, 0.5, strength=1.0)),
     ("`hn_eroded(vec{})`, strength 16", Sum("eroded", 16.0, 5, 2.0, 0.5, strength=16.0)),
     ("`hn_warp(vec{})`, amplitude 1/2", Sum("warp", 16.0, 5, 2.0, 0.5, amplitude=0.5)),
@@ -114,23 +116,26 @@ FRAMED = (  # of sums with slopes, and of warps: a title, the sum
     ("`hn_warp_progressive(vec{})`, amplitude 1", Sum("warp_progressive", 16.0, 5, 2.0, 0.5, amplitude=1.0)))
 
 
-def noises_of_frames(derived: Everything, dims: int, kind: str) -> tuple[Bounds, Bounds]:
-    """What is proven of the noise that such a sum is over, and of its derivatives."""
-    noise, gradient = ("value", None) if kind in sums.SHIFTS else (NOISE_OF_SUMS, GRADIENTS[0])
+def noises_of_frames(derived: Everything, dims: int, kind: str, other: str = "") -> tuple[Bounds, Bounds]:
+    """What is proven of the noise that such a sum is over, its own or another, and of its derivatives."""
+    if other and (other, dims, None) not in derived:
+        return bounds_of(other, dims, "none"), slope_bounds_of(f"{other}_d", dims)
+    own, gradient = ("value", None) if kind in sums.SHIFTS else (NOISE_OF_SUMS, GRADIENTS[0])
+    noise, gradient = (other, None) if other else (own, gradient)
     value, slope = derived[noise, dims, gradient], derived[f"{noise}_d", dims, gradient].slope
     return (value.bounds(noise, dims, gradient).rounded(), slope.bounds(f"{noise}_d", dims, gradient).rounded())
 
 
-def frame_tolerances(derived: Everything, dims: int, s: Sum) -> list[float]:
+def frame_tolerances(derived: Everything, dims: int, s: Sum, other: str = "") -> list[float]:
     """In floats from a position, in floats from a cell, and fixed."""
-    bounds = noises_of_frames(derived, dims, s.kind)
+    bounds = noises_of_frames(derived, dims, s.kind, other)
     floats, fixed = frames.TOLERANCES[s.kind]
     return [floats(s, *bounds), floats(replace(s, from_cell=True), *bounds), fixed(s, *bounds)]
 
 
 def frames_table(derived: Everything) -> str:
-    rows = [[title.format(dims)] + [scientific(tolerance, 2) for tolerance in frame_tolerances(derived, dims, s)]
-            for dims in (2, 3) for title, s in FRAMED]
+    rows = [[title.format(dims)] + [scientific(tolerance, 2) for tolerance in frame_tolerances(derived, dims, *of)]
+            for dims in (2, 3) for title, *of in FRAMED]
     return table(("", "fast and precise: from a position", "from a cell", "fixed"), rows)
 
 
@@ -189,7 +194,7 @@ def overflow(derived: Everything) -> float:
 
 def frames_overflow() -> float:
     """The same of the sums with slopes, and of warps, in the domain of their bounds."""
-    return float(rounded_up(max(frames.largest_intermediates(3).values()) / 2**31, 2))
+    return float(rounded_up(max(frames.largest_intermediates(3).values()) / 2**31, 3))
 
 
 def quotes(derived: Everything) -> list[tuple[str, str]]:
@@ -200,6 +205,8 @@ def quotes(derived: Everything) -> list[tuple[str, str]]:
               (KNOBS, f"with `HN_FIXED` within {scientific(sine.fixed_sine_error(), 2)}")]
     steepest = [shortest(frames.longest_gradient(*noises_of_frames(derived, dims, "fbm_d")), 3) for dims in (2, 3)]
     stated.append((ACCURACY, f"no longer than {steepest[0]} in 2D and {steepest[1]} in 3D"))
+    steepest_component = max(bounds_of_slopes.limit for bounds_of_slopes in frames.fitting_slopes())
+    stated.append((SUMS, f"has slopes up to {shortest(steepest_component, 3)}"))
     limits = [f"{derived[NOISE_OF_SUMS, dims, SINE].bounds('', dims, SINE).rounded().limit:g} in {dims}D"
               for dims in (2, 3)]
     stated.append((ACCURACY, f"in floats at most {limits[0]}, {limits[1]}"))
@@ -207,7 +214,7 @@ def quotes(derived: Everything) -> list[tuple[str, str]]:
         f"by -{scientific(-slope_errors().min())} to {scientific(slope_errors().max())},",
         f"the sum {scientific(spline_weight_error())} along",
         f"in 3D: {overflow(derived):g} * 2^31",
-        f"{frames_overflow():g} * 2^31 in a step of a progressive warp",
+        f"{frames_overflow():g} * 2^31 in a sum of slopes",
         f"{scientific(-fade_errors().min())} too small",
         f"{scientific(fade_errors().max())} too large",
         *(f"{c:.8f}" for c in sine.SINE_DECIMALS), f"{round(sine.SINE_ARGUMENT_ERROR * 2**30)} / 2^30",

@@ -81,7 +81,7 @@ class Tree(unittest.TestCase):
         patch = mock.patch.object(noises, "names", return_value=NAMES)
         patch.start()
         self.addCleanup(patch.stop)
-        for part in ("glsl", "docs/accuracy.md", "docs/knobs.md", str(table.PATH.relative_to(ROOT))):
+        for part in ("glsl", "docs/accuracy.md", "docs/knobs.md", "docs/sums.md", str(table.PATH.relative_to(ROOT))):
             (self.root / part).parent.mkdir(parents=True, exist_ok=True)
             (shutil.copytree if (ROOT / part).is_dir() else shutil.copy)(ROOT / part, self.root / part)
         for path in (path for name in OTHERS for path in (self.root / "glsl").rglob(f"{name}*.glsl")):

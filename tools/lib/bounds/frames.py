@@ -20,14 +20,16 @@ from bounds.integers import FADE_ONE, SLOPE_UNIT, UNIT
 from bounds.float_sums import octave_tolerance, slope_tolerance
 from bounds.sums import (LARGEST_STRENGTH, TURNS, WEIGHT_UNIT, Sum, first_whole_position, fixed_mean_error,
                          fixed_strength, fixed_weights, lengths, next_whole_position, whole_positions)
-from bounds.table import Bounds
+from bounds.table import Bounds, slope_bounds_of
 
 PLANES = ((25, 20), (29, 13), (25, 20))  # the turns of the contract: of an axis and the next
 LARGEST_GROWTH, LARGEST_SHIFT = 64.0, 256.0  # for which the bounds are promised
-SLOPE_LIMIT = 4.0  # of a component, beyond which it is cut off
+LARGEST_RISE = 4000.0  # the same of the growths' sum times the longest gradient
+SLOPE_LIMIT = 128.0  # of a component, beyond which it is cut off
 FALL_LIMIT = 8.0  # the same of what hn_eroded sums of slopes
 FALL_UNIT = 2.0**-12
 LARGEST_AMPLITUDE = 64.0
+FITTING = ("perlin_d", "simplex_d", "value_d", "cellular_d", "perlin_d_phase", "simplex_d_phase")  # what hn_add takes
 DOUBLES = 1e-12  # more than the rounding errors of 32 frames of up to 64, computed in doubles
 COARSE = 127  # what a large result loses at most, in its units
 
@@ -35,6 +37,11 @@ COARSE = 127  # what a large result loses at most, in its units
 def stretch(s: Sum, dims: int) -> float:
     """Of a length, by the turns between two octaves."""
     return math.prod(TURNS[:dims - 1]) if s.turns else 1.0
+
+
+def fitting_slopes() -> list[Bounds]:
+    """What is proven of the derivatives of the noises that fit the hn_add of a loop with slopes."""
+    return [slope_bounds_of(name, dims) for name in FITTING for dims in (2, 3)]
 
 
 def longest_gradient(noise: Bounds, slope: Bounds) -> float:
@@ -66,12 +73,12 @@ def steepest_fall(strength: float, reach: float) -> float:
 
 # --- In integers: frames ----------------------------------------------------------------------------------------------
 
-def is_bounded(s: Sum) -> bool:
-    """Whether the bounds are promised for these arguments."""
+def is_bounded(s: Sum, longest: float = 0.0) -> bool:
+    """Whether the bounds are promised for these arguments, and this length of a gradient."""
     if not (0 <= s.lacunarity <= 255 and 0 <= s.gain <= 1 and s.octaves <= 32):
         return False
     growth = [(s.gain * s.lacunarity)**i for i in range(s.count)]
-    return sum(growth) <= LARGEST_GROWTH and (
+    return sum(growth) <= LARGEST_GROWTH and sum(growth) * longest <= LARGEST_RISE and (
         s.kind != "warp_progressive" or clamped_amplitude(s) * max(growth, default=0.0) <= LARGEST_SHIFT)
 
 
@@ -128,7 +135,7 @@ def fixed_slope_tolerance(s: Sum, noise: Bounds, slope: Bounds) -> float:
     """The largest error of a derivative of hn_fbm_d: with the columns K of the frames, sum(K . g) / T. A column is off
     by a part of what it is divided by, since both are in units of 2^-18. Each product of its numbers is rounded down by
     less than a unit, and so is the division; a result of 32 and more is cut to 127 units."""
-    if not is_bounded(s):
+    if not is_bounded(s, longest_gradient(noise, slope)) or slope.fixed_limit > SLOPE_LIMIT:
         return math.inf
     if not s.count:
         return 0.0
@@ -221,12 +228,13 @@ def largest_intermediates(dims: int) -> dict[str, float]:
     rounded down by less than 5 units for each octave, and what was lost before grows as the frame does."""
     stretched = stretch(Sum("fbm_d", 0.0, 32, 1.0, 1.0), dims)**31
     frame = stretched * ((LARGEST_GROWTH - 1) * FADE_ONE + 5 * LARGEST_GROWTH)
-    slope, vector = math.sqrt(dims) * SLOPE_LIMIT / SLOPE_UNIT, math.sqrt(dims) / UNIT
+    slope, vector = math.sqrt(dims) * SLOPE_LIMIT, math.sqrt(dims) / UNIT
     moved = frame / FADE_ONE * vector + dims
     lost = 32 * dims
     return {"frame": frame, "turn of a frame": 32 * TURNS[0] * frame,
-            "sum of slopes": stretched * (LARGEST_GROWTH + 5 * 32 * LARGEST_GROWTH / FADE_ONE) * slope + lost,
+            "sum of slopes": stretched * (LARGEST_RISE + 5 * 32 * LARGEST_GROWTH / FADE_ONE * slope) / SLOPE_UNIT + lost,
             "step": moved, "turn of a fall": (25 + 20) * FALL_LIMIT / FALL_UNIT,
+            "sum of falls": ((25 + 20) / 32) ** (dims - 1) * FALL_LIMIT / FALL_UNIT + SLOPE_LIMIT / FALL_UNIT,
             "step of a position": LARGEST_SHIFT * stretched * (1 + 5 * LARGEST_GROWTH / FADE_ONE) * vector
             + LARGEST_AMPLITUDE * dims + 1,
             "shift": LARGEST_AMPLITUDE / UNIT}

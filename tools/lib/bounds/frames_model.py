@@ -131,7 +131,7 @@ def fixed_sum(s, q):
                 q = [s56(x + 8 * prod(s32(move), cut)) for x, move in zip(q, shift_through(frame, v))]
         else:
             v, g = fixed.perlin(OCTAHEDRAL, exact.words_at(OCTAHEDRAL, cells, np.int64(seed)), f, derivatives=True)
-            g = [np.clip(x, -2**21, 2**21) for x in g]
+            g = [np.clip(x, -2**26, 2**26) for x in g]
             if s.kind == "eroded":
                 turned = [0] * dims if fall is None else fixed.turn(fall) if s.turns else fall
                 fall = [np.clip(x + (y >> 7), -2**15, 2**15) for x, y in zip(turned, g)]

@@ -102,8 +102,8 @@ def public_steps(sums: Sequence[Sum]) -> str:
     head = commented(f"Add the noise of an octave: {'; '.join(kinds)}.")
     return head + """\
 //   o         the octaves
-//   n         the noise at o.place with o.seed, in [-1, 1]. hn_add and hn_add_turbulence take what is beyond, others
-//             cut it off
+//   n         the noise at o.place with o.seed, in [-1, 1]. hn_add and hn_add_turbulence take what is beyond
+//             (HN_FIXED up to 3/2), others cut it off
 //   strength  as of the sum that is made so (fbm2d.glsl)
 //   returns   nothing: the octaves have the sum
 //   error     as of the sums in fbm2d.glsl

@@ -138,7 +138,7 @@ def warp_progressive(noise: Noise, knobs: Knobs, place: Place, options: Options,
 
 # What may wrap outside of the contract's domain, and only there, goes through `wrapped`.
 
-LARGEST_SLOPE = 4 * SLOPE_UNIT
+LARGEST_SLOPE = 128 * SLOPE_UNIT
 LARGEST_E = LARGEST_SUM * 2**12
 
 
@@ -219,7 +219,10 @@ def fixed_frames_of(n: int, options: Options, periods: Sequence[int] = ()) -> It
 def fixed_slopes_of(noise: Noise, knobs: Knobs, place: FixedPlace, options: Options, seed: int,
                     periods: Sequence[int]) -> tuple[list[int], list[list[int]]]:
     found = [fixed_at(noise, knobs, octave) for octave in sums.fixed_octaves_of(place, options, seed, periods)]
-    return [value for value, *_ in found], [[clamped_to(x, LARGEST_SLOPE) for x in g] for _, *g in found]
+    value_unit, *slope_units = noise.units
+    return ([math.trunc(Fraction(value * NOISE_UNIT, value_unit)) for value, *_ in found],
+            [[clamped_to(math.trunc(Fraction(x * SLOPE_UNIT, unit)), LARGEST_SLOPE) for x, unit in zip(g, slope_units)]
+             for _, *g in found])
 
 
 def fixed_terms_of(noises: list[int], options: Options) -> Terms[int]:

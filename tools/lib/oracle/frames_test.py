@@ -157,13 +157,16 @@ class LargestNumbers(unittest.TestCase):
     ENDS = ((2, 63.0, 1.0, 4.0), (2, 255.0, 63 / 255, 4.0), (6, 2.0, 1.0, 8.0), (3, 2.0, 1.0, 64.0),
             (5, 2.0, 1.0, 16.0), (32, 1.04, 1.0, 64.0), (32, 1.0, 1.0, 64.0), (3, 7.4, 1.0, 4.0))
 
-    def largest(self, n: int, options: Options, periods: Sequence[int]) -> None:
-        """What is largest along each axis: octaves that all point the way in which their frames do."""
+    def largest(self, n: int, options: Options, periods: Sequence[int], rise: float = 4000) -> None:
+        """What is largest along each axis: octaves that all point the way in which their frames do. The lengths of
+        their gradients are the rise, divided by what the frames sum to."""
         count, ends = sums.fixed_count_of(options), list(itertools.product((-1, 1), repeat=n))
         found = list(itertools.islice(frames.fixed_frames_of(n, options, periods), count))
         place = [(0, 0)] * n
+        growth = sum((options.gain * options.lacunarity)**i for i in range(count))
+        slope = int(min(rise / growth / math.sqrt(n), 128) * 2**19)
         for axis in range(n):
-            slopes = [max(([x * 2**21 for x in end] for end in ends), key=lambda g: frame.transposed_times(g)[axis])
+            slopes = [max(([x * slope for x in end] for end in ends), key=lambda g: frame.transposed_times(g)[axis])
                       for frame in found]
             with mock.patch.object(frames, "fixed_slopes_of", return_value=([2**21] * count, slopes)):
                 frames.fixed_fbm_d(SLOPES, LATTICE, place, options, 0, periods)
@@ -187,6 +190,10 @@ class LargestNumbers(unittest.TestCase):
             for n, options in itertools.product((2, 3), beyond):
                 with self.assertRaises(OverflowError):
                     self.largest(n, options, ())
+
+    def test_steeper_noise_wraps(self) -> None:
+        with mock.patch.object(frames, "wrapped", signed), self.assertRaises(OverflowError):
+            self.largest(2, Options(32, 1.0, 1.0), (5, 5), 6000)
 
 
 class Derivatives(unittest.TestCase):
@@ -234,7 +241,7 @@ class Derivatives(unittest.TestCase):
                                        (Fraction(1, 2) + Fraction(3, 16)) / Fraction(3, 2))))
 
     def test_slopes_of_a_noise_are_cut_off(self) -> None:
-        for slope, counts in ((5, 4), (-5, -4), (4, 4)):
+        for slope, counts in ((130, 128), (-130, -128), (128, 128), (-9, -9)):
             noise = Noise("steep", None, lambda *_: (0, slope * 2**19, 0))
             found = frames.fixed("fbm_d", noise, LATTICE, [(0, 0)] * 2, Options(1, 2.0, 0.5))
             self.assertEqual(found, (0, counts, 0))

@@ -10,7 +10,6 @@ from typing import Generic, TypeVar
 
 from oracle.gradients import Knobs, Real
 from oracle.integers import NOISE_UNIT, clamp_to_int, signed, word
-from oracle.lattice import Lattice
 from oracle.noises import Noise
 from oracle.words import MASK, SEED_STEP, signed as wrapped
 
@@ -261,7 +260,7 @@ def fixed_octaves_of(place: FixedPlace, options: Options, seed: int,
 def fixed_at(noise: Noise, knobs: Knobs, octave: FixedOctave) -> tuple[int, ...]:
     """What the noise returns there, as integers in its units."""
     place, periods, seed = octave
-    return noise.fixed_in_cell(Lattice(knobs, seed, tuple(periods)), [cell for cell, _ in place],
+    return noise.fixed_in_cell(noise.lattice(knobs, seed, periods), [cell for cell, _ in place],
                                [r >> 4 for _, r in place])
 
 

@@ -87,6 +87,18 @@ def minified(lines: Iterable[str]) -> Iterator[str]:
             yield line if line.startswith("#") else BLANK.sub("", line)
 
 
+DEFAULT = re.compile(r"(#define HN_\w+ )(HN_\w+)")
+NUMBER = re.compile(r"#define (HN_\w+) (\d+)")
+
+
+def with_numbers(lines: Sequence[str]) -> list[str]:
+    """The lines with a number where a macro of users is another one that stands for a number, as the default of a knob
+    is: PlayCanvas' preprocessor compares texts, and does not look up what a macro names."""
+    numbers = dict(match.groups() for line in lines if (match := NUMBER.match(line)))
+    return [f"{match[1]}{numbers[match[2]]}  // {match[2]}"
+            if (match := DEFAULT.fullmatch(line)) and match[2] in numbers else line for line in lines]
+
+
 def text(names: Sequence[str], language: str = "glsl", strip: bool = False, minify: bool = False) -> str:
     """The files, with all that they include, as one."""
     # Slang is HLSL with modules, whose names may be overloaded, and whose macros stay inside.
@@ -95,6 +107,7 @@ def text(names: Sequence[str], language: str = "glsl", strip: bool = False, mini
     done: set[str] = set()
     lines = [line for part in (*between[:1], *names, *between[1:]) for line in flatten(part, done)]
     if language == "glsl":
+        lines = with_numbers(lines)
         lines += ["// So that errors in your own shader, below, have the numbers of its lines.", "#line 1"]
     elif language == "godot":
         lines = godot.expanded(lines)

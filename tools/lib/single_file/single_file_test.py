@@ -204,6 +204,18 @@ class SingleFile(unittest.TestCase):
     def test_the_help_names_the_sums_on_the_plane(self):
         self.assertIn("fbm2d.glsl the octave sums on the plane", " ".join(generate("--help").stdout.split()))
 
+    def test_no_macro_that_a_condition_asks_for_names_another(self):
+        """As PlayCanvas' preprocessor needs it, which compares what stands behind a #define as a text."""
+        def naming(lines):
+            asked = set(re.findall(r"\bHN_\w+", "".join(line for line in lines if line.startswith("#if "))))
+            defined = {match[1]: match[2] for line in lines if (match := re.match(r"#define (HN_\w+) (\w+)", line))}
+            return {name for name, value in defined.items() if name in asked and value in defined}
+        lines = generate().stdout.splitlines(keepends=True)
+        self.assertEqual(naming(lines), set())
+        self.assertIn("#define HN_HASH 8  // HN_HASH_LATTICE\n", lines)
+        config = (glsl_files()["config.glsl"]).read_text().splitlines(keepends=True)
+        self.assertEqual(naming(config), {"HN_HASH", "HN_GRADIENT", "HN_ARITHMETIC"})
+
     def test_parts_in_order_are_the_library(self):
         found = parts(strip=True)
 

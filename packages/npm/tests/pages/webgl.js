@@ -78,7 +78,10 @@ void main() {
 
 const SIDE = 64;
 
-/** How far the gray of a picture is from 0.5 + fbm, in steps of 8 bits, where that is farthest. */
+/** What a canvas shows of linear light, as three.js converts it: sRGB. */
+const shown = (v) => (v <= 0.0031308 ? 12.92 * v : 1.055 * v ** (1 / 2.4) - 0.055);
+
+/** How far the gray of a picture is from 0.5 + fbm as light, in steps of 8 bits, where that is farthest. */
 function furthest(pixels, flipped) {
   const field = new Field(2, { sum: "fbm", octaves: 6, seed: 7 });
   let most = 0;
@@ -86,7 +89,7 @@ function furthest(pixels, flipped) {
     for (let x = 0; x < SIDE; ++x) {
       const gray = 0.5 + field.at(((x + 0.5) / SIDE) * 8, ((y + 0.5) / SIDE) * 8);
       const row = flipped ? SIDE - 1 - y : y;
-      most = Math.max(most, Math.abs(pixels[4 * (SIDE * row + x)] - 255 * Math.min(Math.max(gray, 0), 1)));
+      most = Math.max(most, Math.abs(pixels[4 * (SIDE * row + x)] - 255 * shown(Math.min(Math.max(gray, 0), 1))));
     }
   }
   return most;
