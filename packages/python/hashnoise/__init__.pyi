@@ -1,16 +1,15 @@
 """The types of the package. Docstrings are beside the code; that both have the same functions is tested."""
 
 from collections.abc import Sequence
-from typing import Literal, TypeAlias, TypeVar, overload
+from typing import Any, Literal, TypeAlias, TypeVar, overload
 
 import numpy as np
 import numpy.typing as npt
 
 _Values: TypeAlias = npt.NDArray[np.float32]
-_Float32: TypeAlias = Literal["float32"] | type[np.float32] | np.dtype[np.float32]
-_Float16: TypeAlias = Literal["float16"] | type[np.float16] | np.dtype[np.float16]
-_Uint16: TypeAlias = Literal["uint16"] | type[np.uint16] | np.dtype[np.uint16]
-_Out = TypeVar("_Out", np.float16, np.uint16)
+_Kind = TypeVar("_Kind", bound=np.float32 | np.float16 | np.uint16)
+_Dtype: TypeAlias = (Literal["float32", "float16", "uint16"] | type[np.float32 | np.float16 | np.uint16]
+                     | np.dtype[np.float32 | np.float16 | np.uint16])
 _Extent: TypeAlias = tuple[float, float]
 _Number: TypeAlias = float | np.floating | np.integer
 _Cells: TypeAlias = npt.ArrayLike | Sequence[npt.ArrayLike]
@@ -292,8 +291,8 @@ def grid(name: _Name, size: int | Sequence[int], *, step: float | Sequence[float
          gain: float | None = None, strength: float | None = None, amplitude: float | None = None,
          detail: float | None = None, footprint: float | None = None, period: int | Sequence[int] | None = None,
          wave: Sequence[float] | None = None, phase: float | None = None, jitter: float | None = None,
-         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: _Float32 | None = None,
-         range: tuple[float, float] | None = None, out: _Values | None = None, return_range: Literal[False] = False,
+         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: Literal["float32"] | None = None,
+         range: tuple[float, float] | None = None, out: None = None, return_range: Literal[False] = False,
          threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
 @overload
 def grid(name: _Name, size: int | Sequence[int], *, step: float | Sequence[float],
@@ -302,8 +301,48 @@ def grid(name: _Name, size: int | Sequence[int], *, step: float | Sequence[float
          gain: float | None = None, strength: float | None = None, amplitude: float | None = None,
          detail: float | None = None, footprint: float | None = None, period: int | Sequence[int] | None = None,
          wave: Sequence[float] | None = None, phase: float | None = None, jitter: float | None = None,
-         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: _Float32 | None = None,
-         range: tuple[float, float] | None = None, out: _Values | None = None, return_range: Literal[True],
+         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: Literal["float16"], range: tuple[float,
+         float] | None = None, out: None = None, return_range: Literal[False] = False, threads: int | None = None,
+         instruction_set: str | None = None) -> npt.NDArray[np.float16]: ...
+@overload
+def grid(name: _Name, size: int | Sequence[int], *, step: float | Sequence[float],
+         origin: float | Sequence[float] = 0.0, cell: int | Sequence[int] | None = None, first: int | Sequence[int] = 0,
+         seed: int = 0, noise: _Noise | None = None, octaves: int | None = None, lacunarity: float | None = None,
+         gain: float | None = None, strength: float | None = None, amplitude: float | None = None,
+         detail: float | None = None, footprint: float | None = None, period: int | Sequence[int] | None = None,
+         wave: Sequence[float] | None = None, phase: float | None = None, jitter: float | None = None,
+         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: Literal["uint16"], range: tuple[float,
+         float] | None = None, out: None = None, return_range: Literal[False] = False, threads: int | None = None,
+         instruction_set: str | None = None) -> npt.NDArray[np.uint16]: ...
+@overload
+def grid(name: _Name, size: int | Sequence[int], *, step: float | Sequence[float],
+         origin: float | Sequence[float] = 0.0, cell: int | Sequence[int] | None = None, first: int | Sequence[int] = 0,
+         seed: int = 0, noise: _Noise | None = None, octaves: int | None = None, lacunarity: float | None = None,
+         gain: float | None = None, strength: float | None = None, amplitude: float | None = None,
+         detail: float | None = None, footprint: float | None = None, period: int | Sequence[int] | None = None,
+         wave: Sequence[float] | None = None, phase: float | None = None, jitter: float | None = None,
+         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: type[_Kind] | np.dtype[_Kind],
+         range: tuple[float, float] | None = None, out: None = None, return_range: Literal[False] = False,
+         threads: int | None = None, instruction_set: str | None = None) -> npt.NDArray[_Kind]: ...
+@overload
+def grid(name: _Name, size: int | Sequence[int], *, step: float | Sequence[float],
+         origin: float | Sequence[float] = 0.0, cell: int | Sequence[int] | None = None, first: int | Sequence[int] = 0,
+         seed: int = 0, noise: _Noise | None = None, octaves: int | None = None, lacunarity: float | None = None,
+         gain: float | None = None, strength: float | None = None, amplitude: float | None = None,
+         detail: float | None = None, footprint: float | None = None, period: int | Sequence[int] | None = None,
+         wave: Sequence[float] | None = None, phase: float | None = None, jitter: float | None = None,
+         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: _Dtype | None = None,
+         range: tuple[float, float] | None = None, out: npt.NDArray[_Kind], return_range: Literal[False] = False,
+         threads: int | None = None, instruction_set: str | None = None) -> npt.NDArray[_Kind]: ...
+@overload
+def grid(name: _Name, size: int | Sequence[int], *, step: float | Sequence[float],
+         origin: float | Sequence[float] = 0.0, cell: int | Sequence[int] | None = None, first: int | Sequence[int] = 0,
+         seed: int = 0, noise: _Noise | None = None, octaves: int | None = None, lacunarity: float | None = None,
+         gain: float | None = None, strength: float | None = None, amplitude: float | None = None,
+         detail: float | None = None, footprint: float | None = None, period: int | Sequence[int] | None = None,
+         wave: Sequence[float] | None = None, phase: float | None = None, jitter: float | None = None,
+         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: Literal["float32"] | None = None,
+         range: tuple[float, float] | None = None, out: None = None, return_range: Literal[True],
          threads: int | None = None, instruction_set: str | None = None) -> tuple[_Values, _Extent]: ...
 @overload
 def grid(name: _Name, size: int | Sequence[int], *, step: float | Sequence[float],
@@ -312,9 +351,9 @@ def grid(name: _Name, size: int | Sequence[int], *, step: float | Sequence[float
          gain: float | None = None, strength: float | None = None, amplitude: float | None = None,
          detail: float | None = None, footprint: float | None = None, period: int | Sequence[int] | None = None,
          wave: Sequence[float] | None = None, phase: float | None = None, jitter: float | None = None,
-         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: _Float32 | None = None,
-         range: tuple[float, float] | None = None, out: _Values | None = None, return_range: bool,
-         threads: int | None = None, instruction_set: str | None = None) -> _Values | tuple[_Values, _Extent]: ...
+         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: Literal["float16"], range: tuple[float,
+         float] | None = None, out: None = None, return_range: Literal[True], threads: int | None = None,
+         instruction_set: str | None = None) -> tuple[npt.NDArray[np.float16], _Extent]: ...
 @overload
 def grid(name: _Name, size: int | Sequence[int], *, step: float | Sequence[float],
          origin: float | Sequence[float] = 0.0, cell: int | Sequence[int] | None = None, first: int | Sequence[int] = 0,
@@ -322,9 +361,9 @@ def grid(name: _Name, size: int | Sequence[int], *, step: float | Sequence[float
          gain: float | None = None, strength: float | None = None, amplitude: float | None = None,
          detail: float | None = None, footprint: float | None = None, period: int | Sequence[int] | None = None,
          wave: Sequence[float] | None = None, phase: float | None = None, jitter: float | None = None,
-         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: _Float16, range: tuple[float,
-         float] | None = None, out: npt.NDArray[np.float16] | None = None, return_range: Literal[False] = False,
-         threads: int | None = None, instruction_set: str | None = None) -> npt.NDArray[np.float16]: ...
+         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: Literal["uint16"], range: tuple[float,
+         float] | None = None, out: None = None, return_range: Literal[True], threads: int | None = None,
+         instruction_set: str | None = None) -> tuple[npt.NDArray[np.uint16], _Extent]: ...
 @overload
 def grid(name: _Name, size: int | Sequence[int], *, step: float | Sequence[float],
          origin: float | Sequence[float] = 0.0, cell: int | Sequence[int] | None = None, first: int | Sequence[int] = 0,
@@ -332,9 +371,9 @@ def grid(name: _Name, size: int | Sequence[int], *, step: float | Sequence[float
          gain: float | None = None, strength: float | None = None, amplitude: float | None = None,
          detail: float | None = None, footprint: float | None = None, period: int | Sequence[int] | None = None,
          wave: Sequence[float] | None = None, phase: float | None = None, jitter: float | None = None,
-         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: _Float16, range: tuple[float,
-         float] | None = None, out: npt.NDArray[np.float16] | None = None, return_range: Literal[True],
-         threads: int | None = None, instruction_set: str | None = None) -> tuple[npt.NDArray[np.float16], _Extent]: ...
+         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: type[_Kind] | np.dtype[_Kind],
+         range: tuple[float, float] | None = None, out: None = None, return_range: Literal[True],
+         threads: int | None = None, instruction_set: str | None = None) -> tuple[npt.NDArray[_Kind], _Extent]: ...
 @overload
 def grid(name: _Name, size: int | Sequence[int], *, step: float | Sequence[float],
          origin: float | Sequence[float] = 0.0, cell: int | Sequence[int] | None = None, first: int | Sequence[int] = 0,
@@ -342,71 +381,20 @@ def grid(name: _Name, size: int | Sequence[int], *, step: float | Sequence[float
          gain: float | None = None, strength: float | None = None, amplitude: float | None = None,
          detail: float | None = None, footprint: float | None = None, period: int | Sequence[int] | None = None,
          wave: Sequence[float] | None = None, phase: float | None = None, jitter: float | None = None,
-         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: _Float16, range: tuple[float,
-         float] | None = None, out: npt.NDArray[np.float16] | None = None, return_range: bool,
+         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: _Dtype | None = None,
+         range: tuple[float, float] | None = None, out: npt.NDArray[_Kind], return_range: Literal[True],
+         threads: int | None = None, instruction_set: str | None = None) -> tuple[npt.NDArray[_Kind], _Extent]: ...
+@overload
+def grid(name: _Name, size: int | Sequence[int], *, step: float | Sequence[float],
+         origin: float | Sequence[float] = 0.0, cell: int | Sequence[int] | None = None, first: int | Sequence[int] = 0,
+         seed: int = 0, noise: _Noise | None = None, octaves: int | None = None, lacunarity: float | None = None,
+         gain: float | None = None, strength: float | None = None, amplitude: float | None = None,
+         detail: float | None = None, footprint: float | None = None, period: int | Sequence[int] | None = None,
+         wave: Sequence[float] | None = None, phase: float | None = None, jitter: float | None = None,
+         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: _Dtype | None = None,
+         range: tuple[float, float] | None = None, out: npt.NDArray[Any] | None = None, return_range: bool,
          threads: int | None = None,
-         instruction_set: str | None = None) -> npt.NDArray[np.float16] | tuple[npt.NDArray[np.float16], _Extent]: ...
-@overload
-def grid(name: _Name, size: int | Sequence[int], *, step: float | Sequence[float],
-         origin: float | Sequence[float] = 0.0, cell: int | Sequence[int] | None = None, first: int | Sequence[int] = 0,
-         seed: int = 0, noise: _Noise | None = None, octaves: int | None = None, lacunarity: float | None = None,
-         gain: float | None = None, strength: float | None = None, amplitude: float | None = None,
-         detail: float | None = None, footprint: float | None = None, period: int | Sequence[int] | None = None,
-         wave: Sequence[float] | None = None, phase: float | None = None, jitter: float | None = None,
-         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: _Uint16, range: tuple[float,
-         float] | None = None, out: npt.NDArray[np.uint16] | None = None, return_range: Literal[False] = False,
-         threads: int | None = None, instruction_set: str | None = None) -> npt.NDArray[np.uint16]: ...
-@overload
-def grid(name: _Name, size: int | Sequence[int], *, step: float | Sequence[float],
-         origin: float | Sequence[float] = 0.0, cell: int | Sequence[int] | None = None, first: int | Sequence[int] = 0,
-         seed: int = 0, noise: _Noise | None = None, octaves: int | None = None, lacunarity: float | None = None,
-         gain: float | None = None, strength: float | None = None, amplitude: float | None = None,
-         detail: float | None = None, footprint: float | None = None, period: int | Sequence[int] | None = None,
-         wave: Sequence[float] | None = None, phase: float | None = None, jitter: float | None = None,
-         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: _Uint16, range: tuple[float,
-         float] | None = None, out: npt.NDArray[np.uint16] | None = None, return_range: Literal[True],
-         threads: int | None = None, instruction_set: str | None = None) -> tuple[npt.NDArray[np.uint16], _Extent]: ...
-@overload
-def grid(name: _Name, size: int | Sequence[int], *, step: float | Sequence[float],
-         origin: float | Sequence[float] = 0.0, cell: int | Sequence[int] | None = None, first: int | Sequence[int] = 0,
-         seed: int = 0, noise: _Noise | None = None, octaves: int | None = None, lacunarity: float | None = None,
-         gain: float | None = None, strength: float | None = None, amplitude: float | None = None,
-         detail: float | None = None, footprint: float | None = None, period: int | Sequence[int] | None = None,
-         wave: Sequence[float] | None = None, phase: float | None = None, jitter: float | None = None,
-         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: _Uint16, range: tuple[float,
-         float] | None = None, out: npt.NDArray[np.uint16] | None = None, return_range: bool,
-         threads: int | None = None,
-         instruction_set: str | None = None) -> npt.NDArray[np.uint16] | tuple[npt.NDArray[np.uint16], _Extent]: ...
-@overload
-def grid(name: _Name, size: int | Sequence[int], *, step: float | Sequence[float],
-         origin: float | Sequence[float] = 0.0, cell: int | Sequence[int] | None = None, first: int | Sequence[int] = 0,
-         seed: int = 0, noise: _Noise | None = None, octaves: int | None = None, lacunarity: float | None = None,
-         gain: float | None = None, strength: float | None = None, amplitude: float | None = None,
-         detail: float | None = None, footprint: float | None = None, period: int | Sequence[int] | None = None,
-         wave: Sequence[float] | None = None, phase: float | None = None, jitter: float | None = None,
-         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: None = None, range: tuple[float,
-         float] | None = None, out: npt.NDArray[_Out], return_range: Literal[False] = False, threads: int | None = None,
-         instruction_set: str | None = None) -> npt.NDArray[_Out]: ...
-@overload
-def grid(name: _Name, size: int | Sequence[int], *, step: float | Sequence[float],
-         origin: float | Sequence[float] = 0.0, cell: int | Sequence[int] | None = None, first: int | Sequence[int] = 0,
-         seed: int = 0, noise: _Noise | None = None, octaves: int | None = None, lacunarity: float | None = None,
-         gain: float | None = None, strength: float | None = None, amplitude: float | None = None,
-         detail: float | None = None, footprint: float | None = None, period: int | Sequence[int] | None = None,
-         wave: Sequence[float] | None = None, phase: float | None = None, jitter: float | None = None,
-         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: None = None, range: tuple[float,
-         float] | None = None, out: npt.NDArray[_Out], return_range: Literal[True], threads: int | None = None,
-         instruction_set: str | None = None) -> tuple[npt.NDArray[_Out], _Extent]: ...
-@overload
-def grid(name: _Name, size: int | Sequence[int], *, step: float | Sequence[float],
-         origin: float | Sequence[float] = 0.0, cell: int | Sequence[int] | None = None, first: int | Sequence[int] = 0,
-         seed: int = 0, noise: _Noise | None = None, octaves: int | None = None, lacunarity: float | None = None,
-         gain: float | None = None, strength: float | None = None, amplitude: float | None = None,
-         detail: float | None = None, footprint: float | None = None, period: int | Sequence[int] | None = None,
-         wave: Sequence[float] | None = None, phase: float | None = None, jitter: float | None = None,
-         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: None = None, range: tuple[float,
-         float] | None = None, out: npt.NDArray[_Out], return_range: bool, threads: int | None = None,
-         instruction_set: str | None = None) -> npt.NDArray[_Out] | tuple[npt.NDArray[_Out], _Extent]: ...
+         instruction_set: str | None = None) -> npt.NDArray[Any] | tuple[npt.NDArray[Any], _Extent]: ...
 # tools/catalog: end
 def components(name: _Name, dimensions: int, *, noise: _Noise | None = None) -> tuple[str, ...]: ...
 def noises(dimensions: int) -> tuple[_Noise, ...]: ...

@@ -6,7 +6,7 @@ from typing import Any
 import dask.array
 import xarray
 
-from . import _Arithmetic, _Float16, _Float32, _Metric, _Name, _Noise, _Uint16
+from . import _Arithmetic, _Dtype, _Metric, _Name, _Noise
 
 __all__ = ["data_array", "grid"]
 
@@ -16,7 +16,7 @@ def grid(name: _Name, size: int | Sequence[int], *, step: float | Sequence[float
          lacunarity: float | None = ..., gain: float | None = ..., strength: float | None = ...,
          amplitude: float | None = ..., detail: float | None = ..., footprint: float | None = ...,
          period: int | Sequence[int] | None = ..., wave: Sequence[float] | None = ..., phase: float | None = ...,
-         jitter: float | None = ..., metric: _Metric | None = ..., dtype: _Float32 | _Float16 | _Uint16 | None = ...,
+         jitter: float | None = ..., metric: _Metric | None = ..., dtype: _Dtype | None = ...,
          range: tuple[float, float] | None = ..., instruction_set: str | None = ...) -> dask.array.Array: ...
 def data_array(name: _Name, size: int | Sequence[int], *, step: float | Sequence[float], cell_size: float = 1.0,
                unit: str = "cells", chunks: Any = ..., arithmetic: _Arithmetic = ..., threads: int = ...,
@@ -26,5 +26,5 @@ def data_array(name: _Name, size: int | Sequence[int], *, step: float | Sequence
                detail: float | None = ..., footprint: float | None = ...,
                period: int | Sequence[int] | None = ..., wave: Sequence[float] | None = ...,
                phase: float | None = ..., jitter: float | None = ..., metric: _Metric | None = ...,
-               dtype: _Float32 | _Float16 | _Uint16 | None = ..., range: tuple[float, float] | None = ...,
+               dtype: _Dtype | None = ..., range: tuple[float, float] | None = ...,
                instruction_set: str | None = ...) -> xarray.DataArray: ...

@@ -50,7 +50,7 @@ WRONG = {
     'hashnoise.grid("perlin", 9)': "call-overload",
     'hashnoise.grid("perlin", 9, step=1, first=0.5)': "call-overload",
     'hashnoise.grid("perlin", 9, step=1, dtype="uint16", range=3)': "call-overload",
-    'hashnoise.grid("perlin", 9, step=1, out=np.empty(9))': "arg-type",
+    'hashnoise.grid("perlin", 9, step=1, out=np.empty(9))': "call-overload",
     'text: str = hashnoise.perlin(0.5)': "assignment",
     'array: int = hashnoise.perlin([0.5])': "assignment",
     'hashnoise.no_such(0.5)': "attr-defined",

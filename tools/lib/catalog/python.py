@@ -35,13 +35,16 @@ GRID = ("name: _Name, size: int | Sequence[int], *, step: float | Sequence[float
         'metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: {dtype}, '
         "range: tuple[float, float] | None = None, out: {out}, return_range: {return_range}, "
         "threads: int | None = None, instruction_set: str | None = None")
-ARRAYS = (("_Float32 | None = None", "_Values | None = None", "_Values"),
-          ("_Float16", "npt.NDArray[np.float16] | None = None", "npt.NDArray[np.float16]"),
-          ("_Uint16", "npt.NDArray[np.uint16] | None = None", "npt.NDArray[np.uint16]"),
-          ("None = None", "npt.NDArray[_Out]", "npt.NDArray[_Out]"))
-GRIDS = [(dtype, out, result.format(array), return_range) for dtype, out, array in ARRAYS
-         for return_range, result in (("Literal[False] = False", "{0}"), ("Literal[True]", "tuple[{0}, _Extent]"),
-                                      ("bool", "{0} | tuple[{0}, _Extent]"))]
+ARRAYS = (('Literal["float32"] | None = None', "None = None", "_Values"),
+          ('Literal["float16"]', "None = None", "npt.NDArray[np.float16]"),
+          ('Literal["uint16"]', "None = None", "npt.NDArray[np.uint16]"),
+          ("type[_Kind] | np.dtype[_Kind]", "None = None", "npt.NDArray[_Kind]"),
+          ("_Dtype | None = None", "npt.NDArray[_Kind]", "npt.NDArray[_Kind]"))
+GRIDS = [*((dtype, out, result.format(array), return_range)
+           for return_range, result in (("Literal[False] = False", "{0}"), ("Literal[True]", "tuple[{0}, _Extent]"))
+           for dtype, out, array in ARRAYS),
+         ("_Dtype | None = None", "npt.NDArray[Any] | None = None",
+          "npt.NDArray[Any] | tuple[npt.NDArray[Any], _Extent]", "bool")]
 
 
 def files(catalog: Catalog) -> dict[Path, str]:
