@@ -239,6 +239,10 @@ class Running(unittest.TestCase):
                     with self.subTest(arguments, python=python):
                         done = call(python, TOOLS / arguments[0], *arguments[1:])
                         self.assertEqual((done.returncode, done.stdout), (0, right.stdout), done.stderr)
+        code = (f"import sys; sys.path.insert(0, {str(LIB)!r}); from playground.page import packed; "
+                "print(packed({'a': 1}))")
+        for python in (python for version, python in pythons().items() if (3, 9) <= version < (3, 11)):
+            self.assertEqual(call(python, "-c", code).stdout, call(sys.executable, "-c", code).stdout)
 
     @unittest.skipUnless(any((3, 9) <= version < (3, 11) for version in pythons()), "no Python 3.9 or 3.10 is here")
     def test_older_pythons_import_what_users_call(self):
