@@ -1,7 +1,7 @@
 """Writes a terrain of 200 km by 200 km as Zarr, a height for each metre, block by block: it needs the memory of a few
 blocks, however large the terrain is.
 
-    pip install 'hashnoise[dask]'
+    pip install . dask distributed xarray zarr                # in a copy of the repository
     python3 terrain.py                                        # 40,000,000,000 heights, into terrain.zarr
     python3 terrain.py --size 20000 --out small.zarr          # 20 km by 20 km
     python3 terrain.py --scheduler tcp://10.0.0.1:8786        # on a cluster, whose workers see the folder, too

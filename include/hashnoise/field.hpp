@@ -67,8 +67,9 @@ struct Settings {
 
   // For sums.
   std::optional<int> octaves{};       // from 1 to 32, and 6 if it is left out
-  std::optional<float> lacunarity{};  // 2 if it is left out
-  std::optional<float> gain{};        // not negative; 0.5 if it is left out
+  // 2 if it is left out. With a period whole, from 1 to 255; in cells and with kFixed from 0 to 255.
+  std::optional<float> lacunarity{};
+  std::optional<float> gain{};  // not negative, and with kFixed at most 1; 0.5 if it is left out
   // ping_pong: in [0, 64], and 2 if it is left out; weighted: in [0, 1], and 1; eroded: in [0, 16], and 1.
   std::optional<float> strength{};
   std::optional<float> amplitude{};  // in [0, 64], and 1 if it is left out; warp, warp_progressive
@@ -106,7 +107,8 @@ class HN_I_OFFERED Field {
   InstructionSet instruction_set() const;
 
   // Writes components() * points numbers, and returns the least and the greatest of them (of the first component).
-  // Throws std::invalid_argument if `values` has another size, or if a number is not finite or too large.
+  // Throws std::invalid_argument if `values` has another size, or if a number of a grid is not finite or too large. Where
+  // a coordinate of a list of points is NaN or infinite, all numbers of that point are NaN.
   Range fill(const Grid<D>& grid, std::span<float> values, const Executor& executor = {}) const;
   Range fill(const CellGrid<D>& grid, std::span<float> values, const Executor& executor = {}) const;
   Range fill(const Points<D>& points, std::span<float> values, const Executor& executor = {}) const;

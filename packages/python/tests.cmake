@@ -36,7 +36,7 @@ set_tests_properties(python.registry PROPERTIES FIXTURES_REQUIRED python_wheel S
 add_test(NAME python.types CONFIGURATIONS Thorough
          COMMAND Python3::Interpreter -B ${package_tests}/environment.py run --with mypy.txt ${package_environment} types_test)
 set_tests_properties(python.types PROPERTIES FIXTURES_REQUIRED python_wheel SKIP_RETURN_CODE 77)
-foreach(subject arrays documents golden options source)
+foreach(subject arrays documents golden odd options source)
   add_test(NAME python.${subject} COMMAND Python3::Interpreter -B ${package_tests}/environment.py run ${package_environment} ${subject}_test)
   set_tests_properties(python.${subject} PROPERTIES FIXTURES_REQUIRED python_wheel SKIP_RETURN_CODE 77)
 endforeach()

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <hashnoise/field.hpp>
 #include <stdexcept>
@@ -303,6 +304,9 @@ const Loops& in_cells(const Plan& plan) {
   if (plan.in.points == nullptr) {
     throw std::invalid_argument("detail and footprint need positions, and there are cells");
   }
+  const grid::Rule rule = {"lacunarity", false, 0.0, grid::kMostLacunarity, 2.0};
+  const std::string problem = grid::problem_of(rule, static_cast<double>(plan.options.lacunarity));
+  if (plan.takes_positions && !problem.empty()) throw std::invalid_argument(problem + " in cells");
   return plan.in;
 }
 
@@ -337,6 +341,22 @@ Range fill_box(const Plan& plan, const Loops& loops, const AnyGrid& grid, std::v
   set_step(grid, blank);
   const Box box{plan, loops, sizes, blank, std::move(axes), planes};
   return box.fill(points, executor);
+}
+
+bool are_finite(const float* numbers, int count) {
+  std::uint32_t sum = 0;  // an exponent of ones reaches the sign; a loop that compilers vectorize
+  for (int i = 0; i < count; ++i) sum |= (std::bit_cast<std::uint32_t>(numbers[i]) & 0x7F800000u) + 0x00800000u;
+  return (sum & 0x80000000u) == 0;
+}
+
+// No number comes out where a coordinate is none, or infinite. Kernels would make one of it: HN_FIXED, whose fractions
+// are integers, and what looks for the nearest point or has a cell alone.
+void spread_nan(const float* coordinates, int count, const Batch& batch, int components) {
+  if (are_finite(coordinates, count)) return;
+  for (int i = 0; i < count; ++i) {
+    if (std::isfinite(coordinates[i])) continue;
+    for (int n = 0; n < components; ++n) batch.value[n][i] = std::numeric_limits<float>::quiet_NaN();
+  }
 }
 
 template <typename Spans>
@@ -463,6 +483,7 @@ Range Field<D>::fill(const Points<D>& points, std::span<float> values, const Exe
                          batch.place[axis] = place[axis];
                        }
                        run_batch(batch);
+                       for (const auto& p : points.p) spread_nan(p.data() + first, n, batch, plan.components);
                      });
 }
 
@@ -470,13 +491,14 @@ template <int D>
 Range Field<D>::fill(const CellPoints<D>& points, std::span<float> values, const Executor& executor) const {
   const std::size_t count = common_length(points.f, common_length(points.cell, points.cell[0].size()));
   return fill_points(*plan_, in_cells(*plan_).points, count, values, executor,
-                     [&](std::size_t first, int, Batch& batch, const auto& run_batch) {
+                     [&](std::size_t first, int n, Batch& batch, const auto& run_batch) {
                        for (std::size_t axis = 0; axis < D; ++axis) {
                          batch.stride[axis] = 1;
                          batch.cell[axis] = points.cell[axis].data() + first;
                          batch.place[axis] = points.f[axis].data() + first;
                        }
                        run_batch(batch);
+                       for (const auto& f : points.f) spread_nan(f.data() + first, n, batch, plan_->components);
                      });
 }
 
@@ -485,4 +507,4 @@ template class Field<2>;
 template class Field<3>;
 template class Field<4>;
 
-}  // namespace hashnoise
+}  // namespace hashnoise::inline HN_I_NAMESPACE

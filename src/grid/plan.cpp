@@ -1,6 +1,7 @@
 #include "plan.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <hashnoise/detail/closest.hpp>
 #include <iterator>
 #include <stdexcept>
@@ -11,6 +12,8 @@
 namespace hashnoise::inline HN_I_NAMESPACE::grid {
 
 namespace {
+
+constexpr double kMostGrowth = 96.0;  // in octaves of 2: 2^31 times as much is far from 2^127 still
 
 [[noreturn]] void refuse(const std::string& message) { throw std::invalid_argument(message); }
 
@@ -195,6 +198,34 @@ void plan_sum(Plan& plan, const Settings& settings, NoiseId noise, SumId id, boo
   }
 }
 
+// What the functions would take otherwise than it is given is wrong: they cut a lacunarity off in a tile, and with
+// HN_FIXED they take the nearer end. Floats overflow where octaves are too fine or too strong for their number: a
+// position is below 2^31, and so is what is added up, but for these factors.
+void check_octaves(const Plan& plan, Arithmetic arithmetic, int octaves, bool tiled) {
+  const auto lacunarity = static_cast<double>(plan.options.lacunarity);
+  const auto gain = static_cast<double>(plan.options.gain);
+  if (tiled && (lacunarity < 1.0 || lacunarity > kMostLacunarity || std::trunc(lacunarity) != lacunarity)) {
+    refuse("lacunarity is " + digits_of(lacunarity) + ", and has to be a whole number from 1 to 255 with a period");
+  }
+  if (arithmetic == Arithmetic::kFixed) {
+    const Rule of_fixed[] = {{"lacunarity", false, 0.0, kMostLacunarity, 2.0}, {"gain", false, 0.0, 1.0, 0.5}};
+    for (const Rule& rule : of_fixed) {
+      const std::string problem = problem_of(rule, rule.setting == "gain" ? gain : lacunarity);
+      if (!problem.empty()) refuse(problem + " with fixed arithmetic");
+    }
+    return;
+  }
+  const double finer = std::max(1.0, std::abs(lacunarity));
+  const double stronger = std::max(1.0, gain);
+  if (octaves < 2 || std::log2(finer * stronger) * (octaves - 1) <= kMostGrowth) return;
+  const bool is_gain = stronger > finer;
+  const double most = std::exp2(kMostGrowth / (octaves - 1)) / std::min(finer, stronger);
+  refuse(std::string(is_gain ? "gain" : "lacunarity") + " is " + digits_of(is_gain ? gain : lacunarity) +
+         ", and with " + std::to_string(octaves) + " octaves and a " + (is_gain ? "lacunarity of " : "gain of ") +
+         digits_of(is_gain ? lacunarity : gain) + " it has to be at most " +
+         digits_of(std::max(1.0, std::floor(most * 100.0) / 100.0)) + ", or floats overflow");
+}
+
 }  // namespace
 
 Plan plan_of(int dimensions, const Settings& settings) {
@@ -234,6 +265,9 @@ Plan plan_of(int dimensions, const Settings& settings) {
   plan.options.lacunarity = checked(kLacunarityRule, settings.lacunarity);
   plan.options.gain = checked(kGainRule, settings.gain);
   if (sum) {
+    const int octaves =
+        settings.detail ? static_cast<int>(std::ceil(checked(kDetailRule, settings.detail))) : plan.options.octaves;
+    check_octaves(plan, settings.arithmetic, octaves, tiled);
     plan_sum(plan, settings, noise, *sum, tiled);
   } else {
     plan_noise(plan, settings, noise, tiled);
@@ -242,11 +276,11 @@ Plan plan_of(int dimensions, const Settings& settings) {
   return plan;
 }
 
-}  // namespace hashnoise::grid
+}  // namespace hashnoise::inline HN_I_NAMESPACE::grid
 
 namespace hashnoise::inline HN_I_NAMESPACE {
 
 std::vector<std::string_view> noise_names(int dimensions) { return grid::names_in(grid::kNoiseRows, dimensions); }
 std::vector<std::string_view> sum_names(int dimensions) { return grid::names_in(grid::kSumRows, dimensions); }
 
-}  // namespace hashnoise
+}  // namespace hashnoise::inline HN_I_NAMESPACE

@@ -21,6 +21,7 @@ struct Rule {
 };
 
 constexpr double kMostFloat = std::numeric_limits<float>::max();
+constexpr double kMostLacunarity = 255.0;  // where positions are whole numbers: in cells, in tiles and with HN_FIXED
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();  // nothing is usual
 
 // kSeedRule, kPeriodRule and so on; the period, the cell, the size and the wave are for each axis.
@@ -60,4 +61,4 @@ inline std::string problem_of(const Rule& rule, double number) {
   return std::string(rule.setting) + " is " + digits_of(number) + ", and has to be " + words_of(rule);
 }
 
-}  // namespace hashnoise::grid
+}  // namespace hashnoise::inline HN_I_NAMESPACE::grid

@@ -12,15 +12,18 @@ instructions.
 Each function takes 1 to 4 coordinates: as many as the field has dimensions. They are arrays or numbers, and are
 broadcast against each other. Positions are in cells, and |x| < 2^23: far out, floats lose the fraction in a cell. What
 is not float32 is converted. The result is an array of float32; of numbers alone it is a float. A function that returns
-several numbers for a point returns planes, an array with an axis for them in front, which can be unpacked.
+several numbers for a point returns planes, an array with an axis for them in front, which can be unpacked. Where a
+coordinate is NaN or infinite, all numbers of the point are NaN. Of masked arrays the result is one, and is masked where
+one of them is.
 
 All functions have these options:
 
     seed             a whole number from 0 to 2^32 - 1; different seeds give independent fields
     period           the field repeats after so many cells: one whole number, or one for each axis, not negative; 0
-                     for none. A sum then takes the whole part of its lacunarity, which is from 1 to 255
+                     for none
     cell             cells, as a tuple with an array of whole numbers for each axis, from -2^31 to 2^31 - 1. The
-                     coordinates are then the fractions in the cells, in [0, 1], and the field is exact however far out
+                     coordinates are then the fractions in the cells, from 0 to 1, and the field is exact however far
+                     out
     arithmetic       "fast": floats, within the error that the function states (docs/accuracy.md); the last bits may
                      differ from processor to processor. "precise": floats with the bits of IEEE arithmetic. "fixed":
                      integers, with the bits of HN_FIXED in every shader
@@ -33,16 +36,28 @@ Sums (fbm and the others that sums() names) also have these:
 
     noise            what is summed: the name of a noise that returns one number for a point. perlin_worley sums its own
     octaves          how many, from 1 to 32; each costs one noise
-    lacunarity       how much finer each octave is than the one before, usually 2
-    gain             how much weaker, usually 0.5; not negative
+    lacunarity       how much finer each octave is than the one before, usually 2. With a period it is a whole number
+                     from 1 to 255; with a cell, and with arithmetic="fixed", from 0 to 255
+    gain             how much weaker, usually 0.5; not negative, and with arithmetic="fixed" from 0 to 1
 
 What is wrong raises TypeError or ValueError, and says what would be right.
 """
 
 from . import _noises, _sums
 from ._core import version as __version__
+from ._evaluate import suggestion as _suggestion
 from ._grids import components, grid, instruction_sets, noises, sums
 from ._noises import *  # noqa: F403
 from ._sums import *  # noqa: F403
 
 __all__ = ["components", "grid", "instruction_sets", "noises", "sums", *_noises.__all__, *_sums.__all__]
+
+
+def __getattr__(name):
+    """Called for a name that there is not: that of GLSL is meant, or the nearest one."""
+    if name == "dask":
+        meant = "; import hashnoise.dask"
+    else:
+        bare = name[3:] if name.startswith("hn_") else name
+        meant = f" (did you mean {bare}?)" if bare in __all__ else _suggestion(bare, __all__)
+    raise AttributeError(f"module 'hashnoise' has no attribute {name!r}{meant}")

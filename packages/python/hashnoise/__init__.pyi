@@ -1,13 +1,15 @@
 """The types of the package. Docstrings are beside the code; that both have the same functions is tested."""
 
 from collections.abc import Sequence
-from typing import Any, Literal, TypeAlias, overload
+from typing import Any, Literal, TypeAlias, TypeVar, overload
 
 import numpy as np
 import numpy.typing as npt
 
 _Values: TypeAlias = npt.NDArray[np.float32]
-_OfGrids: TypeAlias = npt.NDArray[np.float32] | npt.NDArray[np.float16] | npt.NDArray[np.uint16]
+_Kind = TypeVar("_Kind", bound=np.float32 | np.float16 | np.uint16)
+_Dtype: TypeAlias = (Literal["float32", "float16", "uint16"] | type[np.float32 | np.float16 | np.uint16]
+                     | np.dtype[np.float32 | np.float16 | np.uint16])
 _Extent: TypeAlias = tuple[float, float]
 _Number: TypeAlias = float | np.floating | np.integer
 _Cells: TypeAlias = npt.ArrayLike | Sequence[npt.ArrayLike]
@@ -15,6 +17,14 @@ _Arithmetic: TypeAlias = Literal["fast", "precise", "fixed"]
 # tools/catalog: metrics
 _Metric: TypeAlias = Literal["euclidean", "squared", "manhattan", "chebyshev", "hybrid"]
 # tools/catalog: end
+# tools/catalog: names
+_Noise: TypeAlias = Literal["perlin", "perlin_d", "value", "value_d", "value_cubic", "simplex", "simplex_d",
+                            "simplex_smooth", "cellular", "cellular_three", "cellular_d", "cellular_smooth",
+                            "cell_border", "curl", "value_vector", "perlin_vector", "phasor", "random"]
+_Sum: TypeAlias = Literal["fbm", "turbulence", "clouds", "billow", "ridged", "hybrid", "ping_pong", "weighted", "fbm_d",
+                          "eroded", "warp", "warp_progressive", "perlin_worley"]
+# tools/catalog: end
+_Name: TypeAlias = _Noise | _Sum
 
 __version__: str
 
@@ -140,123 +150,124 @@ def random(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | 
            threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
 @overload
 def fbm(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *, seed: int = 0,
-        noise: str = "perlin", octaves: int | None = None, lacunarity: float = 2.0, gain: float = 0.5,
+        noise: _Noise = "perlin", octaves: int | None = None, lacunarity: float = 2.0, gain: float = 0.5,
         detail: float | None = None, footprint: float | None = None, period: int | Sequence[int] | None = None,
         cell: int | Sequence[int] | None = None, arithmetic: _Arithmetic = "fast", out: None = None,
         threads: int | None = None, instruction_set: str | None = None) -> float: ...
 @overload
 def fbm(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
-        w: npt.ArrayLike | None = None, /, *, seed: int = 0, noise: str = "perlin", octaves: int | None = None,
+        w: npt.ArrayLike | None = None, /, *, seed: int = 0, noise: _Noise = "perlin", octaves: int | None = None,
         lacunarity: float = 2.0, gain: float = 0.5, detail: float | None = None, footprint: float | None = None,
         period: int | Sequence[int] | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
         out: _Values | None = None, threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
 @overload
 def turbulence(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *,
-               seed: int = 0, noise: str = "perlin", octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5,
+               seed: int = 0, noise: _Noise = "perlin", octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5,
                period: int | Sequence[int] | None = None, cell: int | Sequence[int] | None = None,
                arithmetic: _Arithmetic = "fast", out: None = None, threads: int | None = None,
                instruction_set: str | None = None) -> float: ...
 @overload
 def turbulence(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
-               w: npt.ArrayLike | None = None, /, *, seed: int = 0, noise: str = "perlin", octaves: int = 6,
+               w: npt.ArrayLike | None = None, /, *, seed: int = 0, noise: _Noise = "perlin", octaves: int = 6,
                lacunarity: float = 2.0, gain: float = 0.5, period: int | Sequence[int] | None = None,
                cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
                threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
 @overload
 def clouds(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *,
-           seed: int = 0, noise: str = "perlin", octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5,
+           seed: int = 0, noise: _Noise = "perlin", octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5,
            period: int | Sequence[int] | None = None, cell: int | Sequence[int] | None = None,
            arithmetic: _Arithmetic = "fast", out: None = None, threads: int | None = None,
            instruction_set: str | None = None) -> float: ...
 @overload
 def clouds(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
-           w: npt.ArrayLike | None = None, /, *, seed: int = 0, noise: str = "perlin", octaves: int = 6,
+           w: npt.ArrayLike | None = None, /, *, seed: int = 0, noise: _Noise = "perlin", octaves: int = 6,
            lacunarity: float = 2.0, gain: float = 0.5, period: int | Sequence[int] | None = None,
            cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
            threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
 @overload
 def billow(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *,
-           seed: int = 0, noise: str = "perlin", octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5,
+           seed: int = 0, noise: _Noise = "perlin", octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5,
            period: int | Sequence[int] | None = None, cell: int | Sequence[int] | None = None,
            arithmetic: _Arithmetic = "fast", out: None = None, threads: int | None = None,
            instruction_set: str | None = None) -> float: ...
 @overload
 def billow(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
-           w: npt.ArrayLike | None = None, /, *, seed: int = 0, noise: str = "perlin", octaves: int = 6,
+           w: npt.ArrayLike | None = None, /, *, seed: int = 0, noise: _Noise = "perlin", octaves: int = 6,
            lacunarity: float = 2.0, gain: float = 0.5, period: int | Sequence[int] | None = None,
            cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
            threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
 @overload
 def ridged(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *,
-           seed: int = 0, noise: str = "perlin", octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5,
+           seed: int = 0, noise: _Noise = "perlin", octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5,
            period: int | Sequence[int] | None = None, cell: int | Sequence[int] | None = None,
            arithmetic: _Arithmetic = "fast", out: None = None, threads: int | None = None,
            instruction_set: str | None = None) -> float: ...
 @overload
 def ridged(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
-           w: npt.ArrayLike | None = None, /, *, seed: int = 0, noise: str = "perlin", octaves: int = 6,
+           w: npt.ArrayLike | None = None, /, *, seed: int = 0, noise: _Noise = "perlin", octaves: int = 6,
            lacunarity: float = 2.0, gain: float = 0.5, period: int | Sequence[int] | None = None,
            cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
            threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
 @overload
 def hybrid(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *,
-           seed: int = 0, noise: str = "perlin", octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5,
+           seed: int = 0, noise: _Noise = "perlin", octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5,
            period: int | Sequence[int] | None = None, cell: int | Sequence[int] | None = None,
            arithmetic: _Arithmetic = "fast", out: None = None, threads: int | None = None,
            instruction_set: str | None = None) -> float: ...
 @overload
 def hybrid(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
-           w: npt.ArrayLike | None = None, /, *, seed: int = 0, noise: str = "perlin", octaves: int = 6,
+           w: npt.ArrayLike | None = None, /, *, seed: int = 0, noise: _Noise = "perlin", octaves: int = 6,
            lacunarity: float = 2.0, gain: float = 0.5, period: int | Sequence[int] | None = None,
            cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
            threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
 @overload
 def ping_pong(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *,
-              seed: int = 0, noise: str = "perlin", octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5,
+              seed: int = 0, noise: _Noise = "perlin", octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5,
               strength: float = 2.0, period: int | Sequence[int] | None = None, cell: int | Sequence[int] | None = None,
               arithmetic: _Arithmetic = "fast", out: None = None, threads: int | None = None,
               instruction_set: str | None = None) -> float: ...
 @overload
 def ping_pong(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
-              w: npt.ArrayLike | None = None, /, *, seed: int = 0, noise: str = "perlin", octaves: int = 6,
+              w: npt.ArrayLike | None = None, /, *, seed: int = 0, noise: _Noise = "perlin", octaves: int = 6,
               lacunarity: float = 2.0, gain: float = 0.5, strength: float = 2.0,
               period: int | Sequence[int] | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
               out: _Values | None = None, threads: int | None = None,
               instruction_set: str | None = None) -> _Values: ...
 @overload
 def weighted(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *,
-             seed: int = 0, noise: str = "perlin", octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5,
+             seed: int = 0, noise: _Noise = "perlin", octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5,
              strength: float = 1.0, period: int | Sequence[int] | None = None, cell: int | Sequence[int] | None = None,
              arithmetic: _Arithmetic = "fast", out: None = None, threads: int | None = None,
              instruction_set: str | None = None) -> float: ...
 @overload
 def weighted(x: npt.ArrayLike, y: npt.ArrayLike | None = None, z: npt.ArrayLike | None = None,
-             w: npt.ArrayLike | None = None, /, *, seed: int = 0, noise: str = "perlin", octaves: int = 6,
+             w: npt.ArrayLike | None = None, /, *, seed: int = 0, noise: _Noise = "perlin", octaves: int = 6,
              lacunarity: float = 2.0, gain: float = 0.5, strength: float = 1.0,
              period: int | Sequence[int] | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
              out: _Values | None = None, threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
 def fbm_d(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: int = 0,
-          noise: str = "perlin_d", octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5,
+          noise: _Noise = "perlin_d", octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5,
           period: int | Sequence[int] | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
           out: _Values | None = None, threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
 @overload
-def eroded(x: _Number, y: _Number, z: _Number | None = None, /, *, seed: int = 0, noise: str = "perlin_d",
+def eroded(x: _Number, y: _Number, z: _Number | None = None, /, *, seed: int = 0, noise: _Noise = "perlin_d",
            octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5, strength: float = 1.0,
            period: int | Sequence[int] | None = None, cell: int | Sequence[int] | None = None,
            arithmetic: _Arithmetic = "fast", out: None = None, threads: int | None = None,
            instruction_set: str | None = None) -> float: ...
 @overload
 def eroded(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: int = 0,
-           noise: str = "perlin_d", octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5, strength: float = 1.0,
-           period: int | Sequence[int] | None = None, cell: _Cells | None = None, arithmetic: _Arithmetic = "fast",
-           out: _Values | None = None, threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
+           noise: _Noise = "perlin_d", octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5,
+           strength: float = 1.0, period: int | Sequence[int] | None = None, cell: _Cells | None = None,
+           arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: int | None = None,
+           instruction_set: str | None = None) -> _Values: ...
 def warp(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: int = 0,
-         noise: str = "value_vector", octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5,
+         noise: _Noise = "value_vector", octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5,
          amplitude: float = 1.0, period: int | Sequence[int] | None = None, cell: _Cells | None = None,
          arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: int | None = None,
          instruction_set: str | None = None) -> _Values: ...
 def warp_progressive(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike | None = None, /, *, seed: int = 0,
-                     noise: str = "value_vector", octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5,
+                     noise: _Noise = "value_vector", octaves: int = 6, lacunarity: float = 2.0, gain: float = 0.5,
                      amplitude: float = 1.0, period: int | Sequence[int] | None = None, cell: _Cells | None = None,
                      arithmetic: _Arithmetic = "fast", out: _Values | None = None, threads: int | None = None,
                      instruction_set: str | None = None) -> _Values: ...
@@ -272,68 +283,120 @@ def perlin_worley(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike, /, *, se
                   threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
 # tools/catalog: end
 
+# tools/catalog: grid
 @overload
-def grid(name: str, size: int | Sequence[int], *, step: float | Sequence[float], origin: float | Sequence[float] = 0.0,
-         cell: int | Sequence[int] | None = None, first: int | Sequence[int] = 0, seed: int = 0,
-         noise: str | None = None, octaves: int | None = None, lacunarity: float | None = None,
+def grid(name: _Name, size: int | Sequence[int], *, step: float | Sequence[float],
+         origin: float | Sequence[float] = 0.0, cell: int | Sequence[int] | None = None, first: int | Sequence[int] = 0,
+         seed: int = 0, noise: _Noise | None = None, octaves: int | None = None, lacunarity: float | None = None,
          gain: float | None = None, strength: float | None = None, amplitude: float | None = None,
          detail: float | None = None, footprint: float | None = None, period: int | Sequence[int] | None = None,
          wave: Sequence[float] | None = None, phase: float | None = None, jitter: float | None = None,
-         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: None = None,
-         range: tuple[float, float] | None = None, out: _Values | None = None, return_range: Literal[False] = False,
+         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: Literal["float32"] | None = None,
+         range: tuple[float, float] | None = None, out: None = None, return_range: Literal[False] = False,
          threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
 @overload
-def grid(name: str, size: int | Sequence[int], *, step: float | Sequence[float], origin: float | Sequence[float] = 0.0,
-         cell: int | Sequence[int] | None = None, first: int | Sequence[int] = 0, seed: int = 0,
-         noise: str | None = None, octaves: int | None = None, lacunarity: float | None = None,
+def grid(name: _Name, size: int | Sequence[int], *, step: float | Sequence[float],
+         origin: float | Sequence[float] = 0.0, cell: int | Sequence[int] | None = None, first: int | Sequence[int] = 0,
+         seed: int = 0, noise: _Noise | None = None, octaves: int | None = None, lacunarity: float | None = None,
          gain: float | None = None, strength: float | None = None, amplitude: float | None = None,
          detail: float | None = None, footprint: float | None = None, period: int | Sequence[int] | None = None,
          wave: Sequence[float] | None = None, phase: float | None = None, jitter: float | None = None,
-         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: None = None,
-         range: tuple[float, float] | None = None, out: _Values | None = None, return_range: Literal[True],
+         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: Literal["float16"], range: tuple[float,
+         float] | None = None, out: None = None, return_range: Literal[False] = False, threads: int | None = None,
+         instruction_set: str | None = None) -> npt.NDArray[np.float16]: ...
+@overload
+def grid(name: _Name, size: int | Sequence[int], *, step: float | Sequence[float],
+         origin: float | Sequence[float] = 0.0, cell: int | Sequence[int] | None = None, first: int | Sequence[int] = 0,
+         seed: int = 0, noise: _Noise | None = None, octaves: int | None = None, lacunarity: float | None = None,
+         gain: float | None = None, strength: float | None = None, amplitude: float | None = None,
+         detail: float | None = None, footprint: float | None = None, period: int | Sequence[int] | None = None,
+         wave: Sequence[float] | None = None, phase: float | None = None, jitter: float | None = None,
+         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: Literal["uint16"], range: tuple[float,
+         float] | None = None, out: None = None, return_range: Literal[False] = False, threads: int | None = None,
+         instruction_set: str | None = None) -> npt.NDArray[np.uint16]: ...
+@overload
+def grid(name: _Name, size: int | Sequence[int], *, step: float | Sequence[float],
+         origin: float | Sequence[float] = 0.0, cell: int | Sequence[int] | None = None, first: int | Sequence[int] = 0,
+         seed: int = 0, noise: _Noise | None = None, octaves: int | None = None, lacunarity: float | None = None,
+         gain: float | None = None, strength: float | None = None, amplitude: float | None = None,
+         detail: float | None = None, footprint: float | None = None, period: int | Sequence[int] | None = None,
+         wave: Sequence[float] | None = None, phase: float | None = None, jitter: float | None = None,
+         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: type[_Kind] | np.dtype[_Kind],
+         range: tuple[float, float] | None = None, out: None = None, return_range: Literal[False] = False,
+         threads: int | None = None, instruction_set: str | None = None) -> npt.NDArray[_Kind]: ...
+@overload
+def grid(name: _Name, size: int | Sequence[int], *, step: float | Sequence[float],
+         origin: float | Sequence[float] = 0.0, cell: int | Sequence[int] | None = None, first: int | Sequence[int] = 0,
+         seed: int = 0, noise: _Noise | None = None, octaves: int | None = None, lacunarity: float | None = None,
+         gain: float | None = None, strength: float | None = None, amplitude: float | None = None,
+         detail: float | None = None, footprint: float | None = None, period: int | Sequence[int] | None = None,
+         wave: Sequence[float] | None = None, phase: float | None = None, jitter: float | None = None,
+         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: _Dtype | None = None,
+         range: tuple[float, float] | None = None, out: npt.NDArray[_Kind], return_range: Literal[False] = False,
+         threads: int | None = None, instruction_set: str | None = None) -> npt.NDArray[_Kind]: ...
+@overload
+def grid(name: _Name, size: int | Sequence[int], *, step: float | Sequence[float],
+         origin: float | Sequence[float] = 0.0, cell: int | Sequence[int] | None = None, first: int | Sequence[int] = 0,
+         seed: int = 0, noise: _Noise | None = None, octaves: int | None = None, lacunarity: float | None = None,
+         gain: float | None = None, strength: float | None = None, amplitude: float | None = None,
+         detail: float | None = None, footprint: float | None = None, period: int | Sequence[int] | None = None,
+         wave: Sequence[float] | None = None, phase: float | None = None, jitter: float | None = None,
+         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: Literal["float32"] | None = None,
+         range: tuple[float, float] | None = None, out: None = None, return_range: Literal[True],
          threads: int | None = None, instruction_set: str | None = None) -> tuple[_Values, _Extent]: ...
 @overload
-def grid(name: str, size: int | Sequence[int], *, step: float | Sequence[float], origin: float | Sequence[float] = 0.0,
-         cell: int | Sequence[int] | None = None, first: int | Sequence[int] = 0, seed: int = 0,
-         noise: str | None = None, octaves: int | None = None, lacunarity: float | None = None,
+def grid(name: _Name, size: int | Sequence[int], *, step: float | Sequence[float],
+         origin: float | Sequence[float] = 0.0, cell: int | Sequence[int] | None = None, first: int | Sequence[int] = 0,
+         seed: int = 0, noise: _Noise | None = None, octaves: int | None = None, lacunarity: float | None = None,
          gain: float | None = None, strength: float | None = None, amplitude: float | None = None,
          detail: float | None = None, footprint: float | None = None, period: int | Sequence[int] | None = None,
          wave: Sequence[float] | None = None, phase: float | None = None, jitter: float | None = None,
-         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: None = None,
-         range: tuple[float, float] | None = None, out: _Values | None = None, return_range: bool,
-         threads: int | None = None, instruction_set: str | None = None) -> _Values | tuple[_Values, _Extent]: ...
+         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: Literal["float16"], range: tuple[float,
+         float] | None = None, out: None = None, return_range: Literal[True], threads: int | None = None,
+         instruction_set: str | None = None) -> tuple[npt.NDArray[np.float16], _Extent]: ...
 @overload
-def grid(name: str, size: int | Sequence[int], *, step: float | Sequence[float], origin: float | Sequence[float] = 0.0,
-         cell: int | Sequence[int] | None = None, first: int | Sequence[int] = 0, seed: int = 0,
-         noise: str | None = None, octaves: int | None = None, lacunarity: float | None = None,
+def grid(name: _Name, size: int | Sequence[int], *, step: float | Sequence[float],
+         origin: float | Sequence[float] = 0.0, cell: int | Sequence[int] | None = None, first: int | Sequence[int] = 0,
+         seed: int = 0, noise: _Noise | None = None, octaves: int | None = None, lacunarity: float | None = None,
          gain: float | None = None, strength: float | None = None, amplitude: float | None = None,
          detail: float | None = None, footprint: float | None = None, period: int | Sequence[int] | None = None,
          wave: Sequence[float] | None = None, phase: float | None = None, jitter: float | None = None,
-         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: npt.DTypeLike | None = None,
-         range: tuple[float, float] | None = None, out: _OfGrids | None = None, return_range: Literal[False] = False,
-         threads: int | None = None, instruction_set: str | None = None) -> npt.NDArray[Any]: ...
+         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: Literal["uint16"], range: tuple[float,
+         float] | None = None, out: None = None, return_range: Literal[True], threads: int | None = None,
+         instruction_set: str | None = None) -> tuple[npt.NDArray[np.uint16], _Extent]: ...
 @overload
-def grid(name: str, size: int | Sequence[int], *, step: float | Sequence[float], origin: float | Sequence[float] = 0.0,
-         cell: int | Sequence[int] | None = None, first: int | Sequence[int] = 0, seed: int = 0,
-         noise: str | None = None, octaves: int | None = None, lacunarity: float | None = None,
+def grid(name: _Name, size: int | Sequence[int], *, step: float | Sequence[float],
+         origin: float | Sequence[float] = 0.0, cell: int | Sequence[int] | None = None, first: int | Sequence[int] = 0,
+         seed: int = 0, noise: _Noise | None = None, octaves: int | None = None, lacunarity: float | None = None,
          gain: float | None = None, strength: float | None = None, amplitude: float | None = None,
          detail: float | None = None, footprint: float | None = None, period: int | Sequence[int] | None = None,
          wave: Sequence[float] | None = None, phase: float | None = None, jitter: float | None = None,
-         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: npt.DTypeLike | None = None,
-         range: tuple[float, float] | None = None, out: _OfGrids | None = None, return_range: Literal[True],
-         threads: int | None = None, instruction_set: str | None = None) -> tuple[npt.NDArray[Any], _Extent]: ...
+         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: type[_Kind] | np.dtype[_Kind],
+         range: tuple[float, float] | None = None, out: None = None, return_range: Literal[True],
+         threads: int | None = None, instruction_set: str | None = None) -> tuple[npt.NDArray[_Kind], _Extent]: ...
 @overload
-def grid(name: str, size: int | Sequence[int], *, step: float | Sequence[float], origin: float | Sequence[float] = 0.0,
-         cell: int | Sequence[int] | None = None, first: int | Sequence[int] = 0, seed: int = 0,
-         noise: str | None = None, octaves: int | None = None, lacunarity: float | None = None,
+def grid(name: _Name, size: int | Sequence[int], *, step: float | Sequence[float],
+         origin: float | Sequence[float] = 0.0, cell: int | Sequence[int] | None = None, first: int | Sequence[int] = 0,
+         seed: int = 0, noise: _Noise | None = None, octaves: int | None = None, lacunarity: float | None = None,
          gain: float | None = None, strength: float | None = None, amplitude: float | None = None,
          detail: float | None = None, footprint: float | None = None, period: int | Sequence[int] | None = None,
          wave: Sequence[float] | None = None, phase: float | None = None, jitter: float | None = None,
-         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: npt.DTypeLike | None = None,
-         range: tuple[float, float] | None = None, out: _OfGrids | None = None, return_range: bool,
+         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: _Dtype | None = None,
+         range: tuple[float, float] | None = None, out: npt.NDArray[_Kind], return_range: Literal[True],
+         threads: int | None = None, instruction_set: str | None = None) -> tuple[npt.NDArray[_Kind], _Extent]: ...
+@overload
+def grid(name: _Name, size: int | Sequence[int], *, step: float | Sequence[float],
+         origin: float | Sequence[float] = 0.0, cell: int | Sequence[int] | None = None, first: int | Sequence[int] = 0,
+         seed: int = 0, noise: _Noise | None = None, octaves: int | None = None, lacunarity: float | None = None,
+         gain: float | None = None, strength: float | None = None, amplitude: float | None = None,
+         detail: float | None = None, footprint: float | None = None, period: int | Sequence[int] | None = None,
+         wave: Sequence[float] | None = None, phase: float | None = None, jitter: float | None = None,
+         metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: _Dtype | None = None,
+         range: tuple[float, float] | None = None, out: npt.NDArray[Any] | None = None, return_range: bool,
          threads: int | None = None,
          instruction_set: str | None = None) -> npt.NDArray[Any] | tuple[npt.NDArray[Any], _Extent]: ...
-def components(name: str, dimensions: int, *, noise: str | None = None) -> tuple[str, ...]: ...
-def noises(dimensions: int) -> tuple[str, ...]: ...
-def sums(dimensions: int) -> tuple[str, ...]: ...
+# tools/catalog: end
+def components(name: _Name, dimensions: int, *, noise: _Noise | None = None) -> tuple[str, ...]: ...
+def noises(dimensions: int) -> tuple[_Noise, ...]: ...
+def sums(dimensions: int) -> tuple[_Sum, ...]: ...
 def instruction_sets() -> tuple[str, ...]: ...

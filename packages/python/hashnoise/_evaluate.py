@@ -33,19 +33,31 @@ def points(function, coordinates, cell, out, threads, *, noise="", sum="", **opt
     options      those of the function, by name
     """
     dimensions = _dimensions(function, coordinates)
-    arrays = [_coordinate(function, axis, value) for axis, value in zip(AXES, coordinates[:dimensions])]
-    cells = [] if cell is None else _cells(function, cell, dimensions)
+    masks = []
+    arrays = [_coordinate(function, axis, value, masks) for axis, value in zip(AXES, coordinates[:dimensions])]
+    cells = [] if cell is None else _cells(function, cell, dimensions, masks)
     field = make_field(function, dimensions, noise, sum, options)
     components = len(field.component_names)
     shape = _shape(function, arrays + cells)
+    if cells:
+        _check_fractions(function, arrays)
     wanted = shape if components == 1 else (components, *shape)
     if out is None:
         result = _empty(wanted, shape, arrays + cells)
     else:
         result = checked_out(function, out, wanted)
+        if masks and not isinstance(out, np.ma.MaskedArray):
+            raise TypeError(f"{function}: out must be a masked array, since a coordinate is one")
         arrays = [array.copy() if np.may_share_memory(array, out) else array for array in arrays]
         cells = [array.copy() if np.may_share_memory(array, out) else array for array in cells]
-    field.points(arrays, cells, result[np.newaxis] if components == 1 else result, checked_threads(function, threads))
+    values = np.asarray(result)  # without a mask
+    try:
+        field.points(arrays, cells, values[np.newaxis] if components == 1 else values,
+                     checked_threads(function, threads))
+    except ValueError as error:
+        raise ValueError(f"{function}: {error}") from None
+    if masks or isinstance(out, np.ma.MaskedArray):
+        return _with_mask(result, masks, is_number=out is None and wanted == ())
     return float(result) if out is None and wanted == () else result
 
 
@@ -81,6 +93,8 @@ def real_number(function, name, value):
         number = float(value)
     except TypeError:
         raise TypeError(f"{function}: {name} must be a number, not {_shown(value)}") from None
+    except OverflowError:
+        raise ValueError(f"{function}: {name} must be finite, and is too large: {_shown(value)}") from None
     if not math.isfinite(number):
         raise ValueError(f"{function}: {name} must be finite, not {number}")
     return number
@@ -152,8 +166,24 @@ def suggestion(word, names):
     return _core.suggestion(word, list(names)) if isinstance(word, str) else ""
 
 
+# What other libraries call what is here, and what that is: of a function, and of a grid.
+_FREQUENCY = ("multiply the coordinates by the frequency, since they are in cells",
+              "step is the frequency, the cells from point to point")
+_SCALE = ("divide the coordinates by the scale, since they are in cells",
+          "step is 1 / scale, the cells from point to point")
+_PERIOD = ("period is after how many cells the field repeats",) * 2
+_ELSEWHERE = {
+    "frequency": _FREQUENCY, "freq": _FREQUENCY, "scale": _SCALE, "wavelength": _SCALE, "zoom": _FREQUENCY,
+    "persistence": ("gain is the persistence, of sums such as fbm",) * 2,
+    **dict.fromkeys(("repeat", "tile", "tileable"), _PERIOD),
+    "offset": ("add the offset to the coordinates", "origin is the first point, in cells"),
+    "shape": ("the result has the shape of the coordinates", "size is (width, height), the shape the other way round"),
+}
+
+
 def suggesting(function):
-    """The function, with a TypeError that names the nearest of its options for one that it has not."""
+    """The function, with a TypeError that names for an option that it has not the nearest that it has, or what takes
+    the place of an option of other libraries."""
     code = function.__code__
     options = code.co_varnames[code.co_posonlyargcount:code.co_argcount + code.co_kwonlyargcount]
 
@@ -163,8 +193,12 @@ def suggesting(function):
             return function(*arguments, **given)
         except TypeError as error:
             unknown = [option for option in given if option not in options and f"'{option}'" in str(error)]
-            # Python itself names the nearest from 3.13 on.
-            meant = suggestion(unknown[0], options) if unknown and "mean" not in str(error) else ""
+            if not unknown:
+                raise
+            if unknown[0] in _ELSEWHERE:
+                meant = f"; {_ELSEWHERE[unknown[0]]['step' in options]}"
+            else:  # Python itself names the nearest from 3.13 on
+                meant = "" if "mean" in str(error) else suggestion(unknown[0], options)
             if not meant:
                 raise
             raise TypeError(f"{error}{meant}") from None
@@ -188,27 +222,57 @@ def _dimensions(function, coordinates):
     return dimensions
 
 
-def _coordinate(function, name, value):
-    array = _array(function, name, value)
-    if array.dtype == _FLOAT32 or array.dtype == _FLOAT64:
-        return array
-    if array.dtype.kind not in "fiub":
-        raise TypeError(f"{function}: {name} must be a number or an array of numbers, not of {array.dtype}")
-    return array.astype(_FLOAT32)
+def _coordinate(function, name, value, masks):
+    if isinstance(value, int):  # of which NumPy makes an array of objects, if it is large
+        value = real_number(function, name, value)
+    array = _array(function, name, value, "fiub", f"{name} must be a number or an array of numbers, not of", masks)
+    return array if array.dtype == _FLOAT32 or array.dtype == _FLOAT64 else array.astype(_FLOAT32)
 
 
-def _array(function, name, value):
+def _array(function, name, value, kinds, wanted, masks):
+    """An array of numbers of these kinds. The mask of a masked one is put to the others, and 0 is where it is."""
     try:
-        return np.asarray(value)
+        array = np.asarray(value)
     except ValueError as error:  # rows of different lengths
         raise ValueError(f"{function}: {name} makes no array: {error}") from None
+    if array.dtype.kind not in kinds:
+        raise TypeError(f"{function}: {wanted} {array.dtype}")
+    if isinstance(value, np.ma.MaskedArray):
+        masks.append(np.ma.getmaskarray(value))
+        array = np.where(masks[-1], array.dtype.type(0), array) if masks[-1].any() else array
+    return array
+
+
+def _check_fractions(function, arrays):
+    """What lies beyond a cell is in another one. What is no number is none in the result."""
+    for axis, array in zip(AXES, arrays):
+        if array.size == 0:
+            continue
+        least, most = (float(ufunc.reduce(array, axis=None)) for ufunc in (np.fmin, np.fmax))
+        if least < 0 or most > 1:
+            found = f"{least}" if least == most else f"from {least} to {most}"
+            raise ValueError(f"{function}: with a cell the coordinates are the fractions in it, and must be from 0 to "
+                             f"1; {axis} is {found}")
+
+
+def _with_mask(result, masks, is_number):
+    """The result with the union of the masks, in all of its planes."""
+    mask = np.ma.nomask
+    for other in masks:
+        mask = np.logical_or(mask, other)
+    if is_number:
+        return np.ma.masked if mask else float(result)
+    if not isinstance(result, np.ma.MaskedArray):
+        result = np.ma.MaskedArray(result)
+    result.mask = np.broadcast_to(mask, result.shape)
+    return result
 
 
 def _is_sequence(value):
     return isinstance(value, (tuple, list)) or (isinstance(value, np.ndarray) and value.ndim > 0)
 
 
-def _cells(function, cell, dimensions):
+def _cells(function, cell, dimensions, masks):
     if dimensions == 1 and not isinstance(cell, tuple):
         cell = (cell,)
     if not _is_sequence(cell) or len(cell) != dimensions:
@@ -219,9 +283,7 @@ def _cells(function, cell, dimensions):
     for axis, part in zip(AXES, cell):
         if isinstance(part, int):  # of which NumPy makes an array of objects, if it is large
             ruled_number(function, "cell", part)
-        array = _array(function, "cell", part)
-        if array.dtype.kind not in "iu":
-            raise TypeError(f"{function}: the cells along {axis} must be whole numbers, not {array.dtype}")
+        array = _array(function, "cell", part, "iu", f"the cells along {axis} must be whole numbers, not", masks)
         if array.dtype != _INT32 and array.size and not least <= array.min() <= array.max() <= most:
             raise ValueError(f"{function}: the cells along {axis} must be from {least} to {most}, and are from "
                              f"{array.min()} to {array.max()}")

@@ -84,7 +84,7 @@ def grid(name, size, *, step, origin=0.0, cell=None, first=0, seed=0, noise=None
     dtype = checked_dtype("grid", dtype, out)
     ranges = checked_ranges("grid", name, range, dtype, field)
     values = np.empty(shape, dtype) if out is None else checked_out("grid", out, shape, dtype)
-    planar = values[np.newaxis] if planes == 1 else values
+    planar = np.asarray(values)[np.newaxis] if planes == 1 else np.asarray(values)
     threads = checked_threads("grid", threads)
     try:
         if cell is None:
@@ -93,6 +93,8 @@ def grid(name, size, *, step, origin=0.0, cell=None, first=0, seed=0, noise=None
             extent = field.cell_grid(cell, origin, step, size, first, planar, ranges, threads)
     except ValueError as error:
         raise ValueError(f"grid: {error}") from None
+    if isinstance(values, np.ma.MaskedArray):
+        values.mask = np.ma.nomask  # all of it has been computed
     return (values, extent) if return_range else values
 
 

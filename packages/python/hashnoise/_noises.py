@@ -21,6 +21,9 @@ def perlin(x, y=None, z=None, w=None, /, *, seed=0, period=None, phase=None, cel
     source   Valdenegro-Toro and Pincheira, sec. 5; Perlin, "Improving noise", 2002; for the phase Perlin and Neyret,
              "Flow noise", 2001
 
+    help(hashnoise) tells of the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
+    `instruction_set`.
+
     >>> hashnoise.perlin(0.5, 0.25, seed=7, arithmetic="fixed")
     -0.5171008110046387
     """
@@ -39,6 +42,9 @@ def perlin_d(x, y=None, z=None, w=None, /, *, seed=0, period=None, phase=None, c
              3.62] in 4D, without a phase
     source   the product rule on the interpolation; docs/contract.md, section 10
 
+    help(hashnoise) tells of the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
+    `instruction_set`.
+
     >>> hashnoise.perlin_d(0.5, 0.25, seed=7, arithmetic="fixed")
     array([-0.5171008 , -0.27228737, -0.6689491 ], dtype=float32)
     """
@@ -56,6 +62,9 @@ def value(x, y=None, z=None, w=None, /, *, seed=0, period=None, cell=None, arith
     returns  [-1, 1], mean 0, at lattice points any multiple of 2^-22, twice continuously differentiable
     source   Perlin, "Improving noise", 2002, for the interpolant
 
+    help(hashnoise) tells of the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
+    `instruction_set`.
+
     >>> hashnoise.value(0.5, 0.25, seed=7, arithmetic="fixed")
     -0.22854185104370117
     """
@@ -71,6 +80,9 @@ def value_d(x, y=None, z=None, w=None, /, *, seed=0, period=None, cell=None, ari
     returns  planes: the value, which is that of `value`, and its derivatives along each axis, per cell, in [-3.76,
              3.76], once continuously differentiable
     source   the product rule on the interpolation; docs/contract.md, section 10
+
+    help(hashnoise) tells of the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
+    `instruction_set`.
 
     >>> hashnoise.value_d(0.5, 0.25, seed=7, arithmetic="fixed")
     array([-0.22854185,  1.6006794 ,  0.8712158 ], dtype=float32)
@@ -89,6 +101,9 @@ def value_cubic(x, y=None, z=None, /, *, seed=0, period=None, cell=None, arithme
 
     returns  [-1, 1], mean 0, twice continuously differentiable
     source   de Boor, "A Practical Guide to Splines", 1978, for the spline
+
+    help(hashnoise) tells of the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
+    `instruction_set`.
 
     >>> hashnoise.value_cubic(0.5, 0.25, seed=7, arithmetic="fixed")
     -0.04660987854003906
@@ -110,6 +125,9 @@ def simplex(x, y, z=None, w=None, /, *, seed=0, period=None, phase=None, cell=No
     source   Perlin, "Noise hardware", 2001, for the sum over the corners of a simplex; docs/contract.md, section 13;
              for the phase Perlin and Neyret, "Flow noise", 2001
 
+    help(hashnoise) tells of the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
+    `instruction_set`.
+
     >>> hashnoise.simplex(0.5, 0.25, seed=7, arithmetic="fixed")
     -0.6104726791381836
     """
@@ -128,6 +146,9 @@ def simplex_d(x, y, z=None, w=None, /, *, seed=0, period=None, phase=None, cell=
              phase
     source   the product rule on weight and ramp; docs/contract.md, section 13
 
+    help(hashnoise) tells of the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
+    `instruction_set`.
+
     >>> hashnoise.simplex_d(0.5, 0.25, seed=7, arithmetic="fixed")
     array([-0.6104727 , -0.5115967 , -0.26509857], dtype=float32)
     """
@@ -142,6 +163,9 @@ def simplex_smooth(x, y, z=None, /, *, seed=0, period=None, cell=None, arithmeti
 
     returns  [-1, 1], mean 0, 0 at lattice points, twice continuously differentiable
     source   Perlin, "Noise hardware", 2001, for the sum over the corners of a simplex; docs/contract.md, section 13
+
+    help(hashnoise) tells of the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
+    `instruction_set`.
 
     >>> hashnoise.simplex_smooth(0.5, 0.25, seed=7, arithmetic="fixed")
     -0.6810302734375
@@ -167,6 +191,9 @@ def cellular(x, y, z=None, /, *, seed=0, period=None, phase=None, jitter=1.0, me
              [0, 1.1181] in 2D and [0, 1.2248] in 3D, and the second in [0, 1.5001]
     source   Worley, "A cellular texture basis function", 1996; docs/contract.md, section 16
 
+    help(hashnoise) tells of the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
+    `instruction_set`.
+
     >>> hashnoise.cellular(0.5, 0.25, seed=7, arithmetic="fixed")
     array([0.5304756, 0.8378334], dtype=float32)
     """
@@ -185,6 +212,9 @@ def cellular_three(x, y, z=None, /, *, seed=0, period=None, jitter=1.0, metric="
              metric the third is in [0, 1.5812]
     source   Worley, "A cellular texture basis function", 1996; docs/contract.md, section 16
 
+    help(hashnoise) tells of the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
+    `instruction_set`.
+
     >>> hashnoise.cellular_three(0.5, 0.25, seed=7, arithmetic="fixed")
     array([0.5304756, 0.8378334, 0.883934 ], dtype=float32)
     """
@@ -201,6 +231,9 @@ def cellular_d(x, y, z=None, /, *, seed=0, period=None, jitter=1.0, cell=None, a
     returns  planes: the distance, which is the first of `cellular`, and its derivatives along each axis: a vector of
              length 1 away from the point, and 0 at the point. It jumps where another point becomes the nearest
     source   docs/contract.md, section 16
+
+    help(hashnoise) tells of the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
+    `instruction_set`.
 
     >>> hashnoise.cellular_d(0.5, 0.25, seed=7, arithmetic="fixed")
     array([ 0.5304756 ,  0.7234807 , -0.69034433], dtype=float32)
@@ -219,6 +252,9 @@ def cellular_smooth(x, y, z=None, /, *, seed=0, period=None, jitter=1.0, cell=No
              [-0.1937, 7/8] in 2D and [-0.198, 7/8] in 3D, continuously differentiable but for the points themselves
     source   docs/contract.md, section 16
 
+    help(hashnoise) tells of the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
+    `instruction_set`.
+
     >>> hashnoise.cellular_smooth(0.5, 0.25, seed=7, arithmetic="fixed")
     0.5278301239013672
     """
@@ -234,6 +270,9 @@ def cell_border(x, y, z=None, /, *, seed=0, period=None, jitter=1.0, cell=None, 
     jitter   as of `cellular`
     returns  the distance, in cells, continuous: in [0, 0.844] in 2D and [0, 0.883] in 3D
     source   docs/contract.md, section 16
+
+    help(hashnoise) tells of the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
+    `instruction_set`.
 
     >>> hashnoise.cell_border(0.5, 0.25, seed=7, arithmetic="fixed")
     0.196044921875
@@ -253,6 +292,9 @@ def curl(x, y, z=None, /, *, seed=0, period=None, cell=None, arithmetic="fast", 
     source   Bridson, Hourihan, Nordenstam, "Curl-noise for procedural fluid flow", 2007; DeWolf, "Divergence-free
              noise", 2005
 
+    help(hashnoise) tells of the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
+    `instruction_set`.
+
     >>> hashnoise.curl(0.5, 0.25, seed=7, arithmetic="fixed")
     array([-0.26509857,  0.5115967 ], dtype=float32)
     """
@@ -271,6 +313,9 @@ def value_vector(x, y, z=None, /, *, seed=0, period=None, cell=None, arithmetic=
     returns  planes: [-1, 1] along each axis, mean 0, twice continuously differentiable
     source   Perlin, "Improving noise", 2002, for the interpolant; docs/contract.md, section 22
 
+    help(hashnoise) tells of the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
+    `instruction_set`.
+
     >>> hashnoise.value_vector(0.5, 0.25, seed=7, arithmetic="fixed")
     array([-0.22854185, -0.6436415 ], dtype=float32)
     """
@@ -288,6 +333,9 @@ def perlin_vector(x, y, z=None, /, *, seed=0, period=None, cell=None, arithmetic
 
     returns  planes: [-1, 1] along each axis, mean 0, 0 at lattice points, twice continuously differentiable
     source   Perlin, "Improving noise", 2002; docs/contract.md, section 22
+
+    help(hashnoise) tells of the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
+    `instruction_set`.
 
     >>> hashnoise.perlin_vector(0.5, 0.25, seed=7, arithmetic="fixed")
     array([-0.5171008 , -0.10943842], dtype=float32)
@@ -312,6 +360,9 @@ def phasor(x, y, z=None, /, *, seed=0, period=None, wave=None, phase=None, cell=
     source   Tricard et al., "Procedural phasor noise", 2019; Lagae et al., "Procedural noise using sparse Gabor
              convolution", 2009; docs/contract.md, section 23
 
+    help(hashnoise) tells of the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
+    `instruction_set`.
+
     >>> hashnoise.phasor(0.5, 0.25, seed=7, arithmetic="fixed")
     array([-0.18757296, -0.56310844], dtype=float32)
     """
@@ -328,6 +379,9 @@ def random(x, y=None, z=None, w=None, /, *, seed=0, period=None, cell=None, arit
 
     returns  [0, 1), a multiple of 2^-24, mean 1/2, uniform
     source   docs/contract.md, section 17
+
+    help(hashnoise) tells of the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
+    `instruction_set`.
 
     >>> hashnoise.random(0.5, 0.25, seed=7, arithmetic="fixed")
     0.16628092527389526

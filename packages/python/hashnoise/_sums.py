@@ -20,6 +20,9 @@ def fbm(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=None, l
     returns    [-1, 1], mean 0
     source     Musgrave, in "Texturing and Modeling: A Procedural Approach"
 
+    help(hashnoise) tells of the other options: `seed`, `noise`, `lacunarity`, `gain`, `period`, `cell`, `arithmetic`,
+    `out`, `threads` and `instruction_set`.
+
     >>> hashnoise.fbm(0.5, 0.25, seed=7, arithmetic="fixed")
     -0.3247804641723633
     """
@@ -35,6 +38,9 @@ def turbulence(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=
 
     returns  [0, 1], with creases where the noise passes 0
     source   Perlin, "An image synthesizer", 1985; Valdenegro-Toro and Pincheira, fig. 6
+
+    help(hashnoise) tells of the other options: `seed`, `noise`, `octaves`, `lacunarity`, `gain`, `period`, `cell`,
+    `arithmetic`, `out`, `threads` and `instruction_set`.
 
     >>> hashnoise.turbulence(0.5, 0.25, seed=7, arithmetic="fixed")
     0.4421844482421875
@@ -52,6 +58,9 @@ def clouds(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6, l
     returns  [0, 1]: 0 is clear, 1 is dense; with fewer than 1 octave 5/32
     source   after the cloud images of Valdenegro-Toro and Pincheira, fig. 6; the paper has no formula for them
 
+    help(hashnoise) tells of the other options: `seed`, `noise`, `octaves`, `lacunarity`, `gain`, `period`, `cell`,
+    `arithmetic`, `out`, `threads` and `instruction_set`.
+
     >>> hashnoise.clouds(0.5, 0.25, seed=7, arithmetic="fixed")
     0.0
     """
@@ -67,6 +76,9 @@ def billow(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6, l
 
     returns  [-1, 1]
     source   as of `turbulence`
+
+    help(hashnoise) tells of the other options: `seed`, `noise`, `octaves`, `lacunarity`, `gain`, `period`, `cell`,
+    `arithmetic`, `out`, `threads` and `instruction_set`.
 
     >>> hashnoise.billow(0.5, 0.25, seed=7, arithmetic="fixed")
     -0.115631103515625
@@ -84,6 +96,9 @@ def ridged(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6, l
     returns  [0, 1]: 1 on a crest of every octave
     source   Musgrave, in "Texturing and Modeling: A Procedural Approach": his ridged multifractal with the offset 1 and
              the gain 2, divided by the sum of the weights
+
+    help(hashnoise) tells of the other options: `seed`, `noise`, `octaves`, `lacunarity`, `gain`, `period`, `cell`,
+    `arithmetic`, `out`, `threads` and `instruction_set`.
 
     >>> hashnoise.ridged(0.5, 0.25, seed=7, arithmetic="fixed")
     0.19927978515625
@@ -104,6 +119,9 @@ def hybrid(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6, l
     source   Musgrave, in "Texturing and Modeling: A Procedural Approach": after his hybrid multifractal with the offset
              1, of octaves in [0, 1], divided by the sum of the weights
 
+    help(hashnoise) tells of the other options: `seed`, `noise`, `octaves`, `lacunarity`, `gain`, `period`, `cell`,
+    `arithmetic`, `out`, `threads` and `instruction_set`.
+
     >>> hashnoise.hybrid(0.5, 0.25, seed=7, arithmetic="fixed")
     0.20600557327270508
     """
@@ -120,6 +138,9 @@ def ping_pong(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6
     strength  how many times from one end to the other on the way from -1 to 1, times 1/2; usually 2, in [0, 64]
     returns   [-1, 1]
     source    FastNoiseLite, FractalType_PingPong
+
+    help(hashnoise) tells of the other options: `seed`, `noise`, `octaves`, `lacunarity`, `gain`, `period`, `cell`,
+    `arithmetic`, `out`, `threads` and `instruction_set`.
 
     >>> hashnoise.ping_pong(0.5, 0.25, seed=7, arithmetic="fixed")
     0.6992502212524414
@@ -138,6 +159,9 @@ def weighted(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6,
     returns   [-1, 1]
     source    FastNoiseLite, SetFractalWeightedStrength
 
+    help(hashnoise) tells of the other options: `seed`, `noise`, `octaves`, `lacunarity`, `gain`, `period`, `cell`,
+    `arithmetic`, `out`, `threads` and `instruction_set`.
+
     >>> hashnoise.weighted(0.5, 0.25, seed=7, arithmetic="fixed")
     -0.2808809280395508
     """
@@ -155,6 +179,9 @@ def fbm_d(x, y, z=None, /, *, seed=0, noise="perlin_d", octaves=6, lacunarity=2.
     returns  planes: the value, which is that of `fbm`, and its derivatives along each axis, per cell of the first
              octave
     source   as of `fbm`
+
+    help(hashnoise) tells of the other options: `seed`, `octaves`, `lacunarity`, `gain`, `period`, `cell`, `arithmetic`,
+    `out`, `threads` and `instruction_set`.
 
     >>> hashnoise.fbm_d(0.5, 0.25, seed=7, arithmetic="fixed")
     array([-0.32478046,  1.1029835 , -0.5177555 ], dtype=float32)
@@ -176,6 +203,9 @@ def eroded(x, y, z=None, /, *, seed=0, noise="perlin_d", octaves=6, lacunarity=2
     returns   [-1, 1]
     source    Quilez, "More noise", 2008: his slopes are not rotated with the octaves
 
+    help(hashnoise) tells of the other options: `seed`, `octaves`, `lacunarity`, `gain`, `period`, `cell`, `arithmetic`,
+    `out`, `threads` and `instruction_set`.
+
     >>> hashnoise.eroded(0.5, 0.25, seed=7, arithmetic="fixed")
     -0.19694757461547852
     """
@@ -194,6 +224,9 @@ def warp(x, y, z=None, /, *, seed=0, noise="value_vector", octaves=6, lacunarity
     amplitude  the largest shift along an axis, in cells, in [0, 64]
     returns    planes: the shift along each axis, in [-amplitude, amplitude]
     source     Quilez, "Domain warping", 2002
+
+    help(hashnoise) tells of the other options: `seed`, `octaves`, `lacunarity`, `gain`, `period`, `cell`, `arithmetic`,
+    `out`, `threads` and `instruction_set`.
 
     >>> hashnoise.warp(0.5, 0.25, seed=7, arithmetic="fixed")
     array([ 0.00859165, -0.26816893], dtype=float32)
@@ -217,6 +250,9 @@ def warp_progressive(x, y, z=None, /, *, seed=0, noise="value_vector", octaves=6
     returns    planes: the shift along each axis, in [-amplitude, amplitude]
     source     as of `warp`
 
+    help(hashnoise) tells of the other options: `seed`, `octaves`, `lacunarity`, `gain`, `period`, `cell`, `arithmetic`,
+    `out`, `threads` and `instruction_set`.
+
     >>> hashnoise.warp_progressive(0.5, 0.25, seed=7, arithmetic="fixed")
     array([-0.21678829, -0.21608591], dtype=float32)
     """
@@ -238,6 +274,9 @@ def perlin_worley(x, y, z, /, *, seed=0, octaves=6, lacunarity=2.0, gain=0.5, pe
     returns  [0, 1], continuous
     source   Schneider and Vos, "The Real-time Volumetric Cloudscapes of Horizon: Zero Dawn", 2015; docs/contract.md,
              section 25
+
+    help(hashnoise) tells of the other options: `seed`, `lacunarity`, `gain`, `period`, `cell`, `arithmetic`, `out`,
+    `threads` and `instruction_set`.
 
     >>> hashnoise.perlin_worley(0.5, 0.25, 0.75, seed=7, arithmetic="fixed")
     0.7266144752502441

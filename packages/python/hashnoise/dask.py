@@ -10,8 +10,8 @@
 A block is hashnoise.grid(..., first=...), so it has the bits that one call for the whole area would give, had a machine
 the memory for it. A block that is lost with its worker is computed again, by another one, and is the same.
 
-This module wants Dask, and data_array wants xarray: pip install 'hashnoise[dask]' installs them, and Zarr and
-distributed.
+This module wants Dask, and data_array wants xarray: pip install dask distributed xarray zarr installs them, with what
+writes files and what runs clusters.
 """
 
 import functools
@@ -24,13 +24,14 @@ from ._evaluate import AXES, checked_ranges, per_axis, real_number, ruled_number
 from ._grids import components, field_of
 from ._grids import grid as _grid
 
+_INSTALLS = "pip install dask distributed xarray zarr"
+
 try:
     import dask.array as _arrays
     from dask.array.core import normalize_chunks as _normalize_chunks
     from dask.base import tokenize as _tokenize
 except ImportError as error:
-    raise ImportError(f"hashnoise.dask wants Dask, which cannot be imported ({error}): pip install 'hashnoise[dask]' "
-                      "installs it") from error
+    raise ImportError(f"hashnoise.dask wants Dask, which cannot be imported ({error}): {_INSTALLS}") from error
 
 __all__ = ["data_array", "grid"]
 
@@ -98,7 +99,7 @@ def data_array(name, size, *, step, cell_size=1.0, unit="cells", **options):
         import xarray
     except ImportError as error:
         raise ImportError(f"hashnoise.dask.data_array wants xarray, which cannot be imported ({error}): "
-                          "pip install 'hashnoise[dask]' installs it") from error
+                          f"{_INSTALLS}") from error
     cell_size = real_number("dask.data_array", "cell_size", cell_size)
     if cell_size <= 0:
         raise ValueError(f"dask.data_array: cell_size must be more than 0, not {cell_size}")

@@ -49,11 +49,12 @@ class Docstrings(unittest.TestCase):
                     said += f" {'and' if len(dimensions) == 2 else 'to'} {dimensions[-1]}D"
                 self.assertIn(f"in {said}", function.__doc__.partition("\n")[0])
 
-    def test_each_option_is_explained(self):
+    def test_each_option_is_named_and_explained(self):
         common = hashnoise.__doc__
         for function in (*_noises.NOISES.values(), *_sums.SUMS.values()):
             for option in function.__kwdefaults__:
                 with self.subTest(function.__name__, option=option):
+                    self.assertRegex(function.__doc__, rf"(?m)^ *{option} +\S|`{option}`")
                     self.assertRegex(function.__doc__ + common, rf"(?m)^ *{option} +\S")
         for option in inspect.signature(hashnoise.grid).parameters:
             with self.subTest("grid", option=option):
@@ -88,6 +89,7 @@ class Page(unittest.TestCase):
                          (names[1]["volume"].min(), names[1]["volume"].max()))
         self.assertTrue(names[2]["same"])
         self.assertEqual(names[3]["line"].shape, (1024,))
+        self.assertEqual(names[4]["heights"].mask.tolist(), [False, True, False])
 
     def test_code_that_fails_is_noticed(self):
         with self.assertRaises(TypeError):

@@ -6,6 +6,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 import sys
 from dataclasses import dataclass
@@ -74,10 +75,10 @@ def read(name: str, setting: str, folder: Path = GOLDEN) -> Golden:
 
 
 def askable(golden: Golden) -> Golden:
-    """Without the rows that sums of GLSL have and the package refuses: those of fewer than 1 octave, and of a negative
-    period, which may become a positive one in a late octave. It is also without those of a tile that repeats along no
-    axis: GLSL has such sums, whose octaves are not turned. In the package a sum that repeats along no axis is the one
-    without a period."""
+    """Without the rows that sums of GLSL have and the package refuses: those of fewer than 1 octave, of a negative
+    period, which may become a positive one in a late octave, and of a lacunarity below 1 in a tile. It is also without
+    those of a tile that repeats along no axis: GLSL has such sums, whose octaves are not turned. In the package a sum
+    that repeats along no axis is the one without a period."""
     if golden.function not in hashnoise.sums(golden.axes):
         return golden
     periods = [values for name, values in golden.arguments.items() if name in ("px", "py", "pz", "pw")]
@@ -86,6 +87,7 @@ def askable(golden: Golden) -> Golden:
         kept &= golden.arguments["octaves"] >= 1
     if periods:
         kept &= numpy.all([values >= 0 for values in periods], axis=0) & numpy.any(periods, axis=0)
+        kept &= golden.arguments["lacunarity"] >= 1
     return Golden(golden.name, golden.function, golden.axes,
                   {name: values[kept] for name, values in golden.arguments.items()},
                   {name: values[kept] for name, values in golden.results.items()})
@@ -97,6 +99,7 @@ def computed(golden: Golden, arithmetic: str) -> numpy.ndarray:
     axes = "xyzw"[:golden.axes]
     has_cells = "cx" in golden.arguments
     points = [golden.arguments[f"f{axis}" if has_cells else axis] for axis in axes]
+    points = [numpy.clip(point, 0, 1) for point in points] if has_cells else points
     cells = [golden.arguments[f"c{axis}"] for axis in axes] if has_cells else None
     periods = [f"p{axis}" for axis in axes if f"p{axis}" in golden.arguments]
     waves = [f"k{axis}" for axis in axes if f"k{axis}" in golden.arguments]
@@ -115,6 +118,11 @@ def computed(golden: Golden, arithmetic: str) -> numpy.ndarray:
         for name, value in chosen.items():
             least, most = RANGES.get(name if name != "strength" else golden.function, (value, value))
             chosen[name] = min(max(value, least), most)
+        if "lacunarity" in chosen and (arithmetic == "fixed" or has_cells):
+            chosen["lacunarity"] = min(max(chosen["lacunarity"], 0), 255)
+            chosen["lacunarity"] = math.floor(chosen["lacunarity"]) if periods else chosen["lacunarity"]
+        if "gain" in chosen and arithmetic == "fixed":
+            chosen["gain"] = min(chosen["gain"], 1)
         if waves:
             chosen["wave"] = [min(max(along, -16.0), 16.0) for along in values[len(options):len(options + waves)]]
         if periods:

@@ -202,6 +202,32 @@ class Wrong(unittest.TestCase):
                          lambda: hashnoise.grid("perlin", 9, step=0.1, jitter=0.5))
         self.assert_told(ValueError, "phase", lambda: hashnoise.perlin(X, phase=0.5))
 
+    def test_options_of_other_libraries(self):
+        for option, of_points, of_grids in (
+                ("frequency", "multiply the coordinates by the frequency", "step is the frequency"),
+                ("scale", "divide the coordinates by the scale", "step is 1 / scale"),
+                ("persistence", "gain is the persistence, of sums such as fbm", "gain is the persistence"),
+                ("tileable", "period is after how many cells the field repeats", "period is after"),
+                ("offset", "add the offset to the coordinates", "origin is the first point, in cells"),
+                ("shape", "the result has the shape of the coordinates", r"size is \(width, height\)")):
+            with self.subTest(option):
+                said = f"unexpected keyword argument '{option}'.*; "
+                self.assert_told(TypeError, said + of_points, lambda: hashnoise.fbm(X, **{option: 4}))
+                self.assert_told(TypeError, said + of_points, lambda: hashnoise.perlin(X, **{option: 4}))
+                self.assert_told(TypeError, said + of_grids, lambda: hashnoise.grid("fbm", 9, **{option: 4}))
+                self.assert_told(TypeError, said + of_grids, lambda: hashnoise.grid("fbm", 9, step=1, **{option: 4}))
+
+    def test_functions_that_there_are_not(self):
+        for name, said in (("hn_fbm", r" \(did you mean fbm\?\)"), ("fmb", r" \(did you mean fbm\?\)"),
+                           ("hn_perlim", r" \(did you mean perlin\?\)"), ("dask", "; import hashnoise.dask"),
+                           ("gird", r" \(did you mean grid\?\)"), ("no_such_function", "")):
+            with self.subTest(name):
+                self.assert_told(AttributeError, f"^module 'hashnoise' has no attribute '{name}'{said}$",
+                                 lambda: getattr(hashnoise, name))
+        self.assertFalse(hasattr(hashnoise, "__wrapped__"))
+        with self.assertRaisesRegex(ImportError, "cannot import name 'fmb'"):
+            from hashnoise import fmb  # noqa: F401
+
     def test_functions_are_themselves_elsewhere(self):
         """What names the nearest option stands around each function, which may be sent to a process even so."""
         for name in hashnoise.__all__:

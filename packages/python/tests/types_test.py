@@ -29,7 +29,12 @@ extent: float = greatest - least
 names: tuple[str, ...] = hashnoise.noises(2) + hashnoise.sums(2) + hashnoise.instruction_sets()
 stripes, quadrature = hashnoise.phasor(x, 0.5, wave=(2.5, -1.5), phase=0.25)
 heights: npt.NDArray[np.uint16] = hashnoise.grid("fbm", (64, 48), step=0.01, dtype="uint16", range=(-0.5, 0.5))
-part = hashnoise.grid("fbm", (64, 48), step=0.01, first=(64, 0), out=np.empty((48, 64), np.float16))
+halves: npt.NDArray[np.float16] = hashnoise.grid("fbm", (64, 48), step=0.01, dtype=np.float16)
+words, (low, high) = hashnoise.grid("fbm", 9, step=0.01, dtype=np.dtype("uint16"), return_range=True)
+numbers: npt.NDArray[np.uint16] = words
+part: npt.NDArray[np.float16] = hashnoise.grid("fbm", (64, 48), step=0.01, first=(64, 0),
+                                               out=np.empty((48, 64), np.float16))
+pictures = [hashnoise.grid(name, (9, 9), step=0.1) for name in hashnoise.noises(2) + hashnoise.sums(2)]
 layers: npt.NDArray[np.float32] = hashnoise.grid("phasor", (9, 9, 9), step=0.1, wave=[1, 2, 3])
 planes: tuple[str, ...] = hashnoise.components("warp", 2, noise="perlin_vector")
 version: str = hashnoise.__version__
@@ -45,10 +50,19 @@ WRONG = {
     'hashnoise.grid("perlin", 9)': "call-overload",
     'hashnoise.grid("perlin", 9, step=1, first=0.5)': "call-overload",
     'hashnoise.grid("perlin", 9, step=1, dtype="uint16", range=3)': "call-overload",
-    'hashnoise.grid("perlin", 9, step=1, out=np.empty(9))': "arg-type",
+    'hashnoise.grid("perlin", 9, step=1, out=np.empty(9))': "call-overload",
     'text: str = hashnoise.perlin(0.5)': "assignment",
     'array: int = hashnoise.perlin([0.5])': "assignment",
     'hashnoise.no_such(0.5)': "attr-defined",
+    'hashnoise.hn_fbm(0.5)': "attr-defined",
+    'hashnoise.grid("fmb", 9, step=1)': "call-overload",
+    'hashnoise.grid("hn_fbm", 9, step=1, dtype="uint16")': "call-overload",
+    'hashnoise.grid("fbm", 9, step=1, noise="perlim")': "call-overload",
+    'hashnoise.grid("fbm", 9, step=1, dtype="float64")': "call-overload",
+    'hashnoise.grid("fbm", 9, step=1, frequency=4)': "call-overload",
+    'hashnoise.fbm_d(0.5, 0.5, noise="perlin_dd")': "arg-type",
+    'hashnoise.components("fmb", 2)': "arg-type",
+    'floats: npt.NDArray[np.float32] = hashnoise.grid("fbm", 9, step=1, dtype="uint16")': "assignment",
 }
 # The modules behind the stub are without types, as it has them.
 CONFIGURATION = """[mypy]
@@ -82,7 +96,7 @@ class Types(unittest.TestCase):
 
     def test_wrong_calls(self):
         lines = [f"{call}  # {number}" for number, call in enumerate(WRONG)]
-        done = self.check("import hashnoise, numpy as np\n" + "\n".join(lines) + "\n")
+        done = self.check("import hashnoise, numpy as np, numpy.typing as npt\n" + "\n".join(lines) + "\n")
         self.assertEqual(done.returncode, 1)
         for number, (call, code) in enumerate(WRONG.items()):
             with self.subTest(call):

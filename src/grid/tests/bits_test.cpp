@@ -210,7 +210,7 @@ TEST_P(Bits, OfRowsOfNearPoints) {
         cells.step[axis] = static_cast<double>(grid.step[axis]);
       }
       expect_bits<D>(settings, grid);
-      expect_bits<D>(settings, cells);
+      if (settings.lacunarity.value_or(2.0f) >= 0.0f) expect_bits<D>(settings, cells);
     }
   };
   in_dimensions([&]<int D>(std::integral_constant<int, D> dimensions) {
@@ -225,7 +225,10 @@ TEST_P(Bits, OfRowsOfNearPoints) {
           settings.period.fill(period);
           if (!sum.empty()) {
             settings.octaves = chance.whole(1, 5);
-            settings.lacunarity = chance.of({2.0f, 2.0f, 0.5f, 3.7f, -1.3f});
+            // Others are errors: in a tile, and what is negative where positions are whole numbers.
+            settings.lacunarity = period > 0                           ? chance.of({2.0f, 2.0f, 1.0f, 3.0f})
+                                  : arithmetic() == Arithmetic::kFixed ? chance.of({2.0f, 2.0f, 0.5f, 3.7f})
+                                                                       : chance.of({2.0f, 2.0f, 0.5f, 3.7f, -1.3f});
           }
           if (noise == "cellular") {
             settings.jitter = chance.of({1.0f, 0.0f, 0.6f});

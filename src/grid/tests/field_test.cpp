@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -466,6 +467,126 @@ TEST(Errors, OfSettingsOutsideOfTheirRange) {
   EXPECT_TRUE(says(error_of<2>(settings), {"footprint is -0.25, and has to be a finite number of 0 or more"}));
 }
 
+// What functions take otherwise than it is given: cut off, or as the nearer end.
+TEST(Errors, OfALacunarityInATile) {
+  Settings settings = of("perlin", "fbm");
+  settings.period = {4, 4, 0, 0};
+  for (const float wrong : {2.5f, 0.0f, 0.5f, -2.0f, 256.0f, 1e30f}) {
+    settings.lacunarity = wrong;
+    EXPECT_TRUE(
+        says(error_of<2>(settings), {"lacunarity is ", ", and has to be a whole number from 1 to 255 with a period"}))
+        << wrong;
+  }
+  for (const float right : {1.0f, 2.0f, 3.0f}) {
+    settings.lacunarity = right;
+    EXPECT_EQ(error_of<2>(settings), "") << right;
+  }
+  settings.lacunarity = 2.5f;
+  settings.period = {};
+  EXPECT_EQ(error_of<2>(settings), "");
+  EXPECT_NO_ERROR(error_of<1>(settings));
+  settings.sum.clear();  // a noise has none, and its default counts for nothing
+  settings.lacunarity.reset();
+  settings.period = {4, 4, 0, 0};
+  EXPECT_EQ(error_of<2>(settings), "");
+}
+
+TEST(Errors, OfOctavesInFixedArithmetic) {
+  Settings settings = of("perlin", "fbm");
+  settings.gain = 1.5f;
+  EXPECT_EQ(error_of<2>(settings), "");
+  settings.arithmetic = Arithmetic::kFixed;
+  EXPECT_EQ(error_of<2>(settings), "gain is 1.5, and has to be from 0 to 1 with fixed arithmetic");
+  settings.gain = 1.0f;
+  EXPECT_EQ(error_of<2>(settings), "");
+  for (const float wrong : {-2.0f, 256.0f}) {
+    settings.lacunarity = wrong;
+    EXPECT_TRUE(says(error_of<2>(settings), {"lacunarity is ", ", and has to be from 0 to 255 with fixed arithmetic"}));
+  }
+}
+
+TEST(Errors, OfOctavesThatOverflow) {
+  Settings settings = of("perlin", "fbm");
+  settings.octaves = 32;
+  settings.lacunarity = 1e30f;
+  EXPECT_EQ(error_of<2>(settings),
+            "lacunarity is 1e+30, and with 32 octaves and a gain of 0.5 it has to be at most 8.55, or floats overflow");
+  settings.lacunarity = 2.0f;
+  settings.gain = 1e6f;
+  EXPECT_EQ(error_of<2>(settings),
+            "gain is 1000000, and with 32 octaves and a lacunarity of 2 it has to be at most 4.27, or floats overflow");
+  settings.gain = 4.27f;
+  EXPECT_EQ(error_of<2>(settings), "");
+  settings.octaves = 2;
+  settings.gain = 1e6f;
+  EXPECT_EQ(error_of<2>(settings), "");
+  settings.octaves.reset();
+  settings.detail = 31.5f;
+  EXPECT_ERROR(error_of<2>(settings));
+}
+
+// Of the greatest that are allowed, everything is a number: positions at the end of the domain, of each sum.
+TEST(Values, AreFiniteAtTheEndsOfWhatIsAllowed) {
+  for (const std::string& sum : twin::sums(2)) {
+    for (const int octaves : {2, 5, 32}) {
+      const auto growth = static_cast<float>(std::exp2(96.0 / (octaves - 1)) * 0.999);
+      for (const auto& [lacunarity, gain] : {std::pair(growth, 0.5f), std::pair(-growth, 1.0f), std::pair(1.0f, growth),
+                                             std::pair(std::sqrt(growth), std::sqrt(growth))}) {
+        for (const Arithmetic arithmetic : {Arithmetic::kFast, Arithmetic::kPrecise}) {
+          Settings settings = of("", sum);
+          settings.octaves = octaves;
+          settings.lacunarity = lacunarity;
+          settings.gain = gain;
+          settings.arithmetic = arithmetic;
+          const Field<2> field(settings);
+          const std::vector<float> x = {0.3f, -8388607.0f, 8388607.0f, 4194303.75f, 1e-30f};
+          const std::vector<float> y = {0.7f, 8388607.0f, 8388607.0f, -0.25f, -77.7f};
+          std::vector<float> values(x.size() * static_cast<std::size_t>(field.components()));
+          field.fill(Points<2>{{x, y}}, values);
+          for (const float value : values) EXPECT_TRUE(std::isfinite(value)) << settings;
+        }
+      }
+    }
+  }
+}
+
+// --- Coordinates that are no numbers ---------------------------------------------------------------------------------
+
+void expect_nan(Settings settings) {
+  constexpr std::size_t kPoints = 40;
+  constexpr std::array<float, 3> kNone = {kNan, kInfinity, -kInfinity};
+  const std::vector<float> usual(kPoints, 0.375f);
+  const std::vector<std::int32_t> cells(kPoints, 7);
+  for (const Arithmetic arithmetic : {Arithmetic::kFast, Arithmetic::kPrecise, Arithmetic::kFixed}) {
+    settings.arithmetic = arithmetic;
+    const Field<2> field(settings);
+    std::vector<float> values(kPoints * static_cast<std::size_t>(field.components()));
+    for (const bool is_x : {true, false}) {
+      std::vector<float> other = usual;
+      for (const std::size_t at : {0, 17, 39}) other[at] = kNone[at % 3];
+      const auto& x = is_x ? other : usual;
+      const auto& y = is_x ? usual : other;
+      for (const bool has_cells : {true, false}) {
+        const Range range = has_cells ? field.fill(CellPoints<2>{{cells, cells}, {x, y}}, values)
+                                      : field.fill(Points<2>{{x, y}}, values);
+        EXPECT_TRUE(std::isfinite(range.least) && range.least == range.greatest) << settings;
+        for (std::size_t i = 0; i < values.size(); ++i) {
+          const std::size_t component = i / kPoints;
+          EXPECT_EQ(std::isnan(values[i]), !std::isfinite(other[i % kPoints])) << settings << " at " << i;
+          if (!std::isfinite(other[i % kPoints])) continue;
+          EXPECT_EQ(values[i], values[component * kPoints + 1]) << settings;
+        }
+      }
+    }
+  }
+}
+
+// No number comes out, of any arithmetic and in any component, and the points beside it are what they are without it.
+TEST(Values, AreNoNumbersWhereCoordinatesAreNone) {
+  for (const twin::Noise& noise : twin::noises(2)) expect_nan(of(noise.name));
+  for (const std::string& sum : twin::sums(2)) expect_nan(of("", sum));
+}
+
 TEST(Errors, OfAWave) {
   const auto error = [](std::vector<float> wave) {
     Settings settings = of("phasor");
@@ -549,6 +670,26 @@ TEST(Errors, OfADetailOrAFootprintWhereThereIsNone) {
     }
     EXPECT_ERROR(error_of<2>(with(of("perlin_d", "fbm_d"))));
     EXPECT_ERROR(error_of<2>(with(of("value_vector", "warp"))));
+  }
+}
+
+// In cells positions are whole numbers, with any arithmetic.
+TEST(Errors, OfALacunarityInCells) {
+  for (const float lacunarity : {-2.0f, 256.0f, 255.0f}) {
+    Settings settings = of("perlin", "fbm");
+    settings.octaves = 4;
+    settings.lacunarity = lacunarity;
+    const Field<1> field(settings);
+    std::vector<float> values(1);
+    const std::vector<std::int32_t> cell = {3};
+    const std::vector<float> f = {0.5f};
+    EXPECT_NO_THROW(field.fill(Grid<1>{{3.5f}, {1.0f}, {1}}, values));
+    if (lacunarity == 255.0f) {
+      EXPECT_NO_THROW(field.fill(CellPoints<1>{{cell}, {f}}, values));
+      continue;
+    }
+    EXPECT_THROW(field.fill(CellGrid<1>{{3}, {0.5f}, {1.0}, {1}}, values), std::invalid_argument);
+    EXPECT_THROW(field.fill(CellPoints<1>{{cell}, {f}}, values), std::invalid_argument);
   }
 }
 

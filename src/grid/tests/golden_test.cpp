@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -88,8 +89,12 @@ std::optional<Settings> settings_of(const hn::Function& function, const Golden& 
   return settings;
 }
 
-// What the functions take as the nearer end is an error of a field.
+// What the functions take as the nearer end, or as a whole number in a tile, is an error of a field.
 bool are_in_domain(const Settings& s) {
+  const bool is_tiled = std::ranges::any_of(s.period, [](std::int32_t period) { return period > 0; });
+  const float lacunarity = lacunarity_of(s);
+  if (!s.sum.empty() && is_tiled && (lacunarity < 1.0f || std::trunc(lacunarity) != lacunarity)) return false;
+  if (!s.sum.empty() && (gain_of(s) > 1.0f || lacunarity < 0.0f || lacunarity > 255.0f)) return false;
   const float most = s.sum.empty() ? 0.0f : grid::sum_row(s.sum).most_strength;
   const auto is_between = [](float x, float from, float to) { return from <= x && x <= to; };
   return std::ranges::all_of(s.period, [](std::int32_t period) { return period >= 0; }) && octaves_of(s) >= 1 &&

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, Optional
 
 from tree import ROOT
+
+try:
+    from tomllib import loads
+except ImportError:  # before Python 3.11
+    from tables.toml import loads
 
 CATALOG = ROOT / "catalog"
 SHAPES = ("value", "slopes", "two_distances", "three_distances", "distance_with_slopes", "vector", "value_and_quadrature")
@@ -72,7 +76,7 @@ class Function:
         return self.first <= dimensions <= self.last
 
 
-Range = tuple[float, float] | None  # None: it is not known
+Range = Optional[tuple[float, float]]  # None: it is not known
 
 
 @dataclass(frozen=True)
@@ -268,8 +272,8 @@ def _setting(name: str, keys: Any) -> Setting:
 
 def _tables(folder: Path, file: str) -> dict[str, Any]:
     try:
-        return tomllib.loads((folder / file).read_text(encoding="utf-8"))
-    except tomllib.TOMLDecodeError as error:
+        return loads((folder / file).read_text(encoding="utf-8"))
+    except ValueError as error:
         raise CatalogError(f"catalog/{file}: {error}") from None
 
 

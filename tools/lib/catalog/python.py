@@ -24,13 +24,38 @@ SUMS = '''\
 # Made by tools/catalog from catalog/sums.toml and settings.toml.
 """The octave sums and the warps, over any noise. help(hashnoise) tells what they have in common."""
 '''
+# What a stub has of a grid, whose array is of the type that is asked for, or that of `out`.
+GRID = ("name: _Name, size: int | Sequence[int], *, step: float | Sequence[float], "
+        "origin: float | Sequence[float] = 0.0, cell: int | Sequence[int] | None = None, "
+        "first: int | Sequence[int] = 0, seed: int = 0, "
+        "noise: _Noise | None = None, octaves: int | None = None, lacunarity: float | None = None, "
+        "gain: float | None = None, strength: float | None = None, amplitude: float | None = None, "
+        "detail: float | None = None, footprint: float | None = None, period: int | Sequence[int] | None = None, "
+        "wave: Sequence[float] | None = None, phase: float | None = None, jitter: float | None = None, "
+        'metric: _Metric | None = None, arithmetic: _Arithmetic = "fast", dtype: {dtype}, '
+        "range: tuple[float, float] | None = None, out: {out}, return_range: {return_range}, "
+        "threads: int | None = None, instruction_set: str | None = None")
+ARRAYS = (('Literal["float32"] | None = None', "None = None", "_Values"),
+          ('Literal["float16"]', "None = None", "npt.NDArray[np.float16]"),
+          ('Literal["uint16"]', "None = None", "npt.NDArray[np.uint16]"),
+          ("type[_Kind] | np.dtype[_Kind]", "None = None", "npt.NDArray[_Kind]"),
+          ("_Dtype | None = None", "npt.NDArray[_Kind]", "npt.NDArray[_Kind]"))
+GRIDS = [*((dtype, out, result.format(array), return_range)
+           for return_range, result in (("Literal[False] = False", "{0}"), ("Literal[True]", "tuple[{0}, _Extent]"))
+           for dtype, out, array in ARRAYS),
+         ("_Dtype | None = None", "npt.NDArray[Any] | None = None",
+          "npt.NDArray[Any] | tuple[npt.NDArray[Any], _Extent]", "bool")]
 
 
 def files(catalog: Catalog) -> dict[Path, str]:
     noises = _module(NOISES, catalog.noises, "NOISES", catalog)
     sums = _module(SUMS, catalog.sums, "SUMS", catalog)
     types = "".join(_types(function, catalog) for function in (*catalog.noises, *catalog.sums))
-    stub = with_section(STUB, "metrics", _metric_type(catalog.metrics))[1]
+    stub = with_section(STUB, "metrics", _literal("_Metric", catalog.metrics))[1]
+    names = _literal("_Noise", [noise.name for noise in catalog.noises]) + _literal(
+        "_Sum", [sum_.name for sum_ in catalog.sums])
+    stub = with_section(STUB, "names", names, stub)[1]
+    stub = with_section(STUB, "grid", "".join(_of_grid(*kind) for kind in GRIDS), stub)[1]
     return dict([(ROOT / PACKAGE / "_noises.py", noises), (ROOT / PACKAGE / "_sums.py", sums),
                  with_section(STUB, "functions", types, stub),
                  with_section(f"{PACKAGE}/_evaluate.py", "metrics", _metrics(catalog.metrics))])
@@ -79,7 +104,7 @@ def _of_sum(function: Sum, catalog: Catalog) -> Iterable[_Option]:
     """Those that only sums have. Where a detail may stand in place of octaves, neither has a default."""
     in_detail = tuple(option for option in _SUM_IN_DETAIL if option.name in function.options)
     if function.takes_noise:
-        yield _Option("noise", f'"{function.noise}"', "str")
+        yield _Option("noise", f'"{function.noise}"', "_Noise")
     yield _Option("octaves", "None", "int | None") if in_detail else _setting("octaves", catalog)
     yield _setting("lacunarity", catalog)
     yield _setting("gain", catalog)
@@ -112,11 +137,11 @@ def _function(function: Function, catalog: Catalog) -> str:
     kind = "sum" if isinstance(function, Sum) else "noise"
     passed = [f'"{function.name}"', f"({', '.join(axes)}{',' if len(axes) == 1 else ''})", "cell", "out", "threads",
               f'{kind}="{function.name}"', *(f"{option.name}={option.name}" for option in options if option.is_setting)]
-    return ("@suggesting\n" + _list(f"def {function.name}(", parameters, "):") + _docstring(function)
+    return ("@suggesting\n" + _list(f"def {function.name}(", parameters, "):") + _docstring(function, options)
             + _list("    return points(", passed, ")"))
 
 
-def _docstring(function: Function) -> str:
+def _docstring(function: Function, options: Iterable[_Option]) -> str:
     about = dict(function.options)
     if isinstance(function, Sum) and function.strength:
         about[function.strength.name] = function.strength.about
@@ -127,6 +152,8 @@ def _docstring(function: Function) -> str:
     parts = [_filled('"""' + function.sentence())]
     parts += [_filled(function.more)] if function.more else []
     parts += ["".join(_filled(f"{name:{width}}{text}", width) for name, text in about.items())]
+    others = [f"`{option.name}`" for option in options if option.name not in about]
+    parts += [_filled(f"help(hashnoise) tells of the other options: {', '.join(others[:-1])} and {others[-1]}.")]
     parts += [textwrap.indent(f"{example}\n{function.example}".rstrip() + "\n", "    ")]
     return "\n".join(parts) + '    """\n'
 
@@ -154,8 +181,13 @@ def _signature(function: Function, options: Iterable[_Option], coordinate: str, 
     return _list(f"def {function.name}(", [*coordinates, "/", "*", *typed], f") -> {result}: ...")
 
 
-def _metric_type(metrics: Sequence[str]) -> str:
-    return _list("_Metric: TypeAlias = Literal[", [f'"{name}"' for name in metrics], "]")
+def _of_grid(dtype: str, out: str, result: str, return_range: str) -> str:
+    options = GRID.format(dtype=dtype, out=out, return_range=return_range).split(", ")
+    return "@overload\n" + _list("def grid(", options, f") -> {result}: ...")
+
+
+def _literal(name: str, names: Sequence[str]) -> str:
+    return _list(f"{name}: TypeAlias = Literal[", [f'"{name}"' for name in names], "]")
 
 
 def _metrics(metrics: Sequence[str]) -> str:

@@ -12,12 +12,11 @@ from typing import NamedTuple
 from parsing.syntax import Function as Declared
 from pick import command
 from pick.evaluate import Module
-from pick.program import Program, facts, public, read
+from pick.program import Program, facts, name_of, names, public, read
 from pick.rust import Rust
 from pick.scalars import bare, text
 from tables.functions import Function, read_functions
 from tree import GLSL, ROOT, VECTORS, version
-from vectors.files import name_of, names
 
 PACKAGE = ROOT / "packages" / "rust"
 ARITHMETICS = ("fast", "fixed")

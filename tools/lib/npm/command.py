@@ -1,12 +1,14 @@
 """Writes the files of the npm package into a folder: python3 -m npm.command FOLDER. tools/npm packs them."""
 
-from __future__ import annotations
-
 import sys
 from pathlib import Path
 
-from npm.files import package
-from npm.twin import Failed, compiled
+import needs
+
+needs.python(3, 9)
+
+from npm.files import package  # noqa: E402
+from npm.twin import Failed, compiled  # noqa: E402
 
 
 def main() -> int:

@@ -10,6 +10,7 @@ import functools
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import Union
 
 from oracle.words import HASHES, MASK, hash_words, mix, point_word, signed
 
@@ -86,7 +87,7 @@ def gradient4(h: int) -> tuple[float, float, float, float]:
 
 
 # From here on every value is exact: a real number, as a fraction. Who prints one rounds it, once.
-Real = Fraction | float
+Real = Union[Fraction, float]
 
 
 @dataclass(frozen=True)

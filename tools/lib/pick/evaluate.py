@@ -159,7 +159,8 @@ class Evaluation:
         """The statements; what the function sets is set behind them, or returned where the module is split."""
         state: Environment = {}
         block: list[Statement] = []
-        for parameter, argument in zip(function.parameters, arguments, strict=True):
+        assert len(function.parameters) == len(arguments)
+        for parameter, argument in zip(function.parameters, arguments):
             self._bind(state, 0, parameter.at.text, argument)
         self._statements(function.body.statements, 0, state, block)
         for parameter in function.parameters:

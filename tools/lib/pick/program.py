@@ -20,8 +20,9 @@ from pick.evaluate import Evaluation, Kept, Known, Module, Summed, Typed, dotted
 from pick.printer import Language
 from pick.statements import Statement, values_of, without_copies, without_dead
 from pick.values import AXES, SIZES, Constant, Node, Operation, Variable, begin_anew
+from tables.functions import Function as Row
 from tables.glsl import declarations
-from tree import version
+from tree import GLSL, version
 from wgsl.translator import Translator
 
 Key = tuple[str, tuple[str, ...]]
@@ -61,6 +62,18 @@ def public(module: Module) -> dict[str, Function]:
     """The functions by the names of their forms (wgsl.names). A form has its seed."""
     translator = Translator(module.tree, module.constants)
     return {name: item for name in translator.public() if isinstance(item := translator.items[name], Function)}
+
+
+def name_of(row: Row, known: dict[tuple[str, tuple[str, ...]], str]) -> str:
+    """What tools/pick and tools/wgsl call the form of the library that a row of the table is."""
+    types = tuple(f"hn_{type_}" if type_.startswith("place") else type_.removeprefix("out ")
+                  for type_ in row.overloads[-1])
+    return known[row.calls, types]
+
+
+def names() -> dict[tuple[str, tuple[str, ...]], str]:
+    """The names of the forms by what the library calls them and the types that they take."""
+    return {(one.name, tuple(one.types)): name for name, one in public(read(GLSL, {})).items()}
 
 
 def chosen(module: Module, names: Sequence[str]) -> list[Function]:

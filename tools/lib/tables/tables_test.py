@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import re
 import tempfile
+import tomllib
 import unittest
 from collections.abc import Callable
 from pathlib import Path
 
-from tables import glsl
+from tables import glsl, toml
 from tables.configurations import read_configurations
 from tables.functions import FAMILIES, read_functions
 from tables.inc import TableError
-from tree import glsl_files
+from tree import ROOT, glsl_files
 
 FUNCTION = 'FUNCTION("noise2d.perlin", "noise2d.glsl", gradient_noise, "perlin", "{columns}", "f(p)", return a;)\n'
 CONFIGURATION = 'CONFIGURATION("{name}", FNV1, {gradient}, FIXED, {families})\n'

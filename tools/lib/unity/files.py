@@ -61,7 +61,7 @@ def seen(paths: Iterable[str]) -> list[str]:
     """The files and folders that Unity imports; what ends in ~ it leaves alone."""
     found = set()
     for path in map(PurePosixPath, paths):
-        for part in (path, *path.parents[:-1]):
+        for part in (path, *list(path.parents)[:-1]):
             if not any(name.endswith("~") for name in part.parts):
                 found.add(part.as_posix())
     return sorted(found)

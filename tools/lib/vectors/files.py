@@ -13,11 +13,10 @@ from pathlib import Path
 
 from golden.files import BITS
 from golden_values import Golden
-from parsing.syntax import Function as Declared
-from pick.program import public, read
+from pick.program import name_of, names
 from tables.configurations import Configuration, read_configurations
 from tables.functions import Function, read_functions
-from tree import GLSL, VECTORS
+from tree import VECTORS
 from vectors.choice import chosen, features
 
 FORMAT = 1
@@ -120,18 +119,6 @@ def groups_of(function: Function, settings: Sequence[Configuration]) -> list[Gro
     if function.family in ("hash", "gradient"):
         return [Group(function, one) for one in with_values]
     return [Group(function, one) for one in with_values if one.name.removesuffix("+fixed") in DEFAULTS]
-
-
-def name_of(function: Function, known: dict[tuple[str, tuple[str, ...]], str]) -> str:
-    """What tools/pick and tools/wgsl call the form of the library that a row of the table is."""
-    types = tuple(f"hn_{type_}" if type_.startswith("place") else type_.removeprefix("out ")
-                  for type_ in function.overloads[-1])
-    return known[function.calls, types]
-
-
-def names() -> dict[tuple[str, tuple[str, ...]], str]:
-    declared: dict[str, Declared] = public(read(GLSL, {}))
-    return {(one.name, tuple(one.types)): name for name, one in declared.items()}
 
 
 def asked(program: Path, questions: Sequence[str]) -> list[list[float]]:
