@@ -192,27 +192,38 @@ def _line(line: str) -> str:
     return f"{before}{_expressions(values, 2 if several else 1)}{behind}"
 
 
-def _wrapped(line: str) -> list[str]:
-    """A line that is too long goes on, behind commas and operators that lie least deep, in lines with one tab more."""
-    indent = len(line) - len(line.lstrip("\t"))
-    if 3 * indent + len(line) <= WIDTH or line.lstrip().startswith("//"):
-        return [line]
-    depth, cuts = 0, {}  # by depth
+def _cuts(line: str) -> dict[int, list[int]]:
+    """Where a line may go on in the next, behind commas and operators: the brackets around each place, by where these
+    begin."""
+    around, found = [-1], {}
     for at, letter in enumerate(line):
-        depth += (letter in "([{") - (letter in ")]}")
-        if letter == " " and (line[at - 1] == "," or line[at - 1] in "+-*/|&^<>" and line[at - 2] in " &|"):
-            cuts.setdefault(depth, []).append(at)
-    for at_depth in sorted(cuts):
-        lines, begin = [], 0
-        for at, following in zip(cuts[at_depth], [*cuts[at_depth][1:], len(line)]):
-            room = WIDTH - 4 * (indent + bool(lines)) + indent * (not lines)
-            if following - begin > room:
-                lines.append(line[begin:at])
-                begin = at + 1
-        lines.append(line[begin:])
-        if len(lines) > 1:
-            return [lines[0], *("\t" * (indent + 1) + one for one in lines[1:])]
-    return [line]
+        if letter in "([{":
+            around.append(at)
+        elif letter in ")]}":
+            around.pop()
+        elif letter == " " and (line[at - 1] == "," or line[at - 1] in "+-*/|&^<>" and line[at - 2] in " &|"):
+            found[at] = [*around]
+    return found
+
+
+def _wrapped(line: str) -> list[str]:
+    """A line that is too long is broken where the fewest brackets are around. What follows has a tab more, and one for
+    each bracket around it in which a line was broken before."""
+    indent = len(line) - len(line.lstrip("\t"))
+    if line.lstrip().startswith("//"):
+        return [line]
+    lines, cuts, broken = [], _cuts(line), set()
+    begin, more = 0, 0
+    while 4 * (indent + more) + len(line) - begin - (indent if not lines else 0) > WIDTH:
+        room = WIDTH - 4 * (indent + more) + (indent if not lines else 0)
+        fitting = [at for at in cuts if begin < at <= begin + room]
+        if not fitting:
+            break
+        at = min(fitting, key=lambda cut: (len(cuts[cut]), -cut))
+        lines.append("\t" * more + "\t" * (indent if lines else 0) + line[begin:at])
+        broken.add(cuts[at][-1])
+        begin, more = at + 1, len(broken & {*cuts[at]})
+    return [*lines, "\t" * more + "\t" * (indent if lines else 0) + line[begin:]]
 
 
 def _aligned(lines: Sequence[str]) -> list[str]:
