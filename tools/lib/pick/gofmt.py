@@ -22,6 +22,7 @@ TOKEN = re.compile(r"\s*(<<|>>|&&|\|\||[<>=!]=|[-+*/%&|^<>!(){},:]|\[\d+\]\w+(?=
                    r"0x[\dA-F]+|\d[\d.]*(?:e[-+]?\d+)?|[\w.]+)")
 STATEMENT = re.compile(r"(?P<before>\t*(?:\} else )?(?:if |for |return |var \w+ \w+ = |[\w.*, ]+ (?::=|[-+*/%&|^]?=|<<=|>>=) )"
                        r")(?P<values>.+?)(?P<behind> \{)?")
+KEY = re.compile(r"(\t+\w+:) (.*)")  # at the beginning of a line that goes on
 FIELD = re.compile(r"\t(\w+) +(\S+)")
 
 WHOLE = re.compile(r"(func .*\)(?: \w+)?) (\{ .* \})")
@@ -223,7 +224,14 @@ def _wrapped(line: str) -> list[str]:
         lines.append("\t" * more + "\t" * (indent if lines else 0) + line[begin:at])
         broken.add(cuts[at][-1])
         begin, more = at + 1, len(broken & {*cuts[at]})
-    return [*lines, "\t" * more + "\t" * (indent if lines else 0) + line[begin:]]
+    return _keys_aligned([*lines, "\t" * more + "\t" * (indent if lines else 0) + line[begin:]])
+
+
+def _keys_aligned(lines: Sequence[str]) -> list[str]:
+    """Lines that begin with a key have their values in a column."""
+    keys = [KEY.fullmatch(line) for line in lines]
+    width = max((len(key[1]) for key in keys if key), default=0)
+    return [f"{key[1]:{width}} {key[2]}" if key else line for line, key in zip(lines, keys)]
 
 
 def _aligned(lines: Sequence[str]) -> list[str]:

@@ -315,7 +315,7 @@ class CSharpRunner(LikeC):
     read = {"float": "Words.Float()", "int": "unchecked((int)Words.Next())", "uint": "Words.Next()", "bool": "Words.Next() != 0u"}
     write = {"float": "Words.Put({});", "int": "Words.Put(unchecked((uint){}));", "uint": "Words.Put({});",
              "bool": "Words.Put({} ? 1u : 0u);"}
-    faults = {("int", ">>"): "(int)((uint)({}) >> ({}))", ("uint", "*"): "(uint)((float)({}) * ({}))"}
+    faults = {("int", ">>"): "(({}) / (1 << ({})))", ("uint", "*"): "(({}) | ({}))"}
     COMPILE = ("mcs", "-langversion:7.2", "-warn:4", "-warnaserror", "-checked+")  # what overflows is an exception
     MAIN = """static class Words {{
     static byte[] read = System.IO.File.ReadAllBytes("inputs");
