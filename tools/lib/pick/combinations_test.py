@@ -1,14 +1,13 @@
 """What tools/pick writes of several functions at once, and of each alone: the names in it are right, and the compiler and
 the linters of each language are silent.
 
-    python3 -m pick.combinations_test names                     without a compiler
-    python3 -m pick.combinations_test LANGUAGE... [PACKAGES]    by their compilers
+    python3 -m pick.combinations_test PACKAGES       the folder that lib/javascript/environment.py makes, for TypeScript
 
-By default some functions of each noise at once, and some pairs. In a thorough run each function alone, all functions of
-a noise at once, each two of them, and all functions at once. PACKAGES is the folder that lib/javascript/environment.py
-makes, for TypeScript.
+By default some functions of different noises at once, and the two that were wrong. In a thorough run each function
+alone, all functions of a noise at once, each two of them in a language by turns, and all functions at once; and OSL,
+which Blender compiles, of a package of 374 MB.
 
-Exit status: 0 all is right, 1 not, 77 the others are right, and a compiler is not installed.
+Exit status: 0 all is right, 1 not, 77 all that could be tried is right, but a compiler is not installed.
 """
 
 from __future__ import annotations
@@ -19,7 +18,7 @@ import re
 import sys
 import tempfile
 import unittest
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple, Protocol
 from unittest import mock
@@ -197,34 +196,48 @@ def groups() -> Iterator[tuple[str, Names]]:
         yield arithmetic, tuple(itertools.chain(*all_names().values()))
 
 
-def pairs() -> Iterator[tuple[str, Names]]:
-    """Of functions of a noise, in the arithmetics by turns."""
+def pairs() -> Iterator[tuple[str, Names, str]]:
+    """Of functions of a noise, each in an arithmetic and a language by turns."""
     found = (pair for names in all_names().values() for pair in itertools.combinations(names, 2))
-    yield from ((ARITHMETICS[turn % 2], pair) for turn, pair in enumerate(found))
+    yield from ((ARITHMETICS[turn % 2], pair, LANGUAGES[turn // 2 % len(LANGUAGES)]) for turn, pair in enumerate(found))
 
 
-def texts(languages: Iterable[str], chosen: Iterable[tuple[str, Names]]) -> Iterator[tuple[str, str, Names, str]]:
-    """Of groups of functions in languages: a program is made once for all languages of a kind."""
-    by_kind = sorted(languages, key=lambda one: (one not in OF_NUMBERS, one in SHADING))
-    for arithmetic, names in chosen:
-        for language in by_kind:
-            yield language, arithmetic, names, PICK(names, command.Choice(language, arithmetic))
+class Text(NamedTuple):
+    language: str
+    arithmetic: str
+    names: Names
+    shown: str
+
+
+@functools.lru_cache(maxsize=64)
+def picked(names: Names, language: str, arithmetic: str = "fast") -> str:
+    return PICK(names, command.Choice(language, arithmetic))
+
+
+def in_all(names: Names, arithmetic: str = "fast") -> Iterator[Text]:
+    """In each language: those of a kind come together, since a program is made once for them."""
+    for language in sorted(LANGUAGES, key=lambda one: (one not in OF_NUMBERS, one in SHADING)):
+        yield Text(language, arithmetic, names, picked(names, language, arithmetic))
+
+
+@functools.cache
+def all_texts() -> list[Text]:
+    found = [text for arithmetic, names in groups() for text in in_all(names, arithmetic)]
+    return found + [Text(language, arithmetic, names, PICK(names, command.Choice(language, arithmetic)))
+                    for arithmetic, names, language in (pairs() if THOROUGH else ())]
 
 
 class NamesOfVariables(unittest.TestCase):
     def test_they_are_right(self) -> None:
-        count = 0
-        chosen = itertools.chain(groups(), pairs()) if THOROUGH else groups()
-        for language, arithmetic, names, shown in texts(LANGUAGES, chosen):
-            count += 1
+        for language, arithmetic, names, shown in all_texts():
             if found := wrong_names(language, shown):
                 with self.subTest(language, arithmetic=arithmetic, names=names):
                     self.fail("\n".join(found))
-        self.assertGreater(count, len(LANGUAGES) * 3)
+        self.assertGreater(len(all_texts()), 3 * len(LANGUAGES))
 
     def test_every_function_is_seen(self) -> None:
         """The check reads texts, and one that it could not read would be right: each function that is called."""
-        for language, _, _, shown in texts(LANGUAGES, [("fast", PAIRS[0])]):
+        for language, _, _, shown in in_all(PAIRS[0]):
             heads = " ".join(function.head for function in functions_in(language, shown))
             called = {name for name in re.findall(r"(?<![.:])\b(\w+)\(", without_comments(shown))
                       if re.search(rf"(?m)^ *[\w<>,() *&:]*\b{name}\([^\n]*[{{,(]$", shown)} - {"if", "for", "while"}
@@ -233,26 +246,24 @@ class NamesOfVariables(unittest.TestCase):
                 self.assertEqual({name for name in called if f"{name}(" not in heads}, set())
 
     def test_a_name_that_is_wrong_is_told(self) -> None:
-        """In each language: one of a parameter, one of another variable, one that is set to itself."""
-        name = "hn_cellular2_nearest"
-        for language, _, _, shown in texts(LANGUAGES, [("fast", (name,))]):
+        """In each language: one of a parameter, and one that is set to itself."""
+        for language, _, _, shown in in_all(PAIRS[0]):
             function = max(functions_in(language, shown), key=lambda one: one.end - one.begin)
             before, body, behind = shown[:function.begin], shown[function.begin:function.end], shown[function.end:]
             local = next(one for line in statements(body) for one in declared(language, line))
             parameter = next(one for one, is_set in parameters(language, function.taken) if not is_set)
+            itself = f"    {parameter} = {parameter}{'' if language == 'go' else ';'}\n"
             with self.subTest(language):
                 self.assertEqual(wrong_names(language, shown), [])
                 renamed = re.sub(rf"(?<![\w.]){local}\b", parameter, body)
                 self.assertRegex(" ".join(wrong_names(language, before + renamed + behind)),
                                  rf": {parameter} is declared again")
-                end = "" if language == "go" else ";"
-                twice = body.rstrip(" \t") + f"    {parameter} = {parameter}{end}\n"
-                self.assertRegex(" ".join(wrong_names(language, before + twice + behind)),
+                self.assertRegex(" ".join(wrong_names(language, before + body.rstrip(" \t") + itself + behind)),
                                  rf": {parameter} is set to itself")
 
     def test_an_output_that_is_not_set_is_told(self) -> None:
         for language in ("c", "osl", "glsl", "hlsl", "wgsl", "metal"):
-            shown = PICK(["hn_cellular2_nearest"], command.Choice(language, "fast"))
+            shown = picked(PAIRS[0], language)
             without = re.sub(r"(?m)^ *\(?\*?nearest\w*\)? = .*\n", "", shown)
             with self.subTest(language):
                 self.assertNotEqual(without, shown)
@@ -364,21 +375,8 @@ REFUSED: Mapping[str, Sequence[tuple[str, str]]] = {
     "wgsl": (("-> f32 {", "-> u32 {"),), "metal": (("uint seed) {", "uint seed, uint unused) {"),)}
 
 
-@functools.cache
-def texts_to_compile(languages: Names) -> Mapping[str, Sequence[str]]:
-    """Of each language. Each two functions of a noise are compiled in C, and in one of the others, by turns."""
-    found: dict[str, list[str]] = {language: [] for language in languages}
-    for language, _, _, shown in texts(languages, groups()):
-        found[language].append(shown)
-    for turn, pair in enumerate(pairs() if THOROUGH else ()):
-        for language, _, _, shown in texts({"c", LANGUAGES[turn % len(LANGUAGES)]} & {*languages}, [pair]):
-            found[language].append(shown)
-    return found
-
-
 class Compiled(unittest.TestCase):
     language: str
-    languages: Names  # of all that are compiled, whose texts are made together
     compiler: Compiler
 
     def lint(self, shown: Sequence[str]) -> None:
@@ -386,13 +384,13 @@ class Compiled(unittest.TestCase):
             self.compiler.lint(shown, Path(folder))
 
     def test_the_compiler_is_silent(self) -> None:
-        shown = texts_to_compile(self.languages)[self.language]
+        shown = [text.shown for text in all_texts() if text.language == self.language]
         self.assertGreater(len(shown), 3)
         for begin in range(0, len(shown), 100):
             self.lint(shown[begin:begin + 100])
 
     def test_what_is_wrong_is_refused(self) -> None:
-        right = PICK(["hn_perlin2"], command.Choice(self.language, "fast"))
+        right = picked(("hn_perlin2",), self.language)
         self.lint([right])
         for old, new in REFUSED[self.language]:
             with self.subTest(new):
@@ -402,23 +400,15 @@ class Compiled(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    asked = [one for one in sys.argv[1:] if one == "names" or one in LANGUAGES]
-    packages = [one for one in sys.argv[1:] if one not in asked]
-    TypeScriptCompiler.packages = Path(packages[0] if packages else "").resolve()
-    suite = unittest.TestSuite()
-    compilers: dict[str, Compiler] = {}
+    TypeScriptCompiler.packages = Path(sys.argv[1]).resolve()
+    suite = unittest.defaultTestLoader.loadTestsFromTestCase(NamesOfVariables)
     absent: list[str] = []
-    for name in asked:
-        if name == "names":
-            suite.addTests(unittest.defaultTestLoader.loadTestsFromTestCase(NamesOfVariables))
-            continue
+    for name in LANGUAGES if THOROUGH else [one for one in LANGUAGES if one != "osl"]:
         try:
-            compilers[name] = compiler(name)
+            of_language = type(f"Compiled_{name}", (Compiled,), {"language": name, "compiler": compiler(name)})
+            suite.addTests(unittest.defaultTestLoader.loadTestsFromTestCase(of_language))
         except (NotInstalled, Absent) as reason:
             absent.append(f"skipped: {name}: {reason}")
-    for name, its in compilers.items():
-        of_language = type(f"Compiled_{name}", (Compiled,), {"language": name, "languages": (*compilers,), "compiler": its})
-        suite.addTests(unittest.defaultTestLoader.loadTestsFromTestCase(of_language))
     right = unittest.TextTestRunner(verbosity=2).run(suite).wasSuccessful()
     print("\n".join(absent))
     sys.exit(1 if not right else SKIPPED if absent else 0)

@@ -153,8 +153,8 @@ def binary(sign: str, left: Node, right: Node) -> Node:
         if right.value:
             quotient = _divided(left.value, right.value)
             return _wrapped(left.type, quotient if sign == "/" else left.value - quotient * right.value)
-    if left.type == "float" and sign == "-" and left is right:  # what is computed is finite
-        return NOTHING
+    if sign == "-" and left is right and left.type in ("float", "int", "uint"):  # what is computed is finite
+        return NOTHING if left.type == "float" else Constant(left.type, 0)
     if whole and sign == "-" and isinstance(left, Operation) and left.kind == "binary" and left.name == "+" and (
             left.arguments[0] is right):
         return left.arguments[1]
