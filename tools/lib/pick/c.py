@@ -36,6 +36,7 @@ class C(Syntax):
         typedef union unsigned void volatile while bool true false asm near far j0 j1 jn y0 y1
         yn gamma""".split())
     helpers_first = True
+    sets_parameters = True
     joins = re.compile(r" *(float|u?int32_t|int) (\w+(?: = .*[^{])?;)")
     helpers = {
         **{name: f"typedef struct {{ {TYPES[scalar]} {', '.join(AXES[:size])}; }} {name};\n"
@@ -130,6 +131,10 @@ static inline uint32_t hn_i_as_uint(float x) {
         taken += [f"{self.type(part.type)} *{self.variable(part.name)}" for part in results if part.name != "value"]
         given = next((self.type(part.type) for part in results if part.name == "value"), "void")
         return f"static inline {given} {name}({', '.join(taken)}) {{"
+
+    def beginning(self, parameters: Sequence[Taken], is_public: bool) -> list[str]:
+        """Compilers may ask for what is not read."""
+        return [f"(void){one.name};" for one in parameters if not one.is_read]
 
     def struct(self, name: str, fields: Sequence[Part]) -> str:
         inside = "".join(f"  {self.type(field.type)} {field.name};\n" for field in fields)

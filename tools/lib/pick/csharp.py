@@ -73,10 +73,19 @@ private struct Bits {
     def vector(self, type_: str) -> str:
         return f"({', '.join(f'{self.type(scalar_of(type_))} {axis.upper()}' for axis in AXES[:SIZES[type_]])})"
 
+    def __init__(self, precise: bool = False):
+        super().__init__(precise)
+        self.wraps = False  # whether the function that is written computes with words that do
+
     # Expressions.
+
+    def binary(self, sign: str, type_: str, left: Piece, right: Piece) -> Piece:
+        self.wraps |= type_ == "uint" and sign in "+-*"
+        return super().binary(sign, type_, left, right)
 
     def unary(self, sign: str, type_: str, operand: Piece) -> Piece:
         if sign == "-" and type_ == "uint":  # where the sign makes a long
+            self.wraps = True
             return self.infix("-", Piece("0u"), operand)
         return super().unary(sign, type_, operand)
 
@@ -90,6 +99,7 @@ private struct Bits {
     def convert(self, to: str, of: str, piece: Piece) -> Piece:
         if of == "float" and to in ("int", "uint"):
             return self.call(self.helper(f"To{pascal(to)}"), [piece])
+        self.wraps |= {of, to} == {"int", "uint"}
         return Piece(f"({to}){piece.within(UNARY - 1)}", UNARY)
 
     def builtin(self, name: str, type_: str, arguments: Sequence[Piece]) -> Piece:
@@ -115,6 +125,11 @@ private struct Bits {
         types = [f"{self.type(one.type)} {pascal(one.name)}" for one in results]
         given = f"({', '.join(types)})" if len(types) > 1 else self.type(results[0].type) if results else "void"
         return f"{'public' if is_public else 'private'} static {given} {name}({taken}) {{"
+
+    def body(self, lines: Sequence[str]) -> Sequence[str]:
+        """Words wrap, also where a compiler is told to check all others."""
+        wraps, self.wraps = self.wraps, False
+        return ["    unchecked {", *(f"    {line}" for line in lines), "    }"] if wraps else lines
 
     def struct(self, name: str, fields: Sequence[Part]) -> str:
         inside = "".join(f"    public {self.type(field.type)} {self.field_name(field.name)};\n" for field in fields)

@@ -5,13 +5,13 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
+from pick.gofmt import formatted
 from pick.printer import PRIMARY, STRENGTH
 from pick.scalars import Facts, Part, Piece, Syntax, Taken, bare, camel, paragraph_lines, pascal
 from pick.values import AXES, SIZES, scalar_of
 
 PRODUCT = "float32(*)"  # the sign of a product that is rounded
 NUMBERS = re.compile(r"(?:0x[\dA-F]+|[\d.]+|[-+*/ ()])+")  # of which no type follows
-OPERATOR = re.compile(r" +([-+*/%&|^<>=!]+(?: |$))")        # at the beginning of a line, or all of it
 
 
 class Go(Syntax):
@@ -39,8 +39,8 @@ func choose[T any](condition bool, yes, no T) T {
         "trunc": "func trunc(x float32) float32 { return float32(math.Trunc(float64(x))) }\n",
         "sqrt": "func sqrt(x float32) float32 { return float32(math.Sqrt(float64(x))) }\n",
         "abs": "func abs(x float32) float32 { return float32(math.Abs(float64(x))) }\n",
-        "min": "func min(a, b float32) float32 { return choose(b < a, b, a) }\n",
-        "max": "func max(a, b float32) float32 { return choose(a < b, b, a) }\n",
+        "minFloat": "func minFloat(a, b float32) float32 { return choose(b < a, b, a) }\n",
+        "maxFloat": "func maxFloat(a, b float32) float32 { return choose(a < b, b, a) }\n",
         "minInt": "func minInt(a, b int32) int32 { return choose(b < a, b, a) }\n",
         "maxInt": "func maxInt(a, b int32) int32 { return choose(a < b, b, a) }\n",
         "minWord": "func minWord(a, b uint32) uint32 { return choose(b < a, b, a) }\n",
@@ -71,7 +71,7 @@ func toWord(x float32) uint32 {
     return 0
 }
 """}
-    needs = {name: ("choose",) for name in ("min", "max", "minInt", "maxInt", "minWord", "maxWord")}
+    needs = {name: ("choose",) for name in ("minFloat", "maxFloat", "minInt", "maxInt", "minWord", "maxWord")}
 
     def function_name(self, name: str, is_public: bool) -> str:
         return re.sub(r"_(?=\d)", "", (pascal if is_public else camel)(bare(name)))
@@ -115,7 +115,8 @@ func toWord(x float32) uint32 {
         as_bits = {"uintBitsToFloat": "math.Float32frombits", "floatBitsToUint": "math.Float32bits"}
         if name in as_bits:
             return self.call(as_bits[name], arguments)
-        return self.call(self.helper(f"{name}{ {'int': 'Int', 'uint': 'Word'}.get(type_, '')}"), arguments)
+        kinds = {"float": "Float", "int": "Int", "uint": "Word"} if name in ("min", "max") else {}
+        return self.call(self.helper(f"{name}{kinds.get(type_, '')}"), arguments)
 
     def make_vector(self, type_: str, parts: Sequence[Piece]) -> Piece:
         return Piece(f"{self.vector(type_)}{{{', '.join(piece.text for piece in parts)}}}")
@@ -164,15 +165,10 @@ func toWord(x float32) uint32 {
         return [f"// {line}".rstrip() for line in paragraphs]
 
     def joined(self, lines: Sequence[str], space: str) -> list[str]:
-        """A statement goes on behind an operator, and ends where a line ends in another way."""
-        joined = super().joined(lines, space)
-        for i, line in enumerate(joined):
-            if found := OPERATOR.match(line):
-                joined[i - 1] += f" {found[1].strip()}"
-                joined[i] = line.replace(found[1], "", 1)
-        return [line for line in joined if line.strip()]
+        """Long lines are broken when they are formatted."""
+        return self._with_components(lines)
 
     def file(self, heading: Sequence[str], names: Sequence[str], parts: Sequence[str]) -> str:
         imports = '\nimport "math"\n' if any("math." in part for part in parts) else ""
         text = super().file(heading, names, [f"package hashnoise\n{imports}", *parts])
-        return re.sub(r"^( {4})+", lambda found: "\t" * (len(found[0]) // 4), text, flags=re.MULTILINE)
+        return formatted(re.sub(r"^( {4})+", lambda found: "\t" * (len(found[0]) // 4), text, flags=re.MULTILINE))

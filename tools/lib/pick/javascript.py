@@ -172,7 +172,8 @@ class JavaScript(Syntax):
     # Functions.
 
     def function(self, name: str, parameters: Sequence[Taken], results: Sequence[Part], is_public: bool) -> str:
-        taken = ", ".join(f"{one.name}{self._of(self.type(one.type))}" for one in parameters)
+        taken = ", ".join(f"{'' if one.is_read else '_'}{one.name}{self._of(self.type(one.type))}"
+                          for one in parameters)
         types = "; ".join(f"{self.variable(part.name)}: {self.type(part.type)}" for part in results)
         given = self.type(results[0].type) if len(results) == 1 else f"{{ {types} }}" if results else "void"
         return f"{'export ' if is_public else ''}function {name}({taken}){self._of(given)} {{"

@@ -146,6 +146,9 @@ class Language(unittest.TestCase):
         for fault, shown in zip(self.runner.faults, wrong):
             with self.subTest(fault):
                 self.assertRegex(shown, f"^hn_perlin2: [1-9][0-9]* of {POINTS} ")
+        if "unchecked" in right:
+            with self.assertRaisesRegex(NotRun, "OverflowException"):
+                self.differing("fixed", of, [("hn_perlin2", right.replace("unchecked", ""))])
 
 
 def faulty(syntax: type[Syntax], of: tuple[str, str], wrong: str) -> type[Syntax]:

@@ -40,6 +40,7 @@ class Osl(Syntax):
         typedef uniform union unsigned varying virtual volatile shader surface displacement volume u v P N I Ng Ps Ci
         time dtime dPdu dPdv dPdtime noise""".split())
     helpers_first = True
+    sets_parameters = True
     joins = re.compile(r" *(float|int) (\w+(?: = .*[^{])?;)")
     needs = {**{name: (vector,) for name, (_, vector) in COMPONENTS.items()}, "hn_i_quotient": ("hn_i_less",),
              "hn_i_rest": ("hn_i_quotient",), "hn_i_smaller": ("hn_i_less",),

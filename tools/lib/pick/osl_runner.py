@@ -51,7 +51,7 @@ class OslRunner(CRunner):
     loop = "if (at < {points} * 1000) {{"  # each pixel is a point
     indent = "  "
 
-    def check(self) -> None:
+    def check(self, lints: bool = False) -> None:
         try:
             self.packages = str(installed(PACKAGE))
         except Absent as reason:
@@ -90,6 +90,12 @@ class OslRunner(CRunner):
                     written += (struct.pack("<f", number) if kind == "put_float" else
                                 struct.pack("<I", int(first) | int(second) << 16))
         (folder / "outputs").write_bytes(written)
+
+    def lint(self, texts: Sequence[str], folder: Path) -> None:
+        """Each is compiled with its shader, and beside one that calls nothing of it."""
+        call = f"  {self.loop.format(points=1)}\n    put_float(shown, row, to, floats[at++]);\n  }}"
+        (folder / "inputs").write_bytes(bytes(4 * len(texts)))
+        self.build_and_run(texts, [call] * len(texts), folder)
 
     def passed(self, name: str, is_set: bool) -> str:
         return name

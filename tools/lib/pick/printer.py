@@ -121,7 +121,8 @@ class Writer:
         self.precise = precise
         known = (node for node in values_of(block) if isinstance(node, Operation))
         functions = (str(node.name) for node in known if node.kind == "builtin")
-        self.taken = {*parameters, *names.values(), *functions, *RESERVED, *reserved}
+        results = (one.variable.name for one in walk(block) if isinstance(one, Declare) and one.variable.is_parameter)
+        self.taken = {*parameters, *results, *names.values(), *functions, *RESERVED, *reserved}
         self.called: dict[Node, str] = {}  # the names of values and variables
         self.named: set[Operation] = set()
         self._numbers = {id(one): number for number, one in enumerate(blocks(block))}
@@ -334,9 +335,11 @@ class Writer:
         name, value = self._text(statement.variable), statement.value
         if isinstance(value, Operation) and value.kind == "binary" and value not in self.called:
             left, right = value.arguments
-            if value.name == "+" and right is statement.variable:  # the same bits, of floats as well
+            changed = _key(statement.variable)
+            left_is, right_is = (isinstance(one, Variable) and _key(one) == changed for one in (left, right))
+            if value.name == "+" and right_is:  # the same bits, of floats as well
                 left, right = right, left
-            if left is statement.variable and (short := self._updated(value.type, name, value.name, right)):
+            if (left_is or value.name == "+" and right_is) and (short := self._updated(value.type, name, value.name, right)):
                 return short
         return f"{name} = {self._text(value)}"
 

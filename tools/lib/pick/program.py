@@ -8,7 +8,7 @@ import functools
 import re
 import textwrap
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -247,13 +247,17 @@ class Program:
     def _all(self) -> list[Evaluated]:
         return [*self.roots, *self.called.values()]
 
-    def _arguments(self, key: Key) -> list[tuple[Node, ...]]:
-        """Those of its calls, each once."""
-        found = (arguments for one in self._all() for arguments in one.evaluation.arguments.get(key, []))
-        return list(dict.fromkeys(found))
+    def _arguments(self) -> dict[Key, dict[tuple[Node, ...], None]]:
+        """Those of all calls, each once, by what is called."""
+        found: dict[Key, dict[tuple[Node, ...], None]] = {}
+        for one in self._all():
+            for key, arguments in one.evaluation.arguments.items():
+                found.setdefault(key, {}).update(dict.fromkeys(arguments))
+        return found
 
-    def _known(self, key: Key) -> tuple[Known, ...]:
-        columns = list(zip(*self._arguments(key)))
+    @staticmethod
+    def _known(calls: Iterable[tuple[Node, ...]]) -> tuple[Known, ...]:
+        columns = list(zip(*calls))
         return tuple(column[0] if isinstance(column[0], Constant) and len(set(column)) == 1
                      else columns.index(column) if columns.index(column) < i else None
                      for i, column in enumerate(columns))
@@ -262,11 +266,11 @@ class Program:
         """What is called more than once with other arguments, and is long: the longest."""
         best: tuple[int, Kept] | None = None
         roots = {(root.function.name, root.function.types) for root in self.roots}
-        for key in dict.fromkeys(key for one in self._all() for key in one.evaluation.arguments):
-            count = len(self._arguments(key))
+        for key, calls in self._arguments().items():
+            count = len(calls)
             if count < 2 or key in self.kept or key in roots:
                 continue
-            kept = Kept(*key, self._known(key))
+            kept = Kept(*key, self._known(calls))
             size = self._evaluated(kept).size
             # What the other calls save, less a head of a function and its calls, all in operations.
             if (count - 1) * size > 4 + count and (best is None or size > best[0]):

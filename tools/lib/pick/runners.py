@@ -32,10 +32,20 @@ class NotRun(Exception):
     """A text that is not compiled, or a program that fails."""
 
 
-def ran(folder: Path, *command: str | Path) -> None:
+def ran(folder: Path, *command: str | Path) -> str:
+    """What a program prints; raises NotRun if it fails."""
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
     if done.returncode:
         raise NotRun(f"{' '.join(map(str, command))} returned {done.returncode}:\n{done.stdout}{done.stderr}")
+    return done.stdout
+
+
+def written_to(folder: Path, files: Mapping[str, str]) -> list[str]:
+    """The names of files, which are written into a folder."""
+    for name, text in files.items():
+        (folder / name).parent.mkdir(exist_ok=True)
+        (folder / name).write_text(text, encoding="ascii")
+    return [*files]
 
 
 class Case(NamedTuple):
@@ -49,6 +59,7 @@ class Runner:
     syntax: type[Syntax]
     programs: Sequence[str]  # that are needed
     packages: str            # of Debian, which have them
+    linters: Sequence[str] = ()  # programs that lint() needs beside them
     read: Mapping[str, str]
     write: Mapping[str, str]
     faults: Mapping[tuple[str, str], str]  # operators of types, and what would be wrong with {} as operands
@@ -57,8 +68,9 @@ class Runner:
     loop: str                # the head of a loop of {points}
     indent = "        "
 
-    def check(self) -> None:
-        missing = [program for program in self.programs if not shutil.which(program)]
+    def check(self, lints: bool = False) -> None:
+        programs = (*self.programs, *self.linters) if lints else self.programs
+        missing = [program for program in programs if not shutil.which(program)]
         if missing:
             raise NotInstalled(f"there is no {' and no '.join(missing)}: apt-get install {self.packages}")
 
@@ -74,6 +86,11 @@ class Runner:
         raise NotImplementedError
 
     def run_exact(self, folder: Path) -> None:
+        raise NotImplementedError
+
+    def lint(self, texts: Sequence[str], folder: Path) -> None:
+        """Compiles texts with all warnings as errors, and runs what people have to find fault with the language's
+        texts; raises NotRun."""
         raise NotImplementedError
 
     def declare(self, type_: str, name: str, value: str, changes: bool) -> str:
@@ -135,7 +152,8 @@ class RustRunner(Runner):
     """The text is a crate of its own, without std; an addition that overflows ends the program."""
     syntax = Rust
     programs = ("rustc",)
-    packages = "rustc"
+    packages = "rustc rust-clippy"
+    linters = ("clippy-driver",)
     read = {"float": "f32::from_bits(next())", "int": "next() as i32", "uint": "next()", "bool": "next() != 0"}
     write = {"float": "out.push(f32::to_bits({}));", "int": "out.push({} as u32);", "uint": "out.push({});",
              "bool": "out.push(u32::from({}));"}
@@ -189,6 +207,13 @@ class RustRunner(Runner):
         ran(folder, "rustc", "--edition", "2021", "--extern", "noise=libnoise.rlib", "main.rs")
         ran(folder, folder / "main")
 
+    def lint(self, texts: Sequence[str], folder: Path) -> None:
+        """By clippy with what it asks for by default."""
+        modules = "".join(f"pub mod m{i} {{\n{text}}}\n" for i, text in enumerate(texts))
+        written_to(folder, {"noise.rs": f"#![no_std]\n{modules}"})
+        ran(folder, "clippy-driver", "--edition", "2021", "--crate-type", "rlib", "--emit", "metadata", "-D", "warnings",
+            "noise.rs")
+
     def result(self, results: Sequence[Part], number: int) -> str:
         return f"r.{number}" if len(results) > 1 else "r"
 
@@ -211,10 +236,13 @@ class CRunner(LikeC):
     """Each text is a translation unit of its own; undefined behaviour ends the program."""
     syntax = C
     programs = ("gcc",)
-    packages = "gcc"
+    packages = "gcc clang"
     read = {"float": "next_float()", "int": "(int32_t)next()", "uint": "next()", "bool": "next() != 0u"}
     write = {"float": "put_float({});", "int": "put((uint32_t){});", "uint": "put({});", "bool": "put((uint32_t){});"}
     faults = {("int", ">>"): "(({}) / (1 << ({})))", ("uint", ">>"): "(uint32_t)((int32_t)({}) >> ({}))"}
+    WARNINGS = ("-std=c99", "-pedantic-errors", "-Wall", "-Wextra", "-Wdouble-promotion", "-Wconversion", "-Wshadow",
+                "-Werror")
+    linters = ("clang",)
     WORDS = """#include <stdint.h>
 uint32_t next(void);
 float next_float(void);
@@ -255,10 +283,14 @@ int main(void) {{
         declared = "".join(f"void run{i}(void);\n" for i in range(len(texts)))
         runs = "".join(f"  run{i}();\n" for i in range(len(texts)))
         (folder / "main.c").write_text(self.WORDS + declared + self.MAIN.format(runs=runs), encoding="ascii")
-        ran(folder, "gcc", "-std=c99", "-pedantic-errors", "-Wall", "-Wextra", "-Wdouble-promotion", "-Wconversion",
-            "-Wno-sign-conversion", "-Wno-float-conversion", "-Wno-unused-parameter", "-Werror", "-ffp-contract=off",
-            "-fsanitize=undefined,float-cast-overflow", "-fno-sanitize-recover=all", *names, "-lm", "-o", "main")
+        ran(folder, "gcc", *self.WARNINGS, "-ffp-contract=off", "-fsanitize=undefined,float-cast-overflow", "-fno-sanitize-recover=all", *names, "-lm", "-o", "main")
         ran(folder, folder / "main")
+
+    def lint(self, texts: Sequence[str], folder: Path) -> None:
+        headers = written_to(folder, {f"m{i}.h": text for i, text in enumerate(texts)})
+        units = written_to(folder, {f"m{i}.c": f'#include "{name}"\n' for i, name in enumerate(headers)})
+        for compiler in ("gcc", "clang"):
+            ran(folder, compiler, *self.WARNINGS, "-Wno-unused-function", "-fsyntax-only", *units)
 
     def called(self, name: str, arguments: Sequence[str], results: Sequence[Part]) -> list[str]:
         """Of a number, a vector or a struct, and of pointers to others."""
@@ -280,10 +312,11 @@ class CSharpRunner(LikeC):
     syntax = CSharp
     programs = ("mcs", "mono")
     packages = "mono-mcs mono-runtime"
-    read = {"float": "Words.Float()", "int": "(int)Words.Next()", "uint": "Words.Next()", "bool": "Words.Next() != 0u"}
-    write = {"float": "Words.Put({});", "int": "Words.Put((uint){});", "uint": "Words.Put({});",
+    read = {"float": "Words.Float()", "int": "unchecked((int)Words.Next())", "uint": "Words.Next()", "bool": "Words.Next() != 0u"}
+    write = {"float": "Words.Put({});", "int": "Words.Put(unchecked((uint){}));", "uint": "Words.Put({});",
              "bool": "Words.Put({} ? 1u : 0u);"}
-    faults = {("int", ">>"): "(int)((uint)({}) >> ({}))", ("uint", "*"): "(uint)((float)({}) * ({}))"}
+    faults = {("int", ">>"): "(({}) / (1 << ({})))", ("uint", "*"): "(({}) | ({}))"}
+    COMPILE = ("mcs", "-langversion:7.2", "-warn:4", "-warnaserror", "-checked+")  # what overflows is an exception
     MAIN = """static class Words {{
     static byte[] read = System.IO.File.ReadAllBytes("inputs");
     static System.IO.MemoryStream written = new System.IO.MemoryStream();
@@ -308,8 +341,12 @@ class CSharpRunner(LikeC):
                                             encoding="ascii")
         runs = "".join(f"        M{i}.Run.All();\n" for i in range(len(texts)))
         (folder / "words.cs").write_text(self.MAIN.format(runs=runs), encoding="ascii")
-        ran(folder, "mcs", "-langversion:7.2", "-warn:4", "-warnaserror", "-out:main.exe", *names)
+        ran(folder, *self.COMPILE, "-out:main.exe", *names)
         ran(folder, "mono", "main.exe")
+
+    def lint(self, texts: Sequence[str], folder: Path) -> None:
+        names = written_to(folder, {f"m{i}.cs": f"namespace M{i} {{\n{text}}}\n" for i, text in enumerate(texts)})
+        ran(folder, *self.COMPILE, "-target:library", "-out:noise.dll", *names)
 
     def result(self, results: Sequence[Part], number: int) -> str:
         return f"r.{pascal(results[number].name)}" if len(results) > 1 else "r"
@@ -354,6 +391,11 @@ export const write = () => writeFileSync("outputs", Uint32Array.from(outputs));
         (folder / "main.mjs").write_text(f'{main}import {{ write }} from "./words.mjs";\nwrite();\n', encoding="ascii")
         ran(folder, "node", "main.mjs")
 
+    def lint(self, texts: Sequence[str], folder: Path) -> None:
+        names = written_to(folder, {f"text{i}.mjs": text for i, text in enumerate(texts)})
+        written_to(folder, {"main.mjs": "".join(f'import "./{name}";\n' for name in names)})
+        ran(folder, "node", "main.mjs")
+
     def called(self, name: str, arguments: Sequence[str], results: Sequence[Part]) -> list[str]:
         return [f"{'const r = ' if results else ''}{name}({', '.join(arguments)});"]
 
@@ -396,11 +438,15 @@ public final class Words {{
             head = f"package m{i};\nimport static m{i}.HashNoise.*;\nimport words.Words;\n"
             body = f"    public static void all() {{\n{call}\n    }}\n"
             files[f"m{i}/Run.java"] = f"{head}public class Run {{\n{body}}}\n"
-        for name, text in files.items():
-            (folder / name).parent.mkdir(exist_ok=True)
-            (folder / name).write_text(text, encoding="ascii")
-        ran(folder, "javac", *(f"-J{option}" for option in self.cheap), "-proc:none", "-Xlint:all", "-Werror", *files)
+        self._compile(files, folder)
         ran(folder, "java", *self.cheap, "words.Words")
+
+    def _compile(self, files: Mapping[str, str], folder: Path) -> None:
+        ran(folder, "javac", *(f"-J{option}" for option in self.cheap), "-proc:none", "-Xlint:all", "-Werror",
+            *written_to(folder, files))
+
+    def lint(self, texts: Sequence[str], folder: Path) -> None:
+        self._compile({f"m{i}/HashNoise.java": f"package m{i};\n{text}" for i, text in enumerate(texts)}, folder)
 
     def result(self, results: Sequence[Part], number: int) -> str:
         return f"r.{results[number].name}()" if len(results) > 1 else "r"
@@ -411,6 +457,7 @@ class GoRunner(LikeC):
     syntax = Go
     programs = ("go",)
     packages = "golang-go"
+    linters = ("gofmt",)
     read = {"float": "words.Float()", "int": "int32(words.Next())", "uint": "words.Next()", "bool": "words.Next() != 0"}
     write = {"float": "words.PutFloat({});", "int": "words.Put(uint32({}));", "uint": "words.Put({});",
              "bool": "words.Put(choose({}, uint32(1), uint32(0)));"}
@@ -449,11 +496,16 @@ func Write() { os.WriteFile("outputs", outputs, 0644) }
             chooses = "" if "func choose" in text or "choose(" not in call else Go.helpers["choose"]
             head = f'package hashnoise\n\nimport "hn/words"\n\n{chooses}'
             files[f"m{i}/run.go"] = f"{head}func Run() {{\n{call}\n}}\n"
-        for name, text in files.items():
-            (folder / name).parent.mkdir(exist_ok=True)
-            (folder / name).write_text(text, encoding="ascii")
+        written_to(folder, files)
         ran(folder, "go", "build", "-o", "main", ".")
         ran(folder, folder / "main")
+
+    def lint(self, texts: Sequence[str], folder: Path) -> None:
+        written_to(folder, {"go.mod": "module hn\n\ngo 1.18\n",
+                            **{f"m{i}/noise.go": text for i, text in enumerate(texts)}})
+        ran(folder, "go", "vet", "./...")
+        if unlike := ran(folder, "gofmt", "-d", "."):
+            raise NotRun(f"gofmt prints it in another way:\n{unlike}")
 
     def declare(self, type_: str, name: str, value: str, changes: bool) -> str:
         return f"{name} := {value};"

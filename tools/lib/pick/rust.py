@@ -2,16 +2,41 @@
 
 from __future__ import annotations
 
+import math
 import re
+import struct
 from collections.abc import Sequence
+from decimal import Decimal
 
-from pick.printer import CHOICE, UNARY
+from pick.printer import CHOICE, PRIMARY, UNARY
 from pick.scalars import Part, Piece, Syntax, Taken, bare, pascal
 from pick.values import AXES, SIZES, Operation, scalar_of
 
 CAST = UNARY - 0.5  # `as` binds more strongly than *, and more weakly than an operator before its operand
 WRAPPING = {"+": "add", "-": "sub", "*": "mul"}
 LIKE_A_GENERIC = ("<", "<=", "<<")  # behind a cast they would be taken for the arguments of its type
+
+
+def _constants() -> dict[float, str]:
+    """Those of core, for which clippy asks, by their values as f32."""
+    values = {"E": math.e, "PI": math.pi, "TAU": math.tau, "SQRT_2": math.sqrt(2), "LN_2": math.log(2),
+              "LN_10": math.log(10), "LOG2_E": math.log2(math.e), "LOG10_E": math.log10(math.e),
+              "LOG2_10": math.log2(10), "LOG10_2": math.log10(2), "FRAC_1_PI": 1 / math.pi, "FRAC_2_PI": 2 / math.pi,
+              "FRAC_1_SQRT_2": math.sqrt(0.5), "FRAC_2_SQRT_PI": 2 / math.sqrt(math.pi),
+              **{f"FRAC_PI_{n}": math.pi / n for n in (2, 3, 4, 6, 8)}}
+    return {single(value): f"core::f32::consts::{name}" for name, value in values.items()}
+
+
+def single(value: float) -> float:
+    """The f32 that is nearest."""
+    return struct.unpack("f", struct.pack("f", value))[0]
+
+
+CONSTANTS = _constants()
+NEGATIVE_ONE = ("-1", "-1.0")
+MOST_ARGUMENTS = 7  # before clippy complains
+ROTATED = re.compile(r"(\S.*) (<<|>>) (\d+)")  # half of a rotation
+LIMITED = re.compile(r"(.*)\.(min|max)\((-?\d+)\)")
 
 
 def is_number(piece: Piece) -> bool:
@@ -24,6 +49,17 @@ def typed(piece: Piece, type_: str) -> str:
         return piece.within(UNARY)
     number = f"{piece.text}_{Rust.types[type_]}"
     return f"({number})" if number.startswith("-") else number
+
+
+def rotated(left: Piece, right: Piece) -> Piece | None:
+    """h << 13 | h >> 19, as the method that does it."""
+    halves = [ROTATED.fullmatch(piece.text) for piece in (left, right) if piece.sign in ("<<", ">>")]
+    if len(halves) != 2 or not all(halves):
+        return None
+    one, other = sorted(halves, key=lambda half: half[2])
+    if (one[2], other[2]) != ("<<", ">>") or one[1] != other[1] or int(one[3]) + int(other[3]) != 32:
+        return None
+    return Piece(f"{one[1]}.rotate_left({one[3]})")
 
 
 class Rust(Syntax):
@@ -111,7 +147,14 @@ fn abs(x: f32) -> f32 {
     # Expressions.
 
     def float(self, text: str) -> str:
-        return text
+        """With no digits that an f32 does not keep, and a constant of core by its name: the same bits."""
+        value = single(float(text))
+        if abs(value) in CONSTANTS:
+            return f"{'-' * (value < 0)}{CONSTANTS[abs(value)]}"
+        if value.is_integer():
+            return text
+        short = next(shown for digits in range(1, 10) if single(float(shown := f"{value:.{digits}g}")) == value)
+        return min(text, format(Decimal(short), "f"), key=lambda shown: len(shown.lstrip("-0.")))
 
     def uint(self, value: int) -> str:
         return f"0x{value:X}" if value > 9999 else str(value)
@@ -121,6 +164,10 @@ fn abs(x: f32) -> f32 {
             if is_number(left) and sign != "-":
                 left, right = right, left
             return Piece(f"{typed(left, type_)}.wrapping_{WRAPPING[sign]}({right.text})")
+        if sign == "*" and right.text in NEGATIVE_ONE:
+            return self.unary("-", type_, left)
+        if (type_, sign) == ("uint", "|") and (rotation := rotated(left, right)):
+            return rotation
         if sign in LIKE_A_GENERIC and re.search(r" as \w+$", left.text):
             left = Piece(f"({left.text})")
         return self.infix(sign, left, right)
@@ -151,6 +198,12 @@ fn abs(x: f32) -> f32 {
             return Piece(f"{typed(arguments[0], 'float')}.to_bits()")
         if name in ("min", "max") and type_ != "float":
             first, second = sorted(arguments, key=is_number)
+            inner = LIMITED.fullmatch(first.text) if first.binds == PRIMARY and is_number(second) else None
+            if inner and inner[2] != name:  # from a number to a larger one
+                low, high = sorted((int(inner[3]), int(second.text)))
+                if (low, high) == ((int(inner[3]), int(second.text)) if name == "min" else
+                                   (int(second.text), int(inner[3]))):
+                    return Piece(f"{inner[1]}.clamp({low}, {high})")
             return Piece(f"{typed(first, type_)}.{name}({second.text})")
         return self.call(self.helper(name), arguments)
 
@@ -197,7 +250,8 @@ fn abs(x: f32) -> f32 {
                           f"{'&mut ' if one.is_set else ''}{self.type(one.type)}" for one in parameters)
         types = [self.type(one.type) for one in results]
         given = f" -> {types[0]}" if len(types) == 1 else f" -> ({', '.join(types)})" if types else ""
-        return f"{'pub ' if is_public else ''}fn {name}({taken}){given} {{"
+        allowed = "#[allow(clippy::too_many_arguments)]\n" * (len(parameters) > MOST_ARGUMENTS)
+        return f"{allowed}{'pub ' if is_public else ''}fn {name}({taken}){given} {{"
 
     def struct(self, name: str, fields: Sequence[Part]) -> str:
         inside = "".join(f"    pub {self.field_name(field.name)}: {self.type(field.type)},\n" for field in fields)

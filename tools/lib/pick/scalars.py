@@ -130,6 +130,7 @@ class Syntax:
     helpers: Mapping[str, str] = {}  # functions that the language lacks, with what is said of them
     needs: Mapping[str, Sequence[str]] = {}  # of helpers: other helpers
     helpers_first = False            # whether functions stand before those that call them
+    sets_parameters = False          # whether what is returned beside the result is set by parameters of that name
     shifts_by_int = False            # whether the right operand of a shift has to be an int
     counts_a_range = False           # whether loops that count go through a range
     branches_are_values = False      # whether an if has a value
@@ -290,6 +291,10 @@ class Syntax:
     def beginning(self, parameters: Sequence[Taken], is_public: bool) -> list[str]:
         """Statements before the others."""
         return []
+
+    def body(self, lines: Sequence[str]) -> Sequence[str]:
+        """Of a function, as it stands in the text."""
+        return lines
 
     def struct(self, name: str, fields: Sequence[Part]) -> str:
         raise NotImplementedError
@@ -596,8 +601,9 @@ def _function(evaluated: Evaluated, name: str, is_public: bool, syntax: Syntax,
     parameters = [parameter.at.text for parameter in evaluated.parameters]
     snake = [bare(kept.name) for kept in names]  # as variables are called before the language has its say
     results = results_of(function, evaluated.evaluation.module)
+    beside = [one.name for one in results[function.type != "void":]] if syntax.sets_parameters else []
     writer = Scalars(syntax, structs, evaluated.block, evaluated.evaluation.hints,
-                     evaluated.evaluation.axes, [*parameters, *snake], names, results)
+                     evaluated.evaluation.axes, [*parameters, *beside, *snake], names, results)
     syntax.function_now = name
     syntax.set_structs = frozenset(syntax.variable(one.at.text) for one in evaluated.parameters if one.is_set)
     lines = writer.lines()
@@ -607,4 +613,5 @@ def _function(evaluated: Evaluated, name: str, is_public: bool, syntax: Syntax,
                    one.is_set or one.at.text in read) for one in evaluated.parameters]
     head = syntax.function(name, taken, results, is_public)
     first = [f"{' ' * syntax.indent}{line}" for line in syntax.beginning(taken, is_public)]
-    return "\n".join([*wrapped(head, 0), *first, *lines, "}"]) + "\n"
+    heads = [line for part in head.splitlines() for line in wrapped(part, 0)]
+    return "\n".join([*heads, *syntax.body([*first, *lines]), "}"]) + "\n"

@@ -95,6 +95,7 @@ COMPARED: dict[str, Callable[[int, int], bool]] = {
 NEUTRAL = {"+": 0, "-": 0, "|": 0, "^": 0, "<<": 0, ">>": 0, "*": 1, "/": 1}  # as the right operand
 
 
+NOTHING = Constant("float", "0.0f")
 FLOATS: dict[str, Callable[[Fraction, Fraction], Fraction]] = {
     "+": Fraction.__add__, "-": Fraction.__sub__, "*": Fraction.__mul__, "/": Fraction.__truediv__}
 
@@ -114,7 +115,9 @@ def _folded(sign: str, left: Constant, right: Constant) -> Constant | None:
     if sign not in FLOATS or sign == "/" and not other or exact(one) is None or exact(other) is None:
         return None
     value = FLOATS[sign](one, other)
-    return exact(value) if value else None  # 0 has a sign
+    if not value:  # 0 has a sign, which is that of +0 where numbers that are not 0 make it
+        return NOTHING if sign in "+-" and one else None
+    return exact(value)
 
 
 def unary(sign: str, operand: Node) -> Node:
@@ -150,6 +153,8 @@ def binary(sign: str, left: Node, right: Node) -> Node:
         if right.value:
             quotient = _divided(left.value, right.value)
             return _wrapped(left.type, quotient if sign == "/" else left.value - quotient * right.value)
+    if sign == "-" and left is right and left.type in ("float", "int", "uint"):  # what is computed is finite
+        return NOTHING if left.type == "float" else Constant(left.type, 0)
     if whole and sign == "-" and isinstance(left, Operation) and left.kind == "binary" and left.name == "+" and (
             left.arguments[0] is right):
         return left.arguments[1]

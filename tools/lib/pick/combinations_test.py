@@ -1,0 +1,414 @@
+"""What tools/pick writes of several functions at once, and of each alone: the names in it are right, and the compiler and
+the linters of each language are silent.
+
+    python3 -m pick.combinations_test PACKAGES       the folder that lib/javascript/environment.py makes, for TypeScript
+
+By default some functions of different noises at once, and the two that were wrong. In a thorough run each function
+alone, all functions of a noise at once, each two of them in a language by turns, and all functions at once; and OSL,
+which Blender compiles, of a package of 374 MB.
+
+Exit status: 0 all is right, 1 not, 77 all that could be tried is right, but a compiler is not installed.
+"""
+
+from __future__ import annotations
+
+import functools
+import itertools
+import re
+import sys
+import tempfile
+import unittest
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import NamedTuple, Protocol
+from unittest import mock
+
+from javascript.environment import NODE
+from pick import command
+from pick.c import C
+from pick.osl_runner import OslRunner
+from pick.program import public, read
+from pick.runners import RUNNERS, NotInstalled, NotRun, Runner, ran, written_to
+from pick.shading_runners import device
+from thorough import THOROUGH
+from tree import GLSL, ROOT
+from wgsl.device import Absent
+
+SKIPPED = 77
+ARITHMETICS = ("fast", "fixed")
+# Locals had the names of parameters in these.
+PAIRS = (("hn_cellular3_nearest", "hn_cell_border3_nearest"),)
+SHADING = ("glsl", "glsl-es", "hlsl", "wgsl", "metal", "godot")
+LANGUAGES = (*command.SYNTAXES, *SHADING)
+# Kinds of languages: those of a kind are made of the same program, which takes longest.
+OF_NUMBERS = tuple(language for language, syntax in command.SYNTAXES.items() if not syntax.library)
+
+PICK = command.picker()
+
+Names = tuple[str, ...]
+
+
+# The names in a text.
+
+TYPED_BEHIND = ("rust", "typescript", "javascript", "wgsl", "go")  # a parameter's name stands before its type
+# How a function begins, at the beginning of a line.
+BEGINS = {**dict.fromkeys(("rust", "wgsl"), r"(?:pub )?fn "), "go": "func ",
+          **dict.fromkeys(("typescript", "javascript"), r"(?:export )?function "), "c": "static inline ",
+          **dict.fromkeys(("csharp", "java"), r" *(?:public|private) static (?!class|final)")}
+BEGINS_AS_IN_GLSL = r"(?!struct |return |typedef )(?:inline |highp )?\w+ \w+\("
+DECLARED = {
+    "rust": re.compile(r"\blet (?:mut )?(\w+)|\blet \(([^=]*?)\) =|\bfor (\w+) in\b"),
+    "wgsl": re.compile(r"\b(?:let|var) (\w+)"),
+    "go": re.compile(r"\bvar (\w+)|(?:^|\bfor )([\w, ]+?) :="),
+}
+OF_SCRIPTS = re.compile(r"\b(?:const|let) ([^;]*)")
+OF_TYPES = re.compile(r"(?:^|\bfor \(|[{}] )(?:const |precise |highp )*(?:[A-Za-z_]\w*|\([^()=]*\)) (?=\w+(?: =|;|,))"
+                      r"(?<!return )(?<!else )(?<!goto )([^;]*);")
+SET = r"(?:^|[^\w.>])\(?\*?{}\)?(?:(?:\.|->)[\w.]+)? (?:[-+*/]|>>|<<)?= "
+
+
+class Written(NamedTuple):
+    """A function in a text: where its body begins, and ends."""
+    head: str
+    taken: str
+    begin: int
+    end: int
+
+
+def closed(text: str, at: int) -> int:
+    """Behind the bracket that closes the one here."""
+    depth = 0
+    for end in range(at, len(text)):
+        depth += (text[end] in "([{") - (text[end] in ")]}")
+        if not depth:
+            return end + 1
+    raise ValueError(f"nothing closes {text[at:at + 40]}")
+
+
+def without_comments(text: str) -> str:
+    """With blanks in place of them."""
+    return re.sub(r"//[^\n]*|(?s:/\*.*?\*/)", lambda found: re.sub(r"[^\n]", " ", found[0]), text)
+
+
+def functions_in(language: str, text: str) -> list[Written]:
+    text = without_comments(text)
+    found: list[Written] = []
+    for begins in re.finditer(rf"(?m)^{BEGINS.get(language, BEGINS_AS_IN_GLSL)}", text):
+        at = text.index("(", begins.end() - 1)
+        end = closed(text, at)
+        if language == "csharp" and (several := re.match(r" \w+(?=\()", text[end:])):  # it returns a tuple
+            at = end + several.end()
+            end = closed(text, at)
+        if given := re.match(r": (?=\{)", text[end:]):
+            begin = text.index("{", closed(text, end + given.end()))
+        else:
+            begin = text.index("{", end)
+        head = " ".join(text[begins.start():begin].split())
+        found.append(Written(head, text[at + 1:end - 1], begin + 1, closed(text, begin) - 1))
+    return found
+
+
+def statements(body: str) -> list[str]:
+    """Each without the line breaks in it; the head of a block is one."""
+    whole = re.sub(r"\n\s*(?=[-+*/&|^<>=?:.] )|(?<=[,(=+*/&|^<>?:-])\n\s*", " ", body)
+    return [line.strip() for line in whole.splitlines() if line.strip()]
+
+
+def split(text: str) -> list[str]:
+    """At commas that no brackets are around."""
+    parts, depth = [""], 0
+    for letter in text:
+        depth += (letter in "([{") - (letter in ")]}")
+        if letter == "," and not depth:
+            parts.append("")
+        else:
+            parts[-1] += letter
+    return [part.strip() for part in parts]
+
+
+def parameters(language: str, taken: str) -> Iterator[tuple[str, bool]]:
+    """Their names, and whether the function sets them."""
+    for one in split(" ".join(taken.split())):
+        if not one or one == "void":
+            continue
+        if language in TYPED_BEHIND:
+            name, _, rest = one.partition(" " if language == "go" else ":")
+            yield name.strip().removeprefix("mut "), bool(re.match(r"\*| *&mut | *ptr<", rest))
+        else:
+            before, name = re.fullmatch(r"(.*?)(\w+)(?: = [^=]*)?", one).groups()
+            yield name, bool(re.match(r"(?:out|inout|output|ref) |thread ", before)) or before.endswith(("*", "&"))
+
+
+def declared(language: str, statement: str) -> list[str]:
+    """The names of the variables that it declares."""
+    if language in DECLARED:
+        return [re.sub(r"^mut ", "", name) for found in DECLARED[language].findall(statement)
+                for name in split(", ".join(filter(None, (found,) if isinstance(found, str) else found)))
+                if name != "_"]
+    pattern = OF_SCRIPTS if language in ("typescript", "javascript") else OF_TYPES
+    return [re.match(r"\w*", part)[0] for found in pattern.findall(statement) for part in split(found)]
+
+
+def wrong_names(language: str, text: str) -> list[str]:
+    """What is wrong with the names in a text: a variable that has that of a parameter or of another variable, one that
+    is set to itself, and one that is to be set and is not."""
+    found: list[str] = []
+    for function in functions_in(language, text):
+        lines = statements(without_comments(text)[function.begin:function.end])
+        taken = dict(parameters(language, function.taken))
+        known = {*taken}
+        for line in lines:
+            for name in declared(language, line):
+                if name in known:
+                    found.append(f"{function.head}: {name} is declared again: {line}")
+                known.add(name)
+            for itself in re.findall(r"(?:^|[ (,])([\w.*>-]+) = \1(?:;|,|$)", line):
+                found.append(f"{function.head}: {itself} is set to itself: {line}")
+        for name in (name for name, is_set in taken.items() if is_set):
+            passed = rf"\b{name}(?:_n)?[,)]" if function.head.startswith("shader ") else r"(?!)"
+            if not any(re.search(f"{SET.format(name)}|{passed}", line) for line in lines):
+                found.append(f"{function.head}: {name} is not set")
+    return found
+
+
+# The functions, together.
+
+@functools.cache
+def all_names() -> dict[str, list[str]]:
+    """By their noises: the first word of the name."""
+    families: dict[str, list[str]] = {}
+    for name in public(read(GLSL, command.settings("fast", "lattice"), splits=True)):
+        families.setdefault(re.match(r"hn_[a-z]+?(?=ular|\d|_|$)", name)[0], []).append(name)
+    return families
+
+
+def groups() -> Iterator[tuple[str, Names]]:
+    """What is written at once, with an arithmetic."""
+    if not THOROUGH:
+        for turn, arithmetic in enumerate(ARITHMETICS):
+            yield from ((arithmetic, pair) for pair in PAIRS)
+            together = [names[-1 - turn % len(names)] for names in all_names().values()]
+            yield arithmetic, tuple(together[turn::8])
+        return
+    for arithmetic in ARITHMETICS:
+        yield from ((arithmetic, (name,)) for names in all_names().values() for name in names)
+        yield from ((arithmetic, tuple(names)) for names in all_names().values())
+        yield arithmetic, tuple(itertools.chain(*all_names().values()))
+
+
+def pairs() -> Iterator[tuple[str, Names, str]]:
+    """Of functions of a noise, each in an arithmetic and a language by turns."""
+    found = (pair for names in all_names().values() for pair in itertools.combinations(names, 2))
+    yield from ((ARITHMETICS[turn % 2], pair, LANGUAGES[turn // 2 % len(LANGUAGES)]) for turn, pair in enumerate(found))
+
+
+class Text(NamedTuple):
+    language: str
+    arithmetic: str
+    names: Names
+    shown: str
+
+
+@functools.lru_cache(maxsize=64)
+def picked(names: Names, language: str, arithmetic: str = "fast") -> str:
+    return PICK(names, command.Choice(language, arithmetic))
+
+
+def in_all(names: Names, arithmetic: str = "fast") -> Iterator[Text]:
+    """In each language: those of a kind come together, since a program is made once for them."""
+    for language in sorted(LANGUAGES, key=lambda one: (one not in OF_NUMBERS, one in SHADING)):
+        yield Text(language, arithmetic, names, picked(names, language, arithmetic))
+
+
+@functools.cache
+def all_texts() -> list[Text]:
+    found = [text for arithmetic, names in groups() for text in in_all(names, arithmetic)]
+    return found + [Text(language, arithmetic, names, PICK(names, command.Choice(language, arithmetic)))
+                    for arithmetic, names, language in (pairs() if THOROUGH else ())]
+
+
+class NamesOfVariables(unittest.TestCase):
+    def test_they_are_right(self) -> None:
+        for language, arithmetic, names, shown in all_texts():
+            if found := wrong_names(language, shown):
+                with self.subTest(language, arithmetic=arithmetic, names=names):
+                    self.fail("\n".join(found))
+        self.assertGreater(len(all_texts()), 3 * len(LANGUAGES))
+
+    def test_every_function_is_seen(self) -> None:
+        """The check reads texts, and one that it could not read would be right: each function that is called."""
+        for language, _, _, shown in in_all(PAIRS[0]):
+            heads = " ".join(function.head for function in functions_in(language, shown))
+            called = {name for name in re.findall(r"(?<![.:])\b(\w+)\(", without_comments(shown))
+                      if re.search(rf"(?m)^ *[\w<>,() *&:]*\b{name}\([^\n]*[{{,(]$", shown)} - {"if", "for", "while"}
+            with self.subTest(language):
+                self.assertGreater(len(called), 8)
+                self.assertEqual({name for name in called if f"{name}(" not in heads}, set())
+
+    def test_a_name_that_is_wrong_is_told(self) -> None:
+        """In each language: one of a parameter, and one that is set to itself."""
+        for language, _, _, shown in in_all(PAIRS[0]):
+            function = max(functions_in(language, shown), key=lambda one: one.end - one.begin)
+            before, body, behind = shown[:function.begin], shown[function.begin:function.end], shown[function.end:]
+            local = next(one for line in statements(body) for one in declared(language, line))
+            parameter = next(one for one, is_set in parameters(language, function.taken) if not is_set)
+            itself = f"    {parameter} = {parameter}{'' if language == 'go' else ';'}\n"
+            with self.subTest(language):
+                self.assertEqual(wrong_names(language, shown), [])
+                renamed = re.sub(rf"(?<![\w.]){local}\b", parameter, body)
+                self.assertRegex(" ".join(wrong_names(language, before + renamed + behind)),
+                                 rf": {parameter} is declared again")
+                self.assertRegex(" ".join(wrong_names(language, before + body.rstrip(" \t") + itself + behind)),
+                                 rf": {parameter} is set to itself")
+
+    def test_an_output_that_is_not_set_is_told(self) -> None:
+        for language in ("c", "osl", "glsl", "hlsl", "wgsl", "metal"):
+            shown = picked(PAIRS[0], language)
+            without = re.sub(r"(?m)^ *\(?\*?nearest\w*\)? = .*\n", "", shown)
+            with self.subTest(language):
+                self.assertNotEqual(without, shown)
+                self.assertRegex(" ".join(wrong_names(language, without)), r"nearest\w* is not set")
+
+    def test_locals_that_forget_what_is_set_are_told(self) -> None:
+        """As it was: in C the parameters that a function sets are none of the library's."""
+        with mock.patch.object(C, "sets_parameters", False):
+            shown = PICK(PAIRS[0], command.Choice("c", "fast"))
+        self.assertRegex(" ".join(wrong_names("c", shown)), r"offset is declared again")
+
+
+# Compilers.
+
+class Compiler(Protocol):
+    def lint(self, texts: Sequence[str], folder: Path) -> None:
+        """Raises NotRun."""
+
+
+class GlslCompiler:
+    """glslang's: the versions that the page promises, and what it is told beside them."""
+    HEADS = {"glsl": "#version 330\n", "glsl-es": "#version 300 es\nprecision mediump float;\nprecision mediump int;\n",
+             "godot": "#version 300 es\nprecision highp float;\nprecision highp int;\n"}
+
+    def __init__(self, language: str):
+        self.head = self.HEADS[language]
+
+    def lint(self, texts: Sequence[str], folder: Path) -> None:
+        names = written_to(folder, {f"m{i}.frag": f"{self.head}{text}void main() {{}}\n"
+                                    for i, text in enumerate(texts)})
+        if re.search("WARNING|ERROR", shown := ran(folder, "glslangValidator", *names)):
+            raise NotRun(shown)
+
+
+class HlslCompiler:
+    def lint(self, texts: Sequence[str], folder: Path) -> None:
+        main = "float4 main() : SV_Target { return float4(0, 0, 0, 0); }\n"
+        for name in written_to(folder, {f"m{i}.frag": f"{text}{main}" for i, text in enumerate(texts)}):
+            if re.search("WARNING|ERROR", shown := ran(folder, "glslangValidator", "-D", "-V", "-e", "main", "-o", "out",
+                                                       name)):
+                raise NotRun(shown)
+
+
+class WgslCompiler:
+    def lint(self, texts: Sequence[str], folder: Path) -> None:
+        for text in texts:
+            try:
+                device().compile(text)
+            except Absent:
+                raise
+            except Exception as error:  # what wgpu raises has no common type
+                raise NotRun(str(error)) from error
+
+
+class MetalCompiler:
+    """Metal's language as C++, with the suite's stand-in for <metal_stdlib>."""
+
+    def lint(self, texts: Sequence[str], folder: Path) -> None:
+        (folder / "metal_stdlib").write_bytes((ROOT / "conformance" / "gpu" / "metal" / "metal_stdlib.hpp").read_bytes())
+        opening = "#include <metal_stdlib>\nusing namespace metal;\n\n"
+        parts = "".join(f"namespace text{i} {{\n{text.replace(opening, '')}}}\n" for i, text in enumerate(texts))
+        written_to(folder, {"main.cpp": f"{opening}{parts}"})
+        ran(folder, "clang++", "-std=c++14", "-Wall", "-Wextra", "-Wno-unused-function", "-Werror", "-fsyntax-only", "-I.",
+            "main.cpp")
+
+
+class TypeScriptCompiler:
+    packages = Path()
+
+    def lint(self, texts: Sequence[str], folder: Path) -> None:
+        names = written_to(folder, {f"m{i}.ts": text for i, text in enumerate(texts)})
+        ran(self.packages, NODE, "npx", "--no-install", "tsc", "--ignoreConfig", "--noEmit", "--strict",
+            "--noUnusedLocals", "--noUnusedParameters", "--noImplicitReturns", "--target", "es2020", "--module",
+            "es2020", "--types", "", *(folder / name for name in names))
+
+
+def compiler(language: str) -> Compiler:
+    """What compiles texts of a language; NotInstalled or Absent, if it is not there."""
+    if language == "typescript":
+        if not (TypeScriptCompiler.packages / "made").exists():
+            raise NotInstalled("TypeScript is not there: name the folder that lib/javascript/environment.py makes")
+        return TypeScriptCompiler()
+    if language == "wgsl":
+        device()
+        return WgslCompiler()
+    if language in GlslCompiler.HEADS:
+        return GlslCompiler(language)
+    if language in ("hlsl", "metal"):
+        return HlslCompiler() if language == "hlsl" else MetalCompiler()
+    runner: Runner = OslRunner() if language == "osl" else RUNNERS[language]()
+    runner.check(lints=True)
+    return runner
+
+
+# What a compiler or a linter must refuse: a change of the text of hn_perlin2.
+REFUSED: Mapping[str, Sequence[tuple[str, str]]] = {
+    "rust": (("-> f32 {", "-> f32 {\n    let unused = 1.0;"), ("seed: u32", "seed: u32, _a: u32, _b: u32, _c: u32, "
+             "_d: u32, _e: u32, _f: u32"), (".wrapping_add(", ".wrapping_add(1 - 1 + ")),
+    "go": (("\treturn ", "\treturn  "), ("seed uint32", "seed, seed uint32")),
+    "csharp": (("uint seed) {", "uint seed) {\nint unused = 1;"),),
+    "c": (("uint32_t seed)", "uint32_t seed, int unused)"), ("float y,", "double y,")),
+    "typescript": (("seed: number", "seed: number, unused: number"), ("{\n", "{\n  const unused = 1;\n")),
+    "javascript": (("seed)", "seed, seed)"),),
+    "java": (("int seed) {", "int seed) {\nint unused = (int) 1;\n"),),
+    "osl": (("int seed)", "int seed, int seed)"),),
+    "glsl": (("uint seed) {", "uint seed, uint seed) {"),),
+    "glsl-es": (("uint seed) {", "uint seed, highp uint seed) {"),),
+    "godot": (("return ", "return seed + "),), "hlsl": (("uint seed) {", "uint seed, uint seed) {"),),
+    "wgsl": (("-> f32 {", "-> u32 {"),), "metal": (("uint seed) {", "uint seed, uint unused) {"),)}
+
+
+class Compiled(unittest.TestCase):
+    language: str
+    compiler: Compiler
+
+    def lint(self, shown: Sequence[str]) -> None:
+        with tempfile.TemporaryDirectory() as folder:
+            self.compiler.lint(shown, Path(folder))
+
+    def test_the_compiler_is_silent(self) -> None:
+        shown = [text.shown for text in all_texts() if text.language == self.language]
+        self.assertGreater(len(shown), 3)
+        for begin in range(0, len(shown), 100):
+            self.lint(shown[begin:begin + 100])
+
+    def test_what_is_wrong_is_refused(self) -> None:
+        right = picked(("hn_perlin2",), self.language)
+        self.lint([right])
+        for old, new in REFUSED[self.language]:
+            with self.subTest(new):
+                self.assertIn(old, right)
+                with self.assertRaises(NotRun):
+                    self.lint([right.replace(old, new, 1)])
+
+
+if __name__ == "__main__":
+    TypeScriptCompiler.packages = Path(sys.argv[1]).resolve()
+    suite = unittest.defaultTestLoader.loadTestsFromTestCase(NamesOfVariables)
+    absent: list[str] = []
+    for name in LANGUAGES if THOROUGH else [one for one in LANGUAGES if one != "osl"]:
+        try:
+            of_language = type(f"Compiled_{name}", (Compiled,), {"language": name, "compiler": compiler(name)})
+            suite.addTests(unittest.defaultTestLoader.loadTestsFromTestCase(of_language))
+        except (NotInstalled, Absent) as reason:
+            absent.append(f"skipped: {name}: {reason}")
+    right = unittest.TextTestRunner(verbosity=2).run(suite).wasSuccessful()
+    print("\n".join(absent))
+    sys.exit(1 if not right else SKIPPED if absent else 0)
