@@ -107,8 +107,8 @@ class HN_I_OFFERED Field {
   InstructionSet instruction_set() const;
 
   // Writes components() * points numbers, and returns the least and the greatest of them (of the first component).
-  // Throws std::invalid_argument if `values` has another size, or if a number of a grid is not finite or too large. Where
-  // a coordinate of a list of points is NaN or infinite, all numbers of that point are NaN.
+  // Throws std::invalid_argument if `values` has another size, or if a number of a grid is not finite or too large.
+  // Where a coordinate of a list of points is NaN or infinite, all numbers of that point are NaN.
   Range fill(const Grid<D>& grid, std::span<float> values, const Executor& executor = {}) const;
   Range fill(const CellGrid<D>& grid, std::span<float> values, const Executor& executor = {}) const;
   Range fill(const Points<D>& points, std::span<float> values, const Executor& executor = {}) const;
