@@ -386,7 +386,8 @@ class Cut(unittest.TestCase):
 
     def test_a_sum_over_any_that_fits_may_grow_as_far_as_one_over_perlin_noise(self):
         for name, dims in itertools.product(FITTING, DIMS):
-            longest = frames.longest_gradient(bounds_of(value_of(name), dims, "octahedral"), slope_bounds_of(name, dims))
+            noise, slope = bounds_of(value_of(name), dims, "octahedral"), slope_bounds_of(name, dims)
+            longest = frames.longest_gradient(noise, slope)
             self.assertLess(longest, 10, (name, dims))  # as the contract says
             self.assertLess(frames.LARGEST_GROWTH * longest, frames.LARGEST_RISE)
 
@@ -414,8 +415,8 @@ class Loops(unittest.TestCase):
 
     @classmethod
     def program(cls, name, include=ROOT / "include", noises_of=tuple(FITTING)):
-        """It answers lines of a number of dimensions, a noise, a seed, octaves, lacunarity, gain, strength, a period and
-        a position with the value and the derivatives of hn_fbm_d, and the value of hn_eroded."""
+        """It answers lines of a number of dimensions, a noise, a seed, octaves, lacunarity, gain, strength, a period
+        and a position with the value and the derivatives of hn_fbm_d, and the value of hn_eroded."""
         cases = []
         for dims, of in itertools.product(DIMS, noises_of):
             p, noise = f"vec{dims}(p.x, p.y{', p.z' * (dims - 2)})", of.removesuffix("_phase")
@@ -511,7 +512,8 @@ int main() {{
              "hn_add_detail(o, n)": ("hn_mean(o)", AS_IT_IS), "hn_add_footprint(o, n)": ("hn_mean(o)", AS_IT_IS),
              "hn_add(o, s, vec3(n, 1.0f, 1.0f))": ("hn_mean(o, s).x", AS_IT_IS),
              "hn_add_eroded(o, s, vec3(n, 0.0f, 0.0f), 1.0f)": ("hn_mean(o)", AS_IT_IS),
-             "hn_add_ridged(o, n)": ("hn_mean(o) + 1.0f", NEARER_END), "hn_add_hybrid(o, n)": ("hn_mean(o)", NEARER_END),
+             "hn_add_ridged(o, n)": ("hn_mean(o) + 1.0f", NEARER_END),
+             "hn_add_hybrid(o, n)": ("hn_mean(o)", NEARER_END),
              "hn_add_ping_pong(o, n, 0.5f)": ("hn_mean(o)", NEARER_END),
              "hn_add_weighted(o, n, 1.0f)": ("hn_mean(o)", NEARER_END),
              "hn_add(o, w, vec2(n, 0.0f))": ("hn_mean(o, w).x", NEARER_END),
