@@ -5,4 +5,5 @@
 
 pub mod fast;
 pub mod fixed;
+#[rustfmt::skip]
 pub mod hash;

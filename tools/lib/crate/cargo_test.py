@@ -44,27 +44,42 @@ class Crate(unittest.TestCase):
 
     def cargo(self, *arguments: str) -> subprocess.CompletedProcess[str]:
         # Cargo wants no network, and a warning is an error.
-        return subprocess.run(["cargo", *arguments, "--offline"], cwd=self.folder, capture_output=True, text=True,
+        return subprocess.run(["cargo", *arguments], cwd=self.folder, capture_output=True, text=True,
                               check=False, env={**os.environ, "RUSTFLAGS": "-D warnings", "CARGO_TERM_COLOR": "never",
                                                   "CARGO_INCREMENTAL": "0", "CARGO_PROFILE_DEV_DEBUG": "0"})
 
     def test_it_has_the_values_of_the_library(self) -> None:
-        done = self.cargo("test", "--tests")
+        done = self.cargo("test", "--tests", "--offline")
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         self.assertIn("functions_have_the_values_of_the_library ... ok", done.stdout)
         self.assertIn("a_function_that_is_wrong_is_noticed ... ok", done.stdout)
+
+    def test_cargo_finds_no_fault_with_the_text(self) -> None:
+        """clippy with what it asks for by default. rustfmt leaves out what tools/pick writes."""
+        for words, fault in ((("clippy", "--all-targets"), "\npub fn same(x: f32) -> f32 {\n    x - x\n}\n"),
+                             (("fmt", "--check"), "\npub  use fast::*;\n")):
+            if not shutil.which(f"cargo-{words[0]}"):
+                self.skipTest(f"there is no cargo {words[0]}: apt-get install rust-clippy rustfmt")
+            offline = ("--offline",) if words[0] == "clippy" else ()
+            path = self.folder / "src" / "lib.rs"
+            right = path.read_text(encoding="utf-8")
+            self.addCleanup(path.write_text, right, encoding="utf-8")
+            for text, returned in ((right, 0), (right + fault, 1)):
+                path.write_text(text, encoding="utf-8")
+                done = self.cargo(words[0], *offline, *words[1:])
+                self.assertEqual(bool(done.returncode), bool(returned), done.stdout + done.stderr)
 
     def test_a_change_is_noticed(self) -> None:
         path = self.folder / "src" / "hash.rs"
         right = path.read_text(encoding="utf-8")
         self.addCleanup(path.write_text, right, encoding="utf-8")
         path.write_text(right.replace("0x2C1B3C6D", "0x2C1B3C6F"), encoding="utf-8")
-        done = self.cargo("test", "--tests", "functions_have")
+        done = self.cargo("test", "--tests", "--offline", "functions_have")
         self.assertNotEqual(done.returncode, 0)
         self.assertRegex(done.stdout, r"hash\.word with lattice: \d+ rows, such as ")
 
     def test_what_is_packed(self) -> None:
-        done = self.cargo("package", "--list", "--allow-dirty")
+        done = self.cargo("package", "--list", "--allow-dirty", "--offline")
         self.assertEqual(done.returncode, 0, done.stderr)
         names = set(done.stdout.split("\n"))
         self.assertLess({"Cargo.toml", "LICENSE", "README.md", "src/lib.rs", "src/fixed/place.rs",
@@ -83,7 +98,7 @@ class Crate(unittest.TestCase):
                               ("description", "description, documentation"),
                               ("license ", "license, license-file, documentation")):
             path.write_text(re.sub(rf"(?m)^{without}.*\n", "", right), encoding="utf-8")
-            done = self.cargo("package", "--allow-dirty", "--no-verify")
+            done = self.cargo("package", "--allow-dirty", "--no-verify", "--offline")
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertIn(f"warning: manifest has no {said}", done.stderr)
             self.assertEqual(done.stderr.count("warning:"), 1, done.stderr)
@@ -95,10 +110,10 @@ class Crate(unittest.TestCase):
         test = f"#[test]\nfn page() {{\n{shown}assert!(height.abs() <= 1.0 && grain.abs() <= 1.0);\n}}\n"
         (self.folder / "tests" / "page.rs").write_text(test, encoding="utf-8")
         self.addCleanup((self.folder / "tests" / "page.rs").unlink)
-        done = self.cargo("test", "--test", "page")
+        done = self.cargo("test", "--test", "page", "--offline")
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         for command in (("test", "--doc"), ("doc",)):
-            done = self.cargo(*command)
+            done = self.cargo(*command, "--offline")
             self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
             self.assertNotIn("warning: unresolved", done.stderr)
 

@@ -104,8 +104,8 @@ def module_file(arithmetic: str, modules: Sequence[str]) -> str:
     what = {"fast": "`HN_FAST`: floats, within the error that each function states.",
             "fixed": "`HN_FIXED`: integers, so the bits are the same everywhere."}[arithmetic]
     return (f"//! {what}\n" + MADE.format(version()) + "\n" +
-            "".join(f"mod {module};\n" for module in modules) + "\n" +
-            "".join(f"pub use {module}::*;\n" for module in modules))
+            "".join(f"#[rustfmt::skip]\nmod {module};\n" for module in modules) + "\n" +
+            "".join(f"pub use {module}::*;\n" for module in sorted(modules)))
 
 
 def argument(kind: str, word: int) -> str:
@@ -155,8 +155,9 @@ def calls(modules: Sequence[str]) -> tuple[str, list[str]]:
             rows.append(f'    Call {{\n        file: "{function.id}",\n        setting: "{setting}",\n'
                         f"        function: |w| {call(function, name, module)},\n    }},\n")
         needed += [function.id] if where else []
-    used = ", ".join(sorted({"hash"} & set(modules)) + ([*ARITHMETICS] if of_noise else []))
-    return (MADE.format(version()) + f"\nuse super::{{Call, Numbers}};\nuse hashnoise::{{{used}}};\n\n"
+    used = ", ".join([*ARITHMETICS] * bool(of_noise) + sorted({"hash"} & set(modules)))
+    used = f"{{{used}}}" if "," in used else used
+    return (MADE.format(version()) + f"\nuse super::{{Call, Numbers}};\nuse hashnoise::{used};\n\n"
             f"#[rustfmt::skip]\npub const CALLS: &[Call] = &[\n{''.join(rows)}];\n"), needed
 
 

@@ -57,6 +57,21 @@ class InRust(unittest.TestCase):
          "pub fn f1(a: f32, b: i32) -> bool {\n    let n = a as i32;\n    n < b && b > (n << 2)\n}"),
         ("bool hn_f(float a, int b) { return int(a) < b; }",
          "pub fn f1(a: f32, b: i32) -> bool {\n    (a as i32) < b\n}"),
+        # As clippy wants it.
+        ("uint hn_f(uint h) { return (h >> 19u) | (h << 13u); }",
+         "pub fn f(h: u32) -> u32 {\n    h.rotate_left(13)\n}"),
+        ("uint hn_f(uint h) { return (h >> 18u) | (h << 13u); }",
+         "pub fn f(h: u32) -> u32 {\n    (h >> 18) | (h << 13)\n}"),
+        ("int hn_f(int a) { return min(max(a, 1), 9) + max(min(a, 1), 9) + a * -1; }",
+         "pub fn f1(a: i32) -> i32 {\n    a.clamp(1, 9) + a.min(1).max(9) + -a\n}"),
+        ("float hn_f(float a) { return a * 6.2831853f + a * -2.998046875f + a * 1.57079090f; }",
+         "pub fn f1(a: f32) -> f32 {\n    a * core::f32::consts::TAU + a * -2.9980469 + a * 1.5707909\n}"),
+        ("float hn_f(float a) { return (1.0f - 1.0f) * a + (a - a) * 3.0f; }",
+         "pub fn f1(a: f32) -> f32 {\n    0.0 * a + 0.0 * 3.0\n}"),
+        ("float hn_f(float a, float b, float c, float d, float e, float f, float g, float h) "
+         "{ return a + b + c + d + e + f + g + h; }",
+         "#[allow(clippy::too_many_arguments)]\npub fn f1(a: f32, b: f32, c: f32, d: f32, e: f32, f: f32, g: f32, "
+         "h: f32) -> f32 {\n    a + b + c + d + e + f + g + h\n}"),
     )
 
     def test_they_do_the_same(self) -> None:

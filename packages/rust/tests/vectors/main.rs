@@ -50,19 +50,31 @@ fn between<'a>(line: &'a str, start: &str, end: &str) -> Option<&'a str> {
 }
 
 fn numbers(text: &str) -> Vec<f64> {
-    text.split(',').map(|number| number.parse().unwrap()).collect()
+    text.split(',')
+        .map(|number| number.parse().unwrap())
+        .collect()
 }
 
 /// How many rows a setting has, and which of them the function has other values for.
 fn held(call: &Call) -> (usize, Vec<String>) {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("vectors").join(format!("{}.json", call.file));
-    let text = fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("vectors")
+        .join(format!("{}.json", call.file));
+    let text =
+        fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
     let setting = format!("{{\"name\":\"{}\",\"arithmetic\":", call.setting);
-    let of_setting = text.lines().skip_while(|line| !line.trim_start().starts_with(&setting)).skip(1);
-    let rows: Vec<&str> = of_setting.take_while(|line| line.contains("\"words\":\"")).collect();
+    let of_setting = text
+        .lines()
+        .skip_while(|line| !line.trim_start().starts_with(&setting))
+        .skip(1);
+    let rows: Vec<&str> = of_setting
+        .take_while(|line| line.contains("\"words\":\""))
+        .collect();
     let wrong = rows.iter().filter(|row| {
         let words = between(row, "\"words\":\"", "\"").unwrap().split(' ');
-        let words: Vec<u32> = words.map(|word| u32::from_str_radix(word, 16).unwrap()).collect();
+        let words: Vec<u32> = words
+            .map(|word| u32::from_str_radix(word, 16).unwrap())
+            .collect();
         let expected = numbers(between(row, "\"out\":[", "]").unwrap());
         let bounds = between(row, "\"bound\":[", "]").map_or(vec![0.0; expected.len()], numbers);
         let found = (call.function)(&words);
@@ -76,18 +88,37 @@ fn held(call: &Call) -> (usize, Vec<String>) {
 fn functions_have_the_values_of_the_library() {
     for call in CALLS {
         let (rows, wrong) = held(call);
-        assert!(rows > 40, "{} has {rows} rows with {}", call.file, call.setting);
-        assert!(wrong.is_empty(), "{} with {}: {} rows, such as {}", call.file, call.setting, wrong.len(), wrong[0]);
+        assert!(
+            rows > 40,
+            "{} has {rows} rows with {}",
+            call.file,
+            call.setting
+        );
+        assert!(
+            wrong.is_empty(),
+            "{} with {}: {} rows, such as {}",
+            call.file,
+            call.setting,
+            wrong.len(),
+            wrong[0]
+        );
     }
 }
 
 #[test]
 fn a_function_that_is_wrong_is_noticed() {
     for call in CALLS.iter().step_by(7) {
-        let nothing = Call { function: |_| vec![], ..*call };
+        let nothing = Call {
+            function: |_| vec![],
+            ..*call
+        };
         let (rows, wrong) = held(&nothing);
         assert_eq!(rows, wrong.len());
     }
-    let lattice = Call { file: "hash.lattice2", setting: "lattice", function: |w| vec![f64::from(w[0])] };
+    let lattice = Call {
+        file: "hash.lattice2",
+        setting: "lattice",
+        function: |w| vec![f64::from(w[0])],
+    };
     assert!(held(&lattice).1.len() > 40);
 }
