@@ -21,7 +21,7 @@ def perlin(x, y=None, z=None, w=None, /, *, seed=0, period=None, phase=None, cel
     source   Valdenegro-Toro and Pincheira, sec. 5; Perlin, "Improving noise", 2002; for the phase Perlin and Neyret,
              "Flow noise", 2001
 
-    help(hashnoise) tells of the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
+    help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
 
     >>> hashnoise.perlin(0.5, 0.25, seed=7, arithmetic="fixed")
@@ -42,7 +42,7 @@ def perlin_d(x, y=None, z=None, w=None, /, *, seed=0, period=None, phase=None, c
              3.62] in 4D, without a phase
     source   the product rule on the interpolation; docs/contract.md, section 10
 
-    help(hashnoise) tells of the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
+    help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
 
     >>> hashnoise.perlin_d(0.5, 0.25, seed=7, arithmetic="fixed")
@@ -62,7 +62,7 @@ def value(x, y=None, z=None, w=None, /, *, seed=0, period=None, cell=None, arith
     returns  [-1, 1], mean 0, at lattice points any multiple of 2^-22, twice continuously differentiable
     source   Perlin, "Improving noise", 2002, for the interpolant
 
-    help(hashnoise) tells of the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
+    help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
 
     >>> hashnoise.value(0.5, 0.25, seed=7, arithmetic="fixed")
@@ -81,7 +81,7 @@ def value_d(x, y=None, z=None, w=None, /, *, seed=0, period=None, cell=None, ari
              3.76], once continuously differentiable
     source   the product rule on the interpolation; docs/contract.md, section 10
 
-    help(hashnoise) tells of the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
+    help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
 
     >>> hashnoise.value_d(0.5, 0.25, seed=7, arithmetic="fixed")
@@ -102,7 +102,7 @@ def value_cubic(x, y=None, z=None, /, *, seed=0, period=None, cell=None, arithme
     returns  [-1, 1], mean 0, twice continuously differentiable
     source   de Boor, "A Practical Guide to Splines", 1978, for the spline
 
-    help(hashnoise) tells of the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
+    help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
 
     >>> hashnoise.value_cubic(0.5, 0.25, seed=7, arithmetic="fixed")
@@ -125,7 +125,7 @@ def simplex(x, y, z=None, w=None, /, *, seed=0, period=None, phase=None, cell=No
     source   Perlin, "Noise hardware", 2001, for the sum over the corners of a simplex; docs/contract.md, section 13;
              for the phase Perlin and Neyret, "Flow noise", 2001
 
-    help(hashnoise) tells of the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
+    help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
 
     >>> hashnoise.simplex(0.5, 0.25, seed=7, arithmetic="fixed")
@@ -146,7 +146,7 @@ def simplex_d(x, y, z=None, w=None, /, *, seed=0, period=None, phase=None, cell=
              phase
     source   the product rule on weight and ramp; docs/contract.md, section 13
 
-    help(hashnoise) tells of the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
+    help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
 
     >>> hashnoise.simplex_d(0.5, 0.25, seed=7, arithmetic="fixed")
@@ -164,7 +164,7 @@ def simplex_smooth(x, y, z=None, /, *, seed=0, period=None, cell=None, arithmeti
     returns  [-1, 1], mean 0, 0 at lattice points, twice continuously differentiable
     source   Perlin, "Noise hardware", 2001, for the sum over the corners of a simplex; docs/contract.md, section 13
 
-    help(hashnoise) tells of the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
+    help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
 
     >>> hashnoise.simplex_smooth(0.5, 0.25, seed=7, arithmetic="fixed")
@@ -191,7 +191,7 @@ def cellular(x, y, z=None, /, *, seed=0, period=None, phase=None, jitter=1.0, me
              [0, 1.1181] in 2D and [0, 1.2248] in 3D, and the second in [0, 1.5001]
     source   Worley, "A cellular texture basis function", 1996; docs/contract.md, section 16
 
-    help(hashnoise) tells of the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
+    help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
 
     >>> hashnoise.cellular(0.5, 0.25, seed=7, arithmetic="fixed")
@@ -212,7 +212,7 @@ def cellular_three(x, y, z=None, /, *, seed=0, period=None, jitter=1.0, metric="
              metric the third is in [0, 1.5812]
     source   Worley, "A cellular texture basis function", 1996; docs/contract.md, section 16
 
-    help(hashnoise) tells of the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
+    help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
 
     >>> hashnoise.cellular_three(0.5, 0.25, seed=7, arithmetic="fixed")
@@ -232,7 +232,7 @@ def cellular_d(x, y, z=None, /, *, seed=0, period=None, jitter=1.0, cell=None, a
              length 1 away from the point, and 0 at the point. It jumps where another point becomes the nearest
     source   docs/contract.md, section 16
 
-    help(hashnoise) tells of the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
+    help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
 
     >>> hashnoise.cellular_d(0.5, 0.25, seed=7, arithmetic="fixed")
@@ -252,7 +252,7 @@ def cellular_smooth(x, y, z=None, /, *, seed=0, period=None, jitter=1.0, cell=No
              [-0.1937, 7/8] in 2D and [-0.198, 7/8] in 3D, continuously differentiable but for the points themselves
     source   docs/contract.md, section 16
 
-    help(hashnoise) tells of the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
+    help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
 
     >>> hashnoise.cellular_smooth(0.5, 0.25, seed=7, arithmetic="fixed")
@@ -271,7 +271,7 @@ def cell_border(x, y, z=None, /, *, seed=0, period=None, jitter=1.0, cell=None, 
     returns  the distance, in cells, continuous: in [0, 0.844] in 2D and [0, 0.883] in 3D
     source   docs/contract.md, section 16
 
-    help(hashnoise) tells of the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
+    help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
 
     >>> hashnoise.cell_border(0.5, 0.25, seed=7, arithmetic="fixed")
@@ -292,7 +292,7 @@ def curl(x, y, z=None, /, *, seed=0, period=None, cell=None, arithmetic="fast", 
     source   Bridson, Hourihan, Nordenstam, "Curl-noise for procedural fluid flow", 2007; DeWolf, "Divergence-free
              noise", 2005
 
-    help(hashnoise) tells of the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
+    help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
 
     >>> hashnoise.curl(0.5, 0.25, seed=7, arithmetic="fixed")
@@ -313,7 +313,7 @@ def value_vector(x, y, z=None, /, *, seed=0, period=None, cell=None, arithmetic=
     returns  planes: [-1, 1] along each axis, mean 0, twice continuously differentiable
     source   Perlin, "Improving noise", 2002, for the interpolant; docs/contract.md, section 22
 
-    help(hashnoise) tells of the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
+    help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
 
     >>> hashnoise.value_vector(0.5, 0.25, seed=7, arithmetic="fixed")
@@ -334,7 +334,7 @@ def perlin_vector(x, y, z=None, /, *, seed=0, period=None, cell=None, arithmetic
     returns  planes: [-1, 1] along each axis, mean 0, 0 at lattice points, twice continuously differentiable
     source   Perlin, "Improving noise", 2002; docs/contract.md, section 22
 
-    help(hashnoise) tells of the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
+    help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
 
     >>> hashnoise.perlin_vector(0.5, 0.25, seed=7, arithmetic="fixed")
@@ -360,7 +360,7 @@ def phasor(x, y, z=None, /, *, seed=0, period=None, wave=None, phase=None, cell=
     source   Tricard et al., "Procedural phasor noise", 2019; Lagae et al., "Procedural noise using sparse Gabor
              convolution", 2009; docs/contract.md, section 23
 
-    help(hashnoise) tells of the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
+    help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
 
     >>> hashnoise.phasor(0.5, 0.25, seed=7, arithmetic="fixed")
@@ -380,7 +380,7 @@ def random(x, y=None, z=None, w=None, /, *, seed=0, period=None, cell=None, arit
     returns  [0, 1), a multiple of 2^-24, mean 1/2, uniform
     source   docs/contract.md, section 17
 
-    help(hashnoise) tells of the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
+    help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
 
     >>> hashnoise.random(0.5, 0.25, seed=7, arithmetic="fixed")

@@ -20,7 +20,7 @@ def fbm(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=None, l
     returns    [-1, 1], mean 0
     source     Musgrave, in "Texturing and Modeling: A Procedural Approach"
 
-    help(hashnoise) tells of the other options: `seed`, `noise`, `lacunarity`, `gain`, `period`, `cell`, `arithmetic`,
+    help(hashnoise) explains the other options: `seed`, `noise`, `lacunarity`, `gain`, `period`, `cell`, `arithmetic`,
     `out`, `threads` and `instruction_set`.
 
     >>> hashnoise.fbm(0.5, 0.25, seed=7, arithmetic="fixed")
@@ -39,7 +39,7 @@ def turbulence(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=
     returns  [0, 1], with creases where the noise passes 0
     source   Perlin, "An image synthesizer", 1985; Valdenegro-Toro and Pincheira, fig. 6
 
-    help(hashnoise) tells of the other options: `seed`, `noise`, `octaves`, `lacunarity`, `gain`, `period`, `cell`,
+    help(hashnoise) explains the other options: `seed`, `noise`, `octaves`, `lacunarity`, `gain`, `period`, `cell`,
     `arithmetic`, `out`, `threads` and `instruction_set`.
 
     >>> hashnoise.turbulence(0.5, 0.25, seed=7, arithmetic="fixed")
@@ -58,7 +58,7 @@ def clouds(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6, l
     returns  [0, 1]: 0 is clear, 1 is dense; with fewer than 1 octave 5/32
     source   after the cloud images of Valdenegro-Toro and Pincheira, fig. 6; the paper has no formula for them
 
-    help(hashnoise) tells of the other options: `seed`, `noise`, `octaves`, `lacunarity`, `gain`, `period`, `cell`,
+    help(hashnoise) explains the other options: `seed`, `noise`, `octaves`, `lacunarity`, `gain`, `period`, `cell`,
     `arithmetic`, `out`, `threads` and `instruction_set`.
 
     >>> hashnoise.clouds(0.5, 0.25, seed=7, arithmetic="fixed")
@@ -77,7 +77,7 @@ def billow(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6, l
     returns  [-1, 1]
     source   as of `turbulence`
 
-    help(hashnoise) tells of the other options: `seed`, `noise`, `octaves`, `lacunarity`, `gain`, `period`, `cell`,
+    help(hashnoise) explains the other options: `seed`, `noise`, `octaves`, `lacunarity`, `gain`, `period`, `cell`,
     `arithmetic`, `out`, `threads` and `instruction_set`.
 
     >>> hashnoise.billow(0.5, 0.25, seed=7, arithmetic="fixed")
@@ -97,7 +97,7 @@ def ridged(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6, l
     source   Musgrave, in "Texturing and Modeling: A Procedural Approach": his ridged multifractal with the offset 1 and
              the gain 2, divided by the sum of the weights
 
-    help(hashnoise) tells of the other options: `seed`, `noise`, `octaves`, `lacunarity`, `gain`, `period`, `cell`,
+    help(hashnoise) explains the other options: `seed`, `noise`, `octaves`, `lacunarity`, `gain`, `period`, `cell`,
     `arithmetic`, `out`, `threads` and `instruction_set`.
 
     >>> hashnoise.ridged(0.5, 0.25, seed=7, arithmetic="fixed")
@@ -119,7 +119,7 @@ def hybrid(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6, l
     source   Musgrave, in "Texturing and Modeling: A Procedural Approach": after his hybrid multifractal with the offset
              1, of octaves in [0, 1], divided by the sum of the weights
 
-    help(hashnoise) tells of the other options: `seed`, `noise`, `octaves`, `lacunarity`, `gain`, `period`, `cell`,
+    help(hashnoise) explains the other options: `seed`, `noise`, `octaves`, `lacunarity`, `gain`, `period`, `cell`,
     `arithmetic`, `out`, `threads` and `instruction_set`.
 
     >>> hashnoise.hybrid(0.5, 0.25, seed=7, arithmetic="fixed")
@@ -139,7 +139,7 @@ def ping_pong(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6
     returns   [-1, 1]
     source    FastNoiseLite, FractalType_PingPong
 
-    help(hashnoise) tells of the other options: `seed`, `noise`, `octaves`, `lacunarity`, `gain`, `period`, `cell`,
+    help(hashnoise) explains the other options: `seed`, `noise`, `octaves`, `lacunarity`, `gain`, `period`, `cell`,
     `arithmetic`, `out`, `threads` and `instruction_set`.
 
     >>> hashnoise.ping_pong(0.5, 0.25, seed=7, arithmetic="fixed")
@@ -159,7 +159,7 @@ def weighted(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6,
     returns   [-1, 1]
     source    FastNoiseLite, SetFractalWeightedStrength
 
-    help(hashnoise) tells of the other options: `seed`, `noise`, `octaves`, `lacunarity`, `gain`, `period`, `cell`,
+    help(hashnoise) explains the other options: `seed`, `noise`, `octaves`, `lacunarity`, `gain`, `period`, `cell`,
     `arithmetic`, `out`, `threads` and `instruction_set`.
 
     >>> hashnoise.weighted(0.5, 0.25, seed=7, arithmetic="fixed")
@@ -180,7 +180,7 @@ def fbm_d(x, y, z=None, /, *, seed=0, noise="perlin_d", octaves=6, lacunarity=2.
              octave
     source   as of `fbm`
 
-    help(hashnoise) tells of the other options: `seed`, `octaves`, `lacunarity`, `gain`, `period`, `cell`, `arithmetic`,
+    help(hashnoise) explains the other options: `seed`, `octaves`, `lacunarity`, `gain`, `period`, `cell`, `arithmetic`,
     `out`, `threads` and `instruction_set`.
 
     >>> hashnoise.fbm_d(0.5, 0.25, seed=7, arithmetic="fixed")
@@ -203,7 +203,7 @@ def eroded(x, y, z=None, /, *, seed=0, noise="perlin_d", octaves=6, lacunarity=2
     returns   [-1, 1]
     source    Quilez, "More noise", 2008: his slopes are not rotated with the octaves
 
-    help(hashnoise) tells of the other options: `seed`, `octaves`, `lacunarity`, `gain`, `period`, `cell`, `arithmetic`,
+    help(hashnoise) explains the other options: `seed`, `octaves`, `lacunarity`, `gain`, `period`, `cell`, `arithmetic`,
     `out`, `threads` and `instruction_set`.
 
     >>> hashnoise.eroded(0.5, 0.25, seed=7, arithmetic="fixed")
@@ -225,7 +225,7 @@ def warp(x, y, z=None, /, *, seed=0, noise="value_vector", octaves=6, lacunarity
     returns    planes: the shift along each axis, in [-amplitude, amplitude]
     source     Quilez, "Domain warping", 2002
 
-    help(hashnoise) tells of the other options: `seed`, `octaves`, `lacunarity`, `gain`, `period`, `cell`, `arithmetic`,
+    help(hashnoise) explains the other options: `seed`, `octaves`, `lacunarity`, `gain`, `period`, `cell`, `arithmetic`,
     `out`, `threads` and `instruction_set`.
 
     >>> hashnoise.warp(0.5, 0.25, seed=7, arithmetic="fixed")
@@ -250,7 +250,7 @@ def warp_progressive(x, y, z=None, /, *, seed=0, noise="value_vector", octaves=6
     returns    planes: the shift along each axis, in [-amplitude, amplitude]
     source     as of `warp`
 
-    help(hashnoise) tells of the other options: `seed`, `octaves`, `lacunarity`, `gain`, `period`, `cell`, `arithmetic`,
+    help(hashnoise) explains the other options: `seed`, `octaves`, `lacunarity`, `gain`, `period`, `cell`, `arithmetic`,
     `out`, `threads` and `instruction_set`.
 
     >>> hashnoise.warp_progressive(0.5, 0.25, seed=7, arithmetic="fixed")
@@ -275,7 +275,7 @@ def perlin_worley(x, y, z, /, *, seed=0, octaves=6, lacunarity=2.0, gain=0.5, pe
     source   Schneider and Vos, "The Real-time Volumetric Cloudscapes of Horizon: Zero Dawn", 2015; docs/contract.md,
              section 25
 
-    help(hashnoise) tells of the other options: `seed`, `lacunarity`, `gain`, `period`, `cell`, `arithmetic`, `out`,
+    help(hashnoise) explains the other options: `seed`, `lacunarity`, `gain`, `period`, `cell`, `arithmetic`, `out`,
     `threads` and `instruction_set`.
 
     >>> hashnoise.perlin_worley(0.5, 0.25, 0.75, seed=7, arithmetic="fixed")

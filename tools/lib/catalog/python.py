@@ -153,7 +153,7 @@ def _docstring(function: Function, options: Iterable[_Option]) -> str:
     parts += [_filled(function.more)] if function.more else []
     parts += ["".join(_filled(f"{name:{width}}{text}", width) for name, text in about.items())]
     others = [f"`{option.name}`" for option in options if option.name not in about]
-    parts += [_filled(f"help(hashnoise) tells of the other options: {', '.join(others[:-1])} and {others[-1]}.")]
+    parts += [_filled(f"help(hashnoise) explains the other options: {', '.join(others[:-1])} and {others[-1]}.")]
     parts += [textwrap.indent(f"{example}\n{function.example}".rstrip() + "\n", "    ")]
     return "\n".join(parts) + '    """\n'
 
