@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""The installed program, moved away from where it was built and installed. Usage: install_test.py CMAKE BUILD SOURCE"""
+"""The installed program, moved away from where it was built and installed, and what is installed of builds that have not
+built all of it. Usage: install_test.py CMAKE BUILD SOURCE"""
 
 import pathlib
 import shutil
@@ -60,6 +61,65 @@ class Install(unittest.TestCase):
         program = self.program.read_bytes()
         for place in ("conformance/expected/golden", "conformance/run/expect"):
             self.assertNotIn(f"{SOURCE}/{place}".encode(), program)
+
+
+class PartsOfABuild(unittest.TestCase):
+    """What was built is installed, and find_package finds that."""
+
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.build = pathlib.Path(scratch.name, "build")
+        self.project = pathlib.Path(scratch.name, "project")
+        self.project.mkdir()
+        self.scratch = pathlib.Path(scratch.name)
+        subprocess.run([CMAKE, "-G", "Ninja", "-S", SOURCE, "-B", self.build, "-DHASHNOISE_CONFORMANCE=OFF"],
+                       stdout=subprocess.DEVNULL, check=True)
+
+    def installed(self, name, *options):
+        prefix = self.scratch / name
+        done = subprocess.run([CMAKE, "--install", self.build, "--prefix", prefix, *options], capture_output=True,
+                              text=True, check=False)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        return {path.relative_to(prefix).as_posix() for path in prefix.rglob("*")}, done.stdout
+
+    def found(self, name, what=""):
+        (self.project / "CMakeLists.txt").write_text(
+            "cmake_minimum_required(VERSION 3.16)\nproject(p LANGUAGES CXX)\n"
+            f"find_package(hashnoise REQUIRED {what})\n"
+            "foreach(part hashnoise grid)\n  if(TARGET hashnoise::${part})\n    message(STATUS \"has ${part};\")\n"
+            "  endif()\nendforeach()\n")
+        done = subprocess.run([CMAKE, "-G", "Ninja", "-S", self.project, "-B", self.scratch / f"{name}-found",
+                               f"-DCMAKE_PREFIX_PATH={self.scratch / name}"], capture_output=True, text=True, check=False)
+        return done.returncode, done.stdout + done.stderr
+
+    def test_headers_alone(self):
+        files, said = self.installed("nothing-built")
+        self.assertLess({"include/hashnoise/hashnoise.hpp", "include/hashnoise/grid.hpp",
+                         "include/hashnoise/detail/macros_begin.h"}, files)
+        self.assertFalse({file for file in files if "field.hpp" in file or "libhashnoise" in file or "grid-t" in file})
+        self.assertIn("hashnoise::grid is not installed, since it was not built", said)
+        status, said = self.found("nothing-built")
+        self.assertEqual(status, 0, said)
+        self.assertIn("has hashnoise;", said)
+        self.assertNotIn("has grid;", said)
+        self.assertNotEqual(self.found("nothing-built", "COMPONENTS grid")[0], 0)
+
+    def test_the_library_where_it_was_built(self):
+        (self.build / "src/grid/libhashnoise-grid.a").write_text("a library")  # it is only copied
+        files, said = self.installed("grid-built")
+        self.assertLess({"include/hashnoise/field.hpp", "lib/libhashnoise-grid.a"}, files)
+        self.assertNotIn("not built", said)
+        status, said = self.found("grid-built", "COMPONENTS grid")
+        self.assertEqual(status, 0, said)
+        self.assertIn("has grid;", said)
+
+    def test_a_component(self):
+        (self.build / "src/grid/libhashnoise-grid.a").write_text("a library")
+        self.assertNotIn("lib/libhashnoise-grid.a", self.installed("headers", "--component", "headers")[0])
+        files, _ = self.installed("grid", "--component", "grid")
+        self.assertIn("lib/libhashnoise-grid.a", files)
+        self.assertNotIn("include/hashnoise/hashnoise.hpp", files)
 
 
 if __name__ == "__main__":
