@@ -1,16 +1,25 @@
-"""Tests what compilers say of the headers where a user goes wrong: python3 header_test.py COMPILER..."""
+"""Tests what compilers say of the headers where a user goes wrong, and beside what a program has already: the macros of
+others, their functions, their warnings. python3 header_test.py [--thorough] COMPILER...
+
+With --thorough all headers are compiled behind the real windows.h of MinGW-w64 and X11's, too.
+"""
 
 from __future__ import annotations
 
 import re
+import shutil
 import subprocess
 import sys
+import tempfile
 import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 INCLUDE = ROOT / "include"
-COMPILERS = sys.argv[1:]
+GLSL = ROOT / "glsl" / "hashnoise"
+THOROUGH = "--thorough" in sys.argv
+COMPILERS = [argument for argument in sys.argv[1:] if argument != "--thorough"]
+PUBLIC = sorted(path.name for path in (INCLUDE / "hashnoise").glob("*.hpp"))
 HEADERS = ("hashnoise.hpp", "glsl.hpp")
 ARITHMETICS = ("HN_FAST", "HN_PRECISE", "HN_FIXED")
 # Sums over several noises in one file: of the library and of the user's.
@@ -92,9 +101,10 @@ def calls(which: tuple[str, ...]) -> str:
 
 
 def deleted(said: str, which: tuple[str, ...]) -> list[str]:
-    """The calls of which a compiler says that they are deleted."""
+    """The calls that a compiler refuses, with the hint in the line of the error."""
     first = CALLS.count("\n") + 1
-    lines = re.findall(r"^<stdin>:(\d+):\d+: error: (?:use of|call to) deleted function", said, re.M)
+    lines = re.findall(r"^<stdin>:(\d+):\d+: error: .*\bwrite 16u for a seed, 6 for octaves, 2\.0f for other numbers",
+                       said, re.M)
     return [which[line - first] for line in sorted({int(line) for line in lines})]
 
 
@@ -123,14 +133,282 @@ static_assert(!Perlin<Float, int> && !Perlin<vec2, int> && !Perlin<vec2, float> 
 """
 
 
+# What programs have before an include of ours, as it is defined there.
+MACROS = {
+    "windows.h": """near;far;min(a,b) (((a)<(b))?(a):(b));max(a,b) (((a)>(b))?(a):(b));small char;hyper long
+        interface struct;pascal;cdecl;IN;OUT;OPTIONAL;ERROR 0;DELETE 0x00010000L;CONST const;VOID void;TRUE 1;FALSE 0""",
+    "X11": """None 0L;Bool int;Status int;Success 0;True 1;False 0;Always 2;Above 0;Below 1;Complex 0;Convex 2;Nonconvex 1
+        Unsorted 0;CursorShape 0;KeyPress 2;FocusIn 9;Opposite 4""",
+    "Arduino.h": """min(a,b) ((a)<(b)?(a):(b));max(a,b) ((a)>(b)?(a):(b));abs(x) ((x)>0?(x):-(x));sq(x) ((x)*(x))
+        round(x) ((x)>=0?(long)((x)+0.5):(long)((x)-0.5));radians(deg) ((deg)*0.01745);degrees(rad) ((rad)*57.2957)
+        constrain(a,l,h) ((a)<(l)?(l):((a)>(h)?(h):(a)));bit(b) (1UL<<(b));bitRead(value,bit) (((value)>>(bit))&1)
+        lowByte(w) ((unsigned char)((w)&0xff));highByte(w) ((unsigned char)((w)>>8));PI 3.14;HALF_PI 1.57;TWO_PI 6.28
+        DEG_TO_RAD 0.017;RAD_TO_DEG 57.29;EULER 2.718;F(text) (text);B0 0;B1 1;B10 2;HIGH 1;LOW 0;INPUT 0;DEFAULT 1""",
+    "Cocoa": """nil nullptr;Nil nullptr;YES true;NO false;check(x) ((void)(x));verify(x) ((void)(x));NSUInteger unsigned
+        require(x,y) ((void)(x));MIN(a,b) ((a)<(b)?(a):(b));MAX(a,b) ((a)>(b)?(a):(b));ABS(a) (a);I 1.0fi""",
+}
+# What the headers had in their text, and what else a program may call so: as macros that stand for no code.
+OWN_NAMES = re.compile(r'^#pragma pop_macro\("(\w+)"\)$', re.M)
+
+
+def defined(names: str) -> str:
+    return "".join(f"#define {name.strip()}\n" for name in names.replace("\n", ";").split(";"))
+
+
+def broken(names: list[str]) -> str:
+    return "".join(f"#define {name} ) this is a macro of others (\n" for name in names)
+
+
+def still_there(text: str) -> str:
+    """Asks whether each macro that a text defines is still one."""
+    return "".join(f"#ifndef {name}\n#error {name} is lost\n#endif\n" for name in re.findall(r"^#define (\w+)", text, re.M))
+
+
+# What a program calls: the templates are instantiated.
+CALLED = """
+inline hashnoise::Range called(std::span<float> values, float x) {
+  namespace lanes = hashnoise::lanes;
+  const hashnoise::vec3 p(x, x, x);
+  values[0] = hashnoise::hn_fbm(p, 6, 2.0f, 0.5f, 7u) + hashnoise::hn_cellular(p, 7u).x + hashnoise::hn_simplex_d(p, 7u).x;
+  return lanes::fill(hashnoise::CellGrid<2>{{1, 2}, {0.0f, 0.0f}, {0.5, 0.5}, {8, 8}}, values,
+                     [](lanes::ivec2 cell, lanes::vec2 f) { return lanes::hn_fbm(lanes::hn_place(cell, f), 6, 2.0f, 0.5f, 7u); });
+}
+"""
+
+
 def including(header: str) -> str:
     return f"#include <hashnoise/{header}>\n"
 
 
-def says(compiler: str, text: str, *options: str) -> str:
+def some_compilers(turn: int) -> list[str]:
+    """One of them, another with each turn; in a thorough run all."""
+    return COMPILERS if THOROUGH else [COMPILERS[turn % len(COMPILERS)]]
+
+
+def all_headers() -> str:
+    return "".join(map(including, PUBLIC))
+
+
+def says(compiler: str, text: str, *options: str, include: Path = INCLUDE, only: str = "-fsyntax-only") -> str:
     """What a compiler says of the text; nothing if it takes it without a warning."""
-    command = [compiler, "-fsyntax-only", "-Wall", "-Wextra", "-Werror", "-I", str(INCLUDE), *options, "-x", "c++", "-"]
+    command = [compiler, only, "-Wall", "-Wextra", "-Werror", "-I", str(include), *options, "-x", "c++", "-"]
     return subprocess.run(command, input=text, capture_output=True, text=True, check=False).stderr
+
+
+# Two files of a unity build. SECOND is included behind FIRST.
+PLAIN = "#include <hashnoise/{header}.hpp>\n"
+FIXED = "#undef HN_ARITHMETIC\n#define HN_ARITHMETIC HN_FIXED\n" + PLAIN
+KNOBS = {"HN_ARITHMETIC": "HN_FIXED", "HN_HASH": "HN_HASH_JENKINS", "HN_GRADIENT": "HN_GRADIENT_SINE"}
+# Functions of C, and of the C++ library, with the literals that people write.
+LITERALS = """
+#include <math.h>
+#include <stdlib.h>
+#include <algorithm>
+#include <cmath>
+#include <hashnoise/hashnoise.hpp>
+#include <hashnoise/lanes.hpp>
+USING
+using namespace hashnoise;
+static_assert(std::is_same_v<decltype(floor(1.5)), double> && std::is_same_v<decltype(floor(1.5f)), float>);
+static_assert(std::is_same_v<decltype(abs(-3)), int> && std::is_same_v<decltype(abs(-2.5)), double>);
+static_assert(std::is_same_v<decltype(abs(-2.5f)), float> && std::is_same_v<decltype(abs(-3L)), long>);
+static_assert(std::is_same_v<decltype(sqrt(2.0)), double> && std::is_same_v<decltype(sqrt(2.0f)), float>);
+static_assert(std::is_same_v<decltype(trunc(2.5)), double> && std::is_same_v<decltype(trunc(2.5f)), float>);
+static_assert(std::is_same_v<decltype(min(1, 2)), int> || std::is_same_v<decltype(min(1, 2)), const int&>);
+inline float of_literals(float x) {
+  return static_cast<float>(floor(3) + sqrt(4)) + min(x, 2.0f) + max(1.0f, x) + static_cast<float>(max(1u, 2u)) +
+         floor(vec2(1.5f, x)).x + hn_perlin(vec2(x, x), 7u) + abs(x);
+}
+"""
+# Functions of users, which have the names of GLSL's, too.
+OF_USERS = """
+float floor(float x, int digits);
+float min(float x, float y);
+template <typename T> T max(T x, T y) { return x < y ? y : x; }
+int floatBitsToUint(float x);
+"""
+WARNINGS = ("-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wfloat-equal -Wundef -Wold-style-cast -Wsign-conversion "
+            "-Wdouble-promotion -Wcast-qual -Wcast-align -Wextra-semi -Wmissing-declarations -Wunused-macros "
+            "-Wzero-as-null-pointer-constant").split()
+MORE_WARNINGS = {"g++": ["-Wuseless-cast", "-Wlogical-op", "-Wduplicated-cond", "-Wduplicated-branches", "-Weffc++",
+                         "-Wredundant-decls"],
+                 "clang++": ["-Weverything", "-Wno-c++98-compat", "-Wno-c++98-compat-pedantic", "-Wno-padded"]}
+
+
+class BesideOthers(unittest.TestCase):
+    """What a program has already does not matter to the headers, and the headers not to it."""
+
+    def compiled(self, compiler: str, text: str, *options: str) -> None:
+        self.assertEqual(says(compiler, text, "-std=c++20", *options), "")
+
+    def test_each_header_stands_behind_the_macros_of_others(self) -> None:
+        every = {re.split(r"[ (]", name.strip())[0]: name for names in MACROS.values() for name in re.split("[;\n]", names)}
+        macros = defined(";".join(every.values()))
+        for turn, header in enumerate(PUBLIC):
+            for compiler in some_compilers(turn):
+                with self.subTest(compiler=compiler, header=header):
+                    self.compiled(compiler, macros + including(header) + still_there(macros))
+
+    @unittest.skipUnless(THOROUGH, "all of them at once stand for these")
+    def test_all_headers_stand_behind_the_macros_of_each(self) -> None:
+        for of, names in MACROS.items():
+            macros = defined(names)
+            for compiler in COMPILERS:
+                with self.subTest(compiler=compiler, of=of):
+                    self.compiled(compiler, macros + all_headers() + CALLED + still_there(macros))
+
+    def test_no_name_that_the_headers_have_can_be_spoilt_by_a_macro(self) -> None:
+        names = OWN_NAMES.findall((GLSL / "detail" / "macros_end.h").read_text(encoding="ascii"))
+        self.assertLess({"min", "T", "x", "octaves", "Grid"}, set(names))
+        macros = broken([*names, "near", "far", "interface", "nil"])
+        for compiler in COMPILERS:
+            with self.subTest(compiler=compiler):
+                self.compiled(compiler, macros + all_headers() + still_there(macros))
+
+    def test_what_the_standard_headers_define_stays(self) -> None:
+        text = all_headers()
+        standard = "".join(sorted({line for path in (INCLUDE / "hashnoise").glob("*.hpp")
+                                   for line in re.findall(r"^#include <\w+>\n", path.read_text(), re.M)
+                                   if line not in ("#include <arm_neon.h>\n", "#include <wasm_simd128.h>\n")}))
+        defined_by = []
+        for lines in (standard, text):
+            done = subprocess.run([COMPILERS[0], "-std=c++20", "-dM", "-E", "-I", str(INCLUDE), "-x", "c++", "-"],
+                                  input=lines, capture_output=True, text=True, check=True)
+            defined_by.append(set(done.stdout.splitlines()))
+        self.assertIn("#include <cmath>\n", standard)
+        self.assertEqual(defined_by[0] - defined_by[1], set())
+
+    def test_a_header_without_its_guard_against_macros_is_noticed(self) -> None:
+        with tempfile.TemporaryDirectory() as folder:
+            for name in ("include", "glsl"):
+                shutil.copytree(ROOT / name, Path(folder, name))
+            for file in ("macros_begin.h", "macros_end.h"):
+                Path(folder, "glsl", "hashnoise", "detail", file).write_text("")
+            text = broken(["T"]) + including("glsl.hpp")
+            self.assertEqual(says(COMPILERS[0], text, "-std=c++20"), "")
+            said = says(COMPILERS[0], text, "-std=c++20", include=Path(folder, "include"))
+            self.assertRegex(said[:400], "in expansion of macro .T.")
+
+    @unittest.skipUnless(THOROUGH, "windows.h is long")
+    def test_each_header_stands_behind_the_real_macros(self) -> None:
+        windows = "#include <windows.h>\n{}#ifndef near\n#error near is lost\n#endif\n"
+        for header in PUBLIC:
+            with self.subTest(header=header):
+                self.compiled("x86_64-w64-mingw32-g++", windows.format(including(header)))
+        for macro in ("NOMINMAX", "WIN32_LEAN_AND_MEAN", "min(a,b)=(((a)<(b))?(a):(b))"):  # which Microsoft's has
+            with self.subTest(macro=macro):
+                self.compiled("x86_64-w64-mingw32-g++", windows.format(all_headers()), f"-D{macro}")
+        of_x11 = "#include <X11/Xlib.h>\n#include <X11/Xutil.h>\n{}#ifndef None\n#error None is lost\n#endif\n"
+        self.compiled(COMPILERS[0], of_x11.format(all_headers()))
+
+    def test_functions_of_others_come_first(self) -> None:
+        for turn, using in enumerate(("", OF_USERS, "using namespace std;")):
+            for compiler in some_compilers(turn):
+                with self.subTest(compiler=compiler, using=using):
+                    self.compiled(compiler, LITERALS.replace("USING", using))
+
+    def test_a_function_that_is_no_template_would_be_ambiguous(self) -> None:
+        said = says(COMPILERS[0], LITERALS.replace("USING", "namespace hashnoise { float floor(float); }"), "-std=c++20")
+        self.assertRegex(said, "error: call of overloaded .floor.float.. is ambiguous")
+
+    def test_exceptions_and_types_at_run_time_may_be_off(self) -> None:
+        for compiler in some_compilers(1):
+            with self.subTest(compiler=compiler):
+                self.compiled(compiler, all_headers(), "-fno-exceptions", "-fno-rtti")
+
+    def test_without_exceptions_a_wrong_size_ends_the_program(self) -> None:
+        text = (including("grid.hpp") + "int main() { float n[3]; hashnoise::lanes::fill(hashnoise::Grid<1>{{0}, {1}, {2}}, n, "
+                "[](hashnoise::lanes::Float x) { return x; }); }\n")
+        with tempfile.TemporaryDirectory() as folder:
+            program = Path(folder, "program")
+            for flag, said in (("-fno-exceptions", "hashnoise: fill: "), ("-fexceptions", "std::invalid_argument")):
+                subprocess.run([COMPILERS[0], "-std=c++20", flag, "-I", str(INCLUDE), "-x", "c++", "-", "-o", str(program)],
+                               input=text, text=True, check=True)
+                done = subprocess.run([program], capture_output=True, text=True, check=False)
+                self.assertNotEqual(done.returncode, 0)
+                self.assertIn(said, done.stderr)
+                self.assertIn("the size of the values", done.stderr)
+
+    def test_no_header_warns(self) -> None:
+        for compiler in COMPILERS:
+            more = MORE_WARNINGS["clang++" if "clang" in Path(compiler).name else "g++"]
+            with self.subTest(compiler=compiler):
+                self.compiled(compiler, all_headers() + CALLED, *WARNINGS, *more)
+
+    def test_a_comparison_of_a_program_warns_as_before(self) -> None:
+        said = says(COMPILERS[0], all_headers() + "inline bool same(float x) { return x == 0.5f; }\n", "-std=c++20", "-Wfloat-equal")
+        self.assertEqual(said.count("[-Werror=float-equal]"), 1)
+
+
+class Unity(unittest.TestCase):
+    """Files of one translation unit, each of which defines its knobs before its include."""
+
+    def said(self, *files: str, options: tuple[str, ...] = ()) -> str:
+        return says(COMPILERS[0], "".join(files), "-std=c++20", *options, only="-E")  # the preprocessor tells it
+
+    def test_other_knobs_than_those_of_the_text_are_an_error(self) -> None:
+        for first in ("hashnoise", "lanes", "grid"):
+            for second in ("hashnoise", "lanes", "grid"):
+                for knob, value in KNOBS.items():
+                    with self.subTest(first=first, second=second, knob=knob):
+                        said = self.said(PLAIN.format(header=first), f"#undef {knob}\n#define {knob} {value}\n",
+                                         PLAIN.format(header=second))
+                        self.assertIn(f"#error {knob} differs from that of the first include of hashnoise", said)
+                        self.assertIn(f"give all files of a unity build the same {knob}", said)
+
+    def test_a_file_that_takes_its_knob_back_leaves_no_other_behind(self) -> None:
+        said = self.said(FIXED.format(header="hashnoise"), "#undef HN_ARITHMETIC\n", PLAIN.format(header="hashnoise"))
+        self.assertIn("HN_ARITHMETIC differs", said)
+
+    def test_the_default_may_be_stated(self) -> None:
+        said = self.said(FIXED.format(header="hashnoise"), FIXED.format(header="lanes").replace("FIXED", "FAST"))
+        self.assertIn("HN_ARITHMETIC differs", said)
+
+    def test_the_same_knobs_may_be_given_again(self) -> None:
+        for compiler in COMPILERS:
+            with self.subTest(compiler=compiler):
+                text = "".join(FIXED.format(header=header) for header in ("hashnoise", "lanes", "hashnoise", "grid"))
+                self.assertEqual(says(compiler, text + PLAIN.format(header="grid"), "-std=c++20"), "")
+                by_option = "".join(PLAIN.format(header=header) for header in ("lanes", "hashnoise", "grid"))
+                again = "#define HN_ARITHMETIC HN_FIXED\n" + PLAIN.format(header="hashnoise")
+                for said in (says(compiler, by_option, "-std=c++20", "-DHN_ARITHMETIC=3", "-DHN_HASH=HN_HASH_PCG", only="-E"),
+                             says(compiler, again + again, "-std=c++20", only="-E")):
+                    self.assertEqual(said, "")
+
+    def test_a_wrong_value_is_an_error_behind_the_text_too(self) -> None:
+        said = self.said(PLAIN.format(header="hashnoise"), "#undef HN_HASH\n#define HN_HASH 77\n",
+                         PLAIN.format(header="hashnoise"))
+        self.assertIn("HN_HASH must be one of", said)
+
+
+# What shaders have before an include, in one word or more. Parameters of the library keep their names: octaves, seed.
+OF_SHADERS = """near 0.1;far 100.0;PI 3.14159;TAU 6.28318;pi 3.14159;tau 6.28318;E 2.71828;EPS 1e-4;EPSILON 1e-4;time iTime
+    resolution iResolution.xy;mouse iMouse;saturate(x) clamp(x,0.,1.);sat(x) clamp(x,0.,1.);lerp mix;lerp3(a,b,c) mix(a,b,c)
+    rot(a) mat2(cos(a),sin(a),-sin(a),cos(a));rot2 rot;rotate rot;hash hash12;hash11(p) fract(p);hash12 hash;hash21 hash
+    hash22 hash;hash33 hash;noise snoise;fbm fbm4;snoise noise3;fade(t) ((t)*(t));permute mod289;mod289(x) mod(x,289.)
+    smooth smoothstep;remap map;map scene;scale 4.0;zoom 2.0;speed 0.5;width 800.0;uv gl_FragCoord.xy;st uv;pos ro;ro pos
+    rd dir;dir rd;color vec4(1.);col color;light vec3(1.);camera ro;rand random;random fract;voronoi worley;perlin noise
+    simplex noise;turbulence fbm;ridged fbm;frequency 2.0;MAX_STEPS 100;STEPS 100;OCTAVES 6;SEED 7u;SCALE 4.0"""
+
+
+class Shaders(unittest.TestCase):
+    """The text of the library in GLSL, where no macro can be put away."""
+
+    def said(self, macros: str, file: str = "hashnoise.glsl", setting: str = "HN_FAST") -> str:
+        text = (f"#version 330\n#extension GL_GOOGLE_include_directive : require\n{macros}#define HN_ARITHMETIC {setting}\n"
+                f'#include "hashnoise/{file}"\nout vec4 c;\nvoid main() {{ c = vec4(hn_unorm(7u)); }}\n')
+        done = subprocess.run(["glslangValidator", "-l", "--stdin", "-S", "frag", f"-I{GLSL.parent}"], input=text,
+                              capture_output=True, text=True, check=False)
+        return "" if done.returncode == 0 else done.stdout
+
+    def test_the_text_has_no_name_that_shaders_define(self) -> None:
+        for setting in ("HN_FAST", "HN_FIXED"):
+            with self.subTest(setting=setting):
+                self.assertEqual(self.said(defined(OF_SHADERS), setting=setting), "")
+
+    def test_a_name_of_the_text_would_be_noticed(self) -> None:
+        self.assertIn("syntax error", self.said(defined("lower 0.1")))
+        self.assertIn("syntax error", self.said(defined("octaves 6")))
 
 
 class Headers(unittest.TestCase):
@@ -167,6 +445,14 @@ class Headers(unittest.TestCase):
                 all_errors = ("-ferror-limit=0",) if "clang" in Path(compiler).name else ()
                 said = says(compiler, calls(right_and_wrong), "-std=c++20", *all_errors)
                 self.assertEqual(deleted(said, right_and_wrong), list(right_and_wrong[:-3]))
+
+    def test_the_first_line_of_an_error_has_the_cure(self) -> None:
+        for compiler in COMPILERS:
+            for call in ("hn_perlin(p, 16)", "hn_value(vec3(x), 3)", "hn_fbm(p, 6, 2.0, 0.5, 7)"):
+                with self.subTest(compiler=compiler, call=call):
+                    errors = [line for line in says(compiler, calls((call,)), "-std=c++20").splitlines() if "error: " in line]
+                    self.assertIn("write 16u for a seed", errors[0])
+                    self.assertEqual(len(errors), 1)
 
     def test_every_function_has_deleted_calls(self) -> None:
         functions = public_functions()

@@ -14,16 +14,16 @@
 // The cell along one axis, and what is left, in units of 1 / units of a cell. The division is rounded down. GLSL leaves
 // / and % of negative numbers open, so these count back from -1.
 HN_FN hn_uvec2 hn_i_divided(hn_int position, hn_int cells, hn_int units) {
-  hn_uint scale = uint(min(max(cells, 1), 65536));
+  hn_uint factor = uint(min(max(cells, 1), 65536));
   hn_uint size = uint(min(max(units, 1), 65536));
   hn_uint sign = uint(position >> 31);  // all bits of a negative number
   hn_uint m = uint(position) ^ sign;
   hn_uint whole = m / size;
   hn_uint rest = m - whole * size;
   rest = (rest ^ sign) + (size & sign);
-  rest *= scale;  // below 2^32
+  rest *= factor;  // below 2^32
   hn_uint more = rest / size;
-  return uvec2((whole ^ sign) * scale + more, rest - more * size);
+  return uvec2((whole ^ sign) * factor + more, rest - more * size);
 }
 
 // A rest below 2^16 as a fraction, in two digits of 12 bits, since a division of floats is not exact in GLSL.

@@ -50,30 +50,30 @@ HN_FN hn_vec4 hn_i_spread(hn_int reach, hn_int a, hn_int b, hn_int c) {
 }
 
 // The distribution of the values of a noise.
-//   noise    one of HN_SPREAD_PERLIN2 and so on, above; any other number counts as that
+//   kind     one of HN_SPREAD_PERLIN2 and so on, above; any other number counts as that
 //   returns  the reach, in [1/16, 3], and the three coefficients of the tail, which rise from 0 to 1
 //   error    none
 //   cost     none for a constant
 //   source   docs/contract.md, section 21; fitted by tools/uniform
-HN_FN hn_vec4 hn_spread(hn_int noise) {
+HN_FN hn_vec4 hn_spread(hn_int kind) {
   // tools/uniform: spreads
-  if (noise == HN_SPREAD_VALUE1) return hn_i_spread(4386, 1861, 2547, 3506);
-  if (noise == HN_SPREAD_VALUE2) return hn_i_spread(4192, 1310, 2400, 3358);
-  if (noise == HN_SPREAD_VALUE3) return hn_i_spread(4043, 833, 2233, 3164);
-  if (noise == HN_SPREAD_VALUE4) return hn_i_spread(3957, 453, 1904, 2991);
-  if (noise == HN_SPREAD_VALUE_CUBIC1) return hn_i_spread(3847, 1006, 2480, 3274);
-  if (noise == HN_SPREAD_VALUE_CUBIC2) return hn_i_spread(3312, 126, 1874, 2995);
-  if (noise == HN_SPREAD_VALUE_CUBIC3) return hn_i_spread(2423, 68, 1551, 2913);
-  if (noise == HN_SPREAD_PERLIN1) return hn_i_spread(3930, 91, 1356, 1679);
-  if (noise == HN_SPREAD_PERLIN3) return hn_i_spread(2737, 35, 1728, 2996);
-  if (noise == HN_SPREAD_PERLIN4) return hn_i_spread(2707, 122, 1749, 2951);
-  if (noise == HN_SPREAD_SIMPLEX2) return hn_i_spread(3760, 4, 2870, 3097);
-  if (noise == HN_SPREAD_SIMPLEX3) return hn_i_spread(3883, 739, 1645, 2930);
-  if (noise == HN_SPREAD_SIMPLEX4) return hn_i_spread(3718, 507, 886, 2305);
-  if (noise == HN_SPREAD_SIMPLEX_SMOOTH2) return hn_i_spread(4018, 43, 2406, 3131);
-  if (noise == HN_SPREAD_SIMPLEX_SMOOTH3) return hn_i_spread(3200, 1162, 2325, 3290);
-  if (noise == HN_SPREAD_SINE2) return hn_i_spread(2596, 306, 1551, 2823);
-  if (noise == HN_SPREAD_SINE3) return hn_i_spread(2954, 111, 1490, 2882);
+  if (kind == HN_SPREAD_VALUE1) return hn_i_spread(4386, 1861, 2547, 3506);
+  if (kind == HN_SPREAD_VALUE2) return hn_i_spread(4192, 1310, 2400, 3358);
+  if (kind == HN_SPREAD_VALUE3) return hn_i_spread(4043, 833, 2233, 3164);
+  if (kind == HN_SPREAD_VALUE4) return hn_i_spread(3957, 453, 1904, 2991);
+  if (kind == HN_SPREAD_VALUE_CUBIC1) return hn_i_spread(3847, 1006, 2480, 3274);
+  if (kind == HN_SPREAD_VALUE_CUBIC2) return hn_i_spread(3312, 126, 1874, 2995);
+  if (kind == HN_SPREAD_VALUE_CUBIC3) return hn_i_spread(2423, 68, 1551, 2913);
+  if (kind == HN_SPREAD_PERLIN1) return hn_i_spread(3930, 91, 1356, 1679);
+  if (kind == HN_SPREAD_PERLIN3) return hn_i_spread(2737, 35, 1728, 2996);
+  if (kind == HN_SPREAD_PERLIN4) return hn_i_spread(2707, 122, 1749, 2951);
+  if (kind == HN_SPREAD_SIMPLEX2) return hn_i_spread(3760, 4, 2870, 3097);
+  if (kind == HN_SPREAD_SIMPLEX3) return hn_i_spread(3883, 739, 1645, 2930);
+  if (kind == HN_SPREAD_SIMPLEX4) return hn_i_spread(3718, 507, 886, 2305);
+  if (kind == HN_SPREAD_SIMPLEX_SMOOTH2) return hn_i_spread(4018, 43, 2406, 3131);
+  if (kind == HN_SPREAD_SIMPLEX_SMOOTH3) return hn_i_spread(3200, 1162, 2325, 3290);
+  if (kind == HN_SPREAD_SINE2) return hn_i_spread(2596, 306, 1551, 2823);
+  if (kind == HN_SPREAD_SINE3) return hn_i_spread(2954, 111, 1490, 2882);
   return hn_i_spread(3139, 571, 1838, 3169);
   // tools/uniform: end
 }

@@ -17,6 +17,12 @@
 
 #pragma once
 
+#include "points.hpp"
+
+// clang-format off
+#include "../../glsl/hashnoise/detail/macros_begin.h"
+// clang-format on
+
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -26,8 +32,6 @@
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include "points.hpp"
 
 // What a shared library offers; the rest of it stays inside.
 #if defined(__GNUC__) && !defined(_WIN32)
@@ -134,3 +138,5 @@ HN_I_OFFERED std::vector<InstructionSet> instruction_sets();
 HN_I_OFFERED std::string_view name(InstructionSet set);  // "sse4.1", "avx2", "avx512", "neon", "generic"
 
 }  // namespace hashnoise
+
+#include "../../glsl/hashnoise/detail/macros_end.h"

@@ -13,8 +13,13 @@
 #error hashnoise needs C++20: compile with -std=c++20, or with /std:c++20
 #endif
 
+// The first include of each header: the standard headers, too, are read without the macros of others.
+// clang-format off
+#include "../../glsl/hashnoise/detail/macros_begin.h"
+// clang-format on
 #include <bit>
 #include <cmath>
+#include <concepts>
 #include <cstdint>
 #include <limits>
 
@@ -48,6 +53,12 @@ template <typename T>
 struct Vector4;
 
 namespace detail {
+
+template <typename>
+concept Never = false;  // of a pack, which is empty then
+
+template <typename T>
+concept Number = std::same_as<T, float> || std::same_as<T, int> || std::same_as<T, uint>;
 
 template <typename To, typename From>
 HN_I_INLINE constexpr To convert(From value) {
@@ -258,20 +269,24 @@ using hn_uvec2 = uvec2;
 using hn_uvec3 = uvec3;
 using hn_uvec4 = uvec4;
 
-// In this namespace a call means one of these, never ::abs(int) or another function that happens to be declared.
-HN_I_INLINE float floor(float x) { return std::floor(x); }
+// In this namespace a call means one of these, never ::abs(int) or another function that happens to be declared. In a
+// namespace of users that uses this one, a function of theirs or of the standard library that fits as well comes first:
+// a compiler chooses a template behind other functions, and one with a pack behind other templates.
+template <std::same_as<float> T, detail::Never... None>
+HN_I_INLINE T floor(T x, None...) { return std::floor(x); }
+template <std::same_as<float> T, detail::Never... None>
+HN_I_INLINE T trunc(T x, None...) { return std::trunc(x); }
+template <std::same_as<float> T, detail::Never... None>
+HN_I_INLINE T sqrt(T x, None...) { return std::sqrt(x); }
+template <std::same_as<float> T, detail::Never... None>
+HN_I_INLINE T abs(T x, None...) { return std::fabs(x); }
+template <detail::Number T, detail::Never... None>
+HN_I_INLINE constexpr T min(T x, T y, None...) { return y < x ? y : x; }
+template <detail::Number T, detail::Never... None>
+HN_I_INLINE constexpr T max(T x, T y, None...) { return x < y ? y : x; }
 HN_I_INLINE vec2 floor(vec2 v) { return {std::floor(v.x), std::floor(v.y)}; }
 HN_I_INLINE vec3 floor(vec3 v) { return {std::floor(v.x), std::floor(v.y), std::floor(v.z)}; }
 HN_I_INLINE vec4 floor(vec4 v) { return {std::floor(v.x), std::floor(v.y), std::floor(v.z), std::floor(v.w)}; }
-HN_I_INLINE float trunc(float x) { return std::trunc(x); }
-HN_I_INLINE float sqrt(float x) { return std::sqrt(x); }
-HN_I_INLINE float abs(float x) { return std::fabs(x); }
-HN_I_INLINE constexpr float min(float x, float y) { return y < x ? y : x; }
-HN_I_INLINE constexpr float max(float x, float y) { return x < y ? y : x; }
-HN_I_INLINE constexpr int min(int x, int y) { return y < x ? y : x; }
-HN_I_INLINE constexpr int max(int x, int y) { return x < y ? y : x; }
-HN_I_INLINE constexpr uint min(uint x, uint y) { return y < x ? y : x; }
-HN_I_INLINE constexpr uint max(uint x, uint y) { return x < y ? y : x; }
 template <typename T>
 HN_I_INLINE constexpr Vector3<T> min(Vector3<T> a, Vector3<T> b) {
   return {min(a.x, b.x), min(a.y, b.y), min(a.z, b.z)};
@@ -284,8 +299,10 @@ template <typename T>
 HN_I_INLINE constexpr Vector3<T> abs(Vector3<T> v) {
   return {abs(v.x), abs(v.y), abs(v.z)};
 }
-HN_I_INLINE constexpr float uintBitsToFloat(uint bits) { return std::bit_cast<float>(bits); }
-HN_I_INLINE constexpr uint floatBitsToUint(float value) { return std::bit_cast<uint>(value); }
+template <std::same_as<uint> T, detail::Never... None>
+HN_I_INLINE constexpr float uintBitsToFloat(T bits, None...) { return std::bit_cast<float>(bits); }
+template <std::same_as<float> T, detail::Never... None>
+HN_I_INLINE constexpr uint floatBitsToUint(T value, None...) { return std::bit_cast<uint>(value); }
 template <typename T>
 HN_I_INLINE constexpr auto uintBitsToFloat(Vector3<T> v) {
   return Vector3<decltype(uintBitsToFloat(v.x))>(uintBitsToFloat(v.x), uintBitsToFloat(v.y), uintBitsToFloat(v.z));
@@ -296,3 +313,5 @@ HN_I_INLINE constexpr auto floatBitsToUint(Vector3<T> v) {
 }
 
 }  // namespace hashnoise
+
+#include "../../glsl/hashnoise/detail/macros_end.h"

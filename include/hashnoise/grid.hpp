@@ -14,22 +14,45 @@
 // whose components go to planes of their own: `values` has all of the first component, then all of the second. `fill`
 // returns the least and the greatest number of the first component.
 //
+// Sizes that do not fit are a std::invalid_argument; with -fno-exceptions `fill` prints what is wrong, and aborts.
+//
 // The instructions are those that the flags of the compiler allow. lanes.hpp says what a noise over lanes may do, and
 // hashnoise.hpp which knobs there are.
 
-#pragma once
+#include "lanes.hpp"  // each time, since it compares the knobs
+#include "points.hpp"
+
+#ifndef HN_I_GRID_HPP
+#define HN_I_GRID_HPP
+
+// clang-format off
+#include "../../glsl/hashnoise/detail/macros_begin.h"
+// clang-format on
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
+#include <cstdlib>
 #include <span>
 #include <stdexcept>
 #include <type_traits>
 #include <vector>
 
-#include "lanes.hpp"
-#include "points.hpp"
-
 namespace hashnoise::inline HN_I_NAMESPACE {
+
+namespace detail {
+
+[[noreturn]] inline void refuse(const char* why) {
+#if defined(__cpp_exceptions) || defined(_CPPUNWIND)
+  throw std::invalid_argument(why);
+#else
+  std::fprintf(stderr, "hashnoise: %s\n", why);
+  std::abort();
+#endif
+}
+
+}  // namespace detail
+
 namespace HN_LANES {
 
 namespace detail {
@@ -53,7 +76,7 @@ class Writer {
 
   Writer(std::span<float> values, std::size_t points) {
     if (values.size() != points * kPlanes<Result>) {
-      throw std::invalid_argument("fill: the size of the values is not that of the points times the components");
+      hashnoise::detail::refuse("fill: the size of the values is not that of the points times the components");
     }
     for (std::size_t i = 0; i < kPlanes<Result>; ++i) planes_[i] = values.data() + i * points;
   }
@@ -135,20 +158,20 @@ template <std::size_t D>
 bool has_points(const std::array<int, D>& size, const std::array<int, D>& first, std::span<float> values) {
   for (std::size_t axis = 0; axis < D; ++axis) {
     if (size[axis] < 0 || size[axis] >= 1 << 29) {
-      throw std::invalid_argument("fill: a size of the grid is not from 0 to 536870911");
+      hashnoise::detail::refuse("fill: a size of the grid is not from 0 to 536870911");
     }
     if (first[axis] < 0 || first[axis] >= (1 << 29) - size[axis]) {
-      throw std::invalid_argument("fill: the first or the last point of the grid is not from 0 to 536870910");
+      hashnoise::detail::refuse("fill: the first or the last point of the grid is not from 0 to 536870910");
     }
   }
   if (std::find(size.begin(), size.end(), 0) != size.end()) {
-    if (!values.empty()) throw std::invalid_argument("fill: there are values and no points");
+    if (!values.empty()) hashnoise::detail::refuse("fill: there are values and no points");
     return false;
   }
   std::size_t points = 1;
   for (const int n : size) {
     if (points > values.size() / static_cast<std::size_t>(n)) {
-      throw std::invalid_argument("fill: the values have no room for the points of the grid");
+      hashnoise::detail::refuse("fill: the values have no room for the points of the grid");
     }
     points *= static_cast<std::size_t>(n);
   }
@@ -184,7 +207,7 @@ std::vector<Coordinates> axes_of(const Arguments&... arguments) {
 template <typename Spans>
 std::size_t common_length(const Spans& spans) {
   for (const auto& span : spans) {
-    if (span.size() != spans[0].size()) throw std::invalid_argument("fill: the arrays of points differ in length");
+    if (span.size() != spans[0].size()) hashnoise::detail::refuse("fill: the arrays of points differ in length");
   }
   return spans[0].size();
 }
@@ -248,7 +271,7 @@ template <int D, typename Noise>
 Range fill(const CellPoints<D>& points, std::span<float> values, const Noise& noise) {
   const std::size_t count = detail::common_length(points.cell);
   if (detail::common_length(points.f) != count) {
-    throw std::invalid_argument("fill: the arrays of points differ in length");
+    hashnoise::detail::refuse("fill: the arrays of points differ in length");
   }
   const auto value = [&](std::size_t i) HN_I_INLINED {
     return noise(vector_of<CellOf<D>, D>([&](int axis) HN_I_INLINED {
@@ -265,3 +288,7 @@ Range fill(const CellPoints<D>& points, std::span<float> values, const Noise& no
 
 }  // namespace HN_LANES
 }  // namespace hashnoise
+
+#include "../../glsl/hashnoise/detail/macros_end.h"
+
+#endif

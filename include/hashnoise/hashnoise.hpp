@@ -19,18 +19,24 @@
 //
 //
 // C++ converts numbers that GLSL does not: 2.5f would be 2 octaves, and the 16 of hn_perlin(x, 16) a seed. Such calls
-// are errors of the compiler ("use of deleted function"). An argument has the type that the function names: 7u is a
+// are errors of the compiler ("write 16u for a seed"). An argument has the type that the function names: 7u is a
 // seed and 6 a number of octaves; a double such as 0.5 is a float, as it is in GLSL. HN_ONLY_TYPES_OF_GLSL(name) behind
 // a function of your own does the same for it.
 
-#pragma once
-
 // clang-format off
 #include "glsl.hpp"  // the first, since it refuses compilers before C++20
-#include "../../glsl/hashnoise/config.glsl"
+#include "../../glsl/hashnoise/detail/knobs.h"  // each time
+// clang-format on
+
+#ifndef HN_I_HASHNOISE_HPP
+#define HN_I_HASHNOISE_HPP
+
+// clang-format off
+#include "../../glsl/hashnoise/detail/macros_begin.h"
 #include "../../glsl/hashnoise/detail/undef_guards.h"
 // clang-format on
 
+#include <cstddef>
 #include <type_traits>
 
 namespace hashnoise::inline HN_I_NAMESPACE::detail {
@@ -51,6 +57,17 @@ constexpr bool kIsOfGlsl<Vector4<T>> = std::is_arithmetic_v<T>;
 template <typename... T>
 constexpr bool kAreOfGlsl = (kIsOfGlsl<T> && ...);
 
+// What a deleted function returns: nothing, but a compiler writes its name.
+template <std::size_t Count>
+struct Hint {
+  char text[Count];
+  constexpr Hint(const char (&hint)[Count]) : text() {
+    for (std::size_t i = 0; i < Count; ++i) text[i] = hint[i];
+  }
+};
+template <Hint>
+struct Refused;
+
 // GLSL's 0.5 is a float.
 template <typename T>
 constexpr bool kIsDouble = std::is_floating_point_v<T> && !std::is_same_v<T, float>;
@@ -69,16 +86,28 @@ HN_I_INLINE constexpr auto as_in_glsl(T argument) {
 
 // Deletes the calls of a function, whose overloads are all declared above, with arguments of types that it does not
 // have. A template with the very types of a call is chosen before a function that would convert one, and after one that
-// converts none. Doubles are converted: the second template is for calls that are wrong even so.
+// converts none. Doubles are converted: the second template is for calls that are wrong even so. (Clang lets what is
+// unavailable call what is, so the question stands outside of it.)
+//
+// The hint is in the first line of the error: GCC writes there the type that a deleted function returns, and Clang only
+// what an attribute of it has.
+#define HN_I_HINT "write 16u for a seed, 6 for octaves, 2.0f for other numbers"
+#ifdef __clang__
+#define HN_I_REFUSED(signature) [[clang::unavailable(HN_I_HINT)]] float signature
+#else
+#define HN_I_REFUSED(signature) detail::Refused<HN_I_HINT> signature = delete
+#endif
 // clang-format off
-#define HN_ONLY_TYPES_OF_GLSL(name)                                                                       \
-  template <typename... TypesThatGlslRefuses>                                                             \
-  requires(detail::kAreOfGlsl<TypesThatGlslRefuses...> && !detail::kHaveDouble<TypesThatGlslRefuses...>)  \
-  float name(TypesThatGlslRefuses...) = delete;                                                           \
-  template <typename... TypesThatGlslRefuses>                                                             \
-  requires(detail::kAreOfGlsl<TypesThatGlslRefuses...> && detail::kHaveDouble<TypesThatGlslRefuses...> && \
-           !requires(TypesThatGlslRefuses... arguments) { name(detail::as_in_glsl(arguments)...); })      \
-  float name(TypesThatGlslRefuses...) = delete;
+#define HN_ONLY_TYPES_OF_GLSL(name)                                                                              \
+  template <typename... TypesInCall>                                                                             \
+  requires(detail::kAreOfGlsl<TypesInCall...> && !detail::kHaveDouble<TypesInCall...>)                           \
+  HN_I_REFUSED(name(TypesInCall...));                                                                            \
+  template <typename... TypesInCall>                                                                             \
+  constexpr bool hn_i_takes_##name = requires(TypesInCall... call) { name(detail::as_in_glsl(call)...); };       \
+  template <typename... TypesInCall>                                                                             \
+  requires(detail::kAreOfGlsl<TypesInCall...> && detail::kHaveDouble<TypesInCall...> &&                          \
+           !hn_i_takes_##name<TypesInCall...>)                                                                   \
+  HN_I_REFUSED(name(TypesInCall...));
 // clang-format on
 
 #define HN_I_PASTE_TOKENS(a, b) a##b
@@ -195,7 +224,10 @@ HN_ONLY_TYPES_OF_GLSL(hn_eroded)
 }
 }
 }  // namespace hashnoise
+#include "../../glsl/hashnoise/detail/macros_end.h"
 // clang-format on
 
 #undef HN_I_PASTE
 #undef HN_I_PASTE_TOKENS
+
+#endif

@@ -19,11 +19,16 @@
 // The bits are those of the scalar functions under the same flags: HN_FIXED under any, HN_PRECISE with
 // -ffp-contract=off and without fast-math.
 
-#pragma once
-
 // clang-format off
 #include "glsl.hpp"
-#include "../../glsl/hashnoise/config.glsl"
+#include "../../glsl/hashnoise/detail/knobs.h"  // each time
+// clang-format on
+
+#ifndef HN_I_LANES_HPP
+#define HN_I_LANES_HPP
+
+// clang-format off
+#include "../../glsl/hashnoise/detail/macros_begin.h"
 #include "../../glsl/hashnoise/detail/undef_guards.h"
 // clang-format on
 
@@ -297,7 +302,7 @@ HN_I_INLINE Float operator/(Float a, Float b) { return Float(a.v / b.v); }
 // No processor divides vectors of integers. A quotient of doubles is right, or, under -ffast-math, off by one. b > 0.
 HN_I_INLINE Uint operator/(Uint a, Uint b) {
 #if defined(HN_LANES_PORTABLE)
-  const Uint near(a.v / b.v);
+  const Uint nearest(a.v / b.v);
 #elif defined(HN_I_SIMD128)  // the conversions below would be done lane by lane
   const auto two = [](v128_t x, v128_t y) __attribute__((always_inline)) {
     return wasm_u32x4_trunc_sat_f64x2_zero(
@@ -305,24 +310,25 @@ HN_I_INLINE Uint operator/(Uint a, Uint b) {
   };
   const v128_t x = v128_t(a.v), y = v128_t(b.v);
   const v128_t high = two(wasm_i32x4_shuffle(x, x, 2, 3, 2, 3), wasm_i32x4_shuffle(y, y, 2, 3, 2, 3));
-  const Uint near(detail::UintVector(wasm_i32x4_shuffle(two(x, y), high, 0, 1, 4, 5)));
+  const Uint nearest(detail::UintVector(wasm_i32x4_shuffle(two(x, y), high, 0, 1, 4, 5)));
 #elif defined(HN_I_X86) && HN_I_LANE_BYTES < 64
   // There is no instruction from doubles to longs, but to ints, which a quotient by 2 or more fits. By 1 it is a.
   const Uint divisor = hn_i_select(b == 1u, Uint(2u), b);
   const detail::DoubleVector quotient =
       __builtin_convertvector(a.v, detail::DoubleVector) / __builtin_convertvector(divisor.v, detail::DoubleVector);
   const Int whole(__builtin_convertvector(quotient, detail::IntVector));
-  const Uint near = hn_i_select(b == 1u, a, Uint(whole));
+  const Uint nearest = hn_i_select(b == 1u, a, Uint(whole));
 #else
   const detail::DoubleVector quotient =
       __builtin_convertvector(a.v, detail::DoubleVector) / __builtin_convertvector(b.v, detail::DoubleVector);
-  const Uint near(__builtin_convertvector(__builtin_convertvector(quotient, detail::LongVector), detail::UintVector));
+  const Uint nearest(
+      __builtin_convertvector(__builtin_convertvector(quotient, detail::LongVector), detail::UintVector));
 #endif
 #if defined(__FAST_MATH__) && !defined(HN_LANES_PORTABLE)
-  const Uint below = near - Uint(near * b > a);
+  const Uint below = nearest - Uint(nearest * b > a);
   return below + Uint(a - below * b >= b);
 #else
-  return near;
+  return nearest;
 #endif
 }
 HN_I_INLINE Uint operator%(Uint a, Uint b) { return a - a / b * b; }
@@ -538,3 +544,7 @@ namespace lanes = HN_LANES;
 #undef HN_I_X86
 #undef HN_I_X86_INT
 #undef HN_I_X86_ROUND
+
+#include "../../glsl/hashnoise/detail/macros_end.h"
+
+#endif

@@ -3,14 +3,18 @@
 
 #pragma once
 
+#include "glsl.hpp"  // the first, since it refuses compilers before C++20
+
+// clang-format off
+#include "../../glsl/hashnoise/detail/macros_begin.h"
+// clang-format on
+
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <span>
-
-#include "glsl.hpp"
 
 namespace hashnoise::inline HN_I_NAMESPACE {
 
@@ -96,3 +100,5 @@ HN_I_INLINE CellAndPlace cell_and_place_of(std::int32_t cell, float f, double st
 
 }  // namespace detail
 }  // namespace hashnoise
+
+#include "../../glsl/hashnoise/detail/macros_end.h"

@@ -111,13 +111,13 @@ HN_FN hn_int hn_i_mean(hn_int sum, hn_int total) {
 }
 
 // A sky of an fBm: it is clear below -1/8 and dense above 3/8, with a smooth step between. The density is
-// 1/2 + c (3/2 - 2 c^2) with c = 2 fbm - 1/4, clamped to [-1/2, 1/2], in units of 2^-16.
-HN_FN hn_int hn_i_density(hn_int fbm) {
-  hn_int c = (min(max(2 * fbm + HN_I_UNITS_VALUE / 4, 0), HN_I_UNITS_VALUE) - HN_I_UNITS_VALUE / 2) >> 5;
+// 1/2 + c (3/2 - 2 c^2) with c = 2 mean - 1/4, clamped to [-1/2, 1/2], in units of 2^-16.
+HN_FN hn_int hn_i_density(hn_int mean) {
+  hn_int c = (min(max(2 * mean + HN_I_UNITS_VALUE / 4, 0), HN_I_UNITS_VALUE) - HN_I_UNITS_VALUE / 2) >> 5;
   return HN_I_UNITS_VALUE / 2 + ((c * int((0xC0000000u - uint(c * c)) >> 16u)) >> 10);
 }
 
-HN_FN hn_int hn_i_billows(hn_int turbulence) { return 2 * turbulence - HN_I_UNITS_VALUE; }
+HN_FN hn_int hn_i_billows(hn_int mean) { return 2 * mean - HN_I_UNITS_VALUE; }
 
 #else
 
@@ -158,11 +158,11 @@ HN_FN hn_float hn_i_total(hn_int octaves, hn_float gain, hn_float part) {
 HN_FN hn_float hn_i_mean(hn_float sum, hn_float total) { return hn_i_quotient(sum, total); }
 
 // A sky of an fBm: it is clear below -1/8 and dense above 3/8, with a smooth step between.
-HN_FN hn_float hn_i_density(hn_float fbm) {
-  return hn_i_smooth(min(max(hn_i_times_plus(2.0f, fbm, 0.25f), 0.0f), 1.0f));
+HN_FN hn_float hn_i_density(hn_float mean) {
+  return hn_i_smooth(min(max(hn_i_times_plus(2.0f, mean, 0.25f), 0.0f), 1.0f));
 }
 
-HN_FN hn_float hn_i_billows(hn_float turbulence) { return min(hn_i_times_plus(2.0f, turbulence, -1.0f), 1.0f); }
+HN_FN hn_float hn_i_billows(hn_float mean) { return min(hn_i_times_plus(2.0f, mean, -1.0f), 1.0f); }
 
 #endif
 
@@ -227,9 +227,9 @@ HN_FN hn_ivec2 hn_i_times_ratio(hn_ivec2 x, hn_uint ratio) {
 // has 32 bits.
 HN_FN hn_ivec2 hn_i_rotated_axis(hn_ivec2 a, hn_ivec2 b, hn_int along, hn_int across) {
   hn_int rest = along * a.y + across * b.y;
-  hn_int near = along * (a.x & 31) + across * (b.x & 31) + (rest >> 24);
-  hn_uint far = uint(along) * uint(a.x >> 5) + uint(across) * uint(b.x >> 5);
-  return ivec2(int(far + uint(near >> 5)), ((near & 31) << 19) | ((rest & (HN_I_UNITS_POSITION - 1)) >> 5));
+  hn_int low = along * (a.x & 31) + across * (b.x & 31) + (rest >> 24);
+  hn_uint high = uint(along) * uint(a.x >> 5) + uint(across) * uint(b.x >> 5);
+  return ivec2(int(high + uint(low >> 5)), ((low & 31) << 19) | ((rest & (HN_I_UNITS_POSITION - 1)) >> 5));
 }
 
 // Adds a shift in units of 2^-24.

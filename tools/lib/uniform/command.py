@@ -105,7 +105,7 @@ def with_spreads(text: str, spreads: dict[str, tuple[int, ...]]) -> str:
         return f"return hn_i_spread({', '.join(map(str, spreads[name]))});\n"
 
     numbers = "".join(f"#define HN_SPREAD_{subject.name} {subject.number}\n" for subject in SUBJECTS)
-    rows = [f"  if (noise == HN_SPREAD_{name}) {made(name)}" for name in others] + [f"  {made('PERLIN2')}"]
+    rows = [f"  if (kind == HN_SPREAD_{name}) {made(name)}" for name in others] + [f"  {made('PERLIN2')}"]
     text = between("uniform.glsl", text, "// tools/uniform: numbers", "// tools/uniform: end", numbers)
     return between("uniform.glsl", text, "// tools/uniform: spreads", "// tools/uniform: end", "".join(rows))
 
