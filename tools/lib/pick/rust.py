@@ -132,6 +132,11 @@ fn abs(x: f32) -> f32 {
 }
 """}
 
+    def __init__(self, precise: bool = False):
+        super().__init__(precise)
+        self.whole: set[str] = set()  # structs without floats
+        self.chains = False           # whether the function that is written compares the same twice
+
     def function_name(self, name: str, is_public: bool) -> str:
         return bare(name)
 
@@ -183,6 +188,7 @@ fn abs(x: f32) -> f32 {
 
     def choice(self, condition: Piece, yes: Piece, no: Piece, type_: str) -> Piece:
         other = no.text if no.sign == "if" else f"{{ {no.text} }}"
+        self.chains |= f"{other} ".startswith(f"if {condition.text.replace('<', '>')} ")
         return Piece(f"if {condition.text} {{ {yes.text} }} else {other}", CHOICE, "if")
 
     def member(self, of: Piece, axis: str) -> Piece:
@@ -251,8 +257,13 @@ fn abs(x: f32) -> f32 {
         types = [self.type(one.type) for one in results]
         given = f" -> {types[0]}" if len(types) == 1 else f" -> ({', '.join(types)})" if types else ""
         allowed = "#[allow(clippy::too_many_arguments)]\n" * (len(parameters) > MOST_ARGUMENTS)
+        allowed += "#[allow(clippy::comparison_chain)]\n" * self.chains  # which would be longer as a `match`
+        self.chains = False
         return f"{allowed}{'pub ' if is_public else ''}fn {name}({taken}){given} {{"
 
     def struct(self, name: str, fields: Sequence[Part]) -> str:
         inside = "".join(f"    pub {self.field_name(field.name)}: {self.type(field.type)},\n" for field in fields)
-        return f"#[derive(Clone, Copy, Debug, Default, PartialEq)]\npub struct {pascal(bare(name))} {{\n{inside}}}\n"
+        if all(field.type in ("int", "uint", "bool", *self.whole) for field in fields):
+            self.whole.add(name)
+        equal = "PartialEq, Eq" if name in self.whole else "PartialEq"
+        return f"#[derive(Clone, Copy, Debug, Default, {equal})]\npub struct {pascal(bare(name))} {{\n{inside}}}\n"
