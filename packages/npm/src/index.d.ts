@@ -11,9 +11,9 @@ export interface Settings {
   noise?: NoiseName;
   /** Of sums, from 1 to 32; 6 if they are left out. */
   octaves?: number;
-  /** Of sums; 2 if it is left out. */
+  /** Of sums, from 0 to 255, and a whole number from 1 with a period; 2 if it is left out. */
   lacunarity?: number;
-  /** Of sums; 0.5 if it is left out. */
+  /** Of sums, from 0 to 1; 0.5 if it is left out. */
   gain?: number;
   /** Of ping_pong, weighted and eroded, from 0 to 64, 1 and 16; 2, 1 and 1 if it is left out. */
   strength?: number;

@@ -128,6 +128,11 @@ function real(name, value, least = -Infinity, most = Infinity) {
   return value;
 }
 
+// HN_FIXED takes a lacunarity and a gain beyond these as the nearer end, and in a tile drops the fraction of a lacunarity.
+const MOST_IN_FIXED = { lacunarity: 255, gain: 1 };
+const inFixed = (name, value) => real(name, value, 0, MOST_IN_FIXED[name]);
+const wholeInTile = (name, value) => whole(`${name} with a period`, value, 1, MOST_IN_FIXED[name]);
+
 function oneOf(name, value, names) {
   if (!names.includes(value)) {
     throw new RangeError(`${name} has to be one of ${names.join(", ")}, not ${shown(value)}${suggestion(value, names)}`);
@@ -220,8 +225,8 @@ export class Field {
       jitter: number("jitter"),
       metric: METRICS.indexOf(oneOf("metric", given.metric ?? METRICS[0], METRICS)) + 1,
       octaves: number("octaves", whole),
-      lacunarity: number("lacunarity"),
-      gain: number("gain"),
+      lacunarity: period.some((one) => one > 0) ? number("lacunarity", wholeInTile) : number("lacunarity", inFixed),
+      gain: number("gain", inFixed),
       strength: row?.strength ? real(row.strength, given[row.strength] ?? row.usual, 0, row.most) : 0,
     };
     this.dimensions = dimensions;

@@ -135,8 +135,8 @@ def types_of_settings(twin: Twin) -> str:
                                      f'{in_quotes(usual[:-1])} or "{usual[-1]}".'),
         member("octaves", "number", f"Of sums, from {octaves.least} to {octaves.most}; {twin.default('octaves')} if "
                                     "they are left out."),
-        *(member(name, "number", f"Of sums; {twin.default(name)} if it is left out.")
-          for name in ("lacunarity", "gain")),
+        *(member(name, "number", f"Of sums, from 0 to {most}; {twin.default(name)} if it is left out.")
+          for name, most in (("lacunarity", "255, and a whole number from 1 with a period"), ("gain", "1"))),
         member("strength", "number", strength("strength")),
         member("amplitude", "number", strength("amplitude", ", in cells")),
         member("jitter", "number", f"Of {listed(twin.owners('jitter'))}, from {jitter.least} to {jitter.most}; "
@@ -205,8 +205,8 @@ def settings_of_page(twin: Twin) -> str:
         ("`sum`", by_dimensions(twin.sums), "none"),
         ("`seed`", f"all; 0 to 2^{int(twin.settings['seed'].most).bit_length()} - 1", twin.default("seed")),
         ("`period`", "all; cells, a number or one for each axis; 0 for none", "none"),
-        ("`octaves`, `lacunarity`, `gain`", f"sums; octaves from {octaves.least} to {octaves.most}",
-         ", ".join(map(twin.default, ("octaves", "lacunarity", "gain")))),
+        ("`octaves`, `lacunarity`, `gain`", f"sums; octaves from {octaves.least} to {octaves.most}, lacunarity to 255 (whole with a "
+         "period), gain to 1", ", ".join(map(twin.default, ("octaves", "lacunarity", "gain")))),
         ("`strength`; `amplitude`", "; ".join(code(twin.owners(name)) for name in STRENGTHS),
          "; ".join(map(strengths, STRENGTHS))),
         ("`jitter`", f"{code(twin.owners('jitter'))}; {jitter.least} to {jitter.most}", twin.default("jitter")),
