@@ -55,6 +55,7 @@ ARITHMETICS = ("fast", "fixed", "precise")
 
 SYNTAXES: dict[str, type[Syntax]] = {"rust": Rust, "csharp": CSharp, "c": C, "typescript": TypeScript,
                                      "javascript": JavaScript, "java": Java, "go": Go, "osl": Osl}
+ALIASES = {"glsl-es": "glsl"}  # since one text is for both
 TSL = "tsl"  # three.js's, which is none: a module with the text of two of the shading languages
 
 
@@ -157,9 +158,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     hashes = tuple(name.lower() for name in HASHES)
     parser.add_argument("names", nargs="*", metavar="FUNCTION", help="such as hn_perlin2")
-    parser.add_argument("--language", choices=(*LANGUAGES, *SYNTAXES, TSL), default="glsl",
-                        help="glsl (the default) is for 3.30 and later, and with precise for 4.00; glsl-es says highp, "
-                        "and is for WebGL2, too; hlsl is for the shader models 5 and 6; precise is for glsl, hlsl and "
+    parser.add_argument("--language", choices=(*LANGUAGES, *ALIASES, *SYNTAXES, TSL), default="glsl",
+                        help="glsl (the default, and glsl-es is the same) is for 3.30 and later, GLSL ES 3.00 and "
+                        "WebGL2, and with precise for 4.00 and ES 3.20; hlsl is for the shader models 5 and 6; precise is for glsl, hlsl and "
                         "the languages of the CPU; rust needs core alone; csharp is a static class; c is a header of "
                         "C99; typescript and javascript are modules; java is for 17 and later; go for 1.18 and later; "
                         "osl is a shader of the first function, too; tsl is a module of nodes for three.js")
@@ -178,6 +179,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--glsl", type=Path, default=GLSL, metavar="DIR", help="another copy of the library")
     parser.add_argument("--out", type=Path, metavar="FILE", help="the file to write (default: standard output)")
     given = parser.parse_args(arguments)
+    given.language = ALIASES.get(given.language, given.language)
     if sum(map(bool, (given.names, given.list, given.pages))) != 1:
         parser.error("name functions, such as hn_perlin2, or ask for --list or --pages")
     choice = Choice(**{field.name: getattr(given, field.name) or field.default for field in fields(Choice)})

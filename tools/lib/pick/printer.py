@@ -39,6 +39,7 @@ class Language:
     opening: str = ""     # what stands first
     float_suffix: str = ""
     qualifier: str = ""   # before each type
+    scope: str = ""       # first in each function that makes floats of integers
     function: str = ""    # before each function
     out: str = "out {}"
     inout: str = "inout {}"

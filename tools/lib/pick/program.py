@@ -19,7 +19,7 @@ from parsing.tokens import Unknown
 from pick.evaluate import Evaluation, Kept, Known, Module, Summed, Typed, dotted
 from pick.printer import Language
 from pick.statements import Statement, values_of, without_copies, without_dead
-from pick.values import AXES, SIZES, Constant, Node, Operation, Variable, begin_anew
+from pick.values import AXES, SIZES, Constant, Node, Operation, Variable, begin_anew, scalar_of
 from tables.glsl import declarations
 from tree import version
 from wgsl.translator import Translator
@@ -323,6 +323,8 @@ class Program:
         head = language.head(evaluated.function.type, name, evaluated.parameters, read)
         lines = language.writer(evaluated.block, evaluated.evaluation.hints, evaluated.parameters, names,
                                 precise).lines()
+        if language.scope and any(map(_is_converted, evaluated.nodes)):
+            lines = [f"  {language.scope}", *lines]
         if len(lines) == 1 and len(head) + len(lines[0]) < 100:
             return f"{head} {lines[0].strip()} }}\n"
         return "\n".join([*wrapped(head, 0), *lines, "}"]) + "\n"
@@ -367,6 +369,12 @@ def _facts(comment: Sequence[str]) -> list[str]:
 
 def _is_call(node: Node) -> bool:
     return isinstance(node, Operation) and node.kind == "call"
+
+
+def _is_converted(node: Node) -> bool:
+    """Whether it is a float that is made of integers."""
+    return isinstance(node, Operation) and node.kind == "construct" and scalar_of(node.type) == "float" and any(
+        scalar_of(argument.type) in ("int", "uint") for argument in node.arguments)
 
 
 def _renamed(parameter: Parameter, nodes: set[Node], taken: set[str]) -> Parameter:

@@ -44,7 +44,7 @@ def text(program: Program, comments: Sequence[Sequence[str]], heading: Sequence[
     for used in ("glsl", "wgsl"):
         imports = imports.replace(f" {used}Fn", f" {used}, {used}Fn")
     written = ["".join(f"//{line}\n" for line in heading), f"{imports}\n", nodes.replace("export ", ""),
-               f"const textOfGlsl = glsl({quoted(program.text(LANGUAGES['glsl-es'], False))});\n",
+               f"const textOfGlsl = glsl({quoted(program.text(LANGUAGES['glsl'], False))});\n",
                f"const textOfWgsl = wgsl({quoted(program.text(LANGUAGES['wgsl'], False))});\n"]
     for function, declared, lines in zip(functions, signatures, comments):
         name, seed = wgsl_name(function), ", true" * may_lack_seed(program, function)
