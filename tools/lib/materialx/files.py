@@ -10,8 +10,9 @@ from xml.sax.saxutils import quoteattr
 from packing import papers
 from parsing.syntax import Function
 from pick.command import SYNTAXES, Choice, picker, read_library
+from pick.comments import first_sentence
 from pick.osl import without_shader
-from pick.program import facts, public
+from pick.program import public
 from pick.shading import LANGUAGES
 from tables.markdown import table
 from tree import GLSL, ROOT, version
@@ -153,8 +154,7 @@ def source(form: str, target: str) -> str:
 
 def doc(form: str) -> str:
     """The first sentence about the function, which is before its plain form."""
-    lines, = facts([forms()[re.sub("_(full|place)$", "", form)]], GLSL)
-    return re.split(r"\.(?: |$)", " ".join(line.strip() for line in lines))[0] + "."
+    return first_sentence(forms()[re.sub("_(full|place)$", "", form)], GLSL)
 
 
 def declared(form: str) -> str:

@@ -9,7 +9,9 @@ the CPU.
     tools/pick hn_fbm2 --language osl --out fbm2.osl   a node for Blender's Cycles
     tools/pick hn_fbm2 --language tsl --out noise.js   nodes for three.js
     tools/pick hn_fbm3 --noise hn_simplex3 --arithmetic fixed --language rust --out noise.rs
-    tools/pick --list                                  which functions there are
+    tools/pick hn_fbm2_tile                            hn_tile2, and hn_fbm2_place, which takes what that makes
+    tools/pick 'hn_fbm(hn_tile(vec2))'                 the same
+    tools/pick --list                                  which functions there are, by noise
     tools/pick --pages docs/snippets                   pages of those that are asked for most, in each language
 
 A function is called by its form: hn_perlin2 is hn_perlin(vec2 p, uint seed), and hn_perlin2_place is
@@ -43,7 +45,7 @@ from pick.go import Go
 from pick.java import Java
 from pick.javascript import JavaScript, TypeScript
 from pick.osl import Osl
-from pick.program import Program, check_sums, chosen, facts, heading, origin, over, public, read
+from pick.program import Program, check_sums, chosen, expanded, facts, heading, listed, origin, over, read
 from pick.rust import Rust
 from pick.scalars import Syntax, text
 from pick.shading import LANGUAGES
@@ -127,17 +129,14 @@ def picker(library: Path = GLSL) -> Callable[[Sequence[str], Choice], str]:
         # What is evaluated in the same way, once.
         kind = choice.language if syntax and syntax.library else "c" if splits else "glsl"
         made = program(tuple(names), replace(choice, language=kind, import_path=""))
-        functions = [root.function for root in made.roots]
-        command, summed = command_of(names, choice), made.module.summed
-        precise = choice.arithmetic == "precise"
+        command, precise = command_of(names, choice), choice.arithmetic == "precise"
         if splits:
-            return text(made, SYNTAXES[choice.language](precise), facts(functions, library, summed),
-                        origin(command))
+            return text(made, SYNTAXES[choice.language](precise), facts(made, library, False), origin(command))
         if choice.language == TSL:
-            return tsl.text(made, facts(functions, library, summed), origin(command))
+            return tsl.text(made, facts(made, library, True), origin(command))
         language = LANGUAGES[choice.language]
-        return (imported_as(choice.import_path) + heading(functions, language, command, library, summed)
-                + made.text(language, precise))
+        return (imported_as(choice.import_path) + heading(made, language, command, library)
+                + made.text(language, precise, with_seedless=True))
 
     return pick
 
@@ -188,11 +187,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
             pages.write(given.pages, for_pages(given.glsl))
             return 0
         if given.list:
-            known = public(read_library(given.glsl, replace(choice, language="glsl")))
-            written = "".join(f"{name:32} {function.type} {function.name}({', '.join(function.types)})\n"
-                              for name, function in sorted(known.items()))
+            written = listed(read_library(given.glsl, replace(choice, language="glsl")), given.glsl)
         else:
-            written = picked(given.names, choice, given.glsl)
+            written = picked(expanded(given.names), choice, given.glsl)
     except (Unknown, OSError) as error:
         parser.exit(2, f"tools/pick: {error}\n")
     write(parser, written, given.out)

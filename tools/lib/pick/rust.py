@@ -27,6 +27,7 @@ def typed(piece: Piece, type_: str) -> str:
 
 
 class Rust(Syntax):
+    example_struct = "&mut {}"
     head = "{}"
     counts_a_range = True
     branches_are_values = True

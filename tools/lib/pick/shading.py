@@ -42,7 +42,7 @@ METAL = Metal(opening="#include <metal_stdlib>\nusing namespace metal;\n\n", flo
 GODOT = Godot(splats=False, no_precise="Godot's language has no `precise`: take --arithmetic fixed, whose bits are the "
               "same everywhere")
 LANGUAGES = {"glsl": GLSL, "hlsl": HLSL, "slang": SLANG, "metal": METAL, "godot": GODOT,
-             "wgsl": Wgsl(no_precise=NO_PRECISE, joins=False)}
+             "wgsl": Wgsl(passed="&{}", no_precise=NO_PRECISE, joins=False)}
 # For tests: over include/hashnoise/glsl.hpp, which has no operators of a number and a vector, and with its structs.
 CPP = Language(float_suffix="f", function="inline ", out="{}&", inout="{}&", splats=False, fills=False, structs=False,
                no_precise="it always is")
