@@ -306,7 +306,7 @@ test("copied GLSL and HLSL compile", async () => {
       assert.match(text, /^highp vec3 colour\(highp float value\) \{$/m);
       assert.match(text, /^highp float pattern\(highp /m);
       // Nothing is declared with the precision of the user.
-      const own = text.slice(text.lastIndexOf("// p ")).split("\nout vec4")[0].replace(/\/\/.*/g, "");
+      const own = text.slice(text.lastIndexOf("// p ")).split(/\n(?:layout.*)?out vec4/)[0].replace(/\/\/.*/g, "");
       assert.doesNotMatch(own, /(?<!highp )\b(?:float|u?int|[iu]?vec[234]) [a-z]/);
     }
     const [hlslKind, hlslWhole, hlsl] = formOf(kHlslForms, number);
@@ -401,10 +401,10 @@ test("code that is wrong is noticed", async () => {
     /hn_absent/,
   );
   const shown = await pixels(page, kWidth, kHeight, true);
-  assert.notDeepEqual(await drawnGlsl(code.replace(", 7u)", ", 8u)"), state, false), shown);
+  assert.notDeepEqual(await drawnGlsl(code.replaceAll(", 7u)", ", 8u)"), state, false), shown);
   const wgsl = await copiedCode(page, "wgsl", true);
   assert.match(await drawnWgsl(wgsl.replace("return hn_fbm2(p", "return hn_absent(p"), state, false), /hn_absent/);
-  assert.notDeepEqual(await drawnWgsl(wgsl.replace(", 7u)", ", 8u)"), state, false), shown);
+  assert.notDeepEqual(await drawnWgsl(wgsl.replaceAll(", 7u)", ", 8u)"), state, false), shown);
   // What tools/pick writes of other arithmetic.
   await page.evaluate(() => {
     const { texts } = window.hashnoise.library.picks;

@@ -117,7 +117,8 @@ def picked(module: Module, file: str, arithmetic: str) -> str:
 class Driver(unittest.TestCase):
     program: str
 
-    def run_suite(self, arithmetic: str, names: list[str], change: tuple[str, str] = ("", "")) -> tuple[int, str]:
+    def run_suite(self, arithmetic: str, names: list[str], change: tuple[str, str] = ("", ""),
+                  options: Sequence[str] = ("--driver=osmesa",)) -> tuple[int, str]:
         module = read(GLSL, settings(arithmetic, "lattice"))
         rows = [function.id for function in read_functions() if function.row.text(1) in names]
         with tempfile.TemporaryDirectory() as folder:
@@ -128,7 +129,7 @@ class Driver(unittest.TestCase):
                 self.assertIn(change[0], text)
                 (library / name).write_text(text.replace(*change), encoding="ascii")
             filters = [f"--filter={row}.lattice.{arithmetic}.*.{check}" for row in rows for check in ("golden", "twin")]
-            command = [self.program, "run", "--driver=osmesa", f"--glsl={library}", f"--out={folder}/out", *filters]
+            command = [self.program, "run", *options, f"--glsl={library}", f"--out={folder}/out", *filters]
             done = subprocess.run(command, capture_output=True, text=True, check=False)
         return done.returncode, done.stdout + done.stderr
 
@@ -143,6 +144,16 @@ class Driver(unittest.TestCase):
         status, shown = self.run_suite("fixed", ["perlin2d.glsl"], ("0x85EBCA77u", "0x85EBCA79u"))
         self.assertEqual(status, 1, shown)
         self.assertIn("NOT AS EXPECTED", shown)
+
+    def test_a_driver_whose_constructors_have_the_precision_of_the_scope_does_no_harm(self) -> None:
+        """NVIDIA's makes an infinite float of 100000 where that is mediump."""
+        options = ("--driver=egl-gles", "--inject=mediump_conversions")
+        scope = LANGUAGES["glsl"].scope
+        for change, expected in (((scope, scope), 0), ((scope, ""), 1)):
+            with self.subTest(expected=expected):
+                status, shown = self.run_suite("fixed", ["cellular2d.glsl"], change, options)
+                self.assertEqual(status, expected, shown)
+                self.assertRegex(shown, r"(?m)^[1-9]\d* pass")
 
 
 class LowestPrecision(unittest.TestCase):
