@@ -33,7 +33,7 @@ struct hn_slopes3 {
 //   s         the slopes, from hn_slopes(o)
 //   n         the value of the noise, and its derivatives along x, y and z
 //   strength  of erosion, usually 1, in [0, 16]
-//   returns   as hn_fbm_d and hn_eroded
+//   returns   hn_slopes: slopes to begin with; hn_mean: the value and its derivatives, as hn_fbm_d
 //   error     docs/accuracy.md
 //   cost      9 multiplications for the Jacobian, or a division
 //   source    docs/contract.md, section 7

@@ -49,7 +49,7 @@ HN_FN void hn_i_move(HN_I_INOUT(hn_octaves3) o, hn_i_num3 n) {
 //   s          the shifts, from hn_shifts(o, amplitude)
 //   v          the noises at o.place, in [-1, 1]; what is beyond is cut off
 //   amplitude  the largest shift along an axis, in cells, usually about 1, in [0, 64]
-//   returns    as hn_warp and hn_warp_progressive
+//   returns    hn_shifts: shifts to begin with; hn_mean: the shift along each axis, as hn_warp
 //   error      docs/accuracy.md
 //   cost       18 multiplications for the Jacobian of progressive shifts
 //   source     docs/contract.md, section 7

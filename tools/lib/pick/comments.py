@@ -138,10 +138,11 @@ def facts(function: Function, library: Path, has_overloads: bool) -> Facts:
         return Facts()
     found = _whole(declared, library)
     seedless = has_overloads and (function.name, types[:-1]) in _declared(library)[0]
+    returns = "" if function.type == "void" else found.entries.get("returns", "")
     return Facts(without_references(found.what),
                  {one.at.text: _parameter(one, found.entries.get(one.at.text, ""), seedless)
                   for one in function.parameters},
-                 *(without_references(found.entries.get(name, "")).rstrip(".") for name in ("returns", "error")))
+                 *(without_references(text).rstrip(".") for text in (returns, found.entries.get("error", ""))))
 
 
 def first_sentence(function: Function, library: Path) -> str:
