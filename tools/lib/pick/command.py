@@ -158,11 +158,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
     hashes = tuple(name.lower() for name in HASHES)
     parser.add_argument("names", nargs="*", metavar="FUNCTION", help="such as hn_perlin2")
     parser.add_argument("--language", choices=(*LANGUAGES, *ALIASES, *SYNTAXES, TSL), default="glsl",
-                        help="glsl (the default, and glsl-es is the same) is for 3.30 and later, GLSL ES 3.00 and "
-                        "WebGL2, and with precise for 4.00 and ES 3.20; hlsl is for the shader models 5 and 6; precise is for glsl, hlsl and "
-                        "the languages of the CPU; rust needs core alone; csharp is a static class; c is a header of "
-                        "C99; typescript and javascript are modules; java is for 17 and later; go for 1.18 and later; "
-                        "osl is a shader of the first function, too; tsl is a module of nodes for three.js")
+                        help="glsl (the default, and glsl-es is the same) is for 3.30 and later, GLSL ES 3.00 and WebGL2, "
+                        "and with precise for 4.00 and ES 3.20; hlsl is for the shader models 5 and 6; precise is for"
+                        " glsl, hlsl and the languages of the CPU; rust needs core alone; csharp is a static class; c"
+                        " is a header of C99; typescript and javascript are modules; java is for 17 and later; go for"
+                        " 1.18 and later; osl is a shader of the first function, too; tsl is a module of nodes for "
+                        "three.js")
     parser.add_argument("--arithmetic", choices=ARITHMETICS, default="fast", help="default: %(default)s")
     parser.add_argument("--hash", type=str.lower, choices=hashes, default="lattice", metavar="NAME",
                         help=f"{', '.join(hashes)} (default: %(default)s)")

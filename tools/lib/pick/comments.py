@@ -19,10 +19,10 @@ OF_ABOVE = re.compile(r"\bas above\b")
 FOR_ANOTHER = re.compile(r"as for (hn_\w+)")
 LIKE_ANOTHER = re.compile(r"(This form|The same|Add the noise of an octave as it is, and)\b")
 REFERENCE = re.compile(r"docs/|\.glsl")
-POSITION = ("in cells{}: scale it, so that one cell is as large as a hill or a valley shall be. Along each axis below 2^23"
-            "{}, since floats have no fraction beyond")
-PLACE = ("a place, that is a cell and a position in it, in cells{0}: hn_place and hn_tile make one, of which tools/pick "
-         "writes hn_place_of_cell{1} and hn_tile{1}")
+POSITION = ("in cells{}: scale it, so that one cell is as large as a hill or a valley shall be. Along each axis below "
+            "2^23{}, since floats have no fraction beyond")
+PLACE = ("a place, that is a cell and a position in it, in cells{0}: hn_place and hn_tile make one, of which "
+         "tools/pick writes hn_place_of_cell{1} and hn_tile{1}")
 LEFT_OUT = "; 0 if left out"
 METRIC = ". That is with the Euclidean metric and a jitter of 1"
 
@@ -121,8 +121,8 @@ def _parameter(parameter: Parameter, text: str, may_be_left_out: bool) -> str:
     name, size = parameter.at.text, parameter.type[-1]
     text = without_references(text)
     if name == "p" and text.startswith("position, in cells"):
-        return "position, " + (POSITION.format(" of the first octave", " / lacunarity^octaves") if "first octave" in text
-                               else POSITION.format("", ""))
+        of_octave = (" of the first octave", " / lacunarity^octaves") if "first octave" in text else ("", "")
+        return f"position, {POSITION.format(*of_octave)}"
     if name == "place" and "in its stead" in text:
         of_octave = " of the first octave" if "first octave" in text else ""
         rest = text.partition(". ")[2]

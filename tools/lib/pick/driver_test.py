@@ -13,14 +13,13 @@ mediump and lowp, and in GLSL: all of them, pairs of a family, and all in one te
 from __future__ import annotations
 
 import functools
-import itertools
 import re
 import shutil
 import subprocess
 import sys
 import tempfile
 import unittest
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -31,6 +30,7 @@ from pick.command import settings
 from pick.comparison import RANGES
 from pick.evaluate import Module
 from pick.program import Program, chosen, public, read
+from pick.shading_runners import pairs_of
 from pick.shading import LANGUAGES
 from tables.functions import read_functions
 from thorough import THOROUGH
@@ -86,15 +86,6 @@ def call_of(module: Module, function: Function) -> str:
         before.append(f"word = drawn(word); inputs[{i}] = {value};")
     after = [f"mixed = drawn(mixed ^ outputs[{i}]);" for i in range(given)]
     return "".join(f"    {line}\n" for line in ("{", *before, *lines, *after, "}"))
-
-
-def families(names: Iterable[str]) -> list[list[str]]:
-    """Functions that people take together, since their names begin alike, and their dimensions are the same."""
-    found: dict[tuple[str, ...], list[str]] = {}
-    for name in names:
-        if family := re.match(r"hn_([a-z]{4})[a-z_]*?([1-4])", name):
-            found.setdefault(family.groups(), []).append(name)
-    return list(found.values())
 
 
 def files() -> list[str]:
@@ -196,8 +187,7 @@ class LowestPrecision(unittest.TestCase):
 
     def test_so_do_pairs_of_a_family(self) -> None:
         for turn, arithmetic in enumerate(("fast", "fixed")):
-            pairs = [pair for family in families(public(self.modules(arithmetic)[0]))
-                     for pair in itertools.combinations(family, 2)]
+            pairs = pairs_of(public(self.modules(arithmetic)[0]))
             for pair in pairs[turn::2 if THOROUGH else 150]:
                 with self.subTest(pair, arithmetic=arithmetic):
                     self.assertFalse(self.differs(arithmetic, pair))

@@ -23,6 +23,7 @@ from pick.evaluate import Module
 from pick.printer import Language
 from pick.program import Program, chosen, public, read
 from pick.shading import CPP, HLSL_NAMES, LANGUAGES
+from pick.shading_runners import pairs_of
 from single_file.godot import with_own_names
 from thorough import THOROUGH
 from tree import GLSL, ROOT, TOOLS
@@ -168,6 +169,38 @@ class Shaders(unittest.TestCase):
         for name in list(public(module("fast")))[::1 if THOROUGH else 24]:
             self.assertNotRegex(text(name), bare)
         self.assertRegex(text(name).replace("highp ", ""), bare)
+
+    # How each is compiled, and what stands before and behind the text.
+    COMPILERS = {
+        "hlsl": (("glslangValidator", "-D", "-V", "-S", "frag", "-e", "main", "-o", "out", "text"), "",
+                 "float4 main() : SV_Target { return 0.0; }\n"),
+        "godot": (("glslangValidator", "-S", "frag", "text"), "#version 300 es\nprecision highp float;\n"
+                  "precision highp int;\n", "void main() {}\n"),
+        "glsl": (("glslangValidator", "-S", "frag", "text"), "#version 300 es\nprecision mediump float;\n",
+                 "void main() {}\n"),
+        "metal": (("clang++", "-x", "c++", "-std=c++14", "-fsyntax-only", "-Wall", "-Wextra", "-Werror", "-I.", "text"),
+                  "", "")}
+
+    def compiled(self, language: str, shown: str) -> subprocess.CompletedProcess[str]:
+        command_line, before, behind = self.COMPILERS[language]
+        with tempfile.TemporaryDirectory() as folder:
+            shutil.copy(ROOT / "conformance" / "gpu" / "metal" / "metal_stdlib.hpp", Path(folder) / "metal_stdlib")
+            (Path(folder) / "text").write_text(before + shown + behind, encoding="ascii")
+            return subprocess.run(command_line, cwd=folder, capture_output=True, text=True, check=False)
+
+    def test_functions_compile_together(self) -> None:
+        """Pairs of a family, and all in one text: by default some. WGSL is in pick.shading_test."""
+        names = list(public(module("fast")))
+        together = [*pairs_of(names)[::1 if THOROUGH else 600], names if THOROUGH else names[::50]]
+        pick = command.picker()
+        for functions in together:
+            for language in self.COMPILERS:
+                with self.subTest(functions, language=language):
+                    done = self.compiled(language, pick(functions, command.Choice(language)))
+                    self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        for language in self.COMPILERS:
+            twice = 2 * code(pick(["hn_random2"], command.Choice(language)))
+            self.assertNotEqual(self.compiled(language, twice).returncode, 0)
 
     def test_hlsl(self) -> None:
         """It compiles, and is the text in GLSL but for names and for vectors of one number."""
@@ -338,7 +371,8 @@ class Nodes(unittest.TestCase):
 
 class Comments(unittest.TestCase):
     """They stand alone, in every language: by default of some functions, in each language of others."""
-    REFERENCE = re.compile(r"\b(?:above|below)\b(?!,? (?:-?\d|the first|a whole|a thresh))|docs/|\.md\b|\.glsl\b|in its stead")
+    REFERENCE = re.compile(r"\b(?:above|below)\b(?!,? (?:-?\d|the first|a whole|a thresh))"
+                           r"|docs/|\.md\b|\.glsl\b|in its stead")
     LANGUAGES = (*LANGUAGES, *command.SYNTAXES, command.TSL)
     pick = staticmethod(command.picker())
 
@@ -380,8 +414,8 @@ class Comments(unittest.TestCase):
 
     def test_the_whole_comment_of_the_base_form_is_there(self) -> None:
         shown = self.comment(self.pick(["hn_cellular2_full"], command.Choice()))
-        for part in ("the distances to the nearest and to the second nearest", "This form also takes the jitter and the "
-                     "metric.", "in [0, 1.1181]", "on average 0.43 and 0.70", "at most 3.53e-6"):
+        for part in ("the distances to the nearest and to the second nearest", "This form also takes the jitter and "
+                     "the metric.", "in [0, 1.1181]", "on average 0.43 and 0.70", "at most 3.53e-6"):
             self.assertIn(part, shown)
 
     def test_every_parameter_is_named_in_every_language(self) -> None:
@@ -394,11 +428,12 @@ class Comments(unittest.TestCase):
 
     def compiled(self, call: str, name: str, shown: str) -> subprocess.CompletedProcess[str]:
         function = public(module("fast"))[name]
-        variables = "".join(f"  highp {one.type} {one.at.text};\n".replace("highp hn_", "hn_") for one in function.parameters)
+        variables = "".join(f"  highp {one.type} {one.at.text};\n".replace("highp hn_", "hn_")
+                            for one in function.parameters)
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder) / "shader.frag"
-            file.write_text(f"#version 300 es\nprecision mediump float;\nin vec2 uv;\n{shown}\nvoid main() {{\n{variables}"
-                            f"  {call};\n}}\n", encoding="ascii")
+            file.write_text(f"#version 300 es\nprecision mediump float;\nin vec2 uv;\n{shown}\nvoid main() {{\n"
+                            f"{variables}  {call};\n}}\n", encoding="ascii")
             return subprocess.run(["glslangValidator", file], capture_output=True, text=True, check=False)
 
     def test_the_call_of_the_comment_compiles(self) -> None:
@@ -425,10 +460,10 @@ class Comments(unittest.TestCase):
                 self.assertIn(call, shown)
 
     def test_they_compile_in_c_and_in_hlsl(self) -> None:
-        cases = {"c": ("float x = 1.0f, y = 1.0f;\nhn_ivec2 nearest;\nhn_vec2 offset;", "gcc", "-x", "c", "-fsyntax-only",
-                       "-Wall", "-Werror", "-Wno-unused-function", "-include", "text", "call"),
-                 "hlsl": ("float2 uv = 1.0;\nint2 nearest;\nfloat2 offset;", "glslangValidator", "-D", "-V", "-S", "frag", "-e",
-                          "main", "-o", "out", "whole")}
+        cases = {"c": ("float x = 1.0f, y = 1.0f;\nhn_ivec2 nearest;\nhn_vec2 offset;", "gcc", "-x", "c",
+                       "-fsyntax-only", "-Wall", "-Werror", "-Wno-unused-function", "-include", "text", "call"),
+                 "hlsl": ("float2 uv = 1.0;\nint2 nearest;\nfloat2 offset;", "glslangValidator", "-D", "-V", "-S",
+                          "frag", "-e", "main", "-o", "out", "whole")}
         for language, (variables, *compiler) in cases.items():
             shown = self.pick(["hn_cellular2_nearest"], command.Choice(language))
             comment = self.comment(shown)
@@ -446,8 +481,8 @@ class Comments(unittest.TestCase):
         for language in LANGUAGES:
             shown = code(self.pick(["hn_fbm2", "hn_ball"], command.Choice(language)))
             with self.subTest(language):
-                self.assertEqual(len(re.findall(r"\bhn_fbm\((?:(?!seed)[^)])*\) \{ return hn_fbm\(.*, 0u\); \}", shown)),
-                                 int(language != "wgsl"))
+                found = re.findall(r"\bhn_fbm\((?:(?!seed)[^)])*\) \{ return hn_fbm\(.*, 0u\); \}", shown)
+                self.assertEqual(len(found), int(language != "wgsl"))
         done = self.compiled("hn_fbm(uv * 8.0, 6, 2.0, 0.5)", "hn_fbm2", self.pick(["hn_fbm2"], command.Choice()))
         self.assertEqual(done.returncode, 0, done.stdout)
 
@@ -551,8 +586,8 @@ class Command(unittest.TestCase):
         groups = [line.partition(":")[0] for line in lines if line and not line.startswith("  ")]
         self.assertCountEqual(groups, {function.name for function in known.values()})
         self.assertLess(groups.index("hn_perlin"), groups.index("hn_add"))
-        self.assertIn("  hn_cellular2_nearest             vec2 hn_cellular(vec2 p, float jitter, int metric, uint seed, "
-                      "out ivec2 nearest, out vec2 offset)", lines)
+        self.assertIn("  hn_cellular2_nearest             vec2 hn_cellular(vec2 p, float jitter, int metric, uint "
+                      "seed, out ivec2 nearest, out vec2 offset)", lines)
 
     def test_a_tile_is_found_from_the_name_of_a_function(self) -> None:
         both = self.call("hn_tile2", "hn_fbm2_place")

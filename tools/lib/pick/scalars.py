@@ -111,7 +111,8 @@ def facts_of(evaluated: Evaluated, name: str, syntax: Syntax, known: comments.Fa
     passed = ", ".join(filter(None, comments.arguments_of(function, argument)))
     shown = {", ".join(taken[one]) or syntax.variable(one): _of_numbers(text, one, module)
              for one, text in known.parameters.items()}
-    return Facts(known.what, known.returns, known.error, shown, f"{syntax.example_of}{name}({passed})" if known.what else "", sets)
+    call = f"{syntax.example_of}{name}({passed})" if known.what else ""
+    return Facts(known.what, known.returns, known.error, shown, call, sets)
 
 
 def _of_numbers(text: str, parameter: str, module: Module) -> str:

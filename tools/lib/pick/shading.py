@@ -27,8 +27,8 @@ class Godot(Language):
 
 
 # In a fragment shader of GLSL ES numbers have 16 bits unless a declaration says otherwise, whatever the user's own
-# precision is. Elsewhere `highp` means nothing. A constructor should have the precision of its argument; NVIDIA's driver
-# gives it that of the scope, where float(100000) is infinite.
+# precision is. Elsewhere `highp` means nothing. A constructor should have the precision of its argument; NVIDIA's
+# driver gives it that of the scope, where float(100000) is infinite.
 GLSL = Language(qualifier="highp ", scope="precision highp float;")
 NO_PRECISE_IN_METAL = ("Metal's language has no `precise`, and its compiler computes by fast math unless it is told "
                        "otherwise: take --arithmetic fixed, whose bits are the same everywhere")
