@@ -45,8 +45,7 @@ function colours(language, state) {
 }
 
 const kPlaces = {
-  glsl: "Put it below your #version and #extension lines. " +
-    "In GLSL ES write precision highp float; and precision highp int; first.",
+  glsl: "Put it below your #version and #extension lines.",
   hlsl: "Shader model 5 or 6.",
   wgsl: "Put your entry points below.",
   cpp: "C++20.",
@@ -180,6 +179,11 @@ function mainOf(language, state, { main, pixel, below, result }) {
   return [main, ...lines.map((line) => `  ${line}`), "}"];
 }
 
+// Declarations say highp: in a fragment shader of GLSL ES numbers have 16 bits otherwise, whatever the user's own
+// precision is. (A constructor has no blank and a name behind it.)
+const withHighp = (line) =>
+  line.replace(/(?<![/].*)(?<!highp )\b(?:float|u?int|[iu]?vec[234])(?= [a-z]\w*)/g, "highp $&");
+
 // {head, library, code}: lines; of the library a function that makes them: what tools/pick writes of what is called, or
 // the files, if the page has not picked that. Without it the head includes it, if the language can. Whole shaders
 // always have it.
@@ -199,12 +203,13 @@ export function copied(library, language, state, kind = "function", withLibrary 
     `// ${pickCommand(language, state, called)}`,
   ];
   const note = state.dimensions === 1 ? "p counts cells" : "p is a position in cells: uv * 8.0 has 8 of them on a side";
-  const code = [
+  const written = [
     ...(shell.main ? [] : [`// ${note}.${single ? "" : " Far out pass an integer cell and the place in it."}`]),
     ...lines,
     ...(cpp ? [] : ["", ...colours(language, state)]),
     ...(shell.main ? ["", ...shell.declared, ...mainOf(language, state, shell)] : []),
   ];
+  const code = language === "glsl" && !shell.main ? written.map(withHighp) : written;
   return {
     head: [
       ...(shell.first ?? []),

@@ -59,7 +59,7 @@ HN_FN hn_float hn_i_weighted(hn_octaves1 o, hn_float strength) {
 //               or more
 //   place       a place in its stead, in cells of the first octave (place.glsl). The period of a tile times
 //               lacunarity^octaves is below 2^31
-//   octaves     how many; with fewer than 1 the sum is 0
+//   octaves     how many, usually 4 to 8; with fewer than 1 the sum is 0
 //   lacunarity  ratio of frequencies, usually 2. In a tile it is a whole number from 1 to 255; others are rounded
 //               down
 //   gain        ratio of amplitudes, usually 0.5; not negative, and the sum of its powers below 2^126 (HN_PRECISE:
@@ -204,7 +204,7 @@ HN_FN hn_float hn_ping_pong(hn_float p, hn_int octaves, hn_float lacunarity, hn_
 }
 
 // Weighted fBm: where an octave is low, the finer ones count less. Valleys are smoother than heights.
-//   strength    how much less: 0 is hn_fbm, 1 leaves nothing of the finer octaves at -1; in [0, 1]
+//   strength    how much less: 0 is hn_fbm, 1 leaves nothing of the finer octaves at -1; usually 1, in [0, 1]
 //   (other parameters, period and cost as for hn_fbm; the strength stands behind the gain, and the seed cannot be
 //   left out)
 //   returns     [-1, 1]

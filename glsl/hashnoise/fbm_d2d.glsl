@@ -27,10 +27,11 @@ struct hn_slopes2 {
 //
 // In place of hn_add there is hn_add_eroded, and then hn_mean(o) is the value.
 //   o         the octaves
+//   s         the slopes, from hn_slopes(o)
 //   n         the value of the noise, and its derivatives along x and y. HN_FIXED cuts off a value beyond [-3/2, 3/2]
 //             and a derivative beyond [-128, 128], which no noise of the library is. Floats cut off neither
-//   strength  of erosion, in [0, 16]
-//   returns   as hn_fbm_d and hn_eroded below
+//   strength  of erosion, usually 1, in [0, 16]
+//   returns   hn_slopes: slopes to begin with; hn_mean: the value and its derivatives, as hn_fbm_d
 //   error     docs/accuracy.md
 //   cost      4 multiplications for the Jacobian, or a division
 //   source    docs/contract.md, section 7

@@ -79,7 +79,7 @@ HN_FN hn_vec3 hn_i_gullies(hn_octaves2 octaves, hn_vec2 slope, hn_float depth) {
 //   footprint   the size of a pixel at p, in cells of the first octave; 0 if it is left out. An octave fades out as a
 //               pixel grows from 1/4 to 3/4 of its cells
 //   slope       the derivatives of the height along x and y, per cell of p; counts as the nearer end outside [-8, 8]
-//   octaves     how many; with fewer than 1 all is 0
+//   octaves     how many, usually 4 to 8; with fewer than 1 all is 0
 //   lacunarity  ratio of frequencies, usually 2: a whole number from 1 to 255; others are rounded down
 //   gain        ratio of depths, usually 0.5; not negative
 //   depth       of the first octave, half from ridge to floor on steep ground: usually 0.05 to 0.2; counts as the

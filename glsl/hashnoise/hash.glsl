@@ -152,7 +152,7 @@ HN_FN hn_uvec2 hn_hash_pcg2d(hn_uvec2 v) {
   return uvec2(hn_i_folded(x), hn_i_folded(y));
 }
 
-// The same of three words, which are mixed by products of two.
+// PCG's step of each of three words, which are then mixed by products of two.
 //   v        any uvec3
 //   returns  any uvec3; a bijection
 //   cost     9 multiplications
@@ -173,7 +173,7 @@ HN_FN hn_uvec3 hn_hash_pcg3d(hn_uvec3 v) {
   return uvec3(x, y, z);
 }
 
-// The same of four words.
+// PCG's step of each of four words, which are then mixed by products of two.
 //   v        any uvec4
 //   returns  any uvec4; a bijection
 //   cost     12 multiplications

@@ -24,7 +24,7 @@
 
 // Another word of a word, for things that need several random numbers.
 //   h        any uint
-//   k        which: any uint. The functions below use those from 1 to 4 themselves
+//   k        which: any uint. The functions of this file use those from 1 to 4 themselves
 //   returns  any uint; for each k a bijection of h
 //   cost     2 multiplications; 1 more for a k that is not constant
 //   source   docs/contract.md, section 18

@@ -116,7 +116,7 @@ HN_FN void hn_i_advance(HN_I_INOUT(hn_octaves4) o) {
 //   p           position, in cells of the first octave; (|p| + 1) * lacunarity^octaves < 2^23, for a lacunarity of 2
 //               or more
 //   place       a place in its stead (place.glsl). The period of a tile times lacunarity^octaves is below 2^31
-//   octaves     how many; with fewer than 1 the mean is 0
+//   octaves     how many, usually 4 to 8; with fewer than 1 the mean is 0
 //   lacunarity  ratio of frequencies, usually 2. In a tile it is a whole number from 1 to 255; others are rounded
 //               down
 //   gain        ratio of amplitudes, usually 0.5; not negative
@@ -205,7 +205,7 @@ HN_FN bool hn_next(HN_I_INOUT(hn_octaves4) o) {
 //   o         the octaves
 //   n         the noise at o.place with o.seed, in [-1, 1]. hn_add and hn_add_turbulence take what is beyond
 //             (HN_FIXED up to 3/2), others cut it off
-//   strength  as of the sum that is made so (fbm4d.glsl)
+//   strength  of hn_ping_pong, usually 2, in [0, 64]; of hn_weighted, usually 1, in [0, 1]
 //   returns   nothing: the octaves have the sum
 //   error     as of the sums in fbm4d.glsl
 //   cost      1 to 10 operations

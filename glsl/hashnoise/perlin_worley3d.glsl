@@ -42,7 +42,8 @@ HN_FN hn_float hn_i_perlin_worley(hn_octaves3 wisps, hn_octaves3 billows) {
 //               or more
 //   place       a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl). The period of a
 //               tile times lacunarity^octaves is below 2^31
-//   octaves     how many of Perlin noise; the first three have billows, too. With fewer than 1 the result is 3/4
+//   octaves     how many of Perlin noise, usually 4 to 8; the first three have billows, too. With fewer
+//               than 1 the result is 3/4
 //   lacunarity  ratio of frequencies, usually 2. In a tile it is a whole number from 1 to 255; others are rounded down
 //   gain        ratio of amplitudes, usually 0.5; not negative
 //   seed        any uint: 7u, not 7; 0 if left out; different seeds give independent fields

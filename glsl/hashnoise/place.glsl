@@ -181,7 +181,8 @@ HN_FN hn_place4 hn_place(hn_vec4 p) {
 
 // A place in a tile: the field repeats after its period. Corners and points have the words of their coordinates modulo
 // the period.
-//   place    the place, or the position, in cells
+//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   place    a place in its stead: hn_place(cell, f), hn_place(cell) and so on
 //   period   cells along each axis: int, ivec2, ivec3 or ivec4; 0 for none along that axis. Less than 0 is none, too
 //   returns  the place
 //   error    none

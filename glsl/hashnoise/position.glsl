@@ -36,8 +36,8 @@ HN_FN hn_float hn_i_fraction_of_units(hn_uint rest, hn_int units) {
 
 // The cell of a position that is a whole number of units, in a world where `cells` cells are `units` units long.
 //   position  in units: int, ivec2, ivec3 or ivec4
-//   cells     1 to 65536; a number outside of it counts as the nearer end
-//   units     the same
+//   cells     how many, 1 to 65536; a number outside of it counts as the nearer end
+//   units     how long they are, 1 to 65536; a number outside of it counts as the nearer end
 //   returns   floor(position * cells / units), modulo 2^32
 //   error     none: integers on every driver, and the same in C++
 //   cost      2 divisions of integers per axis; with constants, compilers make products or shifts of them
@@ -57,7 +57,8 @@ HN_FN hn_ivec4 hn_cell(hn_ivec4 position, hn_int cells, hn_int units) {
                hn_cell(position.w, cells, units));
 }
 
-// The place of such a position in its cell.
+// The place in its cell of a position that is a whole number of units, in a world where `cells` cells are `units` units
+// long.
 //   (parameters as for hn_cell)
 //   returns   what position * cells / units is beyond its floor, cut off to a multiple of 2^-24, in [0, 1)
 //   error     less than 2^-24, and the same bits everywhere
@@ -79,7 +80,7 @@ HN_FN hn_vec4 hn_fraction(hn_ivec4 position, hn_int cells, hn_int units) {
               hn_fraction(position.z, cells, units), hn_fraction(position.w, cells, units));
 }
 
-// The place of such a position.
+// The place of a position that is a whole number of units, in a world where `cells` cells are `units` units long.
 //   (parameters, error and source as for hn_cell and hn_fraction)
 //   returns   hn_place(hn_cell(position, cells, units), hn_fraction(position, cells, units))
 //   cost      4 divisions of integers per axis; compilers share what both have in common

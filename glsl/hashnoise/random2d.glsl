@@ -13,7 +13,7 @@
 //   place    a place in its stead: hn_place(cell) of an ivec2, hn_tile(p, period) and so on (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent numbers
 //   returns  [0, 1), a multiple of 2^-24, mean 1/2, uniform: hn_unorm(hn_lattice(cell, seed))
-//   error    none. With HN_FIXED a negative coordinate less than 2^-20 below a whole number counts to the cell above
+//   error    none. With HN_FIXED a negative coordinate less than 2^-20 below a whole number counts to the next cell
 //   period   2^32 cells per axis, or that of the tile
 //   cost     1 hash (none with HN_HASH_LATTICE) and 3 multiplications; 1 more to spread each coordinate, and 2 more for
 //            a seed that is not constant

@@ -67,10 +67,11 @@ HN_FN hn_vec2 hn_scatter_point(hn_ivec2 cell, hn_uint seed) { return hn_scatter_
 // Whether the point of a cell stands. Things at the points that stand do not overlap: no two of them are nearer than
 // the radius. Nothing has to be stored, and nothing to be visited in an order.
 //   cell     the cell: an ivec2
-//   place    a place in its stead, as above. A tile repeats without a seam
+//   place    a place in its stead: hn_tile(hn_place(cell), period), for example (place.glsl). A tile repeats without
+//            a seam
 //   radius   the least distance, in cells; what is outside of [0, 1] counts as the nearer end. It is cut off to a
 //            multiple of 2^-15
-//   seed     that of hn_scatter_point
+//   seed     any uint: 7u, not 7; that of hn_scatter_point
 //   returns  0 if it does not stand; else a random word of the point, which is odd
 //   error    none
 //   period   2^32 cells per axis, or that of the tile
@@ -102,7 +103,7 @@ HN_FN hn_uint hn_scattered(hn_ivec2 cell, hn_float radius, hn_uint seed) {
 
 // The point of a cell in space.
 //   cell     the cell: an ivec3
-//   place    a place in its stead, as in the plane
+//   place    a place in its stead: hn_tile(hn_place(cell), period), for example (place.glsl)
 //   seed     any uint: 7u, not 7; different seeds give independent points
 //   returns  where in the cell it is: [0, 1) along each axis, multiples of 2^-15; uniform
 //   error    none
@@ -119,10 +120,10 @@ HN_FN hn_vec3 hn_scatter_point(hn_ivec3 cell, hn_uint seed) { return hn_scatter_
 
 // Whether the point of a cell stands, in space.
 //   cell     the cell: an ivec3
-//   place    a place in its stead, as in the plane
+//   place    a place in its stead: hn_tile(hn_place(cell), period), for example (place.glsl)
 //   radius   the least distance, in cells; what is outside of [0, 1] counts as the nearer end. It is cut off to a
 //            multiple of 2^-15
-//   seed     that of hn_scatter_point
+//   seed     any uint: 7u, not 7; that of hn_scatter_point
 //   returns  0 if it does not stand; else a random word of the point, which is odd
 //   error    none
 //   period   2^32 cells per axis, or that of the tile

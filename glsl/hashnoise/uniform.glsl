@@ -50,7 +50,7 @@ HN_FN hn_vec4 hn_i_spread(hn_int reach, hn_int a, hn_int b, hn_int c) {
 }
 
 // The distribution of the values of a noise.
-//   kind     one of HN_SPREAD_PERLIN2 and so on, above; any other number counts as that
+//   kind     one of HN_SPREAD_PERLIN2 and so on; any other number counts as that
 //   returns  the reach, in [1/16, 3], and the three coefficients of the tail, which rise from 0 to 1
 //   error    none
 //   cost     none for a constant
@@ -202,9 +202,9 @@ HN_FN hn_i_num hn_i_of_sum(hn_i_num x, hn_int bell, hn_int way, hn_i_num d, hn_i
 // The distribution of the values of a sum of octaves, from that of its noise. Every gain and number of octaves has its
 // spread. It takes octaves as independent, which on the line they are not quite (docs/uniform.md).
 //   spread   of the noise: hn_spread(HN_SPREAD_PERLIN2) and so on
-//   octaves  as of hn_fbm, from 1 to 32: 5.0, and 3.5 for a detail that is no whole number. The lacunarity does not
-//            matter
-//   gain     as of hn_fbm, in [0, 1]
+//   octaves  how many, as of hn_fbm, usually 4 to 8, from 1 to 32: 5.0, and 3.5 for a detail that is
+//            no whole number. The lacunarity does not matter
+//   gain     ratio of amplitudes, as of hn_fbm, usually 0.5, in [0, 1]
 //   returns  the spread of hn_fbm, or of another mean of octaves of the noise (hn_add)
 //   error    of the coefficients at most 3.65e-5. HN_FIXED 1.93e-4. That of the reach says docs/accuracy.md
 //   cost     about 10 operations for each octave and 60 more. It does not depend on the position: compute it on the

@@ -46,9 +46,10 @@ HN_FN void hn_i_move(HN_I_INOUT(hn_octaves3) o, hn_i_num3 n) {
 //
 // In place of hn_add there is hn_add_progressive, which moves the octaves that follow.
 //   o          the octaves
+//   s          the shifts, from hn_shifts(o, amplitude)
 //   v          the noises at o.place, in [-1, 1]; what is beyond is cut off
-//   amplitude  the largest shift along an axis, in cells, in [0, 64]
-//   returns    as hn_warp and hn_warp_progressive below
+//   amplitude  the largest shift along an axis, in cells, usually about 1, in [0, 64]
+//   returns    hn_shifts: shifts to begin with; hn_mean: the shift along each axis, as hn_warp
 //   error      docs/accuracy.md
 //   cost       18 multiplications for the Jacobian of progressive shifts
 //   source     docs/contract.md, section 7
@@ -100,11 +101,11 @@ HN_FN hn_vec3 hn_i_warp_progressive(hn_octaves3 o, hn_float amplitude) {
 //   p           position, in cells of the first octave; (|p| + 1) * lacunarity^octaves < 2^23, for a lacunarity of 2
 //               or more
 //   place       a place in its stead, in cells of the first octave (place.glsl)
-//   octaves     how many; with fewer than 1 the shift is 0
+//   octaves     how many, usually 4 to 8; with fewer than 1 the shift is 0
 //   lacunarity  ratio of frequencies, usually 2. In a tile it is a whole number from 1 to 255; others are rounded
 //               down
 //   gain        ratio of amplitudes, usually 0.5; not negative
-//   amplitude   the largest shift along an axis, in cells, in [0, 64]
+//   amplitude   the largest shift along an axis, in cells, usually about 1, in [0, 64]
 //   seed        any uint: 7u, not 7; different seeds give independent shifts
 //   returns     the shift along x, y and z, each in [-amplitude, amplitude]
 //   error       docs/accuracy.md

@@ -82,7 +82,7 @@ const glslang = (text, name, ...options) =>
 
 const glslShader = (code, state, version = "450") => {
   const es = version.endsWith("es")
-    ? "precision highp float;\nprecision highp int;\n"
+    ? "precision mediump float;\nprecision mediump int;\n"
     : "#extension GL_GOOGLE_include_directive : require\nlayout(location = 0) ";
   return `#version ${version}\n${es.replace("layout", `${code}\nlayout`)}${version.endsWith("es") ? `${code}\n` : ""}out vec4 color;
 void main() {
@@ -164,12 +164,12 @@ const drawn = (fragment, words) =>
     words,
   );
 
-// The bits of a function of the copied GLSL.
+// The bits of a function of the copied GLSL, where the user's own precision is the lowest.
 async function drawnGlsl(code, state, cell) {
   const found = await drawn(
     `#version 300 es
-precision highp float;
-precision highp int;
+precision mediump float;
+precision mediump int;
 ${code}
 out highp uvec4 bits;
 void main() {
@@ -302,6 +302,13 @@ test("copied GLSL and HLSL compile", async () => {
     const [kind, whole, options, glsl] = formOf(kGlslForms, number);
     const text = glsl(await copiedCode(page, "glsl", whole, kind), state);
     assert.equal(await glslang(text, "shader.frag", ...options, include), "", `${kind}: ${linkOf(state)}`);
+    if (kind === "function") {
+      assert.match(text, /^highp vec3 colour\(highp float value\) \{$/m);
+      assert.match(text, /^highp float pattern\(highp /m);
+      // Nothing is declared with the precision of the user.
+      const own = text.slice(text.lastIndexOf("// p ")).split(/\n(?:layout.*)?out vec4/)[0].replace(/\/\/.*/g, "");
+      assert.doesNotMatch(own, /(?<!highp )\b(?:float|u?int|[iu]?vec[234]) [a-z]/);
+    }
     const [hlslKind, hlslWhole, hlsl] = formOf(kHlslForms, number);
     const hlslText = hlsl(await copiedCode(page, "hlsl", hlslWhole, hlslKind), state);
     assert.equal(await glslang(hlslText, "shader.hlsl", ...hlslOptions), "", `HLSL, ${hlslKind}: ${linkOf(state)}`);
@@ -394,10 +401,10 @@ test("code that is wrong is noticed", async () => {
     /hn_absent/,
   );
   const shown = await pixels(page, kWidth, kHeight, true);
-  assert.notDeepEqual(await drawnGlsl(code.replace(", 7u)", ", 8u)"), state, false), shown);
+  assert.notDeepEqual(await drawnGlsl(code.replaceAll(", 7u)", ", 8u)"), state, false), shown);
   const wgsl = await copiedCode(page, "wgsl", true);
   assert.match(await drawnWgsl(wgsl.replace("return hn_fbm2(p", "return hn_absent(p"), state, false), /hn_absent/);
-  assert.notDeepEqual(await drawnWgsl(wgsl.replace(", 7u)", ", 8u)"), state, false), shown);
+  assert.notDeepEqual(await drawnWgsl(wgsl.replaceAll(", 7u)", ", 8u)"), state, false), shown);
   // What tools/pick writes of other arithmetic.
   await page.evaluate(() => {
     const { texts } = window.hashnoise.library.picks;

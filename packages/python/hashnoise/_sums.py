@@ -155,7 +155,7 @@ def weighted(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6,
              period=None, cell=None, arithmetic="fast", out=None, threads=None, instruction_set=None):
     """Weighted fBm, in 1D to 4D: where an octave is low, the finer ones count less. Valleys are smoother than heights.
 
-    strength  how much less: 0 is `fbm`, 1 leaves nothing of the finer octaves at -1; in [0, 1]
+    strength  how much less: 0 is `fbm`, 1 leaves nothing of the finer octaves at -1; usually 1, in [0, 1]
     returns   [-1, 1]
     source    FastNoiseLite, SetFractalWeightedStrength
 

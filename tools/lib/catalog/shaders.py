@@ -104,7 +104,7 @@ def public_steps(sums: Sequence[Sum]) -> str:
 //   o         the octaves
 //   n         the noise at o.place with o.seed, in [-1, 1]. hn_add and hn_add_turbulence take what is beyond
 //             (HN_FIXED up to 3/2), others cut it off
-//   strength  as of the sum that is made so (fbm2d.glsl)
+//   strength  of hn_ping_pong, usually 2, in [0, 64]; of hn_weighted, usually 1, in [0, 1]
 //   returns   nothing: the octaves have the sum
 //   error     as of the sums in fbm2d.glsl
 //   cost      1 to 10 operations

@@ -34,7 +34,7 @@ def whole() -> str:
 def texts(subject: Subject) -> dict[str, str]:
     """By way."""
     return {"whole": whole(), "part": text([subject.file], strip=True),
-            "pick": picked([subject.picked], Choice("glsl-es"))}
+            "pick": picked([subject.picked], Choice())}
 
 
 def shaders() -> Iterator[tuple[Subject, str, str]]:

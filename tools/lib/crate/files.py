@@ -60,7 +60,8 @@ def written(made: Made) -> str:
     of = library(made.arithmetic)
     known = public(of)
     functions = [known[name] for name in of_module(known, *(HASHES if made.module == "hash" else MODULES[made.module]))]
-    shown = text(Program(of, functions), Rust(False), facts(functions, GLSL), [])
+    program = Program(of, functions)
+    shown = text(program, Rust(False), facts(program, GLSL, False), [])
     structs = sorted(set(STRUCT.findall(shown)))
     if made.module == "place":
         shown = STRUCT.sub(lambda found: PLACE + found[0], shown)

@@ -24,7 +24,7 @@ NAME = "hashnoise-glsl-noise"
 FOLDERS = {"simplex": "snoise", "classic": "cnoise", "periodic": "pnoise"}
 AXES = (2, 3, 4)
 LATER = ("uvec2", "uvec3", "uvec4", "uintBitsToFloat", "floatBitsToUint")  # than GLSL ES 1.00
-LANGUAGE = LANGUAGES["glsl-es"]  # for WebGL2, and for OpenGL, too
+LANGUAGE = LANGUAGES["glsl"]  # for WebGL2, and for OpenGL, too
 
 
 class File(NamedTuple):

@@ -13,7 +13,7 @@ from tree import ROOT, version
 
 PACKAGE = ROOT / "packages" / "isf"
 NAME = "hashnoise-isf"
-LANGUAGE = "glsl-es"  # hosts compile a file as GLSL 3.30 and 4.00, and as GLSL ES 3.00
+LANGUAGE = "glsl"  # hosts compile a file as GLSL 3.30 and 4.00, and as GLSL ES 3.00
 
 
 class Look(NamedTuple):

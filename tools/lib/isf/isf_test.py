@@ -92,10 +92,10 @@ class Text(unittest.TestCase):
     @unittest.skipUnless(shutil.which("glslangValidator"), "Debian's package glslang-tools is missing")
     def test_what_the_page_has_for_other_programs_compiles(self) -> None:
         page = (ROOT / "docs" / "engines.md").read_text().partition("## Shadertoy")[2]
-        named, = re.findall(r"^    hashnoise/tools/pick (\w+) --language glsl-es$", page, re.MULTILINE)
+        named, = re.findall(r"^    hashnoise/tools/pick (\w+)$", page, re.MULTILINE)
         shadertoy, touch_designer = (code.replace("\n    ", "\n") for code in re.findall(
             r"^    ((?:void mainImage|out vec4).*?)\n\n", page, re.MULTILINE | re.DOTALL))
-        text = files.pick()((named,), Choice("glsl-es"))
+        text = files.pick()((named,), Choice())
         whole = {shadertoy: ("#version 300 es\nprecision highp float;\nuniform vec3 iResolution;\n"
                              "uniform float iTime;\nout vec4 color;\n",
                              "\nvoid main() { mainImage(color, gl_FragCoord.xy); }\n"),

@@ -15,7 +15,7 @@ SIDE = 512  # so a quarter of a million places: deviations and sizes of other se
 # the newest that this renderer has.
 CONTEXT = (0x22, RGBA, 0x33, 0x34, 0x36, 4, 0x37, 5, 0)
 # One triangle that covers every pixel.
-CORNERS = """#version 450
+CORNERS = """
 void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }
 """
 
@@ -44,11 +44,13 @@ class Renderer:
         self._call("glViewport", 0, 0, side, side)
 
     def program(self, fragment: str) -> int:
-        """Compiles a fragment shader, in place of the one before; NotCompiled has the log of the driver."""
+        """Compiles a fragment shader, in place of the one before; NotCompiled has the log of the driver. Below `#version
+        300 es` the driver computes mediump with 16 bits, as a phone does."""
         self._make_current()
+        version = fragment.splitlines()[0]
         self._call("glDeleteProgram", self._program)
         self._program = program = self._call("glCreateProgram")
-        for kind, text in ((VERTEX, CORNERS), (FRAGMENT, fragment)):
+        for kind, text in ((VERTEX, version + CORNERS), (FRAGMENT, fragment)):
             shader = self._call("glCreateShader", kind)
             self._call("glShaderSource", shader, 1, (ctypes.c_char_p * 1)(text.encode()), None)
             self._call("glCompileShader", shader)

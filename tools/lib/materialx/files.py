@@ -10,8 +10,9 @@ from xml.sax.saxutils import quoteattr
 from packing import papers
 from parsing.syntax import Function
 from pick.command import SYNTAXES, Choice, picker, read_library
+from pick.comments import first_sentence
 from pick.osl import without_shader
-from pick.program import facts, public
+from pick.program import public
 from pick.shading import LANGUAGES
 from tables.markdown import table
 from tree import GLSL, ROOT, version
@@ -25,8 +26,8 @@ FORMS = ("hn_value2", "hn_value3", "hn_perlin2", "hn_perlin3", "hn_simplex2", "h
          "hn_ridged2", "hn_ridged3", "hn_turbulence2", "hn_turbulence3", "hn_billow2", "hn_billow3", "hn_warp2",
          "hn_warp3", "hn_perlin2_place", "hn_fbm2_place")
 # The targets of MaterialX, with the languages of tools/pick. The generators for OpenGL, WebGL, Vulkan and WebGPU share
-# the first, so it says highp. Metal and Slang would take it, too, if they had none of their own.
-TARGETS = {"genglsl": "glsl-es", "genmsl": "metal", "genslang": "slang", "genosl": "osl"}
+# the first. Metal and Slang would take it, too, if they had none of their own.
+TARGETS = {"genglsl": "glsl", "genmsl": "metal", "genslang": "slang", "genosl": "osl"}
 METRICS = ("Euclidean", "Squared", "Manhattan", "Chebyshev", "Hybrid")  # HN_METRIC_..., from 1 on
 OSL_TYPES = {"float": "float", "int": "int", "vec2": "vector2", "vec3": "vector"}
 TYPES = {"float": "float", "int": "integer", "uint": "integer", "vec2": "vector2", "vec3": "vector3"}
@@ -153,8 +154,7 @@ def source(form: str, target: str) -> str:
 
 def doc(form: str) -> str:
     """The first sentence about the function, which is before its plain form."""
-    lines, = facts([forms()[re.sub("_(full|place)$", "", form)]], GLSL)
-    return re.split(r"\.(?: |$)", " ".join(line.strip() for line in lines))[0] + "."
+    return first_sentence(forms()[re.sub("_(full|place)$", "", form)], GLSL)
 
 
 def declared(form: str) -> str:
@@ -171,14 +171,10 @@ def document(inside: str) -> str:
             f"       Copyright (c) 2026 The hashnoise authors; MIT License. -->\n{inside}</materialx>\n")
 
 
-def ending(target: str) -> str:
-    return {"glsl-es": "glsl"}.get(TARGETS[target], TARGETS[target])
-
-
 def implementations(target: str) -> str:
     return document("".join(
         f'  <implementation name="IM_{node(form)}_{target}" nodedef="ND_{node(form)}" '
-        f'file="{node(form)}.{ending(target)}" function="{node(form)}" target="{target}" />\n' for form in FORMS))
+        f'file="{node(form)}.{TARGETS[target]}" function="{node(form)}" target="{target}" />\n' for form in FORMS))
 
 
 def node_table() -> str:
@@ -195,5 +191,5 @@ def package() -> dict[str, str]:
     for target in TARGETS:
         found[f"{LIBRARY}/{target}/hashnoise_{target}_impl.mtlx"] = implementations(target)
         for form in FORMS:
-            found[f"{LIBRARY}/{target}/{node(form)}.{ending(target)}"] = source(form, target)
+            found[f"{LIBRARY}/{target}/{node(form)}.{TARGETS[target]}"] = source(form, target)
     return found

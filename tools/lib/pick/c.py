@@ -29,6 +29,7 @@ def _of_two(name: str, sign: str) -> dict[str, str]:
 
 
 class C(Syntax):
+    example_struct = example_set = "&{}"
     indent = 2
     types = TYPES
     reserved = frozenset("""auto break case char const continue default do double else enum extern float for goto if

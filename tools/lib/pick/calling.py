@@ -38,7 +38,7 @@ class Form:
             for _, scalar in module.parts(type_):
                 parts.append(self.read[scalar].format(f"inputs[at + {count}u]"))
                 count += 1
-            return parts[0] if len(parts) == 1 else f"{self.language.typed(type_)}({', '.join(parts)})"
+            return parts[0] if len(parts) == 1 else f"{self.language.named(type_)}({', '.join(parts)})"
 
         for i, parameter in enumerate(function.parameters):
             value = f" = {made(parameter.type)}" if module.passed(parameter) else ""

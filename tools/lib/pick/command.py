@@ -9,7 +9,9 @@ the CPU.
     tools/pick hn_fbm2 --language osl --out fbm2.osl   a node for Blender's Cycles
     tools/pick hn_fbm2 --language tsl --out noise.js   nodes for three.js
     tools/pick hn_fbm3 --noise hn_simplex3 --arithmetic fixed --language rust --out noise.rs
-    tools/pick --list                                  which functions there are
+    tools/pick hn_fbm2_tile                            hn_tile2, and hn_fbm2_place, which takes what that makes
+    tools/pick 'hn_fbm(hn_tile(vec2))'                 the same
+    tools/pick --list                                  which functions there are, by noise
     tools/pick --pages docs/snippets                   pages of those that are asked for most, in each language
 
 A function is called by its form: hn_perlin2 is hn_perlin(vec2 p, uint seed), and hn_perlin2_place is
@@ -43,7 +45,7 @@ from pick.go import Go
 from pick.java import Java
 from pick.javascript import JavaScript, TypeScript
 from pick.osl import Osl
-from pick.program import Program, check_sums, chosen, facts, heading, origin, over, public, read
+from pick.program import Program, check_sums, chosen, expanded, facts, heading, listed, origin, over, read
 from pick.rust import Rust
 from pick.scalars import Syntax, text
 from pick.shading import LANGUAGES
@@ -55,6 +57,7 @@ ARITHMETICS = ("fast", "fixed", "precise")
 
 SYNTAXES: dict[str, type[Syntax]] = {"rust": Rust, "csharp": CSharp, "c": C, "typescript": TypeScript,
                                      "javascript": JavaScript, "java": Java, "go": Go, "osl": Osl}
+ALIASES = {"glsl-es": "glsl"}  # since one text is for both
 TSL = "tsl"  # three.js's, which is none: a module with the text of two of the shading languages
 
 
@@ -126,17 +129,14 @@ def picker(library: Path = GLSL) -> Callable[[Sequence[str], Choice], str]:
         # What is evaluated in the same way, once.
         kind = choice.language if syntax and syntax.library else "c" if splits else "glsl"
         made = program(tuple(names), replace(choice, language=kind, import_path=""))
-        functions = [root.function for root in made.roots]
-        command, summed = command_of(names, choice), made.module.summed
-        precise = choice.arithmetic == "precise"
+        command, precise = command_of(names, choice), choice.arithmetic == "precise"
         if splits:
-            return text(made, SYNTAXES[choice.language](precise), facts(functions, library, summed),
-                        origin(command))
+            return text(made, SYNTAXES[choice.language](precise), facts(made, library, False), origin(command))
         if choice.language == TSL:
-            return tsl.text(made, facts(functions, library, summed), origin(command))
+            return tsl.text(made, facts(made, library, True), origin(command))
         language = LANGUAGES[choice.language]
-        return (imported_as(choice.import_path) + heading(functions, language, command, library, summed)
-                + made.text(language, precise))
+        return (imported_as(choice.import_path) + heading(made, language, command, library)
+                + made.text(language, precise, with_seedless=True))
 
     return pick
 
@@ -157,12 +157,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     hashes = tuple(name.lower() for name in HASHES)
     parser.add_argument("names", nargs="*", metavar="FUNCTION", help="such as hn_perlin2")
-    parser.add_argument("--language", choices=(*LANGUAGES, *SYNTAXES, TSL), default="glsl",
-                        help="glsl (the default) is for 3.30 and later, and with precise for 4.00; glsl-es says highp, "
-                        "and is for WebGL2, too; hlsl is for the shader models 5 and 6; precise is for glsl, hlsl and "
-                        "the languages of the CPU; rust needs core alone; csharp is a static class; c is a header of "
-                        "C99; typescript and javascript are modules; java is for 17 and later; go for 1.18 and later; "
-                        "osl is a shader of the first function, too; tsl is a module of nodes for three.js")
+    parser.add_argument("--language", choices=(*LANGUAGES, *ALIASES, *SYNTAXES, TSL), default="glsl",
+                        help="glsl (the default, and glsl-es is the same) is for 3.30 and later, GLSL ES 3.00 and WebGL2, "
+                        "and with precise for 4.00 and ES 3.20; hlsl is for the shader models 5 and 6; precise is for"
+                        " glsl, hlsl and the languages of the CPU; rust needs core alone; csharp is a static class; c"
+                        " is a header of C99; typescript and javascript are modules; java is for 17 and later; go for"
+                        " 1.18 and later; osl is a shader of the first function, too; tsl is a module of nodes for "
+                        "three.js")
     parser.add_argument("--arithmetic", choices=ARITHMETICS, default="fast", help="default: %(default)s")
     parser.add_argument("--hash", type=str.lower, choices=hashes, default="lattice", metavar="NAME",
                         help=f"{', '.join(hashes)} (default: %(default)s)")
@@ -178,6 +179,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--glsl", type=Path, default=GLSL, metavar="DIR", help="another copy of the library")
     parser.add_argument("--out", type=Path, metavar="FILE", help="the file to write (default: standard output)")
     given = parser.parse_args(arguments)
+    given.language = ALIASES.get(given.language, given.language)
     if sum(map(bool, (given.names, given.list, given.pages))) != 1:
         parser.error("name functions, such as hn_perlin2, or ask for --list or --pages")
     choice = Choice(**{field.name: getattr(given, field.name) or field.default for field in fields(Choice)})
@@ -186,11 +188,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
             pages.write(given.pages, for_pages(given.glsl))
             return 0
         if given.list:
-            known = public(read_library(given.glsl, replace(choice, language="glsl")))
-            written = "".join(f"{name:32} {function.type} {function.name}({', '.join(function.types)})\n"
-                              for name, function in sorted(known.items()))
+            written = listed(read_library(given.glsl, replace(choice, language="glsl")), given.glsl)
         else:
-            written = picked(given.names, choice, given.glsl)
+            written = picked(expanded(given.names), choice, given.glsl)
     except (Unknown, OSError) as error:
         parser.exit(2, f"tools/pick: {error}\n")
     write(parser, written, given.out)

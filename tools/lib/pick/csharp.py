@@ -14,6 +14,7 @@ NAME = "HashNoise"  # of the class
 
 
 class CSharp(Syntax):
+    example_of, example_struct = f"{NAME}.", "ref {}"
     types = {"float": "float", "int": "int", "uint": "uint", "bool": "bool"}
     reserved = frozenset("""abstract as base bool break byte case catch char checked class const continue decimal
         default delegate do double else enum event explicit extern false finally fixed float for
@@ -137,9 +138,12 @@ private struct Bits {
 
     def documented(self, name: str, facts: Facts) -> list[str]:
         returns = facts.all_returns[:1].upper() + facts.all_returns[1:]
-        tags = {"summary": facts.what, "returns": returns, "remarks": facts.error and f"Error: {facts.error}"}
-        lines = [line for tag, shown in tags.items() if shown
-                 for line in paragraph_lines(f"<{tag}>{escape(shown)}.</{tag}>")]
+        tags = [("summary", facts.what), *((f'param name="{one}"', text) for names, text in facts.parameters.items()
+                                           for one in names.split(", ") if one not in facts.sets),
+                ("returns", returns), ("remarks", f"Error: {facts.error}" if facts.error else ""),
+                ("example", facts.call and f"<code>{facts.call}</code>")]
+        lines = [line for tag, shown in tags if shown for line in paragraph_lines(
+            f"<{tag}>{shown if tag == 'example' else f'{escape(shown)}.'}</{tag.split()[0]}>")]
         return [f"/// {line}" for line in lines]
 
     def file(self, heading: Sequence[str], names: Sequence[str], parts: Sequence[str]) -> str:

@@ -15,6 +15,8 @@ NUMBERS = re.compile(r"(?:0x[\dA-F]+|[\d.]+|[-+*/ ()])+")  # of which no type fo
 
 
 class Go(Syntax):
+    item = "  - "  # as gofmt has it
+    example_of, example_struct = "hashnoise.", "&{}"
     end = ""
     head = "{}"
     types = {"float": "float32", "int": "int32", "uint": "uint32", "bool": "bool"}

@@ -28,6 +28,7 @@ COMPONENTS = {f"hn_i_{axis}_of_{name.removeprefix('hn_')}": (axis, name)
 
 
 class Osl(Syntax):
+    example_set = "{}"
     indent = 2
     library = {"__VERSION__": "130"}
     no_precise = ("a renderer may reorder what OSL computes with floats: take --arithmetic fixed, whose bits are the same "

@@ -37,7 +37,8 @@ def page(name: str, picked: Picked) -> str:
     sections = [f"## {title}\n\n```{word}\n{picked(name, language, arithmetic)}```\n"
                 for title, language, arithmetic, word in LANGUAGES]
     return (f"# {name}: {FUNCTIONS[name]}\n\n"
-            "Paste what you need; each text stands alone. Those of the first six languages compute with floats "
+            "Paste what you need; each text stands alone. The GLSL is for OpenGL, from 3.30 on, and for WebGL2 and "
+            "GLSL ES, whatever your own precision is. Those of the first six languages compute with floats "
             "(`HN_FAST`). All others compute the same bits as each other (`HN_FIXED`), for a server and its clients. "
             "[More](../languages.md#one-function) about `tools/pick`, which wrote them, and about other "
             "arithmetics and hashes.\n\n" + "\n".join(sections))

@@ -15,23 +15,25 @@ from dataclasses import replace
 from pathlib import Path
 from unittest import mock
 
-from parsing.syntax import Parser
+from parsing.syntax import Function, Parser
 from parsing.tokens import Unknown, tokens_of
-from pick import command, pages, printer, tsl, values
+from pick import command, comments, pages, printer, tsl, values
 from pick.comparison import source
 from pick.evaluate import Module
 from pick.printer import Language
 from pick.program import Program, chosen, public, read
 from pick.shading import CPP, HLSL_NAMES, LANGUAGES
+from pick.shading_runners import pairs_of
 from single_file.godot import with_own_names
 from thorough import THOROUGH
 from tree import GLSL, ROOT, TOOLS
 from twin import compile_program
 
 # The largest that a text may be, without the comment.
-SIZES = {"hn_perlin2": (1400, 40), "hn_value2": (1400, 40), "hn_simplex2": (2350, 45), "hn_cellular2": (2500, 50),
-         "hn_fbm2": (2000, 45)}
+SIZES = {"hn_perlin2": (1600, 42), "hn_value2": (1600, 42), "hn_simplex2": (2600, 48), "hn_cellular2": (2700, 52),
+         "hn_fbm2": (2200, 48)}
 POINTS = 300
+WITHOUT_HIGHP = Language()  # as GLSL is, for readers of a test
 # What has the most of what languages write in different ways.
 MIXED = ("hn_perlin2", "hn_fbm_d2", "hn_cellular2_nearest", "hn_tile4", "hn_next3")
 
@@ -52,6 +54,14 @@ def text(*names: str, arithmetic: str = "fast", language: str = "glsl", of: Modu
 
 def code(shown: str) -> str:
     return "".join(line for line in shown.splitlines(keepends=True) if not line.startswith("//"))
+
+
+def is_node(function: Function) -> bool:
+    """Whether three.js has nodes for it."""
+    try:
+        return bool(tsl.signature(function))
+    except Unknown:
+        return False
 
 
 class Values(unittest.TestCase):
@@ -147,7 +157,7 @@ class Shaders(unittest.TestCase):
     def test_versions(self) -> None:
         """Each in its lowest version; ES where the user's own floats are of a lower precision. Godot's is compiled as
         ES."""
-        for language, head in (("glsl", "#version 330\n"), ("glsl-es", "#version 300 es\nprecision mediump float;\n"),
+        for language, head in (("glsl", "#version 330\n"), ("glsl", "#version 300 es\nprecision mediump float;\n"),
                                ("godot", "#version 300 es\nprecision highp float;\nprecision highp int;\n")):
             shader = head + text(*MIXED, language=language) + "void main() { int metric = HN_METRIC_HYBRID; }\n"
             with self.subTest(language=language), tempfile.TemporaryDirectory() as folder:
@@ -156,7 +166,41 @@ class Shaders(unittest.TestCase):
                 done = subprocess.run(["glslangValidator", file], capture_output=True, text=True, check=False)
                 self.assertEqual(done.returncode, 0, done.stdout)
         bare = r"(?<!highp )\b(?:float|u?int|[iu]?vec\d) \w+(?: =|[,;)])"
-        self.assertNotRegex(text("hn_fbm2", language="glsl-es"), bare)
+        for name in list(public(module("fast")))[::1 if THOROUGH else 24]:
+            self.assertNotRegex(text(name), bare)
+        self.assertRegex(text(name).replace("highp ", ""), bare)
+
+    # How each is compiled, and what stands before and behind the text.
+    COMPILERS = {
+        "hlsl": (("glslangValidator", "-D", "-V", "-S", "frag", "-e", "main", "-o", "out", "text"), "",
+                 "float4 main() : SV_Target { return 0.0; }\n"),
+        "godot": (("glslangValidator", "-S", "frag", "text"), "#version 300 es\nprecision highp float;\n"
+                  "precision highp int;\n", "void main() {}\n"),
+        "glsl": (("glslangValidator", "-S", "frag", "text"), "#version 300 es\nprecision mediump float;\n",
+                 "void main() {}\n"),
+        "metal": (("clang++", "-x", "c++", "-std=c++14", "-fsyntax-only", "-Wall", "-Wextra", "-Werror", "-I.", "text"),
+                  "", "")}
+
+    def compiled(self, language: str, shown: str) -> subprocess.CompletedProcess[str]:
+        command_line, before, behind = self.COMPILERS[language]
+        with tempfile.TemporaryDirectory() as folder:
+            shutil.copy(ROOT / "conformance" / "gpu" / "metal" / "metal_stdlib.hpp", Path(folder) / "metal_stdlib")
+            (Path(folder) / "text").write_text(before + shown + behind, encoding="ascii")
+            return subprocess.run(command_line, cwd=folder, capture_output=True, text=True, check=False)
+
+    def test_functions_compile_together(self) -> None:
+        """Pairs of a family, and all in one text: by default some. WGSL is in pick.shading_test."""
+        names = list(public(module("fast")))
+        together = [*pairs_of(names)[::1 if THOROUGH else 600], names if THOROUGH else names[::50]]
+        pick = command.picker()
+        for functions in together:
+            for language in self.COMPILERS:
+                with self.subTest(functions, language=language):
+                    done = self.compiled(language, pick(functions, command.Choice(language)))
+                    self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        for language in self.COMPILERS:
+            twice = 2 * code(pick(["hn_random2"], command.Choice(language)))
+            self.assertNotEqual(self.compiled(language, twice).returncode, 0)
 
     def test_hlsl(self) -> None:
         """It compiles, and is the text in GLSL but for names and for vectors of one number."""
@@ -168,7 +212,7 @@ class Shaders(unittest.TestCase):
                 done = subprocess.run(["glslangValidator", "-D", "-V", "-e", "main", "-o", f"{folder}/out", file],
                                       capture_output=True, text=True, check=False)
                 self.assertEqual(done.returncode, 0, done.stdout)
-            glsl = text(*MIXED, arithmetic=arithmetic)
+            glsl = re.sub("highp |precision highp float;", "", text(*MIXED, arithmetic=arithmetic))
             for theirs, ours in HLSL_NAMES.items():
                 glsl = re.sub(rf"\b{theirs}\b", ours, glsl)
             # Which declarations share a line depends on how long they are.
@@ -275,7 +319,7 @@ class Statements(unittest.TestCase):
 
     def written(self, shown: str, language: str = "glsl") -> str:
         tree = Parser(list(tokens_of(shown, "the text", 1))).parse()
-        return Program(Module(tree, {}), tree[-1:]).text(LANGUAGES[language])
+        return Program(Module(tree, {}), tree[-1:]).text(WITHOUT_HIGHP if language == "glsl" else LANGUAGES[language])
 
     def test_they_do_the_same(self) -> None:
         for language, cases in (("glsl", self.CASES), ("wgsl", self.IN_WGSL)):
@@ -312,10 +356,9 @@ class Nodes(unittest.TestCase):
         shown = self.pick(["hn_perlin2", "hn_tile2"], command.Choice("tsl"))
         self.assertEqual(re.findall(r"^export const (\w+)", shown, re.MULTILINE), ["hn_perlin2", "hn_tile2"])
         self.assertEqual(re.findall(r"^import .* from (.*);$", shown, re.MULTILINE), ['"three/tsl"'])
-        for language in ("glsl-es", "wgsl"):
+        for language in ("glsl", "wgsl"):
             with self.subTest(language):
-                picked = self.pick(["hn_perlin2", "hn_tile2"], command.Choice(language))
-                self.assertIn(f"({tsl.quoted(code(picked))});\n", shown)
+                self.assertIn(f"({tsl.quoted(text('hn_perlin2', 'hn_tile2', language=language))});\n", shown)
 
     def test_what_returns_or_sets_more_has_none(self) -> None:
         for name in ("hn_simplex_d4", "hn_cellular2_nearest"):
@@ -324,6 +367,124 @@ class Nodes(unittest.TestCase):
 
     def test_a_text_is_quoted(self) -> None:
         self.assertEqual(tsl.quoted("a `b` ${c} \\ d"), "`a \\`b\\` \\${c} \\\\ d`")
+
+
+class Comments(unittest.TestCase):
+    """They stand alone, in every language: by default of some functions, in each language of others."""
+    REFERENCE = re.compile(r"\b(?:above|below)\b(?!,? (?:-?\d|the first|a whole|a thresh))"
+                           r"|docs/|\.md\b|\.glsl\b|in its stead")
+    LANGUAGES = (*LANGUAGES, *command.SYNTAXES, command.TSL)
+    pick = staticmethod(command.picker())
+
+    @staticmethod
+    def comment(shown: str) -> str:
+        """The text of all comments, in one line."""
+        lines = [found[1] for line in shown.splitlines() if (found := re.match(r"\s*(?://+|/?\*+/?)(.*)", line))]
+        return " ".join(" ".join(lines).split())
+
+    def test_nothing_refers_to_what_is_not_there(self) -> None:
+        known = list(public(module("fast")))
+        for turn, language in enumerate(self.LANGUAGES):
+            for name in known if THOROUGH else [*known[turn * 9::144], "hn_cellular2_full"]:
+                if language == command.TSL and not is_node(public(module("fast"))[name]):
+                    continue
+                with self.subTest(name, language=language):
+                    self.assertNotRegex(self.comment(self.pick([name], command.Choice(language, "fixed"))),
+                                        self.REFERENCE)
+
+    def test_a_reference_would_be_noticed(self) -> None:
+        for line in ("returns as above, in the metric", "error docs/accuracy.md", "as of the sums in fbm2d.glsl",
+                     "the functions below use those"):
+            self.assertRegex(line, self.REFERENCE)
+
+    def test_all_is_explained(self) -> None:
+        """Of every function: it is in the library's comments, so it is in those of each language."""
+        for name, function in public(module("fast")).items():
+            with self.subTest(name):
+                facts = comments.facts(function, GLSL, True)
+                self.assertEqual([one for one, text in facts.parameters.items() if not text], [])
+                self.assertEqual(len(facts.parameters), len(function.parameters))
+                self.assertTrue(facts.what and (facts.returns or function.type == "void"))
+                shown = " ".join([facts.what, *facts.parameters.values(), facts.returns, facts.error])
+                self.assertNotRegex(shown, self.REFERENCE)
+                for setting in ("octaves", "lacunarity", "gain", "strength", "amplitude", "depth"):
+                    self.assertIn("usually", facts.parameters.get(setting, "usually"))
+                if "p" in facts.parameters:
+                    self.assertIn("cells", facts.parameters["p"])
+
+    def test_the_whole_comment_of_the_base_form_is_there(self) -> None:
+        shown = self.comment(self.pick(["hn_cellular2_full"], command.Choice()))
+        for part in ("the distances to the nearest and to the second nearest", "This form also takes the jitter and "
+                     "the metric.", "in [0, 1.1181]", "on average 0.43 and 0.70", "at most 3.53e-6"):
+            self.assertIn(part, shown)
+
+    def test_every_parameter_is_named_in_every_language(self) -> None:
+        for language in command.SYNTAXES:
+            shown = self.comment(self.pick(["hn_fbm2"], command.Choice(language, "fixed")))
+            for name in ("x", "y", "octaves", "lacunarity", "gain", "seed"):
+                with self.subTest(name, language=language):
+                    self.assertRegex(shown, rf'(?:@param |name="|- |, ){name}\b')
+            self.assertIn("usually 4 to 8", shown)
+
+    def compiled(self, call: str, name: str, shown: str) -> subprocess.CompletedProcess[str]:
+        function = public(module("fast"))[name]
+        variables = "".join(f"  highp {one.type} {one.at.text};\n".replace("highp hn_", "hn_")
+                            for one in function.parameters)
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "shader.frag"
+            file.write_text(f"#version 300 es\nprecision mediump float;\nin vec2 uv;\n{shown}\nvoid main() {{\n"
+                            f"{variables}  {call};\n}}\n", encoding="ascii")
+            return subprocess.run(["glslangValidator", file], capture_output=True, text=True, check=False)
+
+    def test_the_call_of_the_comment_compiles(self) -> None:
+        known = public(module("fast"))
+        for name in list(known)[::1 if THOROUGH else 12]:
+            with self.subTest(name):
+                shown = self.pick([name], command.Choice())
+                call = re.search(r" call (.*) Of hashnoise", self.comment(shown))[1]
+                done = self.compiled(call, name, shown)
+                self.assertEqual(done.returncode, 0, done.stdout)
+        self.assertNotEqual(self.compiled("hn_fbm(uv * 8.0, 6)", "hn_fbm2", self.pick(["hn_fbm2"], command.Choice()))
+                            .returncode, 0)
+
+    def test_calls_in_other_languages(self) -> None:
+        expected = {"hlsl": "hn_cellular(uv * 8.0, 1.0, HN_METRIC_EUCLIDEAN, 7u, nearest, offset)",
+                    "wgsl": "hn_cellular2_nearest(uv * 8.0, 1.0, HN_METRIC_EUCLIDEAN, 7u, &nearest, &offset)",
+                    "rust": "cellular2_nearest(8.0 * x, 8.0 * y, 1.0, 1, 7)",
+                    "csharp": "HashNoise.Cellular2Nearest(8.0f * x, 8.0f * y, 1.0f, 1, 7u)",
+                    "c": "hn_cellular2_nearest(8.0f * x, 8.0f * y, 1.0f, 1, 7u, &nearest, &offset)",
+                    "go": "hashnoise.Cellular2Nearest(8.0 * x, 8.0 * y, 1.0, 1, 7)"}
+        for language, call in expected.items():
+            with self.subTest(language):
+                shown = self.comment(self.pick(["hn_cellular2_nearest"], command.Choice(language, "fixed")))
+                self.assertIn(call, shown)
+
+    def test_they_compile_in_c_and_in_hlsl(self) -> None:
+        cases = {"c": ("float x = 1.0f, y = 1.0f;\nhn_ivec2 nearest;\nhn_vec2 offset;", "gcc", "-x", "c",
+                       "-fsyntax-only", "-Wall", "-Werror", "-Wno-unused-function", "-include", "text", "call"),
+                 "hlsl": ("float2 uv = 1.0;\nint2 nearest;\nfloat2 offset;", "glslangValidator", "-D", "-V", "-S",
+                          "frag", "-e", "main", "-o", "out", "whole")}
+        for language, (variables, *compiler) in cases.items():
+            shown = self.pick(["hn_cellular2_nearest"], command.Choice(language))
+            comment = self.comment(shown)
+            call = re.search(r"(?:call |Call: `)(hn_\w+\(.*?\))(?:`| Of hashnoise)", comment)[1]
+            for made, status in ((call, 0), (call.replace(", 7u", ""), 1)):
+                with self.subTest(language, call=made), tempfile.TemporaryDirectory() as folder:
+                    main = f"float made() {{\n{variables}\nreturn {made}.x + offset.x + nearest.x;\n}}\n"
+                    entry = "float4 main() : SV_Target { return made(); }\n"
+                    for name, text_ in (("text", shown), ("call", main), ("whole", shown + main + entry)):
+                        (Path(folder) / name).write_text(text_, encoding="ascii")
+                    done = subprocess.run(compiler, cwd=folder, capture_output=True, text=True, check=False)
+                    self.assertEqual(bool(done.returncode), bool(status), done.stdout + done.stderr)
+
+    def test_the_seed_may_be_left_out_where_functions_have_overloads(self) -> None:
+        for language in LANGUAGES:
+            shown = code(self.pick(["hn_fbm2", "hn_ball"], command.Choice(language)))
+            with self.subTest(language):
+                found = re.findall(r"\bhn_fbm\((?:(?!seed)[^)])*\) \{ return hn_fbm\(.*, 0u\); \}", shown)
+                self.assertEqual(len(found), int(language != "wgsl"))
+        done = self.compiled("hn_fbm(uv * 8.0, 6, 2.0, 0.5)", "hn_fbm2", self.pick(["hn_fbm2"], command.Choice()))
+        self.assertEqual(done.returncode, 0, done.stdout)
 
 
 class Command(unittest.TestCase):
@@ -338,13 +499,15 @@ class Command(unittest.TestCase):
 
     def test_it_says_what_it_wrote_and_how(self) -> None:
         status, shown = self.call("hn_value2", "--arithmetic", "fixed", "--language", "glsl-es")
+        self.assertEqual((status, shown), self.call("hn_value2", "--arithmetic", "fixed"))
         self.assertEqual(status, 0)
         self.assertRegex(shown, r"^// hn_value\(vec2 p, uint seed\)\n// Value noise")
         self.assertRegex(shown, r"\n//   returns +\[-1, 1\]")
-        self.assertIn("by: tools/pick hn_value2 --language glsl-es --arithmetic fixed\n", shown)
+        self.assertIn("by: tools/pick hn_value2 --arithmetic fixed\n", shown)
         again = re.search("by: tools/pick (.*)\n", shown)[1]
         self.assertEqual(self.call(*again.split())[1], shown)
-        self.assertEqual(code(shown), text("hn_value2", arithmetic="fixed", language="glsl-es"))
+        without_seed = "highp float hn_value(highp vec2 p) { return hn_value(p, 0u); }\n"
+        self.assertEqual(code(shown), text("hn_value2", arithmetic="fixed") + without_seed)
 
     def test_the_page_says_how_many_functions_there_are(self) -> None:
         """What it shows of them is made by tools/readme."""
@@ -373,7 +536,7 @@ class Command(unittest.TestCase):
         names = ("hn_fbm2", "hn_cellular2")
         shown = subprocess.run([TOOLS / "pick", *names, "--arithmetic", "fixed"], capture_output=True, text=True,
                                check=True).stdout
-        self.assertEqual(code(shown), text(*names, arithmetic="fixed"))
+        self.assertTrue(code(shown).startswith(text(*names, arithmetic="fixed")))
 
     def test_the_text_is_the_same_behind_others(self) -> None:
         """Where nothing is forgotten between them, statements that another function has, too, stand elsewhere."""
@@ -391,7 +554,7 @@ class Command(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder) / "new" / "noise.glsl"
             self.assertEqual(self.call("hn_value2", "--out", str(path)), (0, f"{path}\n"))
-            self.assertEqual(code(path.read_text()), text("hn_value2"))
+            self.assertTrue(code(path.read_text()).startswith(text("hn_value2")))
 
     def test_a_sum_over_another_noise_is_that_of_a_library_which_sums_it(self) -> None:
         with tempfile.TemporaryDirectory() as folder:
@@ -410,15 +573,30 @@ class Command(unittest.TestCase):
                 with self.subTest(sum_):
                     here = command.picked([sum_], replace(choice, noise=noise))
                     self.assertRegex(here, rf"tools/pick {sum_} (--language c )?--arithmetic fixed --noise {noise}\n")
-                    self.assertRegex(here, rf"The noise is[\s/]+{noise[:-1]}\. The numbers below")
+                    self.assertRegex(here, rf"The[\s/]+noise[\s/]+is[\s/]+{noise[:-1]}\.[\s/]+Ranges")
                     self.assertEqual(code(here), code(command.picked([sum_], choice, library)))
                     self.assertNotEqual(code(here), code(command.picked([sum_], choice)))
 
     def test_the_list_has_what_can_be_asked_for(self) -> None:
         status, shown = self.call("--list")
         self.assertEqual(status, 0)
-        self.assertEqual([line.split()[0] for line in shown.splitlines()], sorted(public(module("fast"))))
-        self.assertRegex(shown, r"(?m)^hn_perlin2 +float hn_perlin\(vec2, uint\)$")
+        known = public(module("fast"))
+        lines = shown.splitlines()
+        self.assertCountEqual([line.split()[0] for line in lines if line.startswith("  ")], known)
+        groups = [line.partition(":")[0] for line in lines if line and not line.startswith("  ")]
+        self.assertCountEqual(groups, {function.name for function in known.values()})
+        self.assertLess(groups.index("hn_perlin"), groups.index("hn_add"))
+        self.assertIn("  hn_cellular2_nearest             vec2 hn_cellular(vec2 p, float jitter, int metric, uint "
+                      "seed, out ivec2 nearest, out vec2 offset)", lines)
+
+    def test_a_tile_is_found_from_the_name_of_a_function(self) -> None:
+        both = self.call("hn_tile2", "hn_fbm2_place")
+        self.assertEqual(self.call("hn_fbm2_tile"), both)
+        self.assertEqual(self.call("hn_fbm(hn_tile(vec2))"), both)
+        self.assertEqual(self.call("hn_fbm(vec2)"), self.call("hn_fbm2"))
+        self.assertEqual(self.call("hn_fbm(hn_place(vec3))"), self.call("hn_place_of_cell3", "hn_fbm3_place"))
+        self.assertIn("; in a tile that is hn_perlin2_tile\n", self.call("hn_perlin")[1])
+        self.assertIn("there is no function hn_ball2_place", self.call("hn_ball2_tile")[1])
 
     def test_bad_usage(self) -> None:
         for arguments, message in (((), "name functions"), (("--list", "hn_value2"), "name functions"),
@@ -440,7 +618,6 @@ class Command(unittest.TestCase):
                                    (("hn_value2", "--arithmetic", "precise", "--language", "slang"), "out of SPIR-V"),
                                    (("hn_value2", "--arithmetic", "precise", "--language", "godot"), "no `precise`"),
                                    (("hn_value2", "--arithmetic", "precise", "--language", "wgsl"), "Take HN_FIXED"),
-                                   (("hn_value2", "--arithmetic", "precise", "--language", "glsl-es"), "GLSL ES has"),
                                    (("hn_value2", "--noise", "hn_simplex2"), "hn_value(vec2, uint) is no sum"),
                                    (("hn_fbm2", "--noise", "hn_simplex3"), "asks for hn_perlin(hn_place3, uint)"),
                                    (("hn_fbm2", "hn_warp2", "--noise", "hn_value2"), "hn_warp("),

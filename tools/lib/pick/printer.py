@@ -10,6 +10,7 @@ from typing import ClassVar
 
 from parsing.lines import wrapped
 from parsing.syntax import Function, Parameter
+from pick.comments import arguments_of
 from pick.evaluate import Kept, Module
 from pick.statements import Break, Declare, If, Loop, Return, Set, Statement, blocks, inner, operands, values_of, walk
 from pick.values import PREFIXES, SIZES, Constant, Node, Operation, Variable, operation, scalar_of
@@ -28,6 +29,7 @@ STRENGTH = {"||": 1, "&&": 2, "|": 4, "^": 5, "&": 6, "==": 7, "!=": 7, "<": 8, 
 CHOICE, UNARY, PRIMARY = 0, 12, 13
 BITS = ("|", "^", "&", "<<", ">>")  # readers want parentheses around and in these
 TRUTH = ("&&", "||")
+EXAMPLES = {"metric": "HN_METRIC_EUCLIDEAN", "noise": "HN_SPREAD_PERLIN2"}  # of what users pass
 DECLARATION = re.compile(r" *((?:precise |highp )*(?:(?:float|u?int)[234]?|bool|[iu]?vec[234])) (\w+(?: = .*)?;)")
 UNNAMED = {"floor": "whole", "abs": "size"}  # what a value is called that has no name in the library
 Place = tuple[tuple[int, int], ...]  # of a statement: of each block around it the number, and the index in it
@@ -39,9 +41,11 @@ class Language:
     opening: str = ""     # what stands first
     float_suffix: str = ""
     qualifier: str = ""   # before each type
+    scope: str = ""       # first in each function that makes floats of integers
     function: str = ""    # before each function
     out: str = "out {}"
     inout: str = "inout {}"
+    passed: str = "{}"    # what is passed for these
     splats: bool = True   # whether operators take a vector and a number
     fills: bool = True    # whether constructors of vectors take one number
     structs: bool = True  # whether structs are defined
@@ -76,8 +80,36 @@ class Language:
 
     def signature(self, function: Function) -> str:
         """What the comment says of a function: that of the library."""
-        parameters = ", ".join(f"{parameter.type} {parameter.at.text}" for parameter in function.parameters)
-        return f"{function.name}({parameters})"
+        return f"{function.name}({', '.join(map(declared, function.parameters))})"
+
+    def example(self, function: Function) -> str:
+        """A call. uv is a position from 0 to 1, and what else is no number is a variable."""
+        def number(value: float, type_: str) -> str:
+            return f"{float(value)}{self.float_suffix}" if type_ == "float" else f"{value}{'u' * (type_ == 'uint')}"
+
+        def vector(type_: str, parts: Sequence[str]) -> str:
+            return parts[0] if SIZES[type_] == 1 else f"{self.named(type_)}({', '.join(parts)})"
+
+        def argument(one: Parameter, numbers: Sequence[float] | None) -> str:
+            scalar = scalar_of(one.type)
+            if one.at.text in PASSED:
+                return EXAMPLES[one.at.text]
+            if numbers is not None:
+                return vector(one.type, [number(value, scalar) for value in numbers])
+            if one.at.text == "p" and one.type in SIZES:
+                of_plane = f"uv{'.x' if one.type == 'float' else ''} * {number(8, scalar)}"
+                slices = [number(value, scalar) for value in (0.5, 0.25)]
+                return of_plane if SIZES[one.type] < 3 else vector(one.type, [of_plane, *slices[:SIZES[one.type] - 2]])
+            return (self.passed if one.is_set else "{}").format(one.at.text)
+
+        return f"{self.public_name(function)}({', '.join(arguments_of(function, argument))})"
+
+    def seedless(self, function: Function) -> str:
+        """The overload without the seed, for which it is 0."""
+        *taken, _ = function.parameters
+        passed = ", ".join([*(self.variable(one.at.text) for one in taken), "0u"])
+        head = self.head(function.type, function.name, taken, set())
+        return f"{head} return {function.name}({passed}); }}\n"
 
     def constants(self, functions: Sequence[Function], module: Module) -> str:
         """Those that users pass to the functions, where no library beside the text has them."""
@@ -458,6 +490,12 @@ class Writer:
     def _stands_apart(self, inside: str, around: str) -> bool:
         """Whether an operation is in parentheses for readers."""
         return inside != around and (around in BITS or (inside in BITS and around not in TRUTH))
+
+
+def declared(parameter: Parameter) -> str:
+    """A parameter as the library has it in GLSL."""
+    way = ("out " if parameter.type in SIZES else "inout ") if parameter.is_set else ""
+    return f"{way}{parameter.type} {parameter.at.text}"
 
 
 def _is_float(type_: str) -> bool:

@@ -16,15 +16,18 @@ from parsing.lines import wrapped
 from parsing.preprocessor import Preprocessor
 from parsing.syntax import Function, Parameter, Parser
 from parsing.tokens import Unknown
+from pick import comments
+from pick.comments import Facts
 from pick.evaluate import Evaluation, Kept, Known, Module, Summed, Typed, dotted
-from pick.printer import Language
+from pick.printer import Language, declared
 from pick.statements import Statement, values_of, without_copies, without_dead
-from pick.values import AXES, SIZES, Constant, Node, Operation, Variable, begin_anew
+from pick.values import AXES, SIZES, Constant, Node, Operation, Variable, begin_anew, scalar_of
 from tables.functions import Function as Row
-from tables.glsl import declarations
 from tree import GLSL, version
 from wgsl.translator import Translator
 
+CALL = re.compile(r"(hn_\w+)\((?:hn_(tile|place)\()?(float|vec[234])\)+")
+STEP = re.compile("hn_(add|next|octaves|mean|density|slopes|shifts)")  # of a loop over octaves
 Key = tuple[str, tuple[str, ...]]
 
 
@@ -76,6 +79,38 @@ def names() -> dict[tuple[str, tuple[str, ...]], str]:
     return {(one.name, tuple(one.types)): name for name, one in public(read(GLSL, {})).items()}
 
 
+def expanded(names: Sequence[str]) -> list[str]:
+    """Names of forms: hn_fbm2_tile is a tile and what takes it, and so is hn_fbm(hn_tile(vec2)). hn_fbm(vec2) is
+    hn_fbm2."""
+    found: list[str] = []
+    for name in names:
+        called = CALL.fullmatch(name)
+        tiled = re.fullmatch(r"(hn_\w+?([1-4]))_tile", name)
+        if called:
+            function, place, type_ = called.groups()
+            size = SIZES[type_]
+            found += [{"tile": f"hn_tile{size}", "place": f"hn_place_of_cell{size}"}[place]] if place else []
+            found.append(f"{function}{size}{'_place' if place else ''}")
+        elif tiled:
+            found += [f"hn_tile{tiled[2]}", f"{tiled[1]}_place"]
+        else:
+            found.append(name)
+    return list(dict.fromkeys(found))
+
+
+def listed(module: Module, library: Path) -> str:
+    """All forms, by function: what makes noise, and behind it the steps of loops."""
+    groups: dict[str, list[str]] = {}
+    for name, function in sorted(public(module).items()):
+        groups.setdefault(function.name, []).append(f"  {name:32} {function.type} {function.name}"
+                                                    f"({', '.join(map(declared, function.parameters))})\n")
+    first = {function.name: function for function in reversed(public(module).values())}
+    order = sorted(groups, key=lambda name: (STEP.match(name) is not None, name))
+    about = {name: re.sub(" (?:on|in) the (?:plane|line)", "", comments.first_sentence(first[name], library))
+             for name in order}
+    return "\n".join(f"{name}: {about[name]}\n{''.join(groups[name])}" for name in order)
+
+
 def chosen(module: Module, names: Sequence[str]) -> list[Function]:
     """The functions of these names."""
     known = public(module)
@@ -91,7 +126,9 @@ def _hint(name: str, known: dict[str, Function]) -> str:
         return sorted(form for form, function in known.items() if function.name == called)
 
     if own := forms(name):
-        return f"; there {'are' if len(own) > 1 else 'is'} {', '.join(own)}"
+        tile = next((f"; in a tile that is {form[:-len('_place')]}_tile" for form in own if f"{form}" in known
+                     and form.endswith("2_place")), "")
+        return f"; there {'are' if len(own) > 1 else 'is'} {', '.join(own)}{tile}"
     functions = {function.name for function in known.values()}
     near = difflib.get_close_matches(name, sorted({*functions, *known}))
     if not near:
@@ -299,16 +336,23 @@ class Program:
 
     # Text.
 
-    def text(self, language: Language, precise: bool = False) -> str:
+    def text(self, language: Language, precise: bool = False, with_seedless: bool = False) -> str:
+        """With overloads that lack the seed, if the language has overloads and the library has those."""
         names = self._names(language)
         functions = [self._function(evaluated, names[kept], language, names, precise)
                      for kept, evaluated in self.called.items()]
         functions += [self._function(root, language.public_name(root.function), language, names, precise)
                       for root in self.roots]
+        if with_seedless and language.has_overloads:
+            functions += [language.seedless(root.function) for root in self.roots if self.may_lack_seed(root.function)]
         structs = [language.struct(name, [(field, type_) for field, type_, _ in self.module.structs[name].fields])
                    for name in self.structs()] if language.structs else []
         constants = language.constants([root.function for root in self.roots], self.module)
         return "".join([language.opening, constants, *structs, *functions])
+
+    def may_lack_seed(self, function: Function) -> bool:
+        """Whether GLSL has it without the seed behind its other parameters."""
+        return function.types[-1:] == ("uint",) and (function.name, function.types[:-1]) in self.module.functions
 
     def _names(self, language: Language) -> dict[Kept, str]:
         """Of the functions that are called. Overloads may differ in what is left out alone: the later has a number."""
@@ -340,17 +384,20 @@ class Program:
         head = language.head(evaluated.function.type, name, evaluated.parameters, read)
         lines = language.writer(evaluated.block, evaluated.evaluation.hints, evaluated.parameters, names,
                                 precise).lines()
+        if language.scope and any(map(_is_converted, evaluated.nodes)):
+            lines = [f"  {language.scope}", *lines]
         if len(lines) == 1 and len(head) + len(lines[0]) < 100:
             return f"{head} {lines[0].strip()} }}\n"
         return "\n".join([*wrapped(head, 0), *lines, "}"]) + "\n"
 
 
-def heading(functions: Sequence[Function], language: Language, command: str, library: Path,
-            summed: Summed | None = None) -> str:
-    """What the functions are, return and may be wrong by, by the library's comments, and how to make them again."""
+def heading(program: Program, language: Language, command: str, library: Path) -> str:
+    """What the functions are, take, return and may be wrong by, and how to make them again."""
     lines: list[str] = []
-    for function, of_function in zip(functions, facts(functions, library, summed)):
-        lines += [*textwrap.wrap(f" {language.signature(function)}", 118, subsequent_indent="     "), *of_function]
+    for root, of_function in zip(program.roots, facts(program, library, language.has_overloads)):
+        function = root.function
+        lines += [*textwrap.wrap(f" {language.signature(function)}", 118, subsequent_indent="     "),
+                  *comments.lines(of_function, language.variable, language.example(function))]
     return "".join(f"//{line}\n" for line in (*lines, *origin(command)))
 
 
@@ -358,32 +405,23 @@ def origin(command: str) -> list[str]:
     return [f" Of hashnoise {version()}, by: {command}", " Copyright (c) 2026 The hashnoise authors; MIT License."]
 
 
-def facts(functions: Sequence[Function], library: Path, summed: Summed | None = None) -> list[list[str]]:
-    """What each function is, returns, and may be wrong by: lines of its comment in the library, without the slashes."""
-    comments = {(one.name, tuple(type_.removeprefix("out ") for type_ in one.types)): one.comment
-                for one in declarations(library)}
-    found = [comments.get((function.name, tuple(type_.removeprefix("hn_") for type_ in function.types)))
-             for function in functions]
-    made = [_facts(comment.lines if comment else ()) for comment in found]
-    if summed:
-        for lines in made:
-            end = next((i for i, line in enumerate(lines) if line.startswith("  ")), len(lines))
-            lines.insert(end, f" The noise is {summed.name}. The numbers below are those of {summed.replaced}.")
-    return made
-
-
-def _facts(comment: Sequence[str]) -> list[str]:
-    heading_of, lines = "", []
-    for line in comment:
-        found = re.match(r"   (\w+)  ", line)
-        heading_of = found[1] if found else heading_of
-        if not heading_of and line.startswith(" ") and not line.startswith("  ") or heading_of in ("returns", "error"):
-            lines.append(line)
-    return lines
+def facts(program: Program, library: Path, may_lack_seed: bool) -> list[Facts]:
+    """What the library's comments tell of each function."""
+    found = [comments.facts(root.function, library, may_lack_seed) for root in program.roots]
+    if summed := program.module.summed:
+        found = [one._replace(what=f"{one.what} The noise is {summed.name}. Ranges and errors are those with "
+                              f"{summed.replaced}.") for one in found]
+    return found
 
 
 def _is_call(node: Node) -> bool:
     return isinstance(node, Operation) and node.kind == "call"
+
+
+def _is_converted(node: Node) -> bool:
+    """Whether it is a float that is made of integers."""
+    return isinstance(node, Operation) and node.kind == "construct" and scalar_of(node.type) == "float" and any(
+        scalar_of(argument.type) in ("int", "uint") for argument in node.arguments)
 
 
 def _renamed(parameter: Parameter, nodes: set[Node], taken: set[str]) -> Parameter:

@@ -63,6 +63,7 @@ def rotated(left: Piece, right: Piece) -> Piece | None:
 
 
 class Rust(Syntax):
+    example_struct = "&mut {}"
     head = "{}"
     counts_a_range = True
     branches_are_values = True

@@ -14,13 +14,14 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 from parsing.lines import wrapped
-from parsing.syntax import Function
+from parsing.syntax import Function, Parameter
+from pick import comments
 from pick.evaluate import Kept, Module, dotted
 from pick.printer import BITS, CHOICE, PRIMARY, STRENGTH, TRUTH, UNARY, UNNAMED, Language, Writer, declarations_joined
 from pick.program import Evaluated, Program
 from pick.statements import Break, Declare, If, Loop, Return, Set, Statement, blocks, operands, reachable, walk
-from pick.values import AXES, Constant, Node, Operation, Variable, converted, operation
-from wgsl.names import wgsl_name
+from pick.values import AXES, Constant, Node, Operation, Variable, converted, operation, scalar_of
+from wgsl.names import PASSED, wgsl_name
 
 ROOM = 84  # for components in one line
 NEGATED = {"<": ">=", ">": "<=", "<=": ">", ">=": "<", "==": "!=", "!=": "=="}  # of whole numbers
@@ -48,6 +49,8 @@ class Facts(NamedTuple):
     what: str
     returns: str
     error: str
+    parameters: Mapping[str, str] = {}  # by their names in the language, those of a position together
+    call: str = ""
     sets: Sequence[str] = ()  # what it returns beside its result: the names of what it sets in GLSL
 
     @property
@@ -57,10 +60,11 @@ class Facts(NamedTuple):
         return f"{self.returns}{beside}" if self.returns else ", ".join(self.sets)
 
 
-def paragraph_lines(text: str, width: int = 96) -> list[str]:
+def paragraph_lines(text: str, width: int = 96, begin: str = "", indent: str = "") -> list[str]:
     """A paragraph in lines, with intervals in one of them."""
     kept = re.sub(r"\[[^\]]*\]", lambda found: found[0].replace(" ", "~"), text.replace("..", "."))
-    return [line.replace("~", " ") for line in textwrap.wrap(kept, width)]
+    return [line.replace("~", " ") for line in textwrap.wrap(
+        kept, width, initial_indent=begin, subsequent_indent=indent)]
 
 
 def indented(parts: Sequence[str]) -> str:
@@ -78,21 +82,47 @@ def spaced(parts: Sequence[str]) -> str:
 
 def block_comment(facts: Facts, tag: str) -> list[str]:
     """What javadoc and JSDoc read. What stands behind a tag belongs to it."""
-    paragraphs = [facts.what, facts.error and f"Error: {facts.error}.",
+    paragraphs = [facts.what, facts.error and f"Error: {facts.error}.", facts.call and f"Call: {facts.call}",
+                  *(f"@param {one} {text}." for names, text in facts.parameters.items() for one in names.split(", ")
+                    if one not in facts.sets),
                   facts.all_returns and f"{tag} {facts.all_returns}."]
     lines = [line for paragraph in paragraphs if paragraph for line in ("", *paragraph_lines(paragraph))][1:]
     return ["/**", *(f" * {line}".rstrip() for line in lines), " */"] if lines else []
 
 
-def facts_of(function: Function, module: Module, lines: Sequence[str]) -> Facts:
-    found = {"": "", "returns": "", "error": ""}
-    heading = ""
-    for line in lines:
-        if begins := re.match(r"   (returns|error) +", line):
-            heading, line = begins[1], line[begins.end():]
-        found[heading] = f"{found[heading]} {line.strip()}".strip()
+def facts_of(evaluated: Evaluated, name: str, syntax: Syntax, known: comments.Facts) -> Facts:
+    function, module = evaluated.function, evaluated.evaluation.module
+    names = iter(syntax.variable(one.at.text) for one in evaluated.parameters)
+    taken = {one.at.text: [next(names) for _ in module.passed(one)] for one in function.parameters}
     sets = [one.at.text for one in function.parameters if one.is_set and not module.passed(one)]
-    return Facts(found[""], found["returns"], found["error"], sets)
+
+    def argument(one: Parameter, numbers: Sequence[float] | None) -> str:
+        if one.at.text in sets:
+            return syntax.example_set.format(syntax.variable(one.at.text))
+        if numbers is not None:
+            write = {"float": lambda value: syntax.float(str(float(value))), "int": syntax.int,
+                     "uint": syntax.uint}[scalar_of(one.type)]
+            return ", ".join(write(value) for value in numbers)
+        if one.at.text == "p":
+            eight, *slices = (syntax.float(value) for value in ("8.0", "0.5", "0.25"))
+            return ", ".join([*(f"{eight} * {axis}" for axis in taken["p"][:2]), *slices[:max(len(taken["p"]) - 2, 0)]])
+        return (syntax.example_struct if one.is_set else "{}").format(*taken[one.at.text])
+
+    passed = ", ".join(filter(None, comments.arguments_of(function, argument)))
+    shown = {", ".join(taken[one]) or syntax.variable(one): _of_numbers(text, one, module)
+             for one, text in known.parameters.items()}
+    call = f"{syntax.example_of}{name}({passed})" if known.what else ""
+    return Facts(known.what, known.returns, known.error, shown, call, sets)
+
+
+def _of_numbers(text: str, parameter: str, module: Module) -> str:
+    """Without constants, and without what GLSL writes behind a number."""
+    if parameter in PASSED:
+        begin = PASSED[parameter]
+        return ", ".join(f"{module.constant(name).at.text.rstrip('u')} {name.removeprefix(begin).lower()}"
+                         for name in module.constants if name.startswith(begin))
+    text = re.sub(r"any uint: 7u, not 7", "any", text)
+    return text.replace("|p|", "the size of a coordinate") if parameter != "p" else text
 
 
 class Taken(NamedTuple):
@@ -137,6 +167,10 @@ class Syntax:
     # What a declaration of a component looks like, if those of one vector share a line, and what they are together.
     component: re.Pattern[str] | None = None
     components = ""
+    item = "- "            # before an item of a list in a comment
+    example_of = ""        # what a call begins with
+    example_struct = "{}"  # what is passed for a struct that changes
+    example_set = ""       # what is passed for what a function sets
     joins: re.Pattern[str] | None = None  # what a declaration looks like, if several may share a line
 
     def __init__(self, precise: bool = False):
@@ -305,9 +339,13 @@ class Syntax:
 
     def paragraphs(self, facts: Facts) -> list[str]:
         """Of a comment in sentences."""
-        paragraphs = [facts.what, f"Returns {facts.all_returns}." if facts.all_returns else "",
-                      f"Error: {facts.error}." if facts.error else ""]
-        return [line for paragraph in paragraphs if paragraph for line in ("", *paragraph_lines(paragraph))][1:]
+        listed = [line for names, text in facts.parameters.items()
+                  for line in paragraph_lines(f"{names}: {text}.", begin=self.item, indent=" " * len(self.item))]
+        paragraphs = [paragraph_lines(facts.what), listed,
+                      paragraph_lines(f"Returns {facts.all_returns}." if facts.all_returns else ""),
+                      paragraph_lines(f"Error: {facts.error}." if facts.error else ""),
+                      paragraph_lines(f"Call: `{facts.call}`" if facts.call else "")]
+        return [line for paragraph in paragraphs if paragraph for line in ("", *paragraph)][1:]
 
     def joined(self, lines: Sequence[str], space: str) -> list[str]:
         """Lines of a block as they stand in the text."""
@@ -550,19 +588,19 @@ def _only_sets(branches: If, variables: Sequence[Variable]) -> bool:
     return True
 
 
-def text(program: Program, syntax: Syntax, comments: Sequence[Sequence[str]] = (), heading: Sequence[str] = ()) -> str:
-    """The functions of a program. The comments are those of the library, in the order of the functions."""
+def text(program: Program, syntax: Syntax, known: Sequence[comments.Facts] = (), heading: Sequence[str] = ()) -> str:
+    """The functions of a program. What is known of them is in their order."""
     public = [wgsl_name(root.function) for root in program.roots]
     names = _names(program, syntax, [syntax.function_name(name, is_public=True) for name in public])
     parts = {name: fields_of(program.module, name) for name in program.structs()}
     written = [_function(evaluated, names[kept], False, syntax, parts, names)
                for kept, evaluated in program.called.items()]
     of_roots: list[str] = []
-    for name, root, lines in itertools.zip_longest(public, program.roots, comments):
+    for name, root, of_library in itertools.zip_longest(public, program.roots, known):
         shown = syntax.function_name(name, is_public=True)
-        facts = facts_of(root.function, program.module, lines or ())
+        said = syntax.documented(shown, facts_of(root, shown, syntax, of_library or comments.Facts()))
         written_root = _function(root, shown, True, syntax, parts, names)
-        of_roots.append("\n".join([*syntax.documented(shown, facts), written_root]))
+        of_roots.append("\n".join([*said, written_root]))
     structs = [syntax.struct(name, fields) for name, fields in parts.items()]
     helpers = [syntax.helpers[name] for name in syntax.helpers if name in syntax.used]
     functions = [*helpers, *written, *of_roots] if syntax.helpers_first else [*of_roots, *written, *helpers]

@@ -26,8 +26,10 @@ class Godot(Language):
         return f"{name}{SUFFIX}"
 
 
-GLSL_ES = Language(qualifier="highp ", no_precise="GLSL ES has `precise` from 3.20 on, and what this writes is for "
-                   "3.00, too: take --arithmetic fixed, whose bits are the same everywhere")
+# In a fragment shader of GLSL ES numbers have 16 bits unless a declaration says otherwise, whatever the user's own
+# precision is. Elsewhere `highp` means nothing. A constructor should have the precision of its argument; NVIDIA's
+# driver gives it that of the scope, where float(100000) is infinite.
+GLSL = Language(qualifier="highp ", scope="precision highp float;")
 NO_PRECISE_IN_METAL = ("Metal's language has no `precise`, and its compiler computes by fast math unless it is told "
                        "otherwise: take --arithmetic fixed, whose bits are the same everywhere")
 HLSL = Language(fills=False, names=HLSL_NAMES)
@@ -39,8 +41,8 @@ METAL = Metal(opening="#include <metal_stdlib>\nusing namespace metal;\n\n", flo
 # Its operators are used as the text of the library uses them, which Godot has compiled: of two vectors.
 GODOT = Godot(splats=False, no_precise="Godot's language has no `precise`: take --arithmetic fixed, whose bits are the "
               "same everywhere")
-LANGUAGES = {"glsl": Language(), "glsl-es": GLSL_ES, "hlsl": HLSL, "slang": SLANG, "metal": METAL, "godot": GODOT,
-             "wgsl": Wgsl(no_precise=NO_PRECISE, joins=False)}
+LANGUAGES = {"glsl": GLSL, "hlsl": HLSL, "slang": SLANG, "metal": METAL, "godot": GODOT,
+             "wgsl": Wgsl(passed="&{}", no_precise=NO_PRECISE, joins=False)}
 # For tests: over include/hashnoise/glsl.hpp, which has no operators of a number and a vector, and with its structs.
 CPP = Language(float_suffix="f", function="inline ", out="{}&", inout="{}&", splats=False, fills=False, structs=False,
                no_precise="it always is")

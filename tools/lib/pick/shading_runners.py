@@ -5,9 +5,11 @@ from __future__ import annotations
 
 import ctypes
 import functools
+import itertools
+import re
 import shutil
 import tempfile
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
@@ -18,8 +20,17 @@ from pick.runners import ran
 from pick.shading import LANGUAGES
 from pick.slang import Slang
 from tree import ROOT
-from wgsl.device import Device
+from wgsl.device import Absent, Device
 from wgsl.evaluation import GROUP
+
+
+def pairs_of(names: Iterable[str]) -> list[tuple[str, str]]:
+    """Functions that people take together, since their names begin alike, and their dimensions are the same."""
+    families: dict[tuple[str, ...], list[str]] = {}
+    for name in names:
+        if family := re.match(r"hn_([a-z]{4})[a-z_]*?([1-4])", name):
+            families.setdefault(family.groups(), []).append(name)
+    return [pair for family in families.values() for pair in itertools.combinations(family, 2)]
 
 
 @functools.cache

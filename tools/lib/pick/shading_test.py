@@ -21,7 +21,7 @@ from pick.languages_test import POINTS, SKIPPED, difference, functions, words
 from pick.languages_test import module as split_module
 from pick.program import Program, chosen, public, read
 from pick.shading import LANGUAGES
-from pick.shading_runners import RUNNERS, Case, Runner, WgslRunner
+from pick.shading_runners import RUNNERS, Case, Runner, WgslRunner, pairs_of
 from thorough import THOROUGH, in_thorough_runs
 from tree import GLSL
 from wgsl.device import Absent
@@ -129,6 +129,14 @@ class Wgsl(unittest.TestCase):
             for name in public(module(arithmetic)):
                 with self.subTest(name=name, arithmetic=arithmetic):
                     self.runner.device.compile(text("wgsl", arithmetic, name))
+
+    def test_functions_compile_together(self) -> None:
+        """Pairs of a family, and all in one text: by default some."""
+        names = list(public(module("fast")))
+        pairs = pairs_of(names)[::1 if THOROUGH else 400]
+        for together in (*pairs, names if THOROUGH else names[::40]):
+            with self.subTest(together):
+                self.runner.device.compile(text("wgsl", "fast", *together))
 
     def test_the_compilation_can_fail(self) -> None:
         with self.assertRaises(Exception):

@@ -7,6 +7,8 @@ from collections.abc import Sequence
 
 from parsing.syntax import Function
 from parsing.tokens import Unknown
+from pick import comments
+from pick.comments import Facts
 from pick.program import Program
 from pick.shading import LANGUAGES
 from tree import ROOT
@@ -26,17 +28,12 @@ def signature(function: Function) -> str:
     return ", ".join(f"{one.type} {one.at.text}" for one in function.parameters)
 
 
-def may_lack_seed(program: Program, function: Function) -> bool:
-    """Whether GLSL has it without the seed behind its other parameters."""
-    return function.types[-1] == "uint" and (function.name, function.types[:-1]) in program.module.functions
-
-
 def quoted(text: str) -> str:
     """As a template of JavaScript."""
     return "`" + text.replace("\\", r"\\").replace("`", r"\`").replace("${", r"\${") + "`"
 
 
-def text(program: Program, comments: Sequence[Sequence[str]], heading: Sequence[str]) -> str:
+def text(program: Program, known: Sequence[Facts], heading: Sequence[str]) -> str:
     functions = [root.function for root in program.roots]
     signatures = [signature(function) for function in functions]
     opening, nodes = NODES.read_text(encoding="ascii").split("\n\n", 1)
@@ -44,11 +41,12 @@ def text(program: Program, comments: Sequence[Sequence[str]], heading: Sequence[
     for used in ("glsl", "wgsl"):
         imports = imports.replace(f" {used}Fn", f" {used}, {used}Fn")
     written = ["".join(f"//{line}\n" for line in heading), f"{imports}\n", nodes.replace("export ", ""),
-               f"const textOfGlsl = glsl({quoted(program.text(LANGUAGES['glsl-es'], False))});\n",
+               f"const textOfGlsl = glsl({quoted(program.text(LANGUAGES['glsl'], False))});\n",
                f"const textOfWgsl = wgsl({quoted(program.text(LANGUAGES['wgsl'], False))});\n"]
-    for function, declared, lines in zip(functions, signatures, comments):
-        name, seed = wgsl_name(function), ", true" * may_lack_seed(program, function)
-        written.append("".join(f"//{line}\n" for line in (f" {name}({', '.join(declared.split(', '))})", *lines)) +
+    for function, declared, facts in zip(functions, signatures, known):
+        name, seed = wgsl_name(function), ", true" * program.may_lack_seed(function)
+        lines = comments.lines(facts, str, f"{name}({', '.join(one.at.text for one in function.parameters)})")
+        written.append("".join(f"//{line}\n" for line in (f" {name}({declared})", *lines)) +
                        f'export const {name} = nodesOf("{name}", "{function.type}", "{declared}",\n'
                        f'  "{function.name}", () => textOfWgsl, () => textOfGlsl{seed});\n')
     return "\n".join(written)

@@ -25,7 +25,7 @@ HN_FN hn_float live_smoothstep(hn_float a, hn_float b, hn_float x) {
 }
 HN_FN hn_vec3 live_mix(hn_vec3 a, hn_vec3 b, hn_float t) { return a + (b - a) * t; }
 """
-LANGUAGE = LANGUAGES["glsl-es"]
+LANGUAGE = LANGUAGES["glsl"]
 MAIN = """
 uniform highp float time;
 uniform highp float size;

@@ -1,0 +1,185 @@
+"""What the library's comments tell of a function, so that it stands alone: where a comment refers to another one, what
+that tells stands in its place, and nothing names a file or a page of the library."""
+
+from __future__ import annotations
+
+import functools
+import re
+import textwrap
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+from parsing.syntax import Function, Parameter
+from pick.values import SIZES, scalar_of
+from tables.glsl import Declaration, declarations
+
+HEADING = re.compile(r" {3}(\w+(?:, \w+)*) {2,}(\S.*)")
+OF_ABOVE = re.compile(r"\bas above\b")
+FOR_ANOTHER = re.compile(r"as for (hn_\w+)")
+LIKE_ANOTHER = re.compile(r"(This form|The same|Add the noise of an octave as it is, and)\b")
+REFERENCE = re.compile(r"docs/|\.glsl")
+POSITION = ("in cells{}: scale it, so that one cell is as large as a hill or a valley shall be. Along each axis below "
+            "2^23{}, since floats have no fraction beyond")
+PLACE = ("a place, that is a cell and a position in it, in cells{0}: hn_place and hn_tile make one, of which "
+         "tools/pick writes hn_place_of_cell{1} and hn_tile{1}")
+LEFT_OUT = "; 0 if left out"
+METRIC = ". That is with the Euclidean metric and a jitter of 1"
+
+
+class Facts(NamedTuple):
+    """Paragraphs. The parameters are those of GLSL."""
+    what: str = ""
+    parameters: Mapping[str, str] = {}
+    returns: str = ""
+    error: str = ""
+
+
+class Block(NamedTuple):
+    """A comment, as it is."""
+    what: str
+    entries: Mapping[str, str]
+    notes: str  # what it takes from others
+
+
+def block(lines: Sequence[str]) -> Block:
+    entries: dict[str, str] = {"": "", "(": ""}
+    heading: tuple[str, ...] = ("",)
+    for line in lines:
+        if found := HEADING.fullmatch(line):
+            heading, line = tuple(found[1].split(", ")), found[2]
+            entries.update(dict.fromkeys(heading, ""))
+        elif line.startswith("   ("):
+            heading = ("(",)
+        elif heading == ("",) and (line.startswith("  ") or line.startswith(" --")):
+            continue  # lines of code
+        for name in heading:
+            entries[name] = f"{entries[name]} {line.strip()}".strip()
+    what = re.sub(r":( |$)", lambda found: f".{found[1]}", entries.pop("")) if any(
+        line.startswith("   hn_") or line.startswith("   vec") for line in lines) else entries.pop("")
+    return Block(what, entries, entries.pop("("))
+
+
+@functools.cache
+def _declared(library: Path) -> tuple[dict[tuple[str, tuple[str, ...]], Declaration], list[Declaration]]:
+    found = declarations(library)
+    return {(one.name, tuple(type_.removeprefix("out ") for type_ in one.types)): one for one in found}, found
+
+
+def _other(declared: Declaration, own: Block, library: Path) -> Declaration | None:
+    """That whose comment the comment of this one refers to."""
+    _, found = _declared(library)
+    if name := FOR_ANOTHER.search(own.notes):
+        size = re.search(r"\dd", declared.path.name)
+        others = [one for one in found if one.name == name[1] and one.comment]
+        return next((one for one in others if size and size[0] in one.path.name), others[0])
+    refers = LIKE_ANOTHER.match(own.what) or any(map(OF_ABOVE.search, (own.what, own.notes, *own.entries.values())))
+    before = [one for one in found if one.path == declared.path and one.comment
+              and one.comment.line < declared.comment.line]
+    return before[-1] if refers and before else None
+
+
+def _whole(declared: Declaration, library: Path) -> Block:
+    """The comment, with what it takes from another one."""
+    own = block(declared.comment.lines)
+    other = _other(declared, own, library)
+    if other is None:
+        return own
+    base = _whole(other, library)
+    entries = {**base.entries, **own.entries}
+    if "error" not in own.entries and "error" not in own.notes:
+        entries.pop("error", "")
+    for name, text in own.entries.items():
+        if OF_ABOVE.search(text):
+            of_base = base.entries.get(name, "").rstrip(".")
+            if ", in the metric" in text:
+                text, of_base = text.replace(", in the metric", ""), of_base.removesuffix(METRIC) + METRIC
+            entries[name] = OF_ABOVE.sub(lambda _, shown=of_base: shown, text)
+    what = own.what
+    of_base = re.split(" ?This form", base.what)[0] if what.startswith("This form") else base.what
+    if "The value is as above." in what:
+        what = what.replace(" The value is as above.", "")
+        entries["returns"] = f"{own.entries['returns']}. The value: {base.entries['returns']}"
+        entries["error"] = f"{own.entries['error']}. Of the value {base.entries['error']}"
+    if LIKE_ANOTHER.match(what):
+        what = f"{of_base} {re.sub('^The same', 'This is the same', what)}"
+    return Block(what, entries, base.notes)
+
+
+def without_references(text: str) -> str:
+    """Without what names a page or a file of the library."""
+    text = re.sub(r" ?\([^()]*(?:docs/|\.glsl)[^()]*\)", "", text)
+    text = re.sub(r" in \w+\.glsl", "", text)
+    clauses = re.split(r"(?<=[.;:]) ", text)
+    if REFERENCE.search(clauses[0]):
+        return ""
+    kept = " ".join(clause for clause in clauses if not REFERENCE.search(clause))
+    return kept if kept == text else re.sub(r"[;:]$", ".", kept)
+
+
+def _parameter(parameter: Parameter, text: str, may_be_left_out: bool) -> str:
+    name, size = parameter.at.text, parameter.type[-1]
+    text = without_references(text)
+    if name == "p" and text.startswith("position, in cells"):
+        of_octave = (" of the first octave", " / lacunarity^octaves") if "first octave" in text else ("", "")
+        return f"position, {POSITION.format(*of_octave)}"
+    if name == "place" and "in its stead" in text:
+        of_octave = " of the first octave" if "first octave" in text else ""
+        rest = text.partition(". ")[2]
+        text = PLACE.format(of_octave, size) + (f". {rest}" if rest else "")
+    text = text.replace("1 as without it", "usually 1")
+    return text if may_be_left_out else text.replace(LEFT_OUT, "")
+
+
+def facts(function: Function, library: Path, has_overloads: bool) -> Facts:
+    types = tuple(type_.removeprefix("hn_") for type_ in function.types)
+    declared = _declared(library)[0].get((function.name, types))
+    if declared is None or declared.comment is None:
+        return Facts()
+    found = _whole(declared, library)
+    seedless = has_overloads and (function.name, types[:-1]) in _declared(library)[0]
+    returns = "" if function.type == "void" else found.entries.get("returns", "")
+    return Facts(without_references(found.what),
+                 {one.at.text: _parameter(one, found.entries.get(one.at.text, ""), seedless)
+                  for one in function.parameters},
+                 *(without_references(text).rstrip(".") for text in (returns, found.entries.get("error", ""))))
+
+
+def first_sentence(function: Function, library: Path) -> str:
+    return re.split(r"\.(?: |$)", facts(function, library, False).what)[0] + "."
+
+
+# Examples: what is passed, a number for each component; where there is no number, a variable of that name.
+ARGUMENTS: Mapping[str, tuple[float, ...]] = {
+    "octaves": (6,), "lacunarity": (2,), "gain": (0.5,), "seed": (7,), "jitter": (1,), "metric": (1,), "phase": (0.25,),
+    "strength": (1,), "amplitude": (1,), "detail": (3.5,), "footprint": (0.125,), "wave": (4, 0, 0), "radius": (0.75,),
+    "depth": (0.125,), "slope": (0.5, 0), "period": (8, 8, 8, 8), "cell": (3, -5, 2, 0), "f": (0.25, 0.75, 0.5, 0),
+    "position": (640, -320, 100, 0), "cells": (1,), "units": (64,), "h": (12345,), "k": (5,), "x": (12345,),
+    "v": (12, 34, 56, 78), "i": (3,), "n": (0.25, 0.5, -0.5, 0), "noise": (2,), "value": (0.25,)}
+# Of what has the same name, by the type.
+OTHER_ARGUMENTS = {("n", "uint"): (52,), ("v", "float"): (0.25, -0.5, 0.5)}
+
+
+def arguments_of(function: Function, argument: Callable[[Parameter, Sequence[float] | None], str]) -> list[str]:
+    """What a call passes. `argument` writes one, of a number for each component; without them it is a variable, or a
+    position."""
+    written = []
+    for one in function.parameters:
+        numbers = ARGUMENTS.get(one.at.text) if one.type in SIZES and not one.is_set else None
+        numbers = OTHER_ARGUMENTS.get((one.at.text, scalar_of(one.type)), numbers)
+        written.append(argument(one, numbers[:SIZES[one.type]] if numbers else None))
+    return written
+
+
+def lines(facts: Facts, variable: Callable[[str], str], call: str) -> list[str]:
+    """Of a comment, without the slashes. The names of the parameters are what `variable` makes of them."""
+    rows = {**{variable(name): text for name, text in facts.parameters.items()}, "returns": facts.returns,
+            "error": facts.error}
+    width = max(map(len, rows))
+    written = textwrap.wrap(facts.what, 117, initial_indent=" ", subsequent_indent=" ")
+    for name, text in rows.items():
+        if text:
+            written += textwrap.wrap(text, 117, initial_indent=f"   {name:{width}}  ",
+                                     subsequent_indent=" " * (width + 5))
+    return [*written, *textwrap.wrap(call, 117, initial_indent=f"   {'call':{width}}  ",
+                                     subsequent_indent=" " * (width + 5))]
