@@ -17,7 +17,7 @@ import glslang
 from gpu import chips, command, comparing, drivers, operations, pages, record, stripes
 from gpu.chips import CHIPS, chip_named
 from gpu.compiling import Compiled, compile_all
-from gpu.drivers import Missing
+from debian import Missing
 from tables.peers import CALLS, dimensions, subject
 
 # hn-conform as far as it is called. A shader costs what its file says: 7 cycles for each word of it, or trouble.
@@ -429,7 +429,7 @@ class Command(WithStandIn):
 
     def test_without_apt_the_drivers_cannot_be_had(self):
         for patch, part in ((mock.patch("shutil.which", return_value=None), "there is no apt-get"),
-                            (mock.patch("gpu.drivers.KEYS", self.folder / "none"), "Debian's packages are checked"),
+                            (mock.patch("debian.KEYS", self.folder / "none"), "Debian's packages are checked"),
                             (contextlib.nullcontext(), "is not empty")):
             with self.subTest(part=part), patch, mock.patch("subprocess.Popen", side_effect=AssertionError):
                 status, _, err = self.call("--get-drivers")
@@ -442,7 +442,7 @@ class Command(WithStandIn):
         self.script(programs / "apt-get", "#!/bin/sh\necho dlstatus:1:20.0:x\necho 'E: no such suite'; exit 100\n")
         self.script(programs / "dpkg-deb", "#!/bin/sh\n")
         with mock.patch.dict(os.environ, {"PATH": f"{programs}:{os.environ['PATH']}"}), \
-                mock.patch("gpu.drivers.KEYS", self.program):
+                mock.patch("debian.KEYS", self.program):
             status, _, err = self.call("--get-drivers", "--drivers", str(self.folder / "new"), "--suite", "nonesuch")
         self.assertEqual(status, 4)
         self.assertIn("downloading: 20 %", err)

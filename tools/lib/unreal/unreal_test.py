@@ -16,7 +16,7 @@ import sys
 import unittest
 from pathlib import Path
 
-from hlsl_nodes import NODES, PORTS, forms, own_names, ports
+from hlsl.nodes import NODES, PORTS, forms, own_names, ports
 from packing_support import made
 from tree import version
 from unreal import command, files
