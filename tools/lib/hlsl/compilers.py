@@ -1,5 +1,10 @@
 """Microsoft's compilers of HLSL on Linux, for tests: DXC, of PyPI's compushady, and FXC, of PyPI's PyQt5-Qt5 under wine.
-Nothing of them is installed: they are unpacked into build/hlsl/."""
+Nothing of them is installed: they are unpacked into build/hlsl/.
+
+    python3 -m hlsl.compilers -x hlsl -b dxbc-tpf -p PROFILE -e ENTRY -o OUTPUT INPUT
+
+is FXC with the options of vkd3d-compiler, for the suite. HN_VKD3D_REAL names a real one, which gets all other options.
+"""
 
 from __future__ import annotations
 
@@ -8,6 +13,7 @@ import os
 import platform
 import shutil
 import subprocess
+import sys
 import tarfile
 import tempfile
 import zipfile
@@ -41,6 +47,14 @@ def _for_this_machine() -> None:
         raise Missing(f"the compilers are here for Linux on x86-64, not for {platform.system()} on {platform.machine()}")
 
 
+def _built(program: Path, source: Path, *command: str | Path) -> None:
+    """By the command and -o PROGRAM."""
+    if not program.exists() or program.stat().st_mtime < source.stat().st_mtime:
+        made = program.with_suffix(f".{os.getpid()}")
+        _run(*command, source, "-o", made)
+        made.rename(program)
+
+
 def _run(*words: str | Path) -> None:
     done = subprocess.run([str(word) for word in words], capture_output=True, text=True, check=False)
     if done.returncode != 0:
@@ -64,8 +78,8 @@ def dxc() -> Path:
                         archive.extract(member, whole)
             whole.rename(folder)
     program = folder / "dxc"
-    _run("g++", "-std=c++17", "-fms-extensions", "-isystem", folder, f'-DHN_LIBRARY="{folder / DXC_LIBRARY}"',
-         f'-DHN_PACKAGE="{DXC}"', HERE / "dxc.cpp", "-o", program, "-ldl")
+    _built(program, HERE / "dxc.cpp", "g++", "-std=c++17", "-fms-extensions", "-isystem", folder,
+           f'-DHN_LIBRARY="{folder / DXC_LIBRARY}"', f'-DHN_PACKAGE="{DXC}"')
     return program
 
 
@@ -87,14 +101,14 @@ class Fxc:
                     name, = (name for name in archive.namelist() if name.endswith(f"/{FXC_LIBRARY}"))
                     (whole / FXC_LIBRARY).write_bytes(archive.read(name))
                 whole.rename(self.folder)
-        _run("x86_64-w64-mingw32-g++", "-O1", "-static", HERE / "fxc.cpp", "-o", self.folder / "fxc.exe")
+        _built(self.folder / "fxc.exe", HERE / "fxc.cpp", "x86_64-w64-mingw32-g++", "-O1", "-static")
         self.environment = {**os.environ, "WINEPREFIX": str(self.folder / "wine"), "WINEDEBUG": "-all",
                             # Wine has a compiler of its own by that name; the others would ask for downloads.
                             "WINEDLLOVERRIDES": f"{Path(FXC_LIBRARY).stem}=n;mscoree=;mshtml="}
 
-    def compile(self, files: Sequence[Path], profile: str) -> list[Compiled]:
+    def compile(self, files: Sequence[Path], profile: str, entry: str = "main") -> list[Compiled]:
         """What becomes of files, which are in one folder: an include is looked for from there on."""
-        done = subprocess.run(["wine", self.folder / "fxc.exe", profile, *(file.name for file in files)],
+        done = subprocess.run(["wine", self.folder / "fxc.exe", profile, entry, *(file.name for file in files)],
                               cwd=files[0].parent, env=self.environment, capture_output=True, text=True, check=False)
         if done.returncode not in (0, 1):
             raise RuntimeError(f"FXC did not start: {done.stdout}{done.stderr}")
@@ -106,12 +120,26 @@ class Fxc:
         return found
 
 
-def compile_by_dxc(file: Path, profile: str, *options: str) -> Compiled:
+def compile_by_dxc(file: Path, profile: str, entry: str = "main", *options: str) -> Compiled:
     """To what Direct3D takes, or by -spirv to SPIR-V."""
     with tempfile.TemporaryDirectory() as folder:
         code = Path(folder) / "code"
-        done = subprocess.run([dxc(), *options, "-T", profile, "-E", "main", "-Fo", code, file.name], cwd=file.parent,
+        done = subprocess.run([dxc(), *options, "-T", profile, "-E", entry, "-Fo", code, file.name], cwd=file.parent,
                               capture_output=True, text=True, errors="replace", check=False)
         if done.returncode not in (0, 1):
             raise RuntimeError(f"DXC ended with {done.returncode}: {done.stderr}")
         return Compiled(code.read_bytes() if done.returncode == 0 else b"", done.stderr)
+
+
+def main(arguments: Sequence[str]) -> int:
+    if list(arguments[:4]) != ["-x", "hlsl", "-b", "dxbc-tpf"]:
+        os.execvp(os.environ["HN_VKD3D_REAL"], [os.environ["HN_VKD3D_REAL"], *arguments])
+    _, profile, _, entry, _, output, file = arguments[4:]
+    made, = Fxc().compile([Path(file)], profile, entry)
+    Path(output).write_bytes(made.code)
+    print(made.messages, file=sys.stderr)
+    return not made.code
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -2,8 +2,6 @@
 //
 //   dxc [option of DXC]... -Fo OUTPUT INPUT     exit status: 0 compiled, 1 refused, 2 the library is not as expected
 //   dxc --version
-#include "dxcapi.h"
-
 #include <dlfcn.h>
 
 #include <cstdio>
@@ -12,6 +10,8 @@
 #include <iterator>
 #include <string>
 #include <vector>
+
+#include "dxcapi.h"
 
 int main(int argc, char** argv) {
   void* const library = dlopen(HN_LIBRARY, RTLD_NOW);

@@ -16,8 +16,8 @@ from parsing.preprocessor import Preprocessor
 from tree import GLSL
 
 # What Godot does not define. Its language has the built-in functions of GLSL ES 3.00.
-UNDEFINED = ("__cplusplus", "HN_I_HLSL", "HN_I_METAL", "GL_ES", "GL_GOOGLE_cpp_style_line_directive", "__VERSION__",
-             "_MSC_VER", "VULKAN")
+UNDEFINED = ("__cplusplus", "HN_I_HLSL", "HN_I_FXC", "HN_I_METAL", "GL_ES", "GL_GOOGLE_cpp_style_line_directive",
+             "__VERSION__", "_MSC_VER", "VULKAN")
 # It has no `precise` either, whatever its version says.
 NO_PRECISE = "HN_I_HAS_PRECISE"
 # The macros of the library's own. Those that users write stay: knobs, their values, metrics.
