@@ -47,6 +47,14 @@ def _for_this_machine() -> None:
         raise Missing(f"the compilers are here for Linux on x86-64, not for {platform.system()} on {platform.machine()}")
 
 
+def _kept(whole: Path, folder: Path) -> None:
+    try:
+        whole.rename(folder)
+    except OSError:
+        if not folder.exists():  # another test was faster
+            raise
+
+
 def _built(program: Path, source: Path, *command: str | Path) -> None:
     """By the command and -o PROGRAM."""
     if not program.exists() or program.stat().st_mtime < source.stat().st_mtime:
@@ -76,11 +84,46 @@ def dxc() -> Path:
                     if Path(member.name).name in (DXC_LIBRARY, "dxcapi.h", "WinAdapter.h"):
                         member.name = Path(member.name).name
                         archive.extract(member, whole)
-            whole.rename(folder)
+            _kept(whole, folder)
     program = folder / "dxc"
     _built(program, HERE / "dxc.cpp", "g++", "-std=c++17", "-fms-extensions", "-isystem", folder,
            f'-DHN_LIBRARY="{folder / DXC_LIBRARY}"', f'-DHN_PACKAGE="{DXC}"')
     return program
+
+
+# Profiles by the stages of glslang, for DXC and FXC.
+STAGES = {"vert": ("vs_6_0", "vs_5_0"), "frag": ("ps_6_0", "ps_5_0")}
+
+
+@functools.cache
+def missing() -> str:
+    """Why DXC or FXC is not here; nothing if both are."""
+    try:
+        dxc()
+        fxc()
+    except Missing as why:
+        return str(why)
+    return ""
+
+
+def refusals(file: Path, stage: str, entry: str) -> dict[str, str]:
+    """By which compilers a shader is refused, and why: by glslang, and by DXC and FXC where they are here. Includes begin
+    at its folder."""
+    found = {}
+    done = subprocess.run(["glslangValidator", "-D", "-V", f"-I{file.parent}", "-S", stage, "-e", entry, "-o", "/dev/null",
+                           file], cwd=file.parent, capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        found["glslang"] = done.stdout
+    if missing():
+        return found
+    made = {"DXC": compile_by_dxc(file, STAGES[stage][0], entry, "-I", str(file.parent)),
+            "FXC": fxc().compile([file], STAGES[stage][1], entry)[0]}
+    return found | {name: one.messages for name, one in made.items() if not one.code}
+
+
+@functools.cache
+def fxc() -> Fxc:
+    return Fxc()
 
 
 class Fxc:
@@ -100,7 +143,7 @@ class Fxc:
                 with zipfile.ZipFile(wheel) as archive:
                     name, = (name for name in archive.namelist() if name.endswith(f"/{FXC_LIBRARY}"))
                     (whole / FXC_LIBRARY).write_bytes(archive.read(name))
-                whole.rename(self.folder)
+                _kept(whole, self.folder)
         _built(self.folder / "fxc.exe", HERE / "fxc.cpp", "x86_64-w64-mingw32-g++", "-O1", "-static")
         self.environment = {**os.environ, "WINEPREFIX": str(self.folder / "wine"), "WINEDEBUG": "-all",
                             # Wine has a compiler of its own by that name; the others would ask for downloads.
@@ -108,6 +151,8 @@ class Fxc:
 
     def compile(self, files: Sequence[Path], profile: str, entry: str = "main") -> list[Compiled]:
         """What becomes of files, which are in one folder: an include is looked for from there on."""
+        for file in files:  # of an earlier text
+            Path(f"{file}.code").unlink(missing_ok=True)
         done = subprocess.run(["wine", self.folder / "fxc.exe", profile, entry, *(file.name for file in files)],
                               cwd=files[0].parent, env=self.environment, capture_output=True, text=True, check=False)
         if done.returncode not in (0, 1):
