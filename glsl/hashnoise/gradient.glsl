@@ -58,8 +58,8 @@ HN_FN hn_vec4 hn_gradient4(hn_uint h) {
   return hn_i_gradient4(h);
 #else
   hn_ivec4 g = hn_i_gradient4(h);
-  return HN_I_NOT_WHOLE(vec4(hn_i_float(g.x), hn_i_float(g.y), hn_i_float(g.z), hn_i_float(g.w)) *
-                        (1.0f / 268435456.0f));
+  hn_vec4 n = vec4(hn_i_float(g.x), hn_i_float(g.y), hn_i_float(g.z), hn_i_float(g.w));
+  return HN_I_NOT_WHOLE(n * (1.0f / 268435456.0f));
 #endif
 }
 

@@ -140,9 +140,11 @@ def get(folder: Path, packages: Sequence[str], what: str, mirror: str = MIRROR, 
             print(f"[{number}/{len(archives)}] unpacking {package.stem}", file=sys.stderr, flush=True)
             subprocess.run(["dpkg-deb", "-x", package, root], check=True)
         (root / VERSIONS).write_text("".join(f"{package.stem}\n" for package in archives), encoding="utf-8")
-        if folder.exists():
-            folder.rmdir()
-        root.rename(folder)
+        try:
+            root.rename(folder)  # it may replace an empty folder
+        except OSError:
+            if not (folder / VERSIONS).exists():  # another was faster
+                raise
 
 
 def _run_apt(apt: Path, *arguments: str, failure: str) -> None:

@@ -13,12 +13,14 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
+import debian
 import glslang
+from debian import Missing
 from gpu import chips, command, comparing, drivers, operations, pages, record, stripes
 from gpu.chips import CHIPS, chip_named
 from gpu.compiling import Compiled, compile_all
-from debian import Missing
 from tables.peers import CALLS, dimensions, subject
+from thorough import in_thorough_runs
 
 # hn-conform as far as it is called. A shader costs what its file says: 7 cycles for each word of it, or trouble.
 STAND_IN = """#!/bin/sh
@@ -450,11 +452,17 @@ class Command(WithStandIn):
         self.assertFalse((self.folder / "new").exists())
 
 
-@unittest.skipUnless(os.environ.get("HN_GPU_DRIVERS"), "HN_GPU_DRIVERS names no folder of drivers")
+@in_thorough_runs
 class Real(unittest.TestCase):
     def test_every_chip_compiles(self):
+        folder = Path(os.environ.get("HN_GPU_DRIVERS", command.DRIVERS))
+        if not debian.find(folder, "libvulkan.so.1"):
+            try:
+                debian.get(folder, drivers.PACKAGES, "the drivers")
+            except Missing as why:
+                self.skipTest(str(why))
         with tempfile.TemporaryDirectory() as out, contextlib.redirect_stdout(io.StringIO()) as said:
-            status = command.main(["--drivers", os.environ["HN_GPU_DRIVERS"], "--out", out, "--filter",
+            status = command.main(["--drivers", str(folder), "--out", out, "--filter",
                                    "noise2d.value.lattice"])
             self.assertEqual(status, 0, said.getvalue())
             costs = record.read_costs(Path(out) / "costs.csv")
