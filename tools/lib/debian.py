@@ -1,5 +1,5 @@
-"""Programs of Debian's unstable suite, each with the C library and all else that it wants, unpacked into a folder beside
-each other. Nothing is installed.
+"""Programs of Debian's unstable suite, each with the C library and all else that it wants, unpacked into a folder
+beside each other. Nothing is installed.
 
 A chroot would need root and a gigabyte. A program is started by the folder's own dynamic linker instead, which takes
 libraries of the folder first, and those of the system for what the folder lacks.
@@ -59,8 +59,8 @@ PROGRAMS = {
     "vkd3d-compiler": Program(["vkd3d-compiler"]),
     # It loads what it shows windows with, and draws by Mesa's drivers for processors.
     "godot": Program(
-        ["godot", "mesa-vulkan-drivers", "libgl1-mesa-dri", "libgl1", "libegl1", "libgles2", "libvulkan1", "libglx-mesa0",
-         "libx11-6", "libxcursor1", "libxinerama1", "libxrandr2", "libxi6", "libxext6"],
+        ["godot", "mesa-vulkan-drivers", "libgl1-mesa-dri", "libgl1", "libegl1", "libgles2", "libvulkan1",
+         "libglx-mesa0", "libx11-6", "libxcursor1", "libxinerama1", "libxrandr2", "libxi6", "libxext6"],
         {"LIBGL_DRIVERS_PATH": "{libraries}/dri", "VK_DRIVER_FILES": "{folder}/usr/share/vulkan/icd.d/lvp_icd.json",
          "__EGL_VENDOR_LIBRARY_DIRS": "{folder}/usr/share/glvnd/egl_vendor.d"}),
 }
@@ -82,8 +82,8 @@ class Root(NamedTuple):
         path = self.folder / program
         told = {name: value.format(folder=self.folder, libraries=self.libraries) for name, value in variables.items()}
         command = shlex.join(self.command([str(self.folder / "usr/bin" / program)]))
-        path.write_text("#!/bin/sh\n" + "".join(f"export {name}={shlex.quote(value)}\n" for name, value in told.items()) +
-                        f'exec {command} "$@"\n', encoding="utf-8")
+        exports = "".join(f"export {name}={shlex.quote(value)}\n" for name, value in told.items())
+        path.write_text(f'#!/bin/sh\n{exports}exec {command} "$@"\n', encoding="utf-8")
         path.chmod(0o755)
         return path
 

@@ -55,8 +55,8 @@ def environment(folder: Path, requirements: Path) -> int:
 
 def downloaded(package: str, folder: Path, *options: str) -> Path:
     """The archive of a package alone, in the folder, which has no other."""
-    done = subprocess.run([sys.executable, "-m", "pip", "--disable-pip-version-check", "download", "--quiet", "--no-deps",
-                           *options, "--dest", folder, package], capture_output=True, text=True, check=False)
+    done = subprocess.run([sys.executable, "-m", "pip", "--disable-pip-version-check", "download", "--quiet",
+                           "--no-deps", *options, "--dest", folder, package], capture_output=True, text=True, check=False)
     if done.returncode == 0:
         found, = folder.glob("*.*")
         return found

@@ -1,5 +1,5 @@
-"""Microsoft's compilers of HLSL on Linux, for tests: DXC, of PyPI's compushady, and FXC, of PyPI's PyQt5-Qt5 under wine.
-Nothing of them is installed: they are unpacked into build/hlsl/.
+"""Microsoft's compilers of HLSL on Linux, for tests: DXC, of PyPI's compushady, and FXC, of PyPI's PyQt5-Qt5 under
+wine. Nothing of them is installed: they are unpacked into build/hlsl/.
 
     python3 -m hlsl.compilers -x hlsl -b dxbc-tpf -p PROFILE -e ENTRY -o OUTPUT INPUT
 
@@ -44,7 +44,7 @@ class Compiled(NamedTuple):
 
 def _for_this_machine() -> None:
     if platform.system() != "Linux" or platform.machine() != "x86_64":
-        raise Missing(f"the compilers are here for Linux on x86-64, not for {platform.system()} on {platform.machine()}")
+        raise Missing(f"the compilers are for Linux on x86-64, not for {platform.system()} on {platform.machine()}")
 
 
 def _kept(whole: Path, folder: Path) -> None:
@@ -107,11 +107,11 @@ def missing() -> str:
 
 
 def refusals(file: Path, stage: str, entry: str) -> dict[str, str]:
-    """By which compilers a shader is refused, and why: by glslang, and by DXC and FXC where they are here. Includes begin
-    at its folder."""
+    """By which compilers a shader is refused, and why: by glslang, and by DXC and FXC where they are here. Includes
+    begin at its folder."""
     found = {}
-    done = subprocess.run(["glslangValidator", "-D", "-V", f"-I{file.parent}", "-S", stage, "-e", entry, "-o", "/dev/null",
-                           file], cwd=file.parent, capture_output=True, text=True, check=False)
+    done = subprocess.run(["glslangValidator", "-D", "-V", f"-I{file.parent}", "-S", stage, "-e", entry, "-o",
+                           "/dev/null", file], cwd=file.parent, capture_output=True, text=True, check=False)
     if done.returncode != 0:
         found["glslang"] = done.stdout
     if missing():

@@ -59,8 +59,8 @@ def library(arithmetic: str) -> str:
     """All of it as one file, as users make it."""
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder) / "all.hlsl"
-        subprocess.run([sys.executable, TOOLS / "single-file", "--language", "hlsl", "--strip", "--out", file], check=True,
-                       capture_output=True)
+        subprocess.run([sys.executable, TOOLS / "single-file", "--language", "hlsl", "--strip", "--out", file],
+                       check=True, capture_output=True)
         return f"#define HN_ARITHMETIC HN_{arithmetic.upper()}\n{file.read_text(encoding='ascii')}"
 
 
@@ -102,7 +102,8 @@ class ByDxc(Compiler):
                 file = Path(folder) / f"{name}.hlsl"
                 file.write_text(text, encoding="ascii")
                 profile = {"pixel": "ps_6_0", "compute": "cs_6_0"}[stage]
-                made = compile_by_dxc(file, profile, "main", "-spirv", "-fspv-target-env=vulkan1.1", "-I", str(GLSL.parent))
+                made = compile_by_dxc(file, profile, "main", "-spirv", "-fspv-target-env=vulkan1.1", "-I",
+                                      str(GLSL.parent))
                 if made.code:
                     (Path(folder) / "code").write_bytes(made.code)
                     judged = subprocess.run(["spirv-val", "--target-env", "vulkan1.1", Path(folder) / "code"],
@@ -196,7 +197,8 @@ class Hlsl(unittest.TestCase):
 
 class Dxc(Hlsl):
     def test_it_includes_the_library(self) -> None:
-        texts = {arithmetic: f'#define HN_ARITHMETIC HN_{arithmetic.upper()}\n#include "hashnoise/hashnoise.hlsl"\n{MAIN}'
+        included = f'#include "hashnoise/hashnoise.hlsl"\n{MAIN}'
+        texts = {arithmetic: f"#define HN_ARITHMETIC HN_{arithmetic.upper()}\n{included}"
                  for arithmetic in command.ARITHMETICS}
         self.assertEqual(self.refused(texts), {})
 
