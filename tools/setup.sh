@@ -45,10 +45,13 @@ readonly example_packages=(git libxcursor-dev libxi-dev libxinerama-dev libxrand
 # binary interfaces.
 readonly test_packages=("${driver_packages[@]}" "${npm_packages[@]}" "${example_packages[@]}" ccache libopenexr-dev
   libclang-rt-dev libgtest-dev python3 python3-dev python3-numpy python3-pip python3-scipy python3-venv g++-aarch64-linux-gnu
-  qemu-user mono-mcs mono-runtime abigail-tools debootstrap)
+  qemu-user mono-mcs mono-runtime abigail-tools)
 # Compilers of the languages that tools/pick writes, as PROGRAM:PACKAGE. A machine may have the program from elsewhere, so
 # the package is missing only where the program is. Node.js is not among them: tools/node gets one that is new enough.
 readonly language_packages=(cargo:cargo go:golang-go javac:default-jdk-headless rustc:rustc)
+# Of thorough tests: Microsoft's FXC, a program for Windows, and the compiler of what starts it; a Debian that has nothing, and
+# what sees connections.
+readonly thorough_packages=(debootstrap g++-mingw-w64-x86-64 strace wine wine64)
 # Of tools/quality, which has no need of hn-conform.
 readonly quality_packages=(g++ python3 python3-numpy python3-scipy)
 readonly plot_packages=(python3-matplotlib)
@@ -236,6 +239,7 @@ setup() {
     for language in "${language_packages[@]}"; do
       command -v "${language%:*}" >/dev/null || packages+=("${language#*:}")
     done
+    [[ -z ${HN_THOROUGH-} ]] || packages+=("${thorough_packages[@]}")
     # Warnings are errors here, where the compiler is known, and not for users, where it is not.
     configuration+=(-DHASHNOISE_TESTS=ON -DHASHNOISE_BAKE=ON -DHASHNOISE_BENCH_CPU=ON
                      -DHASHNOISE_INSTRUCTION_SETS="${HASHNOISE_INSTRUCTION_SETS:-native}"
@@ -263,6 +267,18 @@ setup() {
   install_missing "${packages[@]}"
   [[ $1 != test ]] || share_objects
   configure_and_build "$name" "$build" '' "${configuration[@]}" -- "${targets[@]}"
+  if [[ $1 == drivers || ($1 == test && -n ${HN_THOROUGH-}) ]]; then find_vkd3d; fi
+}
+
+# HLSL of shader model 5 wants vkd3d-compiler 1.10. Debian 12 has 1.2, so that of Debian's unstable suite is unpacked into
+# build/, 16 MB. Where it cannot be had, hn-conform calls these cases unsupported, and prints why.
+find_vkd3d() {
+  [[ -z ${HN_VKD3D_COMPILER-} ]] && command -v apt-get >/dev/null && command -v python3 >/dev/null || return 0
+  local version program
+  version=$(vkd3d-compiler --version 2>/dev/null | sed -n 's/.*version \([0-9]*\)\.\([0-9]*\).*/\1 \2/p;q')
+  if [[ -n $version ]] && ((${version% *} * 100 + ${version#* } >= 110)); then return 0; fi
+  program=$(python3 -B "$root/tools/lib/debian.py" vkd3d-compiler) || return 0
+  [[ -z $program ]] || export HN_VKD3D_COMPILER=$program
 }
 
 #   configure_and_build NAME_IN_THE_TABLE FOLDER BY_WHOM OPTION... -- [TARGET...]

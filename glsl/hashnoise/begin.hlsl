@@ -11,6 +11,7 @@
 // You call hn_perlin(float2), and behind end.hlsl hn_vec2 is float2 and so on.
 
 #define HN_I_HLSL
+#define HN_I_FXC
 #include "detail/vectors_begin.h"
 #define uintBitsToFloat asfloat
 #define floatBitsToUint asuint

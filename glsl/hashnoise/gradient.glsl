@@ -28,7 +28,7 @@ HN_FN hn_vec2 hn_gradient2(hn_uint h) {
   return hn_i_gradient(hn_i_direction2(h));
 #else
   hn_ivec2 g = hn_i_gradient(hn_i_direction2(h));
-  return vec2(hn_i_float(g.x), hn_i_float(g.y)) * (1.0f / HN_I_FLOAT_UNITS_RAMP);
+  return HN_I_NOT_WHOLE(vec2(hn_i_float(g.x), hn_i_float(g.y)) * (1.0f / HN_I_FLOAT_UNITS_RAMP));
 #endif
 }
 
@@ -43,7 +43,7 @@ HN_FN hn_vec3 hn_gradient3(hn_uint h) {
   return hn_i_gradient(hn_i_direction3(h));
 #else
   hn_ivec3 g = hn_i_gradient(hn_i_direction3(h));
-  return vec3(hn_i_float(g.x), hn_i_float(g.y), hn_i_float(g.z)) * (1.0f / HN_I_FLOAT_UNITS_RAMP);
+  return HN_I_NOT_WHOLE(vec3(hn_i_float(g.x), hn_i_float(g.y), hn_i_float(g.z)) * (1.0f / HN_I_FLOAT_UNITS_RAMP));
 #endif
 }
 
@@ -58,7 +58,8 @@ HN_FN hn_vec4 hn_gradient4(hn_uint h) {
   return hn_i_gradient4(h);
 #else
   hn_ivec4 g = hn_i_gradient4(h);
-  return vec4(hn_i_float(g.x), hn_i_float(g.y), hn_i_float(g.z), hn_i_float(g.w)) * (1.0f / 268435456.0f);
+  hn_vec4 n = vec4(hn_i_float(g.x), hn_i_float(g.y), hn_i_float(g.z), hn_i_float(g.w));
+  return HN_I_NOT_WHOLE(n * (1.0f / 268435456.0f));
 #endif
 }
 

@@ -414,13 +414,13 @@ HN_FN hn_uint hn_hash(hn_uvec4 v) { return hn_i_hash(hn_hash(uvec3(v.x, v.y, v.z
 //   returns  [0, 1), a multiple of 2^-24
 //   error    none
 //   cost     1 multiplication of floats
-HN_FN hn_float hn_unorm(hn_uint h) { return hn_i_float(h >> 8u) * (1.0f / 16777216.0f); }
+HN_FN hn_float hn_unorm(hn_uint h) { return HN_I_NOT_WHOLE(hn_i_float(h >> 8u) * (1.0f / 16777216.0f)); }
 
 // A signed float of the high 24 bits of a hash.
 //   h        any uint
 //   returns  [-1, 1), a multiple of 2^-23
 //   error    none
 //   cost     1 multiplication of floats
-HN_FN hn_float hn_snorm(hn_uint h) { return hn_i_float(h >> 8u) * (1.0f / 8388608.0f) - 1.0f; }
+HN_FN hn_float hn_snorm(hn_uint h) { return HN_I_NOT_WHOLE(hn_i_float(h >> 8u) * (1.0f / 8388608.0f)) - 1.0f; }
 
 #endif

@@ -18,7 +18,9 @@ struct hn_hexes {
 #if HN_ARITHMETIC != HN_FIXED
 HN_FN hn_float hn_i_fraction_to_float(hn_float f) { return hn_i_flushed(f); }
 #else
-HN_FN hn_float hn_i_fraction_to_float(hn_int f) { return hn_i_float(f) * (1.0f / HN_I_FLOAT_UNITS_FRACTION); }
+HN_FN hn_float hn_i_fraction_to_float(hn_int f) {
+  return HN_I_NOT_WHOLE(hn_i_float(f) * (1.0f / HN_I_FLOAT_UNITS_FRACTION));
+}
 #endif
 HN_FN hn_float hn_i_in_cells(hn_i_num step) { return hn_i_fraction_to_float(step) * 0.5f; }  // a step is half a cell
 HN_FN hn_vec3 hn_i_in_cells(hn_i_num3 steps) {

@@ -222,7 +222,7 @@ HN_FN hn_place4 hn_tile(hn_vec4 p, hn_ivec4 period) { return hn_tile(hn_place(p)
 // The position along one axis. Floats have no rest.
 #if HN_ARITHMETIC == HN_FIXED
 HN_FN hn_float hn_i_position_of(hn_int cell, hn_int fraction, hn_int rest) {
-  return hn_i_float(cell) + hn_i_float(fraction * 16 + rest) * (1.0f / HN_I_FLOAT_UNITS_POSITION);
+  return hn_i_float(cell) + HN_I_NOT_WHOLE(hn_i_float(fraction * 16 + rest) * (1.0f / HN_I_FLOAT_UNITS_POSITION));
 }
 #else
 HN_FN hn_float hn_i_position_of(hn_int cell, hn_float fraction, hn_int rest) {

@@ -31,7 +31,7 @@ HN_FN hn_float hn_i_fraction_of_units(hn_uint rest, hn_int units) {
   hn_uint size = uint(min(max(units, 1), 65536));
   hn_uint high = (rest << 12u) / size;
   hn_uint low = (((rest << 12u) - high * size) << 12u) / size;
-  return hn_i_float((high << 12u) | low) * (1.0f / HN_I_FLOAT_UNITS_POSITION);
+  return HN_I_NOT_WHOLE(hn_i_float((high << 12u) | low) * (1.0f / HN_I_FLOAT_UNITS_POSITION));
 }
 
 // The cell of a position that is a whole number of units, in a world where `cells` cells are `units` units long.

@@ -5,8 +5,11 @@ from __future__ import annotations
 import re
 import shutil
 import subprocess
+import sys
 import venv
 from pathlib import Path
+
+from debian import Missing
 
 SKIPPED = 77
 # What pip says if it reaches no registry.
@@ -48,3 +51,15 @@ def environment(folder: Path, requirements: Path) -> int:
         return status
     shutil.copyfile(requirements, folder / MADE)
     return 0
+
+
+def downloaded(package: str, folder: Path, *options: str) -> Path:
+    """The archive of a package alone, in the folder, which has no other."""
+    done = subprocess.run([sys.executable, "-m", "pip", "--disable-pip-version-check", "download", "--quiet",
+                           "--no-deps", *options, "--dest", folder, package], capture_output=True, text=True, check=False)
+    if done.returncode == 0:
+        found, = folder.glob("*.*")
+        return found
+    if OFFLINE.search(done.stdout + done.stderr):
+        raise Missing(f"PyPI cannot be reached, so there is no {package}")
+    raise RuntimeError(f"{package} cannot be downloaded: {done.stdout}{done.stderr}")

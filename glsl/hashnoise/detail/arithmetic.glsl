@@ -428,7 +428,7 @@ HN_FN hn_int hn_i_scaled(hn_int n, hn_int s) { return (((n + 256) >> 9) * s + 25
 HN_FN hn_int hn_i_number(hn_uint word) { return int((word & 0x007FFFFFu) << 7u) - HN_I_UNITS_RAMP; }
 HN_FN hn_int hn_i_noise_of_numbers(hn_int n) { return (n + 128) >> 8; }
 
-HN_FN hn_float hn_i_value(hn_int n) { return hn_i_float(n) * (1.0f / HN_I_FLOAT_UNITS_VALUE); }
+HN_FN hn_float hn_i_value(hn_int n) { return HN_I_NOT_WHOLE(hn_i_float(n) * (1.0f / HN_I_FLOAT_UNITS_VALUE)); }
 
 // The step that takes a noise from units of 2^-29 to units of 2^-21 takes a derivative from units of 2^-27 to units of
 // 2^-19.

@@ -17,4 +17,12 @@ HN_FN hn_float hn_i_float(hn_uint n) {
   return x;
 }
 
+// Microsoft's FXC takes a whole number times a constant below 2^-19 for a whole number, and leaves out the floor() of
+// it, also where users write it. It does not see what this does, which others leave out.
+#ifdef HN_I_FXC
+#define HN_I_NOT_WHOLE(x) uintBitsToFloat(floatBitsToUint(x) ^ 0u)
+#else
+#define HN_I_NOT_WHOLE(x) (x)
+#endif
+
 #endif

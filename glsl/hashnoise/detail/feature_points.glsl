@@ -134,7 +134,7 @@ HN_FN hn_ivec3 hn_i_triple(hn_int a, hn_int b, hn_int c) { return ivec3(a, b, c)
 
 // A direction is in units of 2^-9, of half a cell.
 HN_FN hn_ivec3 hn_i_offsets_from_points(hn_ivec3 d, hn_ivec3 a, hn_int jitter) { return d - ((a * jitter) >> 10); }
-HN_FN hn_float hn_i_toward(hn_int d) { return hn_i_float(-d) * (1.0f / HN_I_FLOAT_UNITS_FRACTION); }
+HN_FN hn_float hn_i_toward(hn_int d) { return HN_I_NOT_WHOLE(hn_i_float(-d) * (1.0f / HN_I_FLOAT_UNITS_FRACTION)); }
 
 HN_FN hn_ivec3 hn_i_offset_difference(hn_ivec3 a, hn_int b) { return (a - b) >> 1; }
 HN_FN hn_uint hn_i_sum(hn_uint a, hn_uint b) { return a + b; }
@@ -149,9 +149,9 @@ HN_FN hn_uvec3 hn_i_ranks(hn_uint x, hn_uint y, hn_uint z) { return uvec3(x, y, 
 // Squares are in units of 2^-28, and the ranks of the other metrics in units of 2^-20.
 HN_FN hn_uvec3 hn_i_hybrids(hn_uvec3 squares, hn_uvec3 sums) { return (squares >> 8u) + sums; }
 HN_FN hn_float hn_i_distance(hn_uint rank, hn_int metric) {
-  if (metric == HN_METRIC_SQUARED) return hn_i_float(rank >> 8u) * (1.0f / HN_I_FLOAT_UNITS_FRACTION);
+  if (metric == HN_METRIC_SQUARED) return HN_I_NOT_WHOLE(hn_i_float(rank >> 8u) * (1.0f / HN_I_FLOAT_UNITS_FRACTION));
   if (metric == HN_METRIC_MANHATTAN || metric == HN_METRIC_CHEBYSHEV || metric == HN_METRIC_HYBRID) {
-    return hn_i_float(rank) * (1.0f / HN_I_FLOAT_UNITS_FRACTION);
+    return HN_I_NOT_WHOLE(hn_i_float(rank) * (1.0f / HN_I_FLOAT_UNITS_FRACTION));
   }
   return hn_i_float(hn_i_root(rank)) * (1.0f / HN_I_FLOAT_UNITS_DISTANCE);
 }

@@ -32,7 +32,7 @@ struct hn_i_octave_sum {
   hn_i_num part;       // of the last octave: how much of it counts
   hn_i_num footprint;  // in cells of the octave; with HN_FIXED in units of 2^-24
   hn_int octaves;
-  hn_int at;         // the number of the octave, from 0
+  hn_int at;  // the number of the octave, from 0
 };
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -189,7 +189,9 @@ HN_FN hn_int hn_i_whole_fraction(hn_ivec2 x) { return x.y >> 4; }
 HN_FN hn_ivec2 hn_i_whole(hn_int cell, hn_float fraction, hn_int rest) {
   return ivec2(cell, int(min(max(fraction, 0.0f), 1.0f) * HN_I_FLOAT_UNITS_POSITION) + rest);
 }
-HN_FN hn_float hn_i_whole_fraction(hn_ivec2 x) { return hn_i_float(x.y) * (1.0f / HN_I_FLOAT_UNITS_POSITION); }
+HN_FN hn_float hn_i_whole_fraction(hn_ivec2 x) {
+  return HN_I_NOT_WHOLE(hn_i_float(x.y) * (1.0f / HN_I_FLOAT_UNITS_POSITION));
+}
 #endif
 
 // The high word of a product of two words. umulExtended is not in GLSL 1.30.

@@ -140,7 +140,7 @@ HN_FN hn_float hn_i_over(hn_int x, hn_uint root) {
   hn_uint high = (size << 11u) / root;
   hn_uint low = (((size << 11u) - high * root) << 8u) / root;
   hn_int quotient = int((high << 8u) + low);
-  return hn_i_float(hn_i_select(x < 0, -quotient, quotient)) * (1.0f / HN_I_FLOAT_UNITS_VALUE);
+  return HN_I_NOT_WHOLE(hn_i_float(hn_i_select(x < 0, -quotient, quotient)) * (1.0f / HN_I_FLOAT_UNITS_VALUE));
 }
 HN_FN hn_vec2 hn_i_unit(hn_int x, hn_int y) {
   hn_int m = hn_i_enlarging_factor(max(hn_i_size(x), hn_i_size(y)));

@@ -1,4 +1,7 @@
-"""A real Godot: where it is, and how it runs a script on each of its renderers without a screen."""
+"""A real Godot: where it is, and how it runs a script on each of its renderers without a screen.
+
+    python3 packages/godot/tests/engine.py    downloads one, if there is none; 77 if it cannot be had here
+"""
 
 from __future__ import annotations
 
@@ -15,6 +18,8 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[3]
 sys.path.insert(0, str(ROOT / "tools" / "lib"))
+
+from debian import Missing, program as from_debian  # noqa: E402
 
 SKIPPED = 77
 OLDEST = (4, 4)
@@ -36,7 +41,10 @@ def find() -> tuple[str, str]:
     """The program, and its version."""
     program = os.environ.get("HN_GODOT") or shutil.which("godot")
     if not program:
-        raise Absent("there is no godot in the PATH, and HN_GODOT names none")
+        try:
+            program = str(from_debian("godot"))
+        except Missing as why:
+            raise Absent(f"there is no godot in the PATH, HN_GODOT names none, and {why}") from why
     try:
         done = subprocess.run([program, "--version"], capture_output=True, text=True, check=False, timeout=60)
     except (OSError, subprocess.TimeoutExpired) as error:
@@ -112,6 +120,14 @@ def main(*cases: type[unittest.TestCase]) -> None:
                 case.engine = Engine(program, shown_on, Path(home))
             suite = unittest.TestSuite(unittest.defaultTestLoader.loadTestsFromTestCase(case) for case in cases)
             sys.exit(not unittest.TextTestRunner(verbosity=2).run(suite).wasSuccessful())
+    except Absent as reason:
+        print(f"skipped: {reason}")
+        sys.exit(SKIPPED)
+
+
+if __name__ == "__main__":
+    try:
+        print(*find())
     except Absent as reason:
         print(f"skipped: {reason}")
         sys.exit(SKIPPED)

@@ -19,8 +19,11 @@ from pathlib import Path
 from engine import RENDERERS, Engine, Failure, main
 
 from godot_addon.addon import ADDON, TURN, archive, recipe_texts
+from pick.command import settings
+from pick.program import Program, chosen, read
+from pick.shading import LANGUAGES
 from png import read_png
-from tree import ROOT
+from tree import GLSL, ROOT
 
 HERE = Path(__file__).resolve().parent
 SIDE = 256  # of the gallery's pictures
@@ -103,6 +106,32 @@ class Example(unittest.TestCase):
             self.compile(renderer, shaders[1:])
         with self.assertRaises(Failure):
             self.compile("gl_compatibility", [text.replace("hn_fbm_d(", "hn_fbn_d(") for text in shaders[1:]])
+
+    def test_picked_functions_draw_the_same_as_the_addon(self):
+        shaders = {}
+        for name, part, call in (("hn_fbm2", "fbm2d", "hn_fbm(UV * 8.0, 6, 2.0, 0.5, 7u)"),
+                                 ("hn_cellular2", "cellular2d", "hn_cellular(UV * 8.0, 7u).x - 0.5"),
+                                 ("hn_simplex3", "simplex3d", "hn_simplex(vec3(UV * 8.0, 0.5), 7u)"),
+                                 ("hn_gullies2", "gullies2d", "hn_gullies(UV * 8.0, vec2(1.0), 4, 2.0, 0.5, 0.1, 7u).x")):
+            for arithmetic in ("fast", "fixed"):
+                library = read(GLSL, settings(arithmetic, "lattice"))
+                picked = Program(library, chosen(library, [name])).text(LANGUAGES["godot"])
+                included = (f'#define HN_ARITHMETIC HN_{arithmetic.upper()}\n'
+                            f'#include "res://{ADDON}/{part}.gdshaderinc"\n')
+                for kind, text in (("picked", picked), ("included", included)):
+                    shaders[f"{name}_{arithmetic}_{kind}"] = (
+                        f"shader_type canvas_item;\n{text}\nvoid fragment() {{\n\tCOLOR = vec4(vec3(0.5 + {call}), 1.0);"
+                        "\n}\n")
+        shaders["other"] = shaders["hn_fbm2_fixed_picked"].replace("7u)), 1.0", "8u)), 1.0")
+        for renderer in RENDERERS:
+            pictures = drawn(self.engine, renderer, shaders)
+            self.assertGreater(part_that_differs(pictures["other"], pictures["hn_fbm2_fixed_included"]), 0.5)
+            for name in pictures:
+                if name.endswith("_picked"):
+                    with self.subTest(renderer=renderer, name=name):
+                        included = pictures[name.replace("_picked", "_included")]
+                        self.assertGreater(len(set(included)), 50)
+                        self.assertEqual(part_that_differs(pictures[name], included), 0)
 
     def compile(self, renderer: str, shaders: list[str]) -> None:
         with tempfile.TemporaryDirectory() as folder:

@@ -35,7 +35,8 @@ void fragment() {{
 }}
 """
 RECIPES = f"{ADDON}/example/recipes"
-SIDE = 208  # of a tile: five by three of them fit into a new project's window
+WINDOW = 1152, 648  # of a new project
+GAP = 4             # of a grid, between tiles
 # Eight seconds make a turn of the recipes that loop.
 TURN = "fract(TIME / 8.0)"
 
@@ -66,20 +67,29 @@ def recipe_texts() -> dict[str, str]:
     """The gallery as shaders of Godot, by their names."""
     texts = {}
     for recipe in recipes():
-        code = re.sub(r'#include "(\w+)\.glsl"', rf'#include "res://{ADDON}/\1.gdshaderinc"', recipe.code)
+        code = re.sub(r'#include "hashnoise/(\w+)\.glsl"', rf'#include "res://{ADDON}/\1.gdshaderinc"', recipe.code)
         texts[recipe.name] = RECIPE.format(code=code, call=recipe.call(TURN))
     return texts
 
 
+def tiles(count: int) -> tuple[int, int]:
+    """How many columns make so many square tiles largest that all are in the window, and the side of one."""
+    def side(columns: int) -> int:
+        return min((size + GAP) // of - GAP for size, of in zip(WINDOW, (columns, -(-count // columns))))
+    columns = max(range(1, count + 1), key=side)
+    return columns, side(columns)
+
+
 def gallery(names: list[str]) -> str:
     """A scene with a tile for each recipe."""
+    columns, side = tiles(len(names))
     ids = list(enumerate(names, 1))
     blocks = [f"[gd_scene load_steps={2 * len(ids) + 1} format=3]"]
     blocks += [f'[ext_resource type="Shader" path="res://{RECIPES}/{name}.gdshader" id="{i}"]' for i, name in ids]
     blocks += [f'[sub_resource type="ShaderMaterial" id="material_{i}"]\nshader = ExtResource("{i}")' for i, _ in ids]
-    blocks += ['[node name="Gallery" type="GridContainer"]\ncolumns = 5']
+    blocks += [f'[node name="Gallery" type="GridContainer"]\ncolumns = {columns}']
     blocks += [f'[node name="{name.capitalize()}" type="ColorRect" parent="."]\n'
-               f'material = SubResource("material_{i}")\ncustom_minimum_size = Vector2({SIDE}, {SIDE})\n'
+               f'material = SubResource("material_{i}")\ncustom_minimum_size = Vector2({side}, {side})\n'
                f'tooltip_text = "{name}"' for i, name in ids]
     return "\n\n".join(blocks) + "\n"
 

@@ -12,7 +12,7 @@ import unittest
 import zipfile
 from pathlib import Path
 
-from godot_addon.addon import ADDON, archive_name, files, version
+from godot_addon.addon import ADDON, GAP, WINDOW, archive_name, files, tiles, version
 from readme.gallery import recipes
 from tables.functions import read_functions
 from tree import ROOT, TOOLS
@@ -22,6 +22,19 @@ def call(*arguments: str | Path, **variables: str) -> subprocess.CompletedProces
     environment = {name: value for name, value in os.environ.items() if name != "SOURCE_DATE_EPOCH"}
     return subprocess.run([sys.executable, TOOLS / "godot-addon", *arguments], capture_output=True, text=True, check=False,
                           env={**environment, **variables})
+
+
+def absent(texts: dict[str, str]) -> dict[str, list[str]]:
+    """For each file of a project what it includes or names, and is not there: Godot finds what begins with res:// alone,
+    and includes what ends in .gdshaderinc."""
+    found = {}
+    for name, text in texts.items():
+        included = re.findall(r'^[ \t]*#[ \t]*include[ \t]*["<]([^">\n]*)', text, re.MULTILINE)
+        wrong = [path for path in included if not path.startswith("res://") or not path.endswith(".gdshaderinc")]
+        wrong += [path for path in re.findall(r'"(res://[^"]*)"', text) if path.removeprefix("res://") not in texts]
+        if wrong:
+            found[name] = wrong
+    return found
 
 
 class Addon(unittest.TestCase):
@@ -50,10 +63,27 @@ class Addon(unittest.TestCase):
         for part, said in (("fbm2d", "//   octaves     how many"), ("cellular3d", "//   jitter"), ("perlin2d", "//   returns")):
             self.assertIn(said, self.files[f"{ADDON}/{part}.gdshaderinc"])
 
-    def test_what_is_included_is_there(self):
-        included = {path for text in self.files.values() for path in re.findall(r'"res://([^"]+)"', text)}
-        self.assertGreater(len(included), 20)
-        self.assertEqual(included - set(self.files), set())
+    def test_what_is_named_is_there(self):
+        page = (ROOT / "docs" / "godot.md").read_text(encoding="utf-8")
+        shaders = "".join(re.findall(r"^```gdshader\n(.*?)^```$", page, re.MULTILINE | re.DOTALL))
+        self.assertEqual(absent({**self.files, "page": shaders}), {})
+        name = f"{ADDON}/example/recipes/marble.gdshader"
+        for right, wrong in (('"res://', '"hashnoise/'), ('fbm2d.gdshaderinc"', 'fbm5d.gdshaderinc"'),
+                             (".gdshaderinc", ".glsl")):
+            changed = self.files[name].replace(right, wrong)
+            self.assertNotEqual(changed, self.files[name])
+            self.assertEqual([*absent({**self.files, name: changed})], [name])
+        scene = f"{ADDON}/example/terrain.tscn"
+        self.assertEqual([*absent({**self.files, scene: self.files[scene].replace("terrain.gdshader", "hills.gdshader")})],
+                         [scene])
+
+    def test_all_of_the_gallery_is_in_the_window(self):
+        for count in (1, 7, 20, 23, 60):
+            columns, side = tiles(count)
+            for size, of in zip(WINDOW, (columns, -(-count // columns))):
+                self.assertLessEqual(of * side + (of - 1) * GAP, size)
+            self.assertGreater(count * side ** 2, 0.25 * WINDOW[0] * WINDOW[1])
+        self.assertIn(f"columns = {tiles(len(recipes()))[0]}\n", self.files[f"{ADDON}/example/gallery.tscn"])
 
     def test_the_gallery_has_every_recipe(self):
         scene = self.files[f"{ADDON}/example/gallery.tscn"]

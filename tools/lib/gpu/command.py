@@ -31,10 +31,12 @@ from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
+import debian
+from debian import Missing
 from gpu import comparing, drivers, operations, record, stripes
 from gpu.chips import CHIPS, Chip
 from gpu.compiling import Compiled, Device, compile_all
-from gpu.drivers import Drivers, Missing
+from gpu.drivers import Drivers
 from tables.peers import PEERS, Peer, against
 from tree import ROOT, hn_conform
 
@@ -93,7 +95,7 @@ def measure(chips: Sequence[Chip], found: Drivers, hn_conform: str, files: dict[
     def one(chip: Chip) -> None:
         started = time.monotonic()
         try:
-            device, results = compile_all(found.command(chip, [hn_conform, "shader-statistics"]),
+            device, results = compile_all(found.compiler(chip, [hn_conform, "shader-statistics"]),
                                           found.environment(chip), list(files.values()), progress.step)
         except Missing as why:
             skipped.append(f"{chip.name} is skipped: {why}")
@@ -192,8 +194,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--drivers", type=Path, metavar="DIR", default=DRIVERS,
                         help="where they are (build/gpu-drivers)")
     parser.add_argument("--get-drivers", action="store_true", help="download them, and do nothing else")
-    parser.add_argument("--suite", default="sid", help="Debian's, from which they come (sid)")
-    parser.add_argument("--mirror", default="http://deb.debian.org/debian", help="of Debian")
+    parser.add_argument("--suite", default=debian.SUITE, help="Debian's, from which they come (sid)")
+    parser.add_argument("--mirror", default=debian.MIRROR, help="of Debian")
     parser.add_argument("--list-chips", action="store_true", help="tell the names for --chip")
     options = parser.parse_args(arguments)
     try:
@@ -203,7 +205,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             print(comparing.page_table(*map(record.read_costs, options.compare)), end="")
             return 0
         if options.get_drivers:
-            drivers.get(options.drivers.absolute(), options.mirror, options.suite)
+            debian.get(options.drivers.absolute(), drivers.PACKAGES, "the drivers", options.mirror, options.suite)
             print(f"{options.drivers} has {drivers.find(options.drivers).version()}")
             return 0
         return run(options)

@@ -13,12 +13,14 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
+import debian
 import glslang
+from debian import Missing
 from gpu import chips, command, comparing, drivers, operations, pages, record, stripes
 from gpu.chips import CHIPS, chip_named
 from gpu.compiling import Compiled, compile_all
-from gpu.drivers import Missing
 from tables.peers import CALLS, dimensions, subject
+from thorough import in_thorough_runs
 
 # hn-conform as far as it is called. A shader costs what its file says: 7 cycles for each word of it, or trouble.
 STAND_IN = """#!/bin/sh
@@ -429,7 +431,7 @@ class Command(WithStandIn):
 
     def test_without_apt_the_drivers_cannot_be_had(self):
         for patch, part in ((mock.patch("shutil.which", return_value=None), "there is no apt-get"),
-                            (mock.patch("gpu.drivers.KEYS", self.folder / "none"), "Debian's packages are checked"),
+                            (mock.patch("debian.KEYS", self.folder / "none"), "Debian's packages are checked"),
                             (contextlib.nullcontext(), "is not empty")):
             with self.subTest(part=part), patch, mock.patch("subprocess.Popen", side_effect=AssertionError):
                 status, _, err = self.call("--get-drivers")
@@ -442,7 +444,7 @@ class Command(WithStandIn):
         self.script(programs / "apt-get", "#!/bin/sh\necho dlstatus:1:20.0:x\necho 'E: no such suite'; exit 100\n")
         self.script(programs / "dpkg-deb", "#!/bin/sh\n")
         with mock.patch.dict(os.environ, {"PATH": f"{programs}:{os.environ['PATH']}"}), \
-                mock.patch("gpu.drivers.KEYS", self.program):
+                mock.patch("debian.KEYS", self.program):
             status, _, err = self.call("--get-drivers", "--drivers", str(self.folder / "new"), "--suite", "nonesuch")
         self.assertEqual(status, 4)
         self.assertIn("downloading: 20 %", err)
@@ -450,11 +452,17 @@ class Command(WithStandIn):
         self.assertFalse((self.folder / "new").exists())
 
 
-@unittest.skipUnless(os.environ.get("HN_GPU_DRIVERS"), "HN_GPU_DRIVERS names no folder of drivers")
+@in_thorough_runs
 class Real(unittest.TestCase):
     def test_every_chip_compiles(self):
+        folder = Path(os.environ.get("HN_GPU_DRIVERS", command.DRIVERS))
+        if not debian.find(folder, "libvulkan.so.1"):
+            try:
+                debian.get(folder, drivers.PACKAGES, "the drivers")
+            except Missing as why:
+                self.skipTest(str(why))
         with tempfile.TemporaryDirectory() as out, contextlib.redirect_stdout(io.StringIO()) as said:
-            status = command.main(["--drivers", os.environ["HN_GPU_DRIVERS"], "--out", out, "--filter",
+            status = command.main(["--drivers", str(folder), "--out", out, "--filter",
                                    "noise2d.value.lattice"])
             self.assertEqual(status, 0, said.getvalue())
             costs = record.read_costs(Path(out) / "costs.csv")

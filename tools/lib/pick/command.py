@@ -101,7 +101,8 @@ def read_library(library: Path, choice: Choice) -> Module:
     """The library as this choice has it."""
     knobs = choice.knobs
     syntax = SYNTAXES.get(choice.language)
-    macros = {**knobs.macros(), **(syntax.library if syntax else {})}
+    language = syntax or LANGUAGES.get(choice.language)
+    macros = {**knobs.macros(), **(language.library if language else {})}
     module = read(library, macros, syntax is not None, knobs.own_functions())
     return over(module, choice.noise) if choice.noise else module
 
@@ -127,7 +128,9 @@ def picker(library: Path = GLSL) -> Callable[[Sequence[str], Choice], str]:
         syntax = SYNTAXES.get(choice.language)
         splits = syntax is not None
         # What is evaluated in the same way, once.
-        kind = choice.language if syntax and syntax.library else "c" if splits else "glsl"
+        alike = SYNTAXES if splits else LANGUAGES
+        macros = alike[choice.language].library if choice.language in alike else {}
+        kind = next(name for name, of in alike.items() if of.library == macros)
         made = program(tuple(names), replace(choice, language=kind, import_path=""))
         command, precise = command_of(names, choice), choice.arithmetic == "precise"
         if splits:

@@ -52,6 +52,7 @@ class Language:
     joins: bool = True    # whether one statement declares several variables
     no_precise: str = ""  # why it has no `precise`, and what to take
     names: Mapping[str, str] = field(default_factory=dict)  # of types and functions, where they are not GLSL's
+    library: Mapping[str, str] = field(default_factory=dict)  # macros with which the library is read
     has_overloads: ClassVar[bool] = True
     braces: ClassVar[bool] = False  # whether a branch of one statement has them, too
     forever: ClassVar[str] = "while (true) {"

@@ -32,7 +32,7 @@ class Godot(Language):
 GLSL = Language(qualifier="highp ", scope="precision highp float;")
 NO_PRECISE_IN_METAL = ("Metal's language has no `precise`, and its compiler computes by fast math unless it is told "
                        "otherwise: take --arithmetic fixed, whose bits are the same everywhere")
-HLSL = Language(fills=False, names=HLSL_NAMES)
+HLSL = Language(fills=False, names=HLSL_NAMES, library={"HN_I_FXC": "1"})
 # Slang does not find a variable that was declared before it in the same statement, if `<` stands behind its name.
 SLANG = replace(HLSL, joins=False, no_precise="Slang's compiler leaves `precise` out of SPIR-V: take --arithmetic "
                 "fixed, whose bits are the same everywhere")

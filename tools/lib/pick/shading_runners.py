@@ -1,9 +1,8 @@
-"""Shaders that call picked functions, and what runs them: wgpu, to which HLSL comes by glslang and Slang by its own
-compiler; Metal's language is compiled as C++, with the suite's stand-in for <metal_stdlib>."""
+"""Shaders that call picked functions, and what runs them: wgpu, to which HLSL comes by glslang or DXC and Slang by its
+own compiler; Metal's language is compiled as C++, with the suite's stand-in for <metal_stdlib>."""
 
 from __future__ import annotations
 
-import ctypes
 import functools
 import itertools
 import re
@@ -13,10 +12,12 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
+from debian import Missing
+from hlsl.compilers import compile_by_dxc, dxc
 from parsing.syntax import Function
 from pick.calling import Form
 from pick.evaluate import Module
-from pick.runners import ran
+from pick.runners import NotRun, ran
 from pick.shading import LANGUAGES
 from pick.slang import Slang
 from tree import ROOT
@@ -114,6 +115,24 @@ class HlslRunner(WgslRunner):
             return (Path(folder) / "spirv").read_bytes()
 
 
+class DxcRunner(HlslRunner):
+    def __init__(self) -> None:
+        super().__init__()
+        try:
+            dxc()
+        except Missing as why:
+            raise Absent(str(why)) from why
+
+    def compiled(self, text: str) -> str | bytes:
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "shader.hlsl"
+            file.write_text(text, encoding="ascii")
+            made = compile_by_dxc(file, "cs_6_0", "main", "-spirv", "-fspv-target-env=vulkan1.1")
+        if not made.code:
+            raise NotRun(made.messages)
+        return made.code
+
+
 class SlangRunner(HlslRunner):
     def __init__(self) -> None:
         super().__init__()
@@ -171,4 +190,5 @@ int run(std::FILE* read, std::FILE* written) {{
         return found
 
 
-RUNNERS: dict[str, type[Runner]] = {"wgsl": WgslRunner, "hlsl": HlslRunner, "slang": SlangRunner, "metal": MetalRunner}
+RUNNERS: dict[str, type[Runner]] = {"wgsl": WgslRunner, "hlsl": HlslRunner, "dxc": DxcRunner,
+                                    "slang": SlangRunner, "metal": MetalRunner}

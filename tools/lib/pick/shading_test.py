@@ -29,12 +29,12 @@ from wgsl.golden import Page, shaders_over
 
 
 @functools.cache
-def module(arithmetic: str) -> Module:
-    return read(GLSL, command.settings(arithmetic, "lattice"))
+def module(arithmetic: str, language: str = "glsl") -> Module:
+    return read(GLSL, {**command.settings(arithmetic, "lattice"), **LANGUAGES[language].library})
 
 
 def text(language: str, arithmetic: str, *names: str) -> str:
-    of = module(arithmetic)
+    of = module(arithmetic, language)
     return Program(of, chosen(of, names)).text(LANGUAGES[language])
 
 
@@ -150,7 +150,8 @@ if __name__ == "__main__":
     try:
         for language in languages:
             runner = RUNNERS[language]()
-            of_language = type(f"Header_{language}", (Header,), {"language": language, "runner": runner})
+            of_language = type(f"Header_{language}", (Header,), {"language": "hlsl" if language == "dxc" else language,
+                                                                    "runner": runner})
             suite.addTest(unittest.defaultTestLoader.loadTestsFromTestCase(of_language))
             if language == "wgsl":
                 Bounds.runner = Wgsl.runner = runner

@@ -100,6 +100,11 @@ FLOATS: dict[str, Callable[[Fraction, Fraction], Fraction]] = {
     "+": Fraction.__add__, "-": Fraction.__sub__, "*": Fraction.__mul__, "/": Fraction.__truediv__}
 
 
+def hides(sign: str, left: Node) -> bool:
+    """Whether an operation that does nothing stays, which hides from FXC what the number is (detail/convert.glsl)."""
+    return sign == "^" and isinstance(left, Operation) and left.name == "floatBitsToUint"
+
+
 def exact(value: Fraction) -> Constant | None:
     """The constant of a float, if it is one and a short decimal writes it."""
     try:
@@ -163,7 +168,7 @@ def binary(sign: str, left: Node, right: Node) -> Node:
     size = max(SIZES[left.type], SIZES[right.type])
     type_ = left.type if sign in ("<<", ">>") else vector_of(scalar_of(left.type), size)
     if whole:
-        if sign in NEUTRAL and is_number(right, NEUTRAL[sign]) and left.type == type_:
+        if sign in NEUTRAL and is_number(right, NEUTRAL[sign]) and left.type == type_ and not hides(sign, left):
             return left
         if sign in "+|^" and is_number(left, 0) or sign == "*" and is_number(left, 1):
             if right.type == type_:

@@ -16,8 +16,8 @@ from parsing.preprocessor import Preprocessor
 from tree import GLSL
 
 # What Godot does not define. Its language has the built-in functions of GLSL ES 3.00.
-UNDEFINED = ("__cplusplus", "HN_I_HLSL", "HN_I_METAL", "GL_ES", "GL_GOOGLE_cpp_style_line_directive", "__VERSION__",
-             "_MSC_VER", "VULKAN")
+UNDEFINED = ("__cplusplus", "HN_I_HLSL", "HN_I_FXC", "HN_I_METAL", "GL_ES", "GL_GOOGLE_cpp_style_line_directive",
+             "__VERSION__", "_MSC_VER", "VULKAN")
 # It has no `precise` either, whatever its version says.
 NO_PRECISE = "HN_I_HAS_PRECISE"
 # The macros of the library's own. Those that users write stay: knobs, their values, metrics.
@@ -140,16 +140,30 @@ def _replaced(code: str, single: dict[str, str]) -> str:
             if name in single:
                 _, inner, parameters, body = DEFINE.fullmatch(single[name]).groups()
                 if inner:
-                    arguments = re.search(rf"\b{name}\(([^()]*)\)", code)
-                    values = dict(zip((part.strip() for part in parameters.split(",")),
-                                      (part.strip() for part in arguments[1].split(","))))
+                    call, arguments = _call(code, name)
+                    values = dict(zip((part.strip() for part in parameters.split(",")), arguments))
                     body = WORD.sub(lambda word: values.get(word[0], word[0]), body)
-                    code = code.replace(arguments[0], body, 1)
+                    code = code.replace(call, body, 1)
                 else:
                     code = re.sub(rf"\b{name}\b ?" if not body else rf"\b{name}\b", body, code)
                 break
         else:
             return code
+
+
+def _call(code: str, name: str) -> tuple[str, list[str]]:
+    """The first call of a macro, which is on one line, and its arguments."""
+    start = re.search(rf"\b{name}\(", code)
+    arguments, depth = [""], 1
+    for at in range(start.end(), len(code)):
+        depth += {"(": 1, ")": -1}.get(code[at], 0)
+        if depth == 0:
+            return code[start.start():at + 1], [part.strip() for part in arguments]
+        if code[at] == "," and depth == 1:
+            arguments.append("")
+        else:
+            arguments[-1] += code[at]
+    raise ValueError(f"a call of {name} does not end in its line: {code}")
 
 
 def with_own_names(lines: list[str]) -> list[str]:

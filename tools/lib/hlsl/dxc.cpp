@@ -1,0 +1,65 @@
+// A command over libdxcompiler.so, Microsoft's DXC, as its own `dxc` is: the suite starts it by HN_DXC.
+//
+//   dxc [option of DXC]... -Fo OUTPUT INPUT     exit status: 0 compiled, 1 refused, 2 the library is not as expected
+//   dxc --version
+#include <dlfcn.h>
+
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "dxcapi.h"
+
+int main(int argc, char** argv) {
+  void* const library = dlopen(HN_LIBRARY, RTLD_NOW);
+  const auto create = library ? reinterpret_cast<DxcCreateInstanceProc>(dlsym(library, "DxcCreateInstance")) : nullptr;
+  IDxcUtils* utils = nullptr;
+  IDxcCompiler3* compiler = nullptr;
+  IDxcIncludeHandler* includes = nullptr;
+  if (!create || create(CLSID_DxcUtils, __uuidof(IDxcUtils), reinterpret_cast<void**>(&utils)) < 0 ||
+      create(CLSID_DxcCompiler, __uuidof(IDxcCompiler3), reinterpret_cast<void**>(&compiler)) < 0 ||
+      utils->CreateDefaultIncludeHandler(&includes) < 0) {
+    std::fprintf(stderr, "%s is no DXC\n", HN_LIBRARY);
+    return 2;
+  }
+  std::vector<std::wstring> words;
+  std::string output;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (word == "--version") {
+      std::printf("libdxcompiler of " HN_PACKAGE "\n");
+      return 0;
+    }
+    if (word == "-Fo" && i + 1 < argc) {
+      output = argv[++i];
+    } else {
+      words.emplace_back(word.begin(), word.end());
+    }
+  }
+  std::vector<const wchar_t*> arguments;
+  for (const auto& word : words) arguments.push_back(word.c_str());
+  std::ifstream file(argv[argc - 1], std::ios::binary);
+  const std::string text((std::istreambuf_iterator<char>(file)), {});
+  const DxcBuffer source = {text.data(), text.size(), DXC_CP_UTF8};
+  IDxcResult* result = nullptr;
+  HRESULT status = compiler->Compile(&source, arguments.data(), static_cast<UINT32>(arguments.size()), includes,
+                                     __uuidof(IDxcResult), reinterpret_cast<void**>(&result));
+  if (status < 0 || !file) {
+    std::fprintf(stderr, "DXC did not start\n");
+    return 2;
+  }
+  IDxcBlobUtf8* messages = nullptr;
+  result->GetOutput(DXC_OUT_ERRORS, __uuidof(IDxcBlobUtf8), reinterpret_cast<void**>(&messages), nullptr);
+  if (messages) std::cerr.write(messages->GetStringPointer(), static_cast<long>(messages->GetStringLength()));
+  result->GetStatus(&status);
+  if (status < 0) return 1;
+  IDxcBlob* made = nullptr;
+  result->GetOutput(DXC_OUT_OBJECT, __uuidof(IDxcBlob), reinterpret_cast<void**>(&made), nullptr);
+  if (!made || !made->GetBufferSize()) return 1;
+  std::ofstream(output, std::ios::binary)
+      .write(static_cast<const char*>(made->GetBufferPointer()), static_cast<long>(made->GetBufferSize()));
+  return 0;
+}
