@@ -48,7 +48,8 @@ readonly test_packages=("${driver_packages[@]}" "${npm_packages[@]}" "${example_
   qemu-user mono-mcs mono-runtime abigail-tools)
 # Compilers of the languages that tools/pick writes, as PROGRAM:PACKAGE. A machine may have the program from elsewhere, so
 # the package is missing only where the program is. Node.js is not among them: tools/node gets one that is new enough.
-readonly language_packages=(cargo:cargo go:golang-go javac:default-jdk-headless rustc:rustc)
+readonly language_packages=(cargo:cargo cargo-clippy:rust-clippy go:golang-go javac:default-jdk-headless rustc:rustc
+  rustfmt:rustfmt)
 # Of thorough tests: Microsoft's FXC, a program for Windows, and the compiler of what starts it; a Debian that has nothing, and
 # what sees connections.
 readonly thorough_packages=(debootstrap g++-mingw-w64-x86-64 strace wine wine64)
