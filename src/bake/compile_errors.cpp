@@ -94,23 +94,23 @@ std::string in_glsl(std::string_view message) {
   return text;
 }
 
-// Explains a call that HN_ONLY_TYPES_OF_GLSL deletes: "...hn_value(TypesThatGlslRefuses ...) [with TypesThatGlslRefuses
-// = {vec2, int}]"; Clang does not say the types.
+// Explains a call that HN_ONLY_TYPES_OF_GLSL refuses: "...hn_value(TypesInCall ...) [with TypesInCall = {vec2, int}]"
+// of GCC, and "'hn_value<vec2, int>' is unavailable" of Clang.
 std::string of_refused_call(const std::string& text) {
-  const std::size_t end = text.find_first_of("('", text.find("hn_"));
   const std::size_t begin = text.find("hn_");
+  const std::size_t end = text.find_first_of("(<'", begin);
   if (begin == std::string::npos || end == std::string::npos) return text;
-  const std::size_t types = text.find("Refuses = {");
   const std::string name = text.substr(begin, end - begin);
-  if (types == std::string::npos) return fmt::format("there is no {} of arguments of these types", name);
-  const std::string list = text.substr(types + 11, text.find('}', types) - types - 11);
-  return fmt::format("there is no {}({})", name, list);
+  std::size_t types = text.find("InCall = {");
+  types = types == std::string::npos ? end + 1 : types + 10;
+  const std::size_t types_end = text.find_first_of(">}", types);
+  if (types_end == std::string::npos) return fmt::format("there is no {} of arguments of these types", name);
+  return fmt::format("there is no {}({})", name, text.substr(types, types_end - types));
 }
 
 std::string explained(std::string_view message) {
   std::string text = in_glsl(message);
-  if (text.find("use of deleted function") != std::string::npos ||
-      text.find("call to deleted function") != std::string::npos) {
+  if (text.find("use of deleted function") != std::string::npos || text.find("is unavailable: ") != std::string::npos) {
     return of_refused_call(text);
   }
   if (const std::size_t own = text.find(kOwn); own != std::string::npos) {

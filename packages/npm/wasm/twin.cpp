@@ -5,12 +5,8 @@
 // period may be none), and the sums of a dimension are one loop. tools/npm says by which flags it is compiled.
 #define HN_ARITHMETIC HN_FIXED
 
-// clang-format off
-#include <hashnoise/glsl.hpp>
-#include <hashnoise/../../glsl/hashnoise/config.glsl>
-// clang-format on
-#undef HN_FN
 #define HN_FN static
+#include <hashnoise/glsl.hpp>
 #undef HN_I_INLINE
 #define HN_I_INLINE inline
 #include <hashnoise/detail/closest.hpp>

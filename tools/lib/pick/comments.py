@@ -1,5 +1,5 @@
-"""What the library's comments tell of a function, so that it stands alone: where a comment refers to another one, what
-that tells stands in its place, and nothing names a file or a page of the library."""
+"""The library's comment of a function, so that it stands alone: where it refers to another comment, the text of that stands
+in its place, and nothing names a file or a page of the library."""
 
 from __future__ import annotations
 
@@ -19,6 +19,7 @@ OF_ABOVE = re.compile(r"\bas above\b")
 FOR_ANOTHER = re.compile(r"as for (hn_\w+)")
 LIKE_ANOTHER = re.compile(r"(This form|The same|Add the noise of an octave as it is, and)\b")
 REFERENCE = re.compile(r"docs/|\.glsl")
+TYPES = re.compile(": int, ivec2, ivec3 or ivec4")  # of overloads, where a function that stands alone has one
 POSITION = ("in cells{}: scale it, so that one cell is as large as a hill or a valley shall be. Along each axis below "
             "2^23{}, since floats have no fraction beyond")
 PLACE = ("a place, that is a cell and a position in it, in cells{0}: hn_place and hn_tile make one, of which "
@@ -119,7 +120,7 @@ def without_references(text: str) -> str:
 
 def _parameter(parameter: Parameter, text: str, may_be_left_out: bool) -> str:
     name, size = parameter.at.text, parameter.type[-1]
-    text = without_references(text)
+    text = TYPES.sub("", without_references(text))
     if name == "p" and text.startswith("position, in cells"):
         of_octave = (" of the first octave", " / lacunarity^octaves") if "first octave" in text else ("", "")
         return f"position, {POSITION.format(*of_octave)}"

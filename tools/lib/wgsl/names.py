@@ -27,7 +27,7 @@ import re
 from parsing.syntax import Function
 
 # What a function of words, or of spreads, that is not overloaded takes; and hashes by name.
-NOT_OVERLOADED = (("h",), ("k",), ("h", "k"), ("i", "n", "seed"), ("i", "seed"), ("zero",), ("noise",),
+NOT_OVERLOADED = (("h",), ("k",), ("h", "k"), ("i", "n", "seed"), ("i", "seed"), ("zero",), ("kind",),
                   ("value", "spread"), ("spread", "octaves", "gain"))
 OF_A_NAME = "hn_hash_"
 # What is called otherwise, since its name is that of another function or of a struct; by its first parameter.
@@ -42,7 +42,7 @@ OF_AXES = re.compile(r"hn_(place|octaves|slopes|shifts)([1-4])")  # structs
 WITH_VECTORS = ("hn_add", "hn_mean")  # beside the octaves they may take a sum of slopes or shifts
 
 # How the constants begin that users pass, by the name of the parameter.
-PASSED = {"metric": "HN_METRIC_", "noise": "HN_SPREAD_"}
+PASSED = {"metric": "HN_METRIC_", "kind": "HN_SPREAD_"}
 
 # Names of variables that WGSL reserves, or that the module calls.
 RESERVED = frozenset("""
