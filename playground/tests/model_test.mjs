@@ -454,7 +454,7 @@ function wrongPick(from, language, state) {
   for (const name of functions(from, language, state, numbers(language, state), ["position"]).public) {
     const [, overloaded] = /^(\w+?)\d?(?:_phase|_full|_nearest)?$/.exec(name);
     const head = language === "wgsl" ? `^fn ${name}\\(` : `^\\w+ ${overloaded}\\((?:${types}) `;
-    if (!new RegExp(head, "m").test(text)) return `there is no ${name}`;
+    if (!new RegExp(head, "m").test(text.replaceAll("highp ", ""))) return `there is no ${name}`;
   }
   return "";
 }
@@ -499,7 +499,7 @@ test("what is copied says what is chosen", () => {
     '#include "hashnoise/fbm2d.glsl"',
     "do hn_add_ridged(o, hn_simplex(o.place, o.seed)); while (hn_next(o));",
     "ridged_simplex(hn_octaves(hn_place(cell, f), 5, 2.0, 0.5, 9u))",
-    "vec3 colour(float value)",
+    "highp vec3 colour(highp float value)",
   ]) {
     assert.ok(short.includes(part), part);
   }

@@ -1,8 +1,8 @@
-"""Prints which tests the last run of ctest skipped, and why: skipped.py LOG NAME..., for ctest's LastTest.log and the names
-of the tests that were skipped as a whole.
+"""Prints which tests a run of ctest skipped, in whole or in part, and why: skipped.py FILE, which ctest --output-junit wrote.
 
-Such a test prints its reason last. A test that passes may skip cases: unittest prints their reasons with -v, and GoogleTest
-always does. Cases that take long are counted. A case whose reason is "the test NAME ..." is not listed, since NAME runs it.
+A test that is skipped as a whole prints its reason last. A test that passes may skip cases: unittest prints their reasons
+with -v, and GoogleTest always does. Cases that take long are counted. A case whose reason is "the test NAME ..." is not
+listed, since NAME runs it.
 """
 
 from __future__ import annotations
@@ -10,37 +10,37 @@ from __future__ import annotations
 import re
 import sys
 from collections.abc import Iterator
-from pathlib import Path
+from xml.etree import ElementTree
 
-TEST = re.compile(r'^"([^\n]+)" start time: [^\n]*\nOutput:\n-+\n(.*?)<end of output>$', re.MULTILINE | re.DOTALL)
 REASON = re.compile(r"""\.\.\.\ skipped\ (?P<quote>['"])(.*)(?P=quote)$   # of unittest
                         | ^\S+:\d+:\ Skipped\n(.*)$                       # of GoogleTest""", re.MULTILINE | re.VERBOSE)
 COUNT = re.compile(r"^(?:OK|FAILED) \(.*?skipped=(\d+)", re.MULTILINE)
 LONG = "takes long"  # thorough.py
 
 
-def reasons(output: str, whole: bool) -> Iterator[str]:
+def reasons(test: ElementTree.Element) -> Iterator[str]:
+    output = test.findtext("system-out", "")
     found = [match[2] or match[3] for match in REASON.finditer(output)]
     yield from found
     if sum(map(int, COUNT.findall(output))) > len(found):
         yield "its cases print no reason: unittest wants -v"
-    elif whole and not found:
+    elif test.find("skipped") is not None and not found:
         yield (output.strip() or "it prints no reason").splitlines()[-1].removeprefix("skipped: ")
 
 
-def skipped(log: str, whole: set[str]) -> tuple[dict[str, list[str]], int]:
+def skipped(tests: ElementTree.Element) -> tuple[dict[str, list[str]], int]:
     """The reasons of each test that skipped something, and the number of the cases that take long."""
-    tests = {name: list(reasons(output, name in whole)) for name, output in TEST.findall(log)}
-    listed = {name: [reason for reason in dict.fromkeys(found) if not reason.startswith((LONG, "the test "))]
-              for name, found in tests.items()}
-    return ({name: found for name, found in listed.items() if found},
-            sum(reason.startswith(LONG) for found in tests.values() for reason in found))
+    found = {test.attrib["name"]: list(reasons(test)) for test in tests.iter("testcase") if test.get("status") != "disabled"}
+    listed = {name: [reason for reason in dict.fromkeys(of) if not reason.startswith((LONG, "the test "))]
+              for name, of in found.items()}
+    return ({name: of for name, of in listed.items() if of},
+            sum(reason.startswith(LONG) for of in found.values() for reason in of))
 
 
 if __name__ == "__main__":
-    listed, long = skipped(Path(sys.argv[1]).read_text(encoding="utf-8", errors="replace"), set(sys.argv[2:]))
+    listed, long = skipped(ElementTree.parse(sys.argv[1]).getroot())
     if listed:
         print("Skipped, in whole or in part:")
-        print(*(f"  {name}: {'; '.join(found)}" for name, found in listed.items()), sep="\n")
+        print(*(f"  {name}: {'; '.join(of)}" for name, of in listed.items()), sep="\n")
     if long:
         print(f"{long} cases of other tests take long: tools/test --thorough runs them.")

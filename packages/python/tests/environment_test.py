@@ -79,7 +79,7 @@ class Environment(unittest.TestCase):
         with mock.patch("subprocess.run") as started:
             started.return_value.returncode = 3
             for arguments, program in (
-                    (["run", str(self.folder), "a_test", "b_test"], ["unittest", "a_test", "b_test"]),
+                    (["run", str(self.folder), "a_test", "b_test"], ["unittest", "-v", "a_test", "b_test"]),
                     (["call", str(self.folder), "notebook", "-x"], ["notebook", "-x"])):
                 self.assertEqual(self.call(arguments)[0], 3)
                 self.assertEqual(started.call_args.args[0][1:], ["-B", "-m", *program])

@@ -181,23 +181,23 @@ class LowestPrecision(unittest.TestCase):
     def test_functions_have_the_bits_of_desktop_glsl(self) -> None:
         for turn, arithmetic in enumerate(("fast", "fixed")):
             names = list(public(self.modules(arithmetic)[0]))
-            for name in names if THOROUGH else names[turn * 20::40]:
+            for name in names if THOROUGH else names[turn * 40::80]:
                 with self.subTest(name, arithmetic=arithmetic):
                     self.assertFalse(self.differs(arithmetic, [name]))
 
     def test_so_do_pairs_of_a_family(self) -> None:
         for turn, arithmetic in enumerate(("fast", "fixed")):
             pairs = pairs_of(public(self.modules(arithmetic)[0]))
-            for pair in pairs[turn::2 if THOROUGH else 150]:
+            for pair in pairs[turn::2 if THOROUGH else 300]:
                 with self.subTest(pair, arithmetic=arithmetic):
                     self.assertFalse(self.differs(arithmetic, pair))
 
     def test_so_do_all_functions_in_one_text(self) -> None:
         """To write that text takes minutes, so by default it has some of the functions."""
         for turn, arithmetic in enumerate(("fast", "fixed")):
-            names = list(public(self.modules(arithmetic)[0]))[0 if THOROUGH else turn * 16::1 if THOROUGH else 32]
+            names = list(public(self.modules(arithmetic)[0]))[0 if THOROUGH else turn * 32::1 if THOROUGH else 64]
             text = self.text(arithmetic, names)
-            for name in names if THOROUGH else names[1::7]:
+            for name in names if THOROUGH else names[1::3]:
                 with self.subTest(name, arithmetic=arithmetic):
                     self.assertFalse(self.differs(arithmetic, names, [name], text))
 
