@@ -89,16 +89,14 @@ std::optional<Settings> settings_of(const hn::Function& function, const Golden& 
   return settings;
 }
 
-// What the functions take as the nearer end, or as a whole number in a tile, is an error of a field.
+// What else the functions take as the nearer end is an error of a field, too.
 bool are_in_domain(const Settings& s) {
   const bool is_tiled = std::ranges::any_of(s.period, [](std::int32_t period) { return period > 0; });
-  const float lacunarity = lacunarity_of(s);
-  if (!s.sum.empty() && is_tiled && (lacunarity < 1.0f || std::trunc(lacunarity) != lacunarity)) return false;
-  if (!s.sum.empty() && (gain_of(s) > 1.0f || lacunarity < 0.0f || lacunarity > 255.0f)) return false;
+  if (!s.sum.empty() && is_tiled && lacunarity_of(s) < 1.0f) return false;
   const float most = s.sum.empty() ? 0.0f : grid::sum_row(s.sum).most_strength;
   const auto is_between = [](float x, float from, float to) { return from <= x && x <= to; };
   return std::ranges::all_of(s.period, [](std::int32_t period) { return period >= 0; }) && octaves_of(s) >= 1 &&
-         octaves_of(s) <= 32 && gain_of(s) >= 0.0f && is_between(s.detail.value_or(0.0f), 0.0f, 32.0f) &&
+         octaves_of(s) <= 32 && is_between(s.detail.value_or(0.0f), 0.0f, 32.0f) &&
          s.footprint.value_or(0.0f) >= 0.0f && is_between(s.strength.value_or(0.0f), 0.0f, most) &&
          std::ranges::all_of(s.wave, [&](float wave) { return is_between(wave, -16.0f, 16.0f); }) &&
          is_between(jitter_of(s), 0.0f, 1.0f) && is_between(amplitude_of(s), 0.0f, 64.0f);
@@ -130,8 +128,10 @@ bool set(Settings& settings, const Golden& golden, const Row& row) {
     settings.metric = static_cast<Metric>(word("metric"));
   }
   if (has("octaves")) settings.octaves = static_cast<std::int32_t>(word("octaves"));
-  if (has("lacunarity")) settings.lacunarity = number("lacunarity");
-  if (has("gain")) settings.gain = number("gain");
+  // An error of a field is what the functions take as the nearer end, or in a tile as the whole part.
+  if (has("lacunarity")) settings.lacunarity = std::clamp(number("lacunarity"), 0.0f, 255.0f);
+  if (has_period && !settings.sum.empty()) settings.lacunarity = std::trunc(lacunarity_of(settings));
+  if (has("gain")) settings.gain = std::clamp(number("gain"), 0.0f, 1.0f);
   if (has("strength")) settings.strength = number("strength");
   if (has("amplitude")) settings.amplitude = number("amplitude");
   if (has("detail")) settings.detail = number("detail");

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator
 
 from catalog.javascript import drawn, may_draw
 from catalog.model import read
-from single_file.files import INCLUDE, stripped
+from single_file.files import INCLUDE, stripped, with_numbers
 from tree import GLSL, glsl_files, included_from, version
 from wgsl.module import ARITHMETICS, HASHES, Module, Settings
 from wgsl.translator import Definition
@@ -31,7 +31,7 @@ def glsl() -> dict[str, list[str]]:
     while wanted:
         name = wanted.pop()
         if name not in found:
-            lines = stripped((GLSL / name).read_text(encoding="ascii").splitlines())
+            lines = stripped(with_numbers((GLSL / name).read_text(encoding="ascii").splitlines()))
             found[name] = [named_include(name, line) for line in lines]
             wanted += [include[1] for line in found[name] if (include := INCLUDE.match(line))]
     return dict(sorted(found.items()))

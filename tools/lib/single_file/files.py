@@ -87,7 +87,7 @@ def minified(lines: Iterable[str]) -> Iterator[str]:
             yield line if line.startswith("#") else BLANK.sub("", line)
 
 
-DEFAULT = re.compile(r"(#define HN_\w+ )(HN_\w+)")
+DEFAULT = re.compile(r"(#define HN_(?!I_)\w+ )(HN_\w+)")
 NUMBER = re.compile(r"#define (HN_\w+) (\d+)")
 
 
