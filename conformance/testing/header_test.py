@@ -249,7 +249,7 @@ class BesideOthers(unittest.TestCase):
                 with self.subTest(compiler=compiler, header=header):
                     self.compiled(compiler, macros + including(header) + still_there(macros))
 
-    @unittest.skipUnless(THOROUGH, "all of them at once stand for these")
+    @unittest.skipUnless(THOROUGH, "takes long: all of them at once stand for these")
     def test_all_headers_stand_behind_the_macros_of_each(self) -> None:
         for of, names in MACROS.items():
             macros = defined(names)
@@ -289,7 +289,7 @@ class BesideOthers(unittest.TestCase):
             said = says(COMPILERS[0], text, "-std=c++20", include=Path(folder, "include"))
             self.assertRegex(said[:400], "in expansion of macro .T.")
 
-    @unittest.skipUnless(THOROUGH, "windows.h is long")
+    @unittest.skipUnless(THOROUGH, "takes long: windows.h does")
     def test_each_header_stands_behind_the_real_macros(self) -> None:
         windows = "#include <windows.h>\n{}#ifndef near\n#error near is lost\n#endif\n"
         for header in PUBLIC:
@@ -469,4 +469,4 @@ class Headers(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1])
+    unittest.main(argv=sys.argv[:1], verbosity=2)

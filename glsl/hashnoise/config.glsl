@@ -52,13 +52,13 @@
 #define HN_I_MADE(type)
 #define HN_I_HAS_PRECISE 0
 #else
-// Compilers vectorize a loop over a noise only if the whole noise is inlined into it. A program may define it otherwise.
-#ifndef HN_FN
-#ifdef _MSC_VER
+// Compilers vectorize a loop over a noise only if the whole noise is inlined into it. A small program calls it.
+#if defined(HN_I_CALLED)
+#define HN_FN static
+#elif defined(_MSC_VER)
 #define HN_FN __forceinline
 #else
 #define HN_FN [[gnu::always_inline]] inline
-#endif
 #endif
 #define HN_I_OUT(type) type&
 #define HN_I_INOUT(type) type&

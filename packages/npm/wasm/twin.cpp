@@ -4,8 +4,8 @@
 // It is small, since every page loads it: functions are called and not inlined, a noise has one form (in a tile, whose
 // period may be none), and the sums of a dimension are one loop. tools/npm says by which flags it is compiled.
 #define HN_ARITHMETIC HN_FIXED
+#define HN_I_CALLED
 
-#define HN_FN static
 #include <hashnoise/glsl.hpp>
 #undef HN_I_INLINE
 #define HN_I_INLINE inline
