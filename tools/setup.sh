@@ -159,8 +159,8 @@ install_missing() {
   fi
   local started
   started=$(milliseconds)
-  # With it, apt-get says on its standard output how far it is.
-  local -a apt_get=(apt-get -q -o APT::Status-Fd=1)
+  # With the first option apt-get prints how far it is. With the second it needs no pseudo terminal, which a container may lack.
+  local -a apt_get=(apt-get -q -o APT::Status-Fd=1 -o Dpkg::Use-Pty=0)
   logged "Asking for the newest packages" "apt-get could not read the list of packages" "${sudo[@]}" "${apt_get[@]}" update
   logged "Installing ${#missing[@]} packages and what they need" "apt-get could not install these packages: ${missing[*]}" \
     "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive "${apt_get[@]}" install -y --no-install-recommends "${missing[@]}"
