@@ -276,7 +276,7 @@ setup() {
 find_vkd3d() {
   [[ -z ${HN_VKD3D_COMPILER-} ]] && command -v apt-get >/dev/null && command -v python3 >/dev/null || return 0
   local version program
-  version=$(vkd3d-compiler --version 2>/dev/null | sed -n 's/.*version \([0-9]*\)\.\([0-9]*\).*/\1 \2/p;q')
+  version=$(vkd3d-compiler --version 2>/dev/null | sed -n 's/.*version \([0-9]*\)\.\([0-9]*\).*/\1 \2/p;q') || true
   if [[ -n $version ]] && ((${version% *} * 100 + ${version#* } >= 110)); then return 0; fi
   program=$(python3 -B "$root/tools/lib/debian.py" vkd3d-compiler) || return 0
   [[ -z $program ]] || export HN_VKD3D_COMPILER=$program
