@@ -124,4 +124,4 @@ if __name__ == "__main__":
     except NotInstalled as reason:
         print(f"skipped: {reason}")
         sys.exit(SKIPPED)
-    unittest.main()
+    unittest.main(verbosity=2)
