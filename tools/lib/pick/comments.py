@@ -156,7 +156,7 @@ ARGUMENTS: Mapping[str, tuple[float, ...]] = {
     "strength": (1,), "amplitude": (1,), "detail": (3.5,), "footprint": (0.125,), "wave": (4, 0, 0), "radius": (0.75,),
     "depth": (0.125,), "slope": (0.5, 0), "period": (8, 8, 8, 8), "cell": (3, -5, 2, 0), "f": (0.25, 0.75, 0.5, 0),
     "position": (640, -320, 100, 0), "cells": (1,), "units": (64,), "h": (12345,), "k": (5,), "x": (12345,),
-    "v": (12, 34, 56, 78), "i": (3,), "n": (0.25, 0.5, -0.5, 0), "noise": (2,), "value": (0.25,)}
+    "v": (12, 34, 56, 78), "i": (3,), "n": (0.25, 0.5, -0.5, 0), "kind": (2,), "value": (0.25,)}
 # Of what has the same name, by the type.
 OTHER_ARGUMENTS = {("n", "uint"): (52,), ("v", "float"): (0.25, -0.5, 0.5)}
 

@@ -405,6 +405,7 @@ class Comments(unittest.TestCase):
                 self.assertEqual([one for one, text in facts.parameters.items() if not text], [])
                 self.assertEqual(len(facts.parameters), len(function.parameters))
                 self.assertTrue(facts.what and (facts.returns or function.type == "void"))
+                self.assertIn(function.name, LANGUAGES["glsl"].example(function))
                 shown = " ".join([facts.what, *facts.parameters.values(), facts.returns, facts.error])
                 self.assertNotRegex(shown, self.REFERENCE)
                 for setting in ("octaves", "lacunarity", "gain", "strength", "amplitude", "depth"):
