@@ -79,6 +79,12 @@ class Test(unittest.TestCase):
         _, text, _ = self.call("-R", "quick")
         self.assertNotIn("Skipped", text)
 
+    def test_what_cannot_be_listed_leaves_the_status_alone(self) -> None:
+        (self.root / "tools" / "lib" / "skipped.py").write_text("raise SystemExit(1)\n")
+        status, text, _ = self.call("-R", "quick")
+        self.assertEqual(status, 0, text)
+        self.assertIn("tools/test: the skipped tests could not be read from", text)
+
     def test_cases_that_a_test_skips_are_listed_too(self) -> None:
         """As unittest and GoogleTest print them; not those that take long, or that another test runs."""
         (self.root / "build" / "parts.py").write_text("""import unittest
