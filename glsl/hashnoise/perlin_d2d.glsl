@@ -12,15 +12,13 @@
 
 // The noise and its derivatives, from the words of the corners.
 HN_FN hn_vec3 hn_i_perlin_d(hn_uvec4 h, hn_i_num2 f) {
-  hn_i_num3 d00 = hn_i_direction2(h.x);
-  hn_i_num3 d10 = hn_i_direction2(h.y);
-  hn_i_num3 d01 = hn_i_direction2(h.z);
-  hn_i_num3 d11 = hn_i_direction2(h.w);
-  hn_i_num x = hn_i_minus_one(f.x);
-  hn_i_num y = hn_i_minus_one(f.y);
+  hn_float x = hn_i_offset(f.x);
+  hn_float y = hn_i_offset(f.y);
+  hn_float x1 = hn_i_offset(hn_i_minus_one(f.x));
+  hn_float y1 = hn_i_offset(hn_i_minus_one(f.y));
   hn_i_num4 r =
-      hn_i_vector(hn_i_ramp(d00, f.x, f.y), hn_i_ramp(d10, x, f.y), hn_i_ramp(d01, f.x, y), hn_i_ramp(d11, x, y));
-  hn_i_num3 n = hn_i_face_d(r, hn_i_gradient(d00), hn_i_gradient(d10), hn_i_gradient(d01), hn_i_gradient(d11),
+      hn_i_vector(hn_i_ramp2(h.x, x, y), hn_i_ramp2(h.y, x1, y), hn_i_ramp2(h.z, x, y1), hn_i_ramp2(h.w, x1, y1));
+  hn_i_num3 n = hn_i_face_d(r, hn_i_gradient2(h.x), hn_i_gradient2(h.y), hn_i_gradient2(h.z), hn_i_gradient2(h.w),
                             hn_i_fade(f), hn_i_d_fade(f));
   return vec3(hn_i_value(hn_i_scaled2(n.x)), hn_i_derivative(hn_i_scaled2(n.y)), hn_i_derivative(hn_i_scaled2(n.z)));
 }

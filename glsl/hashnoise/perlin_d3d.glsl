@@ -13,12 +13,14 @@
 // The share of the front or back face in the noise: the interpolated ramp, its derivatives along x and y, and what the
 // gradients' last components add.
 HN_FN hn_i_num4 hn_i_face_d(hn_uvec4 h, hn_i_num3 f, bool back, hn_i_num3 t, hn_i_num3 s) {
-  hn_i_num4 d00 = hn_i_direction3(h.x);
-  hn_i_num4 d10 = hn_i_direction3(h.y);
-  hn_i_num4 d01 = hn_i_direction3(h.z);
-  hn_i_num4 d11 = hn_i_direction3(h.w);
-  hn_i_num4 r = hn_i_ramps(d00, d10, d01, d11, f, back);
-  return hn_i_face_d(r, hn_i_gradient(d00), hn_i_gradient(d10), hn_i_gradient(d01), hn_i_gradient(d11), t, s);
+  hn_float x = hn_i_offset(f.x);
+  hn_float y = hn_i_offset(f.y);
+  hn_float x1 = hn_i_offset(hn_i_minus_one(f.x));
+  hn_float y1 = hn_i_offset(hn_i_minus_one(f.y));
+  hn_float z = hn_i_offset(hn_i_select(back, hn_i_minus_one(f.z), f.z));
+  hn_i_num4 r = hn_i_vector(hn_i_ramp3(h.x, x, y, z), hn_i_ramp3(h.y, x1, y, z), hn_i_ramp3(h.z, x, y1, z),
+                            hn_i_ramp3(h.w, x1, y1, z));
+  return hn_i_face_d(r, hn_i_gradient3(h.x), hn_i_gradient3(h.y), hn_i_gradient3(h.z), hn_i_gradient3(h.w), t, s);
 }
 
 // The noise and its derivatives, from those of both faces.

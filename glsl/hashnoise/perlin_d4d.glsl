@@ -16,8 +16,8 @@
 // from the first; x1 is that from the second along x.
 HN_FN hn_i_num3 hn_i_edge_d(hn_uvec2 h, hn_i_num x, hn_i_num x1, hn_i_num y, hn_i_num z, hn_i_num w, hn_i_num2 along,
                             HN_I_OUT(hn_i_num2) rest) {
-  hn_i_num a = hn_i_ramp(h.x, x, y, z, w);
-  hn_i_num b = hn_i_ramp(h.y, x1, y, z, w);
+  hn_i_num a = hn_i_ramp4(h.x, x, y, z, w);
+  hn_i_num b = hn_i_ramp4(h.y, x1, y, z, w);
   hn_i_num4 g = hn_i_gradient4(h.x);
   hn_i_num4 k = hn_i_gradient4(h.y);
   rest = hn_i_vector(hn_i_lerp(g.z, k.z, along.x), hn_i_lerp(g.w, k.w, along.x));

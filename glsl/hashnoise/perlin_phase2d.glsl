@@ -13,11 +13,12 @@
 
 // The ramps of the corners.
 HN_FN hn_i_num4 hn_i_phase_ramps(hn_uvec4 h, hn_i_num2 f, hn_i_num2 rotation) {
-  hn_i_num x = hn_i_minus_one(f.x);
-  hn_i_num y = hn_i_minus_one(f.y);
-  return hn_i_vector(
-      hn_i_ramp(hn_i_direction2(h.x), f.x, f.y, rotation), hn_i_ramp(hn_i_direction2(h.y), x, f.y, rotation),
-      hn_i_ramp(hn_i_direction2(h.z), f.x, y, rotation), hn_i_ramp(hn_i_direction2(h.w), x, y, rotation));
+  hn_float x = hn_i_offset(f.x);
+  hn_float y = hn_i_offset(f.y);
+  hn_float x1 = hn_i_offset(hn_i_minus_one(f.x));
+  hn_float y1 = hn_i_offset(hn_i_minus_one(f.y));
+  return hn_i_vector(hn_i_ramp2(h.x, x, y, rotation), hn_i_ramp2(h.y, x1, y, rotation),
+                     hn_i_ramp2(h.z, x, y1, rotation), hn_i_ramp2(h.w, x1, y1, rotation));
 }
 
 // The noise in the numbers of HN_ARITHMETIC.
@@ -29,10 +30,9 @@ HN_FN hn_i_num hn_i_perlin_phase(hn_i_box2 box, hn_i_num2 f, hn_i_num2 rotation,
 // The noise and its derivatives.
 HN_FN hn_vec3 hn_i_perlin_phase_d(hn_i_box2 box, hn_i_num2 f, hn_i_num2 rotation, hn_uint seed) {
   hn_uvec4 h = hn_i_corners(box, seed);
-  hn_i_num3 n =
-      hn_i_face_d(hn_i_phase_ramps(h, f, rotation), hn_i_gradient(hn_i_direction2(h.x), rotation),
-                  hn_i_gradient(hn_i_direction2(h.y), rotation), hn_i_gradient(hn_i_direction2(h.z), rotation),
-                  hn_i_gradient(hn_i_direction2(h.w), rotation), hn_i_fade(f), hn_i_d_fade(f));
+  hn_i_num3 n = hn_i_face_d(hn_i_phase_ramps(h, f, rotation), hn_i_gradient2(h.x, rotation),
+                            hn_i_gradient2(h.y, rotation), hn_i_gradient2(h.z, rotation),
+                            hn_i_gradient2(h.w, rotation), hn_i_fade(f), hn_i_d_fade(f));
   return vec3(hn_i_value(hn_i_scaled2(n.x)), hn_i_derivative(hn_i_scaled2(n.y)), hn_i_derivative(hn_i_scaled2(n.z)));
 }
 

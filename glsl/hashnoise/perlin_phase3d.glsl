@@ -13,12 +13,13 @@
 
 // The ramps of the corners of the front or back face.
 HN_FN hn_i_num4 hn_i_phase_ramps(hn_uvec4 h, hn_i_num3 f, bool back, hn_i_num2 rotation) {
-  hn_i_num x = hn_i_minus_one(f.x);
-  hn_i_num y = hn_i_minus_one(f.y);
-  hn_i_num z = hn_i_select(back, hn_i_minus_one(f.z), f.z);
-  return hn_i_vector(
-      hn_i_ramp(hn_i_direction3(h.x), f.x, f.y, z, rotation), hn_i_ramp(hn_i_direction3(h.y), x, f.y, z, rotation),
-      hn_i_ramp(hn_i_direction3(h.z), f.x, y, z, rotation), hn_i_ramp(hn_i_direction3(h.w), x, y, z, rotation));
+  hn_float x = hn_i_offset(f.x);
+  hn_float y = hn_i_offset(f.y);
+  hn_float x1 = hn_i_offset(hn_i_minus_one(f.x));
+  hn_float y1 = hn_i_offset(hn_i_minus_one(f.y));
+  hn_float z = hn_i_offset(hn_i_select(back, hn_i_minus_one(f.z), f.z));
+  return hn_i_vector(hn_i_ramp3(h.x, x, y, z, rotation), hn_i_ramp3(h.y, x1, y, z, rotation),
+                     hn_i_ramp3(h.z, x, y1, z, rotation), hn_i_ramp3(h.w, x1, y1, z, rotation));
 }
 
 // The noise in the numbers of HN_ARITHMETIC.
@@ -31,9 +32,9 @@ HN_FN hn_i_num hn_i_perlin_phase(hn_i_box3 box, hn_i_num3 f, hn_i_num2 rotation,
 
 // The noise on a face with its derivatives along x and y, and what the gradients' last components add.
 HN_FN hn_i_num4 hn_i_phase_face_d(hn_uvec4 h, hn_i_num3 f, bool back, hn_i_num3 t, hn_i_num3 s, hn_i_num2 rotation) {
-  return hn_i_face_d(hn_i_phase_ramps(h, f, back, rotation), hn_i_gradient(hn_i_direction3(h.x), rotation),
-                     hn_i_gradient(hn_i_direction3(h.y), rotation), hn_i_gradient(hn_i_direction3(h.z), rotation),
-                     hn_i_gradient(hn_i_direction3(h.w), rotation), t, s);
+  return hn_i_face_d(hn_i_phase_ramps(h, f, back, rotation), hn_i_gradient3(h.x, rotation),
+                     hn_i_gradient3(h.y, rotation), hn_i_gradient3(h.z, rotation), hn_i_gradient3(h.w, rotation), t,
+                     s);
 }
 
 // The noise and its derivatives.

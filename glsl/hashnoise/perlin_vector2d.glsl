@@ -11,7 +11,7 @@
 
 // The noise in the numbers of HN_ARITHMETIC, from the words of the corners and the fades.
 HN_FN hn_i_num hn_i_perlin(hn_uvec4 h, hn_i_num2 f, hn_i_num2 t) {
-  return hn_i_scaled2(hn_i_lerp(hn_i_ramps(h, f), t.x, t.y));
+  return hn_i_scaled2(hn_i_face2(hn_i_ramps(h, f), t.x, t.y));
 }
 
 // Two Perlin noises that do not depend on each other, from one hash for each corner: to move positions, for the two

@@ -11,8 +11,8 @@
 
 // The noise in the numbers of HN_ARITHMETIC, from the words of the corners of both faces and the fades.
 HN_FN hn_i_num hn_i_perlin(hn_uvec4 front, hn_uvec4 back, hn_i_num3 f, hn_i_num3 t) {
-  return hn_i_scaled3(hn_i_lerp(hn_i_lerp(hn_i_ramps(front, f, false), t.x, t.y),
-                                hn_i_lerp(hn_i_ramps(back, f, true), t.x, t.y), t.z));
+  return hn_i_scaled3(hn_i_lerp(hn_i_face3(hn_i_ramps(front, f, false), t.x, t.y),
+                                hn_i_face3(hn_i_ramps(back, f, true), t.x, t.y), t.z));
 }
 
 // Three Perlin noises that do not depend on each other, from one hash for each corner: to move positions, for the parts

@@ -8,7 +8,7 @@
 
 // The share of a corner in the noise and in its derivatives, in steps.
 HN_FN hn_i_num3 hn_i_weighted_ramp_d(hn_uint h, hn_i_num x, hn_i_num y, hn_i_num t) {
-  return hn_i_weighted_ramp_d(hn_i_triangle_ramp(h, x, y), hn_i_triangle_gradient(h), x, y, hn_i_weight_plane(t),
+  return hn_i_weighted_ramp_d(hn_i_triangle_ramp(h, x, y), hn_i_gradient2(h), x, y, hn_i_weight_plane(t),
                               hn_i_d_weight_plane(t, 1));
 }
 

@@ -8,7 +8,7 @@
 
 // The share of a point in the noise and in its derivatives.
 HN_FN hn_i_num4 hn_i_weighted_ramp_d(hn_uint h, hn_i_num x, hn_i_num y, hn_i_num z, hn_i_num t) {
-  return hn_i_weighted_ramp_d(hn_i_ramp_of(h, x, y, z), hn_i_gradient(hn_i_direction3(h)), x, y, z, hn_i_weight4(t),
+  return hn_i_weighted_ramp_d(hn_i_ramp_of(h, x, y, z), hn_i_gradient3(h), x, y, z, hn_i_weight4(t),
                      hn_i_d_weight4(t, 2));
 }
 

@@ -9,9 +9,7 @@
 
 // The ramp of a corner, before it is weighted.
 HN_FN hn_i_num hn_i_triangle_ramp(hn_uint h, hn_i_num x, hn_i_num y, hn_i_num2 rotation) {
-  hn_i_num3 d = hn_i_triangle_direction(h);
-  return hn_i_triangle_times_one_plus(hn_i_mixed(rotation, hn_i_dot_direction(d, x, y), hn_i_cross(d.x, y, d.y, x)),
-                                      d.z);
+  return hn_i_ramp2(h, hn_i_offset(x), hn_i_offset(y), rotation);
 }
 
 // The noise in the numbers of HN_ARITHMETIC, from the words of the corners.
@@ -31,8 +29,7 @@ HN_FN hn_i_num hn_i_simplex_phase(hn_place2 place, hn_i_num2 rotation, hn_uint s
 
 // The share of a corner in the noise and in its derivatives, in steps.
 HN_FN hn_i_num3 hn_i_turning_ramp_d(hn_uint h, hn_i_num x, hn_i_num y, hn_i_num t, hn_i_num2 rotation) {
-  return hn_i_weighted_ramp_d(hn_i_triangle_ramp(h, x, y, rotation), hn_i_rotated(hn_i_triangle_gradient(h), rotation),
-                              x, y, hn_i_weight_plane(t), hn_i_d_weight_plane(t, 1));
+  return hn_i_weighted_ramp_d(hn_i_triangle_ramp(h, x, y, rotation), hn_i_gradient2(h, rotation), x, y, hn_i_weight_plane(t), hn_i_d_weight_plane(t, 1));
 }
 
 // The noise and its derivatives, from the words of the corners.

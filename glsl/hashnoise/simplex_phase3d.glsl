@@ -7,6 +7,11 @@
 #include "detail/body_centred_lattice.glsl"
 #include "detail/direction_turning.glsl"
 
+// The ramp of a point, before it is weighted.
+HN_FN hn_i_num hn_i_ramp_of(hn_uint h, hn_i_num x, hn_i_num y, hn_i_num z, hn_i_num2 rotation) {
+  return hn_i_ramp3(h, hn_i_offset(x), hn_i_offset(y), hn_i_offset(z), rotation);
+}
+
 // The noise in the numbers of HN_ARITHMETIC.
 HN_FN hn_i_num hn_i_simplex_phase(hn_i_block3 block, hn_i_num3 f, hn_i_num2 rotation, hn_uint seed) {
   hn_i_num4 x;
@@ -14,18 +19,17 @@ HN_FN hn_i_num hn_i_simplex_phase(hn_i_block3 block, hn_i_num3 f, hn_i_num2 rota
   hn_i_num4 z;
   hn_i_num4 t;
   hn_uvec4 h = hn_i_four_points(block, f, seed, x, y, z, t);
-  hn_i_num n = hn_i_weighted_ramp(hn_i_ramp(hn_i_direction3(h.x), x.x, y.x, z.x, rotation), hn_i_weight4(t.x));
-  n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_ramp(hn_i_direction3(h.y), x.y, y.y, z.y, rotation), hn_i_weight4(t.y)));
-  n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_ramp(hn_i_direction3(h.z), x.z, y.z, z.z, rotation), hn_i_weight4(t.z)));
-  n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_ramp(hn_i_direction3(h.w), x.w, y.w, z.w, rotation), hn_i_weight4(t.w)));
+  hn_i_num n = hn_i_weighted_ramp(hn_i_ramp_of(h.x, x.x, y.x, z.x, rotation), hn_i_weight4(t.x));
+  n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_ramp_of(h.y, x.y, y.y, z.y, rotation), hn_i_weight4(t.y)));
+  n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_ramp_of(h.z, x.z, y.z, z.z, rotation), hn_i_weight4(t.z)));
+  n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_ramp_of(h.w, x.w, y.w, z.w, rotation), hn_i_weight4(t.w)));
   return hn_i_scaled_simplex3(n);
 }
 
 // The share of a point in the noise and in its derivatives.
 HN_FN hn_i_num4 hn_i_turning_ramp_d(hn_uint h, hn_i_num x, hn_i_num y, hn_i_num z, hn_i_num t, hn_i_num2 rotation) {
-  hn_i_num4 d = hn_i_direction3(h);
-  return hn_i_weighted_ramp_d(hn_i_ramp(d, x, y, z, rotation), hn_i_gradient(d, rotation), x, y, z, hn_i_weight4(t),
-                     hn_i_d_weight4(t, 2));
+  return hn_i_weighted_ramp_d(hn_i_ramp_of(h, x, y, z, rotation), hn_i_gradient3(h, rotation), x, y, z,
+                              hn_i_weight4(t), hn_i_d_weight4(t, 2));
 }
 
 // The noise and its derivatives.

@@ -40,8 +40,7 @@ HN_FN hn_i_num4 hn_i_offsets(hn_i_num f) {
 
 // The ramp of a point in space, before it is weighted.
 HN_FN hn_i_num hn_i_ramp_of(hn_uint h, hn_i_num x, hn_i_num y, hn_i_num z) {
-  return hn_i_ramp(hn_i_direction3(h), hn_i_octahedral(hn_i_plus(x, y)), hn_i_octahedral(hn_i_minus(x, y)),
-                   hn_i_octahedral_z(z));
+  return hn_i_ramp3(h, hn_i_offset(x), hn_i_offset(y), hn_i_offset(z));
 }
 
 // A sum of weighted ramps is at most 1024 / 6570 in space, with turning gradients too, and 1024 / 4298 in four

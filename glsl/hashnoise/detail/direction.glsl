@@ -1,4 +1,4 @@
-// hashnoise: the direction of a gradient on the plane and in space, and what it adds at an offset.
+// hashnoise: the gradient of a word on the line, on the plane and in space, and what it adds at an offset.
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_DIRECTION_GLSL
@@ -6,153 +6,130 @@
 
 #include "arithmetic.glsl"
 
-// Gradients are made of fields: bits of a hash as odd multiples of 2^-9 for the plane, and of 2^-8 for space, in
-// (-1, 1). They are symmetric about 0 and never 0. The highest bit is a sign. For the plane the field is where the
-// fraction of a float begins, from bit 22 down: that saves a shift. For space the two fields are from bit 30 down. No
-// bit is used twice. Bits behind an exponent make a float without a conversion from integer.
-#if HN_I_BITCAST
-HN_FN hn_float hn_i_field2(hn_uint h) {
-  return hn_i_minus(uintBitsToFloat((h & 0x007FC000u) | 0x40000000u), 3.0f - 1.0f / 512.0f);
-}
-HN_FN hn_float hn_i_field3p(hn_uint h) {
-  return hn_i_minus(uintBitsToFloat(((h >> 8u) & 0x007F8000u) | 0x40000000u), 3.0f - 1.0f / 256.0f);
-}
-HN_FN hn_float hn_i_field3q(hn_uint h) {
-  return hn_i_minus(uintBitsToFloat((h & 0x007F8000u) | 0x40000000u), 3.0f - 1.0f / 256.0f);
-}
+// On the plane a gradient has one of 8 directions: (3, 1) / 4 and (1, 3) / 4, with signs. In space it is one of the 12
+// edges of a cube: two components are 1 or -1, and one is 0. Both sets are alike along all axes and diagonals, so noise
+// has the spectrum that gradients of all directions would give it.
+//
+//   hn_i_offset(x)                   an offset as a float
+//   hn_i_direction2(h)               a gradient on the plane, as floats
+//   hn_i_signs(h)                    the components of a gradient in space that are not 0
+//   hn_i_pair(h, x, y, z)            the offsets along their two axes
+//   hn_i_along2(g, x, y)             a gradient times an offset. In HN_FIXED in units of 2^-22, and in those of offsets,
+//   hn_i_along3(s, a, b)             2^-20, in space; hn_i_ramp_of2, 3 take it to the units of ramps
+//   hn_i_ramp2(h, x, y)              the ramp of a word; hn_i_ramp3(h, x, y, z)
+//   hn_i_edge2(a, b, t)              interpolates from a to b by a fade t, to a ramp; hn_i_edge3(a, b, t)
+//   hn_i_gradient1, 2, 3(h)          a gradient, in the units of ramps
+//   hn_i_along_axes(h, a, b)         a vector in space with these components along the two axes
 
-// The fields of three words at once.
-HN_FN hn_vec3 hn_i_of_field_bits(hn_uvec3 bits, hn_float offset) {
-  HN_I_PRECISE hn_vec3 x = uintBitsToFloat(hn_i_or(bits, 0x40000000u)) - offset;
-  return x;
+// Bits behind an exponent make a float without a conversion from integer, and without a shift.
+#if HN_I_BITCAST
+HN_FN hn_vec2 hn_i_direction2(hn_uint h) {
+  hn_float x = uintBitsToFloat((h & 0x00600000u) | 0x40000000u) - 2.75f;
+  return vec2(x, hn_i_signed(1.0f - abs(x), h));
 }
-HN_FN hn_vec3 hn_i_fields2(hn_uvec3 h) { return hn_i_of_field_bits(hn_i_and(h, 0x007FC000u), 3.0f - 1.0f / 512.0f); }
-HN_FN hn_vec3 hn_i_fields3p(hn_uvec3 h) {
-  return hn_i_of_field_bits(hn_i_and(h >> 8u, 0x007F8000u), 3.0f - 1.0f / 256.0f);
+HN_FN hn_vec2 hn_i_signs(hn_uint h) {
+  return vec2(5.0f - uintBitsToFloat((h & 0x00400000u) | 0x40800000u),
+              9.0f - uintBitsToFloat((h & 0x00200000u) | 0x41000000u));
 }
-HN_FN hn_vec3 hn_i_fields3q(hn_uvec3 h) { return hn_i_of_field_bits(hn_i_and(h, 0x007F8000u), 3.0f - 1.0f / 256.0f); }
 #else
-HN_FN hn_float hn_i_field2(hn_uint h) {
-  return hn_i_minus(hn_i_float((h >> 14u) & 511u) * (1.0f / 256.0f), 1.0f - 1.0f / 512.0f);
+HN_FN hn_vec2 hn_i_direction2(hn_uint h) {
+  hn_float x = hn_i_float((h >> 21u) & 3u) * 0.5f - 0.75f;
+  return vec2(x, hn_i_signed(1.0f - abs(x), h));
 }
-HN_FN hn_float hn_i_field3p(hn_uint h) {
-  return hn_i_minus(hn_i_float((h >> 23u) & 255u) * (1.0f / 128.0f), 1.0f - 1.0f / 256.0f);
+HN_FN hn_vec2 hn_i_signs(hn_uint h) {
+  return vec2(hn_i_select((h & 0x00400000u) != 0u, -1.0f, 1.0f), hn_i_select((h & 0x00200000u) != 0u, -1.0f, 1.0f));
 }
-HN_FN hn_float hn_i_field3q(hn_uint h) {
-  return hn_i_minus(hn_i_float((h >> 15u) & 255u) * (1.0f / 128.0f), 1.0f - 1.0f / 256.0f);
-}
-HN_FN hn_vec3 hn_i_fields2(hn_uvec3 h) { return vec3(hn_i_field2(h.x), hn_i_field2(h.y), hn_i_field2(h.z)); }
-HN_FN hn_vec3 hn_i_fields3p(hn_uvec3 h) { return vec3(hn_i_field3p(h.x), hn_i_field3p(h.y), hn_i_field3p(h.z)); }
-HN_FN hn_vec3 hn_i_fields3q(hn_uvec3 h) { return vec3(hn_i_field3q(h.x), hn_i_field3q(h.y), hn_i_field3q(h.z)); }
 #endif
 
-// A direction is a point of the square or octahedron |x| + |y| (+ |z|) = 1, and `more`: 1 less its largest component.
-// The gradient is the point times 1 + more. That brings its length near 1 in every direction, since noise made of the
-// points themselves would show the axes (docs/quality.md). Ramps are lengthened in place of gradients: it is cheaper.
+// The size of the word chooses the axes: x and y below the first third, y and z from the second third on, and x and z
+// between.
+HN_FN hn_vec2 hn_i_pair(hn_uint h, hn_float x, hn_float y, hn_float z) {
+  return vec2(hn_i_select(h < 0xAAAAAAAAu, x, y), hn_i_select(h < 0x55555555u, y, z));
+}
+HN_FN hn_i_num3 hn_i_along_axes(hn_uint h, hn_i_num a, hn_i_num b) {
+  hn_i_num none = hn_i_minus(HN_I_ONE, HN_I_ONE);
+  return hn_i_vector(hn_i_select(h < 0xAAAAAAAAu, a, none),
+                     hn_i_select(h < 0x55555555u, b, hn_i_select(h < 0xAAAAAAAAu, none, a)),
+                     hn_i_select(h < 0x55555555u, none, b));
+}
+
 #if HN_ARITHMETIC != HN_FIXED
 
-// On the plane a direction is x, y, more.
-HN_FN hn_vec3 hn_i_direction2(hn_uint h) {
-  hn_float x = hn_i_field2(h);
-  hn_float m = hn_i_minus(1.0f, abs(x));
-  return vec3(x, hn_i_signed(m, h), min(abs(x), m));
-}
+HN_FN hn_float hn_i_offset(hn_float x) { return x; }
+HN_FN hn_float hn_i_along2(hn_vec2 g, hn_float x, hn_float y) { return hn_i_dot(g, x, y); }
+HN_FN hn_float hn_i_along3(hn_vec2 signs, hn_float a, hn_float b) { return hn_i_dot(signs, a, b); }
+HN_FN hn_float hn_i_ramp_of2(hn_float n) { return n; }
+HN_FN hn_float hn_i_ramp_of3(hn_float n) { return n; }
+HN_FN hn_float hn_i_edge2(hn_float a, hn_float b, hn_float t) { return hn_i_lerp(a, b, t); }
+HN_FN hn_float hn_i_edge3(hn_float a, hn_float b, hn_float t) { return hn_i_lerp(a, b, t); }
 
-// In space a direction is p, q, z, more. Seen along z the octahedron is a square with corners on the axes. p and q run
-// along its sides: x = (p + q) / 2 and y = (p - q) / 2. The height above a point of the square is 1 minus the larger of
-// |p| and |q|.
-HN_FN hn_vec4 hn_i_direction3(hn_uint h) {
-  hn_float p = hn_i_field3p(h);
-  hn_float q = hn_i_field3q(h);
-  hn_float larger = max(abs(p), abs(q));
-  hn_float more = min(hn_i_times_plus(-0.5f, hn_i_plus(abs(p), abs(q)), 1.0f), larger);
-  return vec4(p, q, hn_i_signed(hn_i_minus(1.0f, larger), h), more);
-}
-
-HN_FN hn_float hn_i_gradient1(hn_uint h) { return hn_i_field2(h); }
-HN_FN hn_vec2 hn_i_gradient(hn_vec3 d) { return vec2(hn_i_times_one_plus(d.x, d.z), hn_i_times_one_plus(d.y, d.z)); }
-HN_FN hn_vec3 hn_i_gradient(hn_vec4 d) {
-  hn_float half_length = hn_i_times_plus(0.5f, d.w, 0.5f);
-  return vec3(hn_i_times(hn_i_plus(d.x, d.y), half_length), hn_i_times(hn_i_minus(d.x, d.y), half_length),
-              hn_i_times_one_plus(d.z, d.w));
-}
-
-// A direction times an offset. In space u = (x + y) / 2, v = (x - y) / 2, and w = z.
-HN_FN hn_float hn_i_dot_direction(hn_vec3 d, hn_float x, hn_float y) { return hn_i_dot(vec2(d.x, d.y), x, y); }
-HN_FN hn_float hn_i_dot_direction(hn_vec4 d, hn_float u, hn_float v, hn_float w) {
-  return hn_i_dot(vec3(d.x, d.y, d.z), u, v, w);
+HN_FN hn_float hn_i_gradient1(hn_uint h) {
+#if HN_I_BITCAST
+  return hn_i_minus(uintBitsToFloat((h & 0x007FC000u) | 0x40000000u), 3.0f - 1.0f / 512.0f);
+#else
+  return hn_i_minus(hn_i_float((h >> 14u) & 511u) * (1.0f / 256.0f), 1.0f - 1.0f / 512.0f);
+#endif
 }
 HN_FN hn_float hn_i_ramp(hn_float g, hn_float x) { return hn_i_times(g, x); }
-
-// a x - b y
-HN_FN hn_float hn_i_cross(hn_float a, hn_float x, hn_float b, hn_float y) {
-  HN_I_PRECISE hn_float n = a * x - b * y;
-  return n;
-}
-
-// Ramps in space take offsets in this form: u and v are made of halves.
-HN_FN hn_float hn_i_octahedral(hn_float x) { return hn_i_times(x, 0.5f); }
-HN_FN hn_float hn_i_octahedral_z(hn_float z) { return z; }
+HN_FN hn_vec2 hn_i_gradient2(hn_uint h) { return hn_i_direction2(h); }
+HN_FN hn_vec2 hn_i_sign_pair(hn_uint h) { return hn_i_signs(h); }
 
 #else
 
-// The same in units of 2^-9, but p, q and z in units of 2^-8. They are computed as floats, since on GPUs the absolute
-// value of a float costs nothing, and that of an integer does. No step rounds: the floats are whole numbers of few
-// bits.
+// Offsets are whole numbers of 2^-20, and a gradient times an offset is below 2 in magnitude, a multiple of 2^-20 or
+// 2^-22. With 12 or 3 added it is a float whose last bit has that unit. So floats compute it without rounding, in any
+// order, and its bits are an integer.
 #if HN_I_BITCAST
-HN_FN hn_float hn_i_whole2(hn_uint h) { return uintBitsToFloat((h & 0x007FC000u) | 0x44800000u) - 1535.0f; }
-HN_FN hn_float hn_i_whole3(hn_uint h) { return uintBitsToFloat((h & 0x007F8000u) | 0x44000000u) - 767.0f; }
-
-// The fields of three words at once.
-HN_FN hn_vec3 hn_i_wholes2(hn_uvec3 h) {
-  return uintBitsToFloat(hn_i_or(hn_i_and(h, 0x007FC000u), 0x44800000u)) - 1535.0f;
+HN_FN hn_float hn_i_offset(hn_int x) { return uintBitsToFloat(uint(x) + 0x41400000u) - 12.0f; }
+HN_FN hn_int hn_i_along2(hn_vec2 g, hn_float x, hn_float y) {
+  return int(floatBitsToUint(g.x * x + 3.0f + g.y * y) - 0x40400000u);
+}
+HN_FN hn_int hn_i_along3(hn_vec2 signs, hn_float a, hn_float b) {
+  return int(floatBitsToUint(signs.x * a + 12.0f + signs.y * b) - 0x41400000u);
 }
 #else
-HN_FN hn_float hn_i_whole2(hn_uint h) { return hn_i_float((h >> 13u) & 1022u) - 511.0f; }
-HN_FN hn_float hn_i_whole3(hn_uint h) { return hn_i_float((h >> 14u) & 510u) - 255.0f; }
-HN_FN hn_vec3 hn_i_wholes2(hn_uvec3 h) { return vec3(hn_i_whole2(h.x), hn_i_whole2(h.y), hn_i_whole2(h.z)); }
-#endif
-HN_FN hn_ivec3 hn_i_direction2(hn_uint h) {
-  hn_float x = hn_i_whole2(h);
-  hn_float m = 512.0f - abs(x);
-  return ivec3(vec3(x, hn_i_signed(m, h), min(abs(x), m)));
+HN_FN hn_float hn_i_offset(hn_int x) { return hn_i_float(x) * (1.0f / HN_I_FLOAT_UNITS_FRACTION); }
+HN_FN hn_int hn_i_along2(hn_vec2 g, hn_float x, hn_float y) { return int((g.x * x + g.y * y) * 4194304.0f); }
+HN_FN hn_int hn_i_along3(hn_vec2 signs, hn_float a, hn_float b) {
+  return int((signs.x * a + signs.y * b) * HN_I_FLOAT_UNITS_FRACTION);
 }
-HN_FN hn_ivec4 hn_i_direction3(hn_uint h) {
-  hn_float p = hn_i_whole3(h >> 8u);
-  hn_float q = hn_i_whole3(h);
-  hn_float larger = max(abs(p), abs(q));
-  hn_float more = min(512.0f - (abs(p) + abs(q)), larger + larger);
-  return ivec4(vec4(p, q, hn_i_signed(256.0f - larger, h), more));
+#endif
+
+HN_FN hn_int hn_i_ramp_of2(hn_int n) { return n * 128; }
+HN_FN hn_int hn_i_ramp_of3(hn_int n) { return n * 512; }
+
+// hn_i_lerp between ramps, without the bits that are 0 in them.
+HN_FN hn_int hn_i_edge2(hn_int a, hn_int b, hn_int t) {
+  hn_int d = b - a;
+  return a * 128 + ((d >> 2) * (t >> 9) + (d >> 11) * (t & 511));
+}
+HN_FN hn_int hn_i_edge3(hn_int a, hn_int b, hn_int t) {
+  hn_int d = b - a;
+  return a * 512 + (d * (t >> 9) + (d >> 9) * (t & 511));
 }
 
-// Gradients are in units of 2^-29, as ramps are.
 HN_FN hn_int hn_i_gradient1(hn_uint h) { return (int((h >> 13u) & 1022u) - 511) << 20; }
-HN_FN hn_ivec2 hn_i_gradient(hn_ivec3 d) {
-  hn_int s = (512 + d.z) << 11;
-  return ivec2(d.x * s, d.y * s);
-}
-HN_FN hn_ivec3 hn_i_gradient(hn_ivec4 d) {
-  hn_int s = (512 + d.w) << 11;
-  return ivec3((d.x + d.y) * s, (d.x - d.y) * s, (d.z + d.z) * s);
-}
-
-HN_FN hn_int hn_i_dot_direction(hn_ivec3 d, hn_int x, hn_int y) { return d.x * x + d.y * y; }
-HN_FN hn_int hn_i_dot_direction(hn_ivec4 d, hn_int u, hn_int v, hn_int w) { return d.x * u + d.y * v + d.z * w; }
 HN_FN hn_int hn_i_ramp(hn_int g, hn_int x) { return (g >> 20) * x; }
-HN_FN hn_int hn_i_cross(hn_int a, hn_int x, hn_int b, hn_int y) { return a * x - b * y; }
-
-// In space p, q and z have units twice as large, so u = x + y, v = x - y and w = 2 z.
-HN_FN hn_int hn_i_octahedral(hn_int x) { return x; }
-HN_FN hn_int hn_i_octahedral_z(hn_int z) { return z + z; }
+HN_FN hn_ivec2 hn_i_gradient2(hn_uint h) {
+  hn_vec2 g = hn_i_direction2(h);
+  return ivec2(hn_i_ramp_of2(hn_i_along2(g, 1.0f, 0.0f)), hn_i_ramp_of2(hn_i_along2(g, 0.0f, 1.0f)));
+}
+HN_FN hn_ivec2 hn_i_sign_pair(hn_uint h) {
+  return ivec2(hn_i_signed(HN_I_UNITS_RAMP, h << 9u), hn_i_signed(HN_I_UNITS_RAMP, h << 10u));
+}
 
 #endif
 
-// The ramp of a corner.
-HN_FN hn_i_num hn_i_ramp(hn_i_num3 d, hn_i_num x, hn_i_num y) {
-  return hn_i_times_one_plus(hn_i_dot_direction(d, x, y), d.z);
+HN_FN hn_i_num hn_i_ramp2(hn_uint h, hn_float x, hn_float y) {
+  return hn_i_ramp_of2(hn_i_along2(hn_i_direction2(h), x, y));
 }
-HN_FN hn_i_num hn_i_ramp(hn_i_num4 d, hn_i_num u, hn_i_num v, hn_i_num w) {
-  return hn_i_times_one_plus(hn_i_dot_direction(d, u, v, w), d.w);
+HN_FN hn_i_num hn_i_ramp3(hn_uint h, hn_float x, hn_float y, hn_float z) {
+  hn_vec2 offset = hn_i_pair(h, x, y, z);
+  return hn_i_ramp_of3(hn_i_along3(hn_i_signs(h), offset.x, offset.y));
+}
+HN_FN hn_i_num3 hn_i_gradient3(hn_uint h) {
+  hn_i_num2 g = hn_i_sign_pair(h);
+  return hn_i_along_axes(h, g.x, g.y);
 }
 
 #endif

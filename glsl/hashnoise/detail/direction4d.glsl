@@ -4,36 +4,46 @@
 #ifndef HN_DIRECTION4D_GLSL
 #define HN_DIRECTION4D_GLSL
 
-#include "arithmetic.glsl"
-
-// A ramp in four dimensions is the sum of two offsets. So it has 30 bits, and its units in HN_FIXED are 2^-28, twice
-// those of other ramps. An interpolation between such ramps is scaled by twice as much there.
-#if HN_ARITHMETIC != HN_FIXED
-HN_FN hn_float hn_i_ramp_of_offset(hn_float x) { return x; }
-HN_FN hn_float hn_i_scaled_ramps(hn_float n, hn_int s) { return hn_i_scaled(n, s); }
-#else
-HN_FN hn_int hn_i_ramp_of_offset(hn_int x) { return x * 256; }
-HN_FN hn_int hn_i_scaled_ramps(hn_int n, hn_int s) { return hn_i_scaled(n, s + s); }
-#endif
+#include "direction.glsl"
 
 // In four dimensions a gradient is one of the 24 corners of the 24-cell: two components are 1 or -1, and two are 0. The
 // 24 are as isotropic as a sphere up to the fifth harmonic. The size of the word chooses one of three ways to pair the
 // axes: xy and zw below the first third, xw and yz from the second third on, and xz and yw between. Bit 20 chooses the
-// second pair, and bits 19 and 18 are the signs.
-HN_FN hn_i_num hn_i_ramp(hn_uint h, hn_i_num x, hn_i_num y, hn_i_num z, hn_i_num w) {
+// second pair, and bits 22 and 21 are the signs.
+//
+// A ramp is the sum of two offsets. In a kernel it has 30 bits, so its units in HN_FIXED are 2^-28, twice those of other
+// ramps. An interpolation between such ramps is scaled by twice as much there.
+HN_FN hn_i_num hn_i_along(hn_uint h, hn_float x, hn_float y, hn_float z, hn_float w) {
   hn_uint second = h & 0x00100000u;
-  hn_i_num a = hn_i_select(second != 0u, hn_i_select(h < 0x55555555u, z, y), x);
-  hn_i_num b = hn_i_select(second != 0u, hn_i_select(h < 0xAAAAAAAAu, w, z),
+  hn_float a = hn_i_select(second != 0u, hn_i_select(h < 0x55555555u, z, y), x);
+  hn_float b = hn_i_select(second != 0u, hn_i_select(h < 0xAAAAAAAAu, w, z),
                            hn_i_select(h < 0x55555555u, y, hn_i_select(h < 0xAAAAAAAAu, z, w)));
-  return hn_i_ramp_of_offset(hn_i_plus(hn_i_flipped(a, h << 12u), hn_i_flipped(b, h << 13u)));
+  return hn_i_along3(hn_i_signs(h), a, b);
 }
 
-// The components of such a gradient, in the numbers of its ramps. None is -0.
+#if HN_ARITHMETIC != HN_FIXED
+HN_FN hn_float hn_i_ramp_of4(hn_float n) { return n; }
+HN_FN hn_float hn_i_edge4(hn_float a, hn_float b, hn_float t) { return hn_i_lerp(a, b, t); }
+HN_FN hn_float hn_i_scaled_ramps(hn_float n, hn_int s) { return hn_i_scaled(n, s); }
+#else
+HN_FN hn_int hn_i_ramp_of4(hn_int n) { return n * 256; }
+HN_FN hn_int hn_i_edge4(hn_int a, hn_int b, hn_int t) {
+  hn_int d = b - a;
+  return a * 256 + ((d >> 1) * (t >> 9) + (d >> 10) * (t & 511));
+}
+HN_FN hn_int hn_i_scaled_ramps(hn_int n, hn_int s) { return hn_i_scaled(n, s + s); }
+#endif
+
+HN_FN hn_i_num hn_i_ramp4(hn_uint h, hn_i_num x, hn_i_num y, hn_i_num z, hn_i_num w) {
+  return hn_i_ramp_of4(hn_i_along(h, hn_i_offset(x), hn_i_offset(y), hn_i_offset(z), hn_i_offset(w)));
+}
+
+// The components of such a gradient, in the units of its ramps. None is -0.
 HN_FN hn_i_num4 hn_i_gradient4(hn_uint h) {
   hn_uint second = h & 0x00100000u;
   hn_i_num none = hn_i_minus(HN_I_ONE, HN_I_ONE);
-  hn_i_num a = hn_i_ramp_of_offset(hn_i_flipped(HN_I_ONE, h << 12u));
-  hn_i_num b = hn_i_ramp_of_offset(hn_i_flipped(HN_I_ONE, h << 13u));
+  hn_i_num a = hn_i_ramp_of4(hn_i_flipped(HN_I_ONE, h << 9u));
+  hn_i_num b = hn_i_ramp_of4(hn_i_flipped(HN_I_ONE, h << 10u));
   hn_i_num a1 = hn_i_select(second != 0u, none, a);  // of the first pair
   hn_i_num b1 = hn_i_select(second != 0u, none, b);
   hn_i_num a2 = hn_i_select(second != 0u, a, none);  // of the second
