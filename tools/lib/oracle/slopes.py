@@ -61,7 +61,7 @@ def rise(a: int, b: int) -> int:
 @dataclass(frozen=True)
 class Ramp:
     """What is interpolated: a value, with its derivatives along the axes that are done, and the components of its
-    gradient along the others. Value noise has no gradient."""
+    gradient along the others, in units four times as large. Value noise has no gradient."""
     value: int
     derivatives: tuple[int, ...] = ()
     gradient: tuple[int, ...] = ()
@@ -72,6 +72,6 @@ def interpolated_ramp(a: Ramp, b: Ramp, t: int, slope: int) -> Ramp:
     derivative = part(rise(a.value, b.value), slope)
     components = [lerp(x, y, t) for x, y in zip(a.gradient, b.gradient, strict=True)]
     if components:
-        derivative = signed((components.pop(0) >> 2) + derivative)
+        derivative = signed(components.pop(0) + derivative)
     interpolated = [lerp(x, y, t) for x, y in zip(a.derivatives, b.derivatives, strict=True)]
     return Ramp(lerp(a.value, b.value, t), (*interpolated, derivative), tuple(components))
