@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from oracle.cells import smooth
-from oracle.integers import UNIT, lerp, part, signed, word
+from oracle.integers import UNIT, difference, lerp, part, signed, word
 
 # --- Exact -------------------------------------------------------------------------------------------------------
 
@@ -55,7 +55,7 @@ def fade_slope(fraction: int) -> int:
 
 def rise(a: int, b: int) -> int:
     """From a to b, in units four times as large."""
-    return signed(b - a) >> 2
+    return difference(a, b) >> 2
 
 
 @dataclass(frozen=True)

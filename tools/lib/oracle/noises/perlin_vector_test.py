@@ -12,7 +12,7 @@ from oracle.gradients import Knobs
 from oracle.integers import UNIT, lerp
 
 VECTOR = noises.find("perlin_vector")
-SCALES = {2: Fraction(1831, 1024), 3: Fraction(988, 1024)}
+SCALES = {2: Fraction(1831, 1024), 3: Fraction(985, 1024)}
 FACTORS = (0xEB1831, 0x84A5E5)
 
 
