@@ -18,7 +18,7 @@ HN_FN hn_vec3 hn_i_perlin_d(hn_uvec4 h, hn_i_num2 f) {
   hn_float y1 = hn_i_offset(hn_i_minus_one(f.y));
   hn_i_num4 r =
       hn_i_vector(hn_i_ramp2(h.x, x, y), hn_i_ramp2(h.y, x1, y), hn_i_ramp2(h.z, x, y1), hn_i_ramp2(h.w, x1, y1));
-  hn_i_num3 n = hn_i_face_d(r, hn_i_gradient2(h.x), hn_i_gradient2(h.y), hn_i_gradient2(h.z), hn_i_gradient2(h.w),
+  hn_i_num3 n = hn_i_face_d(r, hn_i_direction2(h.x), hn_i_direction2(h.y), hn_i_direction2(h.z), hn_i_direction2(h.w),
                             hn_i_fade(f), hn_i_d_fade(f));
   return vec3(hn_i_value(hn_i_scaled2(n.x)), hn_i_derivative(hn_i_scaled2(n.y)), hn_i_derivative(hn_i_scaled2(n.z)));
 }

@@ -18,9 +18,13 @@ HN_FN hn_i_num4 hn_i_face_d(hn_uvec4 h, hn_i_num3 f, bool back, hn_i_num3 t, hn_
   hn_float x1 = hn_i_offset(hn_i_minus_one(f.x));
   hn_float y1 = hn_i_offset(hn_i_minus_one(f.y));
   hn_float z = hn_i_offset(hn_i_select(back, hn_i_minus_one(f.z), f.z));
-  hn_i_num4 r = hn_i_vector(hn_i_ramp3(h.x, x, y, z), hn_i_ramp3(h.y, x1, y, z), hn_i_ramp3(h.z, x, y1, z),
-                            hn_i_ramp3(h.w, x1, y1, z));
-  return hn_i_face_d(r, hn_i_gradient3(h.x), hn_i_gradient3(h.y), hn_i_gradient3(h.z), hn_i_gradient3(h.w), t, s);
+  hn_vec3 g00 = hn_i_direction3(h.x);
+  hn_vec3 g10 = hn_i_direction3(h.y);
+  hn_vec3 g01 = hn_i_direction3(h.z);
+  hn_vec3 g11 = hn_i_direction3(h.w);
+  hn_i_num4 r = hn_i_vector(hn_i_ramp_of3(hn_i_along3(g00, x, y, z)), hn_i_ramp_of3(hn_i_along3(g10, x1, y, z)),
+                            hn_i_ramp_of3(hn_i_along3(g01, x, y1, z)), hn_i_ramp_of3(hn_i_along3(g11, x1, y1, z)));
+  return hn_i_face_d(r, g00, g10, g01, g11, t, s);
 }
 
 // The noise and its derivatives, from those of both faces.

@@ -46,6 +46,12 @@ HN_FN hn_vec2 hn_i_signs(hn_uint h) {
 HN_FN hn_vec2 hn_i_pair(hn_uint h, hn_float x, hn_float y, hn_float z) {
   return vec2(hn_i_select(h < 0xAAAAAAAAu, x, y), hn_i_select(h < 0x55555555u, y, z));
 }
+HN_FN hn_vec3 hn_i_direction3(hn_uint h) {
+  hn_vec2 g = hn_i_signs(h);
+  return vec3(hn_i_select(h < 0xAAAAAAAAu, g.x, 0.0f),
+              hn_i_select(h < 0x55555555u, g.y, hn_i_select(h < 0xAAAAAAAAu, 0.0f, g.x)),
+              hn_i_select(h < 0x55555555u, 0.0f, g.y));
+}
 HN_FN hn_i_num3 hn_i_along_axes(hn_uint h, hn_i_num a, hn_i_num b) {
   hn_i_num none = hn_i_minus(HN_I_ONE, HN_I_ONE);
   return hn_i_vector(hn_i_select(h < 0xAAAAAAAAu, a, none),
@@ -58,6 +64,7 @@ HN_FN hn_i_num3 hn_i_along_axes(hn_uint h, hn_i_num a, hn_i_num b) {
 HN_FN hn_float hn_i_offset(hn_float x) { return x; }
 HN_FN hn_float hn_i_along2(hn_vec2 g, hn_float x, hn_float y) { return hn_i_dot(g, x, y); }
 HN_FN hn_float hn_i_along3(hn_vec2 signs, hn_float a, hn_float b) { return hn_i_dot(signs, a, b); }
+HN_FN hn_float hn_i_along3(hn_vec3 g, hn_float x, hn_float y, hn_float z) { return hn_i_dot(g, x, y, z); }
 HN_FN hn_float hn_i_ramp_of2(hn_float n) { return n; }
 HN_FN hn_float hn_i_ramp_of3(hn_float n) { return n; }
 HN_FN hn_float hn_i_edge2(hn_float a, hn_float b, hn_float t) { return hn_i_lerp(a, b, t); }
@@ -86,6 +93,9 @@ HN_FN hn_int hn_i_along2(hn_vec2 g, hn_float x, hn_float y) {
 }
 HN_FN hn_int hn_i_along3(hn_vec2 signs, hn_float a, hn_float b) {
   return int(floatBitsToUint(signs.x * a + 12.0f + signs.y * b) - 0x41400000u);
+}
+HN_FN hn_int hn_i_along3(hn_vec3 g, hn_float x, hn_float y, hn_float z) {
+  return int(floatBitsToUint(g.x * x + 12.0f + g.y * y + g.z * z) - 0x41400000u);
 }
 #else
 HN_FN hn_float hn_i_offset(hn_int x) { return hn_i_float(x) * (1.0f / HN_I_FLOAT_UNITS_FRACTION); }
