@@ -17,8 +17,8 @@ HN_FN hn_i_num hn_i_square_of_ramps(hn_uvec4 h, hn_i_num4 f, hn_float z, hn_floa
   hn_float y = hn_i_offset(f.y);
   hn_float x1 = hn_i_offset(hn_i_minus_one(f.x));
   hn_float y1 = hn_i_offset(hn_i_minus_one(f.y));
-  return hn_i_lerp(hn_i_edge4(hn_i_along(h.x, x, y, z, w), hn_i_along(h.y, x1, y, z, w), t.x),
-                   hn_i_edge4(hn_i_along(h.z, x, y1, z, w), hn_i_along(h.w, x1, y1, z, w), t.x), t.y);
+  return hn_i_lerp(hn_i_edge4(hn_i_along4(h.x, x, y, z, w), hn_i_along4(h.y, x1, y, z, w), t.x),
+                   hn_i_edge4(hn_i_along4(h.z, x, y1, z, w), hn_i_along4(h.w, x1, y1, z, w), t.x), t.y);
 }
 
 // The noise in the numbers of HN_ARITHMETIC.

@@ -10,9 +10,9 @@
 HN_FN hn_i_num4 hn_i_weighted_ramp_d(hn_uint h, hn_i_num x, hn_i_num y, hn_i_num z, hn_i_num w, hn_i_num t) {
   hn_i_num k = hn_i_weighted_ramp(hn_i_ramp4(h, x, y, z, w), hn_i_d_weight3(t, 2));
   hn_i_num weight = hn_i_weight3(t);
-  hn_i_num4 g = hn_i_gradient4(h);
-  return hn_i_vector(hn_i_d_weighted_ramp(g.x, weight, k, x), hn_i_d_weighted_ramp(g.y, weight, k, y),
-                     hn_i_d_weighted_ramp(g.z, weight, k, z), hn_i_d_weighted_ramp(g.w, weight, k, w));
+  hn_vec4 g = hn_i_direction4(h);
+  return hn_i_vector(hn_i_d_weighted_ramp4(g.x, weight, k, x), hn_i_d_weighted_ramp4(g.y, weight, k, y),
+                     hn_i_d_weighted_ramp4(g.z, weight, k, z), hn_i_d_weighted_ramp4(g.w, weight, k, w));
 }
 
 HN_FN hn_derivatives4 hn_i_simplex_d(hn_i_block4 block, hn_i_num4 f, hn_uint seed) {
