@@ -16,10 +16,10 @@
 // from the first; x1 is that from the second along x.
 HN_FN hn_i_num3 hn_i_edge_d(hn_uvec2 h, hn_float x, hn_float x1, hn_float y, hn_float z, hn_float w, hn_i_num2 along,
                             HN_I_OUT(hn_i_num2) rest) {
-  hn_i_num a = hn_i_along4(h.x, x, y, z, w);
-  hn_i_num b = hn_i_along4(h.y, x1, y, z, w);
   hn_vec4 g = hn_i_direction4(h.x);
   hn_vec4 k = hn_i_direction4(h.y);
+  hn_i_num a = hn_i_along4(g, x, y, z, w);
+  hn_i_num b = hn_i_along4(k, x1, y, z, w);
   hn_float e = hn_i_exact(along.x);
   rest = hn_i_vector(hn_i_lerp_components4(g.z, k.z, e), hn_i_lerp_components4(g.w, k.w, e));
   return hn_i_vector(hn_i_edge4(a, b, along.x),

@@ -13,18 +13,22 @@
 //
 // A ramp is the sum of two offsets. In a kernel it has 30 bits, so its units in HN_FIXED are 2^-28, twice those of other
 // ramps. An interpolation between such ramps is scaled by twice as much there.
-HN_FN hn_i_num hn_i_along4(hn_uint h, hn_float x, hn_float y, hn_float z, hn_float w) {
+//
+//   hn_i_along4(h, x, y, z, w)   the gradient of a word times an offset, in the units of offsets
+//   hn_i_direction4(h)           the gradient; hn_i_along4(g, x, y, z, w), the same of offsets that are floats
+//   hn_i_ramp_of4, hn_i_edge4, hn_i_d_edge4, hn_i_lerp_components4 and hn_i_d_weighted_ramp4 are those of direction.glsl
+//   and falloff.glsl in the units of four dimensions
+HN_FN hn_i_num hn_i_along4(hn_uint h, hn_i_num x, hn_i_num y, hn_i_num z, hn_i_num w) {
   hn_uint second = h & 0x00100000u;
-  hn_float a = hn_i_select(second != 0u, hn_i_select(h < 0x55555555u, z, y), x);
-  hn_float b = hn_i_select(second != 0u, hn_i_select(h < 0xAAAAAAAAu, w, z),
+  hn_i_num a = hn_i_select(second != 0u, hn_i_select(h < 0x55555555u, z, y), x);
+  hn_i_num b = hn_i_select(second != 0u, hn_i_select(h < 0xAAAAAAAAu, w, z),
                            hn_i_select(h < 0x55555555u, y, hn_i_select(h < 0xAAAAAAAAu, z, w)));
-  return hn_i_along3(hn_i_signs(h), a, b);
+  return hn_i_plus(hn_i_flipped(a, h << 9u), hn_i_flipped(b, h << 10u));
 }
 
-// The components of such a gradient. None is -0.
 HN_FN hn_vec4 hn_i_direction4(hn_uint h) {
   hn_uint second = h & 0x00100000u;
-  hn_vec2 g = hn_i_signs(h);
+  hn_vec2 g = vec2(hn_i_flipped(1.0f, h << 9u), hn_i_flipped(1.0f, h << 10u));
   hn_float a1 = hn_i_select(second != 0u, 0.0f, g.x);  // of the first pair
   hn_float b1 = hn_i_select(second != 0u, 0.0f, g.y);
   hn_float a2 = hn_i_select(second != 0u, g.x, 0.0f);  // of the second
@@ -35,6 +39,10 @@ HN_FN hn_vec4 hn_i_direction4(hn_uint h) {
 }
 
 #if HN_ARITHMETIC != HN_FIXED
+HN_FN hn_float hn_i_along4(hn_vec4 g, hn_float x, hn_float y, hn_float z, hn_float w) {
+  HN_I_PRECISE hn_float n = g.x * x + g.y * y + g.z * z + g.w * w;
+  return n;
+}
 HN_FN hn_float hn_i_ramp_of4(hn_float n) { return n; }
 HN_FN hn_float hn_i_edge4(hn_float a, hn_float b, hn_float t) { return hn_i_lerp(a, b, t); }
 HN_FN hn_float hn_i_d_edge4(hn_float a, hn_float b) { return hn_i_minus(b, a); }
@@ -44,6 +52,9 @@ HN_FN hn_float hn_i_d_weighted_ramp4(hn_float g, hn_float w, hn_float k, hn_floa
 }
 HN_FN hn_float hn_i_scaled_ramps(hn_float n, hn_int s) { return hn_i_scaled(n, s); }
 #else
+HN_FN hn_int hn_i_along4(hn_vec4 g, hn_float x, hn_float y, hn_float z, hn_float w) {
+  return hn_i_beyond_12(g.x * x + 12.0f + g.y * y + g.z * z + g.w * w);
+}
 HN_FN hn_int hn_i_ramp_of4(hn_int n) { return n * 256; }
 HN_FN hn_int hn_i_edge4(hn_int a, hn_int b, hn_int t) {
   hn_int d = b - a;
@@ -56,10 +67,6 @@ HN_FN hn_int hn_i_d_weighted_ramp4(hn_float g, hn_int w, hn_int k, hn_int x) {
 }
 HN_FN hn_int hn_i_scaled_ramps(hn_int n, hn_int s) { return hn_i_scaled(n, s + s); }
 #endif
-
-HN_FN hn_i_num hn_i_ramp4(hn_uint h, hn_i_num x, hn_i_num y, hn_i_num z, hn_i_num w) {
-  return hn_i_ramp_of4(hn_i_along4(h, hn_i_offset(x), hn_i_offset(y), hn_i_offset(z), hn_i_offset(w)));
-}
 
 // 953 / 1024 is 1 / 1.073455, rounded down. 1.073455 is the largest value of Perlin noise before it is scaled
 // (tools/bounds).
