@@ -19,7 +19,7 @@ HN_FN hn_float hn_gradient1(hn_uint h) {
 #if HN_ARITHMETIC != HN_FIXED
   return hn_i_gradient1(h);
 #else
-  return hn_i_float(hn_i_gradient1(h)) * (1.0f / HN_I_FLOAT_UNITS_RAMP);
+  return hn_i_float(hn_i_gradient1(h)) * (1.0f / 134217728.0f);
 #endif
 }
 
@@ -37,12 +37,7 @@ HN_FN hn_vec2 hn_gradient2(hn_uint h) { return hn_i_direction2(h); }
 //   error    none
 //   cost     no multiplication
 //   source   Perlin, "Improving noise", 2002, for the vectors; docs/contract.md, section 4
-HN_FN hn_vec3 hn_gradient3(hn_uint h) {
-  hn_vec2 g = hn_i_signs(h);
-  return vec3(hn_i_select(h < 0xAAAAAAAAu, g.x, 0.0f),
-              hn_i_select(h < 0x55555555u, g.y, hn_i_select(h < 0xAAAAAAAAu, 0.0f, g.x)),
-              hn_i_select(h < 0x55555555u, 0.0f, g.y));
-}
+HN_FN hn_vec3 hn_gradient3(hn_uint h) { return hn_i_direction3(h, hn_i_signs(h)); }
 
 // A gradient in four dimensions, from the size of a hash and its bits 20 to 22.
 //   h        any uint
@@ -50,15 +45,7 @@ HN_FN hn_vec3 hn_gradient3(hn_uint h) {
 //   error    none
 //   cost     no multiplication
 //   source   docs/contract.md, section 4
-HN_FN hn_vec4 hn_gradient4(hn_uint h) {
-#if HN_ARITHMETIC != HN_FIXED
-  return hn_i_gradient4(h);
-#else
-  hn_ivec4 g = hn_i_gradient4(h);
-  hn_vec4 n = vec4(hn_i_float(g.x), hn_i_float(g.y), hn_i_float(g.z), hn_i_float(g.w));
-  return HN_I_NOT_WHOLE(n * (1.0f / 268435456.0f));
-#endif
-}
+HN_FN hn_vec4 hn_gradient4(hn_uint h) { return hn_i_direction4(h); }
 
 // The gradient of the noise at a lattice point.
 //   cell     the point: int, ivec2, ivec3 or ivec4

@@ -12,26 +12,22 @@
 
 // The share of the corners 00, 10, 01, 11 of the square that z and w choose, at the place f; z and w are the offsets
 // from that square, and t are the fades.
-HN_FN hn_i_num hn_i_square_of_ramps(hn_uvec4 h, hn_i_num4 f, hn_float z, hn_float w, hn_i_num4 t) {
-  hn_float x = hn_i_offset(f.x);
-  hn_float y = hn_i_offset(f.y);
-  hn_float x1 = hn_i_offset(hn_i_minus_one(f.x));
-  hn_float y1 = hn_i_offset(hn_i_minus_one(f.y));
-  return hn_i_lerp(hn_i_edge4(hn_i_along(h.x, x, y, z, w), hn_i_along(h.y, x1, y, z, w), t.x),
-                   hn_i_edge4(hn_i_along(h.z, x, y1, z, w), hn_i_along(h.w, x1, y1, z, w), t.x), t.y);
+HN_FN hn_i_num hn_i_square_of_ramps(hn_uvec4 h, hn_i_num4 f, hn_i_num z, hn_i_num w, hn_i_num4 t) {
+  hn_i_num x = hn_i_minus_one(f.x);
+  hn_i_num y = hn_i_minus_one(f.y);
+  return hn_i_lerp(hn_i_edge4(hn_i_along4(h.x, f.x, f.y, z, w), hn_i_along4(h.y, x, f.y, z, w), t.x),
+                   hn_i_edge4(hn_i_along4(h.z, f.x, y, z, w), hn_i_along4(h.w, x, y, z, w), t.x), t.y);
 }
 
 // The noise in the numbers of HN_ARITHMETIC.
 HN_FN hn_i_num hn_i_perlin(hn_i_box4 box, hn_i_num4 f, hn_uint seed) {
   hn_i_num4 t = hn_i_fade(f);
-  hn_float z = hn_i_offset(f.z);
-  hn_float w = hn_i_offset(f.w);
-  hn_float z1 = hn_i_offset(hn_i_minus_one(f.z));
-  hn_float w1 = hn_i_offset(hn_i_minus_one(f.w));
-  hn_i_num4 n = hn_i_vector(hn_i_square_of_ramps(hn_i_corners(box, false, false, seed), f, z, w, t),
-                            hn_i_square_of_ramps(hn_i_corners(box, true, false, seed), f, z1, w, t),
-                            hn_i_square_of_ramps(hn_i_corners(box, false, true, seed), f, z, w1, t),
-                            hn_i_square_of_ramps(hn_i_corners(box, true, true, seed), f, z1, w1, t));
+  hn_i_num z = hn_i_minus_one(f.z);
+  hn_i_num w = hn_i_minus_one(f.w);
+  hn_i_num4 n = hn_i_vector(hn_i_square_of_ramps(hn_i_corners(box, false, false, seed), f, f.z, f.w, t),
+                            hn_i_square_of_ramps(hn_i_corners(box, true, false, seed), f, z, f.w, t),
+                            hn_i_square_of_ramps(hn_i_corners(box, false, true, seed), f, f.z, w, t),
+                            hn_i_square_of_ramps(hn_i_corners(box, true, true, seed), f, z, w, t));
   return hn_i_scaled4(hn_i_lerp(n, t.z, t.w));
 }
 

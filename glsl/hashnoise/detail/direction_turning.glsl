@@ -4,11 +4,12 @@
 #ifndef HN_DIRECTION_TURNING_GLSL
 #define HN_DIRECTION_TURNING_GLSL
 
-#include "direction.glsl"
+#include "arithmetic.glsl"
 #include "sine.glsl"
 
 //   hn_i_rotation(phase)       the cosine and the sine of a phase in turns; in HN_FIXED in units of 2^-18
-//   hn_i_mixed(r, a, b)        r.x a + r.y b: where a rotation takes a, if a quarter of a turn takes it to b
+//   hn_i_mixed(r, a, b)        r.x a + r.y b: where a rotation takes a, if a quarter of a turn takes it to b; also of
+//                              three and four at once
 
 #if HN_ARITHMETIC != HN_FIXED
 
@@ -31,27 +32,15 @@ HN_FN hn_i_num2 hn_i_rotation(hn_float phase) {
   return hn_i_rotation(hn_i_wave(angle + 0x40000000u, 0u), hn_i_wave(angle, 0u));
 }
 
-// Gradients that turn with a phase. On the plane all turn alike. In space each turns in the plane of its two axes.
-
-HN_FN hn_i_num2 hn_i_rotated(hn_i_num2 g, hn_i_num2 rotation) {
-  return hn_i_vector(hn_i_mixed(rotation, g.x, -g.y), hn_i_mixed(rotation, g.y, g.x));
+// Gradients that turn with a phase. On the plane all turn alike. In space each turns in the plane of its two axes. Noise
+// is a sum over gradients, so it is the noise of the gradients times the cosine and that of the gradients that have
+// turned by a quarter times the sine.
+HN_FN hn_i_num3 hn_i_mixed(hn_i_num2 r, hn_i_num3 a, hn_i_num3 b) {
+  return hn_i_vector(hn_i_mixed(r, a.x, b.x), hn_i_mixed(r, a.y, b.y), hn_i_mixed(r, a.z, b.z));
 }
-HN_FN hn_i_num2 hn_i_gradient2(hn_uint h, hn_i_num2 rotation) { return hn_i_rotated(hn_i_gradient2(h), rotation); }
-HN_FN hn_i_num3 hn_i_gradient3(hn_uint h, hn_i_num2 rotation) {
-  hn_i_num2 g = hn_i_rotated(hn_i_sign_pair(h), rotation);
-  return hn_i_along_axes(h, g.x, g.y);
-}
-
-// After a quarter of a turn (x, y) has become (-y, x), and (x, y) times an offset is as much as the gradient times the
-// offset that has turned back.
-HN_FN hn_i_num hn_i_ramp2(hn_uint h, hn_float x, hn_float y, hn_i_num2 rotation) {
-  hn_vec2 g = hn_i_direction2(h);
-  return hn_i_mixed(rotation, hn_i_ramp_of2(hn_i_along2(g, x, y)), hn_i_ramp_of2(hn_i_along2(g, y, -x)));
-}
-HN_FN hn_i_num hn_i_ramp3(hn_uint h, hn_float x, hn_float y, hn_float z, hn_i_num2 rotation) {
-  hn_vec2 s = hn_i_signs(h);
-  hn_vec2 d = hn_i_pair(h, x, y, z);
-  return hn_i_mixed(rotation, hn_i_ramp_of3(hn_i_along3(s, d.x, d.y)), hn_i_ramp_of3(hn_i_along3(s, d.y, -d.x)));
+HN_FN hn_i_num4 hn_i_mixed(hn_i_num2 r, hn_i_num4 a, hn_i_num4 b) {
+  return hn_i_vector(hn_i_mixed(r, a.x, b.x), hn_i_mixed(r, a.y, b.y), hn_i_mixed(r, a.z, b.z),
+                     hn_i_mixed(r, a.w, b.w));
 }
 
 #endif

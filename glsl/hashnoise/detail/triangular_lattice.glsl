@@ -121,15 +121,15 @@ HN_FN hn_i_num3 hn_i_triangle_falloff(hn_i_num3 x, hn_i_num3 y) {
                      hn_i_falloff(hn_i_square(x.z, y.z), HN_I_TRIANGLE_RADIUS, 1));
 }
 
-// The ramp of a corner, before it is weighted.
-HN_FN hn_i_num hn_i_triangle_ramp(hn_uint h, hn_i_num x, hn_i_num y) {
-  return hn_i_ramp2(h, hn_i_offset(x), hn_i_offset(y));
+// The ramp of a corner, before it is weighted. The gradient may have turned by a quarter.
+HN_FN hn_i_num hn_i_triangle_ramp(hn_uint h, hn_i_num x, hn_i_num y, bool turned) {
+  return hn_i_ramp_of2(hn_i_along2(hn_i_direction2(h, turned), hn_i_offset(x), hn_i_offset(y)));
 }
 
 // Converts a derivative per step to one per cell.
 HN_FN hn_float hn_i_per_cell(hn_float d) { return d * 2.0f; }
 
-// A sum of weighted ramps is at most 1024 / 3242 (tools/bounds), with turning gradients, too.
-HN_FN hn_i_num hn_i_scaled_simplex2(hn_i_num n) { return hn_i_scaled(n, 3242); }
+// A sum of weighted ramps is at most 1024 / 4100 (tools/bounds), with turning gradients, too.
+HN_FN hn_i_num hn_i_scaled_simplex2(hn_i_num n) { return hn_i_scaled(n, 4100); }
 
 #endif
