@@ -62,9 +62,8 @@ HN_FN hn_i_num hn_i_cell_of_ramps(hn_uvec4 front, hn_uvec4 back, hn_i_num3 f, hn
                    hn_i_face3(hn_i_ramps(back, f, true, turned), t.x, t.y), t.z);
 }
 
-// 1831 / 1024 and 985 / 1024 are 1 / 0.55902 and 1 / 1.0385, rounded down, and less than what HN_FIXED rounds: the largest
-// values that a noise has before it
-// is scaled, on the plane and in space (tools/bounds), with turning gradients, too. On the line it is 1/2.
+// 1831 / 1024 and 985 / 1024 are just below 1 / 0.55902 and 1 / 1.0385: the largest values that a noise has before it is
+// scaled, on the plane and in space, with turning gradients, too (tools/bounds). On the line it is 1/2.
 HN_FN hn_i_num hn_i_scaled2(hn_i_num n) { return hn_i_scaled(n, 1831); }
 HN_FN hn_i_num hn_i_scaled3(hn_i_num n) { return hn_i_scaled(n, 985); }
 
