@@ -14,8 +14,7 @@
 // components add. a and b are the ramps, g and h the gradients, t the fade and s its slope.
 HN_FN hn_i_num4 hn_i_edge_d(hn_i_num a, hn_i_num b, hn_vec3 g, hn_vec3 h, hn_i_num t, hn_i_num s) {
   hn_float e = hn_i_exact(t);
-  return hn_i_vector(hn_i_edge3(a, b, t),
-                     hn_i_d_faded(hn_i_lerp_components(g.x, h.x, e), hn_i_d_edge3(a, b), s),
+  return hn_i_vector(hn_i_edge3(a, b, t), hn_i_d_faded(hn_i_lerp_components(g.x, h.x, e), hn_i_d_edge3(a, b), s),
                      hn_i_lerp_components(g.y, h.y, e), hn_i_lerp_components(g.z, h.z, e));
 }
 

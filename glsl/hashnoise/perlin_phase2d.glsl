@@ -13,16 +13,14 @@
 // The noise in the numbers of HN_ARITHMETIC.
 HN_FN hn_i_num hn_i_perlin_phase(hn_uvec4 h, hn_i_num2 f, hn_i_num2 rotation) {
   hn_i_num2 t = hn_i_fade(f);
-  return hn_i_scaled2(
-      hn_i_mixed(rotation, hn_i_cell_of_ramps(h, f, t, false), hn_i_cell_of_ramps(h, f, t, true)));
+  return hn_i_scaled2(hn_i_mixed(rotation, hn_i_cell_of_ramps(h, f, t, false), hn_i_cell_of_ramps(h, f, t, true)));
 }
 
 // The noise and its derivatives.
 HN_FN hn_vec3 hn_i_perlin_phase_d(hn_uvec4 h, hn_i_num2 f, hn_i_num2 rotation) {
   hn_i_num2 t = hn_i_fade(f);
   hn_i_num2 s = hn_i_d_fade(f);
-  return hn_i_scaled_perlin_d(
-      hn_i_mixed(rotation, hn_i_perlin_d(h, f, t, s, false), hn_i_perlin_d(h, f, t, s, true)));
+  return hn_i_scaled_perlin_d(hn_i_mixed(rotation, hn_i_perlin_d(h, f, t, s, false), hn_i_perlin_d(h, f, t, s, true)));
 }
 
 // Perlin noise on the plane whose gradients turn: the field changes in place, and loops after one turn. All gradients

@@ -17,9 +17,9 @@ HN_FN hn_i_num3 hn_i_simplex_d(hn_uvec3 h, hn_i_num2 skewed, bool turned) {
   hn_i_num3 x = hn_i_triangle_x(skewed);
   hn_i_num3 y = hn_i_triangle_y(skewed);
   hn_i_num3 t = hn_i_triangle_falloff(x, y);
-  return hn_i_plus(hn_i_plus(hn_i_weighted_ramp_d(h.x, x.x, y.x, t.x, turned),
-                             hn_i_weighted_ramp_d(h.y, x.y, y.y, t.y, turned)),
-                   hn_i_weighted_ramp_d(h.z, x.z, y.z, t.z, turned));
+  return hn_i_plus(
+      hn_i_plus(hn_i_weighted_ramp_d(h.x, x.x, y.x, t.x, turned), hn_i_weighted_ramp_d(h.y, x.y, y.y, t.y, turned)),
+      hn_i_weighted_ramp_d(h.z, x.z, y.z, t.z, turned));
 }
 HN_FN hn_vec3 hn_i_scaled_simplex_d(hn_i_num3 n) {
   return vec3(hn_i_value(hn_i_scaled_simplex2(n.x)), hn_i_per_cell(hn_i_derivative(hn_i_scaled_simplex2(n.y))),

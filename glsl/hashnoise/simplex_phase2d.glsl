@@ -12,16 +12,14 @@
 HN_FN hn_i_num hn_i_simplex_phase(hn_place2 place, hn_i_num2 rotation, hn_uint seed) {
   hn_i_num2 skewed = hn_i_skewed(place.fraction);
   hn_uvec3 h = hn_i_triangle(place, skewed, seed);
-  return hn_i_scaled_simplex2(
-      hn_i_mixed(rotation, hn_i_simplex(h, skewed, false), hn_i_simplex(h, skewed, true)));
+  return hn_i_scaled_simplex2(hn_i_mixed(rotation, hn_i_simplex(h, skewed, false), hn_i_simplex(h, skewed, true)));
 }
 
 // The noise and its derivatives.
 HN_FN hn_vec3 hn_i_simplex_phase_d(hn_place2 place, hn_i_num2 rotation, hn_uint seed) {
   hn_i_num2 skewed = hn_i_skewed(place.fraction);
   hn_uvec3 h = hn_i_triangle(place, skewed, seed);
-  return hn_i_scaled_simplex_d(
-      hn_i_mixed(rotation, hn_i_simplex_d(h, skewed, false), hn_i_simplex_d(h, skewed, true)));
+  return hn_i_scaled_simplex_d(hn_i_mixed(rotation, hn_i_simplex_d(h, skewed, false), hn_i_simplex_d(h, skewed, true)));
 }
 
 // Simplex noise on the plane whose gradients turn: the field changes in place, and loops after one turn. All gradients

@@ -25,9 +25,9 @@ HN_FN hn_i_num4 hn_i_ramps(hn_uvec4 h, hn_i_num2 f, bool turned) {
   hn_float y = hn_i_offset(f.y);
   hn_float x1 = hn_i_offset(hn_i_minus_one(f.x));
   hn_float y1 = hn_i_offset(hn_i_minus_one(f.y));
-  return hn_i_vector(
-      hn_i_along2(hn_i_direction2(h.x, turned), x, y), hn_i_along2(hn_i_direction2(h.y, turned), x1, y),
-      hn_i_along2(hn_i_direction2(h.z, turned), x, y1), hn_i_along2(hn_i_direction2(h.w, turned), x1, y1));
+  return hn_i_vector(hn_i_along2(hn_i_direction2(h.x, turned), x, y), hn_i_along2(hn_i_direction2(h.y, turned), x1, y),
+                     hn_i_along2(hn_i_direction2(h.z, turned), x, y1),
+                     hn_i_along2(hn_i_direction2(h.w, turned), x1, y1));
 }
 HN_FN hn_i_num4 hn_i_ramps(hn_uvec4 h, hn_i_num3 f, bool back, bool turned) {
   hn_float x = hn_i_offset(f.x);
@@ -62,10 +62,10 @@ HN_FN hn_i_num hn_i_cell_of_ramps(hn_uvec4 front, hn_uvec4 back, hn_i_num3 f, hn
                    hn_i_face3(hn_i_ramps(back, f, true, turned), t.x, t.y), t.z);
 }
 
-// 1831 / 1024 and 988 / 1024 are 1 / 0.559 and 1 / 1.0363, rounded down: the largest values that a noise has before it
-// is scaled, on the plane and in space (tools/bounds), with turning gradients, too. On the line it is 1/2.
+// 1831 / 1024 and 985 / 1024 are just below 1 / 0.55902 and 1 / 1.0385: the largest values that a noise has before it is
+// scaled, on the plane and in space, with turning gradients, too (tools/bounds). On the line it is 1/2.
 HN_FN hn_i_num hn_i_scaled2(hn_i_num n) { return hn_i_scaled(n, 1831); }
-HN_FN hn_i_num hn_i_scaled3(hn_i_num n) { return hn_i_scaled(n, 988); }
+HN_FN hn_i_num hn_i_scaled3(hn_i_num n) { return hn_i_scaled(n, 985); }
 
 #endif
 
