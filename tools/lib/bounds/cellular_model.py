@@ -31,9 +31,16 @@ def fractions(rng, dims, count):
     return np.clip(f, 0, 1).astype(np.float32).astype(float)
 
 
+def direction(dims, h):
+    """(a, m) in units of 2^-9, (p, q, m) in units of 2^-8."""
+    parts, one = ([exact.field(h, 14, 9)], 512) if dims == 2 else ([exact.field(h, 23, 8), exact.field(h, 15, 8)], 256)
+    m = one - np.maximum.reduce([abs(part) for part in parts])
+    return [*parts, np.where(h >> 31, -m, m)]
+
+
 def directions(dims, words):
     """The direction in multiples of 1/512, along each axis."""
-    parts = exact.direction(dims, words)
+    parts = direction(dims, words)
     return np.array(parts) if dims == 2 else np.array([parts[0] + parts[1], parts[0] - parts[1], 2 * parts[2]])
 
 
