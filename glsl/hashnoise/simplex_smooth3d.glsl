@@ -60,7 +60,7 @@ HN_FN hn_i_num hn_i_simplex_smooth(hn_i_block3 block, hn_i_num3 f, hn_uint seed)
   hn_i_num centres = hn_i_cube(block.cell, hn_i_nearer(f, block.previous, block.following), hn_i_vector(x.z, y.z, z.z),
                                hn_i_vector(x.w, y.w, z.w), inner, hn_i_square(x.z, y.z, z.z), join ^ HN_I_CENTRE_JOIN,
                                s + HN_I_CENTRE_SUM);
-  return hn_i_scaled(hn_i_plus(corners, centres), 4281);
+  return hn_i_scaled(hn_i_plus(corners, centres), 4279);
 }
 
 // Smooth simplex noise in space. The kernel is half again as large as that of hn_simplex, in the square of its radius,

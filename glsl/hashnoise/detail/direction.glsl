@@ -115,9 +115,12 @@ HN_FN hn_int hn_i_edge2(hn_int a, hn_int b, hn_int t) {
   hn_int d = b - a;
   return a * 128 + ((d >> 2) * (t >> 9) + (d >> 11) * (t & 511));
 }
+
+// In space the difference of two ramps can be 2^31, at corners that have no weight: there words wrap, where signed
+// integers of C++ must not.
 HN_FN hn_int hn_i_edge3(hn_int a, hn_int b, hn_int t) {
   hn_int d = b - a;
-  return a * 512 + (d * (t >> 9) + (d >> 9) * (t & 511));
+  return int(uint(a) * 512u + uint(d) * uint(t >> 9) + uint((d >> 9) * (t & 511)));
 }
 HN_FN hn_int hn_i_d_edge2(hn_int a, hn_int b) { return (b - a) * 32; }
 HN_FN hn_int hn_i_d_edge3(hn_int a, hn_int b) { return (b - a) * 128; }
