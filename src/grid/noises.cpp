@@ -98,7 +98,7 @@ void at_points(const Batch& batch, const Options& options, Octave) {
   const Batch b = batch;
   const Given<D> given(options);
   for (int i = 0; i < b.count; i += kCount) {
-    store(b, i, Noise::template at<D>(places_at<D>(b, i), given));
+    store(b, i, Noise::template at<D>(place_at<D>(b, i), given));
   }
 }
 
@@ -150,7 +150,7 @@ void along_line(const Batch& batch, const Options& options, Octave octave) {
       const int left = b.count - start;
       over_runs(
           pieces, (left < kPointsAtOnce ? left : kPointsAtOnce) / kCount, seed,
-          [&](int v) HN_I_INLINED { return places_at<D>(b, start + v * kCount); },
+          [&](int v) HN_I_INLINED { return place_at<D>(b, start + v * kCount); },
           [&](int v, hn_i_num n) HN_I_INLINED { store(b, start + v * kCount, hn_i_value(n)); });
     }
     return;
@@ -183,7 +183,7 @@ struct Called<D, Noise, std::index_sequence<Axis...>> {
     const Batch b = batch;
     const Uint seed(options.seed);
     for (int i = 0; i < b.count; i += kCount) {
-      const Place<D> at = places_at<D>(b, i);
+      const Place<D> at = place_at<D>(b, i);
       store(b, i, plain(along<Axis>(at.cell)..., along<Axis>(at.fraction)..., seed));
     }
   }
@@ -192,7 +192,7 @@ struct Called<D, Noise, std::index_sequence<Axis...>> {
     const Given<D> given(options);
     const Tile<D> tile{given.period, given.jitter};
     for (int i = 0; i < b.count; i += kCount) {
-      const Place<D> at = places_at<D>(b, i);
+      const Place<D> at = place_at<D>(b, i);
       store(b, i, tiled(along<Axis>(at.cell)..., along<Axis>(at.fraction)..., tile, given.seed));
     }
   }
@@ -274,6 +274,16 @@ void split(const float* position, int count, std::int32_t* cell, float* place) {
   }
 }
 
+// Without their signs the bits of floats are in the order of the numbers, and infinity is behind all finite ones.
+bool are_finite(const float* numbers, int count) {
+  Uint largest(0u);
+  const auto take = [&](Float number) HN_I_INLINED { largest = max(largest, floatBitsToUint(number) & 0x7FFFFFFFu); };
+  int i = 0;
+  for (; i + kCount <= count; i += kCount) take(Float::load(numbers + i));
+  for (; i < count; ++i) take(Float(numbers[i]));
+  return !hn_i_any(largest >= 0x7F800000u);
+}
+
 void widen(const float* value, int count, float* least, float* greatest) {
   Float low = Float::load(least);
   Float high = Float::load(greatest);
@@ -297,6 +307,7 @@ void enter(grid::Kernels& kernels) {
   enter<3>(kernels.noises);
   enter<4>(kernels.noises);
   kernels.split = split;
+  kernels.are_finite = are_finite;
   kernels.widen = widen;
 }
 
