@@ -223,48 +223,6 @@ class ValuePieces {
   Corners<1, kMostRuns> numbers_[D == 2 ? 4 : 8];
 };
 
-// The corners of simplex noise on the plane, in the skewed square of two triangles.
-class SimplexPieces {
- public:
-  static constexpr double kMostStep = 0.2;
-
-  HN_I_INLINE static Uint key(const Place<2>& place) {
-    const hn_i_num2 skewed = hn_i_skewed(place.fraction);
-    return key_of<2>(ivec2(uvec2(hn_i_doubled(Uint(place.cell.x), hn_i_column_of(skewed)),
-                                 hn_i_doubled(Uint(place.cell.y), hn_i_floor(skewed.y)))));
-  }
-  HN_I_INLINE void put(int run, const Place<2>& place, Uint seed) {
-    const hn_i_num2 skewed = hn_i_skewed(place.fraction);
-    const Int row = hn_i_floor(skewed.y), column = hn_i_column_of(skewed);
-    const Int last = column + (row & 1);
-    const Uint s = hn_i_mix(seed);
-    const auto direction = [&](Int x, Int y) HN_I_INLINED {
-      return kept_of_triangle(hn_i_seeded_word(hn_i_spread(triangle_point(place, x, y)), s));
-    };
-    first_.put(run, direction(column, row));
-    right_.put(run, direction(column + 1, row));
-    left_.put(run, direction(last - 1, row + 1));
-    last_.put(run, direction(last, row + 1));
-  }
-  HN_I_INLINE hn_i_num noise(int run, Int index, const Place<2>& place) const {
-    const hn_i_num2 skewed = hn_i_skewed(place.fraction);
-    const hn_i_num3 x = hn_i_triangle_x(skewed), y = hn_i_triangle_y(skewed);
-    const hn_i_num3 t = hn_i_triangle_falloff(x, y);
-    const auto middle = left_.or_of(run, index, right_, run, index, hn_i_fract(skewed.x) > hn_i_fract(skewed.y));
-    hn_i_num n = weighted(first_.of(run, index), x.x, y.x, t.x);
-    n = hn_i_plus(n, weighted(middle, x.y, y.y, t.y));
-    return hn_i_scaled_simplex2(hn_i_plus(n, weighted(last_.of(run, index), x.z, y.z, t.z)));
-  }
-
- private:
-  template <typename Gradient>
-  HN_I_INLINE static hn_i_num weighted(Gradient g, hn_i_num x, hn_i_num y, hn_i_num t) {
-    return hn_i_weighted_ramp(triangle_ramp(g, x, y), hn_i_weight_plane(t));
-  }
-
-  Corners<kGradient2, kMostRuns> first_, right_, left_, last_;
-};
-
 // Some vectors of points on a line: uses the noise at each, whose place place_at gives.
 template <typename Pieces, typename PlaceAt, typename Use>
 HN_I_INLINE void over_runs(Pieces& pieces, int vectors, Uint seed, const PlaceAt& place_at, const Use& use) {
