@@ -8,7 +8,10 @@
 
 #if HN_ARITHMETIC != HN_FIXED
 
-HN_FN hn_float hn_i_velocity(hn_float a, hn_float b, hn_float c, hn_float d) { return hn_i_cross(a, b, c, d); }
+HN_FN hn_float hn_i_velocity(hn_float a, hn_float b, hn_float c, hn_float d) {
+  HN_I_PRECISE hn_float n = a * b - c * d;
+  return n;
+}
 HN_FN hn_float hn_i_curl_to_float(hn_float n) { return hn_i_flushed(n); }
 HN_FN hn_float hn_i_float_to_curl(hn_float d) { return d; }
 

@@ -15,53 +15,37 @@
 //   error    none
 //   cost     no multiplication (GLSL before 3.30: 1 of floats)
 //   source   docs/contract.md, section 4
-HN_FN hn_float hn_gradient1(hn_uint h) { return hn_i_field2(h); }
-
-// A gradient in the plane, from bits 14 to 22 and bit 31 of a hash.
-//   h        any uint
-//   returns  a vector that is 0.98 to 1.06 long, in any direction; multiples of 2^-18
-//   error    none
-//   cost     2 multiplications of floats (GLSL before 3.30: 3)
-//   source   docs/contract.md, section 4
-HN_FN hn_vec2 hn_gradient2(hn_uint h) {
+HN_FN hn_float hn_gradient1(hn_uint h) {
 #if HN_ARITHMETIC != HN_FIXED
-  return hn_i_gradient(hn_i_direction2(h));
+  return hn_i_gradient1(h);
 #else
-  hn_ivec2 g = hn_i_gradient(hn_i_direction2(h));
-  return HN_I_NOT_WHOLE(vec2(hn_i_float(g.x), hn_i_float(g.y)) * (1.0f / HN_I_FLOAT_UNITS_RAMP));
+  return hn_i_float(hn_i_gradient1(h)) * (1.0f / 134217728.0f);
 #endif
 }
 
-// A gradient in space, from the high 17 bits of a hash.
+// A gradient in the plane, from bits 21, 22 and 31 of a hash.
 //   h        any uint
-//   returns  a vector that is 0.91 to 1.06 long, in any direction; multiples of 2^-16
+//   returns  one of 8 vectors: one component is 3/4 or -3/4, and the other 1/4 or -1/4
 //   error    none
-//   cost     3 multiplications of floats (GLSL before 3.30: 5)
+//   cost     no multiplication (GLSL before 3.30: 1 of floats)
 //   source   docs/contract.md, section 4
-HN_FN hn_vec3 hn_gradient3(hn_uint h) {
-#if HN_ARITHMETIC != HN_FIXED
-  return hn_i_gradient(hn_i_direction3(h));
-#else
-  hn_ivec3 g = hn_i_gradient(hn_i_direction3(h));
-  return HN_I_NOT_WHOLE(vec3(hn_i_float(g.x), hn_i_float(g.y), hn_i_float(g.z)) * (1.0f / HN_I_FLOAT_UNITS_RAMP));
-#endif
-}
+HN_FN hn_vec2 hn_gradient2(hn_uint h) { return hn_i_direction2(h); }
 
-// A gradient in four dimensions, from the high 14 bits of a hash.
+// A gradient in space, from the size of a hash and its bits 21 and 22.
+//   h        any uint
+//   returns  one of 12 vectors: two components are 1 or -1, and one is 0
+//   error    none
+//   cost     no multiplication
+//   source   Perlin, "Improving noise", 2002, for the vectors; docs/contract.md, section 4
+HN_FN hn_vec3 hn_gradient3(hn_uint h) { return hn_i_direction3(h, hn_i_signs(h)); }
+
+// A gradient in four dimensions, from the size of a hash and its bits 20 to 22.
 //   h        any uint
 //   returns  two components that are 1 or -1, and two that are 0
 //   error    none
 //   cost     no multiplication
 //   source   docs/contract.md, section 4
-HN_FN hn_vec4 hn_gradient4(hn_uint h) {
-#if HN_ARITHMETIC != HN_FIXED
-  return hn_i_gradient4(h);
-#else
-  hn_ivec4 g = hn_i_gradient4(h);
-  hn_vec4 n = vec4(hn_i_float(g.x), hn_i_float(g.y), hn_i_float(g.z), hn_i_float(g.w));
-  return HN_I_NOT_WHOLE(n * (1.0f / 268435456.0f));
-#endif
-}
+HN_FN hn_vec4 hn_gradient4(hn_uint h) { return hn_i_direction4(h); }
 
 // The gradient of the noise at a lattice point.
 //   cell     the point: int, ivec2, ivec3 or ivec4

@@ -12,8 +12,8 @@
 // The noise in the numbers of HN_ARITHMETIC.
 HN_FN hn_i_num hn_i_perlin(hn_i_box1 box, hn_i_num f, hn_uint seed) {
   hn_uvec2 h = hn_i_corners(box, seed);
-  hn_i_num left = hn_i_ramp(hn_i_gradient1(h.x), f);
-  hn_i_num right = hn_i_ramp(hn_i_gradient1(h.y), hn_i_minus_one(f));
+  hn_i_num left = hn_i_ramp1(hn_i_gradient1(h.x), f);
+  hn_i_num right = hn_i_ramp1(hn_i_gradient1(h.y), hn_i_minus_one(f));
   return hn_i_scaled1(hn_i_lerp(left, right, hn_i_fade(f)));
 }
 

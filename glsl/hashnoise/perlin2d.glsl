@@ -10,7 +10,7 @@
 HN_FN hn_i_num hn_i_perlin(hn_i_box2 box, hn_i_num2 f, hn_uint seed) {
   hn_i_num4 n = hn_i_ramps(box, f, seed);
   hn_i_num2 t = hn_i_fade(f);
-  return hn_i_scaled2(hn_i_lerp(n, t.x, t.y));
+  return hn_i_scaled2(hn_i_face2(n, t.x, t.y));
 }
 
 // Gradient noise on the square lattice: Perlin 2002 interpolant, hashed gradients.

@@ -9,8 +9,8 @@
 // The noise in the numbers of HN_ARITHMETIC.
 HN_FN hn_i_num hn_i_perlin(hn_i_box3 box, hn_i_num3 f, hn_uint seed) {
   hn_i_num3 t = hn_i_fade(f);
-  hn_i_num front = hn_i_lerp(hn_i_ramps(box, f, false, seed), t.x, t.y);
-  hn_i_num back = hn_i_lerp(hn_i_ramps(box, f, true, seed), t.x, t.y);
+  hn_i_num front = hn_i_face3(hn_i_ramps(box, f, false, seed), t.x, t.y);
+  hn_i_num back = hn_i_face3(hn_i_ramps(box, f, true, seed), t.x, t.y);
   return hn_i_scaled3(hn_i_lerp(front, back, t.z));
 }
 

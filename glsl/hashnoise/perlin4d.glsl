@@ -10,13 +10,13 @@
 // The paper's gradient has no noise in four dimensions.
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
 
-// The ramps of the corners 00, 10, 01, 11 of the square that z and w choose, at the place f; z and w are the offsets
-// from that square.
-HN_FN hn_i_num4 hn_i_ramps(hn_uvec4 h, hn_i_num4 f, hn_i_num z, hn_i_num w) {
+// The share of the corners 00, 10, 01, 11 of the square that z and w choose, at the place f; z and w are the offsets
+// from that square, and t are the fades.
+HN_FN hn_i_num hn_i_square_of_ramps(hn_uvec4 h, hn_i_num4 f, hn_i_num z, hn_i_num w, hn_i_num4 t) {
   hn_i_num x = hn_i_minus_one(f.x);
   hn_i_num y = hn_i_minus_one(f.y);
-  return hn_i_vector(hn_i_ramp(h.x, f.x, f.y, z, w), hn_i_ramp(h.y, x, f.y, z, w), hn_i_ramp(h.z, f.x, y, z, w),
-                     hn_i_ramp(h.w, x, y, z, w));
+  return hn_i_lerp(hn_i_edge4(hn_i_along4(h.x, f.x, f.y, z, w), hn_i_along4(h.y, x, f.y, z, w), t.x),
+                   hn_i_edge4(hn_i_along4(h.z, f.x, y, z, w), hn_i_along4(h.w, x, y, z, w), t.x), t.y);
 }
 
 // The noise in the numbers of HN_ARITHMETIC.
@@ -24,12 +24,10 @@ HN_FN hn_i_num hn_i_perlin(hn_i_box4 box, hn_i_num4 f, hn_uint seed) {
   hn_i_num4 t = hn_i_fade(f);
   hn_i_num z = hn_i_minus_one(f.z);
   hn_i_num w = hn_i_minus_one(f.w);
-  hn_i_num4 n00 = hn_i_ramps(hn_i_corners(box, false, false, seed), f, f.z, f.w);
-  hn_i_num4 n10 = hn_i_ramps(hn_i_corners(box, true, false, seed), f, z, f.w);
-  hn_i_num4 n01 = hn_i_ramps(hn_i_corners(box, false, true, seed), f, f.z, w);
-  hn_i_num4 n11 = hn_i_ramps(hn_i_corners(box, true, true, seed), f, z, w);
-  hn_i_num4 n = hn_i_vector(hn_i_lerp(n00, t.x, t.y), hn_i_lerp(n10, t.x, t.y), hn_i_lerp(n01, t.x, t.y),
-                            hn_i_lerp(n11, t.x, t.y));
+  hn_i_num4 n = hn_i_vector(hn_i_square_of_ramps(hn_i_corners(box, false, false, seed), f, f.z, f.w, t),
+                            hn_i_square_of_ramps(hn_i_corners(box, true, false, seed), f, z, f.w, t),
+                            hn_i_square_of_ramps(hn_i_corners(box, false, true, seed), f, f.z, w, t),
+                            hn_i_square_of_ramps(hn_i_corners(box, true, true, seed), f, z, w, t));
   return hn_i_scaled4(hn_i_lerp(n, t.z, t.w));
 }
 

@@ -15,8 +15,8 @@ HN_FN hn_vec2 hn_i_perlin_d(hn_i_box1 box, hn_i_num f, hn_uint seed) {
   hn_uvec2 h = hn_i_corners(box, seed);
   hn_i_num a = hn_i_gradient1(h.x);
   hn_i_num b = hn_i_gradient1(h.y);
-  hn_i_num left = hn_i_ramp(a, f);
-  hn_i_num right = hn_i_ramp(b, hn_i_minus_one(f));
+  hn_i_num left = hn_i_ramp1(a, f);
+  hn_i_num right = hn_i_ramp1(b, hn_i_minus_one(f));
   hn_i_num t = hn_i_fade(f);
   hn_i_num slope = hn_i_d_faded(hn_i_lerp(a, b, t), hn_i_d_corner(left, right), hn_i_d_fade(f));
   return vec2(hn_i_value(hn_i_scaled1(hn_i_lerp(left, right, t))), hn_i_derivative(hn_i_scaled1(slope)));

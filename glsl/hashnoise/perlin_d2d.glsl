@@ -10,19 +10,28 @@
 // The paper's gradient has no noise of this kind.
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
 
-// The noise and its derivatives, from the words of the corners.
-HN_FN hn_vec3 hn_i_perlin_d(hn_uvec4 h, hn_i_num2 f) {
-  hn_i_num3 d00 = hn_i_direction2(h.x);
-  hn_i_num3 d10 = hn_i_direction2(h.y);
-  hn_i_num3 d01 = hn_i_direction2(h.z);
-  hn_i_num3 d11 = hn_i_direction2(h.w);
-  hn_i_num x = hn_i_minus_one(f.x);
-  hn_i_num y = hn_i_minus_one(f.y);
-  hn_i_num4 r =
-      hn_i_vector(hn_i_ramp(d00, f.x, f.y), hn_i_ramp(d10, x, f.y), hn_i_ramp(d01, f.x, y), hn_i_ramp(d11, x, y));
-  hn_i_num3 n = hn_i_face_d(r, hn_i_gradient(d00), hn_i_gradient(d10), hn_i_gradient(d01), hn_i_gradient(d11),
-                            hn_i_fade(f), hn_i_d_fade(f));
+// The share of two corners along x: the interpolated ramp, its derivative along x, and what the gradients' other
+// components add. a and b are the ramps, g and h the gradients, t the fade and s its slope.
+HN_FN hn_i_num3 hn_i_edge_d(hn_i_num a, hn_i_num b, hn_vec2 g, hn_vec2 h, hn_i_num t, hn_i_num s) {
+  hn_float e = hn_i_exact(t);
+  return hn_i_vector(hn_i_edge2(a, b, t), hn_i_d_faded(hn_i_lerp_components(g.x, h.x, e), hn_i_d_edge2(a, b), s),
+                     hn_i_lerp_components(g.y, h.y, e));
+}
+
+// The noise and its derivatives before they are scaled, from the words of the corners, the fades and their slopes. The
+// gradients may have turned by a quarter.
+HN_FN hn_i_num3 hn_i_perlin_d(hn_uvec4 h, hn_i_num2 f, hn_i_num2 t, hn_i_num2 s, bool turned) {
+  hn_i_num4 r = hn_i_ramps(h, f, turned);
+  hn_i_num3 n0 = hn_i_edge_d(r.x, r.y, hn_i_direction2(h.x, turned), hn_i_direction2(h.y, turned), t.x, s.x);
+  hn_i_num3 n1 = hn_i_edge_d(r.z, r.w, hn_i_direction2(h.z, turned), hn_i_direction2(h.w, turned), t.x, s.x);
+  return hn_i_vector(hn_i_lerp(n0.x, n1.x, t.y), hn_i_lerp(n0.y, n1.y, t.y),
+                     hn_i_d_faded(hn_i_lerp(n0.z, n1.z, t.y), hn_i_d_corner(n0.x, n1.x), s.y));
+}
+HN_FN hn_vec3 hn_i_scaled_perlin_d(hn_i_num3 n) {
   return vec3(hn_i_value(hn_i_scaled2(n.x)), hn_i_derivative(hn_i_scaled2(n.y)), hn_i_derivative(hn_i_scaled2(n.z)));
+}
+HN_FN hn_vec3 hn_i_perlin_d(hn_uvec4 h, hn_i_num2 f) {
+  return hn_i_scaled_perlin_d(hn_i_perlin_d(h, f, hn_i_fade(f), hn_i_d_fade(f), false));
 }
 
 // Perlin noise on the plane and how steep it is. The value is that of hn_perlin.

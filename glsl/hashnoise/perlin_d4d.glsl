@@ -14,26 +14,29 @@
 // The share of two corners of a cell along x in the noise: the interpolated ramp, its derivative along x, and what the
 // gradients' y adds. `rest` is what their z and w add. h are the words of the corners, and x, y, z and w the offsets
 // from the first; x1 is that from the second along x.
-HN_FN hn_i_num3 hn_i_edge_d(hn_uvec2 h, hn_i_num x, hn_i_num x1, hn_i_num y, hn_i_num z, hn_i_num w, hn_i_num2 along,
+HN_FN hn_i_num3 hn_i_edge_d(hn_uvec2 h, hn_float x, hn_float x1, hn_float y, hn_float z, hn_float w, hn_i_num2 along,
                             HN_I_OUT(hn_i_num2) rest) {
-  hn_i_num a = hn_i_ramp(h.x, x, y, z, w);
-  hn_i_num b = hn_i_ramp(h.y, x1, y, z, w);
-  hn_i_num4 g = hn_i_gradient4(h.x);
-  hn_i_num4 k = hn_i_gradient4(h.y);
-  rest = hn_i_vector(hn_i_lerp(g.z, k.z, along.x), hn_i_lerp(g.w, k.w, along.x));
-  return hn_i_vector(hn_i_lerp(a, b, along.x), hn_i_d_faded(hn_i_lerp(g.x, k.x, along.x), hn_i_d_corner(a, b), along.y),
-                     hn_i_lerp(g.y, k.y, along.x));
+  hn_vec4 g = hn_i_direction4(h.x);
+  hn_vec4 k = hn_i_direction4(h.y);
+  hn_i_num a = hn_i_along4(g, x, y, z, w);
+  hn_i_num b = hn_i_along4(k, x1, y, z, w);
+  hn_float e = hn_i_exact(along.x);
+  rest = hn_i_vector(hn_i_lerp_components4(g.z, k.z, e), hn_i_lerp_components4(g.w, k.w, e));
+  return hn_i_vector(hn_i_edge4(a, b, along.x),
+                     hn_i_d_faded(hn_i_lerp_components4(g.x, k.x, e), hn_i_d_edge4(a, b), along.y),
+                     hn_i_lerp_components4(g.y, k.y, e));
 }
 
 // The share of the square that z and w choose in the noise: the interpolated ramp, and its derivatives along x and y.
-HN_FN hn_i_num3 hn_i_square_d(hn_uvec4 h, hn_i_num4 f, hn_i_num z, hn_i_num w, hn_i_num4 t, hn_i_num4 s,
+HN_FN hn_i_num3 hn_i_square_d(hn_uvec4 h, hn_i_num4 f, hn_float z, hn_float w, hn_i_num4 t, hn_i_num4 s,
                               HN_I_OUT(hn_i_num2) rest) {
   hn_i_num2 rest0;
   hn_i_num2 rest1;
-  hn_i_num x = hn_i_minus_one(f.x);
+  hn_float x = hn_i_offset(f.x);
+  hn_float x1 = hn_i_offset(hn_i_minus_one(f.x));
   hn_i_num2 along = hn_i_vector(t.x, s.x);
-  hn_i_num3 n0 = hn_i_edge_d(uvec2(h.x, h.y), f.x, x, f.y, z, w, along, rest0);
-  hn_i_num3 n1 = hn_i_edge_d(uvec2(h.z, h.w), f.x, x, hn_i_minus_one(f.y), z, w, along, rest1);
+  hn_i_num3 n0 = hn_i_edge_d(uvec2(h.x, h.y), x, x1, hn_i_offset(f.y), z, w, along, rest0);
+  hn_i_num3 n1 = hn_i_edge_d(uvec2(h.z, h.w), x, x1, hn_i_offset(hn_i_minus_one(f.y)), z, w, along, rest1);
   rest = hn_i_vector(hn_i_lerp(rest0.x, rest1.x, t.y), hn_i_lerp(rest0.y, rest1.y, t.y));
   return hn_i_vector(hn_i_lerp(n0.x, n1.x, t.y), hn_i_lerp(n0.y, n1.y, t.y),
                      hn_i_d_faded(hn_i_lerp(n0.z, n1.z, t.y), hn_i_d_corner(n0.x, n1.x), s.y));
@@ -45,9 +48,10 @@ HN_FN hn_i_num4 hn_i_cube_d(hn_i_box4 box, hn_i_num4 f, bool far_w, hn_i_num4 t,
                             HN_I_OUT(hn_i_num) rest) {
   hn_i_num2 rest0;
   hn_i_num2 rest1;
-  hn_i_num w = hn_i_select(far_w, hn_i_minus_one(f.w), f.w);
-  hn_i_num3 n0 = hn_i_square_d(hn_i_corners(box, false, far_w, seed), f, f.z, w, t, s, rest0);
-  hn_i_num3 n1 = hn_i_square_d(hn_i_corners(box, true, far_w, seed), f, hn_i_minus_one(f.z), w, t, s, rest1);
+  hn_float w = hn_i_offset(hn_i_select(far_w, hn_i_minus_one(f.w), f.w));
+  hn_i_num3 n0 = hn_i_square_d(hn_i_corners(box, false, far_w, seed), f, hn_i_offset(f.z), w, t, s, rest0);
+  hn_i_num3 n1 =
+      hn_i_square_d(hn_i_corners(box, true, far_w, seed), f, hn_i_offset(hn_i_minus_one(f.z)), w, t, s, rest1);
   rest = hn_i_lerp(rest0.y, rest1.y, t.z);
   return hn_i_vector(hn_i_lerp(n0.x, n1.x, t.z), hn_i_lerp(n0.y, n1.y, t.z), hn_i_lerp(n0.z, n1.z, t.z),
                      hn_i_d_faded(hn_i_lerp(rest0.x, rest1.x, t.z), hn_i_d_corner(n0.x, n1.x), s.z));

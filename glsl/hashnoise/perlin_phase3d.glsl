@@ -5,51 +5,32 @@
 #define HN_PERLIN_PHASE3D_GLSL
 
 #include "detail/direction_turning.glsl"
-#include "detail/ramps.glsl"
-#include "detail/derivative.glsl"
+#include "perlin_d3d.glsl"
 
 // The paper's gradient has no noise of this kind.
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
 
-// The ramps of the corners of the front or back face.
-HN_FN hn_i_num4 hn_i_phase_ramps(hn_uvec4 h, hn_i_num3 f, bool back, hn_i_num2 rotation) {
-  hn_i_num x = hn_i_minus_one(f.x);
-  hn_i_num y = hn_i_minus_one(f.y);
-  hn_i_num z = hn_i_select(back, hn_i_minus_one(f.z), f.z);
-  return hn_i_vector(
-      hn_i_ramp(hn_i_direction3(h.x), f.x, f.y, z, rotation), hn_i_ramp(hn_i_direction3(h.y), x, f.y, z, rotation),
-      hn_i_ramp(hn_i_direction3(h.z), f.x, y, z, rotation), hn_i_ramp(hn_i_direction3(h.w), x, y, z, rotation));
-}
-
 // The noise in the numbers of HN_ARITHMETIC.
 HN_FN hn_i_num hn_i_perlin_phase(hn_i_box3 box, hn_i_num3 f, hn_i_num2 rotation, hn_uint seed) {
+  hn_uvec4 a = hn_i_corners(box, false, seed);
+  hn_uvec4 b = hn_i_corners(box, true, seed);
   hn_i_num3 t = hn_i_fade(f);
-  hn_i_num4 front = hn_i_phase_ramps(hn_i_corners(box, false, seed), f, false, rotation);
-  hn_i_num4 back = hn_i_phase_ramps(hn_i_corners(box, true, seed), f, true, rotation);
-  return hn_i_scaled3(hn_i_lerp(hn_i_lerp(front, t.x, t.y), hn_i_lerp(back, t.x, t.y), t.z));
-}
-
-// The noise on a face with its derivatives along x and y, and what the gradients' last components add.
-HN_FN hn_i_num4 hn_i_phase_face_d(hn_uvec4 h, hn_i_num3 f, bool back, hn_i_num3 t, hn_i_num3 s, hn_i_num2 rotation) {
-  return hn_i_face_d(hn_i_phase_ramps(h, f, back, rotation), hn_i_gradient(hn_i_direction3(h.x), rotation),
-                     hn_i_gradient(hn_i_direction3(h.y), rotation), hn_i_gradient(hn_i_direction3(h.z), rotation),
-                     hn_i_gradient(hn_i_direction3(h.w), rotation), t, s);
+  return hn_i_scaled3(
+      hn_i_mixed(rotation, hn_i_cell_of_ramps(a, b, f, t, false), hn_i_cell_of_ramps(a, b, f, t, true)));
 }
 
 // The noise and its derivatives.
 HN_FN hn_vec4 hn_i_perlin_phase_d(hn_i_box3 box, hn_i_num3 f, hn_i_num2 rotation, hn_uint seed) {
+  hn_uvec4 a = hn_i_corners(box, false, seed);
+  hn_uvec4 b = hn_i_corners(box, true, seed);
   hn_i_num3 t = hn_i_fade(f);
   hn_i_num3 s = hn_i_d_fade(f);
-  hn_i_num4 front = hn_i_phase_face_d(hn_i_corners(box, false, seed), f, false, t, s, rotation);
-  hn_i_num4 back = hn_i_phase_face_d(hn_i_corners(box, true, seed), f, true, t, s, rotation);
-  hn_i_num dz = hn_i_d_faded(hn_i_lerp(front.w, back.w, t.z), hn_i_d_corner(front.x, back.x), s.z);
-  return vec4(hn_i_value(hn_i_scaled3(hn_i_lerp(front.x, back.x, t.z))),
-              hn_i_derivative(hn_i_scaled3(hn_i_lerp(front.y, back.y, t.z))),
-              hn_i_derivative(hn_i_scaled3(hn_i_lerp(front.z, back.z, t.z))), hn_i_derivative(hn_i_scaled3(dz)));
+  return hn_i_scaled_perlin_d(
+      hn_i_mixed(rotation, hn_i_perlin_d(a, b, f, t, s, false), hn_i_perlin_d(a, b, f, t, s, true)));
 }
 
 // Perlin noise in space whose gradients turn: the field changes in place, and loops after one turn. Each turns in the
-// plane of its two longest axes.
+// plane of its two axes.
 //   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
 //   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
 //   phase    in turns, any float: the field of phase + 1 has the same bits, and that of phase + 1/2 is the negative

@@ -9,11 +9,6 @@
 // The paper's gradient has no noise of this kind.
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
 
-// The noise in the numbers of HN_ARITHMETIC, from the words of the corners and the fades.
-HN_FN hn_i_num hn_i_perlin(hn_uvec4 h, hn_i_num2 f, hn_i_num2 t) {
-  return hn_i_scaled2(hn_i_lerp(hn_i_ramps(h, f), t.x, t.y));
-}
-
 // Two Perlin noises that do not depend on each other, from one hash for each corner: to move positions, for the two
 // parts of a flow.
 //   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
@@ -30,7 +25,8 @@ HN_FN hn_vec2 hn_perlin_vector(hn_place2 place, hn_uint seed) {
   hn_uvec4 h = hn_i_corners(hn_i_box(place), seed);
   hn_i_num2 f = place.fraction;
   hn_i_num2 t = hn_i_fade(f);
-  return vec2(hn_i_value(hn_i_perlin(h, f, t)), hn_i_value(hn_i_perlin(hn_i_words_of_y(h), f, t)));
+  return vec2(hn_i_value(hn_i_scaled2(hn_i_cell_of_ramps(h, f, t, false))),
+              hn_i_value(hn_i_scaled2(hn_i_cell_of_ramps(hn_i_words_of_y(h), f, t, false))));
 }
 HN_FN hn_vec2 hn_perlin_vector(hn_vec2 p, hn_uint seed) { return hn_perlin_vector(hn_place(p), seed); }
 HN_FN hn_vec2 hn_perlin_vector(hn_vec2 p) { return hn_perlin_vector(p, 0u); }

@@ -9,12 +9,6 @@
 // The paper's gradient has no noise of this kind.
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
 
-// The noise in the numbers of HN_ARITHMETIC, from the words of the corners of both faces and the fades.
-HN_FN hn_i_num hn_i_perlin(hn_uvec4 front, hn_uvec4 back, hn_i_num3 f, hn_i_num3 t) {
-  return hn_i_scaled3(hn_i_lerp(hn_i_lerp(hn_i_ramps(front, f, false), t.x, t.y),
-                                hn_i_lerp(hn_i_ramps(back, f, true), t.x, t.y), t.z));
-}
-
 // Three Perlin noises that do not depend on each other, from one hash for each corner: to move positions, for the parts
 // of a flow.
 //   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
@@ -34,9 +28,9 @@ HN_FN hn_vec3 hn_perlin_vector(hn_place3 place, hn_uint seed) {
   hn_uvec4 b = hn_i_corners(box, true, seed);
   hn_i_num3 f = place.fraction;
   hn_i_num3 t = hn_i_fade(f);
-  return vec3(hn_i_value(hn_i_perlin(a, b, f, t)),
-              hn_i_value(hn_i_perlin(hn_i_words_of_y(a), hn_i_words_of_y(b), f, t)),
-              hn_i_value(hn_i_perlin(hn_i_words_of_z(a), hn_i_words_of_z(b), f, t)));
+  return vec3(hn_i_value(hn_i_scaled3(hn_i_cell_of_ramps(a, b, f, t, false))),
+              hn_i_value(hn_i_scaled3(hn_i_cell_of_ramps(hn_i_words_of_y(a), hn_i_words_of_y(b), f, t, false))),
+              hn_i_value(hn_i_scaled3(hn_i_cell_of_ramps(hn_i_words_of_z(a), hn_i_words_of_z(b), f, t, false))));
 }
 HN_FN hn_vec3 hn_perlin_vector(hn_vec3 p, hn_uint seed) { return hn_perlin_vector(hn_place(p), seed); }
 HN_FN hn_vec3 hn_perlin_vector(hn_vec3 p) { return hn_perlin_vector(p, 0u); }

@@ -9,11 +9,6 @@
 // The paper's gradient has no noise of this kind.
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
 
-// A component with its derivatives, from the words of the corners of both faces.
-HN_FN hn_vec4 hn_i_perlin_d(hn_uvec4 a, hn_uvec4 b, hn_i_num3 f, hn_i_num3 t, hn_i_num3 s) {
-  return hn_i_perlin_d(hn_i_face_d(a, f, false, t, s), hn_i_face_d(b, f, true, t, s), t, s);
-}
-
 // Three Perlin noises that do not depend on each other, and how steep they are, from one hash for each corner. value is
 // hn_perlin_vector.
 //   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
@@ -34,9 +29,9 @@ HN_FN hn_derivatives3x3 hn_perlin_vector_d(hn_place3 place, hn_uint seed) {
   hn_i_num3 f = place.fraction;
   hn_i_num3 t = hn_i_fade(f);
   hn_i_num3 s = hn_i_d_fade(f);
-  hn_vec4 x = hn_i_perlin_d(a, b, f, t, s);
-  hn_vec4 y = hn_i_perlin_d(hn_i_words_of_y(a), hn_i_words_of_y(b), f, t, s);
-  hn_vec4 z = hn_i_perlin_d(hn_i_words_of_z(a), hn_i_words_of_z(b), f, t, s);
+  hn_vec4 x = hn_i_scaled_perlin_d(hn_i_perlin_d(a, b, f, t, s, false));
+  hn_vec4 y = hn_i_scaled_perlin_d(hn_i_perlin_d(hn_i_words_of_y(a), hn_i_words_of_y(b), f, t, s, false));
+  hn_vec4 z = hn_i_scaled_perlin_d(hn_i_perlin_d(hn_i_words_of_z(a), hn_i_words_of_z(b), f, t, s, false));
   return hn_i_of_components(x, y, z);
 }
 HN_FN hn_derivatives3x3 hn_perlin_vector_d(hn_vec3 p, hn_uint seed) { return hn_perlin_vector_d(hn_place(p), seed); }

@@ -6,15 +6,17 @@
 
 #include "detail/triangular_lattice.glsl"
 
-// The noise in the numbers of HN_ARITHMETIC, from the words of the corners.
-HN_FN hn_i_num hn_i_simplex(hn_uvec3 h, hn_i_num2 skewed) {
+// The noise before it is scaled, from the words of the corners. The gradients may have turned by a quarter.
+HN_FN hn_i_num hn_i_simplex(hn_uvec3 h, hn_i_num2 skewed, bool turned) {
   hn_i_num3 x = hn_i_triangle_x(skewed);
   hn_i_num3 y = hn_i_triangle_y(skewed);
   hn_i_num3 t = hn_i_triangle_falloff(x, y);
-  hn_i_num n = hn_i_weighted_ramp(hn_i_triangle_ramp(h.x, x.x, y.x), hn_i_weight_plane(t.x));
-  n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_triangle_ramp(h.y, x.y, y.y), hn_i_weight_plane(t.y)));
-  n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_triangle_ramp(h.z, x.z, y.z), hn_i_weight_plane(t.z)));
-  return hn_i_scaled_simplex2(n);
+  hn_i_num n = hn_i_weighted_ramp(hn_i_triangle_ramp(h.x, x.x, y.x, turned), hn_i_weight_plane(t.x));
+  n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_triangle_ramp(h.y, x.y, y.y, turned), hn_i_weight_plane(t.y)));
+  return hn_i_plus(n, hn_i_weighted_ramp(hn_i_triangle_ramp(h.z, x.z, y.z, turned), hn_i_weight_plane(t.z)));
+}
+HN_FN hn_i_num hn_i_simplex(hn_uvec3 h, hn_i_num2 skewed) {
+  return hn_i_scaled_simplex2(hn_i_simplex(h, skewed, false));
 }
 HN_FN hn_i_num hn_i_simplex(hn_place2 place, hn_uint seed) {
   hn_i_num2 skewed = hn_i_skewed(place.fraction);

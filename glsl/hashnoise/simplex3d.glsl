@@ -6,18 +6,20 @@
 
 #include "detail/body_centred_lattice.glsl"
 
-// The noise in the numbers of HN_ARITHMETIC.
+// The noise before it is scaled. The gradients may have turned by a quarter.
+HN_FN hn_i_num hn_i_simplex(hn_uvec4 h, hn_i_num4 x, hn_i_num4 y, hn_i_num4 z, hn_i_num4 t, bool turned) {
+  hn_i_num n = hn_i_weighted_ramp(hn_i_ramp_of(h.x, x.x, y.x, z.x, turned), hn_i_weight4(t.x));
+  n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_ramp_of(h.y, x.y, y.y, z.y, turned), hn_i_weight4(t.y)));
+  n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_ramp_of(h.z, x.z, y.z, z.z, turned), hn_i_weight4(t.z)));
+  return hn_i_plus(n, hn_i_weighted_ramp(hn_i_ramp_of(h.w, x.w, y.w, z.w, turned), hn_i_weight4(t.w)));
+}
 HN_FN hn_i_num hn_i_simplex(hn_i_block3 block, hn_i_num3 f, hn_uint seed) {
   hn_i_num4 x;
   hn_i_num4 y;
   hn_i_num4 z;
   hn_i_num4 t;
   hn_uvec4 h = hn_i_four_points(block, f, seed, x, y, z, t);
-  hn_i_num n = hn_i_weighted_ramp(hn_i_ramp_of(h.x, x.x, y.x, z.x), hn_i_weight4(t.x));
-  n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_ramp_of(h.y, x.y, y.y, z.y), hn_i_weight4(t.y)));
-  n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_ramp_of(h.z, x.z, y.z, z.z), hn_i_weight4(t.z)));
-  n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_ramp_of(h.w, x.w, y.w, z.w), hn_i_weight4(t.w)));
-  return hn_i_scaled_simplex3(n);
+  return hn_i_scaled_simplex3(hn_i_simplex(h, x, y, z, t, false));
 }
 
 // Simplex noise in space: gradient noise on the body-centred lattice, the corners and centres of all cells. Slices

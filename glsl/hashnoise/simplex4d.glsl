@@ -14,10 +14,10 @@ HN_FN hn_i_num hn_i_simplex(hn_i_block4 block, hn_i_num4 f, hn_uint seed) {
   hn_i_num4 w;
   hn_i_num4 t;
   hn_uvec4 h = hn_i_four_points(block, f, seed, x, y, z, w, t);
-  hn_i_num n = hn_i_weighted_ramp(hn_i_ramp(h.x, x.x, y.x, z.x, w.x), hn_i_weight3(t.x));
-  n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_ramp(h.y, x.y, y.y, z.y, w.y), hn_i_weight3(t.y)));
-  n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_ramp(h.z, x.z, y.z, z.z, w.z), hn_i_weight3(t.z)));
-  n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_ramp(h.w, x.w, y.w, z.w, w.w), hn_i_weight3(t.w)));
+  hn_i_num n = hn_i_weighted_ramp(hn_i_ramp_of4(hn_i_along4(h.x, x.x, y.x, z.x, w.x)), hn_i_weight3(t.x));
+  n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_ramp_of4(hn_i_along4(h.y, x.y, y.y, z.y, w.y)), hn_i_weight3(t.y)));
+  n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_ramp_of4(hn_i_along4(h.z, x.z, y.z, z.z, w.z)), hn_i_weight3(t.z)));
+  n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_ramp_of4(hn_i_along4(h.w, x.w, y.w, z.w, w.w)), hn_i_weight3(t.w)));
   return hn_i_scaled_simplex4(n);
 }
 

@@ -8,11 +8,11 @@
 
 // The share of a point in the derivatives of the noise.
 HN_FN hn_i_num4 hn_i_weighted_ramp_d(hn_uint h, hn_i_num x, hn_i_num y, hn_i_num z, hn_i_num w, hn_i_num t) {
-  hn_i_num k = hn_i_weighted_ramp(hn_i_ramp(h, x, y, z, w), hn_i_d_weight3(t, 2));
+  hn_i_num k = hn_i_weighted_ramp(hn_i_ramp_of4(hn_i_along4(h, x, y, z, w)), hn_i_d_weight3(t, 2));
   hn_i_num weight = hn_i_weight3(t);
-  hn_i_num4 g = hn_i_gradient4(h);
-  return hn_i_vector(hn_i_d_weighted_ramp(g.x, weight, k, x), hn_i_d_weighted_ramp(g.y, weight, k, y),
-                     hn_i_d_weighted_ramp(g.z, weight, k, z), hn_i_d_weighted_ramp(g.w, weight, k, w));
+  hn_vec4 g = hn_i_direction4(h);
+  return hn_i_vector(hn_i_d_weighted_ramp4(g.x, weight, k, x), hn_i_d_weighted_ramp4(g.y, weight, k, y),
+                     hn_i_d_weighted_ramp4(g.z, weight, k, z), hn_i_d_weighted_ramp4(g.w, weight, k, w));
 }
 
 HN_FN hn_derivatives4 hn_i_simplex_d(hn_i_block4 block, hn_i_num4 f, hn_uint seed) {
@@ -29,10 +29,10 @@ HN_FN hn_derivatives4 hn_i_simplex_d(hn_i_block4 block, hn_i_num4 f, hn_uint see
   HN_I_NEW(hn_derivatives4, n);
   n.gradient = vec4(hn_i_derivative(hn_i_scaled_simplex4(d.x)), hn_i_derivative(hn_i_scaled_simplex4(d.y)),
                     hn_i_derivative(hn_i_scaled_simplex4(d.z)), hn_i_derivative(hn_i_scaled_simplex4(d.w)));
-  hn_i_num sum = hn_i_weighted_ramp(hn_i_ramp(h.x, x.x, y.x, z.x, w.x), hn_i_weight3(t.x));
-  sum = hn_i_plus(sum, hn_i_weighted_ramp(hn_i_ramp(h.y, x.y, y.y, z.y, w.y), hn_i_weight3(t.y)));
-  sum = hn_i_plus(sum, hn_i_weighted_ramp(hn_i_ramp(h.z, x.z, y.z, z.z, w.z), hn_i_weight3(t.z)));
-  sum = hn_i_plus(sum, hn_i_weighted_ramp(hn_i_ramp(h.w, x.w, y.w, z.w, w.w), hn_i_weight3(t.w)));
+  hn_i_num sum = hn_i_weighted_ramp(hn_i_ramp_of4(hn_i_along4(h.x, x.x, y.x, z.x, w.x)), hn_i_weight3(t.x));
+  sum = hn_i_plus(sum, hn_i_weighted_ramp(hn_i_ramp_of4(hn_i_along4(h.y, x.y, y.y, z.y, w.y)), hn_i_weight3(t.y)));
+  sum = hn_i_plus(sum, hn_i_weighted_ramp(hn_i_ramp_of4(hn_i_along4(h.z, x.z, y.z, z.z, w.z)), hn_i_weight3(t.z)));
+  sum = hn_i_plus(sum, hn_i_weighted_ramp(hn_i_ramp_of4(hn_i_along4(h.w, x.w, y.w, z.w, w.w)), hn_i_weight3(t.w)));
   n.value = hn_i_value(hn_i_scaled_simplex4(sum));
   return n;
 }

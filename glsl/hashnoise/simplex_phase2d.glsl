@@ -5,50 +5,21 @@
 #define HN_SIMPLEX_PHASE2D_GLSL
 
 #include "detail/direction_turning.glsl"
-#include "detail/triangular_lattice.glsl"
+#include "simplex2d.glsl"
+#include "simplex_d2d.glsl"
 
-// The ramp of a corner, before it is weighted.
-HN_FN hn_i_num hn_i_triangle_ramp(hn_uint h, hn_i_num x, hn_i_num y, hn_i_num2 rotation) {
-  hn_i_num3 d = hn_i_triangle_direction(h);
-  return hn_i_triangle_times_one_plus(hn_i_mixed(rotation, hn_i_dot_direction(d, x, y), hn_i_cross(d.x, y, d.y, x)),
-                                      d.z);
-}
-
-// The noise in the numbers of HN_ARITHMETIC, from the words of the corners.
-HN_FN hn_i_num hn_i_simplex_phase(hn_uvec3 h, hn_i_num2 skewed, hn_i_num2 rotation) {
-  hn_i_num3 x = hn_i_triangle_x(skewed);
-  hn_i_num3 y = hn_i_triangle_y(skewed);
-  hn_i_num3 t = hn_i_triangle_falloff(x, y);
-  hn_i_num n = hn_i_weighted_ramp(hn_i_triangle_ramp(h.x, x.x, y.x, rotation), hn_i_weight_plane(t.x));
-  n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_triangle_ramp(h.y, x.y, y.y, rotation), hn_i_weight_plane(t.y)));
-  n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_triangle_ramp(h.z, x.z, y.z, rotation), hn_i_weight_plane(t.z)));
-  return hn_i_scaled_simplex2(n);
-}
+// The noise in the numbers of HN_ARITHMETIC.
 HN_FN hn_i_num hn_i_simplex_phase(hn_place2 place, hn_i_num2 rotation, hn_uint seed) {
   hn_i_num2 skewed = hn_i_skewed(place.fraction);
-  return hn_i_simplex_phase(hn_i_triangle(place, skewed, seed), skewed, rotation);
+  hn_uvec3 h = hn_i_triangle(place, skewed, seed);
+  return hn_i_scaled_simplex2(hn_i_mixed(rotation, hn_i_simplex(h, skewed, false), hn_i_simplex(h, skewed, true)));
 }
 
-// The share of a corner in the noise and in its derivatives, in steps.
-HN_FN hn_i_num3 hn_i_turning_ramp_d(hn_uint h, hn_i_num x, hn_i_num y, hn_i_num t, hn_i_num2 rotation) {
-  return hn_i_weighted_ramp_d(hn_i_triangle_ramp(h, x, y, rotation), hn_i_rotated(hn_i_triangle_gradient(h), rotation),
-                              x, y, hn_i_weight_plane(t), hn_i_d_weight_plane(t, 1));
-}
-
-// The noise and its derivatives, from the words of the corners.
-HN_FN hn_vec3 hn_i_simplex_phase_d(hn_uvec3 h, hn_i_num2 skewed, hn_i_num2 rotation) {
-  hn_i_num3 x = hn_i_triangle_x(skewed);
-  hn_i_num3 y = hn_i_triangle_y(skewed);
-  hn_i_num3 t = hn_i_triangle_falloff(x, y);
-  hn_i_num3 n = hn_i_plus(
-      hn_i_plus(hn_i_turning_ramp_d(h.x, x.x, y.x, t.x, rotation), hn_i_turning_ramp_d(h.y, x.y, y.y, t.y, rotation)),
-      hn_i_turning_ramp_d(h.z, x.z, y.z, t.z, rotation));
-  return vec3(hn_i_value(hn_i_scaled_simplex2(n.x)), hn_i_per_cell(hn_i_derivative(hn_i_scaled_simplex2(n.y))),
-              hn_i_per_cell(hn_i_derivative(hn_i_scaled_simplex2(n.z))));
-}
+// The noise and its derivatives.
 HN_FN hn_vec3 hn_i_simplex_phase_d(hn_place2 place, hn_i_num2 rotation, hn_uint seed) {
   hn_i_num2 skewed = hn_i_skewed(place.fraction);
-  return hn_i_simplex_phase_d(hn_i_triangle(place, skewed, seed), skewed, rotation);
+  hn_uvec3 h = hn_i_triangle(place, skewed, seed);
+  return hn_i_scaled_simplex_d(hn_i_mixed(rotation, hn_i_simplex_d(h, skewed, false), hn_i_simplex_d(h, skewed, true)));
 }
 
 // Simplex noise on the plane whose gradients turn: the field changes in place, and loops after one turn. All gradients

@@ -4,8 +4,9 @@
 #ifndef HN_SIMPLEX_PHASE3D_GLSL
 #define HN_SIMPLEX_PHASE3D_GLSL
 
-#include "detail/body_centred_lattice.glsl"
 #include "detail/direction_turning.glsl"
+#include "simplex3d.glsl"
+#include "simplex_d3d.glsl"
 
 // The noise in the numbers of HN_ARITHMETIC.
 HN_FN hn_i_num hn_i_simplex_phase(hn_i_block3 block, hn_i_num3 f, hn_i_num2 rotation, hn_uint seed) {
@@ -14,18 +15,8 @@ HN_FN hn_i_num hn_i_simplex_phase(hn_i_block3 block, hn_i_num3 f, hn_i_num2 rota
   hn_i_num4 z;
   hn_i_num4 t;
   hn_uvec4 h = hn_i_four_points(block, f, seed, x, y, z, t);
-  hn_i_num n = hn_i_weighted_ramp(hn_i_ramp(hn_i_direction3(h.x), x.x, y.x, z.x, rotation), hn_i_weight4(t.x));
-  n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_ramp(hn_i_direction3(h.y), x.y, y.y, z.y, rotation), hn_i_weight4(t.y)));
-  n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_ramp(hn_i_direction3(h.z), x.z, y.z, z.z, rotation), hn_i_weight4(t.z)));
-  n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_ramp(hn_i_direction3(h.w), x.w, y.w, z.w, rotation), hn_i_weight4(t.w)));
-  return hn_i_scaled_simplex3(n);
-}
-
-// The share of a point in the noise and in its derivatives.
-HN_FN hn_i_num4 hn_i_turning_ramp_d(hn_uint h, hn_i_num x, hn_i_num y, hn_i_num z, hn_i_num t, hn_i_num2 rotation) {
-  hn_i_num4 d = hn_i_direction3(h);
-  return hn_i_weighted_ramp_d(hn_i_ramp(d, x, y, z, rotation), hn_i_gradient(d, rotation), x, y, z, hn_i_weight4(t),
-                     hn_i_d_weight4(t, 2));
+  return hn_i_scaled_simplex3(
+      hn_i_mixed(rotation, hn_i_simplex(h, x, y, z, t, false), hn_i_simplex(h, x, y, z, t, true)));
 }
 
 // The noise and its derivatives.
@@ -35,16 +26,12 @@ HN_FN hn_vec4 hn_i_simplex_phase_d(hn_i_block3 block, hn_i_num3 f, hn_i_num2 rot
   hn_i_num4 z;
   hn_i_num4 t;
   hn_uvec4 h = hn_i_four_points(block, f, seed, x, y, z, t);
-  hn_i_num4 corners = hn_i_plus(hn_i_turning_ramp_d(h.x, x.x, y.x, z.x, t.x, rotation),
-                                hn_i_turning_ramp_d(h.y, x.y, y.y, z.y, t.y, rotation));
-  hn_i_num4 n = hn_i_plus(hn_i_plus(corners, hn_i_turning_ramp_d(h.z, x.z, y.z, z.z, t.z, rotation)),
-                          hn_i_turning_ramp_d(h.w, x.w, y.w, z.w, t.w, rotation));
-  return vec4(hn_i_value(hn_i_scaled_simplex3(n.x)), hn_i_derivative(hn_i_scaled_simplex3(n.y)),
-              hn_i_derivative(hn_i_scaled_simplex3(n.z)), hn_i_derivative(hn_i_scaled_simplex3(n.w)));
+  return hn_i_scaled_simplex_d(
+      hn_i_mixed(rotation, hn_i_simplex_d(h, x, y, z, t, false), hn_i_simplex_d(h, x, y, z, t, true)));
 }
 
 // Simplex noise in space whose gradients turn: the field changes in place, and loops after one turn. Each turns in the
-// plane of its two longest axes.
+// plane of its two axes.
 //   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
 //   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
 //   phase    in turns, any float: the field of phase + 1 has the same bits, and that of phase + 1/2 is the negative

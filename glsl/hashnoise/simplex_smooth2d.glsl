@@ -12,15 +12,15 @@ HN_FN hn_i_num hn_i_simplex_smooth(hn_uvec4 h, hn_i_num lower, hn_i_num upper, h
   hn_i_num lower1 = hn_i_minus_one(lower);
   hn_i_num upper1 = hn_i_minus_one(upper);
   hn_i_num y1 = hn_i_minus_one(y);
-  hn_i_num n =
-      hn_i_weighted_ramp(hn_i_triangle_ramp(h.x, lower, y), hn_i_weight3(hn_i_falloff(hn_i_square(lower, y), 1024, 1)));
-  n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_triangle_ramp(h.y, lower1, y),
+  hn_i_num n = hn_i_weighted_ramp(hn_i_triangle_ramp(h.x, lower, y, false),
+                                  hn_i_weight3(hn_i_falloff(hn_i_square(lower, y), 1024, 1)));
+  n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_triangle_ramp(h.y, lower1, y, false),
                                       hn_i_weight3(hn_i_falloff(hn_i_square(lower1, y), 1024, 1))));
-  n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_triangle_ramp(h.z, upper, y1),
+  n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_triangle_ramp(h.z, upper, y1, false),
                                       hn_i_weight3(hn_i_falloff(hn_i_square(upper, y1), 1024, 1))));
-  n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_triangle_ramp(h.w, upper1, y1),
+  n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_triangle_ramp(h.w, upper1, y1, false),
                                       hn_i_weight3(hn_i_falloff(hn_i_square(upper1, y1), 1024, 1))));
-  return hn_i_scaled(n, 2428);
+  return hn_i_scaled(n, 3081);
 }
 
 // The place along x in a row, in steps: odd rows are shifted.

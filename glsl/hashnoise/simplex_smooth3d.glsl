@@ -10,14 +10,6 @@
 // one is as far away, or farther: the squares of both distances sum to 3/2 or more. So of each kind of points four are
 // enough: one end of each diagonal of the cube around the place, whichever is nearer.
 
-// The ramp of a point, before it is weighted. Gradients are lengthened twice as much as those of Perlin noise.
-HN_FN hn_i_num hn_i_smooth_ramp(hn_uint h, hn_i_num x, hn_i_num y, hn_i_num z) {
-  hn_i_num4 d = hn_i_direction3(h);
-  return hn_i_times_one_plus(
-      hn_i_dot_direction(d, hn_i_octahedral(hn_i_plus(x, y)), hn_i_octahedral(hn_i_minus(x, y)), hn_i_octahedral_z(z)),
-      hn_i_plus(d.w, d.w));
-}
-
 // The share of a neighbour of the nearest point in the noise: the one along an axis, or the opposite end of its
 // diagonal. `one` are the spread coordinates and d the offsets of the first, `others` and e those of the second. `size`
 // is the magnitude of the offset along the axis, and `total` that along all three. q is the square of the distance of
@@ -34,7 +26,7 @@ HN_FN hn_i_num hn_i_neighbour(hn_uvec3 one, hn_uvec3 others, hn_i_num3 d, hn_i_n
   hn_i_num z = hn_i_select(excess > middle, e.z, d.z);
   hn_i_num more =
       min(hn_i_minus(HN_I_ONE, twice), hn_i_plus(hn_i_minus(hn_i_quarters(8), hn_i_plus(total, total)), twice));
-  return hn_i_weighted_ramp(hn_i_smooth_ramp(hn_i_word(c, join, sum), x, y, z),
+  return hn_i_weighted_ramp(hn_i_ramp_of(hn_i_word(c, join, sum), x, y, z, false),
                             hn_i_weight5(hn_i_falloff(hn_i_square_plus(q, more), 768, 1)));
 }
 
@@ -43,7 +35,7 @@ HN_FN hn_i_num hn_i_neighbour(hn_uvec3 one, hn_uvec3 others, hn_i_num3 d, hn_i_n
 HN_FN hn_i_num hn_i_cube(hn_uvec3 n, hn_uvec3 m, hn_i_num3 d, hn_i_num3 e, hn_i_num3 size, hn_i_square_number q,
                          hn_uint join, hn_uint sum) {
   hn_i_num total = hn_i_plus(hn_i_plus(size.x, size.y), size.z);
-  hn_i_num a = hn_i_weighted_ramp(hn_i_smooth_ramp(hn_i_word(n, join, sum), d.x, d.y, d.z),
+  hn_i_num a = hn_i_weighted_ramp(hn_i_ramp_of(hn_i_word(n, join, sum), d.x, d.y, d.z, false),
                                   hn_i_weight5(hn_i_falloff(q, 768, 1)));
   a = hn_i_plus(a, hn_i_neighbour(uvec3(m.x, n.y, n.z), uvec3(n.x, m.y, m.z), hn_i_vector(e.x, d.y, d.z),
                                   hn_i_vector(d.x, e.y, e.z), size.x, total, q, join, sum));
@@ -68,7 +60,7 @@ HN_FN hn_i_num hn_i_simplex_smooth(hn_i_block3 block, hn_i_num3 f, hn_uint seed)
   hn_i_num centres = hn_i_cube(block.cell, hn_i_nearer(f, block.previous, block.following), hn_i_vector(x.z, y.z, z.z),
                                hn_i_vector(x.w, y.w, z.w), inner, hn_i_square(x.z, y.z, z.z), join ^ HN_I_CENTRE_JOIN,
                                s + HN_I_CENTRE_SUM);
-  return hn_i_scaled(hn_i_plus(corners, centres), 3901);
+  return hn_i_scaled(hn_i_plus(corners, centres), 4281);
 }
 
 // Smooth simplex noise in space. The kernel is half again as large as that of hn_simplex, in the square of its radius,

@@ -26,7 +26,6 @@
 //   hn_i_signed(m, word)       m, or -m if the highest bit of the word is set; floats: m >= 0. Also of three at once
 //   hn_i_size(x)               the absolute value
 //   hn_i_flipped(x, word)      x, or -x if the highest bit of the word is set, for any x
-//   hn_i_times_one_plus(n, m)  n times 1 + m; the integers of m are in units of 2^-9, and n loses its last 9 bits there
 //   hn_i_fade(f)               6 f^5 - 15 f^4 + 10 f^3, along each axis
 //   hn_i_smooth(t)             floats only: 3 t^2 - 2 t^3
 //   hn_i_lerp(a, b, t)         interpolates from a to b by a fade t
@@ -316,8 +315,6 @@ HN_FN hn_float hn_i_lerp(hn_float a, hn_float b, hn_float t) {
   return n;
 }
 
-HN_FN hn_float hn_i_times_one_plus(hn_float n, hn_float more) { return hn_i_times_plus(n, more, n); }
-
 HN_FN hn_float hn_i_scaled(hn_float n, hn_int s) {
   HN_I_PRECISE hn_float scaled = n * (hn_i_float(s) * (1.0f / 1024.0f));
   return scaled;
@@ -418,8 +415,6 @@ HN_FN hn_ivec4 hn_i_fade(hn_ivec4 f) { return ivec4(hn_i_fade(f.x), hn_i_fade(f.
 HN_FN hn_int hn_i_part(hn_int d, hn_int t) { return (d >> 9) * (t >> 9) + (d >> 18) * (t & 511); }
 
 HN_FN hn_int hn_i_lerp(hn_int a, hn_int b, hn_int t) { return a + hn_i_part(b - a, t); }
-
-HN_FN hn_int hn_i_times_one_plus(hn_int n, hn_int more) { return n + (n >> 9) * more; }
 
 // Converts units of 2^-29 to units of 2^-21, rounded.
 HN_FN hn_int hn_i_scaled(hn_int n, hn_int s) { return (((n + 256) >> 9) * s + 256) >> 9; }

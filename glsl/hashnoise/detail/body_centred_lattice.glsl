@@ -38,15 +38,14 @@ HN_FN hn_i_num4 hn_i_offsets(hn_i_num f) {
                      hn_i_select(f > middle, hn_i_minus(inner, HN_I_ONE), hn_i_plus(inner, HN_I_ONE)));
 }
 
-// The ramp of a point in space, before it is weighted.
-HN_FN hn_i_num hn_i_ramp_of(hn_uint h, hn_i_num x, hn_i_num y, hn_i_num z) {
-  return hn_i_ramp(hn_i_direction3(h), hn_i_octahedral(hn_i_plus(x, y)), hn_i_octahedral(hn_i_minus(x, y)),
-                   hn_i_octahedral_z(z));
+// The ramp of a point in space, before it is weighted. The gradient may have turned by a quarter.
+HN_FN hn_i_num hn_i_ramp_of(hn_uint h, hn_i_num x, hn_i_num y, hn_i_num z, bool turned) {
+  return hn_i_ramp_of3(hn_i_along3(h, hn_i_signs(h, turned), hn_i_offset(x), hn_i_offset(y), hn_i_offset(z)));
 }
 
-// A sum of weighted ramps is at most 1024 / 6570 in space, with turning gradients too, and 1024 / 4298 in four
+// A sum of weighted ramps is at most 1024 / 4919 in space, with turning gradients too, and 1024 / 4298 in four
 // dimensions (tools/bounds).
-HN_FN hn_i_num hn_i_scaled_simplex3(hn_i_num n) { return hn_i_scaled(n, 6570); }
+HN_FN hn_i_num hn_i_scaled_simplex3(hn_i_num n) { return hn_i_scaled(n, 4919); }
 HN_FN hn_i_num hn_i_scaled_simplex4(hn_i_num n) { return hn_i_scaled_ramps(n, 4298); }
 
 // ---------------------------------------------------------------------------------------------------------------------

@@ -15,11 +15,6 @@
 //   hn_i_lerp_d(n, t, s)   like hn_i_lerp between four corners, with the derivatives along x and y; t are the fades, s
 //                          their slopes
 //   hn_i_of_d_corners(n)   the derivative of a noise, from an interpolation between rises of hn_i_number
-//   hn_i_edge_d(...)       the share of two corners of a cell along x in gradient noise: the interpolated ramp, its
-//                          derivative along x, and what the gradients' other components add. a and b are the ramps, g
-//                          and h the gradients, t the fade and s its slope
-//   hn_i_face_d(...)       the share of four corners 00, 10, 01, 11 in it: the interpolated ramp, its derivatives along
-//                          x and y, and in space what the gradients' last components add
 //   hn_i_of_components(...)  a vector with its derivatives, from its components, each a float with its own
 
 #if HN_ARITHMETIC != HN_FIXED
@@ -71,7 +66,7 @@ HN_FN hn_ivec4 hn_i_d_fade(hn_ivec4 f) {
 // Rises are in units of 2^-27, and so is what is made of them: there is room for the slope of a fade, up to 15/8.
 HN_FN hn_int hn_i_d_corner(hn_int a, hn_int b) { return (b - a) >> 2; }
 HN_FN hn_int hn_i_d_faded(hn_int rise, hn_int slope) { return hn_i_part(rise, slope); }
-HN_FN hn_int hn_i_d_faded(hn_int g, hn_int rise, hn_int slope) { return (g >> 2) + hn_i_part(rise, slope); }
+HN_FN hn_int hn_i_d_faded(hn_int g, hn_int rise, hn_int slope) { return g + hn_i_part(rise, slope); }
 
 HN_FN hn_int hn_i_of_d_corners(hn_int n) { return (n + 128) >> 8; }
 
@@ -83,31 +78,6 @@ HN_FN hn_i_num3 hn_i_lerp_d(hn_i_num4 n, hn_i_num2 t, hn_i_num2 s) {
   hn_i_num along_x = hn_i_lerp(hn_i_d_corner(n.x, n.y), hn_i_d_corner(n.z, n.w), t.y);
   return hn_i_vector(hn_i_lerp(lower, upper, t.y), hn_i_d_faded(along_x, s.x),
                      hn_i_d_faded(hn_i_d_corner(lower, upper), s.y));
-}
-
-HN_FN hn_i_num3 hn_i_edge_d(hn_i_num a, hn_i_num b, hn_i_num2 g, hn_i_num2 h, hn_i_num t, hn_i_num s) {
-  return hn_i_vector(hn_i_lerp(a, b, t), hn_i_d_faded(hn_i_lerp(g.x, h.x, t), hn_i_d_corner(a, b), s),
-                     hn_i_lerp(g.y, h.y, t));
-}
-HN_FN hn_i_num4 hn_i_edge_d(hn_i_num a, hn_i_num b, hn_i_num3 g, hn_i_num3 h, hn_i_num t, hn_i_num s) {
-  return hn_i_vector(hn_i_lerp(a, b, t), hn_i_d_faded(hn_i_lerp(g.x, h.x, t), hn_i_d_corner(a, b), s),
-                     hn_i_lerp(g.y, h.y, t), hn_i_lerp(g.z, h.z, t));
-}
-
-HN_FN hn_i_num3 hn_i_face_d(hn_i_num4 r, hn_i_num2 g00, hn_i_num2 g10, hn_i_num2 g01, hn_i_num2 g11, hn_i_num2 t,
-                            hn_i_num2 s) {
-  hn_i_num3 n0 = hn_i_edge_d(r.x, r.y, g00, g10, t.x, s.x);
-  hn_i_num3 n1 = hn_i_edge_d(r.z, r.w, g01, g11, t.x, s.x);
-  return hn_i_vector(hn_i_lerp(n0.x, n1.x, t.y), hn_i_lerp(n0.y, n1.y, t.y),
-                     hn_i_d_faded(hn_i_lerp(n0.z, n1.z, t.y), hn_i_d_corner(n0.x, n1.x), s.y));
-}
-HN_FN hn_i_num4 hn_i_face_d(hn_i_num4 r, hn_i_num3 g00, hn_i_num3 g10, hn_i_num3 g01, hn_i_num3 g11, hn_i_num3 t,
-                            hn_i_num3 s) {
-  hn_i_num4 n0 = hn_i_edge_d(r.x, r.y, g00, g10, t.x, s.x);
-  hn_i_num4 n1 = hn_i_edge_d(r.z, r.w, g01, g11, t.x, s.x);
-  return hn_i_vector(hn_i_lerp(n0.x, n1.x, t.y), hn_i_lerp(n0.y, n1.y, t.y),
-                     hn_i_d_faded(hn_i_lerp(n0.z, n1.z, t.y), hn_i_d_corner(n0.x, n1.x), s.y),
-                     hn_i_lerp(n0.w, n1.w, t.y));
 }
 
 HN_FN hn_derivatives2x2 hn_i_of_components(hn_vec3 x, hn_vec3 y) {

@@ -1,4 +1,4 @@
-// hashnoise: the direction of a gradient on the plane and in space, and what it adds at an offset.
+// hashnoise: the gradient of a word on the line, on the plane and in space, and what it adds at an offset.
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_DIRECTION_GLSL
@@ -6,153 +6,135 @@
 
 #include "arithmetic.glsl"
 
-// Gradients are made of fields: bits of a hash as odd multiples of 2^-9 for the plane, and of 2^-8 for space, in
-// (-1, 1). They are symmetric about 0 and never 0. The highest bit is a sign. For the plane the field is where the
-// fraction of a float begins, from bit 22 down: that saves a shift. For space the two fields are from bit 30 down. No
-// bit is used twice. Bits behind an exponent make a float without a conversion from integer.
+// On the plane a gradient is one of 8: (3, 1) / 4 and (1, 3) / 4, with signs. In space it is one of the 12 edges of a
+// cube: two components are 1 or -1, and one is 0. Their second moments are those of a sphere, so noise has the spectrum
+// that gradients of all directions would give it. A gradient that has turned by a quarter, in space in the plane of its
+// two axes, is one of the set, too. Gradients are floats with every HN_ARITHMETIC, and exact.
+//
+//   hn_i_offset(x)                   an offset as a float
+//   hn_i_exact(t)                    a fade or a weight as a float
+//   hn_i_direction2(h, turned)       the gradient of a word on the plane, or what a quarter turn makes of it
+//   hn_i_signs(h, turned)            in space, its components along its first and its second axis
+//   hn_i_direction3(h, signs)        all three components
+//   hn_i_along2(g, x, y)             a gradient times an offset; in HN_FIXED in units of 2^-22
+//   hn_i_along3(g, x, y, z)          the same in space, in units of offsets, 2^-20
+//   hn_i_along3(h, signs, x, y, z)   the same without the component that is 0
+//   hn_i_ramp_of2(n), hn_i_ramp_of3  takes these to the units of ramps
+//   hn_i_edge2(a, b, t)              interpolates from a to b by a fade, to a ramp; hn_i_edge3(a, b, t)
+//   hn_i_d_edge2(a, b)               their difference, in the units of derivatives; hn_i_d_edge3(a, b)
+//   hn_i_weighted_component(g, w)    a component of a gradient times an exact weight, in the units of derivatives
+//   hn_i_lerp_components(g, h, t)    interpolates from g to h by an exact fade, to the units of derivatives
+//   hn_i_gradient1(h)                the gradient on the line, and hn_i_ramp1(g, x), what it adds
+
+// Bits behind an exponent make a float without a shift and without a conversion from integer.
 #if HN_I_BITCAST
-HN_FN hn_float hn_i_field2(hn_uint h) {
-  return hn_i_minus(uintBitsToFloat((h & 0x007FC000u) | 0x40000000u), 3.0f - 1.0f / 512.0f);
+HN_FN hn_vec2 hn_i_direction2(hn_uint h) {
+  hn_float x = uintBitsToFloat((h & 0x00600000u) | 0x40000000u) - 2.75f;
+  return vec2(x, hn_i_signed(1.0f - abs(x), h));
 }
-HN_FN hn_float hn_i_field3p(hn_uint h) {
-  return hn_i_minus(uintBitsToFloat(((h >> 8u) & 0x007F8000u) | 0x40000000u), 3.0f - 1.0f / 256.0f);
+HN_FN hn_vec2 hn_i_signs(hn_uint h) {
+  return vec2(5.0f - uintBitsToFloat((h & 0x00400000u) | 0x40800000u),
+              9.0f - uintBitsToFloat((h & 0x00200000u) | 0x41000000u));
 }
-HN_FN hn_float hn_i_field3q(hn_uint h) {
-  return hn_i_minus(uintBitsToFloat((h & 0x007F8000u) | 0x40000000u), 3.0f - 1.0f / 256.0f);
-}
-
-// The fields of three words at once.
-HN_FN hn_vec3 hn_i_of_field_bits(hn_uvec3 bits, hn_float offset) {
-  HN_I_PRECISE hn_vec3 x = uintBitsToFloat(hn_i_or(bits, 0x40000000u)) - offset;
-  return x;
-}
-HN_FN hn_vec3 hn_i_fields2(hn_uvec3 h) { return hn_i_of_field_bits(hn_i_and(h, 0x007FC000u), 3.0f - 1.0f / 512.0f); }
-HN_FN hn_vec3 hn_i_fields3p(hn_uvec3 h) {
-  return hn_i_of_field_bits(hn_i_and(h >> 8u, 0x007F8000u), 3.0f - 1.0f / 256.0f);
-}
-HN_FN hn_vec3 hn_i_fields3q(hn_uvec3 h) { return hn_i_of_field_bits(hn_i_and(h, 0x007F8000u), 3.0f - 1.0f / 256.0f); }
 #else
-HN_FN hn_float hn_i_field2(hn_uint h) {
-  return hn_i_minus(hn_i_float((h >> 14u) & 511u) * (1.0f / 256.0f), 1.0f - 1.0f / 512.0f);
+HN_FN hn_vec2 hn_i_direction2(hn_uint h) {
+  hn_float x = hn_i_float((h >> 21u) & 3u) * 0.5f - 0.75f;
+  return vec2(x, hn_i_signed(1.0f - abs(x), h));
 }
-HN_FN hn_float hn_i_field3p(hn_uint h) {
-  return hn_i_minus(hn_i_float((h >> 23u) & 255u) * (1.0f / 128.0f), 1.0f - 1.0f / 256.0f);
+HN_FN hn_vec2 hn_i_signs(hn_uint h) {
+  return vec2(hn_i_select((h & 0x00400000u) != 0u, -1.0f, 1.0f), hn_i_select((h & 0x00200000u) != 0u, -1.0f, 1.0f));
 }
-HN_FN hn_float hn_i_field3q(hn_uint h) {
-  return hn_i_minus(hn_i_float((h >> 15u) & 255u) * (1.0f / 128.0f), 1.0f - 1.0f / 256.0f);
-}
-HN_FN hn_vec3 hn_i_fields2(hn_uvec3 h) { return vec3(hn_i_field2(h.x), hn_i_field2(h.y), hn_i_field2(h.z)); }
-HN_FN hn_vec3 hn_i_fields3p(hn_uvec3 h) { return vec3(hn_i_field3p(h.x), hn_i_field3p(h.y), hn_i_field3p(h.z)); }
-HN_FN hn_vec3 hn_i_fields3q(hn_uvec3 h) { return vec3(hn_i_field3q(h.x), hn_i_field3q(h.y), hn_i_field3q(h.z)); }
 #endif
-
-// A direction is a point of the square or octahedron |x| + |y| (+ |z|) = 1, and `more`: 1 less its largest component.
-// The gradient is the point times 1 + more. That brings its length near 1 in every direction, since noise made of the
-// points themselves would show the axes (docs/quality.md). Ramps are lengthened in place of gradients: it is cheaper.
-#if HN_ARITHMETIC != HN_FIXED
-
-// On the plane a direction is x, y, more.
-HN_FN hn_vec3 hn_i_direction2(hn_uint h) {
-  hn_float x = hn_i_field2(h);
-  hn_float m = hn_i_minus(1.0f, abs(x));
-  return vec3(x, hn_i_signed(m, h), min(abs(x), m));
-}
-
-// In space a direction is p, q, z, more. Seen along z the octahedron is a square with corners on the axes. p and q run
-// along its sides: x = (p + q) / 2 and y = (p - q) / 2. The height above a point of the square is 1 minus the larger of
-// |p| and |q|.
-HN_FN hn_vec4 hn_i_direction3(hn_uint h) {
-  hn_float p = hn_i_field3p(h);
-  hn_float q = hn_i_field3q(h);
-  hn_float larger = max(abs(p), abs(q));
-  hn_float more = min(hn_i_times_plus(-0.5f, hn_i_plus(abs(p), abs(q)), 1.0f), larger);
-  return vec4(p, q, hn_i_signed(hn_i_minus(1.0f, larger), h), more);
-}
-
-HN_FN hn_float hn_i_gradient1(hn_uint h) { return hn_i_field2(h); }
-HN_FN hn_vec2 hn_i_gradient(hn_vec3 d) { return vec2(hn_i_times_one_plus(d.x, d.z), hn_i_times_one_plus(d.y, d.z)); }
-HN_FN hn_vec3 hn_i_gradient(hn_vec4 d) {
-  hn_float half_length = hn_i_times_plus(0.5f, d.w, 0.5f);
-  return vec3(hn_i_times(hn_i_plus(d.x, d.y), half_length), hn_i_times(hn_i_minus(d.x, d.y), half_length),
-              hn_i_times_one_plus(d.z, d.w));
-}
-
-// A direction times an offset. In space u = (x + y) / 2, v = (x - y) / 2, and w = z.
-HN_FN hn_float hn_i_dot_direction(hn_vec3 d, hn_float x, hn_float y) { return hn_i_dot(vec2(d.x, d.y), x, y); }
-HN_FN hn_float hn_i_dot_direction(hn_vec4 d, hn_float u, hn_float v, hn_float w) {
-  return hn_i_dot(vec3(d.x, d.y, d.z), u, v, w);
-}
-HN_FN hn_float hn_i_ramp(hn_float g, hn_float x) { return hn_i_times(g, x); }
-
-// a x - b y
-HN_FN hn_float hn_i_cross(hn_float a, hn_float x, hn_float b, hn_float y) {
-  HN_I_PRECISE hn_float n = a * x - b * y;
+HN_FN hn_vec2 hn_i_turned(hn_vec2 g, bool turned) {
+  hn_vec2 n = g;
+  if (turned) n = vec2(-g.y, g.x);
   return n;
 }
+HN_FN hn_vec2 hn_i_direction2(hn_uint h, bool turned) { return hn_i_turned(hn_i_direction2(h), turned); }
+HN_FN hn_vec2 hn_i_signs(hn_uint h, bool turned) { return hn_i_turned(hn_i_signs(h), turned); }
 
-// Ramps in space take offsets in this form: u and v are made of halves.
-HN_FN hn_float hn_i_octahedral(hn_float x) { return hn_i_times(x, 0.5f); }
-HN_FN hn_float hn_i_octahedral_z(hn_float z) { return z; }
+// The size of the word chooses the axes: x and y below the first third, y and z from the second third on, and x and z
+// between.
+HN_FN hn_vec3 hn_i_direction3(hn_uint h, hn_vec2 signs) {
+  return vec3(hn_i_select(h < 0xAAAAAAAAu, signs.x, 0.0f),
+              hn_i_select(h < 0x55555555u, signs.y, hn_i_select(h < 0xAAAAAAAAu, 0.0f, signs.x)),
+              hn_i_select(h < 0x55555555u, 0.0f, signs.y));
+}
 
-#else
+#if HN_ARITHMETIC != HN_FIXED
 
-// The same in units of 2^-9, but p, q and z in units of 2^-8. They are computed as floats, since on GPUs the absolute
-// value of a float costs nothing, and that of an integer does. No step rounds: the floats are whole numbers of few
-// bits.
+HN_FN hn_float hn_i_offset(hn_float x) { return x; }
+HN_FN hn_float hn_i_exact(hn_float t) { return t; }
+HN_FN hn_float hn_i_along2(hn_vec2 g, hn_float x, hn_float y) { return hn_i_dot(g, x, y); }
+HN_FN hn_float hn_i_along3(hn_vec2 g, hn_float a, hn_float b) { return hn_i_dot(g, a, b); }
+HN_FN hn_float hn_i_along3(hn_vec3 g, hn_float x, hn_float y, hn_float z) { return hn_i_dot(g, x, y, z); }
+HN_FN hn_float hn_i_ramp_of2(hn_float n) { return n; }
+HN_FN hn_float hn_i_ramp_of3(hn_float n) { return n; }
+HN_FN hn_float hn_i_edge2(hn_float a, hn_float b, hn_float t) { return hn_i_lerp(a, b, t); }
+HN_FN hn_float hn_i_edge3(hn_float a, hn_float b, hn_float t) { return hn_i_lerp(a, b, t); }
+HN_FN hn_float hn_i_d_edge2(hn_float a, hn_float b) { return hn_i_minus(b, a); }
+HN_FN hn_float hn_i_d_edge3(hn_float a, hn_float b) { return hn_i_minus(b, a); }
+HN_FN hn_float hn_i_weighted_component(hn_float g, hn_float w) { return hn_i_times(g, w); }
+HN_FN hn_float hn_i_lerp_components(hn_float g, hn_float h, hn_float t) { return hn_i_lerp(g, h, t); }
+
+HN_FN hn_float hn_i_gradient1(hn_uint h) {
 #if HN_I_BITCAST
-HN_FN hn_float hn_i_whole2(hn_uint h) { return uintBitsToFloat((h & 0x007FC000u) | 0x44800000u) - 1535.0f; }
-HN_FN hn_float hn_i_whole3(hn_uint h) { return uintBitsToFloat((h & 0x007F8000u) | 0x44000000u) - 767.0f; }
-
-// The fields of three words at once.
-HN_FN hn_vec3 hn_i_wholes2(hn_uvec3 h) {
-  return uintBitsToFloat(hn_i_or(hn_i_and(h, 0x007FC000u), 0x44800000u)) - 1535.0f;
-}
+  return hn_i_minus(uintBitsToFloat((h & 0x007FC000u) | 0x40000000u), 3.0f - 1.0f / 512.0f);
 #else
-HN_FN hn_float hn_i_whole2(hn_uint h) { return hn_i_float((h >> 13u) & 1022u) - 511.0f; }
-HN_FN hn_float hn_i_whole3(hn_uint h) { return hn_i_float((h >> 14u) & 510u) - 255.0f; }
-HN_FN hn_vec3 hn_i_wholes2(hn_uvec3 h) { return vec3(hn_i_whole2(h.x), hn_i_whole2(h.y), hn_i_whole2(h.z)); }
+  return hn_i_minus(hn_i_float((h >> 14u) & 511u) * (1.0f / 256.0f), 1.0f - 1.0f / 512.0f);
 #endif
-HN_FN hn_ivec3 hn_i_direction2(hn_uint h) {
-  hn_float x = hn_i_whole2(h);
-  hn_float m = 512.0f - abs(x);
-  return ivec3(vec3(x, hn_i_signed(m, h), min(abs(x), m)));
 }
-HN_FN hn_ivec4 hn_i_direction3(hn_uint h) {
-  hn_float p = hn_i_whole3(h >> 8u);
-  hn_float q = hn_i_whole3(h);
-  hn_float larger = max(abs(p), abs(q));
-  hn_float more = min(512.0f - (abs(p) + abs(q)), larger + larger);
-  return ivec4(vec4(p, q, hn_i_signed(256.0f - larger, h), more));
-}
+HN_FN hn_float hn_i_ramp1(hn_float g, hn_float x) { return hn_i_times(g, x); }
 
-// Gradients are in units of 2^-29, as ramps are.
-HN_FN hn_int hn_i_gradient1(hn_uint h) { return (int((h >> 13u) & 1022u) - 511) << 20; }
-HN_FN hn_ivec2 hn_i_gradient(hn_ivec3 d) {
-  hn_int s = (512 + d.z) << 11;
-  return ivec2(d.x * s, d.y * s);
-}
-HN_FN hn_ivec3 hn_i_gradient(hn_ivec4 d) {
-  hn_int s = (512 + d.w) << 11;
-  return ivec3((d.x + d.y) * s, (d.x - d.y) * s, (d.z + d.z) * s);
-}
+#else
 
-HN_FN hn_int hn_i_dot_direction(hn_ivec3 d, hn_int x, hn_int y) { return d.x * x + d.y * y; }
-HN_FN hn_int hn_i_dot_direction(hn_ivec4 d, hn_int u, hn_int v, hn_int w) { return d.x * u + d.y * v + d.z * w; }
-HN_FN hn_int hn_i_ramp(hn_int g, hn_int x) { return (g >> 20) * x; }
-HN_FN hn_int hn_i_cross(hn_int a, hn_int x, hn_int b, hn_int y) { return a * x - b * y; }
-
-// In space p, q and z have units twice as large, so u = x + y, v = x - y and w = 2 z.
-HN_FN hn_int hn_i_octahedral(hn_int x) { return x; }
-HN_FN hn_int hn_i_octahedral_z(hn_int z) { return z + z; }
-
+// Floats compute this without rounding. What is added to 12 is a multiple of 2^-20, and what is added to 3 one of 2^-22:
+// the last bit of a float there, so that its bits are that number as an integer. Each part of a sum is such a multiple,
+// so no order of the sum rounds, and no contraction.
+#if HN_I_BITCAST
+HN_FN hn_float hn_i_offset(hn_int x) { return uintBitsToFloat(uint(x) + 0x41400000u) - 12.0f; }
+HN_FN hn_int hn_i_beyond_3(hn_float n) { return int(floatBitsToUint(n) - 0x40400000u); }
+HN_FN hn_int hn_i_beyond_12(hn_float n) { return int(floatBitsToUint(n) - 0x41400000u); }
+#else
+HN_FN hn_float hn_i_offset(hn_int x) { return hn_i_float(x) * (1.0f / HN_I_FLOAT_UNITS_FRACTION); }
+HN_FN hn_int hn_i_beyond_3(hn_float n) { return int((n - 3.0f) * 4194304.0f); }
+HN_FN hn_int hn_i_beyond_12(hn_float n) { return int((n - 12.0f) * HN_I_FLOAT_UNITS_FRACTION); }
 #endif
 
-// The ramp of a corner.
-HN_FN hn_i_num hn_i_ramp(hn_i_num3 d, hn_i_num x, hn_i_num y) {
-  return hn_i_times_one_plus(hn_i_dot_direction(d, x, y), d.z);
+HN_FN hn_float hn_i_exact(hn_int t) { return hn_i_offset(t * 4); }
+HN_FN hn_int hn_i_along2(hn_vec2 g, hn_float x, hn_float y) { return hn_i_beyond_3(g.x * x + 3.0f + g.y * y); }
+HN_FN hn_int hn_i_along3(hn_vec2 g, hn_float a, hn_float b) { return hn_i_beyond_12(g.x * a + 12.0f + g.y * b); }
+HN_FN hn_int hn_i_along3(hn_vec3 g, hn_float x, hn_float y, hn_float z) {
+  return hn_i_beyond_12(g.x * x + 12.0f + g.y * y + g.z * z);
 }
-HN_FN hn_i_num hn_i_ramp(hn_i_num4 d, hn_i_num u, hn_i_num v, hn_i_num w) {
-  return hn_i_times_one_plus(hn_i_dot_direction(d, u, v, w), d.w);
+HN_FN hn_int hn_i_ramp_of2(hn_int n) { return n * 128; }
+HN_FN hn_int hn_i_ramp_of3(hn_int n) { return n * 512; }
+
+// These are hn_i_lerp and hn_i_d_corner of ramps, without the bits that are 0 in them.
+HN_FN hn_int hn_i_edge2(hn_int a, hn_int b, hn_int t) {
+  hn_int d = b - a;
+  return a * 128 + ((d >> 2) * (t >> 9) + (d >> 11) * (t & 511));
+}
+HN_FN hn_int hn_i_edge3(hn_int a, hn_int b, hn_int t) {
+  hn_int d = b - a;
+  return a * 512 + (d * (t >> 9) + (d >> 9) * (t & 511));
+}
+HN_FN hn_int hn_i_d_edge2(hn_int a, hn_int b) { return (b - a) * 32; }
+HN_FN hn_int hn_i_d_edge3(hn_int a, hn_int b) { return (b - a) * 128; }
+
+HN_FN hn_int hn_i_weighted_component(hn_float g, hn_float w) { return hn_i_beyond_3(g * w + 3.0f) * 32; }
+HN_FN hn_int hn_i_lerp_components(hn_float g, hn_float h, hn_float t) {
+  return hn_i_beyond_3((h - g) * t + (g + 3.0f)) * 32;
+}
+
+// In units of 2^-27.
+HN_FN hn_int hn_i_gradient1(hn_uint h) { return (int((h >> 13u) & 1022u) - 511) * 262144; }
+HN_FN hn_int hn_i_ramp1(hn_int g, hn_int x) { return (g >> 18) * x; }
+
+#endif
+
+HN_FN hn_i_num hn_i_along3(hn_uint h, hn_vec2 signs, hn_float x, hn_float y, hn_float z) {
+  return hn_i_along3(signs, hn_i_select(h < 0xAAAAAAAAu, x, y), hn_i_select(h < 0x55555555u, y, z));
 }
 
 #endif

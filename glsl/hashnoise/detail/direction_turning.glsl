@@ -4,11 +4,12 @@
 #ifndef HN_DIRECTION_TURNING_GLSL
 #define HN_DIRECTION_TURNING_GLSL
 
-#include "direction.glsl"
+#include "arithmetic.glsl"
 #include "sine.glsl"
 
 //   hn_i_rotation(phase)       the cosine and the sine of a phase in turns; in HN_FIXED in units of 2^-18
-//   hn_i_mixed(r, a, b)        r.x a + r.y b: where a rotation takes a, if a quarter of a turn takes it to b
+//   hn_i_mixed(r, a, b)        r.x a + r.y b: where a rotation takes a, if a quarter of a turn takes it to b; also of
+//                              three and four at once
 
 #if HN_ARITHMETIC != HN_FIXED
 
@@ -31,47 +32,15 @@ HN_FN hn_i_num2 hn_i_rotation(hn_float phase) {
   return hn_i_rotation(hn_i_wave(angle + 0x40000000u, 0u), hn_i_wave(angle, 0u));
 }
 
-// Gradients that turn with a phase. On the plane all turn alike. In space each turns in the plane of the two axes along
-// which it is longest; its component along the third shrinks to nothing in a quarter of a turn, and comes back
-// negative.
-
-// Chooses one of three things, which belong to x, y and z: that of the axis along which a direction in space is
-// shortest.
-HN_FN hn_i_num hn_i_by_shortest(hn_i_num4 d, hn_i_num x, hn_i_num y, hn_i_num z) {
-  hn_i_num a = hn_i_plus(d.x, d.y);   // twice the direction along x
-  hn_i_num b = hn_i_minus(d.x, d.y);  // along y
-  hn_i_num along_x = hn_i_size(a);
-  hn_i_num along_y = hn_i_size(b);
-  hn_i_num along_z = hn_i_plus(hn_i_size(d.z), hn_i_size(d.z));
-  return hn_i_select(along_z <= min(along_x, along_y), z, hn_i_select(along_y <= along_x, y, x));
+// Gradients that turn with a phase. On the plane all turn alike. In space each turns in the plane of its two axes. Noise
+// is a sum over gradients, so it is the noise of the gradients times the cosine and that of the gradients that have
+// turned by a quarter times the sine.
+HN_FN hn_i_num3 hn_i_mixed(hn_i_num2 r, hn_i_num3 a, hn_i_num3 b) {
+  return hn_i_vector(hn_i_mixed(r, a.x, b.x), hn_i_mixed(r, a.y, b.y), hn_i_mixed(r, a.z, b.z));
 }
-
-HN_FN hn_i_num hn_i_ramp(hn_i_num3 d, hn_i_num x, hn_i_num y, hn_i_num2 rotation) {
-  return hn_i_times_one_plus(hn_i_mixed(rotation, hn_i_dot_direction(d, x, y), hn_i_cross(d.x, y, d.y, x)), d.z);
-}
-HN_FN hn_i_num hn_i_ramp(hn_i_num4 d, hn_i_num x, hn_i_num y, hn_i_num z, hn_i_num2 rotation) {
-  hn_i_num u = hn_i_octahedral(x);
-  hn_i_num v = hn_i_octahedral(y);
-  hn_i_num w = hn_i_octahedral(z);
-  hn_i_num a = hn_i_plus(d.x, d.y);
-  hn_i_num b = hn_i_minus(d.x, d.y);
-  hn_i_num m = hn_i_plus(d.z, d.z);
-  hn_i_num turned = hn_i_by_shortest(d, hn_i_cross(b, w, m, v), hn_i_cross(m, u, a, w), hn_i_cross(a, v, b, u));
-  return hn_i_times_one_plus(
-      hn_i_mixed(rotation, hn_i_dot_direction(d, hn_i_plus(u, v), hn_i_minus(u, v), hn_i_octahedral_z(z)), turned),
-      d.w);
-}
-
-HN_FN hn_i_num2 hn_i_rotated(hn_i_num2 g, hn_i_num2 rotation) {
-  return hn_i_vector(hn_i_mixed(rotation, g.x, -g.y), hn_i_mixed(rotation, g.y, g.x));
-}
-HN_FN hn_i_num2 hn_i_gradient(hn_i_num3 d, hn_i_num2 rotation) { return hn_i_rotated(hn_i_gradient(d), rotation); }
-HN_FN hn_i_num3 hn_i_gradient(hn_i_num4 d, hn_i_num2 rotation) {
-  hn_i_num3 g = hn_i_gradient(d);
-  hn_i_num none = hn_i_minus(HN_I_ONE, HN_I_ONE);
-  return hn_i_vector(hn_i_mixed(rotation, g.x, hn_i_by_shortest(d, none, g.z, -g.y)),
-                     hn_i_mixed(rotation, g.y, hn_i_by_shortest(d, -g.z, none, g.x)),
-                     hn_i_mixed(rotation, g.z, hn_i_by_shortest(d, g.y, -g.x, none)));
+HN_FN hn_i_num4 hn_i_mixed(hn_i_num2 r, hn_i_num4 a, hn_i_num4 b) {
+  return hn_i_vector(hn_i_mixed(r, a.x, b.x), hn_i_mixed(r, a.y, b.y), hn_i_mixed(r, a.z, b.z),
+                     hn_i_mixed(r, a.w, b.w));
 }
 
 #endif

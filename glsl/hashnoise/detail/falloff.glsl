@@ -5,7 +5,7 @@
 #ifndef HN_FALLOFF_GLSL
 #define HN_FALLOFF_GLSL
 
-#include "arithmetic.glsl"
+#include "direction.glsl"
 
 // An offset is a number like a fraction. The square of a length is a float, or a word in units of 2^-30, rounded down.
 //
@@ -160,18 +160,18 @@ HN_FN hn_int hn_i_d_weight_plane(hn_int t, hn_int m) {
   return ((int(hn_i_falloff_square(t)) * (73728 - t) + 4096) >> 13) * m;
 }
 HN_FN hn_int hn_i_weighted_ramp(hn_int n, hn_int w) { return hn_i_part(n, w); }
-HN_FN hn_int hn_i_d_weighted_ramp(hn_int g, hn_int w, hn_int k, hn_int x) {
-  return (hn_i_part(g, w) >> 2) - 2 * hn_i_part(k, x >> 2);
+HN_FN hn_int hn_i_d_weighted_ramp(hn_float g, hn_int w, hn_int k, hn_int x) {
+  return hn_i_weighted_component(g, hn_i_exact(w)) - 2 * hn_i_part(k, x >> 2);
 }
 
 #endif
 
-HN_FN hn_i_num3 hn_i_weighted_ramp_d(hn_i_num r, hn_i_num2 g, hn_i_num x, hn_i_num y, hn_i_num w, hn_i_num fall) {
+HN_FN hn_i_num3 hn_i_weighted_ramp_d(hn_i_num r, hn_vec2 g, hn_i_num x, hn_i_num y, hn_i_num w, hn_i_num fall) {
   hn_i_num k = hn_i_weighted_ramp(r, fall);
   return hn_i_vector(hn_i_weighted_ramp(r, w), hn_i_d_weighted_ramp(g.x, w, k, x), hn_i_d_weighted_ramp(g.y, w, k, y));
 }
 // The same in 3 dimensions: tools/umbrella makes it.
-HN_FN hn_i_num4 hn_i_weighted_ramp_d(hn_i_num r, hn_i_num3 g, hn_i_num x, hn_i_num y, hn_i_num z, hn_i_num w,
+HN_FN hn_i_num4 hn_i_weighted_ramp_d(hn_i_num r, hn_vec3 g, hn_i_num x, hn_i_num y, hn_i_num z, hn_i_num w,
                                      hn_i_num fall) {
   hn_i_num k = hn_i_weighted_ramp(r, fall);
   return hn_i_vector(hn_i_weighted_ramp(r, w), hn_i_d_weighted_ramp(g.x, w, k, x), hn_i_d_weighted_ramp(g.y, w, k, y),

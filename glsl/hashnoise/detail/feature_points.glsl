@@ -5,7 +5,6 @@
 #define HN_FEATURE_POINTS_GLSL
 
 #include "cell.glsl"
-#include "direction.glsl"
 #include "square_root.glsl"
 
 // The metric of hn_cellular and hn_cellular_three says what they call a distance. It should be a constant: then the
@@ -17,7 +16,7 @@
 #define HN_METRIC_HYBRID 5     // Manhattan and squared, added
 
 // Each cell has one feature point. Its offset from the centre of the cell is half the direction that the word of the
-// cell gives (direction.glsl), times the jitter. So with a jitter of 1 it lies on a square or octahedron whose corners
+// cell gives, times the jitter. So with a jitter of 1 it lies on a square or octahedron whose corners
 // are in the middle of the cell's sides. That is why a cell and its neighbours always have the two nearest points:
 //
 //   Let a place be off the centre of its cell by a >= b >= c, each from 0 to 1/2. No point is off its centre by more
@@ -55,6 +54,25 @@
 //   hn_i_smooth_weight(q)              the weight of a point for hn_cellular_smooth, from a square: (1 - distance)^4 up
 //                                      to 1
 //   hn_i_smooth_distance(w)            the smooth distance, from the sum of the weights: 1 - (w + 1/4096)^(1/4)
+
+// A direction is a point of the square or octahedron |x| + |y| (+ |z|) = 1. It is made of fields: bits of a word as odd
+// multiples of 2^-9 for the plane, and of 2^-8 for space, in (-1, 1). They are symmetric about 0 and never 0. The highest
+// bit is a sign. For the plane the field is where the fraction of a float begins, from bit 22 down: that saves a shift.
+// For space the two fields are from bit 30 down. No bit is used twice.
+#if HN_I_BITCAST
+HN_FN hn_vec3 hn_i_fields(hn_uvec3 bits, hn_float offset) {
+  HN_I_PRECISE hn_vec3 x = uintBitsToFloat(hn_i_or(bits, 0x40000000u)) - offset;
+  return x;
+}
+HN_FN hn_vec3 hn_i_fields2(hn_uvec3 h) { return hn_i_fields(hn_i_and(h, 0x007FC000u), 3.0f - 1.0f / 512.0f); }
+HN_FN hn_vec3 hn_i_fields3(hn_uvec3 h) { return hn_i_fields(hn_i_and(h, 0x007F8000u), 3.0f - 1.0f / 256.0f); }
+#else
+HN_FN hn_vec3 hn_i_fields(hn_uvec3 bits, hn_float unit) {
+  return vec3(hn_i_float(bits.x), hn_i_float(bits.y), hn_i_float(bits.z)) * (unit + unit) - (1.0f - unit);
+}
+HN_FN hn_vec3 hn_i_fields2(hn_uvec3 h) { return hn_i_fields(hn_i_and(h >> 14u, 511u), 1.0f / 512.0f); }
+HN_FN hn_vec3 hn_i_fields3(hn_uvec3 h) { return hn_i_fields(hn_i_and(h >> 15u, 255u), 1.0f / 256.0f); }
+#endif
 
 // A code is the number of a cell beside the middle one, from -1 to 1 along x, y and z.
 HN_FN hn_int hn_i_code(hn_int x, hn_int y) { return x + 4 * y + 5; }

@@ -50,9 +50,18 @@ HN_FN hn_vec3 hn_i_points_y(hn_uvec3 words) {
 
 #else
 
-HN_FN hn_ivec3 hn_i_points_x(hn_uvec3 words) { return ivec3(hn_i_wholes2(words)); }
+// They are computed as floats, since on GPUs the absolute value of a float costs nothing, and that of an integer does.
+// No step rounds: the floats are whole numbers of few bits.
+HN_FN hn_vec3 hn_i_whole_points(hn_uvec3 words) {
+#if HN_I_BITCAST
+  return uintBitsToFloat(hn_i_or(hn_i_and(words, 0x007FC000u), 0x44800000u)) - 1535.0f;
+#else
+  return hn_i_fields2(words) * 512.0f;
+#endif
+}
+HN_FN hn_ivec3 hn_i_points_x(hn_uvec3 words) { return ivec3(hn_i_whole_points(words)); }
 HN_FN hn_ivec3 hn_i_points_y(hn_uvec3 words) {
-  return ivec3(hn_i_signed(vec3(512.0f, 512.0f, 512.0f) - abs(hn_i_wholes2(words)), words));
+  return ivec3(hn_i_signed(vec3(512.0f, 512.0f, 512.0f) - abs(hn_i_whole_points(words)), words));
 }
 
 #endif

@@ -43,8 +43,9 @@ HN_FN hn_ivec3 hn_i_cell_of(hn_place3 place, hn_i_rank code) {
 
 // By hand in each dimension.
 
-// The directions of three words. Where they are floats, their components are u = x + y, v = x - y and z, as they come
-// (direction.glsl). The offsets from points have such components, too. In HN_FIXED u and v stand for x and y, in units
+// The directions of three words. Seen along z the octahedron is a square with corners on the axes, and the fields run
+// along its sides: u = x + y and v = x - y. The height above a point of the square is 1 minus the larger of |u| and |v|.
+// Where they are floats, the components of directions are u, v and z. The offsets from points have such components, too. In HN_FIXED u and v stand for x and y, in units
 // of 2^-9.
 //
 //   hn_i_octahedral_u(x, y), hn_i_octahedral_v(x, y)  such components of offsets
@@ -52,10 +53,10 @@ HN_FN hn_ivec3 hn_i_cell_of(hn_place3 place, hn_i_rank code) {
 //   hn_i_from_octahedral(d)  the offset along x, y and z, from one with such components
 #if HN_ARITHMETIC != HN_FIXED
 
-HN_FN hn_vec3 hn_i_points_u(hn_uvec3 words) { return hn_i_fields3p(words); }
-HN_FN hn_vec3 hn_i_points_v(hn_uvec3 words) { return hn_i_fields3q(words); }
+HN_FN hn_vec3 hn_i_points_u(hn_uvec3 words) { return hn_i_fields3(words >> 8u); }
+HN_FN hn_vec3 hn_i_points_v(hn_uvec3 words) { return hn_i_fields3(words); }
 HN_FN hn_vec3 hn_i_points_z(hn_uvec3 words) {
-  HN_I_PRECISE hn_vec3 m = vec3(1.0f, 1.0f, 1.0f) - max(abs(hn_i_fields3p(words)), abs(hn_i_fields3q(words)));
+  HN_I_PRECISE hn_vec3 m = vec3(1.0f, 1.0f, 1.0f) - max(abs(hn_i_fields3(words >> 8u)), abs(hn_i_fields3(words)));
   return hn_i_signed(m, words);
 }
 HN_FN hn_vec3 hn_i_octahedral_u(hn_vec3 x, hn_vec3 y) { return hn_i_sum(x, y); }

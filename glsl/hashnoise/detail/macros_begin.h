@@ -157,8 +157,6 @@
 #undef along_x
 #pragma push_macro("along_y")
 #undef along_y
-#pragma push_macro("along_z")
-#undef along_z
 #pragma push_macro("amplitude")
 #undef amplitude
 #pragma push_macro("angle")
@@ -303,14 +301,6 @@
 #undef cz
 #pragma push_macro("d")
 #undef d
-#pragma push_macro("d00")
-#undef d00
-#pragma push_macro("d01")
-#undef d01
-#pragma push_macro("d10")
-#undef d10
-#pragma push_macro("d11")
-#undef d11
 #pragma push_macro("data")
 #undef data
 #pragma push_macro("deep")
@@ -441,8 +431,6 @@
 #undef growth
 #pragma push_macro("h")
 #undef h
-#pragma push_macro("half_length")
-#undef half_length
 #pragma push_macro("half_of_bits")
 #undef half_of_bits
 #pragma push_macro("half_q")
@@ -633,16 +621,8 @@
 #undef n
 #pragma push_macro("n0")
 #undef n0
-#pragma push_macro("n00")
-#undef n00
-#pragma push_macro("n01")
-#undef n01
 #pragma push_macro("n1")
 #undef n1
-#pragma push_macro("n10")
-#undef n10
-#pragma push_macro("n11")
-#undef n11
 #pragma push_macro("name")
 #undef name
 #pragma push_macro("near_by")
@@ -837,6 +817,8 @@
 #undef sign
 #pragma push_macro("signature")
 #undef signature
+#pragma push_macro("signs")
+#undef signs
 #pragma push_macro("simd128")
 #undef simd128
 #pragma push_macro("sin")
@@ -943,8 +925,6 @@
 #undef two_y
 #pragma push_macro("u")
 #undef u
-#pragma push_macro("u1")
-#undef u1
 #pragma push_macro("uint")
 #undef uint
 #pragma push_macro("uintBitsToFloat")

@@ -115,6 +115,9 @@ HN_FN hn_i_num4 hn_i_ramps(hn_i_box3 box, hn_i_num3 f, bool back, hn_uint seed) 
                      hn_i_dot(hn_i_gradient(k1, hn_i_row_key(k1, c1.y), cz), x, y, z));
 }
 
+HN_FN hn_i_num hn_i_face2(hn_i_num4 n, hn_i_num x, hn_i_num y) { return hn_i_lerp(n, x, y); }
+HN_FN hn_i_num hn_i_face3(hn_i_num4 n, hn_i_num x, hn_i_num y) { return hn_i_lerp(n, x, y); }
+
 // The noise is not scaled, as in the paper.
 #if HN_ARITHMETIC != HN_FIXED
 HN_FN hn_float hn_i_scaled2(hn_float n) { return n; }

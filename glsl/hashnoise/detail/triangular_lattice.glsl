@@ -121,44 +121,15 @@ HN_FN hn_i_num3 hn_i_triangle_falloff(hn_i_num3 x, hn_i_num3 y) {
                      hn_i_falloff(hn_i_square(x.z, y.z), HN_I_TRIANGLE_RADIUS, 1));
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// Gradients. They are lengthened by 3/8 of what those of Perlin noise are: that hides this lattice best.
-
-#if HN_ARITHMETIC != HN_FIXED
-
-HN_FN hn_vec3 hn_i_triangle_direction(hn_uint h) {
-  hn_vec3 d = hn_i_direction2(h);
-  return vec3(d.x, d.y, hn_i_times(d.z, 0.375f));
-}
-HN_FN hn_float hn_i_triangle_times_one_plus(hn_float n, hn_float more) { return hn_i_times_one_plus(n, more); }
-HN_FN hn_vec2 hn_i_triangle_gradient(hn_uint h) { return hn_i_gradient(hn_i_triangle_direction(h)); }
-
-#else
-
-// Here `more` is in units of 2^-12.
-HN_FN hn_ivec3 hn_i_triangle_direction(hn_uint h) {
-  hn_ivec3 d = hn_i_direction2(h);
-  return ivec3(d.x, d.y, 3 * d.z);
-}
-HN_FN hn_int hn_i_triangle_times_one_plus(hn_int n, hn_int more) { return n + (n >> 12) * more; }
-HN_FN hn_ivec2 hn_i_triangle_gradient(hn_uint h) {
-  hn_ivec3 d = hn_i_triangle_direction(h);
-  hn_int s = (4096 + d.z) << 8;
-  return ivec2(d.x * s, d.y * s);
-}
-
-#endif
-
-// The ramp of a corner, before it is weighted.
-HN_FN hn_i_num hn_i_triangle_ramp(hn_uint h, hn_i_num x, hn_i_num y) {
-  hn_i_num3 d = hn_i_triangle_direction(h);
-  return hn_i_triangle_times_one_plus(hn_i_dot_direction(d, x, y), d.z);
+// The ramp of a corner, before it is weighted. The gradient may have turned by a quarter.
+HN_FN hn_i_num hn_i_triangle_ramp(hn_uint h, hn_i_num x, hn_i_num y, bool turned) {
+  return hn_i_ramp_of2(hn_i_along2(hn_i_direction2(h, turned), hn_i_offset(x), hn_i_offset(y)));
 }
 
 // Converts a derivative per step to one per cell.
 HN_FN hn_float hn_i_per_cell(hn_float d) { return d * 2.0f; }
 
-// A sum of weighted ramps is at most 1024 / 3242 (tools/bounds), with turning gradients, too.
-HN_FN hn_i_num hn_i_scaled_simplex2(hn_i_num n) { return hn_i_scaled(n, 3242); }
+// A sum of weighted ramps is at most 1024 / 4100 (tools/bounds), with turning gradients, too.
+HN_FN hn_i_num hn_i_scaled_simplex2(hn_i_num n) { return hn_i_scaled(n, 4100); }
 
 #endif

@@ -27,14 +27,13 @@ from __future__ import annotations
 
 import functools
 import itertools
-import math
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 import numpy as np
 
 from bounds.boxes import Boxes, cell, supremum
-from bounds.gradients import OCTAHEDRAL, UNIT, Gradient, longest, of_directions
+from bounds.gradients import OCTAHEDRAL, TURNED, Gradient
 from bounds.weights import CUBE, FIFTH, FOURTH, PLANE, Weight
 
 
@@ -47,22 +46,12 @@ class Kernel:
     scale: int  # 1024 S
     visited: int
     weight: Weight
-    more: float | None = 1.0  # L
     triangles: bool = False
 
     @property
     def steps(self) -> int:
         """To a cell."""
         return 2 if self.triangles else 1
-
-    @functools.cached_property
-    def gradient(self) -> Gradient:
-        return OCTAHEDRAL if self.more is None else of_directions(self.more)
-
-    @functools.cached_property
-    def longest(self) -> float:
-        """The largest length of a gradient."""
-        return math.sqrt(2) if self.more is None else longest(self.dims, self.more)
 
     @functools.cached_property
     def points(self) -> tuple[tuple[float, ...], ...]:
@@ -76,10 +65,10 @@ class Kernel:
                      < self.radius)
 
 
-SIMPLEX = {2: Kernel(2, 819 / 1024, 1, 3242, 3, PLANE, 3 / 8, triangles=True),
-           3: Kernel(3, 1.0, 2, 6570, 4, FOURTH),
-           4: Kernel(4, 1.0, 2, 4298, 4, CUBE, None)}
-SMOOTH = {2: Kernel(2, 1.0, 1, 2428, 4, CUBE, 3 / 8, triangles=True), 3: Kernel(3, 0.75, 1, 3901, 8, FIFTH, 2.0)}
+SIMPLEX = {2: Kernel(2, 819 / 1024, 1, 4100, 3, PLANE, triangles=True),
+           3: Kernel(3, 1.0, 2, 4919, 4, FOURTH),
+           4: Kernel(4, 1.0, 2, 4298, 4, CUBE)}
+SMOOTH = {2: Kernel(2, 1.0, 1, 3081, 4, CUBE, triangles=True), 3: Kernel(3, 0.75, 1, 4281, 8, FIFTH)}
 
 
 # --- What is summed ---------------------------------------------------------------------------------------------------
@@ -176,26 +165,21 @@ def weight_jet(offsets: Offsets, axis: int, order: int = 0) -> Jet:
     return Jet(sizes[0], 2 * m * d * sizes[1], (2 * m * d) ** 2 * sizes[2] + 2 * m * sizes[1])
 
 
-def reach_along(gradient: Gradient, u: tuple[float, ...]) -> float:
-    """h(u)."""
-    return float(gradient.support(np.array(u)[:, None])[0])
-
-
 def jet(kernel: Kernel, quantity: Quantity, gradient: Gradient, offsets: Offsets, axis: int) -> Jet:
     """Of g.v along an axis, for any gradient."""
     m, unit = kernel.fall, tuple(float(i == axis) for i in range(kernel.dims))
-    ramp = Jet(gradient.support(offsets.size), reach_along(gradient, unit))
+    ramp = Jet(gradient.support(offsets.size), gradient.along(unit))
     if not quantity.along:
         return weight_jet(offsets, axis) * ramp
 
     def of(u: tuple[float, ...]) -> Jet:
         return Jet(offsets.along(u), abs(u[axis]))
     u, slope = quantity.along[0], weight_jet(offsets, axis, 1)
-    of_u = Jet(reach_along(gradient, u))
+    of_u = Jet(gradient.along(u))
     if len(quantity.along) == 1:
         return weight_jet(offsets, axis) * of_u + (slope * of(u) * ramp).times(2 * m)
     s = quantity.along[1]
-    lines = of(s) * of_u + of(u) * Jet(reach_along(gradient, s)) + ramp.times(abs(np.dot(u, s)))
+    lines = of(s) * of_u + of(u) * Jet(gradient.along(s)) + ramp.times(abs(np.dot(u, s)))
     return ((slope * lines).times(2 * m)
             + (weight_jet(offsets, axis, 2) * of(s) * of(u) * ramp).times(4 * m * m))
 
@@ -248,9 +232,9 @@ def signs(kernel: Kernel, first: int = 0) -> Iterator[tuple[tuple[float, ...], i
         yield (1.0,) * first + (-1.0,) * minus + (1.0,) * (free - minus), first + minus
 
 
-def reach(kernel: Kernel, turns: bool) -> tuple[Gradient, float]:
-    """Gradients, and what is multiplied with them, that contain all."""
-    return (UNIT, kernel.longest) if turns else (kernel.gradient, 1.0)
+def gradient_of(turns: bool) -> Gradient:
+    """One that contains all."""
+    return TURNED if turns else OCTAHEDRAL
 
 
 def range_of(kernel: Kernel, gradient: Gradient) -> float:
@@ -267,10 +251,10 @@ def lipschitz_of(kernel: Kernel, gradient: Gradient) -> float:
     return max(largest(kernel, Quantity((sign,)), gradient, same) for sign, same in signs(kernel))
 
 
-def slope_lipschitz_of(kernel: Kernel) -> float:
-    """Of all gradients as long as the longest one: this is the least tight, and the least important."""
+def slope_lipschitz_of(kernel: Kernel, gradient: Gradient) -> float:
+    """This is the least tight, and the least important."""
     if kernel.triangles:
         pairs = [(axis, sign, 2) for axis in axes(kernel) for sign in ((1.0, 1.0), (1.0, -1.0))]
     else:
         pairs = [(axes(kernel)[0], sign, same) for sign, same in signs(kernel, 1)]
-    return kernel.longest * max(largest(kernel, Quantity((axis, sign)), UNIT, same) for axis, sign, same in pairs)
+    return max(largest(kernel, Quantity((axis, sign)), gradient, same) for axis, sign, same in pairs)

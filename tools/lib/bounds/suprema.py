@@ -19,7 +19,7 @@ likewise for the derivative. Any axis may stand for the first, since axes may be
 The suprema are found by branch and bound. For any one choice of the gradients the sum is smooth. Its second derivative
 along an axis j is bounded with sum_o |d^k w_o|, which is a product over the axes: 1 for an axis along which w is not
 differentiated (its two weights), and else twice the largest derivative of s in the box. Further |g.d| <= h(1, .., 1)
-and |g_j| <= 1.
+and |g_j| <= h(1, 0, ..).
 """
 
 from __future__ import annotations
@@ -114,9 +114,9 @@ def curvature(quantity: Quantity, gradient: Gradient | None, boxes: Boxes) -> np
     for axis in range(dims):
         total += reach * of(quantity.of_offset, axis, 2)
         if gradient:
-            total += 2 * of(quantity.of_offset, axis, 1)
+            total += 2 * gradient.component(dims) * of(quantity.of_offset, axis, 1)
             if quantity.of_axis is not None:
-                total += of(quantity.of_axis, axis, 2)
+                total += gradient.component(dims) * of(quantity.of_axis, axis, 2)
             if quantity.of_ones is not None:
                 total += reach * of(quantity.of_ones, axis, 2)
     return total

@@ -11,7 +11,7 @@ import numpy as np
 from scipy.spatial import Voronoi, cKDTree
 
 from golden.generator import generator_of
-from oracle import gradients, nearest, noises, words
+from oracle import feature_points, nearest, noises, words
 from oracle.gradients import Knobs
 from oracle.lattice import Choice
 
@@ -25,7 +25,7 @@ NEAR = 1e-12
 def points_of(n: int, jitter: float, name: str = "lattice") -> tuple[np.ndarray, np.ndarray]:
     """The cells of the block and their points."""
     cells = np.array(list(itertools.product(range(BLOCK[n]), repeat=n)))
-    direction = gradients.direction2 if n == 2 else gradients.direction3
+    direction = feature_points.direction2 if n == 2 else feature_points.direction3
     u = np.array([direction(words.point_word(name, tuple(map(int, cell)), SEED)) for cell in cells])
     return cells, cells + 0.5 + jitter / 2 * u
 

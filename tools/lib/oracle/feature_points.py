@@ -39,10 +39,25 @@ def clamped(jitter: Real) -> Fraction:
     return min(max(Fraction(jitter), Fraction(0)), Fraction(1))
 
 
+def direction2(h: int) -> tuple[float, float]:
+    """A point of the square |x| + |y| = 1."""
+    a = gradients.middle(h >> 14 & 511, 512)
+    m = 1 - abs(a)
+    return (a, -m if h >> 31 else m)
+
+
+def direction3(h: int) -> tuple[float, float, float]:
+    """A point of the octahedron |x| + |y| + |z| = 1."""
+    p = gradients.middle(h >> 23 & 255, 256)
+    q = gradients.middle(h >> 15 & 255, 256)
+    m = 1 - max(abs(p), abs(q))
+    return ((p + q) / 2, (p - q) / 2, -m if h >> 31 else m)
+
+
 @functools.lru_cache(maxsize=65536)
 def direction(word: int, n: int) -> tuple[int, ...]:
     """U, the direction of a word in units of 1/512."""
-    u = gradients.direction2(word) if n == 2 else gradients.direction3(word)
+    u = direction2(word) if n == 2 else direction3(word)
     scaled = tuple(int(x * DIRECTION_UNIT) for x in u)
     assert all(a == x * DIRECTION_UNIT for a, x in zip(scaled, u))
     return scaled

@@ -5,14 +5,16 @@ from __future__ import annotations
 import itertools
 import math
 import unittest
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
 from unittest import mock
 
 from golden.generator import INT_MAX, INT_MIN, generator_of, to_f32
-from oracle import feature_points, gradients, nearest, noises
-from oracle.feature_points import CHEBYSHEV, HYBRID, MANHATTAN, SQUARED, Field, TooFar, fixed_root, root
+from oracle import feature_points, nearest, noises
+from oracle.feature_points import (CHEBYSHEV, HYBRID, MANHATTAN, SQUARED, Field, TooFar, direction2, direction3,
+                                   fixed_root, root)
 from oracle.gradients import Knobs
 from oracle.integers import UNIT
 from oracle.lattice import EUCLIDEAN, Choice, Lattice
@@ -51,11 +53,35 @@ class Roots(unittest.TestCase):
 
 
 class Points(unittest.TestCase):
-    def test_directions_are_those_of_section_4(self) -> None:
+    def test_directions_by_hand(self) -> None:
+        # Of 512 intervals in the plane, 256 along p and q in space; e is half an interval.
+        e = 1 / 512
+        for h, expected in ((0, (-1 + e, e)), (0x7F803FFF, (-1 + e, e)), (0x80004000, (-1 + 3 * e, -3 * e)),
+                            (0x003FC000, (-e, 1 - e)), (0x80400000, (e, -1 + e)), (0x7FFFFFFF, (1 - e, e))):
+            self.assertEqual(direction2(h), expected, hex(h))
+        e = 1 / 256
+        for h, expected in ((0, (-1 + e, 0, e)), (0x00007FFF, (-1 + e, 0, e)), (0x00008000, (-1 + 2 * e, -e, e)),
+                            (0x80800000, (-1 + 2 * e, e, -e)), (0x7F800000, (0, 1 - e, e)),
+                            (0xC03F8000, (0, e, -1 + e)), (0x40408000, (2 * e, -e, 1 - 3 * e))):
+            self.assertEqual(direction3(h), expected, hex(h))
+
+    def test_directions_are_uniform(self) -> None:
+        # As many in each quadrant, and in each octant (its border, where x or y is 0, apart).
+        quadrants = Counter(tuple(x > 0 for x in direction2(sign << 31 | field << 14))
+                            for sign in (0, 1) for field in range(512))
+        self.assertEqual(set(quadrants.values()), {256})
+        in_space = [direction3(field << 15) for field in range(2**17)]
+        self.assertEqual(len(set(in_space)), 2**17)
+        octants = Counter(tuple(x > 0 for x in u) for u in in_space if u[0] and u[1])
+        self.assertEqual((len(octants), len(set(octants.values()))), (8, 1))
+        # Above half the height lies a quarter of the octahedron's faces.
+        self.assertEqual(sum(abs(u[2]) > 0.5 for u in in_space), 2**15)
+
+    def test_directions_in_whole_numbers(self) -> None:
         numbers = generator_of("directions")
         for _ in range(200):
             h = numbers.word()
-            for n, of in ((2, gradients.direction2), (3, gradients.direction3)):
+            for n, of in ((2, direction2), (3, direction3)):
                 u = feature_points.direction(h, n)
                 self.assertEqual(tuple(Fraction(x, 512) for x in u), tuple(map(Fraction, of(h))))
                 self.assertEqual(sum(map(abs, u)), 512)
@@ -143,7 +169,7 @@ def every_distance(p: Sequence[float], seed: int, jitter: float, metric: int, ar
     for beside in itertools.product(range(-around, around + 1), repeat=len(p)):
         cell = [math.floor(x) + o for x, o in zip(p, beside)]
         h = Lattice(LATTICE, seed).word(cell)
-        u = gradients.direction2(h) if len(p) == 2 else gradients.direction3(h)
+        u = direction2(h) if len(p) == 2 else direction3(h)
         found.append(of([x - (c + 0.5 + jitter / 2 * a) for x, c, a in zip(p, cell, u)]))
     return sorted(found)
 
@@ -236,7 +262,7 @@ class Nearest(unittest.TestCase):
             cell = nearest.NEAREST.chosen(choice).exact(LATTICE, p, seed)
             offset = nearest.OFFSET.chosen(choice).exact(LATTICE, p, seed)
             h = Lattice(LATTICE, seed).word(cell)
-            u = gradients.direction2(h) if n == 2 else gradients.direction3(h)
+            u = direction2(h) if n == 2 else direction3(h)
             self.assertEqual([Fraction(x) + d for x, d in zip(p, offset)],
                              [c + Fraction(1, 2) + Fraction(jitter) / 2 * Fraction(a) for c, a in zip(cell, u)])
             distance, _ = noises.find("cellular").chosen(replace(choice, metric=SQUARED)).exact(LATTICE, p, seed)

@@ -29,7 +29,7 @@ def snorm(h: int) -> float:
 
 
 def middle(i: int, count: int) -> float:
-    """The middle of interval i of `count` equal ones of [-1, 1]: the contract's `a`, `p` and `q`."""
+    """The middle of interval i of `count` equal ones of [-1, 1]: the contract's `a`, and `p` and `q` of section 16."""
     return (2 * i + 1) / count - 1
 
 
@@ -38,49 +38,38 @@ def gradient1(h: int) -> tuple[float]:
     return (middle(h >> 14 & 511, 512),)
 
 
-def direction2(h: int) -> tuple[float, float]:
-    """A point of the square |x| + |y| = 1."""
-    a = middle(h >> 14 & 511, 512)
-    m = 1 - abs(a)
-    return (a, -m if h >> 31 else m)
+def gradient2(h: int) -> tuple[float, float]:
+    """hn_gradient2: one of eight."""
+    a = middle(h >> 21 & 3, 4)
+    b = 1 - abs(a)
+    return (a, -b if h >> 31 else b)
 
 
-def direction3(h: int) -> tuple[float, float, float]:
-    """A point of the octahedron |x| + |y| + |z| = 1."""
-    p = middle(h >> 23 & 255, 256)
-    q = middle(h >> 15 & 255, 256)
-    m = 1 - max(abs(p), abs(q))
-    return ((p + q) / 2, (p - q) / 2, -m if h >> 31 else m)
+def of_two_axes(n: int, axes: tuple[int, int], h: int) -> tuple[float, ...]:
+    """A gradient in n dimensions that has these two axes, with the signs of a word."""
+    g = [0.0] * n
+    g[axes[0]] = -1.0 if h >> 22 & 1 else 1.0
+    g[axes[1]] = -1.0 if h >> 21 & 1 else 1.0
+    return tuple(g)
 
 
-def lengthened(direction: Sequence[float], length: float) -> tuple[float, ...]:
-    """A direction, made longer where it lies far from the axes, by at most `length` times what its largest component
-    lacks: the contract's L."""
-    factor = 1 + length * (1 - max(map(abs, direction)))
-    return tuple(x * factor for x in direction)
+def third(h: int) -> int:
+    """In which third of the words one is: the row of the contract's table."""
+    return (h >= 0x55555555) + (h >= 0xAAAAAAAA)
 
 
-def gradient2(h: int, length: float = 1) -> tuple[float, float]:
-    """hn_gradient2."""
-    return lengthened(direction2(h), length)
+def gradient3(h: int) -> tuple[float, float, float]:
+    """hn_gradient3: an edge of a cube."""
+    return of_two_axes(3, ((0, 1), (0, 2), (1, 2))[third(h)], h)
 
 
-def gradient3(h: int, length: float = 1) -> tuple[float, float, float]:
-    """hn_gradient3."""
-    return lengthened(direction3(h), length)
-
-
-# The two pairs of axes into which the third of the words splits the four: the one with x first.
+# By the third, and by bit 20.
 PAIRS = (((0, 1), (2, 3)), ((0, 2), (1, 3)), ((0, 3), (1, 2)))
 
 
 def gradient4(h: int) -> tuple[float, float, float, float]:
     """hn_gradient4: a corner of the 24-cell."""
-    first, second = PAIRS[(h >= 0x55555555) + (h >= 0xAAAAAAAA)][h >> 20 & 1]
-    g = [0.0] * 4
-    g[first] = -1.0 if h >> 19 & 1 else 1.0
-    g[second] = -1.0 if h >> 18 & 1 else 1.0
-    return tuple(g)
+    return of_two_axes(4, PAIRS[third(h)][h >> 20 & 1], h)
 
 
 # --- Section 5: the gradient at a lattice point ------------------------------------------------------------------
@@ -180,11 +169,6 @@ def sine_arguments(name: str, cell: Sequence[int], seed: int) -> list[int]:
 # By the number of dimensions.
 OCTAHEDRAL: dict[int, Callable[..., tuple[float, ...]]] = {
     1: gradient1, 2: gradient2, 3: gradient3, 4: gradient4}
-
-
-def octahedral(h: int, n: int, length: float = 1) -> tuple[float, ...]:
-    """The gradient of a word in n dimensions; in two and three its direction is made longer by that."""
-    return OCTAHEDRAL[n](h, length) if n in (2, 3) else OCTAHEDRAL[n](h)
 
 
 def gradient(knobs: Knobs, cell: Sequence[int], seed: int = 0) -> tuple[Real, ...]:

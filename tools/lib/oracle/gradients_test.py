@@ -35,68 +35,58 @@ def unit_vector(n: int, bits: int) -> tuple[int, int]:
 
 class Floats(unittest.TestCase):
     WORDS = [word for word, in rows.gradient_rows(generator_of("gradients"))]
-    # A word of each gradient in the plane: its field and its sign.
-    ALL_IN_THE_PLANE = [sign << 31 | field << 14 for sign in (0, 1) for field in range(512)]
-
-    def test_directions_by_hand(self) -> None:
-        # Of 512 intervals in the plane, 256 along p and q in space; e is half an interval.
-        e = 1 / 512
-        self.assertEqual(gradients.direction2(0x00000000), (-1 + e, e))
-        self.assertEqual(gradients.direction2(0x7F803FFF), (-1 + e, e))  # all other bits but the sign
-        self.assertEqual(gradients.direction2(0x80004000), (-1 + 3 * e, -3 * e))
-        self.assertEqual(gradients.direction2(0x003FC000), (-e, 1 - e))
-        self.assertEqual(gradients.direction2(0x80400000), (e, -1 + e))
-        self.assertEqual(gradients.direction2(0x7FFFFFFF), (1 - e, e))
-        e = 1 / 256
-        self.assertEqual(gradients.direction3(0x00000000), (-1 + e, 0, e))
-        self.assertEqual(gradients.direction3(0x00007FFF), (-1 + e, 0, e))
-        self.assertEqual(gradients.direction3(0x00008000), (-1 + 2 * e, -e, e))
-        self.assertEqual(gradients.direction3(0x80800000), (-1 + 2 * e, e, -e))
-        self.assertEqual(gradients.direction3(0x7F800000), (0, 1 - e, e))
-        self.assertEqual(gradients.direction3(0xC03F8000), (0, e, -1 + e))  # p = e, q = -e
-        self.assertEqual(gradients.direction3(0x40408000), (2 * e, -e, 1 - 3 * e))  # p = e, q = 3 e
-
-    def test_gradients_by_hand(self) -> None:
+    def test_on_a_line_by_hand(self) -> None:
         e = 1 / 512
         self.assertEqual([gradients.gradient1(h) for h in (0, 0xFF803FFF, 0x80400000, 0x7FFFFFFF)],
                          [(-1 + e,), (-1 + e,), (e,), (1 - e,)])
-        self.assertEqual(gradients.gradient2(0x80004000), ((-1 + 3 * e) * (1 + 3 * e), -3 * e * (1 + 3 * e)))
-        self.assertEqual(gradients.gradient2(0x00600000), ((1 / 2 + e) * (3 / 2 - e), (1 / 2 - e) * (3 / 2 - e)))
-        e = 1 / 256
-        self.assertEqual(gradients.gradient3(0x00008000), ((-1 + 2 * e) * (1 + 2 * e), -e * (1 + 2 * e),
-                                                           e * (1 + 2 * e)))
-        self.assertEqual(gradients.gradient3(0x40408000), (2 * e * (1 + 3 * e), -e * (1 + 3 * e),
-                                                           (1 - 3 * e) * (1 + 3 * e)))
+
+    def test_in_the_plane_by_hand(self) -> None:
+        # Bits 21 and 22 count, and bit 31.
+        table = {0x00000000: (-3, 1), 0x00200000: (-1, 3), 0x00400000: (1, 3), 0x00600000: (3, 1),
+                 0x7F9FFFFF: (-3, 1), 0x80000000: (-3, -1), 0x80200000: (-1, -3), 0x80400000: (1, -3),
+                 0xFFFFFFFF: (3, -1), 0x7FFFFFFF: (3, 1), 0xFF9FFFFF: (-3, -1)}
+        for h, expected in table.items():
+            self.assertEqual(gradients.gradient2(h), tuple(x / 4 for x in expected), hex(h))
+
+    def test_edges_by_hand(self) -> None:
+        # The axes, by the third of the words; bits 22 and 21 are their signs.
+        table = {0x00000000: (1, 1, 0), 0x00200000: (1, -1, 0), 0x00400000: (-1, 1, 0), 0x00600000: (-1, -1, 0),
+                 0x559FFFFF: (1, 0, 1), 0x55555554: (-1, 1, 0), 0x55555555: (-1, 0, 1), 0xAABFFFFF: (0, 1, -1),
+                 0xAAAAAAA9: (1, 0, -1), 0xAAAAAAAA: (0, 1, -1), 0xFFFFFFFF: (0, -1, -1), 0xFF9FFFFF: (0, 1, 1)}
+        for h, expected in table.items():
+            self.assertEqual(gradients.gradient3(h), expected, hex(h))
 
     def test_corners_of_the_24_cell_by_hand(self) -> None:
-        # The axes that get a component, by the third of the words and by bit 20; bits 19 and 18 are their signs.
-        table = {0x00000000: (1, 1, 0, 0), 0x00100000: (0, 0, 1, 1), 0x00080000: (-1, 1, 0, 0),
-                 0x00040000: (1, -1, 0, 0), 0x001C0000: (0, 0, -1, -1), 0x55455554: (1, -1, 0, 0),
-                 0x55555554: (0, 0, 1, -1), 0x55555555: (0, 1, 0, -1), 0x55400000: (1, 1, 0, 0),
-                 0x55600000: (1, 0, 1, 0), 0xAAAAAAA9: (-1, 0, 1, 0), 0xAAAAAAAA: (-1, 0, 0, 1),
-                 0xFFFFFFFF: (0, -1, -1, 0), 0xFFF00000: (0, 1, 1, 0), 0xFFE40000: (1, 0, 0, -1)}
+        # Bit 20 chooses one of the two pairs of axes.
+        table = {0x00000000: (1, 1, 0, 0), 0x00100000: (0, 0, 1, 1), 0x00400000: (-1, 1, 0, 0),
+                 0x00200000: (1, -1, 0, 0), 0x00700000: (0, 0, -1, -1), 0x55455554: (-1, 1, 0, 0),
+                 0x55555554: (0, 0, -1, 1), 0x55555555: (0, -1, 0, 1), 0x55800000: (1, 0, 1, 0),
+                 0x55C00000: (-1, 0, 1, 0), 0xAAAAAAA9: (1, 0, -1, 0), 0xAAAAAAAA: (1, 0, 0, -1),
+                 0xFFFFFFFF: (0, -1, -1, 0), 0xFF900000: (0, 1, 1, 0), 0xFF800000: (1, 0, 0, 1)}
         for h, expected in table.items():
             self.assertEqual(gradients.gradient4(h), expected, hex(h))
-        self.assertEqual(len({gradients.gradient4(word) for word in self.WORDS}), 24)
 
-    def test_directions_lie_on_the_surface(self) -> None:
-        for word in self.WORDS:
-            self.assertEqual(sum(map(abs, gradients.direction2(word))), 1)
-            self.assertEqual(sum(map(abs, gradients.direction3(word))), 1)
+    def test_all_there_are(self) -> None:
+        quarters = ((3, 1), (1, 3))
+        self.assertEqual(set(map(gradients.gradient2, self.WORDS)),
+                         {(x * a / 4, y * b / 4) for x, y in quarters for a in (1, -1) for b in (1, -1)})
+        for n, of in ((3, gradients.gradient3), (4, gradients.gradient4)):
+            self.assertEqual(set(map(of, self.WORDS)),
+                             {g for g in itertools.product((-1, 0, 1), repeat=n) if sum(map(abs, g)) == 2})
 
-    def test_gradients_are_nearly_as_long_as_each_other(self) -> None:
-        # In space the shortest has the direction (1/2, 1/4, 1/4) and the length sqrt(6) / 4 * 3 / 2.
-        for least, gradients_there in ((0.98, map(gradients.gradient2, self.ALL_IN_THE_PLANE)),
-                                       (0.918, (gradients.gradient3(field << 15) for field in range(0, 2**17, 3)))):
-            lengths = [math.hypot(*g) for g in gradients_there]
-            self.assertTrue(least < min(lengths) < least + 0.01 and 1.05 < max(lengths) < 1.07)
+    def test_no_axis_has_more_than_another(self) -> None:
+        # The sum of the products of two components: those of each axis, and none of two.
+        for n, expected in ((2, 2.5), (3, 8), (4, 12)):
+            found = set(map(gradients.OCTAHEDRAL[n], self.WORDS))
+            for i, j in itertools.product(range(n), repeat=2):
+                self.assertEqual(sum(g[i] * g[j] for g in found), expected if i == j else 0)
 
     def test_gradients_are_exact(self) -> None:
         for word in self.WORDS:
-            for of_word, bits in ((gradients.gradient1, 9), (gradients.gradient2, 18), (gradients.gradient3, 16)):
+            for of_word, unit in ((gradients.gradient1, 512), (gradients.gradient2, 4), (gradients.gradient3, 1)):
                 for component in of_word(word):
                     self.assertEqual(to_f32(component), component)
-                    self.assertTrue((component * 2**bits).is_integer())
+                    self.assertTrue((component * unit).is_integer())
 
     def test_gradients_have_no_zero_but_a_positive_one(self) -> None:
         for word in self.WORDS:
@@ -104,20 +94,12 @@ class Floats(unittest.TestCase):
                 for component in of_word(word):
                     self.assertTrue(component != 0 or math.copysign(1, component) == 1)
 
-    def test_as_many_gradients_as_the_contract_says(self) -> None:
-        self.assertEqual(len(set(map(gradients.gradient2, self.ALL_IN_THE_PLANE))), 1024)
-        self.assertEqual(len({gradients.gradient3(field << 15) for field in range(2**17)}), 131072)
-
     def test_gradients_are_uniform(self) -> None:
-        # As many in each quadrant, in each octant (its border, where x or y is 0, apart), and in each half by height.
-        quadrants = Counter(tuple(x > 0 for x in gradients.gradient2(h)) for h in self.ALL_IN_THE_PLANE)
-        self.assertEqual(set(quadrants.values()), {256})
-        in_space = [gradients.gradient3(field << 15) for field in range(2**17)]
-        octants = Counter(tuple(x > 0 for x in g) for g in in_space if g[0] and g[1])
-        self.assertEqual(len(octants), 8)
-        self.assertEqual(len(set(octants.values())), 1)
-        # Above half the height lies a quarter of the octahedron's faces.
-        self.assertEqual(sum(abs(gradients.direction3(field << 15)[2]) > 0.5 for field in range(2**17)), 2**15)
+        # Of words in steps of 2^16 + 1, which meet all fields.
+        for n, count in ((2, 8), (3, 12), (4, 24)):
+            found = Counter(gradients.OCTAHEDRAL[n](h) for h in range(0, 2**32, 2**16 + 1))
+            self.assertEqual(len(found), count)
+            self.assertTrue(all(abs(times / 2**16 * count - 1) < 0.02 for times in found.values()), found)
 
     def test_unit_ranges(self) -> None:
         self.assertEqual((gradients.unorm(0), gradients.unorm(words.MASK)), (0, 1 - 2**-24))

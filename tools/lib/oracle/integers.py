@@ -74,9 +74,15 @@ def part(d: int, t: int) -> int:
     return signed(signed((d >> 9) * (t >> 9)) + signed((d >> 18) * (t & 511)))
 
 
+def difference(a: int, b: int) -> int:
+    """b - a, which wraps. It need not but in Perlin noise in space, at corners that have no weight: see
+    perlin_test.py."""
+    return words.signed(b - a)
+
+
 def lerp(a: int, b: int, t: int) -> int:
-    """The interpolation from a to b by t, in units of 2^-18."""
-    return signed(a + part(signed(b - a), t))
+    """The interpolation from a to b by t, in units of 2^-18; it wraps where the difference does."""
+    return words.signed(a + part(difference(a, b), t))
 
 
 # --- The sine ----------------------------------------------------------------------------------------------------

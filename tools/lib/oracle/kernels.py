@@ -16,7 +16,6 @@ from oracle import ramps
 from oracle.gradients import Real
 from oracle.integers import UNIT, part, signed, word
 from oracle.lattice import Lattice
-from oracle.ramps import Lengthening
 
 # How many cells a point may be away from the cell, along each axis. A kernel reaches one cell at most.
 AROUND = 2
@@ -81,7 +80,6 @@ class Kernel:
     r: int
     m: int
     weight: Weight
-    lengthening: Lengthening
     scale: int
 
     @property
@@ -156,7 +154,7 @@ def dot(g: Sequence[Real], d: Sequence[Fraction]) -> Fraction:
 
 
 def gradient(kernel: Kernel, lattice: Lattice, cell: Sequence[int], point: Point) -> tuple[Real, ...]:
-    return lattice.octahedral(point.word(kernel, lattice, cell), len(cell), kernel.lengthening)
+    return lattice.octahedral(point.word(kernel, lattice, cell), len(cell))
 
 
 def value(kernel: Kernel, lattice: Lattice, cell: Sequence[int], f: Sequence[Fraction]) -> Fraction:
@@ -199,7 +197,7 @@ def fixed_scale(kernel: Kernel, n: int) -> int:
 def fixed_value(kernel: Kernel, lattice: Lattice, cell: Sequence[int], fraction: Sequence[int]) -> int:
     total = 0
     for point in fixed_points(kernel, fraction):
-        ramp = lattice.fixed_ramp(point.word(kernel, lattice, cell), point.offset, kernel.lengthening)
+        ramp = lattice.fixed_ramp(point.word(kernel, lattice, cell), point.offset)
         total = signed(total + part(ramp, kernel.weight.of_square(*fixed_t(kernel, point.square))))
     return ramps.scaled(total, fixed_scale(kernel, len(cell)))
 
@@ -212,9 +210,9 @@ def fixed_derivatives(kernel: Kernel, lattice: Lattice, cell: Sequence[int], fra
         powers = fixed_t(kernel, point.square)
         h = point.word(kernel, lattice, cell)
         weight = kernel.weight.of_square(*powers)
-        along = part(lattice.fixed_ramp(h, point.offset, kernel.lengthening), kernel.weight.fall(*powers))
-        for axis, (g, d) in enumerate(zip(lattice.fixed_octahedral(h, n, kernel.lengthening), point.offset)):
-            totals[axis] = signed(totals[axis] + signed((part(g, weight) >> 2) - 2 * part(along, d >> 2)))
+        along = part(lattice.fixed_ramp(h, point.offset), kernel.weight.fall(*powers))
+        for axis, (g, d) in enumerate(zip(lattice.fixed_octahedral(h, n), point.offset)):
+            totals[axis] = signed(totals[axis] + signed(part(g, weight) - 2 * part(along, d >> 2)))
     return [kernel.steps * ramps.scaled(total, fixed_scale(kernel, n)) for total in totals]
 
 

@@ -8,7 +8,6 @@ from dataclasses import dataclass, replace
 
 from oracle import gradients, integers, ramps, turning
 from oracle.gradients import Knobs, Real
-from oracle.ramps import WHOLE, Lengthening
 from oracle.words import component_word, lattice, point_word
 
 EUCLIDEAN = 1  # HN_METRIC_EUCLIDEAN
@@ -66,9 +65,9 @@ class Lattice:
         if self.phase is not None:
             raise ValueError("sine gradients do not turn")
 
-    def octahedral(self, word: int, n: int, lengthening: Lengthening = WHOLE) -> tuple[Real, ...]:
+    def octahedral(self, word: int, n: int) -> tuple[Real, ...]:
         """The gradient of a word in n dimensions, whatever HN_GRADIENT."""
-        g = gradients.octahedral(word, n, lengthening.length)
+        g = gradients.OCTAHEDRAL[n](word)
         return g if self.phase is None else turning.turned(g, self.phase)
 
     def fixed_sine_gradient(self, corner: Sequence[int]) -> tuple[int, ...]:
@@ -81,10 +80,10 @@ class Lattice:
         """The phase in fixed arithmetic."""
         return None if self.phase is None else turning.turn_of(self.phase)
 
-    def fixed_ramp(self, word: int, d: Sequence[int], lengthening: Lengthening = WHOLE) -> int:
+    def fixed_ramp(self, word: int, d: Sequence[int]) -> int:
         """The octahedral ramp of a word at the offset d, in the units of ramps."""
-        return ramps.octahedral_ramp(word, d, self.turn, lengthening)
+        return ramps.octahedral_ramp(word, d, self.turn)
 
-    def fixed_octahedral(self, word: int, n: int, lengthening: Lengthening = WHOLE) -> tuple[int, ...]:
-        """The components of the gradient, in the same units."""
-        return ramps.octahedral_gradient(word, n, self.turn, lengthening)
+    def fixed_octahedral(self, word: int, n: int) -> tuple[int, ...]:
+        """The components of the gradient, in units four times as large."""
+        return ramps.octahedral_gradient(word, n, self.turn)

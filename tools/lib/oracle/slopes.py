@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from oracle.cells import smooth
-from oracle.integers import UNIT, lerp, part, signed, word
+from oracle.integers import UNIT, difference, lerp, part, signed, word
 
 # --- Exact -------------------------------------------------------------------------------------------------------
 
@@ -55,13 +55,13 @@ def fade_slope(fraction: int) -> int:
 
 def rise(a: int, b: int) -> int:
     """From a to b, in units four times as large."""
-    return signed(b - a) >> 2
+    return difference(a, b) >> 2
 
 
 @dataclass(frozen=True)
 class Ramp:
     """What is interpolated: a value, with its derivatives along the axes that are done, and the components of its
-    gradient along the others. Value noise has no gradient."""
+    gradient along the others, in units four times as large. Value noise has no gradient."""
     value: int
     derivatives: tuple[int, ...] = ()
     gradient: tuple[int, ...] = ()
@@ -72,6 +72,6 @@ def interpolated_ramp(a: Ramp, b: Ramp, t: int, slope: int) -> Ramp:
     derivative = part(rise(a.value, b.value), slope)
     components = [lerp(x, y, t) for x, y in zip(a.gradient, b.gradient, strict=True)]
     if components:
-        derivative = signed((components.pop(0) >> 2) + derivative)
+        derivative = signed(components.pop(0) + derivative)
     interpolated = [lerp(x, y, t) for x, y in zip(a.derivatives, b.derivatives, strict=True)]
     return Ramp(lerp(a.value, b.value, t), (*interpolated, derivative), tuple(components))

@@ -61,10 +61,10 @@ class Steps(unittest.TestCase):
         self.assertEqual([slopes.rise(a, b) for a, b in ((0, 7), (7, 0), (-2**29, 2**29))], [1, -2, 2**28])
 
     def test_a_ramp_along_an_axis(self) -> None:
-        # Half way: t and the slope 15/8 as words. 1.875 * (2560 >> 2) = 1200; half way from 512 to 1536 are 1024, >> 2.
+        # Half way: t and the slope 15/8 as words. 1.875 * (2560 >> 2) = 1200; half way from 512 to 1536 are 1024.
         a, b = slopes.Ramp(0, (1024,), (512, 2048)), slopes.Ramp(2560, (3072,), (1536, 0))
         found = slopes.interpolated_ramp(a, b, 2**17, 491520)
-        self.assertEqual(found, slopes.Ramp(1280, (2048, 256 + 960), (1024,)))
+        self.assertEqual(found, slopes.Ramp(1280, (2048, 1024 + 960), (1024,)))
         # Of value noise the term with the gradient is left out.
         self.assertEqual(slopes.interpolated_ramp(slopes.Ramp(0), slopes.Ramp(2560), 2**17, 491520),
                          slopes.Ramp(1280, (960,)))

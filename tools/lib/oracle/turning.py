@@ -23,23 +23,13 @@ def check(n: int) -> None:
         raise ValueError(f"gradients turn in two and three dimensions, not in {n}D")
 
 
-def still_axis(g: Sequence[Number]) -> int:
-    """In three dimensions the axis about which g turns: along it the gradient after a quarter of a turn is 0."""
-    x, y, z = map(abs, g)
-    if z <= x and z <= y:
-        return 2
-    return 1 if y <= x else 0
-
-
 def quarter_turned(g: Sequence[Number]) -> tuple[Number, ...]:
-    """g', the gradient after a quarter of a turn."""
+    """g', the gradient after a quarter of a turn: in space in the plane of the two axes that it has."""
     check(len(g))
-    if len(g) == 2:
-        x, y = g
-        return (-y, x)
-    x, y, z = g
-    zero = x - x
-    return ((zero, -z, y), (z, zero, -x), (-y, x, zero))[still_axis(g)]
+    first, second = (0, 1) if len(g) == 2 else (axis for axis, x in enumerate(g) if x)
+    quarter = [x - x for x in g]
+    quarter[first], quarter[second] = -g[second], g[first]
+    return tuple(quarter)
 
 
 # --- Exact ------------------------------------------------------------------------------------------------------

@@ -12,8 +12,8 @@ from unittest import mock
 
 from golden.generator import INT_MAX, INT_MIN, generator_of, to_f32
 from golden.simplex_rows import PHASES
-from oracle import feature_points, gradients, noises
-from oracle.feature_points import Field, TooFar
+from oracle import feature_points, noises
+from oracle.feature_points import Field, TooFar, direction2, direction3
 from oracle.gradients import Knobs
 from oracle.integers import UNIT, cosine_and_sine
 from oracle.lattice import Choice, Lattice
@@ -45,7 +45,7 @@ def samples(name: str, n: int, count: int = 24) -> Iterator[tuple[list[Fraction]
 
 
 def direction(cell: Sequence[int], seed: int) -> tuple[float, ...]:
-    return (gradients.direction2 if len(cell) == 2 else gradients.direction3)(Lattice(LATTICE, seed).word(cell))
+    return (direction2 if len(cell) == 2 else direction3)(Lattice(LATTICE, seed).word(cell))
 
 
 def cells_around(p: Sequence[Fraction], around: int = 2) -> Iterator[tuple[int, ...]]:
@@ -80,12 +80,12 @@ def fixed_offset(f: Sequence[int], o: Sequence[int], word: int, phase: float, ji
     whole = int(Fraction(jitter) * 2**20)
     if len(f) == 2:
         j = whole * 7 >> 3
-        ux, uy = (int(512 * x) for x in gradients.direction2(word))
+        ux, uy = (int(512 * x) for x in direction2(word))
         ex, ey = f[0] - 2**19, f[1] - 2**19
         return [t(ex, c) + t(ey, s) - 16 * o[0] * c - 16 * o[1] * s - (ux * j >> 10),
                 t(ex, -s) + t(ey, c) + 16 * o[0] * s - 16 * o[1] * c - (uy * j >> 10)]
     j = whole * 25 >> 5
-    ux, uy, uz = (int(512 * x) for x in gradients.direction3(word))
+    ux, uy, uz = (int(512 * x) for x in direction3(word))
     ex, ey, ez = (x - 2**19 for x in f)
     return [t(ex, c) + t(ey, s) - 16 * (o[0] * c + o[1] * s) - (ux * j >> 10),
             t(ex, -sc) + t(ey, cc) + t(ez, s) - 16 * (o[1] * cc + o[2] * s - o[0] * sc) - (uy * j >> 10),

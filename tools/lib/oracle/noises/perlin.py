@@ -12,7 +12,7 @@ from oracle.ramps import scaled, sine_ramp
 
 # --- Exact ------------------------------------------------------------------------------------------------------
 
-OCTAHEDRAL_SCALES = {1: Fraction(2), 2: Fraction(1365, 1024), 3: Fraction(1228, 1024), 4: Fraction(953, 1024)}
+OCTAHEDRAL_SCALES = {1: Fraction(2), 2: Fraction(1831, 1024), 3: Fraction(985, 1024), 4: Fraction(953, 1024)}
 
 
 def check(knobs: Knobs, n: int) -> None:
@@ -40,7 +40,7 @@ def exact(lattice: Lattice, cell: Sequence[int], f: Sequence[Fraction]) -> tuple
 
 
 # By the number of dimensions, for octahedral gradients.
-FIXED_SCALES = {1: 2048, 2: 1365, 3: 1228, 4: 1906}
+FIXED_SCALES = {1: 2048, 2: 1831, 3: 985, 4: 1906}
 
 
 def fixed_ramp(lattice: Lattice, corner: Sequence[int], d: Sequence[int]) -> int:

@@ -51,13 +51,11 @@ def units(value: Fraction) -> int:
 
 
 @functools.cache
-def some_gradients(n: int) -> list[tuple[float, ...]]:
-    """All in n dimensions; in space every so many of 131072."""
-    if n == 4:
-        return [g for g in itertools.product((-1.0, 0.0, 1.0), repeat=4) if sum(map(abs, g)) == 2]
-    if n == 3:
-        return [gradients.gradient3(field << 15) for field in range(0, 2**17, 41)]
-    return [gradients.OCTAHEDRAL[n](sign << 31 | field << 14) for sign in range(n) for field in range(512)]
+def all_gradients(n: int) -> list[tuple[float, ...]]:
+    """All in n dimensions."""
+    if n == 1:
+        return [gradients.gradient1(field << 14) for field in range(512)]
+    return sorted({gradients.OCTAHEDRAL[n](word) for word in range(0, 2**32, 2**20)})
 
 
 def interpolated_perlin(knobs: Knobs, p: Sequence[float], seed: int, periods: Sequence[int] = ()) -> Fraction:
@@ -145,15 +143,18 @@ class Perlin(unittest.TestCase):
 
     def test_the_scale_keeps_it_within_range(self) -> None:
         # Each corner has the gradient with the largest ramp there. The largest of these means times the scale is below
-        # 1, and not far below.
+        # 1, and not far below. In the plane it is not with gradients that turn, which can be along all four offsets.
         for n, scale in perlin.OCTAHEDRAL_SCALES.items():
-            found = some_gradients(n)
+            found = all_gradients(n)
             bounds = []
             for f in itertools.product((0.25, 0.3268, 0.3491, 0.5) if n < 3 else (0.3491, 0.5), repeat=n):
                 bounds.append(0.0)
                 for corner, weight in corner_weights(tuple(map(Fraction, f))):
                     offset = [x - o for x, o in zip(f, corner)]
                     bounds[-1] += float(weight) * max(sum(map(operator.mul, g, offset)) for g in found)
+            if n == 2:
+                self.assertTrue(0.89 < max(bounds) * scale < 0.92)
+                bounds = [math.hypot(*found[0]) / 2**0.5]  # in the middle
             self.assertTrue(0.98 < max(bounds) * scale <= 1, (n, float(max(bounds) * scale)))
 
     def test_cells_meet(self) -> None:
@@ -191,21 +192,28 @@ class Perlin(unittest.TestCase):
 
     def test_seeds_differ(self) -> None:
         for name, n in itertools.product(words.HASHES, (1, 2, 3, 4)):
-            self.assertEqual(len({exact(Knobs(name), (0.375, 0.5, 0.25, 0.625)[:n], seed) for seed in range(32)}), 32)
+            # Some have the same gradients at all corners that count.
+            found = {exact(Knobs(name), (0.375, 0.4375, 0.25, 0.625)[:n], seed) for seed in range(32)}
+            self.assertGreater(len(found), 28, (name, n))
 
 
 class Ramps(unittest.TestCase):
     def test_octahedral_ramps(self) -> None:
-        # On a line and in four dimensions they are exact. In the plane and in space r >> 9 loses less than 1, E times,
-        # and E is at most 256 or 342.
+        # They are exact.
         numbers = generator_of("ramps")
-        for n, lost in ((1, 0), (2, 256), (3, 342), (4, 0)):
+        for n in (1, 2, 3, 4):
             for _ in range(1000):
                 h = numbers.word()
                 d = [numbers.integer(-UNIT, UNIT) for _ in range(n)]
                 exact_ramp = sum(Fraction(g) * Fraction(x, UNIT) for g, x in zip(gradients.OCTAHEDRAL[n](h), d))
-                error = ramps.OCTAHEDRAL_RAMPS[n](h, d) - exact_ramp * ramps.RAMP_UNITS[n]
-                self.assertTrue(-lost <= error <= 0, (n, h, d))
+                self.assertEqual(ramps.octahedral_ramp(h, d), exact_ramp * ramps.RAMP_UNITS[n], (n, h, d))
+
+    def test_ramps_by_hand(self) -> None:
+        d = (3 * 2**10, 5 * 2**10, 7 * 2**10, 2**10)
+        for h, n, expected in ((256 << 14, 1, 3072), (0x00200000, 2, 128 * (15360 - 3072)),
+                               (0x80600000, 2, 128 * (9216 - 5120)), (0x00200000, 3, 512 * (3072 - 5120)),
+                               (0xFFFFFFFF, 3, -512 * (5120 + 7168)), (0xFF9FFFFF, 4, 256 * (5120 + 7168))):
+            self.assertEqual(ramps.octahedral_ramp(h, d[:n]), expected, (hex(h), n))
 
     def test_sine_ramps_are_rounded_down(self) -> None:
         numbers = generator_of("sine ramps")
@@ -253,6 +261,21 @@ class Noise(unittest.TestCase):
                     value = fixed(knobs, numbers.anywhere(n), numbers.word())
                     self.assertEqual(to_f32(float(value)), value)
 
+    def test_where_a_difference_wraps(self) -> None:
+        # In space, where y and z are whole, corners without a weight have ramps from -2^30 to 2^30. With one of them
+        # a unit less nothing wraps, and the value is the same.
+        for whole, of_word in ((1, ((0, -1, -1), (0, 1, 1))), (0, ((-1, 0, -1), (1, 0, 1)))):
+            found = []
+            for ends in ((UNIT, UNIT), (UNIT, UNIT - 1)):
+                fraction = list(ends)
+                fraction.insert(1 - whole, UNIT // 3)
+                with mock.patch.dict(gradients.OCTAHEDRAL, {3: lambda h: of_word[h]}), \
+                     mock.patch.object(Lattice, "word", lambda _, corner: corner[1 - whole]):
+                    found.append(perlin.fixed(Lattice(Knobs("lattice")), (0, 0, 0), fraction))
+            self.assertLess(abs(found[0][0] - found[1][0]), 8)
+        self.assertEqual((integers.difference(-2**30, 2**30), integers.difference(-2**30, 2**30 - 1)),
+                         (-2**31, 2**31 - 1))
+
     @in_thorough_runs
     def test_nothing_overflows_and_how_large_it_gets(self) -> None:
         # Whatever the gradients: at each corner the largest ramp there is, of any sign. With the sine gradient it is
@@ -271,7 +294,7 @@ class Noise(unittest.TestCase):
 
     def test_scaling_rounds_to_nearest(self) -> None:
         half = Fraction(1, 2)
-        for n, factor in ((1, 2048), (2, 1365), (3, 1228), (4, 1906)):
+        for n, factor in ((1, 2048), (2, 1831), (3, 985), (4, 1906)):
             # All corners alike, there is nothing to interpolate.
             for ramp in (512 * k + low for k in range(-256, 256) for low in (255, 256)):
                 with mock.patch.object(perlin, "fixed_ramp", return_value=ramp):
@@ -287,7 +310,7 @@ class Noise(unittest.TestCase):
             if knobs.sine:
                 largest = ramps.sine_ramp([2**16 if x > 0 else -2**16 for x in d], d)
             else:
-                slope = max(sum(map(operator.mul, g, d)) for g in some_gradients(n))
+                slope = max(sum(map(operator.mul, g, d)) for g in all_gradients(n))
                 largest = math.floor(slope * ramps.RAMP_UNITS[n] / UNIT)
             return next(remaining) * largest
 
