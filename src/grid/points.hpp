@@ -72,9 +72,9 @@ HN_I_INLINE hn_i_num simplex_at(const Place<3>& place, Uint seed) {
   to_next(f.x, size.x, here.x, ahead.x, before.x, steps.x);
   to_next(f.y, size.y, here.y, ahead.y, before.y, steps.y);
   to_next(f.z, size.z, here.z, ahead.z, before.z, steps.z);
-  const auto weighted = [](Uint join, Uint odd, hn_i_num along_x, hn_i_num along_y, hn_i_num along_z,
+  const auto weighted = [](Uint join, Uint second, hn_i_num along_x, hn_i_num along_y, hn_i_num along_z,
                            hn_i_num near_by) HN_I_INLINED {
-    return hn_i_weighted_ramp(hn_i_ramp_of(hn_i_word(join, odd), along_x, along_y, along_z), hn_i_weight4(near_by));
+    return hn_i_weighted_ramp(hn_i_ramp_of(hn_i_word(join, second), along_x, along_y, along_z, false), hn_i_weight4(near_by));
   };
   hn_i_num n = weighted(corner, corner_odd, x.x, y.x, z.x, t.x);
   n = hn_i_plus(n, weighted(next_corner, next_corner_odd, x.y, y.y, z.y, t.y));
