@@ -1,0 +1,87 @@
+// Simplex noise at points that share nothing. Numbers are those of the library, and so are the bits. It computes the
+// words in another way: a step to the next point of the lattice changes both joins of a word by what depends on an axis
+// alone, so that each axis is shifted once, and what is chosen is what the step changes, not the coordinates.
+#pragma once
+
+#include "loops.hpp"
+
+namespace hashnoise::inline HN_I_NAMESPACE {
+namespace HN_LANES {
+namespace {
+
+// The sum, or the exclusive or, where the condition holds. AVX-512 does it in one step, and others do without a choice,
+// which takes them up to three.
+HN_I_INLINE Uint plus_where(Mask condition, Uint a, Uint b) {
+  return kCount == 16 ? hn_i_select(condition, a + b, a) : a + hn_i_select(condition, b, Uint(0u));
+}
+HN_I_INLINE Uint flipped_where(Mask condition, Uint a, Uint b) {
+  return kCount == 16 ? hn_i_select(condition, a ^ b, a) : a ^ hn_i_select(condition, b, Uint(0u));
+}
+
+HN_I_INLINE hn_i_num simplex_at(const Place<2>& place, Uint seed) {
+  const hn_i_num2 skewed = hn_i_skewed(place.fraction);
+  const Int row = hn_i_floor(skewed.y);
+  const Mask is_odd = (row & 1) != 0, is_along = hn_i_fract(skewed.x) > hn_i_fract(skewed.y);
+  const uvec2 first = hn_i_spread(uvec2(hn_i_doubled(Uint(place.cell.x), hn_i_column_of(skewed)),
+                                        hn_i_doubled(Uint(place.cell.y), row)));
+  const uvec2 next = hn_i_upper(first);
+  const Uint s = hn_i_mix(seed);
+  const Uint lower = hn_i_high(first).y ^ hn_i_seed_join(s), upper = hn_i_high(next).y ^ hn_i_seed_join(s);
+  const Uint step_x = hn_i_odd_step(Uint(HN_I_STEP_X)), step_y = hn_i_odd_step(Uint(HN_I_STEP_Y) * HN_I_SUM_Y);
+  const Uint odd = hn_i_odd(hn_i_sum(first) + s);
+  const Uint last = plus_where(is_odd, first.x, Uint(HN_I_STEP_X));
+  const Uint last_odd = plus_where(is_odd, odd + step_y, step_x);
+  const Uint middle = hn_i_select(is_along, next.x, last - HN_I_STEP_X);
+  const Uint middle_odd = hn_i_select(is_along, odd + step_x, last_odd - step_x);
+  return hn_i_simplex(uvec3(hn_i_word(hn_i_high(first.x) ^ lower, odd),
+                            hn_i_word(hn_i_high(middle) ^ hn_i_select(is_along, lower, upper), middle_odd),
+                            hn_i_word(hn_i_high(last) ^ upper, last_odd)),
+                      skewed);
+}
+
+HN_I_INLINE hn_i_num simplex_at(const Place<3>& place, Uint seed) {
+  const hn_i_num3 f = place.fraction;
+  const hn_i_block3 block = hn_i_block(place);
+  hn_i_num4 x, y, z, t;
+  hn_i_four_points(hn_i_block3{}, f, Uint(0u), x, y, z, t);  // without the words
+  const hn_i_num3 size = hn_i_vector(hn_i_size(x.x), hn_i_size(y.x), hn_i_size(z.x));
+  const hn_i_num a = hn_i_largest(size), b = hn_i_smallest(size);
+  const Uint s = hn_i_mix(seed);
+  const uvec3 here = hn_i_high(block.cell), ahead = hn_i_high(block.following), before = hn_i_high(block.previous);
+  const Uint cell = here.x ^ here.y ^ here.z ^ hn_i_seed_join(s), odd = hn_i_odd(hn_i_sum(block.cell) + s);
+  const hn_uvec3 steps = hn_i_odd_step(
+      uvec3(HN_I_STEP_X, Uint(HN_I_STEP_Y) * HN_I_SUM_Y, Uint(HN_I_STEP_Z) * HN_I_SUM_Z));
+  Uint corner = cell, corner_odd = odd;
+  const auto to_corner = [&](hn_i_num along, Uint high, Uint high_ahead, Uint step) HN_I_INLINED {
+    corner = flipped_where(along > hn_i_quarters(2), corner, high ^ high_ahead);
+    corner_odd = plus_where(along > hn_i_quarters(2), corner_odd, step);
+  };
+  to_corner(f.x, here.x, ahead.x, steps.x);
+  to_corner(f.y, here.y, ahead.y, steps.y);
+  to_corner(f.z, here.z, ahead.z, steps.z);
+  const Uint centre = cell ^ HN_I_CENTRE_JOIN, centre_odd = odd + hn_i_odd_step(Uint(HN_I_CENTRE_SUM));
+  Uint next_corner = corner, next_corner_odd = corner_odd, next_centre = centre, next_centre_odd = centre_odd;
+  const auto to_next = [&](hn_i_num along, hn_i_num size_along, Uint high, Uint high_ahead, Uint high_before,
+                           Uint step) HN_I_INLINED {
+    const Mask is_far = along > hn_i_quarters(2);
+    next_corner = flipped_where(size_along >= a, next_corner, high ^ high_ahead);
+    next_corner_odd = plus_where(size_along >= a, next_corner_odd, hn_i_select(is_far, 0u - step, step));
+    next_centre = flipped_where(size_along <= b, next_centre, high ^ hn_i_select(is_far, high_ahead, high_before));
+    next_centre_odd = plus_where(size_along <= b, next_centre_odd, hn_i_select(is_far, step, 0u - step));
+  };
+  to_next(f.x, size.x, here.x, ahead.x, before.x, steps.x);
+  to_next(f.y, size.y, here.y, ahead.y, before.y, steps.y);
+  to_next(f.z, size.z, here.z, ahead.z, before.z, steps.z);
+  const auto weighted = [](Uint join, Uint second, hn_i_num along_x, hn_i_num along_y, hn_i_num along_z,
+                           hn_i_num near_by) HN_I_INLINED {
+    return hn_i_weighted_ramp(hn_i_ramp_of(hn_i_word(join, second), along_x, along_y, along_z, false), hn_i_weight4(near_by));
+  };
+  hn_i_num n = weighted(corner, corner_odd, x.x, y.x, z.x, t.x);
+  n = hn_i_plus(n, weighted(next_corner, next_corner_odd, x.y, y.y, z.y, t.y));
+  n = hn_i_plus(n, weighted(centre, centre_odd, x.z, y.z, z.z, t.z));
+  return hn_i_scaled_simplex3(hn_i_plus(n, weighted(next_centre, next_centre_odd, x.w, y.w, z.w, t.w)));
+}
+
+}  // namespace
+}  // namespace HN_LANES
+}  // namespace hashnoise
