@@ -9,9 +9,6 @@
 #include "detail/sine_gradient.glsl"
 #include "hash.glsl"
 
-// Of constants Mesa makes -0 of a choice between 0 and -1.
-HN_FN hn_float hn_i_positive_zero(hn_float x) { return hn_i_select(x == 0.0f, 0.0f, x); }
-
 // A gradient on the line, from bits 14 to 22 of a hash.
 //   h        any uint
 //   returns  an odd multiple of 2^-9 in (-1, 1)
@@ -40,10 +37,7 @@ HN_FN hn_vec2 hn_gradient2(hn_uint h) { return hn_i_direction2(h); }
 //   error    none
 //   cost     no multiplication
 //   source   Perlin, "Improving noise", 2002, for the vectors; docs/contract.md, section 4
-HN_FN hn_vec3 hn_gradient3(hn_uint h) {
-  hn_vec3 g = hn_i_direction3(h, hn_i_signs(h));
-  return vec3(hn_i_positive_zero(g.x), hn_i_positive_zero(g.y), hn_i_positive_zero(g.z));
-}
+HN_FN hn_vec3 hn_gradient3(hn_uint h) { return hn_i_direction3(h, hn_i_signs(h)); }
 
 // A gradient in four dimensions, from the size of a hash and its bits 20 to 22.
 //   h        any uint
@@ -51,10 +45,7 @@ HN_FN hn_vec3 hn_gradient3(hn_uint h) {
 //   error    none
 //   cost     no multiplication
 //   source   docs/contract.md, section 4
-HN_FN hn_vec4 hn_gradient4(hn_uint h) {
-  hn_vec4 g = hn_i_direction4(h);
-  return vec4(hn_i_positive_zero(g.x), hn_i_positive_zero(g.y), hn_i_positive_zero(g.z), hn_i_positive_zero(g.w));
-}
+HN_FN hn_vec4 hn_gradient4(hn_uint h) { return hn_i_direction4(h); }
 
 // The gradient of the noise at a lattice point.
 //   cell     the point: int, ivec2, ivec3 or ivec4
