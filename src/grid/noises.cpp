@@ -94,7 +94,7 @@ template <int D, typename Noise>
 HN_I_INLINE auto noise_at(const Place<D>& place, const Given<D>& given) {
   if constexpr ((D == 2 || D == 3) && std::is_same_v<Noise, simplex_plain>) {
     return hn_i_value(simplex_at(place, given.seed));
-  } else if constexpr (D == 3 && std::is_same_v<Noise, perlin_plain>) {
+  } else if constexpr ((D == 2 || D == 3) && std::is_same_v<Noise, perlin_plain>) {
     return hn_i_value(perlin_at(place, given.seed));
   } else {
     return Noise::template at<D>(place, given);
