@@ -15,6 +15,9 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 STRIDE = 1024  # floats between the components of an input in memory
+# Behind the last branch of a loop. A loop that always runs as often is written out, so that its steps are counted.
+LOOP = ", !llvm.loop !loop"
+WRITTEN_OUT = 1_000_000  # the number of the metadata that asks for it; those of loops come next
 
 
 class Unsupported(Exception):
@@ -81,6 +84,7 @@ class Kernel:
         self.numbers: dict[str, int] = {}  # of constants, for indices
         self.exact: set[str] = set()  # NoContraction
         self.variables: list[tuple[str, str, str, str]] = []  # id, type, storage class, initializer
+        self.labels: set[str] = set()
         self.declared: set[str] = set()
         self.lines: list[str] = []
         self.body: list[str] = []
@@ -206,7 +210,7 @@ class Kernel:
         self.types[id] = Type(f"{{ {', '.join(map(self.type, parts))} }}", "struct", parts=parts)
 
     def OpTypePointer(self, id: str, _: str, part: str) -> None:
-        self.types[id] = Type(f"{self.type(part)}*", "pointer", part)
+        self.types[id] = Type("ptr", "pointer", part)
 
     def OpTypeFunction(self, id: str, *_: str) -> None:
         self.types[id] = Type("", "function")
@@ -249,13 +253,18 @@ class Kernel:
         self.body.append("  ; variables")  # which are known at the end
 
     def OpLabel(self, id: str) -> None:
+        self.labels.add(id)
         self.body.append(f"l{id[1:]}:")
 
+    def _end(self, text: str, *labels: str) -> None:
+        """The end of a block. One that goes back to a label closes a loop."""
+        self.body.append(text + LOOP * any(label in self.labels for label in labels))
+
     def OpBranch(self, _: str, label: str) -> None:
-        self.body.append(f"  br label %l{label[1:]}")
+        self._end(f"  br label %l{label[1:]}", label)
 
     def OpBranchConditional(self, _: str, condition: str, yes: str, no: str, *__: str) -> None:
-        self.body.append(f"  br {self.both(condition)}, label %l{yes[1:]}, label %l{no[1:]}")
+        self._end(f"  br {self.both(condition)}, label %l{yes[1:]}, label %l{no[1:]}", yes, no)
 
     def OpSwitch(self, _: str, selector: str, default: str, *pairs: str) -> None:
         cases = " ".join(f"{self.of(selector)} {number}, label %l{label[1:]}"
@@ -516,38 +525,38 @@ class Kernel:
             name = f"%v{id[1:]}"
             head.append(f"  {name} = alloca {self.type(type)}")
             if initial:
-                head.append(f"  store {self.type(type)} {self.value(initial)}, {self.type(type)}* {name}")
+                head.append(f"  store {self.type(type)} {self.value(initial)}, ptr {name}")
             if storage not in place:
                 continue
             lines, pointer = (head, "%in") if storage == "Input" else (tail, "%out")
             found, made = self.types[type], "undef"
             part = self.type(found.part) if found.kind == "vector" else found.text
             if storage == "Output":
-                lines.append(f"  {name}all = load {found.text}, {found.text}* {name}")
+                lines.append(f"  {name}all = load {found.text}, ptr {name}")
             for index in range(found.count or 1):
                 step = f"{name}_{index}"
                 lines.append(f"  {step}i = add i64 %index, {STRIDE * place[storage]}")
-                lines.append(f"  {step}p = getelementptr float, float addrspace(1)* {pointer}, i64 {step}i")
+                lines.append(f"  {step}p = getelementptr float, ptr addrspace(1) {pointer}, i64 {step}i")
                 place[storage] += 1
                 if part != "float":
                     raise Unsupported("inputs and results other than floats have no translation")
                 if storage == "Output":
                     lines.append(f"  {step} = extractelement {found.text} {name}all, i32 {index}"
                                  if found.kind == "vector" else f"  {step} = fadd float {name}all, -0.0")
-                    lines.append(f"  store float {step}, float addrspace(1)* {step}p")
+                    lines.append(f"  store float {step}, ptr addrspace(1) {step}p")
                     continue
-                lines.append(f"  {step} = load float, float addrspace(1)* {step}p")
+                lines.append(f"  {step} = load float, ptr addrspace(1) {step}p")
                 if found.kind == "vector":
                     lines.append(f"  {step}v = insertelement {found.text} {made}, float {step}, i32 {index}")
                     made = f"{step}v"
                 else:
                     made = step
             if storage == "Input":
-                lines.append(f"  store {found.text} {made}, {found.text}* {name}")
+                lines.append(f"  store {found.text} {made}, ptr {name}")
         first = next(line for line in self.body if line.endswith(":"))
         body = self.body[1:]  # less the place of the variables
-        return "\n".join([f"define {self.target.kernel}void @{self.name}(float addrspace(1)* noalias %in, "
-                          f"float addrspace(1)* noalias %out) {self.target.attributes}{{", "entry:", *head, f"  br label %{first[:-1]}", *body,
+        return "\n".join([f"define {self.target.kernel}void @{self.name}(ptr addrspace(1) noalias %in, "
+                          f"ptr addrspace(1) noalias %out) {self.target.attributes}{{", "entry:", *head, f"  br label %{first[:-1]}", *body,
                           *tail, "  ret void", "}"])
 
 
@@ -577,8 +586,13 @@ def module(shaders: Sequence[tuple[str, str]], target: Target) -> tuple[str, dic
     names = [name for name, _ in shaders if name not in problems]
     notes = [target.annotation.format(name=name, number=number) for number, name in enumerate(names)]
     listed = f"!nvvm.annotations = !{{{', '.join(f'!{number}' for number in range(len(names)))}}}"
-    return "\n".join([target.head, target.declarations, *sorted(declared), *kernels,
-                      *([listed, *notes] if target.annotation else []), target.tail]) + "\n", problems
+    text = "\n".join([target.head, target.declarations, *sorted(declared), *kernels,
+                      *([listed, *notes] if target.annotation else []), target.tail])
+    first, *others = text.split(LOOP)
+    loops = [(f"!{number}", part) for number, part in enumerate(others, WRITTEN_OUT + 1)]
+    return "".join([first, *(f", !llvm.loop {loop}{part}" for loop, part in loops),
+                    *(f"\n{loop} = distinct !{{{loop}, !{WRITTEN_OUT}}}" for loop, _ in loops),
+                    f'\n!{WRITTEN_OUT} = !{{!"llvm.loop.unroll.full"}}\n']), problems
 
 
 def disassembled(file: str) -> str:
@@ -596,7 +610,7 @@ NVPTX = Target(
      "Cos": "llvm.nvvm.cos.approx.ftz.f", "Exp2": "llvm.nvvm.ex2.approx.ftz.f", "Log2": "llvm.nvvm.lg2.approx.ftz.f"},
     {"OpFAdd": "llvm.nvvm.add.rn.ftz.f", "OpFMul": "llvm.nvvm.mul.rn.ftz.f"},
     '"denormal-fp-math-f32"="preserve-sign,preserve-sign" ', "",
-    '!{number} = !{{void (float addrspace(1)*, float addrspace(1)*)* @{name}, !"kernel", i32 1}}')
+    '!{number} = !{{ptr @{name}, !"kernel", i32 1}}')
 SPIR = Target(
     'target datalayout = "e-i64:64-v16:16-v24:32-v32:32-v48:64-v96:128-v192:256-v256:256-v512:512-v1024:1024"\n'
     'target triple = "spir64-unknown-unknown"',
