@@ -7,6 +7,7 @@ LLVM, so that a minimum stays a minimum, and what is `precise` is contracted by 
 
 from __future__ import annotations
 
+import hashlib
 import math
 import re
 import struct
@@ -32,6 +33,7 @@ class Target(NamedTuple):
     declarations: str
     functions: dict[str, str]  # by the names of GLSL.std.450 and of operations; {n} is the number of operands
     exact: dict[str, str]  # functions for sums and products that must not be contracted
+    constants: int  # the address space of tables
     attributes: str = ""  # of kernels, behind their parameters
     tail: str = ""  # of a module
     annotation: str = ""  # a line for each kernel, of metadata
@@ -70,6 +72,7 @@ IGNORED = frozenset({
     "OpCapability", "OpExtension", "OpExtInstImport", "OpMemoryModel", "OpEntryPoint", "OpExecutionMode", "OpSource",
     "OpSourceExtension", "OpString", "OpName", "OpMemberName", "OpLoopMerge", "OpSelectionMerge", "OpLine", "OpNoLine",
     "OpFunctionEnd", "OpMemberDecorate", "OpModuleProcessed"})
+STORE = re.compile(r"OpStore (\S+) (\S+)")
 OPERAND = re.compile(r'"[^"]*"|\S+')
 
 
@@ -84,6 +87,8 @@ class Kernel:
         self.numbers: dict[str, int] = {}  # of constants, for indices
         self.exact: set[str] = set()  # NoContraction
         self.variables: list[tuple[str, str, str, str]] = []  # id, type, storage class, initializer
+        self.tables: dict[str, str] = {}  # variables that only hold a constant array, by its text
+        self.in_tables: set[str] = set()  # pointers into those
         self.labels: set[str] = set()
         self.declared: set[str] = set()
         self.lines: list[str] = []
@@ -98,7 +103,7 @@ class Kernel:
         return self.types[id].text
 
     def of(self, id: str) -> str:
-        return self.type(self.typed[id])
+        return f"ptr addrspace({self.target.constants})" if id in self.in_tables else self.type(self.typed[id])
 
     def both(self, id: str) -> str:
         return f"{self.of(id)} {self.value(id)}"
@@ -154,6 +159,22 @@ class Kernel:
         if op in self.target.exact:
             return self.each(self.target.exact[op], type, (left, right))
         return f"{FLOATS[op]} {self.type(type)} {left}, {right}"
+
+    def find_tables(self, lines: Sequence[str]) -> None:
+        """Arrays that are written once, as a whole: GLSL's constant arrays, which a compiler reads from memory of
+        constants."""
+        constants = {line.split()[0] for line in lines if " = OpConstantComposite " in line}
+        written = [STORE.match(line).groups() for line in lines if line.startswith("OpStore ")]
+        chains = {line.split()[0]: line.split()[4] for line in lines if " = OpAccessChain " in line}
+        values: dict[str, set[str]] = {}
+        for pointer, value in written:
+            values.setdefault(chains.get(pointer, pointer), set()).add("" if pointer in chains else value)
+        for line in lines:
+            if " = OpVariable " in line and line.split()[4] in ("Function", "Private"):
+                id, *initial = line.split()[0], *line.split()[5:]
+                found = values.get(id, set()) | set(initial)
+                if len(found) == 1 and found <= constants:
+                    self.tables[id] = next(iter(found))
 
     def take(self, line: str) -> None:
         result, _, rest = line.rpartition(" = ")
@@ -245,6 +266,15 @@ class Kernel:
         if storage not in ("Input", "Output", "Private", "Function"):
             raise Unsupported(f"variables that are {storage} have no translation")
         self.typed[id] = type
+        if id in self.tables and self.types[self.types[type].part].kind == "array":
+            if self.tables[id] not in self.constants:  # it stands further below, which SPIR-V has not
+                raise Unsupported("a table behind its variable has no translation")
+            text = f"{self.both(self.tables[id])}"
+            name = f"@table_{hashlib.sha256(text.encode()).hexdigest()[:16]}"
+            self.declared.add(f"{name} = private unnamed_addr addrspace({self.target.constants}) constant {text}")
+            self.constants[id] = name
+            self.in_tables.add(id)
+            return
         self.variables.append((id, self.types[type].part, storage, initial))
 
     def OpFunction(self, *_: str) -> None:
@@ -289,11 +319,15 @@ class Kernel:
         self.set(id, type, f"load {self.type(type)}, {self.both(pointer)}")
 
     def OpStore(self, _: str, pointer: str, value: str, *__: str) -> None:
+        if pointer in self.in_tables:
+            return
         self.body.append(f"  store {self.both(value)}, {self.both(pointer)}")
 
     def OpAccessChain(self, id: str, type: str, base: str, *indices: str) -> None:
         pointed = self.type(self.types[self.typed[base]].part)
         self.set(id, type, f"getelementptr {pointed}, {self.both(base)}, i32 0, {', '.join(map(self.both, indices))}")
+        if base in self.in_tables:
+            self.in_tables.add(id)
 
     def OpCopyObject(self, id: str, type: str, value: str) -> None:
         self.set(id, type, f"select i1 true, {self.both(value)}, {self.both(value)}")
@@ -303,9 +337,6 @@ class Kernel:
 
     def OpBitcast(self, id: str, type: str, value: str) -> None:
         self.set(id, type, f"bitcast {self.both(value)} to {self.type(type)}")
-
-    def _unary(self, id: str, type: str, text: str) -> None:
-        self.set(id, type, text)
 
     def OpFNegate(self, id: str, type: str, value: str) -> None:
         self.set(id, type, f"fneg {self.both(value)}")
@@ -574,10 +605,11 @@ def module(shaders: Sequence[tuple[str, str]], target: Target) -> tuple[str, dic
     kernels, declared, problems = [], set(), {}
     for name, text in shaders:
         kernel = Kernel(name, target)
+        lines = [line for line in text.splitlines() if line and not line.startswith(";")]
+        kernel.find_tables(lines)
         try:
-            for line in text.splitlines():
-                if line and not line.startswith(";"):
-                    kernel.take(line)
+            for line in lines:
+                kernel.take(line)
             kernels.append(kernel.text())
         except Unsupported as why:
             problems[name] = str(why)
@@ -608,7 +640,7 @@ NVPTX = Target(
     {"OpFDiv": "llvm.nvvm.div.approx.ftz.f", "Sqrt": "llvm.nvvm.sqrt.approx.ftz.f",
      "InverseSqrt": "llvm.nvvm.rsqrt.approx.ftz.f", "Sin": "llvm.nvvm.sin.approx.ftz.f",
      "Cos": "llvm.nvvm.cos.approx.ftz.f", "Exp2": "llvm.nvvm.ex2.approx.ftz.f", "Log2": "llvm.nvvm.lg2.approx.ftz.f"},
-    {"OpFAdd": "llvm.nvvm.add.rn.ftz.f", "OpFMul": "llvm.nvvm.mul.rn.ftz.f"},
+    {"OpFAdd": "llvm.nvvm.add.rn.ftz.f", "OpFMul": "llvm.nvvm.mul.rn.ftz.f"}, 4,
     '"denormal-fp-math-f32"="preserve-sign,preserve-sign" ', "",
     '!{number} = !{{ptr @{name}, !"kernel", i32 1}}')
 SPIR = Target(
@@ -618,4 +650,4 @@ SPIR = Target(
     "declare spir_func i64 @_Z13get_global_idj(i32)",
     {"OpFDiv": "_Z13native_divideff", "Sqrt": "_Z11native_sqrtf", "InverseSqrt": "_Z12native_rsqrtf",
      "Sin": "_Z10native_sinf", "Cos": "_Z10native_cosf", "Exp2": "_Z11native_exp2f", "Log2": "_Z11native_log2f"},
-    {}, "!intel_reqd_sub_group_size !0 ", "!0 = !{i32 16}")
+    {}, 2, "!intel_reqd_sub_group_size !0 ", "!0 = !{i32 16}")
