@@ -37,6 +37,8 @@ from gpu import comparing, drivers, operations, record, stripes
 from gpu.chips import CHIPS, Chip
 from gpu.compiling import Compiled, Device, compile_all
 from gpu.drivers import Drivers
+from gpu.kernels import compile_all as compile_kernels
+from gpu.kernels import translated
 from tables.peers import PEERS, Peer, against
 from tree import ROOT, hn_conform
 
@@ -91,12 +93,16 @@ def measure(chips: Sequence[Chip], found: Drivers, hn_conform: str, files: dict[
     """The device and the shaders of each chip, and why others have none."""
     devices, shaders, skipped = {}, {}, []
     progress = Progress(len(chips) * len(files))
+    kernels = translated(files) if any(chip.vendor.target for chip in chips) else None
 
     def one(chip: Chip) -> None:
         started = time.monotonic()
         try:
-            device, results = compile_all(found.compiler(chip, [hn_conform, "shader-statistics"]),
-                                          found.environment(chip), list(files.values()), progress.step)
+            if chip.vendor.target:
+                device, results = compile_kernels(found, chip, kernels, progress.step)
+            else:
+                device, results = compile_all(found.compiler(chip, [hn_conform, "shader-statistics"]),
+                                              found.environment(chip), list(files.values()), progress.step)
         except Missing as why:
             skipped.append(f"{chip.name} is skipped: {why}")
             return
@@ -205,8 +211,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
             print(comparing.page_table(*map(record.read_costs, options.compare)), end="")
             return 0
         if options.get_drivers:
-            debian.get(options.drivers.absolute(), drivers.PACKAGES, "the drivers", options.mirror, options.suite)
-            print(f"{options.drivers} has {drivers.find(options.drivers).version()}")
+            drivers.get(options.drivers.absolute(), options.mirror, options.suite)
+            print(f"{options.drivers} has {drivers.find(options.drivers).versions()}")
             return 0
         return run(options)
     except Missing as why:

@@ -12,9 +12,13 @@ import math
 import re
 import struct
 import subprocess
-from collections.abc import Sequence
+import threading
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
 from typing import NamedTuple
 
+NAME = "@kernel"  # in the definition of one, until a module names it
 STRIDE = 1024  # floats between the components of an input in memory
 # Behind the last branch of a loop. A loop that always runs as often is written out, so that its steps are counted.
 LOOP = ", !llvm.loop !loop"
@@ -25,7 +29,8 @@ class Unsupported(Exception):
     """What of SPIR-V has no translation here."""
 
 
-class Target(NamedTuple):
+@dataclass(frozen=True, eq=False)
+class Target:
     """What differs between the compilers behind LLVM."""
     head: str  # of a module: its layout and triple
     kernel: str  # what stands between `define` and `void`
@@ -79,8 +84,8 @@ OPERAND = re.compile(r'"[^"]*"|\S+')
 class Kernel:
     """One shader: translates it line by line."""
 
-    def __init__(self, name: str, target: Target):
-        self.name, self.target = name, target
+    def __init__(self, target: Target):
+        self.target = target
         self.types: dict[str, Type] = {}
         self.typed: dict[str, str] = {}  # the id of the type of each value
         self.constants: dict[str, str] = {}
@@ -91,7 +96,8 @@ class Kernel:
         self.in_tables: set[str] = set()  # pointers into those
         self.labels: set[str] = set()
         self.declared: set[str] = set()
-        self.lines: list[str] = []
+        self.definition = ""
+        self.has_exact_product = False
         self.body: list[str] = []
         self.fresh = 0
 
@@ -154,7 +160,8 @@ class Kernel:
     def arithmetic(self, id: str, op: str, type: str, left: str, right: str) -> str:
         if id not in self.exact:
             return f"{FLOATS[op]} contract {self.type(type)} {left}, {right}"
-        if op == "OpFSub" and "OpFSub" not in self.target.exact:
+        self.has_exact_product |= op == "OpFMul"
+        if op == "OpFSub":
             right, op = self.emit(f"fneg {self.type(type)} {right}"), "OpFAdd"
         if op in self.target.exact:
             return self.each(self.target.exact[op], type, (left, right))
@@ -549,8 +556,8 @@ class Kernel:
         left = self.emit(f"fsub contract {text} {constant(3.0)}, {twice}")
         self.set(id, type, f"fmul contract {text} {square}, {left}")
 
-    def text(self) -> str:
-        """The definition of the kernel. Inputs and the result lie in memory, component by component."""
+    def finish(self) -> None:
+        """Makes the definition. Inputs and the result lie in memory, component by component."""
         head, tail, place = list(self.target.index), ["end:"], {"Input": 0, "Output": 0}
         for id, type, storage, initial in self.variables:
             name = f"%v{id[1:]}"
@@ -586,9 +593,9 @@ class Kernel:
                 lines.append(f"  store {found.text} {made}, ptr {name}")
         first = next(line for line in self.body if line.endswith(":"))
         body = self.body[1:]  # less the place of the variables
-        return "\n".join([f"define {self.target.kernel}void @{self.name}(ptr addrspace(1) noalias %in, "
-                          f"ptr addrspace(1) noalias %out) {self.target.attributes}{{", "entry:", *head, f"  br label %{first[:-1]}", *body,
-                          *tail, "  ret void", "}"])
+        self.definition = "\n".join([f"define {self.target.kernel}void {NAME}(ptr addrspace(1) noalias %in, "
+                                      f"ptr addrspace(1) noalias %out) {self.target.attributes}{{", "entry:", *head,
+                                      f"  br label %{first[:-1]}", *body, *tail, "  ret void", "}"])
 
 
 def float_constant(text: str) -> str:
@@ -600,34 +607,53 @@ def float_constant(text: str) -> str:
     return f"0x{struct.unpack('<Q', struct.pack('<d', number))[0]:016X}"
 
 
-def module(shaders: Sequence[tuple[str, str]], target: Target) -> tuple[str, dict[str, str]]:
-    """LLVM's text of kernels, of names and the texts of spirv-dis; and why others of the names have none."""
-    kernels, declared, problems = [], set(), {}
-    for name, text in shaders:
-        kernel = Kernel(name, target)
-        lines = [line for line in text.splitlines() if line and not line.startswith(";")]
-        kernel.find_tables(lines)
-        try:
-            for line in lines:
-                kernel.take(line)
-            kernels.append(kernel.text())
-        except Unsupported as why:
-            problems[name] = str(why)
-            continue
-        declared |= kernel.declared
-    names = [name for name, _ in shaders if name not in problems]
-    notes = [target.annotation.format(name=name, number=number) for number, name in enumerate(names)]
-    listed = f"!nvvm.annotations = !{{{', '.join(f'!{number}' for number in range(len(names)))}}}"
-    text = "\n".join([target.head, target.declarations, *sorted(declared), *kernels,
+def kernel_of(text: str, target: Target) -> Kernel:
+    """The shader that spirv-dis printed. Unsupported if it has what has no translation."""
+    lines = [line for line in text.splitlines() if line and not line.startswith(";")]
+    kernel = Kernel(target)
+    kernel.find_tables(lines)
+    for line in lines:
+        kernel.take(line)
+    kernel.finish()
+    return kernel
+
+
+class Kernels:
+    """Shaders, translated once for each target."""
+
+    def __init__(self, texts: Mapping[str, str]):
+        self.texts, self.lock = texts, threading.Lock()
+        self.found: dict[Target, dict[str, Kernel | Unsupported]] = {}
+
+    def of(self, target: Target) -> dict[str, Kernel | Unsupported]:
+        def one(text: str) -> Kernel | Unsupported:
+            try:
+                return kernel_of(text, target)
+            except Unsupported as why:
+                return why
+
+        with self.lock:
+            if target not in self.found:
+                self.found[target] = {id: one(text) for id, text in self.texts.items()}
+            return self.found[target]
+
+
+def module(kernels: Mapping[str, Kernel], target: Target) -> str:
+    """LLVM's text of kernels, by the names that they get."""
+    declared = sorted(set().union(*(kernel.declared for kernel in kernels.values())))
+    notes = [target.annotation.format(name=name, number=number) for number, name in enumerate(kernels)]
+    listed = f"!nvvm.annotations = !{{{', '.join(f'!{number}' for number in range(len(notes)))}}}"
+    text = "\n".join([target.head, target.declarations, *declared,
+                      *(kernel.definition.replace(NAME, f"@{name}", 1) for name, kernel in kernels.items()),
                       *([listed, *notes] if target.annotation else []), target.tail])
     first, *others = text.split(LOOP)
     loops = [(f"!{number}", part) for number, part in enumerate(others, WRITTEN_OUT + 1)]
     return "".join([first, *(f", !llvm.loop {loop}{part}" for loop, part in loops),
                     *(f"\n{loop} = distinct !{{{loop}, !{WRITTEN_OUT}}}" for loop, _ in loops),
-                    f'\n!{WRITTEN_OUT} = !{{!"llvm.loop.unroll.full"}}\n']), problems
+                    f'\n!{WRITTEN_OUT} = !{{!"llvm.loop.unroll.full"}}\n'])
 
 
-def disassembled(file: str) -> str:
+def disassembled(file: Path) -> str:
     """The text of a SPIR-V file."""
     return subprocess.run(["spirv-dis", "--raw-id", "--no-indent", "--no-header", "--no-color", file], text=True,
                           stdout=subprocess.PIPE, check=True).stdout
