@@ -42,8 +42,8 @@ ADRENO = Vendor("Adreno", "freedreno", "freedreno", "Instruction Count", "instru
                 ("STP Count", "LDP Count"))
 APPLE = Vendor("Apple", "asahi", "asahi", "ALU", "cycles", "Instructions", ("FSCIB", "IC", "Loops"), "GPRs",
                ("Spills", "Fills"))
-# The kinds are the units that run instructions: of FP 128 lanes a cycle of a multiprocessor, of the ALU (integers,
-# comparisons, minima) and of IMAD 64, from Ampere to Hopper; of XU (roots, powers, conversions) 16.
+# The kinds are the units that run instructions. From Ampere to Hopper a multiprocessor has 128 lanes for FP, 64 for the
+# ALU (integers, comparisons, minima) and for IMAD, and fewer for XU (roots, powers, floors, conversions).
 PTXAS = Vendor("NVIDIA", "ptxas", "", "Issue slots", "issue slots", "Issue slots",
                ("FP", "ALU", "IMAD", "XU", "moves", "uniform", "memory", "branches", "Loops"), "Registers",
                ("Spilled bytes",), llvm.NVPTX)

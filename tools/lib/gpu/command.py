@@ -1,14 +1,14 @@
 """Measures what noise costs on GPUs that are not here, by their own compilers.
 
-    tools/gpu-costs --get-drivers [--drivers DIR]      downloads them, some 70 MB of Debian's packages, into DIR
+    tools/gpu-costs --get-drivers [--drivers DIR]      downloads them, some 460 MB of Debian's and PyPI's, into DIR
     tools/gpu-costs [--chip NAME]... [--filter GLOB]... [--against NAME=FILE:EXPRESSION]... [--out DIR]
     tools/gpu-costs --wombat Wombat/ --filter '*.perlin.*' --baseline docs/results/gpu/costs.csv
     tools/gpu-costs --compare docs/results/gpu/costs-0.3.0.csv docs/results/gpu/costs.csv
     tools/gpu-costs --list-chips
 
-Mesa's drivers for NVIDIA, AMD, Adreno and Apple compile shaders without a GPU, for a stand-in of the kernel. Of each
-shader, which is one call in a fragment shader, less the empty shader, they tell cycles or instructions, registers and
-spills. The default is every function with each arithmetic, on every chip, and what an operation costs; with --filter
+Mesa's drivers for NVIDIA, AMD, Adreno and Apple compile shaders without a GPU, for a stand-in of the kernel. NVIDIA's
+ptxas and Intel's IGC need none; they get the same shaders by way of LLVM. Of each shader, which is one call in a
+fragment shader, less the empty shader, the record has cycles or instructions, registers and spills. The default is every function with each arithmetic, on every chip, and what an operation costs; with --filter
 the operations are left out. It needs hn-conform on the PATH or built (tools/bench builds it). DIR gets costs.csv,
 operations.csv and chips.csv; docs/results/gpu has such files, of which tools/readme makes tables. docs/measuring.md
 explains them. --compare measures nothing: it prints a table of how many times each noise costs in the second record

@@ -37,6 +37,10 @@ def compile_all(found: Drivers, chip: Chip, kernels: llvm.Kernels, done: Callabl
     """One result for each shader, in order. A batch that is refused is tried again in halves."""
     translated = kernels.of(chip.vendor.target)
     compiler = COMPILERS[chip.vendor.driver](found, chip)
+    try:
+        device = compiler.device()
+    except Failed as why:
+        raise Missing(str(why)) from why
 
     def compiled(ids: Sequence[str]) -> dict[str, Compiled]:
         names = {f"k{number}": id for number, id in enumerate(ids)}
@@ -57,7 +61,7 @@ def compile_all(found: Drivers, chip: Chip, kernels: llvm.Kernels, done: Callabl
         for _ in batch:
             done()
     results |= {id: Compiled({}, math.nan, str(kernel)) for id, kernel in translated.items() if id not in results}
-    return compiler.device(), [results[id] for id in translated]
+    return device, [results[id] for id in translated]
 
 
 class Compiler:
@@ -138,6 +142,7 @@ class Igc(Compiler):
         return counts_of_asm(said, self.chip.lanes)
 
     def device(self) -> Device:
+        self.found.program("ocloc")
         return Device(self.chip.variable, f"IGC {self.found.version('libigc')}, LLVM {self.found.version('libllvm')}")
 
 
