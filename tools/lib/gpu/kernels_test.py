@@ -15,12 +15,12 @@ from pathlib import Path
 from unittest import mock
 
 import debian
+import glslang
 from debian import Missing
 from gpu import command, drivers, kernels, llvm, record
 from gpu.chips import CHIPS, chip_named
 from gpu.compiling import Device
 from thorough import in_thorough_runs
-from tree import hn_conform
 from twin import compile_program
 
 # A shader as spirv-dis prints it: with a table, a loop, a minimum, and a product that must not be contracted.
@@ -286,25 +286,66 @@ class Getting(unittest.TestCase):
 HOST = dataclasses.replace(
     llvm.SPIR, head='target triple = "x86_64-pc-linux-gnu"', kernel="", index=("  %index = add i64 0, 0",),
     declarations="", attributes="", tail="", constants=0,
-    functions={"OpFDiv": "divided", "Sqrt": "sqrtf", "Sin": "sinf", "Cos": "cosf", "Exp2": "exp2f", "Log2": "log2f"})
+    functions={"OpFDiv": "divided", "Sqrt": "sqrtf", "InverseSqrt": "inverse_root", "Sin": "sinf", "Cos": "cosf", "Exp2": "exp2f", "Log2": "log2f"})
 CALLS = {"noise2d.perlin.lattice": "hn_perlin(vec2(x, y))", "noise3d.simplex.lattice": "hn_simplex(vec3(x, y, z))",
          "noise2d.cellular.lattice": "hn_cellular(vec2(x, y)).x + hn_cellular(vec2(x, y)).y",
          "fbm.fbm3.lattice": "hn_fbm(vec3(x, y, z), 6, 2.0f, 0.5f)"}
-PROGRAM = """#include <cmath>
+# In GLSL, with a position p, and in C++.
+EXPRESSIONS = {
+    "mix(p.x, p.y, 0.25)": "x + (y - x) * 0.25f",
+    "step(p.x, p.y) + 2.0 * step(p.y, p.x)": "(y >= x ? 1 : 0) + (x >= y ? 2 : 0)",
+    "clamp(p.z, -0.5, 0.7)": "std::clamp(z, -0.5f, 0.7f)",
+    "float(clamp(int(p.z), -1, 1)) + float(clamp(uint(p.z * p.z), 1u, 3u))":
+        "std::clamp(int(z), -1, 1) + std::clamp(int(z * z), 1, 3)",
+    "smoothstep(-4.0, 5.0, p.x)": "[](float t) { return t * t * (3 - 2 * t); }(std::clamp((x + 4) / 9, 0.0f, 1.0f))",
+    "sign(p.y) + 4.0 * sign(p.z)": "(y < 0 ? -1 : 1) + (z < 0 ? -4 : 4)",
+    "mod(p.y, 1.7)": "y - 1.7f * std::floor(y / 1.7f)",
+    "dot(p, p.zyx)": "2 * x * z + y * y",
+    "length(p)": "std::sqrt(x * x + y * y + z * z)",
+    "normalize(p).y": "y / std::sqrt(x * x + y * y + z * z)",
+    "inversesqrt(p.z * p.z + 1.0)": "1 / std::sqrt(z * z + 1)",
+    "(mat2(p.x, p.y, p.z, 1.0) * p.yz).x": "x * y + z * z",
+    "(p.yz * mat2(p.x, p.y, p.z, 1.0)).x": "y * x + z * y",
+    "float(abs(int(p.y * 10.0)))": "std::abs(int(y * 10))",
+    "any(lessThan(p, vec3(0.0))) ? 1.0 : 2.0": "x < 0 || y < 0 || z < 0 ? 1 : 2",
+    "all(lessThan(p, vec3(0.0))) ? 1.0 : 2.0": "x < 0 && y < 0 && z < 0 ? 1 : 2",
+    "p[uint(p.x * p.x) % 3u]": "uint(x * x) % 3 == 0 ? x : uint(x * x) % 3 == 1 ? y : z",
+    "float(~int(p.z)) + float(int(p.x * 9.0) / 4)": "~int(z) + int(x * 9) / 4",
+    "fract(p.y) + trunc(p.y) + ceil(p.x)": "y - std::floor(y) + std::trunc(y) + std::ceil(x)",
+    "sin(p.x) + cos(p.y)": "std::sin(x) + std::cos(y)",
+    "exp2(p.x) + log2(p.z * p.z + 1.0)": "std::exp2(x) + std::log2(z * z + 1)",
+    "pow(p.x * p.x + 1.0, p.z) + exp(p.x) + log(p.y * p.y + 1.0)":
+        "std::pow(x * x + 1, z) + std::exp(x) + std::log(y * y + 1)",
+    "vec4(p.xy, p.yz).w - p.zxy.xxy.y": "0.0f",
+    "!(p.x < p.y) && p.z > 0.0 ? 1.0 : 0.0": "!(x < y) && z > 0 ? 1 : 0",
+    "max(p.x, p.y) - min(p.y, p.z)": "std::max(x, y) - std::min(y, z)",
+    "fma(p.x, p.y, p.z)": "std::fma(x, y, z)",
+    "uintBitsToFloat(floatBitsToUint(p.x) ^ 0x80000000u)": "-x",
+}
+EXPRESSION = """#version 450
+layout(location = 0) in vec3 p;
+layout(location = 0) out float result;
+void main() {{ result = {}; }}
+"""
+PROGRAM = """#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <hashnoise/hashnoise.hpp>
 using namespace hashnoise;
 extern "C" float divided(float a, float b) {{ return a / b; }}
+extern "C" float inverse_root(float a) {{ return 1 / std::sqrt(a); }}
 {declarations}
 int main() {{
-  int wrong = 0;
   static float place[{size}], made[{size}];
+  auto check = [](void (*kernel)(const float*, float*), float wanted, const char* what) {{
+    kernel(place, made);
+    if (std::abs(made[0] - wanted) > 1e-5f * (1 + std::abs(wanted))) std::printf("%s\\n", what);
+  }};
   for (float x = -7.3f; x < 7.0f; x += 0.61f) {{
     const float y = 3.1f - x * 1.7f, z = x * 0.3f;
     place[0] = x, place[{stride}] = y, place[2 * {stride}] = z;
     {checks}
   }}
-  return wrong != 0;
 }}
 """
 
@@ -320,18 +361,16 @@ class Real(unittest.TestCase):
         except Missing as why:
             self.skipTest(str(why))
         self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
-        subprocess.run([hn_conform(), "spirv", "--out", self.folder, *(word for id in CALLS for word in ("--filter", id))],
+
+    def calls(self) -> dict[str, Path]:
+        subprocess.run([command.program(), "spirv", "--out", self.folder, *(word for id in CALLS for word in ("--filter", id))],
                        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=True)
-        self.files = {id: self.folder / "spirv" / f"{id}.spv" for id in CALLS}
+        return {id: self.folder / "spirv" / f"{id}.spv" for id in CALLS}
 
-    def test_a_translated_shader_computes_what_the_twin_does(self):
-        self.assertEqual(self.compared(CALLS), 0)
-        self.assertEqual(self.compared({id: f"0.01f + {call}" for id, call in CALLS.items()}), 1)
-
-    def compared(self, calls: dict[str, str]) -> int:
-        """The exit status of a program that calls both."""
-        shaders = kernels.translated(self.files).of(HOST)
-        names = {id: f"k{number}" for number, id in enumerate(calls)}
+    def wrong(self, files: dict[str, Path], wanted: dict[str, str]) -> set[str]:
+        """Those whose shader computes another number on this processor than the C++ that is wanted."""
+        shaders = kernels.translated(files).of(HOST)
+        names = {id: f"k{number}" for number, id in enumerate(files)}
         text, made, machine = (self.folder / name for name in ("host.ll", "host.bc", "host.o"))
         text.write_text(llvm.module({name: shaders[id] for id, name in names.items()}, HOST))
         subprocess.run([*self.found.program("opt"), "-O3", text, "-o", made], check=True)
@@ -341,15 +380,28 @@ class Real(unittest.TestCase):
         source.write_text(PROGRAM.format(
             size=4 * llvm.STRIDE, stride=llvm.STRIDE,
             declarations="\n".join(f'extern "C" void {name}(const float*, float*);' for name in names.values()),
-            checks="\n    ".join(f"{names[id]}(place, made);\n    wrong += std::abs(made[0] - (0.5f + 0.5f * ({call}))) > 1e-5f;"
-                                 for id, call in calls.items())))
+            checks="\n    ".join(f'check({name}, {wanted[id]}, "{id}");' for id, name in names.items())))
         compile_program("the comparison", source, program, str(machine))
-        return subprocess.run([program], check=False).returncode
+        return set(subprocess.run([program], check=True, stdout=subprocess.PIPE, text=True).stdout.splitlines())
+
+    def test_a_translated_shader_computes_what_the_twin_does(self):
+        files = self.calls()
+        self.assertEqual(self.wrong(files, {id: f"0.5f + 0.5f * ({call})" for id, call in CALLS.items()}), set())
+        self.assertEqual(self.wrong(files, {id: f"0.51f + 0.5f * ({call})" for id, call in CALLS.items()}), set(CALLS))
+
+    def test_what_glsl_has_means_what_it_means_there(self):
+        files = {}
+        for number, glsl in enumerate(EXPRESSIONS):
+            files[glsl] = self.folder / f"{number}.spv"
+            done = glslang.compiled(EXPRESSION.format(glsl), "-V", "-o", str(files[glsl]))
+            self.assertEqual(done.returncode, 0, done.stdout)
+        self.assertEqual(self.wrong(files, EXPRESSIONS), set())
 
     def test_units_sum_up_to_what_is_counted(self):
+        files = self.calls()
         for chip in (chip for chip in CHIPS if chip.vendor.target):
-            _, results = kernels.compile_all(self.found, chip, kernels.translated(self.files))
-            for id, result in zip(self.files, results):
+            _, results = kernels.compile_all(self.found, chip, kernels.translated(files))
+            for id, result in zip(files, results):
                 with self.subTest(chip=chip.name, id=id):
                     units = sum(result.statistics.get(kind, 0) for kind in chip.vendor.kinds if kind != "Loops")
                     self.assertEqual(units, result.statistics[chip.vendor.cost])

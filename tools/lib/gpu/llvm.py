@@ -517,6 +517,8 @@ class Kernel:
         elif name == "SAbs":
             negative = self.emit(f"sub {text} zeroinitializer, {values[0]}")
             self.set(id, type, self.call("llvm.smax", type, [values[0], negative]))
+        elif name in ("Exp", "Log", "Pow"):
+            self.set(id, type, self._power(name, type, *values))
         elif name == "Length":
             self.set(id, type, self.each(self.target.functions["Sqrt"], type,
                                          [self._sum_of_products(arguments[0], arguments[0])]))
@@ -539,21 +541,27 @@ class Kernel:
         above = self.emit(f"fcmp oge {self.type(type)} {x}, {edge}")
         return f"uitofp {self._like(type, 'i1')} {above} to {self.type(type)}"
 
+    def _power(self, name: str, type: str, x: str, exponent: str = "") -> str:
+        """By powers and logarithms of 2, which GPUs have."""
+        if name != "Exp":
+            x = self.emit(self.each(self.target.functions["Log2"], type, (x,)))
+        factor = exponent or self._filled(type, math.log2(math.e) if name == "Exp" else math.log(2.0))
+        product = f"fmul contract {self.type(type)} {x}, {factor}"
+        return product if name == "Log" else self.each(self.target.functions["Exp2"], type, (self.emit(product),))
+
+    def _filled(self, type: str, number: float) -> str:
+        found, one = self.types[type], float_constant(str(number))
+        return f"<{', '.join([f'float {one}'] * found.count)}>" if found.kind == "vector" else one
+
     def _smooth_step(self, id: str, type: str, low: str, high: str, x: str) -> None:
         text = self.type(type)
-
-        def constant(number: float) -> str:
-            found = self.types[type]
-            one = float_constant(str(number))
-            return f"<{', '.join([f'float {one}'] * found.count)}>" if found.kind == "vector" else one
-
         span, offset = (self.emit(f"fsub contract {text} {side}, {low}") for side in (high, x))
         ratio = self.emit(self._divided(type, offset, span))
-        ratio = self.emit(self.call("llvm.maxnum", type, [ratio, constant(0.0)]))
-        ratio = self.emit(self.call("llvm.minnum", type, [ratio, constant(1.0)]))
+        ratio = self.emit(self.call("llvm.maxnum", type, [ratio, self._filled(type, 0.0)]))
+        ratio = self.emit(self.call("llvm.minnum", type, [ratio, self._filled(type, 1.0)]))
         square = self.emit(f"fmul contract {text} {ratio}, {ratio}")
-        twice = self.emit(f"fmul contract {text} {ratio}, {constant(2.0)}")
-        left = self.emit(f"fsub contract {text} {constant(3.0)}, {twice}")
+        twice = self.emit(f"fmul contract {text} {ratio}, {self._filled(type, 2.0)}")
+        left = self.emit(f"fsub contract {text} {self._filled(type, 3.0)}, {twice}")
         self.set(id, type, f"fmul contract {text} {square}, {left}")
 
     def finish(self) -> None:
