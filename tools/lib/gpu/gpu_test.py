@@ -200,8 +200,10 @@ class Pages(unittest.TestCase):
         theirs = next(f"{subject(call)}2" for call in CALLS if call.peer == "fastnoiselite")
         rows[theirs, "adreno740"] = rows[theirs, "adreno740"]._replace(kinds="cat0 3, Loops 2")
         rows[theirs, "m1"] = rows[theirs, "m1"]._replace(cost="", problem="crashed")
+        rows[theirs, "acm"] = rows[theirs, "acm"]._replace(kinds="floats 3, memory 2")
         line = pages.chip_table(rows).splitlines()[2]
-        self.assertEqual(line.count("F 9*"), 3)
+        self.assertEqual(line.count("F 9*,"), 3)
+        self.assertEqual(line.count("F 9+,"), 1)
         self.assertEqual(line.count("F fails"), 1)
 
     def test_prices_that_are_alike_are_one(self):

@@ -23,6 +23,7 @@ LETTERS = {"fastnoiselite": "F", "wombat": "W", "materialx": "M", "webgl-noise":
 SUMS = "octaves"  # in the names of noises: those have loops
 SHOWN_CALLS = (*(call for call in CALLS if SUMS not in call.noise), *stripes.CALLS)
 LOOPS = re.compile(r"\bLoops [1-9]")  # in the kinds of a row
+TABLES = re.compile(r"\bmemory [1-9]")  # the same, where instructions are counted, and waits are not
 WITNESS = "adreno740"  # of loops, for compilers that do not tell whether they left one
 
 
@@ -35,7 +36,8 @@ def operation_costs() -> list[dict[str, str]]:
 
 
 def chip_table(rows: Mapping[tuple[str, str], Row]) -> str:
-    """Ours with floats and with integers, then each peer; with a * where the shader has a loop."""
+    """Ours with floats and with integers, then each peer; with a * where the shader has a loop, and a + where a wait for
+    memory is not counted."""
     lines, chips = [], comparing.shown(rows)
     for noise in dict.fromkeys(call.noise for call in SHOWN_CALLS):
         calls = [call for call in SHOWN_CALLS if call.noise == noise]
@@ -90,4 +92,5 @@ def _cost(rows: Mapping[tuple[str, str], Row], id: str, chip: str) -> str:
     if row.problem:
         return "fails"
     told = row if "Loops" in chip_named(chip).vendor.kinds else rows[id, WITNESS]
-    return f"{row.cost}*" if LOOPS.search(told.kinds) else row.cost
+    waits = chip_named(chip).vendor.target and TABLES.search(row.kinds)
+    return row.cost + "*" * bool(LOOPS.search(told.kinds)) + "+" * bool(waits)
