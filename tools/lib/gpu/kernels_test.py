@@ -311,6 +311,10 @@ EXPRESSIONS = {
     "all(lessThan(p, vec3(0.0))) ? 1.0 : 2.0": "x < 0 && y < 0 && z < 0 ? 1 : 2",
     "p[uint(p.x * p.x) % 3u]": "uint(x * x) % 3 == 0 ? x : uint(x * x) % 3 == 1 ? y : z",
     "float(~int(p.z)) + float(int(p.x * 9.0) / 4)": "~int(z) + int(x * 9) / 4",
+    "float(int(p.x * 9.0) % 4) + float((ivec2(p.xy * 7.0) % ivec2(5, 3)).y)":
+        "(int(x * 9) % 4 + 4) % 4 + (int(y * 7) % 3 + 3) % 3",
+    "float(1u << (uint(p.x * p.x) & 3u)) + float(40 >> uint(p.z * p.z))":
+        "float(1u << (uint(x * x) & 3u)) + float(40 >> uint(z * z))",
     "fract(p.y) + trunc(p.y) + ceil(p.x)": "y - std::floor(y) + std::trunc(y) + std::ceil(x)",
     "sin(p.x) + cos(p.y)": "std::sin(x) + std::cos(y)",
     "exp2(p.x) + log2(p.z * p.z + 1.0)": "std::exp2(x) + std::log2(z * z + 1)",

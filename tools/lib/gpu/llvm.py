@@ -54,10 +54,10 @@ class Type(NamedTuple):
 
 BINARY = {
     "OpIAdd": "add", "OpISub": "sub", "OpIMul": "mul", "OpUDiv": "udiv", "OpSDiv": "sdiv", "OpUMod": "urem",
-    "OpSRem": "srem", "OpBitwiseAnd": "and", "OpBitwiseOr": "or", "OpBitwiseXor": "xor", "OpShiftLeftLogical": "shl",
-    "OpShiftRightLogical": "lshr", "OpShiftRightArithmetic": "ashr", "OpLogicalAnd": "and", "OpLogicalOr": "or",
-    "OpLogicalNotEqual": "xor",
+    "OpSRem": "srem", "OpBitwiseAnd": "and", "OpBitwiseOr": "or", "OpBitwiseXor": "xor", "OpLogicalAnd": "and",
+    "OpLogicalOr": "or", "OpLogicalNotEqual": "xor",
 }
+SHIFTS = {"OpShiftLeftLogical": "shl", "OpShiftRightLogical": "lshr", "OpShiftRightArithmetic": "ashr"}
 FLOATS = {"OpFAdd": "fadd", "OpFSub": "fsub", "OpFMul": "fmul"}
 COMPARISONS = {
     "OpIEqual": "icmp eq", "OpINotEqual": "icmp ne", "OpULessThan": "icmp ult", "OpULessThanEqual": "icmp ule",
@@ -194,6 +194,12 @@ class Kernel:
         elif op in BINARY:
             type, left, right = words
             self.set(result, type, f"{BINARY[op]} {self.type(type)} {self.value(left)}, {self.value(right)}")
+        elif op in SHIFTS:
+            type, left, right = words
+            count = self.value(right)
+            if right not in self.constants:  # LLVM would leave out what depends on a shift by more
+                count = self.emit(f"and {self.type(type)} {count}, {self._filled(type, 31)}")
+            self.set(result, type, f"{SHIFTS[op]} {self.type(type)} {self.value(left)}, {count}")
         elif op in FLOATS:
             type, left, right = words
             self.set(result, type, self.arithmetic(result, op, type, self.value(left), self.value(right)))
@@ -202,7 +208,9 @@ class Kernel:
             self.set(result, type, f"{COMPARISONS[op]} {self.both(left)}, {self.value(right)}")
         elif op in CONVERSIONS:
             type, source = words
-            self.set(result, type, f"{CONVERSIONS[op]} {self.both(source)} to {self.type(type)}")
+            text = f"{CONVERSIONS[op]} {self.both(source)} to {self.type(type)}"
+            # The same holds for a number that does not fit.
+            self.set(result, type, text if "tofp" in text else f"freeze {self.type(type)} {self.emit(text)}")
         else:
             raise Unsupported(f"{op} has no translation")
 
@@ -351,13 +359,8 @@ class Kernel:
     def OpSNegate(self, id: str, type: str, value: str) -> None:
         self.set(id, type, f"sub {self.type(type)} zeroinitializer, {self.value(value)}")
 
-    def _ones(self, type: str) -> str:
-        found = self.types[type]
-        part = self.type(found.part) if found.kind == "vector" else ""
-        return f"<{', '.join([f'{part} -1'] * found.count)}>" if part else "-1"
-
     def OpNot(self, id: str, type: str, value: str) -> None:
-        self.set(id, type, f"xor {self.both(value)}, {self._ones(type)}")
+        self.set(id, type, f"xor {self.both(value)}, {self._filled(type, -1)}")
 
     OpLogicalNot = OpNot
 
@@ -374,6 +377,15 @@ class Kernel:
         text, x, y = self.type(type), self.value(left), self.value(right)
         whole = self.emit(self.call("llvm.floor", type, [self.emit(self._divided(type, x, y))]))
         self.set(id, type, f"fsub contract {text} {x}, {self.emit(f'fmul contract {text} {whole}, {y}')}")
+
+    def OpSMod(self, id: str, type: str, left: str, right: str) -> None:
+        text, y = self.type(type), self.value(right)
+        rest = self.emit(f"srem {text} {self.value(left)}, {y}")
+        bits = self._like(type, "i1")
+        other = self.emit(f"icmp slt {text} {self.emit(f'xor {text} {rest}, {y}')}, zeroinitializer")
+        some = self.emit(f"icmp ne {text} {rest}, zeroinitializer")
+        both = self.emit(f"and {bits} {other}, {some}")
+        self.set(id, type, f"select {bits} {both}, {text} {self.emit(f'add {text} {rest}, {y}')}, {text} {rest}")
 
     def _sum_of_products(self, left: str, right: str) -> str:
         """The dot product, of values of one type: the name of a float."""
@@ -397,10 +409,7 @@ class Kernel:
                             f"<{self.types[type].count} x i32> zeroinitializer")
             product = self.emit(f"fmul contract {self.type(type)} {column}, {all}")
             total = self.emit(f"fadd contract {self.type(type)} {total}, {product}") if total else product
-        self.set(id, type, f"fadd contract {self.type(type)} {total}, {self._zeros(type)}")
-
-    def _zeros(self, type: str) -> str:
-        return f"<{', '.join(['float -0.0'] * self.types[type].count)}>"
+        self.set(id, type, f"fadd contract {self.type(type)} {total}, {self._filled(type, -0.0)}")
 
     def OpVectorTimesMatrix(self, id: str, type: str, vector: str, matrix: str) -> None:
         found, made = self.types[self.typed[matrix]], "undef"
@@ -550,8 +559,10 @@ class Kernel:
         return product if name == "Log" else self.each(self.target.functions["Exp2"], type, (self.emit(product),))
 
     def _filled(self, type: str, number: float) -> str:
-        found, one = self.types[type], float_constant(str(number))
-        return f"<{', '.join([f'float {one}'] * found.count)}>" if found.kind == "vector" else one
+        found = self.types[type]
+        part = self.type(found.part) if found.kind == "vector" else found.text
+        one = float_constant(str(number)) if part == "float" else str(number)
+        return f"<{', '.join([f'{part} {one}'] * found.count)}>" if found.kind == "vector" else one
 
     def _smooth_step(self, id: str, type: str, low: str, high: str, x: str) -> None:
         text = self.type(type)
