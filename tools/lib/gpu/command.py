@@ -140,7 +140,7 @@ def run(options: argparse.Namespace) -> int:
         devices, shaders, skipped = measure(chips, found, hn_conform, files)
     chips = [chip for chip in chips if chip.name in devices]
     rows = [record.row(id, chip, shaders[chip.name][id], shaders[chip.name][f"empty{axes}"])
-            for id, axes in dimensions.items() if not id.startswith(("operation-", "empty")) for chip in chips]
+            for id, axes in dimensions.items() if not operations.is_operation(id) and not id.startswith("empty") for chip in chips]
     for name, content in ((record.COSTS, [found._asdict() for found in rows]),
                           (record.DEVICES, [{"chip": chip.name, "title": chip.title, "device": devices[chip.name].name,
                                              "driver": devices[chip.name].driver, "cost": chip.vendor.cost}

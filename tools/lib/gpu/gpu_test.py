@@ -158,6 +158,9 @@ class Records(unittest.TestCase):
         rows = record.prices(AMPERE, shaders)
         self.assertEqual(rows[0], {"operation": name, "chip": "ampere", "alone": "3.00", "beside": ""})
         self.assertEqual({(row["alone"], row["beside"]) for row in rows[1:]}, {("3.00", "3.00")})
+        slots = {id: Compiled({"Issue slots": 50 + int(id.split("-")[3]), "Registers": 9}, 0.0) for id in shaders}
+        self.assertEqual(record.prices(chip_named("sm90"), slots)[0],
+                         {"operation": name, "chip": "sm90", "alone": "1.00", "beside": "1.00"})
 
     def test_what_became_dearer_is_told(self):
         def rows(**costs: str) -> list[record.Row]:

@@ -61,7 +61,9 @@ def prices(chip: Chip, shaders: Mapping[str, Compiled]) -> list[dict[str, str]]:
             pair = [shaders[subject(operation, chains, length)] for length in LENGTHS]
             bad = any(one.problem or lacks(one.statistics, chip.vendor) for one in pair)
             cells.append("" if bad else f"{price(*(one.statistics[chip.vendor.cost] for one in pair), chains):.2f}")
-        rows.append({"operation": operation.name, "chip": chip.name, "alone": cells[0], "beside": cells[1]})
+        # Instructions that are counted do not wait for each other.
+        rows.append({"operation": operation.name, "chip": chip.name, "alone": cells[0],
+                     "beside": cells[0 if chip.vendor.target else 1]})
     return rows
 
 
