@@ -8,11 +8,12 @@
 
 Mesa's drivers for NVIDIA, AMD, Adreno and Apple compile shaders without a GPU, for a stand-in of the kernel. NVIDIA's
 ptxas and Intel's IGC need none; they get the same shaders by way of LLVM. Of each shader, which is one call in a
-fragment shader, less the empty shader, the record has cycles or instructions, registers and spills. The default is every function with each arithmetic, on every chip, and what an operation costs; with --filter
-the operations are left out. It needs hn-conform on the PATH or built (tools/bench builds it). DIR gets costs.csv,
-operations.csv and chips.csv; docs/results/gpu has such files, of which tools/readme makes tables. docs/measuring.md
-explains them. --compare measures nothing: it prints a table of how many times each noise costs in the second record
-what it did in the first, on a chip of each vendor.
+fragment shader, less the empty shader, the record has cycles or instructions, registers and spills. The default is
+every function with each arithmetic, on every chip, and what an operation costs; with --filter the operations are left
+out. It needs hn-conform on the PATH or built (tools/bench builds it), and spirv-dis. DIR gets costs.csv, operations.csv
+and chips.csv; docs/results/gpu has such files, of which tools/readme makes tables. docs/measuring.md explains them.
+--compare measures nothing: it prints a table of how many times each noise costs in the second record what it did in the
+first, on a chip of each compiler.
 
 Exit status: 0 done, 1 something became dearer than in the baseline, 2 bad usage, 3 there are no drivers for a chip, and
 why; 4 the drivers could not be had; 130 it was interrupted.
@@ -140,7 +141,8 @@ def run(options: argparse.Namespace) -> int:
         devices, shaders, skipped = measure(chips, found, hn_conform, files)
     chips = [chip for chip in chips if chip.name in devices]
     rows = [record.row(id, chip, shaders[chip.name][id], shaders[chip.name][f"empty{axes}"])
-            for id, axes in dimensions.items() if not operations.is_operation(id) and not id.startswith("empty") for chip in chips]
+            for id, axes in dimensions.items() if not operations.is_operation(id) and not id.startswith("empty")
+            for chip in chips]
     for name, content in ((record.COSTS, [found._asdict() for found in rows]),
                           (record.DEVICES, [{"chip": chip.name, "title": chip.title, "device": devices[chip.name].name,
                                              "driver": devices[chip.name].driver, "cost": chip.vendor.cost}

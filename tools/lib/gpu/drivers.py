@@ -81,8 +81,8 @@ class Drivers(debian.Root):
 def find(folder: Path) -> Drivers:
     if found := debian.find(folder, "libvulkan.so.1"):
         return Drivers(*found)
-    raise Missing(f"there are no drivers in {folder.absolute()}; tools/gpu-costs --get-drivers puts them there, {SIZE}, "
-                  "without installing anything")
+    raise Missing(f"there are no drivers in {folder.absolute()}; tools/gpu-costs --get-drivers puts them there, "
+                  f"{SIZE}, without installing anything")
 
 
 def get(folder: Path, mirror: str = debian.MIRROR, suite: str = debian.SUITE) -> None:

@@ -125,7 +125,8 @@ class Ptxas(Compiler):
     def device(self) -> Device:
         said = self.call([self.found.nvidia(self.assembler()), "--version"], Path.cwd())
         version = re.search(r"release [\d.]+, V([\d.]+)", said)
-        return Device(self.chip.variable, f"ptxas {version[1] if version else '?'}, LLVM {self.found.version('libllvm')}")
+        return Device(self.chip.variable,
+                      f"ptxas {version[1] if version else '?'}, LLVM {self.found.version('libllvm')}")
 
 
 class Igc(Compiler):
@@ -142,8 +143,8 @@ class Igc(Compiler):
         spirv = folder / "shaders.spv"
         self.call([*self.found.program("llvm-spirv"), self.optimized(shaders, folder), "-o", spirv], folder)
         said = self.call([*self.found.program("ocloc"), "compile", "-spirv_input", "-file", spirv, "-device",
-                          self.chip.variable, "-output", "shaders", *(["-options", options] if options else [])], folder,
-                         IGC_DumpASMToConsole="1")
+                          self.chip.variable, "-output", "shaders", *(["-options", options] if options else [])],
+                         folder, IGC_DumpASMToConsole="1")
         return counts_of_asm(said, self.chip.lanes)
 
     def device(self) -> Device:

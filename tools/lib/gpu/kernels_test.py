@@ -159,7 +159,8 @@ class Translation(unittest.TestCase):
         self.assertFalse(kernel.has_exact_product)
 
     def test_an_array_that_is_written_twice_is_no_table(self):
-        other = SHADER.replace("OpStore %21 %15\n", "OpStore %21 %15\n%50 = OpAccessChain %17 %21 %18\nOpStore %50 %22\n")
+        other = SHADER.replace("OpStore %21 %15\n",
+                               "OpStore %21 %15\n%50 = OpAccessChain %17 %21 %18\nOpStore %50 %22\n")
         self.assertIn("%v21 = alloca [2 x float]", llvm.kernel_of(other, llvm.NVPTX).definition)
 
     def test_numbers(self):
@@ -198,8 +199,9 @@ class Counting(unittest.TestCase):
         self.assertEqual(kernels.counts_of_asm(ASM, 16)["k1"]["Passes"], 8)
 
     def test_units(self):
-        for instruction, unit in (("FADD.FTZ", "FP"), ("IMAD.MOV.U32", "moves"), ("IMAD.SHL.U32", "IMAD"), ("MUFU.SQRT", "XU"),
-                                  ("F2I.TRUNC.NTZ", "XU"), ("I2FP.F32.S32", "ALU"), ("FMNMX", "ALU"), ("LDC", "memory"),
+        for instruction, unit in (("FADD.FTZ", "FP"), ("IMAD.MOV.U32", "moves"), ("IMAD.SHL.U32", "IMAD"),
+                                  ("MUFU.SQRT", "XU"), ("F2I.TRUNC.NTZ", "XU"), ("I2FP.F32.S32", "ALU"),
+                                  ("FMNMX", "ALU"), ("LDC", "memory"),
                                   ("UIADD3", "uniform"), ("ULDC", "memory"), ("SHF.L.U32", "ALU")):
             self.assertEqual(kernels.pipe(instruction), unit, instruction)
 
@@ -269,10 +271,12 @@ class Compilers(unittest.TestCase):
 
     def test_a_folder_without_them_is_told(self):
         found = stand_in(self.folder)
-        for chip, part in (("sm90", "has no ptxas of NVIDIA"), ("sm120", "has no ptxas-blackwell"), ("acm", "has no program ocloc")):
+        for chip, part in (("sm90", "has no ptxas of NVIDIA"), ("sm120", "has no ptxas-blackwell"),
+                           ("acm", "has no program ocloc")):
             with self.subTest(chip=chip), self.assertRaisesRegex(Missing, part):
                 kernels.compile_all(found, chip_named(chip), llvm.Kernels({"s": SHADER}))
-        with mock.patch("subprocess.run", side_effect=FileNotFoundError), self.assertRaisesRegex(Missing, "spirv-tools"):
+        with mock.patch("subprocess.run", side_effect=FileNotFoundError), \
+                self.assertRaisesRegex(Missing, "spirv-tools"):
             kernels.translated({"s": self.folder})
 
 
@@ -283,7 +287,8 @@ class Getting(unittest.TestCase):
         (folder / "nvidia").rmdir()
         offline = subprocess.CompletedProcess([], 1, "no route to PyPI")
         with mock.patch("subprocess.run", return_value=offline), mock.patch("debian.get") as get, \
-                contextlib.redirect_stderr(io.StringIO()), self.assertRaisesRegex(Missing, "pip cannot download triton.*\nno route to PyPI"):
+                contextlib.redirect_stderr(io.StringIO()), \
+                self.assertRaisesRegex(Missing, "pip cannot download triton.*\nno route to PyPI"):
             drivers.get(folder)
         get.assert_not_called()
         self.assertFalse((folder / "nvidia").exists())
@@ -296,7 +301,8 @@ class Getting(unittest.TestCase):
 HOST = dataclasses.replace(
     llvm.SPIR, head='target triple = "x86_64-pc-linux-gnu"', kernel="", index=("  %index = add i64 0, 0",),
     declarations="", attributes="", tail="", constants=0,
-    functions={"OpFDiv": "divided", "Sqrt": "sqrtf", "InverseSqrt": "inverse_root", "Sin": "sinf", "Cos": "cosf", "Exp2": "exp2f", "Log2": "log2f"})
+    functions={"OpFDiv": "divided", "Sqrt": "sqrtf", "InverseSqrt": "inverse_root", "Sin": "sinf", "Cos": "cosf",
+               "Exp2": "exp2f", "Log2": "log2f"})
 CALLS = {"noise2d.perlin.lattice": "hn_perlin(vec2(x, y))", "noise3d.simplex.lattice": "hn_simplex(vec3(x, y, z))",
          "noise2d.cellular.lattice": "hn_cellular(vec2(x, y)).x + hn_cellular(vec2(x, y)).y",
          "fbm.fbm3.lattice": "hn_fbm(vec3(x, y, z), 6, 2.0f, 0.5f)"}
@@ -377,7 +383,8 @@ class Real(unittest.TestCase):
         self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
 
     def calls(self) -> dict[str, Path]:
-        subprocess.run([command.program(), "spirv", "--out", self.folder, *(word for id in CALLS for word in ("--filter", id))],
+        filters = [word for id in CALLS for word in ("--filter", id)]
+        subprocess.run([command.program(), "spirv", "--out", self.folder, *filters],
                        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=True)
         return {id: self.folder / "spirv" / f"{id}.spv" for id in CALLS}
 
@@ -388,8 +395,8 @@ class Real(unittest.TestCase):
         text, made, machine = (self.folder / name for name in ("host.ll", "host.bc", "host.o"))
         text.write_text(llvm.module({name: shaders[id] for id, name in names.items()}, HOST))
         subprocess.run([*self.found.program("opt"), "-O3", text, "-o", made], check=True)
-        subprocess.run([*self.found.program("llc"), "-mattr=+fma,+sse4.1", "-relocation-model=pic", "-filetype=obj", made,
-                        "-o", machine], check=True)
+        subprocess.run([*self.found.program("llc"), "-mattr=+fma,+sse4.1", "-relocation-model=pic", "-filetype=obj",
+                        made, "-o", machine], check=True)
         source, program = self.folder / "host.cpp", self.folder / "host"
         source.write_text(PROGRAM.format(
             size=4 * llvm.STRIDE, stride=llvm.STRIDE,

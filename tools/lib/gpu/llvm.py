@@ -1,7 +1,7 @@
 """Shaders as LLVM's text, for compilers that take no SPIR-V of Vulkan: NVIDIA's ptxas, and Intel's IGC.
 
-The SPIR-V is what Mesa's drivers are given: a fragment shader without calls, as the optimizer of hn-conform leaves it. It
-becomes a kernel that reads its inputs from memory and writes its result there. An operation of GLSL becomes one of
+The SPIR-V is what Mesa's drivers are given: a fragment shader without calls, as the optimizer of hn-conform leaves it.
+It becomes a kernel that reads its inputs from memory and writes its result there. An operation of GLSL becomes one of
 LLVM, so that a minimum stays a minimum, and what is `precise` is contracted by no compiler.
 """
 
@@ -36,7 +36,7 @@ class Target:
     kernel: str  # what stands between `define` and `void`
     index: tuple[str, ...]  # lines that set %index, an i64
     declarations: str
-    functions: dict[str, str]  # by the names of GLSL.std.450 and of operations; {n} is the number of operands
+    functions: dict[str, str]  # by the names of GLSL.std.450 and of operations
     exact: dict[str, str]  # functions for sums and products that must not be contracted
     constants: int  # the address space of tables
     attributes: str = ""  # of kernels, behind their parameters
@@ -63,11 +63,13 @@ COMPARISONS = {
     "OpIEqual": "icmp eq", "OpINotEqual": "icmp ne", "OpULessThan": "icmp ult", "OpULessThanEqual": "icmp ule",
     "OpUGreaterThan": "icmp ugt", "OpUGreaterThanEqual": "icmp uge", "OpSLessThan": "icmp slt",
     "OpSLessThanEqual": "icmp sle", "OpSGreaterThan": "icmp sgt", "OpSGreaterThanEqual": "icmp sge",
-    "OpLogicalEqual": "icmp eq", "OpFOrdEqual": "fcmp oeq", "OpFOrdNotEqual": "fcmp one", "OpFUnordNotEqual": "fcmp une",
-    "OpFOrdLessThan": "fcmp olt", "OpFOrdLessThanEqual": "fcmp ole", "OpFOrdGreaterThan": "fcmp ogt",
+    "OpLogicalEqual": "icmp eq", "OpFOrdEqual": "fcmp oeq", "OpFOrdNotEqual": "fcmp one",
+    "OpFUnordNotEqual": "fcmp une", "OpFOrdLessThan": "fcmp olt", "OpFOrdLessThanEqual": "fcmp ole", "OpFOrdGreaterThan": "fcmp ogt",
     "OpFOrdGreaterThanEqual": "fcmp oge",
 }
-CONVERSIONS = {"OpConvertFToS": "fptosi", "OpConvertFToU": "fptoui", "OpConvertSToF": "sitofp", "OpConvertUToF": "uitofp"}
+CONVERSIONS = {
+    "OpConvertFToS": "fptosi", "OpConvertFToU": "fptoui", "OpConvertSToF": "sitofp", "OpConvertUToF": "uitofp",
+}
 INTRINSICS = {
     "Floor": "llvm.floor", "Ceil": "llvm.ceil", "Trunc": "llvm.trunc", "FAbs": "llvm.fabs", "Fma": "llvm.fma",
     "FMin": "llvm.minnum", "FMax": "llvm.maxnum", "UMin": "llvm.umin", "UMax": "llvm.umax", "SMin": "llvm.smin",
@@ -92,7 +94,7 @@ class Kernel:
         self.numbers: dict[str, int] = {}  # of constants, for indices
         self.exact: set[str] = set()  # NoContraction
         self.variables: list[tuple[str, str, str, str]] = []  # id, type, storage class, initializer
-        self.tables: dict[str, str] = {}  # variables that only hold a constant array, by its text
+        self.tables: dict[str, str] = {}  # variables that hold a constant alone, and its id
         self.in_tables: set[str] = set()  # pointers into those
         self.labels: set[str] = set()
         self.declared: set[str] = set()
@@ -124,11 +126,23 @@ class Kernel:
         self.typed[id] = type
         self.body.append(f"  %v{id[1:]} = {text}")
 
-    def splat(self, id: str, vector: str) -> str:
-        count = self.types[vector].count
-        one = self.emit(f"insertelement {self.type(vector)} undef, {self.both(id)}, i32 0")
-        return self.emit(f"shufflevector {self.type(vector)} {one}, {self.type(vector)} undef, "
-                         f"<{count} x i32> zeroinitializer")
+    def splat(self, value: str, vector: str) -> str:
+        """A vector of which each component is the float."""
+        return self.emit(self.assembled(vector, [f"float {value}"] * self.types[vector].count))
+
+    def assembled(self, type: str, parts: Sequence[str]) -> str:
+        """A vector, an array or a struct of parts, each with its type. Returns what to set the result to."""
+        text, made = self.type(type), "undef"
+        for place, part in enumerate(parts):
+            line = (f"insertelement {text} {made}, {part}, i32 {place}" if self.types[type].kind == "vector" else
+                    f"insertvalue {text} {made}, {part}, {place}")
+            if place < len(parts) - 1:
+                made = self.emit(line)
+        return line
+
+    def component(self, vector: str, place: int) -> str:
+        """One of a vector, which stands behind its type."""
+        return self.emit(f"extractelement {vector}, i32 {place}")
 
     def call(self, function: str, type: str, arguments: Sequence[str]) -> str:
         """A function of LLVM's, which takes vectors, with the suffix of the type."""
@@ -148,14 +162,11 @@ class Kernel:
         self.declared.add(f"declare float @{function}({', '.join(['float'] * len(arguments))})")
         if found.kind != "vector":
             return f"call float @{function}({', '.join(f'float {argument}' for argument in arguments)})"
-        made = "undef"
-        for index in range(found.count):
-            parts = [self.emit(f"extractelement {found.text} {argument}, i32 {index}") for argument in arguments]
-            one = self.emit(f"call float @{function}({', '.join(f'float {part}' for part in parts)})")
-            text = f"insertelement {found.text} {made}, float {one}, i32 {index}"
-            if index < found.count - 1:
-                made = self.emit(text)
-        return text
+        made = []
+        for place in range(found.count):
+            parts = [f"float {self.component(f'{found.text} {argument}', place)}" for argument in arguments]
+            made.append(f"float {self.emit(f'call float @{function}({{}})'.format(', '.join(parts)))}")
+        return self.assembled(type, made)
 
     def arithmetic(self, id: str, op: str, type: str, left: str, right: str) -> str:
         if id not in self.exact:
@@ -281,9 +292,7 @@ class Kernel:
         if storage not in ("Input", "Output", "Private", "Function"):
             raise Unsupported(f"variables that are {storage} have no translation")
         self.typed[id] = type
-        if id in self.tables and self.types[self.types[type].part].kind == "array":
-            if self.tables[id] not in self.constants:  # it stands further below, which SPIR-V has not
-                raise Unsupported("a table behind its variable has no translation")
+        if self.tables.get(id) in self.constants and self.types[self.types[type].part].kind == "array":
             text = f"{self.both(self.tables[id])}"
             name = f"@table_{hashlib.sha256(text.encode()).hexdigest()[:16]}"
             self.declared.add(f"{name} = private unnamed_addr addrspace({self.target.constants}) constant {text}")
@@ -365,7 +374,8 @@ class Kernel:
     OpLogicalNot = OpNot
 
     def OpVectorTimesScalar(self, id: str, type: str, vector: str, scalar: str) -> None:
-        self.set(id, type, self.arithmetic(id, "OpFMul", type, self.value(vector), self.splat(scalar, type)))
+        self.set(id, type, self.arithmetic(id, "OpFMul", type, self.value(vector),
+                                           self.splat(self.value(scalar), type)))
 
     def OpFDiv(self, id: str, type: str, left: str, right: str) -> None:
         self.set(id, type, self._divided(type, self.value(left), self.value(right)))
@@ -391,7 +401,7 @@ class Kernel:
         """The dot product, of values of one type: the name of a float."""
         vector, total = self.types[self.typed[left]], ""
         for index in range(vector.count):
-            x, y = (self.emit(f"extractelement {self.both(side)}, i32 {index}") for side in (left, right))
+            x, y = (self.component(self.both(side), index) for side in (left, right))
             product = self.emit(f"fmul contract float {x}, {y}")
             total = self.emit(f"fadd contract float {total}, {product}") if total else product
         return total
@@ -403,44 +413,29 @@ class Kernel:
         found, total = self.types[self.typed[matrix]], ""
         for index in range(found.count):
             column = self.emit(f"extractvalue {self.both(matrix)}, {index}")
-            factor = self.emit(f"extractelement {self.both(vector)}, i32 {index}")
-            one = self.emit(f"insertelement {self.type(type)} undef, float {factor}, i32 0")
-            all = self.emit(f"shufflevector {self.type(type)} {one}, {self.type(type)} undef, "
-                            f"<{self.types[type].count} x i32> zeroinitializer")
-            product = self.emit(f"fmul contract {self.type(type)} {column}, {all}")
+            factor = self.splat(self.component(self.both(vector), index), type)
+            product = self.emit(f"fmul contract {self.type(type)} {column}, {factor}")
             total = self.emit(f"fadd contract {self.type(type)} {total}, {product}") if total else product
         self.set(id, type, f"fadd contract {self.type(type)} {total}, {self._filled(type, -0.0)}")
 
     def OpVectorTimesMatrix(self, id: str, type: str, vector: str, matrix: str) -> None:
-        found, made = self.types[self.typed[matrix]], "undef"
+        found, made = self.types[self.typed[matrix]], []
         for index in range(found.count):
-            column = f"%column{id[1:]}_{index}"
-            self.body.append(f"  {column} = extractvalue {self.both(matrix)}, {index}")
-            name = f"%{column[1:]}"
-            self.typed[name], self.constants[name] = found.part, column
-            total = self._sum_of_products(vector, name)
-            text = f"insertelement {self.type(type)} {made}, float {total}, i32 {index}"
-            if index < found.count - 1:
-                made = self.emit(text)
-        self.set(id, type, text)
+            column = f"{matrix} {index}"
+            self._constant(column, found.part, self.emit(f"extractvalue {self.both(matrix)}, {index}"))
+            made.append(f"float {self._sum_of_products(vector, column)}")
+        self.set(id, type, self.assembled(type, made))
 
     def OpCompositeConstruct(self, id: str, type: str, *parts: str) -> None:
-        found, made, place = self.types[type], "undef", 0
         texts = []
         for part in parts:
             inner = self.types[self.typed[part]]
-            if found.kind == "vector" and inner.kind == "vector":
-                for index in range(inner.count):
-                    one = self.emit(f"extractelement {self.both(part)}, i32 {index}")
-                    texts.append(f"{self.type(inner.part)} {one}")
+            if self.types[type].kind == "vector" and inner.kind == "vector":
+                texts += [f"{self.type(inner.part)} {self.component(self.both(part), place)}"
+                          for place in range(inner.count)]
             else:
                 texts.append(self.both(part))
-        for place, text in enumerate(texts):
-            line = (f"insertelement {found.text} {made}, {text}, i32 {place}" if found.kind == "vector" else
-                    f"insertvalue {found.text} {made}, {text}, {place}")
-            if place < len(texts) - 1:
-                made = self.emit(line)
-        self.set(id, type, line)
+        self.set(id, type, self.assembled(type, texts))
 
     def OpCompositeExtract(self, id: str, type: str, composite: str, *indices: str) -> None:
         value, kind = self.value(composite), self.typed[composite]
@@ -469,14 +464,10 @@ class Kernel:
             mask = ", ".join("i32 undef" if place == "0xFFFFFFFF" else f"i32 {place}" for place in places)
             self.set(id, type, f"shufflevector {self.both(left)}, {self.both(right)}, <{len(places)} x i32> <{mask}>")
             return
-        made, part = "undef", self.type(self.types[type].part)  # LLVM shuffles vectors of one length
-        for index, place in enumerate(map(int, places)):
-            source, inner = (left, place) if place < left_count else (right, place - left_count)
-            one = self.emit(f"extractelement {self.both(source)}, i32 {inner}")
-            text = f"insertelement {self.type(type)} {made}, {part} {one}, i32 {index}"
-            if index < len(places) - 1:
-                made = self.emit(text)
-        self.set(id, type, text)
+        part = self.type(self.types[type].part)  # LLVM shuffles vectors of one length
+        sources = [(left, place) if place < left_count else (right, place - left_count) for place in map(int, places)]
+        self.set(id, type, self.assembled(type, [f"{part} {self.component(self.both(source), place)}"
+                                                 for source, place in sources]))
 
     def OpAny(self, id: str, type: str, vector: str) -> None:
         self._joined(id, type, vector, "or")
@@ -485,8 +476,7 @@ class Kernel:
         self._joined(id, type, vector, "and")
 
     def _joined(self, id: str, type: str, vector: str, operation: str) -> None:
-        parts = [self.emit(f"extractelement {self.both(vector)}, i32 {index}")
-                 for index in range(self.types[self.typed[vector]].count)]
+        parts = [self.component(self.both(vector), place) for place in range(self.types[self.typed[vector]].count)]
         while len(parts) > 2:
             parts[:2] = [self.emit(f"{operation} i1 {parts[0]}, {parts[1]}")]
         self.set(id, type, f"{operation} i1 {parts[0]}, {parts[1]}")
@@ -534,9 +524,7 @@ class Kernel:
         elif name == "Normalize":
             root = self.emit(self.each(self.target.functions["InverseSqrt"], self.types[type].part,
                                        [self._sum_of_products(arguments[0], arguments[0])]))
-            one = self.emit(f"insertelement {text} undef, float {root}, i32 0")
-            all = self.emit(f"shufflevector {text} {one}, {text} undef, <{self.types[type].count} x i32> zeroinitializer")
-            self.set(id, type, f"fmul contract {text} {values[0]}, {all}")
+            self.set(id, type, f"fmul contract {text} {values[0]}, {self.splat(root, type)}")
         elif name == "SmoothStep":
             self._smooth_step(id, type, *values)
         else:
@@ -585,31 +573,19 @@ class Kernel:
                 head.append(f"  store {self.type(type)} {self.value(initial)}, ptr {name}")
             if storage not in place:
                 continue
-            lines, pointer = (head, "%in") if storage == "Input" else (tail, "%out")
-            found, made = self.types[type], "undef"
-            part = self.type(found.part) if found.kind == "vector" else found.text
-            if storage == "Output":
-                lines.append(f"  {name}all = load {found.text}, ptr {name}")
+            found = self.types[type]
+            if "float" not in (found.text, self.type(found.part) if found.kind == "vector" else ""):
+                raise Unsupported("inputs and results other than floats have no translation")
+            lines, memory = (head, "%in") if storage == "Input" else (tail, "%out")
             for index in range(found.count or 1):
                 step = f"{name}_{index}"
-                lines.append(f"  {step}i = add i64 %index, {STRIDE * place[storage]}")
-                lines.append(f"  {step}p = getelementptr float, ptr addrspace(1) {pointer}, i64 {step}i")
+                lines += [f"  {step}i = add i64 %index, {STRIDE * place[storage]}",
+                          f"  {step}m = getelementptr float, ptr addrspace(1) {memory}, i64 {step}i",
+                          f"  {step}o = getelementptr float, ptr {name}, i32 {index}"]
+                ends = [f"ptr addrspace(1) {step}m", f"ptr {step}o"]
+                source, target = ends if storage == "Input" else reversed(ends)
+                lines += [f"  {step} = load float, {source}", f"  store float {step}, {target}"]
                 place[storage] += 1
-                if part != "float":
-                    raise Unsupported("inputs and results other than floats have no translation")
-                if storage == "Output":
-                    lines.append(f"  {step} = extractelement {found.text} {name}all, i32 {index}"
-                                 if found.kind == "vector" else f"  {step} = fadd float {name}all, -0.0")
-                    lines.append(f"  store float {step}, ptr addrspace(1) {step}p")
-                    continue
-                lines.append(f"  {step} = load float, ptr addrspace(1) {step}p")
-                if found.kind == "vector":
-                    lines.append(f"  {step}v = insertelement {found.text} {made}, float {step}, i32 {index}")
-                    made = f"{step}v"
-                else:
-                    made = step
-            if storage == "Input":
-                lines.append(f"  store {found.text} {made}, ptr {name}")
         first = next(line for line in self.body if line.endswith(":"))
         body = self.body[1:]  # less the place of the variables
         self.definition = "\n".join([f"define {self.target.kernel}void {NAME}(ptr addrspace(1) noalias %in, "

@@ -15,8 +15,8 @@ from tree import ROOT
 
 RECORD = ROOT / "docs" / "results" / "gpu"
 COSTS_OF_0_3_0 = "costs-0.3.0.csv"
-OF_OPERATIONS = ("ampere", "blackwell", "sm90", "polaris10", "navi21", "navi31", "gfx1201", "adreno630", "adreno740", "m1",
-                 "acm", "bmg")
+OF_OPERATIONS = ("ampere", "blackwell", "sm90", "polaris10", "navi21", "navi31", "gfx1201", "adreno630", "adreno740",
+                 "m1", "acm", "bmg")
 # The letters of the peers in cells.
 LETTERS = {"fastnoiselite": "F", "wombat": "W", "materialx": "M", "webgl-noise": "S", "psrdnoise": "P",
            "terrain-erosion": "E", "phasor-noise": "T", "clay-john": "J"}
@@ -36,8 +36,8 @@ def operation_costs() -> list[dict[str, str]]:
 
 
 def chip_table(rows: Mapping[tuple[str, str], Row]) -> str:
-    """Ours with floats and with integers, then each peer; with a * where the shader has a loop, and a + where a wait for
-    memory is not counted."""
+    """Ours with floats and with integers, then each peer; with a * where the shader has a loop, and a + where a wait
+    for memory is not counted."""
     lines, chips = [], comparing.shown(rows)
     for noise in dict.fromkeys(call.noise for call in SHOWN_CALLS):
         calls = [call for call in SHOWN_CALLS if call.noise == noise]

@@ -43,7 +43,8 @@ def row(id: str, chip: Chip, shader: Compiled, empty: Compiled) -> Row:
     kinds = ", ".join(f"{SURPLUS.sub('', name)} {more(name):g}" for name in vendor.kinds if more(name))
     return Row(id, chip.name, f"{more(vendor.cost):g}", f"{more(vendor.instructions):g}", kinds,
                f"{shader.statistics[vendor.registers]:g}",
-               f"{sum(shader.statistics.get(name, 0) for name in vendor.spills):g}", "" if math.isnan(shader.seconds) else f"{shader.seconds * 1e3:.1f}", "")
+               f"{sum(shader.statistics.get(name, 0) for name in vendor.spills):g}",
+               "" if math.isnan(shader.seconds) else f"{shader.seconds * 1e3:.1f}", "")
 
 
 def lacks(statistics: Mapping[str, float], vendor: Vendor) -> str:
