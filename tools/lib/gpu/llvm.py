@@ -64,8 +64,8 @@ COMPARISONS = {
     "OpUGreaterThan": "icmp ugt", "OpUGreaterThanEqual": "icmp uge", "OpSLessThan": "icmp slt",
     "OpSLessThanEqual": "icmp sle", "OpSGreaterThan": "icmp sgt", "OpSGreaterThanEqual": "icmp sge",
     "OpLogicalEqual": "icmp eq", "OpFOrdEqual": "fcmp oeq", "OpFOrdNotEqual": "fcmp one",
-    "OpFUnordNotEqual": "fcmp une", "OpFOrdLessThan": "fcmp olt", "OpFOrdLessThanEqual": "fcmp ole", "OpFOrdGreaterThan": "fcmp ogt",
-    "OpFOrdGreaterThanEqual": "fcmp oge",
+    "OpFUnordNotEqual": "fcmp une", "OpFOrdLessThan": "fcmp olt", "OpFOrdLessThanEqual": "fcmp ole",
+    "OpFOrdGreaterThan": "fcmp ogt", "OpFOrdGreaterThanEqual": "fcmp oge",
 }
 CONVERSIONS = {
     "OpConvertFToS": "fptosi", "OpConvertFToU": "fptoui", "OpConvertSToF": "sitofp", "OpConvertUToF": "uitofp",
