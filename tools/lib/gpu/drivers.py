@@ -15,7 +15,7 @@ import debian
 from debian import Missing
 from gpu.chips import CHIPS, UNUSED_SHIMS, Chip
 
-LLVM = "22"  # Mesa's own
+LLVM = "22"  # that of today's Mesa; when Debian drops it, name the next for which there is an llvm-spirv
 PACKAGES = ("mesa-vulkan-drivers", "mesa-drm-shim", "libvulkan1", "intel-ocloc", "libigc2", f"llvm-{LLVM}",
             f"llvm-spirv-{LLVM}")
 # The wheel is of Triton, a compiler; it has these programs of CUDA, which are all that is kept.
