@@ -1,6 +1,6 @@
 """Measures what noise costs on GPUs that are not here, by their own compilers.
 
-    tools/gpu-costs --get-drivers [--drivers DIR]      downloads them, some 460 MB of Debian's and PyPI's, into DIR
+    tools/gpu-costs --get-drivers [--drivers DIR]      downloads them, some 410 MB of Debian's and PyPI's, into DIR
     tools/gpu-costs [--chip NAME]... [--filter GLOB]... [--against NAME=FILE:EXPRESSION]... [--out DIR]
     tools/gpu-costs --wombat Wombat/ --filter '*.perlin.*' --baseline docs/results/gpu/costs.csv
     tools/gpu-costs --compare docs/results/gpu/costs-0.3.0.csv docs/results/gpu/costs.csv

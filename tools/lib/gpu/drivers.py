@@ -21,7 +21,7 @@ PACKAGES = ("mesa-vulkan-drivers", "mesa-drm-shim", "libvulkan1", "intel-ocloc",
 # The wheel is of Triton, a compiler; it has these programs of CUDA, which are all that is kept.
 WHEEL = "triton"
 NVIDIA = ("ptxas", "ptxas-blackwell", "nvdisasm")
-SIZE = "some 460 MB of packages of Debian and PyPI that become 650 MB"
+SIZE = "some 410 MB of packages of Debian and PyPI that become 650 MB"
 
 
 class Drivers(debian.Root):
