@@ -70,8 +70,8 @@ CHIPS = (
     Chip("adreno750", "Adreno 750", ADRENO, "FD_GPU_ID=750"),
     # Its shim has no other.
     Chip("m1", "Apple M1", APPLE, ""),
-    Chip("sm86", "NVIDIA sm_86, Ampere, by ptxas", PTXAS, "sm_86"),
-    Chip("sm89", "NVIDIA sm_89, Ada, by ptxas", PTXAS, "sm_89"),
+    # For sm_89 (Ada) it makes the same counts.
+    Chip("sm86", "NVIDIA sm_86, Ampere and Ada, by ptxas", PTXAS, "sm_86"),
     Chip("sm90", "NVIDIA sm_90, Hopper, by ptxas", PTXAS, "sm_90"),
     Chip("sm100", "NVIDIA sm_100, Blackwell for data centres, by ptxas", PTXAS, "sm_100"),
     Chip("sm120", "NVIDIA sm_120, Blackwell, by ptxas", PTXAS, "sm_120"),
