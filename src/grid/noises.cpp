@@ -94,6 +94,8 @@ template <int D, typename Noise>
 HN_I_INLINE auto noise_at(const Place<D>& place, const Given<D>& given) {
   if constexpr ((D == 2 || D == 3) && std::is_same_v<Noise, simplex_plain>) {
     return hn_i_value(simplex_at(place, given.seed));
+  } else if constexpr ((D == 2 || D == 3) && std::is_same_v<Noise, perlin_plain>) {
+    return hn_i_value(perlin_at(place, given.seed));
   } else {
     return Noise::template at<D>(place, given);
   }
@@ -102,9 +104,9 @@ HN_I_INLINE auto noise_at(const Place<D>& place, const Given<D>& given) {
 // Whether two vectors of points are computed side by side. Most steps of a noise wait for the one before, so a second
 // chain of them takes a tenth off the time, where the registers hold both.
 template <int D, typename Noise>
-constexpr bool kAreTwo =
-    D == 2 && (std::is_same_v<Noise, value_plain> || std::is_same_v<Noise, perlin_plain> ||
-               std::is_same_v<Noise, simplex_plain>);
+constexpr bool kAreTwo = ((D == 2 || (D == 3 && kCount == 16)) &&
+                          (std::is_same_v<Noise, value_plain> || std::is_same_v<Noise, perlin_plain>)) ||
+                         (D == 2 && std::is_same_v<Noise, simplex_plain>);
 
 template <int D, typename Noise, typename PlaceAt>
 HN_I_INLINE void at_places(const Batch& b, const Given<D>& given, const PlaceAt& place) {

@@ -1,6 +1,8 @@
-// Simplex noise at points that share nothing. Numbers are those of the library, and so are the bits. It computes the
-// words in another way: a step to the next point of the lattice changes both joins of a word by what depends on an axis
-// alone, so that each axis is shifted once, and what is chosen is what the step changes, not the coordinates.
+// Perlin and simplex noise at points that share nothing. Numbers are those of the library, and so are the bits. What is
+// computed in another way:
+//   - gradients, for instructions that GPUs have not, and without some that they have
+//   - the words of simplex noise: a step to the next point of the lattice changes both joins of a word by what depends on
+//     an axis alone, so that each axis is shifted once, and what is chosen is what the step changes, not the coordinates
 #pragma once
 
 #include "loops.hpp"
@@ -9,6 +11,40 @@ namespace hashnoise::inline HN_I_NAMESPACE {
 namespace HN_LANES {
 namespace {
 
+// hn_i_direction2: the two bits that choose a component of four are an index. Its sign is that of the table.
+#if defined(__AVX2__)
+HN_I_INLINE Float of_four(Uint index, float a, float b, float c, float d) {
+#if defined(__AVX512F__)
+  return Float(detail::FloatVector(_mm512_maskz_permutevar_ps(0xFFFF, _mm512_setr4_ps(a, b, c, d), __m512i(index.v))));
+#else
+  return Float(detail::FloatVector(_mm256_permutevar_ps(_mm256_setr_ps(a, b, c, d, a, b, c, d), __m256i(index.v))));
+#endif
+}
+HN_I_INLINE vec2 direction2(Uint word) {
+  const Uint index = word >> 21u;
+  return vec2(of_four(index, -0.75f, -0.25f, 0.25f, 0.75f), hn_i_signed(of_four(index, 0.25f, 0.75f, 0.75f, 0.25f), word));
+}
+#else
+HN_I_INLINE vec2 direction2(Uint word) { return hn_i_direction2(word); }
+#endif
+HN_I_INLINE hn_i_num along2(Uint word, hn_i_num x, hn_i_num y) {
+  return hn_i_along2(direction2(word), hn_i_offset(x), hn_i_offset(y));
+}
+
+// hn_i_along3: the signs are flipped in place of being multiplied, and where a choice takes more than one step, it is
+// made of what two offsets differ by.
+HN_I_INLINE Float signed_by(Float x, Uint word, std::uint32_t shift) {
+  return uintBitsToFloat(floatBitsToUint(x) ^ ((word << shift) & 0x80000000u));
+}
+HN_I_INLINE hn_i_num along3(Uint word, Float x, Float y, Float z) {
+  const Float a = hn_i_select(word < 0xAAAAAAAAu, x, y), b = hn_i_select(word < 0x55555555u, y, z);
+#if HN_ARITHMETIC == HN_FIXED
+  return hn_i_beyond_12(signed_by(a, word, 9u) + 12.0f + signed_by(b, word, 10u));
+#else
+  return signed_by(a, word, 9u) + signed_by(b, word, 10u);
+#endif
+}
+
 // The sum, or the exclusive or, where the condition holds. AVX-512 does it in one step, and others do without a choice,
 // which takes them up to three.
 HN_I_INLINE Uint plus_where(Mask condition, Uint a, Uint b) {
@@ -16,6 +52,30 @@ HN_I_INLINE Uint plus_where(Mask condition, Uint a, Uint b) {
 }
 HN_I_INLINE Uint flipped_where(Mask condition, Uint a, Uint b) {
   return kCount == 16 ? hn_i_select(condition, a ^ b, a) : a ^ hn_i_select(condition, b, Uint(0u));
+}
+
+HN_I_INLINE hn_i_num perlin_at(const Place<2>& place, Uint seed) {
+  const auto f = place.fraction;
+  const auto t = hn_i_fade(f);
+  const auto h = hn_i_corners(hn_i_box(place), seed);
+  const hn_i_num x1 = hn_i_minus_one(f.x), y1 = hn_i_minus_one(f.y);
+  return hn_i_scaled2(hn_i_face2(
+      hn_i_vector(along2(h.x, f.x, f.y), along2(h.y, x1, f.y), along2(h.z, f.x, y1), along2(h.w, x1, y1)), t.x, t.y));
+}
+HN_I_INLINE hn_i_num perlin_at(const Place<3>& place, Uint seed) {
+  const auto box = hn_i_box(place);
+  const auto f = place.fraction;
+  const auto t = hn_i_fade(f);
+  const Float x = hn_i_offset(f.x), x1 = hn_i_offset(hn_i_minus_one(f.x));
+  const Float y = hn_i_offset(f.y), y1 = hn_i_offset(hn_i_minus_one(f.y));
+  const auto face = [&](bool back, Float z) HN_I_INLINED {
+    const uvec4 h = hn_i_corners(box, back, seed);
+    return hn_i_face3(
+        hn_i_vector(along3(h.x, x, y, z), along3(h.y, x1, y, z), along3(h.z, x, y1, z), along3(h.w, x1, y1, z)), t.x,
+        t.y);
+  };
+  const hn_i_num front = face(false, hn_i_offset(f.z));
+  return hn_i_scaled3(hn_i_lerp(front, face(true, hn_i_offset(hn_i_minus_one(f.z))), t.z));
 }
 
 HN_I_INLINE hn_i_num simplex_at(const Place<2>& place, Uint seed) {
@@ -33,10 +93,13 @@ HN_I_INLINE hn_i_num simplex_at(const Place<2>& place, Uint seed) {
   const Uint last_odd = plus_where(is_odd, odd + step_y, step_x);
   const Uint middle = hn_i_select(is_along, next.x, last - HN_I_STEP_X);
   const Uint middle_odd = hn_i_select(is_along, odd + step_x, last_odd - step_x);
-  return hn_i_simplex(uvec3(hn_i_word(hn_i_high(first.x) ^ lower, odd),
-                            hn_i_word(hn_i_high(middle) ^ hn_i_select(is_along, lower, upper), middle_odd),
-                            hn_i_word(hn_i_high(last) ^ upper, last_odd)),
-                      skewed);
+  const hn_i_num3 x = hn_i_triangle_x(skewed), y = hn_i_triangle_y(skewed), t = hn_i_triangle_falloff(x, y);
+  const auto weighted = [](Uint word, hn_i_num along_x, hn_i_num along_y, hn_i_num near_by) HN_I_INLINED {
+    return hn_i_weighted_ramp(hn_i_ramp_of2(along2(word, along_x, along_y)), hn_i_weight_plane(near_by));
+  };
+  hn_i_num n = weighted(hn_i_word(hn_i_high(first.x) ^ lower, odd), x.x, y.x, t.x);
+  n = hn_i_plus(n, weighted(hn_i_word(hn_i_high(middle) ^ hn_i_select(is_along, lower, upper), middle_odd), x.y, y.y, t.y));
+  return hn_i_scaled_simplex2(hn_i_plus(n, weighted(hn_i_word(hn_i_high(last) ^ upper, last_odd), x.z, y.z, t.z)));
 }
 
 HN_I_INLINE hn_i_num simplex_at(const Place<3>& place, Uint seed) {
@@ -74,7 +137,8 @@ HN_I_INLINE hn_i_num simplex_at(const Place<3>& place, Uint seed) {
   to_next(f.z, size.z, here.z, ahead.z, before.z, steps.z);
   const auto weighted = [](Uint join, Uint second, hn_i_num along_x, hn_i_num along_y, hn_i_num along_z,
                            hn_i_num near_by) HN_I_INLINED {
-    return hn_i_weighted_ramp(hn_i_ramp_of(hn_i_word(join, second), along_x, along_y, along_z, false), hn_i_weight4(near_by));
+    const hn_i_num n = along3(hn_i_word(join, second), hn_i_offset(along_x), hn_i_offset(along_y), hn_i_offset(along_z));
+    return hn_i_weighted_ramp(hn_i_ramp_of3(n), hn_i_weight4(near_by));
   };
   hn_i_num n = weighted(corner, corner_odd, x.x, y.x, z.x, t.x);
   n = hn_i_plus(n, weighted(next_corner, next_corner_odd, x.y, y.y, z.y, t.y));

@@ -141,7 +141,7 @@ HN_I_INLINE Uint key_of(const Cell<D>& cell) {
 template <int D>
 class PerlinPieces {
  public:
-  static constexpr double kMostStep = 0.5;
+  static constexpr double kMostStep = D == 2 ? 0.2 : kCount == 16 ? 0.12 : kCount == 8 ? 0.5 : 0.2;
 
   HN_I_INLINE static Uint key(const Place<D>& place) { return key_of<D>(place.cell); }
   HN_I_INLINE void put(int run, const Place<D>& place, Uint seed) {

@@ -73,6 +73,8 @@ HN_I_INLINE hn_i_num mean_of(hn_i_num sum, hn_i_num total) {
   const DoubleVector dividend = __builtin_convertvector(sum.v, DoubleVector) * 262144.0;
   const DoubleVector quotient = dividend / __builtin_convertvector(total.v, DoubleVector);
   return Int(__builtin_convertvector(quotient, detail::IntVector));
+#elif HN_ARITHMETIC == HN_FAST
+  return sum * (1.0f / total);  // one division for all points
 #else
   return hn_i_mean(sum, total);
 #endif
