@@ -81,7 +81,7 @@ class Integers(unittest.TestCase):
         for dims, kind in CASES:
             for name, value in sums.largest_octave_intermediates(proven(kind, dims).fixed_limit).items():
                 self.assertLess(value, 2**31, (kind.name, dims, name))
-        largest = perlin.largest_slope_intermediates(3)
+        largest = perlin.largest_slope_intermediates(3, 4.0)
         self.assertGreater(largest["derivative's lerp"], 0.9 * 2**31)  # not absurdly far
 
     def test_wrapping_is_noticed(self):
@@ -91,7 +91,7 @@ class Integers(unittest.TestCase):
             integers.word(np.array([-1]))
         with mock.patch.dict(perlin.RAMP_ONE, {OCTAHEDRAL: {2: 2**31, 3: 2**30}}):
             self.assertGreater(perlin.largest_intermediates(2, OCTAHEDRAL)["difference"], 2**31)
-            self.assertGreater(perlin.largest_slope_intermediates(3)["derivative's difference"], 2**31)
+            self.assertGreater(perlin.largest_slope_intermediates(3, 4.0)["derivative's difference"], 2**31)
         with mock.patch.object(value_noise, "NUMBER_ONE", 2**31):
             self.assertGreater(value_noise.largest_intermediates(2, None)["difference"], 2**31)
 

@@ -11,7 +11,7 @@ import numpy as np
 
 from bounds import exact_model as exact
 from bounds import fixed_model as fixed
-from bounds import kernel_fixed, kernel_floats, kernel_model, kernels, turns
+from bounds import kernel_model, kernels, turns
 from bounds.boxes import Boxes, corners
 from bounds.fixed_model import ONE
 from bounds.gradients import LENGTH, OCTAHEDRAL, TURNED
@@ -94,7 +94,8 @@ class Exact(unittest.TestCase):
             place, total = np.array(f) * kernel.steps, 0.0
             inside = (place <= 0.5).all(axis=0)
             for point in kernel.points:
-                g = kernel_model.turned(exact.gradient(OCTAHEDRAL, kernel.dims, words(kernel_model.halves(point))), phase)
+                g = exact.gradient(OCTAHEDRAL, kernel.dims, words(kernel_model.halves(point)))
+                g = kernel_model.turned(g, phase)
                 v = kernels.vector(kernel, kernels.VALUE, place - np.array(point)[:, None])
                 total = total + sum(np.array(g) * v)
             self.assertLess(abs(total * kernel.scale / 1024 - value)[inside].max(), 1e-12, noise)

@@ -225,7 +225,7 @@ def quotes(derived: Everything) -> list[tuple[str, str]]:
         f"adds {scientific(sums.cloud_error())} ",
         f"within {scientific(turns.float_error())} of those of the phase")]
     stated += [(ACCURACY, text) for text in (*uniform.quotes(), *gullies.quotes())]
-    return stated + [quote for name in noises.names() for quote in noises.find(name).quotes()]
+    return stated + [quote for name in noises.names() for quote in getattr(noises.find(name), "quotes", list)()]
 
 
 def missing_quotes(derived: Everything, root: Path = ROOT) -> list[str]:
