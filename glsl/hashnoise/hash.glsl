@@ -307,6 +307,14 @@ HN_FN hn_uint hn_i_odd(hn_uint sum) {
 HN_FN hn_uint hn_i_odd_step(hn_uint step) { return step * (2u * HN_I_ODD_FACTOR); }
 HN_FN hn_uvec3 hn_i_odd_step(hn_uvec3 steps) { return steps * (2u * HN_I_ODD_FACTOR); }
 
+// The same join where points share no sum. Each axis adds its product to what was made before: GPUs have a product of 24
+// bits and an addition as one operation. That makes simplex noise on the plane 3% cheaper in the mean of six compilers.
+// It is not done elsewhere: in space simplex noise would be 1% cheaper, but hn_simplex_d with HN_FIXED 8% dearer by the
+// schedule for NVIDIA, and so hn_simplex_smooth on the plane with HN_FIXED on Adreno.
+#define HN_I_ODD_OF(factor) (((factor) * (2u * HN_I_ODD_FACTOR)) & 0x00FFFFFFu)
+HN_FN hn_uint hn_i_odd_x(hn_uint x, hn_uint odd) { return (x & 0x00FFFFFFu) * HN_I_ODD_OF(1u) + odd; }
+HN_FN hn_uint hn_i_odd_y(hn_uint y, hn_uint odd) { return (y & 0x00FFFFFFu) * HN_I_ODD_OF(HN_I_SUM_Y) + odd; }
+
 #if HN_HASH == HN_HASH_LATTICE
 HN_FN hn_uint hn_i_word(hn_uint join, hn_uint odd) { return join * (odd & 0x00FFFFFFu); }
 #else
@@ -367,19 +375,11 @@ HN_FN hn_uint hn_i_lattice(hn_uvec4 c, hn_uint s) { return hn_i_mix(hn_i_seeded_
 //   period   2^32 along each axis
 //   cost     1 hash (none with HN_HASH_LATTICE); 1 multiplication per axis and 3 more; 2 more for a seed that is not
 //            constant
-HN_FN hn_uint hn_lattice(hn_ivec2 cell, hn_uint seed) {
-  return hn_i_lattice(hn_i_spread(uvec2(cell)), hn_i_mix(seed));
-}
+HN_FN hn_uint hn_lattice(hn_ivec2 cell, hn_uint seed) { return hn_i_lattice(hn_i_spread(uvec2(cell)), hn_i_mix(seed)); }
 // The same in 1, 3 and 4 dimensions: tools/umbrella makes it.
-HN_FN hn_uint hn_lattice(hn_int cell, hn_uint seed) {
-  return hn_i_lattice(hn_i_spread(uint(cell)), hn_i_mix(seed));
-}
-HN_FN hn_uint hn_lattice(hn_ivec3 cell, hn_uint seed) {
-  return hn_i_lattice(hn_i_spread(uvec3(cell)), hn_i_mix(seed));
-}
-HN_FN hn_uint hn_lattice(hn_ivec4 cell, hn_uint seed) {
-  return hn_i_lattice(hn_i_spread(uvec4(cell)), hn_i_mix(seed));
-}
+HN_FN hn_uint hn_lattice(hn_int cell, hn_uint seed) { return hn_i_lattice(hn_i_spread(uint(cell)), hn_i_mix(seed)); }
+HN_FN hn_uint hn_lattice(hn_ivec3 cell, hn_uint seed) { return hn_i_lattice(hn_i_spread(uvec3(cell)), hn_i_mix(seed)); }
+HN_FN hn_uint hn_lattice(hn_ivec4 cell, hn_uint seed) { return hn_i_lattice(hn_i_spread(uvec4(cell)), hn_i_mix(seed)); }
 
 HN_FN hn_uint hn_lattice(hn_ivec2 cell) { return hn_lattice(cell, 0u); }
 // The same in 1, 3 and 4 dimensions: tools/umbrella makes it.

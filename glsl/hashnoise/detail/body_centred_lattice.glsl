@@ -43,9 +43,9 @@ HN_FN hn_i_num hn_i_ramp_of(hn_uint h, hn_i_num x, hn_i_num y, hn_i_num z, bool 
   return hn_i_ramp_of3(hn_i_along3(h, hn_i_signs(h, turned), hn_i_offset(x), hn_i_offset(y), hn_i_offset(z)));
 }
 
-// A sum of weighted ramps is at most 1024 / 4919 in space, with turning gradients too, and 1024 / 4298 in four
+// A sum of weighted ramps is at most 1024 / 4918 in space, with turning gradients too, and 1024 / 4298 in four
 // dimensions (tools/bounds).
-HN_FN hn_i_num hn_i_scaled_simplex3(hn_i_num n) { return hn_i_scaled(n, 4919); }
+HN_FN hn_i_num hn_i_scaled_simplex3(hn_i_num n) { return hn_i_scaled(n, 4918); }
 HN_FN hn_i_num hn_i_scaled_simplex4(hn_i_num n) { return hn_i_scaled_ramps(n, 4298); }
 
 // ---------------------------------------------------------------------------------------------------------------------

@@ -587,8 +587,8 @@
 #undef lower1
 #pragma push_macro("lower_join")
 #undef lower_join
-#pragma push_macro("lower_sum")
-#undef lower_sum
+#pragma push_macro("lower_odd")
+#undef lower_odd
 #pragma push_macro("m")
 #undef m
 #pragma push_macro("magnitude")
@@ -943,8 +943,8 @@
 #undef upper1
 #pragma push_macro("upper_join")
 #undef upper_join
-#pragma push_macro("upper_sum")
-#undef upper_sum
+#pragma push_macro("upper_odd")
+#undef upper_odd
 #pragma push_macro("uvec2")
 #undef uvec2
 #pragma push_macro("uvec3")

@@ -92,12 +92,12 @@ HN_FN hn_uvec3 hn_i_triangle(hn_place2 place, hn_i_num2 skewed, hn_uint seed) {
   hn_uint s = hn_i_mix(seed);
   hn_uint lower_join = hn_i_high(corners.first).y ^ hn_i_seed_join(s);
   hn_uint upper_join = hn_i_high(corners.last).y ^ hn_i_seed_join(s);
-  hn_uint lower_sum = hn_i_sum_y(corners.first.y) + s;
-  hn_uint upper_sum = hn_i_sum_y(corners.last.y) + s;
-  return uvec3(hn_i_word(hn_i_high(corners.first.x) ^ lower_join, hn_i_odd(corners.first.x + lower_sum)),
+  hn_uint lower_odd = hn_i_odd_y(corners.first.y, hn_i_odd(s));
+  hn_uint upper_odd = hn_i_odd_y(corners.last.y, hn_i_odd(s));
+  return uvec3(hn_i_word(hn_i_high(corners.first.x) ^ lower_join, hn_i_odd_x(corners.first.x, lower_odd)),
                hn_i_word(hn_i_high(corners.middle.x) ^ hn_i_select(u > v, lower_join, upper_join),
-                         hn_i_odd(corners.middle.x + hn_i_select(u > v, lower_sum, upper_sum))),
-               hn_i_word(hn_i_high(corners.last.x) ^ upper_join, hn_i_odd(corners.last.x + upper_sum)));
+                         hn_i_odd_x(corners.middle.x, hn_i_select(u > v, lower_odd, upper_odd))),
+               hn_i_word(hn_i_high(corners.last.x) ^ upper_join, hn_i_odd_x(corners.last.x, upper_odd)));
 }
 
 // The offsets from the corners along x and along y, and how near the corners are.
@@ -129,7 +129,7 @@ HN_FN hn_i_num hn_i_triangle_ramp(hn_uint h, hn_i_num x, hn_i_num y, bool turned
 // Converts a derivative per step to one per cell.
 HN_FN hn_float hn_i_per_cell(hn_float d) { return d * 2.0f; }
 
-// A sum of weighted ramps is at most 1024 / 4100 (tools/bounds), with turning gradients, too.
-HN_FN hn_i_num hn_i_scaled_simplex2(hn_i_num n) { return hn_i_scaled(n, 4100); }
+// A sum of weighted ramps is at most 1024 / 4099 (tools/bounds), with turning gradients, too.
+HN_FN hn_i_num hn_i_scaled_simplex2(hn_i_num n) { return hn_i_scaled(n, 4099); }
 
 #endif

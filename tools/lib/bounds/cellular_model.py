@@ -31,9 +31,16 @@ def fractions(rng, dims, count):
     return np.clip(f, 0, 1).astype(np.float32).astype(float)
 
 
+def direction(dims, h):
+    """(a, m) in units of 2^-9, (p, q, m) in units of 2^-8."""
+    parts, one = ([exact.field(h, 14, 9)], 512) if dims == 2 else ([exact.field(h, 23, 8), exact.field(h, 15, 8)], 256)
+    m = one - np.maximum.reduce([abs(part) for part in parts])
+    return [*parts, np.where(h >> 31, -m, m)]
+
+
 def directions(dims, words):
     """The direction in multiples of 1/512, along each axis."""
-    parts = exact.direction(dims, words)
+    parts = direction(dims, words)
     return np.array(parts) if dims == 2 else np.array([parts[0] + parts[1], parts[0] - parts[1], 2 * parts[2]])
 
 
@@ -147,7 +154,7 @@ class Floats:
         d = shader.round(2 * f - 1)
         n = np.array(cells).T[:, :, None]
         d = shader.round(d[:, None] - 2 * n)
-        self.parts = np.array(exact.direction(self.dims, words)[:self.dims]) / (512 if self.dims == 2 else 256)
+        self.parts = np.array(direction(self.dims, words)[:self.dims]) / (512 if self.dims == 2 else 256)
         if self.dims == 3:
             d = np.array([shader.round(d[0] + d[1]), shader.round(d[0] - d[1]), d[2]])
         self.offsets = shader.mad(-self.parts, np.broadcast_to(jitter, self.parts.shape), d)
@@ -221,7 +228,7 @@ class MovingFloats(Floats):
         projected = [self.projected(d, row)[None] for row in self.turn]
         for axis in reversed(range(self.dims)):
             projected = [s.round(x - 2 * n[axis] * row[axis]) for x, row in zip(projected, self.turn)]
-        self.parts = np.array(exact.direction(self.dims, words)[:self.dims]) / (512 if self.dims == 2 else 256)
+        self.parts = np.array(direction(self.dims, words)[:self.dims]) / (512 if self.dims == 2 else 256)
         if self.dims == 3:
             x, y, z = projected
             projected = [s.round(x + y), s.round(x - y), z]

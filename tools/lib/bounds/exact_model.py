@@ -14,7 +14,7 @@ from bounds.boxes import corners
 from bounds.gradients import OCTAHEDRAL, SINE
 from bounds.sums import clamped_strength, step_of
 
-SCALE = {OCTAHEDRAL: {1: 2048 / 1024, 2: 1365 / 1024, 3: 1228 / 1024, 4: 953 / 1024}, SINE: {2: 1.0, 3: 1.0}}
+SCALE = {OCTAHEDRAL: {1: 2048 / 1024, 2: 1831 / 1024, 3: 985 / 1024, 4: 953 / 1024}, SINE: {2: 1.0, 3: 1.0}}
 SHIFT = (11 / 32, 19 / 32, 23 / 32, 27 / 32)
 TURNS = ((25, 20), (29, 13), (25, 20))  # 32 times cosine and sine, in the plane of an axis and the next
 
@@ -83,20 +83,24 @@ def field(h, shift, bits):
     return 2 * ((h >> shift) & (2**bits - 1)) + 1 - 2**bits
 
 
-def direction(dims, h):
-    """(a, m) in units of 2^-9, (p, q, m) in units of 2^-8."""
-    parts, one = ([field(h, 14, 9)], 512) if dims == 2 else ([field(h, 23, 8), field(h, 15, 8)], 256)
-    m = one - np.maximum.reduce([abs(part) for part in parts])
-    return [*parts, np.where(h >> 31, -m, m)]
+PARTS = {1: 512, 2: 4, 3: 1, 4: 1}  # in which gradients are whole
+# The axes of a gradient, by the third of the words, and in four dimensions by bit 20, too.
+PAIRS = {3: ((0, 1), (0, 2), (1, 2)), 4: ((0, 1), (2, 3), (0, 2), (1, 3), (0, 3), (1, 2))}
 
 
-def corner_of_the_24_cell(h):
-    """Its components, of which two are 0."""
-    pairing = np.where(h < 0x55555555, 0, np.where(h >= 0xAAAAAAAA, 2, 1))
-    pair = 2 * pairing + ((h >> 20) & 1)
-    first, second = (np.array(axes)[pair] for axes in ((0, 2, 0, 1, 0, 1), (1, 3, 2, 3, 3, 2)))
-    a, b = (1 - 2 * ((h >> bit) & 1) for bit in (19, 18))
-    return [np.where(first == axis, a, 0) + np.where(second == axis, b, 0) for axis in range(4)]
+def whole_gradient(dims, h):
+    """The components of the octahedral gradient, in those parts."""
+    if dims == 1:
+        return [field(h, 14, 9)]
+    if dims == 2:
+        a = field(h, 21, 2)
+        return [a, np.where(h >> 31, abs(a) - 4, 4 - abs(a))]
+    pair = (h >= 0x55555555) + 1 * (h >= 0xAAAAAAAA)
+    if dims == 4:
+        pair = 2 * pair + ((h >> 20) & 1)
+    first, second = np.array(PAIRS[dims]).T[:, pair]
+    a, b = (1 - 2 * ((h >> bit) & 1) for bit in (22, 21))
+    return [np.where(first == axis, a, 0) + np.where(second == axis, b, 0) for axis in range(dims)]
 
 
 def sine_argument(w):
@@ -107,17 +111,16 @@ def sine_argument(w):
 def gradient(kind, dims, words):
     if kind is SINE:
         return [np.sin(sine_argument(w).astype(float)) for w in words]
-    if dims == 1:
-        return [field(words, 14, 9) / 512]
-    if dims == 4:
-        return [g.astype(float) for g in corner_of_the_24_cell(words)]
-    if dims == 2:
-        g = [part / 512 for part in direction(2, words)]
-    else:
-        p, q, m = (part / 256 for part in direction(3, words))
-        g = [(p + q) / 2, (p - q) / 2, m]
-    length = 2 - np.maximum.reduce([abs(x) for x in g])
-    return [x * length for x in g]
+    return [g / PARTS[dims] for g in whole_gradient(dims, words)]
+
+
+def quarter(g):
+    """A gradient of two or three components after a quarter of a turn (section 14)."""
+    if len(g) == 2:
+        return [-g[1], g[0]]
+    x, y, z = g
+    return [np.where(x == 0, 0, np.where(y == 0, -z, -y)), np.where(y == 0, 0, np.where(x == 0, -z, x)),
+            np.where(z == 0, 0, np.where(x == 0, y, x))]
 
 
 def number(h):

@@ -9,12 +9,13 @@ import sys
 import numpy as np
 
 from bounds.boxes import corners
-from bounds.exact_model import SHIFT, TURNS, corner_of_the_24_cell, direction, field, s32, sine_argument, u32, words_at
+from bounds.exact_model import (PARTS, SHIFT, TURNS, quarter, s32, sine_argument, u32, whole_gradient, words_at)
 from bounds.floats import pairs
 from bounds.gradients import SINE
 from bounds.sums import step_of
 
 ONE = 2**20
+RAMP_ONE = {1: 2**29, 2: 2**29, 3: 2**29, 4: 2**28}  # of octahedral gradients
 
 
 # --- Steps ------------------------------------------------------------------------------------------------------------
@@ -82,49 +83,29 @@ def rise(a, b):
 
 
 def scaled(dims, n):
-    return s32((s32(n + 256) >> 9) * {1: 2048, 2: 1365, 3: 1228, 4: 1906}[dims] + 256) >> 9
+    return s32((s32(n + 256) >> 9) * {1: 2048, 2: 1831, 3: 985, 4: 1906}[dims] + 256) >> 9
 
 
 # --- Perlin noise -----------------------------------------------------------------------------------------------------
 
-def extra(dims, parts):
-    """E of the contract."""
-    if dims == 2:
-        return np.minimum(abs(parts[0]), abs(parts[1]))
-    p, q, m = map(abs, parts)
-    return np.minimum(512 - p - q, 512 - 2 * m)
+def of_words(dims, words, turned=False):
+    """The octahedral gradient, in the units of exact_model.PARTS; or a quarter of a turn later."""
+    g = whole_gradient(dims, words)
+    return quarter(g) if turned else g
 
 
-def ramp(kind, words, offsets):
-    dims = len(offsets)
-    if kind is SINE:
-        parts = [sine(w) for w in words]
-        return s32(sum(s32((g >> 8) * d) + (((g & 255) * d) >> 8) for g, d in zip(parts, offsets)))
-    if dims == 1:
-        return s32(field(words, 14, 9) * offsets[0])
-    if dims == 4:
-        return s32(256 * sum(g * d for g, d in zip(corner_of_the_24_cell(words), offsets)))
-    parts = direction(dims, words)
-    if dims == 2:
-        r = s32(s32(parts[0] * offsets[0]) + s32(parts[1] * offsets[1]))
-    else:
-        (p, q, m), (x, y, z) = parts, offsets
-        r = s32(s32(s32(p * (x + y)) + s32(q * (x - y))) + s32(m * 2 * z))
-    return s32(r + s32((r >> 9) * extra(dims, parts)))
+def ramp_of(g, offsets):
+    dims = len(g)
+    return s32(RAMP_ONE[dims] // (PARTS[dims] * ONE) * s32(sum(s32(a * d) for a, d in zip(g, offsets))))
 
 
-def gradient(dims, words):
-    """The components in the units of the ramps."""
-    if dims == 1:
-        return [field(words, 14, 9) * 2**20]
-    if dims == 4:
-        return [g * 2**28 for g in corner_of_the_24_cell(words)]
-    parts = direction(dims, words)
-    longer = (512 + extra(dims, parts)) * 2**11  # of a direction in units of 2^-9
-    if dims == 2:
-        return [part * longer for part in parts]
-    p, q, m = parts
-    return [(p + q) * longer, (p - q) * longer, 2 * m * longer]
+def components(g):
+    """Of a gradient, in the units of derivatives, four times as large as those of ramps."""
+    return [RAMP_ONE[len(g)] // (4 * PARTS[len(g)]) * a for a in g]
+
+
+def sine_ramp(words, offsets):
+    return s32(sum(s32((g >> 8) * d) + (((g & 255) * d) >> 8) for g, d in zip(map(sine, words), offsets)))
 
 
 def x_first(dims):
@@ -132,14 +113,17 @@ def x_first(dims):
     return (reverse[::-1] for reverse in corners(dims))
 
 
-def perlin(kind, words_of, fractions, derivatives=False, ramp=ramp, gradient=gradient):
-    """v in units of 2^-21; with the derivatives, in units of 2^-19, if they are wanted. Ramps and gradients may be
-    others than those of section 8."""
+def perlin_sums(kind, words_of, fractions, derivatives=False, turned=False):
+    """What is scaled, first of the value; with the derivatives, if they are wanted, a quarter of a turn later or not."""
     dims, nodes = len(fractions), []
     for corner in x_first(dims):
         words = words_of(corner)
         offsets = [f - o * ONE for f, o in zip(fractions, corner)]
-        nodes.append((ramp(kind, words, offsets), [], gradient(dims, words) if derivatives else []))
+        if kind is SINE:
+            nodes.append((sine_ramp(words, offsets), [], []))
+        else:
+            g = of_words(dims, words, turned)
+            nodes.append((ramp_of(g, offsets), [], components(g) if derivatives else []))
     for f in fractions:
         t, s = fade(f), slope(f)
         joined = []
@@ -147,12 +131,32 @@ def perlin(kind, words_of, fractions, derivatives=False, ramp=ramp, gradient=gra
             rest = [lerp(x, y, t) for x, y in zip(g, h)]
             more = [lerp(x, y, t) for x, y in zip(made, others)]
             if derivatives:
-                more.append(s32((rest.pop(0) >> 2) + part(rise(a, b), s)))
+                more.append(s32(rest.pop(0) + part(rise(a, b), s)))
             joined.append((lerp(a, b, t), more, rest))
         nodes = joined
     (n, made, _), = nodes
-    v = n >> 7 if kind is SINE else scaled(dims, n)
-    return (v, [scaled(dims, d) for d in made]) if derivatives else v
+    return [n, *made]
+
+
+def perlin(kind, words_of, fractions, derivatives=False, phase=None):
+    """v in units of 2^-21; with the derivatives, in units of 2^-19, if they are wanted."""
+    sums = perlin_sums(kind, words_of, fractions, derivatives)
+    if phase is not None:
+        sums = mixed(phase, sums, perlin_sums(kind, words_of, fractions, derivatives, True))
+    v, *made = [n >> 7 if kind is SINE else scaled(len(fractions), n) for n in sums]
+    return (v, made) if derivatives else v
+
+
+# --- Phases -----------------------------------------------------------------------------------------------------------
+
+def rotation(phase):
+    """C and Z, of a phase as a word."""
+    return 4 * sine_of_turns(u32(phase + 2**30)), 4 * sine_of_turns(phase)
+
+
+def mixed(phase, sums, turned):
+    c, z = rotation(phase)
+    return [s32(part(a, c) + part(b, z)) for a, b in zip(sums, turned)]
 
 
 # --- Value noise ------------------------------------------------------------------------------------------------------

@@ -213,7 +213,7 @@ def fade_effect(boxes: Boxes, gradient: Gradient | None) -> np.ndarray:
         others = _but(grown, axis) - 1
         curvature = curvature + 2 * curve[axis] * others * (gradient.reach(dims) if gradient else 1.0)
         if gradient:
-            curvature = curvature + 4 * slope[axis] * others
+            curvature = curvature + 4 * slope[axis] * others * gradient.component(dims)
     # DOUBLE * 2^n corners: what the rounding of the exact fade may add.
     return effect + curvature / 8 * boxes.side**2 + DOUBLE * 2**dims * dims
 
@@ -236,14 +236,15 @@ def slope_fade_effect(boxes: Boxes, gradient: Gradient) -> np.ndarray:
                 v[0] += weight(corner, t) - exact[corner]
                 change = change + gradient.support(v)
             effect = np.maximum(effect, change)
-    return effect + _slope_fade_curvature(boxes, gradient.reach(dims)) / 8 * boxes.side**2 + DOUBLE * 4**dims * dims
+    return effect + _slope_fade_curvature(boxes, gradient) / 8 * boxes.side**2 + DOUBLE * 4**dims * dims
 
 
-def _slope_fade_curvature(boxes: Boxes, reach: float) -> np.ndarray:
+def _slope_fade_curvature(boxes: Boxes, gradient: Gradient) -> np.ndarray:
     """The second derivatives of sum_o g_o.(change of v_o). With v_o = (d_1 w) d + w e and offsets d that grow by 1, it
-    is h(1, .., 1) times the second derivative of d_1 w, and twice its first, and the second of w. Along the first axis
-    s' of d_1 w is differentiated, of which the change has the factor of the others; along another the change has the
-    factors s' + e' and 1 + 2 e, less what is exact."""
+    is h(1, .., 1) times the second derivative of d_1 w, and h(1, 0, ..) times twice its first and the second of w. Along
+    the first axis s' of d_1 w is differentiated, of which the change has the factor of the others; along another the
+    change has the factors s' + e' and 1 + 2 e, less what is exact."""
+    reach, component = gradient.reach(boxes.dims), gradient.component(boxes.dims)
     grown, slope_error = 1 + 2 * _magnitudes(boxes), _magnitudes(boxes, slope_errors)[0]
     largest, total = _largest(boxes), 0.0
     for axis in range(boxes.dims):
@@ -252,7 +253,7 @@ def _slope_fade_curvature(boxes: Boxes, reach: float) -> np.ndarray:
         else:
             others = 2 * ((largest[1][0] + slope_error) * _but(grown, 0, axis) - largest[1][0])
             first, second = (2 * largest[order][axis] * others for order in (1, 2))
-        total = total + reach * second + 2 * first + 2 * largest[2][axis] * (_but(grown, axis) - 1)
+        total = total + reach * second + component * (2 * first + 2 * largest[2][axis] * (_but(grown, axis) - 1))
     return total
 
 
@@ -300,24 +301,20 @@ def largest_rounding(dims: int, of_corner: float = 0) -> float:
 
 # --- Derivatives ------------------------------------------------------------------------------------------------------
 
-def slope_rounding(dims: int, of_corner: float, gradients: bool) -> float:
+def slope_rounding(dims: int, gradients: bool) -> float:
     """A bound of what derivatives round by, in units four times as large as those of the ramps, or numbers. Every shift
     by 2 rounds down by at most 3/4. After k interpolations a ramp is rounded down by at most k lambda, lambda the
-    largest rounding of LERP, and that of the corner, and so a rise is off by that at most, up or down; what is
-    interpolated of the gradient by lambda more, along its own axis. The product with the slope has its own rounding,
-    and what is made is interpolated along the axes behind. For numbers, the rise along x is first interpolated along
-    y."""
+    largest rounding of LERP, and so a rise is off by that at most, up or down. Components of gradients are multiples of
+    2^18 in their units, so their first interpolation is exact, and k of them round by less than k lambda. The product
+    with the slope has its own rounding, and what is made is interpolated along the axes behind. For numbers, the rise
+    along x is first interpolated along y."""
     lerp, product = float(lerp_roundings().max()), float(part_roundings(slopes()).max())
     steepest, worst = slopes().max() / FADE_ONE, 0.0
     for axis in range(dims):
         behind = dims - 1 - axis
-        rise = (axis * lerp + of_corner) / 4 + 3 / 4
-        if gradients:
-            own = ((axis + 1) * lerp) / 4 + 3 / 4
-        else:
-            own = 0.0
-            if axis == 0 and dims > 1:
-                rise, behind = rise + lerp, behind - 1
+        rise, own = axis * lerp / 4 + 3 / 4, axis * lerp if gradients else 0.0
+        if axis == 0 and dims > 1 and not gradients:
+            rise, behind = rise + lerp, behind - 1
         worst = max(worst, own + steepest * rise + product + behind * lerp)
     return worst * (1 + 2 * overshoot()) ** dims
 
@@ -351,22 +348,24 @@ def part_intermediate(value: float, factors) -> float:
     return (value / 2**9 + 1) * ((int(np.abs(factors).max()) >> 9) + 1) + (value / 2**18 + 1) * 511
 
 
-def interpolation_intermediates(corner: float, dims: int) -> dict[str, float]:
-    """By name, bounds of the magnitudes in the interpolation of corners' values of at most `corner`. Interpolated
-    values stay as large, with LERP."""
-    value = corner + dims * lerp_roundings().max() + 2 * corner * overshoot() * dims
-    difference = 2 * value
-    return {"value": value, "difference": difference, "lerp": part_intermediate(difference, fades())}
+def interpolation_intermediates(corner: float, dims: int, difference: float | None = None) -> dict[str, float]:
+    """By name, bounds of the magnitudes in the interpolation of corners' values of at most `corner`, of which two that
+    are interpolated differ by at most `difference`. Interpolated values stay as large, with LERP."""
+    off = dims * lerp_roundings().max()
+    value = corner + off + 2 * corner * overshoot() * dims
+    apart = 2 * value if difference is None else difference + 2 * off + 4 * corner * overshoot() * dims
+    return {"value": value, "difference": apart, "lerp": part_intermediate(apart, fades())}
 
 
-def slope_intermediates(corner: float, gradient: float, dims: int) -> dict[str, float]:
-    """The same of the derivatives that are interpolated with the values; components of gradients are at most
-    `gradient`. (A rise is a difference of interpolation_intermediates, shifted.)"""
-    rise = interpolation_intermediates(corner, dims)["difference"] / 4 + 1
-    climb = part_intermediate(rise, slopes())
-    made = (gradient + dims * lerp_roundings().max()) / 4 + 1 + climb
+def slope_intermediates(rise: float, gradient: float, dims: int, difference: float | None = None) -> dict[str, float]:
+    """The same of the derivatives that are interpolated with the values. Components of gradients are at most
+    `gradient`, and rises of values, before they are shifted, at most `rise`. Two derivatives differ by at most
+    `difference`, but for their rounding."""
+    climb = part_intermediate(rise / 4 + 1, slopes())
+    made = gradient + dims * lerp_roundings().max() + climb
+    apart = None if difference is None else difference + 2 * slope_rounding(dims, gradients=True)
     return {"climb": climb, **{f"derivative's {name}": value for name, value in
-                               interpolation_intermediates(made, dims).items()}}
+                               interpolation_intermediates(made, dims, apart).items()}}
 
 
 def scaled_intermediate(value: float, scale: int) -> float:

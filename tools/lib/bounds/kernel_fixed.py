@@ -1,26 +1,20 @@
-"""Bounds what the fixed arithmetic (HN_FIXED, docs/contract.md, sections 8, 13 and 14) does to a sum over lattice
-points.
+"""Bounds what the fixed arithmetic (HN_FIXED, docs/contract.md, sections 8 and 13) does to a sum over lattice points.
 
 A coordinate is cut to a multiple of 2^-20 cells, which moves the value by at most L * 2^-20 (CUT), and likewise a
-derivative. There the offsets are exact. The rest is bounded over boxes of places, for each point that counts:
+derivative. There the offsets are exact, and so are ramps and gradients. The rest is bounded over boxes of places, for
+each point that counts:
 
     t    N rounds down by less than 2^-30, t by 2^-17 to the nearest. Where t would be 1 it is 2^-16 less.
     W    and E, the eighth of the fall: see weights.py
-    R    the ramp rounds down by less than the factor that lengthens it, in units of 2^-9 (2^-12 on the plane). With a
-         phase see TURN
 
-The value adds h(d) times the error of W, the error of R times W, and what part(R, W) rounds down by. A derivative adds
-the error of W times |g_i|, and what part(g, W) rounds by; 3/4 of a unit that >> 2 rounds down by; and of the product
+The value adds h(d) times the error of W, and what part(R, W) rounds down by. A derivative adds the error of W times
+|g_i|; part(g, W) is exact, since g is a multiple of 2^18 in its units; and of the product
 
     2 part(part(R, E), D >> 2)        in units of 2^-27: R (8 E) d
 
-the errors of E and R, what both parts round by, and up to 3 units of D that are lost.
+the error of E, what both parts round by, and up to 3 units of D that are lost.
 
 SCALE is that of Perlin noise.
-
-TURN. The cosine and the sine are off by that of the sine gradient, and by the angle that is cut off. With a and b as in
-kernel_floats.py the two move g(a).v by at most sqrt(2) |g| |v| times that. Two parts round down, with factors of
-which the squares sum to that of 2^18; a ramp is lengthened after that.
 """
 
 from __future__ import annotations
@@ -32,42 +26,15 @@ import numpy as np
 
 from bounds import kernels
 from bounds.boxes import SAFE, Boxes, cell, supremum
-from bounds.gradients import OCTAHEDRAL
+from bounds.gradients import LENGTH, OCTAHEDRAL
 from bounds.integers import FADE_ONE, ONE, SLOPE_UNIT, UNIT, part_intermediate, scaled_intermediate
-from bounds.kernel_floats import ANGLE_CUT
 from bounds.kernels import Kernel, Offsets
 from bounds.noises.perlin.fixed import RAMP_ONE
-from bounds.noises.perlin.floats import MORE
-from bounds.sine import fixed_sine_error, fixed_sine_largest
 from bounds.weights import HALF_NEAR, NEAR_ONE
-
-
-# --- Turns ------------------------------------------------------------------------------------------------------------
-
-@functools.cache
-def turn_error() -> float:
-    """Of the cosine and the sine of a phase."""
-    return fixed_sine_error() + ANGLE_CUT
-
-
-def turn_effect(longest: float) -> float:
-    """How far gradients of that length times a vector are off, for each length of that vector."""
-    return math.sqrt(2) * longest * turn_error()
-
-
-MIXED_ROUNDING = math.sqrt(2) * 511 + 2 + 2 * 511  # of two parts, in units of what they are parts of
 
 
 def ramp_one(dims: int) -> int:
     return RAMP_ONE[OCTAHEDRAL][dims]
-
-
-def ramp_rounding(dims: int, more: float | None, turns: bool) -> float:
-    """In its units: (r >> 9) * (more E) or (r >> 12) * (8 more E) for E up to 512 MORE."""
-    if more is None:
-        return 0.0
-    lengthening = math.ceil(MORE[dims] * more * (4096 if more < 1 else 512))
-    return lengthening + (1 + MORE[dims] * more) * MIXED_ROUNDING * turns
 
 
 # --- A box of places --------------------------------------------------------------------------------------------------
@@ -106,31 +73,22 @@ class Weighted:
 class Point(Weighted):
     """With a gradient."""
 
-    def __init__(self, kernel: Kernel, boxes: Boxes, point, turns: bool):
+    def __init__(self, kernel: Kernel, boxes: Boxes, point):
         super().__init__(kernel, boxes, point, ramp_one(kernel.dims))
-        gradient, factor = kernels.reach(kernel, turns)
-        self.ramp = factor * gradient.support(self.offsets.size)
-        self.ramp_error = np.full(self.counts.shape, ramp_rounding(kernel.dims, kernel.more, turns) / self.one)
-        self.gradient, self.gradient_error = factor, 0.0
-        if turns:
-            length = np.sqrt((self.offsets.size**2).sum(axis=0))
-            self.ramp_error = self.ramp_error + turn_effect(kernel.longest) * length
-            self.gradient_error = turn_effect(kernel.longest) + MIXED_ROUNDING / self.one
+        self.ramp, self.component = OCTAHEDRAL.support(self.offsets.size), OCTAHEDRAL.component(kernel.dims)
 
     def value(self):
-        return self.added(self.ramp, self.ramp_error)
+        return self.added(self.ramp, 0.0)
 
     def derivative(self, axis: int):
-        upright = ((self.gradient + self.gradient_error) * self.weight_error + self.gradient_error * self.weight
-                   + (part_rounding(self.weight + self.weight_error) + 3) / self.one)
-        d, ramp = self.offsets.size[axis], self.ramp + self.ramp_error
+        d = self.offsets.size[axis]
         eighth = self.fall / 4 * self.weights.size(1, self.offsets.least, self.offsets.largest)  # E
         eighth_error = self.weights.fixed_fall(self.offsets.least, self.offsets.largest, self.near_error, self.fall)
-        falling = d * (ramp * eighth_error + self.ramp_error * eighth)
         negative = self.offsets.middle[axis] + self.offsets.half <= 0
         rounding = d * part_rounding(eighth + eighth_error) + part_rounding(d, negative)
-        lost = ramp * (eighth + eighth_error) * 3 / ONE
-        return np.where(self.counts, upright + 8 * (falling + rounding / self.one + lost), 0.0)
+        lost = self.ramp * (eighth + eighth_error) * 3 / ONE
+        return np.where(self.counts, self.component * self.weight_error
+                        + 8 * (d * self.ramp * eighth_error + rounding / self.one + lost), 0.0)
 
 
 LEVELS, TOLERANCE = {2: 10, 3: 8, 4: 7}, 0.01
@@ -146,17 +104,16 @@ def error_supremum(kernel: Kernel, of_boxes) -> float:
 
 
 @functools.cache
-def rounding_effect(kernel: Kernel, turns: bool) -> float:
+def rounding_effect(kernel: Kernel) -> float:
     """All but CUT and SCALE, not scaled."""
-    return error_supremum(kernel, lambda boxes: sum(Point(kernel, boxes, point, turns).value()
-                                                    for point in kernel.points))
+    return error_supremum(kernel, lambda boxes: sum(Point(kernel, boxes, point).value() for point in kernel.points))
 
 
 @functools.cache
-def slope_rounding_effect(kernel: Kernel, turns: bool) -> float:
+def slope_rounding_effect(kernel: Kernel) -> float:
     """The same of a derivative, per step."""
     def of_boxes(boxes: Boxes):
-        points = [Point(kernel, boxes, point, turns) for point in kernel.points]
+        points = [Point(kernel, boxes, point) for point in kernel.points]
         return np.maximum.reduce([sum(point.derivative(axis) for point in points)
                                   for axis in range(kernel.dims)])
     return error_supremum(kernel, of_boxes)
@@ -173,14 +130,14 @@ def scaling_error(kernel: Kernel, unit: float) -> float:
     return (256 * fixed_scale(kernel) / 2**18 + 1 / 2) * unit
 
 
-def error_parts(kernel: Kernel, turns: bool, lipschitz: float) -> dict[str, float]:
-    return {"cut": lipschitz / ONE, "points": kernel.scale / 1024 * rounding_effect(kernel, turns),
+def error_parts(kernel: Kernel, lipschitz: float) -> dict[str, float]:
+    return {"cut": lipschitz / ONE, "points": kernel.scale / 1024 * rounding_effect(kernel),
             "scaling": scaling_error(kernel, UNIT)}
 
 
-def slope_error_parts(kernel: Kernel, turns: bool, lipschitz: float) -> dict[str, float]:
+def slope_error_parts(kernel: Kernel, lipschitz: float) -> dict[str, float]:
     scale = kernel.steps * kernel.scale / 1024
-    return {"cut": lipschitz / ONE, "points": scale * slope_rounding_effect(kernel, turns),
+    return {"cut": lipschitz / ONE, "points": scale * slope_rounding_effect(kernel),
             "scaling": kernel.steps * scaling_error(kernel, SLOPE_UNIT)}
 
 
@@ -195,18 +152,9 @@ def without_cut(parts: dict[str, float]) -> float:
 
 # --- Overflow ---------------------------------------------------------------------------------------------------------
 
-def longest_ramp(kernel: Kernel, turns: bool) -> float:
+def longest_ramp(kernel: Kernel) -> float:
     """For offsets of at most 1."""
-    reach = kernel.longest * math.sqrt(kernel.dims) if turns else kernel.gradient.reach(kernel.dims)
-    return reach * ramp_one(kernel.dims) + ramp_rounding(kernel.dims, kernel.more, turns)
-
-
-def turned_intermediates(dims: int, longest: float) -> dict[str, float]:
-    """A direction times an offset is as in noises/perlin/fixed.py, and so is the cross product: |m y| + |b z| is at
-    most 512 * 2^20. The parts are at most sqrt(2) of the length of an offset; g and g' are as long as `longest`."""
-    size = max(math.sqrt(2 * dims), math.sqrt(2) * longest) * fixed_sine_largest() + turn_error()
-    return {"part of a turn": part_intermediate(2.0**29 * fixed_sine_largest(), np.array([FADE_ONE])),
-            "turned": size * 2**29 + 2 * MIXED_ROUNDING}
+    return OCTAHEDRAL.reach(kernel.dims) * ramp_one(kernel.dims)
 
 
 def pieces(kernel: Kernel) -> tuple[np.ndarray, np.ndarray]:
@@ -226,12 +174,11 @@ def weighted_intermediates(kernel: Kernel, ramp: float) -> dict[str, float]:
             "scaled": scaled_intermediate(1024 / kernel.scale * ramp_one(kernel.dims), fixed_scale(kernel))}
 
 
-def largest_intermediates(kernel: Kernel, turns: bool) -> dict[str, float]:
-    return {**(turned_intermediates(kernel.dims, kernel.longest) if turns else {}),
-            **weighted_intermediates(kernel, longest_ramp(kernel, turns))}
+def largest_intermediates(kernel: Kernel) -> dict[str, float]:
+    return weighted_intermediates(kernel, longest_ramp(kernel))
 
 
-def largest_slope_intermediates(kernel: Kernel, turns: bool) -> dict[str, float]:
+def largest_slope_intermediates(kernel: Kernel) -> dict[str, float]:
     """The same of a derivative. Where E is not 0, m d^2 <= r - t: so the length of an offset is at most
     sqrt((r - t) / m), from which k = R E and the product with the offset, for t in each of many ranges. On the plane
     Q (73728 - t) is less than 4/27 of 73728^3 / 2^16. Of a sum of points more is known: each is at
@@ -240,13 +187,10 @@ def largest_slope_intermediates(kernel: Kernel, turns: bool) -> dict[str, float]
     low, high = pieces(kernel)
     eighth = kernel.fall / 4 * kernel.weight.size(1, low, high)
     away = np.sqrt((kernel.radius - low) / kernel.fall)
-    longest = kernel.longest * one + ramp_rounding(dims, kernel.more, turns) + 2 * MIXED_ROUNDING
-    k = float((eighth * away).max()) * longest * 1.001 + 4 * 1023
-    moved = float((eighth * away * away).max()) * longest * 1.001 + 4 * 1023
-    factor = np.array([math.ceil(eighth.max() * FADE_ONE) + 1])
-    gradient, reach = kernels.reach(kernel, turns)
-    derivative = kernels.slope_of(kernel, gradient) * reach + slope_rounding_effect(kernel, turns)
-    return {"falling": part_intermediate(longest_ramp(kernel, turns), factor), "k": part_intermediate(k, whole),
+    k = float((eighth * away).max()) * LENGTH[dims] * one * 1.001 + 4 * 1023
+    moved = float((eighth * away * away).max()) * LENGTH[dims] * one * 1.001 + 4 * 1023
+    derivative = kernels.slope_of(kernel, OCTAHEDRAL) + slope_rounding_effect(kernel)
+    return {"falling": k, "k": part_intermediate(k, whole),
             "fall of the plane": 4 / 27 * 73728**3 / 2**16 + 2**16,
-            "leaning": part_intermediate(longest, whole) / 4 + 1 + 2 * (moved + 2 * 1023),
+            "leaning": OCTAHEDRAL.component(dims) * one / 4 + 2 * (moved + 2 * 1023),
             "scaled derivative": scaled_intermediate(derivative * one / 4, fixed_scale(kernel))}

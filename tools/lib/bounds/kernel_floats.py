@@ -1,8 +1,7 @@
 """The error of a sum over lattice points (kernels.py) in float arithmetic, in the sense of floats.py.
 
     t = max(r - m q, 0); the point adds (ramp)*w, and to a derivative g*w - x*k, k = (ramp)*(fall), with the weight w
-    and its fall as in weights.py; a ramp is r*(k*more) + r, in which k*more is exact
-    turned: (direction.d)*cos + (cross)*sin, lengthened;  g*cos + g'*sin
+    and its fall as in weights.py, and the ramp as in noises/perlin/floats.py
 
 TRIANGLES. q = x*x + y*y. In hn_simplex the skewed x is rounded, and then x of the first corner. Both move the place,
 the same for all points: by up to 2^-22 and 2^-24 steps. From there x of the others and y are rounded once. In
@@ -28,19 +27,17 @@ round at most as many times as there are points to visit, less one.
 from __future__ import annotations
 
 import functools
-import math
 from collections.abc import Iterator
 
 import numpy as np
 
-from bounds import kernels, sine
+from bounds import kernels
 from bounds.boxes import Boxes, cell, supremum
-from bounds.floats import TINY, UNIT, Approx, rounding
-from bounds.gradients import longest
+from bounds.floats import TINY, Approx, rounding
+from bounds.gradients import OCTAHEDRAL
 from bounds.kernels import SMOOTH, Kernel, Quantity
-from bounds.noises.perlin.floats import MORE, approx_direction, approx_sum_of_two, largest_of
+from bounds.noises.perlin.floats import approx_octahedral_ramp, largest_of
 
-ANGLE_CUT = 2 * math.pi * 2.0**-30  # a phase is cut off to a multiple of 2^-30 turns
 Offsets = list[Approx]
 
 
@@ -109,64 +106,6 @@ def nearness(kernel: Kernel, q: Approx) -> Approx:
     return Approx(lo, hi, kernel.fall * q.err, q.ulps).rounded()
 
 
-# --- Ramps ------------------------------------------------------------------------------------------------------------
-
-@functools.cache
-def turn_error(ulps: float) -> float:
-    """Of the cosine and the sine of a phase."""
-    return sine.sine_bound(ulps) + ANGLE_CUT
-
-
-def straight(own: Offsets, ulps) -> Approx:
-    """The direction times the offset. In space x + y and x - y are rounded first; here any two axes may be x and y."""
-    size, err = largest_of(d.size() for d in own), largest_of(d.err for d in own)
-    if len(own) == 3:
-        pair = np.sort(np.broadcast_arrays(*[d.size() for d in own]), axis=0)[1:].sum(axis=0)
-        err = 2 * err + rounding(pair + 2 * err, ulps)
-    return approx_direction(size, err, len(own), ulps)
-
-
-def length(own: Offsets):
-    return np.sqrt(sum(d.size() ** 2 for d in own))
-
-
-def mixed(a_err, b_err, size, ulps) -> Approx:
-    """cos a + sin b, where a and b are a vector and what a quarter of a turn makes of it, times another: so its size is
-    at most that of a and b as a pair, and |a| + |b|, |cos a| + |sin b| are at most sqrt(2) times that."""
-    both, off = math.sqrt(2) * size, turn_error(ulps)
-    err = math.sqrt(2) * np.maximum(a_err, b_err) + off * (both + a_err + b_err)
-    err = err + ulps * UNIT * (both + err) + 2 * TINY
-    return Approx(-size, size, err, ulps).rounded()
-
-
-def lengthened(direction: Approx, size, dims: int, more: float) -> Approx:
-    """r*more + r, which is known to be at most `size`."""
-    largest = MORE[dims] * more
-    err = direction.err * (1 + largest) + rounding((direction.size() + direction.err) * largest, direction.ulps)
-    return Approx(-size, size, err, direction.ulps).rounded()
-
-
-def turned_ramp(own: Offsets, more: float, ulps) -> Approx:
-    """No direction is longer than 1."""
-    cross = approx_direction(largest_of(d.size() for d in own), largest_of(d.err for d in own), 2, ulps)
-    direction = mixed(straight(own, ulps).err, cross.err, length(own), ulps)
-    return lengthened(direction, longest(len(own), more) * length(own), len(own), more)
-
-
-def ramp(kernel: Kernel, own: Offsets, turns: bool, ulps) -> Approx:
-    if kernel.more is None:
-        return approx_sum_of_two(own, ulps)
-    if turns:
-        return turned_ramp(own, kernel.more, ulps)
-    size = kernel.gradient.support(np.broadcast_arrays(*[d.size() for d in own]))
-    return lengthened(straight(own, ulps), size, kernel.dims, kernel.more)
-
-
-def component(longest_one: float, turns: bool, ulps) -> Approx:
-    """Of a gradient; it is exact where nothing turns."""
-    return mixed(0.0, 0.0, longest_one, ulps) if turns else Approx(-1.0, 1.0, 0.0, ulps)
-
-
 # --- The sum ----------------------------------------------------------------------------------------------------------
 
 def added(kernel: Kernel, terms: list[Approx], ulps) -> Approx:
@@ -181,20 +120,21 @@ def weighted(kernel: Kernel, t: Approx) -> Approx:
     return kernel.weight.floats(t).clipped(*kernel.weight.ends(0, t.lo, t.hi))
 
 
-def value_error(kernel: Kernel, turns: bool, ulps, lo, hi):
+def value_error(kernel: Kernel, ulps, lo, hi):
     """The largest error in each box of places, given by its ends along each axis."""
-    terms = [ramp(kernel, own, turns, ulps).times(weighted(kernel, nearness(kernel, q)))
+    terms = [approx_octahedral_ramp(own, ulps).times(weighted(kernel, nearness(kernel, q)))
              for own, q in distances(kernel, lo, hi, ulps)]
     return added(kernel, terms, ulps).err
 
 
-def slope_error(kernel: Kernel, turns: bool, ulps, lo, hi):
+def slope_error(kernel: Kernel, ulps, lo, hi):
     """The same of the derivatives, per step."""
-    along, g = [[] for _ in range(kernel.dims)], component(kernel.longest, turns, ulps)
+    component = OCTAHEDRAL.component(kernel.dims)
+    along, g = [[] for _ in range(kernel.dims)], Approx(-component, component, 0.0, ulps)
     for own, q in distances(kernel, lo, hi, ulps):
         t = nearness(kernel, q)
         ends = [2 * kernel.fall * end for end in kernel.weight.ends(1, t.lo, t.hi)]
-        k = ramp(kernel, own, turns, ulps).times(kernel.weight.float_fall(t, kernel.fall).clipped(*ends))
+        k = approx_octahedral_ramp(own, ulps).times(kernel.weight.float_fall(t, kernel.fall).clipped(*ends))
         upright = g.times(weighted(kernel, t))
         for terms, d in zip(along, own):
             terms.append(upright.minus(k.times(d)))
@@ -216,23 +156,23 @@ def error_supremum(error, kernel: Kernel) -> float:
                     None if kernel.triangles else 0, most=100_000)
 
 
-def _moved(kernel: Kernel, quantity: Quantity, ulps, gradient, factor: float) -> float:
+def _moved(kernel: Kernel, quantity: Quantity, ulps) -> float:
     """What the move of the place does to a quantity."""
     if kernel is SMOOTH[2] or not kernel.triangles:
         return 0.0
     along_x = Quantity((*quantity.along, (1.0, 0.0)))
-    return SKEWED * ulps * factor * kernel.scale / 1024 * kernels.largest(kernel, along_x, gradient)
+    return SKEWED * ulps * kernel.scale / 1024 * kernels.largest(kernel, along_x, OCTAHEDRAL)
 
 
 @functools.cache
-def error_bound(kernel: Kernel, turns: bool = False, ulps: float = 1.0) -> float:
+def error_bound(kernel: Kernel, ulps: float = 1.0) -> float:
     """A proven upper bound of the error from (cell, fraction)."""
-    return (error_supremum(functools.partial(value_error, kernel, turns, ulps), kernel)
-            + _moved(kernel, kernels.VALUE, ulps, *kernels.reach(kernel, turns)))
+    return (error_supremum(functools.partial(value_error, kernel, ulps), kernel)
+            + _moved(kernel, kernels.VALUE, ulps))
 
 
 @functools.cache
-def slope_error_bound(kernel: Kernel, turns: bool = False, ulps: float = 1.0) -> float:
+def slope_error_bound(kernel: Kernel, ulps: float = 1.0) -> float:
     """The same of the derivatives, per cell."""
-    moved = max(_moved(kernel, Quantity((axis,)), ulps, *kernels.reach(kernel, turns)) for axis in kernels.axes(kernel))
-    return kernel.steps * (error_supremum(functools.partial(slope_error, kernel, turns, ulps), kernel) + moved)
+    moved = max(_moved(kernel, Quantity((axis,)), ulps) for axis in kernels.axes(kernel))
+    return kernel.steps * (error_supremum(functools.partial(slope_error, kernel, ulps), kernel) + moved)

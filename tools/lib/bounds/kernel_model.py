@@ -15,16 +15,7 @@ from bounds import fixed_model as fixed
 from bounds.exact_model import s32, u32
 from bounds.fixed_model import ONE, part
 from bounds.gradients import OCTAHEDRAL
-from bounds.kernels import SMOOTH
 from bounds.weights import CUBE, EVEN, FIFTH, PLANE
-
-
-def more_of(kernel):
-    return {(2, False): 3 / 8, (2, True): 3 / 8, (3, False): 1, (3, True): 2}.get((kernel.dims, is_smooth(kernel)))
-
-
-def is_smooth(kernel):
-    return kernel is SMOOTH.get(kernel.dims)
 
 
 def points(kernel):
@@ -56,36 +47,11 @@ def at(near, words):
     return words if words is None or len(words) == 1 else words[near]
 
 
-# --- Gradients --------------------------------------------------------------------------------------------------------
-
-def lengthened(kernel, words):
-    if kernel.dims == 4:
-        return exact.gradient(None, 4, words)
-    if kernel.dims == 2:
-        d = [x / 512 for x in exact.direction(2, words)]
-    else:
-        p, q, m = (x / 256 for x in exact.direction(3, words))
-        d = [(p + q) / 2, (p - q) / 2, m]
-    return [x * (1 + more_of(kernel) * (1 - np.maximum.reduce([abs(y) for y in d]))) for x in d]
-
-
-def quarter(g):
-    """g'."""
-    if len(g) == 2:
-        return [-g[1], g[0]]
-    x, y, z = (abs(c) for c in g)
-    upright, across = (z <= x) & (z <= y), y <= x
-    zero = 0 * g[0]
-    return [np.where(upright, -g[1], np.where(across, g[2], zero)),
-            np.where(upright, g[0], np.where(across, zero, -g[2])),
-            np.where(upright, zero, np.where(across, -g[0], g[1]))]
-
-
 def turned(g, phase):
     if phase is None:
         return g
     angle = phase / 2**31 * math.pi
-    return [np.cos(angle) * a + np.sin(angle) * b for a, b in zip(g, quarter(g))]
+    return [np.cos(angle) * a + np.sin(angle) * b for a, b in zip(g, exact.quarter(g))]
 
 
 # --- Exactly ----------------------------------------------------------------------------------------------------------
@@ -117,7 +83,7 @@ def simplex(kernel, words_of, fractions, phase=None):
     value, derivatives = np.zeros(place.shape[1]), np.zeros(place.shape)
     for point, near, d, t in near_points(kernel, place):
         w, slope = weight(kernel, t)
-        g = turned(lengthened(kernel, at(near, words_of(point))), at(near, phase))
+        g = turned(exact.gradient(OCTAHEDRAL, kernel.dims, at(near, words_of(point))), at(near, phase))
         ramp = sum(a * b for a, b in zip(g, d))
         value[near] += w * ramp
         for axis, a in enumerate(g):
@@ -153,60 +119,6 @@ def perlin(words_of, fractions, phase):
 
 # --- In integers ------------------------------------------------------------------------------------------------------
 
-def fixed_rotation(phase):
-    return 4 * fixed.sine_of_turns(u32(phase + 2**30)), 4 * fixed.sine_of_turns(phase)
-
-
-def fixed_direction(words, d, phase):
-    """r of the contract, before it is lengthened, and E."""
-    parts = exact.direction(len(d), words)
-    if len(d) == 2:
-        r, across = parts[0] * d[0] + parts[1] * d[1], parts[0] * d[1] - parts[1] * d[0]
-    else:
-        p, q, m = parts
-        r = p * (d[0] + d[1]) + q * (d[0] - d[1]) + m * 2 * d[2]
-        across = sum(a * b for a, b in zip(quarter([p + q, p - q, 2 * m]), d))
-    if phase is not None:
-        c, z = fixed_rotation(phase)
-        r = part(r, c) + part(across, z)
-    return r, fixed.extra(len(d), parts)
-
-
-def fixed_ramp(kernel, words, d, phase):
-    if kernel.dims == 4:
-        return fixed.ramp(None, words, d)
-    r, extra = fixed_direction(words, d, phase)
-    if kernel.dims == 2:
-        return s32(r + (r >> 12) * (3 * extra))
-    return s32(r + (r >> 9) * ((2 if is_smooth(kernel) else 1) * extra))
-
-
-def fixed_turned(g, phase):
-    if phase is None:
-        return g
-    c, z = fixed_rotation(phase)
-    return [part(a, c) + part(b, z) for a, b in zip(g, quarter(g))]
-
-
-def fixed_gradient(kernel, words, phase):
-    g = fixed.gradient(kernel.dims, words)
-    if kernel.dims == 2:
-        parts = exact.direction(2, words)
-        g = [x * (4096 + 3 * fixed.extra(2, parts)) * 2**8 for x in parts]
-    return fixed_turned(g, phase)
-
-
-def fixed_perlin(words_of, fractions, phase):
-    """The value and the derivatives."""
-    def ramp(_, words, d):
-        r, extra = fixed_direction(words, d, phase)
-        return s32(r + (r >> 9) * extra)
-
-    def gradient(dims, words):
-        return fixed_turned(fixed.gradient(dims, words), phase)
-    return fixed.perlin(OCTAHEDRAL, words_of, fractions, True, ramp, gradient)
-
-
 def fixed_weight(kernel, t):
     """W and E."""
     q = u32(t * t + 2**15) >> 16
@@ -239,21 +151,30 @@ def fixed_scaled(n, scale):
     return s32((s32(n + 256) >> 9) * scale + 256) >> 9
 
 
-def fixed_simplex(kernel, words_of, fractions, phase=None):
-    """v in units of 2^-21, and the derivatives in units of 2^-19."""
-    place = np.array([kernel.steps * f for f in fractions])
+def fixed_sums(kernel, words_of, place, turned=False):
+    """What is scaled, first of the value, then of the derivatives."""
     total, along = np.zeros(place.shape[1], np.int64), np.zeros(place.shape, np.int64)
     for point, near, d, t in near_fixed_points(kernel, place):
         w, fall = fixed_weight(kernel, t)
-        words, turn = at(near, words_of(point)), at(near, phase)
-        ramp = fixed_ramp(kernel, words, d, turn)
+        g = fixed.of_words(kernel.dims, at(near, words_of(point)), turned)
+        ramp = fixed.ramp_of(g, d)
         total[near] += part(ramp, w)
         if fall is not None:
-            g, k = fixed_gradient(kernel, words, turn), part(ramp, fall)
-            for axis, a in enumerate(g):
-                along[axis, near] += (part(a, w) >> 2) - 2 * part(k, d[axis] >> 2)
+            k = part(ramp, fall)
+            for axis, a in enumerate(fixed.components(g)):
+                along[axis, near] += part(a, w) - 2 * part(k, d[axis] >> 2)
+    return [s32(total), *map(s32, along)]
+
+
+def fixed_simplex(kernel, words_of, fractions, phase=None):
+    """v in units of 2^-21, and the derivatives in units of 2^-19."""
+    place = np.array([kernel.steps * f for f in fractions])
+    sums = fixed_sums(kernel, words_of, place)
+    if phase is not None:
+        sums = fixed.mixed(phase, sums, fixed_sums(kernel, words_of, place, True))
     scale = kernel.scale * (2 if kernel.dims == 4 else 1)
-    return fixed_scaled(s32(total), scale), [kernel.steps * fixed_scaled(s32(e), scale) for e in along]
+    value, *along = [fixed_scaled(n, scale) for n in sums]
+    return value, [kernel.steps * d for d in along]
 
 
 def fixed_angle(turns):

@@ -65,10 +65,10 @@ class Kernel:
                      < self.radius)
 
 
-SIMPLEX = {2: Kernel(2, 819 / 1024, 1, 4100, 3, PLANE, triangles=True),
-           3: Kernel(3, 1.0, 2, 4919, 4, FOURTH),
+SIMPLEX = {2: Kernel(2, 819 / 1024, 1, 4099, 3, PLANE, triangles=True),
+           3: Kernel(3, 1.0, 2, 4918, 4, FOURTH),
            4: Kernel(4, 1.0, 2, 4298, 4, CUBE)}
-SMOOTH = {2: Kernel(2, 1.0, 1, 3081, 4, CUBE, triangles=True), 3: Kernel(3, 0.75, 1, 4281, 8, FIFTH)}
+SMOOTH = {2: Kernel(2, 1.0, 1, 3081, 4, CUBE, triangles=True), 3: Kernel(3, 0.75, 1, 4279, 8, FIFTH)}
 
 
 # --- What is summed ---------------------------------------------------------------------------------------------------

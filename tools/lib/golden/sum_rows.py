@@ -160,11 +160,11 @@ def octaves_at(function: Function, special: float) -> int:
 
 
 # By dimensions, and by whether there are periods: where slopes sum to more than an eroded sum lets them, with the
-# default hash. The octaves are all as coarse as the first. These are the best of some million places and seeds.
+# default hash. The octaves are all as coarse as the first. These are the best of six million places and seeds.
 STEEP_PERIOD, STEEP_STRENGTH = 5, 0.0625
-STEEP = {(2, False): ((6.375, 0.25), 8, 1.0, 72633096), (2, True): ((-7.75, -5.125), 8, 1.0, 460232246),
-         (3, False): ((7.75, 6.625, 2.625), 20, 0.9375, 303254308),
-         (3, True): ((2.875, 0.25, 5.75), 20, 0.9375, 769647069)}
+STEEP = {(2, False): ((-1.625, 6.375), 8, 1.0, 914794061), (2, True): ((5.375, -4.125), 8, 1.0, 64253315),
+         (3, False): ((-7.625, -3.75, 6.875), 20, 0.9375, 506409921),
+         (3, True): ((1.25, 7.25, 5.25), 20, 0.9375, 277140378)}
 TINY = (2.0**-126, -2.0**-126, 2.0**-33, -2.0**-31, 2.0**-30)
 
 

@@ -194,16 +194,15 @@ def fixed_scale(kernel: Kernel, n: int) -> int:
     return 2 * kernel.scale if n == 4 else kernel.scale
 
 
-def fixed_value(kernel: Kernel, lattice: Lattice, cell: Sequence[int], fraction: Sequence[int]) -> int:
+def fixed_sum(kernel: Kernel, lattice: Lattice, cell: Sequence[int], fraction: Sequence[int]) -> int:
     total = 0
     for point in fixed_points(kernel, fraction):
         ramp = lattice.fixed_ramp(point.word(kernel, lattice, cell), point.offset)
         total = signed(total + part(ramp, kernel.weight.of_square(*fixed_t(kernel, point.square))))
-    return ramps.scaled(total, fixed_scale(kernel, len(cell)))
+    return total
 
 
-def fixed_derivatives(kernel: Kernel, lattice: Lattice, cell: Sequence[int], fraction: Sequence[int]) -> list[int]:
-    """In units of 2^-19 per cell."""
+def fixed_slopes(kernel: Kernel, lattice: Lattice, cell: Sequence[int], fraction: Sequence[int]) -> list[int]:
     n = len(cell)
     totals = [0] * n
     for point in fixed_points(kernel, fraction):
@@ -213,7 +212,18 @@ def fixed_derivatives(kernel: Kernel, lattice: Lattice, cell: Sequence[int], fra
         along = part(lattice.fixed_ramp(h, point.offset), kernel.weight.fall(*powers))
         for axis, (g, d) in enumerate(zip(lattice.fixed_octahedral(h, n), point.offset)):
             totals[axis] = signed(totals[axis] + signed(part(g, weight) - 2 * part(along, d >> 2)))
-    return [kernel.steps * ramps.scaled(total, fixed_scale(kernel, n)) for total in totals]
+    return totals
+
+
+def fixed_value(kernel: Kernel, lattice: Lattice, cell: Sequence[int], fraction: Sequence[int]) -> int:
+    total, = lattice.fixed_sums(lambda still: [fixed_sum(kernel, still, cell, fraction)])
+    return ramps.scaled(total, fixed_scale(kernel, len(cell)))
+
+
+def fixed_derivatives(kernel: Kernel, lattice: Lattice, cell: Sequence[int], fraction: Sequence[int]) -> list[int]:
+    """In units of 2^-19 per cell."""
+    totals = lattice.fixed_sums(lambda still: fixed_slopes(kernel, still, cell, fraction))
+    return [kernel.steps * ramps.scaled(total, fixed_scale(kernel, len(cell))) for total in totals]
 
 
 # --- Noises -----------------------------------------------------------------------------------------------------

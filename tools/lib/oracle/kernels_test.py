@@ -180,15 +180,15 @@ class Noises(unittest.TestCase):
         g, following = (Fraction(gradients.gradient2(words.point_word("pcg", point, 7))[0])
                         for point in ((6, -4), (7, -4)))
         self.assertEqual(noises.find("simplex").exact(Knobs("pcg"), (3 + eighth, -2), 7),
-                         (Fraction(4100, 1024) * (w * g * quarter - next_w * following * 3 * quarter),))
+                         (Fraction(4099, 1024) * (w * g * quarter - next_w * following * 3 * quarter),))
         t = Fraction(7, 8)
         self.assertEqual(noises.find("simplex").exact(Knobs("pcg"), (3 + quarter, -2, 5), 7),
-                         (Fraction(4919, 1024) * t**4 * Fraction(gradients.gradient3(space)[0]) * quarter,))
+                         (Fraction(4918, 1024) * t**4 * Fraction(gradients.gradient3(space)[0]) * quarter,))
         self.assertEqual(noises.find("simplex").exact(Knobs("pcg"), (3 + quarter, -2, 5, 0), 7),
                          (Fraction(4298, 1024) * t**3 * Fraction(gradients.gradient4(four)[0]) * quarter,))
         centre = words.point_word("pcg", (3, -2, 5), 7, True)
         self.assertEqual(noises.find("simplex").exact(Knobs("pcg"), (3.5, -1.25, 5.5), 7),
-                         (Fraction(4919, 1024) * t**4 * Fraction(gradients.gradient3(centre)[1]) * quarter,))
+                         (Fraction(4918, 1024) * t**4 * Fraction(gradients.gradient3(centre)[1]) * quarter,))
 
     def test_cells_meet(self) -> None:
         # f = 1 in one cell is f = 0 in the next: at the seam of a period, and where cells wrap without one.

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 from oracle import gradients, integers, ramps, turning
@@ -34,6 +34,7 @@ class Lattice:
     phase: Real | None = None  # by which octahedral gradients are turned, and feature points go round
     choice: Choice = Choice()
     component: int = 0  # of a vector, whose noises have words of their own (section 22)
+    quarter: bool = False  # with HN_FIXED: gradients have turned by a quarter
 
     def point(self, corner: Sequence[int]) -> list[int]:
         """What is hashed for a corner of a cell."""
@@ -75,15 +76,22 @@ class Lattice:
         self.check_phase()
         return integers.sine_gradient(self.knobs, self.point(corner), self.seed)
 
-    @property
-    def turn(self) -> turning.Turn | None:
-        """The phase in fixed arithmetic."""
-        return None if self.phase is None else turning.turn_of(self.phase)
+    def fixed_sums(self, of_gradients: Callable[[Lattice], Sequence[int]]) -> list[int]:
+        """What is scaled in fixed arithmetic: sums over gradients. With a phase, of those of both quarters."""
+        if self.phase is None:
+            return list(of_gradients(self))
+        turn, still = turning.turn_of(self.phase), replace(self, phase=None)
+        return [turn.of(a, b) for a, b in zip(of_gradients(still), of_gradients(replace(still, quarter=True)),
+                                              strict=True)]
+
+    def whole_gradient(self, word: int, n: int) -> tuple[int, ...]:
+        g = ramps.whole_gradient(word, n)
+        return turning.quarter_turned(g) if self.quarter else g
 
     def fixed_ramp(self, word: int, d: Sequence[int]) -> int:
         """The octahedral ramp of a word at the offset d, in the units of ramps."""
-        return ramps.octahedral_ramp(word, d, self.turn)
+        return ramps.ramp(self.whole_gradient(word, len(d)), d)
 
     def fixed_octahedral(self, word: int, n: int) -> tuple[int, ...]:
         """The components of the gradient, in units four times as large."""
-        return ramps.octahedral_gradient(word, n, self.turn)
+        return ramps.components(self.whole_gradient(word, n))

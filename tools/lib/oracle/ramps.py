@@ -1,12 +1,11 @@
-"""Ramps and gradients in fixed arithmetic: sections 8 and 14 of docs/contract.md."""
+"""Ramps and gradients in fixed arithmetic: section 8 of docs/contract.md."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
-from oracle import gradients, turning
+from oracle import gradients
 from oracle.integers import UNIT, signed
-from oracle.turning import Turn
 
 # By the number of dimensions: the unit of the ramps. That of gradients is a quarter of it.
 RAMP_UNITS = {1: 2**29, 2: 2**29, 3: 2**29, 4: 2**28}
@@ -25,16 +24,10 @@ def ramp(g: Sequence[int], d: Sequence[int]) -> int:
     return signed(RAMP_UNITS[n] // (GRADIENT_UNITS[n] * UNIT) * signed(sum(signed(a * x) for a, x in zip(g, d))))
 
 
-def octahedral_ramp(h: int, d: Sequence[int], turn: Turn | None = None) -> int:
-    """The ramp of the word h of a lattice point at the offset d from it."""
-    g = whole_gradient(h, len(d))
-    return turn.of(ramp(g, d), ramp(turning.quarter_turned(g), d)) if turn else ramp(g, d)
-
-
-def octahedral_gradient(h: int, n: int, turn: Turn | None = None) -> tuple[int, ...]:
-    """The components of the gradient of a word in n dimensions, in units four times as large as those of ramps."""
-    g = tuple(RAMP_UNITS[n] // (4 * GRADIENT_UNITS[n]) * x for x in whole_gradient(h, n))
-    return tuple(map(turn.of, g, turning.quarter_turned(g))) if turn else g
+def components(g: Sequence[int]) -> tuple[int, ...]:
+    """Of a whole gradient, in units four times as large as those of ramps."""
+    n = len(g)
+    return tuple(RAMP_UNITS[n] // (4 * GRADIENT_UNITS[n]) * x for x in g)
 
 
 def sine_ramp(components: Sequence[int], d: Sequence[int]) -> int:

@@ -6,10 +6,11 @@ import itertools
 import math
 import unittest
 from fractions import Fraction
+from unittest import mock
 
 from golden.generator import generator_of
 from golden.simplex_rows import PHASES
-from oracle import gradients, integers, noises, ramps, turning, words
+from oracle import gradients, noises, turning, words
 from oracle.gradients import Knobs
 from oracle.integers import UNIT
 from oracle.lattice import Lattice
@@ -111,38 +112,25 @@ class Fixed(unittest.TestCase):
             for found, exact in ((turn.sine, turns), (turn.cosine, turns + Fraction(1, 4))):
                 self.assertLess(abs(Fraction(found, 2**18) - gradients.sine_of_turns(exact)), 3.7e-5, phase)
 
-    def test_ramps_are_near(self) -> None:
-        # The sine of fixed arithmetic is off by 3.7e-5, and of a ramp's two parts each is at most 2 long.
-        numbers = generator_of("ramps")
-        for n, h in itertools.product((2, 3), some_words(200)):
-            d, phase = [numbers.integer(-UNIT, UNIT) for _ in range(n)], numbers.uniform(-1, 1)
-            turn = turning.turn_of(phase)
-            g = turning.turned(gradients.OCTAHEDRAL[n](h), phase)
-            exact = sum(a * Fraction(x, UNIT) for a, x in zip(g, d))
-            self.assertLess(abs(Fraction(ramps.octahedral_ramp(h, d, turn), ramps.RAMP_UNITS[n]) - exact), 1.6e-4)
-            for found, component in zip(ramps.octahedral_gradient(h, n, turn), g):
-                self.assertLess(abs(Fraction(found, ramps.RAMP_UNITS[n] // 4) - component), 1e-4)
+    def test_both_quarters_by_hand(self) -> None:
+        # Of a turn 2^18 is 1.
+        self.assertEqual(Turn(2**17, -2**17).of(2**20, 2**19), 2**18)
+        with mock.patch.object(turning, "turn_of", return_value=Turn(2**17, 2**17)):
+            sums = Lattice(KNOBS, phase=0.3).fixed_sums(lambda still: [2**20 + still.quarter * 2**19, 2**10])
+        self.assertEqual(sums, [2**19 + 3 * 2**18, 2**10])
+        self.assertEqual(Lattice(KNOBS).fixed_sums(lambda still: [still.quarter]), [False])
 
-    def test_ramps_by_hand(self) -> None:
-        # (1, 3) / 4 becomes (-3, 1) / 4. Of a turn 2^18 is 1.
+    def test_gradients_of_both_quarters(self) -> None:
+        # (1, 3) / 4 becomes (-3, 1) / 4, and (-1, 0, 1) becomes (-1, 0, -1).
+        still, quarter = Lattice(KNOBS), Lattice(KNOBS, quarter=True)
         h, d = 2 << 21, (3 * 2**10, 5 * 2**10)
-        self.assertEqual(ramps.octahedral_ramp(h, d), 128 * (3072 + 15360))
-        self.assertEqual(ramps.octahedral_ramp(h, d, Turn(0, 2**18)), 128 * (5120 - 9216))
-        self.assertEqual(ramps.octahedral_gradient(h, 2, Turn(0, 2**18)), (-3 * 2**25, 2**25))
-        # (-1, 0, 1) becomes (-1, 0, -1); half of both is (-1, 0, 0).
+        self.assertEqual(still.fixed_ramp(h, d), 128 * (3072 + 15360))
+        self.assertEqual(quarter.fixed_ramp(h, d), 128 * (5120 - 9216))
+        self.assertEqual(quarter.fixed_octahedral(h, 2), (-3 * 2**25, 2**25))
         h, d = 0x60400000, (3 * 2**10, 5 * 2**10, 7 * 2**10)
-        self.assertEqual(ramps.octahedral_ramp(h, d), 512 * (7168 - 3072))
-        self.assertEqual(ramps.octahedral_ramp(h, d, Turn(0, 2**18)), 512 * (-3072 - 7168))
-        self.assertEqual(ramps.octahedral_ramp(h, d, Turn(2**17, 2**17)), -512 * 3072)
-        self.assertEqual(ramps.octahedral_gradient(h, 3, Turn(2**17, 2**17)), (-2**27, 0, 0))
-
-    def test_nothing_overflows(self) -> None:
-        numbers = generator_of("overflow")
-        for n, h in itertools.product((2, 3), some_words(300)):
-            for phase in (0, 0.125, numbers.uniform(-1, 1)):
-                turn = turning.turn_of(phase)
-                for d in itertools.product((-UNIT, UNIT), repeat=n):
-                    ramps.octahedral_ramp(h, d, turn)
+        self.assertEqual(still.fixed_ramp(h, d), 512 * (7168 - 3072))
+        self.assertEqual(quarter.fixed_ramp(h, d), 512 * (-3072 - 7168))
+        self.assertEqual(quarter.fixed_octahedral(h, 3), (-2**27, 0, -2**27))
 
 
 class Noises(unittest.TestCase):
@@ -216,5 +204,3 @@ class Words(unittest.TestCase):
         lattice = Lattice(KNOBS, 3, (), 0.25)
         h = lattice.word((1, 2))
         self.assertEqual(lattice.gradient((1, 2)), turning.quarter_turned(gradients.gradient2(h)))
-        self.assertEqual(lattice.fixed_octahedral(h, 2), ramps.octahedral_gradient(h, 2, turning.turn_of(0.25)))
-        self.assertEqual(integers.part(2**20, 2**17), 2**19)

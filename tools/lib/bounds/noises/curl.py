@@ -22,7 +22,7 @@ import numpy as np
 from bounds import kernels
 from bounds.boxes import SAFE, Boxes, cell, supremum
 from bounds.floats import UNIT, position_error, rounding
-from bounds.gradients import Gradient
+from bounds.gradients import LENGTH, OCTAHEDRAL, Gradient
 from bounds.kernels import SIMPLEX, Jet, Kernel, Offsets, weight_jet
 from bounds.noises import Derived, simplex, simplex_d
 
@@ -40,7 +40,7 @@ def along(kernel: Kernel, place, angle):
         d = place - np.array(point)[:, None]
         t = np.maximum(kernel.radius - kernel.fall * (d * d).sum(axis=0), 0.0)
         w, slope = (kernel.weight.derivative(order, t) for order in range(2))
-        total = total + kernel.gradient.support(w * u - 2 * kernel.fall * slope * (d * u).sum(axis=0) * d)
+        total = total + OCTAHEDRAL.support(w * u - 2 * kernel.fall * slope * (d * u).sum(axis=0) * d)
     return total
 
 
@@ -52,9 +52,9 @@ def curvature(kernel: Kernel, boxes: Boxes):
         offsets = Offsets.of(kernel, boxes, point)
         length = np.sqrt((offsets.size**2).sum(axis=0))
         for axis in range(kernel.dims):
-            ramp = Jet(kernel.gradient.support(offsets.size), 1.0)
+            ramp = Jet(OCTAHEDRAL.support(offsets.size), OCTAHEDRAL.component(kernel.dims))
             falling = weight_jet(offsets, axis, 1) * Jet(length, 1.0) * ramp
-            derivative = weight_jet(offsets, axis).times(kernel.longest) + falling.times(2 * kernel.fall)
+            derivative = weight_jet(offsets, axis).times(LENGTH[kernel.dims]) + falling.times(2 * kernel.fall)
             by_place = by_place + derivative.second
         by_angle = by_angle + derivative.value
     return by_place, by_angle

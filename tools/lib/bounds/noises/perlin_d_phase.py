@@ -4,24 +4,26 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from bounds import turns
 from bounds.gradients import Gradient
-from bounds.noises import Derived, perlin_phase
+from bounds.noises import Derived, perlin_d, perlin_phase
 
 CASES = perlin_phase.CASES
 
 
 def derive(dims: int, gradient: Gradient) -> Derived:
-    return replace(perlin_phase.derive(dims, gradient), slope=perlin_phase.derive_slope(dims))
+    return replace(perlin_phase.derive(dims, gradient), slope=perlin_phase.derive_slope(dims, gradient))
 
 
 def largest_intermediates(dims: int, gradient: Gradient) -> dict[str, float]:
-    return (perlin_phase.largest_intermediates(dims, gradient)
-            | perlin_phase.largest_slope_intermediates(dims, perlin_phase.derive_slope(dims).fixed_largest))
+    slope = perlin_phase.derive_slope(dims, gradient).fixed_largest / (4 * perlin_phase.unit(dims))
+    return (perlin_phase.largest_intermediates(dims, gradient) | perlin_d.largest_intermediates(dims, gradient)
+            | turns.largest_intermediates("derivative", slope))
 
 
 def quotes() -> list[tuple[str, str]]:
     return []
 
 
-def describe(dims: int, _: Gradient) -> dict[str, object]:
-    return {"slope_error_from_cell_to_nearest": perlin_phase.slope_error_bound(dims, 0.5)}
+def describe(dims: int, gradient: Gradient) -> dict[str, object]:
+    return {}

@@ -41,12 +41,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bounds import kernel_fixed, kernel_floats, kernels
+from bounds import kernel_fixed, kernel_floats, kernels, turns
 from bounds.boxes import Boxes, cell, supremum
 from bounds.floats import Approx, position_error
 from bounds.gradients import Gradient
 from bounds.integers import ONE, UNIT, word
-from bounds.kernel_floats import ANGLE_CUT, SKEWED
+from bounds.kernel_floats import SKEWED
 from bounds.kernels import Jet, Kernel, Offsets, dot, weight_jet
 from bounds.noises import Derived, listed
 from bounds.sine import fixed_sine_largest
@@ -129,13 +129,13 @@ def lipschitz_of(kernel: Waves) -> float:
 
 def angle_error(kernel: Waves, own: kernel_floats.Offsets, ulps: float):
     """Of the waves along an offset, before they are cut off."""
-    turns = kernel_floats.total(Approx(-d.size(), d.size(), d.err, ulps).scaled(float(kernel.waves)) for d in own)
-    return TURN * turns.err / kernel.steps
+    along = kernel_floats.total(Approx(-d.size(), d.size(), d.err, ulps).scaled(float(kernel.waves)) for d in own)
+    return TURN * along.err / kernel.steps
 
 
 def wave_error(kernel: Waves, own: kernel_floats.Offsets, ulps: float):
     """Of the cosine and the sine of a point."""
-    return angle_error(kernel, own, ulps) + ANGLE_CUT + kernel_floats.turn_error(ulps)
+    return angle_error(kernel, own, ulps) + turns.ANGLE_CUT + turns.float_error(ulps)
 
 
 def value_error(kernel: Waves, ulps, lo, hi):
@@ -164,8 +164,8 @@ def error_bound(kernel: Waves, ulps: float = 1.0) -> float:
 
 def fixed_wave_error(kernel: Kernel, offsets: Offsets):
     """Of the cosine and the sine of a point, in each box."""
-    turns = WAVE_CUT * offsets.size.sum(axis=0) / kernel.steps + kernel.dims * ANGLE_UNIT
-    return kernel_fixed.turn_error() + TURN * turns
+    along = WAVE_CUT * offsets.size.sum(axis=0) / kernel.steps + kernel.dims * ANGLE_UNIT
+    return turns.fixed_error() + TURN * along
 
 
 @functools.cache

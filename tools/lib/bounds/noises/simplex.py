@@ -3,37 +3,46 @@ kernel_floats.py and kernel_fixed.py its errors; here they are put together, for
 
 from __future__ import annotations
 
-from bounds import kernel_fixed, kernel_floats, kernels, turns
+from bounds import kernel_fixed, kernel_floats, kernels
 from bounds.floats import position_error
-from bounds.gradients import Gradient
+from bounds.gradients import OCTAHEDRAL, Gradient
 from bounds.kernels import SIMPLEX, Kernel
 from bounds.noises import Derived, listed
 
 CASES = tuple((dims, None) for dims in SIMPLEX)
 
 
-def derived_value(kernel: Kernel, turning: bool = False) -> Derived:
-    gradient, longest = kernels.reach(kernel, turning)
+def derived_value(kernel: Kernel) -> Derived:
     scale = kernel.scale / 1024
-    exact = scale * (turns.range_of(kernel) if turning else kernels.range_of(kernel, gradient))
-    lipschitz = kernel.steps * scale * longest * kernels.lipschitz_of(kernel, gradient)
-    cell_error = kernel_floats.error_bound(kernel, turning)
+    exact, lipschitz = scale * kernels.range_of(kernel, OCTAHEDRAL), lipschitz_of(kernel, OCTAHEDRAL)
+    cell_error = kernel_floats.error_bound(kernel)
     error = position_error(cell_error, lipschitz)
-    parts = kernel_fixed.error_parts(kernel, turning, lipschitz)
+    parts = kernel_fixed.error_parts(kernel, lipschitz)
     return Derived(1.0, exact, lipschitz, cell_error, error, exact + error, kernel_fixed.total(parts),
                    exact + kernel_fixed.without_cut(parts), parts)
 
 
-def derived_slope(kernel: Kernel, turning: bool = False) -> Derived:
-    gradient, longest = kernels.reach(kernel, turning)
-    scale = kernel.steps * kernel.scale / 1024
-    exact = scale * longest * kernels.slope_of(kernel, gradient)
-    lipschitz = kernel.steps * scale * kernels.slope_lipschitz_of(kernel)
-    cell_error = kernel_floats.slope_error_bound(kernel, turning)
+def derived_slope(kernel: Kernel) -> Derived:
+    exact, lipschitz = slope_of(kernel, OCTAHEDRAL), slope_lipschitz_of(kernel, OCTAHEDRAL)
+    cell_error = kernel_floats.slope_error_bound(kernel)
     error = position_error(cell_error, lipschitz)
-    parts = kernel_fixed.slope_error_parts(kernel, turning, lipschitz)
+    parts = kernel_fixed.slope_error_parts(kernel, lipschitz)
     return Derived(0.0, exact, lipschitz, cell_error, error, exact + error, kernel_fixed.total(parts),
                    exact + kernel_fixed.without_cut(parts), parts)
+
+
+# Per cell, and scaled.
+
+def lipschitz_of(kernel: Kernel, gradient: Gradient) -> float:
+    return kernel.steps * kernel.scale / 1024 * kernels.lipschitz_of(kernel, gradient)
+
+
+def slope_of(kernel: Kernel, gradient: Gradient) -> float:
+    return kernel.steps * kernel.scale / 1024 * kernels.slope_of(kernel, gradient)
+
+
+def slope_lipschitz_of(kernel: Kernel, gradient: Gradient) -> float:
+    return kernel.steps**2 * kernel.scale / 1024 * kernels.slope_lipschitz_of(kernel, gradient)
 
 
 def derive(dims: int, _: Gradient | None) -> Derived:
@@ -41,7 +50,7 @@ def derive(dims: int, _: Gradient | None) -> Derived:
 
 
 def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
-    return kernel_fixed.largest_intermediates(SIMPLEX[dims], False)
+    return kernel_fixed.largest_intermediates(SIMPLEX[dims])
 
 
 def quotes() -> list[tuple[str, str]]:
@@ -51,4 +60,4 @@ def quotes() -> list[tuple[str, str]]:
 
 def describe(dims: int, _: Gradient | None) -> dict[str, object]:
     return {"scale": SIMPLEX[dims].scale / 1024,
-            "error_from_cell_to_nearest": kernel_floats.error_bound(SIMPLEX[dims], False, 0.5)}
+            "error_from_cell_to_nearest": kernel_floats.error_bound(SIMPLEX[dims], 0.5)}

@@ -18,7 +18,7 @@ def derive(dims: int, gradient: Gradient | None) -> Derived:
 
 def largest_intermediates(dims: int, gradient: Gradient | None) -> dict[str, float]:
     return (simplex.largest_intermediates(dims, gradient)
-            | kernel_fixed.largest_slope_intermediates(SIMPLEX[dims], False))
+            | kernel_fixed.largest_slope_intermediates(SIMPLEX[dims]))
 
 
 def quotes() -> list[tuple[str, str]]:
@@ -26,4 +26,4 @@ def quotes() -> list[tuple[str, str]]:
 
 
 def describe(dims: int, _: Gradient | None) -> dict[str, object]:
-    return {"slope_error_from_cell_to_nearest": kernel_floats.slope_error_bound(SIMPLEX[dims], False, 0.5)}
+    return {"slope_error_from_cell_to_nearest": kernel_floats.slope_error_bound(SIMPLEX[dims], 0.5)}

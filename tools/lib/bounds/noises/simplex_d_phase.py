@@ -4,21 +4,22 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from bounds import kernel_fixed
+from bounds import turns
 from bounds.gradients import Gradient
 from bounds.kernels import SIMPLEX
-from bounds.noises import Derived, simplex, simplex_phase
+from bounds.noises import Derived, simplex_d, simplex_phase
 
 CASES = simplex_phase.CASES
 
 
 def derive(dims: int, gradient: Gradient | None) -> Derived:
-    return replace(simplex_phase.derive(dims, gradient), slope=simplex.derived_slope(SIMPLEX[dims], turning=True))
+    return replace(simplex_phase.derive(dims, gradient), slope=simplex_phase.derive_slope(dims))
 
 
 def largest_intermediates(dims: int, gradient: Gradient | None) -> dict[str, float]:
-    return (simplex_phase.largest_intermediates(dims, gradient)
-            | kernel_fixed.largest_slope_intermediates(SIMPLEX[dims], True))
+    unit = 4 * SIMPLEX[dims].steps * simplex_phase.unit(dims)
+    return (simplex_phase.largest_intermediates(dims, gradient) | simplex_d.largest_intermediates(dims, gradient)
+            | turns.largest_intermediates("derivative", simplex_phase.derive_slope(dims).fixed_largest / unit))
 
 
 def quotes() -> list[tuple[str, str]]:

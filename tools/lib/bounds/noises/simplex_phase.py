@@ -1,25 +1,43 @@
-"""hn_simplex with a phase: as simplex.py, with gradients that turn (turns.py)."""
+"""hn_simplex with a phase: as turns.py says, with gradients at all phases."""
 
 from __future__ import annotations
 
-from bounds import kernel_fixed
-from bounds.gradients import Gradient
+from bounds import kernels, turns
+from bounds.gradients import TURNED, Gradient
+from bounds.kernel_fixed import ramp_one
 from bounds.kernels import SIMPLEX
 from bounds.noises import Derived, listed, simplex
 
 CASES = tuple((dims, None) for dims in (2, 3))
 
 
+def range_of(dims: int) -> float:
+    return SIMPLEX[dims].scale / 1024 * kernels.range_of(SIMPLEX[dims], TURNED)
+
+
+def unit(dims: int) -> float:
+    """Of ramps, scaled."""
+    return SIMPLEX[dims].scale / 1024 / ramp_one(dims)
+
+
 def derive(dims: int, _: Gradient | None) -> Derived:
-    return simplex.derived_value(SIMPLEX[dims], turning=True)
+    kernel = SIMPLEX[dims]
+    return turns.turned(simplex.derived_value(kernel), range_of(dims), simplex.lipschitz_of(kernel, TURNED), unit(dims))
+
+
+def derive_slope(dims: int) -> Derived:
+    kernel = SIMPLEX[dims]
+    return turns.turned(simplex.derived_slope(kernel), simplex.slope_of(kernel, TURNED),
+                        simplex.slope_lipschitz_of(kernel, TURNED), 4 * kernel.steps * unit(dims))
 
 
 def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
-    return kernel_fixed.largest_intermediates(SIMPLEX[dims], True)
+    value = derive(dims, None).fixed_largest / unit(dims)
+    return simplex.largest_intermediates(dims, None) | turns.largest_intermediates("value", value)
 
 
 def quotes() -> list[tuple[str, str]]:
-    below = listed([derive(*case).range for case in CASES])
+    below = listed([range_of(dims) for dims, _ in CASES])
     return [("docs/accuracy.md", f"and `hn_simplex` below {below}.")]
 
 

@@ -15,7 +15,7 @@ def derive(dims: int, _: Gradient | None) -> Derived:
 
 
 def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
-    return kernel_fixed.largest_intermediates(SMOOTH[dims], False)
+    return kernel_fixed.largest_intermediates(SMOOTH[dims])
 
 
 def quotes() -> list[tuple[str, str]]:
@@ -25,4 +25,4 @@ def quotes() -> list[tuple[str, str]]:
 
 def describe(dims: int, _: Gradient | None) -> dict[str, object]:
     return {"scale": SMOOTH[dims].scale / 1024,
-            "error_from_cell_to_nearest": kernel_floats.error_bound(SMOOTH[dims], False, 0.5)}
+            "error_from_cell_to_nearest": kernel_floats.error_bound(SMOOTH[dims], 0.5)}

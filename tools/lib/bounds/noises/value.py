@@ -90,7 +90,7 @@ def derive_slope(dims: int) -> Derived:
     others = largest_fade_effect(dims - 1, None)
     parts = {"cut": lipschitz / ONE,
              "fade": 2 * (float(np.abs(slope_errors()).max()) + slopes().max() / FADE_ONE * others),
-             "interpolation": slope_rounding(dims, 0, gradients=False) / (NUMBER_ONE / 4), "scaling": SLOPE_UNIT / 2}
+             "interpolation": slope_rounding(dims, gradients=False) / (NUMBER_ONE / 4), "scaling": SLOPE_UNIT / 2}
     fixed_error = sum(parts.values()) * SAFE
     return Derived(0.0, STEEPEST, lipschitz, cell_error, error, STEEPEST + error, fixed_error,
                    STEEPEST + fixed_error, parts)
@@ -102,7 +102,7 @@ def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
 
 
 def largest_slope_intermediates(dims: int) -> dict[str, float]:
-    return slope_intermediates(NUMBER_ONE, 0, dims)
+    return slope_intermediates(2 * NUMBER_ONE, 0, dims)
 
 
 def quotes() -> list[tuple[str, str]]:

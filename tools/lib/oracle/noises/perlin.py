@@ -52,5 +52,8 @@ def fixed_ramp(lattice: Lattice, corner: Sequence[int], d: Sequence[int]) -> int
 
 def fixed(lattice: Lattice, cell: Sequence[int], fraction: Sequence[int]) -> tuple[int]:
     check(lattice.knobs, len(cell))
-    n = interpolated(cell, fraction, lambda corner, d: fixed_ramp(lattice, corner, d))
+    if lattice.knobs.sine:
+        lattice.check_phase()
+    n, = lattice.fixed_sums(
+        lambda still: [interpolated(cell, fraction, lambda corner, d: fixed_ramp(still, corner, d))])
     return (n >> 7 if lattice.knobs.sine else scaled(n, FIXED_SCALES[len(cell)]),)

@@ -27,14 +27,18 @@ def exact(lattice: Lattice, cell: Sequence[int], f: Sequence[Fraction]) -> tuple
     return (*perlin.exact(lattice, cell, f), *(scale * (a + b) for a, b in zip(of_weights, of_ramps)))
 
 
-def fixed(lattice: Lattice, cell: Sequence[int], fraction: Sequence[int]) -> tuple[int, ...]:
-    check(lattice)
-    n = len(cell)
+def interpolated(lattice: Lattice, cell: Sequence[int], fraction: Sequence[int]) -> tuple[int, ...]:
     ramps = []
     for corner, offset in corners(cell, fraction):
-        gradient = lattice.fixed_octahedral(lattice.word(corner), n)
+        gradient = lattice.fixed_octahedral(lattice.word(corner), len(cell))
         ramps.append(Ramp(perlin.fixed_ramp(lattice, corner, offset), (), gradient))
     for f in fraction:
         ramps = [interpolated_ramp(a, b, fade(f), fade_slope(f)) for a, b in halves(ramps)]
     result, = ramps
-    return tuple(scaled(x, perlin.FIXED_SCALES[n]) for x in (result.value, *result.derivatives))
+    return (result.value, *result.derivatives)
+
+
+def fixed(lattice: Lattice, cell: Sequence[int], fraction: Sequence[int]) -> tuple[int, ...]:
+    check(lattice)
+    sums = lattice.fixed_sums(lambda still: interpolated(still, cell, fraction))
+    return tuple(scaled(x, perlin.FIXED_SCALES[len(cell)]) for x in sums)

@@ -206,14 +206,14 @@ class Ramps(unittest.TestCase):
                 h = numbers.word()
                 d = [numbers.integer(-UNIT, UNIT) for _ in range(n)]
                 exact_ramp = sum(Fraction(g) * Fraction(x, UNIT) for g, x in zip(gradients.OCTAHEDRAL[n](h), d))
-                self.assertEqual(ramps.octahedral_ramp(h, d), exact_ramp * ramps.RAMP_UNITS[n], (n, h, d))
+                self.assertEqual(Lattice(Knobs("pcg")).fixed_ramp(h, d), exact_ramp * ramps.RAMP_UNITS[n], (n, h, d))
 
     def test_ramps_by_hand(self) -> None:
         d = (3 * 2**10, 5 * 2**10, 7 * 2**10, 2**10)
         for h, n, expected in ((256 << 14, 1, 3072), (0x00200000, 2, 128 * (15360 - 3072)),
                                (0x80600000, 2, 128 * (9216 - 5120)), (0x00200000, 3, 512 * (3072 - 5120)),
                                (0xFFFFFFFF, 3, -512 * (5120 + 7168)), (0xFF9FFFFF, 4, 256 * (5120 + 7168))):
-            self.assertEqual(ramps.octahedral_ramp(h, d[:n]), expected, (hex(h), n))
+            self.assertEqual(Lattice(Knobs("pcg")).fixed_ramp(h, d[:n]), expected, (hex(h), n))
 
     def test_sine_ramps_are_rounded_down(self) -> None:
         numbers = generator_of("sine ramps")

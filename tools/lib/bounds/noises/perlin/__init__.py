@@ -6,10 +6,10 @@ from __future__ import annotations
 from bounds.floats import position_error
 from bounds.gradients import OCTAHEDRAL, SINE, Gradient
 from bounds.noises import Derived
-from bounds.noises.perlin.exact import SCALE, attained_in_the_middle, lipschitz_bound, range_bound
+from bounds.noises.perlin.exact import SCALE, lipschitz_bound, range_bound
 from bounds.noises.perlin.fixed import error_parts, fixed_error, largest_intermediates, range_loss
 from bounds.noises.perlin.floats import error_bound
-from bounds.table import rounded_up, shortest
+from bounds.table import shortest
 
 CASES = (*((dims, OCTAHEDRAL) for dims in (1, 2, 3, 4)), *((dims, SINE) for dims in (2, 3)))
 
@@ -25,17 +25,11 @@ def derive(dims: int, gradient: Gradient) -> Derived:
 def quotes() -> list[tuple[str, str]]:
     """What prose states of its range."""
     exact = [shortest(range_bound(dims, OCTAHEDRAL), 5) for dims in (1, 2, 3, 4)]
-    attained = [str(-rounded_up(-attained_in_the_middle(dims), 4)) for dims in (2, 3)]
     below = f"{', '.join(exact[:3])} and {exact[3]}"
     return [("docs/knobs.md", f"noise stays below {below} in 1D to 4D."),
-            ("docs/knobs.md", f"gradients that reach {' and '.join(attained)} in 2D and 3D;"),
             ("docs/accuracy.md", f"stays below {below}.")]
 
 
 def describe(dims: int, gradient: Gradient) -> dict[str, object]:
-    numbers: dict[str, object] = {"scale": SCALE[gradient][dims],
-                                  "error_from_cell_to_nearest": error_bound(dims, gradient, 0.5),
-                                  "fixed_beyond_the_range": range_loss(dims, gradient)}
-    if gradient is OCTAHEDRAL and dims in (2, 3):
-        numbers["attained_in_the_middle"] = attained_in_the_middle(dims)
-    return numbers
+    return {"scale": SCALE[gradient][dims], "error_from_cell_to_nearest": error_bound(dims, gradient, 0.5),
+            "fixed_beyond_the_range": range_loss(dims, gradient)}

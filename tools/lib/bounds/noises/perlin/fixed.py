@@ -7,9 +7,8 @@ box:
     CUT      a coordinate is cut to a multiple of 2^-20, by less than that: at most L * 2^-20.
     FADE     see integers.py. At the cut position the ramps are exact.
     LERP     see integers.py.
-    RAMP     of the octahedral gradient in 2D and 3D: (r >> 9) * E rounds down by less than E units, which is at most
-             1/2 (2/3 in 3D) in units of 2^-9. Of the sine gradient: each axis rounds down by less than 1 unit of 2^-28;
-             and g is off, see below.
+    RAMP     octahedral ramps are exact. Of the sine gradient each axis rounds down by less than 1 unit of 2^-28; and g
+             is off, see below.
     SCALE    (((n + 256) >> 9) * S + 256) >> 9 is off by at most 256 S / 2^18 + 1/2 units of 2^-21 (n >> 7 by less than
              1).
 
@@ -34,7 +33,11 @@ from bounds.noises.perlin.exact import (SCALE, lipschitz_bound, range_bound, slo
 from bounds.sine import fixed_sine_error, fixed_sine_largest
 
 RAMP_ONE = {OCTAHEDRAL: {1: 2**29, 2: 2**29, 3: 2**29, 4: 2**28}, SINE: {2: 2**28, 3: 2**28}}
-RAMP_ROUNDING = {OCTAHEDRAL: {1: 0, 2: 256, 3: 342, 4: 0}, SINE: {2: 2, 3: 3}}  # in these units
+
+
+def ramp_rounding(dims, gradient):
+    """In these units."""
+    return dims if gradient is SINE else 0
 
 
 def fixed_scale(dims):
@@ -49,13 +52,13 @@ def scaling_error(dims, gradient, unit=UNIT):
 @functools.cache
 def joint_effect(dims, gradient):
     """FADE, LERP and RAMP."""
-    one, of_corner = RAMP_ONE[gradient][dims], RAMP_ROUNDING[gradient][dims]
-    return SCALE[gradient][dims] * largest_joint_effect(dims, gradient, one, of_corner)
+    effect = largest_joint_effect(dims, gradient, RAMP_ONE[gradient][dims], ramp_rounding(dims, gradient))
+    return SCALE[gradient][dims] * effect
 
 
 def rounding_effect(dims, gradient):
     """LERP and RAMP alone."""
-    rounding = largest_rounding(dims, RAMP_ROUNDING[gradient][dims])
+    rounding = largest_rounding(dims, ramp_rounding(dims, gradient))
     return SCALE[gradient][dims] * rounding / RAMP_ONE[gradient][dims]
 
 
@@ -94,9 +97,9 @@ def range_loss(dims, gradient):
 # --- Derivatives ------------------------------------------------------------------------------------------------------
 
 def slope_error_parts(dims):
-    scale, one, of_corner = (of[OCTAHEDRAL][dims] for of in (SCALE, RAMP_ONE, RAMP_ROUNDING))
+    scale, one = (of[OCTAHEDRAL][dims] for of in (SCALE, RAMP_ONE))
     return {"cut": slope_lipschitz_bound(dims) / ONE, "fade": scale * largest_slope_fade_effect(dims, OCTAHEDRAL),
-            "interpolation": scale * slope_rounding(dims, of_corner, gradients=True) / (one / 4),
+            "interpolation": scale * slope_rounding(dims, gradients=True) / (one / 4),
             "scaling": scaling_error(dims, OCTAHEDRAL, SLOPE_UNIT)}
 
 
@@ -112,28 +115,38 @@ def slope_range_loss(dims):
 
 # --- Overflow ---------------------------------------------------------------------------------------------------------
 
+# What two ramps, or two values between ramps, along an axis differ by: their offsets are f and 1 - f there, and at most 1
+# along other axes. Of two ramps it is 4 in space, where both other axes are at an end, at corners without a weight: then
+# 2^31 wraps, and the value does not depend on it. Else it is less, by 2^-20 or more. Behind an interpolation along x it
+# is at most 7/2: h is at most 1 + max(x, f), or 1 + max(1 - x, f), and likewise for 1 - f, and the mean of x and 1 - x
+# with the weights 1 - s(x) and s(x) is at most 1/2. For h is the sum of the two largest: max(x, f) + max(x, 1 - f) is at
+# most 1 + x.
+LARGEST_DIFFERENCE = {1: 1.0, 2: 7 / 4, 3: 7 / 2, 4: 4.0}
+# Two derivatives in space have slopes of at most 15/8 times two such differences. Those of four ramps with the offsets
+# x, 1 - x and y, 1 - y are 4 ramps of at most 1 + max(|x|, |y|), which sum to at most 7: the maxima are convex in x and
+# y, and sum to 3 at the ends. A component is at most 1.
+LARGEST_DERIVATIVES_DIFFERENCE = {3: 15 / 8 * 7 + 2}
+
+
 def largest_intermediates(dims, gradient):
-    """(The fade and the sine are checked as evaluated.) The directions' part of a ramp is at most its one, as
-    |a| |D| + |m| |D'| <= 512 * 2^20, and of the partial sums in space
-    |p (Dx + Dy) + q (Dx - Dy)| <= P * 2 max |D| <= 255 * 2^21. A ramp is at most h(1, .., 1) times its one; with the
-    sine gradient n * 2^28 and a rounding. What is scaled is an interpolated value: the range before the scale, with
-    what fixed arithmetic may add."""
+    """(The fade and the sine are checked as evaluated.) The partial sums of a ramp are at most h(1, .., 1) times its one;
+    with the sine gradient n * 2^28 and a rounding. What is scaled is an interpolated value: the range before the scale,
+    with what fixed arithmetic may add."""
     one = RAMP_ONE[gradient][dims]
     if gradient is SINE:
         ramp = dims * (one * fixed_sine_largest() + 1)
-    else:
-        ramp = gradient.reach(dims) * one + RAMP_ROUNDING[gradient][dims]
-    between = interpolation_intermediates(ramp, dims)
-    scaled = between["value"]
-    if gradient is OCTAHEDRAL:
-        largest = (range_bound(dims, gradient) + range_loss(dims, gradient)) / SCALE[gradient][dims] * one
-        scaled = scaled_intermediate(largest, fixed_scale(dims))
-    return {"ramp": ramp, **between, "scaled": scaled}
+        between = interpolation_intermediates(ramp, dims)
+        return {"ramp": ramp, **between, "scaled": between["value"]}
+    ramp = gradient.reach(dims) * one
+    largest = (range_bound(dims, gradient) + range_loss(dims, gradient)) / SCALE[gradient][dims] * one
+    return {"ramp": ramp, **interpolation_intermediates(ramp, dims, LARGEST_DIFFERENCE[dims] * one),
+            "scaled": scaled_intermediate(largest, fixed_scale(dims))}
 
 
 def largest_slope_intermediates(dims):
     one = RAMP_ONE[OCTAHEDRAL][dims]
-    ramp = OCTAHEDRAL.reach(dims) * one + RAMP_ROUNDING[OCTAHEDRAL][dims]
+    apart = LARGEST_DERIVATIVES_DIFFERENCE[dims] * one / 4 if dims == 3 else None
     largest = (slope_bound(dims) + slope_range_loss(dims)) / SCALE[OCTAHEDRAL][dims] * one / 4
-    scaled = scaled_intermediate(largest, fixed_scale(dims))
-    return {**slope_intermediates(ramp, one, dims), "scaled derivative": scaled}
+    return {**slope_intermediates(min(2 * OCTAHEDRAL.reach(dims), 4) * one, OCTAHEDRAL.component(dims) * one / 4, dims,
+                                  apart),
+            "scaled derivative": scaled_intermediate(largest, fixed_scale(dims))}
