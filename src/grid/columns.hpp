@@ -365,7 +365,7 @@ class SmoothSimplexColumns<3> : public InCells<3> {
                                       hn_i_square(x.x, y.x, z.x)),
                                  cube(centres_, {column, index}, {column - 1, next}, x.z, x.w, inner,
                                       hn_i_square(x.z, y.z, z.z))),
-                       4281);
+                       4279);
   }
 
  private:
