@@ -1,7 +1,7 @@
 // The kernels of noises, for one instruction set and one arithmetic: the text of the library in a loop.
+#include "at_points.hpp"
 #include "columns.hpp"
 #include "loops.hpp"
-#include "points.hpp"
 #include "runs.hpp"
 #include "tables.hpp"
 

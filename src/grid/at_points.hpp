@@ -1,9 +1,9 @@
 // Perlin and simplex noise at points that share nothing. Numbers are those of the library, and so are the bits. What is
 // computed in another way:
-//   - gradients, for instructions that GPUs have not, and without some that they have
+//   - gradients, by instructions that GPUs have not
 //   - the second join of a word, of which 24 bits count: it is the sum of a product of each coordinate of the cell
-//   - the words of simplex noise: a step to the next point of the lattice changes both joins of a word by what depends on
-//     an axis alone, so that each axis is shifted once, and what is chosen is what the step changes, not the coordinates
+//   - the words of simplex noise: a step to the next point of the lattice changes both joins of a word by what depends
+//     on an axis alone. So each axis is shifted once, and what a step changes is chosen, not the coordinates
 #pragma once
 
 #include "loops.hpp"
@@ -23,7 +23,8 @@ HN_I_INLINE Float of_four(Uint index, float a, float b, float c, float d) {
 }
 HN_I_INLINE vec2 direction2(Uint word) {
   const Uint index = word >> 21u;
-  return vec2(of_four(index, -0.75f, -0.25f, 0.25f, 0.75f), hn_i_signed(of_four(index, 0.25f, 0.75f, 0.75f, 0.25f), word));
+  return vec2(of_four(index, -0.75f, -0.25f, 0.25f, 0.75f),
+              hn_i_signed(of_four(index, 0.25f, 0.75f, 0.75f, 0.25f), word));
 }
 #else
 HN_I_INLINE vec2 direction2(Uint word) { return hn_i_direction2(word); }
@@ -77,7 +78,8 @@ HN_I_INLINE hn_i_num perlin_at(const Place<2>& place, Uint seed) {
   const auto t = hn_i_fade(f);
   const Uint s = hn_i_mix(seed);
   const auto box = hn_i_box(place);
-  const uvec4 h = corners_of(hn_i_high(box.lower), hn_i_high(box.upper), hn_i_seed_join(s), odd_of(uvec2(place.cell), s));
+  const uvec4 h =
+      corners_of(hn_i_high(box.lower), hn_i_high(box.upper), hn_i_seed_join(s), odd_of(uvec2(place.cell), s));
   const hn_i_num x1 = hn_i_minus_one(f.x), y1 = hn_i_minus_one(f.y);
   return hn_i_scaled2(hn_i_face2(
       hn_i_vector(along2(h.x, f.x, f.y), along2(h.y, x1, f.y), along2(h.z, f.x, y1), along2(h.w, x1, y1)), t.x, t.y));
@@ -121,7 +123,8 @@ HN_I_INLINE hn_i_num simplex_at(const Place<2>& place, Uint seed) {
     return hn_i_weighted_ramp(hn_i_ramp_of2(along2(word, along_x, along_y)), hn_i_weight_plane(near_by));
   };
   hn_i_num n = weighted(hn_i_word(hn_i_high(first.x) ^ lower, odd), x.x, y.x, t.x);
-  n = hn_i_plus(n, weighted(hn_i_word(hn_i_high(middle) ^ hn_i_select(is_along, lower, upper), middle_odd), x.y, y.y, t.y));
+  const Uint middle_join = hn_i_high(middle) ^ hn_i_select(is_along, lower, upper);
+  n = hn_i_plus(n, weighted(hn_i_word(middle_join, middle_odd), x.y, y.y, t.y));
   return hn_i_scaled_simplex2(hn_i_plus(n, weighted(hn_i_word(hn_i_high(last) ^ upper, last_odd), x.z, y.z, t.z)));
 }
 
@@ -158,7 +161,8 @@ HN_I_INLINE hn_i_num simplex_at(const Place<3>& place, Uint seed) {
   to_next(f.z, size.z, here.z, ahead.z, before.z, HN_GRID_ODD_Z);
   const auto weighted = [](Uint join, Uint second, hn_i_num along_x, hn_i_num along_y, hn_i_num along_z,
                            hn_i_num near_by) HN_I_INLINED {
-    const hn_i_num n = along3(hn_i_word(join, second), hn_i_offset(along_x), hn_i_offset(along_y), hn_i_offset(along_z));
+    const hn_i_num n =
+        along3(hn_i_word(join, second), hn_i_offset(along_x), hn_i_offset(along_y), hn_i_offset(along_z));
     return hn_i_weighted_ramp(hn_i_ramp_of3(n), hn_i_weight4(near_by));
   };
   hn_i_num n = weighted(corner, corner_odd, x.x, y.x, z.x, t.x);
