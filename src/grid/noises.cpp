@@ -1,7 +1,7 @@
 // The kernels of noises, for one instruction set and one arithmetic: the text of the library in a loop.
+#include "at_points.hpp"
 #include "columns.hpp"
 #include "loops.hpp"
-#include "points.hpp"
 #include "runs.hpp"
 #include "tables.hpp"
 
@@ -308,14 +308,14 @@ void split(const float* position, int count, std::int32_t* cell, float* place) {
   }
 }
 
-// Without their signs the bits of floats are in the order of the numbers, and infinity is behind all finite ones.
+// What is not finite has an exponent of ones. With one more it reaches the sign.
 bool are_finite(const float* numbers, int count) {
-  Uint largest(0u);
-  const auto take = [&](Float number) HN_I_INLINED { largest = max(largest, floatBitsToUint(number) & 0x7FFFFFFFu); };
+  Uint any(0u);
+  const auto take = [&](Float n) HN_I_INLINED { any |= (floatBitsToUint(n) & 0x7F800000u) + 0x00800000u; };
   int i = 0;
   for (; i + kCount <= count; i += kCount) take(Float::load(numbers + i));
   for (; i < count; ++i) take(Float(numbers[i]));
-  return !hn_i_any(largest >= 0x7F800000u);
+  return !hn_i_any((any & 0x80000000u) != 0u);
 }
 
 void widen(const float* value, int count, float* least, float* greatest) {

@@ -1,7 +1,7 @@
 // Rows of points that are so near each other that many of them lie in one piece of a lattice, such as a cell, but that
 // cross the lattice in any direction: those of octaves that are turned. What depends on a piece alone is computed once
 // for a run of points in it, many runs at a time, and a point finds it by the number of its run. Numbers and their
-// order are those of the library, and so are the bits, but for what windows.hpp says of HN_FAST.
+// order are those of the library, and so are the bits.
 #pragma once
 
 #include "windows.hpp"
@@ -141,7 +141,7 @@ HN_I_INLINE Uint key_of(const Cell<D>& cell) {
 template <int D>
 class PerlinPieces {
  public:
-  static constexpr double kMostStep = D == 2 ? 0.2 : kCount == 16 ? 0.12 : kCount == 8 ? 0.5 : 0.2;
+  static constexpr double kMostStep = D == 3 && kCount == 8 ? 0.5 : D == 3 && kCount == 16 ? 0.12 : 0.2;
 
   HN_I_INLINE static Uint key(const Place<D>& place) { return key_of<D>(place.cell); }
   HN_I_INLINE void put(int run, const Place<D>& place, Uint seed) {
