@@ -47,7 +47,7 @@ APPLE = Vendor("Apple", "asahi", "asahi", "ALU", "cycles", "Instructions", ("FSC
 PTXAS = Vendor("NVIDIA", "ptxas", "", "Issue slots", "issue slots", "Issue slots",
                ("FP", "ALU", "IMAD", "XU", "moves", "uniform", "memory", "branches", "Loops"), "Registers",
                ("Spilled bytes",), llvm.NVPTX)
-IGC = Vendor("Intel", "ocloc", "", "Passes", "passes of 16 lanes", "Instructions",
+IGC = Vendor("Intel", "ocloc", "", "Passes", "passes for 16 lanes", "Instructions",
              ("floats", "integers", "products", "math", "moves", "memory", "branches", "Loops"), "Registers",
              ("Spilled bytes",), llvm.SPIR)
 

@@ -219,10 +219,10 @@ ASM_KERNEL = re.compile(r"^//\.kernel (\w+)")
 ASM_LABEL = re.compile(r"^(\w+):")
 ASM_REGISTERS = re.compile(r"^//\.thread_config numGRF=(\d+)")
 ASM_SPILLS = re.compile(r"^//\.spill size (\d+)")
-ASM = re.compile(r"^(?:\([^)]*\))?\s*([a-z][\w.]*)\s*(?:\([^)]*\)\s*)?\((\d+)\|M\d+\)\s*(.*)")
-ASM_TARGET = re.compile(r"^(?:while|jmpi|goto|brd|brc)\b.*?\b(L\d+)")
+# A jump has no width. Behind // stands a comment.
+ASM = re.compile(r"^(?:\([^)]*\))?\s*(?:([a-z][\w.]*)\s*\((\d+)\|M\d+\)|(jmpi)\b)\s*((?:(?!//).)*)")
 ASM_TYPE = re.compile(r":(\w+)")
-LANES_OF_KERNELS = 16  # llvm.py asks for that
+JUMPS = re.compile(r"(?:goto|jmpi|brd|brc)\b")
 
 
 def counts_of_asm(text: str, lanes: int) -> dict[str, dict[str, float]]:
@@ -240,16 +240,15 @@ def counts_of_asm(text: str, lanes: int) -> dict[str, dict[str, float]]:
         elif label := ASM_LABEL.match(line):
             labels.add(label[1])
         elif instruction := ASM.match(line):
-            name, width, operands = instruction[1], int(instruction[2]), instruction[3]
+            name, width, operands = instruction[1] or instruction[3], int(instruction[2] or 1), instruction[4]
             kind, passes = unit(name, operands), max(1.0, width / lanes)
             if kind in ("memory", "branches"):
                 passes = 1.0
             found["Instructions"] += 1
             found["Passes"] += passes
             found[kind] += passes
-            target = ASM_TARGET.match(f"{name} {operands}")
-            if target and (target[1] in labels or name == "while"):
-                found["Loops"] += 1
+            if name == "while" or JUMPS.match(name) and labels & set(operands.split()):
+                found["Loops"] += 1  # it goes back
     return {name: dict(counted) for name, counted in kernels.items()}
 
 
