@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from quality.judgement import Finding, chi_square, normal
@@ -9,6 +11,7 @@ from quality.lattice import Lattice, neighbours, shifted
 
 WINDOW = 8   # bits: 256 bins. Windows start every four bits, so that each run of five bits is whole in one
 PAIR = 6     # bits of each of two neighbours: 4096 bins
+NUMBER = np.arange(22, 14, -1)  # the high bits of a word's number, which value noise takes
 BLOCK = {2: 32, 3: 16}  # cells along the side of a block: 1024 blocks of 1024 cells, 512 of 4096
 CHUNK = 1 << 16         # cells whose bits are spread out at a time
 
@@ -39,7 +42,9 @@ def values(lattice: Lattice) -> list[Finding]:
 def pairs(lattice: Lattice) -> list[Finding]:
     """Chi-square of the values of neighbours: the highest and the lowest consumed bits of each."""
     width = min(PAIR, len(lattice.bits))
-    ends = {"high": field(lattice, 0, width), "low": field(lattice, len(lattice.bits) - width, width)}
+    ends = {"low": field(lattice, len(lattice.bits) - width, width)}
+    if width < len(lattice.bits):
+        ends["high"] = field(lattice, 0, width)
     counts, names = [], []
     for offset in neighbours(lattice.dimensions):
         for a, first in ends.items():
@@ -48,6 +53,15 @@ def pairs(lattice: Lattice) -> list[Finding]:
                 counts.append(np.bincount(both.reshape(-1), minlength=1 << 2 * width))
                 names.append(f"{a} and {b} bits, offset {offset}")
     return [chi_square("chi-square of neighbours", counts, lambda i: names[i])]
+
+
+def numbers(lattice: Lattice) -> list[Finding]:
+    """The same of what value noise takes of a word, and where it is weak in a part of the window."""
+    lattice = replace(lattice, bits=NUMBER)
+    findings = values(lattice) + pairs(lattice) + local(lattice)
+    for finding in findings:
+        finding.test = f"numbers: {finding.test}"
+    return findings
 
 
 def bit_products(words: np.ndarray, others: np.ndarray, bits: np.ndarray) -> np.ndarray:

@@ -18,19 +18,18 @@ from quality.lattice import Lattice, shifted
 from quality.library import AXES, Twin
 
 # The bits that decide most of a component, the weightiest first. Value noise takes the low 23 bits of a word as its
-# number (section 9). Perlin noise takes a sign and a field on the plane, and in space a sign and two fields, whose bits
-# stand here in turn (section 4).
+# number (section 9). Perlin noise takes three bits on the plane, and in space two signs and the size of the word, whose
+# highest bits decide most (section 4).
 NUMBER_BITS = 23
 NUMBER = [*range(22, 16, -1)]
-GRADIENT = {2: [31, *range(22, 17, -1)], 3: [31, 30, 22, 29, 21]}
+GRADIENT = {2: [31, 22, 21], 3: [31, 30, 22, 21, 29, 28]}
 
 # How many of these bits of each component are compared, by dimensions and by how many components there are. They are 12
 # at most together, as where neighbours are compared. A vector is made of the 24 good bits of one word, so 4096 of these
-# make each combination of 12 bits. Of 15 bits together few factors would pass, and to the last bit none can. The three
-# bits of a gradient in space are its octant, but for a turn around z.
+# make each combination of 12 bits. Of 15 bits together few factors would pass, and to the last bit none can.
 # With these numbers 106 of 135 pairs of random factors fail. (The words were all multiples of 2^8, each once, and the
 # limits those of eight windows.)
-TOGETHER = {"numbers": {2: {2: 6}, 3: {2: 6, 3: 4}}, "gradients": {2: {2: 6}, 3: {2: 5, 3: 3}}}
+TOGETHER = {"numbers": {2: {2: 6}, 3: {2: 6, 3: 4}}, "gradients": {2: {2: 3}, 3: {2: 6, 3: 4}}}
 
 # The good bits of a word, of which the further components are made.
 GOOD = 24

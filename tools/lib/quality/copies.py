@@ -8,9 +8,12 @@ from scipy import stats
 from quality.judgement import Finding, peak, poisson, two_tails
 from quality.lattice import Lattice
 
-# Bits that a run has at least. Of a window's runs (about 2^22, so 2^43 pairs) hardly two then agree by chance, so that a
-# handful of copied cells stands out.
-RUN_BITS = 50
+# Bits that a run has at least. A window has 2^21 runs in the plane and 2^22.5 in space. A run is equal to the reverse of
+# one that begins in it where a part of their line is a palindrome. That takes half as many bits, and such pairs come in
+# clusters: each palindrome may have a longer one around it. Of 3 bits for a cell, 80 bits are 27 cells, and a palindrome
+# of them is equal in 14 pairs of cells: 2^(21 - 42) are expected, and two pairs at once come hardly ever. With 50 bits it
+# would be 2^(21 - 27), and a random lattice would fail once in 2^11 windows, by three pairs at once.
+RUN_BITS = 80
 # Odd multipliers that make one word of a run: those of SplitMix64 (Steele, Lea and Flood, 2014), which spread well.
 MULTIPLIER = np.uint64(0xBF58476D1CE4E5B9)
 FINISH = np.uint64(0x94D049BB133111EB)
@@ -49,10 +52,14 @@ def _fold(cells: list[np.ndarray]) -> np.ndarray:
 
 def expected_runs(runs: int, others: int, length: int, bits: int, dimensions: int) -> float:
     """How many pairs of equal runs a random lattice has: twice the chance of a pair, since one may be reversed. Pairs
-    that share a cell, of which a run has at most length^2 along each axis, need one equation less. (An upper bound.)"""
+    that cross in the same place of both need one equation less, a run and a reversed one further along the same line
+    one for each two cells. (An upper bound: near the edges there are fewer of these.)"""
     chance = 2.0 * 2.0 ** -min(64, length * bits)
-    near = runs * dimensions * length ** 2 * 2.0 ** -min(64, (length - 1) * bits)
-    return (runs * (runs - 1) / 2 * chance + near) if not others else runs * others * chance
+    if others:
+        return runs * others * chance
+    crossed = (dimensions - 1) * length * 2.0 ** -min(64, (length - 1) * bits)
+    mirrored = sum(2.0 ** -((length + further) // 2 * bits) for further in range(1, length))
+    return runs * ((runs - 1) / 2 * chance + crossed + mirrored)
 
 
 def duplicates(lattice: Lattice) -> list[Finding]:

@@ -60,7 +60,8 @@ LEAST = Effort(origins=1, seeds=(7,), sides={2: 512, 3: 64}, samples=1 << 15, wi
 # In order of their names in the report; the costly ones apart.
 Keep = Callable[[Lattice], None]  # is shown each window whose gradients are judged
 WINDOW_TESTS: list[Callable[[Lattice], list[Finding]]] = [
-    fourier.autocorrelation, bits.values, bits.pairs, bits.local, directions.uniformity, copies.duplicates]
+    fourier.autocorrelation, bits.values, bits.pairs, bits.local, bits.numbers, directions.frequencies,
+    copies.duplicates]
 COSTLY_TESTS: list[Callable[[Lattice], list[Finding]]] = [fourier.bit_autocorrelation, bits.bit_pairs, bits.quads]
 # Further components are judged in those of so many first windows that have costly tests. Their words have fewer bits, so
 # that what counts equal words does not hold for them.
@@ -96,7 +97,7 @@ def judge_words(words: np.ndarray, twin: Twin) -> list[Finding]:
 
 def judge_gradients(lattice: Lattice) -> list[Finding]:
     """Everything that can be said of the gradients of a window, for gradients that are not the library's."""
-    findings = [*fourier.autocorrelation(lattice), *directions.uniformity(lattice), directions.on_shape(lattice),
+    findings = [*fourier.autocorrelation(lattice), directions.others(lattice),
                 isotropy.judge(isotropy.of_window(lattice), lattice.dimensions)]
     return _placed(findings, lattice.place)
 
@@ -129,7 +130,7 @@ def each_finding(twin: Twin, dimensions: int, effort: Effort,
         keep(lattice)
         yield from judge_window(lattice, costly)
         yield _same_stage(lattice, twin)
-        yield from _placed([directions.on_shape(lattice)], lattice.place)
+        yield from _placed([directions.others(lattice)], lattice.place)
         preferences += isotropy.of_window(lattice)
     yield isotropy.judge(preferences, dimensions)
     yield isotropy.same_noise(twin, dimensions, effort.seeds[0])

@@ -18,7 +18,8 @@ WORDS = ("word", "further")  # quantities that are no floats
 # What hashes of a lattice often multiply the coordinates by: the first primes of xxHash, in this order. They are tried
 # where a library does not say what it takes.
 USUAL_STEPS = ((0x9E3779B1,), (0x85EBCA77,), (0xC2B2AE3D,), (0x27D4EB2F,))
-STAGE_PROBES = 4096  # words; a bit that the stage uses changes the gradient of about half of them at least
+STAGE_PROBES = 4096  # words
+LEAST_CHANGED = 1 / 16  # of them, whose gradient a consumed bit changes
 
 
 def hash_names(include: Path) -> dict[str, int]:
@@ -129,12 +130,14 @@ class Twin:
         return self.evaluate("stage", dimensions, words).reshape(*words.shape, dimensions)
 
     def consumed(self, dimensions: int) -> np.ndarray:
-        """The bits of a word that the gradient stage uses, highest first: found by changing each."""
+        """The bits of a word that the gradient stage uses, highest first: found by changing each. In space the size of
+        a word chooses axes: bit 31 decides all of these choices, and each lower bit half as many as the one above."""
         if dimensions not in self.bits:
             words = np.random.default_rng(0).integers(0, 1 << 32, STAGE_PROBES, np.uint32)
             before = self.stage(words, dimensions)
-            self.bits[dimensions] = np.array([bit for bit in range(31, -1, -1) if np.any(
-                self.stage(words ^ np.uint32(1 << bit), dimensions) != before)])
+            changed = [(self.stage(words ^ np.uint32(1 << bit), dimensions) != before).any(axis=-1).mean()
+                       for bit in range(32)]
+            self.bits[dimensions] = np.flatnonzero(np.array(changed) >= LEAST_CHANGED)[::-1]
         return self.bits[dimensions]
 
 

@@ -1,8 +1,8 @@
 """Hashes of shaders that are not ours, judged as lattices of words: rendered from their GLSL by Mesa's llvmpipe.
 
 A hash is an expression of `c`, the cell as integers, or of `p`, the same as floats. A uint counts as a word. Of a float,
-which should be in [0, 1), the ten highest bits count: they become those that the gradient stage takes. The other bits of
-its word are random, so that nobody asks a float for 32 bits that it has not.
+which should be in [0, 1), the eleven highest bits count: they are those of its word down to the lowest that gradients
+take. The other bits of its word are random, so that nobody asks a float for 32 bits that it has not.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from quality.library import Twin
 from quality.report import HashResult, describe
 
 SIDE = 1024  # of what is rendered at once
-OF_GRADIENTS = 0x807FC000  # bits 31 and 22 to 14, docs/contract.md section 4
+OF_GRADIENTS = 0xFFE00000  # bits 31 to 21, docs/contract.md section 4
 # Around the origin; as far as scenes go; where a float has an eighth of a cell left; and far out.
 ORIGINS = {2: ((-512, -512), (10000, 20000), (1000000, -2000000), (8000000, 7000000)),
            3: ((-64, -64, -64), (10000, 20000, 5000), (1000000, -2000000, 500000), (8000000, 7000000, 6000000))}
@@ -43,8 +43,7 @@ void main() {{
   halves = vec4(float(word >> 16u), float(word & 65535u), 0.0, 0.0);
 }}
 """
-TEN_BITS = "uint(clamp(value, 0.0, 0.99999994) * 1024.0)"
-KINDS = {"uint": "value", "float": f"({TEN_BITS} & 512u) << 22u | ({TEN_BITS} & 511u) << 14u"}
+KINDS = {"uint": "value", "float": "uint(clamp(value, 0.0, 0.99999994) * 2048.0) << 21u"}
 
 
 class BadExpression(ValueError):

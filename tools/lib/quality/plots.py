@@ -13,7 +13,6 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
 from quality import controls
-from quality import directions
 from quality import fourier
 from quality import fields
 from quality import isotropy
@@ -52,10 +51,11 @@ def lattices(path: Path, default: Twin) -> None:
 
 
 def isotropy_of_shapes(path: Path, default: Twin) -> None:
-    """The same words as gradients of three shapes: the noise, and how often its structures have which direction."""
+    """The same words as gradients of three sets: the noise, and how often its structures have which direction."""
     window = sample(default, (2 * isotropy.SIDES[2],) * 2, (0, 0), 0)
     angle = window.words * (2 * np.pi / 2 ** 32)
-    shown = [("on the square", directions.shortened(window.gradients), "--"), ("hashnoise", window.gradients, "-"),
+    signs = np.stack([fourier.signs(window.words, 31), fourier.signs(window.words, 22)], axis=-1)
+    shown = [("four diagonals", signs, "--"), ("hashnoise", window.gradients, "-"),
              ("on the circle", np.stack([np.cos(angle), np.sin(angle)], axis=-1), ":")]
     figure, axes = plt.subplots(1, 4, figsize=(10.4, 2.7), layout="constrained")
     for axis, (name, gradients, line) in zip(axes, shown):

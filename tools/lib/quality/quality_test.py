@@ -134,7 +134,7 @@ class Functions(unittest.TestCase):
                 return 2 * super().gradients(cells + 1, seeds)
 
         another = Another("another", TWIN.program, {}, controls.strong)
-        self.assertEqual(missing({"gradient of the word", "directions: on the shape"},
+        self.assertEqual(missing({"gradient of the word", "directions: others"},
                                  gate.each_finding(another, 2, gate.LEAST)), set())
 
 
@@ -307,7 +307,11 @@ class Parts(unittest.TestCase):
         for n in (2, 3):
             used = sum(1 << int(bit) for bit in TWIN.consumed(n))
             words = controls.random((1000,))
-            self.assertTrue(np.array_equal(TWIN.stage(words, n), TWIN.stage(words & np.uint32(used), n)))
+            changed = (TWIN.stage(words, n) != TWIN.stage(words & np.uint32(used), n)).any(axis=-1).mean()
+            # In space a third ends within two of the 32 parts that bits 31 to 27 tell apart.
+            self.assertLessEqual(changed, {2: 0, 3: 2 / 32}[n])
+        self.assertEqual(TWIN.consumed(2).tolist(), [31, 22, 21])
+        self.assertEqual(TWIN.consumed(3).tolist(), [31, 30, 29, 28, 27, 22, 21])
 
     def test_equal_pairs(self):
         self.assertEqual(copies.equal_pairs(np.array([3, 1, 3, 3, 2, 1], np.uint32)), 4)
@@ -318,15 +322,21 @@ class Parts(unittest.TestCase):
         keys, mirrored = (np.sort(copies.run_keys(v, 3)) for v in (values, values[:, ::-1]))
         self.assertTrue(np.array_equal(keys, mirrored))
 
-    @in_thorough_runs
-    def test_the_shape_has_the_moments_that_integrals_give(self):
-        # Of x^2 (2 - L)^2 over |x| + |y| (+ |z|) = 1, with L its largest component.
-        for n, square in ((2, 241 / 480), (3, 2003 / 6480)):
-            mean, _ = directions.shape_moments(n)
-            self.assertAlmostEqual(mean[n], square, 5)
-            strengths = {order: np.abs(m).max() for order, (m, _) in directions.shape_harmonics(n).items()}
-            self.assertTrue(all(strengths[o] < 1e-9 for o in (1, 2, 3, 5)), strengths)
-            self.assertGreater(strengths[4], 0.1)
+    def test_as_many_equal_runs_come_as_are_expected(self):
+        side, length, bits = 16, 5, 3  # so few cells that a fourth of the pairs are those with cells in common
+        counts = [copies.equal_pairs(copies.run_keys(controls.random((side, side), seed) >> np.uint32(32 - bits), length))
+                  for seed in range(2000)]
+        expected = copies.expected_runs(2 * side * (side - length + 1), 0, length, bits, 2)
+        self.assertLess(np.mean(counts), expected)
+        self.assertGreater(np.mean(counts), 0.85 * expected)  # at the edges there are fewer
+        alone = 2.0 ** (-length * bits) * (2 * side * (side - length + 1)) ** 2
+        self.assertGreater(np.mean(counts) / alone, 1.2)
+
+    def test_the_gradients_are_all_that_words_make(self):
+        for n, count in ((2, 8), (3, 12)):
+            made = np.unique(TWIN.stage(controls.random((4096,)), n), axis=0)
+            np.testing.assert_array_equal(made, np.unique(directions.GRADIENTS[n], axis=0))
+            self.assertEqual(len(made), count)
 
     def test_the_twin_takes_every_cell_and_seed(self):
         cells = np.array([[-1, 2 ** 31 - 1], [-2 ** 31, 0]])

@@ -16,7 +16,6 @@ from quality import isotropy
 from quality import octaves
 from quality import stripes
 from quality import texts
-from quality.directions import shape_harmonics
 from quality.judgement import ALPHA, Finding
 from quality.library import Twin
 from quality.noise import Measured
@@ -222,11 +221,12 @@ def page(results: list[HashResult], rejected: list[HashResult], sine: list[Sine]
     for n in (2, 3):
         some = [result for result in results if result.dimensions == n]
         bits = default.consumed(n)
-        text += texts.HASHES.format(dimensions=n, verdict=_verdicts(some), bits=len(bits), which=_runs(bits))
+        text += texts.HASHES.format(dimensions=n, verdict=_verdicts(some), bits=len(bits), which=_runs(bits),
+                                    lower=texts.LOWER if n == 3 else "")
         text += hash_table(some)
     text += texts.TESTS + table(["test", "statistic", "on a random lattice", "what it finds"],
                                 [list(row) for row in texts.ROWS])
-    text += texts.SHAPE + shape_table() + texts.CONTROLS + control_table(rejected) + texts.NOISE
+    text += texts.CONTROLS + control_table(rejected) + texts.NOISE
     text += noise_table(results, lambda r: f"`{r.name}` {r.dimensions}D")
     text += texts.ISOTROPY.format(aim=number(isotropy.AIM)) + preference_table(preferences)
     text += looks_section(looks) + stripes_section(waves) + sums_section(sums)
@@ -256,15 +256,6 @@ def sums_section(sums: octaves.Shown) -> str:
     text = texts.SUMS.format(waves=octaves.WAVE_OCTAVES, octaves=octaves.OCTAVES, least=number(octaves.LEAST_WAVES),
                              limit=number(octaves.LIMIT), most=number(octaves.WAVES_PER_CELL / 2))
     return text + sums_table(sums) + texts.REPEATS.format(period=octaves.PERIOD) + repeats_table(sums)
-
-
-def shape_table() -> str:
-    rows = []
-    for n in (2, 3):
-        for order, (mean, _) in shape_harmonics(n).items():
-            strength = float((mean ** 2).sum() ** 0.5)
-            rows.append([f"{n}D", str(order), f"{strength:.4f}" if strength > 1e-2 else "0"])
-    return table(["", "order", "strength"], rows)
 
 
 def _verdicts(results: list[HashResult]) -> str:

@@ -24,9 +24,11 @@ QUICK = """**This is a quick run.** It judges the default hash in one window at 
 HASHES = """
 ## Hashes in {dimensions}D
 
-{verdict} The gradient stage uses {bits} bits of a word, {which}, and tests of "consumed" bits judge these.
+{verdict} The gradient stage uses {bits} bits of a word, {which}, and tests of "consumed" bits judge these.{lower}
 
 """
+
+LOWER = " The size of the word chooses axes; each bit below the first of these runs decides less than a sixteenth of the choices."
 
 TESTS = """## The tests
 
@@ -39,15 +41,15 @@ ROWS = [
     ("autocorrelation", "`sum g(c) g(c + lag) / sum g^2` of each gradient component, over all lags", "normal, standard deviation `1 / sqrt(n)`; peak, two sides", "periods, stripes, linear keys"),
     ("spectral peak", "largest ordinate of the periodogram of each component, over their mean", "exponential; peak", "waves"),
     ("autocorrelation of bits", "the same for the consumed bits (-1, 1), two at a time as the parts of a complex field, in standard deviations", "normal; peak, two sides", "the same in a single bit"),
-    ("chi-square of values", "fields of 8 consumed bits, each fourth start", "chi-square, 255 degrees of freedom; both tails", "uneven values, and too even ones"),
-    ("chi-square of neighbours", "6 high or low consumed bits of a cell with 6 of each neighbour, diagonal ones as well", "chi-square, 4095; both tails", "neighbours that depend on each other"),
+    ("chi-square of values", "fields of 8 consumed bits, each fourth start; of all, where they are fewer", "chi-square, 255 degrees of freedom at most; both tails", "uneven values, and too even ones"),
+    ("chi-square of neighbours", "6 high or low consumed bits of a cell with 6 of each neighbour, diagonal ones as well; all, where they are fewer", "chi-square, 4095 degrees of freedom at most; both tails", "neighbours that depend on each other"),
     ("pairs of bits", "agreement of any two consumed bits of a word, and of a word and its neighbours, in standard deviations", "normal; peak, two sides", "bits that depend on each other"),
+    ("numbers: ...", "the tests of these names of bits 22 to 15, the high ones of the number that value noise takes of a word", "as above and below", "the same in value noise"),
     ("rectangles", "each bit of the second difference (exclusive or; subtraction) over the corners of rectangles of 1, 2, 4, ... cells, in standard deviations", "normal; peak, two sides", "keys that are sums or exclusive ors"),
     ("blocks", "each consumed bit in each block of 32^2 or 16^3 cells: how often it is set, and how often it equals the next one along each axis, in standard deviations", "normal (binomial); peak, two sides", "a weak part of the window"),
     ("lines", "each consumed bit over the cells that have a coordinate in common", "normal (binomial); peak, two sides", "weak rows"),
-    ("directions: harmonics", "mean harmonics of the direction (to order 16 in 2D, spherical to 8 in 3D) minus those of the shape, as `-log p` of the chi-square of each order", "exponential; peak over the orders", "directions that are preferred"),
-    ("directions: moments", "means of `x, x^2, x^4, xy`, ... minus those of the shape, in standard deviations", "normal; peak, two sides", "a bias, unequal axes"),
-    ("directions: on the shape", "largest deviation of a component from that of the shape in the same direction", "the rounding of floats", "gradients of another length"),
+    ("directions: frequencies", "chi-square of how often each of the 8 gradients comes, or of the 12 in space", "chi-square, 7 or 11 degrees of freedom; both tails", "gradients that are preferred"),
+    ("directions: others", "gradients that are none of these", "none", "gradients of other directions and lengths"),
     ("isotropy", "mean preference of the structures of the noise for the axes (positive) or the diagonals (negative), as defined below", "normal, around the aim, by the spread of blocks; peak, two sides", "gradients whose shape shows in the noise"),
     ("noise of the gradients", "largest deviation of `hn_perlin` from a multiple of what its gradients give when they are interpolated", "the rounding of floats", "an isotropy of something other than the noise"),
     ("gradient of the word", "cells where `hn_gradient(cell)` is not the gradient of its word", "none", "tests that judge something other than the noise"),
@@ -56,7 +58,7 @@ ROWS = [
     ("copied lines", "the most words that a line shares with another at one shift, or reversed", "Poisson, `length / 2^b`; peak over pairs of lines and shifts", "duplicate rows, shifted and mirrored"),
     ("copied lines, windows", "the same in windows with lines of 1024 cells at many random origins", "as above", "columns that are copies in some windows and not in others"),
     ("copied runs, windows", "pairs of equal runs of cells in these windows", "as copied runs", "the same of the consumed bits alone"),
-    ("copied runs", "pairs of equal runs of cells (at least 50 consumed bits), along any axis, in either direction", "Poisson; both tails", "parts of rows that occur twice, mirrored or turned"),
+    ("copied runs", "pairs of equal runs of cells (at least 80 consumed bits), along any axis, in either direction", "Poisson; both tails", "parts of rows that occur twice, mirrored or turned"),
     ("equal words, windows on average", "mean number of equal pairs in windows at random origins, over the expected one", "Student's t, by the spread of the windows", "the same elsewhere"),
     ("avalanche", "each of the 12 low bits of each coordinate of cells in [0, 4096)^n is set: how far the probability that a consumed bit flips is from 1/2", "binomial, normal: `0.5 / sqrt(n)`; peak, two sides", "bits that hardly change"),
     ("avalanche: pairs", "how far the probability that two consumed bits flip alike is from 1/2", "as above", "bits that flip together (bit independence)"),
@@ -72,9 +74,9 @@ ROWS = [
     ("seeds: avalanche", "as avalanche, where each of the 32 bits of the seed flips", "as avalanche", "bits of the seed without effect"),
     ("two components: numbers", "chi-square of the 6 high bits of the numbers of two components of a vector (`hn_value_vector`) at the same point, all windows together", "chi-square, 4095 degrees of freedom; both tails", "components that depend on each other"),
     ("two components: waves", "largest ordinate of the spectrum of the table of these numbers, without those along an axis: the spectral test of congruential generators, as measured", "exponential; peak", "pairs on few lines"),
-    ("two components: gradients", "chi-square of the weightiest consumed bits of each of two components (`hn_perlin_vector`): 6 in the plane, 5 in space", "chi-square, 4095 or 1023 degrees of freedom; both tails", "gradients that depend on each other"),
+    ("two components: gradients", "chi-square of the weightiest consumed bits of each of two components (`hn_perlin_vector`): 3 in the plane, 6 in space", "chi-square, 63 or 4095 degrees of freedom; both tails", "gradients that depend on each other"),
     ("two components: parities", "the parity of every choice of these bits, some from either component: how often it is even, in standard deviations", "normal; peak, two sides", "a relation between bits of components"),
-    ("three components: ...", "the same of three components, 4 bits of each number, and the octant of each gradient (3 bits)", "as above, 4095 and 511 degrees of freedom", "triples on few planes, where any two components are independent"),
+    ("three components: ...", "the same of three components, 4 bits of each", "as above, 4095 degrees of freedom", "triples on few planes, where any two components are independent"),
     ("components: correlation", "gradients of two components at all shifts, and reflected", "normal; peak, two sides", "components that are the same field elsewhere"),
     ("components: correlation of numbers", "the same of the numbers of value noise", "normal; peak, two sides", "the same"),
     ("components: pairs of bits", "agreement of any two consumed bits of two components, at the same point and at the next ones along axes", "normal; peak, two sides", "components that have a bit in common"),
@@ -83,13 +85,6 @@ ROWS = [
     ("one component: ...", "the tests of these names of the words of a further component, alone, in two windows (the costly ones in one)", "as above", "a component that is a worse noise than the first"),
     ("one component: equal words", "pairs of equal words: as they are made of 24 bits, so many", "Poisson, `n (n - 1) / 2 / 2^24`; both tails", "words that lose bits"),
 ]
-
-SHAPE = """## The shape's own directions
-
-The directions of gradients are those of points that are uniform on a square or octahedron with corners on the axes. So more of them are near the axes; the gradients between the axes are longer than the points instead. The harmonics that the symmetry allows have these strengths, found by numerical integration. A strength is the root of the sum of squared means of the
-harmonics of an order, each of mean square 1 on the circle or sphere. Measured harmonics are compared with these.
-
-"""
 
 CONTROLS = """## What the gate rejects
 
@@ -116,10 +111,10 @@ cosine of four times the angle, and -1 along the diagonals. The mean is taken ov
 gradients of blocks of 256 x 256 or 32 x 32 x 32 cells, which wrap.
 
 Any noise on a lattice of squares favours its axes and its diagonals; the gradients decide which of them more. The magnitude may be {aim} at most. Gradients of length 1 in uniform directions have about as much in the plane, and they are the usual
-choice where directions must not show. To ask for zero would not be better founded: the number moves by as much if all places count. These are the values for some shapes of gradients, made by numpy, with the standard error. The picture shows the first
+choice where directions must not show. To ask for zero would not be better founded: the number moves by as much if all places count. These are the values for some sets of gradients, made by numpy, with the standard error. The picture shows the first
 three of them with the same words of the default hash.
 
-![Noise of gradients on the square, of the library, and on the circle, and the directions across its structures](images/isotropy.png)
+![Noise of gradients on four diagonals, of the library, and on the circle, and the directions across its structures](images/isotropy.png)
 
 """
 
