@@ -52,8 +52,8 @@ def grid(name, size, *, step, origin=0.0, cell=None, first=0, seed=0, noise=None
     >>> part.tobytes() == image[432:, 576:].tobytes()
     True
     >>> hashnoise.grid("ridged", (4, 2), step=0.3, seed=7, dtype="uint16", arithmetic="fixed")
-    array([[50807, 37321, 31550, 52847],
-           [57393, 29769, 13342, 23402]], dtype=uint16)
+    array([[47531, 32559, 23530, 50887],
+           [57671, 25069,  8882, 18519]], dtype=uint16)
     >>> heights, (least, greatest) = hashnoise.grid("ridged", (64, 64, 64), step=0.1, return_range=True)
     >>> (least, greatest) == (heights.min(), heights.max())
     True

@@ -38,7 +38,7 @@ def perlin_d(x, y=None, z=None, w=None, /, *, seed=0, period=None, phase=None, c
 
     phase    in 2D and 3D: as of `perlin`
     returns  planes: the value, which is that of `perlin`, and its derivatives along each axis, per cell, once
-             continuously differentiable: in [-2.69, 2.69] in 1D, [-2.78, 2.78] in 2D, [-3.38, 3.38] in 3D and [-3.62,
+             continuously differentiable: in [-2.69, 2.69] in 1D, [-2.91, 2.91] in 2D, [-3.61, 3.61] in 3D and [-3.62,
              3.62] in 4D, without a phase
     source   the product rule on the interpolation; docs/contract.md, section 10
 
@@ -142,7 +142,7 @@ def simplex_d(x, y, z=None, w=None, /, *, seed=0, period=None, phase=None, cell=
 
     phase    in 2D and 3D: as of `simplex`
     returns  planes: the value, which is that of `simplex`, and its derivatives along each axis, per cell, once
-             continuously differentiable: in [-8.36, 8.36] in 2D, [-6.42, 6.42] in 3D and [-6.06, 6.06] in 4D, without a
+             continuously differentiable: in [-8.46, 8.46] in 2D, [-4.81, 4.81] in 3D and [-6.06, 6.06] in 4D, without a
              phase
     source   the product rule on weight and ramp; docs/contract.md, section 13
 
@@ -288,7 +288,7 @@ def curl(x, y, z=None, /, *, seed=0, period=None, cell=None, arithmetic="fast", 
     carries.
 
     returns  planes: the velocity along each axis, once continuously differentiable. In 2D they are derivatives of
-             `simplex`, in [-8.36, 8.36]; in 3D they are in [-46.2, 46.2]
+             `simplex`, in [-8.46, 8.46]; in 3D they are in [-46.2, 46.2]
     source   Bridson, Hourihan, Nordenstam, "Curl-noise for procedural fluid flow", 2007; DeWolf, "Divergence-free
              noise", 2005
 
