@@ -110,8 +110,8 @@ smoothed by a Gaussian of 3/4 cell) has a main axis at each place, across the st
 cosine of four times the angle, and -1 along the diagonals. The mean is taken over the half of all places where the slopes are steepest, weighted by the cube of the difference of the two largest eigenvalues over the sum of all. The noise is made of the
 gradients of blocks of 256 x 256 or 32 x 32 x 32 cells, which wrap.
 
-Any noise on a lattice of squares favours its axes and its diagonals; the gradients decide which of them more. The magnitude may be {aim} at most. Gradients of length 1 in uniform directions have about as much in the plane, and they are the usual
-choice where directions must not show. To ask for zero would not be better founded: the number moves by as much if all places count. These are the values for some sets of gradients, made by numpy, with the standard error. The picture shows the first
+Any noise on a lattice of squares favours its axes and its diagonals; the gradients decide which of them more. The magnitude may be {aim} at most in the plane and {space} in space. Gradients of length 1 in uniform directions have about as much in the plane, and so have the 12 edges of Perlin's "Improving noise" (2002) in space, which are the library's: they are the usual
+choices where directions must not show. To ask for zero would not be better founded: the number moves by as much if all places count. These are the values for some sets of gradients, made by numpy, with the standard error. The picture shows the first
 three of them with the same words of the default hash.
 
 ![Noise of gradients on four diagonals, of the library, and on the circle, and the directions across its structures](images/isotropy.png)
