@@ -236,8 +236,7 @@ std::string constant_periods(const Function& function, std::span<const std::int3
 
 }  // namespace
 
-std::string declared_evaluate(const Function& function, std::string_view name,
-                              std::span<const std::int32_t> periods) {
+std::string declared_evaluate(const Function& function, std::string_view name, std::span<const std::int32_t> periods) {
   const auto parameter = [](std::size_t i) { return fmt::format("hn_uvec4 {}", name_of_parameter(i)); };
   return fmt::format("hn_uvec4 {}({}) {{ {}{} }}\n", name, arguments_of(function, parameter),
                      constant_periods(function, periods), function.body);
@@ -267,17 +266,20 @@ std::string evaluated(const Evaluation& evaluation, std::string_view at) {
   return fmt::format("evaluate({})", arguments_of(evaluation.function, argument));
 }
 
-// evaluate of constants, where the point at hand is one of them.
+// evaluate of constants, where the point at hand is one of them. Mesa makes -0 of a choice between the constants 0 and
+// -1.0. That is no fault of the function, so the words are hidden by a number that is 0 there.
 std::string evaluated_constants(const Evaluation& evaluation, std::span<const std::uint32_t> words) {
   const std::string_view number = in_buffers(evaluation.profile) ? "at" : "at.x";
-  std::string text = "  result = uvec4(0u, 0u, 0u, 0u);\n";
+  std::string text = "  result = uvec4(0u, 0u, 0u, 0u);\n  hn_uint hidden;\n";
   for (std::size_t i = 0; i < words.size(); i += kInputWords) {
     const auto part = [&](std::size_t parameter) {
       const auto* const w = &words[i + parameter * 4];
       return fmt::format("uvec4(0x{:08X}u, 0x{:08X}u, 0x{:08X}u, 0x{:08X}u)", w[0], w[1], w[2], w[3]);
     };
-    text += fmt::format("  if ({} == {}) result = evaluate({});\n", number, i / kInputWords,
-                        arguments_of(evaluation.function, part));
+    text += fmt::format(
+        "  hidden = uint({0} ^ {1});\n  if ({0} == {1}) result = evaluate({2}) ^ uvec4(hidden, hidden, hidden, "
+        "hidden);\n",
+        number, i / kInputWords, arguments_of(evaluation.function, part));
   }
   return text;
 }

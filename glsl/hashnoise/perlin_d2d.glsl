@@ -38,10 +38,10 @@ HN_FN hn_vec3 hn_i_perlin_d(hn_uvec4 h, hn_i_num2 f) {
 //   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
 //   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
-//   returns  the value and its derivatives along x and y. A derivative is per cell, in [-2.78, 2.78], once continuously
+//   returns  the value and its derivatives along x and y. A derivative is per cell, in [-2.91, 2.91], once continuously
 //            differentiable (HN_FIXED: in steps of 2^-19)
-//   error    that of hn_perlin, and of a derivative at most 1.46e-5 against the exact value, in any rounding mode
-//            (docs/accuracy.md). HN_FIXED 1.87e-4. From a cell at most 1.37e-5
+//   error    that of hn_perlin, and of a derivative at most 1.33e-5 against the exact value, in any rounding mode
+//            (docs/accuracy.md). HN_FIXED 2.01e-4. From a cell at most 1.24e-5
 //   period   2^32 cells per axis, or that of the tile
 //   cost     the hashes of hn_perlin, which are most of its cost, and about twice the rest
 //   source   the product rule on the interpolation; docs/contract.md, section 10

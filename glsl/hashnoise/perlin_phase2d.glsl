@@ -30,9 +30,9 @@ HN_FN hn_vec3 hn_i_perlin_phase_d(hn_uvec4 h, hn_i_num2 f, hn_i_num2 rotation) {
 //   phase    in turns, any float: the field of phase + 1 has the same bits, and that of phase + 1/2 is the negative
 //            (HN_FIXED: but for the last bits). A float far from 0 has few bits left for the turn: wrap it yourself
 //   seed     any uint: 7u, not 7; different seeds give independent fields
-//   returns  [-1, 1] (proven bound 0.99847), mean 0, 0 at lattice points, twice continuously differentiable, and smooth
+//   returns  [-1, 1] (proven bound 0.99958), mean 0, 0 at lattice points, twice continuously differentiable, and smooth
 //            in the phase. With a phase of 0 it is hn_perlin, within the error.
-//   error    at most 5.15e-6 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 1.02e-4
+//   error    at most 5.46e-6 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 1.18e-4
 //   period   2^32 cells per axis, or that of the tile
 //   cost     the hashes of hn_perlin, a sine and a cosine of 6 multiplications of floats each, and twice the rest
 //   source   Perlin and Neyret, "Flow noise", 2001; docs/contract.md, section 14
@@ -43,7 +43,7 @@ HN_FN hn_float hn_perlin(hn_vec2 p, hn_float phase, hn_uint seed) { return hn_pe
 
 // The same with the derivatives along x and y, as of hn_perlin_d. The value is as above.
 //   returns  the value and its derivatives, per cell, in [-2.93, 2.93]
-//   error    of a derivative at most 2.52e-5. HN_FIXED 3.60e-4
+//   error    of a derivative at most 2.36e-5. HN_FIXED 4.51e-4
 //   cost     as above, and about twice the rest
 //   (parameters as above)
 HN_FN hn_vec3 hn_perlin_d(hn_place2 place, hn_float phase, hn_uint seed) {

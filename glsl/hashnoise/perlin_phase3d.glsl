@@ -36,9 +36,9 @@ HN_FN hn_vec4 hn_i_perlin_phase_d(hn_i_box3 box, hn_i_num3 f, hn_i_num2 rotation
 //   phase    in turns, any float: the field of phase + 1 has the same bits, and that of phase + 1/2 is the negative
 //            (HN_FIXED: but for the last bits). A float far from 0 has few bits left for the turn: wrap it yourself
 //   seed     any uint: 7u, not 7; different seeds give independent fields
-//   returns  [-1, 1] (proven bound 0.99945), mean 0, 0 at lattice points, twice continuously differentiable, and smooth
+//   returns  [-1, 1] (proven bound 0.99895), mean 0, 0 at lattice points, twice continuously differentiable, and smooth
 //            in the phase. With a phase of 0 it is hn_perlin, within the error.
-//   error    at most 7.74e-6 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 1.27e-4
+//   error    at most 7.96e-6 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 1.31e-4
 //   period   2^32 cells per axis, or that of the tile
 //   cost     the hashes of hn_perlin, a sine and a cosine of 6 multiplications of floats each, and twice the rest
 //   source   Perlin and Neyret, "Flow noise", 2001; docs/contract.md, section 14
@@ -48,8 +48,8 @@ HN_FN hn_float hn_perlin(hn_place3 place, hn_float phase, hn_uint seed) {
 HN_FN hn_float hn_perlin(hn_vec3 p, hn_float phase, hn_uint seed) { return hn_perlin(hn_place(p), phase, seed); }
 
 // The same with the derivatives along x, y and z, as of hn_perlin_d. The value is as above.
-//   returns  the value and its derivatives, per cell, in [-3.55, 3.55]
-//   error    of a derivative at most 3.67e-5. HN_FIXED 4.37e-4
+//   returns  the value and its derivatives, per cell, in [-3.61, 3.61]
+//   error    of a derivative at most 3.40e-5. HN_FIXED 5.14e-4
 //   cost     as above, and about twice the rest
 //   (parameters as above)
 HN_FN hn_vec4 hn_perlin_d(hn_place3 place, hn_float phase, hn_uint seed) {

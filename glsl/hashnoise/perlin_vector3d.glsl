@@ -14,10 +14,10 @@
 //   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
 //   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
-//   returns  along x hn_perlin, and along y and z other such noises, each in [-1, 1] (proven bound 0.99936), mean 0,
+//   returns  along x hn_perlin, and along y and z other such noises, each in [-1, 1] (proven bound 0.99689), mean 0,
 //            0 at lattice points, twice continuously differentiable (HN_FIXED: in steps of 2^-21)
 //   error    of each at most 4.45e-6 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED
-//            5.73e-5. From a cell at most 4.16e-6
+//            5.40e-5. From a cell at most 4.14e-6
 //   period   2^32 cells per axis, or that of the tile
 //   cost     that of hn_perlin, and twice the same again without the hashes; for each corner two multiplications
 //            more

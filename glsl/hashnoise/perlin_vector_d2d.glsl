@@ -14,10 +14,10 @@
 //   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
 //   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
-//   returns  value, and in dx and dy its derivatives along x and y. A derivative is per cell, in [-2.78, 2.78], once
+//   returns  value, and in dx and dy its derivatives along x and y. A derivative is per cell, in [-2.91, 2.91], once
 //            continuously differentiable (HN_FIXED: in steps of 2^-19)
-//   error    that of hn_perlin_vector, and of a derivative at most 1.46e-5 against the exact value, in any rounding
-//            mode (docs/accuracy.md). HN_FIXED 1.87e-4. From a cell at most 1.37e-5
+//   error    that of hn_perlin_vector, and of a derivative at most 1.33e-5 against the exact value, in any rounding
+//            mode (docs/accuracy.md). HN_FIXED 2.01e-4. From a cell at most 1.24e-5
 //   period   2^32 cells per axis, or that of the tile
 //   cost     that of hn_perlin_d, and the same again without the hashes; for each corner a multiplication more
 //   source   the product rule on the interpolation; docs/contract.md, section 22

@@ -14,10 +14,10 @@
 //   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
 //   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
-//   returns  value, and in dx, dy and dz its derivatives along x, y and z. A derivative is per cell, in [-3.38, 3.38],
+//   returns  value, and in dx, dy and dz its derivatives along x, y and z. A derivative is per cell, in [-3.61, 3.61],
 //            once continuously differentiable (HN_FIXED: in steps of 2^-19)
-//   error    that of hn_perlin_vector, and of a derivative at most 2.21e-5 against the exact value, in any rounding
-//            mode (docs/accuracy.md). HN_FIXED 2.25e-4. From a cell at most 2.11e-5
+//   error    that of hn_perlin_vector, and of a derivative at most 1.98e-5 against the exact value, in any rounding
+//            mode (docs/accuracy.md). HN_FIXED 2.28e-4. From a cell at most 1.88e-5
 //   period   2^32 cells per axis, or that of the tile
 //   cost     that of hn_perlin_d, and twice the same again without the hashes; for each corner two multiplications
 //            more

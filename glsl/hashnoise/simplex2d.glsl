@@ -28,10 +28,10 @@ HN_FN hn_i_num hn_i_simplex(hn_place2 place, hn_uint seed) {
 //   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
 //   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
-//   returns  [-1, 1] (proven bound 0.99874), mean 0, 0 at lattice points, twice continuously differentiable (HN_FIXED:
+//   returns  [-1, 1] (proven bound 0.97117), mean 0, 0 at lattice points, twice continuously differentiable (HN_FIXED:
 //            in steps of 2^-21)
-//   error    at most 4.06e-6 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 1.52e-4.
-//            From a cell at most 3.46e-6
+//   error    at most 4.01e-6 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 1.63e-4.
+//            From a cell at most 3.37e-6
 //   period   2^31 cells per axis, or that of the tile
 //   cost     3 hashes (none with HN_HASH_LATTICE) and 3 multiplications; 2 more to spread the coordinates, and 2 more
 //            for a seed that is not constant

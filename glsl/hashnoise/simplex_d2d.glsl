@@ -37,10 +37,10 @@ HN_FN hn_vec3 hn_i_simplex_d(hn_place2 place, hn_uint seed) {
 //   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
 //   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
-//   returns  the value and its derivatives along x and y. A derivative is per cell, in [-8.36, 8.36], once continuously
+//   returns  the value and its derivatives along x and y. A derivative is per cell, in [-8.46, 8.46], once continuously
 //            differentiable (HN_FIXED: in steps of 2^-18)
-//   error    that of hn_simplex, and of a derivative at most 5.19e-5 against the exact value, in any rounding mode
-//            (docs/accuracy.md). HN_FIXED 2.42e-3. From a cell at most 4.49e-5
+//   error    that of hn_simplex, and of a derivative at most 5.15e-5 against the exact value, in any rounding mode
+//            (docs/accuracy.md). HN_FIXED 2.49e-3. From a cell at most 4.45e-5
 //   period   2^31 cells per axis, or that of the tile
 //   cost     the hashes of hn_simplex, which are most of its cost, and about twice the rest
 //   source   the product rule on weight and ramp; docs/contract.md, section 13

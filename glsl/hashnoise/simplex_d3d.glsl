@@ -36,10 +36,10 @@ HN_FN hn_vec4 hn_i_simplex_d(hn_i_block3 block, hn_i_num3 f, hn_uint seed) {
 //   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
 //   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
-//   returns  the value and its derivatives along x, y and z. A derivative is per cell, in [-6.42, 6.42], once
+//   returns  the value and its derivatives along x, y and z. A derivative is per cell, in [-4.81, 4.81], once
 //            continuously differentiable (HN_FIXED: in steps of 2^-19)
-//   error    that of hn_simplex, and of a derivative at most 6.28e-5 against the exact value, in any rounding mode
-//            (docs/accuracy.md). HN_FIXED 1.26e-3. From a cell at most 5.85e-5
+//   error    that of hn_simplex, and of a derivative at most 4.25e-5 against the exact value, in any rounding mode
+//            (docs/accuracy.md). HN_FIXED 9.84e-4. From a cell at most 3.90e-5
 //   period   2^32 cells per axis, or that of the tile
 //   cost     the hashes of hn_simplex, which are most of its cost, and about twice the rest
 //   source   the product rule on weight and ramp; docs/contract.md, section 13

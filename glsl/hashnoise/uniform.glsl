@@ -65,16 +65,16 @@ HN_FN hn_vec4 hn_spread(hn_int kind) {
   if (kind == HN_SPREAD_VALUE_CUBIC2) return hn_i_spread(3312, 126, 1874, 2995);
   if (kind == HN_SPREAD_VALUE_CUBIC3) return hn_i_spread(2423, 68, 1551, 2913);
   if (kind == HN_SPREAD_PERLIN1) return hn_i_spread(3930, 91, 1356, 1679);
-  if (kind == HN_SPREAD_PERLIN3) return hn_i_spread(2737, 35, 1728, 2996);
+  if (kind == HN_SPREAD_PERLIN3) return hn_i_spread(2953, 348, 1923, 3001);
   if (kind == HN_SPREAD_PERLIN4) return hn_i_spread(2707, 122, 1749, 2951);
-  if (kind == HN_SPREAD_SIMPLEX2) return hn_i_spread(3760, 4, 2870, 3097);
-  if (kind == HN_SPREAD_SIMPLEX3) return hn_i_spread(3883, 739, 1645, 2930);
+  if (kind == HN_SPREAD_SIMPLEX2) return hn_i_spread(4235, 4, 2867, 3147);
+  if (kind == HN_SPREAD_SIMPLEX3) return hn_i_spread(4253, 790, 1515, 3070);
   if (kind == HN_SPREAD_SIMPLEX4) return hn_i_spread(3718, 507, 886, 2305);
-  if (kind == HN_SPREAD_SIMPLEX_SMOOTH2) return hn_i_spread(4018, 43, 2406, 3131);
-  if (kind == HN_SPREAD_SIMPLEX_SMOOTH3) return hn_i_spread(3200, 1162, 2325, 3290);
+  if (kind == HN_SPREAD_SIMPLEX_SMOOTH2) return hn_i_spread(4533, 51, 2427, 3152);
+  if (kind == HN_SPREAD_SIMPLEX_SMOOTH3) return hn_i_spread(4162, 875, 2535, 3241);
   if (kind == HN_SPREAD_SINE2) return hn_i_spread(2596, 306, 1551, 2823);
   if (kind == HN_SPREAD_SINE3) return hn_i_spread(2954, 111, 1490, 2882);
-  return hn_i_spread(3139, 571, 1838, 3169);
+  return hn_i_spread(4082, 21, 1195, 3017);
   // tools/uniform: end
 }
 

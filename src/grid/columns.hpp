@@ -1,7 +1,7 @@
 // Rows of grids whose points are so near each other that neighbours share cells. Along such a row the corners of all
 // points lie in few columns, so what depends on a corner alone is computed once for a column, many columns at a time. A
 // point finds it by the number of its column. Numbers and their order are those of the library, and so are the bits,
-// but for what windows.hpp says of HN_FAST.
+// but for Perlin noise with HN_FAST.
 #pragma once
 
 #include "windows.hpp"
@@ -15,31 +15,9 @@ namespace {
 constexpr int kMostColumns = kPointsAtOnce + 2 * kCount;
 
 // What a corner has in each column.
-template <int kNumbers>
-using InColumns = Corners<kNumbers, kMostColumns>;
-
-// Gradients of corners in columns. Along the last axis a corner has the same offset in all of the row, so that
-// component is kept as a product with it. For the points that offset is 1.
-template <int kNumbers>
-class Gradients : public InColumns<kNumbers> {
- public:
-  template <typename Gradient>
-  HN_I_INLINE void put(int column, Gradient g, hn_i_num offset) {
-    if constexpr (kNumbers == kGradient2) {
-      g.y = g.y * offset;
-    } else {
-      g.z = g.z * offset;
-    }
-    InColumns<kNumbers>::put(column, g);
-  }
-};
-using Gradients2 = Gradients<kGradient2>;
-using Gradients3 = Gradients<kGradient3>;
-// The ramp of a gradient in space: along z it has the offset already.
-template <typename Gradient>
-HN_I_INLINE hn_i_num row_ramp(Gradient g, hn_i_num x, hn_i_num y) {
-  return ramp(g, hn_i_octahedral(hn_i_plus(x, y)), hn_i_octahedral(hn_i_minus(x, y)), hn_i_octahedral_z(one()));
-}
+template <int kNumbers, typename S = float>
+using InColumns = Corners<kNumbers, kMostColumns, S>;
+using Lines = InColumns<2>;
 
 constexpr bool kIsWide = kCount > 4;
 
@@ -66,7 +44,10 @@ class InCells {
   HN_I_INLINE static Int number(const Place<D>& place) { return place.cell.x; }
 };
 
-// The corners of Perlin noise: in each column there are two in the plane and four in space.
+// The corners of Perlin noise: in each column there are two in the plane and four in space. Along the row the fades of
+// the other axes are the same, too. With HN_FAST a column is interpolated by these before it is kept, so that one line
+// is left. In space that rounds at most 17 times, to the nearest, and the error that the noise states allows for 10
+// roundings in any mode; on the plane 11 and 9.
 template <int D>
 class PerlinColumns : public InCells<D> {
  public:
@@ -77,42 +58,66 @@ class PerlinColumns : public InCells<D> {
     place.cell.x = number;
     const auto box = hn_i_box(place);
     const auto f = place.fraction;
+    const auto t = hn_i_fade(f);
     if constexpr (D == 2) {
       const auto h = hn_i_corners(box, seed);
-      corners_[0].put(column, kept2(h.x), f.y);
-      corners_[1].put(column, kept2(h.z), hn_i_minus_one(f.y));
+      put_pair(0, column, line2(h.x, f.y), line2(h.z, hn_i_minus_one(f.y)), t.y);
     } else {
-      for (int face = 0; face < 2; ++face) {
-        const auto h = hn_i_corners(box, face == 1, seed);
-        const hn_i_num z = face == 0 ? f.z : hn_i_minus_one(f.z);
-        corners_[2 * face].put(column, kept3(h.x), z);
-        corners_[2 * face + 1].put(column, kept3(h.z), z);
-      }
+      const auto line = [&](Uint word, bool upper, bool back) HN_I_INLINED {
+        return line3(word, upper ? hn_i_minus_one(f.y) : f.y, back ? hn_i_minus_one(f.z) : f.z);
+      };
+      const auto front = hn_i_corners(box, false, seed), back = hn_i_corners(box, true, seed);
+#if HN_ARITHMETIC == HN_FAST
+      put_pair(0, column, between(line(front.x, false, false), line(front.z, true, false), t.y),
+               between(line(back.x, false, true), line(back.z, true, true), t.y), t.z);
+#else
+      put_pair(0, column, line(front.x, false, false), line(front.z, true, false), t.y);
+      put_pair(2, column, line(back.x, false, true), line(back.z, true, true), t.y);
+#endif
     }
   }
   HN_I_INLINE hn_i_num noise(int column, Int index, const Place<D>& place) const {
     const auto f = place.fraction;
+    const Float x = hn_i_offset(f.x), x1 = hn_i_offset(hn_i_minus_one(f.x));
+    const auto ramp = [&](vec2 line, Float along_x) HN_I_INLINED {
+      return D == 2 ? along_line2(line, along_x) : along_line3(line, along_x);
+    };
+#if HN_ARITHMETIC == HN_FAST
+    const Float n = hn_i_lerp(ramp(corners_[0].of(column, index), x), ramp(corners_[0].behind(column, index), x1),
+                              hn_i_fade(f.x));
+    return D == 2 ? hn_i_scaled2(n) : hn_i_scaled3(n);
+#else
     const auto t = hn_i_fade(f);
+    const auto face = [&](int i) HN_I_INLINED {
+      return hn_i_vector(ramp(corners_[i].of(column, index), x), ramp(corners_[i].behind(column, index), x1),
+                         ramp(corners_[i + 1].of(column, index), x), ramp(corners_[i + 1].behind(column, index), x1));
+    };
     if constexpr (D == 2) {
-      const hn_i_num x = hn_i_minus_one(f.x);
-      return hn_i_scaled2(hn_i_lerp(hn_i_vector(ramp(corners_[0].of(column, index), f.x, one()),
-                                                ramp(corners_[0].behind(column, index), x, one()),
-                                                ramp(corners_[1].of(column, index), f.x, one()),
-                                                ramp(corners_[1].behind(column, index), x, one())),
-                                    t.x, t.y));
+      return hn_i_scaled2(hn_i_face2(face(0), t.x, t.y));
     } else {
-      const auto face = [&](int first) HN_I_INLINED {
-        return hn_i_lerp(face_ramps(corners_[first].of(column, index), corners_[first].behind(column, index),
-                                    corners_[first + 1].of(column, index), corners_[first + 1].behind(column, index),
-                                    f.x, f.y, one()),
-                         t.x, t.y);
-      };
-      return hn_i_scaled3(hn_i_lerp(face(0), face(2), t.z));
+      return hn_i_scaled3(hn_i_lerp(hn_i_face3(face(0), t.x, t.y), hn_i_face3(face(2), t.x, t.y), t.z));
     }
+#endif
   }
 
  private:
-  Gradients<D == 2 ? kGradient2 : kGradient3> corners_[D == 2 ? 2 : 4];
+#if HN_ARITHMETIC == HN_FAST
+  static constexpr int kLines = 1;
+  HN_I_INLINE static vec2 between(vec2 a, vec2 b, Float t) {
+    return vec2(hn_i_lerp(a.x, b.x, t), hn_i_lerp(a.y, b.y, t));
+  }
+  HN_I_INLINE void put_pair(int i, int column, vec2 lower, vec2 upper, Float t) {
+    corners_[i].put(column, between(lower, upper, t));
+  }
+#else
+  static constexpr int kLines = D == 2 ? 2 : 4;
+  HN_I_INLINE void put_pair(int i, int column, vec2 lower, vec2 upper, hn_i_num) {
+    corners_[i].put(column, lower);
+    corners_[i + 1].put(column, upper);
+  }
+#endif
+
+  Lines corners_[kLines];
 };
 
 // The numbers of value noise.
@@ -152,7 +157,7 @@ class ValueColumns : public InCells<D> {
   }
 
  private:
-  InColumns<1> numbers_[D == 2 ? 2 : 4];
+  InColumns<1, Number> numbers_[D == 2 ? 2 : 4];
 };
 
 // The nearest corner of a cell along each axis, the one opposite, and where the centre beyond is.
@@ -188,12 +193,12 @@ class SimplexColumns<2> {
     // From twice the cell on, as of a place in it.
     const Int lower = Int(Uint(number) - 2u * Uint(place.cell.x)) + shift;
     const Uint s = hn_i_mix(seed);
-    const auto direction = [&](Int x, Int y) HN_I_INLINED {
-      return kept_of_triangle(hn_i_seeded_word(hn_i_spread(triangle_point(place, x, y)), s));
+    const auto word = [&](Int x, Int y) HN_I_INLINED {
+      return hn_i_seeded_word(hn_i_spread(triangle_point(place, x, y)), s);
     };
     const hn_i_num3 y = hn_i_triangle_y(skewed);
-    lower_.put(column, direction(lower, row), y.x);
-    upper_.put(column, direction(lower + (row & 1), row + 1), y.z);
+    lower_.put(column, line2(word(lower, row), y.x));
+    upper_.put(column, line2(word(lower + (row & 1), row + 1), y.z));
   }
   HN_I_INLINE hn_i_num noise(int column, Int index, const Place<2>& place) const {
     const hn_i_num2 skewed = hn_i_skewed(place.fraction);
@@ -207,12 +212,11 @@ class SimplexColumns<2> {
   }
 
  private:
-  template <typename Gradient>
-  HN_I_INLINE static hn_i_num weighted(Gradient g, hn_i_num x, hn_i_num t) {
-    return hn_i_weighted_ramp(triangle_ramp(g, x, one()), hn_i_weight_plane(t));
+  HN_I_INLINE static hn_i_num weighted(vec2 line, hn_i_num x, hn_i_num t) {
+    return hn_i_weighted_ramp(hn_i_ramp_of2(along_line2(line, hn_i_offset(x))), hn_i_weight_plane(t));
   }
 
-  Gradients2 lower_, upper_;
+  Lines lower_, upper_;
 };
 
 // The points of simplex noise in space. Along y and z the row is in the same places of all cells. So it is the same
@@ -232,18 +236,20 @@ class SimplexColumns<3> : public InCells<3> {
     const hn_i_num size_y = hn_i_size(y.x), size_z = hn_i_size(z.x);
     const auto [corner, across, beyond] = around(block, f);
     const Uint x = block.cell.x, s = hn_i_mix(seed);
-    const auto put_corner = [&](Gradients3& row, Uint cy, Uint cz, hn_i_num offset)
-                                HN_I_INLINED { row.put(column, kept3(hn_i_seeded_word(uvec3(x, cy, cz), s)), offset); };
-    const auto put_centre = [&](Gradients3& row, Uint cy, Uint cz, hn_i_num offset) HN_I_INLINED {
-      const Uint h = hn_i_word(uvec3(x, cy, cz), hn_i_seed_join(s) ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM);
-      row.put(column, kept3(h), offset);
+    const auto put_corner = [&](Lines& row, Uint cy, Uint cz, hn_i_num along_y, hn_i_num along_z) HN_I_INLINED {
+      row.put(column, line3(hn_i_seeded_word(uvec3(x, cy, cz), s), along_y, along_z));
     };
-    put_corner(corners_, corner.y, corner.z, z.x);
-    put_corner(next_corners_, hn_i_select(size_y >= size_z, across.y, corner.y),
-               hn_i_select(size_z >= size_y, across.z, corner.z), hn_i_select(size_z >= size_y, z.y, z.x));
-    put_centre(centres_, block.cell.y, block.cell.z, z.z);
-    put_centre(next_centres_, hn_i_select(size_y <= size_z, beyond.y, block.cell.y),
-               hn_i_select(size_z <= size_y, beyond.z, block.cell.z), hn_i_select(size_z <= size_y, z.w, z.z));
+    const auto put_centre = [&](Lines& row, Uint cy, Uint cz, hn_i_num along_y, hn_i_num along_z) HN_I_INLINED {
+      const Uint h = hn_i_word(uvec3(x, cy, cz), hn_i_seed_join(s) ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM);
+      row.put(column, line3(h, along_y, along_z));
+    };
+    const Mask next_y = size_y >= size_z, next_z = size_z >= size_y;  // of a corner, and of a centre the other one
+    put_corner(corners_, corner.y, corner.z, y.x, z.x);
+    put_corner(next_corners_, hn_i_select(next_y, across.y, corner.y), hn_i_select(next_z, across.z, corner.z),
+               hn_i_select(next_y, y.y, y.x), hn_i_select(next_z, z.y, z.x));
+    put_centre(centres_, block.cell.y, block.cell.z, y.z, z.z);
+    put_centre(next_centres_, hn_i_select(next_z, beyond.y, block.cell.y), hn_i_select(next_y, beyond.z, block.cell.z),
+               hn_i_select(next_z, y.w, y.z), hn_i_select(next_y, z.w, z.z));
   }
   HN_I_INLINE hn_i_num noise(int column, Int index, const Place<3>& place) const {
     const hn_i_num3 f = place.fraction;
@@ -257,22 +263,21 @@ class SimplexColumns<3> : public InCells<3> {
     const Int near = index + Int(is_behind), far = index + Int(f.x <= hn_i_quarters(2));
     const Int corner = hn_i_select(size >= larger, far, near);
     const Int centre = index + hn_i_select(size <= smaller, hn_i_select(is_behind, Int(2), Int(0)), Int(1));
-    hn_i_num n = weighted(corners_.of(column, near), x.x, y.x, t.x);
-    n = hn_i_plus(
-        n, weighted(corners_.or_of(column, corner, next_corners_, column, corner, size <= larger), x.y, y.y, t.y));
-    n = hn_i_plus(n, weighted(centres_.of(column, index), x.z, y.z, t.z));
+    hn_i_num n = weighted(corners_.of(column, near), x.x, t.x);
+    n = hn_i_plus(n,
+                  weighted(corners_.or_of(column, corner, next_corners_, column, corner, size <= larger), x.y, t.y));
+    n = hn_i_plus(n, weighted(centres_.of(column, index), x.z, t.z));
     n = hn_i_plus(n, weighted(centres_.or_of(column - 1, centre, next_centres_, column - 1, centre, size >= smaller),
-                              x.w, y.w, t.w));
+                              x.w, t.w));
     return hn_i_scaled_simplex3(n);
   }
 
  private:
-  template <typename Gradient>
-  HN_I_INLINE static hn_i_num weighted(Gradient g, hn_i_num x, hn_i_num y, hn_i_num t) {
-    return hn_i_weighted_ramp(row_ramp(g, x, y), hn_i_weight4(t));
+  HN_I_INLINE static hn_i_num weighted(vec2 line, hn_i_num x, hn_i_num t) {
+    return hn_i_weighted_ramp(hn_i_ramp_of3(along_line3(line, hn_i_offset(x))), hn_i_weight4(t));
   }
 
-  Gradients3 corners_, next_corners_, centres_, next_centres_;
+  Lines corners_, next_corners_, centres_, next_centres_;
 };
 
 template <int D>
@@ -296,11 +301,11 @@ class SmoothSimplexColumns<2> {
     const Int row = hn_i_floor(y);
     const Int x = Int(Uint(number) - 2u * Uint(place.cell.x));
     const Uint s = hn_i_mix(seed);
-    const auto direction = [&](Int of_row) HN_I_INLINED {
-      return kept_of_triangle(hn_i_seeded_word(hn_i_spread(triangle_point(place, x, of_row)), s));
+    const auto word = [&](Int of_row) HN_I_INLINED {
+      return hn_i_seeded_word(hn_i_spread(triangle_point(place, x, of_row)), s);
     };
-    lower_.put(column, direction(row), hn_i_fract(y));
-    upper_.put(column, direction(row + 1), hn_i_minus_one(hn_i_fract(y)));
+    lower_.put(column, line2(word(row), hn_i_fract(y)));
+    upper_.put(column, line2(word(row + 1), hn_i_minus_one(hn_i_fract(y))));
   }
   HN_I_INLINE hn_i_num noise(int column, Int index, const Place<2>& place) const {
     const hn_i_num2 p = hn_i_steps(place.fraction);
@@ -313,16 +318,16 @@ class SmoothSimplexColumns<2> {
     n = hn_i_plus(n, weighted(lower_.behind(column, index), hn_i_minus_one(x), y));
     n = hn_i_plus(n, weighted(upper_.of(column - 1, of_upper), of_x, of_y));
     n = hn_i_plus(n, weighted(upper_.behind(column - 1, of_upper), hn_i_minus_one(of_x), of_y));
-    return hn_i_scaled(n, 2428);
+    return hn_i_scaled(n, 3081);
   }
 
  private:
-  template <typename Gradient>
-  HN_I_INLINE static hn_i_num weighted(Gradient g, hn_i_num x, hn_i_num y) {
-    return hn_i_weighted_ramp(triangle_ramp(g, x, one()), hn_i_weight3(hn_i_falloff(hn_i_square(x, y), 1024, 1)));
+  HN_I_INLINE static hn_i_num weighted(vec2 line, hn_i_num x, hn_i_num y) {
+    return hn_i_weighted_ramp(hn_i_ramp_of2(along_line2(line, hn_i_offset(x))),
+                              hn_i_weight3(hn_i_falloff(hn_i_square(x, y), 1024, 1)));
   }
 
-  Gradients2 lower_, upper_;
+  Lines lower_, upper_;
 };
 
 // The points of smooth simplex noise in space: corners and centres in the four rows of each that are next to the row.
@@ -337,16 +342,16 @@ class SmoothSimplexColumns<3> : public InCells<3> {
     place.cell.x = number;
     const hn_i_block3 block = hn_i_block(place);
     const hn_i_num3 f = place.fraction;
-    const hn_i_num4 z = hn_i_offsets(f.z);
+    const hn_i_num4 y = hn_i_offsets(f.y), z = hn_i_offsets(f.z);
     const auto [corner, across, beyond] = around(block, f);
     const Uint s = hn_i_mix(seed), join = hn_i_seed_join(s);
     for (int row = 0; row < 4; ++row) {
       const bool far_y = (row & 1) != 0, far_z = (row & 2) != 0;
       const uvec3 c(block.cell.x, far_y ? across.y : corner.y, far_z ? across.z : corner.z);
-      corners_[row].put(column, kept_of_smooth(hn_i_word(c, join, s)), far_z ? z.y : z.x);
+      corners_[row].put(column, line3(hn_i_word(c, join, s), far_y ? y.y : y.x, far_z ? z.y : z.x));
       const uvec3 d(block.cell.x, far_y ? beyond.y : block.cell.y, far_z ? beyond.z : block.cell.z);
-      centres_[row].put(column, kept_of_smooth(hn_i_word(d, join ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM)),
-                        far_z ? z.w : z.z);
+      const Uint h = hn_i_word(d, join ^ HN_I_CENTRE_JOIN, s + HN_I_CENTRE_SUM);
+      centres_[row].put(column, line3(h, far_y ? y.w : y.z, far_z ? z.w : z.z));
     }
   }
   HN_I_INLINE hn_i_num noise(int column, Int index, const Place<3>& place) const {
@@ -357,11 +362,11 @@ class SmoothSimplexColumns<3> : public InCells<3> {
     const Mask is_behind = f.x > hn_i_quarters(2);
     const Int near = index + Int(is_behind), far = index + Int(f.x <= hn_i_quarters(2));
     const Int next = index + hn_i_select(is_behind, Int(2), Int(0));
-    return hn_i_scaled(hn_i_plus(cube(corners_, {column, near}, {column, far}, {x.x, y.x}, {x.y, y.y}, size,
+    return hn_i_scaled(hn_i_plus(cube(corners_, {column, near}, {column, far}, x.x, x.y, size,
                                       hn_i_square(x.x, y.x, z.x)),
-                                 cube(centres_, {column, index}, {column - 1, next}, {x.z, y.z}, {x.w, y.w}, inner,
+                                 cube(centres_, {column, index}, {column - 1, next}, x.z, x.w, inner,
                                       hn_i_square(x.z, y.z, z.z))),
-                       3901);
+                       4279);
   }
 
  private:
@@ -369,34 +374,30 @@ class SmoothSimplexColumns<3> : public InCells<3> {
     int column;
     Int index;
   };
-  struct Offset {
-    hn_i_num x, y;
-  };
-  // Of one kind, what the nearest point adds, and its three neighbours: hn_i_cube.
-  HN_I_INLINE static hn_i_num cube(const Gradients3 (&rows)[4], Side near, Side far, Offset d, Offset e, hn_i_num3 size,
+  // Of one kind, what the nearest point adds, and its three neighbours: hn_i_cube. d and e are the offsets along x from
+  // the nearest point and from the one opposite.
+  HN_I_INLINE static hn_i_num cube(const Lines (&rows)[4], Side near, Side far, hn_i_num d, hn_i_num e, hn_i_num3 size,
                                    hn_i_square_number q) {
     const hn_i_num total = hn_i_plus(hn_i_plus(size.x, size.y), size.z);
-    const auto neighbour = [&](int row, Side one, Side other, Offset of_one, Offset of_other,
+    const auto neighbour = [&](int row, Side one, Side other, hn_i_num of_one, hn_i_num of_other,
                                hn_i_num along) HN_I_INLINED {
       const hn_i_num twice = hn_i_plus(along, along);
       const Mask is_other = hn_i_minus(total, twice) > hn_i_quarters(2);
       const hn_i_num more =
           min(hn_i_minus(HN_I_ONE, twice), hn_i_plus(hn_i_minus(hn_i_quarters(8), hn_i_plus(total, total)), twice));
       return weighted(rows[row].or_of(one.column, one.index, rows[3 - row], other.column, other.index, is_other),
-                      hn_i_select(is_other, of_other.x, of_one.x), hn_i_select(is_other, of_other.y, of_one.y),
-                      hn_i_falloff(hn_i_square_plus(q, more), 768, 1));
+                      hn_i_select(is_other, of_other, of_one), hn_i_falloff(hn_i_square_plus(q, more), 768, 1));
     };
-    hn_i_num a = weighted(rows[0].of(near.column, near.index), d.x, d.y, hn_i_falloff(q, 768, 1));
-    a = hn_i_plus(a, neighbour(0, far, near, {e.x, d.y}, {d.x, e.y}, size.x));
-    a = hn_i_plus(a, neighbour(1, near, far, {d.x, e.y}, {e.x, d.y}, size.y));
-    return hn_i_plus(a, neighbour(2, near, far, {d.x, d.y}, {e.x, e.y}, size.z));
+    hn_i_num a = weighted(rows[0].of(near.column, near.index), d, hn_i_falloff(q, 768, 1));
+    a = hn_i_plus(a, neighbour(0, far, near, e, d, size.x));
+    a = hn_i_plus(a, neighbour(1, near, far, d, e, size.y));
+    return hn_i_plus(a, neighbour(2, near, far, d, e, size.z));
   }
-  template <typename Gradient>
-  HN_I_INLINE static hn_i_num weighted(Gradient g, hn_i_num x, hn_i_num y, hn_i_num t) {
-    return hn_i_weighted_ramp(row_ramp(g, x, y), hn_i_weight5(t));
+  HN_I_INLINE static hn_i_num weighted(vec2 line, hn_i_num x, hn_i_num t) {
+    return hn_i_weighted_ramp(hn_i_ramp_of3(along_line3(line, hn_i_offset(x))), hn_i_weight5(t));
   }
 
-  Gradients3 corners_[4], centres_[4];
+  Lines corners_[4], centres_[4];
 };
 
 // The feature points of cellular noise in the Euclidean metric, in the cells of the row and in those around it. Along x
@@ -485,7 +486,7 @@ class CellularColumns : public InCells<D> {
 #endif
 
   hn_i_num jitter_;
-  InColumns<kNumbers> points_[D == 2 ? 3 : 9];
+  InColumns<kNumbers, Number> points_[D == 2 ? 3 : 9];
 };
 
 #endif

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <hashnoise/field.hpp>
 #include <stdexcept>
@@ -343,19 +342,13 @@ Range fill_box(const Plan& plan, const Loops& loops, const AnyGrid& grid, std::v
   return box.fill(points, executor);
 }
 
-bool are_finite(const float* numbers, int count) {
-  std::uint32_t sum = 0;  // an exponent of ones reaches the sign; a loop that compilers vectorize
-  for (int i = 0; i < count; ++i) sum |= (std::bit_cast<std::uint32_t>(numbers[i]) & 0x7F800000u) + 0x00800000u;
-  return (sum & 0x80000000u) == 0;
-}
-
 // No number comes out where a coordinate is none, or infinite. Kernels would make one of it: HN_FIXED, whose fractions
 // are integers, and what looks for the nearest point or has a cell alone.
-void spread_nan(const float* coordinates, int count, const Batch& batch, int components) {
-  if (are_finite(coordinates, count)) return;
+void spread_nan(const Plan& plan, const float* coordinates, int count, const Batch& batch) {
+  if (plan.kernels->are_finite(coordinates, count)) return;
   for (int i = 0; i < count; ++i) {
     if (std::isfinite(coordinates[i])) continue;
-    for (int n = 0; n < components; ++n) batch.value[n][i] = std::numeric_limits<float>::quiet_NaN();
+    for (int n = 0; n < plan.components; ++n) batch.value[n][i] = std::numeric_limits<float>::quiet_NaN();
   }
 }
 
@@ -465,25 +458,12 @@ Range Field<D>::fill(const Points<D>& points, std::span<float> values, const Exe
   const Plan& plan = *plan_;
   return fill_points(plan, (plan.takes_positions ? plan.at : plan.in).points, count, values, executor,
                      [&](std::size_t first, int n, Batch& batch, const auto& run_batch) {
-                       std::int32_t cell[D][kBlock];
-                       float place[D][kBlock];
                        for (std::size_t axis = 0; axis < D; ++axis) {
-                         const float* p = points.p[axis].data() + first;
                          batch.stride[axis] = 1;
-                         batch.place[axis] = p;
-                         if (plan.takes_positions) continue;
-                         const int whole = n / kMostLanes * kMostLanes;
-                         plan.kernels->split(p, whole, cell[axis], place[axis]);
-                         if (whole < n) {
-                           float rest[kMostLanes] = {};
-                           std::copy_n(p + whole, n - whole, rest);
-                           plan.kernels->split(rest, kMostLanes, cell[axis] + whole, place[axis] + whole);
-                         }
-                         batch.cell[axis] = cell[axis];
-                         batch.place[axis] = place[axis];
+                         batch.place[axis] = points.p[axis].data() + first;
                        }
                        run_batch(batch);
-                       for (const auto& p : points.p) spread_nan(p.data() + first, n, batch, plan.components);
+                       for (const auto& p : points.p) spread_nan(plan, p.data() + first, n, batch);
                      });
 }
 
@@ -498,7 +478,7 @@ Range Field<D>::fill(const CellPoints<D>& points, std::span<float> values, const
                          batch.place[axis] = points.f[axis].data() + first;
                        }
                        run_batch(batch);
-                       for (const auto& f : points.f) spread_nan(f.data() + first, n, batch, plan_->components);
+                       for (const auto& f : points.f) spread_nan(*plan_, f.data() + first, n, batch);
                      });
 }
 

@@ -78,7 +78,7 @@ struct Options {
 // Along an axis whose stride is 0 all points have one coordinate, which stands kMostLanes times in its array.
 struct Batch {
   int count;
-  const std::int32_t* cell[4];  // null for a sum at positions
+  const std::int32_t* cell[4];  // null at positions
   const float* place[4];        // in the cell, or the position
   int stride[4];
   // How far points are from each other, in cells, where they lie in a row of a grid, whose coordinates along other axes
@@ -106,8 +106,9 @@ struct SumKernels {  // whose `line` nobody asks for
 struct Kernels {
   NoiseKernels noises[kNoises][4];  // by dimensions less 1
   SumKernels sums[kSums][4];
-  // The cells of positions along an axis, and the places in them.
+  // The cells of positions along an axis of a grid, and the places in them.
   void (*split)(const float* position, int count, std::int32_t* cell, float* place);
+  bool (*are_finite)(const float* numbers, int count);
   // Widens kMostLanes ranges, of which any may take any of the numbers.
   void (*widen)(const float* value, int count, float* least, float* greatest);
 };

@@ -70,8 +70,13 @@ HN_I_INLINE Fraction<D> fractions_at(const Batch& b, int i) {
   });
 }
 template <int D>
-HN_I_INLINE Place<D> places_at(const Batch& b, int i) {
+HN_I_INLINE Place<D> place_in_cell(const Batch& b, int i) {
   return hn_place(cells_at<D>(b, i), fractions_at<D>(b, i));
+}
+// The same of either form of a batch.
+template <int D>
+HN_I_INLINE Place<D> place_at(const Batch& b, int i) {
+  return b.cell[0] != nullptr ? place_in_cell<D>(b, i) : hn_place(fractions_at<D>(b, i));
 }
 
 // What a noise with a period takes beside the point and the seed.

@@ -1,7 +1,7 @@
 // Rows of points that are so near each other that many of them lie in one piece of a lattice, such as a cell, but that
 // cross the lattice in any direction: those of octaves that are turned. What depends on a piece alone is computed once
 // for a run of points in it, many runs at a time, and a point finds it by the number of its run. Numbers and their
-// order are those of the library, and so are the bits, but for what windows.hpp says of HN_FAST.
+// order are those of the library, and so are the bits.
 #pragma once
 
 #include "windows.hpp"
@@ -137,50 +137,63 @@ HN_I_INLINE Uint key_of(const Cell<D>& cell) {
   }
 }
 
-// All corners of a cell.
+// The gradients of all corners of a cell.
 template <int D>
 class PerlinPieces {
  public:
-  static constexpr double kMostStep = 0.5;
+  static constexpr double kMostStep = D == 3 && kCount == 8 ? 0.5 : D == 3 && kCount == 16 ? 0.12 : 0.2;
 
   HN_I_INLINE static Uint key(const Place<D>& place) { return key_of<D>(place.cell); }
   HN_I_INLINE void put(int run, const Place<D>& place, Uint seed) {
     const auto box = hn_i_box(place);
+    const auto put_face = [&](int i, const uvec4& h) HN_I_INLINED {
+      corners_[i].put(run, gradient(h.x));
+      corners_[i + 1].put(run, gradient(h.y));
+      corners_[i + 2].put(run, gradient(h.z));
+      corners_[i + 3].put(run, gradient(h.w));
+    };
     if constexpr (D == 2) {
-      const auto h = hn_i_corners(box, seed);
-      corners_[0].put(run, kept2(h.x));
-      corners_[1].put(run, kept2(h.y));
-      corners_[2].put(run, kept2(h.z));
-      corners_[3].put(run, kept2(h.w));
+      put_face(0, hn_i_corners(box, seed));
     } else {
-      for (int face = 0; face < 2; ++face) {
-        const auto h = hn_i_corners(box, face == 1, seed);
-        corners_[4 * face].put(run, kept3(h.x));
-        corners_[4 * face + 1].put(run, kept3(h.y));
-        corners_[4 * face + 2].put(run, kept3(h.z));
-        corners_[4 * face + 3].put(run, kept3(h.w));
-      }
+      put_face(0, hn_i_corners(box, false, seed));
+      put_face(4, hn_i_corners(box, true, seed));
     }
   }
   HN_I_INLINE hn_i_num noise(int run, Int index, const Place<D>& place) const {
     const auto f = place.fraction;
     const auto t = hn_i_fade(f);
-    const auto corner = [&](int i) HN_I_INLINED { return corners_[i].of(run, index); };
+    const Float x = hn_i_offset(f.x), y = hn_i_offset(f.y);
+    const Float x1 = hn_i_offset(hn_i_minus_one(f.x)), y1 = hn_i_offset(hn_i_minus_one(f.y));
+    const auto ramp = [&](int i, Float along_x, Float along_y, auto... z) HN_I_INLINED {
+      const auto g = corners_[i].of(run, index);
+      if constexpr (D == 2) {
+        return hn_i_along2(g, along_x, along_y);
+      } else {
+        return hn_i_along3(g, along_x, along_y, z...);
+      }
+    };
+    const auto face = [&](int i, auto... z) HN_I_INLINED {
+      return hn_i_vector(ramp(i, x, y, z...), ramp(i + 1, x1, y, z...), ramp(i + 2, x, y1, z...),
+                         ramp(i + 3, x1, y1, z...));
+    };
     if constexpr (D == 2) {
-      const hn_i_num x = hn_i_minus_one(f.x), y = hn_i_minus_one(f.y);
-      return hn_i_scaled2(hn_i_lerp(hn_i_vector(ramp(corner(0), f.x, f.y), ramp(corner(1), x, f.y),
-                                                ramp(corner(2), f.x, y), ramp(corner(3), x, y)),
-                                    t.x, t.y));
+      return hn_i_scaled2(hn_i_face2(face(0), t.x, t.y));
     } else {
-      const auto face = [&](int i, hn_i_num z) HN_I_INLINED {
-        return hn_i_lerp(face_ramps(corner(i), corner(i + 1), corner(i + 2), corner(i + 3), f.x, f.y, z), t.x, t.y);
-      };
-      return hn_i_scaled3(hn_i_lerp(face(0, f.z), face(4, hn_i_minus_one(f.z)), t.z));
+      return hn_i_scaled3(hn_i_lerp(hn_i_face3(face(0, hn_i_offset(f.z)), t.x, t.y),
+                                    hn_i_face3(face(4, hn_i_offset(hn_i_minus_one(f.z))), t.x, t.y), t.z));
     }
   }
 
  private:
-  Corners<D == 2 ? kGradient2 : kGradient3, kMostRuns> corners_[D == 2 ? 4 : 8];
+  HN_I_INLINE static auto gradient(Uint word) {
+    if constexpr (D == 2) {
+      return hn_i_direction2(word);
+    } else {
+      return hn_i_direction3(word, hn_i_signs(word));
+    }
+  }
+
+  Corners<D, kMostRuns> corners_[D == 2 ? 4 : 8];
 };
 
 // The numbers of all corners of a cell.
@@ -220,49 +233,7 @@ class ValuePieces {
   }
 
  private:
-  Corners<1, kMostRuns> numbers_[D == 2 ? 4 : 8];
-};
-
-// The corners of simplex noise on the plane, in the skewed square of two triangles.
-class SimplexPieces {
- public:
-  static constexpr double kMostStep = 0.2;
-
-  HN_I_INLINE static Uint key(const Place<2>& place) {
-    const hn_i_num2 skewed = hn_i_skewed(place.fraction);
-    return key_of<2>(ivec2(uvec2(hn_i_doubled(Uint(place.cell.x), hn_i_column_of(skewed)),
-                                 hn_i_doubled(Uint(place.cell.y), hn_i_floor(skewed.y)))));
-  }
-  HN_I_INLINE void put(int run, const Place<2>& place, Uint seed) {
-    const hn_i_num2 skewed = hn_i_skewed(place.fraction);
-    const Int row = hn_i_floor(skewed.y), column = hn_i_column_of(skewed);
-    const Int last = column + (row & 1);
-    const Uint s = hn_i_mix(seed);
-    const auto direction = [&](Int x, Int y) HN_I_INLINED {
-      return kept_of_triangle(hn_i_seeded_word(hn_i_spread(triangle_point(place, x, y)), s));
-    };
-    first_.put(run, direction(column, row));
-    right_.put(run, direction(column + 1, row));
-    left_.put(run, direction(last - 1, row + 1));
-    last_.put(run, direction(last, row + 1));
-  }
-  HN_I_INLINE hn_i_num noise(int run, Int index, const Place<2>& place) const {
-    const hn_i_num2 skewed = hn_i_skewed(place.fraction);
-    const hn_i_num3 x = hn_i_triangle_x(skewed), y = hn_i_triangle_y(skewed);
-    const hn_i_num3 t = hn_i_triangle_falloff(x, y);
-    const auto middle = left_.or_of(run, index, right_, run, index, hn_i_fract(skewed.x) > hn_i_fract(skewed.y));
-    hn_i_num n = weighted(first_.of(run, index), x.x, y.x, t.x);
-    n = hn_i_plus(n, weighted(middle, x.y, y.y, t.y));
-    return hn_i_scaled_simplex2(hn_i_plus(n, weighted(last_.of(run, index), x.z, y.z, t.z)));
-  }
-
- private:
-  template <typename Gradient>
-  HN_I_INLINE static hn_i_num weighted(Gradient g, hn_i_num x, hn_i_num y, hn_i_num t) {
-    return hn_i_weighted_ramp(triangle_ramp(g, x, y), hn_i_weight_plane(t));
-  }
-
-  Corners<kGradient2, kMostRuns> first_, right_, left_, last_;
+  Corners<1, kMostRuns, Number> numbers_[D == 2 ? 4 : 8];
 };
 
 // Some vectors of points on a line: uses the noise at each, whose place place_at gives.

@@ -33,15 +33,15 @@ class Called {
   Octave octave_;
 };
 
-// Calls a function with what adds an octave to a sum.
+// Calls a function with what adds an octave to a sum, and with whether that changes the weight of the next one.
 template <typename Function>
 HN_I_INLINE void with_step(int id, const Function& function) {
   switch (id) {
 #define HN_CATALOG_STEP(Id, name, step, end)                                                              \
   case grid::k##Id:                                                                                       \
-    return function([](const hn_i_octave_sum& s, Float n, [[maybe_unused]] Float strength) HN_I_INLINED { \
-      return step;                                                                                        \
-    });
+    return function([](const hn_i_octave_sum& s, Float n, [[maybe_unused]] Float strength)                \
+                        HN_I_INLINED { return step; },                                                    \
+                    std::bool_constant<grid::k##Id == grid::kWeighted>());
 #include "catalog.inc"
   }
 }
@@ -73,6 +73,8 @@ HN_I_INLINE hn_i_num mean_of(hn_i_num sum, hn_i_num total) {
   const DoubleVector dividend = __builtin_convertvector(sum.v, DoubleVector) * 262144.0;
   const DoubleVector quotient = dividend / __builtin_convertvector(total.v, DoubleVector);
   return Int(__builtin_convertvector(quotient, detail::IntVector));
+#elif HN_ARITHMETIC == HN_FAST
+  return sum * (1.0f / total);  // one division for all points
 #else
   return hn_i_mean(sum, total);
 #endif
@@ -201,13 +203,9 @@ struct Positions {
 };
 template <int D>
 struct Cells {
-  HN_I_INLINE static auto of(const Batch& b, int i, const Given<D>&) { return places_at<D>(b, i); }
+  HN_I_INLINE static auto of(const Batch& b, int i, const Given<D>&) { return place_in_cell<D>(b, i); }
 };
 // In HN_FIXED both are of one type, and in a tile with all arithmetics: then one kernel takes both.
-template <int D>
-HN_I_INLINE Place<D> place_at(const Batch& b, int i) {
-  return b.cell[0] != nullptr ? places_at<D>(b, i) : hn_place(fractions_at<D>(b, i));
-}
 template <int D>
 struct Either {
   HN_I_INLINE static auto of(const Batch& b, int i, const Given<D>&) { return place_at<D>(b, i); }
@@ -227,77 +225,76 @@ void at_points(const Batch& batch, const Options& options, Octave octave) {
   for (int i = 0; i < b.count; i += kCount) store(b, i, sum.at(At::of(b, i, given)));
 }
 
-// Where some points are: the positions of octaves, or whole positions, along the first axes. The arrays are of numbers,
+// Where some points are, for octaves that are whole positions, and for those that are not. The arrays are of numbers,
 // since those of vectors would be filled with zeros first.
-template <int kAxes, bool kIsWhole>
-class Spots {
- public:
-  template <typename Octaves>
-  HN_I_INLINE void keep(int i, Octaves& o) {
-    each([&](auto axis) HN_I_INLINED {
-      if constexpr (kIsWhole) {
-        whole_of<axis>(o).x.store(at_[axis] + i);
-        whole_of<axis>(o).y.store(rest_[axis] + i);
-      } else {
-        along<axis>(o.p).store(at_[axis] + i);
-      }
-    });
-  }
-  template <typename Octaves>
-  HN_I_INLINE void put(int i, Octaves& o) const {
-    if constexpr (kIsWhole) {
-      each([&](auto axis) HN_I_INLINED {
-        whole_of<axis>(o) = ivec2(Int::load(at_[axis] + i), Int::load(rest_[axis] + i));
-      });
-    } else {
-      o.p = vector_of<Fraction<kAxes>, kAxes>([&](int axis) HN_I_INLINED { return Float::load(at_[axis] + i); });
-    }
-  }
-
-  // Calls a function with the number of each axis.
-  template <typename Function>
-  HN_I_INLINE static void each(const Function& function) {
-    function(std::integral_constant<int, 0>());
-    if constexpr (kAxes > 1) function(std::integral_constant<int, 1>());
-    if constexpr (kAxes > 2) function(std::integral_constant<int, 2>());
-    if constexpr (kAxes > 3) function(std::integral_constant<int, 3>());
-  }
-
- private:
-  // The whole position of octaves along an axis.
-  template <int axis, typename Octaves>
-  HN_I_INLINE static ivec2& whole_of(Octaves& o) {
-    if constexpr (axis == 0) {
-      return o.x;
-    } else if constexpr (axis == 1) {
-      return o.y;
-    } else if constexpr (axis == 2) {
-      return o.z;
-    } else {
-      return o.w;
-    }
-  }
-
-  std::conditional_t<kIsWhole, std::int32_t, float> at_[kAxes][kPointsAtOnce];  // the cell, or the position
-  std::int32_t rest_[kIsWhole ? kAxes : 1][kPointsAtOnce];                      // the fraction of a whole position
-};
-
-// The places of a batch for the kernels of a noise.
-template <int D>
-struct Places {
+template <int D, bool kIsWhole>
+struct Spots {
+  // The fraction of a whole position, or the position.
+  std::conditional_t<kIsWhole, std::int32_t, float> rest[D][kPointsAtOnce];
+  // For kernels that take these. Of octaves at positions the first one alone is passed so.
   std::int32_t cell[D][kPointsAtOnce];
   float place[D][kPointsAtOnce];
 
-  template <int axis, typename Place>
-  HN_I_INLINE void keep(int i, const Place& at) {
-    along<axis>(at.cell).store(cell[axis] + i);
+  template <int axis, typename Octaves>
+  HN_I_INLINE void keep(int i, Octaves& o, bool has_cells) {
+    if constexpr (kIsWhole) {
+      component<axis>(o).y.store(rest[axis] + i);
+    } else {
+      along<axis>(o.p).store(rest[axis] + i);
+    }
+    if (!has_cells) return;
+    along<axis>(o.place.cell).store(cell[axis] + i);
 #if HN_ARITHMETIC == HN_FIXED
-    (Float(along<axis>(at.fraction)) * (1.0f / HN_I_ONE)).store(place[axis] + i);
+    (Float(along<axis>(o.place.fraction)) * (1.0f / HN_I_ONE)).store(place[axis] + i);
 #else
-    along<axis>(at.fraction).store(place[axis] + i);
+    along<axis>(o.place.fraction).store(place[axis] + i);
 #endif
   }
+  template <int axis, typename Octaves>
+  HN_I_INLINE void put(int i, Octaves& o) const {
+    if constexpr (kIsWhole) {
+      component<axis>(o) = ivec2(Int::load(cell[axis] + i), Int::load(rest[axis] + i));
+    } else if constexpr (D == 1) {
+      o.p = Float::load(rest[axis] + i);
+    } else {
+      component<axis>(o.p) = Float::load(rest[axis] + i);
+    }
+  }
+  // Has a batch take these.
+  HN_I_INLINE void point(Batch& batch, bool has_cells) const {
+    for (int axis = 0; axis < D; ++axis) {
+      batch.cell[axis] = has_cells ? cell[axis] : nullptr;
+      batch.place[axis] = place[axis];
+      if constexpr (!kIsWhole) {
+        if (!has_cells) batch.place[axis] = rest[axis];
+      }
+    }
+  }
+
+ private:
+  // The component of a position, or the whole position of octaves along an axis.
+  template <int axis, typename Point>
+  HN_I_INLINE static auto& component(Point& point) {
+    if constexpr (axis == 0) {
+      return point.x;
+    } else if constexpr (axis == 1) {
+      return point.y;
+    } else if constexpr (axis == 2) {
+      return point.z;
+    } else {
+      return point.w;
+    }
+  }
 };
+
+// Calls a function with the number of each axis from the first one on.
+template <int first, int end, typename Function>
+HN_I_INLINE void each_axis(const Function& function) {
+  if constexpr (first < end) {
+    function(std::integral_constant<int, first>());
+    each_axis<first + 1, end>(function);
+  }
+}
 
 // A sum octave by octave over some points: first where the points of an octave are, then the noise there, by its own
 // kernel, then what the sum adds. So what all points of an octave share, such as the mixed seed, is made once for them,
@@ -311,33 +308,27 @@ void by_octaves(const Batch& batch, const Options& options, Octave) {
   using Position = decltype(At::of(batch, 0, std::declval<const Given<D>&>()));
   constexpr bool kIsTiled = std::is_same_v<At, Tiles<D>>;
   constexpr bool kIsWhole = std::is_same_v<Position, Place<D>>;
-  using Moving = Spots<kIsRowOfTile ? 1 : D, kIsWhole>;
+  constexpr int kMoving = kIsRowOfTile ? 1 : D;  // axes
   const Batch b = batch;
   const Given<D> given(options);
   const hn_i_num total = hn_i_total(hn_i_octaves(given.octaves), hn_i_gain(given.gain), HN_I_WEIGHT_ONE);
   const bool is_row = b.stride[D - 1] == 0;
-  Moving spots;
-  Places<D> places;
+  Spots<D, kIsWhole> spots;
   Number value[kPointsAtOnce], carried[kPointsAtOnce], weight[kPointsAtOnce];
   float noise[kPointsAtOnce];
   for (int start = 0; start < b.count; start += kPointsAtOnce) {
     Batch now = b;
     now.count = b.count - start < kPointsAtOnce ? b.count - start : kPointsAtOnce;
     now.value[0] = noise;
+    bool has_cells = kIsWhole || is_row;
     for (int axis = 0; axis < D; ++axis) {
-      now.cell[axis] = places.cell[axis];
-      now.place[axis] = places.place[axis];
       if (!kIsRowOfTile) now.stride[axis] = 1;
     }
     auto o = octaves_at(At::of(b, start, given), given);
     auto across = o;
-    const auto keep = [&](int i, auto& octaves) HN_I_INLINED {
-      spots.keep(i, octaves);
-      Moving::each([&](auto axis) HN_I_INLINED { places.template keep<axis>(i, octaves.place); });
-    };
     for (int i = 0; i < now.count; i += kCount) {
       auto first = octaves_at(At::of(b, start + i, given), given);
-      keep(i, first);
+      each_axis<0, kMoving>([&](auto axis) HN_I_INLINED { spots.template keep<axis>(i, first, has_cells); });
       o.sum.value.store(value + i);
       o.sum.carried.store(carried + i);
       o.sum.weight.store(weight + i);
@@ -346,42 +337,37 @@ void by_octaves(const Batch& batch, const Options& options, Octave) {
     double scale = 1.0;
     for (int number = 1;; ++number) {
       const bool more = number < options.octaves;
-      if constexpr (kIsRowOfTile) {
-        Spots<D, kIsWhole>::each([&](auto axis) HN_I_INLINED {
-          if constexpr (axis > 0) places.template keep<axis>(0, across.place);
-        });
-      }
+      each_axis<kMoving, D>([&](auto axis) HN_I_INLINED { spots.template keep<axis>(0, across, true); });
       if constexpr (kIsTiled) {
-        Spots<D, kIsWhole>::each([&](auto axis) HN_I_INLINED {
-          of_octave.period[axis] = along<axis>(across.place.period)[0];
-        });
+        each_axis<0, D>([&](auto axis) HN_I_INLINED { of_octave.period[axis] = along<axis>(across.place.period)[0]; });
       }
+      spots.point(now, has_cells);
       const grid::Loops& loops = options.noise;
       (!is_row ? loops.points : kIsTiled || number == 1 ? loops.row : loops.line)(now, of_octave, nullptr);
-      with_step(options.sum, [&](const auto& step) HN_I_INLINED {
+      with_step(options.sum, [&](const auto& step, auto bends) HN_I_INLINED {
         for (int i = 0; i < now.count; i += kCount) {
           o.sum.value = hn_i_num::load(value + i);
           o.sum.carried = hn_i_num::load(carried + i);
-          o.sum.weight = hn_i_num::load(weight + i);
-          o.sum = step(o.sum, Float::load(noise + i), given.strength);
-          o.sum.value.store(value + i);
-          o.sum.carried.store(carried + i);
-          hn_i_weight_times(o.sum.weight, o.sum.gain).store(weight + i);
+          if constexpr (bends) o.sum.weight = hn_i_num::load(weight + i);
+          const hn_i_octave_sum next = step(o.sum, Float::load(noise + i), given.strength);
+          next.value.store(value + i);
+          next.carried.store(carried + i);
+          if constexpr (bends) hn_i_weight_times(next.weight, next.gain).store(weight + i);
         }
+        if constexpr (!bends) o.sum.weight = hn_i_weight_times(o.sum.weight, o.sum.gain);
       });
       if (!more) break;
+      has_cells = kIsWhole;
       const auto period = across.place.period;
       for (int i = 0; i < now.count; i += kCount) {
-        spots.put(i, o);
+        each_axis<0, kMoving>([&](auto axis) HN_I_INLINED { spots.template put<axis>(i, o); });
         if constexpr (kIsWhole) {
           if (kIsTiled) o.place.period = period;  // of which going on makes the next one
           hn_i_advance(o);
         } else {
           o.p = hn_i_next(o.p, o.lacunarity);
-          o.place.cell = hn_i_cell(o.p);
-          o.place.fraction = hn_i_fraction(o.p);
         }
-        keep(i, o);
+        each_axis<0, kMoving>([&](auto axis) HN_I_INLINED { spots.template keep<axis>(i, o, kIsWhole); });
       }
       if constexpr (kIsTiled) hn_i_advance(across);
       of_octave.seed += HN_I_SEED_STEP;

@@ -59,60 +59,42 @@ HN_I_INLINE Lanes<S> of_either(const S* a, Int index_a, const S* b, Int index_b,
 #endif
 }
 
-HN_I_INLINE hn_i_num one() { return hn_i_num(Number{1}); }
-
-// A gradient as it is kept: a direction, and by how much it is to be lengthened. With HN_FAST it is lengthened before
-// it is kept. That rounds nothing, since both have few bits. It leaves each point less to do, and less to round.
-#if HN_ARITHMETIC == HN_FAST
-constexpr int kGradient2 = 2, kGradient3 = 3;
-HN_I_INLINE vec2 kept(vec3 d) { return vec2(hn_i_times_one_plus(d.x, d.z), hn_i_times_one_plus(d.y, d.z)); }
-HN_I_INLINE vec3 kept(vec4 d) {
-  return vec3(hn_i_times_one_plus(d.x, d.w), hn_i_times_one_plus(d.y, d.w), hn_i_times_one_plus(d.z, d.w));
-}
-// What it adds at an offset. In space u and v stand for x and y, as in direction.glsl. In triangles the integers of its
-// length have a unit of their own.
-HN_I_INLINE Float ramp(vec2 g, Float x, Float y) { return hn_i_dot(g, x, y); }
-HN_I_INLINE Float ramp(vec3 g, Float u, Float v, Float w) { return hn_i_dot(g, u, v, w); }
-HN_I_INLINE Float triangle_ramp(vec2 g, Float x, Float y) { return hn_i_dot(g, x, y); }
+// What a gradient adds along a row, where the offset along each axis but x is the same: x * line.x + line.y. In
+// HN_FIXED line.y has what direction.glsl adds to such a sum, so that the last bit of the sum is a unit; nothing is
+// rounded. In space the component that is 0 adds nothing that could be rounded, either.
+#if HN_ARITHMETIC == HN_FIXED
+constexpr float kBeyond2 = 3.0f, kBeyond3 = 12.0f;
+HN_I_INLINE Int beyond2(Float n) { return hn_i_beyond_3(n); }
+HN_I_INLINE Int beyond3(Float n) { return hn_i_beyond_12(n); }
 #else
-constexpr int kGradient2 = 3, kGradient3 = 4;
-HN_I_INLINE hn_i_num3 kept(hn_i_num3 d) { return d; }
-HN_I_INLINE hn_i_num4 kept(hn_i_num4 d) { return d; }
-HN_I_INLINE hn_i_num ramp(hn_i_num3 d, hn_i_num x, hn_i_num y) { return hn_i_ramp(d, x, y); }
-HN_I_INLINE hn_i_num ramp(hn_i_num4 d, hn_i_num u, hn_i_num v, hn_i_num w) { return hn_i_ramp(d, u, v, w); }
-HN_I_INLINE hn_i_num triangle_ramp(hn_i_num3 d, hn_i_num x, hn_i_num y) {
-  return hn_i_triangle_times_one_plus(hn_i_dot_direction(d, x, y), d.z);
-}
+constexpr float kBeyond2 = 0.0f, kBeyond3 = 0.0f;
+HN_I_INLINE Float beyond2(Float n) { return n; }
+HN_I_INLINE Float beyond3(Float n) { return n; }
 #endif
-HN_I_INLINE auto kept2(Uint word) { return kept(hn_i_direction2(word)); }
-HN_I_INLINE auto kept3(Uint word) { return kept(hn_i_direction3(word)); }
-HN_I_INLINE auto kept_of_triangle(Uint word) { return kept(hn_i_triangle_direction(word)); }
-// That of smooth simplex noise in space is lengthened twice as much.
-HN_I_INLINE auto kept_of_smooth(Uint word) {
-  hn_i_num4 d = hn_i_direction3(word);
-  d.w = hn_i_plus(d.w, d.w);
-  return kept(d);
+HN_I_INLINE vec2 line2(Uint word, hn_i_num y) {
+  const vec2 g = hn_i_direction2(word);
+  return vec2(g.x, g.y * hn_i_offset(y) + kBeyond2);
 }
-
-// The ramps of a face of a cell, as in ramps.glsl: x, y and z are the offsets from its corner 00.
-template <typename Gradient>
-HN_I_INLINE hn_i_num4 face_ramps(Gradient g00, Gradient g10, Gradient g01, Gradient g11, hn_i_num x, hn_i_num y,
-                                 hn_i_num z) {
-  const hn_i_num a = hn_i_octahedral(x), b = hn_i_octahedral(y), step = hn_i_octahedral(HN_I_ONE);
-  const hn_i_num u = hn_i_plus(a, b), v = hn_i_minus(a, b), w = hn_i_octahedral_z(z);
-  const hn_i_num u1 = hn_i_minus(u, step);
-  return hn_i_vector(ramp(g00, u, v, w), ramp(g10, u1, hn_i_minus(v, step), w), ramp(g01, u1, hn_i_plus(v, step), w),
-                     ramp(g11, hn_i_minus(u1, step), v, w));
+HN_I_INLINE vec2 line3(Uint word, hn_i_num y, hn_i_num z) {
+  const vec3 g = hn_i_direction3(word, hn_i_signs(word));
+  return vec2(g.x, g.y * hn_i_offset(y) + kBeyond3 + g.z * hn_i_offset(z));
 }
+HN_I_INLINE hn_i_num along_line2(vec2 line, Float x) { return beyond2(line.x * x + line.y); }
+HN_I_INLINE hn_i_num along_line3(vec2 line, Float x) { return beyond3(line.x * x + line.y); }
 
 // Numbers of one corner, in each of kPlaces places.
-template <int kNumbers, int kPlaces>
+template <int kNumbers, int kPlaces, typename S = float>
 class Corners {
  public:
-  HN_I_INLINE void put(int at, hn_i_num n) { keep(at, n); }
-  HN_I_INLINE void put(int at, hn_i_num2 n) { keep(at, n.x, n.y); }
-  HN_I_INLINE void put(int at, hn_i_num3 n) { keep(at, n.x, n.y, n.z); }
-  HN_I_INLINE void put(int at, hn_i_num4 n) { keep(at, n.x, n.y, n.z, n.w); }
+  HN_I_INLINE void put(int at, Lanes<S> n) { keep(at, n); }
+  template <typename Vector>
+  HN_I_INLINE void put(int at, const Vector& n) {
+    if constexpr (kNumbers == 2) {
+      keep(at, n.x, n.y);
+    } else {
+      keep(at, n.x, n.y, n.z);
+    }
+  }
   // For each lane those that are so far behind a place.
   HN_I_INLINE auto of(int at, Int index) const {
     const Window window(index);
@@ -133,11 +115,9 @@ class Corners {
     if constexpr (kNumbers == 1) {
       return number(0);
     } else if constexpr (kNumbers == 2) {
-      return hn_i_vector(number(0), number(1));
-    } else if constexpr (kNumbers == 3) {
-      return hn_i_vector(number(0), number(1), number(2));
+      return vector_of<std::conditional_t<std::is_same_v<S, float>, vec2, ivec2>, 2>(number);
     } else {
-      return hn_i_vector(number(0), number(1), number(2), number(3));
+      return vector_of<std::conditional_t<std::is_same_v<S, float>, vec3, ivec3>, 3>(number);
     }
   }
   template <typename... Numbers>
@@ -146,7 +126,7 @@ class Corners {
     (n.store(number_[i++] + at), ...);
   }
 
-  Number number_[kNumbers][kPlaces];
+  S number_[kNumbers][kPlaces];
 };
 
 // The point of the lattice of simplex noise on the plane that is so far from twice the cell. Along x it may be cells

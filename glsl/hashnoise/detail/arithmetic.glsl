@@ -59,9 +59,9 @@
 //   18      WEIGHT    a fade and its derivative; the weight of a spline, of a point of simplex noise and of an octave;
 //                     a setting of a sum; a number of a Jacobian; a cosine or sine by which something turns
 //   18      DISTANCE  a distance
-//   29      RAMP      a ramp, a component of a gradient, and the number of a word. In 4D ramps and gradients are in
-//                     units of 2^-28
-//   27                the difference of two corners, for derivatives (hn_i_d_corner)
+//   22, 20            a gradient times an offset, on the plane and beyond (hn_i_along2, hn_i_along3)
+//   29      RAMP      a ramp, and the number of a word. In 4D ramps are in units of 2^-28
+//   27                the difference of two corners and a component of a gradient, for derivatives. In 4D 2^-26
 //   30, 16            the square of a distance in simplex noise, and its falloff
 //   28                a squared rank
 //   16                a distance to a border, a velocity of curl in 3D, a slope of gullies

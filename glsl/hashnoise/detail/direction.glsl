@@ -28,23 +28,23 @@
 
 // Bits behind an exponent make a float without a shift and without a conversion from integer.
 #if HN_I_BITCAST
-HN_FN hn_vec2 hn_i_direction2(hn_uint h) {
-  hn_float x = uintBitsToFloat((h & 0x00600000u) | 0x40000000u) - 2.75f;
-  return vec2(x, hn_i_signed(1.0f - abs(x), h));
+HN_FN hn_float hn_i_quarters_of(hn_uint h) {
+  return hn_i_minus(uintBitsToFloat((h & 0x00600000u) | 0x40000000u), 2.75f);
 }
 HN_FN hn_vec2 hn_i_signs(hn_uint h) {
-  return vec2(5.0f - uintBitsToFloat((h & 0x00400000u) | 0x40800000u),
-              9.0f - uintBitsToFloat((h & 0x00200000u) | 0x41000000u));
+  return vec2(hn_i_minus(5.0f, uintBitsToFloat((h & 0x00400000u) | 0x40800000u)),
+              hn_i_minus(9.0f, uintBitsToFloat((h & 0x00200000u) | 0x41000000u)));
 }
 #else
-HN_FN hn_vec2 hn_i_direction2(hn_uint h) {
-  hn_float x = hn_i_float((h >> 21u) & 3u) * 0.5f - 0.75f;
-  return vec2(x, hn_i_signed(1.0f - abs(x), h));
-}
+HN_FN hn_float hn_i_quarters_of(hn_uint h) { return hn_i_minus(hn_i_float((h >> 21u) & 3u) * 0.5f, 0.75f); }
 HN_FN hn_vec2 hn_i_signs(hn_uint h) {
   return vec2(hn_i_select((h & 0x00400000u) != 0u, -1.0f, 1.0f), hn_i_select((h & 0x00200000u) != 0u, -1.0f, 1.0f));
 }
 #endif
+HN_FN hn_vec2 hn_i_direction2(hn_uint h) {
+  hn_float x = hn_i_quarters_of(h);
+  return vec2(x, hn_i_signed(hn_i_minus(1.0f, abs(x)), h));
+}
 HN_FN hn_vec2 hn_i_turned(hn_vec2 g, bool turned) {
   hn_vec2 n = g;
   if (turned) n = vec2(-g.y, g.x);

@@ -10,8 +10,8 @@ import numpy as np
 
 from bounds import borders, distances, features, moving
 from bounds import cellular_model as model
-from bounds.cellular_model import Shader, shaders
-from bounds.exact_model import direction, lattice_word
+from bounds.cellular_model import Shader, direction, shaders
+from bounds.exact_model import lattice_word
 from bounds.rounded import Rounding, Text, along_axes, roundings
 from bounds.sine import fixed_sines
 from bounds.table import bounds_of, slope_bounds_of

@@ -69,7 +69,8 @@ class Noise(unittest.TestCase):
         for dims, kind in CASES:
             value, _ = self.adverse(kind, dims, lambda _: lambda corner, offsets: [-d for d in offsets], 4)
             self.assertLessEqual(abs(value).max(), proven(kind, dims).fixed_limit)
-            self.assertGreater(abs(value).max(), 0.93 * proven(kind, dims).fixed_limit)
+            # On the plane the scale leaves room for gradients that turn.
+            self.assertGreater(abs(value).max(), 0.93 * range_bound(dims, kind))
 
     def test_the_cut(self):
         """A fraction just below the next step."""

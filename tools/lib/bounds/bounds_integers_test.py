@@ -81,7 +81,7 @@ class Integers(unittest.TestCase):
         for dims, kind in CASES:
             for name, value in sums.largest_octave_intermediates(proven(kind, dims).fixed_limit).items():
                 self.assertLess(value, 2**31, (kind.name, dims, name))
-        largest = perlin.largest_slope_intermediates(3)
+        largest = perlin.largest_slope_intermediates(3, 4.0)
         self.assertGreater(largest["derivative's lerp"], 0.9 * 2**31)  # not absurdly far
 
     def test_wrapping_is_noticed(self):
@@ -89,9 +89,9 @@ class Integers(unittest.TestCase):
             integers.signed(np.array([2**31]))
         with self.assertRaises(OverflowError):
             integers.word(np.array([-1]))
-        with mock.patch.dict(perlin.RAMP_ONE, {OCTAHEDRAL: {2: 2**30, 3: 2**30}}):
+        with mock.patch.dict(perlin.RAMP_ONE, {OCTAHEDRAL: {2: 2**31, 3: 2**30}}):
             self.assertGreater(perlin.largest_intermediates(2, OCTAHEDRAL)["difference"], 2**31)
-            self.assertGreater(perlin.largest_slope_intermediates(3)["derivative's difference"], 2**31)
+            self.assertGreater(perlin.largest_slope_intermediates(3, 4.0)["derivative's difference"], 2**31)
         with mock.patch.object(value_noise, "NUMBER_ONE", 2**31):
             self.assertGreater(value_noise.largest_intermediates(2, None)["difference"], 2**31)
 
@@ -113,17 +113,37 @@ class Integers(unittest.TestCase):
         self.assertTrue(2**30 < largest[0] < 2**31)
 
     def test_ramps_reach_their_bound(self):
-        big, none = np.array([ONE]), np.array([0])
+        for dims in DIMS:
+            words = np.arange(2**14, dtype=np.int64) << 18 if dims > 1 else np.array([511 << 14])
+            ramps = fixed.ramp_of(fixed.of_words(dims, words), [np.array([ONE])] * dims)
+            self.assertEqual(ramps.max(), OCTAHEDRAL.reach(dims) * fixed.RAMP_ONE[dims])
 
-        def word(a, b=0, bits=9):
-            """Of the fields a, and b in space."""
-            return np.array([(a + 511) // 2 << 14 if bits == 9 else (a + 255) // 2 << 23 | (b + 255) // 2 << 15])
-        self.assertEqual(fixed.ramp(OCTAHEDRAL, word(511), [big]), 511 * 2**20)
-        middle = fixed.ramp(OCTAHEDRAL, word(257), [big, big])
-        self.assertTrue(1.497 * 2**29 < middle <= 1.5 * 2**29)
-        third = fixed.ramp(OCTAHEDRAL, word(171, 1, 8), [big, big, big])
-        self.assertTrue(1.66 * 2**29 < third <= 5 / 3 * 2**29)
-        self.assertEqual(fixed.ramp(OCTAHEDRAL, np.array([0]), [big, big, none, none]), 2 * 2**28)
+    def test_differences_reach_their_bound(self):
+        """Of ramps in space, and what is interpolated of them along x, at places that are whole along z."""
+        rng = np.random.default_rng(13)
+        x, y = rng.random((2, 100_000))
+        x[0], y[0] = 0.5, 0.0
+        s, ones = exact.fade(x), np.ones(len(x))
+
+        def both(a):
+            return OCTAHEDRAL.support([a, y, ones]) + OCTAHEDRAL.support([a, 1 - y, ones])
+        for seen, bound in (((1 - s) * both(x) + s * both(1 - x), perlin.LARGEST_DIFFERENCE[3]),
+                            (15 / 8 * (both(x) + both(1 - x)) + 2, perlin.LARGEST_DERIVATIVES_DIFFERENCE[3])):
+            self.assertTrue(0.99 * bound < seen.max() <= bound + 1e-12, (seen.max(), bound))
+        largest = perlin.largest_intermediates(3, OCTAHEDRAL)
+        self.assertGreater(largest["difference"], perlin.LARGEST_DIFFERENCE[3] * 2**29)
+
+    def test_where_a_difference_of_ramps_wraps(self):
+        """At corners without a weight: what it is then does not matter."""
+        f = np.array([ONE // 3, ONE, ONE - 1]), np.array([ONE, ONE, ONE - 1]), np.array([ONE, ONE, ONE])
+        words = {corner: np.array([0xFFE00000 if corner[0] else 0xAAAAAAAA & ~(3 << 21)] * 3) for corner in corners(3)}
+        wrapped = fixed.perlin(OCTAHEDRAL, words.__getitem__, f, True)
+        with mock.patch.object(fixed, "lerp", lambda a, b, t: a + fixed.part(b - a, t)), \
+                mock.patch.object(fixed, "rise", lambda a, b: (b - a) >> 2), \
+                mock.patch.object(fixed, "part", lambda d, t: (d >> 9) * (t >> 9) + (d >> 18) * (t & 511)):
+            wide = fixed.perlin(OCTAHEDRAL, words.__getitem__, f, True)
+        self.assertEqual(wrapped[0].tolist(), wide[0].tolist())
+        self.assertEqual(np.array(wrapped[1]).tolist(), np.array(wide[1]).tolist())
 
     def test_sine(self):
         w = np.random.default_rng(8).integers(0, 2**32, 1_000_000)

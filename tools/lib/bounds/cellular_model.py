@@ -154,7 +154,7 @@ class Floats:
         d = shader.round(2 * f - 1)
         n = np.array(cells).T[:, :, None]
         d = shader.round(d[:, None] - 2 * n)
-        self.parts = np.array(exact.direction(self.dims, words)[:self.dims]) / (512 if self.dims == 2 else 256)
+        self.parts = np.array(direction(self.dims, words)[:self.dims]) / (512 if self.dims == 2 else 256)
         if self.dims == 3:
             d = np.array([shader.round(d[0] + d[1]), shader.round(d[0] - d[1]), d[2]])
         self.offsets = shader.mad(-self.parts, np.broadcast_to(jitter, self.parts.shape), d)
@@ -228,7 +228,7 @@ class MovingFloats(Floats):
         projected = [self.projected(d, row)[None] for row in self.turn]
         for axis in reversed(range(self.dims)):
             projected = [s.round(x - 2 * n[axis] * row[axis]) for x, row in zip(projected, self.turn)]
-        self.parts = np.array(exact.direction(self.dims, words)[:self.dims]) / (512 if self.dims == 2 else 256)
+        self.parts = np.array(direction(self.dims, words)[:self.dims]) / (512 if self.dims == 2 else 256)
         if self.dims == 3:
             x, y, z = projected
             projected = [s.round(x + y), s.round(x - y), z]

@@ -102,9 +102,13 @@ def intermediates(key: Key) -> dict[str, float]:
     return {f"fixed_{name}_over_2^31": value / 2**31 for name, value in largest.items()}
 
 
+def described(key: Key) -> dict[str, object]:
+    describe = getattr(noises.find(key[0]), "describe", None)
+    return describe(*key[1:]) if describe else {}
+
+
 def everything_for_a_reader(derived: Everything) -> dict[str, dict]:
-    numbers = {name_of(key): asdict(of_noise) | noises.find(key[0]).describe(*key[1:]) | intermediates(key)
-               for key, of_noise in derived.items()}
+    numbers = {name_of(key): asdict(of_noise) | described(key) | intermediates(key) for key, of_noise in derived.items()}
     return numbers | {
         "the sine of the sine gradient": {
             "polynomial_error": sine.sine_truncation_bound(),

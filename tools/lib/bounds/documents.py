@@ -9,7 +9,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
-from bounds import frames, gullies, kernel_floats, noises, sine, smoothness, sums, uniform
+from bounds import frames, gullies, noises, sine, smoothness, sums, turns, uniform
 from bounds.float_sums import gullies_tolerance, octave_tolerance
 from bounds.gradients import GRADIENTS, SINE, Gradient
 from bounds.integers import fade_errors, slope_errors, spline_weight_error
@@ -223,9 +223,9 @@ def quotes(derived: Everything) -> list[tuple[str, str]]:
         f"2^-19 = {scientific(SINE.component_error)}", f"which is {scientific(sine.fixed_sine_error())}:",
         f"at most 1 - {math.floor((1 - sine.sine_largest()) * 1e9) / 1e9:.2e}".replace("e-0", "e-"),
         f"adds {scientific(sums.cloud_error())} ",
-        f"within {scientific(kernel_floats.turn_error(1.0))} of those of the phase")]
+        f"within {scientific(turns.float_error())} of those of the phase")]
     stated += [(ACCURACY, text) for text in (*uniform.quotes(), *gullies.quotes())]
-    return stated + [quote for name in noises.names() for quote in noises.find(name).quotes()]
+    return stated + [quote for name in noises.names() for quote in getattr(noises.find(name), "quotes", list)()]
 
 
 def missing_quotes(derived: Everything, root: Path = ROOT) -> list[str]:

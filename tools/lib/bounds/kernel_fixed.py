@@ -25,7 +25,7 @@ import math
 import numpy as np
 
 from bounds import kernels
-from bounds.boxes import SAFE, Boxes, cell, supremum
+from bounds.boxes import Boxes, cell, supremum
 from bounds.gradients import LENGTH, OCTAHEDRAL
 from bounds.integers import FADE_ONE, ONE, SLOPE_UNIT, UNIT, part_intermediate, scaled_intermediate
 from bounds.kernels import Kernel, Offsets
@@ -139,15 +139,6 @@ def slope_error_parts(kernel: Kernel, lipschitz: float) -> dict[str, float]:
     scale = kernel.steps * kernel.scale / 1024
     return {"cut": lipschitz / ONE, "points": scale * slope_rounding_effect(kernel),
             "scaling": kernel.steps * scaling_error(kernel, SLOPE_UNIT)}
-
-
-def total(parts: dict[str, float]) -> float:
-    return sum(parts.values()) * SAFE
-
-
-def without_cut(parts: dict[str, float]) -> float:
-    """What takes a value out of its range."""
-    return sum(value for name, value in parts.items() if name != "cut") * SAFE
 
 
 # --- Overflow ---------------------------------------------------------------------------------------------------------

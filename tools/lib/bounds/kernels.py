@@ -33,7 +33,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from bounds.boxes import Boxes, cell, supremum
-from bounds.gradients import OCTAHEDRAL, TURNED, Gradient
+from bounds.gradients import Gradient
 from bounds.weights import CUBE, FIFTH, FOURTH, PLANE, Weight
 
 
@@ -230,11 +230,6 @@ def signs(kernel: Kernel, first: int = 0) -> Iterator[tuple[tuple[float, ...], i
     free = kernel.dims - first
     for minus in range(free + 1 if first else free // 2 + 1):
         yield (1.0,) * first + (-1.0,) * minus + (1.0,) * (free - minus), first + minus
-
-
-def gradient_of(turns: bool) -> Gradient:
-    """One that contains all."""
-    return TURNED if turns else OCTAHEDRAL
 
 
 def range_of(kernel: Kernel, gradient: Gradient) -> float:

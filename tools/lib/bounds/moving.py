@@ -49,12 +49,11 @@ import math
 
 import numpy as np
 
-from bounds import distances, features, kernel_floats
+from bounds import distances, features, turns
 from bounds.boxes import SAFE, Boxes, cell, supremum
 from bounds.distances import PLACE, RANK, f32
 from bounds.features import Cell
 from bounds.integers import DOUBLE
-from bounds.kernel_floats import ANGLE_CUT
 from bounds.sine import fixed_sines
 
 JITTER = {2: 28 / 32, 3: 25 / 32}  # k of the contract
@@ -110,7 +109,7 @@ def room(dims: int) -> float:
 
 def turn_error(dims: int, ulps: float) -> float:
     """TURN. In space two turns are multiplied, and four of the products round."""
-    plane = math.sqrt(2) * kernel_floats.turn_error(ulps)
+    plane = math.sqrt(2) * turns.float_error(ulps)
     return plane if dims == 2 else plane * (2 + plane) + 2 * f32(0.99, ulps)
 
 
@@ -194,7 +193,7 @@ def fixed_turn_error(dims: int) -> float:
     worst = max(largest_norm(np.array(rows(dims, cosine, sine, fixed_product)) / 2**16
                              - np.array(rows(dims, np.cos(angle), np.sin(angle), np.multiply)))
                 for angle, cosine, sine in quarters())
-    return worst + sagitta + speed * ANGLE_CUT + DOUBLE
+    return worst + sagitta + speed * turns.ANGLE_CUT + DOUBLE
 
 
 def fixed_points(dims: int) -> float:

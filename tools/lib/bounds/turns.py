@@ -18,15 +18,13 @@ from __future__ import annotations
 
 import functools
 import math
-from dataclasses import replace
 
 import numpy as np
 
 from bounds import sine
-from bounds.boxes import SAFE
-from bounds.floats import TINY, UNIT, position_error
+from bounds.floats import TINY, UNIT
 from bounds.integers import FADE_ONE, part_intermediate
-from bounds.noises import Derived
+from bounds.noises import Derived, derived
 
 ANGLE_CUT = 2 * math.pi * 2.0**-30  # a phase is cut off to a multiple of 2^-30 turns
 MIXED_ROUNDING = math.sqrt(2) * 511 + 2 + 2 * 511  # of two parts, in units of what they are parts of
@@ -55,17 +53,12 @@ def mixed(error: float, largest: float, ulps: float = 1.0) -> float:
 
 
 def turned(still: Derived, largest: float, lipschitz: float, unit: float) -> Derived:
-    """Of a noise, or its derivatives, before they are returned. In integers n has this unit, times the scale."""
-    cell_error = mixed(still.cell_error, largest)
-    error = position_error(cell_error, lipschitz)
+    """Of a noise, or its derivatives. In integers n has this unit, times the scale."""
     parts = {name: math.sqrt(2) * value for name, value in still.fixed_parts.items()}
     parts |= {"cut": still.fixed_parts["cut"] / still.lipschitz * lipschitz, "scaling": still.fixed_parts["scaling"]}
     beside = sum(value for name, value in still.fixed_parts.items() if name not in ("cut", "scaling"))
     parts["gradient"] = moved(beside, fixed_error(), largest) - math.sqrt(2) * beside + MIXED_ROUNDING * unit
-    fixed = sum(parts.values()) * SAFE
-    return replace(still, range=largest, lipschitz=lipschitz, cell_error=cell_error, error=error,
-                   largest=largest + error, fixed_error=fixed, fixed_largest=largest + fixed - parts["cut"],
-                   fixed_parts=parts, slope=None)
+    return derived(still.promise, largest, lipschitz, mixed(still.cell_error, largest), parts)
 
 
 def largest_intermediates(name: str, value: float) -> dict[str, float]:

@@ -100,16 +100,14 @@ def lattice_gradient_rows(n: int, settings: Sequence[Configuration], generator: 
 
 
 def gradient_rows(generator: Generator) -> list[Row]:
-    """213 words: the fields of the gradients extreme, next to a sign change, or (q) as large as p; in four dimensions
-    the first and the last words of each pairing, with each pair and sign."""
-    signs, fields = (0, 1 << 31), (0, 1, 127, 128, 254, 255)
-    # The bits below the fields are for neither, and in one and two dimensions nor are those above.
-    edges = [sign | p << 23 | q << 15 | (0x7FFF if sign else 0) for sign in signs for p in fields for q in fields]
-    edges += [sign | a << 14 | others for sign in signs for a in (0, 1, 255, 256, 510, 511)
-              for others in (0, 0x7F803FFF)]
+    """141 words: on the line and on the plane the fields of the gradients extreme and next to a sign change; in three
+    and four dimensions the first and the last words of each pairing, with each pair and sign."""
+    # The bits above and below the fields are for neither.
+    edges = [sign | a << 14 | others for sign in (0, 1 << 31) for a in (0, 1, 255, 256, 510, 511)
+             for others in (0, 0x7F803FFF)]
     thirds = [0, 0x55555554, 0x55555555, 0x55555556, 0xAAAAAAA9, 0xAAAAAAAA, 0xAAAAAAAB, 0xFFFFFFFF]
-    # Bits 18 to 20 choose the pair and the signs.
-    edges += [third & ~(7 << 18) | bits << 18 for third in (0, 0x55600000, 0xAAC00000) for bits in range(8)]
+    # Bits 20 to 22 choose the pair and the signs.
+    edges += [third | bits << 20 for third in (0, 0x56000000, 0xAB000000) for bits in range(8)]
     return [(word,) for word in edges + thirds + [generator.word() for _ in range(85)]]
 
 
@@ -138,7 +136,7 @@ def position_rows(n: int, generator: Generator) -> list[Row]:
 
 
 # Cells whose first corner has, with the default hash and the seed 0, a word beside a third of all words: there gradients
-# in four dimensions pair other axes. All words were searched for them. With another hash they are cells like others.
+# in three and four dimensions have other axes. All words were searched for them. With another hash they are cells like others.
 BESIDE_THIRDS = ((-1249059409, 2, 0, 0), (285610395, 0, 0, 0), (1152198107, 0, 0, 0), (1917728123, 2, 0, 0))
 
 
@@ -154,7 +152,7 @@ def cell_rows(n: int, generator: Generator) -> list[Row]:
     while len(rows) < end:
         cell = tuple(generator.integer(INT_MIN, INT_MAX) for _ in range(n))
         rows.append(cell + tuple(generator.uniform(0, 1) for _ in range(n)) + (generator.seed(),))
-    return rows + [cell + (0.25, 0.625, 0.4375, 0.125, 0) for cell in BESIDE_THIRDS if n == 4]
+    return rows + [cell[:n] + (0.25, 0.625, 0.4375, 0.125)[:n] + (0,) for cell in BESIDE_THIRDS if n >= 3]
 
 
 # --- Positions that are whole numbers ---------------------------------------------------------------------------

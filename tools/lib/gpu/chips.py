@@ -1,15 +1,18 @@
-"""The GPUs that can be measured without one: which driver of Vulkan compiles for each, what stands in for its kernel,
-and what the compiler says of a shader."""
+"""The GPUs that can be measured without one: what compiles for each, and what the compiler says of a shader. That is a
+driver of Vulkan with what stands in for its kernel, or a compiler that needs neither."""
 
 from __future__ import annotations
 
 from typing import NamedTuple
 
+from gpu import llvm
+
 
 class Vendor(NamedTuple):
-    """A driver, and the names of its statistics (VK_KHR_pipeline_executable_properties)."""
+    """A compiler, and the names of its statistics: a driver's own (VK_KHR_pipeline_executable_properties), or those of
+    kernels.py."""
     title: str
-    driver: str  # Mesa's name: of DRIVER_icd.json
+    driver: str  # Mesa's name: of DRIVER_icd.json; or one of kernels.COMPILERS
     shim: str  # of libSHIM_noop_drm_shim.so
     cost: str  # what a shader takes, as the compiler estimates it
     unit: str  # of that, for tables
@@ -17,13 +20,15 @@ class Vendor(NamedTuple):
     kinds: tuple[str, ...]  # what else is counted
     registers: str
     spills: tuple[str, ...]
+    target: llvm.Target | None = None  # of a compiler that takes LLVM's text
 
 
 class Chip(NamedTuple):
     name: str
     title: str
     vendor: Vendor
-    variable: str  # NAME=VALUE by which the shim is told which GPU to be, or empty
+    variable: str  # NAME=VALUE by which the shim is told which GPU to be, or empty; or the compiler's name of the GPU
+    lanes: int = 0  # in a pass, where passes are counted
 
 
 NVIDIA = Vendor("NVIDIA", "nouveau", "nouveau", "Static cycle count", "cycles", "Instruction count", (),
@@ -37,6 +42,14 @@ ADRENO = Vendor("Adreno", "freedreno", "freedreno", "Instruction Count", "instru
                 ("STP Count", "LDP Count"))
 APPLE = Vendor("Apple", "asahi", "asahi", "ALU", "cycles", "Instructions", ("FSCIB", "IC", "Loops"), "GPRs",
                ("Spills", "Fills"))
+# The kinds are the units that run instructions. From Ampere to Hopper a multiprocessor has 128 lanes for FP, 64 for the
+# ALU (integers, comparisons, minima) and for IMAD, and fewer for XU (roots, powers, floors, conversions).
+PTXAS = Vendor("NVIDIA", "ptxas", "", "Issue slots", "issue slots", "Issue slots",
+               ("FP", "ALU", "IMAD", "XU", "moves", "uniform", "memory", "branches", "Loops"), "Registers",
+               ("Spilled bytes",), llvm.NVPTX)
+IGC = Vendor("Intel", "ocloc", "", "Passes", "passes for 16 lanes", "Instructions",
+             ("floats", "integers", "products", "math", "moves", "memory", "branches", "Loops"), "Registers",
+             ("Spilled bytes",), llvm.SPIR)
 
 CHIPS = (
     Chip("turing", "NVIDIA TU104, Turing", NVIDIA, "NOUVEAU_CHIPSET=0x164"),
@@ -57,9 +70,17 @@ CHIPS = (
     Chip("adreno750", "Adreno 750", ADRENO, "FD_GPU_ID=750"),
     # Its shim has no other.
     Chip("m1", "Apple M1", APPLE, ""),
+    # For sm_89 (Ada) it makes the same counts.
+    Chip("sm86", "NVIDIA sm_86, Ampere and Ada, by ptxas", PTXAS, "sm_86"),
+    Chip("sm90", "NVIDIA sm_90, Hopper, by ptxas", PTXAS, "sm_90"),
+    Chip("sm100", "NVIDIA sm_100, Blackwell for data centres, by ptxas", PTXAS, "sm_100"),
+    Chip("sm120", "NVIDIA sm_120, Blackwell, by ptxas", PTXAS, "sm_120"),
+    Chip("tgllp", "Intel Tiger Lake, Xe", IGC, "tgllp", 8),
+    Chip("acm", "Intel Arc A770, Xe-HPG", IGC, "acm-g10", 8),
+    Chip("bmg", "Intel Arc B580, Xe2", IGC, "bmg", 16),
 )
-# One of each vendor, for tables.
-SHOWN = ("ampere", "navi31", "adreno740", "m1")
+# One of each compiler, for tables.
+SHOWN = ("ampere", "sm90", "navi31", "adreno740", "m1", "acm")
 # In the package, and of no use here: its GPUs are older than Vulkan.
 UNUSED_SHIMS = frozenset({"radeon"})
 

@@ -1,18 +1,19 @@
 """Measures what noise costs on GPUs that are not here, by their own compilers.
 
-    tools/gpu-costs --get-drivers [--drivers DIR]      downloads them, some 70 MB of Debian's packages, into DIR
+    tools/gpu-costs --get-drivers [--drivers DIR]      downloads them, some 410 MB of Debian's and PyPI's, into DIR
     tools/gpu-costs [--chip NAME]... [--filter GLOB]... [--against NAME=FILE:EXPRESSION]... [--out DIR]
     tools/gpu-costs --wombat Wombat/ --filter '*.perlin.*' --baseline docs/results/gpu/costs.csv
     tools/gpu-costs --compare docs/results/gpu/costs-0.3.0.csv docs/results/gpu/costs.csv
     tools/gpu-costs --list-chips
 
-Mesa's drivers for NVIDIA, AMD, Adreno and Apple compile shaders without a GPU, for a stand-in of the kernel. Of each
-shader, which is one call in a fragment shader, less the empty shader, they tell cycles or instructions, registers and
-spills. The default is every function with each arithmetic, on every chip, and what an operation costs; with --filter
-the operations are left out. It needs hn-conform on the PATH or built (tools/bench builds it). DIR gets costs.csv,
-operations.csv and chips.csv; docs/results/gpu has such files, of which tools/readme makes tables. docs/measuring.md
-explains them. --compare measures nothing: it prints a table of how many times each noise costs in the second record
-what it did in the first, on a chip of each vendor.
+Mesa's drivers for NVIDIA, AMD, Adreno and Apple compile shaders without a GPU, for a stand-in of the kernel. NVIDIA's
+ptxas and Intel's IGC need none; they get the same shaders by way of LLVM. Of each shader, which is one call in a
+fragment shader, less the empty shader, the record has cycles or instructions, registers and spills. The default is
+every function with each arithmetic, on every chip, and what an operation costs; with --filter the operations are left
+out. It needs hn-conform on the PATH or built (tools/bench builds it), and spirv-dis. DIR gets costs.csv, operations.csv
+and chips.csv; docs/results/gpu has such files, of which tools/readme makes tables. docs/measuring.md explains them.
+--compare measures nothing: it prints a table of how many times each noise costs in the second record what it did in the
+first, on a chip of each compiler.
 
 Exit status: 0 done, 1 something became dearer than in the baseline, 2 bad usage, 3 there are no drivers for a chip, and
 why; 4 the drivers could not be had; 130 it was interrupted.
@@ -37,6 +38,8 @@ from gpu import comparing, drivers, operations, record, stripes
 from gpu.chips import CHIPS, Chip
 from gpu.compiling import Compiled, Device, compile_all
 from gpu.drivers import Drivers
+from gpu.kernels import compile_all as compile_kernels
+from gpu.kernels import translated
 from tables.peers import PEERS, Peer, against
 from tree import ROOT, hn_conform
 
@@ -91,12 +94,16 @@ def measure(chips: Sequence[Chip], found: Drivers, hn_conform: str, files: dict[
     """The device and the shaders of each chip, and why others have none."""
     devices, shaders, skipped = {}, {}, []
     progress = Progress(len(chips) * len(files))
+    kernels = translated(files) if any(chip.vendor.target for chip in chips) else None
 
     def one(chip: Chip) -> None:
         started = time.monotonic()
         try:
-            device, results = compile_all(found.compiler(chip, [hn_conform, "shader-statistics"]),
-                                          found.environment(chip), list(files.values()), progress.step)
+            if chip.vendor.target:
+                device, results = compile_kernels(found, chip, kernels, progress.step)
+            else:
+                device, results = compile_all(found.compiler(chip, [hn_conform, "shader-statistics"]),
+                                              found.environment(chip), list(files.values()), progress.step)
         except Missing as why:
             skipped.append(f"{chip.name} is skipped: {why}")
             return
@@ -134,7 +141,8 @@ def run(options: argparse.Namespace) -> int:
         devices, shaders, skipped = measure(chips, found, hn_conform, files)
     chips = [chip for chip in chips if chip.name in devices]
     rows = [record.row(id, chip, shaders[chip.name][id], shaders[chip.name][f"empty{axes}"])
-            for id, axes in dimensions.items() if not id.startswith(("operation-", "empty")) for chip in chips]
+            for id, axes in dimensions.items() if not operations.is_operation(id) and not id.startswith("empty")
+            for chip in chips]
     for name, content in ((record.COSTS, [found._asdict() for found in rows]),
                           (record.DEVICES, [{"chip": chip.name, "title": chip.title, "device": devices[chip.name].name,
                                              "driver": devices[chip.name].driver, "cost": chip.vendor.cost}
@@ -205,8 +213,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
             print(comparing.page_table(*map(record.read_costs, options.compare)), end="")
             return 0
         if options.get_drivers:
-            debian.get(options.drivers.absolute(), drivers.PACKAGES, "the drivers", options.mirror, options.suite)
-            print(f"{options.drivers} has {drivers.find(options.drivers).version()}")
+            drivers.get(options.drivers.absolute(), options.mirror, options.suite)
+            print(f"{options.drivers} has {drivers.find(options.drivers).versions()}")
             return 0
         return run(options)
     except Missing as why:

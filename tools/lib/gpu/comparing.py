@@ -28,24 +28,33 @@ def weight(row: Row) -> float:
     return cost
 
 
+def shown(rows: Rows) -> list[str]:
+    """The chips of tables that a record has."""
+    had = {chip for _, chip in rows}
+    return [chip for chip in SHOWN if chip in had]
+
+
 def page_table(before: Rows, now: Rows) -> str:
-    """The noises that both records have on every chip, in the order of the first. ValueError if there is none."""
+    """The noises that both records have on every chip that both have, in the order of the first. ValueError if there is
+    none."""
+    chips = [chip for chip in shown(before) if chip in shown(now)]
+
     def measured(rows: Rows, noise: str) -> bool:
         return all((noise + arithmetic, chip) in rows and not rows[noise + arithmetic, chip].problem
-                   for arithmetic in (FLOATS, FIXED) for chip in SHOWN)
+                   for arithmetic in (FLOATS, FIXED) for chip in chips)
 
     def change(noise: str, arithmetic: str) -> str:
         id = noise + arithmetic
-        ratios = [weight(now[id, chip]) / weight(before[id, chip]) for chip in SHOWN]
+        ratios = [weight(now[id, chip]) / weight(before[id, chip]) for chip in chips]
         return f"**{fmean(ratios):.2f}**: {', '.join(f'{ratio:.2f}' for ratio in ratios)}"
 
     noises = [noise for noise in dict.fromkeys(id.removesuffix(FLOATS) for id, _ in before if id.endswith(FLOATS))
               if measured(before, noise) and measured(now, noise)]
-    if not noises:
+    if not chips or not noises:
         raise ValueError(f"the records have no noise with floats and with HN_FIXED on {', '.join(SHOWN)} in common")
 
     def fixed_to_floats(noise: str) -> str:
-        return f"{fmean(weight(now[noise + FIXED, chip]) / weight(now[noise + FLOATS, chip]) for chip in SHOWN):.2f}"
+        return f"{fmean(weight(now[noise + FIXED, chip]) / weight(now[noise + FLOATS, chip]) for chip in chips):.2f}"
 
     return table(("noise", "floats", "`HN_FIXED`", "`HN_FIXED` to floats, now"),
                  [[title(noise), change(noise, FLOATS), change(noise, FIXED), fixed_to_floats(noise)]

@@ -90,7 +90,7 @@ def _one_process(command: Sequence[str], environment: Mapping[str, str], done: C
         process.wait()
         log.seek(0)
         said = log.read()
-    return reports, f"gave no answer for {limit:g} s" if killed.is_set() else _end(process.returncode), said
+    return reports, f"gave no answer for {limit:g} s" if killed.is_set() else end(process.returncode), said
 
 
 def _report_in(line: str) -> dict | None:
@@ -102,7 +102,7 @@ def _report_in(line: str) -> dict | None:
     return found if isinstance(found, dict) else None
 
 
-def _end(status: int) -> str:
+def end(status: int) -> str:
     return f"ended by {signal.Signals(-status).name}" if status < 0 else f"ended with status {status}"
 
 

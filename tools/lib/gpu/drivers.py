@@ -1,8 +1,13 @@
-"""The folder of drivers: Mesa's, of Debian's unstable suite (debian.py)."""
+"""The folder of drivers: Mesa's and Intel's, of Debian's unstable suite (debian.py), with the LLVM that writes for
+compilers which are no driver; and NVIDIA's assembler, of a package of PyPI."""
 
 from __future__ import annotations
 
 import os
+import subprocess
+import sys
+import tempfile
+import zipfile
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -10,7 +15,13 @@ import debian
 from debian import Missing
 from gpu.chips import CHIPS, UNUSED_SHIMS, Chip
 
-PACKAGES = ("mesa-vulkan-drivers", "mesa-drm-shim", "libvulkan1")
+LLVM = "22"  # that of today's Mesa; when Debian drops it, name the next for which there is an llvm-spirv
+PACKAGES = ("mesa-vulkan-drivers", "mesa-drm-shim", "libvulkan1", "intel-ocloc", "libigc2", f"llvm-{LLVM}",
+            f"llvm-spirv-{LLVM}")
+# The wheel is of Triton, a compiler; it has these programs of CUDA, which are all that is kept.
+WHEEL = "triton"
+NVIDIA = ("ptxas", "ptxas-blackwell", "nvdisasm")
+SIZE = "some 410 MB of packages of Debian and PyPI that become 650 MB"
 
 
 class Drivers(debian.Root):
@@ -32,6 +43,19 @@ class Drivers(debian.Root):
         return {**ours, **told, "VK_DRIVER_FILES": str(icd), "VK_LOADER_LAYERS_DISABLE": "*", "NODEVICE_SELECT": "1",
                 "MESA_SHADER_CACHE_DISABLE": "true"}
 
+    def program(self, name: str) -> list[str]:
+        """What starts one of Debian's."""
+        for path in sorted((self.folder / "usr/bin").glob(f"{name}*")):
+            if path.name in (name, f"{name}-{LLVM}") or name == "ocloc":
+                return self.command([str(path)])
+        raise Missing(f"{self.folder} has no program {name}: remove the folder, and get the drivers again")
+
+    def nvidia(self, name: str) -> Path:
+        path = self.folder / "nvidia" / name
+        if not path.exists():
+            raise Missing(f"{self.folder} has no {name} of NVIDIA: get the drivers again")
+        return path
+
     def shim(self, name: str) -> Path:
         return self.libraries / f"lib{name}_noop_drm_shim.so"
 
@@ -42,14 +66,42 @@ class Drivers(debian.Root):
         names = (path.name for path in sorted(self.libraries.glob(f"{prefix}*{suffix}")))
         return [name for name in names if name.removeprefix(prefix).removesuffix(suffix) not in known]
 
-    def version(self) -> str:
-        """The package of the drivers, with its version."""
+    def versions(self) -> str:
+        """Of what compiles."""
+        return ", ".join(f"{title} {self.version(package)}" for title, package in
+                         (("Mesa", PACKAGES[0]), ("IGC", "libigc"), ("LLVM", "libllvm")))
+
+    def version(self, package: str) -> str:
+        """Of the package whose name begins so."""
         packages = (self.folder / debian.VERSIONS).read_text(encoding="utf-8").split()
-        return next(package for package in packages if package.startswith(PACKAGES[0]))
+        found = next((one.split("_")[1] for one in packages if one.startswith(package)), "?")
+        return found.rpartition("%3a")[2]
 
 
 def find(folder: Path) -> Drivers:
     if found := debian.find(folder, "libvulkan.so.1"):
         return Drivers(*found)
-    raise Missing(f"there are no drivers in {folder.absolute()}; tools/gpu-costs --get-drivers puts them there, some 70 MB "
-                  "of Debian's packages that become 350 MB, without installing anything")
+    raise Missing(f"there are no drivers in {folder.absolute()}; tools/gpu-costs --get-drivers puts them there, "
+                  f"{SIZE}, without installing anything")
+
+
+def get(folder: Path, mirror: str = debian.MIRROR, suite: str = debian.SUITE) -> None:
+    """Downloads them all, or what an earlier call could not get."""
+    if not debian.find(folder, "libvulkan.so.1") or (folder / "nvidia").exists():
+        debian.get(folder, PACKAGES, "the drivers", mirror, suite)
+    print(f"Asking PyPI for {WHEEL}", file=sys.stderr, flush=True)
+    with tempfile.TemporaryDirectory(dir=folder) as scratch:
+        done = subprocess.run([sys.executable, "-m", "pip", "--disable-pip-version-check", "download", "--no-deps",
+                               "--only-binary", ":all:", "--dest", scratch, WHEEL], stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT, text=True, check=False)
+        wheels = list(Path(scratch).glob("*.whl"))
+        if done.returncode or not wheels:
+            raise Missing(f"pip cannot download {WHEEL}, which has NVIDIA's assembler; the other drivers are there:\n"
+                          f"{done.stdout[-1000:]}".rstrip())
+        programs = Path(scratch) / "nvidia"
+        programs.mkdir()
+        with zipfile.ZipFile(wheels[0]) as wheel:
+            for name in NVIDIA:
+                (programs / name).write_bytes(wheel.read(f"triton/backends/nvidia/bin/{name}"))
+                (programs / name).chmod(0o755)
+        programs.rename(folder / "nvidia")

@@ -158,6 +158,9 @@ class Records(unittest.TestCase):
         rows = record.prices(AMPERE, shaders)
         self.assertEqual(rows[0], {"operation": name, "chip": "ampere", "alone": "3.00", "beside": ""})
         self.assertEqual({(row["alone"], row["beside"]) for row in rows[1:]}, {("3.00", "3.00")})
+        slots = {id: Compiled({"Issue slots": 50 + int(id.split("-")[3]), "Registers": 9}, 0.0) for id in shaders}
+        self.assertEqual(record.prices(chip_named("sm90"), slots)[0],
+                         {"operation": name, "chip": "sm90", "alone": "1.00", "beside": "1.00"})
 
     def test_what_became_dearer_is_told(self):
         def rows(**costs: str) -> list[record.Row]:
@@ -200,18 +203,24 @@ class Pages(unittest.TestCase):
         theirs = next(f"{subject(call)}2" for call in CALLS if call.peer == "fastnoiselite")
         rows[theirs, "adreno740"] = rows[theirs, "adreno740"]._replace(kinds="cat0 3, Loops 2")
         rows[theirs, "m1"] = rows[theirs, "m1"]._replace(cost="", problem="crashed")
+        rows[theirs, "acm"] = rows[theirs, "acm"]._replace(kinds="floats 3, memory 2")
         line = pages.chip_table(rows).splitlines()[2]
-        self.assertEqual(line.count("F 9*"), 3)
+        self.assertEqual(line.count("F 9*,"), 3)
+        self.assertEqual(line.count("F 9+,"), 1)
         self.assertEqual(line.count("F fails"), 1)
 
     def test_prices_that_are_alike_are_one(self):
         rows = [{"operation": operation.name, "chip": chip, "alone": "4.00",
                  "beside": "1.50" if chip == "m1" else "4.02"}
                 for operation in operations.OPERATIONS for chip in pages.OF_OPERATIONS]
-        rows[0]["alone"] = ""
+        rows[0]["alone"] = rows[2]["alone"] = ""
+        self.assertEqual([row["chip"] for row in (rows[0], rows[2])], ["ampere", "sm90"])
         table = pages.operation_table(rows).splitlines()
-        self.assertTrue(table[2].endswith("| 4 / 1.5 |") and "`x * y` | fails | 4 |" in table[2], table[2])
+        self.assertTrue("| 4 / 1.5 |" in table[2] and "`x * y` | fails | 4 | none | 4 |" in table[2], table[2])
         self.assertEqual({line.count(" | ") for line in table}, {len(pages.OF_OPERATIONS)})
+        # A record of before has fewer chips.
+        table = pages.operation_table([row for row in rows if row["chip"] in ("ampere", "m1")]).splitlines()
+        self.assertTrue(table[2].endswith("`x * y` | fails | 4 / 1.5 |"), table[2])
 
 
 class Comparing(unittest.TestCase):
@@ -222,7 +231,7 @@ class Comparing(unittest.TestCase):
     def test_what_a_shader_takes(self):
         rows = self.records("noise2d.perlin", kinds="FSCIB 3, IC 12")
         self.assertEqual([comparing.weight(rows["noise2d.perlin.lattice", chip]) for chip in chips.SHOWN],
-                         [4, 8, 8, 12])
+                         [4, 8, 8, 8, 12, 8])
 
     def test_noises_of_both_records_have_a_line(self):
         before = self.records("noise2d.perlin", "noise3d.cell_border", "noise2d.old", "noise2d.refused")
@@ -233,8 +242,15 @@ class Comparing(unittest.TestCase):
             now[key] = now[key]._replace(**changed)
         lines = comparing.page_table(before, now).splitlines()
         self.assertEqual(lines[2:], [
-            "| Perlin 2D | **0.55**: 0.71, 0.50, 0.50, 0.50 | **0.93**: 0.71, 2.00, 0.50, 0.50 | 1.75 |",
-            "| cell border 3D | **1.00**: 1.00, 1.00, 1.00, 1.00 | **1.00**: 1.00, 1.00, 1.00, 1.00 | 1.00 |"])
+            "| Perlin 2D | **0.53**: 0.71, 0.50, 0.50, 0.50, 0.50, 0.50 "
+            "| **0.78**: 0.71, 0.50, 2.00, 0.50, 0.50, 0.50 | 1.50 |",
+            f"| cell border 3D | **1.00**: {', '.join(['1.00'] * 6)} | **1.00**: {', '.join(['1.00'] * 6)} | 1.00 |"])
+        # An older record has fewer chips.
+        fewer = {key: row for key, row in before.items() if key[1] in ("navi31", "m1")}
+        self.assertIn("| Perlin 2D | **0.50**: 0.50, 0.50 |", comparing.page_table(fewer, now))
+        with self.assertRaisesRegex(ValueError, "in common"):
+            comparing.page_table({key: row for key, row in before.items() if key[1] == "m1"},
+                                 {key: row for key, row in now.items() if key[1] == "navi31"})
 
 
 # Shaped as AdvancedTerrainErosion.cs and phasor.frag are, as far as what is made of them depends on it.
@@ -338,7 +354,7 @@ class Chips(WithStandIn):
     def test_names_are_one_chips_each(self):
         self.assertEqual(len({chip.name for chip in CHIPS}), len(CHIPS))
         self.assertLessEqual(set(chips.SHOWN), {chip.name for chip in CHIPS})
-        self.assertEqual({"NVIDIA", "AMD", "Adreno", "Apple"}, {chip.vendor.title for chip in CHIPS})
+        self.assertEqual({"NVIDIA", "AMD", "Adreno", "Apple", "Intel"}, {chip.vendor.title for chip in CHIPS})
 
     def test_the_list_tells_what_no_chip_is_of(self):
         status, out, _ = self.call("--list-chips")
@@ -396,7 +412,7 @@ class Command(WithStandIn):
         empty.write_text(",".join(record.Row._fields) + "\n")
         status, out, err = self.call("--compare", before, str(empty))
         self.assertEqual((status, out), (2, ""))
-        self.assertIn("the records have no noise with floats and with HN_FIXED on ampere, navi31", err)
+        self.assertIn("the records have no noise with floats and with HN_FIXED on ampere, sm90, navi31", err)
 
     def test_without_drivers_it_is_skipped_with_a_reason(self):
         status, _, err = self.call("--drivers", str(self.folder / "none"))
@@ -430,6 +446,7 @@ class Command(WithStandIn):
         self.assertEqual(self.call("--drivers", str(self.folder / "a b"))[0], 3)
 
     def test_without_apt_the_drivers_cannot_be_had(self):
+        (self.drivers / "nvidia").mkdir()
         for patch, part in ((mock.patch("shutil.which", return_value=None), "there is no apt-get"),
                             (mock.patch("debian.KEYS", self.folder / "none"), "Debian's packages are checked"),
                             (contextlib.nullcontext(), "is not empty")):
@@ -458,7 +475,7 @@ class Real(unittest.TestCase):
         folder = Path(os.environ.get("HN_GPU_DRIVERS", command.DRIVERS))
         if not debian.find(folder, "libvulkan.so.1"):
             try:
-                debian.get(folder, drivers.PACKAGES, "the drivers")
+                drivers.get(folder)
             except Missing as why:
                 self.skipTest(str(why))
         with tempfile.TemporaryDirectory() as out, contextlib.redirect_stdout(io.StringIO()) as said:

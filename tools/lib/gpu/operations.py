@@ -69,6 +69,10 @@ def subject(operation: Operation, chains: int, length: int) -> str:
     return f"operation-{operation.name}-{chains}-{length}-2"
 
 
+def is_operation(subject: str) -> bool:
+    return subject.startswith("operation-")
+
+
 def write_shaders(folder: Path) -> list[str]:
     """Writes them all; returns the arguments for which hn-conform compiles them."""
     arguments = []

@@ -6,7 +6,7 @@ import re
 from collections.abc import Mapping, Sequence
 
 from gpu import comparing, stripes
-from gpu.chips import SHOWN, chip_named
+from gpu.chips import chip_named
 from gpu.operations import OPERATIONS
 from gpu.record import COSTS, OPERATION_COSTS, Row, read, read_costs
 from tables.markdown import table
@@ -15,13 +15,15 @@ from tree import ROOT
 
 RECORD = ROOT / "docs" / "results" / "gpu"
 COSTS_OF_0_3_0 = "costs-0.3.0.csv"
-OF_OPERATIONS = ("ampere", "blackwell", "polaris10", "navi21", "navi31", "gfx1201", "adreno630", "adreno740", "m1")
+OF_OPERATIONS = ("ampere", "blackwell", "sm90", "polaris10", "navi21", "navi31", "gfx1201", "adreno630", "adreno740",
+                 "m1", "acm", "bmg")
 # The letters of the peers in cells.
 LETTERS = {"fastnoiselite": "F", "wombat": "W", "materialx": "M", "webgl-noise": "S", "psrdnoise": "P",
            "terrain-erosion": "E", "phasor-noise": "T", "clay-john": "J"}
 SUMS = "octaves"  # in the names of noises: those have loops
 SHOWN_CALLS = (*(call for call in CALLS if SUMS not in call.noise), *stripes.CALLS)
 LOOPS = re.compile(r"\bLoops [1-9]")  # in the kinds of a row
+TABLES = re.compile(r"\bmemory [1-9]")  # the same, where instructions are counted, and waits are not
 WITNESS = "adreno740"  # of loops, for compilers that do not tell whether they left one
 
 
@@ -34,18 +36,19 @@ def operation_costs() -> list[dict[str, str]]:
 
 
 def chip_table(rows: Mapping[tuple[str, str], Row]) -> str:
-    """Ours with floats and with integers, then each peer; with a * where the shader has a loop."""
-    lines = []
+    """Ours with floats and with integers, then each peer; with a * where the shader has a loop, and a + where a wait
+    for memory is not counted."""
+    lines, chips = [], comparing.shown(rows)
     for noise in dict.fromkeys(call.noise for call in SHOWN_CALLS):
         calls = [call for call in SHOWN_CALLS if call.noise == noise]
         cells = []
-        for chip in SHOWN:
+        for chip in chips:
             ours = [_cost(rows, f"{calls[0].ours}.lattice{fixed}", chip) for fixed in ("", "+fixed")]
             theirs = [f"{LETTERS[call.peer]} {_cost(rows, subject(call) + str(dimensions(call)), chip)}"
                       for call in calls]
             cells.append(f"{' / '.join(ours)}; {', '.join(theirs)}")
         lines.append([noise, *cells])
-    return table(("noise", *(_head(name) for name in SHOWN)), lines)
+    return table(("noise", *(_head(name) for name in chips)), lines)
 
 
 def change_table() -> str:
@@ -58,7 +61,7 @@ def quotes(rows: Mapping[tuple[str, str], Row]) -> list[str]:
     def least_and_most(axes: int) -> str:
         [call] = [call for call in CALLS if (call.noise, call.peer) == (f"Perlin {axes}D", "fastnoiselite")]
         ratios = [float(rows[f"{call.ours}.lattice", chip].cost) / float(rows[f"{subject(call)}{axes}", chip].cost)
-                  for chip in SHOWN]
+                  for chip in comparing.shown(rows)]
         return f"{min(ratios):.1f} to {max(ratios):.1f}"
 
     return [f"{least_and_most(2)} times what FastNoiseLite's does in 2D, and {least_and_most(3)} in 3D"]
@@ -66,16 +69,17 @@ def quotes(rows: Mapping[tuple[str, str], Row]) -> list[str]:
 
 def operation_table(rows: Sequence[Mapping[str, str]]) -> str:
     prices = {(row["operation"], row["chip"]): (row["alone"], row["beside"]) for row in rows}
+    chips = [name for name in OF_OPERATIONS if any(row["chip"] == name for row in rows)]
 
-    def cell(alone: str, beside: str) -> str:
+    def cell(chip: str, alone: str, beside: str) -> str:
         if not alone or not beside:
-            return "fails"
+            return "none" if chip_named(chip).vendor.target else "fails"
         numbers = [f"{float(price):.1f}".removesuffix(".0") for price in (alone, beside)]
         return numbers[0] if numbers[0] == numbers[1] else " / ".join(numbers)
 
     lines = [[f"{operation.title}: `{operation.step}`".replace("|", "\\|"),
-              *(cell(*prices[operation.name, chip]) for chip in OF_OPERATIONS)] for operation in OPERATIONS]
-    return table(("operation", *(_head(name) for name in OF_OPERATIONS)), lines)
+              *(cell(chip, *prices[operation.name, chip]) for chip in chips)] for operation in OPERATIONS]
+    return table(("operation", *(_head(name) for name in chips)), lines)
 
 
 def _head(name: str) -> str:
@@ -88,4 +92,5 @@ def _cost(rows: Mapping[tuple[str, str], Row], id: str, chip: str) -> str:
     if row.problem:
         return "fails"
     told = row if "Loops" in chip_named(chip).vendor.kinds else rows[id, WITNESS]
-    return f"{row.cost}*" if LOOPS.search(told.kinds) else row.cost
+    waits = chip_named(chip).vendor.target and TABLES.search(row.kinds)
+    return row.cost + "*" * bool(LOOPS.search(told.kinds)) + "+" * bool(waits)

@@ -4,6 +4,7 @@ earlier ones."""
 from __future__ import annotations
 
 import csv
+import math
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
@@ -26,7 +27,7 @@ class Row(NamedTuple):
     kinds: str  # "VALU 93, SALU 3"
     registers: str
     spills: str
-    compile_ms: str  # of the processor
+    compile_ms: str  # of the processor; empty if many were compiled at once
     problem: str  # why there is nothing else
 
 
@@ -42,7 +43,8 @@ def row(id: str, chip: Chip, shader: Compiled, empty: Compiled) -> Row:
     kinds = ", ".join(f"{SURPLUS.sub('', name)} {more(name):g}" for name in vendor.kinds if more(name))
     return Row(id, chip.name, f"{more(vendor.cost):g}", f"{more(vendor.instructions):g}", kinds,
                f"{shader.statistics[vendor.registers]:g}",
-               f"{sum(shader.statistics.get(name, 0) for name in vendor.spills):g}", f"{shader.seconds * 1e3:.1f}", "")
+               f"{sum(shader.statistics.get(name, 0) for name in vendor.spills):g}",
+               "" if math.isnan(shader.seconds) else f"{shader.seconds * 1e3:.1f}", "")
 
 
 def lacks(statistics: Mapping[str, float], vendor: Vendor) -> str:
@@ -60,7 +62,9 @@ def prices(chip: Chip, shaders: Mapping[str, Compiled]) -> list[dict[str, str]]:
             pair = [shaders[subject(operation, chains, length)] for length in LENGTHS]
             bad = any(one.problem or lacks(one.statistics, chip.vendor) for one in pair)
             cells.append("" if bad else f"{price(*(one.statistics[chip.vendor.cost] for one in pair), chains):.2f}")
-        rows.append({"operation": operation.name, "chip": chip.name, "alone": cells[0], "beside": cells[1]})
+        # Instructions that are counted do not wait for each other.
+        rows.append({"operation": operation.name, "chip": chip.name, "alone": cells[0],
+                     "beside": cells[0 if chip.vendor.target else 1]})
     return rows
 
 

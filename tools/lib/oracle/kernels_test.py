@@ -9,7 +9,7 @@ from fractions import Fraction
 from unittest import mock
 
 from golden.generator import INT_MAX, generator_of
-from oracle import gradients, kernels, noises, ramps, words
+from oracle import gradients, kernels, noises, words
 from oracle.gradients import Knobs
 from oracle.integers import UNIT
 from oracle.kernels import Kernel

@@ -53,6 +53,8 @@ def features(row: Values) -> set[Hashable]:
             found.add((name, value if value in NAMED else (sign_of(value), value.bit_length() // 8)))
         else:
             found |= {(name, sign_of(value), size_of(value)), (name, sign_of(value), kind_of(value))}
+            if value in (0, 1):  # the ends of a fraction
+                found.add((name, value))
     for axis, period, cell in periods_of(row):
         found.add((axis, "of a period", "first" if cell == 0 else "last" if cell == period - 1 else "within"))
     found.add(("signs", *(sign_of(row[axis]) for axis in AXES if axis in row)))

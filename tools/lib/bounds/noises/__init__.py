@@ -4,11 +4,11 @@
     derive(dimensions, gradient) -> Derived
     largest_intermediates(dimensions, gradient) -> dict
                         of fixed arithmetic: by name, bounds of the magnitudes that must stay below 2^31
+
+and, if there is more to it,
+
     quotes()            numbers in prose: pairs of a file and a text that must stand in it
     describe(dimensions, gradient) -> dict    more numbers for the reader of tools/bounds
-
-and, if it returns more than one number or sets an offset,
-
     ends(dimensions)    the ends of ranges, in the order in which the comments state them
     offset_error(dimensions, fixed)    of each component of an offset
 """
@@ -21,6 +21,8 @@ import pkgutil
 from dataclasses import dataclass
 from types import ModuleType
 
+from bounds.boxes import SAFE
+from bounds.floats import position_error
 from bounds.gradients import Gradient
 from bounds.table import Bounds, shortest
 
@@ -45,6 +47,13 @@ class Derived:
         return Bounds(noise, dimensions, gradient.name if gradient else "none", self.cell_error, self.error,
                       self.lipschitz, max(self.promise, self.largest), self.fixed_error,
                       max(self.promise, self.fixed_largest))
+
+
+def derived(promise: float, exact: float, lipschitz: float, cell_error: float, parts: dict[str, float]) -> Derived:
+    """Of a fixed error that is the sum of its parts, of which the cut takes no value out of its range."""
+    error, fixed = position_error(cell_error, lipschitz), sum(parts.values()) * SAFE
+    return Derived(promise, exact, lipschitz, cell_error, error, exact + error, fixed,
+                   exact + (sum(parts.values()) - parts["cut"]) * SAFE, parts)
 
 
 def listed(ranges: list[float]) -> str:

@@ -40,7 +40,3 @@ def derive_slope(dims: int) -> Derived:
 
 def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
     return distances.largest_intermediates(dims) | distances.largest_direction_intermediates(dims)
-
-
-def describe(dims: int, _: Gradient | None) -> dict[str, object]:
-    return {}

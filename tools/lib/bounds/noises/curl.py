@@ -19,7 +19,6 @@ import math
 
 import numpy as np
 
-from bounds import kernels
 from bounds.boxes import SAFE, Boxes, cell, supremum
 from bounds.floats import UNIT, position_error, rounding
 from bounds.gradients import LENGTH, OCTAHEDRAL, Gradient
@@ -113,10 +112,6 @@ def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
     derivative = simplex.derived_slope(SIMPLEX[3]).fixed_largest * 2**19
     product = (derivative / 2**9 + 1) ** 2 + 2 * (derivative / 2**9 + 1) * 511 / 2**9 + 2
     return of_derivatives | {"product": product, "difference of products": 2 * product + 8}
-
-
-def quotes() -> list[tuple[str, str]]:
-    return []
 
 
 def describe(dims: int, _: Gradient | None) -> dict[str, object]:

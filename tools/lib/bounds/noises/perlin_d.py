@@ -5,30 +5,23 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from bounds.floats import position_error
 from bounds.gradients import OCTAHEDRAL, Gradient
-from bounds.noises import Derived, perlin
+from bounds.noises import Derived, derived, perlin
 from bounds.noises.perlin.exact import slope_bound, slope_lipschitz_bound
-from bounds.noises.perlin.fixed import (largest_slope_intermediates, slope_error, slope_error_parts, slope_range_loss)
+from bounds.noises.perlin.fixed import largest_slope_intermediates, slope_error_parts
 from bounds.noises.perlin.floats import slope_error_bound
 
 CASES = tuple((dims, OCTAHEDRAL) for dims in (1, 2, 3, 4))
 
 
 def derive(dims: int, gradient: Gradient) -> Derived:
-    exact, lipschitz, cell_error = slope_bound(dims), slope_lipschitz_bound(dims), slope_error_bound(dims)
-    error = position_error(cell_error, lipschitz)
-    slope = Derived(0.0, exact, lipschitz, cell_error, error, exact + error, slope_error(dims),
-                    exact + slope_range_loss(dims), slope_error_parts(dims))
+    slope = derived(0.0, slope_bound(dims), slope_lipschitz_bound(dims), slope_error_bound(dims), slope_error_parts(dims))
     return replace(perlin.derive(dims, gradient), slope=slope)
 
 
 def largest_intermediates(dims: int, gradient: Gradient) -> dict[str, float]:
-    return perlin.largest_intermediates(dims, gradient) | largest_slope_intermediates(dims)
-
-
-def quotes() -> list[tuple[str, str]]:
-    return []
+    largest = derive(dims, gradient).slope.fixed_largest
+    return perlin.largest_intermediates(dims, gradient) | largest_slope_intermediates(dims, largest)
 
 
 def describe(dims: int, _: Gradient) -> dict[str, object]:

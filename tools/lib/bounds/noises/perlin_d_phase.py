@@ -19,11 +19,3 @@ def largest_intermediates(dims: int, gradient: Gradient) -> dict[str, float]:
     slope = perlin_phase.derive_slope(dims, gradient).fixed_largest / (4 * perlin_phase.unit(dims))
     return (perlin_phase.largest_intermediates(dims, gradient) | perlin_d.largest_intermediates(dims, gradient)
             | turns.largest_intermediates("derivative", slope))
-
-
-def quotes() -> list[tuple[str, str]]:
-    return []
-
-
-def describe(dims: int, gradient: Gradient) -> dict[str, object]:
-    return {}

@@ -8,8 +8,4 @@ from bounds.gradients import OCTAHEDRAL
 from bounds.noises import perlin
 
 CASES = ((2, OCTAHEDRAL), (3, OCTAHEDRAL))
-derive, largest_intermediates, describe = perlin.derive, perlin.largest_intermediates, perlin.describe
-
-
-def quotes() -> list[tuple[str, str]]:
-    return []
+derive, largest_intermediates = perlin.derive, perlin.largest_intermediates

@@ -6,8 +6,3 @@ from bounds.noises import perlin_d
 CASES = tuple((dims, gradient) for dims, gradient in perlin_d.CASES if dims in (2, 3))
 derive = perlin_d.derive
 largest_intermediates = perlin_d.largest_intermediates
-describe = perlin_d.describe
-
-
-def quotes() -> list[tuple[str, str]]:
-    return []

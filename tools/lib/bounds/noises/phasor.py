@@ -43,12 +43,12 @@ import numpy as np
 
 from bounds import kernel_fixed, kernel_floats, kernels, turns
 from bounds.boxes import Boxes, cell, supremum
-from bounds.floats import Approx, position_error
+from bounds.floats import Approx
 from bounds.gradients import Gradient
 from bounds.integers import ONE, UNIT, word
 from bounds.kernel_floats import SKEWED
 from bounds.kernels import Jet, Kernel, Offsets, dot, weight_jet
-from bounds.noises import Derived, listed
+from bounds.noises import Derived, derived, listed
 from bounds.sine import fixed_sine_largest
 from bounds.table import scientific, shortest
 from bounds.weights import EVEN
@@ -185,10 +185,8 @@ def fixed_parts(kernel: Kernel, lipschitz: float) -> dict[str, float]:
 # --- What is proven ---------------------------------------------------------------------------------------------------
 
 def derived_value(kernel: Waves) -> Derived:
-    exact, lipschitz, cell_error = range_of(kernel), lipschitz_of(kernel), error_bound(kernel)
-    error, parts = position_error(cell_error, lipschitz), fixed_parts(kernel, lipschitz)
-    return Derived(1.0, exact, lipschitz, cell_error, error, exact + error, kernel_fixed.total(parts),
-                   exact + kernel_fixed.without_cut(parts), parts)
+    lipschitz = lipschitz_of(kernel)
+    return derived(1.0, range_of(kernel), lipschitz, error_bound(kernel), fixed_parts(kernel, lipschitz))
 
 
 def derive(dims: int, _: Gradient | None) -> Derived:

@@ -41,13 +41,13 @@ import numpy as np
 
 from bounds import kernel_fixed, kernel_floats, kernels
 from bounds.boxes import Boxes, cell, supremum
-from bounds.floats import TINY, Approx, constant, position_error
+from bounds.floats import TINY, Approx, constant
 from bounds.floats import UNIT as ROUNDED
 from bounds.gradients import Gradient
 from bounds.integers import ONE, SLOPE_UNIT, UNIT, part_intermediate
 from bounds.kernel_floats import SKEWED
 from bounds.kernels import Jet, Offsets, dot, weight_jet
-from bounds.noises import Derived, phasor
+from bounds.noises import Derived, derived, phasor
 from bounds.noises.perlin.floats import largest_of
 from bounds.noises.phasor import KERNELS, RAMP_ONE, TURN, WAVE_CUT, Waves, scale_of
 
@@ -237,10 +237,8 @@ def fixed_parts(kernel: Waves, lipschitz: float) -> dict[str, float]:
 # --- What is proven ---------------------------------------------------------------------------------------------------
 
 def derived_slope(kernel: Waves) -> Derived:
-    exact, lipschitz, cell_error = range_of(kernel), lipschitz_of(kernel), error_bound(kernel)
-    error, parts = position_error(cell_error, lipschitz), fixed_parts(kernel, lipschitz)
-    return Derived(0.0, exact, lipschitz, cell_error, error, exact + error, kernel_fixed.total(parts),
-                   exact + kernel_fixed.without_cut(parts), parts)
+    lipschitz = lipschitz_of(kernel)
+    return derived(0.0, range_of(kernel), lipschitz, error_bound(kernel), fixed_parts(kernel, lipschitz))
 
 
 def derive(dims: int, gradient: Gradient | None) -> Derived:
@@ -267,10 +265,6 @@ def largest_intermediates(dims: int, gradient: Gradient | None) -> dict[str, flo
 def sum_of_falls(kernel: Waves) -> float:
     """The largest sum of fall * |d_i|, in units of 2^-27."""
     return max(phasor.largest(kernel, axis, 0.0, 1) for axis in kernels.axes(kernel)) * 2**27
-
-
-def quotes() -> list[tuple[str, str]]:
-    return []
 
 
 def describe(dims: int, _: Gradient | None) -> dict[str, object]:

@@ -30,11 +30,3 @@ def derive(_: int, __: Gradient | None) -> Derived:
 def largest_intermediates(_: int, __: Gradient | None) -> dict[str, float]:
     """The number is an integer of 24 bits before it is a float."""
     return {"number": 2.0**24}
-
-
-def quotes() -> list[tuple[str, str]]:
-    return []
-
-
-def describe(_: int, __: Gradient | None) -> dict[str, object]:
-    return {}

@@ -4,31 +4,22 @@ kernel_floats.py and kernel_fixed.py its errors; here they are put together, for
 from __future__ import annotations
 
 from bounds import kernel_fixed, kernel_floats, kernels
-from bounds.floats import position_error
 from bounds.gradients import OCTAHEDRAL, Gradient
 from bounds.kernels import SIMPLEX, Kernel
-from bounds.noises import Derived, listed
+from bounds.noises import Derived, derived, listed
 
 CASES = tuple((dims, None) for dims in SIMPLEX)
 
 
 def derived_value(kernel: Kernel) -> Derived:
-    scale = kernel.scale / 1024
-    exact, lipschitz = scale * kernels.range_of(kernel, OCTAHEDRAL), lipschitz_of(kernel, OCTAHEDRAL)
-    cell_error = kernel_floats.error_bound(kernel)
-    error = position_error(cell_error, lipschitz)
-    parts = kernel_fixed.error_parts(kernel, lipschitz)
-    return Derived(1.0, exact, lipschitz, cell_error, error, exact + error, kernel_fixed.total(parts),
-                   exact + kernel_fixed.without_cut(parts), parts)
+    exact, lipschitz = kernel.scale / 1024 * kernels.range_of(kernel, OCTAHEDRAL), lipschitz_of(kernel, OCTAHEDRAL)
+    return derived(1.0, exact, lipschitz, kernel_floats.error_bound(kernel), kernel_fixed.error_parts(kernel, lipschitz))
 
 
 def derived_slope(kernel: Kernel) -> Derived:
-    exact, lipschitz = slope_of(kernel, OCTAHEDRAL), slope_lipschitz_of(kernel, OCTAHEDRAL)
-    cell_error = kernel_floats.slope_error_bound(kernel)
-    error = position_error(cell_error, lipschitz)
-    parts = kernel_fixed.slope_error_parts(kernel, lipschitz)
-    return Derived(0.0, exact, lipschitz, cell_error, error, exact + error, kernel_fixed.total(parts),
-                   exact + kernel_fixed.without_cut(parts), parts)
+    lipschitz = slope_lipschitz_of(kernel, OCTAHEDRAL)
+    return derived(0.0, slope_of(kernel, OCTAHEDRAL), lipschitz, kernel_floats.slope_error_bound(kernel),
+                   kernel_fixed.slope_error_parts(kernel, lipschitz))
 
 
 # Per cell, and scaled.

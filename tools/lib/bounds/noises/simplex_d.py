@@ -21,9 +21,5 @@ def largest_intermediates(dims: int, gradient: Gradient | None) -> dict[str, flo
             | kernel_fixed.largest_slope_intermediates(SIMPLEX[dims]))
 
 
-def quotes() -> list[tuple[str, str]]:
-    return []
-
-
 def describe(dims: int, _: Gradient | None) -> dict[str, object]:
     return {"slope_error_from_cell_to_nearest": kernel_floats.slope_error_bound(SIMPLEX[dims], 0.5)}

@@ -20,11 +20,3 @@ def largest_intermediates(dims: int, gradient: Gradient | None) -> dict[str, flo
     unit = 4 * SIMPLEX[dims].steps * simplex_phase.unit(dims)
     return (simplex_phase.largest_intermediates(dims, gradient) | simplex_d.largest_intermediates(dims, gradient)
             | turns.largest_intermediates("derivative", simplex_phase.derive_slope(dims).fixed_largest / unit))
-
-
-def quotes() -> list[tuple[str, str]]:
-    return []
-
-
-def describe(dims: int, _: Gradient | None) -> dict[str, object]:
-    return {}

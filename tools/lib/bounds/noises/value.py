@@ -105,9 +105,5 @@ def largest_slope_intermediates(dims: int) -> dict[str, float]:
     return slope_intermediates(2 * NUMBER_ONE, 0, dims)
 
 
-def quotes() -> list[tuple[str, str]]:
-    return []
-
-
 def describe(dims: int, _: Gradient | None) -> dict[str, object]:
     return {"error_from_cell_to_nearest": error_bound(dims, 0.5)}

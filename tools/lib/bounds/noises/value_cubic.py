@@ -101,9 +101,5 @@ def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
     return {"number": 2.0**30, "part": part_intermediate(value, splines()), "blend": value + 128}
 
 
-def quotes() -> list[tuple[str, str]]:
-    return []
-
-
 def describe(dims: int, _: Gradient | None) -> dict[str, object]:
     return {"error_from_cell_to_nearest": error_bound(dims, 0.5)}

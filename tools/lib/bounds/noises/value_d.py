@@ -19,9 +19,5 @@ def largest_intermediates(dims: int, gradient: Gradient | None) -> dict[str, flo
     return value.largest_intermediates(dims, gradient) | value.largest_slope_intermediates(dims)
 
 
-def quotes() -> list[tuple[str, str]]:
-    return []
-
-
 def describe(dims: int, _: Gradient | None) -> dict[str, object]:
     return {"slope_error_from_cell_to_nearest": value.slope_error_bound(dims, 0.5)}

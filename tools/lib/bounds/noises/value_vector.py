@@ -8,8 +8,4 @@ from __future__ import annotations
 from bounds.noises import value
 
 CASES = ((2, None), (3, None))
-derive, largest_intermediates, describe = value.derive, value.largest_intermediates, value.describe
-
-
-def quotes() -> list[tuple[str, str]]:
-    return []
+derive, largest_intermediates = value.derive, value.largest_intermediates

@@ -6,8 +6,3 @@ from bounds.noises import value_d
 CASES = tuple((dims, gradient) for dims, gradient in value_d.CASES if dims in (2, 3))
 derive = value_d.derive
 largest_intermediates = value_d.largest_intermediates
-describe = value_d.describe
-
-
-def quotes() -> list[tuple[str, str]]:
-    return []

@@ -29,7 +29,7 @@ from bounds.gradients import OCTAHEDRAL, SINE
 from bounds.integers import (ONE, SLOPE_UNIT, UNIT, fade_keeps_to_its_side, interpolation_intermediates,
                              largest_fade_effect, largest_joint_effect, largest_rounding, largest_slope_fade_effect,
                              overshoot, scaled_intermediate, slope_intermediates, slope_rounding)
-from bounds.noises.perlin.exact import (SCALE, lipschitz_bound, range_bound, slope_bound, slope_lipschitz_bound)
+from bounds.noises.perlin.exact import SCALE, lipschitz_bound, range_bound, slope_lipschitz_bound
 from bounds.sine import fixed_sine_error, fixed_sine_largest
 
 RAMP_ONE = {OCTAHEDRAL: {1: 2**29, 2: 2**29, 3: 2**29, 4: 2**28}, SINE: {2: 2**28, 3: 2**28}}
@@ -103,16 +103,6 @@ def slope_error_parts(dims):
             "scaling": scaling_error(dims, OCTAHEDRAL, SLOPE_UNIT)}
 
 
-def slope_error(dims):
-    """A proven upper bound of the error of a derivative."""
-    return sum(slope_error_parts(dims).values()) * SAFE
-
-
-def slope_range_loss(dims):
-    parts = slope_error_parts(dims)
-    return (sum(parts.values()) - parts["cut"]) * SAFE
-
-
 # --- Overflow ---------------------------------------------------------------------------------------------------------
 
 # What two ramps, or two values between ramps, along an axis differ by: their offsets are f and 1 - f there, and at most 1
@@ -143,10 +133,11 @@ def largest_intermediates(dims, gradient):
             "scaled": scaled_intermediate(largest, fixed_scale(dims))}
 
 
-def largest_slope_intermediates(dims):
+def largest_slope_intermediates(dims, slope):
+    """Of derivatives up to that."""
     one = RAMP_ONE[OCTAHEDRAL][dims]
     apart = LARGEST_DERIVATIVES_DIFFERENCE[dims] * one / 4 if dims == 3 else None
-    largest = (slope_bound(dims) + slope_range_loss(dims)) / SCALE[OCTAHEDRAL][dims] * one / 4
+    largest = slope / SCALE[OCTAHEDRAL][dims] * one / 4
     return {**slope_intermediates(min(2 * OCTAHEDRAL.reach(dims), 4) * one, OCTAHEDRAL.component(dims) * one / 4, dims,
                                   apart),
             "scaled derivative": scaled_intermediate(largest, fixed_scale(dims))}
