@@ -48,7 +48,7 @@ ROWS = [
     ("rectangles", "each bit of the second difference (exclusive or; subtraction) over the corners of rectangles of 1, 2, 4, ... cells, in standard deviations", "normal; peak, two sides", "keys that are sums or exclusive ors"),
     ("blocks", "each consumed bit in each block of 32^2 or 16^3 cells: how often it is set, and how often it equals the next one along each axis, in standard deviations", "normal (binomial); peak, two sides", "a weak part of the window"),
     ("lines", "each consumed bit over the cells that have a coordinate in common", "normal (binomial); peak, two sides", "weak rows"),
-    ("directions: frequencies", "chi-square of how often each of the 8 gradients comes, or of the 12 in space", "chi-square, 7 or 11 degrees of freedom; both tails", "gradients that are preferred"),
+    ("directions: frequencies", "chi-square of how often each of the 8 gradients comes, or of the 12 in space, where the contract makes some more likely by 0.2% and some less by 0.4%", "chi-square, 7 or 11 degrees of freedom; both tails", "gradients that are preferred"),
     ("directions: others", "gradients that are none of these", "none", "gradients of other directions and lengths"),
     ("isotropy", "mean preference of the structures of the noise for the axes (positive) or the diagonals (negative), as defined below", "normal, around the aim, by the spread of blocks; peak, two sides", "gradients whose shape shows in the noise"),
     ("noise of the gradients", "largest deviation of `hn_perlin` from a multiple of what its gradients give when they are interpolated", "the rounding of floats", "an isotropy of something other than the noise"),
