@@ -89,10 +89,10 @@ class Statistic(unittest.TestCase):
 
 class Verdict(unittest.TestCase):
     def test_the_aim_may_be_reached_on_either_side(self):
-        for value, passed in ((0.0, True), (isotropy.AIM, True), (-isotropy.AIM, True), (0.15, False), (-0.15, False)):
+        for value, passed in ((0.0, True), (isotropy.AIM[2], True), (-isotropy.AIM[2], True), (0.15, False), (-0.15, False)):
             self.assertEqual(isotropy.judge([value] * 16, 2).passed, passed, value)
         found = isotropy.judge([0.0] * 16, 2)
-        self.assertAlmostEqual(found.threshold, isotropy.AIM + stats.norm.isf(2.0 ** -20) * isotropy.SPREAD[2] / 4)
+        self.assertAlmostEqual(found.threshold, isotropy.AIM[2] + stats.norm.isf(2.0 ** -20) * isotropy.SPREAD[2] / 4)
         self.assertAlmostEqual(found.lower, -found.threshold)
         self.assertFalse(isotropy.judge([found.threshold + 1e-6] * 16, 2).passed)
         self.assertTrue(isotropy.judge([found.threshold - 1e-6] * 16, 2).passed)
@@ -114,7 +114,7 @@ class Verdict(unittest.TestCase):
             found = preferences(TWIN, n)
             self.assertTrue(found.passed, found)
             # Not by the margin for chance alone.
-            self.assertLess(abs(found.statistic), isotropy.AIM)
+            self.assertLess(abs(found.statistic), isotropy.AIM[n])
 
     def test_a_library_whose_gradients_are_diagonals(self):
         with tempfile.TemporaryDirectory() as name:

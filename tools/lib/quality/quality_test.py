@@ -338,6 +338,13 @@ class Parts(unittest.TestCase):
             np.testing.assert_array_equal(made, np.unique(directions.GRADIENTS[n], axis=0))
             self.assertEqual(len(made), count)
 
+    def test_how_likely_each_gradient_is(self):
+        words = (np.arange(1 << 20, dtype=np.uint64) << np.uint64(12)).astype(np.uint32)  # evenly spread
+        for n in (2, 3):
+            made = TWIN.stage(words, n)
+            counts = [np.count_nonzero((made == gradient).all(axis=-1)) for gradient in directions.GRADIENTS[n]]
+            self.assertLessEqual(np.abs(counts - directions.likelihoods(n) * len(words)).max(), 1)
+
     def test_the_twin_takes_every_cell_and_seed(self):
         cells = np.array([[-1, 2 ** 31 - 1], [-2 ** 31, 0]])
         one = TWIN.words(cells, 5)

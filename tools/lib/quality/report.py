@@ -228,7 +228,7 @@ def page(results: list[HashResult], rejected: list[HashResult], sine: list[Sine]
                                 [list(row) for row in texts.ROWS])
     text += texts.CONTROLS + control_table(rejected) + texts.NOISE
     text += noise_table(results, lambda r: f"`{r.name}` {r.dimensions}D")
-    text += texts.ISOTROPY.format(aim=number(isotropy.AIM)) + preference_table(preferences)
+    text += texts.ISOTROPY.format(aim=number(isotropy.AIM[2]), space=number(isotropy.AIM[3])) + preference_table(preferences)
     text += looks_section(looks) + stripes_section(waves) + sums_section(sums)
     rows = [[f"`{s.name}` {s.dimensions}D", *(number(f.statistic) for f in s.findings),
              *(number(f.threshold) for f in s.findings)] for s in sine]

@@ -48,7 +48,7 @@ ROWS = [
     ("rectangles", "each bit of the second difference (exclusive or; subtraction) over the corners of rectangles of 1, 2, 4, ... cells, in standard deviations", "normal; peak, two sides", "keys that are sums or exclusive ors"),
     ("blocks", "each consumed bit in each block of 32^2 or 16^3 cells: how often it is set, and how often it equals the next one along each axis, in standard deviations", "normal (binomial); peak, two sides", "a weak part of the window"),
     ("lines", "each consumed bit over the cells that have a coordinate in common", "normal (binomial); peak, two sides", "weak rows"),
-    ("directions: frequencies", "chi-square of how often each of the 8 gradients comes, or of the 12 in space", "chi-square, 7 or 11 degrees of freedom; both tails", "gradients that are preferred"),
+    ("directions: frequencies", "chi-square of how often each of the 8 gradients comes, or of the 12 in space, where the contract makes some more likely by 0.2% and some less by 0.4%", "chi-square, 7 or 11 degrees of freedom; both tails", "gradients that are preferred"),
     ("directions: others", "gradients that are none of these", "none", "gradients of other directions and lengths"),
     ("isotropy", "mean preference of the structures of the noise for the axes (positive) or the diagonals (negative), as defined below", "normal, around the aim, by the spread of blocks; peak, two sides", "gradients whose shape shows in the noise"),
     ("noise of the gradients", "largest deviation of `hn_perlin` from a multiple of what its gradients give when they are interpolated", "the rounding of floats", "an isotropy of something other than the noise"),
@@ -110,8 +110,8 @@ smoothed by a Gaussian of 3/4 cell) has a main axis at each place, across the st
 cosine of four times the angle, and -1 along the diagonals. The mean is taken over the half of all places where the slopes are steepest, weighted by the cube of the difference of the two largest eigenvalues over the sum of all. The noise is made of the
 gradients of blocks of 256 x 256 or 32 x 32 x 32 cells, which wrap.
 
-Any noise on a lattice of squares favours its axes and its diagonals; the gradients decide which of them more. The magnitude may be {aim} at most. Gradients of length 1 in uniform directions have about as much in the plane, and they are the usual
-choice where directions must not show. To ask for zero would not be better founded: the number moves by as much if all places count. These are the values for some sets of gradients, made by numpy, with the standard error. The picture shows the first
+Any noise on a lattice of squares favours its axes and its diagonals; the gradients decide which of them more. The magnitude may be {aim} at most in the plane and {space} in space. Gradients of length 1 in uniform directions have about as much in the plane, and so have the 12 edges of Perlin's "Improving noise" (2002) in space, which are the library's: they are the usual
+choices where directions must not show. To ask for zero would not be better founded: the number moves by as much if all places count. These are the values for some sets of gradients, made by numpy, with the standard error. The picture shows the first
 three of them with the same words of the default hash.
 
 ![Noise of gradients on four diagonals, of the library, and on the circle, and the directions across its structures](images/isotropy.png)
