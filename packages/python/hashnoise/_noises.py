@@ -25,7 +25,7 @@ def perlin(x, y=None, z=None, w=None, /, *, seed=0, period=None, phase=None, cel
     `instruction_set`.
 
     >>> hashnoise.perlin(0.5, 0.25, seed=7, arithmetic="fixed")
-    -0.5171008110046387
+    -0.5934820175170898
     """
     return points("perlin", (x, y, z, w), cell, out, threads, noise="perlin", seed=seed, period=period, phase=phase,
                   arithmetic=arithmetic, instruction_set=instruction_set)
@@ -46,7 +46,7 @@ def perlin_d(x, y=None, z=None, w=None, /, *, seed=0, period=None, phase=None, c
     `instruction_set`.
 
     >>> hashnoise.perlin_d(0.5, 0.25, seed=7, arithmetic="fixed")
-    array([-0.5171008 , -0.27228737, -0.6689491 ], dtype=float32)
+    array([-0.593482  , -0.35161018, -0.6617737 ], dtype=float32)
     """
     return points("perlin_d", (x, y, z, w), cell, out, threads, noise="perlin_d", seed=seed, period=period, phase=phase,
                   arithmetic=arithmetic, instruction_set=instruction_set)
@@ -129,7 +129,7 @@ def simplex(x, y, z=None, w=None, /, *, seed=0, period=None, phase=None, cell=No
     `instruction_set`.
 
     >>> hashnoise.simplex(0.5, 0.25, seed=7, arithmetic="fixed")
-    -0.6104726791381836
+    -0.6683130264282227
     """
     return points("simplex", (x, y, z, w), cell, out, threads, noise="simplex", seed=seed, period=period, phase=phase,
                   arithmetic=arithmetic, instruction_set=instruction_set)
@@ -150,7 +150,7 @@ def simplex_d(x, y, z=None, w=None, /, *, seed=0, period=None, phase=None, cell=
     `instruction_set`.
 
     >>> hashnoise.simplex_d(0.5, 0.25, seed=7, arithmetic="fixed")
-    array([-0.6104727 , -0.5115967 , -0.26509857], dtype=float32)
+    array([-0.668313  , -0.03768539, -0.7655754 ], dtype=float32)
     """
     return points("simplex_d", (x, y, z, w), cell, out, threads, noise="simplex_d", seed=seed, period=period,
                   phase=phase, arithmetic=arithmetic, instruction_set=instruction_set)
@@ -168,7 +168,7 @@ def simplex_smooth(x, y, z=None, /, *, seed=0, period=None, cell=None, arithmeti
     `instruction_set`.
 
     >>> hashnoise.simplex_smooth(0.5, 0.25, seed=7, arithmetic="fixed")
-    -0.6810302734375
+    -0.7580738067626953
     """
     return points("simplex_smooth", (x, y, z), cell, out, threads, noise="simplex_smooth", seed=seed, period=period,
                   arithmetic=arithmetic, instruction_set=instruction_set)
@@ -296,7 +296,7 @@ def curl(x, y, z=None, /, *, seed=0, period=None, cell=None, arithmetic="fast", 
     `instruction_set`.
 
     >>> hashnoise.curl(0.5, 0.25, seed=7, arithmetic="fixed")
-    array([-0.26509857,  0.5115967 ], dtype=float32)
+    array([-0.7655754 ,  0.03768539], dtype=float32)
     """
     return points("curl", (x, y, z), cell, out, threads, noise="curl", seed=seed, period=period, arithmetic=arithmetic,
                   instruction_set=instruction_set)
@@ -338,7 +338,7 @@ def perlin_vector(x, y, z=None, /, *, seed=0, period=None, cell=None, arithmetic
     `instruction_set`.
 
     >>> hashnoise.perlin_vector(0.5, 0.25, seed=7, arithmetic="fixed")
-    array([-0.5171008 , -0.10943842], dtype=float32)
+    array([-0.593482  , -0.14647579], dtype=float32)
     """
     return points("perlin_vector", (x, y, z), cell, out, threads, noise="perlin_vector", seed=seed, period=period,
                   arithmetic=arithmetic, instruction_set=instruction_set)
