@@ -3,7 +3,7 @@
     tools/gpu-costs --get-drivers [--drivers DIR]      downloads them, some 410 MB of Debian's and PyPI's, into DIR
     tools/gpu-costs [--chip NAME]... [--filter GLOB]... [--against NAME=FILE:EXPRESSION]... [--out DIR]
     tools/gpu-costs --wombat Wombat/ --filter '*.perlin.*' --baseline docs/results/gpu/costs.csv
-    tools/gpu-costs --compare docs/results/gpu/costs-0.3.0.csv docs/results/gpu/costs.csv
+    tools/gpu-costs --compare BEFORE/costs.csv docs/results/gpu/costs.csv
     tools/gpu-costs --list-chips
 
 Mesa's drivers for NVIDIA, AMD, Adreno and Apple compile shaders without a GPU, for a stand-in of the kernel. NVIDIA's

@@ -14,7 +14,10 @@ from tables.peers import CALLS, dimensions, subject
 from tree import ROOT
 
 RECORD = ROOT / "docs" / "results" / "gpu"
-COSTS_OF_0_3_0 = "costs-0.3.0.csv"
+# What shows the cost of a word: the hash alone, and noises that are little more than hashes.
+HASHED = {"hash.lattice2": "`hn_lattice` of an `ivec2`", "hash.lattice3": "`hn_lattice` of an `ivec3`",
+          "noise2d.value": "value 2D", "noise3d.value": "value 3D", "noise2d.perlin": "Perlin 2D",
+          "noise3d.perlin": "Perlin 3D", "noise2d.simplex": "simplex 2D", "noise3d.simplex": "simplex 3D"}
 OF_OPERATIONS = ("ampere", "blackwell", "sm90", "polaris10", "navi21", "navi31", "gfx1201", "adreno630", "adreno740",
                  "m1", "acm", "bmg")
 # The letters of the peers in cells.
@@ -51,9 +54,11 @@ def chip_table(rows: Mapping[tuple[str, str], Row]) -> str:
     return table(("noise", *(_head(name) for name in chips)), lines)
 
 
-def change_table() -> str:
-    """What tools/gpu-costs --compare prints of the record of 0.3.0 and today's."""
-    return comparing.page_table(read_costs(RECORD / COSTS_OF_0_3_0), costs())
+def hash_table(rows: Mapping[tuple[str, str], Row]) -> str:
+    """What docs/default-hash.md has of the default hash."""
+    chips = comparing.shown(rows)
+    return table(("", *(_head(name) for name in chips)),
+                 [[title, *(_cost(rows, f"{id}.lattice", chip) for chip in chips)] for id, title in HASHED.items()])
 
 
 def quotes(rows: Mapping[tuple[str, str], Row]) -> list[str]:

@@ -1,15 +1,14 @@
-"""Lags after which both joins of a lattice point are what they were (docs/contract.md, section 3), found by enumeration.
+"""Lags after which both joins of a lattice point are what they were (docs/contract.md, section 3), for many points: there
+words come again, with every hash.
 
-The first join is made of the high bits of spread coordinates. The second is the low bits of a sum of them, each times a
-factor. A lag that takes the spread coordinates further by small numbers, whose weighted sum is 0 in those low bits,
-leaves both joins alone wherever none of the high bits change: there words come again, with every hash.
-
-On the plane no such lag exists. In space and in 4D the first join drops more bits than the sum has, so there must be
-some. What matters is how far they are.
+The first join is the exclusive or of high bits of spread coordinates. It is what it was where as many axes change each
+of its bits as cancel: none, or two, or four. The second is the low bits of a sum of spread coordinates, each times a
+factor. After a lag it is what it was everywhere or nowhere.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -18,6 +17,7 @@ from oracle import words
 
 BATCH = 1 << 20  # lags at a time
 TURN = 1 << 32   # coordinates are modulo this
+BITS = 32
 
 
 @dataclass(frozen=True)
@@ -34,48 +34,99 @@ class Repeat:
     lag: tuple[int, ...]  # in cells
     share: float          # of the cells that have the same joins there
 
-    @property
-    def reach(self) -> int:
-        """How far it is along the axis along which it is farthest."""
-        return max(map(abs, self.lag))
+
+def steps_of(lags: np.ndarray, joins: Joins = Joins()) -> np.ndarray:
+    """How much further spread coordinates are after lags, which are rows; modulo 2^32."""
+    primes = np.array(joins.primes[:lags.shape[1]], np.uint64)
+    return (lags.astype(np.int64) % TURN).astype(np.uint64) * primes % np.uint64(TURN)
 
 
-def nearest_repeat(dimensions: int, share: float, joins: Joins = Joins()) -> Repeat | None:
-    """The lag with the least reach after which more than that share of cells have the joins that they had."""
+def keeps_the_sum(steps: np.ndarray, joins: Joins = Joins()) -> np.ndarray:
+    """Whether the second join is what it was after each of these rows."""
+    factors = np.array(joins.factors[:steps.shape[1]], np.uint64)
+    return (steps * factors).sum(axis=1) % np.uint64(1 << joins.sum_bits) == 0
+
+
+def shares(steps: np.ndarray, least: float = 0.0, joins: Joins = Joins()) -> np.ndarray:
+    """Of which share of all points the first join is what it was, after each of these rows. It is exact, but 0 where it
+    is `least` at most. From the lowest bit to the highest, it counts by which axes change a bit. Axis a does so where
+    the bit of the step is not the carry from below; then the carry to the next bit is 0 or 1 as often."""
+    axes = steps.shape[1]
+    sets = np.arange(1 << axes)  # of axes, as bits
+    sizes = np.array([int(s).bit_count() for s in sets])
+    # From the set that changes a bit, which must be even, to that of the axes whose carry is not the step's bit.
+    to = np.where((sets[:, None] & sets == sets) & (sizes % 2 == 0)[:, None], 0.5 ** sizes[:, None], 0.0)
+    chance = np.ones((len(steps), 1))
+    for axis in range(axes):
+        part = (steps[:, axis] % np.uint64(1 << joins.shifts[axis])).astype(float) / (1 << joins.shifts[axis])
+        chance = np.concatenate([chance * (1 - part)[:, None], chance * part[:, None]], axis=1)
+    before = np.zeros(len(steps), np.int64)
+    found, rows = np.zeros(len(steps)), np.arange(len(steps))
+    for bit in range(BITS - min(joins.shifts[:axes])):
+        now = np.zeros(len(steps), np.int64)
+        for axis in range(axes):
+            if joins.shifts[axis] + bit < BITS:
+                now |= (steps[:, axis] >> np.uint64(joins.shifts[axis] + bit) & np.uint64(1)).astype(np.int64) << axis
+            else:  # it has no such bit: what would change it is lost
+                for s in sets[sets >> axis & 1 == 1]:
+                    chance[:, s ^ 1 << axis] += chance[:, s]
+                    chance[:, s] = 0
+                before &= ~(1 << axis)
+        chance = np.take_along_axis(chance, sets ^ (before ^ now)[:, None], axis=1) @ to
+        keep = chance.sum(axis=1) > least
+        chance, before, steps, rows = chance[keep], now[keep], steps[keep], rows[keep]
+    found[rows] = chance.sum(axis=1)
+    return found
+
+
+def _best(lags: np.ndarray, least: float, joins: Joins) -> list[Repeat]:
+    lags = lags[lags.any(axis=1)]
+    found = shares(steps_of(lags, joins), least, joins)
+    return [Repeat(tuple(map(int, lags[i])), float(found[i])) for i in np.flatnonzero(found)]
+
+
+def on_the_plane(reach: int, least: float, joins: Joins = Joins()) -> Iterator[Repeat]:
+    """All lags of at most `reach` cells along each axis (a power of two, above the second join) after which more than
+    that share of words comes again; one of each opposite pair."""
     modulus = 1 << joins.sum_bits
-    spans = [1 << shift for shift in joins.shifts]
-    # How much further the spread coordinates but the first two are: every combination.
-    others, sums, shares = np.zeros((1, 0), np.int64), np.zeros(1, np.int64), np.ones(1)
-    for axis in range(2, dimensions):
-        steps = _steps(spans[axis])
-        others = np.concatenate([np.repeat(others, len(steps), axis=0), np.tile(steps, len(others))[:, None]], axis=1)
-        sums = (np.repeat(sums, len(steps)) + np.tile(steps * joins.factors[axis], len(sums))) % modulus
-        shares = np.repeat(shares, len(steps)) * np.tile(1 - np.abs(steps) / spans[axis], len(shares))
-    # The second is looked up among all, such that the first is small.
-    second = np.concatenate([_steps(spans[1])] * 3)
-    weighted = (second * joins.factors[1]) % modulus + np.repeat([-modulus, 0, modulus], len(second) // 3)
-    order = np.argsort(weighted)
-    second, weighted = second[order], weighted[order]
-    best = None
-    for at in range(0, len(sums), BATCH):
-        wanted = -sums[at:at + BATCH] % modulus
-        first_found = np.searchsorted(weighted, wanted - spans[0], side="right")
-        count = np.searchsorted(weighted, wanted + spans[0]) - first_found
-        row = np.repeat(np.arange(len(wanted)), count)
-        found = np.arange(count.sum()) - np.repeat(np.cumsum(count) - count, count) + np.repeat(first_found, count)
-        steps = np.column_stack([wanted[row] - weighted[found], second[found], others[at:at + BATCH][row]])
-        shared = shares[at:at + BATCH][row] * np.prod(1 - np.abs(steps[:, :2]) / spans[:2], axis=1)
-        chosen = (shared > share) & steps.any(axis=1)
-        if not chosen.any():
-            continue
-        inverses = np.array([pow(prime, -1, TURN) for prime in joins.primes[:dimensions]], np.uint64)
-        lags = (steps[chosen] % TURN).astype(np.uint64) * inverses % np.uint64(TURN)
-        lags = (lags.astype(np.int64) + TURN // 2) % TURN - TURN // 2
-        nearest = np.abs(lags).max(axis=1).argmin()
-        repeat = Repeat(tuple(map(int, lags[nearest])), float(shared[chosen][nearest]))
-        best = repeat if best is None or repeat.reach < best.reach else best
-    return best
+    back = -joins.primes[1] * joins.factors[1] * pow(joins.primes[0], -1, modulus) % modulus
+    for start in range(0, reach + 1, BATCH):
+        along_y = np.arange(start, min(start + BATCH, reach + 1), dtype=np.int64)
+        for turn in range(-reach, reach, modulus):  # the lags along x that keep the sum
+            yield from _best(np.column_stack([along_y * back % modulus + turn, along_y]), least, joins)
 
 
-def _steps(span: int) -> np.ndarray:
-    return np.arange(1 - span, span)
+def of_one_change(dimensions: int, reach: int, least: float, joins: Joins = Joins()) -> Iterator[Repeat]:
+    """Lags of at most `reach` cells along each axis after which more than that share of words comes again, and the high
+    bits of each spread coordinate grow or fall by one power of two, or not at all, and by half a turn beside it or not:
+    the highest bit always changes then, and nothing else. There are others, of more changes."""
+    sides = []
+    for axes in np.array_split(np.arange(dimensions), 2):
+        lags, sums = np.zeros((1, 0), np.int64), np.zeros(1, np.int64)
+        for axis in axes:
+            some = _along(axis, reach, joins)
+            further = some * joins.primes[axis] % TURN * joins.factors[axis]
+            lags = np.concatenate([np.repeat(lags, len(some), axis=0), np.tile(some, len(lags))[:, None]], axis=1)
+            sums = (np.repeat(sums, len(some)) + np.tile(further, len(sums))) % (1 << joins.sum_bits)
+        sides.append((lags, sums))
+    (first, sums), (second, wanted) = sides
+    order = np.argsort(wanted)
+    second, wanted = second[order], wanted[order]
+    for start in range(0, len(first), BATCH):
+        need = -sums[start:start + BATCH] % (1 << joins.sum_bits)
+        at = np.searchsorted(wanted, need)
+        count = np.searchsorted(wanted, need, side="right") - at
+        row = np.repeat(np.arange(len(need)), count)
+        other = np.arange(count.sum()) - np.repeat(np.cumsum(count) - count, count) + np.repeat(at, count)
+        yield from _best(np.concatenate([first[start + row], second[other]], axis=1), least, joins)
+
+
+def _along(axis: int, reach: int, joins: Joins) -> np.ndarray:
+    """The lags along an axis after which its high bits change so."""
+    span = 1 << joins.shifts[axis]
+    powers = [0, *(sign << bit for bit in range(joins.shifts[axis], BITS) for sign in (1, -1))]
+    near = np.add.outer(powers, np.arange(1 - span, span)).reshape(-1)
+    steps = np.unique(np.concatenate([near, near + TURN // 2]) % TURN).astype(np.uint64)
+    lags = steps * np.uint64(pow(joins.primes[axis], -1, TURN)) % np.uint64(TURN)
+    lags = (lags.astype(np.int64) + TURN // 2) % TURN - TURN // 2
+    return lags[np.abs(lags) <= reach]

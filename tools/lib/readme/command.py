@@ -73,7 +73,7 @@ def tables(times: of_commands.Times) -> list[tuple[str, str, str]]:
             (MEASURING, "tools/readme: costs on a GPU",
              numbers.cost_table(numbers.costs(numbers.GPU), "nvidia", "of NVIDIA's assembly")),
             (MEASURING, "tools/readme: costs by compilers", of_gpus.chip_table(of_gpus.costs())),
-            (DEFAULT_HASH, "tools/readme: costs since 0.3.0", of_gpus.change_table()),
+            (DEFAULT_HASH, "tools/readme: costs of the hash", of_gpus.hash_table(of_gpus.costs())),
             (OPERATIONS, "tools/readme: operations", of_gpus.operation_table(of_gpus.operation_costs())),
             (UNIFORM, "tools/readme: uniform", of_uniform.page_table(of_uniform.read())),
             (MEASURING, "tools/readme: noises", numbers.form_table(costs)),
