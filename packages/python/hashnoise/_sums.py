@@ -24,7 +24,7 @@ def fbm(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=None, l
     `out`, `threads` and `instruction_set`.
 
     >>> hashnoise.fbm(0.5, 0.25, seed=7, arithmetic="fixed")
-    -0.3247804641723633
+    -0.41556310653686523
     """
     return points("fbm", (x, y, z, w), cell, out, threads, sum="fbm", seed=seed, noise=noise, octaves=octaves,
                   lacunarity=lacunarity, gain=gain, detail=detail, footprint=footprint, period=period,
@@ -43,7 +43,7 @@ def turbulence(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=
     `arithmetic`, `out`, `threads` and `instruction_set`.
 
     >>> hashnoise.turbulence(0.5, 0.25, seed=7, arithmetic="fixed")
-    0.4421844482421875
+    0.5065531730651855
     """
     return points("turbulence", (x, y, z, w), cell, out, threads, sum="turbulence", seed=seed, noise=noise,
                   octaves=octaves, lacunarity=lacunarity, gain=gain, period=period, arithmetic=arithmetic,
@@ -81,7 +81,7 @@ def billow(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6, l
     `arithmetic`, `out`, `threads` and `instruction_set`.
 
     >>> hashnoise.billow(0.5, 0.25, seed=7, arithmetic="fixed")
-    -0.115631103515625
+    0.013106346130371094
     """
     return points("billow", (x, y, z, w), cell, out, threads, sum="billow", seed=seed, noise=noise, octaves=octaves,
                   lacunarity=lacunarity, gain=gain, period=period, arithmetic=arithmetic,
@@ -101,7 +101,7 @@ def ridged(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6, l
     `arithmetic`, `out`, `threads` and `instruction_set`.
 
     >>> hashnoise.ridged(0.5, 0.25, seed=7, arithmetic="fixed")
-    0.19927978515625
+    0.12437057495117188
     """
     return points("ridged", (x, y, z, w), cell, out, threads, sum="ridged", seed=seed, noise=noise, octaves=octaves,
                   lacunarity=lacunarity, gain=gain, period=period, arithmetic=arithmetic,
@@ -123,7 +123,7 @@ def hybrid(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6, l
     `arithmetic`, `out`, `threads` and `instruction_set`.
 
     >>> hashnoise.hybrid(0.5, 0.25, seed=7, arithmetic="fixed")
-    0.20600557327270508
+    0.15586233139038086
     """
     return points("hybrid", (x, y, z, w), cell, out, threads, sum="hybrid", seed=seed, noise=noise, octaves=octaves,
                   lacunarity=lacunarity, gain=gain, period=period, arithmetic=arithmetic,
@@ -143,7 +143,7 @@ def ping_pong(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6
     `arithmetic`, `out`, `threads` and `instruction_set`.
 
     >>> hashnoise.ping_pong(0.5, 0.25, seed=7, arithmetic="fixed")
-    0.6992502212524414
+    0.6300945281982422
     """
     return points("ping_pong", (x, y, z, w), cell, out, threads, sum="ping_pong", seed=seed, noise=noise,
                   octaves=octaves, lacunarity=lacunarity, gain=gain, strength=strength, period=period,
@@ -163,7 +163,7 @@ def weighted(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6,
     `arithmetic`, `out`, `threads` and `instruction_set`.
 
     >>> hashnoise.weighted(0.5, 0.25, seed=7, arithmetic="fixed")
-    -0.2808809280395508
+    -0.32480430603027344
     """
     return points("weighted", (x, y, z, w), cell, out, threads, sum="weighted", seed=seed, noise=noise, octaves=octaves,
                   lacunarity=lacunarity, gain=gain, strength=strength, period=period, arithmetic=arithmetic,
@@ -184,7 +184,7 @@ def fbm_d(x, y, z=None, /, *, seed=0, noise="perlin_d", octaves=6, lacunarity=2.
     `out`, `threads` and `instruction_set`.
 
     >>> hashnoise.fbm_d(0.5, 0.25, seed=7, arithmetic="fixed")
-    array([-0.32478046,  1.1029835 , -0.5177555 ], dtype=float32)
+    array([-0.4155631 ,  1.2902737 , -0.44997787], dtype=float32)
     """
     return points("fbm_d", (x, y, z), cell, out, threads, sum="fbm_d", seed=seed, noise=noise, octaves=octaves,
                   lacunarity=lacunarity, gain=gain, period=period, arithmetic=arithmetic,
@@ -207,7 +207,7 @@ def eroded(x, y, z=None, /, *, seed=0, noise="perlin_d", octaves=6, lacunarity=2
     `out`, `threads` and `instruction_set`.
 
     >>> hashnoise.eroded(0.5, 0.25, seed=7, arithmetic="fixed")
-    -0.19694757461547852
+    -0.27370214462280273
     """
     return points("eroded", (x, y, z), cell, out, threads, sum="eroded", seed=seed, noise=noise, octaves=octaves,
                   lacunarity=lacunarity, gain=gain, strength=strength, period=period, arithmetic=arithmetic,
@@ -279,7 +279,7 @@ def perlin_worley(x, y, z, /, *, seed=0, octaves=6, lacunarity=2.0, gain=0.5, pe
     `threads` and `instruction_set`.
 
     >>> hashnoise.perlin_worley(0.5, 0.25, 0.75, seed=7, arithmetic="fixed")
-    0.7266144752502441
+    0.823091983795166
     """
     return points("perlin_worley", (x, y, z), cell, out, threads, sum="perlin_worley", seed=seed, octaves=octaves,
                   lacunarity=lacunarity, gain=gain, period=period, arithmetic=arithmetic,
