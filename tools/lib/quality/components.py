@@ -27,8 +27,6 @@ GRADIENT = {2: [31, 22, 21], 3: [31, 30, 22, 21, 29, 28]}
 # How many of these bits of each component are compared, by dimensions and by how many components there are. They are 12
 # at most together, as where neighbours are compared. A vector is made of the 24 good bits of one word, so 4096 of these
 # make each combination of 12 bits. Of 15 bits together few factors would pass, and to the last bit none can.
-# With these numbers 106 of 135 pairs of random factors fail. (The words were all multiples of 2^8, each once, and the
-# limits those of eight windows.)
 TOGETHER = {"numbers": {2: {2: 6}, 3: {2: 6, 3: 4}}, "gradients": {2: {2: 3}, 3: {2: 6, 3: 4}}}
 
 # The good bits of a word, of which the further components are made.
