@@ -6,6 +6,9 @@
 
 #include "detail/triangular_lattice.glsl"
 
+// A sum of weighted ramps is at most 1024 / 3081 (tools/bounds).
+HN_FN hn_i_num hn_i_scaled_smooth2(hn_i_num n) { return hn_i_scaled(n, 3081); }
+
 // The noise in the numbers of HN_ARITHMETIC, from the words of two neighbours in the lower row and of two in the upper
 // one, and the places between these.
 HN_FN hn_i_num hn_i_simplex_smooth(hn_uvec4 h, hn_i_num lower, hn_i_num upper, hn_i_num y) {
@@ -20,7 +23,7 @@ HN_FN hn_i_num hn_i_simplex_smooth(hn_uvec4 h, hn_i_num lower, hn_i_num upper, h
                                       hn_i_weight3(hn_i_falloff(hn_i_square(upper, y1), 1024, 1))));
   n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_triangle_ramp(h.w, upper1, y1, false),
                                       hn_i_weight3(hn_i_falloff(hn_i_square(upper1, y1), 1024, 1))));
-  return hn_i_scaled(n, 3081);
+  return hn_i_scaled_smooth2(n);
 }
 
 // The place along x in a row, in steps: odd rows are shifted.

@@ -10,6 +10,9 @@
 // one is as far away, or farther: the squares of both distances sum to 3/2 or more. So of each kind of points four are
 // enough: one end of each diagonal of the cube around the place, whichever is nearer.
 
+// A sum of weighted ramps is at most 1024 / 4279 (tools/bounds).
+HN_FN hn_i_num hn_i_scaled_smooth3(hn_i_num n) { return hn_i_scaled(n, 4279); }
+
 // The share of a neighbour of the nearest point in the noise: the one along an axis, or the opposite end of its
 // diagonal. `one` are the spread coordinates and d the offsets of the first, `others` and e those of the second. `size`
 // is the magnitude of the offset along the axis, and `total` that along all three. q is the square of the distance of
@@ -60,7 +63,7 @@ HN_FN hn_i_num hn_i_simplex_smooth(hn_i_block3 block, hn_i_num3 f, hn_uint seed)
   hn_i_num centres = hn_i_cube(block.cell, hn_i_nearer(f, block.previous, block.following), hn_i_vector(x.z, y.z, z.z),
                                hn_i_vector(x.w, y.w, z.w), inner, hn_i_square(x.z, y.z, z.z), join ^ HN_I_CENTRE_JOIN,
                                s + HN_I_CENTRE_SUM);
-  return hn_i_scaled(hn_i_plus(corners, centres), 4279);
+  return hn_i_scaled_smooth3(hn_i_plus(corners, centres));
 }
 
 // Smooth simplex noise in space. The kernel is half again as large as that of hn_simplex, in the square of its radius,

@@ -79,12 +79,11 @@ class PerlinColumns : public InCells<D> {
   HN_I_INLINE hn_i_num noise(int column, Int index, const Place<D>& place) const {
     const auto f = place.fraction;
     const Float x = hn_i_offset(f.x), x1 = hn_i_offset(hn_i_minus_one(f.x));
-    const auto ramp = [&](vec2 line, Float along_x) HN_I_INLINED {
-      return D == 2 ? along_line2(line, along_x) : along_line3(line, along_x);
-    };
+    const auto ramp = [&](vec2 line, Float along_x)
+                          HN_I_INLINED { return D == 2 ? along_line2(line, along_x) : along_line3(line, along_x); };
 #if HN_ARITHMETIC == HN_FAST
-    const Float n = hn_i_lerp(ramp(corners_[0].of(column, index), x), ramp(corners_[0].behind(column, index), x1),
-                              hn_i_fade(f.x));
+    const Float n =
+        hn_i_lerp(ramp(corners_[0].of(column, index), x), ramp(corners_[0].behind(column, index), x1), hn_i_fade(f.x));
     return D == 2 ? hn_i_scaled2(n) : hn_i_scaled3(n);
 #else
     const auto t = hn_i_fade(f);
@@ -193,9 +192,8 @@ class SimplexColumns<2> {
     // From twice the cell on, as of a place in it.
     const Int lower = Int(Uint(number) - 2u * Uint(place.cell.x)) + shift;
     const Uint s = hn_i_mix(seed);
-    const auto word = [&](Int x, Int y) HN_I_INLINED {
-      return hn_i_seeded_word(hn_i_spread(triangle_point(place, x, y)), s);
-    };
+    const auto word = [&](Int x, Int y)
+                          HN_I_INLINED { return hn_i_seeded_word(hn_i_spread(triangle_point(place, x, y)), s); };
     const hn_i_num3 y = hn_i_triangle_y(skewed);
     lower_.put(column, line2(word(lower, row), y.x));
     upper_.put(column, line2(word(lower + (row & 1), row + 1), y.z));
@@ -264,11 +262,10 @@ class SimplexColumns<3> : public InCells<3> {
     const Int corner = hn_i_select(size >= larger, far, near);
     const Int centre = index + hn_i_select(size <= smaller, hn_i_select(is_behind, Int(2), Int(0)), Int(1));
     hn_i_num n = weighted(corners_.of(column, near), x.x, t.x);
-    n = hn_i_plus(n,
-                  weighted(corners_.or_of(column, corner, next_corners_, column, corner, size <= larger), x.y, t.y));
+    n = hn_i_plus(n, weighted(corners_.or_of(column, corner, next_corners_, column, corner, size <= larger), x.y, t.y));
     n = hn_i_plus(n, weighted(centres_.of(column, index), x.z, t.z));
-    n = hn_i_plus(n, weighted(centres_.or_of(column - 1, centre, next_centres_, column - 1, centre, size >= smaller),
-                              x.w, t.w));
+    n = hn_i_plus(
+        n, weighted(centres_.or_of(column - 1, centre, next_centres_, column - 1, centre, size >= smaller), x.w, t.w));
     return hn_i_scaled_simplex3(n);
   }
 
@@ -301,9 +298,8 @@ class SmoothSimplexColumns<2> {
     const Int row = hn_i_floor(y);
     const Int x = Int(Uint(number) - 2u * Uint(place.cell.x));
     const Uint s = hn_i_mix(seed);
-    const auto word = [&](Int of_row) HN_I_INLINED {
-      return hn_i_seeded_word(hn_i_spread(triangle_point(place, x, of_row)), s);
-    };
+    const auto word = [&](Int of_row)
+                          HN_I_INLINED { return hn_i_seeded_word(hn_i_spread(triangle_point(place, x, of_row)), s); };
     lower_.put(column, line2(word(row), hn_i_fract(y)));
     upper_.put(column, line2(word(row + 1), hn_i_minus_one(hn_i_fract(y))));
   }
@@ -318,7 +314,7 @@ class SmoothSimplexColumns<2> {
     n = hn_i_plus(n, weighted(lower_.behind(column, index), hn_i_minus_one(x), y));
     n = hn_i_plus(n, weighted(upper_.of(column - 1, of_upper), of_x, of_y));
     n = hn_i_plus(n, weighted(upper_.behind(column - 1, of_upper), hn_i_minus_one(of_x), of_y));
-    return hn_i_scaled(n, 3081);
+    return hn_i_scaled_smooth2(n);
   }
 
  private:
@@ -362,11 +358,9 @@ class SmoothSimplexColumns<3> : public InCells<3> {
     const Mask is_behind = f.x > hn_i_quarters(2);
     const Int near = index + Int(is_behind), far = index + Int(f.x <= hn_i_quarters(2));
     const Int next = index + hn_i_select(is_behind, Int(2), Int(0));
-    return hn_i_scaled(hn_i_plus(cube(corners_, {column, near}, {column, far}, x.x, x.y, size,
-                                      hn_i_square(x.x, y.x, z.x)),
-                                 cube(centres_, {column, index}, {column - 1, next}, x.z, x.w, inner,
-                                      hn_i_square(x.z, y.z, z.z))),
-                       4279);
+    return hn_i_scaled_smooth3(
+        hn_i_plus(cube(corners_, {column, near}, {column, far}, x.x, x.y, size, hn_i_square(x.x, y.x, z.x)),
+                  cube(centres_, {column, index}, {column - 1, next}, x.z, x.w, inner, hn_i_square(x.z, y.z, z.z))));
   }
 
  private:
@@ -552,4 +546,4 @@ HN_I_INLINE void along_columns(Columns& columns, const Batch& batch, Uint seed, 
 
 }  // namespace
 }  // namespace HN_LANES
-}  // namespace hashnoise
+}  // namespace hashnoise::inline HN_I_NAMESPACE
