@@ -27,8 +27,8 @@ HN_FN hn_i_num4 hn_i_face_d(hn_uvec4 h, hn_i_num3 f, bool back, hn_i_num3 t, hn_
   hn_vec3 g11 = hn_i_direction3(h.w, hn_i_signs(h.w, turned));
   hn_float x = hn_i_offset(f.x);
   hn_float y = hn_i_offset(f.y);
-  hn_float x1 = hn_i_offset(hn_i_minus_one(f.x));
-  hn_float y1 = hn_i_offset(hn_i_minus_one(f.y));
+  hn_float x1 = hn_i_far(x);
+  hn_float y1 = hn_i_far(y);
   hn_float z = hn_i_offset(hn_i_select(back, hn_i_minus_one(f.z), f.z));
   hn_i_num4 n0 = hn_i_edge_d(hn_i_along3(g00, x, y, z), hn_i_along3(g10, x1, y, z), g00, g10, t.x, s.x);
   hn_i_num4 n1 = hn_i_edge_d(hn_i_along3(g01, x, y1, z), hn_i_along3(g11, x1, y1, z), g01, g11, t.x, s.x);

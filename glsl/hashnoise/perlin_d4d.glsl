@@ -33,10 +33,11 @@ HN_FN hn_i_num3 hn_i_square_d(hn_uvec4 h, hn_i_num4 f, hn_float z, hn_float w, h
   hn_i_num2 rest0;
   hn_i_num2 rest1;
   hn_float x = hn_i_offset(f.x);
-  hn_float x1 = hn_i_offset(hn_i_minus_one(f.x));
+  hn_float x1 = hn_i_far(x);
+  hn_float y = hn_i_offset(f.y);
   hn_i_num2 along = hn_i_vector(t.x, s.x);
-  hn_i_num3 n0 = hn_i_edge_d(uvec2(h.x, h.y), x, x1, hn_i_offset(f.y), z, w, along, rest0);
-  hn_i_num3 n1 = hn_i_edge_d(uvec2(h.z, h.w), x, x1, hn_i_offset(hn_i_minus_one(f.y)), z, w, along, rest1);
+  hn_i_num3 n0 = hn_i_edge_d(uvec2(h.x, h.y), x, x1, y, z, w, along, rest0);
+  hn_i_num3 n1 = hn_i_edge_d(uvec2(h.z, h.w), x, x1, hn_i_far(y), z, w, along, rest1);
   rest = hn_i_vector(hn_i_lerp(rest0.x, rest1.x, t.y), hn_i_lerp(rest0.y, rest1.y, t.y));
   return hn_i_vector(hn_i_lerp(n0.x, n1.x, t.y), hn_i_lerp(n0.y, n1.y, t.y),
                      hn_i_d_faded(hn_i_lerp(n0.z, n1.z, t.y), hn_i_d_corner(n0.x, n1.x), s.y));
@@ -49,9 +50,9 @@ HN_FN hn_i_num4 hn_i_cube_d(hn_i_box4 box, hn_i_num4 f, bool far_w, hn_i_num4 t,
   hn_i_num2 rest0;
   hn_i_num2 rest1;
   hn_float w = hn_i_offset(hn_i_select(far_w, hn_i_minus_one(f.w), f.w));
-  hn_i_num3 n0 = hn_i_square_d(hn_i_corners(box, false, far_w, seed), f, hn_i_offset(f.z), w, t, s, rest0);
-  hn_i_num3 n1 =
-      hn_i_square_d(hn_i_corners(box, true, far_w, seed), f, hn_i_offset(hn_i_minus_one(f.z)), w, t, s, rest1);
+  hn_float z = hn_i_offset(f.z);
+  hn_i_num3 n0 = hn_i_square_d(hn_i_corners(box, false, far_w, seed), f, z, w, t, s, rest0);
+  hn_i_num3 n1 = hn_i_square_d(hn_i_corners(box, true, far_w, seed), f, hn_i_far(z), w, t, s, rest1);
   rest = hn_i_lerp(rest0.y, rest1.y, t.z);
   return hn_i_vector(hn_i_lerp(n0.x, n1.x, t.z), hn_i_lerp(n0.y, n1.y, t.z), hn_i_lerp(n0.z, n1.z, t.z),
                      hn_i_d_faded(hn_i_lerp(rest0.x, rest1.x, t.z), hn_i_d_corner(n0.x, n1.x), s.z));

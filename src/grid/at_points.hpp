@@ -91,8 +91,8 @@ HN_I_INLINE hn_i_num perlin_at(const Place<3>& place, Uint seed) {
   const auto box = hn_i_box(place);
   const uvec3 lower = hn_i_high(box.lower), upper = hn_i_high(box.upper);
   const Uint odd = odd_of(uvec3(place.cell), s);
-  const Float x = hn_i_offset(f.x), x1 = hn_i_offset(hn_i_minus_one(f.x));
-  const Float y = hn_i_offset(f.y), y1 = hn_i_offset(hn_i_minus_one(f.y));
+  const Float x = hn_i_offset(f.x), x1 = hn_i_far(x);
+  const Float y = hn_i_offset(f.y), y1 = hn_i_far(y);
   const auto face = [&](Uint high, Uint second, hn_i_num along) HN_I_INLINED {
     const uvec4 h = corners_of(uvec2(lower.x, lower.y), uvec2(upper.x, upper.y), high ^ hn_i_seed_join(s), second);
     const Float z = hn_i_offset(along);

@@ -78,7 +78,7 @@ class PerlinColumns : public InCells<D> {
   }
   HN_I_INLINE hn_i_num noise(int column, Int index, const Place<D>& place) const {
     const auto f = place.fraction;
-    const Float x = hn_i_offset(f.x), x1 = hn_i_offset(hn_i_minus_one(f.x));
+    const Float x = hn_i_offset(f.x), x1 = hn_i_far(x);
     const auto ramp = [&](vec2 line, Float along_x)
                           HN_I_INLINED { return D == 2 ? along_line2(line, along_x) : along_line3(line, along_x); };
 #if HN_ARITHMETIC == HN_FAST

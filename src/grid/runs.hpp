@@ -163,7 +163,7 @@ class PerlinPieces {
     const auto f = place.fraction;
     const auto t = hn_i_fade(f);
     const Float x = hn_i_offset(f.x), y = hn_i_offset(f.y);
-    const Float x1 = hn_i_offset(hn_i_minus_one(f.x)), y1 = hn_i_offset(hn_i_minus_one(f.y));
+    const Float x1 = hn_i_far(x), y1 = hn_i_far(y);
     const auto ramp = [&](int i, Float along_x, Float along_y, auto... z) HN_I_INLINED {
       const auto g = corners_[i].of(run, index);
       if constexpr (D == 2) {
@@ -179,8 +179,8 @@ class PerlinPieces {
     if constexpr (D == 2) {
       return hn_i_scaled2(hn_i_face2(face(0), t.x, t.y));
     } else {
-      return hn_i_scaled3(hn_i_lerp(hn_i_face3(face(0, hn_i_offset(f.z)), t.x, t.y),
-                                    hn_i_face3(face(4, hn_i_offset(hn_i_minus_one(f.z))), t.x, t.y), t.z));
+      const Float z = hn_i_offset(f.z);
+      return hn_i_scaled3(hn_i_lerp(hn_i_face3(face(0, z), t.x, t.y), hn_i_face3(face(4, hn_i_far(z)), t.x, t.y), t.z));
     }
   }
 

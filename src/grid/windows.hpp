@@ -140,6 +140,6 @@ HN_I_INLINE uvec2 triangle_point(const Place<2>& place, Int x, Int y) {
 
 }  // namespace
 }  // namespace HN_LANES
-}  // namespace hashnoise
+}  // namespace hashnoise::inline HN_I_NAMESPACE
 
 #endif

@@ -12,6 +12,7 @@
 // two axes, is one of the set, too. Gradients are floats with every HN_ARITHMETIC, and exact.
 //
 //   hn_i_offset(x)                   an offset as a float
+//   hn_i_far(x)                      x - 1 of such a float: the offset from the far corner
 //   hn_i_exact(t)                    a fade or a weight as a float
 //   hn_i_direction2(h, turned)       the gradient of a word on the plane, or what a quarter turn makes of it
 //   hn_i_signs(h, turned)            in space, its components along its first and its second axis
@@ -26,8 +27,9 @@
 //   hn_i_lerp_components(g, h, t)    interpolates from g to h by an exact fade, to the units of derivatives
 //   hn_i_gradient1(h)                the gradient on the line, and hn_i_ramp1(g, x), what it adds
 
-// Bits behind an exponent make a float without a shift and without a conversion from integer.
-#if HN_I_BITCAST
+// Bits behind an exponent make a float without a shift and without a conversion from integer. But a compiler that knows
+// the offset may multiply out the difference, and round. So HN_FIXED chooses.
+#if HN_I_BITCAST && HN_ARITHMETIC != HN_FIXED
 HN_FN hn_float hn_i_quarters_of(hn_uint h) {
   return hn_i_minus(uintBitsToFloat((h & 0x00600000u) | 0x40000000u), 2.75f);
 }
@@ -36,9 +38,15 @@ HN_FN hn_vec2 hn_i_signs(hn_uint h) {
               hn_i_minus(9.0f, uintBitsToFloat((h & 0x00200000u) | 0x41000000u)));
 }
 #else
-HN_FN hn_float hn_i_quarters_of(hn_uint h) { return hn_i_minus(hn_i_float((h >> 21u) & 3u) * 0.5f, 0.75f); }
+HN_FN hn_float hn_i_quarters_of(hn_uint h) {
+  hn_float one = 0.25f;
+  hn_float three = 0.75f;
+  return hn_i_select((h & 0x00400000u) != 0u, hn_i_select((h & 0x00200000u) != 0u, three, one),
+                     hn_i_select((h & 0x00200000u) != 0u, -one, -three));
+}
 HN_FN hn_vec2 hn_i_signs(hn_uint h) {
-  return vec2(hn_i_select((h & 0x00400000u) != 0u, -1.0f, 1.0f), hn_i_select((h & 0x00200000u) != 0u, -1.0f, 1.0f));
+  hn_float one = 1.0f;
+  return vec2(hn_i_select((h & 0x00400000u) != 0u, -one, one), hn_i_select((h & 0x00200000u) != 0u, -one, one));
 }
 #endif
 HN_FN hn_vec2 hn_i_direction2(hn_uint h) {
@@ -64,6 +72,7 @@ HN_FN hn_vec3 hn_i_direction3(hn_uint h, hn_vec2 signs) {
 #if HN_ARITHMETIC != HN_FIXED
 
 HN_FN hn_float hn_i_offset(hn_float x) { return x; }
+HN_FN hn_float hn_i_far(hn_float x) { return hn_i_minus_one(x); }
 HN_FN hn_float hn_i_exact(hn_float t) { return t; }
 HN_FN hn_float hn_i_along2(hn_vec2 g, hn_float x, hn_float y) { return hn_i_dot(g, x, y); }
 HN_FN hn_float hn_i_along3(hn_vec2 g, hn_float a, hn_float b) { return hn_i_dot(g, a, b); }
@@ -90,13 +99,15 @@ HN_FN hn_float hn_i_ramp1(hn_float g, hn_float x) { return hn_i_times(g, x); }
 
 // Floats compute this without rounding. What is added to 12 is a multiple of 2^-20, and what is added to 3 one of 2^-22:
 // the last bit of a float there, so that its bits are that number as an integer. Each part of a sum is such a multiple,
-// so no order of the sum rounds, and no contraction.
+// and so is what any of them add up to. So no order of the sum rounds, and no contraction. No part may be a difference
+// from a large constant, such as a number whose bits stand behind an exponent: a compiler that knows the other parts
+// would add up such constants, and the sum would have too few bits.
+HN_FN hn_float hn_i_offset(hn_int x) { return hn_i_float(x) * (1.0f / HN_I_FLOAT_UNITS_FRACTION); }
+HN_FN hn_float hn_i_far(hn_float x) { return x - 1.0f; }
 #if HN_I_BITCAST
-HN_FN hn_float hn_i_offset(hn_int x) { return uintBitsToFloat(uint(x) + 0x41400000u) - 12.0f; }
 HN_FN hn_int hn_i_beyond_3(hn_float n) { return int(floatBitsToUint(n) - 0x40400000u); }
 HN_FN hn_int hn_i_beyond_12(hn_float n) { return int(floatBitsToUint(n) - 0x41400000u); }
 #else
-HN_FN hn_float hn_i_offset(hn_int x) { return hn_i_float(x) * (1.0f / HN_I_FLOAT_UNITS_FRACTION); }
 HN_FN hn_int hn_i_beyond_3(hn_float n) { return int((n - 3.0f) * 4194304.0f); }
 HN_FN hn_int hn_i_beyond_12(hn_float n) { return int((n - 12.0f) * HN_I_FLOAT_UNITS_FRACTION); }
 #endif

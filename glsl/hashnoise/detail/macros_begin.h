@@ -899,6 +899,8 @@
 #undef thread
 #pragma push_macro("threads")
 #undef threads
+#pragma push_macro("three")
+#undef three
 #pragma push_macro("tile")
 #undef tile
 #pragma push_macro("tiled")

@@ -450,6 +450,7 @@
 #pragma pop_macro("third")
 #pragma pop_macro("thread")
 #pragma pop_macro("threads")
+#pragma pop_macro("three")
 #pragma pop_macro("tile")
 #pragma pop_macro("tiled")
 #pragma pop_macro("to")

@@ -23,8 +23,8 @@ HN_FN hn_i_num hn_i_scaled1(hn_i_num n) { return hn_i_scaled(n, 2048); }
 HN_FN hn_i_num4 hn_i_ramps(hn_uvec4 h, hn_i_num2 f, bool turned) {
   hn_float x = hn_i_offset(f.x);
   hn_float y = hn_i_offset(f.y);
-  hn_float x1 = hn_i_offset(hn_i_minus_one(f.x));
-  hn_float y1 = hn_i_offset(hn_i_minus_one(f.y));
+  hn_float x1 = hn_i_far(x);
+  hn_float y1 = hn_i_far(y);
   return hn_i_vector(hn_i_along2(hn_i_direction2(h.x, turned), x, y), hn_i_along2(hn_i_direction2(h.y, turned), x1, y),
                      hn_i_along2(hn_i_direction2(h.z, turned), x, y1),
                      hn_i_along2(hn_i_direction2(h.w, turned), x1, y1));
@@ -32,8 +32,8 @@ HN_FN hn_i_num4 hn_i_ramps(hn_uvec4 h, hn_i_num2 f, bool turned) {
 HN_FN hn_i_num4 hn_i_ramps(hn_uvec4 h, hn_i_num3 f, bool back, bool turned) {
   hn_float x = hn_i_offset(f.x);
   hn_float y = hn_i_offset(f.y);
-  hn_float x1 = hn_i_offset(hn_i_minus_one(f.x));
-  hn_float y1 = hn_i_offset(hn_i_minus_one(f.y));
+  hn_float x1 = hn_i_far(x);
+  hn_float y1 = hn_i_far(y);
   hn_float z = hn_i_offset(hn_i_select(back, hn_i_minus_one(f.z), f.z));
   return hn_i_vector(
       hn_i_along3(h.x, hn_i_signs(h.x, turned), x, y, z), hn_i_along3(h.y, hn_i_signs(h.y, turned), x1, y, z),
