@@ -24,8 +24,6 @@
 //   HN_FN              stands before every function
 //   HN_I_BITCAST       whether uintBitsToFloat exists; else the same values are computed by exact arithmetic
 //   HN_I_HAS_PRECISE   whether HN_PRECISE is possible. HN_I_KEYWORD then stands before what is rounded on its own
-//   HN_I_AS_WRITTEN    stands before the type of a float that must be computed as it is written, in shaders for Vulkan.
-//                      The optimizer of SPIR-V reorders operations on constants, as no compiler of OpenGL was seen to do
 //   HN_I_OUT(type)     a parameter that the function sets, and HN_I_INOUT(type), one that it changes
 //   HN_I_NEW(type, x)  declares a struct x, whose members are set one by one
 //   HN_I_MADE(type)    stands in the struct of a place. In C++ no list of numbers is a place then: in
@@ -42,7 +40,6 @@
 #ifdef __cplusplus
 #define HN_I_BITCAST 1
 #define HN_I_HIGHP_HERE
-#define HN_I_AS_WRITTEN
 #define HN_I_KEYWORD  // the compiler's flags decide, and Metal has no such keyword
 #ifdef HN_I_METAL
 #define HN_FN inline
@@ -94,11 +91,6 @@
 #define HN_I_HAS_PRECISE (HN_I_VERSION >= 400)
 #define HN_I_HIGHP
 #define HN_I_HIGHP_HERE
-#endif
-#if defined(VULKAN) && HN_I_HAS_PRECISE
-#define HN_I_AS_WRITTEN HN_I_KEYWORD
-#else
-#define HN_I_AS_WRITTEN
 #endif
 #endif
 
@@ -175,6 +167,15 @@
 #define HN_I_PRECISE HN_I_KEYWORD
 #else
 #define HN_I_PRECISE
+#endif
+
+// Stands before the type of a float that no compiler may take apart. With HN_FAST compilers of SPIR-V turn (p - q) - 1
+// into (p - 1) - q where p is a constant, and that is rounded far out; SPIRV-Tools does so unless p - q is precise, and
+// NVIDIA's driver unless the difference from it is, too. No compiler of OpenGL was seen to do it.
+#if HN_ARITHMETIC == HN_PRECISE || (defined(VULKAN) && HN_I_HAS_PRECISE)
+#define HN_I_AS_WRITTEN HN_I_KEYWORD
+#else
+#define HN_I_AS_WRITTEN
 #endif
 
 #if HN_HASH == HN_HASH_CUSTOM && !defined(HN_HASH_FN)

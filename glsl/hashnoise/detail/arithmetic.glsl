@@ -94,7 +94,7 @@ HN_FN hn_uvec3 hn_i_or(hn_uvec3 words, hn_uint mask) { return words | uvec3(mask
 HN_FN hn_uvec3 hn_i_xor(hn_uvec3 words, hn_uint word) { return words ^ uvec3(word, word, word); }
 
 HN_FN hn_float hn_i_minus(hn_float a, hn_float b) {
-  HN_I_PRECISE hn_float n = a - b;
+  HN_I_AS_WRITTEN hn_float n = a - b;
   return n;
 }
 
@@ -149,8 +149,6 @@ HN_FN hn_ivec2 hn_i_cell(hn_vec2 p) { return ivec2(floor(p)); }
 HN_FN hn_ivec3 hn_i_cell(hn_vec3 p) { return ivec3(floor(p)); }
 HN_FN hn_ivec4 hn_i_cell(hn_vec4 p) { return ivec4(floor(p)); }
 
-// The difference must be computed as it is written. For a constant p SPIRV-Tools would turn (p - floor(p)) - 1 into
-// (p - 1) - floor(p), which is rounded far out.
 HN_FN hn_vec2 hn_i_fraction(hn_vec2 p) {
   HN_I_AS_WRITTEN hn_vec2 f = p - floor(p);
   return f;
@@ -284,23 +282,23 @@ HN_FN hn_float hn_i_dot(hn_vec3 g, hn_float x, hn_float y, hn_float z) {
 
 // This form avoids the cancellation of the usual one.
 HN_FN hn_vec2 hn_i_fade(hn_vec2 f) {
-  HN_I_PRECISE hn_vec2 d = f - 1.0f;
+  HN_I_AS_WRITTEN hn_vec2 d = f - 1.0f;
   HN_I_PRECISE hn_vec2 t = f * f * f * (d * (f * 6.0f - 9.0f) + 1.0f);
   return t;
 }
 // The same in 1, 3 and 4 dimensions: tools/umbrella makes it.
 HN_FN hn_float hn_i_fade(hn_float f) {
-  HN_I_PRECISE hn_float d = f - 1.0f;
+  HN_I_AS_WRITTEN hn_float d = f - 1.0f;
   HN_I_PRECISE hn_float t = f * f * f * (d * (f * 6.0f - 9.0f) + 1.0f);
   return t;
 }
 HN_FN hn_vec3 hn_i_fade(hn_vec3 f) {
-  HN_I_PRECISE hn_vec3 d = f - 1.0f;
+  HN_I_AS_WRITTEN hn_vec3 d = f - 1.0f;
   HN_I_PRECISE hn_vec3 t = f * f * f * (d * (f * 6.0f - 9.0f) + 1.0f);
   return t;
 }
 HN_FN hn_vec4 hn_i_fade(hn_vec4 f) {
-  HN_I_PRECISE hn_vec4 d = f - 1.0f;
+  HN_I_AS_WRITTEN hn_vec4 d = f - 1.0f;
   HN_I_PRECISE hn_vec4 t = f * f * f * (d * (f * 6.0f - 9.0f) + 1.0f);
   return t;
 }

@@ -35,7 +35,7 @@ HN_FN hn_i_num4 hn_i_offsets(hn_i_num f) {
   hn_i_num ahead = hn_i_minus_one(f);
   hn_i_num inner = hn_i_minus(f, middle);
   return hn_i_vector(hn_i_select(f > middle, ahead, f), hn_i_select(f > middle, f, ahead), inner,
-                     hn_i_select(f > middle, hn_i_minus(inner, HN_I_ONE), hn_i_plus(inner, HN_I_ONE)));
+                     hn_i_select(f > middle, hn_i_minus(inner, HN_I_ONE), hn_i_minus(inner, -HN_I_ONE)));
 }
 
 // The ramp of a point in space, before it is weighted. The gradient may have turned by a quarter.

@@ -13,7 +13,7 @@
 
 // The weights of the points 2 and 0 mirror those of -1 and 1. The sum of all is 1.
 HN_FN hn_vec4 hn_i_spline(hn_float f) {
-  HN_I_PRECISE hn_float g = 1.0f - f;
+  HN_I_AS_WRITTEN hn_float g = 1.0f - f;
   HN_I_PRECISE hn_float first = g * g * g * (1.0f / 6.0f);
   HN_I_PRECISE hn_float last = f * f * f * (1.0f / 6.0f);
   HN_I_PRECISE hn_float second = last * 3.0f + (2.0f / 3.0f - f * f);
