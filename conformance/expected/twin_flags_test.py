@@ -102,6 +102,22 @@ class Flags(unittest.TestCase):
                 for build, digest in zip(builds, found):
                     self.assert_same(digest, most, build)
 
+    def test_of_fixed_arithmetic_do_not_matter_where_arguments_are_constants(self):
+        for known in ("HN_TEST_KNOWN_INTEGERS", "HN_TEST_KNOWN_FLOATS"):
+            as_written, *found = all_digests(*((compiler, flags, (*macros("HN_FIXED"), known))
+                                               for compiler, flags in ((COMPILERS[0], ("-O0", INLINE_NONE)),
+                                                                       *((one, MOST) for one in COMPILERS))))
+            self.assertIn("noise3d.perlin_cell", as_written)
+            for compiler, digest in zip(COMPILERS, found):
+                with self.subTest(known=known, compiler=compiler):
+                    self.assert_same(as_written, digest, MOST)
+
+    def test_that_reorder_sums_are_seen(self):
+        reordered = (*macros("HN_FIXED"), "HN_TEST_REORDERED")
+        for compiler in COMPILERS:
+            as_written, most = all_digests((compiler, LEVELS[0], reordered), (compiler, MOST, reordered))
+            self.assertNotEqual(as_written, most, compiler)
+
     def test_are_tried_in_pairs(self):
         choices = ((1, 2, 3), ("a", "b"), ("x", "y"), ("p", "q"))
         rows = in_pairs(*choices)
