@@ -142,7 +142,17 @@ def _cost(row: Mapping[str, str]) -> str:
 
 
 def cost_quotes() -> list[str]:
-    """What the README says of costs on the CPU."""
-    rows = costs(CPU)
-    plane, space = (1 / float(rows[id]["ratio"]) for id in ids("lattice"))
-    return [f"takes {plane:.1f} times as long in 2D, and {space:.1f} in 3D"]
+    """The README's sentences on costs by a clock: on the GPU, and of packages for Python."""
+    rows = peer_costs(GPU)
+    plane, space = (_six_octaves(rows, axes) for axes in (2, 3))
+    with (RESULTS / "cpu" / "python.csv").open(encoding="utf-8", newline="") as file:
+        others = [float(row["ratio"]) for row in csv.DictReader(file)
+                  if row["noise"].startswith("six octaves") and row["package"] != "hashnoise"]
+    return [f"take {plane:.1f} times as long as ours in 2D, and {space:.1f} in 3D",
+            f"take {min(others):.0f} to {max(others):.0f} times as long"]
+
+
+def _six_octaves(rows: Costs, axes: int) -> float:
+    """What FastNoiseLite's six octaves of Perlin noise cost, in ours."""
+    [call] = [call for call in CALLS if (call.noise, call.peer) == (f"fBm {axes}D, 6 octaves", "fastnoiselite")]
+    return float(rows[f"{subject(call)}{dimensions(call)}"]["ratio"]) / float(rows[f"{call.ours}.lattice"]["ratio"])
