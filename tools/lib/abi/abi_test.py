@@ -1,7 +1,7 @@
-"""tools/abi: what it says of the committed interface, and what it refuses.
+"""tools/test abi: what it says of the committed interface, and what it refuses.
 
     python3 -m unittest abi.abi_test    without a compiler
-    python3 -m abi.abi_test FOLDER      builds the library in FOLDER; skipped (77) where tools/abi is
+    python3 -m abi.abi_test FOLDER      builds the library in FOLDER; skipped (77) where tools/test abi is
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Holds the binary interface of hashnoise::grid, as a shared library, to what this minor version has promised.
 
-    tools/abi --check     builds the library, and says what differs from src/grid/tests/grid.abi
-    tools/abi --write     writes that file anew; refused in a patch, whose interface is that of its minor version
+    tools/test abi --check     builds the library, and says what differs from src/grid/tests/grid.abi
+    tools/test abi --write     writes that file anew; refused in a patch, whose interface is that of its minor version
 
 A program that was compiled with 1.2.0 runs with the library of 1.2.3, and not with that of 1.3.0: its SONAME differs,
 and so does the namespace of its functions. abidw describes the library, and abidiff compares; both are in Debian's
@@ -13,19 +13,21 @@ Exit status: 0 the interface is as it was, or is written; 1 it is not as it was,
 library cannot be built or described; 77 the machine is no x86-64, or there is no abigail-tools.
 """
 
-from __future__ import annotations
+import needs
 
-import argparse
-import os
-import platform
-import re
-import shutil
-import subprocess
-import sys
-from collections.abc import Sequence
-from pathlib import Path
+needs.python(3, 11, "test abi")
 
-from tree import ROOT, version
+import argparse  # noqa: E402
+import os  # noqa: E402
+import platform  # noqa: E402
+import re  # noqa: E402
+import shutil  # noqa: E402
+import subprocess  # noqa: E402
+import sys  # noqa: E402
+from collections.abc import Sequence  # noqa: E402
+from pathlib import Path  # noqa: E402
+
+from tree import ROOT, version  # noqa: E402
 
 INTERFACE = ROOT / "src" / "grid" / "tests" / "grid.abi"
 FOLDER = ROOT / "build" / "abi"
@@ -103,7 +105,7 @@ def problems(before: Path, now: Path, of: str) -> list[str]:
               for name in offered if space not in name]
     wrong += [f"{name} is not for users, and is offered to them" for name in offered if f"{space}grid::" in name]
     if not before.exists():
-        return [*wrong, f"there is no {before}; tools/abi --write makes it"]
+        return [*wrong, f"there is no {before}; tools/test abi --write makes it"]
     report = compared(before, now)
     return wrong + ([report] if report else [])
 
@@ -114,7 +116,7 @@ def is_kept(before: Path, of: str) -> bool:
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    parser = argparse.ArgumentParser(prog="tools/abi", description=__doc__,
+    parser = argparse.ArgumentParser(prog="tools/test abi", description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     what = parser.add_mutually_exclusive_group(required=True)
     what.add_argument("--check", action="store_true", help="say what is not as it was")
@@ -138,7 +140,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             shutil.copyfile(now, INTERFACE)
             wrong = problems(INTERFACE, now, version())
     except (Failed, OSError) as error:
-        print(f"tools/abi: {error}", file=sys.stderr)
+        print(f"tools/test abi: {error}", file=sys.stderr)
         return 4
     for message in wrong:
         print(message, file=sys.stderr)

@@ -1,4 +1,4 @@
-"""Tests of tools/fuzz
+"""Tests of tools/test fuzz
 
 Scripts stand in for the fuzzers, so that this takes no build and no time. That the fuzzers themselves work shows in the
 test fuzz.corpus, and that they find something when something is planted.
@@ -13,9 +13,7 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
-from commands.support import load_script
-
-fuzz = load_script("fuzz")
+from fuzz import command as fuzz
 
 SOUND = """#!/bin/sh
 echo "$@" > "$(dirname "$0")/called"

@@ -1,4 +1,4 @@
-"""Tests of tools/mutate
+"""Tests of tools/test mutants
 
 A script stands in for hn-conform, so that this takes no driver and no time.
 """
@@ -15,11 +15,10 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from commands.support import load_script
+from mutation import command as mutate
 from tables.functions import read_functions
 from tree import ROOT
 
-mutate = load_script("mutate")
 SOURCES = {name: path.read_text(encoding="utf-8") for name, path in mutate.glsl_files(mutate.LIBRARY).items()}
 MUTANTS = mutate.all_mutants(SOURCES)
 

@@ -1,7 +1,6 @@
-#!/usr/bin/env python3
 """Fuzzes the parsers of hn-conform with libFuzzer, under the address and the undefined-behaviour sanitizer.
 
-    tools/fuzz [--seconds N | --runs N] [--build DIR] [--out DIR] [TARGET...]
+    tools/test fuzz [--seconds N | --runs N] [--build DIR] [--out DIR] [TARGET...]
 
 A target is a file of conformance/testing/fuzz: expectations, golden, journal, options, results, shaders; without one all are
 run, one after the other, for N seconds each (600), or for N inputs. Each begins with conformance/testing/fuzz/corpus/TARGET,
@@ -12,19 +11,22 @@ long or too much memory, are left in DIR/TARGET/findings; the program that found
 Exit status: 0 nothing found, 1 something found, 2 bad usage, 4 it could not be built.
 """
 
-from __future__ import annotations
+import needs
 
-import argparse
-import os
-import shutil
-import subprocess
-import sys
-import tempfile
-import time
-from collections.abc import Sequence
-from pathlib import Path
+needs.python(3, 11, "test fuzz")
 
-ROOT = Path(__file__).resolve().parent.parent
+import argparse  # noqa: E402
+import os  # noqa: E402
+import shutil  # noqa: E402
+import subprocess  # noqa: E402
+import sys  # noqa: E402
+import tempfile  # noqa: E402
+import time  # noqa: E402
+from collections.abc import Sequence  # noqa: E402
+from pathlib import Path  # noqa: E402
+
+from tree import ROOT  # noqa: E402
+
 FUZZ = ROOT / "conformance" / "testing" / "fuzz"
 TARGETS = sorted(path.stem for path in FUZZ.glob("*.cpp"))
 
@@ -94,7 +96,7 @@ def positive(text: str) -> int:
 
 
 def options_from(arguments: Sequence[str]) -> argparse.Namespace:
-    parser = argparse.ArgumentParser(prog="tools/fuzz", description=__doc__,
+    parser = argparse.ArgumentParser(prog="tools/test fuzz", description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     limit = parser.add_mutually_exclusive_group()
     limit.add_argument("--seconds", type=positive, default=600, metavar="N", help="for each target (600)")
@@ -117,7 +119,7 @@ def main(arguments: Sequence[str]) -> int:
     try:
         build(folder, targets)
     except BuildError as error:
-        print(f"tools/fuzz: {error}", file=sys.stderr)
+        print(f"tools/test fuzz: {error}", file=sys.stderr)
         return 4
     limit = [f"-runs={options.runs}", "-seed=1"] if options.runs else [f"-max_total_time={options.seconds}"]
     results = [fuzz(folder / "conformance" / f"fuzz-{target}", target, out, limit, keep=not options.runs)

@@ -1,8 +1,7 @@
-#!/usr/bin/env python3
 """Tests the conformance suite: changes the library at one place at a time, and sees whether the suite notices.
 
-    tools/mutate [--list] [--sample N [--seed S]] [--file NAME]... [--rule NAME]... [--thorough] [--program PATH]
-                 [--jobs N]
+    tools/test mutants [--list] [--sample N [--seed S]] [--file NAME]... [--rule NAME]... [--thorough] [--program PATH]
+                       [--jobs N]
 
 A mutant is a copy of glsl/hashnoise/ with one change in the body of a function, in whatever branch of an #if it stands, or in a
 preprocessor line: a constant, an operator, a shift, a comparison, a sign, two arguments swapped, another or no
@@ -27,15 +26,9 @@ Exit status: 0 all were killed, 1 some survived the default run, 2 bad usage, 3 
 even the unchanged library.
 """
 
-import sys
-from pathlib import Path
+import needs
 
-sys.dont_write_bytecode = True  # the tree stays clean: no __pycache__ beside the sources
-sys.path.insert(0, str(Path(__file__).resolve().parent / "lib"))
-
-import needs  # noqa: E402
-
-needs.python(3, 11)
+needs.python(3, 11, "test mutants")
 
 import argparse  # noqa: E402
 import json  # noqa: E402
@@ -43,6 +36,7 @@ import random  # noqa: E402
 import re  # noqa: E402
 import shutil  # noqa: E402
 import subprocess  # noqa: E402
+import sys  # noqa: E402
 import tempfile  # noqa: E402
 import time  # noqa: E402
 from collections import Counter  # noqa: E402
@@ -50,6 +44,7 @@ from collections.abc import Iterable, Sequence  # noqa: E402
 from concurrent.futures import ThreadPoolExecutor  # noqa: E402
 from dataclasses import dataclass  # noqa: E402
 from functools import cache  # noqa: E402
+from pathlib import Path  # noqa: E402
 
 from mutation import rules  # noqa: E402
 from single_file.files import INCLUDE, in_order, parts  # noqa: E402
@@ -494,7 +489,7 @@ def positive(text: str) -> int:
 
 
 def options_of(arguments: Sequence[str] | None) -> argparse.Namespace:
-    parser = argparse.ArgumentParser(prog="mutate", description="Does the suite notice a change of the library?")
+    parser = argparse.ArgumentParser(prog="tools/test mutants", description="Does the suite notice a change of the library?")
     parser.add_argument("--list", action="store_true", help="only list the mutants")
     parser.add_argument("--sample", type=positive, metavar="N", help="only N of them, spread evenly")
     parser.add_argument("--seed", type=int, default=1, metavar="S", help="which N; default: 1")
@@ -519,7 +514,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     mutants = [mutant for mutant in all_mutants(sources) if (not options.file or mutant.file in options.file) and
                (not options.rule or mutant.rule in options.rule)]
     if not mutants:
-        print("mutate: what --file and --rule name has no mutant", file=sys.stderr)
+        print("tools/test mutants: what --file and --rule name has no mutant", file=sys.stderr)
         return 2
     if options.sample:
         mutants = sample([mutant for mutant in mutants if not is_equivalent(mutant)], options.sample, options.seed)

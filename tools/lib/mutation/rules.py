@@ -1,4 +1,4 @@
-"""The faults that tools/mutate plants, one place at a time: from a piece of GLSL to the changes of it worth trying.
+"""The faults that tools/test mutants plants, one place at a time: from a piece of GLSL to the changes of it worth trying.
 
 A rule is a function from Code, which is the body of a function, the value of a macro or the condition of an #if, to
 Changes. It looks at tokens, so it needs no grammar, and it avoids what would not compile: such a mutant tells nothing
