@@ -79,6 +79,7 @@ def tables(times: of_commands.Times) -> list[tuple[str, str, str]]:
             (MEASURING, "tools/readme: noises", numbers.form_table(costs)),
             (MEASURING, "tools/readme: compile times", of_compilers.page_table(of_compilers.record())),
             (MEASURING, "tools/readme: peers", numbers.peer_table(numbers.peer_costs(numbers.CPU))),
+            (MEASURING, "tools/readme: packages for Python", numbers.python_table(numbers.python_costs())),
             (MEASURING, "tools/readme: peers on a GPU", numbers.peer_table(numbers.peer_costs(numbers.GPU))),
             (HASHES, "tools/readme: hashes", hashes.hash_table(hashes.record())),
             (JUDGE, "tools/readme: judged", of_noises.judge_table(of_noises.read())),

@@ -145,11 +145,25 @@ def cost_quotes() -> list[str]:
     """The README's sentences on costs by a clock: on the GPU, and of packages for Python."""
     rows = peer_costs(GPU)
     plane, space = (_six_octaves(rows, axes) for axes in (2, 3))
-    with (RESULTS / "cpu" / "python.csv").open(encoding="utf-8", newline="") as file:
-        others = [float(row["ratio"]) for row in csv.DictReader(file)
-                  if row["noise"].startswith("six octaves") and row["package"] != "hashnoise"]
+    others = [float(row["ratio"]) for row in python_costs()
+              if row["noise"].startswith("six octaves") and row["package"] != "hashnoise"]
     return [f"take {plane:.1f} times as long as ours in 2D, and {space:.1f} in 3D",
             f"take {min(others):.0f} to {max(others):.0f} times as long"]
+
+
+def python_costs() -> list[dict[str, str]]:
+    """The rows of python.csv."""
+    with (RESULTS / "cpu" / "python.csv").open(encoding="utf-8", newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def python_table(rows: Sequence[Mapping[str, str]]) -> str:
+    """A row for each package, a column for each noise: nanoseconds, and the time in ours."""
+    noises = dict.fromkeys(row["noise"] for row in rows)
+    found = {(row["package"], row["noise"]): f"{row['nanoseconds']} · {float(row['ratio']):.0f}" for row in rows}
+    packages = dict.fromkeys((row["package"], row["version"]) for row in rows)
+    return table(("package", *noises), [[f"{package} {version}", *(found.get((package, noise), "") for noise in noises)]
+                                        for package, version in packages])
 
 
 def _six_octaves(rows: Costs, axes: int) -> float:
