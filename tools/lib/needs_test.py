@@ -37,7 +37,7 @@ def files_of(command: str) -> dict[Path, str]:
     """The command, and all of lib/ that it imports, now or later."""
     start = TOOLS / command
     if not start.read_text(encoding="utf-8").startswith("#!/usr/bin/env python3"):
-        start = LIB / command / "command.py"  # what the command of the shell starts
+        start = LIB / "ship" / command / "command.py"  # what the command of the shell starts
     found: dict[Path, str] = {}
     left = [start]
     while left:
@@ -130,7 +130,7 @@ def needed(command: str) -> tuple[int, int]:
     path = TOOLS / command
     text = path.read_text(encoding="utf-8")
     if not text.startswith("#!/usr/bin/env python3"):
-        text = (LIB / command / "command.py").read_text(encoding="utf-8")
+        text = (LIB / "ship" / command / "command.py").read_text(encoding="utf-8")
     (version,) = WHAT.findall(text)
     return int(version[0]), int(version[1])
 
@@ -175,7 +175,7 @@ class Files(unittest.TestCase):
         self.assertIn(LIB / "catalog" / "model.py", files_of("playground"))
 
     def test_a_command_is_read_by_a_python_that_is_too_old(self):
-        for name in (*of_python(), "lib/needs.py", "lib/npm/command.py"):
+        for name in (*of_python(), "lib/needs.py", "lib/ship/npm/command.py"):
             with self.subTest(name):
                 text = (TOOLS / name).read_text(encoding="utf-8")
                 ast.parse(text, feature_version=(3, 6) if name in USERS else (3, 8))

@@ -18,11 +18,11 @@ from pathlib import Path
 
 from engine import RENDERERS, Engine, Failure, main
 
-from godot_addon.addon import ADDON, TURN, archive, recipe_texts
 from pick.command import settings
 from pick.program import Program, chosen, read
 from pick.shading import LANGUAGES
 from png import read_png
+from ship.godot.files import ADDON, TURN, archive, recipe_texts
 from tree import GLSL, ROOT
 
 HERE = Path(__file__).resolve().parent

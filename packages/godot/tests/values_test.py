@@ -21,9 +21,9 @@ from pathlib import Path
 
 from engine import Engine, Failure, RENDERERS, main
 
-from godot_addon.addon import ADDON, files
 from golden_values import Golden, ids
 from parsing.preprocessor import Preprocessor
+from ship.godot.files import ADDON, files
 from single_file.godot import SUFFIX
 from tables.functions import Function, read_functions
 from tree import BOUNDS, FUNCTIONS

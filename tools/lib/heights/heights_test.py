@@ -21,15 +21,15 @@ import unittest
 from collections.abc import Sequence
 from pathlib import Path
 
-from blender import command as blender
-from blender.in_blender import Heights, NoBlender, found
-from godot_addon.addon import ADDON
-from godot_addon.addon import files as godot
-from packing_support import made
 from pick.runners import ran
+from ship.blender import command as blender
+from ship.blender.in_blender import Heights, NoBlender, found
+from ship.godot.files import ADDON
+from ship.godot.files import files as godot
+from ship.packing_support import made
+from ship.unity import files as unity
 from tree import ROOT
 from twin import compile_program
-from unity import files as unity
 
 SKIPPED = 77
 SEEDS, POINTS = 8, 64  # of each seed

@@ -8,8 +8,8 @@ import shutil
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
+from ship.zips import zipped
 from tree import ROOT, version
-from zips import zipped
 
 
 def add_arguments(parser: argparse.ArgumentParser, folder: str) -> None:

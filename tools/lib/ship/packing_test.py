@@ -13,7 +13,7 @@ COMMANDS = ("blender", "glsl_noise", "isf", "materialx", "unity", "unreal")
 class Usage(unittest.TestCase):
     def test_a_file_is_no_folder(self) -> None:
         for name in COMMANDS:
-            command = importlib.import_module(f"{name}.command")
+            command = importlib.import_module(f"ship.{name}.command")
             with self.subTest(name), contextlib.redirect_stderr(io.StringIO()) as error:
                 with self.assertRaises(SystemExit) as ended:
                     command.main([__file__])

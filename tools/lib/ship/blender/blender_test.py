@@ -1,7 +1,7 @@
 """tools/blender: what the add-on has, and its command line.
 
-    python3 -m unittest blender.blender_test          names and texts of a few
-    python3 -m blender.blender_test ENVIRONMENT       in Blender, PyPI's bpy: what the operators do. ENVIRONMENT is the
+    python3 -m unittest ship.blender.blender_test          names and texts of a few
+    python3 -m ship.blender.blender_test ENVIRONMENT       in Blender, PyPI's bpy: what the operators do. ENVIRONMENT is the
                                                       folder of python.wheel, which has the Python package
 
 Exit status: that of the tests; 77 bpy or the package is not here.
@@ -21,10 +21,10 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
-from blender import command, files
-from blender.in_blender import Heights, NoBlender, found
-from packing_support import made
 from pick.osl_runner import PACKAGE
+from ship.blender import command, files
+from ship.blender.in_blender import Heights, NoBlender, found
+from ship.packing_support import made
 from tree import TOOLS, version
 from wgsl.device import installed
 
@@ -92,7 +92,7 @@ class AddOn(unittest.TestCase):
         wheel, = (self.environment / "wheels").glob("*.whl")
         with contextlib.redirect_stdout(io.StringIO()) as out:
             command.main(["--zip", "--wheel", str(wheel), str(self.root / "with wheel")])
-        lines = ("import sys; from pathlib import Path; from blender.in_blender import Heights\n"
+        lines = ("import sys; from pathlib import Path; from ship.blender.in_blender import Heights\n"
                  "heights = Heights(Path(sys.argv[1])).displaced([(0.5, 0.25, 0.0)], scale=1.0, strength=1.0, seed=7)\n"
                  "import hashnoise; print(hashnoise.__file__, float(heights[0]).hex())\n")
         user = self.root / "other user"

@@ -16,8 +16,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from blender.files import NAME, package
-from packing import command
+from ship.blender.files import NAME, package
+from ship.packing import command
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

@@ -7,9 +7,9 @@ import zipfile
 from functools import cache
 from pathlib import Path
 
-from packing import Refused, papers
 from pick.command import Choice, picker, read_library
 from pick.program import public
+from ship.packing import Refused, papers
 from tables.markdown import table
 from tree import GLSL, ROOT, version
 

@@ -15,8 +15,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from glsl_noise.files import NAME, package
-from packing import command
+from ship.glsl_noise.files import NAME, package
+from ship.packing import command
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

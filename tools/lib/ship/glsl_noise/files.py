@@ -9,12 +9,12 @@ from typing import NamedTuple
 
 from likeness import ports
 from likeness.table import ROWS
-from packing import papers
 from parsing.syntax import Function
 from pick import command
 from pick.evaluate import Module
 from pick.program import Program, read
 from pick.shading import LANGUAGES
+from ship.packing import papers
 from tables.markdown import table
 from tree import GLSL, ROOT, version
 

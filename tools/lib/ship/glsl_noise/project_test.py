@@ -1,6 +1,6 @@
 """The package in place of glsl-noise: by its name for glslify, and by an alias of Vite in drei, which Chromium draws.
 
-    python3 -m glsl_noise.project_test FOLDER      FOLDER has the packages of tools/lib/javascript
+    python3 -m ship.glsl_noise.project_test FOLDER      FOLDER has the packages of tools/lib/javascript
 
 Exit status: 0 all is right, 1 not, 77 npm's packages or a Node.js are not here.
 """
@@ -13,9 +13,9 @@ import subprocess
 import sys
 from pathlib import Path
 
-from glsl_noise.files import NAME, PACKAGE, package
 from javascript import environment
-from packing import put
+from ship.glsl_noise.files import NAME, PACKAGE, package
+from ship.packing import put
 from tree import TOOLS
 
 TESTS = PACKAGE / "tests"

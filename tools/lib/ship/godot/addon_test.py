@@ -12,8 +12,8 @@ import unittest
 import zipfile
 from pathlib import Path
 
-from godot_addon.addon import ADDON, GAP, WINDOW, archive_name, files, tiles, version
 from readme.gallery import recipes
+from ship.godot.files import ADDON, GAP, WINDOW, archive_name, files, tiles, version
 from tables.functions import read_functions
 from tree import ROOT, TOOLS
 

@@ -6,7 +6,7 @@ import argparse
 import os
 from pathlib import Path
 
-from godot_addon.addon import archive, archive_name
+from ship.godot.files import archive, archive_name
 from tree import ROOT
 
 DESCRIPTION = """\

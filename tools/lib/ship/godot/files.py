@@ -6,10 +6,10 @@ import re
 from pathlib import Path
 
 from readme.gallery import recipes
+from ship.zips import zipped
 from single_file import godot
 from single_file.files import Part, in_order, parts
 from tree import ROOT, version
-from zips import zipped
 
 PACKAGE = ROOT / "packages" / "godot"
 ADDON = "addons/hashnoise"

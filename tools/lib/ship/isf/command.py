@@ -14,8 +14,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from isf.files import NAME, package
-from packing import command
+from ship.isf.files import NAME, package
+from ship.packing import command
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

@@ -6,8 +6,8 @@ import json
 from functools import cache
 from typing import NamedTuple
 
-from packing import papers
 from pick.command import Choice, picker
+from ship.packing import papers
 from tables.markdown import table
 from tree import ROOT, version
 

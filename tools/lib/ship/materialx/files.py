@@ -7,13 +7,13 @@ from functools import cache
 from typing import NamedTuple
 from xml.sax.saxutils import quoteattr
 
-from packing import papers
 from parsing.syntax import Function
 from pick.command import SYNTAXES, Choice, picker, read_library
 from pick.comments import first_sentence
 from pick.osl import without_shader
 from pick.program import public
 from pick.shading import LANGUAGES
+from ship.packing import papers
 from tables.markdown import table
 from tree import GLSL, ROOT, version
 

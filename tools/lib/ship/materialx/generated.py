@@ -18,11 +18,11 @@ from types import ModuleType
 from typing import NamedTuple
 
 from likeness.renderer import NoRenderer, Renderer
-from materialx import files
 from pick.osl_runner import PACKAGE as BLENDER
 from pick.osl_runner import RENDER
 from pick.runners import ran
 from pick.slang import Slang
+from ship.materialx import files
 from tree import ROOT, VECTORS
 from wgsl.device import Absent, Device, installed
 from wgsl.evaluation import GROUP

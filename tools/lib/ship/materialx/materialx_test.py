@@ -1,7 +1,7 @@
 """tools/materialx: what the library of nodes has, and its command line.
 
-    python3 -m unittest materialx.materialx_test    names and texts of a few
-    python3 -m materialx.materialx_test             the whole library: MaterialX makes shaders of it, which have the
+    python3 -m unittest ship.materialx.materialx_test    names and texts of a few
+    python3 -m ship.materialx.materialx_test             the whole library: MaterialX makes shaders of it, which have the
                                                     values of the vectors
 
 Exit status: that of the tests; 77 something that the second needs is not here.
@@ -15,9 +15,9 @@ import sys
 import unittest
 import xml.etree.ElementTree as xml
 
-from materialx import command, files
-from materialx.generated import LANGUAGES, MISSING, Generated, Job, materialx, needed, vectors
-from packing_support import made
+from ship.materialx import command, files
+from ship.materialx.generated import LANGUAGES, MISSING, Generated, Job, materialx, needed, vectors
+from ship.packing_support import made
 
 SKIPPED = 77
 

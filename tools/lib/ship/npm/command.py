@@ -7,8 +7,8 @@ import needs
 
 needs.python(3, 9)
 
-from npm.files import package  # noqa: E402
-from npm.twin import Failed, compiled  # noqa: E402
+from ship.npm.files import package  # noqa: E402
+from ship.npm.twin import Failed, compiled  # noqa: E402
 
 
 def main() -> int:

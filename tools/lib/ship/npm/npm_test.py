@@ -4,8 +4,8 @@ import json
 import re
 import unittest
 
-from npm import twin
-from npm.files import ARITHMETICS, glsl_modules, package, readme
+from ship.npm import twin
+from ship.npm.files import ARITHMETICS, glsl_modules, package, readme
 from single_file.files import flatten, in_order, minified, parts
 from thorough import in_thorough_runs
 from tree import GLSL, ROOT, glsl_files, version

@@ -8,7 +8,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from release.files import NoRelease, PARTS, Release, named, notes, run
+from ship.release.files import NoRelease, PARTS, Release, named, notes, run
 from tree import ROOT, version
 
 

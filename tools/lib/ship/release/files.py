@@ -10,11 +10,11 @@ import subprocess
 import tempfile
 from pathlib import Path
 
-from release import sbom
+from ship.release import sbom
+from ship.zips import zipped
 from single_file.files import text
 from tables import glsl
 from tree import HN_CONFORM, ROOT, TOOLS, VECTORS, version
-from zips import zipped
 
 
 class NoRelease(Exception):

@@ -13,7 +13,7 @@ import zipfile
 from pathlib import Path
 from unittest import mock
 
-from release import files
+from ship.release import files
 from tree import ROOT, TOOLS, VECTORS, version
 
 # Enough of the tree for what is tried here.

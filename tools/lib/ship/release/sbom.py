@@ -55,7 +55,7 @@ def of_others(root: Path = ROOT) -> dict[str, list[Component]]:
 
 def component(kind: str, name: str, versions: str, scope: str, how: str) -> Component:
     if name not in LICENSES:
-        raise Unknown(f"the license of {name}, which is needed now, is not in tools/lib/release/sbom.py: write it "
+        raise Unknown(f"the license of {name}, which is needed now, is not in tools/lib/ship/release/sbom.py: write it "
                       "there")
     exact = versions.removeprefix("==") if versions.startswith("==") else ""
     reference = f"pkg:{kind}/{name}" + (f"@{exact}" if exact else "")

@@ -18,7 +18,7 @@ import unittest
 from pathlib import Path
 
 from pypi import environment
-from release import sbom
+from ship.release import sbom
 from tree import ROOT
 
 FILES = {"hashnoise.glsl": b"// text\n", "hashnoise-1.2.3.tgz": b"npm", "NOTES.md": b"# Notes\n",

@@ -15,10 +15,10 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from crate.command import NEEDED
-from crate.files import MODULES, package
-from packing import put
 from pick.runners import NotInstalled
+from ship.packing import put
+from ship.rust.command import NEEDED
+from ship.rust.files import MODULES, package
 from thorough import THOROUGH, in_thorough_runs
 from tree import ROOT, version
 

@@ -17,8 +17,8 @@ import argparse
 import difflib
 from collections.abc import Sequence
 
-from crate.files import MODULES, package
-from packing import Destination, add_arguments
+from ship.packing import Destination, add_arguments
+from ship.rust.files import MODULES, package
 from tree import version
 
 ALL = (*MODULES, "hash")

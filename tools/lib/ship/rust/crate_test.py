@@ -11,9 +11,9 @@ import zipfile
 from pathlib import Path
 from unittest import mock
 
-from crate import command, files
 from pick.program import public
 from pick.scalars import bare
+from ship.rust import command, files
 from tables.functions import read_functions
 from tree import VECTORS, version
 

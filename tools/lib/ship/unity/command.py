@@ -14,8 +14,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from packing import command
-from unity.files import NAME, package
+from ship.packing import command
+from ship.unity.files import NAME, package
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

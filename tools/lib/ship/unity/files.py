@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from functools import cache
 from pathlib import PurePosixPath
 
-from hlsl.nodes import ARITHMETICS, NODES, PORTS, TILE, call, camel, forms, picked, ports, shader
+from ship.hlsl_nodes import ARITHMETICS, NODES, PORTS, TILE, call, camel, forms, picked, ports, shader
 from tables.markdown import table
 from tree import ROOT, version
 

@@ -1,7 +1,7 @@
 """tools/unity: what the package has, and its command line.
 
-    python3 -m unittest unity.unity_test    names and texts of a few
-    python3 -m unity.unity_test             the whole package: Mono compiles its C#, and runs it; glslang, DXC
+    python3 -m unittest ship.unity.unity_test    names and texts of a few
+    python3 -m ship.unity.unity_test             the whole package: Mono compiles its C#, and runs it; glslang, DXC
                                             and FXC compile its HLSL
 
 Exit status: that of the tests; 77 Mono or glslang is not here, or nothing failed without Microsoft's compilers.
@@ -20,9 +20,9 @@ from pathlib import Path
 
 from hlsl.compilers import missing as missing_compilers
 from hlsl.compilers import refusals
-from packing_support import made
+from ship.packing_support import made
+from ship.unity import command, files
 from tree import VECTORS, version
-from unity import command, files
 
 SKIPPED = 77
 NEEDED = {"mcs": "mono-mcs", "mono": "mono-runtime", "glslangValidator": "glslang-tools"}

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from functools import cache
 
-from hlsl.nodes import ARITHMETICS, NODES, PORTS, call, forms, ports, shader
+from ship.hlsl_nodes import ARITHMETICS, NODES, PORTS, call, forms, ports, shader
 from tables.markdown import table
 from tree import ROOT, version
 

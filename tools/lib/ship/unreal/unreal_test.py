@@ -1,7 +1,7 @@
 """tools/unreal: what the plugin has, and its command line.
 
-    python3 -m unittest unreal.unreal_test    names and texts of a few
-    python3 -m unreal.unreal_test             the whole plugin: glslang, DXC and FXC compile its nodes, Clang and Mono
+    python3 -m unittest ship.unreal.unreal_test    names and texts of a few
+    python3 -m ship.unreal.unreal_test             the whole plugin: glslang, DXC and FXC compile its nodes, Clang and Mono
                                               its module
 
 Exit status: that of the tests; 77 glslang, Clang or Mono is not here, or nothing failed without Microsoft's compilers.
@@ -19,10 +19,10 @@ from pathlib import Path
 
 from hlsl.compilers import missing as missing_compilers
 from hlsl.compilers import refusals
-from hlsl.nodes import NODES, PORTS, forms, own_names, ports
-from packing_support import made
+from ship.hlsl_nodes import NODES, PORTS, forms, own_names, ports
+from ship.packing_support import made
+from ship.unreal import command, files
 from tree import version
-from unreal import command, files
 
 SKIPPED = 77
 NEEDED = {"glslangValidator": "glslang-tools", "clang++": "clang", "mcs": "mono-mcs"}

@@ -1,8 +1,8 @@
 """Shaders that import the package for WESL, linked by npm's wesl or by cargo's: they have the golden values, and no
 code that they do not call.
 
-    python3 -m wesl.linked_test npm FOLDER      FOLDER has the packages of tools/lib/javascript
-    python3 -m wesl.linked_test cargo FOLDER    where cargo builds what links
+    python3 -m ship.wesl.linked_test npm FOLDER      FOLDER has the packages of tools/lib/javascript
+    python3 -m ship.wesl.linked_test cargo FOLDER    where cargo builds what links
 
 Exit status: 0 it has, 1 it has not, 77 there is no npm, no cargo or no wgpu here.
 """
@@ -19,10 +19,10 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from golden_values import ids
-from packing import put
+from ship.packing import put
+from ship.wesl.files import PACKAGE, imported, package
 from thorough import THOROUGH, in_thorough_runs
 from tree import ROOT, TOOLS
-from wesl.files import PACKAGE, imported, package
 from wgsl.device import Absent, Device
 from wgsl.golden import differing, shaders_over
 

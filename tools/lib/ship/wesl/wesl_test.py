@@ -10,8 +10,8 @@ import tempfile
 import unittest
 from pathlib import Path
 
+from ship.wesl import command, files
 from tree import version
-from wesl import command, files
 from wgsl.names import RESERVED, is_public
 
 
