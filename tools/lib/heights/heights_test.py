@@ -22,10 +22,9 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from pick.runners import ran
-from ship.blender import command as blender
 from ship.blender.in_blender import Heights, NoBlender, found
 from ship.godot.files import ADDON
-from ship.godot.files import files as godot
+from ship.godot.files import package as godot
 from ship.packing_support import made
 from ship.unity import files as unity
 from tree import ROOT
@@ -104,7 +103,7 @@ class Everywhere(unittest.TestCase):
 
     @classmethod
     def setUpClass(cls) -> None:
-        cls.folder, cls.add_on = made(cls, blender.main, "--zip")
+        cls.folder, cls.add_on = made(cls, "blender", "--zip")
         (cls.folder / "heights.cpp").write_text(CPP)
         compile_program("the heights", cls.folder / "heights.cpp", cls.folder / "of_cpp")
         cls.expected = words(subprocess.run([cls.folder / "of_cpp"], input=packed(), stdout=subprocess.PIPE,

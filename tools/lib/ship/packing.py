@@ -1,21 +1,21 @@
-"""Commands that make a package have this in common: a folder with its files, or one zip file of it."""
+"""Makes a package by its recipe: a folder with its files, or one zip file of it."""
 
 from __future__ import annotations
 
 import argparse
+import importlib
 import os
 import shutil
-from collections.abc import Callable, Mapping, Sequence
+import textwrap
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
+from ship.recipes import RECIPES, Recipe
 from ship.zips import zipped
 from tree import ROOT, version
+from usage import Parser
 
-
-def add_arguments(parser: argparse.ArgumentParser, folder: str) -> None:
-    parser.add_argument("folder", nargs="?", default=str(ROOT / folder), metavar="FOLDER",
-                        help=f"where it goes (default: {folder})")
-    parser.add_argument("--zip", action="store_true", help="one file, for a release")
+Files = Mapping[str, "str | bytes"]
 
 
 def papers(package: Path) -> dict[str, str]:
@@ -25,65 +25,90 @@ def papers(package: Path) -> dict[str, str]:
 
 
 class Refused(Exception):
-    """What is wrong with a file that a package should have."""
+    """What is wrong with what a package is asked for."""
 
 
 def encoded(content: str | bytes) -> bytes:
     return content.encode("utf-8") if isinstance(content, str) else content
 
 
-class Destination:
-    """Where a package goes, as the arguments say; what is wrong with them is told before anything is made."""
-
-    def __init__(self, parser: argparse.ArgumentParser, given: argparse.Namespace):
-        self.parser = parser
-        self.is_zip = given.zip
-        seconds = os.environ.get("SOURCE_DATE_EPOCH", "0")
-        if not given.folder:
-            parser.error("the folder has no name")
-        if not seconds.isdigit():
-            parser.error(f"SOURCE_DATE_EPOCH is a number of seconds, not {seconds}")
-        self.seconds = int(seconds)
-        self.folder = Path(given.folder)
-        if self.folder.exists() and not self.folder.is_dir():
-            parser.error(f"{self.folder} is a file; it must be a folder, or a name for a new one")
-
-    def write(self, name: str, archive: str, files: Mapping[str, str | bytes]) -> Path:
-        """The folder of that name, or the zip file in which it is."""
-        made = self.folder / (archive if self.is_zip else name)
-        try:
-            self.folder.mkdir(parents=True, exist_ok=True)
-            if self.is_zip:
-                packed = {f"{name}/{path}": encoded(content) for path, content in files.items()}
-                made.write_bytes(zipped(packed, self.seconds))
-            else:
-                put(made, files)
-        except OSError as error:
-            self.parser.error(f"cannot write {error.filename or made}: {error.strerror}")
-        return made
+def described(name: str, recipe: Recipe) -> str:
+    """The help of a package, but for its options."""
+    place = f"in FOLDER, which is build/{name} unless you name one"
+    where = (f"It is {recipe.name}-VERSION.zip {place}." if recipe.is_zip else
+             f"It is {recipe.name}-VERSION/ {place}; what was there is replaced. With --zip it is "
+             f"{recipe.zip_name}-VERSION.zip in its place.")
+    paragraphs = (f"Makes {recipe.line}, and prints where it is.",
+                  f"{where} {recipe.more} Nothing but Python is needed.",
+                  "The same tree makes the same bytes; the times in a zip are SOURCE_DATE_EPOCH's, or of 1980.",
+                  "Exit status: 0 done, 2 bad usage.")
+    return "\n\n".join(textwrap.fill(text, 120, break_on_hyphens=False) for text in paragraphs)
 
 
-def command(tool: str, help_: str | None, name: str, package: Callable[..., Mapping[str, str | bytes]],
-            arguments: Sequence[str] | None, **files: str) -> int:
-    """A command that makes one package, NAME-VERSION, and prints where it is. `files` are options, each with its help:
-    the package takes the file that one names."""
-    parser = argparse.ArgumentParser(prog=f"tools/{tool}", description=help_,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    add_arguments(parser, f"build/{tool}")
-    for option, said in files.items():
-        parser.add_argument(f"--{option}", metavar="FILE", help=said)
-    given = parser.parse_args(arguments)
-    destination = Destination(parser, given)
-    made = f"{name}-{version()}"
+def add_folder(parser: Parser, folder: str) -> None:
+    parser.add_argument("folder", nargs="?", default=str(ROOT / folder), metavar="FOLDER",
+                        help=f"where it goes (default: {folder})")
+
+
+def checked_folder(parser: Parser, given: argparse.Namespace) -> Path:
+    """That of the arguments, which need not be there yet."""
+    if not given.folder:
+        parser.error("the folder has no name")
+    folder = Path(given.folder)
+    if folder.exists() and not folder.is_dir():
+        parser.error(f"{folder} is a file; it must be a folder, or a name for a new one")
+    return folder
+
+
+def make_folder(parser: Parser, folder: Path) -> None:
     try:
-        content = package(**{option: path for option in files if (path := getattr(given, option)) is not None})
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        parser.error(f"the folder {folder} cannot be made: {error.strerror}")
+
+
+def files_of(name: str, **options: str) -> Files:
+    """All files of a package, by their paths."""
+    return importlib.import_module(f"ship.{name.replace('-', '_')}.files").package(**options)
+
+
+def pack(name: str, arguments: Sequence[str]) -> int:
+    """The command of a package that has no other. What is wrong with arguments is told before anything is made."""
+    recipe = RECIPES[name]
+    parser = Parser(f"tools/pack {name}", described(name, recipe))
+    add_folder(parser, f"build/{name}")
+    if recipe.has_folder:
+        parser.add_argument("--zip", action="store_true", help="one file, for a release")
+    for option, of in recipe.options.items():
+        parser.add_argument(f"--{option}", metavar=of.metavar, help=of.help)
+    given = parser.parse_args(arguments)
+    folder = checked_folder(parser, given)
+    seconds = os.environ.get("SOURCE_DATE_EPOCH", "0")
+    if not seconds.isdigit():
+        parser.error(f"SOURCE_DATE_EPOCH is a number of seconds, not {seconds}")
+    try:
+        files = files_of(name, **{option: value for option in recipe.options
+                                  if (value := getattr(given, option)) is not None})
     except Refused as error:
         parser.error(str(error))
-    print(destination.write(made, f"{made}.zip", content))
+    make_folder(parser, folder)
+    top = f"{recipe.name}-{version()}"
+    is_zip = recipe.is_zip or given.zip
+    made = folder / (f"{recipe.zip_name}-{version()}.zip" if is_zip else top)
+    try:
+        if is_zip:
+            inside = "" if recipe.is_zip else f"{top}/"
+            packed = {f"{inside}{path}": encoded(content) for path, content in files.items()}
+            made.write_bytes(zipped(packed, int(seconds)))
+        else:
+            put(made, files)
+    except OSError as error:
+        parser.error(f"cannot write {error.filename or made}: {error.strerror}")
+    print(made)
     return 0
 
 
-def put(folder: Path, files: Mapping[str, str | bytes]) -> None:
+def put(folder: Path, files: Files) -> None:
     """The files, and no others that an earlier run left. What cargo made stays."""
     for path in folder.glob("*"):
         if path.name not in ("target", "Cargo.lock"):

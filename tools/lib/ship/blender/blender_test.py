@@ -1,4 +1,4 @@
-"""tools/blender: what the add-on has, and its command line.
+"""tools/pack blender: what the add-on has, and its command line.
 
     python3 -m unittest ship.blender.blender_test          names and texts of a few
     python3 -m ship.blender.blender_test ENVIRONMENT       in Blender, PyPI's bpy: what the operators do. ENVIRONMENT is the
@@ -22,7 +22,8 @@ from pathlib import Path
 from unittest import mock
 
 from pick.osl_runner import PACKAGE
-from ship.blender import command, files
+from ship import command
+from ship.blender import files
 from ship.blender.in_blender import Heights, NoBlender, found
 from ship.packing_support import made
 from tree import TOOLS, version
@@ -51,9 +52,9 @@ class Text(unittest.TestCase):
                 Path(folder, name).write_text("no wheel")
                 with self.subTest(name), contextlib.redirect_stderr(io.StringIO()) as error:
                     with mock.patch.object(files, "texts", return_value={}), self.assertRaises(SystemExit) as ended:
-                        command.main(["--wheel", f"{folder}/{name}", folder])
+                        command.main(["blender", "--wheel", f"{folder}/{name}", folder])
                     self.assertEqual(ended.exception.code, 2)
-                    self.assertIn(f"{name} is no wheel of hashnoise; tools/wheel makes one", error.getvalue())
+                    self.assertIn(f"{name} is no wheel of hashnoise; tools/pack python makes one", error.getvalue())
 
 
 @unittest.skipUnless(__name__ == "__main__", "the test blender.addon has Blender")
@@ -63,7 +64,7 @@ class AddOn(unittest.TestCase):
 
     @classmethod
     def setUpClass(cls) -> None:
-        cls.root, cls.zip = made(cls, command.main, "--zip")
+        cls.root, cls.zip = made(cls, "blender", "--zip")
         cls.heights = Heights(cls.zip)
         cls.add_on = sys.modules["bl_ext.user_default.hashnoise"]
 
@@ -91,7 +92,7 @@ class AddOn(unittest.TestCase):
         """In a Blender that has none."""
         wheel, = (self.environment / "wheels").glob("*.whl")
         with contextlib.redirect_stdout(io.StringIO()) as out:
-            command.main(["--zip", "--wheel", str(wheel), str(self.root / "with wheel")])
+            command.main(["blender", "--zip", "--wheel", str(wheel), str(self.root / "with wheel")])
         lines = ("import sys; from pathlib import Path; from ship.blender.in_blender import Heights\n"
                  "heights = Heights(Path(sys.argv[1])).displaced([(0.5, 0.25, 0.0)], scale=1.0, strength=1.0, seed=7)\n"
                  "import hashnoise; print(hashnoise.__file__, float(heights[0]).hex())\n")

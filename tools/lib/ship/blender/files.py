@@ -14,7 +14,6 @@ from tables.markdown import table
 from tree import GLSL, ROOT, version
 
 PACKAGE = ROOT / "packages" / "blender"
-NAME = "hashnoise-blender"
 MANIFEST = "blender_manifest.toml"
 # What node groups are made of, all with HN_FIXED.
 FORMS = ("hn_value2", "hn_value3", "hn_perlin2", "hn_perlin3", "hn_simplex2", "hn_simplex3", "hn_random2", "hn_random3",
@@ -51,7 +50,7 @@ def node_table() -> str:
 
 def wheel_file(path: Path) -> bytes:
     if not re.fullmatch(r"hashnoise-[\w.+]+(-[\w.]+){3}\.whl", path.name) or not zipfile.is_zipfile(path):
-        raise Refused(f"{path} is no wheel of hashnoise; tools/wheel makes one")
+        raise Refused(f"{path} is no wheel of hashnoise; tools/pack python makes one")
     return path.read_bytes()
 
 

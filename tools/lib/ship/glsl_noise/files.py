@@ -15,11 +15,12 @@ from pick.evaluate import Module
 from pick.program import Program, read
 from pick.shading import LANGUAGES
 from ship.packing import papers
+from ship.recipes import RECIPES
 from tables.markdown import table
 from tree import GLSL, ROOT, version
 
 PACKAGE = ROOT / "packages" / "glsl-noise"
-NAME = "hashnoise-glsl-noise"
+NAME = RECIPES["glsl-noise"].name
 # The folders of glsl-noise, with the functions in their files.
 FOLDERS = {"simplex": "snoise", "classic": "cnoise", "periodic": "pnoise"}
 AXES = (2, 3, 4)

@@ -1,4 +1,4 @@
-"""tools/glsl-noise: what stands in for glsl-noise, its values, and its command line."""
+"""tools/pack glsl-noise: what stands in for glsl-noise, its values, and its command line."""
 
 from __future__ import annotations
 
@@ -12,7 +12,8 @@ from pathlib import Path
 
 import glslang
 from likeness.renderer import NoRenderer, Renderer
-from ship.glsl_noise import command, files
+from ship import command
+from ship.glsl_noise import files
 from ship.glsl_noise.files import File
 from single_file.files import text
 from thorough import THOROUGH, in_thorough_runs
@@ -33,7 +34,7 @@ class Package(unittest.TestCase):
     @in_thorough_runs
     def test_it_has_all_files_and_tells_them(self) -> None:
         with tempfile.TemporaryDirectory() as scratch, contextlib.redirect_stdout(io.StringIO()) as out:
-            command.main([scratch])
+            command.main(["glsl-noise", scratch])
             folder = Path(out.getvalue().strip())
             made = {path.relative_to(folder).as_posix(): path.read_text() for path in folder.rglob("*.*")}
         self.assertEqual(folder.name, f"hashnoise-glsl-noise-{version()}")

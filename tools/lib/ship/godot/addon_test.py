@@ -1,4 +1,4 @@
-"""tools/godot-addon: what is in the add-on, as far as no Godot is needed to say it."""
+"""tools/pack godot: what is in the add-on, as far as no Godot is needed to say it."""
 
 from __future__ import annotations
 
@@ -13,14 +13,16 @@ import zipfile
 from pathlib import Path
 
 from readme.gallery import recipes
-from ship.godot.files import ADDON, GAP, WINDOW, archive_name, files, tiles, version
+from ship.godot.files import ADDON, GAP, WINDOW, package, tiles
 from tables.functions import read_functions
-from tree import ROOT, TOOLS
+from tree import ROOT, TOOLS, version
+
+ARCHIVE = f"hashnoise-godot-{version()}.zip"
 
 
 def call(*arguments: str | Path, **variables: str) -> subprocess.CompletedProcess[str]:
     environment = {name: value for name, value in os.environ.items() if name != "SOURCE_DATE_EPOCH"}
-    return subprocess.run([sys.executable, TOOLS / "godot-addon", *arguments], capture_output=True, text=True, check=False,
+    return subprocess.run([sys.executable, TOOLS / "pack", "godot", *arguments], capture_output=True, text=True, check=False,
                           env={**environment, **variables})
 
 
@@ -42,7 +44,7 @@ class Addon(unittest.TestCase):
 
     @classmethod
     def setUpClass(cls):
-        cls.files = {name: content.decode("utf-8") for name, content in files().items()}
+        cls.files = {name: content.decode("utf-8") for name, content in package().items()}
 
     def test_everything_is_in_its_folder(self):
         self.assertEqual([name for name in self.files if not name.startswith(f"{ADDON}/")], [])
@@ -91,27 +93,27 @@ class Addon(unittest.TestCase):
             self.assertIn(f"recipes/{recipe.name}.gdshader", scene)
 
     def test_the_pages_name_the_file_that_is_made(self):
-        self.assertIn(archive_name(), (ROOT / "docs" / "godot.md").read_text(encoding="utf-8"))
+        self.assertIn(ARCHIVE, (ROOT / "docs" / "godot.md").read_text(encoding="utf-8"))
 
     def test_the_command(self):
         with tempfile.TemporaryDirectory() as folder:
             one, two, later = (Path(folder) / name for name in ("one", "two/deep", "later"))
             for place, variables in ((one, {}), (two, {}), (later, {"SOURCE_DATE_EPOCH": "1700000000"})):
                 done = call(place, **variables)
-                self.assertEqual((done.returncode, done.stdout), (0, f"{place / archive_name()}\n"), done.stderr)
-            content = (one / archive_name()).read_bytes()
-            self.assertEqual(content, (two / archive_name()).read_bytes())
-            self.assertNotEqual(content, (later / archive_name()).read_bytes())
+                self.assertEqual((done.returncode, done.stdout), (0, f"{place / ARCHIVE}\n"), done.stderr)
+            content = (one / ARCHIVE).read_bytes()
+            self.assertEqual(content, (two / ARCHIVE).read_bytes())
+            self.assertNotEqual(content, (later / ARCHIVE).read_bytes())
             unpacked = zipfile.ZipFile(io.BytesIO(content))
             self.assertEqual({name: unpacked.read(name).decode("utf-8") for name in unpacked.namelist()}, self.files)
-            self.assertEqual(zipfile.ZipFile(later / archive_name()).infolist()[0].date_time[:3], (2023, 11, 14))
+            self.assertEqual(zipfile.ZipFile(later / ARCHIVE).infolist()[0].date_time[:3], (2023, 11, 14))
 
     def test_bad_usage(self):
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder) / "file"
             file.touch()
-            for arguments, variables, said in (((file,), {}, "it must be a folder"), (("a", "b"), {}, "unrecognized arguments"),
-                                               ((file / "below",), {}, "cannot write"),
+            for arguments, variables, said in (((file,), {}, "it must be a folder"), (("a", "b"), {}, "b is one word too many"),
+                                               ((file / "below",), {}, "cannot be made: Not a directory"),
                                                ((folder,), {"SOURCE_DATE_EPOCH": "now"}, "is a number of seconds")):
                 with self.subTest(arguments=arguments):
                     done = call(*arguments, **variables)

@@ -6,7 +6,6 @@ import re
 from pathlib import Path
 
 from readme.gallery import recipes
-from ship.zips import zipped
 from single_file import godot
 from single_file.files import Part, in_order, parts
 from tree import ROOT, version
@@ -17,7 +16,7 @@ ADDON = "addons/hashnoise"
 PUBLIC = re.compile(r"HN_FN (?:\w+ )+hn_(?!i_)\w+\(|HN_[A-Z_]+[1-4]D\(\w+, \w+\)$")
 HEADER = """\
 // Part of hashnoise {version} for Godot 4.4 and later: {what}
-// Copyright (c) 2026 The hashnoise authors; MIT License. Made by tools/godot-addon from {name}.
+// Copyright (c) 2026 The hashnoise authors; MIT License. Made by tools/pack godot from {name}.
 //
 //   #include "res://addons/hashnoise/{stem}.gdshaderinc"
 //
@@ -26,7 +25,7 @@ HEADER = """\
 COMMENTED = "// What it needs comes first. Its own functions follow, each below a comment that says what it takes and returns."
 PLAIN = "// The functions are explained in the files of one noise each, such as perlin2d.gdshaderinc."
 RECIPE = """\
-// A recipe of hashnoise's gallery. Made by tools/godot-addon.
+// A recipe of hashnoise's gallery. Made by tools/pack godot.
 shader_type canvas_item;
 {code}
 void fragment() {{
@@ -39,10 +38,6 @@ WINDOW = 1152, 648  # of a new project
 GAP = 4             # of a grid, between tiles
 # Eight seconds make a turn of the recipes that loop.
 TURN = "fract(TIME / 8.0)"
-
-
-def archive_name() -> str:
-    return f"hashnoise-godot-{version()}.zip"
 
 
 def public_parts(library: dict[str, Part]) -> list[str]:
@@ -94,7 +89,7 @@ def gallery(names: list[str]) -> str:
     return "\n\n".join(blocks) + "\n"
 
 
-def files() -> dict[str, bytes]:
+def package() -> dict[str, bytes]:
     """What a project gets, by its path there."""
     library, stripped = parts(), parts(strip=True)
     found = {f"{ADDON}/{Path(name).stem}.gdshaderinc": part_text(name, library, stripped).encode("ascii")
@@ -106,8 +101,3 @@ def files() -> dict[str, bytes]:
     found |= {path.relative_to(PACKAGE).as_posix(): path.read_bytes()
               for path in (PACKAGE / ADDON).rglob("*") if path.is_file()}
     return found
-
-
-def archive(seconds: int = 0) -> bytes:
-    """A zip file, whose times are those seconds since 1970, but not before 1980."""
-    return zipped(files(), seconds)

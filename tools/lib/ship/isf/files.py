@@ -12,7 +12,6 @@ from tables.markdown import table
 from tree import ROOT, version
 
 PACKAGE = ROOT / "packages" / "isf"
-NAME = "hashnoise-isf"
 LANGUAGE = "glsl"  # hosts compile a file as GLSL 3.30 and 4.00, and as GLSL ES 3.00
 
 

@@ -1,4 +1,4 @@
-"""tools/isf: what the looks are, and that they draw.
+"""tools/pack isf: what the looks are, and that they draw.
 
     python3 -m unittest ship.isf.isf_test        descriptions of all, and the text of one
     python3 -m ship.isf.isf_test FOLDER          all: npm's parser reads them, and Mesa draws them. FOLDER is for the parser
@@ -22,7 +22,8 @@ import glslang
 from javascript.environment import OFFLINE
 from likeness.renderer import NoRenderer, Renderer
 from pick.command import Choice
-from ship.isf import command, files
+from ship import command
+from ship.isf import files
 from tree import ROOT, TOOLS, version
 
 SKIPPED = 77
@@ -114,7 +115,7 @@ class Looks(unittest.TestCase):
     def setUpClass(cls) -> None:
         cls.renderer = Renderer(SIDE)
         with contextlib.redirect_stdout(io.StringIO()) as out:
-            command.main([str(cls.folder / "made")])
+            command.main(["isf", str(cls.folder / "made")])
         cls.made = sorted(Path(out.getvalue().strip()).glob("*.fs"))
 
     def read(self, *paths: Path) -> list[dict]:

@@ -18,7 +18,6 @@ from tables.markdown import table
 from tree import GLSL, ROOT, version
 
 PACKAGE = ROOT / "packages" / "materialx"
-NAME = "hashnoise-materialx"
 LIBRARY = "hashnoise"  # the folder that MaterialX loads
 # What nodes are made of, all with HN_FIXED.
 FORMS = ("hn_value2", "hn_value3", "hn_perlin2", "hn_perlin3", "hn_simplex2", "hn_simplex3", "hn_random2", "hn_random3",
@@ -148,7 +147,7 @@ def source(form: str, target: str) -> str:
     text = re.sub(r"(?m)^ *//.*\n|^#.*\n|^using .*\n", "", text).lstrip()
     own = node(form)
     text = re.sub(rf"\bhn_(?!{own.removeprefix('hn_')}\b)", f"{own}_", re.sub(r"\n{2,}", "\n", text))
-    return (f"// {forms()[form].name} of hashnoise {version()} with HN_FIXED, by tools/materialx\n"
+    return (f"// {forms()[form].name} of hashnoise {version()} with HN_FIXED, by tools/pack materialx\n"
             "// Copyright (c) 2026 The hashnoise authors; MIT License.\n" + text)
 
 
@@ -167,7 +166,8 @@ def declared(form: str) -> str:
 
 
 def document(inside: str) -> str:
-    return (f'<?xml version="1.0"?>\n<materialx version="1.39">\n  <!-- Of hashnoise {version()}, by tools/materialx.\n'
+    return ('<?xml version="1.0"?>\n<materialx version="1.39">\n'
+            f"  <!-- Of hashnoise {version()}, by tools/pack materialx.\n"
             f"       Copyright (c) 2026 The hashnoise authors; MIT License. -->\n{inside}</materialx>\n")
 
 

@@ -1,4 +1,4 @@
-"""tools/materialx: what the library of nodes has, and its command line.
+"""tools/pack materialx: what the library of nodes has, and its command line.
 
     python3 -m unittest ship.materialx.materialx_test    names and texts of a few
     python3 -m ship.materialx.materialx_test             the whole library: MaterialX makes shaders of it, which have the
@@ -15,7 +15,7 @@ import sys
 import unittest
 import xml.etree.ElementTree as xml
 
-from ship.materialx import command, files
+from ship.materialx import files
 from ship.materialx.generated import LANGUAGES, MISSING, Generated, Job, materialx, needed, vectors
 from ship.packing_support import made
 
@@ -70,7 +70,7 @@ void hn_perlin2d_tile(float amplitude, float pivot, vector2 texcoord, vector2 pe
 class Library(unittest.TestCase):
     @classmethod
     def setUpClass(cls) -> None:
-        cls.root, cls.folder = made(cls, command.main)
+        cls.root, cls.folder = made(cls, "materialx")
         cls.made = Generated(cls.folder)
 
     def test_materialx_takes_it(self) -> None:

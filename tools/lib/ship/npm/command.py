@@ -1,28 +1,26 @@
-"""Writes the files of the npm package into a folder: python3 -m npm.command FOLDER. tools/npm packs them."""
+"""The command line of tools/pack npm. pack.sh makes the package."""
 
-import sys
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
 from pathlib import Path
 
-import needs
+from ship.packing import add_folder, checked_folder, make_folder
+from usage import Parser
 
-needs.python(3, 9)
+DESCRIPTION = """\
+Makes the npm package hashnoise-VERSION.tgz, and prints its path.
 
-from ship.npm.files import package  # noqa: E402
-from ship.npm.twin import Failed, compiled  # noqa: E402
+Clang compiles the twin to WebAssembly, and npm packs. On Debian what is missing for that is installed. The package has
+the same bytes for the same commit.
 
-
-def main() -> int:
-    folder = Path(sys.argv[1])
-    try:
-        files = package(compiled())
-    except Failed as error:
-        print(error, file=sys.stderr)
-        return 1
-    for name, text in files.items():
-        (folder / name).parent.mkdir(parents=True, exist_ok=True)
-        (folder / name).write_text(text, encoding="utf-8")
-    return 0
+Exit status: 0 done, 2 bad usage, 4 it could not be made."""
 
 
-if __name__ == "__main__":
-    sys.exit(main())
+def main(arguments: Sequence[str]) -> int:
+    parser = Parser("tools/pack npm", DESCRIPTION)
+    add_folder(parser, "build/npm")
+    folder = checked_folder(parser, parser.parse_args(arguments))
+    make_folder(parser, folder)
+    os.execvp("bash", ["bash", str(Path(__file__).with_name("pack.sh")), str(folder.resolve())])

@@ -8,10 +8,13 @@ from __future__ import annotations
 import base64
 import json
 import re
+import sys
 from collections.abc import Iterable
 from pathlib import Path
 from typing import NamedTuple
 
+from ship.npm.twin import Failed, compiled
+from ship.packing import put
 from single_file.files import in_order, minified, parts, text
 from tree import GLSL, ROOT, VECTORS, glsl_files, version
 from wgsl.module import Module, Settings
@@ -19,7 +22,7 @@ from wgsl.names import is_public
 from wgsl.translator import Definition
 
 PACKAGE = ROOT / "packages" / "npm"
-MADE = "// Made by tools/npm. Copyright (c) 2026 The hashnoise authors; MIT License.\n"
+MADE = "// Made by tools/pack npm. Copyright (c) 2026 The hashnoise authors; MIT License.\n"
 # WGSL has no HN_PRECISE. The folder of each, and what users call it.
 ARITHMETICS = {"fast": "HN_FAST", "fixed": "HN_FIXED"}
 STRING = "declare const text: string;\nexport default text;\n"
@@ -191,3 +194,10 @@ export const bytes = () => Uint8Array.from(atob(packed), (character) => characte
         checked_names([*found, *files])
         found.update(files)
     return found
+
+
+if __name__ == "__main__":  # pack.sh asks for them: python3 -m ship.npm.files FOLDER
+    try:
+        put(Path(sys.argv[1]), package(compiled()))
+    except Failed as error:
+        sys.exit(str(error))

@@ -1,4 +1,4 @@
-"""The command line of tools/release, which describes it."""
+"""The command line of tools/pack release."""
 
 from __future__ import annotations
 
@@ -6,15 +6,31 @@ import argparse
 import shutil
 import sys
 import tempfile
+import textwrap
 from pathlib import Path
 
 from ship.release.files import NoRelease, PARTS, Release, named, notes, run
 from tree import ROOT, version
+from usage import Parser, near
+
+
+DESCRIPTION = textwrap.dedent("""\
+    Makes all that a release has, from a clean tree: files for shaders, headers, packages, the playground, checksums.
+
+    FOLDER is build/release/hashnoise-VERSION unless you name one; it must not exist. The version is that of
+    glsl/hashnoise/config.glsl. The tree must be what is committed, and CHANGELOG.md must give the version's day; with
+    --trial neither has to be. With --tag v1.2.3 the version must be that one.
+
+    {parts}
+
+    The same commit makes the same bytes. Only the wheel may differ: compilers decide about it. docs/release.md tells what
+    the files are. Exit status: 0 done, 1 there is no release (it says why), 2 bad usage.""").format(
+    parts=textwrap.fill(f"PARTS are names with commas between: {', '.join(PARTS)}. What is not made is named at the end.",
+                        120, break_on_hyphens=False))
 
 
 def parsed_arguments(arguments: list[str] | None) -> argparse.Namespace:
-    parser = argparse.ArgumentParser(prog="tools/release", description="Make all that a release has, from a clean tree.",
-                                     epilog=f"The parts are {', '.join(PARTS)}. docs/release.md tells what they are.")
+    parser = Parser("tools/pack release", DESCRIPTION)
     parser.add_argument("--trial", action="store_true",
                         help="whatever is not committed, and whatever CHANGELOG.md says of the day")
     parser.add_argument("--tag", metavar="NAME",
@@ -29,7 +45,7 @@ def parsed_arguments(arguments: list[str] | None) -> argparse.Namespace:
     listed = [name.strip() for name in (parsed.only or parsed.without or "").split(",") if name.strip()]
     for name in listed:
         if name not in PARTS:
-            parser.error(f"there is no part {name}; there are {', '.join(PARTS)}")
+            parser.error(f"there is no part {name}{near(name, PARTS) or '; there are ' + ', '.join(PARTS)}")
     parsed.parts = [name for name in PARTS if (name in listed if parsed.only is not None else name not in listed)]
     if not parsed.parts:
         parser.error(f"no part is left; there are {', '.join(PARTS)}")
@@ -74,10 +90,10 @@ def main(arguments: list[str] | None = None) -> int:
     try:
         make(parsed.folder.resolve(), parsed.parts, parsed.trial)
     except NoRelease as error:
-        print(f"tools/release: {error}", file=sys.stderr)
+        print(f"tools/pack release: {error}", file=sys.stderr)
         return 1
     except OSError as error:
-        print(f"tools/release: {error.filename}: {error.strerror}", file=sys.stderr)
+        print(f"tools/pack release: {error.filename}: {error.strerror}", file=sys.stderr)
         return 1
     left_out = [name for name in PARTS if name not in parsed.parts]
     if left_out:

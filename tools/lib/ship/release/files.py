@@ -11,6 +11,7 @@ import tempfile
 from pathlib import Path
 
 from ship.release import sbom
+from ship.recipes import RECIPES
 from ship.zips import zipped
 from single_file.files import text
 from tables import glsl
@@ -42,11 +43,6 @@ def notes(changelog: str, wanted: str, trial: bool) -> str:
     return f"# hashnoise {wanted}\n\n{text}\n"
 
 
-# The parts that are one zip file of a command, by the names of both.
-ZIPPED = {"rust": "crate", "wesl": "wesl", "glsl-noise": "glsl-noise", "unity": "unity", "unreal": "unreal",
-          "blender": "blender", "materialx": "materialx", "isf": "isf"}
-
-
 class Release:
     """The parts, made into a folder."""
 
@@ -57,8 +53,9 @@ class Release:
         self.environment = {**os.environ, "SOURCE_DATE_EPOCH": str(self.seconds)}
 
     def make(self, part: str) -> None:
-        if part in ZIPPED:
-            run([TOOLS / ZIPPED[part], "--zip", self.folder], env=self.environment)
+        if part in RECIPES:
+            recipe = RECIPES[part]
+            run([TOOLS / "pack", part, *["--zip"] * recipe.has_folder, self.folder], env=self.environment)
         else:
             getattr(self, part)()
 
@@ -101,15 +98,6 @@ class Release:
                                 stdout=subprocess.PIPE, check=True).stdout
         (self.folder / f"{name}-source.tar.gz").write_bytes(gzip.compress(packed, mtime=self.seconds))
 
-    def npm(self) -> None:
-        run([TOOLS / "npm", self.folder], env=self.environment)
-
-    def python(self) -> None:
-        run([TOOLS / "wheel", self.folder], env=self.environment)
-
-    def godot(self) -> None:
-        run([TOOLS / "godot-addon", self.folder], env=self.environment)
-
     def playground(self) -> None:
         run([TOOLS / "playground", "--out", self.folder / "playground.html"], env=self.environment)
 
@@ -138,22 +126,15 @@ class Release:
         (self.folder / "SHA256SUMS").write_text("".join(lines), encoding="ascii")
 
 
-PARTS = ("single", "parts", "vectors", "headers", "source", "npm", "python", "rust", "wesl", "glsl-noise",
-         "unity", "unreal", "blender", "materialx", "isf", "godot", "playground", "check")
+PARTS = ("single", "parts", "vectors", "headers", "source", *(name for name in RECIPES if name != "release"),
+         "playground", "check")
 # What must be there of each, so that a tool that makes something else is noticed.
 NAMES = {"single": r"hashnoise(\.min|\.fixed)?\.(glsl|hlsl|metal|wgsl)", "parts": r"hashnoise-VERSION-parts\.zip",
          "vectors": r"hashnoise-VERSION-vectors\.zip",
          "headers": r"hashnoise-VERSION-headers\.zip",
          "source": r"hashnoise-VERSION-source\.tar\.gz", "npm": r"hashnoise-VERSION\.tgz",
-         "python": r"hashnoise-VERSION-[\w.-]+\.whl", "rust": r"hashnoise-rust-VERSION\.zip",
-         "wesl": r"hashnoise_wgsl-VERSION\.zip",
-         "glsl-noise": r"hashnoise-glsl-noise-VERSION\.zip",
-         "unity": r"com\.hashnoise\.noise-VERSION\.zip",
-         "unreal": r"hashnoise-unreal-VERSION\.zip",
-         "blender": r"hashnoise-blender-VERSION\.zip",
-         "materialx": r"hashnoise-materialx-VERSION\.zip",
-         "isf": r"hashnoise-isf-VERSION\.zip",
-         "godot": r"hashnoise-godot-VERSION\.zip",
+         "python": r"hashnoise-VERSION-[\w.-]+\.whl",
+         **{name: rf"{re.escape(recipe.zip_name)}-VERSION\.zip" for name, recipe in RECIPES.items() if recipe.name},
          "playground": r"playground\.html", "check": r"check\.html"}
 
 

@@ -1,4 +1,4 @@
-"""tools/release: what it makes is whole, the same each time, and of a tree that is what is committed."""
+"""tools/pack release: what it makes is whole, the same each time, and of a tree that is what is committed."""
 
 from __future__ import annotations
 
@@ -59,8 +59,8 @@ class Project(unittest.TestCase):
         self.out = Path(scratch.name) / "out" / "release"
 
     def call(self, *arguments: str | Path, out: Path | None = None) -> subprocess.CompletedProcess[str]:
-        return subprocess.run([self.root / "tools" / "release", *arguments, out or self.out], capture_output=True, text=True,
-                              check=False)
+        return subprocess.run([self.root / "tools" / "pack", "release", *arguments, out or self.out],
+                              capture_output=True, text=True, check=False)
 
     def refused(self, status: int, said: str, *arguments: str) -> None:
         done = self.call(*arguments)
@@ -127,12 +127,11 @@ class Makes(Project):
         self.assertFalse((here / "include" / "hashnoise" / "field.hpp").exists())  # of a library that is not there
 
     def test_a_tool_that_fails_or_makes_another_version_is_noticed(self):
-        tool = self.root / "tools" / "npm"
+        script = self.root / "tools" / "lib" / "ship" / "npm" / "pack.sh"
         for command, said in (("touch $1/hashnoise-9.9.9.tgz", "npm was made, but has another name"),
                               ("exit 4", "npm .* ended with status 4")):
             with self.subTest(command=command):
-                tool.write_text(f"#!/bin/sh\n{command}\n")
-                tool.chmod(0o755)
+                script.write_text(f"{command}\n")
                 self.refused(1, said, "--trial", "--only", "npm")
 
 
@@ -183,7 +182,8 @@ class Refuses(Project):
         self.refused(2, "not allowed with", "--only", "single", "--without", "npm")
 
     def test_the_help_names_each_part(self):
-        named = re.search(r"PARTS are names with commas between: ([^.]*)\.", (TOOLS / "release").read_text())[1]
+        told = subprocess.run([TOOLS / "pack", "release", "--help"], capture_output=True, text=True, check=True).stdout
+        named = re.search(r"PARTS are names with commas between: ([^.]*)\.", told)[1]
         self.assertEqual(tuple(re.split(r",\s+", named)), files.PARTS)
 
     def test_a_tag_of_another_version(self):

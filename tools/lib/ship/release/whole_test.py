@@ -1,4 +1,4 @@
-"""tools/release makes the same bytes in two folders, of all parts but the wheel, about which compilers decide, and the
+"""tools/pack release makes the same bytes in two folders, of all parts but the wheel, about which compilers decide, and the
 page that the suite's program makes. tools.release has the parts that take seconds; this takes minutes.
 
 Exit status: that of the tests; 77 this is no git repository, of which a release is made.
@@ -33,7 +33,7 @@ class Whole(unittest.TestCase):
         for place in ("one", "another/with a longer name"):
             clone, out = self.scratch / place, self.scratch / f"made {len(made)}"
             subprocess.run(["git", "clone", "--quiet", ROOT, clone], check=True)
-            done = subprocess.run([clone / "tools" / "release", "--trial", "--without", OTHERS, out],
+            done = subprocess.run([clone / "tools" / "pack", "release", "--trial", "--without", OTHERS, out],
                                   capture_output=True, text=True, check=False)
             self.assertEqual(done.returncode, 0, done.stderr)
             made.append(out)

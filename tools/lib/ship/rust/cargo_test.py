@@ -1,4 +1,4 @@
-"""The Rust crate that tools/crate makes: cargo builds it without a warning, its tests hold it to the vectors, and they
+"""The Rust crate that tools/pack rust makes: cargo builds it without a warning, its tests hold it to the vectors, and they
 notice a change. By default some modules are made, and in thorough runs all.
 
 Exit status: 0 it is right, 1 not, 77 there is no cargo.
@@ -17,8 +17,7 @@ from pathlib import Path
 
 from pick.runners import NotInstalled
 from ship.packing import put
-from ship.rust.command import NEEDED
-from ship.rust.files import MODULES, package
+from ship.rust.files import ALL, NEEDED, package
 from thorough import THOROUGH, in_thorough_runs
 from tree import ROOT, version
 
@@ -40,7 +39,7 @@ class Crate(unittest.TestCase):
         scratch = tempfile.TemporaryDirectory()
         cls.addClassCleanup(scratch.cleanup)
         cls.folder = Path(scratch.name)
-        put(cls.folder, package((*MODULES, "hash") if THOROUGH else SOME))
+        put(cls.folder, package(",".join(ALL if THOROUGH else SOME)))
 
     def cargo(self, *arguments: str) -> subprocess.CompletedProcess[str]:
         # Cargo wants no network, and a warning is an error.

@@ -1,4 +1,4 @@
-"""tools/crate: what is in the crate, as far as no cargo is needed to say it, and its command line."""
+"""tools/pack rust: what is in the crate, as far as no cargo is needed to say it, and its command line."""
 
 from __future__ import annotations
 
@@ -13,7 +13,8 @@ from unittest import mock
 
 from pick.program import public
 from pick.scalars import bare
-from ship.rust import command, files
+from ship import command
+from ship.rust import files
 from tables.functions import read_functions
 from tree import VECTORS, version
 
@@ -61,14 +62,14 @@ class Command(unittest.TestCase):
     def call(self, *arguments: str) -> str:
         out = io.StringIO()
         with contextlib.redirect_stdout(out):
-            self.assertEqual(command.main([*arguments, str(self.folder)]), 0)
+            self.assertEqual(command.main(["rust", *arguments, str(self.folder)]), 0)
         return out.getvalue().strip()
 
     def test_a_zip_and_a_folder_have_the_same_files(self) -> None:
         content = {"Cargo.toml": "[package]\n", "src/lib.rs": "pub mod hash;\n"}
-        with mock.patch.object(command, "package", return_value=content) as package:
+        with mock.patch.object(files, "package", return_value=content) as package:
             archive = self.call("--zip", "--only", "hash,place")
-            package.assert_called_with(["hash", "place"])
+            package.assert_called_with(only="hash,place")
             (self.folder / f"hashnoise-{version()}" / "src").mkdir(parents=True)
             (self.folder / f"hashnoise-{version()}" / "src" / "old.rs").touch()
             made = Path(self.call("--only", "place,hash"))
@@ -82,12 +83,12 @@ class Command(unittest.TestCase):
 
     def test_what_is_asked_wrongly_is_told(self) -> None:
         (self.folder / "file").touch()
-        for arguments, said in ((["--only", "place,hash,perlim"], "there is no module perlim; did you mean perlin?"),
+        for arguments, said in ((["--only", "place,hash,perlim"], "there is no module perlim (did you mean perlin?)"),
                                 (["--only", "perlin,hash"], "the others need the module place"),
                                 ([""], "the folder has no name"), ([str(self.folder / "file")], "file is a file")):
             error = io.StringIO()
             with self.subTest(said), contextlib.redirect_stderr(error), self.assertRaises(SystemExit) as ended:
-                command.main(arguments)
+                command.main(["rust", *arguments])
             self.assertEqual(ended.exception.code, 2)
             self.assertIn(said, error.getvalue())
 

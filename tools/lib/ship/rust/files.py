@@ -15,8 +15,10 @@ from pick.evaluate import Module
 from pick.program import Program, facts, name_of, names, public, read
 from pick.rust import Rust
 from pick.scalars import bare, text
+from ship.packing import Refused
 from tables.functions import Function, read_functions
 from tree import GLSL, ROOT, VECTORS, version
+from usage import near
 
 PACKAGE = ROOT / "packages" / "rust"
 ARITHMETICS = ("fast", "fixed")
@@ -29,10 +31,12 @@ MODULES = {"place": (("hn_place", "hn_tile", "hn_position"), 4), "perlin": (("hn
            "cellular": (("hn_cellular",), 3), "cell_border": (("hn_cell_border",), 3), "curl": (("hn_curl",), 3),
            "fbm": (("hn_fbm",), 3), "ridged": (("hn_ridged",), 3), "turbulence": (("hn_turbulence",), 3),
            "billow": (("hn_billow",), 3), "warp": (("hn_warp",), 3)}
+ALL = (*MODULES, "hash")
+NEEDED = ("place", "hash")
 HASHES = (("hn_hash", "hn_lattice", "hn_unorm", "hn_snorm"), 4)  # of every arithmetic
 STRUCT = re.compile(r"#\[derive\([^\n]*\)\]\npub struct (Place[1-4]) \{\n.*?\n\}\n\n?", re.DOTALL)
 PLACE = "/// Where noise is evaluated: a cell, the fraction in it, and periods.\n#[allow(missing_docs)]\n"
-MADE = "// Of hashnoise {}, by tools/crate. Copyright (c) 2026 The hashnoise authors; MIT License.\n"
+MADE = "// Of hashnoise {}, by tools/pack rust. Copyright (c) 2026 The hashnoise authors; MIT License.\n"
 
 
 class Made(NamedTuple):
@@ -162,8 +166,21 @@ def calls(modules: Sequence[str]) -> tuple[str, list[str]]:
             f"#[rustfmt::skip]\npub const CALLS: &[Call] = &[\n{''.join(rows)}];\n"), needed
 
 
-def package(modules: Sequence[str] = (*MODULES, "hash")) -> dict[str, str]:
-    """All files, by their paths. With some of the modules it is a crate for tests; `place` and `hash` must be there."""
+def chosen(only: str) -> list[str]:
+    """The modules that are named, with commas between."""
+    modules = [*dict.fromkeys(name.strip() for name in only.split(","))]
+    for name in modules:
+        if name not in ALL:
+            raise Refused(f"there is no module {name}{near(name, ALL) or '; there are ' + ', '.join(ALL)}")
+    for name in NEEDED:
+        if name not in modules:
+            raise Refused(f"the others need the module {name}")
+    return modules
+
+
+def package(only: str = ",".join(ALL)) -> dict[str, str]:
+    """All files, by their paths. With some of the modules it is a crate for tests."""
+    modules = chosen(only)
     found = {path.relative_to(PACKAGE).as_posix(): path.read_text(encoding="utf-8")
              for path in sorted(PACKAGE.rglob("*")) if path.suffix in (".md", ".rs", ".toml")}
     found["Cargo.toml"] = found["Cargo.toml"].replace("[package]\n", f'[package]\nversion = "{version()}"\n', 1)

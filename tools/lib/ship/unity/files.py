@@ -9,11 +9,12 @@ from functools import cache
 from pathlib import PurePosixPath
 
 from ship.hlsl_nodes import ARITHMETICS, NODES, PORTS, TILE, call, camel, forms, picked, ports, shader
+from ship.recipes import RECIPES
 from tables.markdown import table
 from tree import ROOT, version
 
 PACKAGE = ROOT / "packages" / "unity"
-NAME = "com.hashnoise.noise"
+NAME = RECIPES["unity"].name
 # C# has slopes, too, for normals, and exact places.
 SCRIPTS = (*NODES, TILE, "hn_place_of_cell2", "hn_perlin_d2", "hn_simplex_d2", "hn_fbm_d2")
 

@@ -1,4 +1,4 @@
-"""tools/unity: what the package has, and its command line.
+"""tools/pack unity: what the package has, and its command line.
 
     python3 -m unittest ship.unity.unity_test    names and texts of a few
     python3 -m ship.unity.unity_test             the whole package: Mono compiles its C#, and runs it; glslang, DXC
@@ -21,7 +21,7 @@ from pathlib import Path
 from hlsl.compilers import missing as missing_compilers
 from hlsl.compilers import refusals
 from ship.packing_support import made
-from ship.unity import command, files
+from ship.unity import files
 from tree import VECTORS, version
 
 SKIPPED = 77
@@ -74,7 +74,7 @@ class Text(unittest.TestCase):
 class Package(unittest.TestCase):
     @classmethod
     def setUpClass(cls) -> None:
-        cls.root, cls.folder = made(cls, command.main)
+        cls.root, cls.folder = made(cls, "unity")
 
     def run_in(self, *words: str | Path) -> str:
         done = subprocess.run([str(word) for word in words], cwd=self.root, capture_output=True, text=True, check=False)

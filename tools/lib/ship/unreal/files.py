@@ -10,7 +10,6 @@ from tables.markdown import table
 from tree import ROOT, version
 
 PACKAGE = ROOT / "packages" / "unreal"
-NAME = "hashnoise-unreal"
 DESCRIPTION = "HashNoise.uplugin"
 
 

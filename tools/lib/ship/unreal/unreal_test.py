@@ -1,4 +1,4 @@
-"""tools/unreal: what the plugin has, and its command line.
+"""tools/pack unreal: what the plugin has, and its command line.
 
     python3 -m unittest ship.unreal.unreal_test    names and texts of a few
     python3 -m ship.unreal.unreal_test             the whole plugin: glslang, DXC and FXC compile its nodes, Clang and Mono
@@ -21,7 +21,7 @@ from hlsl.compilers import missing as missing_compilers
 from hlsl.compilers import refusals
 from ship.hlsl_nodes import NODES, PORTS, forms, own_names, ports
 from ship.packing_support import made
-from ship.unreal import command, files
+from ship.unreal import files
 from tree import version
 
 SKIPPED = 77
@@ -84,7 +84,7 @@ class Text(unittest.TestCase):
 class Plugin(unittest.TestCase):
     @classmethod
     def setUpClass(cls) -> None:
-        cls.root, cls.folder = made(cls, command.main)
+        cls.root, cls.folder = made(cls, "unreal")
         # Where the module says that they are.
         (cls.root / "HashNoise").symlink_to(cls.folder / "Shaders")
 

@@ -7,17 +7,18 @@ import re
 from collections.abc import Iterable
 from functools import cache
 
+from ship.recipes import RECIPES
 from tree import GLSL, ROOT, version
 from wgsl.module import Module, Settings
 from wgsl.names import RESERVED
 from wgsl.translator import Definition
 
 PACKAGE = ROOT / "packages" / "wesl"
-NAME = "hashnoise_wgsl"  # by which it is imported, and what npm and cargo call it
+NAME = RECIPES["wesl"].name  # by which it is imported, and what npm and cargo call it
 # The module at the root, and the other one. Each has a name in npm's bundle, and a file in the crate.
 MODULES = {"package": "HN_FAST", "fixed": "HN_FIXED"}
 FILES = ("Cargo.toml", "README.md", "package.json", "src/lib.rs", "weslBundle.d.ts")
-MADE = "// Of hashnoise {}, by tools/wesl. Copyright (c) 2026 The hashnoise authors; MIT License.\n"
+MADE = "// Of hashnoise {}, by tools/pack wesl. Copyright (c) 2026 The hashnoise authors; MIT License.\n"
 OF_USERS = re.compile(r"\bhn_(?!i_)(\w+)|\bHN_(?!I_)(\w+)")
 # Without a word before it a declaration is that of its package alone, in the WESL of cargo.
 DECLARED = re.compile(r"^(?=(?:fn|struct|const) (?!hn_i_|HN_I_))", re.MULTILINE)

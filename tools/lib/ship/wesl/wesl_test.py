@@ -1,4 +1,4 @@
-"""tools/wesl: what the package has, and its command line. wesl.linked_test links it."""
+"""tools/pack wesl: what the package has, and its command line. wesl.linked_test links it."""
 
 from __future__ import annotations
 
@@ -10,7 +10,8 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from ship.wesl import command, files
+from ship import command
+from ship.wesl import files
 from tree import version
 from wgsl.names import RESERVED, is_public
 
@@ -66,13 +67,13 @@ class Package(unittest.TestCase):
 
     def test_the_command_writes_it(self) -> None:
         with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stdout(io.StringIO()) as said:
-            self.assertEqual(command.main([folder]), 0)
+            self.assertEqual(command.main(["wesl", folder]), 0)
             made = Path(said.getvalue().strip())
             self.assertEqual(made.name, f"hashnoise_wgsl-{version()}")
             found = {path.relative_to(made).as_posix() for path in made.rglob("*") if path.is_file()}
             self.assertEqual(found, set(self.made))
             with contextlib.redirect_stderr(io.StringIO()), self.assertRaises(SystemExit) as ended:
-                command.main([""])
+                command.main(["wesl", ""])
         self.assertEqual(ended.exception.code, 2)
 
 

@@ -1,69 +1,11 @@
-#!/usr/bin/env bash
-# Builds the Python package as a wheel, checks it, and prints its path.
+# Builds the wheel, checks it, and prints its path, as tools/pack python calls it:
 #
-#   tools/wheel [--python PYTHON] [--manylinux] [FOLDER]    into build/wheels unless FOLDER says otherwise; for python3
-#                                                           unless PYTHON does
+#   wheel.sh FOLDER PYTHON [LIBRARY [MANYLINUX]]    the last two are empty, or the library, and something
 #
-#   --manylinux       a wheel for other Linux machines, too: auditwheel finds the oldest glibc that it runs with, and
-#                     names the wheel by it. Without it the wheel is for this machine and those like it
-#   --library FILE    a libhashnoise-grid.a of this source, with which the wheel is linked; else its kernels are
-#                     compiled, for all instruction sets, which takes some minutes. A wheel for others wants those
-#
-# What builds it (scikit-build-core, nanobind, auditwheel) and what checks it (numpy) comes from PyPI; if PYTHON is that
-# of a virtual environment, it may have numpy and pip already. The check is that the wheel can be installed into a new
-# virtual environment, and computes golden values bit for bit there.
-#
-# Exit status: 0 done, 1 the wheel computes wrong values, 2 bad usage, 4 it could not be built.
+# Exit status: as that of tools/pack python.
 set -euo pipefail
-source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
-
-bad_usage() {
-  echo "tools/wheel: $1" >&2
-  echo "usage: tools/wheel [--python PYTHON] [--manylinux] [--library FILE] [FOLDER]; tools/wheel --help says more" >&2
-  exit 2
-}
-
-python=python3
-folder=
-library=
-manylinux=
-while (($#)); do
-  case $1 in
-    -h | --help | help)
-      sed -n '2,/^[^#]/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
-      exit 0
-      ;;
-    --python)
-      (($# > 1)) || bad_usage "--python must be followed by a Python"
-      python=$2
-      shift
-      ;;
-    --python=*) python=${1#*=} ;;
-    --library)
-      (($# > 1)) || bad_usage "--library must be followed by a file"
-      library=$2
-      shift
-      ;;
-    --library=*) library=${1#*=} ;;
-    --manylinux) manylinux=1 ;;
-    -*) bad_usage "there is no option $1" ;;
-    *)
-      [[ -z $folder ]] || bad_usage "there is one folder at most, not $folder and $1"
-      [[ -n $1 ]] || bad_usage "the folder has no name"
-      folder=$1
-      ;;
-  esac
-  shift
-done
-folder=${folder:-$build/wheels}
-[[ -z $library || -f $library ]] || bad_usage "there is no library $library"
-[[ ! -e $folder || -d $folder ]] || bad_usage "$folder is a file; it must be a folder, or a name for a new one"
-command -v "$python" >/dev/null ||
-  bad_usage "there is no program $python; --python takes a Python, for instance python3.12"
-"$python" -c 'import sys; sys.exit(sys.version_info < (3, 10))' ||
-  bad_usage "$python is no Python 3.10 or later"
-mkdir -p "$folder" 2>/dev/null || bad_usage "the folder $folder cannot be made"
-folder=$(cd "$folder" && pwd)
+source "$(dirname "${BASH_SOURCE[0]}")/../../../setup.sh"
+folder=$1 python=$2 library=${3-} manylinux=${4-}
 
 mkdir -p "$build"
 : >"$log"
