@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from functools import cache
 
+from catalog import asked
 from parsing.syntax import Function
 from pick.command import Choice, picker, read_library
 from pick.program import public
@@ -12,10 +13,7 @@ from tree import GLSL
 
 # The arithmetics, with what they add to the names of classes, files and nodes.
 ARITHMETICS = {"fast": "", "fixed": "Fixed"}
-# What nodes are made of. The forms at a place are nodes for tiles.
-NODES = ("hn_value2", "hn_value3", "hn_perlin2", "hn_perlin3", "hn_simplex2", "hn_simplex3", "hn_cellular2",
-         "hn_cellular3", "hn_cell_border2", "hn_fbm2", "hn_fbm3", "hn_ridged2", "hn_ridged3", "hn_warp2",
-         "hn_perlin2_place", "hn_fbm2_place")
+NODES = asked.nodes("graphs")
 TILE = "hn_tile2"
 PORTS = {"float": "float", "int": "float", "uint": "float", "vec2": "float2", "vec3": "float3", "ivec2": "float2"}
 # A port is a float, and a seed may be any whole number that a float has.

@@ -7,6 +7,7 @@ import zipfile
 from functools import cache
 from pathlib import Path
 
+from catalog import asked
 from pick.command import Choice, picker, read_library
 from pick.program import public
 from ship.packing import Refused, papers
@@ -15,11 +16,7 @@ from tree import GLSL, ROOT, version
 
 PACKAGE = ROOT / "packages" / "blender"
 MANIFEST = "blender_manifest.toml"
-# What node groups are made of, all with HN_FIXED.
-FORMS = ("hn_value2", "hn_value3", "hn_perlin2", "hn_perlin3", "hn_simplex2", "hn_simplex3", "hn_random2", "hn_random3",
-         "hn_cellular2_full", "hn_cellular3_full", "hn_cell_border2", "hn_cell_border3", "hn_fbm2", "hn_fbm3",
-         "hn_ridged2", "hn_ridged3", "hn_turbulence2", "hn_turbulence3", "hn_billow2", "hn_billow3", "hn_clouds2",
-         "hn_clouds3", "hn_warp2", "hn_warp3")
+FORMS = asked.nodes("blender")  # of node groups, all with HN_FIXED
 
 
 def shader(form: str) -> str:

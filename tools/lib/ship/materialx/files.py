@@ -7,6 +7,7 @@ from functools import cache
 from typing import NamedTuple
 from xml.sax.saxutils import quoteattr
 
+from catalog import asked
 from parsing.syntax import Function
 from pick.command import SYNTAXES, Choice, picker, read_library
 from pick.comments import first_sentence
@@ -19,11 +20,7 @@ from tree import GLSL, ROOT, version
 
 PACKAGE = ROOT / "packages" / "materialx"
 LIBRARY = "hashnoise"  # the folder that MaterialX loads
-# What nodes are made of, all with HN_FIXED.
-FORMS = ("hn_value2", "hn_value3", "hn_perlin2", "hn_perlin3", "hn_simplex2", "hn_simplex3", "hn_random2", "hn_random3",
-         "hn_cellular2_full", "hn_cellular3_full", "hn_cell_border2_full", "hn_cell_border3_full", "hn_fbm2", "hn_fbm3",
-         "hn_ridged2", "hn_ridged3", "hn_turbulence2", "hn_turbulence3", "hn_billow2", "hn_billow3", "hn_warp2",
-         "hn_warp3", "hn_perlin2_place", "hn_fbm2_place")
+FORMS = asked.nodes("materialx")  # all with HN_FIXED
 # The targets of MaterialX, with the languages of tools/pick. The generators for OpenGL, WebGL, Vulkan and WebGPU share
 # the first. Metal and Slang would take it, too, if they had none of their own.
 TARGETS = {"genglsl": "glsl", "genmsl": "metal", "genslang": "slang", "genosl": "osl"}

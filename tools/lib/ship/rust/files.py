@@ -9,6 +9,7 @@ from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
+from catalog import asked
 from parsing.syntax import Function as Declared
 from pick import command
 from pick.evaluate import Module
@@ -23,14 +24,7 @@ from usage import near
 PACKAGE = ROOT / "packages" / "rust"
 ARITHMETICS = ("fast", "fixed")
 AXES = "xyzw"
-# The modules of each arithmetic: the functions of the library that they have, and in how many dimensions at most. That
-# is what is asked for most. In one text they would take tools/pick far longer, since it compares all that is called.
-MODULES = {"place": (("hn_place", "hn_tile", "hn_position"), 4), "perlin": (("hn_perlin",), 4),
-           "perlin_d": (("hn_perlin_d",), 3), "simplex": (("hn_simplex",), 4), "simplex_d": (("hn_simplex_d",), 3),
-           "value": (("hn_value",), 4), "value_cubic": (("hn_value_cubic",), 3), "random": (("hn_random",), 4),
-           "cellular": (("hn_cellular",), 3), "cell_border": (("hn_cell_border",), 3), "curl": (("hn_curl",), 3),
-           "fbm": (("hn_fbm",), 3), "ridged": (("hn_ridged",), 3), "turbulence": (("hn_turbulence",), 3),
-           "billow": (("hn_billow",), 3), "warp": (("hn_warp",), 3)}
+MODULES = asked.modules()  # of each arithmetic
 ALL = (*MODULES, "hash")
 NEEDED = ("place", "hash")
 HASHES = (("hn_hash", "hn_lattice", "hn_unorm", "hn_snorm"), 4)  # of every arithmetic
