@@ -28,7 +28,8 @@ class Asked(unittest.TestCase):
 
     def test_what_is_not_is_noticed(self) -> None:
         for list_, entry in (("nodes", {"perlin5": ["graphs"]}), ("nodes", {"perlin2": ["grahps"]}),
-                             ("snippets", {"perln2": "noise"}), ("rust", {"fbm": {"functions": ["fmb"], "dimensions": 3}})):
+                             ("snippets", {"perln2": "noise"}),
+                             ("rust", {"fbm": {"functions": ["fmb"], "dimensions": 3}})):
             with self.subTest(entry):
                 self.assertEqual(len(unknown({**asked._lists(), list_: entry})), 1)
 

@@ -31,8 +31,9 @@ class Npm(unittest.TestCase):
             path.chmod(0o755)
 
     def call(self, *arguments: str) -> subprocess.CompletedProcess[str]:
-        done = subprocess.run([self.root / "tools" / "pack", "npm", *arguments], capture_output=True, text=True, check=False,
-                              cwd=self.root, env={**os.environ, "PATH": f"{self.programs}:{os.environ['PATH']}"})
+        done = subprocess.run([self.root / "tools" / "pack", "npm", *arguments], cwd=self.root,
+                              capture_output=True, text=True, check=False,
+                              env={**os.environ, "PATH": f"{self.programs}:{os.environ['PATH']}"})
         self.assertFalse((self.root / "installed").exists())
         return done
 

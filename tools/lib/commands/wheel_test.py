@@ -36,8 +36,9 @@ class Wheel(unittest.TestCase):
         return path
 
     def call(self, *arguments: str) -> subprocess.CompletedProcess[str]:
-        done = subprocess.run([self.root / "tools" / "pack", "python", *arguments], capture_output=True, text=True, check=False,
-                              cwd=self.root, env={**os.environ, "PATH": f"{self.programs}:{os.environ['PATH']}"})
+        done = subprocess.run([self.root / "tools" / "pack", "python", *arguments], cwd=self.root,
+                              capture_output=True, text=True, check=False,
+                              env={**os.environ, "PATH": f"{self.programs}:{os.environ['PATH']}"})
         self.assertFalse((self.root / "installed").exists())
         return done
 

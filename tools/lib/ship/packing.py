@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import importlib
+import json
 import os
 import shutil
 import textwrap
@@ -16,6 +17,22 @@ from tree import ROOT, version
 from usage import Parser
 
 Files = Mapping[str, "str | bytes"]
+
+
+def own_files(folder: Path) -> dict[str, str]:
+    """What a package has as it stands in a folder, by the paths there."""
+    return {path.relative_to(folder).as_posix(): path.read_text(encoding="utf-8")
+            for path in sorted(folder.rglob("*")) if path.is_file()}
+
+
+def of_npm(manifest: str, name: str) -> str:
+    """A package.json, which has neither a name nor a version of its own."""
+    return json.dumps({"name": name, "version": version(), **json.loads(manifest)}, indent=2) + "\n"
+
+
+def of_cargo(manifest: str) -> str:
+    """A Cargo.toml, which has no version of its own."""
+    return manifest.replace("[package]\n", f'[package]\nversion = "{version()}"\n', 1)
 
 
 def papers(package: Path) -> dict[str, str]:

@@ -56,7 +56,8 @@ class Usage(unittest.TestCase):
                         self.assertIn(f"--{option}", told)
 
     def test_a_name_that_there_is_not(self) -> None:
-        self.assert_refused(("unitty",), "tools/pack: there is no package unitty (did you mean unity?)", "--help lists them")
+        self.assert_refused(("unitty",), "tools/pack: there is no package unitty (did you mean unity?)",
+                            "tools/pack --help lists them")
         self.assert_refused(("godot-addon", "out"), "there is no package godot-addon (did you mean godot?)")
         self.assert_refused(("--zip",), "there is no package --zip;")
         self.assert_refused((), "the name of a package is missing; tools/pack --help lists them")
@@ -111,13 +112,13 @@ class Writing(unittest.TestCase):
                 self.assertEqual(made, self.folder / f"{recipe.zip_name}-{version()}.zip")
                 top = f"{recipe.name}-{version()}/" if recipe.has_folder else ""
                 with zipfile.ZipFile(made) as packed:
-                    self.assertEqual(packed.namelist(), [f"{top}page.md", f"{top}src/library"])
-                    self.assertEqual(packed.read(f"{top}src/library"), b"\0")
+                    found = {path: packed.read(path) for path in packed.namelist()}
+                self.assertEqual(found, {f"{top}page.md": b"# Page\n", f"{top}src/library": b"\0"})
                 if recipe.has_folder:
                     made = self.made(name)
                     self.assertEqual(made, self.folder / f"{recipe.name}-{version()}")
-                    self.assertEqual({path.relative_to(made).as_posix() for path in made.rglob("*") if path.is_file()},
-                                     {"page.md", "src/library"})
+                    self.assertEqual({path.relative_to(self.folder).as_posix(): path.read_bytes()
+                                      for path in made.rglob("*") if path.is_file()}, found)
 
     def test_times_are_those_of_the_variable(self) -> None:
         one = self.made("unity", "--zip").read_bytes()

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 
 class Option(NamedTuple):
-    """Of a package alone. Its files are those for what is passed."""
+    """Of one package, whose package() takes what is passed by it."""
     metavar: str
     help: str
 
@@ -37,9 +37,9 @@ RECIPES = {
     "python": Recipe("the Python package, as a wheel", command="ship.python.command"),
     "rust": Recipe(
         "the Rust crate", "hashnoise", "hashnoise-rust",
-        "It has what tools/pick writes of the functions that are asked for most, with HN_FAST and with HN_FIXED, and the "
-        "vectors to which `cargo test` holds it. It takes some minutes. --only place,perlin,hash makes some modules, "
-        "which is for tests: place and hash are always needed.",
+        "It has what tools/pick writes of the functions that are asked for most, with HN_FAST and with HN_FIXED, and "
+        "the vectors to which `cargo test` holds it. It takes some minutes. --only place,perlin,hash makes some "
+        "modules, which is for tests: place and hash are always needed.",
         {"only": Option("MODULES", "these modules, with commas between")}),
     "wesl": Recipe(
         "the package for WESL, for npm and for cargo", "hashnoise_wgsl",
@@ -55,18 +55,18 @@ RECIPES = {
         "Shader Graph, and for C#, of what is asked for most."),
     "unreal": Recipe(
         "the plugin for Unreal", "hashnoise-unreal",
-        more="A project has it in its folder Plugins. It has files of HLSL that materials include, and the text of custom "
-        "nodes, of what is asked for most."),
+        more="A project has it in its folder Plugins. It has files of HLSL that materials include, and the text of "
+        "custom nodes, of what is asked for most."),
     "blender": Recipe(
         "the add-on for Blender", "hashnoise-blender",
-        more="Blender 4.2 and later install the zip file from the disk as an extension. It has node groups for Cycles, "
-        "and an operator that displaces meshes by the Python package. With --wheel it has a wheel of that package, which "
-        "Blender then installs with it: tools/pack python makes one for this machine. It must be for the Python of your "
-        "Blender, which is 3.11 in 4.2 and in 5.0.",
+        more="Blender 4.2 and later install the zip file from the disk as an extension. It has node groups for "
+        "Cycles, and an operator that displaces meshes by the Python package. With --wheel it has a wheel of that "
+        "package, which Blender then installs with it: tools/pack python makes one for this machine. It must be for "
+        "the Python of your Blender, which is 3.11 in 4.2 and in 5.0.",
         options={"wheel": Option("FILE", "the Python package, which it then has")}),
     "materialx": Recipe(
         "nodes for MaterialX", "hashnoise-materialx",
-        more="The folder `hashnoise` in it is what MaterialX loads: nodes of what is asked for most, for its generators of "
+        more="MaterialX loads the folder `hashnoise` in it: nodes of what is asked for most, for its generators of "
         "GLSL, Metal's language, Slang and OSL."),
     "isf": Recipe(
         "looks in the Interactive Shader Format (ISF)", "hashnoise-isf",

@@ -1,7 +1,7 @@
 """tools/pack blender: what the add-on has, and its command line.
 
-    python3 -m unittest ship.blender.blender_test          names and texts of a few
-    python3 -m ship.blender.blender_test ENVIRONMENT       in Blender, PyPI's bpy: what the operators do. ENVIRONMENT is the
+    python3 -m unittest ship.blender.blender_test     names and texts of a few
+    python3 -m ship.blender.blender_test ENVIRONMENT  in Blender, PyPI's bpy: what the operators do. ENVIRONMENT is the
                                                       folder of python.wheel, which has the Python package
 
 Exit status: that of the tests; 77 bpy or the package is not here.

@@ -14,7 +14,7 @@ from pick import command
 from pick.evaluate import Module
 from pick.program import Program, read
 from pick.shading import LANGUAGES
-from ship.packing import papers
+from ship.packing import of_npm, papers
 from ship.recipes import RECIPES
 from tables.markdown import table
 from tree import GLSL, ROOT, version
@@ -116,9 +116,7 @@ def file_table() -> str:
 @cache
 def package() -> dict[str, str]:
     """All files, by their paths."""
-    described = json.loads((PACKAGE / "package.json").read_text(encoding="utf-8"))
-    found = {"package.json": json.dumps({"name": NAME, "version": version(), **described}, indent=2) + "\n",
-             **papers(PACKAGE)}
+    found = {"package.json": of_npm((PACKAGE / "package.json").read_text(encoding="utf-8"), NAME), **papers(PACKAGE)}
     for file in FILES:
         text = glsl(file)
         found |= {f"{file.path}.glsl": text, f"{file.path}.js": module(text),

@@ -14,9 +14,9 @@ from pathlib import Path
 from typing import NamedTuple
 
 from ship.npm.twin import Failed, compiled
-from ship.packing import put
+from ship.packing import of_npm, own_files, put
 from single_file.files import in_order, minified, parts, text
-from tree import GLSL, ROOT, VECTORS, glsl_files, version
+from tree import GLSL, ROOT, VECTORS, glsl_files
 from wgsl.module import Module, Settings
 from wgsl.names import is_public
 from wgsl.translator import Definition
@@ -177,10 +177,8 @@ def package(module: bytes) -> dict[str, str]:
     settings = {folder: Settings(arithmetic) for folder, arithmetic in ARITHMETICS.items()}
     modules = {folder: Module(GLSL, '#include "hashnoise.glsl"\n', one) for folder, one in settings.items()}
     definitions = {folder: one.definitions() for folder, one in modules.items()}
-    found = {str(path.relative_to(PACKAGE / "src")): path.read_text(encoding="utf-8")
-             for path in sorted((PACKAGE / "src").rglob("*")) if path.is_file()}
-    described = json.loads((PACKAGE / "package.json").read_text(encoding="utf-8"))
-    found["package.json"] = json.dumps({"name": described.pop("name"), "version": version(), **described}, indent=2) + "\n"
+    found = own_files(PACKAGE / "src")
+    found["package.json"] = of_npm((PACKAGE / "package.json").read_text(encoding="utf-8"), "hashnoise")
     found["LICENSE"] = (ROOT / "LICENSE").read_text(encoding="utf-8")
     found["README.md"] = readme()
     packed = base64.b64encode(module).decode("ascii")

@@ -11,7 +11,8 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"; rmdir "$folder" 2>/dev/null || true' EXIT  # a folder that we made stays if something is in it
 mkdir "$scratch/package"
 cd "$root/tools/lib"
-logged "Making the files of the package" "The files of the package could not be made" python3 -B -m ship.npm.files "$scratch/package"
+logged "Making the files of the package" "The files of the package could not be made" \
+  python3 -B -m ship.npm.files "$scratch/package"
 cd "$scratch/package"
 logged "Packing" "The package could not be packed" "$root/tools/node" npm pack --silent --offline --pack-destination "$scratch"
 packed=("$scratch"/*.tgz)

@@ -14,9 +14,9 @@ from usage import Parser
 DESCRIPTION = """\
 Builds the Python package as a wheel, checks it, and prints its path.
 
-What builds it (scikit-build-core, nanobind, auditwheel) and what checks it (numpy) comes from PyPI; if PYTHON is that
-of a virtual environment, it may have numpy and pip already. The check is that the wheel can be installed into a new
-virtual environment, and computes golden values bit for bit there.
+Packages of PyPI build it (scikit-build-core, nanobind, auditwheel) and check it (numpy); if PYTHON is that of a virtual
+environment, it may have numpy and pip already. The check is that the wheel can be installed into a new virtual
+environment, and computes golden values bit for bit there.
 
 Exit status: 0 done, 1 the wheel computes wrong values, 2 bad usage, 4 it could not be built."""
 
@@ -24,13 +24,14 @@ Exit status: 0 done, 1 the wheel computes wrong values, 2 bad usage, 4 it could 
 def main(arguments: Sequence[str]) -> int:
     parser = Parser("tools/pack python", DESCRIPTION)
     add_folder(parser, "build/wheels")
-    parser.add_argument("--python", default="python3", metavar="PYTHON", help="which Python it is for (default: python3)")
+    parser.add_argument("--python", default="python3", metavar="PYTHON", help="the one that it is for (default: python3)")
     parser.add_argument("--manylinux", action="store_true",
-                        help="a wheel for other Linux machines, too: auditwheel finds the oldest glibc that it runs with, "
-                             "and names the wheel by it. Without it the wheel is for this machine and those like it")
+                        help="a wheel for other Linux machines, too: auditwheel finds the oldest glibc that it runs "
+                             "with, and names the wheel by it. Without it the wheel is for this machine and those like it")
     parser.add_argument("--library", metavar="FILE",
-                        help="a libhashnoise-grid.a of this source, with which the wheel is linked; else its kernels are "
-                             "compiled, for all instruction sets, which takes some minutes. A wheel for others wants those")
+                        help="a libhashnoise-grid.a of this source, with which the wheel is linked; else its kernels "
+                             "are compiled, for all instruction sets, which takes some minutes. A wheel for others wants "
+                             "those")
     given = parser.parse_args(arguments)
     folder = checked_folder(parser, given)
     if given.library is not None and not Path(given.library).is_file():

@@ -23,10 +23,12 @@ DESCRIPTION = textwrap.dedent("""\
 
     {parts}
 
-    The same commit makes the same bytes. Only the wheel may differ: compilers decide about it. docs/release.md tells what
-    the files are. Exit status: 0 done, 1 there is no release (it says why), 2 bad usage.""").format(
-    parts=textwrap.fill(f"PARTS are names with commas between: {', '.join(PARTS)}. What is not made is named at the end.",
-                        120, break_on_hyphens=False))
+    The same commit makes the same bytes. Only the wheel may differ: compilers decide about it. docs/release.md tells
+    what the files are.
+
+    Exit status: 0 done, 1 there is no release (it says why), 2 bad usage.""").format(
+    parts=textwrap.fill(f"PARTS are names with commas between: {', '.join(PARTS)}. Parts that are not made are named at "
+                        "the end.", 120, break_on_hyphens=False))
 
 
 def parsed_arguments(arguments: list[str] | None) -> argparse.Namespace:

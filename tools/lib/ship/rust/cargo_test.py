@@ -1,4 +1,4 @@
-"""The Rust crate that tools/pack rust makes: cargo builds it without a warning, its tests hold it to the vectors, and they
+"""The Rust crate that tools/pack makes: cargo builds it without a warning, its tests hold it to the vectors, and they
 notice a change. By default some modules are made, and in thorough runs all.
 
 Exit status: 0 it is right, 1 not, 77 there is no cargo.

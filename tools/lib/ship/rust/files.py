@@ -16,7 +16,7 @@ from pick.evaluate import Module
 from pick.program import Program, facts, name_of, names, public, read
 from pick.rust import Rust
 from pick.scalars import bare, text
-from ship.packing import Refused
+from ship.packing import Refused, of_cargo, own_files
 from tables.functions import Function, read_functions
 from tree import GLSL, ROOT, VECTORS, version
 from usage import near
@@ -175,9 +175,8 @@ def chosen(only: str) -> list[str]:
 def package(only: str = ",".join(ALL)) -> dict[str, str]:
     """All files, by their paths. With some of the modules it is a crate for tests."""
     modules = chosen(only)
-    found = {path.relative_to(PACKAGE).as_posix(): path.read_text(encoding="utf-8")
-             for path in sorted(PACKAGE.rglob("*")) if path.suffix in (".md", ".rs", ".toml")}
-    found["Cargo.toml"] = found["Cargo.toml"].replace("[package]\n", f'[package]\nversion = "{version()}"\n', 1)
+    found = {path: text for path, text in own_files(PACKAGE).items() if path.endswith((".md", ".rs", ".toml"))}
+    found["Cargo.toml"] = of_cargo(found["Cargo.toml"])
     found["LICENSE"] = (ROOT / "LICENSE").read_text(encoding="utf-8")
     of_arithmetic = [module for module in MODULES if module in modules]
     made = [Made(arithmetic, module) for arithmetic in ARITHMETICS for module in of_arithmetic]

@@ -9,9 +9,10 @@ from functools import cache
 from pathlib import PurePosixPath
 
 from ship.hlsl_nodes import ARITHMETICS, NODES, PORTS, TILE, call, camel, forms, picked, ports, shader
+from ship.packing import of_npm, own_files
 from ship.recipes import RECIPES
 from tables.markdown import table
-from tree import ROOT, version
+from tree import ROOT
 
 PACKAGE = ROOT / "packages" / "unity"
 NAME = RECIPES["unity"].name
@@ -71,10 +72,8 @@ def seen(paths: Iterable[str]) -> list[str]:
 @cache
 def package() -> dict[str, str]:
     """All files, by their paths."""
-    found = {path.relative_to(PACKAGE).as_posix(): path.read_text(encoding="utf-8")
-             for path in sorted(PACKAGE.rglob("*")) if path.is_file()}
-    described = json.loads(found["package.json"])
-    found["package.json"] = json.dumps({"name": NAME, "version": version(), **described}, indent=2) + "\n"
+    found = own_files(PACKAGE)
+    found["package.json"] = of_npm(found["package.json"], NAME)
     found["LICENSE.md"] = (ROOT / "LICENSE").read_text(encoding="utf-8")
     for arithmetic, suffix in ARITHMETICS.items():
         found[f"Shaders/HashNoise{suffix}.hlsl"] = graph(arithmetic)

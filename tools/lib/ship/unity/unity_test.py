@@ -1,8 +1,8 @@
 """tools/pack unity: what the package has, and its command line.
 
-    python3 -m unittest ship.unity.unity_test    names and texts of a few
-    python3 -m ship.unity.unity_test             the whole package: Mono compiles its C#, and runs it; glslang, DXC
-                                            and FXC compile its HLSL
+    python3 -m unittest ship.unity.unity_test  names and texts of a few
+    python3 -m ship.unity.unity_test           the whole package: Mono compiles its C#, and runs it; glslang, DXC
+                                               and FXC compile its HLSL
 
 Exit status: that of the tests; 77 Mono or glslang is not here, or nothing failed without Microsoft's compilers.
 """

@@ -6,6 +6,7 @@ import json
 from functools import cache
 
 from ship.hlsl_nodes import ARITHMETICS, NODES, PORTS, call, forms, ports, shader
+from ship.packing import own_files
 from tables.markdown import table
 from tree import ROOT, version
 
@@ -39,8 +40,7 @@ def node_table() -> str:
 @cache
 def package() -> dict[str, str]:
     """All files, by their paths."""
-    found = {path.relative_to(PACKAGE).as_posix(): path.read_text(encoding="utf-8")
-             for path in sorted(PACKAGE.rglob("*")) if path.is_file()}
+    found = own_files(PACKAGE)
     found[DESCRIPTION] = json.dumps({**json.loads(found[DESCRIPTION]), "VersionName": version()}, indent=2) + "\n"
     found["LICENSE"] = (ROOT / "LICENSE").read_text(encoding="utf-8")
     for arithmetic, suffix in ARITHMETICS.items():

@@ -1,8 +1,8 @@
 """tools/pack unreal: what the plugin has, and its command line.
 
-    python3 -m unittest ship.unreal.unreal_test    names and texts of a few
-    python3 -m ship.unreal.unreal_test             the whole plugin: glslang, DXC and FXC compile its nodes, Clang and Mono
-                                              its module
+    python3 -m unittest ship.unreal.unreal_test  names and texts of a few
+    python3 -m ship.unreal.unreal_test           the whole plugin: glslang, DXC and FXC compile its nodes, Clang
+                                                 and Mono its module
 
 Exit status: that of the tests; 77 glslang, Clang or Mono is not here, or nothing failed without Microsoft's compilers.
 """

@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterable
 from functools import cache
 
+from ship.packing import of_cargo, of_npm
 from ship.recipes import RECIPES
 from tree import GLSL, ROOT, version
 from wgsl.module import Module, Settings
@@ -70,9 +71,8 @@ def package() -> dict[str, str]:
     """All files, by their paths."""
     modules = {name: module(arithmetic) for name, arithmetic in MODULES.items()}
     found = {name: (PACKAGE / name).read_text(encoding="utf-8") for name in FILES}
-    found["Cargo.toml"] = found["Cargo.toml"].replace("[package]\n", f'[package]\nversion = "{version()}"\n', 1)
-    described = json.loads(found["package.json"])
-    found["package.json"] = json.dumps({"name": NAME, "version": version(), **described}, indent=2) + "\n"
+    found["Cargo.toml"] = of_cargo(found["Cargo.toml"])
+    found["package.json"] = of_npm(found["package.json"], NAME)
     found["LICENSE"] = (ROOT / "LICENSE").read_text(encoding="utf-8")
     found["weslBundle.js"] = bundle(modules)
     for name, text in modules.items():
