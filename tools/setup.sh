@@ -37,7 +37,7 @@ readonly driver_packages=("${paper_packages[@]}" chromium-headless-shell clang l
 readonly program_packages=(cmake g++ ninja-build
   libcli11-dev libexpected-dev libfmt-dev libkainjow-mustache-dev libpng-dev nlohmann-json3-dev pkg-config zlib1g-dev)
 readonly bake_packages=("${program_packages[@]}" libopenexr-dev)
-# Of tools/npm, which compiles to WebAssembly.
+# Of tools/pack npm, which compiles to WebAssembly.
 readonly npm_packages=(clang libc++-dev-wasm32 lld python3 wasi-libc)
 # Of the tests of examples/, which build raylib.
 readonly example_packages=(git libxcursor-dev libxi-dev libxinerama-dev libxrandr-dev vulkan-validationlayers x11-utils)

@@ -6,7 +6,7 @@ add_test(NAME python.wheel
          COMMAND Python3::Interpreter -B ${package_tests}/environment.py make ${package_environment}
                  $<TARGET_FILE:hashnoise-grid>)
 set_tests_properties(python.wheel PROPERTIES FIXTURES_SETUP python_wheel SKIP_RETURN_CODE 77 TIMEOUT 3600)
-# As users have it, with kernels of its own for all instruction sets. tools/wheel holds it to golden values.
+# As users have it, with kernels of its own for all instruction sets. tools/pack python holds it to golden values.
 add_test(NAME python.wheel_of_users CONFIGURATIONS Thorough
          COMMAND Python3::Interpreter -B ${package_tests}/environment.py make ${package_environment}-of-users)
 set_tests_properties(python.wheel_of_users PROPERTIES SKIP_RETURN_CODE 77 COST 400 TIMEOUT 3600)

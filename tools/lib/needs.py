@@ -7,13 +7,13 @@ import os
 import sys
 
 
-def python(major, minor, name=""):
-    """3.9 for what users call, and 3.11 for what works on the project: needs_test.py holds the files to that."""
+def python(major, minor, *words):
+    """3.9 for what users call, and 3.11 for what works on the project: needs_test.py holds the files to that. The words
+    are those of the command line without which less would do."""
     if sys.version_info >= (major, minor):
         return
-    # Of python3 -m npm.command the name is that of the folder.
-    program, file = os.path.split(sys.argv[0] or "-c")
-    name = name or (os.path.basename(program) if file == "command.py" else file)
+    program = os.path.basename(sys.argv[0] or "-c")
+    name = " ".join(words if program == "command.py" else (program,) + words)
     sys.stderr.write("tools/%s needs Python %d.%d or later, and this is %d.%d (%s). Another one is taken like this: "
                      "python3.12 tools/%s\n" % (name, major, minor, *sys.version_info[:2], sys.executable, name))
     sys.exit(4)

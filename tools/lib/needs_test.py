@@ -13,12 +13,16 @@ import unittest
 from collections.abc import Iterator
 from pathlib import Path
 
+from ship.recipes import RECIPES
 from tree import TOOLS
 
 LIB = TOOLS / "lib"
-USERS = ("blender", "crate", "glsl-noise", "godot-addon", "isf", "materialx", "npm", "pick", "playground",
-         "single-file", "umbrella", "unity", "unreal", "wesl", "wgsl")
-WHAT = re.compile(r"^needs\.python\((3), (\d+)(?:, \"[a-z ]+\")?\)$", re.M)
+USERS = ("pack", "pick", "playground", "single-file", "umbrella", "wgsl")
+# What tools/pack imports by the names of its recipes. A release is what works on the project.
+OF_PACK = tuple(path for name, recipe in RECIPES.items() if recipe.python == (3, 9)
+                for path in sorted((LIB / "ship" / name.replace("-", "_")).glob("*.py"))
+                if path.name in ("command.py", "files.py"))
+WHAT = re.compile(r"^needs\.python\((3), (\d+)\)$", re.M)
 TYPES = {"bool", "bytes", "dict", "float", "frozenset", "int", "list", "set", "str", "tuple", "type"}
 # What Python has since 3.10 or later: modules and what they have, methods, and arguments of calls.
 LATER_NAMES = {"tomllib", "itertools.pairwise", "functools.Placeholder", "contextlib.aclosing", "contextlib.chdir",
@@ -35,11 +39,8 @@ LATER_ARGUMENTS = {"zip": {"strict"}, "dataclass": {"kw_only", "slots"}, "write_
 
 def files_of(command: str) -> dict[Path, str]:
     """The command, and all of lib/ that it imports, now or later."""
-    start = TOOLS / command
-    if not start.read_text(encoding="utf-8").startswith("#!/usr/bin/env python3"):
-        start = LIB / command / "command.py"  # what the command of the shell starts
     found: dict[Path, str] = {}
-    left = [start]
+    left = [TOOLS / command, *(OF_PACK if command == "pack" else ())]
     while left:
         path = left.pop()
         if path not in found:
@@ -127,11 +128,7 @@ def _is_type(node: ast.AST) -> bool:
 
 @functools.cache
 def needed(command: str) -> tuple[int, int]:
-    path = TOOLS / command
-    text = path.read_text(encoding="utf-8") if path.exists() else ""
-    if not text.startswith("#!/usr/bin/env python3"):
-        text = (LIB / command / "command.py").read_text(encoding="utf-8")
-    (version,) = WHAT.findall(text)
+    (version,) = WHAT.findall((TOOLS / command).read_text(encoding="utf-8"))
     return int(version[0]), int(version[1])
 
 
@@ -162,7 +159,7 @@ def call(python: str, *arguments: object) -> subprocess.CompletedProcess[str]:
 
 class Files(unittest.TestCase):
     def test_each_command_says_what_it_needs(self):
-        for name in {*of_python(), "npm", "mutation", "fuzz", "abi"} - {"faults"}:  # that imports nothing of lib/
+        for name in {*of_python()} - {"faults"}:  # that imports nothing of lib/
             with self.subTest(name):
                 self.assertEqual(needed(name), (3, 9) if name in USERS else (3, 11))
 
@@ -171,11 +168,11 @@ class Files(unittest.TestCase):
             for path, text in files_of(name).items():
                 with self.subTest(name, file=path.relative_to(TOOLS)):
                     self.assertEqual(later_than((3, 9), text), [])
-        self.assertGreater(len(files_of("crate")), 30)
+        self.assertGreater(len(files_of("pack")), 30)
         self.assertIn(LIB / "catalog" / "model.py", files_of("playground"))
 
     def test_a_command_is_read_by_a_python_that_is_too_old(self):
-        for name in (*of_python(), "lib/needs.py", "lib/npm/command.py"):
+        for name in (*of_python(), "lib/needs.py"):
             with self.subTest(name):
                 text = (TOOLS / name).read_text(encoding="utf-8")
                 ast.parse(text, feature_version=(3, 6) if name in USERS else (3, 8))
@@ -214,12 +211,19 @@ class Running(unittest.TestCase):
                                       rf"Another one is taken like this: python3\.12 tools/{name}\n\Z")
 
     def test_as_if_python_were_too_old(self):
-        for name, version in (("pick", (3, 8)), ("umbrella", (3, 6)), ("golden", (3, 10))):
-            code = (f"import runpy, sys; sys.argv[0] = {str(TOOLS / name)!r}; sys.version_info = {(*version, 1)}; "
-                    "runpy.run_path(sys.argv[0], run_name='__main__')")
+        for name, version in (("pick", (3, 8)), ("umbrella", (3, 6)), ("golden", (3, 10)), ("mutate", (3, 8)),
+                              ("pack", (3, 8))):
             with self.subTest(name):
-                wanted = rf"3\.{needed(name)[1]}"
-                self.assert_told(call(sys.executable, "-c", code), name, wanted, rf"3\.{version[1]}")
+                self.assert_told(self.called_by(version, name), name, rf"3\.{needed(name)[1]}", rf"3\.{version[1]}")
+        # A part of a command may need a later one.
+        self.assert_told(self.called_by((3, 10), "pack", "release"), "pack release", r"3\.11", r"3\.10")
+        self.assertEqual(self.called_by((3, 9), "pack", "unity", "--help").returncode, 0)
+
+    def called_by(self, version: tuple[int, int], name: str, *arguments: str) -> subprocess.CompletedProcess[str]:
+        """As if Python were of that version."""
+        code = (f"import runpy, sys; sys.argv = {[str(TOOLS / name), *arguments]}; sys.version_info = {(*version, 1)}; "
+                "runpy.run_path(sys.argv[0], run_name='__main__')")
+        return call(sys.executable, "-c", code)
 
     @unittest.skipUnless(any((3, 6) <= version < (3, 9) for version in pythons()), "no Python 3.6 to 3.8 is here")
     def test_a_python_that_is_too_old(self):
@@ -246,7 +250,9 @@ class Running(unittest.TestCase):
 
     @unittest.skipUnless(any((3, 9) <= version < (3, 11) for version in pythons()), "no Python 3.9 or 3.10 is here")
     def test_older_pythons_import_what_users_call(self):
-        modules = ", ".join(f"{name.replace('-', '_')}.command" for name in USERS if name != "umbrella")
+        modules = [f"{name.replace('-', '_')}.command" for name in USERS if name not in ("pack", "umbrella")]
+        of_pack = [".".join(path.relative_to(LIB).with_suffix("").parts) for path in OF_PACK]
+        modules = ", ".join(["ship.command", *of_pack, *modules])
         for version, python in pythons().items():
             if (3, 9) <= version < (3, 11):
                 with self.subTest(python=python):

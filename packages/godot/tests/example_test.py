@@ -8,21 +8,20 @@ Godot here.
 
 from __future__ import annotations
 
-import io
 import json
 import re
 import tempfile
 import unittest
-import zipfile
 from pathlib import Path
 
 from engine import RENDERERS, Engine, Failure, main
 
-from godot_addon.addon import ADDON, TURN, archive, recipe_texts
 from pick.command import settings
 from pick.program import Program, chosen, read
 from pick.shading import LANGUAGES
 from png import read_png
+from ship.godot.files import ADDON, TURN, package, recipe_texts
+from ship.packing import put
 from tree import GLSL, ROOT
 
 HERE = Path(__file__).resolve().parent
@@ -31,9 +30,9 @@ NOISY = {"ink": 0.002}  # the part of the pixels that may differ more, where a l
 
 
 def new_project(folder: Path) -> None:
-    """An empty project, into which the add-on is unpacked."""
+    """An empty project with the add-on."""
+    put(folder, package())
     (folder / "project.godot").write_text("config_version=5\n")
-    zipfile.ZipFile(io.BytesIO(archive())).extractall(folder)
     for name in ("evaluate.gd", "scenes.gd"):
         (folder / name).write_bytes((HERE / name).read_bytes())
 

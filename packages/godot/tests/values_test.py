@@ -21,9 +21,9 @@ from pathlib import Path
 
 from engine import Engine, Failure, RENDERERS, main
 
-from godot_addon.addon import ADDON, files
 from golden_values import Golden, ids
 from parsing.preprocessor import Preprocessor
+from ship.godot.files import ADDON, package
 from single_file.godot import SUFFIX
 from tables.functions import Function, read_functions
 from tree import BOUNDS, FUNCTIONS
@@ -123,7 +123,7 @@ def evaluated(engine: Engine, renderer: str, rows: Rows, arithmetic: str = "HN_F
         project = Path(folder)
         (project / "project.godot").write_text("config_version=5\n")
         (project / "evaluate.gd").write_bytes((HERE / "evaluate.gd").read_bytes())
-        for name, content in files().items():
+        for name, content in package().items():
             (project / name).parent.mkdir(parents=True, exist_ok=True)
             (project / name).write_bytes(addon(name, content))
         bodies = expanded_bodies(rows)

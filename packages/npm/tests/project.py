@@ -3,7 +3,8 @@
     project.py make FOLDER                       makes FOLDER/npm
     project.py run FOLDER PROGRAM [ARGUMENT]...    runs a program of Node.js in it, by tools/node
 
-The package is what tools/npm packs, installed by npm. The code blocks of docs/javascript.md become modules of the project:
+The package is what tools/pack npm makes, installed by npm. The code blocks of docs/javascript.md become modules of the
+project:
 blocks/NAME.js as they are printed, and faulty/NAME.js with a mistake that a test has to notice. picked/ has what tools/pick
 writes, and the page of that document which needs no build step: page.html and wrong.html. Exit status: that of the
 program, 0 made, 1 it could not be made, 77 npm's packages or the compiler are not here.
@@ -76,7 +77,7 @@ def make(packages: Path) -> int:
     if absent := missing(packages):
         print(f"there is no project, since this is missing: {absent}")
         return SKIPPED
-    done = subprocess.run([ROOT / "tools" / "npm", packages], capture_output=True, text=True, check=False)
+    done = subprocess.run([ROOT / "tools" / "pack", "npm", packages], capture_output=True, text=True, check=False)
     if done.returncode != 0:
         print(done.stdout + done.stderr)
         return 1

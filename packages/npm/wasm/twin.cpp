@@ -2,7 +2,7 @@
 // into `settings` and `batch`, and calls `run`.
 //
 // It is small, since every page loads it: functions are called and not inlined, a noise has one form (in a tile, whose
-// period may be none), and the sums of a dimension are one loop. tools/npm says by which flags it is compiled.
+// period may be none), and the sums of a dimension are one loop. tools/lib/ship/npm/twin.py has the flags.
 #define HN_ARITHMETIC HN_FIXED
 #define HN_I_CALLED
 

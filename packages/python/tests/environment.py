@@ -1,6 +1,6 @@
 """Where the tests of the package run: a new virtual environment with its wheel, and with what requirements.txt names.
 
-    environment.py make FOLDER [LIBRARY]   makes it in FOLDER; the wheel is built by tools/wheel, and linked with
+    environment.py make FOLDER [LIBRARY]   makes it in FOLDER; the wheel is built by tools/pack python, and linked with
                                            LIBRARY if that is named
     environment.py run [--with FILE] FOLDER MODULE...
                                            runs modules of tests in it, with what a file of requirements names beside
@@ -37,11 +37,11 @@ def make(folder: Path, requirements: Path, library: Path | None = None) -> int:
     if status := install(python, requirements):
         return status
     linked = ["--library", library] if library else []
-    # It has pip and numpy, which tools/wheel would install once more.
-    done = subprocess.run([ROOT / "tools" / "wheel", "--python", python, *linked, folder / "wheels"],
+    # It has pip and numpy, which tools/pack python would install once more.
+    done = subprocess.run([ROOT / "tools" / "pack", "python", "--python", python, *linked, folder / "wheels"],
                           stdout=subprocess.PIPE, text=True, check=False)
     if done.returncode != 0:
-        print(f"tools/wheel ended with status {done.returncode}")
+        print(f"tools/pack python ended with status {done.returncode}")
         return 1
     subprocess.run([python, "-m", "pip", "--disable-pip-version-check", "install", "--quiet", "--no-deps",
                     done.stdout.splitlines()[-1]], check=True)

@@ -1,4 +1,4 @@
-"""A wheel for other machines, which tools/wheel names by the oldest glibc that it runs with, and checks."""
+"""A wheel for other machines, which tools/pack python names by the oldest glibc that it runs with, and checks."""
 
 from __future__ import annotations
 
@@ -27,8 +27,9 @@ class Manylinux(unittest.TestCase):
     def test_a_wheel(self):
         """Linked with the library that the build has, as that of python.wheel is."""
         scratch = self.enterContext(tempfile.TemporaryDirectory())
-        done = subprocess.run([golden.ROOT / "tools" / "wheel", "--python", sys.executable, "--manylinux", "--library",
-                               os.environ["HASHNOISE_LIBRARY"], scratch], capture_output=True, text=True, check=False)
+        done = subprocess.run([golden.ROOT / "tools" / "pack", "python", "--python", sys.executable, "--manylinux",
+                               "--library", os.environ["HASHNOISE_LIBRARY"], scratch],
+                              capture_output=True, text=True, check=False)
         self.assertEqual(done.returncode, 0, done.stderr)
         wheel = Path(done.stdout.splitlines()[-1])
         python, platform = NAME.fullmatch(wheel.name).groups()

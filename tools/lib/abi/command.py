@@ -15,7 +15,7 @@ library cannot be built or described; 77 the machine is no x86-64, or there is n
 
 import needs
 
-needs.python(3, 11, "test abi")
+needs.python(3, 11, "test", "abi")
 
 import argparse  # noqa: E402
 import os  # noqa: E402

@@ -10,7 +10,7 @@ from typing import Any
 from catalog.grid import in_camel_case
 from catalog.model import Catalog, Function, Noise, Sum
 from catalog.sections import with_section
-from npm.twin import MOST_BYTES
+from ship.npm.twin import MOST_BYTES
 from tables.functions import STRENGTHS
 from tables.markdown import table
 from tables.markdown import with_section as with_table

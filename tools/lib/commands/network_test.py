@@ -15,16 +15,18 @@ import tempfile
 import unittest
 from pathlib import Path
 
+from ship.recipes import RECIPES
 from tree import ROOT, TOOLS
 
 SKIPPED = 77
 # {} is an empty folder. Those that install are conform, test, bench and what else setup.sh serves, what needs NumPy
-# (scientific-python), what has packages of npm, PyPI or cargo (npm, wheel, site), and gpu-costs --get-drivers.
-COMMANDS = (["blender", "{}"], ["catalog", "--check"], ["crate", "{}"], ["freeze", "--check"], ["glsl-noise", "{}"],
-            ["godot-addon", "{}"], ["golden", "--check", "--sample", "50"], ["isf", "{}"], ["materialx", "{}"],
+# (scientific-python), what has packages of npm, PyPI or cargo (pack npm, pack python, site), and gpu-costs
+# --get-drivers.
+COMMANDS = (["catalog", "--check"], ["freeze", "--check"], ["golden", "--check", "--sample", "50"],
+            *(["pack", name, "{}"] for name, recipe in RECIPES.items() if not recipe.command),
             ["pick", "hn_fbm2"], ["playground", "--out", "{}/page.html"], ["results", "--check", "--earlier"],
-            ["single-file", "--out", "{}/all.glsl"], ["umbrella", "--check"], ["unity", "{}"], ["unreal", "{}"],
-            ["vectors", "--check", "--sample", "60"], ["wesl", "{}"], ["wgsl", "noise2d.glsl"])
+            ["single-file", "--out", "{}/all.glsl"], ["umbrella", "--check"],
+            ["vectors", "--check", "--sample", "60"], ["wgsl", "noise2d.glsl"])
 OF_CONFORM = (["run", "--filter", "noise2d.perlin.lattice.fast.*", "--out", "{}/out"], ["web", "--out", "{}/web"])
 OUTWARD = re.compile(r"connect\(.*AF_INET6?,(?!.*(?:\"127\.|\"::1\")).*")
 

@@ -1,4 +1,4 @@
-"""Tests of tools/npm: what it says before it makes anything. The test npm.package makes a package."""
+"""Tests of tools/pack npm: what it prints before it makes anything. The test npm.package makes a package."""
 
 from __future__ import annotations
 
@@ -18,8 +18,9 @@ class Npm(unittest.TestCase):
         self.addCleanup(scratch.cleanup)
         self.root = Path(scratch.name)
         (self.root / "tools" / "lib").mkdir(parents=True)
-        for name in ("setup.sh", "progress.sh", "npm"):
-            shutil.copy(TOOLS / name, self.root / "tools")
+        for name in ("setup.sh", "progress.sh", "pack", "lib/needs.py", "lib/tree.py", "lib/usage.py"):
+            shutil.copy(TOOLS / name, self.root / "tools" / name)
+        shutil.copytree(TOOLS / "lib" / "ship", self.root / "tools" / "lib" / "ship")
         # Whoever installs something is noticed, and has everything.
         self.programs = self.root / "programs"
         self.programs.mkdir()
@@ -30,8 +31,9 @@ class Npm(unittest.TestCase):
             path.chmod(0o755)
 
     def call(self, *arguments: str) -> subprocess.CompletedProcess[str]:
-        done = subprocess.run([self.root / "tools" / "npm", *arguments], capture_output=True, text=True, check=False,
-                              cwd=self.root, env={**os.environ, "PATH": f"{self.programs}:{os.environ['PATH']}"})
+        done = subprocess.run([self.root / "tools" / "pack", "npm", *arguments], cwd=self.root,
+                              capture_output=True, text=True, check=False,
+                              env={**os.environ, "PATH": f"{self.programs}:{os.environ['PATH']}"})
         self.assertFalse((self.root / "installed").exists())
         return done
 
@@ -40,13 +42,13 @@ class Npm(unittest.TestCase):
             with self.subTest(arguments):
                 done = self.call(*arguments)
                 self.assertEqual((done.returncode, done.stderr), (0, ""))
-                self.assertIn("tools/npm [FOLDER]", done.stdout)
+                self.assertIn("tools/pack npm [-h] [FOLDER]", done.stdout)
                 self.assertIn("Exit status: 0 done", done.stdout)
                 self.assertFalse((self.root / "build").exists())
 
     def test_bad_usage(self):
         (self.root / "file").touch()
-        for arguments, said in ((("one", "two"), "there is one folder at most, not one and two"),
+        for arguments, said in ((("one", "two"), "two is one word too many"),
                                 (("",), "the folder has no name"),
                                 (("file",), "file is a file; it must be a folder, or a name for a new one"),
                                 (("file/folder",), "the folder file/folder cannot be made"),
@@ -54,8 +56,8 @@ class Npm(unittest.TestCase):
             with self.subTest(arguments):
                 done = self.call(*arguments)
                 self.assertEqual((done.returncode, done.stdout), (2, ""))
-                self.assertIn(f"tools/npm: {said}", done.stderr)
-                self.assertIn("usage: tools/npm", done.stderr)
+                self.assertIn(f"tools/pack npm: {said}", done.stderr)
+                self.assertIn("tools/pack npm --help tells more\n", done.stderr)
                 self.assertFalse((self.root / "build").exists())
 
     def test_what_cannot_be_made(self):

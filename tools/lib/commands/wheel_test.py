@@ -1,4 +1,4 @@
-"""Tests of tools/wheel: what it says before it builds anything. The test python.wheel builds a wheel."""
+"""Tests of tools/pack python: what it prints before it builds anything. The test python.wheel builds a wheel."""
 
 from __future__ import annotations
 
@@ -18,9 +18,10 @@ class Wheel(unittest.TestCase):
         scratch = tempfile.TemporaryDirectory()
         self.addCleanup(scratch.cleanup)
         self.root = Path(scratch.name)
-        (self.root / "tools").mkdir()
-        for name in ("setup.sh", "progress.sh", "wheel"):
-            shutil.copy(TOOLS / name, self.root / "tools")
+        (self.root / "tools" / "lib").mkdir(parents=True)
+        for name in ("setup.sh", "progress.sh", "pack", "lib/needs.py", "lib/tree.py", "lib/usage.py"):
+            shutil.copy(TOOLS / name, self.root / "tools" / name)
+        shutil.copytree(TOOLS / "lib" / "ship", self.root / "tools" / "lib" / "ship")
         # Whoever installs something is noticed, and has everything.
         self.programs = self.root / "programs"
         self.programs.mkdir()
@@ -35,8 +36,9 @@ class Wheel(unittest.TestCase):
         return path
 
     def call(self, *arguments: str) -> subprocess.CompletedProcess[str]:
-        done = subprocess.run([self.root / "tools" / "wheel", *arguments], capture_output=True, text=True, check=False,
-                              cwd=self.root, env={**os.environ, "PATH": f"{self.programs}:{os.environ['PATH']}"})
+        done = subprocess.run([self.root / "tools" / "pack", "python", *arguments], cwd=self.root,
+                              capture_output=True, text=True, check=False,
+                              env={**os.environ, "PATH": f"{self.programs}:{os.environ['PATH']}"})
         self.assertFalse((self.root / "installed").exists())
         return done
 
@@ -45,7 +47,7 @@ class Wheel(unittest.TestCase):
             with self.subTest(arguments):
                 done = self.call(*arguments)
                 self.assertEqual((done.returncode, done.stderr), (0, ""))
-                self.assertIn("tools/wheel [--python PYTHON] [--manylinux] [FOLDER]", done.stdout)
+                self.assertIn("tools/pack python [-h] [--python PYTHON] [--manylinux] [--library FILE] [FOLDER]", done.stdout)
                 self.assertIn("Exit status: 0 done", done.stdout)
                 self.assertNotIn("#", done.stdout)
                 self.assertFalse((self.root / "build").exists())
@@ -53,23 +55,23 @@ class Wheel(unittest.TestCase):
     def test_bad_usage(self):
         (self.root / "file").touch()
         old = self.write_program("old-python", "exit 1")
-        for arguments, said in ((("one", "two"), "there is one folder at most, not one and two"),
+        for arguments, said in ((("one", "two"), "two is one word too many"),
                                 (("",), "the folder has no name"),
                                 (("file",), "file is a file; it must be a folder, or a name for a new one"),
                                 (("file/folder",), "the folder file/folder cannot be made"),
                                 (("--no-such",), "there is no option --no-such"),
-                                (("--library",), "--library must be followed by a file"),
+                                (("--library",), "argument --library: expected one argument"),
                                 (("--library", "no-such.a"), "there is no library no-such.a"),
                                 (("--library=no-such.a",), "there is no library no-such.a"),
-                                (("--python",), "--python must be followed by a Python"),
+                                (("--python",), "argument --python: expected one argument"),
                                 (("--python", "no-such"), "there is no program no-such"),
                                 (("--python=no-such",), "there is no program no-such"),
                                 (("--python", str(old)), f"{old} is no Python 3.10 or later")):
             with self.subTest(arguments):
                 done = self.call(*arguments)
                 self.assertEqual((done.returncode, done.stdout), (2, ""))
-                self.assertIn(f"tools/wheel: {said}", done.stderr)
-                self.assertIn("usage: tools/wheel", done.stderr)
+                self.assertIn(f"tools/pack python: {said}", done.stderr)
+                self.assertIn("tools/pack python --help tells more\n", done.stderr)
                 self.assertFalse((self.root / "build").exists())
 
     def test_what_cannot_be_built(self):

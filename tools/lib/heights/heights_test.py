@@ -21,15 +21,14 @@ import unittest
 from collections.abc import Sequence
 from pathlib import Path
 
-from blender import command as blender
-from blender.in_blender import Heights, NoBlender, found
-from godot_addon.addon import ADDON
-from godot_addon.addon import files as godot
-from packing_support import made
 from pick.runners import ran
+from ship.blender.in_blender import Heights, NoBlender, found
+from ship.godot.files import ADDON
+from ship.godot.files import package as godot
+from ship.packing_support import made
+from ship.unity import files as unity
 from tree import ROOT
 from twin import compile_program
-from unity import files as unity
 
 SKIPPED = 77
 SEEDS, POINTS = 8, 64  # of each seed
@@ -104,7 +103,7 @@ class Everywhere(unittest.TestCase):
 
     @classmethod
     def setUpClass(cls) -> None:
-        cls.folder, cls.add_on = made(cls, blender.main, "--zip")
+        cls.folder, cls.add_on = made(cls, "blender", "--zip")
         (cls.folder / "heights.cpp").write_text(CPP)
         compile_program("the heights", cls.folder / "heights.cpp", cls.folder / "of_cpp")
         cls.expected = words(subprocess.run([cls.folder / "of_cpp"], input=packed(), stdout=subprocess.PIPE,

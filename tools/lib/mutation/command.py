@@ -28,7 +28,7 @@ even the unchanged library.
 
 import needs
 
-needs.python(3, 11, "test mutants")
+needs.python(3, 11, "test", "mutants")
 
 import argparse  # noqa: E402
 import json  # noqa: E402

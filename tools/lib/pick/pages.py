@@ -6,22 +6,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
+from catalog import asked
 from tables.markdown import table
 
-# What is asked for, and for what.
-FUNCTIONS = {
-    "hn_perlin2": "gradient noise on the plane", "hn_perlin3": "gradient noise in space",
-    "hn_perlin_d2": "the same on the plane, with its slopes", "hn_perlin_d3": "in space, with its slopes",
-    "hn_value2": "value noise on the plane: cheaper and coarser", "hn_value3": "value noise in space",
-    "hn_simplex2": "gradient noise without squares, on the plane", "hn_simplex3": "the same in space",
-    "hn_simplex_d2": "simplex noise on the plane, with its slopes", "hn_simplex_d3": "in space, with its slopes",
-    "hn_cellular2": "distances to scattered points (Worley noise), on the plane", "hn_cellular3": "the same in space",
-    "hn_cell_border2": "the distance to the border of a Voronoi cell",
-    "hn_fbm2": "octaves of hn_perlin on the plane: clouds, heights", "hn_fbm3": "the same in space",
-    "hn_turbulence2": "octaves of its size: marble, fire", "hn_ridged2": "octaves with ridges: mountains",
-    "hn_warp2": "shifts that bend other noise", "hn_curl2": "velocities of a flow on the plane",
-    "hn_random2": "a random number for each cell",
-}
+FUNCTIONS = asked.snippets()
 # The heading, the language of tools/pick, its arithmetic, and the word that Markdown has for the language.
 LANGUAGES = (("GLSL", "glsl", "fast", "glsl"), ("HLSL", "hlsl", "fast", "hlsl"), ("WGSL", "wgsl", "fast", "wgsl"),
              ("Slang", "slang", "fast", "slang"), ("Metal", "metal", "fast", "cpp"), ("Godot", "godot", "fast", "glsl"),

@@ -25,21 +25,21 @@ import re
 import sys
 from collections.abc import Sequence
 
-from blender import files as blender
 from compile_times import command as of_compilers
-from glsl_noise import files as glsl_noise
 from gpu import pages as of_gpus
-from isf import files as isf
 from judge import record as of_noises
 from likeness import ports
-from materialx import files as materialx
 from readme import files, gallery, hashes, numbers, picture
 from readme import times as of_commands
+from ship.blender import files as blender
+from ship.glsl_noise import files as glsl_noise
+from ship.isf import files as isf
+from ship.materialx import files as materialx
+from ship.unity import files as unity
+from ship.unreal import files as unreal
 from tables.markdown import with_section
 from tree import ROOT
 from uniform import command as of_uniform
-from unity import files as unity
-from unreal import files as unreal
 
 README = "README.md"
 MEASURING = "docs/measuring.md"

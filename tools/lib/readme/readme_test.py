@@ -224,7 +224,7 @@ class Code(unittest.TestCase):
             for line in named:
                 with self.subTest(command=line):
                     # Those that build or install something first have tests of their own.
-                    asked = line if "--out" in line else [line[0], "--help"]
+                    asked = line if "--out" in line else [*line, "--help"]
                     done = run(str(ROOT / asked[0]), *asked[1:], cwd=folder)
                     self.assertEqual(done.returncode, 0, done.stderr)
                     if "--out" in line:

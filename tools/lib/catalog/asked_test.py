@@ -1,0 +1,44 @@
+"""What is asked for most is there, and who has it is known."""
+
+from __future__ import annotations
+
+import unittest
+
+from catalog import asked
+from pick.command import Choice, read_library
+from pick.program import public
+from tree import GLSL
+
+WHO = {"graphs", "blender", "materialx"}
+
+
+def unknown(lists: dict) -> list[str]:
+    """What is in the lists, and is no function, no form of one, or no package."""
+    known = public(read_library(GLSL, Choice("glsl", "fixed")))
+    forms = {name.removeprefix("hn_") for name in known}
+    functions = {function.name.removeprefix("hn_") for function in known.values()}
+    return [*(name for name in (*lists["nodes"], *lists["snippets"]) if name not in forms),
+            *(who for have in lists["nodes"].values() for who in have if who not in WHO),
+            *(name for of in lists["rust"].values() for name in of["functions"] if name not in functions)]
+
+
+class Asked(unittest.TestCase):
+    def test_it_is_there(self) -> None:
+        self.assertEqual(unknown(asked._lists()), [])
+
+    def test_what_is_not_is_noticed(self) -> None:
+        for list_, entry in (("nodes", {"perlin5": ["graphs"]}), ("nodes", {"perlin2": ["grahps"]}),
+                             ("snippets", {"perln2": "noise"}),
+                             ("rust", {"fbm": {"functions": ["fmb"], "dimensions": 3}})):
+            with self.subTest(entry):
+                self.assertEqual(len(unknown({**asked._lists(), list_: entry})), 1)
+
+    def test_each_package_has_some(self) -> None:
+        for who in WHO:
+            self.assertIn("hn_fbm2", asked.nodes(who))
+        self.assertEqual(asked.modules()["perlin"], (("hn_perlin",), 4))
+        self.assertEqual(asked.snippets()["hn_perlin2"], "gradient noise on the plane")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,263 @@
+"""tools/pack blender: what the add-on has, and its command line.
+
+    python3 -m unittest ship.blender.blender_test     names and texts of a few
+    python3 -m ship.blender.blender_test ENVIRONMENT  in Blender, PyPI's bpy: what the operators do. ENVIRONMENT is the
+                                                      folder of python.wheel, which has the Python package
+
+Exit status: that of the tests; 77 bpy or the package is not here.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import itertools
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+from unittest import mock
+
+from pick.osl_runner import PACKAGE
+from ship import command
+from ship.blender import files
+from ship.blender.in_blender import Heights, NoBlender, found
+from ship.packing_support import made
+from tree import TOOLS, version
+from wgsl.device import installed
+
+SKIPPED = 77
+SIDE = 12  # pixels
+
+
+class Text(unittest.TestCase):
+    def test_a_shader_has_the_name_of_its_function(self) -> None:
+        self.assertEqual([files.shader(form) for form in ("hn_fbm2", "hn_cellular3_full", "hn_cell_border2")],
+                         ["fbm2", "cellular3", "cell_border2"])
+        self.assertEqual(len({files.shader(form) for form in files.FORMS}), len(files.FORMS))
+
+    def test_it_says_what_it_is(self) -> None:
+        with mock.patch.object(files, "texts", return_value={"hn_fbm2": "shader"}):
+            package = files.package.__wrapped__()
+        self.assertIn(f'\nid = "hashnoise"\nversion = "{version()}"\n', package["blender_manifest.toml"])
+        self.assertEqual(package["shaders/fbm2.osl"], "shader")
+        self.assertTrue({"__init__.py", "displace.py", "nodes.py", "README.md", "LICENSE"} <= set(package))
+
+    def test_what_is_no_wheel_of_the_package_is_refused(self) -> None:
+        with tempfile.TemporaryDirectory() as folder:
+            for name in ("hashnoise-0.4.0.zip", "hashnoise-0.4.0-cp311-cp311-linux_x86_64.whl"):
+                Path(folder, name).write_text("no wheel")
+                with self.subTest(name), contextlib.redirect_stderr(io.StringIO()) as error:
+                    with mock.patch.object(files, "texts", return_value={}), self.assertRaises(SystemExit) as ended:
+                        command.main(["blender", "--wheel", f"{folder}/{name}", folder])
+                    self.assertEqual(ended.exception.code, 2)
+                    self.assertIn(f"{name} is no wheel of hashnoise; tools/pack python makes one", error.getvalue())
+
+
+@unittest.skipUnless(__name__ == "__main__", "the test blender.addon has Blender")
+class AddOn(unittest.TestCase):
+    FBM = -0.3247804641723633  # hashnoise.fbm(0.5, 0.25, seed=7, arithmetic="fixed"), of its documentation
+    environment: Path
+
+    @classmethod
+    def setUpClass(cls) -> None:
+        cls.root, cls.zip = made(cls, "blender", "--zip")
+        cls.heights = Heights(cls.zip)
+        cls.add_on = sys.modules["bl_ext.user_default.hashnoise"]
+
+    def setUp(self) -> None:
+        self.scene = self.heights.scene
+        self.scene.render.engine = "CYCLES"
+
+    def refused(self, operator, pattern: str, **settings) -> None:
+        with self.assertRaisesRegex(RuntimeError, pattern):
+            operator(**settings)
+
+    def test_blenders_own_program_takes_the_file(self) -> None:
+        program = self.heights.extensions_program()
+
+        def status(file: Path) -> int:
+            return subprocess.run([sys.executable, "-B", program, "validate", file], capture_output=True,
+                                  check=False).returncode
+        self.assertEqual(status(self.zip), 0)
+        with tempfile.TemporaryDirectory() as folder:
+            wrong = Path(folder, files.MANIFEST)
+            wrong.write_text(files.package()[files.MANIFEST].replace("type =", "kind ="))
+            self.assertNotEqual(status(Path(folder)), 0)
+
+    def test_a_wheel_is_installed_with_it(self) -> None:
+        """In a Blender that has none."""
+        wheel, = (self.environment / "wheels").glob("*.whl")
+        with contextlib.redirect_stdout(io.StringIO()) as out:
+            command.main(["blender", "--zip", "--wheel", str(wheel), str(self.root / "with wheel")])
+        lines = ("import sys; from pathlib import Path; from ship.blender.in_blender import Heights\n"
+                 "heights = Heights(Path(sys.argv[1])).displaced([(0.5, 0.25, 0.0)], scale=1.0, strength=1.0, seed=7)\n"
+                 "import hashnoise; print(hashnoise.__file__, float(heights[0]).hex())\n")
+        user = self.root / "other user"
+        environment = {**os.environ, "BLENDER_USER_RESOURCES": str(user),
+                       "PYTHONPATH": os.pathsep.join(map(str, (installed(PACKAGE), TOOLS / "lib")))}
+        done = subprocess.run([sys.executable, "-B", "-c", lines, out.getvalue().strip()], env=environment,
+                              capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertRegex(done.stdout.splitlines()[-1],
+                         rf"^{re.escape(str(user))}/\S*hashnoise/__init__.py {re.escape(self.FBM.hex())}$")
+
+    # The operator.
+
+    def test_the_heights_are_those_of_the_package(self) -> None:
+        import hashnoise
+        import numpy
+        displace = self.add_on.displace
+        points = self.heights.random_points(200)
+        at = points * numpy.float32(0.37)
+        octaves = {"octaves": 5, "lacunarity": 2.25, "gain": 0.625}
+        for (sum_, *_), (noise, *_), axes in itertools.product(displace.SUMS, displace.NOISES, (2, 3)):
+            if sum_ != "NONE" and noise == "cellular":
+                continue
+            function = getattr(hashnoise, noise if sum_ == "NONE" else sum_)
+            more = {} if sum_ == "NONE" else {"noise": noise, **octaves}
+            expected = [function(*map(float, p[:axes]), seed=7, arithmetic="fixed", **more) for p in at]
+            if noise == "cellular":
+                expected = [value[0] for value in expected]
+            with self.subTest(sum=sum_, noise=noise, axes=axes):
+                got = self.heights.displaced(points, sum=sum_, noise=noise, scale=0.37, strength=1.0, seed=7, **octaves,
+                                             position="PLANE" if axes == 2 else "SPACE")
+                self.assertEqual(got.tobytes(), numpy.array(expected, numpy.float32).tobytes())
+        other = self.heights.displaced(points, scale=0.37, strength=1.0, seed=8)
+        same = self.heights.displaced(points, scale=0.37, strength=1.0, seed=7)
+        self.assertLess((other == same).sum(), len(points) / 2)
+
+    def test_vertices_move_along_their_normals(self) -> None:
+        import bpy
+        import hashnoise
+        import numpy
+        self.heights.select(None)
+        bpy.ops.mesh.primitive_uv_sphere_add(segments=12, ring_count=8)
+        mesh = bpy.context.object.data
+        displace = self.add_on.displace
+        before, normals = displace.read(mesh.vertices, "co"), displace.read(mesh.vertex_normals, "vector")
+        bpy.ops.object.hashnoise_displace(direction="NORMAL", position="SPACE", scale=3.0, strength=0.5, seed=4)
+        moves = hashnoise.fbm(*(before * numpy.float32(3)).T, seed=4, arithmetic="fixed") * numpy.float32(0.5)
+        expected = before + moves[:, numpy.newaxis] * normals
+        self.assertEqual(displace.read(mesh.vertices, "co").tobytes(), expected.tobytes())
+        self.assertGreater(abs(expected - before).max(), 0.05)
+
+    def test_it_can_be_undone(self) -> None:
+        import bpy
+        bpy.context.preferences.edit.use_global_undo = True
+        self.heights.select([(0.5, 0.25, 0.0), (0.25, 0.75, 0.0)])
+        name = bpy.context.object.name
+        bpy.ops.ed.undo_push(message="before")
+
+        def height() -> float:
+            return bpy.data.objects[name].data.vertices[0].co.z
+        bpy.ops.object.hashnoise_displace("EXEC_DEFAULT", True)
+        self.assertNotEqual(height(), 0.0)
+        bpy.ops.ed.undo()
+        self.assertEqual(height(), 0.0)
+        bpy.ops.ed.redo()
+        self.assertNotEqual(height(), 0.0)
+        self.heights.scene = bpy.context.scene  # what was undone was made anew
+
+    def test_what_is_wrong_is_told_and_nothing_moves(self) -> None:
+        import bpy
+        displace = bpy.ops.object.hashnoise_displace
+        self.heights.select(None)
+        self.refused(displace, "Select a mesh")
+        self.heights.select([])
+        self.refused(displace, "has no vertices")
+        self.heights.select([(0.5, 0.25, 0.0)])
+        mesh = bpy.context.object.data
+        with mock.patch.dict(sys.modules, {"hashnoise": None}):
+            self.refused(displace, re.escape(sys.executable) + r" -m pip install hashnoise-VERSION-\.\.\.\.whl")
+        self.refused(displace, "cellular", sum="fbm", noise="cellular")
+        bpy.ops.object.mode_set(mode="EDIT")
+        self.refused(displace, "Change to Object Mode")
+        bpy.ops.object.mode_set(mode="OBJECT")
+        bpy.context.object.shape_key_add(name="key")
+        self.refused(displace, "has shape keys")
+        bpy.context.object.shape_key_clear()
+        self.assertEqual(tuple(mesh.vertices[0].co), (0.5, 0.25, 0.0))
+        library = str(self.root / "library.blend")
+        bpy.data.libraries.write(library, {mesh})
+        with bpy.data.libraries.load(library, link=True) as (there, here):
+            here.meshes = [mesh.name]
+        bpy.context.object.data = here.meshes[0]
+        self.refused(displace, "is linked from another file")
+        bpy.context.object.data = mesh
+        self.assertEqual(displace(), {"FINISHED"})
+        self.assertNotEqual(mesh.vertices[0].co.z, 0.0)
+
+    # The node groups.
+
+    def test_each_group_renders_the_bits_of_the_package(self) -> None:
+        import hashnoise
+        import numpy
+        offset = (100.25, -70.5, 3.75)
+        y, x = numpy.meshgrid(*2 * [numpy.arange(SIDE, dtype=numpy.float32)], indexing="ij")
+        at = [(axis + numpy.float32(add)) * numpy.float32(0.37) for axis, add in zip((x, y, 0 * x), offset)]
+        for form in files.FORMS:
+            name, size = re.fullmatch(r"(\w+)(\d)", files.shader(form)).groups()
+            with self.subTest(form):
+                expected = getattr(hashnoise, name)(*at[:int(size)], seed=7, arithmetic="fixed")
+                expected = expected.reshape(-1, SIDE, SIDE)
+                got = self.heights.rendered(files.shader(form), SIDE, offset, self.root, Scale=0.37, Seed=7)
+                self.assertTrue((got[:len(expected)] == expected).all(), abs(got[:len(expected)] - expected).max())
+                self.assertGreater(expected.std(), 0.01)
+        other = self.heights.rendered("perlin2", SIDE, offset, self.root, Scale=0.37, Seed=8)
+        self.assertLess((other[0] == hashnoise.perlin(*at[:2], seed=7, arithmetic="fixed")).mean(), 0.5)
+
+    def test_a_group_is_made_once_and_put_at_the_coordinates_of_the_object(self) -> None:
+        import bpy
+        self.heights.select([(0, 0, 0)])
+        material = self.heights.new_material()
+        self.scene.cycles.shading_system = False
+        for _ in range(2):
+            bpy.ops.node.hashnoise_add(shader="simplex3")
+        first, second = (node for node in material.node_tree.nodes if node.type == "GROUP")
+        self.assertEqual(first.node_tree, second.node_tree)
+        self.assertEqual(first.node_tree.name, "hashnoise Simplex 3D")
+        self.assertEqual(first.inputs["Vector"].links[0].from_socket.name, "Object")
+        self.assertTrue(self.scene.cycles.shading_system)
+
+    def test_what_is_wrong_with_a_group_is_told_and_nothing_is_left(self) -> None:
+        import bpy
+        self.heights.select([(0, 0, 0)])
+        add = bpy.ops.node.hashnoise_add
+        self.refused(add, "There is no material with nodes", shader="fbm2")
+        material = self.heights.new_material()
+        before = [len(bpy.data.texts), len(bpy.data.node_groups), len(material.node_tree.nodes)]
+        self.scene.render.engine = "BLENDER_WORKBENCH"
+        self.refused(add, "need Cycles", shader="fbm2")
+        self.scene.render.engine = "CYCLES"
+        (self.root / "fbm2.osl").write_text("shader wrong(output float value = 0) { value = no_such(); }\n")
+        with mock.patch.object(self.add_on.nodes, "SHADERS", self.root):
+            self.refused(add, "Cycles does not compile fbm2.osl", shader="fbm2")
+        self.assertEqual([len(bpy.data.texts), len(bpy.data.node_groups), len(material.node_tree.nodes)], before)
+
+    # The page.
+
+    def test_its_lines_of_python_run(self) -> None:
+        import bpy
+        self.heights.select([(0.3, 0.2, 0.0)])
+        material = self.heights.new_material()
+        mesh = bpy.context.object.data
+        for lines in re.findall(r"```python\n(.*?)```", (files.PACKAGE / "README.md").read_text(), re.DOTALL):
+            exec(lines, {"bpy": bpy})
+        groups = [node.node_tree.name for node in material.node_tree.nodes if node.type == "GROUP"]
+        self.assertEqual(groups, ["hashnoise fBm 2D"])
+        self.assertNotEqual(mesh.vertices[0].co.z, 0.0)
+
+
+if __name__ == "__main__":
+    with tempfile.TemporaryDirectory() as user:
+        try:
+            AddOn.environment = Path(sys.argv.pop(1))
+            found(AddOn.environment, Path(user))
+        except NoBlender as reason:
+            print(f"skipped: {reason}")
+            sys.exit(SKIPPED)
+        unittest.main(defaultTest="AddOn", verbosity=2)

@@ -1,0 +1,66 @@
+"""The files of the add-on for Blender: what packages/blender/ has, and shaders that tools/pick writes."""
+
+from __future__ import annotations
+
+import re
+import zipfile
+from functools import cache
+from pathlib import Path
+
+from catalog import asked
+from pick.command import Choice, picker, read_library
+from pick.program import public
+from ship.packing import Refused, papers
+from tables.markdown import table
+from tree import GLSL, ROOT, version
+
+PACKAGE = ROOT / "packages" / "blender"
+MANIFEST = "blender_manifest.toml"
+FORMS = asked.nodes("blender")  # of node groups, all with HN_FIXED
+
+
+def shader(form: str) -> str:
+    """The name of its file."""
+    return form.removeprefix("hn_").removesuffix("_full")
+
+
+@cache
+def texts() -> dict[str, str]:
+    """What tools/pick writes of each form."""
+    pick = picker()
+    return {form: pick((form,), Choice("osl", "fixed")) for form in FORMS}
+
+
+def node_table() -> str:
+    """The node groups, for the page."""
+    known = public(read_library(GLSL, Choice("osl", "fixed")))
+    sizes: dict[tuple[str, ...], list[str]] = {}
+    for form in FORMS:
+        function = known[form]
+        name, size = re.fullmatch(r"(\w+)(\d)", shader(form)).groups()
+        others = ", ".join(f"`{one.at.text.title()}`" for one in function.parameters if one.at.text != "p")
+        kind = "a number" if function.type == "float" else "a vector"
+        sizes.setdefault((name.replace("_", " "), others, kind), []).append(f"{size}D")
+    return table(("noise", "there are", "inputs besides `Vector` and `Scale`", "`Value`"),
+                 [(name, ", ".join(of), others, kind) for (name, others, kind), of in sizes.items()])
+
+
+def wheel_file(path: Path) -> bytes:
+    if not re.fullmatch(r"hashnoise-[\w.+]+(-[\w.]+){3}\.whl", path.name) or not zipfile.is_zipfile(path):
+        raise Refused(f"{path} is no wheel of hashnoise; tools/pack python makes one")
+    return path.read_bytes()
+
+
+@cache
+def package(wheel: str | None = None) -> dict[str, str | bytes]:
+    """All files, by their paths, with a wheel of the Python package if that is named."""
+    found: dict[str, str | bytes] = {path.name: path.read_text(encoding="utf-8")
+                                     for path in sorted(PACKAGE.glob("*.py"))}
+    found[MANIFEST] = (PACKAGE / MANIFEST).read_text(encoding="utf-8").replace('"VERSION"', f'"{version()}"')
+    found |= papers(PACKAGE)
+    found |= {f"shaders/{shader(form)}.osl": text for form, text in texts().items()}
+    if wheel is not None:
+        path = Path(wheel)
+        found |= {f"wheels/{path.name}": wheel_file(path),
+                  MANIFEST: f'{found[MANIFEST]}\nwheels = ["./wheels/{path.name}"]\n'}
+    return found

@@ -1,0 +1,71 @@
+"""Functions in HLSL that are nodes of engines' shader graphs: what is asked for most, with what a node passes."""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+
+from catalog import asked
+from parsing.syntax import Function
+from pick.command import Choice, picker, read_library
+from pick.program import public
+from tree import GLSL
+
+# The arithmetics, with what they add to the names of classes, files and nodes.
+ARITHMETICS = {"fast": "", "fixed": "Fixed"}
+NODES = asked.nodes("graphs")
+TILE = "hn_tile2"
+PORTS = {"float": "float", "int": "float", "uint": "float", "vec2": "float2", "vec3": "float3", "ivec2": "float2"}
+# A port is a float, and a seed may be any whole number that a float has.
+CONVERTED = {"int": "(int){}", "uint": "(uint)(int){}"}
+
+
+@cache
+def picked(names: tuple[str, ...], language: str, arithmetic: str) -> str:
+    return picker()(names, Choice(language, arithmetic))
+
+
+@cache
+def forms() -> dict[str, Function]:
+    return public(read_library(GLSL, Choice("hlsl")))
+
+
+def camel(name: str) -> str:
+    """perlin2_place is PerlinTile2."""
+    words = name.removeprefix("hn_").replace("2_place", "_tile2").split("_")
+    return "".join(word[0].upper() + word[1:] for word in words)
+
+
+def port(name: str) -> str:
+    return "Position" if name in ("p", "place") else name[0].upper() + name[1:]
+
+
+def ports(form: str) -> list[tuple[str, str]]:
+    """The type and the name of what a node takes."""
+    taken: list[tuple[str, str]] = []
+    for one in forms()[form].parameters:
+        if one.type == "hn_place2":
+            taken += [("float2", "Position"), ("float2", "Period")]
+        else:
+            taken.append((PORTS[one.type], port(one.at.text)))
+    return taken
+
+
+def call(form: str) -> str:
+    """Of the function, with the ports."""
+    function = forms()[form]
+    arguments = ["hn_tile(Position, (int2)Period)" if one.type == "hn_place2" else
+                 CONVERTED.get(one.type, "{}").format(port(one.at.text)) for one in function.parameters]
+    return f"{function.name}({', '.join(arguments)})"
+
+
+def own_names(text: str, arithmetic: str) -> str:
+    """One shader may have both arithmetics."""
+    return re.sub(r"\bhn_", "hn_fixed_", text) if ARITHMETICS[arithmetic] else text
+
+
+def shader(arithmetic: str, more: str = "") -> str:
+    """A file with all functions, and with more behind them."""
+    guard = f"HASH_NOISE{'_FIXED' if ARITHMETICS[arithmetic] else ''}_HLSL"
+    text = f"#ifndef {guard}\n#define {guard}\n\n{picked((*NODES, TILE), 'hlsl', arithmetic)}\n{more}#endif\n"
+    return own_names(text, arithmetic)

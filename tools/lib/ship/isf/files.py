@@ -1,0 +1,95 @@
+"""Looks in the Interactive Shader Format: what tools/pick writes, with the inputs that a program shows as controls."""
+
+from __future__ import annotations
+
+import json
+from functools import cache
+from typing import NamedTuple
+
+from pick.command import Choice, picker
+from ship.packing import papers
+from tables.markdown import table
+from tree import ROOT, version
+
+PACKAGE = ROOT / "packages" / "isf"
+LANGUAGE = "glsl"  # hosts compile a file as GLSL 3.30 and 4.00, and as GLSL ES 3.00
+
+
+class Look(NamedTuple):
+    said: str
+    forms: tuple[str, ...]  # what it calls
+    code: str               # its value, of a position p; 0 has the first color, and 1 the second
+    more: tuple[str, ...] = ()  # its inputs besides those of all
+
+
+SUM = "octaves, 2.0, gain, seed"
+OCTAVES = ("octaves", "gain")
+LOOKS = {
+    "hills": Look("Soft hills: gradient noise", ("hn_perlin3",), "0.5 + contrast * hn_perlin(p, seed)"),
+    "clouds": Look("Octaves of gradient noise", ("hn_fbm3",), f"0.5 + 2.0 * contrast * hn_fbm(p, {SUM})", OCTAVES),
+    "ridges": Look("Octaves with ridges", ("hn_ridged3",), f"2.0 * contrast * hn_ridged(p, {SUM})", OCTAVES),
+    "smoke": Look("Octaves of the size of gradient noise", ("hn_turbulence3",),
+                  f"4.0 * contrast * hn_turbulence(p, {SUM})", OCTAVES),
+    "ink": Look("Clouds that a second noise bends", ("hn_fbm3", "hn_warp3"),
+                f"0.5 + 2.0 * contrast * hn_fbm(p + hn_warp(p, 2, 2.0, 0.5, bend, seed + 1u), {SUM})",
+                (*OCTAVES, "bend")),
+    "cells": Look("The distance to scattered points", ("hn_cellular3",), "2.0 * contrast * hn_cellular(p, seed).x"),
+    "stones": Look("How far the second of scattered points is behind the first", ("hn_cellular3",),
+                   "4.0 * contrast * (hn_cellular(p, seed).y - hn_cellular(p, seed).x)"),
+}
+WHITE, BLACK = [1.0, 1.0, 1.0, 1.0], [0.0, 0.0, 0.0, 1.0]
+INPUTS = {
+    "size": {"TYPE": "float", "MIN": 1.0, "MAX": 64.0, "DEFAULT": 8.0, "LABEL": "Cells across"},
+    "speed": {"TYPE": "float", "MIN": 0.0, "MAX": 4.0, "DEFAULT": 0.5, "LABEL": "Speed"},
+    "contrast": {"TYPE": "float", "MIN": 0.0, "MAX": 2.0, "DEFAULT": 0.5, "LABEL": "Contrast"},
+    "number": {"TYPE": "float", "MIN": 0.0, "MAX": 100.0, "DEFAULT": 7.0, "LABEL": "Seed"},
+    "octaves": {"TYPE": "long", "VALUES": [*range(1, 9)], "LABELS": [*map(str, range(1, 9))], "DEFAULT": 6,
+                "LABEL": "Octaves"},
+    "gain": {"TYPE": "float", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.5, "LABEL": "Gain"},
+    "bend": {"TYPE": "float", "MIN": 0.0, "MAX": 4.0, "DEFAULT": 1.0, "LABEL": "Bend"},
+    "low": {"TYPE": "color", "DEFAULT": BLACK, "LABEL": "Low"},
+    "high": {"TYPE": "color", "DEFAULT": WHITE, "LABEL": "High"},
+}
+COMMON = ("size", "speed", "contrast", "number"), ("low", "high")
+
+
+@cache
+def pick():
+    return picker()
+
+
+def inputs(look: Look) -> list[str]:
+    return [*COMMON[0], *look.more, *COMMON[1]]
+
+
+def shader(name: str) -> str:
+    """A file: a comment with JSON, which comes first, and GLSL."""
+    look = LOOKS[name]
+    described = {"DESCRIPTION": f"{look.said}, of hashnoise {version()}",
+                 "CREDIT": "The hashnoise authors, MIT License", "ISFVSN": "2",
+                 "CATEGORIES": ["Generator", "Noise"],
+                 "INPUTS": [{"NAME": one, **INPUTS[one]} for one in inputs(look)]}
+    text = pick()(look.forms, Choice(LANGUAGE))
+    return f"""/*{json.dumps(described, indent=2)}*/
+
+{text}
+void main() {{
+  highp uint seed = uint(number);
+  highp vec2 at = (isf_FragNormCoord - 0.5) * vec2(RENDERSIZE.x / RENDERSIZE.y, 1.0);
+  highp vec3 p = vec3(at * size, TIME * speed);
+  gl_FragColor = mix(low, high, clamp({look.code}, 0.0, 1.0));
+}}
+"""
+
+
+def look_table() -> str:
+    """The looks, for the page."""
+    return table(("file", "what it is", "inputs of its own"),
+                 [(f"`hn-{name}.fs`", look.said, ", ".join(f"`{one}`" for one in look.more))
+                  for name, look in LOOKS.items()])
+
+
+@cache
+def package() -> dict[str, str]:
+    """All files, by their paths."""
+    return {**papers(PACKAGE), **{f"hn-{name}.fs": shader(name) for name in LOOKS}}

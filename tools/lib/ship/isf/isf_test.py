@@ -1,0 +1,178 @@
+"""tools/pack isf: what the looks are, and that they draw.
+
+    python3 -m unittest ship.isf.isf_test   descriptions of all, and the text of one
+    python3 -m ship.isf.isf_test FOLDER     all: npm's parser reads them, and Mesa draws them. FOLDER is for the parser
+
+Exit status: that of the tests; 77 the parser, Mesa or glslang is not here.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import json
+import re
+import shutil
+import subprocess
+import sys
+import unittest
+from pathlib import Path
+
+import glslang
+from javascript.environment import OFFLINE
+from likeness.renderer import NoRenderer, Renderer
+from pick.command import Choice
+from ship import command
+from ship.isf import files
+from tree import ROOT, TOOLS, version
+
+SKIPPED = 77
+PARSER = "interactive-shader-format@2.9.0"
+SIDE = 64
+TYPES = {"float": "float", "long": "int", "color": "vec4"}
+# Reads the files that it is told, and writes what each is as JSON.
+READ = """const { Parser } = require("./package/lib/main.js");
+const told = process.argv.slice(2).map((name) => {
+  const parser = new Parser();
+  parser.parse(require("fs").readFileSync(name, "utf8"));
+  const inputs = (parser.inputs ?? []).map(({ NAME, TYPE }) => [NAME, TYPE]);
+  return { valid: parser.valid, type: parser.type, inputs, said: parser.description };
+});
+console.log(JSON.stringify(told));
+"""
+
+
+def described(text: str) -> dict:
+    return json.loads(re.match(r"/\*(.*?)\*/", text, re.DOTALL)[1])
+
+
+def compiled(text: str, first: str = "#version 330") -> str:
+    """A file as a program for ISF has it compiled: behind its own lines, which declare what the format has."""
+    uniforms = "".join(f"uniform {TYPES[one['TYPE']]} {one['NAME']};\n" for one in described(text)["INPUTS"])
+    return (f"{first}\nprecision highp float;\nprecision highp int;\n#define gl_FragColor isf_FragColor\n"
+            "out vec4 gl_FragColor;\nuniform vec2 RENDERSIZE;\nuniform float TIME;\nin vec2 isf_FragNormCoord;\n"
+            f"{uniforms}{text}")
+
+
+def drawn(text: str, values: dict[str, str]) -> str:
+    """The same with numbers in place of uniforms, for a renderer that sets none."""
+    text = compiled(text, "#version 450").replace("in vec2 isf_FragNormCoord;",
+                                                  f"vec2 isf_FragNormCoord = gl_FragCoord.xy / {SIDE}.0;")
+    return re.sub(r"(?m)^uniform (\w+) (\w+);$", lambda found: f"const {found[1]} {found[2]} = {values[found[2]]};",
+                  text)
+
+
+def values_of(text: str, **others: str) -> dict[str, str]:
+    """What a program sets at first."""
+    found = {"RENDERSIZE": f"vec2({SIDE}.0)", "TIME": "3.25"}
+    for one in described(text)["INPUTS"]:
+        value = one["DEFAULT"]
+        found[one["NAME"]] = f"vec4({', '.join(map(str, value))})" if one["TYPE"] == "color" else str(value)
+    return found | others
+
+
+class Text(unittest.TestCase):
+    def test_inputs_are_used_and_begin_within_their_ranges(self) -> None:
+        for name, look in files.LOOKS.items():
+            for one in files.inputs(look):
+                value = files.INPUTS[one]
+                if value["TYPE"] == "float":
+                    self.assertTrue(value["MIN"] <= value["DEFAULT"] <= value["MAX"])
+                if one in look.more or one == "contrast":
+                    self.assertRegex(look.code, rf"\b{one}\b", name)
+
+    @unittest.skipUnless(shutil.which("glslangValidator"), "Debian's package glslang-tools is missing")
+    def test_a_file_is_json_and_glsl(self) -> None:
+        text = files.shader("clouds")
+        self.assertEqual(described(text)["DESCRIPTION"], f"Octaves of gradient noise, of hashnoise {version()}")
+        for first in ("#version 330", "#version 300 es"):
+            done = glslang.compiled(compiled(text, first))
+            self.assertEqual(done.returncode, 0, done.stdout)
+        self.assertNotEqual(glslang.compiled(compiled(text).replace("hn_fbm(p", "hn_fbm(at")).returncode, 0)
+
+    @unittest.skipUnless(shutil.which("glslangValidator"), "Debian's package glslang-tools is missing")
+    def test_what_the_page_has_for_other_programs_compiles(self) -> None:
+        page = (ROOT / "docs" / "engines.md").read_text().partition("## Shadertoy")[2]
+        named, = re.findall(r"^    hashnoise/tools/pick (\w+)$", page, re.MULTILINE)
+        shadertoy, touch_designer = (code.replace("\n    ", "\n") for code in re.findall(
+            r"^    ((?:void mainImage|out vec4).*?)\n\n", page, re.MULTILINE | re.DOTALL))
+        text = files.pick()((named,), Choice())
+        whole = {shadertoy: ("#version 300 es\nprecision highp float;\nuniform vec3 iResolution;\n"
+                             "uniform float iTime;\nout vec4 color;\n",
+                             "\nvoid main() { mainImage(color, gl_FragCoord.xy); }\n"),
+                 touch_designer: ("#version 330\nin vec3 vUV;\nvec4 TDOutputSwizzle(vec4 c) { return c; }\n", "\n")}
+        for code, (before, behind) in whole.items():
+            done = glslang.compiled(f"{before}{text}{code}{behind}")
+            self.assertEqual(done.returncode, 0, done.stdout)
+            self.assertNotEqual(glslang.compiled(f"{before}{text}{code.replace('6, ', '')}{behind}").returncode, 0)
+
+
+@unittest.skipUnless(__name__ == "__main__", "the test isf.looks makes all")
+class Looks(unittest.TestCase):
+    folder: Path  # that of the parser
+
+    @classmethod
+    def setUpClass(cls) -> None:
+        cls.renderer = Renderer(SIDE)
+        with contextlib.redirect_stdout(io.StringIO()) as out:
+            command.main(["isf", str(cls.folder / "made")])
+        cls.made = sorted(Path(out.getvalue().strip()).glob("*.fs"))
+
+    def read(self, *paths: Path) -> list[dict]:
+        (self.folder / "read.js").write_text(READ, encoding="ascii")
+        done = subprocess.run([TOOLS / "node", "node", "read.js", *paths], cwd=self.folder, capture_output=True,
+                              text=True, check=False)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return json.loads(done.stdout)
+
+    def test_a_parser_reads_them(self) -> None:
+        self.assertEqual(len(self.made), len(files.LOOKS))
+        for path, told in zip(self.made, self.read(*self.made), strict=True):
+            look = files.LOOKS[path.stem.removeprefix("hn-")]
+            self.assertEqual(told["inputs"], [[one, files.INPUTS[one]["TYPE"]] for one in files.inputs(look)])
+            self.assertEqual((told["valid"], told["type"]), (True, "generator"))
+        wrong = self.folder / "wrong.fs"
+        wrong.write_text(self.made[0].read_text().replace('"INPUTS": [', '"INPUTS": '))
+        self.assertFalse(self.read(wrong)[0]["valid"])
+
+    def test_they_draw(self) -> None:
+        for path in self.made:
+            with self.subTest(path.name):
+                text = path.read_text()
+                self.assertEqual(glslang.compiled(compiled(text)).returncode, 0)
+                first, again, seed, later = (
+                    self.renderer.draw(self.renderer.program(drawn(text, values_of(text, **others))))[0::4]
+                    for others in ({}, {}, {"number": "8.0"}, {"TIME": "4.0"}))
+                self.assertTrue(0.0 <= min(first) < 0.35 and 0.65 < max(first) <= 1.0, (min(first), max(first)))
+                self.assertEqual(first, again)
+                for other in (seed, later):
+                    self.assertGreater(sum(abs(one - two) for one, two in zip(first, other)) / len(first), 0.03)
+
+
+def fetched(folder: Path) -> int:
+    """The parser, without what its package asks for and does not use: 0 if it is there."""
+    if (folder / "package").exists():
+        return 0
+    folder.mkdir(parents=True, exist_ok=True)
+    done = subprocess.run([TOOLS / "node", "npm", "pack", "--silent", "--fetch-retries", "1", PARSER], cwd=folder,
+                          capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        print(done.stdout + done.stderr)
+        return SKIPPED if OFFLINE.search(done.stdout + done.stderr) else 1
+    shutil.unpack_archive(folder / done.stdout.strip(), folder, "gztar")
+    return 0
+
+
+if __name__ == "__main__":
+    Looks.folder = Path(sys.argv.pop(1)).resolve()
+    try:
+        Renderer(SIDE)
+    except NoRenderer as reason:
+        print(f"skipped: {reason}")
+        sys.exit(SKIPPED)
+    if not shutil.which("glslangValidator"):
+        print("skipped: Debian's package glslang-tools is missing")
+        sys.exit(SKIPPED)
+    if status := fetched(Looks.folder):
+        sys.exit(status)
+    unittest.main(defaultTest="Looks", verbosity=2)

@@ -1,0 +1,192 @@
+"""The files of the library of nodes for MaterialX: what tools/pick writes for each of its targets, and definitions."""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+from typing import NamedTuple
+from xml.sax.saxutils import quoteattr
+
+from catalog import asked
+from parsing.syntax import Function
+from pick.command import SYNTAXES, Choice, picker, read_library
+from pick.comments import first_sentence
+from pick.osl import without_shader
+from pick.program import public
+from pick.shading import LANGUAGES
+from ship.packing import papers
+from tables.markdown import table
+from tree import GLSL, ROOT, version
+
+PACKAGE = ROOT / "packages" / "materialx"
+LIBRARY = "hashnoise"  # the folder that MaterialX loads
+FORMS = asked.nodes("materialx")  # all with HN_FIXED
+# The targets of MaterialX, with the languages of tools/pick. The generators for OpenGL, WebGL, Vulkan and WebGPU share
+# the first. Metal and Slang would take it, too, if they had none of their own.
+TARGETS = {"genglsl": "glsl", "genmsl": "metal", "genslang": "slang", "genosl": "osl"}
+METRICS = ("Euclidean", "Squared", "Manhattan", "Chebyshev", "Hybrid")  # HN_METRIC_..., from 1 on
+OSL_TYPES = {"float": "float", "int": "int", "vec2": "vector2", "vec3": "vector"}
+TYPES = {"float": "float", "int": "integer", "uint": "integer", "vec2": "vector2", "vec3": "vector3"}
+
+
+class Input(NamedTuple):
+    name: str
+    type: str  # in GLSL
+    said: str  # the other attributes
+
+
+AMPLITUDE = Input("amplitude", "float", 'value="1.0" uiname="Amplitude" doc="What the noise is multiplied by."')
+PIVOT = Input("pivot", "float", 'value="0.0" uiname="Pivot" doc="What is added behind that."')
+# By the names and the types of the parameters that they are for. MaterialX's own noises have the same names.
+INPUTS = {
+    ("p", "vec2"): Input("texcoord", "vec2", 'defaultgeomprop="UV0" uiname="Texture Coordinates" '
+                         'doc="The position, in cells."'),
+    ("p", "vec3"): Input("position", "vec3", 'defaultgeomprop="Pobject" uiname="Position" '
+                         'doc="The position, in cells."'),
+    ("octaves", "int"): Input("octaves", "int", 'value="6" uimin="0" uisoftmax="8" uiname="Octaves"'),
+    ("lacunarity", "float"): Input("lacunarity", "float", 'value="2.0" uiname="Lacunarity" '
+                                   'doc="How much finer each octave is than the one before."'),
+    ("gain", "float"): Input("diminish", "float", 'value="0.5" uimin="0.0" uiname="Diminish" '
+                             'doc="How much weaker each octave is than the one before."'),
+    ("amplitude", "float"): Input("amplitude", "float", 'value="1.0" uimin="0.0" uimax="64.0" uiname="Amplitude" '
+                                  'doc="The largest shift along an axis, in cells."'),
+    ("jitter", "float"): Input("jitter", "float", 'value="1.0" uimin="0.0" uimax="1.0" uiname="Jitter" '
+                               'doc="How far points are from the centres of their cells."'),
+    ("metric", "int"): Input("metric", "int", f'value="1" enum="{",".join(METRICS)}" enumvalues="'
+                             f'{",".join(str(i + 1) for i in range(len(METRICS)))}" uiname="Metric"'),
+    ("seed", "uint"): Input("seed", "int", 'value="0" uiname="Seed" doc="Another one gives another field."'),
+}
+PERIOD = Input("period", "vec2", 'value="8.0, 8.0" uiname="Period" '
+               'doc="After how many cells it repeats: whole numbers; 0 is never."')
+
+
+@cache
+def forms() -> dict[str, Function]:
+    return public(read_library(GLSL, Choice("glsl", "fixed")))
+
+
+@cache
+def pick():
+    return picker()
+
+
+def node(form: str) -> str:
+    """The name of the node: hn_perlin2d of hn_perlin2, and hn_perlin2d_tile of hn_perlin2_place."""
+    return re.sub(r"(\d)(_full)?$", r"\1d", form.replace("2_place", "2d_tile"))
+
+
+def inputs(form: str) -> list[Input]:
+    """In the order in which the function of the node takes them."""
+    function = forms()[form]
+    found = []
+    for one in function.parameters:
+        if one.type == "hn_place2":
+            found += [INPUTS["p", "vec2"], PERIOD]
+        else:
+            found.append(INPUTS[one.at.text, one.type])
+    names = {one.name for one in found}
+    # As MaterialX's own have it: what sums octaves has no pivot, and distances and random numbers have neither.
+    if function.type == "float" and function.name not in ("hn_random", "hn_cell_border"):
+        found = [*((AMPLITUDE,) if "octaves" in names else (AMPLITUDE, PIVOT)), *found]
+    return found
+
+
+def scaled(form: str, value: str) -> str:
+    given = inputs(form)
+    return value + " * amplitude" * (AMPLITUDE in given) + " + pivot" * (PIVOT in given)
+
+
+def wrapper(form: str, language: str) -> str:
+    """The function that MaterialX calls, in a shading language."""
+    function, of = forms()[form], LANGUAGES[language]
+    taken = ", ".join(f"{of.typed(one.type)} {one.name}" for one in inputs(form))
+    passed = []
+    for one in function.parameters:
+        if one.type == "hn_place2":
+            passed.append(f"hn_tile(texcoord, {of.named('ivec2')}(period))")
+        else:
+            given = INPUTS[one.at.text, one.type]
+            passed.append(f"uint({given.name})" if one.type == "uint" else given.name)
+    call = scaled(form, f"{function.name}({', '.join(passed)})")
+    result = f"{of.out.format(of.typed(function.type))} result"
+    return f"{of.function}void {node(form)}({taken}, {result}) {{\n  result = {call};\n}}\n"
+
+
+def osl_wrapper(form: str) -> str:
+    function = forms()[form]
+    taken = ", ".join(f"{OSL_TYPES[one.type]} {one.name}" for one in inputs(form))
+    passed, before = [], ""
+    for one in function.parameters:
+        if one.type == "hn_place2":
+            before = "  hn_place2 place = hn_tile2(texcoord.x, texcoord.y, (int)period.x, (int)period.y);\n"
+            passed.append("place")
+        else:
+            given = INPUTS[one.at.text, one.type]
+            passed += ({"vec2": [f"{given.name}.x", f"{given.name}.y"],
+                        "vec3": [f"{given.name}[{axis}]" for axis in range(3)]}.get(one.type, [given.name]))
+    call = f"{form}({', '.join(passed)})"
+    # Cycles takes no component of what a function returns.
+    body = {"float": f"  result = {scaled(form, call)};\n",
+            "vec2": f"  hn_vec2 n = {call};\n  result = vector2(n.x, n.y);\n",
+            "vec3": f"  hn_vec3 n = {call};\n  result = vector(n.x, n.y, n.z);\n"}[function.type]
+    type_ = OSL_TYPES[function.type]
+    return f"void {node(form)}({taken}, output {type_} result) {{\n{before}{body}}}\n"
+
+
+def source(form: str, target: str) -> str:
+    """The text of a node. Its names are its own, since a shader may have other nodes of the library."""
+    language = TARGETS[target]
+    names = ("hn_tile2", form) if form.endswith("_place") else (form,)
+    text = pick()(names, Choice(language, "fixed"))
+    is_osl = language in SYNTAXES
+    text = without_shader(text) + osl_wrapper(form) if is_osl else text + wrapper(form, language)
+    # MaterialX itself says what a shader begins with, and comments would be in every shader.
+    text = re.sub(r"(?m)^ *//.*\n|^#.*\n|^using .*\n", "", text).lstrip()
+    own = node(form)
+    text = re.sub(rf"\bhn_(?!{own.removeprefix('hn_')}\b)", f"{own}_", re.sub(r"\n{2,}", "\n", text))
+    return (f"// {forms()[form].name} of hashnoise {version()} with HN_FIXED, by tools/pack materialx\n"
+            "// Copyright (c) 2026 The hashnoise authors; MIT License.\n" + text)
+
+
+def doc(form: str) -> str:
+    """The first sentence about the function, which is before its plain form."""
+    return first_sentence(forms()[re.sub("_(full|place)$", "", form)], GLSL)
+
+
+def declared(form: str) -> str:
+    function, name = forms()[form], node(form)
+    group = "procedural3d" if "3d" in name else "procedural2d"
+    rows = "".join(f'    <input name="{one.name}" type="{TYPES[one.type]}" {one.said} />\n' for one in inputs(form))
+    zero = ", ".join(["0.0"] * (int(function.type[-1]) if function.type[-1].isdigit() else 1))
+    return (f'  <nodedef name="ND_{name}" node="{name}" nodegroup="{group}" doc={quoteattr(doc(form))}>\n{rows}'
+            f'    <output name="out" type="{TYPES[function.type]}" default="{zero}" />\n  </nodedef>\n')
+
+
+def document(inside: str) -> str:
+    return ('<?xml version="1.0"?>\n<materialx version="1.39">\n'
+            f"  <!-- Of hashnoise {version()}, by tools/pack materialx.\n"
+            f"       Copyright (c) 2026 The hashnoise authors; MIT License. -->\n{inside}</materialx>\n")
+
+
+def implementations(target: str) -> str:
+    return document("".join(
+        f'  <implementation name="IM_{node(form)}_{target}" nodedef="ND_{node(form)}" '
+        f'file="{node(form)}.{TARGETS[target]}" function="{node(form)}" target="{target}" />\n' for form in FORMS))
+
+
+def node_table() -> str:
+    """The nodes, for the page."""
+    return table(("node", "inputs", "`out`"),
+                 [(f"`{node(form)}`", ", ".join(f"`{one.name}`" for one in inputs(form)), TYPES[forms()[form].type])
+                  for form in FORMS])
+
+
+@cache
+def package() -> dict[str, str]:
+    """All files, by their paths."""
+    found = {**papers(PACKAGE), f"{LIBRARY}/hashnoise_defs.mtlx": document("".join(map(declared, FORMS)))}
+    for target in TARGETS:
+        found[f"{LIBRARY}/{target}/hashnoise_{target}_impl.mtlx"] = implementations(target)
+        for form in FORMS:
+            found[f"{LIBRARY}/{target}/{node(form)}.{TARGETS[target]}"] = source(form, target)
+    return found

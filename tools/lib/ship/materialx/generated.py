@@ -1,0 +1,352 @@
+"""What MaterialX makes of the library of nodes, and what compiles and runs that, for tests."""
+
+from __future__ import annotations
+
+import functools
+import importlib
+import json
+import math
+import os
+import shutil
+import struct
+import subprocess
+import sys
+from array import array
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from types import ModuleType
+from typing import NamedTuple
+
+from likeness.renderer import NoRenderer, Renderer
+from pick.osl_runner import PACKAGE as BLENDER
+from pick.osl_runner import RENDER
+from pick.runners import ran
+from pick.slang import Slang
+from ship.materialx import files
+from tree import ROOT, VECTORS
+from wgsl.device import Absent, Device, installed
+from wgsl.evaluation import GROUP
+
+MATERIALX = "materialx==1.39.5"
+# The generators that have shaders to compile, by the module and the class.
+GENERATORS = {"glsl": ("GenGlsl", "Glsl"), "essl": ("GenGlsl", "Essl"), "vulkan": ("GenGlsl", "Vk"),
+              "wgsl": ("GenGlsl", "Wgsl"), "metal": ("GenMsl", "Msl"), "slang": ("GenSlang", "Slang"),
+              "osl": ("GenOsl", "Osl")}
+PIXEL = "pixel"
+SIDE = 64  # pixels, of which a row has as many as there are rows of vectors
+
+
+def materialx(part: str = "") -> ModuleType:
+    folder = str(installed(MATERIALX, "--no-deps"))
+    if folder not in sys.path:
+        sys.path.insert(0, folder)
+    return importlib.import_module(f"MaterialX{part and f'.PyMaterialX{part}'}")
+
+
+class Generated:
+    """A graph that has every node of the library in a folder, and its shaders."""
+
+    def __init__(self, folder: Path) -> None:
+        self._mx = mx = materialx()
+        self._search = mx.getDefaultDataSearchPath()
+        self._search.append(mx.FilePath(str(folder)))
+        self.library = mx.createDocument()
+        mx.loadLibraries([*mx.getDefaultDataLibraryFolders(), files.LIBRARY], self._search, self.library)
+        self.definitions = [one for one in self.library.getNodeDefs() if one.getNodeString().startswith("hn_")]
+        self.nodes = [one.getNodeString() for one in self.definitions]
+        self.graph = mx.createDocument()
+        self.graph.importLibrary(self.library)
+        self._last = None
+        for one in self.definitions:
+            self._add(self._number(self.graph.addNodeInstance(one)))
+
+    def _number(self, node):
+        """The first component, of a vector."""
+        if node.getType() == "float":
+            return node
+        part = self.graph.addNode("extract", "", "float")
+        part.addInput("in", node.getType()).setConnectedNode(node)
+        return part
+
+    def _add(self, node) -> None:
+        if self._last:
+            total = self.graph.addNode("add", "", "float")
+            total.setConnectedNode("in1", self._last)
+            total.setConnectedNode("in2", node)
+            node = total
+        self._last = node
+
+    def faults(self) -> str:
+        """What MaterialX has against the library; nothing if it is right."""
+        return self.graph.validate()[1]
+
+    def targets(self) -> dict[str, set[str]]:
+        """Of each node those whose implementation is made for them."""
+        return {one.getNodeString(): {target for target in files.TARGETS
+                                      if (found := one.getImplementation(target)) and found.getTarget() == target}
+                for one in self.definitions}
+
+    @functools.cache
+    def shaders(self, name: str) -> dict[str, str]:
+        """The text of each stage."""
+        return self._shaders(name, self._last)
+
+    def shader_of(self, text: str, name: str) -> str:
+        """A shader in GLSL of a node in a document."""
+        graph = self._mx.createDocument()
+        self._mx.readFromXmlString(graph, text)
+        graph.importLibrary(self.library)
+        if not (said := graph.validate())[0]:
+            raise ValueError(said[1])
+        return self._shaders("glsl", graph.getNode(name))[PIXEL]
+
+    def _shaders(self, name: str, node) -> dict[str, str]:
+        part, language = GENERATORS[name]
+        made = getattr(materialx(part), f"{language}ShaderGenerator").create()
+        context = materialx("GenShader").GenContext(made)
+        context.registerSourceCodeSearchPath(self._search)
+        shader = made.generate("shader", node, context)
+        return {stage: shader.getSourceCode(stage) for stage in ("vertex", PIXEL) if shader.hasStage(stage)}
+
+
+class Row(NamedTuple):
+    """Of a vector: words that go in, and numbers that come out."""
+    words: list[int]
+    out: list[float]
+
+
+class Vectors(NamedTuple):
+    kinds: list[str]
+    rows: list[Row]
+
+
+@functools.cache
+def vectors(form: str) -> Vectors:
+    for one in json.loads((VECTORS / "index.json").read_text(encoding="ascii"))["files"]:
+        if one["name"] == form:
+            found = json.loads((VECTORS / one["file"]).read_text(encoding="ascii"))
+            kinds = [column["type"] for column in found["inputs"]]
+            if found["inputs"][0]["name"] == "x":  # and not a cell
+                rows = next(group for group in found["settings"] if group["name"] == "lattice+fixed")["rows"]
+                periods = [column["name"] in ("px", "py") for column in found["inputs"]]
+                # A period comes as a float, and so may have 24 bits.
+                return Vectors(kinds, [Row([int(word, 16) for word in row["words"].split()], row["out"]) for row in rows
+                                       if all(abs(value) <= 1 << 24 for value, is_period in zip(row["in"], periods)
+                                              if is_period)])
+    raise ValueError(f"{form} has no vectors")
+
+
+def call(form: str, read: Mapping[str, str], vec: str = "vec{}") -> str:
+    """A call of the node's function with the words of a row. `read` makes a number of a word, by its kind."""
+    kinds = list(enumerate(vectors(form).kinds))
+    arguments = []
+    for one in files.inputs(form):
+        if one in (files.AMPLITUDE, files.PIVOT):
+            arguments.append("1.0" if one is files.AMPLITUDE else "0.0")
+            continue
+        count = int(one.type[-1]) if one.type.startswith("vec") else 1
+        parts = []
+        for _ in range(count):
+            word, kind = kinds.pop(0)
+            part = read[kind].format(word)
+            parts.append(f"float({part})" if count > 1 and kind == "i32" else part)
+        arguments.append(parts[0] if count == 1 else f"{vec.format(count)}({', '.join(parts)})")
+    return f"{files.node(form)}({', '.join([*arguments, 'result'])});"
+
+
+def size_of(form: str) -> int:
+    return len(vectors(form).rows[0].out)
+
+
+class Job(NamedTuple):
+    text: str  # of functions
+    form: str
+
+
+class Language:
+    """A generator's shaders: what compiles them, and what runs the functions that are in one."""
+    name: str
+    ends = "void main()"  # what stands behind the functions
+
+    def compile(self, made: Generated, folder: Path) -> None:
+        raise NotImplementedError
+
+    def functions(self, made: Generated) -> str:
+        text = made.shaders(self.name)[PIXEL]
+        return text[text.index("// hn_"):text.index(self.ends)]
+
+    def run(self, jobs: Sequence[Job], folder: Path) -> list[list[list[float]]]:
+        """What comes out of each row of each job."""
+        raise NotImplementedError
+
+
+class Glsl(Language):
+    name = "glsl"
+    READ = {"f32": "uintBitsToFloat(w[at + {}])", "i32": "int(w[at + {}])", "u32": "int(w[at + {}])"}
+
+    def compile(self, made: Generated, folder: Path) -> None:
+        for name, options in (("glsl", ()), ("essl", ()), ("vulkan", ("-V", "-o", "/dev/null")),
+                              ("wgsl", ("-V", "-o", "/dev/null"))):
+            for stage, text in made.shaders(name).items():
+                path = folder / f"{name}.{'frag' if stage == PIXEL else 'vert'}"
+                path.write_text(text, encoding="utf-8")
+                ran(folder, "glslangValidator", *options, path)
+
+    def run(self, jobs: Sequence[Job], folder: Path) -> list[list[list[float]]]:
+        renderer, found = Renderer(SIDE), []
+        for text, form in jobs:
+            rows, n = vectors(form).rows, size_of(form)
+            words = [word for row in rows for word in row.words]
+            pixels = renderer.draw(renderer.program(f"""#version 450
+out vec4 color;
+{text}
+const uint w[{len(words)}] = uint[]({', '.join(f'{word}u' for word in words)});
+void main() {{
+  int at = min(int(gl_FragCoord.x), {len(rows) - 1}) * {len(rows[0].words)};
+  {'float' if n == 1 else f'vec{n}'} result;
+  {call(form, self.READ)}
+  color = vec4(result{', 0.0' * (4 - n)});
+}}
+"""))
+            found.append([pixels[4 * i:4 * i + n].tolist() for i in range(len(rows))])
+        return found
+
+
+class Metal(Language):
+    """The functions alone: what MaterialX writes around them needs more of Metal than the suite's stand-in has."""
+    name, ends = "metal", "PixelOutputs FragmentMain()"
+    READ = {"f32": "as_type<float>(w[at + {}])", "i32": "int(w[at + {}])", "u32": "int(w[at + {}])"}
+
+    def compile(self, made: Generated, folder: Path) -> None:
+        self.run([Job(self.functions(made), "hn_value2")], folder)
+
+    def run(self, jobs: Sequence[Job], folder: Path) -> list[list[list[float]]]:
+        text, calls = "#include <metal_stdlib>\n#include <cstdio>\nusing namespace metal;\n", ""
+        contexts: dict[str, str] = {}
+        for functions, form in jobs:
+            if functions not in contexts:
+                contexts[functions] = f"Context{len(contexts)}"
+                text += f"struct {contexts[functions]} {{\n{functions}}};\n"
+            rows, n = vectors(form).rows, size_of(form)
+            words = ", ".join(f"{word}u" for row in rows for word in row.words)
+            calls += f"""  for (int i = 0; i < {len(rows)}; i++) {{
+    static const uint w[] = {{{words}}};
+    const int at = i * {len(rows[0].words)};
+    {'float' if n == 1 else f'float{n}'} result;
+    {contexts[functions]}().{call(form, self.READ, 'float{}')}
+    std::fwrite(&result, sizeof(float), {n}, stdout);
+  }}
+"""
+        shutil.copy(ROOT / "conformance" / "gpu" / "metal" / "metal_stdlib.hpp", folder / "metal_stdlib")
+        (folder / "metal.cpp").write_text(f"{text}int main() {{\n{calls}}}\n", encoding="utf-8")
+        ran(folder, "clang++", "-std=c++14", "-I.", "-o", "metal", "metal.cpp")
+        done = subprocess.run([folder / "metal"], stdout=subprocess.PIPE, check=True)
+        return parted(jobs, done.stdout)
+
+
+class SlangLanguage(Language):
+    name, ends = "slang", '[shader("fragment")]'
+    READ = {"f32": "asfloat(inputs[at + {}u])", "i32": "int(inputs[at + {}u])", "u32": "int(inputs[at + {}u])"}
+
+    def compile(self, made: Generated, folder: Path) -> None:
+        """Both stages, though they are called fragmentMain and vertexMain."""
+        for stage, text in made.shaders(self.name).items():
+            Slang().compiled(text, "spirv", entry=f"{'fragment' if stage == PIXEL else 'vertex'}Main",
+                             stage="fragment" if stage == PIXEL else "vertex")
+
+    def run(self, jobs: Sequence[Job], folder: Path) -> list[list[list[float]]]:
+        device, slang, written = Device(), Slang(), b""
+        for text, form in jobs:
+            rows, n = vectors(form).rows, size_of(form)
+            code = slang.compiled(f"""{text}
+[[vk::binding(0)]] StructuredBuffer<uint> inputs;
+[[vk::binding(1)]] RWStructuredBuffer<float> outputs;
+[shader("compute")] [numthreads({GROUP}, 1, 1)] void main(uint3 id : SV_DispatchThreadID) {{
+  if (id.x >= {len(rows)}u) return;
+  uint at = id.x * {len(rows[0].words)}u;
+  {'float' if n == 1 else f'float{n}'} result;
+  {call(form, self.READ, 'float{}')}
+  for (uint i = 0u; i < {n}u; i++) outputs[id.x * {n}u + i] = {'result' if n == 1 else 'result[i]'};
+}}
+""").decode()
+            words = b"".join(struct.pack("<I", word) for row in rows for word in row.words)
+            written += bytes(device.run(code, words, 4 * n * len(rows), len(rows)))
+        return parted(jobs, written)
+
+
+class Osl(Language):
+    name, ends = "osl", "\nshader shader"
+    READ = {"f32": "floats[at + {}]", "i32": "words[at + {}]", "u32": "words[at + {}]"}
+
+    def _render(self, folder: Path, jobs: Sequence[dict]) -> None:
+        headers = installed(MATERIALX, "--no-deps") / "MaterialX/libraries/stdlib/genosl/include"
+        for path in headers.glob("*.h"):
+            shutil.copy(path, folder)
+        (folder / "jobs.json").write_text(json.dumps(jobs), encoding="utf-8")
+        paths = os.pathsep.join(filter(None, (str(installed(BLENDER)), os.environ.get("PYTHONPATH"))))
+        ran(folder, "env", f"PYTHONPATH={paths}", sys.executable, "-B", RENDER, folder)
+
+    def compile(self, made: Generated, folder: Path) -> None:
+        (folder / "whole.osl").write_text(made.shaders(self.name)[PIXEL], encoding="utf-8")
+        (folder / "shown.osl").write_text("shader shown(output color shown = 0) { shown = P; }\n", encoding="ascii")
+        self._render(folder, [{"shader": "shown.osl", "width": 4, "height": 4, "node": "whole.osl"}])
+
+    def run(self, jobs: Sequence[Job], folder: Path) -> list[list[list[float]]]:
+        rendered = []
+        for i, (text, form) in enumerate(jobs):
+            rows, n = vectors(form).rows, size_of(form)
+            words = [word for row in rows for word in row.words]
+            signed = struct.unpack(f"<{len(words)}i", struct.pack(f"<{len(words)}I", *words))
+            floats = array("f", struct.pack(f"<{len(words)}I", *words))
+            type_ = {1: "float", 2: "vector2", 3: "vector"}[n]
+            parts = {1: ["result"], 2: ["result.x", "result.y"], 3: [f"result[{axis}]" for axis in range(3)]}[n]
+            made = call(form, self.READ, "vector{}").replace("vector3(", "vector(").replace("float(", "(float)(")
+            # Pixels have no signs: those below have what is positive of a result, and those above what is negative.
+            (folder / f"row{i}.osl").write_text(f"""#include "mx_funcs.h"
+{text}
+shader rows(output color shown = 0) {{
+  int words[{len(words)}] = {{{', '.join(map(str, signed))}}};
+  float floats[{len(words)}] = {{{', '.join(f'{x:.9g}' if math.isfinite(x) else '0' for x in floats)}}};
+  int at = {len(rows[0].words)} * (int)floor(P[0]);
+  {type_} result;
+  {made}
+  color n = color({', '.join([*parts, '0', '0'][:3])});
+  shown = P[1] < 1.0 ? max(n, color(0)) : max(-n, color(0));
+}}
+""", encoding="utf-8")
+            rendered.append({"shader": f"row{i}.osl", "width": len(rows), "height": 4})
+        self._render(folder, rendered)
+        found = []
+        for i, (_, form) in enumerate(jobs):
+            pixels = array("f", (folder / f"row{i}.pixels").read_bytes())
+            count, n = len(vectors(form).rows), size_of(form)
+            found.append([[pixels[4 * x + axis] - pixels[4 * (count + x) + axis] for axis in range(n)]
+                          for x in range(count)])
+        return found
+
+
+def parted(jobs: Sequence[Job], written: bytes) -> list[list[list[float]]]:
+    """The floats that were written one behind another."""
+    numbers = array("f", written).tolist()
+    found = []
+    for _, form in jobs:
+        count, n = len(vectors(form).rows), size_of(form)
+        found.append([numbers[n * i:n * (i + 1)] for i in range(count)])
+        del numbers[:n * count]
+    return found
+
+
+LANGUAGES: tuple[type[Language], ...] = (Glsl, Metal, SlangLanguage, Osl)
+MISSING = (Absent, NoRenderer)
+
+
+def needed() -> None:
+    """Raises one of MISSING if something is not here."""
+    for program, package in (("glslangValidator", "glslang-tools"), ("clang++", "clang")):
+        if not shutil.which(program):
+            raise Absent(f"there is no {program}: apt-get install {package}")
+    materialx()
+    installed(BLENDER)
+    Renderer(SIDE)
+    Device()
+    Slang()

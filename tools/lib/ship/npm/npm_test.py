@@ -1,0 +1,117 @@
+"""The npm package: its files are what they are made of. packages/npm/tests has what it does in Node.js and in browsers."""
+
+import json
+import re
+import unittest
+
+from ship.npm import twin
+from ship.npm.files import ARITHMETICS, glsl_modules, package, readme
+from single_file.files import flatten, in_order, minified, parts
+from thorough import in_thorough_runs
+from tree import GLSL, ROOT, glsl_files, version
+from wgsl.module import Module, Settings
+
+EXPORT = re.compile(r"^export default (.*);$", re.MULTILINE)
+IMPORT = re.compile(r'^import (\w+) from "(.*)";$', re.MULTILINE)
+GUARD = re.compile(r"#(ifndef|define) HN_\w+_GLSL|#endif")
+DESCRIBED = (ROOT / "packages" / "npm" / "package.json").read_text(encoding="utf-8")
+
+
+def string_of(name: str, files: dict[str, str]) -> str:
+    """What a module of strings exports."""
+    code = files[f"glsl/{name}.js"]
+    paths = dict(IMPORT.findall(code))
+    return "".join(json.loads(EXPORT.search(files[f"glsl/{paths[part][2:]}"])[1])
+                   for part in EXPORT.search(code)[1].split(" + "))
+
+
+# What no node takes or gives.
+STRUCTS = r"ptr<|-> ?hn_(?:derivatives[\dx]+|hexes)|hn_(?:octaves|slopes|shifts)\d"
+
+
+class Strings(unittest.TestCase):
+    files = glsl_modules()
+
+    def test_they_are_single_files(self):
+        """But for the guards: in a single file they stand around what a file includes, and here behind it."""
+        for path in GLSL.glob("*.glsl"):
+            with self.subTest(path.name):
+                lines = list(minified(flatten(path.name, set())))
+                found = string_of(path.stem, self.files).splitlines()
+                self.assertEqual(*([line for line in text if not GUARD.fullmatch(line)] for text in (found, lines)))
+                self.assertEqual(sorted(found), sorted(lines))
+
+    def test_plain_files_are_those_of_the_library(self):
+        for name, path in glsl_files().items():
+            self.assertEqual(self.files[f"glsl/{name}"], path.read_text())
+
+    def test_what_is_needed_stands_first(self):
+        self.assertEqual(in_order("detail/cubic_spline.glsl", parts())[-1], "detail/cubic_spline.glsl")
+        self.assertEqual(in_order("perlin2d.glsl", parts())[0], "config.glsl")
+
+    def test_types_and_chunks_are_of_all(self):
+        for path in GLSL.glob("*.glsl"):
+            self.assertIn(f"glsl/{path.stem}.d.ts", self.files)
+            self.assertIn(f'export {{ default as {path.stem} }} from "./{path.stem}.js";', self.files["glsl/all.js"])
+
+
+class Package(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.files = package(b"\0asm")
+
+    def test_its_version_is_that_of_the_library(self):
+        self.assertNotIn('"version"', DESCRIBED)
+        self.assertEqual(json.loads(self.files["package.json"])["version"], version())
+        self.assertRegex(version(), r"^\d+\.\d+\.\d+$")
+        self.assertIn(f"hashnoise-{version()}.tgz", self.files["README.md"])
+
+    def test_what_it_exports_is_there(self):
+        for name, target in json.loads(self.files["package.json"])["exports"].items():
+            for path in target.values() if isinstance(target, dict) else [target]:
+                found = path.removeprefix("./").replace("vectors/*", "vectors/fbm.fbm2").replace("*", "fbm2d")
+                with self.subTest(name=name, path=path):
+                    self.assertIn(found, [*self.files, "package.json"])
+
+    def test_its_page_has_no_links(self):
+        self.assertNotRegex(readme(), r"\]\(")
+
+    def test_its_wgsl_is_the_modules(self):
+        for folder, arithmetic in ARITHMETICS.items():
+            module = Module(GLSL, '#include "hashnoise.glsl"\n', Settings(arithmetic))
+            code = self.files[f"wgsl/{folder}.js"]
+            texts = [json.loads(text) for text in re.findall(r'definition\(("(?:[^"\\]|\\.)*")', code)]
+            expected = ["".join(f"{line}\n" for line in minified(item.lines)) for item in module.definitions()]
+            self.assertEqual(texts, expected)
+            for item in module.definitions():
+                needs = re.search(rf"const {item.name} = .*?\"(.*?)\);$", code.replace('\\"', ""), re.MULTILINE)
+                self.assertTrue(needs[1].endswith("".join(f", {need}" for need in item.needs)))
+
+    def test_every_function_that_sets_nothing_has_a_node(self):
+        for folder in ARITHMETICS:
+            public = re.findall(r"export const (\w+) = .*?definition\(\"(.*?)\"[,)]", self.files[f"wgsl/{folder}.js"])
+            functions = {name for name, code in public
+                         if code.startswith("fn ") and not re.search(STRUCTS, code.split("{")[0])}
+            nodes = set(re.findall(r"export const (\w+) =", self.files[f"tsl/{folder}.js"]))
+            self.assertEqual(nodes, functions)
+            self.assertGreater(len(nodes), 200)
+            self.assertEqual(set(re.findall(r"function (\w+)\(", self.files[f"tsl/{folder}.d.ts"])), functions)
+
+
+class Twin(unittest.TestCase):
+    @in_thorough_runs
+    def test_it_is_the_same_every_time(self):
+        try:
+            first = twin.compiled()
+        except twin.Failed as reason:
+            self.skipTest(str(reason).partition("\n")[0])
+        self.assertEqual(first, twin.compiled())
+        self.assertLess(len(first), twin.MOST_BYTES)
+
+    def test_what_is_wrong_is_told(self):
+        with self.assertRaises(twin.Failed):
+            twin.compiled(source=ROOT / "absent.cpp")
+
+
+if __name__ == "__main__":
+    unittest.main()

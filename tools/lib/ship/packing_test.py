@@ -1,0 +1,147 @@
+"""tools/pack: what it tells and refuses, of every package alike. The tests of a package tell what is in it."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import tempfile
+import unittest
+import zipfile
+from pathlib import Path
+from unittest import mock
+
+from ship import command, packing
+from ship.recipes import RECIPES
+from tree import version
+from usage import Parser
+
+PACKED = [name for name, recipe in RECIPES.items() if not recipe.command]
+
+
+def call(*arguments: str) -> tuple[int, str, str]:
+    """The status, and what is printed."""
+    with contextlib.redirect_stdout(io.StringIO()) as out, contextlib.redirect_stderr(io.StringIO()) as error:
+        try:
+            status = command.main(arguments)
+        except SystemExit as ended:
+            status = ended.code
+    return status, out.getvalue(), error.getvalue()
+
+
+class Usage(unittest.TestCase):
+    def assert_refused(self, arguments: tuple[str, ...], *said: str) -> None:
+        with self.subTest(arguments):
+            status, out, error = call(*arguments)
+            self.assertEqual((status, out, error.count("\n")), (2, "", 1), error)
+            for text in said:
+                self.assertIn(text, error)
+
+    def test_help_names_each_package(self) -> None:
+        for asked in ("--help", "-h", "help"):
+            status, told, error = call(asked)
+            self.assertEqual((status, error), (0, ""))
+            for name, recipe in RECIPES.items():
+                self.assertRegex(told, rf"(?m)^  {name} +{recipe.line.split()[0]}")
+            self.assertIn("Exit status: 0 done", told)
+
+    def test_each_package_tells_its_options(self) -> None:
+        for name, recipe in RECIPES.items():
+            for asked in ("--help", "help"):
+                status, told, error = call(name, asked)
+                with self.subTest(name):
+                    self.assertEqual((status, error), (0, ""))
+                    self.assertIn(f"tools/pack {name} ", told)
+                    self.assertIn("Exit status: 0 done", told)
+                    for option in (*recipe.options, *["zip"] * recipe.has_folder):
+                        self.assertIn(f"--{option}", told)
+
+    def test_a_name_that_there_is_not(self) -> None:
+        self.assert_refused(("unitty",), "tools/pack: there is no package unitty (did you mean unity?)",
+                            "tools/pack --help lists them")
+        self.assert_refused(("godot-addon", "out"), "there is no package godot-addon (did you mean godot?)")
+        self.assert_refused(("--zip",), "there is no package --zip;")
+        self.assert_refused((), "the name of a package is missing; tools/pack --help lists them")
+        self.assert_refused(("",), "the name of a package is missing")
+
+    def test_what_is_no_option(self) -> None:
+        for name in RECIPES:
+            self.assert_refused((name, "--no-such=1"), f"tools/pack {name}: there is no option --no-such; ",
+                                f"tools/pack {name} --help tells more")
+        for name in PACKED:
+            if RECIPES[name].has_folder:
+                self.assert_refused((name, "--zpi"), "there is no option --zpi (did you mean --zip?)")
+        self.assert_refused(("blender", "--weel", "a.whl"), "there is no option --weel (did you mean --wheel?)")
+
+    def test_what_is_no_folder(self) -> None:
+        for name in (*PACKED, "npm", "python"):
+            self.assert_refused((name, __file__), f"tools/pack {name}: ", "is a file; it must be a folder")
+            self.assert_refused((name, ""), "the folder has no name")
+            self.assert_refused((name, "one", "two"), "two is one word too many")
+
+    def test_times_are_numbers(self) -> None:
+        with mock.patch.dict("os.environ", SOURCE_DATE_EPOCH="now"):
+            for name in PACKED:
+                self.assert_refused((name, "folder"), "SOURCE_DATE_EPOCH is a number of seconds, not now")
+
+    def test_a_word_that_is_near_nothing_is_told_alone(self) -> None:
+        with contextlib.redirect_stderr(io.StringIO()) as error, self.assertRaises(SystemExit):
+            Parser("tools/some", "").parse_args(["--other", "word"])
+        self.assertEqual(error.getvalue(), "tools/some: there is no option --other; tools/some --help tells more\n")
+
+
+class Writing(unittest.TestCase):
+    """Whatever the files are."""
+
+    def setUp(self) -> None:
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.folder = Path(scratch.name)
+
+    def made(self, name: str, *options: str, **variables: str) -> Path:
+        content = {"page.md": "# Page\n", "src/library": b"\0"}
+        with mock.patch.object(packing, "files_of", return_value=content), mock.patch.dict("os.environ", variables):
+            status, out, error = call(name, *options, str(self.folder))
+        self.assertEqual((status, error), (0, ""))
+        return Path(out.strip())
+
+    def test_each_has_its_name(self) -> None:
+        for name in PACKED:
+            recipe = RECIPES[name]
+            with self.subTest(name):
+                made = self.made(name, *["--zip"] * recipe.has_folder)
+                self.assertEqual(made, self.folder / f"{recipe.zip_name}-{version()}.zip")
+                top = f"{recipe.name}-{version()}/" if recipe.has_folder else ""
+                with zipfile.ZipFile(made) as packed:
+                    found = {path: packed.read(path) for path in packed.namelist()}
+                self.assertEqual(found, {f"{top}page.md": b"# Page\n", f"{top}src/library": b"\0"})
+                if recipe.has_folder:
+                    made = self.made(name)
+                    self.assertEqual(made, self.folder / f"{recipe.name}-{version()}")
+                    self.assertEqual({path.relative_to(self.folder).as_posix(): path.read_bytes()
+                                      for path in made.rglob("*") if path.is_file()}, found)
+
+    def test_times_are_those_of_the_variable(self) -> None:
+        one = self.made("unity", "--zip").read_bytes()
+        self.assertEqual(self.made("unity", "--zip").read_bytes(), one)
+        other = self.made("unity", "--zip", SOURCE_DATE_EPOCH="1700000000")
+        self.assertNotEqual(other.read_bytes(), one)
+        self.assertEqual(zipfile.ZipFile(other).infolist()[0].date_time[:3], (2023, 11, 14))
+
+    def test_what_an_earlier_run_left_goes_and_what_cargo_made_stays(self) -> None:
+        made = self.made("rust")
+        for name in ("old/file", "target/built", "Cargo.lock"):
+            (made / name).parent.mkdir(exist_ok=True)
+            (made / name).touch()
+        self.assertEqual(self.made("rust"), made)
+        self.assertEqual({path.name for path in made.iterdir()}, {"page.md", "src", "target", "Cargo.lock"})
+
+    def test_a_folder_that_cannot_be_made(self) -> None:
+        (self.folder / "file").touch()
+        with mock.patch.object(packing, "files_of", return_value={}):
+            status, out, error = call("isf", str(self.folder / "file" / "below"))
+        self.assertEqual((status, out), (2, ""))
+        self.assertIn("below cannot be made: Not a directory", error)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,77 @@
+# Builds the wheel, checks it, and prints its path, as tools/pack python calls it:
+#
+#   wheel.sh FOLDER PYTHON [LIBRARY [MANYLINUX]]    the last two are empty, or the library, and something
+#
+# Exit status: as that of tools/pack python.
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/../../../setup.sh"
+folder=$1 python=$2 library=${3-} manylinux=${4-}
+
+mkdir -p "$build"
+: >"$log"
+packages=(cmake g++ ninja-build)
+# A Python of the user's own has what Debian's is without.
+if ! "$python" -c 'if True:
+    import ensurepip, pathlib, sysconfig, venv
+    assert (pathlib.Path(sysconfig.get_path("include")) / "Python.h").exists()' 2>/dev/null; then
+  packages+=(python3-dev python3-venv)
+fi
+install_missing "${packages[@]}" >&2
+
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+export PIP_DISABLE_PIP_VERSION_CHECK=1 PIP_NO_INPUT=1 PIP_NO_COMPILE=1  # what is installed here is used once
+# A virtual environment with a pip of its own needs no other: what builds the wheel is apart from it in any case.
+pip=("$python" -m pip)
+is_environment=1
+if ! "$python" -c 'import sys; sys.exit(sys.prefix == sys.base_prefix)' || ! "${pip[@]}" --version >/dev/null 2>&1; then
+  is_environment=
+  pip=("$scratch/builds/bin/pip")
+  logged "Making a virtual environment for the build" "There is no virtual environment for the build" \
+    "$python" -m venv "$scratch/builds"
+fi
+# Objects are kept, so that the next wheel takes less time. Others may have any set.
+settings=("--config-settings=build-dir=$build/python/{wheel_tag}"
+  "--config-settings=cmake.define.HASHNOISE_INSTRUCTION_SETS=all")
+if [[ -n $library ]]; then
+  settings=("--config-settings=build-dir=$build/python/linked/{wheel_tag}"
+    "--config-settings=cmake.define.HASHNOISE_LIBRARY=$(realpath "$library")"
+    # What is left to compile is for tests, which run shorter than that takes. Most of it is reading headers.
+    "--config-settings=cmake.define.CMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG"
+    "--config-settings=cmake.define.CMAKE_UNITY_BUILD=ON"
+    "--config-settings=cmake.define.CMAKE_UNITY_BUILD_BATCH_SIZE=0")
+fi
+logged "Building the wheel" "The wheel could not be built" "${pip[@]}" wheel --no-deps --wheel-dir "$scratch/wheels" \
+  "${settings[@]}" "$root"
+wheels=("$scratch/wheels"/*.whl)
+
+# What is checked below is the wheel that others get.
+if [[ -n $manylinux ]]; then
+  tools=$scratch/repairs/bin
+  logged "Making a virtual environment for auditwheel" "There is no virtual environment for auditwheel" \
+    "$python" -m venv "$scratch/repairs"
+  logged "Installing auditwheel" "auditwheel could not be installed" \
+    "$tools/pip" install --requirement "$root/packages/python/manylinux.txt"
+  logged "Finding the machines that the wheel runs on" "The wheel runs on this machine alone" \
+    env PATH="$tools:$PATH" "$tools/auditwheel" repair --wheel-dir "$scratch/repaired" "${wheels[0]}"
+  wheels=("$scratch/repaired"/*.whl)
+fi
+
+# It needs no pip of its own, which takes longer to install than what follows.
+logged "Making a virtual environment for the check" "There is no virtual environment for the check" \
+  "$python" -m venv --without-pip "$scratch/checks"
+install_for_check() { "${pip[@]}" install --ignore-installed --prefix "$scratch/checks" "$@"; }
+where_numpy_is='import numpy, pathlib; print(pathlib.Path(numpy.__file__).parents[1])'
+if [[ -n $is_environment ]] && numpy=$("$python" -c "$where_numpy_is" 2>/dev/null); then
+  for packages in "$scratch"/checks/lib/python*/site-packages; do echo "$numpy" >"$packages/numpy.pth"; done
+else
+  logged "Installing what checks the wheel" "What checks the wheel could not be installed" \
+    install_for_check --requirement "$root/packages/python/tests/numpy.txt"
+fi
+logged "Installing the wheel" "The wheel could not be installed" install_for_check --no-deps "${wheels[0]}"
+if ! "$scratch/checks/bin/python" -B "$root/packages/python/tests/golden.py" >&2; then
+  echo "${wheels[0]##*/} computes wrong values, and is not kept." >&2
+  exit 1
+fi
+mv "${wheels[0]}" "$folder"
+echo "$folder/${wheels[0]##*/}"

@@ -1,0 +1,79 @@
+"""What tools/pack makes: a row for each package."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+
+class Option(NamedTuple):
+    """Of one package, whose package() takes what is passed by it."""
+    metavar: str
+    help: str
+
+
+class Recipe(NamedTuple):
+    """A package is a folder with files, or one zip file of that folder, unless it has a command of its own."""
+    line: str                            # what it makes
+    name: str = ""                       # of the folder and of the zip file, before -VERSION
+    of_zip: str = ""                     # that of the zip file, if it is another one
+    more: str = ""                       # what its help tells besides
+    options: dict[str, Option] = {}
+    is_zip: bool = False                 # always: the files are for a folder that a user has
+    command: str = ""                    # the module of its own command line
+    python: tuple[int, int] = (3, 9)
+
+    @property
+    def zip_name(self) -> str:
+        return self.of_zip or self.name
+
+    @property
+    def has_folder(self) -> bool:
+        """It is that unless --zip asks for a file."""
+        return bool(self.name) and not self.is_zip
+
+
+RECIPES = {
+    "npm": Recipe("the npm package: GLSL and WGSL as modules, nodes of three.js, heights", command="ship.npm.command"),
+    "python": Recipe("the Python package, as a wheel", command="ship.python.command"),
+    "rust": Recipe(
+        "the Rust crate", "hashnoise", "hashnoise-rust",
+        "It has what tools/pick writes of the functions that are asked for most, with HN_FAST and with HN_FIXED, and "
+        "the vectors to which `cargo test` holds it. It takes some minutes. --only place,perlin,hash makes some "
+        "modules, which is for tests: place and hash are always needed.",
+        {"only": Option("MODULES", "these modules, with commas between")}),
+    "wesl": Recipe(
+        "the package for WESL, for npm and for cargo", "hashnoise_wgsl",
+        more="npm and cargo both take the folder. It has every function, with HN_FAST and with HN_FIXED; what a shader "
+        "does not call is left out when it is linked."),
+    "glsl-noise": Recipe(
+        "a stand-in for npm's glsl-noise", "hashnoise-glsl-noise",
+        more="npm installs the folder. Its files have the names of glsl-noise, and functions with its names, which are "
+        "noise of the library that looks alike."),
+    "unity": Recipe(
+        "the package for Unity", "com.hashnoise.noise",
+        more="Unity's Package Manager takes the folder. It has functions for HLSL, for the Custom Function nodes of "
+        "Shader Graph, and for C#, of what is asked for most."),
+    "unreal": Recipe(
+        "the plugin for Unreal", "hashnoise-unreal",
+        more="A project has it in its folder Plugins. It has files of HLSL that materials include, and the text of "
+        "custom nodes, of what is asked for most."),
+    "blender": Recipe(
+        "the add-on for Blender", "hashnoise-blender",
+        more="Blender 4.2 and later install the zip file from the disk as an extension. It has node groups for "
+        "Cycles, and an operator that displaces meshes by the Python package. With --wheel it has a wheel of that "
+        "package, which Blender then installs with it: tools/pack python makes one for this machine. It must be for "
+        "the Python of your Blender, which is 3.11 in 4.2 and in 5.0.",
+        options={"wheel": Option("FILE", "the Python package, which it then has")}),
+    "materialx": Recipe(
+        "nodes for MaterialX", "hashnoise-materialx",
+        more="MaterialX loads the folder `hashnoise` in it: nodes of what is asked for most, for its generators of "
+        "GLSL, Metal's language, Slang and OSL."),
+    "isf": Recipe(
+        "looks in the Interactive Shader Format (ISF)", "hashnoise-isf",
+        more="Each file is a generator with controls."),
+    "godot": Recipe(
+        "the add-on for Godot 4.4 and later", "hashnoise-godot", is_zip=True,
+        more="It has addons/hashnoise/ as a project has it: the parts of the library, each as one .gdshaderinc, and an "
+        "example."),
+    "release": Recipe("all that a release has, from a clean tree", command="ship.release.command", python=(3, 11)),
+}

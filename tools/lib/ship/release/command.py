@@ -1,0 +1,106 @@
+"""The command line of tools/pack release."""
+
+from __future__ import annotations
+
+import argparse
+import shutil
+import sys
+import tempfile
+import textwrap
+from pathlib import Path
+
+from ship.release.files import NoRelease, PARTS, Release, named, notes, run
+from tree import ROOT, version
+from usage import Parser, near
+
+
+DESCRIPTION = textwrap.dedent("""\
+    Makes all that a release has, from a clean tree: files for shaders, headers, packages, the playground, checksums.
+
+    FOLDER is build/release/hashnoise-VERSION unless you name one; it must not exist. The version is that of
+    glsl/hashnoise/config.glsl. The tree must be what is committed, and CHANGELOG.md must give the version's day; with
+    --trial neither has to be. With --tag v1.2.3 the version must be that one.
+
+    {parts}
+
+    The same commit makes the same bytes. Only the wheel may differ: compilers decide about it. docs/release.md tells
+    what the files are.
+
+    Exit status: 0 done, 1 there is no release (it says why), 2 bad usage.""").format(
+    parts=textwrap.fill(f"PARTS are names with commas between: {', '.join(PARTS)}. Parts that are not made are named at "
+                        "the end.", 120, break_on_hyphens=False))
+
+
+def parsed_arguments(arguments: list[str] | None) -> argparse.Namespace:
+    parser = Parser("tools/pack release", DESCRIPTION)
+    parser.add_argument("--trial", action="store_true",
+                        help="whatever is not committed, and whatever CHANGELOG.md says of the day")
+    parser.add_argument("--tag", metavar="NAME",
+                        help="there is no release unless the version is that of this tag: v1.2.3")
+    chosen = parser.add_mutually_exclusive_group()
+    chosen.add_argument("--only", metavar="PARTS", help="these parts, with commas between")
+    chosen.add_argument("--without", metavar="PARTS", help="all parts but these")
+    parser.add_argument("folder", type=Path, nargs="?", metavar="FOLDER",
+                        default=ROOT / "build" / "release" / f"hashnoise-{version()}",
+                        help="where it goes; it must not exist (default: build/release/hashnoise-VERSION)")
+    parsed = parser.parse_args(arguments)
+    listed = [name.strip() for name in (parsed.only or parsed.without or "").split(",") if name.strip()]
+    for name in listed:
+        if name not in PARTS:
+            parser.error(f"there is no part {name}{near(name, PARTS) or '; there are ' + ', '.join(PARTS)}")
+    parsed.parts = [name for name in PARTS if (name in listed if parsed.only is not None else name not in listed)]
+    if not parsed.parts:
+        parser.error(f"no part is left; there are {', '.join(PARTS)}")
+    if parsed.tag not in (None, f"v{version()}"):
+        parser.error(f"the version is {version()}, so its tag is v{version()} and not {parsed.tag}")
+    if parsed.folder.exists():
+        parser.error(f"{parsed.folder} exists; name another folder, or remove it")
+    try:
+        parsed.folder.parent.mkdir(parents=True, exist_ok=True)
+        tempfile.TemporaryDirectory(dir=parsed.folder.parent).cleanup()
+    except OSError as error:
+        parser.error(f"the folder {parsed.folder} cannot be made: {error.strerror}")
+    return parsed
+
+
+def make(folder: Path, parts: list[str], trial: bool) -> None:
+    """All of it, or nothing: the folder appears when everything is in it."""
+    if not (ROOT / ".git").exists():
+        raise NoRelease(f"{ROOT} is no git repository, and a release is made of a commit")
+    changed = run(["git", "-C", ROOT, "status", "--porcelain"]).splitlines()
+    if changed and not trial:
+        raise NoRelease(f"the tree is not what is committed: {changed[0]}"
+                        f"{f' and {len(changed) - 1} more' if len(changed) > 1 else ''}; --trial makes one all the same")
+    said = notes((ROOT / "CHANGELOG.md").read_text(encoding="utf-8"), version(), trial)  # before what takes minutes
+    with tempfile.TemporaryDirectory(dir=folder.parent, prefix=f".{folder.name}.") as scratch:
+        release = Release(Path(scratch) / "release")
+        release.folder.mkdir()
+        for part in parts:
+            print(f"{part} ...", file=sys.stderr)
+            release.make(part)
+            if not named(part, {path.name for path in release.folder.iterdir()}, release.version):
+                raise NoRelease(f"{part} was made, but has another name than version {release.version} must have")
+        (release.folder / "NOTES.md").write_text(said, encoding="utf-8")
+        release.materials()
+        release.checksums()
+        release.folder.chmod(0o755)
+        shutil.move(release.folder, folder)
+
+
+def main(arguments: list[str] | None = None) -> int:
+    parsed = parsed_arguments(arguments)
+    try:
+        make(parsed.folder.resolve(), parsed.parts, parsed.trial)
+    except NoRelease as error:
+        print(f"tools/pack release: {error}", file=sys.stderr)
+        return 1
+    except OSError as error:
+        print(f"tools/pack release: {error.filename}: {error.strerror}", file=sys.stderr)
+        return 1
+    left_out = [name for name in PARTS if name not in parsed.parts]
+    if left_out:
+        print(f"Without {', '.join(left_out)}.", file=sys.stderr)
+    if parsed.trial:
+        print("This is a trial, not a release.", file=sys.stderr)
+    print(parsed.folder)
+    return 0

@@ -1,0 +1,144 @@
+"""Makes the parts of a release."""
+
+from __future__ import annotations
+
+import gzip
+import hashlib
+import os
+import re
+import subprocess
+import tempfile
+from pathlib import Path
+
+from ship.release import sbom
+from ship.recipes import RECIPES
+from ship.zips import zipped
+from single_file.files import text
+from tables import glsl
+from tree import HN_CONFORM, ROOT, TOOLS, VECTORS, version
+
+
+class NoRelease(Exception):
+    """Something is not as a release needs it."""
+
+
+def run(command: list[str | Path], **options) -> str:
+    """What a command prints; what it says of a failure is the reason for there being no release."""
+    done = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=False, **options)
+    if done.returncode != 0:
+        raise NoRelease(f"{Path(command[0]).name} {' '.join(map(str, command[1:]))} ended with status {done.returncode}")
+    return done.stdout
+
+
+def notes(changelog: str, wanted: str, trial: bool) -> str:
+    """What the changelog says of a version. Its heading has the day of the release: "## 1.2.3 (2026-11-22)"."""
+    section = re.search(rf"^## {re.escape(wanted)} \((.*?)\)\n+(.*?)(?=^## |\Z)", changelog, re.M | re.S)
+    if not section:
+        raise NoRelease(f'CHANGELOG.md says nothing of {wanted}; it must have a heading like "## {wanted} (2026-11-22)"')
+    if not re.fullmatch(r"\d{4}-\d\d-\d\d", section[1]) and not trial:
+        raise NoRelease(f'CHANGELOG.md has "{section[1]}" in place of the day on which {wanted} is released; '
+                        "--trial makes one all the same")
+    # Links to the pages of the repository lead nowhere from a release.
+    text = re.sub(r"\[([^\]]+)\]\((?!\w+://)[^)]*\)", r"\1", section[2].rstrip())
+    return f"# hashnoise {wanted}\n\n{text}\n"
+
+
+class Release:
+    """The parts, made into a folder."""
+
+    def __init__(self, folder: Path):
+        self.folder = folder
+        self.version = version()
+        self.seconds = int(run(["git", "-C", ROOT, "log", "-1", "--format=%ct"]))
+        self.environment = {**os.environ, "SOURCE_DATE_EPOCH": str(self.seconds)}
+
+    def make(self, part: str) -> None:
+        if part in RECIPES:
+            recipe = RECIPES[part]
+            run([TOOLS / "pack", part, *["--zip"] * recipe.has_folder, self.folder], env=self.environment)
+        else:
+            getattr(self, part)()
+
+    def single(self) -> None:
+        for language in ("glsl", "hlsl", "metal"):
+            for ending, minify in ((language, False), (f"min.{language}", True)):
+                made = text(["hashnoise.glsl"], language, minify=minify)
+                (self.folder / f"hashnoise.{ending}").write_text(made, encoding="ascii")
+        for name, arithmetic in (("hashnoise.wgsl", "HN_FAST"), ("hashnoise.fixed.wgsl", "HN_FIXED")):
+            run([TOOLS / "wgsl", "--arithmetic", arithmetic, "--out", self.folder / name])
+
+    def parts(self) -> None:
+        """Each file that has public functions, with what it needs, for who wants no more than that."""
+        names = sorted({function.path.name for function in glsl.declarations()})
+        files = {f"{language}/{Path(name).stem}.{language}": text([name], language, strip=True).encode("ascii")
+                 for language in ("glsl", "hlsl", "metal") for name in names}
+        (self.folder / f"hashnoise-{self.version}-parts.zip").write_bytes(zipped(files, self.seconds))
+
+    def vectors(self) -> None:
+        """What ports are held to."""
+        files = {f"vectors/{path.name}": path.read_bytes() for path in sorted(VECTORS.glob("*.json"))}
+        (self.folder / f"hashnoise-{self.version}-vectors.zip").write_bytes(zipped(files, self.seconds))
+
+    def headers(self) -> None:
+        """What is installed of the library without anything compiled, so find_package takes it from where it is."""
+        with tempfile.TemporaryDirectory() as scratch:
+            log = {"stderr": subprocess.STDOUT}
+            run(["cmake", "-S", ROOT, "-B", f"{scratch}/build", "-G", "Ninja", "-DHASHNOISE_GRID=OFF",
+                 "-DHASHNOISE_CONFORMANCE=OFF", "-DHASHNOISE_TESTS=OFF", "-DHASHNOISE_INSTALL=ON",
+                 "-DCMAKE_INSTALL_LIBDIR=lib"], **log)
+            top = Path(scratch) / "headers" / f"hashnoise-{self.version}"
+            run(["cmake", "--install", f"{scratch}/build", "--prefix", top], **log)
+            (top / "LICENSE").write_bytes((ROOT / "LICENSE").read_bytes())
+            files = {path.relative_to(top.parent).as_posix(): path.read_bytes() for path in top.rglob("*") if path.is_file()}
+            (self.folder / f"hashnoise-{self.version}-headers.zip").write_bytes(zipped(files, self.seconds))
+
+    def source(self) -> None:
+        name = f"hashnoise-{self.version}"
+        packed = subprocess.run(["git", "-C", ROOT, "archive", "--format=tar", f"--prefix={name}/", "HEAD"],
+                                stdout=subprocess.PIPE, check=True).stdout
+        (self.folder / f"{name}-source.tar.gz").write_bytes(gzip.compress(packed, mtime=self.seconds))
+
+    def playground(self) -> None:
+        run([TOOLS / "playground", "--out", self.folder / "playground.html"], env=self.environment)
+
+    def check(self) -> None:
+        """The page on which anybody checks a device. The program that makes it has the library inside, so it is built
+        of what is there."""
+        if not HN_CONFORM.exists():
+            raise NoRelease(f"there is no {HN_CONFORM.relative_to(ROOT)}, which makes check.html; tools/conform builds it")
+        run(["cmake", "--build", HN_CONFORM.parents[1], "--target", "hn-conform"])
+        with tempfile.TemporaryDirectory() as scratch:
+            run([HN_CONFORM, "web", "--out", scratch])
+            (self.folder / "check.html").write_bytes((Path(scratch) / "index.html").read_bytes())
+
+    def materials(self) -> None:
+        """What is in it, for who has to keep lists of that."""
+        files = {path.name: path.read_bytes() for path in self.folder.iterdir()}
+        try:
+            made = sbom.text(sbom.bom(self.version, self.seconds, files, sbom.of_others()))
+        except sbom.Unknown as error:
+            raise NoRelease(str(error)) from error
+        (self.folder / f"hashnoise-{self.version}.cdx.json").write_text(made, encoding="ascii")
+
+    def checksums(self) -> None:
+        """In the form of sha256sum, which also checks them."""
+        lines = [f"{hashlib.sha256(path.read_bytes()).hexdigest()}  {path.name}\n" for path in sorted(self.folder.iterdir())]
+        (self.folder / "SHA256SUMS").write_text("".join(lines), encoding="ascii")
+
+
+PARTS = ("single", "parts", "vectors", "headers", "source", *(name for name in RECIPES if name != "release"),
+         "playground", "check")
+# What must be there of each, so that a tool that makes something else is noticed.
+NAMES = {"single": r"hashnoise(\.min|\.fixed)?\.(glsl|hlsl|metal|wgsl)", "parts": r"hashnoise-VERSION-parts\.zip",
+         "vectors": r"hashnoise-VERSION-vectors\.zip",
+         "headers": r"hashnoise-VERSION-headers\.zip",
+         "source": r"hashnoise-VERSION-source\.tar\.gz", "npm": r"hashnoise-VERSION\.tgz",
+         "python": r"hashnoise-VERSION-[\w.-]+\.whl",
+         **{name: rf"{re.escape(recipe.zip_name)}-VERSION\.zip" for name, recipe in RECIPES.items() if recipe.name},
+         "playground": r"playground\.html", "check": r"check\.html"}
+
+
+def named(part: str, names: set[str], wanted: str) -> set[str]:
+    """Which of the names are a part's."""
+    pattern = re.compile(NAMES[part].replace("VERSION", re.escape(wanted)))
+    return {name for name in names if pattern.fullmatch(name)}

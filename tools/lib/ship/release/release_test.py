@@ -1,0 +1,206 @@
+"""tools/pack release: what it makes is whole, the same each time, and of a tree that is what is committed."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import shutil
+import subprocess
+import tempfile
+import unittest
+import zipfile
+from pathlib import Path
+from unittest import mock
+
+from ship.release import files
+from tree import ROOT, TOOLS, VECTORS, version
+
+# Enough of the tree for what is tried here.
+COPIED = ("CMakeLists.txt", "LICENSE", "glsl", "include", "packages/npm/package.json",
+          "packages/wesl/Cargo.toml", "pyproject.toml", "tools")
+CHEAP = "single,parts,vectors,headers,source"
+
+
+class Project(unittest.TestCase):
+    """A repository of its own, in which 0.3.0, or whatever it is, was released on a day."""
+
+    @classmethod
+    def setUpClass(cls):
+        scratch = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(scratch.cleanup)
+        cls.scratch = Path(scratch.name)
+        cls.original = cls.scratch / "original"
+        cls.original.mkdir()
+        for name in COPIED:
+            copy = shutil.copytree if (ROOT / name).is_dir() else shutil.copy
+            (cls.original / name).parent.mkdir(parents=True, exist_ok=True)
+            copy(ROOT / name, cls.original / name)
+        (cls.original / "vectors").mkdir()  # some are enough
+        for path in (VECTORS / "index.json", VECTORS / "hash.word.json"):
+            shutil.copy(path, cls.original / "vectors")
+        changelog = f"# Changelog\n\n## {version()} (2026-11-22)\n\n- It is [there](docs/x.md).\n\n## 0.0.1 (2025-01-01)\n\n- Old.\n"
+        (cls.original / "CHANGELOG.md").write_text(changelog)
+        # Of one pack fewer files are copied than of a thousand objects.
+        for arguments in (["init", "-q", "--template="], ["add", "-A"], ["commit", "-qm", "All of it"],
+                          ["repack", "-adq"]):
+            cls.git(cls.original, *arguments)
+
+    @staticmethod
+    def git(folder: Path, *arguments: str) -> None:
+        someone = {f"GIT_{who}_{what}": "someone@example.com" for who in ("AUTHOR", "COMMITTER") for what in ("NAME", "EMAIL")}
+        subprocess.run(["git", "-C", folder, "-c", "gc.auto=0", *arguments], check=True, env=os.environ | someone)
+
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.root = Path(scratch.name) / "project"
+        shutil.copytree(self.original, self.root)
+        self.out = Path(scratch.name) / "out" / "release"
+
+    def call(self, *arguments: str | Path, out: Path | None = None) -> subprocess.CompletedProcess[str]:
+        return subprocess.run([self.root / "tools" / "pack", "release", *arguments, out or self.out],
+                              capture_output=True, text=True, check=False)
+
+    def refused(self, status: int, said: str, *arguments: str) -> None:
+        done = self.call(*arguments)
+        self.assertEqual((done.returncode, done.stdout), (status, ""), done.stderr)
+        self.assertRegex(done.stderr, said)
+        self.assertFalse(self.out.parent.exists() and list(self.out.parent.iterdir()))
+
+
+class Makes(Project):
+    def test_the_same_files_each_time_with_their_checksums(self):
+        other = self.out.parent / "other"
+        for out in (self.out, other):
+            done = self.call("--only", CHEAP, out=out)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual(done.stdout, f"{out}\n")
+            self.assertIn("Without npm, python, rust, wesl, glsl-noise, unity, unreal, blender, materialx, isf, godot, playground, check.", done.stderr)
+        names = {path.name for path in self.out.iterdir()}
+        self.assertEqual(names, {path.name for path in other.iterdir()})
+        for name in names:
+            self.assertEqual((self.out / name).read_bytes(), (other / name).read_bytes(), name)
+        with zipfile.ZipFile(next(self.out.glob("*-vectors.zip"))) as packed:
+            self.assertEqual(packed.namelist(), ["vectors/hash.word.json", "vectors/index.json"])
+            self.assertEqual(packed.read("vectors/index.json"), (VECTORS / "index.json").read_bytes())
+        listed = json.loads((self.out / f"hashnoise-{version()}.cdx.json").read_text())["components"]
+        self.assertEqual({one["name"] for one in listed},
+                         names - {"SHA256SUMS", f"hashnoise-{version()}.cdx.json"})
+        checked = ["sha256sum", "--check", "--quiet", "SHA256SUMS"]
+        self.assertEqual(subprocess.run(checked, cwd=self.out, check=False).returncode, 0)
+        self.assertEqual(len((self.out / "SHA256SUMS").read_text().splitlines()), len(names) - 1)
+        with (self.out / "hashnoise.glsl").open("a") as made:
+            made.write("\n")
+        self.assertNotEqual(subprocess.run(checked, cwd=self.out, capture_output=True, check=False).returncode, 0)
+        self.assertEqual((self.out / "NOTES.md").read_text(), f"# hashnoise {version()}\n\n- It is there.\n")
+
+    def test_parts_that_stand_alone(self):
+        self.assertEqual(self.call("--only", "parts").returncode, 0)
+        archive, = self.out.glob("*.zip")
+        with zipfile.ZipFile(archive) as packed:
+            names = set(packed.namelist())
+            part = packed.read("glsl/cellular2d.glsl").decode("ascii")
+        for language in ("glsl", "hlsl", "metal"):
+            self.assertLess({f"{language}/{name}.{language}" for name in ("fbm2d", "perlin3d", "hash")}, names)
+        self.assertNotIn("hn_fbm", part)
+        shader = self.out / "shader.frag"
+        shader.write_text(f"#version 330\n{part}\nout vec4 o;\nvoid main() {{ o = hn_cellular(vec2(1.5)).xyxy; }}\n")
+        done = subprocess.run(["glslangValidator", shader], capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 0, done.stdout)
+
+    def test_headers_that_compile_where_they_are_put(self):
+        self.assertEqual(self.call("--only", "headers").returncode, 0)
+        archive, = self.out.glob("*.zip")
+        with zipfile.ZipFile(archive) as packed:
+            packed.extractall(self.out)
+        here = self.out / f"hashnoise-{version()}"
+        source = self.out / "game.cpp"
+        source.write_text("#include <hashnoise/hashnoise.hpp>\n#include <hashnoise/grid.hpp>\n"
+                          "float height(float x) { return hashnoise::hn_perlin(x, 7u); }\n")
+        done = subprocess.run(["g++", "-std=c++20", "-fsyntax-only", "-I", here / "include", source],
+                              capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertTrue((here / "lib" / "cmake" / "hashnoise" / "hashnoise-config.cmake").is_file())
+        self.assertTrue((here / "LICENSE").is_file())
+        self.assertTrue((here / "share" / "hashnoise" / "vectors" / "index.json").is_file())
+        self.assertFalse((here / "include" / "hashnoise" / "field.hpp").exists())  # of a library that is not there
+
+    def test_a_tool_that_fails_or_makes_another_version_is_noticed(self):
+        script = self.root / "tools" / "lib" / "ship" / "npm" / "pack.sh"
+        for command, said in (("touch $1/hashnoise-9.9.9.tgz", "npm was made, but has another name"),
+                              ("exit 4", "npm .* ended with status 4")):
+            with self.subTest(command=command):
+                script.write_text(f"{command}\n")
+                self.refused(1, said, "--trial", "--only", "npm")
+
+
+class Refuses(Project):
+    def test_a_tree_that_is_not_what_is_committed(self):
+        (self.root / "glsl" / "mine.glsl").write_text("// not in any commit\n")
+        self.refused(1, r"the tree is not what is committed: \?\? glsl/mine\.glsl; --trial", "--only", "single")
+        done = self.call("--trial", "--only", "single")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("This is a trial", done.stderr)
+
+    def test_a_version_without_a_day(self):
+        path = self.root / "CHANGELOG.md"
+        path.write_text(path.read_text().replace("2026-11-22", "not released"))
+        self.git(self.root, "commit", "-qam", "Take the day back")
+        self.refused(1, 'has "not released" in place of the day', "--only", "single")
+
+    def test_a_citation_is_of_this_version(self):
+        self.assertIn(f"\nversion: {version()}\n", (ROOT / "CITATION.cff").read_text())
+
+    def test_a_namespace_is_of_this_version(self):
+        major, minor, _ = version().split(".")
+        self.assertIn(f"\n#define HN_I_NAMESPACE v{major}_{minor}\n", (ROOT / "include/hashnoise/glsl.hpp").read_text())
+
+    def test_a_version_that_the_changelog_does_not_have(self):
+        with self.assertRaisesRegex(files.NoRelease, "says nothing of 7.0.0"):
+            files.notes("## 0.7.0 (2026-01-01)\n\n- Something.\n", "7.0.0", trial=True)
+
+    def test_a_folder_that_exists(self):
+        self.out.mkdir(parents=True)
+        done = self.call("--trial", "--only", "single")
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertIn("exists; name another folder", done.stderr)
+
+    def test_a_folder_that_cannot_be_made(self):
+        self.out = self.root / "LICENSE" / "release"
+        done = self.call("--trial", "--only", "single")
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertIn(f"the folder {self.out} cannot be made", done.stderr)
+
+    def test_a_tree_without_git(self):
+        shutil.rmtree(self.root / ".git")
+        self.refused(1, "is no git repository", "--only", "single")
+
+    def test_parts_that_there_are_not(self):
+        self.refused(2, "there is no part ruby; there are single, parts, vectors, headers", "--only", "ruby")
+        self.refused(2, "no part is left", "--without", ",".join(files.PARTS))
+        self.refused(2, "not allowed with", "--only", "single", "--without", "npm")
+
+    def test_the_help_names_each_part(self):
+        told = subprocess.run([TOOLS / "pack", "release", "--help"], capture_output=True, text=True, check=True).stdout
+        named = re.search(r"PARTS are names with commas between: ([^.]*)\.", told)[1]
+        self.assertEqual(tuple(re.split(r",\s+", named)), files.PARTS)
+
+    def test_a_tag_of_another_version(self):
+        self.refused(2, f"the version is {version()}, so its tag is v{version()} and not v9.9.9", "--tag", "v9.9.9")
+        self.refused(2, "there is no part ruby", "--tag", f"v{version()}", "--only", "ruby")
+
+    def test_a_page_without_the_program_that_makes_it(self):
+        with mock.patch.object(files, "HN_CONFORM", ROOT / "build" / "nowhere" / "hn-conform"), \
+                self.assertRaisesRegex(files.NoRelease, "there is no build/nowhere/hn-conform.*tools/conform builds it"):
+            files.Release.check(mock.Mock(folder=self.out))
+
+
+class Version(unittest.TestCase):
+    def test_it_is_the_one_of_cmake_and_of_the_changelog(self):
+        found = re.search(r"^## (\S+) \(", (ROOT / "CHANGELOG.md").read_text(encoding="utf-8"), re.M)
+        self.assertEqual(found[1], version())
+
+
+if __name__ == "__main__":
+    unittest.main()

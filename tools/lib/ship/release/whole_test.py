@@ -1,0 +1,57 @@
+"""tools/pack release makes the same bytes in two folders, of all parts but the wheel, about which compilers decide, and
+the page that the suite's program makes. tools.release has the parts that take seconds; this takes minutes.
+
+Exit status: that of the tests; 77 this is no git repository, of which a release is made.
+"""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+from tree import ROOT
+
+SKIPPED = 77
+OTHERS = "python,check"
+
+
+def differences(one: Path, other: Path) -> list[str]:
+    names = [{path.name for path in folder.iterdir()} for folder in (one, other)]
+    return [f"{name} is in one folder" for name in sorted(names[0] ^ names[1])] + [
+        name for name in sorted(names[0] & names[1]) if (one / name).read_bytes() != (other / name).read_bytes()]
+
+
+class Whole(unittest.TestCase):
+    def setUp(self) -> None:
+        self.scratch = Path(self.enterContext(tempfile.TemporaryDirectory()))
+
+    def test_two_folders_make_the_same_bytes(self) -> None:
+        made = []
+        for place in ("one", "another/with a longer name"):
+            clone, out = self.scratch / place, self.scratch / f"made {len(made)}"
+            subprocess.run(["git", "clone", "--quiet", ROOT, clone], check=True)
+            done = subprocess.run([clone / "tools" / "pack", "release", "--trial", "--without", OTHERS, out],
+                                  capture_output=True, text=True, check=False)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            made.append(out)
+        self.assertGreater(len(list(made[0].iterdir())), 15)
+        self.assertEqual(differences(*made), [])
+
+    def test_what_differs_is_told(self) -> None:
+        for name in ("one", "other"):
+            (self.scratch / name).mkdir()
+            (self.scratch / name / "same").write_bytes(b"1")
+            (self.scratch / name / "changed").write_bytes(name.encode())
+            (self.scratch / name / f"only {name}").touch()
+        self.assertEqual(differences(self.scratch / "one", self.scratch / "other"),
+                         ["only one is in one folder", "only other is in one folder", "changed"])
+
+
+if __name__ == "__main__":
+    if not (ROOT / ".git").exists():
+        print(f"skipped: {ROOT} is no git repository")
+        sys.exit(SKIPPED)
+    unittest.main()

@@ -1,0 +1,126 @@
+"""The Rust crate that tools/pack makes: cargo builds it without a warning, its tests hold it to the vectors, and they
+notice a change. By default some modules are made, and in thorough runs all.
+
+Exit status: 0 it is right, 1 not, 77 there is no cargo.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+from pick.runners import NotInstalled
+from ship.packing import put
+from ship.rust.files import ALL, NEEDED, package
+from thorough import THOROUGH, in_thorough_runs
+from tree import ROOT, version
+
+SKIPPED = 77
+SOME = (*NEEDED, "random")
+
+
+def check() -> None:
+    missing = [program for program in ("cargo", "rustc") if not shutil.which(program)]
+    if missing:
+        raise NotInstalled(f"there is no {' and no '.join(missing)}: apt-get install cargo")
+
+
+class Crate(unittest.TestCase):
+    folder: Path
+
+    @classmethod
+    def setUpClass(cls) -> None:
+        scratch = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(scratch.cleanup)
+        cls.folder = Path(scratch.name)
+        put(cls.folder, package(",".join(ALL if THOROUGH else SOME)))
+
+    def cargo(self, *arguments: str) -> subprocess.CompletedProcess[str]:
+        # Cargo wants no network, and a warning is an error.
+        return subprocess.run(["cargo", *arguments], cwd=self.folder, capture_output=True, text=True,
+                              check=False, env={**os.environ, "RUSTFLAGS": "-D warnings", "CARGO_TERM_COLOR": "never",
+                                                  "CARGO_INCREMENTAL": "0", "CARGO_PROFILE_DEV_DEBUG": "0"})
+
+    def test_it_has_the_values_of_the_library(self) -> None:
+        done = self.cargo("test", "--tests", "--offline")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertIn("functions_have_the_values_of_the_library ... ok", done.stdout)
+        self.assertIn("a_function_that_is_wrong_is_noticed ... ok", done.stdout)
+
+    def test_cargo_finds_no_fault_with_the_text(self) -> None:
+        """clippy with what it asks for by default. rustfmt leaves out what tools/pick writes."""
+        for words, fault in ((("clippy", "--all-targets"), "\npub fn same(x: f32) -> f32 {\n    x - x\n}\n"),
+                             (("fmt", "--check"), "\npub  use fast::*;\n")):
+            if not shutil.which(f"cargo-{words[0]}"):
+                self.skipTest(f"there is no cargo {words[0]}: apt-get install rust-clippy rustfmt")
+            offline = ("--offline",) if words[0] == "clippy" else ()
+            path = self.folder / "src" / "lib.rs"
+            right = path.read_text(encoding="utf-8")
+            self.addCleanup(path.write_text, right, encoding="utf-8")
+            for text, returned in ((right, 0), (right + fault, 1)):
+                path.write_text(text, encoding="utf-8")
+                done = self.cargo(words[0], *offline, *words[1:])
+                self.assertEqual(bool(done.returncode), bool(returned), done.stdout + done.stderr)
+
+    def test_a_change_is_noticed(self) -> None:
+        path = self.folder / "src" / "hash.rs"
+        right = path.read_text(encoding="utf-8")
+        self.addCleanup(path.write_text, right, encoding="utf-8")
+        path.write_text(right.replace("0x2C1B3C6D", "0x2C1B3C6F"), encoding="utf-8")
+        done = self.cargo("test", "--tests", "--offline", "functions_have")
+        self.assertNotEqual(done.returncode, 0)
+        self.assertRegex(done.stdout, r"hash\.word with lattice: \d+ rows, such as ")
+
+    def test_what_is_packed(self) -> None:
+        done = self.cargo("package", "--list", "--allow-dirty", "--offline")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        names = set(done.stdout.split("\n"))
+        self.assertLess({"Cargo.toml", "LICENSE", "README.md", "src/lib.rs", "src/fixed/place.rs",
+                         "vectors/hash.lattice2.json", "tests/vectors/calls.rs"}, names)
+        self.assertIn(f'version = "{version()}"', (self.folder / "Cargo.toml").read_text(encoding="utf-8"))
+        self.assertNotRegex((ROOT / "packages" / "rust" / "Cargo.toml").read_text(encoding="utf-8"), r"(?m)^version\b")
+        self.assertEqual((self.folder / "LICENSE").read_bytes(), (ROOT / "LICENSE").read_bytes())
+
+    def test_what_a_registry_wants_is_in_the_manifest(self) -> None:
+        """crates.io refuses a crate without a description or a license; cargo warns of these and of others. The project
+        has no address yet (docs/publishing.md)."""
+        path = self.folder / "Cargo.toml"
+        right = path.read_text(encoding="utf-8")
+        self.addCleanup(path.write_text, right, encoding="utf-8")
+        for without, said in (("none", "documentation, homepage or repository"),
+                              ("description", "description, documentation"),
+                              ("license ", "license, license-file, documentation")):
+            path.write_text(re.sub(rf"(?m)^{without}.*\n", "", right), encoding="utf-8")
+            done = self.cargo("package", "--allow-dirty", "--no-verify", "--offline")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn(f"warning: manifest has no {said}", done.stderr)
+            self.assertEqual(done.stderr.count("warning:"), 1, done.stderr)
+
+    @in_thorough_runs
+    def test_its_pages_compile_and_its_comments_are_comments(self) -> None:
+        page = (ROOT / "docs" / "languages.md").read_text(encoding="utf-8").partition("### Rust\n")[2]
+        shown = re.search(r"^```rust\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)[1]
+        test = f"#[test]\nfn page() {{\n{shown}assert!(height.abs() <= 1.0 && grain.abs() <= 1.0);\n}}\n"
+        (self.folder / "tests" / "page.rs").write_text(test, encoding="utf-8")
+        self.addCleanup((self.folder / "tests" / "page.rs").unlink)
+        done = self.cargo("test", "--test", "page", "--offline")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        for command in (("test", "--doc"), ("doc",)):
+            done = self.cargo(*command, "--offline")
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+            self.assertNotIn("warning: unresolved", done.stderr)
+
+
+if __name__ == "__main__":
+    try:
+        check()
+    except NotInstalled as reason:
+        print(f"skipped: {reason}")
+        sys.exit(SKIPPED)
+    unittest.main(verbosity=2)

@@ -1,0 +1,88 @@
+"""tools/pack rust: what is in the crate, as far as no cargo is needed to say it, and its command line."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import re
+import tempfile
+import unittest
+from pathlib import Path
+from unittest import mock
+
+from pick.program import public
+from pick.scalars import bare
+from ship import command
+from ship.rust import files
+from tables.functions import read_functions
+from tree import VECTORS, version
+
+FUNCTIONS = {function.id: function for function in read_functions()}
+
+
+class Calls(unittest.TestCase):
+    def test_a_place_is_made_of_what_the_row_has(self) -> None:
+        cell = ("f::place_of_cell2(w[0] as i32, w[1] as i32, f32::from_bits(w[2]), f32::from_bits(w[3]))")
+        for id, name, expected in (
+                ("noise2d.perlin", "hn_perlin2", "f::perlin2(f32::from_bits(w[0]), f32::from_bits(w[1]), w[2])"),
+                ("noise2d.perlin_cell", "hn_perlin2_place", f"f::perlin2_place({cell}, w[4])"),
+                ("noise2d.perlin_cell_period", "hn_perlin2_place",
+                 f"f::perlin2_place(f::tile2_place({cell}, w[4] as i32, w[5] as i32), w[6])"),
+                ("noise2d.perlin_period", "hn_perlin2_place",
+                 "f::perlin2_place(f::tile2_place(f::place_of2(f32::from_bits(w[0]), f32::from_bits(w[1])), "
+                 "w[2] as i32, w[3] as i32), w[4])"),
+                ("position.perlin2", "hn_perlin2_place",
+                 "f::perlin2_place(f::place_of_units2(w[0] as i32, w[1] as i32, w[2] as i32, w[3] as i32), w[4])"),
+                ("noise2d.cellular_offset", "hn_cellular2_nearest", "f::cellular2_nearest(f32::from_bits(w[0]), "
+                 "f32::from_bits(w[1]), f32::from_bits(w[2]), w[3] as i32, w[4]).2")):
+            with self.subTest(id):
+                self.assertEqual(files.call(FUNCTIONS[id], name, "f"), f"{expected}.numbers()")
+
+    def test_every_function_of_the_crate_is_called(self) -> None:
+        table, needed = files.calls((*files.MODULES, "hash"))
+        known = public(files.library("fixed"))
+        all_names = {bare(name) for functions in (*files.MODULES.values(), files.HASHES)
+                     for name in files.of_module(known, *functions)}
+        called = set(re.findall(r"(?:fast|fixed|hash)::(\w+)\(", table))
+        self.assertLessEqual(called, all_names)
+        # Of places the vectors have those alone at which there is noise.
+        of_places = {bare(name) for name in files.of_module(known, *files.MODULES["place"])}
+        self.assertEqual(all_names - called - of_places, set())
+        self.assertTrue(all((VECTORS / f"{id}.json").is_file() for id in needed))
+        self.assertGreater(len(all_names), 100)
+
+
+class Command(unittest.TestCase):
+    def setUp(self) -> None:
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.folder = Path(scratch.name)
+
+    def call(self, *arguments: str) -> str:
+        out = io.StringIO()
+        with contextlib.redirect_stdout(out):
+            self.assertEqual(command.main(["rust", *arguments, str(self.folder)]), 0)
+        return out.getvalue().strip()
+
+    def test_modules_are_chosen(self) -> None:
+        with mock.patch.object(files, "package", return_value={}) as package:
+            self.assertEqual(self.call("--only", "hash,place"), str(self.folder / f"hashnoise-{version()}"))
+            package.assert_called_with(only="hash,place")
+            self.call("--zip")
+            package.assert_called_with()
+        self.assertEqual(files.chosen("hash, place,hash"), ["hash", "place"])
+
+    def test_what_is_asked_wrongly_is_told(self) -> None:
+        (self.folder / "file").touch()
+        for arguments, said in ((["--only", "place,hash,perlim"], "there is no module perlim (did you mean perlin?)"),
+                                (["--only", "perlin,hash"], "the others need the module place"),
+                                ([""], "the folder has no name"), ([str(self.folder / "file")], "file is a file")):
+            error = io.StringIO()
+            with self.subTest(said), contextlib.redirect_stderr(error), self.assertRaises(SystemExit) as ended:
+                command.main(["rust", *arguments])
+            self.assertEqual(ended.exception.code, 2)
+            self.assertIn(said, error.getvalue())
+
+
+if __name__ == "__main__":
+    unittest.main()

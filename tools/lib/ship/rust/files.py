@@ -1,0 +1,194 @@
+"""The files of the Rust crate: modules that tools/pick writes, and how the vectors call them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from concurrent.futures import ProcessPoolExecutor
+from functools import cache
+from pathlib import Path
+from typing import NamedTuple
+
+from catalog import asked
+from parsing.syntax import Function as Declared
+from pick import command
+from pick.evaluate import Module
+from pick.program import Program, facts, name_of, names, public, read
+from pick.rust import Rust
+from pick.scalars import bare, text
+from ship.packing import Refused, of_cargo, own_files
+from tables.functions import Function, read_functions
+from tree import GLSL, ROOT, VECTORS, version
+from usage import near
+
+PACKAGE = ROOT / "packages" / "rust"
+ARITHMETICS = ("fast", "fixed")
+AXES = "xyzw"
+MODULES = asked.modules()  # of each arithmetic
+ALL = (*MODULES, "hash")
+NEEDED = ("place", "hash")
+HASHES = (("hn_hash", "hn_lattice", "hn_unorm", "hn_snorm"), 4)  # of every arithmetic
+STRUCT = re.compile(r"#\[derive\([^\n]*\)\]\npub struct (Place[1-4]) \{\n.*?\n\}\n\n?", re.DOTALL)
+PLACE = "/// Where noise is evaluated: a cell, the fraction in it, and periods.\n#[allow(missing_docs)]\n"
+MADE = "// Of hashnoise {}, by tools/pack rust. Copyright (c) 2026 The hashnoise authors; MIT License.\n"
+
+
+class Made(NamedTuple):
+    arithmetic: str
+    module: str
+
+
+@cache
+def library(arithmetic: str) -> Module:
+    return read(GLSL, command.settings(arithmetic, "lattice"), splits=True)
+
+
+def of_module(known: dict[str, Declared], functions: Sequence[str], most: int) -> list[str]:
+    """The names of the forms of functions, in so many dimensions at most."""
+    found = []
+    for name, function in known.items():
+        size = re.search(r"(\d)(_|$)", name)
+        if function.name in functions and (not size or int(size[1]) <= most):
+            found.append(name)
+    return found
+
+
+def written(made: Made) -> str:
+    """The text of a module. Places are those of the module `place`, so that all modules have the same."""
+    of = library(made.arithmetic)
+    known = public(of)
+    functions = [known[name] for name in of_module(known, *(HASHES if made.module == "hash" else MODULES[made.module]))]
+    program = Program(of, functions)
+    shown = text(program, Rust(False), facts(program, GLSL, False), [])
+    structs = sorted(set(STRUCT.findall(shown)))
+    if made.module == "place":
+        shown = STRUCT.sub(lambda found: PLACE + found[0], shown)
+        return MADE.format(version()) + "\n" + shown.lstrip("\n") + "".join(methods(n) for n in range(1, 5))
+    used = f"use super::place::{{{', '.join(structs)}}};\n\n" if structs else ""
+    return MADE.format(version()) + "\n" + used + STRUCT.sub("", shown).lstrip("\n")
+
+
+def methods(n: int) -> str:
+    """What makes a place, by vectors."""
+    def all_of(of: str) -> str:
+        return ", ".join(f"{of}[{i}]" for i in range(n))
+
+    return f"""
+impl Place{n} {{
+    /// The place of a position.
+    pub fn at(p: [f32; {n}]) -> Self {{
+        place_of{n}({all_of("p")})
+    }}
+
+    /// A cell, and a position in it from 0 to 1. It names cells exactly where a float no longer can.
+    pub fn in_cell(cell: [i32; {n}], fraction: [f32; {n}]) -> Self {{
+        place_of_cell{n}({all_of("cell")}, {all_of("fraction")})
+    }}
+
+    /// The place of whole units, of which `units` make so many `cells`.
+    pub fn of_units(position: [i32; {n}], cells: i32, units: i32) -> Self {{
+        place_of_units{n}({all_of("position")}, cells, units)
+    }}
+
+    /// The place in a tile: the field repeats after its period, in cells. 0 is none.
+    pub fn tile(self, period: [i32; {n}]) -> Self {{
+        tile{n}_place(self, {all_of("period")})
+    }}
+}}
+"""
+
+
+def module_file(arithmetic: str, modules: Sequence[str]) -> str:
+    """That of an arithmetic, with the names of all its modules."""
+    what = {"fast": "`HN_FAST`: floats, within the error that each function states.",
+            "fixed": "`HN_FIXED`: integers, so the bits are the same everywhere."}[arithmetic]
+    return (f"//! {what}\n" + MADE.format(version()) + "\n" +
+            "".join(f"#[rustfmt::skip]\nmod {module};\n" for module in modules) + "\n" +
+            "".join(f"pub use {module}::*;\n" for module in sorted(modules)))
+
+
+def argument(kind: str, word: int) -> str:
+    return {"f32": f"f32::from_bits(w[{word}])", "i32": f"w[{word}] as i32", "u32": f"w[{word}]"}[kind]
+
+
+def call(function: Function, name: str, module: str) -> str:
+    """The expression that calls a function with the words of a row."""
+    columns = dict(column.split(":") for column in function.inputs.split())
+    words = {column: argument(kind, i) for i, (column, kind) in enumerate(columns.items())}
+    n = function.axes
+
+    def along(prefix: str) -> list[str]:
+        return [words.pop(f"{prefix}{axis}") for axis in AXES[:n]]
+
+    def called(made: str, *arguments: str) -> str:
+        return f"{module}::{made}({', '.join(arguments)})"
+
+    if function.has_place:
+        if function.has_cell:
+            place = called(f"place_of_cell{n}", *along("c"), *along("f"))
+        elif function.form == "place_of_noise":
+            place = called(f"place_of_units{n}", *along(""), words.pop("cells"), words.pop("units"))
+        else:
+            place = called(f"place_of{n}", *along(""))
+        arguments = [called(f"tile{n}_place", place, *along("p")) if function.has_period else place]
+        arguments += words.values()
+    else:
+        arguments = list(words.values())
+    part = {"": "", "nearest": ".1", "offset": ".2"}[function.sets]
+    return f"{called(bare(name), *arguments)}{part}.numbers()"
+
+
+def calls(modules: Sequence[str]) -> tuple[str, list[str]]:
+    """The table of the tests, and the functions whose vectors it needs."""
+    known, declared, rows, needed = names(), public(library("fixed")), [], []
+    of_hash = of_module(declared, *HASHES)
+    of_noise = {name for module in modules if module in MODULES for name in of_module(declared, *MODULES[module])}
+    for function in read_functions():
+        name = name_of(function, known)
+        where = []
+        if name in of_hash and "hash" in modules:
+            where = [("hash", "any" if function.family == "independent" else "lattice")]
+        elif name in of_noise and not function.exact:
+            where = [("fast", "lattice"), ("fixed", "lattice+fixed")]
+        for module, setting in where:
+            rows.append(f'    Call {{\n        file: "{function.id}",\n        setting: "{setting}",\n'
+                        f"        function: |w| {call(function, name, module)},\n    }},\n")
+        needed += [function.id] if where else []
+    used = ", ".join([*ARITHMETICS] * bool(of_noise) + sorted({"hash"} & set(modules)))
+    used = f"{{{used}}}" if "," in used else used
+    return (MADE.format(version()) + f"\nuse super::{{Call, Numbers}};\nuse hashnoise::{used};\n\n"
+            f"#[rustfmt::skip]\npub const CALLS: &[Call] = &[\n{''.join(rows)}];\n"), needed
+
+
+def chosen(only: str) -> list[str]:
+    """The modules that are named, with commas between."""
+    modules = [*dict.fromkeys(name.strip() for name in only.split(","))]
+    for name in modules:
+        if name not in ALL:
+            raise Refused(f"there is no module {name}{near(name, ALL) or '; there are ' + ', '.join(ALL)}")
+    for name in NEEDED:
+        if name not in modules:
+            raise Refused(f"the others need the module {name}")
+    return modules
+
+
+def package(only: str = ",".join(ALL)) -> dict[str, str]:
+    """All files, by their paths. With some of the modules it is a crate for tests."""
+    modules = chosen(only)
+    found = {path: text for path, text in own_files(PACKAGE).items() if path.endswith((".md", ".rs", ".toml"))}
+    found["Cargo.toml"] = of_cargo(found["Cargo.toml"])
+    found["LICENSE"] = (ROOT / "LICENSE").read_text(encoding="utf-8")
+    of_arithmetic = [module for module in MODULES if module in modules]
+    made = [Made(arithmetic, module) for arithmetic in ARITHMETICS for module in of_arithmetic]
+    with ProcessPoolExecutor() as pool:
+        for one, shown in zip([*made, Made("fixed", "hash")], pool.map(written, [*made, Made("fixed", "hash")])):
+            path = "src/hash.rs" if one.module == "hash" else f"src/{one.arithmetic}/{one.module}.rs"
+            found[path] = shown
+    found["src/hash.rs"] = f"//! Hashed words and cells, which every arithmetic has alike.\n{found['src/hash.rs']}"
+    for arithmetic in ARITHMETICS:
+        found[f"src/{arithmetic}.rs"] = module_file(arithmetic, of_arithmetic)
+    found["tests/vectors/calls.rs"], needed = calls(modules)
+    for id in needed:
+        path = Path(VECTORS, f"{id}.json")
+        found[f"vectors/{path.name}"] = path.read_text(encoding="ascii")
+    return found

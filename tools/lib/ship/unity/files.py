@@ -1,0 +1,81 @@
+"""The files of the package for Unity: what tools/pick writes in HLSL and C#, and functions for nodes of Shader Graph."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Iterable
+from functools import cache
+from pathlib import PurePosixPath
+
+from ship.hlsl_nodes import ARITHMETICS, NODES, PORTS, TILE, call, camel, forms, picked, ports, shader
+from ship.packing import of_npm, own_files
+from ship.recipes import RECIPES
+from tables.markdown import table
+from tree import ROOT
+
+PACKAGE = ROOT / "packages" / "unity"
+NAME = RECIPES["unity"].name
+# C# has slopes, too, for normals, and exact places.
+SCRIPTS = (*NODES, TILE, "hn_place_of_cell2", "hn_perlin_d2", "hn_simplex_d2", "hn_fbm_d2")
+
+
+def node(form: str, arithmetic: str) -> str:
+    """The functions of a node, in the precisions that Shader Graph has."""
+    title = f"HashNoise{ARITHMETICS[arithmetic]}{camel(form)}"
+    type_, taken = PORTS[forms()[form].type], ports(form)
+    declared = ", ".join(f"{of} {name}" for of, name in taken)
+    passed = ", ".join(name for _, name in taken)
+    return (f"void {title}_float({declared}, out {type_} Out) {{\n"
+            f"  Out = {call(form)};\n}}\n"
+            f"void {title}_half({declared.replace('float', 'half')}, out {type_.replace('float', 'half')} Out) {{\n"
+            f"  {type_} n;\n  {title}_float({passed}, n);\n  Out = n;\n}}\n")
+
+
+def graph(arithmetic: str) -> str:
+    return shader(arithmetic, "// For Custom Function nodes of Shader Graph.\n" +
+                  "".join(node(form, arithmetic) for form in NODES) + "\n")
+
+
+def script(arithmetic: str) -> str:
+    return picked(SCRIPTS, "csharp", arithmetic).replace("static class HashNoise ",
+                                                         f"static class HashNoise{ARITHMETICS[arithmetic]} ")
+
+
+def node_table() -> str:
+    """The nodes, for the page."""
+    return table(("name", "inputs", "output, `Out`"),
+                 [(f"`HashNoise{camel(form)}`", ", ".join(f"{name} ({shown(of)})" for of, name in ports(form)),
+                   shown(PORTS[forms()[form].type])) for form in NODES])
+
+
+def shown(type_: str) -> str:
+    return f"Vector{type_[-1]}" if type_[-1].isdigit() else "Float"
+
+
+def meta(path: str) -> str:
+    """What Unity keeps beside each file and folder. In a package that it must not change, it ignores what has none."""
+    guid = hashlib.md5(f"{NAME}/{path}".encode(), usedforsecurity=False).hexdigest()
+    return f"fileFormatVersion: 2\nguid: {guid}\n"
+
+
+def seen(paths: Iterable[str]) -> list[str]:
+    """The files and folders that Unity imports; what ends in ~ it leaves alone."""
+    found = set()
+    for path in map(PurePosixPath, paths):
+        for part in (path, *list(path.parents)[:-1]):
+            if not any(name.endswith("~") for name in part.parts):
+                found.add(part.as_posix())
+    return sorted(found)
+
+
+@cache
+def package() -> dict[str, str]:
+    """All files, by their paths."""
+    found = own_files(PACKAGE)
+    found["package.json"] = of_npm(found["package.json"], NAME)
+    found["LICENSE.md"] = (ROOT / "LICENSE").read_text(encoding="utf-8")
+    for arithmetic, suffix in ARITHMETICS.items():
+        found[f"Shaders/HashNoise{suffix}.hlsl"] = graph(arithmetic)
+        found[f"Runtime/HashNoise{suffix}.cs"] = script(arithmetic)
+    return found | {f"{path}.meta": meta(path) for path in seen(found)}

@@ -1,0 +1,179 @@
+"""tools/pack unity: what the package has, and its command line.
+
+    python3 -m unittest ship.unity.unity_test  names and texts of a few
+    python3 -m ship.unity.unity_test           the whole package: Mono compiles its C#, and runs it; glslang, DXC
+                                               and FXC compile its HLSL
+
+Exit status: that of the tests; 77 Mono or glslang is not here, or nothing failed without Microsoft's compilers.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+import shutil
+import struct
+import subprocess
+import sys
+import unittest
+from pathlib import Path
+
+from hlsl.compilers import missing as missing_compilers
+from hlsl.compilers import refusals
+from ship.packing_support import made
+from ship.unity import files
+from tree import VECTORS, version
+
+SKIPPED = 77
+NEEDED = {"mcs": "mono-mcs", "mono": "mono-runtime", "glslangValidator": "glslang-tools"}
+# As much of Unity as the sample needs, to compile it.
+ENGINE = """
+namespace UnityEngine {
+    public class RequireComponent : System.Attribute { public RequireComponent(System.Type a, System.Type b) {} }
+    public class MonoBehaviour { public T GetComponent<T>() where T : new() { return new T(); } }
+    public class MeshFilter { public Mesh sharedMesh; }
+    public class MeshRenderer {}
+    public struct Vector3 { public float x, y, z; public Vector3(float a, float b, float c) { x = a; y = b; z = c; } }
+    public class Mesh { public Vector3[] vertices; public int[] triangles; public void RecalculateNormals() {} }
+}
+"""
+# Of a render pipeline: macros that Shader Graph's shaders have before the file, and what the sample includes.
+PIPELINE = """
+#define real float
+#define PI 3.14159265
+#define UNITY_MATRIX_M unity_ObjectToWorld
+float4x4 unity_ObjectToWorld;
+float4 UnityObjectToClipPos(float4 p) { return mul(unity_ObjectToWorld, p); }
+"""
+
+
+class Text(unittest.TestCase):
+    def test_a_node_has_a_name_and_ports(self) -> None:
+        for form, name, ports in (("hn_perlin2", "Perlin2", [("float2", "Position"), ("float", "Seed")]),
+                                  ("hn_cell_border2", "CellBorder2", [("float2", "Position"), ("float", "Seed")]),
+                                  ("hn_perlin2_place", "PerlinTile2",
+                                   [("float2", "Position"), ("float2", "Period"), ("float", "Seed")])):
+            with self.subTest(form):
+                self.assertEqual(files.camel(form), name)
+                self.assertEqual(files.ports(form), ports)
+
+    def test_it_calls_the_function(self) -> None:
+        self.assertIn("void HashNoisePerlinTile2_float(float2 Position, float2 Period, float Seed, out float Out) {\n"
+                      "  Out = hn_perlin(hn_tile(Position, (int2)Period), (uint)(int)Seed);\n}\n",
+                      files.node("hn_perlin2_place", "fast"))
+        self.assertIn("void HashNoiseFixedCellular2_half(half2 Position, half Seed, out half2 Out) {\n",
+                      files.node("hn_cellular2", "fixed"))
+
+    def test_what_unity_imports_is_each_file_and_folder_but_samples(self) -> None:
+        self.assertEqual(files.seen(["a/b.cs", "package.json", "Samples~/c/d.cs"]), ["a", "a/b.cs", "package.json"])
+        self.assertRegex(files.meta("a"), r"\AfileFormatVersion: 2\nguid: [0-9a-f]{32}\n\Z")
+        self.assertNotEqual(files.meta("a"), files.meta("b"))
+
+
+@unittest.skipUnless(__name__ == "__main__", "the test unity.package writes all functions")
+class Package(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls) -> None:
+        cls.root, cls.folder = made(cls, "unity")
+
+    def run_in(self, *words: str | Path) -> str:
+        done = subprocess.run([str(word) for word in words], cwd=self.root, capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        return done.stdout
+
+    def scripts(self) -> list[Path]:
+        return sorted(self.folder.rglob("*.cs"))
+
+    def test_it_says_what_it_is(self) -> None:
+        described = json.loads((self.folder / "package.json").read_text())
+        self.assertEqual((described["name"], described["version"]), (files.NAME, version()))
+        for sample in described["samples"]:
+            self.assertTrue((self.folder / sample["path"]).is_dir())
+        guids = [path.read_text() for path in self.folder.rglob("*.meta")]
+        self.assertEqual(len(set(guids)), len(guids))
+        page = (self.folder / "README.md").read_text()
+        shader = (self.folder / "Shaders/HashNoise.hlsl").read_text()
+        named = re.findall(r"^\| `(\w+)`", page, re.MULTILINE)
+        self.assertEqual(named, re.findall(r"^void (\w+)_float\(", shader, re.MULTILINE))
+
+    def test_csharp_has_the_values_of_the_vectors(self) -> None:
+        rows = next(setting for setting in json.loads((VECTORS / "noise2d.perlin.json").read_text())["settings"]
+                    if setting["name"] == "lattice+fixed")["rows"]
+        calls = "".join("        Show(HashNoiseFixed.Perlin2(Number(0x{}u), Number(0x{}u), 0x{}u));\n"
+                        .format(*row["words"].split()) for row in rows)
+        (self.root / "engine.cs").write_text(ENGINE)
+        (self.root / "main.cs").write_text(f"""class Run {{
+    static float Number(uint bits) {{ return System.BitConverter.ToSingle(System.BitConverter.GetBytes(bits), 0); }}
+    static void Show(float x) {{
+        System.Console.WriteLine("{{0:x8}}", System.BitConverter.ToUInt32(System.BitConverter.GetBytes(x), 0));
+    }}
+    static void Main() {{
+{calls}        Show(NoiseTerrain.HeightAt(0.5f, 0.25f) / 2.0f);
+        Show(HashNoiseFixed.Fbm2(0.5f, 0.25f, 6, 2.0f, 0.5f, 7u));
+    }}
+}}
+""")
+        self.run_in("mcs", "-langversion:7.2", "-warn:4", "-warnaserror", "-out:main.exe", "engine.cs", "main.cs",
+                    *self.scripts())
+        *values, of_sample, expected = self.run_in("mono", "main.exe").split()
+        self.assertEqual(values, [struct.pack(">f", row["out"][0]).hex() for row in rows])
+        self.assertGreater(len(rows), 10)
+        self.assertEqual(of_sample, expected)
+
+    def refusals(self, stage: str, entry: str, text: str) -> dict[str, str]:
+        path = self.root / "shader.hlsl"
+        path.write_text(text)
+        packages = self.root / "Packages"
+        packages.mkdir(exist_ok=True)
+        if not (packages / files.NAME).exists():
+            (packages / files.NAME).symlink_to(self.folder)
+        (self.root / "UnityCG.cginc").write_text(PIPELINE)
+        return refusals(path, stage, entry)
+
+    def calls_of(self, shader: str) -> str:
+        """A shader that calls each node's functions in the file."""
+        nodes = re.findall(r"^void (\w+)\(((?:[^()]|\n)*)\)", (self.folder / shader).read_text(), re.MULTILINE)
+        self.assertEqual(len(nodes), 2 * len(files.NODES))
+        lines = []
+        for i, (name, parameters) in enumerate(nodes):
+            *given, (_, of_out, _) = ((" " + one).split()[-3:] if "out " in one else one.split()
+                                      for one in parameters.split(", "))
+            passed = ", ".join(f"({of})uv.x" for of, _ in given)
+            lines.append(f"  {of_out} n{i};\n  {name}({passed}, n{i});\n  sum += n{i}.x;\n")
+        return ('#include "UnityCG.cginc"\n' f'#include "Packages/{files.NAME}/{shader}"\n'
+                f'#include "Packages/{files.NAME}/{shader}"\n'
+                f"float4 frag(float2 uv : TEXCOORD0) : SV_Target {{\n  float sum = 0.0;\n{''.join(lines)}  return sum;\n}}\n")
+
+    def test_each_node_compiles(self) -> None:
+        for shader in ("Shaders/HashNoise.hlsl", "Shaders/HashNoiseFixed.hlsl"):
+            with self.subTest(shader):
+                self.assertEqual(self.refusals("frag", "frag", self.calls_of(shader)), {})
+
+    def test_one_shader_may_have_both(self) -> None:
+        both = "".join(f'#include "Packages/{files.NAME}/Shaders/HashNoise{suffix}.hlsl"\n' for suffix in ("", "Fixed"))
+        self.assertEqual(self.refusals("frag", "frag", both + "float4 frag(float2 uv : TEXCOORD0) : SV_Target {\n"
+                                       "  return hn_perlin(uv, 7u) - hn_fixed_perlin(uv, 7u);\n}\n"), {})
+        wrong = self.refusals("frag", "frag", both + "float4 frag(float2 uv : TEXCOORD0) : SV_Target {\n"
+                              "  return hn_no_such(uv, 7u);\n}\n")
+        self.assertEqual(set(wrong), {"glslang"} if missing_compilers() else {"glslang", "DXC", "FXC"})
+
+    def test_the_sample_and_the_page_compile(self) -> None:
+        sample, = self.folder.rglob("*.shader")
+        program = sample.read_text().partition("HLSLPROGRAM")[2].partition("ENDHLSL")[0]
+        for stage, entry in (("vert", "vert"), ("frag", "frag")):
+            self.assertEqual(self.refusals(stage, entry, program), {})
+        block, = re.findall(r"```hlsl\n(.*?)```", (self.folder / "README.md").read_text(), re.DOTALL)
+        include, _, code = block.partition("\n")
+        self.assertEqual(self.refusals("frag", "frag", f"{include}\nfloat4 frag(float2 uv : TEXCOORD0) : SV_Target {{\n"
+                                       f"{code}  return height + tiled;\n}}\n"), {})
+
+
+if __name__ == "__main__":
+    if missing := [package for program, package in NEEDED.items() if not shutil.which(program)]:
+        print(f"skipped: Debian's packages {', '.join(missing)} are missing")
+        sys.exit(SKIPPED)
+    done = unittest.main(defaultTest="Package", exit=False, verbosity=2).result
+    if done.wasSuccessful() and missing_compilers():
+        print(f"skipped, but for glslang: {missing_compilers()}")
+        sys.exit(SKIPPED)
+    sys.exit(not done.wasSuccessful())

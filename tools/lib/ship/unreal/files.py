@@ -1,0 +1,48 @@
+"""The files of the plugin for Unreal: what tools/pick writes in HLSL, and the text of custom nodes."""
+
+from __future__ import annotations
+
+import json
+from functools import cache
+
+from ship.hlsl_nodes import ARITHMETICS, NODES, PORTS, call, forms, ports, shader
+from ship.packing import own_files
+from tables.markdown import table
+from tree import ROOT, version
+
+PACKAGE = ROOT / "packages" / "unreal"
+DESCRIPTION = "HashNoise.uplugin"
+
+
+def code(form: str) -> str:
+    """What stands in a custom node."""
+    return f"return {call(form)};"
+
+
+def output(form: str) -> str:
+    type_ = PORTS[forms()[form].type]
+    return f"CMOT Float {type_[-1] if type_[-1].isdigit() else 1}"
+
+
+def node_table() -> str:
+    """The nodes, for the page. HLSL has one name in 2D and in 3D."""
+    sizes: dict[tuple[str, str], list[str]] = {}
+    types: dict[tuple[str, str], list[str]] = {}
+    for form in NODES:
+        key = code(form), ", ".join(f"`{name}`" for _, name in ports(form))
+        sizes.setdefault(key, []).append(ports(form)[0][0][-1])
+        types.setdefault(key, []).append(output(form))
+    return table(("Code", "Inputs", "Components of Position", "Output Type"),
+                 [(f"`{key[0]}`", key[1], " or ".join(of), " or ".join(dict.fromkeys(types[key])))
+                  for key, of in sizes.items()])
+
+
+@cache
+def package() -> dict[str, str]:
+    """All files, by their paths."""
+    found = own_files(PACKAGE)
+    found[DESCRIPTION] = json.dumps({**json.loads(found[DESCRIPTION]), "VersionName": version()}, indent=2) + "\n"
+    found["LICENSE"] = (ROOT / "LICENSE").read_text(encoding="utf-8")
+    for arithmetic, suffix in ARITHMETICS.items():
+        found[f"Shaders/HashNoise{suffix}.ush"] = shader(arithmetic)
+    return found

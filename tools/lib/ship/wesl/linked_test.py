@@ -1,0 +1,146 @@
+"""Shaders that import the package for WESL, linked by npm's wesl or by cargo's: they have the golden values, and no
+code that they do not call.
+
+    python3 -m ship.wesl.linked_test npm FOLDER      FOLDER has the packages of tools/lib/javascript
+    python3 -m ship.wesl.linked_test cargo FOLDER    where cargo builds what links
+
+Exit status: 0 it has, 1 it has not, 77 there is no npm, no cargo or no wgpu here.
+"""
+
+from __future__ import annotations
+
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from collections.abc import Mapping
+from pathlib import Path
+
+from golden_values import ids
+from ship.packing import put
+from ship.wesl.files import PACKAGE, imported, package
+from thorough import THOROUGH, in_thorough_runs
+from tree import ROOT, TOOLS
+from wgsl.device import Absent, Device
+from wgsl.golden import differing, shaders_over
+
+SKIPPED = 77
+SAMPLE = ("noise2d.perlin_cell_period", "fbm.clouds3", "hash.unorm")
+TESTS = PACKAGE / "tests"
+
+
+class Refused(Exception):
+    """What the linker says."""
+
+
+class Linker:
+    """Of npm or of cargo, with the package in a folder of its own."""
+
+    def __init__(self, kind: str, folder: Path):
+        self.kind, self.folder = kind, folder.resolve()
+        self.made = self.folder / ("wesl/package" if kind == "npm" else "package")
+        if kind == "npm" and not (self.folder / "made").exists():
+            raise Absent(f"{folder} has no packages: javascript.packages was skipped, or did not run")
+        if kind == "cargo" and not shutil.which("cargo"):
+            raise Absent("there is no cargo")
+        self.use(package())
+        if kind == "npm":
+            shutil.copy(TESTS / "link.mjs", self.folder / "wesl")
+
+    def use(self, files: Mapping[str, str]) -> None:
+        put(self.made, dict(files))
+        if self.kind == "cargo":
+            project = self.folder / "linker"
+            shutil.copytree(TESTS / "linker", project, dirs_exist_ok=True)
+            # wesl names a Rust that is newer than it needs.
+            done = subprocess.run(["cargo", "build", "--quiet", "--ignore-rust-version", "--manifest-path",
+                                   project / "Cargo.toml", "--target-dir", self.folder / "target"],
+                                  capture_output=True, text=True, check=False)
+            if done.returncode != 0:
+                if re.search("could not compile `(linker|hashnoise_wgsl)`", done.stderr):
+                    raise RuntimeError(done.stderr)
+                raise Absent(f"wesl cannot be built: {done.stderr.strip().splitlines()[0]}")
+
+    def linked(self, shaders: Mapping[str, str]) -> dict[str, str]:
+        with tempfile.TemporaryDirectory() as scratch:
+            names = {name: f"shader_{i}" for i, name in enumerate(shaders)}
+            for name, text in shaders.items():
+                (Path(scratch) / f"{names[name]}.wesl").write_text(text, encoding="ascii")
+            command = [self.folder / "target/debug/linker", scratch]
+            if self.kind == "npm":
+                command = [TOOLS / "node", "node", self.folder / "wesl/link.mjs", self.made / "weslBundle.js", scratch]
+            done = subprocess.run(command, capture_output=True, text=True, check=False)
+            if done.returncode != 0:
+                raise Refused(done.stderr)
+            return {name: (Path(scratch) / f"{file}.wgsl").read_text() for name, file in names.items()}
+
+
+def evaluation_of(rows: Mapping[str, str]) -> dict[str, str]:
+    """For each row, a shader that imports the functions that it calls. Its variables may have names of the module."""
+    return shaders_over(rows, "HN_FIXED", lambda names: imported(names, "HN_FIXED"))
+
+
+class Linked(unittest.TestCase):
+    linker: Linker
+    device: Device
+
+    def differing(self, rows: Mapping[str, str]) -> set[str]:
+        return {*differing(self.device, self.linker.linked(evaluation_of(rows)), rows)}
+
+    def test_golden_values_bit_for_bit(self) -> None:
+        known = dict(ids("lattice+fixed", "any"))
+        # cargo's reads the package anew for each shader, for a second.
+        more = list(known)[::1 if self.linker.kind == "npm" else 10] if THOROUGH else []
+        rows = {row: setting for row, setting in known.items() if row in (*SAMPLE, *more)}
+        self.assertGreaterEqual(len(rows), len(SAMPLE))
+        self.assertEqual(self.differing(rows), set())
+
+    def test_a_changed_constant_is_noticed(self) -> None:
+        changed = {name: text.replace("0x85EBCA77u", "0x85EBCA79u") for name, text in package().items()}
+        self.assertNotEqual(changed, package())
+        self.addCleanup(self.linker.use, package())
+        self.linker.use(changed)
+        rows = {"noise2d.perlin_cell_period": "lattice+fixed"}
+        self.assertEqual(self.differing(rows), {*rows})
+
+    def test_what_is_not_called_is_left_out(self) -> None:
+        page = (PACKAGE / "README.md").read_text(encoding="utf-8")
+        shader = "".join(line.removeprefix("    ") for line in re.findall(r"^    .*\n|^\n(?=    )", page, re.MULTILINE))
+        made = self.linker.linked({"page": shader})["page"]
+        self.device.compile(made)
+        self.assertLess(len(made), 30000)
+        self.assertNotIn("cellular", made)
+
+    @in_thorough_runs
+    def test_every_function_can_be_imported(self) -> None:
+        public = re.findall(r"^public fn (\w+)", package()["shaders/package.wesl"], re.MULTILINE)
+        self.assertGreater(len(public), 350)
+        calls = "".join(f"import hashnoise_wgsl::{name};\n" for name in public)
+        # What is imported and not called is gone, so a function that is not there shows by its name alone.
+        self.linker.linked({"all": f"{calls}@fragment fn main() -> @location(0) vec4f {{ return vec4f(1.0); }}\n"})
+
+    def test_what_is_not_there_is_refused(self) -> None:
+        call = ("import hashnoise_wgsl::merlin2;\n"
+                "@fragment fn main() -> @location(0) vec4f { return vec4f(merlin2(vec2f(1.5), 7u)); }\n")
+        with self.assertRaisesRegex(Refused, "merlin2"):
+            self.linker.linked({"wrong": call})
+
+    def test_the_code_of_the_page(self) -> None:
+        page = (ROOT / "docs" / "engines.md").read_text(encoding="utf-8")
+        page = page.partition("\n## WESL\n")[2].partition("\n## ")[0]
+        shaders = re.findall(r"^```wgsl\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)
+        self.assertEqual(len(shaders), 1)
+        self.device.compile(self.linker.linked({"page": shaders[0]})["page"])
+
+
+if __name__ == "__main__":
+    try:
+        Linked.device = Device()
+        Linked.linker = Linker(sys.argv[1], Path(sys.argv[2]))
+    except Absent as reason:
+        print(f"skipped: {reason}")
+        sys.exit(SKIPPED)
+    del sys.argv[1:3]
+    unittest.main()
