@@ -162,7 +162,7 @@ def call(python: str, *arguments: object) -> subprocess.CompletedProcess[str]:
 
 class Files(unittest.TestCase):
     def test_each_command_says_what_it_needs(self):
-        for name in {*of_python(), "npm"} - {"faults", "fuzz"}:  # these two import nothing of lib/
+        for name in {*of_python(), "measure", "npm"} - {"faults", "fuzz"}:  # these two import nothing of lib/
             with self.subTest(name):
                 self.assertEqual(needed(name), (3, 9) if name in USERS else (3, 11))
 
@@ -175,7 +175,7 @@ class Files(unittest.TestCase):
         self.assertIn(LIB / "catalog" / "model.py", files_of("playground"))
 
     def test_a_command_is_read_by_a_python_that_is_too_old(self):
-        for name in (*of_python(), "lib/needs.py", "lib/npm/command.py"):
+        for name in (*of_python(), "lib/needs.py", "lib/measure/command.py", "lib/npm/command.py"):
             with self.subTest(name):
                 text = (TOOLS / name).read_text(encoding="utf-8")
                 ast.parse(text, feature_version=(3, 6) if name in USERS else (3, 8))
@@ -221,11 +221,20 @@ class Running(unittest.TestCase):
                 wanted = rf"3\.{needed(name)[1]}"
                 self.assert_told(call(sys.executable, "-c", code), name, wanted, rf"3\.{version[1]}")
 
+    def test_as_if_the_python_of_a_command_of_the_shell_were(self):
+        command = LIB / "measure" / "command.py"
+        code = (f"import runpy, sys; sys.argv = [{str(command)!r}, 'gpu', '--help']; sys.version_info = (3, 10, 1); "
+                "runpy.run_path(sys.argv[0], run_name='__main__')")
+        done = call(sys.executable, "-c", code)
+        self.assertEqual((done.returncode, done.stdout), (4, ""), done.stderr)
+        self.assertRegex(done.stderr, r"\Atools/measure needs Python 3\.11 or later, and this is 3\.10 \(.*\)\. "
+                                      r"The first python3 of the PATH is taken\.\n\Z")
+
     @unittest.skipUnless(any((3, 6) <= version < (3, 9) for version in pythons()), "no Python 3.6 to 3.8 is here")
     def test_a_python_that_is_too_old(self):
         for (major, minor), python in pythons().items():
             if (3, 6) <= (major, minor) < (3, 9):
-                for name in ("pick", "umbrella", "wgsl", "peers"):
+                for name in ("pick", "umbrella", "wgsl", "golden"):
                     with self.subTest(name, python=python):
                         self.assert_told(call(python, TOOLS / name, "--help"), name, r"3\.\d+", rf"{major}\.{minor}")
 

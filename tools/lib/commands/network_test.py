@@ -18,8 +18,8 @@ from pathlib import Path
 from tree import ROOT, TOOLS
 
 SKIPPED = 77
-# {} is an empty folder. Those that install are conform, test, bench and what else setup.sh serves, what needs NumPy
-# (scientific-python), what has packages of npm, PyPI or cargo (npm, wheel, site), and gpu-costs --get-drivers.
+# {} is an empty folder. Those that install are conform, test, measure and what else setup.sh serves, what needs NumPy
+# (scientific-python), what has packages of npm, PyPI or cargo (npm, wheel, site), and measure gpu --get-drivers.
 COMMANDS = (["blender", "{}"], ["catalog", "--check"], ["crate", "{}"], ["freeze", "--check"], ["glsl-noise", "{}"],
             ["godot-addon", "{}"], ["golden", "--check", "--sample", "50"], ["isf", "{}"], ["materialx", "{}"],
             ["pick", "hn_fbm2"], ["playground", "--out", "{}/page.html"], ["results", "--check", "--earlier"],

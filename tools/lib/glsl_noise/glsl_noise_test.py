@@ -13,7 +13,7 @@ from pathlib import Path
 import glslang
 from glsl_noise import command, files
 from glsl_noise.files import File
-from likeness.renderer import NoRenderer, Renderer
+from measure.likeness.renderer import NoRenderer, Renderer
 from single_file.files import text
 from thorough import THOROUGH, in_thorough_runs
 from tree import version

@@ -21,7 +21,7 @@ from pathlib import Path
 import glslang
 from isf import command, files
 from javascript.environment import OFFLINE
-from likeness.renderer import NoRenderer, Renderer
+from measure.likeness.renderer import NoRenderer, Renderer
 from pick.command import Choice
 from tree import ROOT, TOOLS, version
 

@@ -1,15 +1,12 @@
-#!/usr/bin/env bash
+# shellcheck shell=bash
 # Measures what hashnoise::grid costs on this processor, by each of its instruction sets: installs what is missing,
 # builds the library with each compiler, measures. Nothing else should run meanwhile. The pages are gcc.md and clang.md.
 #
-#   tools/bench-cpu [options of hn-bench-cpu] [--compiler PROGRAM]...     g++ unless --compiler says otherwise
+#   tools/measure cpu [options of hn-bench-cpu] [--compiler PROGRAM]...     g++ unless --compiler names another
 #
-#   tools/bench-cpu --compiler g++ --compiler clang++ --against fastnoise2=libFastNoise.so --python venv/bin/python
+#   tools/measure cpu --compiler g++ --compiler clang++ --against fastnoise2=libFastNoise.so --python venv/bin/python
 #
 # Exit status: 0 done, even if an aim is missed, 1 something could not be measured, 2 bad usage, 4 it could not be built.
-set -euo pipefail
-source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
-
 program_by() { echo "$build/bench-cpu-$1/src/bench_cpu/hn-bench-cpu"; }
 help_if_asked "$(program_by g++)" -- "$@"
 
@@ -19,7 +16,7 @@ while (($#)); do
   case $1 in
     --compiler=*) compilers+=("${1#--compiler=}") ;;
     --compiler)
-      (($# > 1)) || { echo "bench-cpu: --compiler wants a program, such as clang++" >&2; exit 2; }
+      (($# > 1)) || { echo "tools/$called: --compiler wants a program, such as clang++" >&2; exit 2; }
       compilers+=("$2")
       shift
       ;;
@@ -28,7 +25,7 @@ while (($#)); do
   shift
 done
 ((${#compilers[@]})) || compilers=(g++)
-refuse_unknown_options bench-cpu "${BASH_SOURCE[0]}" "$root/src/bench_cpu/options.cpp" -- "${options[@]}"
+refuse_unknown_options "$called" "${BASH_SOURCE[0]}" "$root/src/bench_cpu/options.cpp" -- "${options[@]}"
 
 setup_bench_cpu "${compilers[@]}"
 for compiler in "${compilers[@]}"; do

@@ -1,8 +1,7 @@
-"""The command line of tools/compile-times, which describes it."""
+"""The command line of tools/measure compile, which describes it."""
 
 from __future__ import annotations
 
-import argparse
 import csv
 import html
 import json
@@ -18,7 +17,8 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import chromium
-from compile_times.texts import SUBJECTS, WAYS, Subject, fragment, shaders
+from measure.compile.texts import SUBJECTS, WAYS, Subject, fragment, shaders
+from measure.options import Parser
 from tables.markdown import table
 from tree import HN_CONFORM, ROOT
 
@@ -26,7 +26,7 @@ DESCRIPTION = """\
 Times how long shaders take to compile: a function with the whole library before it, with the files that it needs, or
 as tools/pick prints it.
 
-    tools/compile-times [--compiler NAME]... [--rounds N] [--out FILE]
+    tools/measure compile [--compiler NAME]... [--rounds N] [--out FILE]
 
 Compilers are glslang (the program, less an empty shader), mesa (llvmpipe, by hn-conform bench, with its first draw and
 without its cache) and angle (Chromium's WebGL2 on SwiftShader, with its first draw). Each time is the median of the
@@ -176,8 +176,7 @@ def record() -> list[dict[str, str]]:
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    parser = argparse.ArgumentParser(prog="tools/compile-times", description=DESCRIPTION,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = Parser("compile", DESCRIPTION)
     parser.add_argument("--compiler", action="append", choices=tuple(COMPILERS), metavar="NAME",
                         help=f"only this one: {', '.join(COMPILERS)}; may be repeated")
     parser.add_argument("--rounds", type=int, default=5, metavar="N", help="from 1 to 100 (default: %(default)s)")
@@ -191,13 +190,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
         programs, measure = COMPILERS[name]
         program = next(filter(None, map(shutil.which, programs)), None)
         if program is None:
-            parser.error(f"--compiler {name}: there is no {programs[0]} (tools/bench installs and builds what is needed)")
+            parser.error(f"--compiler {name}: there is no {programs[0]} (tools/measure clock installs and builds what is "
+                         "needed)")
         print(f"{name}: {options.rounds} rounds", file=sys.stderr, flush=True)
         with TemporaryDirectory() as folder:
             try:
                 lines += lines_of(name, measure(program, Path(folder), options.rounds))
             except Failed as error:
-                print(f"tools/compile-times: {name}: {error}", file=sys.stderr)
+                print(f"{parser.prog}: {name}: {error}", file=sys.stderr)
                 return 1
     try:
         options.out.parent.mkdir(parents=True, exist_ok=True)

@@ -1,4 +1,4 @@
-"""What tools/compile-times times, and what it does with what compilers tell."""
+"""What tools/measure compile times, and what it does with what compilers tell."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
-from compile_times import command, texts
-from compile_times.texts import SUBJECTS, WAYS, fragment, shaders
+from measure.compile import command, texts
+from measure.compile.texts import SUBJECTS, WAYS, fragment, shaders
 
 
 class CompileTimes(unittest.TestCase):

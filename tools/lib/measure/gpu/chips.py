@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from gpu import llvm
+from measure.gpu import llvm
 
 
 class Vendor(NamedTuple):

@@ -1,19 +1,19 @@
 """Measures what noise costs on GPUs that are not here, by their own compilers.
 
-    tools/gpu-costs --get-drivers [--drivers DIR]      downloads them, some 410 MB of Debian's and PyPI's, into DIR
-    tools/gpu-costs [--chip NAME]... [--filter GLOB]... [--against NAME=FILE:EXPRESSION]... [--out DIR]
-    tools/gpu-costs --wombat Wombat/ --filter '*.perlin.*' --baseline docs/results/gpu/costs.csv
-    tools/gpu-costs --compare BEFORE/costs.csv docs/results/gpu/costs.csv
-    tools/gpu-costs --list-chips
+    tools/measure gpu --get-drivers [--drivers DIR]      downloads them, some 410 MB of Debian's and PyPI's, into DIR
+    tools/measure gpu [--chip NAME]... [--filter GLOB]... [--against NAME=FILE:EXPRESSION]... [--out DIR]
+    tools/measure gpu --wombat Wombat/ --filter '*.perlin.*' --baseline docs/results/gpu/costs.csv
+    tools/measure gpu --compare BEFORE/costs.csv docs/results/gpu/costs.csv
+    tools/measure gpu --list-chips
 
 Mesa's drivers for NVIDIA, AMD, Adreno and Apple compile shaders without a GPU, for a stand-in of the kernel. NVIDIA's
 ptxas and Intel's IGC need none; they get the same shaders by way of LLVM. Of each shader, which is one call in a
 fragment shader, less the empty shader, the record has cycles or instructions, registers and spills. The default is
 every function with each arithmetic, on every chip, and what an operation costs; with --filter the operations are left
-out. It needs hn-conform on the PATH or built (tools/bench builds it), and spirv-dis. DIR gets costs.csv, operations.csv
-and chips.csv; docs/results/gpu has such files, of which tools/readme makes tables. docs/measuring.md explains them.
---compare measures nothing: it prints a table of how many times each noise costs in the second record what it did in the
-first, on a chip of each compiler.
+out. It needs hn-conform on the PATH or built (tools/measure clock builds it), and spirv-dis. DIR gets costs.csv,
+operations.csv and chips.csv; docs/results/gpu has such files, of which tools/readme makes tables. docs/measuring.md
+explains them. --compare measures nothing: it prints a table of how many times each noise costs in the second record
+what it did in the first, on a chip of each compiler.
 
 Exit status: 0 done, 1 something became dearer than in the baseline, 2 bad usage, 3 there are no drivers for a chip, and
 why; 4 the drivers could not be had; 130 it was interrupted.
@@ -34,13 +34,15 @@ from pathlib import Path
 
 import debian
 from debian import Missing
-from gpu import comparing, drivers, operations, record, stripes
-from gpu.chips import CHIPS, Chip
-from gpu.compiling import Compiled, Device, compile_all
-from gpu.drivers import Drivers
-from gpu.kernels import compile_all as compile_kernels
-from gpu.kernels import translated
-from tables.peers import PEERS, Peer, against
+from measure.gpu import comparing, drivers, operations, record, stripes
+from measure.gpu.chips import CHIPS, Chip
+from measure.gpu.compiling import Compiled, Device, compile_all
+from measure.gpu.drivers import Drivers
+from measure.gpu.kernels import compile_all as compile_kernels
+from measure.gpu.kernels import translated
+from measure.options import Parser
+from measure.peers.copies import add_options, given
+from measure.peers.table import PEERS, against
 from tree import ROOT, hn_conform
 
 ARITHMETICS = ("*.lattice", "*.lattice+precise", "*.lattice+fixed", "*.any")
@@ -76,7 +78,7 @@ class Progress:
 def program() -> str:
     found = hn_conform()
     if not found:
-        raise BadUsage("there is no hn-conform: build it by tools/bench, or put it on the PATH")
+        raise BadUsage("there is no hn-conform: build it by tools/measure clock, or put it on the PATH")
     return found
 
 
@@ -163,29 +165,19 @@ def run(options: argparse.Namespace) -> int:
     return 1 if lines else 3 if skipped else 0
 
 
-def given(options: argparse.Namespace, peers: Sequence[Peer]) -> dict[str, Path]:
-    """Where those of the peers are that options name."""
-    paths = {peer.option: getattr(options, peer.option.replace("-", "_")) for peer in peers}
-    for option, path in paths.items():
-        if path is not None and not path.exists():
-            raise BadUsage(f"--{option}: there is no {path}")
-    return {option: path for option, path in paths.items() if path is not None}
-
-
 def list_chips(folder: Path) -> int:
     for chip in CHIPS:
         print(f"{chip.name:11} {chip.title}")
     try:
         for shim in drivers.find(folder).unused_shims():
-            print(f"{shim} is in {folder}, and no chip here is of it: tools/lib/gpu/chips.py wants a row")
+            print(f"{shim} is in {folder}, and no chip here is of it: tools/lib/measure/gpu/chips.py wants a row")
     except Missing as why:
         print(f"None can be measured yet: {why}")
     return 0
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    parser = argparse.ArgumentParser(prog="tools/gpu-costs", description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = Parser("gpu", __doc__)
     parser.add_argument("--chip", action="append", metavar="NAME", choices=[chip.name for chip in CHIPS], default=[],
                         help="only this one; may be repeated")
     parser.add_argument("--filter", action="append", metavar="GLOB", default=[],
@@ -193,8 +185,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--glsl", type=Path, metavar="DIR", help="another copy of the library: of glsl/hashnoise/")
     parser.add_argument("--against", action="append", metavar="NAME=FILE:EXPRESSION", default=[],
                         help="also another shader file, as of bench; may be repeated")
-    for peer in (*PEERS, *stripes.PEERS):
-        parser.add_argument(f"--{peer.option}", type=Path, metavar="PATH", help=f"your copy of it: {peer.what}")
+    add_options(parser, (*PEERS, *stripes.PEERS))
     parser.add_argument("--out", type=Path, metavar="DIR", default=Path("out"))
     parser.add_argument("--baseline", type=Path, metavar="FILE", help="an earlier costs.csv, to compare with")
     parser.add_argument("--compare", type=Path, nargs=2, metavar=("BEFORE", "NOW"),
@@ -218,10 +209,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
             return 0
         return run(options)
     except Missing as why:
-        print(f"tools/gpu-costs: {'' if options.get_drivers else 'skipped: '}{why}", file=sys.stderr)
+        print(f"{parser.prog}: {'' if options.get_drivers else 'skipped: '}{why}", file=sys.stderr)
         return 4 if options.get_drivers else 3
     except KeyboardInterrupt:
-        print("tools/gpu-costs: interrupted, and nothing is written", file=sys.stderr)
+        print(f"{parser.prog}: interrupted, and nothing is written", file=sys.stderr)
         return 130
     except (BadUsage, OSError, ValueError) as error:
-        parser.exit(2, f"tools/gpu-costs: {error}\n")
+        parser.error(str(error))

@@ -13,7 +13,7 @@ from pathlib import Path
 
 import debian
 from debian import Missing
-from gpu.chips import CHIPS, UNUSED_SHIMS, Chip
+from measure.gpu.chips import CHIPS, UNUSED_SHIMS, Chip
 
 LLVM = "22"  # that of today's Mesa; when Debian drops it, name the next for which there is an llvm-spirv
 PACKAGES = ("mesa-vulkan-drivers", "mesa-drm-shim", "libvulkan1", "intel-ocloc", "libigc2", f"llvm-{LLVM}",
@@ -81,7 +81,7 @@ class Drivers(debian.Root):
 def find(folder: Path) -> Drivers:
     if found := debian.find(folder, "libvulkan.so.1"):
         return Drivers(*found)
-    raise Missing(f"there are no drivers in {folder.absolute()}; tools/gpu-costs --get-drivers puts them there, "
+    raise Missing(f"there are no drivers in {folder.absolute()}; tools/measure gpu --get-drivers puts them there, "
                   f"{SIZE}, without installing anything")
 
 

@@ -1,5 +1,5 @@
-"""Tests of tools/gpu-costs with a stand-in of the compilers. The real ones are asked where HN_GPU_DRIVERS names a
-folder that tools/gpu-costs --get-drivers filled."""
+"""Tests of tools/measure gpu with a stand-in of the compilers. The real ones are asked where HN_GPU_DRIVERS names a
+folder that tools/measure gpu --get-drivers filled."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ from unittest import mock
 import debian
 import glslang
 from debian import Missing
-from gpu import chips, command, comparing, drivers, operations, pages, record, stripes
-from gpu.chips import CHIPS, chip_named
-from gpu.compiling import Compiled, compile_all
-from tables.peers import CALLS, dimensions, subject
+from measure.gpu import chips, command, comparing, drivers, operations, pages, record, stripes
+from measure.gpu.chips import CHIPS, chip_named
+from measure.gpu.compiling import Compiled, compile_all
+from measure.peers.table import CALLS, dimensions, subject
 from thorough import in_thorough_runs
 
 # hn-conform as far as it is called. A shader costs what its file says: 7 cycles for each word of it, or trouble.
@@ -84,7 +84,7 @@ class WithStandIn(unittest.TestCase):
     def call(self, *arguments: str) -> tuple[int, str, str]:
         out, err = io.StringIO(), io.StringIO()
         with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err), \
-                mock.patch("gpu.command.program", return_value=str(self.program)):
+                mock.patch("measure.gpu.command.program", return_value=str(self.program)):
             try:
                 status = command.main(["--drivers", str(self.drivers), "--out", str(self.folder / "out"), *arguments])
             except SystemExit as end:
@@ -423,7 +423,8 @@ class Command(WithStandIn):
     def test_without_drivers_it_is_skipped_with_a_reason(self):
         status, _, err = self.call("--drivers", str(self.folder / "none"))
         self.assertEqual(status, 3)
-        self.assertRegex(err, "skipped: there are no drivers in .*/none; tools/gpu-costs --get-drivers puts them there")
+        self.assertRegex(err, "skipped: there are no drivers in .*/none; tools/measure gpu --get-drivers puts them "
+                              "there")
         self.assertIn("None can be measured yet", self.call("--list-chips", "--drivers", str(self.folder / "none"))[1])
 
     def test_a_chip_without_a_shim_is_skipped_and_the_others_are_not(self):

@@ -17,13 +17,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from debian import Missing
-from gpu import compiling, llvm
-from gpu.compiling import Compiled, Device
-from gpu.operations import is_operation
+from measure.gpu import compiling, llvm
+from measure.gpu.compiling import Compiled, Device
+from measure.gpu.operations import is_operation
 
 if TYPE_CHECKING:
-    from gpu.chips import Chip
-    from gpu.drivers import Drivers
+    from measure.gpu.chips import Chip
+    from measure.gpu.drivers import Drivers
 
 BATCH = 24  # shaders that a compiler gets at once
 LIMIT = 300.0  # seconds for them

@@ -17,9 +17,9 @@ from unittest import mock
 import debian
 import glslang
 from debian import Missing
-from gpu import command, drivers, kernels, llvm, record
-from gpu.chips import CHIPS, chip_named
-from gpu.compiling import Device
+from measure.gpu import command, drivers, kernels, llvm, record
+from measure.gpu.chips import CHIPS, chip_named
+from measure.gpu.compiling import Device
 from thorough import in_thorough_runs
 from twin import compile_program
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 
-from gpu import comparing, stripes
-from gpu.chips import chip_named
-from gpu.operations import OPERATIONS
-from gpu.record import COSTS, OPERATION_COSTS, Row, read, read_costs
+from measure.gpu import comparing, stripes
+from measure.gpu.chips import chip_named
+from measure.gpu.operations import OPERATIONS
+from measure.gpu.record import COSTS, OPERATION_COSTS, Row, read, read_costs
+from measure.peers.table import CALLS, dimensions, subject
 from tables.markdown import table
-from tables.peers import CALLS, dimensions, subject
 from tree import ROOT
 
 RECORD = ROOT / "docs" / "results" / "gpu"

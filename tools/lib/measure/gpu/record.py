@@ -10,9 +10,9 @@ from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from gpu.chips import Chip, Vendor
-from gpu.compiling import Compiled
-from gpu.operations import CHAINS, LENGTHS, OPERATIONS, price, subject
+from measure.gpu.chips import Chip, Vendor
+from measure.gpu.compiling import Compiled
+from measure.gpu.operations import CHAINS, LENGTHS, OPERATIONS, price, subject
 
 SURPLUS = re.compile(r"^Estimated | instructions$| Count$")  # in the names of statistics
 COSTS, OPERATION_COSTS, DEVICES = "costs.csv", "operations.csv", "chips.csv"
@@ -80,7 +80,7 @@ def read(path: Path, columns: Sequence[str] = Row._fields) -> list[dict[str, str
     with open(path, newline="", encoding="utf-8") as file:
         reader = csv.DictReader(file)
         if list(reader.fieldnames or ()) != list(columns):
-            raise ValueError(f"{path}: the first line must be {','.join(columns)}, as tools/gpu-costs writes it")
+            raise ValueError(f"{path}: the first line must be {','.join(columns)}, as tools/measure gpu writes it")
         return list(reader)
 
 

@@ -6,10 +6,10 @@ from typing import Callable
 
 import numpy as np
 
-from quality.bits import spread_bits
-from quality.judgement import Finding, normal, poisson
-from quality.library import Twin
-from quality.lattice import Lattice, varying_bits
+from measure.hashes.bits import spread_bits
+from measure.hashes.judgement import Finding, normal, poisson
+from measure.hashes.library import Twin
+from measure.hashes.lattice import Lattice, varying_bits
 
 COORDINATE_BITS = 12   # coordinates in [0, 4096)
 FAR = 24               # hn_perlin takes positions below 2^23 in magnitude: no two are further apart than 2^24 cells

@@ -6,8 +6,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from quality.judgement import Finding, chi_square, normal
-from quality.lattice import Lattice, neighbours, shifted
+from measure.hashes.judgement import Finding, chi_square, normal
+from measure.hashes.lattice import Lattice, neighbours, shifted
 
 WINDOW = 8   # bits: 256 bins. Windows start every four bits, so that each run of five bits is whole in one
 PAIR = 6     # bits of each of two neighbours: 4096 bins

@@ -1,7 +1,18 @@
-"""Measures how random the library's hashes are, and judges them.
+"""Measures how random the hashes are, and what the noise is like.
 
 Without options every hash of the library is judged, and docs/quality.md and its pictures are written. With options that
 choose what is judged, or with --quick or --least and no --out, the verdicts alone are printed.
+
+    tools/measure hashes --quick     the gate alone, with fewer and smaller windows: no page is written
+
+To judge a candidate for the default hash: a copy of glsl/ and include/ in one folder, with what is tried in its
+hash.glsl, first briefly and then as the page does:
+
+    tools/measure hashes --include FOLDER/include --hash LATTICE --dimensions 2 --least
+    tools/measure hashes --include FOLDER/include --hash LATTICE --dimensions 2 --seeds 5,6,7
+
+Exit status: 0 every hash passes, 1 one does not (or, with --check, the page is not up to date), 2 bad usage, 4 it could
+not be built.
 """
 
 from __future__ import annotations
@@ -18,20 +29,21 @@ from pathlib import Path
 
 import numpy as np
 
-from likeness.renderer import Renderer
-from quality import controls
-from quality import fields
-from quality import gate
-from quality import isotropy
-from quality import library
-from quality import noise
-from quality import octaves
-from quality import others
-from quality import report
-from quality import stripes
-from quality.judgement import Finding
-from quality.lattice import Lattice, sample
-from quality.report import HashResult
+from measure.hashes import controls
+from measure.hashes import fields
+from measure.hashes import gate
+from measure.hashes import isotropy
+from measure.hashes import library
+from measure.hashes import noise
+from measure.hashes import octaves
+from measure.hashes import others
+from measure.hashes import report
+from measure.hashes import stripes
+from measure.hashes.judgement import Finding
+from measure.hashes.lattice import Lattice, sample
+from measure.hashes.report import HashResult
+from measure.likeness.renderer import Renderer
+from measure.options import Parser
 from tree import ROOT
 
 DIMENSIONS = (2, 3)
@@ -200,9 +212,7 @@ def refuse(options, name: str, others: tuple[str, ...]) -> None:
 
 
 def parse(arguments: list[str]) -> argparse.Namespace:
-    parser = argparse.ArgumentParser(prog="tools/quality", description=__doc__.splitlines()[0],
-                                     epilog="Exit status: 0 every hash passes, 1 one does not (or the page is not "
-                                     "up to date), 2 bad usage, 4 it could not be built.")
+    parser = Parser("hashes", __doc__)
     parser.add_argument("--hash", action="append", metavar="NAME", help="only this hash of the library (repeatable)")
     parser.add_argument("--hash-fn", metavar="EXPR", help="judge your own hash: an expression of the uint k")
     parser.add_argument("--dimensions", type=int, choices=DIMENSIONS, help="only in the plane, or only in space")
@@ -272,7 +282,7 @@ def run(options, folder: Path) -> int:
     page = options.out is not None or not any(getattr(options, name) for name in (*PARTS, "quick", "least"))
     out = options.out or ROOT / "docs"
     if page and not options.check and importlib.util.find_spec("matplotlib") is None:
-        raise library.NotBuilt("the pictures need matplotlib; run it as tools/quality, which finds or installs it")
+        raise library.NotBuilt("the pictures need matplotlib, which tools/measure hashes finds or installs")
     if options.dump:
         options.dump.mkdir(parents=True, exist_ok=True)
     dimensions = (options.dimensions,) if options.dimensions else DIMENSIONS
@@ -306,7 +316,7 @@ def main(arguments: list[str]) -> int:
         with tempfile.TemporaryDirectory() as folder:
             return run(options, Path(folder))
     except library.NotBuilt as error:
-        print(f"tools/quality: {error}", file=sys.stderr)
+        print(f"{options.parser.prog}: {error}", file=sys.stderr)
         return 4
 
 

@@ -10,12 +10,12 @@ from itertools import chain, combinations
 import numpy as np
 from scipy import stats
 
-from quality import bits
-from quality import copies
-from quality import fourier
-from quality.judgement import Finding, chi_square, normal, peak, poisson
-from quality.lattice import Lattice, shifted
-from quality.library import AXES, Twin
+from measure.hashes import bits
+from measure.hashes import copies
+from measure.hashes import fourier
+from measure.hashes.judgement import Finding, chi_square, normal, peak, poisson
+from measure.hashes.lattice import Lattice, shifted
+from measure.hashes.library import AXES, Twin
 
 # The bits that decide most of a component, the weightiest first. Value noise takes the low 23 bits of a word as its
 # number (section 9). Perlin noise takes three bits on the plane, and in space two signs and the size of the word, whose

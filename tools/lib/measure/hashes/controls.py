@@ -7,10 +7,10 @@ from typing import Callable
 
 import numpy as np
 
-from quality import isotropy
-from quality.directions import GRADIENTS as OWN
-from quality.lattice import Lattice, cells_of
-from quality.library import Twin
+from measure.hashes import isotropy
+from measure.hashes.directions import GRADIENTS as OWN
+from measure.hashes.lattice import Lattice, cells_of
+from measure.hashes.library import Twin
 
 Shape = tuple[int, ...]
 

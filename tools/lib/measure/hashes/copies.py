@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from scipy import stats
 
-from quality.judgement import Finding, peak, poisson, two_tails
-from quality.lattice import Lattice
+from measure.hashes.judgement import Finding, peak, poisson, two_tails
+from measure.hashes.lattice import Lattice
 
 # Bits that a run has at least. A window has 2^21 runs in the plane and 2^22.5 in space. A run is equal to the reverse of
 # one that begins in it where a part of their line is a palindrome. That takes half as many bits, and such pairs come in

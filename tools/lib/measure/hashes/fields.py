@@ -7,9 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 from scipy import fft
 
-from quality import isotropy
-from quality.lattice import cells_of
-from quality.library import Twin
+from measure.hashes import isotropy
+from measure.hashes.lattice import cells_of
+from measure.hashes.library import Twin
 
 SEEDS = range(8)  # a block of its own each
 HEIGHTS = 8  # of slices, in a cell

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import numpy as np
 
-from quality import fields
-from quality import library
+from measure.hashes import fields
+from measure.hashes import library
 from tree import ROOT
 
 FOLDER = tempfile.TemporaryDirectory()

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from scipy import fft, stats
 
-from quality.judgement import Finding, normal, peak
-from quality.lattice import Lattice
+from measure.hashes.judgement import Finding, normal, peak
+from measure.hashes.lattice import Lattice
 
 WORKERS = 1  # the processes share the cores already
 

@@ -7,17 +7,17 @@ from typing import Callable, Iterable
 
 import numpy as np
 
-from quality import avalanche
-from quality import bits
-from quality import components
-from quality import copies
-from quality import directions
-from quality import fourier
-from quality import isotropy
-from quality import near_returns
-from quality.judgement import Finding, join
-from quality.lattice import Lattice, cells_of, of_words, sample
-from quality.library import Twin
+from measure.hashes import avalanche
+from measure.hashes import bits
+from measure.hashes import components
+from measure.hashes import copies
+from measure.hashes import directions
+from measure.hashes import fourier
+from measure.hashes import isotropy
+from measure.hashes import near_returns
+from measure.hashes.judgement import Finding, join
+from measure.hashes.lattice import Lattice, cells_of, of_words, sample
+from measure.hashes.library import Twin
 
 GOLDEN = 0x9E3779B9  # between the seeds of octaves, docs/contract.md section 7
 WORD = 0xFFFFFFFF

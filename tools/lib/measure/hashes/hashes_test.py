@@ -14,17 +14,17 @@ from unittest import mock
 import numpy as np
 from scipy import stats
 
-from quality import avalanche, command
-from quality import components
-from quality import controls
-from quality import copies
-from quality import directions
-from quality import fourier
-from quality import gate
-from quality import judgement
-from quality import library
-from quality import near_returns
-from quality import report
+from measure.hashes import avalanche, command
+from measure.hashes import components
+from measure.hashes import controls
+from measure.hashes import copies
+from measure.hashes import directions
+from measure.hashes import fourier
+from measure.hashes import gate
+from measure.hashes import judgement
+from measure.hashes import library
+from measure.hashes import near_returns
+from measure.hashes import report
 from thorough import in_thorough_runs, some
 from tree import ROOT
 

@@ -7,9 +7,9 @@ from collections.abc import Iterator
 import numpy as np
 from scipy import fft, stats
 
-from quality.judgement import ALPHA, Finding
-from quality.lattice import Lattice, cells_of
-from quality.library import Twin
+from measure.hashes.judgement import ALPHA, Finding
+from measure.hashes.lattice import Lattice, cells_of
+from measure.hashes.library import Twin
 
 PER_CELL = 4      # samples along an axis; twice as many change no value by more than 0.004
 SMOOTHING = 0.75  # cells, the deviation of the Gaussian: about the size of a blob

@@ -8,12 +8,12 @@ from pathlib import Path
 import numpy as np
 from scipy import stats
 
-from quality import controls
-from quality import directions
-from quality import gate
-from quality import isotropy
-from quality import library
-from quality import report
+from measure.hashes import controls
+from measure.hashes import directions
+from measure.hashes import gate
+from measure.hashes import isotropy
+from measure.hashes import library
+from measure.hashes import report
 from tree import ROOT
 
 FOLDER = tempfile.TemporaryDirectory()

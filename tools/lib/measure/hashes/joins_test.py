@@ -7,9 +7,9 @@ from dataclasses import replace
 
 import numpy as np
 
+from measure.hashes.joins import Joins, Repeat, keeps_the_sum, of_one_change, on_the_plane, shares, steps_of
+from measure.hashes.near_returns import REACH
 from oracle.words import point_word
-from quality.joins import Joins, Repeat, keeps_the_sum, of_one_change, on_the_plane, shares, steps_of
-from quality.near_returns import REACH
 from thorough import in_thorough_runs
 from tree import ROOT
 

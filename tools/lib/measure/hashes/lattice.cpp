@@ -1,4 +1,4 @@
-// Evaluates the C++ twin for tools/quality: reads points, writes raw words. Compiled once per setting of the knobs.
+// Evaluates the C++ twin for tools/measure hashes: reads points, writes raw words. Compiled once per setting of knobs.
 //   lattice word|gradient|noise|stage|NAME 2|3 < points > values
 // word      hn_i_point(cell, seed), of which the gradient is made: a point is the cell and the seed, 32-bit integers; a
 //           value is a word

@@ -7,7 +7,7 @@ from functools import cached_property
 
 import numpy as np
 
-from quality.library import Twin
+from measure.hashes.library import Twin
 
 
 @dataclass

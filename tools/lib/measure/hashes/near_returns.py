@@ -10,9 +10,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from quality.judgement import Finding, normal, poisson
-from quality.lattice import varying_bits
-from quality.library import AXES, Twin
+from measure.hashes.judgement import Finding, normal, poisson
+from measure.hashes.lattice import varying_bits
+from measure.hashes.library import AXES, Twin
 
 REACH = 23       # hn_perlin takes positions below 2^23 in magnitude
 BATCH = 1 << 18  # pairs of cells at a time

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy import stats
 
-from quality.library import Twin
+from measure.hashes.library import Twin
 
 SIDE = 1024          # samples along a picture
 PER_CELL = 8         # so that what is above 2 cycles per cell, half of what samples show, is still seen

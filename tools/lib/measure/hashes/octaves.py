@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy import ndimage
 
-from quality.library import Twin
+from measure.hashes.library import Twin
 
 LACUNARITY, GAIN = 2.0, 0.5
 SEEDS = range(8)

@@ -9,9 +9,9 @@ from pathlib import Path
 
 import numpy as np
 
-from quality import library
-from quality import octaves
-from quality import report
+from measure.hashes import library
+from measure.hashes import octaves
+from measure.hashes import report
 from tree import ROOT
 
 FOLDER = tempfile.TemporaryDirectory()

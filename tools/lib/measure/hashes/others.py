@@ -15,11 +15,11 @@ from pathlib import Path
 
 import numpy as np
 
-from likeness.ports import source
-from likeness.renderer import NotCompiled, Renderer
-from quality import gate
-from quality.library import Twin
-from quality.report import HashResult, describe
+from measure.hashes import gate
+from measure.hashes.library import Twin
+from measure.hashes.report import HashResult, describe
+from measure.likeness.ports import source
+from measure.likeness.renderer import NotCompiled, Renderer
 
 SIDE = 1024  # of what is rendered at once
 OF_GRADIENTS = 0xFFE00000  # bits 31 to 21, docs/contract.md section 4

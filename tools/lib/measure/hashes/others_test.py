@@ -13,9 +13,9 @@ from unittest import mock
 
 import numpy as np
 
-from likeness.renderer import Renderer
-from quality import command, gate, library, others
-from quality.others import ORIGINS, Other
+from measure.hashes import command, gate, library, others
+from measure.hashes.others import ORIGINS, Other
+from measure.likeness.renderer import Renderer
 from tree import ROOT
 
 SHADER = """

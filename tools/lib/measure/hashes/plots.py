@@ -12,12 +12,12 @@ matplotlib.use("Agg")
 
 import matplotlib.pyplot as plt
 
-from quality import controls
-from quality import fourier
-from quality import fields
-from quality import isotropy
-from quality.lattice import of_words, sample
-from quality.library import Twin
+from measure.hashes import controls
+from measure.hashes import fourier
+from measure.hashes import fields
+from measure.hashes import isotropy
+from measure.hashes.lattice import of_words, sample
+from measure.hashes.library import Twin
 
 SIDE = 64    # cells: small enough to see single lags
 PATCH = 24   # cells of noise in a picture

@@ -9,16 +9,16 @@ from dataclasses import dataclass
 from math import log2
 from pathlib import Path
 
-from quality import controls
-from quality import fields
-from quality import gate
-from quality import isotropy
-from quality import octaves
-from quality import stripes
-from quality import texts
-from quality.judgement import ALPHA, Finding
-from quality.library import Twin
-from quality.noise import Measured
+from measure.hashes import controls
+from measure.hashes import fields
+from measure.hashes import gate
+from measure.hashes import isotropy
+from measure.hashes import octaves
+from measure.hashes import stripes
+from measure.hashes import texts
+from measure.hashes.judgement import ALPHA, Finding
+from measure.hashes.library import Twin
+from measure.hashes.noise import Measured
 
 
 @dataclass
@@ -271,12 +271,12 @@ def same(path: Path, text: str) -> bool:
     try:
         old = path.read_text(encoding="utf-8")
     except OSError as error:
-        print(f"tools/quality: {error}", file=sys.stderr)
+        print(f"tools/measure hashes: {error}", file=sys.stderr)
         return False
     ours, theirs = NUMBER.findall(text), NUMBER.findall(old)
     if NUMBER.sub("#", old) == NUMBER.sub("#", text) and all(map(_near, ours, theirs)):
         return True
-    print(f"tools/quality: {path} is not what is measured now: run tools/quality", file=sys.stderr)
+    print(f"tools/measure hashes: {path} is not what is measured now: run tools/measure hashes", file=sys.stderr)
     return False
 
 
@@ -285,7 +285,7 @@ def _near(a: str, b: str) -> bool:
 
 
 def write(out: Path, text: str, results: list[HashResult], default: Twin) -> None:
-    from quality import plots  # which needs matplotlib; nothing else does
+    from measure.hashes import plots  # which needs matplotlib; nothing else does
     (out / "images").mkdir(parents=True, exist_ok=True)
     (out / "quality.md").write_text(text, encoding="utf-8")
     plots.lattices(out / "images" / "quality-lattice.png", default)

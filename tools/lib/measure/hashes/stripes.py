@@ -13,9 +13,9 @@ from itertools import pairwise
 import numpy as np
 from scipy import fft, special, stats
 
-from quality import fields
-from quality.judgement import Finding, peak
-from quality.lattice import cells_of
+from measure.hashes import fields
+from measure.hashes.judgement import Finding, peak
+from measure.hashes.lattice import cells_of
 
 # Positions, a period, a wave and a seed, to the value and its quadrature as complex numbers: Twin.phasor.
 Field = Callable[[np.ndarray, int, Sequence[float], int], np.ndarray]

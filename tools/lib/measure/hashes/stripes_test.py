@@ -11,10 +11,10 @@ from unittest import mock
 
 import numpy as np
 
-from quality import fields
-from quality import library
-from quality import report
-from quality import stripes
+from measure.hashes import fields
+from measure.hashes import library
+from measure.hashes import report
+from measure.hashes import stripes
 from thorough import in_thorough_runs
 from tree import ROOT
 

@@ -2,8 +2,8 @@
 
 HEAD = """# How random the hashes are
 
-{remark}`tools/quality` writes this page. It samples the C++ twin (the library's own text), and judges every hash that `HN_HASH` offers as the noise uses it: with the joined
-coordinates of a cell, and through the gradient stage. `tools/quality --help` tells how to judge your own hash, words from elsewhere, or another copy of the library. `--dump` keeps what
+{remark}`tools/measure hashes` writes this page. It samples the C++ twin (the library's own text), and judges every hash that `HN_HASH` offers as the noise uses it: with the joined
+coordinates of a cell, and through the gradient stage. `tools/measure hashes --help` tells how to judge your own hash, words from elsewhere, or another copy of the library. `--dump` keeps what
 is needed to calculate all of this again.
 
 **The gate.** Each statistic has a known distribution on a lattice of independent, uniform words. A test fails if a value as far out has a probability below {alpha}
@@ -88,7 +88,7 @@ ROWS = [
 
 CONTROLS = """## What the gate rejects
 
-Each test has a lattice that it must reject, and all tests accept an independent random lattice (Philox). The lattices are made by numpy, in the plane; those of components, in space. `tools/lib/quality/quality_test.py` has most of them in space as well.
+Each test has a lattice that it must reject, and all tests accept an independent random lattice (Philox). The lattices are made by numpy, in the plane; those of components, in space. `tools/lib/measure/hashes/hashes_test.py` has most of them in space as well.
 
 """
 

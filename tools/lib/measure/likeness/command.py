@@ -1,15 +1,34 @@
-"""Measures what looks like the noise of other libraries: tools/peers --likeness."""
+"""The command line of tools/measure likeness, which describes it."""
 
 from __future__ import annotations
 
 import sys
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from likeness import picture, ports
-from likeness.renderer import Renderer
-from likeness.table import ROWS
+from measure.likeness import picture, ports
+from measure.likeness.renderer import Renderer
+from measure.likeness.table import ROWS
+from measure.options import Parser
+from measure.peers.copies import add_options, some_given
+from measure.peers.table import OTHERS, PEERS
 
+DESCRIPTION = """\
+Finds the scale and the factor with which a call of ours looks like one of another library.
+
+    tools/measure likeness [--fastnoiselite FILE] [--materialx DIR] [--webgl-noise DIR] [--psrdnoise DIR] [--lygia DIR]
+                           [--pictures DIR] [--out DIR | --check]
+
+Each option is the path of a copy of yours; its help names which file or folder of it. What is not given is left out.
+
+It leaves likeness.csv in DIR. docs/results/llvmpipe/likeness.csv is such a file; tools/readme makes the tables of
+docs/moving.md of it. It needs libOSMesa.
+
+Exit status: 0 done, 1 ours does not look alike even so, or with --check the numbers are not those of docs; 2 bad
+usage."""
+
+# Those whose calls have rows.
+ALIKE = tuple(peer for peer in (*PEERS, *OTHERS) if any(row.peer == peer.option for row in ROWS))
 # A record of the same calls differs by less, whatever the driver.
 SAME = 0.02
 
@@ -50,3 +69,14 @@ def run(paths: Mapping[str, Path], out: Path, pictures: Path | None, check: bool
     for problem in problems:
         print(problem, file=sys.stderr)
     return bool(problems)
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    parser = Parser("likeness", DESCRIPTION)
+    add_options(parser, ALIKE)
+    parser.add_argument("--pictures", type=Path, metavar="DIR",
+                        help="draw theirs, ours as it is, ours as ported, and a board of the first and the last")
+    parser.add_argument("--out", type=Path, metavar="DIR", default=Path("out"), help="(default: %(default)s)")
+    parser.add_argument("--check", action="store_true", help="compare with the numbers of docs, and write no record")
+    options = parser.parse_args(arguments)
+    return run(some_given(parser, options, ALIKE), options.out, options.pictures, options.check)

@@ -1,4 +1,4 @@
-"""Tests of tools/peers --likeness. Real peers are measured where HN_PEERS has options of tools/peers that name them."""
+"""Tests of tools/measure likeness. Real peers are measured where HN_PEERS has options of it that name them."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ import zlib
 from pathlib import Path
 from unittest import mock
 
-from likeness import command, picture, ports
-from likeness.measure import half
-from likeness.renderer import NotCompiled, Renderer
-from likeness.table import PLAIN, ROWS, Row, own_sum
+from measure.likeness import command, picture, ports
+from measure.likeness.measure import half
+from measure.likeness.renderer import NotCompiled, Renderer
+from measure.likeness.table import PLAIN, ROWS, Row, own_sum
 from tree import TOOLS
 
 # Another library, for want of one: value noise with a lattice, a curve and a contrast of its own.
@@ -176,7 +176,7 @@ class Record(unittest.TestCase):
     @unittest.skipUnless(os.environ.get("HN_PEERS"), "HN_PEERS names no copies of other libraries")
     def test_real_peers_have_these_numbers(self):
         arguments = shlex.split(os.environ["HN_PEERS"])
-        done = subprocess.run([TOOLS / "peers", "--likeness", "--check", *arguments], capture_output=True, text=True,
+        done = subprocess.run([TOOLS / "measure", "likeness", "--check", *arguments], capture_output=True, text=True,
                               check=False)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
 

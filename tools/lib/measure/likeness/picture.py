@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from likeness.measure import Look, subject, vector
-from likeness.ports import Port, measured_call, source
-from likeness.renderer import Renderer
-from likeness.table import Row
+from measure.likeness.measure import Look, subject, vector
+from measure.likeness.ports import Port, measured_call, source
+from measure.likeness.renderer import Renderer
+from measure.likeness.table import Row
 from png import png
 
 TILE = 256

@@ -11,9 +11,9 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from likeness.measure import Look, look
-from likeness.renderer import Renderer
-from likeness.table import ROWS, UNKNOWN, Row
+from measure.likeness.measure import Look, look
+from measure.likeness.renderer import Renderer
+from measure.likeness.table import ROWS, UNKNOWN, Row
 from single_file.files import text
 from tables.glsl import files_of
 from tables.markdown import table
@@ -196,7 +196,7 @@ def moving_table(name: str, record: Mapping[str, Port], rows: Sequence[Row] = RO
     for row in rows:
         if row.table == name:
             if row.id not in record:
-                raise Missing(f"likeness.csv has no row {row.id!r}: run tools/peers --likeness")
+                raise Missing(f"likeness.csv has no row {row.id!r}: run tools/measure likeness")
             ours = call(row, record[row.id].scale, record[row.id].factor, record[row.id].offset, **ON_THE_PAGE)
             lines.setdefault((row.theirs, ours, _range(row, record[row.id])), []).append(f"{row.axes}D")
     # A column that would tell nothing is left out.

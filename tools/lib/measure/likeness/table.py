@@ -15,7 +15,7 @@ class Row(NamedTuple):
     the number of octaves, the lacunarity and the gain, and {inner} for the factor of another row. What is not there is
     not looked for."""
     table: str  # of the page
-    peer: str  # the option of tools/peers
+    peer: str  # the option of tools/measure peers
     theirs: str  # on the page
     file: str  # below the path that is given
     expression: str  # of a position p, in their GLSL; or statements with a return

@@ -1,4 +1,4 @@
-"""The command line of tools/bench-neon, which describes it."""
+"""The command line of tools/measure neon, which describes it."""
 
 from __future__ import annotations
 
@@ -14,17 +14,18 @@ from collections.abc import Sequence
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from bench_neon.counting import Counter, Refused, of_a_fill
-from bench_neon.record import ARITHMETICS, OTHER, Run, page, record
 from elsewhere import NEON, Build, Failed, output_of
+from measure.neon.counting import Counter, Refused, of_a_fill
+from measure.neon.record import ARITHMETICS, OTHER, Run, page, record
+from measure.options import Parser
 from tree import ROOT, version
 
 DESCRIPTION = """\
 Counts what hashnoise::grid costs with NEON, in instructions, on a machine that need not have it.
 
-    tools/bench-neon [--against fastnoise2=FILE] [--filter GLOB]... [--note TEXT] [--out DIR] [--build DIR]
+    tools/measure neon [--against fastnoise2=FILE] [--filter GLOB]... [--note TEXT] [--out DIR] [--build DIR]
 
-The library is compiled for ARM, which takes minutes, and fills the grids of tools/bench-cpu with the same noises and
+The library is compiled for ARM, which takes minutes, and fills the grids of tools/measure cpu with the same noises and
 sums. The emulator QEMU executes that, and a plugin of it counts the instructions. FILE is the shared library of
 FastNoise2, compiled for ARM as well. docs/results/cpu/neon.md is such a page; neon.json has the same numbers.
 
@@ -60,7 +61,7 @@ def build(folder: Path) -> Path:
 
 def command_of(options: argparse.Namespace) -> str:
     """As somebody else would call it: a file by its name, and not where it is here."""
-    words = ["tools/bench-neon"]
+    words = ["tools/measure", "neon"]
     if options.against:
         words += ["--against", f"fastnoise2={options.against.name}"]
     for glob in options.filter:
@@ -101,8 +102,7 @@ def count(program: Path, options: argparse.Namespace) -> Run | None:
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    parser = argparse.ArgumentParser(prog="tools/bench-neon", description=DESCRIPTION,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = Parser("neon", DESCRIPTION)
     parser.add_argument("--against", type=library_named, metavar="fastnoise2=FILE",
                         help="also count FastNoise2, in its shared library for ARM")
     parser.add_argument("--filter", action="append", default=[], metavar="GLOB",
@@ -116,25 +116,25 @@ def main(arguments: Sequence[str] | None = None) -> int:
     options = parser.parse_args(arguments)
     packages = missing()
     if packages:
-        print(f"tools/bench-neon: missing Debian packages: {' '.join(packages)}", file=sys.stderr)
+        print(f"{parser.prog}: missing Debian packages: {' '.join(packages)}", file=sys.stderr)
         return 4
     try:
         options.out.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         parser.error(f"--out: {error}")
-    print("tools/bench-neon compiles hashnoise::grid for ARM, unless it has done so before", file=sys.stderr,
+    print(f"{parser.prog} compiles hashnoise::grid for ARM, unless it has done so before", file=sys.stderr,
           flush=True)
     try:
         program = build(options.build.resolve())
     except (Failed, OSError) as error:
-        print(f"tools/bench-neon: it could not be built: {error}", file=sys.stderr)
+        print(f"{parser.prog}: it could not be built: {error}", file=sys.stderr)
         return 4
     try:
         run = count(program, options)
     except Refused as error:
         parser.error(f"{error}; and it has to be compiled for ARM")
     except Failed as error:
-        print(f"tools/bench-neon: {error}", file=sys.stderr)
+        print(f"{parser.prog}: {error}", file=sys.stderr)
         return 1
     if run is None:
         parser.error("no subject matches --filter; the ids are like perlin2, cellular3 and fbm_simplex2, and * stands "
@@ -143,7 +143,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         for name, text in (("neon.json", json.dumps(record(run), indent=1) + "\n"), ("neon.md", page(run))):
             (options.out / name).write_text(text, encoding="utf-8")
     except OSError as error:
-        print(f"tools/bench-neon: {error}", file=sys.stderr)
+        print(f"{parser.prog}: {error}", file=sys.stderr)
         return 1
     print(f"{len(run.fills)} subjects counted: {options.out / 'neon.md'}")
     return 0

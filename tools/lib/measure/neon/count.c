@@ -26,7 +26,7 @@ static void count_block(uint64_t plugin, struct qemu_plugin_tb *block) {
   qemu_plugin_register_vcpu_tb_exec_inline(block, QEMU_PLUGIN_INLINE_ADD_U64, &executed, qemu_plugin_tb_n_insns(block));
 }
 
-/* A file that cannot be written stays away or empty, which tools/bench-neon notices. */
+/* A file that cannot be written stays away or empty, which tools/measure neon notices. */
 static void write_number(uint64_t plugin, void *path) {
   FILE *const file = fopen(path, "w");
   (void)plugin;

@@ -1,5 +1,5 @@
-"""tools/bench-neon: python3 -m unittest bench_neon.bench_neon_test; and with the library: python3 -m
-bench_neon.bench_neon_test FOLDER, where it is built for ARM."""
+"""tools/measure neon: python3 -m unittest measure.neon.neon_test; and with the library: python3 -m
+measure.neon.neon_test FOLDER, where it is built for ARM."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
-from bench_neon import command
-from bench_neon.counting import Counter, Refused, of_a_fill
-from bench_neon.record import three_digits
 from elsewhere import NEON, Failed, output_of
+from measure.neon import command
+from measure.neon.counting import Counter, Refused, of_a_fill
+from measure.neon.record import three_digits
 from tree import ROOT
 
 # It executes 5 instructions, and 2 in each turn.
@@ -115,7 +115,7 @@ class ByAStandIn(Case):
         record = self.record()
         self.assertEqual((record["points"], record["step"], record["compiler"], record["emulator"], record["note"]),
                          (100, 0.25, "GCC 12.9.0", "QEMU 7.2.9", "A note."))
-        self.assertEqual(record["command"], "tools/bench-neon --against fastnoise2=libFastNoise.so")
+        self.assertEqual(record["command"], "tools/measure neon --against fastnoise2=libFastNoise.so")
         self.assertEqual([entry["id"] for entry in record["measurements"]], ["perlin2", "cellular3"])
         for entry in record["measurements"]:
             self.assertEqual(entry["executed"], {"fast": 1000, "fixed": 2000, "precise": 1250, "FastNoise2": 2500})
@@ -123,7 +123,7 @@ class ByAStandIn(Case):
         page = (self.folder / "out" / "neon.md").read_text(encoding="utf-8")
         self.assertIn("| `perlin2` | 2.50 | 0.50 | 0.80 |\n", page)
         self.assertIn("| `cellular3` | 10.0 | 20.0 | 12.5 | 25.0 |\n", page)
-        self.assertIn(" A note. By `tools/bench-neon", page)
+        self.assertIn(" A note. By `tools/measure neon", page)
         self.assertNotIn(str(self.folder), page + json.dumps(record))
 
     def test_some_subjects_without_another_library(self) -> None:
@@ -196,7 +196,7 @@ class Digits(unittest.TestCase):
                          ["1234", "100", "99.9", "19.3", "3.00"])
 
 
-@unittest.skipUnless(__name__ == "__main__", "the test bench_neon.whole compiles the library")
+@unittest.skipUnless(__name__ == "__main__", "the test neon.whole compiles the library")
 class Whole(Case):
     """The library, and a stand-in for FastNoise2 that does everything three times."""
 

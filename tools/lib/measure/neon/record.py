@@ -1,4 +1,4 @@
-"""The page and the record of tools/bench-neon."""
+"""The page and the record of tools/measure neon."""
 
 from __future__ import annotations
 

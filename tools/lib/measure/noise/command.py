@@ -1,4 +1,4 @@
-"""Judges anybody's noise, by values that Mesa's software renderer computes of its GLSL. tools/judge --help has more."""
+"""The command line of tools/measure noise, which describes it."""
 
 from __future__ import annotations
 
@@ -15,12 +15,24 @@ from pathlib import Path
 
 import numpy as np
 
-from judge import measures, page, record
-from judge.measures import Finding, Measured
-from judge.noise import COUNT, Sampler, Subject, read
-from likeness.ports import version
-from likeness.renderer import NoRenderer, NotCompiled
+from measure.likeness.ports import version
+from measure.likeness.renderer import NoRenderer, NotCompiled
+from measure.noise import measures, page, record
+from measure.noise.measures import Finding, Measured
+from measure.noise.noise import COUNT, Sampler, Subject, read
+from measure.options import Parser
 from tree import TOOLS
+
+DESCRIPTION = """\
+Judges anybody's noise: its range, jumps, repeats and more, with a page, a record and an exit status.
+
+    tools/measure noise 'noise.glsl:snoise(p)'                       on the plane; p is a vec2
+    tools/measure noise 'noise.glsl:snoise(p)' --dimensions 3 --range -1 1 --require range,jumps --out judged
+
+It renders the GLSL by Mesa's software renderer (Debian's libosmesa6). docs/judge.md explains each measure.
+
+Exit status: 0 done, 1 a measure of --require fails, 2 bad usage, or the GLSL does not compile, 4 there is no
+renderer."""
 
 JUDGED = ("values", "range", "jumps", "derivative", "repeats", "mirrors", "seeds", "cells", "directions", "far",
           "compilers")
@@ -34,7 +46,7 @@ ROUNDS, VALUES = 7, 24  # of a place: so that what a drawing costs beside them d
 
 
 def parse(arguments: Sequence[str] | None) -> argparse.Namespace:
-    parser = argparse.ArgumentParser(prog="tools/judge", description=__doc__)
+    parser = Parser("noise", DESCRIPTION)
     parser.add_argument("noise", metavar="FILE:EXPRESSION", help="a file of GLSL, and a float of `p`, which is a vec2 "
                         "or a vec3, as in noise.glsl:snoise(p). It may use `seed`, a uint, and set `slope` to its "
                         "derivatives, as in psrdnoise2.glsl:psrdnoise(p, vec2(0.0), 0.0, slope)")
@@ -86,7 +98,7 @@ def by_softpipe(subject: Subject) -> np.ndarray | None:
     with tempfile.TemporaryDirectory() as folder:
         text, values = Path(folder) / "shader", Path(folder) / "values"
         text.write_text(json.dumps(vars(subject)), encoding="utf-8")
-        done = subprocess.run([sys.executable, "-B", "-m", "judge.command", "--draw", str(text), str(values)],
+        done = subprocess.run([sys.executable, "-B", "-m", "measure.noise.command", "--draw", str(text), str(values)],
                               env={**os.environ, **SOFTPIPE}, capture_output=True, check=False)
         return np.fromfile(values, np.float32) if done.returncode == 0 else None
 
@@ -129,7 +141,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except NotCompiled as error:
         options.parser.error(f"{options.noise} does not compile as a float of p, a vec{options.dimensions}: {error}")
     except NoRenderer as error:
-        options.parser.exit(4, f"tools/judge: {error}\n")
+        options.parser.exit(4, f"{options.parser.prog}: {error}\n")
     theirs = judged(sampler)
     theirs["cost"] = cost(options.subject, replace(library.subject, expression="hn_perlin(p, seed)"))
     for name, finding in theirs.items():
@@ -142,7 +154,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
                    version(Path(options.noise.partition(":")[0])))
         print(options.out / "index.html")
     if "compilers" in options.required and "compilers" not in theirs:
-        options.parser.exit(4, "tools/judge: --require compilers: Mesa has no softpipe here, which is the other one\n")
+        options.parser.exit(4, f"{options.parser.prog}: --require compilers: Mesa has no softpipe here, which is the other "
+                               "one\n")
     return 1 if any(theirs[name].fails for name in options.required) else 0
 
 

@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from judge.noise import COUNT, Sampler
-from quality.fields import harmonic, waves
+from measure.hashes.fields import harmonic, waves
+from measure.noise.noise import COUNT, Sampler
 
 # What is allowed. Lengths and jumps are in standard deviations of the noise.
 OUTSIDE = 1e-4  # beyond the range that is claimed

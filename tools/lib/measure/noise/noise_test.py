@@ -1,4 +1,4 @@
-"""Tests of tools/judge: a noise with each defect is told, and ours has none."""
+"""Tests of tools/measure noise: a noise with each defect is told, and ours has none."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ from unittest import mock
 
 import numpy as np
 
-from judge import command, measures, page, record
-from judge.measures import Finding, Measured
-from judge.noise import Sampler, Subject
-from likeness.renderer import Renderer
+from measure.likeness.renderer import Renderer
+from measure.noise import command, measures, page, record
+from measure.noise.measures import Finding, Measured
+from measure.noise.noise import Sampler, Subject
 from thorough import in_thorough_runs
 
 # Value noise with a good hash and its derivatives, from which each control takes something.

@@ -10,8 +10,8 @@ from pathlib import Path
 
 import numpy as np
 
-from judge.measures import Finding
-from judge.noise import Sampler
+from measure.noise.measures import Finding
+from measure.noise.noise import Sampler
 from png import png
 from tree import version
 

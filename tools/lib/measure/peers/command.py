@@ -1,46 +1,33 @@
-#!/usr/bin/env python3
-"""Measures other libraries' noise beside ours: what it costs, or what it looks like.
+"""The command line of tools/measure peers, which describes it."""
 
-    tools/peers [--fastnoiselite FILE] [--wombat DIR] [--materialx DIR] [--webgl-noise DIR] [--psrdnoise DIR]
-                [--driver NAME] [--out DIR]
-    tools/peers --likeness [--fastnoiselite FILE] [--materialx DIR] [--webgl-noise DIR] [--psrdnoise DIR] [--lygia DIR]
-                [--pictures DIR] [--out DIR | --check]
+from __future__ import annotations
 
-Each option is the path of a copy of yours; which file or folder of it, the help says. What is not given is left out.
-
-The first form measures noises, sums and warps in the same rounds. It calls hn-conform bench --against, which must be on
-the PATH or built (tools/bench builds it), and leaves bench.csv in DIR. docs/results/llvmpipe/peers.csv is such a file;
-tools/readme makes the table of docs/measuring.md of it.
-
-With --likeness it finds the scale and the factor with which a call of ours looks like one of theirs, and leaves
-likeness.csv in DIR. docs/results/llvmpipe/likeness.csv is such a file; tools/readme makes the tables of docs/moving.md
-of it. It needs libOSMesa.
-
-Exit status: that of hn-conform bench; with --likeness 1 if ours does not look alike even so, or with --check if the
-numbers are not those of docs; 2 bad usage.
-"""
-
-import argparse
 import subprocess
-import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-sys.dont_write_bytecode = True  # the tree stays clean: no __pycache__ beside the sources
-sys.path.insert(0, str(Path(__file__).resolve().parent / "lib"))
+from measure.options import Parser
+from measure.peers.copies import add_options, some_given
+from measure.peers.table import CALLS, PEERS, against
+from tree import hn_conform
 
-import needs  # noqa: E402
+DESCRIPTION = """\
+Measures what other libraries' noises, sums and warps cost, beside ours and in the same rounds.
 
-needs.python(3, 11)
+    tools/measure peers [--fastnoiselite FILE] [--wombat DIR] [--materialx DIR] [--webgl-noise DIR] [--psrdnoise DIR]
+                        [--driver NAME] [--out DIR]
 
-from likeness import command as likeness  # noqa: E402
-from likeness.table import ROWS  # noqa: E402
-from tables.peers import CALLS, OTHERS, PEERS, against  # noqa: E402
-from tree import hn_conform  # noqa: E402
+Each option is the path of a copy of yours; its help names which file or folder of it. What is not given is left out.
+
+It calls hn-conform bench --against, which must be on the PATH or built (tools/measure clock builds it), and leaves
+bench.csv in DIR. docs/results/llvmpipe/peers.csv is such a file; tools/readme makes the table of docs/measuring.md of
+it.
+
+Exit status: that of hn-conform bench; 2 bad usage."""
 
 
 def command(program: str, paths: dict[str, Path], driver: str, out: str) -> list[str]:
-    """What measures the peers at these paths."""
+    """The command that measures the peers at these paths."""
     calls = [call for call in CALLS if call.peer in paths]
     words = [program, "bench", "--driver", driver, "--out", out]
     for ours in dict.fromkeys(call.ours for call in calls):
@@ -51,37 +38,13 @@ def command(program: str, paths: dict[str, Path], driver: str, out: str) -> list
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    parser = argparse.ArgumentParser(prog="tools/peers", description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    for peer in (*PEERS, *OTHERS):
-        parser.add_argument(f"--{peer.option}", type=Path, metavar="PATH", help=peer.what)
-    parser.add_argument("--driver", default="osmesa", help="of the costs")
-    parser.add_argument("--out", default="out")
-    parser.add_argument("--likeness", action="store_true", help="what they look like, in place of what they cost")
-    parser.add_argument("--pictures", type=Path, metavar="DIR",
-                        help="draw theirs, ours as it is, ours as ported, and a board of the first and the last")
-    parser.add_argument("--check", action="store_true", help="compare with the numbers of docs, and write no record")
+    parser = Parser("peers", DESCRIPTION)
+    add_options(parser, PEERS)
+    parser.add_argument("--driver", default="osmesa", metavar="NAME", help="of hn-conform (default: %(default)s)")
+    parser.add_argument("--out", default="out", metavar="DIR", help="(default: %(default)s)")
     options = parser.parse_args(arguments)
-    given = {peer.option: getattr(options, peer.option.replace("-", "_")) for peer in (*PEERS, *OTHERS)}
-    paths = {option: path for option, path in given.items() if path is not None}
-    if not paths:
-        parser.error("name at least one peer, for example --webgl-noise DIR")
-    for option, path in paths.items():
-        if not path.exists():
-            parser.error(f"--{option}: there is no {path}")
-    if options.likeness:
-        if not any(row.peer in paths for row in ROWS):
-            parser.error(f"there is no likeness to {' and '.join(paths)}")
-        return likeness.run(paths, Path(options.out), options.pictures, options.check)
-    if options.check or options.pictures:
-        parser.error("--check and --pictures go with --likeness")
-    if not set(paths) - {peer.option for peer in OTHERS}:
-        parser.error("only its likeness is measured: add --likeness")
+    paths = some_given(parser, options, PEERS)
     program = hn_conform()
     if not program:
-        parser.error("there is no hn-conform: build it by tools/bench, or put it on the PATH")
+        parser.error("there is no hn-conform: build it by tools/measure clock, or put it on the PATH")
     return subprocess.run(command(program, paths, options.driver, options.out), check=False).returncode
-
-
-if __name__ == "__main__":
-    sys.exit(main())

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 
 class Peer(NamedTuple):
-    option: str  # of tools/peers
+    option: str  # of tools/measure peers
     what: str  # of its value, for help
     title: str  # in the table
     version: str  # of GLSL, if 3.30 will not do

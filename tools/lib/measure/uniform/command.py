@@ -1,8 +1,7 @@
-"""The command line of tools/uniform, which describes it, and the table of docs/uniform.md."""
+"""The command line of tools/measure uniform, which describes it, and the table of docs/uniform.md."""
 
 from __future__ import annotations
 
-import argparse
 import csv
 import sys
 from collections.abc import Sequence
@@ -10,6 +9,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import NamedTuple
 
+from measure.options import Parser
 from tables.markdown import table, with_section
 from tables.marks import between
 from tree import GLSL, ROOT
@@ -18,11 +18,11 @@ from twin import NotBuilt
 DESCRIPTION = """\
 Measures how uniform the results of hn_uniform are, for every noise and for sums of octaves, or fits its constants.
 
-    tools/uniform [--points N] [--out FILE]    measures; docs/results/uniform.csv is such a file, of 10^7 points a row,
-                                               of which tools/readme makes the table of docs/uniform.md
-    tools/uniform --fit [--points N]           fits the spread of each noise, and writes them into uniform.glsl and the
-                                               contract. The bell that sums come near to stays
-    tools/uniform --bell [--points N]          fits the bell together with all spreads, and prints it
+    tools/measure uniform [--points N] [--out FILE]    measures; docs/results/uniform.csv is such a file, of 10^7 points
+                                                       a row, of which tools/readme makes the table of docs/uniform.md
+    tools/measure uniform --fit [--points N]           fits the spread of each noise, and writes them into uniform.glsl
+                                                       and the contract. The bell that sums come near to stays
+    tools/measure uniform --bell [--points N]          fits the bell together with all spreads, and prints it
 
 Each point is at a random cell and fraction, with a random seed. The error of a noise is the largest difference between
 the share of results below u and u itself, over all u (Kolmogorov's distance). Chance alone adds about 0.9 / sqrt(N).
@@ -62,7 +62,7 @@ def read(path: Path = RECORD) -> list[Row]:
     with path.open(encoding="utf-8", newline="") as file:
         rows = list(csv.reader(file))
     if not rows or tuple(rows[0]) != COLUMNS:
-        raise ValueError(f"{path}: the first line has to be {','.join(COLUMNS)}; tools/uniform writes such a file")
+        raise ValueError(f"{path}: the first line has to be {','.join(COLUMNS)}, as tools/measure uniform writes it")
     found = []
     for number, row in enumerate(rows[1:], 2):
         try:
@@ -98,20 +98,21 @@ def page_table(rows: Sequence[Row]) -> str:
 
 def with_spreads(text: str, spreads: dict[str, tuple[int, ...]]) -> str:
     """uniform.glsl with other spreads, in units of 1/4096."""
-    from uniform.model import SUBJECTS
+    from measure.uniform.model import SUBJECTS
 
     others = [subject.name for subject in SUBJECTS if subject.name != "PERLIN2"]
     def made(name: str) -> str:
         return f"return hn_i_spread({', '.join(map(str, spreads[name]))});\n"
 
+    end = "// tools/measure uniform: end"
     numbers = "".join(f"#define HN_SPREAD_{subject.name} {subject.number}\n" for subject in SUBJECTS)
     rows = [f"  if (kind == HN_SPREAD_{name}) {made(name)}" for name in others] + [f"  {made('PERLIN2')}"]
-    text = between("uniform.glsl", text, "// tools/uniform: numbers", "// tools/uniform: end", numbers)
-    return between("uniform.glsl", text, "// tools/uniform: spreads", "// tools/uniform: end", "".join(rows))
+    text = between("uniform.glsl", text, "// tools/measure uniform: numbers", end, numbers)
+    return between("uniform.glsl", text, "// tools/measure uniform: spreads", end, "".join(rows))
 
 
 def contract_table(spreads: dict[str, tuple[int, ...]]) -> str:
-    from uniform.model import SUBJECTS
+    from measure.uniform.model import SUBJECTS
 
     return table(("noise", "number", "name", "reach", "a", "b", "c"),
                  [(subject.title, str(subject.number), f"`HN_SPREAD_{subject.name}`", *map(str, spreads[subject.name]))
@@ -119,15 +120,14 @@ def contract_table(spreads: dict[str, tuple[int, ...]]) -> str:
 
 
 def in_units(text: str) -> dict[str, tuple[int, ...]]:
-    from uniform.model import UNITS, spreads_of
+    from measure.uniform.model import UNITS, spreads_of
 
     found = spreads_of(text)
     return {name: tuple(round(number * UNITS) for number in spread) for name, spread in found.items()}
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    parser = argparse.ArgumentParser(prog="tools/uniform", description=DESCRIPTION,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = Parser("uniform", DESCRIPTION)
     parser.add_argument("--points", type=int, default=10**7, metavar="N", help="of each noise and sum (10^7)")
     parser.add_argument("--out", type=Path, default=RECORD, metavar="FILE", help="where the measurement goes")
     what = parser.add_mutually_exclusive_group()
@@ -140,7 +140,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         parser.error(f"--out {options.out}: there is no folder {options.out.parent}")
 
     # What follows needs numpy, and tools/readme, which makes the table, does without.
-    from uniform import model
+    from measure.uniform import model
 
     text = model.library_text()
     try:
@@ -158,11 +158,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
                 return bool(problems)
             densities = sampler.densities(options.points)
     except NotBuilt as error:
-        parser.exit(4, f"tools/uniform: {error}\n")
+        parser.exit(4, f"{parser.prog}: {error}\n")
     except ValueError as error:
-        parser.exit(2, f"tools/uniform: {error}\n")
+        parser.error(str(error))
 
-    from uniform import fit
+    from measure.uniform import fit
 
     if options.bell:
         found = fit.bell_of(densities, bell)
@@ -173,8 +173,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
                for name, spread in fit.spreads(densities, bell).items()}
     (GLSL / "uniform.glsl").write_text(with_spreads(text, spreads), encoding="utf-8")
     page = CONTRACT.read_text(encoding="utf-8")
-    CONTRACT.write_text(with_section("docs/contract.md", page, "tools/uniform: contract", contract_table(spreads)),
-                        encoding="utf-8")
+    section = with_section("docs/contract.md", page, "tools/measure uniform: contract", contract_table(spreads))
+    CONTRACT.write_text(section, encoding="utf-8")
     return 0
 
 

@@ -1,4 +1,4 @@
-// Samples noises for tools/uniform: at random cells, fractions and seeds, so that each value is independent.
+// Samples noises for tools/measure uniform: at random cells, fractions and seeds, so that each value is independent.
 //
 //   sampler values POINTS     a histogram of the values of each noise, of one octave
 //   sampler measure POINTS    for each line "number octaves gain reach a b c" of the input how far the results of

@@ -1,4 +1,4 @@
-"""Tests of tools/uniform: the constants, the text of the library against the model, and that wrong constants show."""
+"""Tests of tools/measure uniform: the constants, the library's text against the model, and that wrong constants show."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ from tempfile import TemporaryDirectory
 
 import numpy as np
 
+from measure.uniform import command, model
 from tables.markdown import with_section
-from uniform import command, model
 
 NUMBER = 9  # of hn_perlin(vec2), by which one noise stands for all
 SUBJECT = next(subject for subject in model.SUBJECTS if subject.number == NUMBER)
@@ -46,7 +46,7 @@ class UniformTest(unittest.TestCase):
     def test_the_contract_and_hn_spread_have_the_constants(self) -> None:
         page = command.CONTRACT.read_text(encoding="utf-8")
         table = command.contract_table(command.in_units(self.text))
-        self.assertEqual(page, with_section("docs/contract.md", page, "tools/uniform: contract", table))
+        self.assertEqual(page, with_section("docs/contract.md", page, "tools/measure uniform: contract", table))
         self.assertEqual(self.text, command.with_spreads(self.text, command.in_units(self.text)))
         for sampler in self.samplers.values():
             rows = sampler.run(False, "spreads")
