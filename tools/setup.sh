@@ -53,7 +53,7 @@ readonly language_packages=(cargo:cargo cargo-clippy:rust-clippy go:golang-go ja
 # Of thorough tests: Microsoft's FXC, a program for Windows, and the compiler of what starts it; a Debian that has nothing, and
 # what sees connections.
 readonly thorough_packages=(debootstrap g++-mingw-w64-x86-64 strace wine wine64)
-# Of tools/quality, which has no need of hn-conform.
+# Of tools/measure hashes, noise and uniform, which have no need of hn-conform.
 readonly quality_packages=(g++ python3 python3-numpy python3-scipy)
 readonly plot_packages=(python3-matplotlib)
 
@@ -220,8 +220,8 @@ announce() {
     total=$((total + seconds))
     parts+="${parts:+, }$name $(duration "$seconds")"
   done
-  echo "tools/${0##*/} $what and runs.${parts:+ That takes about $(duration "$total") minutes here ($parts).} All output of the \
-setup is in $log." >&2
+  echo "tools/${called:-${0##*/}} $what and runs.${parts:+ That takes about $(duration "$total") minutes here ($parts).} \
+All output of the setup is in $log." >&2
 }
 
 # Keeps what a step took, for tools/test --record: of a build from nothing, its steps and its processor time. Of what

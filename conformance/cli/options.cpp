@@ -302,7 +302,8 @@ tl::expected<Command, Stop> parse_options(int argc, const char* const* argv, con
   add_statuses(
       app,
       "0 all as expected, 1 something is not, 2 bad usage, 3 no usable driver, 130 ended by Ctrl-C (SIGINT), "
-      "143 by SIGTERM, 129 by SIGHUP; of tools/bench, tools/conform and tools/paper also 4, it could not be built");
+      "143 by SIGTERM, 129 by SIGHUP; of tools/conform and of tools/measure clock and paper also 4, it could not be "
+      "built");
   app.require_subcommand(0, 1);  // none gets a better message below
   ListCommand list;
   RunCommand run;

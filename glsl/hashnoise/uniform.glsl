@@ -9,7 +9,7 @@
 //   bool water = hn_uniform(height, spread) < 0.3;   // 30% of the plane
 //
 // A spread is four numbers that say how values are distributed: the reach, beyond which there are none, and three
-// coefficients. docs/uniform.md says how near to uniform the results are, and tools/uniform measures it.
+// coefficients. docs/uniform.md says how near to uniform the results are, and tools/measure uniform measures it.
 //
 // With s = |value| / reach the tail, which is twice the fraction of values farther out, is a polynomial of
 // y = (1 - s)^2 with the Bernstein coefficients 0, a, b, c, 1. These rise, and so the tail does; its slope is 0 at the
@@ -24,7 +24,7 @@
 // ---------------------------------------------------------------------------------------------------------------------
 // The spreads of the noises.
 
-// tools/uniform: numbers
+// tools/measure uniform: numbers
 #define HN_SPREAD_VALUE1 1
 #define HN_SPREAD_VALUE2 2
 #define HN_SPREAD_VALUE3 3
@@ -43,7 +43,7 @@
 #define HN_SPREAD_SIMPLEX_SMOOTH3 16
 #define HN_SPREAD_SINE2 17
 #define HN_SPREAD_SINE3 18
-// tools/uniform: end
+// tools/measure uniform: end
 
 HN_FN hn_vec4 hn_i_spread(hn_int reach, hn_int a, hn_int b, hn_int c) {
   return vec4(hn_i_float(reach), hn_i_float(a), hn_i_float(b), hn_i_float(c)) * (1.0f / 4096.0f);
@@ -54,9 +54,9 @@ HN_FN hn_vec4 hn_i_spread(hn_int reach, hn_int a, hn_int b, hn_int c) {
 //   returns  the reach, in [1/16, 3], and the three coefficients of the tail, which rise from 0 to 1
 //   error    none
 //   cost     none for a constant
-//   source   docs/contract.md, section 21; fitted by tools/uniform
+//   source   docs/contract.md, section 21; fitted by tools/measure uniform
 HN_FN hn_vec4 hn_spread(hn_int kind) {
-  // tools/uniform: spreads
+  // tools/measure uniform: spreads
   if (kind == HN_SPREAD_VALUE1) return hn_i_spread(4386, 1861, 2547, 3506);
   if (kind == HN_SPREAD_VALUE2) return hn_i_spread(4192, 1310, 2400, 3358);
   if (kind == HN_SPREAD_VALUE3) return hn_i_spread(4043, 833, 2233, 3164);
@@ -75,7 +75,7 @@ HN_FN hn_vec4 hn_spread(hn_int kind) {
   if (kind == HN_SPREAD_SINE2) return hn_i_spread(2596, 306, 1551, 2823);
   if (kind == HN_SPREAD_SINE3) return hn_i_spread(2954, 111, 1490, 2882);
   return hn_i_spread(4082, 21, 1195, 3017);
-  // tools/uniform: end
+  // tools/measure uniform: end
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -239,7 +239,7 @@ HN_FN hn_vec4 hn_spread_fbm(hn_vec4 spread, hn_float octaves, hn_float gain) {
   hn_i_num per_fourth = hn_i_weight_times(per_square, per_square);
   hn_i_num rho8 = hn_i_weight_times(hn_i_weight_times(sum8, per_fourth), per_fourth);
 
-  // docs/contract.md, section 21: the bell, and how a sum comes near to it. tools/uniform fits them.
+  // docs/contract.md, section 21: the bell, and how a sum comes near to it. tools/measure uniform fits them.
   hn_i_num d = hn_i_minus(c, hn_i_parts(HN_I_WEIGHT_ONE, 736));
   hn_i_num new_a = hn_i_of_sum(a, 103, 592, d, rho4, rho8);
   hn_i_num new_b = hn_i_of_sum(b, 381, 1958, d, rho4, rho8);

@@ -51,13 +51,13 @@ bool is_wanted(const hn::Subject& subject, const std::vector<std::string>& filte
 // As somebody else would call it: files by their names, and not where they are here.
 std::string command_of(const hn::BenchCpuOptions& options) {
   const auto name_of = [](const std::string& path) { return std::filesystem::path(path).filename().string(); };
-  std::vector<std::string> words = {"tools/bench-cpu", "--rounds", std::to_string(options.rounds)};
+  std::vector<std::string> words = {"tools/measure cpu", "--rounds", std::to_string(options.rounds)};
   if (!options.against.empty()) words.insert(words.end(), {"--against", "fastnoise2=" + name_of(options.against)});
   if (!options.python.empty()) words.insert(words.end(), {"--python", name_of(options.python)});
   for (const std::string& filter : options.filters) words.insert(words.end(), {"--filter", filter});
   std::vector<const char*> pointers;
   for (const std::string& word : words) pointers.push_back(word.c_str());
-  return hn::command_line("tools/bench-cpu", static_cast<int>(pointers.size()), pointers.data());
+  return hn::command_line("tools/measure cpu", static_cast<int>(pointers.size()), pointers.data());
 }
 
 // A line on a terminal that the next one overwrites, and nothing elsewhere.

@@ -1,5 +1,5 @@
 // hn-fill: fills a grid as often as it is asked, and prints nothing, so that what it executes can be counted.
-// tools/bench-neon compiles it for another processor, where of the packages behind the other programs those are
+// tools/measure neon compiles it for another processor, where of the packages behind the other programs those are
 // available that are headers alone.
 #include <fmt/format.h>
 

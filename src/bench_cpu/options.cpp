@@ -16,7 +16,7 @@ tl::expected<BenchCpuOptions, Stop> parse_options(int argc, const char* const* a
   app.set_version_flag("--version", library_version());
   app.footer(
       "Exit status: 0 done, even if an aim is missed, 1 something could not be measured, 2 bad usage, 130 ended by "
-      "Ctrl-C (SIGINT), 143 by SIGTERM, 129 by SIGHUP; of tools/bench-cpu also 4, it could not be built.");
+      "Ctrl-C (SIGINT), 143 by SIGTERM, 129 by SIGHUP; of tools/measure cpu also 4, it could not be built.");
   BenchCpuOptions options;
   std::string against;
   app.add_option("--out", options.out,

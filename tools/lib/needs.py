@@ -12,8 +12,14 @@ def python(major, minor, *words):
     are those of the command line without which less would do."""
     if sys.version_info >= (major, minor):
         return
-    program = os.path.basename(sys.argv[0] or "-c")
-    name = " ".join(words if program == "command.py" else (program,) + words)
-    sys.stderr.write("tools/%s needs Python %d.%d or later, and this is %d.%d (%s). Another one is taken like this: "
-                     "python3.12 tools/%s\n" % (name, major, minor, *sys.version_info[:2], sys.executable, name))
+    program, name = os.path.split(sys.argv[0] or "-c")
+    if name == "command.py":  # started by a command of the shell, in a folder of its name
+        name = " ".join(words) or os.path.basename(program)
+        another = "The first python3 of the PATH is taken."
+    else:
+        name = " ".join((name,) + words)
+        another = "Another one is taken like this: python3.12 tools/%s" % name
+    sys.stderr.write("tools/%s needs Python %d.%d or later, and this is %d.%d (%s). %s
+"
+                     % (name, major, minor, *sys.version_info[:2], sys.executable, another))
     sys.exit(4)

@@ -128,7 +128,8 @@ def _is_type(node: ast.AST) -> bool:
 
 @functools.cache
 def needed(command: str) -> tuple[int, int]:
-    (version,) = WHAT.findall((TOOLS / command).read_text(encoding="utf-8"))
+    paths = [TOOLS / command, LIB / command / "command.py"]
+    (version,) = [found for path in paths if path.exists() for found in WHAT.findall(path.read_text(encoding="utf-8"))]
     return int(version[0]), int(version[1])
 
 
@@ -159,7 +160,7 @@ def call(python: str, *arguments: object) -> subprocess.CompletedProcess[str]:
 
 class Files(unittest.TestCase):
     def test_each_command_says_what_it_needs(self):
-        for name in {*of_python()} - {"faults"}:  # that imports nothing of lib/
+        for name in {*of_python(), "measure"} - {"faults"}:  # that imports nothing of lib/
             with self.subTest(name):
                 self.assertEqual(needed(name), (3, 9) if name in USERS else (3, 11))
 
@@ -172,7 +173,7 @@ class Files(unittest.TestCase):
         self.assertIn(LIB / "catalog" / "model.py", files_of("playground"))
 
     def test_a_command_is_read_by_a_python_that_is_too_old(self):
-        for name in (*of_python(), "lib/needs.py"):
+        for name in (*of_python(), "lib/needs.py", "lib/measure/command.py"):
             with self.subTest(name):
                 text = (TOOLS / name).read_text(encoding="utf-8")
                 ast.parse(text, feature_version=(3, 6) if name in USERS else (3, 8))
@@ -211,7 +212,7 @@ class Running(unittest.TestCase):
                                       rf"Another one is taken like this: python3\.12 tools/{name}\n\Z")
 
     def test_as_if_python_were_too_old(self):
-        for name, version in (("pick", (3, 8)), ("umbrella", (3, 6)), ("golden", (3, 10)), ("mutate", (3, 8)),
+        for name, version in (("pick", (3, 8)), ("umbrella", (3, 6)), ("golden", (3, 10)),
                               ("pack", (3, 8))):
             with self.subTest(name):
                 self.assert_told(self.called_by(version, name), name, rf"3\.{needed(name)[1]}", rf"3\.{version[1]}")
@@ -225,11 +226,20 @@ class Running(unittest.TestCase):
                 "runpy.run_path(sys.argv[0], run_name='__main__')")
         return call(sys.executable, "-c", code)
 
+    def test_as_if_the_python_of_a_command_of_the_shell_were(self):
+        command = LIB / "measure" / "command.py"
+        code = (f"import runpy, sys; sys.argv = [{str(command)!r}, 'gpu', '--help']; sys.version_info = (3, 10, 1); "
+                "runpy.run_path(sys.argv[0], run_name='__main__')")
+        done = call(sys.executable, "-c", code)
+        self.assertEqual((done.returncode, done.stdout), (4, ""), done.stderr)
+        self.assertRegex(done.stderr, r"\Atools/measure needs Python 3\.11 or later, and this is 3\.10 \(.*\)\. "
+                                      r"The first python3 of the PATH is taken\.\n\Z")
+
     @unittest.skipUnless(any((3, 6) <= version < (3, 9) for version in pythons()), "no Python 3.6 to 3.8 is here")
     def test_a_python_that_is_too_old(self):
         for (major, minor), python in pythons().items():
             if (3, 6) <= (major, minor) < (3, 9):
-                for name in ("pick", "umbrella", "wgsl", "peers"):
+                for name in ("pick", "umbrella", "wgsl", "golden"):
                     with self.subTest(name, python=python):
                         self.assert_told(call(python, TOOLS / name, "--help"), name, r"3\.\d+", rf"{major}\.{minor}")
 

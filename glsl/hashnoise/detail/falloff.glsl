@@ -19,7 +19,7 @@
 //                                     more bits
 //   hn_i_weight3(t), ...              the weight of a point: t^3, t^4, 4 t^5, and of the plane t^3 (3 - 2 t). Each
 //                                     makes the noise twice continuously differentiable. They were chosen with
-//                                     tools/quality, so that noise shows little of its lattice
+//                                     tools/measure hashes, so that noise shows little of its lattice
 //   hn_i_d_weight3(t, m), ...         how the weight falls: 2 m times its derivative by t; in HN_FIXED an eighth of
 //                                     that
 //   hn_i_weighted_ramp(n, w)          n times a weight or a fall

@@ -13,7 +13,7 @@ using hashnoise::InstructionSet;
 CpuRun a_run() {
   const auto all = subjects();
   CpuRun run{.date = "2026-01-01T00:00:00Z",
-             .command = "tools/bench-cpu",
+             .command = "tools/measure cpu",
              .compiler = "GCC 12.2.0",
              .processor = "a processor",
              .rounds = 9,

@@ -14,11 +14,11 @@ from tree import ROOT, TOOLS
 
 CONFORM = "conformance/hn-conform"
 # The program behind each, in build/, and what it is asked.
-COMMANDS = {"bake": ("src/bake/hn-bake", "--help"), "bench": (CONFORM, "bench --help"),
-            "bench-cpu": ("bench-cpu-g++/src/bench_cpu/hn-bench-cpu", "--help"),
-            "conform": (CONFORM, "run --help"), "paper": (CONFORM, "paper --help")}
+COMMANDS = {"bake": ("src/bake/hn-bake", "--help"), "conform": (CONFORM, "run --help"),
+            "measure clock": (CONFORM, "bench --help"), "measure paper": (CONFORM, "paper --help"),
+            "measure cpu": ("bench-cpu-g++/src/bench_cpu/hn-bench-cpu", "--help")}
 # By tools/scientific-python, which finds no Python here that has what they import.
-SCIENTIFIC = ("bounds", "judge", "quality", "uniform")
+SCIENTIFIC = ("bounds", "measure hashes", "measure noise", "measure uniform")
 
 
 class Machine(unittest.TestCase):
@@ -30,8 +30,10 @@ class Machine(unittest.TestCase):
         self.root = Path(scratch.name)
         tools = self.root / "tools"
         tools.mkdir()
-        for name in ("setup.sh", "progress.sh", "scientific-python", "test", *COMMANDS, *SCIENTIFIC):
+        for name in ("setup.sh", "progress.sh", "scientific-python", "test",
+                     *{name.split()[0] for name in (*COMMANDS, *SCIENTIFIC)}):
             shutil.copy(TOOLS / name, tools)
+        shutil.copytree(TOOLS / "lib" / "measure", tools / "lib" / "measure", ignore=shutil.ignore_patterns("*.py"))
         # Whoever builds or installs something is noticed.
         self.programs = self.root / "programs"
         for name in ("cmake", "dpkg-query", "apt-get", "sudo"):
@@ -43,8 +45,9 @@ class Machine(unittest.TestCase):
         path.chmod(0o755)
 
     def call(self, name: str, *arguments: str) -> subprocess.CompletedProcess[str]:
-        return subprocess.run([self.root / "tools" / name, *arguments], capture_output=True, text=True, check=False,
-                              env={**os.environ, "PATH": f"{self.programs}:{os.environ['PATH']}"})
+        program, *first = name.split()
+        return subprocess.run([self.root / "tools" / program, *first, *arguments], capture_output=True, text=True,
+                              check=False, env={**os.environ, "PATH": f"{self.programs}:{os.environ['PATH']}"})
 
     def called(self) -> list[Path]:
         return list(self.root.glob("*.called"))
@@ -88,7 +91,7 @@ class WrongOptions(Machine):
         super().setUp()
         for file in ("conformance/cli/options.cpp", "src/bench_cpu/options.cpp",
                      *(f"src/bake/{path.name}" for path in (ROOT / "src/bake").glob("*.cpp")),
-                     *(f"tools/lib/{name}/command.py" for name in SCIENTIFIC)):
+                     *(f"tools/lib/{name.replace(' ', '/')}/command.py" for name in SCIENTIFIC)):
             (self.root / file).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(ROOT / file, self.root / file)
         for name in ("python3", "g++", "ninja", "ctest"):
@@ -108,13 +111,14 @@ class WrongOptions(Machine):
     def test_nothing_is_installed_or_built_for_them(self):
         for name, arguments, said in (
                 ("bake", ("fbm", "--octvaes", "3"), "no option --octvaes (did you mean --octaves?)"),
-                ("bench", ("--baselien=x",), "no option --baselien (did you mean --baseline?)"),
-                ("bench-cpu", ("--compiler", "g++", "--agianst", "x"), "no option --agianst (did you mean --against?)"),
-                ("bench-cpu", ("--compilers", "g++"), "no option --compilers (did you mean --compiler?)"),
+                ("measure clock", ("--baselien=x",), "no option --baselien (did you mean --baseline?)"),
+                ("measure cpu", ("--compiler", "g++", "--agianst", "x"),
+                 "no option --agianst (did you mean --against?)"),
+                ("measure cpu", ("--compilers", "g++"), "no option --compilers (did you mean --compiler?)"),
                 ("conform", ("--drivre", "all"), "no option --drivre (did you mean --driver?)"),
                 ("conform", ("--no-such-thing",), "no option --no-such-thing; tools/conform --help tells more"),
                 ("conform", ("--Driver", "all"), "no option --Driver (did you mean --driver?)"),
-                ("paper", ("--out", "x", "--round=3"), "no option --round (did you mean --rounds?)")):
+                ("measure paper", ("--out", "x", "--round=3"), "no option --round (did you mean --rounds?)")):
             with self.subTest(name=name, arguments=arguments):
                 self.assert_refused(self.call(name, *arguments), f"tools/{name}: there is {said}")
                 self.assertEqual(self.called(), [])
@@ -139,7 +143,7 @@ class WrongOptions(Machine):
 
     def test_of_what_needs_scientific_python_beginnings_will_do(self):
         self.lose_pythons()
-        done = self.call("quality", "--dim", "2", "--seeds=5")
+        done = self.call("measure hashes", "--dim", "2", "--seeds=5")
         self.assertEqual(done.returncode, 4, done.stderr)
         self.assertIn("dpkg-query.called", [path.name for path in self.called()])
 
@@ -168,7 +172,7 @@ class WrongOptions(Machine):
 
     def test_where_the_sources_are_not(self):
         (self.root / "src" / "bench_cpu" / "options.cpp").unlink()
-        self.assertEqual(self.call("bench-cpu", "--agianst", "x").returncode, 4)
+        self.assertEqual(self.call("measure cpu", "--agianst", "x").returncode, 4)
 
 
 if __name__ == "__main__":

@@ -19,8 +19,8 @@ from ship.recipes import RECIPES
 from tree import ROOT, TOOLS
 
 SKIPPED = 77
-# {} is an empty folder. Those that install are conform, test, bench and what else setup.sh serves, what needs NumPy
-# (scientific-python), what has packages of npm, PyPI or cargo (pack npm, pack python, site), and gpu-costs
+# {} is an empty folder. Those that install are conform, test, measure and what else setup.sh serves, what needs NumPy
+# (scientific-python), what has packages of npm, PyPI or cargo (pack npm, pack python, site), and measure gpu
 # --get-drivers.
 COMMANDS = (["catalog", "--check"], ["freeze", "--check"], ["golden", "--check", "--sample", "50"],
             *(["pack", name, "{}"] for name, recipe in RECIPES.items() if not recipe.command),

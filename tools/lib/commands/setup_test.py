@@ -23,7 +23,7 @@ TICK = 0.4
 # A step is as long as many ticks, so that a step that shows nothing is noticed, and a busy machine is not.
 SLOW = 12 * TICK
 SILENT = 0.8 * SLOW
-COMMANDS = ("conform", "bench", "bake", "paper", "bench-cpu", "test")
+COMMANDS = ("conform", "bake", "measure clock", "measure cpu", "measure paper", "test")
 TABLE = """kind,name,value,before
 speed,loop,0.1,
 packages,each,2,
@@ -56,8 +56,9 @@ class Machine:
         self.root = root
         self.tools = root / "tools"
         self.tools.mkdir()
-        for name in ("setup.sh", "progress.sh", *COMMANDS):
+        for name in ("setup.sh", "progress.sh", *{command.split()[0] for command in COMMANDS}):
             shutil.copy(TOOLS / name, self.tools)
+        shutil.copytree(TOOLS / "lib" / "measure", self.tools / "lib" / "measure")
         (self.tools / "costs.csv").write_text(TABLE)
         self.programs = root / "programs"
         self.program("dpkg-query", "exit 1")
@@ -81,8 +82,9 @@ class Machine:
 
     def run(self, command: str) -> tuple[int, str, float]:
         """The status of a command, what it shows through a pipe, and for how long nothing came."""
-        with subprocess.Popen([self.tools / command], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                              env=self.environment) as process:
+        program, *name = command.split()
+        with subprocess.Popen([self.tools / program, *name], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                              text=True, env=self.environment) as process:
             times, lines = [time.monotonic()], []
             for line in process.stdout:
                 times.append(time.monotonic())

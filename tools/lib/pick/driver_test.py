@@ -23,7 +23,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from likeness.renderer import Renderer
+from measure.likeness.renderer import Renderer
 from parsing.syntax import Function
 from pick.calling import Form
 from pick.command import settings

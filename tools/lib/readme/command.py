@@ -7,12 +7,12 @@ other libraries, and what packages for other programs have.
 
 A picture is drawn from the code below it, which the C++ twin evaluates at each pixel of a tile; so are those of
 docs/gallery. The typical values are those of 2^16 points. The costs are those of docs/results/llvmpipe/bench.csv,
-which hn-conform bench writes, and of peers.csv beside it, which tools/peers writes; so it does likeness.csv, of which
-the tables of docs/moving.md are made. Those on GPUs by their compilers are of docs/results/gpu, by tools/gpu-costs, and
-compile.csv is by tools/compile-times. How hashes of others fare is in docs/results/hashes.csv, by tools/quality
---against, how noises are in judged.csv beside it, by tools/judge, and how uniform values are in uniform.csv, by
-tools/uniform. The times of commands are those of
-tools/costs.csv, which tools/test --record writes.
+which hn-conform bench writes, and of peers.csv beside it, which tools/measure peers writes; so it does likeness.csv, of
+which the tables of docs/moving.md are made. Those on GPUs by their compilers are of docs/results/gpu, by tools/measure
+gpu, and compile.csv is by tools/measure compile. How hashes of others fare is in docs/results/hashes.csv, by
+tools/measure hashes --against, how noises are in judged.csv beside it, by tools/measure noise, and how uniform values
+are in uniform.csv, by tools/measure uniform. The times of commands are those of tools/costs.csv, which tools/test
+--record writes.
 
 Exit status: 0 all is as it should be, 1 something is not: prose is for you to mend; 2 bad usage, the code does not
 compile, or a page cannot be read.
@@ -25,10 +25,11 @@ import re
 import sys
 from collections.abc import Sequence
 
-from compile_times import command as of_compilers
-from gpu import pages as of_gpus
-from judge import record as of_noises
-from likeness import ports
+from measure.compile import command as of_compilers
+from measure.gpu import pages as of_gpus
+from measure.noise import record as of_noises
+from measure.likeness import ports
+from measure.uniform import command as of_uniform
 from readme import files, gallery, hashes, numbers, picture
 from readme import times as of_commands
 from ship.blender import files as blender
@@ -39,7 +40,6 @@ from ship.unity import files as unity
 from ship.unreal import files as unreal
 from tables.markdown import with_section
 from tree import ROOT
-from uniform import command as of_uniform
 
 README = "README.md"
 MEASURING = "docs/measuring.md"

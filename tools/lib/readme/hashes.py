@@ -1,4 +1,4 @@
-"""The table of docs/hashes.md, from what tools/quality --against found of the hashes that people paste."""
+"""The table of docs/hashes.md, from what tools/measure hashes --against found of the hashes that people paste."""
 
 from __future__ import annotations
 

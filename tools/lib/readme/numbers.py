@@ -10,8 +10,8 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import catalog.model
+from measure.peers.table import CALLS, PEERS, dimensions, subject
 from tables.markdown import table
-from tables.peers import CALLS, PEERS, dimensions, subject
 from tree import ROOT
 from twin import SOON, compile_program
 

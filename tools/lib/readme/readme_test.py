@@ -10,8 +10,8 @@ import tempfile
 import unittest
 from unittest import mock
 
-from gpu import pages as of_gpus
-from likeness import ports
+from measure.gpu import pages as of_gpus
+from measure.likeness import ports
 from png import png
 from readme import command, files, numbers, picture, times
 from tables import glsl

@@ -6,8 +6,8 @@ import html
 import re
 from collections.abc import Iterable, Mapping, Sequence
 
-from gpu import pages as counts
-from gpu.chips import chip_named
+from measure.gpu import pages as counts
+from measure.gpu.chips import chip_named
 from results.devices import Device, devices_of, driver_of
 from results.digest import APIS, TIMED, UNIT, Digest
 from tree import ROOT, version

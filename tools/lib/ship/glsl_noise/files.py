@@ -7,8 +7,8 @@ import re
 from functools import cache
 from typing import NamedTuple
 
-from likeness import ports
-from likeness.table import ROWS
+from measure.likeness import ports
+from measure.likeness.table import ROWS
 from parsing.syntax import Function
 from pick import command
 from pick.evaluate import Module

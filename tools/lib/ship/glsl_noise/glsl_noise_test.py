@@ -11,7 +11,7 @@ import unittest
 from pathlib import Path
 
 import glslang
-from likeness.renderer import NoRenderer, Renderer
+from measure.likeness.renderer import NoRenderer, Renderer
 from ship import command
 from ship.glsl_noise import files
 from ship.glsl_noise.files import File

@@ -20,7 +20,7 @@ from pathlib import Path
 
 import glslang
 from javascript.environment import OFFLINE
-from likeness.renderer import NoRenderer, Renderer
+from measure.likeness.renderer import NoRenderer, Renderer
 from pick.command import Choice
 from ship import command
 from ship.isf import files

@@ -17,7 +17,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import NamedTuple
 
-from likeness.renderer import NoRenderer, Renderer
+from measure.likeness.renderer import NoRenderer, Renderer
 from pick.osl_runner import PACKAGE as BLENDER
 from pick.osl_runner import RENDER
 from pick.runners import ran

@@ -1,0 +1,109 @@
+"""Tests of tools/measure: the names that it lists are those that it has, and bad usage is refused in one line."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import re
+import subprocess
+import unittest
+from pathlib import Path
+
+from measure.options import Parser
+from tree import TOOLS
+
+ROOMS = TOOLS / "lib" / "measure"
+TABLE = re.compile(r'^readonly table="\\\n(.*?)"$', re.MULTILINE | re.DOTALL)
+
+
+def call(*arguments: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run([TOOLS / "measure", *arguments], capture_output=True, text=True, check=False)
+
+
+def rows(text: str) -> dict[str, tuple[str, str]]:
+    """What starts each name, and the line of help, by the table in the command."""
+    parts = (line.split(maxsplit=2) for line in TABLE.search(text)[1].splitlines())
+    return {name: (started, line) for name, started, line in parts}
+
+
+def lost(table: dict[str, tuple[str, str]], rooms: Path) -> set[Path]:
+    """Rows of files that are not there, and files that no row starts."""
+    files = {rooms / (f"{name}.sh" if started == "shell" else f"{name}/command.py")
+             for name, (started, _) in table.items()}
+    of_shell = {path.with_suffix("") / "command.py" for path in files if path.suffix == ".sh"}
+    return files ^ ({*rooms.glob("*.sh"), *rooms.glob("*/command.py")} - of_shell)
+
+
+class Names(unittest.TestCase):
+    def setUp(self) -> None:
+        self.table = rows((TOOLS / "measure").read_text(encoding="utf-8"))
+
+    def test_help_lists_them_with_a_line_each(self) -> None:
+        for word in ("--help", "-h", "help"):
+            done = call(word)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            listed = dict(re.findall("^  ([a-z]+) {2,}(.*)$", done.stdout, re.MULTILINE))
+            self.assertEqual(listed, {name: line for name, (_, line) in self.table.items()})
+            self.assertIn("Exit status:", done.stdout)
+
+    def test_each_is_there_and_nothing_else(self) -> None:
+        self.assertEqual(lost(self.table, ROOMS), set())
+        self.assertEqual({started for started, _ in self.table.values()}, {"shell", "python", "scientific"})
+
+    def test_a_lost_one_is_noticed(self) -> None:
+        self.assertEqual(lost({**self.table, "taste": ("python", "")}, ROOMS), {ROOMS / "taste" / "command.py"})
+        without = {name: row for name, row in self.table.items() if name != "paper"}
+        self.assertEqual(lost(without, ROOMS), {ROOMS / "paper.sh"})
+
+    def test_each_explains_itself(self) -> None:
+        for name, (started, _) in self.table.items():
+            if started == "python":  # commands.help_test calls the others
+                with self.subTest(name):
+                    done = call(name, "--help")
+                    self.assertEqual((done.returncode, done.stderr), (0, ""))
+                    self.assertIn(f"usage: tools/measure {name} ", done.stdout)
+                    self.assertIn("Exit status:", done.stdout)
+
+
+class BadUsage(unittest.TestCase):
+    def test_of_names(self) -> None:
+        for arguments, message in (((), "a name is missing"), (("",), "a name is missing"),
+                                   (("clok",), "there is no clok (did you mean clock?)"),
+                                   (("hashs", "--help"), "there is no hashs (did you mean hashes?)"),
+                                   (("no such thing",), "there is no no such thing"),
+                                   ((".*",), "there is no .*"), (("--out", "x"), "there is no --out")):
+            with self.subTest(arguments):
+                done = call(*arguments)
+                self.assertEqual((done.returncode, done.stdout), (2, ""))
+                self.assertEqual(done.stderr, f"tools/measure: {message}; tools/measure --help lists the names\n")
+
+    def test_of_what_is_python(self) -> None:
+        done = call("gpu", "--filtr", "x")
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertEqual(done.stderr, "tools/measure gpu: there is no option --filtr (did you mean --filter?); "
+                                      "tools/measure gpu --help tells more\n")
+
+    def refusal(self, *arguments: str) -> str:
+        parser = Parser("taste", None)
+        parser.add_argument("--out")
+        parser.add_argument("--kind", choices=("sweet", "sour"))
+        parser.add_argument("--rounds", type=int)
+        with contextlib.redirect_stderr(io.StringIO()) as told, self.assertRaises(SystemExit) as end:
+            parser.parse_args(arguments)
+        self.assertEqual(end.exception.code, 2)
+        return told.getvalue()
+
+    def test_the_nearest_right_name_is_told(self) -> None:
+        hint = "; tools/measure taste --help tells more\n"
+        for arguments, message in ((("--ot=x",), f"there is no option --ot (did you mean --out?){hint}"),
+                                   (("--wombat", "x"), f"there is no option --wombat{hint}"),
+                                   (("--rounds", "x"), "argument --rounds: invalid int value: 'x'\n"),
+                                   (("more",), "unrecognized arguments: more\n")):
+            with self.subTest(arguments):
+                self.assertEqual(self.refusal(*arguments), f"tools/measure taste: {message}")
+        self.assertRegex(self.refusal("--kind", "swet"),
+                         r"--kind: invalid choice: 'swet' .*\(did you mean sweet\?\)\n\Z")
+
+
+if __name__ == "__main__":
+    unittest.main()

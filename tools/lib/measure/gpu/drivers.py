@@ -1,0 +1,107 @@
+"""The folder of drivers: Mesa's and Intel's, of Debian's unstable suite (debian.py), with the LLVM that writes for
+compilers which are no driver; and NVIDIA's assembler, of a package of PyPI."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import tempfile
+import zipfile
+from collections.abc import Sequence
+from pathlib import Path
+
+import debian
+from debian import Missing
+from measure.gpu.chips import CHIPS, UNUSED_SHIMS, Chip
+
+LLVM = "22"  # that of today's Mesa; when Debian drops it, name the next for which there is an llvm-spirv
+PACKAGES = ("mesa-vulkan-drivers", "mesa-drm-shim", "libvulkan1", "intel-ocloc", "libigc2", f"llvm-{LLVM}",
+            f"llvm-spirv-{LLVM}")
+# The wheel is of Triton, a compiler; it has these programs of CUDA, which are all that is kept.
+WHEEL = "triton"
+NVIDIA = ("ptxas", "ptxas-blackwell", "nvdisasm")
+SIZE = "some 410 MB of packages of Debian and PyPI that become 650 MB"
+
+
+class Drivers(debian.Root):
+    def compiler(self, chip: Chip, program: Sequence[str]) -> list[str]:
+        shim = self.shim(chip.vendor.shim)
+        if not shim.exists():
+            raise Missing(f"{self.folder} has no {shim.name}, which stands in for {chip.vendor.title}'s kernel driver")
+        return self.command(program, "--preload", str(shim))
+
+    def environment(self, chip: Chip) -> dict[str, str]:
+        """Ours, less what could change the counts."""
+        ours = {name: value for name, value in os.environ.items()
+                if not name.startswith(("RADV_", "ACO_", "NVK_", "NAK_", "TU_", "IR3_", "FD_", "AGX_", "HK_", "NIR_",
+                                        "MESA_", "VK_", "LD_", "NOUVEAU_", "AMDGPU_", "AMD_"))}
+        icd = next(iter((self.folder / "usr/share/vulkan/icd.d").glob(f"{chip.vendor.driver}_icd*.json")), None)
+        if icd is None:
+            raise Missing(f"{self.folder} has no {chip.vendor.driver}_icd.json, {chip.vendor.title}'s driver of Vulkan")
+        told = dict([chip.variable.split("=")]) if chip.variable else {}
+        return {**ours, **told, "VK_DRIVER_FILES": str(icd), "VK_LOADER_LAYERS_DISABLE": "*", "NODEVICE_SELECT": "1",
+                "MESA_SHADER_CACHE_DISABLE": "true"}
+
+    def program(self, name: str) -> list[str]:
+        """What starts one of Debian's."""
+        for path in sorted((self.folder / "usr/bin").glob(f"{name}*")):
+            if path.name in (name, f"{name}-{LLVM}") or name == "ocloc":
+                return self.command([str(path)])
+        raise Missing(f"{self.folder} has no program {name}: remove the folder, and get the drivers again")
+
+    def nvidia(self, name: str) -> Path:
+        path = self.folder / "nvidia" / name
+        if not path.exists():
+            raise Missing(f"{self.folder} has no {name} of NVIDIA: get the drivers again")
+        return path
+
+    def shim(self, name: str) -> Path:
+        return self.libraries / f"lib{name}_noop_drm_shim.so"
+
+    def unused_shims(self) -> list[str]:
+        """Those of GPUs that no chip of ours is of: a newer package may have them."""
+        prefix, suffix = self.shim("\n").name.split("\n")
+        known = UNUSED_SHIMS | {chip.vendor.shim for chip in CHIPS}
+        names = (path.name for path in sorted(self.libraries.glob(f"{prefix}*{suffix}")))
+        return [name for name in names if name.removeprefix(prefix).removesuffix(suffix) not in known]
+
+    def versions(self) -> str:
+        """Of what compiles."""
+        return ", ".join(f"{title} {self.version(package)}" for title, package in
+                         (("Mesa", PACKAGES[0]), ("IGC", "libigc"), ("LLVM", "libllvm")))
+
+    def version(self, package: str) -> str:
+        """Of the package whose name begins so."""
+        packages = (self.folder / debian.VERSIONS).read_text(encoding="utf-8").split()
+        found = next((one.split("_")[1] for one in packages if one.startswith(package)), "?")
+        return found.rpartition("%3a")[2]
+
+
+def find(folder: Path) -> Drivers:
+    if found := debian.find(folder, "libvulkan.so.1"):
+        return Drivers(*found)
+    raise Missing(f"there are no drivers in {folder.absolute()}; tools/measure gpu --get-drivers puts them there, "
+                  f"{SIZE}, without installing anything")
+
+
+def get(folder: Path, mirror: str = debian.MIRROR, suite: str = debian.SUITE) -> None:
+    """Downloads them all, or what an earlier call could not get."""
+    if not debian.find(folder, "libvulkan.so.1") or (folder / "nvidia").exists():
+        debian.get(folder, PACKAGES, "the drivers", mirror, suite)
+    print(f"Asking PyPI for {WHEEL}", file=sys.stderr, flush=True)
+    with tempfile.TemporaryDirectory(dir=folder) as scratch:
+        done = subprocess.run([sys.executable, "-m", "pip", "--disable-pip-version-check", "download", "--no-deps",
+                               "--only-binary", ":all:", "--dest", scratch, WHEEL], stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT, text=True, check=False)
+        wheels = list(Path(scratch).glob("*.whl"))
+        if done.returncode or not wheels:
+            raise Missing(f"pip cannot download {WHEEL}, which has NVIDIA's assembler; the other drivers are there:\n"
+                          f"{done.stdout[-1000:]}".rstrip())
+        programs = Path(scratch) / "nvidia"
+        programs.mkdir()
+        with zipfile.ZipFile(wheels[0]) as wheel:
+            for name in NVIDIA:
+                (programs / name).write_bytes(wheel.read(f"triton/backends/nvidia/bin/{name}"))
+                (programs / name).chmod(0o755)
+        programs.rename(folder / "nvidia")

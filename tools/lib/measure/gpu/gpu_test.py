@@ -1,0 +1,499 @@
+"""Tests of tools/measure gpu with a stand-in of the compilers. The real ones are asked where HN_GPU_DRIVERS names a
+folder that tools/measure gpu --get-drivers filled."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import os
+import re
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+from unittest import mock
+
+import debian
+import glslang
+from debian import Missing
+from measure.gpu import chips, command, comparing, drivers, operations, pages, record, stripes
+from measure.gpu.chips import CHIPS, chip_named
+from measure.gpu.compiling import Compiled, compile_all
+from measure.peers.table import CALLS, dimensions, subject
+from thorough import in_thorough_runs
+
+# hn-conform as far as it is called. A shader costs what its file says: 7 cycles for each word of it, or trouble.
+STAND_IN = """#!/bin/sh
+case $1 in
+  spirv)
+    shift; mkdir -p "$2/spirv"
+    for id in empty2 empty3 {ids}; do
+      case $id in empty*) text=one;; *refused) text=refuse;; *crashes) text=crash;; *) text="one two three";; esac
+      echo "$text" >"$2/spirv/$id.spv"; echo "$id 2"
+    done
+    ;;
+  shader-statistics)
+    shift
+    echo '{{"device": "Stand-in", "driver": "1.0"}}'
+    echo 'a line of the driver'
+    for file; do
+      set -- $(cat "$file")
+      case $1 in
+        refuse) echo '{{"error": "too hard"}}' ;;
+        crash) echo 'told before' >&2; printf '{{"stat'; kill -SEGV $$ ;;
+        hang) exec sleep 60 ;;
+        *) echo "{{\\"statistics\\": {{\\"Static cycle count\\": $((7 * $#)), \\"Instruction count\\": $#, \
+\\"Number of GPRs\\": 24}}, \\"seconds\\": 0.002}}" ;;
+      esac
+    done ;;
+esac
+"""
+AMPERE = chip_named("ampere")
+
+
+class WithStandIn(unittest.TestCase):
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.folder = Path(scratch.name)
+        self.program = self.make_program()
+        self.drivers = self.folder / "drivers"
+        libraries = self.drivers / "usr/lib/any"
+        for file in (libraries / "libvulkan.so.1", libraries / "libnouveau_noop_drm_shim.so",
+                     self.drivers / "usr/share/vulkan/icd.d/nouveau_icd.json"):
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.touch()
+        # It starts the program behind --library-path X --preload Y.
+        self.script(libraries / "ld-linux-any.so.2", '#!/bin/sh\nshift 4\nexec "$@"\n')
+
+    def script(self, path: Path, text: str) -> Path:
+        path.write_text(text)
+        path.chmod(0o755)
+        return path
+
+    def make_program(self, *ids: str) -> Path:
+        return self.script(self.folder / "hn-conform",
+                           STAND_IN.format(ids=" ".join(ids or ("perlin",))))
+
+    def files(self, *texts: str) -> list[Path]:
+        paths = [self.folder / str(number) for number in range(len(texts))]
+        for path, text in zip(paths, texts):
+            path.write_text(text)
+        return paths
+
+    def call(self, *arguments: str) -> tuple[int, str, str]:
+        out, err = io.StringIO(), io.StringIO()
+        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err), \
+                mock.patch("measure.gpu.command.program", return_value=str(self.program)):
+            try:
+                status = command.main(["--drivers", str(self.drivers), "--out", str(self.folder / "out"), *arguments])
+            except SystemExit as end:
+                status = end.code
+        return status, out.getvalue(), err.getvalue()
+
+    def compile(self, *texts: str, limit: float = 30.0) -> list[Compiled]:
+        command = [str(self.program), "shader-statistics"]
+        device, results = compile_all(command, os.environ, self.files(*texts), limit=limit)
+        self.assertEqual(device, ("Stand-in", "1.0"))
+        return results
+
+
+class Compiling(WithStandIn):
+    def test_a_shader_that_is_refused_or_kills_the_compiler_costs_itself(self):
+        one, crashed, refused, two, last = self.compile("one", "crash", "refuse", "one two", "crash")
+        self.assertEqual((one.statistics["Static cycle count"], one.seconds), (7, 0.002))
+        self.assertEqual(crashed.problem, "the compiler ended by SIGSEGV (told before)")
+        self.assertEqual(refused.problem, "too hard")
+        self.assertEqual(two.statistics["Static cycle count"], 14)
+        self.assertEqual(last.problem, crashed.problem)
+
+    def test_one_that_takes_too_long_is_ended(self):
+        _, hung, after = self.compile("one", "hang", "one", limit=0.5)
+        self.assertEqual(hung.problem, "the compiler gave no answer for 0.5 s")
+        self.assertFalse(after.problem)
+
+    def test_whoever_is_interrupted_leaves_no_compiler_behind(self):
+        started = mock.Mock(side_effect=KeyboardInterrupt)
+        with mock.patch("subprocess.Popen.kill", autospec=True, side_effect=subprocess.Popen.kill) as kill, \
+                self.assertRaises(KeyboardInterrupt):
+            compile_all([str(self.program), "shader-statistics"], os.environ, self.files("one", "hang"), started)
+        self.assertIsNotNone(kill.call_args.args[0].returncode)
+
+    def test_a_compiler_that_cannot_start_says_why(self):
+        for text, why in (("echo '{\"error\": \"no GPU\"}'", "no GPU"), ("echo told; exit 7", "ended with status 7"),
+                          ("echo oh >&2; kill -ABRT $$", "ended by SIGABRT \\(oh\\)")):
+            with self.subTest(why=why), self.assertRaisesRegex(Missing, why):
+                program = self.script(self.folder / "broken", f"#!/bin/sh\n{text}\n")
+                compile_all([str(program)], os.environ, self.files("one"))
+
+
+class Records(unittest.TestCase):
+    def shader(self, cycles: float, **more: float) -> Compiled:
+        statistics = {"Static cycle count": cycles, "Instruction count": cycles / 2, "Number of GPRs": 24}
+        return Compiled({**statistics, **more}, 0.0042)
+
+    def test_a_row_is_less_the_empty_shader_but_for_registers(self):
+        spilling = self.shader(327, **{"Spills to reg": 2, "Spills to memory": 1})
+        row = record.row("perlin", AMPERE, spilling, self.shader(67))
+        self.assertEqual(row, ("perlin", "ampere", "260", "130", "", "24", "3", "4.2", ""))
+        navi = chip_named("navi31")
+        statistics = {name: 50.0 for name in (navi.vendor.cost, "Instructions", "VGPRs")}
+        row = record.row("perlin", navi, Compiled({**statistics, "VALU": 90, "SALU": 2}, 0.0),
+                         Compiled({**statistics, "VALU": 4, "SALU": 2}, 0.0))
+        self.assertEqual(row.kinds, "VALU 86")
+
+    def test_statistics_of_another_name_are_a_problem_and_not_0(self):
+        row = record.row("perlin", AMPERE, Compiled({"Cycles": 9}, 0.0), self.shader(67))
+        self.assertEqual((row.cost, row.problem), ("", 'the driver tells no "Instruction count"'))
+        row = record.row("perlin", AMPERE, self.shader(327), Compiled({}, 0.0, "crashed"))
+        self.assertEqual((row.cost, row.problem), ("", "crashed"))
+
+    def test_prices_are_slopes(self):
+        self.assertEqual(operations.price(100, 100 + 32 * 4 * 8, 8), 4)
+        shaders = {operations.subject(operation, chains, length): self.shader(50 + 3 * chains * length)
+                   for operation in operations.OPERATIONS
+                   for chains in operations.CHAINS for length in operations.LENGTHS}
+        name = operations.OPERATIONS[0].name
+        shaders[f"operation-{name}-8-16-2"] = Compiled({}, 0.0, "crashed")
+        rows = record.prices(AMPERE, shaders)
+        self.assertEqual(rows[0], {"operation": name, "chip": "ampere", "alone": "3.00", "beside": ""})
+        self.assertEqual({(row["alone"], row["beside"]) for row in rows[1:]}, {("3.00", "3.00")})
+        slots = {id: Compiled({"Issue slots": 50 + int(id.split("-")[3]), "Registers": 9}, 0.0) for id in shaders}
+        self.assertEqual(record.prices(chip_named("sm90"), slots)[0],
+                         {"operation": name, "chip": "sm90", "alone": "1.00", "beside": "1.00"})
+
+    def test_what_became_dearer_is_told(self):
+        def rows(**costs: str) -> list[record.Row]:
+            empty = record.Row("", "m1", *[""] * 7)
+            return [empty._replace(id=id, **{"cost" if cost.isdigit() else "problem": cost})
+                    for id, cost in costs.items()]
+
+        before = {(row.id, row.chip): row for row in rows(same="5", more="5", less="5", fails="5", failed="crash")}
+        now = rows(same="5", more="6", less="4", fails="crash", failed="9", new="1")
+        self.assertEqual(record.dearer(before, now),
+                         ["DEARER more on m1: 6, was 5", "FAILS fails on m1: crash; it cost 5"])
+        self.assertEqual(record.dearer(before, rows(same="5", less="4")), [])
+
+    def test_what_is_read_is_what_was_written(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "costs.csv"
+            rows = [record.Row("perlin", "m1", "5", "4", "FSCIB 3, IC 2", "24", "0", "1.0", ""),
+                    record.Row("simplex", "m1", "", "", "", "", "", "", "too, hard")]
+            record.write(path, [row._asdict() for row in rows])
+            self.assertEqual(list(record.read_costs(path).values()), rows)
+            path.write_text(path.read_text().replace(",5,", ",five,"))
+            with self.assertRaisesRegex(ValueError, f"{path}:2: the cost is 'five'"):
+                record.read_costs(path)
+            for text in ("", "id,ratio\nperlin,1\n"):
+                path.write_text(text)
+                with self.assertRaisesRegex(ValueError, "the first line must be id,chip,cost"):
+                    record.read_costs(path)
+
+
+class Pages(unittest.TestCase):
+    def test_a_loop_and_a_failure_are_marked(self):
+        rows = {}
+        for chip in chips.SHOWN:
+            for call in pages.SHOWN_CALLS:
+                for id in (f"{call.ours}.lattice", f"{call.ours}.lattice+fixed", f"{subject(call)}{dimensions(call)}"):
+                    rows[id, chip] = record.Row(id, chip, "9", "9", "", "9", "0", "1.0", "")
+        self.assertNotRegex(pages.chip_table(rows), r"\*|fails|6 octaves")
+        self.assertIn("| Perlin 2D | 9 / 9; F 9, W 9, M 9 | 9 / 9;", pages.chip_table(rows))
+        self.assertIn("| stripes 2D | 9 / 9; E 9, T 9 | 9 / 9;", pages.chip_table(rows))
+        theirs = next(f"{subject(call)}2" for call in CALLS if call.peer == "fastnoiselite")
+        rows[theirs, "adreno740"] = rows[theirs, "adreno740"]._replace(kinds="cat0 3, Loops 2")
+        rows[theirs, "m1"] = rows[theirs, "m1"]._replace(cost="", problem="crashed")
+        rows[theirs, "acm"] = rows[theirs, "acm"]._replace(kinds="floats 3, memory 2")
+        line = pages.chip_table(rows).splitlines()[2]
+        self.assertEqual(line.count("F 9*,"), 3)
+        self.assertEqual(line.count("F 9+,"), 1)
+        self.assertEqual(line.count("F fails"), 1)
+
+    def test_prices_that_are_alike_are_one(self):
+        rows = [{"operation": operation.name, "chip": chip, "alone": "4.00",
+                 "beside": "1.50" if chip == "m1" else "4.02"}
+                for operation in operations.OPERATIONS for chip in pages.OF_OPERATIONS]
+        rows[0]["alone"] = rows[2]["alone"] = ""
+        self.assertEqual([row["chip"] for row in (rows[0], rows[2])], ["ampere", "sm90"])
+        table = pages.operation_table(rows).splitlines()
+        self.assertTrue("| 4 / 1.5 |" in table[2] and "`x * y` | fails | 4 | none | 4 |" in table[2], table[2])
+        self.assertEqual({line.count(" | ") for line in table}, {len(pages.OF_OPERATIONS)})
+        # A record of before has fewer chips.
+        table = pages.operation_table([row for row in rows if row["chip"] in ("ampere", "m1")]).splitlines()
+        self.assertTrue(table[2].endswith("`x * y` | fails | 4 / 1.5 |"), table[2])
+
+
+class Comparing(unittest.TestCase):
+    def records(self, *noises: str, cost: str = "8", kinds: str = "") -> comparing.Rows:
+        return {(id, chip): record.Row(id, chip, cost, "2", kinds, "9", "0", "1", "") for noise in noises
+                for id in (noise + comparing.FLOATS, noise + comparing.FIXED) for chip in chips.SHOWN}
+
+    def test_what_a_shader_takes(self):
+        rows = self.records("noise2d.perlin", kinds="FSCIB 3, IC 12")
+        self.assertEqual([comparing.weight(rows["noise2d.perlin.lattice", chip]) for chip in chips.SHOWN],
+                         [4, 8, 8, 8, 12, 8])
+
+    def test_noises_of_both_records_have_a_line(self):
+        before = self.records("noise2d.perlin", "noise3d.cell_border", "noise2d.old", "noise2d.refused")
+        now = dict(self.records("noise2d.new", "noise3d.cell_border", "noise2d.refused")) | self.records(
+            "noise2d.perlin", cost="4")
+        for key, changed in ((("noise2d.refused.lattice", "m1"), {"cost": "", "problem": "too hard"}),
+                             (("noise2d.perlin.lattice+fixed", "navi31"), {"cost": "16"})):
+            now[key] = now[key]._replace(**changed)
+        lines = comparing.page_table(before, now).splitlines()
+        self.assertEqual(lines[2:], [
+            "| Perlin 2D | **0.53**: 0.71, 0.50, 0.50, 0.50, 0.50, 0.50 "
+            "| **0.78**: 0.71, 0.50, 2.00, 0.50, 0.50, 0.50 | 1.50 |",
+            f"| cell border 3D | **1.00**: {', '.join(['1.00'] * 6)} | **1.00**: {', '.join(['1.00'] * 6)} | 1.00 |"])
+        # An older record has fewer chips.
+        fewer = {key: row for key, row in before.items() if key[1] in ("navi31", "m1")}
+        self.assertIn("| Perlin 2D | **0.50**: 0.50, 0.50 |", comparing.page_table(fewer, now))
+        with self.assertRaisesRegex(ValueError, "in common"):
+            comparing.page_table({key: row for key, row in before.items() if key[1] == "m1"},
+                                 {key: row for key, row in now.items() if key[1] == "navi31"})
+
+
+# Shaped as AdvancedTerrainErosion.cs and phasor.frag are, as far as what is made of them depends on it.
+CSHARP = """using System;
+#region Precision helper constants
+private const real R0 = (real)0.0;
+private static readonly vec2 HashIrrationals = new((real)(1.0 / math.PI_DBL), (real)0.5);
+#endregion
+#region Not wanted
+public static int Seed(in Config config) => config.Seed;
+#endregion
+#region Core algorithms
+/// <summary> Calls what stands below. </summary>
+private static vec4 ErosionFilter(
+    vec2 p, int octaves, // of which there are some
+    out real ridgeMap)
+{
+    vec2 sum = R0;
+    var phacelle = Waves(p, 3);
+    for (var i = 0; i < octaves; i++) sum += math.lerp(phacelle.xy, new vec2(R0, phacelle.x), HashIrrationals);
+    ridgeMap = math.frac(sum.x) * (real)2;
+    return new vec4(math.normalizesafe(sum), sum);
+}
+public static vec4 Waves(vec2 p, int seed)
+{
+    var gridPoint = math.floor(p) * Half(seed);
+    return new vec4(gridPoint, gridPoint);
+}
+#endregion
+#region Common shader-style helpers
+[MethodImpl(MethodImplOptions.AggressiveInlining)]
+private static real Half(real value)
+{
+    return (real)0.5 * value;
+}
+#endregion
+"""
+WHOLE_SHADER = """#version 450
+layout( location = 0 ) in vec2 TexCoord;
+layout( location = 0 ) out vec4 color;
+layout( set = 0, binding = 0 ) uniform UniformBuffer {
+    float _f;
+    int _count;
+};
+float waves(vec2 p) { return _f * float(_count) * p.x; }
+void main(){ color = vec4(waves(TexCoord)); }
+"""
+
+
+class Stripes(WithStandIn):
+    """What is made of files that are no GLSL for an expression."""
+
+    def compiled(self, text: str, expression: str) -> str:
+        """What glslang says of it."""
+        shader = ("#version 450\nlayout(location = 0) out float result;\nfloat set;\n"
+                  + text.replace("#version", "//") + f"void main() {{ result = ({expression}); }}\n")
+        return glslang.compiled(shader, "-V", "-o", "/dev/null").stdout
+
+    def test_they_compile(self):
+        erosion, waves = "ErosionFilter(vec2(0.5), 5, set).x", "_f = 2.0, _count = 3, waves(vec2(0.5))"
+        self.assertNotIn("ERROR", self.compiled(stripes.of_csharp(CSHARP), erosion))
+        self.assertNotIn("ERROR", self.compiled(stripes.of_shader(WHOLE_SHADER), waves))
+        # As they are they do not, nor with a variable of a type that is not known here.
+        self.assertIn("ERROR", self.compiled(CSHARP, erosion))
+        self.assertIn("ERROR", self.compiled(WHOLE_SHADER, waves))
+        self.assertIn("ERROR", self.compiled(stripes.of_csharp(CSHARP.replace("gridPoint", "unheardOf")), erosion))
+
+    def test_each_call_is_of_a_file_that_is_given(self):
+        csharp, plain = self.folder / "erosion.cs", self.folder / "erosion.glsl"
+        csharp.write_text(CSHARP, encoding="utf-8-sig")
+        plain.write_text("vec3 erosion(vec2 p, vec2 dir) { return vec3(p, dir.x); }\n")
+        words = stripes.against({"terrain-erosion": csharp, "clay-john": plain}, self.folder)
+        made = self.folder / "terrain-erosion.glsl"
+        self.assertEqual([word.partition(":")[0] for word in words],
+                         [f"terrain-erosion-stripes-2d-={made}", f"clay-john-stripes-2d-with-derivatives-={plain}",
+                          f"terrain-erosion-gullies-2d-5-octaves-={made}"])
+        self.assertTrue(made.read_text().startswith("#define lerp mix\n"))
+        self.assertEqual({call.peer for call in stripes.CALLS}, {peer.option for peer in stripes.PEERS})
+
+    def test_a_file_of_another_shape_is_told(self):
+        for peer, text, part in (("terrain-erosion", CSHARP.replace("Core", "Other"), "no region 'Core algorithms'"),
+                                 ("phasor-noise", WHOLE_SHADER.replace("uniform", "buffer"), "uniforms in a block"),
+                                 ("phasor-noise", WHOLE_SHADER.replace("main", "other"), "uniforms in a block")):
+            with self.subTest(peer=peer, part=part):
+                path = self.folder / "given"
+                path.write_text(text)
+                status, _, err = self.call("--filter", "none", f"--{peer}", str(path))
+                self.assertEqual(status, 2)
+                self.assertRegex(err, f"--{peer} {path}: it (has|is) .*{part}")
+
+
+class Operations(unittest.TestCase):
+    def test_a_shader_does_it_as_often_as_it_says(self):
+        for operation in operations.OPERATIONS:
+            text = operations.shader(operation, 8, 16)
+            self.assertEqual(len(re.findall(r"^x\d = ", text, re.MULTILINE)), 8 * 16, operation.name)
+            self.assertNotRegex(text, r"\nx\d = .*\bx\b", operation.name)
+
+
+class Chips(WithStandIn):
+    def test_names_are_one_chips_each(self):
+        self.assertEqual(len({chip.name for chip in CHIPS}), len(CHIPS))
+        self.assertLessEqual(set(chips.SHOWN), {chip.name for chip in CHIPS})
+        self.assertEqual({"NVIDIA", "AMD", "Adreno", "Apple", "Intel"}, {chip.vendor.title for chip in CHIPS})
+
+    def test_the_list_tells_what_no_chip_is_of(self):
+        status, out, _ = self.call("--list-chips")
+        self.assertEqual((status, [line.split()[0] for line in out.splitlines()]), (0, [chip.name for chip in CHIPS]))
+        (self.drivers / "usr/lib/any/libintel_noop_drm_shim.so").touch()
+        (self.drivers / "usr/lib/any/libradeon_noop_drm_shim.so").touch()
+        self.assertEqual(drivers.find(self.drivers).unused_shims(), ["libintel_noop_drm_shim.so"])
+        self.assertIn("libintel_noop_drm_shim.so", self.call("--list-chips")[1])
+
+    def test_settings_of_ours_do_not_reach_a_compiler(self):
+        with mock.patch.dict(os.environ, {"RADV_DEBUG": "nir", "NOUVEAU_CHIPSET": "1", "HN_KEPT": "1"}):
+            environment = drivers.find(self.drivers).environment(AMPERE)
+        self.assertNotIn("RADV_DEBUG", environment)
+        self.assertEqual((environment["NOUVEAU_CHIPSET"], environment["HN_KEPT"]), ("0x174", "1"))
+
+
+class Command(WithStandIn):
+    def costs(self) -> dict[str, record.Row]:
+        return {row.id: row for row in record.read_costs(self.folder / "out/costs.csv").values()}
+
+    def test_another_copy_of_the_library(self):
+        program = self.make_program()
+        self.program = self.script(self.folder / "keeps", f'#!/bin/sh\necho "$@" >>{self.folder}/calls\n'
+                                   f'exec {program} "$@"\n')
+        self.assertEqual(self.call("--chip", "ampere", "--filter", "*", "--glsl", "/a/copy")[0], 0)
+        self.assertRegex((self.folder / "calls").read_text(), "^spirv .* --glsl /a/copy\n")
+
+    def test_measures_and_compares(self):
+        self.program = self.make_program("perlin", "one-that-is-refused", "one-that-crashes")
+        status, out, err = self.call("--chip", "ampere", "--filter", "*")
+        self.assertEqual(status, 0, err)
+        costs = self.costs()
+        self.assertEqual((costs["perlin"].cost, costs["perlin"].instructions), ("14", "2"))
+        self.assertEqual(costs["one-that-is-refused"].problem, "too hard")
+        self.assertIn("FAILED one-that-crashes on ampere: the compiler ended by SIGSEGV", out)
+        self.assertIn("ampere,\"NVIDIA GA104, Ampere\",Stand-in,1.0,Static cycle count",
+                      (self.folder / "out/chips.csv").read_text())
+
+        baseline = self.folder / "before.csv"
+        baseline.write_text((self.folder / "out/costs.csv").read_text())
+        again = ("--chip", "ampere", "--filter", "*", "--baseline", str(baseline))
+        status, out, _ = self.call(*again)
+        self.assertEqual(status, 0, out)
+        self.assertIn("3 costs compared, 0 are dearer or fail; 0 of the baseline were not measured now", out)
+        baseline.write_text(baseline.read_text().replace("perlin,ampere,14,", "perlin,ampere,13,"))
+        status, out, _ = self.call(*again)
+        self.assertEqual(status, 1)
+        self.assertIn("DEARER perlin on ampere: 14, was 13", out)
+
+    def test_two_records_are_compared_without_a_driver(self):
+        now, before = str(pages.RECORD / record.COSTS), str(self.folder / "before.csv")
+        rows = {key: row._asdict() for key, row in pages.costs().items()}
+        dearer = rows["noise2d.perlin.lattice", "navi31"]
+        dearer["cost"] = str(2 * float(dearer["cost"]))
+        record.write(Path(before), list(rows.values()))
+        status, out, err = self.call("--compare", before, now, "--drivers", str(self.folder / "none"))
+        self.assertEqual(status, 0, err)
+        self.assertRegex(out, r"\| Perlin 2D \| [^|]*\b0\.50\b[^|]*\| \*\*1\.00")
+        self.assertNotRegex(out, r"\| Perlin 3D \| [^|]*\b0\.[^|]*\| \*\*1\.00")
+        empty = self.folder / "empty.csv"
+        empty.write_text(",".join(record.Row._fields) + "\n")
+        status, out, err = self.call("--compare", before, str(empty))
+        self.assertEqual((status, out), (2, ""))
+        self.assertIn("the records have no noise with floats and with HN_FIXED on ampere, sm90, navi31", err)
+
+    def test_without_drivers_it_is_skipped_with_a_reason(self):
+        status, _, err = self.call("--drivers", str(self.folder / "none"))
+        self.assertEqual(status, 3)
+        self.assertRegex(err, "skipped: there are no drivers in .*/none; tools/measure gpu --get-drivers puts them "
+                              "there")
+        self.assertIn("None can be measured yet", self.call("--list-chips", "--drivers", str(self.folder / "none"))[1])
+
+    def test_a_chip_without_a_shim_is_skipped_and_the_others_are_not(self):
+        status, out, _ = self.call("--chip", "ampere", "--chip", "m1", "--filter", "*")
+        self.assertEqual(status, 3)
+        self.assertRegex(out, "m1 is skipped: .* has no libasahi_noop_drm_shim.so, which stands in for Apple's kernel")
+        self.assertEqual(self.costs()["perlin"].chip, "ampere")
+
+    def test_bad_input_is_status_2(self):
+        self.program = self.make_program()
+        bad = self.folder / "bad.csv"
+        bad.write_text("id,ratio\n")
+        refusing = self.script(self.folder / "refusing", "#!/bin/sh\nexit 2\n")
+        for arguments, part in ((["--chip", "voodoo"], "invalid choice: 'voodoo'"),
+                                (["--baseline", str(bad)], "the first line must be"),
+                                (["--baseline", str(self.folder / "none.csv")], "none.csv"),
+                                (["--compare", str(bad), str(bad)], "the first line must be"),
+                                (["--wombat", str(self.folder / "none")], "--wombat: there is no"),
+                                (["--frobnicate"], "--frobnicate")):
+            with self.subTest(arguments=arguments):
+                status, _, err = self.call(*arguments)
+                self.assertEqual(status, 2)
+                self.assertIn(part, err)
+        self.program = refusing
+        self.assertEqual(self.call("--filter", "none")[0], 2)
+        self.assertEqual(self.call("--drivers", str(self.folder / "a b"))[0], 3)
+
+    def test_without_apt_the_drivers_cannot_be_had(self):
+        (self.drivers / "nvidia").mkdir()
+        for patch, part in ((mock.patch("shutil.which", return_value=None), "there is no apt-get"),
+                            (mock.patch("debian.KEYS", self.folder / "none"), "Debian's packages are checked"),
+                            (contextlib.nullcontext(), "is not empty")):
+            with self.subTest(part=part), patch, mock.patch("subprocess.Popen", side_effect=AssertionError):
+                status, _, err = self.call("--get-drivers")
+                self.assertEqual(status, 4)
+                self.assertIn(part, err)
+
+    def test_what_apt_says_of_a_failure_is_told(self):
+        programs = self.folder / "programs"
+        programs.mkdir()
+        self.script(programs / "apt-get", "#!/bin/sh\necho dlstatus:1:20.0:x\necho 'E: no such suite'; exit 100\n")
+        self.script(programs / "dpkg-deb", "#!/bin/sh\n")
+        with mock.patch.dict(os.environ, {"PATH": f"{programs}:{os.environ['PATH']}"}), \
+                mock.patch("debian.KEYS", self.program):
+            status, _, err = self.call("--get-drivers", "--drivers", str(self.folder / "new"), "--suite", "nonesuch")
+        self.assertEqual(status, 4)
+        self.assertIn("downloading: 20 %", err)
+        self.assertRegex(err, "cannot read the list of nonesuch at .*:\nE: no such suite")
+        self.assertFalse((self.folder / "new").exists())
+
+
+@in_thorough_runs
+class Real(unittest.TestCase):
+    def test_every_chip_compiles(self):
+        folder = Path(os.environ.get("HN_GPU_DRIVERS", command.DRIVERS))
+        if not debian.find(folder, "libvulkan.so.1"):
+            try:
+                drivers.get(folder)
+            except Missing as why:
+                self.skipTest(str(why))
+        with tempfile.TemporaryDirectory() as out, contextlib.redirect_stdout(io.StringIO()) as said:
+            status = command.main(["--drivers", str(folder), "--out", out, "--filter",
+                                   "noise2d.value.lattice"])
+            self.assertEqual(status, 0, said.getvalue())
+            costs = record.read_costs(Path(out) / "costs.csv")
+        self.assertEqual({chip for _, chip in costs}, {chip.name for chip in CHIPS})
+        for row in costs.values():
+            self.assertGreater(float(row.cost), 10, row)
+
+
+if __name__ == "__main__":
+    unittest.main()

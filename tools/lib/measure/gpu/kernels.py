@@ -1,0 +1,279 @@
+"""Shaders by compilers that take LLVM's text (llvm.py), and what stands in what they make: NVIDIA's ptxas, of which
+nvdisasm prints the machine's instructions, and Intel's IGC, which prints them itself.
+
+No compiler estimates a cost here, so instructions are counted, each by the unit of the GPU that runs it.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+import re
+import subprocess
+import tempfile
+from collections import Counter
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from debian import Missing
+from measure.gpu import compiling, llvm
+from measure.gpu.compiling import Compiled, Device
+from measure.gpu.operations import is_operation
+
+if TYPE_CHECKING:
+    from measure.gpu.chips import Chip
+    from measure.gpu.drivers import Drivers
+
+BATCH = 24  # shaders that a compiler gets at once
+LIMIT = 300.0  # seconds for them
+# LLVM's passes. A compiler of shaders makes no vectors of its own. Chains of one operation would become a shorter text.
+SHADERS = ("-O3", "-vectorize-slp=false", "-vectorize-loops=false")
+AS_WRITTEN = ("-passes=mem2reg,simplifycfg",)
+
+
+class Failed(Exception):
+    """Why a compiler refused a batch."""
+
+
+def compile_all(found: Drivers, chip: Chip, kernels: llvm.Kernels, done: Callable[[], None] = lambda: None
+                ) -> tuple[Device, list[Compiled]]:
+    """One result for each shader, in order. A batch that is refused is tried again in halves."""
+    translated = kernels.of(chip.vendor.target)
+    compiler = COMPILERS[chip.vendor.driver](found, chip)
+    try:
+        device = compiler.device()
+    except Failed as why:
+        raise Missing(str(why)) from why
+
+    def compiled(ids: Sequence[str]) -> dict[str, Compiled]:
+        names = {f"k{number}": id for number, id in enumerate(ids)}
+        try:
+            statistics = compiler.statistics({name: translated[id] for name, id in names.items()})
+            return {id: Compiled(statistics[name], math.nan) for name, id in names.items()}
+        except Failed as why:
+            if len(ids) == 1:
+                return {ids[0]: Compiled({}, math.nan, str(why))}
+        half = len(ids) // 2
+        return compiled(ids[:half]) | compiled(ids[half:])
+
+    results: dict[str, Compiled] = {}
+    for as_written in (False, True):
+        possible = [id for id, kernel in translated.items()
+                    if not isinstance(kernel, llvm.Unsupported) and is_operation(id) is as_written]
+        compiler.passes = AS_WRITTEN if as_written else SHADERS
+        for start in range(0, len(possible), BATCH):
+            batch = possible[start:start + BATCH]
+            results |= compiled(batch)
+            for _ in batch:
+                done()
+    results |= {id: Compiled({}, math.nan, str(kernel)) for id, kernel in translated.items() if id not in results}
+    return device, [results[id] for id in translated]
+
+
+class Compiler:
+    """A chain of programs of the folder of drivers."""
+
+    def __init__(self, found: Drivers, chip: Chip):
+        self.found, self.chip, self.passes = found, chip, SHADERS
+
+    def call(self, command: Sequence[str | Path], folder: Path, **variables: str) -> str:
+        """What it prints. Failed if it ends with another status than 0."""
+        ours = {name: value for name, value in os.environ.items() if not name.startswith(("IGC_", "LD_"))}
+        try:
+            done = subprocess.run([str(word) for word in command], cwd=folder, env={**ours, **variables}, text=True,
+                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT, errors="replace", check=False,
+                                  timeout=LIMIT)
+        except subprocess.TimeoutExpired:
+            raise Failed(f"the compiler gave no answer for {LIMIT:g} s") from None
+        if done.returncode:
+            lines = [line.strip() for line in done.stdout.splitlines() if line.strip()]
+            why = next((line for line in lines if re.search("error|fatal", line, re.IGNORECASE)), "".join(lines[-1:]))
+            why = why.replace(f"{folder}/", "").replace(f"{self.found.folder}/", "")
+            raise Failed(f"the compiler {compiling.end(done.returncode)}{f' ({why[:200]})' * bool(why)}")
+        return done.stdout
+
+    def optimized(self, shaders: Mapping[str, llvm.Kernel], folder: Path) -> Path:
+        text, made = folder / "shaders.ll", folder / "shaders.bc"
+        text.write_text(llvm.module(shaders, self.chip.vendor.target), encoding="ascii")
+        self.call([*self.found.program("opt"), *self.passes, text, "-o", made], folder)
+        return made
+
+    def statistics(self, shaders: Mapping[str, llvm.Kernel]) -> dict[str, dict[str, float]]:
+        with tempfile.TemporaryDirectory() as scratch:
+            found = self.compiled(shaders, Path(scratch))
+        if missing := set(shaders) - set(found):
+            raise Failed(f"the compiler printed nothing of {len(missing)} shaders")
+        return found
+
+
+class Ptxas(Compiler):
+    def compiled(self, shaders: Mapping[str, llvm.Kernel], folder: Path) -> dict[str, dict[str, float]]:
+        architecture, ptx, binary = self.chip.variable, folder / "shaders.ptx", folder / "shaders.cubin"
+        self.call([*self.found.program("llc"), "-O3", f"-mcpu={architecture}", "-fp-contract=fast",
+                   self.optimized(shaders, folder), "-o", ptx], folder)
+        said = self.call([self.found.nvidia(self.assembler()), f"-arch={architecture}", "-O3", "-v", "-o", binary, ptx],
+                         folder)
+        used = used_by_ptxas(said)
+        counted = counts_of_sass(self.call([self.found.nvidia("nvdisasm"), "-c", binary], folder))
+        return {name: {**counted[name], **used[name]} for name in shaders if name in counted and name in used}
+
+    def assembler(self) -> str:
+        """The wheel has a newer one for the newest GPUs."""
+        return "ptxas-blackwell" if int(self.chip.variable.removeprefix("sm_")) >= 100 else "ptxas"
+
+    def device(self) -> Device:
+        said = self.call([self.found.nvidia(self.assembler()), "--version"], Path.cwd())
+        version = re.search(r"release [\d.]+, V([\d.]+)", said)
+        return Device(self.chip.variable,
+                      f"ptxas {version[1] if version else '?'}, LLVM {self.found.version('libllvm')}")
+
+
+class Igc(Compiler):
+    def compiled(self, shaders: Mapping[str, llvm.Kernel], folder: Path) -> dict[str, dict[str, float]]:
+        # IGC contracts sums and products of all kernels or of none.
+        found = {}
+        for exact in (False, True):
+            chosen = {name: shader for name, shader in shaders.items() if shader.has_exact_product is exact}
+            if chosen:
+                found |= self.by_ocloc(chosen, folder, "" if exact else "-cl-mad-enable")
+        return found
+
+    def by_ocloc(self, shaders: Mapping[str, llvm.Kernel], folder: Path, options: str) -> dict[str, dict[str, float]]:
+        spirv = folder / "shaders.spv"
+        self.call([*self.found.program("llvm-spirv"), self.optimized(shaders, folder), "-o", spirv], folder)
+        said = self.call([*self.found.program("ocloc"), "compile", "-spirv_input", "-file", spirv, "-device",
+                          self.chip.variable, "-output", "shaders", *(["-options", options] if options else [])],
+                         folder, IGC_DumpASMToConsole="1")
+        return counts_of_asm(said, self.chip.lanes)
+
+    def device(self) -> Device:
+        self.found.program("ocloc")
+        return Device(self.chip.variable, f"IGC {self.found.version('libigc')}, LLVM {self.found.version('libllvm')}")
+
+
+COMPILERS = {"ptxas": Ptxas, "ocloc": Igc}  # by the driver of a vendor
+
+# Of NVIDIA's instructions: the unit by the first word, and by a modifier where that matters. The letters of an
+# architecture may bring others; what is in no row runs on the ALU.
+PIPES = (
+    ("moves", re.compile(r"MOV|UMOV|IMAD\.MOV|HFMA2|CS2R|S2R|S2UR|R2UR|UR2R")),
+    ("FP", re.compile(r"FADD|FMUL|FFMA")),
+    ("IMAD", re.compile(r"IMAD|IMUL")),
+    ("XU", re.compile(r"MUFU|F2I\b|I2F\b|F2F|FRND|POPC|FLO|BREV")),
+    ("memory", re.compile(r"U?LD|ST|TEX|TLD|ATOM|RED")),
+    ("branches", re.compile(r"BRA|BRX|BSSY|BSYNC|BREAK|BMOV|EXIT|CALL|RET|WARPSYNC|YIELD|NANOSLEEP|JMP")),
+    ("uniform", re.compile(r"U[A-Z]|R2UR")),
+)
+SASS_KERNEL = re.compile(r"^\.text\.(\w+):")
+SASS_LABEL = re.compile(r"^(\.L_\w+):")
+SASS = re.compile(r"^\s+/\*[0-9a-f]{4,}\*/\s+(?:@!?U?P\w+\s+)?([A-Z][A-Z0-9_.]*)(.*)")
+SASS_TARGET = re.compile(r"`\((\.L_\w+)\)")
+PTXAS_KERNEL = re.compile(r"Compiling entry function '(\w+)'|Function properties for (\w+)")
+PTXAS_SPILLS = re.compile(r"(\d+) bytes spill stores")
+PTXAS_REGISTERS = re.compile(r"Used (\d+) registers")
+
+
+def pipe(instruction: str) -> str:
+    """The unit that runs it."""
+    return next((name for name, pattern in PIPES if pattern.match(instruction)), "ALU")
+
+
+def counts_of_sass(text: str) -> dict[str, dict[str, float]]:
+    """By kernel: what nvdisasm prints. A warp takes an issue slot for each instruction."""
+    kernels: dict[str, Counter[str]] = {}
+    found, labels, place = Counter(), {}, 0
+    for line in text.splitlines():
+        if head := SASS_KERNEL.match(line):
+            found, labels, place = kernels.setdefault(head[1], Counter()), {}, 0
+        elif label := SASS_LABEL.match(line):
+            labels[label[1]] = place
+        elif instruction := SASS.match(line):
+            if instruction[1] == "NOP":
+                continue
+            found[pipe(instruction[1])] += 1
+            target = SASS_TARGET.search(instruction[2])
+            # Behind the last instruction stands a branch to itself, for what runs on.
+            if instruction[1].startswith("BRA") and target and labels.get(target[1], place) < place:
+                found["Loops"] += 1
+            place += 1
+            found["Issue slots"] += 1
+    return {name: dict(counted) for name, counted in kernels.items()}
+
+
+def used_by_ptxas(text: str) -> dict[str, dict[str, float]]:
+    """By kernel: what `ptxas -v` prints."""
+    kernels: dict[str, dict[str, float]] = {}
+    found: dict[str, float] = {}
+    for line in text.splitlines():
+        if head := PTXAS_KERNEL.search(line):
+            found = kernels.setdefault(head[1] or head[2], {})
+        if spills := PTXAS_SPILLS.search(line):
+            found["Spilled bytes"] = int(spills[1])
+        if registers := PTXAS_REGISTERS.search(line):
+            found["Registers"] = int(registers[1])
+    return kernels
+
+
+ASM_KERNEL = re.compile(r"^//\.kernel (\w+)")
+ASM_LABEL = re.compile(r"^(\w+):")
+ASM_REGISTERS = re.compile(r"^//\.thread_config numGRF=(\d+)")
+ASM_SPILLS = re.compile(r"^//\.spill size (\d+)")
+# A jump has no width. Behind // stands a comment.
+ASM = re.compile(r"^(?:\([^)]*\))?\s*(?:([a-z][\w.]*)\s*\((\d+)\|M\d+\)|(jmpi)\b)\s*((?:(?!//).)*)")
+ASM_TYPE = re.compile(r":(\w+)")
+JUMPS = re.compile(r"(?:goto|jmpi|brd|brc)\b")
+
+
+def counts_of_asm(text: str, lanes: int) -> dict[str, dict[str, float]]:
+    """By kernel: what IGC prints. An instruction passes once for each `lanes` lanes that it has, at least once; a
+    message to memory and a branch once. What waits (sync, nop) is not counted."""
+    kernels: dict[str, Counter[str]] = {}
+    found, labels = Counter(), set()
+    for line in text.splitlines():
+        if head := ASM_KERNEL.match(line):
+            found, labels = kernels.setdefault(head[1], Counter()), set()
+        elif registers := ASM_REGISTERS.match(line):
+            found["Registers"] = int(registers[1])
+        elif spills := ASM_SPILLS.match(line):
+            found["Spilled bytes"] = int(spills[1])
+        elif label := ASM_LABEL.match(line):
+            labels.add(label[1])
+        elif instruction := ASM.match(line):
+            name, width, operands = instruction[1] or instruction[3], int(instruction[2] or 1), instruction[4]
+            kind, passes = unit(name, operands), max(1.0, width / lanes)
+            if kind in ("memory", "branches"):
+                passes = 1.0
+            found["Instructions"] += 1
+            found["Passes"] += passes
+            found[kind] += passes
+            if name == "while" or JUMPS.match(name) and labels & set(operands.split()):
+                found["Loops"] += 1  # it goes back
+    return {name: dict(counted) for name, counted in kernels.items()}
+
+
+def unit(name: str, operands: str) -> str:
+    """What an instruction of Intel's is for."""
+    first = name.split(".")[0]
+    if first in ("send", "sends", "sendc", "sendsc", "load", "store"):
+        return "memory"
+    if first in ("if", "else", "endif", "while", "jmpi", "goto", "join", "brd", "brc", "call", "calla", "ret", "break",
+                 "cont", "halt"):
+        return "branches"
+    if first == "math":
+        return "math"
+    type = ASM_TYPE.search(operands)
+    floats = bool(type and type[1] in ("f", "hf", "df", "bf"))
+    if first == "mov":
+        return "moves"
+    if not floats and first in ("mul", "mach", "macl", "mad", "mullh"):
+        return "products"
+    return "floats" if floats else "integers"
+
+
+def translated(files: Mapping[str, Path]) -> llvm.Kernels:
+    """The shaders of SPIR-V files. Missing without the program that prints them."""
+    try:
+        return llvm.Kernels({id: llvm.disassembled(file) for id, file in files.items()})
+    except FileNotFoundError:
+        raise Missing("there is no spirv-dis, which prints the shaders: install spirv-tools") from None

@@ -1,0 +1,101 @@
+"""The tables of what was measured in docs/measuring.md, docs/default-hash.md and docs/gpu-operations.md."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+
+from measure.gpu import comparing, stripes
+from measure.gpu.chips import chip_named
+from measure.gpu.operations import OPERATIONS
+from measure.gpu.record import COSTS, OPERATION_COSTS, Row, read, read_costs
+from measure.peers.table import CALLS, dimensions, subject
+from tables.markdown import table
+from tree import ROOT
+
+RECORD = ROOT / "docs" / "results" / "gpu"
+# What shows the cost of a word: the hash alone, and noises that are little more than hashes.
+HASHED = {"hash.lattice2": "`hn_lattice` of an `ivec2`", "hash.lattice3": "`hn_lattice` of an `ivec3`",
+          "noise2d.value": "value 2D", "noise3d.value": "value 3D", "noise2d.perlin": "Perlin 2D",
+          "noise3d.perlin": "Perlin 3D", "noise2d.simplex": "simplex 2D", "noise3d.simplex": "simplex 3D"}
+OF_OPERATIONS = ("ampere", "blackwell", "sm90", "polaris10", "navi21", "navi31", "gfx1201", "adreno630", "adreno740",
+                 "m1", "acm", "bmg")
+# The letters of the peers in cells.
+LETTERS = {"fastnoiselite": "F", "wombat": "W", "materialx": "M", "webgl-noise": "S", "psrdnoise": "P",
+           "terrain-erosion": "E", "phasor-noise": "T", "clay-john": "J"}
+SUMS = "octaves"  # in the names of noises: those have loops
+SHOWN_CALLS = (*(call for call in CALLS if SUMS not in call.noise), *stripes.CALLS)
+LOOPS = re.compile(r"\bLoops [1-9]")  # in the kinds of a row
+TABLES = re.compile(r"\bmemory [1-9]")  # the same, where instructions are counted, and waits are not
+WITNESS = "adreno740"  # of loops, for compilers that do not tell whether they left one
+
+
+def costs() -> dict[tuple[str, str], Row]:
+    return read_costs(RECORD / COSTS)
+
+
+def operation_costs() -> list[dict[str, str]]:
+    return read(RECORD / OPERATION_COSTS, ("operation", "chip", "alone", "beside"))
+
+
+def chip_table(rows: Mapping[tuple[str, str], Row]) -> str:
+    """Ours with floats and with integers, then each peer; with a * where the shader has a loop, and a + where a wait
+    for memory is not counted."""
+    lines, chips = [], comparing.shown(rows)
+    for noise in dict.fromkeys(call.noise for call in SHOWN_CALLS):
+        calls = [call for call in SHOWN_CALLS if call.noise == noise]
+        cells = []
+        for chip in chips:
+            ours = [_cost(rows, f"{calls[0].ours}.lattice{fixed}", chip) for fixed in ("", "+fixed")]
+            theirs = [f"{LETTERS[call.peer]} {_cost(rows, subject(call) + str(dimensions(call)), chip)}"
+                      for call in calls]
+            cells.append(f"{' / '.join(ours)}; {', '.join(theirs)}")
+        lines.append([noise, *cells])
+    return table(("noise", *(_head(name) for name in chips)), lines)
+
+
+def hash_table(rows: Mapping[tuple[str, str], Row]) -> str:
+    """What docs/default-hash.md has of the default hash."""
+    chips = comparing.shown(rows)
+    return table(("", *(_head(name) for name in chips)),
+                 [[title, *(_cost(rows, f"{id}.lattice", chip) for chip in chips)] for id, title in HASHED.items()])
+
+
+def quotes(rows: Mapping[tuple[str, str], Row]) -> list[str]:
+    """What the README says of Perlin noise beside FastNoiseLite's."""
+    def least_and_most(axes: int) -> str:
+        [call] = [call for call in CALLS if (call.noise, call.peer) == (f"Perlin {axes}D", "fastnoiselite")]
+        ratios = [float(rows[f"{call.ours}.lattice", chip].cost) / float(rows[f"{subject(call)}{axes}", chip].cost)
+                  for chip in comparing.shown(rows)]
+        return f"{min(ratios):.1f} to {max(ratios):.1f}"
+
+    return [f"{least_and_most(2)} times what FastNoiseLite's does in 2D, and {least_and_most(3)} in 3D"]
+
+
+def operation_table(rows: Sequence[Mapping[str, str]]) -> str:
+    prices = {(row["operation"], row["chip"]): (row["alone"], row["beside"]) for row in rows}
+    chips = [name for name in OF_OPERATIONS if any(row["chip"] == name for row in rows)]
+
+    def cell(chip: str, alone: str, beside: str) -> str:
+        if not alone or not beside:
+            return "none" if chip_named(chip).vendor.target else "fails"
+        numbers = [f"{float(price):.1f}".removesuffix(".0") for price in (alone, beside)]
+        return numbers[0] if numbers[0] == numbers[1] else " / ".join(numbers)
+
+    lines = [[f"{operation.title}: `{operation.step}`".replace("|", "\\|"),
+              *(cell(chip, *prices[operation.name, chip]) for chip in chips)] for operation in OPERATIONS]
+    return table(("operation", *(_head(name) for name in chips)), lines)
+
+
+def _head(name: str) -> str:
+    chip = chip_named(name)
+    return f"{chip.title}: {chip.vendor.unit}"
+
+
+def _cost(rows: Mapping[tuple[str, str], Row], id: str, chip: str) -> str:
+    row = rows[id, chip]
+    if row.problem:
+        return "fails"
+    told = row if "Loops" in chip_named(chip).vendor.kinds else rows[id, WITNESS]
+    waits = chip_named(chip).vendor.target and TABLES.search(row.kinds)
+    return row.cost + "*" * bool(LOOPS.search(told.kinds)) + "+" * bool(waits)

@@ -1,0 +1,108 @@
+"""Writes and reads the files of what was measured, costs.csv, operations.csv and chips.csv, and compares costs with
+earlier ones."""
+
+from __future__ import annotations
+
+import csv
+import math
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+from measure.gpu.chips import Chip, Vendor
+from measure.gpu.compiling import Compiled
+from measure.gpu.operations import CHAINS, LENGTHS, OPERATIONS, price, subject
+
+SURPLUS = re.compile(r"^Estimated | instructions$| Count$")  # in the names of statistics
+COSTS, OPERATION_COSTS, DEVICES = "costs.csv", "operations.csv", "chips.csv"
+
+
+class Row(NamedTuple):
+    """A shader on a chip. Cost, instructions and kinds are less those of the empty shader."""
+    id: str
+    chip: str
+    cost: str
+    instructions: str
+    kinds: str  # "VALU 93, SALU 3"
+    registers: str
+    spills: str
+    compile_ms: str  # of the processor; empty if many were compiled at once
+    problem: str  # why there is nothing else
+
+
+def row(id: str, chip: Chip, shader: Compiled, empty: Compiled) -> Row:
+    vendor = chip.vendor
+    problem = shader.problem or empty.problem or lacks(shader.statistics, vendor)
+    if problem:
+        return Row(id, chip.name, "", "", "", "", "", "", " ".join(problem.split()))
+
+    def more(name: str) -> float:
+        return shader.statistics.get(name, 0) - empty.statistics.get(name, 0)
+
+    kinds = ", ".join(f"{SURPLUS.sub('', name)} {more(name):g}" for name in vendor.kinds if more(name))
+    return Row(id, chip.name, f"{more(vendor.cost):g}", f"{more(vendor.instructions):g}", kinds,
+               f"{shader.statistics[vendor.registers]:g}",
+               f"{sum(shader.statistics.get(name, 0) for name in vendor.spills):g}",
+               "" if math.isnan(shader.seconds) else f"{shader.seconds * 1e3:.1f}", "")
+
+
+def lacks(statistics: Mapping[str, float], vendor: Vendor) -> str:
+    """Another version of a driver may have other names; 0 would be wrong then."""
+    missing = {vendor.cost, vendor.instructions, vendor.registers} - set(statistics)
+    return f"the driver tells no \"{min(missing)}\"" if missing else ""
+
+
+def prices(chip: Chip, shaders: Mapping[str, Compiled]) -> list[dict[str, str]]:
+    """The rows of operations.csv: what one costs in a chain that waits for it, and beside others."""
+    rows = []
+    for operation in OPERATIONS:
+        cells = []
+        for chains in CHAINS:
+            pair = [shaders[subject(operation, chains, length)] for length in LENGTHS]
+            bad = any(one.problem or lacks(one.statistics, chip.vendor) for one in pair)
+            cells.append("" if bad else f"{price(*(one.statistics[chip.vendor.cost] for one in pair), chains):.2f}")
+        # Instructions that are counted do not wait for each other.
+        rows.append({"operation": operation.name, "chip": chip.name, "alone": cells[0],
+                     "beside": cells[0 if chip.vendor.target else 1]})
+    return rows
+
+
+def write(path: Path, rows: Sequence[Mapping[str, str]]) -> None:
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        writer = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+
+
+def read(path: Path, columns: Sequence[str] = Row._fields) -> list[dict[str, str]]:
+    """ValueError if it is no such file."""
+    with open(path, newline="", encoding="utf-8") as file:
+        reader = csv.DictReader(file)
+        if list(reader.fieldnames or ()) != list(columns):
+            raise ValueError(f"{path}: the first line must be {','.join(columns)}, as tools/measure gpu writes it")
+        return list(reader)
+
+
+def read_costs(path: Path) -> dict[tuple[str, str], Row]:
+    rows = [Row(**found) for found in read(path)]
+    for number, found in enumerate(rows, 2):
+        try:
+            _ = found.problem or float(found.cost)
+        except (TypeError, ValueError):
+            raise ValueError(f"{path}:{number}: the cost is {found.cost!r}, and not a number") from None
+    return {(found.id, found.chip): found for found in rows}
+
+
+def dearer(before: Mapping[tuple[str, str], Row], now: Iterable[Row]) -> list[str]:
+    """What costs more than it did, or has no cost any more. Compilers repeat themselves, so that any growth counts."""
+    lines = []
+    for found in now:
+        was = before.get((found.id, found.chip))
+        if was is None or was.problem:
+            continue
+        if found.problem:
+            lines.append(f"FAILS {found.id} on {found.chip}: {found.problem}; it cost {was.cost}")
+        elif float(found.cost) > float(was.cost):
+            lines.append(f"DEARER {found.id} on {found.chip}: {found.cost}, was {was.cost}")
+    return lines

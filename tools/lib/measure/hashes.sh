@@ -1,0 +1,14 @@
+# shellcheck shell=bash
+# Starts hashes/command.py. Pictures need matplotlib, which is large, so it is asked for only where some are drawn.
+plots=(--plots)
+for argument in "$@"; do
+  case $argument in
+    --check | --hash* | --words* | --least | --dimensions* | --seeds* | --steps* | --help | -h) # they draw nothing
+      plots=()
+      break
+      ;;
+    --quick) plots=() ;;
+    --out | --out=*) plots=(--plots) && break ;; # what draws with --quick as well
+  esac
+done
+exec "$root/tools/scientific-python" "${plots[@]}" -m measure.hashes.command "$@"

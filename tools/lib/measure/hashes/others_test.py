@@ -1,0 +1,107 @@
+"""Tests of others.py: a shader's words are where the gate looks for them, and bad hashes are told from good ones."""
+
+from __future__ import annotations
+
+import argparse
+import contextlib
+import csv
+import io
+import tempfile
+import unittest
+from pathlib import Path
+from unittest import mock
+
+import numpy as np
+
+from measure.hashes import command, gate, library, others
+from measure.hashes.others import ORIGINS, Other
+from measure.likeness.renderer import Renderer
+from tree import ROOT
+
+SHADER = """
+#version 330
+#include "stand_in_odd.glsl"
+uint scrambled(uint k) { k ^= k >> 16; k *= ODD; k ^= k >> 15; k *= 0x846CA68Bu; return k ^ (k >> 16); }
+uint good(ivec2 c) { return scrambled(uint(c.x) + scrambled(uint(c.y))); }
+float striped(vec2 p) { return fract(p.x * 0.6180340); }
+"""
+
+
+class Others(unittest.TestCase):
+    folder: Path
+    renderer: Renderer
+
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = Path(folder.name)
+        (cls.folder / "stand_in_odd.glsl").write_text("#define ODD 0x7FEB352Du\n")
+        (cls.folder / "hashes.glsl").write_text(SHADER)
+        cls.renderer = Renderer(others.SIDE)
+        cls.twin = library.build("stage", [], ROOT / "include", cls.folder)
+
+    def other(self, expression: str) -> Other:
+        return Other.parse(f"theirs={self.folder / 'hashes.glsl'}:{expression}")
+
+    def words(self, expression: str, origin: tuple[int, ...]) -> np.ndarray:
+        program, kind = others.compiled(self.renderer, self.other(expression), len(origin))
+        return others.words_of(self.renderer, program, kind, origin)
+
+    def test_words_are_where_their_cells_are(self):
+        for origin, expression in ((ORIGINS[2][2], "uint(c.x) * 7919u + uint(c.y)"),
+                                   (ORIGINS[3][1], "uint(c.x) * 7919u + uint(c.y) * 104729u + uint(c.z)")):
+            words = self.words(expression, origin)
+            self.assertEqual(words.shape, (gate.SIDES[len(origin)],) * len(origin))
+            cells = np.indices(words.shape).astype(np.int64) + np.array(origin).reshape(-1, *[1] * len(origin))
+            factors = (7919, 1) if len(origin) == 2 else (7919, 104729, 1)
+            expected = sum(axis * factor for axis, factor in zip(cells, factors))
+            np.testing.assert_array_equal(words, expected & gate.WORD)
+
+    def test_a_float_gives_the_bits_of_gradients(self):
+        words = self.words("fract((p.x + 512.0) / 1024.0)", (-512, -512))
+        np.testing.assert_array_equal(words >> 22, np.broadcast_to(np.arange(1024)[:, None], (1024, 1024)))
+        self.assertGreater(len(np.unique(words & ~np.uint32(others.OF_GRADIENTS))), 1 << 15)  # the others are random
+
+    def judged(self, expression: str) -> list[str]:
+        findings = gate.judge_words(self.words(expression, (-512, -512))[:128, :128], self.twin)
+        return [finding.test for finding in findings if not finding.passed]
+
+    def test_a_good_hash_passes_and_a_bad_one_does_not(self):
+        self.assertEqual(self.judged("good(c)"), [])
+        self.assertIn("autocorrelation", self.judged("striped(p)"))
+
+    def test_the_command_tells_and_records_it(self):
+        given = f"theirs={self.folder / 'hashes.glsl'}:striped(p)"
+        small = {2: ORIGINS[2][:1]}
+        with mock.patch.object(others, "ORIGINS", small), contextlib.redirect_stdout(io.StringIO()) as told, \
+                mock.patch.object(others, "words_of", lambda *a, real=others.words_of: real(*a)[:128, :128]):
+            self.assertEqual(command.main(["--against", given, "--dimensions", "2", "--out", str(self.folder)]), 1)
+        self.assertRegex(told.getvalue(), r"^theirs 2D at -512, -512: fails \d+ of \d+ tests, such as ")
+        with open(self.folder / "hashes.csv", newline="", encoding="utf-8") as file:
+            row, = csv.DictReader(file)
+        self.assertEqual((row["hash"], row["dimensions"], row["origin"]), ("theirs", "2", "-512, -512"))
+        self.assertGreater(int(row["failed"]), 1)
+
+    def test_what_is_no_hash_is_told(self):
+        for text, problem in (("sine", "is not NAME=FILE:EXPRESSION"), ("s=none.glsl:random(p)", "no file none.glsl"),
+                              (f"s={self.folder / 'hashes.glsl'}:", "is not NAME=FILE:EXPRESSION"),
+                              (f"s/4={self.folder / 'hashes.glsl'}:p.x", "is not NAME=FILE:EXPRESSION")):
+            with self.assertRaisesRegex(argparse.ArgumentTypeError, problem):
+                Other.parse(text)
+        with self.assertRaisesRegex(others.BadExpression, "neither a uint nor a float.*(?s:.)*absent"):
+            others.judge(self.other("absent(p)"), (2, 3), self.twin, self.renderer)
+        given = f"theirs={self.folder / 'hashes.glsl'}:good(c)"
+        with contextlib.redirect_stderr(io.StringIO()) as told, self.assertRaises(SystemExit):
+            command.main(["--against", given, "--against", given.replace("=", "/3=", 1)])
+        self.assertIn("names theirs twice in 3D: write theirs/2=... and theirs/3=...", told.getvalue())
+
+    def test_a_hash_may_be_for_the_plane_alone(self):
+        plane = Other.parse(f"theirs/2={self.folder / 'hashes.glsl'}:good(c)")
+        with mock.patch.object(gate, "judge_words", return_value=[]):
+            results = others.judge(plane, (2, 3), self.twin, self.renderer)
+        self.assertEqual({judged.result.dimensions for judged in results}, {2})
+
+
+if __name__ == "__main__":
+    unittest.main()

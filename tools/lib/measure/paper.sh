@@ -1,0 +1,12 @@
+# shellcheck shell=bash
+# Reproduces what the paper shows: installs what is missing, builds, measures, and writes a page with pictures and data.
+#
+#   tools/measure paper [options of hn-conform paper]     into out/ on the driver osmesa, or --out and --driver
+#
+# Exit status: 0 done, 1 something could not be measured, 2 bad usage, 3 no usable driver, 4 it could not be built.
+help_if_asked "$build/conformance/hn-conform" paper -- "$@"
+refuse_unknown_options "$called" "$root/conformance/cli/options.cpp" -- "$@"
+runs=$(cost run paper)
+(($# == 0)) || [[ $# == 2 && $1 == --out ]] || runs=
+setup paper "$runs"
+exec "$build/conformance/hn-conform" paper "$@"
