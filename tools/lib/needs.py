@@ -19,7 +19,6 @@ def python(major, minor, *words):
     else:
         name = " ".join((name,) + words)
         another = "Another one is taken like this: python3.12 tools/%s" % name
-    sys.stderr.write("tools/%s needs Python %d.%d or later, and this is %d.%d (%s). %s
-"
+    sys.stderr.write("tools/%s needs Python %d.%d or later, and this is %d.%d (%s). %s\n"
                      % (name, major, minor, *sys.version_info[:2], sys.executable, another))
     sys.exit(4)
