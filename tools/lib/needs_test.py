@@ -13,11 +13,13 @@ import unittest
 from collections.abc import Iterator
 from pathlib import Path
 
+import modules
+from make.parts import PARTS
+from modules import LIB, imported
 from tree import TOOLS
 
-LIB = TOOLS / "lib"
-USERS = ("blender", "crate", "glsl-noise", "godot-addon", "isf", "materialx", "npm", "pick", "playground",
-         "single-file", "umbrella", "unity", "unreal", "wesl", "wgsl")
+USERS = ("blender", "crate", "glsl-noise", "godot-addon", "isf", "make", "materialx", "npm", "pick", "playground",
+         "single-file", "unity", "unreal", "wesl", "wgsl")
 WHAT = re.compile(r"^needs\.python\((3), (\d+)\)$", re.M)
 TYPES = {"bool", "bytes", "dict", "float", "frozenset", "int", "list", "set", "str", "tuple", "type"}
 # What Python has since 3.10 or later: modules and what they have, methods, and arguments of calls.
@@ -38,32 +40,7 @@ def files_of(command: str) -> dict[Path, str]:
     start = TOOLS / command
     if not start.read_text(encoding="utf-8").startswith("#!/usr/bin/env python3"):
         start = LIB / command / "command.py"  # what the command of the shell starts
-    found: dict[Path, str] = {}
-    left = [start]
-    while left:
-        path = left.pop()
-        if path not in found:
-            found[path] = path.read_text(encoding="utf-8")
-            left += imported(found[path])
-    return found
-
-
-@functools.cache
-def imported(text: str) -> tuple[Path, ...]:
-    return tuple(_imported(ast.parse(text)))
-
-
-def _imported(tree: ast.Module) -> Iterator[Path]:
-    for node in ast.walk(tree):
-        names = []
-        if isinstance(node, ast.Import):
-            names = [name.name for name in node.names]
-        elif isinstance(node, ast.ImportFrom) and node.module:
-            names = [node.module, *(f"{node.module}.{name.name}" for name in node.names)]
-        for name in names:
-            path = LIB.joinpath(*name.split(".")).with_suffix(".py")
-            if path.is_file():
-                yield path
+    return modules.files_of([start])
 
 
 @functools.cache
@@ -162,7 +139,7 @@ def call(python: str, *arguments: object) -> subprocess.CompletedProcess[str]:
 
 class Files(unittest.TestCase):
     def test_each_command_says_what_it_needs(self):
-        for name in {*of_python(), "npm"} - {"faults", "fuzz"}:  # these two import nothing of lib/
+        for name in {*of_python(), "npm"} - {"fuzz"}:  # which imports nothing of lib/
             with self.subTest(name):
                 self.assertEqual(needed(name), (3, 9) if name in USERS else (3, 11))
 
@@ -171,6 +148,11 @@ class Files(unittest.TestCase):
             for path, text in files_of(name).items():
                 with self.subTest(name, file=path.relative_to(TOOLS)):
                     self.assertEqual(later_than((3, 9), text), [])
+        for part in PARTS:
+            for path, text in modules.files_of([modules.path_of(part.module)]).items():
+                with self.subTest(part.name, file=path.relative_to(TOOLS)):
+                    self.assertEqual(later_than(part.python, text), [])
+        self.assertEqual([part.name for part in PARTS if part.python == (3, 9)], ["umbrella", "snippets", "picks"])
         self.assertGreater(len(files_of("crate")), 30)
         self.assertIn(LIB / "catalog" / "model.py", files_of("playground"))
 
@@ -179,7 +161,7 @@ class Files(unittest.TestCase):
             with self.subTest(name):
                 text = (TOOLS / name).read_text(encoding="utf-8")
                 ast.parse(text, feature_version=(3, 6) if name in USERS else (3, 8))
-                if name not in ("faults", "fuzz"):
+                if name != "fuzz":
                     self.assertNotIn("from __future__", text)
 
     def test_what_is_later_is_noticed(self):
@@ -214,18 +196,23 @@ class Running(unittest.TestCase):
                                       rf"Another one is taken like this: python3\.12 tools/{name}\n\Z")
 
     def test_as_if_python_were_too_old(self):
-        for name, version in (("pick", (3, 8)), ("umbrella", (3, 6)), ("golden", (3, 10)), ("mutate", (3, 8))):
+        for name, version in (("pick", (3, 8)), ("make", (3, 6)), ("wgsl", (3, 6)), ("mutate", (3, 8))):
             code = (f"import runpy, sys; sys.argv[0] = {str(TOOLS / name)!r}; sys.version_info = {(*version, 1)}; "
                     "runpy.run_path(sys.argv[0], run_name='__main__')")
             with self.subTest(name):
                 wanted = rf"3\.{needed(name)[1]}"
                 self.assert_told(call(sys.executable, "-c", code), name, wanted, rf"3\.{version[1]}")
 
+    def test_as_if_python_were_too_old_for_a_part(self):
+        code = (f"import runpy, sys; sys.argv = [{str(TOOLS / 'make')!r}, 'golden', '--check']; "
+                "sys.version_info = (3, 10, 1); runpy.run_path(sys.argv[0], run_name='__main__')")
+        self.assert_told(call(sys.executable, "-c", code), "make", r"3\.11", r"3\.10")
+
     @unittest.skipUnless(any((3, 6) <= version < (3, 9) for version in pythons()), "no Python 3.6 to 3.8 is here")
     def test_a_python_that_is_too_old(self):
         for (major, minor), python in pythons().items():
             if (3, 6) <= (major, minor) < (3, 9):
-                for name in ("pick", "umbrella", "wgsl", "peers"):
+                for name in ("pick", "make", "wgsl", "peers"):
                     with self.subTest(name, python=python):
                         self.assert_told(call(python, TOOLS / name, "--help"), name, r"3\.\d+", rf"{major}\.{minor}")
 
@@ -246,7 +233,7 @@ class Running(unittest.TestCase):
 
     @unittest.skipUnless(any((3, 9) <= version < (3, 11) for version in pythons()), "no Python 3.9 or 3.10 is here")
     def test_older_pythons_import_what_users_call(self):
-        modules = ", ".join(f"{name.replace('-', '_')}.command" for name in USERS if name != "umbrella")
+        modules = ", ".join(f"{name.replace('-', '_')}.command" for name in USERS)
         for version, python in pythons().items():
             if (3, 9) <= version < (3, 11):
                 with self.subTest(python=python):

@@ -6,6 +6,7 @@ import os
 import re
 import shutil
 import subprocess
+import sys
 import tempfile
 import unittest
 from pathlib import Path
@@ -18,7 +19,8 @@ COMMANDS = {"bake": ("src/bake/hn-bake", "--help"), "bench": (CONFORM, "bench --
             "bench-cpu": ("bench-cpu-g++/src/bench_cpu/hn-bench-cpu", "--help"),
             "conform": (CONFORM, "run --help"), "paper": (CONFORM, "paper --help")}
 # By tools/scientific-python, which finds no Python here that has what they import.
-SCIENTIFIC = ("bounds", "judge", "quality", "uniform")
+SCIENTIFIC = {"make bounds": "bounds", "judge": "judge", "quality": "quality", "uniform": "uniform"}
+OF_MAKE = ("needs.py", "modules.py", "tree.py", "usage.py", "make/command.py", "make/graph.py", "make/parts.py")
 
 
 class Machine(unittest.TestCase):
@@ -30,12 +32,19 @@ class Machine(unittest.TestCase):
         self.root = Path(scratch.name)
         tools = self.root / "tools"
         tools.mkdir()
-        for name in ("setup.sh", "progress.sh", "scientific-python", "test", *COMMANDS, *SCIENTIFIC):
+        for name in ("setup.sh", "progress.sh", "scientific-python", "test", *(name.split()[0] for name in SCIENTIFIC),
+                     *COMMANDS):
             shutil.copy(TOOLS / name, tools)
+        for name in OF_MAKE:
+            self.copy(f"tools/lib/{name}")
         # Whoever builds or installs something is noticed.
         self.programs = self.root / "programs"
         for name in ("cmake", "dpkg-query", "apt-get", "sudo"):
             self.write_program(self.programs / name, f"touch {self.root}/{name}.called; exit 1")
+
+    def copy(self, file: str) -> None:
+        (self.root / file).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(ROOT / file, self.root / file)
 
     def write_program(self, path: Path, command: str) -> None:
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -43,8 +52,10 @@ class Machine(unittest.TestCase):
         path.chmod(0o755)
 
     def call(self, name: str, *arguments: str) -> subprocess.CompletedProcess[str]:
-        return subprocess.run([self.root / "tools" / name, *arguments], capture_output=True, text=True, check=False,
-                              env={**os.environ, "PATH": f"{self.programs}:{os.environ['PATH']}"})
+        command, *part = name.split()
+        started = [sys.executable, "-B"] if command == "make" else []  # python3 of the PATH is one that knows nothing
+        return subprocess.run([*started, self.root / "tools" / command, *part, *arguments], capture_output=True, text=True,
+                              check=False, env={**os.environ, "PATH": f"{self.programs}:{os.environ['PATH']}"})
 
     def called(self) -> list[Path]:
         return list(self.root.glob("*.called"))
@@ -88,9 +99,8 @@ class WrongOptions(Machine):
         super().setUp()
         for file in ("conformance/cli/options.cpp", "src/bench_cpu/options.cpp",
                      *(f"src/bake/{path.name}" for path in (ROOT / "src/bake").glob("*.cpp")),
-                     *(f"tools/lib/{name}/command.py" for name in SCIENTIFIC)):
-            (self.root / file).parent.mkdir(parents=True, exist_ok=True)
-            shutil.copy(ROOT / file, self.root / file)
+                     *(f"tools/lib/{room}/command.py" for room in SCIENTIFIC.values())):
+            self.copy(file)
         for name in ("python3", "g++", "ninja", "ctest"):
             self.write_program(self.programs / name, f"touch {self.root}/{name}.called; exit 1")
 

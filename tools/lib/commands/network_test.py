@@ -19,12 +19,13 @@ from tree import ROOT, TOOLS
 
 SKIPPED = 77
 # {} is an empty folder. Those that install are conform, test, bench and what else setup.sh serves, what needs NumPy
-# (scientific-python), what has packages of npm, PyPI or cargo (npm, wheel, site), and gpu-costs --get-drivers.
-COMMANDS = (["blender", "{}"], ["catalog", "--check"], ["crate", "{}"], ["freeze", "--check"], ["glsl-noise", "{}"],
-            ["godot-addon", "{}"], ["golden", "--check", "--sample", "50"], ["isf", "{}"], ["materialx", "{}"],
-            ["pick", "hn_fbm2"], ["playground", "--out", "{}/page.html"], ["results", "--check", "--earlier"],
-            ["single-file", "--out", "{}/all.glsl"], ["umbrella", "--check"], ["unity", "{}"], ["unreal", "{}"],
-            ["vectors", "--check", "--sample", "60"], ["wesl", "{}"], ["wgsl", "noise2d.glsl"])
+# (scientific-python), what has packages of npm, PyPI or cargo (npm, wheel, make site), and gpu-costs --get-drivers.
+COMMANDS = (["blender", "{}"], ["crate", "{}"], ["glsl-noise", "{}"], ["godot-addon", "{}"], ["isf", "{}"],
+            ["make", "catalog", "--check"], ["make", "freeze", "--check"], ["make", "golden", "--check", "--sample", "50"],
+            ["make", "results", "--check", "--earlier"], ["make", "umbrella", "--check"],
+            ["make", "vectors", "--check", "--sample", "60"], ["materialx", "{}"],
+            ["pick", "hn_fbm2"], ["playground", "--out", "{}/page.html"], ["single-file", "--out", "{}/all.glsl"],
+            ["unity", "{}"], ["unreal", "{}"], ["wesl", "{}"], ["wgsl", "noise2d.glsl"])
 OF_CONFORM = (["run", "--filter", "noise2d.perlin.lattice.fast.*", "--out", "{}/out"], ["web", "--out", "{}/web"])
 OUTWARD = re.compile(r"connect\(.*AF_INET6?,(?!.*(?:\"127\.|\"::1\")).*")
 
