@@ -1,4 +1,4 @@
-// Made by tools/catalog. Of a steep noise there are slopes, and a steep sum needs them.
+// Made by tools/make catalog. Of a steep noise there are slopes, and a steep sum needs them.
 export const kCatalog = {
   noises: {
     perlin: { dimensions: [1, 2, 3, 4], phase: true, steep: true },

@@ -325,7 +325,7 @@ class Cli(unittest.TestCase):
                 (changed(text, lambda at: text[:at] + "\x9b1m\x07" + text[at:]), f"{path}:8: \"\\x9b1m\\x07"),
             "simplex": lambda path, text: (text[:-20].encode(), f"{path}:{text.count(chr(10))}: \""),
             "value_cell_period": lambda path, text:
-                ("folder", f"cannot read {path}: Is a directory; it is a golden file, and tools/golden writes it"),
+                ("folder", f"cannot read {path}: Is a directory; it is a golden file, and tools/make golden writes it"),
             "value_cubic": lambda path, text: ("missing", f"{path}"),
             "value_cubic_cell": lambda path, text:
                 (changed(text, lambda at: text[:at] + "z" + text[at:]), f"{path}:8: "),
@@ -355,7 +355,7 @@ class Cli(unittest.TestCase):
             with self.subTest(id):
                 message = cases[id]["message"]
                 self.assertIn(said, message)
-                self.assertIn("tools/golden", message)
+                self.assertIn("tools/make golden", message)
                 self.assert_printable(message)
                 self.assertLess(len(message), 500)
         self.assertIn(expected[ONE_CASE], done.stdout)

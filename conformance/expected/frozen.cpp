@@ -1,4 +1,4 @@
-// Checksums of the values that never change from version 1.0 on, for tools/freeze:
+// Checksums of the values that never change from version 1.0 on, for tools/make freeze:
 //
 //   hn-frozen COUNT [FUNCTION...]     all functions that have such values, or those
 //

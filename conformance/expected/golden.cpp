@@ -285,9 +285,9 @@ std::filesystem::path golden_path(const std::filesystem::path& directory, const 
 
 Result<Golden> read_golden(const std::filesystem::path& path, const Function& function,
                            const Configuration& configuration) {
-  HN_TRY(const auto text, read_file(path, "it is a golden file, and tools/golden writes it"));
+  HN_TRY(const auto text, read_file(path, "it is a golden file, and tools/make golden writes it"));
   auto golden = parse_golden(text, path.string(), function, configuration);
-  if (!golden) return fail(fmt::format("{}; tools/golden writes golden files", golden.error().message));
+  if (!golden) return fail(fmt::format("{}; tools/make golden writes golden files", golden.error().message));
   return golden;
 }
 

@@ -189,7 +189,7 @@ TEST(Golden, OneBrokenFileIsNamedWithTheToolThatWritesIt) {
   ASSERT_FALSE(golden);
   const std::string& message = golden.error().message;
   EXPECT_NE(message.find("x.golden:1: \"\\x00"), std::string::npos) << message;
-  EXPECT_NE(message.find("2985 bytes more should be \"hashnoise golden 2\"; tools/golden"), std::string::npos)
+  EXPECT_NE(message.find("2985 bytes more should be \"hashnoise golden 2\"; tools/make golden"), std::string::npos)
       << message;
   EXPECT_FALSE(read_golden(folder.path(), find_function("hash.word"), configuration_named("pcg")));
 }

@@ -1,5 +1,5 @@
 // How far hn_gullies may be off in floats, given what is proven of the waves of its octaves. The proof stands in
-// gullies.cpp. tools/bounds compiles that, too.
+// gullies.cpp. tools/make bounds compiles that, too.
 #pragma once
 
 #include "expected/sum_bounds.hpp"
@@ -7,7 +7,7 @@
 namespace hn {
 
 // What is proven of phasor noise at a place of a cell, for waves that are shorter than 3/2, and of its derivatives
-// (bounds.inc, which tools/bounds writes).
+// (bounds.inc, which tools/make bounds writes).
 struct GulliesBounds {
   double value;            // the error
   double lipschitz;        // how fast it changes: the error per error of the position

@@ -1,5 +1,6 @@
 // How far an octave sum of floats may be from the exact one, given what is proven of its noise. The proofs stand in
-// sum_bounds.cpp. tools/bounds compiles that, too, so both include the standard library and what tools/catalog makes.
+// sum_bounds.cpp. tools/make bounds compiles that, too, so both include the standard library and what tools/make
+// catalog makes.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// How far a float result may be from the exact value: the bounds that tools/bounds derives (docs/accuracy.md).
+// How far a float result may be from the exact value: the bounds that tools/make bounds derives (docs/accuracy.md).
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace hn {
 
-// What is proven of a noise of so many axes, or of a component of its derivative (bounds.inc, which tools/bounds
+// What is proven of a noise of so many axes, or of a component of its derivative (bounds.inc, which tools/make bounds
 // writes).
 struct NoiseBounds {
   std::string_view noise;

@@ -1,4 +1,4 @@
-// How far results may be from the exact values, for tools/vectors. It answers each line
+// How far results may be from the exact values, for tools/make vectors. It answers each line
 //
 //   CONFIGURATION FUNCTION WORD...     the input words of a point, in hexadecimal
 //

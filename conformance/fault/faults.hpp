@@ -28,8 +28,8 @@ struct Fault {
 std::span<const Fault> all_faults();
 const Fault* find_fault(std::string_view name);
 std::string fault_names();  // "abs_int, ..."
-// For people, and for tools/faults: the name of each, and below it lines such as "  injected: abs returns an int as
-// it is".
+// For people, and for tools/make faults: the name of each, and below it lines such as "  injected: abs returns an int
+// as it is".
 std::string fault_list();
 
 // The shader with the fault, its lines numbered as before.

@@ -20,7 +20,8 @@ HN_FN hn_i_rank hn_i_border(hn_i_rank best, hn_uvec3 words, hn_i_num3 x, hn_i_nu
 }
 
 // The distance to the border, given the smallest ranks. The cells beside the block are needed as well: where a place is
-// at the wall of its own cell, the cell two steps on may share the nearest border with the nearest one (tools/bounds).
+// at the wall of its own cell, the cell two steps on may share the nearest border with the nearest one
+// (tools/make bounds).
 HN_FN hn_float hn_i_cell_border(hn_i_block2 block, hn_uvec2 two, hn_i_num2 d, hn_i_num jitter, hn_uint seed,
                                 hn_i_rank4 nearest) {
   hn_i_num2 from = hn_i_from_nearest(block, d, jitter, seed, nearest.w);
@@ -43,7 +44,7 @@ HN_FN hn_float hn_i_cell_border(hn_i_block2 block, hn_uvec2 two, hn_i_num2 d, hn
   return hn_i_border_distance(best);
 }
 
-// The same in every dimension: tools/umbrella makes it of cell_border2d.glsl.
+// The same in every dimension: tools/make writes it of cell_border2d.glsl.
 
 HN_FN hn_float hn_i_cell_border(hn_place2 place, hn_i_num jitter, hn_uint seed) {
   hn_i_block2 block = hn_i_block(place);
@@ -80,7 +81,7 @@ HN_FN hn_float hn_cell_border(hn_place2 place, hn_uint seed) {
   return hn_i_cell_border(place, hn_i_jitter(1.0f), seed);
 }
 
-// The same in every dimension: tools/umbrella makes it of cell_border2d.glsl.
+// The same in every dimension: tools/make writes it of cell_border2d.glsl.
 
 HN_FN hn_float hn_cell_border(hn_vec2 p, hn_uint seed) { return hn_cell_border(hn_place(p), seed); }
 HN_FN hn_float hn_cell_border(hn_vec2 p) { return hn_cell_border(p, 0u); }

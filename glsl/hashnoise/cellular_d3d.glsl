@@ -29,7 +29,7 @@ HN_FN hn_vec4 hn_cellular_d(hn_place3 place, hn_uint seed) {
   return hn_i_cellular_d(hn_i_block(place), place.fraction, hn_i_jitter(1.0f), seed);
 }
 
-// The same in every dimension: tools/umbrella makes it of cellular_d2d.glsl.
+// The same in every dimension: tools/make writes it of cellular_d2d.glsl.
 
 HN_FN hn_vec4 hn_cellular_d(hn_vec3 p, hn_uint seed) { return hn_cellular_d(hn_place(p), seed); }
 HN_FN hn_vec4 hn_cellular_d(hn_vec3 p) { return hn_cellular_d(p, 0u); }

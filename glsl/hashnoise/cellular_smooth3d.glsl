@@ -56,7 +56,7 @@ HN_FN hn_float hn_cellular_smooth(hn_place3 place, hn_uint seed) {
   return hn_i_cellular_smooth(hn_i_block(place), place.fraction, hn_i_jitter(1.0f), seed);
 }
 
-// The same in every dimension: tools/umbrella makes it of cellular_smooth2d.glsl.
+// The same in every dimension: tools/make writes it of cellular_smooth2d.glsl.
 
 HN_FN hn_float hn_cellular_smooth(hn_vec3 p, hn_uint seed) { return hn_cellular_smooth(hn_place(p), seed); }
 HN_FN hn_float hn_cellular_smooth(hn_vec3 p) { return hn_cellular_smooth(p, 0u); }

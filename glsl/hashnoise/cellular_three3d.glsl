@@ -49,7 +49,7 @@ HN_FN hn_vec3 hn_cellular_three(hn_place3 place, hn_uint seed) {
   return hn_i_cellular_three(place, hn_i_jitter(1.0f), HN_METRIC_EUCLIDEAN, seed);
 }
 
-// The same in every dimension: tools/umbrella makes it of cellular_three2d.glsl.
+// The same in every dimension: tools/make writes it of cellular_three2d.glsl.
 
 HN_FN hn_vec3 hn_cellular_three(hn_vec3 p, hn_uint seed) { return hn_cellular_three(hn_place(p), seed); }
 HN_FN hn_vec3 hn_cellular_three(hn_vec3 p) { return hn_cellular_three(p, 0u); }

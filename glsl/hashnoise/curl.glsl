@@ -1,4 +1,4 @@
-// hashnoise: curl in 2D and 3D. Made by tools/umbrella.
+// hashnoise: curl in 2D and 3D. Made by tools/make.
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_CURL_GLSL

@@ -1,4 +1,4 @@
-// hashnoise: fbm in 1D and 2D and 3D and 4D. Made by tools/umbrella.
+// hashnoise: fbm in 1D and 2D and 3D and 4D. Made by tools/make.
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_FBM_GLSL

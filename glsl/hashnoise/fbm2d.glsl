@@ -8,7 +8,7 @@
 #include "perlin2d.glsl"
 
 // Sums over hn_perlin. Over another noise, or over your own, write the same loop (octaves2d.glsl).
-// tools/catalog: loops
+// tools/make catalog: loops
 HN_FN hn_float hn_i_fbm(hn_octaves2 o) {
   do hn_add(o, hn_perlin(o.place, o.seed)); while (hn_next(o));
   return hn_mean(o);
@@ -41,7 +41,7 @@ HN_FN hn_float hn_i_weighted(hn_octaves2 o, hn_float strength) {
   do hn_add_weighted(o, hn_perlin(o.place, o.seed), strength); while (hn_next(o));
   return hn_i_value(hn_i_bounded(hn_i_mean(o.sum)));
 }
-// tools/catalog: end
+// tools/make catalog: end
 
 // Each sum has three forms, and with a strength the last two:
 //
@@ -102,7 +102,7 @@ HN_FN hn_float hn_fbm(hn_vec2 p, hn_float footprint, hn_int octaves, hn_float la
   return hn_mean(o);
 }
 
-// tools/catalog: forms
+// tools/make catalog: forms
 
 // Turbulence: the mean of the octaves' absolute values. Use it for marble and fire.
 //   (parameters, period and cost as for hn_fbm)
@@ -213,6 +213,6 @@ HN_FN hn_float hn_weighted(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_fl
                            hn_uint seed) {
   return hn_i_weighted(hn_octaves(p, octaves, lacunarity, gain, seed), strength);
 }
-// tools/catalog: end
+// tools/make catalog: end
 
 #endif

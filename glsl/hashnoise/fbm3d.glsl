@@ -1,7 +1,7 @@
 // hashnoise: octave sums over a noise in space.
 // SPDX-License-Identifier: MIT
 //
-// Made from fbm2d.glsl by tools/umbrella.
+// Made from fbm2d.glsl by tools/make.
 
 #ifndef HN_FBM3D_GLSL
 #define HN_FBM3D_GLSL
@@ -10,7 +10,7 @@
 #include "perlin3d.glsl"
 
 // Sums over hn_perlin. Over another noise, or over your own, write the same loop (octaves3d.glsl).
-// tools/catalog: loops
+// tools/make catalog: loops
 HN_FN hn_float hn_i_fbm(hn_octaves3 o) {
   do hn_add(o, hn_perlin(o.place, o.seed)); while (hn_next(o));
   return hn_mean(o);
@@ -43,7 +43,7 @@ HN_FN hn_float hn_i_weighted(hn_octaves3 o, hn_float strength) {
   do hn_add_weighted(o, hn_perlin(o.place, o.seed), strength); while (hn_next(o));
   return hn_i_value(hn_i_bounded(hn_i_mean(o.sum)));
 }
-// tools/catalog: end
+// tools/make catalog: end
 
 // Each sum has three forms, and with a strength the last two:
 //
@@ -104,7 +104,7 @@ HN_FN hn_float hn_fbm(hn_vec3 p, hn_float footprint, hn_int octaves, hn_float la
   return hn_mean(o);
 }
 
-// tools/catalog: forms
+// tools/make catalog: forms
 
 // Turbulence: the mean of the octaves' absolute values. Use it for marble and fire.
 //   (parameters, period and cost as for hn_fbm)
@@ -215,6 +215,6 @@ HN_FN hn_float hn_weighted(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_fl
                            hn_uint seed) {
   return hn_i_weighted(hn_octaves(p, octaves, lacunarity, gain, seed), strength);
 }
-// tools/catalog: end
+// tools/make catalog: end
 
 #endif

@@ -1,7 +1,7 @@
 // hashnoise: octave sums over a noise in four dimensions.
 // SPDX-License-Identifier: MIT
 //
-// Made from fbm2d.glsl by tools/umbrella.
+// Made from fbm2d.glsl by tools/make.
 
 #ifndef HN_FBM4D_GLSL
 #define HN_FBM4D_GLSL
@@ -13,7 +13,7 @@
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
 
 // Sums over hn_perlin. Over another noise, or over your own, write the same loop (octaves4d.glsl).
-// tools/catalog: loops
+// tools/make catalog: loops
 HN_FN hn_float hn_i_fbm(hn_octaves4 o) {
   do hn_add(o, hn_perlin(o.place, o.seed)); while (hn_next(o));
   return hn_mean(o);
@@ -46,7 +46,7 @@ HN_FN hn_float hn_i_weighted(hn_octaves4 o, hn_float strength) {
   do hn_add_weighted(o, hn_perlin(o.place, o.seed), strength); while (hn_next(o));
   return hn_i_value(hn_i_bounded(hn_i_mean(o.sum)));
 }
-// tools/catalog: end
+// tools/make catalog: end
 
 // Each sum has three forms, and with a strength the last two:
 //
@@ -107,7 +107,7 @@ HN_FN hn_float hn_fbm(hn_vec4 p, hn_float footprint, hn_int octaves, hn_float la
   return hn_mean(o);
 }
 
-// tools/catalog: forms
+// tools/make catalog: forms
 
 // Turbulence: the mean of the octaves' absolute values. Use it for marble and fire.
 //   (parameters, period and cost as for hn_fbm)
@@ -218,7 +218,7 @@ HN_FN hn_float hn_weighted(hn_vec4 p, hn_int octaves, hn_float lacunarity, hn_fl
                            hn_uint seed) {
   return hn_i_weighted(hn_octaves(p, octaves, lacunarity, gain, seed), strength);
 }
-// tools/catalog: end
+// tools/make catalog: end
 
 #endif
 #endif

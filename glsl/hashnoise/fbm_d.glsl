@@ -1,4 +1,4 @@
-// hashnoise: fbm_d in 2D and 3D. Made by tools/umbrella.
+// hashnoise: fbm_d in 2D and 3D. Made by tools/make.
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_FBM_D_GLSL

@@ -1,4 +1,4 @@
-// hashnoise: gullies in 2D. Made by tools/umbrella.
+// hashnoise: gullies in 2D. Made by tools/make.
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_GULLIES_GLSL

@@ -332,7 +332,7 @@ HN_FN hn_uint hn_i_word(hn_uvec2 c, hn_uint join, hn_uint sum) {
   hn_uvec2 j = hn_i_high(c);
   return hn_i_word(j.x ^ j.y ^ join, hn_i_odd(hn_i_sum(c) + sum));
 }
-// The same in 1, 3 and 4 dimensions: tools/umbrella makes it.
+// The same in 1, 3 and 4 dimensions: tools/make writes it.
 HN_FN hn_uint hn_i_word(hn_uint c, hn_uint join, hn_uint sum) {
   hn_uint j = hn_i_high(c);
   return hn_i_word(j ^ join, hn_i_odd(hn_i_sum(c) + sum));
@@ -348,20 +348,20 @@ HN_FN hn_uint hn_i_word(hn_uvec4 c, hn_uint join, hn_uint sum) {
 
 // The word of a point to which nothing but the mixed seed s adds.
 HN_FN hn_uint hn_i_seeded_word(hn_uvec2 c, hn_uint s) { return hn_i_word(c, hn_i_seed_join(s), s); }
-// The same in 1, 3 and 4 dimensions: tools/umbrella makes it.
+// The same in 1, 3 and 4 dimensions: tools/make writes it.
 HN_FN hn_uint hn_i_seeded_word(hn_uint c, hn_uint s) { return hn_i_word(c, hn_i_seed_join(s), s); }
 HN_FN hn_uint hn_i_seeded_word(hn_uvec3 c, hn_uint s) { return hn_i_word(c, hn_i_seed_join(s), s); }
 HN_FN hn_uint hn_i_seeded_word(hn_uvec4 c, hn_uint s) { return hn_i_word(c, hn_i_seed_join(s), s); }
 
 HN_FN hn_uint hn_i_point(hn_uvec2 cell, hn_uint seed) { return hn_i_seeded_word(hn_i_spread(cell), hn_i_mix(seed)); }
-// The same in 1, 3 and 4 dimensions: tools/umbrella makes it.
+// The same in 1, 3 and 4 dimensions: tools/make writes it.
 HN_FN hn_uint hn_i_point(hn_uint cell, hn_uint seed) { return hn_i_seeded_word(hn_i_spread(cell), hn_i_mix(seed)); }
 HN_FN hn_uint hn_i_point(hn_uvec3 cell, hn_uint seed) { return hn_i_seeded_word(hn_i_spread(cell), hn_i_mix(seed)); }
 HN_FN hn_uint hn_i_point(hn_uvec4 cell, hn_uint seed) { return hn_i_seeded_word(hn_i_spread(cell), hn_i_mix(seed)); }
 
 // hn_lattice of spread coordinates and the mixed seed s.
 HN_FN hn_uint hn_i_lattice(hn_uvec2 c, hn_uint s) { return hn_i_mix(hn_i_seeded_word(c, s) + (hn_i_sum(c) + s)); }
-// The same in 1, 3 and 4 dimensions: tools/umbrella makes it.
+// The same in 1, 3 and 4 dimensions: tools/make writes it.
 HN_FN hn_uint hn_i_lattice(hn_uint c, hn_uint s) { return hn_i_mix(hn_i_seeded_word(c, s) + (hn_i_sum(c) + s)); }
 HN_FN hn_uint hn_i_lattice(hn_uvec3 c, hn_uint s) { return hn_i_mix(hn_i_seeded_word(c, s) + (hn_i_sum(c) + s)); }
 HN_FN hn_uint hn_i_lattice(hn_uvec4 c, hn_uint s) { return hn_i_mix(hn_i_seeded_word(c, s) + (hn_i_sum(c) + s)); }
@@ -376,13 +376,13 @@ HN_FN hn_uint hn_i_lattice(hn_uvec4 c, hn_uint s) { return hn_i_mix(hn_i_seeded_
 //   cost     1 hash (none with HN_HASH_LATTICE); 1 multiplication per axis and 3 more; 2 more for a seed that is not
 //            constant
 HN_FN hn_uint hn_lattice(hn_ivec2 cell, hn_uint seed) { return hn_i_lattice(hn_i_spread(uvec2(cell)), hn_i_mix(seed)); }
-// The same in 1, 3 and 4 dimensions: tools/umbrella makes it.
+// The same in 1, 3 and 4 dimensions: tools/make writes it.
 HN_FN hn_uint hn_lattice(hn_int cell, hn_uint seed) { return hn_i_lattice(hn_i_spread(uint(cell)), hn_i_mix(seed)); }
 HN_FN hn_uint hn_lattice(hn_ivec3 cell, hn_uint seed) { return hn_i_lattice(hn_i_spread(uvec3(cell)), hn_i_mix(seed)); }
 HN_FN hn_uint hn_lattice(hn_ivec4 cell, hn_uint seed) { return hn_i_lattice(hn_i_spread(uvec4(cell)), hn_i_mix(seed)); }
 
 HN_FN hn_uint hn_lattice(hn_ivec2 cell) { return hn_lattice(cell, 0u); }
-// The same in 1, 3 and 4 dimensions: tools/umbrella makes it.
+// The same in 1, 3 and 4 dimensions: tools/make writes it.
 HN_FN hn_uint hn_lattice(hn_int cell) { return hn_lattice(cell, 0u); }
 HN_FN hn_uint hn_lattice(hn_ivec3 cell) { return hn_lattice(cell, 0u); }
 HN_FN hn_uint hn_lattice(hn_ivec4 cell) { return hn_lattice(cell, 0u); }

@@ -1,4 +1,4 @@
-// hashnoise: the whole library. Made by tools/umbrella.
+// hashnoise: the whole library. Made by tools/make.
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_HASHNOISE_GLSL

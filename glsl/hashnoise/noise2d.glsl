@@ -1,4 +1,4 @@
-// hashnoise: all noise in 2D. Made by tools/umbrella.
+// hashnoise: all noise in 2D. Made by tools/make.
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_NOISE2D_GLSL

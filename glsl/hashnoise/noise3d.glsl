@@ -1,4 +1,4 @@
-// hashnoise: all noise in 3D. Made by tools/umbrella.
+// hashnoise: all noise in 3D. Made by tools/make.
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_NOISE3D_GLSL

@@ -1,4 +1,4 @@
-// hashnoise: octaves in 1D and 2D and 3D and 4D. Made by tools/umbrella.
+// hashnoise: octaves in 1D and 2D and 3D and 4D. Made by tools/make.
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_OCTAVES_GLSL

@@ -6,7 +6,7 @@
 
 #include "detail/octave.glsl"
 
-// The same beyond the line: tools/umbrella makes it of octaves2d.glsl.
+// The same beyond the line: tools/make writes it of octaves2d.glsl.
 
 // The octaves of a sum, one after another, over any noise:
 //
@@ -102,7 +102,7 @@ HN_FN void hn_i_advance(HN_I_INOUT(hn_octaves3) o) {
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// The same in every dimension: tools/umbrella makes it of octaves2d.glsl.
+// The same in every dimension: tools/make writes it of octaves2d.glsl.
 
 // The octaves of a sum, with the place and the seed of the first one.
 //   p           position, in cells of the first octave; (|p| + 1) * lacunarity^octaves < 2^23, for a lacunarity of 2
@@ -189,7 +189,7 @@ HN_FN bool hn_next(HN_I_INOUT(hn_octaves3) o) {
   return more;
 }
 
-// tools/catalog: steps
+// tools/make catalog: steps
 
 // Add the noise of an octave: as it is (hn_fbm, hn_clouds); its absolute value (hn_turbulence); a crest where it is 0
 // (hn_ridged); its height above -1, as far as that of the octave before lets it (hn_hybrid); folded up and down between
@@ -212,7 +212,7 @@ HN_FN void hn_add_ping_pong(HN_I_INOUT(hn_octaves3) o, hn_float n, hn_float stre
 HN_FN void hn_add_weighted(HN_I_INOUT(hn_octaves3) o, hn_float n, hn_float strength) {
   o.sum = hn_i_add_bent(o.sum, n, strength);
 }
-// tools/catalog: end
+// tools/make catalog: end
 
 // Add the noise of an octave as it is, and as much of it as a detail or a footprint leaves.
 //   n         the noise, of which hn_add_detail and hn_add_footprint take what is beyond [-1, 1], as hn_add does

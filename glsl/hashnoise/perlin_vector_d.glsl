@@ -1,4 +1,4 @@
-// hashnoise: perlin_vector_d in 2D and 3D. Made by tools/umbrella.
+// hashnoise: perlin_vector_d in 2D and 3D. Made by tools/make.
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_PERLIN_VECTOR_D_GLSL

@@ -1,4 +1,4 @@
-// hashnoise: perlin_worley in 3D. Made by tools/umbrella.
+// hashnoise: perlin_worley in 3D. Made by tools/make.
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_PERLIN_WORLEY_GLSL

@@ -31,7 +31,7 @@ struct hn_place2 {
   hn_ivec2 period;
   bool tiled;
 };
-// The same in 1, 3 and 4 dimensions: tools/umbrella makes it.
+// The same in 1, 3 and 4 dimensions: tools/make writes it.
 struct hn_place1 {
   HN_I_MADE(hn_place1)
   hn_int cell;
@@ -81,7 +81,7 @@ HN_FN hn_place2 hn_i_place(hn_ivec2 cell, hn_i_num2 fraction, hn_ivec2 rest) {
   place.tiled = false;
   return place;
 }
-// The same in 1, 3 and 4 dimensions: tools/umbrella makes it.
+// The same in 1, 3 and 4 dimensions: tools/make writes it.
 HN_FN hn_place1 hn_i_place(hn_int cell, hn_i_num fraction, hn_int rest) {
   HN_I_NEW(hn_place1, place);
   place.cell = cell;
@@ -123,7 +123,7 @@ HN_FN hn_place2 hn_place(hn_ivec2 cell, hn_vec2 f) {
   return hn_i_place(cell, hn_i_to_num(f),
                     ivec2(HN_I_REST(hn_i_rest_of_fraction(f.x)), HN_I_REST(hn_i_rest_of_fraction(f.y))));
 }
-// The same in 1, 3 and 4 dimensions: tools/umbrella makes it.
+// The same in 1, 3 and 4 dimensions: tools/make writes it.
 HN_FN hn_place1 hn_place(hn_int cell, hn_float f) {
   return hn_i_place(cell, hn_i_to_num(f), HN_I_REST(hn_i_rest_of_fraction(f)));
 }
@@ -145,7 +145,7 @@ HN_FN hn_place4 hn_place(hn_ivec4 cell, hn_vec4 f) {
 //   cost     none
 //   source   as above
 HN_FN hn_place2 hn_place(hn_ivec2 cell) { return hn_i_place(cell, hn_i_to_num(vec2(0.0f, 0.0f)), ivec2(0, 0)); }
-// The same in 1, 3 and 4 dimensions: tools/umbrella makes it.
+// The same in 1, 3 and 4 dimensions: tools/make writes it.
 HN_FN hn_place1 hn_place(hn_int cell) { return hn_i_place(cell, hn_i_to_num(0.0f), 0); }
 HN_FN hn_place3 hn_place(hn_ivec3 cell) {
   return hn_i_place(cell, hn_i_to_num(vec3(0.0f, 0.0f, 0.0f)), ivec3(0, 0, 0));
@@ -164,7 +164,7 @@ HN_FN hn_place2 hn_place(hn_vec2 p) {
   return hn_i_place(hn_i_cell(p), hn_i_fraction(p),
                     ivec2(HN_I_REST(hn_i_rest_of_position(p.x)), HN_I_REST(hn_i_rest_of_position(p.y))));
 }
-// The same in 1, 3 and 4 dimensions: tools/umbrella makes it.
+// The same in 1, 3 and 4 dimensions: tools/make writes it.
 HN_FN hn_place1 hn_place(hn_float p) {
   return hn_i_place(hn_i_cell(p), hn_i_fraction(p), HN_I_REST(hn_i_rest_of_position(p)));
 }
@@ -196,7 +196,7 @@ HN_FN hn_place2 hn_tile(hn_place2 place, hn_ivec2 period) {
   return tile;
 }
 HN_FN hn_place2 hn_tile(hn_vec2 p, hn_ivec2 period) { return hn_tile(hn_place(p), period); }
-// The same in 1, 3 and 4 dimensions: tools/umbrella makes it.
+// The same in 1, 3 and 4 dimensions: tools/make writes it.
 HN_FN hn_place1 hn_tile(hn_place1 place, hn_int period) {
   hn_place1 tile = place;
   tile.period = period;
@@ -239,7 +239,7 @@ HN_FN hn_vec2 hn_position(hn_place2 place) {
   return vec2(hn_i_position_of(place.cell.x, place.fraction.x, place.rest.x),
               hn_i_position_of(place.cell.y, place.fraction.y, place.rest.y));
 }
-// The same in 1, 3 and 4 dimensions: tools/umbrella makes it.
+// The same in 1, 3 and 4 dimensions: tools/make writes it.
 HN_FN hn_float hn_position(hn_place1 place) {
   return hn_i_position_of(place.cell, place.fraction, place.rest);
 }

@@ -1,7 +1,7 @@
 // hashnoise: random numbers of cells, in four dimensions.
 // SPDX-License-Identifier: MIT
 //
-// Made from random2d.glsl by tools/umbrella.
+// Made from random2d.glsl by tools/make.
 
 #ifndef HN_RANDOM4D_GLSL
 #define HN_RANDOM4D_GLSL

@@ -6,7 +6,7 @@
 
 #include "detail/triangular_lattice.glsl"
 
-// A sum of weighted ramps is at most 1024 / 3081 (tools/bounds).
+// A sum of weighted ramps is at most 1024 / 3081 (tools/make bounds).
 HN_FN hn_i_num hn_i_scaled_smooth2(hn_i_num n) { return hn_i_scaled(n, 3081); }
 
 // The noise in the numbers of HN_ARITHMETIC, from the words of two neighbours in the lower row and of two in the upper

@@ -10,7 +10,7 @@
 // one is as far away, or farther: the squares of both distances sum to 3/2 or more. So of each kind of points four are
 // enough: one end of each diagonal of the cube around the place, whichever is nearer.
 
-// A sum of weighted ramps is at most 1024 / 4279 (tools/bounds).
+// A sum of weighted ramps is at most 1024 / 4279 (tools/make bounds).
 HN_FN hn_i_num hn_i_scaled_smooth3(hn_i_num n) { return hn_i_scaled(n, 4279); }
 
 // The share of a neighbour of the nearest point in the noise: the one along an axis, or the opposite end of its

@@ -1,4 +1,4 @@
-// hashnoise: warp in 2D and 3D. Made by tools/umbrella.
+// hashnoise: warp in 2D and 3D. Made by tools/make.
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_WARP_GLSL

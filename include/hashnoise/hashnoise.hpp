@@ -177,7 +177,7 @@ HN_ONLY_TYPES_OF_GLSL(hn_spread_fbm)
 HN_ONLY_TYPES_OF_GLSL(hn_uniform)
 HN_ONLY_TYPES_OF_GLSL(hn_uniform_d)
 HN_ONLY_TYPES_OF_GLSL(hn_density)
-// tools/catalog: noises and sums
+// tools/make catalog: noises and sums
 HN_ONLY_TYPES_OF_GLSL(hn_add)
 HN_ONLY_TYPES_OF_GLSL(hn_add_turbulence)
 HN_ONLY_TYPES_OF_GLSL(hn_add_ridged)
@@ -219,7 +219,7 @@ HN_ONLY_TYPES_OF_GLSL(hn_perlin_d)
 HN_ONLY_TYPES_OF_GLSL(hn_fbm_d)
 HN_ONLY_TYPES_OF_GLSL(hn_eroded)
 #endif
-// tools/catalog: end
+// tools/make catalog: end
 }
 }
 }

@@ -13,11 +13,13 @@ import unittest
 from collections.abc import Iterator
 from pathlib import Path
 
+import modules
+from make.parts import PARTS
+from modules import LIB, imported
 from ship.recipes import RECIPES
 from tree import TOOLS
 
-LIB = TOOLS / "lib"
-USERS = ("pack", "pick", "playground", "single-file", "umbrella", "wgsl")
+USERS = ("make", "pack", "pick", "playground", "single-file", "wgsl")
 # What tools/pack imports by the names of its recipes. A release is what works on the project.
 OF_PACK = tuple(path for name, recipe in RECIPES.items() if recipe.python == (3, 9)
                 for path in sorted((LIB / "ship" / name.replace("-", "_")).glob("*.py"))
@@ -39,32 +41,10 @@ LATER_ARGUMENTS = {"zip": {"strict"}, "dataclass": {"kw_only", "slots"}, "write_
 
 def files_of(command: str) -> dict[Path, str]:
     """The command, and all of lib/ that it imports, now or later."""
-    found: dict[Path, str] = {}
-    left = [TOOLS / command, *(OF_PACK if command == "pack" else ())]
-    while left:
-        path = left.pop()
-        if path not in found:
-            found[path] = path.read_text(encoding="utf-8")
-            left += imported(found[path])
-    return found
-
-
-@functools.cache
-def imported(text: str) -> tuple[Path, ...]:
-    return tuple(_imported(ast.parse(text)))
-
-
-def _imported(tree: ast.Module) -> Iterator[Path]:
-    for node in ast.walk(tree):
-        names = []
-        if isinstance(node, ast.Import):
-            names = [name.name for name in node.names]
-        elif isinstance(node, ast.ImportFrom) and node.module:
-            names = [node.module, *(f"{node.module}.{name.name}" for name in node.names)]
-        for name in names:
-            path = LIB.joinpath(*name.split(".")).with_suffix(".py")
-            if path.is_file():
-                yield path
+    start = TOOLS / command
+    if not start.read_text(encoding="utf-8").startswith("#!/usr/bin/env python3"):
+        start = LIB / command / "command.py"  # what the command of the shell starts
+    return modules.files_of([start, *(OF_PACK if command == "pack" else ())])
 
 
 @functools.cache
@@ -160,7 +140,7 @@ def call(python: str, *arguments: object) -> subprocess.CompletedProcess[str]:
 
 class Files(unittest.TestCase):
     def test_each_command_says_what_it_needs(self):
-        for name in {*of_python(), "measure"} - {"faults"}:  # that imports nothing of lib/
+        for name in {*of_python(), "measure"}:
             with self.subTest(name):
                 self.assertEqual(needed(name), (3, 9) if name in USERS else (3, 11))
 
@@ -169,6 +149,11 @@ class Files(unittest.TestCase):
             for path, text in files_of(name).items():
                 with self.subTest(name, file=path.relative_to(TOOLS)):
                     self.assertEqual(later_than((3, 9), text), [])
+        for part in PARTS:
+            for path, text in modules.files_of([modules.path_of(part.module)]).items():
+                with self.subTest(part.name, file=path.relative_to(TOOLS)):
+                    self.assertEqual(later_than(part.python, text), [])
+        self.assertEqual([part.name for part in PARTS if part.python == (3, 9)], ["umbrella", "snippets", "picks"])
         self.assertGreater(len(files_of("pack")), 30)
         self.assertIn(LIB / "catalog" / "model.py", files_of("playground"))
 
@@ -177,8 +162,7 @@ class Files(unittest.TestCase):
             with self.subTest(name):
                 text = (TOOLS / name).read_text(encoding="utf-8")
                 ast.parse(text, feature_version=(3, 6) if name in USERS else (3, 8))
-                if name != "faults":
-                    self.assertNotIn("from __future__", text)
+                self.assertNotIn("from __future__", text)
 
     def test_what_is_later_is_noticed(self):
         for text in ("import tomllib", "from tomllib import loads", "from itertools import pairwise",
@@ -212,8 +196,7 @@ class Running(unittest.TestCase):
                                       rf"Another one is taken like this: python3\.12 tools/{name}\n\Z")
 
     def test_as_if_python_were_too_old(self):
-        for name, version in (("pick", (3, 8)), ("umbrella", (3, 6)), ("golden", (3, 10)),
-                              ("pack", (3, 8))):
+        for name, version in (("pick", (3, 8)), ("make", (3, 6)), ("wgsl", (3, 6)), ("pack", (3, 8))):
             with self.subTest(name):
                 self.assert_told(self.called_by(version, name), name, rf"3\.{needed(name)[1]}", rf"3\.{version[1]}")
         # A part of a command may need a later one.
@@ -235,11 +218,16 @@ class Running(unittest.TestCase):
         self.assertRegex(done.stderr, r"\Atools/measure needs Python 3\.11 or later, and this is 3\.10 \(.*\)\. "
                                       r"The first python3 of the PATH is taken\.\n\Z")
 
+    def test_as_if_python_were_too_old_for_a_part(self):
+        code = (f"import runpy, sys; sys.argv = [{str(TOOLS / 'make')!r}, 'golden', '--check']; "
+                "sys.version_info = (3, 10, 1); runpy.run_path(sys.argv[0], run_name='__main__')")
+        self.assert_told(call(sys.executable, "-c", code), "make", r"3\.11", r"3\.10")
+
     @unittest.skipUnless(any((3, 6) <= version < (3, 9) for version in pythons()), "no Python 3.6 to 3.8 is here")
     def test_a_python_that_is_too_old(self):
         for (major, minor), python in pythons().items():
             if (3, 6) <= (major, minor) < (3, 9):
-                for name in ("pick", "umbrella", "wgsl", "golden"):
+                for name in ("pick", "make", "wgsl", "pack"):
                     with self.subTest(name, python=python):
                         self.assert_told(call(python, TOOLS / name, "--help"), name, r"3\.\d+", rf"{major}\.{minor}")
 
@@ -260,13 +248,13 @@ class Running(unittest.TestCase):
 
     @unittest.skipUnless(any((3, 9) <= version < (3, 11) for version in pythons()), "no Python 3.9 or 3.10 is here")
     def test_older_pythons_import_what_users_call(self):
-        modules = [f"{name.replace('-', '_')}.command" for name in USERS if name not in ("pack", "umbrella")]
+        others = [f"{name.replace('-', '_')}.command" for name in USERS if name not in ("make", "pack")]
         of_pack = [".".join(path.relative_to(LIB).with_suffix("").parts) for path in OF_PACK]
-        modules = ", ".join(["ship.command", *of_pack, *modules])
+        started = ", ".join(["ship.command", *of_pack, *others])
         for version, python in pythons().items():
             if (3, 9) <= version < (3, 11):
                 with self.subTest(python=python):
-                    done = call(python, "-c", f"import sys; sys.path.insert(0, {str(LIB)!r}); import {modules}")
+                    done = call(python, "-c", f"import sys; sys.path.insert(0, {str(LIB)!r}); import {started}")
                     self.assertEqual((done.returncode, done.stderr), (0, ""))
 
 

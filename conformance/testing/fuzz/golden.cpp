@@ -31,7 +31,7 @@ std::string hex(std::uint64_t word, WordType type) {
   return type == WordType::f64 ? fmt::format("{:016x}", word) : fmt::format("{:08x}", word);
 }
 
-// What a file has with each setting of the function, as tools/golden writes it.
+// What a file has with each setting of the function, as tools/make golden writes it.
 std::string written(const std::vector<Golden>& all, const Function& function) {
   std::string settings = "settings";
   std::size_t rows = 0;

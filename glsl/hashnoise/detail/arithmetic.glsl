@@ -135,7 +135,7 @@ HN_FN hn_vec3 hn_i_signed(hn_vec3 m, hn_uvec3 words) {
 #define HN_I_ONE 1.0f
 
 HN_FN hn_vec2 hn_i_vector(hn_float x, hn_float y) { return vec2(x, y); }
-// The same in 3 and 4 dimensions: tools/umbrella makes it.
+// The same in 3 and 4 dimensions: tools/make writes it.
 HN_FN hn_vec3 hn_i_vector(hn_float x, hn_float y, hn_float z) { return vec3(x, y, z); }
 HN_FN hn_vec4 hn_i_vector(hn_float x, hn_float y, hn_float z, hn_float w) { return vec4(x, y, z, w); }
 
@@ -145,7 +145,7 @@ HN_FN hn_vec4 hn_i_vector(hn_float x, hn_float y, hn_float z, hn_float w) { retu
 HN_FN hn_int hn_i_cell(hn_float p) { return ivec2(vec2(floor(p), 0.0f)).x; }
 
 HN_FN hn_ivec2 hn_i_cell(hn_vec2 p) { return ivec2(floor(p)); }
-// The same in 3 and 4 dimensions: tools/umbrella makes it.
+// The same in 3 and 4 dimensions: tools/make writes it.
 HN_FN hn_ivec3 hn_i_cell(hn_vec3 p) { return ivec3(floor(p)); }
 HN_FN hn_ivec4 hn_i_cell(hn_vec4 p) { return ivec4(floor(p)); }
 
@@ -153,7 +153,7 @@ HN_FN hn_vec2 hn_i_fraction(hn_vec2 p) {
   HN_I_AS_WRITTEN hn_vec2 f = p - floor(p);
   return f;
 }
-// The same in 1, 3 and 4 dimensions: tools/umbrella makes it.
+// The same in 1, 3 and 4 dimensions: tools/make writes it.
 HN_FN hn_float hn_i_fraction(hn_float p) {
   HN_I_AS_WRITTEN hn_float f = p - floor(p);
   return f;
@@ -169,7 +169,7 @@ HN_FN hn_vec4 hn_i_fraction(hn_vec4 p) {
 
 HN_FN hn_vec2 hn_i_to_num(hn_vec2 f) { return f; }
 HN_FN hn_vec2 hn_i_flushed_position(hn_vec2 p) { return p; }
-// The same in 1, 3 and 4 dimensions: tools/umbrella makes it.
+// The same in 1, 3 and 4 dimensions: tools/make writes it.
 HN_FN hn_float hn_i_to_num(hn_float f) { return f; }
 HN_FN hn_float hn_i_flushed_position(hn_float p) { return p; }
 HN_FN hn_vec3 hn_i_to_num(hn_vec3 f) { return f; }
@@ -187,7 +187,7 @@ HN_FN hn_float hn_i_quotient(hn_float a, hn_float b) { return a / b; }
 // Replaces a number by 0 if it is so small that a product could be subnormal: drivers may flush subnormal numbers to 0.
 HN_FN hn_float hn_i_to_num(hn_float x) { return hn_i_select(abs(x) < HN_I_TINY, 0.0f, x); }
 HN_FN hn_vec2 hn_i_to_num(hn_vec2 f) { return vec2(hn_i_to_num(f.x), hn_i_to_num(f.y)); }
-// The same in 3 and 4 dimensions: tools/umbrella makes it.
+// The same in 3 and 4 dimensions: tools/make writes it.
 HN_FN hn_vec3 hn_i_to_num(hn_vec3 f) { return vec3(hn_i_to_num(f.x), hn_i_to_num(f.y), hn_i_to_num(f.z)); }
 HN_FN hn_vec4 hn_i_to_num(hn_vec4 f) {
   return vec4(hn_i_to_num(f.x), hn_i_to_num(f.y), hn_i_to_num(f.z), hn_i_to_num(f.w));
@@ -203,7 +203,7 @@ HN_FN hn_float hn_i_flushed_position(hn_float p) {
   return hn_i_select((floatBitsToUint(p) & 0x7F800000u) == 0u, 0.0f, p);
 }
 HN_FN hn_vec2 hn_i_flushed_position(hn_vec2 p) { return vec2(hn_i_flushed_position(p.x), hn_i_flushed_position(p.y)); }
-// The same in 3 and 4 dimensions: tools/umbrella makes it.
+// The same in 3 and 4 dimensions: tools/make writes it.
 HN_FN hn_vec3 hn_i_flushed_position(hn_vec3 p) {
   return vec3(hn_i_flushed_position(p.x), hn_i_flushed_position(p.y), hn_i_flushed_position(p.z));
 }
@@ -216,7 +216,7 @@ HN_FN hn_vec4 hn_i_flushed_position(hn_vec4 p) {
 // NaN, which octaves far beyond the domain reach, has a cell in C++, too.
 HN_FN hn_int hn_i_cell(hn_float p) { return int(min(max(-2147483648.0f, floor(hn_i_to_num(p))), 2147483520.0f)); }
 HN_FN hn_ivec2 hn_i_cell(hn_vec2 p) { return ivec2(hn_i_cell(p.x), hn_i_cell(p.y)); }
-// The same in 3 and 4 dimensions: tools/umbrella makes it.
+// The same in 3 and 4 dimensions: tools/make writes it.
 HN_FN hn_ivec3 hn_i_cell(hn_vec3 p) { return ivec3(hn_i_cell(p.x), hn_i_cell(p.y), hn_i_cell(p.z)); }
 HN_FN hn_ivec4 hn_i_cell(hn_vec4 p) { return ivec4(hn_i_cell(p.x), hn_i_cell(p.y), hn_i_cell(p.z), hn_i_cell(p.w)); }
 
@@ -225,7 +225,7 @@ HN_FN hn_float hn_i_fraction(hn_float p) {
   return hn_i_minus(q, floor(q));
 }
 HN_FN hn_vec2 hn_i_fraction(hn_vec2 p) { return vec2(hn_i_fraction(p.x), hn_i_fraction(p.y)); }
-// The same in 3 and 4 dimensions: tools/umbrella makes it.
+// The same in 3 and 4 dimensions: tools/make writes it.
 HN_FN hn_vec3 hn_i_fraction(hn_vec3 p) { return vec3(hn_i_fraction(p.x), hn_i_fraction(p.y), hn_i_fraction(p.z)); }
 HN_FN hn_vec4 hn_i_fraction(hn_vec4 p) {
   return vec4(hn_i_fraction(p.x), hn_i_fraction(p.y), hn_i_fraction(p.z), hn_i_fraction(p.w));
@@ -256,7 +256,7 @@ HN_FN hn_vec2 hn_i_times_plus(hn_vec2 a, hn_float b, hn_vec2 c) {
   HN_I_PRECISE hn_vec2 n = a * b + c;
   return n;
 }
-// The same in 1, 3 and 4 dimensions: tools/umbrella makes it.
+// The same in 1, 3 and 4 dimensions: tools/make writes it.
 HN_FN hn_float hn_i_times_plus(hn_float a, hn_float b, hn_float c) {
   HN_I_PRECISE hn_float n = a * b + c;
   return n;
@@ -274,7 +274,7 @@ HN_FN hn_float hn_i_dot(hn_vec2 g, hn_float x, hn_float y) {
   HN_I_PRECISE hn_float n = g.x * x + g.y * y;
   return n;
 }
-// The same in 3 dimensions: tools/umbrella makes it.
+// The same in 3 dimensions: tools/make writes it.
 HN_FN hn_float hn_i_dot(hn_vec3 g, hn_float x, hn_float y, hn_float z) {
   HN_I_PRECISE hn_float n = g.x * x + g.y * y + g.z * z;
   return n;
@@ -286,7 +286,7 @@ HN_FN hn_vec2 hn_i_fade(hn_vec2 f) {
   HN_I_PRECISE hn_vec2 t = f * f * f * (d * (f * 6.0f - 9.0f) + 1.0f);
   return t;
 }
-// The same in 1, 3 and 4 dimensions: tools/umbrella makes it.
+// The same in 1, 3 and 4 dimensions: tools/make writes it.
 HN_FN hn_float hn_i_fade(hn_float f) {
   HN_I_AS_WRITTEN hn_float d = f - 1.0f;
   HN_I_PRECISE hn_float t = f * f * f * (d * (f * 6.0f - 9.0f) + 1.0f);
@@ -342,7 +342,7 @@ HN_FN hn_float hn_i_derivative(hn_float n) { return hn_i_flushed(n); }
 #define HN_I_ONE HN_I_UNITS_FRACTION
 
 HN_FN hn_ivec2 hn_i_vector(hn_int x, hn_int y) { return ivec2(x, y); }
-// The same in 3 and 4 dimensions: tools/umbrella makes it.
+// The same in 3 and 4 dimensions: tools/make writes it.
 HN_FN hn_ivec3 hn_i_vector(hn_int x, hn_int y, hn_int z) { return ivec3(x, y, z); }
 HN_FN hn_ivec4 hn_i_vector(hn_int x, hn_int y, hn_int z, hn_int w) { return ivec4(x, y, z, w); }
 
@@ -356,13 +356,13 @@ HN_FN hn_int hn_i_whole_cell(hn_float p) { return int(min(max(trunc(p), -2147483
 
 HN_FN hn_int hn_i_cell(hn_float p) { return hn_i_whole_cell(p) + (hn_i_rest(p) >> 20); }
 HN_FN hn_ivec2 hn_i_cell(hn_vec2 p) { return ivec2(hn_i_cell(p.x), hn_i_cell(p.y)); }
-// The same in 3 and 4 dimensions: tools/umbrella makes it.
+// The same in 3 and 4 dimensions: tools/make writes it.
 HN_FN hn_ivec3 hn_i_cell(hn_vec3 p) { return ivec3(hn_i_cell(p.x), hn_i_cell(p.y), hn_i_cell(p.z)); }
 HN_FN hn_ivec4 hn_i_cell(hn_vec4 p) { return ivec4(hn_i_cell(p.x), hn_i_cell(p.y), hn_i_cell(p.z), hn_i_cell(p.w)); }
 
 HN_FN hn_int hn_i_fraction(hn_float p) { return hn_i_rest(p) & (HN_I_UNITS_FRACTION - 1); }
 HN_FN hn_ivec2 hn_i_fraction(hn_vec2 p) { return ivec2(hn_i_fraction(p.x), hn_i_fraction(p.y)); }
-// The same in 3 and 4 dimensions: tools/umbrella makes it.
+// The same in 3 and 4 dimensions: tools/make writes it.
 HN_FN hn_ivec3 hn_i_fraction(hn_vec3 p) { return ivec3(hn_i_fraction(p.x), hn_i_fraction(p.y), hn_i_fraction(p.z)); }
 HN_FN hn_ivec4 hn_i_fraction(hn_vec4 p) {
   return ivec4(hn_i_fraction(p.x), hn_i_fraction(p.y), hn_i_fraction(p.z), hn_i_fraction(p.w));
@@ -370,7 +370,7 @@ HN_FN hn_ivec4 hn_i_fraction(hn_vec4 p) {
 
 HN_FN hn_int hn_i_to_num(hn_float f) { return int(min(max(f, 0.0f), 1.0f) * HN_I_FLOAT_UNITS_FRACTION); }
 HN_FN hn_ivec2 hn_i_to_num(hn_vec2 f) { return ivec2(hn_i_to_num(f.x), hn_i_to_num(f.y)); }
-// The same in 3 and 4 dimensions: tools/umbrella makes it.
+// The same in 3 and 4 dimensions: tools/make writes it.
 HN_FN hn_ivec3 hn_i_to_num(hn_vec3 f) { return ivec3(hn_i_to_num(f.x), hn_i_to_num(f.y), hn_i_to_num(f.z)); }
 HN_FN hn_ivec4 hn_i_to_num(hn_vec4 f) {
   return ivec4(hn_i_to_num(f.x), hn_i_to_num(f.y), hn_i_to_num(f.z), hn_i_to_num(f.w));
@@ -404,7 +404,7 @@ HN_FN hn_int hn_i_fade(hn_int f) {
   return hn_i_select(f > HN_I_UNITS_FRACTION / 2, HN_I_UNITS_WEIGHT - t, t);
 }
 HN_FN hn_ivec2 hn_i_fade(hn_ivec2 f) { return ivec2(hn_i_fade(f.x), hn_i_fade(f.y)); }
-// The same in 3 and 4 dimensions: tools/umbrella makes it.
+// The same in 3 and 4 dimensions: tools/make writes it.
 HN_FN hn_ivec3 hn_i_fade(hn_ivec3 f) { return ivec3(hn_i_fade(f.x), hn_i_fade(f.y), hn_i_fade(f.z)); }
 HN_FN hn_ivec4 hn_i_fade(hn_ivec4 f) { return ivec4(hn_i_fade(f.x), hn_i_fade(f.y), hn_i_fade(f.z), hn_i_fade(f.w)); }
 

@@ -44,7 +44,7 @@ HN_FN hn_i_num hn_i_ramp_of(hn_uint h, hn_i_num x, hn_i_num y, hn_i_num z, bool 
 }
 
 // A sum of weighted ramps is at most 1024 / 4918 in space, with turning gradients too, and 1024 / 4298 in four
-// dimensions (tools/bounds).
+// dimensions (tools/make bounds).
 HN_FN hn_i_num hn_i_scaled_simplex3(hn_i_num n) { return hn_i_scaled(n, 4918); }
 HN_FN hn_i_num hn_i_scaled_simplex4(hn_i_num n) { return hn_i_scaled_ramps(n, 4298); }
 

@@ -32,7 +32,7 @@ HN_FN hn_uint hn_i_wrap(hn_int c, hn_int period) {
 HN_FN hn_uvec2 hn_i_wrap(hn_ivec2 c, hn_ivec2 period) {
   return uvec2(hn_i_wrap(c.x, period.x), hn_i_wrap(c.y, period.y));
 }
-// The same in 3 and 4 dimensions: tools/umbrella makes it.
+// The same in 3 and 4 dimensions: tools/make writes it.
 HN_FN hn_uvec3 hn_i_wrap(hn_ivec3 c, hn_ivec3 period) {
   return uvec3(hn_i_wrap(c.x, period.x), hn_i_wrap(c.y, period.y), hn_i_wrap(c.z, period.z));
 }
@@ -72,7 +72,7 @@ struct hn_i_box2 {
   hn_uvec2 lower;
   hn_uvec2 upper;
 };
-// The same in 1, 3 and 4 dimensions: tools/umbrella makes it.
+// The same in 1, 3 and 4 dimensions: tools/make writes it.
 struct hn_i_box1 {
   hn_uint lower;
   hn_uint upper;
@@ -98,7 +98,7 @@ HN_FN hn_i_box2 hn_i_box(hn_place2 place) {
   }
   return box;
 }
-// The same in 1, 3 and 4 dimensions: tools/umbrella makes it.
+// The same in 1, 3 and 4 dimensions: tools/make writes it.
 HN_FN hn_i_box1 hn_i_box(hn_place1 place) {
   HN_I_NEW(hn_i_box1, box);
   if (place.tiled) {
@@ -153,7 +153,7 @@ HN_FN hn_uint hn_i_following(hn_uint c, hn_int period) {
 HN_FN hn_uvec2 hn_i_previous(hn_uvec2 c, hn_ivec2 period) {
   return uvec2(hn_i_previous(c.x, period.x), hn_i_previous(c.y, period.y));
 }
-// The same in 3 and 4 dimensions: tools/umbrella makes it.
+// The same in 3 and 4 dimensions: tools/make writes it.
 HN_FN hn_uvec3 hn_i_previous(hn_uvec3 c, hn_ivec3 period) {
   return uvec3(hn_i_previous(c.x, period.x), hn_i_previous(c.y, period.y), hn_i_previous(c.z, period.z));
 }
@@ -165,7 +165,7 @@ HN_FN hn_uvec4 hn_i_previous(hn_uvec4 c, hn_ivec4 period) {
 HN_FN hn_uvec2 hn_i_following(hn_uvec2 c, hn_ivec2 period) {
   return uvec2(hn_i_following(c.x, period.x), hn_i_following(c.y, period.y));
 }
-// The same in 3 dimensions: tools/umbrella makes it.
+// The same in 3 dimensions: tools/make writes it.
 HN_FN hn_uvec3 hn_i_following(hn_uvec3 c, hn_ivec3 period) {
   return uvec3(hn_i_following(c.x, period.x), hn_i_following(c.y, period.y), hn_i_following(c.z, period.z));
 }
@@ -177,7 +177,7 @@ struct hn_i_block2 {
   hn_uvec2 cell;
   hn_uvec2 following;
 };
-// The same in 3 and 4 dimensions: tools/umbrella makes it.
+// The same in 3 and 4 dimensions: tools/make writes it.
 struct hn_i_block3 {
   hn_uvec3 previous;
   hn_uvec3 cell;
@@ -203,7 +203,7 @@ HN_FN hn_i_block2 hn_i_block(hn_place2 place) {
   }
   return block;
 }
-// The same in 3 and 4 dimensions: tools/umbrella makes it.
+// The same in 3 and 4 dimensions: tools/make writes it.
 HN_FN hn_i_block3 hn_i_block(hn_place3 place) {
   HN_I_NEW(hn_i_block3, block);
   if (place.tiled) {

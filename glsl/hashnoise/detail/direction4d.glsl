@@ -69,7 +69,7 @@ HN_FN hn_int hn_i_scaled_ramps(hn_int n, hn_int s) { return hn_i_scaled(n, s + s
 #endif
 
 // 953 / 1024 is 1 / 1.073455, rounded down. 1.073455 is the largest value of Perlin noise before it is scaled
-// (tools/bounds).
+// (tools/make bounds).
 HN_FN hn_i_num hn_i_scaled4(hn_i_num n) { return hn_i_scaled_ramps(n, 953); }
 
 #endif

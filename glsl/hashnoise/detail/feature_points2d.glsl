@@ -6,7 +6,7 @@
 
 #include "feature_points.glsl"
 
-// The same in every dimension: tools/umbrella makes it of feature_points2d.glsl.
+// The same in every dimension: tools/make writes it of feature_points2d.glsl.
 
 HN_FN hn_i_num2 hn_i_from_centre(hn_i_num2 f) { return hn_i_vector(hn_i_from_centre(f.x), hn_i_from_centre(f.y)); }
 

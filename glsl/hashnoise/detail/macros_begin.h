@@ -1,4 +1,4 @@
-// hashnoise in C++: puts away macros of others, as far as macros_end.h. Made by tools/umbrella.
+// hashnoise in C++: puts away macros of others, as far as macros_end.h. Made by tools/make.
 // SPDX-License-Identifier: MIT
 
 #pragma push_macro("Argument")

@@ -1,4 +1,4 @@
-// hashnoise in C++: the end of what macros_begin.h began. Made by tools/umbrella.
+// hashnoise in C++: the end of what macros_begin.h began. Made by tools/make.
 // SPDX-License-Identifier: MIT
 
 #pragma pop_macro("Argument")

@@ -63,7 +63,7 @@ HN_FN hn_i_num hn_i_cell_of_ramps(hn_uvec4 front, hn_uvec4 back, hn_i_num3 f, hn
 }
 
 // 1831 / 1024 and 985 / 1024 are just below 1 / 0.55902 and 1 / 1.0385: the largest values that a noise has before it is
-// scaled, on the plane and in space, with turning gradients, too (tools/bounds). On the line it is 1/2.
+// scaled, on the plane and in space, with turning gradients, too (tools/make bounds). On the line it is 1/2.
 HN_FN hn_i_num hn_i_scaled2(hn_i_num n) { return hn_i_scaled(n, 1831); }
 HN_FN hn_i_num hn_i_scaled3(hn_i_num n) { return hn_i_scaled(n, 985); }
 

@@ -129,7 +129,7 @@ HN_FN hn_i_num hn_i_triangle_ramp(hn_uint h, hn_i_num x, hn_i_num y, bool turned
 // Converts a derivative per step to one per cell.
 HN_FN hn_float hn_i_per_cell(hn_float d) { return d * 2.0f; }
 
-// A sum of weighted ramps is at most 1024 / 4099 (tools/bounds), with turning gradients, too.
+// A sum of weighted ramps is at most 1024 / 4099 (tools/make bounds), with turning gradients, too.
 HN_FN hn_i_num hn_i_scaled_simplex2(hn_i_num n) { return hn_i_scaled(n, 4099); }
 
 #endif

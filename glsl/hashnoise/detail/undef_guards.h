@@ -1,4 +1,4 @@
-// hashnoise: forgets which files were included, so that they can be for other types. Made by tools/umbrella.
+// hashnoise: forgets which files were included, so that they can be for other types. Made by tools/make.
 // SPDX-License-Identifier: MIT
 
 #undef HN_ARITHMETIC_GLSL

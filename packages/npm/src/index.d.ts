@@ -6,7 +6,7 @@ export interface Settings {
   seed?: number;
   /** After how many cells the field repeats, along all axes or along each; 0 for never. */
   period?: number | number[];
-  // tools/catalog: settings
+  // tools/make catalog: settings
   /** "perlin" if it is left out, and of sums what the shader's take: "perlin", "perlin_d" or "value_vector". */
   noise?: NoiseName;
   /** Of sums, from 1 to 32; 6 if they are left out. */
@@ -23,10 +23,10 @@ export interface Settings {
   jitter?: number;
   /** Of cellular; "euclidean" if it is left out. */
   metric?: MetricName;
-  // tools/catalog: end
+  // tools/make catalog: end
 }
 
-// tools/catalog: names
+// tools/make catalog: names
 export type NoiseName =
   | "perlin"
   | "perlin_d"
@@ -61,7 +61,7 @@ export type MetricName =
   | "manhattan"
   | "chebyshev"
   | "hybrid";
-// tools/catalog: end
+// tools/make catalog: end
 
 /** A noise or a sum in one, two or three dimensions, with the bits of HN_FIXED. Its settings do not change. */
 export declare class Field {

@@ -12,7 +12,7 @@ const SHAPES = {
 };
 // What there is, in the order of twin.cpp. The noise of a sum is the one that it takes unless another of its shape is named,
 // and its strength is the name of that number. OWNERS says which noises or sums have a setting.
-// tools/catalog: noises and sums
+// tools/make catalog: noises and sums
 const NOISES = {
   perlin: { dimensions: [1, 2, 3], shape: "value", takes: [] },
   perlin_d: { dimensions: [1, 2, 3], shape: "slopes", takes: [] },
@@ -56,7 +56,7 @@ const OWNERS = {
   jitter: "cellular has one",
   metric: "cellular has one",
 };
-// tools/catalog: end
+// tools/make catalog: end
 const KNOWN = ["noise", "sum", "seed", "period", "octaves", "lacunarity", "gain", "strength", "amplitude", "jitter", "metric"];
 const OF_SUMS = ["octaves", "lacunarity", "gain"];
 const LONGEST_WORD = 48; // of which the module has room for the numbers

@@ -76,7 +76,7 @@ HN_I_INLINE void put(Numbers& n, vec4 v) {
 #define TWIN_SPACE(name, ...) TWIN_NOISE(ivec3, name, __VA_ARGS__)
 
 // By their numbers in index.js.
-// tools/catalog: noises
+// tools/make catalog: noises
 // clang-format off
 const Kernel1 kLine[] = {
     TWIN_LINE(perlin, seed),
@@ -121,7 +121,7 @@ const Kernel3 kSpace[] = {
     TWIN_SPACE(random, seed),
 };
 // clang-format on
-// tools/catalog: end
+// tools/make catalog: end
 
 template <int D>
 auto kernel() {
@@ -139,7 +139,7 @@ auto kernel() {
 // tile.
 
 // By their numbers in index.js.
-// tools/catalog: sums
+// tools/make catalog: sums
 // clang-format off
 enum Sum {
   kFbm,
@@ -191,7 +191,7 @@ Int finished(Int mean) {
   }
 }
 // clang-format on
-// tools/catalog: end
+// tools/make catalog: end
 
 bool is_warp() { return settings.sum == kWarp || settings.sum == kWarpProgressive; }
 

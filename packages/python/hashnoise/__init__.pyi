@@ -14,21 +14,21 @@ _Extent: TypeAlias = tuple[float, float]
 _Number: TypeAlias = float | np.floating | np.integer
 _Cells: TypeAlias = npt.ArrayLike | Sequence[npt.ArrayLike]
 _Arithmetic: TypeAlias = Literal["fast", "precise", "fixed"]
-# tools/catalog: metrics
+# tools/make catalog: metrics
 _Metric: TypeAlias = Literal["euclidean", "squared", "manhattan", "chebyshev", "hybrid"]
-# tools/catalog: end
-# tools/catalog: names
+# tools/make catalog: end
+# tools/make catalog: names
 _Noise: TypeAlias = Literal["perlin", "perlin_d", "value", "value_d", "value_cubic", "simplex", "simplex_d",
                             "simplex_smooth", "cellular", "cellular_three", "cellular_d", "cellular_smooth",
                             "cell_border", "curl", "value_vector", "perlin_vector", "phasor", "random"]
 _Sum: TypeAlias = Literal["fbm", "turbulence", "clouds", "billow", "ridged", "hybrid", "ping_pong", "weighted", "fbm_d",
                           "eroded", "warp", "warp_progressive", "perlin_worley"]
-# tools/catalog: end
+# tools/make catalog: end
 _Name: TypeAlias = _Noise | _Sum
 
 __version__: str
 
-# tools/catalog: functions
+# tools/make catalog: functions
 @overload
 def perlin(x: _Number, y: _Number | None = None, z: _Number | None = None, w: _Number | None = None, /, *,
            seed: int = 0, period: int | Sequence[int] | None = None, phase: float | None = None,
@@ -281,9 +281,9 @@ def perlin_worley(x: npt.ArrayLike, y: npt.ArrayLike, z: npt.ArrayLike, /, *, se
                   lacunarity: float = 2.0, gain: float = 0.5, period: int | Sequence[int] | None = None,
                   cell: _Cells | None = None, arithmetic: _Arithmetic = "fast", out: _Values | None = None,
                   threads: int | None = None, instruction_set: str | None = None) -> _Values: ...
-# tools/catalog: end
+# tools/make catalog: end
 
-# tools/catalog: grid
+# tools/make catalog: grid
 @overload
 def grid(name: _Name, size: int | Sequence[int], *, step: float | Sequence[float],
          origin: float | Sequence[float] = 0.0, cell: int | Sequence[int] | None = None, first: int | Sequence[int] = 0,
@@ -395,7 +395,7 @@ def grid(name: _Name, size: int | Sequence[int], *, step: float | Sequence[float
          range: tuple[float, float] | None = None, out: npt.NDArray[Any] | None = None, return_range: bool,
          threads: int | None = None,
          instruction_set: str | None = None) -> npt.NDArray[Any] | tuple[npt.NDArray[Any], _Extent]: ...
-# tools/catalog: end
+# tools/make catalog: end
 def components(name: _Name, dimensions: int, *, noise: _Noise | None = None) -> tuple[str, ...]: ...
 def noises(dimensions: int) -> tuple[_Noise, ...]: ...
 def sums(dimensions: int) -> tuple[_Sum, ...]: ...

@@ -11,9 +11,9 @@ from . import _core
 
 ARITHMETICS = {"fast": 1, "precise": 2, "fixed": 3}  # the values of HN_FAST and so on
 # Those of HN_METRIC_EUCLIDEAN and so on:
-# tools/catalog: metrics
+# tools/make catalog: metrics
 METRICS = {"euclidean": 1, "squared": 2, "manhattan": 3, "chebyshev": 4, "hybrid": 5}
-# tools/catalog: end
+# tools/make catalog: end
 AXES = "xyzw"
 
 _FLOAT32 = np.dtype(np.float32)

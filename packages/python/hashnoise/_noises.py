@@ -1,4 +1,4 @@
-# Made by tools/catalog from catalog/noises.toml and settings.toml.
+# Made by tools/make catalog from catalog/noises.toml and settings.toml.
 """The noises: each is a function of arrays of coordinates. help(hashnoise) tells what they have in common."""
 
 from ._evaluate import points, suggesting

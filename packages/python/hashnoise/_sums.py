@@ -1,4 +1,4 @@
-# Made by tools/catalog from catalog/sums.toml and settings.toml.
+# Made by tools/make catalog from catalog/sums.toml and settings.toml.
 """The octave sums and the warps, over any noise. help(hashnoise) tells what they have in common."""
 
 from ._evaluate import points, suggesting

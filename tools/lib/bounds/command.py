@@ -1,9 +1,9 @@
 """Proves the numbers that the documentation quotes about noise and octave sums: range, Lipschitz constant, errors.
 
-    tools/bounds            a table
-    tools/bounds --json     the same as JSON
-    tools/bounds --write    writes bounds.inc, which the suite includes, and the tables of docs/accuracy.md
-    tools/bounds --check    whether these, and every bound that a comment or a page quotes, are what is derived
+    tools/make bounds            writes bounds.inc, which the suite includes, and the tables of docs/accuracy.md
+    tools/make bounds --check    whether these, and every bound that a comment or a page quotes, are what is derived
+    tools/make bounds --table    prints all that is derived
+    tools/make bounds --json     prints the same as JSON
 
 noises/ has what is proven of each noise.
 
@@ -32,6 +32,7 @@ from bounds.sums import Sum
 from bounds.table import HEAD, PATH, SineBounds, gullies_row, noise_row, sine_row, slope_row, uniform_row
 from tables.inc import TableError
 from tree import ROOT
+from usage import Parser
 
 
 def keys() -> list[Key]:
@@ -81,7 +82,7 @@ def files(derived: Everything, root: Path = ROOT) -> dict[Path, str]:
 
 def differences(derived: Everything, root: Path = ROOT) -> list[str]:
     """What is not as derived."""
-    old = [f"{path}: not up to date; run tools/bounds --write" for path, text in files(derived, root).items()
+    old = [f"{path}: not up to date; run tools/make bounds" for path, text in files(derived, root).items()
            if not path.is_file() or path.read_text(encoding="utf-8") != text]
     return old + missing_quotes(derived, root) + wrong_comments(derived, root / "glsl")
 
@@ -144,24 +145,24 @@ def run(options: argparse.Namespace) -> int:
     derived = derive()
     if options.json:
         print(json.dumps(everything_for_a_reader(derived), indent=2))
-    elif options.write or options.check:
-        if options.write:
+    elif options.table:
+        print_table(everything_for_a_reader(derived))
+    else:
+        if not options.check:
             for path, text in files(derived).items():
                 path.write_text(text, encoding="utf-8")
         messages = differences(derived)
         print("\n".join(messages or [f"the bounds of {len(derived)} noises are as derived"]))
         return 1 if messages else 0
-    else:
-        print_table(everything_for_a_reader(derived))
     return 0
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    parser = argparse.ArgumentParser(prog="bounds", description="Proves the range, slope and errors of noises.")
+    parser = Parser("tools/make bounds", __doc__)
     mode = parser.add_mutually_exclusive_group()
-    mode.add_argument("--json", action="store_true", help="print JSON instead of a table")
-    mode.add_argument("--write", action="store_true", help="write the suite's table and those of docs/accuracy.md")
-    mode.add_argument("--check", action="store_true", help="compare all that quotes a bound")
+    mode.add_argument("--check", action="store_true", help="write nothing, and compare all that quotes a bound")
+    mode.add_argument("--table", action="store_true", help="write nothing, and print all that is derived")
+    mode.add_argument("--json", action="store_true", help="the same as JSON")
     options = parser.parse_args(arguments)
     try:
         return run(options)

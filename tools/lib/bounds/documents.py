@@ -180,7 +180,7 @@ TABLES: dict[str, Callable[[Everything], str]] = {
 def with_tables(text: str, derived: Everything) -> str:
     """The page with its tables written anew."""
     for name, write in TABLES.items():
-        text = with_section(ACCURACY, text, f"tools/bounds: {name}", write(derived))
+        text = with_section(ACCURACY, text, f"tools/make bounds: {name}", write(derived))
     return text
 
 

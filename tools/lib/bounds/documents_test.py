@@ -116,19 +116,19 @@ class Tree(unittest.TestCase):
         self.change(table.PATH.relative_to(ROOT), "2.01e-4", "2.00e-4")
         self.change("docs/accuracy.md", "2.44e-6", "2.45e-6")
         self.assertEqual(self.differences(), [
-            "conformance/expected/bounds.inc: not up to date; run tools/bounds --write",
-            "docs/accuracy.md: not up to date; run tools/bounds --write"])
+            "conformance/expected/bounds.inc: not up to date; run tools/make bounds",
+            "docs/accuracy.md: not up to date; run tools/make bounds"])
 
     def test_a_page_without_its_marks(self):
-        self.change("docs/accuracy.md", "<!-- tools/bounds: sums -->", "")
-        with self.assertRaisesRegex(LookupError, "docs/accuracy.md has no <!-- tools/bounds: sums -->"):
+        self.change("docs/accuracy.md", "<!-- tools/make bounds: sums -->", "")
+        with self.assertRaisesRegex(LookupError, "docs/accuracy.md has no <!-- tools/make bounds: sums -->"):
             self.write()
 
     def test_every_table_has_its_marks(self):
         for name in documents.TABLES:
             self.setUp()
-            self.change("docs/accuracy.md", f"<!-- tools/bounds: {name} -->", "")
-            with self.assertRaisesRegex(LookupError, f"has no <!-- tools/bounds: {name} -->"):
+            self.change("docs/accuracy.md", f"<!-- tools/make bounds: {name} -->", "")
+            with self.assertRaisesRegex(LookupError, f"has no <!-- tools/make bounds: {name} -->"):
                 self.write()
 
     def test_prose_is_compared(self):

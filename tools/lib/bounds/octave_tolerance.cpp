@@ -1,5 +1,5 @@
-// What the suite says of octave sums (conformance/expected/sum_bounds.cpp, gullies.cpp), for tools/bounds: it answers
-// each line
+// What the suite says of octave sums (conformance/expected/sum_bounds.cpp, gullies.cpp), for tools/make bounds: it
+// answers each line
 //
 //   value|slope SUM   largest coordinate, octaves, lacunarity, gain, exact positions, strength, footprint (-1: none),
 //                     turns, from a cell, is a detail, amplitude

@@ -1,5 +1,5 @@
-// The text of the library over floats that round as badly as GLSL lets them, for the tests of tools/bounds. The file
-// rounded.inc, which rounded.py writes, has a FUNCTION(body) for each function: those of the suite's table.
+// The text of the library over floats that round as badly as GLSL lets them, for the tests of tools/make bounds. The
+// file rounded.inc, which rounded.py writes, has a FUNCTION(body) for each function: those of the suite's table.
 //
 // It reads questions, until there are no more, and answers each:
 //

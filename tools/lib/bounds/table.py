@@ -14,7 +14,7 @@ from tree import BOUNDS
 PATH = BOUNDS
 
 HEAD = """\
-// What is proven of each noise, rounded up. Written by tools/bounds --write; docs/accuracy.md tells what it means.
+// What is proven of each noise, rounded up. Written by tools/make bounds; docs/accuracy.md tells what it means.
 //
 //   NOISE_BOUNDS(noise, dimensions, gradient, cell_error, error, lipschitz, limit, fixed_error, fixed_limit)
 //
@@ -193,7 +193,7 @@ def bounds_of(noise: str, dimensions: int, gradient: str, macro: str = "NOISE_BO
         if (bounds.noise, bounds.dimensions) == (noise, dimensions) and bounds.gradient in (gradient, "none"):
             return bounds
     raise LookupError(f"{PATH} has no bounds of {noise} in {dimensions}D with the gradient {gradient}: write "
-                      f"tools/lib/bounds/noises/{noise}.py, then run tools/bounds --write")
+                      f"tools/lib/bounds/noises/{noise}.py, then run tools/make bounds")
 
 
 def slope_bounds_of(noise: str, dimensions: int) -> Bounds:

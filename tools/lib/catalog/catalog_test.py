@@ -32,7 +32,8 @@ class Made(unittest.TestCase):
                 with mock.patch.object(command, "files", return_value=changed):
                     status, output = self.check()
                 self.assertEqual(status, 1)
-                self.assertRegex(output, rf"{re.escape(path.name)}: it is not what the catalog makes; run tools/catalog$")
+                self.assertRegex(output, rf"{re.escape(path.name)}: it is not what the catalog makes; "
+                                         r"run tools/make catalog$")
 
     def test_every_part_knows_of_every_entry(self):
         made = {path.name: text for path, text in command.files().items()}
@@ -94,7 +95,7 @@ HN_FN hn_float hn_i_ping_pong(hn_octaves2 o, hn_float strength) {
         self.assertEqual(named, re.findall(r"^\[(\w+)\]$", (CATALOG / "noises.toml").read_text(), re.MULTILINE))
 
     def test_a_page_without_its_marks(self):
-        with self.assertRaisesRegex(LookupError, r"README\.md has 0 lines with 'tools/catalog: nothing'"):
+        with self.assertRaisesRegex(LookupError, r"README\.md has 0 lines with 'tools/make catalog: nothing'"):
             sections.with_section("README.md", "nothing", "")
 
 
@@ -157,7 +158,7 @@ class Wrong(unittest.TestCase):
                 contextlib.redirect_stderr(errors), self.assertRaises(SystemExit) as stop:
             command.main(["--check"])
         self.assertEqual((stop.exception.code, errors.getvalue()),
-                         (2, "tools/catalog: catalog/noises.toml: perlin has no shape\n"))
+                         (2, "tools/make catalog: catalog/noises.toml: perlin has no shape\n"))
 
 
 if __name__ == "__main__":

@@ -1,7 +1,7 @@
 """Makes what the parts of the project have to know of noises, sums and settings from the one table of them, catalog/.
 
-    tools/catalog            writes it
-    tools/catalog --check    whether it is what it should be
+    tools/make catalog            writes it
+    tools/make catalog --check    whether it is what it should be
 
 A noise or a sum is one entry of catalog/noises.toml or sums.toml; the comments at their top say what the keys mean. Files
 that are made say so at their top, and in others what is made stands between two marks.
@@ -11,7 +11,6 @@ Exit status: 0 all is as it should be, 1 (--check) a file is not, 2 bad usage, o
 
 from __future__ import annotations
 
-import argparse
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -19,6 +18,7 @@ from pathlib import Path
 from catalog import grid, javascript, pages, python, shaders, suite
 from catalog.model import CatalogError, read
 from tree import ROOT
+from usage import Parser
 
 
 def files() -> dict[Path, str]:
@@ -29,18 +29,18 @@ def files() -> dict[Path, str]:
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    parser = argparse.ArgumentParser(prog="tools/catalog", description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = Parser("tools/make catalog", __doc__)
     parser.add_argument("--check", action="store_true", help="write nothing")
     check = parser.parse_args(arguments).check
     try:
         made = files()
     except (CatalogError, LookupError, OSError) as error:
-        parser.exit(2, f"tools/catalog: {error}\n")
+        parser.exit(2, f"tools/make catalog: {error}\n")
     other = [path for path, text in made.items() if not path.is_file() or path.read_text(encoding="utf-8") != text]
     for path in other:
         if check:
-            print(f"{path.relative_to(ROOT)}: it is not what the catalog makes; run tools/catalog", file=sys.stderr)
+            print(f"{path.relative_to(ROOT)}: it is not what the catalog makes; run tools/make catalog",
+                  file=sys.stderr)
         else:
             path.write_text(made[path], encoding="utf-8")
     return 1 if check and other else 0

@@ -92,7 +92,8 @@ def guards(catalog: Catalog) -> str:
 
 
 def files(catalog: Catalog) -> dict[Path, str]:
-    head = ["// Made by tools/catalog: noises, sums and settings. Define one of these macros, and include this file.\n"]
+    head = ["// Made by tools/make catalog: noises, sums and settings. Define one of these macros, and include this "
+            "file.\n"]
     head += [f"//   {line}\n" for macro, arguments in MACROS.items() for line in wrapped(f"{macro}{arguments}")]
     begin = [f"#ifndef {macro}\n#define {macro}(...)\n#endif\n" for macro in MACROS]
     rows = [*(row("HN_CATALOG_NOISE", *of_function(noise), takes_of(noise)) for noise in catalog.noises),

@@ -217,9 +217,9 @@ def settings_of_page(twin: Twin) -> str:
 def package(twin: Twin) -> dict[Path, str]:
     with_settings = with_section(TYPES, "settings", types_of_settings(twin))[1]
     page = (ROOT / PAGE).read_text(encoding="utf-8")
-    page = with_table(PAGE, page, "tools/catalog: settings", settings_of_page(twin))
+    page = with_table(PAGE, page, "tools/make catalog: settings", settings_of_page(twin))
     absent = code([function.name for function in twin.absent])
-    page = with_table(PAGE, page, "tools/catalog: noises that are not there",
+    page = with_table(PAGE, page, "tools/make catalog: noises that are not there",
                       f"Noises that did not fit into {MOST_BYTES // 1000} kB: {absent}.\n")
     with_kernels = with_section(TWIN, "noises", kernels(twin))[1]
     return dict([with_section(FIELDS, "noises and sums", noises_and_sums(twin)),
@@ -262,7 +262,7 @@ def playground(catalog: Catalog) -> str:
 
     noises, sums = drawn(catalog)
     return "".join([
-        "// Made by tools/catalog. Of a steep noise there are slopes, and a steep sum needs them.\n",
+        "// Made by tools/make catalog. Of a steep noise there are slopes, and a steep sum needs them.\n",
         "export const kCatalog = {\n", "  noises: {\n",
         rows({noise.name: of_noise(noise) for noise in noises}, "    "), "  },\n", "  sums: {\n",
         rows({sum_.name: of_sum(sum_) for sum_ in sums}, "    "), "  },\n", f"  metrics: {literal(catalog.metrics)},\n", "};\n"])

@@ -85,5 +85,6 @@ def files(catalog: Catalog) -> dict[Path, str]:
                              (SUMS, "sums", of_sums(plain)), (SUMS, "sums in 2D and 3D", of_sums(others)),
                              (SUMS, "steps", of_steps(catalog))):
         path = ROOT / page
-        made[path] = with_section(page, made.get(path) or path.read_text(encoding="utf-8"), f"tools/catalog: {name}", text)
+        old = made.get(path) or path.read_text(encoding="utf-8")
+        made[path] = with_section(page, old, f"tools/make catalog: {name}", text)
     return made

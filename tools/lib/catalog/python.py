@@ -17,11 +17,11 @@ WIDTH = 120
 PLACE = ("0.5", "0.25", "0.75", "0.125")  # of the examples: as many of them as an example has axes
 
 NOISES = '''\
-# Made by tools/catalog from catalog/noises.toml and settings.toml.
+# Made by tools/make catalog from catalog/noises.toml and settings.toml.
 """The noises: each is a function of arrays of coordinates. help(hashnoise) tells what they have in common."""
 '''
 SUMS = '''\
-# Made by tools/catalog from catalog/sums.toml and settings.toml.
+# Made by tools/make catalog from catalog/sums.toml and settings.toml.
 """The octave sums and the warps, over any noise. help(hashnoise) tells what they have in common."""
 '''
 # What a stub has of a grid, whose array is of the type that is asked for, or that of `out`.

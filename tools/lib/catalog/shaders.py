@@ -1,6 +1,6 @@
 """What the GLSL of sums has of the catalog: their loops and forms, and the public steps of which loops are made.
 
-tools/umbrella makes the other dimensions of what this writes for the plane.
+tools/make umbrella makes the other dimensions of what this writes for the plane.
 """
 
 from __future__ import annotations

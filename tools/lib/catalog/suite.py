@@ -18,12 +18,13 @@ from tree import ROOT
 PATH = ROOT / "conformance" / "library" / "forms.inc"
 FACTS = ROOT / "conformance" / "library" / "facts.inc"
 HEAD = """\
-// Made by tools/catalog: the noises and the sums among the functions under test. functions.inc includes it, and says what
-// a row means.
+// Made by tools/make catalog: the noises and the sums among the functions under test. functions.inc includes it, and
+// says what a row means.
 // clang-format off
 """
 HEAD_OF_FACTS = """\
-// Made by tools/catalog: what the suite knows of noises and sums. Define one of these macros, and include this file:
+// Made by tools/make catalog: what the suite knows of noises and sums. Define one of these macros, and include this
+// file:
 //
 //   NOISE(name, jumps, is never negative)
 //   OCTAVE_SUM(name, noise, most strength or amplitude, least, greatest, is bounded, step, mean): the noise is that which

@@ -6,6 +6,7 @@ import os
 import re
 import shutil
 import subprocess
+import sys
 import tempfile
 import unittest
 from pathlib import Path
@@ -18,7 +19,9 @@ COMMANDS = {"bake": ("src/bake/hn-bake", "--help"), "conform": (CONFORM, "run --
             "measure clock": (CONFORM, "bench --help"), "measure paper": (CONFORM, "paper --help"),
             "measure cpu": ("bench-cpu-g++/src/bench_cpu/hn-bench-cpu", "--help")}
 # By tools/scientific-python, which finds no Python here that has what they import.
-SCIENTIFIC = ("bounds", "measure hashes", "measure noise", "measure uniform")
+SCIENTIFIC = {"make bounds": "bounds", "measure hashes": "measure/hashes", "measure noise": "measure/noise",
+              "measure uniform": "measure/uniform"}
+OF_MAKE = ("needs.py", "modules.py", "tree.py", "usage.py", "make/command.py", "make/graph.py", "make/parts.py")
 
 
 class Machine(unittest.TestCase):
@@ -34,10 +37,16 @@ class Machine(unittest.TestCase):
                      *{name.split()[0] for name in (*COMMANDS, *SCIENTIFIC)}):
             shutil.copy(TOOLS / name, tools)
         shutil.copytree(TOOLS / "lib" / "measure", tools / "lib" / "measure", ignore=shutil.ignore_patterns("*.py"))
+        for name in OF_MAKE:
+            self.copy(f"tools/lib/{name}")
         # Whoever builds or installs something is noticed.
         self.programs = self.root / "programs"
         for name in ("cmake", "dpkg-query", "apt-get", "sudo"):
             self.write_program(self.programs / name, f"touch {self.root}/{name}.called; exit 1")
+
+    def copy(self, file: str) -> None:
+        (self.root / file).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(ROOT / file, self.root / file)
 
     def write_program(self, path: Path, command: str) -> None:
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -45,8 +54,9 @@ class Machine(unittest.TestCase):
         path.chmod(0o755)
 
     def call(self, name: str, *arguments: str) -> subprocess.CompletedProcess[str]:
-        program, *first = name.split()
-        return subprocess.run([self.root / "tools" / program, *first, *arguments], capture_output=True, text=True,
+        command, *part = name.split()
+        started = [sys.executable, "-B"] if command == "make" else []  # python3 of the PATH is one that knows nothing
+        return subprocess.run([*started, self.root / "tools" / command, *part, *arguments], capture_output=True, text=True,
                               check=False, env={**os.environ, "PATH": f"{self.programs}:{os.environ['PATH']}"})
 
     def called(self) -> list[Path]:
@@ -91,9 +101,8 @@ class WrongOptions(Machine):
         super().setUp()
         for file in ("conformance/cli/options.cpp", "src/bench_cpu/options.cpp",
                      *(f"src/bake/{path.name}" for path in (ROOT / "src/bake").glob("*.cpp")),
-                     *(f"tools/lib/{name.replace(' ', '/')}/command.py" for name in SCIENTIFIC)):
-            (self.root / file).parent.mkdir(parents=True, exist_ok=True)
-            shutil.copy(ROOT / file, self.root / file)
+                     *(f"tools/lib/{room}/command.py" for room in SCIENTIFIC.values())):
+            self.copy(file)
         for name in ("python3", "g++", "ninja", "ctest"):
             self.write_program(self.programs / name, f"touch {self.root}/{name}.called; exit 1")
 

@@ -20,13 +20,14 @@ from tree import ROOT, TOOLS
 
 SKIPPED = 77
 # {} is an empty folder. Those that install are conform, test, measure and what else setup.sh serves, what needs NumPy
-# (scientific-python), what has packages of npm, PyPI or cargo (pack npm, pack python, site), and measure gpu
+# (scientific-python), what has packages of npm, PyPI or cargo (pack npm, pack python, make site), and measure gpu
 # --get-drivers.
-COMMANDS = (["catalog", "--check"], ["freeze", "--check"], ["golden", "--check", "--sample", "50"],
-            *(["pack", name, "{}"] for name, recipe in RECIPES.items() if not recipe.command),
-            ["pick", "hn_fbm2"], ["playground", "--out", "{}/page.html"], ["results", "--check", "--earlier"],
-            ["single-file", "--out", "{}/all.glsl"], ["umbrella", "--check"],
-            ["vectors", "--check", "--sample", "60"], ["wgsl", "noise2d.glsl"])
+COMMANDS = (*(["pack", name, "{}"] for name, recipe in RECIPES.items() if not recipe.command),
+            ["make", "catalog", "--check"], ["make", "freeze", "--check"], ["make", "golden", "--check", "--sample", "50"],
+            ["make", "results", "--check", "--earlier"], ["make", "umbrella", "--check"],
+            ["make", "vectors", "--check", "--sample", "60"],
+            ["pick", "hn_fbm2"], ["playground", "--out", "{}/page.html"], ["single-file", "--out", "{}/all.glsl"],
+            ["wgsl", "noise2d.glsl"])
 OF_CONFORM = (["run", "--filter", "noise2d.perlin.lattice.fast.*", "--out", "{}/out"], ["web", "--out", "{}/web"])
 OUTWARD = re.compile(r"connect\(.*AF_INET6?,(?!.*(?:\"127\.|\"::1\")).*")
 

@@ -78,8 +78,8 @@ def functions_without_a_row(tree: Tree) -> Iterator[str]:
                        f"{name.upper()}, ...) to {CONFIGURATIONS.relative_to(ROOT)}, or a FUNCTION that calls it to "
                        f"{FUNCTIONS.relative_to(ROOT)}")
         else:
-            yield (f"{declared.place}: {declared} has no row: give it an entry in catalog/ and run tools/catalog, or add "
-                   f"a FUNCTION that calls it to {FUNCTIONS.relative_to(ROOT)}")
+            yield (f"{declared.place}: {declared} has no row: give it an entry in catalog/ and run tools/make catalog, "
+                   f"or add a FUNCTION that calls it to {FUNCTIONS.relative_to(ROOT)}")
 
 
 def functions_in_another_form(tree: Tree) -> Iterator[str]:
@@ -146,8 +146,8 @@ def noises_without_entries(tree: Tree) -> Iterator[str]:
             if not module.is_file() and not (module.with_suffix("") / "__init__.py").is_file():
                 yield lacks(function, f"write {ENTRIES.format(of, noise)}, {what}")
         if (noise, function.axes) not in bounds:
-            yield lacks(function, f"{BOUNDS.relative_to(ROOT)} has no {noise} in {function.axes}D: run "
-                        "tools/bounds --write")
+            yield lacks(function, f"{BOUNDS.relative_to(ROOT)} has no {noise} in {function.axes}D: "
+                        "run tools/make bounds")
         if not re.search(rf"`{function.calls}`[^.]* (?:takes positions of|have the forms of)", contract):
             yield lacks(function, f"say in docs/contract.md that `{function.calls}` takes positions of {function.axes} "
                         "dimensions, and what its value is")
@@ -194,7 +194,7 @@ def functions_that_are_not_in_the_catalog(tree: Tree) -> Iterator[str]:
     sums = {(declared.name, declared.dimensions_of_sum) for declared in tree.declarations
             if declared.dimensions_of_sum and declared.name != "hn_gullies"}
     for name, axes in sorted((noises | sums) - rows.keys()):
-        yield f"catalog: there is no {name} in {axes}D: add it to noises.toml or sums.toml, and run tools/catalog"
+        yield f"catalog: there is no {name} in {axes}D: add it to noises.toml or sums.toml, and run tools/make catalog"
     there_are = sums | {(function.calls, function.axes) for function in tree.functions}
     for (name, axes), file in sorted(rows.items()):
         if (name, axes) not in there_are:
@@ -338,7 +338,7 @@ def missing_golden_values(tree: Tree) -> Iterator[str]:
         path = tree.at(GOLDEN) / file.name
         there = head_of(path).settings if path.is_file() else []
         if missing := [values.name for values in file.values if values.name not in there]:
-            yield f"{path}: {file.function.id} has no golden values with {', '.join(missing)}: run tools/golden"
+            yield f"{path}: {file.function.id} has no golden values with {', '.join(missing)}: run tools/make golden"
 
 
 def names_of_two_kinds(tree: Tree) -> Iterator[str]:
@@ -357,7 +357,7 @@ def names_of_two_kinds(tree: Tree) -> Iterator[str]:
 PAGES = ("README.md", "CHANGELOG.md", "CONTRIBUTING.md", "llms.txt", "docs/*.md", "docs/gallery/*.md", "examples/**/*.md",
          "packages/*/README.md")
 OF_THE_INSIDE = {"adding", "frozen", "glossary", "internals", "release"}  # pages for who changes the library
-PICKED = re.compile(r"<!-- tools/readme: picked.*?<!-- end -->", re.DOTALL)  # texts that tools/pick writes
+PICKED = re.compile(r"<!-- tools/make readme: picked.*?<!-- end -->", re.DOTALL)  # texts that tools/pick writes
 
 
 def internal_names_in_pages(tree: Tree) -> Iterator[str]:

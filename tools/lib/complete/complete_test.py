@@ -66,7 +66,7 @@ class Deletions(unittest.TestCase):
 
     def test_the_rows_of_a_noise(self) -> None:
         self.change(MADE, r'^FUNCTION\("noise\dd\.value_cubic(?:.*\n)*?\n')
-        self.noticed(r"hn_value_cubic\(vec2\) has no row: give it an entry in catalog/ and run tools/catalog",
+        self.noticed(r"hn_value_cubic\(vec2\) has no row: give it an entry in catalog/ and run tools/make catalog",
                      r"^tools/lib/oracle/noises/value_cubic\.py: no function is the noise value_cubic",
                      r"^tools/lib/bounds/noises/value_cubic\S*: no function is the noise value_cubic")
 
@@ -112,7 +112,7 @@ class Deletions(unittest.TestCase):
 
     def test_a_row_of_the_bounds(self) -> None:
         self.change(BOUNDS_FILE, r'^NOISE_BOUNDS\("perlin", 3.*\n')
-        self.noticed(r"noise3d\.perlin: .*bounds\.inc has no perlin in 3D: run tools/bounds --write")
+        self.noticed(r"noise3d\.perlin: .*bounds\.inc has no perlin in 3D: run tools/make bounds")
 
     def test_the_contract(self) -> None:
         self.change("docs/contract.md", r"^`hn_value_cubic` takes positions of")
@@ -226,13 +226,13 @@ class Deletions(unittest.TestCase):
         self.golden.unlink()
         shutil.copytree(GOLDEN, self.golden, ignore=shutil.ignore_patterns("noise1d.perlin.golden"))
         self.change(f"{self.golden.relative_to(self.root)}/noise2d.perlin.golden", r"^(settings .*) fnv1\+fixed:fixed", "\\1")
-        self.noticed(r"golden: noise1d\.perlin has no golden values with lattice, lattice\+fixed: run tools/golden$",
-                     r"golden: noise2d\.perlin has no golden values with fnv1\+fixed: run tools/golden$")
+        self.noticed(r"golden: noise1d\.perlin has no golden values with lattice, lattice\+fixed: run tools/make "
+                     r"golden$", r"golden: noise2d\.perlin has no golden values with fnv1\+fixed: run tools/make golden$")
 
     def test_an_internal_name_in_a_page(self) -> None:
         self.change("docs/uniform.md", r"\A", "Take `hn_i_select`.\n")
         self.change("docs/random.md", r"\A",
-                    "\n<!-- tools/readme: picked -->\nhn_i_mix(k)\n<!-- end -->\n`HN_I_FLOAT`\n")
+                    "\n<!-- tools/make readme: picked -->\nhn_i_mix(k)\n<!-- end -->\n`HN_I_FLOAT`\n")
         found = self.noticed(r"^docs/uniform\.md:1: hn_i_select is internal: recommend a public function, or publish",
                              r"^docs/random\.md:5: HN_I_FLOAT is internal")
         self.assertFalse(any("hn_i_mix" in text for text in found), found)

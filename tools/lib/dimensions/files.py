@@ -21,11 +21,11 @@ WITHOUT_PAPERS_GRADIENT = (1, 4)  # the paper has Perlin noise in 2D and 3D
 RESULTS_STAY = ("cellular2d.glsl", "cellular_phase2d.glsl", "cellular_three2d.glsl")  # as many distances everywhere
 
 BY_HAND = "// By hand in each dimension.\n"
-OF_FILE = r"// The same [^\n]*: tools/umbrella makes it of \w+2d\.glsl\.\n"
-OF_ABOVE = r"// The same in ([134](?:, [134])*(?: and [134])?) dimensions: tools/umbrella makes it\.\n"
+OF_FILE = r"// The same [^\n]*: tools/make writes it of \w+2d\.glsl\.\n"
+OF_ABOVE = r"// The same in ([134](?:, [134])*(?: and [134])?) dimensions: tools/make writes it\.\n"
 MARK = re.compile(rf"^({BY_HAND}|{OF_FILE})", re.MULTILINE)
 BELOW = re.compile(rf"^{OF_ABOVE}", re.MULTILINE)
-NO_MARK = re.compile(rf"^(?!{OF_FILE}|{OF_ABOVE})[^\n]*tools/umbrella makes it[^\n]*", re.MULTILINE)
+NO_MARK = re.compile(rf"^(?!{OF_FILE}|{OF_ABOVE})[^\n]*tools/make writes it[^\n]*", re.MULTILINE)
 END = re.compile(r"^(?=\n|#)", re.MULTILINE)  # of what is made of the lines above, and of these
 ITEM = re.compile(r"^(?:HN_FN|struct) (?:.*\}\n|(?:.*\n)*?\};?\n)", re.MULTILINE)
 OF_THE_PLANE = re.compile(r"\b(?:[iu]?vec|hn_\w*[a-z])2\b")
@@ -65,7 +65,7 @@ def of_whole(source: str, n: int, texts: Mapping[str, str]) -> str:
         includes, include, code = rest.rpartition(f'#include "perlin{n}d.glsl"\n')
         rest = (f"{includes}{include}\n// The paper's gradient has no noise {WHERE[n]}.\n"
                 f"#if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL\n{code}#endif\n")
-    return f"{head}\n//\n// Made from {source} by tools/umbrella.{note}{blank}{rest}"
+    return f"{head}\n//\n// Made from {source} by tools/make.{note}{blank}{rest}"
 
 
 def of_zones(file: str, texts: Mapping[str, str]) -> str:
@@ -109,7 +109,7 @@ def made(texts: Mapping[str, str]) -> dict[str, str]:
              for source, dimensions in WHOLE.items() if source in texts for n in dimensions}
     for file, text in texts.items():
         if unknown := NO_MARK.search(text):
-            raise Unclear(f"{file} says `{unknown[0]}`, which is not a line that tools/umbrella knows")
+            raise Unclear(f"{file} says `{unknown[0]}`, which is not a line that tools/make umbrella knows")
         if file not in found and BELOW.search(text):
             found[file] = of_lines_above(file, text)
         elif file not in found and not file.endswith("2d.glsl") and re.search(OF_FILE, text):

@@ -1,5 +1,5 @@
 """Comments in space differ from those on the plane in these numbers, which do not follow from the dimension: costs, and
-bounds, which tools/bounds --check holds against its proofs."""
+bounds, which tools/make bounds --check holds against its proofs."""
 
 IN_SPACE: dict[str, dict[str, str]] = {
     "cell_border2d.glsl": {

@@ -1,9 +1,10 @@
 """Keeps the values that never change from version 1.0 on: checksums of a million values of each function with HN_FIXED,
 and of each hash. docs/frozen.md tells what is promised.
 
-    tools/freeze                          adds what has no entry. From 1.0 on it also freezes what is provisional
-    tools/freeze --check [--all]          holds the library to the table, at 2,048 points of each function, or at all
-    tools/freeze --provisional [NAME...]  before 1.0: makes the entries of these functions anew, or all entries
+    tools/make freeze                          adds what has no entry. From 1.0 on it also freezes what is provisional
+    tools/make freeze --check [--all]          holds the library to the table, at 2,048 points of each function, or at
+                                               all
+    tools/make freeze --provisional [NAME...]  before 1.0: makes the entries of these functions anew, or all entries
 
 The table is conformance/expected/frozen.csv. An entry that exists is never written again, and where one is wrong
 nothing is written. Only --provisional replaces entries, and from version 1.0.0 on it is refused. A NAME is that of
@@ -17,7 +18,6 @@ the table cannot be read.
 
 from __future__ import annotations
 
-import argparse
 import subprocess
 import sys
 from collections.abc import Mapping, Sequence
@@ -27,6 +27,7 @@ from pathlib import Path
 from frozen import table
 from frozen.table import ALL, FIRST, PROVISIONAL, Entry, Key, Sums
 from tree import FROZEN, ROOT, version
+from usage import Parser
 
 PROGRAM = ROOT / "build" / "conformance" / "hn-frozen"
 
@@ -94,8 +95,7 @@ def replaced(entries: Mapping[Key, Entry], library: Library,
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    parser = argparse.ArgumentParser(prog="tools/freeze", description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = Parser("tools/make freeze", __doc__)
     what = parser.add_mutually_exclusive_group()
     what.add_argument("--check", action="store_true", help="say what is not as it was")
     what.add_argument("--provisional", action="store_true", help="before 1.0: make entries anew")
@@ -117,7 +117,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         exists = given.table.exists()
         if given.check and not exists:
-            raise ValueError(f"there is no {given.table}; tools/freeze writes it")
+            raise ValueError(f"there is no {given.table}; tools/make freeze writes it")
         entries = table.read(given.table) if exists else {}
         if given.check:
             count = ALL if given.all else FIRST
@@ -133,7 +133,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         if not given.check:
             given.table.write_text(table.text_of(entries), encoding="ascii")
     except (NoProgram, ValueError, OSError) as error:
-        parser.exit(2, f"tools/freeze: {error}\n")
+        parser.exit(2, f"tools/make freeze: {error}\n")
     print(f"{len(entries)} entries are {'right' if given.check else f'in {given.table}'}")
     return 0
 

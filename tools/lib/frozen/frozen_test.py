@@ -1,4 +1,4 @@
-"""tools/freeze: what it notices, what it refuses, and what the committed table has."""
+"""tools/make freeze: what it notices, what it refuses, and what the committed table has."""
 
 from __future__ import annotations
 
@@ -92,7 +92,7 @@ class BeforeOne(Command):
     def test_a_function_without_an_entry_is_told_and_added(self) -> None:
         self.assert_right()
         self.library["noise2d.new", "lattice+fixed:fixed"] = ["33333333", "aaaa0004"]
-        self.assert_told(r"\Anoise2d.new with lattice\+fixed:fixed: it has no entry. Run tools/freeze$", "--check")
+        self.assert_told(r"\Anoise2d.new with lattice\+fixed:fixed: it has no entry. Run tools/make freeze$", "--check")
         self.assert_right()
         self.assert_right("--check")
         self.assertEqual(len(table.read(self.table)), 4)
@@ -131,7 +131,7 @@ class FromOneOn(Command):
         self.assert_right(version="1.0.0")
 
     def test_what_is_provisional_is_told_and_frozen(self) -> None:
-        self.assert_told("provisional, but the library is 1.0.0. Run tools/freeze", "--check", version="1.0.0")
+        self.assert_told("provisional, but the library is 1.0.0. Run tools/make freeze", "--check", version="1.0.0")
         self.freeze()
         self.assertEqual({entry.since for entry in table.read(self.table).values()}, {"1.0.0"})
         self.assert_right("--check", version="1.0.0")
@@ -175,7 +175,7 @@ class FromOneOn(Command):
 
 class Unreadable(Command):
     def test_a_table_that_is_none_is_told(self) -> None:
-        self.assert_told("there is no .*frozen.csv; tools/freeze writes it", "--check", status=2)
+        self.assert_told("there is no .*frozen.csv; tools/make freeze writes it", "--check", status=2)
         self.assert_right()
         text = self.table.read_text()
         line = text.splitlines(keepends=True)[1]
@@ -186,7 +186,7 @@ class Unreadable(Command):
                              ("\u00e9" + text, "frozen.csv: 'ascii' codec")):
             with self.subTest(said):
                 self.table.write_text(broken, encoding="utf-8")
-                self.assert_told(f"tools/freeze: .*{said}", "--check", status=2)
+                self.assert_told(f"tools/make freeze: .*{said}", "--check", status=2)
 
     def test_a_program_that_is_missing_or_fails_is_told(self) -> None:
         for body, said in ((None, "does not run: No such file.*tools/test -N builds it"),
@@ -195,7 +195,7 @@ class Unreadable(Command):
                 if body is not None:
                     self.program.write_text(body)
                     self.program.chmod(0o755)
-                self.assert_told(f"tools/freeze: .*{said}", status=2)
+                self.assert_told(f"tools/make freeze: .*{said}", status=2)
 
     def test_options_that_do_not_go_together_are_told(self) -> None:
         self.assert_told("--all goes with --check", "--all", status=2)

@@ -104,19 +104,19 @@ def changed(entries: Mapping[Key, Entry], computed: Mapping[Key, Sums], count: i
         elif sums.values != entry.sums(count).values:
             yield (f"{name}: of {count} points some have other values than those of its entry, which is {since}. "
                    + ("They must not change: give what is new another name" if entry.is_frozen else
-                      "If they are meant to change, run tools/freeze --provisional"))
+                      "If they are meant to change, run tools/make freeze --provisional"))
 
 
 def missing(entries: Mapping[Key, Entry], known: Iterable[Key]) -> Iterator[str]:
     for function, setting in sorted(set(known) - entries.keys()):
-        yield f"{function} with {setting}: it has no entry. Run tools/freeze"
+        yield f"{function} with {setting}: it has no entry. Run tools/make freeze"
 
 
 def gone(entries: Mapping[Key, Entry], known: Iterable[Key]) -> Iterator[str]:
     for key in sorted(entries.keys() - set(known)):
         yield (f"{key[0]} with {key[1]}: there is no such function any more. "
                + (f"It is frozen since {entries[key].since}, so it has to stay" if entries[key].is_frozen else
-                  "Its entry is provisional: if the function is meant to go, run tools/freeze --provisional"))
+                  "Its entry is provisional: if the function is meant to go, run tools/make freeze --provisional"))
 
 
 def unsettled(entries: Mapping[Key, Entry], version: str) -> Iterator[str]:
@@ -128,7 +128,7 @@ def unsettled(entries: Mapping[Key, Entry], version: str) -> Iterator[str]:
         elif entry.is_frozen and parsed_version(entry.since) > parsed_version(version):
             yield f"{name}: it is frozen since {entry.since}, but the library is {version}"
         elif not entry.is_frozen and is_stable(version):
-            yield f"{name}: it is provisional, but the library is {version}. Run tools/freeze"
+            yield f"{name}: it is provisional, but the library is {version}. Run tools/make freeze"
 
 
 def problems(entries: Mapping[Key, Entry], computed: Mapping[Key, Sums], count: int, version: str) -> list[str]:

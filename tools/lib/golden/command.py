@@ -1,6 +1,6 @@
 """Writes or checks the golden files: inputs, and what the oracle says comes out.
 
-    tools/golden [--out DIR] [--only NAMES] [--check [--sample N]]
+    tools/make golden [--out DIR] [--only NAMES] [--check [--sample N]]
 
 Each file is <function>.golden (docs/formats.md). The functions are those of functions.inc, the settings those of
 configurations.inc; "any" where the function depends on no knob. A value that is not exact in a float32 is the double
@@ -22,7 +22,6 @@ Exit status: 0 written, or all is as the oracle says; 1 something is not; 2 bad 
 
 from __future__ import annotations
 
-import argparse
 import hashlib
 import itertools
 import sys
@@ -37,6 +36,7 @@ from tables.configurations import read_configurations
 from tables.functions import read_functions
 from tables.inc import TableError
 from tree import CONFIGURATIONS, FUNCTIONS, GOLDEN, ROOT, TOOLS
+from usage import Parser
 
 
 def generate(directory: Path | None = None, sample: Sample | None = None, only: Sequence[str] = ()) -> dict[str, str]:
@@ -100,7 +100,7 @@ def differences(directory: Path, files: dict[str, str], ending: str = "golden", 
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    parser = argparse.ArgumentParser(prog="golden", description="Writes or checks the golden files.")
+    parser = Parser("tools/make golden", __doc__)
     parser.add_argument("--out", type=Path, default=GOLDEN, metavar="DIR", help=f"default: {GOLDEN}")
     parser.add_argument("--only", action="append", default=[], metavar="NAMES",
                         help="only functions whose names this pattern matches, such as 'warp.*'")

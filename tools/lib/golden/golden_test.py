@@ -1,4 +1,4 @@
-"""Tests of tools/golden
+"""Tests of tools/make golden
 
 What the files say and how, and that `golden --check` notices what differs.
 """

@@ -12,7 +12,6 @@ the CPU.
     tools/pick hn_fbm2_tile                            hn_tile2, and hn_fbm2_place, which takes what that makes
     tools/pick 'hn_fbm(hn_tile(vec2))'                 the same
     tools/pick --list                                  which functions there are, by noise
-    tools/pick --pages docs/snippets                   pages of those that are asked for most, in each language
 
 A function is called by its form: hn_perlin2 is hn_perlin(vec2 p, uint seed), and hn_perlin2_place is
 hn_perlin(hn_place2 place, uint seed). What it is made of stands in its place; what is called more than once stays a
@@ -37,7 +36,7 @@ from pathlib import Path
 
 from library_file import IMPORT_PATH_HELP, function_name, import_path, imported_as, write
 from parsing.tokens import Unknown
-from pick import pages, tsl
+from pick import tsl
 from pick.c import C
 from pick.csharp import CSharp
 from pick.evaluate import Module
@@ -149,12 +148,6 @@ def picked(names: Sequence[str], choice: Choice = Choice(), library: Path = GLSL
     return picker(library)(names, choice)
 
 
-def for_pages(library: Path) -> pages.Picked:
-    """The texts of docs/snippets."""
-    pick = picker(library)
-    return lambda name, language, arithmetic: pick([name], Choice(language, arithmetic))
-
-
 def main(arguments: Sequence[str] | None = None) -> int:
     parser = argparse.ArgumentParser(prog="tools/pick", description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -178,18 +171,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
                         "hn_simplex3, or for sums with derivatives hn_simplex_d3")
     parser.add_argument("--import-path", metavar="NAME", type=import_path, help=IMPORT_PATH_HELP)
     parser.add_argument("--list", action="store_true", help="write the names of the functions, and what they take")
-    parser.add_argument("--pages", type=Path, metavar="DIR", help="write the pages of docs/snippets into this folder")
     parser.add_argument("--glsl", type=Path, default=GLSL, metavar="DIR", help="another copy of the library")
     parser.add_argument("--out", type=Path, metavar="FILE", help="the file to write (default: standard output)")
     given = parser.parse_args(arguments)
     given.language = ALIASES.get(given.language, given.language)
-    if sum(map(bool, (given.names, given.list, given.pages))) != 1:
-        parser.error("name functions, such as hn_perlin2, or ask for --list or --pages")
+    if bool(given.names) == given.list:
+        parser.error("name functions, such as hn_perlin2, or ask for --list")
     choice = Choice(**{field.name: getattr(given, field.name) or field.default for field in fields(Choice)})
     try:
-        if given.pages:
-            pages.write(given.pages, for_pages(given.glsl))
-            return 0
         if given.list:
             written = listed(read_library(given.glsl, replace(choice, language="glsl")), given.glsl)
         else:

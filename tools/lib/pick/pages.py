@@ -1,13 +1,25 @@
-"""docs/snippets: the functions that are asked for most, in each language, to paste. `tools/pick --pages DIR` writes
-them."""
+"""Writes docs/snippets: the functions that are asked for most, in each language, to paste.
+
+    tools/make snippets [--check] [--out DIR]
+
+Exit status: 0 done, or the pages are what they should be; 1 (--check) one is not, or a text cannot be picked; 2 bad
+usage, or a folder that cannot be written.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import sys
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from catalog import asked
+from parsing.tokens import Unknown
+from pick.command import Choice, picker
 from tables.markdown import table
+from tree import GLSL, ROOT
+from usage import Parser
+
+FOLDER = ROOT / "docs" / "snippets"
 
 FUNCTIONS = asked.snippets()
 # The heading, the language of tools/pick, its arithmetic, and the word that Markdown has for the language.
@@ -35,13 +47,50 @@ def page(name: str, picked: Picked) -> str:
 def index() -> str:
     """The page that lists the others."""
     return ("# Functions to paste\n\nEach page has one function in GLSL, HLSL, WGSL, Slang, Metal, Godot, Rust, C#, C, "
-            "TypeScript, JavaScript, Java and Go. `tools/pick --pages docs/snippets` writes them; "
+            "TypeScript, JavaScript, Java and Go. `tools/make snippets` writes them; "
             "`tools/pick --list` names all other functions.\n\n"
             + table(("", "what it is"), [[f"[{name}]({name}.md)", what] for name, what in FUNCTIONS.items()]))
 
 
-def write(folder: Path, picked: Picked) -> None:
-    folder.mkdir(parents=True, exist_ok=True)
-    (folder / "README.md").write_text(index(), encoding="utf-8")
-    for name in FUNCTIONS:
-        (folder / f"{name}.md").write_text(page(name, picked), encoding="utf-8")
+def for_pages(library: Path = GLSL) -> Picked:
+    """The texts of docs/snippets."""
+    pick = picker(library)
+    return lambda name, language, arithmetic: pick([name], Choice(language, arithmetic))
+
+
+def files(picked: Picked) -> dict[str, str]:
+    """The pages by their names."""
+    return {"README.md": index(), **{f"{name}.md": page(name, picked) for name in FUNCTIONS}}
+
+
+def wrong(folder: Path, made: dict[str, str]) -> list[str]:
+    """The pages in a folder that are not these, or should not be there."""
+    found = {path.name: path.read_text(encoding="utf-8") for path in folder.glob("*.md")}
+    return sorted(name for name in {*found, *made} if found.get(name) != made.get(name))
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    parser = Parser("tools/make snippets", __doc__)
+    parser.add_argument("--check", action="store_true", help="write nothing")
+    parser.add_argument("--out", type=Path, default=FOLDER, metavar="DIR", help="default: docs/snippets")
+    given = parser.parse_args(arguments)
+    try:
+        made = files(for_pages())
+        given.out.mkdir(parents=True, exist_ok=True)
+        other = wrong(given.out, made)
+        for name in () if given.check else other:
+            if name in made:
+                (given.out / name).write_text(made[name], encoding="utf-8")
+            else:
+                (given.out / name).unlink()
+    except Unknown as error:
+        parser.exit(1, f"tools/make snippets: {error}\n")
+    except OSError as error:
+        parser.exit(2, f"tools/make snippets: cannot write {error.filename}: {error.strerror}\n")
+    for name in other if given.check else ():
+        print(f"{name}: it is not what tools/make snippets writes", file=sys.stderr)
+    return 1 if given.check and other else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

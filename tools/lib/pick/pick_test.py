@@ -511,7 +511,7 @@ class Command(unittest.TestCase):
         self.assertEqual(code(shown), text("hn_value2", arithmetic="fixed") + without_seed)
 
     def test_the_page_says_how_many_functions_there_are(self) -> None:
-        """What it shows of them is made by tools/readme."""
+        """What it shows of them is made by tools/make readme."""
         page = (ROOT / "docs" / "languages.md").read_text()
         self.assertIn(f"# {len(public(module('fast')))} functions\n", page)
 
@@ -519,17 +519,26 @@ class Command(unittest.TestCase):
         folder = ROOT / "docs" / "snippets"
         self.assertEqual((folder / "README.md").read_text(), pages.index())
         self.assertEqual({path.stem for path in folder.glob("hn_*")}, set(pages.FUNCTIONS))
-        picked = command.for_pages(GLSL)
+        picked = pages.for_pages()
         for name in pages.FUNCTIONS if THOROUGH else ("hn_random2",):
             self.assertEqual((folder / f"{name}.md").read_text(), pages.page(name, picked),
-                             f"run tools/pick --pages docs/snippets for {name}")
+                             f"run tools/make snippets for {name}")
 
     def test_pages_are_written_into_a_folder(self) -> None:
         with tempfile.TemporaryDirectory() as folder, \
                 mock.patch.object(pages, "FUNCTIONS", {"hn_random2": "a number"}), \
                 mock.patch.object(pages, "LANGUAGES", pages.LANGUAGES[:1]):
-            self.assertEqual(self.call("--pages", f"{folder}/new")[0], 0)
-            self.assertIn("[hn_random2](hn_random2.md) | a number", Path(folder, "new", "README.md").read_text())
+            new = Path(folder, "new")
+            self.assertEqual(pages.main(["--out", str(new)]), 0)
+            self.assertIn("[hn_random2](hn_random2.md) | a number", (new / "README.md").read_text())
+            self.assertEqual(pages.main(["--out", str(new), "--check"]), 0)
+            for name, text in (("hn_random2.md", "another text"), ("hn_old.md", "a page of no function")):
+                (new / name).write_text(text)
+                with contextlib.redirect_stderr(io.StringIO()) as shown:
+                    self.assertEqual(pages.main(["--out", str(new), "--check"]), 1)
+                self.assertEqual(shown.getvalue(), f"{name}: it is not what tools/make snippets writes\n")
+                self.assertEqual(pages.main(["--out", str(new)]), 0)
+            self.assertEqual({path.name for path in new.iterdir()}, {"README.md", "hn_random2.md"})
             self.assertIn(self.call("hn_random2")[1], Path(folder, "new", "hn_random2.md").read_text())
 
     def test_the_text_is_the_same_in_another_process(self) -> None:
@@ -625,13 +634,17 @@ class Command(unittest.TestCase):
                                    (("hn_fbm2", "--noise", "hn_simplx2"), "there is no function hn_simplx2"),
                                    (("hn_fbm2", "--noise", "hn_curl2"), "returns vec2, and what"),
                                    (("hn_fbm2", "--noise", "hn_unorm"), "there is no hn_unorm(hn_place1, uint)"),
-                                   (("hn_value2", "--pages", "out"), "or ask for --list or --pages"),
-                                   (("--pages", "/dev/null/out"), "/dev/null/out"),
+                                   (("hn_value2", "--list"), "or ask for --list"),
                                    (("hn_value2", "--glsl", "/nowhere"), "/nowhere")):
             with self.subTest(arguments):
                 status, shown = self.call(*arguments)
                 self.assertEqual(status, 2)
                 self.assertIn(message, shown)
+        with contextlib.redirect_stderr(io.StringIO()) as shown, self.assertRaises(SystemExit) as stop, \
+                mock.patch.object(pages, "FUNCTIONS", {}):
+            pages.main(["--out", "/dev/null/out"])
+        self.assertEqual(stop.exception.code, 2)
+        self.assertIn("/dev/null/out", shown.getvalue())
 
     def test_what_the_evaluation_does_not_know_is_told_with_its_place(self) -> None:
         with tempfile.TemporaryDirectory() as folder:

@@ -9,7 +9,6 @@ from pathlib import Path
 
 from javascript import environment
 from parsing.tokens import Unknown
-from playground import picks
 from playground.page import Unfit, page
 from tree import ROOT
 
@@ -29,21 +28,17 @@ def main() -> int:
                                      epilog="docs/playground.md tells what the page does.")
     parser.add_argument("--out", type=Path, default=ROOT / "build" / "playground.html", metavar="FILE",
                         help="the file to write (default: build/playground.html)")
-    beside = parser.add_mutually_exclusive_group()
-    beside.add_argument("--picks", action="store_true",
-                        help="write playground/picks.json in place of the page: what tools/pick writes for it")
-    beside.add_argument("--picture", action="store_true",
+    parser.add_argument("--picture", action="store_true",
                         help="also write docs/images/playground.png, the picture of the page, in Chromium")
     arguments = parser.parse_args()
-    out = picks.FILE if arguments.picks else arguments.out
+    out = arguments.out
 
     def tell(step: str) -> None:
         print(step, file=sys.stderr, flush=True)
 
     try:
         out.parent.mkdir(parents=True, exist_ok=True)  # before what takes long
-        text = picks.written(picks.texts(picks.calls(), tell)) if arguments.picks else page(tell)
-        out.write_text(text, encoding="utf-8")
+        out.write_text(page(tell), encoding="utf-8")
     except (Unknown, Unfit) as error:
         sys.stderr.write(f"tools/playground: {error}\n")
         return 1

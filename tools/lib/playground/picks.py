@@ -1,16 +1,25 @@
-"""What tools/pick writes of the functions that pictures call. That takes a minute, so `tools/playground --picks`
-writes it into playground/picks.json, and the page has that inside."""
+"""Writes playground/picks.json: what tools/pick writes of the functions that pictures call. That takes a minute, so the
+page of the playground has this file inside.
+
+    tools/make picks [--check]
+
+Exit status: 0 done, or the file is what it should be; 1 (--check) it is not, or a text cannot be picked; 2 bad usage,
+or it cannot be written.
+"""
 
 from __future__ import annotations
 
 import json
+import sys
 from collections.abc import Callable, Collection, Mapping, Sequence
 
 from catalog.javascript import dimensions_of, drawn, may_draw
 from catalog.model import read
+from parsing.tokens import Unknown
 from pick.command import Choice, command_of, picker, read_library
 from pick.program import public
 from tree import GLSL, ROOT
+from usage import Parser
 
 FILE = ROOT / "playground" / "picks.json"
 # In the order of which gzip leaves least.
@@ -77,3 +86,27 @@ def unwoven(file: str) -> dict[str, str]:
     return {command: "".join(f"{line}\n" for place, count in zip(spans[::2], spans[1::2])
                              for line in made["lines"][place:place + count])
             for command, spans in made["texts"].items()}
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    parser = Parser("tools/make picks", __doc__)
+    parser.add_argument("--check", action="store_true", help="write nothing")
+    check = parser.parse_args(arguments).check
+    try:
+        text = written(texts(calls(), lambda step: print(step, file=sys.stderr, flush=True)))
+    except Unknown as error:
+        parser.exit(1, f"tools/make picks: {error}\n")
+    if not check:
+        try:
+            FILE.write_text(text, encoding="utf-8")
+        except OSError as error:
+            parser.exit(2, f"tools/make picks: cannot write {FILE}: {error.strerror}\n")
+        print(FILE.resolve())
+    elif not FILE.is_file() or FILE.read_text(encoding="utf-8") != text:
+        print(f"{FILE}: it is not what tools/make picks writes", file=sys.stderr)
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

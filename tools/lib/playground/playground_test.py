@@ -95,9 +95,9 @@ class Picks(unittest.TestCase):
         file = picks.FILE.read_text(encoding="ascii")
         calls = picks.calls()
         with mock.patch.object(picks, "picker", lambda: lambda names, choice: ""):
-            self.assertEqual(set(picks.unwoven(file)), set(picks.texts(calls)), "run tools/playground --picks")
+            self.assertEqual(set(picks.unwoven(file)), set(picks.texts(calls)), "run tools/make picks")
         texts = picks.texts(calls if THOROUGH else self.SOME)
-        self.assertEqual(self.differing(file, texts), [], "run tools/playground --picks")
+        self.assertEqual(self.differing(file, texts), [], "run tools/make picks")
         one, other = "tools/pick hn_value1", "tools/pick hn_random3 --language wgsl"
         wrong = texts | {one: texts[other], other: texts[other].replace("0x", "0X", 1)}
         self.assertCountEqual(self.differing(picks.written(wrong), texts), [one, other])
@@ -156,12 +156,15 @@ class Command(unittest.TestCase):
     def test_picks_are_written_where_the_page_reads_them(self):
         with tempfile.TemporaryDirectory() as folder, mock.patch.object(picks, "FILE", Path(folder) / "picks.json"), \
                 mock.patch.object(picks, "calls", lambda: [["hn_random3"]]), \
-                mock.patch.object(sys, "argv", ["playground", "--picks"]), \
                 contextlib.redirect_stdout(io.StringIO()) as out, contextlib.redirect_stderr(io.StringIO()) as err:
-            self.assertEqual(command.main(), 0)
+            self.assertEqual(picks.main([]), 0)
             self.assertEqual(out.getvalue(), f"{picks.FILE.resolve()}\n")
             self.assertEqual(err.getvalue(), "Picking what 1 pictures call, in 6 texts each ...\n")
             self.assertEqual(picks.unwoven(picks.FILE.read_text()), picks.texts([["hn_random3"]]))
+            self.assertEqual(picks.main(["--check"]), 0)
+            picks.FILE.write_text("{}")
+            self.assertEqual(picks.main(["--check"]), 1)
+            self.assertTrue(err.getvalue().endswith(f"{picks.FILE}: it is not what tools/make picks writes\n"))
 
     def test_the_picture_is_that_of_the_page_and_its_status_counts(self):
         with tempfile.TemporaryDirectory() as folder, mock.patch.object(command, "page", lambda _: "the page"), \
@@ -172,7 +175,7 @@ class Command(unittest.TestCase):
             draw.assert_called_once_with(Path(folder) / "page.html")
 
     def test_bad_usage_is_status_2(self):
-        for arguments in (["--out"], ["more"], ["--out", "/dev/null/page.html"], ["--picks", "--picture"]):
+        for arguments in (["--out"], ["more"], ["--out", "/dev/null/page.html"], ["--picks"]):
             done = subprocess.run([sys.executable, TOOLS / "playground", *arguments], capture_output=True, text=True, check=False)
             self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
 

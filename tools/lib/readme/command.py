@@ -2,8 +2,8 @@
 file has which function, the size of all of them in one, how long the commands take, what looks like the noise of
 other libraries, and what packages for other programs have.
 
-    tools/readme            writes them
-    tools/readme --check    whether they are what they should be, and the README states the costs and the times
+    tools/make readme            writes them
+    tools/make readme --check    whether they are what they should be, and the README states the costs and the times
 
 A picture is drawn from the code below it, which the C++ twin evaluates at each pixel of a tile; so are those of
 docs/gallery. The typical values are those of 2^16 points. The costs are those of docs/results/llvmpipe/bench.csv,
@@ -20,7 +20,6 @@ compile, or a page cannot be read.
 
 from __future__ import annotations
 
-import argparse
 import re
 import sys
 from collections.abc import Sequence
@@ -40,6 +39,7 @@ from ship.unity import files as unity
 from ship.unreal import files as unreal
 from tables.markdown import with_section
 from tree import ROOT
+from usage import Parser
 
 README = "README.md"
 MEASURING = "docs/measuring.md"
@@ -58,37 +58,37 @@ SIZE = re.compile(r"(--strip --out noise\.glsl`, )\d+ kB")  # of the whole libra
 def tables(times: of_commands.Times) -> list[tuple[str, str, str]]:
     """What pages have between marks: the page, the name of the marks, and the table."""
     typical, costs = numbers.typical(), numbers.costs(numbers.CPU)
-    return [(README, "tools/readme: typical values", numbers.typical_table(typical, numbers.IN_README)),
-            (SUMS, "tools/readme: typical values of sums", numbers.typical_table(typical, numbers.SUMS)),
-            (SUMS, "tools/readme: typical values of sums in 1D and 4D",
+    return [(README, "tools/make readme: values", numbers.typical_table(typical, numbers.IN_README)),
+            (SUMS, "tools/make readme: typical values of sums", numbers.typical_table(typical, numbers.SUMS)),
+            (SUMS, "tools/make readme: typical values of sums in 1D and 4D",
              numbers.typical_table(typical, numbers.PLAIN_SUMS, (1, 4))),
-            (SUMS, "tools/readme: footprint", numbers.footprint_quote(numbers.footprint())),
-            (LANGUAGES, "tools/readme: picked", files.picked_text("hn_value2", "glsl")),
-            (LANGUAGES, "tools/readme: picked in WGSL", files.picked_text("hn_lattice2", "wgsl")),
-            (LANGUAGES, "tools/readme: picks", files.picks_table()),
-            (LANGUAGES, "tools/readme: picked for programs", files.picked_for_programs()),
-            (LANGUAGES, "tools/readme: files", files.files_table()),
-            (CONFORMANCE, "tools/readme: times", of_commands.times_table(times)),
-            (MEASURING, "tools/readme: costs", numbers.cost_table(costs, "navi21", "on AMD's NAVI21")),
-            (MEASURING, "tools/readme: costs on a GPU",
+            (SUMS, "tools/make readme: footprint", numbers.footprint_quote(numbers.footprint())),
+            (LANGUAGES, "tools/make readme: picked", files.picked_text("hn_value2", "glsl")),
+            (LANGUAGES, "tools/make readme: picked in WGSL", files.picked_text("hn_lattice2", "wgsl")),
+            (LANGUAGES, "tools/make readme: picks", files.picks_table()),
+            (LANGUAGES, "tools/make readme: picked for programs", files.picked_for_programs()),
+            (LANGUAGES, "tools/make readme: files", files.files_table()),
+            (CONFORMANCE, "tools/make readme: times", of_commands.times_table(times)),
+            (MEASURING, "tools/make readme: costs", numbers.cost_table(costs, "navi21", "on AMD's NAVI21")),
+            (MEASURING, "tools/make readme: costs on a GPU",
              numbers.cost_table(numbers.costs(numbers.GPU), "nvidia", "of NVIDIA's assembly")),
-            (MEASURING, "tools/readme: costs by compilers", of_gpus.chip_table(of_gpus.costs())),
-            (DEFAULT_HASH, "tools/readme: costs of the hash", of_gpus.hash_table(of_gpus.costs())),
-            (OPERATIONS, "tools/readme: operations", of_gpus.operation_table(of_gpus.operation_costs())),
-            (UNIFORM, "tools/readme: uniform", of_uniform.page_table(of_uniform.read())),
-            (MEASURING, "tools/readme: noises", numbers.form_table(costs)),
-            (MEASURING, "tools/readme: compile times", of_compilers.page_table(of_compilers.record())),
-            (MEASURING, "tools/readme: peers", numbers.peer_table(numbers.peer_costs(numbers.CPU))),
-            (MEASURING, "tools/readme: packages for Python", numbers.python_table(numbers.python_costs())),
-            (MEASURING, "tools/readme: peers on a GPU", numbers.peer_table(numbers.peer_costs(numbers.GPU))),
-            (HASHES, "tools/readme: hashes", hashes.hash_table(hashes.record())),
-            (JUDGE, "tools/readme: judged", of_noises.judge_table(of_noises.read())),
-            ("packages/blender/README.md", "tools/readme: nodes", blender.node_table()),
-            ("packages/materialx/README.md", "tools/readme: nodes", materialx.node_table()),
-            ("packages/unity/README.md", "tools/readme: nodes", unity.node_table()),
-            ("packages/unreal/README.md", "tools/readme: nodes", unreal.node_table()),
-            ("packages/isf/README.md", "tools/readme: looks", isf.look_table()),
-            ("packages/glsl-noise/README.md", "tools/readme: files", glsl_noise.file_table()),
+            (MEASURING, "tools/make readme: costs by compilers", of_gpus.chip_table(of_gpus.costs())),
+            (DEFAULT_HASH, "tools/make readme: costs of the hash", of_gpus.hash_table(of_gpus.costs())),
+            (OPERATIONS, "tools/make readme: operations", of_gpus.operation_table(of_gpus.operation_costs())),
+            (UNIFORM, "tools/make readme: uniform", of_uniform.page_table(of_uniform.read())),
+            (MEASURING, "tools/make readme: noises", numbers.form_table(costs)),
+            (MEASURING, "tools/make readme: compile times", of_compilers.page_table(of_compilers.record())),
+            (MEASURING, "tools/make readme: peers", numbers.peer_table(numbers.peer_costs(numbers.CPU))),
+            (MEASURING, "tools/make readme: packages for Python", numbers.python_table(numbers.python_costs())),
+            (MEASURING, "tools/make readme: peers on a GPU", numbers.peer_table(numbers.peer_costs(numbers.GPU))),
+            (HASHES, "tools/make readme: hashes", hashes.hash_table(hashes.record())),
+            (JUDGE, "tools/make readme: judged", of_noises.judge_table(of_noises.read())),
+            ("packages/blender/README.md", "tools/make readme: nodes", blender.node_table()),
+            ("packages/materialx/README.md", "tools/make readme: nodes", materialx.node_table()),
+            ("packages/unity/README.md", "tools/make readme: nodes", unity.node_table()),
+            ("packages/unreal/README.md", "tools/make readme: nodes", unreal.node_table()),
+            ("packages/isf/README.md", "tools/make readme: looks", isf.look_table()),
+            ("packages/glsl-noise/README.md", "tools/make readme: files", glsl_noise.file_table()),
             *((MOVING, *named) for named in ports.page_tables(ports.read()))]
 
 
@@ -101,21 +101,20 @@ def problems(check: bool) -> list[str]:
         if not check:
             (ROOT / path).write_text(right, encoding="utf-8")
         elif page != right:
-            found.append(f"{path}: a table is not what it should be; run tools/readme")
+            found.append(f"{path}: a table is not what it should be; run tools/make readme")
     readme = (ROOT / README).read_text(encoding="utf-8")
     right = SIZE.sub(rf"\g<1>{files.size('hashnoise.glsl')}", readme)
     if not check:
         (ROOT / README).write_text(right, encoding="utf-8")
     elif right != readme:
-        found.append(f"{README}: the size of the single file is not what it should be; run tools/readme")
+        found.append(f"{README}: the size of the single file is not what it should be; run tools/make readme")
     found += [f"{README}: it must state {quote!r}"
               for quote in (*of_gpus.quotes(of_gpus.costs()), *numbers.cost_quotes(), of_commands.times_quote(times)) if quote not in readme]
     return found
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    parser = argparse.ArgumentParser(prog="tools/readme", description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = Parser("tools/make readme", __doc__)
     parser.add_argument("--check", action="store_true", help="write nothing")
     options = parser.parse_args(arguments)
     try:
@@ -125,7 +124,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         sheets = [*picture.of_pages(), *gallery.sheets()]
         return picture.draw(sheets, options.check, gallery.functions()) or bool(found)
     except (OSError, LookupError, ValueError) as error:
-        parser.exit(2, f"tools/readme: {error}\n")
+        parser.exit(2, f"tools/make readme: {error}\n")
 
 
 if __name__ == "__main__":

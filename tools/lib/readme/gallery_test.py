@@ -21,7 +21,7 @@ class Gallery(unittest.TestCase):
         recipe = gallery.recipes()[0]
         self.assertNotEqual(compile_glsl(recipe.shader.replace("hn_", "hm_")).returncode, 0)
 
-    def test_another_picture_is_found(self):  # that they are right is a test of tools/readme
+    def test_another_picture_is_found(self):  # that they are right is a test of tools/make readme
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)
             shutil.copy(gallery.PAGE.parent / "wood.png", folder / "marble.png")

@@ -119,7 +119,7 @@ int check(const Sheet& sheet, const char* path) {
   std::vector<png_byte> pixels(PNG_IMAGE_SIZE(image));
   png_image_finish_read(&image, nullptr, pixels.data(), 0, nullptr);
   if (pixels == draw(sheet)) return 0;
-  std::fprintf(stderr, "picture: %s shows another picture; draw it again by tools/readme\n", path);
+  std::fprintf(stderr, "picture: %s shows another picture; draw it again by tools/make readme\n", path);
   return 1;
 }
 

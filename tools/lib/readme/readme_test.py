@@ -1,4 +1,5 @@
-"""What the pages show is true: their code compiles and runs as it stands there, and tools/readme makes the rest."""
+"""What the pages show is true: their code compiles and runs as it stands there, and tools/make readme makes the
+rest."""
 
 import contextlib
 import copy
@@ -107,7 +108,7 @@ class Picture(unittest.TestCase):
 
 
 class Numbers(unittest.TestCase):
-    """tools/readme --check, and that it can fail."""
+    """tools/make readme --check, and that it can fail."""
 
     def check(self):
         output = io.StringIO()

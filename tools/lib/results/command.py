@@ -1,9 +1,11 @@
 """Checks digests of results, which people send of their devices, and makes the page of them.
 
-    tools/results --check [PATH...]      files, or folders of nothing else (default: results/)
-    tools/results --page DIR [PATH...]   checks them, and writes DIR/index.html
-    tools/results --freeze               before a release: keeps the checksums of this version in results/versions/, by
-                                         which its digests are checked when the golden files are others
+    tools/make results [PATH...]              checks files, or folders of nothing else (default: results/), and writes
+                                              build/results/index.html
+    tools/make results --page DIR [PATH...]   the same, but it writes DIR/index.html
+    tools/make results --check [PATH...]      checks them
+    tools/make results --freeze               before a release: keeps the checksums of this version in results/versions/,
+                                              by which its digests are checked when the golden files are others
 
 docs/formats.md says what a digest is. Its checksums are computed once more from the golden files. With --earlier a
 digest may be of other golden files of the same version, as those are that were sent before the last change of values;
@@ -14,7 +16,6 @@ Exit status: 0 all are right, 1 one is refused, 2 bad usage, or a file cannot be
 
 from __future__ import annotations
 
-import argparse
 import sys
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
@@ -23,10 +24,12 @@ from results import page
 from results.digest import Digest, Earlier, Refused, read, shown
 from results.sets import FrozenSets, GoldenSets, Sets, write
 from tree import GOLDEN, ROOT, version
+from usage import Parser
 
 RESULTS = ROOT / "results"
 VERSIONS = RESULTS / "versions"
 OTHERS = ("README.md", "versions")  # of the folder of results
+PAGE = ROOT / "build" / "results"
 
 
 def known_versions(folder: Path = VERSIONS) -> dict[str, Sets]:
@@ -60,11 +63,11 @@ def read_all(paths: Sequence[Path], versions: Mapping[str, Sets],
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    parser = argparse.ArgumentParser(prog="tools/results", description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    what = parser.add_mutually_exclusive_group(required=True)
+    parser = Parser("tools/make results", __doc__)
+    what = parser.add_mutually_exclusive_group()
     what.add_argument("--check", action="store_true", help="say which digests are refused, and why")
-    what.add_argument("--page", type=Path, metavar="DIR", help="where index.html goes")
+    what.add_argument("--page", type=Path, default=PAGE, metavar="DIR",
+                      help="where index.html goes (default: build/results)")
     what.add_argument("--freeze", action="store_true", help="keep the checksums of this version")
     parser.add_argument("--earlier", action="store_true", help="take digests of earlier golden files of a version")
     parser.add_argument("paths", nargs="*", type=Path, metavar="PATH", help="digests, or folders of them")
@@ -87,15 +90,15 @@ def main(arguments: Sequence[str] | None = None) -> int:
         print(f"refused: {message}", file=sys.stderr)
     if refused:
         return 1
-    if given.page:
-        try:
-            given.page.mkdir(parents=True, exist_ok=True)
-            (given.page / "index.html").write_text(page.page(digests), encoding="utf-8")
-        except OSError as error:
-            parser.exit(2, f"tools/results: cannot write {given.page / 'index.html'}: {error.strerror}\n")
-        print(f"{given.page / 'index.html'}: {len(digests)} digests")
+    if given.check:
+        print(f"{len(digests)} digests are right")
         return 0
-    print(f"{len(digests)} digests are right")
+    try:
+        given.page.mkdir(parents=True, exist_ok=True)
+        (given.page / "index.html").write_text(page.page(digests), encoding="utf-8")
+    except OSError as error:
+        parser.exit(2, f"tools/make results: cannot write {given.page / 'index.html'}: {error.strerror}\n")
+    print(f"{given.page / 'index.html'}: {len(digests)} digests")
     return 0
 
 

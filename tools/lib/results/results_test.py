@@ -1,4 +1,4 @@
-"""tools/results: which digests it refuses, and what its page says of those that it takes."""
+"""tools/make results: which digests it refuses, and what its page says of those that it takes."""
 
 from __future__ import annotations
 
@@ -258,9 +258,8 @@ class Files(unittest.TestCase):
         self.assertEqual(self.call("--check", self.folder / "link.json")[0], 1)
 
     def test_bad_usage_is_status_2(self):
-        for arguments in ((), ("--check", "--freeze"), ("--check", self.folder / "nothing.json"),
-                          ("--freeze", "--earlier"),
-                          ("--page",)):
+        for arguments in (("--check", "--freeze"), ("--page", self.folder, "--freeze"), ("--check", self.folder / "nothing.json"),
+                          ("--freeze", "--earlier"), ("--page",)):
             with self.subTest(arguments=arguments):
                 self.assertEqual(self.call(*arguments)[0], 2)
         (self.folder / "file.json").write_text(text_of(digest()))
@@ -479,7 +478,7 @@ class Golden(unittest.TestCase):
         self.assertEqual(kept.combined(range(4)), sets.combined(range(4)))
         self.assertEqual(set(command.known_versions(path.parent)), {"1.2.3", version()})
         path.write_text("something,else\n")
-        with self.assertRaisesRegex(ValueError, "tools/results --freeze writes it"):
+        with self.assertRaisesRegex(ValueError, "tools/make results --freeze writes it"):
             FrozenSets(path)
 
 

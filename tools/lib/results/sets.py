@@ -95,7 +95,7 @@ class FrozenSets(Sets):
             first, *rows = list(csv.reader(file))
         if first[0] != "golden" or not rows or tuple(rows[0]) != COLUMNS:
             raise ValueError(f"{path}: it does not begin with golden,CHECKSUM and {','.join(COLUMNS)}; "
-                             "tools/results --freeze writes it")
+                             "tools/make results --freeze writes it")
         super().__init__([row[0] for row in rows[1:]], [row[1] for row in rows[1:]], first[1])
         self.rows = rows[1:]
 

@@ -14,7 +14,7 @@ FUNCTION = re.compile(r"^HN_FN\s+\w+\s+(hn_(?!i_)\w+)\(((?:[^()]|\([^()]*\))*)\)
 # What defines a public function in whatever way, where no comment, no directive and no body is.
 ANY_FUNCTION = re.compile(r"\b(hn_(?!i_)\w+)\s*\([^;{}]*\{")
 OF_SUMS = re.compile(r'^#include "octaves(\d)d\.glsl"$', re.MULTILINE)  # in the files of sums
-OF_THE_PLANE = re.compile(r"// The same in .* dimensions: tools/umbrella makes it\.")  # says where overloads are from
+OF_THE_PLANE = re.compile(r"// The same in .* dimensions: tools/make writes it\.")  # says where overloads are from
 NO_CODE = re.compile(r"//[^\n]*|/\*.*?\*/|^[ \t]*#(?:[^\n]*\\\n)*[^\n]*", re.MULTILINE | re.DOTALL)
 
 

@@ -1,4 +1,4 @@
-"""Tables in pages, which commands write between two comments: `<!-- tools/COMMAND: NAME -->` and `<!-- end -->`."""
+"""Tables in pages, which tools/make writes between two comments: `<!-- tools/make PART: NAME -->` and `<!-- end -->`."""
 
 from __future__ import annotations
 
@@ -15,5 +15,5 @@ def table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
 
 
 def with_section(path: str, page: str, name: str, content: str) -> str:
-    """The page with a new content between the comments; the name is that of the first, "tools/bounds: noises"."""
+    """The page with a new content between the comments; the name is that of the first, "tools/make bounds: noises"."""
     return between(path, page, f"<!-- {name} -->", END, content)

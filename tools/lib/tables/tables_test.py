@@ -201,7 +201,7 @@ HN_FN hn_float hn_four(hn_vec4 p, HN_I_OUT(hn_vec4) gradient) { return 0.0f; }
         (self.folder / "a.glsl").write_text("""
 //   seed     any
 HN_FN hn_float hn_one(hn_vec2 p) { return 0.0f; }
-// The same in 3 and 4 dimensions: tools/umbrella makes it.
+// The same in 3 and 4 dimensions: tools/make writes it.
 HN_FN hn_float hn_one(hn_vec3 p) { return 0.0f; }
 HN_FN hn_float hn_one(hn_vec4 p) { return 0.0f; }
 
@@ -246,14 +246,14 @@ HN_FN HN_I_HIGHP float hn_eight(hn_vec2 p) {
 
     def test_no_mark_of_a_generator_is_in_a_comment_that_users_see(self) -> None:
         (self.folder / "a.glsl").write_text("""
-// tools/catalog: forms
+// tools/make catalog: forms
 // What it is.
 HN_FN hn_float hn_one(hn_vec2 p) { return 0.0f; }
 """)
 
         def marked(library: Path) -> list[str]:
             return [function.name for function in glsl.declarations(library)
-                    if function.comment and any(re.match(r" tools/\w+: ", line) for line in function.comment.lines)]
+                    if function.comment and any(re.match(r" tools/make \w+: ", line) for line in function.comment.lines)]
 
         self.assertEqual(marked(self.folder), ["hn_one"])
         self.assertEqual(marked(glsl.LIBRARY), [])

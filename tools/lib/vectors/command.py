@@ -1,17 +1,16 @@
 """Writes or checks the vectors: rows of the golden files as JSON, for ports of the library to other languages.
 
-    tools/vectors [--check [--sample N]] [--out DIR] [--program PATH]
+    tools/make vectors [--check [--sample N]] [--out DIR] [--program PATH]
 
 Each file of vectors/ is FUNCTION.json, and index.json lists them; docs/porting.md tells what they hold. Run it after
-tools/golden. The bounds of floats are asked of hn-tolerances, which tools/test builds. With --sample N so many files
-are made and compared, others whenever the contract, the oracle or a table changes.
+tools/make golden. The bounds of floats are asked of hn-tolerances, which tools/test builds. With --sample N so many
+files are made and compared, others whenever the contract, the oracle or a table changes.
 
 Exit status: 0 written, or all is as it should be; 1 something is not; 2 bad usage, or there is no such program.
 """
 
 from __future__ import annotations
 
-import argparse
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -20,6 +19,7 @@ from golden.command import differences, salt, write
 from golden.generator import generator_of
 from tables.functions import read_functions
 from tree import ROOT, VECTORS
+from usage import Parser
 from vectors.files import INDEX, NoVectors, vectors
 
 PROGRAM = ROOT / "build" / "conformance" / "hn-tolerances"
@@ -38,8 +38,7 @@ def sampled(folder: Path, count: int) -> dict[str, str]:
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    parser = argparse.ArgumentParser(prog="tools/vectors", description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = Parser("tools/make vectors", __doc__)
     parser.add_argument("--check", action="store_true", help="compare with DIR instead of writing")
     parser.add_argument("--sample", type=int, metavar="N", help="make so many files, with --check")
     parser.add_argument("--out", type=Path, default=VECTORS, metavar="DIR", help="default: vectors/")
@@ -55,12 +54,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
             print(f"{len(files)} files written to {given.out}")
             return 0
     except NoVectors as error:
-        parser.exit(2, f"tools/vectors: {error}\n")
+        parser.exit(2, f"tools/make vectors: {error}\n")
     except OSError as error:
-        parser.exit(2, f"tools/vectors: cannot write {error.filename}: {error.strerror}\n")
+        parser.exit(2, f"tools/make vectors: cannot write {error.filename}: {error.strerror}\n")
     messages = differences(given.out, files, ENDING)
     right = f"{given.sample or len(files)} files of {len(files)} are as they should be"
-    print("\n".join([*messages, "tools/vectors writes them"]) if messages else right)
+    print("\n".join([*messages, "tools/make vectors writes them"]) if messages else right)
     return 1 if messages else 0
 
 

@@ -156,7 +156,7 @@ class Files(unittest.TestCase):
     def test_values_are_those_of_the_golden_files(self) -> None:
         for listed in read(files.INDEX)["files"]:
             wrong = rows_that_are_not_golden(read(listed["file"]))
-            self.assertEqual(wrong[:3], [], f"{len(wrong)} rows of {listed['file']}: tools/vectors writes them anew")
+            self.assertEqual(wrong[:3], [], f"{len(wrong)} rows of {listed['file']}: tools/make vectors writes them anew")
 
     def test_a_value_that_is_not_golden_is_noticed(self) -> None:
         for name, at in (("noise2d.perlin_d", 2), ("hash.lattice2", 0), ("position.fraction2", 1)):
@@ -248,7 +248,7 @@ class Command(unittest.TestCase):
             with self.subTest(said), contextlib.redirect_stderr(error), self.assertRaises(SystemExit) as ended:
                 command.main(["--check", "--program", str(program)])
             self.assertEqual(ended.exception.code, 2)
-            self.assertRegex(error.getvalue(), f"(?s)tools/vectors: .*{said}")
+            self.assertRegex(error.getvalue(), f"(?s)tools/make vectors: .*{said}")
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 """Makes a site of docs/ and the other pages, with a search, the playground and the page of results.
 
-    tools/site [--out DIR]      into build/site unless DIR says otherwise; what a site has there is replaced
+    tools/make site [--out DIR]      into build/site unless DIR says otherwise; what a site has there is replaced
 
 Open DIR/index.html, from a disk or from a server. Nothing in it is fetched from anywhere else. Sphinx, which makes it,
 is installed from PyPI into build/site-environment at first. Each link to a page, a heading or a file has to lead there.
@@ -11,7 +11,6 @@ cannot be reached, or a part could not be made.
 
 from __future__ import annotations
 
-import argparse
 import re
 import shutil
 import subprocess
@@ -22,6 +21,7 @@ from pathlib import Path
 
 from pypi import environment
 from tree import ROOT, TOOLS
+from usage import Parser
 from website import pages
 
 HERE = Path(__file__).parent
@@ -29,7 +29,7 @@ ENVIRONMENT = ROOT / "build" / "site-environment"
 MARK = "searchindex.js"  # by which a folder is known as a site
 # What is made beside the pages: the command, where its page appears, and its name in the site.
 EXTRA = (("playground.html", ["playground", "--out", "{}/playground.html"], "playground.html"),
-         ("results.html", ["results", "--earlier", "--page", "{}"], "index.html"))
+         ("results.html", ["make", "results", "--earlier", "--page", "{}"], "index.html"))
 MORE = """
 ## On this site
 
@@ -88,8 +88,7 @@ def make(out: Path) -> None:
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    parser = argparse.ArgumentParser(prog="tools/site", description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = Parser("tools/make site", __doc__)
     parser.add_argument("--out", type=Path, default=ROOT / "build" / "site", metavar="DIR",
                         help="where it goes (default: build/site)")
     out = parser.parse_args(arguments).out
@@ -98,7 +97,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         make(out.resolve())
     except NoSite as reason:
-        print(f"tools/site: {reason}", file=sys.stderr)
+        print(f"tools/make site: {reason}", file=sys.stderr)
         return reason.status
     except OSError as error:
         parser.error(f"{error.filename}: {error.strerror}")

@@ -1,4 +1,4 @@
-"""The configuration of Sphinx for the site of tools/site, which copies it beside the pages."""
+"""The configuration of Sphinx for the site of tools/make site, which copies it beside the pages."""
 
 project = "hashnoise"
 copyright = "The hashnoise authors"

@@ -27,7 +27,7 @@ from wgsl.module import ARITHMETICS, Module, Settings
 
 SKIPPED = 77
 # Files that users include: those that have the others in them.
-WHOLES = [path.name for path in sorted(GLSL.glob("*.glsl")) if "Made by tools/umbrella" in path.read_text()]
+WHOLES = [path.name for path in sorted(GLSL.glob("*.glsl")) if "Made by tools/make" in path.read_text()]
 
 
 def shaders(library: Path, rows: Iterable[str]) -> dict[str, str]:

@@ -8,7 +8,7 @@
 and, if there is more to it,
 
     quotes()            numbers in prose: pairs of a file and a text that must stand in it
-    describe(dimensions, gradient) -> dict    more numbers for the reader of tools/bounds
+    describe(dimensions, gradient) -> dict    more numbers for the reader of tools/make bounds
     ends(dimensions)    the ends of ranges, in the order in which the comments state them
     offset_error(dimensions, fixed)    of each component of an offset
 """

@@ -228,5 +228,5 @@ def _range(row: Row, found: Port) -> str:
 def page_tables(record: Mapping[str, Port]) -> list[tuple[str, str]]:
     """The tables of docs/moving.md, by the names of their marks."""
     names = dict.fromkeys(row.table for row in ROWS)
-    return [*((f"tools/readme: {name}", moving_table(name, record)) for name in names),
-            ("tools/readme: Unity", unity_table(record))]
+    return [*((f"tools/make readme: {name}", moving_table(name, record)) for name in names),
+            ("tools/make readme: Unity", unity_table(record))]

@@ -19,7 +19,7 @@ DESCRIPTION = """\
 Measures how uniform the results of hn_uniform are, for every noise and for sums of octaves, or fits its constants.
 
     tools/measure uniform [--points N] [--out FILE]    measures; docs/results/uniform.csv is such a file, of 10^7 points
-                                                       a row, of which tools/readme makes the table of docs/uniform.md
+                                                       a row, of which tools/make readme makes the table of docs/uniform.md
     tools/measure uniform --fit [--points N]           fits the spread of each noise, and writes them into uniform.glsl
                                                        and the contract. The bell that sums come near to stays
     tools/measure uniform --bell [--points N]          fits the bell together with all spreads, and prints it
@@ -139,7 +139,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if not options.out.parent.is_dir():
         parser.error(f"--out {options.out}: there is no folder {options.out.parent}")
 
-    # What follows needs numpy, and tools/readme, which makes the table, does without.
+    # What follows needs numpy, and tools/make readme, which makes the table, does without.
     from measure.uniform import model
 
     text = model.library_text()

@@ -42,13 +42,13 @@ TURN = "fract(TIME / 8.0)"
 
 def public_parts(library: dict[str, Part]) -> list[str]:
     return [name for name, part in library.items()
-            if any(PUBLIC.match(line) for line in part.lines) or "Made by tools/umbrella" in part.lines[0]]
+            if any(PUBLIC.match(line) for line in part.lines) or "Made by tools/make" in part.lines[0]]
 
 
 def part_text(name: str, library: dict[str, Part], stripped: dict[str, Part]) -> str:
     """A part with all that it needs, of which the comments are left out."""
     first = library[name].lines[0]
-    only_names_others = "Made by tools/umbrella" in first
+    only_names_others = "Made by tools/make" in first
     what = re.match(r"// hashnoise: (.*?\.)(?: |$)", first)[1]
     needed = in_order(name, library)
     lines = [line for other in needed[:-1] for line in stripped[other].lines]

@@ -1,8 +1,7 @@
-#!/usr/bin/env python3
 """Makes the files of glsl/hashnoise/ that only name others: all noise of a dimension, what is built on noise, and the
 whole. Of the text of the plane it makes what other dimensions have alike.
 
-    tools/umbrella [--check] [--glsl DIR]
+    tools/make umbrella [--check] [--glsl DIR]
 
 `<noise>2d.glsl` is a noise on the plane, so noise2d.glsl includes it; every dimension has such a file. But a file that
 includes another noise of its dimension, or detail/octave.glsl, is built on noise: then `<name>.glsl` includes `<name>2d.glsl`
@@ -18,8 +17,8 @@ them back.
 The text of the plane is by hand. Where another dimension has the same, but for the number of its axes, it is made: as a
 whole file, such as fbm3d.glsl, which says so at its top, or below a line in one of these forms:
 
-    // The same in every dimension: tools/umbrella makes it of octaves2d.glsl.
-    // The same in 1, 3 and 4 dimensions: tools/umbrella makes it.
+    // The same in every dimension: tools/make writes it of octaves2d.glsl.
+    // The same in 1, 3 and 4 dimensions: tools/make writes it.
 
 Below the first, in both files, stands what is made, as far as a line "// By hand in each dimension."; above the second,
 in a file that has all dimensions, stands what it is made of. tools/lib/dimensions/rule.py says what is changed.
@@ -28,22 +27,17 @@ With --check nothing is written. Exit status: 0 done, 1 (--check) a file is not 
 what another dimension has, 2 bad usage.
 """
 
-import argparse
+from __future__ import annotations
+
 import re
 import sys
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 
-sys.dont_write_bytecode = True  # the tree stays clean: no __pycache__ beside the sources
-sys.path.insert(0, str(Path(__file__).resolve().parent / "lib"))
-
-import needs  # noqa: E402
-
-needs.python(3, 9)
-
-from dimensions.files import made as made_of_the_plane  # noqa: E402
-from dimensions.rule import Unclear  # noqa: E402
-from tree import GLSL, ROOT, glsl_files, included_from  # noqa: E402
+from dimensions.files import made as made_of_the_plane
+from dimensions.rule import Unclear
+from tree import GLSL, ROOT, glsl_files, included_from
+from usage import Parser
 
 DIMENSIONAL = re.compile(r"[a-z]\w*(\d)d\.glsl")
 UMBRELLA = re.compile(r"noise\dd\.glsl|hashnoise\.glsl")
@@ -80,7 +74,7 @@ KEYWORDS = frozenset("""alignas alignof asm auto bool break case catch char clas
     long namespace new noexcept nullptr op operator private protected public requires return short signed sizeof static
     static_assert static_cast struct switch template this throw true try type typedef typename undef union unsigned
     using virtual void volatile while""".split())
-MARK = "Made by tools/umbrella."
+MARK = "Made by tools/make."
 OF_SUMS = "detail/octave.glsl"  # what includes it has the places of octaves
 
 
@@ -191,9 +185,8 @@ def wrong(folder: Path) -> dict[str, str]:
     return stale | {file: text for file, text in made.items() if texts.get(file) != text}
 
 
-def main(arguments: "Sequence[str] | None" = None) -> int:
-    parser = argparse.ArgumentParser(description="Make the files of glsl/hashnoise/ that only include others, and what "
-                                                 "other dimensions have of the text of the plane.")
+def main(arguments: Sequence[str] | None = None) -> int:
+    parser = Parser("tools/make umbrella", __doc__)
     parser.add_argument("--check", action="store_true", help="only tell which files are not what they should be")
     parser.add_argument("--glsl", type=Path, default=GLSL, help="the folder (default: %(default)s)")
     options = parser.parse_args(arguments)
@@ -206,7 +199,7 @@ def main(arguments: "Sequence[str] | None" = None) -> int:
         return 1
     for file, text in sorted(found.items()):
         if options.check:
-            print(f"{file} is not what tools/umbrella makes")
+            print(f"{file} is not what tools/make umbrella makes")
         elif text:
             (options.glsl / file).write_text(text, encoding="ascii")
         else:

@@ -1,7 +1,6 @@
-#!/usr/bin/env python3
 """Injects every fault that drivers have had, and writes down which cases notice: docs/faults.md.
 
-    tools/faults [--check] [--sample N] [--program PATH] [--out FILE] [--jobs N] [NAME]...
+    tools/make faults [--check] [--sample N] [--program PATH] [--out FILE] [--jobs N] [NAME]...
 
 First the healthy driver must pass the cases, or else everything would count as noticed. Then hn-conform runs them with
 --inject for each fault (or for those named; then the file stays). A fault is noticed if the run is red, exit status 1,
@@ -16,19 +15,21 @@ unchanged driver does not pass, or hn-conform did not run.
 
 from __future__ import annotations
 
-import argparse
 import json
 import os
 import re
 import subprocess
 import sys
 import tempfile
+from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
-PROGRAM = ROOT / "build" / "conformance" / "hn-conform"
+from tree import HN_CONFORM as PROGRAM
+from tree import ROOT
+from usage import Parser
+
 TABLE = ROOT / "docs" / "faults.md"
 TIMEOUT = 600  # seconds; a run takes a few
 
@@ -47,10 +48,10 @@ FEW = ("bugs*", "hash.*.lattice.*.gl330.golden", "hash.*.any.*.gl330.golden", "n
 
 HEAD = """# Faults of drivers, and what notices them
 
-`tools/faults` writes this page. It makes a healthy driver (llvmpipe, by OSMesa) behave as if it had each of these faults:
-`hn-conform run --inject NAME` rewrites the code of every shader, but not `glsl/`. Each fault turns the run red, and the
-table names the functions whose cases fail. Where only cases of `bugs` fail, the library avoids on purpose what the driver
-gets wrong. The cases are those of `{filters}`.
+`tools/make faults` writes this page. It makes a healthy driver (llvmpipe, by OSMesa) behave as if it had each of these
+faults: `hn-conform run --inject NAME` rewrites the code of every shader, but not `glsl/`. Each fault turns the run red, and
+the table names the functions whose cases fail. Where only cases of `bugs` fail, the library avoids on purpose what the
+driver gets wrong. The cases are those of `{filters}`.
 
 What a specification leaves open cannot fail. It gives a warning, and the last column has the cases that warn here but not
 on the healthy driver. If a specification allows the fault as it was reported, a worse one is injected, as the column
@@ -230,12 +231,12 @@ def settle(text: str, path: Path, check: bool) -> int:
         kept = path.read_text(encoding="utf-8")
         if kept == with_warnings_of(kept, text):
             return 0
-    print(f"{path} is not what tools/faults writes now: run it", file=sys.stderr)
+    print(f"{path} is not what tools/make faults writes now: run it", file=sys.stderr)
     return 1
 
 
-def main(arguments: list[str]) -> int:
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+def main(arguments: Sequence[str] | None = None) -> int:
+    parser = Parser("tools/make faults", __doc__)
     parser.add_argument("names", nargs="*", metavar="NAME", help="only these faults; the file stays")
     parser.add_argument("--check", action="store_true", help="compare with the file instead of writing it")
     parser.add_argument("--sample", type=int, metavar="N", help="with --check: inject so many of them")
@@ -258,10 +259,11 @@ def main(arguments: list[str]) -> int:
             healthy, *verdicts = pool.map(lambda name: judge(options.program, name, filters),
                                           ["", *(fault.name for fault in chosen)])
     except (NotRun, OSError, subprocess.TimeoutExpired) as error:
-        print(f"tools/faults: hn-conform did not run: {error}", file=sys.stderr)
+        print(f"tools/make faults: hn-conform did not run: {error}", file=sys.stderr)
         return 3
     if healthy.status != 0:
-        print(f"tools/faults: without a fault, too, these fail: {healthy.failed + healthy.broken}", file=sys.stderr)
+        print(f"tools/make faults: without a fault, too, these fail: {healthy.failed + healthy.broken}",
+              file=sys.stderr)
         return 3
     for fault, verdict in zip(chosen, verdicts):
         print(describe(fault, verdict))
@@ -278,4 +280,4 @@ def main(arguments: list[str]) -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(main())

@@ -1,4 +1,4 @@
-"""Tests of tools/umbrella."""
+"""Tests of tools/make umbrella."""
 
 from __future__ import annotations
 
@@ -9,11 +9,8 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from commands.support import load_script
+from dimensions import command as umbrella
 from dimensions.files import WHOLE
-
-umbrella = load_script("umbrella")
-
 
 # hashnoise.glsl includes these first.
 NOISES = ["noise1d.glsl", "noise2d.glsl", "noise3d.glsl", "noise4d.glsl"]
@@ -141,7 +138,7 @@ class Umbrella(unittest.TestCase):
 
     def test_a_new_dimension_has_a_file_and_an_old_one_none(self):
         for file in self.glsl.glob("*?d.glsl"):
-            if "tools/umbrella makes it" in file.read_text() or "Made from" in file.read_text() or file.name in WHOLE:
+            if "tools/make writes it" in file.read_text() or "Made from" in file.read_text() or file.name in WHOLE:
                 file.unlink()
         self.assertEqual(self.run_main(), (0, []))
         for file in sorted(self.glsl.glob("*3d.glsl")):

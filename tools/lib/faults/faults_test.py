@@ -1,4 +1,4 @@
-"""Tests of tools/faults
+"""Tests of tools/make faults
 
 A script stands in for hn-conform, so that this takes no driver and no time.
 """
@@ -12,9 +12,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from commands.support import load_script
-
-faults = load_script("faults")
+from faults import command as faults
 
 STAND_IN = '''#!{python}
 import json, pathlib, sys
@@ -117,7 +115,7 @@ class Faults(unittest.TestCase):
         self.assertEqual(self.call("--check"), 0)
         self.assertEqual(self.call(), 0)
         self.assertEqual(self.call("--check", healthy=more), 1)
-        self.assertIn("faults.md is not what tools/faults writes now", self.shown.getvalue())
+        self.assertIn("faults.md is not what tools/make faults writes now", self.shown.getvalue())
 
     def test_a_fault_that_nothing_notices(self):
         for two in (UNNOTICED, PASS):

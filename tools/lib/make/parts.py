@@ -1,0 +1,74 @@
+"""The table of what is made and committed: each part, what it is made of, and what makes it. A part stands below those
+that it needs."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+
+class Part(NamedTuple):
+    """Inputs and products are patterns from the top of the repository; the code that makes a part is an input, too, as
+    far as it is imported by name."""
+    name: str
+    what: str
+    takes: str  # of time, on two cores
+    module: str  # its main() makes the part, and compares it with --check
+    inputs: tuple[str, ...]
+    products: tuple[str, ...]
+    options: tuple[str, ...] = ()  # with which tools/make makes it
+    check: tuple[str, ...] = ("--check",)  # with which it looks at the part
+    sample: bool = False  # that look takes a sample
+    program: str = ""  # a target of CMake that it asks
+    python: tuple[int, int] = (3, 11)
+    scientific: bool = False  # it needs numpy
+    by_name: bool = False  # it is made only where it is named
+
+
+LIBRARY = ("glsl/hashnoise/**/*.glsl", "glsl/hashnoise/**/*.h", "include/hashnoise/**/*.h*")
+SUITE = (*(f"conformance/{room}/*.[ch]pp" for room in ("base", "library", "expected")),
+         *(f"conformance/{room}/*.inc" for room in ("library", "expected")))
+PAGES = ("README.md", "docs/gallery/README.md",
+         *(f"docs/{page}.md" for page in ("cellular", "conformance", "default-hash", "gpu-operations", "hashes", "judge",
+                                          "languages", "measuring", "moving", "noises", "sums", "uniform")))
+
+PARTS = (
+    Part("catalog", "what the suite, the library, packages and pages have of catalog/", "a second", "catalog.command",
+         ("catalog/*.toml",),
+         ("README.md", "conformance/library/f*s.inc", "docs/javascript.md", "docs/noises.md", "docs/sums.md",
+          "glsl/hashnoise/fbm2d.glsl", "glsl/hashnoise/octaves2d.glsl", "include/hashnoise/hashnoise.hpp",
+          "packages/npm/src/index.*", "packages/npm/wasm/twin.cpp", "packages/python/hashnoise/*.py*",
+          "playground/catalog.js", "src/grid/catalog.inc")),
+    Part("umbrella", "files of glsl/ that only include others, and what other dimensions have of the plane's text",
+         "a second", "dimensions.command", ("include/hashnoise/*.hpp",),
+         ("glsl/hashnoise/**/*.glsl", "glsl/hashnoise/detail/*.h"), python=(3, 9)),
+    Part("readme", "pictures, numbers and tables of pages", "half a minute", "readme.command",
+         (*PAGES, *LIBRARY, "docs/results/**/*.csv", "tools/costs.csv", "tools/lib/readme/*.[ch]pp",
+          "conformance/library/*.inc", "catalog/*.toml"),
+         (*PAGES, "docs/images/*.png", "docs/gallery/*.png", "packages/*/README.md")),
+    Part("bounds", "ranges, slopes and errors, proven: bounds.inc, and the tables of docs/accuracy.md",
+         "half a minute", "bounds.command",
+         (*LIBRARY, "docs/accuracy.md", "docs/knobs.md", "docs/sums.md", "tools/lib/bounds/noises/*.py",
+          "tools/lib/bounds/*.cpp", "conformance/expected/*s.[ch]pp", "conformance/library/facts.inc"),
+         ("conformance/expected/bounds.inc", "docs/accuracy.md"), scientific=True),
+    Part("golden", "golden files, by the oracle", "two minutes", "golden.command",
+         ("conformance/library/*.inc", "tools/lib/oracle/noises/*.py"), ("conformance/expected/golden/*.golden",),
+         check=("--check", "--sample", "8"), sample=True),
+    Part("vectors", "rows of golden files, for ports", "half a minute", "vectors.command",
+         ("conformance/expected/golden/*.golden", *SUITE), ("vectors/*.json",),
+         check=("--check", "--sample", "30"), sample=True, program="hn-tolerances"),
+    Part("freeze", "entries of new functions among what never changes", "seconds for each function", "frozen.command",
+         (*LIBRARY, *SUITE), ("conformance/expected/frozen.csv",), sample=True, program="hn-frozen"),
+    Part("snippets", "docs/snippets: functions to paste", "a minute", "pick.pages",
+         ("glsl/hashnoise/**/*.glsl",), ("docs/snippets/*.md",), python=(3, 9)),
+    Part("picks", "texts that the playground has inside", "a minute", "playground.picks",
+         ("glsl/hashnoise/**/*.glsl", "catalog/*.toml"), ("playground/picks.json",), python=(3, 9)),
+    Part("faults", "docs/faults.md: which cases notice what drivers got wrong", "ten minutes", "faults.command",
+         ("conformance/cases/bugs/*", "conformance/fault/*"), ("docs/faults.md",),
+         check=("--check", "--sample", "4"), sample=True, program="hn-conform"),
+    Part("results", "a page of what people's devices returned, which are checked", "a second", "results.command",
+         ("results/*.json", "results/versions/*.csv", "conformance/expected/golden/*.golden",
+          "conformance/library/*.inc", "conformance/web/address.js"), ("build/results/index.html",),
+         options=("--earlier",), check=("--check", "--earlier")),
+    Part("site", "a site of the pages, with what Sphinx needs from PyPI", "minutes", "website.command", (),
+         ("build/site/index.html",), by_name=True),
+)
