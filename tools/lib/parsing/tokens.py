@@ -6,7 +6,8 @@ import functools
 import re
 from typing import NamedTuple
 
-# All that read GLSL in Python make their tokens of these: this, the rules of tools/test mutants and that of tools/make umbrella.
+# All that read GLSL in Python make their tokens of these: this, the rules of tools/test mutants and that of
+# tools/make umbrella.
 WORD = r"[A-Za-z_]\w*"
 NUMBER = r"0[xX][0-9a-fA-F]+[uU]?|(?:\d+\.\d*|\.\d+)(?:[eE][+-]?\d+)?[fF]?|\d+[eE][+-]?\d+[fF]?|\d+[uU]?"
 SIGN = r"<<=|>>=|&&|\|\||\+\+|--|<<|>>|[-+*/%&|^<>=!]=|[-+*/%&|^<>=!~?:;,.(){}\[\]]"

@@ -1,0 +1,47 @@
+"""Measures the Python package beside other packages of PyPI that compute noise.
+
+    tools/measure python --python FILE [--out DIR] [--rounds N]
+
+FILE is a Python that has the package and those to compare with (pip install pyfastnoiselite opensimplex vnoise
+perlin-numpy noise). What it lacks is left out. python.csv goes into DIR: the noise, the package and its version,
+nanoseconds per point, that time in ours, and the spread of this quotient, half the distance between its quartiles. All
+use one thread, in turns. Nothing else should run meanwhile. docs/results/cpu/python.csv is such a file; tools/make readme
+makes the table of docs/measuring.md of it.
+
+Exit status: 0 done, 1 the package is not in that Python or a call failed, 2 bad usage.
+"""
+
+from __future__ import annotations
+
+import argparse
+import subprocess
+from collections.abc import Sequence
+from pathlib import Path
+
+CALLS = Path(__file__).with_name("calls.py")
+COLUMNS = "noise,package,version,nanoseconds,ratio,spread\n"
+
+
+def rounds(text: str) -> int:
+    if not text.isdecimal() or int(text) < 3:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a whole number from 3 on")
+    return int(text)
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    parser = argparse.ArgumentParser(prog="tools/measure python", description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--python", type=Path, required=True, metavar="FILE", help="a Python that has the packages")
+    parser.add_argument("--out", type=Path, default=Path("out"), metavar="DIR", help="for python.csv (out)")
+    parser.add_argument("--rounds", type=rounds, default=9, metavar="N", help="samples of each time (9)")
+    given = parser.parse_args(arguments)
+    if not given.python.is_file():
+        parser.error(f"--python: there is no {given.python}")
+    done = subprocess.run([given.python, "-B", CALLS, str(given.rounds)], stdout=subprocess.PIPE, text=True, check=False)
+    if done.returncode:
+        return 1
+    given.out.mkdir(parents=True, exist_ok=True)
+    record = given.out / "python.csv"
+    record.write_text(COLUMNS + done.stdout, encoding="utf-8")
+    print(record)
+    return 0
