@@ -18,10 +18,10 @@
 #
 #   setup_bench_cpu COMPILER...                     hn-bench-cpu by each, in a folder of its own
 
-readonly root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+readonly root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 readonly build=$root/build
 readonly log=$build/setup.log
-source "$root/tools/progress.sh"
+source "$root/tools/lib/progress.sh"
 
 readonly conform_packages=(
   cmake g++ ninja-build
@@ -47,7 +47,7 @@ readonly test_packages=("${driver_packages[@]}" "${npm_packages[@]}" "${example_
   libclang-rt-dev libgtest-dev python3 python3-dev python3-numpy python3-pip python3-scipy python3-venv g++-aarch64-linux-gnu
   qemu-user mono-mcs mono-runtime abigail-tools)
 # Compilers of the languages that tools/pick writes, as PROGRAM:PACKAGE. A machine may have the program from elsewhere, so
-# the package is missing only where the program is. Node.js is not among them: tools/node gets one that is new enough.
+# the package is missing only where the program is. Node.js is not among them: tools/lib/node gets one that is new enough.
 readonly language_packages=(cargo:cargo cargo-clippy:rust-clippy go:golang-go javac:default-jdk-headless rustc:rustc
   rustfmt:rustfmt)
 # Of thorough tests: Microsoft's FXC, a program for Windows, and the compiler of what starts it; a Debian that has nothing, and

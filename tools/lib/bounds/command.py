@@ -8,7 +8,7 @@
 noises/ has what is proven of each noise.
 
 Exit status: 0 all is as derived, 1 something is not: prose and comments are for you to mend; 2 bad usage, or a table or
-page that cannot be read; 4 numpy and scipy are missing, and could not be installed (tools/scientific-python).
+page that cannot be read; 4 numpy and scipy are missing, and could not be installed (tools/lib/scientific-python).
 """
 
 from __future__ import annotations

@@ -18,7 +18,7 @@ CONFORM = "conformance/hn-conform"
 COMMANDS = {"bake": ("src/bake/hn-bake", "--help"), "conform": (CONFORM, "run --help"),
             "measure clock": (CONFORM, "bench --help"), "measure paper": (CONFORM, "paper --help"),
             "measure cpu": ("bench-cpu-g++/src/bench_cpu/hn-bench-cpu", "--help")}
-# By tools/scientific-python, which finds no Python here that has what they import.
+# By tools/lib/scientific-python, which finds no Python here that has what they import.
 SCIENTIFIC = {"make bounds": "bounds", "measure hashes": "measure/hashes", "measure noise": "measure/noise",
               "measure uniform": "measure/uniform"}
 OF_MAKE = ("needs.py", "modules.py", "tree.py", "usage.py", "make/command.py", "make/graph.py", "make/parts.py")
@@ -33,11 +33,10 @@ class Machine(unittest.TestCase):
         self.root = Path(scratch.name)
         tools = self.root / "tools"
         tools.mkdir()
-        for name in ("setup.sh", "progress.sh", "scientific-python", "test",
-                     *{name.split()[0] for name in (*COMMANDS, *SCIENTIFIC)}):
+        for name in ("test", *{name.split()[0] for name in (*COMMANDS, *SCIENTIFIC)}):
             shutil.copy(TOOLS / name, tools)
         shutil.copytree(TOOLS / "lib" / "measure", tools / "lib" / "measure", ignore=shutil.ignore_patterns("*.py"))
-        for name in OF_MAKE:
+        for name in ("setup.sh", "progress.sh", "scientific-python", *OF_MAKE):
             self.copy(f"tools/lib/{name}")
         # Whoever builds or installs something is noticed.
         self.programs = self.root / "programs"
@@ -108,7 +107,7 @@ class WrongOptions(Machine):
 
     def lose_pythons(self) -> None:
         """Debian's own Python is not on the PATH."""
-        file = self.root / "tools" / "scientific-python"
+        file = self.root / "tools" / "lib" / "scientific-python"
         file.write_text(file.read_text().replace("/usr/bin/python3", "no-other-python"))
 
     def assert_refused(self, done: subprocess.CompletedProcess[str], said: str) -> None:

@@ -18,7 +18,7 @@ class Npm(unittest.TestCase):
         self.addCleanup(scratch.cleanup)
         self.root = Path(scratch.name)
         (self.root / "tools" / "lib").mkdir(parents=True)
-        for name in ("setup.sh", "progress.sh", "pack", "lib/needs.py", "lib/tree.py", "lib/usage.py"):
+        for name in ("lib/setup.sh", "lib/progress.sh", "pack", "lib/needs.py", "lib/tree.py", "lib/usage.py"):
             shutil.copy(TOOLS / name, self.root / "tools" / name)
         shutil.copytree(TOOLS / "lib" / "ship", self.root / "tools" / "lib" / "ship")
         # Whoever installs something is noticed, and has everything.

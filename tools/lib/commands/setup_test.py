@@ -1,4 +1,4 @@
-"""Tests of tools/setup.sh: what a command shows before it runs.
+"""Tests of tools/lib/setup.sh: what a command shows before it runs.
 
 Scripts stand in for cmake, ninja, apt-get and dpkg-query, so that nothing is installed or built. A line is due every
 quarter of a second here, in place of every ten seconds.
@@ -56,9 +56,9 @@ class Machine:
         self.root = root
         self.tools = root / "tools"
         self.tools.mkdir()
-        for name in ("setup.sh", "progress.sh", *{command.split()[0] for command in COMMANDS}):
-            shutil.copy(TOOLS / name, self.tools)
         shutil.copytree(TOOLS / "lib" / "measure", self.tools / "lib" / "measure")
+        for name in ("lib/setup.sh", "lib/progress.sh", *{command.split()[0] for command in COMMANDS}):
+            shutil.copy(TOOLS / name, self.tools / name)
         (self.tools / "costs.csv").write_text(TABLE)
         self.programs = root / "programs"
         self.program("dpkg-query", "exit 1")
@@ -109,7 +109,7 @@ class Setup(unittest.TestCase):
             self.machine.program(name, text.replace(str(SLOW), "0"))
 
     def change(self, pattern: str, text: str) -> None:
-        file = self.machine.tools / "progress.sh"
+        file = self.machine.tools / "lib" / "progress.sh"
         old = file.read_text()
         new = re.sub(pattern, text, old, flags=re.MULTILINE)
         self.assertNotEqual(old, new)

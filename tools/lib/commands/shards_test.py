@@ -58,9 +58,9 @@ class Shards(unittest.TestCase):
 
     def copy(self, folder: Path) -> None:
         """Of the repository, as a host has it."""
-        (folder / "tools").mkdir(parents=True)
-        for name in ("shards", "setup.sh", "progress.sh"):
-            shutil.copy(TOOLS / name, folder / "tools")
+        (folder / "tools" / "lib").mkdir(parents=True)
+        for name in ("shards", "lib/setup.sh", "lib/progress.sh"):
+            shutil.copy(TOOLS / name, folder / "tools" / name)
         (folder / "conformance" / "cli").mkdir(parents=True)
         shutil.copy(ROOT / "conformance" / "cli" / "options.cpp", folder / "conformance" / "cli")
         self.program(folder / "tools" / "conform", CONFORM)

@@ -34,7 +34,7 @@ class Test(unittest.TestCase):
         self.root = Path(scratch.name)
         tools = self.root / "tools"
         (tools / "lib").mkdir(parents=True)
-        for name in ("setup.sh", "progress.sh", "test", "node", "lib/skipped.py"):
+        for name in ("test", "lib/setup.sh", "lib/progress.sh", "lib/node", "lib/skipped.py"):
             shutil.copy(TOOLS / name, tools / name)
         self.ran = self.root / "build" / "ran"
         self.ran.parent.mkdir()

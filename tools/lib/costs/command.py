@@ -68,9 +68,9 @@ def time_of_children() -> float:
 
 
 def calibration(loops: int = 1) -> float:
-    """The processor time of the loop of tools/progress.sh, of so many at a time; the least of some, because others may
+    """The processor time of the loop of tools/lib/progress.sh, of so many at a time; the least of some, because others may
     disturb it."""
-    command = ["bash", "-c", 'root=$1; build=; log=; source "$root/tools/progress.sh"; calibration "$2"', "bash", str(ROOT),
+    command = ["bash", "-c", 'root=$1; build=; log=; source "$root/tools/lib/progress.sh"; calibration "$2"', "bash", str(ROOT),
                str(loops)]
     return min(float(subprocess.run(command, capture_output=True, text=True, check=True).stdout) for _ in range(5))
 
@@ -127,7 +127,7 @@ def cost_of(command: list[str], folder: str | None, environment: dict[str, str],
 
 
 def kept_rows(build: Path, there: float) -> dict[tuple[str, str], float]:
-    """What tools/setup.sh and tools/test have measured while they installed, built from nothing and ran all tests; with
+    """What tools/lib/setup.sh and tools/test have measured while they installed, built from nothing and ran all tests; with
     how fast the machine was then, if it matters. In a folder of 0.3.0 nothing says it, and no row counts."""
     path = build / "measured.csv"
     lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []

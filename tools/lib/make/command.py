@@ -49,7 +49,7 @@ def run(part: Part, options: Sequence[str]) -> int:
     """The part's own command."""
     needs.python(*part.python)
     if part.scientific:
-        status = subprocess.run([TOOLS / "scientific-python", "-m", part.module, *options], check=False,
+        status = subprocess.run([TOOLS / "lib" / "scientific-python", "-m", part.module, *options], check=False,
                                 env={**os.environ, "HN_COMMAND": f"make {part.name}"}).returncode
     else:
         status = importlib.import_module(part.module).main(options)

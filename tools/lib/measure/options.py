@@ -14,7 +14,7 @@ class Parser(argparse.ArgumentParser):
                          formatter_class=argparse.RawDescriptionHelpFormatter)
 
     def error(self, message: str):
-        """As tools/setup.sh refuses the options of other commands."""
+        """As tools/lib/setup.sh refuses the options of other commands."""
         if unknown := UNKNOWN.match(message):
             message = (f"there is no option {unknown[1]}{nearest(unknown[1], self._option_string_actions)}; "
                        f"{self.prog} --help tells more")

@@ -34,7 +34,7 @@ def main(packages: Path) -> int:
     page = package()["README.md"]
     # As the page says, and by its own name.
     command, = re.findall(rf"^    npm install (.*{NAME})-VERSION$", page, re.MULTILINE)
-    install = [TOOLS / "node", "npm", "install", "--offline", "--no-save", "--no-audit", "--no-fund"]
+    install = [TOOLS / "lib" / "node", "npm", "install", "--offline", "--no-save", "--no-audit", "--no-fund"]
     done = subprocess.run([*install, command, f"{NAME}@file:{NAME}"], cwd=project, capture_output=True, text=True,
                           check=False)
     if done.returncode != 0:
@@ -46,7 +46,7 @@ def main(packages: Path) -> int:
     for path in TESTS.iterdir():
         if path.suffix != ".json":
             shutil.copy(path, project)
-    return subprocess.run([TOOLS / "node", "node", "drop_in.mjs"], cwd=project, check=False).returncode and 1
+    return subprocess.run([TOOLS / "lib" / "node", "node", "drop_in.mjs"], cwd=project, check=False).returncode and 1
 
 
 if __name__ == "__main__":

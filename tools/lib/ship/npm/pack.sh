@@ -1,6 +1,6 @@
 # Packs the npm package into a folder, and prints its path: pack.sh FOLDER, as tools/pack npm calls it.
 set -euo pipefail
-source "$(dirname "${BASH_SOURCE[0]}")/../../../setup.sh"
+source "$(dirname "${BASH_SOURCE[0]}")/../../setup.sh"
 folder=$1
 
 mkdir -p "$build"
@@ -14,7 +14,7 @@ cd "$root/tools/lib"
 logged "Making the files of the package" "The files of the package could not be made" \
   python3 -B -m ship.npm.files "$scratch/package"
 cd "$scratch/package"
-logged "Packing" "The package could not be packed" "$root/tools/node" npm pack --silent --offline --pack-destination "$scratch"
+logged "Packing" "The package could not be packed" "$root/tools/lib/node" npm pack --silent --offline --pack-destination "$scratch"
 packed=("$scratch"/*.tgz)
 mv "${packed[0]}" "$folder"
 echo "$folder/${packed[0]##*/}"

@@ -70,7 +70,7 @@ class Linker:
                 (Path(scratch) / f"{names[name]}.wesl").write_text(text, encoding="ascii")
             command = [self.folder / "target/debug/linker", scratch]
             if self.kind == "npm":
-                command = [TOOLS / "node", "node", self.folder / "wesl/link.mjs", self.made / "weslBundle.js", scratch]
+                command = [TOOLS / "lib" / "node", "node", self.folder / "wesl/link.mjs", self.made / "weslBundle.js", scratch]
             done = subprocess.run(command, capture_output=True, text=True, check=False)
             if done.returncode != 0:
                 raise Refused(done.stderr)
