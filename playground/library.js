@@ -28,7 +28,7 @@ export class Library {
   }
 
   // The lines of these files and of all that they include, each once and where it is first included: what
-  // tools/single-file --strip writes.
+  // tools/pick whole --strip writes.
   lines(files) {
     const done = new Set();
     const flattened = (file) => {

@@ -317,9 +317,9 @@ sys.path.insert(0, ${JSON.stringify(join(root, "tools", "lib"))})
 from tree import GLSL
 from wgsl.module import Module, Settings`;
 
-test("the library in the page is that of tools/single-file, and of the translator", () => {
+test("the library in the page is that of tools/pick whole, and of the translator", () => {
   for (const file of ["fbm2d.glsl", "cellular3d.glsl"]) {
-    const made = execFileSync(join(root, "tools", "single-file"), ["--strip", file], { encoding: "utf8" });
+    const made = execFileSync(join(root, "tools", "pick"), ["whole", "--strip", file], { encoding: "utf8" });
     // In the page the text goes on, and keeps the numbers of its lines.
     const text = made.split("\n").slice(2).join("\n").replace(/\n#line 1\n$/, "");
     assert.equal(library.lines([file]).join("\n"), text.trim(), file);

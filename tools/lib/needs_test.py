@@ -19,7 +19,7 @@ from modules import LIB, imported
 from ship.recipes import RECIPES
 from tree import TOOLS
 
-USERS = ("make", "pack", "pick", "playground", "single-file", "wgsl")
+USERS = ("make", "pack", "pick", "playground")
 # What tools/pack imports by the names of its recipes. A release is what works on the project.
 OF_PACK = tuple(path for name, recipe in RECIPES.items() if recipe.python == (3, 9)
                 for path in sorted((LIB / "ship" / name.replace("-", "_")).glob("*.py"))
@@ -196,7 +196,7 @@ class Running(unittest.TestCase):
                                       rf"Another one is taken like this: python3\.12 tools/{name}\n\Z")
 
     def test_as_if_python_were_too_old(self):
-        for name, version in (("pick", (3, 8)), ("make", (3, 6)), ("wgsl", (3, 6)), ("pack", (3, 8))):
+        for name, version in (("pick", (3, 8)), ("make", (3, 6)), ("pack", (3, 8))):
             with self.subTest(name):
                 self.assert_told(self.called_by(version, name), name, rf"3\.{needed(name)[1]}", rf"3\.{version[1]}")
         # A part of a command may need a later one.
@@ -227,14 +227,14 @@ class Running(unittest.TestCase):
     def test_a_python_that_is_too_old(self):
         for (major, minor), python in pythons().items():
             if (3, 6) <= (major, minor) < (3, 9):
-                for name in ("pick", "make", "wgsl", "pack"):
+                for name in ("pick", "make", "pack"):
                     with self.subTest(name, python=python):
                         self.assert_told(call(python, TOOLS / name, "--help"), name, r"3\.\d+", rf"{major}\.{minor}")
 
     @unittest.skipUnless(any((3, 9) <= version < (3, 11) for version in pythons()), "no Python 3.9 or 3.10 is here")
     def test_older_pythons_write_the_same(self):
-        for arguments in (("pick", "hn_fbm2", "--language", "rust"), ("single-file", "--minify", "fbm2d.glsl"),
-                          ("wgsl", "fbm2d.glsl")):
+        for arguments in (("pick", "hn_fbm2", "--language", "rust"), ("pick", "whole", "--minify", "fbm2d.glsl"),
+                          ("pick", "whole", "--language", "wgsl", "fbm2d.glsl")):
             right = call(sys.executable, TOOLS / arguments[0], *arguments[1:])
             for version, python in pythons().items():
                 if (3, 9) <= version < (3, 11):

@@ -26,8 +26,8 @@ COMMANDS = (*(["pack", name, "{}"] for name, recipe in RECIPES.items() if not re
             ["make", "catalog", "--check"], ["make", "freeze", "--check"], ["make", "golden", "--check", "--sample", "50"],
             ["make", "results", "--check", "--earlier"], ["make", "umbrella", "--check"],
             ["make", "vectors", "--check", "--sample", "60"],
-            ["pick", "hn_fbm2"], ["playground", "--out", "{}/page.html"], ["single-file", "--out", "{}/all.glsl"],
-            ["wgsl", "noise2d.glsl"])
+            ["pick", "hn_fbm2"], ["playground", "--out", "{}/page.html"], ["pick", "whole", "--out", "{}/all.glsl"],
+            ["pick", "whole", "--language", "wgsl", "noise2d.glsl"])
 OF_CONFORM = (["run", "--filter", "noise2d.perlin.lattice.fast.*", "--out", "{}/out"], ["web", "--out", "{}/web"])
 OUTWARD = re.compile(r"connect\(.*AF_INET6?,(?!.*(?:\"127\.|\"::1\")).*")
 

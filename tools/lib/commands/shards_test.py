@@ -1,4 +1,4 @@
-"""tools/shards: it deals the parts to this machine or to hosts, and joins what they leave.
+"""tools/conform shards: it deals the parts to this machine or to hosts, and joins what they leave.
 
 Scripts stand in for tools/conform, for the program that joins, and for ssh: a host is a folder here, which its HOME is.
 """
@@ -59,7 +59,7 @@ class Shards(unittest.TestCase):
     def copy(self, folder: Path) -> None:
         """Of the repository, as a host has it."""
         (folder / "tools" / "lib").mkdir(parents=True)
-        for name in ("shards", "lib/setup.sh", "lib/progress.sh"):
+        for name in ("lib/shards.sh", "lib/setup.sh", "lib/progress.sh"):
             shutil.copy(TOOLS / name, folder / "tools" / name)
         (folder / "conformance" / "cli").mkdir(parents=True)
         shutil.copy(ROOT / "conformance" / "cli" / "options.cpp", folder / "conformance" / "cli")
@@ -69,7 +69,7 @@ class Shards(unittest.TestCase):
     def call(self, *arguments: str, **environment: str) -> subprocess.CompletedProcess[str]:
         self.notes.write_text("")
         return subprocess.run(
-            [self.root / "here" / "tools" / "shards", *arguments], capture_output=True, text=True, check=False,
+            [self.root / "here" / "tools" / "lib" / "shards.sh", *arguments], capture_output=True, text=True, check=False,
             cwd=self.root / "here", timeout=60,
             env={**os.environ, "PATH": f"{self.root / 'programs'}:{os.environ['PATH']}", "HN_HOSTS": str(self.hosts),
                  "HN_NOTES": str(self.notes), **environment})

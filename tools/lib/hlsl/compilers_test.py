@@ -59,7 +59,7 @@ def library(arithmetic: str) -> str:
     """All of it as one file, as users make it."""
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder) / "all.hlsl"
-        subprocess.run([sys.executable, TOOLS / "single-file", "--language", "hlsl", "--strip", "--out", file],
+        subprocess.run([sys.executable, TOOLS / "pick", "whole", "--language", "hlsl", "--strip", "--out", file],
                        check=True, capture_output=True)
         return f"#define HN_ARITHMETIC HN_{arithmetic.upper()}\n{file.read_text(encoding='ascii')}"
 

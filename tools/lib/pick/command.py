@@ -21,6 +21,8 @@ and C, perlin2 in Rust, Perlin2 in C# and Go.
 
 Ask for all functions of a shader or program at once: two texts may have the same function.
 
+tools/pick whole writes files of the library with all that they include, as one: tools/pick whole --help.
+
 Exit status: 0 done, 2 bad usage.
 """
 

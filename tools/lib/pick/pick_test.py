@@ -133,7 +133,7 @@ class Shaders(unittest.TestCase):
              "hn_warp_progressive2": "hn_warp_progressive(v.xy, 3, 2.0, 0.5, v.z, seed), 0.0, 0.0"}
 
     def test_no_operation_is_added(self) -> None:
-        whole = subprocess.run([TOOLS / "single-file", "--strip"], capture_output=True,
+        whole = subprocess.run([TOOLS / "pick", "whole", "--strip"], capture_output=True,
                                text=True, check=True).stdout
         for arithmetic in command.ARITHMETICS if THOROUGH else ("fast", "fixed"):
             # By default each in one arithmetic.
@@ -222,7 +222,7 @@ class Shaders(unittest.TestCase):
             self.assertEqual(*alike)
 
     def test_variables_have_names_of_their_own_in_godot(self) -> None:
-        """As tools/single-file gives them, in the text of GLSL without operators of a vector and a number."""
+        """As tools/pick whole gives them, in the text of GLSL without operators of a vector and a number."""
         glsl = program(module("fast"), *MIXED).text(Language(splats=False))
         shown = text(*MIXED, language="godot")
 

@@ -68,7 +68,7 @@ def public(module: Module) -> dict[str, Function]:
 
 
 def name_of(row: Row, known: dict[tuple[str, tuple[str, ...]], str]) -> str:
-    """What tools/pick and tools/wgsl call the form of the library that a row of the table is."""
+    """The name of the form of the library that a row of the table is, also in a module of WGSL."""
     types = tuple(f"hn_{type_}" if type_.startswith("place") else type_.removeprefix("out ")
                   for type_ in row.overloads[-1])
     return known[row.calls, types]

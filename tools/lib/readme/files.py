@@ -52,7 +52,7 @@ def picks_table() -> str:
         programs = [Program(module, chosen(module, [name])) for module in modules]
         texts = [*(program.text(LANGUAGES["glsl"]) for program in programs), programs[0].text(LANGUAGES["wgsl"])]
         rows.append([f"`{name}`", *(f"{len(shown):,} bytes, {shown.count(chr(10))} lines" for shown in texts), size(file)])
-    return table(("", "`HN_FAST`", "`HN_FIXED`", "`HN_FAST` in WGSL", "the file, by `tools/single-file --strip`"), rows)
+    return table(("", "`HN_FAST`", "`HN_FIXED`", "`HN_FAST` in WGSL", "the file, by `tools/pick whole --strip`"), rows)
 
 
 def picked_text(name: str, language: str) -> str:

@@ -22,7 +22,7 @@ PAGES = ("README.md", "llms.txt", "docs/build-systems.md", "docs/cellular.md", "
          "docs/knobs.md", "docs/moving.md", "docs/noises.md", "docs/random.md", "docs/same-bits.md", "docs/sums.md",
          "docs/tutorial.md", "docs/uniform.md")
 BLOCK = re.compile(r"^```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
-SINGLE_FILE = re.compile(r"^// here: what tools/single-file makes of (\w+\.glsl)$", re.MULTILINE)
+SINGLE_FILE = re.compile(r"^// here: what tools/pick whole makes of (\w+\.glsl)$", re.MULTILINE)
 
 
 def blocks(language, pages=PAGES):
@@ -40,7 +40,7 @@ def run(*arguments, **options):
 
 
 def single_file(*arguments):
-    return run(str(TOOLS / "single-file"), *arguments).stdout
+    return run(str(TOOLS / "pick", "whole"), *arguments).stdout
 
 
 # What a part of a shader stands in.
@@ -207,7 +207,7 @@ class Code(unittest.TestCase):
         self.assertNotEqual(compile_cpp(blocks("cpp")[0].replace("hn_fbm", "hn_fmb")).returncode, 0)
 
     def test_commands_that_make_single_files_work(self):
-        lines = commands("tools/single-file", "docs/languages.md")
+        lines = commands("tools/pick whole", "docs/languages.md")
         self.assertGreaterEqual(len(lines), 4)
         with tempfile.TemporaryDirectory() as folder:
             for line in lines:
@@ -215,7 +215,7 @@ class Code(unittest.TestCase):
                 self.assertEqual(done.returncode, 0, done.stderr)
                 self.assertTrue((pathlib.Path(folder) / line[line.index("--out") + 1]).is_file())
             size = round((pathlib.Path(folder) / "hashnoise.single.glsl").stat().st_size / 1000)
-            self.assertIn(f"`tools/single-file --strip --out noise.glsl`, {size} kB", (ROOT / "README.md").read_text())
+            self.assertIn(f"`tools/pick whole --strip --out noise.glsl`, {size} kB", (ROOT / "README.md").read_text())
 
     def test_commands_that_the_table_names_work(self):
         table = (ROOT / "README.md").read_text().partition("## Use it where you are")[2].partition("\n## ")[0]

@@ -1,4 +1,4 @@
-"""tools/single-file: what it makes compiles by itself, in every language, with nothing but a #version line."""
+"""tools/pick whole: what it makes compiles by itself, in every language, with nothing but a #version line."""
 
 import itertools
 import pathlib
@@ -15,14 +15,14 @@ from single_file.godot import expanded
 from thorough import THOROUGH, in_thorough_runs, some
 from tree import TOOLS, glsl_files
 
-TOOL = TOOLS / "single-file"
+TOOL = TOOLS / "pick", "whole"
 FILES = ("hash.glsl", "noise2d.glsl", "noise3d.glsl", "fbm2d.glsl", "fbm3d.glsl", "fbm.glsl", "hashnoise.glsl")
 CALLS = {"hash.glsl": "hn_unorm(hn_hash(7u))", "noise2d.glsl": "hn_perlin(vec2(1.5))",
          "noise3d.glsl": "hn_perlin(vec3(1.5))", "fbm2d.glsl": "hn_clouds(vec2(1.5), 5, 2.0, 0.5)"}
 
 
 def generate(*arguments):
-    return subprocess.run([sys.executable, TOOL, *arguments], capture_output=True, text=True, check=False)
+    return subprocess.run([sys.executable, *TOOL, *arguments], capture_output=True, text=True, check=False)
 
 
 def compile_shader(text):
@@ -161,9 +161,9 @@ class SingleFile(unittest.TestCase):
                 self.assertEqual("SHADER ERROR" not in done.stdout + done.stderr, right, done.stdout + done.stderr)
 
     def test_an_unknown_language_is_named(self):
-        done = generate("--language", "wgsl")
+        done = generate("--language", "fortran")
         self.assertEqual(done.returncode, 2)
-        self.assertIn("'glsl', 'hlsl', 'slang', 'metal', 'godot'", done.stderr)
+        self.assertIn("'glsl', 'hlsl', 'slang', 'metal', 'godot', 'wgsl'", done.stderr)
 
     def test_the_compilation_can_fail(self):
         right, _ = compile_shader("#version 460\n" + generate("hash.glsl").stdout + "\nvoid main() { absent(); }\n")

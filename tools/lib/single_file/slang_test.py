@@ -1,4 +1,4 @@
-"""The module of Slang that tools/single-file makes: its compiler writes it in four languages, and wgpu has the bits of
+"""The module of Slang that tools/pick whole makes: its compiler writes it in four languages, and wgpu has the bits of
 the C++ header.
 
     python3 -m single_file.slang_test FOLDER     FOLDER has what pick.languages_test has written

@@ -1,4 +1,4 @@
-"""Modules of tools/wgsl and tools/pick as Bevy imports them: naga_oil composes them, and what comes out has the golden
+"""Modules of tools/pick whole --language wgsl and tools/pick as Bevy imports them: naga_oil composes them, and what comes out has the golden
 values.
 
     python3 -m wgsl.bevy_test FOLDER    where cargo builds what composes
@@ -55,13 +55,13 @@ def build(folder: Path) -> Path:
     return folder / "debug" / "composer"
 
 
-def library(*options: str, tool: str = "wgsl") -> str:
-    """What a user gets."""
-    return subprocess.run([sys.executable, TOOLS / tool, *options], capture_output=True, text=True, check=True).stdout
-
-
 def picked(*options: str) -> str:
-    return library(*options, tool="pick")
+    """What a user gets."""
+    return subprocess.run([sys.executable, TOOLS / "pick", *options], capture_output=True, text=True, check=True).stdout
+
+
+def library(*options: str) -> str:
+    return picked("whole", "--language", "wgsl", *options)
 
 
 def evaluation_of(rows: Collection[str]) -> dict[str, str]:

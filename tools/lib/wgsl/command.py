@@ -1,9 +1,10 @@
-"""The command line of tools/wgsl, which describes it."""
+"""The command line of tools/pick whole --language wgsl."""
 
 from __future__ import annotations
 
 import argparse
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 
 from library_file import IMPORT_PATH_HELP, check_name, function_name, import_path, imported_as, write
@@ -16,15 +17,15 @@ EPILOG = """\
 noise2d.glsl is the noise on the plane, and fbm2d.glsl the octave sums on the plane; noise3d.glsl and fbm3d.glsl are
 those in space; hashnoise.glsl is everything. tools/pick --list tells the names of the functions.
 
-  tools/wgsl --arithmetic HN_FIXED fbm2d.glsl > fbm2d.wgsl
-  tools/wgsl --import-path hashnoise --out assets/shaders/hashnoise.wgsl
+  tools/pick whole --language wgsl --arithmetic HN_FIXED fbm2d.glsl > fbm2d.wgsl
+  tools/pick whole --language wgsl --import-path hashnoise --out assets/shaders/hashnoise.wgsl
 """
 
 
 def header(name: str, settings: Settings, path: str) -> str:
     return f"""\
 {imported_as(path)}\
-// hashnoise in WGSL. Made by tools/wgsl from {name} with {settings}.
+// hashnoise in WGSL. Made by tools/pick whole --language wgsl from {name} with {settings}.
 // Copyright (c) 2026 The hashnoise authors; MIT License.
 //
 // The functions are those of the GLSL, and so are their comments: vec2 there is vec2f here, ivec2 is vec2i, and uvec2 is
@@ -35,7 +36,7 @@ def header(name: str, settings: Settings, path: str) -> str:
 """
 
 
-def parsed_arguments(parser: argparse.ArgumentParser) -> argparse.Namespace:
+def parsed_arguments(parser: argparse.ArgumentParser, given: Sequence[str]) -> argparse.Namespace:
     parser.add_argument("--arithmetic", choices=(*ARITHMETICS, "HN_PRECISE"), default="HN_FAST", metavar="NAME",
                         help="HN_FAST (the default) or HN_FIXED. WGSL has no HN_PRECISE")
     parser.add_argument("--hash", choices=HASHES, default="LATTICE", metavar="NAME",
@@ -49,21 +50,21 @@ def parsed_arguments(parser: argparse.ArgumentParser) -> argparse.Namespace:
     parser.add_argument("--glsl", type=Path, default=GLSL, metavar="DIR", help="another copy of the library")
     parser.add_argument("--out", type=Path, metavar="FILE", help="the file to write (default: standard output)")
     parser.add_argument("name", nargs="?", default="hashnoise.glsl", help="a file of glsl/hashnoise/ (default: %(default)s)")
-    arguments = parser.parse_args()
+    arguments = parser.parse_args(given)
     check_name(parser, arguments.name, arguments.glsl)
     return arguments
 
 
-def main() -> int:
-    parser = argparse.ArgumentParser(prog="tools/wgsl", description=DESCRIPTION, epilog=EPILOG,
+def main(given: Sequence[str]) -> int:
+    parser = argparse.ArgumentParser(prog="tools/pick whole --language wgsl", description=DESCRIPTION, epilog=EPILOG,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    arguments = parsed_arguments(parser)
+    arguments = parsed_arguments(parser, given)
     settings = Settings(arguments.arithmetic, arguments.hash, arguments.gradient, arguments.hash_function or "")
     try:
         module = Module(arguments.glsl, f'#include "{arguments.name}"\n', settings)
         text = header(arguments.name, settings, arguments.import_path or "") + module.text(strip=arguments.strip)
     except Unknown as error:
-        sys.stderr.write(f"tools/wgsl: {error}\n")
+        sys.stderr.write(f"tools/pick whole --language wgsl: {error}\n")
         return 1
     write(parser, text, arguments.out)
     return 0

@@ -68,7 +68,7 @@ class Wgpu(unittest.TestCase):
     def test_naga_reads_the_glsl(self):
         for arithmetic in ARITHMETICS:
             for call in ("hn_fbm", "absent"):
-                done = subprocess.run([TOOLS / "single-file"], capture_output=True, text=True, check=True)
+                done = subprocess.run([TOOLS / "pick", "whole"], capture_output=True, text=True, check=True)
                 shader = (f"#version 450\n#define HN_ARITHMETIC {arithmetic}\n{done.stdout}\n"
                           "layout(location = 0) in vec2 uv;\nlayout(location = 0) out vec4 color;\n"
                           f"void main() {{ color = vec4({call}(uv, 6, 2.0, 0.5, 7u)); }}\n")

@@ -161,7 +161,7 @@ class Modules(unittest.TestCase):
         self.assertNotIn("0 if left out", text)
 
     def test_it_is_the_same_every_time(self):
-        command = [sys.executable, TOOLS / "wgsl", "--arithmetic", "HN_FIXED", "noise2d.glsl"]
+        command = [sys.executable, TOOLS / "pick", "whole", "--language", "wgsl", "--arithmetic", "HN_FIXED", "noise2d.glsl"]
         first, second = (subprocess.run(command, capture_output=True, check=True).stdout for _ in range(2))
         self.assertEqual(first, second)
 
@@ -204,7 +204,7 @@ class Modules(unittest.TestCase):
 
 class Command(unittest.TestCase):
     def call(self, *arguments: str) -> subprocess.CompletedProcess[str]:
-        return subprocess.run([sys.executable, TOOLS / "wgsl", *arguments], capture_output=True, text=True, check=False)
+        return subprocess.run([sys.executable, TOOLS / "pick", "whole", "--language", "wgsl", *arguments], capture_output=True, text=True, check=False)
 
     def test_statuses(self):
         self.assertEqual(self.call("--help").returncode, 0)

@@ -86,7 +86,7 @@ def parse(arguments: Sequence[str] | None) -> argparse.Namespace:
 
 def ours(dimensions: int) -> Subject:
     """Perlin noise of the library, with its derivatives."""
-    done = subprocess.run([TOOLS / "single-file", "--strip", f"perlin_d{dimensions}d.glsl",
+    done = subprocess.run([TOOLS / "pick", "whole", "--strip", f"perlin_d{dimensions}d.glsl",
                            f"perlin{dimensions}d.glsl"], capture_output=True, text=True, check=True)
     text = "\n".join(line for line in (done.stdout + WITH_SLOPE).splitlines()
                      if not line.startswith("#version") and f"vec{5 - dimensions} p, uint seed, out" not in line)

@@ -65,7 +65,7 @@ class Release:
                 made = text(["hashnoise.glsl"], language, minify=minify)
                 (self.folder / f"hashnoise.{ending}").write_text(made, encoding="ascii")
         for name, arithmetic in (("hashnoise.wgsl", "HN_FAST"), ("hashnoise.fixed.wgsl", "HN_FIXED")):
-            run([TOOLS / "wgsl", "--arithmetic", arithmetic, "--out", self.folder / name])
+            run([TOOLS / "pick", "whole", "--language", "wgsl", "--arithmetic", arithmetic, "--out", self.folder / name])
 
     def parts(self) -> None:
         """Each file that has public functions, with what it needs, for who wants no more than that."""

@@ -1,16 +1,16 @@
 #!/usr/bin/env bash
 # Runs the conformance suite in N parts, here one after another or on other machines at once, and joins their results.
 #
-#   tools/shards N [options of hn-conform run]                     here: each part is a run that can end by itself
-#   tools/shards [N] --host HOST... [options of hn-conform run]    by ssh; N is the number of hosts if it is left out
+#   tools/conform shards N [options of hn-conform run]                     here: each part is a run that can end by itself
+#   tools/conform shards [N] --host HOST... [options of hn-conform run]    by ssh; N is the number of hosts if it is left out
 #
 #   --host HOST[:FOLDER]   a machine that ssh reaches without a password, with a copy of the repository, of the same
 #                          commit, in FOLDER (hashnoise, in the home folder, if it is left out). May be repeated: the
 #                          hosts get the parts in turn, and install and build by themselves
 #   --out DIR              the folder of the joined results (default out). What each part left is in DIR/shards
 #
-#   tools/shards 4 --driver all --thorough --out out
-#   tools/shards --host alice --host bob:src/hashnoise --driver 'egl-device:*' --out out
+#   tools/conform shards 4 --driver all --thorough --out out
+#   tools/conform shards --host alice --host bob:src/hashnoise --driver 'egl-device:*' --out out
 #
 # With --resume parts that ended early go on, and those that came to their end are not run again. Of a part without
 # results the joined ones say that its cases are missing.
@@ -18,11 +18,11 @@
 # Exit status: 0 all as expected, 1 something is not, 2 bad usage, or the copies are not of the same commit, 3 no usable
 # driver, 4 it could not be built, or a host cannot be reached. What ends a part is the status if others went on.
 set -euo pipefail
-source "$(dirname "${BASH_SOURCE[0]}")/lib/setup.sh"
+source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 help_if_asked "$build/conformance/hn-conform" run -- "$@"
 
 bad_usage() {
-  echo "tools/shards: $1; tools/shards --help tells more" >&2
+  echo "tools/conform shards: $1; tools/conform shards --help tells more" >&2
   exit 2
 }
 
@@ -45,7 +45,7 @@ while (($#)); do
     --host=*) hosts+=("${1#*=}") ;;
     --out=*) out=${1#*=} ;;
     --resume) resume=1 && options+=("$1") ;;
-    --shard | --shard=*) bad_usage "it deals the shards itself; give the number of them first, as in tools/shards 4" ;;
+    --shard | --shard=*) bad_usage "it deals the shards itself; give the number of them first, as in tools/conform shards 4" ;;
     *) options+=("$1") ;;
   esac
   shift
@@ -56,11 +56,11 @@ for host in ${hosts[@]+"${hosts[@]}"}; do
 done
 if [[ -z $count ]]; then
   count=${#hosts[@]}
-  ((count)) || bad_usage "say in how many parts, as in tools/shards 4, or where, by --host"
+  ((count)) || bad_usage "say in how many parts, as in tools/conform shards 4, or where, by --host"
 fi
 [[ $count =~ ^0*[1-9][0-9]{0,3}$ ]] || bad_usage "there are 1 to 9999 parts, not $count"
 count=$((10#$count))
-refuse_unknown_options shards "${BASH_SOURCE[0]}" "$root/conformance/cli/options.cpp" -- ${options[@]+"${options[@]}"}
+refuse_unknown_options "conform shards" "${BASH_SOURCE[0]}" "$root/conformance/cli/options.cpp" -- ${options[@]+"${options[@]}"}
 
 # What a host does, as a script: its results are what it prints, and all else goes to the standard error.
 script_of() {
@@ -83,7 +83,7 @@ run_on_host() {
   script_of "$part" "$folder" | ssh -o BatchMode=yes "$host" bash -s >"$results.part" \
     2> >(sed -u "s|^|${host//|/}: |" >&2) || status=$?
   if [[ -s $results.part ]]; then mv "$results.part" "$results"; else rm -f "$results.part"; fi
-  ((status != 255)) || { echo "tools/shards: ssh cannot reach $host, or lost it" >&2; status=4; }
+  ((status != 255)) || { echo "tools/conform shards: ssh cannot reach $host, or lost it" >&2; status=4; }
   return "$status"
 }
 
