@@ -21,7 +21,7 @@ from playground.library import definitions, library, modules, of_pictures, writt
 from thorough import THOROUGH
 from tree import TOOLS, version
 
-MOST_BYTES = 504_000
+MOST_BYTES = 505_000
 
 
 class Page(unittest.TestCase):
