@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import argparse
 import difflib
+import re
 from collections.abc import Iterable, Sequence
 from typing import NoReturn
+
+NO_CHOICE = re.compile(r"invalid choice: '(?P<word>.*?)' \(choose from (?P<names>.*)\)$")
 
 
 def near(word: str, names: Iterable[str]) -> str:
@@ -23,6 +26,8 @@ class Parser(argparse.ArgumentParser):
                          formatter_class=lambda prog: argparse.RawDescriptionHelpFormatter(prog, width=120))
 
     def error(self, message: str) -> NoReturn:
+        if choice := NO_CHOICE.search(message):
+            message += near(choice["word"], re.findall(r"[^\s',]+", choice["names"]))
         self.exit(2, f"{self.prog}: {message}; {self.prog} --help tells more\n")
 
     def parse_args(self, args: Sequence[str] | None = None, namespace: argparse.Namespace | None = None):

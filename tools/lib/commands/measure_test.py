@@ -9,8 +9,8 @@ import subprocess
 import unittest
 from pathlib import Path
 
-from measure.options import Parser
 from tree import TOOLS
+from usage import Parser
 
 ROOMS = TOOLS / "lib" / "measure"
 TABLE = re.compile(r'^readonly table="\\\n(.*?)"$', re.MULTILINE | re.DOTALL)
@@ -84,7 +84,7 @@ class BadUsage(unittest.TestCase):
                                       "tools/measure gpu --help tells more\n")
 
     def refusal(self, *arguments: str) -> str:
-        parser = Parser("taste", None)
+        parser = Parser("tools/measure taste", "")
         parser.add_argument("--out")
         parser.add_argument("--kind", choices=("sweet", "sour"))
         parser.add_argument("--rounds", type=int)
@@ -97,12 +97,12 @@ class BadUsage(unittest.TestCase):
         hint = "; tools/measure taste --help tells more\n"
         for arguments, message in ((("--ot=x",), f"there is no option --ot (did you mean --out?){hint}"),
                                    (("--wombat", "x"), f"there is no option --wombat{hint}"),
-                                   (("--rounds", "x"), "argument --rounds: invalid int value: 'x'\n"),
-                                   (("more",), "unrecognized arguments: more\n")):
+                                   (("--rounds", "x"), f"argument --rounds: invalid int value: 'x'{hint}"),
+                                   (("more",), f"more is one word too many{hint}")):
             with self.subTest(arguments):
                 self.assertEqual(self.refusal(*arguments), f"tools/measure taste: {message}")
         self.assertRegex(self.refusal("--kind", "swet"),
-                         r"--kind: invalid choice: 'swet' .*\(did you mean sweet\?\)\n\Z")
+                         r"--kind: invalid choice: 'swet' .*\(did you mean sweet\?\); .*\n\Z")
 
 
 if __name__ == "__main__":

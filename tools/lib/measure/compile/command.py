@@ -18,9 +18,9 @@ from tempfile import TemporaryDirectory
 
 import chromium
 from measure.compile.texts import SUBJECTS, WAYS, Subject, fragment, shaders
-from measure.options import Parser
 from tables.markdown import table
 from tree import HN_CONFORM, ROOT
+from usage import Parser
 
 DESCRIPTION = """\
 Times how long shaders take to compile: a function with the whole library before it, with the files that it needs, or
@@ -176,7 +176,7 @@ def record() -> list[dict[str, str]]:
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    parser = Parser("compile", DESCRIPTION)
+    parser = Parser("tools/measure compile", DESCRIPTION)
     parser.add_argument("--compiler", action="append", choices=tuple(COMPILERS), metavar="NAME",
                         help=f"only this one: {', '.join(COMPILERS)}; may be repeated")
     parser.add_argument("--rounds", type=int, default=5, metavar="N", help="from 1 to 100 (default: %(default)s)")

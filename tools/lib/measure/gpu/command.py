@@ -40,10 +40,10 @@ from measure.gpu.compiling import Compiled, Device, compile_all
 from measure.gpu.drivers import Drivers
 from measure.gpu.kernels import compile_all as compile_kernels
 from measure.gpu.kernels import translated
-from measure.options import Parser
 from measure.peers.copies import add_options, given
 from measure.peers.table import PEERS, against
 from tree import ROOT, hn_conform
+from usage import Parser
 
 ARITHMETICS = ("*.lattice", "*.lattice+precise", "*.lattice+fixed", "*.any")
 DRIVERS = ROOT / "build" / "gpu-drivers"
@@ -177,7 +177,7 @@ def list_chips(folder: Path) -> int:
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    parser = Parser("gpu", __doc__)
+    parser = Parser("tools/measure gpu", __doc__)
     parser.add_argument("--chip", action="append", metavar="NAME", choices=[chip.name for chip in CHIPS], default=[],
                         help="only this one; may be repeated")
     parser.add_argument("--filter", action="append", metavar="GLOB", default=[],

@@ -43,8 +43,8 @@ from measure.hashes.judgement import Finding
 from measure.hashes.lattice import Lattice, sample
 from measure.hashes.report import HashResult
 from measure.likeness.renderer import Renderer
-from measure.options import Parser
 from tree import ROOT
+from usage import Parser
 
 DIMENSIONS = (2, 3)
 PARTS = ("hash", "hash_fn", "dimensions", "seeds", "steps")  # options with which not the whole page is measured
@@ -212,7 +212,7 @@ def refuse(options, name: str, others: tuple[str, ...]) -> None:
 
 
 def parse(arguments: list[str]) -> argparse.Namespace:
-    parser = Parser("hashes", __doc__)
+    parser = Parser("tools/measure hashes", __doc__)
     parser.add_argument("--hash", action="append", metavar="NAME", help="only this hash of the library (repeatable)")
     parser.add_argument("--hash-fn", metavar="EXPR", help="judge your own hash: an expression of the uint k")
     parser.add_argument("--dimensions", type=int, choices=DIMENSIONS, help="only in the plane, or only in space")

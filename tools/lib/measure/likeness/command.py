@@ -9,9 +9,9 @@ from pathlib import Path
 from measure.likeness import picture, ports
 from measure.likeness.renderer import Renderer
 from measure.likeness.table import ROWS
-from measure.options import Parser
 from measure.peers.copies import add_options, some_given
 from measure.peers.table import OTHERS, PEERS
+from usage import Parser
 
 DESCRIPTION = """\
 Finds the scale and the factor with which a call of ours looks like one of another library.
@@ -72,7 +72,7 @@ def run(paths: Mapping[str, Path], out: Path, pictures: Path | None, check: bool
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    parser = Parser("likeness", DESCRIPTION)
+    parser = Parser("tools/measure likeness", DESCRIPTION)
     add_options(parser, ALIKE)
     parser.add_argument("--pictures", type=Path, metavar="DIR",
                         help="draw theirs, ours as it is, ours as ported, and a board of the first and the last")

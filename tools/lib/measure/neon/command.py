@@ -17,8 +17,8 @@ from tempfile import TemporaryDirectory
 from elsewhere import NEON, Build, Failed, output_of
 from measure.neon.counting import Counter, Refused, of_a_fill
 from measure.neon.record import ARITHMETICS, OTHER, Run, page, record
-from measure.options import Parser
 from tree import ROOT, version
+from usage import Parser
 
 DESCRIPTION = """\
 Counts what hashnoise::grid costs with NEON, in instructions, on a machine that need not have it.
@@ -102,7 +102,7 @@ def count(program: Path, options: argparse.Namespace) -> Run | None:
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    parser = Parser("neon", DESCRIPTION)
+    parser = Parser("tools/measure neon", DESCRIPTION)
     parser.add_argument("--against", type=library_named, metavar="fastnoise2=FILE",
                         help="also count FastNoise2, in its shared library for ARM")
     parser.add_argument("--filter", action="append", default=[], metavar="GLOB",

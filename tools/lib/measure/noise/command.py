@@ -20,8 +20,8 @@ from measure.likeness.renderer import NoRenderer, NotCompiled
 from measure.noise import measures, page, record
 from measure.noise.measures import Finding, Measured
 from measure.noise.noise import COUNT, Sampler, Subject, read
-from measure.options import Parser
 from tree import TOOLS
+from usage import Parser
 
 DESCRIPTION = """\
 Judges anybody's noise: its range, jumps, repeats and more, with a page, a record and an exit status.
@@ -46,7 +46,7 @@ ROUNDS, VALUES = 7, 24  # of a place: so that what a drawing costs beside them d
 
 
 def parse(arguments: Sequence[str] | None) -> argparse.Namespace:
-    parser = Parser("noise", DESCRIPTION)
+    parser = Parser("tools/measure noise", DESCRIPTION)
     parser.add_argument("noise", metavar="FILE:EXPRESSION", help="a file of GLSL, and a float of `p`, which is a vec2 "
                         "or a vec3, as in noise.glsl:snoise(p). It may use `seed`, a uint, and set `slope` to its "
                         "derivatives, as in psrdnoise2.glsl:psrdnoise(p, vec2(0.0), 0.0, slope)")

@@ -6,10 +6,10 @@ import subprocess
 from collections.abc import Sequence
 from pathlib import Path
 
-from measure.options import Parser
 from measure.peers.copies import add_options, some_given
 from measure.peers.table import CALLS, PEERS, against
 from tree import hn_conform
+from usage import Parser
 
 DESCRIPTION = """\
 Measures what other libraries' noises, sums and warps cost, beside ours and in the same rounds.
@@ -38,7 +38,7 @@ def command(program: str, paths: dict[str, Path], driver: str, out: str) -> list
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    parser = Parser("peers", DESCRIPTION)
+    parser = Parser("tools/measure peers", DESCRIPTION)
     add_options(parser, PEERS)
     parser.add_argument("--driver", default="osmesa", metavar="NAME", help="of hn-conform (default: %(default)s)")
     parser.add_argument("--out", default="out", metavar="DIR", help="(default: %(default)s)")

@@ -18,6 +18,8 @@ import subprocess
 from collections.abc import Sequence
 from pathlib import Path
 
+from usage import Parser
+
 CALLS = Path(__file__).with_name("calls.py")
 COLUMNS = "noise,package,version,nanoseconds,ratio,spread\n"
 
@@ -29,8 +31,7 @@ def rounds(text: str) -> int:
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    parser = argparse.ArgumentParser(prog="tools/measure python", description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = Parser("tools/measure python", __doc__)
     parser.add_argument("--python", type=Path, required=True, metavar="FILE", help="a Python that has the packages")
     parser.add_argument("--out", type=Path, default=Path("out"), metavar="DIR", help="for python.csv (out)")
     parser.add_argument("--rounds", type=rounds, default=9, metavar="N", help="samples of each time (9)")

@@ -9,11 +9,11 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import NamedTuple
 
-from measure.options import Parser
 from tables.markdown import table, with_section
 from tables.marks import between
 from tree import GLSL, ROOT
 from twin import NotBuilt
+from usage import Parser
 
 DESCRIPTION = """\
 Measures how uniform the results of hn_uniform are, for every noise and for sums of octaves, or fits its constants.
@@ -127,7 +127,7 @@ def in_units(text: str) -> dict[str, tuple[int, ...]]:
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    parser = Parser("uniform", DESCRIPTION)
+    parser = Parser("tools/measure uniform", DESCRIPTION)
     parser.add_argument("--points", type=int, default=10**7, metavar="N", help="of each noise and sum (10^7)")
     parser.add_argument("--out", type=Path, default=RECORD, metavar="FILE", help="where the measurement goes")
     what = parser.add_mutually_exclusive_group()
