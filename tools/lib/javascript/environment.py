@@ -16,7 +16,7 @@ import sys
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-NODE = HERE.parents[1] / "node"
+NODE = HERE.parent / "node"
 SKIPPED = 77
 MADE = "made"  # a file that appears when all is there, and says of what it was made
 # What npm says if it reaches no registry, and pip if it is to fetch Node.js.

@@ -40,7 +40,7 @@ def run(*arguments, **options):
 
 
 def single_file(*arguments):
-    return run(str(TOOLS / "pick", "whole"), *arguments).stdout
+    return run(str(TOOLS / "pick"), "whole", *arguments).stdout
 
 
 # What a part of a shader stands in.
