@@ -23,7 +23,8 @@
 //   hn_i_ramp_of2(n), hn_i_ramp_of3  takes these to the units of ramps
 //   hn_i_edge2(a, b, t)              interpolates from a to b by a fade, to a ramp; hn_i_edge3(a, b, t)
 //   hn_i_d_edge2(a, b)               their difference, in the units of derivatives; hn_i_d_edge3(a, b)
-//   hn_i_weighted_component(g, w)    a component of a gradient times an exact weight, in the units of derivatives
+//   hn_i_weighted_component(g, w)    HN_FIXED only: a component of a gradient times an exact weight, in the units of
+//                                    derivatives
 //   hn_i_lerp_components(g, h, t)    interpolates from g to h by an exact fade, to the units of derivatives
 //   hn_i_gradient1(h)                the gradient on the line, and hn_i_ramp1(g, x), what it adds
 
@@ -83,7 +84,6 @@ HN_FN hn_float hn_i_edge2(hn_float a, hn_float b, hn_float t) { return hn_i_lerp
 HN_FN hn_float hn_i_edge3(hn_float a, hn_float b, hn_float t) { return hn_i_lerp(a, b, t); }
 HN_FN hn_float hn_i_d_edge2(hn_float a, hn_float b) { return hn_i_minus(b, a); }
 HN_FN hn_float hn_i_d_edge3(hn_float a, hn_float b) { return hn_i_minus(b, a); }
-HN_FN hn_float hn_i_weighted_component(hn_float g, hn_float w) { return hn_i_times(g, w); }
 HN_FN hn_float hn_i_lerp_components(hn_float g, hn_float h, hn_float t) { return hn_i_lerp(g, h, t); }
 
 HN_FN hn_float hn_i_gradient1(hn_uint h) {
