@@ -148,8 +148,8 @@ constexpr bool is_tried(std::string_view id) {
     return true;
 #endif
   }
-#ifdef HN_TEST_EACH_KIND  // each noise, and sums of the two kinds, on the plane alone; what is not inlined in one is in
-                          // all
+// Each noise, and sums of the two kinds, on the plane alone: what is not inlined in one is in all.
+#ifdef HN_TEST_EACH_KIND
   if (id.starts_with("fbm.")) return id == "fbm.clouds3" || id == "fbm.ping_pong2";
   if (id.find("_phase") != id.npos) return id == "noise2d.simplex_phase";
   if (id.starts_with("noise") && !id.starts_with("noise2d.")) return id == "noise3d.perlin_cell";

@@ -71,10 +71,16 @@ def state(part: Part) -> dict[str, str]:
     return {**products(part), **given}
 
 
-def needs(part: Part, parts: Sequence[Part] = PARTS) -> list[Part]:
-    """The parts above it that write what it reads or writes."""
-    reads = inputs(part) | found(part.products)
-    return [other for other in parts[:parts.index(part)] if found(other.products) & reads]
+def needs(parts: Sequence[Part]) -> dict[str, list[Part]]:
+    """For each part the ones above it that write what it reads or writes."""
+    above: list[tuple[Part, set[Path]]] = []
+    needed = {}
+    for part in parts:
+        written = found(part.products)
+        reads = inputs(part) | written
+        needed[part.name] = [other for other, files in above if files & reads]
+        above.append((part, written))
+    return needed
 
 
 # --- The record of what was right ---
@@ -203,10 +209,10 @@ def graph(parts: Sequence[Part]) -> str:
         return shlex.quote(str(text)).replace("$", "$$")
 
     text = GRAPH.format(lib=word(modules.LIB), python=word(sys.executable))
-    for part in parts:
-        before = " ".join(f"{other.name}.made" for other in needs(part, parts))
-        text += (f"build {part.name}.look: look always{' || ' + before if before else ''}\n  part = {part.name}\n"
-                 f"build {part.name}.made: make {part.name}.look\n  part = {part.name}\n")
+    for name, others in needs(parts).items():
+        before = " ".join(f"{other.name}.made" for other in others)
+        text += (f"build {name}.look: look always{' || ' + before if before else ''}\n  part = {name}\n"
+                 f"build {name}.made: make {name}.look\n  part = {name}\n")
     return text
 
 

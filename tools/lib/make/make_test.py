@@ -53,8 +53,10 @@ def texts() -> Iterator[Path]:
 
 def backward(parts: list[Part]) -> list[str]:
     """Parts that read what a part below them writes: among them would be every cycle."""
+    reads = [graph.inputs(part) for part in parts]
+    written = [graph.found(part.products) for part in parts]
     return [f"{part.name} reads what {other.name} writes" for number, part in enumerate(parts)
-            for other in parts[number + 1:] if graph.found(other.products) & graph.inputs(part)]
+            for below, other in enumerate(parts[number + 1:], number + 1) if written[below] & reads[number]]
 
 
 class Table(unittest.TestCase):
@@ -63,7 +65,7 @@ class Table(unittest.TestCase):
         self.assertIn("vectors reads what golden writes", backward(MADE[::-1]))
 
     def test_what_a_part_waits_for(self) -> None:
-        waits = {part.name: [other.name for other in graph.needs(part)] for part in MADE}
+        waits = {name: [other.name for other in others] for name, others in graph.needs(MADE).items()}
         for part, others in (("umbrella", ["catalog"]), ("bounds", ["catalog", "umbrella"]), ("golden", ["catalog"]),
                              ("vectors", ["golden", "bounds"]), ("freeze", ["umbrella"]), ("snippets", ["umbrella"]),
                              ("picks", ["catalog", "umbrella"]), ("readme", ["umbrella"]), ("results", ["golden"])):

@@ -99,7 +99,7 @@ CALLS = (
 )
 
 
-def measured(rounds: int) -> Iterator[tuple[Call, list[float]]]:
+def measured(rounds: int) -> dict[Call, list[float]]:
     """Each call of a package that is here, and its seconds per point in each round. All are called in turns."""
     calls = []
     for call in CALLS:
@@ -115,7 +115,7 @@ def measured(rounds: int) -> Iterator[tuple[Call, list[float]]]:
             start = time.perf_counter()
             run()
             seconds[call].append((time.perf_counter() - start) / points)
-    yield from seconds.items()
+    return seconds
 
 
 def rows(found: Mapping[Call, Sequence[float]]) -> Iterator[list[str]]:
@@ -128,7 +128,7 @@ def rows(found: Mapping[Call, Sequence[float]]) -> Iterator[list[str]]:
 
 
 if __name__ == "__main__":
-    found = dict(measured(int(sys.argv[1])))
+    found = measured(int(sys.argv[1]))
     if not any(call.package == OURS for call in found):
         sys.exit(f"{sys.executable} has no package {OURS}")
     csv.writer(sys.stdout, lineterminator="\n").writerows(rows(found))

@@ -62,7 +62,7 @@ class Calls(unittest.TestCase):
                 mock.patch.object(calls.importlib, "import_module", load), \
                 mock.patch.object(calls.importlib.metadata, "version", return_value="1.2"), \
                 mock.patch.object(calls.time, "perf_counter", lambda: next(clock)):
-            found = list(calls.rows(dict(calls.measured(3))))
+            found = list(calls.rows(calls.measured(3)))
         self.assertEqual(found, [["Perlin 2D", "hashnoise", "1.2", "1e+09", "1", "0"],
                                  ["Perlin 2D", "theirs", "1.2", "4e+09", "4", "0"]])
 
