@@ -50,7 +50,7 @@ PARTS = (
          (*LIBRARY, "docs/accuracy.md", "docs/knobs.md", "docs/sums.md", "tools/lib/bounds/noises/*.py",
           "tools/lib/bounds/*.cpp", "conformance/expected/*s.[ch]pp", "conformance/library/facts.inc"),
          ("conformance/expected/bounds.inc", "docs/accuracy.md"), scientific=True),
-    Part("golden", "golden files, by the oracle", "two minutes", "golden.command",
+    Part("golden", "golden files, by the oracle", "five minutes", "golden.command",
          ("conformance/library/*.inc", "tools/lib/oracle/noises/*.py"), ("conformance/expected/golden/*.golden",),
          check=("--check", "--sample", "8"), sample=True),
     Part("vectors", "rows of golden files, for ports", "half a minute", "vectors.command",
