@@ -8,7 +8,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tools" / "lib"))
 
-from golden_values import Golden  # noqa: E402
+from base.golden_values import Golden  # noqa: E402
 
 WIDTH = 640
 MARK = 0x80  # the blue of every pixel

@@ -17,7 +17,7 @@ export class Library {
     this.definitions = data.wgsl.definitions;
     this.settings = data.wgsl.settings;
     this.modules = new Map();
-    this.picks = { lines: [], texts: {} }; // tools/lib/playground/picks.py; the page has them after its first picture
+    this.picks = { lines: [], texts: {} }; // tools/lib/ship/playground/picks.py; the page has them after its first picture
   }
 
   // The lines that a command of tools/pick writes. Nothing for one that the page does not have.

@@ -1,5 +1,5 @@
 // Writes the picture of the page that the README shows, as PNG: node picture.mjs PAGE.html FILE, in the folder of
-// tools/lib/javascript. tools/playground --picture calls this.
+// tools/lib/base/javascript. tools/playground --picture calls this.
 import { kForWebGl, launched, opened } from "./tests/support.mjs";
 
 const kLink = "#sum=eroded&seed=12&octaves=8&map=land&cells=4&view=terrain";

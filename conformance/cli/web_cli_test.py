@@ -22,8 +22,8 @@ import urllib.parse
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 sys.path.insert(0, str(ROOT / "tools" / "lib"))
 
-import chromium  # noqa: E402
-from results.page import address as address_of_project  # noqa: E402
+from base import chromium  # noqa: E402
+from measure.results.page import address as address_of_project  # noqa: E402
 
 PROGRAM = ""
 ADDRESS = address_of_project()

@@ -13,7 +13,7 @@
 namespace hn {
 namespace {
 
-// Tests of tools/lib/bounds hold these against the library's text with adverse roundings.
+// Tests of tools/lib/proof/bounds hold these against the library's text with adverse roundings.
 
 // As in bounds.inc, but rounded.
 constexpr GulliesBounds kBounds{5e-6, 20.0, 1.4, 1e-4, 300.0, 20.0, 12.0, 2e-4, 4e-3};

@@ -11,7 +11,7 @@
 namespace hn {
 namespace {
 
-// Tests of tools/lib/bounds hold these against sums that are computed with adverse roundings.
+// Tests of tools/lib/proof/bounds hold these against sums that are computed with adverse roundings.
 
 TEST(OctaveTolerance, OfSlopesAndShiftsHasEdges) {
   EXPECT_EQ(octave_slope_tolerance(2, {1.0, 0, 2.0, 0.5, false}), 0.0);

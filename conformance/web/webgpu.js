@@ -2,7 +2,7 @@
 import { DriverError, NoContext } from "./renderer.js";
 import { kInputWords, kOutputWords } from "./suite.js";
 
-const kGroup = 64;  // invocations, as in tools/lib/wgsl/evaluation.py
+const kGroup = 64;  // invocations, as in tools/lib/translate/wgsl/evaluation.py
 const kBytes = 4;   // of a word
 const kNothing = 0xdeadbeef;
 

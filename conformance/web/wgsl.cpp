@@ -20,12 +20,12 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
 constexpr const char* kPython = "python3";
-constexpr std::string_view kMain = "from wgsl.evaluation import main\n\nmain()\n";
+constexpr std::string_view kMain = "from translate.wgsl.evaluation import main\n\nmain()\n";
 
 // The package of an embedded file of Python, as tools/lib has it.
 std::string_view package_of(std::string_view file) {
   constexpr std::array<std::string_view, 4> kParsing = {"lines.py", "preprocessor.py", "syntax.py", "tokens.py"};
-  return std::ranges::find(kParsing, file) == kParsing.end() ? "wgsl" : "parsing";
+  return std::ranges::find(kParsing, file) == kParsing.end() ? "translate/wgsl" : "translate/parsing";
 }
 
 bool in_wgsl(const Case& test) { return profile_named(test.name.profile).language == Language::wgsl; }
@@ -40,8 +40,8 @@ Result<void> write_into(const fs::path& folder, std::string_view name, std::stri
 
 // A folder with the program and the library, both as Python finds them.
 Result<void> prepare(const fs::path& folder, const SourceSet& sources) {
-  fs::create_directory(folder / "wgsl");
-  fs::create_directory(folder / "parsing");
+  fs::create_directories(folder / "translate" / "wgsl");
+  fs::create_directories(folder / "translate" / "parsing");
   fs::create_directories(folder / "glsl" / "detail");
   HN_DO(write_into(folder, "__main__.py", kMain));
   for (const EmbeddedFile& file : kWebFiles) {

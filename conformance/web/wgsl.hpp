@@ -1,4 +1,4 @@
-// The cases' shaders in WGSL: what tools/lib/wgsl, which this program has inside, makes of the library's text.
+// The cases' shaders in WGSL: what tools/lib/translate/wgsl, which this program has inside, makes of the library's text.
 #pragma once
 
 #include <map>

@@ -1,7 +1,7 @@
 // hashnoise: cellular noise in space.
 // SPDX-License-Identifier: MIT
 //
-// Made from cellular2d.glsl by tools/make. tools/lib/dimensions/numbers.py has its numbers.
+// Made from cellular2d.glsl by tools/make. tools/lib/translate/dimensions/numbers.py has its numbers.
 
 #ifndef HN_CELLULAR3D_GLSL
 #define HN_CELLULAR3D_GLSL

@@ -1,7 +1,7 @@
 // hashnoise: cellular noise in space whose points go round with a phase.
 // SPDX-License-Identifier: MIT
 //
-// Made from cellular_phase2d.glsl by tools/make. tools/lib/dimensions/numbers.py has its numbers.
+// Made from cellular_phase2d.glsl by tools/make. tools/lib/translate/dimensions/numbers.py has its numbers.
 
 #ifndef HN_CELLULAR_PHASE3D_GLSL
 #define HN_CELLULAR_PHASE3D_GLSL

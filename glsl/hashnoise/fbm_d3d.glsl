@@ -1,7 +1,7 @@
 // hashnoise: octave sums over a noise with derivatives, in space.
 // SPDX-License-Identifier: MIT
 //
-// Made from fbm_d2d.glsl by tools/make. tools/lib/dimensions/numbers.py has its numbers.
+// Made from fbm_d2d.glsl by tools/make. tools/lib/translate/dimensions/numbers.py has its numbers.
 
 #ifndef HN_FBM_D3D_GLSL
 #define HN_FBM_D3D_GLSL

@@ -1,7 +1,7 @@
 // hashnoise: shifts of positions in space, as sums of octaves.
 // SPDX-License-Identifier: MIT
 //
-// Made from warp2d.glsl by tools/make. tools/lib/dimensions/numbers.py has its numbers.
+// Made from warp2d.glsl by tools/make. tools/lib/translate/dimensions/numbers.py has its numbers.
 
 #ifndef HN_WARP3D_GLSL
 #define HN_WARP3D_GLSL

@@ -24,9 +24,9 @@ import environment
 TESTS = Path(__file__).resolve().parent
 sys.path.insert(0, str(TESTS.parents[1] / "tools" / "lib"))
 
-from golden_values import Golden  # noqa: E402
-from pypi import is_made  # noqa: E402
-from tree import ROOT  # noqa: E402
+from base.golden_values import Golden  # noqa: E402
+from base.pypi import is_made  # noqa: E402
+from base.tree import ROOT  # noqa: E402
 
 SKIPPED = 77
 PAGE = (ROOT / "docs" / "build-systems.md").read_text(encoding="utf-8")

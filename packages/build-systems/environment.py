@@ -13,7 +13,7 @@ from pathlib import Path
 TESTS = Path(__file__).resolve().parent
 sys.path.insert(0, str(TESTS.parents[1] / "tools" / "lib"))
 
-from pypi import environment  # noqa: E402
+from base.pypi import environment  # noqa: E402
 
 REQUIREMENTS = TESTS / "requirements.txt"
 

@@ -1,4 +1,4 @@
-// What the tests of the page share. They run in the folder of tools/lib/javascript:
+// What the tests of the page share. They run in the folder of tools/lib/base/javascript:
 //
 //   node TEST PAGE.html
 import { execFile } from "node:child_process";
@@ -7,7 +7,7 @@ import { tmpdir } from "node:os";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import { promisify } from "node:util";
-import { bitsOf, read } from "../../tools/lib/golden_values.mjs";
+import { bitsOf, read } from "../../tools/lib/base/golden_values.mjs";
 
 export { bitsOf };
 

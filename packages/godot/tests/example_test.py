@@ -16,13 +16,13 @@ from pathlib import Path
 
 from engine import RENDERERS, Engine, Failure, main
 
-from pick.command import settings
-from pick.program import Program, chosen, read
-from pick.shading import LANGUAGES
-from png import read_png
+from translate.pick.command import settings
+from translate.pick.program import Program, chosen, read
+from translate.pick.shading import LANGUAGES
+from base.png import read_png
 from ship.godot.files import ADDON, TURN, package, recipe_texts
 from ship.packing import put
-from tree import GLSL, ROOT
+from base.tree import GLSL, ROOT
 
 HERE = Path(__file__).resolve().parent
 SIDE = 256  # of the gallery's pictures

@@ -21,13 +21,13 @@ from pathlib import Path
 
 from engine import Engine, Failure, RENDERERS, main
 
-from golden_values import Golden, ids
-from parsing.preprocessor import Preprocessor
+from base.golden_values import Golden, ids
+from translate.parsing.preprocessor import Preprocessor
 from ship.godot.files import ADDON, package
-from single_file.godot import SUFFIX
-from tables.functions import Function, read_functions
-from tree import BOUNDS, FUNCTIONS
-from wgsl.evaluation import PROLOGUE, macros_of_rows
+from translate.single_file.godot import SUFFIX
+from catalog.tables.functions import Function, read_functions
+from base.tree import BOUNDS, FUNCTIONS
+from translate.wgsl.evaluation import PROLOGUE, macros_of_rows
 
 HERE = Path(__file__).resolve().parent
 POINTS = 64   # in a line of the picture

@@ -1,4 +1,4 @@
-// Heights at points, for tools/lib/heights: of Field, and of texts in GLSL, which Chromium runs by WebGL2.
+// Heights at points, for tools/lib/ship/heights: of Field, and of texts in GLSL, which Chromium runs by WebGL2.
 //
 //   node heights.mjs JOB    {"rows": [[x, y, seed], ...], "texts": {NAME: GLSL}}, all words
 //

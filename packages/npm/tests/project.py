@@ -1,7 +1,7 @@
 """A project of Vite with the package in it, as a user makes one: the folder `npm` of that of the JavaScript packages.
 
     project.py make FOLDER                       makes FOLDER/npm
-    project.py run FOLDER PROGRAM [ARGUMENT]...    runs a program of Node.js in it, by tools/lib/node
+    project.py run FOLDER PROGRAM [ARGUMENT]...    runs a program of Node.js in it, by tools/lib/base/node
 
 The package is what tools/pack npm makes, installed by npm. The code blocks of docs/javascript.md become modules of the
 project:
@@ -83,7 +83,7 @@ def make(packages: Path) -> int:
         return 1
     packed = done.stdout.strip()
     shutil.copytree(HERE, project, ignore=shutil.ignore_patterns("*.py", "__pycache__"))
-    shutil.copy(ROOT / "tools" / "lib" / "golden_values.mjs", project)
+    shutil.copy(ROOT / "tools" / "lib" / "base" / "golden_values.mjs", project)
     (project / "package.json").write_text(json.dumps({"name": "game", "private": True, "type": "module"}))
     for name, code in blocks().items():
         right, wrong = BLOCKS[name]
@@ -94,7 +94,7 @@ def make(packages: Path) -> int:
             (project / folder / name).write_text(text, encoding="utf-8")
     for name, text in picked().items():
         (project / "picked" / name).write_text(text, encoding="utf-8")
-    done = subprocess.run([ROOT / "tools" / "lib" / "node", "npm", "install", "--offline", "--no-audit", "--no-fund", packed],
+    done = subprocess.run([ROOT / "tools" / "lib" / "base" / "node", "npm", "install", "--offline", "--no-audit", "--no-fund", packed],
                           cwd=project, capture_output=True, text=True, check=False)
     print(done.stdout + done.stderr)
     return done.returncode and 1
@@ -105,7 +105,7 @@ def run(packages: Path, command: list[str]) -> int:
     if not (project / "node_modules").exists():
         print(f"{project} has no package in it: npm.package was skipped, or did not run")
         return SKIPPED
-    return subprocess.run([ROOT / "tools" / "lib" / "node", *command], cwd=project, check=False).returncode
+    return subprocess.run([ROOT / "tools" / "lib" / "base" / "node", *command], cwd=project, check=False).returncode
 
 
 def main(arguments: list[str]) -> int:

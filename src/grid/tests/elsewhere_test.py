@@ -17,8 +17,8 @@ ROOT = Path(__file__).resolve().parents[3]
 TESTING = ROOT / "conformance" / "testing"
 sys.path[:0] = [str(TESTING), str(ROOT / "tools" / "lib")]
 sys.argv, (WHERE, *PATHS) = sys.argv[:1], sys.argv[1:]
-import elsewhere  # noqa: E402
-from elsewhere import NEON, Place  # noqa: E402
+from measure import elsewhere  # noqa: E402
+from measure.elsewhere import NEON, Place  # noqa: E402
 from msvc import AS_MSVC  # noqa: E402
 
 DIGESTS, FOLDER = (Path(path).resolve() for path in PATHS)

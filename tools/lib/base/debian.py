@@ -23,7 +23,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from tree import ROOT
+from base.tree import ROOT
 
 MIRROR = "http://deb.debian.org/debian"
 SUITE = "sid"

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from tree import GOLDEN
+from base.tree import GOLDEN
 
 Columns = tuple[tuple[str, str], ...]  # names and types
 

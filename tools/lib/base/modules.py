@@ -7,7 +7,7 @@ import functools
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
-from tree import TOOLS
+from base.tree import TOOLS
 
 LIB = TOOLS / "lib"
 

@@ -13,11 +13,11 @@ import unittest
 from collections.abc import Iterator
 from pathlib import Path
 
-import modules
-from make.parts import PARTS
-from modules import LIB, imported
+from base import modules
+from base.modules import LIB, imported
+from base.tree import TOOLS
+from check.make.parts import PARTS
 from ship.recipes import RECIPES
-from tree import TOOLS
 
 USERS = ("make", "pack", "pick", "playground")
 # What tools/pack imports by the names of its recipes. A release is what works on the project.
@@ -158,7 +158,7 @@ class Files(unittest.TestCase):
         self.assertIn(LIB / "catalog" / "model.py", files_of("playground"))
 
     def test_a_command_is_read_by_a_python_that_is_too_old(self):
-        for name in (*of_python(), "lib/needs.py", "lib/measure/command.py"):
+        for name in (*of_python(), "lib/base/needs.py", "lib/measure/command.py"):
             with self.subTest(name):
                 text = (TOOLS / name).read_text(encoding="utf-8")
                 ast.parse(text, feature_version=(3, 6) if name in USERS else (3, 8))

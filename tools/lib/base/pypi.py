@@ -9,7 +9,7 @@ import sys
 import venv
 from pathlib import Path
 
-from debian import Missing
+from base.debian import Missing
 
 SKIPPED = 77
 # What pip says if it reaches no registry.

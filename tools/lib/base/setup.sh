@@ -7,7 +7,7 @@
 #   setup test      all of it, with the tests and what they need
 #
 # It installs the packages that are missing; where it cannot, it stops with status 4. On another system it names what is
-# needed and tries to build. It says first what it will do and how long that takes about, and tools/lib/progress.sh
+# needed and tries to build. It says first what it will do and how long that takes about, and tools/lib/base/progress.sh
 # reports what is going on. --help is answered before any of that:
 #
 #   help_if_asked PROGRAM [ARGUMENT...] -- "$@"     the program has the options of the command
@@ -18,10 +18,10 @@
 #
 #   setup_bench_cpu COMPILER...                     hn-bench-cpu by each, in a folder of its own
 
-readonly root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+readonly root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../../.." && pwd)
 readonly build=$root/build
 readonly log=$build/setup.log
-source "$root/tools/lib/progress.sh"
+source "$root/tools/lib/base/progress.sh"
 
 readonly conform_packages=(
   cmake g++ ninja-build
@@ -47,7 +47,7 @@ readonly test_packages=("${driver_packages[@]}" "${npm_packages[@]}" "${example_
   libclang-rt-dev libgtest-dev python3 python3-dev python3-numpy python3-pip python3-scipy python3-venv g++-aarch64-linux-gnu
   qemu-user mono-mcs mono-runtime abigail-tools)
 # Compilers of the languages that tools/pick writes, as PROGRAM:PACKAGE. A machine may have the program from elsewhere, so
-# the package is missing only where the program is. Node.js is not among them: tools/lib/node gets one that is new enough.
+# the package is missing only where the program is. Node.js is not among them: tools/lib/base/node gets one that is new enough.
 readonly language_packages=(cargo:cargo cargo-clippy:rust-clippy go:golang-go javac:default-jdk-headless rustc:rustc
   rustfmt:rustfmt)
 # Of thorough tests: Microsoft's FXC, a program for Windows, and the compiler of what starts it; a Debian that has nothing, and
@@ -278,7 +278,7 @@ find_vkd3d() {
   local version program
   version=$(vkd3d-compiler --version 2>/dev/null | sed -n 's/.*version \([0-9]*\)\.\([0-9]*\).*/\1 \2/p;q') || true
   if [[ -n $version ]] && ((${version% *} * 100 + ${version#* } >= 110)); then return 0; fi
-  program=$(python3 -B "$root/tools/lib/debian.py" vkd3d-compiler) || return 0
+  program=$(python3 -B "$root/tools/lib/base/debian.py" vkd3d-compiler) || return 0
   [[ -z $program ]] || export HN_VKD3D_COMPILER=$program
 }
 

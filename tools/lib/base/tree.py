@@ -5,7 +5,7 @@ import re
 import shutil
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
+ROOT = Path(__file__).resolve().parents[3]
 TOOLS = ROOT / "tools"
 GLSL = ROOT / "glsl" / "hashnoise"
 FUNCTIONS = ROOT / "conformance" / "library" / "functions.inc"

@@ -6,7 +6,7 @@ import subprocess
 from collections.abc import Iterable
 from pathlib import Path
 
-from tree import ROOT
+from base.tree import ROOT
 
 # As the test suite builds the twin: without contraction, so that floats are the same on every machine.
 COMPILER = ("g++", "-std=c++20", "-O2", "-ffp-contract=off")

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import unittest
 
+from base.tree import GLSL
 from catalog import asked
-from pick.command import Choice, read_library
-from pick.program import public
-from tree import GLSL
+from translate.pick.command import Choice, read_library
+from translate.pick.program import public
 
 WHO = {"graphs", "blender", "materialx"}
 

@@ -15,10 +15,10 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
+from base.tree import ROOT
+from base.usage import Parser
 from catalog import grid, javascript, pages, python, shaders, suite
 from catalog.model import CatalogError, read
-from tree import ROOT
-from usage import Parser
 
 
 def files() -> dict[Path, str]:

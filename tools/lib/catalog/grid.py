@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from base.tree import ROOT
 from catalog.model import Catalog, Function, Noise, Setting, Sum
 from catalog.sections import with_section
-from tree import ROOT
 
 PATH = ROOT / "src" / "grid" / "catalog.inc"
 HEADER = "include/hashnoise/hashnoise.hpp"

@@ -7,14 +7,14 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from base.tree import ROOT
 from catalog.grid import in_camel_case
 from catalog.model import Catalog, Function, Noise, Sum
 from catalog.sections import with_section
+from catalog.tables.functions import STRENGTHS
+from catalog.tables.markdown import table
+from catalog.tables.markdown import with_section as with_table
 from ship.npm.twin import MOST_BYTES
-from tables.functions import STRENGTHS
-from tables.markdown import table
-from tables.markdown import with_section as with_table
-from tree import ROOT
 
 TWIN = "packages/npm/wasm/twin.cpp"
 FIELDS = "packages/npm/src/index.js"

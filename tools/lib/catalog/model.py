@@ -7,12 +7,12 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Optional
 
-from tree import ROOT
+from base.tree import ROOT
 
 try:
     from tomllib import loads
 except ImportError:  # before Python 3.11
-    from tables.toml import loads
+    from catalog.tables.toml import loads
 
 CATALOG = ROOT / "catalog"
 SHAPES = ("value", "slopes", "two_distances", "three_distances", "distance_with_slopes", "vector", "value_and_quadrature")

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 
+from base.tree import ROOT
 from catalog.model import Catalog, Function, Noise, Sum
 from catalog.shaders import sums_of_values
-from tables.markdown import table, with_section
-from tree import ROOT
+from catalog.tables.markdown import table, with_section
 
 README, NOISES, SUMS = "README.md", "docs/noises.md", "docs/sums.md"
 USUAL_SUM = "fbm"

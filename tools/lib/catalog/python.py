@@ -7,9 +7,9 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from base.tree import ROOT
 from catalog.model import AXES, Catalog, CatalogError, Function, Noise, Sum
 from catalog.sections import with_section
-from tree import ROOT
 
 PACKAGE = "packages/python/hashnoise"
 STUB = f"{PACKAGE}/__init__.pyi"

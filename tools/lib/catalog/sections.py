@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from tables.marks import between
-from tree import ROOT
+from base.tree import ROOT
+from catalog.tables.marks import between
 
 START, END = "tools/make catalog: {}", "tools/make catalog: end"
 

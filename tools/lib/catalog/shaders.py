@@ -12,7 +12,7 @@ from pathlib import Path
 
 from catalog.model import Catalog, Sum
 from catalog.sections import with_section
-from parsing.lines import WIDTH
+from translate.parsing.lines import WIDTH
 
 SUMS, STEPS = "glsl/hashnoise/fbm2d.glsl", "glsl/hashnoise/octaves2d.glsl"
 OCTAVE = "hn_perlin(o.place, o.seed)"

@@ -11,9 +11,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from base.tree import ROOT
 from catalog.grid import row
 from catalog.model import AXES, Catalog, Function, Noise, Sum
-from tree import ROOT
 
 PATH = ROOT / "conformance" / "library" / "forms.inc"
 FACTS = ROOT / "conformance" / "library" / "facts.inc"

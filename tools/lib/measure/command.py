@@ -7,7 +7,7 @@ from pathlib import Path
 sys.dont_write_bytecode = True  # the tree stays clean: no __pycache__ beside the sources
 sys.path[0] = str(Path(__file__).resolve().parents[1])
 
-import needs  # noqa: E402
+from base import needs  # noqa: E402
 
 needs.python(3, 11)
 

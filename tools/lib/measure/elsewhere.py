@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from tree import ROOT
+from base.tree import ROOT
 
 
 class Failed(Exception):

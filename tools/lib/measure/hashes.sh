@@ -11,4 +11,4 @@ for argument in "$@"; do
     --out | --out=*) plots=(--plots) && break ;; # what draws with --quick as well
   esac
 done
-exec "$root/tools/lib/scientific-python" "${plots[@]}" -m measure.hashes.command "$@"
+exec "$root/tools/lib/base/scientific-python" "${plots[@]}" -m measure.hashes.command "$@"

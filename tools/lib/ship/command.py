@@ -6,10 +6,10 @@ import importlib
 import sys
 from collections.abc import Sequence
 
-import needs
+from base import needs
+from base.usage import near
 from ship import packing
 from ship.recipes import RECIPES
-from usage import near
 
 WIDTH = max(map(len, RECIPES))
 HELP = f"""Makes a package, and prints where it is.

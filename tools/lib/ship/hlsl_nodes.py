@@ -5,11 +5,11 @@ from __future__ import annotations
 import re
 from functools import cache
 
+from base.tree import GLSL
 from catalog import asked
-from parsing.syntax import Function
-from pick.command import Choice, picker, read_library
-from pick.program import public
-from tree import GLSL
+from translate.parsing.syntax import Function
+from translate.pick.command import Choice, picker, read_library
+from translate.pick.program import public
 
 # The arithmetics, with what they add to the names of classes, files and nodes.
 ARITHMETICS = {"fast": "", "fixed": "Fixed"}

@@ -11,10 +11,10 @@ import textwrap
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
+from base.tree import ROOT, version
+from base.usage import Parser
 from ship.recipes import RECIPES, Recipe
 from ship.zips import zipped
-from tree import ROOT, version
-from usage import Parser
 
 Files = Mapping[str, "str | bytes"]
 

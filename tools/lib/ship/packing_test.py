@@ -10,10 +10,10 @@ import zipfile
 from pathlib import Path
 from unittest import mock
 
+from base.tree import version
+from base.usage import Parser
 from ship import command, packing
 from ship.recipes import RECIPES
-from tree import version
-from usage import Parser
 
 PACKED = [name for name, recipe in RECIPES.items() if not recipe.command]
 

@@ -9,7 +9,7 @@ import re
 import sys
 from pathlib import Path
 
-from tables import glsl
+from catalog.tables import glsl
 
 IMPORT_PATH_HELP = "for Bevy and naga_oil: write #define_import_path NAME, so that #import NAME::hn_fbm2 finds it"
 

@@ -1,7 +1,7 @@
 """Tests in JavaScript run in a folder with the packages of package.json, from npm's registry. It is made here.
 
     environment.py make FOLDER                     makes it
-    environment.py run FOLDER PROGRAM [ARGUMENT]...    runs a program of Node.js there, such as node, by tools/lib/node
+    environment.py run FOLDER PROGRAM [ARGUMENT]...    runs a program of Node.js there, such as node, by tools/lib/base/node
 
 A module finds the packages if it lies in FOLDER; the tests copy theirs there. Exit status: that of the program, 0 made,
 1 it could not be made, 77 npm's registry or a Node.js cannot be had here.

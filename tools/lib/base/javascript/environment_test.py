@@ -7,7 +7,7 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
-from javascript import environment
+from base.javascript import environment
 
 
 def made_by(status: int, said: str) -> int:

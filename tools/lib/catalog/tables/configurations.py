@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from tables.functions import FAMILIES, Function
-from tables.inc import Row, read_rows
-from tree import CONFIGURATIONS
+from base.tree import CONFIGURATIONS
+from catalog.tables.functions import FAMILIES, Function
+from catalog.tables.inc import Row, read_rows
 
 GRADIENTS = ("octahedral", "sine")
 ARITHMETICS = ("fast", "precise", "fixed")

@@ -6,8 +6,8 @@ import re
 from dataclasses import dataclass
 from pathlib import Path
 
-from tables.inc import Row, read_rows
-from tree import FUNCTIONS
+from base.tree import FUNCTIONS
+from catalog.tables.inc import Row, read_rows
 
 # Functions whose values depend on the same knobs.
 FAMILIES = ("independent", "hash", "gradient", "sine_gradient", "gradient_noise", "lattice_noise", "octave_sum",
@@ -203,7 +203,7 @@ def _function(row: Row) -> Function:
     inputs, separator, outputs = columns.partition(" = ")
     form = next((form for form, pattern in FORMS.items() if pattern.fullmatch(inputs)), None)
     if not form or not re.fullmatch(r"\w+:(u32|i32|f32|f64)( \w+:(u32|i32|f32|f64))*", outputs):
-        raise row.error(f"{columns} are not columns that the tools know; tools/lib/tables/functions.py has the forms")
+        raise row.error(f"{columns} are not columns that the tools know; tools/lib/catalog/tables/functions.py has the forms")
     return Function(row, row.text(0), family, row.text(3), inputs, outputs, form)
 
 

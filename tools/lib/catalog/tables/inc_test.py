@@ -6,7 +6,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from tables.inc import Row, TableError, read_rows
+from catalog.tables.inc import Row, TableError, read_rows
 
 TABLE = """// ROW(not, this)
 //

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from tables.marks import between
+from catalog.tables.marks import between
 
 END = "<!-- end -->"
 

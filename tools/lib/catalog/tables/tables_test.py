@@ -9,11 +9,11 @@ import unittest
 from collections.abc import Callable
 from pathlib import Path
 
-from tables import glsl, toml
-from tables.configurations import read_configurations
-from tables.functions import FAMILIES, read_functions
-from tables.inc import TableError
-from tree import ROOT, glsl_files
+from base.tree import ROOT, glsl_files
+from catalog.tables import glsl, toml
+from catalog.tables.configurations import read_configurations
+from catalog.tables.functions import FAMILIES, read_functions
+from catalog.tables.inc import TableError
 
 FUNCTION = 'FUNCTION("noise2d.perlin", "noise2d.glsl", gradient_noise, "perlin", "{columns}", "f(p)", return a;)\n'
 CONFIGURATION = 'CONFIGURATION("{name}", FNV1, {gradient}, FIXED, {families})\n'

@@ -1,7 +1,7 @@
 """tools/test abi: what it says of the committed interface, and what it refuses.
 
     python3 -m unittest abi.abi_test    without a compiler
-    python3 -m abi.abi_test FOLDER      builds the library in FOLDER; skipped (77) where tools/test abi is
+    python3 -m check.abi.abi_test FOLDER      builds the library in FOLDER; skipped (77) where tools/test abi is
 """
 
 from __future__ import annotations
@@ -16,9 +16,9 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
-from abi import command
-from abi.command import INTERFACE
-from tree import ROOT, version
+from base.tree import ROOT, version
+from check.abi import command
+from check.abi.command import INTERFACE
 
 MINOR = ".".join(version().split(".")[:2])
 # What a user's file may have: functions of the header, a struct of them, and the library.

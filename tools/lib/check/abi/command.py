@@ -13,7 +13,7 @@ Exit status: 0 the interface is as it was, or is written; 1 it is not as it was,
 library cannot be built or described; 77 the machine is no x86-64, or there is no abigail-tools.
 """
 
-import needs
+from base import needs
 
 needs.python(3, 11, "test", "abi")
 
@@ -27,7 +27,7 @@ import sys  # noqa: E402
 from collections.abc import Sequence  # noqa: E402
 from pathlib import Path  # noqa: E402
 
-from tree import ROOT, version  # noqa: E402
+from base.tree import ROOT, version  # noqa: E402
 
 INTERFACE = ROOT / "src" / "grid" / "tests" / "grid.abi"
 FOLDER = ROOT / "build" / "abi"

@@ -1,6 +1,6 @@
 """The README's two commands on a Debian that has nothing but git: its smallest installation, made by debootstrap.
 
-    python3 -m commands.bare_machine_test FOLDER
+    python3 -m check.commands.bare_machine_test FOLDER
 
 The folder gets the installation, and a clone of the commit that is checked out. Exit status: 0 both commands pass and
 skip nothing but what CONTRIBUTING.md names, 1 not, 77 this is not root on a Debian, or debootstrap is missing.
@@ -16,7 +16,7 @@ import sys
 import unittest
 from pathlib import Path
 
-from tree import ROOT
+from base.tree import ROOT
 
 SKIPPED = 77
 # Certificates of a network that has its own; programs find them by the variables.

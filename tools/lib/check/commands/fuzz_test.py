@@ -13,7 +13,7 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
-from fuzz import command as fuzz
+from check.fuzz import command as fuzz
 
 SOUND = """#!/bin/sh
 echo "$@" > "$(dirname "$0")/called"

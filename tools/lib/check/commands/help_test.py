@@ -11,17 +11,18 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from tree import ROOT, TOOLS
+from base.tree import ROOT, TOOLS
 
 CONFORM = "conformance/hn-conform"
 # The program behind each, in build/, and what it is asked.
 COMMANDS = {"bake": ("src/bake/hn-bake", "--help"), "conform": (CONFORM, "run --help"),
             "measure clock": (CONFORM, "bench --help"), "measure paper": (CONFORM, "paper --help"),
             "measure cpu": ("bench-cpu-g++/src/bench_cpu/hn-bench-cpu", "--help")}
-# By tools/lib/scientific-python, which finds no Python here that has what they import.
-SCIENTIFIC = {"make bounds": "bounds", "measure hashes": "measure/hashes", "measure noise": "measure/noise",
+# By tools/lib/base/scientific-python, which finds no Python here that has what they import.
+SCIENTIFIC = {"make bounds": "proof/bounds", "measure hashes": "measure/hashes", "measure noise": "measure/noise",
               "measure uniform": "measure/uniform"}
-OF_MAKE = ("needs.py", "modules.py", "tree.py", "usage.py", "make/command.py", "make/graph.py", "make/parts.py")
+OF_MAKE = ("base/needs.py", "base/modules.py", "base/tree.py", "base/usage.py", "check/make/command.py",
+           "check/make/graph.py", "check/make/parts.py")
 
 
 class Machine(unittest.TestCase):
@@ -36,7 +37,7 @@ class Machine(unittest.TestCase):
         for name in ("test", *{name.split()[0] for name in (*COMMANDS, *SCIENTIFIC)}):
             shutil.copy(TOOLS / name, tools)
         shutil.copytree(TOOLS / "lib" / "measure", tools / "lib" / "measure", ignore=shutil.ignore_patterns("*.py"))
-        for name in ("setup.sh", "progress.sh", "scientific-python", *OF_MAKE):
+        for name in ("base/setup.sh", "base/progress.sh", "base/scientific-python", *OF_MAKE):
             self.copy(f"tools/lib/{name}")
         # Whoever builds or installs something is noticed.
         self.programs = self.root / "programs"
@@ -107,7 +108,7 @@ class WrongOptions(Machine):
 
     def lose_pythons(self) -> None:
         """Debian's own Python is not on the PATH."""
-        file = self.root / "tools" / "lib" / "scientific-python"
+        file = self.root / "tools" / "lib" / "base" / "scientific-python"
         file.write_text(file.read_text().replace("/usr/bin/python3", "no-other-python"))
 
     def assert_refused(self, done: subprocess.CompletedProcess[str], said: str) -> None:

@@ -9,8 +9,8 @@ import subprocess
 import unittest
 from pathlib import Path
 
-from tree import TOOLS
-from usage import Parser
+from base.tree import TOOLS
+from base.usage import Parser
 
 ROOMS = TOOLS / "lib" / "measure"
 TABLE = re.compile(r'^readonly table="\\\n(.*?)"$', re.MULTILINE | re.DOTALL)

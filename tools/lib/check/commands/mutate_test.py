@@ -15,9 +15,9 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from mutation import command as mutate
-from tables.functions import read_functions
-from tree import ROOT
+from base.tree import ROOT
+from catalog.tables.functions import read_functions
+from check.mutation import command as mutate
 
 SOURCES = {name: path.read_text(encoding="utf-8") for name, path in mutate.glsl_files(mutate.LIBRARY).items()}
 MUTANTS = mutate.all_mutants(SOURCES)

@@ -1,6 +1,6 @@
 """Commands that install nothing open no connection: strace tells.
 
-    python3 -m commands.network_test HN_CONFORM
+    python3 -m check.commands.network_test HN_CONFORM
 
 Browsers are left out, since they ask by themselves which networks there are. Exit status: 0 it is so, 1 it is not, 77
 strace is not here, or may not trace.
@@ -15,8 +15,8 @@ import tempfile
 import unittest
 from pathlib import Path
 
+from base.tree import ROOT, TOOLS
 from ship.recipes import RECIPES
-from tree import ROOT, TOOLS
 
 SKIPPED = 77
 # {} is an empty folder. Those that install are conform, test, measure and what else setup.sh serves, what needs NumPy

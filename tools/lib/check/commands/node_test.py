@@ -1,4 +1,4 @@
-"""tools/lib/node: which Node.js it runs."""
+"""tools/lib/base/node: which Node.js it runs."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from tree import TOOLS
+from base.tree import TOOLS
 
 NODE = shutil.which("node")
 
@@ -19,9 +19,9 @@ class Node(unittest.TestCase):
         scratch = tempfile.TemporaryDirectory()
         self.addCleanup(scratch.cleanup)
         self.root = Path(scratch.name)
-        (self.root / "tools" / "lib").mkdir(parents=True)
+        (self.root / "tools" / "lib" / "base").mkdir(parents=True)
         for name in ("setup.sh", "progress.sh", "node"):
-            shutil.copy(TOOLS / "lib" / name, self.root / "tools" / "lib")
+            shutil.copy(TOOLS / "lib" / "base" / name, self.root / "tools" / "lib" / "base")
         self.programs = self.root / "programs"
         self.programs.mkdir()
 
@@ -31,7 +31,7 @@ class Node(unittest.TestCase):
 
     def call(self, *arguments: str) -> subprocess.CompletedProcess[str]:
         path = f"{self.programs}{os.pathsep}{os.environ['PATH']}"
-        return subprocess.run([self.root / "tools" / "lib" / "node", *arguments], capture_output=True, text=True, check=False,
+        return subprocess.run([self.root / "tools" / "lib" / "base" / "node", *arguments], capture_output=True, text=True, check=False,
                               env=os.environ | {"PATH": path})
 
     def test_another_program_is_bad_usage(self):
@@ -44,7 +44,7 @@ class Node(unittest.TestCase):
     def test_the_help_is_the_comment_at_the_top(self):
         done = self.call("--help")
         self.assertEqual(done.returncode, 0)
-        self.assertIn("tools/lib/node node FILE", done.stdout)
+        self.assertIn("tools/lib/base/node node FILE", done.stdout)
 
     @unittest.skipUnless(NODE, "there is no node in PATH")
     def test_one_of_the_path_is_taken_if_it_is_new_enough(self):

@@ -1,4 +1,4 @@
-"""Tests of tools/lib/setup.sh: what a command shows before it runs.
+"""Tests of tools/lib/base/setup.sh: what a command shows before it runs.
 
 Scripts stand in for cmake, ninja, apt-get and dpkg-query, so that nothing is installed or built. A line is due every
 quarter of a second here, in place of every ten seconds.
@@ -17,7 +17,7 @@ import unittest
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from tree import TOOLS
+from base.tree import TOOLS
 
 TICK = 0.4
 # A step is as long as many ticks, so that a step that shows nothing is noticed, and a busy machine is not.
@@ -57,7 +57,8 @@ class Machine:
         self.tools = root / "tools"
         self.tools.mkdir()
         shutil.copytree(TOOLS / "lib" / "measure", self.tools / "lib" / "measure")
-        for name in ("lib/setup.sh", "lib/progress.sh", *{command.split()[0] for command in COMMANDS}):
+        (self.tools / "lib" / "base").mkdir()
+        for name in ("lib/base/setup.sh", "lib/base/progress.sh", *{command.split()[0] for command in COMMANDS}):
             shutil.copy(TOOLS / name, self.tools / name)
         (self.tools / "costs.csv").write_text(TABLE)
         self.programs = root / "programs"
@@ -109,7 +110,7 @@ class Setup(unittest.TestCase):
             self.machine.program(name, text.replace(str(SLOW), "0"))
 
     def change(self, pattern: str, text: str) -> None:
-        file = self.machine.tools / "lib" / "progress.sh"
+        file = self.machine.tools / "lib" / "base" / "progress.sh"
         old = file.read_text()
         new = re.sub(pattern, text, old, flags=re.MULTILINE)
         self.assertNotEqual(old, new)

@@ -12,8 +12,8 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from thorough import in_thorough_runs
-from tree import ROOT, TOOLS, hn_conform
+from base.thorough import in_thorough_runs
+from base.tree import ROOT, TOOLS, hn_conform
 
 # Each run notes what it was asked, in one file; $HN_STATUS says what which part ends with, as in "2:4".
 CONFORM = """while [ $# -gt 0 ]; do
@@ -58,8 +58,8 @@ class Shards(unittest.TestCase):
 
     def copy(self, folder: Path) -> None:
         """Of the repository, as a host has it."""
-        (folder / "tools" / "lib").mkdir(parents=True)
-        for name in ("lib/shards.sh", "lib/setup.sh", "lib/progress.sh"):
+        (folder / "tools" / "lib" / "base").mkdir(parents=True)
+        for name in ("lib/base/shards.sh", "lib/base/setup.sh", "lib/base/progress.sh"):
             shutil.copy(TOOLS / name, folder / "tools" / name)
         (folder / "conformance" / "cli").mkdir(parents=True)
         shutil.copy(ROOT / "conformance" / "cli" / "options.cpp", folder / "conformance" / "cli")
@@ -69,7 +69,7 @@ class Shards(unittest.TestCase):
     def call(self, *arguments: str, **environment: str) -> subprocess.CompletedProcess[str]:
         self.notes.write_text("")
         return subprocess.run(
-            [self.root / "here" / "tools" / "lib" / "shards.sh", *arguments], capture_output=True, text=True, check=False,
+            [self.root / "here" / "tools" / "lib" / "base" / "shards.sh", *arguments], capture_output=True, text=True, check=False,
             cwd=self.root / "here", timeout=60,
             env={**os.environ, "PATH": f"{self.root / 'programs'}:{os.environ['PATH']}", "HN_HOSTS": str(self.hosts),
                  "HN_NOTES": str(self.notes), **environment})

@@ -14,7 +14,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from tree import TOOLS
+from base.tree import TOOLS
 
 TESTS = """add_test(quick "sh" "-c" "echo quick >> {ran}")
 add_test([=[name+with.signs/0  # GetParam() = 4-byte <02-00 00-00>]=] "sh" "-c" "echo signs >> {ran}")
@@ -33,8 +33,8 @@ class Test(unittest.TestCase):
         self.addCleanup(scratch.cleanup)
         self.root = Path(scratch.name)
         tools = self.root / "tools"
-        (tools / "lib").mkdir(parents=True)
-        for name in ("test", "lib/setup.sh", "lib/progress.sh", "lib/node", "lib/skipped.py"):
+        (tools / "lib" / "base").mkdir(parents=True)
+        for name in ("test", "lib/base/setup.sh", "lib/base/progress.sh", "lib/base/node", "lib/base/skipped.py"):
             shutil.copy(TOOLS / name, tools / name)
         self.ran = self.root / "build" / "ran"
         self.ran.parent.mkdir()
@@ -80,7 +80,7 @@ class Test(unittest.TestCase):
         self.assertNotIn("Skipped", text)
 
     def test_what_cannot_be_listed_leaves_the_status_alone(self) -> None:
-        (self.root / "tools" / "lib" / "skipped.py").write_text("raise SystemExit(1)\n")
+        (self.root / "tools" / "lib" / "base" / "skipped.py").write_text("raise SystemExit(1)\n")
         status, text, _ = self.call("-R", "quick")
         self.assertEqual(status, 0, text)
         self.assertIn("tools/test: the skipped tests could not be read from", text)

@@ -10,7 +10,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from tree import TOOLS
+from base.tree import TOOLS
 
 
 class Wheel(unittest.TestCase):
@@ -18,8 +18,8 @@ class Wheel(unittest.TestCase):
         scratch = tempfile.TemporaryDirectory()
         self.addCleanup(scratch.cleanup)
         self.root = Path(scratch.name)
-        (self.root / "tools" / "lib").mkdir(parents=True)
-        for name in ("lib/setup.sh", "lib/progress.sh", "pack", "lib/needs.py", "lib/tree.py", "lib/usage.py"):
+        (self.root / "tools" / "lib" / "base").mkdir(parents=True)
+        for name in ("pack", *(f"lib/base/{file}" for file in ("setup.sh", "progress.sh", "needs.py", "tree.py", "usage.py"))):
             shutil.copy(TOOLS / name, self.root / "tools" / name)
         shutil.copytree(TOOLS / "lib" / "ship", self.root / "tools" / "lib" / "ship")
         # Whoever installs something is noticed, and has everything.

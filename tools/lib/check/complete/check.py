@@ -7,21 +7,21 @@ import re
 from collections.abc import Iterator
 from pathlib import Path
 
-from bounds import table
+from base.golden_values import head_of
+from base.tree import BOUNDS, CONFIGURATIONS, FUNCTIONS, GLSL, GOLDEN, ROOT, glsl_files
 from catalog.model import read as read_catalog
-from golden.files import golden_files
-from golden_values import head_of
-from oracle import words
-from tables import glsl
-from tables.configurations import ARITHMETICS, Configuration, read_configurations, read_further
-from tables.functions import FAMILIES, NOISES, OF_EVERY_HASH, Function, read_functions
-from tree import BOUNDS, CONFIGURATIONS, FUNCTIONS, GLSL, GOLDEN, ROOT, glsl_files
+from catalog.tables import glsl
+from catalog.tables.configurations import ARITHMETICS, Configuration, read_configurations, read_further
+from catalog.tables.functions import FAMILIES, NOISES, OF_EVERY_HASH, Function, read_functions
+from proof.bounds import table
+from proof.golden.files import golden_files
+from proof.oracle import words
 
 KNOBS = "docs/knobs.md"
 SAME_BITS = "docs/same-bits.md"
 OTHERS = ("docs/uniform.md", "docs/random.md")  # of functions for which the README has one line
 OF_DERIVATIVES = "docs/noises.md"  # whose table has what returns the derivatives of vectors
-ENTRIES = "tools/lib/{}/noises/{}.py"
+ENTRIES = "tools/lib/proof/{}/noises/{}.py"
 OF_A_NOISE = {"error", "cost"}  # in each comment; and in one of its comments
 OF_A_NOISE_ONCE = OF_A_NOISE | {"returns", "period", "source"}
 
@@ -293,7 +293,7 @@ def knobs_without_entries(tree: Tree) -> Iterator[str]:
             yield (f"{CONFIGURATIONS.relative_to(ROOT)}: {knob} is not an argument of CONFIGURATION: add {field} to "
                    "the comment at the top, and to each row")
         if field not in fields:
-            yield f"tools/lib/tables/configurations.py: {knob} is not in Configuration: add {field}"
+            yield f"tools/lib/catalog/tables/configurations.py: {knob} is not in Configuration: add {field}"
 
 
 def knobs_of(config: str) -> list[str]:
@@ -322,7 +322,7 @@ def hashes_without_entries(tree: Tree) -> Iterator[str]:
             yield (f"{CONFIGURATIONS.relative_to(ROOT)}: {macro} is under test with no default gradient: "
                    f"add CONFIGURATION(\"{word}\", {name}, OCTAHEDRAL, FAST, ...)")
         if word not in words.HASHES:
-            yield f"tools/lib/oracle/words.py: {macro} is not among the hashes: add it from docs/contract.md"
+            yield f"tools/lib/proof/oracle/words.py: {macro} is not among the hashes: add it from docs/contract.md"
         if f"| `{name}`" not in contract:
             yield f"docs/contract.md: no line for {macro}: add one to its table of hashes"
         if f"`{macro}`" not in page:

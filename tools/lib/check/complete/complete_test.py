@@ -11,14 +11,14 @@ import tempfile
 import unittest
 from pathlib import Path
 
+from base.tree import BOUNDS, CONFIGURATIONS, FUNCTIONS, GLSL, GOLDEN, ROOT
 from catalog.model import CATALOG
-from complete.check import problems
-from tree import BOUNDS, CONFIGURATIONS, FUNCTIONS, GLSL, GOLDEN, ROOT
+from check.complete.check import problems
 
 FORMS = FUNCTIONS.with_name("forms.inc")
 BOUNDS_FILE, SETTINGS_FILE, TABLE, MADE = (str(path.relative_to(ROOT))
                                            for path in (BOUNDS, CONFIGURATIONS, FUNCTIONS, FORMS))
-PERLIN = "tools/lib/{}/noises/perlin"
+PERLIN = "tools/lib/proof/{}/noises/perlin"
 
 
 class Complete(unittest.TestCase):
@@ -34,8 +34,8 @@ class Deletions(unittest.TestCase):
         self.root = Path(folder.name)
         for path in (GLSL, ROOT / "include" / "hashnoise", ROOT / "README.md", ROOT / "docs" / "contract.md",
                      ROOT / "docs" / "knobs.md", ROOT / "docs" / "noises.md", ROOT / "docs" / "random.md",
-                     ROOT / "docs" / "same-bits.md", ROOT / "docs" / "uniform.md", CATALOG, FUNCTIONS, FORMS, CONFIGURATIONS, BOUNDS, ROOT / "tools" / "lib" / "oracle" / "noises",
-                     ROOT / "tools" / "lib" / "bounds" / "noises"):
+                     ROOT / "docs" / "same-bits.md", ROOT / "docs" / "uniform.md", CATALOG, FUNCTIONS, FORMS, CONFIGURATIONS, BOUNDS,
+                     *(ROOT / "tools" / "lib" / "proof" / of / "noises" for of in ("oracle", "bounds"))):
             target = self.root / path.relative_to(ROOT)
             target.parent.mkdir(parents=True, exist_ok=True)
             (shutil.copytree if path.is_dir() else shutil.copy)(path, target)
@@ -67,8 +67,8 @@ class Deletions(unittest.TestCase):
     def test_the_rows_of_a_noise(self) -> None:
         self.change(MADE, r'^FUNCTION\("noise\dd\.value_cubic(?:.*\n)*?\n')
         self.noticed(r"hn_value_cubic\(vec2\) has no row: give it an entry in catalog/ and run tools/make catalog",
-                     r"^tools/lib/oracle/noises/value_cubic\.py: no function is the noise value_cubic",
-                     r"^tools/lib/bounds/noises/value_cubic\S*: no function is the noise value_cubic")
+                     r"^tools/lib/proof/oracle/noises/value_cubic\.py: no function is the noise value_cubic",
+                     r"^tools/lib/proof/bounds/noises/value_cubic\S*: no function is the noise value_cubic")
 
     def test_the_entry_of_a_function(self) -> None:
         self.change("catalog/noises.toml", r"(?<=^\[simplex\]\ndimensions = )\[2, 4\]", "[2, 3]")
@@ -104,11 +104,11 @@ class Deletions(unittest.TestCase):
 
     def test_the_oracle(self) -> None:
         (self.root / f"{PERLIN.format('oracle')}.py").unlink()
-        self.noticed(rf"^{MADE}:\d+: noise2d\.perlin: write tools/lib/oracle/noises/perlin\.py, its exact")
+        self.noticed(rf"^{MADE}:\d+: noise2d\.perlin: write tools/lib/proof/oracle/noises/perlin\.py, its exact")
 
     def test_the_bounds(self) -> None:
         shutil.rmtree(self.root / PERLIN.format("bounds"))
-        self.noticed(rf"^{MADE}:\d+: noise3d\.perlin_cell: write tools/lib/bounds/noises/perlin\.py, what is proven")
+        self.noticed(rf"^{MADE}:\d+: noise3d\.perlin_cell: write tools/lib/proof/bounds/noises/perlin\.py, what is proven")
 
     def test_a_row_of_the_bounds(self) -> None:
         self.change(BOUNDS_FILE, r'^NOISE_BOUNDS\("perlin", 3.*\n')
@@ -187,7 +187,7 @@ class Deletions(unittest.TestCase):
         self.noticed(r"^include/hashnoise/hashnoise\.hpp: HN_WARP names no inline namespace: add .*\(warp_, HN_WARP\)",
                      r"^docs/knobs\.md: no line for HN_WARP: add one to the table of knobs",
                      rf"^{SETTINGS_FILE}: HN_WARP is not an argument of CONFIGURATION: add warp to",
-                     r"^tools/lib/tables/configurations\.py: HN_WARP is not in Configuration: add warp")
+                     r"^tools/lib/catalog/tables/configurations\.py: HN_WARP is not in Configuration: add warp")
 
     def test_the_entries_of_a_knob(self) -> None:
         for path, entry, left, message in (
@@ -211,7 +211,7 @@ class Deletions(unittest.TestCase):
     def test_a_hash(self) -> None:
         self.change("glsl/hashnoise/config.glsl", r"^(#define HN_HASH_PCG 6)", "\\1\n#define HN_HASH_MD5 10  // new")
         self.noticed(r"configurations\.inc: HN_HASH_MD5 is under test with no default",
-                     r"^tools/lib/oracle/words\.py: HN_HASH_MD5 is not among the hashes",
+                     r"^tools/lib/proof/oracle/words\.py: HN_HASH_MD5 is not among the hashes",
                      r"^docs/contract\.md: no line for HN_HASH_MD5", r"^docs/knobs\.md: the knob .* HN_HASH_MD5")
 
     def test_a_hash_by_its_name(self) -> None:

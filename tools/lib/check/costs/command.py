@@ -1,7 +1,7 @@
 """Measures what tests cost, and checks the table of it: tools/test --record calls this, and so does the test costs.table.
 
-    python3 -B -m costs.command record BUILD [options of ctest that choose tests]
-    python3 -B -m costs.command check BUILD
+    python3 -B -m check.costs.command record BUILD [options of ctest that choose tests]
+    python3 -B -m check.costs.command check BUILD
 
 Each test runs alone, and its processor time counts, with that of all processes that it starts. A machine that others
 share is not always as fast: how fast it is, is asked before and after each test that takes long. A record of all tests
@@ -24,8 +24,8 @@ import time
 from collections import Counter
 from pathlib import Path
 
-from costs import table as costs
-from tree import ROOT, TOOLS
+from base.tree import ROOT, TOOLS
+from check.costs import table as costs
 
 TABLE = TOOLS / "costs.csv"
 BUDGET = 900  # two cores, eleven minutes: two tests at a time take longer than one alone
@@ -68,9 +68,9 @@ def time_of_children() -> float:
 
 
 def calibration(loops: int = 1) -> float:
-    """The processor time of the loop of tools/lib/progress.sh, of so many at a time; the least of some, because others may
+    """The processor time of the loop of tools/lib/base/progress.sh, of so many at a time; the least of some, because others may
     disturb it."""
-    command = ["bash", "-c", 'root=$1; build=; log=; source "$root/tools/lib/progress.sh"; calibration "$2"', "bash", str(ROOT),
+    command = ["bash", "-c", 'root=$1; build=; log=; source "$root/tools/lib/base/progress.sh"; calibration "$2"', "bash", str(ROOT),
                str(loops)]
     return min(float(subprocess.run(command, capture_output=True, text=True, check=True).stdout) for _ in range(5))
 
@@ -127,7 +127,7 @@ def cost_of(command: list[str], folder: str | None, environment: dict[str, str],
 
 
 def kept_rows(build: Path, there: float) -> dict[tuple[str, str], float]:
-    """What tools/lib/setup.sh and tools/test have measured while they installed, built from nothing and ran all tests; with
+    """What tools/lib/base/setup.sh and tools/test have measured while they installed, built from nothing and ran all tests; with
     how fast the machine was then, if it matters. In a folder of 0.3.0 nothing says it, and no row counts."""
     path = build / "measured.csv"
     lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []

@@ -11,8 +11,9 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
-from costs import command, table as costs
-from tree import ROOT
+from base.tree import ROOT
+from check.costs import command
+from check.costs import table as costs
 
 WITHIN = """kind,name,value,before
 budget,tests,100,

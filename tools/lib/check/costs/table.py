@@ -2,7 +2,7 @@
 
     kind      name          value
     budget    tests         the processor seconds that all tests of a default run may take
-    speed     loop          the processor seconds of the loop of tools/lib/progress.sh on the machine of reference: those of all
+    speed     loop          the processor seconds of the loop of tools/lib/base/progress.sh on the machine of reference: those of all
                             other rows are as they would be there
     packages  each          seconds to install a package, with what it needs
     build     NAME          processor seconds of a build from nothing; steps: in how many steps

@@ -26,9 +26,9 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from tree import HN_CONFORM as PROGRAM
-from tree import ROOT
-from usage import Parser
+from base.tree import HN_CONFORM as PROGRAM
+from base.tree import ROOT
+from base.usage import Parser
 
 TABLE = ROOT / "docs" / "faults.md"
 TIMEOUT = 600  # seconds; a run takes a few

@@ -12,7 +12,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from faults import command as faults
+from check.faults import command as faults
 
 STAND_IN = '''#!{python}
 import json, pathlib, sys

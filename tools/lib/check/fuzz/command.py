@@ -11,7 +11,7 @@ long or too much memory, are left in DIR/TARGET/findings; the program that found
 Exit status: 0 nothing found, 1 something found, 2 bad usage, 4 it could not be built.
 """
 
-import needs
+from base import needs
 
 needs.python(3, 11, "test", "fuzz")
 
@@ -25,7 +25,7 @@ import time  # noqa: E402
 from collections.abc import Sequence  # noqa: E402
 from pathlib import Path  # noqa: E402
 
-from tree import ROOT  # noqa: E402
+from base.tree import ROOT  # noqa: E402
 
 FUZZ = ROOT / "conformance" / "testing" / "fuzz"
 TARGETS = sorted(path.stem for path in FUZZ.glob("*.cpp"))

@@ -25,11 +25,11 @@ import subprocess
 import sys
 from collections.abc import Iterable, Sequence
 
-import needs
-from make import graph
-from make.parts import PARTS, Part
-from tree import TOOLS
-from usage import near
+from base import needs
+from base.tree import TOOLS
+from base.usage import near
+from check.make import graph
+from check.make.parts import PARTS, Part
 
 NAMES = {part.name: part for part in PARTS}
 CHECK = "--check"
@@ -49,7 +49,7 @@ def run(part: Part, options: Sequence[str]) -> int:
     """The part's own command."""
     needs.python(*part.python)
     if part.scientific:
-        status = subprocess.run([TOOLS / "lib" / "scientific-python", "-m", part.module, *options], check=False,
+        status = subprocess.run([TOOLS / "lib" / "base" / "scientific-python", "-m", part.module, *options], check=False,
                                 env={**os.environ, "HN_COMMAND": f"make {part.name}"}).returncode
     else:
         status = importlib.import_module(part.module).main(options)

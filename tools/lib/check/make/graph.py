@@ -1,6 +1,6 @@
 """Finds what is stale, and makes it: ninja walks the graph, which is written for it into build/make/.
 
-    python3 -m make.graph look|make PART    what ninja runs, in tools/lib
+    python3 -m check.make.graph look|make PART    what ninja runs, in tools/lib
 
 The times of a checkout mean nothing, so contents count. PART.made records the checksums of all that a part has, as they
 were when it was made or found right. PART.look is written when they are others: then PART.made is older than what it is
@@ -18,19 +18,19 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-import modules
-from make.parts import PARTS, Part
-from tree import ROOT, TOOLS
+from base import modules
+from base.tree import ROOT, TOOLS
+from check.make.parts import PARTS, Part
 
 NOTHING_OF_IT = ("needs.py", "tree.py", "usage.py")  # what is written does not depend on these modules
 STATE = ROOT / "build" / "make"
 GRAPH = """\
 # Made by tools/make: what it makes, in order.
 rule look
-  command = cd {lib} && {python} -B -m make.graph look $part
+  command = cd {lib} && {python} -B -m check.make.graph look $part
   restat = 1
 rule make
-  command = cd {lib} && {python} -B -m make.graph make $part
+  command = cd {lib} && {python} -B -m check.make.graph make $part
   pool = console
 build always: phony
 """

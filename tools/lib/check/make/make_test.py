@@ -11,9 +11,9 @@ import unittest
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
-from make import command, graph
-from make.parts import PARTS, Part
-from tree import ROOT
+from base.tree import ROOT
+from check.make import command, graph
+from check.make.parts import PARTS, Part
 
 MADE = [part for part in PARTS if not part.by_name]
 FOLDERS = ("catalog", "conformance", "docs", "glsl", "include", "packages", "playground", "src", "vectors")
@@ -109,7 +109,8 @@ class Table(unittest.TestCase):
 
     def test_the_code_of_a_part_is_an_input(self) -> None:
         golden = graph.inputs(next(part for part in PARTS if part.name == "golden"))
-        for file in ("golden/command.py", "oracle/sums.py", "oracle/noises/perlin.py", "tables/functions.py"):
+        for file in ("proof/golden/command.py", "proof/oracle/sums.py", "proof/oracle/noises/perlin.py",
+                     "catalog/tables/functions.py"):
             self.assertIn(ROOT / "tools" / "lib" / file, golden)
         self.assertEqual([path for path in golden if path.stem.endswith("_test")], [])
 
@@ -157,7 +158,8 @@ class Toy(unittest.TestCase):
         self.addCleanup(scratch.cleanup)
         self.root = Path(scratch.name)
         for file in ("tools/make", *(f"tools/lib/{name}" for name in (
-                "needs.py", "modules.py", "tree.py", "usage.py", "make/command.py", "make/graph.py", "make/parts.py"))):
+                "base/needs.py", "base/modules.py", "base/tree.py", "base/usage.py", "check/make/command.py",
+                "check/make/graph.py", "check/make/parts.py"))):
             self.put(file, (ROOT / file).read_text())
         (self.root / "tools/make").chmod(0o755)
         self.parts()
@@ -174,8 +176,8 @@ class Toy(unittest.TestCase):
         path.write_text(text)
 
     def parts(self, two: str = "") -> None:
-        real = (ROOT / "tools/lib/make/parts.py").read_text().partition("\nPARTS = (")[0]
-        self.put("tools/lib/make/parts.py", real + TOY.format(two=two))
+        real = (ROOT / "tools/lib/check/make/parts.py").read_text().partition("\nPARTS = (")[0]
+        self.put("tools/lib/check/make/parts.py", real + TOY.format(two=two))
 
     def make(self, *arguments: str, status: int = 0) -> tuple[str, str]:
         """Which parts were made, and what was printed."""

@@ -5,7 +5,7 @@
 
 A mutant is a copy of glsl/hashnoise/ with one change in the body of a function, in whatever branch of an #if it stands, or in a
 preprocessor line: a constant, an operator, a shift, a comparison, a sign, two arguments swapped, another or no
-function called, another component or variable of the same type taken, a line dropped. tools/lib/mutation/rules.py has
+function called, another component or variable of the same type taken, a line dropped. tools/lib/check/mutation/rules.py has
 the rules. Each mutant prints a line: its number, where it is, what changed, and the case that killed it, or SURVIVED. The
 numbers are the same with every selection, until the library changes. At the end come the sums by file and by rule.
 
@@ -26,7 +26,7 @@ Exit status: 0 all were killed, 1 some survived the default run, 2 bad usage, 3 
 even the unchanged library.
 """
 
-import needs
+from base import needs
 
 needs.python(3, 11, "test", "mutants")
 
@@ -46,10 +46,11 @@ from dataclasses import dataclass  # noqa: E402
 from functools import cache  # noqa: E402
 from pathlib import Path  # noqa: E402
 
-from mutation import rules  # noqa: E402
-from single_file.files import INCLUDE, in_order, parts  # noqa: E402
-from tables.functions import read_functions  # noqa: E402
-from tree import GLSL as LIBRARY, ROOT, glsl_files, included_from  # noqa: E402
+from base.tree import GLSL as LIBRARY  # noqa: E402
+from base.tree import ROOT, glsl_files, included_from
+from catalog.tables.functions import read_functions  # noqa: E402
+from check.mutation import rules  # noqa: E402
+from translate.single_file.files import INCLUDE, in_order, parts  # noqa: E402
 
 PROGRAM = ROOT / "build" / "conformance" / "hn-conform"
 TIMEOUT = 1800  # seconds; a whole run takes one or two minutes on idle cores, so beyond this something hangs

@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 import unittest
 
-from mutation import rules
-from tree import GLSL, glsl_files
+from base.tree import GLSL, glsl_files
+from check.mutation import rules
 
 
 def changed(rule: rules.Rule, body: str, head: str = "") -> list[str]:

@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from parsing.tokens import NUMBER, SIGN, WORD
+from translate.parsing.tokens import NUMBER, SIGN, WORD
 
 # --- Reading GLSL -----------------------------------------------------------------------------------------------
 

@@ -16,11 +16,11 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-import chromium
+from base import chromium
+from base.tree import HN_CONFORM, ROOT
+from base.usage import Parser
+from catalog.tables.markdown import table
 from measure.compile.texts import SUBJECTS, WAYS, Subject, fragment, shaders
-from tables.markdown import table
-from tree import HN_CONFORM, ROOT
-from usage import Parser
 
 DESCRIPTION = """\
 Times how long shaders take to compile: a function with the whole library before it, with the files that it needs, or

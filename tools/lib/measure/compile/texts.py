@@ -7,8 +7,8 @@ import functools
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from pick.command import Choice, picked
-from single_file.files import text
+from translate.pick.command import Choice, picked
+from translate.single_file.files import text
 
 
 class Subject(NamedTuple):

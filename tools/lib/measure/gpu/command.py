@@ -32,8 +32,10 @@ from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-import debian
-from debian import Missing
+from base import debian
+from base.debian import Missing
+from base.tree import ROOT, hn_conform
+from base.usage import Parser
 from measure.gpu import comparing, drivers, operations, record, stripes
 from measure.gpu.chips import CHIPS, Chip
 from measure.gpu.compiling import Compiled, Device, compile_all
@@ -42,8 +44,6 @@ from measure.gpu.kernels import compile_all as compile_kernels
 from measure.gpu.kernels import translated
 from measure.peers.copies import add_options, given
 from measure.peers.table import PEERS, against
-from tree import ROOT, hn_conform
-from usage import Parser
 
 ARITHMETICS = ("*.lattice", "*.lattice+precise", "*.lattice+fixed", "*.any")
 DRIVERS = ROOT / "build" / "gpu-drivers"

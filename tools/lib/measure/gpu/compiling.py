@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from debian import Missing
+from base.debian import Missing
 
 LIMIT = 120.0  # seconds without a new result
 

@@ -11,8 +11,8 @@ import zipfile
 from collections.abc import Sequence
 from pathlib import Path
 
-import debian
-from debian import Missing
+from base import debian
+from base.debian import Missing
 from measure.gpu.chips import CHIPS, UNUSED_SHIMS, Chip
 
 LLVM = "22"  # that of today's Mesa; when Debian drops it, name the next for which there is an llvm-spirv

@@ -13,14 +13,13 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
-import debian
-import glslang
-from debian import Missing
+from base import debian, glslang
+from base.debian import Missing
+from base.thorough import in_thorough_runs
 from measure.gpu import chips, command, comparing, drivers, operations, pages, record, stripes
 from measure.gpu.chips import CHIPS, chip_named
 from measure.gpu.compiling import Compiled, compile_all
 from measure.peers.table import CALLS, dimensions, subject
-from thorough import in_thorough_runs
 
 # hn-conform as far as it is called. A shader costs what its file says: 7 cycles for each word of it, or trouble.
 STAND_IN = """#!/bin/sh

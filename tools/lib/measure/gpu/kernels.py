@@ -16,7 +16,7 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from debian import Missing
+from base.debian import Missing
 from measure.gpu import compiling, llvm
 from measure.gpu.compiling import Compiled, Device
 from measure.gpu.operations import is_operation

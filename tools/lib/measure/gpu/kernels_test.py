@@ -14,14 +14,13 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
-import debian
-import glslang
-from debian import Missing
+from base import debian, glslang
+from base.debian import Missing
+from base.thorough import in_thorough_runs
+from base.twin import compile_program
 from measure.gpu import command, drivers, kernels, llvm, record
 from measure.gpu.chips import CHIPS, chip_named
 from measure.gpu.compiling import Device
-from thorough import in_thorough_runs
-from twin import compile_program
 
 # A shader as spirv-dis prints it: with a table, a loop, a minimum, and a product that must not be contracted.
 SHADER = """OpCapability Shader

@@ -5,13 +5,13 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 
+from base.tree import ROOT
+from catalog.tables.markdown import table
 from measure.gpu import comparing, stripes
 from measure.gpu.chips import chip_named
 from measure.gpu.operations import OPERATIONS
 from measure.gpu.record import COSTS, OPERATION_COSTS, Row, read, read_costs
 from measure.peers.table import CALLS, dimensions, subject
-from tables.markdown import table
-from tree import ROOT
 
 RECORD = ROOT / "docs" / "results" / "gpu"
 # What shows the cost of a word: the hash alone, and noises that are little more than hashes.

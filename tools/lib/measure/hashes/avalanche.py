@@ -8,8 +8,8 @@ import numpy as np
 
 from measure.hashes.bits import spread_bits
 from measure.hashes.judgement import Finding, normal, poisson
-from measure.hashes.library import Twin
 from measure.hashes.lattice import Lattice, varying_bits
+from measure.hashes.library import Twin
 
 COORDINATE_BITS = 12   # coordinates in [0, 4096)
 FAR = 24               # hn_perlin takes positions below 2^23 in magnitude: no two are further apart than 2^24 cells

@@ -29,22 +29,13 @@ from pathlib import Path
 
 import numpy as np
 
-from measure.hashes import controls
-from measure.hashes import fields
-from measure.hashes import gate
-from measure.hashes import isotropy
-from measure.hashes import library
-from measure.hashes import noise
-from measure.hashes import octaves
-from measure.hashes import others
-from measure.hashes import report
-from measure.hashes import stripes
+from base.tree import ROOT
+from base.usage import Parser
+from measure.hashes import controls, fields, gate, isotropy, library, noise, octaves, others, report, stripes
 from measure.hashes.judgement import Finding
 from measure.hashes.lattice import Lattice, sample
 from measure.hashes.report import HashResult
 from measure.likeness.renderer import Renderer
-from tree import ROOT
-from usage import Parser
 
 DIMENSIONS = (2, 3)
 PARTS = ("hash", "hash_fn", "dimensions", "seeds", "steps")  # options with which not the whole page is measured

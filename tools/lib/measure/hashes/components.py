@@ -10,9 +10,7 @@ from itertools import chain, combinations
 import numpy as np
 from scipy import stats
 
-from measure.hashes import bits
-from measure.hashes import copies
-from measure.hashes import fourier
+from measure.hashes import bits, copies, fourier
 from measure.hashes.judgement import Finding, chi_square, normal, peak, poisson
 from measure.hashes.lattice import Lattice, shifted
 from measure.hashes.library import AXES, Twin

@@ -6,9 +6,8 @@ from pathlib import Path
 
 import numpy as np
 
-from measure.hashes import fields
-from measure.hashes import library
-from tree import ROOT
+from base.tree import ROOT
+from measure.hashes import fields, library
 
 FOLDER = tempfile.TemporaryDirectory()
 TWIN = library.build("DEFAULT", [], ROOT / "include", Path(FOLDER.name))

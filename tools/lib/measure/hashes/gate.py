@@ -7,14 +7,7 @@ from typing import Callable, Iterable
 
 import numpy as np
 
-from measure.hashes import avalanche
-from measure.hashes import bits
-from measure.hashes import components
-from measure.hashes import copies
-from measure.hashes import directions
-from measure.hashes import fourier
-from measure.hashes import isotropy
-from measure.hashes import near_returns
+from measure.hashes import avalanche, bits, components, copies, directions, fourier, isotropy, near_returns
 from measure.hashes.judgement import Finding, join
 from measure.hashes.lattice import Lattice, cells_of, of_words, sample
 from measure.hashes.library import Twin

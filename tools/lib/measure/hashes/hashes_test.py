@@ -14,19 +14,22 @@ from unittest import mock
 import numpy as np
 from scipy import stats
 
-from measure.hashes import avalanche, command
-from measure.hashes import components
-from measure.hashes import controls
-from measure.hashes import copies
-from measure.hashes import directions
-from measure.hashes import fourier
-from measure.hashes import gate
-from measure.hashes import judgement
-from measure.hashes import library
-from measure.hashes import near_returns
-from measure.hashes import report
-from thorough import in_thorough_runs, some
-from tree import ROOT
+from base.thorough import in_thorough_runs, some
+from base.tree import ROOT
+from measure.hashes import (
+    avalanche,
+    command,
+    components,
+    controls,
+    copies,
+    directions,
+    fourier,
+    gate,
+    judgement,
+    library,
+    near_returns,
+    report,
+)
 
 SMALL = {2: (64, 64), 3: (16, 16, 16)}
 SHAPES = {2: (512, 512), 3: (32, 32, 256)}  # in space, long enough for a line to be told from chance

@@ -8,13 +8,8 @@ from pathlib import Path
 import numpy as np
 from scipy import stats
 
-from measure.hashes import controls
-from measure.hashes import directions
-from measure.hashes import gate
-from measure.hashes import isotropy
-from measure.hashes import library
-from measure.hashes import report
-from tree import ROOT
+from base.tree import ROOT
+from measure.hashes import controls, directions, gate, isotropy, library, report
 
 FOLDER = tempfile.TemporaryDirectory()
 TWIN = library.build("DEFAULT", [], ROOT / "include", Path(FOLDER.name))

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from oracle import words
+from proof.oracle import words
 
 BATCH = 1 << 20  # lags at a time
 TURN = 1 << 32   # coordinates are modulo this

@@ -7,11 +7,11 @@ from dataclasses import replace
 
 import numpy as np
 
+from base.thorough import in_thorough_runs
+from base.tree import ROOT
 from measure.hashes.joins import Joins, Repeat, keeps_the_sum, of_one_change, on_the_plane, shares, steps_of
 from measure.hashes.near_returns import REACH
-from oracle.words import point_word
-from thorough import in_thorough_runs
-from tree import ROOT
+from proof.oracle.words import point_word
 
 LEAST = 0.01
 POSITIONS = 1 << (REACH + 1)  # no two positions of floats are as many cells apart

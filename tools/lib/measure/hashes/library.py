@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from twin import NotBuilt, compile_program
+from base.twin import NotBuilt, compile_program
 
 SOURCE = Path(__file__).resolve().parent / "lattice.cpp"
 AXES = "xyzw"

@@ -9,10 +9,8 @@ from pathlib import Path
 
 import numpy as np
 
-from measure.hashes import library
-from measure.hashes import octaves
-from measure.hashes import report
-from tree import ROOT
+from base.tree import ROOT
+from measure.hashes import library, octaves, report
 
 FOLDER = tempfile.TemporaryDirectory()
 TWIN = library.build("DEFAULT", [], ROOT / "include", Path(FOLDER.name))

@@ -13,10 +13,10 @@ from unittest import mock
 
 import numpy as np
 
+from base.tree import ROOT
 from measure.hashes import command, gate, library, others
 from measure.hashes.others import ORIGINS, Other
 from measure.likeness.renderer import Renderer
-from tree import ROOT
 
 SHADER = """
 #version 330

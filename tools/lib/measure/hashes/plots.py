@@ -12,10 +12,7 @@ matplotlib.use("Agg")
 
 import matplotlib.pyplot as plt
 
-from measure.hashes import controls
-from measure.hashes import fourier
-from measure.hashes import fields
-from measure.hashes import isotropy
+from measure.hashes import controls, fields, fourier, isotropy
 from measure.hashes.lattice import of_words, sample
 from measure.hashes.library import Twin
 

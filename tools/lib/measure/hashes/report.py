@@ -9,13 +9,7 @@ from dataclasses import dataclass
 from math import log2
 from pathlib import Path
 
-from measure.hashes import controls
-from measure.hashes import fields
-from measure.hashes import gate
-from measure.hashes import isotropy
-from measure.hashes import octaves
-from measure.hashes import stripes
-from measure.hashes import texts
+from measure.hashes import controls, fields, gate, isotropy, octaves, stripes, texts
 from measure.hashes.judgement import ALPHA, Finding
 from measure.hashes.library import Twin
 from measure.hashes.noise import Measured

@@ -11,12 +11,9 @@ from unittest import mock
 
 import numpy as np
 
-from measure.hashes import fields
-from measure.hashes import library
-from measure.hashes import report
-from measure.hashes import stripes
-from thorough import in_thorough_runs
-from tree import ROOT
+from base.thorough import in_thorough_runs
+from base.tree import ROOT
+from measure.hashes import fields, library, report, stripes
 
 SMALL = stripes.Effort(range(2), 18, 8, 4, 64)
 WAVE = (1.5, 1.0)

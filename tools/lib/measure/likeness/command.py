@@ -6,12 +6,12 @@ import sys
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
+from base.usage import Parser
 from measure.likeness import picture, ports
 from measure.likeness.renderer import Renderer
 from measure.likeness.table import ROWS
 from measure.peers.copies import add_options, some_given
 from measure.peers.table import OTHERS, PEERS
-from usage import Parser
 
 DESCRIPTION = """\
 Finds the scale and the factor with which a call of ours looks like one of another library.

@@ -5,11 +5,11 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+from base.png import png
 from measure.likeness.measure import Look, subject, vector
 from measure.likeness.ports import Port, measured_call, source
 from measure.likeness.renderer import Renderer
 from measure.likeness.table import Row
-from png import png
 
 TILE = 256
 CELLS = 8  # along a side of a tile

@@ -11,13 +11,13 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
+from base.tree import ROOT
+from catalog.tables.glsl import files_of
+from catalog.tables.markdown import table
 from measure.likeness.measure import Look, look
 from measure.likeness.renderer import Renderer
 from measure.likeness.table import ROWS, UNKNOWN, Row
-from single_file.files import text
-from tables.glsl import files_of
-from tables.markdown import table
-from tree import ROOT
+from translate.single_file.files import text
 
 RECORD = ROOT / "docs" / "results" / "llvmpipe" / "likeness.csv"
 # A scale or a factor so near to 1 is left out: nobody sees it.

@@ -14,11 +14,11 @@ from collections.abc import Sequence
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from elsewhere import NEON, Build, Failed, output_of
+from base.tree import ROOT, version
+from base.usage import Parser
+from measure.elsewhere import NEON, Build, Failed, output_of
 from measure.neon.counting import Counter, Refused, of_a_fill
 from measure.neon.record import ARITHMETICS, OTHER, Run, page, record
-from tree import ROOT, version
-from usage import Parser
 
 DESCRIPTION = """\
 Counts what hashnoise::grid costs with NEON, in instructions, on a machine that need not have it.

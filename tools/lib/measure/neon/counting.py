@@ -5,7 +5,7 @@ from __future__ import annotations
 import subprocess
 from pathlib import Path
 
-from elsewhere import NEON, Failed, output_of
+from measure.elsewhere import NEON, Failed, output_of
 
 PLUGIN = Path(__file__).resolve().with_name("count.c")
 BAD_USAGE = 2  # the status with which hn-fill says that a file is no FastNoise2

@@ -15,11 +15,11 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
-from elsewhere import NEON, Failed, output_of
+from base.tree import ROOT
+from measure.elsewhere import NEON, Failed, output_of
 from measure.neon import command
 from measure.neon.counting import Counter, Refused, of_a_fill
 from measure.neon.record import three_digits
-from tree import ROOT
 
 # It executes 5 instructions, and 2 in each turn.
 LOOP = """\

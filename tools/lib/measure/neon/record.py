@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from tables.markdown import table
+from catalog.tables.markdown import table
 
 SCHEMA = 1
 ARITHMETICS = ("fast", "fixed", "precise")

@@ -15,13 +15,13 @@ from pathlib import Path
 
 import numpy as np
 
+from base.tree import TOOLS
+from base.usage import Parser
 from measure.likeness.ports import version
 from measure.likeness.renderer import NoRenderer, NotCompiled
 from measure.noise import measures, page, record
 from measure.noise.measures import Finding, Measured
 from measure.noise.noise import COUNT, Sampler, Subject, read
-from tree import TOOLS
-from usage import Parser
 
 DESCRIPTION = """\
 Judges anybody's noise: its range, jumps, repeats and more, with a page, a record and an exit status.

@@ -13,11 +13,11 @@ from unittest import mock
 
 import numpy as np
 
+from base.thorough import in_thorough_runs
 from measure.likeness.renderer import Renderer
 from measure.noise import command, measures, page, record
 from measure.noise.measures import Finding, Measured
 from measure.noise.noise import Sampler, Subject
-from thorough import in_thorough_runs
 
 # Value noise with a good hash and its derivatives, from which each control takes something.
 NOISE = """

@@ -10,10 +10,10 @@ from pathlib import Path
 
 import numpy as np
 
+from base.png import png
+from base.tree import version
 from measure.noise.measures import Finding
 from measure.noise.noise import Sampler
-from png import png
-from tree import version
 
 STYLE = """body{font:16px/1.5 system-ui,sans-serif;max-width:70rem;margin:2rem auto;padding:0 1rem;color:#222}
 table{border-collapse:collapse;width:100%}

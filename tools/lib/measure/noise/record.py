@@ -6,8 +6,8 @@ import csv
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 
-from tables.markdown import table
-from tree import ROOT
+from base.tree import ROOT
+from catalog.tables.markdown import table
 
 RECORD = ROOT / "docs" / "results" / "judged.csv"
 COLUMNS = ("noise", "dimensions", "measure", "fails", "number")

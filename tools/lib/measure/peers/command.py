@@ -6,10 +6,10 @@ import subprocess
 from collections.abc import Sequence
 from pathlib import Path
 
+from base.tree import hn_conform
+from base.usage import Parser
 from measure.peers.copies import add_options, some_given
 from measure.peers.table import CALLS, PEERS, against
-from tree import hn_conform
-from usage import Parser
 
 DESCRIPTION = """\
 Measures what other libraries' noises, sums and warps cost, beside ours and in the same rounds.

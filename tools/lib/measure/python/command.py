@@ -18,7 +18,7 @@ import subprocess
 from collections.abc import Sequence
 from pathlib import Path
 
-from usage import Parser
+from base.usage import Parser
 
 CALLS = Path(__file__).with_name("calls.py")
 COLUMNS = "noise,package,version,nanoseconds,ratio,spread\n"

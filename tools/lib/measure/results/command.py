@@ -20,11 +20,11 @@ import sys
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
-from results import page
-from results.digest import Digest, Earlier, Refused, read, shown
-from results.sets import FrozenSets, GoldenSets, Sets, write
-from tree import GOLDEN, ROOT, version
-from usage import Parser
+from base.tree import GOLDEN, ROOT, version
+from base.usage import Parser
+from measure.results import page
+from measure.results.digest import Digest, Earlier, Refused, read, shown
+from measure.results.sets import FrozenSets, GoldenSets, Sets, write
 
 RESULTS = ROOT / "results"
 VERSIONS = RESULTS / "versions"

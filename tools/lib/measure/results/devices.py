@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
-from results.digest import BROWSER_APIS, Digest, Part
+from measure.results.digest import BROWSER_APIS, Digest, Part
 
 # Its vendor, its device and its driver; browsers leave out one or two of them, and Firefox says that it is not exact.
 ANGLE = re.compile(r"ANGLE \((?:[^,()]+, )?(.+?)(?:, [^,()]+(?: \([^()]*\))?)?\)(?: on .*)?")

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from results.sets import Sets
+from measure.results.sets import Sets
 
 FORMAT = "hashnoise-digest 1"
 # As in conformance/report/digest.hpp and digest.cpp.

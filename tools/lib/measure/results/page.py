@@ -6,11 +6,11 @@ import html
 import re
 from collections.abc import Iterable, Mapping, Sequence
 
+from base.tree import ROOT, version
 from measure.gpu import pages as counts
 from measure.gpu.chips import chip_named
-from results.devices import Device, devices_of, driver_of
-from results.digest import APIS, TIMED, UNIT, Digest
-from tree import ROOT, version
+from measure.results.devices import Device, devices_of, driver_of
+from measure.results.digest import APIS, TIMED, UNIT, Digest
 
 STYLE = ROOT / "conformance" / "base" / "output" / "style.mustache"
 ADDRESS = ROOT / "conformance" / "web" / "address.js"

@@ -14,11 +14,11 @@ from html.parser import HTMLParser
 from pathlib import Path
 from unittest import mock
 
-from results import command, page
-from results.devices import device_name, devices_of, release
-from results.digest import MOST_BYTES, Earlier, Refused, digest_of, parse, read
-from results.sets import FrozenSets, GoldenSets, Sets, write
-from tree import ROOT, version
+from base.tree import ROOT, version
+from measure.results import command, page
+from measure.results.devices import device_name, devices_of, release
+from measure.results.digest import MOST_BYTES, Earlier, Refused, digest_of, parse, read
+from measure.results.sets import FrozenSets, GoldenSets, Sets, write
 
 GOLDEN = """hashnoise golden 2
 function {function}
@@ -495,7 +495,7 @@ class Constants(unittest.TestCase):
             self.assertRegex(web, rf"{name} = {value};")
         for text in (cpp, web):
             self.assertIn('"hashnoise-digest 1"', text)
-        from results.digest import BROWSERS, TIMED
+        from measure.results.digest import BROWSERS, TIMED
         whereabouts = (ROOT / "conformance" / "web" / "whereabouts.js").read_text().partition("kSystems")[0]
         browsers = re.findall(r'\["([A-Za-z ]+)", /', whereabouts)
         self.assertEqual(sorted(browsers), sorted(BROWSERS))

@@ -9,11 +9,11 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import NamedTuple
 
-from tables.markdown import table, with_section
-from tables.marks import between
-from tree import GLSL, ROOT
-from twin import NotBuilt
-from usage import Parser
+from base.tree import GLSL, ROOT
+from base.twin import NotBuilt
+from base.usage import Parser
+from catalog.tables.markdown import table, with_section
+from catalog.tables.marks import between
 
 DESCRIPTION = """\
 Measures how uniform the results of hn_uniform are, for every noise and for sums of octaves, or fits its constants.

@@ -10,8 +10,8 @@ from pathlib import Path
 
 import numpy as np
 
-from tree import GLSL, ROOT
-from twin import compile_program
+from base.tree import GLSL, ROOT
+from base.twin import compile_program
 
 HERE = Path(__file__).resolve().parent
 LIMIT = 3.0  # of the reach

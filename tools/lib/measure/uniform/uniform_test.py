@@ -10,8 +10,8 @@ from tempfile import TemporaryDirectory
 
 import numpy as np
 
+from catalog.tables.markdown import with_section
 from measure.uniform import command, model
-from tables.markdown import with_section
 
 NUMBER = 9  # of hn_perlin(vec2), by which one noise stands for all
 SUBJECT = next(subject for subject in model.SUBJECTS if subject.number == NUMBER)

@@ -5,11 +5,11 @@ import math
 
 import numpy as np
 
-from bounds import exact_model as exact
-from bounds import fixed_model as fixed
-from bounds.boxes import corners
-from bounds.fixed_model import ONE
-from bounds.gradients import SINE
+from proof.bounds import exact_model as exact
+from proof.bounds import fixed_model as fixed
+from proof.bounds.boxes import corners
+from proof.bounds.fixed_model import ONE
+from proof.bounds.gradients import SINE
 
 
 def random_positions(rng, dims, count, reach=64.0):

@@ -27,9 +27,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bounds import features
-from bounds.boxes import Boxes
-from bounds.features import Cell
+from proof.bounds import features
+from proof.bounds.boxes import Boxes
+from proof.bounds.features import Cell
 
 REACH = 0.8125  # what is farther from a place does not matter: r is less, as the proof finds, too
 

@@ -8,14 +8,14 @@ from fractions import Fraction
 
 import numpy as np
 
-from bounds import borders, distances, features, moving
-from bounds import cellular_model as model
-from bounds.cellular_model import Shader, direction, shaders
-from bounds.exact_model import lattice_word
-from bounds.rounded import Rounding, Text, along_axes, roundings
-from bounds.sine import fixed_sines
-from bounds.table import bounds_of, slope_bounds_of
-from thorough import in_thorough_runs, some
+from base.thorough import in_thorough_runs, some
+from proof.bounds import borders, distances, features, moving
+from proof.bounds import cellular_model as model
+from proof.bounds.cellular_model import Shader, direction, shaders
+from proof.bounds.exact_model import lattice_word
+from proof.bounds.rounded import Rounding, Text, along_axes, roundings
+from proof.bounds.sine import fixed_sines
+from proof.bounds.table import bounds_of, slope_bounds_of
 
 DIMS = (2, 3)
 COUNT = {2: 3000, 3: 800}

@@ -6,17 +6,17 @@ from unittest import mock
 
 import numpy as np
 
-from bounds import exact_model as exact
-from bounds import fixed_model as fixed
-from bounds import integers, noises, smoothness
-from bounds.adverse import adverse_words, changes, random_fractions, random_positions
-from bounds.boxes import corners
-from bounds.fixed_model import ONE
-from bounds.gradients import OCTAHEDRAL, SINE
-from bounds.noises.perlin import fixed as perlin
-from bounds.noises.perlin.exact import range_bound
-from bounds.table import bounds_of, slope_bounds_of
-from thorough import in_thorough_runs
+from base.thorough import in_thorough_runs
+from proof.bounds import exact_model as exact
+from proof.bounds import fixed_model as fixed
+from proof.bounds import integers, noises, smoothness
+from proof.bounds.adverse import adverse_words, changes, random_fractions, random_positions
+from proof.bounds.boxes import corners
+from proof.bounds.fixed_model import ONE
+from proof.bounds.gradients import OCTAHEDRAL, SINE
+from proof.bounds.noises.perlin import fixed as perlin
+from proof.bounds.noises.perlin.exact import range_bound
+from proof.bounds.table import bounds_of, slope_bounds_of
 
 CASES = noises.find("perlin").CASES
 DIMS = (1, 2, 3, 4)

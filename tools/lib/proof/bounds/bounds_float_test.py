@@ -9,16 +9,16 @@ from unittest import mock
 
 import numpy as np
 
-from bounds import exact_model as exact
-from bounds import float_sums, noises, sine, sums
-from bounds.floats import to_float
-from bounds.gradients import OCTAHEDRAL, SINE
-from bounds.noises import value as value_noise
-from bounds.noises import value_cubic
-from bounds.noises.perlin import floats as perlin
-from bounds.rounded import MODES, Body, Rounding, Text, along_axes, roundings, table
-from bounds.table import bounds_of, slope_bounds_of
-from thorough import in_thorough_runs, some
+from base.thorough import in_thorough_runs, some
+from proof.bounds import exact_model as exact
+from proof.bounds import float_sums, noises, sine, sums
+from proof.bounds.floats import to_float
+from proof.bounds.gradients import OCTAHEDRAL, SINE
+from proof.bounds.noises import value as value_noise
+from proof.bounds.noises import value_cubic
+from proof.bounds.noises.perlin import floats as perlin
+from proof.bounds.rounded import MODES, Body, Rounding, Text, along_axes, roundings, table
+from proof.bounds.table import bounds_of, slope_bounds_of
 
 CASES = noises.find("perlin").CASES
 DIMS = (1, 2, 3, 4)

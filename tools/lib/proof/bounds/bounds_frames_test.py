@@ -14,25 +14,25 @@ from unittest import mock
 
 import numpy as np
 
-from bounds import exact_model as exact
-from bounds import fixed_model as fixed
-from bounds import frames, frames_model, sums
-from bounds.adverse import random_positions
-from bounds.float_sums import octave_tolerance
-from bounds.floats import to_float
-from bounds.gradients import OCTAHEDRAL
-from bounds.integers import SLOPE_UNIT, UNIT
-from bounds.rounded import Rounding, Text, along_axes, roundings
-from bounds.sums import SHIFTS, SLOPED, Sum
-from bounds.table import bounds_of, read, slope_bounds_of
-from oracle import frames as oracle
-from oracle import noises
-from oracle import sums as oracle_sums
-from oracle.gradients import Knobs
-from tables import glsl
-from thorough import in_thorough_runs
-from tree import GLSL, ROOT
-from twin import SOON, compile_program
+from base.thorough import in_thorough_runs
+from base.tree import GLSL, ROOT
+from base.twin import SOON, compile_program
+from catalog.tables import glsl
+from proof.bounds import exact_model as exact
+from proof.bounds import fixed_model as fixed
+from proof.bounds import frames, frames_model, sums
+from proof.bounds.adverse import random_positions
+from proof.bounds.float_sums import octave_tolerance
+from proof.bounds.floats import to_float
+from proof.bounds.gradients import OCTAHEDRAL
+from proof.bounds.integers import SLOPE_UNIT, UNIT
+from proof.bounds.rounded import Rounding, Text, along_axes, roundings
+from proof.bounds.sums import SHIFTS, SLOPED, Sum
+from proof.bounds.table import bounds_of, read, slope_bounds_of
+from proof.oracle import frames as oracle
+from proof.oracle import noises
+from proof.oracle import sums as oracle_sums
+from proof.oracle.gradients import Knobs
 
 DIMS = (2, 3)
 KINDS = SLOPED + SHIFTS

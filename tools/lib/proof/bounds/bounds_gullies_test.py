@@ -10,13 +10,13 @@ from unittest import mock
 
 import numpy as np
 
-from bounds import fixed_model as fixed
-from bounds import gullies, gullies_model, kernel_model
-from bounds.float_sums import gullies_tolerance
-from bounds.noises.phasor import KERNELS
-from bounds.rounded import Body, Rounding, Text, along_axes, roundings
-from bounds.sums import Sum
-from bounds.table import read_gullies
+from proof.bounds import fixed_model as fixed
+from proof.bounds import gullies, gullies_model, kernel_model
+from proof.bounds.float_sums import gullies_tolerance
+from proof.bounds.noises.phasor import KERNELS
+from proof.bounds.rounded import Body, Rounding, Text, along_axes, roundings
+from proof.bounds.sums import Sum
+from proof.bounds.table import read_gullies
 
 BODY = Body(
     "cx:i32 cy:i32 fx:f32 fy:f32 footprint:f32 ex:f32 ey:f32 octaves:i32 lacunarity:f32 gain:f32 depth:f32",

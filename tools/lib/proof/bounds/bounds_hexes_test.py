@@ -6,9 +6,9 @@ import unittest
 
 import numpy as np
 
-from bounds.noises import hex_tiling
-from bounds.rounded import Rounding, Text, along_axes, roundings
-from bounds.table import bounds_of
+from proof.bounds.noises import hex_tiling
+from proof.bounds.rounded import Rounding, Text, along_axes, roundings
+from proof.bounds.table import bounds_of
 
 COUNT = 4_000
 CLEAR = 2.0**-20  # how far X and Y are from whole numbers: there the corners change

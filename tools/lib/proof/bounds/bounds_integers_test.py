@@ -7,17 +7,17 @@ from unittest import mock
 
 import numpy as np
 
-from bounds import command, integers, noises, sine, steps, sums
-from bounds import exact_model as exact
-from bounds import fixed_model as fixed
-from bounds.adverse import adverse_words, changes, random_fractions, random_positions
-from bounds.boxes import Boxes, corners
-from bounds.fixed_model import ONE
-from bounds.gradients import OCTAHEDRAL
-from bounds.noises import value as value_noise
-from bounds.noises.perlin import fixed as perlin
-from bounds.table import bounds_of
-from thorough import THOROUGH, in_thorough_runs
+from base.thorough import THOROUGH, in_thorough_runs
+from proof.bounds import command, integers, noises, sine, steps, sums
+from proof.bounds import exact_model as exact
+from proof.bounds import fixed_model as fixed
+from proof.bounds.adverse import adverse_words, changes, random_fractions, random_positions
+from proof.bounds.boxes import Boxes, corners
+from proof.bounds.fixed_model import ONE
+from proof.bounds.gradients import OCTAHEDRAL
+from proof.bounds.noises import value as value_noise
+from proof.bounds.noises.perlin import fixed as perlin
+from proof.bounds.table import bounds_of
 
 CASES = noises.find("perlin").CASES
 DIMS = (1, 2, 3, 4)

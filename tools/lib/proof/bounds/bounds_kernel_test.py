@@ -9,17 +9,17 @@ from unittest import mock
 
 import numpy as np
 
-from bounds import exact_model as exact
-from bounds import fixed_model as fixed
-from bounds import kernel_model, kernels, turns
-from bounds.boxes import Boxes, corners
-from bounds.fixed_model import ONE
-from bounds.gradients import LENGTH, OCTAHEDRAL, TURNED
-from bounds.kernels import SIMPLEX, SMOOTH, Offsets, Quantity
-from bounds.noises import curl, simplex, simplex_phase
-from bounds.rounded import Body, Rounding, Text, along_axes, roundings, table
-from bounds.table import bounds_of
-from thorough import in_thorough_runs
+from base.thorough import in_thorough_runs
+from proof.bounds import exact_model as exact
+from proof.bounds import fixed_model as fixed
+from proof.bounds import kernel_model, kernels, turns
+from proof.bounds.boxes import Boxes, corners
+from proof.bounds.fixed_model import ONE
+from proof.bounds.gradients import LENGTH, OCTAHEDRAL, TURNED
+from proof.bounds.kernels import SIMPLEX, SMOOTH, Offsets, Quantity
+from proof.bounds.noises import curl, simplex, simplex_phase
+from proof.bounds.rounded import Body, Rounding, Text, along_axes, roundings, table
+from proof.bounds.table import bounds_of
 
 NOISES = [("simplex", kernel, False) for kernel in SIMPLEX.values()]
 NOISES += [("simplex_smooth", kernel, False) for kernel in SMOOTH.values()]

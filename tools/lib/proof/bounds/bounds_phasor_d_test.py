@@ -6,16 +6,16 @@ from unittest import mock
 
 import numpy as np
 
-from bounds import fixed_model as fixed
-from bounds import kernel_model
-from bounds.bounds_phasor_test import AXES, MIDDLE, agreeing_words, below_zero, random_case, text
-from bounds.boxes import Boxes
-from bounds.fixed_model import ONE
-from bounds.kernels import Offsets
-from bounds.noises import phasor, phasor_d
-from bounds.noises.phasor import KERNELS, WAVES
-from bounds.rounded import Rounding, along_axes, roundings
-from bounds.table import bounds_of
+from proof.bounds import fixed_model as fixed
+from proof.bounds import kernel_model
+from proof.bounds.bounds_phasor_test import AXES, MIDDLE, agreeing_words, below_zero, random_case, text
+from proof.bounds.boxes import Boxes
+from proof.bounds.fixed_model import ONE
+from proof.bounds.kernels import Offsets
+from proof.bounds.noises import phasor, phasor_d
+from proof.bounds.noises.phasor import KERNELS, WAVES
+from proof.bounds.rounded import Rounding, along_axes, roundings
+from proof.bounds.table import bounds_of
 
 FINE, COARSE = 2.0**-21, 2.0**-16  # the units of fixed values and derivatives
 

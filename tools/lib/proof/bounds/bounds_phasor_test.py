@@ -9,16 +9,16 @@ from unittest import mock
 
 import numpy as np
 
-from bounds import fixed_model as fixed
-from bounds import kernel_model
-from bounds.boxes import Boxes
-from bounds.fixed_model import ONE
-from bounds.floats import Approx
-from bounds.kernels import Offsets
-from bounds.noises import phasor
-from bounds.noises.phasor import KERNELS, WAVES
-from bounds.rounded import Body, Rounding, Text, along_axes, roundings
-from bounds.table import bounds_of
+from proof.bounds import fixed_model as fixed
+from proof.bounds import kernel_model
+from proof.bounds.boxes import Boxes
+from proof.bounds.fixed_model import ONE
+from proof.bounds.floats import Approx
+from proof.bounds.kernels import Offsets
+from proof.bounds.noises import phasor
+from proof.bounds.noises.phasor import KERNELS, WAVES
+from proof.bounds.rounded import Body, Rounding, Text, along_axes, roundings
+from proof.bounds.table import bounds_of
 
 AXES = {2: "xy", 3: "xyz"}
 MIDDLE = {2: (0.25, 0.0), 3: (0.25, 0.25, 0.25)}  # of two lattice points, in cells: where the weights sum to most

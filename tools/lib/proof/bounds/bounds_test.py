@@ -7,15 +7,15 @@ import unittest
 
 import numpy as np
 
-from bounds import exact_model as exact
-from bounds import noises, suprema
-from bounds.boxes import Boxes, cell, corners, fade_derivative, largest_derivative, supremum
-from bounds.gradients import LENGTH, OCTAHEDRAL, SINE, TURNED, octahedral_support
-from bounds.noises import value_cubic
-from bounds.noises.perlin import exact as perlin
-from bounds.noises.perlin.exact import SCALE
-from bounds.table import bounds_of, slope_bounds_of
-from thorough import in_thorough_runs
+from base.thorough import in_thorough_runs
+from proof.bounds import exact_model as exact
+from proof.bounds import noises, suprema
+from proof.bounds.boxes import Boxes, cell, corners, fade_derivative, largest_derivative, supremum
+from proof.bounds.gradients import LENGTH, OCTAHEDRAL, SINE, TURNED, octahedral_support
+from proof.bounds.noises import value_cubic
+from proof.bounds.noises.perlin import exact as perlin
+from proof.bounds.noises.perlin.exact import SCALE
+from proof.bounds.table import bounds_of, slope_bounds_of
 
 CASES = noises.find("perlin").CASES
 DIMS = (1, 2, 3, 4)

@@ -8,10 +8,10 @@ from unittest import mock
 
 import numpy as np
 
-from bounds import uniform
-from bounds.rounded import Rounding, Text, roundings
-from bounds.table import UniformBounds, read_uniform
-from oracle import uniform as oracle
+from proof.bounds import uniform
+from proof.bounds.rounded import Rounding, Text, roundings
+from proof.bounds.table import UniformBounds, read_uniform
+from proof.oracle import uniform as oracle
 
 COUNT, FIXED_COUNT = 3_000, 400
 VALUE, SUM = "uniform.uniform_d", "uniform.spread_fbm"

@@ -5,11 +5,11 @@ import itertools
 
 import numpy as np
 
-from bounds import exact_model as exact
-from bounds.distances import QUOTIENT_ULPS, ROOT_ULPS, UNIT
-from bounds.floats import TINY
-from bounds.rounded import MODES
-from bounds.sine import SINE_COEFFICIENTS, fixed_sine
+from proof.bounds import exact_model as exact
+from proof.bounds.distances import QUOTIENT_ULPS, ROOT_ULPS, UNIT
+from proof.bounds.floats import TINY
+from proof.bounds.rounded import MODES
+from proof.bounds.sine import SINE_COEFFICIENTS, fixed_sine
 
 METRICS = ("euclidean", "squared", "manhattan", "chebyshev", "hybrid")
 

@@ -8,7 +8,7 @@
 noises/ has what is proven of each noise.
 
 Exit status: 0 all is as derived, 1 something is not: prose and comments are for you to mend; 2 bad usage, or a table or
-page that cannot be read; 4 numpy and scipy are missing, and could not be installed (tools/lib/scientific-python).
+page that cannot be read; 4 numpy and scipy are missing, and could not be installed (tools/lib/base/scientific-python).
 """
 
 from __future__ import annotations
@@ -22,17 +22,28 @@ from concurrent.futures import ProcessPoolExecutor
 from dataclasses import asdict, fields, replace
 from pathlib import Path
 
-from bounds import gullies, noises, sine, uniform
-from bounds.documents import (ACCURACY, EXAMPLES, FRAMED, Everything, Key, frame_tolerances, missing_quotes, name_of,
-                              sum_tolerances, with_tables, wrong_comments)
-from bounds.gradients import SINE
-from bounds.integers import fade_errors, overshoot
-from bounds.noises import Derived
-from bounds.sums import Sum
-from bounds.table import HEAD, PATH, SineBounds, gullies_row, noise_row, sine_row, slope_row, uniform_row
-from tables.inc import TableError
-from tree import ROOT
-from usage import Parser
+from base.tree import ROOT
+from base.usage import Parser
+from catalog.tables.inc import TableError
+from proof.bounds import gullies, noises, sine, uniform
+from proof.bounds.documents import (
+    ACCURACY,
+    EXAMPLES,
+    FRAMED,
+    Everything,
+    Key,
+    frame_tolerances,
+    missing_quotes,
+    name_of,
+    sum_tolerances,
+    with_tables,
+    wrong_comments,
+)
+from proof.bounds.gradients import SINE
+from proof.bounds.integers import fade_errors, overshoot
+from proof.bounds.noises import Derived
+from proof.bounds.sums import Sum
+from proof.bounds.table import HEAD, PATH, SineBounds, gullies_row, noise_row, sine_row, slope_row, uniform_row
 
 
 def keys() -> list[Key]:

@@ -29,9 +29,9 @@ import math
 
 import numpy as np
 
-from bounds import features
-from bounds.boxes import SAFE
-from bounds.floats import TINY, UNIT, rounding
+from proof.bounds import features
+from proof.bounds.boxes import SAFE
+from proof.bounds.floats import TINY, UNIT, rounding
 
 ROOT_ULPS, QUOTIENT_ULPS = 6.0, 3.0
 PLACE, RANK = 2.0**-20, 2.0**-28  # the units of offsets and of squares in fixed arithmetic

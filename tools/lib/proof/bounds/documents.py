@@ -9,16 +9,16 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
-from bounds import frames, gullies, noises, sine, smoothness, sums, turns, uniform
-from bounds.float_sums import gullies_tolerance, octave_tolerance
-from bounds.gradients import GRADIENTS, SINE, Gradient
-from bounds.integers import fade_errors, slope_errors, spline_weight_error
-from bounds.noises import Derived
-from bounds.sums import Sum
-from bounds.table import Bounds, bounds_of, rounded_up, scientific, shortest, slope_bounds_of
-from tables import glsl
-from tables.markdown import table, with_section
-from tree import ROOT
+from base.tree import ROOT
+from catalog.tables import glsl
+from catalog.tables.markdown import table, with_section
+from proof.bounds import frames, gullies, noises, sine, smoothness, sums, turns, uniform
+from proof.bounds.float_sums import gullies_tolerance, octave_tolerance
+from proof.bounds.gradients import GRADIENTS, SINE, Gradient
+from proof.bounds.integers import fade_errors, slope_errors, spline_weight_error
+from proof.bounds.noises import Derived
+from proof.bounds.sums import Sum
+from proof.bounds.table import Bounds, bounds_of, rounded_up, scientific, shortest, slope_bounds_of
 
 ACCURACY = "docs/accuracy.md"
 KNOBS = "docs/knobs.md"

@@ -12,13 +12,13 @@ from dataclasses import replace
 from pathlib import Path
 from unittest import mock
 
-from bounds import command, documents, noises, table
-from bounds.gradients import OCTAHEDRAL, SINE
-from bounds.noises import Derived
-from bounds.table import rounded_up, scientific, shortest
-from tables import glsl
-from tables.inc import TableError
-from tree import ROOT
+from base.tree import ROOT
+from catalog.tables import glsl
+from catalog.tables.inc import TableError
+from proof.bounds import command, documents, noises, table
+from proof.bounds.gradients import OCTAHEDRAL, SINE
+from proof.bounds.noises import Derived
+from proof.bounds.table import rounded_up, scientific, shortest
 
 RAW = {("perlin", dims, gradient): Derived(*numbers, {"cut": 4.35e-6}) for dims, gradient, numbers in (
     (1, OCTAHEDRAL, (1, 0.998047325, 2.68904068, 1.458e-06, 1.61830372e-06, 0.998048943, 3.70550766e-05, 0.99808)),
@@ -263,7 +263,7 @@ class Command(unittest.TestCase):
 class Entries(unittest.TestCase):
     def test_perlin_is_found_and_others_are_not(self):
         self.assertIn("perlin", noises.names())
-        with self.assertRaisesRegex(LookupError, "write tools/lib/bounds/noises/merlin.py"):
+        with self.assertRaisesRegex(LookupError, "write tools/lib/proof/bounds/noises/merlin.py"):
             noises.find("merlin")
 
     def test_a_noise_without_a_row(self):

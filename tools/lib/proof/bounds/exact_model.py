@@ -10,9 +10,9 @@ import math
 
 import numpy as np
 
-from bounds.boxes import corners
-from bounds.gradients import OCTAHEDRAL, SINE
-from bounds.sums import clamped_strength, step_of
+from proof.bounds.boxes import corners
+from proof.bounds.gradients import OCTAHEDRAL, SINE
+from proof.bounds.sums import clamped_strength, step_of
 
 SCALE = {OCTAHEDRAL: {1: 2048 / 1024, 2: 1831 / 1024, 3: 985 / 1024, 4: 953 / 1024}, SINE: {2: 1.0, 3: 1.0}}
 SHIFT = (11 / 32, 19 / 32, 23 / 32, 27 / 32)

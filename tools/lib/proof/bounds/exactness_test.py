@@ -6,7 +6,7 @@ import unittest
 
 import numpy as np
 
-from bounds.rounded import Rounding, Text, roundings, table
+from proof.bounds.rounded import Rounding, Text, roundings, table
 
 COUNT = 200
 

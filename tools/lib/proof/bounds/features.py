@@ -28,7 +28,7 @@ from fractions import Fraction
 
 import numpy as np
 
-from bounds.boxes import SAFE, Boxes, cell, supremum
+from proof.bounds.boxes import SAFE, Boxes, cell, supremum
 
 Cell = tuple[int, ...]
 HALF = Fraction(1, 2)

@@ -8,11 +8,11 @@ import sys
 
 import numpy as np
 
-from bounds.boxes import corners
-from bounds.exact_model import (PARTS, SHIFT, TURNS, quarter, s32, sine_argument, u32, whole_gradient, words_at)
-from bounds.floats import pairs
-from bounds.gradients import SINE
-from bounds.sums import step_of
+from proof.bounds.boxes import corners
+from proof.bounds.exact_model import PARTS, SHIFT, TURNS, quarter, s32, sine_argument, u32, whole_gradient, words_at
+from proof.bounds.floats import pairs
+from proof.bounds.gradients import SINE
+from proof.bounds.sums import step_of
 
 ONE = 2**20
 RAMP_ONE = {1: 2**29, 2: 2**29, 3: 2**29, 4: 2**28}  # of octahedral gradients

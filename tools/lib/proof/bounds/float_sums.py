@@ -10,10 +10,10 @@ import tempfile
 from dataclasses import astuple
 from pathlib import Path
 
-from bounds.sums import Sum
-from bounds.table import Bounds, GulliesBounds
-from tree import ROOT
-from twin import compile_program
+from base.tree import ROOT
+from base.twin import compile_program
+from proof.bounds.sums import Sum
+from proof.bounds.table import Bounds, GulliesBounds
 
 SOURCE = Path(__file__).with_name("octave_tolerance.cpp")
 

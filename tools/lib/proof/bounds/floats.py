@@ -34,7 +34,7 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from bounds.boxes import SAFE, Boxes, cell, fade, fade_derivative, supremum
+from proof.bounds.boxes import SAFE, Boxes, cell, fade, fade_derivative, supremum
 
 UNIT = 2.0**-23  # the largest relative error of a faithfully rounded operation
 TINY = 2.0**-126  # the largest absolute error of flushing a subnormal to 0

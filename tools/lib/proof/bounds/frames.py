@@ -16,11 +16,22 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from bounds.integers import FADE_ONE, SLOPE_UNIT, UNIT
-from bounds.float_sums import octave_tolerance, slope_tolerance
-from bounds.sums import (LARGEST_STRENGTH, TURNS, WEIGHT_UNIT, Sum, first_whole_position, fixed_mean_error,
-                         fixed_strength, fixed_weights, lengths, next_whole_position, whole_positions)
-from bounds.table import Bounds, slope_bounds_of
+from proof.bounds.float_sums import octave_tolerance, slope_tolerance
+from proof.bounds.integers import FADE_ONE, SLOPE_UNIT, UNIT
+from proof.bounds.sums import (
+    LARGEST_STRENGTH,
+    TURNS,
+    WEIGHT_UNIT,
+    Sum,
+    first_whole_position,
+    fixed_mean_error,
+    fixed_strength,
+    fixed_weights,
+    lengths,
+    next_whole_position,
+    whole_positions,
+)
+from proof.bounds.table import Bounds, slope_bounds_of
 
 PLANES = ((25, 20), (29, 13), (25, 20))  # the turns of the contract: of an axis and the next
 LARGEST_GROWTH, LARGEST_SHIFT = 64.0, 256.0  # for which the bounds are promised

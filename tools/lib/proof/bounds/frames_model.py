@@ -8,11 +8,11 @@ import math
 
 import numpy as np
 
-from bounds import exact_model as exact
-from bounds import fixed_model as fixed
-from bounds.exact_model import SHIFT, TURNS, u32
-from bounds.fixed_model import s32, s56
-from bounds.gradients import OCTAHEDRAL
+from proof.bounds import exact_model as exact
+from proof.bounds import fixed_model as fixed
+from proof.bounds.exact_model import SHIFT, TURNS, u32
+from proof.bounds.fixed_model import s32, s56
+from proof.bounds.gradients import OCTAHEDRAL
 
 GOLDEN = 0x9E3779B9
 

@@ -36,14 +36,14 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from bounds.boxes import Boxes, cell, supremum
-from bounds.integers import FADE_ONE, UNIT
-from bounds.kernels import Offsets
-from bounds.noises import phasor, phasor_d
-from bounds.noises.phasor import KERNELS, TURN, Waves, scale_of
-from bounds.steps import WEIGHT_UNIT
-from bounds.sums import Sum, doubled, fixed_fades, fixed_weights, whole_positions
-from bounds.table import GulliesBounds, scientific, shortest
+from proof.bounds.boxes import Boxes, cell, supremum
+from proof.bounds.integers import FADE_ONE, UNIT
+from proof.bounds.kernels import Offsets
+from proof.bounds.noises import phasor, phasor_d
+from proof.bounds.noises.phasor import KERNELS, TURN, Waves, scale_of
+from proof.bounds.steps import WEIGHT_UNIT
+from proof.bounds.sums import Sum, doubled, fixed_fades, fixed_weights, whole_positions
+from proof.bounds.table import GulliesBounds, scientific, shortest
 
 LONGEST = 3 / 2  # wave
 PLANE = replace(KERNELS[2], waves=LONGEST)

@@ -6,13 +6,13 @@ import math
 
 import numpy as np
 
-from bounds import exact_model as exact
-from bounds import fixed_model as fixed
-from bounds import kernel_model, sums
-from bounds.exact_model import SHIFT, u32
-from bounds.fixed_model import s32, s56
-from bounds.frames_model import GOLDEN, coarse, prod
-from bounds.noises.phasor import KERNELS
+from proof.bounds import exact_model as exact
+from proof.bounds import fixed_model as fixed
+from proof.bounds import kernel_model, sums
+from proof.bounds.exact_model import SHIFT, u32
+from proof.bounds.fixed_model import s32, s56
+from proof.bounds.frames_model import GOLDEN, coarse, prod
+from proof.bounds.noises.phasor import KERNELS
 
 KERNEL = KERNELS[2]
 

@@ -30,8 +30,8 @@ import math
 
 import numpy as np
 
-from bounds.boxes import SAFE, Boxes, corners, fade, fade_derivative, grid, in_chunks, largest_derivative
-from bounds.gradients import Gradient
+from proof.bounds.boxes import SAFE, Boxes, corners, fade, fade_derivative, grid, in_chunks, largest_derivative
+from proof.bounds.gradients import Gradient
 
 ONE = 2**20  # I of the contract: the unit of fractions
 FADE_ONE = 2**18  # the unit of t, of slopes and of the weights of the spline

@@ -24,13 +24,13 @@ import math
 
 import numpy as np
 
-from bounds import kernels
-from bounds.boxes import Boxes, cell, supremum
-from bounds.gradients import LENGTH, OCTAHEDRAL
-from bounds.integers import FADE_ONE, ONE, SLOPE_UNIT, UNIT, part_intermediate, scaled_intermediate
-from bounds.kernels import Kernel, Offsets
-from bounds.noises.perlin.fixed import RAMP_ONE
-from bounds.weights import HALF_NEAR, NEAR_ONE
+from proof.bounds import kernels
+from proof.bounds.boxes import Boxes, cell, supremum
+from proof.bounds.gradients import LENGTH, OCTAHEDRAL
+from proof.bounds.integers import FADE_ONE, ONE, SLOPE_UNIT, UNIT, part_intermediate, scaled_intermediate
+from proof.bounds.kernels import Kernel, Offsets
+from proof.bounds.noises.perlin.fixed import RAMP_ONE
+from proof.bounds.weights import HALF_NEAR, NEAR_ONE
 
 
 def ramp_one(dims: int) -> int:

@@ -31,12 +31,12 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from bounds import kernels
-from bounds.boxes import Boxes, cell, supremum
-from bounds.floats import TINY, Approx, rounding
-from bounds.gradients import OCTAHEDRAL
-from bounds.kernels import SMOOTH, Kernel, Quantity
-from bounds.noises.perlin.floats import approx_octahedral_ramp, largest_of
+from proof.bounds import kernels
+from proof.bounds.boxes import Boxes, cell, supremum
+from proof.bounds.floats import TINY, Approx, rounding
+from proof.bounds.gradients import OCTAHEDRAL
+from proof.bounds.kernels import SMOOTH, Kernel, Quantity
+from proof.bounds.noises.perlin.floats import approx_octahedral_ramp, largest_of
 
 Offsets = list[Approx]
 

@@ -10,12 +10,12 @@ import math
 
 import numpy as np
 
-from bounds import exact_model as exact
-from bounds import fixed_model as fixed
-from bounds.exact_model import s32, u32
-from bounds.fixed_model import ONE, part
-from bounds.gradients import OCTAHEDRAL
-from bounds.weights import CUBE, EVEN, FIFTH, PLANE
+from proof.bounds import exact_model as exact
+from proof.bounds import fixed_model as fixed
+from proof.bounds.exact_model import s32, u32
+from proof.bounds.fixed_model import ONE, part
+from proof.bounds.gradients import OCTAHEDRAL
+from proof.bounds.weights import CUBE, EVEN, FIFTH, PLANE
 
 
 def points(kernel):

@@ -32,9 +32,9 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from bounds.boxes import Boxes, cell, supremum
-from bounds.gradients import Gradient
-from bounds.weights import CUBE, FIFTH, FOURTH, PLANE, Weight
+from proof.bounds.boxes import Boxes, cell, supremum
+from proof.bounds.gradients import Gradient
+from proof.bounds.weights import CUBE, FIFTH, FOURTH, PLANE, Weight
 
 
 @dataclass(frozen=True, eq=False)

@@ -49,12 +49,12 @@ import math
 
 import numpy as np
 
-from bounds import distances, features, turns
-from bounds.boxes import SAFE, Boxes, cell, supremum
-from bounds.distances import PLACE, RANK, f32
-from bounds.features import Cell
-from bounds.integers import DOUBLE
-from bounds.sine import fixed_sines
+from proof.bounds import distances, features, turns
+from proof.bounds.boxes import SAFE, Boxes, cell, supremum
+from proof.bounds.distances import PLACE, RANK, f32
+from proof.bounds.features import Cell
+from proof.bounds.integers import DOUBLE
+from proof.bounds.sine import fixed_sines
 
 JITTER = {2: 28 / 32, 3: 25 / 32}  # k of the contract
 LONGEST = {2: math.hypot(511, 1) / 512, 3: math.hypot(510, 2) / 512}  # of the directions

@@ -14,8 +14,8 @@ from pathlib import Path
 
 import numpy as np
 
-from tables.functions import read_functions
-from twin import compile_program
+from base.twin import compile_program
+from catalog.tables.functions import read_functions
 
 SOURCE = Path(__file__).with_suffix(".cpp")
 MODES = ("nearest", "down", "up", "random")

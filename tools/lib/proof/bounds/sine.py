@@ -18,10 +18,9 @@ import math
 
 import numpy as np
 
-from bounds.boxes import SAFE, Bound, Boxes, cell, smooth, supremum
-from bounds.floats import Approx, to_float
-from bounds.integers import DOUBLE, word
-
+from proof.bounds.boxes import SAFE, Bound, Boxes, cell, smooth, supremum
+from proof.bounds.floats import Approx, to_float
+from proof.bounds.integers import DOUBLE, word
 
 # --- In floats --------------------------------------------------------------------------------------------------------
 

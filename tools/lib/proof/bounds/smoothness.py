@@ -8,11 +8,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from bounds import exact_model as exact
-from bounds import fixed_model as fixed
-from bounds.fixed_model import ONE
-from bounds.gradients import OCTAHEDRAL
-from tables.markdown import table
+from catalog.tables.markdown import table
+from proof.bounds import exact_model as exact
+from proof.bounds import fixed_model as fixed
+from proof.bounds.fixed_model import ONE
+from proof.bounds.gradients import OCTAHEDRAL
 
 PITCHES = (60, 250, 1000)  # pixels to a cell, within a tenth: of some numbers all pixels are cut off alike
 CASES = (("perlin", 2), ("perlin", 3), ("value", 2), ("value", 3))

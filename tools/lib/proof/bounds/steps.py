@@ -8,7 +8,7 @@ import math
 
 import numpy as np
 
-from bounds.integers import FADE_ONE, UNIT
+from proof.bounds.integers import FADE_ONE, UNIT
 
 WEIGHT_UNIT = 1 / FADE_ONE
 

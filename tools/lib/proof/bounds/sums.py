@@ -11,10 +11,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 import catalog.model
-from bounds.boxes import SAFE
-from bounds.integers import DOUBLE, FADE_ONE, UNIT, checked, signed, word
-from bounds.steps import STEPS, WEIGHT_UNIT, Step
-from bounds.table import Bounds
+from proof.bounds.boxes import SAFE
+from proof.bounds.integers import DOUBLE, FADE_ONE, UNIT, checked, signed, word
+from proof.bounds.steps import STEPS, WEIGHT_UNIT, Step
+from proof.bounds.table import Bounds
 
 CATALOG = {sum_.name: sum_ for sum_ in catalog.model.read().sums}
 KINDS = tuple(name for name, sum_ in CATALOG.items() if sum_.is_of_values)

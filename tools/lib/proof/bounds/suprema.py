@@ -30,8 +30,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bounds.boxes import Boxes, cell, corners, fade_derivative, largest_derivative, smooth, supremum
-from bounds.gradients import Gradient
+from proof.bounds.boxes import Boxes, cell, corners, fade_derivative, largest_derivative, smooth, supremum
+from proof.bounds.gradients import Gradient
 
 
 @dataclass(frozen=True)

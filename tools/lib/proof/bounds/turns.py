@@ -21,10 +21,10 @@ import math
 
 import numpy as np
 
-from bounds import sine
-from bounds.floats import TINY, UNIT
-from bounds.integers import FADE_ONE, part_intermediate
-from bounds.noises import Derived, derived
+from proof.bounds import sine
+from proof.bounds.floats import TINY, UNIT
+from proof.bounds.integers import FADE_ONE, part_intermediate
+from proof.bounds.noises import Derived, derived
 
 ANGLE_CUT = 2 * math.pi * 2.0**-30  # a phase is cut off to a multiple of 2^-30 turns
 MIXED_ROUNDING = math.sqrt(2) * 511 + 2 + 2 * 511  # of two parts, in units of what they are parts of

@@ -32,11 +32,11 @@ from dataclasses import astuple, dataclass
 
 import numpy as np
 
-from bounds.boxes import SAFE
-from bounds.distances import QUOTIENT_ULPS, ROOT_ULPS
-from bounds.floats import UNIT, Approx, rounding
-from bounds.table import UniformBounds, scientific
-from oracle.uniform import BELL, LARGEST_REACH, LEAST_REACH, MOST_OCTAVES, PARTS, VARIANCE, WAY
+from proof.bounds.boxes import SAFE
+from proof.bounds.distances import QUOTIENT_ULPS, ROOT_ULPS
+from proof.bounds.floats import UNIT, Approx, rounding
+from proof.bounds.table import UniformBounds, scientific
+from proof.oracle.uniform import BELL, LARGEST_REACH, LEAST_REACH, MOST_OCTAVES, PARTS, VARIANCE, WAY
 
 FINE, COARSE = 2.0**-21, 2.0**-18  # the units of values and their spreads, and of sums
 LEAST, LARGEST = float(LEAST_REACH), float(LARGEST_REACH)

@@ -31,7 +31,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bounds.floats import Approx
+from proof.bounds.floats import Approx
 
 NEAR_ONE, WEIGHT_ONE = 2**16, 2**18  # the units of t and Q, and of W and E
 HALF_NEAR, HALF_WEIGHT = 0.5 / NEAR_ONE, 0.5 / WEIGHT_ONE

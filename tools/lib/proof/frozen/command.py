@@ -24,10 +24,10 @@ from collections.abc import Mapping, Sequence
 from fnmatch import fnmatchcase
 from pathlib import Path
 
-from frozen import table
-from frozen.table import ALL, FIRST, PROVISIONAL, Entry, Key, Sums
-from tree import FROZEN, ROOT, version
-from usage import Parser
+from base.tree import FROZEN, ROOT, version
+from base.usage import Parser
+from proof.frozen import table
+from proof.frozen.table import ALL, FIRST, PROVISIONAL, Entry, Key, Sums
 
 PROGRAM = ROOT / "build" / "conformance" / "hn-frozen"
 

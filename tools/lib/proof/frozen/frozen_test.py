@@ -10,9 +10,9 @@ from collections import defaultdict
 from pathlib import Path
 from unittest import mock
 
-from frozen import command, table
-from frozen.table import ALL, FIRST
-from tree import FROZEN
+from base.tree import FROZEN
+from proof.frozen import command, table
+from proof.frozen.table import ALL, FIRST
 
 PERLIN = ("noise2d.perlin", "lattice+fixed:fixed")
 HASHED = ("noise2d.perlin", "fnv1+fixed:fixed")

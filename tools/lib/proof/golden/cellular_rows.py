@@ -12,15 +12,15 @@ import itertools
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 
-from golden import simplex_rows
-from golden.generator import INT_MAX, INT_MIN, Generator, Row, to_f32
-from golden.period_rows import near_seam
-from oracle import noises
-from oracle.functions import Evaluate, knobs_of, values_of
-from oracle.gradients import Knobs
-from oracle.nearest import NEAREST
-from tables.configurations import Configuration
-from tables.functions import Function
+from catalog.tables.configurations import Configuration
+from catalog.tables.functions import Function
+from proof.golden import simplex_rows
+from proof.golden.generator import INT_MAX, INT_MIN, Generator, Row, to_f32
+from proof.golden.period_rows import near_seam
+from proof.oracle import noises
+from proof.oracle.functions import Evaluate, knobs_of, values_of
+from proof.oracle.gradients import Knobs
+from proof.oracle.nearest import NEAREST
 
 FAMILIES = ("cellular", "further_cellular")
 FINE = 2**20  # fractions are multiples of 2^-20, which fixed arithmetic does not cut

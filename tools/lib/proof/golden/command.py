@@ -31,12 +31,12 @@ from fnmatch import fnmatchcase
 from functools import partial
 from pathlib import Path
 
-from golden.files import GoldenFile, Sample, golden_files
-from tables.configurations import read_configurations
-from tables.functions import read_functions
-from tables.inc import TableError
-from tree import CONFIGURATIONS, FUNCTIONS, GOLDEN, ROOT, TOOLS
-from usage import Parser
+from base.tree import CONFIGURATIONS, FUNCTIONS, GOLDEN, ROOT, TOOLS
+from base.usage import Parser
+from catalog.tables.configurations import read_configurations
+from catalog.tables.functions import read_functions
+from catalog.tables.inc import TableError
+from proof.golden.files import GoldenFile, Sample, golden_files
 
 
 def generate(directory: Path | None = None, sample: Sample | None = None, only: Sequence[str] = ()) -> dict[str, str]:
@@ -56,7 +56,7 @@ def generated(directory: Path | None, sample: Sample | None, file: GoldenFile) -
 
 def salt() -> str:
     """It is another one if what the values come from is another: the contract, the oracle, or a table."""
-    modules = [path for folder in ("oracle", "golden") for path in (TOOLS / "lib" / folder).rglob("*.py")
+    modules = [path for folder in ("oracle", "golden") for path in (TOOLS / "lib" / "proof" / folder).rglob("*.py")
                if not path.stem.endswith("_test")]
     digest = hashlib.sha256()
     for path in (ROOT / "docs" / "contract.md", FUNCTIONS, CONFIGURATIONS, *sorted(modules)):

@@ -9,12 +9,12 @@ import struct
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from golden.generator import Row, fnv1a64, generator_of, to_f32
-from golden.rows import rows_of
-from oracle.functions import evaluator, knobs_of
-from oracle.gradients import Real
-from tables.configurations import Configuration
-from tables.functions import Function
+from catalog.tables.configurations import Configuration
+from catalog.tables.functions import Function
+from proof.golden.generator import Row, fnv1a64, generator_of, to_f32
+from proof.golden.rows import rows_of
+from proof.oracle.functions import evaluator, knobs_of
+from proof.oracle.gradients import Real
 
 BITS = "0.4.0"  # the version in which the values last changed
 

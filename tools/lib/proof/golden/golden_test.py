@@ -18,24 +18,23 @@ from fractions import Fraction
 from pathlib import Path
 from unittest import mock
 
-from golden import command as golden
-from golden import cellular_rows, gullies_rows, period_rows, phasor_rows, simplex_rows, sum_rows
-from golden.files import Digest, GoldenFile, Sample, Values, golden_files, line
-from golden.generator import INT_MAX, INT_MIN, fnv1a64, generator_of, to_f32
-from golden_values import Golden, ids
-from oracle import feature_points, frames, gradients, kernels, noises, sums, turning, words
-from oracle.functions import knobs_of, values_of
-from oracle.gradients import Knobs
-from oracle.integers import signed
-from oracle.lattice import Lattice
-from oracle.nearest import NEAREST
-from oracle.noises import cell_border, simplex, simplex_smooth
-from oracle.sums import SHIFT
-from tables.configurations import read_configurations
-from tables.functions import NOISES, OCTAVE_SUMS, Function, read_functions
-from tables.inc import TableError
-from thorough import THOROUGH, in_thorough_runs
-
+from base.golden_values import Golden, ids
+from base.thorough import THOROUGH, in_thorough_runs
+from catalog.tables.configurations import read_configurations
+from catalog.tables.functions import NOISES, OCTAVE_SUMS, Function, read_functions
+from catalog.tables.inc import TableError
+from proof.golden import cellular_rows, gullies_rows, period_rows, phasor_rows, simplex_rows, sum_rows
+from proof.golden import command as golden
+from proof.golden.files import Digest, GoldenFile, Sample, Values, golden_files, line
+from proof.golden.generator import INT_MAX, INT_MIN, fnv1a64, generator_of, to_f32
+from proof.oracle import feature_points, frames, gradients, kernels, noises, sums, turning, words
+from proof.oracle.functions import knobs_of, values_of
+from proof.oracle.gradients import Knobs
+from proof.oracle.integers import signed
+from proof.oracle.lattice import Lattice
+from proof.oracle.nearest import NEAREST
+from proof.oracle.noises import cell_border, simplex, simplex_smooth
+from proof.oracle.sums import SHIFT
 
 FUNCTIONS = {function.id: function for function in read_functions()}
 # Those of gullies have a test of their own.

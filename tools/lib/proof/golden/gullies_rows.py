@@ -10,10 +10,10 @@ import itertools
 import math
 from collections.abc import Sequence
 
-from golden import simplex_rows, sum_rows
-from golden.generator import INT_MAX, Generator, Row, to_f32
-from golden.period_rows import PERIODS
-from tables.functions import Function
+from catalog.tables.functions import Function
+from proof.golden import simplex_rows, sum_rows
+from proof.golden.generator import INT_MAX, Generator, Row, to_f32
+from proof.golden.period_rows import PERIODS
 
 BOUND = "gullies"
 

@@ -7,15 +7,15 @@ import math
 import unittest
 from unittest import mock
 
-from golden import gullies_rows, sum_rows
-from golden.files import golden_files
-from golden.generator import INT_MAX, INT_MIN, Row, generator_of, to_f32
-from golden.rows import FIXED_COORDINATES
-from oracle import frames, functions, gullies, sums
-from oracle.gradients import Knobs
-from oracle.integers import signed
-from tables.configurations import read_configurations
-from tables.functions import Function, read_functions
+from catalog.tables.configurations import read_configurations
+from catalog.tables.functions import Function, read_functions
+from proof.golden import gullies_rows, sum_rows
+from proof.golden.files import golden_files
+from proof.golden.generator import INT_MAX, INT_MIN, Row, generator_of, to_f32
+from proof.golden.rows import FIXED_COORDINATES
+from proof.oracle import frames, functions, gullies, sums
+from proof.oracle.gradients import Knobs
+from proof.oracle.integers import signed
 
 KNOBS = Knobs("lattice")
 GULLIES = [function for function in read_functions() if function.bound == gullies_rows.BOUND]

@@ -10,11 +10,11 @@ import math
 from collections.abc import Sequence
 from fractions import Fraction
 
-from golden.generator import INT_MAX, INT_MIN, Generator, Row, to_f32
-from golden.period_rows import PERIODS, near_seam
-from oracle.hexes import HEXES
-from oracle.integers import UNIT
-from tables.functions import Function
+from catalog.tables.functions import Function
+from proof.golden.generator import INT_MAX, INT_MIN, Generator, Row, to_f32
+from proof.golden.period_rows import PERIODS, near_seam
+from proof.oracle.hexes import HEXES
+from proof.oracle.integers import UNIT
 
 BOUND = HEXES.name
 BESIDE = (0, 0, 1, -1, 2**7, -2**7)  # how far from a seam, in units of 2^-20

@@ -13,14 +13,14 @@ from fractions import Fraction
 from pathlib import Path
 from unittest import mock
 
-from golden import hex_rows
-from golden.generator import INT_MAX, INT_MIN, Row, generator_of, to_f32
-from oracle import functions, hexes, lattice, words
-from oracle.gradients import Knobs
-from oracle.hexes import CORNERS
-from oracle.lattice import Lattice
-from tables.functions import Function
-from tables.inc import Row as TableRow
+from catalog.tables.functions import Function
+from catalog.tables.inc import Row as TableRow
+from proof.golden import hex_rows
+from proof.golden.generator import INT_MAX, INT_MIN, Row, generator_of, to_f32
+from proof.oracle import functions, hexes, lattice, words
+from proof.oracle.gradients import Knobs
+from proof.oracle.hexes import CORNERS
+from proof.oracle.lattice import Lattice
 
 KNOBS = Knobs("lattice")
 AT_POSITION, IN_CELL = "x:f32 y:f32 seed:u32", "cx:i32 cy:i32 fx:f32 fy:f32 px:i32 py:i32 seed:u32"

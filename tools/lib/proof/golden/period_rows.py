@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from golden.generator import INT_MAX, INT_MIN, Generator, Row, to_f32
+from proof.golden.generator import INT_MAX, INT_MIN, Generator, Row, to_f32
 
 # 0 and less are none.
 PERIODS = (0, 1, 2, 3, 5, 7, 48, 64, 1000003, 2**20, 2**30, INT_MAX, -1, -48, INT_MIN)

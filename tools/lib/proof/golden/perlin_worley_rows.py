@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from golden import sum_rows
-from golden.generator import Generator, Row, to_f32
-from oracle import perlin_worley
-from oracle.feature_points import DIRECTION_UNIT, direction
-from oracle.gradients import Knobs
-from oracle.lattice import Lattice
-from oracle.words import MASK, SEED_STEP, mix
-from tables.functions import Function
+from catalog.tables.functions import Function
+from proof.golden import sum_rows
+from proof.golden.generator import Generator, Row, to_f32
+from proof.oracle import perlin_worley
+from proof.oracle.feature_points import DIRECTION_UNIT, direction
+from proof.oracle.gradients import Knobs
+from proof.oracle.lattice import Lattice
+from proof.oracle.words import MASK, SEED_STEP, mix
 
 BOUND = "perlin_worley"
 

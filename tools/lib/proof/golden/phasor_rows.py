@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from golden.generator import Generator, Row, to_f32
+from proof.golden.generator import Generator, Row, to_f32
 
 # No stripes, numbers that nobody may tell from 0, whole and other numbers of waves, the most that there may be, what is
 # next to it, and what counts as that.

@@ -6,12 +6,22 @@ import itertools
 from collections.abc import Sequence
 
 import catalog.model
-from golden import (cellular_rows, gullies_rows, hex_rows, period_rows, perlin_worley_rows, phasor_rows, scatter_rows,
-                    simplex_rows, sum_rows, uniform_rows)
-from golden.generator import INT_MAX, INT_MIN, SEEDS, Generator, Row, to_f32
-from oracle import gradients, words
-from tables.configurations import Configuration
-from tables.functions import SPREADS, Function
+from catalog.tables.configurations import Configuration
+from catalog.tables.functions import SPREADS, Function
+from proof.golden import (
+    cellular_rows,
+    gullies_rows,
+    hex_rows,
+    period_rows,
+    perlin_worley_rows,
+    phasor_rows,
+    scatter_rows,
+    simplex_rows,
+    sum_rows,
+    uniform_rows,
+)
+from proof.golden.generator import INT_MAX, INT_MIN, SEEDS, Generator, Row, to_f32
+from proof.oracle import gradients, words
 
 
 def word_rows(generator: Generator) -> list[Row]:

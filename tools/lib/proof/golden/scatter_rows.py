@@ -5,12 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
-from golden.generator import INT_MAX, INT_MIN, Generator, Row, to_f32
-from golden.period_rows import near_seam
-from oracle import scatter
-from oracle.gradients import Knobs
-from oracle.lattice import Lattice
-from tables.functions import Function
+from catalog.tables.functions import Function
+from proof.golden.generator import INT_MAX, INT_MIN, Generator, Row, to_f32
+from proof.golden.period_rows import near_seam
+from proof.oracle import scatter
+from proof.oracle.gradients import Knobs
+from proof.oracle.lattice import Lattice
 
 PERIODS = (0, 0, 1, 2, 3, 5, 64, 1000003, 2**30, INT_MAX, -1, INT_MIN)
 ENDS = (INT_MIN, INT_MIN + 1, -1, 0, INT_MAX - 1, INT_MAX)

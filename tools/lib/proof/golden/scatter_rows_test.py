@@ -9,15 +9,15 @@ from dataclasses import dataclass
 from pathlib import Path
 from unittest import mock
 
-from golden import scatter_rows
-from golden.generator import INT_MAX, INT_MIN, Row, generator_of
-from oracle import functions, lattice, scatter, words
-from oracle.gradients import Knobs, Real
-from oracle.lattice import Lattice
-from oracle.scatter import UNIT
-from tables import functions as table
-from tables.inc import Row as TableRow
-from thorough import THOROUGH
+from base.thorough import THOROUGH
+from catalog.tables import functions as table
+from catalog.tables.inc import Row as TableRow
+from proof.golden import scatter_rows
+from proof.golden.generator import INT_MAX, INT_MIN, Row, generator_of
+from proof.oracle import functions, lattice, scatter, words
+from proof.oracle.gradients import Knobs, Real
+from proof.oracle.lattice import Lattice
+from proof.oracle.scatter import UNIT
 
 KNOBS = Knobs("lattice")
 AXES = {2: "xy", 3: "xyz"}

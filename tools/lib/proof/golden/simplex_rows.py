@@ -9,8 +9,8 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from golden.generator import INT_MAX, INT_MIN, Generator, Row, to_f32
-from golden.period_rows import near_seam
+from proof.golden.generator import INT_MAX, INT_MIN, Generator, Row, to_f32
+from proof.golden.period_rows import near_seam
 
 FINE = 2**20  # fractions are multiples of 2^-20, which fixed arithmetic does not cut
 BESIDE = 2.0**-20

@@ -6,10 +6,10 @@ import itertools
 import math
 from collections.abc import Sequence
 
-from golden.generator import INT_MAX, INT_MIN, Generator, Row, to_f32
-from golden.period_rows import PERIODS, near_seam
-from oracle.frames import SUMS
-from tables.functions import Function
+from catalog.tables.functions import Function
+from proof.golden.generator import INT_MAX, INT_MIN, Generator, Row, to_f32
+from proof.golden.period_rows import PERIODS, near_seam
+from proof.oracle.frames import SUMS
 
 COUNT = 64
 

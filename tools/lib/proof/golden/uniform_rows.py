@@ -5,9 +5,9 @@ from __future__ import annotations
 
 import struct
 
-from golden.generator import INT_MAX, INT_MIN, Generator, Row, to_f32
-from oracle.uniform import TABLE, spread
-from tables.functions import Function
+from catalog.tables.functions import Function
+from proof.golden.generator import INT_MAX, INT_MIN, Generator, Row, to_f32
+from proof.oracle.uniform import TABLE, spread
 
 COUNT = 96  # random rows
 NOISES = range(1, len(TABLE) + 1)

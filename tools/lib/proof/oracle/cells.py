@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from typing import TypeVar
 
-from oracle.integers import UNIT, fade, lerp
+from proof.oracle.integers import UNIT, fade, lerp
 
 Value = TypeVar("Value")
 

@@ -10,10 +10,10 @@ from collections.abc import Iterator
 import numpy as np
 from scipy.spatial import Voronoi, cKDTree
 
-from golden.generator import generator_of
-from oracle import feature_points, nearest, noises, words
-from oracle.gradients import Knobs
-from oracle.lattice import Choice
+from proof.golden.generator import generator_of
+from proof.oracle import feature_points, nearest, noises, words
+from proof.oracle.gradients import Knobs
+from proof.oracle.lattice import Choice
 
 SEED = 0xC0FFEE
 BLOCK = {2: 12, 3: 7}  # of cells, from 0 on along each axis

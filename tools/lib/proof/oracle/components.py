@@ -7,9 +7,9 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import TypeVar
 
-from oracle.integers import NOISE_UNIT
-from oracle.lattice import Lattice
-from oracle.noises import Noise
+from proof.oracle.integers import NOISE_UNIT
+from proof.oracle.lattice import Lattice
+from proof.oracle.noises import Noise
 
 DIMENSIONS = (2, 3)
 UNITS = (NOISE_UNIT,) * 3

@@ -10,15 +10,15 @@ from dataclasses import replace
 from fractions import Fraction
 from unittest import mock
 
-from golden.generator import INT_MAX, generator_of
-from oracle import components, noises, words
-from oracle.components import component, vector
-from oracle.functions import evaluator
-from oracle.gradients import Knobs
-from oracle.integers import UNIT
-from oracle.lattice import Lattice
-from oracle.noises import Noise
-from tables.functions import read_functions
+from catalog.tables.functions import read_functions
+from proof.golden.generator import INT_MAX, generator_of
+from proof.oracle import components, noises, words
+from proof.oracle.components import component, vector
+from proof.oracle.functions import evaluator
+from proof.oracle.gradients import Knobs
+from proof.oracle.integers import UNIT
+from proof.oracle.lattice import Lattice
+from proof.oracle.noises import Noise
 
 NAMES = ("value", "perlin")
 ARITHMETICS = ("exact", "fixed")

@@ -5,12 +5,12 @@ from __future__ import annotations
 import unittest
 from fractions import Fraction
 
-from golden.generator import generator_of
-from oracle import curl, noises, words
-from oracle.curl import CURL
-from oracle.gradients import Knobs
-from oracle.integers import SLOPE_UNIT, UNIT
-from oracle.slopes_test import quotient
+from proof.golden.generator import generator_of
+from proof.oracle import curl, noises, words
+from proof.oracle.curl import CURL
+from proof.oracle.gradients import Knobs
+from proof.oracle.integers import SLOPE_UNIT, UNIT
+from proof.oracle.slopes_test import quotient
 
 KNOBS = Knobs("lattice")
 SIMPLEX_D = noises.find("simplex_d")

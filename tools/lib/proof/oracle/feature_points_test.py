@@ -11,13 +11,23 @@ from dataclasses import replace
 from fractions import Fraction
 from unittest import mock
 
-from golden.generator import INT_MAX, INT_MIN, generator_of, to_f32
-from oracle import feature_points, nearest, noises
-from oracle.feature_points import (CHEBYSHEV, HYBRID, MANHATTAN, SQUARED, Field, TooFar, direction2, direction3,
-                                   fixed_root, root)
-from oracle.gradients import Knobs
-from oracle.integers import UNIT
-from oracle.lattice import EUCLIDEAN, Choice, Lattice
+from proof.golden.generator import INT_MAX, INT_MIN, generator_of, to_f32
+from proof.oracle import feature_points, nearest, noises
+from proof.oracle.feature_points import (
+    CHEBYSHEV,
+    HYBRID,
+    MANHATTAN,
+    SQUARED,
+    Field,
+    TooFar,
+    direction2,
+    direction3,
+    fixed_root,
+    root,
+)
+from proof.oracle.gradients import Knobs
+from proof.oracle.integers import UNIT
+from proof.oracle.lattice import EUCLIDEAN, Choice, Lattice
 
 LATTICE = Knobs("lattice")
 METRICS = (EUCLIDEAN, SQUARED, MANHATTAN, CHEBYSHEV, HYBRID)

@@ -12,12 +12,12 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
-from oracle import sums
-from oracle.gradients import Knobs, Real
-from oracle.integers import NOISE_UNIT, SLOPE_UNIT, word
-from oracle.noises import Noise
-from oracle.sums import FixedPlace, Options, Place, Terms, clamped, fixed_at, turn
-from oracle.words import signed as wrapped
+from proof.oracle import sums
+from proof.oracle.gradients import Knobs, Real
+from proof.oracle.integers import NOISE_UNIT, SLOPE_UNIT, word
+from proof.oracle.noises import Noise
+from proof.oracle.sums import FixedPlace, Options, Place, Terms, clamped, fixed_at, turn
+from proof.oracle.words import signed as wrapped
 
 LARGEST_STRENGTH, LARGEST_AMPLITUDE = 16, 64
 LARGEST_SUM = 8  # of the slopes that an eroded sum looks at

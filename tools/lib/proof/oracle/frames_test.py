@@ -9,14 +9,14 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from unittest import mock
 
-from golden.generator import Generator, generator_of
-from oracle import frames, noises, sums
-from oracle.frames import Plane, Space
-from oracle.gradients import Knobs, Real
-from oracle.integers import NOISE_UNIT, signed
-from oracle.noises import Noise
-from oracle.sums import Options, in_cell
-from oracle.words import MASK, SEED_STEP
+from proof.golden.generator import Generator, generator_of
+from proof.oracle import frames, noises, sums
+from proof.oracle.frames import Plane, Space
+from proof.oracle.gradients import Knobs, Real
+from proof.oracle.integers import NOISE_UNIT, signed
+from proof.oracle.noises import Noise
+from proof.oracle.sums import Options, in_cell
+from proof.oracle.words import MASK, SEED_STEP
 
 LATTICE = Knobs("lattice")
 ONE = 2**18

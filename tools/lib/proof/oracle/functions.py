@@ -5,18 +5,30 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
-from oracle import (frames, gradients, gullies, integers, noises, numbers, perlin_worley, positions, scatter, sums,
-                    uniform, words)
-from oracle.components import component
-from oracle.curl import CURL
-from oracle.gradients import Knobs, Real
-from oracle.hexes import HEXES
-from oracle.lattice import Choice, Lattice
-from oracle.nearest import NEAREST, OFFSET
-from oracle.noises import Noise
-from oracle.self_check import self_check
-from tables.configurations import Configuration
-from tables.functions import NOISES, OCTAVE_SUMS, Function
+from catalog.tables.configurations import Configuration
+from catalog.tables.functions import NOISES, OCTAVE_SUMS, Function
+from proof.oracle import (
+    frames,
+    gradients,
+    gullies,
+    integers,
+    noises,
+    numbers,
+    perlin_worley,
+    positions,
+    scatter,
+    sums,
+    uniform,
+    words,
+)
+from proof.oracle.components import component
+from proof.oracle.curl import CURL
+from proof.oracle.gradients import Knobs, Real
+from proof.oracle.hexes import HEXES
+from proof.oracle.lattice import Choice, Lattice
+from proof.oracle.nearest import NEAREST, OFFSET
+from proof.oracle.noises import Noise
+from proof.oracle.self_check import self_check
 
 Evaluate = Callable[[Knobs, Sequence[Real]], tuple[Real, ...]]
 
@@ -80,7 +92,7 @@ def evaluator(function: Function, fixed: bool) -> Evaluate:
         return _noise_evaluator(function, fixed)
     if family in OCTAVE_SUMS and function.bound in (*sums.SUMS, *frames.SUMS, *OF_THEIR_OWN):
         return _sum_evaluator(function, fixed)
-    raise function.row.error(f"the oracle has no {function.id}: tools/lib/oracle/functions.py finds what it evaluates")
+    raise function.row.error(f"the oracle has no {function.id}: tools/lib/proof/oracle/functions.py finds what it evaluates")
 
 
 def _candidate_evaluator(function: Function) -> Evaluate:

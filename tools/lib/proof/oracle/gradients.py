@@ -12,8 +12,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Union
 
-from oracle.words import HASHES, MASK, hash_words, mix, point_word, signed
-
+from proof.oracle.words import HASHES, MASK, hash_words, mix, point_word, signed
 
 # --- Section 4: from a hash to a float ---------------------------------------------------------------------------
 

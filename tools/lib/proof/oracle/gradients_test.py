@@ -8,10 +8,10 @@ import unittest
 from collections import Counter
 from fractions import Fraction
 
-from golden import rows
-from golden.generator import INT_MAX, INT_MIN, generator_of, to_f32
-from oracle import gradients, words
-from oracle.gradients import Knobs
+from proof.golden import rows
+from proof.golden.generator import INT_MAX, INT_MIN, generator_of, to_f32
+from proof.oracle import gradients, words
+from proof.oracle.gradients import Knobs
 
 EDGE_CELLS = (0, 1, -1, 47, 48, -48, -49, 2**20, -2**20 - 1, 2**30, -2**30 + 1, INT_MIN, INT_MIN + 1, INT_MAX - 1,
               INT_MAX)

@@ -10,14 +10,14 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 
-from oracle import frames, noises, sums
-from oracle.feature_points import fixed_root, root
-from oracle.frames import clamped_to, coarse, prod
-from oracle.gradients import Knobs
-from oracle.integers import NOISE_UNIT, signed
-from oracle.lattice import Choice
-from oracle.sums import FixedPlace, Options, Place, clamped, product
-from oracle.words import signed as wrapped
+from proof.oracle import frames, noises, sums
+from proof.oracle.feature_points import fixed_root, root
+from proof.oracle.frames import clamped_to, coarse, prod
+from proof.oracle.gradients import Knobs
+from proof.oracle.integers import NOISE_UNIT, signed
+from proof.oracle.lattice import Choice
+from proof.oracle.sums import FixedPlace, Options, Place, clamped, product
+from proof.oracle.words import signed as wrapped
 
 PHASOR = noises.find("phasor_d")
 LARGEST_SLOPE, LARGEST_DEPTH = 8, 8

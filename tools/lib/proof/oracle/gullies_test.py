@@ -10,14 +10,14 @@ from dataclasses import replace
 from fractions import Fraction
 from unittest import mock
 
-from golden.generator import INT_MAX, INT_MIN, generator_of, to_f32
-from oracle import frames, gullies, noises, sums
-from oracle.checked import Checked
-from oracle.gradients import Knobs, Real
-from oracle.lattice import Choice
-from oracle.noises.phasor_test import naive
-from oracle.sums import Options
-from oracle.words import MASK, SEED_STEP
+from proof.golden.generator import INT_MAX, INT_MIN, generator_of, to_f32
+from proof.oracle import frames, gullies, noises, sums
+from proof.oracle.checked import Checked
+from proof.oracle.gradients import Knobs, Real
+from proof.oracle.lattice import Choice
+from proof.oracle.noises.phasor_test import naive
+from proof.oracle.sums import Options
+from proof.oracle.words import MASK, SEED_STEP
 
 KNOBS = Knobs("lattice")
 DEFAULT = Options(3, 2.0, 0.5, depth=0.1, ex=0.6, ey=-0.3)

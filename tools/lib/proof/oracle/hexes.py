@@ -7,10 +7,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
-from oracle.gradients import Real
-from oracle.integers import UNIT
-from oracle.lattice import Lattice
-from oracle.noises import Noise
+from proof.oracle.gradients import Real
+from proof.oracle.integers import UNIT
+from proof.oracle.lattice import Lattice
+from proof.oracle.noises import Noise
 
 CORNERS = "abc"  # as rows name them
 OUTPUTS = (*(f"w{corner}" for corner in CORNERS), *CORNERS, *(f"x{corner}" for corner in CORNERS),

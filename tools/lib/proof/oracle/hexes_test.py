@@ -11,15 +11,15 @@ from fractions import Fraction
 from pathlib import Path
 from unittest import mock
 
-from golden.generator import INT_MAX, INT_MIN, generator_of, to_f32
-from oracle import functions, hexes, words
-from oracle.checked import Checked
-from oracle.gradients import Knobs
-from oracle.hexes import CORNERS, HEXES, OUTPUTS
-from oracle.integers import UNIT
-from oracle.lattice import Lattice
-from tables.functions import Function
-from tables.inc import Row
+from catalog.tables.functions import Function
+from catalog.tables.inc import Row
+from proof.golden.generator import INT_MAX, INT_MIN, generator_of, to_f32
+from proof.oracle import functions, hexes, words
+from proof.oracle.checked import Checked
+from proof.oracle.gradients import Knobs
+from proof.oracle.hexes import CORNERS, HEXES, OUTPUTS
+from proof.oracle.integers import UNIT
+from proof.oracle.lattice import Lattice
 
 KNOBS = Knobs("lattice")
 LIMIT_OF_SLOPE = 5  # the square of the largest slope of a weight

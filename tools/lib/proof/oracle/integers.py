@@ -11,9 +11,9 @@ import math
 from collections.abc import Sequence
 from fractions import Fraction
 
-from oracle import gradients, words
-from oracle.gradients import Knobs, Real
-from oracle.words import MASK
+from proof.oracle import gradients, words
+from proof.oracle.gradients import Knobs, Real
+from proof.oracle.words import MASK
 
 UNIT = 2**20  # the contract's I, of fractions
 NOISE_UNIT = 2**21

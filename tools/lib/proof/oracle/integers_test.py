@@ -8,10 +8,10 @@ import math
 import unittest
 from fractions import Fraction
 
-from golden.generator import generator_of
-from oracle import gradients, integers, noises, words
-from oracle.gradients import Knobs
-from thorough import in_thorough_runs
+from base.thorough import in_thorough_runs
+from proof.golden.generator import generator_of
+from proof.oracle import gradients, integers, noises, words
+from proof.oracle.gradients import Knobs
 
 PERLIN = noises.find("perlin")
 

@@ -12,10 +12,10 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
-from oracle import ramps
-from oracle.gradients import Real
-from oracle.integers import UNIT, part, signed, word
-from oracle.lattice import Lattice
+from proof.oracle import ramps
+from proof.oracle.gradients import Real
+from proof.oracle.integers import UNIT, part, signed, word
+from proof.oracle.lattice import Lattice
 
 # How many cells a point may be away from the cell, along each axis. A kernel reaches one cell at most.
 AROUND = 2

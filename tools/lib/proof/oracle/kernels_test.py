@@ -8,14 +8,14 @@ from collections.abc import Callable, Iterator
 from fractions import Fraction
 from unittest import mock
 
-from golden.generator import INT_MAX, generator_of
-from oracle import gradients, kernels, noises, words
-from oracle.gradients import Knobs
-from oracle.integers import UNIT
-from oracle.kernels import Kernel
-from oracle.lattice import Lattice
-from oracle.noises import simplex, simplex_smooth
-from oracle.slopes_test import quotient
+from proof.golden.generator import INT_MAX, generator_of
+from proof.oracle import gradients, kernels, noises, words
+from proof.oracle.gradients import Knobs
+from proof.oracle.integers import UNIT
+from proof.oracle.kernels import Kernel
+from proof.oracle.lattice import Lattice
+from proof.oracle.noises import simplex, simplex_smooth
+from proof.oracle.slopes_test import quotient
 
 KNOBS = Knobs("lattice")
 # Each noise with each of its kernels.

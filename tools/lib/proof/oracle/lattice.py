@@ -6,9 +6,9 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
-from oracle import gradients, integers, ramps, turning
-from oracle.gradients import Knobs, Real
-from oracle.words import component_word, lattice, point_word
+from proof.oracle import gradients, integers, ramps, turning
+from proof.oracle.gradients import Knobs, Real
+from proof.oracle.words import component_word, lattice, point_word
 
 EUCLIDEAN = 1  # HN_METRIC_EUCLIDEAN
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 import itertools
 import unittest
 
-from golden.generator import INT_MAX, INT_MIN, generator_of
-from oracle import gradients, words
-from oracle.gradients import Knobs
-from oracle.lattice import Lattice, repeated
+from proof.golden.generator import INT_MAX, INT_MIN, generator_of
+from proof.oracle import gradients, words
+from proof.oracle.gradients import Knobs
+from proof.oracle.lattice import Lattice, repeated
 
 PERIODS = (1, 2, 3, 48, 1000003, 2**20, 2**30, INT_MAX)
 KINDS = (Knobs("lattice"), Knobs("pcg"), Knobs("custom"), Knobs("lattice", sine=True), Knobs("fnv1", sine=True))

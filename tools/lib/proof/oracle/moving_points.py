@@ -6,9 +6,9 @@ import functools
 import math
 from fractions import Fraction
 
-from oracle import turning
-from oracle.gradients import Real
-from oracle.integers import signed
+from proof.oracle import turning
+from proof.oracle.gradients import Real
+from proof.oracle.integers import signed
 
 # k, by the number of dimensions: how far points that move are from the middle of their cells, beside those that do not.
 NEARER = {2: Fraction(7, 8), 3: Fraction(25, 32)}

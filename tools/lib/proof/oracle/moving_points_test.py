@@ -7,11 +7,11 @@ import math
 import unittest
 from fractions import Fraction
 
-from golden.generator import generator_of
-from golden.simplex_rows import PHASES
-from oracle import moving_points
-from oracle.gradients import SINE_ERROR
-from oracle.moving_points import backwards, columns, fixed_jitter, forwards, turned
+from proof.golden.generator import generator_of
+from proof.golden.simplex_rows import PHASES
+from proof.oracle import moving_points
+from proof.oracle.gradients import SINE_ERROR
+from proof.oracle.moving_points import backwards, columns, fixed_jitter, forwards, turned
 
 # With these phases sines and cosines in units of 2^-16 are 65536, and -65536.
 LARGEST = tuple(quarter / 4 + beside for quarter in range(-2, 3) for beside in (-2.0**-17, 2.0**-17))

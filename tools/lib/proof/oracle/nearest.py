@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
-from oracle.feature_points import exact_field, fixed_field
-from oracle.integers import UNIT
-from oracle.lattice import Lattice
-from oracle.noises import Noise
+from proof.oracle.feature_points import exact_field, fixed_field
+from proof.oracle.integers import UNIT
+from proof.oracle.lattice import Lattice
+from proof.oracle.noises import Noise
 
 
 def exact_cell(lattice: Lattice, cell: Sequence[int], f: Sequence[Fraction]) -> tuple[int, ...]:

@@ -12,18 +12,18 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 
-from bounds import table
-from bounds.table import Bounds
-from golden.generator import Generator, generator_of
-from oracle import noises
-from oracle.components import component
-from oracle.curl import CURL
-from oracle.gradients import Knobs
-from oracle.hexes import HEXES
-from oracle.integers import NOISE_UNIT, UNIT
-from oracle.lattice import Choice, Lattice
-from oracle.noises import Noise
-from thorough import THOROUGH
+from base.thorough import THOROUGH
+from proof.bounds import table
+from proof.bounds.table import Bounds
+from proof.golden.generator import Generator, generator_of
+from proof.oracle import noises
+from proof.oracle.components import component
+from proof.oracle.curl import CURL
+from proof.oracle.gradients import Knobs
+from proof.oracle.hexes import HEXES
+from proof.oracle.integers import NOISE_UNIT, UNIT
+from proof.oracle.lattice import Choice, Lattice
+from proof.oracle.noises import Noise
 
 PERIOD = 48
 POINTS = 24
@@ -225,5 +225,5 @@ class EveryNoise(unittest.TestCase):
 
 class Finding(unittest.TestCase):
     def test_a_noise_that_is_not_there(self) -> None:
-        with self.assertRaisesRegex(LookupError, "write tools/lib/oracle/noises/merlin.py from docs/contract.md"):
+        with self.assertRaisesRegex(LookupError, "write tools/lib/proof/oracle/noises/merlin.py from docs/contract.md"):
             noises.find("merlin")

@@ -7,11 +7,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from oracle import integers
-from oracle.feature_points import fixed_root
-from oracle.gradients import unorm
-from oracle.integers import signed
-from oracle.words import MASK, SEED_STEP, mix
+from proof.oracle import integers
+from proof.oracle.feature_points import fixed_root
+from proof.oracle.gradients import unorm
+from proof.oracle.integers import signed
+from proof.oracle.words import MASK, SEED_STEP, mix
 
 POINT_UNIT = 2**16  # of directions and points
 NORMAL_UNIT = 2**13

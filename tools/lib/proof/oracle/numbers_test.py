@@ -11,12 +11,12 @@ from fractions import Fraction
 from pathlib import Path
 from unittest import mock
 
-from golden.generator import generator_of, to_f32
-from oracle import functions, gradients, numbers, words
-from oracle.evenness import LIMIT, equal_chances, unevenness
-from tables.functions import Function
-from tables.inc import Row
-from thorough import in_thorough_runs
+from base.thorough import in_thorough_runs
+from catalog.tables.functions import Function
+from catalog.tables.inc import Row
+from proof.golden.generator import generator_of, to_f32
+from proof.oracle import functions, gradients, numbers, words
+from proof.oracle.evenness import LIMIT, equal_chances, unevenness
 
 Shuffle = Callable[[int, int, int], int]
 Point = Callable[[int], tuple[float, ...]]

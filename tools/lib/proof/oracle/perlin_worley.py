@@ -7,12 +7,12 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import TypeVar
 
-from oracle import noises, sums
-from oracle.frames import clamped_to, prod
-from oracle.gradients import Knobs
-from oracle.integers import NOISE_UNIT, UNIT
-from oracle.sums import FixedPlace, Options, Place, clamped
-from oracle.words import MASK, SEED_STEP, mix
+from proof.oracle import noises, sums
+from proof.oracle.frames import clamped_to, prod
+from proof.oracle.gradients import Knobs
+from proof.oracle.integers import NOISE_UNIT, UNIT
+from proof.oracle.sums import FixedPlace, Options, Place, clamped
+from proof.oracle.words import MASK, SEED_STEP, mix
 
 PERLIN, CELLULAR = noises.find("perlin"), noises.find("cellular")
 MOST = 3  # octaves of cells

@@ -10,16 +10,16 @@ from dataclasses import replace
 from fractions import Fraction
 from unittest import mock
 
-from golden import perlin_worley_rows
-from golden.files import golden_files
-from golden.generator import Row, generator_of
-from oracle import functions, noises, perlin_worley, sums, words
-from oracle.checked import Checked
-from oracle.gradients import Knobs, Real
-from oracle.integers import NOISE_UNIT
-from oracle.sums import Options
-from tables.configurations import read_configurations
-from tables.functions import read_functions
+from catalog.tables.configurations import read_configurations
+from catalog.tables.functions import read_functions
+from proof.golden import perlin_worley_rows
+from proof.golden.files import golden_files
+from proof.golden.generator import Row, generator_of
+from proof.oracle import functions, noises, perlin_worley, sums, words
+from proof.oracle.checked import Checked
+from proof.oracle.gradients import Knobs, Real
+from proof.oracle.integers import NOISE_UNIT
+from proof.oracle.sums import Options
 
 KNOBS = Knobs("lattice")
 STEP = 0x9E3779B9

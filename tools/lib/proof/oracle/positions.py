@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from oracle.words import signed
+from proof.oracle.words import signed
 
 
 def clamped(setting: int) -> int:

@@ -5,8 +5,8 @@ from __future__ import annotations
 import unittest
 from fractions import Fraction
 
-from golden.generator import INT_MAX, INT_MIN, generator_of, to_f32
-from oracle import positions
+from proof.golden.generator import INT_MAX, INT_MIN, generator_of, to_f32
+from proof.oracle import positions
 
 
 class Positions(unittest.TestCase):

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from oracle import gradients
-from oracle.integers import UNIT, signed
+from proof.oracle import gradients
+from proof.oracle.integers import UNIT, signed
 
 # By the number of dimensions: the unit of the ramps. That of gradients is a quarter of it.
 RAMP_UNITS = {1: 2**29, 2: 2**29, 3: 2**29, 4: 2**28}

@@ -9,9 +9,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
-from oracle.gradients import Real
-from oracle.lattice import Lattice
-from oracle.numbers import rehash
+from proof.oracle.gradients import Real
+from proof.oracle.lattice import Lattice
+from proof.oracle.numbers import rehash
 
 UNIT = 2**15  # of a cell: of candidates and of radii
 

@@ -10,15 +10,15 @@ from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from unittest import mock
 
-from golden.generator import INT_MAX, INT_MIN, generator_of, to_f32
-from oracle import functions, scatter, words
-from oracle.evenness import LIMIT, equal_chances, unevenness
-from oracle.gradients import Knobs
-from oracle.lattice import Lattice
-from oracle.scatter import UNIT
-from tables.functions import Function
-from tables.inc import Row
-from thorough import some
+from base.thorough import some
+from catalog.tables.functions import Function
+from catalog.tables.inc import Row
+from proof.golden.generator import INT_MAX, INT_MIN, generator_of, to_f32
+from proof.oracle import functions, scatter, words
+from proof.oracle.evenness import LIMIT, equal_chances, unevenness
+from proof.oracle.gradients import Knobs
+from proof.oracle.lattice import Lattice
+from proof.oracle.scatter import UNIT
 
 KNOBS = Knobs("lattice")
 Cell = tuple[int, ...]

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from oracle import numbers, positions
-from oracle.words import MASK, lattice, mix, signed
+from proof.oracle import numbers, positions
+from proof.oracle.words import MASK, lattice, mix, signed
 
 ROUNDS = 16
 UNITS = 7  # of hn_cell and hn_fraction

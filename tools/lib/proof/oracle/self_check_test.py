@@ -6,10 +6,10 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
-from oracle import functions, numbers, positions, self_check, words
-from oracle.gradients import Knobs
-from tables.functions import Function
-from tables.inc import Row
+from catalog.tables.functions import Function
+from catalog.tables.inc import Row
+from proof.oracle import functions, numbers, positions, self_check, words
+from proof.oracle.gradients import Knobs
 
 # The program was written from the contract.
 VALUES = {("lattice", 0): 240234850, ("lattice", 1): 2937394595, ("lattice", 2): 4130282317,

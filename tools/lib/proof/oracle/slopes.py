@@ -9,8 +9,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
-from oracle.cells import smooth
-from oracle.integers import UNIT, difference, lerp, part, signed, word
+from proof.oracle.cells import smooth
+from proof.oracle.integers import UNIT, difference, lerp, part, signed, word
 
 # --- Exact -------------------------------------------------------------------------------------------------------
 

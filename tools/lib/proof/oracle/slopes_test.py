@@ -8,12 +8,12 @@ from collections.abc import Callable, Sequence
 from fractions import Fraction
 from unittest import mock
 
-from golden.generator import INT_MAX, generator_of
-from oracle import noises, slopes
-from oracle.cells import smooth
-from oracle.gradients import Knobs
-from oracle.integers import UNIT, fade
-from oracle.noises import perlin_d, value_d
+from proof.golden.generator import INT_MAX, generator_of
+from proof.oracle import noises, slopes
+from proof.oracle.cells import smooth
+from proof.oracle.gradients import Knobs
+from proof.oracle.integers import UNIT, fade
+from proof.oracle.noises import perlin_d, value_d
 
 PAIRS = (("perlin", "perlin_d"), ("value", "value_d"))
 DIMENSIONS = (1, 2, 3, 4)

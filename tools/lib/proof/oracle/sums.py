@@ -8,10 +8,11 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Generic, TypeVar
 
-from oracle.gradients import Knobs, Real
-from oracle.integers import NOISE_UNIT, clamp_to_int, signed, word
-from oracle.noises import Noise
-from oracle.words import MASK, SEED_STEP, signed as wrapped
+from proof.oracle.gradients import Knobs, Real
+from proof.oracle.integers import NOISE_UNIT, clamp_to_int, signed, word
+from proof.oracle.noises import Noise
+from proof.oracle.words import MASK, SEED_STEP
+from proof.oracle.words import signed as wrapped
 
 SHIFT = (Fraction(11, 32), Fraction(19, 32), Fraction(23, 32), Fraction(27, 32))
 # In 32nds the cosines and the sines of the turns: in the plane of x and y, then in that of y and z, then of z and w.

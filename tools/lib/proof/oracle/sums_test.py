@@ -10,11 +10,11 @@ from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
 
-from golden.generator import generator_of
-from oracle import noises, sums
-from oracle.gradients import Knobs, Real
-from oracle.sums import Options, Terms
-from thorough import in_thorough_runs
+from base.thorough import in_thorough_runs
+from proof.golden.generator import generator_of
+from proof.oracle import noises, sums
+from proof.oracle.gradients import Knobs, Real
+from proof.oracle.sums import Options, Terms
 
 PERLIN = noises.find("perlin")
 SETTINGS = (Knobs("lattice"), Knobs("fnv1"), Knobs("lattice", sine=True))

@@ -9,9 +9,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import TypeVar
 
-from oracle import gradients, integers
-from oracle.gradients import Real
-from oracle.words import MASK
+from proof.oracle import gradients, integers
+from proof.oracle.gradients import Real
+from proof.oracle.words import MASK
 
 Number = TypeVar("Number", int, float, Fraction)
 

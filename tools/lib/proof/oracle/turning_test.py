@@ -8,13 +8,13 @@ import unittest
 from fractions import Fraction
 from unittest import mock
 
-from golden.generator import generator_of
-from golden.simplex_rows import PHASES
-from oracle import gradients, noises, turning, words
-from oracle.gradients import Knobs
-from oracle.integers import UNIT
-from oracle.lattice import Lattice
-from oracle.turning import Turn
+from proof.golden.generator import generator_of
+from proof.golden.simplex_rows import PHASES
+from proof.oracle import gradients, noises, turning, words
+from proof.oracle.gradients import Knobs
+from proof.oracle.integers import UNIT
+from proof.oracle.lattice import Lattice
+from proof.oracle.turning import Turn
 
 TURNING = ("perlin_phase", "perlin_d_phase", "simplex_phase", "simplex_d_phase")
 KNOBS = Knobs("lattice")

@@ -12,11 +12,11 @@ from collections.abc import Sequence
 from fractions import Fraction
 from typing import TypeVar
 
-from oracle import sums
-from oracle.feature_points import fixed_root
-from oracle.gradients import Real
-from oracle.integers import signed, word
-from oracle.sums import clamped
+from proof.oracle import sums
+from proof.oracle.feature_points import fixed_root
+from proof.oracle.gradients import Real
+from proof.oracle.integers import signed, word
+from proof.oracle.sums import clamped
 
 Number = TypeVar("Number", int, Fraction)
 

@@ -10,12 +10,12 @@ from fractions import Fraction
 from pathlib import Path
 from unittest import mock
 
-from golden.generator import Generator, generator_of, to_f32
-from oracle import functions, uniform
-from tables.functions import Function
-from tables.inc import Row
-from thorough import THOROUGH
-from tree import ROOT
+from base.thorough import THOROUGH
+from base.tree import ROOT
+from catalog.tables.functions import Function
+from catalog.tables.inc import Row
+from proof.golden.generator import Generator, generator_of, to_f32
+from proof.oracle import functions, uniform
 
 PAGE = (ROOT / "docs" / "contract.md").read_text(encoding="utf-8").partition("\n## 21. ")[2].partition("\n## ")[0]
 PLAIN = uniform.spread(uniform.PERLIN2)

@@ -8,8 +8,8 @@ import unittest
 from collections import Counter
 from collections.abc import Callable
 
-from golden.generator import Generator, fnv1a64, generator_of
-from oracle import words
+from proof.golden.generator import Generator, fnv1a64, generator_of
+from proof.oracle import words
 
 
 def murmurhash2(data: bytes, seed: int) -> int:

@@ -15,12 +15,12 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from golden.command import differences, salt, write
-from golden.generator import generator_of
-from tables.functions import read_functions
-from tree import ROOT, VECTORS
-from usage import Parser
-from vectors.files import INDEX, NoVectors, vectors
+from base.tree import ROOT, VECTORS
+from base.usage import Parser
+from catalog.tables.functions import read_functions
+from proof.golden.command import differences, salt, write
+from proof.golden.generator import generator_of
+from proof.vectors.files import INDEX, NoVectors, vectors
 
 PROGRAM = ROOT / "build" / "conformance" / "hn-tolerances"
 ENDING = "json"

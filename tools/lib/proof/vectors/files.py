@@ -11,13 +11,13 @@ from fractions import Fraction
 from functools import cached_property
 from pathlib import Path
 
-from golden.files import BITS
-from golden_values import Golden
-from pick.program import name_of, names
-from tables.configurations import Configuration, read_configurations
-from tables.functions import Function, read_functions
-from tree import VECTORS
-from vectors.choice import chosen, features
+from base.golden_values import Golden
+from base.tree import VECTORS
+from catalog.tables.configurations import Configuration, read_configurations
+from catalog.tables.functions import Function, read_functions
+from proof.golden.files import BITS
+from proof.vectors.choice import chosen, features
+from translate.pick.program import name_of, names
 
 FORMAT = 1
 INDEX = "index.json"

@@ -17,11 +17,11 @@ import unittest
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
-from tables.configurations import read_configurations
-from tables.functions import read_functions
-from thorough import THOROUGH
-from tree import GOLDEN, ROOT, VECTORS
-from vectors import choice, command, files
+from base.thorough import THOROUGH
+from base.tree import GOLDEN, ROOT, VECTORS
+from catalog.tables.configurations import read_configurations
+from catalog.tables.functions import read_functions
+from proof.vectors import choice, command, files
 
 PAGE = (ROOT / "docs" / "porting.md").read_text(encoding="utf-8")
 CHECKER, PORT = re.findall(r"^```python\n(.*?)^```$", PAGE, re.MULTILINE | re.DOTALL)

@@ -21,13 +21,13 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
-from pick.osl_runner import PACKAGE
+from base.tree import TOOLS, version
 from ship import command
 from ship.blender import files
 from ship.blender.in_blender import Heights, NoBlender, found
 from ship.packing_support import made
-from tree import TOOLS, version
-from wgsl.device import installed
+from translate.pick.osl_runner import PACKAGE
+from translate.wgsl.device import installed
 
 SKIPPED = 77
 SIDE = 12  # pixels

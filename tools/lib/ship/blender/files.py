@@ -7,12 +7,12 @@ import zipfile
 from functools import cache
 from pathlib import Path
 
+from base.tree import GLSL, ROOT, version
 from catalog import asked
-from pick.command import Choice, picker, read_library
-from pick.program import public
+from catalog.tables.markdown import table
 from ship.packing import Refused, papers
-from tables.markdown import table
-from tree import GLSL, ROOT, version
+from translate.pick.command import Choice, picker, read_library
+from translate.pick.program import public
 
 PACKAGE = ROOT / "packages" / "blender"
 MANIFEST = "blender_manifest.toml"

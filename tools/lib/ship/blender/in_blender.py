@@ -7,8 +7,8 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from pick.osl_runner import PACKAGE
-from wgsl.device import Absent, installed
+from translate.pick.osl_runner import PACKAGE
+from translate.wgsl.device import Absent, installed
 
 
 class NoBlender(Exception):
@@ -36,7 +36,8 @@ class Heights:
 
     def __init__(self, file: Path) -> None:
         import bpy
-        from pick.osl_render import prepared
+
+        from translate.pick.osl_render import prepared
         self.scene = prepared()
         bpy.ops.extensions.package_install_files(filepath=str(file), repo="user_default", enable_on_install=True)
 
@@ -93,7 +94,8 @@ class Heights:
         color is not negative, so there are two pictures."""
         import bpy
         import numpy
-        from pick.osl_render import pixels
+
+        from translate.pick.osl_render import pixels
         square = self.scene.objects["square"]
         bpy.context.view_layer.objects.active = square
         tree = square.data.materials[0].node_tree

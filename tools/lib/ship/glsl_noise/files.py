@@ -7,17 +7,17 @@ import re
 from functools import cache
 from typing import NamedTuple
 
+from base.tree import GLSL, ROOT, version
+from catalog.tables.markdown import table
 from measure.likeness import ports
 from measure.likeness.table import ROWS
-from parsing.syntax import Function
-from pick import command
-from pick.evaluate import Module
-from pick.program import Program, read
-from pick.shading import LANGUAGES
 from ship.packing import of_npm, papers
 from ship.recipes import RECIPES
-from tables.markdown import table
-from tree import GLSL, ROOT, version
+from translate.parsing.syntax import Function
+from translate.pick import command
+from translate.pick.evaluate import Module
+from translate.pick.program import Program, read
+from translate.pick.shading import LANGUAGES
 
 PACKAGE = ROOT / "packages" / "glsl-noise"
 NAME = RECIPES["glsl-noise"].name

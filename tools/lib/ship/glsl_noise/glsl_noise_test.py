@@ -10,14 +10,14 @@ import tempfile
 import unittest
 from pathlib import Path
 
-import glslang
+from base import glslang
+from base.thorough import THOROUGH, in_thorough_runs
+from base.tree import version
 from measure.likeness.renderer import NoRenderer, Renderer
 from ship import command
 from ship.glsl_noise import files
 from ship.glsl_noise.files import File
-from single_file.files import text
-from thorough import THOROUGH, in_thorough_runs
-from tree import version
+from translate.single_file.files import text
 
 SIDE = 64
 NEAR = 1e-5  # the two are compiled otherwise, and floats may be contracted

@@ -1,6 +1,6 @@
 """The package in place of glsl-noise: by its name for glslify, and by an alias of Vite in drei, which Chromium draws.
 
-    python3 -m ship.glsl_noise.project_test FOLDER      FOLDER has the packages of tools/lib/javascript
+    python3 -m ship.glsl_noise.project_test FOLDER      FOLDER has the packages of tools/lib/base/javascript
 
 Exit status: 0 all is right, 1 not, 77 npm's packages or a Node.js are not here.
 """
@@ -13,10 +13,10 @@ import subprocess
 import sys
 from pathlib import Path
 
-from javascript import environment
+from base.javascript import environment
+from base.tree import TOOLS
 from ship.glsl_noise.files import NAME, PACKAGE, package
 from ship.packing import put
-from tree import TOOLS
 
 TESTS = PACKAGE / "tests"
 SKIPPED = 77
@@ -34,7 +34,7 @@ def main(packages: Path) -> int:
     page = package()["README.md"]
     # As the page says, and by its own name.
     command, = re.findall(rf"^    npm install (.*{NAME})-VERSION$", page, re.MULTILINE)
-    install = [TOOLS / "lib" / "node", "npm", "install", "--offline", "--no-save", "--no-audit", "--no-fund"]
+    install = [TOOLS / "lib" / "base" / "node", "npm", "install", "--offline", "--no-save", "--no-audit", "--no-fund"]
     done = subprocess.run([*install, command, f"{NAME}@file:{NAME}"], cwd=project, capture_output=True, text=True,
                           check=False)
     if done.returncode != 0:
@@ -46,7 +46,7 @@ def main(packages: Path) -> int:
     for path in TESTS.iterdir():
         if path.suffix != ".json":
             shutil.copy(path, project)
-    return subprocess.run([TOOLS / "lib" / "node", "node", "drop_in.mjs"], cwd=project, check=False).returncode and 1
+    return subprocess.run([TOOLS / "lib" / "base" / "node", "node", "drop_in.mjs"], cwd=project, check=False).returncode and 1
 
 
 if __name__ == "__main__":

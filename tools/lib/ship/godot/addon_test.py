@@ -12,10 +12,10 @@ import unittest
 import zipfile
 from pathlib import Path
 
-from readme.gallery import recipes
+from base.tree import ROOT, TOOLS, version
+from catalog.tables.functions import read_functions
 from ship.godot.files import ADDON, GAP, WINDOW, package, tiles
-from tables.functions import read_functions
-from tree import ROOT, TOOLS, version
+from ship.readme.gallery import recipes
 
 ARCHIVE = f"hashnoise-godot-{version()}.zip"
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from readme.gallery import recipes
-from single_file import godot
-from single_file.files import Part, in_order, parts
-from tree import ROOT, version
+from base.tree import ROOT, version
+from ship.readme.gallery import recipes
+from translate.single_file import godot
+from translate.single_file.files import Part, in_order, parts
 
 PACKAGE = ROOT / "packages" / "godot"
 ADDON = "addons/hashnoise"

@@ -1,7 +1,7 @@
 """The heights of one land are the same wherever people work: in C++, Python, JavaScript, C#, Blender, a page's shader
 and the shader of Godot's add-on, at points of our own, near the origin and far from it.
 
-    python3 -m heights.heights_test ENVIRONMENT PACKAGES    the folders of python.wheel and of javascript.packages
+    python3 -m ship.heights.heights_test ENVIRONMENT PACKAGES    the folders of python.wheel and of javascript.packages
 
 The land is hn_fbm on the plane with HN_FIXED. Godot itself is not asked: Chromium runs its add-on's text as GLSL.
 Exit status: 0 they are the same, 1 they are not, 77 they are the same where there is all that it needs.
@@ -21,14 +21,14 @@ import unittest
 from collections.abc import Sequence
 from pathlib import Path
 
-from pick.runners import ran
+from base.tree import ROOT
+from base.twin import compile_program
 from ship.blender.in_blender import Heights, NoBlender, found
 from ship.godot.files import ADDON
 from ship.godot.files import package as godot
 from ship.packing_support import made
 from ship.unity import files as unity
-from tree import ROOT
-from twin import compile_program
+from translate.pick.runners import ran
 
 SKIPPED = 77
 SEEDS, POINTS = 8, 64  # of each seed

@@ -6,10 +6,10 @@ import json
 from functools import cache
 from typing import NamedTuple
 
-from pick.command import Choice, picker
+from base.tree import ROOT, version
+from catalog.tables.markdown import table
 from ship.packing import papers
-from tables.markdown import table
-from tree import ROOT, version
+from translate.pick.command import Choice, picker
 
 PACKAGE = ROOT / "packages" / "isf"
 LANGUAGE = "glsl"  # hosts compile a file as GLSL 3.30 and 4.00, and as GLSL ES 3.00

@@ -18,13 +18,13 @@ import sys
 import unittest
 from pathlib import Path
 
-import glslang
-from javascript.environment import OFFLINE
+from base import glslang
+from base.javascript.environment import OFFLINE
+from base.tree import ROOT, TOOLS, version
 from measure.likeness.renderer import NoRenderer, Renderer
-from pick.command import Choice
 from ship import command
 from ship.isf import files
-from tree import ROOT, TOOLS, version
+from translate.pick.command import Choice
 
 SKIPPED = 77
 PARSER = "interactive-shader-format@2.9.0"
@@ -120,7 +120,7 @@ class Looks(unittest.TestCase):
 
     def read(self, *paths: Path) -> list[dict]:
         (self.folder / "read.js").write_text(READ, encoding="ascii")
-        done = subprocess.run([TOOLS / "lib" / "node", "node", "read.js", *paths], cwd=self.folder, capture_output=True,
+        done = subprocess.run([TOOLS / "lib" / "base" / "node", "node", "read.js", *paths], cwd=self.folder, capture_output=True,
                               text=True, check=False)
         self.assertEqual(done.returncode, 0, done.stderr)
         return json.loads(done.stdout)
@@ -154,7 +154,7 @@ def fetched(folder: Path) -> int:
     if (folder / "package").exists():
         return 0
     folder.mkdir(parents=True, exist_ok=True)
-    done = subprocess.run([TOOLS / "lib" / "node", "npm", "pack", "--silent", "--fetch-retries", "1", PARSER], cwd=folder,
+    done = subprocess.run([TOOLS / "lib" / "base" / "node", "npm", "pack", "--silent", "--fetch-retries", "1", PARSER], cwd=folder,
                           capture_output=True, text=True, check=False)
     if done.returncode != 0:
         print(done.stdout + done.stderr)

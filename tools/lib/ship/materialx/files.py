@@ -7,16 +7,16 @@ from functools import cache
 from typing import NamedTuple
 from xml.sax.saxutils import quoteattr
 
+from base.tree import GLSL, ROOT, version
 from catalog import asked
-from parsing.syntax import Function
-from pick.command import SYNTAXES, Choice, picker, read_library
-from pick.comments import first_sentence
-from pick.osl import without_shader
-from pick.program import public
-from pick.shading import LANGUAGES
+from catalog.tables.markdown import table
 from ship.packing import papers
-from tables.markdown import table
-from tree import GLSL, ROOT, version
+from translate.parsing.syntax import Function
+from translate.pick.command import SYNTAXES, Choice, picker, read_library
+from translate.pick.comments import first_sentence
+from translate.pick.osl import without_shader
+from translate.pick.program import public
+from translate.pick.shading import LANGUAGES
 
 PACKAGE = ROOT / "packages" / "materialx"
 LIBRARY = "hashnoise"  # the folder that MaterialX loads

@@ -17,15 +17,15 @@ from pathlib import Path
 from types import ModuleType
 from typing import NamedTuple
 
+from base.tree import ROOT, VECTORS
 from measure.likeness.renderer import NoRenderer, Renderer
-from pick.osl_runner import PACKAGE as BLENDER
-from pick.osl_runner import RENDER
-from pick.runners import ran
-from pick.slang import Slang
 from ship.materialx import files
-from tree import ROOT, VECTORS
-from wgsl.device import Absent, Device, installed
-from wgsl.evaluation import GROUP
+from translate.pick.osl_runner import PACKAGE as BLENDER
+from translate.pick.osl_runner import RENDER
+from translate.pick.runners import ran
+from translate.pick.slang import Slang
+from translate.wgsl.device import Absent, Device, installed
+from translate.wgsl.evaluation import GROUP
 
 MATERIALX = "materialx==1.39.5"
 # The generators that have shaders to compile, by the module and the class.

@@ -6,8 +6,8 @@ import os
 from collections.abc import Sequence
 from pathlib import Path
 
+from base.usage import Parser
 from ship.packing import add_folder, checked_folder, make_folder
-from usage import Parser
 
 DESCRIPTION = """\
 Makes the npm package hashnoise-VERSION.tgz, and prints its path.

@@ -13,13 +13,13 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import NamedTuple
 
+from base.tree import GLSL, ROOT, VECTORS, glsl_files
 from ship.npm.twin import Failed, compiled
 from ship.packing import of_npm, own_files, put
-from single_file.files import in_order, minified, parts, text
-from tree import GLSL, ROOT, VECTORS, glsl_files
-from wgsl.module import Module, Settings
-from wgsl.names import is_public
-from wgsl.translator import Definition
+from translate.single_file.files import in_order, minified, parts, text
+from translate.wgsl.module import Module, Settings
+from translate.wgsl.names import is_public
+from translate.wgsl.translator import Definition
 
 PACKAGE = ROOT / "packages" / "npm"
 MADE = "// Made by tools/pack npm. Copyright (c) 2026 The hashnoise authors; MIT License.\n"

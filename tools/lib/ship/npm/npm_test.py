@@ -4,12 +4,12 @@ import json
 import re
 import unittest
 
+from base.thorough import in_thorough_runs
+from base.tree import GLSL, ROOT, glsl_files, version
 from ship.npm import twin
 from ship.npm.files import ARITHMETICS, glsl_modules, package, readme
-from single_file.files import flatten, in_order, minified, parts
-from thorough import in_thorough_runs
-from tree import GLSL, ROOT, glsl_files, version
-from wgsl.module import Module, Settings
+from translate.single_file.files import flatten, in_order, minified, parts
+from translate.wgsl.module import Module, Settings
 
 EXPORT = re.compile(r"^export default (.*);$", re.MULTILINE)
 IMPORT = re.compile(r'^import (\w+) from "(.*)";$', re.MULTILINE)

@@ -14,7 +14,7 @@ cd "$root/tools/lib"
 logged "Making the files of the package" "The files of the package could not be made" \
   python3 -B -m ship.npm.files "$scratch/package"
 cd "$scratch/package"
-logged "Packing" "The package could not be packed" "$root/tools/lib/node" npm pack --silent --offline --pack-destination "$scratch"
+logged "Packing" "The package could not be packed" "$root/tools/lib/base/node" npm pack --silent --offline --pack-destination "$scratch"
 packed=("$scratch"/*.tgz)
 mv "${packed[0]}" "$folder"
 echo "$folder/${packed[0]##*/}"

@@ -8,7 +8,7 @@ import subprocess
 import tempfile
 from pathlib import Path
 
-from tree import ROOT
+from base.tree import ROOT
 
 SOURCE = ROOT / "packages" / "npm" / "wasm" / "twin.cpp"
 MOST_BYTES = 48_400

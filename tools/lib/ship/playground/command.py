@@ -7,11 +7,10 @@ import subprocess
 import sys
 from pathlib import Path
 
-from javascript import environment
-from parsing.tokens import Unknown
-from playground.page import Unfit, page
-from tree import ROOT
-
+from base.javascript import environment
+from base.tree import ROOT
+from ship.playground.page import Unfit, page
+from translate.parsing.tokens import Unknown
 
 PICTURE = ROOT / "docs" / "images" / "playground.png"
 

@@ -6,12 +6,12 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator
 
+from base.tree import GLSL, glsl_files, included_from, version
 from catalog.javascript import drawn, may_draw
 from catalog.model import read
-from single_file.files import INCLUDE, stripped, with_numbers
-from tree import GLSL, glsl_files, included_from, version
-from wgsl.module import ARITHMETICS, HASHES, Module, Settings
-from wgsl.translator import Definition
+from translate.single_file.files import INCLUDE, stripped, with_numbers
+from translate.wgsl.module import ARITHMETICS, HASHES, Module, Settings
+from translate.wgsl.translator import Definition
 
 # The user's own hash is no choice in the page.
 CHOSEN_HASHES = tuple(name for name in HASHES if name != "CUSTOM")

@@ -9,9 +9,9 @@ import json
 import re
 from collections.abc import Callable
 
-from playground import picks
-from playground.library import library
-from tree import ROOT
+from base.tree import ROOT
+from ship.playground import picks
+from ship.playground.library import library
 
 SOURCES = ROOT / "playground"
 FIRST = "main.js"  # the module that imports the others

@@ -13,13 +13,13 @@ import json
 import sys
 from collections.abc import Callable, Collection, Mapping, Sequence
 
+from base.tree import GLSL, ROOT
+from base.usage import Parser
 from catalog.javascript import dimensions_of, drawn, may_draw
 from catalog.model import read
-from parsing.tokens import Unknown
-from pick.command import Choice, command_of, picker, read_library
-from pick.program import public
-from tree import GLSL, ROOT
-from usage import Parser
+from translate.parsing.tokens import Unknown
+from translate.pick.command import Choice, command_of, picker, read_library
+from translate.pick.program import public
 
 FILE = ROOT / "playground" / "picks.json"
 # In the order of which gzip leaves least.

@@ -14,12 +14,12 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
-import playground.command as command
-import playground.page as page
-from playground import picks
-from playground.library import definitions, library, modules, of_pictures, written
-from thorough import THOROUGH
-from tree import TOOLS, version
+import ship.playground.command as command
+import ship.playground.page as page
+from base.thorough import THOROUGH
+from base.tree import TOOLS, version
+from ship.playground import picks
+from ship.playground.library import definitions, library, modules, of_pictures, written
 
 MOST_BYTES = 505_000
 

@@ -8,8 +8,8 @@ import subprocess
 from collections.abc import Sequence
 from pathlib import Path
 
+from base.usage import Parser
 from ship.packing import add_folder, checked_folder, make_folder
-from usage import Parser
 
 DESCRIPTION = """\
 Builds the Python package as a wheel, checks it, and prints its path.

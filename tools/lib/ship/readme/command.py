@@ -24,22 +24,22 @@ import re
 import sys
 from collections.abc import Sequence
 
+from base.tree import ROOT
+from base.usage import Parser
+from catalog.tables.markdown import with_section
 from measure.compile import command as of_compilers
 from measure.gpu import pages as of_gpus
-from measure.noise import record as of_noises
 from measure.likeness import ports
+from measure.noise import record as of_noises
 from measure.uniform import command as of_uniform
-from readme import files, gallery, hashes, numbers, picture
-from readme import times as of_commands
 from ship.blender import files as blender
 from ship.glsl_noise import files as glsl_noise
 from ship.isf import files as isf
 from ship.materialx import files as materialx
+from ship.readme import files, gallery, hashes, numbers, picture
+from ship.readme import times as of_commands
 from ship.unity import files as unity
 from ship.unreal import files as unreal
-from tables.markdown import with_section
-from tree import ROOT
-from usage import Parser
 
 README = "README.md"
 MEASURING = "docs/measuring.md"

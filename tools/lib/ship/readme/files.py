@@ -5,13 +5,13 @@ from __future__ import annotations
 import functools
 import re
 
-from pick.command import ARITHMETICS, SYNTAXES, Choice, picker, read_library
-from pick.program import Program, chosen
-from pick.shading import LANGUAGES
-from single_file.files import text
-from tables import glsl
-from tables.markdown import table
-from tree import GLSL
+from base.tree import GLSL
+from catalog.tables import glsl
+from catalog.tables.markdown import table
+from translate.pick.command import ARITHMETICS, SYNTAXES, Choice, picker, read_library
+from translate.pick.program import Program, chosen
+from translate.pick.shading import LANGUAGES
+from translate.single_file.files import text
 
 DIMENSIONS = re.compile(r"(\d)d\.glsl$")
 

@@ -6,8 +6,8 @@ import re
 from dataclasses import dataclass
 from pathlib import Path
 
-from readme import picture
-from tree import ROOT
+from base.tree import ROOT
+from ship.readme import picture
 
 PAGE = ROOT / "docs" / "gallery" / "README.md"
 SHEET = "sheet.png"  # all of them

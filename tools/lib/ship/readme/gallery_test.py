@@ -5,8 +5,8 @@ import shutil
 import tempfile
 import unittest
 
-from readme import gallery
-from readme.readme_test import compile_glsl
+from ship.readme import gallery
+from ship.readme.readme_test import compile_glsl
 
 
 class Gallery(unittest.TestCase):

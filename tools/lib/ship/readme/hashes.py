@@ -5,8 +5,8 @@ from __future__ import annotations
 import csv
 from collections.abc import Mapping, Sequence
 
-from tables.markdown import table
-from tree import ROOT
+from base.tree import ROOT
+from catalog.tables.markdown import table
 
 RECORD = ROOT / "docs" / "results" / "hashes.csv"
 

@@ -10,10 +10,10 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import catalog.model
+from base.tree import ROOT
+from base.twin import SOON, compile_program
+from catalog.tables.markdown import table
 from measure.peers.table import CALLS, PEERS, dimensions, subject
-from tables.markdown import table
-from tree import ROOT
-from twin import SOON, compile_program
 
 RESULTS = ROOT / "docs" / "results"
 CPU, GPU = "llvmpipe", "h100"  # the renderers in RESULTS, of which pages tell

@@ -10,8 +10,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from tree import ROOT
-from twin import SOON, compile_program
+from base.tree import ROOT
+from base.twin import SOON, compile_program
 
 PICTURES = {  # the page that shows each
     "noise.png": "README.md",

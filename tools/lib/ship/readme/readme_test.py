@@ -11,12 +11,12 @@ import tempfile
 import unittest
 from unittest import mock
 
+from base.png import png
+from base.tree import ROOT, TOOLS
+from catalog.tables import glsl
 from measure.gpu import pages as of_gpus
 from measure.likeness import ports
-from png import png
-from readme import command, files, numbers, picture, times
-from tables import glsl
-from tree import ROOT, TOOLS
+from ship.readme import command, files, numbers, picture, times
 
 PAGES = ("README.md", "llms.txt", "docs/build-systems.md", "docs/cellular.md", "docs/cpu.md", "docs/hex-tiling.md",
          "docs/knobs.md", "docs/moving.md", "docs/noises.md", "docs/random.md", "docs/same-bits.md", "docs/sums.md",

@@ -5,12 +5,12 @@ from __future__ import annotations
 import subprocess
 from collections.abc import Mapping
 
-from costs import table as costs
-from tables.markdown import table
-from tree import TOOLS
+from base.tree import TOOLS
+from catalog.tables.markdown import table
+from check.costs import table as costs
 
 CORES = 2
-# By command: its build in the table, and the arrays of packages in tools/lib/setup.sh.
+# By command: its build in the table, and the arrays of packages in tools/lib/base/setup.sh.
 COMMANDS = {"conform": ("conform", ("conform_packages",)),
             "test": ("test", ("conform_packages", "test_packages", "language_packages"))}
 Times = Mapping[str, tuple[float, float, float]]  # by command: seconds for its packages, its build and its run
@@ -19,7 +19,7 @@ Times = Mapping[str, tuple[float, float, float]]  # by command: seconds for its 
 def packages(arrays: tuple[str, ...]) -> int:
     """How many packages these arrays name."""
     names = " ".join(f'"${{{array}[@]}}"' for array in arrays)
-    done = subprocess.run(["bash", "-c", f'source "$1/lib/setup.sh" && printf "%s\\n" {names} | sort -u | wc -l', "bash", TOOLS],
+    done = subprocess.run(["bash", "-c", f'source "$1/lib/base/setup.sh" && printf "%s\\n" {names} | sort -u | wc -l', "bash", TOOLS],
                           capture_output=True, text=True, check=True)
     return int(done.stdout)
 

@@ -9,10 +9,9 @@ import tempfile
 import textwrap
 from pathlib import Path
 
-from ship.release.files import NoRelease, PARTS, Release, named, notes, run
-from tree import ROOT, version
-from usage import Parser, near
-
+from base.tree import ROOT, version
+from base.usage import Parser, near
+from ship.release.files import PARTS, NoRelease, Release, named, notes, run
 
 DESCRIPTION = textwrap.dedent("""\
     Makes all that a release has, from a clean tree: files for shaders, headers, packages, the playground, checksums.

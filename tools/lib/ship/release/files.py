@@ -10,12 +10,12 @@ import subprocess
 import tempfile
 from pathlib import Path
 
-from ship.release import sbom
+from base.tree import HN_CONFORM, ROOT, TOOLS, VECTORS, version
+from catalog.tables import glsl
 from ship.recipes import RECIPES
+from ship.release import sbom
 from ship.zips import zipped
-from single_file.files import text
-from tables import glsl
-from tree import HN_CONFORM, ROOT, TOOLS, VECTORS, version
+from translate.single_file.files import text
 
 
 class NoRelease(Exception):

@@ -13,8 +13,8 @@ import zipfile
 from pathlib import Path
 from unittest import mock
 
+from base.tree import ROOT, TOOLS, VECTORS, version
 from ship.release import files
-from tree import ROOT, TOOLS, VECTORS, version
 
 # Enough of the tree for what is tried here.
 COPIED = ("CMakeLists.txt", "LICENSE", "glsl", "include", "packages/npm/package.json",

@@ -13,7 +13,7 @@ from collections.abc import Iterable, Mapping
 from fnmatch import fnmatchcase
 from pathlib import Path
 
-from tree import ROOT
+from base.tree import ROOT
 
 SPECIFICATION = "1.6"
 OURS = "hashnoise"

@@ -17,9 +17,9 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from pypi import environment
+from base.pypi import environment
+from base.tree import ROOT
 from ship.release import sbom
-from tree import ROOT
 
 FILES = {"hashnoise.glsl": b"// text\n", "hashnoise-1.2.3.tgz": b"npm", "NOTES.md": b"# Notes\n",
          "hashnoise-1.2.3-cp312-abi3-linux_x86_64.whl": b"wheel", "hashnoise_wgsl-1.2.3.zip": b"crate",

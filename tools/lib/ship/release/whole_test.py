@@ -12,7 +12,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from tree import ROOT
+from base.tree import ROOT
 
 SKIPPED = 77
 OTHERS = "python,check"

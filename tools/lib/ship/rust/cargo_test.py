@@ -15,11 +15,11 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from pick.runners import NotInstalled
+from base.thorough import THOROUGH, in_thorough_runs
+from base.tree import ROOT, version
 from ship.packing import put
 from ship.rust.files import ALL, NEEDED, package
-from thorough import THOROUGH, in_thorough_runs
-from tree import ROOT, version
+from translate.pick.runners import NotInstalled
 
 SKIPPED = 77
 SOME = (*NEEDED, "random")

@@ -10,12 +10,12 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
-from pick.program import public
-from pick.scalars import bare
+from base.tree import VECTORS, version
+from catalog.tables.functions import read_functions
 from ship import command
 from ship.rust import files
-from tables.functions import read_functions
-from tree import VECTORS, version
+from translate.pick.program import public
+from translate.pick.scalars import bare
 
 FUNCTIONS = {function.id: function for function in read_functions()}
 

@@ -9,17 +9,17 @@ from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
+from base.tree import GLSL, ROOT, VECTORS, version
+from base.usage import near
 from catalog import asked
-from parsing.syntax import Function as Declared
-from pick import command
-from pick.evaluate import Module
-from pick.program import Program, facts, name_of, names, public, read
-from pick.rust import Rust
-from pick.scalars import bare, text
+from catalog.tables.functions import Function, read_functions
 from ship.packing import Refused, of_cargo, own_files
-from tables.functions import Function, read_functions
-from tree import GLSL, ROOT, VECTORS, version
-from usage import near
+from translate.parsing.syntax import Function as Declared
+from translate.pick import command
+from translate.pick.evaluate import Module
+from translate.pick.program import Program, facts, name_of, names, public, read
+from translate.pick.rust import Rust
+from translate.pick.scalars import bare, text
 
 PACKAGE = ROOT / "packages" / "rust"
 ARITHMETICS = ("fast", "fixed")

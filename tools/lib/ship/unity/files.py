@@ -8,11 +8,11 @@ from collections.abc import Iterable
 from functools import cache
 from pathlib import PurePosixPath
 
+from base.tree import ROOT
+from catalog.tables.markdown import table
 from ship.hlsl_nodes import ARITHMETICS, NODES, PORTS, TILE, call, camel, forms, picked, ports, shader
 from ship.packing import of_npm, own_files
 from ship.recipes import RECIPES
-from tables.markdown import table
-from tree import ROOT
 
 PACKAGE = ROOT / "packages" / "unity"
 NAME = RECIPES["unity"].name

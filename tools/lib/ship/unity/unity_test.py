@@ -18,11 +18,11 @@ import sys
 import unittest
 from pathlib import Path
 
-from hlsl.compilers import missing as missing_compilers
-from hlsl.compilers import refusals
+from base.tree import VECTORS, version
 from ship.packing_support import made
 from ship.unity import files
-from tree import VECTORS, version
+from translate.hlsl.compilers import missing as missing_compilers
+from translate.hlsl.compilers import refusals
 
 SKIPPED = 77
 NEEDED = {"mcs": "mono-mcs", "mono": "mono-runtime", "glslangValidator": "glslang-tools"}

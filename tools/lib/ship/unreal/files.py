@@ -5,10 +5,10 @@ from __future__ import annotations
 import json
 from functools import cache
 
+from base.tree import ROOT, version
+from catalog.tables.markdown import table
 from ship.hlsl_nodes import ARITHMETICS, NODES, PORTS, call, forms, ports, shader
 from ship.packing import own_files
-from tables.markdown import table
-from tree import ROOT, version
 
 PACKAGE = ROOT / "packages" / "unreal"
 DESCRIPTION = "HashNoise.uplugin"

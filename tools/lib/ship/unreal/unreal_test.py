@@ -17,12 +17,12 @@ import sys
 import unittest
 from pathlib import Path
 
-from hlsl.compilers import missing as missing_compilers
-from hlsl.compilers import refusals
+from base.tree import version
 from ship.hlsl_nodes import NODES, PORTS, forms, own_names, ports
 from ship.packing_support import made
 from ship.unreal import files
-from tree import version
+from translate.hlsl.compilers import missing as missing_compilers
+from translate.hlsl.compilers import refusals
 
 SKIPPED = 77
 NEEDED = {"glslangValidator": "glslang-tools", "clang++": "clang", "mcs": "mono-mcs"}

@@ -5,7 +5,7 @@
 Open DIR/index.html, from a disk or from a server. Nothing in it is fetched from anywhere else. Sphinx, which makes it,
 is installed from PyPI into build/site-environment at first. Each link to a page, a heading or a file has to lead there.
 
-Exit status: 0 done, 1 a link leads nowhere, or a page is in no group of tools/lib/website/pages.py; 2 bad usage, 4 PyPI
+Exit status: 0 done, 1 a link leads nowhere, or a page is in no group of tools/lib/ship/website/pages.py; 2 bad usage, 4 PyPI
 cannot be reached, or a part could not be made.
 """
 
@@ -19,10 +19,10 @@ import tempfile
 from collections.abc import Sequence
 from pathlib import Path
 
-from pypi import environment
-from tree import ROOT, TOOLS
-from usage import Parser
-from website import pages
+from base.pypi import environment
+from base.tree import ROOT, TOOLS
+from base.usage import Parser
+from ship.website import pages
 
 HERE = Path(__file__).parent
 ENVIRONMENT = ROOT / "build" / "site-environment"
@@ -70,7 +70,7 @@ def build(source: Path, out: Path) -> None:
 
 def make(out: Path) -> None:
     if left := pages.ungrouped(pages.pages(ROOT)):
-        raise NoSite(1, f"{', '.join(left)}: no group of tools/lib/website/pages.py has it")
+        raise NoSite(1, f"{', '.join(left)}: no group of tools/lib/ship/website/pages.py has it")
     if environment(ENVIRONMENT, HERE / "requirements.txt"):
         raise NoSite(4, "what makes the site could not be installed")
     out.parent.mkdir(parents=True, exist_ok=True)

@@ -6,12 +6,12 @@ import html
 import re
 from functools import cache
 
-from parsing.tokens import Unknown
-from pick.command import settings
-from pick.evaluate import Module
-from pick.program import Program, read
-from pick.shading import LANGUAGES
-from tree import GLSL
+from base.tree import GLSL
+from translate.parsing.tokens import Unknown
+from translate.pick.command import settings
+from translate.pick.evaluate import Module
+from translate.pick.program import Program, read
+from translate.pick.shading import LANGUAGES
 
 STEP = re.compile(r"^## (\d+)\. (.*)\n(?:(?!^## ).*\n)*?```glsl\n((?:.*\n)*?)```$", re.MULTILINE)
 PLAYGROUND = re.compile(r"\*\*Playground\*\*: `(#[^`]+)`")

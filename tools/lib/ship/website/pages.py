@@ -10,7 +10,7 @@ import subprocess
 from collections.abc import Iterable
 from pathlib import Path
 
-from website import live
+from ship.website import live
 
 # What the site shows beside its pages, in the order in which a reader needs them. A page of docs/ is in one group.
 GROUPS = {

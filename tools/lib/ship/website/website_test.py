@@ -17,12 +17,11 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
-import chromium
-import glslang
-from pypi import SKIPPED, environment
-from thorough import THOROUGH
-from tree import ROOT
-from website import command, live, pages
+from base import chromium, glslang
+from base.pypi import SKIPPED, environment
+from base.thorough import THOROUGH
+from base.tree import ROOT
+from ship.website import command, live, pages
 
 TUTORIAL = (ROOT / "docs" / "tutorial.md").read_text(encoding="utf-8")
 

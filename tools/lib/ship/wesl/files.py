@@ -7,12 +7,12 @@ import re
 from collections.abc import Iterable
 from functools import cache
 
+from base.tree import GLSL, ROOT, version
 from ship.packing import of_cargo, of_npm
 from ship.recipes import RECIPES
-from tree import GLSL, ROOT, version
-from wgsl.module import Module, Settings
-from wgsl.names import RESERVED
-from wgsl.translator import Definition
+from translate.wgsl.module import Module, Settings
+from translate.wgsl.names import RESERVED
+from translate.wgsl.translator import Definition
 
 PACKAGE = ROOT / "packages" / "wesl"
 NAME = RECIPES["wesl"].name  # by which it is imported, and what npm and cargo call it

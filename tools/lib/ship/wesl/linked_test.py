@@ -1,7 +1,7 @@
 """Shaders that import the package for WESL, linked by npm's wesl or by cargo's: they have the golden values, and no
 code that they do not call.
 
-    python3 -m ship.wesl.linked_test npm FOLDER      FOLDER has the packages of tools/lib/javascript
+    python3 -m ship.wesl.linked_test npm FOLDER      FOLDER has the packages of tools/lib/base/javascript
     python3 -m ship.wesl.linked_test cargo FOLDER    where cargo builds what links
 
 Exit status: 0 it has, 1 it has not, 77 there is no npm, no cargo or no wgpu here.
@@ -18,13 +18,13 @@ import unittest
 from collections.abc import Mapping
 from pathlib import Path
 
-from golden_values import ids
+from base.golden_values import ids
+from base.thorough import THOROUGH, in_thorough_runs
+from base.tree import ROOT, TOOLS
 from ship.packing import put
 from ship.wesl.files import PACKAGE, imported, package
-from thorough import THOROUGH, in_thorough_runs
-from tree import ROOT, TOOLS
-from wgsl.device import Absent, Device
-from wgsl.golden import differing, shaders_over
+from translate.wgsl.device import Absent, Device
+from translate.wgsl.golden import differing, shaders_over
 
 SKIPPED = 77
 SAMPLE = ("noise2d.perlin_cell_period", "fbm.clouds3", "hash.unorm")
@@ -70,7 +70,7 @@ class Linker:
                 (Path(scratch) / f"{names[name]}.wesl").write_text(text, encoding="ascii")
             command = [self.folder / "target/debug/linker", scratch]
             if self.kind == "npm":
-                command = [TOOLS / "lib" / "node", "node", self.folder / "wesl/link.mjs", self.made / "weslBundle.js", scratch]
+                command = [TOOLS / "lib" / "base" / "node", "node", self.folder / "wesl/link.mjs", self.made / "weslBundle.js", scratch]
             done = subprocess.run(command, capture_output=True, text=True, check=False)
             if done.returncode != 0:
                 raise Refused(done.stderr)

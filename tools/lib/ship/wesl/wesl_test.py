@@ -10,10 +10,10 @@ import tempfile
 import unittest
 from pathlib import Path
 
+from base.tree import version
 from ship import command
 from ship.wesl import files
-from tree import version
-from wgsl.names import RESERVED, is_public
+from translate.wgsl.names import RESERVED, is_public
 
 
 class Names(unittest.TestCase):

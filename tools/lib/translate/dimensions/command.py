@@ -21,7 +21,7 @@ whole file, such as fbm3d.glsl, which says so at its top, or below a line in one
     // The same in 1, 3 and 4 dimensions: tools/make writes it.
 
 Below the first, in both files, stands what is made, as far as a line "// By hand in each dimension."; above the second,
-in a file that has all dimensions, stands what it is made of. tools/lib/dimensions/rule.py says what is changed.
+in a file that has all dimensions, stands what it is made of. tools/lib/translate/dimensions/rule.py says what is changed.
 
 With --check nothing is written. Exit status: 0 done, 1 (--check) a file is not what it should be, or it cannot be told
 what another dimension has, 2 bad usage.
@@ -34,10 +34,10 @@ import sys
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 
-from dimensions.files import made as made_of_the_plane
-from dimensions.rule import Unclear
-from tree import GLSL, ROOT, glsl_files, included_from
-from usage import Parser
+from base.tree import GLSL, ROOT, glsl_files, included_from
+from base.usage import Parser
+from translate.dimensions.files import made as made_of_the_plane
+from translate.dimensions.rule import Unclear
 
 DIMENSIONAL = re.compile(r"[a-z]\w*(\d)d\.glsl")
 UMBRELLA = re.compile(r"noise\dd\.glsl|hashnoise\.glsl")

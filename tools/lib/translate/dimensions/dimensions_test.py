@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import unittest
 
-from dimensions import files, layout
-from dimensions.numbers import IN_SPACE
-from dimensions.rule import Unclear, in_dimension
+from translate.dimensions import files, layout
+from translate.dimensions.numbers import IN_SPACE
+from translate.dimensions.rule import Unclear, in_dimension
 
 
 class Names(unittest.TestCase):
@@ -156,7 +156,7 @@ class Files(unittest.TestCase):
         plane = f"// A warp.\n\nhn_place2\n{files.BY_HAND}hand 2\n{same}hn_vec2  // {' '.join(numbers)}\n"
         old = f"old\n{files.BY_HAND}hand 3\n{same}old\n"
         made = (f"// A warp.\n//\n// Made from warp2d.glsl by tools/make. What is by hand says so. "
-                f"tools/lib/dimensions/numbers.py has its numbers.\n\nhn_place3\n{files.BY_HAND}hand 3\n{same}hn_vec3  // {' '.join(numbers.values())}\n")
+                f"tools/lib/translate/dimensions/numbers.py has its numbers.\n\nhn_place3\n{files.BY_HAND}hand 3\n{same}hn_vec3  // {' '.join(numbers.values())}\n")
         self.assertEqual(files.made({"warp2d.glsl": plane, "warp3d.glsl": old}), {"warp3d.glsl": made})
 
     def test_a_number_is_no_part_of_another(self):

@@ -10,10 +10,10 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 
-from dimensions.layout import joined, with_short_lines
-from dimensions.numbers import IN_SPACE
-from dimensions.rule import WHERE, Unclear, in_dimension
-from tree import included_from
+from base.tree import included_from
+from translate.dimensions.layout import joined, with_short_lines
+from translate.dimensions.numbers import IN_SPACE
+from translate.dimensions.rule import WHERE, Unclear, in_dimension
 
 WHOLE = {"cellular2d.glsl": (3,), "cellular_phase2d.glsl": (3,), "fbm2d.glsl": (1, 3, 4), "fbm_d2d.glsl": (3,),
          "random2d.glsl": (1, 3, 4), "warp2d.glsl": (3,)}
@@ -59,7 +59,7 @@ def of_whole(source: str, n: int, texts: Mapping[str, str]) -> str:
     text = "".join(mark + (by_hand.pop(0) if mark == BY_HAND else transformed(source, part, n)) for mark, part in parts)
     note = " On the line nothing can rotate." if (source, n) == ("fbm2d.glsl", 1) else ""
     note += " What is by hand says so." if BY_HAND in text else ""
-    note += " tools/lib/dimensions/numbers.py has its numbers." if n == 3 and source in IN_SPACE else ""
+    note += " tools/lib/translate/dimensions/numbers.py has its numbers." if n == 3 and source in IN_SPACE else ""
     head, blank, rest = text.partition("\n\n")
     if source == "fbm2d.glsl" and n in WITHOUT_PAPERS_GRADIENT:
         includes, include, code = rest.rpartition(f'#include "perlin{n}d.glsl"\n')
@@ -104,7 +104,7 @@ def made(texts: Mapping[str, str]) -> dict[str, str]:
     for source, numbers in IN_SPACE.items():
         for number in numbers:
             if source in texts and number not in texts[source]:
-                raise Unclear(f"{source} does not say `{number}`, as tools/lib/dimensions/numbers.py has it")
+                raise Unclear(f"{source} does not say `{number}`, as tools/lib/translate/dimensions/numbers.py has it")
     found = {source.replace("2d.", f"{n}d."): of_whole(source, n, texts)
              for source, dimensions in WHOLE.items() if source in texts for n in dimensions}
     for file, text in texts.items():

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
-from parsing.lines import WIDTH
+from translate.parsing.lines import WIDTH
 
 COMMENT = re.compile(r"( *//   \w+  +| *// *)(?=\S)")  # and where its text begins
 ONE_LINE = re.compile(r"(\S.*\) \{) (.*;) \}")  # a function

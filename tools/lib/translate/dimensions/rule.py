@@ -16,7 +16,7 @@ import re
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
-from parsing.tokens import NUMBER, SIGN, WORD
+from translate.parsing.tokens import NUMBER, SIGN, WORD
 
 # What stands before a token (blanks, comments and directives), and the token.
 TOKEN = re.compile(rf"((?:\s|//[^\n]*|#(?:[^\n\\]|\\\n)*)*)({NUMBER}|{WORD}|{SIGN}|[^\s\w]|$)")

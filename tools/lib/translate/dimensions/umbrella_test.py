@@ -9,8 +9,8 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from dimensions import command as umbrella
-from dimensions.files import WHOLE
+from translate.dimensions import command as umbrella
+from translate.dimensions.files import WHOLE
 
 # hashnoise.glsl includes these first.
 NOISES = ["noise1d.glsl", "noise2d.glsl", "noise3d.glsl", "noise4d.glsl"]

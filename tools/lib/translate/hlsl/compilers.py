@@ -1,7 +1,7 @@
 """Microsoft's compilers of HLSL on Linux, for tests: DXC, of PyPI's compushady, and FXC, of PyPI's PyQt5-Qt5 under
 wine. Nothing of them is installed: they are unpacked into build/hlsl/.
 
-    python3 -m hlsl.compilers -x hlsl -b dxbc-tpf -p PROFILE -e ENTRY -o OUTPUT INPUT
+    python3 -m translate.hlsl.compilers -x hlsl -b dxbc-tpf -p PROFILE -e ENTRY -o OUTPUT INPUT
 
 is FXC with the options of vkd3d-compiler, for the suite. HN_VKD3D_REAL names a real one, which gets all other options.
 """
@@ -21,9 +21,9 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from debian import Missing
-from pypi import downloaded
-from tree import ROOT
+from base.debian import Missing
+from base.pypi import downloaded
+from base.tree import ROOT
 
 HERE = Path(__file__).resolve().parent
 FOLDER = ROOT / "build" / "hlsl"

@@ -1,6 +1,6 @@
 """Microsoft's compilers take the HLSL of the library, of files and of picks, and what they make has the golden values.
 
-    python3 -m hlsl.compilers_test dxc|fxc HN_CONFORM
+    python3 -m translate.hlsl.compilers_test dxc|fxc HN_CONFORM
 
 Exit status: 0 so it is, 1 it is not, 77 the compiler cannot be had here.
 """
@@ -19,14 +19,14 @@ import unittest
 from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
-from debian import Missing, program
-from hlsl.compilers import Compiled, Fxc, compile_by_dxc, dxc
-from pick import command
-from pick.languages_test import module as split_module
-from pick.program import Program, chosen, public, read
-from pick.shading import LANGUAGES
-from pick.shading_runners import Case, HlslRunner
-from tree import GLSL, ROOT, TOOLS
+from base.debian import Missing, program
+from base.tree import GLSL, ROOT, TOOLS
+from translate.hlsl.compilers import Compiled, Fxc, compile_by_dxc, dxc
+from translate.pick import command
+from translate.pick.languages_test import module as split_module
+from translate.pick.program import Program, chosen, public, read
+from translate.pick.shading import LANGUAGES
+from translate.pick.shading_runners import Case, HlslRunner
 
 SKIPPED = 77
 LAVAPIPE = Path("/usr/share/vulkan/icd.d")
@@ -142,7 +142,7 @@ class ByFxc(Compiler):
 
     def values(self) -> dict[str, str]:
         stand_in = Path(self.scratch.name) / "vkd3d-compiler"
-        command = shlex.join([sys.executable, "-B", "-m", "hlsl.compilers"])
+        command = shlex.join([sys.executable, "-B", "-m", "translate.hlsl.compilers"])
         stand_in.write_text(f'#!/bin/sh\nPYTHONPATH={shlex.quote(str(TOOLS / "lib"))} exec {command} "$@"\n')
         stand_in.chmod(0o755)
         return {"HN_VKD3D_COMPILER": str(stand_in), "HN_VKD3D_REAL": str(self.vkd3d)}

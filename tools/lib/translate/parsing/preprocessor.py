@@ -11,7 +11,7 @@ import re
 from dataclasses import dataclass
 from pathlib import Path
 
-from parsing.tokens import Token, Unknown, tokens_of
+from translate.parsing.tokens import Token, Unknown, tokens_of
 
 DIRECTIVE = re.compile(r"\s*#\s*(\w+)\s*(.*)")
 DEFINE = re.compile(r"(\w+)(\(([\w\s,]*)\))?\s*(.*)")

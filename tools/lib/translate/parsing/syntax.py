@@ -6,7 +6,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Union
 
-from parsing.tokens import Token
+from translate.parsing.tokens import Token
 
 SCALARS = ("float", "int", "uint", "bool")
 VECTORS = tuple(f"{prefix}vec{n}" for prefix in ("", "i", "u") for n in (2, 3, 4))

@@ -5,9 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from pick.printer import UNARY
-from pick.scalars import Part, Piece, Syntax, Taken
-from pick.values import AXES, PREFIXES, SIZES, Constant, scalar_of
+from translate.pick.printer import UNARY
+from translate.pick.scalars import Part, Piece, Syntax, Taken
+from translate.pick.values import AXES, PREFIXES, SIZES, Constant, scalar_of
 
 TYPES = {"float": "float", "int": "int32_t", "uint": "uint32_t", "bool": "int"}
 IN_MATH = {"floor": "floorf", "trunc": "truncf", "sqrt": "sqrtf", "abs": "fabsf"}

@@ -6,9 +6,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from parsing.syntax import Function
-from pick.evaluate import Module
-from pick.printer import Language
+from translate.parsing.syntax import Function
+from translate.pick.evaluate import Module
+from translate.pick.printer import Language
 
 
 @dataclass(frozen=True)

@@ -1,7 +1,7 @@
 """What tools/pick writes of several functions at once, and of each alone: the names in it are right, and the compiler and
 the linters of each language are silent.
 
-    python3 -m pick.combinations_test PACKAGES       the folder that lib/javascript/environment.py makes, for TypeScript
+    python3 -m translate.pick.combinations_test PACKAGES       the folder that lib/base/javascript/environment.py makes, for TypeScript
 
 By default some functions of different noises at once, and the two that were wrong. In a thorough run each function
 alone, all functions of a noise at once, each two of them in a language by turns, and all functions at once; and OSL,
@@ -23,16 +23,16 @@ from pathlib import Path
 from typing import NamedTuple, Protocol
 from unittest import mock
 
-from javascript.environment import NODE
-from pick import command
-from pick.c import C
-from pick.osl_runner import OslRunner
-from pick.program import public, read
-from pick.runners import RUNNERS, NotInstalled, NotRun, Runner, ran, written_to
-from pick.shading_runners import device
-from thorough import THOROUGH
-from tree import GLSL, ROOT
-from wgsl.device import Absent
+from base.javascript.environment import NODE
+from base.thorough import THOROUGH
+from base.tree import GLSL, ROOT
+from translate.pick import command
+from translate.pick.c import C
+from translate.pick.osl_runner import OslRunner
+from translate.pick.program import public, read
+from translate.pick.runners import RUNNERS, NotInstalled, NotRun, Runner, ran, written_to
+from translate.pick.shading_runners import device
+from translate.wgsl.device import Absent
 
 SKIPPED = 77
 ARITHMETICS = ("fast", "fixed")
@@ -342,7 +342,7 @@ def compiler(language: str) -> Compiler:
     """What compiles texts of a language; NotInstalled or Absent, if it is not there."""
     if language == "typescript":
         if not (TypeScriptCompiler.packages / "made").exists():
-            raise NotInstalled("TypeScript is not there: name the folder that lib/javascript/environment.py makes")
+            raise NotInstalled("TypeScript is not there: name the folder that lib/base/javascript/environment.py makes")
         return TypeScriptCompiler()
     if language == "wgsl":
         device()

@@ -36,22 +36,22 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, fields, replace
 from pathlib import Path
 
-from library_file import IMPORT_PATH_HELP, function_name, import_path, imported_as, write
-from parsing.tokens import Unknown
-from pick import tsl
-from pick.c import C
-from pick.csharp import CSharp
-from pick.evaluate import Module
-from pick.go import Go
-from pick.java import Java
-from pick.javascript import JavaScript, TypeScript
-from pick.osl import Osl
-from pick.program import Program, check_sums, chosen, expanded, facts, heading, listed, origin, over, read
-from pick.rust import Rust
-from pick.scalars import Syntax, text
-from pick.shading import LANGUAGES
-from tree import GLSL
-from wgsl.module import GRADIENTS, HASHES, Settings
+from base.tree import GLSL
+from translate.library_file import IMPORT_PATH_HELP, function_name, import_path, imported_as, write
+from translate.parsing.tokens import Unknown
+from translate.pick import tsl
+from translate.pick.c import C
+from translate.pick.csharp import CSharp
+from translate.pick.evaluate import Module
+from translate.pick.go import Go
+from translate.pick.java import Java
+from translate.pick.javascript import JavaScript, TypeScript
+from translate.pick.osl import Osl
+from translate.pick.program import Program, check_sums, chosen, expanded, facts, heading, listed, origin, over, read
+from translate.pick.rust import Rust
+from translate.pick.scalars import Syntax, text
+from translate.pick.shading import LANGUAGES
+from translate.wgsl.module import GRADIENTS, HASHES, Settings
 
 ARITHMETICS = ("fast", "fixed", "precise")
 

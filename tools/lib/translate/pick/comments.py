@@ -10,9 +10,9 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from parsing.syntax import Function, Parameter
-from pick.values import SIZES, scalar_of
-from tables.glsl import Declaration, declarations
+from catalog.tables.glsl import Declaration, declarations
+from translate.parsing.syntax import Function, Parameter
+from translate.pick.values import SIZES, scalar_of
 
 HEADING = re.compile(r" {3}(\w+(?:, \w+)*) {2,}(\S.*)")
 OF_ABOVE = re.compile(r"\bas above\b")

@@ -6,9 +6,9 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 
-from parsing.syntax import Function, Parameter
-from pick.evaluate import Module
-from pick.values import SIZES, scalar_of, vector_of
+from translate.parsing.syntax import Function, Parameter
+from translate.pick.evaluate import Module
+from translate.pick.values import SIZES, scalar_of, vector_of
 
 HEAD = """#include <bit>
 #include <cstdio>

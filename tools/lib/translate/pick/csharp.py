@@ -6,9 +6,9 @@ import re
 from collections.abc import Sequence
 from xml.sax.saxutils import escape
 
-from pick.printer import PRIMARY, UNARY
-from pick.scalars import Facts, Part, Piece, Syntax, Taken, bare, indented, paragraph_lines, pascal
-from pick.values import AXES, SIZES, scalar_of
+from translate.pick.printer import PRIMARY, UNARY
+from translate.pick.scalars import Facts, Part, Piece, Syntax, Taken, bare, indented, paragraph_lines, pascal
+from translate.pick.values import AXES, SIZES, scalar_of
 
 NAME = "HashNoise"  # of the class
 

@@ -1,7 +1,7 @@
 """What tools/pick writes has the golden values, and the bits of the twin, on a driver, and the same bits in GLSL ES
 under the lowest precision.
 
-    python3 -m pick.driver_test HN_CONFORM
+    python3 -m translate.pick.driver_test HN_CONFORM
 
 In a copy of the library the functions of a file are replaced by what tools/pick writes of them, in all of their forms,
 and the suite is run with that copy: by default for some files.
@@ -23,19 +23,19 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
+from base.thorough import THOROUGH
+from base.tree import GLSL
+from catalog.tables.functions import read_functions
 from measure.likeness.renderer import Renderer
-from parsing.syntax import Function
-from pick.calling import Form
-from pick.command import settings
-from pick.comparison import RANGES
-from pick.evaluate import Module
-from pick.program import Program, chosen, public, read
-from pick.shading_runners import pairs_of
-from pick.shading import LANGUAGES
-from tables.functions import read_functions
-from thorough import THOROUGH
-from tree import GLSL
-from wgsl.names import is_public
+from translate.parsing.syntax import Function
+from translate.pick.calling import Form
+from translate.pick.command import settings
+from translate.pick.comparison import RANGES
+from translate.pick.evaluate import Module
+from translate.pick.program import Program, chosen, public, read
+from translate.pick.shading import LANGUAGES
+from translate.pick.shading_runners import pairs_of
+from translate.wgsl.names import is_public
 
 # The structs are those of the library.
 WITHOUT_STRUCTS = replace(LANGUAGES["glsl"], structs=False)

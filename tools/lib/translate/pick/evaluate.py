@@ -12,14 +12,41 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from typing import Union
 
-from parsing import syntax
-from parsing.preprocessor import Constant as Macro
-from parsing.syntax import Expression, Function, Parameter, Parser, Struct
-from parsing.tokens import Token
-from pick.statements import (Break, Declare, Environment, If, Loop, Return, Set, Statement, blocks, reachable,
-                             values_of)
-from pick.values import (AXES, SIZES, Constant, Node, Operation, Variable, binary, builtin, choice, construct, member,
-                         operation, scalar_of, unary, vector_of, with_member)
+from translate.parsing import syntax
+from translate.parsing.preprocessor import Constant as Macro
+from translate.parsing.syntax import Expression, Function, Parameter, Parser, Struct
+from translate.parsing.tokens import Token
+from translate.pick.statements import (
+    Break,
+    Declare,
+    Environment,
+    If,
+    Loop,
+    Return,
+    Set,
+    Statement,
+    blocks,
+    reachable,
+    values_of,
+)
+from translate.pick.values import (
+    AXES,
+    SIZES,
+    Constant,
+    Node,
+    Operation,
+    Variable,
+    binary,
+    builtin,
+    choice,
+    construct,
+    member,
+    operation,
+    scalar_of,
+    unary,
+    vector_of,
+    with_member,
+)
 
 BUILTINS = ("abs", "floor", "trunc", "sqrt", "min", "max")
 CASTS = {"uintBitsToFloat": "float", "floatBitsToUint": "uint", "intBitsToFloat": "float", "floatBitsToInt": "int"}

@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from pick.gofmt import formatted
-from pick.printer import PRIMARY, STRENGTH
-from pick.scalars import Facts, Part, Piece, Syntax, Taken, bare, camel, paragraph_lines, pascal
-from pick.values import AXES, SIZES, scalar_of
+from translate.pick.gofmt import formatted
+from translate.pick.printer import PRIMARY, STRENGTH
+from translate.pick.scalars import Facts, Part, Piece, Syntax, Taken, bare, camel, paragraph_lines, pascal
+from translate.pick.values import AXES, SIZES, scalar_of
 
 PRODUCT = "float32(*)"  # the sign of a product that is rounded
 NUMBERS = re.compile(r"(?:0x[\dA-F]+|[\d.]+|[-+*/ ()])+")  # of which no type follows

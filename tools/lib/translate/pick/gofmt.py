@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Union
 
-from parsing.lines import WIDTH
+from translate.parsing.lines import WIDTH
 
 STRENGTH = {"||": 1, "&&": 2, **dict.fromkeys(("==", "!=", "<", "<=", ">", ">="), 3),
             **dict.fromkeys("+-|^", 4), **dict.fromkeys(("*", "/", "%", "<<", ">>", "&"), 5)}

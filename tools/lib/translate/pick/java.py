@@ -6,9 +6,9 @@ import re
 import textwrap
 from collections.abc import Mapping, Sequence
 
-from pick.printer import STRENGTH, UNARY
-from pick.scalars import Facts, Part, Piece, Syntax, Taken, block_comment, indented, pascal
-from pick.values import AXES, SIZES, scalar_of
+from translate.pick.printer import STRENGTH, UNARY
+from translate.pick.scalars import Facts, Part, Piece, Syntax, Taken, block_comment, indented, pascal
+from translate.pick.values import AXES, SIZES, scalar_of
 
 NAME = "HashNoise"  # of the class
 UNSIGNED = {"/": "divideUnsigned", "%": "remainderUnsigned"}

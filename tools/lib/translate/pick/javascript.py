@@ -10,9 +10,9 @@ import re
 import struct
 from collections.abc import Sequence
 
-from pick.printer import STRENGTH, UNARY
-from pick.scalars import Facts, Part, Piece, Syntax, Taken, block_comment
-from pick.values import AXES, SIZES
+from translate.pick.printer import STRENGTH, UNARY
+from translate.pick.scalars import Facts, Part, Piece, Syntax, Taken, block_comment
+from translate.pick.values import AXES, SIZES
 
 LOOSE = "| 0"  # the operator of a sum that is made a word
 COMPARED = ("<", ">", "<=", ">=", "==", "!=")

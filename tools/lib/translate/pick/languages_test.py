@@ -1,7 +1,7 @@
 """What tools/pick writes in languages without vectors has the bits of the library in C++.
 
-    python3 -m pick.languages_test points FOLDER           what is passed, and what comes back in C++
-    python3 -m pick.languages_test LANGUAGE FOLDER         compiles and compares
+    python3 -m translate.pick.languages_test points FOLDER           what is passed, and what comes back in C++
+    python3 -m translate.pick.languages_test LANGUAGE FOLDER         compiles and compares
 
 Exit status of the second: 0 the same, 1 not, 77 the compiler is not installed.
 """
@@ -17,17 +17,17 @@ import unittest
 from collections.abc import Sequence
 from pathlib import Path
 
-from parsing.syntax import Function
-from pick import command
-from pick.comparison import words_source
-from pick.evaluate import Module
-from pick.osl_runner import OslRunner
-from pick.program import Program, chosen, public, read
-from pick.runners import RUNNERS, Case, NotInstalled, NotRun, Runner
-from pick.scalars import Piece, Syntax, text
-from thorough import THOROUGH
-from tree import GLSL
-from twin import compile_program
+from base.thorough import THOROUGH
+from base.tree import GLSL
+from base.twin import compile_program
+from translate.parsing.syntax import Function
+from translate.pick import command
+from translate.pick.comparison import words_source
+from translate.pick.evaluate import Module
+from translate.pick.osl_runner import OslRunner
+from translate.pick.program import Program, chosen, public, read
+from translate.pick.runners import RUNNERS, Case, NotInstalled, NotRun, Runner
+from translate.pick.scalars import Piece, Syntax, text
 
 POINTS = 200
 SKIPPED = 77

@@ -9,10 +9,10 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from parsing.lines import wrapped
-from pick.printer import UNARY
-from pick.scalars import Part, Piece, Syntax, Taken, bare
-from pick.values import AXES, PREFIXES, SIZES, Constant
+from translate.parsing.lines import wrapped
+from translate.pick.printer import UNARY
+from translate.pick.scalars import Part, Piece, Syntax, Taken, bare
+from translate.pick.values import AXES, PREFIXES, SIZES, Constant
 
 MASKED = re.compile(r"(\(\w+ >> \d+\)) & (0x[0-9A-F]+)")
 COMPARED = {"<": ("hn_i_less", "{0}, {1}"), ">": ("hn_i_less", "{1}, {0}")}

@@ -12,9 +12,9 @@ from array import array
 from collections.abc import Sequence
 from pathlib import Path
 
-from pick.osl import Osl, without_shader
-from pick.runners import CRunner, NotInstalled, ran
-from wgsl.device import Absent, installed
+from translate.pick.osl import Osl, without_shader
+from translate.pick.runners import CRunner, NotInstalled, ran
+from translate.wgsl.device import Absent, installed
 
 PACKAGE = "bpy==5.0.1"
 RENDER = Path(__file__).resolve().with_name("osl_render.py")

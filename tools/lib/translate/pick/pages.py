@@ -12,12 +12,12 @@ import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
+from base.tree import GLSL, ROOT
+from base.usage import Parser
 from catalog import asked
-from parsing.tokens import Unknown
-from pick.command import Choice, picker
-from tables.markdown import table
-from tree import GLSL, ROOT
-from usage import Parser
+from catalog.tables.markdown import table
+from translate.parsing.tokens import Unknown
+from translate.pick.command import Choice, picker
 
 FOLDER = ROOT / "docs" / "snippets"
 

@@ -15,19 +15,19 @@ from dataclasses import replace
 from pathlib import Path
 from unittest import mock
 
-from parsing.syntax import Function, Parser
-from parsing.tokens import Unknown, tokens_of
-from pick import command, comments, pages, printer, tsl, values
-from pick.comparison import source
-from pick.evaluate import Module
-from pick.printer import Language
-from pick.program import Program, chosen, public, read
-from pick.shading import CPP, HLSL_NAMES, LANGUAGES
-from pick.shading_runners import pairs_of
-from single_file.godot import with_own_names
-from thorough import THOROUGH
-from tree import GLSL, ROOT, TOOLS
-from twin import compile_program
+from base.thorough import THOROUGH
+from base.tree import GLSL, ROOT, TOOLS
+from base.twin import compile_program
+from translate.parsing.syntax import Function, Parser
+from translate.parsing.tokens import Unknown, tokens_of
+from translate.pick import command, comments, pages, printer, tsl, values
+from translate.pick.comparison import source
+from translate.pick.evaluate import Module
+from translate.pick.printer import Language
+from translate.pick.program import Program, chosen, public, read
+from translate.pick.shading import CPP, HLSL_NAMES, LANGUAGES
+from translate.pick.shading_runners import pairs_of
+from translate.single_file.godot import with_own_names
 
 # The largest that a text may be, without the comment.
 SIZES = {"hn_perlin2": (1600, 42), "hn_value2": (1600, 42), "hn_simplex2": (2600, 48), "hn_cellular2": (2700, 52),

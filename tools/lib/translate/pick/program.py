@@ -12,19 +12,19 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from parsing.lines import wrapped
-from parsing.preprocessor import Preprocessor
-from parsing.syntax import Function, Parameter, Parser
-from parsing.tokens import Unknown
-from pick import comments
-from pick.comments import Facts
-from pick.evaluate import Evaluation, Kept, Known, Module, Summed, Typed, dotted
-from pick.printer import Language, declared
-from pick.statements import Statement, values_of, without_copies, without_dead
-from pick.values import AXES, SIZES, Constant, Node, Operation, Variable, begin_anew, scalar_of
-from tables.functions import Function as Row
-from tree import GLSL, version
-from wgsl.translator import Translator
+from base.tree import GLSL, version
+from catalog.tables.functions import Function as Row
+from translate.parsing.lines import wrapped
+from translate.parsing.preprocessor import Preprocessor
+from translate.parsing.syntax import Function, Parameter, Parser
+from translate.parsing.tokens import Unknown
+from translate.pick import comments
+from translate.pick.comments import Facts
+from translate.pick.evaluate import Evaluation, Kept, Known, Module, Summed, Typed, dotted
+from translate.pick.printer import Language, declared
+from translate.pick.statements import Statement, values_of, without_copies, without_dead
+from translate.pick.values import AXES, SIZES, Constant, Node, Operation, Variable, begin_anew, scalar_of
+from translate.wgsl.translator import Translator
 
 CALL = re.compile(r"(hn_\w+)\((?:hn_(tile|place)\()?(float|vec[234])\)+")
 STEP = re.compile("hn_(add|next|octaves|mean|density|slopes|shifts)")  # of a loop over octaves

@@ -10,18 +10,18 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from parsing.syntax import Function
-from pick.c import C
-from pick.csharp import CSharp
-from pick.evaluate import Module
-from pick.go import Go
-from pick.java import Java
-from pick.javascript import JavaScript
-from pick.rust import Rust
-from pick.scalars import Part, Piece, Syntax, fields_of, pascal, results_of
-from pick.values import AXES, SIZES, scalar_of
-from thorough import THOROUGH
-from wgsl.names import wgsl_name
+from base.thorough import THOROUGH
+from translate.parsing.syntax import Function
+from translate.pick.c import C
+from translate.pick.csharp import CSharp
+from translate.pick.evaluate import Module
+from translate.pick.go import Go
+from translate.pick.java import Java
+from translate.pick.javascript import JavaScript
+from translate.pick.rust import Rust
+from translate.pick.scalars import Part, Piece, Syntax, fields_of, pascal, results_of
+from translate.pick.values import AXES, SIZES, scalar_of
+from translate.wgsl.names import wgsl_name
 
 
 class NotInstalled(Exception):

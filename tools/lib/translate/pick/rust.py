@@ -8,9 +8,9 @@ import struct
 from collections.abc import Sequence
 from decimal import Decimal
 
-from pick.printer import CHOICE, PRIMARY, UNARY
-from pick.scalars import Part, Piece, Syntax, Taken, bare, pascal
-from pick.values import AXES, SIZES, Operation, scalar_of
+from translate.pick.printer import CHOICE, PRIMARY, UNARY
+from translate.pick.scalars import Part, Piece, Syntax, Taken, bare, pascal
+from translate.pick.values import AXES, SIZES, Operation, scalar_of
 
 CAST = UNARY - 0.5  # `as` binds more strongly than *, and more weakly than an operator before its operand
 WRAPPING = {"+": "add", "-": "sub", "*": "mul"}

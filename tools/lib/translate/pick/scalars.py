@@ -13,15 +13,15 @@ import textwrap
 from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
-from parsing.lines import wrapped
-from parsing.syntax import Function, Parameter
-from pick import comments
-from pick.evaluate import Kept, Module, dotted
-from pick.printer import BITS, CHOICE, PRIMARY, STRENGTH, TRUTH, UNARY, UNNAMED, Language, Writer, declarations_joined
-from pick.program import Evaluated, Program
-from pick.statements import Break, Declare, If, Loop, Return, Set, Statement, blocks, operands, reachable, walk
-from pick.values import AXES, Constant, Node, Operation, Variable, converted, operation, scalar_of
-from wgsl.names import PASSED, wgsl_name
+from translate.parsing.lines import wrapped
+from translate.parsing.syntax import Function, Parameter
+from translate.pick import comments
+from translate.pick.evaluate import Kept, Module, dotted
+from translate.pick.printer import BITS, CHOICE, PRIMARY, STRENGTH, TRUTH, UNARY, UNNAMED, Language, Writer, declarations_joined
+from translate.pick.program import Evaluated, Program
+from translate.pick.statements import Break, Declare, If, Loop, Return, Set, Statement, blocks, operands, reachable, walk
+from translate.pick.values import AXES, Constant, Node, Operation, Variable, converted, operation, scalar_of
+from translate.wgsl.names import PASSED, wgsl_name
 
 ROOM = 84  # for components in one line
 NEGATED = {"<": ">=", ">": "<=", "<=": ">", ">=": "<", "==": "!=", "!=": "=="}  # of whole numbers

@@ -6,17 +6,17 @@ import functools
 import re
 import unittest
 
-from parsing.syntax import Parser
-from parsing.tokens import Unknown, tokens_of
-from pick import command
-from pick.c import C
-from pick.evaluate import Module
-from pick.javascript import JavaScript, TypeScript
-from pick.program import Program, chosen, read
-from pick.runners import RUNNERS, NotInstalled
-from pick.rust import Rust
-from pick.scalars import Syntax, text
-from tree import GLSL
+from base.tree import GLSL
+from translate.parsing.syntax import Parser
+from translate.parsing.tokens import Unknown, tokens_of
+from translate.pick import command
+from translate.pick.c import C
+from translate.pick.evaluate import Module
+from translate.pick.javascript import JavaScript, TypeScript
+from translate.pick.program import Program, chosen, read
+from translate.pick.runners import RUNNERS, NotInstalled
+from translate.pick.rust import Rust
+from translate.pick.scalars import Syntax, text
 
 
 @functools.cache

@@ -12,17 +12,17 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from debian import Missing
-from hlsl.compilers import compile_by_dxc, dxc
-from parsing.syntax import Function
-from pick.calling import Form
-from pick.evaluate import Module
-from pick.runners import NotRun, ran
-from pick.shading import LANGUAGES
-from pick.slang import Slang
-from tree import ROOT
-from wgsl.device import Absent, Device
-from wgsl.evaluation import GROUP
+from base.debian import Missing
+from base.tree import ROOT
+from translate.hlsl.compilers import compile_by_dxc, dxc
+from translate.parsing.syntax import Function
+from translate.pick.calling import Form
+from translate.pick.evaluate import Module
+from translate.pick.runners import NotRun, ran
+from translate.pick.shading import LANGUAGES
+from translate.pick.slang import Slang
+from translate.wgsl.device import Absent, Device
+from translate.wgsl.evaluation import GROUP
 
 
 def pairs_of(names: Iterable[str]) -> list[tuple[str, str]]:

@@ -1,7 +1,7 @@
 """What tools/pick writes in shading languages has the bits of the C++ header with HN_FIXED; in WGSL it has golden
 values within the bound with HN_FAST.
 
-    python3 -m pick.shading_test HN_CONFORM FOLDER LANGUAGE...     FOLDER has what pick.languages_test has written
+    python3 -m translate.pick.shading_test HN_CONFORM FOLDER LANGUAGE...     FOLDER has what pick.languages_test has written
 
 Exit status: 0 it has, 1 it has not, 77 there is no wgpu or no compiler here.
 """
@@ -15,17 +15,17 @@ from collections.abc import Sequence
 from pathlib import Path
 from unittest import mock
 
-from pick import command, printer
-from pick.evaluate import Module
-from pick.languages_test import POINTS, SKIPPED, difference, functions, words
-from pick.languages_test import module as split_module
-from pick.program import Program, chosen, public, read
-from pick.shading import LANGUAGES
-from pick.shading_runners import RUNNERS, Case, Runner, WgslRunner, pairs_of
-from thorough import THOROUGH, in_thorough_runs
-from tree import GLSL
-from wgsl.device import Absent
-from wgsl.golden import Page, shaders_over
+from base.thorough import THOROUGH, in_thorough_runs
+from base.tree import GLSL
+from translate.pick import command, printer
+from translate.pick.evaluate import Module
+from translate.pick.languages_test import POINTS, SKIPPED, difference, functions, words
+from translate.pick.languages_test import module as split_module
+from translate.pick.program import Program, chosen, public, read
+from translate.pick.shading import LANGUAGES
+from translate.pick.shading_runners import RUNNERS, Case, Runner, WgslRunner, pairs_of
+from translate.wgsl.device import Absent
+from translate.wgsl.golden import Page, shaders_over
 
 
 @functools.cache

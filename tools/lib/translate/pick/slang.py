@@ -6,8 +6,8 @@ import ctypes
 from collections.abc import Mapping
 from pathlib import Path
 
-from pick.runners import NotRun
-from wgsl.device import Absent, installed
+from translate.pick.runners import NotRun
+from translate.wgsl.device import Absent, installed
 
 PACKAGE = "slangpy==0.43.1"
 # The numbers of SlangCompileTarget in slang.h.

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import Union
 
-from pick.values import Constant, Node, Operation, Variable
+from translate.pick.values import Constant, Node, Operation, Variable
 
 Environment = dict[tuple[object, ...], Node]  # of variables: the number of the call, the name, the path
 

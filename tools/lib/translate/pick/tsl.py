@@ -5,14 +5,14 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from parsing.syntax import Function
-from parsing.tokens import Unknown
-from pick import comments
-from pick.comments import Facts
-from pick.program import Program
-from pick.shading import LANGUAGES
-from tree import ROOT
-from wgsl.names import wgsl_name
+from base.tree import ROOT
+from translate.parsing.syntax import Function
+from translate.parsing.tokens import Unknown
+from translate.pick import comments
+from translate.pick.comments import Facts
+from translate.pick.program import Program
+from translate.pick.shading import LANGUAGES
+from translate.wgsl.names import wgsl_name
 
 NODES = ROOT / "packages" / "npm" / "src" / "tsl" / "function.js"
 TYPES = re.compile(r"float|u?int|[iu]?vec[234]|hn_place[1-4]")

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 
-from parsing.syntax import Function, Parameter
-from pick.evaluate import CASTS, Kept
-from pick.printer import BITS, PRIMARY, TRUTH, UNARY, Language, Writer, splatted
-from pick.statements import Set, Statement, walk
-from pick.values import SIZES, Node, Operation, Variable, construct, converted, scalar_of, vector_of
-from wgsl.names import RESERVED, variable, wgsl_name, wgsl_type
+from translate.parsing.syntax import Function, Parameter
+from translate.pick.evaluate import CASTS, Kept
+from translate.pick.printer import BITS, PRIMARY, TRUTH, UNARY, Language, Writer, splatted
+from translate.pick.statements import Set, Statement, walk
+from translate.pick.values import SIZES, Node, Operation, Variable, construct, converted, scalar_of, vector_of
+from translate.wgsl.names import RESERVED, variable, wgsl_name, wgsl_type
 
 SHIFTS = ("<<", ">>")
 

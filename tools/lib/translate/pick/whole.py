@@ -5,8 +5,8 @@ from __future__ import annotations
 import argparse
 from collections.abc import Sequence
 
-from single_file import command as single_file
-from wgsl import command as wgsl
+from translate.single_file import command as single_file
+from translate.wgsl import command as wgsl
 
 
 def main(arguments: Sequence[str]) -> int:

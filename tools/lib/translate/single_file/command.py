@@ -6,10 +6,10 @@ import argparse
 from collections.abc import Sequence
 from pathlib import Path
 
-from library_file import check_name, write
-from single_file.files import PLACES, text
-from tables.glsl import files_of
-from tree import GLSL
+from base.tree import GLSL
+from catalog.tables.glsl import files_of
+from translate.library_file import check_name, write
+from translate.single_file.files import PLACES, text
 
 
 def main(given: Sequence[str]) -> int:

@@ -6,8 +6,8 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
-from single_file import godot
-from tree import GLSL, glsl_files, included_from
+from base.tree import GLSL, glsl_files, included_from
+from translate.single_file import godot
 
 # Where the file belongs.
 PLACES = {"glsl": "Put it below your #version and #extension lines.", "hlsl": "Include it once in a shader.",

@@ -12,8 +12,8 @@ import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from parsing.preprocessor import Preprocessor
-from tree import GLSL
+from base.tree import GLSL
+from translate.parsing.preprocessor import Preprocessor
 
 # What Godot does not define. Its language has the built-in functions of GLSL ES 3.00.
 UNDEFINED = ("__cplusplus", "HN_I_HLSL", "HN_I_FXC", "HN_I_METAL", "GL_ES", "GL_GOOGLE_cpp_style_line_directive",

@@ -9,11 +9,12 @@ import sys
 import tempfile
 import unittest
 
-from debian import Missing, program as from_debian
-from single_file.files import INCLUDE, Part, in_order, minified, parts
-from single_file.godot import expanded
-from thorough import THOROUGH, in_thorough_runs, some
-from tree import TOOLS, glsl_files
+from base.debian import Missing
+from base.debian import program as from_debian
+from base.thorough import THOROUGH, in_thorough_runs, some
+from base.tree import TOOLS, glsl_files
+from translate.single_file.files import INCLUDE, Part, in_order, minified, parts
+from translate.single_file.godot import expanded
 
 TOOL = TOOLS / "pick", "whole"
 FILES = ("hash.glsl", "noise2d.glsl", "noise3d.glsl", "fbm2d.glsl", "fbm3d.glsl", "fbm.glsl", "hashnoise.glsl")

@@ -1,7 +1,7 @@
 """The module of Slang that tools/pick whole makes: its compiler writes it in four languages, and wgpu has the bits of
 the C++ header.
 
-    python3 -m single_file.slang_test FOLDER     FOLDER has what pick.languages_test has written
+    python3 -m translate.single_file.slang_test FOLDER     FOLDER has what pick.languages_test has written
 
 Exit status: 0 it has, 1 it has not, 77 there is no wgpu or no compiler here.
 """
@@ -14,13 +14,13 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from pick.languages_test import POINTS, SKIPPED, difference, functions, module, words
-from pick.runners import NotRun, ran
-from pick.shading_runners import Case, SlangRunner
-from pick.slang import TARGETS
-from single_file.files import text
-from tree import ROOT
-from wgsl.device import Absent
+from base.tree import ROOT
+from translate.pick.languages_test import POINTS, SKIPPED, difference, functions, module, words
+from translate.pick.runners import NotRun, ran
+from translate.pick.shading_runners import Case, SlangRunner
+from translate.pick.slang import TARGETS
+from translate.single_file.files import text
+from translate.wgsl.device import Absent
 
 FIXED = {"HN_ARITHMETIC": "HN_FIXED"}
 PAGE = (ROOT / "docs" / "languages.md").read_text(encoding="utf-8").partition("\n## Slang\n")[2].partition("\n## ")[0]

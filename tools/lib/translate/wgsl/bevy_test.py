@@ -1,7 +1,7 @@
 """Modules of tools/pick whole --language wgsl and tools/pick as Bevy imports them: naga_oil composes them, and what comes out has the golden
 values.
 
-    python3 -m wgsl.bevy_test FOLDER    where cargo builds what composes
+    python3 -m translate.wgsl.bevy_test FOLDER    where cargo builds what composes
 
 Exit status: 0 it has, 1 it has not, 77 there is no cargo or no wgpu here.
 """
@@ -18,10 +18,10 @@ import unittest
 from collections.abc import Collection
 from pathlib import Path
 
-from tree import ROOT, TOOLS
-from wgsl.device import Absent, Device
-from wgsl.evaluation import EPILOGUE
-from wgsl.golden import differing, shaders_over
+from base.tree import ROOT, TOOLS
+from translate.wgsl.device import Absent, Device
+from translate.wgsl.evaluation import EPILOGUE
+from translate.wgsl.golden import differing, shaders_over
 
 SKIPPED = 77
 COMPOSER = Path(__file__).resolve().parent / "composer"

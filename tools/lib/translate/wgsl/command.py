@@ -7,10 +7,10 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from library_file import IMPORT_PATH_HELP, check_name, function_name, import_path, imported_as, write
-from parsing.tokens import Unknown
-from tree import GLSL
-from wgsl.module import ARITHMETICS, GRADIENTS, HASHES, Module, Settings
+from base.tree import GLSL
+from translate.library_file import IMPORT_PATH_HELP, check_name, function_name, import_path, imported_as, write
+from translate.parsing.tokens import Unknown
+from translate.wgsl.module import ARITHMETICS, GRADIENTS, HASHES, Module, Settings
 
 DESCRIPTION = "Make a WGSL module of a file of the library. For single functions: tools/pick hn_fbm2 --language wgsl."
 EPILOG = """\

@@ -11,8 +11,8 @@ from collections.abc import Sequence
 from pathlib import Path
 from types import ModuleType
 
-from tree import ROOT
-from wgsl.evaluation import GROUP
+from base.tree import ROOT
+from translate.wgsl.evaluation import GROUP
 
 WGPU = "wgpu==0.32.0"
 INPUT_WORDS = 16

@@ -11,8 +11,8 @@ import sys
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
-from parsing.tokens import Unknown
-from wgsl.module import NO_SETTINGS, Module
+from translate.parsing.tokens import Unknown
+from translate.wgsl.module import NO_SETTINGS, Module
 
 # What the bodies of the rows take for granted (conformance/library/functions.inc).
 PROLOGUE = """#define float_of uintBitsToFloat

@@ -13,12 +13,12 @@ import tempfile
 from collections.abc import Callable, Collection, Mapping
 from pathlib import Path
 
-from golden_values import Golden
-from tables.functions import read_functions
-from tree import FUNCTIONS, GLSL
-from wgsl.device import Device
-from wgsl.evaluation import EPILOGUE, PROLOGUE, macros_of_rows
-from wgsl.module import NO_SETTINGS, Module
+from base.golden_values import Golden
+from base.tree import FUNCTIONS, GLSL
+from catalog.tables.functions import read_functions
+from translate.wgsl.device import Device
+from translate.wgsl.evaluation import EPILOGUE, PROLOGUE, macros_of_rows
+from translate.wgsl.module import NO_SETTINGS, Module
 
 
 def shaders_over(rows: Collection[str], arithmetic: str, of: Callable[[list[str]], str]) -> dict[str, str]:

@@ -6,10 +6,10 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
-from parsing.preprocessor import Preprocessor
-from parsing.syntax import Function, Parser
-from parsing.tokens import Unknown, tokens_of
-from wgsl.translator import Definition, Translator
+from translate.parsing.preprocessor import Preprocessor
+from translate.parsing.syntax import Function, Parser
+from translate.parsing.tokens import Unknown, tokens_of
+from translate.wgsl.translator import Definition, Translator
 
 HASHES = ("FNV1", "PARTIAL_FNV1", "JENKINS", "PARTIAL_JENKINS", "MURMUR", "PCG", "XXHASH32", "LATTICE", "CUSTOM")
 GRADIENTS = ("OCTAHEDRAL", "SINE")

@@ -24,7 +24,7 @@ from __future__ import annotations
 
 import re
 
-from parsing.syntax import Function
+from translate.parsing.syntax import Function
 
 # What a function of words, or of spreads, that is not overloaded takes; and hashes by name.
 NOT_OVERLOADED = (("h",), ("k",), ("h", "k"), ("i", "n", "seed"), ("i", "seed"), ("zero",), ("kind",),

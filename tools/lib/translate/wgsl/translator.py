@@ -6,13 +6,39 @@ import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
-from parsing.lines import WIDTH, wrapped
-from parsing.preprocessor import Constant
-from parsing.syntax import (SCALARS, VECTORS, Assign, Binary, Block, Break, Call, Choice, Comments, Declare, DoLoop,
-                            Evaluate, Expression, Function, If, Loop, Member, Name, Number, Parameter, Parentheses,
-                            Parser, Return, Statement, Struct, Truth, Unary)
-from parsing.tokens import Token, Unknown
-from wgsl.names import components, is_passed, is_public, variable, wgsl_name, wgsl_type
+from translate.parsing.lines import WIDTH, wrapped
+from translate.parsing.preprocessor import Constant
+from translate.parsing.syntax import (
+    SCALARS,
+    VECTORS,
+    Assign,
+    Binary,
+    Block,
+    Break,
+    Call,
+    Choice,
+    Comments,
+    Declare,
+    DoLoop,
+    Evaluate,
+    Expression,
+    Function,
+    If,
+    Loop,
+    Member,
+    Name,
+    Number,
+    Parameter,
+    Parentheses,
+    Parser,
+    Return,
+    Statement,
+    Struct,
+    Truth,
+    Unary,
+)
+from translate.parsing.tokens import Token, Unknown
+from translate.wgsl.names import components, is_passed, is_public, variable, wgsl_name, wgsl_type
 
 FLOATS = ("float", "vec2", "vec3", "vec4")
 INTS = ("int", "ivec2", "ivec3", "ivec4")
@@ -145,7 +171,7 @@ class Translator:
             other = taken.setdefault(name, function)
             if other is not function:
                 raise function.at.error(f"{name} is the name of another function in WGSL, too: that of "
-                                        f"{other.at.path}:{other.at.line}. tools/lib/wgsl/names.py has the rule")
+                                        f"{other.at.path}:{other.at.line}. tools/lib/translate/wgsl/names.py has the rule")
 
     def resolve(self, at: Token, types: tuple[str, ...]) -> tuple[Function, bool]:
         """The function that is called, and whether a seed of 0 has to be put in."""

@@ -1,6 +1,6 @@
 """The generated WGSL compiles, and has the values of the golden files, outside of a browser.
 
-    python3 -m wgsl.wgpu_test HN_CONFORM
+    python3 -m translate.wgsl.wgpu_test HN_CONFORM
 
 What floats may differ by, and their shaders, are those of the page that hn-conform writes for browsers. Exit status: 0 it does, 1 it does not, 77 there is no wgpu here.
 """
@@ -16,14 +16,14 @@ import unittest
 from collections.abc import Iterable
 from pathlib import Path
 
-from golden_values import ids
-from tables.functions import read_functions
-from thorough import THOROUGH
-from tree import FUNCTIONS, GLSL, ROOT, TOOLS
-from wgsl.device import Absent, Device
-from wgsl.evaluation import evaluations, macros_of_rows
-from wgsl.golden import Page, differing
-from wgsl.module import ARITHMETICS, Module, Settings
+from base.golden_values import ids
+from base.thorough import THOROUGH
+from base.tree import FUNCTIONS, GLSL, ROOT, TOOLS
+from catalog.tables.functions import read_functions
+from translate.wgsl.device import Absent, Device
+from translate.wgsl.evaluation import evaluations, macros_of_rows
+from translate.wgsl.golden import Page, differing
+from translate.wgsl.module import ARITHMETICS, Module, Settings
 
 SKIPPED = 77
 # Files that users include: those that have the others in them.

@@ -12,13 +12,13 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from parsing.tokens import Unknown
-from tables.functions import Function, read_functions
-from tables.glsl import declarations
-from thorough import THOROUGH, some
-from tree import GLSL, TOOLS, glsl_files
-from wgsl.evaluation import answered, evaluations
-from wgsl.module import ARITHMETICS, GRADIENTS, HASHES, Module, Settings
+from base.thorough import THOROUGH, some
+from base.tree import GLSL, TOOLS, glsl_files
+from catalog.tables.functions import Function, read_functions
+from catalog.tables.glsl import declarations
+from translate.parsing.tokens import Unknown
+from translate.wgsl.evaluation import answered, evaluations
+from translate.wgsl.module import ARITHMETICS, GRADIENTS, HASHES, Module, Settings
 
 FILES = list(glsl_files())
 WHOLE = '#include "hashnoise.glsl"\n'

@@ -21,10 +21,10 @@ import pkgutil
 from dataclasses import dataclass
 from types import ModuleType
 
-from bounds.boxes import SAFE
-from bounds.floats import position_error
-from bounds.gradients import Gradient
-from bounds.table import Bounds, shortest
+from proof.bounds.boxes import SAFE
+from proof.bounds.floats import position_error
+from proof.bounds.gradients import Gradient
+from proof.bounds.table import Bounds, shortest
 
 
 @dataclass(frozen=True)
@@ -69,5 +69,5 @@ def names() -> tuple[str, ...]:
 
 def find(name: str) -> ModuleType:
     if name not in names():
-        raise LookupError(f"there are no bounds of {name}: write tools/lib/bounds/noises/{name}.py")
+        raise LookupError(f"there are no bounds of {name}: write tools/lib/proof/bounds/noises/{name}.py")
     return importlib.import_module(f"{__name__}.{name}")

@@ -7,10 +7,10 @@ that of fixed arithmetic is the Euclidean one's, by the root of a small square. 
 
 from __future__ import annotations
 
-from bounds import distances, features
-from bounds.floats import position_error
-from bounds.gradients import Gradient
-from bounds.noises import Derived, listed
+from proof.bounds import distances, features
+from proof.bounds.floats import position_error
+from proof.bounds.gradients import Gradient
+from proof.bounds.noises import Derived, listed
 
 CASES = ((2, None), (3, None))
 COUNT = 2

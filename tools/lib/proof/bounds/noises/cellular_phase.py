@@ -9,11 +9,11 @@ from __future__ import annotations
 
 import math
 
-from bounds import moving
-from bounds.floats import position_error
-from bounds.gradients import Gradient
-from bounds.noises import Derived, cellular, listed
-from bounds.table import rounded_up, scientific, shortest
+from proof.bounds import moving
+from proof.bounds.floats import position_error
+from proof.bounds.gradients import Gradient
+from proof.bounds.noises import Derived, cellular, listed
+from proof.bounds.table import rounded_up, scientific, shortest
 
 CASES = cellular.CASES
 COUNT = cellular.COUNT

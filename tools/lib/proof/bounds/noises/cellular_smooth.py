@@ -5,12 +5,12 @@ from __future__ import annotations
 
 import math
 
-from bounds import distances, features
-from bounds.boxes import SAFE
-from bounds.floats import position_error
-from bounds.gradients import Gradient
-from bounds.noises import Derived, cellular
-from bounds.table import shortest
+from proof.bounds import distances, features
+from proof.bounds.boxes import SAFE
+from proof.bounds.floats import position_error
+from proof.bounds.gradients import Gradient
+from proof.bounds.noises import Derived, cellular
+from proof.bounds.table import shortest
 
 CASES = cellular.CASES
 LARGEST = 7 / 8  # where no point is within 1

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from bounds import features
-from bounds.gradients import Gradient
-from bounds.noises import Derived, cellular
+from proof.bounds import features
+from proof.bounds.gradients import Gradient
+from proof.bounds.noises import Derived, cellular
 
 CASES = cellular.CASES
 COUNT = 3

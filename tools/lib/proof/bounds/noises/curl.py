@@ -19,11 +19,11 @@ import math
 
 import numpy as np
 
-from bounds.boxes import SAFE, Boxes, cell, supremum
-from bounds.floats import UNIT, position_error, rounding
-from bounds.gradients import LENGTH, OCTAHEDRAL, Gradient
-from bounds.kernels import SIMPLEX, Jet, Kernel, Offsets, weight_jet
-from bounds.noises import Derived, simplex, simplex_d
+from proof.bounds.boxes import SAFE, Boxes, cell, supremum
+from proof.bounds.floats import UNIT, position_error, rounding
+from proof.bounds.gradients import LENGTH, OCTAHEDRAL, Gradient
+from proof.bounds.kernels import SIMPLEX, Jet, Kernel, Offsets, weight_jet
+from proof.bounds.noises import Derived, simplex, simplex_d
 
 CASES = ((2, None), (3, None))
 TOLERANCE, LEVEL = 1e-3, 8

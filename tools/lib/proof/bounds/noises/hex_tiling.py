@@ -21,11 +21,11 @@ FIXED. A coordinate is cut to a multiple of 2^-20, which moves it by less than t
 
 from __future__ import annotations
 
-from bounds.floats import TINY, position_error, rounding
-from bounds.gradients import Gradient
-from bounds.integers import ONE
-from bounds.noises import Derived
-from bounds.table import scientific
+from proof.bounds.floats import TINY, position_error, rounding
+from proof.bounds.gradients import Gradient
+from proof.bounds.integers import ONE
+from proof.bounds.noises import Derived
+from proof.bounds.table import scientific
 
 CASES = ((2, None),)
 LIPSCHITZ = 3.0

@@ -5,11 +5,11 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from bounds.gradients import OCTAHEDRAL, Gradient
-from bounds.noises import Derived, derived, perlin
-from bounds.noises.perlin.exact import slope_bound, slope_lipschitz_bound
-from bounds.noises.perlin.fixed import largest_slope_intermediates, slope_error_parts
-from bounds.noises.perlin.floats import slope_error_bound
+from proof.bounds.gradients import OCTAHEDRAL, Gradient
+from proof.bounds.noises import Derived, derived, perlin
+from proof.bounds.noises.perlin.exact import slope_bound, slope_lipschitz_bound
+from proof.bounds.noises.perlin.fixed import largest_slope_intermediates, slope_error_parts
+from proof.bounds.noises.perlin.floats import slope_error_bound
 
 CASES = tuple((dims, OCTAHEDRAL) for dims in (1, 2, 3, 4))
 

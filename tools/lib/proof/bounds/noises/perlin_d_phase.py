@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from bounds import turns
-from bounds.gradients import Gradient
-from bounds.noises import Derived, perlin_d, perlin_phase
+from proof.bounds import turns
+from proof.bounds.gradients import Gradient
+from proof.bounds.noises import Derived, perlin_d, perlin_phase
 
 CASES = perlin_phase.CASES
 

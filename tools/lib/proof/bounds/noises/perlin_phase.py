@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from bounds import turns
-from bounds.gradients import OCTAHEDRAL, TURNED, Gradient
-from bounds.noises import Derived, listed, perlin, perlin_d
-from bounds.noises.perlin.exact import SCALE, lipschitz_bound, range_bound, slope_bound, slope_lipschitz_bound
-from bounds.noises.perlin.fixed import RAMP_ONE
+from proof.bounds import turns
+from proof.bounds.gradients import OCTAHEDRAL, TURNED, Gradient
+from proof.bounds.noises import Derived, listed, perlin, perlin_d
+from proof.bounds.noises.perlin.exact import SCALE, lipschitz_bound, range_bound, slope_bound, slope_lipschitz_bound
+from proof.bounds.noises.perlin.fixed import RAMP_ONE
 
 CASES = ((2, OCTAHEDRAL), (3, OCTAHEDRAL))
 

@@ -4,8 +4,8 @@ holds for any words; see value_vector.py.
 
 from __future__ import annotations
 
-from bounds.gradients import OCTAHEDRAL
-from bounds.noises import perlin
+from proof.bounds.gradients import OCTAHEDRAL
+from proof.bounds.noises import perlin
 
 CASES = ((2, OCTAHEDRAL), (3, OCTAHEDRAL))
 derive, largest_intermediates = perlin.derive, perlin.largest_intermediates

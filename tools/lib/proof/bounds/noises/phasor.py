@@ -41,17 +41,17 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from bounds import kernel_fixed, kernel_floats, kernels, turns
-from bounds.boxes import Boxes, cell, supremum
-from bounds.floats import Approx
-from bounds.gradients import Gradient
-from bounds.integers import ONE, UNIT, word
-from bounds.kernel_floats import SKEWED
-from bounds.kernels import Jet, Kernel, Offsets, dot, weight_jet
-from bounds.noises import Derived, derived, listed
-from bounds.sine import fixed_sine_largest
-from bounds.table import scientific, shortest
-from bounds.weights import EVEN
+from proof.bounds import kernel_fixed, kernel_floats, kernels, turns
+from proof.bounds.boxes import Boxes, cell, supremum
+from proof.bounds.floats import Approx
+from proof.bounds.gradients import Gradient
+from proof.bounds.integers import ONE, UNIT, word
+from proof.bounds.kernel_floats import SKEWED
+from proof.bounds.kernels import Jet, Kernel, Offsets, dot, weight_jet
+from proof.bounds.noises import Derived, derived, listed
+from proof.bounds.sine import fixed_sine_largest
+from proof.bounds.table import scientific, shortest
+from proof.bounds.weights import EVEN
 
 WAVES = 16  # per cell along an axis, at most
 

@@ -39,17 +39,17 @@ from dataclasses import replace
 
 import numpy as np
 
-from bounds import kernel_fixed, kernel_floats, kernels
-from bounds.boxes import Boxes, cell, supremum
-from bounds.floats import TINY, Approx, constant
-from bounds.floats import UNIT as ROUNDED
-from bounds.gradients import Gradient
-from bounds.integers import ONE, SLOPE_UNIT, UNIT, part_intermediate
-from bounds.kernel_floats import SKEWED
-from bounds.kernels import Jet, Offsets, dot, weight_jet
-from bounds.noises import Derived, derived, phasor
-from bounds.noises.perlin.floats import largest_of
-from bounds.noises.phasor import KERNELS, RAMP_ONE, TURN, WAVE_CUT, Waves, scale_of
+from proof.bounds import kernel_fixed, kernel_floats, kernels
+from proof.bounds.boxes import Boxes, cell, supremum
+from proof.bounds.floats import TINY, Approx, constant
+from proof.bounds.floats import UNIT as ROUNDED
+from proof.bounds.gradients import Gradient
+from proof.bounds.integers import ONE, SLOPE_UNIT, UNIT, part_intermediate
+from proof.bounds.kernel_floats import SKEWED
+from proof.bounds.kernels import Jet, Offsets, dot, weight_jet
+from proof.bounds.noises import Derived, derived, phasor
+from proof.bounds.noises.perlin.floats import largest_of
+from proof.bounds.noises.phasor import KERNELS, RAMP_ONE, TURN, WAVE_CUT, Waves, scale_of
 
 CASES = phasor.CASES
 FINE, LAST = 2.0**-24, 2.0**-16  # the units of the terms of a derivative, and of the derivative

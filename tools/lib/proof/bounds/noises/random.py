@@ -15,8 +15,8 @@ from __future__ import annotations
 
 import math
 
-from bounds.gradients import Gradient
-from bounds.noises import Derived
+from proof.bounds.gradients import Gradient
+from proof.bounds.noises import Derived
 
 CASES = tuple((dims, None) for dims in (1, 2, 3, 4))
 

@@ -3,10 +3,10 @@ kernel_floats.py and kernel_fixed.py its errors; here they are put together, for
 
 from __future__ import annotations
 
-from bounds import kernel_fixed, kernel_floats, kernels
-from bounds.gradients import OCTAHEDRAL, Gradient
-from bounds.kernels import SIMPLEX, Kernel
-from bounds.noises import Derived, derived, listed
+from proof.bounds import kernel_fixed, kernel_floats, kernels
+from proof.bounds.gradients import OCTAHEDRAL, Gradient
+from proof.bounds.kernels import SIMPLEX, Kernel
+from proof.bounds.noises import Derived, derived, listed
 
 CASES = tuple((dims, None) for dims in SIMPLEX)
 

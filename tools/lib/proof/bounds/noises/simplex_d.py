@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from bounds import kernel_fixed, kernel_floats
-from bounds.gradients import Gradient
-from bounds.kernels import SIMPLEX
-from bounds.noises import Derived, simplex
+from proof.bounds import kernel_fixed, kernel_floats
+from proof.bounds.gradients import Gradient
+from proof.bounds.kernels import SIMPLEX
+from proof.bounds.noises import Derived, simplex
 
 CASES = simplex.CASES
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from bounds import turns
-from bounds.gradients import Gradient
-from bounds.kernels import SIMPLEX
-from bounds.noises import Derived, simplex_d, simplex_phase
+from proof.bounds import turns
+from proof.bounds.gradients import Gradient
+from proof.bounds.kernels import SIMPLEX
+from proof.bounds.noises import Derived, simplex_d, simplex_phase
 
 CASES = simplex_phase.CASES
 

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from bounds import kernels, turns
-from bounds.gradients import TURNED, Gradient
-from bounds.kernel_fixed import ramp_one
-from bounds.kernels import SIMPLEX
-from bounds.noises import Derived, listed, simplex
+from proof.bounds import kernels, turns
+from proof.bounds.gradients import TURNED, Gradient
+from proof.bounds.kernel_fixed import ramp_one
+from proof.bounds.kernels import SIMPLEX
+from proof.bounds.noises import Derived, listed, simplex
 
 CASES = tuple((dims, None) for dims in (2, 3))
 

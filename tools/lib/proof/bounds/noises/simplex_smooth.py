@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from bounds import kernel_fixed, kernel_floats
-from bounds.gradients import Gradient
-from bounds.kernels import SMOOTH
-from bounds.noises import Derived, listed, simplex
+from proof.bounds import kernel_fixed, kernel_floats
+from proof.bounds.gradients import Gradient
+from proof.bounds.kernels import SMOOTH
+from proof.bounds.noises import Derived, listed, simplex
 
 CASES = tuple((dims, None) for dims in SMOOTH)
 

@@ -30,15 +30,33 @@ import functools
 
 import numpy as np
 
-from bounds import suprema
-from bounds.boxes import FADE_MAX, SAFE
-from bounds.floats import (Approx, approx_interpolation, approx_number_derivatives, approx_offsets, error_supremum,
-                           position_error)
-from bounds.gradients import Gradient
-from bounds.integers import (FADE_ONE, ONE, SLOPE_UNIT, UNIT, interpolation_intermediates, largest_fade_effect,
-                             largest_joint_effect, largest_rounding, overshoot, slope_errors, slope_intermediates,
-                             slope_rounding, slopes)
-from bounds.noises import Derived
+from proof.bounds import suprema
+from proof.bounds.boxes import FADE_MAX, SAFE
+from proof.bounds.floats import (
+    Approx,
+    approx_interpolation,
+    approx_number_derivatives,
+    approx_offsets,
+    error_supremum,
+    position_error,
+)
+from proof.bounds.gradients import Gradient
+from proof.bounds.integers import (
+    FADE_ONE,
+    ONE,
+    SLOPE_UNIT,
+    UNIT,
+    interpolation_intermediates,
+    largest_fade_effect,
+    largest_joint_effect,
+    largest_rounding,
+    overshoot,
+    slope_errors,
+    slope_intermediates,
+    slope_rounding,
+    slopes,
+)
+from proof.bounds.noises import Derived
 
 CASES = tuple((dims, None) for dims in (1, 2, 3, 4))
 

@@ -25,14 +25,29 @@ import itertools
 
 import numpy as np
 
-from bounds.boxes import SAFE, cell, smooth, supremum
-from bounds.floats import (Approx, approx_blend, approx_offsets, approx_spline, error_supremum, position_error,
-                           spline_weight)
-from bounds.gradients import Gradient
-from bounds.integers import (FADE_ONE, ONE, SPLINE_STEP, UNIT, part_intermediate, spline_rounding, spline_weight_error,
-                             splines)
-from bounds.noises import Derived
-from bounds.noises.value import NUMBER_ONE, OFFSET
+from proof.bounds.boxes import SAFE, cell, smooth, supremum
+from proof.bounds.floats import (
+    Approx,
+    approx_blend,
+    approx_offsets,
+    approx_spline,
+    error_supremum,
+    position_error,
+    spline_weight,
+)
+from proof.bounds.gradients import Gradient
+from proof.bounds.integers import (
+    FADE_ONE,
+    ONE,
+    SPLINE_STEP,
+    UNIT,
+    part_intermediate,
+    spline_rounding,
+    spline_weight_error,
+    splines,
+)
+from proof.bounds.noises import Derived
+from proof.bounds.noises.value import NUMBER_ONE, OFFSET
 
 CASES = tuple((dims, None) for dims in (1, 2, 3))
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from bounds.gradients import Gradient
-from bounds.noises import Derived, value
+from proof.bounds.gradients import Gradient
+from proof.bounds.noises import Derived, value
 
 CASES = value.CASES
 

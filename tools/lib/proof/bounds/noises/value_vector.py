@@ -5,7 +5,7 @@ words, too, and their numbers are in the range of those of hn_value.
 
 from __future__ import annotations
 
-from bounds.noises import value
+from proof.bounds.noises import value
 
 CASES = ((2, None), (3, None))
 derive, largest_intermediates = value.derive, value.largest_intermediates

@@ -20,10 +20,9 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
-from oracle.gradients import Knobs, Real
-from oracle.integers import NOISE_UNIT, SLOPE_UNIT, cell_and_fraction, fraction_of
-from oracle.lattice import Choice, Lattice
-
+from proof.oracle.gradients import Knobs, Real
+from proof.oracle.integers import NOISE_UNIT, SLOPE_UNIT, cell_and_fraction, fraction_of
+from proof.oracle.lattice import Choice, Lattice
 
 OUTPUTS = ("value", "dx", "dy", "dz", "dw")
 UNITS = (NOISE_UNIT, *(SLOPE_UNIT,) * 4)
@@ -86,7 +85,7 @@ def names() -> list[str]:
 
 def find(name: str) -> Noise:
     if name not in names():
-        raise LookupError(f"the oracle has no {name}: write tools/lib/oracle/noises/{name}.py from docs/contract.md")
+        raise LookupError(f"the oracle has no {name}: write tools/lib/proof/oracle/noises/{name}.py from docs/contract.md")
     module = importlib.import_module(f"{__name__}.{name}")
     turns = name.endswith(TURNING) or getattr(module, "TURNS", False)
     return Noise(name, module.exact, module.fixed, getattr(module, "OUTPUTS", OUTPUTS), getattr(module, "UNITS", UNITS),

@@ -7,8 +7,8 @@ from collections.abc import Callable, Sequence
 from fractions import Fraction
 from typing import TypeVar
 
-from oracle.feature_points import EUCLIDEAN, Field, Point, TooFar, fixed_root, fixed_square, root, square
-from oracle.lattice import Lattice
+from proof.oracle.feature_points import EUCLIDEAN, Field, Point, TooFar, fixed_root, fixed_square, root, square
+from proof.oracle.lattice import Lattice
 
 UNITS = (2**16,)
 

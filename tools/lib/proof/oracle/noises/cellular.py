@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
-from oracle.feature_points import exact_field, fixed_field, whole_numbers
-from oracle.integers import UNIT
-from oracle.lattice import Lattice
+from proof.oracle.feature_points import exact_field, fixed_field, whole_numbers
+from proof.oracle.integers import UNIT
+from proof.oracle.lattice import Lattice
 
 COUNT = 2
 OUTPUTS = ("first", "second")

@@ -6,9 +6,9 @@ import math
 from collections.abc import Sequence
 from fractions import Fraction
 
-from oracle.feature_points import EUCLIDEAN, Field, fixed_root, fixed_square, root, square
-from oracle.integers import NOISE_UNIT
-from oracle.lattice import Lattice
+from proof.oracle.feature_points import EUCLIDEAN, Field, fixed_root, fixed_square, root, square
+from proof.oracle.integers import NOISE_UNIT
+from proof.oracle.lattice import Lattice
 
 UNITS = (NOISE_UNIT,) * 4
 

@@ -2,6 +2,6 @@
 
 from __future__ import annotations
 
-from oracle.noises.cellular import OUTPUTS, UNITS, exact, fixed
+from proof.oracle.noises.cellular import OUTPUTS, UNITS, exact, fixed
 
 __all__ = ["OUTPUTS", "UNITS", "exact", "fixed"]

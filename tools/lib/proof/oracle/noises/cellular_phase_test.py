@@ -10,17 +10,17 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from unittest import mock
 
-from golden.generator import INT_MAX, INT_MIN, generator_of, to_f32
-from golden.simplex_rows import PHASES
-from oracle import feature_points, noises
-from oracle.feature_points import Field, TooFar, direction2, direction3
-from oracle.gradients import Knobs
-from oracle.integers import UNIT, cosine_and_sine
-from oracle.lattice import Choice, Lattice
-from oracle.moving_points_test import LARGEST
-from oracle.nearest import NEAREST, OFFSET
-from oracle.noises import Noise
-from oracle.turning import angle
+from proof.golden.generator import INT_MAX, INT_MIN, generator_of, to_f32
+from proof.golden.simplex_rows import PHASES
+from proof.oracle import feature_points, noises
+from proof.oracle.feature_points import Field, TooFar, direction2, direction3
+from proof.oracle.gradients import Knobs
+from proof.oracle.integers import UNIT, cosine_and_sine
+from proof.oracle.lattice import Choice, Lattice
+from proof.oracle.moving_points_test import LARGEST
+from proof.oracle.nearest import NEAREST, OFFSET
+from proof.oracle.noises import Noise
+from proof.oracle.turning import angle
 
 LATTICE = Knobs("lattice")
 STILL, MOVING = noises.find("cellular"), noises.find("cellular_phase")

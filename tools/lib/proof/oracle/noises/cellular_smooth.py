@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
-from oracle.feature_points import EUCLIDEAN, Field, Point, TooFar, fixed_root, root, square
-from oracle.lattice import Lattice
+from proof.oracle.feature_points import EUCLIDEAN, Field, Point, TooFar, fixed_root, root, square
+from proof.oracle.lattice import Lattice
 
 UNITS = (2**19,)
 

@@ -9,13 +9,13 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from unittest import mock
 
-from golden.generator import generator_of
-from oracle import nearest, noises
-from oracle.feature_points import EUCLIDEAN, SQUARED, root
-from oracle.gradients import Knobs
-from oracle.integers import UNIT
-from oracle.lattice import Choice
-from oracle.noises import Noise, cell_border, cellular_d, cellular_smooth
+from proof.golden.generator import generator_of
+from proof.oracle import nearest, noises
+from proof.oracle.feature_points import EUCLIDEAN, SQUARED, root
+from proof.oracle.gradients import Knobs
+from proof.oracle.integers import UNIT
+from proof.oracle.lattice import Choice
+from proof.oracle.noises import Noise, cell_border, cellular_d, cellular_smooth
 
 LATTICE = Knobs("lattice")
 DISTANCE, SLOPES, SMOOTH, BORDER = map(noises.find, ("cellular", "cellular_d", "cellular_smooth", "cell_border"))

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
-from oracle.cells import interpolated, weighted_sum
-from oracle.gradients import Knobs
-from oracle.lattice import Lattice
-from oracle.ramps import scaled, sine_ramp
+from proof.oracle.cells import interpolated, weighted_sum
+from proof.oracle.gradients import Knobs
+from proof.oracle.lattice import Lattice
+from proof.oracle.ramps import scaled, sine_ramp
 
 # --- Exact ------------------------------------------------------------------------------------------------------
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
-from oracle.cells import corners, halves, weighted_sum
-from oracle.integers import fade
-from oracle.lattice import Lattice
-from oracle.noises import perlin
-from oracle.ramps import scaled
-from oracle.slopes import Ramp, fade_slope, interpolated_ramp, weight_derivatives
+from proof.oracle.cells import corners, halves, weighted_sum
+from proof.oracle.integers import fade
+from proof.oracle.lattice import Lattice
+from proof.oracle.noises import perlin
+from proof.oracle.ramps import scaled
+from proof.oracle.slopes import Ramp, fade_slope, interpolated_ramp, weight_derivatives
 
 
 def check(lattice: Lattice) -> None:

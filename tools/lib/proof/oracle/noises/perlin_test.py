@@ -11,13 +11,13 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from unittest import mock
 
-from golden.generator import generator_of, to_f32
-from oracle import gradients, integers, noises, ramps, words
-from oracle.cells import corner_weights
-from oracle.gradients import Knobs
-from oracle.lattice import Lattice
-from oracle.noises import perlin
-from thorough import in_thorough_runs
+from base.thorough import in_thorough_runs
+from proof.golden.generator import generator_of, to_f32
+from proof.oracle import gradients, integers, noises, ramps, words
+from proof.oracle.cells import corner_weights
+from proof.oracle.gradients import Knobs
+from proof.oracle.lattice import Lattice
+from proof.oracle.noises import perlin
 
 PERLIN = noises.find("perlin")
 

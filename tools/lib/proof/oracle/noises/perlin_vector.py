@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
-from oracle.components import UNITS, vector
-from oracle.lattice import Lattice
-from oracle.noises import VECTOR as OUTPUTS
-from oracle.noises import perlin
+from proof.oracle.components import UNITS, vector
+from proof.oracle.lattice import Lattice
+from proof.oracle.noises import VECTOR as OUTPUTS
+from proof.oracle.noises import perlin
 
 __all__ = ["OUTPUTS", "UNITS", "exact", "fixed"]
 

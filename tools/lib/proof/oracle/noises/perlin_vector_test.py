@@ -7,9 +7,9 @@ import unittest
 from fractions import Fraction
 from unittest import mock
 
-from oracle import gradients, noises, words
-from oracle.gradients import Knobs
-from oracle.integers import UNIT, lerp
+from proof.oracle import gradients, noises, words
+from proof.oracle.gradients import Knobs
+from proof.oracle.integers import UNIT, lerp
 
 VECTOR = noises.find("perlin_vector")
 SCALES = {2: Fraction(1831, 1024), 3: Fraction(985, 1024)}

@@ -11,13 +11,13 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import TypeVar
 
-from oracle import integers, kernels, ramps, turning
-from oracle.gradients import Real
-from oracle.integers import NOISE_UNIT, part, signed
-from oracle.kernels import Kernel
-from oracle.lattice import Lattice
-from oracle.noises import simplex
-from oracle.words import MASK
+from proof.oracle import integers, kernels, ramps, turning
+from proof.oracle.gradients import Real
+from proof.oracle.integers import NOISE_UNIT, part, signed
+from proof.oracle.kernels import Kernel
+from proof.oracle.lattice import Lattice
+from proof.oracle.noises import simplex
+from proof.oracle.words import MASK
 
 Number = TypeVar("Number", int, Fraction)
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
-from oracle import gradients, ramps
-from oracle.integers import NOISE_UNIT, part, signed
-from oracle.lattice import Lattice
-from oracle.noises import phasor
-from oracle.noises.phasor import KERNELS
+from proof.oracle import gradients, ramps
+from proof.oracle.integers import NOISE_UNIT, part, signed
+from proof.oracle.lattice import Lattice
+from proof.oracle.noises import phasor
+from proof.oracle.noises.phasor import KERNELS
 
 # A pair for the noise, and one along each axis: of the value, then of the quadrature.
 OUTPUTS = ("value", "quadrature", "dx", "qx", "dy", "qy", "dz", "qz")

@@ -11,17 +11,17 @@ from fractions import Fraction
 from pathlib import Path
 from unittest import mock
 
-from golden.generator import INT_MAX, INT_MIN, generator_of, to_f32
-from oracle import functions, kernels, noises, words
-from oracle.checked import Checked
-from oracle.gradients import Knobs, Real
-from oracle.integers import UNIT
-from oracle.lattice import Choice
-from oracle.noises import phasor, phasor_d
-from oracle.noises.phasor import KERNELS
-from oracle.noises.phasor_test import WORD, places
-from tables.functions import Function
-from tables.inc import Row
+from catalog.tables.functions import Function
+from catalog.tables.inc import Row
+from proof.golden.generator import INT_MAX, INT_MIN, generator_of, to_f32
+from proof.oracle import functions, kernels, noises, words
+from proof.oracle.checked import Checked
+from proof.oracle.gradients import Knobs, Real
+from proof.oracle.integers import UNIT
+from proof.oracle.lattice import Choice
+from proof.oracle.noises import phasor, phasor_d
+from proof.oracle.noises.phasor import KERNELS
+from proof.oracle.noises.phasor_test import WORD, places
 
 KNOBS = Knobs("lattice")
 SLOPES, PHASOR = map(noises.find, ("phasor_d", "phasor"))

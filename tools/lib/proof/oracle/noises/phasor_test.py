@@ -12,17 +12,17 @@ from fractions import Fraction
 from pathlib import Path
 from unittest import mock
 
-from golden.generator import INT_MAX, INT_MIN, Generator, generator_of, to_f32
-from golden.simplex_rows import PHASES, fractions
-from oracle import functions, integers, kernels, noises, turning, words
-from oracle.checked import Checked
-from oracle.gradients import Knobs, Real
-from oracle.integers import NOISE_UNIT, UNIT
-from oracle.lattice import Choice, Lattice
-from oracle.noises import phasor
-from oracle.noises.phasor import KERNELS
-from tables.functions import Function
-from tables.inc import Row
+from catalog.tables.functions import Function
+from catalog.tables.inc import Row
+from proof.golden.generator import INT_MAX, INT_MIN, Generator, generator_of, to_f32
+from proof.golden.simplex_rows import PHASES, fractions
+from proof.oracle import functions, integers, kernels, noises, turning, words
+from proof.oracle.checked import Checked
+from proof.oracle.gradients import Knobs, Real
+from proof.oracle.integers import NOISE_UNIT, UNIT
+from proof.oracle.lattice import Choice, Lattice
+from proof.oracle.noises import phasor
+from proof.oracle.noises.phasor import KERNELS
 
 PHASOR = noises.find("phasor")
 KNOBS = Knobs("lattice")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
-from oracle.lattice import Lattice
+from proof.oracle.lattice import Lattice
 
 UNITS = (2**24,)
 TINY = Fraction(1, 2**32)  # with HN_PRECISE a coordinate of a position below it counts as 0

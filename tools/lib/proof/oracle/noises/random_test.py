@@ -8,10 +8,10 @@ import unittest
 from fractions import Fraction
 from unittest import mock
 
-from golden.generator import INT_MAX, INT_MIN, generator_of
-from oracle import noises, words
-from oracle.gradients import Knobs
-from oracle.lattice import Lattice
+from proof.golden.generator import INT_MAX, INT_MIN, generator_of
+from proof.oracle import noises, words
+from proof.oracle.gradients import Knobs
+from proof.oracle.lattice import Lattice
 
 RANDOM = noises.find("random")
 KNOBS = Knobs("pcg")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from oracle.kernels import CUBE, FOURTH, QUARTIC, Kernel, noise
+from proof.oracle.kernels import CUBE, FOURTH, QUARTIC, Kernel, noise
 
 # By the number of dimensions.
 KERNELS = {2: Kernel(True, 819, 1, QUARTIC, 4099), 3: Kernel(False, 1024, 2, FOURTH, 4918),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from oracle.kernels import noise_with_derivatives
-from oracle.noises.simplex import KERNELS
+from proof.oracle.kernels import noise_with_derivatives
+from proof.oracle.noises.simplex import KERNELS
 
 exact, fixed = noise_with_derivatives(KERNELS)

@@ -2,6 +2,6 @@
 
 from __future__ import annotations
 
-from oracle.noises.simplex_d import exact, fixed
+from proof.oracle.noises.simplex_d import exact, fixed
 
 __all__ = ["exact", "fixed"]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from oracle.kernels import CUBE, FIFTH, Kernel, noise
+from proof.oracle.kernels import CUBE, FIFTH, Kernel, noise
 
 # By the number of dimensions.
 KERNELS = {2: Kernel(True, 1024, 1, CUBE, 3081), 3: Kernel(False, 768, 1, FIFTH, 4279)}

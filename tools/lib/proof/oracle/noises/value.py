@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
-from oracle.cells import interpolated, weighted_sum
-from oracle.integers import signed
-from oracle.lattice import Lattice
+from proof.oracle.cells import interpolated, weighted_sum
+from proof.oracle.integers import signed
+from proof.oracle.lattice import Lattice
 
 
 def number(lattice: Lattice, corner: Sequence[int]) -> Fraction:

@@ -8,9 +8,9 @@ import math
 from collections.abc import Sequence
 from fractions import Fraction
 
-from oracle.integers import part, signed, word
-from oracle.lattice import Lattice
-from oracle.noises.value import fixed_number, number, rounded
+from proof.oracle.integers import part, signed, word
+from proof.oracle.lattice import Lattice
+from proof.oracle.noises.value import fixed_number, number, rounded
 
 OFFSETS = (-1, 0, 1, 2)  # of the points that count, along each axis
 

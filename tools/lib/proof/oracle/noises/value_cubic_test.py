@@ -7,14 +7,14 @@ import unittest
 from fractions import Fraction
 from unittest import mock
 
-from golden.generator import INT_MAX, generator_of
-from oracle import noises
-from oracle.gradients import Knobs
-from oracle.integers import UNIT
-from oracle.lattice import Lattice
-from oracle.noises import value_cubic
-from oracle.noises.value import number
-from thorough import in_thorough_runs
+from base.thorough import in_thorough_runs
+from proof.golden.generator import INT_MAX, generator_of
+from proof.oracle import noises
+from proof.oracle.gradients import Knobs
+from proof.oracle.integers import UNIT
+from proof.oracle.lattice import Lattice
+from proof.oracle.noises import value_cubic
+from proof.oracle.noises.value import number
 
 CUBIC = noises.find("value_cubic")
 DIMENSIONS = (1, 2, 3)

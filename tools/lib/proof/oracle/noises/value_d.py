@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
-from oracle.cells import corners, halves
-from oracle.integers import fade, lerp, part
-from oracle.lattice import Lattice
-from oracle.noises import value
-from oracle.slopes import Ramp, fade_slope, interpolated_ramp, rise, weight_derivatives
+from proof.oracle.cells import corners, halves
+from proof.oracle.integers import fade, lerp, part
+from proof.oracle.lattice import Lattice
+from proof.oracle.noises import value
+from proof.oracle.slopes import Ramp, fade_slope, interpolated_ramp, rise, weight_derivatives
 
 
 def exact(lattice: Lattice, cell: Sequence[int], f: Sequence[Fraction]) -> tuple[Fraction, ...]:

@@ -6,11 +6,11 @@ import unittest
 from fractions import Fraction
 from unittest import mock
 
-from oracle import noises, words
-from oracle.gradients import Knobs
-from oracle.integers import lerp
-from oracle.lattice import Lattice
-from oracle.noises import value
+from proof.oracle import noises, words
+from proof.oracle.gradients import Knobs
+from proof.oracle.integers import lerp
+from proof.oracle.lattice import Lattice
+from proof.oracle.noises import value
 
 VALUE = noises.find("value")
 

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from oracle.components import UNITS, vector
-from oracle.noises import VECTOR as OUTPUTS
-from oracle.noises import value
+from proof.oracle.components import UNITS, vector
+from proof.oracle.noises import VECTOR as OUTPUTS
+from proof.oracle.noises import value
 
 __all__ = ["OUTPUTS", "UNITS", "exact", "fixed"]
 

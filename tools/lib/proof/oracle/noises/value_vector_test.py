@@ -7,9 +7,9 @@ import unittest
 from fractions import Fraction
 from unittest import mock
 
-from oracle import noises, words
-from oracle.gradients import Knobs
-from oracle.integers import lerp
+from proof.oracle import noises, words
+from proof.oracle.gradients import Knobs
+from proof.oracle.integers import lerp
 
 VECTOR = noises.find("value_vector")
 

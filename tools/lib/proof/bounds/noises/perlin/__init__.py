@@ -3,13 +3,13 @@ has its entry in perlin_d.py of the folder above."""
 
 from __future__ import annotations
 
-from bounds.floats import position_error
-from bounds.gradients import OCTAHEDRAL, SINE, Gradient
-from bounds.noises import Derived
-from bounds.noises.perlin.exact import SCALE, lipschitz_bound, range_bound
-from bounds.noises.perlin.fixed import error_parts, fixed_error, largest_intermediates, range_loss
-from bounds.noises.perlin.floats import error_bound
-from bounds.table import shortest
+from proof.bounds.floats import position_error
+from proof.bounds.gradients import OCTAHEDRAL, SINE, Gradient
+from proof.bounds.noises import Derived
+from proof.bounds.noises.perlin.exact import SCALE, lipschitz_bound, range_bound
+from proof.bounds.noises.perlin.fixed import error_parts, fixed_error, largest_intermediates, range_loss
+from proof.bounds.noises.perlin.floats import error_bound
+from proof.bounds.table import shortest
 
 CASES = (*((dims, OCTAHEDRAL) for dims in (1, 2, 3, 4)), *((dims, SINE) for dims in (2, 3)))
 

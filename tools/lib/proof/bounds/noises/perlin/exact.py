@@ -15,8 +15,8 @@ with u_i = s(f_i) (the weights of the other axes sum to 1, and u_i <= 1/2 just w
 middle of the cell.
 """
 
-from bounds import suprema
-from bounds.gradients import OCTAHEDRAL, SINE
+from proof.bounds import suprema
+from proof.bounds.gradients import OCTAHEDRAL, SINE
 
 SCALE = {OCTAHEDRAL: {1: 2.0, 2: 1831 / 1024, 3: 985 / 1024, 4: 953 / 1024}, SINE: {2: 1.0, 3: 1.0}}
 

@@ -24,13 +24,25 @@ SCALE; of components that exceed 1, n/2 times that is added.
 
 import functools
 
-from bounds.boxes import SAFE
-from bounds.gradients import OCTAHEDRAL, SINE
-from bounds.integers import (ONE, SLOPE_UNIT, UNIT, fade_keeps_to_its_side, interpolation_intermediates,
-                             largest_fade_effect, largest_joint_effect, largest_rounding, largest_slope_fade_effect,
-                             overshoot, scaled_intermediate, slope_intermediates, slope_rounding)
-from bounds.noises.perlin.exact import SCALE, lipschitz_bound, range_bound, slope_lipschitz_bound
-from bounds.sine import fixed_sine_error, fixed_sine_largest
+from proof.bounds.boxes import SAFE
+from proof.bounds.gradients import OCTAHEDRAL, SINE
+from proof.bounds.integers import (
+    ONE,
+    SLOPE_UNIT,
+    UNIT,
+    fade_keeps_to_its_side,
+    interpolation_intermediates,
+    largest_fade_effect,
+    largest_joint_effect,
+    largest_rounding,
+    largest_slope_fade_effect,
+    overshoot,
+    scaled_intermediate,
+    slope_intermediates,
+    slope_rounding,
+)
+from proof.bounds.noises.perlin.exact import SCALE, lipschitz_bound, range_bound, slope_lipschitz_bound
+from proof.bounds.sine import fixed_sine_error, fixed_sine_largest
 
 RAMP_ONE = {OCTAHEDRAL: {1: 2**29, 2: 2**29, 3: 2**29, 4: 2**28}, SINE: {2: 2**28, 3: 2**28}}
 

@@ -18,11 +18,11 @@ import functools
 
 import numpy as np
 
-from bounds.boxes import corners
-from bounds.floats import (TINY, Approx, approx_derivatives, approx_interpolation, approx_offsets, error_supremum,
-                           rounding)
-from bounds.gradients import OCTAHEDRAL, SINE, two_largest
-from bounds.noises.perlin.exact import SCALE
+from proof.bounds.boxes import corners
+from proof.bounds.floats import TINY, Approx, approx_derivatives, approx_interpolation, approx_offsets, error_supremum, rounding
+from proof.bounds.gradients import OCTAHEDRAL, SINE, two_largest
+from proof.bounds.noises.perlin.exact import SCALE
+
 
 def largest_of(numbers):
     return functools.reduce(np.maximum, numbers)
