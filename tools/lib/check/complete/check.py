@@ -356,7 +356,7 @@ def names_of_two_kinds(tree: Tree) -> Iterator[str]:
 
 PAGES = ("README.md", "CHANGELOG.md", "CONTRIBUTING.md", "llms.txt", "docs/*.md", "docs/gallery/*.md", "examples/**/*.md",
          "packages/*/README.md")
-OF_THE_INSIDE = {"adding", "frozen", "glossary", "internals", "release"}  # pages for who changes the library
+OF_THE_INSIDE = {"adding", "frozen", "glossary", "internals", "one-noise", "release"}  # pages for who changes the library
 PICKED = re.compile(r"<!-- tools/make readme: picked.*?<!-- end -->", re.DOTALL)  # texts that tools/pick writes
 
 

@@ -36,7 +36,7 @@ from ship.blender import files as blender
 from ship.glsl_noise import files as glsl_noise
 from ship.isf import files as isf
 from ship.materialx import files as materialx
-from ship.readme import files, gallery, hashes, numbers, one_noise, picture
+from ship.readme import files, gallery, hashes, numbers, picture
 from ship.readme import times as of_commands
 from ship.unity import files as unity
 from ship.unreal import files as unreal
@@ -52,7 +52,6 @@ LANGUAGES = "docs/languages.md"
 HASHES = "docs/hashes.md"
 JUDGE = "docs/judge.md"
 UNIFORM = "docs/uniform.md"
-ONE_NOISE = "docs/one-noise.md"
 SIZE = re.compile(r"(--strip --out noise\.glsl`, )\d+ kB")  # of the whole library, in the README
 
 
@@ -90,7 +89,6 @@ def tables(times: of_commands.Times) -> list[tuple[str, str, str]]:
             ("packages/unreal/README.md", "tools/make readme: nodes", unreal.node_table()),
             ("packages/isf/README.md", "tools/make readme: looks", isf.look_table()),
             ("packages/glsl-noise/README.md", "tools/make readme: files", glsl_noise.file_table()),
-            *((ONE_NOISE, f"tools/make readme: {name}", quote) for name, quote in one_noise.quotes()),
             *((MOVING, *named) for named in ports.page_tables(ports.read()))]
 
 
