@@ -1,61 +1,68 @@
-"""Tests of components.py: what holds for every vector of noises from one hash."""
+"""Tests of components.py, perlin_vector.py and value_vector.py: vectors of noises of one hash, by the noise of other
+words, and by hand."""
 
 from __future__ import annotations
 
 import itertools
 import math
 import unittest
-from collections.abc import Callable, Iterator
-from dataclasses import replace
 from fractions import Fraction
 from unittest import mock
 
 from catalog.tables.functions import read_functions
-from proof.golden.generator import INT_MAX, generator_of
-from proof.oracle import components, noises, words
+from proof.golden.generator import generator_of
+from proof.oracle import gradients, noises, words
 from proof.oracle.components import component, vector
 from proof.oracle.functions import evaluator
 from proof.oracle.gradients import Knobs
-from proof.oracle.integers import UNIT
+from proof.oracle.integers import UNIT, lerp
 from proof.oracle.lattice import Lattice
 from proof.oracle.noises import Noise
+from proof.oracle.testing import FORMS, KNOBS, places
 
 NAMES = ("value", "perlin")
-ARITHMETICS = ("exact", "fixed")
+VALUES, PERLIN = map(noises.find, ("value_vector", "perlin_vector"))
+SCALES = {2: Fraction(1831, 1024), 3: Fraction(985, 1024)}  # of Perlin noise
+FACTORS = (1, 0xEB1831, 0x84A5E5)
+PCG = Knobs("pcg")
 
 
-def of(name: str) -> tuple[Noise, Noise]:
-    """The noise, and the vector of it."""
-    return noises.find(name), noises.find(f"{name}_vector")
+def word_of(word: int, i: int) -> int:
+    return word // 256 * FACTORS[i] % 2**32 if i else word
 
 
-def places(name: str, count: int = 12) -> Iterator[tuple[list[Fraction], int, tuple[int, ...]]]:
-    """Positions that fixed arithmetic does not cut, seeds, and none or some periods."""
-    numbers = generator_of(name)
-    for n, periodic, _ in itertools.product((2, 3), (False, True), range(count // 2)):
-        p = [Fraction(numbers.integer(-2**24, 2**24), UNIT) for _ in range(n)]
-        yield p, numbers.word(), (48, 5, 0)[:n] if periodic else ()
+def words_of(point: tuple[int, ...], seed: int) -> list[int]:
+    """Of the components."""
+    return [word_of(words.point_word("pcg", point, seed), i) for i in range(len(point))]
 
 
 class Components(unittest.TestCase):
-    def test_the_first_is_the_noise(self) -> None:
-        for name, knobs, arithmetic in itertools.product(NAMES, map(Knobs, ("lattice", "pcg")), ARITHMETICS):
-            noise, of_noise = (getattr(found, arithmetic) for found in of(name))
-            for p, seed, periods in places("first"):
-                self.assertEqual(of_noise(knobs, p, seed, periods)[:1], noise(knobs, p, seed, periods))
+    def check_words(self, of: Noise, noise: Noise, n: int, i: int) -> None:
+        """Component i is the noise of the words that it has."""
+        def word(lattice: Lattice, corner: list[int]) -> int:
+            return word_of(words.point_word("lattice", lattice.point(corner), lattice.seed), i)
 
-    def test_the_others_are_the_noise_of_other_words(self) -> None:
-        def other(lattice: Lattice, corner: list[int]) -> int:
-            return (words.point_word("lattice", lattice.point(corner), lattice.seed) // 256 * factor) % 2**32
+        for (p, seed), periods, form in itertools.product(places("words", n, 4, 16), ((), (48, 5, 0)[:n]), FORMS):
+            found = getattr(of, form)(KNOBS, p, seed, periods)
+            with mock.patch.object(Lattice, "word", word):
+                right = getattr(noise, form)(KNOBS, p, seed, periods)
+            self.assertEqual(found[i:i + 1] if of.outputs == noises.VECTOR else found, right)
 
-        for name, arithmetic in itertools.product(NAMES, ARITHMETICS):
-            noise, of_noise = (getattr(found, arithmetic) for found in of(name))
-            for p, seed, periods in places("others"):
-                found = of_noise(Knobs("lattice"), p, seed, periods)
-                self.assertEqual(len(found), len(p))
-                for value, factor in zip(found[1:], (0xEB1831, 0x84A5E5)):
-                    with mock.patch.object(Lattice, "word", other):
-                        self.assertEqual((value,), noise(Knobs("lattice"), p, seed, periods))
+    def test_each_is_the_noise_of_words_of_its_own(self) -> None:
+        for name, n in itertools.product(NAMES, (2, 3)):
+            for i in range(n):
+                self.check_words(noises.find(f"{name}_vector"), noises.find(name), n, i)
+                slopes = noises.find(f"{name}_d")
+                self.check_words(component(slopes, i), slopes, n, i)
+            self.assertEqual(len(noises.find(f"{name}_vector").fixed(KNOBS, (0.3,) * n)), n)
+
+    def test_another_component_is_noticed(self) -> None:
+        slopes = noises.find("value_d")
+        for of, noise, i in ((VALUES, noises.find("perlin"), 0), (component(slopes, 1), slopes, 2)):
+            with self.assertRaises(AssertionError):
+                self.check_words(of, noise, 3, i)
+        with mock.patch.object(words, "COMPONENT_FACTORS", FACTORS[2:0:-1]), self.assertRaises(AssertionError):
+            self.check_words(VALUES, noises.find("value"), 3, 1)
 
     def test_they_are_not_alike(self) -> None:
         # Of 200 independent values the correlation is about 0.07.
@@ -63,79 +70,22 @@ class Components(unittest.TestCase):
             numbers, found = generator_of(f"alike{n}"), []
             for _ in range(200):
                 p = [numbers.uniform(-100, 100) for _ in range(n)]
-                found.append(list(map(float, of(name)[1].fixed(Knobs("lattice"), p, 3))))
+                found.append(list(map(float, noises.find(f"{name}_vector").fixed(KNOBS, p, 3))))
             for a, b in itertools.combinations(zip(*found), 2):
                 product = sum(x * y for x, y in zip(a, b))
                 self.assertLess(product**2, 0.09 * sum(x * x for x in a) * sum(y * y for y in b))
 
-    def test_cells_meet(self) -> None:
-        # f = 1 in one cell is f = 0 in the next: at the seam of a period, and where cells wrap without one.
-        for name, n in itertools.product(NAMES, (2, 3)):
-            for cell, following, period in ((4, 0, 5), (INT_MAX, -2**31, 0), (0, 0, 1)):
-                ends = [of(name)[1].exact_cell(Knobs("lattice"), (c, 3, 3)[:n], (f, 0.25, 0.75)[:n], 9, (period,) * n)
-                        for c, f in ((cell, 1.0), (following, 0.0))]
-                self.assertEqual(*ends)
-
     def test_only_in_two_and_three_dimensions(self) -> None:
-        for name, n, arithmetic in itertools.product(NAMES, (1, 4), ARITHMETICS):
+        for name, n, form in itertools.product(NAMES, (1, 4), FORMS):
             with self.assertRaisesRegex(ValueError, "two and three"):
-                getattr(of(name)[1], arithmetic)(Knobs("lattice"), (0.5,) * n)
+                getattr(noises.find(f"{name}_vector"), form)(KNOBS, (0.5,) * n)
+        for n, i in ((1, 0), (2, 2), (4, 1)):
+            with self.assertRaisesRegex(ValueError, f"in {n}D has no component {i}"):
+                component(noises.find("value_d"), i).exact(KNOBS, (0.5,) * n)
 
-    def check_derivatives(self) -> None:
-        """Of each component, beside differences of the exact vector."""
-        step = Fraction(1, 2**40)
-        for name in NAMES:
-            _, of_noise = of(name)
-            for p, seed, periods in places("derivatives", 8):
-                for i in range(len(p)):
-                    value, *slopes = component(noises.find(f"{name}_d"), i).exact(Knobs("lattice"), p, seed, periods)
-                    self.assertEqual(value, of_noise.exact(Knobs("lattice"), p, seed, periods)[i])
-                    for axis, slope in enumerate(slopes):
-                        low, high = (of_noise.exact(Knobs("lattice"), [x + side * step * (j == axis)
-                                                                      for j, x in enumerate(p)], seed, periods)[i]
-                                     for side in (-1, 1))
-                        self.assertLess(abs((high - low) / (2 * step) - slope), 2**-32)
-
-    def check_fixed_derivatives(self) -> None:
-        """With the bits of the vector, and near the exact ones."""
-        for name in NAMES:
-            for p, seed, periods in places("fixed derivatives", 8):
-                found = of(name)[1].fixed(Knobs("lattice"), p, seed, periods)
-                for i in range(len(p)):
-                    noise = component(noises.find(f"{name}_d"), i)
-                    value, *slopes = noise.fixed(Knobs("lattice"), p, seed, periods)
-                    self.assertEqual(value, found[i])
-                    for a, b in zip(slopes, noise.exact(Knobs("lattice"), p, seed, periods)[1:], strict=True):
-                        self.assertLess(abs(a - b), 2**-11)
-
-    def test_derivatives(self) -> None:
-        self.check_derivatives()
-        self.check_fixed_derivatives()
-
-    def test_derivatives_of_another_component_are_noticed(self) -> None:
-        for factors in ((1, 0x84A5E5, 0xEB1831), (1, 0xEB1833, 0x84A5E7)):
-            right = Lattice.word
-
-            def other(lattice: Lattice, corner: list[int]) -> int:
-                if lattice.component == 0:
-                    return right(lattice, corner)
-                word = words.point_word("lattice", lattice.point(corner), lattice.seed)
-                return word // 256 * factors[lattice.component] % 2**32
-
-            def of_noise(noise: Noise, i: int) -> Noise:
-                def patched(in_cell: Callable) -> Callable:
-                    def found(*rest: object) -> tuple:
-                        with mock.patch.object(Lattice, "word", other):
-                            return in_cell(*rest)
-                    return found
-
-                found = components.component(noise, i)
-                return replace(found, exact_in_cell=patched(found.exact_in_cell),
-                               fixed_in_cell=patched(found.fixed_in_cell))
-
-            for check in (self.check_derivatives, self.check_fixed_derivatives):
-                with mock.patch.dict(globals(), component=of_noise), self.assertRaises(AssertionError):
-                    check()
+    def test_of_a_noise_with_more_numbers_there_is_none(self) -> None:
+        with self.assertRaises(ValueError):
+            vector(lambda *_: (1, 2))(Lattice(KNOBS), (0, 0), (0, 0))
 
     def test_rows_are_of_the_component_that_they_name(self) -> None:
         numbers = generator_of("component rows")
@@ -148,19 +98,44 @@ class Components(unittest.TestCase):
             if function.has_cell:
                 cell = list(map(math.floor, p))
                 place = (*cell, *(x - c for x, c in zip(p, cell)), *periods)
-            right = (noise.fixed if fixed else noise.exact)(Knobs("lattice"), p, 5, periods)
-            self.assertEqual(evaluator(function, fixed)(Knobs("lattice"), (*place, 5)), right, function.id)
+            right = (noise.fixed if fixed else noise.exact)(KNOBS, p, 5, periods)
+            self.assertEqual(evaluator(function, fixed)(KNOBS, (*place, 5)), right, function.id)
             self.assertEqual(function.component, "xyz".index(function.id[-1]))
 
-    def test_components_that_are_not_there(self) -> None:
-        for n, i in ((1, 0), (2, 2), (4, 1)):
-            with self.assertRaisesRegex(ValueError, f"in {n}D has no component {i}"):
-                component(noises.find("value_d"), i).exact(Knobs("lattice"), (0.5,) * n)
 
-    def test_of_a_noise_with_more_numbers_there_is_none(self) -> None:
-        with self.assertRaises(ValueError):
-            vector(lambda *_: (1, 2))(Lattice(Knobs("lattice")), (0, 0), (0, 0))
+class ByHand(unittest.TestCase):
+    # The word of a lattice point, and the numbers of the vector there, times 2^22: what is left of the low 23 bits of
+    # the words, less 2^22. 0xEB1831 is 15407153, of which the bit of 2^23 is lost, and 0x84A5E5 is 8693221. All high
+    # bits are a factor of -1, but for bits beyond the lowest 24.
+    NUMBERS = {0: (-2**22,) * 3, 255: (255 - 2**22, -2**22, -2**22),
+               256: (256 - 2**22, 15407153 - 2**23 - 2**22, 8693221 - 2**23 - 2**22),
+               0x80000200: (512 - 2**22, 2 * 15407153 - 3 * 2**23 - 2**22, 2 * 8693221 - 2 * 2**23 - 2**22),
+               words.MASK: (2**22 - 1, 2 * 2**23 - 15407153 - 2**22, 2 * 2**23 - 8693221 - 2**22)}
 
+    def test_numbers_of_value_noise(self) -> None:
+        for (word, expected), n, form in itertools.product(self.NUMBERS.items(), (2, 3), FORMS):
+            with mock.patch("proof.oracle.lattice.point_word", return_value=word):
+                for p in ((7.0, -5.0, 3.0), (0.5, 0.25, -0.375)):  # all points are alike
+                    for a, b in zip(getattr(VALUES, form)(KNOBS, p[:n]), expected[:n], strict=True):
+                        self.assertLessEqual(abs(a - Fraction(b, 2**22)), Fraction(form == "fixed", 2**22), hex(word))
 
-if __name__ == "__main__":
-    unittest.main()
+    def test_on_an_edge(self) -> None:
+        """At 1/4 between two points the weights are 918 and 106 of 1024, and the fade is 27136 in units of 2^-18. Of
+        Perlin noise the offsets are (1/4, 0) and (-3/4, 0)."""
+        for n in (2, 3):
+            p, ends = (-2.75, 5.0, -8.0)[:n], [words_of((x, 5, -8)[:n], 7) for x in (-3, -2)]
+            for value, perlin, a, b in zip(VALUES.exact(PCG, p, 7), PERLIN.exact(PCG, p, 7), *ends, strict=True):
+                self.assertEqual(value, Fraction(a % 2**23 * 918 + b % 2**23 * 106, 1024 * 2**22) - 1)
+                near, far = (Fraction(gradients.OCTAHEDRAL[n](h)[0]) for h in (a, b))
+                self.assertEqual(perlin, SCALES[n] * (918 * near - 3 * 106 * far) / 4096)
+
+    def test_on_an_edge_in_fixed_arithmetic(self) -> None:
+        def ramp(h: int, d: int) -> int:
+            return 128 * (2 * (h >> 21 & 3) - 3) * d
+
+        p, ends = (-2.75, 5.0), [words_of((x, 5), 7) for x in (-3, -2)]
+        for value, perlin, a, b in zip(VALUES.fixed(PCG, p, 7), PERLIN.fixed(PCG, p, 7), *ends, strict=True):
+            n = lerp(a % 2**23 * 128 - 2**29, b % 2**23 * 128 - 2**29, 27136)
+            self.assertEqual(value, Fraction(n + 128 >> 8, 2**21))
+            n = lerp(ramp(a, UNIT // 4), ramp(b, UNIT // 4 - UNIT), 27136)
+            self.assertEqual(perlin, Fraction(((n + 256 >> 9) * 1831 + 256) >> 9, 2**21))

@@ -5,27 +5,22 @@ from __future__ import annotations
 import unittest
 from fractions import Fraction
 
-from proof.golden.generator import generator_of
 from proof.oracle import curl, noises, words
 from proof.oracle.curl import CURL
-from proof.oracle.gradients import Knobs
-from proof.oracle.integers import SLOPE_UNIT, UNIT
-from proof.oracle.slopes_test import quotient
+from proof.oracle.testing import FORMS, KNOBS, moved, places, quotient
 
-KNOBS = Knobs("lattice")
 SIMPLEX_D = noises.find("simplex_d")
 SEED = 0xDEADBEEF
 
 
 def points(n: int, count: int) -> list[list[Fraction]]:
-    numbers = generator_of(f"curl{n}")
-    return [[Fraction(numbers.integer(-2**26, 2**26), UNIT) for _ in range(n)] for _ in range(count)]
+    return [p for p, _ in places("curl", n, count)]
 
 
 class Curl(unittest.TestCase):
     def test_in_the_plane(self) -> None:
         for p in points(2, 8):
-            for form in ("exact", "fixed"):
+            for form in FORMS:
                 _, dx, dy = getattr(SIMPLEX_D, form)(KNOBS, p, SEED, (3, 0))
                 self.assertEqual(getattr(CURL, form)(KNOBS, p, SEED, (3, 0)), (dy, -dx))
 
@@ -39,12 +34,7 @@ class Curl(unittest.TestCase):
     def test_it_has_no_divergence(self) -> None:
         for n in (2, 3):
             for p in points(n, 3):
-                total = Fraction(0)
-                for axis in range(n):
-                    def component(x: Fraction, axis: int = axis) -> Fraction:
-                        return CURL.exact(KNOBS, [*p[:axis], x, *p[axis + 1:]], SEED)[axis]
-
-                    total += quotient(component, p[axis], Fraction(1, 2**26))
+                total = sum(quotient(lambda x: CURL.exact(KNOBS, moved(p, axis, x), SEED)[axis]) for axis in range(n))
                 self.assertLess(abs(total), 2**-70)
 
     def test_products_by_hand(self) -> None:
@@ -56,20 +46,7 @@ class Curl(unittest.TestCase):
         self.assertEqual(curl.prod(511, 511), 0)
         self.assertEqual(curl.prod(2**19, 1), 2)
 
-    def test_products_are_near(self) -> None:
-        numbers = generator_of("products")
-        for _ in range(1000):
-            a, b = (numbers.integer(-2**22, 2**22) for _ in range(2))
-            self.assertTrue(-2 < curl.prod(a, b) - Fraction(a * b, 2**18) <= 0)
-
     def test_a_component_is_rounded_to_nearest(self) -> None:
         # In units of 2^-19; those of 2^-16 are multiples of 8. The products are 24 and 23 in units of 2^-20.
         for low, expected in ((12, 16), (11, 8)):
             self.assertEqual(curl.fixed_component((0, 2**19, 0), (0, 0, low), 1, 2), expected)
-
-    def test_fixed_arithmetic_is_near(self) -> None:
-        for n in (2, 3):
-            for p in points(n, 30):
-                for exact, fixed in zip(CURL.exact(KNOBS, p, SEED), CURL.fixed(KNOBS, p, SEED), strict=True):
-                    self.assertLess(abs(exact - fixed), 2**-7)
-                    self.assertEqual((fixed * (SLOPE_UNIT if n == 2 else 2**16)).denominator, 1)

@@ -158,56 +158,11 @@ class Distances(unittest.TestCase):
                                            ("exact", "fixed")):
             self.assertEqual(getattr(noise, of)(LATTICE, (3.0, 2.5, -7.5)), (EIGHTH * 2, EIGHTH * 2, EIGHTH * 10))
 
-    def test_fixed_is_near(self) -> None:
-        for n, metric, name in itertools.product((2, 3), METRICS, ("cellular", "cellular_three")):
-            numbers = generator_of(f"{name}{n}{metric}")
-            for index in range(12):
-                p, seed = [Fraction(numbers.integer(-2**26, 2**26), UNIT) for _ in range(n)], numbers.word()
-                noise = noises.find(name).chosen(Choice((0.0, 1.0, numbers.uniform(0, 1))[index % 3], metric))
-                for exact, fixed in zip(noise.exact(LATTICE, p, seed), noise.fixed(LATTICE, p, seed), strict=True):
-                    self.assertLess(abs(exact - fixed), 2**-16)
-
-
-def every_distance(p: Sequence[float], seed: int, jitter: float, metric: int, around: int) -> list[float]:
-    """In floats, to the points of all cells of a block, sorted."""
-    def of(d: Sequence[float]) -> float:
-        magnitudes = list(map(abs, d))
-        return {SQUARED: sum(x * x for x in d), MANHATTAN: sum(magnitudes), CHEBYSHEV: max(magnitudes),
-                HYBRID: sum(magnitudes) + sum(x * x for x in d)}.get(metric, math.hypot(*d))
-
-    found = []
-    for beside in itertools.product(range(-around, around + 1), repeat=len(p)):
-        cell = [math.floor(x) + o for x, o in zip(p, beside)]
-        h = Lattice(LATTICE, seed).word(cell)
-        u = direction2(h) if len(p) == 2 else direction3(h)
-        found.append(of([x - (c + 0.5 + jitter / 2 * a) for x, c, a in zip(p, cell, u)]))
-    return sorted(found)
-
-
 class Searches(unittest.TestCase):
     def samples(self, n: int, count: int) -> list[tuple[list[float], int, float]]:
         numbers = generator_of(f"searches{n}")
         return [([numbers.uniform(-20, 20) for _ in range(n)], numbers.word(),
                  (1.0, 0.0, numbers.uniform(0, 1), 1.0)[index % 4]) for index in range(count)]
-
-    def check_complete(self, n: int, count: int) -> None:
-        for metric, (p, seed, jitter) in itertools.product(METRICS, self.samples(n, count)):
-            expected = every_distance(p, seed, jitter, metric, 4 if n == 2 else 3)
-            for found, distance in zip(noises.find("cellular_three").chosen(Choice(jitter, metric)).exact(
-                    LATTICE, p, seed), expected):
-                self.assertAlmostEqual(float(found), distance, 12)
-
-    def test_no_point_is_left_out(self) -> None:
-        self.check_complete(2, 24)
-        self.check_complete(3, 6)
-
-    def test_a_search_that_stops_too_early_is_found(self) -> None:
-        # It takes cells for farther away than they are.
-        all_candidates = Field.candidates
-        with mock.patch.object(Field, "candidates", lambda field: (
-                (beside, tuple(x + field.arithmetic.unit // 4 for x in least))
-                for beside, least in all_candidates(field))), self.assertRaises(AssertionError):
-            self.check_complete(2, 24)
 
     def test_a_block_that_is_too_small_is_found(self) -> None:
         for name, around in (("cellular", 0), ("cellular_three", 1), ("cellular_smooth", 0), ("cell_border", 1)):

@@ -11,18 +11,14 @@ from fractions import Fraction
 from unittest import mock
 
 from proof.golden.generator import INT_MAX, INT_MIN, generator_of, to_f32
-from proof.oracle import frames, gullies, noises, sums
-from proof.oracle.checked import Checked
-from proof.oracle.gradients import Knobs, Real
-from proof.oracle.lattice import Choice
+from proof.oracle import frames, gullies, sums
+from proof.oracle.gradients import Real
 from proof.oracle.noises.phasor_test import naive
 from proof.oracle.sums import Options
+from proof.oracle.testing import KNOBS, Checked
 from proof.oracle.words import MASK, SEED_STEP
 
-KNOBS = Knobs("lattice")
 DEFAULT = Options(3, 2.0, 0.5, depth=0.1, ex=0.6, ey=-0.3)
-EIGHTH = Fraction(1, 8)
-
 # How far fixed arithmetic may be off with up to three octaves of the depths of `places`: in the height, and in a slope.
 # The worst of 960 were 2^-8.8 and 2^-6.4: an octave where there is hardly a slope runs anywhere.
 ERROR, SLOPE_ERROR = 2**-8, 2**-6
@@ -99,6 +95,10 @@ VECTORS = (
      (91897, -10664, -1829)))
 
 
+# What faults are made of.
+UNIT_OF, FIXED_UNIT, GROWTHS, AT = gullies.unit_of, gullies.fixed_unit, gullies.fixed_growths, gullies.PHASOR.exact_in_cell
+
+
 class Gullies(Checked, unittest.TestCase):
     def check_floats(self) -> None:
         for p, options, *others in places("floats"):
@@ -146,67 +146,29 @@ class Gullies(Checked, unittest.TestCase):
             self.assertTrue({dx, dy} & {7, -9}, (dx, dy))
 
     CHECKS = ("floats", "fixed", "program", "differences", "clamps")
-
-    def test_a_changed_constant_is_noticed(self) -> None:
-        unit_of, fixed_unit, over, growths = gullies.unit_of, gullies.fixed_unit, gullies.over, gullies.fixed_growths
-        for name, other, noticing in (
-                ("LARGEST_SLOPE", 9, ("clamps",)), ("LARGEST_FIXED_SLOPE", 9 * 2**16, ("clamps",)),
-                ("LARGEST_DEPTH", 9, ("clamps",)), ("SLOPE_UNIT", 2**15, ("fixed", "program")),
-                ("NOTHING", (), ("floats",)),
-                ("wave_of", lambda u: (-u[1], u[0]), ("floats", "program")),
-                ("wave_of", lambda u: (Fraction(3, 2) * u[1], Fraction(-3, 2) * u[0]), ("floats", "program")),
-                ("wave_of", lambda u: (Fraction(3, 2) * u[0], Fraction(3, 2) * u[1]), ("floats", "program")),
-                ("unit_of", lambda e: (unit_of(e)[0], 1), ("floats", "fixed")),
-                ("unit_of", lambda e: ([x / 2 for x in unit_of(e)[0]], unit_of(e)[1]), ("floats", "fixed")),
-                ("fixed_unit", lambda e: (fixed_unit(e)[0], 2**18), ("fixed", "program")),
-                ("over", lambda x, d: over(x, d + 1), ("program",)),
-                ("fixed_growths", lambda options: (g + 1 for g in growths(options)), ("program",)),
-                ("fixed_growths", lambda options: itertools.repeat(next(growths(options))), ("program",)),
-                ("coarse", lambda v: v, ("program",))):
-            with self.subTest(name), mock.patch.object(gullies, name, other):
-                self.assert_noticed(*noticing)
-
-    def test_what_is_left_out_is_noticed(self) -> None:
-        right = sums.visible
-        with mock.patch.object(sums, "visible", lambda options, i: right(replace(options, footprint=0), i)):
-            self.assert_noticed("floats", "fixed")
-        with mock.patch.object(sums, "fixed_visible", lambda options: itertools.repeat(2**18)):
-            self.assert_noticed("fixed", "program")
-        of = gullies.PHASOR.exact_in_cell
-        without_seed = replace(gullies.PHASOR, exact_in_cell=lambda lattice, *rest: of(replace(lattice, seed=0), *rest))
-        with mock.patch.object(gullies, "PHASOR", without_seed):
-            self.assert_noticed("floats", "fixed")
+    FAULTS = (
+        (gullies, "LARGEST_SLOPE", 9, ("clamps",)), (gullies, "LARGEST_FIXED_SLOPE", 9 * 2**16, ("clamps",)),
+        (gullies, "LARGEST_DEPTH", 9, ("clamps",)), (gullies, "NOTHING", (), ("floats",)),
+        (gullies, "wave_of", lambda u: (-u[1], u[0]), ("floats", "program")),
+        (gullies, "wave_of", lambda u: (Fraction(3, 2) * u[1], Fraction(-3, 2) * u[0]), ("floats", "program")),
+        (gullies, "unit_of", lambda e: (UNIT_OF(e)[0], 1), ("floats", "fixed")),
+        (gullies, "fixed_unit", lambda e: (FIXED_UNIT(e)[0], 2**18), ("fixed", "program")),
+        (gullies, "fixed_growths", lambda options: itertools.repeat(next(GROWTHS(options))), ("program",)),
+        (gullies, "coarse", lambda v: v, ("program",)),
+        (gullies, "PHASOR", replace(gullies.PHASOR, exact_in_cell=lambda lattice, *rest: AT(replace(lattice, seed=0), *rest)),
+         ("floats", "fixed")),
+        (gullies, "PHASOR", replace(gullies.PHASOR, exact_in_cell=lambda *rest: tuple(2 * x for x in AT(*rest)[:1]) + AT(*rest)[1:]),
+         ("differences",)),
+        (sums, "visible", lambda options, i: Fraction(1), ("floats", "fixed")),
+        (sums, "fixed_visible", lambda options: itertools.repeat(2**18), ("fixed", "program")))
 
 
 class ByHand(unittest.TestCase):
-    def test_of_no_slope_there_is_nothing(self) -> None:
-        for of, octaves, depth in itertools.product((exact, fixed), (-1, 0, 1, 4, 33), (0.0, 0.1, 8.0)):
-            self.assertEqual(of((0.3, 0.7), Options(octaves, 2.0, 0.5, depth=depth)), (0, 0, 0))
-
-    def test_without_octaves_or_depth_there_is_nothing(self) -> None:
+    def test_of_no_slope_octaves_or_depth_there_is_nothing(self) -> None:
         for of in (exact, fixed):
-            for options in (replace(DEFAULT, octaves=0), replace(DEFAULT, octaves=-3), replace(DEFAULT, depth=0.0)):
-                self.assertEqual(of((0.3, 0.7), options), (0, 0, 0))
-
-    def test_one_octave(self) -> None:
-        # A slope that is 3/8 long: with an eighth more it leaves 3/4 of a wave, of which there are 9/8 in a cell.
-        noise = noises.find("phasor_d").chosen(Choice(wave=(Fraction(-9, 8), Fraction(0))))
-        value, _, dx, _, dy, _ = noise.exact(KNOBS, (Fraction(5, 16), Fraction(3, 4)), 9)
-        options = Options(1, 2.0, 0.5, depth=0.5, ex=0, ey=Fraction(3, 8))
-        found = exact((0.3125, 0.75), options, 9)
-        for a, b in zip(found, (value, dx, dy), strict=True):
-            self.assertLess(abs(a - Fraction(3, 8) * b), 2**-200)
-
-    def test_a_second_octave_runs_across_the_slope_that_the_first_has_left(self) -> None:
-        options = Options(2, 3.0, Fraction(1, 4), depth=0.125, ex=Fraction(1, 2), ey=Fraction(-1, 4))
-        _, dx, dy = exact((0.3125, 0.75), replace(options, octaves=1), 9)
-        # The settings of an octave, as if it was the first: what it adds counts 3/4 as much, and its height 1/4.
-        left = replace(options, octaves=1, ex=options.ex + dx, ey=options.ey + dy)
-        q = [3 * Fraction(5, 16) + Fraction(11, 32), 3 * Fraction(3, 4) + Fraction(19, 32)]
-        one, both = (exact((0.3125, 0.75), replace(options, octaves=octaves), 9) for octaves in (1, 2))
-        second = exact(q, left, 9 + SEED_STEP & MASK)
-        for a, b, c, share in zip(both, one, second, (Fraction(1, 4), Fraction(3, 4), Fraction(3, 4)), strict=True):
-            self.assertLess(abs(a - b - share * c), 2**-200)
+            for octaves, depth, ex in itertools.chain(itertools.product((1, 4, 33), (0.1, 8.0), (0.0,)),
+                                                      ((-3, 0.1, 0.6), (0, 0.1, 0.6), (3, 0.0, 0.6))):
+                self.assertEqual(of((0.3, 0.7), Options(octaves, 2.0, 0.5, depth=depth, ex=ex)), (0, 0, 0))
 
     def test_a_position_is_in_a_tile_without_periods(self) -> None:
         for of in (exact, fixed):
@@ -246,7 +208,3 @@ class ByHand(unittest.TestCase):
         self.assertEqual(growths(14, 2.0, 1.0, 1.0)[-1], -2**31)
         with mock.patch.object(frames, "wrapped", lambda n: n):
             self.assertEqual(growths(14, 2.0, 1.0, 1.0)[-1], 2**31)
-
-
-if __name__ == "__main__":
-    unittest.main()

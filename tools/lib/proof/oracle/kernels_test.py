@@ -15,7 +15,6 @@ from proof.oracle.integers import UNIT
 from proof.oracle.kernels import Kernel
 from proof.oracle.lattice import Lattice
 from proof.oracle.noises import simplex, simplex_smooth
-from proof.oracle.slopes_test import quotient
 
 KNOBS = Knobs("lattice")
 # Each noise with each of its kernels.
@@ -27,12 +26,6 @@ def fractions(n: int, count: int) -> Iterator[tuple[Fraction, ...]]:
     numbers = generator_of(f"kernels{n}")
     for _ in range(count):
         yield tuple(Fraction(numbers.integer(0, UNIT), UNIT) for _ in range(n))
-
-
-def positions(n: int, count: int) -> Iterator[tuple[list[Fraction], int]]:
-    numbers = generator_of(f"positions{n}")
-    for _ in range(count):
-        yield [Fraction(numbers.integer(-2**26, 2**26), UNIT) for _ in range(n)], numbers.word()
 
 
 class Points(unittest.TestCase):
@@ -190,58 +183,6 @@ class Noises(unittest.TestCase):
         self.assertEqual(noises.find("simplex").exact(Knobs("pcg"), (3.5, -1.25, 5.5), 7),
                          (Fraction(4918, 1024) * t**4 * Fraction(gradients.gradient3(centre)[1]) * quarter,))
 
-    def test_cells_meet(self) -> None:
-        # f = 1 in one cell is f = 0 in the next: at the seam of a period, and where cells wrap without one.
-        numbers = generator_of("meet")
-        for (name, n, _), (cell, following, period) in itertools.product(
-                KERNELS, ((4, 0, 5), (INT_MAX, -2**31, 0), (INT_MAX, 1, INT_MAX), (1, 0, 2), (0, 0, 1))):
-            for axis in range(n):
-                f = [numbers.integer(0, 64) / 64 for _ in range(n)]
-                ends = [[of(KNOBS, [c if i == axis else 3 for i in range(n)],
-                            [x if i == axis else y for i, y in enumerate(f)], 9, (period,) * n)
-                         for c, x in ((cell, 1.0), (following, 0.0))]
-                        for of in (noises.find(name).exact_cell, noises.find(name).fixed_cell)]
-                for at_ends in ends:
-                    self.assertEqual(*at_ends)
-
-    def test_the_gradient_of_the_knobs_does_not_matter(self) -> None:
-        for name, n, _ in KERNELS:
-            for p, seed in positions(n, 2):
-                noise = noises.find(name)
-                for of in (noise.exact, noise.fixed):
-                    self.assertEqual(of(KNOBS, p, seed), of(Knobs("lattice", sine=True), p, seed))
-
-    def test_the_value_is_that_with_derivatives(self) -> None:
-        for n in simplex.KERNELS:
-            for p, seed in positions(n, 8):
-                for form in ("exact", "fixed"):
-                    value, *slopes = getattr(noises.find("simplex_d"), form)(KNOBS, p, seed, (5,) * n)
-                    self.assertEqual((value,), getattr(noises.find("simplex"), form)(KNOBS, p, seed, (5,) * n))
-                    self.assertEqual(len(slopes), n)
-
-    def check_quotients(self, derivatives: Callable, plain: Callable, n: int) -> None:
-        """Exact derivatives are the limits of exact difference quotients, with a period, too."""
-        for (p, seed), periods in itertools.product(positions(n, 3), ((), (5,) * n)):
-            found = derivatives(KNOBS, p, seed, periods)
-            for axis in range(n):
-                def moved(x: Fraction, axis: int = axis) -> Fraction:
-                    return plain(KNOBS, [*p[:axis], x, *p[axis + 1:]], seed, periods)[0]
-
-                limit = quotient(moved, p[axis], Fraction(1, 2**26))
-                self.assertLess(abs(limit - found[1 + axis]), 2**-80)
-
-    def test_derivatives_are_the_limits_of_difference_quotients(self) -> None:
-        for n, suffix in ((2, ""), (3, ""), (4, ""), (2, "_phase"), (3, "_phase")):
-            plain, both = noises.find("simplex" + suffix), noises.find("simplex_d" + suffix)
-            if suffix:
-                plain, both = plain.turned(0.3), both.turned(0.3)
-            self.check_quotients(both.exact, plain.exact, n)
-
-    def test_derivatives_per_step_are_noticed(self) -> None:
-        of = noises.find("simplex_d").exact
-        with self.assertRaises(AssertionError):
-            self.check_quotients(lambda *args: [x / 2 for x in of(*args)], noises.find("simplex").exact, 2)
-
     def test_no_crease_where_a_point_begins_to_count(self) -> None:
         # Along a line through many ends the second differences, as fast as they change, do not leap.
         step = Fraction(1, 2**7)
@@ -251,19 +192,6 @@ class Noises(unittest.TestCase):
             for _ in range(2):
                 values = [(b - a) / step for a, b in itertools.pairwise(values)]
             self.assertLess(max(abs(b - a) for a, b in itertools.pairwise(values)), 16)
-
-    def test_fixed_arithmetic_is_near(self) -> None:
-        for name, n, _ in KERNELS:
-            for p, seed in positions(n, 40):
-                (exact,), (fixed,) = (of(KNOBS, p, seed) for of in (noises.find(name).exact, noises.find(name).fixed))
-                self.assertLess(abs(exact - fixed), 2**-12)
-        both = noises.find("simplex_d")
-        for n in simplex.KERNELS:
-            for p, seed in positions(n, 40):
-                _, *slopes = zip(both.exact(KNOBS, p, seed), both.fixed(KNOBS, p, seed), strict=True)
-                for exact, fixed in slopes:
-                    self.assertLess(abs(exact - fixed), 2**-9)
-                    self.assertEqual((fixed * (2**19 if n > 2 else 2**18)).denominator, 1)
 
     def largest(self, kernel: Kernel, fraction: tuple[int, ...], of: Callable) -> int:
         """With gradients towards the position at every point."""

@@ -5,18 +5,19 @@ A noise that is added needs no test here. Each check must find the fault that is
 
 from __future__ import annotations
 
+import functools
 import itertools
 import math
 import unittest
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from fractions import Fraction
 
 from base.thorough import THOROUGH
 from proof.bounds import table
 from proof.bounds.table import Bounds
-from proof.golden.generator import Generator, generator_of
-from proof.oracle import noises
+from proof.golden.generator import INT_MAX, INT_MIN, generator_of, to_f32
+from proof.oracle import gradients, noises
 from proof.oracle.components import component
 from proof.oracle.curl import CURL
 from proof.oracle.gradients import Knobs
@@ -24,6 +25,7 @@ from proof.oracle.hexes import HEXES
 from proof.oracle.integers import NOISE_UNIT, UNIT
 from proof.oracle.lattice import Choice, Lattice
 from proof.oracle.noises import Noise
+from proof.oracle.testing import FORMS, Place, moved, places, quotient
 
 PERIOD = 48
 POINTS = 24
@@ -32,12 +34,12 @@ WAVE = (2.25, -1.5, 0.7)  # of phasor noise
 # How much of their range values use at least. The factors of a product, as a curl in space is, are seldom large
 # together, and nearly all positions are far nearer to points of cells, and to borders, than the farthest one.
 USED, SELDOM_USED = 0.5, 0.25
-
-
 # What has bounds and a place as noises have, and is none. Of a vector with derivatives the second component stands for
 # all.
 NO_NOISES = {of.name: of for of in (CURL, HEXES)} | {
     f"{of}_vector_d": component(noises.find(f"{of}_d"), 1) for of in ("perlin", "value")}
+# In fixed arithmetic interpolation to the end of a cell, and a turn of positions, round.
+ROUND_AT_SEAMS = ("perlin", "value", "cellular_phase")
 
 
 def settings(bounds: Bounds) -> list[Knobs]:
@@ -50,12 +52,16 @@ def tried_settings(bounds: Bounds) -> list[Knobs]:
     return settings(bounds) if THOROUGH else settings(bounds)[:1]
 
 
-def noise_of(bounds: Bounds) -> Noise:
+def named(name: str, n: int) -> Noise:
     """With its gradients turned, if they turn."""
-    noise = NO_NOISES.get(bounds.noise) or noises.find(bounds.noise)
-    if bounds.noise in ("phasor", "phasor_d"):
-        noise = noise.chosen(Choice(wave=WAVE[:bounds.dimensions]))
+    noise = NO_NOISES.get(name) or noises.find(name)
+    if name.startswith("phasor"):
+        noise = noise.chosen(Choice(wave=WAVE[:n]))
     return noise if noise.phase is None else noise.turned(PHASE)
+
+
+def has_derivatives(bounds: Bounds) -> bool:
+    return "_d" in bounds.noise
 
 
 def is_cellular(noise: Noise) -> bool:
@@ -74,36 +80,63 @@ def values_of(noise: Noise, numbers: Sequence[Fraction]) -> Sequence[Fraction]:
     return numbers if is_cellular(noise) or noise.outputs == noises.VECTOR else numbers[:1]
 
 
-def points(bounds: Bounds, numbers: Generator, count: int = POINTS) -> Iterator[tuple[list[Fraction], int]]:
-    """Positions that fixed arithmetic does not cut, and seeds."""
-    for _ in range(count):
-        yield [Fraction(numbers.integer(-2**26, 2**26), UNIT) for _ in range(bounds.dimensions)], numbers.word()
+def derivatives_of(noise: Noise, numbers: Sequence[Fraction], of: str = "d") -> list[Fraction]:
+    """Of the value, or with "q" of the quadrature."""
+    return [number for name, number in zip(noise.outputs, numbers) if len(name) == 2 and name[0] == of]
+
+
+def points(bounds: Bounds, name: str, count: int = POINTS) -> list[Place]:
+    return list(places(name, bounds.dimensions, count))
+
+
+def of_every_noise(check: Callable[[EveryNoise, Noise, Bounds], None]) -> Callable[[EveryNoise], None]:
+    """The test that the check passes; `check` of it takes other noises."""
+    @functools.wraps(check)
+    def test(self: EveryNoise) -> None:
+        for bounds in table.read():
+            with self.subTest(noise=bounds.noise, dimensions=bounds.dimensions, gradient=bounds.gradient):
+                check(self, named(bounds.noise, bounds.dimensions), bounds)
+
+    test.check = check
+    return test
 
 
 class EveryNoise(unittest.TestCase):
-    def check_position(self, noise: Noise, bounds: Bounds) -> None:
-        """A position is a cell and a fraction, down to the smallest cell."""
+    def test_every_noise_has_bounds(self) -> None:
+        self.assertEqual(sorted({bounds.noise for bounds in table.read()}), sorted([*noises.names(), *NO_NOISES]))
+
+    @of_every_noise
+    def test_a_position_is_a_cell_and_a_fraction(self, noise: Noise, bounds: Bounds) -> None:
+        """Down to the smallest cell."""
         smallest = [Fraction(-2**31)] + [Fraction(1, 4)] * (bounds.dimensions - 1)
         for knobs, period in itertools.product(tried_settings(bounds), (0, PERIOD)):
-            for p, seed in [*points(bounds, generator_of("position"), 8), (smallest, 3)]:
+            for p, seed in [*points(bounds, "position", 8), (smallest, 3)]:
                 cell = [math.floor(x) for x in p]
                 f = [x - c for x, c in zip(p, cell)]
                 arguments = (seed, (period,) * bounds.dimensions)
                 self.assertEqual(noise.exact(knobs, p, *arguments), noise.exact_cell(knobs, cell, f, *arguments))
                 self.assertEqual(noise.fixed(knobs, p, *arguments), noise.fixed_cell(knobs, cell, f, *arguments))
 
-    def check_fixed(self, noise: Noise, bounds: Bounds) -> None:
-        """Fixed arithmetic is within its bound, and gives floats."""
+    @of_every_noise
+    def test_fixed_arithmetic_is_within_its_bound_and_gives_floats(self, noise: Noise, bounds: Bounds) -> None:
+        slope_error = table.slope_bounds_of(bounds.noise, bounds.dimensions).fixed_error if has_derivatives(bounds) else 0
         for knobs, of in itertools.product(tried_settings(bounds), with_each_metric(noise)):
-            for p, seed in points(bounds, generator_of("fixed")):
-                for fixed, exact, unit in zip(values_of(of, of.fixed(knobs, p, seed)), of.exact(knobs, p, seed), of.units):
-                    self.assertLessEqual(abs(fixed - exact), bounds.fixed_error)
-                    self.assertEqual((fixed * unit).denominator, 1)
+            for p, seed in points(bounds, "fixed"):
+                exact, fixed = of.exact(knobs, p, seed), of.fixed(knobs, p, seed)
+                for a, b in zip(values_of(of, exact), values_of(of, fixed), strict=True):
+                    self.assertLessEqual(abs(a - b), bounds.fixed_error)
+                for number, unit in zip(fixed, of.units):
+                    self.assertEqual((number * unit).denominator, 1)
+                    self.assertTrue(unit == 1 or to_f32(float(number)) == number)
+                # Near a point of a cell the direction to it is less certain.
+                error = slope_error / exact[0] if bounds.noise == "cellular_d" else slope_error
+                for a, b in zip(derivatives_of(of, exact), derivatives_of(of, fixed), strict=True):
+                    self.assertLessEqual(abs(a - b), error)
 
-    def check_range(self, noise: Noise, bounds: Bounds) -> None:
-        """Values are in their range, and use it."""
+    @of_every_noise
+    def test_values_are_in_their_range_and_use_it(self, noise: Noise, bounds: Bounds) -> None:
         for knobs in tried_settings(bounds):
-            sample = list(itertools.product(with_each_metric(noise), points(bounds, generator_of("range"), 2 * POINTS)))
+            sample = list(itertools.product(with_each_metric(noise), points(bounds, "range", 2 * POINTS)))
             exact = [value for of, (p, seed) in sample for value in values_of(of, of.exact(knobs, p, seed))]
             fixed = [value for of, (p, seed) in sample for value in values_of(of, of.fixed(knobs, p, seed))]
             for values, limit in ((exact, bounds.limit), (fixed, bounds.fixed_limit)):
@@ -111,70 +144,127 @@ class EveryNoise(unittest.TestCase):
                 seldom = noise.name in (CURL.name, "cell_border") or is_cellular(noise)
                 self.assertGreater(max(values) - min(values), (SELDOM_USED if seldom else USED) * limit)
 
-    def check_period(self, noise: Noise, bounds: Bounds) -> None:
-        """Along the axis that has a period a noise repeats, along the others it does not."""
+    @of_every_noise
+    def test_a_period_takes_effect_along_its_axis(self, noise: Noise, bounds: Bounds) -> None:
         for knobs, with_period in itertools.product(tried_settings(bounds), range(bounds.dimensions)):
             periods = [PERIOD if i == with_period else -PERIOD for i in range(bounds.dimensions)]
             for axis in range(bounds.dimensions):
-                for p, seed in points(bounds, generator_of("period"), 2):
-                    moved = [x + PERIOD * (i == axis) for i, x in enumerate(p)]
+                for p, seed in points(bounds, "period", 2):
                     for of in (noise.exact, noise.fixed):
-                        same = of(knobs, p, seed, periods) == of(knobs, moved, seed, periods)
+                        same = of(knobs, p, seed, periods) == of(knobs, moved(p, axis, PERIOD), seed, periods)
                         self.assertEqual(same, axis == with_period, knobs)
 
-    def check_no_period(self, noise: Noise, bounds: Bounds) -> None:
-        """Where no point is moved, a period changes nothing."""
-        for knobs, (p, seed) in itertools.product(tried_settings(bounds), points(bounds, generator_of("no period"), 4)):
+    @of_every_noise
+    def test_a_period_changes_nothing_where_no_point_is_moved(self, noise: Noise, bounds: Bounds) -> None:
+        for knobs, (p, seed) in itertools.product(tried_settings(bounds), points(bounds, "no period", 4)):
             inside = [abs(x) % 8 + 1 for x in p]
             for of, period in itertools.product((noise.exact, noise.fixed), (0, -1, 2**31 - 1, 11)):
                 self.assertEqual(of(knobs, inside, seed), of(knobs, inside, seed, (period,) * bounds.dimensions))
 
-    def check_seeds(self, noise: Noise, bounds: Bounds) -> None:
-        """Every seed gives another field."""
+    @of_every_noise
+    def test_every_seed_gives_another_field(self, noise: Noise, bounds: Bounds) -> None:
         for knobs in tried_settings(bounds):
             # At two places: some two of 32 seeds may well give the nearest cell the same of 1024 points.
-            two = [p for p, _ in points(bounds, generator_of("seeds"), 2)]
+            two = [p for p, _ in points(bounds, "seeds", 2)]
             for of in (noise.exact, noise.fixed):
                 self.assertEqual(len({tuple(of(knobs, p, seed) for p in two) for seed in range(32)}), 32)
 
-    def check_hashes(self, noise: Noise, bounds: Bounds) -> None:
-        """So does every hash."""
+    @of_every_noise
+    def test_so_does_every_hash(self, noise: Noise, bounds: Bounds) -> None:
         lattice, fnv1 = settings(bounds)
-        for p, seed in points(bounds, generator_of("hashes"), 4):
+        for p, seed in points(bounds, "hashes", 4):
             for of in (noise.exact, noise.fixed):
                 self.assertNotEqual(of(lattice, p, seed), of(fnv1, p, seed))
 
-    def on_every_noise(self, check: Callable[[Noise, Bounds], None]) -> None:
-        for bounds in table.read():
-            with self.subTest(noise=bounds.noise, dimensions=bounds.dimensions, gradient=bounds.gradient):
-                check(noise_of(bounds), bounds)
+    @of_every_noise
+    def test_the_end_of_a_cell_is_where_the_next_one_begins(self, noise: Noise, bounds: Bounds) -> None:
+        """Also at the seam of a period, and where cells wrap without one. Noises that jump do not meet."""
+        if math.isinf(bounds.lipschitz):
+            return
+        n, numbers = bounds.dimensions, generator_of("seams")
+        forms = [noise.exact_cell, *([] if noise.name.startswith(ROUND_AT_SEAMS) else [noise.fixed_cell])]
+        for axis, (cell, following, period) in itertools.product(
+                range(n), ((-1, 0, 0), (4, 0, 5), (INT_MAX, INT_MIN, 0), (INT_MAX, 1, INT_MAX), (1, 0, 2), (0, 0, 1))):
+            f = [numbers.integer(0, 64) / 64 for _ in range(n)]
+            for of in forms:
+                end, begin = (of(settings(bounds)[0], [c if i == axis else 3 for i in range(n)],
+                                 [x if i == axis else y for i, y in enumerate(f)], 9, (period,) * n)
+                              for c, x in ((cell, 1.0), (following, 0.0)))
+                self.assertEqual(end, begin)
 
-    def test_every_noise_has_bounds(self) -> None:
-        self.assertEqual(sorted({bounds.noise for bounds in table.read()}), sorted([*noises.names(), *NO_NOISES]))
+    @of_every_noise
+    def test_noise_is_0_at_lattice_points(self, noise: Noise, bounds: Bounds) -> None:
+        """That of gradients."""
+        if bounds.noise.startswith(("perlin", "simplex")):
+            for knobs, c in itertools.product(settings(bounds), (-3, 0, -0.0, 7, 2**23, -2**31, 3e38)):
+                for of in (noise.exact, noise.fixed):
+                    self.assertEqual({*values_of(noise, of(knobs, (c,) * bounds.dimensions, 5))}, {0})
 
-    def test_a_position_is_a_cell_and_a_fraction(self) -> None:
-        self.on_every_noise(self.check_position)
+    @of_every_noise
+    def test_the_sine_gradient_is_that_of_perlin_noise_alone(self, noise: Noise, bounds: Bounds) -> None:
+        """In the plane and in space, without derivatives. Others refuse it, or have no use for it."""
+        p, n = (0.3, 0.7, 0.9, 0.2)[:bounds.dimensions], bounds.dimensions
+        for of in (noise.exact, noise.fixed):
+            if bounds.noise == "perlin" and n in (2, 3):
+                self.assertNotEqual(of(Knobs("lattice"), p), of(Knobs("lattice", sine=True), p))
+            elif bounds.noise.startswith("perlin"):
+                with self.assertRaisesRegex(ValueError, "sine gradient"):
+                    of(Knobs("lattice", sine=True), p)
+            else:
+                self.assertEqual(of(Knobs("lattice"), p), of(Knobs("lattice", sine=True), p))
 
-    def test_fixed_arithmetic_is_within_its_bound(self) -> None:
-        self.on_every_noise(self.check_fixed)
+    def plain(self, bounds: Bounds) -> tuple[Noise, int]:
+        """The noise without derivatives, and which of its numbers has them."""
+        return named(bounds.noise.replace("_d", ""), bounds.dimensions), int("_vector" in bounds.noise)
 
-    def test_values_are_in_their_range(self) -> None:
-        self.on_every_noise(self.check_range)
+    @of_every_noise
+    def test_with_derivatives_it_is_the_same_noise(self, noise: Noise, bounds: Bounds) -> None:
+        if has_derivatives(bounds):
+            plain, i = self.plain(bounds)
+            count = 2 if "phasor" in bounds.noise else 1
+            for (p, seed), form, period in itertools.product(points(bounds, "derivatives", 4), FORMS, (0, 5)):
+                arguments = (settings(bounds)[0], p, seed, (period,) * bounds.dimensions)
+                self.assertEqual(getattr(noise, form)(*arguments)[:count], getattr(plain, form)(*arguments)[i:i + count])
 
-    def test_a_period_takes_effect(self) -> None:
-        self.on_every_noise(self.check_period)
+    @of_every_noise
+    def test_derivatives_are_the_limits_of_difference_quotients(self, noise: Noise, bounds: Bounds) -> None:
+        if has_derivatives(bounds):
+            plain, first = self.plain(bounds)
+            for index, (p, seed) in enumerate(points(bounds, "derivatives", 4)):
+                arguments = (seed, (5 * (index % 2),) * bounds.dimensions)
+                found = noise.exact(settings(bounds)[0], p, *arguments)
+                for i, name in enumerate("dq"):
+                    for axis, slope in enumerate(derivatives_of(noise, found, name)):
+                        limit = quotient(lambda x: plain.exact(settings(bounds)[0], moved(p, axis, x), *arguments)[first + i])
+                        self.assertLess(abs(limit - slope), 2**-64)
 
-    def test_a_period_changes_nothing_else(self) -> None:
-        self.on_every_noise(self.check_no_period)
+    @of_every_noise
+    def test_a_phase_turns(self, noise: Noise, bounds: Bounds) -> None:
+        """Gradients and waves turn by as much, so that noise is linear in the cosine and in the sine of a phase."""
+        if noise.phase is None:
+            return
+        knobs, n = settings(bounds)[0], bounds.dimensions
+        (p, seed), = points(bounds, "turns", 1)
 
-    def test_seeds_take_effect(self) -> None:
-        self.on_every_noise(self.check_seeds)
+        def at(phase: float | Fraction, form: str = "exact") -> tuple[Fraction, ...]:
+            return getattr(noise.turned(phase), form)(knobs, p, seed, (3,) * n)
 
-    def test_hashes_take_effect(self) -> None:
-        self.on_every_noise(self.check_hashes)
+        for form in FORMS:
+            self.assertEqual(len({at(i / 16, form) for i in range(16)}), 16)
+            for phase, turns in itertools.product((0.375, -2.0**-20), (1, 3, 2**24)):
+                self.assertEqual(at(phase + math.copysign(turns, phase), form), at(phase, form))
+        if not is_cellular(noise):
+            for phase in map(Fraction, (0.1, -0.7, 0.5)):
+                cosine, sine = map(gradients.sine_of_turns, (phase + Fraction(1, 4), phase))
+                for found, still, quarter in zip(at(phase), at(0), at(0.25), strict=True):
+                    self.assertLess(abs(found - cosine * still - sine * quarter), 2**-180)
+            if bounds.noise.endswith(noises.TURNING):
+                plain = noises.find(bounds.noise.removesuffix(noises.TURNING))
+                self.assertEqual(at(0), plain.exact(knobs, p, seed, (3,) * n))
 
     def test_each_check_finds_its_fault(self) -> None:
         perlin, bounds = noises.find("perlin"), table.bounds_of("perlin", 2, "octahedral")
+        slopes, turning = noises.find("perlin_d"), noises.find("perlin_phase")
         exact, fixed = perlin.exact_in_cell, perlin.fixed_in_cell
         two_bounds = math.ceil(2 * bounds.fixed_error * NOISE_UNIT)
 
@@ -184,30 +274,50 @@ class EveryNoise(unittest.TestCase):
                 cell = [round(x) for x in p]
                 return self.exact_cell(knobs, cell, [abs(x - c) for x, c in zip(p, cell)], seed, periods)
 
-        def on_lattice(change: Callable[[Lattice], dict]) -> list[Noise]:
+        def on_lattice(change: Callable[[Lattice], dict], noise: Noise = perlin) -> list[Noise]:
             """One on another lattice, in exact and in fixed arithmetic."""
             def ignoring(of: Callable) -> Callable:
                 return lambda lattice, *args: of(replace(lattice, **change(lattice)), *args)
-            return [replace(perlin, exact_in_cell=ignoring(exact)), replace(perlin, fixed_in_cell=ignoring(fixed))]
+            return [replace(noise, **{form: ignoring(getattr(noise, form))}) for form in ("exact_in_cell", "fixed_in_cell")]
 
-        for check, faults in (
-                (self.check_position, [Rounding("rounding", exact, fixed)]),
-                (self.check_fixed, [replace(perlin, fixed_in_cell=lambda *args: (fixed(*args)[0] + two_bounds,))]),
-                (self.check_range, [replace(perlin, exact_in_cell=lambda *args: (3 * exact(*args)[0],)),
-                                    replace(perlin, fixed_in_cell=lambda *args: (3 * fixed(*args)[0],)),
-                                    replace(perlin, exact_in_cell=lambda *args: (exact(*args)[0] / 4,))]),
-                (self.check_period, [*on_lattice(lambda lattice: {"periods": ()}),
-                                     *on_lattice(lambda lattice: {"periods": (PERIOD, PERIOD)})]),
-                (self.check_no_period, on_lattice(lambda lattice: {"periods": tuple(p - 7 for p in lattice.periods)})),
-                (self.check_seeds, on_lattice(lambda lattice: {"seed": 0})),
-                (self.check_hashes, on_lattice(lambda lattice: {"knobs": Knobs("pcg")}))):
+        def scaled(noise: Noise, *factors: Fraction) -> Noise:
+            return replace(noise, exact_in_cell=lambda *args: tuple(map(lambda a, b: a * b, noise.exact_in_cell(*args), factors)))
+
+        def off(noise: Noise, *errors: int) -> Noise:
+            return replace(noise, fixed_in_cell=lambda *args: tuple(map(sum, zip(noise.fixed_in_cell(*args), errors))))
+
+        less = Fraction(1023, 1024)
+        of_slopes, of_phase = (replace(bounds, noise=noise.name) for noise in (slopes, turning))
+        for test, of, faults in (
+                (EveryNoise.test_a_position_is_a_cell_and_a_fraction, bounds, [Rounding("rounding", exact, fixed)]),
+                (EveryNoise.test_fixed_arithmetic_is_within_its_bound_and_gives_floats, bounds, [off(perlin, two_bounds)]),
+                (EveryNoise.test_fixed_arithmetic_is_within_its_bound_and_gives_floats, of_slopes, [off(slopes, 0, 2**9, 0)]),
+                (EveryNoise.test_values_are_in_their_range_and_use_it, bounds,
+                 [scaled(perlin, Fraction(3)), off(perlin, 3 * NOISE_UNIT), scaled(perlin, Fraction(1, 4))]),
+                (EveryNoise.test_a_period_takes_effect_along_its_axis, bounds,
+                 [*on_lattice(lambda lattice: {"periods": ()}), *on_lattice(lambda lattice: {"periods": (PERIOD, PERIOD)})]),
+                (EveryNoise.test_a_period_changes_nothing_where_no_point_is_moved, bounds,
+                 on_lattice(lambda lattice: {"periods": tuple(p - 7 for p in lattice.periods)})),
+                (EveryNoise.test_every_seed_gives_another_field, bounds, on_lattice(lambda lattice: {"seed": 0})),
+                (EveryNoise.test_so_does_every_hash, bounds, on_lattice(lambda lattice: {"knobs": Knobs("pcg")})),
+                (EveryNoise.test_the_end_of_a_cell_is_where_the_next_one_begins, bounds,
+                 on_lattice(lambda lattice: {"periods": ()})[:1]),
+                (EveryNoise.test_noise_is_0_at_lattice_points, bounds, [off(perlin, 1)]),
+                (EveryNoise.test_the_sine_gradient_is_that_of_perlin_noise_alone, bounds,
+                 on_lattice(lambda lattice: {"knobs": Knobs("lattice")})),
+                (EveryNoise.test_the_sine_gradient_is_that_of_perlin_noise_alone, of_slopes, [perlin]),
+                (EveryNoise.test_with_derivatives_it_is_the_same_noise, of_slopes,
+                 [scaled(slopes, less, 1, 1), off(slopes, 1, 0, 0)]),
+                (EveryNoise.test_derivatives_are_the_limits_of_difference_quotients, of_slopes, [scaled(slopes, 1, 1, less)]),
+                (EveryNoise.test_a_phase_turns, of_phase, [
+                    *on_lattice(lambda lattice: {"phase": 0.3}, turning), *on_lattice(
+                        lambda lattice: {"phase": lattice.phase + 1 / 8}, turning)[:1]])):
             for fault in faults:
-                with self.assertRaises(AssertionError, msg=check.__doc__):
-                    check(fault, bounds)
+                with self.subTest(test.__name__), self.assertRaises(AssertionError):
+                    test.check(self, fault, of)
 
     def test_a_fault_of_one_metric_or_of_one_distance_is_found(self) -> None:
         cellular, bounds = noises.find("cellular"), table.bounds_of("cellular", 2, "none")
-        exact, fixed = cellular.exact_in_cell, cellular.fixed_in_cell
 
         def faulty(of: Callable, error: float, output: int, metric: int) -> Callable:
             def found(lattice: Lattice, *args) -> tuple:
@@ -217,10 +327,12 @@ class EveryNoise(unittest.TestCase):
 
         two_bounds = math.ceil(2 * bounds.fixed_error * UNIT)
         for output, metric in itertools.product((0, 1), (1, 2, 3, 4, 5)):
-            with self.assertRaises(AssertionError):
-                self.check_fixed(replace(cellular, fixed_in_cell=faulty(fixed, two_bounds, output, metric)), bounds)
-            with self.assertRaises(AssertionError):
-                self.check_range(replace(cellular, exact_in_cell=faulty(exact, 4, output, metric)), bounds)
+            for test, form, error in (
+                    (EveryNoise.test_fixed_arithmetic_is_within_its_bound_and_gives_floats, "fixed_in_cell", two_bounds),
+                    (EveryNoise.test_values_are_in_their_range_and_use_it, "exact_in_cell", 4)):
+                fault = replace(cellular, **{form: faulty(getattr(cellular, form), error, output, metric)})
+                with self.assertRaises(AssertionError):
+                    test.check(self, fault, bounds)
 
 
 class Finding(unittest.TestCase):

@@ -16,12 +16,11 @@ from proof.golden import perlin_worley_rows
 from proof.golden.files import golden_files
 from proof.golden.generator import Row, generator_of
 from proof.oracle import functions, noises, perlin_worley, sums, words
-from proof.oracle.checked import Checked
 from proof.oracle.gradients import Knobs, Real
 from proof.oracle.integers import NOISE_UNIT
 from proof.oracle.sums import Options
+from proof.oracle.testing import KNOBS, Checked
 
-KNOBS = Knobs("lattice")
 STEP = 0x9E3779B9
 FUNCTIONS = [function for function in read_functions() if function.bound == perlin_worley_rows.BOUND]
 
@@ -112,26 +111,17 @@ class PerlinWorley(Checked, unittest.TestCase):
 
     CHECKS = ("parts", "fixed", "integers", "far", "points")
     NOTICED = AssertionError, ValueError
-
-    def test_a_changed_constant_is_noticed(self) -> None:
-        seeds, clamped_to = perlin_worley.with_seeds, perlin_worley.clamped_to
-        for name, other, noticing in (
-                ("MOST", 2, ("parts", "integers")), ("MOST", 4, ("parts", "integers")),
-                ("SEED_STEP", STEP + 2, ("parts", "integers")), ("mix", lambda k: k, ("parts", "integers", "points")),
-                ("with_seeds", lambda octaves, seed: octaves, ("parts", "integers", "points")),
-                ("with_seeds", lambda octaves, seed: list(seeds(octaves, seed))[:1], ("parts", "integers")),
-                ("UNIT", 2**21, ("fixed", "integers", "far")),
-                ("prod", lambda a, b: a * b >> 19, ("fixed", "integers")),
-                ("clamped_to", lambda v, end: v, ("far",)), ("clamped", lambda v, low, high: v, ("far",)),
-                ("clamped_to", lambda v, end: clamped_to(v, end // 2), ("fixed", "integers", "points"))):
-            with self.subTest(name), mock.patch.object(perlin_worley, name, other):
-                self.assert_noticed(*noticing)
+    FAULTS = (
+        (perlin_worley, "MOST", 4, ("parts", "integers")), (perlin_worley, "SEED_STEP", STEP + 2, ("parts", "integers")),
+        (perlin_worley, "mix", lambda k: k, ("parts", "integers", "points")),
+        (perlin_worley, "with_seeds", lambda octaves, seed: octaves, ("parts", "integers", "points")),
+        (perlin_worley, "UNIT", 2**21, ("fixed", "integers", "far")),
+        (perlin_worley, "prod", lambda a, b: a * b >> 19, ("fixed", "integers")),
+        (perlin_worley, "clamped_to", lambda v, end: v, ("far",)),
+        (perlin_worley, "clamped", lambda v, low, high: v, ("far",)))
 
     def test_range(self) -> None:
-        """In [0, 1], and its ends are those of both parts."""
-        for of in (exact, fixed):
-            values = [of(*place) for place in places("range", 60 if of == fixed else 16)]
-            self.assertTrue(0 <= min(values) < 0.7 and 0.8 < max(values) <= 1, (min(values), max(values)))
+        """Its ends are those of both parts."""
         for perlin, cells in itertools.product((-1, 1), repeat=2):
             with mock.patch.object(perlin_worley, "fixed_cells", return_value=cells * NOISE_UNIT), \
                     mock.patch.object(sums, "fixed_fbm", return_value=perlin * NOISE_UNIT):
@@ -140,10 +130,6 @@ class PerlinWorley(Checked, unittest.TestCase):
     def test_without_octaves(self) -> None:
         for of, octaves in itertools.product((exact, fixed), (0, -1, -2**31)):
             self.assertEqual(of((0.3, 0.4, 0.5), Options(octaves, 2.0, 0.5)), Fraction(3, 4))
-
-    def test_no_octave_of_cells_is_beyond_what_sums_take(self) -> None:
-        # The corner of a cell is farthest from its point, at the end of an axis: 1.2248, and an octave is -1.4495.
-        self.assertLess(2 * math.sqrt(1 + 2 * 0.25) - 1, 1.5)
 
     def test_with_the_sine_gradient_there_is_none(self) -> None:
         for of, place in ((perlin_worley.exact, [Fraction(0)] * 3), (perlin_worley.fixed, [(0, 0)] * 3)):
@@ -176,7 +162,3 @@ class Rows(unittest.TestCase):
                 self.assertTrue(any(map(sees, rows[-3:] if name == "MOST" else rows[-37:])), (function.id, name))
             values = [functions.evaluator(function, True)(KNOBS, row)[0] for row in rows[-37:]]
             self.assertGreater(sum(value == 1 for value in values), 1)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -7,18 +7,15 @@ import math
 import random
 import unittest
 from collections.abc import Callable, Iterable, Sequence
-from pathlib import Path
 from unittest import mock
 
 from base.thorough import some
-from catalog.tables.functions import Function
-from catalog.tables.inc import Row
 from proof.golden.generator import INT_MAX, INT_MIN, generator_of, to_f32
-from proof.oracle import functions, scatter, words
-from proof.oracle.evenness import LIMIT, equal_chances, unevenness
+from proof.oracle import scatter, words
 from proof.oracle.gradients import Knobs
 from proof.oracle.lattice import Lattice
 from proof.oracle.scatter import UNIT
+from proof.oracle.testing import LIMIT, equal_chances, unevenness
 
 KNOBS = Knobs("lattice")
 Cell = tuple[int, ...]
@@ -243,16 +240,10 @@ VECTORS = (
     ("lattice", (INT_MAX, INT_MIN, 0), (0, 0, 0), 0.5, 1, 1, (814, 31207, 8393)))
 
 
-class Rows(unittest.TestCase):
-    def test_evaluation(self) -> None:
+class Program(unittest.TestCase):
+    def test_candidates_are_where_the_program_finds_them(self) -> None:
         for hash_, cell, periods, radius, seed, stands, place in VECTORS:
-            axes = "xyz"[:len(cell)]
-            where = " ".join([*(f"c{axis}:i32" for axis in axes), *(f"p{axis}:i32" for axis in axes)])
-            row = Row(Path("functions.inc"), 1, "FUNCTION", ())
-            points, scattered = (
-                functions.evaluator(Function(row, "scatter.any", "hash", "exact", inputs, outputs, "candidate"), False)
-                for inputs, outputs in ((f"{where} seed:u32", " ".join(f"o{axis}:f32" for axis in axes)),
-                                        (f"{where} radius:f32 seed:u32", "value:u32")))
-            self.assertEqual(points(Knobs(hash_), (*cell, *periods, seed)), tuple(x / UNIT for x in place))
-            word, = scattered(Knobs(hash_), (*cell, *periods, to_f32(radius), seed))
+            lattice = Lattice(Knobs(hash_), seed, periods)
+            self.assertEqual(scatter.point(lattice, cell), tuple(x / UNIT for x in place))
+            word = scatter.scattered(lattice, cell, to_f32(radius))
             self.assertEqual((word > 0, word % 2), (stands, stands))

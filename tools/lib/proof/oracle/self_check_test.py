@@ -3,13 +3,9 @@
 from __future__ import annotations
 
 import unittest
-from pathlib import Path
 from unittest import mock
 
-from catalog.tables.functions import Function
-from catalog.tables.inc import Row
-from proof.oracle import functions, numbers, positions, self_check, words
-from proof.oracle.gradients import Knobs
+from proof.oracle import numbers, positions, self_check, words
 
 # The program was written from the contract.
 VALUES = {("lattice", 0): 240234850, ("lattice", 1): 2937394595, ("lattice", 2): 4130282317,
@@ -63,10 +59,3 @@ class SelfCheck(unittest.TestCase):
     def test_what_is_no_whole_number(self) -> None:
         with mock.patch.object(numbers, "gaussian", lambda h: 2.0**-14), self.assertRaisesRegex(ValueError, "no whole"):
             self_check.self_check("lattice", 0)
-
-    def test_the_row(self) -> None:
-        row = Row(Path("functions.inc"), 1, "FUNCTION", ())
-        function = Function(row, "hash.self_check", "hash", "exact", "zero:u32", "value:u32", "zero")
-        evaluate = functions.evaluator(function, False)
-        for (name, zero), value in VALUES.items():
-            self.assertEqual(evaluate(Knobs(name), (zero,)), (value,))

@@ -1,30 +1,22 @@
-"""Tests of slopes.py and of the noises with derivatives: by hand, by difference quotients, and near the exact ones."""
+"""Tests of slopes.py and of the noises with derivatives: by hand. (noises_test.py has what all derivatives are.)"""
 
 from __future__ import annotations
 
 import itertools
 import unittest
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
 from unittest import mock
 
-from proof.golden.generator import INT_MAX, generator_of
+from proof.golden.generator import generator_of
 from proof.oracle import noises, slopes
 from proof.oracle.cells import smooth
 from proof.oracle.gradients import Knobs
 from proof.oracle.integers import UNIT, fade
 from proof.oracle.noises import perlin_d, value_d
+from proof.oracle.testing import KNOBS, quotient
 
-PAIRS = (("perlin", "perlin_d"), ("value", "value_d"))
 DIMENSIONS = (1, 2, 3, 4)
-
-
-def quotient(f: Callable[[Fraction], Fraction], x: Fraction, step: Fraction) -> Fraction:
-    """The limit of the exact difference quotients at x, but for the fourth power of the step."""
-    def central(h: Fraction) -> Fraction:
-        return (f(x + h) - f(x - h)) / (2 * h)
-
-    return (4 * central(step) - central(2 * step)) / 3
 
 
 class Weights(unittest.TestCase):
@@ -32,7 +24,7 @@ class Weights(unittest.TestCase):
         self.assertEqual([slopes.smooth_slope(Fraction(i, 4)) for i in range(5)],
                          [0, Fraction(270, 256), Fraction(15, 8), Fraction(270, 256), 0])
         for x in (Fraction(1, 7), Fraction(2, 5), Fraction(6, 7)):
-            self.assertLess(abs(quotient(smooth, x, Fraction(1, 2**20)) - slopes.smooth_slope(x)), 2**-60)
+            self.assertLess(abs(quotient(lambda h: smooth(x + h)) - slopes.smooth_slope(x)), 2**-60)
 
     def test_along_each_axis_the_slopes_sum_to_zero(self) -> None:
         numbers = generator_of("weights")
@@ -71,43 +63,6 @@ class Steps(unittest.TestCase):
 
 
 class Derivatives(unittest.TestCase):
-    def points(self, n: int, count: int) -> list[tuple[list[Fraction], int]]:
-        """Positions that fixed arithmetic does not cut, and seeds."""
-        numbers = generator_of(f"derivatives{n}")
-        return [([Fraction(numbers.integer(-2**26, 2**26), UNIT) for _ in range(n)], numbers.word())
-                for _ in range(count)]
-
-    def test_the_value_is_that_of_the_noise(self) -> None:
-        for (plain, with_derivatives), n in itertools.product(PAIRS, DIMENSIONS):
-            for p, seed in self.points(n, 4):
-                for of, of_both in ((getattr(noises.find(plain), form), getattr(noises.find(with_derivatives), form))
-                                    for form in ("exact", "fixed")):
-                    for periods in ((), (5,) * n):
-                        found = of_both(Knobs("lattice"), p, seed, periods)
-                        self.assertEqual(found[:1], of(Knobs("lattice"), p, seed, periods))
-                        self.assertEqual(len(found), 1 + n)
-
-    def check_quotients(self, derivatives: Callable, plain: noises.Noise, n: int) -> None:
-        """Exact derivatives are the limits of exact difference quotients, with a period, too."""
-        for (p, seed), periods in itertools.product(self.points(n, 2), ((), (5,) * n)):
-            found = derivatives(Knobs("lattice"), p, seed, periods)
-            for axis in range(n):
-                def moved(x: Fraction, axis: int = axis) -> Fraction:
-                    value, = plain.exact(Knobs("lattice"), [*p[:axis], x, *p[axis + 1:]], seed, periods)
-                    return value
-
-                limit = quotient(moved, p[axis], Fraction(1, 2**26))
-                self.assertLess(abs(limit - found[1 + axis]), 2**-80)
-
-    def test_they_are_the_limits_of_difference_quotients(self) -> None:
-        for (plain, with_derivatives), n in itertools.product(PAIRS, DIMENSIONS):
-            self.check_quotients(noises.find(with_derivatives).exact, noises.find(plain), n)
-
-    def test_derivatives_without_the_scale_are_noticed(self) -> None:
-        of = noises.find("perlin_d").exact
-        with self.assertRaises(AssertionError):
-            self.check_quotients(lambda *args: [x * Fraction(1023, 1024) for x in of(*args)], noises.find("perlin"), 2)
-
     def test_by_hand(self) -> None:
         # At a lattice point a derivative of Perlin noise is the gradient's component, of value noise 0.
         for n, cell in itertools.product(DIMENSIONS, (-3, 5)):
@@ -118,36 +73,6 @@ class Derivatives(unittest.TestCase):
             self.assertEqual(noises.find("value_d").exact(knobs, point, 7)[1:], (0,) * n)
             self.assertEqual(noises.find("value_d").fixed(knobs, point, 7)[1:], (0,) * n)
 
-    def test_cells_meet(self) -> None:
-        # f = 1 in one cell is f = 0 in the next: at the seam of a period, and where cells wrap without one.
-        numbers = generator_of("meet")
-        for (_, name), n, (cell, following, period) in itertools.product(
-                PAIRS, DIMENSIONS, ((4, 0, 5), (INT_MAX, -2**31, 0), (INT_MAX, 1, INT_MAX))):
-            for axis in range(n):
-                f = [numbers.integer(0, 64) / 64 for _ in range(n)]
-                ends = [noises.find(name).exact_cell(Knobs("lattice"), [c if i == axis else 3 for i in range(n)],
-                                                     [x if i == axis else y for i, y in enumerate(f)], 9, (period,) * n)
-                        for c, x in ((cell, 1.0), (following, 0.0))]
-                self.assertEqual(*ends)
-
-    def test_fixed_ones_are_near(self) -> None:
-        for (_, name), n in itertools.product(PAIRS, DIMENSIONS):
-            noise = noises.find(name)
-            for p, seed in self.points(n, 12):
-                for exact, fixed in zip(noise.exact(Knobs("lattice"), p, seed), noise.fixed(Knobs("lattice"), p, seed)):
-                    self.assertLess(abs(exact - fixed), 2**-11, (name, n))
-
-    def test_fixed_ones_are_in_units(self) -> None:
-        for (_, name), n in itertools.product(PAIRS, DIMENSIONS):
-            for p, seed in self.points(n, 4):
-                for derivative in noises.find(name).fixed(Knobs("lattice"), p, seed)[1:]:
-                    self.assertEqual((derivative * 2**19).denominator, 1)
-
-    def test_there_are_none_with_the_sine_gradient(self) -> None:
-        for of, n in itertools.product((noises.find("perlin_d").exact, noises.find("perlin_d").fixed), DIMENSIONS):
-            with self.assertRaisesRegex(ValueError, "no hn_perlin_d"):
-                of(Knobs("lattice", sine=True), (0.5,) * n)
-
 
 class FixedValueNoise(unittest.TestCase):
     FRACTION = (3 * 2**17, 2**18 + 9, 5 * 2**16)
@@ -156,7 +81,7 @@ class FixedValueNoise(unittest.TestCase):
         """Of a cell with these numbers at its corners."""
         n = len(numbers).bit_length() - 1
         with mock.patch.object(value_d.value, "fixed_number", side_effect=numbers):
-            return value_d.fixed(value_d.Lattice(Knobs("lattice")), (0,) * n, self.FRACTION[:n])
+            return value_d.fixed(value_d.Lattice(KNOBS), (0,) * n, self.FRACTION[:n])
 
     def test_the_largest_numbers_do_not_overflow(self) -> None:
         for n in (1, 2, 3):

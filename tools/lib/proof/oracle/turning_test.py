@@ -12,11 +12,9 @@ from proof.golden.generator import generator_of
 from proof.golden.simplex_rows import PHASES
 from proof.oracle import gradients, noises, turning, words
 from proof.oracle.gradients import Knobs
-from proof.oracle.integers import UNIT
 from proof.oracle.lattice import Lattice
 from proof.oracle.turning import Turn
 
-TURNING = ("perlin_phase", "perlin_d_phase", "simplex_phase", "simplex_d_phase")
 KNOBS = Knobs("lattice")
 POINT = (Fraction(-2611, 1024), Fraction(5003, 1024), Fraction(777, 1024))
 
@@ -68,12 +66,6 @@ class Quarters(unittest.TestCase):
             quarter = turning.quarter_turned(g)
             self.assertEqual(sum(a * b for a, b in zip(g, quarter)), 0)
             self.assertEqual(sum(a * a for a in quarter), sum(a * a for a in g))
-
-    def test_only_in_two_and_three_dimensions(self) -> None:
-        for g in ((1,), (1, 2, 3, 4)):
-            with self.assertRaisesRegex(ValueError, "two and three"):
-                turning.quarter_turned(g)
-
 
 class Turned(unittest.TestCase):
     def test_by_quarters(self) -> None:
@@ -134,35 +126,6 @@ class Fixed(unittest.TestCase):
 
 
 class Noises(unittest.TestCase):
-    def test_whole_turns_change_nothing(self) -> None:
-        for name, n, phase in itertools.product(TURNING, (2, 3), (0.0, 0.375, -2.0**-20)):
-            noise = noises.find(name)
-            for form in ("exact", "fixed"):
-                there = getattr(noise.turned(phase), form)(KNOBS, POINT[:n], 7)
-                for whole in (1, -3, 2**24):
-                    moved = noise.turned(Fraction(phase) + (whole if phase >= 0 else -abs(whole)))
-                    self.assertEqual(getattr(moved, form)(KNOBS, POINT[:n], 7), there)
-
-    def test_half_a_turn_negates(self) -> None:
-        for name, n in itertools.product(TURNING, (2, 3)):
-            noise = noises.find(name)
-            there, opposite = (noise.turned(phase).exact(KNOBS, POINT[:n], 7) for phase in (0, 0.5))
-            self.assertEqual(opposite, tuple(-x for x in there))
-
-    def test_without_a_turn_it_is_the_noise(self) -> None:
-        for name, n in itertools.product(TURNING, (2, 3)):
-            found = noises.find(name).turned(0).exact(KNOBS, POINT[:n], 7, (3,) * n)
-            plain = noises.find(name.removesuffix("_phase")).exact(KNOBS, POINT[:n], 7, (3,) * n)
-            self.assertEqual(found, plain)
-
-    def test_they_are_linear_in_cosine_and_sine(self) -> None:
-        for name, n, phase in itertools.product(TURNING, (2, 3), (0.1, -0.7)):
-            noise = noises.find(name)
-            at, zero, quarter = (noise.turned(x).exact(KNOBS, POINT[:n], 7) for x in (phase, 0, 0.25))
-            sine, cosine = map(gradients.sine_of_turns, (Fraction(phase), Fraction(phase) + Fraction(1, 4)))
-            for found, a, b in zip(at, zero, quarter, strict=True):
-                self.assertEqual(found, cosine * a + sine * b)
-
     def test_a_quarter_uses_the_turned_gradient(self) -> None:
         # A derivative at a lattice point of Perlin noise is the component of its gradient.
         for n in (2, 3):
@@ -171,22 +134,6 @@ class Noises(unittest.TestCase):
             value, *slopes = noises.find("perlin_d_phase").turned(0.25).exact(KNOBS, point, 9)
             scale = {2: Fraction(1831, 1024), 3: Fraction(985, 1024)}[n]
             self.assertEqual((value, slopes), (0, [scale * Fraction(x) for x in g]))
-
-    def test_phases_take_effect(self) -> None:
-        for name, n, form in itertools.product(TURNING, (2, 3), ("exact", "fixed")):
-            found = {getattr(noises.find(name).turned(i / 16), form)(KNOBS, POINT[:n], 7) for i in range(16)}
-            self.assertEqual(len(found), 16)
-
-    def test_fixed_arithmetic_is_near(self) -> None:
-        numbers = generator_of("near")
-        for name, n in itertools.product(TURNING, (2, 3)):
-            for _ in range(12):
-                noise = noises.find(name).turned(numbers.uniform(-1, 1))
-                p, seed = [Fraction(numbers.integer(-2**26, 2**26), UNIT) for _ in range(n)], numbers.word()
-                value, *slopes = zip(noise.exact(KNOBS, p, seed), noise.fixed(KNOBS, p, seed), strict=True)
-                self.assertLess(abs(value[0] - value[1]), 2**-12)
-                for exact, fixed in slopes:
-                    self.assertLess(abs(exact - fixed), 2**-9)
 
     def test_what_does_not_turn(self) -> None:
         with self.assertRaisesRegex(ValueError, "the gradients of value do not turn"):

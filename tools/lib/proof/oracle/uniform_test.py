@@ -7,15 +7,12 @@ import re
 import unittest
 from collections.abc import Callable, Sequence
 from fractions import Fraction
-from pathlib import Path
 from unittest import mock
 
 from base.thorough import THOROUGH
 from base.tree import ROOT
-from catalog.tables.functions import Function
-from catalog.tables.inc import Row
 from proof.golden.generator import Generator, generator_of, to_f32
-from proof.oracle import functions, uniform
+from proof.oracle import uniform
 
 PAGE = (ROOT / "docs" / "contract.md").read_text(encoding="utf-8").partition("\n## 21. ")[2].partition("\n## ")[0]
 PLAIN = uniform.spread(uniform.PERLIN2)
@@ -271,26 +268,3 @@ class Sums(unittest.TestCase):
                 ("fixed_root", lambda n: math.isqrt(n) << 4, self.check_fixed)):
             with mock.patch.object(uniform, name, fault), self.assertRaises(AssertionError, msg=name):
                 check()
-
-
-class Evaluators(unittest.TestCase):
-    """What functions.py finds of the rows."""
-
-    def found(self, name: str, fixed: bool, row: Sequence) -> tuple:
-        function = Function(Row(Path("functions.inc"), 1, "FUNCTION", ()), f"uniform.{name}", "distribution", "uniform",
-                            "", "", "")
-        return functions.evaluator(function, fixed)(None, row)
-
-    def test_rows(self) -> None:
-        for fixed, of_value, of_sum in ((False, uniform.uniform_d, uniform.spread_fbm),
-                                        (True, uniform.fixed_uniform_d, uniform.fixed_spread_fbm)):
-            self.assertEqual(self.found("spread", fixed, (3,)), uniform.spread(3))
-            row = (0.3, *PLAIN)
-            self.assertEqual(self.found("uniform_d", fixed, row), of_value(*row))
-            self.assertEqual(self.found("uniform", fixed, row), of_value(*row)[:1])
-            row = (*PLAIN, 4.5, 0.6)
-            self.assertEqual(self.found("spread_fbm", fixed, row), of_sum(*row))
-
-
-if __name__ == "__main__":
-    unittest.main()

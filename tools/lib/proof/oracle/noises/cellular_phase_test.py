@@ -44,25 +44,6 @@ def samples(name: str, n: int, count: int = 24) -> Iterator[tuple[list[Fraction]
         yield p, numbers.word(), phase, jitter
 
 
-def direction(cell: Sequence[int], seed: int) -> tuple[float, ...]:
-    return (direction2 if len(cell) == 2 else direction3)(Lattice(LATTICE, seed).word(cell))
-
-
-def cells_around(p: Sequence[Fraction], around: int = 2) -> Iterator[tuple[int, ...]]:
-    for beside in itertools.product(range(-around, around + 1), repeat=len(p)):
-        yield tuple(math.floor(x) + o for x, o in zip(p, beside))
-
-
-def point(cell: Sequence[int], seed: int, phase: float, jitter: float) -> list[float]:
-    """In floats, from the text of the contract."""
-    a = 2 * math.pi * math.fmod(phase, 1)
-    u = list(direction(cell, seed))
-    if len(u) == 3:
-        u[1:] = u[1] * math.cos(a) - u[2] * math.sin(a), u[2] * math.cos(a) + u[1] * math.sin(a)
-    u[:2] = u[0] * math.cos(a) - u[1] * math.sin(a), u[0] * math.sin(a) + u[1] * math.cos(a)
-    return [c + 0.5 + NEARER[len(u)] * jitter / 2 * x for c, x in zip(cell, u)]
-
-
 def t(e: int, b: int) -> int:
     """The contract's turned(e, b)."""
     return ((e >> 8) * b >> 8) + ((e & 255) * b >> 16)
@@ -144,20 +125,6 @@ class ByHand(unittest.TestCase):
 
 
 class Naive(unittest.TestCase):
-    def test_distances_offsets_and_cells_in_floats(self) -> None:
-        for n in (2, 3):
-            for p, seed, phase, jitter in samples("floats", n, 32 if n == 2 else 12):
-                found = [([a - x for a, x in zip(point(cell, seed, phase, jitter), map(float, p))], cell)
-                         for cell in cells_around(p)]
-                (offset, cell), (second, _), *_ = sorted(found, key=lambda one: math.hypot(*one[0]))
-                distances = at(MOVING, phase, jitter).exact(LATTICE, p, seed)
-                for a, b in zip(distances, (math.hypot(*offset), math.hypot(*second)), strict=True):
-                    self.assertAlmostEqual(float(a), b, 12)
-                if distances[1] - distances[0] > 1e-9:
-                    self.assertEqual(at(NEAREST, phase, jitter).exact(LATTICE, p, seed), cell)
-                    for a, b in zip(at(OFFSET, phase, jitter).exact(LATTICE, p, seed), offset, strict=True):
-                        self.assertAlmostEqual(float(a), b, 12)
-
     def test_all_of_fixed_arithmetic(self) -> None:
         for n in (2, 3):
             for p, seed, phase, jitter in samples("fixed", n, 60 if n == 2 else 20):
@@ -192,18 +159,6 @@ class Phases(unittest.TestCase):
                 for a, b in zip(moving.fixed(LATTICE, p, seed), still):
                     self.assertLess(abs(a - b), 2**-12)
 
-    def test_whole_turns_change_nothing(self) -> None:
-        for n, phase in itertools.product((2, 3), (0.0, 0.375, -2.0**-20)):
-            p, whole = (Fraction(-2611, 1024), Fraction(5003, 1024), Fraction(777, 1024))[:n], 1 if phase >= 0 else -1
-            for noise, of in itertools.product((MOVING, NEAREST, OFFSET), ("exact", "fixed")):
-                found = [getattr(at(noise, phase + turns * whole), of)(LATTICE, p, 7) for turns in (0, 1, 3, 2**20)]
-                self.assertEqual(found, found[:1] * 4)
-
-    def test_phases_take_effect(self) -> None:
-        p = (Fraction(-2611, 1024), Fraction(5003, 1024), Fraction(777, 1024))
-        for n, of in itertools.product((2, 3), ("exact", "fixed")):
-            self.assertEqual(len({getattr(at(MOVING, i / 16), of)(LATTICE, p[:n], 7) for i in range(16)}), 16)
-
     def test_points_go_on_ways_without_a_leap(self) -> None:
         # A turn of 2^-16 moves a point by 2 pi 2^-16 times half of k at most, and in space by twice that.
         for n in (2, 3):
@@ -225,19 +180,6 @@ class Phases(unittest.TestCase):
 
 
 class FixedArithmetic(unittest.TestCase):
-    def test_is_near(self) -> None:
-        for n in (2, 3):
-            for p, seed, phase, jitter in samples("near", n):
-                exact, fixed = (getattr(at(MOVING, phase, jitter), of)(LATTICE, p, seed) for of in ("exact", "fixed"))
-                for a, b in zip(exact, fixed):
-                    self.assertLess(abs(a - b), 2**-12)
-                if exact[1] - exact[0] > 2**-11:
-                    self.assertEqual(*(getattr(at(NEAREST, phase, jitter), of)(LATTICE, p, seed)
-                                       for of in ("exact", "fixed")))
-                    for a, b in zip(*(getattr(at(OFFSET, phase, jitter), of)(LATTICE, p, seed)
-                                      for of in ("exact", "fixed"))):
-                        self.assertLess(abs(a - b), 2**-11)
-
     def test_ties_are_those_of_the_contract(self) -> None:
         # At a corner, without a jitter, points are equally far: that of the cell with the smallest z, y, x counts. In
         # space the rounded B makes some axes longer than others, unless it turns by whole quarters.
@@ -286,13 +228,3 @@ class Searches(unittest.TestCase):
         for arithmetic in (feature_points.MovingExact, feature_points.MovingFixed):
             with mock.patch.object(arithmetic, "reach", 0), self.assertRaises(AssertionError):
                 self.test_two_of_the_block_of_neighbours_are_nearest()
-
-
-class Others(unittest.TestCase):
-    def test_still_noises_do_not_turn(self) -> None:
-        with self.assertRaisesRegex(ValueError, "cellular do not turn"):
-            STILL.turned(0.5)
-
-
-if __name__ == "__main__":
-    unittest.main()

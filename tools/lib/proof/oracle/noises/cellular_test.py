@@ -10,7 +10,7 @@ from fractions import Fraction
 from unittest import mock
 
 from proof.golden.generator import generator_of
-from proof.oracle import nearest, noises
+from proof.oracle import noises
 from proof.oracle.feature_points import EUCLIDEAN, SQUARED, root
 from proof.oracle.gradients import Knobs
 from proof.oracle.integers import UNIT
@@ -49,33 +49,6 @@ class Derivatives(unittest.TestCase):
         for n in (2, 3):
             self.assertEqual(both(SLOPES.chosen(GRID), (-7.5,) * n), [(0,) * (n + 1)] * 2)
 
-    def test_value_is_the_distance(self) -> None:
-        for n in (2, 3):
-            for p, seed, choice in samples("distance", n):
-                for of in ("exact", "fixed"):
-                    value, first = (getattr(noise.chosen(choice), of)(LATTICE, p, seed)[0]
-                                    for noise in (SLOPES, DISTANCE))
-                    self.assertEqual(value, first)
-
-    def test_they_are_the_slopes_of_the_value(self) -> None:
-        step = Fraction(1, 2**40)
-        for n in (2, 3):
-            for p, seed, choice in samples("slopes", n):
-                noise = SLOPES.chosen(choice)
-                value, *slopes = noise.exact(LATTICE, p, seed)
-                for axis, slope in enumerate(slopes):
-                    moved = [x + step * (i == axis) for i, x in enumerate(p)]
-                    self.assertLess(abs((noise.exact(LATTICE, moved, seed)[0] - value) / step - slope), 2**-20)
-                self.assertLess(abs(sum(slope * slope for slope in slopes) - 1), 2**-200)
-
-    def test_fixed_is_near_times_the_distance(self) -> None:
-        for n in (2, 3):
-            for p, seed, choice in samples("fixed slopes", n):
-                exact, fixed = (getattr(SLOPES.chosen(choice), of)(LATTICE, p, seed) for of in ("exact", "fixed"))
-                for a, b in zip(exact[1:], fixed[1:]):
-                    self.assertLess(abs(a - b) * exact[0], 2**-17)
-                    self.assertLessEqual(abs(b), 1)
-
     def test_small_offsets_keep_their_direction(self) -> None:
         # As far as whole offsets have one: all of them that are small, and all ways to enlarge them.
         factors = set()
@@ -109,20 +82,6 @@ class Smooth(unittest.TestCase):
         value, = SMOOTH.chosen(GRID).exact(LATTICE, (2.0, -0.5))
         self.assertEqual(value, 1 - root(root(Fraction(2, 16) + Fraction(1, 4096))))
 
-    def test_as_a_float(self) -> None:
-        for n in (2, 3):
-            for p, seed, choice in samples("smooth", n):
-                total = 0.0
-                for beside in itertools.product(range(-2, 3), repeat=n):
-                    # The distance to the point of a cell: that from a position in the middle of it, to no other.
-                    cell = [math.floor(x) + o for x, o in zip(p, beside)]
-                    middle = [c + Fraction(1, 2) for c in cell]
-                    offset = own_offset(middle, seed, choice)
-                    distance = math.hypot(*(float(a + b - x) for a, b, x in zip(middle, offset, p)))
-                    total += max(0.0, 1 - distance)**4
-                value, = SMOOTH.chosen(choice).exact(LATTICE, p, seed)
-                self.assertAlmostEqual(float(value), 1 - (total + 1 / 4096)**0.25, 12)
-
     def test_where_no_point_is_near(self) -> None:
         # The summand keeps it below 1, and the value has no root of 0.
         with mock.patch.object(cellular_smooth, "near_points", return_value=()):
@@ -134,21 +93,10 @@ class Smooth(unittest.TestCase):
             self.assertLess(abs(cellular_smooth.fixed_weight(rank) / 2**30 - exact), 2**-13, rank)
         self.assertEqual([cellular_smooth.fixed_weight(rank) for rank in (2**28, 2**30)], [0, 0])
 
-    def test_fixed_is_near(self) -> None:
-        for n in (2, 3):
-            for p, seed, choice in samples("fixed smooth", n):
-                (exact,), (fixed,) = (getattr(SMOOTH.chosen(choice), of)(LATTICE, p, seed) for of in ("exact", "fixed"))
-                self.assertLess(abs(exact - fixed), 2**-12)
-
     def test_no_crease_where_the_nearest_point_changes(self) -> None:
         step = Fraction(1, 2**20)
         below, at, above = (SMOOTH.chosen(GRID).exact(LATTICE, (i * step, Fraction(3, 8)))[0] for i in (-1, 0, 1))
         self.assertLess(abs((above - at) - (at - below)), 64 * step**2)
-
-
-def own_offset(middle: Sequence[Fraction], seed: int, choice: Choice) -> tuple[Fraction, ...]:
-    """From the middle of a cell to its own point: no other is nearer in the sum of magnitudes."""
-    return nearest.OFFSET.chosen(Choice(choice.jitter, 3)).exact(LATTICE, middle, seed)
 
 
 class Borders(unittest.TestCase):
@@ -157,37 +105,6 @@ class Borders(unittest.TestCase):
         for p, distance in (((0.25, 0.5), 2), ((0.25, 0.875), 1), ((0.5, 0.5), 4), ((0.0, 0.5), 0), ((3.0, -2.0), 0),
                             ((-0.375, 7.375), 3), ((0.5, 0.625, 0.75), 2), ((0.5, 0.5, 0.5), 4)):
             self.assertEqual(both(BORDER.chosen(GRID), p), [(Fraction(distance, 8),)] * 2, p)
-
-    def test_is_half_of_a_step_to_the_mirror_image(self) -> None:
-        # Towards the second nearest point the border is met in the middle: there both are equally far.
-        for n in (2, 3):
-            for p, seed, choice in samples("border", n):
-                border, = BORDER.chosen(choice).exact(LATTICE, p, seed)
-                first, second = DISTANCE.chosen(choice).exact(LATTICE, p, seed)
-                self.assertTrue(0 <= border)
-                # With the nearest and the second one on a line through the position, and on a circle about it.
-                self.assertLessEqual(second**2 - first**2, 2 * border * (second + first) + Fraction(1, 2**100))
-
-    def test_within_the_border_the_nearest_point_stays(self) -> None:
-        # Along 16 directions, and beyond it somewhere another is the nearest.
-        for p, seed, choice in samples("within", 2):
-            border, = BORDER.chosen(choice).exact(LATTICE, p, seed)
-            point = nearest.NEAREST.chosen(choice)
-            own = point.exact(LATTICE, p, seed)
-            changed = 0
-            for index in range(64):
-                towards = [Fraction(f(index * math.pi / 32)) for f in (math.cos, math.sin)]
-                inside, outside = ([x + t * border * factor for x, t in zip(p, towards)]
-                                   for factor in (Fraction(999, 1000), Fraction(102, 100)))
-                self.assertEqual(point.exact(LATTICE, inside, seed), own)
-                changed += point.exact(LATTICE, outside, seed) != own
-            self.assertGreater(changed, 0)
-
-    def test_fixed_is_near(self) -> None:
-        for n in (2, 3):
-            for p, seed, choice in samples("fixed border", n):
-                (exact,), (fixed,) = (getattr(BORDER.chosen(choice), of)(LATTICE, p, seed) for of in ("exact", "fixed"))
-                self.assertLess(abs(exact - fixed), 2**-13)
 
     def test_points_are_never_in_one_place(self) -> None:
         # The root of fixed arithmetic divides. The nearest two points of different cells face each other at a wall.

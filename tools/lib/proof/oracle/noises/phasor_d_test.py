@@ -8,22 +8,18 @@ import unittest
 from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
-from pathlib import Path
 from unittest import mock
 
-from catalog.tables.functions import Function
-from catalog.tables.inc import Row
 from proof.golden.generator import INT_MAX, INT_MIN, generator_of, to_f32
-from proof.oracle import functions, kernels, noises, words
-from proof.oracle.checked import Checked
-from proof.oracle.gradients import Knobs, Real
+from proof.oracle import kernels, noises, words
+from proof.oracle.gradients import Real
 from proof.oracle.integers import UNIT
 from proof.oracle.lattice import Choice
 from proof.oracle.noises import phasor, phasor_d
 from proof.oracle.noises.phasor import KERNELS
 from proof.oracle.noises.phasor_test import WORD, places
+from proof.oracle.testing import KNOBS, Checked
 
-KNOBS = Knobs("lattice")
 SLOPES, PHASOR = map(noises.find, ("phasor_d", "phasor"))
 
 # How far fixed arithmetic may be off where it cuts neither the place nor the wave. The worst of 480 was 2^-6.86: its
@@ -69,11 +65,6 @@ VECTORS = (
 
 
 class Derivatives(Checked, unittest.TestCase):
-    def check_noise(self) -> None:
-        """The first two numbers are phasor noise."""
-        for place, fixed in itertools.product(places("noise", 9), (False, True)):
-            self.assertEqual(of(SLOPES, place, fixed)[:2], of(PHASOR, place, fixed))
-
     def check_differences(self) -> None:
         """Of the exact value, on both sides, also where points come and go."""
         step = Fraction(1, 2**24)
@@ -97,33 +88,13 @@ class Derivatives(Checked, unittest.TestCase):
             found = of(SLOPES, (cell, f, wave, to_f32(phase), seed, periods), True)
             self.assertEqual(tuple(x * unit for x, unit in zip(found, SLOPES.units)), expected)
 
-    CHECKS = ("noise", "differences", "fixed", "program")
-
-    def test_a_changed_constant_is_noticed(self) -> None:
-        for name, other, noticing in (("TWO_PI", Fraction(355, 56), ("differences",)),
-                                      ("FIXED_TWO_PI", 205888, ("program",)), ("FIXED_TWO_PI", 205000, ("fixed",))):
-            with mock.patch.object(phasor_d, name, other):
-                self.assert_noticed(*noticing)
-        for n, weight in ((2, kernels.PLANE_EVEN), (3, kernels.SPACE_EVEN)):
-            fall = replace(weight, fall=lambda t, q: weight.fall(t, q) + 2**10)
-            larger = KERNELS[n].scale + 4
-            for changes, noticing in (({"weight": fall}, ("fixed", "program")), ({"scale": larger}, ("program",))):
-                with mock.patch.dict(KERNELS, {n: replace(KERNELS[n], **changes)}):
-                    self.assert_noticed(*noticing)
-
-    def test_what_is_left_out_is_noticed(self) -> None:
-        for name, fault, noticing in (
-                ("of_weights", lambda lattice, cell, fraction: [(0, 0)] * len(cell), ("fixed", "program")),
-                ("fixed_turn", lambda k: 0, ("fixed", "program")), ("fixed_turn", lambda k: -abs(k), ("fixed",))):
-            with mock.patch.object(phasor_d, name, fault):
-                self.assert_noticed(*noticing)
-        right = kernels.Weight.slope
-        with mock.patch.object(kernels.Weight, "slope", lambda weight, t: 2 * right(weight, t)):
-            self.assert_noticed("differences", "fixed")
-        # The wave that counts is the one within [-16, 16], here as there.
-        with mock.patch.object(phasor_d, "KERNELS", {n: replace(kernel, triangles=False)
-                                                     for n, kernel in KERNELS.items()}):
-            self.assert_noticed("differences", "program")
+    CHECKS = ("differences", "fixed", "program")
+    FAULTS = (
+        (phasor_d, "TWO_PI", Fraction(355, 56), ("differences",)), (phasor_d, "FIXED_TWO_PI", 205888, ("program",)),
+        (phasor_d, "of_weights", lambda lattice, cell, fraction: [(0, 0)] * len(cell), ("fixed", "program")),
+        (phasor_d, "fixed_turn", lambda k: 0, ("fixed", "program")),
+        *((KERNELS, n, replace(KERNELS[n], weight=replace(weight, fall=lambda t, q: kernels.even_fall(t, q) + 2**10)),
+           ("fixed", "program")) for n, weight in ((2, kernels.PLANE_EVEN), (3, kernels.SPACE_EVEN))))
 
 
 class ByHand(unittest.TestCase):
@@ -139,18 +110,6 @@ class ByHand(unittest.TestCase):
                 self.assertEqual(of_value, 0)
                 self.assertAlmostEqual(float(of_quadrature), 2 * math.pi * min(k, 16) * float(most), 12)
 
-    def test_beside_a_point_without_a_wave(self) -> None:
-        # A quarter of a cell from one point along y, where there is no other so near but the two of the next row.
-        t = Fraction(819, 1024) - Fraction(1, 16)
-        fall = -2 * 3 * (4 * t - 5 * t**2)**2 * Fraction(1, 4) * 2 * Fraction(762, 1024)
-        a = 2 * math.pi * WORD / 2**32
-        *_, dx, qx, dy, qy = of(SLOPES, ((0, 0), (0, Fraction(1, 8)), (0, 0), 0, 0, ()))
-        # Those two are at 1/2 along x and 3/4 along y, in steps, where t is negative.
-        self.assertLess(Fraction(819, 1024) - Fraction(1, 4) - Fraction(9, 16), 0)
-        self.assertEqual((dx, qx), (0, 0))
-        self.assertAlmostEqual(float(dy), float(fall) * math.cos(a), 12)
-        self.assertAlmostEqual(float(qy), float(fall) * math.sin(a), 12)
-
     def test_turns_of_fixed_arithmetic(self) -> None:
         # 2 pi is 51471.85 in units of 2^-13, and 16 times that 823549.7.
         self.assertEqual([phasor_d.fixed_turn(k * 2**16) for k in (-16, -1, 0, 1, 16)],
@@ -165,23 +124,3 @@ class ByHand(unittest.TestCase):
                 f = [Fraction(numbers.integer(0, 64), 64) for _ in range(n)]
                 for sign in (-16, 16):
                     of(SLOPES, ((0,) * n, f, (sign,) * n, 0, 0, ()), True)
-
-
-class Rows(unittest.TestCase):
-    def test_evaluation(self) -> None:
-        for place, (first, name), fixed in itertools.product(
-                places("derivative rows", 3), (("value", "d"), ("quadrature", "q")), (False, True)):
-            cell, f, wave, phase, seed, _ = place
-            axes = "xyz"[:len(cell)]
-            inputs = " ".join([*(f"c{x}:i32" for x in axes), *(f"f{x}:f32" for x in axes), *(f"k{x}:f32" for x in axes),
-                               "phase:f32", "seed:u32"])
-            outputs = " ".join([f"{first}:f64", *(f"d{x}:f64" for x in axes)])
-            function = Function(Row(Path("functions.inc"), 1, "FUNCTION", ()), "noise2d.phasor_d_any", "simplex_noise",
-                                "phasor_d", inputs, outputs, "cell")
-            found = functions.evaluator(function, fixed)(KNOBS, (*cell, *f, *wave, phase, seed))
-            all_of_it = dict(zip(SLOPES.outputs, of(SLOPES, (cell, f, wave, phase, seed, ()), fixed)))
-            self.assertEqual(found, (all_of_it[first], *(all_of_it[name + x] for x in axes)))
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -9,23 +9,19 @@ import unittest
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
-from pathlib import Path
 from unittest import mock
 
-from catalog.tables.functions import Function
-from catalog.tables.inc import Row
 from proof.golden.generator import INT_MAX, INT_MIN, Generator, generator_of, to_f32
 from proof.golden.simplex_rows import PHASES, fractions
-from proof.oracle import functions, integers, kernels, noises, turning, words
-from proof.oracle.checked import Checked
+from proof.oracle import integers, kernels, noises, turning, words
 from proof.oracle.gradients import Knobs, Real
 from proof.oracle.integers import NOISE_UNIT, UNIT
 from proof.oracle.lattice import Choice, Lattice
 from proof.oracle.noises import phasor
 from proof.oracle.noises.phasor import KERNELS
+from proof.oracle.testing import KNOBS, Checked
 
 PHASOR = noises.find("phasor")
-KNOBS = Knobs("lattice")
 TILES = {2: ((), (1, 1), (2, 3), (7, 0), (INT_MAX, -4)), 3: ((), (1, 1, 1), (2, 1, 3), (0, 7, -1), (5, INT_MAX, 2))}
 ENDS = (INT_MIN, -3, -1, 0, 4, INT_MAX)
 QUARTER, HALF = Fraction(1, 4), Fraction(1, 2)
@@ -37,21 +33,14 @@ ERROR = 2**-13
 # (2 * 0x165667B1 + 1) * 4097. At the centre beside it J is 0x16566 ^ 0x165667 and A is twice as large: M is 0x8AE8C5.
 WORD = 0x8F16D072
 CENTRE = 0x628A2DC5
-NEXT = 0x523EAED6  # that of the second point of the plane, half a cell further along x
-
 # In the middle of two points the weights sum to most, and with these waves theirs agree there.
 MIDDLES = {2: (QUARTER, Fraction(0)), 3: (QUARTER,) * 3}
-AGREEING = {n: (Fraction(2 * (word - WORD), 2**32), *(0,) * (n - 1)) for n, word in ((2, NEXT), (3, CENTRE))}
-
 MOST = Fraction(9994, 10000)  # of that sum, times the scale
 
 # How much the sum of the squares of the weights varies over a cell: at most so, as a part of its mean.
 UNEVEN = {2: 0.106, 3: 0.159}
 # How far W and E, which is a quarter of the slope on the plane, may be off, in units of 2^-18.
 WEIGHT_ERROR, FALL_ERROR = Fraction(37, 4), Fraction(63, 4)
-
-Numbers = tuple[Real, ...]
-
 
 def at(cell: Sequence[int], f: Sequence[Real], wave: Sequence[Real], phase: Real = 0, seed: int = 7,
        periods: Sequence[int] = (), fixed: bool = False) -> tuple[Fraction, ...]:
@@ -140,6 +129,11 @@ VECTORS = (
      (964314, 1067894)))
 
 
+# What faults are made of.
+WORD_OF, ALONG, TURNS, FIXED_ALONG = Lattice.word, phasor.along, phasor.turns, phasor.fixed_along
+WAVE, FIXED_WAVE = turning.cosine_and_sine, integers.cosine_and_sine
+
+
 class Phasor(Checked, unittest.TestCase):
     def check_floats(self) -> None:
         for place in places("floats"):
@@ -156,63 +150,6 @@ class Phasor(Checked, unittest.TestCase):
             found = noise.fixed_cell(Knobs(hash_), cell, [Fraction(x, UNIT) for x in fraction], seed, periods)
             self.assertEqual(found, tuple(Fraction(x, NOISE_UNIT) for x in expected))
 
-    def check_turns(self) -> None:
-        """After whole turns it is the same, after half a turn the negative. A quarter less makes the quadrature the
-        value."""
-        for cell, f, wave, _, *others in places("turns", 6):
-            for phase, fixed in itertools.product((-0.375, 0.0, 0.8125), (False, True)):
-                value, quadrature = at(cell, f, wave, phase, *others, fixed=fixed)
-                for turns in (-1, 1, 1000):
-                    self.assertEqual(at(cell, f, wave, phase + turns, *others, fixed=fixed), (value, quadrature))
-                self.assertEqual(at(cell, f, wave, phase - 0.25, *others, fixed=fixed)[0], quadrature)
-                opposite = at(cell, f, wave, phase + 0.5, *others, fixed=fixed)
-                # Of each of a handful of waves `part` drops less than 2^-20.
-                self.assertLess(apart(opposite, (-value, -quadrature)), 2**-17 if fixed else 2**-200)
-                self.assertGreater(apart(opposite, (value, quadrature)), 2**-10)
-
-    def check_tiles(self) -> None:
-        """With any wave, which may be of any length, and no sooner than after a period."""
-        numbers = generator_of("phasor tiles")
-        for (cell, f, wave, phase, seed, periods), fixed in itertools.product(places("tiles"), (False, True)):
-            for axis, period in enumerate(periods):
-                if 0 < period < 10 and abs(cell[axis]) < 10:
-                    moved = [c + period * numbers.integer(1, 3) * (i == axis) for i, c in enumerate(cell)]
-                    here = at(cell, f, wave, phase, seed, periods, fixed)
-                    self.assertEqual(here, at(moved, f, wave, phase, seed, periods, fixed))
-                    moved = [c + (i == axis) for i, c in enumerate(cell)]
-                    if period > 1:
-                        self.assertNotEqual(here, at(moved, f, wave, phase, seed, periods, fixed))
-
-    def check_seams(self) -> None:
-        """The end of a cell is where the next one begins, also where int ends and words of coordinates wrap."""
-        for (cell, f, wave, phase, seed, periods), fixed in itertools.product(places("seams", 15), (False, True)):
-            for axis in range(len(cell)):
-                if cell[axis] == INT_MAX and periods and periods[axis] > 0:
-                    continue  # over the end of int no tile goes on
-                end = [1 if i == axis else x for i, x in enumerate(f)]
-                begin = [0 if i == axis else x for i, x in enumerate(f)]
-                following = [words.signed(c + (i == axis)) for i, c in enumerate(cell)]
-                self.assertEqual(at(cell, end, wave, phase, seed, periods, fixed),
-                                 at(following, begin, wave, phase, seed, periods, fixed))
-
-    def check_continuity(self) -> None:
-        """Across planes and where points come and go, and in the wave and in the phase."""
-        small = Fraction(1, 2**19)
-        for index, (cell, f, wave, phase, seed, periods) in enumerate(places("continuity")):
-            n = len(cell)
-            f = [min(max(Fraction(x), small), 1 - small) for x in f]
-            # In a cell each wave turns by at most 16 turns along an axis, and weights change by less than the factor 8.
-            steepest = 2 * math.pi * 16 * math.sqrt(n) + 8
-            for move in ([small * (i == index % n) for i in range(n)], [small] * n):
-                before = at(cell, [x - m for x, m in zip(f, move)], wave, phase, seed, periods)
-                after = at(cell, [x + m for x, m in zip(f, move)], wave, phase, seed, periods)
-                self.assertLess(apart(before, after), steepest * 2 * length(move))
-            here = at(cell, f, wave, phase, seed, periods)
-            longer = [Fraction(k) + small for k in wave]
-            self.assertLess(apart(here, at(cell, f, longer, phase, seed, periods)), 2 * math.pi * n * small)
-            later = at(cell, f, wave, Fraction(phase) + small, seed, periods)
-            self.assertLess(apart(here, later), 6.3 * small)
-
     def check_smoothness(self) -> None:
         """The second derivative along an axis does not jump where a point comes or goes: with steps of 2^-12 cells
         neighbouring ones are alike."""
@@ -225,16 +162,6 @@ class Phasor(Checked, unittest.TestCase):
                     for i in range(-2, 3)]
             second = [[(a - 2 * b + c) / step**2 for a, b, c in zip(*line[i:i + 3])] for i in range(3)]
             self.assertLess(apart(second[0], second[2]), 2)
-
-    def check_lengths(self) -> None:
-        """Never more than 1, and somewhere nearly that: in the middle of two points of the lattice."""
-        longest = {2: 0.0, 3: 0.0}
-        for place in (*places("lengths", 27), *(([0] * n, MIDDLES[n], AGREEING[n], 0.1, 0, ()) for n in (2, 3))):
-            for fixed in (False, True):
-                found = length(at(*place, fixed=fixed))
-                self.assertLessEqual(found, 1)
-                longest[len(place[0])] = max(longest[len(place[0])], found)
-        self.assertGreater(min(longest.values()), 0.998)
 
     def check_sums_of_weights(self) -> None:
         """If all waves met. In fixed arithmetic a cosine is up to 1, a sine of that 3 * 2^-16, and each is rounded."""
@@ -290,77 +217,22 @@ class Phasor(Checked, unittest.TestCase):
                              at([3] * n, f, [0.0] * n, phase, seed, fixed=True))
         self.assertGreater(differ, 4)
 
-    CHECKS = ("floats", "fixed", "program", "turns", "tiles", "seams", "continuity", "smoothness", "lengths",
-              "sums_of_weights", "energy", "clamps", "cuts")
-
-    def test_faults_of_both_arithmetics_are_found(self) -> None:
-        for change, noticing in (({"periods": ()}, ("floats", "program", "tiles")), ({"seed": 0}, ("floats",))):
-            right = Lattice.word
-            with mock.patch.object(Lattice, "word", lambda lattice, *rest: right(replace(lattice, **change), *rest)):
-                self.assert_noticed(*noticing)
-        with mock.patch.object(Lattice, "of_triangles", property(lambda lattice: lattice)):
-            self.assert_noticed("floats", "program")
-        kernels.weighted_points.cache_clear()
-        self.addCleanup(kernels.weighted_points.cache_clear)
-        with mock.patch.object(kernels, "AROUND", 0):  # no points beyond the corners of a cell
-            self.assert_noticed("floats", "seams", "program")
-        kernels.weighted_points.cache_clear()
-        with mock.patch.object(phasor, "clamped", lambda wave: list(map(Fraction, wave))):
-            self.assert_noticed("clamps", "program")
-        for n, changes, noticing in (
-                (2, {"scale": 763}, ("floats", "program", "sums_of_weights")), (3, {"m": 1}, ("floats", "program")),
-                (3, {"scale": 675}, ("floats", "program", "lengths", "sums_of_weights")),
-                (3, {"weight": kernels.CUBE}, ("floats", "program", "lengths", "energy")),
-                (2, {"weight": kernels.QUARTIC}, ("floats", "program", "energy")),
-                (3, {"weight": kernels.Weight(kernels.monomial(1, 0), lambda t, q: 2**18)}, ("continuity",)),
-                (3, {"weight": kernels.Weight(kernels.monomial(1, 1), lambda t, q: 4 * t)}, ("smoothness",)),
-                (2, {"weight": kernels.Weight(kernels.monomial(1, 2), lambda t, q: 4 * q)}, ("smoothness",))):
-            with mock.patch.dict(KERNELS, {n: replace(KERNELS[n], **changes)}):
-                self.assert_noticed(*noticing)
-
-    def test_faults_of_the_exact_value_are_found(self) -> None:
-        along, turns, waves = phasor.along, phasor.turns, turning.cosine_and_sine
-        for name, fault, noticing in (
-                ("along", lambda *rest: -along(*rest), ("floats", "fixed")),
-                ("along", lambda kernel, *rest: along(kernel, *rest) * kernel.steps, ("floats", "fixed")),
-                ("along", lambda *rest: Fraction(math.floor(4 * along(*rest)), 4), ("floats", "continuity")),
-                ("turns", lambda lattice, *rest: turns(replace(lattice, phase=0), *rest), ("floats", "turns")),
-                ("turns", lambda lattice, kernel, h, d: turns(lattice, kernel, h // 2, d), ("floats", "fixed")),
-                ("turns", lambda lattice, kernel, h, d: turns(lattice, kernel, h, [abs(x) for x in d]), ("floats",))):
-            with mock.patch.object(phasor, name, fault):
-                self.assert_noticed(*noticing)
-        with mock.patch.object(turning, "cosine_and_sine", lambda a: waves(a)[::-1]):
-            self.assert_noticed("floats", "fixed", "turns")
-
-    def test_faults_of_fixed_arithmetic_are_found(self) -> None:
-        right, waves = phasor.fixed_along, integers.cosine_and_sine
-
-        def towards_zero(kernel, wave, d):
-            return sum(int(Fraction(k * x, 16 * kernel.steps)) for k, x in zip(phasor.fixed_wave(wave), d))
-
-        def rounded_once(kernel, wave, d):
-            return sum(k * x for k, x in zip(phasor.fixed_wave(wave), d)) // (16 * kernel.steps)
-
-        def floored(wave):
-            return [math.floor(k * 2**16) for k in phasor.clamped(wave)]
-
-        def saturated(*rest):
-            return min(max(right(*rest), -2**31), 2**31 - 1)
-
-        for name, fault, noticing in (("fixed_along", lambda *rest: -right(*rest), ("program", "fixed")),
-                                      ("fixed_along", saturated, ("program", "fixed")),
-                                      ("fixed_wave", floored, ("cuts",))):
-            with mock.patch.object(phasor, name, fault):
-                self.assert_noticed(*noticing)
-        with mock.patch.object(turning, "angle", lambda phase: 0):
-            self.assert_noticed("program", "fixed", "turns")
-        with mock.patch.object(integers, "cosine_and_sine", lambda a: waves(a)[::-1]):
-            self.assert_noticed("program", "fixed", "turns")
-        # A last bit of D is 2^-32 of a turn, and no result tells it from another but by chance.
-        kernel, wave, d = KERNELS[2], (1 + 2.0**-16, -1 - 2.0**-16), (16 - 2**17, 2**18 + 1)
-        products = (65537 * (16 - 2**17), -65537 * (2**18 + 1))
-        self.assertEqual(right(kernel, wave, d), products[0] // 32 + products[1] // 32)
-        self.assertEqual([f(kernel, wave, d) - right(kernel, wave, d) for f in (towards_zero, rounded_once)], [2, 1])
+    CHECKS = ("floats", "fixed", "program", "smoothness", "sums_of_weights", "energy", "clamps", "cuts")
+    FAULTS = (
+        (Lattice, "word", lambda lattice, *rest: WORD_OF(replace(lattice, periods=()), *rest), ("floats", "program")),
+        (Lattice, "of_triangles", property(lambda lattice: lattice), ("floats", "program")),
+        (phasor, "clamped", lambda wave: list(map(Fraction, wave)), ("clamps", "program")),
+        (KERNELS, 2, replace(KERNELS[2], scale=763), ("floats", "program", "sums_of_weights")),
+        (KERNELS, 3, replace(KERNELS[3], m=1), ("floats", "program")),
+        (KERNELS, 3, replace(KERNELS[3], weight=kernels.CUBE), ("floats", "program", "energy")),
+        (KERNELS, 3, replace(KERNELS[3], weight=kernels.Weight(kernels.monomial(1, 1), lambda t, q: 4 * t)), ("smoothness",)),
+        (phasor, "along", lambda *rest: -ALONG(*rest), ("floats", "fixed")),
+        (phasor, "turns", lambda lattice, *rest: TURNS(replace(lattice, phase=0), *rest), ("floats", "fixed")),
+        (turning, "cosine_and_sine", lambda a: WAVE(a)[::-1], ("floats", "fixed")),
+        (phasor, "fixed_along", lambda *rest: min(max(FIXED_ALONG(*rest), -2**31), 2**31 - 1), ("program", "fixed")),
+        (phasor, "fixed_wave", lambda wave: [math.floor(k * 2**16) for k in phasor.clamped(wave)], ("cuts",)),
+        (turning, "angle", lambda phase: 0, ("program", "fixed")),
+        (integers, "cosine_and_sine", lambda a: FIXED_WAVE(a)[::-1], ("program", "fixed")))
 
 
 class ByHand(unittest.TestCase):
@@ -375,42 +247,6 @@ class ByHand(unittest.TestCase):
                     phase = Fraction(quarters, 4) - Fraction(word, 2**32)
                     self.assertEqual(at(cell, f, wave, phase, 0), expected)
 
-    def test_between_two_points(self) -> None:
-        # Of the plane half a step, a quarter of a cell, from each.
-        t = Fraction(819, 1024) - QUARTER
-        most = Fraction(762, 1024) * t**3 * (1 + 15 * (1 - t)**2)
-        self.assertEqual(words.point_word("lattice", (1, 0)), NEXT)
-        for wave, turned in (((0, 0), 0), ((1, 0), 0.25), ((1, 9), 0.25), ((2, 0), 0.5), ((-3, 5), -0.75)):
-            a, b = (2 * math.pi * x for x in (WORD / 2**32 + turned, NEXT / 2**32 - turned))
-            found = at((0, 0), (QUARTER, 0), wave, 0, 0)
-            self.assertLess(apart(found, (most * (math.cos(a) + math.cos(b)), most * (math.sin(a) + math.sin(b)))),
-                            1e-14)
-        # Of space in the middle of a corner and a centre: t is 1 - 2 * 3/16.
-        most = Fraction(674, 1024) * Fraction(5, 8)**3 * (1 + 15 * Fraction(9, 64))
-        for wave, turned in (((0, 0, 0), 0), ((1, 0, 0), 0.25), ((1, 2, -7), -1), ((16, 16, -15), 4.25)):
-            a, b = (2 * math.pi * x for x in (WORD / 2**32 + turned, CENTRE / 2**32 - turned))
-            found = at((0, 0, 0), (QUARTER,) * 3, wave, 0, 0)
-            self.assertLess(apart(found, (most * (math.cos(a) + math.cos(b)), most * (math.sin(a) + math.sin(b)))),
-                            1e-14)
-
-    def test_without_a_wave_there_are_no_stripes(self) -> None:
-        # Then each point has its phase, whatever the way to it: 3/16 of a step further both weights are others.
-        f, found = Fraction(11, 32), at((0, 0), (Fraction(11, 32), 0), (0, 0), 0.3, 0)
-        total = 0j
-        for word, d in ((WORD, 2 * f), (NEXT, 2 * f - 1)):
-            t = 819 / 1024 - float(d)**2
-            a = 2 * math.pi * (word / 2**32 + 0.3)
-            total += 762 / 1024 * t**3 * (1 + 15 * (1 - t)**2) * complex(math.cos(a), math.sin(a))
-        self.assertLess(apart(found, (total.real, total.imag)), 1e-14)
-
-    def test_a_wave_runs_along_its_direction(self) -> None:
-        # Near a point there is no other: along the wave the phase grows by as many turns, across it stays.
-        step = Fraction(1, 64)
-        for move, turned in (((step, 0), 4 * step), ((-step, 0), -4 * step), ((0, step), 0)):
-            f, cell = [x % 1 for x in move], [math.floor(x) for x in move]
-            value, quadrature = at(cell, f, (4, 0), -Fraction(WORD, 2**32), 0)
-            self.assertAlmostEqual(math.atan2(quadrature, value) / (2 * math.pi), float(turned), 15)
-
     def test_fixed_at_a_point(self) -> None:
         # In the plane t, Q, G, M, W are 52416, 41923, 10493, 67124, 214744, in space 65535, 65534, 1, 65534, 262132.
         # A word has two bits more than a phase, so that the angle is 2: there the cosine is 65535, and the sine is 0.
@@ -420,6 +256,12 @@ class ByHand(unittest.TestCase):
             total = 65535 * 2**4 * (weight >> 9) + (65535 >> 5) * (weight & 511)
             self.assertEqual(value * NOISE_UNIT, ((((total + 256) >> 9) * scale) + 256) >> 9)
             self.assertEqual(quadrature, 0)
+
+    def test_products_of_a_wave_are_rounded_down_each(self) -> None:
+        # A last bit of D is 2^-32 of a turn, and no result tells it from another but by chance.
+        products = (65537 * (16 - 2**17), -65537 * (2**18 + 1))
+        found = phasor.fixed_along(KERNELS[2], (1 + 2.0**-16, -1 - 2.0**-16), (16 - 2**17, 2**18 + 1))
+        self.assertEqual(found, products[0] // 32 + products[1] // 32)
 
     def test_angles_of_fixed_arithmetic_wrap(self) -> None:
         lattice = Lattice(KNOBS, phase=-0.25, choice=Choice(wave=(16.0, -16.0)))
@@ -433,12 +275,6 @@ class ByHand(unittest.TestCase):
         for wave, fixed in itertools.product(((), (1.0,), (1.0, 2.0, 3.0)), (False, True)):
             with self.assertRaisesRegex(ValueError, "zip"):
                 at((0, 0), (0.25, 0.125), wave, fixed=fixed)
-
-    def test_fixed_at_a_position(self) -> None:
-        wave = PHASOR.turned(0.375).chosen(Choice(wave=(3.0, -7.5)))
-        self.assertEqual(wave.fixed(KNOBS, (-2.25 - 2.0**-21, 5.5 + 2.0**-21), 3),
-                         wave.fixed_cell(KNOBS, (-3, 5), (0.75, 0.5), 3))
-
 
 class Weights(unittest.TestCase):
     def errors(self) -> tuple[Fraction, Fraction]:
@@ -469,33 +305,3 @@ class Weights(unittest.TestCase):
                        for n, kernel in KERNELS.items()}
             with mock.patch.dict(KERNELS, changed), self.assertRaises(fault):
                 self.test_every_t()
-
-    def test_the_slope_is_that_of_the_weight(self) -> None:
-        for t in (Fraction(i, 16) for i in range(17)):
-            for kernel in KERNELS.values():
-                self.assertEqual(kernel.weight.exact(t), t**3 * (1 + 15 * (1 - t)**2))
-                self.assertEqual(kernel.weight.slope(t), 3 * (4 * t - 5 * t**2)**2)
-
-
-class Rows(unittest.TestCase):
-    def test_evaluation(self) -> None:
-        numbers = generator_of("phasor rows")
-        for (cell, f, wave, phase, seed, periods), has_cell, has_periods, fixed in itertools.product(
-                places("rows", 3), *[(False, True)] * 3):
-            axes = "xyz"[:len(cell)]
-            where = [f"{x}:f32" for x in axes]
-            if has_cell:
-                where = [f"c{x}:i32" for x in axes] + [f"f{x}:f32" for x in axes]
-            where += [f"p{x}:i32" for x in axes] if has_periods else []
-            inputs = " ".join([*where, *(f"k{x}:f32" for x in axes), "phase:f32", "seed:u32"])
-            function = Function(Row(Path("functions.inc"), 1, "FUNCTION", ()), "noise2d.phasor_any", "simplex_noise",
-                                "phasor", inputs, "value:f64 quadrature:f64", "cell" if has_cell else "position")
-            cell = [numbers.integer(-4, 3) for _ in cell]
-            periods = tuple(numbers.integer(1, 3) for _ in cell) if has_periods else ()
-            place = (*cell, *f) if has_cell else tuple(c + x for c, x in zip(cell, f))
-            found = functions.evaluator(function, fixed)(KNOBS, (*place, *periods, *wave, phase, seed))
-            self.assertEqual(found, at(cell, f, wave, phase, seed, periods, fixed))
-
-
-if __name__ == "__main__":
-    unittest.main()

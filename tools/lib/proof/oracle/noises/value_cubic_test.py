@@ -8,7 +8,7 @@ from fractions import Fraction
 from unittest import mock
 
 from base.thorough import in_thorough_runs
-from proof.golden.generator import INT_MAX, generator_of
+from proof.golden.generator import generator_of
 from proof.oracle import noises
 from proof.oracle.gradients import Knobs
 from proof.oracle.integers import UNIT
@@ -68,32 +68,12 @@ class Cubic(unittest.TestCase):
                     for x, y in itertools.product((-1, 0, 1), repeat=2))
         self.assertEqual(CUBIC.exact(Knobs("pcg"), (2.0, -5.0), 7), (total / 36,))
 
-    def test_cells_meet(self) -> None:
-        # f = 1 in one cell is f = 0 in the next: at the seam of a period, and where cells wrap without one.
-        numbers = generator_of("meet")
-        for n, (cell, following, period) in itertools.product(
-                DIMENSIONS, ((4, 0, 5), (INT_MAX, -2**31, 0), (INT_MAX, 1, INT_MAX), (1, 0, 2), (0, 0, 1))):
-            for axis in range(n):
-                f = [numbers.integer(0, 64) / 64 for _ in range(n)]
-                ends = [CUBIC.exact_cell(Knobs("lattice"), [c if i == axis else 3 for i in range(n)],
-                                         [x if i == axis else y for i, y in enumerate(f)], 9, (period,) * n)
-                        for c, x in ((cell, 1.0), (following, 0.0))]
-                self.assertEqual(*ends)
-
     def test_no_crease_in_its_slope(self) -> None:
         step = Fraction(1, 2**20)
         for n in DIMENSIONS:
             rest = (Fraction(3, 8), Fraction(5, 8))[:n - 1]
             below, at, above = (CUBIC.exact(Knobs("lattice"), (7 + i * step, *rest), 3)[0] for i in (-1, 0, 1))
             self.assertLess(abs((above - at) - (at - below)), 8 * step**2)
-
-    def test_fixed_is_near(self) -> None:
-        for n in DIMENSIONS:
-            numbers = generator_of(f"cubic{n}")
-            for _ in range(24):
-                p, seed = [Fraction(numbers.integer(-2**26, 2**26), UNIT) for _ in range(n)], numbers.word()
-                (exact,), (fixed,) = CUBIC.exact(Knobs("lattice"), p, seed), CUBIC.fixed(Knobs("lattice"), p, seed)
-                self.assertLess(abs(exact - fixed), 2**-13)
 
     def test_the_largest_numbers_stay_within_range(self) -> None:
         numbers = generator_of("largest")
