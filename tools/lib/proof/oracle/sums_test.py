@@ -131,66 +131,52 @@ class Octaves(unittest.TestCase):
         self.assertEqual((left(1.5, 2.0), left(3.0, 1.0)), ([0] * 4, [0] * 4))
 
 
+# Of octaves that have come to something: the noises, the weights unless all are 1, the strength, and the sum by hand.
+SINGLE = {"clouds": ((-1, 0), (-0.125, 0), (0, 0.15625), (0.125, 0.5), (0.375, 1), (1, 1)),
+          "billow": ((-1.5, 1), (-1, 1), (-0.25, -0.5), (0, -1), (0.75, 0.5), (1.5, 1)),
+          "ridged": ((-1.5, 0), (-1, 0), (-0.5, 0.25), (0, 1), (0.75, 0.0625), (1.5, 0)),
+          "hybrid": ((-1.5, 0), (-1, 0), (-0.5, 0.25), (0, 0.5), (0.75, 0.875), (1.5, 1))}
+BACK_AND_FORTH = {2: (-1, 0, 1, 0, -1), 0: (-1,) * 5, -3: (-1,) * 5, 1: (-1, -0.5, 0, 0.5, 1),
+                  3: (-1, 0.5, 0, -0.5, 1), 1.5: (-1, -0.25, 0.5, 0.75, 0)}
+HEIGHTS = (-0.5, 0.5, 0.5, 1, -1, 1)
+BY_HAND = (
+    *((name, (n,), (), 0, value) for name, found in SINGLE.items() for n, value in found),
+    ("fbm", (0.5, -0.25, 1), (1, 0.5, 0.5), 0, Fraction(7, 16)), ("fbm", (1.5, 1.5), (), 0, 1.5),
+    ("turbulence", (0.5, -0.25, 1), (1, 0.5, 0.5), 0, Fraction(9, 16)),
+    ("billow", (-0.5, 0.25), (1, 0.5), 0, Fraction(-1, 6)),
+    # Ridges: 1/4; 1/4 of 2/4; 1 of 2/8; 1 of 2/4; 1 of 1, since 2/2 is no more.
+    ("ridged", (0.5, -0.5, 0, 0, 0), (), 0, Fraction(17, 8) / 5),
+    # Heights: 1/4; 3/4 of 2/4; 3/4 of 6/8; 1 of 1, since 18/16 is no more; 0; and nothing after that. The weights count
+    # in the mean alone, not from one height to the next.
+    ("hybrid", HEIGHTS, (), 0, Fraction(35, 16) / 6),
+    ("hybrid", HEIGHTS, (1, 0.5, 0.25, 0.125, 0.125, 0.125), 0, Fraction(45, 64) / Fraction(17, 8)),
+    # Of a constant noise: each is n + 1 times the one before, here 1/4 * (1/2)^i.
+    ("hybrid", (-0.5,) * 5, (), 0, Fraction(31, 64) / 5),
+    *(("ping_pong", (n,), (), strength, value) for strength, found in BACK_AND_FORTH.items()
+      for n, value in zip((-1, -0.75, -0.5, -0.25, 0), found)),
+    # 64 * 1.25 is even, 64.5 * 1.25 is not.
+    ("ping_pong", (0.25,), (), 64, -1), ("ping_pong", (0.25,), (), 64.5, -1),
+    ("ping_pong", (-2, 3, 0.5), (1, 0.5, 0.5), 1, -0.75),
+    # Shares 1, (1/2) (3/4) and that times (1/2) (1/2); without a strength it is an fBm.
+    *(("weighted", (0.5, 0, -1), (1, 0.5, 0.25), strength, (Fraction(1, 2) - Fraction(3, 32)) / Fraction(7, 4))
+      for strength in (1, 3)),
+    *(("weighted", (0.5, 0, -1), (1, 0.5, 0.25), strength, Fraction(1, 7)) for strength in (0, -1)),
+    *((name, (), (), 0, {"clouds": 0.15625, "billow": -1}.get(name, 0)) for name in sums.SUMS))
+
+
 class Sums(unittest.TestCase):
-    """Of octaves that have come to something: by hand."""
+    def test_by_hand(self) -> None:
+        for name, noises_, weights, strength, expected in BY_HAND:
+            with self.subTest(name, noises=noises_, strength=strength):
+                weights = weights or (1,) * len(noises_)
+                self.assertEqual(sums.SUMS[name][0](terms_of(noises_, weights, Fraction(1, 2), strength)), expected)
+                shares = [int(w * 2**18) for w in weights]
+                of = Terms([int(n * 2**21) for n in noises_], shares, shares, 2**17, sums.in_weights(strength, 64))
+                self.assertLess(abs(Fraction(sums.SUMS[name][1](of), 2**21) - Fraction(expected)), 2**-17)
 
-    def test_fbm_and_turbulence(self) -> None:
-        terms = terms_of((0.5, -0.25, 1), (1, 0.5, 0.5))
-        self.assertEqual(sums.fbm(terms), Fraction(7, 16))
-        self.assertEqual(sums.turbulence(terms), Fraction(9, 16))
-        self.assertEqual(sums.fbm(replace(terms, shares=[Fraction(1), Fraction(1, 2), Fraction(0)])), Fraction(3, 16))
-        self.assertEqual(sums.fbm(terms_of((1.5, 1.5))), 1.5)  # of a noise that is larger
-
-    def test_clouds(self) -> None:
-        self.assertEqual([sums.clouds(terms_of((n,))) for n in (-1, -0.125, 0, 0.125, 0.375, 1)],
-                         [0, 0, 0.15625, 0.5, 1, 1])
-
-    def test_billow(self) -> None:
-        self.assertEqual([sums.billow(terms_of((n,))) for n in (-1.5, -1, -0.25, 0, 0.75, 1.5)],
-                         [1, 1, -0.5, -1, 0.5, 1])
-        self.assertEqual(sums.billow(terms_of((-0.5, 0.25), (1, 0.5))), -Fraction(1, 6))
-
-    def test_ridged(self) -> None:
-        self.assertEqual([sums.ridged(terms_of((n,))) for n in (-1.5, -1, -0.5, 0, 0.75, 1.5)],
-                         [0, 0, 0.25, 1, 0.0625, 0])
-        # Ridges: 1/4; 1/4 of 2/4; 1 of 2/8; 1 of 2/4; 1 of 1, since 2/2 is no more.
-        self.assertEqual(sums.ridged(terms_of((0.5, -0.5, 0, 0, 0))), Fraction(17, 8) / 5)
-
-    def test_hybrid(self) -> None:
-        self.assertEqual([sums.hybrid(terms_of((n,))) for n in (-1.5, -1, -0.5, 0, 0.75, 1.5)],
-                         [0, 0, 0.25, 0.5, 0.875, 1])
-        # Heights: 1/4; 3/4 of 2/4; 3/4 of 6/8; 1 of 1, since 18/16 is no more; 0; and nothing after that.
-        heights = (Fraction(1, 4), Fraction(3, 8), Fraction(9, 16), 1, 0, 0)
-        self.assertEqual(sums.hybrid(terms_of((-0.5, 0.5, 0.5, 1, -1, 1))), sum(heights) / 6)
-        # The weights count in the mean alone, not from one height to the next.
-        weights = (1, 0.5, 0.25, 0.125, 0.125, 0.125)
-        self.assertEqual(sums.hybrid(terms_of((-0.5, 0.5, 0.5, 1, -1, 1), weights, 0.5)),
-                         sum(Fraction(w) * h for w, h in zip(weights, heights)) / Fraction(sum(weights)))
-        # Of a constant noise: each is n + 1 times the one before, here 1/4 * (1/2)^i.
-        self.assertEqual(sums.hybrid(terms_of((-0.5,) * 5)), Fraction(31, 64) / 5)
-
-    def test_ping_pong(self) -> None:
-        for strength, values in ((2, (-1, 0, 1, 0, -1)), (0, (-1,) * 5), (-3, (-1,) * 5),
-                                 (1, (-1, -0.5, 0, 0.5, 1)), (3, (-1, 0.5, 0, -0.5, 1)),
-                                 (1.5, (-1, -0.25, 0.5, 0.75, 0))):
-            found = [sums.ping_pong(terms_of((n,), strength=strength)) for n in (-1, -0.75, -0.5, -0.25, 0)]
-            self.assertEqual(found, list(values), strength)
-        # 64 * 1.25 is even, 64.5 * 1.25 is not.
-        for strength in (64, 64.5):
-            self.assertEqual(sums.ping_pong(terms_of((0.25,), strength=strength)), -1)
-        self.assertEqual(sums.ping_pong(terms_of((-2, 3, 0.5), (1, 0.5, 0.5), strength=1)), -0.75)
-
-    def test_weighted(self) -> None:
-        # Shares 1, (1/2) (3/4) and that times (1/2) (1/2).
-        of = terms_of((0.5, 0, -1), (1, 0.5, 0.25), 0.5, 1)
-        self.assertEqual(sums.weighted(of), (Fraction(1, 2) - Fraction(3, 32)) / Fraction(7, 4))
-        self.assertEqual(sums.weighted(replace(of, strength=Fraction(3))), sums.weighted(of))
-        for strength in (0, -1):
-            self.assertEqual(sums.weighted(replace(of, strength=Fraction(strength))), sums.fbm(of))
-
-    def test_what_is_none(self) -> None:
-        for name, (function, _) in sums.SUMS.items():
-            self.assertEqual(function(terms_of(())), {"clouds": 0.15625, "billow": -1}.get(name, 0), name)
+    def test_shares_that_are_less_than_weights(self) -> None:
+        terms = replace(terms_of((0.5, -0.25, 1), (1, 0.5, 0.5)), shares=[Fraction(1), Fraction(1, 2), Fraction(0)])
+        self.assertEqual(sums.fbm(terms), Fraction(3, 16))
 
 
 class OctaveSums(unittest.TestCase):
@@ -203,17 +189,6 @@ class OctaveSums(unittest.TestCase):
                 options = Options(octaves, 2.0, gain)
                 self.assertEqual(exact("fbm", Knobs("lattice"), point, options, 3), noise)
                 self.assertEqual(exact("turbulence", Knobs("lattice"), point, options, 3), abs(noise))
-
-    def test_two_octaves_by_hand(self) -> None:
-        seed, next_seed = 0xFFFFFFFF, 0x9E3779B8
-        first = noise_at(Knobs("pcg"), (0.375, -12.25), seed)
-        second = noise_at(Knobs("pcg"), (16.2421875, -18.078125), next_seed)
-        self.assertEqual(exact("fbm", Knobs("pcg"), (0.375, -12.25), Options(2, 2.0, 0.25), seed),
-                         (4 * first + second) / 5)
-        second = noise_at(Knobs("pcg"), (0.75 + 0.34375, -24.5 + 0.59375), next_seed, (10, 0))
-        first = noise_at(Knobs("pcg"), (0.375, -12.25), seed, (5, -5))
-        self.assertEqual(exact("fbm", Knobs("pcg"), (0.375, -12.25), Options(2, 2.9, 0.25), seed, (5, -5)),
-                         (4 * first + second) / 5)
 
     def test_another_way(self) -> None:
         """Floats, with a position of the plane as a complex number."""
@@ -446,27 +421,6 @@ class FixedSums(unittest.TestCase):
             self.assertLess(abs(Fraction(values[-1], 2**21) - t * t * (3 - 2 * t)), 2.6e-5)
         self.assertEqual(values, sorted(values))
 
-    def test_ridges(self) -> None:
-        one, half = 2**18, 2**20
-        self.assertEqual(sums.fixed_ridged(self.fixed_terms([half, -half, 0], [one] * 3)), (2**19 + 2**18 + 2**19) // 3)
-        self.assertEqual([sums.fixed_ridged(self.fixed_terms([v], [one])) for v in (0, 2**21, -2**21)], [2**21, 0, 0])
-        d = (2**21 - 777777) >> 3
-        self.assertEqual(sums.fixed_ridged(self.fixed_terms([777777], [one])),
-                         (((d >> 9) * d + ((d & 511) * d >> 9)) >> 9) << 3)
-
-    def test_hybrid(self) -> None:
-        one, half = 2**18, 2**20
-        self.assertEqual([sums.fixed_hybrid(self.fixed_terms([v], [one])) for v in (-2**21, -half, 0, half, 2**21)],
-                         [0, 2**19, 2**20, 3 * 2**19, 2**21])
-        # As by hand above, in units of 2^-21: 1/4, 3/8, 9/16, 1, 0 and 0.
-        values = [-half, half, half, 2**21, -2**21, 2**21]
-        self.assertEqual(sums.fixed_hybrid(self.fixed_terms(values, [one] * 6)), 35 * 2**17 // 6)
-        # Each is cut to 18 bits, and what it leaves to the next, too: 777777 is no multiple of 16.
-        h = (2**21 - 777777) >> 4
-        following = ((h >> 9) * (2 * h) + ((h & 511) * (2 * h) >> 9)) >> 9
-        self.assertEqual(sums.fixed_hybrid(self.fixed_terms([-777777], [one])), h << 3)
-        self.assertEqual(sums.fixed_hybrid(self.fixed_terms([-777777] * 2, [one, one])), (h + following << 3) // 2)
-
     def test_heights(self) -> None:
         self.assertEqual([sums.fixed_height(v, 2 * 2**18) for v in (-2**21, -2**20, 0, 2**20, 2**21)],
                          [0, 2**30, 0, 2**30, 0])
@@ -478,14 +432,6 @@ class FixedSums(unittest.TestCase):
             self.assertLessEqual(off, 2**-30)
         self.assertEqual(sums.fixed_ping_pong(self.fixed_terms([-2**20, 2**21], [2**18] * 2, 2**19)), 0)
 
-    def test_weighted(self) -> None:
-        one = 2**18
-        of = self.fixed_terms([2**20, 0, -2**21], [one, one // 2, one // 4], one)
-        # Shares 1, (1/2) (3/4) and that times (1/2) (1/2), as above.
-        self.assertEqual(sums.fixed_weighted(of), int((Fraction(1, 2) - Fraction(3, 32)) * 2**21 / Fraction(7, 4)))
-        self.assertEqual(sums.fixed_weighted(replace(of, strength=64 * one)), sums.fixed_weighted(of))
-        self.assertEqual(sums.fixed_weighted(replace(of, strength=0)), sums.fixed_fbm(of))
-
     def test_a_noise_that_is_larger(self) -> None:
         one = 2**18
         for v, at_most in ((5 * 2**19, 5 * 2**19), (-5 * 2**19, 5 * 2**19), (2**22, 3 * 2**20)):
@@ -495,11 +441,6 @@ class FixedSums(unittest.TestCase):
             for function in (sums.fixed_clouds, sums.fixed_billow, sums.fixed_ridged, sums.fixed_hybrid,
                              sums.fixed_ping_pong, sums.fixed_weighted):
                 self.assertEqual(function(of), function(same))
-
-    def test_no_octaves(self) -> None:
-        for octaves, name in itertools.product((0, -1, -0.5), sums.SUMS):
-            self.assertEqual(fixed(name, Knobs("pcg"), (1.5, 2.5), Options(octaves, 2.0, 0.5)),
-                             {"clouds": 0.15625, "billow": -1}.get(name, 0))
 
     def test_one_octave_is_the_noise_where_nothing_is_cut_off(self) -> None:
         def one(p: Sequence[Real]) -> Fraction:

@@ -159,15 +159,6 @@ class Phases(unittest.TestCase):
                 for a, b in zip(moving.fixed(LATTICE, p, seed), still):
                     self.assertLess(abs(a - b), 2**-12)
 
-    def test_points_go_on_ways_without_a_leap(self) -> None:
-        # A turn of 2^-16 moves a point by 2 pi 2^-16 times half of k at most, and in space by twice that.
-        for n in (2, 3):
-            for p, seed, phase, jitter in samples("ways", n, 16):
-                phase = math.fmod(phase, 1)
-                for a, b in zip(*(at(MOVING, Fraction(phase) + step, jitter).exact(LATTICE, p, seed)
-                                  for step in (0, Fraction(1, 2**16)))):
-                    self.assertLessEqual(abs(a - b), 2 * math.pi * NEARER[n] / 2 * (n - 1) / 2**16)
-
     def test_the_metric_is_the_euclidean_one(self) -> None:
         for noise, of in itertools.product((MOVING, NEAREST, OFFSET), ("exact", "fixed")):
             found = {getattr(noise.chosen(Choice(0.75, metric)).turned(0.3), of)(LATTICE, (0.3, 0.9), 5)
@@ -198,19 +189,6 @@ class FixedArithmetic(unittest.TestCase):
 
 
 class Searches(unittest.TestCase):
-    def test_two_of_the_block_of_neighbours_are_nearest(self) -> None:
-        # That is what k is for: the library looks at no other cells.
-        for n, count in ((2, 160), (3, 24)):
-            numbers = generator_of(f"block{n}")
-            for index in range(count):
-                # Near a corner the nearest points may be farthest away.
-                p = [Fraction(numbers.integer(0, UNIT >> index % 2 * 3), UNIT) for _ in range(n)]
-                lattice = Lattice(LATTICE, numbers.word(), phase=numbers.uniform(-1, 1))
-                for field in (Field.exact(lattice, (0,) * n, p, 1),
-                              Field.fixed(lattice, (0,) * n, [int(x * UNIT) for x in p], 1)):
-                    found = sorted(field.point(beside).rank for beside in itertools.product((-1, 0, 1), repeat=n))
-                    self.assertEqual(found[:2], [point.rank for point in field.nearest(2)])
-
     def test_a_larger_block_changes_nothing(self) -> None:
         for n in (2, 3):
             for p, seed, phase, jitter in samples("larger", n, 10 if n == 2 else 3):
@@ -223,8 +201,3 @@ class Searches(unittest.TestCase):
         for of in ("exact", "fixed"):
             with mock.patch.object(feature_points, "AROUND", 0), self.assertRaises(TooFar):
                 getattr(at(MOVING, 0.3), of)(LATTICE, (0.0, 0.25), 1)
-
-    def test_a_search_that_takes_cells_for_too_far_is_found(self) -> None:
-        for arithmetic in (feature_points.MovingExact, feature_points.MovingFixed):
-            with mock.patch.object(arithmetic, "reach", 0), self.assertRaises(AssertionError):
-                self.test_two_of_the_block_of_neighbours_are_nearest()
