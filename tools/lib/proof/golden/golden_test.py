@@ -12,7 +12,7 @@ import itertools
 import math
 import tempfile
 import unittest
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from pathlib import Path
@@ -44,6 +44,30 @@ CELLULAR = [function for function in FUNCTIONS.values() if function.family in ce
 PHASORS = [function for function in FUNCTIONS.values() if function.has_wave]
 SETTINGS = read_configurations()
 FILES = {file.function.id: file for file in golden_files(list(FUNCTIONS.values()), SETTINGS)}
+
+
+ENDS = {INT_MIN, INT_MAX}
+# What stands in a column of a function's rows with a setting, in every number of dimensions that is named; x, cx, fx and
+# px are all axes.
+EDGES = (
+    ("noise{n}d.perlin", "lattice+fixed", (2, 3), "x", {*map(to_f32, (-1e-40, 3e38, -3.4e38)), -2.0**-21, -2.0**-20,
+                                                         2.0**-149, 2.0**23, 2.0**31, -2.0**31}),
+    ("noise{n}d.perlin_cell", "lattice+fixed", (2, 3), "fx", {0, 2.0**-149, 0.5, 1 - 2.0**-24, 1}),
+    ("fbm.fbm{n}", "lattice+fixed", (2, 3), "octaves", {-1, 0, 1, 32, 33}),
+    ("fbm.fbm{n}", "lattice+fixed", (2, 3), "lacunarity", {*map(to_f32, (1.9, 3.7, 0, 255))}),
+    ("fbm.fbm{n}", "lattice+fixed", (2, 3), "gain", {0, 1, 1.5}),
+    *((f"fbm.fbm{{n}}_{form}", "lattice+fixed", (2, 3), column, edges) for form in ("cell", "cell_period")
+      for column, edges in (("cx", {*sum_rows.CELLS}), ("fx", {*sum_rows.FIXED_FRACTIONS}))),
+    ("gradient.lattice{n}", "lattice", (2, 3), "x", {0, -1, INT_MIN, INT_MAX}),
+    ("noise{n}d.perlin_cell_period", "lattice", (1, 2, 3, 4), "px", {*period_rows.PERIODS}),
+    ("noise{n}d.perlin_period", "lattice", (1, 2, 3, 4), "px", {*period_rows.PERIODS}),
+    ("position.cell{n}", "any", (1, 2, 3, 4), "x", {0, -1, *ENDS}),
+    ("position.cell{n}", "any", (1, 2, 3, 4), "cells", {1, 65536, 0, -1, INT_MAX}),
+    ("position.cell{n}", "any", (1, 2, 3, 4), "units", {1, 65536, 0, -1, INT_MAX}),
+    ("numbers.shuffle", "any", (1,), "n", {0, 1, 2, 3, 2**16 - 1, 2**16, 2**16 + 1, 2**31}),
+    ("numbers.rehash", "any", (1,), "k", {*range(6)}))
+# How many different values a function has.
+VALUES = {"hash.gradient2": 8, "hash.gradient3": 12, "hash.gradient4": 24}
 
 
 def values_with(id: str, setting: str) -> Values:
@@ -123,31 +147,55 @@ class GoldenContents(unittest.TestCase):
             further = fixed is not None and rows_in(id, fixed) > rows_in(id, file.values[0])
             self.assertEqual(further, fixed is not None and not file.function.form.startswith(("point", "place")), id)
 
-    def test_inputs_of_fixed_arithmetic_reach_every_edge(self) -> None:
-        edges = {-1e-40, -2.0**-21, -2.0**-20, 2.0**-149, 2.0**23, 2.0**31, -2.0**31, 3e38, -3.4e38}
-        edges = set(map(to_f32, edges))
+    def columns(self, id: str, setting: str, name: str) -> Iterator[list]:
+        """The numbers in a column, or in that of each axis."""
+        names = [column.split(":")[0] for column in FUNCTIONS[id].inputs.split()]
+        axes = [name[:-1] + axis for axis in "xyzw"] if name[-1] == "x" else [name]
+        for found, *column in zip(names, *rows_with(id, setting)):
+            if found in axes:
+                yield column
+
+    def test_rows_have_every_edge(self) -> None:
+        for id, setting, dimensions, name, edges in EDGES:
+            for n in dimensions:
+                found = list(self.columns(id.format(n=n), setting, name))
+                self.assertTrue(found)
+                for column in found:
+                    self.assertLessEqual(edges, {*column}, (id, n, name))
+
+    def test_positions_of_fixed_arithmetic_are_beside_whole_numbers(self) -> None:
         for n in (2, 3):
-            points = [row[:n] for row in rows_with(f"noise{n}d.perlin", "lattice+fixed")]
-            for axis in range(n):
-                self.assertTrue(edges <= {p[axis] for p in points})
-                self.assertTrue(any(p[axis] == 0 and math.copysign(1, p[axis]) < 0 for p in points))
-                phases = {p[axis] - round(p[axis]) for p in points if abs(p[axis]) < 100}
+            for column in self.columns(f"noise{n}d.perlin", "lattice+fixed", "x"):
+                self.assertIn(-1, {math.copysign(1, x) for x in column if x == 0})
+                phases = {x - round(x) for x in column if abs(x) < 100}
                 self.assertTrue(any(0 < x < 2**-17 for x in phases) and any(-2**-17 < x < 0 for x in phases))
-            cells = rows_with(f"noise{n}d.perlin_cell", "lattice+fixed")
-            for axis in range(n):
-                self.assertTrue({0, 2.0**-149, 0.5, 1 - 2.0**-24, 1} <= {row[n + axis] for row in cells})
-            found = rows_with(f"fbm.fbm{n}", "lattice+fixed")
-            octaves, lacunarities, gains = ({row[n + i] for row in found} for i in range(3))
-            self.assertTrue({-1, 0, 1, 32, 33} <= octaves)
-            self.assertTrue(set(map(to_f32, (1.9, 3.7, 0, 255))) <= lacunarities)
-            self.assertTrue({0, 1, 1.5} <= gains)
-            self.assertTrue(any(abs(x) >= 2**31 for row in found for x in row[:n]))
-            for form in ("cell", "cell_period"):
-                found = rows_with(f"fbm.fbm{n}_{form}", "lattice+fixed")
-                for axis in range(n):
-                    self.assertTrue(set(sum_rows.CELLS) <= {row[axis] for row in found})
-                    self.assertTrue(set(sum_rows.FIXED_FRACTIONS) <= {row[n + axis] for row in found})
-                self.assertIn((INT_MAX, 1), {(row[0], row[n]) for row in found})
+            self.assertIn((INT_MAX, 1), {(row[0], row[n]) for row in rows_with(f"fbm.fbm{n}_cell", "lattice+fixed")})
+
+    def test_rows_of_gradients_reach_every_case(self) -> None:
+        for id, count in VALUES.items():
+            self.assertEqual(len({values_with(id, "any").evaluate(row) for row in rows_with(id)}), count)
+        for n in (2, 3):
+            coordinates = {c for column in self.columns(f"gradient.lattice{n}", "lattice", "x") for c in column}
+            for sign, reach in itertools.product((-1, 1), (2**20, 2**30)):
+                phases = {c % 2**20 for c in coordinates if c * sign >= reach - 1}
+                self.assertTrue({0, 1, 2**20 - 1} <= phases, (n, sign, reach))
+
+    def test_periods_have_seams_near_and_far(self) -> None:
+        for n in (1, 2, 3, 4):
+            found = {(row[i], row[2 * n + i]) for row in rows_with(f"noise{n}d.perlin_cell_period") for i in range(n)}
+            self.assertTrue(ENDS <= {cell for cell, _ in found})
+            # The points of some cell lie on both sides of a seam, and of some far from the origin.
+            at_seams = [(cell, period) for cell, period in found if period > 1 and cell % period == period - 1]
+            self.assertTrue({2, 3, 5, 7, 48, 64} <= {period for _, period in at_seams}, n)
+            self.assertTrue(any(abs(cell) > 10**6 and period < 100 for cell, period in at_seams), n)
+            for column in self.columns(f"noise{n}d.perlin_period", "lattice", "x"):
+                self.assertTrue(all(abs(x) < 2**23 and to_f32(x) == x for x in column))
+
+    def test_items_are_at_their_ends_and_beyond(self) -> None:
+        rows = rows_with("numbers.shuffle")
+        for n in (3, 52, 2**31):
+            self.assertLessEqual({0, n - 1, n}, {i for i, other, _ in rows if other == n})
+        self.assertGreater(min(sum(n / 2 < i < n for i, n, _ in rows), sum(i > n for i, n, _ in rows)), 10)
 
     def test_sums_have_every_edge_of_their_settings(self) -> None:
         for function in SUMS:
@@ -194,32 +242,6 @@ class GoldenContents(unittest.TestCase):
             file = GoldenFile(replace(function, **change), [setting for setting in SETTINGS if setting.name == "lattice"])
             with self.assertRaisesRegex(TableError, message):
                 file.text()
-
-    def test_cell_gradient_rows_reach_every_case(self) -> None:
-        for n in (2, 3):
-            coordinates = {c for row in rows_with(f"gradient.lattice{n}") for c in row[:n]}
-            self.assertTrue({0, 1, -1, INT_MIN, INT_MAX} <= coordinates)
-            for sign, reach in itertools.product((-1, 1), (2**20, 2**30)):
-                phases = {c % 2**20 for c in coordinates if c * sign >= reach - 1}
-                self.assertTrue({0, 1, 2**20 - 1} <= phases, (n, sign, reach))
-
-    def test_period_rows_reach_every_case(self) -> None:
-        for n in (1, 2, 3, 4):
-            cells = rows_with(f"noise{n}d.perlin_cell_period")
-            positions = rows_with(f"noise{n}d.perlin_period")
-            for axis in range(n):
-                self.assertEqual({row[2 * n + axis] for row in cells}, set(period_rows.PERIODS))
-                self.assertEqual({row[n + axis] for row in positions}, set(period_rows.PERIODS))
-            found = {(row[i], row[2 * n + i]) for row in cells for i in range(n)}
-            self.assertTrue({INT_MIN, INT_MAX} <= {cell for cell, _ in found})
-            # The points of some cell lie on both sides of a seam, and of some far from the origin.
-            at_seams = [(cell, period) for cell, period in found if period > 1 and cell % period == period - 1]
-            self.assertTrue({2, 3, 5, 7, 48, 64} <= {period for _, period in at_seams}, n)
-            self.assertTrue(any(abs(cell) > 10**6 and period < 100 for cell, period in at_seams), n)
-            for row in positions:
-                self.assertTrue(all(abs(x) < 2**23 and to_f32(x) == x for x in row[:n]))
-            fractions = {row[n + i] for row in cells for i in range(n)}
-            self.assertTrue({0, 1, 2.0**-126, 1 - 2.0**-24} <= fractions)
 
     def test_phases_reach_every_case(self) -> None:
         for n, name, form in itertools.product((2, 3), ("perlin", "perlin_d", "simplex", "simplex_d"),
@@ -417,18 +439,6 @@ class GoldenContents(unittest.TestCase):
         with mock.patch.object(cellular_rows, "CLEAR", 2), self.assertRaisesRegex(ValueError, "is not clear"):
             list(cellular_rows.cleared([(0.5, 0.5, 0)], function, generator_of("clear")))
 
-    def test_places_reach_every_edge(self) -> None:
-        for n in (1, 2, 3, 4):
-            found = rows_with(f"position.cell{n}")
-            for axis in range(n):
-                self.assertTrue({0, -1, INT_MIN, INT_MAX} <= {row[axis] for row in found})
-            for scale in (n, n + 1):
-                self.assertTrue({1, 65536, 0, -1, INT_MAX} <= {row[scale] for row in found})
-
-    def test_gradients_of_four_dimensions_are_all_there(self) -> None:
-        found = {values_with("hash.gradient4", "any").evaluate(row) for row in rows_with("hash.gradient4")}
-        self.assertEqual(len(found), 24)
-
     def test_a_tie_matters_to_every_sine_gradient(self) -> None:
         def away(n: int) -> int:
             step = 1 << max(n.bit_length() - 24, 0)
@@ -471,10 +481,6 @@ class GoldenContents(unittest.TestCase):
         values = b"".join(value.to_bytes(4, "little") for value in (124, 134, 144, 224, 234, 244))
         self.assertEqual(found, f"digest lattice origin=1,2 size=2,3 seed=4 fnv1a64={fnv1a64(values):016x}")
 
-    def test_digest_wraps(self) -> None:
-        for name in words.HASHES:
-            self.assertEqual(words.hash_words(name, (2**32, 2**32 + 1)), words.hash_words(name, (0, 1)), name)
-
     def test_row_counts(self) -> None:
         least = {"hash.word": 64, "hash.gradient2": 128, "hash.gradient3": 128,
                  "gradient.lattice2": 96, "gradient.lattice3": 96, "gradient.sine2": 96, "gradient.sine3": 96}
@@ -484,32 +490,6 @@ class GoldenContents(unittest.TestCase):
                 noise //= 2  # their exact values take long
             expected = least.get(name, noise if name.startswith("noise") and FUNCTIONS[name].form != "sum" else 64)
             self.assertGreaterEqual(rows_in(name, FILES[name].values[0]), expected, name)
-
-    def test_gradient_rows_reach_every_case(self) -> None:
-        words = [word for word, in rows_with("hash.gradient3")]
-        self.assertEqual({tuple(x > 0 for x in gradients.gradient2(word)) for word in words},
-                         set(itertools.product((False, True), repeat=2)))
-        signs = {tuple((x > 0) - (x < 0) for x in gradients.gradient3(word)) for word in words}
-        self.assertEqual(signs, {g for g in itertools.product((-1, 0, 1), repeat=3) if g.count(0) == 1})
-
-    def test_item_rows_reach_every_case(self) -> None:
-        rows = rows_with("numbers.shuffle")
-        counts = {n for _, n, _ in rows}
-        self.assertLessEqual({0, 1, 2, 3, 2**16 - 1, 2**16, 2**16 + 1, 2**31}, counts)
-        self.assertLessEqual(max(counts), 2**31)
-        for n in (3, 52, 2**31):
-            self.assertLessEqual({0, n - 1, n}, {i for i, other, _ in rows if other == n})
-        self.assertGreater(sum(n / 2 < i < n for i, n, _ in rows), 10)
-        self.assertGreater(sum(i > n for i, n, _ in rows), 10)
-        self.assertLessEqual(set(range(6)), {k for _, k in rows_with("numbers.rehash")})
-
-    def test_perlin_rows_reach_every_case(self) -> None:
-        for n in (2, 3):
-            points = [row[:n] for row in rows_with(f"noise{n}d.perlin")]
-            self.assertTrue(any(all(x == math.floor(x) for x in p) and min(p) < 0 for p in points))
-            self.assertTrue(any(all(x * 2 % 2 == 1 for x in p) for p in points))
-            for far in (2**20, 2**22):
-                self.assertTrue(any(all(abs(abs(x) - far) <= 4 and x % 1 for x in p) for p in points))
 
     def of_row(self, function: Function, row: Sequence) -> tuple[sums.Options, sums.Place, Sequence[int]]:
         """The options, the position and the periods of a sum."""
@@ -681,14 +661,23 @@ class GoldenCheck(unittest.TestCase):
     def test_untouched_files_pass(self) -> None:
         self.assertEqual(self.run_main("--check")[0], 0)
 
-    def test_flipped_digit_is_noticed(self) -> None:
-        path = self.directory / "hash.unorm.golden"
-        lines = path.read_text().split("\n")
-        lines[9] = lines[9][:-1] + ("1" if lines[9][-1] == "0" else "0")
-        path.write_text("\n".join(lines))
-        status, output = self.run_main("--check")
-        self.assertEqual(status, 1)
-        self.assertRegex(output, r"^hash\.unorm\.golden: differs, line 10: expected .*, found .*\n$")
+    def test_what_is_damaged_missing_or_extra_is_noticed(self) -> None:
+        for damage, expected in (
+                (lambda text: text.replace(b"\n", b"\r\n"), ".*"), (lambda text: text[:-1], ".*"),
+                (lambda text: text + b"\n", ".*"), (lambda text: b"", ".*"), (lambda text: text[:-2] + b"\xff\n", ".*"),
+                (lambda text: text.replace(b" = 00000000\n", b" = 00000001\n", 1), r"differs, line \d+: expected .*, found .*"),
+                (None, "missing")):
+            path = self.directory / "hash.unorm.golden"
+            whole = path.read_bytes()
+            path.unlink() if damage is None else path.write_bytes(damage(whole))
+            status, output = self.run_main("--check")
+            self.assertEqual(status, 1)
+            self.assertRegex(output, rf"^hash\.unorm\.golden: {expected}\n$")
+            path.write_bytes(whole)
+        (self.directory / "hash.old.golden").write_text("")
+        self.assertEqual(self.run_main("--check"), (1, "hash.old.golden: extra\n"))
+        self.directory = self.directory / "none"
+        self.assertEqual(self.run_main("--check")[0], 1)
 
     def test_a_sample_notices_a_digit_in_what_it_computes_and_everything_in_the_rest(self) -> None:
         path = self.directory / "hash.unorm.golden"
@@ -732,26 +721,6 @@ class GoldenCheck(unittest.TestCase):
     def test_another_oracle_asks_other_rows(self) -> None:
         self.assertRegex(golden.salt(), "^[0-9a-f]{64}$")
         self.assertNotEqual(Sample(8, "a").of("noise2d.perlin", 192, 195, 18), Sample(8, "b").of("noise2d.perlin", 192, 195, 18))
-
-    def test_line_ends_and_truncation_are_noticed(self) -> None:
-        path = self.directory / "hash.snorm.golden"
-        whole = path.read_bytes()
-        for damaged in (whole.replace(b"\n", b"\r\n"), whole[:-1], whole + b"\n", b"", whole[:-2] + b"\xff\n"):
-            path.write_bytes(damaged)
-            status, output = self.run_main("--check")
-            self.assertEqual((status, output.count("\n")), (1, 1), output)
-
-    def test_missing_file_is_noticed(self) -> None:
-        (self.directory / "hash.gradient3.golden").unlink()
-        self.assertEqual(self.run_main("--check"), (1, "hash.gradient3.golden: missing\n"))
-
-    def test_missing_directory_is_noticed(self) -> None:
-        self.directory = self.directory / "none"
-        self.assertEqual(self.run_main("--check")[0], 1)
-
-    def test_extra_file_is_noticed(self) -> None:
-        (self.directory / "hash.old.golden").write_text("")
-        self.assertEqual(self.run_main("--check"), (1, "hash.old.golden: extra\n"))
 
     def test_writing_removes_stale_files_only(self) -> None:
         (self.directory / "hash.old.golden").write_text("")

@@ -154,7 +154,3 @@ class Rows(unittest.TestCase):
             self.assertEqual(gullies_rows.kept(32, lacunarity, gain, 8.0), gain)
         self.assertEqual(gullies_rows.growths(3, 2.9, 1.5), [1, 2, 4])
         self.assertTrue(math.isclose(gullies_rows.growths(2, 300.0, 0.5)[1], 127.5))
-
-
-if __name__ == "__main__":
-    unittest.main()

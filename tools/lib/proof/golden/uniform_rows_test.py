@@ -134,7 +134,3 @@ class UniformRows(unittest.TestCase):
             ("spread_fbm", "quotient", quotient))
         for name, attribute, fault in faults:
             self.assert_noticed(name, True, attribute, fault)
-
-
-if __name__ == "__main__":
-    unittest.main()
