@@ -12,8 +12,8 @@
 #include <thread>
 
 #include "base/file.hpp"
-#include "base/output/text.hpp"
 #include "base/temporary_folder.hpp"
+#include "base/text.hpp"
 #include "base/worker.hpp"
 #include "cases/costs.hpp"
 #include "cases/deal.hpp"

@@ -1,4 +1,4 @@
-#include "base/verdict.hpp"
+#include "expected/verdict.hpp"
 
 #include <gtest/gtest.h>
 

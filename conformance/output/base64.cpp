@@ -1,4 +1,4 @@
-#include "base/output/base64.hpp"
+#include "output/base64.hpp"
 
 #include <boost/archive/iterators/base64_from_binary.hpp>
 #include <boost/archive/iterators/transform_width.hpp>

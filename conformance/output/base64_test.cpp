@@ -1,4 +1,4 @@
-#include "base/output/base64.hpp"
+#include "output/base64.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "base/output/csv.hpp"
+#include "output/csv.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "base/embedded.hpp"
+#include "output/embedded.hpp"
 
 #include "base/entry_named.hpp"
 

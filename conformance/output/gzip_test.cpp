@@ -1,4 +1,4 @@
-#include "base/output/gzip.hpp"
+#include "output/gzip.hpp"
 
 #include <gtest/gtest.h>
 #include <zlib.h>

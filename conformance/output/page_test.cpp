@@ -1,4 +1,4 @@
-#include "base/output/page.hpp"
+#include "output/page.hpp"
 
 #include <gtest/gtest.h>
 

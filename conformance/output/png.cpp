@@ -1,4 +1,4 @@
-#include "base/output/png.hpp"
+#include "output/png.hpp"
 
 #include <fmt/format.h>
 #include <png.h>

@@ -1,4 +1,4 @@
-#include "base/output/png.hpp"
+#include "output/png.hpp"
 
 #include <gtest/gtest.h>
 #include <png.h>

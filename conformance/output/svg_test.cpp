@@ -1,4 +1,4 @@
-#include "base/output/svg.hpp"
+#include "output/svg.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "base/output/text.hpp"
+#include "base/text.hpp"
 
 namespace hn {
 

@@ -1,4 +1,4 @@
-#include "base/output/number.hpp"
+#include "base/number.hpp"
 
 #include <fmt/format.h>
 

@@ -14,7 +14,7 @@
 #include <system_error>
 
 #include "base/file.hpp"
-#include "base/output/text.hpp"
+#include "base/text.hpp"
 
 namespace hn {
 namespace {

@@ -1,4 +1,4 @@
-#include "base/output/text.hpp"
+#include "base/text.hpp"
 
 #include <fmt/format.h>
 
