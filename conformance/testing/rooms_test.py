@@ -25,7 +25,7 @@ def finds(room: str, header: str) -> bool:
 
 
 def folder_of(room: str) -> pathlib.Path:
-    return ROOT / ("src" if room == "base" else "conformance") / room
+    return next(pathlib.Path(f) / room for f in FOLDERS[room] if pathlib.Path(f).parts[-2:] == ("roots", room))
 
 
 def headers_of(room: str) -> list[str]:

@@ -1,5 +1,4 @@
-// What the suite says of octave sums (conformance/expected/sum_bounds.cpp, gullies.cpp), for tools/make bounds: it
-// answers each line
+// The bounds of octave sums (bounds.cpp, gullies.cpp), for tools/make bounds: it answers each line
 //
 //   value|slope SUM   largest coordinate, octaves, lacunarity, gain, exact positions, strength, footprint (-1: none),
 //                     turns, from a cell, is a detail, amplitude
@@ -15,9 +14,9 @@
 #include <iostream>
 #include <string>
 
-#include "expected/gullies.cpp"
-#include "expected/sum_bounds.cpp"
-#include "expected/sum_errors.cpp"
+#include "sums/bounds.cpp"
+#include "sums/errors.cpp"
+#include "sums/gullies.cpp"
 
 namespace {
 

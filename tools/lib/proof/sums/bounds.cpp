@@ -1,11 +1,11 @@
-#include "expected/sum_bounds.hpp"
+#include "sums/bounds.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
 
-#include "expected/sum_errors.hpp"
+#include "sums/errors.hpp"
 
 namespace hn {
 namespace {

@@ -1,6 +1,6 @@
-// How far an octave sum of floats may be from the exact one, given what is proven of its noise. The proofs stand in
-// sum_bounds.cpp. tools/make bounds compiles that, too, so both include the standard library and what tools/make
-// catalog makes.
+// How far an octave sum of floats may be from the exact one, given what is proven of its noise. The proofs are in
+// bounds.cpp. The suite and tools/make bounds compile it, so it includes the standard library and what tools/make
+// catalog makes, and nothing else.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-#include "expected/sum_errors.hpp"
+#include "sums/errors.hpp"
 
 #include <algorithm>
 #include <cmath>

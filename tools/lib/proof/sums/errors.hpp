@@ -1,12 +1,12 @@
 // The bounds of octave sums have this in common: the errors of positions, of weights and of operations. The bounds are
-// in sum_bounds.cpp and gullies.cpp.
+// in bounds.cpp and gullies.cpp.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <limits>
 
-#include "expected/sum_bounds.hpp"
+#include "sums/bounds.hpp"
 
 namespace hn {
 

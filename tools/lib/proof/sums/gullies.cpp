@@ -1,9 +1,9 @@
-#include "expected/gullies.hpp"
+#include "sums/gullies.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "expected/sum_errors.hpp"
+#include "sums/errors.hpp"
 
 namespace hn {
 namespace {

@@ -1,8 +1,8 @@
-// How far hn_gullies may be off in floats, given what is proven of the waves of its octaves. The proof stands in
-// gullies.cpp. tools/make bounds compiles that, too.
+// How far hn_gullies may be off in floats, given what is proven of the waves of its octaves. The proof is in
+// gullies.cpp.
 #pragma once
 
-#include "expected/sum_bounds.hpp"
+#include "sums/bounds.hpp"
 
 namespace hn {
 
