@@ -1,4 +1,4 @@
-"""Cellular noise, found in another way: by numpy and scipy, in a block of points. Nothing of the oracle's search is used."""
+"""Cellular noise, found in another way: among all points of a block. Nothing of the oracle's search is used."""
 
 from __future__ import annotations
 

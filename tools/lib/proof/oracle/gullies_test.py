@@ -5,13 +5,13 @@ from __future__ import annotations
 import itertools
 import math
 import unittest
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from unittest import mock
 
 from proof.golden.generator import INT_MAX, INT_MIN, generator_of, to_f32
-from proof.oracle import frames, gullies, sums
+from proof.oracle import frames, gullies, noises, sums
 from proof.oracle.gradients import Real
 from proof.oracle.noises.phasor_test import naive
 from proof.oracle.sums import Options
@@ -96,7 +96,12 @@ VECTORS = (
 
 
 # What faults are made of.
-UNIT_OF, FIXED_UNIT, GROWTHS, AT = gullies.unit_of, gullies.fixed_unit, gullies.fixed_growths, gullies.PHASOR.exact_in_cell
+UNIT_OF, FIXED_UNIT, GROWTHS = gullies.unit_of, gullies.fixed_unit, gullies.fixed_growths
+AT = gullies.PHASOR.exact_in_cell
+
+
+def phasor(at: Callable) -> noises.Noise:
+    return replace(gullies.PHASOR, exact_in_cell=at)
 
 
 class Gullies(Checked, unittest.TestCase):
@@ -155,10 +160,8 @@ class Gullies(Checked, unittest.TestCase):
         (gullies, "fixed_unit", lambda e: (FIXED_UNIT(e)[0], 2**18), ("fixed", "program")),
         (gullies, "fixed_growths", lambda options: itertools.repeat(next(GROWTHS(options))), ("program",)),
         (gullies, "coarse", lambda v: v, ("program",)),
-        (gullies, "PHASOR", replace(gullies.PHASOR, exact_in_cell=lambda lattice, *rest: AT(replace(lattice, seed=0), *rest)),
-         ("floats", "fixed")),
-        (gullies, "PHASOR", replace(gullies.PHASOR, exact_in_cell=lambda *rest: tuple(2 * x for x in AT(*rest)[:1]) + AT(*rest)[1:]),
-         ("differences",)),
+        (gullies, "PHASOR", phasor(lambda lattice, *rest: AT(replace(lattice, seed=0), *rest)), ("floats", "fixed")),
+        (gullies, "PHASOR", phasor(lambda *rest: (2 * AT(*rest)[0], *AT(*rest)[1:])), ("differences",)),
         (sums, "visible", lambda options, i: Fraction(1), ("floats", "fixed")),
         (sums, "fixed_visible", lambda options: itertools.repeat(2**18), ("fixed", "program")))
 

@@ -138,7 +138,3 @@ class Sine(unittest.TestCase):
                          [10340, 64489, 17322])
         self.assertEqual([g * 2**16 for g in integers.gradient(Knobs("lattice", sine=True), (2**31 - 1, -6))],
                          [27160, 55046])
-
-    def test_octahedral_gradient_is_the_same(self) -> None:
-        for cell in ((1, 2), (-3, 2**31)):
-            self.assertEqual(integers.gradient(Knobs("pcg"), cell, 3), gradients.gradient(Knobs("pcg"), cell, 3))

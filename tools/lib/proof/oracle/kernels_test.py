@@ -9,7 +9,7 @@ from fractions import Fraction
 from unittest import mock
 
 from proof.golden.generator import INT_MAX, generator_of
-from proof.oracle import gradients, kernels, noises, words
+from proof.oracle import kernels, noises, words
 from proof.oracle.gradients import Knobs
 from proof.oracle.integers import UNIT
 from proof.oracle.kernels import Kernel
@@ -38,17 +38,6 @@ class Points(unittest.TestCase):
                     self.assertEqual(set(found), set(kernels.points(kernel, position, step)))
                 with mock.patch.object(kernels, "AROUND", 1):
                     self.assertEqual(set(found), set(kernels.points(kernel, position, step)))
-
-    def test_as_many_as_the_kernel_holds(self) -> None:
-        # The mean number of points is the volume of the ball times the points in a unit of volume.
-        pi = 3.14159265
-        for _, n, kernel in KERNELS:
-            square = kernel.r / 1024 / kernel.m
-            ball = {2: pi * square, 3: 4 / 3 * pi * square**1.5, 4: pi**2 / 2 * square**2}[n]
-            density = 1 if kernel.triangles else 2  # in steps
-            counts = [len(kernels.points(kernel, [int(kernel.steps * x * UNIT) for x in f], UNIT))
-                      for f in fractions(n, 400)]
-            self.assertAlmostEqual(sum(counts) / len(counts) / (ball * density), 1, delta=0.08)
 
     def test_triangles_by_hand(self) -> None:
         # The middle between the points (0, 0) and (1, 0), below the one of the next row, (0, 1), which is at 1/2, too.
@@ -163,25 +152,6 @@ class Noises(unittest.TestCase):
             noise = noises.find(name)
             for point in points:
                 self.assertEqual((noise.exact(KNOBS, point, 5), noise.fixed(KNOBS, point, 5)), ((0,), (0,)))
-
-    def test_near_one_point_alone_by_hand(self) -> None:
-        # A quarter of a step along x from a point the value is S w(t) g_x / 4, with t = r - m / 16.
-        space, four = (words.point_word("pcg", point, 7) for point in ((3, -2, 5), (3, -2, 5, 0)))
-        quarter, eighth = Fraction(1, 4), Fraction(1, 8)
-        t = Fraction(819, 1024) - Fraction(1, 16)  # along the row the next points, 3/4 away, count too
-        w, next_w = (x**3 * (3 - 2 * x) for x in (t, Fraction(819, 1024) - Fraction(9, 16)))
-        g, following = (Fraction(gradients.gradient2(words.point_word("pcg", point, 7))[0])
-                        for point in ((6, -4), (7, -4)))
-        self.assertEqual(noises.find("simplex").exact(Knobs("pcg"), (3 + eighth, -2), 7),
-                         (Fraction(4099, 1024) * (w * g * quarter - next_w * following * 3 * quarter),))
-        t = Fraction(7, 8)
-        self.assertEqual(noises.find("simplex").exact(Knobs("pcg"), (3 + quarter, -2, 5), 7),
-                         (Fraction(4918, 1024) * t**4 * Fraction(gradients.gradient3(space)[0]) * quarter,))
-        self.assertEqual(noises.find("simplex").exact(Knobs("pcg"), (3 + quarter, -2, 5, 0), 7),
-                         (Fraction(4298, 1024) * t**3 * Fraction(gradients.gradient4(four)[0]) * quarter,))
-        centre = words.point_word("pcg", (3, -2, 5), 7, True)
-        self.assertEqual(noises.find("simplex").exact(Knobs("pcg"), (3.5, -1.25, 5.5), 7),
-                         (Fraction(4918, 1024) * t**4 * Fraction(gradients.gradient3(centre)[1]) * quarter,))
 
     def test_no_crease_where_a_point_begins_to_count(self) -> None:
         # Along a line through many ends the second differences, as fast as they change, do not leap.

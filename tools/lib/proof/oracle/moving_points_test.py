@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import itertools
-import math
 import unittest
 from fractions import Fraction
 
@@ -31,16 +30,6 @@ class Forwards(unittest.TestCase):
                                     (-0.25, (5, -3), (7, -3, -5)), (3.25, (-5, 3), (7, 3, 5))):
             self.assertEqual(self.taken(phase, (3, 5)), plane)
             self.assertEqual(self.taken(phase, (3, 5, 7)), space)
-
-    def test_in_two_steps(self) -> None:
-        for phase in phases("steps"):
-            angle = 2 * math.pi * math.fmod(phase, 1)
-            c, s = math.cos(angle), math.sin(angle)
-            y, z = 5 * c - 7 * s, 5 * s + 7 * c
-            for found, expected in ((self.taken(phase, (3, 5, 7)), (3 * c - y * s, 3 * s + y * c, z)),
-                                    (self.taken(phase, (3, 5)), (3 * c - 5 * s, 3 * s + 5 * c))):
-                for a, b in zip(found, expected, strict=True):
-                    self.assertAlmostEqual(float(a), b, 13)
 
     def test_lengths_stay(self) -> None:
         for n, phase in itertools.product((2, 3), phases("lengths")):
@@ -113,7 +102,3 @@ class Backwards(unittest.TestCase):
                                      (Fraction(2, 2**20), 1, 1), (Fraction(7, 2**21), 2, 2),
                                      (Fraction(1, 2), 458752, 409600)):
             self.assertEqual((fixed_jitter(2, Fraction(jitter)), fixed_jitter(3, Fraction(jitter))), (plane, space))
-
-
-if __name__ == "__main__":
-    unittest.main()

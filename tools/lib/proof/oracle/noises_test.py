@@ -8,6 +8,7 @@ from __future__ import annotations
 import functools
 import itertools
 import math
+import operator
 import unittest
 from collections.abc import Callable, Sequence
 from dataclasses import replace
@@ -25,7 +26,7 @@ from proof.oracle.hexes import HEXES
 from proof.oracle.integers import NOISE_UNIT, UNIT
 from proof.oracle.lattice import Choice, Lattice
 from proof.oracle.noises import Noise
-from proof.oracle.testing import FORMS, Place, moved, places, quotient
+from proof.oracle.testing import FORMS, KNOBS, Place, moved, places, quotient
 
 PERIOD = 48
 POINTS = 24
@@ -119,7 +120,7 @@ class EveryNoise(unittest.TestCase):
 
     @of_every_noise
     def test_fixed_arithmetic_is_within_its_bound_and_gives_floats(self, noise: Noise, bounds: Bounds) -> None:
-        slope_error = table.slope_bounds_of(bounds.noise, bounds.dimensions).fixed_error if has_derivatives(bounds) else 0
+        slopes = table.slope_bounds_of(bounds.noise, bounds.dimensions) if has_derivatives(bounds) else bounds
         for knobs, of in itertools.product(tried_settings(bounds), with_each_metric(noise)):
             for p, seed in points(bounds, "fixed"):
                 exact, fixed = of.exact(knobs, p, seed), of.fixed(knobs, p, seed)
@@ -129,7 +130,7 @@ class EveryNoise(unittest.TestCase):
                     self.assertEqual((number * unit).denominator, 1)
                     self.assertTrue(unit == 1 or to_f32(float(number)) == number)
                 # Near a point of a cell the direction to it is less certain.
-                error = slope_error / exact[0] if bounds.noise == "cellular_d" else slope_error
+                error = slopes.fixed_error / (exact[0] if bounds.noise == "cellular_d" else 1)
                 for a, b in zip(derivatives_of(of, exact), derivatives_of(of, fixed), strict=True):
                     self.assertLessEqual(abs(a - b), error)
 
@@ -224,18 +225,19 @@ class EveryNoise(unittest.TestCase):
             count = 2 if "phasor" in bounds.noise else 1
             for (p, seed), form, period in itertools.product(points(bounds, "derivatives", 4), FORMS, (0, 5)):
                 arguments = (settings(bounds)[0], p, seed, (period,) * bounds.dimensions)
-                self.assertEqual(getattr(noise, form)(*arguments)[:count], getattr(plain, form)(*arguments)[i:i + count])
+                found, right = (getattr(of, form)(*arguments) for of in (noise, plain))
+                self.assertEqual(found[:count], right[i:i + count])
 
     @of_every_noise
     def test_derivatives_are_the_limits_of_difference_quotients(self, noise: Noise, bounds: Bounds) -> None:
         if has_derivatives(bounds):
-            plain, first = self.plain(bounds)
+            (plain, first), knobs = self.plain(bounds), settings(bounds)[0]
             for index, (p, seed) in enumerate(points(bounds, "derivatives", 4)):
                 arguments = (seed, (5 * (index % 2),) * bounds.dimensions)
-                found = noise.exact(settings(bounds)[0], p, *arguments)
-                for i, name in enumerate("dq"):
+                found = noise.exact(knobs, p, *arguments)
+                for i, name in enumerate("dq", first):
                     for axis, slope in enumerate(derivatives_of(noise, found, name)):
-                        limit = quotient(lambda x: plain.exact(settings(bounds)[0], moved(p, axis, x), *arguments)[first + i])
+                        limit = quotient(lambda x: plain.exact(knobs, moved(p, axis, x), *arguments)[i])
                         self.assertLess(abs(limit - slope), 2**-64)
 
     @of_every_noise
@@ -263,10 +265,7 @@ class EveryNoise(unittest.TestCase):
                 self.assertEqual(at(0), plain.exact(knobs, p, seed, (3,) * n))
 
     def test_each_check_finds_its_fault(self) -> None:
-        perlin, bounds = noises.find("perlin"), table.bounds_of("perlin", 2, "octahedral")
-        slopes, turning = noises.find("perlin_d"), noises.find("perlin_phase")
-        exact, fixed = perlin.exact_in_cell, perlin.fixed_in_cell
-        two_bounds = math.ceil(2 * bounds.fixed_error * NOISE_UNIT)
+        perlin, slopes, turning = map(noises.find, ("perlin", "perlin_d", "perlin_phase"))
 
         class Rounding(Noise):
             """It takes the nearest cell."""
@@ -278,43 +277,44 @@ class EveryNoise(unittest.TestCase):
             """One on another lattice, in exact and in fixed arithmetic."""
             def ignoring(of: Callable) -> Callable:
                 return lambda lattice, *args: of(replace(lattice, **change(lattice)), *args)
-            return [replace(noise, **{form: ignoring(getattr(noise, form))}) for form in ("exact_in_cell", "fixed_in_cell")]
+            return [replace(noise, exact_in_cell=ignoring(noise.exact_in_cell)),
+                    replace(noise, fixed_in_cell=ignoring(noise.fixed_in_cell))]
 
         def scaled(noise: Noise, *factors: Fraction) -> Noise:
-            return replace(noise, exact_in_cell=lambda *args: tuple(map(lambda a, b: a * b, noise.exact_in_cell(*args), factors)))
+            exact = noise.exact_in_cell
+            return replace(noise, exact_in_cell=lambda *args: tuple(map(operator.mul, exact(*args), factors)))
 
         def off(noise: Noise, *errors: int) -> Noise:
-            return replace(noise, fixed_in_cell=lambda *args: tuple(map(sum, zip(noise.fixed_in_cell(*args), errors))))
+            fixed = noise.fixed_in_cell
+            return replace(noise, fixed_in_cell=lambda *args: tuple(map(operator.add, fixed(*args), errors)))
 
-        less = Fraction(1023, 1024)
-        of_slopes, of_phase = (replace(bounds, noise=noise.name) for noise in (slopes, turning))
-        for test, of, faults in (
-                (EveryNoise.test_a_position_is_a_cell_and_a_fraction, bounds, [Rounding("rounding", exact, fixed)]),
-                (EveryNoise.test_fixed_arithmetic_is_within_its_bound_and_gives_floats, bounds, [off(perlin, two_bounds)]),
-                (EveryNoise.test_fixed_arithmetic_is_within_its_bound_and_gives_floats, of_slopes, [off(slopes, 0, 2**9, 0)]),
-                (EveryNoise.test_values_are_in_their_range_and_use_it, bounds,
+        less, no_periods = Fraction(1023, 1024), on_lattice(lambda lattice: {"periods": ()})
+        two_bounds = math.ceil(2 * table.bounds_of("perlin", 2, "octahedral").fixed_error * NOISE_UNIT)
+        for name, faults in (
+                ("a_position_is_a_cell_and_a_fraction",
+                 [Rounding("perlin", perlin.exact_in_cell, perlin.fixed_in_cell)]),
+                ("fixed_arithmetic_is_within_its_bound_and_gives_floats",
+                 [off(perlin, two_bounds), off(slopes, 0, 2**9, 0)]),
+                ("values_are_in_their_range_and_use_it",
                  [scaled(perlin, Fraction(3)), off(perlin, 3 * NOISE_UNIT), scaled(perlin, Fraction(1, 4))]),
-                (EveryNoise.test_a_period_takes_effect_along_its_axis, bounds,
-                 [*on_lattice(lambda lattice: {"periods": ()}), *on_lattice(lambda lattice: {"periods": (PERIOD, PERIOD)})]),
-                (EveryNoise.test_a_period_changes_nothing_where_no_point_is_moved, bounds,
+                ("a_period_takes_effect_along_its_axis",
+                 [*no_periods, *on_lattice(lambda lattice: {"periods": (PERIOD, PERIOD)})]),
+                ("a_period_changes_nothing_where_no_point_is_moved",
                  on_lattice(lambda lattice: {"periods": tuple(p - 7 for p in lattice.periods)})),
-                (EveryNoise.test_every_seed_gives_another_field, bounds, on_lattice(lambda lattice: {"seed": 0})),
-                (EveryNoise.test_so_does_every_hash, bounds, on_lattice(lambda lattice: {"knobs": Knobs("pcg")})),
-                (EveryNoise.test_the_end_of_a_cell_is_where_the_next_one_begins, bounds,
-                 on_lattice(lambda lattice: {"periods": ()})[:1]),
-                (EveryNoise.test_noise_is_0_at_lattice_points, bounds, [off(perlin, 1)]),
-                (EveryNoise.test_the_sine_gradient_is_that_of_perlin_noise_alone, bounds,
-                 on_lattice(lambda lattice: {"knobs": Knobs("lattice")})),
-                (EveryNoise.test_the_sine_gradient_is_that_of_perlin_noise_alone, of_slopes, [perlin]),
-                (EveryNoise.test_with_derivatives_it_is_the_same_noise, of_slopes,
-                 [scaled(slopes, less, 1, 1), off(slopes, 1, 0, 0)]),
-                (EveryNoise.test_derivatives_are_the_limits_of_difference_quotients, of_slopes, [scaled(slopes, 1, 1, less)]),
-                (EveryNoise.test_a_phase_turns, of_phase, [
-                    *on_lattice(lambda lattice: {"phase": 0.3}, turning), *on_lattice(
-                        lambda lattice: {"phase": lattice.phase + 1 / 8}, turning)[:1]])):
+                ("every_seed_gives_another_field", on_lattice(lambda lattice: {"seed": 0})),
+                ("so_does_every_hash", on_lattice(lambda lattice: {"knobs": Knobs("pcg")})),
+                ("the_end_of_a_cell_is_where_the_next_one_begins", no_periods[:1]),
+                ("noise_is_0_at_lattice_points", [off(perlin, 1)]),
+                ("the_sine_gradient_is_that_of_perlin_noise_alone",
+                 [*on_lattice(lambda lattice: {"knobs": KNOBS}), *on_lattice(lambda lattice: {"knobs": KNOBS}, slopes)]),
+                ("with_derivatives_it_is_the_same_noise", [scaled(slopes, less, 1, 1), off(slopes, 1, 0, 0)]),
+                ("derivatives_are_the_limits_of_difference_quotients", [scaled(slopes, 1, 1, less)]),
+                ("a_phase_turns", [*on_lattice(lambda lattice: {"phase": 0.3}, turning),
+                                   on_lattice(lambda lattice: {"phase": lattice.phase + 1 / 8}, turning)[0]])):
+            check = getattr(EveryNoise, f"test_{name}").check
             for fault in faults:
-                with self.subTest(test.__name__), self.assertRaises(AssertionError):
-                    test.check(self, fault, of)
+                with self.subTest(name), self.assertRaises(AssertionError):
+                    check(self, fault, table.bounds_of(fault.name, 2, "octahedral"))
 
     def test_a_fault_of_one_metric_or_of_one_distance_is_found(self) -> None:
         cellular, bounds = noises.find("cellular"), table.bounds_of("cellular", 2, "none")
@@ -327,12 +327,12 @@ class EveryNoise(unittest.TestCase):
 
         two_bounds = math.ceil(2 * bounds.fixed_error * UNIT)
         for output, metric in itertools.product((0, 1), (1, 2, 3, 4, 5)):
-            for test, form, error in (
-                    (EveryNoise.test_fixed_arithmetic_is_within_its_bound_and_gives_floats, "fixed_in_cell", two_bounds),
-                    (EveryNoise.test_values_are_in_their_range_and_use_it, "exact_in_cell", 4)):
-                fault = replace(cellular, **{form: faulty(getattr(cellular, form), error, output, metric)})
-                with self.assertRaises(AssertionError):
-                    test.check(self, fault, bounds)
+            with self.assertRaises(AssertionError):
+                EveryNoise.test_fixed_arithmetic_is_within_its_bound_and_gives_floats.check(self, replace(
+                    cellular, fixed_in_cell=faulty(cellular.fixed_in_cell, two_bounds, output, metric)), bounds)
+            with self.assertRaises(AssertionError):
+                EveryNoise.test_values_are_in_their_range_and_use_it.check(self, replace(
+                    cellular, exact_in_cell=faulty(cellular.exact_in_cell, 4, output, metric)), bounds)
 
 
 class Finding(unittest.TestCase):

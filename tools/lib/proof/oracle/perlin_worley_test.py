@@ -112,7 +112,8 @@ class PerlinWorley(Checked, unittest.TestCase):
     CHECKS = ("parts", "fixed", "integers", "far", "points")
     NOTICED = AssertionError, ValueError
     FAULTS = (
-        (perlin_worley, "MOST", 4, ("parts", "integers")), (perlin_worley, "SEED_STEP", STEP + 2, ("parts", "integers")),
+        (perlin_worley, "MOST", 4, ("parts", "integers")),
+        (perlin_worley, "SEED_STEP", STEP + 2, ("parts", "integers")),
         (perlin_worley, "mix", lambda k: k, ("parts", "integers", "points")),
         (perlin_worley, "with_seeds", lambda octaves, seed: octaves, ("parts", "integers", "points")),
         (perlin_worley, "UNIT", 2**21, ("fixed", "integers", "far")),

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import cmath
 import itertools
 import math
 import unittest
@@ -87,17 +86,6 @@ class Octaves(unittest.TestCase):
         for lacunarity, same in ((2.9, 2.0), (-1.5, 0.0), (0.75, 0.0), (300.0, 255.0)):
             found = [self.places((0.375, 0.5), Options(2, x, 0.5), (48, 0)) for x in (lacunarity, same)]
             self.assertEqual(*found)
-
-    def test_the_turn_is_one(self) -> None:
-        """By 38.66 degrees, and longer by 1.0005; then by 24.15, and shorter by 0.9931. In a plane this is a product of
-        complex numbers."""
-        factor = cmath.rect(math.hypot(25, 20) / 32, math.radians(38.65980825))
-        x, y = map(float, sums.turn([Fraction(3), Fraction(-7)], lambda x: x / 32))
-        self.assertLess(abs(complex(3, -7) * factor - complex(x, y)), 1e-8)
-        x, y, z = map(float, sums.turn([Fraction(3), Fraction(-7), Fraction(5)], lambda x: x / 32))
-        first = complex(3, -7) * factor
-        second = complex(first.imag, 5) * cmath.rect(0.9931405364, math.radians(24.14554196))
-        self.assertLess(abs(first.real - x) + abs(second - complex(y, z)), 1e-8)
 
     def test_a_cell_far_out_keeps_its_fraction(self) -> None:
         place = sums.in_cell((2**31 - 1, -2**31), (2.0**-30, 1.0))

@@ -56,7 +56,8 @@ class Checked:
 
     def test_every_fault_is_noticed(self) -> None:
         for where, name, fault, noticing in self.FAULTS:
-            patch = mock.patch.dict(where, {name: fault}) if isinstance(where, dict) else mock.patch.object(where, name, fault)
+            patch = (mock.patch.dict(where, {name: fault}) if isinstance(where, dict) else
+                     mock.patch.object(where, name, fault))
             for check in noticing:
                 with self.subTest(name=name, check=check), patch, self.assertRaises(self.NOTICED):
                     getattr(self, f"check_{check}")()

@@ -13,7 +13,7 @@ from unittest import mock
 from proof.golden.generator import INT_MAX, INT_MIN, generator_of, to_f32
 from proof.golden.simplex_rows import PHASES
 from proof.oracle import feature_points, noises
-from proof.oracle.feature_points import Field, TooFar, direction2, direction3
+from proof.oracle.feature_points import TooFar, direction2, direction3
 from proof.oracle.gradients import Knobs
 from proof.oracle.integers import UNIT, cosine_and_sine
 from proof.oracle.lattice import Choice, Lattice
@@ -81,47 +81,6 @@ def forwards(d: Sequence[int], phase: float) -> tuple[int, ...]:
         return t(x, c) + t(y, -s), t(x, s) + t(y, c)
     x, y, z = d
     return t(x, c) + t(y, -sc) + t(z, ss), t(x, s) + t(y, cc) + t(z, -sc), t(y, s) + t(z, c)
-
-
-class ByHand(unittest.TestCase):
-    # u is (89, -423) / 512 in the plane: a = 2 * 300 - 511, and m = -(512 - 89).
-    WORD = 1 << 31 | 300 << 14
-
-    def offset(self, phase: float, jitter: float, o: tuple[int, ...], f: Sequence[int]) -> tuple[tuple, tuple]:
-        """From the point of the cell at o to a fraction in units of 2^-20, exactly and in fixed arithmetic."""
-        lattice = Lattice(LATTICE, phase=phase, choice=Choice(jitter))
-        exact = Field.exact(lattice, (0,) * len(f), [Fraction(x, UNIT) for x in f], 1)
-        fixed = Field.fixed(lattice, (0,) * len(f), f, 1)
-        with mock.patch.object(Lattice, "word", return_value=self.WORD):
-            return (tuple(Fraction(d, exact.arithmetic.unit) for d in exact.point(o).offset), fixed.point(o).offset)
-
-    def test_in_the_plane(self) -> None:
-        f = (2**17, 3 * 2**17)
-        # A quarter takes u to (423, 89) / 512; k j / 2 is 7 / 32.
-        exact, fixed = self.offset(0.25, 0.5, (1, -2), f)
-        self.assertEqual(exact, (Fraction(1, 8) - Fraction(3, 2) - Fraction(7 * 423, 32 * 512),
-                                 Fraction(3, 8) + Fraction(3, 2) - Fraction(7 * 89, 32 * 512)))
-        # E is (-3, -1) times 2^17, B takes (x, y) to (y, -x) times 65535 / 2^16, and J is 458752.
-        self.assertEqual(fixed, (-2**17 + 2 + 2 * 16 * 65535 - 89 * 448, 3 * 2**17 - 6 + 16 * 65535 + 423 * 448))
-
-    def test_in_space(self) -> None:
-        # p = q = 1 and m = 255, so that u is (2, 0, 510) / 512; a quarter takes it to (510, 2, 0).
-        with mock.patch.object(ByHand, "WORD", 128 << 23 | 128 << 15):
-            exact, fixed = self.offset(0.25, 1.0, (1, -1, 2), (2**17, 3 * 2**17, 2**19 + 2**10))
-        k = Fraction(25, 64 * 512)
-        self.assertEqual(exact, (Fraction(-11, 8) - 510 * k, Fraction(7, 8) - 2 * k, Fraction(1, 2**10) - 2))
-        # E is (-3 * 2^17, -2^17, 2^10), and the rows are (0, 65535, 0), (0, 0, 65535), (65533, 0, 0).
-        self.assertEqual(fixed, (-2**17 + 2 + 16 * 65535 - 2 * 800, 2**10 - 1 - 32 * 65535,
-                                 -3 * 2**17 + 18 - 16 * 65533 - 510 * 800))
-
-    def test_a_fifth_of_a_turn(self) -> None:
-        # The cosine of a fifth of a turn is (sqrt(5) - 1) / 4.
-        exact, fixed = self.offset(0.2, 1.0, (0, 0), (2**19, 2**19))
-        c = (math.sqrt(5) - 1) / 4
-        s = math.sqrt(1 - c * c)
-        for found, x in zip(exact, (89 * c + 423 * s, 89 * s - 423 * c)):
-            self.assertAlmostEqual(float(found), -7 / 16 / 512 * x, 14)
-        self.assertEqual(fixed, (-89 * 896, 423 * 896))
 
 
 class Naive(unittest.TestCase):

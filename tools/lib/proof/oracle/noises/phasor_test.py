@@ -1,4 +1,4 @@
-"""Tests of phasor.py: by hand, beside floats and beside a program in C; turns, tiles, clamps, seams and errors."""
+"""Tests of phasor.py: by hand, beside floats and beside a program in C; weights, clamps and errors."""
 
 from __future__ import annotations
 
@@ -225,7 +225,8 @@ class Phasor(Checked, unittest.TestCase):
         (KERNELS, 2, replace(KERNELS[2], scale=763), ("floats", "program", "sums_of_weights")),
         (KERNELS, 3, replace(KERNELS[3], m=1), ("floats", "program")),
         (KERNELS, 3, replace(KERNELS[3], weight=kernels.CUBE), ("floats", "program", "energy")),
-        (KERNELS, 3, replace(KERNELS[3], weight=kernels.Weight(kernels.monomial(1, 1), lambda t, q: 4 * t)), ("smoothness",)),
+        (KERNELS, 3, replace(KERNELS[3], weight=kernels.Weight(kernels.monomial(1, 1), kernels.third)),
+         ("smoothness",)),
         (phasor, "along", lambda *rest: -ALONG(*rest), ("floats", "fixed")),
         (phasor, "turns", lambda lattice, *rest: TURNS(replace(lattice, phase=0), *rest), ("floats", "fixed")),
         (turning, "cosine_and_sine", lambda a: WAVE(a)[::-1], ("floats", "fixed")),

@@ -8,7 +8,7 @@ import unittest
 from fractions import Fraction
 from unittest import mock
 
-from proof.golden.generator import INT_MAX, INT_MIN, generator_of
+from proof.golden.generator import INT_MAX, INT_MIN
 from proof.oracle import noises, words
 from proof.oracle.gradients import Knobs
 from proof.oracle.lattice import Lattice
@@ -53,14 +53,6 @@ class Random(unittest.TestCase):
                 for f, function in itertools.product(fractions, (RANDOM.exact_cell, RANDOM.fixed_cell)):
                     self.assertEqual(function(KNOBS, cell, (f,) * n, 7), (number_of(cell),), (cell, f))
 
-    def test_each_axis_and_the_seed_matter(self) -> None:
-        for n, function in itertools.product(DIMENSIONS, (RANDOM.exact_cell, RANDOM.fixed_cell)):
-            f, beside = (0.25,) * n, [tuple(c + (i == axis) for i, c in enumerate(CELL[:n])) for axis in range(n)]
-            found = {function(KNOBS, cell, f, 7) for cell in (CELL[:n], *beside)}
-            self.assertEqual(len(found), n + 1)
-            for seed in (0, 6, 8, 2**32 - 7):
-                self.assertNotEqual(function(KNOBS, CELL[:n], f, seed), (number_of(CELL[:n]),))
-
     def test_a_period_reduces_the_cell(self) -> None:
         for function in (RANDOM.exact_cell, RANDOM.fixed_cell):
             for cell, period, reduced in (((-1, 9), (5, 0), (4, 9)), ((-1, 9), (-5, 4), (-1, 1)),
@@ -85,12 +77,3 @@ class Random(unittest.TestCase):
         for x, cell in ((-2.0**-21, 0), (-2.0**-20, -1), (-3 - 2.0**-21, -3), (-3 - 2.0**-20, -4), (3 - 2.0**-22, 2)):
             self.assertEqual(RANDOM.fixed(KNOBS, (x,), 7), (number_of((cell,)),))
             self.assertEqual(RANDOM.exact(KNOBS, (x,), 7), (number_of((math.floor(x),)),))
-
-    def test_is_the_same_with_both_arithmetics_and_gradients(self) -> None:
-        numbers = generator_of("random")
-        for n in DIMENSIONS:
-            for _ in range(8):
-                p, seed = [numbers.integer(-2**26, 2**26) / 2**20 for _ in range(n)], numbers.word()
-                found = {function(Knobs("pcg", sine), p, seed)
-                         for function in (RANDOM.exact, RANDOM.fixed) for sine in (False, True)}
-                self.assertEqual(found, {(number_of(tuple(map(math.floor, p)), seed),)})

@@ -63,11 +63,6 @@ class Cubic(unittest.TestCase):
         self.assertEqual(CUBIC.exact(Knobs("pcg"), (-3.0,), 7), ((v[0] + 4 * v[1] + v[2]) / 6,))
         self.assertEqual(CUBIC.exact(Knobs("pcg"), (-2.5,), 7), ((v[0] + 23 * v[1] + 23 * v[2] + v[3]) / 48,))
 
-    def test_at_a_point_of_the_plane_by_hand(self) -> None:
-        total = sum(number(Lattice(Knobs("pcg"), 7), (2 + x, -5 + y)) * (4 if x == 0 else 1) * (4 if y == 0 else 1)
-                    for x, y in itertools.product((-1, 0, 1), repeat=2))
-        self.assertEqual(CUBIC.exact(Knobs("pcg"), (2.0, -5.0), 7), (total / 36,))
-
     def test_no_crease_in_its_slope(self) -> None:
         step = Fraction(1, 2**20)
         for n in DIMENSIONS:
@@ -82,13 +77,3 @@ class Cubic(unittest.TestCase):
                 with mock.patch.object(value_cubic, "fixed_number", return_value=number_of_all):
                     value, = value_cubic.fixed(Lattice(Knobs("lattice")), (0,) * n, (f,) * n)
                 self.assertTrue(abs(value) <= 2**21 and abs(value - value_of_all) < 32)
-
-    def test_rows_are_along_x(self) -> None:
-        # Only the numbers of the points with x = -1 are not 0: the sum has the first weight along x, whatever y.
-        def only_first(lattice: Lattice, point: tuple[int, ...]) -> int:
-            return 2**28 if point[0] == -1 else 0
-
-        fraction = (3 * 2**17, 2**18)
-        with mock.patch.object(value_cubic, "fixed_number", only_first):
-            value, = value_cubic.fixed(Lattice(Knobs("lattice")), (0, 0), fraction)
-        self.assertLess(abs(value - 2**20 * (Fraction(5, 8)**3 / 6)), 16)
