@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 import re
 import unittest
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from fractions import Fraction
-from unittest import mock
 
 from base.thorough import THOROUGH
 from base.tree import ROOT
 from proof.golden.generator import Generator, generator_of, to_f32
 from proof.oracle import uniform
+from proof.oracle.testing import Checked
 
 PAGE = (ROOT / "docs" / "contract.md").read_text(encoding="utf-8").partition("\n## 21. ")[2].partition("\n## ")[0]
 PLAIN = uniform.spread(uniform.PERLIN2)
@@ -22,6 +23,8 @@ SPREADS = (PLAIN, uniform.spread(12), (1.0, 0.0, 0.0, 0.0), (1.0, 1.0, 1.0, 1.0)
 COUNT = 400 if THOROUGH else 60
 # How far fixed arithmetic is off: a value, a slope times the reach, a reach, and another number.
 VALUE, SLOPE, REACH, COEFFICIENT = 2.0**-15, 2.0**-12, 2.0**-13, 2.0**-15
+BOTH = (uniform.uniform_d, uniform.fixed_uniform_d)
+TAIL, MIX = uniform.tail, uniform.mix  # what faults are made of
 
 
 def some_spread(draws: Generator) -> tuple[float, ...]:
@@ -57,7 +60,7 @@ def integral(reach: Fraction, *coefficients: Fraction) -> Fraction:
     return reach**2 * found
 
 
-class Page(unittest.TestCase):
+class Page(Checked, unittest.TestCase):
     def check_table(self) -> None:
         rows = re.findall(r"^\| `hn_.*\| (\d+) \| `HN_SPREAD_(\w+)` \| (\d+) \| (\d+) \| (\d+) \| (\d+) \|$", PAGE,
                           re.MULTILINE)
@@ -75,29 +78,23 @@ class Page(unittest.TestCase):
                      f"{uniform.TABLE_UNIT} times their spreads"):
             self.assertIn(text, PAGE)
 
-    def test_the_table(self) -> None:
-        self.check_table()
+    CHECKS = ("table", "constants")
+    FAULTS = ((uniform, "TABLE", (*uniform.TABLE[:-1], (2954, 111, 1490, 2883)), ("table",)),
+              (uniform, "PERLIN2", 8, ("table",)),
+              *((uniform, name, other, ("constants",)) for name, other in (
+                  ("BELL", (103, 382, 736)), ("WAY", (591, 1958, 452)), ("VARIANCE", (65, 33, 17, 8)),
+                  ("MOST_OCTAVES", 31))))
+
+    def test_spreads_by_number(self) -> None:
         for noise, row in enumerate(uniform.TABLE, 1):
             self.assertEqual(uniform.spread(noise), tuple(x / 4096 for x in row))
         for other in (0, -1, len(uniform.TABLE) + 1, 2**31 - 1, -2**31):
             self.assertEqual(uniform.spread(other), PLAIN)
 
-    def test_the_constants(self) -> None:
-        self.check_constants()
 
-    def test_another_constant_is_noticed(self) -> None:
-        for name, other, check in (("TABLE", (*uniform.TABLE[:-1], (2954, 111, 1490, 2883)), self.check_table),
-                                   ("PERLIN2", 8, self.check_table), ("BELL", (103, 382, 736), self.check_constants),
-                                   ("WAY", (591, 1958, 452), self.check_constants),
-                                   ("VARIANCE", (65, 33, 17, 8), self.check_constants),
-                                   ("MOST_OCTAVES", 31, self.check_constants)):
-            with mock.patch.object(uniform, name, other), self.assertRaises(AssertionError):
-                check()
-
-
-class Values(unittest.TestCase):
-    def check_ends(self, of: Callable[..., tuple[Fraction, Fraction]]) -> None:
-        for spread in SPREADS:
+class Values(Checked, unittest.TestCase):
+    def check_ends(self) -> None:
+        for spread, of in itertools.product(SPREADS, BOTH):
             reach = uniform.clamped(spread[0], uniform.LEAST_REACH, uniform.LARGEST_REACH)
             for far in (reach, reach * 2, 3, 2**100):
                 # What is cut to an integer of a reach that is none is at the end, too.
@@ -106,8 +103,8 @@ class Values(unittest.TestCase):
             for zero in (0, -0.0):
                 self.assertEqual(of(zero, *spread)[0], Fraction(1, 2), spread)
 
-    def check_order(self, of: Callable[..., tuple[Fraction, Fraction]]) -> None:
-        for spread in SPREADS:
+    def check_order(self) -> None:
+        for spread, of in itertools.product(SPREADS, BOTH):
             found = [of(value, *spread) for value in values(spread[0])]
             self.assertEqual([value for value, _ in found], sorted(value for value, _ in found))
             self.assertTrue(all(0 <= value <= 1 and slope >= 0 for value, slope in found))
@@ -125,15 +122,8 @@ class Values(unittest.TestCase):
                 mean = (value_of(value + step, *spread) - value_of(value - step, *spread)) / (2 * step)
                 self.assertAlmostEqual(float(mean), float(uniform.uniform_d(value, *spread)[1]), delta=2.0**-80)
 
-    def test_ends(self) -> None:
-        self.check_ends(uniform.uniform_d)
-        self.check_ends(uniform.fixed_uniform_d)
-
-    def test_it_never_falls(self) -> None:
-        self.check_order(uniform.uniform_d)
-        self.check_order(uniform.fixed_uniform_d)
-
-    def test_fixed_never_falls_from_a_number_to_the_next(self) -> None:
+    def check_steps(self) -> None:
+        """From a number of fixed arithmetic to the next it never falls, either."""
         draws = generator_of("uniform_test.next")
         for spread in SPREADS:
             reach = min(max(spread[0], 0.0625), 3.0)
@@ -142,9 +132,6 @@ class Values(unittest.TestCase):
                 found = [uniform.fixed_uniform_d(Fraction(i, uniform.UNIT), *spread)[0]
                          for i in range(first, first + COUNT)]
                 self.assertEqual(found, sorted(found), spread)
-
-    def test_the_slope_is_the_derivative(self) -> None:
-        self.check_slope()
 
     def test_a_straight_line_of_tails(self) -> None:
         """With numbers at 1/4, 1/2 and 3/4 the tail is y; with all at 0 or 1 it is one of two powers."""
@@ -179,26 +166,20 @@ class Values(unittest.TestCase):
             errors[1] = max(errors[1], float(abs(exact[1] - fixed[1]) * reach))
         self.assertTrue(VALUE / 8 < errors[0] < VALUE and SLOPE / 8 < errors[1] < SLOPE, errors)
 
-    def test_fixed_is_near(self) -> None:
-        self.check_fixed()
-
-    def test_faults_are_noticed(self) -> None:
-        right, mixed = uniform.tail, uniform.mix
-        for name, fault, check in (
-                ("tail", lambda a, b, c, y: right(a, c, b, y), self.check_slope),
-                ("tail", lambda a, b, c, y: right(b, b, c, y), self.check_fixed),
-                ("tail", lambda a, b, c, y: right(a, b, c, y) + y / 2**30, lambda: self.check_ends(uniform.uniform_d)),
-                ("mix", lambda p, q, y: mixed(p, q, y) + 2**5, self.check_fixed),
-                ("mix", lambda p, q, y: mixed(p, q, y) + (y & 4),
-                 self.test_fixed_never_falls_from_a_number_to_the_next),
-                ("quotient", lambda x, t: x * 2**18 // (t + 2**6), self.check_fixed),
-                ("product", lambda a, b: (a >> 9) * (b >> 9), self.check_fixed)):
-            with mock.patch.object(uniform, name, fault), self.assertRaises(AssertionError, msg=name):
-                check()
+    CHECKS = ("ends", "order", "steps", "slope", "fixed")
+    FAULTS = (
+        (uniform, "tail", lambda a, b, c, y: TAIL(a, c, b, y), ("slope",)),
+        (uniform, "tail", lambda a, b, c, y: TAIL(b, b, c, y), ("fixed",)),
+        (uniform, "tail", lambda a, b, c, y: TAIL(a, b, c, y) + y / 2**30, ("ends", "order")),
+        (uniform, "mix", lambda p, q, y: MIX(p, q, y) + 2**5, ("fixed",)),
+        (uniform, "mix", lambda p, q, y: MIX(p, q, y) + (y & 4), ("steps",)),
+        (uniform, "quotient", lambda x, t: x * 2**18 // (t + 2**6), ("fixed",)),
+        (uniform, "product", lambda a, b: (a >> 9) * (b >> 9), ("fixed",)))
 
 
-class Sums(unittest.TestCase):
+class Sums(Checked, unittest.TestCase):
     def check_one(self) -> None:
+        """A single octave has the spread of the noise itself."""
         for spread in SPREADS:
             inside = uniform.in_range(*spread)
             for octaves, gain in ((1.0, 0.5), (0.0, 1.0), (-3.0, 0.7), (32.0, 0.0), (7.5, -1.0)):
@@ -215,12 +196,6 @@ class Sums(unittest.TestCase):
             of_sum = integral(*uniform.spread_fbm(*spread, octaves, gain))
             right = integral(*uniform.in_range(*spread)) * sum(a**2 for a in found) / sum(found)**2
             self.assertLess(abs(of_sum - right), right * 2 * uniform.ROOT_ERROR)
-
-    def test_one_octave_is_the_noise_itself(self) -> None:
-        self.check_one()
-
-    def test_variances(self) -> None:
-        self.check_variance()
 
     def test_weights(self) -> None:
         half = Fraction(1, 2)
@@ -256,15 +231,10 @@ class Sums(unittest.TestCase):
             errors = [max(errors[0], first), max(errors[1], *others)]
         self.assertTrue(REACH / 8 < errors[0] < REACH and COEFFICIENT / 8 < errors[1] < COEFFICIENT, errors)
 
-    def test_fixed_is_near(self) -> None:
-        self.check_fixed()
-
-    def test_faults_are_noticed(self) -> None:
-        for name, fault, check in (
-                ("VARIANCE", (65, 33, 18, 7), self.check_variance), ("VARIANCE", (65, 33, 17, 8), self.check_variance),
-                ("root", lambda x: x, self.check_variance),
-                ("product", lambda a, b: (a >> 9) * (b >> 9), self.check_fixed),
-                ("quotient", lambda x, t: x * 2**18 // t - 1, self.check_one),
-                ("fixed_root", lambda n: math.isqrt(n) << 4, self.check_fixed)):
-            with mock.patch.object(uniform, name, fault), self.assertRaises(AssertionError, msg=name):
-                check()
+    CHECKS = ("one", "variance", "fixed")
+    FAULTS = (
+        (uniform, "VARIANCE", (65, 33, 18, 7), ("variance",)), (uniform, "VARIANCE", (65, 33, 17, 8), ("variance",)),
+        (uniform, "root", lambda x: x, ("variance",)),
+        (uniform, "product", lambda a, b: (a >> 9) * (b >> 9), ("fixed",)),
+        (uniform, "quotient", lambda x, t: x * 2**18 // t - 1, ("one",)),
+        (uniform, "fixed_root", lambda n: math.isqrt(n) << 4, ("fixed",)))
