@@ -158,6 +158,7 @@ class Distances(unittest.TestCase):
                                            ("exact", "fixed")):
             self.assertEqual(getattr(noise, of)(LATTICE, (3.0, 2.5, -7.5)), (EIGHTH * 2, EIGHTH * 2, EIGHTH * 10))
 
+
 class Searches(unittest.TestCase):
     def samples(self, n: int, count: int) -> list[tuple[list[float], int, float]]:
         numbers = generator_of(f"searches{n}")

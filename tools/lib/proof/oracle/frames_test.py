@@ -177,6 +177,7 @@ class LargestNumbers(unittest.TestCase):
                 with self.assertRaises(OverflowError):
                     self.largest(n, options, ())
 
+
 class Derivatives(unittest.TestCase):
     def test_value_is_that_of_fbm(self) -> None:
         for p, seed, periods in cases("values", 3):
@@ -231,6 +232,7 @@ class Derivatives(unittest.TestCase):
         for v, held in ((2**24 - 1, 2**24 - 1), (2**24, 2**24), (2**24 + 127, 2**24), (-2**24 - 127, -2**24),
                         (2**27 + 300, 2**27 + 256), (-2**27 - 300, -2**27 - 256), (1 - 2**24, 1 - 2**24)):
             self.assertEqual(frames.coarse(v), held)
+
 
 class Eroded(unittest.TestCase):
     def test_no_strength_is_fbm(self) -> None:
@@ -294,6 +296,7 @@ class Eroded(unittest.TestCase):
                           ([(128000, 384128, 64000), (0, 0, 128)], (-1095, 2487, 1660))):
             steep = sum(x * x for x in e) * 16 * ONE >> 26
             self.assertEqual(frames.fixed_shares([0, ONE], slopes, 16.0, True), [0, 2**34 // (2**16 + steep)])
+
 
 class Warps(unittest.TestCase):
     def test_one_octave_by_hand(self) -> None:
@@ -389,6 +392,7 @@ class Warps(unittest.TestCase):
             noise = Noise("alike", None, lambda *_: (v, v))
             found = frames.fixed("warp", noise, LATTICE, [(0, 0)] * 2, Options(1, 2.0, 0.5, amplitude=amplitude))
             self.assertEqual(found, (Fraction(component, NOISE_UNIT),) * 2, (v, amplitude))
+
 
 class All(unittest.TestCase):
     def test_without_octaves_they_are_0(self) -> None:

@@ -43,7 +43,6 @@ class Coordinates(unittest.TestCase):
                          PERLIN.fixed_cell(Knobs("lattice"), (5, -6), (0.0, 0.25), 7))
 
 
-
 class Fade(unittest.TestCase):
     def test_by_hand(self) -> None:
         # At 1/4: x = 2^15, s = 2^30, z = 2^14, R = 172032, Q = 16384 + 10752; s(1/4) is 27136 / 2^18, too. At 1/2 x is

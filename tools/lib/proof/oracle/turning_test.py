@@ -53,6 +53,7 @@ class Quarters(unittest.TestCase):
                             ((1, 0, 1), (-1, 0, 1)), ((0, 1, 1), (0, -1, 1)), ((0, -1, -1), (0, 1, -1))):
             self.assertEqual(turning.quarter_turned(g), expected, g)
 
+
 class Turned(unittest.TestCase):
     def test_by_quarters(self) -> None:
         for n, h in itertools.product((2, 3), some_words(20)):

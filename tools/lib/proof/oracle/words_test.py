@@ -244,6 +244,7 @@ class Hashes(unittest.TestCase):
         for name in words.HASHES:
             self.assertEqual(words.lattice(name, (-1, 2**31), 3), words.lattice(name, (2**32 - 1, -2**31), 3))
 
+
 class NearTheOrigin(unittest.TestCase):
     """Why a lattice point is spread: people look at the origin, and there no hash may show its weakness."""
 

@@ -18,7 +18,7 @@ from proof.oracle.lattice import Choice
 from proof.oracle.noises import Noise, cell_border, cellular_d, cellular_smooth
 
 LATTICE = Knobs("lattice")
-DISTANCE, SLOPES, SMOOTH, BORDER = map(noises.find, ("cellular", "cellular_d", "cellular_smooth", "cell_border"))
+SLOPES, SMOOTH, BORDER = map(noises.find, ("cellular_d", "cellular_smooth", "cell_border"))
 GRID = Choice(0.0)  # points are in the middle of cells
 
 

@@ -90,6 +90,7 @@ class Perlin(unittest.TestCase):
         self.assertEqual(PERLIN.exact(Knobs("pcg"), (-2.0**-126, 0.5)),
                          PERLIN.exact_cell(Knobs("pcg"), (-1, 0), (1 - Fraction(1, 2**126), 0.5)))
 
+
 class Ramps(unittest.TestCase):
     def test_octahedral_ramps(self) -> None:
         # They are exact.

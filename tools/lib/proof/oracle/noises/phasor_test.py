@@ -42,6 +42,7 @@ UNEVEN = {2: 0.106, 3: 0.159}
 # How far W and E, which is a quarter of the slope on the plane, may be off, in units of 2^-18.
 WEIGHT_ERROR, FALL_ERROR = Fraction(37, 4), Fraction(63, 4)
 
+
 def at(cell: Sequence[int], f: Sequence[Real], wave: Sequence[Real], phase: Real = 0, seed: int = 7,
        periods: Sequence[int] = (), fixed: bool = False) -> tuple[Fraction, ...]:
     noise = PHASOR.turned(phase).chosen(Choice(wave=tuple(wave)))
@@ -276,6 +277,7 @@ class ByHand(unittest.TestCase):
         for wave, fixed in itertools.product(((), (1.0,), (1.0, 2.0, 3.0)), (False, True)):
             with self.assertRaisesRegex(ValueError, "zip"):
                 at((0, 0), (0.25, 0.125), wave, fixed=fixed)
+
 
 class Weights(unittest.TestCase):
     def errors(self) -> tuple[Fraction, Fraction]:
