@@ -36,7 +36,7 @@ from ship.blender import files as blender
 from ship.glsl_noise import files as glsl_noise
 from ship.isf import files as isf
 from ship.materialx import files as materialx
-from ship.readme import files, gallery, hashes, numbers, one_noise, picture
+from ship.readme import files, gallery, hashes, numbers, picture
 from ship.readme import times as of_commands
 from ship.unity import files as unity
 from ship.unreal import files as unreal
@@ -45,6 +45,7 @@ README = "README.md"
 MEASURING = "docs/measuring.md"
 DEFAULT_HASH = "docs/default-hash.md"
 OPERATIONS = "docs/gpu-operations.md"
+NOISES = "docs/noises.md"
 SUMS = "docs/sums.md"
 CONFORMANCE = "docs/conformance.md"
 MOVING = "docs/moving.md"
@@ -52,14 +53,13 @@ LANGUAGES = "docs/languages.md"
 HASHES = "docs/hashes.md"
 JUDGE = "docs/judge.md"
 UNIFORM = "docs/uniform.md"
-ONE_NOISE = "docs/one-noise.md"
 SIZE = re.compile(r"(--strip --out noise\.glsl`, )\d+ kB")  # of the whole library, in the README
 
 
 def tables(times: of_commands.Times) -> list[tuple[str, str, str]]:
     """What pages have between marks: the page, the name of the marks, and the table."""
     typical, costs = numbers.typical(), numbers.costs(numbers.CPU)
-    return [(README, "tools/make readme: values", numbers.typical_table(typical, numbers.IN_README)),
+    return [(NOISES, "tools/make readme: values", numbers.typical_table(typical, numbers.COMMON)),
             (SUMS, "tools/make readme: typical values of sums", numbers.typical_table(typical, numbers.SUMS)),
             (SUMS, "tools/make readme: typical values of sums in 1D and 4D",
              numbers.typical_table(typical, numbers.PLAIN_SUMS, (1, 4))),
@@ -90,7 +90,6 @@ def tables(times: of_commands.Times) -> list[tuple[str, str, str]]:
             ("packages/unreal/README.md", "tools/make readme: nodes", unreal.node_table()),
             ("packages/isf/README.md", "tools/make readme: looks", isf.look_table()),
             ("packages/glsl-noise/README.md", "tools/make readme: files", glsl_noise.file_table()),
-            *((ONE_NOISE, f"tools/make readme: {name}", quote) for name, quote in one_noise.quotes()),
             *((MOVING, *named) for named in ports.page_tables(ports.read()))]
 
 

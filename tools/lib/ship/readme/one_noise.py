@@ -1,19 +1,29 @@
-"""What docs/one-noise.md quotes of the files that Perlin noise on the plane passes through."""
+"""Makes what docs/one-noise.md quotes of the files that Perlin noise on the plane passes through.
+
+    tools/make one-noise            writes the quotes
+    tools/make one-noise --check    writes nothing
+
+Exit status: 0 the page has the quotes, 1 it has others, 2 bad usage, or a file has nothing to quote.
+"""
 
 from __future__ import annotations
 
 import inspect
 import re
 import struct
+import sys
+from collections.abc import Sequence
 
 from base.golden_values import Golden
 from base.tree import GLSL, ROOT
-from catalog.tables.markdown import table
+from base.usage import Parser
+from catalog.tables.markdown import table, with_section
 from measure.gpu import pages as of_gpus
 from proof.oracle.cells import weighted_sum
 from proof.oracle.noises import perlin
 from ship.readme import files
 
+NAME = "docs/one-noise.md"
 ID = "noise2d.perlin"
 SETTINGS = {"lattice": "`HN_FAST`", "lattice+fixed": "`HN_FIXED`"}
 
@@ -68,6 +78,28 @@ def price() -> str:
     return of_gpus.titled_table(of_gpus.costs(), {f"{ID}.{setting}": name for setting, name in SETTINGS.items()})
 
 
-def quotes() -> list[tuple[str, str]]:
-    """The names of the marks of the page, and what stands between them."""
-    return [(part.__name__, part()) for part in (contract, text, picked, oracle, bounds, golden, price)]
+def with_quotes(page: str) -> str:
+    for part in (contract, text, picked, oracle, bounds, golden, price):
+        page = with_section(NAME, page, f"tools/make one-noise: {part.__name__}", part())
+    return page
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    parser = Parser("tools/make one-noise", __doc__)
+    parser.add_argument("--check", action="store_true", help="write nothing")
+    options = parser.parse_args(arguments)
+    path = ROOT / NAME
+    page = path.read_text(encoding="utf-8")
+    try:
+        right = with_quotes(page)
+    except (LookupError, StopIteration, TypeError) as error:
+        parser.exit(2, f"tools/make one-noise: {error!r}\n")
+    if options.check and page != right:
+        print(f"{NAME} quotes what is not so any more; run tools/make one-noise", file=sys.stderr)
+        return 1
+    path.write_text(right, encoding="utf-8")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
