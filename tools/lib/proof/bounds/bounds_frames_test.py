@@ -167,7 +167,7 @@ class Fixed(Errors, unittest.TestCase):
                                     ("warp", 1 / 8, {"amplitude": 0.5}),
                                     ("warp_progressive", 1 / 30, {"amplitude": 0.25}),
                                     ("warp_progressive", 1 / 150, {"amplitude": 0.5})):
-            usual = self.check(kinds=(kind,), octaves=6, lacunarity=2.0, gain=0.5, p_max=16.0, count=2000, **others)
+            usual = self.check(kinds=(kind,), octaves=6, lacunarity=2.0, gain=0.5, p_max=16.0, count=4000, **others)
             self.assert_near(usual, least)
 
     def test_with_a_period(self):
