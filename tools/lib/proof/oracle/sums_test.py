@@ -409,6 +409,13 @@ class FixedSums(unittest.TestCase):
             self.assertLess(abs(Fraction(values[-1], 2**21) - t * t * (3 - 2 * t)), 2.6e-5)
         self.assertEqual(values, sorted(values))
 
+    def test_heights_of_hybrid_sums_are_cut(self) -> None:
+        # To 18 bits, and so is what one leaves to the next: 777777 is no multiple of 16. (There are no vectors of these.)
+        h = (2**21 - 777777) >> 4
+        following = ((h >> 9) * (2 * h) + ((h & 511) * (2 * h) >> 9)) >> 9
+        for values, height in (([-777777], h << 3), ([-777777] * 2, (h + following << 3) // 2)):
+            self.assertEqual(sums.fixed_hybrid(self.fixed_terms(values, [2**18] * len(values))), height)
+
     def test_heights(self) -> None:
         self.assertEqual([sums.fixed_height(v, 2 * 2**18) for v in (-2**21, -2**20, 0, 2**20, 2**21)],
                          [0, 2**30, 0, 2**30, 0])
