@@ -47,8 +47,8 @@ FILES = {file.function.id: file for file in golden_files(list(FUNCTIONS.values()
 
 
 ENDS = {INT_MIN, INT_MAX}
-# What stands in a column of a function's rows with a setting, in every number of dimensions that is named; x, cx, fx and
-# px are all axes.
+# What stands in a column of a function's rows with a setting, in every number of dimensions that is named; x, cx, fx
+# and px are all axes.
 EDGES = (
     ("noise{n}d.perlin", "lattice+fixed", (2, 3), "x", {*map(to_f32, (-1e-40, 3e38, -3.4e38)), -2.0**-21, -2.0**-20,
                                                          2.0**-149, 2.0**23, 2.0**31, -2.0**31}),
@@ -665,7 +665,8 @@ class GoldenCheck(unittest.TestCase):
         for damage, expected in (
                 (lambda text: text.replace(b"\n", b"\r\n"), ".*"), (lambda text: text[:-1], ".*"),
                 (lambda text: text + b"\n", ".*"), (lambda text: b"", ".*"), (lambda text: text[:-2] + b"\xff\n", ".*"),
-                (lambda text: text.replace(b" = 00000000\n", b" = 00000001\n", 1), r"differs, line \d+: expected .*, found .*"),
+                (lambda text: text.replace(b" = 00000000\n", b" = 00000001\n", 1),
+                 r"differs, line \d+: expected .*, found .*"),
                 (None, "missing")):
             path = self.directory / "hash.unorm.golden"
             whole = path.read_bytes()

@@ -171,7 +171,7 @@ class EveryNoise(unittest.TestCase):
                 self.assertEqual(len({tuple(of(knobs, p, seed) for p in two) for seed in range(32)}), 32)
 
     @of_every_noise
-    def test_so_does_every_hash(self, noise: Noise, bounds: Bounds) -> None:
+    def test_every_hash_gives_another_field(self, noise: Noise, bounds: Bounds) -> None:
         lattice, fnv1 = settings(bounds)
         for p, seed in points(bounds, "hashes", 4):
             for of in (noise.exact, noise.fixed):
@@ -290,6 +290,7 @@ class EveryNoise(unittest.TestCase):
 
         less, no_periods = Fraction(1023, 1024), on_lattice(lambda lattice: {"periods": ()})
         two_bounds = math.ceil(2 * table.bounds_of("perlin", 2, "octahedral").fixed_error * NOISE_UNIT)
+        tried = set()
         for name, faults in (
                 ("a_position_is_a_cell_and_a_fraction",
                  [Rounding("perlin", perlin.exact_in_cell, perlin.fixed_in_cell)]),
@@ -302,19 +303,23 @@ class EveryNoise(unittest.TestCase):
                 ("a_period_changes_nothing_where_no_point_is_moved",
                  on_lattice(lambda lattice: {"periods": tuple(p - 7 for p in lattice.periods)})),
                 ("every_seed_gives_another_field", on_lattice(lambda lattice: {"seed": 0})),
-                ("so_does_every_hash", on_lattice(lambda lattice: {"knobs": Knobs("pcg")})),
+                ("every_hash_gives_another_field", on_lattice(lambda lattice: {"knobs": Knobs("pcg")})),
                 ("the_end_of_a_cell_is_where_the_next_one_begins", no_periods[:1]),
                 ("noise_is_0_at_lattice_points", [off(perlin, 1)]),
                 ("the_sine_gradient_is_that_of_perlin_noise_alone",
-                 [*on_lattice(lambda lattice: {"knobs": KNOBS}), *on_lattice(lambda lattice: {"knobs": KNOBS}, slopes)]),
+                 [fault for noise in (perlin, slopes) for fault in on_lattice(lambda lattice: {"knobs": KNOBS}, noise)]),
                 ("with_derivatives_it_is_the_same_noise", [scaled(slopes, less, 1, 1), off(slopes, 1, 0, 0)]),
                 ("derivatives_are_the_limits_of_difference_quotients", [scaled(slopes, 1, 1, less)]),
                 ("a_phase_turns", [*on_lattice(lambda lattice: {"phase": 0.3}, turning),
                                    on_lattice(lambda lattice: {"phase": lattice.phase + 1 / 8}, turning)[0]])):
             check = getattr(EveryNoise, f"test_{name}").check
+            tried.add(check)
             for fault in faults:
                 with self.subTest(name), self.assertRaises(AssertionError):
                     check(self, fault, table.bounds_of(fault.name, 2, "octahedral"))
+
+        checks = {getattr(of, "check", None) for of in vars(EveryNoise).values()} - {None}
+        self.assertEqual(tried, checks)
 
     def test_a_fault_of_one_metric_or_of_one_distance_is_found(self) -> None:
         cellular, bounds = noises.find("cellular"), table.bounds_of("cellular", 2, "none")
