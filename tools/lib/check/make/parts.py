@@ -1,4 +1,4 @@
-"""The table of what is made and committed: each part, what it is made of, and what makes it. A part stands below those
+"""The table of what is made, and but for some of build/ committed: each part, what it is made of, and what makes it. A part stands below those
 that it needs."""
 
 from __future__ import annotations
@@ -56,9 +56,6 @@ PARTS = (
     Part("one-noise", "what docs/one-noise.md quotes of Perlin noise", "seconds", "ship.readme.one_noise",
          ("docs/one-noise.md", *LIBRARY, "docs/contract.md", "docs/accuracy.md", "docs/results/gpu/costs.csv",
           "conformance/expected/golden/noise2d.perlin.golden"), ("docs/one-noise.md",)),
-    Part("vectors", "rows of golden files, for ports", "half a minute", "proof.vectors.command",
-         ("conformance/expected/golden/*.golden", *SUITE), ("vectors/*.json",),
-         check=("--check", "--sample", "30"), sample=True, program="hn-tolerances"),
     Part("freeze", "entries of new functions among what never changes", "seconds for each function", "proof.frozen.command",
          (*LIBRARY, *SUITE), ("conformance/expected/frozen.csv",), sample=True, program="hn-frozen"),
     Part("snippets", "docs/snippets: functions to paste", "a minute", "translate.pick.pages",
@@ -72,6 +69,8 @@ PARTS = (
          ("results/*.json", "results/versions/*.csv", "conformance/expected/golden/*.golden",
           "conformance/library/*.inc", "conformance/web/address.js"), ("build/results/index.html",),
          options=("--earlier",), check=("--check", "--earlier")),
+    Part("vectors", "build/vectors: rows of golden files, for ports", "half a minute", "proof.vectors.command", (),
+         ("build/vectors/*.json",), python=(3, 9), by_name=True),
     Part("site", "a site of the pages, with what Sphinx needs from PyPI", "minutes", "ship.website.command", (),
          ("build/site/index.html",), by_name=True),
 )

@@ -10,8 +10,9 @@ import subprocess
 import tempfile
 from pathlib import Path
 
-from base.tree import HN_CONFORM, ROOT, TOOLS, VECTORS, version
+from base.tree import HN_CONFORM, ROOT, TOOLS, version
 from catalog.tables import glsl
+from proof.vectors.files import vectors_folder
 from ship.recipes import RECIPES
 from ship.release import sbom
 from ship.zips import zipped
@@ -76,13 +77,14 @@ class Release:
 
     def vectors(self) -> None:
         """What ports are held to."""
-        files = {f"vectors/{path.name}": path.read_bytes() for path in sorted(VECTORS.glob("*.json"))}
+        files = {f"vectors/{path.name}": path.read_bytes() for path in sorted(vectors_folder().glob("*.json"))}
         (self.folder / f"hashnoise-{self.version}-vectors.zip").write_bytes(zipped(files, self.seconds))
 
     def headers(self) -> None:
         """What is installed of the library without anything compiled, so find_package takes it from where it is."""
         with tempfile.TemporaryDirectory() as scratch:
             log = {"stderr": subprocess.STDOUT}
+            vectors_folder()  # CMake installs them where they are made
             run(["cmake", "-S", ROOT, "-B", f"{scratch}/build", "-G", "Ninja", "-DHASHNOISE_GRID=OFF",
                  "-DHASHNOISE_CONFORMANCE=OFF", "-DHASHNOISE_TESTS=OFF", "-DHASHNOISE_INSTALL=ON",
                  "-DCMAKE_INSTALL_LIBDIR=lib"], **log)
@@ -93,9 +95,11 @@ class Release:
             (self.folder / f"hashnoise-{self.version}-headers.zip").write_bytes(zipped(files, self.seconds))
 
     def source(self) -> None:
+        """What is committed, and the vectors, so that who builds of it needs nothing to make them."""
         name = f"hashnoise-{self.version}"
-        packed = subprocess.run(["git", "-C", ROOT, "archive", "--format=tar", f"--prefix={name}/", "HEAD"],
-                                stdout=subprocess.PIPE, check=True).stdout
+        added = [f"--add-file={path}" for path in sorted(vectors_folder().glob("*.json"))]
+        packed = subprocess.run(["git", "-C", ROOT, "archive", "--format=tar", f"--prefix={name}/vectors/", *added,
+                                 f"--prefix={name}/", "HEAD"], stdout=subprocess.PIPE, check=True).stdout
         (self.folder / f"{name}-source.tar.gz").write_bytes(gzip.compress(packed, mtime=self.seconds))
 
     def playground(self) -> None:

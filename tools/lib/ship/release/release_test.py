@@ -7,13 +7,15 @@ import os
 import re
 import shutil
 import subprocess
+import tarfile
 import tempfile
 import unittest
 import zipfile
 from pathlib import Path
 from unittest import mock
 
-from base.tree import ROOT, TOOLS, VECTORS, version
+from base.tree import ROOT, TOOLS, version
+from proof.vectors.files import vectors_folder
 from ship.release import files
 
 # Enough of the tree for what is tried here.
@@ -36,9 +38,10 @@ class Project(unittest.TestCase):
             copy = shutil.copytree if (ROOT / name).is_dir() else shutil.copy
             (cls.original / name).parent.mkdir(parents=True, exist_ok=True)
             copy(ROOT / name, cls.original / name)
-        (cls.original / "vectors").mkdir()  # some are enough
-        for path in (VECTORS / "index.json", VECTORS / "hash.word.json"):
-            shutil.copy(path, cls.original / "vectors")
+        (cls.original / "vectors").mkdir()  # some are enough, and none is committed
+        (cls.original / ".gitignore").write_text("/vectors/\n")
+        for name in ("index.json", "hash.word.json"):
+            shutil.copy(vectors_folder() / name, cls.original / "vectors")
         changelog = f"# Changelog\n\n## {version()} (2026-11-22)\n\n- It is [there](docs/x.md).\n\n## 0.0.1 (2025-01-01)\n\n- Old.\n"
         (cls.original / "CHANGELOG.md").write_text(changelog)
         # Of one pack fewer files are copied than of a thousand objects.
@@ -83,7 +86,11 @@ class Makes(Project):
             self.assertEqual((self.out / name).read_bytes(), (other / name).read_bytes(), name)
         with zipfile.ZipFile(next(self.out.glob("*-vectors.zip"))) as packed:
             self.assertEqual(packed.namelist(), ["vectors/hash.word.json", "vectors/index.json"])
-            self.assertEqual(packed.read("vectors/index.json"), (VECTORS / "index.json").read_bytes())
+            self.assertEqual(packed.read("vectors/index.json"), (vectors_folder() / "index.json").read_bytes())
+        with tarfile.open(next(self.out.glob("*-source.tar.gz"))) as packed:
+            top = f"hashnoise-{version()}"
+            self.assertLess({f"{top}/vectors/index.json", f"{top}/vectors/hash.word.json", f"{top}/LICENSE"},
+                            {*packed.getnames()})
         listed = json.loads((self.out / f"hashnoise-{version()}.cdx.json").read_text())["components"]
         self.assertEqual({one["name"] for one in listed},
                          names - {"SHA256SUMS", f"hashnoise-{version()}.cdx.json"})
