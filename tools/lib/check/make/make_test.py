@@ -68,7 +68,7 @@ class Table(unittest.TestCase):
         waits = {name: [other.name for other in others] for name, others in graph.needs(MADE).items()}
         for part, others in (("umbrella", ["catalog"]), ("bounds", ["catalog", "umbrella"]), ("golden", ["catalog"]),
                              ("freeze", ["umbrella"]), ("snippets", ["umbrella"]),
-                             ("picks", ["catalog", "umbrella"]), ("readme", ["umbrella"]), ("results", ["golden"])):
+                             ("readme", ["umbrella"]), ("results", ["golden"])):
             with self.subTest(part):
                 self.assertLessEqual(set(others), set(waits[part]))
         self.assertEqual(waits["catalog"], [])
@@ -98,7 +98,7 @@ class Table(unittest.TestCase):
             files = {path for path in ROOT.glob(pattern) if path.is_file()}
             self.assertGreater(len(files), 10)
             self.assertEqual(files - products, set())
-        for file in ("conformance/expected/bounds.inc", "conformance/expected/frozen.csv", "playground/picks.json"):
+        for file in ("conformance/expected/bounds.inc", "conformance/expected/frozen.csv"):
             self.assertIn(ROOT / file, products)
 
     def test_every_pattern_finds_something(self) -> None:

@@ -60,8 +60,6 @@ PARTS = (
          (*LIBRARY, *SUITE), ("conformance/expected/frozen.csv",), sample=True, program="hn-frozen"),
     Part("snippets", "docs/snippets: functions to paste", "a minute", "translate.pick.pages",
          ("glsl/hashnoise/**/*.glsl",), ("docs/snippets/*.md",), python=(3, 9)),
-    Part("picks", "texts that the playground has inside", "a minute", "ship.playground.picks",
-         ("glsl/hashnoise/**/*.glsl", "catalog/*.toml"), ("playground/picks.json",), python=(3, 9)),
     Part("faults", "docs/faults.md: which cases notice what drivers got wrong", "ten minutes", "check.faults.command",
          ("conformance/cases/bugs/*", "conformance/fault/*"), ("docs/faults.md",),
          check=("--check", "--sample", "4"), sample=True, program="hn-conform"),
