@@ -58,7 +58,7 @@ PARTS = (
           "conformance/expected/golden/noise2d.perlin.golden"), ("docs/one-noise.md",)),
     Part("freeze", "entries of new functions among what never changes", "seconds for each function", "proof.frozen.command",
          (*LIBRARY, *SUITE), ("conformance/expected/frozen.csv",), sample=True, program="hn-frozen"),
-    Part("snippets", "docs/snippets: functions to paste", "a minute", "translate.pick.pages",
+    Part("snippets", "docs/snippets: functions to paste", "half a minute", "translate.pick.pages",
          ("glsl/hashnoise/**/*.glsl",), ("docs/snippets/*.md",), python=(3, 9)),
     Part("faults", "docs/faults.md: which cases notice what drivers got wrong", "ten minutes", "check.faults.command",
          ("conformance/cases/bugs/*", "conformance/fault/*"), ("docs/faults.md",),

@@ -16,6 +16,7 @@ from proof.vectors.files import vectors_folder
 from ship.recipes import RECIPES
 from ship.release import sbom
 from ship.zips import zipped
+from translate.pick import pages as snippets
 from translate.single_file.files import text
 
 
@@ -80,6 +81,12 @@ class Release:
         files = {f"vectors/{path.name}": path.read_bytes() for path in sorted(vectors_folder().glob("*.json"))}
         (self.folder / f"hashnoise-{self.version}-vectors.zip").write_bytes(zipped(files, self.seconds))
 
+    def snippets(self) -> None:
+        """Functions to paste, in each language. Links to other pages lead nowhere from there."""
+        files = {f"snippets/{path.name}": re.sub(r"\[([^\]]+)\]\(\.\./[^)]*\)", r"\1", path.read_text("utf-8")).encode()
+                 for path in sorted(snippets.whole().iterdir())}
+        (self.folder / f"hashnoise-{self.version}-snippets.zip").write_bytes(zipped(files, self.seconds))
+
     def headers(self) -> None:
         """What is installed of the library without anything compiled, so find_package takes it from where it is."""
         with tempfile.TemporaryDirectory() as scratch:
@@ -131,10 +138,11 @@ class Release:
 
 
 PARTS = ("single", "parts", "vectors", "headers", "source", *(name for name in RECIPES if name != "release"),
-         "playground", "check")
+         "playground", "snippets", "check")
 # What must be there of each, so that a tool that makes something else is noticed.
 NAMES = {"single": r"hashnoise(\.min|\.fixed)?\.(glsl|hlsl|metal|wgsl)", "parts": r"hashnoise-VERSION-parts\.zip",
          "vectors": r"hashnoise-VERSION-vectors\.zip",
+         "snippets": r"hashnoise-VERSION-snippets\.zip",
          "headers": r"hashnoise-VERSION-headers\.zip",
          "source": r"hashnoise-VERSION-source\.tar\.gz", "npm": r"hashnoise-VERSION\.tgz",
          "python": r"hashnoise-VERSION-[\w.-]+\.whl",

@@ -19,7 +19,7 @@ from proof.vectors.files import vectors_folder
 from ship.release import files
 
 # Enough of the tree for what is tried here.
-COPIED = ("CMakeLists.txt", "LICENSE", "glsl", "include", "packages/npm/package.json",
+COPIED = ("CMakeLists.txt", "LICENSE", "catalog/asked.toml", "glsl", "include", "packages/npm/package.json",
           "packages/wesl/Cargo.toml", "pyproject.toml", "tools")
 CHEAP = "single,parts,vectors,headers,source"
 
@@ -79,7 +79,7 @@ class Makes(Project):
             done = self.call("--only", CHEAP, out=out)
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertEqual(done.stdout, f"{out}\n")
-            self.assertIn("Without npm, python, rust, wesl, glsl-noise, unity, unreal, blender, materialx, isf, godot, playground, check.", done.stderr)
+            self.assertIn("Without npm, python, rust, wesl, glsl-noise, unity, unreal, blender, materialx, isf, godot, playground, snippets, check.", done.stderr)
         names = {path.name for path in self.out.iterdir()}
         self.assertEqual(names, {path.name for path in other.iterdir()})
         for name in names:
