@@ -64,7 +64,7 @@ PARTS = (
          ("conformance/cases/bugs/*", "conformance/fault/*"), ("docs/faults.md",),
          check=("--check", "--sample", "4"), sample=True, program="hn-conform"),
     Part("results", "a page of what people's devices returned, which are checked", "a second", "measure.results.command",
-         ("results/*.json", "results/versions/*.csv", "conformance/expected/golden/*.golden",
+         ("docs/results/devices/*.json", "docs/results/devices/versions/*.csv", "conformance/expected/golden/*.golden",
           "conformance/library/*.inc", "conformance/web/address.js"), ("build/results/index.html",),
          options=("--earlier",), check=("--check", "--earlier")),
     Part("vectors", "build/vectors: rows of golden files, for ports", "half a minute", "proof.vectors.command", (),
