@@ -27,6 +27,8 @@ INDEX = "index.json"
 LARGEST_BOUND = 2.0**-6  # of a row. Octave sums of floats far out have larger ones, which say little
 DEFAULTS = {"lattice", "lattice+sine"}  # the settings of noise that are told, without their arithmetic
 PROGRAM = Path(__file__).with_name("tolerances.cpp")
+SUMS = Path(__file__).parents[1] / "sums"  # their bounds
+OPTIONS = ("-O0", f"-I{SUMS.parent}", f"-I{ROOT / 'src'}", "-lfmt")
 KINDS = {"i32": (4, struct.Struct(">i")), "f32": (4, struct.Struct(">f")), "f64": (8, struct.Struct(">d"))}
 
 Words = Sequence[int]
@@ -127,7 +129,7 @@ def asked(questions: Sequence[str]) -> list[list[float]]:
     with tempfile.TemporaryDirectory() as folder:
         program = Path(folder) / PROGRAM.stem
         try:
-            compile_program("the program that computes bounds", PROGRAM, program, "-O0", "-lfmt", include=CONFORMANCE)
+            compile_program("the program that computes bounds", PROGRAM, program, *OPTIONS, include=CONFORMANCE)
         except NotBuilt as error:
             raise NoVectors(f"{error}\nIt wants g++ and the library fmt: apt-get install g++ libfmt-dev") from error
         done = subprocess.run([program], input="".join(f"{line}\n" for line in questions), capture_output=True,
@@ -162,7 +164,7 @@ def vectors() -> dict[str, str]:
 
 def sources() -> list[Path]:
     """All that the files are made of: golden files, the suite's bounds, the names of functions, and this code."""
-    suite = [path for room in ("library", "expected") for path in (CONFORMANCE / room).glob("*.*")
+    suite = [path for room in (CONFORMANCE / "library", CONFORMANCE / "expected", SUMS) for path in room.glob("*.*")
              if "_test." not in path.name]
     return [PROGRAM, *GOLDEN.glob("*.golden"), *suite, *glsl_files().values(), *modules.files_of([Path(__file__)])]
 
