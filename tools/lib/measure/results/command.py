@@ -1,7 +1,7 @@
 """Checks digests of results, which people send of their devices, and makes the page of them.
 
-    tools/make results [PATH...]              checks files, or folders of nothing else (default: docs/results/devices), and
-                                              writes build/results/index.html
+    tools/make results [PATH...]              checks files, or folders of nothing else (default:
+                                              docs/results/devices), and writes build/results/index.html
     tools/make results --page DIR [PATH...]   the same, but it writes DIR/index.html
     tools/make results --check [PATH...]      checks them
     tools/make results --freeze               before a release: keeps the checksums of this version in

@@ -5,6 +5,8 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Collection, Mapping, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from functools import partial
 from pathlib import Path
 
 from base import modules
@@ -33,12 +35,19 @@ def calls() -> list[list[str]]:
     return [*([name] for name in names if name in known), *cells]
 
 
-def texts(of: Collection[Sequence[str]], tell: Callable[[str], None] = lambda _: None) -> dict[str, str]:
-    """By the command that writes it. `tell` takes a sentence before what takes long."""
-    tell(f"Picking what {len(of)} pictures call, in {len(CHOICES)} texts each ...")
+def picked(choice: Choice, of: Collection[Sequence[str]]) -> dict[str, str]:
+    """By the command that writes it."""
     pick = picker()
-    commands = {command_of(names, choice): (names, choice) for names in of for choice in CHOICES}
-    return {command: pick(*asked).replace(command, COMMAND) for command, asked in commands.items()}
+    commands = {command_of(names, choice): names for names in of}
+    return {command: pick(names, choice).replace(command, COMMAND) for command, names in commands.items()}
+
+
+def texts(of: Collection[Sequence[str]], tell: Callable[[str], None] = lambda _: None) -> dict[str, str]:
+    """Those of all choices. `tell` takes a sentence before what takes long."""
+    tell(f"Picking what {len(of)} pictures call, in {len(CHOICES)} texts each, which takes a minute at first ...")
+    with ProcessPoolExecutor() as pool:
+        found = {command: text for part in pool.map(partial(picked, of=of), CHOICES) for command, text in part.items()}
+    return {command: found[command] for names in of for command in (command_of(names, choice) for choice in CHOICES)}
 
 
 def woven(named: Mapping[str, str]) -> dict:

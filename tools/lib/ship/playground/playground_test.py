@@ -93,7 +93,7 @@ class Picks(unittest.TestCase):
                 mock.patch.object(picks, "calls", lambda: [["hn_random3"]]):
             data = picks.data(steps.append)
             self.assertEqual(picks.data(steps.append), data)
-        self.assertEqual(steps, ["Picking what 1 pictures call, in 6 texts each ..."])
+        self.assertEqual(steps, ["Picking what 1 pictures call, in 6 texts each, which takes a minute at first ..."])
         written = self.unwoven(data)
         self.assertEqual(len(written), 6)
         done = subprocess.run([TOOLS / "pick", "hn_random3"], capture_output=True, text=True, check=True)
