@@ -8,8 +8,6 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[3]
 TOOLS = ROOT / "tools"
 GLSL = ROOT / "glsl" / "hashnoise"
-FUNCTIONS = ROOT / "conformance" / "library" / "functions.inc"
-CONFIGURATIONS = ROOT / "conformance" / "library" / "configurations.inc"
 BOUNDS = ROOT / "conformance" / "expected" / "bounds.inc"
 HN_CONFORM = ROOT / "build" / "conformance" / "hn-conform"  # where tools/measure clock builds it
 VECTORS = ROOT / "vectors"

@@ -12,6 +12,7 @@ from pathlib import Path
 
 from base.tree import ROOT
 from base.twin import compile_program
+from catalog import suite
 from proof.bounds.sums import Sum
 from proof.bounds.table import Bounds, GulliesBounds
 
@@ -23,7 +24,8 @@ def _program() -> subprocess.Popen[str]:
     """It runs as long as this one, and answers line by line."""
     folder = tempfile.TemporaryDirectory()
     program = Path(folder.name) / SOURCE.stem
-    compile_program("what the suite says of sums", SOURCE, program, include=ROOT / "conformance")
+    suite.write(Path(folder.name))
+    compile_program("what the suite says of sums", SOURCE, program, f"-I{folder.name}", include=ROOT / "conformance")
     process = subprocess.Popen([program], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, bufsize=1)
 
     def end() -> None:

@@ -6,7 +6,7 @@ import json
 import struct
 import subprocess
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from fractions import Fraction
 from functools import cached_property
 from pathlib import Path
@@ -151,16 +151,12 @@ def vectors(program: Path, kept: Mapping[str, str] = {}) -> dict[str, str]:
         if f"{function.id}.json" in kept:
             continue
         head = {"format": FORMAT, "function": function.id, "calls": function.calls, "name": name, "bits": BITS,
-                "inputs": columns(function.inputs), "outputs": columns(function.outputs)}
+                "inputs": [*map(asdict, function.inputs)], "outputs": [*map(asdict, function.outputs)]}
         of_words: dict[str, set] = {}
         said = [group.said(bounds[id(group)], of_words) for group in groups]
         files[f"{function.id}.json"] = written({**head, "settings": said})
     files[INDEX] = written({"format": FORMAT, "bits": BITS, "files": listed})
     return files
-
-
-def columns(text: str) -> list[dict[str, str]]:
-    return [dict(zip(("name", "type"), column.split(":"))) for column in text.split()]
 
 
 def written(value: dict) -> str:
