@@ -63,7 +63,7 @@ class Deletions(unittest.TestCase):
                      r"hn_lattice\(ivec3\) has no row")
 
     def test_the_rows_of_a_noise(self) -> None:
-        self.change("catalog/noises.toml", r"^\[value_cubic\]\n(?:[^\[].*\n|\n)*")
+        self.change("catalog/noises.toml", r"^\[value_cubic\]\n(?:[^\[\n].*\n|\n)*")
         self.noticed(r"hn_value_cubic\(vec2\) has no row: give it an entry in catalog/noises.toml or sums.toml",
                      r"^tools/lib/proof/oracle/noises/value_cubic\.py: no function is the noise value_cubic",
                      r"^tools/lib/proof/bounds/noises/value_cubic\S*: no function is the noise value_cubic")
@@ -71,7 +71,7 @@ class Deletions(unittest.TestCase):
     def test_the_entry_of_a_function(self) -> None:
         self.change("catalog/noises.toml", r"(?<=^\[simplex\]\ndimensions = )\[2, 4\]", "[2, 3]")
         self.change("catalog/noises.toml", r"(?<=^\[value_cubic\]\ndimensions = )\[1, 3\]", "[1, 4]")
-        self.change("catalog/sums.toml", r"^\[ridged\]\n(?:[^\[].*\n|\n)*")
+        self.change("catalog/sums.toml", r"^\[ridged\]\n(?:[^\[\n].*\n|\n)*")
         self.noticed(r"hn_simplex\(vec4\) has no row: give it an entry", r"hn_ridged\(vec2, int, float, float\) has no row",
                      r"^catalog: noise4d\.value_cubic: declare hn_value_cubic\(vec4\) in hashnoise/")
 
