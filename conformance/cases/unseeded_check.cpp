@@ -97,7 +97,6 @@ const Differences& differences_in(std::string_view file, const Configuration& co
   static std::map<std::pair<std::string_view, std::string_view>, Differences> known;
   const auto key = std::pair(file, configuration.name);
   if (const auto found = known.find(key); found != known.end()) return found->second;
-  constexpr WordType u32 = WordType::u32;
   Differences& made = known[key];
   made.functions = unseeded_in(file, configuration);
   made.id = fmt::format("{}.all", file.substr(0, file.find('.')));
@@ -105,24 +104,11 @@ const Differences& differences_in(std::string_view file, const Configuration& co
   made.body = difference_of_both(made.functions);
   made.function = {.id = made.id,
                    .file = file,
+                   .call = {},
                    .body = made.body,
-                   .inputs = {{"a", u32},
-                              {"b", u32},
-                              {"c", u32},
-                              {"d", u32},
-                              {"e", u32},
-                              {"f", u32},
-                              {"g", u32},
-                              {"h", u32},
-                              {"i", u32},
-                              {"j", u32},
-                              {"k", u32},
-                              {"l", u32},
-                              {"m", u32},
-                              {"n", u32},
-                              {"o", u32},
-                              {"function", u32}},
-                   .outputs = {{"r0", u32}, {"r1", u32}, {"r2", u32}, {"r3", u32}}};
+                   .inputs = std::vector<Column>(kInputWords, {"word", WordType::u32}),
+                   .outputs = std::vector<Column>(kOutputWords, {"difference", WordType::u32}),
+                   .plain = {}};
   return made;
 }
 

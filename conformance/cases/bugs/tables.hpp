@@ -24,10 +24,11 @@ inline Function bug_function(std::string_view id, std::vector<Column> inputs, st
                              std::string_view body) {
   return {.id = id,
           .file = "config.glsl",
+          .call = {},
           .body = body,
           .inputs = std::move(inputs),
           .outputs = std::move(outputs),
-          .axes = 0};
+          .plain = {}};
 }
 
 constexpr std::uint32_t word(std::uint32_t value) { return value; }
