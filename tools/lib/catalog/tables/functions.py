@@ -268,9 +268,9 @@ class Function:
 
     @property
     def body(self) -> str:
-        """Of uvec4 evaluate(uvec4 a, uvec4 b, uvec4 c, uvec4 d), valid as GLSL and as C++. float_of and bits_of reinterpret
-        bits. SEEDED(s) is ", s", or nothing where the overload without a seed is under test; SEED(s) is the seed of what
-        has none."""
+        """Of uvec4 evaluate(uvec4 a, uvec4 b, uvec4 c, uvec4 d), valid in shaders and as C++. float_of and bits_of
+        reinterpret bits. SEEDED(s) is ", s", or nothing where the overload without a seed is under test; SEED(s) is the
+        seed of what has none."""
         words, lines, taken = iter(WORDS), [], []
         for part in self.parts:
             size = len(part.names(self.dimensions))
