@@ -27,15 +27,15 @@ class Part(NamedTuple):
 LIBRARY = ("glsl/hashnoise/**/*.glsl", "glsl/hashnoise/**/*.h", "include/hashnoise/**/*.h*")
 SUITE = (*(f"{room}/*.[ch]pp" for room in ("src/base", "conformance/library", "conformance/expected",
                                            "tools/lib/proof/sums")),
-         *(f"conformance/{room}/*.inc" for room in ("library", "expected")))
+         "conformance/expected/*.inc", "catalog/*.toml")
 PAGES = ("README.md", "docs/gallery/README.md",
          *(f"docs/{page}.md" for page in ("cellular", "conformance", "default-hash", "gpu-operations", "hashes", "judge",
                                           "languages", "measuring", "moving", "noises", "sums", "uniform")))
 
 PARTS = (
-    Part("catalog", "what the suite, the library, packages and pages have of catalog/", "a second", "catalog.command",
+    Part("catalog", "what the library, packages and pages have of catalog/", "a second", "catalog.command",
          ("catalog/*.toml",),
-         ("README.md", "conformance/library/f*s.inc", "docs/javascript.md", "docs/noises.md", "docs/sums.md",
+         ("README.md", "docs/javascript.md", "docs/noises.md", "docs/sums.md",
           "glsl/hashnoise/fbm2d.glsl", "glsl/hashnoise/octaves2d.glsl", "include/hashnoise/hashnoise.hpp",
           "packages/npm/src/index.*", "packages/npm/wasm/twin.cpp", "packages/python/hashnoise/*.py*",
           "playground/catalog.js", "src/grid/catalog.inc")),
@@ -44,15 +44,15 @@ PARTS = (
          ("glsl/hashnoise/**/*.glsl", "glsl/hashnoise/detail/*.h"), python=(3, 9)),
     Part("readme", "pictures, numbers and tables of pages", "half a minute", "ship.readme.command",
          (*PAGES, *LIBRARY, "docs/results/**/*.csv", "tools/costs.csv", "tools/lib/ship/readme/*.[ch]pp",
-          "conformance/library/*.inc", "catalog/*.toml"),
+          "catalog/*.toml"),
          (*PAGES, "docs/images/*.png", "docs/gallery/*.png", "packages/*/README.md")),
     Part("bounds", "ranges, slopes and errors, proven: bounds.inc, and the tables of docs/accuracy.md",
          "half a minute", "proof.bounds.command",
          (*LIBRARY, "docs/accuracy.md", "docs/knobs.md", "docs/sums.md", "tools/lib/proof/bounds/noises/*.py",
-          "tools/lib/proof/bounds/*.cpp", "tools/lib/proof/sums/*.[ch]pp", "conformance/library/facts.inc"),
+          "tools/lib/proof/bounds/*.cpp", "tools/lib/proof/sums/*.[ch]pp", "catalog/sums.toml"),
          ("conformance/expected/bounds.inc", "docs/accuracy.md"), scientific=True),
     Part("golden", "golden files, by the oracle", "five minutes", "proof.golden.command",
-         ("conformance/library/*.inc", "tools/lib/proof/oracle/noises/*.py"), ("conformance/expected/golden/*.golden",),
+         ("catalog/*.toml", "tools/lib/proof/oracle/noises/*.py"), ("conformance/expected/golden/*.golden",),
          check=("--check", "--sample", "8"), sample=True),
     Part("one-noise", "what docs/one-noise.md quotes of Perlin noise", "seconds", "ship.readme.one_noise",
          ("docs/one-noise.md", *LIBRARY, "docs/contract.md", "docs/accuracy.md", "docs/results/gpu/costs.csv",
@@ -66,7 +66,7 @@ PARTS = (
          check=("--check", "--sample", "4"), sample=True, program="hn-conform"),
     Part("results", "a page of what people's devices returned, which are checked", "a second", "measure.results.command",
          ("docs/results/devices/*.json", "docs/results/devices/versions/*.csv", "conformance/expected/golden/*.golden",
-          "conformance/library/*.inc", "conformance/web/address.js"), ("build/results/index.html",),
+          "catalog/*.toml", "conformance/web/address.js"), ("build/results/index.html",),
          options=("--earlier",), check=("--check", "--earlier")),
     Part("vectors", "build/vectors: rows of golden files, for ports", "half a minute", "proof.vectors.command", (),
          ("build/vectors/*.json",), python=(3, 9), by_name=True),

@@ -7,7 +7,7 @@ import struct
 import subprocess
 import tempfile
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from fractions import Fraction
 from functools import cached_property
 from pathlib import Path
@@ -17,6 +17,7 @@ from base.golden_values import Golden
 from base.kept import kept
 from base.tree import CONFORMANCE, GOLDEN, ROOT, VECTORS, glsl_files
 from base.twin import NotBuilt, compile_program
+from catalog import suite
 from catalog.tables.configurations import Configuration, read_configurations
 from catalog.tables.functions import Function, read_functions
 from proof.vectors.choice import chosen, features
@@ -28,7 +29,7 @@ LARGEST_BOUND = 2.0**-6  # of a row. Octave sums of floats far out have larger o
 DEFAULTS = {"lattice", "lattice+sine"}  # the settings of noise that are told, without their arithmetic
 PROGRAM = Path(__file__).with_name("tolerances.cpp")
 SUMS = Path(__file__).parents[1] / "sums"  # their bounds
-OPTIONS = ("-O0", f"-I{SUMS.parent}", f"-I{ROOT / 'src'}", "-lfmt")
+OPTIONS = ("-O0", f"-I{CONFORMANCE}", f"-I{SUMS.parent}", f"-I{ROOT / 'src'}", "-lfmt")
 KINDS = {"i32": (4, struct.Struct(">i")), "f32": (4, struct.Struct(">f")), "f64": (8, struct.Struct(">d"))}
 
 Words = Sequence[int]
@@ -128,8 +129,9 @@ def asked(questions: Sequence[str]) -> list[list[float]]:
     """The bounds of rows, which the suite's own code computes."""
     with tempfile.TemporaryDirectory() as folder:
         program = Path(folder) / PROGRAM.stem
+        suite.write(Path(folder))  # the functions and the settings
         try:
-            compile_program("the program that computes bounds", PROGRAM, program, *OPTIONS, include=CONFORMANCE)
+            compile_program("the program that computes bounds", PROGRAM, program, *OPTIONS, include=Path(folder))
         except NotBuilt as error:
             raise NoVectors(f"{error}\nIt wants g++ and the library fmt: apt-get install g++ libfmt-dev") from error
         done = subprocess.run([program], input="".join(f"{line}\n" for line in questions), capture_output=True,
@@ -154,7 +156,7 @@ def vectors() -> dict[str, str]:
         listed.append({"file": f"{function.id}.json", "calls": function.calls, "name": name,
                        "settings": [group.name for group in groups]})
         head = {"format": FORMAT, "function": function.id, "calls": function.calls, "name": name, "bits": bits,
-                "inputs": columns(function.inputs), "outputs": columns(function.outputs)}
+                "inputs": [*map(asdict, function.inputs)], "outputs": [*map(asdict, function.outputs)]}
         of_words: dict[str, tuple[list, set]] = {}
         said = [group.said(bounds[id(group)], of_words) for group in groups]
         files[f"{function.id}.json"] = written({**head, "settings": said})
@@ -164,9 +166,10 @@ def vectors() -> dict[str, str]:
 
 def sources() -> list[Path]:
     """All that the files are made of: golden files, the suite's bounds, the names of functions, and this code."""
-    suite = [path for room in (CONFORMANCE / "library", CONFORMANCE / "expected", SUMS) for path in room.glob("*.*")
+    units = [path for room in (CONFORMANCE / "library", CONFORMANCE / "expected", SUMS) for path in room.glob("*.*")
              if "_test." not in path.name]
-    return [PROGRAM, *GOLDEN.glob("*.golden"), *suite, *glsl_files().values(), *modules.files_of([Path(__file__)])]
+    return [PROGRAM, *GOLDEN.glob("*.golden"), *units, *(ROOT / "catalog").glob("*.toml"), *glsl_files().values(),
+            *modules.files_of([Path(__file__)])]
 
 
 def vectors_folder() -> Path:
@@ -174,10 +177,6 @@ def vectors_folder() -> Path:
     source of a release has them at its top."""
     there = ROOT / "vectors"
     return there if there.is_dir() else kept(VECTORS, sources(), vectors)
-
-
-def columns(text: str) -> list[dict[str, str]]:
-    return [dict(zip(("name", "type"), column.split(":"))) for column in text.split()]
 
 
 def written(value: dict) -> str:

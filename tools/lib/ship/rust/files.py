@@ -113,8 +113,7 @@ def argument(kind: str, word: int) -> str:
 
 def call(function: Function, name: str, module: str) -> str:
     """The expression that calls a function with the words of a row."""
-    columns = dict(column.split(":") for column in function.inputs.split())
-    words = {column: argument(kind, i) for i, (column, kind) in enumerate(columns.items())}
+    words = {column.name: argument(column.type, i) for i, column in enumerate(function.inputs)}
     n = function.axes
 
     def along(prefix: str) -> list[str]:
