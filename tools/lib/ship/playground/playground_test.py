@@ -19,6 +19,7 @@ import ship.playground.page as page
 from base.tree import TOOLS, version
 from ship.playground import picks
 from ship.playground.library import definitions, library, modules, of_pictures, written
+from translate.pick.command import Choice
 
 
 class Page(unittest.TestCase):
@@ -28,7 +29,7 @@ class Page(unittest.TestCase):
         cls.modules = dict(modules(cls.told.append))  # which takes seconds
         with mock.patch("ship.playground.library.modules", lambda _: cls.modules.items()):
             cls.library = library(cls.told.append)
-        cls.picks = picks.woven(picks.texts([["hn_random3"]]))  # of all of them the test playground.page makes one
+        cls.picks = picks.woven({"tools/pick hn_a": "a\n"})  # the test playground.page makes a page of all texts
         cls.text = cls.made(cls)
 
     def made(self) -> str:
@@ -90,12 +91,13 @@ class Picks(unittest.TestCase):
     def test_they_are_made_once(self):
         steps = []
         with tempfile.TemporaryDirectory() as folder, mock.patch.object(picks, "FOLDER", Path(folder) / "picks"), \
-                mock.patch.object(picks, "calls", lambda: [["hn_random3"]]):
+                mock.patch.object(picks, "calls", lambda: [["hn_random3"]]), \
+                mock.patch.object(picks, "CHOICES", [Choice("wgsl", "fixed"), Choice()]):
             data = picks.data(steps.append)
             self.assertEqual(picks.data(steps.append), data)
-        self.assertEqual(steps, ["Picking what 1 pictures call, in 6 texts each, which takes a minute at first ..."])
+        self.assertEqual(steps, ["Picking what 1 pictures call, in 2 texts each, which takes a minute at first ..."])
         written = self.unwoven(data)
-        self.assertEqual(len(written), 6)
+        self.assertEqual([*written], ["tools/pick hn_random3 --language wgsl --arithmetic fixed", "tools/pick hn_random3"])
         done = subprocess.run([TOOLS / "pick", "hn_random3"], capture_output=True, text=True, check=True)
         self.assertEqual(written["tools/pick hn_random3"], done.stdout.replace("tools/pick hn_random3", picks.COMMAND))
 
