@@ -178,7 +178,7 @@ class SuiteWriter {
     HN_TRY(const auto evaluated, program(evaluation));
     Json json = {{"check", "values"},
                  {"program", evaluated},
-                 {"columns", function.columns},
+                 {"columns", columns_of(function)},
                  {"exact", has_exact_values(function, configuration)},
                  {"inputs", inputs_of(*golden)},
                  {"expected", expected_of(*golden, function, configuration)},
@@ -195,8 +195,8 @@ class SuiteWriter {
     return Json{{"check", "same"},
                 {"program", evaluated},
                 {"other", other},
-                {"columns", function.columns},
-                {"other_columns", pairing.other.function.columns},
+                {"columns", columns_of(function)},
+                {"other_columns", columns_of(pairing.other.function)},
                 {"exact", pairing.exact},
                 {"in_loop", pairing.in_loop()},
                 {"factor", pairing.factor},
@@ -217,7 +217,7 @@ class SuiteWriter {
     }
     return Json{{"check", "bug"},
                 {"program", evaluated},
-                {"columns", bug.function.columns},
+                {"columns", columns_of(bug.function)},
                 {"inputs", data(inputs)},
                 {"expected", data(expected)},
                 {"allowed", bug.allowed},

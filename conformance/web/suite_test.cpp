@@ -105,7 +105,7 @@ TEST(Suite, ValuesAreThoseOfTheGoldenFile) {
   }
   const Json& test = suite["cases"][0];
   EXPECT_EQ(test["check"], "values");
-  EXPECT_EQ(test["columns"], function.columns);
+  EXPECT_EQ(test["columns"], columns_of(function));
   EXPECT_EQ(test["exact"], false);
   EXPECT_EQ(suite["data"][test["inputs"].get<std::size_t>()], packed(inputs));
   EXPECT_EQ(suite["data"][test["expected"].get<std::size_t>()], packed(expected));
@@ -237,8 +237,8 @@ TEST(Suite, TwoWaysHaveAProgramEachAndTheirPoints) {
   EXPECT_NE(period["inputs"], period["other_inputs"]);
   // The form without periods has other columns.
   const Json wrapped = suite_of("noise2d.perlin_period.lattice.fast.fragment.es300.wrapped")["cases"][0];
-  EXPECT_EQ(wrapped["columns"], find_function("noise2d.perlin_period").columns);
-  EXPECT_EQ(wrapped["other_columns"], find_function("noise2d.perlin").columns);
+  EXPECT_EQ(wrapped["columns"], columns_of(find_function("noise2d.perlin_period")));
+  EXPECT_EQ(wrapped["other_columns"], columns_of(find_function("noise2d.perlin")));
 }
 
 TEST(Suite, ABugComesWithWhereItWasReported) {

@@ -39,6 +39,8 @@ const inPage = (id) => unpacked(new RegExp(`id="${id}">([^<]*)<`).exec(page)[1])
 const library = new Library(await inPage("library"));
 library.picks = await inPage("picks");
 
+test("the page is small", () => assert.ok(page.length < 505_000, `${page.length} bytes`));
+
 // Numbers that are the same in every run.
 function* chance(word) {
   for (;;) {
@@ -314,8 +316,8 @@ const kImports = `
 import json, sys
 sys.dont_write_bytecode = True
 sys.path.insert(0, ${JSON.stringify(join(root, "tools", "lib"))})
-from tree import GLSL
-from wgsl.module import Module, Settings`;
+from base.tree import GLSL
+from translate.wgsl.module import Module, Settings`;
 
 test("the library in the page is that of tools/pick whole, and of the translator", () => {
   for (const file of ["fbm2d.glsl", "cellular3d.glsl"]) {
@@ -326,7 +328,7 @@ test("the library in the page is that of tools/pick whole, and of the translator
     assert.equal(made.split("\n")[1], kLicense);
   }
   const script = `${kImports}
-from playground.library import of_pictures
+from ship.playground.library import of_pictures
 text = "".join(f'#include "{file}"\\n' for file in of_pictures())
 module = Module(GLSL, text, Settings("HN_FIXED", "PCG"))
 print(module.text(["hn_ridged3_place"], strip=True), end="")

@@ -10,7 +10,7 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
-from base.tree import VECTORS, version
+from base.tree import GOLDEN, version
 from catalog.tables.functions import read_functions
 from ship import command
 from ship.rust import files
@@ -48,7 +48,7 @@ class Calls(unittest.TestCase):
         # Of places the vectors have those alone at which there is noise.
         of_places = {bare(name) for name in files.of_module(known, *files.MODULES["place"])}
         self.assertEqual(all_names - called - of_places, set())
-        self.assertTrue(all((VECTORS / f"{id}.json").is_file() for id in needed))
+        self.assertTrue(all((GOLDEN / f"{id}.golden").is_file() for id in needed))
         self.assertGreater(len(all_names), 100)
 
 

@@ -6,13 +6,13 @@ import re
 from collections.abc import Sequence
 from concurrent.futures import ProcessPoolExecutor
 from functools import cache
-from pathlib import Path
 from typing import NamedTuple
 
-from base.tree import GLSL, ROOT, VECTORS, version
+from base.tree import GLSL, ROOT, version
 from base.usage import near
 from catalog import asked
 from catalog.tables.functions import Function, read_functions
+from proof.vectors.files import vectors_folder
 from ship.packing import Refused, of_cargo, own_files
 from translate.parsing.syntax import Function as Declared
 from translate.pick import command
@@ -113,8 +113,7 @@ def argument(kind: str, word: int) -> str:
 
 def call(function: Function, name: str, module: str) -> str:
     """The expression that calls a function with the words of a row."""
-    columns = dict(column.split(":") for column in function.inputs.split())
-    words = {column: argument(kind, i) for i, (column, kind) in enumerate(columns.items())}
+    words = {column.name: argument(column.type, i) for i, column in enumerate(function.inputs)}
     n = function.axes
 
     def along(prefix: str) -> list[str]:
@@ -188,7 +187,7 @@ def package(only: str = ",".join(ALL)) -> dict[str, str]:
     for arithmetic in ARITHMETICS:
         found[f"src/{arithmetic}.rs"] = module_file(arithmetic, of_arithmetic)
     found["tests/vectors/calls.rs"], needed = calls(modules)
+    vectors = vectors_folder()
     for id in needed:
-        path = Path(VECTORS, f"{id}.json")
-        found[f"vectors/{path.name}"] = path.read_text(encoding="ascii")
+        found[f"vectors/{id}.json"] = (vectors / f"{id}.json").read_text(encoding="ascii")
     return found

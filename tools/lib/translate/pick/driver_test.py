@@ -90,7 +90,7 @@ def call_of(module: Module, function: Function) -> str:
 
 def files() -> list[str]:
     """Those of noise and of sums, of which no other of these is made."""
-    rows = {function.row.text(1) for function in read_functions() if function.file.startswith(("noise", "curl", "fbm"))}
+    rows = {function.includes for function in read_functions() if function.file.startswith(("noise", "curl", "fbm"))}
     return sorted(file for file in rows if re.fullmatch(r"(?!octaves|fbm_d)\w+\dd\.glsl", file))
 
 
@@ -111,7 +111,7 @@ class Driver(unittest.TestCase):
     def run_suite(self, arithmetic: str, names: list[str], change: tuple[str, str] = ("", ""),
                   options: Sequence[str] = ("--driver=osmesa",)) -> tuple[int, str]:
         module = read(GLSL, settings(arithmetic, "lattice"))
-        rows = [function.id for function in read_functions() if function.row.text(1) in names]
+        rows = [function.id for function in read_functions() if function.includes in names]
         with tempfile.TemporaryDirectory() as folder:
             library = Path(folder) / "glsl"
             shutil.copytree(GLSL, library)

@@ -527,7 +527,7 @@ class Command(unittest.TestCase):
     def test_pages_are_written_into_a_folder(self) -> None:
         with tempfile.TemporaryDirectory() as folder, \
                 mock.patch.object(pages, "FUNCTIONS", {"hn_random2": "a number"}), \
-                mock.patch.object(pages, "LANGUAGES", pages.LANGUAGES[:1]):
+                mock.patch.object(pages, "OF_TREE", pages.OF_TREE[:1]):
             new = Path(folder, "new")
             self.assertEqual(pages.main(["--out", str(new)]), 0)
             self.assertIn("[hn_random2](hn_random2.md) | a number", (new / "README.md").read_text())

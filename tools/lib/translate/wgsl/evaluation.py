@@ -1,4 +1,4 @@
-"""Compute shaders that evaluate the rows of functions.inc at many points: what the tests run.
+"""Compute shaders that evaluate the rows of the suite at many points: what the tests run.
 
 hn-conform has this package inside, and calls it with a file of JSON, a list of {"knobs": TEXT, "files": [NAME, ...],
 "bodies": {NAME: TEXT}}. The answer is {"texts": [...], "groups": [{"shaders": {NAME: [numbers of texts]}}, or {"error": "why there are none"}]}.
@@ -14,7 +14,7 @@ from pathlib import Path
 from translate.parsing.tokens import Unknown
 from translate.wgsl.module import NO_SETTINGS, Module
 
-# What the bodies of the rows take for granted (conformance/library/functions.inc).
+# What the bodies of the rows take for granted (tools/lib/catalog/tables/functions.py).
 PROLOGUE = """#define float_of uintBitsToFloat
 #define bits_of floatBitsToUint
 #define SEEDED(s) , s
@@ -43,16 +43,9 @@ def evaluations(library: Path, knobs: str, files: Iterable[str], bodies: Mapping
     functions = [f"uvec4 {numbers[name]}(uvec4 a, uvec4 b, uvec4 c, uvec4 d) {{ {body} }}\n"
                  for name, body in bodies.items()]
     includes = "".join(f'#include "{file}"\n' for file in files)
-    module = Module(library, knobs + includes + PROLOGUE + "".join(functions), NO_SETTINGS, "functions.inc")
+    module = Module(library, knobs + includes + PROLOGUE + "".join(functions), NO_SETTINGS, "rows")
     return {name: [*module.pieces([number], strip=True), EPILOGUE.replace("EVALUATE", number)]
             for name, number in numbers.items()}
-
-
-def macros_of_rows(table: Path) -> str:
-    """The macros that stand in the bodies of its rows as they are read: those of one line, which make no row."""
-    lines = table.read_text(encoding="utf-8").split("\n")
-    return "".join(f"{line}\n" for line in lines
-                   if line.startswith("#define ") and not line.endswith("\\") and "FUNCTION(" not in line)
 
 
 def answered(library: Path, question: list[dict]) -> dict:

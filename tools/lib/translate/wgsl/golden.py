@@ -14,10 +14,10 @@ from collections.abc import Callable, Collection, Mapping
 from pathlib import Path
 
 from base.golden_values import Golden
-from base.tree import FUNCTIONS, GLSL
+from base.tree import GLSL
 from catalog.tables.functions import read_functions
 from translate.wgsl.device import Device
-from translate.wgsl.evaluation import EPILOGUE, PROLOGUE, macros_of_rows
+from translate.wgsl.evaluation import EPILOGUE, PROLOGUE
 from translate.wgsl.module import NO_SETTINGS, Module
 
 
@@ -27,8 +27,8 @@ def shaders_over(rows: Collection[str], arithmetic: str, of: Callable[[list[str]
     numbers = {row: f"evaluate_{i}" for i, row in enumerate(bodies)}
     written = "".join(f"uvec4 {numbers[row]}(uvec4 a, uvec4 b, uvec4 c, uvec4 d) {{ {body} }}\n"
                       for row, body in bodies.items())
-    knobs = f"#define HN_ARITHMETIC {arithmetic}\n{macros_of_rows(FUNCTIONS)}"
-    module = Module(GLSL, f'{knobs}#include "hashnoise.glsl"\n{PROLOGUE}{written}', NO_SETTINGS, "functions.inc")
+    knobs = f"#define HN_ARITHMETIC {arithmetic}\n"
+    module = Module(GLSL, f'{knobs}#include "hashnoise.glsl"\n{PROLOGUE}{written}', NO_SETTINGS, "rows")
     found = {}
     for row, number in numbers.items():
         body = module.translator.definition(number)
