@@ -1,7 +1,8 @@
-"""Compute shaders that evaluate the rows of functions.inc at many points: what the tests run.
+"""Compute shaders that evaluate the rows of functions.inc at many points, with each setting that has values of them:
+what the tests run.
 
-hn-conform has this package inside, and calls it with a file of JSON, a list of {"knobs": TEXT, "files": [NAME, ...],
-"bodies": {NAME: TEXT}}. The answer is {"texts": [...], "groups": [{"shaders": {NAME: [numbers of texts]}}, or {"error": "why there are none"}]}.
+    python3 -m translate.wgsl.evaluation FILE    writes them as JSON, which hn-conform has inside: {"texts": [...],
+                                                 "shaders": {"SETTING ROW": [numbers of texts]}, "knobs": {SETTING: TEXT}}
 """
 
 from __future__ import annotations
@@ -11,7 +12,9 @@ import sys
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
-from translate.parsing.tokens import Unknown
+from base.tree import FUNCTIONS, GLSL
+from catalog.tables.configurations import Configuration, read_configurations
+from catalog.tables.functions import read_functions
 from translate.wgsl.module import NO_SETTINGS, Module
 
 # What the bodies of the rows take for granted (conformance/library/functions.inc).
@@ -55,21 +58,31 @@ def macros_of_rows(table: Path) -> str:
                    if line.startswith("#define ") and not line.endswith("\\") and "FUNCTION(" not in line)
 
 
-def answered(library: Path, question: list[dict]) -> dict:
+def knobs(configuration: Configuration) -> str:
+    """The lines that select a setting, as the suite has them (conformance/library/configurations.cpp)."""
+    chosen = {"HASH": configuration.hash, "GRADIENT": configuration.gradient, "ARITHMETIC": configuration.arithmetic}
+    defaults = {"HASH": "lattice", "GRADIENT": "octahedral", "ARITHMETIC": "fast"}
+    lines = [f"#define HN_{knob} HN_{f'{knob}_' * (knob != 'ARITHMETIC')}{value.upper()}\n"
+             for knob, value in chosen.items() if value != defaults[knob]]
+    own = "#define HN_HASH_FN(k) (((k) ^ ((k) >> 16u)) * 0x045D9F3Bu)\n" * (configuration.hash == "custom")
+    return "".join(lines) + own
+
+
+def embedded() -> dict:
+    """The shaders of all rows with all settings that have values in WGSL, which has no HN_PRECISE. A text that several
+    have is there once."""
     texts: dict[str, int] = {}
-    groups: list[dict] = []
-    for group in question:
-        try:
-            found = evaluations(library, group["knobs"], group["files"], group["bodies"])
-        except Unknown as error:
-            groups.append({"error": str(error)})
-            continue
-        groups.append({"shaders": {name: [texts.setdefault(piece, len(texts)) for piece in pieces]
-                                   for name, pieces in found.items()}})
-    return {"texts": list(texts), "groups": groups}
+    found: dict[str, list[int]] = {}
+    settings = {one.name: one for one in read_configurations() if one.arithmetic != "precise"}
+    macros = macros_of_rows(FUNCTIONS)
+    for setting, configuration in settings.items():
+        rows = [row for row in read_functions() if configuration.covers(row)]
+        shaders = evaluations(GLSL, knobs(configuration) + macros, ("hashnoise.glsl", "self_check.glsl"),
+                              {row.id: row.body for row in rows})
+        found |= {f"{setting} {row}": [texts.setdefault(piece, len(texts)) for piece in pieces]
+                  for row, pieces in shaders.items()}
+    return {"texts": list(texts), "shaders": found, "knobs": {name: knobs(one) for name, one in settings.items()}}
 
 
-def main() -> int:
-    library, question, answer = map(Path, sys.argv[1:])
-    answer.write_text(json.dumps(answered(library, json.loads(question.read_text(encoding="utf-8")))), encoding="utf-8")
-    return 0
+if __name__ == "__main__":
+    Path(sys.argv[1]).write_text(json.dumps(embedded()), encoding="ascii")

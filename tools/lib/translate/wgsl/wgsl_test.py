@@ -17,7 +17,7 @@ from base.tree import GLSL, TOOLS, glsl_files
 from catalog.tables.functions import Function, read_functions
 from catalog.tables.glsl import declarations
 from translate.parsing.tokens import Unknown
-from translate.wgsl.evaluation import answered, evaluations
+from translate.wgsl.evaluation import evaluations
 from translate.wgsl.module import ARITHMETICS, GRADIENTS, HASHES, Module, Settings
 
 FILES = list(glsl_files())
@@ -195,11 +195,6 @@ class Modules(unittest.TestCase):
         self.assertNotIn("hn_perlin3", text)
         with self.assertRaisesRegex(Unknown, "Take HN_FIXED"):
             evaluations(GLSL, "#define HN_ARITHMETIC HN_PRECISE\n", ["perlin2d.glsl"], {"noise2d.perlin": body})
-        answer = answered(GLSL, [{"knobs": "", "files": ["perlin2d.glsl"], "bodies": {"one": body}},
-                                 {"knobs": "", "files": ["hash.glsl"], "bodies": {"two": body}}])
-        self.assertEqual("".join(answer["texts"][number] for number in answer["groups"][0]["shaders"]["one"]),
-                         "".join(evaluations(GLSL, "", ["perlin2d.glsl"], {"one": body})["one"]))
-        self.assertIn("error", answer["groups"][1])
 
 
 class Command(unittest.TestCase):
