@@ -18,7 +18,7 @@ from ship.npm.twin import Failed, compiled
 from ship.packing import of_npm, own_files, put
 from translate.single_file.files import in_order, minified, parts, text
 from translate.wgsl.module import Module, Settings
-from translate.wgsl.names import is_public
+from translate.names import is_public
 from translate.wgsl.translator import Definition
 
 PACKAGE = ROOT / "packages" / "npm"

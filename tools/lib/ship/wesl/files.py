@@ -11,7 +11,7 @@ from base.tree import GLSL, ROOT, version
 from ship.packing import of_cargo, of_npm
 from ship.recipes import RECIPES
 from translate.wgsl.module import Module, Settings
-from translate.wgsl.names import RESERVED
+from translate.names import RESERVED
 from translate.wgsl.translator import Definition
 
 PACKAGE = ROOT / "packages" / "wesl"

@@ -35,7 +35,7 @@ from translate.pick.evaluate import Module
 from translate.pick.program import Program, chosen, public, read
 from translate.pick.shading import LANGUAGES
 from translate.pick.shading_runners import pairs_of
-from translate.wgsl.names import is_public
+from translate.names import is_public
 
 # The structs are those of the library.
 WITHOUT_STRUCTS = replace(LANGUAGES["glsl"], structs=False)

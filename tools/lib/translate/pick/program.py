@@ -62,7 +62,7 @@ def _read(library: Path, settings: dict[str, str], splits: bool, own: Sequence[F
 
 @functools.lru_cache(maxsize=16)  # tests ask for it with each function
 def public(module: Module) -> dict[str, Function]:
-    """The functions by the names of their forms (wgsl.names). A form has its seed."""
+    """The functions by the names of their forms (translate/names.py). A form has its seed."""
     translator = Translator(module.tree, module.constants)
     return {name: item for name in translator.public() if isinstance(item := translator.items[name], Function)}
 

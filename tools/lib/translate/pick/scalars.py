@@ -21,7 +21,7 @@ from translate.pick.printer import BITS, CHOICE, PRIMARY, STRENGTH, TRUTH, UNARY
 from translate.pick.program import Evaluated, Program
 from translate.pick.statements import Break, Declare, If, Loop, Return, Set, Statement, blocks, operands, reachable, walk
 from translate.pick.values import AXES, Constant, Node, Operation, Variable, converted, operation, scalar_of
-from translate.wgsl.names import PASSED, wgsl_name
+from translate.names import PASSED, wgsl_name
 
 ROOM = 84  # for components in one line
 NEGATED = {"<": ">=", ">": "<=", "<=": ">", ">=": "<", "==": "!=", "!=": "=="}  # of whole numbers

@@ -1,4 +1,4 @@
-"""WGSL: functions by the names of their forms, since it has no overloads (wgsl.names)."""
+"""WGSL: functions by the names of their forms, since it has no overloads (translate/names.py)."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from translate.pick.evaluate import CASTS, Kept
 from translate.pick.printer import BITS, PRIMARY, TRUTH, UNARY, Language, Writer, splatted
 from translate.pick.statements import Set, Statement, walk
 from translate.pick.values import SIZES, Node, Operation, Variable, construct, converted, scalar_of, vector_of
-from translate.wgsl.names import RESERVED, variable, wgsl_name, wgsl_type
+from translate.names import RESERVED, variable, wgsl_name, wgsl_type
 
 SHIFTS = ("<<", ">>")
 

@@ -38,7 +38,7 @@ from translate.parsing.syntax import (
     Unary,
 )
 from translate.parsing.tokens import Token, Unknown
-from translate.wgsl.names import components, is_passed, is_public, variable, wgsl_name, wgsl_type
+from translate.names import components, is_passed, is_public, variable, wgsl_name, wgsl_type
 
 FLOATS = ("float", "vec2", "vec3", "vec4")
 INTS = ("int", "ivec2", "ivec3", "ivec4")
@@ -171,7 +171,7 @@ class Translator:
             other = taken.setdefault(name, function)
             if other is not function:
                 raise function.at.error(f"{name} is the name of another function in WGSL, too: that of "
-                                        f"{other.at.path}:{other.at.line}. tools/lib/translate/wgsl/names.py has the rule")
+                                        f"{other.at.path}:{other.at.line}. tools/lib/translate/names.py has the rule")
 
     def resolve(self, at: Token, types: tuple[str, ...]) -> tuple[Function, bool]:
         """The function that is called, and whether a seed of 0 has to be put in."""
