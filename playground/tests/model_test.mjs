@@ -314,8 +314,8 @@ const kImports = `
 import json, sys
 sys.dont_write_bytecode = True
 sys.path.insert(0, ${JSON.stringify(join(root, "tools", "lib"))})
-from tree import GLSL
-from wgsl.module import Module, Settings`;
+from base.tree import GLSL
+from translate.wgsl.module import Module, Settings`;
 
 test("the library in the page is that of tools/pick whole, and of the translator", () => {
   for (const file of ["fbm2d.glsl", "cellular3d.glsl"]) {
@@ -326,7 +326,7 @@ test("the library in the page is that of tools/pick whole, and of the translator
     assert.equal(made.split("\n")[1], kLicense);
   }
   const script = `${kImports}
-from playground.library import of_pictures
+from ship.playground.library import of_pictures
 text = "".join(f'#include "{file}"\\n' for file in of_pictures())
 module = Module(GLSL, text, Settings("HN_FIXED", "PCG"))
 print(module.text(["hn_ridged3_place"], strip=True), end="")
@@ -340,7 +340,7 @@ test("sums over other noises are the same loops in each language", () => {
   const script = `${kImports}
 loops = json.load(sys.stdin)
 module = Module(GLSL, '#include "hashnoise.glsl"\\n' + "".join(loop + "\\n" for loop in loops), Settings("HN_FIXED"))
-made = [module.translator.definition(n) for n in module.translator.items if n.startswith("hn_i_own_")]
+made = [module.definition(n) for n in module.items if n.startswith("hn_i_own_")]
 json.dump({d.name: "\\n".join(d.lines) for d in made}, sys.stdout)
 `;
   const loops = [];

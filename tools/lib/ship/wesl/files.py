@@ -12,7 +12,7 @@ from ship.packing import of_cargo, of_npm
 from ship.recipes import RECIPES
 from translate.wgsl.module import Module, Settings
 from translate.names import RESERVED
-from translate.wgsl.translator import Definition
+from translate.wgsl.writer import Definition
 
 PACKAGE = ROOT / "packages" / "wesl"
 NAME = RECIPES["wesl"].name  # by which it is imported, and what npm and cargo call it

@@ -196,6 +196,13 @@ class Parser:
             found.append(self._struct() if self._next.text == "struct" else self._function())
         return found
 
+    def expression(self) -> Expression:
+        """One that is all of the text."""
+        found = self._expression()
+        if self._next.kind != "end":
+            raise self._next.error(f"{self._next} is not expected behind an expression")
+        return found
+
     # Tokens.
 
     @property

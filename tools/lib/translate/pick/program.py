@@ -24,7 +24,6 @@ from translate.pick.evaluate import Evaluation, Kept, Known, Module, Summed, Typ
 from translate.pick.printer import Language, declared
 from translate.pick.statements import Statement, values_of, without_copies, without_dead
 from translate.pick.values import AXES, SIZES, Constant, Node, Operation, Variable, begin_anew, scalar_of
-from translate.wgsl.translator import Translator
 
 CALL = re.compile(r"(hn_\w+)\((?:hn_(tile|place)\()?(float|vec[234])\)+")
 STEP = re.compile("hn_(add|next|octaves|mean|density|slopes|shifts)")  # of a loop over octaves
@@ -60,13 +59,6 @@ def _read(library: Path, settings: dict[str, str], splits: bool, own: Sequence[F
     return Module(tree, preprocessor.constants, splits, own)
 
 
-@functools.lru_cache(maxsize=16)  # tests ask for it with each function
-def public(module: Module) -> dict[str, Function]:
-    """The functions by the names of their forms (translate/names.py). A form has its seed."""
-    translator = Translator(module.tree, module.constants)
-    return {name: item for name in translator.public() if isinstance(item := translator.items[name], Function)}
-
-
 def name_of(row: Row, known: dict[tuple[str, tuple[str, ...]], str]) -> str:
     """The name of the form of the library that a row of the table is, also in a module of WGSL."""
     types = tuple(f"hn_{type_}" if type_.startswith("place") else type_.removeprefix("out ")
@@ -76,7 +68,7 @@ def name_of(row: Row, known: dict[tuple[str, tuple[str, ...]], str]) -> str:
 
 def names() -> dict[tuple[str, tuple[str, ...]], str]:
     """The names of the forms by what the library calls them and the types that they take."""
-    return {(one.name, tuple(one.types)): name for name, one in public(read(GLSL, {})).items()}
+    return {(one.name, tuple(one.types)): name for name, one in read(GLSL, {}).forms.items()}
 
 
 def expanded(names: Sequence[str]) -> list[str]:
@@ -101,10 +93,10 @@ def expanded(names: Sequence[str]) -> list[str]:
 def listed(module: Module, library: Path) -> str:
     """All forms, by function: what makes noise, and behind it the steps of loops."""
     groups: dict[str, list[str]] = {}
-    for name, function in sorted(public(module).items()):
+    for name, function in sorted(module.forms.items()):
         groups.setdefault(function.name, []).append(f"  {name:32} {function.type} {function.name}"
                                                     f"({', '.join(map(declared, function.parameters))})\n")
-    first = {function.name: function for function in reversed(public(module).values())}
+    first = {function.name: function for function in reversed(module.forms.values())}
     order = sorted(groups, key=lambda name: (STEP.match(name) is not None, name))
     about = {name: re.sub(" (?:on|in) the (?:plane|line)", "", comments.first_sentence(first[name], library))
              for name in order}
@@ -113,7 +105,7 @@ def listed(module: Module, library: Path) -> str:
 
 def chosen(module: Module, names: Sequence[str]) -> list[Function]:
     """The functions of these names."""
-    known = public(module)
+    known = module.forms
     for name in names:
         if name not in known:
             raise Unknown(f"there is no function {name}{_hint(name, known)}")

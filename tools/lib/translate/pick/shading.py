@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from translate.pick.evaluate import CASTS
 from translate.pick.printer import Language
+from translate.pick.typer import CASTS
 from translate.pick.values import PREFIXES
 from translate.pick.wgsl import Wgsl
 from translate.single_file.godot import SUFFIX

@@ -31,7 +31,7 @@ def shaders_over(rows: Collection[str], arithmetic: str, of: Callable[[list[str]
     module = Module(GLSL, f'{knobs}#include "hashnoise.glsl"\n{PROLOGUE}{written}', NO_SETTINGS, "functions.inc")
     found = {}
     for row, number in numbers.items():
-        body = module.translator.definition(number)
+        body = module.definition(number)
         found[row] = "\n".join([of(body.needs), *body.lines, EPILOGUE.replace("EVALUATE", number)])
     return found
 

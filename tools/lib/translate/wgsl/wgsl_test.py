@@ -38,7 +38,7 @@ def module_of(file: str, arithmetic: str) -> Module:
 def translated(text: str, **settings: str) -> str:
     """The WGSL of a text that includes nothing."""
     module = Module(GLSL, text, Settings(**settings))
-    return module.text(module.translator.all_but_constants())
+    return module.text(module.all_but_constants())
 
 
 def types_of(overload: tuple[str, ...]) -> tuple[str, ...]:
@@ -118,7 +118,7 @@ class Names(unittest.TestCase):
         for arithmetic, module in self.modules.items():
             for file in files_with(arithmetic):
                 for definition in module_of(file, arithmetic).definitions():
-                    if definition.lines != module.translator.definition(definition.name).lines:
+                    if definition.lines != module.definition(definition.name).lines:
                         self.fail(f"{file} and hashnoise.glsl have another {definition.name}, with {arithmetic}")
 
     def test_two_functions_with_one_name_are_refused(self):
@@ -134,7 +134,7 @@ class Modules(unittest.TestCase):
     def test_what_no_public_function_needs(self):
         for arithmetic in ARITHMETICS:
             module = module_of("hashnoise.glsl", arithmetic)
-            self.assertGreater(len(module.text(module.translator.all_but_constants())), len(module.text()))
+            self.assertGreater(len(module.text(module.all_but_constants())), len(module.text()))
 
     def test_each_file_with_each_setting(self):
         for arithmetic in ARITHMETICS:
@@ -310,9 +310,9 @@ fn g(p: ptr<function, pair>, x: f32) { (*p).x += x; }
 
 fn f(p: ptr<function, pair>, z: ptr<function, f32>) {
   g(p, 1.0f);
-  (*z) = (*p).y;
+  *z = (*p).y;
   var q: pair;
-  g(&q, (*z));
+  g(&q, *z);
 }""")
 
     def test_macros_that_stand_for_numbers_stay(self):
