@@ -315,7 +315,8 @@ import json, sys
 sys.dont_write_bytecode = True
 sys.path.insert(0, ${JSON.stringify(join(root, "tools", "lib"))})
 from base.tree import GLSL
-from translate.wgsl.module import Module, Settings`;
+from translate.settings import Settings
+from translate.wgsl.module import Module`;
 
 test("the library in the page is that of tools/pick whole, and of the translator", () => {
   for (const file of ["fbm2d.glsl", "cellular3d.glsl"]) {

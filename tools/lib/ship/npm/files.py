@@ -17,7 +17,8 @@ from base.tree import GLSL, ROOT, VECTORS, glsl_files
 from ship.npm.twin import Failed, compiled
 from ship.packing import of_npm, own_files, put
 from translate.single_file.files import in_order, minified, parts, text
-from translate.wgsl.module import Module, Settings
+from translate.settings import Settings
+from translate.wgsl.module import Module
 from translate.names import is_public
 from translate.wgsl.writer import Definition
 

@@ -10,7 +10,8 @@ from functools import cache
 from base.tree import GLSL, ROOT, version
 from ship.packing import of_cargo, of_npm
 from ship.recipes import RECIPES
-from translate.wgsl.module import Module, Settings
+from translate.settings import Settings
+from translate.wgsl.module import Module
 from translate.names import RESERVED
 from translate.wgsl.writer import Definition
 

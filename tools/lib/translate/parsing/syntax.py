@@ -3,9 +3,12 @@ languages"). What is not in it is an error that names the place."""
 
 from __future__ import annotations
 
+import functools
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import Union
 
+from translate.parsing.preprocessor import Item
 from translate.parsing.tokens import Token
 
 SCALARS = ("float", "int", "uint", "bool")
@@ -155,19 +158,24 @@ class Parameter:
     is_set: bool  # out and inout
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Function:
     at: Token  # the name
     type: str
     parameters: tuple[Parameter, ...]
-    body: Block
+    read_body: Callable[[], Block]
     comments: Comments
+
+    @functools.cached_property
+    def body(self) -> Block:
+        """It is read when it is asked for: who picks a function needs few of a thousand."""
+        return self.read_body()
 
     @property
     def name(self) -> str:
         return self.at.text
 
-    @property
+    @functools.cached_property
     def types(self) -> tuple[str, ...]:
         return tuple(parameter.type for parameter in self.parameters)
 
@@ -183,17 +191,29 @@ class Struct:
         return self.at.text
 
 
+def definitions(items: Iterable[Item]) -> list[Function | Struct]:
+    """Of a text that was preprocessed."""
+    found: list[Function | Struct] = []
+    types = {*SCALARS, *VECTORS, "void"}
+    for item in items:
+        if item.head and item.head[-1].text == "{" and item.head[0].text != "struct":
+            found.append(Parser(item.head, types).function(item.rest))
+        else:
+            found += Parser([*item.head, *item.rest()], types).parse()
+    return found
+
+
 class Parser:
-    def __init__(self, tokens: list[Token]):
+    def __init__(self, tokens: list[Token], types: set[str] | None = None):
         last = tokens[-1] if tokens else Token("end", "", "an empty text", 1)
         self.tokens = [*tokens, Token("end", "", last.path, last.line)]
         self.position = 0
-        self.types = {*SCALARS, *VECTORS, "void"}
+        self.types = {*SCALARS, *VECTORS, "void"} if types is None else types
 
     def parse(self) -> list[Function | Struct]:
         found: list[Function | Struct] = []
         while self._next.kind != "end":
-            found.append(self._struct() if self._next.text == "struct" else self._function())
+            found.append(self._struct() if self._next.text == "struct" else self.function())
         return found
 
     def expression(self) -> Expression:
@@ -256,7 +276,8 @@ class Parser:
         self._expect(";")
         return Struct(name, tuple(fields), comments)
 
-    def _function(self) -> Function:
+    def function(self, rest: Callable[[], list[Token]] | None = None) -> Function:
+        """It ends with the {, if the rest is read later."""
         comments = Comments(self._next.before)
         type_ = self._type()
         name = self._word("the name of a function")
@@ -268,7 +289,20 @@ class Parser:
             is_set = self._takes("out", "inout") is not None
             parameter_type = self._type()
             parameters.append(Parameter(self._word("the name of a parameter"), parameter_type, is_set))
-        return Function(name, type_, tuple(parameters), self._block(), comments)
+        if rest is None:
+            block = self._block()
+            return Function(name, type_, tuple(parameters), lambda: block, comments)
+        brace = self._next
+        self._expect("{")
+
+        def read() -> Block:
+            parser = Parser([brace, *rest()], self.types)
+            found = parser._block()
+            if parser._next.kind != "end":
+                raise parser._next.error(f"{parser._next} is not expected behind a function")
+            return found
+
+        return Function(name, type_, tuple(parameters), read, comments)
 
     # Statements.
 

@@ -11,12 +11,12 @@ from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from base.tree import GLSL, version
-from catalog.tables.functions import Function as Row
 from translate.parsing.lines import wrapped
 from translate.parsing.preprocessor import Preprocessor
-from translate.parsing.syntax import Function, Parameter, Parser
+from translate.parsing.syntax import Function, Parameter, definitions
 from translate.parsing.tokens import Unknown
 from translate.pick import comments
 from translate.pick.comments import Facts
@@ -24,6 +24,9 @@ from translate.pick.evaluate import Evaluation, Kept, Known, Module, Summed, Typ
 from translate.pick.printer import Language, declared
 from translate.pick.statements import Statement, values_of, without_copies, without_dead
 from translate.pick.values import AXES, SIZES, Constant, Node, Operation, Variable, begin_anew, scalar_of
+
+if TYPE_CHECKING:
+    from catalog.tables.functions import Function as Row
 
 CALL = re.compile(r"(hn_\w+)\((?:hn_(tile|place)\()?(float|vec[234])\)+")
 STEP = re.compile("hn_(add|next|octaves|mean|density|slopes|shifts)")  # of a loop over octaves
@@ -46,11 +49,10 @@ def _read_once(library: Path, settings: tuple[tuple[str, str], ...], splits: boo
 
 
 def _read(library: Path, settings: dict[str, str], splits: bool, own: Sequence[Function], below: str) -> Module:
-    preprocessor = Preprocessor(library, settings)
-    preprocessor.read(f'#include "hashnoise.glsl"\n{below}', "the library")
     # Where floats are precise, all are: the printer says so.
-    tokens = [token for token in preprocessor.tokens if token.text != "precise"]
-    tree = Parser(tokens).parse()
+    preprocessor = Preprocessor(library, {**settings, "precise": ""})
+    preprocessor.read(f'#include "hashnoise.glsl"\n{below}', "the library")
+    tree = definitions(preprocessor.items)
     for item in tree:
         names = {item.name, *(parameter.at.text for parameter in item.parameters)} if isinstance(item, Function) else ()
         for function in own:

@@ -16,7 +16,6 @@ from translate.names import wgsl_name
 
 NODES = ROOT / "packages" / "npm" / "src" / "tsl" / "function.js"
 TYPES = re.compile(r"float|u?int|[iu]?vec[234]|hn_place[1-4]")
-NO_PRECISE = "three.js passes `precise` to no shader: take --arithmetic fixed, whose bits are the same everywhere"
 
 
 def signature(function: Function) -> str:

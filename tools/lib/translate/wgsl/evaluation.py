@@ -15,7 +15,8 @@ from pathlib import Path
 from base.tree import FUNCTIONS, GLSL
 from catalog.tables.configurations import Configuration, read_configurations
 from catalog.tables.functions import read_functions
-from translate.wgsl.module import NO_SETTINGS, Module
+from translate.settings import NO_SETTINGS
+from translate.wgsl.module import Module
 
 # What the bodies of the rows take for granted (conformance/library/functions.inc).
 PROLOGUE = """#define float_of uintBitsToFloat

@@ -18,7 +18,8 @@ from base.tree import FUNCTIONS, GLSL
 from catalog.tables.functions import read_functions
 from translate.wgsl.device import Device
 from translate.wgsl.evaluation import EPILOGUE, PROLOGUE, macros_of_rows
-from translate.wgsl.module import NO_SETTINGS, Module
+from translate.settings import NO_SETTINGS
+from translate.wgsl.module import Module
 
 
 def shaders_over(rows: Collection[str], arithmetic: str, of: Callable[[list[str]], str]) -> dict[str, str]:

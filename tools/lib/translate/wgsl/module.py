@@ -3,54 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from pathlib import Path
 
 from translate.library import Key, Library
 from translate.names import is_passed, is_public, variable, wgsl_name, wgsl_type
 from translate.parsing.preprocessor import Constant, Preprocessor
-from translate.parsing.syntax import Call, Function, Name, Number, Parser, Return, Struct
-from translate.parsing.tokens import Unknown, tokens_of
+from translate.parsing.syntax import Call, Function, Name, Number, Return, Struct, definitions
+from translate.parsing.tokens import Unknown
+from translate.settings import NO_PRECISE, Settings
 from translate.wgsl.writer import Definition, FunctionWriter
 
-HASHES = ("FNV1", "PARTIAL_FNV1", "JENKINS", "PARTIAL_JENKINS", "MURMUR", "PCG", "XXHASH32", "LATTICE", "CUSTOM")
-GRADIENTS = ("OCTAHEDRAL", "SINE")
-ARITHMETICS = ("HN_FAST", "HN_FIXED")
-NO_PRECISE = ("HN_PRECISE is not possible in WGSL, which has no precise: a compiler may join or reorder operations on "
-              "floats. Take HN_FIXED, whose bits are the same everywhere")
 # What a comment says about overloads that WGSL does not have.
 LEFT_OUT = "; 0 if left out"
-
-
-@dataclass(frozen=True)
-class Settings:
-    """The knobs."""
-    arithmetic: str = "HN_FAST"
-    hash: str = "LATTICE"
-    gradient: str = "OCTAHEDRAL"
-    hash_function: str = ""  # with CUSTOM: the name of the user's function, which takes and returns a u32
-
-    def macros(self) -> dict[str, str]:
-        if self == NO_SETTINGS:
-            return {}
-        if (self.hash == "CUSTOM") != bool(self.hash_function):
-            raise Unknown("the hash CUSTOM and the name of your own belong together: "
-                          "--hash CUSTOM --hash-function my_hash")
-        macros = {"HN_ARITHMETIC": self.arithmetic, "HN_HASH": f"HN_HASH_{self.hash}",
-                  "HN_GRADIENT": f"HN_GRADIENT_{self.gradient}"}
-        return macros | ({"HN_HASH_FN(k)": f"{self.hash_function}(k)"} if self.hash_function else {})
-
-    def own_functions(self) -> list[Function]:
-        """The user's, which the text calls."""
-        if not self.hash_function:
-            return []
-        return Parser(list(tokens_of(f"uint {self.hash_function}(uint k) {{ return k; }}", "the options", 1))).parse()
-
-    def __str__(self) -> str:
-        return f"{self.arithmetic}, HN_HASH_{self.hash} and HN_GRADIENT_{self.gradient}"
-
-
-NO_SETTINGS = Settings("", "", "")
 
 
 class Module:
@@ -61,7 +25,7 @@ class Module:
         preprocessor.read(text, path)
         if preprocessor.stands_for("HN_ARITHMETIC", "HN_PRECISE"):
             raise Unknown(NO_PRECISE)
-        self.library = Library(Parser(preprocessor.tokens).parse(), preprocessor.constants, settings.own_functions())
+        self.library = Library(definitions(preprocessor.items), preprocessor.constants, settings.own_functions())
         for key, seeded in self.library.seeded.items():
             _check_seedless(self.library.functions[key], self.library.functions[seeded])
         # By name, constants first.

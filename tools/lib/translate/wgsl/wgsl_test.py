@@ -18,7 +18,8 @@ from catalog.tables.functions import Function, read_functions
 from catalog.tables.glsl import declarations
 from translate.parsing.tokens import Unknown
 from translate.wgsl.evaluation import evaluations
-from translate.wgsl.module import ARITHMETICS, GRADIENTS, HASHES, Module, Settings
+from translate.settings import ARITHMETICS, GRADIENTS, HASHES, Settings
+from translate.wgsl.module import Module
 
 FILES = list(glsl_files())
 WHOLE = '#include "hashnoise.glsl"\n'

@@ -298,6 +298,6 @@ class FunctionWriter(Typer):
             return value.node
         if not isinstance(argument, Name):
             raise argument.at.error(f"what {parameter.at} is set to must be a variable")
-        if not value.node.is_parameter:
+        if not any(one.is_set and one.at.text == argument.at.text for one in self.function.parameters):
             self.changed.add(argument.at.text)
         return Unchanged.made("address", "", value.type, value.node)
