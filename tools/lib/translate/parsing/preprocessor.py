@@ -5,6 +5,7 @@ Such a macro becomes a constant of the WGSL module, so that its name stays in th
 
 from __future__ import annotations
 
+import functools
 import operator
 import posixpath
 import re
@@ -16,6 +17,7 @@ from typing import NamedTuple
 from translate.parsing.tokens import Token, Unknown, tokens_of
 
 DIRECTIVE = re.compile(r"\s*#\s*(\w+)\s*(.*)")
+NAME = re.compile(r"(\w+)\s*\(")  # the first of a head
 DEFINE = re.compile(r"(\w+)(\(([\w\s,]*)\))?\s*(.*)")
 BINARY = {  # of the conditions of #if, by how strongly they bind
     "||": (1, lambda a, b: int(bool(a) or bool(b))), "&&": (2, lambda a, b: int(bool(a) and bool(b))),
@@ -58,21 +60,38 @@ class Line(NamedTuple):
 
 
 class Item:
-    """A definition: of a function the head, as far as the first {, and the rest, which is read when it is asked for."""
+    """A definition, whose tokens are made when they are asked for. `function` is the name of one, as far as it shows."""
 
-    def __init__(self, lines: list[Line], expanded: Callable[[list[Token]], list[Token]]):
+    def __init__(self, lines: list[Line], expanded: Callable[[list[Token]], list[Token]], macros: Mapping[str, Macro]):
+        self._lines = lines
         self._expanded = expanded
+        text = ""
+        for line in lines:
+            text += f"{line.code} "
+            if "{" in line.code:
+                break
+        head, brace, _ = text.partition("{")
+        name = NAME.search(head) if brace and not head.startswith("struct ") else None
+        self.function = name[1] if name and name[1] not in macros else ""
+
+    @functools.cached_property
+    def _parts(self) -> tuple[list[Token], list[Token], list[Line]]:
+        """What is as far as the first {, what is behind it on its line, and the lines below."""
         tokens: list[Token] = []
-        for count, line in enumerate(lines, 1):
+        for count, line in enumerate(self._lines, 1):
             tokens += line.tokens()
             if "{" in line.code:
                 break
         end = next((i for i, token in enumerate(tokens, 1) if token.text == "{"), len(tokens))
-        self.head = expanded(tokens[:end])
-        self._tokens, self._lines = tokens[end:], lines[count:]
+        return self._expanded(tokens[:end]), tokens[end:], self._lines[count:]
+
+    @property
+    def head(self) -> list[Token]:
+        return self._parts[0]
 
     def rest(self) -> list[Token]:
-        return self._expanded(self._tokens + [token for line in self._lines for token in line.tokens()])
+        _, tokens, lines = self._parts
+        return self._expanded(tokens + [token for line in lines for token in line.tokens()])
 
 
 class Preprocessor:
@@ -236,7 +255,7 @@ class Preprocessor:
         self._chunk = []
 
     def _add(self, lines: list[Line], macros: Mapping[str, Macro]) -> None:
-        self.items.append(Item(lines, lambda tokens: self._expanded(tokens, macros, keep_constants=True)))
+        self.items.append(Item(lines, lambda tokens: self._expanded(tokens, macros, keep_constants=True), macros))
 
     def _expanded(self, tokens: list[Token], macros: Mapping[str, Macro], keep_constants: bool) -> list[Token]:
         stack = tokens[::-1]

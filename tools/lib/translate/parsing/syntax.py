@@ -6,7 +6,7 @@ from __future__ import annotations
 import functools
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from typing import Union
+from typing import NamedTuple, Union
 
 from translate.parsing.preprocessor import Item
 from translate.parsing.tokens import Token
@@ -158,26 +158,48 @@ class Parameter:
     is_set: bool  # out and inout
 
 
-@dataclass(frozen=True, eq=False)
-class Function:
+class Head(NamedTuple):
     at: Token  # the name
     type: str
     parameters: tuple[Parameter, ...]
-    read_body: Callable[[], Block]
     comments: Comments
+    read_body: Callable[[], Block]
+
+
+class Function:
+    """Its head and its body are read when they are asked for: who picks a function needs few of a thousand."""
+
+    def __init__(self, name: str, read: Callable[[], Head]):
+        self.name = name
+        self._read = read
+
+    @functools.cached_property
+    def head(self) -> Head:
+        return self._read()
 
     @functools.cached_property
     def body(self) -> Block:
-        """It is read when it is asked for: who picks a function needs few of a thousand."""
-        return self.read_body()
-
-    @property
-    def name(self) -> str:
-        return self.at.text
+        return self.head.read_body()
 
     @functools.cached_property
     def types(self) -> tuple[str, ...]:
-        return tuple(parameter.type for parameter in self.parameters)
+        return tuple(parameter.type for parameter in self.head.parameters)
+
+    @property
+    def at(self) -> Token:
+        return self.head.at
+
+    @property
+    def type(self) -> str:
+        return self.head.type
+
+    @property
+    def parameters(self) -> tuple[Parameter, ...]:
+        return self.head.parameters
+
+    @property
+    def comments(self) -> Comments:
+        return self.head.comments
 
 
 @dataclass(frozen=True)
@@ -196,11 +218,24 @@ def definitions(items: Iterable[Item]) -> list[Function | Struct]:
     found: list[Function | Struct] = []
     types = {*SCALARS, *VECTORS, "void"}
     for item in items:
-        if item.head and item.head[-1].text == "{" and item.head[0].text != "struct":
-            found.append(Parser(item.head, types).function(item.rest))
+        if item.function:
+            found.append(Function(item.function, functools.partial(_read_head, item, types)))
         else:
             found += Parser([*item.head, *item.rest()], types).parse()
     return found
+
+
+def _read_head(item: Item, types: set[str]) -> Head:
+    parser = Parser(item.head, types)
+    head = parser.head()
+
+    def body() -> Block:
+        inside = Parser([item.head[-1], *item.rest()], types)
+        found = inside.block()
+        inside.end("a function")
+        return found
+
+    return head._replace(read_body=body)
 
 
 class Parser:
@@ -213,15 +248,18 @@ class Parser:
     def parse(self) -> list[Function | Struct]:
         found: list[Function | Struct] = []
         while self._next.kind != "end":
-            found.append(self._struct() if self._next.text == "struct" else self.function())
+            found.append(self._struct() if self._next.text == "struct" else self._function())
         return found
 
     def expression(self) -> Expression:
         """One that is all of the text."""
         found = self._expression()
-        if self._next.kind != "end":
-            raise self._next.error(f"{self._next} is not expected behind an expression")
+        self.end("an expression")
         return found
+
+    def end(self, what: str) -> None:
+        if self._next.kind != "end":
+            raise self._next.error(f"{self._next} is not expected behind {what}")
 
     # Tokens.
 
@@ -276,8 +314,8 @@ class Parser:
         self._expect(";")
         return Struct(name, tuple(fields), comments)
 
-    def function(self, rest: Callable[[], list[Token]] | None = None) -> Function:
-        """It ends with the {, if the rest is read later."""
+    def head(self) -> Head:
+        """Of a function, as far as its {."""
         comments = Comments(self._next.before)
         type_ = self._type()
         name = self._word("the name of a function")
@@ -289,24 +327,18 @@ class Parser:
             is_set = self._takes("out", "inout") is not None
             parameter_type = self._type()
             parameters.append(Parameter(self._word("the name of a parameter"), parameter_type, is_set))
-        if rest is None:
-            block = self._block()
-            return Function(name, type_, tuple(parameters), lambda: block, comments)
-        brace = self._next
-        self._expect("{")
+        if self._next.text != "{":
+            raise self._next.error(f"{self._next} stands where {{ is expected")
+        return Head(name, type_, tuple(parameters), comments, self.block)
 
-        def read() -> Block:
-            parser = Parser([brace, *rest()], self.types)
-            found = parser._block()
-            if parser._next.kind != "end":
-                raise parser._next.error(f"{parser._next} is not expected behind a function")
-            return found
-
-        return Function(name, type_, tuple(parameters), read, comments)
+    def _function(self) -> Function:
+        head = self.head()
+        block = self.block()
+        return Function(head.at.text, lambda: head._replace(read_body=lambda: block))
 
     # Statements.
 
-    def _block(self) -> Block:
+    def block(self) -> Block:
         first = self.position
         self._expect("{")
         comments = self._comments(first)
@@ -320,12 +352,12 @@ class Parser:
 
     def _body(self) -> Block:
         """The block behind an if or a for; a statement on its own is one, too."""
-        return self._block() if self._next.text == "{" else Block((self._statement(),), Comments())
+        return self.block() if self._next.text == "{" else Block((self._statement(),), Comments())
 
     def _statement(self) -> Statement:
         first = self._next
         if first.text == "{":
-            return self._block()
+            return self.block()
         if first.text == "if":
             return self._if()
         if first.text == "for":

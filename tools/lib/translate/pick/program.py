@@ -53,11 +53,10 @@ def _read(library: Path, settings: dict[str, str], splits: bool, own: Sequence[F
     preprocessor = Preprocessor(library, {**settings, "precise": ""})
     preprocessor.read(f'#include "hashnoise.glsl"\n{below}', "the library")
     tree = definitions(preprocessor.items)
-    for item in tree:
-        names = {item.name, *(parameter.at.text for parameter in item.parameters)} if isinstance(item, Function) else ()
-        for function in own:
-            if function.name in names:
-                raise Unknown(f"{function.name} is a name that the library has: call your function otherwise")
+    for name in (function.name for function in own):
+        if any(name in (item.name, *(one.at.text for one in item.parameters)) for item in tree
+               if isinstance(item, Function)):
+            raise Unknown(f"{name} is a name that the library has: call your function otherwise")
     return Module(tree, preprocessor.constants, splits, own)
 
 
@@ -107,11 +106,11 @@ def listed(module: Module, library: Path) -> str:
 
 def chosen(module: Module, names: Sequence[str]) -> list[Function]:
     """The functions of these names."""
-    known = module.forms
-    for name in names:
-        if name not in known:
-            raise Unknown(f"there is no function {name}{_hint(name, known)}")
-    return [known[name] for name in dict.fromkeys(names)]
+    found = {name: module.form(name) for name in names}
+    for name, function in found.items():
+        if function is None:
+            raise Unknown(f"there is no function {name}{_hint(name, module.forms)}")
+    return [*found.values()]
 
 
 def _hint(name: str, known: dict[str, Function]) -> str:
@@ -139,11 +138,11 @@ def over(module: Module, form: str) -> Module:
     noise, = chosen(module, [form])
     dimensions = SIZES.get(noise.types[0]) or int(noise.types[0][-1])
     types = (f"hn_place{dimensions}", "uint")
-    at_place = module.functions.get((noise.name, types))
+    at_place = module.overload(noise.name, types)
     if at_place is None:
         raise Unknown(f"--noise {form}: there is no {noise.name}({', '.join(types)}), and more an octave has not")
     for replaced in ("hn_perlin", "hn_perlin_d"):
-        of_library = module.functions.get((replaced, types))
+        of_library = module.overload(replaced, types)
         if of_library and of_library.type == at_place.type:
             with_other = copy.copy(module)
             with_other.summed = Summed(noise.name, replaced, types)
@@ -202,7 +201,7 @@ class Program:
         return self._done[kept, is_root]
 
     def _evaluate(self, kept: Kept, is_root: bool) -> Evaluated:
-        function = self.module.functions[kept.name, kept.types]
+        function = self.module.overload(kept.name, kept.types)
         asked: set[Key] = set()
 
         def keeps(called: Function, arguments: Sequence[Node]) -> Kept | None:
@@ -346,7 +345,7 @@ class Program:
 
     def may_lack_seed(self, function: Function) -> bool:
         """Whether GLSL has it without the seed behind its other parameters."""
-        return function.types[-1:] == ("uint",) and (function.name, function.types[:-1]) in self.module.functions
+        return function.types[-1:] == ("uint",) and self.module.overload(function.name, function.types[:-1]) is not None
 
     def _names(self, language: Language) -> dict[Kept, str]:
         """Of the functions that are called. Overloads may differ in what is left out alone: the later has a number."""

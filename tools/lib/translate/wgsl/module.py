@@ -26,8 +26,9 @@ class Module:
         if preprocessor.stands_for("HN_ARITHMETIC", "HN_PRECISE"):
             raise Unknown(NO_PRECISE)
         self.library = Library(definitions(preprocessor.items), preprocessor.constants, settings.own_functions())
-        for key, seeded in self.library.seeded.items():
-            _check_seedless(self.library.functions[key], self.library.functions[seeded])
+        for function in self.library.functions.values():
+            if seeded := self.library.seeded(function):
+                _check_seedless(function, seeded)
         # By name, constants first.
         self.items: dict[str, Constant | Struct | Function] = dict(self.library.constants)
         names = {id(function): name for name, function in self.library.named.items()}
@@ -39,8 +40,8 @@ class Module:
 
     def names(self) -> dict[Key, str]:
         """The name in WGSL of each function; one without a seed has the name of that with one."""
-        library = self.library
-        return {key: wgsl_name(library.functions[library.seeded.get(key, key)]) for key in library.functions}
+        return {key: wgsl_name(self.library.seeded(function) or function)
+                for key, function in self.library.functions.items()}
 
     def public(self) -> list[str]:
         """The names of what users call or pass."""

@@ -286,7 +286,7 @@ class FunctionWriter(Typer):
     def _called(self, call: Call, arguments: Sequence[Typed], *scope: object) -> Typed:
         """A seed that is left out is put in."""
         function = self.library.function(call.at, tuple(argument.type for argument in arguments))
-        seeded = self.library.functions.get(self.library.seeded.get((function.name, function.types)), function)
+        seeded = self.library.seeded(function) or function
         given = iter(zip(call.arguments, arguments))
         passed = [Constant("uint", 0) if seeded is not function and parameter.at.text == "seed" else
                   self._passed(parameter, *next(given)) for parameter in seeded.parameters]
