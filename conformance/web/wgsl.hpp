@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "base/verdict.hpp"
 #include "cases/case.hpp"
+#include "expected/verdict.hpp"
 #include "library/source.hpp"
 
 namespace hn {

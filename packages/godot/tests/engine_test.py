@@ -34,7 +34,7 @@ class Find(unittest.TestCase):
         with mock.patch.dict(os.environ, {"PATH": "/no/such"}):
             os.environ.pop("HN_GODOT", None)
             with self.assertRaisesRegex(Absent, "no godot in the PATH, HN_GODOT names none, and there is no apt-get"), \
-                    mock.patch("debian.find", return_value=None):
+                    mock.patch("base.debian.find", return_value=None):
                 find()
 
     def test_what_is_an_error_of_godot(self):

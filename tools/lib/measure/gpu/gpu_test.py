@@ -454,7 +454,7 @@ class Command(WithStandIn):
     def test_without_apt_the_drivers_cannot_be_had(self):
         (self.drivers / "nvidia").mkdir()
         for patch, part in ((mock.patch("shutil.which", return_value=None), "there is no apt-get"),
-                            (mock.patch("debian.KEYS", self.folder / "none"), "Debian's packages are checked"),
+                            (mock.patch("base.debian.KEYS", self.folder / "none"), "Debian's packages are checked"),
                             (contextlib.nullcontext(), "is not empty")):
             with self.subTest(part=part), patch, mock.patch("subprocess.Popen", side_effect=AssertionError):
                 status, _, err = self.call("--get-drivers")
@@ -467,7 +467,7 @@ class Command(WithStandIn):
         self.script(programs / "apt-get", "#!/bin/sh\necho dlstatus:1:20.0:x\necho 'E: no such suite'; exit 100\n")
         self.script(programs / "dpkg-deb", "#!/bin/sh\n")
         with mock.patch.dict(os.environ, {"PATH": f"{programs}:{os.environ['PATH']}"}), \
-                mock.patch("debian.KEYS", self.program):
+                mock.patch("base.debian.KEYS", self.program):
             status, _, err = self.call("--get-drivers", "--drivers", str(self.folder / "new"), "--suite", "nonesuch")
         self.assertEqual(status, 4)
         self.assertIn("downloading: 20 %", err)

@@ -290,7 +290,7 @@ class Getting(unittest.TestCase):
         stand_in(folder)
         (folder / "nvidia").rmdir()
         offline = subprocess.CompletedProcess([], 1, "no route to PyPI")
-        with mock.patch("subprocess.run", return_value=offline), mock.patch("debian.get") as get, \
+        with mock.patch("subprocess.run", return_value=offline), mock.patch("base.debian.get") as get, \
                 contextlib.redirect_stderr(io.StringIO()), \
                 self.assertRaisesRegex(Missing, "pip cannot download triton.*\nno route to PyPI"):
             drivers.get(folder)

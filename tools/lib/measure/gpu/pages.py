@@ -15,9 +15,10 @@ from measure.peers.table import CALLS, dimensions, subject
 
 RECORD = ROOT / "docs" / "results" / "gpu"
 # What shows the cost of a word: the hash alone, and noises that are little more than hashes.
-HASHED = {"hash.lattice2": "`hn_lattice` of an `ivec2`", "hash.lattice3": "`hn_lattice` of an `ivec3`",
-          "noise2d.value": "value 2D", "noise3d.value": "value 3D", "noise2d.perlin": "Perlin 2D",
-          "noise3d.perlin": "Perlin 3D", "noise2d.simplex": "simplex 2D", "noise3d.simplex": "simplex 3D"}
+HASHED = {"hash.lattice2.lattice": "`hn_lattice` of an `ivec2`", "hash.lattice3.lattice": "`hn_lattice` of an `ivec3`",
+          "noise2d.value.lattice": "value 2D", "noise3d.value.lattice": "value 3D", "noise2d.perlin.lattice": "Perlin 2D",
+          "noise3d.perlin.lattice": "Perlin 3D", "noise2d.simplex.lattice": "simplex 2D",
+          "noise3d.simplex.lattice": "simplex 3D"}
 OF_OPERATIONS = ("ampere", "blackwell", "sm90", "polaris10", "navi21", "navi31", "gfx1201", "adreno630", "adreno740",
                  "m1", "acm", "bmg")
 # The letters of the peers in cells.
@@ -54,22 +55,22 @@ def chip_table(rows: Mapping[tuple[str, str], Row]) -> str:
     return table(("noise", *(_head(name) for name in chips)), lines)
 
 
-def hash_table(rows: Mapping[tuple[str, str], Row]) -> str:
-    """What docs/default-hash.md has of the default hash."""
+def titled_table(rows: Mapping[tuple[str, str], Row], titles: Mapping[str, str]) -> str:
+    """The costs of some subjects, each with its title."""
     chips = comparing.shown(rows)
     return table(("", *(_head(name) for name in chips)),
-                 [[title, *(_cost(rows, f"{id}.lattice", chip) for chip in chips)] for id, title in HASHED.items()])
+                 [[title, *(_cost(rows, id, chip) for chip in chips)] for id, title in titles.items()])
 
 
 def quotes(rows: Mapping[tuple[str, str], Row]) -> list[str]:
-    """What the README says of Perlin noise beside FastNoiseLite's."""
+    """The README's comparison of Perlin noise with FastNoiseLite's."""
     def least_and_most(axes: int) -> str:
         [call] = [call for call in CALLS if (call.noise, call.peer) == (f"Perlin {axes}D", "fastnoiselite")]
         ratios = [float(rows[f"{call.ours}.lattice", chip].cost) / float(rows[f"{subject(call)}{axes}", chip].cost)
                   for chip in comparing.shown(rows)]
         return f"{min(ratios):.1f} to {max(ratios):.1f}"
 
-    return [f"{least_and_most(2)} times what FastNoiseLite's does in 2D, and {least_and_most(3)} in 3D"]
+    return [f"{least_and_most(2)} times the instructions of FastNoiseLite's in 2D, and {least_and_most(3)} in 3D"]
 
 
 def operation_table(rows: Sequence[Mapping[str, str]]) -> str:

@@ -6,11 +6,12 @@ from pathlib import Path
 
 import numpy as np
 
+from base.thorough import THOROUGH, in_thorough_runs
 from base.tree import ROOT
 from measure.hashes import fields, library
 
 FOLDER = tempfile.TemporaryDirectory()
-TWIN = library.build("DEFAULT", [], ROOT / "include", Path(FOLDER.name))
+TWIN = THOROUGH and library.build("DEFAULT", [], ROOT / "include", Path(FOLDER.name))
 PERLIN2, SIMPLEX2, SMOOTH2 = fields.NOISES[:3]
 PERLIN3, SIMPLEX3, SMOOTH3 = [n for n in fields.NOISES if n.dimensions == 3][:3]
 
@@ -19,6 +20,7 @@ def worst(values: dict[int, list[float]]) -> float:
     return max(abs(fields.mean_and_error(v)[0]) for v in values.values())
 
 
+@in_thorough_runs
 class Statistics(unittest.TestCase):
     def test_a_field_of_waves_in_three_directions_has_the_sixth_harmonic_alone(self):
         # Directions 0, 60 and 120 degrees, as nearly as a field that wraps allows: 15, 26 of 30 are 60.02 degrees.
@@ -48,6 +50,7 @@ class Statistics(unittest.TestCase):
             self.assertLess(np.abs(block[0] - block[-1]).max(), 1.5 * inside)
 
 
+@in_thorough_runs
 class Simplex(unittest.TestCase):
     def test_shows_less_of_its_lattice_than_perlin_noise_in_the_plane(self):
         perlin, simplex, smooth = (fields.look(TWIN, noise) for noise in (PERLIN2, SIMPLEX2, SMOOTH2))

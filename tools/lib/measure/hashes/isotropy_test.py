@@ -8,11 +8,12 @@ from pathlib import Path
 import numpy as np
 from scipy import stats
 
+from base.thorough import THOROUGH, in_thorough_runs
 from base.tree import ROOT
 from measure.hashes import controls, directions, gate, isotropy, library, report
 
 FOLDER = tempfile.TemporaryDirectory()
-TWIN = library.build("DEFAULT", [], ROOT / "include", Path(FOLDER.name))
+TWIN = THOROUGH and library.build("DEFAULT", [], ROOT / "include", Path(FOLDER.name))
 
 
 def rejecting(findings):
@@ -28,6 +29,7 @@ def preferences(twin, n):
     return next(f for f in gate.each_finding(twin, n, gate.LEAST) if f.test == "isotropy")
 
 
+@in_thorough_runs
 class Statistic(unittest.TestCase):
     def test_axes_diagonals_and_all_directions(self):
         for n, least in ((2, -1), (3, -2 / 3)):
@@ -82,6 +84,7 @@ class Statistic(unittest.TestCase):
             self.assertGreater(stats.chi2(count - 1).sf(ratio), 1e-3, np.std(values))
 
 
+@in_thorough_runs
 class Verdict(unittest.TestCase):
     def test_the_aim_may_be_reached_on_either_side(self):
         for value, passed in ((0.0, True), (isotropy.AIM[2], True), (-isotropy.AIM[2], True), (0.15, False), (-0.15, False)):

@@ -9,11 +9,12 @@ from pathlib import Path
 
 import numpy as np
 
+from base.thorough import THOROUGH, in_thorough_runs
 from base.tree import ROOT
 from measure.hashes import library, octaves, report
 
 FOLDER = tempfile.TemporaryDirectory()
-TWIN = library.build("DEFAULT", [], ROOT / "include", Path(FOLDER.name))
+TWIN = THOROUGH and library.build("DEFAULT", [], ROOT / "include", Path(FOLDER.name))
 FEW = range(2)
 
 
@@ -33,6 +34,7 @@ def directions(twin, cut):
     return octaves.directions(twin, cut, FEW, with_structures=False)
 
 
+@in_thorough_runs
 class Statistics(unittest.TestCase):
     def waves(self, angles, per_cell, cycles):
         """The slopes of waves in some directions."""
@@ -67,6 +69,7 @@ class Statistics(unittest.TestCase):
             self.assertAlmostEqual(along[axis][0, 0], (after - before) * 2.0**7, 2)
 
 
+@in_thorough_runs
 class Turns(unittest.TestCase):
     def test_the_library_is_accepted(self):
         for cut in (*octaves.CUTS, *octaves.CUTS_4D):
@@ -89,6 +92,7 @@ class Turns(unittest.TestCase):
             self.assertEqual(octaves.Directions(octaves.CUTS[0], None, [value] * 2, {}).passed, passed)
 
 
+@in_thorough_runs
 class Page(unittest.TestCase):
     def test_it_passes_only_if_all_do(self):
         def shown(spectrum, correlation):
@@ -106,6 +110,7 @@ class Page(unittest.TestCase):
         self.assertIn("| 3D | **0.1** |", report.repeats_table(shown(0.0, 0.1)))
 
 
+@in_thorough_runs
 class Tiles(unittest.TestCase):
     def test_a_tile_repeats_after_its_period(self):
         for n in (2, 3):

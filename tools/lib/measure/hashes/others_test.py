@@ -13,10 +13,10 @@ from unittest import mock
 
 import numpy as np
 
+from base.renderer import Renderer
 from base.tree import ROOT
 from measure.hashes import command, gate, library, others
 from measure.hashes.others import ORIGINS, Other
-from measure.likeness.renderer import Renderer
 
 SHADER = """
 #version 330
@@ -58,10 +58,10 @@ class Others(unittest.TestCase):
             expected = sum(axis * factor for axis, factor in zip(cells, factors))
             np.testing.assert_array_equal(words, expected & gate.WORD)
 
-    def test_a_float_gives_the_bits_of_gradients(self):
+    def test_a_float_gives_ten_bits(self):
         words = self.words("fract((p.x + 512.0) / 1024.0)", (-512, -512))
         np.testing.assert_array_equal(words >> 22, np.broadcast_to(np.arange(1024)[:, None], (1024, 1024)))
-        self.assertGreater(len(np.unique(words & ~np.uint32(others.OF_GRADIENTS))), 1 << 15)  # the others are random
+        self.assertGreater(len(np.unique(words & ~np.uint32(others.OF_FLOATS))), 1 << 15)  # the others are random
 
     def judged(self, expression: str) -> list[str]:
         findings = gate.judge_words(self.words(expression, (-512, -512))[:128, :128], self.twin)

@@ -8,7 +8,7 @@
 //   count times 4 words
 #include <hashnoise/glsl.hpp>
 
-#include "../../../glsl/hashnoise/config.glsl"
+#include "../../../../glsl/hashnoise/config.glsl"
 
 #include <cmath>
 #include <cstdio>
@@ -130,7 +130,7 @@ using hn_vec4 = vec4;
 
 // The constructor of a scalar is a keyword of C++.
 #define float Rounded
-#include "../../../glsl/hashnoise/hashnoise.glsl"
+#include "../../../../glsl/hashnoise/hashnoise.glsl"
 
 Rounded float_of(uint bits) { return uintBitsToFloat(bits); }
 uint bits_of(Rounded x) { return floatBitsToUint(x); }

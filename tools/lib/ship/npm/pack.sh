@@ -1,6 +1,6 @@
 # Packs the npm package into a folder, and prints its path: pack.sh FOLDER, as tools/pack npm calls it.
 set -euo pipefail
-source "$(dirname "${BASH_SOURCE[0]}")/../../setup.sh"
+source "$(dirname "${BASH_SOURCE[0]}")/../../base/setup.sh"
 folder=$1
 
 mkdir -p "$build"

@@ -29,7 +29,7 @@ class Page(unittest.TestCase):
     def setUpClass(cls):
         cls.told = []
         cls.modules = dict(modules(cls.told.append))  # which takes seconds
-        with mock.patch("playground.library.modules", lambda _: cls.modules.items()):
+        with mock.patch("ship.playground.library.modules", lambda _: cls.modules.items()):
             cls.library = library(cls.told.append)
         cls.text = cls.made(cls)
 

@@ -4,7 +4,7 @@
 #
 # Exit status: as that of tools/pack python.
 set -euo pipefail
-source "$(dirname "${BASH_SOURCE[0]}")/../../setup.sh"
+source "$(dirname "${BASH_SOURCE[0]}")/../../base/setup.sh"
 folder=$1 python=$2 library=${3-} manylinux=${4-}
 
 mkdir -p "$build"

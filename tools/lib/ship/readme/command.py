@@ -45,6 +45,7 @@ README = "README.md"
 MEASURING = "docs/measuring.md"
 DEFAULT_HASH = "docs/default-hash.md"
 OPERATIONS = "docs/gpu-operations.md"
+NOISES = "docs/noises.md"
 SUMS = "docs/sums.md"
 CONFORMANCE = "docs/conformance.md"
 MOVING = "docs/moving.md"
@@ -58,7 +59,7 @@ SIZE = re.compile(r"(--strip --out noise\.glsl`, )\d+ kB")  # of the whole libra
 def tables(times: of_commands.Times) -> list[tuple[str, str, str]]:
     """What pages have between marks: the page, the name of the marks, and the table."""
     typical, costs = numbers.typical(), numbers.costs(numbers.CPU)
-    return [(README, "tools/make readme: values", numbers.typical_table(typical, numbers.IN_README)),
+    return [(NOISES, "tools/make readme: values", numbers.typical_table(typical, numbers.COMMON)),
             (SUMS, "tools/make readme: typical values of sums", numbers.typical_table(typical, numbers.SUMS)),
             (SUMS, "tools/make readme: typical values of sums in 1D and 4D",
              numbers.typical_table(typical, numbers.PLAIN_SUMS, (1, 4))),
@@ -73,7 +74,7 @@ def tables(times: of_commands.Times) -> list[tuple[str, str, str]]:
             (MEASURING, "tools/make readme: costs on a GPU",
              numbers.cost_table(numbers.costs(numbers.GPU), "nvidia", "of NVIDIA's assembly")),
             (MEASURING, "tools/make readme: costs by compilers", of_gpus.chip_table(of_gpus.costs())),
-            (DEFAULT_HASH, "tools/make readme: costs of the hash", of_gpus.hash_table(of_gpus.costs())),
+            (DEFAULT_HASH, "tools/make readme: costs of the hash", of_gpus.titled_table(of_gpus.costs(), of_gpus.HASHED)),
             (OPERATIONS, "tools/make readme: operations", of_gpus.operation_table(of_gpus.operation_costs())),
             (UNIFORM, "tools/make readme: uniform", of_uniform.page_table(of_uniform.read())),
             (MEASURING, "tools/make readme: noises", numbers.form_table(costs)),

@@ -92,5 +92,5 @@ int main() {
 #define HN_CATALOG_NOISE(Id, name, first, last, shape, takes) VALUE_##shape(name, takes)
 #define HN_CATALOG_SUM(Id, name, first, last, shape, of, noise, strength, usual, ...) \
   SUM_##shape("hn_" #name, first, last, CALL(name, 6, 2.0f, 0.5f STRENGTH_##strength(usual##.0f)))
-#include "../../../src/grid/catalog.inc"
+#include "../../../../src/grid/catalog.inc"
 }

@@ -21,7 +21,7 @@ GROUPS = {
     "What is promised and measured": ["contract", "frozen", "accuracy", "quality", "hashes", "default-hash", "judge",
                                       "measuring", "gpu-operations", "results/README"],
     "Your driver": ["conformance", "checks", "faults", "suite", "formats"],
-    "Work on hashnoise": ["internals", "adding", "release", "publishing"],
+    "Work on hashnoise": ["internals", "one-noise", "adding", "release", "publishing"],
 }
 TOP = ("CHANGELOG", "CONTRIBUTING", "CODE_OF_CONDUCT", "SECURITY", "results/README", "conformance/run/expect/README")
 # The page of a package that a command makes; pages of docs/ lead there.

@@ -557,7 +557,7 @@ class Command(unittest.TestCase):
         alone = behind()
         self.assertEqual(behind("hn_cellular3_nearest"), alone)
         values.begin_anew()
-        with mock.patch("pick.program.begin_anew"):
+        with mock.patch("translate.pick.program.begin_anew"):
             self.assertNotEqual(behind("hn_cellular3_nearest"), alone)
 
     def test_a_file(self) -> None:

@@ -57,7 +57,7 @@ class Perlin(unittest.TestCase):
 
     def test_words_by_hand(self) -> None:
         # All points have the word 0x200, and 0x1D63062 for y. Their bits 22 and 21 are 0 and 2.
-        with mock.patch("oracle.lattice.point_word", return_value=0x200):
+        with mock.patch("proof.oracle.lattice.point_word", return_value=0x200):
             x, y = VECTOR.exact(Knobs("lattice"), (0.5, 0.0))
             # In the middle of an edge both ramps are alike, but for the sign.
             self.assertEqual((x, y), (0, 0))

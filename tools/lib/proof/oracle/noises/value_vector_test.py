@@ -26,7 +26,7 @@ class Numbers(unittest.TestCase):
     def test_by_hand(self) -> None:
         for word, expected in self.WORDS.items():
             numbers = tuple(Fraction(x, 2**22) for x in expected)
-            with mock.patch("oracle.lattice.point_word", return_value=word):
+            with mock.patch("proof.oracle.lattice.point_word", return_value=word):
                 for n, of in itertools.product((2, 3), (VECTOR.exact, VECTOR.fixed)):
                     for p in ((7.0, -5.0, 3.0), (0.5, 0.25, -0.375)):  # all points are alike
                         found = of(Knobs("lattice"), p[:n])
