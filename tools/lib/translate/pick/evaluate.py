@@ -211,7 +211,8 @@ class Evaluation(Typer):
         type_ = self._types.get((frame, name))
         if type_ is None:
             return None
-        return Typed(type_, {path: state[(frame, name, *path)] for path, _ in self.library.parts(type_)})
+        key = (frame, name)
+        return Typed(type_, {path: state[key + path] for path, _ in self.library.parts(type_)})
 
     def _hint(self, name: str, value: Typed) -> None:
         """What is given a name is called so, and later and so further out by another one."""
@@ -439,7 +440,9 @@ class Evaluation(Typer):
         return result
 
     def _each(self, of: Callable[..., Node], *values: Typed) -> Typed:
-        """A function of values, or where vectors are split of their components; a scalar goes with each of them."""
+        """Where vectors are split it is of their components; a scalar goes with each of them."""
+        if not self.library.splits:
+            return super()._each(of, *values)
         most = max(values, key=lambda one: SIZES[one.type])
         leaves = {path: of(*(value.leaves.get(path) or value.node for value in values)) for path in most.leaves}
         for path, node in leaves.items():

@@ -172,6 +172,10 @@ class Evaluated:
         return values_of(self.block)
 
     @functools.cached_property
+    def calls(self) -> list[Kept]:
+        return sorted({node.name for node in self.nodes if _is_call(node)}, key=str)
+
+    @functools.cached_property
     def size(self) -> int:
         """How many operations it has."""
         return sum(isinstance(node, Operation) and node.kind not in ("member", "construct") for node in self.nodes)
@@ -262,7 +266,7 @@ class Program:
         order: list[Kept] = []
 
         def visit(evaluated: Evaluated) -> None:
-            for kept in sorted({node.name for node in evaluated.nodes if _is_call(node)}, key=str):
+            for kept in evaluated.calls:
                 if kept not in found:
                     found[kept] = self._evaluated(kept)
                     visit(found[kept])

@@ -67,25 +67,29 @@ class Typer:
         raise NotImplementedError
 
     def _value(self, expression: Expression, *scope: object) -> Typed:
-        if isinstance(expression, syntax.Number):
-            return plain(number(expression.at))
-        if isinstance(expression, syntax.Truth):
-            return plain(Constant("bool", int(expression.at.text == "true")))
-        if isinstance(expression, syntax.Parentheses):
-            return self._value(expression.inside, *scope)
-        if isinstance(expression, syntax.Name):
+        kind = type(expression)
+        if kind is syntax.Name:
             return self._name(expression.at, *scope)
-        if isinstance(expression, syntax.Member):
-            return self._member(expression.at, self._value(expression.of, *scope))
-        if isinstance(expression, syntax.Unary):
-            return self._unary(expression.at, self._value(expression.operand, *scope))
-        if isinstance(expression, syntax.Binary):
+        if kind is syntax.Call:
+            return self._call(expression, *scope)
+        if kind is syntax.Binary:
             return self._binary(expression.at, expression.at.text, self._value(expression.left, *scope),
                                 self._value(expression.right, *scope))
-        if isinstance(expression, syntax.Choice):
-            return self._choice(expression.at, *(self._value(one, *scope) for one in (
-                expression.condition, expression.yes, expression.no)))
-        return self._call(expression, *scope)
+        if kind is syntax.Member:
+            return self._member(expression.at, self._value(expression.of, *scope))
+        if kind is syntax.Number:
+            try:
+                return plain(number(expression.at.text))
+            except ValueError as wrong:
+                raise expression.at.error(str(wrong)) from None
+        if kind is syntax.Parentheses:
+            return self._value(expression.inside, *scope)
+        if kind is syntax.Unary:
+            return self._unary(expression.at, self._value(expression.operand, *scope))
+        if kind is syntax.Truth:
+            return plain(Constant("bool", int(expression.at.text == "true")))
+        return self._choice(expression.at, *(self._value(one, *scope) for one in (
+            expression.condition, expression.yes, expression.no)))
 
     def _of_type(self, expression: Expression, type_: str, *scope: object) -> Typed:
         return self._checked(expression.at, self._value(expression, *scope), type_)
@@ -177,19 +181,19 @@ class Typer:
         return plain(self.make.construct(type_, tuple(argument.node for argument in arguments)))
 
 
-def number(at: Token) -> Constant:
-    text = at.text
-    is_hexadecimal = text[:2] in ("0x", "0X")
+@functools.lru_cache(maxsize=None)
+def number(text: str) -> Constant:
     if text[-1] in "uU":
-        return Constant("uint", _whole(at, text[:-1], 0xFFFFFFFF), f"{text[:-1]}u")
-    if not is_hexadecimal and (text[-1] in "fF" or re.search("[.eE]", text)):
+        return Constant("uint", _whole(text, text[:-1], 0xFFFFFFFF, "a uint"), f"{text[:-1]}u")
+    if text[:2] not in ("0x", "0X") and (text[-1] in "fF" or re.search("[.eE]", text)):
         if text[-1] not in "fF":
-            raise at.error(f"{text} has no f: C++ takes it for a double")
+            raise ValueError(f"{text} has no f: C++ takes it for a double")
         return Constant("float", text, text)
-    return Constant("int", _whole(at, text, 0x7FFFFFFF), text)
+    return Constant("int", _whole(text, text, 0x7FFFFFFF, "an int"), text)
 
 
-def _whole(at: Token, text: str, largest: int) -> int:
-    if int(text, 0) > largest:
-        raise at.error(f"{at} does not fit {'a uint' if largest == 0xFFFFFFFF else 'an int'}")
-    return int(text, 0)
+def _whole(text: str, digits: str, largest: int, what: str) -> int:
+    value = int(digits, 0)
+    if value > largest:
+        raise ValueError(f"{text} does not fit {what}")
+    return value
