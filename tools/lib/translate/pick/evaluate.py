@@ -431,12 +431,16 @@ class Evaluation(Typer):
                 self._hint(parameter.at.text, argument)
             self._bind(state, inner, parameter.at.text, argument)
         self._statements(function.body.statements, inner, state, block)
-        for parameter, argument in zip(function.parameters, expression.arguments):
-            if parameter.is_set:
-                self._store(argument, self._read(state, inner, parameter.at.text), frame, state)
+        found = [self._read(state, inner, parameter.at.text) for parameter in function.parameters if parameter.is_set]
         result = self._read(state, inner, "return") or Typed("void", {})
-        for key in [key for key in state if key[0] == inner]:
-            del state[key]
+        while state:  # what the call has added stands last
+            key, node = state.popitem()
+            if key[0] != inner:
+                state[key] = node
+                break
+        targets = (one for one, of in zip(expression.arguments, function.parameters) if of.is_set)
+        for argument, value in zip(targets, found):
+            self._store(argument, value, frame, state)
         return result
 
     def _each(self, of: Callable[..., Node], *values: Typed) -> Typed:

@@ -192,12 +192,11 @@ class Program:
         while True:
             self.roots = [self._evaluated(self._all_passed(root), is_root=True) for root in roots]
             self.called = self._called()
-            kept = self._worth_a_call() or self._joined()
-            if kept is None:
+            new = {(kept.name, kept.types): kept for kept in self._worth_a_call() or self._joined()}
+            if not new:
                 break
-            key = kept.name, kept.types
-            self.kept[key] = kept
-            self._done = {of: one for of, one in self._done.items() if key not in one.asked}
+            self.kept |= new
+            self._done = {of: one for of, one in self._done.items() if not one.asked & new.keys()}
 
     def _evaluated(self, kept: Kept, is_root: bool = False) -> Evaluated:
         if (kept, is_root) not in self._done:
@@ -296,22 +295,30 @@ class Program:
                      else columns.index(column) if columns.index(column) < i else None
                      for i, column in enumerate(columns))
 
-    def _worth_a_call(self) -> Kept | None:
-        """What is called more than once with other arguments, and is long: the longest."""
-        best: tuple[int, Kept] | None = None
+    def _worth_a_call(self) -> list[Kept]:
+        """What is called more than once with other arguments, and is long: the longest, and those that follow by length
+        as long as none calls another one, since each changes what those that call it are."""
+        found: list[Kept] = []
         roots = {(root.function.name, root.function.types) for root in self.roots}
         for key, calls in self._arguments().items():
             count = len(calls)
             if count < 2 or key in self.kept or key in roots:
                 continue
             kept = Kept(*key, self._known(calls))
-            size = self._evaluated(kept).size
             # What the other calls save, less a head of a function and its calls, all in operations.
-            if (count - 1) * size > 4 + count and (best is None or size > best[0]):
-                best = size, kept
-        return best[1] if best else None
+            if (count - 1) * self._evaluated(kept).size > 4 + count:
+                found.append(kept)
+        found.sort(key=lambda kept: -self._evaluated(kept).size)
+        keys: set[Key] = set()
+        asked: set[Key] = set()
+        for count, kept in enumerate(found):
+            keys.add((kept.name, kept.types))
+            asked |= self._evaluated(kept).asked
+            if keys & asked:
+                return found[:count]
+        return found
 
-    def _joined(self) -> Kept | None:
+    def _joined(self) -> list[Kept]:
         """A function one of whose arguments is what another one returns, in all calls: with that in it."""
         uses: Counter[Node] = Counter()
         calls: dict[Kept, list[Operation]] = {}
@@ -328,8 +335,8 @@ class Program:
                 other = arguments[0].name if _is_call(arguments[0]) else None
                 if other and len(self.called[other].block) == 1 and len(calls[other]) == len(arguments) and all(
                         _is_call(one) and one.name == other and uses[one] == 1 for one in arguments):
-                    return Kept(kept.name, kept.types, (*kept.known[:i], other, *kept.known[i + 1:]))
-        return None
+                    return [Kept(kept.name, kept.types, (*kept.known[:i], other, *kept.known[i + 1:]))]
+        return []
 
     # Text.
 
