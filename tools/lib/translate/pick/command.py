@@ -30,7 +30,6 @@ from __future__ import annotations
 
 import argparse
 import functools
-import gc
 import importlib
 import shlex
 import sys
@@ -191,7 +190,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
     given.language = ALIASES.get(given.language, given.language)
     if bool(given.names) == given.list:
         parser.error("name functions, such as hn_perlin2, or ask for --list")
-    gc.disable()  # what a pick makes is needed to its end, and to look for garbage takes a sixth of it
     choice = Choice(**{field.name: getattr(given, field.name) or field.default for field in fields(Choice)})
     try:
         if given.list:
