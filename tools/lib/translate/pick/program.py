@@ -187,16 +187,31 @@ class Program:
     def __init__(self, module: Module, roots: Sequence[Function]):
         begin_anew()
         self.module = module
+        self._asked_for = roots
         self.kept: dict[Key, Kept] = {}
         self._done: dict[tuple[Kept, bool], Evaluated] = {}  # that the functions in `kept` leave as they are
-        while True:
-            self.roots = [self._evaluated(self._all_passed(root), is_root=True) for root in roots]
-            self.called = self._called()
-            new = {(kept.name, kept.types): kept for kept in self._worth_a_call() or self._joined()}
-            if not new:
-                break
-            self.kept |= new
-            self._done = {of: one for of, one in self._done.items() if not one.asked & new.keys()}
+        self._evaluate_all()
+        while new := self._worth_a_call() or self._joined():
+            if not self._keep(new):
+                self._keep(new[:1])
+
+    def _evaluate_all(self) -> None:
+        self.roots = [self._evaluated(self._all_passed(root), is_root=True) for root in self._asked_for]
+        self.called = self._called()
+
+    def _keep(self, new: Sequence[Kept]) -> bool:
+        """Whether these stay functions: of several each has to be called as before, else the first one comes first."""
+        before, kept, done = self._arguments(), self.kept, self._done
+        keys = {(one.name, one.types) for one in new}
+        self.kept = {**kept, **{(one.name, one.types): one for one in new}}
+        self._done = {of: one for of, one in done.items() if not one.asked & keys}
+        self._evaluate_all()
+        now = self._arguments()
+        if len(new) == 1 or all(len(now.get(key, ())) == len(before[key]) and
+                                self._known(now[key]) == self.kept[key].known for key in keys):
+            return True
+        self.kept, self._done = kept, done
+        return False
 
     def _evaluated(self, kept: Kept, is_root: bool = False) -> Evaluated:
         if (kept, is_root) not in self._done:
@@ -309,14 +324,15 @@ class Program:
             if (count - 1) * self._evaluated(kept).size > 4 + count:
                 found.append(kept)
         found.sort(key=lambda kept: -self._evaluated(kept).size)
-        keys: set[Key] = set()
-        asked: set[Key] = set()
-        for count, kept in enumerate(found):
-            keys.add((kept.name, kept.types))
-            asked |= self._evaluated(kept).asked
-            if keys & asked:
+        for count in range(1, len(found)):
+            # With those before it, and with those as long as it, since the order of these may change.
+            others = [*found[:count], *(one for one in found if self._evaluated(one).size == self._evaluated(found[count]).size)]
+            if any(self._calls(found[count], one) or self._calls(one, found[count]) for one in others):
                 return found[:count]
         return found
+
+    def _calls(self, kept: Kept, other: Kept) -> bool:
+        return (other.name, other.types) in self._evaluated(kept).asked
 
     def _joined(self) -> list[Kept]:
         """A function one of whose arguments is what another one returns, in all calls: with that in it."""
