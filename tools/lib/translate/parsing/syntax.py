@@ -185,21 +185,9 @@ class Function:
     def types(self) -> tuple[str, ...]:
         return tuple(parameter.type for parameter in self.head.parameters)
 
-    @property
-    def at(self) -> Token:
-        return self.head.at
-
-    @property
-    def type(self) -> str:
-        return self.head.type
-
-    @property
-    def parameters(self) -> tuple[Parameter, ...]:
-        return self.head.parameters
-
-    @property
-    def comments(self) -> Comments:
-        return self.head.comments
+    def __getattr__(self, name: str) -> object:
+        """What its head has: at, type, parameters and comments."""
+        return getattr(self.head, name)
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,7 @@ import functools
 import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Protocol
+from types import ModuleType, SimpleNamespace
 
 from translate.library import Library
 from translate.parsing import syntax
@@ -40,21 +40,11 @@ def plain(node: Node) -> Typed:
     return Typed(node.type, {(): node})
 
 
-class Maker(Protocol):
-    """What makes values of others: values.py, which computes what is known, or what leaves all as it is written."""
-
-    unary: Callable[[str, Node], Node]
-    binary: Callable[[str, Node, Node], Node]
-    builtin: Callable[[str, str, tuple[Node, ...]], Node]
-    choice: Callable[[Node, Node, Node], Node]
-    member: Callable[[Node, str], Node]
-    construct: Callable[[str, tuple[Node, ...]], Node]
-
-
 class Typer:
-    """`scope` is where an expression stands, for those who know variables."""
+    """`make` makes values of others: values.py, which computes what is known, or what leaves all as it is written.
+    `scope` is where an expression stands, for those who know variables."""
 
-    make: Maker
+    make: ModuleType | SimpleNamespace
 
     def __init__(self, library: Library):
         self.library = library

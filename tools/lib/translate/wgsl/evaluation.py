@@ -40,14 +40,20 @@ fn main(@builtin(global_invocation_id) id: vec3u) {{
 """
 
 
-def evaluations(library: Path, knobs: str, files: Iterable[str], bodies: Mapping[str, str]) -> dict[str, list[str]]:
-    """The shader of each body, by its name, in pieces: shaders have most of theirs in common. The knobs are lines of
-    GLSL; what the bodies need besides may stand there, too."""
+def module_over(knobs: str, bodies: Mapping[str, str], files: Iterable[str] = ("hashnoise.glsl",),
+                library: Path = GLSL) -> tuple[Module, dict[str, str]]:
+    """The library with a function for each body, and its name by that of the body. The knobs are lines of GLSL; what the
+    bodies need besides may stand there, too."""
     numbers = {name: f"evaluate_{number}" for number, name in enumerate(bodies)}
-    functions = [f"uvec4 {numbers[name]}(uvec4 a, uvec4 b, uvec4 c, uvec4 d) {{ {body} }}\n"
-                 for name, body in bodies.items()]
-    includes = "".join(f'#include "{file}"\n' for file in files)
-    module = Module(library, knobs + includes + PROLOGUE + "".join(functions), NO_SETTINGS, "functions.inc")
+    functions = (f"uvec4 {numbers[name]}(uvec4 a, uvec4 b, uvec4 c, uvec4 d) {{ {body} }}\n"
+                 for name, body in bodies.items())
+    text = "".join([knobs, *(f'#include "{file}"\n' for file in files), PROLOGUE, *functions])
+    return Module(library, text, NO_SETTINGS, "functions.inc"), numbers
+
+
+def evaluations(library: Path, knobs: str, files: Iterable[str], bodies: Mapping[str, str]) -> dict[str, list[str]]:
+    """The shader of each body, by its name, in pieces: shaders have most of theirs in common."""
+    module, numbers = module_over(knobs, bodies, files, library)
     return {name: [*module.pieces([number], strip=True), EPILOGUE.replace("EVALUATE", number)]
             for name, number in numbers.items()}
 

@@ -316,6 +316,10 @@ fn f(p: ptr<function, pair>, z: ptr<function, f32>) {
   g(&q, *z);
 }""")
 
+    def test_a_parameter_that_is_passed_on_to_be_set_is_a_copy(self):
+        self.assertIn("fn f(x_in: f32) -> f32 {\n  var x = x_in;\n  g(&x);\n  return x;\n}", translated(
+            "void g(inout float x) { x += 1.0f; }\nfloat f(float x) { g(x); return x; }"))
+
     def test_macros_that_stand_for_numbers_stay(self):
         self.assert_becomes("""
             #define HN_I_ONE 1.0f  // a whole

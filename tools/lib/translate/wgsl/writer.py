@@ -4,29 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from types import SimpleNamespace
 
 from translate.library import Library
 from translate.names import variable, wgsl_name, wgsl_type
+from translate.parsing import syntax
 from translate.parsing.lines import WIDTH, wrapped
-from translate.parsing.syntax import (
-    Assign,
-    Block,
-    Break,
-    Call,
-    Declare,
-    DoLoop,
-    Evaluate,
-    Expression,
-    Function,
-    If,
-    Loop,
-    Member,
-    Name,
-    Parameter,
-    Parentheses,
-    Return,
-    Statement,
-)
+from translate.parsing.syntax import Expression, Function, Parameter, Statement
 from translate.parsing.tokens import Token
 from translate.pick.printer import PRIMARY
 from translate.pick.typer import Typed, Typer, plain
@@ -46,40 +30,24 @@ class Definition:
     is_constant: bool = False
 
 
-class Unchanged:
-    """Makes values of others as they are written."""
+def made(kind: str, name: str, type_: str, *arguments: Node) -> Operation:
+    return Operation(kind, name, type_, arguments, 0)
 
-    @staticmethod
-    def made(kind: str, name: str, type_: str, *arguments: Node) -> Operation:
-        return Operation(kind, name, type_, arguments, 0)
 
-    @staticmethod
-    def unary(sign: str, operand: Node) -> Node:
-        return Unchanged.made("unary", sign, operand.type, operand)
+def constructed(type_: str, arguments: tuple[Node, ...]) -> Operation:
+    scalars = {scalar_of(argument.type) for argument in arguments}
+    if len(arguments) > 1 and len(scalars) == 1 and scalars != {scalar_of(type_)}:  # they are converted at once
+        arguments = (constructed(vector_of(scalars.pop(), SIZES[type_]), arguments),)
+    return made("construct", type_, type_, *arguments)
 
-    @staticmethod
-    def binary(sign: str, left: Node, right: Node) -> Node:
-        return Unchanged.made("binary", sign, result_type(sign, left.type, right.type), left, right)
 
-    @staticmethod
-    def builtin(name: str, type_: str, arguments: tuple[Node, ...]) -> Node:
-        return Unchanged.made("builtin", name, type_, *arguments)
-
-    @staticmethod
-    def choice(condition: Node, yes: Node, no: Node) -> Node:
-        return Unchanged.made("choice", "?", yes.type, condition, yes, no)
-
-    @staticmethod
-    def member(of: Node, axis: str) -> Node:
-        return Unchanged.made("member", axis, scalar_of(of.type), of)
-
-    @staticmethod
-    def construct(type_: str, arguments: tuple[Node, ...]) -> Node:
-        scalars = {scalar_of(argument.type) for argument in arguments}
-        if len(arguments) > 1 and len(scalars) == 1 and scalars != {scalar_of(type_)}:
-            # Converted at once.
-            arguments = (Unchanged.construct(vector_of(scalars.pop(), SIZES[type_]), arguments),)
-        return Unchanged.made("construct", type_, type_, *arguments)
+# Makes values of others as they are written.
+UNCHANGED = SimpleNamespace(
+    unary=lambda sign, one: made("unary", sign, one.type, one),
+    binary=lambda sign, left, right: made("binary", sign, result_type(sign, left.type, right.type), left, right),
+    builtin=lambda name, type_, arguments: made("builtin", name, type_, *arguments),
+    choice=lambda condition, yes, no: made("choice", "?", yes.type, condition, yes, no),
+    member=lambda of, axis: made("member", axis, scalar_of(of.type), of), construct=constructed)
 
 
 class Expressions(WgslExpressions):
@@ -110,7 +78,7 @@ class Expressions(WgslExpressions):
 class FunctionWriter(Typer):
     """Writes one function."""
 
-    make = Unchanged
+    make = UNCHANGED
 
     def __init__(self, library: Library, function: Function | None = None):
         super().__init__(library)
@@ -165,7 +133,7 @@ class FunctionWriter(Typer):
 
     # Statements.
 
-    def _block(self, block: Block, indent: int) -> list[str]:
+    def _block(self, block: syntax.Block, indent: int) -> list[str]:
         self.scopes.append({})
         lines = [line for statement in block.statements for line in self._statement(statement, indent)]
         self.scopes.pop()
@@ -174,13 +142,13 @@ class FunctionWriter(Typer):
     def _statement(self, statement: Statement, indent: int) -> list[str]:
         comments = statement.comments
         lines = [" " * indent + line if line else "" for line in comments.before]
-        if isinstance(statement, Block):
+        if isinstance(statement, syntax.Block):
             return [*lines, " " * indent + "{", *self._block(statement, indent + 2), " " * indent + "}"]
-        if isinstance(statement, If):
+        if isinstance(statement, syntax.If):
             return lines + self._if(statement, indent)
-        if isinstance(statement, Loop):
+        if isinstance(statement, syntax.Loop):
             return lines + self._loop(statement, indent)
-        if isinstance(statement, DoLoop):
+        if isinstance(statement, syntax.DoLoop):
             return lines + self._do_loop(statement, indent)
         code = wrapped(self._simple(statement) + ";", indent)
         if comments.after:
@@ -190,7 +158,7 @@ class FunctionWriter(Typer):
                 code.insert(0, " " * indent + comments.after)
         return lines + code
 
-    def _if(self, statement: If, indent: int) -> list[str]:
+    def _if(self, statement: syntax.If, indent: int) -> list[str]:
         space = " " * indent
         condition = self._text(statement.condition, "bool")
         yes = self._block(statement.yes, indent + 2)
@@ -199,14 +167,14 @@ class FunctionWriter(Typer):
             if len(short) <= WIDTH:
                 return [short]
         lines = [*wrapped(f"if ({condition}) {{", indent), *yes]
-        if isinstance(statement.no, If):
+        if isinstance(statement.no, syntax.If):
             rest = self._if(statement.no, indent)
             return [*lines, f"{space}}} else {rest[0].strip()}", *rest[1:]]
         if statement.no is not None:
             lines += [f"{space}}} else {{", *self._block(statement.no, indent + 2)]
         return [*lines, f"{space}}}"]
 
-    def _loop(self, loop: Loop, indent: int) -> list[str]:
+    def _loop(self, loop: syntax.Loop, indent: int) -> list[str]:
         if loop.start is None and loop.condition is None and loop.step is None:
             return [" " * indent + "loop {", *self._block(loop.body, indent + 2), " " * indent + "}"]
         self.scopes.append({})
@@ -218,24 +186,24 @@ class FunctionWriter(Typer):
         self.scopes.pop()
         return lines
 
-    def _do_loop(self, loop: DoLoop, indent: int) -> list[str]:
+    def _do_loop(self, loop: syntax.DoLoop, indent: int) -> list[str]:
         body = self._block(loop.body, indent + 2)
         return [" " * indent + "loop {", *body, " " * (indent + 2) + "continuing {",
                 *wrapped(f"break if !({self._text(loop.condition, 'bool')});", indent + 4), " " * (indent + 2) + "}",
                 " " * indent + "}"]
 
     def _simple(self, statement: Statement) -> str:
-        if isinstance(statement, Declare):
+        if isinstance(statement, syntax.Declare):
             return self._declaration(statement)
-        if isinstance(statement, Assign):
+        if isinstance(statement, syntax.Assign):
             return self._assignment(statement)
-        if isinstance(statement, Evaluate):
+        if isinstance(statement, syntax.Evaluate):
             return self.expressions.text(self._value(statement.call))
-        if isinstance(statement, Break):
+        if isinstance(statement, syntax.Break):
             return "break"
         return "return" if statement.value is None else f"return {self._text(statement.value, self.function.type)}"
 
-    def _declaration(self, statement: Declare) -> str:
+    def _declaration(self, statement: syntax.Declare) -> str:
         name, type_ = statement.at.text, statement.type
         value = f" = {self._text(statement.value, type_)}" if statement.value else ""
         if name in self.scopes[-1] or (len(self.scopes) == 2 and name in self.scopes[0]):
@@ -245,11 +213,11 @@ class FunctionWriter(Typer):
         keyword = "let" if statement.value and name not in self.changed else "var"
         return f"{keyword} {variable(name)}: {wgsl_type(type_)}{value}"
 
-    def _assignment(self, statement: Assign) -> str:
+    def _assignment(self, statement: syntax.Assign) -> str:
         changed = statement.target
-        while isinstance(changed, Member):
+        while isinstance(changed, syntax.Member):
             changed = changed.of
-        if not isinstance(changed, Name):
+        if not isinstance(changed, syntax.Name):
             raise changed.at.error(f"{changed.at} cannot be assigned to")
         self.changed.add(changed.at.text)
         target = self._value(statement.target)
@@ -266,8 +234,8 @@ class FunctionWriter(Typer):
 
     def _value(self, expression: Expression, *scope: object) -> Typed:
         value = super()._value(expression)
-        if isinstance(expression, Parentheses):
-            return plain(Unchanged.made("parentheses", "", value.type, value.node))
+        if isinstance(expression, syntax.Parentheses):
+            return plain(made("parentheses", "", value.type, value.node))
         return value
 
     def _name(self, at: Token, *scope: object) -> Typed:
@@ -281,9 +249,9 @@ class FunctionWriter(Typer):
         return plain(Variable(value.type, at.text))
 
     def _field(self, of: Typed, name: str, type_: str) -> Typed:
-        return plain(Unchanged.made("member", variable(name), type_, of.node))
+        return plain(made("member", variable(name), type_, of.node))
 
-    def _called(self, call: Call, arguments: Sequence[Typed], *scope: object) -> Typed:
+    def _called(self, call: syntax.Call, arguments: Sequence[Typed], *scope: object) -> Typed:
         """A seed that is left out is put in."""
         function = self.library.function(call.at, tuple(argument.type for argument in arguments))
         seeded = self.library.seeded(function) or function
@@ -291,13 +259,13 @@ class FunctionWriter(Typer):
         passed = [Constant("uint", 0) if seeded is not function and parameter.at.text == "seed" else
                   self._passed(parameter, *next(given)) for parameter in seeded.parameters]
         self.needs[wgsl_name(seeded)] = None
-        return plain(Unchanged.made("call", wgsl_name(seeded), function.type, *passed))
+        return plain(made("call", wgsl_name(seeded), function.type, *passed))
 
     def _passed(self, parameter: Parameter, argument: Expression, value: Typed) -> Node:
         if not parameter.is_set:
             return value.node
-        if not isinstance(argument, Name):
+        if not isinstance(argument, syntax.Name):
             raise argument.at.error(f"what {parameter.at} is set to must be a variable")
         if not any(one.is_set and one.at.text == argument.at.text for one in self.function.parameters):
             self.changed.add(argument.at.text)
-        return Unchanged.made("address", "", value.type, value.node)
+        return made("address", "", value.type, value.node)
