@@ -317,7 +317,8 @@ import json, sys
 sys.dont_write_bytecode = True
 sys.path.insert(0, ${JSON.stringify(join(root, "tools", "lib"))})
 from base.tree import GLSL
-from translate.wgsl.module import Module, Settings`;
+from translate.settings import Settings
+from translate.wgsl.module import Module`;
 
 test("the library in the page is that of tools/pick whole, and of the translator", () => {
   for (const file of ["fbm2d.glsl", "cellular3d.glsl"]) {
@@ -342,7 +343,7 @@ test("sums over other noises are the same loops in each language", () => {
   const script = `${kImports}
 loops = json.load(sys.stdin)
 module = Module(GLSL, '#include "hashnoise.glsl"\\n' + "".join(loop + "\\n" for loop in loops), Settings("HN_FIXED"))
-made = [module.translator.definition(n) for n in module.translator.items if n.startswith("hn_i_own_")]
+made = [module.definition(n) for n in module.items if n.startswith("hn_i_own_")]
 json.dump({d.name: "\\n".join(d.lines) for d in made}, sys.stdout)
 `;
   const loops = [];

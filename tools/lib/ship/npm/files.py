@@ -18,9 +18,10 @@ from proof.vectors.files import NoVectors, vectors_folder
 from ship.npm.twin import Failed, compiled
 from ship.packing import of_npm, own_files, put
 from translate.single_file.files import in_order, minified, parts, text
-from translate.wgsl.module import Module, Settings
-from translate.wgsl.names import is_public
-from translate.wgsl.translator import Definition
+from translate.settings import Settings
+from translate.wgsl.module import Module
+from translate.names import is_public
+from translate.wgsl.writer import Definition
 
 PACKAGE = ROOT / "packages" / "npm"
 MADE = "// Made by tools/pack npm. Copyright (c) 2026 The hashnoise authors; MIT License.\n"
@@ -112,7 +113,7 @@ class InGlsl(NamedTuple):
 
 def in_glsl(module: Module) -> dict[tuple[str, tuple[str, ...]], InGlsl]:
     """What has this name and these types in WGSL."""
-    functions = module.translator.functions
+    functions = module.library.functions
     return {(new, types): InGlsl(old, Path(functions[old, types].at.path).stem,
                                  types[-1:] == ("uint",) and (old, types[:-1]) in functions)
             for (old, types), new in module.names().items()}

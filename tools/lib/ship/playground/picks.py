@@ -15,7 +15,6 @@ from base.tree import GLSL, ROOT, glsl_files
 from catalog.javascript import dimensions_of, drawn, may_draw
 from catalog.model import read
 from translate.pick.command import Choice, command_of, picker, read_library
-from translate.pick.program import public
 
 FOLDER = ROOT / "build" / "picks"
 NAME = "picks.json"
@@ -30,7 +29,7 @@ def calls() -> list[list[str]]:
     noises, sums = drawn(read())
     names = [f"hn_{function.name}{n}{form}" for function in (*noises, *sums) for n in dimensions_of(function, 4)
              for form in FORMS if form != "_phase" or may_draw(function, "phase")]
-    known = public(read_library(GLSL, Choice()))
+    known = read_library(GLSL, Choice()).forms
     cells = [[f"hn_cellular{n}_nearest", f"hn_lattice{n}", "hn_unorm"] for n in (2, 3)]
     return [*([name] for name in names if name in known), *cells]
 

@@ -17,7 +17,7 @@ from ship.packing import Refused, of_cargo, own_files
 from translate.parsing.syntax import Function as Declared
 from translate.pick import command
 from translate.pick.evaluate import Module
-from translate.pick.program import Program, facts, name_of, names, public, read
+from translate.pick.program import Program, facts, name_of, names, read
 from translate.pick.rust import Rust
 from translate.pick.scalars import bare, text
 
@@ -56,7 +56,7 @@ def of_module(known: dict[str, Declared], functions: Sequence[str], most: int) -
 def written(made: Made) -> str:
     """The text of a module. Places are those of the module `place`, so that all modules have the same."""
     of = library(made.arithmetic)
-    known = public(of)
+    known = of.forms
     functions = [known[name] for name in of_module(known, *(HASHES if made.module == "hash" else MODULES[made.module]))]
     program = Program(of, functions)
     shown = text(program, Rust(False), facts(program, GLSL, False), [])
@@ -139,7 +139,7 @@ def call(function: Function, name: str, module: str) -> str:
 
 def calls(modules: Sequence[str]) -> tuple[str, list[str]]:
     """The table of the tests, and the functions whose vectors it needs."""
-    known, declared, rows, needed = names(), public(library("fixed")), [], []
+    known, declared, rows, needed = names(), library("fixed").forms, [], []
     of_hash = of_module(declared, *HASHES)
     of_noise = {name for module in modules if module in MODULES for name in of_module(declared, *MODULES[module])}
     for function in read_functions():
