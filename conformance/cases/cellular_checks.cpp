@@ -172,18 +172,15 @@ const Function& row_of(int axes, std::string_view name) {
 const Function& returned_beside(const Function& naming) {
   static std::list<Function> made;
   static std::list<std::string> texts;
-  const auto found = std::find_if(made.begin(), made.end(), [&](const Function& f) {
-    return f.file == naming.file &&
-           f.columns.substr(0, f.columns.find(" = ")) == naming.columns.substr(0, naming.columns.find(" = "));
-  });
+  const auto found = std::find_if(made.begin(), made.end(), [&](const Function& f) { return f.id == naming.id; });
   if (found != made.end()) return *found;
   std::string body(naming.body.substr(0, naming.body.find("return ")));
   body.insert(body.find("hn_cellular("), "hn_vec2 n = ");
   const std::string& text = texts.emplace_back(body + "return uvec4(bits_of(n.x), bits_of(n.y), 0u, 0u);");
-  const std::string& columns = texts.emplace_back(
-      fmt::format("{} = first:f64 second:f64", naming.columns.substr(0, naming.columns.find(" = "))));
-  made.push_back(make_function(naming.id, naming.file, naming.family, naming.bound, columns, naming.call, text));
-  return made.back();
+  Function& beside = made.emplace_back(naming);
+  beside.body = text;
+  beside.outputs = {{"first", WordType::f64}, {"second", WordType::f64}};
+  return beside;
 }
 
 // One way to the nearest point and to what is known of it.

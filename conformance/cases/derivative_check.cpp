@@ -122,7 +122,7 @@ Words nodes_of(const Function& function, const Function& plain, const Words& inp
 // Both the derivative and the values may be off by what the arithmetic allows.
 Outcome check_derivative(Session& session, const Evaluation& evaluation) {
   const auto& [function, configuration, profile, variant, stage] = evaluation;
-  const Function& plain = plain_noise_of(function);
+  const Function& plain = find_function(function.plain);
   const auto axes = static_cast<std::size_t>(function.axes);
   const double error = error_of(plain, configuration, 0);
   const std::size_t points = std::max<std::size_t>(1, std::min(kPoints, session.most_points / (kNodes.size() * axes)));

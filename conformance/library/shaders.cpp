@@ -370,7 +370,7 @@ std::string calling_shader(std::string_view file, const Configuration& configura
     text += fmt::format("#undef SEEDED\n#undef SEED\n{}", seeding);
     for (const Function* const function : called) {
       if (!is_declared(*function, configuration)) continue;
-      if (seeding == kUnseeded && !(function->has_unseeded() && profile.spirv)) continue;
+      if (seeding == kUnseeded && !(function->has_unseeded && profile.spirv)) continue;
       const auto argument = [](std::size_t i) { return i == 0 ? std::string("r") : fmt::format("r + {}u", i); };
       const std::string name = fmt::format("evaluate{}", count++);
       text += declared_evaluate(*function, name);

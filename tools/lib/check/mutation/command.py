@@ -398,7 +398,7 @@ def includers(file: str) -> frozenset[str]:
 @cache
 def rows() -> tuple[tuple[str, str], ...]:
     """Each function's id and its file of glsl/hashnoise/."""
-    return tuple((function.id, function.row.text(1)) for function in read_functions())
+    return tuple((function.id, function.includes) for function in read_functions())
 
 
 @cache

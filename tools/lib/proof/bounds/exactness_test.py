@@ -25,7 +25,7 @@ def column(rng, name, type_):
 
 def columns_of(id, seed=1):
     rng = np.random.default_rng(seed)
-    return {name: column(rng, name, type_) for name, type_ in (one.split(":") for one in table()[id].inputs.split())}
+    return {one.name: column(rng, one.name, one.type) for one in table()[id].inputs}
 
 
 class Fixed(unittest.TestCase):

@@ -10,11 +10,9 @@ import unittest
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
-from pathlib import Path
 from unittest import mock
 
-from catalog.tables.functions import Function
-from catalog.tables.inc import Row as TableRow
+from catalog.tables.functions import read_functions
 from proof.golden import hex_rows
 from proof.golden.generator import INT_MAX, INT_MIN, Row, generator_of, to_f32
 from proof.oracle import functions, hexes, lattice, words
@@ -23,19 +21,7 @@ from proof.oracle.hexes import CORNERS
 from proof.oracle.lattice import Lattice
 
 KNOBS = Knobs("lattice")
-AT_POSITION, IN_CELL = "x:f32 y:f32 seed:u32", "cx:i32 cy:i32 fx:f32 fy:f32 px:i32 py:i32 seed:u32"
-COLUMNS = {"hex_weights": (AT_POSITION, "position", "w", "f64"), "hex_words": (IN_CELL, "cell", "", "u32"),
-           "hex_x": (IN_CELL, "cell", "x", "f64"), "hex_y": (IN_CELL, "cell", "y", "f64")}
-
-
-def function_of(name: str) -> Function:
-    inputs, form, prefix, kind = COLUMNS[name]
-    outputs = " ".join(f"{prefix}{corner}:{kind}" for corner in CORNERS)
-    return Function(TableRow(Path("functions.inc"), 1, "FUNCTION", ()), f"noise2d.{name}", "hex_tiling", hex_rows.BOUND,
-                    inputs, outputs, form)
-
-
-FUNCTIONS = {name: function_of(name) for name in COLUMNS}
+FUNCTIONS = {function.name: function for function in read_functions() if function.bound == hex_rows.BOUND}
 
 
 @functools.cache

@@ -18,12 +18,13 @@ from pathlib import Path
 
 from base.golden_values import ids
 from base.thorough import THOROUGH
-from base.tree import FUNCTIONS, GLSL, ROOT, TOOLS
+from base.tree import GLSL, ROOT, TOOLS
 from catalog.tables.functions import read_functions
 from translate.wgsl.device import Absent, Device
-from translate.wgsl.evaluation import evaluations, macros_of_rows
+from translate.wgsl.evaluation import evaluations
 from translate.wgsl.golden import Page, differing
-from translate.wgsl.module import ARITHMETICS, Module, Settings
+from translate.settings import ARITHMETICS, Settings
+from translate.wgsl.module import Module
 
 SKIPPED = 77
 # Files that users include: those that have the others in them.
@@ -33,8 +34,7 @@ WHOLES = [path.name for path in sorted(GLSL.glob("*.glsl")) if "Made by tools/ma
 def shaders(library: Path, rows: Iterable[str]) -> dict[str, str]:
     """Those of these rows, with HN_FIXED."""
     chosen = {function.id: function.body for function in read_functions() if function.id in rows}
-    knobs = "#define HN_ARITHMETIC HN_FIXED\n" + macros_of_rows(FUNCTIONS)
-    made = evaluations(library, knobs, ["hashnoise.glsl"], chosen)
+    made = evaluations(library, "#define HN_ARITHMETIC HN_FIXED\n", ["hashnoise.glsl"], chosen)
     return {row: "".join(pieces) for row, pieces in made.items()}
 
 
