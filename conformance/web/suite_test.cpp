@@ -162,8 +162,8 @@ Json wgsl_suite(const SourceSet& sources) {
 
 SourceSet with_in_hash(std::string_view old, std::string_view with) {
   SourceSet sources = SourceSet::embedded();
-  const SourceFile file = *sources.find("hash.glsl");
-  sources.add("hash.glsl", std::string(file.text).replace(file.text.find(old), old.size(), with), file.path);
+  const SourceFile file = *sources.find("detail/word.glsl");
+  sources.add("detail/word.glsl", std::string(file.text).replace(file.text.find(old), old.size(), with), file.path);
   return sources;
 }
 

@@ -216,11 +216,11 @@ class Deletions(unittest.TestCase):
 
     def test_a_hash_by_its_name(self) -> None:
         self.change(SETTINGS_FILE, r'^CONFIGURATION\("xxhash32".*\n')
-        self.noticed(r"^glsl/hashnoise/\w+\.glsl:\d+: hn_hash_xxhash32\(uint\) is the hash of no configuration: add CONFIGURATION")
+        self.noticed(r"^glsl/hashnoise/detail/\w+\.glsl:\d+: hn_hash_xxhash32\(uint\) is the hash of no configuration: add CONFIGURATION")
 
     def test_a_hash_that_is_no_setting(self) -> None:
         self.change(TABLE, r'^FUNCTION\("hash\.lowbias32"(.|\n)*?;\)\n')
-        self.noticed(r"^glsl/hashnoise/\w+\.glsl:\d+: hn_hash_lowbias32\(uint\) is the hash of no .*, or a FUNCTION that calls")
+        self.noticed(r"^glsl/hashnoise/detail/\w+\.glsl:\d+: hn_hash_lowbias32\(uint\) is the hash of no .*, or a FUNCTION that calls")
 
     def test_a_golden_file(self) -> None:
         self.golden.unlink()
