@@ -1,5 +1,5 @@
-# The programs of src/ stand on the first room of conformance/, base: errors, files, signals. Where the suite is not
-# built, this makes that room alone.
-if(NOT HASHNOISE_CONFORMANCE AND NOT TARGET hn-base)
-  add_subdirectory(${PROJECT_SOURCE_DIR}/conformance ${PROJECT_BINARY_DIR}/conformance)
+# hn-base, for whoever needs it first: a program of src/ or the suite.
+include(${CMAKE_CURRENT_LIST_DIR}/units.cmake)
+if(NOT TARGET hn-base)
+  add_subdirectory(${CMAKE_CURRENT_LIST_DIR}/base ${PROJECT_BINARY_DIR}/src/base)
 endif()

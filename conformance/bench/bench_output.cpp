@@ -5,11 +5,11 @@
 
 #include "base/file.hpp"
 #include "base/json.hpp"
-#include "base/output/csv.hpp"
-#include "base/output/number.hpp"
+#include "base/number.hpp"
 #include "base/version.hpp"
 #include "bench/bench.hpp"
 #include "bench/bench_page.hpp"
+#include "output/csv.hpp"
 
 namespace hn {
 namespace {

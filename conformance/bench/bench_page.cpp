@@ -8,11 +8,11 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "base/files.hpp"
-#include "base/output/number.hpp"
-#include "base/output/page.hpp"
-#include "base/output/svg.hpp"
+#include "base/number.hpp"
 #include "bench/files.hpp"
+#include "output/files.hpp"
+#include "output/page.hpp"
+#include "output/svg.hpp"
 
 namespace hn {
 namespace {
@@ -249,7 +249,7 @@ Result<std::string> bench_page(const Provenance& provenance, const BenchReport& 
                                const std::vector<Change>& changes) {
   const Json errors = page_errors(report);
   const Json frames = page_frames(report);
-  const Json data = {{"style", text_of(kBaseFiles, "style.mustache")},
+  const Json data = {{"style", text_of(kOutputFiles, "style.mustache")},
                      {"provenance", to_json(provenance)},
                      {"library", library_text(provenance.library)},
                      {"gate", report.gate.reason},

@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "base/result.hpp"
-#include "base/verdict.hpp"
 #include "cases/session.hpp"
 #include "cases/targets.hpp"
 #include "expected/pairing.hpp"
+#include "expected/verdict.hpp"
 
 namespace hn {
 

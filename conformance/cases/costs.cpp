@@ -10,9 +10,9 @@
 #include <tuple>
 #include <utility>
 
-#include "base/embedded.hpp"
 #include "cases/case.hpp"
 #include "cases/files.hpp"
+#include "output/embedded.hpp"
 
 namespace hn {
 namespace {

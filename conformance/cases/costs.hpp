@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "base/result.hpp"
-#include "base/verdict.hpp"
+#include "expected/verdict.hpp"
 
 namespace hn {
 

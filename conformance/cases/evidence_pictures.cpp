@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
-#include "base/output/base64.hpp"
-#include "base/output/png.hpp"
+#include "output/base64.hpp"
+#include "output/png.hpp"
 
 namespace hn {
 namespace {

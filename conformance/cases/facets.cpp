@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "base/strings.hpp"
-#include "base/verdict.hpp"
+#include "expected/verdict.hpp"
 #include "library/functions.hpp"
 
 namespace hn {

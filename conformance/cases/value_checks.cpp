@@ -7,12 +7,12 @@
 #include <array>
 #include <bit>
 
-#include "base/checksum.hpp"
 #include "base/file.hpp"
 #include "expected/golden.hpp"
 #include "expected/points.hpp"
 #include "expected/tolerance.hpp"
 #include "expected/twin.hpp"
+#include "output/checksum.hpp"
 
 namespace hn {
 

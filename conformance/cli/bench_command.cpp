@@ -6,8 +6,8 @@
 #include <set>
 
 #include "base/file.hpp"
-#include "base/output/text.hpp"
 #include "base/output_folder.hpp"
+#include "base/text.hpp"
 #include "bench/foreign.hpp"
 #include "cli/command.hpp"
 #include "run/filter.hpp"

@@ -38,7 +38,7 @@ Result<Selection> select_cases(const std::vector<std::string>& filters, bool tho
 // They only note a signal while they do something that they must finish themselves, so that files are whole.
 int drivers_command(Interruption& interruption);
 int list_command(const ListCommand& options);
-int run_command(const RunCommand& options, Interruption& interruption);
+int run_command(const RunCommand& run, Interruption& interruption);
 int merge_command(const MergeCommand& options, Interruption& interruption);
 int bench_command(const BenchCommand& options, Interruption& interruption);
 int spirv_command(const SpirvCommand& options);

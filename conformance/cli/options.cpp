@@ -90,55 +90,58 @@ void add_expect(CLI::App& command, std::string& directory) {
       ->capture_default_str();
 }
 
-void add_run(CLI::App& app, RunCommand& options, const std::string& faults) {
+void add_run(CLI::App& app, RunCommand& run, const std::string& faults) {
   CLI::App& command =
       *app.add_subcommand("run", "Run the cases on drivers and write results.json, junit.xml, index.html and digests");
   command
-      .add_option("--driver", options.drivers,
+      .add_option("--driver", run.selection.drivers,
                   "A driver that hn-conform drivers lists, a glob, or all; may be repeated")
       ->type_name("NAME")
       ->allow_extra_args(false)
       ->capture_default_str();
-  add_filter(command, options.filters, "cases");
-  add_thorough(command, options.thorough);
-  command.add_flag("--deal", options.deal,
+  add_filter(command, run.selection.filters, "cases");
+  add_thorough(command, run.selection.thorough);
+  command.add_flag("--deal", run.selection.deal,
                    "With several drivers: run on each what every driver must show, and each other case on one");
-  add_out(command, options.out, "results.json, junit.xml, index.html and digests");
-  command.add_option("--seed", options.suite.seed, "The seed of the random points")
+  add_out(command, run.output.out, "results.json, junit.xml, index.html and digests");
+  command.add_option("--seed", run.execution.suite.seed, "The seed of the random points")
       ->type_name("N")
       ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{0xFFFFFFFF}))
       ->capture_default_str();
   command
-      .add_option("--points", options.suite.points,
+      .add_option("--points", run.execution.suite.points,
                   "How many random points the cases *.twin compare with the C++ twin, instead of at most "
                   "65,536; --timeout is then for each million")
       ->type_name("N")
       ->check(CLI::Range(std::uint64_t{1}, kMostPoints));
-  add_glsl(command, options.suite.glsl);
-  add_golden(command, options.suite.golden);
-  add_expect(command, options.expect);
-  command.add_option("--shard", options.shard, "Only the Ith of N parts of the cases: 2/3 is the second of three")
+  add_glsl(command, run.execution.suite.glsl);
+  add_golden(command, run.execution.suite.golden);
+  add_expect(command, run.execution.expect);
+  command
+      .add_option("--shard", run.selection.shard, "Only the Ith of N parts of the cases: 2/3 is the second of three")
       ->type_name("I/N");
-  command.add_flag("--resume", options.resume, "Continue a run that was interrupted; finished cases are not run again");
-  command.add_option("--timeout", options.timeout, "Seconds that a case may take")
+  command.add_flag("--resume", run.output.resume,
+                   "Continue a run that was interrupted; finished cases are not run again");
+  command.add_option("--timeout", run.execution.timeout, "Seconds that a case may take")
       ->type_name("SECONDS")
       ->check(seconds_between(0.1, 86400.0))
       ->capture_default_str();
-  command.add_option("--jobs", options.jobs, "How many drivers run at the same time")
+  command.add_option("--jobs", run.execution.jobs, "How many drivers run at the same time")
       ->type_name("N")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
-  command.add_flag("--fail-fast", options.fail_fast, "Stop at the first case that is not as expected");
+  command.add_flag("--fail-fast", run.execution.fail_fast, "Stop at the first case that is not as expected");
   command
       .add_option(
-          "--inject", options.suite.inject,
+          "--inject", run.execution.suite.inject,
           fmt::format(
               "Make the driver behave as if it had a fault, to see what notices it; \"list\" tells what each does: {}",
               faults))
       ->type_name("FAULT");
-  command.add_flag("--timings", options.timings, "Also time the functions of the cases, as multiples of Perlin/Float");
+  command.add_flag("--timings", run.output.timings,
+                   "Also time the functions of the cases, as multiples of Perlin/Float");
   command
-      .add_option("--record-costs", options.costs,
+      .add_option("--record-costs", run.output.costs,
                   "Write what the cases took, without Mesa's cache of shaders, as conformance/cases/costs.csv has it")
       ->type_name("FILE");
 }
@@ -307,14 +310,14 @@ tl::expected<Command, Stop> parse_options(int argc, const char* const* argv, con
   app.require_subcommand(0, 1);  // none gets a better message below
   ListCommand list;
   RunCommand run;
-  run.suite.golden = installation.golden;
+  run.execution.suite.golden = installation.golden;
   MergeCommand merge;
-  run.expect = merge.expect = installation.expect;
-  run.jobs = std::max(1u, std::thread::hardware_concurrency());
+  run.execution.expect = merge.expect = installation.expect;
+  run.execution.jobs = std::max(1u, std::thread::hardware_concurrency());
   BenchCommand bench;
   SpirvCommand spirv;
   PaperCommand paper;
-  run.line = bench.line = paper.line = command_line("hn-conform", argc, argv);
+  run.output.line = bench.line = paper.line = command_line("hn-conform", argc, argv);
   add_statuses(*app.add_subcommand("drivers", "List the drivers, what is behind each here, or why it is missing"),
                "0 there is a usable driver, 2 bad usage, 3 there is none");
   CLI::App& list_app = *app.add_subcommand("list", "List the ids of the cases");

@@ -27,22 +27,37 @@ struct ListCommand {
   bool checks = false;  // what each check is, instead
 };
 
-struct RunCommand {
+// Which cases run, and on which drivers.
+struct RunSelection {
   std::vector<std::string> drivers = {"osmesa"};  // names, globs, "all"
   std::vector<std::string> filters;
-  std::string out = "out";
-  SuiteOptions suite;
-  std::string expect;
-  std::string shard;      // "I/N", or empty
-  double timeout = 60.0;  // seconds
-  std::size_t jobs = 1;
+  std::string shard;  // "I/N", or empty
   bool thorough = false;
   bool deal = false;  // each case that not every driver must show on one of them
+};
+
+// How they run.
+struct RunExecution {
+  SuiteOptions suite;
+  std::string expect;
+  double timeout = 60.0;  // seconds
+  std::size_t jobs = 1;
   bool fail_fast = false;
-  bool resume = false;
+};
+
+// Where the results go, and what else is recorded.
+struct RunOutput {
+  std::string out = "out";
+  bool resume = false;  // what is there
   bool timings = false;
   std::string costs;  // where to write what the cases took
-  std::string line;  // the command line, for the record
+  std::string line;   // the command line
+};
+
+struct RunCommand {
+  RunSelection selection;
+  RunExecution execution;
+  RunOutput output;
 };
 
 struct MergeCommand {

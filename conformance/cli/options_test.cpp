@@ -15,15 +15,15 @@ TEST(Options, OfARunAreTaken) {
                               "--timeout", "0.5", "--resume", "--points", "100000000"});
   ASSERT_TRUE(command) << command.error().err;
   const auto& run = std::get<RunCommand>(*command);
-  EXPECT_EQ(run.drivers, (std::vector<std::string>{"egl*", "zink"}));
-  EXPECT_EQ(run.suite.seed, 0xFFFFFFFFu);
-  EXPECT_EQ(run.suite.points, 100000000u);
-  EXPECT_EQ(run.shard, "2/3");
-  EXPECT_EQ(run.timeout, 0.5);
-  EXPECT_TRUE(run.resume);
-  EXPECT_EQ(run.suite.golden, "golden");
-  EXPECT_EQ(run.expect, "expect");
-  EXPECT_GE(run.jobs, 1u);
+  EXPECT_EQ(run.selection.drivers, (std::vector<std::string>{"egl*", "zink"}));
+  EXPECT_EQ(run.execution.suite.seed, 0xFFFFFFFFu);
+  EXPECT_EQ(run.execution.suite.points, 100000000u);
+  EXPECT_EQ(run.selection.shard, "2/3");
+  EXPECT_EQ(run.execution.timeout, 0.5);
+  EXPECT_TRUE(run.output.resume);
+  EXPECT_EQ(run.execution.suite.golden, "golden");
+  EXPECT_EQ(run.execution.expect, "expect");
+  EXPECT_GE(run.execution.jobs, 1u);
 }
 
 TEST(Options, HelpAndVersionAreNoErrors) {

@@ -4,12 +4,12 @@
 #include <chrono>
 
 #include "base/file.hpp"
-#include "base/files.hpp"
 #include "base/json.hpp"
-#include "base/output/csv.hpp"
-#include "base/output/page.hpp"
 #include "base/output_folder.hpp"
 #include "cli/command.hpp"
+#include "output/csv.hpp"
+#include "output/files.hpp"
+#include "output/page.hpp"
 #include "paper/files.hpp"
 #include "paper/laboratory.hpp"
 
@@ -51,7 +51,7 @@ int paper_command(const PaperCommand& options, Interruption& interruption) {
   Provenance provenance = driver->provenance;
   provenance.library = sources->edited();
   nlohmann::json data = to_json(provenance);
-  nlohmann::json page = {{"style", text_of(kBaseFiles, "style.mustache")},
+  nlohmann::json page = {{"style", text_of(kOutputFiles, "style.mustache")},
                          {"provenance", data},
                          {"library", library_text(provenance.library)},
                          {"rounds", options.rounds},

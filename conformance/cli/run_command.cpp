@@ -12,8 +12,8 @@
 #include <thread>
 
 #include "base/file.hpp"
-#include "base/output/text.hpp"
 #include "base/temporary_folder.hpp"
+#include "base/text.hpp"
 #include "base/worker.hpp"
 #include "cases/costs.hpp"
 #include "cases/deal.hpp"
@@ -49,6 +49,7 @@ class Inquiry {
     const Job job{.task = task, .driver = driver, .suite = {}, .ids = {}};
     return report_of(job, scratch.path(), kDescribeLimit, stop_fd_);
   }
+  int stop_fd() const { return stop_fd_; }
 
  private:
   int stop_fd_;
@@ -207,14 +208,14 @@ std::vector<DriverPlan> plan_drivers(std::vector<std::string> names, std::vector
   return plans;
 }
 
-Result<Journal> open_journal(const RunCommand& options, const nlohmann::json& plan) {
-  if (options.resume && Journal::exists(options.out)) return Journal::reopen(options.out, plan);
-  if (options.resume) complain(fmt::format("nothing to resume in {}, so this is a new run", options.out));
-  if (Journal::exists(options.out)) {
+Result<Journal> open_journal(const RunOutput& output, const nlohmann::json& plan) {
+  if (output.resume && Journal::exists(output.out)) return Journal::reopen(output.out, plan);
+  if (output.resume) complain(fmt::format("nothing to resume in {}, so this is a new run", output.out));
+  if (Journal::exists(output.out)) {
     complain(fmt::format("a new run: what an earlier run left in {} for --resume is removed",
-                         (std::filesystem::path(options.out) / kJournalFile).string()));
+                         (std::filesystem::path(output.out) / kJournalFile).string()));
   }
-  return Journal::create(options.out, plan);
+  return Journal::create(output.out, plan);
 }
 
 bool can_be_timed(const Run& run) {
@@ -246,11 +247,10 @@ std::string system_name() {
 }
 
 // Whether a run has the cases that everybody has who gives no options, so that its digest can be compared.
-bool has_default_cases(const RunCommand& options) {
+bool has_default_cases(const RunSelection& selection, const SuiteOptions& suite) {
   const SuiteOptions usual;
-  const SuiteOptions& suite = options.suite;
-  return options.filters.empty() && !options.thorough && !options.deal && suite.glsl.empty() && suite.inject.empty() &&
-         suite.points == usual.points && suite.seed == usual.seed;
+  return selection.filters.empty() && !selection.thorough && !selection.deal && suite.glsl.empty() &&
+         suite.inject.empty() && suite.points == usual.points && suite.seed == usual.seed;
 }
 
 // Which files can be sent.
@@ -350,21 +350,52 @@ bool note_what_was_not_timed(const std::vector<Run>& runs, const std::string& wh
   return any;
 }
 
-Result<RunPlan> make_plan(const RunCommand& options, const DriverChoice& choice, const Selection& chosen,
-                          const Inquiry& inquiry) {
-  HN_TRY(auto shard, parse_shard(options.shard));
-  if (options.deal && !options.shard.empty()) {
+Result<std::vector<Expectation>> load_expectations(const std::string& directory) {
+  HN_TRY(auto expectations, read_expectations(directory));
+  // All cases take longer to list than most expectations need: a thorough run has those of a default run, too.
+  if (!check_expectations(expectations, ids_of(all_cases(Scope::covered)))) {
+    HN_DO(check_expectations(expectations, ids_of(all_cases())));
+  }
+  return expectations;
+}
+
+// What a run reads before it asks drivers.
+struct RunInputs {
+  Selection chosen;
+  SourceSet sources;
+  std::vector<Expectation> expectations;
+  std::string golden;  // the checksum of the golden files, if the run is one whose digest can be compared
+};
+
+Result<RunInputs> read_inputs(const RunSelection& selection, const RunExecution& execution) {
+  HN_TRY(auto chosen, select_cases(selection.filters, selection.thorough));
+  HN_TRY(auto sources, suite_sources(execution.suite));
+  const std::string& golden = execution.suite.golden;
+  HN_DO(check_golden_folder(golden));
+  HN_TRY(auto expectations, load_expectations(execution.expect));
+  return RunInputs{std::move(chosen), std::move(sources), std::move(expectations),
+                   has_default_cases(selection, execution.suite) ? golden_checksum(golden) : ""};
+}
+
+Result<RunPlan> make_plan(const RunSelection& selection, const RunExecution& execution, const DriverChoice& choice,
+                          const RunInputs& inputs, const Inquiry& inquiry) {
+  HN_TRY(auto shard, parse_shard(selection.shard));
+  if (selection.deal && !selection.shard.empty()) {
     return fail("--deal and --shard cannot be combined: each machine would deal to its own drivers");
   }
-  RunPlan plan{.drivers = plan_drivers(choice.names, chosen.cases, shard, options.deal, chosen.thorough, inquiry),
-               .suite = options.suite,
-               .shard = options.shard,
-               .jobs = options.jobs,
-               .limit = std::chrono::milliseconds(static_cast<std::int64_t>(options.timeout * 1000.0)),
-               .fail_fast = options.fail_fast};
-  plan.suite.thorough = options.thorough;
+  RunPlan plan{.drivers = plan_drivers(choice.names, inputs.chosen.cases, shard, selection.deal, inputs.chosen.thorough,
+                                       inquiry),
+               .suite = execution.suite,
+               .shard = selection.shard,
+               .jobs = execution.jobs,
+               .limit = std::chrono::milliseconds(static_cast<std::int64_t>(execution.timeout * 1000.0)),
+               .expectations = inputs.expectations,
+               .fail_fast = execution.fail_fast,
+               .stop_fd = inquiry.stop_fd()};
+  plan.suite.thorough = selection.thorough;
   if (plan.drivers.empty())
     return fail("there is nothing to do: no case is for one of these drivers, or it needs --thorough");
+  plan.content = suite_digest(plan.suite, inputs.sources);
   return plan;
 }
 
@@ -375,18 +406,17 @@ std::string reason_to_end(const Journal& journal, int signal) {
 }
 
 // The cases, what is made of their results, and the exit status.
-int run_to_the_end(const RunCommand& options, const RunPlan& plan, const SourceSet& sources, const DriverChoice& choice,
+int run_to_the_end(const RunPlan& plan, const RunOutput& output, const RunInputs& inputs, const DriverChoice& choice,
                    Journal& journal, const Interruption& interruption) {
   announce(plan);
-  auto [runs, problems] = run_plan(plan, options.out, journal, stderr);
-  if (options.timings && journal.problem().empty()) add_timings(runs, plan, options.out);
-  const std::string golden = has_default_cases(options) ? golden_checksum(options.suite.golden) : "";
+  auto [runs, problems] = run_plan(plan, output.out, journal, stderr);
+  if (output.timings && journal.problem().empty()) add_timings(runs, plan, output.out);
   for (Run& run : runs) {
     if (run.info.system.empty()) run.info.system = system_name();
-    if (!run.is_reference()) run.golden = golden;
+    if (!run.is_reference()) run.golden = inputs.golden;
     run.date = now();
-    run.library = sources.edited();
-    run.commands = {options.line};
+    run.library = inputs.sources.edited();
+    run.commands = {output.line};
     apply_expectations(plan.expectations, run);
   }
   const auto missing = missing_drivers(runs, choice.named);
@@ -395,15 +425,15 @@ int run_to_the_end(const RunCommand& options, const RunPlan& plan, const SourceS
   const int signal = interruption.signal();
   const std::string reason = reason_to_end(journal, signal);
   bool whole = !note_what_was_not_run(plan, runs, reason, problems);
-  if (whole && !options.costs.empty()) {
-    if (const auto written = write_costs(options.costs, runs); !written) problems.push_back(written.error().text());
+  if (whole && !output.costs.empty()) {
+    if (const auto written = write_costs(output.costs, runs); !written) problems.push_back(written.error().text());
   }
-  whole = !(options.timings && note_what_was_not_timed(runs, reason, problems)) && whole;
-  const int status = conclude(runs, options.out, problems);
+  whole = !(output.timings && note_what_was_not_timed(runs, reason, problems)) && whole;
+  const int status = conclude(runs, output.out, problems);
   const bool ended_early = !whole && !reason.empty();
   if (ended_early || status == kNotWritten) {
     complain(fmt::format("what was found is kept in {}; the same command with --resume goes on from there",
-                         (std::filesystem::path(options.out) / kJournalFile).string()));
+                         (std::filesystem::path(output.out) / kJournalFile).string()));
     return ended_early && signal != 0 ? kSignalled + signal : kNotAsExpected;
   }
   journal.remove();
@@ -413,15 +443,6 @@ int run_to_the_end(const RunCommand& options, const RunPlan& plan, const SourceS
 int ended_before_results(const Interruption& interruption) {
   complain(farewell(interruption.signal()));
   return kSignalled + interruption.signal();
-}
-
-Result<std::vector<Expectation>> load_expectations(const std::string& directory) {
-  HN_TRY(auto expectations, read_expectations(directory));
-  // All cases take longer to list than most expectations need: a thorough run has those of a default run, too.
-  if (!check_expectations(expectations, ids_of(all_cases(Scope::covered)))) {
-    HN_DO(check_expectations(expectations, ids_of(all_cases())));
-  }
-  return expectations;
 }
 
 }  // namespace
@@ -449,34 +470,27 @@ int drivers_command(Interruption& interruption) {
   return usable ? 0 : kNoDriver;
 }
 
-int run_command(const RunCommand& options, Interruption& interruption) {
-  if (options.suite.inject == "list") {
+int run_command(const RunCommand& run, Interruption& interruption) {
+  const auto& [selection, execution, output] = run;
+  if (execution.suite.inject == "list") {
     fmt::print("{}", fault_list());
     return 0;
   }
-  const auto chosen = select_cases(options.filters, options.thorough);
-  if (!chosen) return usage_error(chosen.error().text());
-  const auto sources = suite_sources(options.suite);
-  if (!sources) return usage_error(sources.error().text());
-  if (const auto golden = check_golden_folder(options.suite.golden); !golden) return usage_error(golden.error().text());
-  const auto expectations = load_expectations(options.expect);
-  if (!expectations) return usage_error(expectations.error().text());
-  if (!options.costs.empty()) setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);  // of the processes of drivers
+  const auto inputs = read_inputs(selection, execution);
+  if (!inputs) return usage_error(inputs.error().text());
+  if (!output.costs.empty()) setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);  // of the processes of drivers
   interruption.note_the_first();
   const Inquiry inquiry(interruption.fd());
-  const auto choice = choose_drivers(options.drivers, inquiry);
+  const auto choice = choose_drivers(selection.drivers, inquiry);
   if (!choice) return usage_error(choice.error().text());
-  auto plan = make_plan(options, *choice, *chosen, inquiry);
+  const auto plan = make_plan(selection, execution, *choice, *inputs, inquiry);
   if (interruption.signal() != 0) return ended_before_results(interruption);
   if (!plan) return usage_error(plan.error().text());
-  plan->content = suite_digest(plan->suite, *sources);
-  plan->expectations = *expectations;
-  plan->stop_fd = interruption.fd();
-  const auto folder = prepare_results(options.out);
+  const auto folder = prepare_results(output.out);
   if (!folder) return usage_error(folder.error().text());
-  auto journal = open_journal(options, to_json(*plan));
+  auto journal = open_journal(output, to_json(*plan));
   if (!journal) return usage_error(journal.error().text());
-  return run_to_the_end(options, *plan, *sources, *choice, *journal, interruption);
+  return run_to_the_end(*plan, output, *inputs, *choice, *journal, interruption);
 }
 
 int merge_command(const MergeCommand& options, Interruption& interruption) {

@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-#include "base/verdict.hpp"
+#include "expected/verdict.hpp"
 #include "library/shaders.hpp"
 
 namespace hn {

@@ -7,9 +7,9 @@
 #include <set>
 #include <utility>
 
-#include "base/checksum.hpp"
 #include "base/file.hpp"
 #include "expected/golden.hpp"
+#include "output/checksum.hpp"
 
 namespace hn {
 namespace {

@@ -18,11 +18,11 @@
 #include <utility>
 #include <vector>
 
-#include "base/checksum.hpp"
 #include "expected/exact_sets.hpp"
 #include "expected/golden.hpp"
 #include "expected/points.hpp"
 #include "expected/twin.hpp"
+#include "output/checksum.hpp"
 
 namespace {
 

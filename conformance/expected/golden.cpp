@@ -8,9 +8,9 @@
 #include <limits>
 #include <optional>
 
-#include "base/digest.hpp"
 #include "base/file.hpp"
-#include "base/output/text.hpp"
+#include "base/text.hpp"
+#include "library/digest.hpp"
 
 namespace hn {
 namespace {

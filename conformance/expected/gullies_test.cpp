@@ -1,4 +1,4 @@
-#include "expected/gullies.hpp"
+#include "sums/gullies.hpp"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 #include <span>
 #include <stdexcept>
 
-#include "base/digest.hpp"
+#include "library/digest.hpp"
 
 namespace hn {
 namespace {

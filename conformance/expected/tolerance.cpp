@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "expected/cellular.hpp"
-#include "expected/gullies.hpp"
+#include "sums/gullies.hpp"
 
 namespace hn {
 namespace {

@@ -6,8 +6,8 @@
 #include <span>
 #include <string_view>
 
-#include "expected/sum_bounds.hpp"
 #include "library/functions.hpp"
+#include "sums/bounds.hpp"
 
 namespace hn {
 
@@ -49,7 +49,7 @@ struct OctaveSumFacts {
 const OctaveSumFacts& facts_of(OctaveSum sum);
 inline std::string_view noise_of(OctaveSum sum) { return facts_of(sum).noise; }
 
-// Over the noise that the GLSL function sums, or over another, if it is a sum of values (expected/sum_bounds.hpp).
+// Over the noise that the GLSL function sums, or over another, if it is a sum of values (sums/bounds.hpp).
 double octave_tolerance(OctaveSum kind, int axes, const OctaveArguments& arguments,
                         Gradient gradient = Gradient::octahedral, std::string_view noise = {});
 // The same of a component of the derivative of an fBm.

@@ -8,8 +8,8 @@
 #include <optional>
 #include <set>
 
-#include "base/digest.hpp"
 #include "base/file.hpp"
+#include "library/digest.hpp"
 #include "library/files.hpp"
 
 namespace hn {

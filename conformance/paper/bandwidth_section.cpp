@@ -6,8 +6,8 @@
 #include <array>
 #include <optional>
 
-#include "base/output/number.hpp"
-#include "base/output/svg.hpp"
+#include "base/number.hpp"
+#include "output/svg.hpp"
 #include "paper/laboratory.hpp"
 
 namespace hn {

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "base/output/png.hpp"
+#include "output/png.hpp"
 #include "paper/laboratory.hpp"
 
 namespace hn {

@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "base/file.hpp"
-#include "base/output/number.hpp"
-#include "base/output/svg.hpp"
+#include "base/number.hpp"
+#include "output/svg.hpp"
 #include "paper/laboratory.hpp"
 #include "paper/statistics.hpp"
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "base/output/number.hpp"
+#include "base/number.hpp"
 #include "base/strings.hpp"
 #include "paper/files.hpp"
 #include "paper/laboratory.hpp"

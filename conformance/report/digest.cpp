@@ -11,12 +11,12 @@
 #include <regex>
 #include <vector>
 
-#include "base/checksum.hpp"
 #include "base/file.hpp"
 #include "base/strings.hpp"
 #include "base/version.hpp"
 #include "expected/exact_sets.hpp"
 #include "library/timed.hpp"
+#include "output/checksum.hpp"
 
 namespace hn {
 namespace {

@@ -5,11 +5,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "base/checksum.hpp"
 #include "base/file.hpp"
 #include "base/version.hpp"
 #include "cases/case.hpp"
 #include "expected/exact_sets.hpp"
+#include "output/checksum.hpp"
 #include "run/result_support.hpp"
 
 namespace hn {

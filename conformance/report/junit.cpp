@@ -6,8 +6,8 @@
 #include <pugixml.hpp>
 #include <sstream>
 
-#include "base/output/number.hpp"
-#include "base/output/text.hpp"
+#include "base/number.hpp"
+#include "base/text.hpp"
 #include "base/version.hpp"
 
 namespace hn {

@@ -8,8 +8,8 @@
 #include <set>
 
 #include "base/file.hpp"
-#include "base/output/text.hpp"
 #include "base/strings.hpp"
+#include "base/text.hpp"
 #include "report/digest.hpp"
 #include "run/failures.hpp"
 

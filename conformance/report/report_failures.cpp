@@ -6,7 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "base/output/text.hpp"
+#include "base/text.hpp"
 #include "library/shaders.hpp"
 #include "report/report_page.hpp"
 #include "run/failures.hpp"

@@ -8,11 +8,11 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "base/files.hpp"
-#include "base/output/number.hpp"
-#include "base/output/page.hpp"
-#include "base/output/svg.hpp"
-#include "base/output/text.hpp"
+#include "base/number.hpp"
+#include "base/text.hpp"
+#include "output/files.hpp"
+#include "output/page.hpp"
+#include "output/svg.hpp"
 #include "report/files.hpp"
 
 namespace hn {
@@ -233,7 +233,7 @@ Result<std::string> report_page(const std::vector<Run>& runs, const std::vector<
   for (const Status status : kStatuses) statuses.push_back(name_of(status));
   Json clean_problems = Json::array();
   for (const std::string& problem : problems) clean_problems.push_back(clean_text(problem));
-  const Json data = {{"style", text_of(kBaseFiles, "style.mustache")},
+  const Json data = {{"style", text_of(kOutputFiles, "style.mustache")},
                      {"library", clean_text(libraries_of(here))},
                      {"class", good ? "good" : "bad"},
                      {"verdict", verdict_of(here, good)},

@@ -6,10 +6,10 @@
 #include <set>
 #include <string_view>
 
-#include "base/digest.hpp"
 #include "base/file.hpp"
 #include "base/worker.hpp"
 #include "fault/faults.hpp"
+#include "library/digest.hpp"
 #include "library/files.hpp"
 
 namespace hn {

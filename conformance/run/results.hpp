@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/verdict.hpp"
+#include "expected/verdict.hpp"
 #include "gpu/context_info.hpp"
 #include "library/edited.hpp"
 

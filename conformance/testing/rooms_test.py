@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """No room of conformance/ can include what is above it: the compiler finds only what the room's CMakeLists.txt names.
+The lowest is src/base, on which the programs of src/ stand; src/ includes nothing of conformance/.
 
 Usage: rooms_test.py COMPILER FOLDER, with a file NAME.includes for each room: its include folders, a line each.
 """
@@ -10,7 +11,7 @@ import subprocess
 import sys
 import unittest
 
-CONFORMANCE = pathlib.Path(__file__).resolve().parent.parent
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]*)"', re.MULTILINE)
 COMPILER = ""
 FOLDERS: dict[str, list[str]] = {}  # of each room
@@ -23,8 +24,12 @@ def finds(room: str, header: str) -> bool:
     return subprocess.run(command, input=text, text=True, capture_output=True).returncode == 0
 
 
+def folder_of(room: str) -> pathlib.Path:
+    return next(pathlib.Path(f) / room for f in FOLDERS[room] if pathlib.Path(f).parts[-2:] == ("roots", room))
+
+
 def headers_of(room: str) -> list[str]:
-    return [path.relative_to(CONFORMANCE).as_posix() for path in sorted((CONFORMANCE / room).glob("*.hpp"))]
+    return [f"{room}/{path.name}" for path in sorted(folder_of(room).glob("*.hpp"))]
 
 
 def seen_by(room: str) -> set[str]:
@@ -42,6 +47,12 @@ def way_around(text: str, rooms: set[str]) -> list[str]:
     return wrong
 
 
+def of_the_suite(text: str, rooms: set[str]) -> list[str]:
+    """The includes of a source that name a room of conformance/."""
+    return [name for name in INCLUDE.findall(text)
+            if name.split("/")[0] in rooms - {"base"} or "conformance" in name.split("/")]
+
+
 class Rooms(unittest.TestCase):
     def test_a_room_includes_what_it_sees_and_nothing_else(self) -> None:
         for room in FOLDERS:
@@ -56,8 +67,18 @@ class Rooms(unittest.TestCase):
 
     def test_every_include_names_its_room(self) -> None:
         for room in FOLDERS:
-            for path in (CONFORMANCE / room).rglob("*.[ch]pp"):
+            for path in folder_of(room).rglob("*.[ch]pp"):
                 self.assertEqual(way_around(path.read_text(encoding="utf-8"), set(FOLDERS)), [], path)
+
+    def test_the_sources_of_users_include_nothing_of_the_suite(self) -> None:
+        for path in (ROOT / "src").rglob("*.[ch]pp"):
+            if path.parts[-3:-1] != ("grid", "tests"):  # they hold grids to the bounds of the suite
+                self.assertEqual(of_the_suite(path.read_text(encoding="utf-8"), set(FOLDERS)), [], path)
+
+    def test_an_include_of_the_suite_is_reported(self) -> None:
+        text = '#include "base/file.hpp"\n#include "bake/run.hpp"\n#include "files.hpp"\n#include "{}"\n'
+        for name in ("run/job.hpp", "../../conformance/run/job.hpp"):
+            self.assertEqual(of_the_suite(text.format(name), {"base", "run"}), [name])
 
     def test_a_way_around_is_reported(self) -> None:
         rooms = {"base", "run"}

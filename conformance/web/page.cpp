@@ -1,12 +1,12 @@
 // The page: index.mustache with the modules and the suite inside.
-#include "base/output/page.hpp"
+#include "output/page.hpp"
 
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "base/files.hpp"
-#include "base/output/base64.hpp"
-#include "base/output/gzip.hpp"
+#include "output/base64.hpp"
+#include "output/files.hpp"
+#include "output/gzip.hpp"
 #include "web/files.hpp"
 #include "web/suite.hpp"
 
@@ -38,7 +38,7 @@ std::string import_map() {
 }  // namespace
 
 Result<std::string> web_page(const std::string& suite, const std::optional<EditedLibrary>& library) {
-  return render_page(text_of(kWebFiles, "index.mustache"), {{"style", text_of(kBaseFiles, "style.mustache")},
+  return render_page(text_of(kWebFiles, "index.mustache"), {{"style", text_of(kOutputFiles, "style.mustache")},
                                                             {"library", library_text(library)},
                                                             {"suite", to_base64(to_gzip(suite))},
                                                             {"modules", import_map()}});

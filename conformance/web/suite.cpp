@@ -10,7 +10,6 @@
 
 #include "base/file.hpp"
 #include "base/json.hpp"
-#include "base/output/base64.hpp"
 #include "base/version.hpp"
 #include "cases/bugs/bugs.hpp"
 #include "cases/facets.hpp"
@@ -18,6 +17,7 @@
 #include "expected/golden.hpp"
 #include "expected/pairing.hpp"
 #include "expected/tolerance.hpp"
+#include "output/base64.hpp"
 #include "web/timed.hpp"
 #include "web/wgsl.hpp"
 

@@ -11,12 +11,12 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "base/output/base64.hpp"
 #include "base/temporary_folder.hpp"
 #include "expected/exact_sets.hpp"
 #include "expected/golden.hpp"
 #include "expected/tolerance.hpp"
 #include "library/configurations.hpp"
+#include "output/base64.hpp"
 #include "web/files.hpp"
 
 namespace hn {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "base/result.hpp"
-#include "base/verdict.hpp"
 #include "cases/case.hpp"
+#include "expected/verdict.hpp"
 #include "library/source.hpp"
 
 namespace hn {

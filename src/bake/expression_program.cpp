@@ -9,9 +9,9 @@
 
 #include "bake/compile_errors.hpp"
 #include "bake/glsl_text.hpp"
-#include "base/output/text.hpp"
 #include "base/process.hpp"
 #include "base/strings.hpp"
+#include "base/text.hpp"
 
 namespace hn {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "base/output/text.hpp"
+#include "base/text.hpp"
 
 namespace hn {
 namespace {

@@ -12,9 +12,9 @@
 #include <utility>
 
 #include "bake/arguments.hpp"
-#include "base/output/text.hpp"
 #include "base/result.hpp"
 #include "base/strings.hpp"
+#include "base/text.hpp"
 #include "base/version.hpp"
 #include "grid/functions.hpp"
 #include "grid/rules.hpp"

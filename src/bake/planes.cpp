@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "bake/positions.hpp"
-#include "base/output/text.hpp"
+#include "base/text.hpp"
 
 namespace hn {
 namespace {

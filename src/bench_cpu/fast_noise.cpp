@@ -6,7 +6,7 @@
 #include <array>
 #include <string_view>
 
-#include "base/output/text.hpp"
+#include "base/text.hpp"
 
 namespace hn {
 

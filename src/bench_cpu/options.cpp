@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <sstream>
 
-#include "base/output/text.hpp"
+#include "base/text.hpp"
 #include "base/version.hpp"
 
 namespace hn {

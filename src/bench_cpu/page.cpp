@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "base/file.hpp"
-#include "base/output/number.hpp"
-#include "base/output/text.hpp"
+#include "base/number.hpp"
 #include "base/strings.hpp"
+#include "base/text.hpp"
 #include "base/version.hpp"
 
 namespace hn {

@@ -6,8 +6,8 @@
 #include <functional>
 #include <sstream>
 
-#include "base/output/text.hpp"
 #include "base/process.hpp"
+#include "base/text.hpp"
 #include "bench_cpu/measure.hpp"
 
 namespace hn {

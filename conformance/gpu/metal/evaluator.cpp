@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/embedded.hpp"
 #include "base/file.hpp"
 #include "base/process.hpp"
 #include "base/strings.hpp"
 #include "base/temporary_folder.hpp"
 #include "gpu/files.hpp"
+#include "output/embedded.hpp"
 
 namespace hn {
 namespace {

@@ -45,10 +45,11 @@ void check(const SpirvCommand&) {}
 void check(const WebCommand& web) { require(!web.golden.empty(), "there are golden files"); }
 
 void check(const RunCommand& run) {
-  require(run.suite.seed <= 0xFFFFFFFFu, "a seed has 32 bits");
-  require(std::isfinite(run.timeout) && run.timeout >= 0.1 && run.timeout <= 86400.0, "a time limit is in its range");
-  require(run.jobs >= 1 && run.jobs <= 256, "the jobs are in their range");
-  require(!run.drivers.empty(), "there is a driver");
+  require(run.execution.suite.seed <= 0xFFFFFFFFu, "a seed has 32 bits");
+  require(std::isfinite(run.execution.timeout) && run.execution.timeout >= 0.1 && run.execution.timeout <= 86400.0,
+          "a time limit is in its range");
+  require(run.execution.jobs >= 1 && run.execution.jobs <= 256, "the jobs are in their range");
+  require(!run.selection.drivers.empty(), "there is a driver");
 }
 
 void check(const MergeCommand& merge) { require(!merge.inputs.empty(), "there is something to merge"); }

@@ -14,7 +14,6 @@ from catalog.sections import with_section
 from catalog.tables.functions import STRENGTHS
 from catalog.tables.markdown import table
 from catalog.tables.markdown import with_section as with_table
-from ship.npm.twin import MOST_BYTES
 
 TWIN = "packages/npm/wasm/twin.cpp"
 FIELDS = "packages/npm/src/index.js"
@@ -22,6 +21,7 @@ TYPES = "packages/npm/src/index.d.ts"
 PAGE = "docs/javascript.md"
 PLAYGROUND = ROOT / "playground" / "catalog.js"
 MOST_DIMENSIONS = 3  # of the twin
+MOST_BYTES = 48_400  # of its module
 PARTS = ("jitter", "metric")  # what a noise of the twin takes beside a seed and a period; it has no phases
 NUMBERS = ("seed", "period", "jitter", "octaves", "lacunarity", "gain")
 

@@ -44,11 +44,8 @@ def in_readme(catalog: Catalog) -> str:
     rows = []
     for group, brief in grouped(catalog.noises, lambda noise: noise.brief):
         rows.append((called(group, parameters(group[0])), brief))
-    usual = next(sum_ for sum_ in catalog.sums if sum_.name == USUAL_SUM)
-    others = [sum_ for sum_ in catalog.sums if sum_ is not usual]
-    rows += [(called([usual], parameters_of(usual)), usual.brief),
-             (called(others, "..."),
-              f"{', '.join(dict.fromkeys(sum_.brief for sum_ in others))} ([sums]({SUMS}))")]
+    for group, brief in grouped(catalog.sums, lambda sum_: sum_.brief):
+        rows.append((called(group, parameters_of(group[0]) if group[0].name == USUAL_SUM else "..."), brief))
     return table(("function", "value"), rows)
 
 

@@ -11,8 +11,8 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from catalog.model import Catalog, Sum
+from catalog.python import WIDTH
 from catalog.sections import with_section
-from translate.parsing.lines import WIDTH
 
 SUMS, STEPS = "glsl/hashnoise/fbm2d.glsl", "glsl/hashnoise/octaves2d.glsl"
 OCTAVE = "hn_perlin(o.place, o.seed)"

@@ -29,7 +29,7 @@ HEAD_OF_FACTS = """\
 //   NOISE(name, jumps, is never negative)
 //   OCTAVE_SUM(name, noise, most strength or amplitude, least, greatest, is bounded, step, mean): the noise is that which
 //     its GLSL function sums. Values that are not bounded may be as large as the noise, if that is beyond the least or the
-//     greatest. The step is what an octave adds, and the mean what becomes of the mean (expected/sum_bounds.hpp)
+//     greatest. The step is what an octave adds, and the mean what becomes of the mean (sums/bounds.hpp)
 //   SUM_STEP(name), SUM_MEAN(name): each of those steps and means
 //   OCTAVE_STEP(name, the sum s with an octave n more, what it makes of the mean): of a sum of values; the first may take
 //     a strength

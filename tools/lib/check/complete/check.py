@@ -19,7 +19,8 @@ from proof.oracle import words
 
 KNOBS = "docs/knobs.md"
 SAME_BITS = "docs/same-bits.md"
-OTHERS = ("docs/uniform.md", "docs/random.md")  # of functions for which the README has one line
+OTHERS = ("docs/uniform.md", "docs/random.md")  # have tables of functions, and so has a section of the page of noises
+OF_NOISES, OTHER_FUNCTIONS = "docs/noises.md", "\n## Other functions\n"
 OF_DERIVATIVES = "docs/noises.md"  # whose table has what returns the derivatives of vectors
 ENTRIES = "tools/lib/proof/{}/noises/{}.py"
 OF_A_NOISE = {"error", "cost"}  # in each comment; and in one of its comments
@@ -99,7 +100,8 @@ def rows_without_a_function(tree: Tree) -> Iterator[str]:
 def functions_without_words(tree: Tree) -> Iterator[str]:
     """In the comments of the library, in the README or a page that its table leaves them to, and in the contract."""
     functions = tree.text("README.md").partition("\n## Functions\n")[2].partition("\n- ")[0]
-    tables = "\n".join([functions, *map(tree.text, OTHERS)])
+    others = tree.text(OF_NOISES).partition(OTHER_FUNCTIONS)[2].partition("\n## ")[0]
+    tables = "\n".join([functions, others, *map(tree.text, OTHERS)])
     first_cells = [line.split(" | ")[0] for line in tables.split("\n") if line.startswith("|")]
     first_cells += [line.split(" | ")[0] for line in tree.text(OF_DERIVATIVES).split("\n") if "`hn_derivatives" in line]
     contract = tree.text("docs/contract.md")
@@ -108,7 +110,7 @@ def functions_without_words(tree: Tree) -> Iterator[str]:
             yield f"{declared.place}: {declared} has no comment that says what it returns: write one over it"
     for name in sorted({function.calls for function in tree.functions}):
         if not any(is_named(name, cell) for cell in first_cells):
-            yield f"README.md: no line for {name}: add one to the table of functions, or to that of {' or '.join(OTHERS)}"
+            yield f"README.md: no line for {name}: add one to the table of functions, or to that of {' or '.join((OF_NOISES, *OTHERS))}"
         if not re.search(rf"`{name}\b", contract):
             yield f"docs/contract.md: no word of {name}(...): say what its value is"
 

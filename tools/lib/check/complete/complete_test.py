@@ -130,7 +130,7 @@ class Deletions(unittest.TestCase):
         for page, name in (("random", "hn_gaussian"), ("uniform", "hn_spread_fbm"), ("noises", "hn_phasor_d")):
             with self.subTest(page=page):
                 self.change(f"docs/{page}.md", rf"^\| `{name}\b.*\n")
-                self.noticed(rf"^README\.md: no line for {name}: .* or to that of docs/uniform\.md or docs/random\.md$")
+                self.noticed(rf"^README\.md: no line for {name}: .* or to that of docs/noises\.md or docs/uniform\.md or docs/random\.md$")
 
     def test_a_comment(self) -> None:
         self.change("glsl/hashnoise/*.glsl", r"^(//.*\n)+(HN_FN .*\bhn_snorm\()", "\\2")

@@ -24,8 +24,8 @@ import time
 from collections import Counter
 from pathlib import Path
 
+from base import costs
 from base.tree import ROOT, TOOLS
-from check.costs import table as costs
 
 TABLE = TOOLS / "costs.csv"
 BUDGET = 900  # two cores, eleven minutes: two tests at a time take longer than one alone

@@ -11,9 +11,9 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
+from base import costs
 from base.tree import ROOT
 from check.costs import command
-from check.costs import table as costs
 
 WITHIN = """kind,name,value,before
 budget,tests,100,

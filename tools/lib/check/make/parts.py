@@ -25,7 +25,8 @@ class Part(NamedTuple):
 
 
 LIBRARY = ("glsl/hashnoise/**/*.glsl", "glsl/hashnoise/**/*.h", "include/hashnoise/**/*.h*")
-SUITE = (*(f"conformance/{room}/*.[ch]pp" for room in ("base", "library", "expected")),
+SUITE = (*(f"{room}/*.[ch]pp" for room in ("src/base", "conformance/library", "conformance/expected",
+                                           "tools/lib/proof/sums")),
          *(f"conformance/{room}/*.inc" for room in ("library", "expected")))
 PAGES = ("README.md", "docs/gallery/README.md",
          *(f"docs/{page}.md" for page in ("cellular", "conformance", "default-hash", "gpu-operations", "hashes", "judge",
@@ -48,7 +49,7 @@ PARTS = (
     Part("bounds", "ranges, slopes and errors, proven: bounds.inc, and the tables of docs/accuracy.md",
          "half a minute", "proof.bounds.command",
          (*LIBRARY, "docs/accuracy.md", "docs/knobs.md", "docs/sums.md", "tools/lib/proof/bounds/noises/*.py",
-          "tools/lib/proof/bounds/*.cpp", "conformance/expected/*s.[ch]pp", "conformance/library/facts.inc"),
+          "tools/lib/proof/bounds/*.cpp", "tools/lib/proof/sums/*.[ch]pp", "conformance/library/facts.inc"),
          ("conformance/expected/bounds.inc", "docs/accuracy.md"), scientific=True),
     Part("golden", "golden files, by the oracle", "five minutes", "proof.golden.command",
          ("conformance/library/*.inc", "tools/lib/proof/oracle/noises/*.py"), ("conformance/expected/golden/*.golden",),

@@ -29,13 +29,13 @@ from pathlib import Path
 
 import numpy as np
 
+from base.renderer import Renderer
 from base.tree import ROOT
 from base.usage import Parser
 from measure.hashes import controls, fields, gate, isotropy, library, noise, octaves, others, report, stripes
 from measure.hashes.judgement import Finding
 from measure.hashes.lattice import Lattice, sample
 from measure.hashes.report import HashResult
-from measure.likeness.renderer import Renderer
 
 DIMENSIONS = (2, 3)
 PARTS = ("hash", "hash_fn", "dimensions", "seeds", "steps")  # options with which not the whole page is measured

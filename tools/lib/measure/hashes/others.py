@@ -16,11 +16,11 @@ from pathlib import Path
 
 import numpy as np
 
+from base.renderer import NotCompiled, Renderer
 from measure.hashes import gate
 from measure.hashes.library import Twin
 from measure.hashes.report import HashResult, describe
 from measure.likeness.ports import source
-from measure.likeness.renderer import NotCompiled, Renderer
 
 SIDE = 1024  # of what is rendered at once
 OF_FLOATS = 0xFFC00000  # bits 31 to 22

@@ -13,10 +13,10 @@ from unittest import mock
 
 import numpy as np
 
+from base.renderer import Renderer
 from base.tree import ROOT
 from measure.hashes import command, gate, library, others
 from measure.hashes.others import ORIGINS, Other
-from measure.likeness.renderer import Renderer
 
 SHADER = """
 #version 330

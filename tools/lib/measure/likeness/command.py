@@ -6,9 +6,9 @@ import sys
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
+from base.renderer import Renderer
 from base.usage import Parser
 from measure.likeness import picture, ports
-from measure.likeness.renderer import Renderer
 from measure.likeness.table import ROWS
 from measure.peers.copies import add_options, some_given
 from measure.peers.table import OTHERS, PEERS

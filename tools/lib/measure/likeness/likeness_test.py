@@ -14,10 +14,10 @@ import zlib
 from pathlib import Path
 from unittest import mock
 
+from base.renderer import NotCompiled, Renderer
 from base.tree import TOOLS
 from measure.likeness import command, picture, ports
 from measure.likeness.measure import half
-from measure.likeness.renderer import NotCompiled, Renderer
 from measure.likeness.table import PLAIN, ROWS, Row, own_sum
 
 # Another library, for want of one: value noise with a lattice, a curve and a contrast of its own.

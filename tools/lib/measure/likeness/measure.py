@@ -8,7 +8,7 @@ from collections.abc import Callable
 from operator import mul
 from typing import NamedTuple
 
-from measure.likeness.renderer import Renderer
+from base.renderer import Renderer
 
 # Places lie in a cube of this size, in cells: many features, and less than the 289 after which webgl-noise repeats.
 CELLS = 250

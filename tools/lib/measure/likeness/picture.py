@@ -6,9 +6,9 @@ import re
 from pathlib import Path
 
 from base.png import png
+from base.renderer import Renderer
 from measure.likeness.measure import Look, subject, vector
 from measure.likeness.ports import Port, measured_call, source
-from measure.likeness.renderer import Renderer
 from measure.likeness.table import Row
 
 TILE = 256

@@ -11,11 +11,11 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
+from base.renderer import Renderer
 from base.tree import ROOT
 from catalog.tables.glsl import files_of
 from catalog.tables.markdown import table
 from measure.likeness.measure import Look, look
-from measure.likeness.renderer import Renderer
 from measure.likeness.table import ROWS, UNKNOWN, Row
 from translate.single_file.files import text
 

@@ -42,7 +42,7 @@ HEADERS = {"fmt/format.h": "libfmt-dev", "tl/expected.hpp": "libexpected-dev",
            "nlohmann/json.hpp": "nlohmann-json3-dev"}
 INCLUDE = Path("/usr/include")
 SOURCES = ("src/bench_cpu/hn_fill.cpp", "src/bench_cpu/fast_noise.cpp", "src/bench_cpu/subjects.cpp",
-           "conformance/base/output/text.cpp")
+           "src/base/text.cpp")
 
 
 def missing() -> list[str]:
@@ -56,7 +56,7 @@ def build(folder: Path) -> Path:
     made = Build(NEON, folder)
     made.library()
     return made.program(*(ROOT / source for source in SOURCES),
-                        options=("-DFMT_HEADER_ONLY", "-I", ROOT / "src", "-I", ROOT / "conformance"))
+                        options=("-DFMT_HEADER_ONLY", "-I", ROOT / "src"))
 
 
 def command_of(options: argparse.Namespace) -> str:

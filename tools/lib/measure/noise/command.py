@@ -15,10 +15,10 @@ from pathlib import Path
 
 import numpy as np
 
+from base.renderer import NoRenderer, NotCompiled
 from base.tree import TOOLS
 from base.usage import Parser
 from measure.likeness.ports import version
-from measure.likeness.renderer import NoRenderer, NotCompiled
 from measure.noise import measures, page, record
 from measure.noise.measures import Finding, Measured
 from measure.noise.noise import COUNT, Sampler, Subject, read

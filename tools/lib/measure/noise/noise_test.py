@@ -13,8 +13,8 @@ from unittest import mock
 
 import numpy as np
 
+from base.renderer import Renderer
 from base.thorough import in_thorough_runs
-from measure.likeness.renderer import Renderer
 from measure.noise import command, measures, page, record
 from measure.noise.measures import Finding, Measured
 from measure.noise.noise import Sampler, Subject

@@ -1,5 +1,4 @@
-"""Asks the suite's C++ how far an octave sum of floats may be off, so that it is said once. The proofs are in
-conformance/expected/sum_bounds.cpp and gullies.cpp."""
+"""Asks the C++ of tools/lib/proof/sums, which has the proofs, how far an octave sum of floats may be off."""
 
 from __future__ import annotations
 
@@ -15,7 +14,7 @@ from base.twin import compile_program
 from proof.bounds.sums import Sum
 from proof.bounds.table import Bounds, GulliesBounds
 
-SOURCE = Path(__file__).with_name("octave_tolerance.cpp")
+SOURCE = Path(__file__).parents[1] / "sums" / "answers.cpp"
 
 
 @functools.cache
@@ -23,7 +22,7 @@ def _program() -> subprocess.Popen[str]:
     """It runs as long as this one, and answers line by line."""
     folder = tempfile.TemporaryDirectory()
     program = Path(folder.name) / SOURCE.stem
-    compile_program("what the suite says of sums", SOURCE, program, include=ROOT / "conformance")
+    compile_program("the bounds of sums", SOURCE, program, f"-I{SOURCE.parents[1]}", include=ROOT / "conformance")
     process = subprocess.Popen([program], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, bufsize=1)
 
     def end() -> None:

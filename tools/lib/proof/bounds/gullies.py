@@ -1,6 +1,6 @@
 """hn_gullies: what is proven of the waves of its octaves, and how far the sum may be off in fixed arithmetic, from
 docs/contract.md, section 24. The suite has the formula of floats, and float_sums.py asks it:
-conformance/expected/gullies.cpp has the proof.
+tools/lib/proof/sums/gullies.cpp has the proof.
 
 WAVES. A wave is k = 3/2 (-u_y, u_x) with |u| < 1, so it is shorter than 3/2. The bounds of value and derivatives are
 those of phasor noise for 3/2 waves along each axis. How long the vector g of both derivatives is, and how fast v

@@ -27,7 +27,7 @@ class Step:
 
     def fixed_errors(self, errs: list[float], strength: float, cut: float) -> list[float]:
         """The errors of what octaves add in integers, before their weights, given those of the noise; the strength is cut
-        by so much. Those of floats are in conformance/expected/sum_bounds.cpp."""
+        by so much. Those of floats are in tools/lib/proof/sums/bounds.cpp."""
         return errs
 
 

@@ -11,9 +11,9 @@ import unittest
 from pathlib import Path
 
 from base import glslang
+from base.renderer import NoRenderer, Renderer
 from base.thorough import THOROUGH, in_thorough_runs
 from base.tree import version
-from measure.likeness.renderer import NoRenderer, Renderer
 from ship import command
 from ship.glsl_noise import files
 from ship.glsl_noise.files import File

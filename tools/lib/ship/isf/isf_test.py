@@ -20,8 +20,8 @@ from pathlib import Path
 
 from base import glslang
 from base.javascript.environment import OFFLINE
+from base.renderer import NoRenderer, Renderer
 from base.tree import ROOT, TOOLS, version
-from measure.likeness.renderer import NoRenderer, Renderer
 from ship import command
 from ship.isf import files
 from translate.pick.command import Choice

@@ -17,8 +17,8 @@ from pathlib import Path
 from types import ModuleType
 from typing import NamedTuple
 
+from base.renderer import NoRenderer, Renderer
 from base.tree import ROOT, VECTORS
-from measure.likeness.renderer import NoRenderer, Renderer
 from ship.materialx import files
 from translate.pick.osl_runner import PACKAGE as BLENDER
 from translate.pick.osl_runner import RENDER

@@ -45,6 +45,7 @@ README = "README.md"
 MEASURING = "docs/measuring.md"
 DEFAULT_HASH = "docs/default-hash.md"
 OPERATIONS = "docs/gpu-operations.md"
+NOISES = "docs/noises.md"
 SUMS = "docs/sums.md"
 CONFORMANCE = "docs/conformance.md"
 MOVING = "docs/moving.md"
@@ -58,7 +59,7 @@ SIZE = re.compile(r"(--strip --out noise\.glsl`, )\d+ kB")  # of the whole libra
 def tables(times: of_commands.Times) -> list[tuple[str, str, str]]:
     """What pages have between marks: the page, the name of the marks, and the table."""
     typical, costs = numbers.typical(), numbers.costs(numbers.CPU)
-    return [(README, "tools/make readme: values", numbers.typical_table(typical, numbers.IN_README)),
+    return [(NOISES, "tools/make readme: values", numbers.typical_table(typical, numbers.COMMON)),
             (SUMS, "tools/make readme: typical values of sums", numbers.typical_table(typical, numbers.SUMS)),
             (SUMS, "tools/make readme: typical values of sums in 1D and 4D",
              numbers.typical_table(typical, numbers.PLAIN_SUMS, (1, 4))),

@@ -24,7 +24,7 @@ Costs = Mapping[str, Mapping[str, str]]  # the rows of bench.csv, by id
 CATALOG = catalog.model.read()
 SUMS = tuple(f"hn_{sum_.name}" for sum_ in CATALOG.sums if sum_.shape != "slopes" and sum_.is_in(2))
 PLAIN_SUMS = tuple(f"hn_{sum_.name}" for sum_ in CATALOG.sums if sum_.is_of_values)
-IN_README = ("hn_perlin", "hn_value", "hn_value_cubic", "hn_simplex", "hn_simplex_smooth", "hn_fbm")
+COMMON = ("hn_perlin", "hn_value", "hn_value_cubic", "hn_simplex", "hn_simplex_smooth", "hn_fbm")
 
 
 def lines_of(source: str) -> list[list[str]]:

@@ -14,7 +14,7 @@ from base.tree import ROOT
 from base.twin import SOON, compile_program
 
 PICTURES = {  # the page that shows each
-    "noise.png": "README.md",
+    "noise.png": "docs/noises.md",
     "lattice.png": "docs/noises.md",
     "slopes.png": "docs/noises.md",
     "tiles.png": "docs/noises.md",

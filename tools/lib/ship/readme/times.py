@@ -5,9 +5,9 @@ from __future__ import annotations
 import subprocess
 from collections.abc import Mapping
 
+from base import costs
 from base.tree import TOOLS
 from catalog.tables.markdown import table
-from check.costs import table as costs
 
 CORES = 2
 # By command: its build in the table, and the arrays of packages in tools/lib/base/setup.sh.

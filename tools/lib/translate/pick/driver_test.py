@@ -23,10 +23,10 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
+from base.renderer import Renderer
 from base.thorough import THOROUGH
 from base.tree import GLSL
 from catalog.tables.functions import read_functions
-from measure.likeness.renderer import Renderer
 from translate.parsing.syntax import Function
 from translate.pick.calling import Form
 from translate.pick.command import settings

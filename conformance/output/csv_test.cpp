@@ -1,0 +1,27 @@
+#include "output/csv.hpp"
+
+#include <gtest/gtest.h>
+
+namespace hn {
+namespace {
+
+using Row = std::vector<std::string>;
+
+TEST(Csv, PlainFieldsAreNotQuoted) {
+  EXPECT_EQ(to_csv(Row{"hash", "ns per pixel"}, std::vector<Row>{{"pcg", "1.25"}, {"", "-3e-7"}}),
+            "hash,ns per pixel\npcg,1.25\n,-3e-7\n");
+}
+
+TEST(Csv, CommasQuotesAndLineEndsAreQuoted) {
+  EXPECT_EQ(to_csv(Row{"a,b", "c\"d"}, std::vector<Row>{{"e\nf", "g\rh"}, {"\"", "i"}}),
+            "\"a,b\",\"c\"\"d\"\n\"e\nf\",\"g\rh\"\n\"\"\"\",i\n");
+}
+
+TEST(Csv, NoRows) { EXPECT_EQ(to_csv(Row{"a", "b"}, {}), "a,b\n"); }
+
+TEST(Csv, AnEmptyFieldAloneIsNoEmptyLine) {
+  EXPECT_EQ(to_csv(Row{"a"}, std::vector<Row>{{""}, {"x"}}), "a\n\"\"\nx\n");
+}
+
+}  // namespace
+}  // namespace hn

@@ -1,0 +1,66 @@
+// How far an octave sum of floats may be from the exact one, given what is proven of its noise. The proofs are in
+// bounds.cpp. The suite and tools/make bounds compile it, so it includes the standard library and what tools/make
+// catalog makes, and nothing else.
+#pragma once
+
+#include <optional>
+
+namespace hn {
+
+// What is proven of a noise, or of the components of its derivative.
+struct FloatBounds {
+  int axes;
+  double cell_error;  // of floats, from a cell and a fraction
+  double error;       // the same from a position
+  double lipschitz;   // how fast the noise changes: the error per error of the position
+  double limit;       // how large it can be, computed in floats
+};
+
+// What an octave adds: a step of detail/octave.glsl, or what a sum with derivatives or displacements makes of the
+// noise.
+enum class SumStep {
+#define SUM_STEP(name) name,
+#include "library/facts.inc"
+};
+// What the sum makes of the mean of its octaves.
+enum class SumMean {
+#define SUM_MEAN(name) name,
+#include "library/facts.inc"
+};
+
+struct SumRule {
+  SumStep step;
+  SumMean mean;
+  double most_strength;  // or amplitude; 0 if it has none
+};
+
+// In the range that the contract takes them in: with a period the lacunarity is a whole number.
+struct OctaveArguments {
+  double largest_coordinate;  // the largest |p_i|; from a cell, |cell + f|
+  double octaves;             // a float of them is a detail
+  double lacunarity;
+  double gain;
+  bool exact_positions;  // the caller's promise: no octave's position is rounded
+  double strength = 0.0;
+  std::optional<double> footprint = {};
+  bool turns = true;  // it does not with a period
+  bool from_cell = false;
+  bool is_detail = false;
+  double amplitude = 0.0;
+};
+
+// Whether a sum with it needs the Jacobians of its octaves.
+bool has_jacobian(SumStep step);
+// Whether a noise beyond [-1, 1] counts as the nearer end.
+bool is_clamped(SumStep step);
+
+// The largest error of an octave sum over a noise, against the exact sums of docs/contract.md at the same floats; of a
+// sum of vectors, that of a component. `slope` are the bounds of the derivative of the noise: an erosion and a warp
+// need them. From a cell the sum is defined for a lacunarity in [0, 255]; the error is infinite where no error is
+// bounded.
+double octave_tolerance(const SumRule& rule, const OctaveArguments& arguments, const FloatBounds& noise,
+                        const FloatBounds& slope);
+// The same of a component of the derivative of an fBm.
+double octave_slope_tolerance(const OctaveArguments& arguments, const FloatBounds& noise, const FloatBounds& slope);
+
+}  // namespace hn

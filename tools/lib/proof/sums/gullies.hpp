@@ -1,0 +1,35 @@
+// How far hn_gullies may be off in floats, given what is proven of the waves of its octaves. The proof is in
+// gullies.cpp.
+#pragma once
+
+#include "sums/bounds.hpp"
+
+namespace hn {
+
+// What is proven of phasor noise at a place of a cell, for waves that are shorter than 3/2, and of its derivatives
+// (bounds.inc, which tools/make bounds writes).
+struct GulliesBounds {
+  double value;            // the error
+  double lipschitz;        // how fast it changes: the error per error of the position
+  double turn;             // the error per error of the wave
+  double slope;            // the same of a component of the vector of its derivatives
+  double slope_lipschitz;  // of a component
+  double slope_turn;       // of the vector
+  double steepest;         // the largest length of the vector
+  double fixed_value, fixed_slope;
+};
+
+struct GulliesArguments {
+  OctaveArguments octaves;  // in a tile: whole positions and a whole lacunarity
+  double slope;             // how long it is, with each component in [-8, 8]
+  double depth;
+};
+
+// How far the height and each slope may be off.
+struct GulliesTolerance {
+  double height;
+  double slope;
+};
+GulliesTolerance gullies_tolerance(const GulliesArguments& arguments, const GulliesBounds& bounds);
+
+}  // namespace hn
