@@ -1,9 +1,10 @@
 """Hashes of shaders that are not ours, judged as lattices of words: rendered from their GLSL by Mesa's llvmpipe.
 
 A hash is an expression of `c`, the cell as integers, or of `p`, the same as floats. A uint counts as a word. Of a float,
-which should be in [0, 1), the ten highest bits count, since shaders use a float as a direction or a colour. The other bits
-of its word are random. The next one, bit 21, is a sign of our gradients: it would be judged like the highest bit, and
-Hoskins' hash has a correlation of 0.18 in it, but of 0.02 in each of the ten.
+which should be in [0, 1), the ten highest bits count, since shaders use a float as a direction or a colour. The next one,
+bit 21, is a sign of our gradients and would be judged like the highest bit, but Hoskins' hash has a correlation of 0.18 in
+it, and of 0.02 in each of the ten. So the parity of the ten stands there, which copies what they copy. All other bits are
+random.
 """
 
 from __future__ import annotations
@@ -23,7 +24,7 @@ from measure.hashes.report import HashResult, describe
 from measure.likeness.ports import source
 
 SIDE = 1024  # of what is rendered at once
-OF_FLOATS = 0xFFC00000  # bits 31 to 22
+PARITY = 1 << 21  # below the ten bits
 # Around the origin; as far as scenes go; where a float has an eighth of a cell left; and far out.
 ORIGINS = {2: ((-512, -512), (10000, 20000), (1000000, -2000000), (8000000, 7000000)),
            3: ((-64, -64, -64), (10000, 20000, 5000), (1000000, -2000000, 500000), (8000000, 7000000, 6000000))}
@@ -91,6 +92,13 @@ def compiled(renderer: Renderer, other: Other, n: int) -> tuple[int, str]:
                         f"c and p: {logs[-1]}")
 
 
+def parity(words: np.ndarray) -> np.ndarray:
+    """Whether an odd number of the bits is set, as 0 or 1."""
+    for shift in (16, 8, 4, 2, 1):
+        words = words ^ words >> np.uint32(shift)
+    return words & np.uint32(1)
+
+
 def words_of(renderer: Renderer, program: int, kind: str, origin: tuple[int, ...]) -> np.ndarray:
     """Those of the window at that origin, as the gate takes it: axis 0 is x."""
     n = len(origin)
@@ -107,7 +115,8 @@ def words_of(renderer: Renderer, program: int, kind: str, origin: tuple[int, ...
         beside = SIDE // side
         words = words.reshape(side // beside, side, beside, side).transpose(0, 2, 1, 3).reshape(side, side, side)
     if kind == "float":
-        words = words | np.random.default_rng(0).integers(0, 1 << 32, words.shape, np.uint32) & ~np.uint32(OF_FLOATS)
+        random = np.random.default_rng(0).integers(0, 1 << 32, words.shape, np.uint32) & np.uint32(PARITY - 1)
+        words = words | parity(words) * np.uint32(PARITY) | random
     return np.ascontiguousarray(words.transpose())
 
 

@@ -61,7 +61,8 @@ class Others(unittest.TestCase):
     def test_a_float_gives_ten_bits(self):
         words = self.words("fract((p.x + 512.0) / 1024.0)", (-512, -512))
         np.testing.assert_array_equal(words >> 22, np.broadcast_to(np.arange(1024)[:, None], (1024, 1024)))
-        self.assertGreater(len(np.unique(words & ~np.uint32(others.OF_FLOATS))), 1 << 15)  # the others are random
+        np.testing.assert_array_equal(words >> 21 & 1, [[bin(x).count("1") % 2] * 1024 for x in range(1024)])
+        self.assertGreater(len(np.unique(words % others.PARITY)), 1 << 15)  # the others are random
 
     def judged(self, expression: str) -> list[str]:
         findings = gate.judge_words(self.words(expression, (-512, -512))[:128, :128], self.twin)
