@@ -84,7 +84,7 @@ Stencil difference_of_distances(const Place& place, double distance) {
 
 // Where the nearest point is the same all around and is no nearer than 1/8, in which the difference says little.
 bool is_clear(const Function& function, const Configuration& configuration, std::span<const std::uint32_t> inputs) {
-  const Searched all = searched(function, configuration, inputs);
+  const CellularValue all = searched(function, configuration, inputs);
   return all.first >= 0.125 && all.second - all.first > 4.0 * kCellularStep;
 }
 

@@ -51,6 +51,9 @@ class Source(unittest.TestCase):
             names, copied = ({path.name for path in (root / folder).iterdir() if path.is_file()}
                              for root in (golden.ROOT, self.root))
             self.assertEqual(copied, names)
+        for path in self.root.rglob("CMakeLists.txt"):
+            for name in re.findall(r"^ *include\((\S*/\S*)\)", path.read_text(encoding="utf-8"), re.M):
+                self.assertTrue((path.parent / name).is_file(), (path, name))
         self.assertEqual(self.missing_headers(), "")
 
     def test_a_file_that_is_missing_is_noticed(self):

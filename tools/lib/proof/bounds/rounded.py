@@ -1,5 +1,5 @@
-"""The text of the library in 32-bit floats, with any rounding, for the tests of the bounds: a function is asked for by
-its row in the suite's table, and by the columns of that."""
+"""The text of the library in 32-bit floats, with any rounding, or in integers, for the tests of the bounds: a function is
+asked for by its row in the suite's table, and by the columns of that."""
 
 from __future__ import annotations
 
@@ -19,6 +19,7 @@ from catalog.tables.functions import read_functions
 
 SOURCE = Path(__file__).with_suffix(".cpp")
 MODES = ("nearest", "down", "up", "random")
+FIXED = "HN_ARITHMETIC=HN_FIXED"  # a macro: then nothing rounds but what comes in and out
 
 
 @dataclass(frozen=True)
