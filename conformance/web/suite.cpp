@@ -51,8 +51,7 @@ class Table {
 
 class SuiteWriter {
  public:
-  SuiteWriter(const SourceSet& sources, const std::filesystem::path& golden, std::span<const Case> cases)
-      : sources_(sources), golden_(golden), wgsl_(sources, cases) {}
+  SuiteWriter(const SourceSet& sources, const std::filesystem::path& golden) : sources_(sources), golden_(golden) {}
 
   Json case_json(const Case& test) {
     auto part = part_of(test);
@@ -149,7 +148,7 @@ class SuiteWriter {
   }
 
   tl::expected<std::size_t, Outcome> wgsl_program(const Evaluation& evaluation) {
-    HN_TRY(const auto texts, wgsl_.find(evaluation));
+    HN_TRY(const auto texts, wgsl_shader(sources_, evaluation));
     Json pieces = Json::array();
     for (const std::string& text : texts) pieces.push_back(texts_.number_of(text));
     const std::size_t shader = shaders_.number_of({{"pieces", pieces}, {"paths", Json::array()}});
@@ -295,7 +294,6 @@ class SuiteWriter {
 
   const SourceSet& sources_;
   const std::filesystem::path& golden_;
-  const WgslShaders wgsl_;
   std::optional<std::string> defect_;
   Table facets_;
   Table texts_;
@@ -330,7 +328,7 @@ bool is_on_page(const Case& test, bool thorough) {
 
 PageSuite make_suite(const SourceSet& sources, const std::filesystem::path& golden, std::span<const Case> cases,
                      std::string_view report_to, Platform platform, bool whole) {
-  SuiteWriter writer(sources, golden, cases);
+  SuiteWriter writer(sources, golden);
   Json list = Json::array();
   for (const Case& test : cases) list.push_back(writer.case_json(test));
   const Json suite = writer.finish(std::move(list), report_to, platform, whole);

@@ -1,4 +1,4 @@
-"""The table of what is made and committed: each part, what it is made of, and what makes it. A part stands below those
+"""The table of what is made, and but for some of build/ committed: each part, what it is made of, and what makes it. A part stands below those
 that it needs."""
 
 from __future__ import annotations
@@ -57,22 +57,19 @@ PARTS = (
     Part("one-noise", "what docs/one-noise.md quotes of Perlin noise", "seconds", "ship.readme.one_noise",
          ("docs/one-noise.md", *LIBRARY, "docs/contract.md", "docs/accuracy.md", "docs/results/gpu/costs.csv",
           "conformance/expected/golden/noise2d.perlin.golden"), ("docs/one-noise.md",)),
-    Part("vectors", "rows of golden files, for ports", "half a minute", "proof.vectors.command",
-         ("conformance/expected/golden/*.golden", *SUITE), ("vectors/*.json",),
-         check=("--check", "--sample", "30"), sample=True, program="hn-tolerances"),
     Part("freeze", "entries of new functions among what never changes", "seconds for each function", "proof.frozen.command",
          (*LIBRARY, *SUITE), ("conformance/expected/frozen.csv",), sample=True, program="hn-frozen"),
-    Part("snippets", "docs/snippets: functions to paste", "a minute", "translate.pick.pages",
+    Part("snippets", "docs/snippets: functions to paste", "half a minute", "translate.pick.pages",
          ("glsl/hashnoise/**/*.glsl",), ("docs/snippets/*.md",), python=(3, 9)),
-    Part("picks", "texts that the playground has inside", "a minute", "ship.playground.picks",
-         ("glsl/hashnoise/**/*.glsl", "catalog/*.toml"), ("playground/picks.json",), python=(3, 9)),
     Part("faults", "docs/faults.md: which cases notice what drivers got wrong", "ten minutes", "check.faults.command",
          ("conformance/cases/bugs/*", "conformance/fault/*"), ("docs/faults.md",),
          check=("--check", "--sample", "4"), sample=True, program="hn-conform"),
     Part("results", "a page of what people's devices returned, which are checked", "a second", "measure.results.command",
-         ("results/*.json", "results/versions/*.csv", "conformance/expected/golden/*.golden",
+         ("docs/results/devices/*.json", "docs/results/devices/versions/*.csv", "conformance/expected/golden/*.golden",
           "catalog/*.toml", "conformance/web/address.js"), ("build/results/index.html",),
          options=("--earlier",), check=("--check", "--earlier")),
+    Part("vectors", "build/vectors: rows of golden files, for ports", "half a minute", "proof.vectors.command", (),
+         ("build/vectors/*.json",), python=(3, 9), by_name=True),
     Part("site", "a site of the pages, with what Sphinx needs from PyPI", "minutes", "ship.website.command", (),
          ("build/site/index.html",), by_name=True),
 )

@@ -26,7 +26,8 @@ from measure.likeness.ports import source
 
 SIDE = 1024  # of what is rendered at once
 PARITY = 1 << 21  # below the ten bits
-EQUAL_WORDS = "equal words"  # is for words of 32 bits, and those of floats have 31 and the parity
+# Words of floats have 31 bits and the parity: twice as many are equal, and ten bits choose one of twelve gradients unevenly.
+OF_WORDS = {"equal words", "directions: frequencies"}
 # Around the origin; as far as scenes go; where a float has an eighth of a cell left; and far out.
 ORIGINS = {2: ((-512, -512), (10000, 20000), (1000000, -2000000), (8000000, 7000000)),
            3: ((-64, -64, -64), (10000, 20000, 5000), (1000000, -2000000, 500000), (8000000, 7000000, 6000000))}
@@ -134,7 +135,7 @@ class Judged:
 
 
 def findings_of(words: np.ndarray, kind: str, twin: Twin) -> list[Finding]:
-    return [finding for finding in gate.judge_words(words, twin) if kind == "uint" or finding.test != EQUAL_WORDS]
+    return [finding for finding in gate.judge_words(words, twin) if kind == "uint" or finding.test not in OF_WORDS]
 
 
 def judge(other: Other, dimensions: Sequence[int], twin: Twin, renderer: Renderer) -> list[Judged]:

@@ -12,7 +12,7 @@ from measure.gpu.chips import chip_named
 from measure.results.devices import Device, devices_of, driver_of
 from measure.results.digest import APIS, TIMED, UNIT, Digest
 
-STYLE = ROOT / "conformance" / "base" / "output" / "style.mustache"
+STYLE = ROOT / "conformance" / "output" / "style.mustache"
 ADDRESS = ROOT / "conformance" / "web" / "address.js"
 # What this page has beside that: ids of cases are long words, and tables that fold need no box to scroll in.
 OWN_STYLE = "<style>code, h3 { overflow-wrap: anywhere; } .fold { max-height: none; }</style>\n"
@@ -91,7 +91,7 @@ def evidence(digest: Digest) -> str:
                      f"{wrong}</p>")
     cases = "".join(f"<li><code>{escaped(case)}</code></li>" for case in digest.failed)
     command = f"hn-conform run --filter '{digest.failed[0]}'" if digest.failed else "hn-conform run"
-    file = f"{address()}/blob/main/results/{digest.name}"
+    file = f"{address()}/blob/main/docs/results/devices/{digest.name}"
     return (f'<article id="{escaped(anchor(digest))}"><h3>{escaped(digest.renderer)}, {escaped(driver_of(digest))}, '
             f"{escaped(digest.system)}</h3>{''.join(parts)}<p>Among them:</p><ul>{cases}</ul>"
             f"<p>On such a device this shows the first: <code>{escaped(command)}</code>. "

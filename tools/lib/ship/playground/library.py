@@ -10,8 +10,9 @@ from base.tree import GLSL, glsl_files, included_from, version
 from catalog.javascript import drawn, may_draw
 from catalog.model import read
 from translate.single_file.files import INCLUDE, stripped, with_numbers
-from translate.wgsl.module import ARITHMETICS, HASHES, Module, Settings
-from translate.wgsl.translator import Definition
+from translate.settings import ARITHMETICS, HASHES, Settings
+from translate.wgsl.module import Module
+from translate.wgsl.writer import Definition
 
 # The user's own hash is no choice in the page.
 CHOSEN_HASHES = tuple(name for name in HASHES if name != "CUSTOM")

@@ -23,7 +23,8 @@ from catalog.tables.functions import read_functions
 from translate.wgsl.device import Absent, Device
 from translate.wgsl.evaluation import evaluations
 from translate.wgsl.golden import Page, differing
-from translate.wgsl.module import ARITHMETICS, Module, Settings
+from translate.settings import ARITHMETICS, Settings
+from translate.wgsl.module import Module
 
 SKIPPED = 77
 # Files that users include: those that have the others in them.
