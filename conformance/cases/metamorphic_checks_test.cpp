@@ -158,7 +158,7 @@ TEST_F(Periods, ASumFromACellThatIsNotThatAtThePositionIsCaught) {
        "hn_i_place(cell, hn_i_to_num(f) ^ 256,"},
       {"warp.warp_progressive2_cell.lattice.fast.fragment.gl330.from_cell", "detail/jacobian.glsl",
        "hn_i_minus(n, cells)", "hn_i_minus(0.5f * n, 0.5f * cells)"},
-      {"fbm.fbm2_cell_period.lattice.precise.fragment.gl400.from_cell", "place.glsl",
+      {"fbm.fbm2_cell_period.lattice.precise.fragment.gl400.from_cell", "detail/place2d.glsl",
        "hn_i_place(cell, hn_i_to_num(f),", "hn_i_place(cell, 0.999f * hn_i_to_num(f),"}};
   for (const Replacement& fault : kFaults) expect_replaced_caught(fault);
 }
@@ -194,7 +194,7 @@ TEST_F(Periods, AFormThatIsNotTheOneWithoutPeriodsIsCaught) {
       {"noise3d.value_cell_period.lattice.fixed.fragment.gl330.wrapped", "value3d.glsl", "hn_i_box(place)",
        "hn_i_box(hn_tile(place, ivec3(place.period.xy, place.period.z > 1073741824 ? 0 : place.period.z)))"},
       // Cells below 0 count towards it.
-      {"noise2d.value_cubic_cell_period.lattice.precise.fragment.gl400.wrapped", "detail/cell.glsl",
+      {"noise2d.value_cubic_cell_period.lattice.precise.fragment.gl400.wrapped", "detail/cell2d.glsl",
        "hn_i_select(c < 0, mask - rest, rest)", "rest"},
       {"noise1d.perlin_d_cell_period.lattice.fast.fragment.gl330.wrapped", "perlin_d1d.glsl", "place.fraction",
        "place.fraction + (place.tiled ? 0.001 : 0.0)"}};

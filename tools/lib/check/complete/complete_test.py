@@ -187,12 +187,12 @@ class Deletions(unittest.TestCase):
 
     def test_a_hash_by_its_name(self) -> None:
         self.change(SETTINGS, r'"xxhash32", ')
-        self.noticed(r"^glsl/hashnoise/\w+\.glsl:\d+: hn_hash_xxhash32\(uint\) is the hash of no configuration: add xxhash32 to",
+        self.noticed(r"^glsl/hashnoise/detail/\w+\.glsl:\d+: hn_hash_xxhash32\(uint\) is the hash of no configuration: add xxhash32 to",
                      r"^catalog/configurations\.toml: HN_HASH_XXHASH32 is under test with no default gradient: add xxhash32")
 
     def test_a_hash_that_is_no_setting(self) -> None:
         self.change(ROWS, r"^lowbias32 = .*\n")
-        self.noticed(r"^glsl/hashnoise/\w+\.glsl:\d+: hn_hash_lowbias32\(uint\) is the hash of no .*, or a row that calls")
+        self.noticed(r"^glsl/hashnoise/detail/\w+\.glsl:\d+: hn_hash_lowbias32\(uint\) is the hash of no .*, or a row that calls")
 
     def test_a_golden_file(self) -> None:
         self.golden.unlink()

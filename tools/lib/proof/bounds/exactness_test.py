@@ -53,8 +53,8 @@ class Fixed(unittest.TestCase):
 
 
 class Ramps(unittest.TestCase):
-    """The floats of HN_FIXED (glsl/hashnoise/detail/direction.glsl) at the extremes: 0, the ends, the middle, and the
-    multiples of their units beside these. A double holds all sums."""
+    """The floats of HN_FIXED (direction.glsl and direction3d.glsl of glsl/hashnoise/detail/) at the extremes: 0, the
+    ends, the middle, and the multiples of their units beside these. A double holds all sums."""
 
     PLANE = [(a * x / 4, b * y / 4) for x, y in ((3, 1), (1, 3)) for a in (1, -1) for b in (1, -1)]
     SPACE = [g for g in itertools.product((1, 0, -1), repeat=3) if g.count(0) == 1]

@@ -17,7 +17,6 @@ from proof.golden import hex_rows
 from proof.golden.generator import INT_MAX, INT_MIN, Row, generator_of, to_f32
 from proof.oracle import functions, hexes, lattice, words
 from proof.oracle.gradients import Knobs
-from proof.oracle.hexes import CORNERS
 from proof.oracle.lattice import Lattice
 
 KNOBS = Knobs("lattice")
@@ -62,7 +61,7 @@ def found_in_floats(f: Sequence[Fraction]) -> Iterator[tuple]:
 class HexRows(unittest.TestCase):
     def check_floats(self, name: str) -> None:
         """Every rounding finds the corners of the exact place."""
-        form = COLUMNS[name][1]
+        form = FUNCTIONS[name].form
         for row in rows(name, False):
             exact = row[2:4] if form == "cell" else [p - math.floor(p) for p in map(Fraction, row[:2])]
             corners = hexes.triangle(list(map(Fraction, exact)))[0]
@@ -72,7 +71,7 @@ class HexRows(unittest.TestCase):
                     self.assertEqual(found, (i, j, k > i), row)
 
     def test_floats_find_the_corners(self) -> None:
-        for name in COLUMNS:
+        for name in FUNCTIONS:
             self.check_floats(name)
 
     def test_places_that_are_not_clear_are_found(self) -> None:
@@ -147,9 +146,9 @@ class HexRows(unittest.TestCase):
             self.assert_noticed(("hex_words",), Lattice, "of_triangles", property(of_triangles))
 
     def test_rows_have_edges(self) -> None:
-        for name, fixed in itertools.product(COLUMNS, (False, True)):
+        for name, fixed in itertools.product(FUNCTIONS, (False, True)):
             found = rows(name, fixed)
-            if COLUMNS[name][1] == "cell":
+            if FUNCTIONS[name].form == "cell":
                 for axis in range(2):
                     self.assertTrue({INT_MIN, INT_MAX, -1, 0} <= {row[axis] for row in found}, (name, axis))
                     self.assertTrue({0, 1, 2, 3, INT_MAX} <= {row[4 + axis] for row in found}, (name, axis))
@@ -161,8 +160,8 @@ class HexRows(unittest.TestCase):
                 self.assertTrue(any(max(map(abs, row[:2])) >= (2**31 if fixed else 2**20) for row in found))
 
     def test_what_fixed_arithmetic_cuts_matters(self) -> None:
-        for name in COLUMNS:
+        for name in FUNCTIONS:
             exact, fixed = (functions.evaluator(FUNCTIONS[name], arithmetic) for arithmetic in (False, True))
             found = [row for row in rows(name, True)
-                     if COLUMNS[name][1] == "position" or 0 <= min(row[2:4]) <= max(row[2:4]) <= 1]
+                     if FUNCTIONS[name].form == "position" or 0 <= min(row[2:4]) <= max(row[2:4]) <= 1]
             self.assertGreater(sum(exact(KNOBS, row) != fixed(KNOBS, row) for row in found), 4, name)

@@ -18,6 +18,7 @@ from proof.oracle.lattice import Lattice
 from proof.oracle.scatter import UNIT
 
 KNOBS = Knobs("lattice")
+AXES = {2: "xy", 3: "xyz"}
 FUNCTIONS = {function.name: function for function in table.read_functions() if function.file == "scatter"}
 
 

@@ -39,7 +39,7 @@ def right(name: str, fixed: bool) -> list[tuple]:
 
 
 def spreads(name: str) -> set[tuple[float, ...]]:
-    return {row[1:] if FORMS[name] == "spread_value" else row[:4] for row in rows(name)}
+    return {row[1:] if FUNCTIONS[name].form == "spread_value" else row[:4] for row in rows(name)}
 
 
 class UniformRows(unittest.TestCase):

@@ -223,13 +223,13 @@ class Command(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             copy = Path(folder) / "glsl"
             shutil.copytree(GLSL, copy)
-            path = copy / "hash.glsl"
+            path = copy / "detail" / "word.glsl"
             path.write_text(path.read_text().replace("0x2C1B3C6Du", "0x2C1B3C6Fu"))
             self.assertIn("0x2C1B3C6Fu", self.call("--glsl", str(copy), "hash.glsl").stdout)
             path.write_text(path.read_text().replace("k ^= k >> 15u;", "k ^= ~k;"))
             done = self.call("--glsl", str(copy), "hash.glsl")
             self.assertEqual(done.returncode, 1)
-            self.assertRegex(done.stderr, r"hash\.glsl:\d+: the translator does not know ~")
+            self.assertRegex(done.stderr, r"word\.glsl:\d+: the translator does not know ~")
 
 
 class Translation(unittest.TestCase):
