@@ -22,7 +22,7 @@ from base.golden_values import Golden, ids
 from base.thorough import THOROUGH, in_thorough_runs
 from catalog.model import CatalogError
 from catalog.tables.configurations import read_configurations
-from catalog.tables.functions import NOISES, OCTAVE_SUMS, Function, read_functions
+from catalog.tables.functions import NOISES, OCTAVE_SUMS, Column, Function, read_functions
 from proof.golden import cellular_rows, gullies_rows, period_rows, phasor_rows, simplex_rows, sum_rows
 from proof.golden import command as golden
 from proof.golden.files import Digest, GoldenFile, Sample, Values, golden_files, line
@@ -465,14 +465,17 @@ class GoldenContents(unittest.TestCase):
                             self.assertEqual(float(value - margin), float(value + margin), (id, row))
 
     def test_patterns(self) -> None:
-        self.assertEqual(line("a:i32 b:u32 c:f32 d:f64", (-2, 255, -1.5, 0.5)),
+        def columns(text: str) -> list[Column]:
+            return [Column(*column.split(":")) for column in text.split()]
+
+        self.assertEqual(line(columns("a:i32 b:u32 c:f32 d:f64"), (-2, 255, -1.5, 0.5)),
                          "fffffffe 000000ff bfc00000 3fe0000000000000")
-        self.assertEqual(line("a:f64", (Fraction(1, 3),)), "3fd5555555555555")
-        self.assertEqual(line("a:f64", (Fraction(0),)), "0000000000000000")
+        self.assertEqual(line(columns("a:f64"), (Fraction(1, 3),)), "3fd5555555555555")
+        self.assertEqual(line(columns("a:f64"), (Fraction(0),)), "0000000000000000")
         with self.assertRaises(ValueError):
-            line("a:f32", (0.1,))
+            line(columns("a:f32"), (0.1,))
         with self.assertRaises(ValueError):
-            line("a:u32 b:u32", (1,))
+            line(columns("a:u32 b:u32"), (1,))
 
     def test_digest_runs_over_the_last_coordinate_first(self) -> None:
         file = values_with("hash.lattice2", "lattice")
