@@ -12,7 +12,7 @@ from measure.gpu.chips import chip_named
 from measure.results.devices import Device, devices_of, driver_of
 from measure.results.digest import APIS, TIMED, UNIT, Digest
 
-STYLE = ROOT / "conformance" / "base" / "output" / "style.mustache"
+STYLE = ROOT / "conformance" / "output" / "style.mustache"
 ADDRESS = ROOT / "conformance" / "web" / "address.js"
 # What this page has beside that: ids of cases are long words, and tables that fold need no box to scroll in.
 OWN_STYLE = "<style>code, h3 { overflow-wrap: anywhere; } .fold { max-height: none; }</style>\n"
