@@ -27,7 +27,7 @@ source "$root/tools/lib/base/progress.sh"
 readonly conform_packages=(
   cmake g++ ninja-build
   glslang-dev glslang-tools spirv-tools
-  python3-glad libboost-math-dev libcli11-dev libcpp-httplib-dev libexpected-dev libfccp-dev libfmt-dev
+  python3-glad libboost-dev libcli11-dev libcpp-httplib-dev libexpected-dev libfccp-dev libfmt-dev
   libkainjow-mustache-dev libpng-dev libpugixml-dev libvulkan-dev nlohmann-json3-dev pkg-config zlib1g-dev
   libegl-dev libglfw3-dev libjemalloc-dev libosmesa6 libegl1 libegl-mesa0 libgl1-mesa-dri
 )
