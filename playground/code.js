@@ -164,6 +164,7 @@ class Writer {
     this.files.add(`${noise.file}${state.turned ? "_phase" : ""}${this.n}d.glsl`);
     if (noise.metric && (state.full || noise.nearest)) this.needs.add(metric);
     if (noise.nearest) {
+      this.files.add("hash.glsl");
       const wgsl = this.language === "wgsl";
       const set = wgsl ? ["&nearest", "&offset"] : ["nearest", "offset"];
       const call = this.call(noise.calls, where, "nearest", values.jitter, metric, values.seed, ...set);

@@ -172,7 +172,7 @@ class Device final : public FragmentCompiler {
         .and_then([&] { return create_pass(); })
         .and_then([&] { return vertex_shader(); })
         .and_then([&](const auto& words) { return create_module(words); })
-        .map([&](Owned<VkShaderModule> module) { vertex_ = std::move(module); });
+        .map([&](UniqueHandle<VkShaderModule> module) { vertex_ = std::move(module); });
   }
 
   std::uint32_t vendor() const override { return vendor_; }
@@ -187,7 +187,7 @@ class Device final : public FragmentCompiler {
     const VkResult made = call<PFN_vkCreateGraphicsPipelines>("vkCreateGraphicsPipelines")(
         device_, VK_NULL_HANDLE, 1, &state.info, nullptr, &pipeline);
     const double seconds = processor_seconds() - before;
-    const Owned<VkPipeline> owned(device_, pipeline, call<PFN_vkDestroyPipeline>("vkDestroyPipeline"));
+    const UniqueHandle<VkPipeline> owned(device_, pipeline, call<PFN_vkDestroyPipeline>("vkDestroyPipeline"));
     if (made != VK_SUCCESS) return refused("vkCreateGraphicsPipelines", made);
     HN_TRY(const auto index, fragment_executable(pipeline));
     HN_TRY(auto found, statistics(pipeline, index));
@@ -206,11 +206,11 @@ class Device final : public FragmentCompiler {
 
   // Makes one object with a function of the usual form.
   template <typename Handle, typename Create, typename Destroy, typename Info>
-  Result<Owned<Handle>> create(const char* create_name, const char* destroy_name, const Info& info) const {
+  Result<UniqueHandle<Handle>> create(const char* create_name, const char* destroy_name, const Info& info) const {
     Handle handle = VK_NULL_HANDLE;
     const VkResult made = call<Create>(create_name)(device_, &info, nullptr, &handle);
     if (made != VK_SUCCESS) return refused(create_name, made);
-    return Owned<Handle>(device_, handle, call<Destroy>(destroy_name));
+    return UniqueHandle<Handle>(device_, handle, call<Destroy>(destroy_name));
   }
 
   Result<void> create_instance() {
@@ -293,7 +293,7 @@ class Device final : public FragmentCompiler {
     info.pPushConstantRanges = &range;
     return create<VkPipelineLayout, PFN_vkCreatePipelineLayout, PFN_vkDestroyPipelineLayout>(
                "vkCreatePipelineLayout", "vkDestroyPipelineLayout", info)
-        .map([&](Owned<VkPipelineLayout> layout) { layout_ = std::move(layout); });
+        .map([&](UniqueHandle<VkPipelineLayout> layout) { layout_ = std::move(layout); });
   }
 
   Result<void> create_pass() {
@@ -317,10 +317,10 @@ class Device final : public FragmentCompiler {
     info.pSubpasses = &subpass;
     return create<VkRenderPass, PFN_vkCreateRenderPass, PFN_vkDestroyRenderPass>("vkCreateRenderPass",
                                                                                  "vkDestroyRenderPass", info)
-        .map([&](Owned<VkRenderPass> pass) { pass_ = std::move(pass); });
+        .map([&](UniqueHandle<VkRenderPass> pass) { pass_ = std::move(pass); });
   }
 
-  Result<Owned<VkShaderModule>> create_module(std::span<const std::uint32_t> words) const {
+  Result<UniqueHandle<VkShaderModule>> create_module(std::span<const std::uint32_t> words) const {
     auto info = of_type<VkShaderModuleCreateInfo>(VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO);
     info.codeSize = words.size_bytes();
     info.pCode = words.data();
@@ -366,10 +366,10 @@ class Device final : public FragmentCompiler {
   std::string name_;
   std::string version_;
   VkDevice device_ = VK_NULL_HANDLE;
-  Owned<VkDescriptorSetLayout> set_layout_;
-  Owned<VkPipelineLayout> layout_;
-  Owned<VkRenderPass> pass_;
-  Owned<VkShaderModule> vertex_;
+  UniqueHandle<VkDescriptorSetLayout> set_layout_;
+  UniqueHandle<VkPipelineLayout> layout_;
+  UniqueHandle<VkRenderPass> pass_;
+  UniqueHandle<VkShaderModule> vertex_;
 };
 
 }  // namespace

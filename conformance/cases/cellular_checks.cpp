@@ -83,7 +83,7 @@ Words points_to_search(Session& session, const Function& function, const Configu
     put(function, words, places);
     if (kind < 2) put(function, words, at_edges(places, random));
     if (kind < 2) continue;
-    const Searched here = searched(function, configuration, words);
+    const CellularValue here = searched(function, configuration, words);
     const auto middle = between(here.nearest.at, here.next.at);
     put(function, words, at(places, kind == 2 || undecided ? here.nearest.at : middle));
   }
@@ -119,7 +119,7 @@ void add_far_points(Words& inputs, Session& session, const Function& function, c
 
 // How far an output may be off the value that was found.
 std::optional<double> allowed_to_searched(const Function& function, const Configuration& configuration,
-                                          std::span<const std::uint32_t> inputs, const Searched& right,
+                                          std::span<const std::uint32_t> inputs, const CellularValue& right,
                                           std::size_t word) {
   if (configuration.arithmetic == Arithmetic::fixed) return std::nullopt;
   if (function.jumps(word) && right.second - right.first < kClearMargin) return kUndecided;
@@ -142,7 +142,7 @@ Outcome check_search(Session& session, const Evaluation& evaluation) {
   Comparison comparison(function, inputs);
   for (std::size_t i = 0; i < inputs.size() / kInputWords; ++i) {
     const auto in = point(inputs, i);
-    const Searched right = searched(function, configuration, in);
+    const CellularValue right = searched(function, configuration, in);
     for (std::size_t word = 0; word < function.outputs.size(); ++word) {
       comparison.word(in, result(*outputs, i)[word], right.values[word], bits_of(function, word, right.values[word]),
                       allowed_to_searched(function, configuration, in, right, word), word);
@@ -172,18 +172,15 @@ const Function& row_of(int axes, std::string_view name) {
 const Function& returned_beside(const Function& naming) {
   static std::list<Function> made;
   static std::list<std::string> texts;
-  const auto found = std::find_if(made.begin(), made.end(), [&](const Function& f) {
-    return f.file == naming.file &&
-           f.columns.substr(0, f.columns.find(" = ")) == naming.columns.substr(0, naming.columns.find(" = "));
-  });
+  const auto found = std::find_if(made.begin(), made.end(), [&](const Function& f) { return f.id == naming.id; });
   if (found != made.end()) return *found;
   std::string body(naming.body.substr(0, naming.body.find("return ")));
   body.insert(body.find("hn_cellular("), "hn_vec2 n = ");
   const std::string& text = texts.emplace_back(body + "return uvec4(bits_of(n.x), bits_of(n.y), 0u, 0u);");
-  const std::string& columns = texts.emplace_back(
-      fmt::format("{} = first:f64 second:f64", naming.columns.substr(0, naming.columns.find(" = "))));
-  made.push_back(make_function(naming.id, naming.file, naming.family, naming.bound, columns, naming.call, text));
-  return made.back();
+  Function& beside = made.emplace_back(naming);
+  beside.body = text;
+  beside.outputs = {{"first", WordType::f64}, {"second", WordType::f64}};
+  return beside;
 }
 
 // One way to the nearest point and to what is known of it.
@@ -194,7 +191,7 @@ struct Way {
   bool from_next_cell;        // with a fraction of 1 in place of 0
 };
 
-struct Known {
+struct PointNames {
   Words inputs;  // of the names
   Words names;
   Words offsets;
@@ -234,7 +231,7 @@ Outcome check_cell_names(Session& session, const Evaluation& evaluation) {
     }
     all_places.push_back(places);
   }
-  std::vector<Known> known;
+  std::vector<PointNames> known;
   for (const Way& way : ways) {
     const auto run = [&](const Function* form, Words& inputs) -> tl::expected<Words, Outcome> {
       inputs.assign(points * kInputWords, 0u);
@@ -248,7 +245,7 @@ Outcome check_cell_names(Session& session, const Evaluation& evaluation) {
       }
       return evaluate(session, {*form, configuration, profile, {}, stage}, inputs);
     };
-    Known one;
+    PointNames one;
     Words inputs;
     const auto distances = run(way.distances, inputs);
     if (!distances) return distances.error();
@@ -261,7 +258,7 @@ Outcome check_cell_names(Session& session, const Evaluation& evaluation) {
     one.distances = *distances;
     known.push_back(std::move(one));
   }
-  const Known& first = known.back();
+  const PointNames& first = known.back();
   const double error = error_of(offsets, configuration, 0);
   const bool exact = has_same_bits(function, configuration);
   Comparison comparison(function, settings);
@@ -271,7 +268,7 @@ Outcome check_cell_names(Session& session, const Evaluation& evaluation) {
       return static_cast<double>(std::bit_cast<float>(result(words, i)[word]));
     };
     const bool undecided = is_undecided(cell_names, configuration, point(first.inputs, i));
-    for (const Known& other : known) {
+    for (const PointNames& other : known) {
       for (std::size_t axis = 0; axis < axes; ++axis) {
         const auto column = std::optional<double>(exact ? std::nullopt : std::optional(undecided ? kUndecided : 0.0));
         comparison.word(in, result(other.names, i)[axis], 0.0, result(first.names, i)[axis], column, axis);
@@ -337,10 +334,10 @@ Outcome check_border(Session& session, const Evaluation& evaluation) {
     put(function, words, places);
     on_border.push_back(random.below(2) == 0);
     if (!on_border.back()) continue;
-    const Searched here = searched(function, configuration, words);
+    const CellularValue here = searched(function, configuration, words);
     put(function, words, at(places, between(here.nearest.at, here.next.at)));
     // Rounded to units it is nearly there.
-    const Searched there = searched(function, configuration, words);
+    const CellularValue there = searched(function, configuration, words);
     on_border.back() = there.second - there.first < 8.0 * kUnit;
   }
   const auto borders = evaluate(session, evaluation, inputs);

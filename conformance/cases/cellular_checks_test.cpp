@@ -7,14 +7,14 @@ namespace {
 class CellularChecks : public FaultyLibrary {
  protected:
   template <std::size_t count>
-  void expect_all_caught(const Replaced (&faults)[count]) {
-    for (const Replaced& fault : faults) expect_replaced_caught(fault);
+  void expect_all_caught(const Replacement (&faults)[count]) {
+    for (const Replacement& fault : faults) expect_replaced_caught(fault);
   }
 };
 
 // The block of cells is too small by a row, or has the wrong ones.
 TEST_F(CellularChecks, ABlockThatIsTooSmallIsCaughtByTheSearch) {
-  constexpr Replaced kFaults[] = {
+  constexpr Replacement kFaults[] = {
       {"noise2d.cellular.lattice.fast.fragment.gl330.search", "detail/feature_points2d.glsl",
        "block, block.following.y, s)", "block, block.cell.y, s)"},
       {"noise2d.cellular_cell_nearest.lattice.fixed.fragment.gl330.search", "detail/feature_points2d.glsl",
@@ -34,7 +34,7 @@ TEST_F(CellularChecks, ABlockThatIsTooSmallIsCaughtByTheSearch) {
 }
 
 TEST_F(CellularChecks, AnotherMetricAndAnotherJitterAreCaughtByTheSearch) {
-  constexpr Replaced kFaults[] = {
+  constexpr Replacement kFaults[] = {
       {"noise2d.cellular_full.lattice.fast.fragment.gl330.search", "detail/feature_points2d.glsl",
        "return hn_i_sum(a, b);", "return max(a, b);"},
       {"noise3d.cellular_three_cell_full.lattice.fixed.fragment.gl330.search", "detail/feature_points3d.glsl",
@@ -48,7 +48,7 @@ TEST_F(CellularChecks, AnotherMetricAndAnotherJitterAreCaughtByTheSearch) {
 
 // The name, the way and the distance of different points, a name beyond the period, and a value of its own.
 TEST_F(CellularChecks, PartsThatDoNotBelongTogetherAreCaught) {
-  constexpr Replaced kFaults[] = {
+  constexpr Replacement kFaults[] = {
       {"noise2d.cellular_cell_nearest.lattice.fast.fragment.gl330.cell_names", "detail/feature_points2d.glsl",
        "hn_uvec2 after = hn_i_following(c, place.period);\n  return ivec2",
        "hn_uvec2 after = c + uvec2(1u, 1u);\n  return ivec2"},
@@ -96,10 +96,10 @@ TEST_F(CellularChecks, JumpsAreCaught) {
 }
 
 TEST_F(CellularChecks, FieldsThatAreAlikeAreCaught) {
-  constexpr Replaced kFaults[] = {{"noise2d.cellular.lattice.fast.fragment.gl330.seeds", "cellular2d.glsl",
-                                   "HN_METRIC_EUCLIDEAN, seed);", "HN_METRIC_EUCLIDEAN, seed & 0x7FFFFFFFu);"},
-                                  {"noise3d.cellular.lattice.fast.fragment.gl330.mirror", "cellular3d.glsl",
-                                   "hn_cellular(hn_place(p), seed)", "hn_cellular(hn_place(abs(p)), seed)"}};
+  constexpr Replacement kFaults[] = {{"noise2d.cellular.lattice.fast.fragment.gl330.seeds", "cellular2d.glsl",
+                                      "HN_METRIC_EUCLIDEAN, seed);", "HN_METRIC_EUCLIDEAN, seed & 0x7FFFFFFFu);"},
+                                     {"noise3d.cellular.lattice.fast.fragment.gl330.mirror", "cellular3d.glsl",
+                                      "hn_cellular(hn_place(p), seed)", "hn_cellular(hn_place(abs(p)), seed)"}};
   expect_all_caught(kFaults);
 }
 

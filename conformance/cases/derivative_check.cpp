@@ -84,7 +84,7 @@ Stencil difference_of_distances(const Place& place, double distance) {
 
 // Where the nearest point is the same all around and is no nearer than 1/8, in which the difference says little.
 bool is_clear(const Function& function, const Configuration& configuration, std::span<const std::uint32_t> inputs) {
-  const Searched all = searched(function, configuration, inputs);
+  const CellularValue all = searched(function, configuration, inputs);
   return all.first >= 0.125 && all.second - all.first > 4.0 * kCellularStep;
 }
 
@@ -122,7 +122,7 @@ Words nodes_of(const Function& function, const Function& plain, const Words& inp
 // Both the derivative and the values may be off by what the arithmetic allows.
 Outcome check_derivative(Session& session, const Evaluation& evaluation) {
   const auto& [function, configuration, profile, variant, stage] = evaluation;
-  const Function& plain = plain_noise_of(function);
+  const Function& plain = find_function(function.plain);
   const auto axes = static_cast<std::size_t>(function.axes);
   const double error = error_of(plain, configuration, 0);
   const std::size_t points = std::max<std::size_t>(1, std::min(kPoints, session.most_points / (kNodes.size() * axes)));

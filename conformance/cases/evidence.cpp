@@ -24,7 +24,7 @@ constexpr int kMostPerDriver = 40;
 constexpr std::string_view kNoShader = "There is no shader that stands alone: such a shader is made for OpenGL.";
 
 // What is right at a point, and how far from it a float may be unless every bit counts.
-struct Right {
+struct Reference {
   std::array<std::uint32_t, kOutputWords> words;
   std::array<double, kOutputWords> allowed;
   bool every_bit;
@@ -90,22 +90,22 @@ class Examiner {
   }
 
   // As the twin has it; both may be off the exact value.
-  Right right_by_twin(std::size_t i) const {
-    Right right{{}, allowed_at(i, allowed_to_twin), has_same_bits(function(), evaluation_.configuration)};
+  Reference right_by_twin(std::size_t i) const {
+    Reference right{{}, allowed_at(i, allowed_to_twin), has_same_bits(function(), evaluation_.configuration)};
     const auto words = result(reference_, i);
     std::copy(words.begin(), words.end(), right.words.begin());
     return right;
   }
 
   // As its golden file has it, if the point is in it.
-  std::optional<Right> right_by_golden(std::size_t i) const {
+  std::optional<Reference> right_by_golden(std::size_t i) const {
     const auto path = golden_path(session_.golden_directory, function());
     const auto golden = read_golden(path, function(), evaluation_.configuration);
     if (!golden) return std::nullopt;
     const auto words = point(window_, i);
     for (const GoldenRow& row : golden->rows) {
       if (!std::equal(row.inputs.begin(), row.inputs.end(), words.begin())) continue;
-      Right right{{}, allowed_at(i, tolerance), has_exact_values(function(), evaluation_.configuration)};
+      Reference right{{}, allowed_at(i, tolerance), has_exact_values(function(), evaluation_.configuration)};
       for (std::size_t word = 0; word < row.values.size(); ++word) {
         right.words[word] = result_bits(function().outputs[word], row.values[word]);
       }
@@ -114,7 +114,7 @@ class Examiner {
     return std::nullopt;
   }
 
-  bool differs(std::size_t i, const Right& right) const {
+  bool differs(std::size_t i, const Reference& right) const {
     for (std::size_t word = 0; word < function().outputs.size(); ++word) {
       const std::uint32_t got = result(got_, i)[word];
       if (right.allowed[word] == kUndecided) continue;
@@ -143,12 +143,12 @@ class Examiner {
                                 kPictureSide * kPictureSide, describe_window(function(), window_));
   }
 
-  Right right_at(std::size_t i) const {
+  Reference right_at(std::size_t i) const {
     const auto golden = right_by_golden(i);
     return golden ? *golden : right_by_twin(i);
   }
 
-  ShaderFacts facts_of(std::size_t i, const Right& right) const {
+  ShaderFacts facts_of(std::size_t i, const Reference& right) const {
     return {.id = id_,
             .renderer = fmt::format("{}, {}", session_.info().renderer, session_.info().gl_version),
             .inputs = point(window_, i),
@@ -160,7 +160,7 @@ class Examiner {
 
   // The shader, if it shows the fault.
   void add_shader(Evidence& evidence, std::size_t i) {
-    const Right right = right_at(i);
+    const Reference right = right_at(i);
     if (!differs(i, right)) {
       evidence.note +=
           "At this point and around it the driver agrees with the C++ twin: the fault is between values, or in another "

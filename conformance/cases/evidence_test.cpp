@@ -53,7 +53,7 @@ class EvidenceOf : public OnOsmesa<> {
 };
 
 TEST_F(EvidenceOf, AWrongConstantIsRedAndTheRightOneGreen) {
-  const SourceSet wrong = changed("hash.glsl", kRight, kWrong);
+  const SourceSet wrong = changed("detail/word.glsl", kRight, kWrong);
   for (const std::string profile : {"gl140", "gl330", "es300"}) {
     for (const std::string function : {"noise2d.perlin.lattice.fast", "hash.lattice3.lattice.exact",
                                        "gradient.lattice2.lattice.exact", "fbm.clouds3.lattice.fast"}) {
@@ -71,7 +71,7 @@ TEST_F(EvidenceOf, AWrongConstantIsRedAndTheRightOneGreen) {
 
 TEST_F(EvidenceOf, TheShaderSaysWhatItIs) {
   const auto found =
-      evidence(changed("hash.glsl", kRight, kWrong), "hash.lattice2.lattice.exact.fragment.gl330.golden");
+      evidence(changed("detail/word.glsl", kRight, kWrong), "hash.lattice2.lattice.exact.fragment.gl330.golden");
   ASSERT_TRUE(found);
   const Mismatch& first = outcome_.examples.front();
   EXPECT_EQ(found->shader.substr(0, 13), "#version 330\n");
@@ -84,7 +84,8 @@ TEST_F(EvidenceOf, TheShaderSaysWhatItIs) {
 }
 
 TEST_F(EvidenceOf, ThePicturesShowTheDifference) {
-  const auto found = evidence(changed("hash.glsl", kRight, kWrong), "noise3d.perlin.lattice.fast.fragment.gl330.twin");
+  const auto found =
+      evidence(changed("detail/word.glsl", kRight, kWrong), "noise3d.perlin.lattice.fast.fragment.gl330.twin");
   ASSERT_TRUE(found);
   for (const std::string& picture : {found->got, found->reference, found->difference}) {
     EXPECT_EQ(picture.substr(0, 11), "iVBORw0KGgo") << "a PNG's first bytes";
@@ -96,7 +97,7 @@ TEST_F(EvidenceOf, ThePicturesShowTheDifference) {
 
 // The range of a noise that is too large: no single value tells, but the twin does.
 TEST_F(EvidenceOf, APropertyIsShownByTheTwin) {
-  const auto found = evidence(changed("detail/ramps.glsl", "n, 1831)", "n, 3907)"),
+  const auto found = evidence(changed("detail/ramps2d.glsl", "n, 1831)", "n, 3907)"),
                               "noise2d.perlin.lattice.fast.fragment.gl330.range");
   ASSERT_TRUE(found);
   EXPECT_EQ(colour(found->shader, "gl330"), "red") << found->note;
@@ -104,7 +105,7 @@ TEST_F(EvidenceOf, APropertyIsShownByTheTwin) {
 
 TEST_F(EvidenceOf, AShaderThatIsRefusedHasNoPictures) {
   const auto found =
-      evidence(changed("hash.glsl", kRight, "0x2C1B3C6Dx"), "hash.word.lattice.exact.fragment.gl330.golden");
+      evidence(changed("detail/word.glsl", kRight, "0x2C1B3C6Dx"), "hash.word.lattice.exact.fragment.gl330.golden");
   ASSERT_TRUE(found);
   EXPECT_EQ(found->got, "");
   EXPECT_NE(found->note.find("does not compile"), std::string::npos) << found->note;

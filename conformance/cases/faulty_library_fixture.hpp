@@ -12,7 +12,7 @@
 namespace hn {
 
 // A text of the library, in all places of a file, and what it becomes.
-struct Replaced {
+struct Replacement {
   std::string_view id;
   std::string_view file;
   std::string_view text;
@@ -41,7 +41,7 @@ class FaultyLibrary : public OnOsmesa<> {
     expect_fails(id, fault);
   }
 
-  void expect_replaced_caught(const Replaced& fault) {
+  void expect_replaced_caught(const Replacement& fault) {
     expect_faultless_passes(fault.id);
     std::string text = SourceSet::embedded().find(fault.file)->text;
     auto at = text.find(fault.text);

@@ -65,7 +65,7 @@ struct Variant {
 
 // It is held against the noise, or the sum, without a derivative.
 bool has_value_with_derivative(const Function& function) {
-  return function.is_derived() && function.outputs.front().name == "value" && has_plain_noise(function);
+  return function.is_derived() && function.outputs.front().name == "value" && !function.plain.empty();
 }
 
 constexpr std::array kVariants = {
@@ -120,9 +120,9 @@ std::vector<Relation> relations_of(const Evaluation& evaluation, const Target& t
     add("phase_zero", phase_zero_pairing, without(function, "phase"));
   }
   const bool comes_with_value = function.is_noise() || function.is_octave_sum();
-  if (function.bound == "eroded") add("zero_strength", zero_strength_pairing, plain_noise_of(function));
+  if (function.bound == "eroded") add("zero_strength", zero_strength_pairing, find_function(function.plain));
   if (comes_with_value && has_value_with_derivative(function)) {
-    add("derivative_value", derivative_value_pairing, plain_noise_of(function));
+    add("derivative_value", derivative_value_pairing, find_function(function.plain));
   }
   return relations;
 }

@@ -150,7 +150,7 @@ TEST_F(Periods, AFunctionThatDoesNotRepeatIsCaught) {
 
 // From a cell, in every arithmetic and with a period: the fraction, and a step that only one of the two goes.
 TEST_F(Periods, ASumFromACellThatIsNotThatAtThePositionIsCaught) {
-  constexpr Replaced kFaults[] = {
+  constexpr Replacement kFaults[] = {
       {"fbm.fbm2_cell.lattice.fast.fragment.gl330.from_cell", "octaves2d.glsl",
        "o.x = hn_i_whole(place.cell.x, place.fraction.x, ",
        "o.x = hn_i_whole(place.cell.x, 0.999f * place.fraction.x, "},
@@ -158,35 +158,35 @@ TEST_F(Periods, ASumFromACellThatIsNotThatAtThePositionIsCaught) {
        "hn_i_place(cell, hn_i_to_num(f) ^ 256,"},
       {"warp.warp_progressive2_cell.lattice.fast.fragment.gl330.from_cell", "detail/jacobian.glsl",
        "hn_i_minus(n, cells)", "hn_i_minus(0.5f * n, 0.5f * cells)"},
-      {"fbm.fbm2_cell_period.lattice.precise.fragment.gl400.from_cell", "place.glsl",
+      {"fbm.fbm2_cell_period.lattice.precise.fragment.gl400.from_cell", "detail/place2d.glsl",
        "hn_i_place(cell, hn_i_to_num(f),", "hn_i_place(cell, 0.999f * hn_i_to_num(f),"}};
-  for (const Replaced& fault : kFaults) expect_replaced_caught(fault);
+  for (const Replacement& fault : kFaults) expect_replaced_caught(fault);
 }
 
 TEST_F(Periods, AWholeDetailThatIsNoNumberOfOctavesIsCaught) {
-  constexpr Replaced kFaults[] = {{"fbm.fbm2_detail.lattice.fast.fragment.gl330.whole_detail", "detail/octave.glsl",
-                                   "float(octaves - 1));", "float(octaves - 1) + 0.01f);"},
-                                  {"fbm.fbm3_detail.lattice.precise.fragment.gl400.whole_detail", "detail/octave.glsl",
-                                   "float(octaves - 1));", "float(octaves - 1) + 0.00001f);"},
-                                  {"fbm.fbm3_detail.lattice.fixed.fragment.gl330.whole_detail", "detail/octave.glsl",
-                                   "HN_I_MOST_DETAIL 32.0f", "HN_I_MOST_DETAIL 31.0f"}};
-  for (const Replaced& fault : kFaults) expect_replaced_caught(fault);
+  constexpr Replacement kFaults[] = {{"fbm.fbm2_detail.lattice.fast.fragment.gl330.whole_detail", "detail/octave.glsl",
+                                      "float(octaves - 1));", "float(octaves - 1) + 0.01f);"},
+                                     {"fbm.fbm3_detail.lattice.precise.fragment.gl400.whole_detail",
+                                      "detail/octave.glsl", "float(octaves - 1));", "float(octaves - 1) + 0.00001f);"},
+                                     {"fbm.fbm3_detail.lattice.fixed.fragment.gl330.whole_detail", "detail/octave.glsl",
+                                      "HN_I_MOST_DETAIL 32.0f", "HN_I_MOST_DETAIL 31.0f"}};
+  for (const Replacement& fault : kFaults) expect_replaced_caught(fault);
 }
 
 TEST_F(Periods, ASmallFootprintThatFadesOctavesIsCaught) {
-  constexpr Replaced kFaults[] = {
+  constexpr Replacement kFaults[] = {
       {"fbm.fbm2_footprint.lattice.fast.fragment.gl330.small_footprint", "detail/octave.glsl",
        "hn_i_minus(1.5f, footprint)", "hn_i_minus(1.4f, footprint)"},
       {"fbm.fbm3_footprint.lattice.fixed.fragment.gl330.small_footprint", "detail/octave.glsl",
        "3 * HN_I_UNITS_WEIGHT / 2 - (footprint >> 6)", "3 * HN_I_UNITS_WEIGHT / 2 - 16 - (footprint >> 6)"},
       {"fbm.fbm3_footprint.lattice.precise.fragment.gl400.small_footprint", "detail/octave.glsl",
        "hn_i_times(footprint, max(lacunarity, 1.0f))", "hn_i_times(footprint, 2.0f * max(lacunarity, 1.0f))"}};
-  for (const Replaced& fault : kFaults) expect_replaced_caught(fault);
+  for (const Replacement& fault : kFaults) expect_replaced_caught(fault);
 }
 
 // The form without periods is under test as well, so that only what the other calls may be wrong.
 TEST_F(Periods, AFormThatIsNotTheOneWithoutPeriodsIsCaught) {
-  constexpr Replaced kFaults[] = {
+  constexpr Replacement kFaults[] = {
       // A period of 0 that is one of 2^20, and a large one that counts as none.
       {"noise2d.perlin_cell_period.lattice.fast.fragment.gl330.wrapped", "perlin2d.glsl", "hn_i_box(place)",
        "hn_i_box(hn_tile(place, ivec2(place.tiled && place.period.x == 0 ? 1048576 : place.period.x, "
@@ -194,11 +194,11 @@ TEST_F(Periods, AFormThatIsNotTheOneWithoutPeriodsIsCaught) {
       {"noise3d.value_cell_period.lattice.fixed.fragment.gl330.wrapped", "value3d.glsl", "hn_i_box(place)",
        "hn_i_box(hn_tile(place, ivec3(place.period.xy, place.period.z > 1073741824 ? 0 : place.period.z)))"},
       // Cells below 0 count towards it.
-      {"noise2d.value_cubic_cell_period.lattice.precise.fragment.gl400.wrapped", "detail/cell.glsl",
+      {"noise2d.value_cubic_cell_period.lattice.precise.fragment.gl400.wrapped", "detail/cell2d.glsl",
        "hn_i_select(c < 0, mask - rest, rest)", "rest"},
       {"noise1d.perlin_d_cell_period.lattice.fast.fragment.gl330.wrapped", "perlin_d1d.glsl", "place.fraction",
        "place.fraction + (place.tiled ? 0.001 : 0.0)"}};
-  for (const Replaced& fault : kFaults) expect_replaced_caught(fault);
+  for (const Replacement& fault : kFaults) expect_replaced_caught(fault);
 }
 
 TEST_F(Periods, AConstantPeriodThatCountsOtherwiseIsCaught) {
@@ -242,7 +242,7 @@ TEST_F(Derivatives, FaultsAreCaught) {
 
 // A sign, components in another order, an octave that does not grow, and a turn in the other direction.
 TEST_F(Derivatives, FaultsOfSumsAreCaught) {
-  constexpr Replaced kFaults[] = {
+  constexpr Replacement kFaults[] = {
       {"fbm_d.fbm_d2.lattice.fast.fragment.gl330.derivative", "detail/jacobian.glsl",
        "hn_i_wide_minus(hn_i_wide_times(k.x, g.y), hn_i_wide_times(k.y, g.x))",
        "hn_i_wide_plus(hn_i_wide_times(k.x, g.y), hn_i_wide_times(k.y, g.x))"},
@@ -255,18 +255,18 @@ TEST_F(Derivatives, FaultsOfSumsAreCaught) {
        "hn_i_num2 next = hn_i_wide_times(k, growth);", "hn_i_num2 next = k;"},
       {"fbm_d.fbm_d3_cell_period.lattice.fast.fragment.gl330.derivative", "detail/jacobian.glsl",
        "next.y = hn_i_wide_times(k.y, growth);", "next.y = hn_i_wide_times(k.y, 1.2f * growth);"}};
-  for (const Replaced& fault : kFaults) expect_replaced_caught(fault);
+  for (const Replacement& fault : kFaults) expect_replaced_caught(fault);
 }
 
 TEST_F(Derivatives, ASumWithoutStrengthThatIsNoFbmIsCaught) {
-  constexpr Replaced kFaults[] = {
+  constexpr Replacement kFaults[] = {
       {"fbm_d.eroded2.lattice.fast.fragment.gl330.zero_strength", "detail/jacobian.glsl",
        "hn_i_times_plus(square, strength, 1.0f)", "hn_i_times_plus(square, strength + 0.001f, 1.0f)"},
       {"fbm_d.eroded3_cell.lattice.precise.fragment.gl400.zero_strength", "fbm_d3d.glsl", "hn_i_octave(n.x)",
        "hn_i_octave(n.y)"},
       {"fbm_d.eroded2_cell_period.lattice.fixed.fragment.gl330.zero_strength", "detail/jacobian.glsl",
        "divisor = 65536u", "divisor = 65537u"}};
-  for (const Replaced& fault : kFaults) expect_replaced_caught(fault);
+  for (const Replacement& fault : kFaults) expect_replaced_caught(fault);
 }
 
 TEST_F(Derivatives, AnotherValueIsCaught) {

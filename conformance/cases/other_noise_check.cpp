@@ -86,7 +86,7 @@ double sum_of_constant_noise(const ConstantSum& sum) {
 #define OCTAVE_STEP(name, step, end) \
   case OctaveSum::name:              \
     return of_steps([&] { return step; }, [](float mean) { return end; });
-#include "library/facts.inc"
+#include "library/sums.inc"
     case OctaveSum::fbm_d:
       return sum.octaves > 0 ? kConstantNoise : 0.0;
     case OctaveSum::eroded:

@@ -26,11 +26,6 @@ constexpr std::size_t kPositions = 8;
 constexpr std::size_t kAxes = 12;
 constexpr std::size_t kWay = 13;
 
-// As if it were one more row of the table.
-constexpr std::string_view kColumns =
-    "c0:i32 c1:i32 c2:i32 c3:i32 f0:f32 f1:f32 f2:f32 f3:f32 p0:f32 p1:f32 p2:f32 p3:f32 axes:u32 way:u32 = "
-    "x0:f32 x1:f32 x2:f32 x3:f32";
-
 constexpr std::string_view kFiles =
     "#include \"octaves1d.glsl\"\n#include \"octaves2d.glsl\"\n#include \"octaves3d.glsl\"\n"
     "#include \"octaves4d.glsl\"\n";
@@ -66,8 +61,14 @@ const Function& positions() {
     for (std::uint32_t axes = 1; axes <= kMostAxes; ++axes) body += body_of(axes);
     return body + "return uvec4(0u, 0u, 0u, 0u);";
   }();
-  static const Function kFunction =
-      make_function("place.all", "place.glsl", Family::independent, "exact", kColumns, "", kBody);
+  // As if it were one more row of the table.
+  static const Function kFunction = {.id = "place.all",
+                                     .file = "place.glsl",
+                                     .call = {},
+                                     .body = kBody,
+                                     .inputs = std::vector<Column>(kWay + 1, {"word", WordType::u32}),
+                                     .outputs = std::vector<Column>(kMostAxes, {"position", WordType::f32}),
+                                     .plain = {}};
   return kFunction;
 }
 

@@ -80,39 +80,39 @@ std::string word_of(Facet facet, const PlannedProgram& program) {
 
 // Where a thing has to be shown: in OpenGL, or in every other language, whose programs are the same text under other
 // macros and other compilers.
-enum class Where { opengl, elsewhere, everywhere };
+enum class Reach { opengl, elsewhere, everywhere };
 
-struct Shown {
+struct FacetRule {
   Facet first;
   std::optional<Facet> with;  // the things are pairs, if there is one
-  Where where;
+  Reach where;
 };
 
 constexpr std::array kShown = {
-    Shown{Facet::row, {}, Where::opengl},
+    FacetRule{Facet::row, {}, Reach::opengl},
     // Above the steps of the arithmetic a noise is one text, and so is its form above the noise.
-    Shown{Facet::noise, Facet::arithmetic, Where::opengl},
-    Shown{Facet::noise, Facet::gradient, Where::opengl},
-    Shown{Facet::form, Facet::arithmetic, Where::everywhere},
-    Shown{Facet::form, Facet::axes, Where::opengl},
-    Shown{Facet::form, Facet::bound, Where::opengl},
-    Shown{Facet::setting, Facet::family, Where::opengl},
+    FacetRule{Facet::noise, Facet::arithmetic, Reach::opengl},
+    FacetRule{Facet::noise, Facet::gradient, Reach::opengl},
+    FacetRule{Facet::form, Facet::arithmetic, Reach::everywhere},
+    FacetRule{Facet::form, Facet::axes, Reach::opengl},
+    FacetRule{Facet::form, Facet::bound, Reach::opengl},
+    FacetRule{Facet::setting, Facet::family, Reach::opengl},
     // A hash joins the words of so many coordinates in its own way.
-    Shown{Facet::setting, Facet::axes, Where::opengl},
+    FacetRule{Facet::setting, Facet::axes, Reach::opengl},
     // What a version or a stage can get wrong.
-    Shown{Facet::version, Facet::stage, Where::everywhere},
-    Shown{Facet::version, Facet::arithmetic, Where::everywhere},
-    Shown{Facet::version, Facet::family, Where::everywhere},
-    Shown{Facet::version, Facet::bound, Where::elsewhere},
-    Shown{Facet::version, Facet::axes, Where::everywhere},
-    Shown{Facet::version, Facet::form, Where::everywhere},
-    Shown{Facet::version, Facet::hash, Where::opengl},
-    Shown{Facet::version, Facet::gradient, Where::opengl},
-    Shown{Facet::stage, Facet::arithmetic, Where::opengl},
-    Shown{Facet::stage, Facet::bound, Where::opengl},
-    Shown{Facet::stage, Facet::axes, Where::opengl},
-    Shown{Facet::stage, Facet::form, Where::opengl},
-    Shown{Facet::stage, Facet::hash, Where::opengl},
+    FacetRule{Facet::version, Facet::stage, Reach::everywhere},
+    FacetRule{Facet::version, Facet::arithmetic, Reach::everywhere},
+    FacetRule{Facet::version, Facet::family, Reach::everywhere},
+    FacetRule{Facet::version, Facet::bound, Reach::elsewhere},
+    FacetRule{Facet::version, Facet::axes, Reach::everywhere},
+    FacetRule{Facet::version, Facet::form, Reach::everywhere},
+    FacetRule{Facet::version, Facet::hash, Reach::opengl},
+    FacetRule{Facet::version, Facet::gradient, Reach::opengl},
+    FacetRule{Facet::stage, Facet::arithmetic, Reach::opengl},
+    FacetRule{Facet::stage, Facet::bound, Reach::opengl},
+    FacetRule{Facet::stage, Facet::axes, Reach::opengl},
+    FacetRule{Facet::stage, Facet::form, Reach::opengl},
+    FacetRule{Facet::stage, Facet::hash, Reach::opengl},
 };
 
 bool is_opengl(const PlannedProgram& program) { return program.target.profile->platform() == Platform::opengl; }
@@ -125,7 +125,7 @@ template <typename Take>
 void for_each_thing(const PlannedProgram& program, Take take) {
   for (std::size_t kind = 0; kind < kShown.size(); ++kind) {
     const auto& [first, with, where] = kShown[kind];
-    const bool here = where == Where::everywhere || (where == Where::opengl) == is_opengl(program);
+    const bool here = where == Reach::everywhere || (where == Reach::opengl) == is_opengl(program);
     if (here) take(kind, first, with);
   }
 }

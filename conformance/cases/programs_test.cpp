@@ -171,7 +171,7 @@ TEST(Extent, EveryOverloadWithoutASeedIsCompared) {
     if (test.name.check == "unseeded") files.insert(test.evaluation()->function.file);
   }
   for (const Function& function : all_functions()) {
-    const bool own = function.has_unseeded() && function.file != "hashnoise.glsl";
+    const bool own = function.has_unseeded && function.file != "hashnoise.glsl";
     EXPECT_TRUE(!own || files.contains(function.file)) << function.id;
   }
 }

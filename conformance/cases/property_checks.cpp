@@ -101,7 +101,7 @@ Range range_of(const Function& function, const Configuration& configuration, std
   const auto largest = static_cast<float>(largest_of(function, configuration, output));
   const bool distance = function.is_cellular() && !function.is_slope(output) && function.bound != "cellular_smooth";
   if (distance) return {0.0f, largest};
-  if (!function.is_octave_sum()) return {function.is_never_negative() ? 0.0f : -largest, largest};
+  if (!function.is_octave_sum()) return {function.is_never_negative ? 0.0f : -largest, largest};
   const OctaveSumFacts& sum = facts_of(octave_sum_of(function));
   if (sum.bounded) return {static_cast<float>(sum.least), static_cast<float>(sum.greatest)};
   return {sum.least < 0.0 ? -largest : 0.0f, largest};

@@ -83,7 +83,7 @@ TEST_F(Extreme, RangesThatDependOnSettingsAreHeld) {
 
 // Not the noise, the octaves' weights, or what a sum makes of each octave.
 TEST_F(Extreme, ASumOverAnotherNoiseThatIsNotThatSumIsCaught) {
-  constexpr Replaced kFaults[] = {
+  constexpr Replacement kFaults[] = {
       {"fbm.fbm2.lattice.fast.fragment.gl330.other_noise", "detail/octave.glsl", "hn_i_summed(s.value, n, weight)",
        "hn_i_summed(s.value, n, HN_I_WEIGHT_ONE)"},
       {"fbm.ridged3_cell.lattice.fixed.fragment.gl330.other_noise", "detail/octave.glsl",
@@ -112,11 +112,11 @@ TEST_F(Extreme, ASumOverAnotherNoiseThatIsNotThatSumIsCaught) {
       {"fbm.fbm3_detail.lattice.fast.fragment.gl330.other_noise", "detail/octave.glsl", "hn_float total = part",
        "hn_float total = 1.0f"},
       // The position of a place that is outside of its cell.
-      {"fbm.fbm2.lattice.fast.fragment.gl330.other_noise", "place.glsl",
+      {"fbm.fbm2.lattice.fast.fragment.gl330.other_noise", "detail/place2d.glsl",
        "hn_i_float(cell) + (fraction + hn_i_float(rest))", "hn_i_float(cell) - (fraction + hn_i_float(rest))"},
-      {"fbm.fbm3_cell.lattice.fixed.fragment.gl330.other_noise", "place.glsl", "fraction * 16 + rest",
+      {"fbm.fbm3_cell.lattice.fixed.fragment.gl330.other_noise", "detail/place2d.glsl", "fraction * 16 + rest",
        "fraction * 32 + rest"}};
-  for (const Replaced& fault : kFaults) expect_replaced_caught(fault);
+  for (const Replacement& fault : kFaults) expect_replaced_caught(fault);
 }
 
 TEST_F(Extreme, FixedArithmeticHasANumberForWhatIsNone) {
@@ -201,14 +201,14 @@ TEST_F(Batches, AddUpWhatIsWrongAndKeepTheLargestDifference) {
 TEST_F(FaultyLibrary, APositionThatIsNotThatOfThePlaceIsCaught) {
   constexpr std::string_view kFast = "place.all.lattice.fast.vertex.gl330.positions";
   constexpr std::string_view kFixed = "place.all.lattice.fixed.vertex.gl330.positions";
-  for (const Replaced& fault : {
-           Replaced{kFixed, "octaves1d.glsl", "HN_I_REST(o.x.y & 15)", "HN_I_REST(o.x.y & 14)"},
-           Replaced{kFixed, "octaves4d.glsl", "HN_I_REST(o.w.y & 15)", "HN_I_REST(o.w.y & 14)"},
-           Replaced{kFast, "place.glsl", "vec3(0.0f, 0.0f, 0.0f)", "vec3(0.0f, 0.0f, 0.015625f)"},
-           Replaced{kFixed, "place.glsl", "vec3(0.0f, 0.0f, 0.0f)", "vec3(0.0f, 0.0f, 0.015625f)"},
-           Replaced{kFixed, "place.glsl", "HN_I_REST(hn_i_rest_of_position(p.y))", "HN_I_REST(0)"},
-           Replaced{kFast, "octaves2d.glsl", "ivec2(o.x.x, o.y.x)", "ivec2(o.x.x, o.y.x + (o.y.y >> 24))"},
-           Replaced{kFixed, "octaves2d.glsl", "ivec2(o.x.x, o.y.x)", "ivec2(o.x.x, o.y.x + (o.y.y >> 24))"},
+  for (const Replacement& fault : {
+           Replacement{kFixed, "octaves1d.glsl", "HN_I_REST(o.x.y & 15)", "HN_I_REST(o.x.y & 14)"},
+           Replacement{kFixed, "octaves4d.glsl", "HN_I_REST(o.w.y & 15)", "HN_I_REST(o.w.y & 14)"},
+           Replacement{kFast, "place.glsl", "vec3(0.0f, 0.0f, 0.0f)", "vec3(0.0f, 0.0f, 0.015625f)"},
+           Replacement{kFixed, "place.glsl", "vec3(0.0f, 0.0f, 0.0f)", "vec3(0.0f, 0.0f, 0.015625f)"},
+           Replacement{kFixed, "place.glsl", "HN_I_REST(hn_i_rest_of_position(p.y))", "HN_I_REST(0)"},
+           Replacement{kFast, "octaves2d.glsl", "ivec2(o.x.x, o.y.x)", "ivec2(o.x.x, o.y.x + (o.y.y >> 24))"},
+           Replacement{kFixed, "octaves2d.glsl", "ivec2(o.x.x, o.y.x)", "ivec2(o.x.x, o.y.x + (o.y.y >> 24))"},
        }) {
     expect_replaced_caught(fault);
   }

@@ -106,7 +106,7 @@ std::optional<double> largest_change(const Function& function, const Configurati
     return bounds_of(function, configuration, word).lipschitz * distance +
            2.0 * error_of(function, configuration, word);
   }
-  const Searched all = searched(function, configuration, inputs);
+  const CellularValue all = searched(function, configuration, inputs);
   if (all.second - all.first < 4.0 * distance || all.first < 0x1p-6) return std::nullopt;
   return (distance + 2.0 * error_of(function, configuration, word)) / (all.first - distance);
 }

@@ -22,7 +22,7 @@ Result<Evaluable*> Session::evaluable(const Evaluation& evaluation) {
   constexpr std::size_t kKept = 8;
   const std::string shader = evaluation_shader(evaluation);
   const std::string key = fmt::format("{} {}", evaluation.profile.name, shader);
-  const auto found = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& kept) { return kept.key == key; });
+  const auto found = std::find_if(kept_.begin(), kept_.end(), [&](const CacheEntry& kept) { return kept.key == key; });
   if (found != kept_.end()) {
     kept_.splice(kept_.begin(), kept_, found);
     return kept_.front().evaluable.get();

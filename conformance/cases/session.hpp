@@ -55,11 +55,11 @@ struct Session : Suite {
   Session(const Suite& suite, const Context& context, std::size_t most_points = std::size_t{1} << 20);
 
  private:
-  struct Kept {
+  struct CacheEntry {
     std::string key;
     std::unique_ptr<Evaluable> evaluable;
   };
-  std::list<Kept> kept_;  // the last one that was asked for first
+  std::list<CacheEntry> kept_;  // the last one that was asked for first
   std::string kept_points_of_;
   PointSet kept_points_;
 };

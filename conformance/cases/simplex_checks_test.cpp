@@ -17,8 +17,8 @@ class SimplexChecks : public FaultyLibrary {
     for (const Fault& fault : faults) expect_caught(fault.id, fault.file, fault.fault);
   }
   template <std::size_t count>
-  void expect_all_caught(const Replaced (&faults)[count]) {
-    for (const Replaced& fault : faults) expect_replaced_caught(fault);
+  void expect_all_caught(const Replacement (&faults)[count]) {
+    for (const Replacement& fault : faults) expect_replaced_caught(fault);
   }
 };
 
@@ -38,15 +38,15 @@ TEST_F(SimplexChecks, WrongDerivativesAreCaught) {
       {"noise3d.perlin_d_phase.lattice.fast.fragment.gl330.derivative", "perlin_phase3d.glsl",
        "hn_perlin_d(p, t, args) (vec4(1.0, 1.0, 1.0, 1.01) * hn_perlin_d(p, t, args))"}};
   expect_all_caught(kFaults);
-  constexpr Replaced kTerms[] = {{"noise4d.simplex_d.lattice.fast.fragment.gl330.derivative", "detail/falloff.glsl",
-                                  "hn_float d = g * w - k * x;", "hn_float d = g * w;"},
-                                 {"noise2d.simplex_d.lattice.fast.fragment.gl330.derivative", "detail/falloff.glsl",
-                                  "hn_float d = g * w - k * x;", "hn_float d = g * w - 0.99 * k * x;"},
-                                 {"noise2d.phasor_d.lattice.fast.fragment.gl330.derivative", "detail/phasor.glsl",
-                                  "hn_i_minus(fall.x, hn_i_turning(n.y, k))",
-                                  "hn_i_plus(fall.x, hn_i_turning(n.y, k))"},
-                                 {"noise3d.phasor_d.lattice.fast.fragment.gl330.derivative", "detail/phasor.glsl",
-                                  "return hn_i_times(n, -x);", "return hn_i_times(n, x);"}};
+  constexpr Replacement kTerms[] = {
+      {"noise4d.simplex_d.lattice.fast.fragment.gl330.derivative", "detail/falloff.glsl", "hn_float d = g * w - k * x;",
+       "hn_float d = g * w;"},
+      {"noise2d.simplex_d.lattice.fast.fragment.gl330.derivative", "detail/falloff.glsl", "hn_float d = g * w - k * x;",
+       "hn_float d = g * w - 0.99 * k * x;"},
+      {"noise2d.phasor_d.lattice.fast.fragment.gl330.derivative", "detail/phasor.glsl",
+       "hn_i_minus(fall.x, hn_i_turning(n.y, k))", "hn_i_plus(fall.x, hn_i_turning(n.y, k))"},
+      {"noise3d.phasor_d.lattice.fast.fragment.gl330.derivative", "detail/phasor.glsl", "return hn_i_times(n, -x);",
+       "return hn_i_times(n, x);"}};
   expect_all_caught(kTerms);
 }
 
@@ -70,16 +70,15 @@ TEST_F(SimplexChecks, AFieldOfTheWrongSizeIsCaught) {
 
 TEST_F(SimplexChecks, APhaseThatDoesNotLoopIsCaught) {
   constexpr std::string_view kPart = "(turns - trunc(turns))";
-  constexpr Replaced kFaults[] = {
-      {"noise2d.simplex_phase.lattice.fast.fragment.gl330.loop", "detail/sine.glsl", kPart,
-       "(turns - 0.99999f * trunc(turns))"},
-      {"noise3d.simplex_d_phase_cell_period.lattice.fixed.fragment.gl330.loop", "detail/sine.glsl", kPart,
-       "(turns - trunc(turns) + 0.0000001f * trunc(turns))"},
-      // A negative phase that turns the other way.
-      {"noise3d.perlin_phase_cell.lattice.precise.fragment.gl400.loop", "detail/sine.glsl", kPart,
-       "abs(turns - trunc(turns))"},
-      {"noise2d.phasor.lattice.fixed.fragment.gl330.loop", "detail/sine.glsl", kPart,
-       "(turns - trunc(turns) + 0.0000001f * trunc(turns))"}};
+  constexpr Replacement kFaults[] = {{"noise2d.simplex_phase.lattice.fast.fragment.gl330.loop", "detail/sine.glsl",
+                                      kPart, "(turns - 0.99999f * trunc(turns))"},
+                                     {"noise3d.simplex_d_phase_cell_period.lattice.fixed.fragment.gl330.loop",
+                                      "detail/sine.glsl", kPart, "(turns - trunc(turns) + 0.0000001f * trunc(turns))"},
+                                     // A negative phase that turns the other way.
+                                     {"noise3d.perlin_phase_cell.lattice.precise.fragment.gl400.loop",
+                                      "detail/sine.glsl", kPart, "abs(turns - trunc(turns))"},
+                                     {"noise2d.phasor.lattice.fixed.fragment.gl330.loop", "detail/sine.glsl", kPart,
+                                      "(turns - trunc(turns) + 0.0000001f * trunc(turns))"}};
   expect_all_caught(kFaults);
 }
 
@@ -119,7 +118,7 @@ TEST_F(SimplexChecks, AFieldWithADivergenceIsCaught) {
 
 // A kernel that is too large: where another point takes over, the one that is left behind still has a weight.
 TEST_F(SimplexChecks, AKernelThatIsTooLargeJumps) {
-  constexpr Replaced kFaults[] = {
+  constexpr Replacement kFaults[] = {
       {"noise2d.simplex.lattice.fast.fragment.gl330.seams", "detail/triangular_lattice.glsl",
        "HN_I_TRIANGLE_RADIUS 819", "HN_I_TRIANGLE_RADIUS 922"},
       {"noise2d.simplex_d_cell.lattice.fixed.fragment.gl330.seams", "detail/triangular_lattice.glsl",

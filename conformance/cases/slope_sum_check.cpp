@@ -53,7 +53,7 @@ double bend_of(const Function& function, const Configuration& configuration, std
 // over the step, are about the least together.
 Outcome check_slope_sum(Session& session, const Evaluation& evaluation) {
   const auto& [function, configuration, profile, variant, stage] = evaluation;
-  const Function& plain = plain_noise_of(function);
+  const Function& plain = find_function(function.plain);
   const auto axes = static_cast<std::size_t>(function.axes);
   const std::size_t points = std::max<std::size_t>(1, std::min(kPoints, session.most_points / (2 * axes)));
   Random random(session.seed, "slope sum");

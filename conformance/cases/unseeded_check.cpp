@@ -45,7 +45,7 @@ std::vector<const Function*> unseeded_in(std::string_view file, const Configurat
   std::vector<const Function*> functions;
   for (const Function& function : all_functions()) {
     const bool fits = function.inputs.size() < kInputWords && has_same_bits(function, configuration);
-    if (function.file == file && function.has_unseeded() && covers(configuration, function) && fits) {
+    if (function.file == file && function.has_unseeded && covers(configuration, function) && fits) {
       functions.push_back(&function);
     }
   }
@@ -97,15 +97,18 @@ const Differences& differences_in(std::string_view file, const Configuration& co
   static std::map<std::pair<std::string_view, std::string_view>, Differences> known;
   const auto key = std::pair(file, configuration.name);
   if (const auto found = known.find(key); found != known.end()) return found->second;
-  constexpr std::string_view kColumns =
-      "a:u32 b:u32 c:u32 d:u32 e:u32 f:u32 g:u32 h:u32 i:u32 j:u32 k:u32 l:u32 m:u32 n:u32 o:u32 function:u32 = "
-      "r0:u32 r1:u32 r2:u32 r3:u32";
   Differences& made = known[key];
   made.functions = unseeded_in(file, configuration);
   made.id = fmt::format("{}.all", file.substr(0, file.find('.')));
   made.knobs = both_overloads(file, made.functions);
   made.body = difference_of_both(made.functions);
-  made.function = make_function(made.id, file, Family::independent, "exact", kColumns, "", made.body);
+  made.function = {.id = made.id,
+                   .file = file,
+                   .call = {},
+                   .body = made.body,
+                   .inputs = std::vector<Column>(kInputWords, {"word", WordType::u32}),
+                   .outputs = std::vector<Column>(kOutputWords, {"difference", WordType::u32}),
+                   .plain = {}};
   return made;
 }
 

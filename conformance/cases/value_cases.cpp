@@ -31,7 +31,7 @@ std::vector<Relation> properties_of(const Evaluation& evaluation) {
   if (configuration.hash == default_configuration().hash) add("finite", check_finite);
   if (function.family == Family::curl) add("divergence", check_divergence);
   if (!function.is_noise()) return properties;
-  const bool has_seams = !function.inputs_are_units() && function.is_continuous();
+  const bool has_seams = !function.inputs_are_units() && function.is_continuous;
   if (configuration.hash == default_configuration().hash && has_seams) add("seams", check_seams);
   if (function.starts_from_integers()) return properties;
   if (function.is_gradient_noise() && !function.is_slope(0)) add("zero", check_zero);
@@ -53,16 +53,17 @@ std::vector<Relation> further_cases_of(const Evaluation& evaluation, const Targe
   const bool once = configuration.is_default();  // for what does not depend on the knobs
   // HN_FIXED converts a noise of the user's to an integer.
   const bool takes_noise = once || configuration.name == "lattice+fixed";
-  if (takes_noise && function.is_sum_of_noise()) add("other_noise", check_other_noise);
+  if (takes_noise && function.is_sum_of_noise) add("other_noise", check_other_noise);
   if (!profile.es && (function.id.ends_with("cellular_cell_nearest") || function.id.ends_with("cell_border_nearest"))) {
     further.push_back({"cell_names", CheckKind{evaluation, check_cell_names}, nullptr, 4});
   }
   if (!function.has_slopes()) return further;
-  if (function.is_sum_of_noise()) {
+  if (function.is_sum_of_noise) {
     // The errors of sums in integers are no part of this suite: golden files have their bits.
-    if (configuration.arithmetic != Arithmetic::fixed) add("derivative", check_slope_sum, &plain_noise_of(function));
-  } else if (function.is_noise() && has_plain_noise(function)) {
-    add("derivative", check_derivative, &plain_noise_of(function));
+    if (configuration.arithmetic != Arithmetic::fixed)
+      add("derivative", check_slope_sum, &find_function(function.plain));
+  } else if (function.is_noise() && !function.plain.empty()) {
+    add("derivative", check_derivative, &find_function(function.plain));
   }
   return further;
 }
@@ -188,7 +189,7 @@ void add_value_cases(std::vector<Case>& cases, Scope scope, const Subjects* subj
     for (const Relation& further : further_cases_of(evaluation, program.target)) {
       add(further, chosen.contains(further.check) ? Extent::one_driver : Extent::thorough);
     }
-    const bool has_unseeded = evaluation.function.has_unseeded() && evaluation.configuration.is_default();
+    const bool has_unseeded = evaluation.function.has_unseeded && evaluation.configuration.is_default();
     if (has_unseeded && program.target.main) add({"unseeded", CheckKind{evaluation, check_unseeded}}, Extent::thorough);
   }
   for (Case& test : unseeded_cases()) cases.push_back(std::move(test));

@@ -48,7 +48,7 @@ TEST_F(CasesOnVulkan, AConstantThatIsWrongFailsInEveryLanguage) {
     const Outcome right = run(id);
     if (right.status == Status::unsupported && id.find("hlsl50") != std::string_view::npos) continue;
     EXPECT_EQ(right.status, Status::pass) << id << ": " << right.message;
-    change("hash.glsl", "0x2C1B3C6Du", "0x2C1B3C6Fu");
+    change("detail/word.glsl", "0x2C1B3C6Du", "0x2C1B3C6Fu");
     const Outcome wrong = run(id);
     EXPECT_EQ(wrong.status, Status::fail) << id << ": " << wrong.message;
     EXPECT_NE(wrong.mismatches, 0u) << id << ": " << wrong.message;
@@ -73,7 +73,7 @@ TEST_F(CasesOnVulkan, AShapeThatIsWrongFails) {
 }
 
 TEST_F(CasesOnVulkan, WhatFailsHasPicturesAndNoShader) {
-  change("hash.glsl", "0x2C1B3C6Du", "0x2C1B3C6Fu");
+  change("detail/word.glsl", "0x2C1B3C6Du", "0x2C1B3C6Fu");
   Session one = session();
   const Case test = case_named("noise2d.perlin.lattice.fast.compute.vulkan.golden");
   const auto evidence = make_evidence(one, test, run_case(one, test).outcome);

@@ -92,7 +92,7 @@ class Cli(unittest.TestCase):
         self.assertEqual((test.get("classname"), test.get("name")), ("noise2d.perlin", ONE_CASE))
 
     def test_what_failed_has_its_evidence(self):
-        glsl = self.changed_glsl(("hash.glsl", "0x2C1B3C6Du", "0x2C1B3C6Fu"))
+        glsl = self.changed_glsl(("detail/word.glsl", "0x2C1B3C6Du", "0x2C1B3C6Fu"))
         self.run_case("--glsl", glsl, "--filter", "hash.lattice2.lattice.*.fragment.gl330.golden")
         case = self.cases()[ONE_CASE]
         evidence = case["evidence"]
@@ -232,7 +232,7 @@ class Cli(unittest.TestCase):
         self.assertIn("not here:", below["webgl2"])
 
     def test_a_changed_constant_turns_the_run_red(self):
-        glsl = self.changed_glsl(("hash.glsl", "0x85EBCA77u", "0x85EBCA79u"))
+        glsl = self.changed_glsl(("detail/word.glsl", "0x85EBCA77u", "0x85EBCA79u"))
         perlin = "noise2d.perlin.lattice.fast.fragment.gl330"
         done = self.run_case("--glsl", glsl, "--filter", f"{perlin}.twin", case=f"{perlin}.golden")
         self.assertEqual(done.returncode, 1)
@@ -246,8 +246,8 @@ class Cli(unittest.TestCase):
         # What does not disturb each other is changed at once: (cases, file, old, new). Cases alone suffer from the others.
         for group in (
             (
-                (f"{perlin}.range", "detail/ramps.glsl", "n, 1831)", "n, 3173)"),
-                (f"{perlin}.seeds", "detail/cell.glsl", "box.upper, hn_i_seed_join(s), s, 0u)", "box.upper, 0u, 0u, 0u)"),
+                (f"{perlin}.range", "detail/ramps2d.glsl", "n, 1831)", "n, 3173)"),
+                (f"{perlin}.seeds", "detail/cell2d.glsl", "box.upper, hn_i_seed_join(s), s, 0u)", "box.upper, 0u, 0u, 0u)"),
                 ("fbm.fbm2.*.fast.*.other_noise", "detail/octave.glsl",
                  "hn_i_summed(s.value, n, weight)", "hn_i_summed(s.value, n, HN_I_WEIGHT_ONE)"),
                 ("fbm.ridged2_cell_period.*.fixed.*.other_noise",),
@@ -257,7 +257,7 @@ class Cli(unittest.TestCase):
                 ("config.version_120.*.refused_by_driver", "config.glsl", "needs GLSL 1.30", "needs more"),  # no reason
             ),
             (
-                (f"{perlin}.range", "detail/ramps.glsl", "n, 1831)", "n, 490)"),  # little of it is used
+                (f"{perlin}.range", "detail/ramps2d.glsl", "n, 1831)", "n, 490)"),  # little of it is used
                 (f"{perlin}.mirror", "perlin2d.glsl", "hn_perlin(hn_place(p), seed)",
                  "hn_perlin(hn_place(abs(p)), seed)"),
             ),
@@ -265,7 +265,7 @@ class Cli(unittest.TestCase):
                 (f"{perlin}.zero", "perlin2d.glsl", "place.fraction", "place.fraction + 0.25f"),
                 (f"{perlin}.finite",),
             ),
-            (("hash.all.pcg.fast.fragment.vulkan.spirv", "hash.glsl", "2891336453u", "2891336453.5"),),
+            (("hash.all.pcg.fast.fragment.vulkan.spirv", "detail/hashes.glsl", "2891336453u", "2891336453.5"),),
         ):
             with self.subTest(group=[cases for cases, *_ in group]):
                 filters = [argument for cases, *_ in group for argument in ("--filter", cases)]
@@ -381,7 +381,7 @@ class Cli(unittest.TestCase):
                 self.assertEqual(self.results()["runs"][0]["totals"]["fail"], 3)
 
     def test_fail_fast_stops(self):
-        glsl = self.changed_glsl(("detail/ramps.glsl", "n, 1831)", "n, 1832)"))
+        glsl = self.changed_glsl(("detail/ramps2d.glsl", "n, 1831)", "n, 1832)"))
         self.run_case("--glsl", glsl, "--fail-fast", case="noise2d.perlin.*.golden")
         self.assertEqual(len(self.results()["runs"][0]["cases"]), 1)
 

@@ -220,9 +220,9 @@ class Run(unittest.TestCase):
             self.assertEqual(run["totals"]["unsupported"], 0, name)
         copy = self.folder / "glsl"
         shutil.copytree(ROOT / "glsl" / "hashnoise", copy)
-        text = (copy / "hash.glsl").read_text()
+        text = (copy / "detail/word.glsl").read_text()
         self.assertEqual(text.count("0x2C1B3C6Du"), 1)
-        (copy / "hash.glsl").write_text(text.replace("0x2C1B3C6Du", "0x2C1B3C6Fu"))
+        (copy / "detail/word.glsl").write_text(text.replace("0x2C1B3C6Du", "0x2C1B3C6Fu"))
         done = self.vulkan(*some, "--thorough", "--glsl", copy)
         self.assertEqual(done.returncode, 1)
         cases = [case for run in self.runs().values() for case in run["cases"] if not case["id"].endswith(".spirv")]

@@ -155,7 +155,8 @@ class Web(unittest.TestCase):
         self.assertEqual((made["system"], made["golden"]), ("Linux", "89abcdef"))
         self.assertEqual(end["sent"]["shown"], end["digest"])
         address = urllib.parse.urlsplit(end["sent"]["address"])
-        self.assertEqual(f"{address.scheme}://{address.netloc}{address.path}", f"{ADDRESS}/new/main/results")
+        self.assertEqual(f"{address.scheme}://{address.netloc}{address.path}",
+                         f"{ADDRESS}/new/main/docs/results/devices")
         fields = dict(urllib.parse.parse_qsl(address.query))
         self.assertEqual(fields, {"filename": end["sent"]["name"], "value": end["digest"]})
         self.assertRegex(fields["filename"],

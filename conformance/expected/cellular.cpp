@@ -169,7 +169,7 @@ Vector direction_of(Word h, std::size_t axes) {
 // --- Distances, section 16 ---
 
 // A point, seen from the place. Of fixed arithmetic the offset is in units of 2^-20, and the rank what it compares.
-struct Seen {
+struct VisiblePoint {
   Coordinates from_cell;
   Vector offset;  // of the place from the point; of fixed arithmetic, where points go round, turned backwards
   double square;  // in cells, or in units of 2^-28: `N`
@@ -185,7 +185,7 @@ double square_of(const Vector& offset, bool fixed) {
   return fixed ? floor_of(sum / 0x1p12) : sum;
 }
 
-double rank_of(const Seen& seen, Metric metric, bool fixed) {
+double rank_of(const VisiblePoint& seen, Metric metric, bool fixed) {
   double sum = 0.0;
   double largest = 0.0;
   for (const double d : seen.offset) {
@@ -248,7 +248,7 @@ double turned_from(const Place& place, const Coordinates& step, std::size_t row)
 }
 
 // The offset of a place from a point, turned forwards again.
-Vector offset_of(const Place& place, const Seen& seen) {
+Vector offset_of(const Place& place, const VisiblePoint& seen) {
   if (!place.moves || !place.fixed) return seen.offset;
   Vector offset{};
   for (std::size_t axis = 0; axis < place.axes; ++axis) {
@@ -257,12 +257,12 @@ Vector offset_of(const Place& place, const Seen& seen) {
   return offset;
 }
 
-Seen seen_from(const Place& place, const Coordinates& step) {
+VisiblePoint seen_from(const Place& place, const Coordinates& step) {
   Coordinates cell{};
   for (std::size_t axis = 0; axis < place.axes; ++axis) cell[axis] = place.cell[axis] + step[axis];
   const Vector direction = direction_of(word_at(place, cell), place.axes);
   const Vector u = place.fixed ? direction : moved(place, direction);
-  Seen seen{step, {}, 0.0, 0.0};
+  VisiblePoint seen{step, {}, 0.0, 0.0};
   for (std::size_t axis = 0; axis < place.axes; ++axis) {
     if (place.fixed) {
       const double centre = place.moves
@@ -279,8 +279,8 @@ Seen seen_from(const Place& place, const Coordinates& step) {
 }
 
 // By z, then by y, then by x: of points at the same distance the first counts.
-std::vector<Seen> all_seen(const Place& place, int reach) {
-  std::vector<Seen> all;
+std::vector<VisiblePoint> all_seen(const Place& place, int reach) {
+  std::vector<VisiblePoint> all;
   const int depth = place.axes == 3 ? reach : 0;
   for (int z = -depth; z <= depth; ++z) {
     for (int y = -reach; y <= reach; ++y) {
@@ -291,19 +291,19 @@ std::vector<Seen> all_seen(const Place& place, int reach) {
 }
 
 // Where points are at the same distance, those of the place's cell and of its neighbours come first.
-bool is_nearer(const Seen& one, const Seen& other) {
-  const auto beside = [](const Seen& seen) {
+bool is_nearer(const VisiblePoint& one, const VisiblePoint& other) {
+  const auto beside = [](const VisiblePoint& seen) {
     return std::all_of(seen.from_cell.begin(), seen.from_cell.end(), [](std::int64_t c) { return c >= -1 && c <= 1; });
   };
   return one.rank < other.rank || (one.rank == other.rank && beside(one) && !beside(other));
 }
 
 // The three nearest, which come first.
-std::array<const Seen*, 3> nearest_of(const std::vector<Seen>& all) {
-  std::array<const Seen*, 3> nearest{};
-  for (const Seen& seen : all) {
-    const Seen* one = &seen;
-    for (const Seen*& other : nearest) {
+std::array<const VisiblePoint*, 3> nearest_of(const std::vector<VisiblePoint>& all) {
+  std::array<const VisiblePoint*, 3> nearest{};
+  for (const VisiblePoint& seen : all) {
+    const VisiblePoint* one = &seen;
+    for (const VisiblePoint*& other : nearest) {
       if (other == nullptr || is_nearer(*one, *other)) std::swap(one, other);
       if (one == nullptr) break;
     }
@@ -313,9 +313,9 @@ std::array<const Seen*, 3> nearest_of(const std::vector<Seen>& all) {
 
 // --- What comes out ---
 
-double smooth_of(const std::vector<Seen>& all, bool fixed) {
+double smooth_of(const std::vector<VisiblePoint>& all, bool fixed) {
   double weights = 0.0;
-  for (const Seen& seen : all) {
+  for (const VisiblePoint& seen : all) {
     if (fixed) {
       const double t = std::min(floor_of(std::max(0x1p18 - root_of(seen.square), 0.0) / 4.0), 65535.0);
       const double q = floor_of(t * t / 0x1p16);
@@ -328,9 +328,9 @@ double smooth_of(const std::vector<Seen>& all, bool fixed) {
   return 1.0 - std::pow(weights + 1.0 / 4096.0, 0.25);
 }
 
-double border_of(const std::vector<Seen>& all, const Seen& nearest, bool fixed) {
+double border_of(const std::vector<VisiblePoint>& all, const VisiblePoint& nearest, bool fixed) {
   double border = HUGE_VAL;
-  for (const Seen& seen : all) {
+  for (const VisiblePoint& seen : all) {
     if (seen.from_cell == nearest.from_cell) continue;
     Vector apart{};
     for (std::size_t axis = 0; axis < apart.size(); ++axis) {
@@ -348,7 +348,7 @@ double border_of(const std::vector<Seen>& all, const Seen& nearest, bool fixed) 
 // 0 has no sign.
 double without_sign_of_zero(double value) { return value == 0.0 ? 0.0 : value; }
 
-Vector derivatives_of(const Seen& nearest, bool fixed) {
+Vector derivatives_of(const VisiblePoint& nearest, bool fixed) {
   Vector slope{};
   if (!fixed) {
     const double distance = std::sqrt(nearest.square);
@@ -372,7 +372,7 @@ Vector derivatives_of(const Seen& nearest, bool fixed) {
   return slope;
 }
 
-FeaturePoint point_of(const Place& place, const Seen& seen) {
+FeaturePoint point_of(const Place& place, const VisiblePoint& seen) {
   FeaturePoint point{{}, seen.from_cell};
   const Vector offset = offset_of(place, seen);
   for (std::size_t axis = 0; axis < place.axes; ++axis) {
@@ -384,7 +384,7 @@ FeaturePoint point_of(const Place& place, const Seen& seen) {
 }
 
 // The name of a cell: its coordinates as words, where a period replaces them.
-double name_of(const Place& place, const Seen& seen, std::size_t axis) {
+double name_of(const Place& place, const VisiblePoint& seen, std::size_t axis) {
   const std::int64_t c = place.cell[axis] + seen.from_cell[axis];
   const std::int64_t period = place.period[axis];
   if (period > 0) return static_cast<double>((c % period + period) % period);
@@ -393,14 +393,15 @@ double name_of(const Place& place, const Seen& seen, std::size_t axis) {
 
 }  // namespace
 
-Searched searched(const Function& function, const Configuration& configuration, std::span<const Word> inputs,
-                  int reach) {
+CellularValue searched(const Function& function, const Configuration& configuration, std::span<const Word> inputs,
+                       int reach) {
   const Place place = place_of(function, configuration, inputs);
-  const std::vector<Seen> all = all_seen(place, reach);
+  const std::vector<VisiblePoint> all = all_seen(place, reach);
   const auto sorted = nearest_of(all);
   const auto distance = [&](std::size_t i) { return distance_of(sorted[i]->rank, place.metric, place.fixed); };
-  const Seen& nearest = *sorted[0];
-  Searched result{{}, distance(0), distance(1), distance(2), point_of(place, nearest), point_of(place, *sorted[1])};
+  const VisiblePoint& nearest = *sorted[0];
+  CellularValue result{
+      {}, distance(0), distance(1), distance(2), point_of(place, nearest), point_of(place, *sorted[1])};
   const Vector slope = derivatives_of(nearest, place.fixed);
   for (std::size_t i = 0; i < function.outputs.size(); ++i) {
     const std::string_view name = function.outputs[i].name;
@@ -431,7 +432,7 @@ std::vector<FeaturePoint> feature_points(const Function& function, const Configu
                                          std::span<const Word> inputs) {
   const Place place = place_of(function, configuration, inputs);
   std::vector<FeaturePoint> points;
-  for (const Seen& seen : all_seen(place, kSearchReach)) points.push_back(point_of(place, seen));
+  for (const VisiblePoint& seen : all_seen(place, kSearchReach)) points.push_back(point_of(place, seen));
   return points;
 }
 
@@ -442,7 +443,7 @@ namespace {
 std::array<double, 2> two_distances(const Function& function, const Configuration& configuration,
                                     std::span<const Word> inputs) {
   const Place place = place_of(function, configuration, inputs);
-  const std::vector<Seen> all = all_seen(place, 1);
+  const std::vector<VisiblePoint> all = all_seen(place, 1);
   const auto nearest = nearest_of(all);
   return {distance_of(nearest[0]->rank, place.metric, place.fixed),
           distance_of(nearest[1]->rank, place.metric, place.fixed)};

@@ -21,7 +21,7 @@ struct FeaturePoint {
 };
 
 // What a row of cellular noise should be at a point.
-struct Searched {
+struct CellularValue {
   // For each output the exact value, or with fixed arithmetic the value that the contract defines.
   std::array<double, kOutputWords> values;
   // In the metric of the row. Of rows that name the nearest point or lead to it this is how clear it is which one that
@@ -32,8 +32,8 @@ struct Searched {
   FeaturePoint nearest;
   FeaturePoint next;
 };
-Searched searched(const Function& function, const Configuration& configuration, std::span<const std::uint32_t> inputs,
-                  int reach = kSearchReach);
+CellularValue searched(const Function& function, const Configuration& configuration,
+                       std::span<const std::uint32_t> inputs, int reach = kSearchReach);
 
 // All points that the search sees from the cell of a point with these inputs, with a jitter of 1 if the function takes
 // none.

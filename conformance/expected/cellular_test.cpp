@@ -36,7 +36,7 @@ TEST(Search, HasTheBitsOfFixedArithmetic) {
     const Words values = evaluate_twin(function, configuration, inputs);
     for (std::size_t i = 0; i < kPoints; ++i) {
       const auto point = std::span(inputs).subspan(i * kInputWords, kInputWords);
-      const Searched right = searched(function, configuration, point);
+      const CellularValue right = searched(function, configuration, point);
       for (std::size_t word = 0; word < function.outputs.size(); ++word) {
         const std::uint32_t got = values[i * kOutputWords + word];
         const std::uint32_t expected = function.is_name(word)
@@ -55,7 +55,7 @@ TEST(Search, IsNearTheFloatsOfTheTwin) {
     const Words values = evaluate_twin(function, configuration, inputs);
     for (std::size_t i = 0; i < kPoints; ++i) {
       const auto point = std::span(inputs).subspan(i * kInputWords, kInputWords);
-      const Searched right = searched(function, configuration, point);
+      const CellularValue right = searched(function, configuration, point);
       if (function.jumps() && right.second - right.first < kClearMargin) continue;
       for (std::size_t word = 0; word < function.outputs.size(); ++word) {
         const std::uint32_t got = values[i * kOutputWords + word];

@@ -128,7 +128,7 @@ class Parser {
     HN_DO(expect("\"calls hn_FUNCTION\"", [](std::string_view line) { return line.starts_with("calls hn_"); }));
     golden_.calls = current_.substr(std::string_view("calls ").size());
     HN_DO(expect("\"bits VERSION\"", [](std::string_view line) { return line.starts_with("bits "); }));
-    HN_DO(expect_line(fmt::format("columns {}", function_.columns)));
+    HN_DO(expect_line(fmt::format("columns {}", columns_of(function_))));
     std::string settings = "settings";
     for (const GoldenSetting& setting : settings_) settings += " " + setting.name;
     HN_DO(expect_line(settings));

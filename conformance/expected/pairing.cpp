@@ -449,7 +449,7 @@ Pairing small_footprint_pairing(const Evaluation& evaluation, std::uint64_t seed
 // Every octave is divided by 1 then, and what is below 0 counts as 0. With floats a division by 1 may round.
 Pairing zero_strength_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points) {
   const Function& function = evaluation.function;
-  const Evaluation other{plain_noise_of(function), evaluation.configuration, evaluation.profile};
+  const Evaluation other{find_function(function.plain), evaluation.configuration, evaluation.profile};
   Random random(seed, "zero strength");
   Words inputs = random_points(function, points, random);
   for (std::size_t i = 0; i < inputs.size(); i += kInputWords) {
@@ -462,7 +462,7 @@ Pairing zero_strength_pairing(const Evaluation& evaluation, std::uint64_t seed, 
 
 Pairing derivative_value_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points) {
   const Function& function = evaluation.function;
-  const Evaluation other{plain_noise_of(function), evaluation.configuration, evaluation.profile};
+  const Evaluation other{find_function(function.plain), evaluation.configuration, evaluation.profile};
   // Cellular noise has a second distance where this has a derivative.
   Words inputs = points_for(evaluation, seed, points);
   Words others = inputs_for(other.function, function, inputs);

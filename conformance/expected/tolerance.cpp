@@ -271,7 +271,7 @@ namespace {
 constexpr OctaveSumFacts kOctaveSums[] = {
 #define OCTAVE_SUM(name, noise, most, least, greatest, bounded, step, mean) \
   {#name, #noise, most, least, greatest, bounded, {SumStep::step, SumMean::mean, most}},
-#include "library/facts.inc"
+#include "library/sums.inc"
 };
 
 }  // namespace

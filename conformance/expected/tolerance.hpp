@@ -34,7 +34,7 @@ double error_of(const Function& function, const Configuration& configuration, st
 
 enum class OctaveSum {
 #define OCTAVE_SUM(name, ...) name,
-#include "library/facts.inc"
+#include "library/sums.inc"
 };
 std::optional<OctaveSum> octave_sum_named(std::string_view name);  // "fbm"
 OctaveSum octave_sum_of(const Function& function);

@@ -1,4 +1,4 @@
-// Compiled once per configuration, with its macros and HN_TWIN, its index, defined: the bodies of functions.inc as C++.
+// Compiled once per configuration, with its macros and HN_TWIN, its index, defined: the bodies of all functions as C++.
 // Used with HN_HASH_CUSTOM only; the same in configurations.cpp.
 #define HN_HASH_FN(k) (((k) ^ ((k) >> 16u)) * 0x045D9F3Bu)
 #include <hashnoise/hashnoise.hpp>
@@ -32,46 +32,14 @@ void evaluate_all(const std::uint32_t* in, std::uint32_t* out, std::size_t point
   }
 }
 
-using enum hn::Family;
-
 // Only what has values with the configuration is compiled to code.
-constexpr bool is_covered(std::string_view id, hn::Family family) {
-  return hn::kConfigurations[HN_TWIN].covers(family, id);
-}
-
-#define HN_TWIN_ENTRY(id, family, ...)                                                                     \
-  {id, is_covered(id, family)                                                                              \
+constexpr hn::TwinEntry kEntries[] = {
+#define FUNCTION(id, family, configurations, columns, ...)                                                 \
+  {id, (configurations >> HN_TWIN & 1u) != 0                                                               \
            ? evaluate_all<[]([[maybe_unused]] uvec4 a, [[maybe_unused]] uvec4 b, [[maybe_unused]] uvec4 c, \
                              [[maybe_unused]] uvec4 d) -> uvec4 { __VA_ARGS__ }>                           \
            : nullptr},
-// By family, since some are not even declared with the sine gradient (hn::is_declared).
-#if HN_GRADIENT == HN_GRADIENT_SINE
-#define HN_TWIN_octahedral_noise(...)
-#define HN_TWIN_octahedral_octave_sum(...)
-#else
-#define HN_TWIN_octahedral_noise HN_TWIN_ENTRY
-#define HN_TWIN_octahedral_octave_sum HN_TWIN_ENTRY
-#endif
-#define HN_TWIN_independent HN_TWIN_ENTRY
-#define HN_TWIN_hash HN_TWIN_ENTRY
-#define HN_TWIN_gradient HN_TWIN_ENTRY
-#define HN_TWIN_sine_gradient HN_TWIN_ENTRY
-#define HN_TWIN_gradient_noise HN_TWIN_ENTRY
-#define HN_TWIN_lattice_noise HN_TWIN_ENTRY
-#define HN_TWIN_octave_sum HN_TWIN_ENTRY
-#define HN_TWIN_further_gradient_noise HN_TWIN_ENTRY
-#define HN_TWIN_further_lattice_noise HN_TWIN_ENTRY
-#define HN_TWIN_further_octave_sum HN_TWIN_ENTRY
-#define HN_TWIN_simplex_noise HN_TWIN_ENTRY
-#define HN_TWIN_curl HN_TWIN_ENTRY
-#define HN_TWIN_cellular HN_TWIN_ENTRY
-#define HN_TWIN_further_cellular HN_TWIN_ENTRY
-#define HN_TWIN_utility HN_TWIN_ENTRY
-#define HN_TWIN_distribution HN_TWIN_ENTRY
-
-constexpr hn::TwinEntry kEntries[] = {
-#define FUNCTION(id, file, family, bound, columns, call, ...) HN_TWIN_##family(id, family, __VA_ARGS__)
-#include "library/functions.inc"
+#include "library/bodies.inc"
 };
 
 }  // namespace

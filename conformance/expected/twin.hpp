@@ -1,4 +1,4 @@
-// The C++ twin as a table: the body of every FUNCTION, compiled with each hash.
+// The C++ twin as a table: the body of every function, compiled with each hash.
 #pragma once
 
 #include <cstdint>

@@ -1,10 +1,11 @@
-// Prints digests of what the C++ twin computes at a few points and at many, a line per function of functions.inc that
+// Prints digests of what the C++ twin computes at a few points and at many, a line per function that
 // depends on the arithmetic, or on compilers' ways with floats; with the argument "few" only the first of the two.
 // twin_flags_test.py compiles it with many flags, of which some let a compiler make of floats what it likes: so nothing
 // here but the twin computes in them.
 //
 // With HN_TEST_KNOWN_INTEGERS all integers that go in are constants, the cell and the seed among them, and with
 // HN_TEST_KNOWN_FLOATS all floats are: what compilers know they add up and multiply out.
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <cstdio>
@@ -64,12 +65,16 @@ float setting(std::string_view name) {
   return name == "gain" ? number(110, 128) : number(120, 135);
 }
 
-// An input word of a column, "x:f32" say.
-uint input(std::string_view column) {
-  const auto colon = column.find(':');
-  const std::string_view name = column.substr(0, colon);
+struct Column {
+  std::string_view name;
+  char kind;  // of f32, i32 or u32
+};
+
+// An input word of a column.
+uint input(Column column) {
+  const std::string_view name = column.name;
   if (name == "metric") return word() % 7;
-  if (column.substr(colon) != ":f32") return name == "octaves" ? word() % 8 - 1u : word();
+  if (column.kind != 'f') return name == "octaves" ? word() % 8 - 1u : word();
   for (const std::string_view known : {"gain", "lacunarity", "detail", "strength", "amplitude", "footprint"}) {
     if (name == known) return std::bit_cast<uint>(setting(name));
   }
@@ -94,19 +99,15 @@ constexpr uint known(std::size_t column) {
 }
 
 // Whether the word of a column is such a constant.
-constexpr bool is_known(std::string_view inputs, std::size_t column) {
-  for (; column > 0; --column)
-    inputs.remove_prefix(inputs.find(' ') < inputs.size() ? inputs.find(' ') + 1 : inputs.size());
-  const auto kind = inputs.find(':');
-  return kind < inputs.size() && kKnown.find(inputs[kind + 1]) != kKnown.npos;
+template <typename Row>
+constexpr bool is_known(std::size_t column) {
+  return column < Row::inputs().size() && kKnown.find(Row::inputs()[column].kind) != kKnown.npos;
 }
-
-constexpr std::string_view inputs_of(std::string_view columns) { return columns.substr(0, columns.find(" = ")); }
 
 // Row::inputs() are the columns that go in.
 template <typename Row, std::size_t kColumn>
 uint word_of(const uint* words) {
-  if constexpr (is_known(Row::inputs(), kColumn)) return known(kColumn);
+  if constexpr (is_known<Row>(kColumn)) return known(kColumn);
   return words[kColumn];
 }
 template <typename Row, std::size_t kColumn>
@@ -126,11 +127,7 @@ void digest(std::string_view id, std::string_view family, Evaluate evaluate) {
     if (i == kFew) std::printf(" %016llx", static_cast<unsigned long long>(hash));
     uint words[16] = {};
     std::size_t count = 0;
-    for (std::string_view rest = Row::inputs(); !rest.empty(); ++count) {
-      const auto end = rest.find(' ') < rest.size() ? rest.find(' ') : rest.size();
-      words[count] = input(rest.substr(0, end));
-      rest.remove_prefix(end < rest.size() ? end + 1 : end);
-    }
+    for (const Column column : Row::inputs()) words[count++] = input(column);
     const uvec4 value = evaluate(words_from<Row, 0>(words), words_from<Row, 4>(words), words_from<Row, 8>(words),
                                  words_from<Row, 12>(words));
     for (const uint bits : {value.x, value.y, value.z, value.w}) hash = (hash ^ bits) * 1099511628211u;
@@ -180,40 +177,17 @@ int main(int argc, char**) {
   std::printf("reordered %016llx\n", static_cast<unsigned long long>(hash));
 #else
 // Compilers take long to inline them all, so forms of the same text are tried once, on the plane.
-#define TRIED(id, family, columns, ...)                                                          \
+#define UNPACKED(...) __VA_ARGS__
+#define COLUMN(name, type) Column{name, #type[0]},
+#define FUNCTION(id, family, configurations, columns, ...)                                       \
   if constexpr (is_tried(id)) {                                                                  \
     struct Row {                                                                                 \
-      static constexpr std::string_view inputs() { return inputs_of(columns); }                  \
+      static constexpr auto inputs() { return std::to_array<Column>({UNPACKED columns}); }       \
     };                                                                                           \
-    digest<Row>(id, family,                                                                      \
+    digest<Row>(id, #family,                                                                     \
                 []([[maybe_unused]] uvec4 a, [[maybe_unused]] uvec4 b, [[maybe_unused]] uvec4 c, \
                    [[maybe_unused]] uvec4 d) -> uvec4 { __VA_ARGS__ });                          \
   }
-// Some families are not declared with the sine gradient.
-#if HN_GRADIENT == HN_GRADIENT_SINE
-#define OF_octahedral_noise(...)
-#define OF_octahedral_octave_sum(...)
-#else
-#define OF_octahedral_noise TRIED
-#define OF_octahedral_octave_sum TRIED
-#endif
-#define OF_independent TRIED
-#define OF_hash TRIED
-#define OF_gradient TRIED
-#define OF_sine_gradient TRIED
-#define OF_gradient_noise TRIED
-#define OF_lattice_noise TRIED
-#define OF_octave_sum TRIED
-#define OF_further_gradient_noise TRIED
-#define OF_further_lattice_noise TRIED
-#define OF_further_octave_sum TRIED
-#define OF_simplex_noise TRIED
-#define OF_curl TRIED
-#define OF_cellular TRIED
-#define OF_further_cellular TRIED
-#define OF_utility TRIED
-#define OF_distribution TRIED
-#define FUNCTION(id, file, family, bound, columns, call, ...) OF_##family(id, #family, columns, __VA_ARGS__)
-#include "library/functions.inc"
+#include "library/bodies.inc"
 #endif
 }

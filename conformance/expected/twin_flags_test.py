@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """The C++ twin with HN_FIXED has the same bits whatever compiler and flags it is built with, and no undefined behaviour.
 
-Usage: twin_flags_test.py [--every-function] [--thorough] COMPILER...
+Usage: twin_flags_test.py --tables=FOLDER [--every-function] [--thorough] COMPILER..., with what
+tools/lib/catalog/suite.py wrote
 
 A function of each kind is tried, and with --every-function all that have values of their own. Compilers, flags, gradients
 and arithmetics are tried in pairs; with --thorough all of them together. Unless every function is tried, what checks each
@@ -19,6 +20,7 @@ import tempfile
 import unittest
 
 COMPILERS = []
+TABLES = ""
 THOROUGH = False
 FUNCTIONS = ()  # the macros that choose them
 HERE = pathlib.Path(__file__).resolve().parent
@@ -59,7 +61,7 @@ def digests(compiler, flags, macros):
     with tempfile.TemporaryDirectory() as folder:
         program = pathlib.Path(folder) / "twin"
         command = [compiler, "-std=c++20", *flags, *(f"-D{macro}" for macro in (*FUNCTIONS, *macros)),
-                   f"-I{HERE.parent.parent / 'include'}", f"-I{HERE.parent}", str(HERE / "twin_flags.cpp"), "-o",
+                   f"-I{HERE.parent.parent / 'include'}", f"-I{TABLES}", str(HERE / "twin_flags.cpp"), "-o",
                    str(program)]
         subprocess.run(command, check=True)
         done = subprocess.run([program, *["few"] * has_few_points(flags)], capture_output=True, text=True)
@@ -149,5 +151,6 @@ class Flags(unittest.TestCase):
 if __name__ == "__main__":
     THOROUGH = "--thorough" in sys.argv
     FUNCTIONS = () if "--every-function" in sys.argv else ("HN_TEST_EACH_KIND",)
+    TABLES = next(argument.partition("=")[2] for argument in sys.argv if argument.startswith("--tables="))
     COMPILERS = [argument for argument in sys.argv[1:] if not argument.startswith("--")]
     unittest.main(argv=sys.argv[:1])

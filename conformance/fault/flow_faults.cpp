@@ -15,7 +15,7 @@ using Kind = Expression::Kind;
 // In a loop, v += s goes through a function.
 std::optional<std::string> add_in_loop(const Expression& node, const Rules::Render& render, Place& place) {
   if (!place.in_loop || !node.is(Kind::assign, "+=")) return std::nullopt;
-  const Rewritten target = render(node.parts[0]);
+  const Rewriting target = render(node.parts[0]);
   return fmt::format("{0} = hn_fault_added({0},{1}{2})", target.code, node.token.space, render(node.parts[1]).whole());
 }
 

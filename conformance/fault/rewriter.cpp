@@ -12,7 +12,7 @@ namespace {
 using Kind = Expression::Kind;
 
 // The parts put together as they were.
-Rewritten unchanged(const Expression& node, const std::vector<Rewritten>& parts) {
+Rewriting unchanged(const Expression& node, const std::vector<Rewriting>& parts) {
   const auto& [kind, token, close, sources] = node;
   switch (kind) {
     case Kind::leaf:
@@ -42,7 +42,7 @@ Rewritten unchanged(const Expression& node, const std::vector<Rewritten>& parts)
 }
 
 // A call with the parts as arguments. A comma takes the place of the operator.
-std::string call_of(const std::string& function, const Expression& node, const std::vector<Rewritten>& parts) {
+std::string call_of(const std::string& function, const Expression& node, const std::vector<Rewriting>& parts) {
   return fmt::format("{}({}{},{})", function, parts[0].code, node.token.space, parts[1].whole());
 }
 
@@ -55,7 +55,7 @@ const std::string* function_for(const Rules& rules, const Expression& node) {
 }
 
 std::optional<std::string> replacement(const Rules& rules, const Expression& node,
-                                       const std::vector<Rewritten>& parts) {
+                                       const std::vector<Rewriting>& parts) {
   if (node.kind == Kind::call) {
     const auto found = rules.functions.find(node.parts[0].token.text);
     if (node.parts[0].kind != Kind::leaf || found == rules.functions.end() || parts.size() < 2) return std::nullopt;
@@ -76,14 +76,14 @@ std::string space_before(const Expression& node) {
   return starts_itself ? node.token.space : space_before(node.parts[0]);
 }
 
-Rewritten rewrite_expression(const Rules& rules, const Expression& node, Place& place) {
+Rewriting rewrite_expression(const Rules& rules, const Expression& node, Place& place) {
   if (rules.pattern) {
     const auto render = [&](const Expression& part) { return rewrite_expression(rules, part, place); };
     if (auto code = rules.pattern(node, render, place)) return {space_before(node), std::move(*code)};
   }
-  std::vector<Rewritten> parts;
+  std::vector<Rewriting> parts;
   for (const Expression& part : node.parts) parts.push_back(rewrite_expression(rules, part, place));
-  Rewritten result = unchanged(node, parts);
+  Rewriting result = unchanged(node, parts);
   if (auto code = replacement(rules, node, parts)) result.code = std::move(*code);
   return result;
 }
@@ -248,7 +248,7 @@ class ShaderRewriter {
 
   void condition() {
     if (parser_.peek().is(";")) return;
-    const Rewritten written = rewrite_expression(rules_, parser_.expression(), place_);
+    const Rewriting written = rewrite_expression(rules_, parser_.expression(), place_);
     const std::string& added = rules_.condition;
     out_ += written.space + (added.empty() ? written.code : fmt::format("({}) {}", written.code, added));
   }

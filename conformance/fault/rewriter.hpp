@@ -16,7 +16,7 @@
 namespace hn {
 
 // What was made of a part of an expression; the space before it stays before what replaces it.
-struct Rewritten {
+struct Rewriting {
   std::string space;
   std::string code;
 
@@ -37,7 +37,7 @@ struct Rules {
   std::string minus = {};  // what the unary minus of anything but a number calls
   // The code for an expression, or nothing if the other rules are to decide; asked first. It begins with the code of
   // the expression's first part, without the space before it.
-  using Render = std::function<Rewritten(const Expression&)>;  // rewrites a part
+  using Render = std::function<Rewriting(const Expression&)>;  // rewrites a part
   using Pattern = std::optional<std::string>(const Expression&, const Render&, Place&);
   Pattern* pattern = nullptr;
   bool only_constants = false;  // only operators between numbers

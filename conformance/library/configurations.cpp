@@ -10,6 +10,10 @@ namespace {
 // For HN_HASH_CUSTOM; the same in twin.cpp.
 constexpr std::string_view kCustomHash = "#define HN_HASH_FN(k) (((k) ^ ((k) >> 16u)) * 0x045D9F3Bu)\n";
 
+constexpr Configuration kConfigurations[] = {
+#include "library/configurations.inc"
+};
+
 }  // namespace
 
 std::string_view name_of(Arithmetic arithmetic) {

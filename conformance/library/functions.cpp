@@ -11,46 +11,33 @@
 namespace hn {
 namespace {
 
-WordType type_of(std::string_view name) {
-  if (name == "u32") return WordType::u32;
-  if (name == "i32") return WordType::i32;
-  if (name == "f32") return WordType::f32;
-  if (name == "f64") return WordType::f64;
-  throw std::logic_error(fmt::format("no column has the type '{}'", name));
-}
-
-// "x:f32 y:f32" -> columns
-std::vector<Column> parse_columns(std::string_view text) {
-  std::vector<Column> columns;
-  while (!text.empty()) {
-    const auto end = std::min(text.find(' '), text.size());
-    const auto item = text.substr(0, end);
-    const auto colon = item.find(':');
-    if (colon == std::string_view::npos) throw std::logic_error(fmt::format("'{}' is not a column", item));
-    columns.push_back({item.substr(0, colon), type_of(item.substr(colon + 1))});
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
-  return columns;
-}
-
-// The columns of coordinates come first.
-int axes_of(std::span<const Column> inputs) {
-  constexpr std::array<std::string_view, 4> kPoint = {"x", "y", "z", "w"};
-  constexpr std::array<std::string_view, 4> kCell = {"cx", "cy", "cz", "cw"};
-  const auto& names = !inputs.empty() && inputs.front().name == kCell.front() ? kCell : kPoint;
-  std::size_t axes = 0;
-  while (axes < std::min(inputs.size(), names.size()) && inputs[axes].name == names[axes]) ++axes;
-  return static_cast<int>(axes);
-}
-
 const std::vector<Function>& functions() {
   using enum Family;
+  using enum WordType;
   static const std::vector<Function> kFunctions = {
-#define FUNCTION(id, file, family, bound, columns, call, ...) \
-  make_function(id, file, family, bound, columns, call, #__VA_ARGS__),
 #include "library/functions.inc"
   };
   return kFunctions;
+}
+
+std::string_view name_of(WordType type) {
+  switch (type) {
+    case WordType::u32:
+      return "u32";
+    case WordType::i32:
+      return "i32";
+    case WordType::f32:
+      return "f32";
+    case WordType::f64:
+      break;
+  }
+  return "f64";
+}
+
+std::string columns_text(std::span<const Column> columns) {
+  std::string text;
+  for (const Column& column : columns) text += fmt::format(" {}:{}", column.name, name_of(column.type));
+  return text.substr(1);
 }
 
 }  // namespace
@@ -102,35 +89,6 @@ bool Function::is_further() const {
                             Family::distribution});
 }
 
-namespace {
-
-struct NoiseFacts {
-  std::string_view name;
-  bool jumps;
-  bool is_never_negative;
-};
-constexpr NoiseFacts kNoises[] = {
-#define NOISE(name, jumps, is_never_negative) {#name, jumps, is_never_negative},
-#include "library/facts.inc"
-};
-
-bool is_noise_with(bool NoiseFacts::* fact, std::string_view name) {
-  return std::ranges::any_of(kNoises, [&](const NoiseFacts& noise) { return noise.name == name && noise.*fact; });
-}
-
-}  // namespace
-
-bool Function::is_continuous() const { return !is_noise_with(&NoiseFacts::jumps, bound); }
-bool Function::is_sum_of_noise() const {
-  constexpr std::string_view kSums[] = {
-#define OCTAVE_SUM(name, ...) #name,
-#include "library/facts.inc"
-  };
-  return is_octave_sum() && std::ranges::find(kSums, bound) != std::end(kSums);
-}
-
-bool Function::is_never_negative() const { return is_noise_with(&NoiseFacts::is_never_negative, bound); }
-
 bool Function::is_derived() const { return bound.ends_with("_d") || bound.ends_with("_d_phase"); }
 
 bool Function::is_costly() const {
@@ -144,23 +102,8 @@ bool Function::is_slope(std::size_t output) const {
   return name.size() == 2 && name.front() == 'd';
 }
 
-Function make_function(std::string_view id, std::string_view file, Family family, std::string_view bound,
-                       std::string_view columns, std::string_view call, std::string_view body) {
-  constexpr std::string_view kEquals = " = ";
-  const auto equals = columns.find(kEquals);
-  if (equals == std::string_view::npos) throw std::logic_error(fmt::format("{}: it has no output column", id));
-  Function function{id,
-                    file,
-                    family,
-                    bound,
-                    columns,
-                    call,
-                    body,
-                    parse_columns(columns.substr(0, equals)),
-                    parse_columns(columns.substr(equals + kEquals.size())),
-                    0};
-  function.axes = axes_of(function.inputs);
-  return function;
+std::string columns_of(const Function& function) {
+  return fmt::format("{} = {}", columns_text(function.inputs), columns_text(function.outputs));
 }
 
 std::span<const Function> all_functions() { return functions(); }
@@ -174,28 +117,6 @@ const Function& without(const Function& function, std::string_view part) {
 bool has_without(const Function& function, std::string_view part) {
   return std::ranges::any_of(functions(),
                              [id = id_without(function.id, part)](const Function& other) { return other.id == id; });
-}
-
-namespace {
-
-// In four dimensions value and derivative are two rows: perlin_d_value and perlin_d. The sums of noises with
-// derivatives are in a file of their own: fbm_d.fbm_d2 and fbm_d.eroded2 belong to fbm.fbm2.
-std::string plain_id(const Function& function) {
-  if (function.is_octave_sum()) {
-    const auto behind = function.id.find('.') + 1 + function.bound.size();
-    return fmt::format("fbm.fbm{}", function.id.substr(behind));
-  }
-  const bool is_value = function.id.find("_d_") != std::string_view::npos && function.id.ends_with("_value");
-  return id_without(is_value ? id_without(function.id, "value") : function.id, "d");
-}
-
-}  // namespace
-
-const Function& plain_noise_of(const Function& function) { return find_function(plain_id(function)); }
-
-bool has_plain_noise(const Function& function) {
-  return std::ranges::any_of(functions(),
-                             [id = plain_id(function)](const Function& other) { return other.id == id; });
 }
 
 bool is_declared(const Function& function, const Configuration& configuration) {

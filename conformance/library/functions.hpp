@@ -1,8 +1,9 @@
-// The library's functions, as the suite sees them (functions.inc).
+// The library's functions, as the suite sees them. The catalog has them (tools/lib/catalog/tables/functions.py).
 #pragma once
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -27,28 +28,33 @@ struct Column {
 
 struct Function {
   std::string_view id;
-  std::string_view file;
-  Family family;
-  std::string_view bound;    // "exact", "sine", the name of a noise in bounds.inc, or that of an octave sum
-  std::string_view columns;  // "x:f32 seed:u32 = value:f64", as in golden files
-  std::string_view call;     // of a position p, for bench
-  std::string_view body;
-  std::vector<Column> inputs;
+  std::string_view file;  // to include
+  Family family = Family::independent;
+  std::string_view bound = "exact";  // or "sine", the name of a noise in bounds.inc, or that of an octave sum
+  std::string_view call;             // of a position p, for bench; empty if another row measures the same
+  std::string_view body;             // of uvec4 evaluate(uvec4 a, uvec4 b, uvec4 c, uvec4 d)
+  std::vector<Column> inputs;        // the words that go in, in the order a.x a.y a.z a.w b.x .. d.w
   std::vector<Column> outputs;
-  int axes;  // of the lattice point, position or cell that it takes; 0 if it takes none. They come first
+  int axes = 0;  // of the lattice point, position or cell that it takes; 0 if it takes none. They come first
+  // The id of the noise whose derivative, or whose value beside it, it is; of an octave sum, that of the sum without
+  // slopes. Empty if there is none: the components of vectors have no rows without derivatives, and neither has a
+  // quadrature.
+  std::string_view plain;
+  std::uint32_t configurations = 0;  // that it has values with: a bit for each, by its index
+  bool has_unseeded = false;         // whether there is an overload without a seed
+  bool is_continuous = true;         // of a noise
+  bool is_never_negative = false;    // of a noise
+  // Whether it is an octave sum of one noise, each octave of which adds to a mean, so that its derivatives are those of
+  // its value.
+  bool is_sum_of_noise = false;
 
   bool exact() const { return bound == "exact"; }
   bool is_noise() const;
-  bool is_continuous() const;      // of a noise
-  bool is_never_negative() const;  // of a noise
   bool is_gradient_noise() const;  // it is 0 at lattice points
   bool is_simplex_noise() const { return family == Family::simplex_noise; }  // or phasor noise, of the same lattices
   bool is_cellular() const;
   bool is_octave_sum() const;
   bool is_gullies() const { return bound == "gullies"; }
-  // Whether it is an octave sum of one noise, each octave of which adds to a mean, so that its derivatives are those of
-  // its value.
-  bool is_sum_of_noise() const;
   bool is_further() const;                              // it is of a family that few settings have values of
   bool takes_cell() const { return input("cx") >= 0; }  // and the fraction in it, in place of a position
   bool takes_period() const { return period_word() >= 0; }
@@ -81,8 +87,6 @@ struct Function {
   bool has_slopes() const { return is_slope(outputs.size() - 1); }
   bool is_derived() const;  // has_slopes(), or is the value that such a noise has beside them
   bool is_costly() const;   // several times as much as a noise
-  // Whether there is an overload without a seed.
-  bool has_unseeded() const { return body.find("SEEDED(") != std::string_view::npos; }
   // The input word of that name, or -1.
   int input(std::string_view name) const;
   int seed_word() const { return input("seed"); }
@@ -93,9 +97,8 @@ struct Function {
   std::size_t parameters() const { return std::max<std::size_t>((inputs.size() + 3) / 4, 2); }
 };
 
-// What a row of the table says. Throws if the columns are not columns.
-Function make_function(std::string_view id, std::string_view file, Family family, std::string_view bound,
-                       std::string_view columns, std::string_view call, std::string_view body);
+// "x:f32 seed:u32 = value:f64", as in golden files.
+std::string columns_of(const Function& function);
 
 std::span<const Function> all_functions();
 const Function& find_function(std::string_view id);  // it must exist
@@ -104,12 +107,6 @@ const Function& find_function(std::string_view id);  // it must exist
 const Function& without(const Function& function, std::string_view part);
 // Whether there is that function.
 bool has_without(const Function& function, std::string_view part);
-// The noise whose derivative, or whose value beside it, a function is; of an octave sum of such noises, the sum without
-// slopes. It must exist.
-const Function& plain_noise_of(const Function& function);
-// Whether there is one, of a noise that is derived: the components of vectors have no rows without derivatives, and
-// neither has a quadrature.
-bool has_plain_noise(const Function& function);
 // Whether the library declares it with these knobs.
 bool is_declared(const Function& function, const Configuration& configuration);
 
@@ -124,7 +121,7 @@ bool has_same_bits(const Function& function, const Configuration& configuration)
 
 // Whether there are values of a function to compare with.
 inline bool covers(const Configuration& configuration, const Function& function) {
-  return configuration.covers(function.family, function.id);
+  return (function.configurations >> configuration.index & 1u) != 0;
 }
 
 // The version in which a configuration has most of its cases, of desktop OpenGL or of ES: the lowest that has bit

@@ -20,6 +20,8 @@ void add_included_by(std::string_view file, std::set<std::string_view>& files) {
   constexpr std::string_view kInclude = "\n#include \"";
   const std::string_view text = text_of(kLibraryFiles, file);
   for (auto at = text.find(kInclude); at != std::string_view::npos; at = text.find(kInclude, at + 1)) {
+    const std::string_view above = text.substr(0, at);
+    if (above.substr(above.rfind('\n') + 1).starts_with("#if ")) continue;  // only some knobs include it
     const auto start = at + kInclude.size();
     const std::string name = included_from(file, text.substr(start, text.find('"', start) - start));
     const std::string_view known = entry_named(kLibraryFiles, &EmbeddedFile::name, name, "file of the library").name;
@@ -370,7 +372,7 @@ std::string calling_shader(std::string_view file, const Configuration& configura
     text += fmt::format("#undef SEEDED\n#undef SEED\n{}", seeding);
     for (const Function* const function : called) {
       if (!is_declared(*function, configuration)) continue;
-      if (seeding == kUnseeded && !(function->has_unseeded() && profile.spirv)) continue;
+      if (seeding == kUnseeded && !(function->has_unseeded && profile.spirv)) continue;
       const auto argument = [](std::size_t i) { return i == 0 ? std::string("r") : fmt::format("r + {}u", i); };
       const std::string name = fmt::format("evaluate{}", count++);
       text += declared_evaluate(*function, name);

@@ -43,6 +43,13 @@ bool ends_a_branch(std::string_view line) {
   return directive && (directive->word == "endif" || directive->word == "else" || directive->word == "elif");
 }
 
+// By how many branches more the next line is in.
+int change_of_branches(std::string_view line) {
+  const auto directive = directive_of(line);
+  if (!directive) return 0;
+  return directive->word.starts_with("if") ? 1 : directive->word == "endif" ? -1 : 0;
+}
+
 class Expander {
  public:
   Expander(const SourceSet& sources, const Profile& profile) : sources_(sources), profile_(profile) {
@@ -70,6 +77,7 @@ class Expander {
   // `file` is the name of the text in the set.
   Result<void> add(std::string_view text, std::string_view file, int source, int line, int depth) {
     bool included = false;
+    int branches = has_guard(text) ? -1 : 0;  // that the preprocessor may skip and this line is in
     for (; !text.empty(); ++line) {
       if (line == kLinesPerSource) {
         return fail(fmt::format("{}: a file may have {} lines at the most",
@@ -81,6 +89,7 @@ class Expander {
       const auto name = included_name(current);
       if (!name) {
         out_.text += current;
+        branches += change_of_branches(current);
         // In a branch that is skipped, the lines of an include count and its #line does not.
         if (included && ends_a_branch(current) && current.ends_with('\n')) mark_line(source, line + 1);
         continue;
@@ -101,6 +110,8 @@ class Expander {
       // hold the shared files of the library once for every file that includes them.
       if (depth == 0) brought_.clear();
       included = true;
+      const bool chosen = branches > 0;  // by a knob
+      const auto brought_anyhow = chosen ? brought_ : std::set<const SourceFile*>{};
       if (has_guard(found->text) && !brought_.insert(found).second) {
         mark_line(source, line + 1);
         continue;
@@ -108,6 +119,7 @@ class Expander {
       const int number = number_of(found->path);
       mark_line(number, 1);
       HN_DO(add(found->text, included_file, number, 1, depth + 1));
+      if (chosen) brought_ = brought_anyhow;
       if (out_.text.back() != '\n') out_.text += '\n';
       mark_line(source, line + 1);
     }
@@ -117,7 +129,8 @@ class Expander {
   const SourceSet& sources_;
   const Profile& profile_;
   ShaderText out_;
-  std::set<const SourceFile*> brought_;  // by the include of the shader that is being expanded
+  // By the include of the shader that is being expanded, with any knobs.
+  std::set<const SourceFile*> brought_;
 };
 
 }  // namespace

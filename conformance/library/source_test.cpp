@@ -123,6 +123,19 @@ TEST(Source, WhatAnIncludeHasBroughtAlreadyIsLeftOutBelowIt) {
   EXPECT_EQ(count_of("int guarded;", twice->text), 2u);
 }
 
+TEST(Source, WhatABranchHasBroughtMayBeMissingBehindIt) {
+  SourceSet sources;
+  sources.add("shared", "#ifndef SHARED\n#define SHARED\nint shared;\n#endif\n", "glsl/shared");
+  sources.add("knob", "#ifndef KNOB\n#define KNOB\n#include \"shared\"\n#endif\n", "glsl/knob");
+  sources.add("a", "#ifndef A\n#define A\n#if CHOSEN\n#include \"knob\"\n#endif\n#include \"shared\"\n#endif\n",
+              "glsl/a");
+  sources.add("both", "#include \"a\"\n#include \"knob\"\n", "glsl/both");
+  const auto found = expand(sources, profile_named("gl330"), "#include \"both\"\n");
+  ASSERT_TRUE(found);
+  EXPECT_EQ(count_of("int shared;", found->text), 2u);  // in the branch and behind it
+  EXPECT_EQ(count_of("#define KNOB", found->text), 2u);
+}
+
 TEST(Source, FolderWithoutAFileIsAnError) {
   const TemporaryFolder folder;
   for (const EmbeddedFile& file : kLibraryFiles) {

@@ -68,13 +68,13 @@ std::size_t bytes_of(const Evidence& evidence) {
 }
 
 // How much of it all is shown so far.
-struct Shown {
+struct PageBudget {
   std::size_t cases = 0;
   std::size_t evidence_bytes = 0;
   std::size_t open = 0;
 };
 
-Json page_case(const CaseResult& result, Shown& shown) {
+Json page_case(const CaseResult& result, PageBudget& shown) {
   const Outcome& outcome = result.outcome;
   Json evidence = false;
   std::string left_out;
@@ -98,7 +98,7 @@ Json page_case(const CaseResult& result, Shown& shown) {
           {"left_out", left_out}};
 }
 
-Json page_group(const FailureGroup& group, Shown& shown) {
+Json page_group(const FailureGroup& group, PageBudget& shown) {
   std::vector<const CaseResult*> failed = group.cases;
   std::stable_sort(failed.begin(), failed.end(), [](const CaseResult* a, const CaseResult* b) {
     return a->evidence.has_value() > b->evidence.has_value();
@@ -123,7 +123,7 @@ Json page_group(const FailureGroup& group, Shown& shown) {
       {"more", more(left, group.of_function() ? "of this function, in results.json" : "of the kind, in results.json")}};
 }
 
-Json page_run(const Run& run, const Failures& failures, Shown& shown) {
+Json page_run(const Run& run, const Failures& failures, PageBudget& shown) {
   Json groups = Json::array();
   std::size_t left = 0;
   for (const FailureGroup& group : failures.groups) {
@@ -189,7 +189,7 @@ Json page_groups(const std::vector<Run>& runs, const GroupOf& group_of) {
 
 Json page_failures(const std::vector<Run>& runs) {
   Json drivers = Json::array();
-  Shown shown;
+  PageBudget shown;
   for (const Run& run : runs) {
     const Failures failures = failures_of(run);
     if (failures.failed != 0) drivers.push_back(page_run(run, failures, shown));

@@ -13,14 +13,14 @@
 namespace hn {
 namespace {
 
-struct Caught {
+struct FaultAndBug {
   std::string_view fault;
   std::string_view bug;
   std::string_view profile = "gl330";
 };
 
 // A bug for each of the faults, that fails if the fault is there.
-constexpr Caught kCaught[] = {
+constexpr FaultAndBug kCaught[] = {
     {"modulo_sign", "bugs.modulo_of_large_word"},
     {"uint_of_int_shift", "bugs.uint_of_int_shifted_by_31"},
     {"integers_16_bits", "bugs.words_wrap_at_32_bits"},
@@ -52,8 +52,8 @@ constexpr Caught kCaught[] = {
 
 TEST(Faults, EachHasABugThatCatchesIt) {
   for (const Fault& fault : all_faults()) {
-    const bool caught =
-        std::any_of(std::begin(kCaught), std::end(kCaught), [&](const Caught& c) { return c.fault == fault.name; });
+    const bool caught = std::any_of(std::begin(kCaught), std::end(kCaught),
+                                    [&](const FaultAndBug& c) { return c.fault == fault.name; });
     EXPECT_TRUE(caught) << fault.name;
   }
 }
@@ -86,7 +86,7 @@ TEST(Faults, EachIsRightGlslInEveryVersion) {
   }
 }
 
-class Injected : public OnOsmesa<testing::TestWithParam<Caught>> {
+class Injected : public OnOsmesa<testing::TestWithParam<FaultAndBug>> {
  protected:
   Outcome run(const SourceSet& sources) {
     const ReferenceCompiler reference;

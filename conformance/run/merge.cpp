@@ -73,8 +73,8 @@ Result<std::vector<Run>> read_runs(const std::string& name) {
 
 }  // namespace
 
-Result<Merged> merge_runs(std::vector<Run> runs, const std::vector<std::string>& ids) {
-  Merged merged;
+Result<MergeResult> merge_runs(std::vector<Run> runs, const std::vector<std::string>& ids) {
+  MergeResult merged;
   std::vector<Run> absent;
   for (Run& run : runs) {
     if (!run.absent.empty()) {
@@ -121,7 +121,7 @@ Result<Merged> merge_runs(std::vector<Run> runs, const std::vector<std::string>&
   return merged;
 }
 
-Result<Merged> merge_files(const std::vector<std::string>& paths, const std::vector<std::string>& ids) {
+Result<MergeResult> merge_files(const std::vector<std::string>& paths, const std::vector<std::string>& ids) {
   std::vector<Run> runs;
   for (const std::string& path : paths) {
     HN_TRY(auto more, read_runs(path));

@@ -15,7 +15,7 @@ const std::vector<std::string>& some_ids() {
   return kIds;
 }
 
-Result<Merged> merge(std::vector<hn::Run> runs) { return merge_runs(std::move(runs), some_ids()); }
+Result<MergeResult> merge(std::vector<hn::Run> runs) { return merge_runs(std::move(runs), some_ids()); }
 
 // The cases of a shard of these ten.
 Run shard_run(const std::string& text) {

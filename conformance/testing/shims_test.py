@@ -197,7 +197,7 @@ class Conditions(Shim):
                 self.assertEqual(self.preprocessed(f"-DHN_ARITHMETIC={arithmetic}", *macros), "")
 
     def test_a_condition_that_does_is_noticed(self):
-        self.change("hash.glsl", '#include "config.glsl"', '#include "config.glsl"\n#if __VERSION__ < 130\n#endif')
+        self.change("detail/hashes.glsl", '#include "../config.glsl"', '#include "../config.glsl"\n#if __VERSION__ < 130\n#endif')
         for macros in self.WITHOUT_A_NUMBER:
             self.assertIn("__VERSION__", self.preprocessed(*macros))
 

@@ -103,7 +103,7 @@ TEST(Browser, WgslHasItsValuesInWebGpu) {
 TEST(Browser, AChangedConstantIsNoticedInWebGpu) {
   Story story;
   const std::vector<std::string> ids = {kWgsl, kWgslSum};
-  ASSERT_TRUE(run(story, ids, "webgpu", changed("hash.glsl", "0x85EBCA77u", "0x85EBCA79u")));
+  ASSERT_TRUE(run(story, ids, "webgpu", changed("detail/word.glsl", "0x85EBCA77u", "0x85EBCA79u")));
   for (const std::string& id : ids) EXPECT_EQ(story.outcome(id).status, Status::fail) << id;
 }
 
@@ -119,8 +119,8 @@ TEST(Browser, AnUnknownCaseIsAnError) {
 TEST(BrowserFault, AWrongHashFailsWhereItIsWrongAndAShaderThatDoesNotCompileWithItsFileAndLine) {
   Story story;
   ASSERT_TRUE(run(story, kSome, "webgl2",
-                  changed(changed("hash.glsl", "747796405u", "747796407u"), "octaves2d.glsl", "HN_FN bool hn_next(",
-                          "HN_FN bolo hn_next(")));
+                  changed(changed("detail/hashes.glsl", "747796405u", "747796407u"), "octaves2d.glsl",
+                          "HN_FN bool hn_next(", "HN_FN bolo hn_next(")));
   const Outcome& hash = story.outcome(kHash);
   EXPECT_EQ(hash.status, Status::fail);
   EXPECT_GT(hash.mismatches, 1u);

@@ -51,8 +51,7 @@ class Table {
 
 class SuiteWriter {
  public:
-  SuiteWriter(const SourceSet& sources, const std::filesystem::path& golden, std::span<const Case> cases)
-      : sources_(sources), golden_(golden), wgsl_(sources, cases) {}
+  SuiteWriter(const SourceSet& sources, const std::filesystem::path& golden) : sources_(sources), golden_(golden) {}
 
   Json case_json(const Case& test) {
     auto part = part_of(test);
@@ -149,7 +148,7 @@ class SuiteWriter {
   }
 
   tl::expected<std::size_t, Outcome> wgsl_program(const Evaluation& evaluation) {
-    HN_TRY(const auto texts, wgsl_.find(evaluation));
+    HN_TRY(const auto texts, wgsl_shader(sources_, evaluation));
     Json pieces = Json::array();
     for (const std::string& text : texts) pieces.push_back(texts_.number_of(text));
     const std::size_t shader = shaders_.number_of({{"pieces", pieces}, {"paths", Json::array()}});
@@ -178,7 +177,7 @@ class SuiteWriter {
     HN_TRY(const auto evaluated, program(evaluation));
     Json json = {{"check", "values"},
                  {"program", evaluated},
-                 {"columns", function.columns},
+                 {"columns", columns_of(function)},
                  {"exact", has_exact_values(function, configuration)},
                  {"inputs", inputs_of(*golden)},
                  {"expected", expected_of(*golden, function, configuration)},
@@ -195,8 +194,8 @@ class SuiteWriter {
     return Json{{"check", "same"},
                 {"program", evaluated},
                 {"other", other},
-                {"columns", function.columns},
-                {"other_columns", pairing.other.function.columns},
+                {"columns", columns_of(function)},
+                {"other_columns", columns_of(pairing.other.function)},
                 {"exact", pairing.exact},
                 {"in_loop", pairing.in_loop()},
                 {"factor", pairing.factor},
@@ -217,7 +216,7 @@ class SuiteWriter {
     }
     return Json{{"check", "bug"},
                 {"program", evaluated},
-                {"columns", bug.function.columns},
+                {"columns", columns_of(bug.function)},
                 {"inputs", data(inputs)},
                 {"expected", data(expected)},
                 {"allowed", bug.allowed},
@@ -295,7 +294,6 @@ class SuiteWriter {
 
   const SourceSet& sources_;
   const std::filesystem::path& golden_;
-  const WgslShaders wgsl_;
   std::optional<std::string> defect_;
   Table facets_;
   Table texts_;
@@ -330,7 +328,7 @@ bool is_on_page(const Case& test, bool thorough) {
 
 PageSuite make_suite(const SourceSet& sources, const std::filesystem::path& golden, std::span<const Case> cases,
                      std::string_view report_to, Platform platform, bool whole) {
-  SuiteWriter writer(sources, golden, cases);
+  SuiteWriter writer(sources, golden);
   Json list = Json::array();
   for (const Case& test : cases) list.push_back(writer.case_json(test));
   const Json suite = writer.finish(std::move(list), report_to, platform, whole);

@@ -4,10 +4,12 @@
 #ifndef HN_GRADIENT_GLSL
 #define HN_GRADIENT_GLSL
 
-#include "detail/direction.glsl"
+#include "detail/direction3d.glsl"
 #include "detail/direction4d.glsl"
-#include "detail/sine_gradient.glsl"
 #include "hash.glsl"
+#if HN_GRADIENT == HN_GRADIENT_SINE
+#include "detail/sine_gradient.glsl"
+#endif
 
 // A gradient on the line, from bits 14 to 22 of a hash.
 //   h        any uint

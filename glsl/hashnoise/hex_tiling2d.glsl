@@ -5,6 +5,7 @@
 #define HN_HEX_TILING2D_GLSL
 
 #include "detail/triangular_lattice.glsl"
+#include "hash.glsl"
 
 // The three hexagons that overlap at a position, a component for each. Their centres are the corners of a triangle.
 struct hn_hexes {

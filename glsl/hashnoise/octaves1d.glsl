@@ -5,6 +5,7 @@
 #define HN_OCTAVES1D_GLSL
 
 #include "detail/octave.glsl"
+#include "place.glsl"
 
 // The octaves of a sum, one after another, over any noise:
 //

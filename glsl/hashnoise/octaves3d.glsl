@@ -5,6 +5,7 @@
 #define HN_OCTAVES3D_GLSL
 
 #include "detail/octave.glsl"
+#include "place.glsl"
 
 // The same beyond the line: tools/make writes it of octaves2d.glsl.
 

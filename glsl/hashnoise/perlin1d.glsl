@@ -4,7 +4,8 @@
 #ifndef HN_PERLIN1D_GLSL
 #define HN_PERLIN1D_GLSL
 
-#include "detail/ramps.glsl"
+#include "detail/cell.glsl"
+#include "detail/direction.glsl"
 
 // The paper's gradient has no noise on the line.
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL

@@ -4,8 +4,9 @@
 #ifndef HN_PERLIN_D1D_GLSL
 #define HN_PERLIN_D1D_GLSL
 
-#include "detail/ramps.glsl"
+#include "detail/cell.glsl"
 #include "detail/derivative.glsl"
+#include "detail/direction.glsl"
 
 // The paper's gradient has no noise of this kind.
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL

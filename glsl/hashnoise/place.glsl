@@ -1,4 +1,4 @@
-// hashnoise: where a noise is asked, as a value.
+// hashnoise: places, which say where a noise is evaluated.
 // SPDX-License-Identifier: MIT
 //
 // Every noise and every sum takes a position, or a place in its stead:
@@ -15,23 +15,46 @@
 #ifndef HN_PLACE_GLSL
 #define HN_PLACE_GLSL
 
-#include "detail/arithmetic.glsl"
+#include "detail/place2d.glsl"
 
-// A place: make it by hn_place and hn_tile. `cell` may be read.
+// The same in 3 and 4 dimensions: tools/make writes it of detail/place2d.glsl.
+
+#if HN_ARITHMETIC == HN_FAST
+HN_FN hn_ivec3 hn_i_cell(hn_vec3 p) { return ivec3(floor(p)); }
+HN_FN hn_ivec4 hn_i_cell(hn_vec4 p) { return ivec4(floor(p)); }
+HN_FN hn_vec3 hn_i_fraction(hn_vec3 p) {
+  HN_I_AS_WRITTEN hn_vec3 f = p - floor(p);
+  return f;
+}
+HN_FN hn_vec4 hn_i_fraction(hn_vec4 p) {
+  HN_I_AS_WRITTEN hn_vec4 f = p - floor(p);
+  return f;
+}
+HN_FN hn_vec3 hn_i_to_num(hn_vec3 f) { return f; }
+HN_FN hn_vec4 hn_i_to_num(hn_vec4 f) { return f; }
+#else
+HN_FN hn_ivec3 hn_i_cell(hn_vec3 p) { return ivec3(hn_i_cell(p.x), hn_i_cell(p.y), hn_i_cell(p.z)); }
+HN_FN hn_ivec4 hn_i_cell(hn_vec4 p) { return ivec4(hn_i_cell(p.x), hn_i_cell(p.y), hn_i_cell(p.z), hn_i_cell(p.w)); }
+HN_FN hn_i_num3 hn_i_fraction(hn_vec3 p) {
+  return hn_i_vector(hn_i_fraction(p.x), hn_i_fraction(p.y), hn_i_fraction(p.z));
+}
+HN_FN hn_i_num4 hn_i_fraction(hn_vec4 p) {
+  return hn_i_vector(hn_i_fraction(p.x), hn_i_fraction(p.y), hn_i_fraction(p.z), hn_i_fraction(p.w));
+}
+HN_FN hn_i_num3 hn_i_to_num(hn_vec3 f) { return hn_i_vector(hn_i_to_num(f.x), hn_i_to_num(f.y), hn_i_to_num(f.z)); }
+HN_FN hn_i_num4 hn_i_to_num(hn_vec4 f) {
+  return hn_i_vector(hn_i_to_num(f.x), hn_i_to_num(f.y), hn_i_to_num(f.z), hn_i_to_num(f.w));
+}
+#endif
+
+// The same in 1, 3 and 4 dimensions: tools/make writes it of detail/place2d.glsl.
+
+// Where a noise is evaluated. Make it by hn_place and hn_tile; only `cell` may be read.
 //   cell      the cell; cells wrap at 2^32
 //   fraction  where in the cell it is, in the numbers of HN_ARITHMETIC
 //   rest      what is beyond those numbers, in units of 2^-24 of a cell. Only octave sums with HN_FIXED need it
 //   period    cells along each axis
 //   tiled     whether it has a period. Octaves are not rotated then, as they would not fit the tile
-struct hn_place2 {
-  HN_I_MADE(hn_place2)
-  hn_ivec2 cell;
-  hn_i_num2 fraction;
-  hn_ivec2 rest;
-  hn_ivec2 period;
-  bool tiled;
-};
-// The same in 1, 3 and 4 dimensions: tools/make writes it.
 struct hn_place1 {
   HN_I_MADE(hn_place1)
   hn_int cell;
@@ -57,31 +80,7 @@ struct hn_place4 {
   bool tiled;
 };
 
-// The rest of a fraction and of a position, which the numbers of HN_ARITHMETIC do not hold; with floats it is 0. The
-// rest of a position has its sign, as the result of hn_i_rest has.
-#if HN_ARITHMETIC == HN_FIXED
-HN_FN hn_int hn_i_rest_of_fraction(hn_float f) {
-  return int(min(max(f, 0.0f), 1.0f) * HN_I_FLOAT_UNITS_POSITION) - hn_i_to_num(f) * 16;
-}
-HN_FN hn_int hn_i_rest_of_position(hn_float p) {
-  return int((p - trunc(p)) * HN_I_FLOAT_UNITS_POSITION) - hn_i_rest(p) * 16;
-}
-#define HN_I_REST(rest) rest
-#else
-#define HN_I_REST(rest) 0
-#endif
-
 // A place from its parts.
-HN_FN hn_place2 hn_i_place(hn_ivec2 cell, hn_i_num2 fraction, hn_ivec2 rest) {
-  HN_I_NEW(hn_place2, place);
-  place.cell = cell;
-  place.fraction = fraction;
-  place.rest = rest;
-  place.period = ivec2(0, 0);
-  place.tiled = false;
-  return place;
-}
-// The same in 1, 3 and 4 dimensions: tools/make writes it.
 HN_FN hn_place1 hn_i_place(hn_int cell, hn_i_num fraction, hn_int rest) {
   HN_I_NEW(hn_place1, place);
   place.cell = cell;
@@ -119,11 +118,6 @@ HN_FN hn_place4 hn_i_place(hn_ivec4 cell, hn_i_num4 fraction, hn_ivec4 rest) {
 //   error    none: this loses nothing that the noise does not
 //   cost     none that the noise does not have
 //   source   docs/contract.md, section 6
-HN_FN hn_place2 hn_place(hn_ivec2 cell, hn_vec2 f) {
-  return hn_i_place(cell, hn_i_to_num(f),
-                    ivec2(HN_I_REST(hn_i_rest_of_fraction(f.x)), HN_I_REST(hn_i_rest_of_fraction(f.y))));
-}
-// The same in 1, 3 and 4 dimensions: tools/make writes it.
 HN_FN hn_place1 hn_place(hn_int cell, hn_float f) {
   return hn_i_place(cell, hn_i_to_num(f), HN_I_REST(hn_i_rest_of_fraction(f)));
 }
@@ -144,8 +138,6 @@ HN_FN hn_place4 hn_place(hn_ivec4 cell, hn_vec4 f) {
 //   error    none
 //   cost     none
 //   source   as above
-HN_FN hn_place2 hn_place(hn_ivec2 cell) { return hn_i_place(cell, hn_i_to_num(vec2(0.0f, 0.0f)), ivec2(0, 0)); }
-// The same in 1, 3 and 4 dimensions: tools/make writes it.
 HN_FN hn_place1 hn_place(hn_int cell) { return hn_i_place(cell, hn_i_to_num(0.0f), 0); }
 HN_FN hn_place3 hn_place(hn_ivec3 cell) {
   return hn_i_place(cell, hn_i_to_num(vec3(0.0f, 0.0f, 0.0f)), ivec3(0, 0, 0));
@@ -160,11 +152,6 @@ HN_FN hn_place4 hn_place(hn_ivec4 cell) {
 //   error    floats round the fraction of a small negative position
 //   cost     as above
 //   source   as above
-HN_FN hn_place2 hn_place(hn_vec2 p) {
-  return hn_i_place(hn_i_cell(p), hn_i_fraction(p),
-                    ivec2(HN_I_REST(hn_i_rest_of_position(p.x)), HN_I_REST(hn_i_rest_of_position(p.y))));
-}
-// The same in 1, 3 and 4 dimensions: tools/make writes it.
 HN_FN hn_place1 hn_place(hn_float p) {
   return hn_i_place(hn_i_cell(p), hn_i_fraction(p), HN_I_REST(hn_i_rest_of_position(p)));
 }
@@ -189,57 +176,33 @@ HN_FN hn_place4 hn_place(hn_vec4 p) {
 //   cost     for the noise a mask along each axis if the period is a constant power of two, else a division; a few
 //            comparisons along each axis, and for simplex and cellular noise up to two multiplications
 //   source   docs/contract.md, section 6
-HN_FN hn_place2 hn_tile(hn_place2 place, hn_ivec2 period) {
-  hn_place2 tile = place;
-  tile.period = period;
-  tile.tiled = true;
-  return tile;
-}
-HN_FN hn_place2 hn_tile(hn_vec2 p, hn_ivec2 period) { return hn_tile(hn_place(p), period); }
-// The same in 1, 3 and 4 dimensions: tools/make writes it.
 HN_FN hn_place1 hn_tile(hn_place1 place, hn_int period) {
   hn_place1 tile = place;
   tile.period = period;
   tile.tiled = true;
   return tile;
 }
-HN_FN hn_place1 hn_tile(hn_float p, hn_int period) { return hn_tile(hn_place(p), period); }
 HN_FN hn_place3 hn_tile(hn_place3 place, hn_ivec3 period) {
   hn_place3 tile = place;
   tile.period = period;
   tile.tiled = true;
   return tile;
 }
-HN_FN hn_place3 hn_tile(hn_vec3 p, hn_ivec3 period) { return hn_tile(hn_place(p), period); }
 HN_FN hn_place4 hn_tile(hn_place4 place, hn_ivec4 period) {
   hn_place4 tile = place;
   tile.period = period;
   tile.tiled = true;
   return tile;
 }
+HN_FN hn_place1 hn_tile(hn_float p, hn_int period) { return hn_tile(hn_place(p), period); }
+HN_FN hn_place3 hn_tile(hn_vec3 p, hn_ivec3 period) { return hn_tile(hn_place(p), period); }
 HN_FN hn_place4 hn_tile(hn_vec4 p, hn_ivec4 period) { return hn_tile(hn_place(p), period); }
-
-// The position along one axis. Floats have no rest.
-#if HN_ARITHMETIC == HN_FIXED
-HN_FN hn_float hn_i_position_of(hn_int cell, hn_int fraction, hn_int rest) {
-  return hn_i_float(cell) + HN_I_NOT_WHOLE(hn_i_float(fraction * 16 + rest) * (1.0f / HN_I_FLOAT_UNITS_POSITION));
-}
-#else
-HN_FN hn_float hn_i_position_of(hn_int cell, hn_float fraction, hn_int rest) {
-  return hn_i_float(cell) + (fraction + hn_i_float(rest));
-}
-#endif
 
 // The position of a place, for noises of your own that sums call.
 //   place    the place
 //   returns  its cell and its fraction in one float along each axis
 //   error    that of a float, far out
 //   source   as of hn_place
-HN_FN hn_vec2 hn_position(hn_place2 place) {
-  return vec2(hn_i_position_of(place.cell.x, place.fraction.x, place.rest.x),
-              hn_i_position_of(place.cell.y, place.fraction.y, place.rest.y));
-}
-// The same in 1, 3 and 4 dimensions: tools/make writes it.
 HN_FN hn_float hn_position(hn_place1 place) {
   return hn_i_position_of(place.cell, place.fraction, place.rest);
 }

@@ -10,7 +10,7 @@
 #ifndef HN_SCATTER_GLSL
 #define HN_SCATTER_GLSL
 
-#include "detail/cell.glsl"
+#include "detail/block.glsl"
 #include "numbers.glsl"
 
 // The candidate of a cell with the word h, in units of 2^-15 cells.

@@ -5,6 +5,7 @@
 #define HN_VALUE1D_GLSL
 
 #include "detail/cell.glsl"
+#include "detail/value.glsl"
 
 // The noise in the numbers of HN_ARITHMETIC.
 HN_FN hn_i_num hn_i_value_noise(hn_i_box1 box, hn_i_num f, hn_uint seed) {

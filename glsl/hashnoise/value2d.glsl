@@ -4,7 +4,8 @@
 #ifndef HN_VALUE2D_GLSL
 #define HN_VALUE2D_GLSL
 
-#include "detail/cell.glsl"
+#include "detail/cell2d.glsl"
+#include "detail/value.glsl"
 
 // Value noise on the square lattice: hashed numbers, Perlin's 2002 interpolant. It is cheaper than gradient noise, and
 // coarser: its values are large at lattice points.

@@ -5,6 +5,7 @@
 #define HN_VALUE3D_GLSL
 
 #include "detail/cell.glsl"
+#include "detail/value.glsl"
 
 // Value noise on the cubic lattice: hashed numbers, Perlin's 2002 interpolant. It is cheaper than gradient noise, and
 // coarser: its values are large at lattice points.

@@ -5,6 +5,7 @@
 #define HN_VALUE4D_GLSL
 
 #include "detail/cell.glsl"
+#include "detail/value.glsl"
 
 // Interpolates the square that z and w choose, at a place that t gives by its fades.
 HN_FN hn_i_num hn_i_value_square(hn_i_box4 box, bool far_z, bool far_w, hn_i_num4 t, hn_uint seed) {

@@ -6,6 +6,7 @@
 
 #include "detail/cell.glsl"
 #include "detail/derivative.glsl"
+#include "detail/value.glsl"
 
 // The noise and its derivative.
 HN_FN hn_vec2 hn_i_value_d(hn_i_box1 box, hn_i_num f, hn_uint seed) {

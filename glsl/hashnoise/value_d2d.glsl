@@ -4,8 +4,9 @@
 #ifndef HN_VALUE_D2D_GLSL
 #define HN_VALUE_D2D_GLSL
 
-#include "detail/cell.glsl"
+#include "detail/cell2d.glsl"
 #include "detail/derivative.glsl"
+#include "detail/value.glsl"
 
 // The noise and its derivatives, from the words of the corners.
 HN_FN hn_vec3 hn_i_value_d(hn_uvec4 h, hn_i_num2 f) {

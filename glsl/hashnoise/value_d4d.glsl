@@ -6,6 +6,7 @@
 
 #include "detail/cell.glsl"
 #include "detail/derivative.glsl"
+#include "detail/value.glsl"
 
 // The share of the two squares along z that w chooses in the noise: the value, and its derivatives along x, y and z.
 HN_FN hn_i_num4 hn_i_value_cube_d(hn_i_box4 box, bool far_w, hn_i_num4 t, hn_i_num4 s, hn_uint seed) {

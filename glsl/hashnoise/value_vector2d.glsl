@@ -4,7 +4,8 @@
 #ifndef HN_VALUE_VECTOR2D_GLSL
 #define HN_VALUE_VECTOR2D_GLSL
 
-#include "detail/cell.glsl"
+#include "detail/cell2d.glsl"
+#include "detail/value.glsl"
 
 // Two value noises that do not depend on each other, from one hash for each corner: to move positions, for the two
 // parts of a flow, for two colours.

@@ -5,6 +5,7 @@
 #define HN_VALUE_VECTOR3D_GLSL
 
 #include "detail/cell.glsl"
+#include "detail/value.glsl"
 
 // Three value noises that do not depend on each other, from one hash for each corner: to move positions, for the parts
 // of a flow, for three colours.

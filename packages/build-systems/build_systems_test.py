@@ -170,7 +170,7 @@ class CMake(Way):
 
     def test_a_changed_constant_is_noticed(self):
         self.copied()
-        text = self.game / "hashnoise" / "glsl" / "hashnoise" / "hash.glsl"
+        text = self.game / "hashnoise" / "glsl" / "hashnoise" / "detail" / "word.glsl"
         changed = text.read_text().replace("0x85EBCA77u", "0x85EBCA79u")
         self.assertNotEqual(changed, text.read_text())
         text.write_text(changed)
@@ -241,7 +241,7 @@ class Conan(Way):
         self.conan("conan", "profile", "detect")
         clone, create, *_ = commands("Conan")
         self.conan(*clone)
-        text = self.game / "hashnoise" / "glsl" / "hashnoise" / "hash.glsl"
+        text = self.game / "hashnoise" / "glsl" / "hashnoise" / "detail" / "word.glsl"
         text.write_text(text.read_text().replace("0x85EBCA77u", "0x85EBCA79u"))
         with self.assertRaisesRegex(AssertionError, "(?s)hn_perlin at .*Error in test"):
             self.conan(*create)

@@ -25,7 +25,7 @@ class Hashnoise(ConanFile):
         self.version = ".".join(re.findall(r"^#define HN_VERSION_(?:MAJOR|MINOR|PATCH) (\d+)$", config, re.MULTILINE))
 
     def export_sources(self):
-        for pattern in ("CMakeLists.txt", "LICENSE", "glsl/*", "include/*", "tools/*.in", "vectors/*"):
+        for pattern in ("CMakeLists.txt", "LICENSE", "glsl/*", "include/*", "tools/*.in", "vectors/*", "build/vectors/*"):
             copy(self, pattern, Path(self.recipe_folder, TOP), self.export_sources_folder)
 
     def package_id(self):

@@ -51,18 +51,19 @@ inline Kind kind_of(const Memory& memory) {
 }
 
 // An array along the axes of the result. Steps are in bytes, and 0 along an axis of which it has only one.
-struct Strided {
+struct StridedArray {
   std::byte* data = nullptr;
   Kind kind = Kind::kFloat32;
   std::vector<std::ptrdiff_t> steps{};
 };
 
 // `array` as one that is broadcast to so many axes. Its shape must fit.
-inline Strided broadcast(const Memory& memory, const std::vector<std::ptrdiff_t>& shape) {
+inline StridedArray broadcast(const Memory& memory, const std::vector<std::ptrdiff_t>& shape) {
   const Py_buffer& view = memory.view();
   const auto axes = static_cast<std::size_t>(view.ndim);
   if (axes > shape.size()) throw std::invalid_argument("an array has more axes than the result");
-  Strided strided{static_cast<std::byte*>(view.buf), kind_of(memory), std::vector<std::ptrdiff_t>(shape.size(), 0)};
+  StridedArray strided{static_cast<std::byte*>(view.buf), kind_of(memory),
+                       std::vector<std::ptrdiff_t>(shape.size(), 0)};
   for (std::size_t i = 0; i < axes; ++i) {
     const std::size_t axis = shape.size() - axes + i;
     if (view.shape[i] == shape[axis]) {
@@ -77,7 +78,7 @@ inline Strided broadcast(const Memory& memory, const std::vector<std::ptrdiff_t>
 // The points of a result, in the order in which the last of the arrays has them in memory, and the arrays along them.
 class Walk {
  public:
-  Walk(std::vector<std::ptrdiff_t> shape, std::vector<Strided> arrays)
+  Walk(std::vector<std::ptrdiff_t> shape, std::vector<StridedArray> arrays)
       : shape_(std::move(shape)), arrays_(std::move(arrays)) {
     for (std::size_t axis = shape_.size(); axis-- > 0;) {
       if (shape_[axis] == 1) erase(axis);
@@ -90,11 +91,11 @@ class Walk {
     }
   }
 
-  const Strided& array(std::size_t index) const { return arrays_[index]; }
+  const StridedArray& array(std::size_t index) const { return arrays_[index]; }
 
   // Whether the array's `count` points from `begin` lie one behind the other, as numbers of this kind.
   bool is_row(std::size_t index, Kind kind, std::size_t begin, std::size_t count) const {
-    const Strided& array = arrays_[index];
+    const StridedArray& array = arrays_[index];
     const std::ptrdiff_t size = size_of(kind);
     if (array.kind != kind || reinterpret_cast<std::uintptr_t>(array.data) % static_cast<std::size_t>(size) != 0) {
       return false;
@@ -105,7 +106,7 @@ class Walk {
   }
 
   std::byte* place(std::size_t index, std::size_t point) const {
-    const Strided& array = arrays_[index];
+    const StridedArray& array = arrays_[index];
     std::byte* at = array.data;
     for (std::size_t axis = shape_.size(); axis-- > 0;) {
       const auto size = static_cast<std::size_t>(shape_[axis]);
@@ -162,7 +163,7 @@ class Walk {
   static std::ptrdiff_t size_of(Kind kind) { return kind == Kind::kFloat32 || kind == Kind::kInt32 ? 4 : 8; }
 
   // Whether all of its points lie one behind the other.
-  bool is_packed(const Strided& array, std::ptrdiff_t size) const {
+  bool is_packed(const StridedArray& array, std::ptrdiff_t size) const {
     for (std::size_t axis = shape_.size(); axis-- > 0;) {
       if (array.steps[axis] != size) return false;
       size *= shape_[axis];
@@ -171,7 +172,7 @@ class Walk {
   }
 
   bool is_one_with_next(std::size_t axis) const {
-    return std::all_of(arrays_.begin(), arrays_.end(), [&](const Strided& array) {
+    return std::all_of(arrays_.begin(), arrays_.end(), [&](const StridedArray& array) {
       return array.steps[axis] == array.steps[axis + 1] * shape_[axis + 1];
     });
   }
@@ -189,17 +190,17 @@ class Walk {
       for (std::size_t i = 0; i < order.size(); ++i) along[i] = before[order[i]];
     };
     reorder(shape_);
-    for (Strided& array : arrays_) reorder(array.steps);
+    for (StridedArray& array : arrays_) reorder(array.steps);
   }
 
   void erase(std::size_t axis) {
     const auto at = static_cast<std::ptrdiff_t>(axis);
     shape_.erase(shape_.begin() + at);
-    for (Strided& array : arrays_) array.steps.erase(array.steps.begin() + at);
+    for (StridedArray& array : arrays_) array.steps.erase(array.steps.begin() + at);
   }
 
   std::vector<std::ptrdiff_t> shape_;
-  std::vector<Strided> arrays_;
+  std::vector<StridedArray> arrays_;
 };
 
 }  // namespace hashnoise::python

@@ -90,9 +90,9 @@ class Planes {
   std::ptrdiff_t step() const { return memory_.view().strides[0]; }  // in bytes, from plane to plane
 
   // A plane as an array of its points.
-  Strided first() const {
+  StridedArray first() const {
     const Py_buffer& view = memory_.view();
-    Strided strided{static_cast<std::byte*>(view.buf), Kind::kFloat32, {}};
+    StridedArray strided{static_cast<std::byte*>(view.buf), Kind::kFloat32, {}};
     strided.steps.assign(view.strides + 1, view.strides + view.ndim);
     return strided;
   }
@@ -317,7 +317,7 @@ class FieldOf final : public AnyField {
     const Planes planes(out, field_.components());
     if (planes.numbers() != Numbers::kFloat32) throw std::invalid_argument("the result must be of float32");
     std::deque<Memory> memories;
-    std::vector<Strided> arrays;
+    std::vector<StridedArray> arrays;
     for (const nb::list* list : {&coordinates, &cells}) {
       for (const nb::handle array : *list) {
         memories.emplace_back(array, PyBUF_RECORDS_RO);
@@ -377,7 +377,7 @@ class FieldOf final : public AnyField {
   template <class AnyGrid>
   Range fill_by_tiles(const AnyGrid& grid, const Planes& planes, const Ranges& ranges, const Executor& executor) const {
     if (planes.shape().size() != D) throw std::invalid_argument("the result must have an axis for each of the grid");
-    const Strided plane = planes.first();
+    const StridedArray plane = planes.first();
     std::array<std::ptrdiff_t, D> steps{};  // x is the last axis of an array
     for (std::size_t axis = 0; axis < D; ++axis) {
       steps[axis] = plane.steps[D - 1 - axis];

@@ -5,7 +5,8 @@ set(package_environment ${PROJECT_BINARY_DIR}/python-tests)
 add_test(NAME python.wheel
          COMMAND Python3::Interpreter -B ${package_tests}/environment.py make ${package_environment}
                  $<TARGET_FILE:hashnoise-grid>)
-set_tests_properties(python.wheel PROPERTIES FIXTURES_SETUP python_wheel SKIP_RETURN_CODE 77 TIMEOUT 3600)
+set_tests_properties(python.wheel PROPERTIES FIXTURES_SETUP python_wheel FIXTURES_REQUIRED vectors SKIP_RETURN_CODE 77
+                     TIMEOUT 3600)
 # As users have it, with kernels of its own for all instruction sets. tools/pack python holds it to golden values.
 add_test(NAME python.wheel_of_users CONFIGURATIONS Thorough
          COMMAND Python3::Interpreter -B ${package_tests}/environment.py make ${package_environment}-of-users)

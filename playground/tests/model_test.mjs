@@ -39,6 +39,8 @@ const inPage = (id) => unpacked(new RegExp(`id="${id}">([^<]*)<`).exec(page)[1])
 const library = new Library(await inPage("library"));
 library.picks = await inPage("picks");
 
+test("the page is small", () => assert.ok(page.length < 495_000, `${page.length} bytes`));
+
 // Numbers that are the same in every run.
 function* chance(word) {
   for (;;) {
@@ -314,8 +316,9 @@ const kImports = `
 import json, sys
 sys.dont_write_bytecode = True
 sys.path.insert(0, ${JSON.stringify(join(root, "tools", "lib"))})
-from tree import GLSL
-from wgsl.module import Module, Settings`;
+from base.tree import GLSL
+from translate.settings import Settings
+from translate.wgsl.module import Module`;
 
 test("the library in the page is that of tools/pick whole, and of the translator", () => {
   for (const file of ["fbm2d.glsl", "cellular3d.glsl"]) {
@@ -326,7 +329,7 @@ test("the library in the page is that of tools/pick whole, and of the translator
     assert.equal(made.split("\n")[1], kLicense);
   }
   const script = `${kImports}
-from playground.library import of_pictures
+from ship.playground.library import of_pictures
 text = "".join(f'#include "{file}"\\n' for file in of_pictures())
 module = Module(GLSL, text, Settings("HN_FIXED", "PCG"))
 print(module.text(["hn_ridged3_place"], strip=True), end="")
@@ -340,7 +343,7 @@ test("sums over other noises are the same loops in each language", () => {
   const script = `${kImports}
 loops = json.load(sys.stdin)
 module = Module(GLSL, '#include "hashnoise.glsl"\\n' + "".join(loop + "\\n" for loop in loops), Settings("HN_FIXED"))
-made = [module.translator.definition(n) for n in module.translator.items if n.startswith("hn_i_own_")]
+made = [module.definition(n) for n in module.items if n.startswith("hn_i_own_")]
 json.dump({d.name: "\\n".join(d.lines) for d in made}, sys.stdout)
 `;
   const loops = [];

@@ -128,10 +128,10 @@ ProcessOptions compilation(const std::filesystem::path& folder, const std::files
   return options;
 }
 
-tl::unexpected<NotMade> wrong(const std::string& message) { return tl::unexpected(NotMade{kBadUsage, message}); }
-tl::unexpected<NotMade> not_built(const std::string& message) { return tl::unexpected(NotMade{kNotBuilt, message}); }
+tl::unexpected<Refusal> wrong(const std::string& message) { return tl::unexpected(Refusal{kBadUsage, message}); }
+tl::unexpected<Refusal> not_built(const std::string& message) { return tl::unexpected(Refusal{kNotBuilt, message}); }
 
-tl::unexpected<NotMade> explain(const Error& error, const Texts& texts) {
+tl::unexpected<Refusal> explain(const Error& error, const Texts& texts) {
   if (error.message.starts_with("cannot start")) {
     return not_built(
         fmt::format("--expression needs a compiler of C++20, and {}; install g++ or clang, or name one in "
@@ -149,7 +149,7 @@ tl::unexpected<NotMade> explain(const Error& error, const Texts& texts) {
 
 std::filesystem::path ExpressionProgram::path() const { return folder_.path() / "expression"; }
 
-tl::expected<ExpressionProgram, NotMade> ExpressionProgram::make(const BakeOptions& options) {
+tl::expected<ExpressionProgram, Refusal> ExpressionProgram::make(const BakeOptions& options) {
   const auto texts = texts_of(*options.expression);
   if (!texts) return wrong(texts.error().text());
   if (!std::filesystem::exists(HN_BAKE_INCLUDE "/hashnoise/hashnoise.hpp")) {

@@ -12,7 +12,7 @@
 namespace hn {
 
 // Why there is no program.
-struct NotMade {
+struct Refusal {
   int status;  // of hn-bake: kBadUsage if the user's text is wrong, kNotBuilt if the compiler is missing or fails
   std::string message;
 };
@@ -20,7 +20,7 @@ struct NotMade {
 class ExpressionProgram {
  public:
   // Compiles the expression by $CXX, or else c++.
-  static tl::expected<ExpressionProgram, NotMade> make(const BakeOptions& options);
+  static tl::expected<ExpressionProgram, Refusal> make(const BakeOptions& options);
 
   const std::vector<std::string>& components() const { return components_; }  // of the whole value
   std::filesystem::path path() const;

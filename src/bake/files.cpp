@@ -276,7 +276,7 @@ Result<Report> write_files(const BakeOptions& options, Planes planes, std::vecto
         options.normalize
             ? Mapping{{static_cast<double>(plane.range.least), static_cast<double>(plane.range.greatest)}, "normalized"}
             : mappings[i];
-    Mapped mapped = to_16_bits(plane.values, mapping.interval);
+    Texels mapped = to_16_bits(plane.values, mapping.interval);
     mapping.clamped = mapped.clamped;
     report.components[i].mapping = mapping;
     words.push_back(std::move(mapped.words));

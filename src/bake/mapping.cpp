@@ -4,8 +4,8 @@
 
 namespace hn {
 
-Mapped to_16_bits(std::span<const float> values, const Interval& interval) {
-  Mapped mapped;
+Texels to_16_bits(std::span<const float> values, const Interval& interval) {
+  Texels mapped;
   mapped.words.reserve(values.size());
   for (const float value : values) {
     const double v = static_cast<double>(value);

@@ -36,7 +36,7 @@ constexpr bool kIsWide = kCount > 4;
 //
 // Columns may have the numbers of their cells.
 template <int D>
-class InCells {
+class CellNumbers {
  public:
   static constexpr int kBehind = 1;
 
@@ -49,7 +49,7 @@ class InCells {
 // is left. In space that rounds at most 17 times, to the nearest, and the error that the noise states allows for 10
 // roundings in any mode; on the plane 11 and 9.
 template <int D>
-class PerlinColumns : public InCells<D> {
+class PerlinColumns : public CellNumbers<D> {
  public:
   static constexpr double kMostStep = 0.85;
   static constexpr int kBefore = 0;
@@ -121,7 +121,7 @@ class PerlinColumns : public InCells<D> {
 
 // The numbers of value noise.
 template <int D>
-class ValueColumns : public InCells<D> {
+class ValueColumns : public CellNumbers<D> {
  public:
   static constexpr double kMostStep = 0.85;
   static constexpr int kBefore = 0;
@@ -160,10 +160,10 @@ class ValueColumns : public InCells<D> {
 };
 
 // The nearest corner of a cell along each axis, the one opposite, and where the centre beyond is.
-struct Around {
+struct Neighbours {
   uvec3 corner, across, beyond;
 };
-HN_I_INLINE Around around(const hn_i_block3& block, hn_i_num3 f) {
+HN_I_INLINE Neighbours around(const hn_i_block3& block, hn_i_num3 f) {
   return {hn_i_nearer(f, block.cell, block.following), hn_i_nearer(f, block.following, block.cell),
           hn_i_nearer(f, block.previous, block.following)};
 }
@@ -221,7 +221,7 @@ class SimplexColumns<2> {
 // neighbour of the nearest corner in whose direction the row is, if it is not the one along x that is nearer: there are
 // two rows of corners, and two of centres.
 template <>
-class SimplexColumns<3> : public InCells<3> {
+class SimplexColumns<3> : public CellNumbers<3> {
  public:
   static constexpr double kMostStep = kIsWide ? 0.6 : 0.25;
   static constexpr int kBefore = 1;
@@ -329,7 +329,7 @@ class SmoothSimplexColumns<2> {
 // The points of smooth simplex noise in space: corners and centres in the four rows of each that are next to the row.
 // The first bit of a row's number tells whether it is further off along y, and the second one, along z.
 template <>
-class SmoothSimplexColumns<3> : public InCells<3> {
+class SmoothSimplexColumns<3> : public CellNumbers<3> {
  public:
   static constexpr double kMostStep = kIsWide ? 0.6 : 0.25;
   static constexpr int kBefore = 1;
@@ -398,7 +398,7 @@ class SmoothSimplexColumns<3> : public InCells<3> {
 // offsets from points are kept as those of the middle of the cell. What is across is the same in all of the row, so its
 // square is kept. In space that is so with HN_FIXED alone, since offsets of floats come along the diagonals there.
 template <int D>
-class CellularColumns : public InCells<D> {
+class CellularColumns : public CellNumbers<D> {
  public:
   static constexpr double kMostStep = 0.85;
   static constexpr int kBefore = 1;

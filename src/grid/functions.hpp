@@ -17,15 +17,15 @@ struct NoiseRow {
   std::string_view name;
   int first_dimension, last_dimension;
   Shape shape;
-  Takes takes;
+  Inputs takes;
 
   constexpr bool has_phase() const {  // in 2D and 3D
-    return takes == Takes::kPhase || takes == Takes::kJitterAndMetricAndPhase || has_wave();
+    return takes == Inputs::kPhase || takes == Inputs::kJitterAndMetricAndPhase || has_wave();
   }
-  constexpr bool has_wave() const { return takes == Takes::kPhaseAndWave; }
-  constexpr bool has_jitter() const { return takes == Takes::kJitter || has_metric(); }
+  constexpr bool has_wave() const { return takes == Inputs::kPhaseAndWave; }
+  constexpr bool has_jitter() const { return takes == Inputs::kJitter || has_metric(); }
   constexpr bool has_metric() const {
-    return takes == Takes::kJitterAndMetric || takes == Takes::kJitterAndMetricAndPhase;
+    return takes == Inputs::kJitterAndMetric || takes == Inputs::kJitterAndMetricAndPhase;
   }
 };
 
@@ -59,7 +59,7 @@ struct RangeRow {
 
 // By NoiseId and SumId; in the order of the dimensions.
 constexpr std::array<NoiseRow, kNoises> kNoiseRows = {{
-#define HN_CATALOG_NOISE(Id, name, first, last, shape, takes) {#name, first, last, Shape::shape, Takes::takes},
+#define HN_CATALOG_NOISE(Id, name, first, last, shape, takes) {#name, first, last, Shape::shape, Inputs::takes},
 #include "catalog.inc"
 }};
 // These throw std::out_of_range for a name that there is not.

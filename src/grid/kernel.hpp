@@ -21,7 +21,7 @@ enum class Shape {
 
 // What a noise takes beside a seed and a period. A phase it has in 2D and 3D.
 // With a phase there is no metric to choose. What has a wave has no form without both.
-enum class Takes { kNothing, kPhase, kJitter, kJitterAndMetric, kJitterAndMetricAndPhase, kPhaseAndWave };
+enum class Inputs { kNothing, kPhase, kJitter, kJitterAndMetric, kJitterAndMetricAndPhase, kPhaseAndWave };
 
 // The noises, and the functions that sum them, in the order of the catalog.
 enum NoiseId {

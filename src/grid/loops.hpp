@@ -35,7 +35,7 @@ using Place = decltype(hn_place(std::declval<Cell<D>>(), std::declval<Fraction<D
 
 // The options, in all lanes.
 template <int D>
-struct Given {
+struct Arguments {
   Uint seed;
   Cell<D> period;
   Float phase, jitter;
@@ -43,7 +43,7 @@ struct Given {
   Int metric, octaves;
   Float lacunarity, gain, strength, limit;
 
-  HN_I_INLINE explicit Given(const Options& o)
+  HN_I_INLINE explicit Arguments(const Options& o)
       : seed(o.seed),
         period(vector_of<Cell<D>, D>([&](int axis) HN_I_INLINED { return Int(o.period[axis]); })),
         phase(o.phase),

@@ -12,12 +12,12 @@ namespace {
 // A noise at a place, by how it is called: plain, in a tile with everything that may be chosen (full), with a phase,
 // and both.
 #define HN_GRID_NOISE(kind, name, in, ...) HN_GRID_CALL(name##_##kind, hn_##name, in, __VA_ARGS__)
-#define HN_GRID_CALL(type, function, in, ...)                                            \
-  struct type {                                                                          \
-    template <int D>                                                                     \
-    HN_I_INLINE static auto at(Place<D> place, [[maybe_unused]] const Given<D>& given) { \
-      return function(in, __VA_ARGS__);                                                  \
-    }                                                                                    \
+#define HN_GRID_CALL(type, function, in, ...)                                                \
+  struct type {                                                                              \
+    template <int D>                                                                         \
+    HN_I_INLINE static auto at(Place<D> place, [[maybe_unused]] const Arguments<D>& given) { \
+      return function(in, __VA_ARGS__);                                                      \
+    }                                                                                        \
   };
 #define HN_GRID_TILE hn_tile(place, given.period)
 // By what it takes. What has no phase has no struct for it.
@@ -91,7 +91,7 @@ struct PiecesOf<D, perlin_plain> {
 #endif
 
 template <int D, typename Noise>
-HN_I_INLINE auto noise_at(const Place<D>& place, const Given<D>& given) {
+HN_I_INLINE auto noise_at(const Place<D>& place, const Arguments<D>& given) {
   if constexpr ((D == 2 || D == 3) && std::is_same_v<Noise, simplex_plain>) {
     return hn_i_value(simplex_at(place, given.seed));
   } else if constexpr ((D == 2 || D == 3) && std::is_same_v<Noise, perlin_plain>) {
@@ -109,7 +109,7 @@ constexpr bool kAreTwo = ((D == 2 || (D == 3 && kCount == 16)) &&
                          (D == 2 && std::is_same_v<Noise, simplex_plain>);
 
 template <int D, typename Noise, typename PlaceAt>
-HN_I_INLINE void at_places(const Batch& b, const Given<D>& given, const PlaceAt& place) {
+HN_I_INLINE void at_places(const Batch& b, const Arguments<D>& given, const PlaceAt& place) {
   int i = 0;
   if constexpr (kAreTwo<D, Noise>) {
     for (; i + 2 * kCount <= b.count; i += 2 * kCount) {
@@ -124,7 +124,7 @@ HN_I_INLINE void at_places(const Batch& b, const Given<D>& given, const PlaceAt&
 template <int D, typename Noise>
 void at_points(const Batch& batch, const Options& options, Octave) {
   const Batch b = batch;
-  const Given<D> given(options);
+  const Arguments<D> given(options);
   if constexpr (kAreTwo<D, Noise>) {  // and so that the two are not apart
     if (b.cell[0] != nullptr) {
       at_places<D, Noise>(b, given, [&](int i) HN_I_INLINED { return place_in_cell<D>(b, i); });
@@ -140,7 +140,7 @@ void at_points(const Batch& batch, const Options& options, Octave) {
 template <int D, typename Noise>
 void along_row(const Batch& batch, const Options& options, Octave) {
   const Batch b = batch;
-  const Given<D> given(options);
+  const Arguments<D> given(options);
   using Columns = typename ColumnsOf<D, Noise>::Type;
   if constexpr (!std::is_void_v<Columns>) {
     constexpr bool kTiled = ColumnsOf<D, Noise>::kTiled;
@@ -195,17 +195,17 @@ void along_line(const Batch& batch, const Options& options, Octave octave) {
 
 // A noise for sums, and for kernels of its own that call it: see OctaveOf.
 template <int D, typename Noise, typename Axes = std::make_index_sequence<D>>
-struct Called;
+struct NoiseCall;
 template <int D, typename Noise, std::size_t... Axis>
-struct Called<D, Noise, std::index_sequence<Axis...>> {
+struct NoiseCall<D, Noise, std::index_sequence<Axis...>> {
   HN_GRID_NOINLINE static auto plain(ForEach<Int, Axis>... cell, ForEach<hn_i_num, Axis>... fraction, Uint seed) {
-    Given<D> given{Options{}};
+    Arguments<D> given{Options{}};
     given.seed = seed;
     return Noise::template at<D>(place(cell..., fraction...), given);
   }
   HN_GRID_NOINLINE static auto tiled(ForEach<Int, Axis>... cell, ForEach<hn_i_num, Axis>... fraction,
                                      const Tile<D>& tile, Uint seed) {
-    Given<D> given{Options{}};
+    Arguments<D> given{Options{}};
     given.period = tile.period;
     given.seed = seed;
     given.jitter = tile.jitter;
@@ -223,7 +223,7 @@ struct Called<D, Noise, std::index_sequence<Axis...>> {
   }
   static void tiled_at_points(const Batch& batch, const Options& options, Octave) {
     const Batch b = batch;
-    const Given<D> given(options);
+    const Arguments<D> given(options);
     const Tile<D> tile{given.period, given.jitter};
     for (int i = 0; i < b.count; i += kCount) {
       const Place<D> at = place_at<D>(b, i);
@@ -242,11 +242,11 @@ using grid::always;
 using grid::NoiseKernels;
 
 // The kernels of a noise.
-template <int D, grid::Shape shape, grid::Takes takes, typename Plain, typename Full, typename Phase,
+template <int D, grid::Shape shape, grid::Inputs takes, typename Plain, typename Full, typename Phase,
           typename PhaseFull>
 NoiseKernels kernels_of() {
   constexpr bool kIsFlatOrInSpace = D == 2 || D == 3;
-  constexpr bool kIsSearched = takes == grid::Takes::kJitter && shape == grid::Shape::kValue;
+  constexpr bool kIsSearched = takes == grid::Inputs::kJitter && shape == grid::Shape::kValue;
   // Sums of noises with slopes, and of vectors, are in 2D and 3D.
   constexpr bool kIsSummed =
       shape == grid::Shape::kValue ||
@@ -260,8 +260,8 @@ NoiseKernels kernels_of() {
   constexpr bool kIsCalled = HN_ARITHMETIC == HN_FIXED && D == 3 && kIsSearched;
   NoiseKernels k{};
   if constexpr (kIsCalled) {
-    k.plain = always(Called<D, Plain>::plain_at_points);
-    k.full = always(Called<D, Full>::tiled_at_points);
+    k.plain = always(NoiseCall<D, Plain>::plain_at_points);
+    k.full = always(NoiseCall<D, Full>::tiled_at_points);
   } else {
     k.plain = always(at_points<D, Plain>);
     k.full = always(at_points<D, Full>);
@@ -270,15 +270,15 @@ NoiseKernels kernels_of() {
   if constexpr (!std::is_void_v<typename ColumnsOf<D, Full>::Type>) k.full.row = along_row<D, Full>;
   if constexpr (!std::is_void_v<typename PiecesOf<D, Plain>::Type>) k.plain.line = along_line<D, Plain>;
   if constexpr (kIsSummed) {
-    k.octave = reinterpret_cast<Octave>(&Called<D, Plain>::plain);
-    k.octave_full = reinterpret_cast<Octave>(&Called<D, Full>::tiled);
+    k.octave = reinterpret_cast<Octave>(&NoiseCall<D, Plain>::plain);
+    k.octave_full = reinterpret_cast<Octave>(&NoiseCall<D, Full>::tiled);
   }
-  constexpr bool kHasPhase = takes == grid::Takes::kPhase || takes == grid::Takes::kJitterAndMetricAndPhase;
+  constexpr bool kHasPhase = takes == grid::Inputs::kPhase || takes == grid::Inputs::kJitterAndMetricAndPhase;
   if constexpr (kHasPhase && kIsFlatOrInSpace) {
     k.phase = always(at_points<D, Phase>);
     k.phase_full = always(at_points<D, PhaseFull>);
   }
-  if constexpr (takes == grid::Takes::kPhaseAndWave) {
+  if constexpr (takes == grid::Inputs::kPhaseAndWave) {
     k.phase = k.plain;
     k.phase_full = k.full;
   }
@@ -287,10 +287,10 @@ NoiseKernels kernels_of() {
 
 template <int D>
 void enter(NoiseKernels (&noises)[grid::kNoises][4]) {
-#define HN_CATALOG_NOISE(Id, name, first, last, shape, takes)                                                     \
-  if constexpr (first <= D && D <= last) {                                                                        \
-    noises[grid::k##Id][D - 1] = kernels_of<D, grid::Shape::shape, grid::Takes::takes, name##_plain, name##_full, \
-                                            name##_phase, name##_phase_full>();                                   \
+#define HN_CATALOG_NOISE(Id, name, first, last, shape, takes)                                                      \
+  if constexpr (first <= D && D <= last) {                                                                         \
+    noises[grid::k##Id][D - 1] = kernels_of<D, grid::Shape::shape, grid::Inputs::takes, name##_plain, name##_full, \
+                                            name##_phase, name##_phase_full>();                                    \
   }
 #include "catalog.inc"
 }

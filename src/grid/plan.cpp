@@ -99,7 +99,7 @@ std::string sums_with(std::string_view strength) {
 }
 
 // What is given, and what the noise or the sum has to be for that, which is asked for only if it is not.
-struct Given {
+struct Requirement {
   std::string_view setting;
   bool is_given;
   bool is_had;
@@ -114,7 +114,7 @@ void check_owners(const Settings& settings, int dimensions, const NoiseRow& nois
   const auto has_strength = [&](std::string_view name) { return is_sum && sum->strength == name; };
   constexpr auto of_sums = [] { return std::string("sums have one"); };
   constexpr auto of_fbm = [] { return std::string("the sum fbm has one, if it has no period"); };
-  const Given all[] = {
+  const Requirement all[] = {
       {"phase", settings.phase.has_value(), has_phase,
        [] { return noises_with(&NoiseRow::has_phase) + " have one in 2D and 3D"; }},
       {"wave", !settings.wave.empty(), is_noise && noise.has_wave(),
@@ -133,7 +133,7 @@ void check_owners(const Settings& settings, int dimensions, const NoiseRow& nois
       {"detail", settings.detail.has_value(), is_limited, of_fbm},
       {"footprint", settings.footprint.has_value(), is_limited, of_fbm},
   };
-  for (const Given& given : all) {
+  for (const Requirement& given : all) {
     if (!given.is_given || given.is_had) continue;
     refuse((is_sum ? "the sum " + quoted(sum->name) : quoted(noise.name)) + in_dimensions(dimensions) +
            (tiled ? " with a period" : "") + " has no " + std::string(given.setting) + "; " + given.owners());

@@ -10,9 +10,9 @@ namespace {
 
 // A noise that is called.
 template <int D, typename Result>
-class Called {
+class NoiseCall {
  public:
-  explicit Called(Octave noise) : octave_(noise) {}
+  explicit NoiseCall(Octave noise) : octave_(noise) {}
 
   HN_I_INLINE Result octave(Place<D> place, Uint seed) const {
     return call(place, seed, std::make_index_sequence<D>());
@@ -60,7 +60,7 @@ HN_I_INLINE hn_i_num end_of(int id, hn_i_num mean) {
 
 // The octaves at a position, or at a place.
 template <int D, typename Position>
-HN_I_INLINE auto octaves_at(const Position& p, const Given<D>& given) {
+HN_I_INLINE auto octaves_at(const Position& p, const Arguments<D>& given) {
   return hn_octaves(p, given.octaves, given.lacunarity, given.gain, given.seed);
 }
 
@@ -84,7 +84,7 @@ HN_I_INLINE hn_i_num mean_of(hn_i_num sum, hn_i_num total) {
 template <int D, bool kHasDetail>
 class ResolvedFbm {
  public:
-  HN_I_INLINE ResolvedFbm(Octave noise, const Options&, const Given<D>& given) : noise_(noise), given_(given) {
+  HN_I_INLINE ResolvedFbm(Octave noise, const Options&, const Arguments<D>& given) : noise_(noise), given_(given) {
     if constexpr (kHasDetail) {
       given_.octaves = hn_i_whole_octaves(given.limit);
       part_ = hn_i_last_part(given.limit, given_.octaves);
@@ -110,26 +110,26 @@ class ResolvedFbm {
   }
 
  private:
-  Called<D, Float> noise_;
-  Given<D> given_;
+  NoiseCall<D, Float> noise_;
+  Arguments<D> given_;
   hn_i_num part_ = HN_I_WEIGHT_ONE;
   hn_i_num footprint_, total_;
 };
 
-// Sums with frames, over a noise that is called.
+// Sums with Jacobians, over a noise that is called.
 template <int D, typename Result>
-class Framed {
+class JacobianSum {
  public:
-  HN_I_INLINE Framed(Octave noise, const Options&, const Given<D>& given) : noise_(noise), given_(given) {}
+  HN_I_INLINE JacobianSum(Octave noise, const Options&, const Arguments<D>& given) : noise_(noise), given_(given) {}
 
  protected:
-  Called<D, Result> noise_;
-  Given<D> given_;
+  NoiseCall<D, Result> noise_;
+  Arguments<D> given_;
 };
 template <int D>
 using Vector = std::conditional_t<D == 2, vec2, vec3>;
 template <int D>
-using Slopes = Framed<D, std::conditional_t<D == 2, vec3, vec4>>;
+using Slopes = JacobianSum<D, std::conditional_t<D == 2, vec3, vec4>>;
 
 template <int D>
 class FbmD : public Slopes<D> {
@@ -145,7 +145,7 @@ class FbmD : public Slopes<D> {
 };
 
 template <int D>
-class Eroded : public Slopes<D> {
+class Erosion : public Slopes<D> {
  public:
   using Slopes<D>::Slopes;
   template <typename Position>
@@ -158,9 +158,9 @@ class Eroded : public Slopes<D> {
 };
 
 template <int D, bool kProgressive>
-class Warp : public Framed<D, Vector<D>> {
+class Warp : public JacobianSum<D, Vector<D>> {
  public:
-  using Framed<D, Vector<D>>::Framed;
+  using JacobianSum<D, Vector<D>>::JacobianSum;
   template <typename Position>
   HN_I_INLINE auto at(Position p) const {
     auto o = octaves_at(p, this->given_);
@@ -182,14 +182,14 @@ class Warp : public Framed<D, Vector<D>> {
 HN_GRID_NOINLINE Float nearest_point(const Place<3>& place, Uint seed) { return hn_cellular(place, seed).x; }
 
 // hn_i_perlin_worley, over Perlin noise that is called.
-class PerlinWorley : public Framed<3, Float> {
+class PerlinWorley : public JacobianSum<3, Float> {
  public:
-  using Framed<3, Float>::Framed;
+  using JacobianSum<3, Float>::JacobianSum;
   template <typename Position>
   HN_I_INLINE Float at(Position p) const {
     auto wisps = octaves_at(p, given_);
     do hn_add(wisps, noise_.octave(wisps.place, wisps.seed)); while (hn_next(wisps));
-    const Given<3>& given = given_;
+    const Arguments<3>& given = given_;
     auto billows = hn_octaves(p, min(given.octaves, Int(3)), given.lacunarity, given.gain, hn_i_other_seed(given.seed));
     do hn_add(billows, hn_i_billow_at(nearest_point(billows.place, billows.seed))); while (hn_next(billows));
     return hn_i_value(hn_i_either(hn_i_bounded_octave(hn_mean(wisps)), hn_i_bounded_octave(hn_mean(billows))));
@@ -199,20 +199,20 @@ class PerlinWorley : public Framed<3, Float> {
 // The positions of a batch: as they are, or from cells, or in a tile.
 template <int D>
 struct Positions {
-  HN_I_INLINE static auto of(const Batch& b, int i, const Given<D>&) { return fractions_at<D>(b, i); }
+  HN_I_INLINE static auto of(const Batch& b, int i, const Arguments<D>&) { return fractions_at<D>(b, i); }
 };
 template <int D>
 struct Cells {
-  HN_I_INLINE static auto of(const Batch& b, int i, const Given<D>&) { return place_in_cell<D>(b, i); }
+  HN_I_INLINE static auto of(const Batch& b, int i, const Arguments<D>&) { return place_in_cell<D>(b, i); }
 };
 // In HN_FIXED both are of one type, and in a tile with all arithmetics: then one kernel takes both.
 template <int D>
-struct Either {
-  HN_I_INLINE static auto of(const Batch& b, int i, const Given<D>&) { return place_at<D>(b, i); }
+struct AnyPlace {
+  HN_I_INLINE static auto of(const Batch& b, int i, const Arguments<D>&) { return place_at<D>(b, i); }
 };
 template <int D>
 struct Tiles {
-  HN_I_INLINE static auto of(const Batch& b, int i, const Given<D>& given) {
+  HN_I_INLINE static auto of(const Batch& b, int i, const Arguments<D>& given) {
     return hn_tile(place_at<D>(b, i), given.period);
   }
 };
@@ -220,7 +220,7 @@ struct Tiles {
 template <int D, typename At, typename Sum>
 void at_points(const Batch& batch, const Options& options, Octave octave) {
   const Batch b = batch;
-  const Given<D> given(options);
+  const Arguments<D> given(options);
   const Sum sum(octave, options, given);
   for (int i = 0; i < b.count; i += kCount) store(b, i, sum.at(At::of(b, i, given)));
 }
@@ -305,12 +305,12 @@ HN_I_INLINE void each_axis(const Function& function) {
 // what depends on them alone is computed once.
 template <int D, typename At, bool kIsRowOfTile = false>
 void by_octaves(const Batch& batch, const Options& options, Octave) {
-  using Position = decltype(At::of(batch, 0, std::declval<const Given<D>&>()));
+  using Position = decltype(At::of(batch, 0, std::declval<const Arguments<D>&>()));
   constexpr bool kIsTiled = std::is_same_v<At, Tiles<D>>;
   constexpr bool kIsWhole = std::is_same_v<Position, Place<D>>;
   constexpr int kMoving = kIsRowOfTile ? 1 : D;  // axes
   const Batch b = batch;
-  const Given<D> given(options);
+  const Arguments<D> given(options);
   const hn_i_num total = hn_i_total(hn_i_octaves(given.octaves), hn_i_gain(given.gain), HN_I_WEIGHT_ONE);
   const bool is_row = b.stride[D - 1] == 0;
   Spots<D, kIsWhole> spots;
@@ -392,9 +392,9 @@ using grid::SumKernels;
 
 #if HN_ARITHMETIC == HN_FIXED
 template <int D>
-using FromPositions = Either<D>;
+using FromPositions = AnyPlace<D>;
 template <int D>
-using FromCells = Either<D>;
+using FromCells = AnyPlace<D>;
 #else
 template <int D>
 using FromPositions = Positions<D>;
@@ -425,7 +425,7 @@ template <int D>
 void enter_sums(SumKernels (&sums)[grid::kSums][4]) {
   const SumKernels any{octave_by_octave<D, FromPositions<D>>(), octave_by_octave<D, FromCells<D>>(),
                        {by_octaves<D, Tiles<D>>, by_octaves<D, Tiles<D>, true>, nullptr}};
-  // Those with frames, and those of noises of their own, have other kernels, and are entered after these.
+  // Those with Jacobians, and those of noises of their own, have other kernels, and are entered after these.
 #define HN_CATALOG_STEP(Id, ...) sums[grid::k##Id][D - 1] = any;
 #include "catalog.inc"
   sums[grid::kDetail][D - 1].at = always(at_points<D, FromPositions<D>, ResolvedFbm<D, true>>);
@@ -439,8 +439,8 @@ void enter(grid::Kernels& kernels) {
   enter_sums<4>(kernels.sums);
   kernels.sums[grid::kFbmD][1] = kernels_of<2, FbmD<2>>();
   kernels.sums[grid::kFbmD][2] = kernels_of<3, FbmD<3>>();
-  kernels.sums[grid::kEroded][1] = kernels_of<2, Eroded<2>>();
-  kernels.sums[grid::kEroded][2] = kernels_of<3, Eroded<3>>();
+  kernels.sums[grid::kEroded][1] = kernels_of<2, Erosion<2>>();
+  kernels.sums[grid::kEroded][2] = kernels_of<3, Erosion<3>>();
   kernels.sums[grid::kWarp][1] = kernels_of<2, Warp<2, false>>();
   kernels.sums[grid::kWarp][2] = kernels_of<3, Warp<3, false>>();
   kernels.sums[grid::kWarpProgressive][1] = kernels_of<2, Warp<2, true>>();

@@ -21,8 +21,8 @@ struct BugPoint {
 };
 
 struct Bug {
-  // id ("bugs.abs_of_int"), columns and body as in functions.inc; its file is config.glsl, for its names of types. The
-  // body may use float_of and bits_of.
+  // id ("bugs.abs_of_int"), columns and body as of the library's functions; its file is config.glsl, for its names of
+  // types. The body may use float_of and bits_of.
   Function function;
   std::string_view reference;      // where it was reported
   std::string_view specification;  // what the language says of it, and where

@@ -19,7 +19,7 @@ constexpr std::string_view kSineBound =
     "is the wider";
 
 void add_sine(std::vector<Bug>& bugs) {
-  bugs.push_back({.function = bug_function("bugs.sin_within_a_turn", "x:f32 = sine:f32",
+  bugs.push_back({.function = bug_function("bugs.sin_within_a_turn", {{"x", f32}}, {{"sine", f32}},
                                            "return uvec4(bits_of(sin(float_of(a.x))), 0u, 0u, 0u);"),
                   .reference = kSineReports,
                   .specification = kSineBound,
@@ -30,7 +30,7 @@ void add_sine(std::vector<Bug>& bugs) {
                        1.6f, 2.0f,   2.5f,  3.0f, 3.1415925f, -0.25f, -1.0f, -1.5707963f, -1.6f,      -3.0f},
                       [](float x) { return Words{word(static_cast<float>(std::sin(static_cast<double>(x))))}; })});
   bugs.push_back(
-      {.function = bug_function("bugs.sin_of_large", "x:f32 = sine:f32",
+      {.function = bug_function("bugs.sin_of_large", {{"x", f32}}, {{"sine", f32}},
                                 "return uvec4(bits_of(sin(float_of(a.x))), 0u, 0u, 0u);"),
        .reference = kSineReports,
        .specification = "GLSL states no bound for sin, and Vulkan only within [-pi, pi]",
@@ -40,7 +40,7 @@ void add_sine(std::vector<Bug>& bugs) {
          return Words{word(static_cast<float>(std::sin(static_cast<double>(x))))};
        })});
   bugs.push_back(
-      {.function = bug_function("bugs.sin_of_small", "x:f32 = sine_over_x:f32",
+      {.function = bug_function("bugs.sin_of_small", {{"x", f32}}, {{"sine_over_x", f32}},
                                 "hn_float x = float_of(a.x);\nreturn uvec4(bits_of(sin(x) / x), 0u, 0u, 0u);"),
        .reference = kSineReports,
        .specification =
@@ -50,7 +50,7 @@ void add_sine(std::vector<Bug>& bugs) {
        .points =
            points_of<float>({0x1p-12f, 0x1p-16f, 0x1p-20f, 1e-9f, 1e-20f}, [](float) { return Words{word(1.0f)}; })});
   bugs.push_back(
-      {.function = bug_function("bugs.fract_of_sin", "x:f32 = noise:f32",
+      {.function = bug_function("bugs.fract_of_sin", {{"x", f32}}, {{"noise", f32}},
                                 "return uvec4(bits_of(fract(sin(float_of(a.x)) * 43758.547)), 0u, 0u, 0u);"),
        .reference = "gfx-rs/wgpu 9561 (Apple A12, A14); godotengine/godot 106210; mrdoob/three.js 33467",
        .specification =
@@ -62,7 +62,7 @@ void add_sine(std::vector<Bug>& bugs) {
          return Words{word(static_cast<float>(product - std::floor(product)))};
        })});
   bugs.push_back(
-      {.function = bug_function("bugs.cos_of_floor_quotient", "x:f32 y:f32 = cosine:f32",
+      {.function = bug_function("bugs.cos_of_floor_quotient", {{"x", f32}, {"y", f32}}, {{"cosine", f32}},
                                 "return uvec4(bits_of(cos(floor(float_of(a.x)) / float_of(a.y))), 0u, 0u, 0u);"),
        .reference = "WebGL conformance/glsl/bugs/floor-div-cos-should-not-truncate",
        .specification = kSineBound,
@@ -91,7 +91,7 @@ constexpr std::string_view kQuotientDefined =
 void add_fract(std::vector<Bug>& bugs) {
   constexpr std::string_view kFract = "fract that returns 1.0, seen on several drivers (llvmpipe among them)";
   bugs.push_back(
-      {.function = bug_function("bugs.fract_of_small_negative", "x:f32 = fraction:f32",
+      {.function = bug_function("bugs.fract_of_small_negative", {{"x", f32}}, {{"fraction", f32}},
                                 "return uvec4(bits_of(fract(float_of(a.x))), 0u, 0u, 0u);"),
        .reference = kFract,
        .specification =
@@ -99,7 +99,7 @@ void add_fract(std::vector<Bug>& bugs) {
        .defined = false,
        .points = points_of<float>({-1e-9f, -2e-10f, -1e-20f}, [](float) { return Words{word(0x1.fffffep-1f)}; })});
   bugs.push_back(
-      {.function = bug_function("bugs.fract_of_exact", "x:f32 = fraction:f32 rest:f32",
+      {.function = bug_function("bugs.fract_of_exact", {{"x", f32}}, {{"fraction", f32}, {"rest", f32}},
                                 "hn_float x = float_of(a.x);\n"
                                 "return uvec4(bits_of(fract(x)), bits_of(x - floor(x)), 0u, 0u);"),
        .reference = kFract,
@@ -115,7 +115,7 @@ void add_quotients(std::vector<Bug>& bugs) {
   constexpr std::string_view kFloorReports =
       "WebGL conformance/glsl/bugs/floored-division-accuracy and floor-div-cos-should-not-truncate";
   bugs.push_back(
-      {.function = bug_function("bugs.quotient_of_floor", "x:f32 y:f32 = quotient:f32",
+      {.function = bug_function("bugs.quotient_of_floor", {{"x", f32}, {"y", f32}}, {{"quotient", f32}},
                                 "return uvec4(bits_of(floor(float_of(a.x)) / float_of(a.y)), 0u, 0u, 0u);"),
        .reference = kFloorReports,
        .specification = kQuotientDefined,
@@ -124,7 +124,7 @@ void add_quotients(std::vector<Bug>& bugs) {
        .points = points({{word(7.75f), word(2.0f)}, {word(-7.25f), word(3.0f)}, {word(1023.5f), word(4.0f)}},
                         [](const Words& in) { return Words{word(std::floor(as_float(in[0])) / as_float(in[1]))}; })});
   bugs.push_back(
-      {.function = bug_function("bugs.floor_of_quotient", "x:f32 y:f32 = floor:f32",
+      {.function = bug_function("bugs.floor_of_quotient", {{"x", f32}, {"y", f32}}, {{"floor", f32}},
                                 "return uvec4(bits_of(floor(float_of(a.x) / float_of(a.y))), 0u, 0u, 0u);"),
        .reference = kFloorReports,
        .specification = kQuotientDefined,
@@ -134,7 +134,7 @@ void add_quotients(std::vector<Bug>& bugs) {
                          {word(-5.0f), word(2.0f)},
                          {word(1000.5f), word(7.0f)}},
                         [](const Words& in) { return Words{word(std::floor(as_float(in[0]) / as_float(in[1])))}; })});
-  bugs.push_back({.function = bug_function("bugs.floor_of_whole_quotient", "x:f32 y:f32 = floor:f32",
+  bugs.push_back({.function = bug_function("bugs.floor_of_whole_quotient", {{"x", f32}, {"y", f32}}, {{"floor", f32}},
                                            "return uvec4(bits_of(floor(float_of(a.x) / float_of(a.y))), 0u, 0u, 0u);"),
                   .reference = kFloorReports,
                   .specification = kQuotientOpen,
@@ -149,7 +149,7 @@ void add_quotients(std::vector<Bug>& bugs) {
 void add_mod(std::vector<Bug>& bugs) {
   constexpr std::string_view kModReports =
       "WebGL conformance/glsl/bugs/modulo-arithmetic-accuracy; Kenix3/libultraship 1096 (PowerVR, at integers)";
-  bugs.push_back({.function = bug_function("bugs.mod_of_multiple", "x:f32 y:f32 = remainder:f32",
+  bugs.push_back({.function = bug_function("bugs.mod_of_multiple", {{"x", f32}, {"y", f32}}, {{"remainder", f32}},
                                            "return uvec4(bits_of(mod(float_of(a.x), float_of(a.y))), 0u, 0u, 0u);"),
                   .reference = kModReports,
                   .specification = kQuotientOpen,
@@ -159,7 +159,7 @@ void add_mod(std::vector<Bug>& bugs) {
                                     {word(343.0f), word(49.0f)},
                                     {word(-22.0f), word(11.0f)}},
                                    [](const Words&) { return Words{word(0.0f)}; })});
-  bugs.push_back({.function = bug_function("bugs.mod_between_multiples", "x:f32 y:f32 = remainder:f32",
+  bugs.push_back({.function = bug_function("bugs.mod_between_multiples", {{"x", f32}, {"y", f32}}, {{"remainder", f32}},
                                            "return uvec4(bits_of(mod(float_of(a.x), float_of(a.y))), 0u, 0u, 0u);"),
                   .reference = kModReports,
                   .specification = kQuotientDefined,
@@ -188,7 +188,9 @@ constexpr std::string_view kImprecise =
 
 // A product less itself is 0 however it is rounded, unless one of the two is not; (a + b) - a differs from b, where b
 // is too small for a, in every rounding mode.
-constexpr std::string_view kContractionColumns = "x:f32 y:f32 large:f32 = residue:f32 lost:u32";
+Function contraction(std::string_view id, std::string_view body) {
+  return bug_function(id, {{"x", f32}, {"y", f32}, {"large", f32}}, {{"residue", f32}, {"lost", u32}}, body);
+}
 
 Words contraction_expected(const Words&) { return {word(0.0f), 1u}; }
 
@@ -200,27 +202,27 @@ std::vector<BugPoint> contraction_points() {
 }
 
 void add_contraction(std::vector<Bug>& bugs) {
-  bugs.push_back({.function = bug_function("bugs.contracted_despite_precise", kContractionColumns,
-                                           "precise hn_float x = float_of(a.x);\n"
-                                           "precise hn_float y = float_of(a.y);\n"
-                                           "precise hn_float large = float_of(a.z);\n"
-                                           "precise hn_float product = x * y;\n"
-                                           "precise hn_float residue = x * y + (-product);\n"
-                                           "precise hn_float rest = (large + x) - large;\n"
-                                           "return uvec4(bits_of(residue), rest != x ? 1u : 0u, 0u, 0u);"),
+  bugs.push_back({.function = contraction("bugs.contracted_despite_precise",
+                                          "precise hn_float x = float_of(a.x);\n"
+                                          "precise hn_float y = float_of(a.y);\n"
+                                          "precise hn_float large = float_of(a.z);\n"
+                                          "precise hn_float product = x * y;\n"
+                                          "precise hn_float residue = x * y + (-product);\n"
+                                          "precise hn_float rest = (large + x) - large;\n"
+                                          "return uvec4(bits_of(residue), rest != x ? 1u : 0u, 0u, 0u);"),
                   .reference = kContractionReports,
                   .specification = kPrecise,
                   .defined = true,
                   .profiles = "gl400 es320",
                   .points = contraction_points()});
-  bugs.push_back({.function = bug_function("bugs.contracted", kContractionColumns,
-                                           "hn_float x = float_of(a.x);\n"
-                                           "hn_float y = float_of(a.y);\n"
-                                           "hn_float large = float_of(a.z);\n"
-                                           "hn_float product = x * y;\n"
-                                           "hn_float residue = x * y + (-product);\n"
-                                           "hn_float rest = (large + x) - large;\n"
-                                           "return uvec4(bits_of(residue), rest != x ? 1u : 0u, 0u, 0u);"),
+  bugs.push_back({.function = contraction("bugs.contracted",
+                                          "hn_float x = float_of(a.x);\n"
+                                          "hn_float y = float_of(a.y);\n"
+                                          "hn_float large = float_of(a.z);\n"
+                                          "hn_float product = x * y;\n"
+                                          "hn_float residue = x * y + (-product);\n"
+                                          "hn_float rest = (large + x) - large;\n"
+                                          "return uvec4(bits_of(residue), rest != x ? 1u : 0u, 0u, 0u);"),
                   .reference = kContractionReports,
                   .specification = kImprecise,
                   .defined = false,
@@ -232,7 +234,7 @@ void add_contraction(std::vector<Bug>& bugs) {
 void add_denormals(std::vector<Bug>& bugs) {
   constexpr std::string_view kReports = "denormals flushed: allowed, and seen on several drivers (llvmpipe among them)";
   bugs.push_back(
-      {.function = bug_function("bugs.denormals_kept", "x:f32 y:f32 = product:f32 sum:f32",
+      {.function = bug_function("bugs.denormals_kept", {{"x", f32}, {"y", f32}}, {{"product", f32}, {"sum", f32}},
                                 "hn_float x = float_of(a.x);\nhn_float y = float_of(a.y);\n"
                                 "return uvec4(bits_of(x * y), bits_of(x * y + x * y), 0u, 0u);"),
        .reference = kReports,
@@ -243,7 +245,7 @@ void add_denormals(std::vector<Bug>& bugs) {
          return Words{word(product), word(product + product)};
        })});
   bugs.push_back(
-      {.function = bug_function("bugs.small_normals_kept", "x:f32 y:f32 = product:f32 sum:f32",
+      {.function = bug_function("bugs.small_normals_kept", {{"x", f32}, {"y", f32}}, {{"product", f32}, {"sum", f32}},
                                 "hn_float x = float_of(a.x);\nhn_float y = float_of(a.y);\n"
                                 "return uvec4(bits_of(x * y), bits_of(x * y + x * y), 0u, 0u);"),
        .reference = kReports,
@@ -262,18 +264,19 @@ void add_denormals(std::vector<Bug>& bugs) {
 void add_conversions(std::vector<Bug>& bugs) {
   constexpr std::string_view kReports =
       "uint to float rounded wrongly, seen on several drivers; NVIDIA 580 in ES, in default precision";
-  bugs.push_back({.function = bug_function("bugs.uint_to_float_exact", "x:u32 = converted:f32 as_int:f32",
-                                           "return uvec4(bits_of(float(a.x)), bits_of(float(int(a.x >> 8))), 0u, 0u);"),
-                  .reference = kReports,
-                  .specification = "GLSL 4.60 section 4.7.1: float has a 24-bit significand, which these integers fit",
-                  .defined = true,
-                  .points = points_of<std::uint32_t>(
-                      {0u, 1u, 65537u, 16777215u, 16777216u, 0xFFFFFF00u, 0x80000000u, 0x7FFFFF80u, 12345679u},
-                      [](std::uint32_t x) {
-                        return Words{word(static_cast<float>(x)), word(static_cast<float>(x >> 8))};
-                      })});
   bugs.push_back(
-      {.function = bug_function("bugs.uint_to_float_rounded", "x:u32 = converted:f32",
+      {.function = bug_function("bugs.uint_to_float_exact", {{"x", u32}}, {{"converted", f32}, {"as_int", f32}},
+                                "return uvec4(bits_of(float(a.x)), bits_of(float(int(a.x >> 8))), 0u, 0u);"),
+       .reference = kReports,
+       .specification = "GLSL 4.60 section 4.7.1: float has a 24-bit significand, which these integers fit",
+       .defined = true,
+       .points = points_of<std::uint32_t>(
+           {0u, 1u, 65537u, 16777215u, 16777216u, 0xFFFFFF00u, 0x80000000u, 0x7FFFFF80u, 12345679u},
+           [](std::uint32_t x) {
+             return Words{word(static_cast<float>(x)), word(static_cast<float>(x >> 8))};
+           })});
+  bugs.push_back(
+      {.function = bug_function("bugs.uint_to_float_rounded", {{"x", u32}}, {{"converted", f32}},
                                 "return uvec4(bits_of(float(a.x)), 0u, 0u, 0u);"),
        .reference = kReports,
        .specification = "GLSL 4.60 section 4.7.1 leaves the rounding mode open; here to nearest, ties to even",
@@ -281,7 +284,7 @@ void add_conversions(std::vector<Bug>& bugs) {
        .points = points_of<std::uint32_t>({16777217u, 16777219u, 0xFFFFFFFFu, 0x80000081u, 0x7FFFFFFFu},
                                           [](std::uint32_t x) { return Words{word(static_cast<float>(x))}; })});
   bugs.push_back(
-      {.function = bug_function("bugs.uint_of_negative_float", "x:f32 = converted:u32",
+      {.function = bug_function("bugs.uint_of_negative_float", {{"x", f32}}, {{"converted", u32}},
                                 "return uvec4(uint(float_of(a.x)), 0u, 0u, 0u);"),
        .reference = "KhronosGroup/WebGL 3101",
        .specification =
@@ -291,7 +294,7 @@ void add_conversions(std::vector<Bug>& bugs) {
        .points = points_of<float>({-1.0f, -2.75f, -65536.0f},
                                   [](float x) { return Words{word(static_cast<std::int32_t>(x))}; })});
   bugs.push_back(
-      {.function = bug_function("bugs.int_of_float", "x:f32 = converted:i32 floored:i32",
+      {.function = bug_function("bugs.int_of_float", {{"x", f32}}, {{"converted", i32}, {"floored", i32}},
                                 "hn_float x = float_of(a.x);\n"
                                 "return uvec4(uint(int(x)), uint(int(floor(x))), 0u, 0u);"),
        .reference = "Kenix3/libultraship 1096 (PowerVR, at integers)",
@@ -305,7 +308,8 @@ void add_conversions(std::vector<Bug>& bugs) {
 void add_folding(std::vector<Bug>& bugs) {
   bugs.push_back(
       {.function = bug_function(
-           "bugs.folded_floats", "x:f32 y:f32 = constant:f32 variable:f32 product:f32 variable_product:f32",
+           "bugs.folded_floats", {{"x", f32}, {"y", f32}},
+           {{"constant", f32}, {"variable", f32}, {"product", f32}, {"variable_product", f32}},
            "hn_float x = float_of(a.x);\nhn_float y = float_of(a.y);\n"
            "hn_float difference = 3.0 - 0.0000152587890625;\n"
            "hn_float product = 4095.5 * 0.75;\n"
@@ -320,7 +324,8 @@ void add_folding(std::vector<Bug>& bugs) {
          return Words{difference, difference, product, product};
        })});
   bugs.push_back(
-      {.function = bug_function("bugs.highp_beside_mediump", "x:f32 y:u32 = sum:f32 product:f32 word:u32",
+      {.function = bug_function("bugs.highp_beside_mediump", {{"x", f32}, {"y", u32}},
+                                {{"sum", f32}, {"product", f32}, {"word", u32}},
                                 "hn_float x = float_of(a.x);\n"
                                 "mediump float one = 1.0;\nmediump uint three = 3u;\n"
                                 "return uvec4(bits_of((x + one) - 1.0), bits_of(x * one), a.y * three, 0u);"),

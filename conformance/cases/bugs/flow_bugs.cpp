@@ -18,7 +18,8 @@ constexpr std::string_view kLoops =
 // Counts are held to 64 in the shaders: pixels beside the points, which run along with them, may see any words.
 void add_loops(std::vector<Bug>& bugs) {
   bugs.push_back(
-      {.function = bug_function("bugs.unary_minus_in_loop", "x:f32 y:i32 count:i32 = sum:f32 whole_sum:i32",
+      {.function = bug_function("bugs.unary_minus_in_loop", {{"x", f32}, {"y", i32}, {"count", i32}},
+                                {{"sum", f32}, {"whole_sum", i32}},
                                 "hn_float x = float_of(a.x);\nhn_int y = int(a.y);\n"
                                 "hn_float sum = 0.0;\nhn_int whole = 0;\n"
                                 "for (hn_int i = 0; i < min(int(a.z), 64); ++i) {\n"
@@ -34,28 +35,29 @@ void add_loops(std::vector<Bug>& bugs) {
                           const float sum = 0.0f - as_float(in[0]) * static_cast<float>(count);
                           return Words{word(sum), word(-y * (count * (count + 1) / 2))};
                         })});
-  bugs.push_back({.function = bug_function(
-                      "bugs.loop_condition", "start:u32 count:i32 = for_loop:u32 while_loop:u32 break_loop:u32",
-                      "hn_int n = min(int(a.y), 64);\nhn_uint f = a.x;\nhn_uint w = "
-                      "a.x;\nhn_uint b0 = a.x;\n"
-                      "for (hn_int i = 0; i < n; ++i) { f = f * 1664525u + 1013904223u + uint(i); }\n"
-                      "hn_int j = 0;\n"
-                      "while (j < n) { w = w * 1664525u + 1013904223u + uint(j); j = j + 1; }\n"
-                      "for (hn_int k = 0; k < 64; ++k) {\n"
-                      "  if (k >= n) { break; }\n"
-                      "  b0 = b0 * 1664525u + 1013904223u + uint(k);\n}\n"
-                      "return uvec4(f, w, b0, 0u);"),
-                  .reference = "ANGLE add_and_true_to_loop_condition (Intel on macOS)",
-                  .specification = kLoops,
-                  .defined = true,
-                  .points = points({{7, 0}, {7, 1}, {7, 2}, {7, 5}, {7, 20}, {7, 63}}, [](const Words& in) {
-                    const std::uint32_t h = iterated(in[0], 0, static_cast<std::int32_t>(in[1]));
-                    return Words{h, h, h};
-                  })});
+  bugs.push_back(
+      {.function = bug_function("bugs.loop_condition", {{"start", u32}, {"count", i32}},
+                                {{"for_loop", u32}, {"while_loop", u32}, {"break_loop", u32}},
+                                "hn_int n = min(int(a.y), 64);\nhn_uint f = a.x;\nhn_uint w = "
+                                "a.x;\nhn_uint b0 = a.x;\n"
+                                "for (hn_int i = 0; i < n; ++i) { f = f * 1664525u + 1013904223u + uint(i); }\n"
+                                "hn_int j = 0;\n"
+                                "while (j < n) { w = w * 1664525u + 1013904223u + uint(j); j = j + 1; }\n"
+                                "for (hn_int k = 0; k < 64; ++k) {\n"
+                                "  if (k >= n) { break; }\n"
+                                "  b0 = b0 * 1664525u + 1013904223u + uint(k);\n}\n"
+                                "return uvec4(f, w, b0, 0u);"),
+       .reference = "ANGLE add_and_true_to_loop_condition (Intel on macOS)",
+       .specification = kLoops,
+       .defined = true,
+       .points = points({{7, 0}, {7, 1}, {7, 2}, {7, 5}, {7, 20}, {7, 63}}, [](const Words& in) {
+         const std::uint32_t h = iterated(in[0], 0, static_cast<std::int32_t>(in[1]));
+         return Words{h, h, h};
+       })});
 }
 
 void add_initializers(std::vector<Bug>& bugs) {
-  bugs.push_back({.function = bug_function("bugs.loop_initializer", "first:i32 end:i32 = for_loop:u32",
+  bugs.push_back({.function = bug_function("bugs.loop_initializer", {{"first", i32}, {"end", i32}}, {{"for_loop", u32}},
                                            "hn_uint h = 7u;\n"
                                            "for (hn_int i = max(int(a.x), -64); i < min(int(a.y), 64); ++i) { h = h "
                                            "* 1664525u + 1013904223u + uint(i); }\n"
@@ -66,7 +68,8 @@ void add_initializers(std::vector<Bug>& bugs) {
                   .points = points({{0, 3}, {2, 9}, {word(-4), 4}, {5, 5}}, [](const Words& in) {
                     return Words{iterated(7, static_cast<std::int32_t>(in[0]), static_cast<std::int32_t>(in[1]))};
                   })});
-  bugs.push_back({.function = bug_function("bugs.array_initialized_in_loop", "x:u32 index:i32 = element:u32 sum:u32",
+  bugs.push_back({.function = bug_function("bugs.array_initialized_in_loop", {{"x", u32}, {"index", i32}},
+                                           {{"element", u32}, {"sum", u32}},
                                            "hn_uint t[8];\n"
                                            "for (hn_int i = 0; i < 8; ++i) { t[i] = a.x + uint(i * i); }\n"
                                            "hn_uint sum = 0u;\n"
@@ -84,7 +87,8 @@ void add_initializers(std::vector<Bug>& bugs) {
 
 void add_vectors(std::vector<Bug>& bugs) {
   bugs.push_back({.function = bug_function(
-                      "bugs.vector_plus_scalar_in_loop", "x:f32 y:f32 s:f32 count:i32 = x:f32 y:f32 z:u32 w:u32",
+                      "bugs.vector_plus_scalar_in_loop", {{"x", f32}, {"y", f32}, {"s", f32}, {"count", i32}},
+                      {{"x", f32}, {"y", f32}, {"z", u32}, {"w", u32}},
                       "hn_vec2 v = vec2(float_of(a.x), float_of(a.y));\nhn_uvec2 u = uvec2(1u, 2u);\n"
                       "hn_float s = float_of(a.z);\n"
                       "for (hn_int i = 0; i < min(int(a.w), 64); ++i) {\n  v += s;\n  u += 3u;\n}\n"
@@ -104,8 +108,8 @@ void add_vectors(std::vector<Bug>& bugs) {
   constexpr std::string_view kAssignments =
       "GLSL 4.60 section 5.8: an assignment stores, and its value is what was stored";
   bugs.push_back(
-      {.function = bug_function("bugs.swizzle_written_twice", "x:u32 y:u32 z:u32 w:u32 = x:u32 y:u32 z:u32 w:u32",
-                                "return hn_bug_swap(a);"),
+      {.function = bug_function("bugs.swizzle_written_twice", {{"x", u32}, {"y", u32}, {"z", u32}, {"w", u32}},
+                                {{"x", u32}, {"y", u32}, {"z", u32}, {"w", u32}}, "return hn_bug_swap(a);"),
        .reference = kSwizzles,
        .specification = kAssignments,
        .defined = true,
@@ -116,8 +120,8 @@ void add_vectors(std::vector<Bug>& bugs) {
          return Words{in[1] + in[0], in[0] + in[0], in[1], in[0]};
        })});
   bugs.push_back(
-      {.function = bug_function("bugs.swizzle_assigned_in_chain", "x:u32 y:u32 z:u32 w:u32 = x:u32 y:u32 z:u32 w:u32",
-                                "return hn_bug_chain(a);"),
+      {.function = bug_function("bugs.swizzle_assigned_in_chain", {{"x", u32}, {"y", u32}, {"z", u32}, {"w", u32}},
+                                {{"x", u32}, {"y", u32}, {"z", u32}, {"w", u32}}, "return hn_bug_chain(a);"),
        .reference = kSwizzles,
        .specification = kAssignments,
        .defined = true,

@@ -21,7 +21,7 @@ std::vector<BugPoint> whole_points(const std::function<std::vector<std::uint32_t
 
 void add_quotient(std::vector<Bug>& bugs, std::string_view id, float divisor, std::string_view body,
                   std::string_view specification) {
-  bugs.push_back({.function = bug_function(id, "units:i32 = position:f32", body),
+  bugs.push_back({.function = bug_function(id, {{"units", i32}}, {{"position", f32}}, body),
                   .reference = kReports,
                   .specification = specification,
                   .defined = false,
@@ -34,7 +34,7 @@ void add_quotient(std::vector<Bug>& bugs, std::string_view id, float divisor, st
 void add_position_bugs(std::vector<Bug>& bugs) {
   bugs.push_back(
       {.function =
-           bug_function("bugs.position_of_cell", "units:i32 = cell:i32 fraction:f32 eighths:f32",
+           bug_function("bugs.position_of_cell", {{"units", i32}}, {{"cell", i32}, {"fraction", f32}, {"eighths", f32}},
                         "hn_int units = int(a.x);\n"
                         "hn_float fraction = float(units & 1023) * 0.0009765625;\n"
                         "return uvec4(uint(units >> 10), bits_of(fraction), bits_of(float(units) * 0.125), 0u);"),

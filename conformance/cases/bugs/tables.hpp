@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstdint>
 #include <initializer_list>
+#include <utility>
 #include <vector>
 
 #include "cases/bugs/bugs.hpp"
@@ -18,8 +19,16 @@ void add_position_bugs(std::vector<Bug>& bugs);
 inline float as_float(std::uint32_t value) { return std::bit_cast<float>(value); }
 
 // What a bug evaluates. It needs nothing of the library but the names of types.
-inline Function bug_function(std::string_view id, std::string_view columns, std::string_view body) {
-  return make_function(id, "config.glsl", Family::independent, "exact", columns, "", body);
+using enum WordType;
+inline Function bug_function(std::string_view id, std::vector<Column> inputs, std::vector<Column> outputs,
+                             std::string_view body) {
+  return {.id = id,
+          .file = "config.glsl",
+          .call = {},
+          .body = body,
+          .inputs = std::move(inputs),
+          .outputs = std::move(outputs),
+          .plain = {}};
 }
 
 constexpr std::uint32_t word(std::uint32_t value) { return value; }

@@ -36,7 +36,8 @@ TEST_F(MetalStandIn, EvaluatesTheTextThatItIsGiven) {
   const std::vector<std::uint32_t> points(3 * kInputWords, 0x3F000000u);
   const auto right = build(SourceSet::embedded(), "noise2d.perlin", "lattice+fixed");
   ASSERT_TRUE(right) << right.error().text();
-  const auto wrong = build(changed("hash.glsl", "0x2C1B3C6Du", "0x2C1B3C6Fu"), "noise2d.perlin", "lattice+fixed");
+  const auto wrong =
+      build(changed("detail/word.glsl", "0x2C1B3C6Du", "0x2C1B3C6Fu"), "noise2d.perlin", "lattice+fixed");
   ASSERT_TRUE(wrong) << wrong.error().text();
   const auto values = (*right)->evaluate(points);
   const auto other_values = (*wrong)->evaluate(points);

@@ -1,5 +1,5 @@
 // Stands for Apple's <metal_stdlib>, which nobody has outside of macOS: as much of Metal's shading language as the
-// library and the rows of functions.inc use, for a compiler of C++14. Sections are those of Apple's specification.
+// library and the rows of the suite use, for a compiler of C++14. Sections are those of Apple's specification.
 #pragma once
 
 #include <cmath>

@@ -175,17 +175,17 @@ class Instance {
 
 class Kernel final : public VulkanKernel {
  public:
-  explicit Kernel(Owned<VkPipeline> pipeline) : pipeline_(std::move(pipeline)) {}
+  explicit Kernel(UniqueHandle<VkPipeline> pipeline) : pipeline_(std::move(pipeline)) {}
   VkPipeline pipeline() const { return pipeline_.get(); }
 
  private:
-  Owned<VkPipeline> pipeline_;
+  UniqueHandle<VkPipeline> pipeline_;
 };
 
 // A buffer that the CPU sees.
 struct Buffer {
-  Owned<VkDeviceMemory> memory;  // goes after the buffer in it
-  Owned<VkBuffer> buffer;
+  UniqueHandle<VkDeviceMemory> memory;  // goes after the buffer in it
+  UniqueHandle<VkBuffer> buffer;
   void* words = nullptr;
   VkDeviceSize bytes = 0;
 };
@@ -239,7 +239,7 @@ class Device final : public VulkanDevice {
     VkPipeline pipeline = VK_NULL_HANDLE;
     const VkResult made = call<PFN_vkCreateComputePipelines>("vkCreateComputePipelines")(device_, VK_NULL_HANDLE, 1,
                                                                                          &info, nullptr, &pipeline);
-    Owned<VkPipeline> owned(device_, pipeline, call<PFN_vkDestroyPipeline>("vkDestroyPipeline"));
+    UniqueHandle<VkPipeline> owned(device_, pipeline, call<PFN_vkDestroyPipeline>("vkDestroyPipeline"));
     HN_DO(without_complaints());
     if (made != VK_SUCCESS) return note("vkCreateComputePipelines", made);
     return std::make_unique<Kernel>(std::move(owned));
@@ -280,11 +280,11 @@ class Device final : public VulkanDevice {
   }
 
   template <typename Handle, typename Create, typename Destroy, typename Info>
-  Result<Owned<Handle>> create(const char* create_name, const char* destroy_name, const Info& info) {
+  Result<UniqueHandle<Handle>> create(const char* create_name, const char* destroy_name, const Info& info) {
     Handle handle = VK_NULL_HANDLE;
     const VkResult made = call<Create>(create_name)(device_, &info, nullptr, &handle);
     if (made != VK_SUCCESS) return note(create_name, made);
-    return Owned<Handle>(device_, handle, call<Destroy>(destroy_name));
+    return UniqueHandle<Handle>(device_, handle, call<Destroy>(destroy_name));
   }
 
   Result<void> create_device() {
@@ -461,13 +461,13 @@ class Device final : public VulkanDevice {
   VkDevice device_ = VK_NULL_HANDLE;
   std::uint32_t family_ = 0;
   VkQueue queue_ = VK_NULL_HANDLE;
-  Owned<VkDescriptorSetLayout> set_layout_;
-  Owned<VkPipelineLayout> layout_;
-  Owned<VkDescriptorPool> sets_;
+  UniqueHandle<VkDescriptorSetLayout> set_layout_;
+  UniqueHandle<VkPipelineLayout> layout_;
+  UniqueHandle<VkDescriptorPool> sets_;
   VkDescriptorSet set_ = VK_NULL_HANDLE;
-  Owned<VkCommandPool> pool_;
+  UniqueHandle<VkCommandPool> pool_;
   VkCommandBuffer commands_ = VK_NULL_HANDLE;
-  Owned<VkFence> fence_;
+  UniqueHandle<VkFence> fence_;
   std::array<Buffer, kBindings> buffers_;
 };
 

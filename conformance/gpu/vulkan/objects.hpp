@@ -18,21 +18,21 @@ Structure of_type(VkStructureType type) {
 
 // An object of the device, destroyed with this. Its device and the function live longer.
 template <typename Handle>
-class Owned {
+class UniqueHandle {
  public:
   using Destroy = void(VKAPI_PTR*)(VkDevice, Handle, const VkAllocationCallbacks*);
 
-  Owned() = default;
-  Owned(VkDevice device, Handle handle, Destroy destroy) : device_(device), handle_(handle), destroy_(destroy) {}
-  Owned(Owned&& other) noexcept
+  UniqueHandle() = default;
+  UniqueHandle(VkDevice device, Handle handle, Destroy destroy) : device_(device), handle_(handle), destroy_(destroy) {}
+  UniqueHandle(UniqueHandle&& other) noexcept
       : device_(other.device_), handle_(std::exchange(other.handle_, VK_NULL_HANDLE)), destroy_(other.destroy_) {}
-  Owned& operator=(Owned&& other) noexcept {
+  UniqueHandle& operator=(UniqueHandle&& other) noexcept {
     std::swap(device_, other.device_);
     std::swap(handle_, other.handle_);
     std::swap(destroy_, other.destroy_);
     return *this;
   }
-  ~Owned() {
+  ~UniqueHandle() {
     if (handle_ != VK_NULL_HANDLE) destroy_(device_, handle_, nullptr);
   }
 

@@ -42,7 +42,7 @@ std::string written(const std::vector<Golden>& all, const Function& function) {
     rows = std::max(rows, golden.rows.size());
   }
   std::string text = fmt::format("hashnoise golden 2\nfunction {}\ncalls {}\nbits 0\ncolumns {}\n{}\nrows {}\n",
-                                 function.id, longest->calls, function.columns, settings, rows);
+                                 function.id, longest->calls, columns_of(function), settings, rows);
   for (std::size_t i = 0; i < rows; ++i) {
     std::vector<std::string> words;
     for (std::size_t j = 0; j < function.inputs.size(); ++j) {

@@ -36,7 +36,7 @@ void check_round_trip(const std::vector<Run>& runs) {
   require(results_text(*again) == text, "it is the same then", text);
 }
 
-void check_merged(const std::vector<Run>& runs, const Merged& merged) {
+void check_merged(const std::vector<Run>& runs, const MergeResult& merged) {
   require(count_ids(merged.runs) == count_ids(runs), "merge neither loses nor makes a case");
   for (const Run& run : merged.runs) {
     const auto by_id = [](const CaseResult& a, const CaseResult& b) { return a.id < b.id; };

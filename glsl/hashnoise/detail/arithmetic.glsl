@@ -19,23 +19,14 @@
 //   hn_i_fraction(p)           the fraction in that cell
 //   hn_i_to_num(f)             the same from a fraction that the caller passes
 //   hn_i_whole_cell(p)         in HN_FIXED, p cut off towards 0, as an int
-//   hn_i_flushed_position(p)   floats only: the position of the first octave of a sum
-//   hn_i_plus(a, b), hn_i_minus(a, b); floats only: hn_i_times(a, b), hn_i_times_plus(a, b, c), hn_i_quotient(a, b)
+//   hn_i_plus(a, b), hn_i_minus(a, b); floats only: hn_i_times(a, b), hn_i_times_plus(a, b, c): a b + c
 //   hn_i_minus_one(f)          f - 1: the offset from the far corner
 //   hn_i_dot(g, x, y, ...)     a gradient times an offset
-//   hn_i_signed(m, word)       m, or -m if the highest bit of the word is set; floats: m >= 0. Also of three at once
+//   hn_i_signed(m, word)       m, or -m if the highest bit of the word is set; floats: m >= 0
 //   hn_i_size(x)               the absolute value
-//   hn_i_flipped(x, word)      x, or -x if the highest bit of the word is set, for any x
 //   hn_i_fade(f)               6 f^5 - 15 f^4 + 10 f^3, along each axis
-//   hn_i_smooth(t)             floats only: 3 t^2 - 2 t^3
 //   hn_i_lerp(a, b, t)         interpolates from a to b by a fade t
 //   hn_i_lerp(n, x, y)         between four corners 00, 10, 01, 11
-//   hn_i_number(word)          the low 23 bits of a word as a number in [-1, 1), with an offset, which
-//                              hn_i_noise_of_numbers takes off
-//   hn_i_numbers(words)        the same of four words
-//   hn_i_noise_of_numbers(n)   a noise, from an interpolation between such numbers
-//   hn_i_value_noise(h, t)     value noise, from the words of the corners of a square and the fades along each axis; in
-//                              space from those of the front and of the back face
 //   hn_i_scaled(n, s)          a noise, from an interpolation between ramps, times s / 1024
 //   hn_i_flushed(n)            floats only: n, or 0 where subnormal numbers could have changed it
 //   hn_i_value(n)              the float of a noise; hn_i_derivative(n), that of a derivative
@@ -45,8 +36,10 @@
 //   hn_i_truth(c)              the condition as a bool, if it is the same for all points
 //   hn_i_any(c)                whether the condition holds at one of the points
 //
-// derivative.glsl has the steps of derivatives, cubic_spline.glsl those of splines, direction_turning.glsl those of
-// turning gradients, and falloff.glsl those of simplex noise.
+// place2d.glsl has the cell and the fraction of a vector, and cell2d.glsl its fade; place.glsl and cell.glsl have those
+// of other dimensions. value.glsl has the steps of value noise, derivative.glsl those of derivatives, cubic_spline.glsl
+// those of splines, direction_turning.glsl those of turning gradients, falloff.glsl those of simplex noise, and
+// octave.glsl those of sums.
 
 // Units of HN_FIXED. A number is an integer there, which counts units of 2^-n. How many make up 1 has a name where the
 // text needs it, as an int and as a float:
@@ -87,12 +80,6 @@ HN_FN hn_int hn_i_choice(bool condition, hn_int a, hn_int b) { return condition 
 HN_FN bool hn_i_truth(bool condition) { return condition; }
 HN_FN bool hn_i_any(bool condition) { return condition; }
 
-// These combine each component with the same word. In Godot and WGSL such operators take two vectors alone, and HLSL
-// has no constructor from one number.
-HN_FN hn_uvec3 hn_i_and(hn_uvec3 words, hn_uint mask) { return words & uvec3(mask, mask, mask); }
-HN_FN hn_uvec3 hn_i_or(hn_uvec3 words, hn_uint mask) { return words | uvec3(mask, mask, mask); }
-HN_FN hn_uvec3 hn_i_xor(hn_uvec3 words, hn_uint word) { return words ^ uvec3(word, word, word); }
-
 HN_FN hn_float hn_i_minus(hn_float a, hn_float b) {
   HN_I_AS_WRITTEN hn_float n = a - b;
   return n;
@@ -102,14 +89,6 @@ HN_FN hn_float hn_i_minus(hn_float a, hn_float b) {
 HN_FN hn_float hn_i_size(hn_float x) { return abs(x); }
 HN_FN hn_int hn_i_size(hn_int x) { return hn_i_select(x < 0, -x, x); }
 
-HN_FN hn_float hn_i_flipped(hn_float x, hn_uint word) {
-#if HN_I_BITCAST
-  return uintBitsToFloat(floatBitsToUint(x) ^ (word & 0x80000000u));
-#else
-  return hn_i_select((word & 0x80000000u) != 0u, -x, x);
-#endif
-}
-
 HN_FN hn_float hn_i_signed(hn_float m, hn_uint word) {
 #if HN_I_BITCAST
   return uintBitsToFloat(floatBitsToUint(m) | (word & 0x80000000u));
@@ -118,13 +97,6 @@ HN_FN hn_float hn_i_signed(hn_float m, hn_uint word) {
 #endif
 }
 HN_FN hn_int hn_i_signed(hn_int m, hn_uint word) { return hn_i_select((word & 0x80000000u) != 0u, -m, m); }
-HN_FN hn_vec3 hn_i_signed(hn_vec3 m, hn_uvec3 words) {
-#if HN_I_BITCAST
-  return uintBitsToFloat(floatBitsToUint(m) | hn_i_and(words, 0x80000000u));
-#else
-  return vec3(hn_i_signed(m.x, words.x), hn_i_signed(m.y, words.y), hn_i_signed(m.z, words.z));
-#endif
-}
 
 #if HN_ARITHMETIC != HN_FIXED
 
@@ -144,41 +116,12 @@ HN_FN hn_vec4 hn_i_vector(hn_float x, hn_float y, hn_float z, hn_float w) { retu
 // This takes the constructor of a vector, since in C++ it has a result for a float that does not fit, too.
 HN_FN hn_int hn_i_cell(hn_float p) { return ivec2(vec2(floor(p), 0.0f)).x; }
 
-HN_FN hn_ivec2 hn_i_cell(hn_vec2 p) { return ivec2(floor(p)); }
-// The same in 3 and 4 dimensions: tools/make writes it.
-HN_FN hn_ivec3 hn_i_cell(hn_vec3 p) { return ivec3(floor(p)); }
-HN_FN hn_ivec4 hn_i_cell(hn_vec4 p) { return ivec4(floor(p)); }
-
-HN_FN hn_vec2 hn_i_fraction(hn_vec2 p) {
-  HN_I_AS_WRITTEN hn_vec2 f = p - floor(p);
-  return f;
-}
-// The same in 1, 3 and 4 dimensions: tools/make writes it.
 HN_FN hn_float hn_i_fraction(hn_float p) {
   HN_I_AS_WRITTEN hn_float f = p - floor(p);
   return f;
 }
-HN_FN hn_vec3 hn_i_fraction(hn_vec3 p) {
-  HN_I_AS_WRITTEN hn_vec3 f = p - floor(p);
-  return f;
-}
-HN_FN hn_vec4 hn_i_fraction(hn_vec4 p) {
-  HN_I_AS_WRITTEN hn_vec4 f = p - floor(p);
-  return f;
-}
-
-HN_FN hn_vec2 hn_i_to_num(hn_vec2 f) { return f; }
-HN_FN hn_vec2 hn_i_flushed_position(hn_vec2 p) { return p; }
-// The same in 1, 3 and 4 dimensions: tools/make writes it.
 HN_FN hn_float hn_i_to_num(hn_float f) { return f; }
-HN_FN hn_float hn_i_flushed_position(hn_float p) { return p; }
-HN_FN hn_vec3 hn_i_to_num(hn_vec3 f) { return f; }
-HN_FN hn_vec3 hn_i_flushed_position(hn_vec3 p) { return p; }
-HN_FN hn_vec4 hn_i_to_num(hn_vec4 f) { return f; }
-HN_FN hn_vec4 hn_i_flushed_position(hn_vec4 p) { return p; }
-
 HN_FN hn_float hn_i_flushed(hn_float n) { return n; }
-HN_FN hn_float hn_i_quotient(hn_float a, hn_float b) { return a / b; }
 
 #else  // HN_PRECISE
 
@@ -186,58 +129,18 @@ HN_FN hn_float hn_i_quotient(hn_float a, hn_float b) { return a / b; }
 
 // Replaces a number by 0 if it is so small that a product could be subnormal: drivers may flush subnormal numbers to 0.
 HN_FN hn_float hn_i_to_num(hn_float x) { return hn_i_select(abs(x) < HN_I_TINY, 0.0f, x); }
-HN_FN hn_vec2 hn_i_to_num(hn_vec2 f) { return vec2(hn_i_to_num(f.x), hn_i_to_num(f.y)); }
-// The same in 3 and 4 dimensions: tools/make writes it.
-HN_FN hn_vec3 hn_i_to_num(hn_vec3 f) { return vec3(hn_i_to_num(f.x), hn_i_to_num(f.y), hn_i_to_num(f.z)); }
-HN_FN hn_vec4 hn_i_to_num(hn_vec4 f) {
-  return vec4(hn_i_to_num(f.x), hn_i_to_num(f.y), hn_i_to_num(f.z), hn_i_to_num(f.w));
-}
 
 // Replaces a result by 0 if it is so small that flushed subnormal numbers could have changed it: what they lose is at
 // most 2^-126, which is less than half of the last bit of any larger result.
 HN_FN hn_float hn_i_flushed(hn_float n) { return hn_i_select(abs(n) < HN_I_TINY * HN_I_TINY * HN_I_TINY, 0.0f, n); }
 
-// Replaces a subnormal number by 0, since a huge lacunarity could make it large. No later octave needs this: the shift
-// between octaves leaves a position that is 0 or at least 2^-25.
-HN_FN hn_float hn_i_flushed_position(hn_float p) {
-  return hn_i_select((floatBitsToUint(p) & 0x7F800000u) == 0u, 0.0f, p);
-}
-HN_FN hn_vec2 hn_i_flushed_position(hn_vec2 p) { return vec2(hn_i_flushed_position(p.x), hn_i_flushed_position(p.y)); }
-// The same in 3 and 4 dimensions: tools/make writes it.
-HN_FN hn_vec3 hn_i_flushed_position(hn_vec3 p) {
-  return vec3(hn_i_flushed_position(p.x), hn_i_flushed_position(p.y), hn_i_flushed_position(p.z));
-}
-HN_FN hn_vec4 hn_i_flushed_position(hn_vec4 p) {
-  return vec4(hn_i_flushed_position(p.x), hn_i_flushed_position(p.y), hn_i_flushed_position(p.z),
-              hn_i_flushed_position(p.w));
-}
-
 // Converting a float that does not fit an int is undefined. 2147483520 is the largest float below 2^31. In this order a
 // NaN, which octaves far beyond the domain reach, has a cell in C++, too.
 HN_FN hn_int hn_i_cell(hn_float p) { return int(min(max(-2147483648.0f, floor(hn_i_to_num(p))), 2147483520.0f)); }
-HN_FN hn_ivec2 hn_i_cell(hn_vec2 p) { return ivec2(hn_i_cell(p.x), hn_i_cell(p.y)); }
-// The same in 3 and 4 dimensions: tools/make writes it.
-HN_FN hn_ivec3 hn_i_cell(hn_vec3 p) { return ivec3(hn_i_cell(p.x), hn_i_cell(p.y), hn_i_cell(p.z)); }
-HN_FN hn_ivec4 hn_i_cell(hn_vec4 p) { return ivec4(hn_i_cell(p.x), hn_i_cell(p.y), hn_i_cell(p.z), hn_i_cell(p.w)); }
 
 HN_FN hn_float hn_i_fraction(hn_float p) {
   hn_float q = hn_i_to_num(p);
   return hn_i_minus(q, floor(q));
-}
-HN_FN hn_vec2 hn_i_fraction(hn_vec2 p) { return vec2(hn_i_fraction(p.x), hn_i_fraction(p.y)); }
-// The same in 3 and 4 dimensions: tools/make writes it.
-HN_FN hn_vec3 hn_i_fraction(hn_vec3 p) { return vec3(hn_i_fraction(p.x), hn_i_fraction(p.y), hn_i_fraction(p.z)); }
-HN_FN hn_vec4 hn_i_fraction(hn_vec4 p) {
-  return vec4(hn_i_fraction(p.x), hn_i_fraction(p.y), hn_i_fraction(p.z), hn_i_fraction(p.w));
-}
-
-// GLSL leaves the last bits of a division open. So a/b is computed as a times a reciprocal, by Newton's method. The
-// first guess is at most 1/8 off, and each step squares the error. b is from 1 to 2^100.
-HN_FN hn_float hn_i_quotient(hn_float a, hn_float b) {
-  HN_I_PRECISE hn_float r = uintBitsToFloat(0x7EF311C7u - floatBitsToUint(b));
-  for (hn_int i = 0; i < 4; ++i) r = r * (2.0f - b * r);
-  HN_I_PRECISE hn_float quotient = a * r;
-  return quotient;
 }
 
 #endif
@@ -251,22 +154,8 @@ HN_FN hn_float hn_i_times(hn_float a, hn_float b) {
   return n;
 }
 
-// a * b + c
-HN_FN hn_vec2 hn_i_times_plus(hn_vec2 a, hn_float b, hn_vec2 c) {
-  HN_I_PRECISE hn_vec2 n = a * b + c;
-  return n;
-}
-// The same in 1, 3 and 4 dimensions: tools/make writes it.
 HN_FN hn_float hn_i_times_plus(hn_float a, hn_float b, hn_float c) {
   HN_I_PRECISE hn_float n = a * b + c;
-  return n;
-}
-HN_FN hn_vec3 hn_i_times_plus(hn_vec3 a, hn_float b, hn_vec3 c) {
-  HN_I_PRECISE hn_vec3 n = a * b + c;
-  return n;
-}
-HN_FN hn_vec4 hn_i_times_plus(hn_vec4 a, hn_float b, hn_vec4 c) {
-  HN_I_PRECISE hn_vec4 n = a * b + c;
   return n;
 }
 
@@ -281,31 +170,10 @@ HN_FN hn_float hn_i_dot(hn_vec3 g, hn_float x, hn_float y, hn_float z) {
 }
 
 // This form avoids the cancellation of the usual one.
-HN_FN hn_vec2 hn_i_fade(hn_vec2 f) {
-  HN_I_AS_WRITTEN hn_vec2 d = f - 1.0f;
-  HN_I_PRECISE hn_vec2 t = f * f * f * (d * (f * 6.0f - 9.0f) + 1.0f);
-  return t;
-}
-// The same in 1, 3 and 4 dimensions: tools/make writes it.
 HN_FN hn_float hn_i_fade(hn_float f) {
   HN_I_AS_WRITTEN hn_float d = f - 1.0f;
   HN_I_PRECISE hn_float t = f * f * f * (d * (f * 6.0f - 9.0f) + 1.0f);
   return t;
-}
-HN_FN hn_vec3 hn_i_fade(hn_vec3 f) {
-  HN_I_AS_WRITTEN hn_vec3 d = f - 1.0f;
-  HN_I_PRECISE hn_vec3 t = f * f * f * (d * (f * 6.0f - 9.0f) + 1.0f);
-  return t;
-}
-HN_FN hn_vec4 hn_i_fade(hn_vec4 f) {
-  HN_I_AS_WRITTEN hn_vec4 d = f - 1.0f;
-  HN_I_PRECISE hn_vec4 t = f * f * f * (d * (f * 6.0f - 9.0f) + 1.0f);
-  return t;
-}
-
-HN_FN hn_float hn_i_smooth(hn_float t) {
-  HN_I_PRECISE hn_float n = t * t * (3.0f - 2.0f * t);
-  return n;
 }
 
 HN_FN hn_float hn_i_lerp(hn_float a, hn_float b, hn_float t) {
@@ -317,18 +185,6 @@ HN_FN hn_float hn_i_scaled(hn_float n, hn_int s) {
   HN_I_PRECISE hn_float scaled = n * (hn_i_float(s) * (1.0f / 1024.0f));
   return scaled;
 }
-
-// The low 23 bits of a word, behind the exponent of 2, are a float in [2, 4): that costs two operations. The 3 that
-// are too many stay in until the end, since weights sum to 1 and derivatives do not see them.
-HN_FN hn_float hn_i_number(hn_uint word) {
-#if HN_I_BITCAST
-  return uintBitsToFloat((word & 0x007FFFFFu) | 0x40000000u);
-#else
-  return hn_i_float(word & 0x007FFFFFu) * (1.0f / 4194304.0f) + 2.0f;
-#endif
-}
-
-HN_FN hn_float hn_i_noise_of_numbers(hn_float n) { return hn_i_minus(n, 3.0f); }
 
 HN_FN hn_float hn_i_value(hn_float n) { return hn_i_flushed(n); }
 HN_FN hn_float hn_i_derivative(hn_float n) { return hn_i_flushed(n); }
@@ -355,33 +211,13 @@ HN_FN hn_int hn_i_rest(hn_float p) { return int((p - trunc(p)) * HN_I_FLOAT_UNIT
 HN_FN hn_int hn_i_whole_cell(hn_float p) { return int(min(max(trunc(p), -2147483648.0f), 2147483520.0f)); }
 
 HN_FN hn_int hn_i_cell(hn_float p) { return hn_i_whole_cell(p) + (hn_i_rest(p) >> 20); }
-HN_FN hn_ivec2 hn_i_cell(hn_vec2 p) { return ivec2(hn_i_cell(p.x), hn_i_cell(p.y)); }
-// The same in 3 and 4 dimensions: tools/make writes it.
-HN_FN hn_ivec3 hn_i_cell(hn_vec3 p) { return ivec3(hn_i_cell(p.x), hn_i_cell(p.y), hn_i_cell(p.z)); }
-HN_FN hn_ivec4 hn_i_cell(hn_vec4 p) { return ivec4(hn_i_cell(p.x), hn_i_cell(p.y), hn_i_cell(p.z), hn_i_cell(p.w)); }
 
 HN_FN hn_int hn_i_fraction(hn_float p) { return hn_i_rest(p) & (HN_I_UNITS_FRACTION - 1); }
-HN_FN hn_ivec2 hn_i_fraction(hn_vec2 p) { return ivec2(hn_i_fraction(p.x), hn_i_fraction(p.y)); }
-// The same in 3 and 4 dimensions: tools/make writes it.
-HN_FN hn_ivec3 hn_i_fraction(hn_vec3 p) { return ivec3(hn_i_fraction(p.x), hn_i_fraction(p.y), hn_i_fraction(p.z)); }
-HN_FN hn_ivec4 hn_i_fraction(hn_vec4 p) {
-  return ivec4(hn_i_fraction(p.x), hn_i_fraction(p.y), hn_i_fraction(p.z), hn_i_fraction(p.w));
-}
 
 HN_FN hn_int hn_i_to_num(hn_float f) { return int(min(max(f, 0.0f), 1.0f) * HN_I_FLOAT_UNITS_FRACTION); }
-HN_FN hn_ivec2 hn_i_to_num(hn_vec2 f) { return ivec2(hn_i_to_num(f.x), hn_i_to_num(f.y)); }
-// The same in 3 and 4 dimensions: tools/make writes it.
-HN_FN hn_ivec3 hn_i_to_num(hn_vec3 f) { return ivec3(hn_i_to_num(f.x), hn_i_to_num(f.y), hn_i_to_num(f.z)); }
-HN_FN hn_ivec4 hn_i_to_num(hn_vec4 f) {
-  return ivec4(hn_i_to_num(f.x), hn_i_to_num(f.y), hn_i_to_num(f.z), hn_i_to_num(f.w));
-}
 
 HN_FN hn_int hn_i_plus(hn_int a, hn_int b) { return a + b; }
 HN_FN hn_int hn_i_minus(hn_int a, hn_int b) { return a - b; }
-HN_FN hn_ivec3 hn_i_signed(hn_ivec3 m, hn_uvec3 words) {
-  hn_ivec3 sign = ivec3(words) >> 31;  // -1 or 0
-  return (m ^ sign) - sign;
-}
 
 // The distance of a fraction from the nearer end, in units of 2^-17, rounded. It has 16 bits, so it is never 1/2, which
 // has one bit more. It is unsigned, so that compilers see a product of 24 bits in its square. AMD and Adreno compute
@@ -403,10 +239,6 @@ HN_FN hn_int hn_i_fade(hn_int f) {
   hn_int t = int((x * q + 16384u) >> 15u);
   return hn_i_select(f > HN_I_UNITS_FRACTION / 2, HN_I_UNITS_WEIGHT - t, t);
 }
-HN_FN hn_ivec2 hn_i_fade(hn_ivec2 f) { return ivec2(hn_i_fade(f.x), hn_i_fade(f.y)); }
-// The same in 3 and 4 dimensions: tools/make writes it.
-HN_FN hn_ivec3 hn_i_fade(hn_ivec3 f) { return ivec3(hn_i_fade(f.x), hn_i_fade(f.y), hn_i_fade(f.z)); }
-HN_FN hn_ivec4 hn_i_fade(hn_ivec4 f) { return ivec4(hn_i_fade(f.x), hn_i_fade(f.y), hn_i_fade(f.z), hn_i_fade(f.w)); }
 
 // Computes a product of 31 and 19 bits, divided by 2^18, from two products that fit 32 bits: one by the high and one by
 // the low half of t.
@@ -417,17 +249,11 @@ HN_FN hn_int hn_i_lerp(hn_int a, hn_int b, hn_int t) { return a + hn_i_part(b - 
 // Converts units of 2^-29 to units of 2^-21, rounded.
 HN_FN hn_int hn_i_scaled(hn_int n, hn_int s) { return (((n + 256) >> 9) * s + 256) >> 9; }
 
-// A number is in units of 2^-29 and has no offset. From there the noise is rounded to units of 2^-21.
-HN_FN hn_int hn_i_number(hn_uint word) { return int((word & 0x007FFFFFu) << 7u) - HN_I_UNITS_RAMP; }
-HN_FN hn_int hn_i_noise_of_numbers(hn_int n) { return (n + 128) >> 8; }
-
 HN_FN hn_float hn_i_value(hn_int n) { return HN_I_NOT_WHOLE(hn_i_float(n) * (1.0f / HN_I_FLOAT_UNITS_VALUE)); }
 
 // The step that takes a noise from units of 2^-29 to units of 2^-21 takes a derivative from units of 2^-27 to units of
 // 2^-19.
 HN_FN hn_float hn_i_derivative(hn_int n) { return hn_i_float(n) * (1.0f / HN_I_FLOAT_UNITS_SLOPE); }
-
-HN_FN hn_int hn_i_flipped(hn_int x, hn_uint word) { return hn_i_select((word & 0x80000000u) != 0u, -x, x); }
 
 #endif
 
@@ -435,17 +261,6 @@ HN_FN hn_i_num hn_i_minus_one(hn_i_num f) { return hn_i_minus(f, HN_I_ONE); }
 
 HN_FN hn_i_num hn_i_lerp(hn_i_num4 n, hn_i_num x, hn_i_num y) {
   return hn_i_lerp(hn_i_lerp(n.x, n.y, x), hn_i_lerp(n.z, n.w, x), y);
-}
-
-HN_FN hn_i_num4 hn_i_numbers(hn_uvec4 h) {
-  return hn_i_vector(hn_i_number(h.x), hn_i_number(h.y), hn_i_number(h.z), hn_i_number(h.w));
-}
-HN_FN hn_i_num hn_i_value_noise(hn_uvec4 h, hn_i_num2 t) {
-  return hn_i_noise_of_numbers(hn_i_lerp(hn_i_numbers(h), t.x, t.y));
-}
-HN_FN hn_i_num hn_i_value_noise(hn_uvec4 front, hn_uvec4 back, hn_i_num3 t) {
-  return hn_i_noise_of_numbers(
-      hn_i_lerp(hn_i_lerp(hn_i_numbers(front), t.x, t.y), hn_i_lerp(hn_i_numbers(back), t.x, t.y), t.z));
 }
 
 // Noises with derivatives return this in four dimensions, where no vector has room for all of it.

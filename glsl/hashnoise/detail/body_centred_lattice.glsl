@@ -4,8 +4,8 @@
 #ifndef HN_BODY_CENTRED_LATTICE_GLSL
 #define HN_BODY_CENTRED_LATTICE_GLSL
 
-#include "cell.glsl"
-#include "direction.glsl"
+#include "block.glsl"
+#include "direction3d.glsl"
 #include "direction4d.glsl"
 #include "falloff.glsl"
 

@@ -5,6 +5,7 @@
 #define HN_CUBIC_SPLINE_GLSL
 
 #include "cell.glsl"
+#include "value.glsl"
 
 //   hn_i_spline(f)     the weights of a uniform cubic B-spline at f, for the points -1, 0, 1 and 2
 //   hn_i_blend(n, w)   the sum of four numbers, each times its weight

@@ -1,4 +1,4 @@
-// hashnoise: the gradient of a word on the line, on the plane and in space, and what it adds at an offset.
+// hashnoise: the gradient of a word on the line and on the plane, and what it adds at an offset.
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_DIRECTION_GLSL
@@ -6,27 +6,24 @@
 
 #include "arithmetic.glsl"
 
-// On the plane a gradient is one of 8: (3, 1) / 4 and (1, 3) / 4, with signs. In space it is one of the 12 edges of a
-// cube: two components are 1 or -1, and one is 0. Their second moments are those of a sphere, so noise has the spectrum
-// that gradients of all directions would give it. A gradient that has turned by a quarter, in space in the plane of its
-// two axes, is one of the set, too. Gradients are floats with every HN_ARITHMETIC, and exact.
+// On the plane a gradient is one of 8: (3, 1) / 4 and (1, 3) / 4, with signs. Their second moments are those of a
+// circle, so noise has the spectrum that gradients of all directions would give it. A gradient that has turned by a
+// quarter is one of the set, too. Gradients are floats with every HN_ARITHMETIC, and exact.
 //
 //   hn_i_offset(x)                   an offset as a float
 //   hn_i_far(x)                      x - 1 of such a float: the offset from the far corner
 //   hn_i_exact(t)                    a fade or a weight as a float
 //   hn_i_direction2(h, turned)       the gradient of a word on the plane, or what a quarter turn makes of it
-//   hn_i_signs(h, turned)            in space, its components along its first and its second axis
-//   hn_i_direction3(h, signs)        all three components
 //   hn_i_along2(g, x, y)             a gradient times an offset; in HN_FIXED in units of 2^-22
-//   hn_i_along3(g, x, y, z)          the same in space, in units of offsets, 2^-20
-//   hn_i_along3(h, signs, x, y, z)   the same without the component that is 0
-//   hn_i_ramp_of2(n), hn_i_ramp_of3  takes these to the units of ramps
-//   hn_i_edge2(a, b, t)              interpolates from a to b by a fade, to a ramp; hn_i_edge3(a, b, t)
-//   hn_i_d_edge2(a, b)               their difference, in the units of derivatives; hn_i_d_edge3(a, b)
+//   hn_i_ramp_of2(n)                 takes it to the units of ramps
+//   hn_i_edge2(a, b, t)              interpolates from a to b by a fade, to a ramp
+//   hn_i_d_edge2(a, b)               their difference, in the units of derivatives
 //   hn_i_weighted_component(g, w)    HN_FIXED only: a component of a gradient times an exact weight, in the units of
 //                                    derivatives
 //   hn_i_lerp_components(g, h, t)    interpolates from g to h by an exact fade, to the units of derivatives
 //   hn_i_gradient1(h)                the gradient on the line, and hn_i_ramp1(g, x), what it adds
+//   hn_i_scaled1(n)                  noise on the line that is interpolated between ramps, in [-1, 1]: before it is at
+//                                    most 1/2
 
 // Bits behind an exponent make a float without a shift and without a conversion from integer. But a compiler that knows
 // the offset may multiply out the difference, and round. So HN_FIXED chooses.
@@ -34,20 +31,12 @@
 HN_FN hn_float hn_i_quarters_of(hn_uint h) {
   return hn_i_minus(uintBitsToFloat((h & 0x00600000u) | 0x40000000u), 2.75f);
 }
-HN_FN hn_vec2 hn_i_signs(hn_uint h) {
-  return vec2(hn_i_minus(5.0f, uintBitsToFloat((h & 0x00400000u) | 0x40800000u)),
-              hn_i_minus(9.0f, uintBitsToFloat((h & 0x00200000u) | 0x41000000u)));
-}
 #else
 HN_FN hn_float hn_i_quarters_of(hn_uint h) {
   hn_float one = 0.25f;
   hn_float three = 0.75f;
   return hn_i_select((h & 0x00400000u) != 0u, hn_i_select((h & 0x00200000u) != 0u, three, one),
                      hn_i_select((h & 0x00200000u) != 0u, -one, -three));
-}
-HN_FN hn_vec2 hn_i_signs(hn_uint h) {
-  hn_float one = 1.0f;
-  return vec2(hn_i_select((h & 0x00400000u) != 0u, -one, one), hn_i_select((h & 0x00200000u) != 0u, -one, one));
 }
 #endif
 HN_FN hn_vec2 hn_i_direction2(hn_uint h) {
@@ -60,15 +49,6 @@ HN_FN hn_vec2 hn_i_turned(hn_vec2 g, bool turned) {
   return n;
 }
 HN_FN hn_vec2 hn_i_direction2(hn_uint h, bool turned) { return hn_i_turned(hn_i_direction2(h), turned); }
-HN_FN hn_vec2 hn_i_signs(hn_uint h, bool turned) { return hn_i_turned(hn_i_signs(h), turned); }
-
-// The size of the word chooses the axes: x and y below the first third, y and z from the second third on, and x and z
-// between.
-HN_FN hn_vec3 hn_i_direction3(hn_uint h, hn_vec2 signs) {
-  return vec3(hn_i_select(h < 0xAAAAAAAAu, signs.x, 0.0f),
-              hn_i_select(h < 0x55555555u, signs.y, hn_i_select(h < 0xAAAAAAAAu, 0.0f, signs.x)),
-              hn_i_select(h < 0x55555555u, 0.0f, signs.y));
-}
 
 #if HN_ARITHMETIC != HN_FIXED
 
@@ -76,14 +56,9 @@ HN_FN hn_float hn_i_offset(hn_float x) { return x; }
 HN_FN hn_float hn_i_far(hn_float x) { return hn_i_minus_one(x); }
 HN_FN hn_float hn_i_exact(hn_float t) { return t; }
 HN_FN hn_float hn_i_along2(hn_vec2 g, hn_float x, hn_float y) { return hn_i_dot(g, x, y); }
-HN_FN hn_float hn_i_along3(hn_vec2 g, hn_float a, hn_float b) { return hn_i_dot(g, a, b); }
-HN_FN hn_float hn_i_along3(hn_vec3 g, hn_float x, hn_float y, hn_float z) { return hn_i_dot(g, x, y, z); }
 HN_FN hn_float hn_i_ramp_of2(hn_float n) { return n; }
-HN_FN hn_float hn_i_ramp_of3(hn_float n) { return n; }
 HN_FN hn_float hn_i_edge2(hn_float a, hn_float b, hn_float t) { return hn_i_lerp(a, b, t); }
-HN_FN hn_float hn_i_edge3(hn_float a, hn_float b, hn_float t) { return hn_i_lerp(a, b, t); }
 HN_FN hn_float hn_i_d_edge2(hn_float a, hn_float b) { return hn_i_minus(b, a); }
-HN_FN hn_float hn_i_d_edge3(hn_float a, hn_float b) { return hn_i_minus(b, a); }
 HN_FN hn_float hn_i_lerp_components(hn_float g, hn_float h, hn_float t) { return hn_i_lerp(g, h, t); }
 
 HN_FN hn_float hn_i_gradient1(hn_uint h) {
@@ -114,27 +89,14 @@ HN_FN hn_int hn_i_beyond_12(hn_float n) { return int((n - 12.0f) * HN_I_FLOAT_UN
 
 HN_FN hn_float hn_i_exact(hn_int t) { return hn_i_offset(t * 4); }
 HN_FN hn_int hn_i_along2(hn_vec2 g, hn_float x, hn_float y) { return hn_i_beyond_3(g.x * x + 3.0f + g.y * y); }
-HN_FN hn_int hn_i_along3(hn_vec2 g, hn_float a, hn_float b) { return hn_i_beyond_12(g.x * a + 12.0f + g.y * b); }
-HN_FN hn_int hn_i_along3(hn_vec3 g, hn_float x, hn_float y, hn_float z) {
-  return hn_i_beyond_12(g.x * x + 12.0f + g.y * y + g.z * z);
-}
 HN_FN hn_int hn_i_ramp_of2(hn_int n) { return n * 128; }
-HN_FN hn_int hn_i_ramp_of3(hn_int n) { return n * 512; }
 
 // These are hn_i_lerp and hn_i_d_corner of ramps, without the bits that are 0 in them.
 HN_FN hn_int hn_i_edge2(hn_int a, hn_int b, hn_int t) {
   hn_int d = b - a;
   return a * 128 + ((d >> 2) * (t >> 9) + (d >> 11) * (t & 511));
 }
-
-// In space the difference of two ramps can be 2^31, at corners that have no weight: there words wrap, where signed
-// integers of C++ must not.
-HN_FN hn_int hn_i_edge3(hn_int a, hn_int b, hn_int t) {
-  hn_int d = b - a;
-  return int(uint(a) * 512u + uint(d) * uint(t >> 9) + uint((d >> 9) * (t & 511)));
-}
 HN_FN hn_int hn_i_d_edge2(hn_int a, hn_int b) { return (b - a) * 32; }
-HN_FN hn_int hn_i_d_edge3(hn_int a, hn_int b) { return (b - a) * 128; }
 
 HN_FN hn_int hn_i_weighted_component(hn_float g, hn_float w) { return hn_i_beyond_3(g * w + 3.0f) * 32; }
 HN_FN hn_int hn_i_lerp_components(hn_float g, hn_float h, hn_float t) {
@@ -147,8 +109,6 @@ HN_FN hn_int hn_i_ramp1(hn_int g, hn_int x) { return (g >> 18) * x; }
 
 #endif
 
-HN_FN hn_i_num hn_i_along3(hn_uint h, hn_vec2 signs, hn_float x, hn_float y, hn_float z) {
-  return hn_i_along3(signs, hn_i_select(h < 0xAAAAAAAAu, x, y), hn_i_select(h < 0x55555555u, y, z));
-}
+HN_FN hn_i_num hn_i_scaled1(hn_i_num n) { return hn_i_scaled(n, 2048); }
 
 #endif

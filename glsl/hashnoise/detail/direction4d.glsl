@@ -14,10 +14,21 @@
 // A ramp is the sum of two offsets. In a kernel it has 30 bits, so its units in HN_FIXED are 2^-28, twice those of other
 // ramps. An interpolation between such ramps is scaled by twice as much there.
 //
+//   hn_i_flipped(x, word)        x, or -x if the highest bit of the word is set
 //   hn_i_along4(h, x, y, z, w)   the gradient of a word times an offset, in the units of offsets
 //   hn_i_direction4(h)           the gradient; hn_i_along4(g, x, y, z, w), the same of offsets that are floats
 //   hn_i_ramp_of4, hn_i_edge4, hn_i_d_edge4, hn_i_lerp_components4 and hn_i_d_weighted_ramp4 are those of direction.glsl
 //   and falloff.glsl in the units of four dimensions
+
+HN_FN hn_float hn_i_flipped(hn_float x, hn_uint word) {
+#if HN_I_BITCAST
+  return uintBitsToFloat(floatBitsToUint(x) ^ (word & 0x80000000u));
+#else
+  return hn_i_select((word & 0x80000000u) != 0u, -x, x);
+#endif
+}
+HN_FN hn_int hn_i_flipped(hn_int x, hn_uint word) { return hn_i_select((word & 0x80000000u) != 0u, -x, x); }
+
 HN_FN hn_i_num hn_i_along4(hn_uint h, hn_i_num x, hn_i_num y, hn_i_num z, hn_i_num w) {
   hn_uint second = h & 0x00100000u;
   hn_i_num a = hn_i_select(second != 0u, hn_i_select(h < 0x55555555u, z, y), x);

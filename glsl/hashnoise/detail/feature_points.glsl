@@ -4,8 +4,8 @@
 #ifndef HN_FEATURE_POINTS_GLSL
 #define HN_FEATURE_POINTS_GLSL
 
-#include "cell.glsl"
 #include "square_root.glsl"
+#include "word.glsl"
 
 // The metric of hn_cellular and hn_cellular_three says what they call a distance. It should be a constant: then the
 // compiler keeps that metric alone. Any other number counts as HN_METRIC_EUCLIDEAN.
@@ -74,6 +74,19 @@ HN_FN hn_vec3 hn_i_fields2(hn_uvec3 h) { return hn_i_fields(hn_i_and(h >> 14u, 5
 HN_FN hn_vec3 hn_i_fields3(hn_uvec3 h) { return hn_i_fields(hn_i_and(h >> 15u, 255u), 1.0f / 256.0f); }
 #endif
 
+// hn_i_signed of three numbers at once.
+HN_FN hn_vec3 hn_i_signed(hn_vec3 m, hn_uvec3 words) {
+#if HN_I_BITCAST
+  return uintBitsToFloat(floatBitsToUint(m) | hn_i_and(words, 0x80000000u));
+#else
+  return vec3(hn_i_signed(m.x, words.x), hn_i_signed(m.y, words.y), hn_i_signed(m.z, words.z));
+#endif
+}
+HN_FN hn_ivec3 hn_i_signed(hn_ivec3 m, hn_uvec3 words) {
+  hn_ivec3 sign = ivec3(words) >> 31;  // -1 or 0
+  return (m ^ sign) - sign;
+}
+
 // A code is the number of a cell beside the middle one, from -1 to 1 along x, y and z.
 HN_FN hn_int hn_i_code(hn_int x, hn_int y) { return x + 4 * y + 5; }
 HN_FN hn_int hn_i_code(hn_int x, hn_int y, hn_int z) { return x + 4 * y + 16 * z + 21; }
@@ -112,6 +125,10 @@ HN_FN hn_vec4 hn_i_far_away() { return vec4(65536.0f, 65536.0f, 65536.0f, 0.0f);
 HN_FN hn_vec4 hn_i_ranks(hn_float x, hn_float y, hn_float z, hn_float w) { return vec4(x, y, z, w); }
 HN_FN hn_vec3 hn_i_ranks(hn_float x, hn_float y, hn_float z) { return vec3(x, y, z); }
 
+HN_FN hn_vec3 hn_i_times_plus(hn_vec3 a, hn_float b, hn_vec3 c) {
+  HN_I_PRECISE hn_vec3 n = a * b + c;
+  return n;
+}
 HN_FN hn_vec3 hn_i_hybrids(hn_vec3 squares, hn_vec3 sums) { return hn_i_times_plus(squares, 0.5f, sums); }
 HN_FN hn_float hn_i_distance(hn_float rank, hn_int metric) {
   if (metric == HN_METRIC_SQUARED) return rank * 0.25f;

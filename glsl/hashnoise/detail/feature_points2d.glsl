@@ -4,6 +4,7 @@
 #ifndef HN_FEATURE_POINTS2D_GLSL
 #define HN_FEATURE_POINTS2D_GLSL
 
+#include "block2d.glsl"
 #include "feature_points.glsl"
 
 // The same in every dimension: tools/make writes it of feature_points2d.glsl.

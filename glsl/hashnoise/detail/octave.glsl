@@ -12,8 +12,8 @@
 #ifndef HN_OCTAVE_GLSL
 #define HN_OCTAVE_GLSL
 
-#include "../hash.glsl"
-#include "../place.glsl"
+#include "place2d.glsl"
+#include "word.glsl"
 
 // The cosines and sines of the rotations, in 32nds: a position loses few bits by them. In the plane of x and y the
 // angle is arctan(4/5), in space then arctan(13/29) in that of y and z, and in 4D at last arctan(4/5) in that of z and
@@ -120,6 +120,50 @@ HN_FN hn_int hn_i_density(hn_int mean) {
 HN_FN hn_int hn_i_billows(hn_int mean) { return 2 * mean - HN_I_UNITS_VALUE; }
 
 #else
+
+#if HN_ARITHMETIC == HN_FAST
+
+HN_FN hn_float hn_i_quotient(hn_float a, hn_float b) { return a / b; }
+
+// The position of the first octave.
+HN_FN hn_vec2 hn_i_flushed_position(hn_vec2 p) { return p; }
+// The same in 1, 3 and 4 dimensions: tools/make writes it.
+HN_FN hn_float hn_i_flushed_position(hn_float p) { return p; }
+HN_FN hn_vec3 hn_i_flushed_position(hn_vec3 p) { return p; }
+HN_FN hn_vec4 hn_i_flushed_position(hn_vec4 p) { return p; }
+
+#else
+
+// GLSL leaves the last bits of a division open. So a/b is computed as a times a reciprocal, by Newton's method. The
+// first guess is at most 1/8 off, and each step squares the error. b is from 1 to 2^100.
+HN_FN hn_float hn_i_quotient(hn_float a, hn_float b) {
+  HN_I_PRECISE hn_float r = uintBitsToFloat(0x7EF311C7u - floatBitsToUint(b));
+  for (hn_int i = 0; i < 4; ++i) r = r * (2.0f - b * r);
+  HN_I_PRECISE hn_float quotient = a * r;
+  return quotient;
+}
+
+// Replaces a subnormal number by 0, since a huge lacunarity could make it large. No later octave needs this: the shift
+// between octaves leaves a position that is 0 or at least 2^-25.
+HN_FN hn_float hn_i_flushed_position(hn_float p) {
+  return hn_i_select((floatBitsToUint(p) & 0x7F800000u) == 0u, 0.0f, p);
+}
+HN_FN hn_vec2 hn_i_flushed_position(hn_vec2 p) { return vec2(hn_i_flushed_position(p.x), hn_i_flushed_position(p.y)); }
+// The same in 3 and 4 dimensions: tools/make writes it.
+HN_FN hn_vec3 hn_i_flushed_position(hn_vec3 p) {
+  return vec3(hn_i_flushed_position(p.x), hn_i_flushed_position(p.y), hn_i_flushed_position(p.z));
+}
+HN_FN hn_vec4 hn_i_flushed_position(hn_vec4 p) {
+  return vec4(hn_i_flushed_position(p.x), hn_i_flushed_position(p.y), hn_i_flushed_position(p.z),
+              hn_i_flushed_position(p.w));
+}
+
+#endif
+
+HN_FN hn_float hn_i_smooth(hn_float t) {
+  HN_I_PRECISE hn_float n = t * t * (3.0f - 2.0f * t);
+  return n;
+}
 
 #define HN_I_WEIGHT_ONE 1.0f
 #define HN_I_NO_WEIGHT 0.0f

@@ -4,6 +4,7 @@
 #ifndef HN_SINE_GRADIENT_GLSL
 #define HN_SINE_GRADIENT_GLSL
 
+#include "../hash.glsl"
 #include "cell.glsl"
 #include "sine.glsl"
 

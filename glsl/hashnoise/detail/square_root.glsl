@@ -20,6 +20,12 @@
 //   hn_i_unit(x, ...)     an offset divided by its length; 0 if the length is 0. Its components are floats, and in
 //                         HN_FIXED multiples of 2^-21
 
+// These combine each component with the same word. In Godot and WGSL such operators take two vectors alone, and HLSL
+// has no constructor from one number.
+HN_FN hn_uvec3 hn_i_and(hn_uvec3 words, hn_uint mask) { return words & uvec3(mask, mask, mask); }
+HN_FN hn_uvec3 hn_i_or(hn_uvec3 words, hn_uint mask) { return words | uvec3(mask, mask, mask); }
+HN_FN hn_uvec3 hn_i_xor(hn_uvec3 words, hn_uint word) { return words ^ uvec3(word, word, word); }
+
 // The root of a word is there with every HN_ARITHMETIC. First the root of 2^8 q is guessed in floats. The guess is less
 // than 1 off, even if a driver's sqrt is 6 units in the last place off. So the integers around it decide. What is left
 // of 2^8 q is small: 32 bits are enough to tell its sign.

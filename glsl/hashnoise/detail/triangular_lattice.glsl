@@ -4,7 +4,7 @@
 #ifndef HN_TRIANGULAR_LATTICE_GLSL
 #define HN_TRIANGULAR_LATTICE_GLSL
 
-#include "cell.glsl"
+#include "block2d.glsl"
 #include "direction.glsl"
 #include "falloff.glsl"
 

@@ -26,8 +26,8 @@ from translate.parsing.preprocessor import Preprocessor
 from ship.godot.files import ADDON, package
 from translate.single_file.godot import SUFFIX
 from catalog.tables.functions import Function, read_functions
-from base.tree import BOUNDS, FUNCTIONS
-from translate.wgsl.evaluation import PROLOGUE, macros_of_rows
+from base.tree import BOUNDS
+from translate.wgsl.evaluation import PROLOGUE
 
 HERE = Path(__file__).resolve().parent
 POINTS = 64   # in a line of the picture
@@ -83,14 +83,13 @@ def expanded_bodies(rows: Iterable[str]) -> dict[str, str]:
     macros = Preprocessor(Path(), {})
     vectors = [f"hn_{kind} {kind}" for scalar, prefix in (("float", ""), ("int", "i"), ("uint", "u"))
                for kind in (scalar, *(f"{prefix}vec{n}" for n in (2, 3, 4)))]
-    for definition in (*vectors, *(line.removeprefix("#define ") for line in
-                                   (PROLOGUE + macros_of_rows(FUNCTIONS)).splitlines() if line)):
+    for definition in (*vectors, *(line.removeprefix("#define ") for line in PROLOGUE.splitlines())):
         macros.define(definition)
     return {row: macros.expanded(ROWS[row].body).replace(" . ", ".") for row in rows}
 
 
 def part_of(function: Function) -> str:
-    return Path(function.row.text(1)).stem
+    return Path(function.includes).stem
 
 
 def shader_of(part: str, bodies: dict[str, str], arithmetic: str, edit: Callable[[str], str]) -> str:

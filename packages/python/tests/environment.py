@@ -24,7 +24,7 @@ TESTS = Path(__file__).resolve().parent
 ROOT = TESTS.parents[2]
 sys.path.insert(0, str(ROOT / "tools" / "lib"))
 
-from pypi import SKIPPED, install  # noqa: E402
+from base.pypi import SKIPPED, install  # noqa: E402
 
 MADE = "made"  # a file that appears when all is there
 

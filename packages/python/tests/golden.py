@@ -17,8 +17,8 @@ import numpy
 
 sys.path.append(str(Path(__file__).resolve().parents[3] / "tools" / "lib"))
 
-import golden_values  # noqa: E402
-from tree import BOUNDS, GOLDEN, ROOT  # noqa: E402, F401  (other tests take ROOT from here)
+from base import golden_values  # noqa: E402
+from base.tree import BOUNDS, GOLDEN, ROOT  # noqa: E402, F401  (other tests take ROOT from here)
 
 TYPES = {"f32": numpy.float32, "i32": numpy.int32, "u32": numpy.uint32, "f64": numpy.float64}
 METRICS = ("euclidean", "euclidean", "squared", "manhattan", "chebyshev", "hybrid")  # by HN_METRIC_...; 0 is Euclidean

@@ -12,7 +12,7 @@ from pathlib import Path
 import golden
 import hashnoise
 import numpy
-from tree import VECTORS
+from base.tree import VECTORS  # (golden.py names the folder of base)
 
 
 class Fixed(unittest.TestCase):

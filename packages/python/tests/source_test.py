@@ -13,6 +13,7 @@ import zlib
 from pathlib import Path
 
 import golden
+from base.tree import VECTORS
 
 TESTS = Path(__file__).resolve().parent
 BUILD = "import scikit_build_core.build, sys; print(scikit_build_core.build.build_sdist(sys.argv[1]))"
@@ -48,9 +49,13 @@ class Source(unittest.TestCase):
             self.assertTrue((self.root / name).is_file(), name)
         for folder in ("glsl/hashnoise", "glsl/hashnoise/detail", "include/hashnoise", "packages/python/hashnoise",
                        "vectors"):
-            names, copied = ({path.name for path in (root / folder).iterdir() if path.is_file()}
-                             for root in (golden.ROOT, self.root))
+            origin = VECTORS if folder == "vectors" else golden.ROOT / folder
+            names, copied = ({path.name for path in of.iterdir() if path.is_file()}
+                             for of in (origin, self.root / folder))
             self.assertEqual(copied, names)
+        for path in self.root.rglob("CMakeLists.txt"):
+            for name in re.findall(r"^ *include\((\S*/\S*)\)", path.read_text(encoding="utf-8"), re.M):
+                self.assertTrue((path.parent / name).is_file(), (path, name))
         self.assertEqual(self.missing_headers(), "")
 
     def test_a_file_that_is_missing_is_noticed(self):

@@ -22,24 +22,24 @@ constexpr int kRows = 3;  // the file, as hn::kReportFd says
 constexpr int kFailed = 1;
 
 template <int D>
-struct In;
+struct Point;
 template <>
-struct In<1> {
+struct Point<1> {
   using Cell = int;
   using Position = float;
 };
 template <>
-struct In<2> {
+struct Point<2> {
   using Cell = hashnoise::ivec2;
   using Position = hashnoise::vec2;
 };
 template <>
-struct In<3> {
+struct Point<3> {
   using Cell = hashnoise::ivec3;
   using Position = hashnoise::vec3;
 };
 template <>
-struct In<4> {
+struct Point<4> {
   using Cell = hashnoise::ivec4;
   using Position = hashnoise::vec4;
 };
@@ -127,8 +127,8 @@ void compute_row(const Axis (&axes)[D], const int (&size)[D], long long row, lon
     cell[0] = axes[0].cell[x];
     f[0] = axes[0].f[x];
     p[0] = axes[0].p[x];
-    keep(value(vector_of<typename In<D>::Cell>(cell), vector_of<typename In<D>::Position>(f),
-               vector_of<typename In<D>::Position>(p)),
+    keep(value(vector_of<typename Point<D>::Cell>(cell), vector_of<typename Point<D>::Position>(f),
+               vector_of<typename Point<D>::Position>(p)),
          to + x, points);
   }
 }
@@ -136,8 +136,8 @@ void compute_row(const Axis (&axes)[D], const int (&size)[D], long long row, lon
 // The program, of which the words are those of its command line.
 template <int D, typename Function>
 int run(int count, char** words, const int (&size)[D], const Function& value) {
-  using Position = typename In<D>::Position;
-  using Value = decltype(value(typename In<D>::Cell(), Position(), Position()));
+  using Position = typename Point<D>::Position;
+  using Value = decltype(value(typename Point<D>::Cell(), Position(), Position()));
   constexpr int components = kComponents<Value>;
   static_assert(components > 0, "hn-bake: the expression is no float, vec2, vec3 or vec4");
   if constexpr (components > 0) {

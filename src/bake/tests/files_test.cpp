@@ -22,13 +22,13 @@ namespace {
 
 using Files = std::map<std::string, std::string>;
 
-struct Made {
+struct Product {
   Files files;
   Report report;
 };
 
-Made make(const BakeOptions& options) {
-  Made made;
+Product make(const BakeOptions& options) {
+  Product made;
   const auto mappings = mappings_of(options, component_names(options));
   EXPECT_TRUE(mappings) << mappings.error().text();
   const auto report = write_files(options, compute(options, {}), mappings.value_or(std::vector<Mapping>{}),
@@ -150,7 +150,7 @@ TEST(Files, SlicesAreAFileEach) {
   BakeOptions options = options_of({"perlin", "--size", "6x4x3"}, Format::exr, "folder/a.exr");
   options.layout = Layout::slices;
   const auto values = compute(options, {}).planes[0].values;
-  const Made made = make(options);
+  const Product made = make(options);
   ASSERT_EQ(made.files.size(), 3u);
   for (int slice = 0; slice < 3; ++slice) {
     const Picture picture = read_exr(made.files.at("folder/a.00" + std::to_string(slice) + ".exr"));
@@ -196,7 +196,7 @@ TEST(Files, PngHasTheMappedValues) {
   for (const auto& row : rows) {
     const BakeOptions options = options_of({row.function, "--size", row.size}, Format::png, "a.png");
     const Planes planes = compute(options, {});
-    const Made made = make(options);
+    const Product made = make(options);
     int width = 0;
     int height = 0;
     const auto pixels = read_png(made.files.at("a.png"), row.channels, width, height);

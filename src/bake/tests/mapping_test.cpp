@@ -11,7 +11,7 @@ namespace {
 using Words = std::vector<std::uint16_t>;
 
 TEST(Mapping, EndsAndMiddle) {
-  const Mapped mapped = to_16_bits(std::vector<float>{-1.0f, 0.0f, 1.0f, -0.5f}, {-1.0, 1.0});
+  const Texels mapped = to_16_bits(std::vector<float>{-1.0f, 0.0f, 1.0f, -0.5f}, {-1.0, 1.0});
   EXPECT_EQ(mapped.words, (Words{0, 32768, 65535, 16384}));
   EXPECT_EQ(mapped.clamped, 0u);
 }
@@ -23,7 +23,7 @@ TEST(Mapping, OfEveryWord) {
     values.push_back(static_cast<float>(i) / 65536.0f);
     words.push_back(static_cast<std::uint16_t>(i));
   }
-  const Mapped mapped = to_16_bits(values, {0.0, 65535.0 / 65536.0});
+  const Texels mapped = to_16_bits(values, {0.0, 65535.0 / 65536.0});
   EXPECT_EQ(mapped.words, words);
   EXPECT_EQ(mapped.clamped, 0u);
 }
@@ -32,7 +32,7 @@ TEST(Mapping, CountsWhatIsOutside) {
   const float above = std::nextafter(1.0f, 2.0f);
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const float infinite = std::numeric_limits<float>::infinity();
-  const Mapped mapped = to_16_bits(std::vector<float>{above, -0.1f, nan, infinite, -infinite, 1.0f}, {0.0, 1.0});
+  const Texels mapped = to_16_bits(std::vector<float>{above, -0.1f, nan, infinite, -infinite, 1.0f}, {0.0, 1.0});
   EXPECT_EQ(mapped.words, (Words{65535, 0, 0, 65535, 0, 65535}));
   EXPECT_EQ(mapped.clamped, 5u);
 }

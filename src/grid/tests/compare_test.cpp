@@ -104,18 +104,18 @@ TEST(Comparison, NoticesWhatIsBeyondTheBound) {
 
 TEST(Comparison, NoticesWhatIsWrittenBesides) {
   // A field cannot be made to write elsewhere. So this is a stand-in for one.
-  struct Careless {
+  struct CarelessField {
     int components() const { return 1; }
     Range fill(const Grid<2>&, std::span<float> values, const Executor&) const {
       *(values.data() + values.size()) = 0.0f;
       return {};
     }
   };
-  struct Tidy : Careless {
+  struct TidyField : CarelessField {
     Range fill(const Grid<2>&, std::span<float>, const Executor&) const { return {}; }
   };
-  EXPECT_NONFATAL_FAILURE(static_cast<void>(fill(Careless{}, kGrid, 63, {})), "behind the values");
-  static_cast<void>(fill(Tidy{}, kGrid, 63, {}));
+  EXPECT_NONFATAL_FAILURE(static_cast<void>(fill(CarelessField{}, kGrid, 63, {})), "behind the values");
+  static_cast<void>(fill(TidyField{}, kGrid, 63, {}));
 }
 
 // Bits of other arithmetics, seeds, periods, and so on are not taken for each other.

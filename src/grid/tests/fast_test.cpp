@@ -173,7 +173,7 @@ class Fast : public testing::TestWithParam<int> {
     for (const InstructionSet set : instruction_sets()) {
       settings.instruction_set = set;
       const Field<D> field(settings);
-      const Filled filled = fill(field, where, places.size());
+      const FieldValues filled = fill(field, where, places.size());
       EXPECT_TRUE(within(filled.values, expected, places.size(), bound)) << settings;
       EXPECT_EQ(filled.range, range_of(filled.values, places.size())) << settings;
     }

@@ -32,7 +32,7 @@ void in_dimensions(int dimensions, const Each& each) {
   }
 }
 
-struct Filled {
+struct FieldValues {
   std::vector<float> values;
   Range range;
 };
@@ -40,14 +40,14 @@ struct Filled {
 // Numbers in front of the values and behind them must stay. In front there is an odd number, so that the values begin
 // where no vector does.
 template <typename AnyField, typename Places>
-Filled fill(const AnyField& field, const Places& places, std::size_t points, const Executor& executor = {}) {
+FieldValues fill(const AnyField& field, const Places& places, std::size_t points, const Executor& executor = {}) {
   constexpr std::size_t kBefore = 37;
   constexpr std::size_t kBehind = 64;
   constexpr float kUntouched = -12345.0f;
   const std::size_t numbers = points * static_cast<std::size_t>(field.components());
   std::vector<float> memory(kBefore + numbers + kBehind, kUntouched);
   const std::span<float> values = std::span(memory).subspan(kBefore, numbers);
-  Filled filled;
+  FieldValues filled;
   filled.range = field.fill(places, values, executor);
   filled.values.assign(values.begin(), values.end());
   const auto is_untouched = [](float number) { return number == kUntouched; };
@@ -56,10 +56,10 @@ Filled fill(const AnyField& field, const Places& places, std::size_t points, con
   return filled;
 }
 
-struct AsItIs {};
+struct AnyProcessor {};
 
 // A field has the bits of the twin, with every instruction set. While it is filled there is a Processor.
-template <int D, typename Processor = AsItIs, typename Places>
+template <int D, typename Processor = AnyProcessor, typename Places>
 void expect_bits(Settings settings, const Places& where) {
   const auto places = places_of(where);
   const Function<D> twin = function<D>(settings);
@@ -69,7 +69,7 @@ void expect_bits(Settings settings, const Places& where) {
     settings.instruction_set = set;
     const Field<D> field(settings);
     ASSERT_EQ(field.components(), twin.components) << settings;
-    const Filled filled = [&] {
+    const FieldValues filled = [&] {
       [[maybe_unused]] const Processor processor;
       return fill(field, where, places.size());
     }();

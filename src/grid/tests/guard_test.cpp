@@ -11,9 +11,9 @@ namespace {
 
 // Numbers whose last one, or whose first one, lies at such a page.
 template <typename Number>
-class Guarded {
+class GuardedArray {
  public:
-  Guarded(std::size_t count, bool at_end) : page_(static_cast<std::size_t>(sysconf(_SC_PAGESIZE))) {
+  GuardedArray(std::size_t count, bool at_end) : page_(static_cast<std::size_t>(sysconf(_SC_PAGESIZE))) {
     room_ = (count * sizeof(Number) + page_ - 1) / page_ * page_;
     base_ = static_cast<char*>(
         mmap(nullptr, room_ + 2 * page_, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0));
@@ -23,9 +23,9 @@ class Guarded {
     numbers_ = {reinterpret_cast<Number*>(first), count};
     std::iota(numbers_.begin(), numbers_.end(), Number(-3));
   }
-  ~Guarded() { munmap(base_, room_ + 2 * page_); }
-  Guarded(const Guarded&) = delete;
-  Guarded& operator=(const Guarded&) = delete;
+  ~GuardedArray() { munmap(base_, room_ + 2 * page_); }
+  GuardedArray(const GuardedArray&) = delete;
+  GuardedArray& operator=(const GuardedArray&) = delete;
 
   std::span<Number> span() const { return numbers_; }
 
@@ -40,9 +40,9 @@ class Guard : public testing::TestWithParam<bool> {};
 
 void touch(const hashnoise::Settings& settings, std::size_t count, bool at_end) {
   const hashnoise::Field<2> field(settings);
-  const Guarded<float> x(count, at_end), y(count, at_end);
-  const Guarded<std::int32_t> cell_x(count, at_end), cell_y(count, at_end);
-  const Guarded<float> values(count * static_cast<std::size_t>(field.components()), at_end);
+  const GuardedArray<float> x(count, at_end), y(count, at_end);
+  const GuardedArray<std::int32_t> cell_x(count, at_end), cell_y(count, at_end);
+  const GuardedArray<float> values(count * static_cast<std::size_t>(field.components()), at_end);
   field.fill(hashnoise::Points<2>{{x.span(), y.span()}}, values.span());
   field.fill(hashnoise::CellPoints<2>{{cell_x.span(), cell_y.span()}, {x.span(), y.span()}}, values.span());
   const auto width = static_cast<int>(count);
@@ -69,7 +69,7 @@ INSTANTIATE_TEST_SUITE_P(BothEnds, Guard, testing::Bool());
 using GuardDeathTest = Guard;
 
 TEST_P(GuardDeathTest, TheGuardIsThere) {
-  const Guarded<float> numbers(17, GetParam());
+  const GuardedArray<float> numbers(17, GetParam());
   volatile float* const beside = GetParam() ? numbers.span().data() + 17 : numbers.span().data() - 1;
   EXPECT_DEATH(*beside = 1.0f, "");
 }

@@ -27,11 +27,11 @@ void all_at_once(int count, const std::function<void(int)>& task) {
   for (int i = 0; i < count; ++i) workers.emplace_back([&task, i] { task(i); });
 }
 
-struct Named {
+struct NamedExecutor {
   std::string name;
   Executor executor;
 };
-std::vector<Named> executors() {
+std::vector<NamedExecutor> executors() {
   return {{"none", {}},      {"threads()", threads()}, {"1", threads(1)},        {"2", threads(2)},
           {"7", threads(7)}, {"33", threads(33)},      {"backwards", backwards}, {"all at once", all_at_once}};
 }
@@ -40,15 +40,15 @@ template <int D, typename Places>
 void expect_same_with_any(const Settings& settings, const Places& where) {
   const auto points = places_of(where).size();
   const Field<D> field(settings);
-  const Filled alone = fill(field, where, points);
+  const FieldValues alone = fill(field, where, points);
   for (const auto& [name, executor] : executors()) {
     for (int time = 0; time < 2; ++time) {
-      const Filled filled = fill(field, where, points, executor);
+      const FieldValues filled = fill(field, where, points, executor);
       EXPECT_TRUE(same_bits(filled.values, alone.values, points)) << name << ": " << settings;
       EXPECT_EQ(filled.range, alone.range) << name << ": " << settings;
     }
   }
-  const Filled again = fill(Field<D>(settings), where, points);
+  const FieldValues again = fill(Field<D>(settings), where, points);
   EXPECT_TRUE(same_bits(again.values, alone.values, points)) << "another field: " << settings;
   EXPECT_EQ(again.range, alone.range);
 }
@@ -146,7 +146,7 @@ TEST(Threads, ManyUseOneField) {
   settings.arithmetic = Arithmetic::kFixed;
   const Field<2> field(settings);
   const Grid<2> grid = {{0.1f, 0.2f}, {0.0371f, 0.05f}, {101, 103}};
-  const Filled alone = fill(field, grid, 101 * 103);
+  const FieldValues alone = fill(field, grid, 101 * 103);
   std::array<std::vector<float>, 4> values;
   {
     std::vector<std::jthread> workers;

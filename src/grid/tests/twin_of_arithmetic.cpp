@@ -182,12 +182,12 @@ const NoiseEntry<D>& noise_entry(std::string_view name, bool has_phase) {
 // Sums. What they add up is `chosen`, with a value, or `chosen_d`, with derivatives, or `chosen_vector`, in 2D and 3D.
 
 template <int D>
-struct Chosen {
+struct Choice {
   const NoiseEntry<D>* noise = nullptr;
   const Settings* settings = nullptr;
 };
 template <int D>
-thread_local Chosen<D> choice;
+thread_local Choice<D> choice;
 
 template <int D>
 std::array<float, 5> of_choice(Place<D> place, std::uint32_t seed) {

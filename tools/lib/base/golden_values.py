@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import struct
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -19,6 +20,7 @@ class Head:
     columns: Columns     # what goes in
     results: Columns     # what comes out
     settings: list[str]  # those with values, in the order of their groups
+    bits: str            # the version in which a value last changed
     rows: int
     size: int            # how many lines it has
 
@@ -36,7 +38,7 @@ def head_of(path: Path) -> Head:
                 columns, results = (tuple(tuple(column.split(":")) for column in side.split())
                                     for side in said["columns"].split(" = "))
                 settings = [setting.split(":")[0] for setting in said["settings"].split()]
-                return Head(said["calls"], columns, results, settings, int(said["rows"]), size)
+                return Head(said["calls"], columns, results, settings, said["bits"], int(said["rows"]), size)
     raise ValueError(f"{path} does not say how many rows it has")
 
 
@@ -51,8 +53,7 @@ class Golden:
     def __init__(self, id: str, setting: str = "lattice+fixed", folder: Path = GOLDEN):
         path = folder / f"{id}.golden"
         self.head = head_of(path)
-        lines = path.read_text(encoding="ascii").splitlines()[self.head.size:]
-        rows = [line.split(" = ") for line in lines if not line.startswith("digest ")]
+        rows = _rows(path.read_text(encoding="ascii"), self.head.size)
         if len(rows) != self.head.rows or not rows:
             raise ValueError(f"{id} says that it has {self.head.rows} rows, and has {len(rows)}")
         group = 1 + self.head.settings.index(setting)
@@ -65,6 +66,11 @@ class Golden:
         """The bits of results, where every one counts: those of a double are exact as those of a float."""
         return [[float_bits(word) if kind == "f64" else word for (_, kind), word in zip(self.head.results, words)]
                 for words in self.values]
+
+
+@functools.lru_cache(maxsize=1)  # a file is read once for each of its settings
+def _rows(text: str, size: int) -> list[list[str]]:
+    return [line.split(" = ") for line in text.splitlines()[size:] if not line.startswith("digest ")]
 
 
 def float_bits(word: int) -> int:

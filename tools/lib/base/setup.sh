@@ -40,8 +40,8 @@ readonly driver_packages=("${paper_packages[@]}" chromium-headless-shell clang l
 readonly program_packages=(cmake g++ ninja-build
   libcli11-dev libexpected-dev libfmt-dev libkainjow-mustache-dev libpng-dev nlohmann-json3-dev pkg-config zlib1g-dev)
 readonly bake_packages=("${program_packages[@]}" libopenexr-dev)
-# Of tools/pack npm, which compiles to WebAssembly.
-readonly npm_packages=(clang libc++-dev-wasm32 lld python3 wasi-libc)
+# Of tools/pack npm, which compiles to WebAssembly, and the bounds of vectors.
+readonly npm_packages=(clang g++ libc++-dev-wasm32 libfmt-dev lld python3 wasi-libc)
 # Of the tests of examples/, which build raylib.
 readonly example_packages=(git libxcursor-dev libxi-dev libxinerama-dev libxrandr-dev vulkan-validationlayers x11-utils)
 # Those behind python3-venv compile for ARM, and run what they compile; those of Mono do so with C#. abigail-tools compare

@@ -8,13 +8,12 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[3]
 TOOLS = ROOT / "tools"
 GLSL = ROOT / "glsl" / "hashnoise"
-FUNCTIONS = ROOT / "conformance" / "library" / "functions.inc"
-CONFIGURATIONS = ROOT / "conformance" / "library" / "configurations.inc"
-BOUNDS = ROOT / "conformance" / "expected" / "bounds.inc"
+CONFORMANCE = ROOT / "conformance"
+BOUNDS = CONFORMANCE / "expected" / "bounds.inc"
 HN_CONFORM = ROOT / "build" / "conformance" / "hn-conform"  # where tools/measure clock builds it
-VECTORS = ROOT / "vectors"
-GOLDEN = ROOT / "conformance" / "expected" / "golden"
+GOLDEN = CONFORMANCE / "expected" / "golden"
 FROZEN = GOLDEN.parent / "frozen.csv"
+VECTORS = ROOT / "build" / "vectors"  # proof.vectors makes them
 
 
 def glsl_files(library: Path = GLSL) -> dict[str, Path]:

@@ -12,6 +12,7 @@ from unittest import mock
 
 from catalog import command, grid, sections, shaders, suite
 from catalog.model import CATALOG, CatalogError, read
+from catalog.tables import functions
 
 
 class Made(unittest.TestCase):
@@ -37,17 +38,12 @@ class Made(unittest.TestCase):
 
     def test_every_part_knows_of_every_entry(self):
         made = {path.name: text for path, text in command.files().items()}
-        by_hand = suite.PATH.with_name("functions.inc").read_text(encoding="utf-8")
         catalog = read()
         for function in (*catalog.noises, *catalog.sums):
             with self.subTest(function=function.name):
                 self.assertIn(f", {function.name}, {function.first}, {function.last}, ", made["catalog.inc"])
                 self.assertRegex(made["__init__.pyi"], rf"(?m)^def {function.name}\(")
-                rows = rf'(?m)^ +"hn_{function.name}\(p'
-                self.assertRegex(made["forms.inc"] if function.families else by_hand, rows)
-                if not function.families:
-                    self.assertFalse(re.search(rows, made["forms.inc"]))
-                    self.assertFalse(re.search(rf"\({function.name},", made["facts.inc"]))
+                self.assertIn(f'.call = "hn_{function.name}(p', suite.files()["library/functions.inc"])
                 self.assertIn(f"HN_ONLY_TYPES_OF_GLSL(hn_{function.name})\n", made["hashnoise.hpp"])
                 if getattr(function, "step", "") not in ("", "eroded"):
                     self.assertRegex(made["fbm2d.glsl"], rf"(?m)^HN_FN hn_float hn_i_{function.name}\(hn_octaves2 o")
@@ -57,20 +53,38 @@ class Made(unittest.TestCase):
     def test_rows_of_the_suite(self):
         fbm, ping_pong, warp = (next(sum_ for sum_ in read().sums if sum_.name == name)
                                 for name in ("fbm", "ping_pong", "warp"))
-        ids = [row.id for row in suite.of_sum(ping_pong)]
+        ids = [row.id for row in functions.of_sum(ping_pong)]
         # In 4D there is no room for a strength beside the cell, the fraction and the period.
         self.assertEqual([id for id in ids if "4" in id],
                          ["fbm.ping_pong4", "fbm.ping_pong4_cell", "fbm.ping_pong4_period"])
         self.assertEqual([id for id in ids if "1" in id], ["fbm.ping_pong1", "fbm.ping_pong1_cell_period"])
-        self.assertIn("fbm.fbm2_detail", [row.id for row in suite.of_sum(fbm)])
-        self.assertEqual(next(suite.of_sum(warp)).text(), """\
-FUNCTION("warp.warp2", "warp2d.glsl", further_octave_sum, "warp",
-         "x:f32 y:f32 octaves:i32 lacunarity:f32 gain:f32 amplitude:f32 seed:u32 = sx:f64 sy:f64",
-         "hn_warp(p, 6, 2.0, 0.5, 1.0, 0u)",
-         hn_vec2 p = vec2(float_of(a.x), float_of(a.y));
-         hn_vec2 n = hn_warp(p, int(a.z), float_of(a.w), float_of(b.x), float_of(b.y), SEED(b.z));
-         return uvec4(bits_of(n.x), bits_of(n.y), 0u, 0u);)
-""")
+        self.assertIn("fbm.fbm2_detail", [row.id for row in functions.of_sum(fbm)])
+        body = ("hn_vec2 p = vec2(float_of(a.x), float_of(a.y)); hn_vec2 n = hn_warp(p, int(a.z), float_of(a.w), float_of(b.x), "
+                "float_of(b.y), SEED(b.z)); return uvec4(bits_of(n.x), bits_of(n.y), 0u, 0u);")
+        row = next(functions.of_sum(warp))
+        self.assertEqual((row.id, row.includes, row.columns, row.bench, row.body), (
+            "warp.warp2", "warp2d.glsl",
+            "x:f32 y:f32 octaves:i32 lacunarity:f32 gain:f32 amplitude:f32 seed:u32 = sx:f64 sy:f64",
+            "hn_warp(p, 6, 2.0, 0.5, 1.0, 0u)", body))
+        typed = suite.of_functions(read(), [row])
+        self.assertIn('.family = further_octave_sum, .bound = "warp"', typed)
+        self.assertIn('.inputs = {{"x", f32}, {"y", f32}, {"octaves", i32}, {"lacunarity", f32}', typed)
+        self.assertTrue(suite.of_bodies([row]).endswith(f'COLUMN("seed", u32)), {body})\n'))
+
+    def test_ids_of_what_a_derivative_belongs_to(self):
+        of = {row.id: suite.plain(row) for row in functions.read_functions()}
+        for id_, plain in (("noise2d.perlin_d_cell", "noise2d.perlin_cell"), ("noise4d.value_d_value", "noise4d.value"),
+                           ("noise4d.perlin_d_cell_value", "noise4d.perlin_cell"), ("fbm_d.eroded2_cell", "fbm.fbm2_cell"),
+                           ("noise2d.perlin_d_phase", "noise2d.perlin_phase"), ("noise2d.perlin", "")):
+            self.assertEqual(of[id_], plain)
+
+    def test_files_of_the_suite_are_written_once(self):
+        with tempfile.TemporaryDirectory() as name:
+            suite.write(Path(name))
+            paths = [path for path in Path(name).rglob("*") if path.is_file()]
+            self.assertEqual({path.relative_to(name).as_posix() for path in paths}, suite.files().keys())
+            with mock.patch.object(Path, "write_text", side_effect=AssertionError):
+                suite.write(Path(name))
 
     def test_the_glsl_of_a_sum(self):
         ping_pong = next(sum_ for sum_ in read().sums if sum_.name == "ping_pong")

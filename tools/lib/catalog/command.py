@@ -17,15 +17,15 @@ from pathlib import Path
 
 from base.tree import ROOT
 from base.usage import Parser
-from catalog import grid, javascript, pages, python, shaders, suite
+from catalog import grid, javascript, pages, python, shaders
 from catalog.model import CatalogError, read
 
 
 def files() -> dict[Path, str]:
     """All that is made, by its path."""
     catalog = read()
-    return {**grid.files(catalog), **python.files(catalog), **javascript.files(catalog), **suite.files(catalog),
-            **shaders.files(catalog), **pages.files(catalog)}
+    return {**grid.files(catalog), **python.files(catalog), **javascript.files(catalog), **shaders.files(catalog),
+            **pages.files(catalog)}
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

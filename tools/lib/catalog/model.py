@@ -40,7 +40,7 @@ class Strength:
 
 @dataclass(frozen=True)
 class Families:
-    """Of which settings the suite has values of a function (conformance/library/configurations.inc)."""
+    """Of which settings the suite has values of a function (catalog/configurations.toml)."""
     usual: str  # on the plane and in space
     tiles: str  # there, in a tile; of a sum also from a cell
     others: str  # on the line, in four dimensions, and with a phase
@@ -151,7 +151,7 @@ class Catalog:
     metrics: tuple[str, ...]
 
 
-class _Entry:
+class Entry:
     """The keys of an entry; each is taken once, and none is left."""
 
     def __init__(self, file: str, name: str, keys: Any) -> None:
@@ -188,7 +188,7 @@ class _Entry:
             raise CatalogError(f"{self.where} has a key {next(iter(self.keys))!r}, which means nothing")
 
 
-def _function(entry: _Entry, name: str) -> dict[str, Any]:
+def _function(entry: Entry, name: str) -> dict[str, Any]:
     first, last = entry.pair("dimensions", entry.take("dimensions", list))
     if not (isinstance(first, int) and isinstance(last, int) and 1 <= first and last <= 4):
         raise CatalogError(f"{entry.where}: dimensions are {[first, last]}, and have to be in [1, 4]")
@@ -202,13 +202,13 @@ def _function(entry: _Entry, name: str) -> dict[str, Any]:
             "families": _families(entry, name), "brief": entry.take("brief", str), "use": entry.take("use", str)}
 
 
-def _families(entry: _Entry, name: str) -> Families | None:
+def _families(entry: Entry, name: str) -> Families | None:
     if "rows" in entry.keys:
         entry.one_of("rows", ("by hand",))
         if "families" in entry.keys:
             raise CatalogError(f"{entry.where}: rows that stand by hand name their families themselves")
         return None
-    families = _Entry(entry.file, f"{name}.families", entry.take("families", dict))
+    families = Entry(entry.file, f"{name}.families", entry.take("families", dict))
     usual = families.take("usual", str)
     made = Families(usual, families.take("tiles", str, usual), families.take("others", str, usual))
     families.end()
@@ -216,7 +216,7 @@ def _families(entry: _Entry, name: str) -> Families | None:
 
 
 def _noise(name: str, keys: Any) -> Noise:
-    entry = _Entry("noises.toml", name, keys)
+    entry = Entry("noises.toml", name, keys)
     common = _function(entry, name)
     ranges = {}
     for component, by_dimension in entry.take("ranges", dict, {}).items():
@@ -231,7 +231,7 @@ def _noise(name: str, keys: Any) -> Noise:
 
 
 def _strength(where: str, keys: Any) -> Strength:
-    entry = _Entry("sums.toml", where, keys)
+    entry = Entry("sums.toml", where, keys)
     strength = Strength(entry.one_of("name", ("strength", "amplitude")), entry.take("default", (int, float)),
                         entry.take("most", (int, float)), entry.take("about", str))
     entry.end()
@@ -241,7 +241,7 @@ def _strength(where: str, keys: Any) -> Strength:
 
 
 def _sum(name: str, keys: Any, noises: Mapping[str, Noise]) -> Sum:
-    entry = _Entry("sums.toml", name, keys)
+    entry = Entry("sums.toml", name, keys)
     common = _function(entry, name)
     value = entry.take("range", (list, str))
     if isinstance(value, str) and value not in ("noise", "strength"):
@@ -262,7 +262,7 @@ def _sum(name: str, keys: Any, noises: Mapping[str, Noise]) -> Sum:
 
 
 def _setting(name: str, keys: Any) -> Setting:
-    entry = _Entry("settings.toml", name, keys)
+    entry = Entry("settings.toml", name, keys)
     number = (int, float)
     setting = Setting(name, entry.one_of("kind", ("whole", "real")) == "whole", entry.take("least", number, None),
                       entry.take("most", number, None), entry.take("default", number, None), entry.take("about", str))
@@ -270,7 +270,7 @@ def _setting(name: str, keys: Any) -> Setting:
     return setting
 
 
-def _tables(folder: Path, file: str) -> dict[str, Any]:
+def tables(folder: Path, file: str) -> dict[str, Any]:
     try:
         return loads((folder / file).read_text(encoding="utf-8"))
     except ValueError as error:
@@ -278,10 +278,10 @@ def _tables(folder: Path, file: str) -> dict[str, Any]:
 
 
 def read(folder: Path = CATALOG) -> Catalog:
-    noises = {name: _noise(name, keys) for name, keys in _tables(folder, "noises.toml").items()}
-    sums = tuple(_sum(name, keys, noises) for name, keys in _tables(folder, "sums.toml").items())
-    tables = _tables(folder, "settings.toml")
-    metrics = _Entry("settings.toml", "metrics", tables.pop("metrics", None))
+    noises = {name: _noise(name, keys) for name, keys in tables(folder, "noises.toml").items()}
+    sums = tuple(_sum(name, keys, noises) for name, keys in tables(folder, "sums.toml").items())
+    settings = tables(folder, "settings.toml")
+    metrics = Entry("settings.toml", "metrics", settings.pop("metrics", None))
     names = tuple(metrics.take("names", list))
     metrics.end()
-    return Catalog(tuple(noises.values()), sums, {name: _setting(name, keys) for name, keys in tables.items()}, names)
+    return Catalog(tuple(noises.values()), sums, {name: _setting(name, keys) for name, keys in settings.items()}, names)

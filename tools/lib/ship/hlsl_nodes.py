@@ -9,7 +9,6 @@ from base.tree import GLSL
 from catalog import asked
 from translate.parsing.syntax import Function
 from translate.pick.command import Choice, picker, read_library
-from translate.pick.program import public
 
 # The arithmetics, with what they add to the names of classes, files and nodes.
 ARITHMETICS = {"fast": "", "fixed": "Fixed"}
@@ -27,7 +26,7 @@ def picked(names: tuple[str, ...], language: str, arithmetic: str) -> str:
 
 @cache
 def forms() -> dict[str, Function]:
-    return public(read_library(GLSL, Choice("hlsl")))
+    return read_library(GLSL, Choice("hlsl")).forms
 
 
 def camel(name: str) -> str:

@@ -13,6 +13,7 @@ from pathlib import Path
 
 from base.tree import ROOT, version
 from base.usage import Parser
+from proof.vectors.files import NoVectors
 from ship.recipes import RECIPES, Recipe
 from ship.zips import zipped
 
@@ -56,9 +57,9 @@ def described(name: str, recipe: Recipe) -> str:
              f"It is {recipe.name}-VERSION/ {place}; what was there is replaced. With --zip it is "
              f"{recipe.zip_name}-VERSION.zip in its place.")
     paragraphs = (f"Makes {recipe.line}, and prints where it is.",
-                  f"{where} {recipe.more} Nothing but Python is needed.",
+                  f"{where} {recipe.more} {recipe.needs}",
                   "The same tree makes the same bytes; the times in a zip are SOURCE_DATE_EPOCH's, or of 1980.",
-                  "Exit status: 0 done, 2 bad usage.")
+                  f"Exit status: 0 done, 2 bad usage{', 4 it could not be made' if recipe.has_vectors else ''}.")
     return "\n\n".join(textwrap.fill(text, 120, break_on_hyphens=False) for text in paragraphs)
 
 
@@ -108,6 +109,8 @@ def pack(name: str, arguments: Sequence[str]) -> int:
                                   if (value := getattr(given, option)) is not None})
     except Refused as error:
         parser.error(str(error))
+    except NoVectors as error:
+        parser.exit(4, f"tools/pack {name}: {error}\n")
     make_folder(parser, folder)
     top = f"{recipe.name}-{version()}"
     is_zip = recipe.is_zip or given.zip

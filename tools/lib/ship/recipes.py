@@ -17,6 +17,7 @@ class Recipe(NamedTuple):
     name: str = ""                       # of the folder and of the zip file, before -VERSION
     of_zip: str = ""                     # that of the zip file, if it is another one
     more: str = ""                       # what its help tells besides
+    has_vectors: bool = False            # which a compiler is needed to make
     options: dict[str, Option] = {}
     is_zip: bool = False                 # always: the files are for a folder that a user has
     command: str = ""                    # the module of its own command line
@@ -25,6 +26,11 @@ class Recipe(NamedTuple):
     @property
     def zip_name(self) -> str:
         return self.of_zip or self.name
+
+    @property
+    def needs(self) -> str:
+        return ("Python is needed, and to make the vectors g++ with the library fmt." if self.has_vectors else
+                "Nothing but Python is needed.")
 
     @property
     def has_folder(self) -> bool:
@@ -40,7 +46,7 @@ RECIPES = {
         "It has what tools/pick writes of the functions that are asked for most, with HN_FAST and with HN_FIXED, and "
         "the vectors to which `cargo test` holds it. It takes some minutes. --only place,perlin,hash makes some "
         "modules, which is for tests: place and hash are always needed.",
-        {"only": Option("MODULES", "these modules, with commas between")}),
+        True, {"only": Option("MODULES", "these modules, with commas between")}),
     "wesl": Recipe(
         "the package for WESL, for npm and for cargo", "hashnoise_wgsl",
         more="npm and cargo both take the folder. It has every function, with HN_FAST and with HN_FIXED; what a shader "

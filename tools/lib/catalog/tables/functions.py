@@ -1,70 +1,132 @@
-"""The functions under test, and what follows from their rows in functions.inc."""
+"""The functions under test: the noises and the sums of the catalog in all their forms, and what catalog/functions.toml has.
+
+A row is a public function in a form: at a position, from a cell, in a tile, with what may be set. What the suite, bench,
+the twin and the tools do with a function follows from its row.
+"""
 
 from __future__ import annotations
 
-import re
+import functools
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
-from base.tree import FUNCTIONS
-from catalog.tables.inc import Row, read_rows
+from catalog.model import AXES, CATALOG, CatalogError, Entry, Noise, Sum, read, tables
+from catalog.tables.configurations import FAMILIES
 
-# Functions whose values depend on the same knobs.
-FAMILIES = ("independent", "hash", "gradient", "sine_gradient", "gradient_noise", "lattice_noise", "octave_sum",
-            "further_gradient_noise", "octahedral_noise", "further_lattice_noise", "further_octave_sum",
-            "simplex_noise", "curl", "cellular", "further_cellular", "octahedral_octave_sum",
-            "utility", "distribution")
+FILE = "functions.toml"
 NOISES = ("gradient_noise", "lattice_noise", "further_gradient_noise", "octahedral_noise", "further_lattice_noise",
           "simplex_noise", "cellular", "further_cellular")
 OCTAVE_SUMS = ("octave_sum", "further_octave_sum", "octahedral_octave_sum")
-# Every hash has values of these: they hash words, or blend them first. The others are the same code with any hash.
-OF_EVERY_HASH = ("hash", "gradient", "gradient_noise", "lattice_noise")
-
-# What is proven under these names has a seed at a position, too.
-ALWAYS_SEEDED = ("hex_tiling", "gullies")
-STRENGTHS = ("strength", "amplitude")  # settings behind which there is always a seed
-
-# What the names of the inputs say that a function takes; n of them have an axis.
-FORMS = {
-    "words": re.compile(r"(?:key|h):u32|(?:[xyzw]:u32 ?)+"),
-    # Words of which each has a meaning of its own.
-    "items": re.compile(r"h:u32 k:u32|i:u32 (?:n:u32 )?seed:u32"),
-    "zero": re.compile(r"zero:u32"),  # what a check of words begins with
-    "point": re.compile(r"(?:[xyzw]:i32 )+seed:u32"),
-    # A cell that has a candidate, and how near another may be.
-    "candidate": re.compile(r"(?:c[xyz]:i32 )+(?:p[xyz]:i32 )+(?:radius:f32 )?seed:u32"),
-    # A spread, by its number, for a value, and of a sum of octaves.
-    "spread": re.compile(r"spread:i32"),
-    "spread_value": re.compile(r"noise:f32 reach:f32 a:f32 b:f32 c:f32"),
-    "spread_sum": re.compile(r"reach:f32 a:f32 b:f32 c:f32 detail:f32 gain:f32"),
-    "position": re.compile(r"(?:[xyzw]:f32 )+(?:p[xyzw]:i32 )*(?:(?:k[xyz]:f32 )+phase:f32 |phase:f32 )?"
-                           r"(?:jitter:f32 )?(?:metric:i32 )?seed:u32"),
-    "cell": re.compile(r"(?:c[xyzw]:i32 )+(?:f[xyzw]:f32 )+(?:p[xyzw]:i32 )*(?:(?:k[xyz]:f32 )+phase:f32 |phase:f32 )?"
-                       r"(?:jitter:f32 )?(?:metric:i32 )?seed:u32"),
-    # From a position, or from a cell and a fraction: the settings stand behind those and the periods.
-    "sum": re.compile(r"(?:(?:[xyzw]:f32 )+|(?:c[xyzw]:i32 )+(?:f[xyzw]:f32 )+)(?:p[xyzw]:i32 )*"
-                      r"(?P<settings>(?:(?:footprint:f32 )?octaves:i32|detail:f32) lacunarity:f32 gain:f32 "
-                      r"(?:strength:f32 |amplitude:f32 )?|"
-                      r"(?:footprint:f32 )?ex:f32 ey:f32 octaves:i32 lacunarity:f32 gain:f32 depth:f32 )seed:u32"),
-    # A position that is a whole number of units: where it is, and the noise there.
-    "place": re.compile(r"(?:[xyzw]:i32 )+cells:i32 units:i32"),
-    "place_of_noise": re.compile(r"(?:[xyzw]:i32 )+cells:i32 units:i32 seed:u32"),
-}
-
-
+TYPES = ("u32", "i32", "f32", "f64")
+STRENGTHS = ("strength", "amplitude")
 SPREADS = ("spread", "spread_value", "spread_sum")  # forms without a seed
 
 
 @dataclass(frozen=True)
+class Column:
+    """A word that goes in, or a number that comes out."""
+    name: str
+    type: str
+
+    def __str__(self) -> str:
+        return f"{self.name}:{self.type}"
+
+
+@dataclass(frozen=True)
+class Part:
+    """Of what a function takes: a number or a vector, with its words."""
+    name: str
+    type: str
+    columns: tuple[str, ...] = ()  # "c*" stands for cx, cy and so on; "" for its name
+    usual: str = ""  # what bench takes for it
+
+    def names(self, dimensions: int) -> tuple[str, ...]:
+        return expanded(self.columns or (self.name,), dimensions)
+
+    @property
+    def is_vector(self) -> bool:
+        """Whether it is a vector, or would be one in more dimensions."""
+        return bool(self.columns)
+
+
+def expanded(columns: tuple[str, ...], dimensions: int) -> tuple[str, ...]:
+    return tuple(name for column in columns
+                 for name in ([column.replace("*", axis) for axis in AXES[:dimensions]] if "*" in column else [column]))
+
+
+# Of the names among what a function takes. Where it is comes first, and the period right behind it.
+PARTS = {
+    "position": (Part("p", "f32", ("*",)),),
+    "cell": (Part("cell", "i32", ("c*",)), Part("f", "f32", ("f*",))),
+    "candidate": (Part("cell", "i32", ("c*",)),),  # a cell that has a candidate among scattered points
+    "units": (Part("position", "i32", ("*",)), Part("cells", "i32", usual="3"), Part("units", "i32", usual="100")),
+    "period": (Part("period", "i32", ("p*",)),),
+    "point": (Part("point", "i32", ("*",)),),
+    "words": (Part("words", "u32", ("*",)),),
+    "wave": (Part("wave", "f32", ("k*",), "p"),),
+    "slope": (Part("slope", "f32", ("ex", "ey"), "p"),),  # that gullies begin with
+    "distribution": (Part("spread", "f32", ("reach", "a", "b", "c"), "hn_spread(HN_SPREAD_PERLIN2)"),),
+    **{name: (Part(name, "u32", usual=usual),) for name, usual in {
+        **dict.fromkeys(("key", "h", "i", "zero"), "floatBitsToUint(p.x)"), "k": "1u", "n": "1000u", "seed": "7u"}.items()},
+    **{name: (Part(name, "i32", usual=usual),) for name, usual in {
+        "metric": "HN_METRIC_EUCLIDEAN", "octaves": "6", "spread": "floatBitsToInt(p.x)"}.items()},
+    **{name: (Part(name, "f32", usual=usual),) for name, usual in {
+        **dict.fromkeys(("phase", "radius", "noise"), "p.x"), "jitter": "1.0", "detail": "5.5", "footprint": "0.015625",
+        "lacunarity": "2.0", "gain": "0.5", "strength": "", "amplitude": "", "depth": ""}.items()},
+}
+PARTS["place_of_units"] = PARTS["units"]
+ITEMS = ("i", "k", "n", "seed")  # words of which each has a meaning of its own
+OF_SUMS = ("footprint", "slope", "octaves", "detail", "lacunarity", "gain", *STRENGTHS, "depth")
+# Behind these there is always a seed.
+SEEDED = {"candidate", "cell", "period", "place_of_units", "phase", "jitter", "detail", "footprint", "slope", *STRENGTHS}
+
+# The words that go in, in their order.
+WORDS = tuple(f"{word}.{axis}" for word in "abcd" for axis in AXES)
+# What bench takes for a position in so many dimensions, given a vec3 p, or a vec2 on the line and on the plane.
+USUAL = {
+    "position": ("p.x", "p", "p", "vec4(p, p.x)"),
+    "cell": ("int(floor(p.x)), p.x - floor(p.x)", "ivec2(floor(p)), p - floor(p)", "ivec3(floor(p)), p - floor(p)",
+             "ivec4(ivec3(floor(p)), floatBitsToInt(p.x)), vec4(fract(p), fract(p.x + p.y))"),
+    "units": ("floatBitsToInt(p.x)", "floatBitsToInt(p)", "floatBitsToInt(p)", "floatBitsToInt(vec4(p, p.x))"),
+    "point": ("floatBitsToInt(p.x)", "floatBitsToInt(p)", "floatBitsToInt(p)",
+              "ivec4(floatBitsToInt(p), floatBitsToInt(p.x - p.y))"),
+    "words": ("floatBitsToUint(p.x)", "floatBitsToUint(p)", "floatBitsToUint(p)",
+              "uvec4(floatBitsToUint(p), floatBitsToUint(p.x - p.y))"),
+}
+
+
+def glsl_type(type_: str, size: int) -> str:
+    scalar, vector = {"u": ("uint", "uvec"), "i": ("int", "ivec"), "f": ("float", "vec")}[type_[0]]
+    return f"{vector}{size}" if size > 1 else scalar
+
+
+def of_words(type_: str, words: list[str]) -> str:
+    """The expression of a number or a vector of these words."""
+    parts = [{"u32": word, "i32": f"int({word})", "f32": f"float_of({word})"}[type_] for word in words]
+    return parts[0] if len(parts) == 1 else f"{glsl_type(type_, len(parts))}({', '.join(parts)})"
+
+
+@dataclass(frozen=True)
 class Function:
-    """A row of the table."""
-    row: Row
+    """A row."""
     id: str
-    family: str
-    bound: str
-    inputs: str
-    outputs: str
-    form: str  # what it takes: a key of FORMS
+    family: str  # functions whose values depend on the same knobs
+    bound: str  # "exact", "sine", a noise or a sum
+    takes: tuple[str, ...]
+    gives: tuple[str, ...]
+    type: str  # of what it gives
+    dimensions: int = 1
+    includes: str = ""
+    calls: str = ""  # the function of the library
+    returns: str = ""  # the type, if it is no number and no vector
+    members: tuple[str, ...] = ()  # of that, in the order of what the function gives
+    sets: str = ""  # "nearest" or "offset", which it is given to set; "" for its value
+    always_seeded: bool = False
+    benched: str | None = None  # None: what follows from all of this
+    bench_seed: str = "0u"
+    strength: str = ""  # the usual one
 
     @property
     def file(self) -> str:
@@ -75,27 +137,63 @@ class Function:
         """Without the file."""
         return self.id.split(".")[1]
 
+    def error(self, message: str) -> CatalogError:
+        return CatalogError(f"catalog: {self.id}: {message}")
+
+    # --- What goes in, and what comes out ---
+
+    @property
+    def parts(self) -> list[Part]:
+        return [part for name in self.takes for part in PARTS[name]]
+
+    @property
+    def inputs(self) -> tuple[Column, ...]:
+        columns = [Column(name, part.type) for part in self.parts for name in part.names(self.dimensions)]
+        return (*columns, *[Column("seed", "u32")] * self.has_seed)
+
+    @property
+    def outputs(self) -> tuple[Column, ...]:
+        return tuple(Column(name, self.type) for name in expanded(self.gives, self.dimensions))
+
+    @property
+    def columns(self) -> str:
+        """As golden files have them."""
+        return f"{' '.join(map(str, self.inputs))} = {' '.join(map(str, self.outputs))}"
+
+    @property
+    def form(self) -> str:
+        """What it takes first, with what is like it."""
+        first = self.takes[0]
+        if first in ITEMS or "k" in self.takes:
+            return "items"
+        if "octaves" in self.takes or ("detail" in self.takes and first != "distribution"):
+            return "sum"
+        return {"key": "words", "h": "words", "units": "place", "place_of_units": "place_of_noise",
+                "noise": "spread_value", "distribution": "spread_sum"}.get(first, first)
+
+    @property
+    def has_axes(self) -> bool:
+        return any("*" in column for part in self.parts for column in part.columns)
+
     @property
     def axes(self) -> int:
         """How many coordinates, or words, it takes."""
-        prefix = "c" if self.has_cell else ""
-        return len(re.findall(rf"\b{prefix}[xyzw]:", self.inputs)) or 1
+        return self.dimensions if self.has_axes else 1
 
     @property
     def has_cell(self) -> bool:
-        """Whether it takes a cell and the fraction in it, in place of a position."""
-        return self.inputs.startswith("cx:")
+        """Whether it takes a cell and the fraction in it, or a candidate's cell, in place of a position."""
+        return self.takes[0] in ("cell", "candidate")
 
     @property
     def settings(self) -> tuple[str, ...]:
         """The names of what an octave sum takes between the periods and the seed."""
-        settings = FORMS["sum"].fullmatch(self.inputs)
-        return tuple(re.findall(r"(\w+):", settings["settings"])) if settings else ()
+        return tuple(name for taken in self.takes if taken in OF_SUMS for part in PARTS[taken]
+                     for name in part.names(0)) if self.form == "sum" else ()
 
     @property
     def has_period(self) -> bool:
-        """Whether it takes periods, behind the position or the fraction."""
-        return "px:" in self.inputs
+        return "period" in self.takes
 
     @property
     def has_place(self) -> bool:
@@ -104,36 +202,33 @@ class Function:
 
     @property
     def has_phase(self) -> bool:
-        """Whether it takes a phase, right before the seed."""
-        return "phase:" in self.inputs
+        return "phase" in self.takes
 
     @property
     def has_wave(self) -> bool:
-        """Whether it takes a wave, with a number for each axis, right before the phase."""
-        return "kx:" in self.inputs
+        return "wave" in self.takes
 
     @property
     def has_jitter(self) -> bool:
-        """Whether it takes a jitter, behind the periods."""
-        return "jitter:" in self.inputs
+        return "jitter" in self.takes
 
     @property
     def has_radius(self) -> bool:
-        """Whether it takes a radius, behind the periods."""
-        return "radius:" in self.inputs
+        return "radius" in self.takes
 
     @property
     def has_metric(self) -> bool:
-        """Whether it takes a metric, right behind the jitter."""
-        return "metric:" in self.inputs
+        return "metric" in self.takes
 
     @property
-    def sets(self) -> str:
-        """What of the function it has: "nearest" or "offset", which that is given to set, or "" for its value. A
-        candidate's vector is its value."""
-        if self.form == "candidate":
-            return ""
-        return {"nx:": "nearest", "ox:": "offset"}.get(self.outputs[:3], "")
+    def has_seed(self) -> bool:
+        """Whether a seed is behind all that it takes."""
+        return self.form not in ("words", "items", "zero", "place", *SPREADS)
+
+    @property
+    def has_unseeded(self) -> bool:
+        """Whether there is an overload without that seed."""
+        return self.has_seed and not self.always_seeded and not SEEDED & {*self.takes}
 
     @property
     def exact(self) -> bool:
@@ -146,72 +241,267 @@ class Function:
 
     @property
     def component(self) -> int | None:
-        """Which component of a vector it has with its derivatives: as 1 for noise2d.value_vector_d_y. None if it has
-        no such part."""
-        named = re.search(r"_vector_d(?:_\w+)?_([xyz])$", self.name)
-        return "xyz".index(named[1]) if named else None
+        """Which component of a vector it has with its derivatives: as 1 for noise2d.value_vector_d_y. The noise of such
+        a function is that of a component."""
+        of_a_vector = self.returns.startswith("hn_derivatives") and self.calls != f"hn_{self.noise}"
+        return "xyz".index(self.members[0][-1]) if of_a_vector else None
 
-    @property
-    def body(self) -> str:
-        """Of a function of four vectors of words, a to d."""
-        return self.row.arguments[6]
-
-    @property
-    def calls(self) -> str:
-        """The function of the library that its body calls."""
-        names = set(re.findall(r"\b(hn_\w+)\(", self.body)) - {"hn_place", "hn_tile"}
-        if len(names) != 1:
-            raise self.row.error(f"{self.id} calls {len(names)} functions of the library instead of one")
-        return names.pop()
+    # --- The function of the library ---
 
     @property
     def types(self) -> tuple[str, ...]:
         """The types of its arguments, without the seed (but of items) and what it sets."""
-        def vector(prefix: str, scalar: str) -> str:
-            return f"{prefix}vec{self.axes}" if self.axes > 1 else scalar
-
-        where = f"place{self.axes}" if self.has_place else vector("", "float")
-        wave, phase = (vector("", "float"),) * self.has_wave, ("float",) * self.has_phase
-        chosen = (*wave, *phase, *("float",) * self.has_jitter, *("int",) * self.has_metric)
-        settings = tuple({"octaves": "int", "ex": "vec2"}.get(name, "float") for name in self.settings if name != "ey")
-        return {"words": (vector("u", "uint"),), "zero": ("uint",), "candidate": (where, *("float",) * self.has_radius),
-                "items": ("uint",) * len(self.inputs.split()),
-                "point": (vector("i", "int"),), "position": (where, *chosen), "cell": (where, *chosen),
-                "place_of_noise": (where,), "sum": (where, *settings),
-                "place": (vector("i", "int"), "int", "int"), "spread": ("int",), "spread_value": ("float", "vec4"),
-                "spread_sum": ("vec4", "float", "float")}[self.form]
+        first = [f"place{self.axes}"] if self.has_place else []
+        parts = [part for name in self.takes[bool(first):] if name != "period" for part in PARTS[name]]
+        return (*first, *(glsl_type(part.type, len(part.names(self.dimensions))) for part in parts))
 
     @property
     def overloads(self) -> tuple[tuple[str, ...], ...]:
-        """The types without a seed, and with one. At a place, and with what is chosen beside it, there is always a
-        seed, and so there is of some others. Of a candidate a cell may stand for the place."""
+        """The types without a seed, and with one. Of a candidate a cell may stand for the place."""
         out = (f"out ivec{self.axes}", f"out vec{self.axes}") if self.sets else ()
-        if self.form in ("words", "items", "place", "zero", *SPREADS):
+        if not self.has_seed:
             return (self.types,)
         seeded = (*self.types, "uint", *out)
         if self.form == "candidate":
             return (seeded, (f"ivec{self.axes}", *seeded[1:]))
-        always = (self.has_place or self.has_phase or self.has_jitter or self.bound in ALWAYS_SEEDED
-                  or any(name in self.settings for name in ("detail", "footprint", *STRENGTHS)))
-        return (seeded,) if always else ((*self.types, *out), seeded)
+        return ((*self.types, *out), seeded) if self.has_unseeded else (seeded,)
+
+    @property
+    def body(self) -> str:
+        """Of uvec4 evaluate(uvec4 a, uvec4 b, uvec4 c, uvec4 d), valid in shaders and as C++. float_of and bits_of
+        reinterpret bits. SEEDED(s) is ", s", or nothing where the overload without a seed is under test; SEED(s) is the
+        seed of what has none."""
+        words, lines, taken = iter(WORDS), [], []
+        for part in self.parts:
+            size = len(part.names(self.dimensions))
+            value = of_words(part.type, [next(words) for _ in range(size)])
+            if part.is_vector:
+                lines.append(f"hn_{glsl_type(part.type, size)} {part.name} = {value};")
+            taken.append(part.name if part.is_vector else value)
+        place = self._place(taken)
+        seed = "" if not self.has_seed else f" SEEDED({next(words)})" if self.has_unseeded else f", SEED({next(words)})"
+
+        def call(*arguments: str) -> str:
+            return f"{self.calls}({', '.join(arguments)}{seed}{', nearest, offset' if self.sets else ''})"
+
+        n = self.axes
+        if self.sets:
+            lines += [f"hn_ivec{n} nearest;", f"hn_vec{n} offset;", f"{call(*place)};"]
+        else:
+            returned = self.returns or f"hn_{glsl_type(self.type, len(self.outputs))}"
+            lines.append(f"{returned} n = {call(*place)};")
+            if self.form == "candidate":
+                is_plain = " && ".join(f"period.{axis} == 0" for axis in AXES[:n])
+                lines.append(f"if ({is_plain}) n = {call('cell', *place[1:])};")
+        return " ".join([*lines, f"return uvec4({', '.join(self._words())});"])
+
+    def _place(self, taken: list[str]) -> list[str]:
+        """The arguments, of the numbers and vectors that the function takes: a place stands for its parts."""
+        if self.form == "place_of_noise":
+            return [f"hn_place({', '.join(taken)})"]
+        count = len(PARTS[self.takes[0]])
+        where, rest = taken[:count], taken[count:]
+        if self.has_cell:
+            where = [f"hn_place({', '.join(where)})"]
+        return [f"hn_tile({where[0]}, {rest[0]})", *rest[1:]] if self.has_period else [*where, *rest]
+
+    def _words(self) -> list[str]:
+        """Of what comes out, four."""
+        of, count = self.sets or "n", len(self.outputs)
+        members = self.members or ([""] if count == 1 else AXES[:count])
+        cast = {"u": "{}", "i": "uint({})", "f": "bits_of({})"}[self.type[0]]
+        return [*(cast.format(of + "." * bool(member) + member) for member in members), *["0u"] * (4 - count)]
+
+    @property
+    def bench(self) -> str:
+        """What bench measures: the function at a position p, a vec3 if there are three axes or more, else a vec2; "" if
+        another row measures the same. What a function sets are hn_bench_cell2 and hn_bench_cell3, an ivec2 and an ivec3,
+        and hn_bench_offset2 and hn_bench_offset3."""
+        if self.benched is not None:
+            return self.benched
+        n = self.axes
+        first, *others = self.takes
+        usual = [part.usual or self.strength for name in others if name != "period" for part in PARTS[name]]
+        if first == "cell":
+            where = [f"hn_place({USUAL['cell'][n - 1]})"]
+        elif first in ("units", "place_of_units", "candidate"):
+            where = [USUAL["units"][n - 1], *(part.usual for part in PARTS[first][1:])]
+            where = [f"hn_place({', '.join(where)})"] if first == "place_of_units" else where
+        else:
+            where = [USUAL[first][n - 1]] if first in USUAL else [part.usual for part in PARTS[first]]
+        if self.has_period and first != "candidate":
+            where = [f"hn_tile({where[0]}, {'64' if n == 1 else f'ivec{n}(64)'})"]
+        seed = [self.bench_seed] * (self.has_seed and not self.has_unseeded)
+        sets = [f"hn_bench_cell{n}", f"hn_bench_offset{n}"] * bool(self.sets)
+        call = f"{self.calls}({', '.join([*where, *usual, *seed, *sets])})"
+        if not self.sets:
+            return call
+        value = f"vec{n}({call})" if self.returns == "float" else f"vec3({call}, 0.0)" if n == 3 else call
+        return f"{value} + vec{n}({sets[0]}) + {sets[1]}"
 
 
-def _function(row: Row) -> Function:
-    family, columns = row.word(2), row.text(4)
-    if family not in FAMILIES:
-        raise row.error(f"{family} is not a family; there are {', '.join(FAMILIES)}")
-    inputs, separator, outputs = columns.partition(" = ")
-    form = next((form for form, pattern in FORMS.items() if pattern.fullmatch(inputs)), None)
-    if not form or not re.fullmatch(r"\w+:(u32|i32|f32|f64)( \w+:(u32|i32|f32|f64))*", outputs):
-        raise row.error(f"{columns} are not columns that the tools know; tools/lib/catalog/tables/functions.py has the forms")
-    return Function(row, row.text(0), family, row.text(3), inputs, outputs, form)
+# --- Noises and sums -------------------------------------------------------------------------------------------------
 
 
-def read_functions(path: Path = FUNCTIONS) -> list[Function]:
-    functions = [_function(row) for row in read_rows(path, "FUNCTION", 7)]
-    known = set()
-    for function in functions:
-        if function.id in known:
-            raise function.row.error(f"{function.id} is there already")
-        known.add(function.id)
-    return functions
+def results(function: Noise | Sum, dimensions: int) -> dict[str, dict[str, Any]]:
+    """What comes out, by what the id of a row ends with: five numbers do not fit into one."""
+    if function.shape in ("slopes", "distance_with_slopes"):
+        if dimensions < 4:
+            return {"": {"gives": ("value", "d*")}}
+        of = {"returns": "hn_derivatives4"}
+        return {"": {"gives": ("d*",), "members": tuple(f"gradient.{axis}" for axis in AXES), **of},
+                "_value": {"gives": ("value",), "members": ("value",), **of}}
+    return {"": {"gives": {"value": ("value",), "two_distances": ("first", "second"),
+                           "three_distances": ("first", "second", "third"),
+                           "vector": ("s*",) if isinstance(function, Sum) else ("v*",)}[function.shape]}}
+
+
+def of_noise(noise: Noise) -> Iterator[Function]:
+    families = noise.families
+    for dimensions in range(noise.first, noise.last + 1):
+        is_usual = dimensions in (2, 3)
+        start = f"noise{dimensions}d.{noise.name}" if noise.shape != "vector" else f"{noise.name}.{noise.name}{dimensions}"
+        usual = families.usual if is_usual else families.others
+        tiles = families.tiles if is_usual else families.others
+        for end, result in results(noise, dimensions).items():
+            def of_form(form: str, family: str, *takes: str, **more: Any) -> Function:
+                every = {"bound": noise.name, "includes": f"{noise.name}{dimensions}d.glsl", "calls": f"hn_{noise.name}"}
+                return Function(f"{start}{form}{end}", family=family, takes=takes, type="f64", dimensions=dimensions,
+                                **{**every, **result, **more})
+
+            of_word = {"bench_seed": "floatBitsToUint(p.x)"}
+            yield of_form("", usual, "position")
+            yield of_form("_cell", usual, "cell", **of_word)
+            yield of_form("_cell_period", tiles, "cell", "period")
+            # A position in a tile is the place of its cell and its fraction. So one noise and one sum prove hn_tile of
+            # positions.
+            if noise.name == "perlin":
+                yield of_form("_period", tiles, "position", "period")
+            if "jitter" in noise.options:
+                options = ["jitter", "metric"] if "metric" in noise.options else ["jitter"]
+                yield of_form("_full", tiles, "position", *options)
+                yield of_form("_cell_full", tiles, "cell", "period", *options)
+            # A file has the noise with a phase and its derivatives.
+            if "phase" in noise.options and is_usual:
+                options = ["phase", *["jitter"] * ("jitter" in noise.options)]
+                phase = {"bound": f"{noise.name}_phase", "calls": noise.called_with_phase,
+                         "includes": f"{noise.name.removesuffix('_d')}_phase{dimensions}d.glsl"}
+                family = tiles if "jitter" in options else families.others
+                yield of_form("_phase", family, "position", *options, **phase)
+                if "jitter" not in options:  # a period of 0 is none
+                    yield of_form("_phase_cell", family, "cell", *options, **phase, **of_word)
+                yield of_form("_phase_cell_period", family, "cell", "period", *options, **phase)
+
+
+def of_sum(sum_: Sum) -> Iterator[Function]:
+    """On the plane and in space all forms; on the line and in four dimensions some that between them have all of the
+    code. There a strength beside the cell, the fraction and the period has no room."""
+    families = sum_.families
+    file = "warp" if sum_.shape == "vector" else "fbm_d" if sum_.of == "slopes" else "fbm"
+    ratios = ["lacunarity", "gain"]
+    options = ["octaves", *ratios, *([sum_.strength.name] if sum_.strength else [])]
+    for dimensions in range(sum_.first, sum_.last + 1):
+        is_usual = dimensions in (2, 3)
+        (result,) = results(sum_, dimensions).values()
+
+        def of_form(form: str, family: str, *takes: str) -> Function:
+            return Function(f"{file}.{sum_.name}{dimensions}{form}", family, sum_.name, takes, type="f64",
+                            dimensions=dimensions, includes=f"{file}{dimensions}d.glsl", calls=f"hn_{sum_.name}",
+                            strength=repr(float(sum_.strength.default)) if sum_.strength else "", **result)
+
+        further = families.tiles if is_usual else families.others
+        yield of_form("", families.usual if is_usual else families.others, "position", *options)
+        has_room = len(options) + 1 + 3 * dimensions <= len(WORDS)
+        if is_usual or not has_room or (sum_.name == "fbm" and dimensions == 1):
+            yield of_form("_cell", further, "cell", *options)
+        if has_room:
+            yield of_form("_cell_period", further, "cell", "period", *options)
+        if not has_room or (sum_.name == "fbm" and dimensions == 2):
+            yield of_form("_period", further, "position", "period", *options)
+        # With less detail: by a float of octaves, and by a footprint.
+        if "detail" in sum_.options:
+            yield of_form("_detail", further, "position", "detail", *ratios)
+        if "footprint" in sum_.options:
+            yield of_form("_footprint", further, "position", "footprint", "octaves", *ratios)
+
+
+# --- Others ----------------------------------------------------------------------------------------------------------
+
+
+def _of_row(group: str, name: str, keys: Mapping[str, Any], dimensions: int | None) -> Function:
+    entry = Entry(FILE, f"{group}.{name}", keys)
+    n = "" if dimensions is None else str(dimensions)
+
+    def text(key: str, *default: Any) -> Any:
+        value = entry.take(key, str, *default)
+        return value and value.format(group=group, name=name, n=n)
+
+    def texts(key: str) -> tuple[str, ...]:
+        return tuple(entry.take(key, list))
+
+    id_, takes = text("id", "{group}.{name}{n}"), texts("takes")
+    if unknown := {*takes} - PARTS.keys():
+        raise CatalogError(f"{entry.where}: nothing is known of {min(unknown)}, which it takes")
+    sets = entry.one_of("sets", ("nearest", "offset")) if "sets" in entry.keys else ""
+    gives = (f"{sets[0]}*",) if sets else texts("gives")
+    type_ = {"nearest": "i32", "offset": "f64"}[sets] if sets else entry.one_of("type", TYPES)
+    member, component = entry.take("member", str, ""), entry.take("component", str, "")
+    members = tuple(f"{member}.{axis}" for axis in AXES[:len(gives)]) if member else ()
+    if component:
+        firsts = ["value", *expanded(gives, dimensions or 1)[1:]]
+        members = tuple(f"{one}.{component}" for one in firsts)
+    row = Function(id_, entry.one_of("family", FAMILIES), text("bound"), takes, gives, type_, dimensions or 1, text("includes"),
+                   text("calls"), text("returns", ""), members, sets, entry.take("seeded", bool, False), text("bench", None))
+    entry.end()
+    return row
+
+
+def _of_group(groups: Mapping[str, Mapping[str, Any]], group: str) -> Iterator[Function]:
+    keys = groups[group]
+    if "like" in keys:
+        like = groups[keys["like"]]
+        keys = {**like, **{key: value for key, value in keys.items() if key != "like"}}
+    every = {key: value for key, value in keys.items() if not isinstance(value, dict)}
+    rows = {key: value for key, value in keys.items() if isinstance(value, dict)}
+    for of_all in every.pop("dimensions", [None]):
+        for name, row in rows.items():
+            own = {**every, **row}
+            for dimensions in own.pop("dimensions", [of_all]):
+                if of_all in (None, dimensions):
+                    yield _of_row(group, name, own, dimensions)
+
+
+def _rows(folder: Path) -> Iterator[Function]:
+    catalog, groups = read(folder), tables(folder, FILE)
+    by_hand = [row for group in groups if group != "noises_and_sums" for row in _of_group(groups, group)]
+    for one in (one for one in (*catalog.noises, *catalog.sums) if not one.families):
+        found = {row.axes for row in by_hand if row.calls == f"hn_{one.name}"}
+        if found != {*range(one.first, one.last + 1)}:
+            raise CatalogError(f"catalog/{FILE}: rows of {one.name} have {sorted(found)} dimensions, and its entry has "
+                               f"{one.first} to {one.last}")
+    for group in groups:
+        if group == "noises_and_sums":
+            for noise in (noise for noise in catalog.noises if noise.families):
+                yield from of_noise(noise)
+            for sum_ in (sum_ for sum_ in catalog.sums if sum_.families):
+                yield from of_sum(sum_)
+        else:
+            yield from _of_group(groups, group)
+
+
+@functools.cache
+def _read(folder: Path) -> tuple[Function, ...]:
+    functions: dict[str, Function] = {}
+    for function in _rows(folder):
+        if function.id in functions:
+            raise function.error("it is there already")
+        if function.family not in FAMILIES:
+            raise function.error(f"{function.family} is not a family; there are {', '.join(FAMILIES)}")
+        if len(function.inputs) > len(WORDS) or len(function.outputs) > len(AXES):
+            raise function.error(f"it has more words than the {len(WORDS)} that go in and the {len(AXES)} that come out")
+        functions[function.id] = function
+    return tuple(functions.values())
+
+
+def read_functions(folder: Path = CATALOG) -> list[Function]:
+    return list(_read(folder))

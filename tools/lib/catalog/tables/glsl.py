@@ -104,11 +104,15 @@ def declarations(library: Path = LIBRARY) -> list[Declaration]:
 
 @functools.cache
 def _files(library: Path) -> dict[str, list[str]]:
+    # What users include of detail/ is a file above it that includes it.
+    public = {f"detail/{name}": path for path in library.glob("*.glsl")
+              for name in re.findall(r'^#include "detail/(.+)"$', path.read_text(encoding="utf-8"), re.MULTILINE)}
     found: dict[str, list[str]] = {}
     for function in declarations(library):
         files = found.setdefault(function.name, [])
-        if function.path.name not in files:
-            files.append(function.path.name)
+        path = public.get(function.path.relative_to(library).as_posix(), function.path)
+        if path.name not in files:
+            files.append(path.name)
     return found
 
 

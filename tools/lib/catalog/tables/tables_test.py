@@ -1,8 +1,9 @@
-"""Tests of functions.py, configurations.py and glsl.py: they read the real tables, and refuse what they do not know."""
+"""Tests of functions.py, configurations.py and glsl.py: they read the catalog, and refuse what they do not know."""
 
 from __future__ import annotations
 
 import re
+import shutil
 import tempfile
 import tomllib
 import unittest
@@ -10,25 +11,23 @@ from collections.abc import Callable
 from pathlib import Path
 
 from base.tree import ROOT, glsl_files
+from catalog.model import CATALOG, CatalogError
 from catalog.tables import glsl, toml
 from catalog.tables.configurations import read_configurations
 from catalog.tables.functions import FAMILIES, read_functions
-from catalog.tables.inc import TableError
-
-FUNCTION = 'FUNCTION("noise2d.perlin", "noise2d.glsl", gradient_noise, "perlin", "{columns}", "f(p)", return a;)\n'
-CONFIGURATION = 'CONFIGURATION("{name}", FNV1, {gradient}, FIXED, {families})\n'
 
 
 class Tables(unittest.TestCase):
-    def setUp(self) -> None:
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.path = Path(folder.name) / "table.inc"
-
-    def refused(self, read: Callable, text: str, message: str) -> None:
-        self.path.write_text(text)
-        with self.assertRaisesRegex(TableError, rf"table\.inc:\d+: .*{message}"):
-            read(self.path)
+    def refused(self, read: Callable, file: str, old: str, new: str, message: str) -> None:
+        """What a copy of the catalog says in which one file has something else."""
+        with tempfile.TemporaryDirectory() as name:
+            folder = Path(name, "catalog")
+            shutil.copytree(CATALOG, folder)
+            text = (folder / file).read_text(encoding="utf-8")
+            self.assertEqual(text.count(old), 1, old)
+            (folder / file).write_text(text.replace(old, new), encoding="utf-8")
+            with self.assertRaisesRegex(CatalogError, rf"catalog(?:/{file})?: .*{message}"):
+                read(folder)
 
     def test_functions(self) -> None:
         functions = {function.id: function for function in read_functions()}
@@ -111,41 +110,32 @@ class Tables(unittest.TestCase):
                          (("vec3", "int", "float", "float"), ("vec3", "int", "float", "float", "uint")))
 
     def test_columns_of_candidates_and_checks(self) -> None:
-        cells, periods = "cx:i32 cy:i32 cz:i32", "px:i32 py:i32 pz:i32"
-        for columns, form, axes, overloads in (
-                ("zero:u32 = value:u32", "zero", 1, (("uint",),)),
-                (f"{cells} {periods} seed:u32 = ox:f32 oy:f32 oz:f32", "candidate", 3,
-                 (("place3", "uint"), ("ivec3", "uint"))),
-                ("cx:i32 cy:i32 px:i32 py:i32 radius:f32 seed:u32 = value:u32", "candidate", 2,
-                 (("place2", "float", "uint"), ("ivec2", "float", "uint")))):
-            self.path.write_text(FUNCTION.format(columns=columns))
-            function, = read_functions(self.path)
+        functions = {function.id: function for function in read_functions()}
+        for id_, form, axes, overloads in (
+                ("hash.self_check", "zero", 1, (("uint",),)),
+                ("scatter.point3", "candidate", 3, (("place3", "uint"), ("ivec3", "uint"))),
+                ("scatter.scattered2", "candidate", 2, (("place2", "float", "uint"), ("ivec2", "float", "uint")))):
+            function = functions[id_]
             self.assertEqual((function.form, function.axes, function.overloads), (form, axes, overloads))
-            self.assertEqual((function.sets, function.has_radius), ("", "radius" in columns))
+            self.assertEqual((function.sets, function.has_radius), ("", "scattered" in id_))
 
     def test_hex_tiling_has_a_seed_at_a_position(self) -> None:
-        text = FUNCTION.format(columns="x:f32 y:f32 seed:u32 = wa:f64 wb:f64 wc:f64")
-        for bound, overloads in (("perlin", (("vec2",), ("vec2", "uint"))), ("hex_tiling", (("vec2", "uint"),))):
-            self.path.write_text(text.replace('"perlin"', f'"{bound}"'))
-            self.assertEqual(read_functions(self.path)[0].overloads, overloads)
+        functions = {function.id: function for function in read_functions()}
+        self.assertEqual(functions["noise2d.hex_weights"].overloads, (("vec2", "uint"),))
 
-    def test_unknown_columns_and_families(self) -> None:
-        good = FUNCTION.format(columns="x:f32 y:f32 seed:u32 = value:f64")
-        self.path.write_text(good)
-        self.assertEqual(len(read_functions(self.path)), 1)
-        for columns in ("x:f32 y:f32 = value:f64", "x:f32 cy:f32 seed:u32 = value:f64",
-                        "x:f32 y:f32 seed:u32 = value:f16",
-                        "x:f32 y:f32 octaves:i32 gain:f32 lacunarity:f32 seed:u32 = value:f64",
-                        "x:f32 cy:i32 fx:f32 fy:f32 octaves:i32 lacunarity:f32 gain:f32 seed:u32 = value:f64",
-                        "x:f32 y:f32 kx:f32 ky:f32 seed:u32 = value:f64",  # a wave has a phase behind it
-                        "x:f32 y:f32 phase:f32 kx:f32 ky:f32 seed:u32 = value:f64",
-                        "x:f32 y:f32 detail:f32 octaves:i32 lacunarity:f32 gain:f32 seed:u32 = value:f64",
-                        "x:f32 y:f32 ex:f32 octaves:i32 lacunarity:f32 gain:f32 depth:f32 seed:u32 = value:f64",
-                        "x:f32 y:f32 ex:f32 ey:f32 octaves:i32 lacunarity:f32 gain:f32 seed:u32 = value:f64",
-                        "x:f32 y:f32 seed:u32"):
-            self.refused(read_functions, FUNCTION.format(columns=columns), "are not columns that the tools know")
-        self.refused(read_functions, good.replace("gradient_noise", "cell_noise"), "cell_noise is not a family")
-        self.refused(read_functions, good + good, "noise2d.perlin is there already")
+    def test_wrong_rows(self) -> None:
+        for old, new, message in (
+                ('word = { takes = ["key"] }', 'word = { takes = ["kay"] }', "hash.word: nothing is known of kay, which it"),
+                ('word = { takes = ["key"] }', 'word = { gives = ["key"] }', "hash.word has no takes"),
+                ('word = { takes = ["key"] }', 'word = { takes = ["key"], new = 1 }', "hash.word has a key 'new', which"),
+                ('word = { takes = ["key"] }', 'word = { takes = ["key"], type = "f16" }', "type is 'f16', and has to be one of"),
+                ('word = { takes = ["key"] }', 'word = { takes = ["key"], family = "hush" }', "family is 'hush', and has to be"),
+                ('word = { takes = ["key"] }', 'vec2 = { takes = ["key"] }', "hash.vec2: it is there already"),
+                ("gullies = { takes", 'gullies = { sets = "both", takes', "sets is 'both', and has to be one of nearest, offset"),
+                ("[perlin_worley]\nid = \"noise{n}d.{name}\"\ndimensions = [3]", "[perlin_worley]\nid = \"noise{n}d.{name}\"\ndimensions = [2]",
+                 "rows of perlin_worley have .2. dimensions, and its entry has 3"),
+                ('gives = ["value", "quadrature"]', 'gives = ["a", "b", "c", "d", "e"]', "it has more words than the 16")):
+            self.refused(read_functions, "functions.toml", old, new, message)
 
     def test_configurations(self) -> None:
         configurations = {configuration.name: configuration for configuration in read_configurations()}
@@ -159,13 +149,12 @@ class Tables(unittest.TestCase):
         self.assertFalse(configurations["fnv1"].covers(functions["noise2d.simplex"]))
 
     def test_wrong_configurations(self) -> None:
-        row = {"name": "fnv1+sine+fixed", "gradient": "SINE", "families": "hash | octave_sum"}
-        self.path.write_text(CONFIGURATION.format(**row))
-        self.assertEqual(read_configurations(self.path)[0].families, ("hash", "octave_sum"))
-        for change, message in (({"name": "fnv1+fixed"}, "should be fnv1.sine.fixed"),
-                                ({"gradient": "COSINE"}, "COSINE is none of OCTAHEDRAL, SINE"),
-                                ({"families": "hash | noise"}, "noise is not a family")):
-            self.refused(read_configurations, CONFIGURATION.format(**row | change), message)
+        for old, new, message in (
+                ('gradient = "sine"\narithmetics = ["fast"]', 'gradient = "cosine"\narithmetics = ["fast"]',
+                 "fast_sine: gradient is 'cosine', and has to be one of octahedral, sine"),
+                ('"lattice_noise"]\nall_but = ["sine', '"noise"]\nall_but = ["sine', "fast: families has 'noise', which is none of"),
+                ("[further.pcg]", "[further.md5]", "further has md5, which is no configuration")):
+            self.refused(read_configurations, "configurations.toml", old, new, message)
 
 
 class Library(unittest.TestCase):

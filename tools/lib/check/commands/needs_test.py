@@ -153,7 +153,7 @@ class Files(unittest.TestCase):
             for path, text in modules.files_of([modules.path_of(part.module)]).items():
                 with self.subTest(part.name, file=path.relative_to(TOOLS)):
                     self.assertEqual(later_than(part.python, text), [])
-        self.assertEqual([part.name for part in PARTS if part.python == (3, 9)], ["umbrella", "snippets", "picks"])
+        self.assertEqual([part.name for part in PARTS if part.python == (3, 9)], ["umbrella", "snippets", "vectors"])
         self.assertGreater(len(files_of("pack")), 30)
         self.assertIn(LIB / "catalog" / "model.py", files_of("playground"))
 

@@ -8,15 +8,15 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from base.golden_values import head_of
-from base.tree import BOUNDS, CONFIGURATIONS, FUNCTIONS, GLSL, GOLDEN, ROOT, glsl_files
-from catalog.model import read as read_catalog
+from base.tree import BOUNDS, GLSL, GOLDEN, ROOT, glsl_files
 from catalog.tables import glsl
-from catalog.tables.configurations import ARITHMETICS, Configuration, read_configurations, read_further
-from catalog.tables.functions import FAMILIES, NOISES, OF_EVERY_HASH, Function, read_functions
+from catalog.tables.configurations import Configuration, read_configurations
+from catalog.tables.functions import NOISES, Function, read_functions
 from proof.bounds import table
 from proof.golden.files import golden_files
 from proof.oracle import words
 
+ROWS, SETTINGS = "catalog/functions.toml", "catalog/configurations.toml"
 KNOBS = "docs/knobs.md"
 SAME_BITS = "docs/same-bits.md"
 OTHERS = ("docs/uniform.md", "docs/random.md")  # have tables of functions, and so has a section of the page of noises
@@ -32,8 +32,8 @@ class Tree:
 
     def __init__(self, root: Path = ROOT) -> None:
         self.root = root
-        self.functions = read_functions(self.at(FUNCTIONS))
-        self.configurations = read_configurations(self.at(CONFIGURATIONS))
+        self.functions = read_functions(root / "catalog")
+        self.configurations = read_configurations(root / "catalog")
         self.config = self.text("glsl/hashnoise/config.glsl")
         self.declarations = glsl.declarations(self.at(GLSL))
 
@@ -49,8 +49,7 @@ class Tree:
 
 
 def lacks(function: Function, what: str) -> str:
-    """A message with the place of its row."""
-    return str(function.row.error(f"{function.id}: {what}"))
+    return str(function.error(what))
 
 
 # What makes places, positions of them, and octaves. It has no values of its own: the rows of noises and sums prove it.
@@ -75,12 +74,11 @@ def functions_without_a_row(tree: Tree) -> Iterator[str]:
         if declared.name.startswith("hn_hash_") and declared.types == ("uint",):
             name = declared.name.removeprefix("hn_hash_")
             if name not in hashes:
-                yield (f"{declared.place}: {declared} is the hash of no configuration: add CONFIGURATION(\"{name}\", "
-                       f"{name.upper()}, ...) to {CONFIGURATIONS.relative_to(ROOT)}, or a FUNCTION that calls it to "
-                       f"{FUNCTIONS.relative_to(ROOT)}")
+                yield (f"{declared.place}: {declared} is the hash of no configuration: add {name} to the hashes of "
+                       f"{SETTINGS}, or a row that calls it to {ROWS}")
         else:
-            yield (f"{declared.place}: {declared} has no row: give it an entry in catalog/ and run tools/make catalog, "
-                   f"or add a FUNCTION that calls it to {FUNCTIONS.relative_to(ROOT)}")
+            yield (f"{declared.place}: {declared} has no row: give it an entry in catalog/noises.toml or sums.toml, or add a "
+                   f"row that calls it to {ROWS}")
 
 
 def functions_in_another_form(tree: Tree) -> Iterator[str]:
@@ -178,111 +176,28 @@ def entries_without_a_noise(tree: Tree) -> Iterator[str]:
         folder = tree.root / Path(ENTRIES.format(of, "")).parent
         for path in sorted(folder.glob("[a-z]*")):
             if path.stem not in known[of] and not path.stem.endswith("_test"):
-                yield (f"{path}: no function is the noise {path.stem}: add a row of it to "
-                       f"{FUNCTIONS.relative_to(ROOT)}, or delete the file")
-
-
-def functions_that_are_not_in_the_catalog(tree: Tree) -> Iterator[str]:
-    """The catalog has every noise and every sum in all of their dimensions, and no others. But what takes a slope, or
-    returns the derivatives of several numbers, is in shaders and in the header alone: the compiled library and what is
-    built on it have no such setting, and no such result. tools/bake --expression has them. And hn_cellular_phase is
-    hn_cellular with a setting there."""
-    catalog = read_catalog(tree.root / "catalog")
-    rows = {(f"hn_{entry.name}", axes): f"catalog/{file}"
-            for file, entries in (("noises.toml", catalog.noises), ("sums.toml", catalog.sums))
-            for entry in entries for axes in range(entry.first, entry.last + 1)}
-    noises = {(function.calls, function.axes) for function in tree.noises
-              if function.calls not in ("hn_phasor_d", "hn_cellular_phase") and function.component is None}
-    sums = {(declared.name, declared.dimensions_of_sum) for declared in tree.declarations
-            if declared.dimensions_of_sum and declared.name != "hn_gullies"}
-    for name, axes in sorted((noises | sums) - rows.keys()):
-        yield f"catalog: there is no {name} in {axes}D: add it to noises.toml or sums.toml, and run tools/make catalog"
-    there_are = sums | {(function.calls, function.axes) for function in tree.functions}
-    for (name, axes), file in sorted(rows.items()):
-        if (name, axes) not in there_are:
-            yield f"{file}: there is no function {name} in {axes}D in glsl/"
+                yield f"{path}: no function is the noise {path.stem}: give it an entry in catalog/, or delete the file"
 
 
 # --- Settings ---------------------------------------------------------------------------------------------------
 
 
-def families_without_settings(tree: Tree) -> Iterator[str]:
-    """Each arithmetic that concerns a family. What is further has values with one more gradient, in one arithmetic."""
-    def covered(family: str, **setting: object) -> bool:
-        return any(family in configuration.families
-                   and all(getattr(configuration, name) == value for name, value in setting.items())
-                   for configuration in tree.configurations)
-
-    where = CONFIGURATIONS.relative_to(ROOT)
-    for family in sorted({function.family for function in tree.functions}):
-        exact = all(function.exact for function in tree.functions if function.family == family)
-        for arithmetic in ("fast",) if exact else ARITHMETICS:
-            if not covered(family, arithmetic=arithmetic):
-                yield f"{where}: add {family} to the families of a configuration with {arithmetic.upper()}"
-
-
-def hashes_of_unlike_families(tree: Tree) -> Iterator[str]:
-    """With the other knobs at their defaults, the default hash is tested with everything, and every other one with what
-    hashes words."""
-    default = re.search(r"^#define HN_HASH HN_HASH_(\w+)", tree.config, re.MULTILINE)
-    for configuration in tree.configurations:
-        if (configuration.arithmetic, configuration.gradient) != ("fast", "octahedral"):
-            continue
-        if default and configuration.hash == default[1].lower():
-            yield from _wrong_families(configuration, set(FAMILIES) - {"sine_gradient"}, "as it is the default")
-        else:
-            yield from _wrong_families(configuration, set(OF_EVERY_HASH), "as with the other hashes")
-
-
 def further_values_of_nothing(tree: Tree) -> Iterator[str]:
     """A function that has values with a setting besides is there, and not of one of its families."""
     functions = {function.id: function for function in tree.functions}
-    families = {configuration.name: configuration.families for configuration in tree.configurations}
-    for row in read_further(tree.at(CONFIGURATIONS)):
-        function = functions.get(row.text(1))
-        if row.text(0) not in families:
-            yield str(row.error(f"there is no configuration {row.text(0)}: name another, or take the row away"))
-        elif function is None:
-            yield str(row.error(f"there is no function {row.text(1)}: name another, or take the row away"))
-        elif function.family in families[row.text(0)]:
-            yield str(row.error(f"{function.id} has values with {row.text(0)} as all of {function.family} have: take the "
-                                "row away"))
-
-
-def arithmetics_of_unlike_settings(tree: Tree) -> Iterator[str]:
-    """HN_PRECISE has no golden files that could be missed, so it is held against HN_FIXED, and the other way round."""
-    def settings(arithmetic: str) -> dict[tuple[str, str], Configuration]:
-        return {(configuration.hash, configuration.gradient): configuration
-                for configuration in tree.configurations if configuration.arithmetic == arithmetic}
-
-    for arithmetic, other in (("precise", "fixed"), ("fixed", "precise")):
-        present = settings(arithmetic)
-        for key, configuration in settings(other).items():
-            families = set(configuration.families)
-            if key in present:
-                yield from _wrong_families(present[key], families | set(present[key].families),
-                                           f"as in {configuration.name}")
-            else:
-                hash, gradient = key
-                name = configuration.name.replace(f"+{other}", f"+{arithmetic}")
-                yield (f"{CONFIGURATIONS.relative_to(ROOT)}: {configuration.name} is there without {name}: add "
-                       f"CONFIGURATION(\"{name}\", {hash.upper()}, {gradient.upper()}, "
-                       f"{arithmetic.upper()}, {' | '.join(configuration.families)})")
-
-
-def _wrong_families(configuration: Configuration, expected: set[str], why: str) -> Iterator[str]:
-    """A message for each family that a row lacks, or has beyond what is expected."""
-    for family in sorted(expected.symmetric_difference(configuration.families)):
-        what = f"add {family} to" if family in expected else f"take {family} from"
-        yield str(configuration.row.error(f"{configuration.name}: {what} its families, {why}"))
+    for configuration in tree.configurations:
+        for id_ in configuration.further:
+            if id_ not in functions:
+                yield f"{SETTINGS}: there is no function {id_}: name another, or take it away"
+            elif functions[id_].family in configuration.families:
+                yield (f"{SETTINGS}: {id_} has values with {configuration.name} as all of {functions[id_].family} have: "
+                       "take it away")
 
 
 def knobs_without_entries(tree: Tree) -> Iterator[str]:
     """A knob is a macro of config.glsl with a default."""
     header = tree.text("include/hashnoise/hashnoise.hpp")
     table_of_knobs = tree.text(KNOBS).partition("| knob |")[2].partition("\n\n")[0]
-    rows = re.search(r"^// +CONFIGURATION\(([\w, ]+)\)$", tree.at(CONFIGURATIONS).read_text(), re.MULTILINE)
-    arguments = rows[1].split(", ") if rows else []
     fields = {field.name for field in dataclasses.fields(Configuration)}
     for knob in knobs_of(tree.config):
         field = knob.removeprefix("HN_").lower()
@@ -291,9 +206,6 @@ def knobs_without_entries(tree: Tree) -> Iterator[str]:
                    f"HN_I_PASTE({field}_, {knob}), so that settings can be linked together")
         if f"| `{knob}` |" not in table_of_knobs:
             yield f"{KNOBS}: no line for {knob}: add one to the table of knobs"
-        if field not in arguments:
-            yield (f"{CONFIGURATIONS.relative_to(ROOT)}: {knob} is not an argument of CONFIGURATION: add {field} to "
-                   "the comment at the top, and to each row")
         if field not in fields:
             yield f"tools/lib/catalog/tables/configurations.py: {knob} is not in Configuration: add {field}"
 
@@ -312,8 +224,7 @@ def values_without_settings(tree: Tree) -> Iterator[str]:
         field = (knob or "HN_ARITHMETIC").removeprefix("HN_").lower()
         word = name.removeprefix(f"{knob}_" if knob else "HN_")
         if not any(getattr(configuration, field, None) == word.lower() for configuration in tree.configurations):
-            yield (f"{CONFIGURATIONS.relative_to(ROOT)}: {name} is under test nowhere: add a CONFIGURATION with "
-                   f"{word} as its {field}")
+            yield f"{SETTINGS}: {name} is under test nowhere: add a group with {word.lower()} as its {field}"
 
 
 def hashes_without_entries(tree: Tree) -> Iterator[str]:
@@ -321,8 +232,7 @@ def hashes_without_entries(tree: Tree) -> Iterator[str]:
     for name in re.findall(r"^#define HN_HASH_(\w+) \d+\b", tree.config, re.MULTILINE):
         macro, word = f"HN_HASH_{name}", name.lower()
         if not any(_is_plain(configuration, word) for configuration in tree.configurations):
-            yield (f"{CONFIGURATIONS.relative_to(ROOT)}: {macro} is under test with no default gradient: "
-                   f"add CONFIGURATION(\"{word}\", {name}, OCTAHEDRAL, FAST, ...)")
+            yield f"{SETTINGS}: {macro} is under test with no default gradient: add {word} to the hashes of fast"
         if word not in words.HASHES:
             yield f"tools/lib/proof/oracle/words.py: {macro} is not among the hashes: add it from docs/contract.md"
         if f"| `{name}`" not in contract:
@@ -375,9 +285,8 @@ def internal_names_in_pages(tree: Tree) -> Iterator[str]:
 
 CHECKS = (functions_without_a_row, functions_in_another_form, rows_without_a_function, functions_without_words,
           arguments_without_words,
-          noises_without_entries, noises_without_comments, entries_without_a_noise, families_without_settings,
-          hashes_of_unlike_families, further_values_of_nothing, arithmetics_of_unlike_settings, knobs_without_entries, values_without_settings,
-          hashes_without_entries, missing_golden_values, names_of_two_kinds, functions_that_are_not_in_the_catalog,
+          noises_without_entries, noises_without_comments, entries_without_a_noise, further_values_of_nothing,
+          knobs_without_entries, values_without_settings, hashes_without_entries, missing_golden_values, names_of_two_kinds,
           internal_names_in_pages)
 
 

@@ -11,13 +11,11 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from base.tree import BOUNDS, CONFIGURATIONS, FUNCTIONS, GLSL, GOLDEN, ROOT
+from base.tree import BOUNDS, GLSL, GOLDEN, ROOT
 from catalog.model import CATALOG
-from check.complete.check import problems
+from check.complete.check import ROWS, SETTINGS, problems
 
-FORMS = FUNCTIONS.with_name("forms.inc")
-BOUNDS_FILE, SETTINGS_FILE, TABLE, MADE = (str(path.relative_to(ROOT))
-                                           for path in (BOUNDS, CONFIGURATIONS, FUNCTIONS, FORMS))
+BOUNDS_FILE = str(BOUNDS.relative_to(ROOT))
 PERLIN = "tools/lib/proof/{}/noises/perlin"
 
 
@@ -34,7 +32,7 @@ class Deletions(unittest.TestCase):
         self.root = Path(folder.name)
         for path in (GLSL, ROOT / "include" / "hashnoise", ROOT / "README.md", ROOT / "docs" / "contract.md",
                      ROOT / "docs" / "knobs.md", ROOT / "docs" / "noises.md", ROOT / "docs" / "random.md",
-                     ROOT / "docs" / "same-bits.md", ROOT / "docs" / "uniform.md", CATALOG, FUNCTIONS, FORMS, CONFIGURATIONS, BOUNDS,
+                     ROOT / "docs" / "same-bits.md", ROOT / "docs" / "uniform.md", CATALOG, BOUNDS,
                      *(ROOT / "tools" / "lib" / "proof" / of / "noises" for of in ("oracle", "bounds"))):
             target = self.root / path.relative_to(ROOT)
             target.parent.mkdir(parents=True, exist_ok=True)
@@ -60,27 +58,34 @@ class Deletions(unittest.TestCase):
         self.assertEqual(problems(self.root), [])
 
     def test_a_row_of_a_function(self) -> None:
-        self.change(TABLE, r'^FUNCTION\("hash\.lattice3"(.|\n)*?;\)\n')
-        self.noticed(r"^glsl/hashnoise/\w+\.glsl:\d+: hn_lattice\(ivec3, uint\) has no row: .* add a FUNCTION .* to .*\.inc$",
+        self.change(ROWS, r'(^lattice = .*calls = "hn_lattice", dimensions = )\[1, 2, 3, 4\]', r"\1[1, 2, 4]")
+        self.noticed(r"^glsl/hashnoise/\w+\.glsl:\d+: hn_lattice\(ivec3, uint\) has no row: .* add a row .* to catalog/functions\.toml$",
                      r"hn_lattice\(ivec3\) has no row")
 
     def test_the_rows_of_a_noise(self) -> None:
-        self.change(MADE, r'^FUNCTION\("noise\dd\.value_cubic(?:.*\n)*?\n')
-        self.noticed(r"hn_value_cubic\(vec2\) has no row: give it an entry in catalog/ and run tools/make catalog",
+        self.change("catalog/noises.toml", r"^\[value_cubic\]\n(?:[^\[\n].*\n|\n)*")
+        self.noticed(r"hn_value_cubic\(vec2\) has no row: give it an entry in catalog/noises.toml or sums.toml",
                      r"^tools/lib/proof/oracle/noises/value_cubic\.py: no function is the noise value_cubic",
                      r"^tools/lib/proof/bounds/noises/value_cubic\S*: no function is the noise value_cubic")
 
     def test_the_entry_of_a_function(self) -> None:
         self.change("catalog/noises.toml", r"(?<=^\[simplex\]\ndimensions = )\[2, 4\]", "[2, 3]")
         self.change("catalog/noises.toml", r"(?<=^\[value_cubic\]\ndimensions = )\[1, 3\]", "[1, 4]")
-        self.change("catalog/sums.toml", r"^\[ridged\]\n(?:[^\[].*\n|\n)*")
-        self.noticed(r"^catalog: there is no hn_simplex in 4D: add it to noises\.toml", r"no hn_ridged in 1D",
-                     r"^catalog/noises\.toml: there is no function hn_value_cubic in 4D")
+        self.change("catalog/sums.toml", r"^\[ridged\]\n(?:[^\[\n].*\n|\n)*")
+        self.noticed(r"hn_simplex\(vec4\) has no row: give it an entry", r"hn_ridged\(vec2, int, float, float\) has no row",
+                     r"^catalog: noise4d\.value_cubic: declare hn_value_cubic\(vec4\) in hashnoise/")
+
+    def test_a_row_that_is_not_what_the_function_takes(self) -> None:
+        self.change("catalog/noises.toml", r"(?<=^\[cell_border\.options\]\n)", 'metric = "none"\n')
+        self.change(ROWS, r'(^scattered = .*"period", )"radius"', r'\1"metric"')
+        self.noticed(r"^catalog: noise2d\.cell_border_full: declare hn_cell_border\(vec2, float, int, uint\) in hashnoise/",
+                     r"^catalog: scatter\.scattered3: declare hn_scattered\(place3, int, uint\) in hashnoise/",
+                     r"hn_scattered\(ivec2, float, uint\) has no row")
 
     def test_a_function_that_nobody_knows(self) -> None:
         self.change("glsl/hashnoise/*.glsl", r"^(// Gradient noise on the square lattice)",
                     "// New.\n//   returns  0\nHN_FN hn_float hn_merlin(hn_vec4 p, hn_uint seed) {\n}\n\n\\1")
-        self.noticed(r"^glsl/hashnoise/\w+\.glsl:\d+: hn_merlin\(vec4, uint\) has no row: .*add a FUNCTION that calls it")
+        self.noticed(r"^glsl/hashnoise/\w+\.glsl:\d+: hn_merlin\(vec4, uint\) has no row: .* or add a row that calls it")
 
     def test_an_argument_that_may_not_be_the_same_everywhere(self) -> None:
         self.change("docs/same-bits.md", r"^- \*\*Amplitude, depth, detail", "- **Amplitude, detail")
@@ -96,19 +101,19 @@ class Deletions(unittest.TestCase):
 
     def test_a_function_of_a_row(self) -> None:
         self.change("glsl/hashnoise/*.glsl", r"\bhn_unorm\(", "hn_i_unorm(")
-        self.noticed(rf"^{TABLE}:\d+: hash\.unorm: declare hn_unorm\(uint\) in hashnoise/")
+        self.noticed(r"^catalog: hash\.unorm: declare hn_unorm\(uint\) in hashnoise/")
 
     def test_an_overload_without_a_seed(self) -> None:
         self.change("glsl/hashnoise/*.glsl", r"^HN_FN .*\bhn_perlin\(hn_vec3 p\) \{.*\n")
-        self.noticed(rf"^{MADE}:\d+: noise3d\.perlin: declare hn_perlin\(vec3\) in hashnoise/")
+        self.noticed(r"^catalog: noise3d\.perlin: declare hn_perlin\(vec3\) in hashnoise/")
 
     def test_the_oracle(self) -> None:
         (self.root / f"{PERLIN.format('oracle')}.py").unlink()
-        self.noticed(rf"^{MADE}:\d+: noise2d\.perlin: write tools/lib/proof/oracle/noises/perlin\.py, its exact")
+        self.noticed(r"^catalog: noise2d\.perlin: write tools/lib/proof/oracle/noises/perlin\.py, its exact")
 
     def test_the_bounds(self) -> None:
         shutil.rmtree(self.root / PERLIN.format("bounds"))
-        self.noticed(rf"^{MADE}:\d+: noise3d\.perlin_cell: write tools/lib/proof/bounds/noises/perlin\.py, what is proven")
+        self.noticed(r"^catalog: noise3d\.perlin_cell: write tools/lib/proof/bounds/noises/perlin\.py, what is proven")
 
     def test_a_row_of_the_bounds(self) -> None:
         self.change(BOUNDS_FILE, r'^NOISE_BOUNDS\("perlin", 3.*\n')
@@ -144,57 +149,23 @@ class Deletions(unittest.TestCase):
         self.change("glsl/hashnoise/perlin3d.glsl", r"^//   period .*\n")
         self.noticed(r"^glsl/hashnoise/perlin3d\.glsl: no comment over its functions has a line `period`")
 
-    def test_a_setting(self) -> None:
-        for setting, left, message in (
-                (r'^CONFIGURATION\("lattice\+sine\+fixed".*\n', "", "sine_gradient to .* configuration with FIXED"),
-                (r'^CONFIGURATION\("pcg"(.|\n)*?\)\n', "", "HN_HASH_PCG is under .* add CONFIGURATION..pcg., PCG"),
-                (r"(PRECISE, .*) \| octave_sum", "\\1", "octave_sum to .* configuration with PRECISE"),
-                (r'^CONFIGURATION\("fnv1\+precise".*\n', "", 'add CONFIGURATION."fnv1.precise", FNV1, OCTAHEDRAL, '
-                 r"PRECISE, gradient_noise \| lattice_noise\)$"),
-                (r'^CONFIGURATION\("lattice\+sine\+precise".*\n', "", "add .*LATTICE, SINE, PRECISE, "),
-                (r'^CONFIGURATION\("fnv1\+fixed".*\n', "", "fnv1.precise is there without fnv1.fixed: add ")):
-            with self.subTest(setting=setting):
-                self.setUp()
-                self.change(SETTINGS_FILE, setting, left)
-                self.noticed(rf"^{SETTINGS_FILE}: .*{message}")
-
-    def test_a_family_of_a_row(self) -> None:
-        for row, left, message in (
-                (r'^(CONFIGURATION\("lattice\+precise", .*) gradient_noise \|', "\\1", r"lattice\+precise: add "
-                 r"gradient_noise to its families, as in lattice\+fixed"),
-                (r'^(CONFIGURATION\("fnv1\+fixed", .*) \| lattice_noise', "\\1", r"fnv1\+fixed: add lattice_noise to "
-                 r"its families, as in fnv1\+precise"),
-                (r'^(CONFIGURATION\("fnv1", .* FAST, hash) .*\)$', "\\1)", "fnv1: add lattice_noise to its families"),
-                (r'^(CONFIGURATION\("murmur", .* FAST,)', "\\1 octave_sum |", "murmur: take octave_sum from its families"),
-                (r"independent \| ", "", "lattice: add independent to its families"),
-                (r'^(CONFIGURATION\("pcg", .* FAST,)', "\\1 independent |", "pcg: take independent from its families")):
-            with self.subTest(row=row):
-                self.setUp()
-                self.change(SETTINGS_FILE, row, left)
-                self.noticed(rf"^{SETTINGS_FILE}:\d+: {message}")
-
     def test_a_function_with_further_values(self) -> None:
-        row = 'VALUES("pcg", "noise2d.{}")'
-        self.change(SETTINGS_FILE, r'^VALUES\("pcg", "noise2d.simplex"\)', row.format("perlin") + row.format("merlin") +
-                    'VALUES("md5", "noise2d.simplex")')
-        self.noticed(rf"^{SETTINGS_FILE}:\d+: noise2d.perlin has values with pcg as all of gradient_noise have: take",
-                     rf"^{SETTINGS_FILE}:\d+: there is no function noise2d.merlin: name another",
-                     rf"^{SETTINGS_FILE}:\d+: there is no configuration md5: name another")
+        self.change(SETTINGS, r'"noise4d.value"', '"noise2d.perlin", "noise2d.merlin"')
+        self.noticed(rf"^{SETTINGS}: noise2d.perlin has values with pcg as all of gradient_noise have: take",
+                     rf"^{SETTINGS}: there is no function noise2d.merlin: name another")
 
     def test_a_knob(self) -> None:
         self.change("glsl/hashnoise/config.glsl", r"^(#ifndef HN_ARITHMETIC)",
                     "#ifndef HN_WARP\n#define HN_WARP HN_WARP_NONE  // new\n#endif\n\\1")
         self.noticed(r"^include/hashnoise/hashnoise\.hpp: HN_WARP names no inline namespace: add .*\(warp_, HN_WARP\)",
                      r"^docs/knobs\.md: no line for HN_WARP: add one to the table of knobs",
-                     rf"^{SETTINGS_FILE}: HN_WARP is not an argument of CONFIGURATION: add warp to",
                      r"^tools/lib/catalog/tables/configurations\.py: HN_WARP is not in Configuration: add warp")
 
     def test_the_entries_of_a_knob(self) -> None:
         for path, entry, left, message in (
                 ("include/hashnoise/*.hpp", r"^inline namespace .*HN_ARITHMETIC\) \{\n", "",
                  r"include/hashnoise/hashnoise\.hpp: HN_ARITHMETIC names no inline namespace"),
-                ("docs/knobs.md", r"^\| `HN_ARITHMETIC` \| `HN_FAST`.*\n", "", r"docs/knobs\.md: no line for HN_ARITH"),
-                (SETTINGS_FILE, r"^(//   CONFIGURATION\(.*) gradient,", "\\1", r".*: HN_GRADIENT is not an argument of C")):
+                ("docs/knobs.md", r"^\| `HN_ARITHMETIC` \| `HN_FAST`.*\n", "", r"docs/knobs\.md: no line for HN_ARITH")):
             with self.subTest(path=path):
                 self.setUp()
                 self.change(path, entry, left)
@@ -202,25 +173,26 @@ class Deletions(unittest.TestCase):
 
     def test_a_value_of_a_knob(self) -> None:
         for after, name, message in (
-                ("HN_GRADIENT_SINE 2", "HN_GRADIENT_CUBE", "add a CONFIGURATION with CUBE as its gradient"),
-                ("HN_FIXED 3", "HN_EXACT", "add a CONFIGURATION with EXACT as its arithmetic")):
+                ("HN_GRADIENT_SINE 2", "HN_GRADIENT_CUBE", "add a group with cube as its gradient"),
+                ("HN_FIXED 3", "HN_EXACT", "add a group with exact as its arithmetic")):
             with self.subTest(name=name):
                 self.change("glsl/hashnoise/config.glsl", rf"^(#define {after})", rf"\1\n#define {name} 4  // new")
-                self.noticed(rf"^{SETTINGS_FILE}: {name} is under test nowhere: {message}$")
+                self.noticed(rf"^{SETTINGS}: {name} is under test nowhere: {message}$")
 
     def test_a_hash(self) -> None:
         self.change("glsl/hashnoise/config.glsl", r"^(#define HN_HASH_PCG 6)", "\\1\n#define HN_HASH_MD5 10  // new")
-        self.noticed(r"configurations\.inc: HN_HASH_MD5 is under test with no default",
+        self.noticed(r"configurations\.toml: HN_HASH_MD5 is under test with no default",
                      r"^tools/lib/proof/oracle/words\.py: HN_HASH_MD5 is not among the hashes",
                      r"^docs/contract\.md: no line for HN_HASH_MD5", r"^docs/knobs\.md: the knob .* HN_HASH_MD5")
 
     def test_a_hash_by_its_name(self) -> None:
-        self.change(SETTINGS_FILE, r'^CONFIGURATION\("xxhash32".*\n')
-        self.noticed(r"^glsl/hashnoise/\w+\.glsl:\d+: hn_hash_xxhash32\(uint\) is the hash of no configuration: add CONFIGURATION")
+        self.change(SETTINGS, r'"xxhash32", ')
+        self.noticed(r"^glsl/hashnoise/detail/\w+\.glsl:\d+: hn_hash_xxhash32\(uint\) is the hash of no configuration: add xxhash32 to",
+                     r"^catalog/configurations\.toml: HN_HASH_XXHASH32 is under test with no default gradient: add xxhash32")
 
     def test_a_hash_that_is_no_setting(self) -> None:
-        self.change(TABLE, r'^FUNCTION\("hash\.lowbias32"(.|\n)*?;\)\n')
-        self.noticed(r"^glsl/hashnoise/\w+\.glsl:\d+: hn_hash_lowbias32\(uint\) is the hash of no .*, or a FUNCTION that calls")
+        self.change(ROWS, r"^lowbias32 = .*\n")
+        self.noticed(r"^glsl/hashnoise/detail/\w+\.glsl:\d+: hn_hash_lowbias32\(uint\) is the hash of no .*, or a row that calls")
 
     def test_a_golden_file(self) -> None:
         self.golden.unlink()

@@ -48,23 +48,23 @@ FEW = ("bugs*", "hash.*.lattice.*.gl330.golden", "hash.*.any.*.gl330.golden", "n
 
 HEAD = """# Faults of drivers, and what notices them
 
-`tools/make faults` writes this page. It makes a healthy driver (llvmpipe, by OSMesa) behave as if it had each of these
-faults: `hn-conform run --inject NAME` rewrites the code of every shader, but not `glsl/`. Each fault turns the run red, and
-the table names the functions whose cases fail. Where only cases of `bugs` fail, the library avoids on purpose what the
-driver gets wrong. The cases are those of `{filters}`.
+This page lists the faults that drivers have had, and the cases that notice them. `tools/make faults` writes this page. It
+makes a healthy driver (llvmpipe, by OSMesa) behave as if it had each of these faults: `hn-conform run --inject NAME`
+rewrites the code of every shader, but not `glsl/`. Each fault fails the run, and the table names the functions whose cases
+fail. If only cases of `bugs` fail, the library avoids the faulty operation on purpose. The cases are those of `{filters}`.
 
-What a specification leaves open cannot fail. It gives a warning, and the last column has the cases that warn here but not
-on the healthy driver. If a specification allows the fault as it was reported, a worse one is injected, as the column
-"injected" says.
+A case cannot fail where a specification leaves the result open. It gives a warning, and the last column has the cases that
+warn here but not on the healthy driver. If a specification allows the fault as it was reported, a worse fault is injected,
+which the column "injected" describes.
 
 """
 
 BUGS = """
 ## The bugs
 
-This table says where the cases of the file `bugs` come from, and what they demand (`hn-conform list --about --filter
-'bugs*'` tells it, too). A case is `defined` if the specification fixes the value. Else it is `undefined`: then another
-value than the expected one is only a warning. Where a text says "here", the expected value follows.
+This table lists the origin of the cases of the file `bugs`, and what they demand (`hn-conform list --about --filter
+'bugs*'` prints it, too). A case is `defined` if the specification fixes the value. Otherwise it is `undefined`: then
+another value than the expected one is only a warning. The expected value follows the word "here".
 
 | case | in | check | reported in | specification |
 | --- | --- | --- | --- | --- |

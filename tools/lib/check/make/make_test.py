@@ -16,7 +16,7 @@ from check.make import command, graph
 from check.make.parts import PARTS, Part
 
 MADE = [part for part in PARTS if not part.by_name]
-FOLDERS = ("catalog", "conformance", "docs", "glsl", "include", "packages", "playground", "src", "vectors")
+FOLDERS = ("catalog", "conformance", "docs", "glsl", "include", "packages", "playground", "src")
 TEXTS = (".cpp", ".glsl", ".h", ".hpp", ".inc", ".js", ".md", ".py", ".pyi", ".ts")
 # What a file says of itself at its top, and where a part of it is made.
 AT_THE_TOP = re.compile(r"(?:Made|Written)(?: from \S+)? by tools/make\b(?: (\w+))?"
@@ -62,13 +62,12 @@ def backward(parts: list[Part]) -> list[str]:
 class Table(unittest.TestCase):
     def test_no_part_reads_what_one_below_it_writes(self) -> None:
         self.assertEqual(backward(MADE), [])
-        self.assertIn("vectors reads what golden writes", backward(MADE[::-1]))
+        self.assertIn("results reads what golden writes", backward(MADE[::-1]))
 
     def test_what_a_part_waits_for(self) -> None:
         waits = {name: [other.name for other in others] for name, others in graph.needs(MADE).items()}
-        for part, others in (("umbrella", ["catalog"]), ("bounds", ["catalog", "umbrella"]), ("golden", ["catalog"]),
-                             ("vectors", ["golden", "bounds"]), ("freeze", ["umbrella"]), ("snippets", ["umbrella"]),
-                             ("picks", ["catalog", "umbrella"]), ("readme", ["umbrella"]), ("results", ["golden"])):
+        for part, others in (("umbrella", ["catalog"]), ("bounds", ["catalog", "umbrella"]), ("freeze", ["umbrella"]),
+                             ("snippets", ["umbrella"]), ("readme", ["umbrella"]), ("results", ["golden"])):
             with self.subTest(part):
                 self.assertLessEqual(set(others), set(waits[part]))
         self.assertEqual(waits["catalog"], [])
@@ -94,11 +93,11 @@ class Table(unittest.TestCase):
 
     def test_each_file_in_a_folder_of_made_files_is_made(self) -> None:
         products = set().union(*(graph.found(part.products) for part in MADE))
-        for pattern in ("conformance/expected/golden/*", "vectors/*", "docs/snippets/*", "docs/gallery/*"):
+        for pattern in ("conformance/expected/golden/*", "docs/snippets/*", "docs/gallery/*"):
             files = {path for path in ROOT.glob(pattern) if path.is_file()}
             self.assertGreater(len(files), 10)
             self.assertEqual(files - products, set())
-        for file in ("conformance/expected/bounds.inc", "conformance/expected/frozen.csv", "playground/picks.json"):
+        for file in ("conformance/expected/bounds.inc", "conformance/expected/frozen.csv"):
             self.assertIn(ROOT / file, products)
 
     def test_every_pattern_finds_something(self) -> None:

@@ -1,4 +1,4 @@
-"""The table of what is made and committed: each part, what it is made of, and what makes it. A part stands below those
+"""The table of what is made, and but for some of build/ committed: each part, what it is made of, and what makes it. A part stands below those
 that it needs."""
 
 from __future__ import annotations
@@ -27,15 +27,15 @@ class Part(NamedTuple):
 LIBRARY = ("glsl/hashnoise/**/*.glsl", "glsl/hashnoise/**/*.h", "include/hashnoise/**/*.h*")
 SUITE = (*(f"{room}/*.[ch]pp" for room in ("src/base", "conformance/library", "conformance/expected",
                                            "tools/lib/proof/sums")),
-         *(f"conformance/{room}/*.inc" for room in ("library", "expected")))
+         "conformance/expected/*.inc", "catalog/*.toml")
 PAGES = ("README.md", "docs/gallery/README.md",
          *(f"docs/{page}.md" for page in ("cellular", "conformance", "default-hash", "gpu-operations", "hashes", "judge",
                                           "languages", "measuring", "moving", "noises", "sums", "uniform")))
 
 PARTS = (
-    Part("catalog", "what the suite, the library, packages and pages have of catalog/", "a second", "catalog.command",
+    Part("catalog", "what the library, packages and pages have of catalog/", "a second", "catalog.command",
          ("catalog/*.toml",),
-         ("README.md", "conformance/library/f*s.inc", "docs/javascript.md", "docs/noises.md", "docs/sums.md",
+         ("README.md", "docs/javascript.md", "docs/noises.md", "docs/sums.md",
           "glsl/hashnoise/fbm2d.glsl", "glsl/hashnoise/octaves2d.glsl", "include/hashnoise/hashnoise.hpp",
           "packages/npm/src/index.*", "packages/npm/wasm/twin.cpp", "packages/python/hashnoise/*.py*",
           "playground/catalog.js", "src/grid/catalog.inc")),
@@ -44,35 +44,32 @@ PARTS = (
          ("glsl/hashnoise/**/*.glsl", "glsl/hashnoise/detail/*.h"), python=(3, 9)),
     Part("readme", "pictures, numbers and tables of pages", "half a minute", "ship.readme.command",
          (*PAGES, *LIBRARY, "docs/results/**/*.csv", "tools/costs.csv", "tools/lib/ship/readme/*.[ch]pp",
-          "conformance/library/*.inc", "catalog/*.toml"),
+          "catalog/*.toml"),
          (*PAGES, "docs/images/*.png", "docs/gallery/*.png", "packages/*/README.md")),
     Part("bounds", "ranges, slopes and errors, proven: bounds.inc, and the tables of docs/accuracy.md",
          "half a minute", "proof.bounds.command",
          (*LIBRARY, "docs/accuracy.md", "docs/knobs.md", "docs/sums.md", "tools/lib/proof/bounds/noises/*.py",
-          "tools/lib/proof/bounds/*.cpp", "tools/lib/proof/sums/*.[ch]pp", "conformance/library/facts.inc"),
+          "tools/lib/proof/bounds/*.cpp", "tools/lib/proof/sums/*.[ch]pp", "catalog/sums.toml"),
          ("conformance/expected/bounds.inc", "docs/accuracy.md"), scientific=True),
     Part("golden", "golden files, by the oracle", "five minutes", "proof.golden.command",
-         ("conformance/library/*.inc", "tools/lib/proof/oracle/noises/*.py"), ("conformance/expected/golden/*.golden",),
+         ("catalog/*.toml", "tools/lib/proof/oracle/noises/*.py"), ("conformance/expected/golden/*.golden",),
          check=("--check", "--sample", "8"), sample=True),
     Part("one-noise", "what docs/one-noise.md quotes of Perlin noise", "seconds", "ship.readme.one_noise",
          ("docs/one-noise.md", *LIBRARY, "docs/contract.md", "docs/accuracy.md", "docs/results/gpu/costs.csv",
           "conformance/expected/golden/noise2d.perlin.golden"), ("docs/one-noise.md",)),
-    Part("vectors", "rows of golden files, for ports", "half a minute", "proof.vectors.command",
-         ("conformance/expected/golden/*.golden", *SUITE), ("vectors/*.json",),
-         check=("--check", "--sample", "30"), sample=True, program="hn-tolerances"),
     Part("freeze", "entries of new functions among what never changes", "seconds for each function", "proof.frozen.command",
          (*LIBRARY, *SUITE), ("conformance/expected/frozen.csv",), sample=True, program="hn-frozen"),
-    Part("snippets", "docs/snippets: functions to paste", "a minute", "translate.pick.pages",
+    Part("snippets", "docs/snippets: functions to paste", "half a minute", "translate.pick.pages",
          ("glsl/hashnoise/**/*.glsl",), ("docs/snippets/*.md",), python=(3, 9)),
-    Part("picks", "texts that the playground has inside", "a minute", "ship.playground.picks",
-         ("glsl/hashnoise/**/*.glsl", "catalog/*.toml"), ("playground/picks.json",), python=(3, 9)),
     Part("faults", "docs/faults.md: which cases notice what drivers got wrong", "ten minutes", "check.faults.command",
          ("conformance/cases/bugs/*", "conformance/fault/*"), ("docs/faults.md",),
          check=("--check", "--sample", "4"), sample=True, program="hn-conform"),
     Part("results", "a page of what people's devices returned, which are checked", "a second", "measure.results.command",
-         ("results/*.json", "results/versions/*.csv", "conformance/expected/golden/*.golden",
-          "conformance/library/*.inc", "conformance/web/address.js"), ("build/results/index.html",),
+         ("docs/results/devices/*.json", "docs/results/devices/versions/*.csv", "conformance/expected/golden/*.golden",
+          "catalog/*.toml", "conformance/web/address.js"), ("build/results/index.html",),
          options=("--earlier",), check=("--check", "--earlier")),
+    Part("vectors", "build/vectors: rows of golden files, for ports", "half a minute", "proof.vectors.command", (),
+         ("build/vectors/*.json",), python=(3, 9), by_name=True),
     Part("site", "a site of the pages, with what Sphinx needs from PyPI", "minutes", "ship.website.command", (),
          ("build/site/index.html",), by_name=True),
 )

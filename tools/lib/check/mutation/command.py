@@ -165,12 +165,13 @@ EQUIVALENT: tuple[Equivalence, ...] = (
 
     # What these let through is subnormal, and the drivers that have HN_PRECISE here flush it by themselves. (The test
     # unit.Twin runs the text with and without that.) The sign plays no part.
-    *alike("detail/arithmetic.glsl", ("& 0x7F800000u) == 0u", "& 0x7F800001u) == 0u", "& 0x7F800000u) == 1u",
+    *alike("detail/octave.glsl", ("& 0x7F800000u) == 0u", "& 0x7F800001u) == 0u", "& 0x7F800000u) == 1u",
             "| 0x7F800000u) == 0u"),
            ("floatBitsToUint(p)", "floatBitsToUint(-p)")),
 
     # It is 0 all the same.
-    *alike("place.glsl", *((zero, f"-{zero}") for zero in ("ivec2(0, 0)", "ivec3(0, 0, 0)", "ivec4(0, 0, 0, 0)"))),
+    *(Equivalence(file, zero, (f"-{zero}",)) for file, zero in (
+        ("detail/place2d.glsl", "ivec2(0, 0)"), ("place.glsl", "ivec3(0, 0, 0)"), ("place.glsl", "ivec4(0, 0, 0, 0)"))),
 
     # What nothing is written to is 0 on the drivers here, and in C++.
     *(each for file in ("fbm_d2d.glsl", "fbm_d3d.glsl", "warp2d.glsl", "warp3d.glsl")
@@ -193,7 +194,7 @@ EQUIVALENT: tuple[Equivalence, ...] = (
 
     # The lowest bit of these words is 0: all that direction4d.glsl passes is shifted left by 9 or 10 bits, and nobody else
     # calls hn_i_flipped.
-    *alike("detail/arithmetic.glsl",
+    *alike("detail/direction4d.glsl",
            ("(word & 0x80000000u) != 0u, -x, x)", "(word & 0x80000001u) != 0u, -x, x)"),
            ("floatBitsToUint(x) ^ (word & 0x80000000u)", "floatBitsToUint(x) ^ (word & 0x80000001u)")),
 
@@ -224,7 +225,7 @@ EQUIVALENT: tuple[Equivalence, ...] = (
            ("hn_i_row_key(k0, c0.y)", "hn_i_row_key(c0.y, k0)"), ("hn_i_row_key(k1, c0.y)", "hn_i_row_key(c0.y, k1)"),
            ("hn_i_row_key(k0, c1.y)", "hn_i_row_key(c1.y, k0)"), ("hn_i_row_key(k1, c1.y)", "hn_i_row_key(c1.y, k1)")),
     *alike("gradient.glsl", ("hn_i_row_key(column, c.y)", "hn_i_row_key(c.y, column)")),
-    *alike("hash.glsl",
+    *alike("detail/hashes.glsl",
            ("step(h, k & 255u)", "step(k & 255u, h)"),
            ("step(h, (k >> 8u) & 255u)", "step((k >> 8u) & 255u, h)"),
            ("step(h, (k >> 16u) & 255u)", "step((k >> 16u) & 255u, h)"),
@@ -249,7 +250,7 @@ EQUIVALENT: tuple[Equivalence, ...] = (
     *alike("cellular_three2d.glsl", ("(axis == 0", "(-axis == 0")),
 
     # A remainder by 1 is taken by the mask, since 1 is a power of two; and so is no period, whose size is 0.
-    *alike("detail/cell.glsl", ("max(size, 1u)", "max(size, 2u)", "max(size, 0u)")),
+    *alike("detail/cell2d.glsl", ("max(size, 1u)", "max(size, 2u)", "max(size, 0u)")),
 
     # There is no version 129 of GLSL, none between 150 and 330 or 330 and 400, and of GLSL ES none between 100 and 300
     # or 310 and 320.
@@ -398,7 +399,7 @@ def includers(file: str) -> frozenset[str]:
 @cache
 def rows() -> tuple[tuple[str, str], ...]:
     """Each function's id and its file of glsl/hashnoise/."""
-    return tuple((function.id, function.row.text(1)) for function in read_functions())
+    return tuple((function.id, function.includes) for function in read_functions())
 
 
 @cache

@@ -6,7 +6,7 @@ choose what is judged, or with --quick or --least and no --out, the verdicts alo
     tools/measure hashes --quick     the gate alone, with fewer and smaller windows: no page is written
 
 To judge a candidate for the default hash: a copy of glsl/ and include/ in one folder, with what is tried in its
-hash.glsl, first briefly and then as the page does:
+detail/word.glsl, first briefly and then as the page does:
 
     tools/measure hashes --include FOLDER/include --hash LATTICE --dimensions 2 --least
     tools/measure hashes --include FOLDER/include --hash LATTICE --dimensions 2 --seeds 5,6,7
@@ -218,7 +218,7 @@ def parse(arguments: list[str]) -> argparse.Namespace:
     parser.add_argument("--seeds", type=lambda text: tuple(int(s, 0) & gate.WORD for s in text.split(",")),
                         metavar="A,B,...", help="seeds to measure with")
     parser.add_argument("--steps", type=odd_words, metavar="A,B,...", help="constants that any coordinate may be "
-                        "multiplied by, beside those that hash.glsl names (HN_I_STEP_X and so on): the test of near "
+                        "multiplied by, beside those that detail/word.glsl names (HN_I_STEP_X and so on): the test of near "
                         "returns finds its distances by them")
     parser.add_argument("--dump", type=Path, metavar="DIR", help="keep what is judged: the words and gradients of each "
                         "window (.npy; some hundred MB for a hash), index.json, statistics.json")

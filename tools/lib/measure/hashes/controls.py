@@ -120,7 +120,7 @@ def copied_part(shape: Shape) -> np.ndarray:
 
 
 def copied_high_bits(shape: Shape) -> np.ndarray:
-    """The high 18 bits of a row, of which gradients are made, are those of another, moved by two cells."""
+    """The high 18 bits of a row, which gradients use, are those of another row, moved by two cells."""
     words = random(shape)
     low = np.uint32(0x3FFF)
     line, other = (shape[0] // 3,) * (len(shape) - 1), (5,) * (len(shape) - 1)
@@ -236,7 +236,7 @@ FULL_SIZE = {"counter", "nudged"}
 
 
 def as_the_library(shape: Shape) -> np.ndarray:
-    """Those of the library."""
+    """The gradients of the library."""
     return np.random.default_rng(2).choice(OWN[len(shape)], shape)
 
 

@@ -427,16 +427,16 @@ class Command(unittest.TestCase):
     def test_a_library_whose_product_was_taken_out(self):
         for part in ("include", "glsl"):
             shutil.copytree(ROOT / part, self.folder / part)
-        text = (self.folder / "glsl" / "hashnoise" / "hash.glsl").read_text()
+        text = (self.folder / "glsl" / "hashnoise" / "detail" / "word.glsl").read_text()
         self.assertIn("return join * (odd & 0x00FFFFFFu);", text)
         text = text.replace("return join * (odd & 0x00FFFFFFu);", "return join ^ (odd & 0u);")
-        (self.folder / "glsl" / "hashnoise" / "hash.glsl").write_text(text)
+        (self.folder / "glsl" / "hashnoise" / "detail" / "word.glsl").write_text(text)
         twin = library.build("no_product", [], self.folder / "include", self.folder)
         self.assertEqual(missing({"autocorrelation"}, gate.each_finding(twin, 2, gate.LEAST)), set())
 
     def test_the_constants_that_spread_coordinates(self):
         shutil.copytree(ROOT / "glsl", self.folder / "glsl")
-        hashes = self.folder / "glsl" / "hashnoise" / "hash.glsl"
+        hashes = self.folder / "glsl" / "hashnoise" / "detail" / "word.glsl"
         text = hashes.read_text()
         self.assertIn("#define HN_I_STEP_Y 0x", text)
 

@@ -46,9 +46,9 @@ def default_hash(include: Path) -> str:
 
 
 def steps_of(include: Path) -> tuple[tuple[int, ...], ...]:
-    """For each axis the constants that spread its coordinates: by HN_I_STEP_X in hash.glsl and so on, or by names that
+    """For each axis the constants that spread its coordinates: by HN_I_STEP_X in detail/word.glsl and so on, or by names that
     have more before the axis. Where there are none, usual ones."""
-    text = (include.parent / "glsl" / "hashnoise" / "hash.glsl").read_text(encoding="utf-8")
+    text = (include.parent / "glsl" / "hashnoise" / "detail" / "word.glsl").read_text(encoding="utf-8")
     steps = []
     for axis, usual in zip(AXES.upper(), USUAL_STEPS):
         found = re.findall(rf"^#define (HN_I_STEP\w*_{axis}) (\w+?)u?\b", text, re.MULTILINE)

@@ -3,8 +3,8 @@
 A hash is an expression of `c`, the cell as integers, or of `p`, the same as floats. A uint counts as a word. Of a float,
 which should be in [0, 1), the ten highest bits count, since shaders use a float as a direction or a colour. The next one,
 bit 21, is a sign of our gradients and would be judged like the highest bit, but Hoskins' hash has a correlation of 0.18 in
-it, and of 0.02 in each of the ten. So the parity of the ten stands there, which copies what they copy. All other bits are
-random.
+it, and of 0.02 in each of the ten. So the parity of the ten stands there, which is equal where they are. All other bits
+are random.
 """
 
 from __future__ import annotations
@@ -19,12 +19,15 @@ import numpy as np
 from base.renderer import NotCompiled, Renderer
 from measure import record
 from measure.hashes import gate
+from measure.hashes.judgement import Finding
 from measure.hashes.library import Twin
 from measure.hashes.report import HashResult, describe
 from measure.likeness.ports import source
 
 SIDE = 1024  # of what is rendered at once
 PARITY = 1 << 21  # below the ten bits
+# Words of floats have 31 bits and the parity: twice as many are equal, and ten bits choose one of twelve gradients unevenly.
+OF_WORDS = {"equal words", "directions: frequencies"}
 # Around the origin; as far as scenes go; where a float has an eighth of a cell left; and far out.
 ORIGINS = {2: ((-512, -512), (10000, 20000), (1000000, -2000000), (8000000, 7000000)),
            3: ((-64, -64, -64), (10000, 20000, 5000), (1000000, -2000000, 500000), (8000000, 7000000, 6000000))}
@@ -131,14 +134,18 @@ class Judged:
         return ", ".join(map(str, self.origin))
 
 
+def findings_of(words: np.ndarray, kind: str, twin: Twin) -> list[Finding]:
+    return [finding for finding in gate.judge_words(words, twin) if kind == "uint" or finding.test not in OF_WORDS]
+
+
 def judge(other: Other, dimensions: Sequence[int], twin: Twin, renderer: Renderer) -> list[Judged]:
     """Every window."""
     found = []
     for n in dimensions:
         if n in other.dimensions:
             program, kind = compiled(renderer, other, n)
-            found += [Judged(origin, HashResult(other.name, n, gate.judge_words(
-                words_of(renderer, program, kind, origin), twin), None)) for origin in ORIGINS[n]]
+            found += [Judged(origin, HashResult(other.name, n, findings_of(
+                words_of(renderer, program, kind, origin), kind, twin), None)) for origin in ORIGINS[n]]
     return found
 
 

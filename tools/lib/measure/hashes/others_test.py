@@ -65,11 +65,14 @@ class Others(unittest.TestCase):
         self.assertGreater(len(np.unique(words % others.PARITY)), 1 << 15)  # the others are random
 
     def judged(self, expression: str) -> list[str]:
-        findings = gate.judge_words(self.words(expression, (-512, -512))[:128, :128], self.twin)
+        program, kind = others.compiled(self.renderer, self.other(expression), 2)
+        words = others.words_of(self.renderer, program, kind, (-512, -512))
+        findings = others.findings_of(words[:128, :128], kind, self.twin)
         return [finding.test for finding in findings if not finding.passed]
 
     def test_a_good_hash_passes_and_a_bad_one_does_not(self):
         self.assertEqual(self.judged("good(c)"), [])
+        self.assertEqual(self.judged("float(good(c) >> 8u) / 16777216.0"), [])
         self.assertIn("autocorrelation", self.judged("striped(p)"))
 
     def test_the_command_tells_and_records_it(self):

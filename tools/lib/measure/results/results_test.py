@@ -507,7 +507,7 @@ class Constants(unittest.TestCase):
 class Committed(unittest.TestCase):
     def test_a_digest_of_the_folder_with_one_wrong_bit_is_refused(self):
         versions = command.known_versions()
-        path = next(path for path in sorted((ROOT / "results").glob("*.json")))
+        path = next(path for path in sorted(command.RESULTS.glob("*.json")))
         found = json.loads(path.read_text())
         if found["golden"] != versions[found["version"]].golden:
             self.skipTest("the digests are of earlier golden files")

@@ -1,86 +1,90 @@
-"""Tests of what is proven of fixed arithmetic: it is simulated from docs/contract.md, and stays within the bounds. Here
-are the noises; bounds_integers_test.py has what they are made of, and the octave sums."""
+"""Tests of what is proven of fixed arithmetic: the text of the library in integers stays within the bounds, and reaches a
+part of them. Here are the noises and the octave sums; bounds_integers_test.py has the steps."""
 
+import functools
 import unittest
 from unittest import mock
 
 import numpy as np
 
 from base.thorough import in_thorough_runs
+from proof.bounds import bounds_float_test as floats
 from proof.bounds import exact_model as exact
-from proof.bounds import fixed_model as fixed
-from proof.bounds import integers, noises, smoothness
-from proof.bounds.adverse import adverse_words, changes, random_fractions, random_positions
-from proof.bounds.boxes import corners
-from proof.bounds.fixed_model import ONE
+from proof.bounds import integers, smoothness, sums
+from proof.bounds.bounds_float_test import CASES, DIMS, proven
+from proof.bounds.floats import to_float
 from proof.bounds.gradients import OCTAHEDRAL, SINE
 from proof.bounds.noises.perlin import fixed as perlin
 from proof.bounds.noises.perlin.exact import range_bound
+from proof.bounds.rounded import FIXED, Rounding
 from proof.bounds.table import bounds_of, slope_bounds_of
 
-CASES = noises.find("perlin").CASES
-DIMS = (1, 2, 3, 4)
-COUNT = {1: 100_000, 2: 100_000, 3: 50_000, 4: 25_000}
+NEAREST = Rounding("nearest")
 
 
-def proven(kind, dims):
-    """What bounds.inc has of hn_perlin."""
-    return bounds_of("perlin", dims, kind.name)
+def every_noise():
+    """What Errors.largest takes, and the bounds of the value and of the derivatives."""
+    for dims, kind in CASES:
+        yield (("perlin", dims, kind, functools.partial(exact.perlin, kind)), proven(kind, dims),
+               slope_bounds_of("perlin_d", dims) if kind is OCTAHEDRAL else None)
+    for dims in DIMS:
+        yield (("value", dims, OCTAHEDRAL, exact.value), bounds_of("value", dims, "none"),
+               slope_bounds_of("value_d", dims))
+    for dims in DIMS[:3]:
+        yield (("value_cubic", dims, OCTAHEDRAL, lambda words_of, f: (exact.value_cubic(words_of, f), [])),
+               bounds_of("value_cubic", dims, "none"), None)
 
 
-class Noise(unittest.TestCase):
-    """hn_perlin."""
-
-    def largest_error(self, kind, dims, count, seed):
-        """From random positions, with random gradients."""
-        p = random_positions(np.random.default_rng(seed), dims, count)
-        value = fixed.perlin_at(kind, p) / 2**21
-        return abs(value - exact.perlin_at(kind, p)[0]).max(), abs(value).max()
+class Noises(floats.Errors, unittest.TestCase):
+    MACROS = (FIXED,)
 
     def test_random_points(self):
-        """Their gradients hardly ever conspire: they see 0.2 (sine, 3D) to 0.5 (1D and 2D) of the bound."""
-        for dims, kind in CASES:
-            seen, largest = self.largest_error(kind, dims, COUNT[dims], 1)
-            self.assertLessEqual(largest, proven(kind, dims).fixed_limit)
-            self.assertTrue(proven(kind, dims).fixed_error / 8 < seen < proven(kind, dims).fixed_error, (dims, seen))
+        """Their gradients hardly ever conspire."""
+        for noise, *bounds in every_noise():
+            for seen, bound in zip(self.largest(*noise, 1, [NEAREST]), bounds):
+                if bound:
+                    self.assertTrue(bound.fixed_error / 15 < seen < bound.fixed_error, (noise, seen, bound))
 
-    def adverse(self, kind, dims, wanted, seed=2, count=10_000):
-        """(value, exact value) with adverse gradients; `wanted` maps the fractions to what adverse_words takes."""
-        rng = np.random.default_rng(seed)
-        fractions = random_fractions(rng, dims, count)
-        words_of = adverse_words(rng, kind, fractions, wanted(fractions))
-        return (fixed.perlin(kind, words_of, fractions) / 2**21,
-                exact.perlin(kind, words_of, [f / ONE for f in fractions])[0])
+    def test_fails_with_another_fade(self):
+        """Must-fail checks: another polynomial, and another slope of it."""
+        fade, slope, spline = exact.fade, exact.slope, exact.spline
+        with mock.patch.object(exact, "fade", lambda f: fade(f) + f * (1 - f) / 256), \
+                mock.patch.object(exact, "slope", lambda f: slope(f) + 1 / 256), \
+                mock.patch.object(exact, "spline", lambda f: [b + 2**-10 for b in spline(f)]):
+            for noise, *bounds in every_noise():
+                for seen, bound in zip(self.largest(*noise, 2, [NEAREST]), bounds):
+                    if bound:
+                        self.assertGreater(seen, 1.05 * bound.fixed_error, noise)
 
-    @in_thorough_runs
-    def test_adverse_gradients(self):
-        """They make the error of the fade as negative as it can be, as LERP is. There is no cut here, and of the sine
-        no error that adds up."""
-        def wanted(fractions):
-            change = changes(fractions)
-            return lambda corner, offsets: [-change(corner)[0] * d for d in offsets]
-        for dims, kind in CASES:
-            value, expected = self.adverse(kind, dims, wanted)
-            bound = perlin.fixed_error(dims, kind) - perlin.error_parts(dims, kind)["gradient"]
-            seen = abs(value - expected).max()
-            self.assertTrue(0.4 * bound < seen < bound, (dims, kind.name, seen, bound))
+    def values(self, name, dims, kind, cells, f):
+        value, slopes = self.computed(name, dims, kind, NEAREST, cells, f)
+        return np.array([value, *slopes] if not name.endswith("_d") else slopes)
 
-    def test_range(self):
-        for dims, kind in CASES:
-            value, _ = self.adverse(kind, dims, lambda _: lambda corner, offsets: [-d for d in offsets], 4)
-            self.assertLessEqual(abs(value).max(), proven(kind, dims).fixed_limit)
-            # On the plane the scale leaves room for gradients that turn.
-            self.assertGreater(abs(value).max(), 0.93 * range_bound(dims, kind))
+    def test_limits(self):
+        rng = np.random.default_rng(4)
+        for dims in DIMS:
+            f, cells = floats.random_fractions(rng, dims, 20_000), list(rng.integers(-2**31, 2**31, (dims, 20_000)))
+            for (name, of, kind, _), value, slope in every_noise():
+                if of == dims:
+                    self.assertLessEqual(abs(self.values(name, dims, kind, cells, f)).max(), value.fixed_limit)
+                    if slope:
+                        found = self.values(f"{name}_d", dims, kind, cells, f)
+                        self.assertLessEqual(abs(found).max(), slope.fixed_limit)
 
-    def test_the_cut(self):
-        """A fraction just below the next step."""
+    def test_where_a_difference_of_ramps_wraps(self):
+        """In space, at corners without a weight, of 1 in 144 cells: what it is then does not matter."""
+        rng, count = np.random.default_rng(5), 20_000
+        cells, f = list(rng.integers(-2**31, 2**31, (3, count))), [np.full(count, x) for x in (0.25, 1.0, 1.0)]
+        value, slopes = exact.perlin(OCTAHEDRAL, exact.words_at(OCTAHEDRAL, cells), f)
+        found, _ = self.computed("perlin", 3, OCTAHEDRAL, NEAREST, cells, f)
+        _, found_slopes = self.computed("perlin_d", 3, OCTAHEDRAL, NEAREST, cells, f)
+        self.assertLess(abs(found - value).max(), proven(OCTAHEDRAL, 3).fixed_error)
+        self.assertLess(abs(np.array(found_slopes) - slopes).max(), slope_bounds_of("perlin_d", 3).fixed_error)
+
+    def test_lattice_points_are_zero(self):
         for dims, kind in CASES:
-            rng = np.random.default_rng(3)
-            fractions = list(rng.integers(0, ONE, (dims, 50_000)))
-            words_of = exact.words_at(kind, list(rng.integers(-ONE, ONE, (dims, 50_000))))
-            value = fixed.perlin(kind, words_of, fractions) / 2**21
-            expected = exact.perlin(kind, words_of, [(f + 1 - 2**-10) / ONE for f in fractions])[0]
-            self.assertLess(abs(value - expected).max(), proven(kind, dims).fixed_error)
+            cells = list(np.random.default_rng(6).integers(-2**31, 2**31, (dims, 1000)))
+            self.assertFalse(self.values("perlin", dims, kind, cells, [np.zeros(1000)] * dims)[0].any())
 
     def test_range_is_proven(self):
         for dims in DIMS:
@@ -91,133 +95,79 @@ class Noise(unittest.TestCase):
             limit = range_bound(dims, SINE) + perlin.range_loss(dims, SINE)
             self.assertTrue(limit <= proven(SINE, dims).fixed_limit < limit + 1e-5)
 
-    def test_fails_with_another_fade(self):
-        """Must-fail checks: one of fewer bits, one of another polynomial."""
-        fade = fixed.fade
-        for dims, kind in CASES:
-            for other in (lambda f: fade(f & ~1023), lambda f: fade(f) & ~255,
-                          lambda f: fade(f) + ((f * (ONE - f)) >> 30)):
-                with mock.patch.object(fixed, "fade", other):
-                    seen, _ = self.largest_error(kind, dims, 20_000, 5)
-                self.assertGreater(seen, 1.05 * proven(kind, dims).fixed_error, (dims, kind.name))
-
-    def test_lattice_points_are_zero(self):
-        for dims, kind in CASES:
-            cells = list(np.random.default_rng(6).integers(-2**31, 2**31, (dims, 1000)))
-            self.assertFalse(fixed.perlin(kind, exact.words_at(kind, cells), [np.zeros(1000, np.int64)] * dims).any())
-
 
 class Steps(unittest.TestCase):
     """How smooth slopes are, which is measured."""
-
-    def test_coarser_steps_are_measured(self):
-        differences, returned = smoothness.measure("perlin", 2, 250)
-        fade, slope = fixed.fade, fixed.slope
-        with mock.patch.object(fixed, "fade", lambda f: fade(f & ~63)), \
-                mock.patch.object(fixed, "slope", lambda f: slope(f & ~63)):
-            coarser, coarse = smoothness.measure("perlin", 2, 250)
-        self.assertTrue(3 < coarser.rms / differences.rms < 12, (differences, coarser))
-        self.assertGreater(coarse.rms, 2 * returned.rms)
-        self.assertEqual(coarser.own, differences.own)
 
     def test_differences_step_by_more_the_nearer_the_pixels_are(self):
         far, near = (smoothness.measure("value", 3, pitch) for pitch in (60, 1000))
         self.assertTrue(14 < near[0].rms / far[0].rms < 18 and 0.8 < near[1].rms / far[1].rms < 1.25, (far, near))
 
 
-class Derivatives(unittest.TestCase):
-    """hn_perlin_d and hn_value_d, whose values are also compared."""
+class Octaves(floats.OctaveErrors, unittest.TestCase):
+    MACROS = (FIXED,)
+    tolerance = staticmethod(sums.fixed_octave_tolerance)
 
-    def largest_error(self, dims, words_of, fractions):
-        """Of the derivatives of hn_perlin_d."""
-        value, derivatives = fixed.perlin(OCTAHEDRAL, words_of, fractions, derivatives=True)
-        self.assertTrue((value == fixed.perlin(OCTAHEDRAL, words_of, fractions)).all())
-        _, expected = exact.perlin(OCTAHEDRAL, words_of, [f / ONE for f in fractions])
-        self.assertLessEqual(abs(np.array(derivatives)).max() / 2**19, slope_bounds_of("perlin_d", dims).fixed_limit)
-        return max(abs(d / 2**19 - e).max() for d, e in zip(derivatives, expected))
+    def check(self, arguments, kinds=sums.KINDS, spread=None, seed=9, simulated=None):
+        return super().check(arguments, kinds, spread, seed, simulated or [NEAREST])
 
-    def random_error(self, dims, count):
-        rng = np.random.default_rng(7)
-        words = {corner: rng.integers(0, 2**32, count) for corner in corners(dims)}
-        return self.largest_error(dims, words.__getitem__, random_fractions(rng, dims, count))
+    def computed(self, rounding, kind, s, p):
+        value = super().computed(rounding, kind, s, p)
+        self.assertLessEqual(abs(value).max(), proven(kind, len(p)).fixed_limit)
+        self.assertTrue(s.kind not in ("turbulence", "clouds", "ridged") or value.min() >= 0)
+        return value
 
-    def test_random_gradients(self):
-        for dims in DIMS:
-            self.assertLess(self.random_error(dims, COUNT[dims] // 4), slope_bounds_of("perlin_d", dims).fixed_error)
+    def random_sum(self, rng, name, **others):
+        return super().random_sum(rng, name, **({"lacunarity": to_float(rng.uniform(0, 4)), "p_max": 4.0 ** rng.integers(1, 5),
+                                                 "gain": to_float(rng.random())} | others))
 
-    def test_adverse_gradients(self):
-        """They make what the fade and its slope change as large as it can be, or the derivative itself."""
-        def error(change, corner, d):
-            weight, climb = change(corner)
-            return [-climb * x - (weight if axis == 0 else 0) for axis, x in enumerate(d)]
-        for dims in DIMS:
-            rng = np.random.default_rng(8)
-            fractions = random_fractions(rng, dims, 10_000)
-            change = changes(fractions)
-            words_of = adverse_words(rng, OCTAHEDRAL, fractions, lambda corner, d: error(change, corner, d))
-            bound = slope_bounds_of("perlin_d", dims).fixed_error
-            seen = self.largest_error(dims, words_of, fractions)
-            self.assertTrue(0.35 * bound < seen < bound, (dims, seen, bound))
+    @in_thorough_runs
+    def test_random_sums(self):
+        for seed in range(10):
+            self.check(self.random_sum, seed=seed)
 
-    def test_of_value_noise(self):
-        """With numbers at the ends of their range, of signs that make the errors add up, or random ones."""
-        for dims in DIMS:
-            rng = np.random.default_rng(9)
-            fractions = random_fractions(rng, dims, 50_000)
-            change = changes(fractions)
-            for pick in (0, 1, None):
-                words = {corner: rng.integers(0, 2**32, 50_000) if pick is None
-                         else np.where(change(corner)[pick] > 0, 0, 2**32 - 1)
-                         for corner in corners(dims)}
-                value, derivatives = fixed.value(words.__getitem__, fractions)
-                expected, slopes = exact.value(words.__getitem__, [f / ONE for f in fractions])
-                row, slope_row = bounds_of("value", dims, "none"), slope_bounds_of("value_d", dims)
-                errors = abs(value / 2**21 - expected).max(), abs(derivatives[0] / 2**19 - slopes[0]).max()
-                self.assertLess(errors[0], row.fixed_error)
-                for d, e in zip(derivatives, slopes):
-                    self.assertLess(abs(d / 2**19 - e).max(), slope_row.fixed_error)
-                self.assertLessEqual(abs(value).max() / 2**21, row.fixed_limit)
-                self.assertLessEqual(abs(np.array(derivatives)).max() / 2**19, slope_row.fixed_limit)
-                if pick is not None:
-                    self.assertGreater(errors[pick], 0.4 * (row, slope_row)[pick].fixed_error, (dims, pick))
+    def test_first_octave(self):
+        self.assert_near(self.check(lambda rng, name: self.random_sum(rng, name, octaves=1)), 1 / 10)
 
-    def test_fails_with_another_slope(self):
-        """A must-fail check: one of fewer bits."""
-        slope = fixed.slope
-        with mock.patch.object(fixed, "slope", lambda f: slope(f) & ~511):
-            for dims in DIMS:
-                self.assertGreater(self.random_error(dims, 20_000), slope_bounds_of("perlin_d", dims).fixed_error)
+    @in_thorough_runs
+    def test_far_out(self):
+        """Where floats have lost the fraction: the last octave at 2^18, with a lacunarity that is no float near it."""
+        self.check(lambda rng, name: self.random_sum(rng, name, octaves=9, lacunarity=to_float(2.1), gain=0.5,
+                                                     p_max=1024.0))
+
+    def test_from_a_cell(self):
+        self.check(lambda rng, name: self.random_sum(rng, name, from_cell=True))
+
+    @in_thorough_runs
+    def test_with_a_period(self):
+        def exactly(rng, dims, s):
+            return list(rng.integers(-s.p_max * 256, s.p_max * 256, (dims, 200)) / 256)
+
+        def arguments(rng, name, **others):
+            return self.random_sum(rng, name, turns=False, from_cell=True, lacunarity=float(rng.integers(0, 4)),
+                                   **others)
+        self.check(arguments)
+        self.check(lambda rng, name: arguments(rng, name, p_max=16, exact_positions=True), spread=exactly)
+
+    def test_details_and_footprints(self):
+        def details(rng, name):
+            near = rng.integers(1, 9) + rng.choice((0.0, 2.0**-19, 0.5, rng.random()))
+            return self.random_sum(rng, name, octaves=to_float(near))
+
+        def footprints(rng, name):
+            return self.random_sum(rng, name, footprint=to_float(rng.random() * 2.0 ** -rng.integers(-1, 8)))
+        for arguments in (details, footprints):
+            for seed in range(3):
+                self.check(arguments, ("fbm",), seed=seed)
+
+    def test_what_is_left_out_is_noticed(self):
+        """Must-fail checks: positions that are cut, promised exact; and what a step does to the error of a noise."""
+        with self.assertRaises(AssertionError):
+            self.check(lambda rng, name: self.random_sum(rng, name, octaves=9, lacunarity=to_float(3.99), gain=1.0,
+                                                         strength=64.0, exact_positions=True), ("fbm", "ping_pong"))
+        with mock.patch.object(sums, "fixed_terms", lambda s, errs: errs), self.assertRaises(AssertionError):
+            self.check(lambda rng, name: self.random_sum(rng, name, octaves=1, strength=64.0), ("ping_pong",))
 
 
-class Cubic(unittest.TestCase):
-    def error(self, dims, count=20_000):
-        rng, worst = np.random.default_rng(10), 0.0
-        for extreme in (False, True):
-            fractions = random_fractions(rng, dims, count)
-            words = {}
-
-            def words_of(point):
-                return words.setdefault(point, rng.integers(0, 2**32, count) if not extreme
-                                        else rng.choice((0, 2**32 - 1), count))
-            value = fixed.value_cubic(words_of, fractions)
-            expected = exact.value_cubic(words_of, [f / ONE for f in fractions])
-            self.assertLessEqual(abs(value).max() / 2**21, bounds_of("value_cubic", dims, "none").fixed_limit)
-            worst = max(worst, abs(value / 2**21 - expected).max())
-        return worst
-
-    def test_random_points(self):
-        for dims in DIMS[:3]:
-            bound = bounds_of("value_cubic", dims, "none").fixed_error
-            self.assertTrue(bound / 8 < self.error(dims) < bound, (dims, self.error(dims), bound))
-
-    def test_weights(self):
-        f = np.arange(ONE + 1, dtype=np.int64)
-        self.assertTrue(np.array_equal(np.array(fixed.spline(f)), integers.splines()))
-        error = sum(abs(b / 2**18 - e) for b, e in zip(fixed.spline(f), exact.spline((f + 16 >> 5) / 2**15)))
-        self.assertTrue(error.max() <= integers.spline_weight_error() < error.max() + 1e-12)
-
-    def test_fails_with_another_spline(self):
-        spline = fixed.spline
-        with mock.patch.object(fixed, "spline", lambda f: spline(f & ~2047)):
-            for dims in DIMS[:3]:
-                self.assertGreater(self.error(dims), bounds_of("value_cubic", dims, "none").fixed_error)
+if __name__ == "__main__":
+    unittest.main()

@@ -27,17 +27,18 @@ QUARTER_SINE = Body("q:u32", "sine:f32", "return uvec4(bits_of(hn_i_quarter_sine
 
 
 @functools.cache
-def text(kind):
+def text(kind, *macros):
     """What is asked of the library with a kind of gradient."""
     if kind is SINE:
         ids = [f"noise{dims}d.perlin{form}" for dims in (2, 3) for form in ("", "_cell")]
         ids += [f"fbm.{name}{dims}{form}" for dims in (2, 3) for name in sums.KINDS for form in FORMS]
-        return Text([id for id in ids if id in table()], "HN_GRADIENT=HN_GRADIENT_SINE", optimized=True)
+        return Text([id for id in ids if id in table()], "HN_GRADIENT=HN_GRADIENT_SINE", *macros, optimized=True)
     ids = [f"noise{dims}d.{name}{form}" for dims in DIMS
            for name in ("perlin", "value", "perlin_d", "value_d", "value_cubic") for form in ("", "_cell")]
     ids += [f"fbm.{name}{dims}{form}" for dims in DIMS for name in sums.KINDS for form in FORMS]
     ids += [vector_row(name, dims) for name in VECTORS for dims in (2, 3)]
-    return Text([id for id in ids if id in table()], optimized=True, quarter_sine=QUARTER_SINE)
+    return Text([id for id in ids if id in table()], *macros, optimized=True,
+                **({} if macros else {"quarter_sine": QUARTER_SINE}))
 
 
 def vector_row(name, dims):
@@ -61,15 +62,14 @@ def random_fractions(rng, dims, count):
     return list(fractions.astype(np.float32).astype(float))
 
 
-class FloatError(unittest.TestCase):
-    """From a cell and a fraction: random ones hardly ever make errors add up. They see about 1/3 of the bound in 1D, and
-    of derivatives in 4D, which have the loosest bound, 1/12."""
+class Errors:
+    """Of noises from a cell and a fraction, as the text computes them with these macros."""
+    MACROS: tuple[str, ...] = ()
 
-    @staticmethod
-    def computed(name, dims, kind, rounding, cells, fractions):
+    def computed(self, name, dims, kind, rounding, cells, fractions):
         """The value and the derivatives of a noise; in 4D they are rows of their own."""
         columns = along_axes("c", cells) | along_axes("f", fractions) | {"seed": 0}
-        out = text(kind)(f"noise{dims}d.{name}_cell", rounding, **columns)
+        out = text(kind, *self.MACROS)(f"noise{dims}d.{name}_cell", rounding, **columns)
         slopes = out if dims == 4 and name.endswith("_d") else out[1:]
         return out[0], slopes
 
@@ -87,6 +87,11 @@ class FloatError(unittest.TestCase):
                 _, found = self.computed(f"{name}_d", dims, kind, rounding, cells, f)
                 errors[1] = max(errors[1], *(abs(d - e).max() for d, e in zip(found, slopes, strict=True)))
         return errors
+
+
+class FloatError(Errors, unittest.TestCase):
+    """Random points hardly ever make errors add up. They see about 1/3 of the bound in 1D, and of derivatives in 4D,
+    which have the loosest bound, 1/12."""
 
     def every_noise(self):
         """Each with its exact values, and its bounds of values and derivatives for a rounding of so many ulps."""
@@ -215,8 +220,11 @@ class Sine(unittest.TestCase):
             self.assertEqual(coefficient, to_float(coefficient))
 
 
-class Octaves(unittest.TestCase):
+class OctaveErrors:
+    """Of octave sums, as the text computes them with these macros."""
     NOISES = tuple((kind, dims) for dims, kind in CASES)
+    MACROS: tuple[str, ...] = ()
+    tolerance = staticmethod(float_sums.octave_tolerance)
 
     def check(self, arguments, kinds=sums.KINDS, spread=None, seed=10, simulated=None):
         """Computes at random points; the largest ratio of an error to its tolerance, which it must not exceed, of each
@@ -229,7 +237,7 @@ class Octaves(unittest.TestCase):
                     if self.row_of(s, dims) not in table():
                         continue  # on the line and in 4D not every sum has all forms
                     p = (spread or self.spread)(rng, dims, s)
-                    tolerance = float_sums.octave_tolerance(s, proven(kind, dims))
+                    tolerance = self.tolerance(s, proven(kind, dims))
                     error = abs(self.computed(rounding, kind, s, p) - exact.octaves(kind, s, p)).max()
                     self.assertLessEqual(error, tolerance, s)
                     worst[name] = max(worst[name], error / tolerance)
@@ -257,7 +265,7 @@ class Octaves(unittest.TestCase):
         columns |= {"detail" if isinstance(s.octaves, float) else "octaves": s.octaves}
         columns |= {} if s.footprint is None else {"footprint": s.footprint}
         columns |= {"strength": s.strength} if s.kind in sums.LARGEST_STRENGTH else {}
-        value, = text(kind)(self.row_of(s, len(p)), rounding, **columns)
+        value, = text(kind, *self.MACROS)(self.row_of(s, len(p)), rounding, **columns)
         return value
 
     @staticmethod
@@ -272,6 +280,8 @@ class Octaves(unittest.TestCase):
     def assert_near(self, worst, least):
         self.assertTrue(all(ratio > least for ratio in worst.values()), worst)
 
+
+class Octaves(OctaveErrors, unittest.TestCase):
     @in_thorough_runs
     def test_simulated(self):
         self.assert_near(self.check(self.random_sum), 1 / 100)

@@ -1,5 +1,5 @@
-"""Tests of what is proven of simplex noise, of gradients that turn and of curl: the models of docs/contract.md and the
-library's text stay within the bounds, and reach a part of them. A wrong constant is noticed."""
+"""Tests of what is proven of simplex noise, of gradients that turn and of curl: the library's text stays within the
+bounds, and reaches a part of them. A wrong constant is noticed."""
 
 import functools
 import itertools
@@ -11,14 +11,12 @@ import numpy as np
 
 from base.thorough import in_thorough_runs
 from proof.bounds import exact_model as exact
-from proof.bounds import fixed_model as fixed
 from proof.bounds import kernel_model, kernels, turns
-from proof.bounds.boxes import Boxes, corners
-from proof.bounds.fixed_model import ONE
+from proof.bounds.boxes import Boxes
 from proof.bounds.gradients import LENGTH, OCTAHEDRAL, TURNED
 from proof.bounds.kernels import SIMPLEX, SMOOTH, Offsets, Quantity
 from proof.bounds.noises import curl, simplex, simplex_phase
-from proof.bounds.rounded import Body, Rounding, Text, along_axes, roundings, table
+from proof.bounds.rounded import FIXED, Body, Rounding, Text, along_axes, roundings, table
 from proof.bounds.table import bounds_of
 
 NOISES = [("simplex", kernel, False) for kernel in SIMPLEX.values()]
@@ -40,7 +38,7 @@ def random_phase(rng, count, turning=True):
 def random_case(rng, kernel, turning, count):
     """Words of each point, fractions and a phase."""
     words = {tuple(kernel_model.halves(point)): rng.integers(0, 2**32, count) for point in kernel_model.points(kernel)}
-    fractions = [rng.integers(0, ONE + 1, count) for _ in range(kernel.dims)]
+    fractions = list(rng.random((kernel.dims, count)))
     return lambda halves: words[tuple(halves)], fractions, random_phase(rng, count, turning)
 
 
@@ -89,7 +87,7 @@ class Exact(unittest.TestCase):
         rng, step = np.random.default_rng(3), 1e-6
         for noise, kernel, turning in NOISES:
             words, fractions, phase = random_case(rng, kernel, turning, 300)
-            f = [x / ONE * 0.49 for x in fractions]
+            f = [x * 0.49 for x in fractions]
             value, along = kernel_model.simplex(kernel, words, f, phase)
             place, total = np.array(f) * kernel.steps, 0.0
             inside = (place <= 0.5).all(axis=0)
@@ -126,87 +124,23 @@ class Exact(unittest.TestCase):
                         self.assertLess((abs(second) - bound).max(), 1e-4)
 
 
-class Fixed(unittest.TestCase):
-    def errors(self, kernel, turning, count=60_000, seed=5):
-        words, fractions, phase = random_case(np.random.default_rng(seed), kernel, turning, count)
-        value, along = kernel_model.fixed_simplex(kernel, words, fractions, phase)
-        return largest_differences((value / 2**21, [x / 2**19 for x in along]),
-                                   kernel_model.simplex(kernel, words, [x / ONE for x in fractions], phase))
-
-    def test_random_points(self):
-        for noise, kernel, turning in NOISES:
-            seen, seen_slope = self.errors(kernel, turning, 20_000 if kernel.dims == 4 else 60_000)
-            value, slope = proven(noise, kernel.dims)
-            self.assertTrue(value.fixed_error / 5 < seen < value.fixed_error, (noise, kernel.dims, seen))
-            if slope:
-                self.assertTrue(slope.fixed_error / 8 < seen_slope < slope.fixed_error, (noise, seen_slope))
-
-    def test_fails_with_another_weight(self):
-        """Must-fail checks: a weight of fewer bits, a fall that is a little too large."""
-        weight = kernel_model.fixed_weight
-        for noise, kernel, turning in NOISES:
-            value, slope = proven(noise, kernel.dims)
-            with mock.patch.object(kernel_model, "fixed_weight",
-                                   lambda k, t: (weight(k, t)[0] & ~1023, weight(k, t)[1])):
-                self.assertGreater(self.errors(kernel, turning, 20_000)[0], value.fixed_error, noise)
-            if slope:
-                with mock.patch.object(kernel_model, "fixed_weight",
-                                       lambda k, t: (weight(k, t)[0], weight(k, t)[1] + 1024)):
-                    self.assertGreater(self.errors(kernel, turning, 20_000)[1], slope.fixed_error, noise)
-
-    def perlin_errors(self, dims):
-        rng = np.random.default_rng(6)
-        words = {corner: rng.integers(0, 2**32, 60_000) for corner in corners(dims)}
-        fractions, phase = [rng.integers(0, ONE + 1, 60_000) for _ in range(dims)], random_phase(rng, 60_000)
-        value, along = fixed.perlin(OCTAHEDRAL, words.__getitem__, fractions, True, phase)
-        expected = kernel_model.perlin(words.__getitem__, [x / ONE for x in fractions], phase)
-        return largest_differences((value / 2**21, [x / 2**19 for x in along]), expected)
-
-    def test_turned_perlin(self):
-        """And a must-fail check: a sine that is off."""
-        for dims in (2, 3):
-            value, slope = proven("perlin_phase", dims)
-            seen, seen_slope = self.perlin_errors(dims)
-            self.assertTrue(value.fixed_error / 8 < seen < value.fixed_error)
-            self.assertTrue(slope.fixed_error / 8 < seen_slope < slope.fixed_error)
-            rotation = fixed.rotation
-            with mock.patch.object(fixed, "rotation", lambda phase: rotation(phase + 2**20)):
-                seen, seen_slope = self.perlin_errors(dims)
-            self.assertTrue(seen > value.fixed_error and seen_slope > slope.fixed_error)
-
-    @in_thorough_runs
-    def test_curl(self):
-        """The contract's products, of random derivatives."""
-        rng, (row, slope) = np.random.default_rng(7), (bounds_of("curl", 3, "octahedral"), proven("simplex", 3)[1])
-        a, b = rng.uniform(-slope.limit / 2, slope.limit / 2, (2, 2, 50_000))
-        n, m = np.round(a * 2**19).astype(np.int64), np.round(b * 2**19).astype(np.int64)
-
-        def prod(x, y):
-            return (x >> 9) * (y >> 9) + (((x >> 9) * (y & 511) + (x & 511) * (y >> 9)) >> 9)
-        component = ((prod(n[0], m[1]) - prod(n[1], m[0]) + 8) >> 4) / 2**16
-        off = abs(component - (n[0] * m[1] - n[1] * m[0]) / 2**38).max()
-        self.assertTrue(2.0**-18 < off < 2.0**-17 + 2 * curl.FIXED_PRODUCT)
-        self.assertLess(curl.longest_pair()[1], row.limit)
-        # At a lattice point the derivatives are the gradients' components times the scale.
-        scale, longest = SIMPLEX[3].scale / 1024, LENGTH[3]
-        self.assertTrue(0.998 * row.limit < (scale * longest) ** 2 < row.limit)
-
-
 @functools.cache
-def text():
+def text(*macros):
     """What is asked of the library."""
     ids = [f"noise{dims}d.{name}_cell" for dims in (2, 3, 4)
            for name in ("simplex", "simplex_d", "simplex_smooth", "simplex_phase", "simplex_d_phase", "perlin_phase",
                         "perlin_d_phase")]
-    return Text([id for id in ids if id in table()], optimized=True, rotation=ROTATION)
+    return Text([id for id in ids if id in table()], *macros, optimized=True,
+                **({} if macros else {"rotation": ROTATION}))
 
 
 ROTATION = Body("phase:f32", "cosine:f32 sine:f32", "hn_vec2 r = hn_i_rotation(float_of(a.x));"
                 "return uvec4(bits_of(r.x), bits_of(r.y), 0u, 0u);")
 
 
-class Floats(unittest.TestCase):
-    """The text of the library over floats of any rounding mode."""
+class Errors:
+    """Of the text of the library with these macros."""
+    MACROS: tuple[str, ...] = ()
 
     def errors(self, noise, dims, exactly, turning, some, count=5000):
         """The largest of the value and of the derivatives; `exactly` are those of cells, fractions and phases."""
@@ -220,16 +154,24 @@ class Floats(unittest.TestCase):
             columns["phase"] = phase / 2**32
         found = []
         for rounding in some:
-            value = text()(f"noise{dims}d.{noise}_cell", rounding, **columns)[0]
+            value = text(*self.MACROS)(f"noise{dims}d.{noise}_cell", rounding, **columns)[0]
             slopes = expected[1]
             if noise in SLOPES:
-                slopes = text()(f"noise{dims}d.{SLOPES[noise]}_cell", rounding, **columns)[-dims:]
+                slopes = text(*self.MACROS)(f"noise{dims}d.{SLOPES[noise]}_cell", rounding, **columns)[-dims:]
             found.append(largest_differences((value, slopes), expected))
         return np.max(found, axis=0)
 
-    def of_simplex(self, noise, kernel, turning, some):
+    def of_simplex(self, noise, kernel, turning, some, count=5000):
         return self.errors(noise, kernel.dims, lambda cells, f, phase: kernel_model.simplex(
-            kernel, kernel_model.words_at(kernel, cells), f, phase), turning, some)
+            kernel, kernel_model.words_at(kernel, cells), f, phase), turning, some, count)
+
+    def of_perlin(self, dims, some, count=5000):
+        return self.errors("perlin_phase", dims, lambda cells, f, phase: kernel_model.perlin(
+            exact.words_at(OCTAHEDRAL, cells), f, phase), True, some, count)
+
+
+class Floats(Errors, unittest.TestCase):
+    """Of any rounding mode."""
 
     def test_any_rounding(self):
         for noise, kernel, turning in NOISES:
@@ -252,10 +194,53 @@ class Floats(unittest.TestCase):
         for dims in (2, 3):
             value, slope = proven("perlin_phase", dims)
             for some, fails in ((roundings(13), False), ([Rounding("nearest", lost_bits=6)], True)):
-                seen, seen_slope = self.errors("perlin_phase", dims, lambda cells, f, phase: kernel_model.perlin(
-                    exact.words_at(OCTAHEDRAL, cells), f, phase), True, some)
+                seen, seen_slope = self.of_perlin(dims, some)
                 self.assertEqual((seen > value.cell_error, seen_slope > slope.cell_error), (fails, fails))
                 self.assertTrue(seen > value.cell_error / 9 and seen_slope > slope.cell_error / 14)
+
+
+class Fixed(Errors, unittest.TestCase):
+    MACROS = (FIXED,)
+
+    def of_all(self, count):
+        """What is proven, and what is seen."""
+        for noise, kernel, turning in NOISES:
+            yield proven(noise, kernel.dims), self.of_simplex(noise, kernel, turning, [Rounding("nearest")], count)
+        for dims in (2, 3):
+            yield proven("perlin_phase", dims), self.of_perlin(dims, [Rounding("nearest")], count)
+
+    def test_random_points(self):
+        for bounds, seen in self.of_all(20_000):
+            for bound, error in zip(bounds, seen):
+                if bound:
+                    self.assertTrue(bound.fixed_error / 9 < error < bound.fixed_error, (bound, error))
+
+    def test_fails_with_another_weight(self):
+        """A must-fail check: exact weights that are a little larger, for both kinds of noise."""
+        weight, fade = kernel_model.weight, exact.fade
+        with mock.patch.object(kernel_model, "weight", lambda k, t: [(1 + 2**-8) * n for n in weight(k, t)]), \
+                mock.patch.object(exact, "fade", lambda f: (1 + 2**-8) * fade(f)):
+            for bounds, seen in self.of_all(5000):
+                for bound, error in zip(bounds, seen):
+                    if bound:
+                        self.assertGreater(error, bound.fixed_error, bound)
+
+    @in_thorough_runs
+    def test_curl(self):
+        """The contract's products, of random derivatives."""
+        rng, (row, slope) = np.random.default_rng(7), (bounds_of("curl", 3, "octahedral"), proven("simplex", 3)[1])
+        a, b = rng.uniform(-slope.limit / 2, slope.limit / 2, (2, 2, 50_000))
+        n, m = np.round(a * 2**19).astype(np.int64), np.round(b * 2**19).astype(np.int64)
+
+        def prod(x, y):
+            return (x >> 9) * (y >> 9) + (((x >> 9) * (y & 511) + (x & 511) * (y >> 9)) >> 9)
+        component = ((prod(n[0], m[1]) - prod(n[1], m[0]) + 8) >> 4) / 2**16
+        off = abs(component - (n[0] * m[1] - n[1] * m[0]) / 2**38).max()
+        self.assertTrue(2.0**-18 < off < 2.0**-17 + 2 * curl.FIXED_PRODUCT)
+        self.assertLess(curl.longest_pair()[1], row.limit)
+        # At a lattice point the derivatives are the gradients' components times the scale.
+        scale, longest = SIMPLEX[3].scale / 1024, LENGTH[3]
+        self.assertTrue(0.998 * row.limit < (scale * longest) ** 2 < row.limit)
 
 
 class Turns(unittest.TestCase):
@@ -294,14 +279,10 @@ class Turns(unittest.TestCase):
 
     def test_sine_of_a_phase(self):
         angle = np.random.default_rng(16).integers(0, 2**30, 20_000) * 4
-        exactly = np.sin(angle / 2**31 * math.pi)
         for rounding in roundings(17):
             phase = angle >> 8 << 8  # of which a float has all bits
             _, found = text()("rotation", rounding, phase=phase / 2**32)
             self.assertLess(abs(found - np.sin(phase / 2**31 * math.pi)).max(), turns.float_error())
-        cosine, sine = fixed.rotation(angle)
-        self.assertLess(abs(sine / 2**18 - exactly).max(), turns.fixed_error())
-        self.assertLess(abs(cosine / 2**18 - np.cos(angle / 2**31 * math.pi)).max(), turns.fixed_error())
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
-"""Tests of what is proven of phasor noise: the models of docs/contract.md and the text of the library stay within the
-bounds, and reach a part of them. A wrong constant is noticed."""
+"""Tests of what is proven of phasor noise: the text of the library stays within the bounds, and reaches a part of them.
+A wrong constant is noticed."""
 
 import functools
 import itertools
@@ -9,15 +9,14 @@ from unittest import mock
 
 import numpy as np
 
-from proof.bounds import fixed_model as fixed
 from proof.bounds import kernel_model
 from proof.bounds.boxes import Boxes
-from proof.bounds.fixed_model import ONE
 from proof.bounds.floats import Approx
 from proof.bounds.kernels import Offsets
 from proof.bounds.noises import phasor
 from proof.bounds.noises.phasor import KERNELS, WAVES
-from proof.bounds.rounded import Body, Rounding, Text, along_axes, roundings
+from proof.bounds.rounded import FIXED, Body, Rounding, Text, along_axes, roundings
+from proof.bounds.sine import fixed_sines
 from proof.bounds.table import bounds_of
 
 AXES = {2: "xy", 3: "xyz"}
@@ -87,7 +86,10 @@ def text(*macros):
     """With the derivatives, for bounds_phasor_d_test.py: reading the library is half of what a text costs."""
     forms = [(dims, form, what) for dims in KERNELS for form in ("cell", "position")
              for what in ("", "value", *(f"d{axis}" for axis in AXES[dims]))]
-    return Text([], *macros, **{f"{form}{dims}{what}": body(dims, form == "cell", what) for dims, form, what in forms})
+    weights = {name: Body("t:i32 m:i32", "n:i32", f"return uvec4(uint({step}), 0u, 0u, 0u);") for name, step in (
+        ("weight", "hn_i_weight_wave(int(a.x))"), ("fall", "hn_i_d_weight_wave(int(a.x), int(a.y))")) if macros}
+    return Text([], *macros, **weights,
+                **{f"{form}{dims}{what}": body(dims, form == "cell", what) for dims, form, what in forms})
 
 
 def from_cell(dims, rounding, cells, f, wave, phase, *macros):
@@ -220,7 +222,8 @@ class Weights(unittest.TestCase):
         """Every t, which may be off by a half of its unit: on the way to the weight all are words."""
         t = np.arange(2**16)
         for kernel in KERNELS.values():
-            w, fall = kernel_model.fixed_weight(kernel, t)
+            w, fall = (text(FIXED).words(name, Rounding("nearest"), t=t, m=kernel.fall)[0].astype(np.int64)
+                       for name in ("weight", "fall"))
             for move in (-0.5, -0.25, 0.0, 0.25, 0.5):
                 exactly = np.maximum(t + move, 0) / 2**16
                 exact_w, exact_slope = kernel_model.weight(kernel, exactly)
@@ -238,10 +241,10 @@ class Fixed(unittest.TestCase):
     COUNT = 8000
 
     def errors(self, dims):
-        kernel, (cells, f, wave, phase) = KERNELS[dims], random_case(4, dims, self.COUNT)
-        words = kernel_model.words_at(kernel, cells)
-        found = kernel_model.fixed_phasor(kernel, words, [np.trunc(x * ONE).astype(np.int64) for x in f], wave, phase)
-        return abs(np.array(found) / 2**21 - exactly(dims, cells, f, wave, phase)).max()
+        case = random_case(4, dims, self.COUNT)
+        found = from_cell(dims, Rounding("nearest"), *case, FIXED)
+        self.assertLessEqual(np.hypot(*found).max(), 1)
+        return abs(found - exactly(dims, *case)).max()
 
     def test_random_points(self):
         for dims in KERNELS:
@@ -250,29 +253,20 @@ class Fixed(unittest.TestCase):
             self.assertTrue(bound / 3 < seen < bound, (dims, seen, bound))
 
     def test_fails_with_fewer_bits(self):
-        """Must-fail checks: of a wave, of a sine, and of an angle."""
-        waves, sine, angle = kernel_model.fixed_waves, fixed.sine_of_turns, kernel_model.fixed_angle
-        for dims in KERNELS:
-            for module, name, coarse in ((kernel_model, "fixed_waves", lambda wave: waves(wave) & ~31),
-                                         (fixed, "sine_of_turns", lambda turns: sine(turns) & ~63),
-                                         (kernel_model, "fixed_angle", lambda turns: angle(turns) & ~(2**19 - 1))):
-                with mock.patch.object(module, name, coarse):
+        """Must-fail checks: exact waves, phases and weights that are a little other ones."""
+        phasor_of, weight = kernel_model.phasor, kernel_model.weight
+        for name, other in (("phasor", lambda kernel, words, f, wave, phase: phasor_of(
+                                kernel, words, f, np.floor(np.clip(wave, -WAVES, WAVES) * 2**11) / 2**11, phase)),
+                            ("phasor", lambda *others: phasor_of(*others[:-1], others[-1] + 2**-13)),
+                            ("weight", lambda kernel, t: [(1 + 2**-9) * n for n in weight(kernel, t)])):
+            with mock.patch.object(kernel_model, name, other):
+                for dims in KERNELS:
                     self.assertGreater(self.errors(dims), bounds_of("phasor", dims, "none").fixed_error, (dims, name))
-
-    def test_model_has_the_bits_of_the_text(self):
-        for dims, kernel in KERNELS.items():
-            cells, f, wave, phase = random_case(5, dims, 2000)
-            f[:, 0], wave[:, 0], phase[0] = 1, -WAVES, 0  # the largest products
-            found = kernel_model.fixed_phasor(kernel, kernel_model.words_at(kernel, cells),
-                                              [np.trunc(x * ONE).astype(np.int64) for x in f], wave, phase)
-            of_text = from_cell(dims, Rounding("up"), cells, f, wave, phase, "HN_ARITHMETIC=HN_FIXED")
-            self.assertTrue(np.array_equal(np.array(found), of_text * 2**21))
-            self.assertLessEqual(np.hypot(*of_text).max(), 1)
 
     def test_no_product_overflows(self):
         """Of the largest wave, the ends of offsets and all sines: they reach the sizes that are proven."""
-        k, d = int(kernel_model.fixed_waves(np.array([WAVES]))[0]), np.array([-ONE, -1, ONE - 1, ONE])
-        ramp = fixed.sine_of_turns(np.arange(2**16) << 15).max() * 2**13
+        k, d = int(WAVES * 2**16), np.array([-2**20, -1, 2**20 - 1, 2**20])
+        ramp = fixed_sines().max() * 2**13
         for dims in KERNELS:
             largest = phasor.largest_intermediates(dims, None)
             self.assertLess(max(largest.values()), 2**31)

@@ -24,7 +24,6 @@ from pathlib import Path
 
 from base.tree import ROOT
 from base.usage import Parser
-from catalog.tables.inc import TableError
 from proof.bounds import gullies, noises, sine, uniform
 from proof.bounds.documents import (
     ACCURACY,
@@ -179,7 +178,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return run(options)
     except (KeyError, IndexError):
         raise  # these are look-ups too, but mistakes of the program
-    except (TableError, LookupError) as error:
+    except LookupError as error:
         print(error, file=sys.stderr)
         return 2
 

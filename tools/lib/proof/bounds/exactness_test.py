@@ -25,7 +25,7 @@ def column(rng, name, type_):
 
 def columns_of(id, seed=1):
     rng = np.random.default_rng(seed)
-    return {name: column(rng, name, type_) for name, type_ in (one.split(":") for one in table()[id].inputs.split())}
+    return {one.name: column(rng, one.name, one.type) for one in table()[id].inputs}
 
 
 class Fixed(unittest.TestCase):
@@ -53,8 +53,8 @@ class Fixed(unittest.TestCase):
 
 
 class Ramps(unittest.TestCase):
-    """The floats of HN_FIXED (glsl/hashnoise/detail/direction.glsl) at the extremes: 0, the ends, the middle, and the
-    multiples of their units beside these. A double holds all sums."""
+    """The floats of HN_FIXED (direction.glsl and direction3d.glsl of glsl/hashnoise/detail/) at the extremes: 0, the
+    ends, the middle, and the multiples of their units beside these. A double holds all sums."""
 
     PLANE = [(a * x / 4, b * y / 4) for x, y in ((3, 1), (1, 3)) for a in (1, -1) for b in (1, -1)]
     SPACE = [g for g in itertools.product((1, 0, -1), repeat=3) if g.count(0) == 1]

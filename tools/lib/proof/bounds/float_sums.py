@@ -9,8 +9,8 @@ import tempfile
 from dataclasses import astuple
 from pathlib import Path
 
-from base.tree import ROOT
 from base.twin import compile_program
+from catalog import suite
 from proof.bounds.sums import Sum
 from proof.bounds.table import Bounds, GulliesBounds
 
@@ -22,7 +22,8 @@ def _program() -> subprocess.Popen[str]:
     """It runs as long as this one, and answers line by line."""
     folder = tempfile.TemporaryDirectory()
     program = Path(folder.name) / SOURCE.stem
-    compile_program("the bounds of sums", SOURCE, program, f"-I{SOURCE.parents[1]}", include=ROOT / "conformance")
+    suite.write(Path(folder.name))
+    compile_program("the bounds of sums", SOURCE, program, f"-I{SOURCE.parents[1]}", include=Path(folder.name))
     process = subprocess.Popen([program], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, bufsize=1)
 
     def end() -> None:

@@ -1,5 +1,5 @@
-"""The text of the library in 32-bit floats, with any rounding, for the tests of the bounds: a function is asked for by
-its row in the suite's table, and by the columns of that."""
+"""The text of the library in 32-bit floats, with any rounding, or in integers, for the tests of the bounds: a function is
+asked for by its row in the suite's table, and by the columns of that."""
 
 from __future__ import annotations
 
@@ -15,10 +15,11 @@ from pathlib import Path
 import numpy as np
 
 from base.twin import compile_program
-from catalog.tables.functions import read_functions
+from catalog.tables.functions import Column, read_functions
 
 SOURCE = Path(__file__).with_suffix(".cpp")
 MODES = ("nearest", "down", "up", "random")
+FIXED = "HN_ARITHMETIC=HN_FIXED"  # a macro: then nothing rounds but what comes in and out
 
 
 @dataclass(frozen=True)
@@ -37,8 +38,8 @@ def roundings(seed: int) -> list[Rounding]:
 @dataclass(frozen=True)
 class Body:
     """What a row of the table says of a function."""
-    inputs: str
-    outputs: str
+    inputs: tuple[Column, ...]
+    outputs: tuple[Column, ...]
     code: str
 
 
@@ -75,7 +76,7 @@ class Text:
         self.process.stdin.write(head + words.tobytes())
         self.process.stdin.flush()
         out = np.frombuffer(self.process.stdout.read(16 * len(words)), np.uint32).reshape(-1, 4)
-        return [np.ascontiguousarray(column) for column in out.T[:len(function.outputs.split())]]
+        return [np.ascontiguousarray(column) for column in out.T[:len(function.outputs)]]
 
 
 @functools.cache
@@ -89,15 +90,14 @@ def along_axes(prefix: str, columns: Iterable[np.ndarray]) -> dict[str, np.ndarr
     return {f"{prefix}{axis}": column for axis, column in zip("xyzw", columns)}
 
 
-def packed(id: str, inputs: str, columns: dict[str, np.ndarray | float]) -> np.ndarray:
+def packed(id: str, inputs: tuple[Column, ...], columns: dict[str, np.ndarray | float]) -> np.ndarray:
     """The 16 words of each point."""
     count = max(np.size(column) for column in columns.values())
     words = np.zeros((count, 16), np.uint32)
-    names = [column.split(":") for column in inputs.split()]
-    if {name for name, _ in names} != columns.keys():
-        raise ValueError(f"{id} takes {inputs}, and not {', '.join(columns)}")
-    for number, (name, type_) in enumerate(names):
-        column = np.broadcast_to(columns[name], count)
-        words[:, number] = (column.astype(np.float32).view(np.uint32) if type_ == "f32"
+    if {of.name for of in inputs} != columns.keys():
+        raise ValueError(f"{id} takes {' '.join(map(str, inputs))}, and not {', '.join(columns)}")
+    for number, of in enumerate(inputs):
+        column = np.broadcast_to(columns[of.name], count)
+        words[:, number] = (column.astype(np.float32).view(np.uint32) if of.type == "f32"
                             else (column.astype(np.int64) & 0xFFFFFFFF).astype(np.uint32))
     return words

@@ -1,6 +1,5 @@
-"""The steps by which sums add an octave (glsl/hashnoise/detail/octave.glsl): what each does to the noise, exactly and in
-integers, and by how much the integers may be off.
-"""
+"""The steps by which sums add an octave (glsl/hashnoise/detail/octave.glsl): what each does to the noise, and by how much the
+integers of it may be off."""
 
 from __future__ import annotations
 
@@ -21,10 +20,6 @@ class Step:
         """What an octave adds, and what it leaves of the next."""
         return n, before
 
-    def fixed_term(self, ints, v, before, strength):
-        """The same in integers, which are in units of 2^-21, and of 2^-18 between octaves."""
-        return v, before
-
     def fixed_errors(self, errs: list[float], strength: float, cut: float) -> list[float]:
         """The errors of what octaves add in integers, before their weights, given those of the noise; the strength is cut
         by so much. Those of floats are in tools/lib/proof/sums/bounds.cpp."""
@@ -42,9 +37,6 @@ class Size(Step):
     def term(self, n, before, strength):
         return abs(n), before
 
-    def fixed_term(self, ints, v, before, strength):
-        return abs(v), before
-
 
 class BoundedSize(Size):
     clamps = True
@@ -56,11 +48,6 @@ class Ridge(Step):
     def term(self, n, before, strength):
         r = (1 - abs(n)) ** 2 * np.minimum(2 * before, 1)
         return r, r
-
-    def fixed_term(self, ints, v, before, strength):
-        d = (2**21 - abs(v)) >> 3
-        ridge = ints.product(ints.product(d, d), np.minimum(2 * before, 2**18))
-        return ridge << 3, ridge
 
     def fixed_errors(self, errs, strength, cut):
         """A root g = sqrt(r) follows from d min(sqrt(2) g, 1). So an error of d moves g by as much, what was there before
@@ -82,10 +69,6 @@ class Height(Step):
         t = (1 + n) / 2 * np.minimum(2 * before, 1)
         return t, t
 
-    def fixed_term(self, ints, v, before, strength):
-        height = ints.product((2**21 + v) >> 4, np.minimum(2 * before, 2**18))
-        return height << 3, height
-
     def fixed_errors(self, errs, strength, cut):
         terms, before = [], 0.0
         for i, err in enumerate(errs):
@@ -103,9 +86,6 @@ class Wave(Step):
         t = (n + 1) * strength
         t = t - 2 * np.floor(t / 2)
         return 2 * np.minimum(t, 2 - t) - 1, before
-
-    def fixed_term(self, ints, v, before, strength):
-        return ints.ping_pong(v, strength), before
 
     def fixed_errors(self, errs, strength, cut):
         return [min(2 * (strength * e + 2 * cut + 2.0**-30) + UNIT, 2.0) for e in errs]

@@ -9,7 +9,6 @@ from functools import cache
 from pathlib import Path
 
 from base.tree import BOUNDS
-from catalog.tables.inc import Row, read_rows
 
 PATH = BOUNDS
 
@@ -155,35 +154,37 @@ def gullies_row(bounds: GulliesBounds) -> str:
     return f"GULLIES_BOUNDS({', '.join(map(scientific, astuple(bounds)))})\n"
 
 
-# With the number of their fields.
-ROWS = {"NOISE_BOUNDS": 9, "SLOPE_BOUNDS": 9, "SINE_BOUNDS": 2, "UNIFORM_BOUNDS": 8, "GULLIES_BOUNDS": 9}
-
-
-def _rows(path: Path, macro: str) -> list[Row]:
-    return read_rows(path, macro, ROWS[macro], frozenset(ROWS) - {macro})
+def _rows(path: Path, macro: str) -> list[list[str]]:
+    """The fields of its rows, each of which is a line."""
+    start = f"{macro}("
+    rows = [line.removeprefix(start).removesuffix(")").split(", ")
+            for line in path.read_text(encoding="utf-8").splitlines() if line.startswith(start)]
+    if not rows:
+        raise LookupError(f"{path}: no row of {macro}")
+    return rows
 
 
 def read(path: Path = PATH, macro: str = "NOISE_BOUNDS") -> list[Bounds]:
     """The rows of the table, which hold rounded numbers: of values, or with SLOPE_BOUNDS of derivatives."""
-    return [Bounds(row.text(0), int(row.word(1)), row.word(2), *map(float, row.arguments[3:]))
-            for row in _rows(path, macro)]
+    return [Bounds(noise.strip('"'), int(dimensions), gradient, *map(float, fields))
+            for noise, dimensions, gradient, *fields in _rows(path, macro)]
 
 
 def read_sine(path: Path = PATH) -> SineBounds:
     row, = _rows(path, "SINE_BOUNDS")
-    return SineBounds(float.fromhex(row.arguments[0]), float(row.arguments[1]))
+    return SineBounds(float.fromhex(row[0]), float(row[1]))
 
 
 def read_uniform(path: Path = PATH) -> tuple[UniformBounds, UniformBounds]:
     """Of floats, and of fixed arithmetic."""
     row, = _rows(path, "UNIFORM_BOUNDS")
-    numbers = list(map(float, row.arguments))
+    numbers = list(map(float, row))
     return UniformBounds(*numbers[:4]), UniformBounds(*numbers[4:])
 
 
 def read_gullies(path: Path = PATH) -> GulliesBounds:
     row, = _rows(path, "GULLIES_BOUNDS")
-    return GulliesBounds(*map(float, row.arguments))
+    return GulliesBounds(*map(float, row))
 
 
 @cache

@@ -169,7 +169,7 @@ def far_borders(function: Function) -> list[Row]:
 
 def jumps(function: Function) -> bool:
     """Whether its values jump where another point becomes the nearest."""
-    return bool(function.sets) or "dx:" in function.outputs
+    return bool(function.sets) or "d*" in function.gives
 
 
 def distances_of(function: Function, fixed: bool) -> Evaluate:

@@ -2,8 +2,7 @@
 
     tools/make golden [--out DIR] [--only NAMES] [--check [--sample N]]
 
-Each file is <function>.golden (docs/formats.md). The functions are those of functions.inc, the settings those of
-configurations.inc; "any" where the function depends on no knob. A value that is not exact in a float32 is the double
+Each file is <function>.golden (docs/formats.md). The functions and the settings are those of catalog/; "any" where the function depends on no knob. A value that is not exact in a float32 is the double
 nearest to the exact one; with fixed arithmetic it is the float itself. A digest is the 64-bit FNV-1a of the results as
 4 little-endian bytes each, over all points from `origin`, the last coordinate running fastest.
 
@@ -31,11 +30,11 @@ from fnmatch import fnmatchcase
 from functools import partial
 from pathlib import Path
 
-from base.tree import CONFIGURATIONS, FUNCTIONS, GOLDEN, ROOT, TOOLS
+from base.tree import GOLDEN, ROOT, TOOLS
 from base.usage import Parser
+from catalog.model import CATALOG, CatalogError
 from catalog.tables.configurations import read_configurations
 from catalog.tables.functions import read_functions
-from catalog.tables.inc import TableError
 from proof.golden.files import GoldenFile, Sample, golden_files
 
 
@@ -59,7 +58,7 @@ def salt() -> str:
     modules = [path for folder in ("oracle", "golden") for path in (TOOLS / "lib" / "proof" / folder).rglob("*.py")
                if not path.stem.endswith("_test")]
     digest = hashlib.sha256()
-    for path in (ROOT / "docs" / "contract.md", FUNCTIONS, CONFIGURATIONS, *sorted(modules)):
+    for path in (ROOT / "docs" / "contract.md", *sorted(CATALOG.glob("*.toml")), *sorted(modules)):
         digest.update(path.read_bytes())
     return digest.hexdigest()
 
@@ -112,7 +111,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     sample = Sample(options.sample, salt()) if options.sample else None
     try:
         files = generate(options.out if sample else None, sample, options.only)
-    except TableError as error:
+    except CatalogError as error:
         print(error, file=sys.stderr)
         return 2
     if not files:

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from catalog.tables.configurations import Configuration
-from catalog.tables.functions import Function
+from catalog.tables.functions import Column, Function
 from proof.golden.generator import Row, fnv1a64, generator_of, to_f32
 from proof.golden.rows import rows_of
 from proof.oracle.functions import evaluator, knobs_of
@@ -76,7 +76,7 @@ class Values:
         seed = () if digest.seed is None else (digest.seed,)
         knobs, evaluate = knobs_of(self.configuration), evaluator(self.function, fixed=False)
         points = itertools.product(*(range(start, start + size) for start, size in zip(digest.origin, digest.size)))
-        kinds = [column.split(":")[1] for column in self.function.inputs.split()]
+        kinds = [column.type for column in self.function.inputs]
         values = [evaluate(knobs, tuple(map(meaning, kinds, point + seed)))[0] for point in points]
         return f"{self.start_of(digest)}{fnv1a64(struct.pack(f'<{len(values)}I', *values)):016x}"
 
@@ -114,7 +114,7 @@ class GoldenFile:
         place, if that are values at all."""
         function, values, (every, of_fixed) = self.function, self.values, self.rows()
         lines = ["hashnoise golden 2", f"function {function.id}", f"calls {function.calls}", f"bits {BITS}",
-                 f"columns {function.inputs} = {function.outputs}",
+                 f"columns {function.columns}",
                  f"settings {' '.join(f'{group.name}:{group.arithmetic}' for group in values)}",
                  f"rows {len(every) + len(of_fixed)}"]
         there = dict(enumerate(found.split("\n")[len(lines):]))
@@ -130,7 +130,7 @@ class GoldenFile:
                 continue
             lines.append(start + "".join(f" = {line(function.outputs, group.evaluate(row)) if one else '-'}"
                                          for group, one in zip(values, has)))
-        has_digest = function.family == "hash" and function.outputs.split()[0].endswith(":u32")
+        has_digest = function.family == "hash" and function.type == "u32"
         for i, group in enumerate(values if has_digest else (), len(every) + len(of_fixed)):
             digest = DIGESTS[function.form, function.axes]
             kept = there.get(i, "")
@@ -159,9 +159,9 @@ def golden_files(functions: Sequence[Function], configurations: Sequence[Configu
     return [file for file in files if file.values]
 
 
-def pattern_of(header: str) -> str:
-    """A regular expression of the words under the columns of a header."""
-    return " ".join("[0-9a-f]{16}" if column.endswith(":f64") else "[0-9a-f]{8}" for column in header.split())
+def pattern_of(columns: Sequence[Column]) -> str:
+    """A regular expression of the words under the columns."""
+    return " ".join("[0-9a-f]{16}" if column.type == "f64" else "[0-9a-f]{8}" for column in columns)
 
 
 def pattern(kind: str, value: Real) -> str:
@@ -176,6 +176,6 @@ def pattern(kind: str, value: Real) -> str:
     return struct.pack(">f", value).hex()
 
 
-def line(header: str, values: Sequence[Real]) -> str:
-    """The bit patterns of the values under the columns of a header."""
-    return " ".join(pattern(column.split(":")[1], value) for column, value in zip(header.split(), values, strict=True))
+def line(columns: Sequence[Column], values: Sequence[Real]) -> str:
+    """The bit patterns of the values under the columns."""
+    return " ".join(pattern(column.type, value) for column, value in zip(columns, values, strict=True))

@@ -10,32 +10,17 @@ import unittest
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
-from pathlib import Path
 from unittest import mock
 
-from catalog.tables.functions import Function
-from catalog.tables.inc import Row as TableRow
+from catalog.tables.functions import read_functions
 from proof.golden import hex_rows
 from proof.golden.generator import INT_MAX, INT_MIN, Row, generator_of, to_f32
 from proof.oracle import functions, hexes, lattice, words
 from proof.oracle.gradients import Knobs
-from proof.oracle.hexes import CORNERS
 from proof.oracle.lattice import Lattice
 
 KNOBS = Knobs("lattice")
-AT_POSITION, IN_CELL = "x:f32 y:f32 seed:u32", "cx:i32 cy:i32 fx:f32 fy:f32 px:i32 py:i32 seed:u32"
-COLUMNS = {"hex_weights": (AT_POSITION, "position", "w", "f64"), "hex_words": (IN_CELL, "cell", "", "u32"),
-           "hex_x": (IN_CELL, "cell", "x", "f64"), "hex_y": (IN_CELL, "cell", "y", "f64")}
-
-
-def function_of(name: str) -> Function:
-    inputs, form, prefix, kind = COLUMNS[name]
-    outputs = " ".join(f"{prefix}{corner}:{kind}" for corner in CORNERS)
-    return Function(TableRow(Path("functions.inc"), 1, "FUNCTION", ()), f"noise2d.{name}", "hex_tiling", hex_rows.BOUND,
-                    inputs, outputs, form)
-
-
-FUNCTIONS = {name: function_of(name) for name in COLUMNS}
+FUNCTIONS = {function.name: function for function in read_functions() if function.bound == hex_rows.BOUND}
 
 
 @functools.cache
@@ -76,7 +61,7 @@ def found_in_floats(f: Sequence[Fraction]) -> Iterator[tuple]:
 class HexRows(unittest.TestCase):
     def check_floats(self, name: str) -> None:
         """Every rounding finds the corners of the exact place."""
-        form = COLUMNS[name][1]
+        form = FUNCTIONS[name].form
         for row in rows(name, False):
             exact = row[2:4] if form == "cell" else [p - math.floor(p) for p in map(Fraction, row[:2])]
             corners = hexes.triangle(list(map(Fraction, exact)))[0]
@@ -86,7 +71,7 @@ class HexRows(unittest.TestCase):
                     self.assertEqual(found, (i, j, k > i), row)
 
     def test_floats_find_the_corners(self) -> None:
-        for name in COLUMNS:
+        for name in FUNCTIONS:
             self.check_floats(name)
 
     def test_places_that_are_not_clear_are_found(self) -> None:
@@ -161,9 +146,9 @@ class HexRows(unittest.TestCase):
             self.assert_noticed(("hex_words",), Lattice, "of_triangles", property(of_triangles))
 
     def test_rows_have_edges(self) -> None:
-        for name, fixed in itertools.product(COLUMNS, (False, True)):
+        for name, fixed in itertools.product(FUNCTIONS, (False, True)):
             found = rows(name, fixed)
-            if COLUMNS[name][1] == "cell":
+            if FUNCTIONS[name].form == "cell":
                 for axis in range(2):
                     self.assertTrue({INT_MIN, INT_MAX, -1, 0} <= {row[axis] for row in found}, (name, axis))
                     self.assertTrue({0, 1, 2, 3, INT_MAX} <= {row[4 + axis] for row in found}, (name, axis))
@@ -175,8 +160,8 @@ class HexRows(unittest.TestCase):
                 self.assertTrue(any(max(map(abs, row[:2])) >= (2**31 if fixed else 2**20) for row in found))
 
     def test_what_fixed_arithmetic_cuts_matters(self) -> None:
-        for name in COLUMNS:
+        for name in FUNCTIONS:
             exact, fixed = (functions.evaluator(FUNCTIONS[name], arithmetic) for arithmetic in (False, True))
             found = [row for row in rows(name, True)
-                     if COLUMNS[name][1] == "position" or 0 <= min(row[2:4]) <= max(row[2:4]) <= 1]
+                     if FUNCTIONS[name].form == "position" or 0 <= min(row[2:4]) <= max(row[2:4]) <= 1]
             self.assertGreater(sum(exact(KNOBS, row) != fixed(KNOBS, row) for row in found), 4, name)

@@ -47,16 +47,15 @@ WORD_EDGES = (0, 1, 2, 0xFF, 0xFFFF, INT_MAX, 0x80000000, 0xFFFFFFFF)
 COUNTS = (0, 1, 2, 3, 4, 5, 7, 8, 9, 31, 32, 33, 52, 1000, 2**16 - 1, 2**16, 2**16 + 1, 2**30 + 1, 2**31 - 1, 2**31)
 
 
-def item_rows(inputs: str, generator: Generator) -> list[Row]:
+def item_rows(takes: Sequence[str], generator: Generator) -> list[Row]:
     """128 rows of words of which each has a meaning of its own; of items the first, the last, and those beyond them."""
-    names = [column.split(":")[0] for column in inputs.split()]
-    if "n" in names:
+    if "n" in takes:
         rows = [(i, n, 0) for n in COUNTS for i in dict.fromkeys((0, max(n - 1, 0), n))]
         while len(rows) < 128:
             n = generator.pick(COUNTS) or generator.integer(1, 2**generator.integer(1, 31))
             rows.append((generator.pick((generator.word(), generator.integer(0, max(n - 1, 0)))), n, generator.seed()))
         return rows
-    second = range(6) if "k" in names else SEEDS
+    second = range(6) if "k" in takes else SEEDS
     rows = [(word, other) for word in WORD_EDGES for other in second]
     rows += [(1 << i, generator.seed()) for i in range(32)]
     return rows + [(generator.word(), generator.seed()) for _ in range(128 - len(rows))]
@@ -241,7 +240,7 @@ def rows_of(function: Function, fixed: bool, settings: Sequence[Configuration],
             return gradient_rows(generator), []
         return word_rows(generator) if n == 1 else vec_rows(n, generator), []
     if form == "items":
-        return item_rows(function.inputs, generator), []
+        return item_rows(function.takes, generator), []
     if form == "zero":
         return zero_rows(generator), []
     if form == "candidate":

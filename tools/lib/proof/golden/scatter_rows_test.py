@@ -6,12 +6,10 @@ import functools
 import unittest
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from pathlib import Path
 from unittest import mock
 
 from base.thorough import THOROUGH
 from catalog.tables import functions as table
-from catalog.tables.inc import Row as TableRow
 from proof.golden import scatter_rows
 from proof.golden.generator import INT_MAX, INT_MIN, Row, generator_of
 from proof.oracle import functions, lattice, scatter, words
@@ -21,13 +19,11 @@ from proof.oracle.scatter import UNIT
 
 KNOBS = Knobs("lattice")
 AXES = {2: "xy", 3: "xyz"}
+FUNCTIONS = {function.name: function for function in table.read_functions() if function.file == "scatter"}
 
 
 def function_of(n: int, radius: bool) -> table.Function:
-    inputs = [f"{kind}{axis}:i32" for kind in "cp" for axis in AXES[n]] + ["radius:f32"] * radius + ["seed:u32"]
-    outputs = ["value:u32"] if radius else [f"o{axis}:f32" for axis in AXES[n]]
-    row, name = TableRow(Path("functions.inc"), 1, "FUNCTION", ()), "scattered" if radius else "point"
-    return table.Function(row, f"scatter.{name}{n}", "hash", "exact", " ".join(inputs), " ".join(outputs), "candidate")
+    return FUNCTIONS[f"{'scattered' if radius else 'point'}{n}"]
 
 
 @dataclass

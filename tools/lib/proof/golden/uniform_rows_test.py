@@ -9,19 +9,15 @@ import operator
 import unittest
 from collections.abc import Callable, Iterator
 from fractions import Fraction
-from pathlib import Path
 from unittest import mock
 
-from catalog.tables.functions import Function
-from catalog.tables.inc import Row as TableRow
+from catalog.tables.functions import read_functions
 from proof.golden import uniform_rows
 from proof.golden.generator import INT_MAX, INT_MIN, Row, generator_of, to_f32
 from proof.oracle import functions, uniform
 from proof.oracle.sums import clamped
 
-FORMS = {"spread": "spread", "uniform": "spread_value", "uniform_d": "spread_value", "spread_fbm": "spread_sum"}
-FUNCTIONS = {name: Function(TableRow(Path("functions.inc"), 1, "FUNCTION", ()), f"uniform.{name}", "distribution",
-                            "uniform", "", "", form) for name, form in FORMS.items()}
+FUNCTIONS = {function.name: function for function in read_functions() if function.file == "uniform"}
 
 
 @functools.cache
@@ -43,7 +39,7 @@ def right(name: str, fixed: bool) -> list[tuple]:
 
 
 def spreads(name: str) -> set[tuple[float, ...]]:
-    return {row[1:] if FORMS[name] == "spread_value" else row[:4] for row in rows(name)}
+    return {row[1:] if FUNCTIONS[name].form == "spread_value" else row[:4] for row in rows(name)}
 
 
 class UniformRows(unittest.TestCase):

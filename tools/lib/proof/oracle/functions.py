@@ -92,7 +92,7 @@ def evaluator(function: Function, fixed: bool) -> Evaluate:
         return _noise_evaluator(function, fixed)
     if family in OCTAVE_SUMS and function.bound in (*sums.SUMS, *frames.SUMS, *OF_THEIR_OWN):
         return _sum_evaluator(function, fixed)
-    raise function.row.error(f"the oracle has no {function.id}: tools/lib/proof/oracle/functions.py finds what it evaluates")
+    raise function.error(f"the oracle has no {function.id}: tools/lib/proof/oracle/functions.py finds what it evaluates")
 
 
 def _candidate_evaluator(function: Function) -> Evaluate:
@@ -123,7 +123,7 @@ def _noise_evaluator(function: Function, fixed: bool) -> Evaluate:
     try:
         noise = noises.find(function.noise)
     except LookupError as error:
-        raise function.row.error(str(error)) from error
+        raise function.error(str(error)) from error
     if function.component is not None:
         noise = component(noise, function.component)
     return _evaluator(noise, function, fixed)
@@ -162,7 +162,7 @@ def values_of(noise: Noise, function: Function, fixed: bool) -> Evaluate:
 
 def names_of(function: Function) -> list[str]:
     """Of what it returns, as the noise calls it: the derivatives behind a quadrature are those of it."""
-    names = [column.split(":")[0] for column in function.outputs.split()]
+    names = [column.name for column in function.outputs]
     return [name.replace("d", "q") if len(name) == 2 else name for name in names] if "quadrature" in names else names
 
 

@@ -8,11 +8,9 @@ import unittest
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
-from pathlib import Path
 from unittest import mock
 
 from catalog.tables.functions import Function
-from catalog.tables.inc import Row
 from proof.golden.generator import INT_MAX, INT_MIN, generator_of, to_f32
 from proof.oracle import functions, hexes, words
 from proof.oracle.checked import Checked
@@ -234,13 +232,11 @@ VECTORS = (
 
 class Rows(unittest.TestCase):
     def test_evaluation(self) -> None:
-        where = "cx:i32 cy:i32 fx:f32 fy:f32 px:i32 py:i32 seed:u32"
         kinds = {"w": "f64", "": "u32", "x": "f64", "y": "f64"}
         for hash_, cell, fraction, periods, seed, *expected in VECTORS:
             for fixed, ((prefix, kind), numbers) in itertools.product((False, True), zip(kinds.items(), expected)):
-                outputs = " ".join(f"{prefix}{corner}:{kind}" for corner in CORNERS)
-                row = Row(Path("functions.inc"), 1, "FUNCTION", ())
-                function = Function(row, "noise2d.hex_any", "hex_tiling", HEXES.name, where, outputs, "cell")
+                function = Function("noise2d.hex_any", "utility", HEXES.name, ("cell", "period"),
+                                    tuple(f"{prefix}{corner}" for corner in CORNERS), kind, 2)
                 f = [to_f32(x / UNIT) for x in fraction]
                 found = functions.evaluator(function, fixed)(Knobs(hash_), (*cell, *f, *periods, seed))
                 self.assertEqual(found, tuple(n if kind == "u32" else Fraction(n, UNIT) for n in numbers))

@@ -8,12 +8,10 @@ import unittest
 from collections import Counter
 from collections.abc import Callable, Iterable
 from fractions import Fraction
-from pathlib import Path
 from unittest import mock
 
 from base.thorough import in_thorough_runs
-from catalog.tables.functions import Function
-from catalog.tables.inc import Row
+from catalog.tables.functions import read_functions
 from proof.golden.generator import generator_of, to_f32
 from proof.oracle import functions, gradients, numbers, words
 from proof.oracle.evenness import LIMIT, equal_chances, unevenness
@@ -419,22 +417,11 @@ class Sobol(unittest.TestCase):
 
 
 class Rows(unittest.TestCase):
-    COLUMNS = {
-        "hash.lowbias32": "key:u32 = value:u32", "hash.pcg2d": "x:u32 y:u32 = a:u32 b:u32",
-        "hash.pcg3d": "x:u32 y:u32 z:u32 = a:u32 b:u32 c:u32",
-        "hash.pcg4d": "x:u32 y:u32 z:u32 w:u32 = a:u32 b:u32 c:u32 d:u32",
-        "numbers.rehash": "h:u32 k:u32 = value:u32", "numbers.unorm_two": "h:u32 = a:f32 b:f32",
-        "numbers.unorm_three": "h:u32 = a:f32 b:f32 c:f32", "numbers.unorm_four": "h:u32 = a:f32 b:f32 c:f32 d:f32",
-        "numbers.gaussian": "h:u32 = value:f32", "numbers.circle": "h:u32 = x:f32 y:f32",
-        "numbers.disk": "h:u32 = x:f32 y:f32", "numbers.sphere": "h:u32 = x:f32 y:f32 z:f32",
-        "numbers.ball": "h:u32 = x:f32 y:f32 z:f32", "numbers.shuffle": "i:u32 n:u32 seed:u32 = value:u32",
-        "numbers.sobol": "i:u32 seed:u32 = x:f32 y:f32"}
-
     def test_every_row_has_the_values_of_its_columns(self) -> None:
-        for id_, columns in self.COLUMNS.items():
-            inputs, outputs = columns.split(" = ")
-            row = Row(Path("functions.inc"), 1, "FUNCTION", ())
-            evaluate = functions.evaluator(Function(row, id_, "independent", "exact", inputs, outputs, "words"), False)
-            values = evaluate(gradients.Knobs("lattice"), SAMPLE[2:3] * len(inputs.split()))
-            for column, value in zip(outputs.split(), values, strict=True):
-                self.assertEqual(value, value & words.MASK if column.endswith("u32") else to_f32(value), id_)
+        for function in read_functions():
+            if function.id in functions.OF_WORDS:
+                evaluate = functions.evaluator(function, False)
+                values = evaluate(gradients.Knobs("lattice"), SAMPLE[2:3] * len(function.inputs))
+                for column, value in zip(function.outputs, values, strict=True):
+                    right = value & words.MASK if column.type == "u32" else to_f32(value)
+                    self.assertEqual(value, right, function.id)

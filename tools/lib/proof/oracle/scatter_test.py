@@ -7,12 +7,10 @@ import math
 import random
 import unittest
 from collections.abc import Callable, Iterable, Sequence
-from pathlib import Path
 from unittest import mock
 
 from base.thorough import some
 from catalog.tables.functions import Function
-from catalog.tables.inc import Row
 from proof.golden.generator import INT_MAX, INT_MIN, generator_of, to_f32
 from proof.oracle import functions, scatter, words
 from proof.oracle.evenness import LIMIT, equal_chances, unevenness
@@ -246,13 +244,9 @@ VECTORS = (
 class Rows(unittest.TestCase):
     def test_evaluation(self) -> None:
         for hash_, cell, periods, radius, seed, stands, place in VECTORS:
-            axes = "xyz"[:len(cell)]
-            where = " ".join([*(f"c{axis}:i32" for axis in axes), *(f"p{axis}:i32" for axis in axes)])
-            row = Row(Path("functions.inc"), 1, "FUNCTION", ())
             points, scattered = (
-                functions.evaluator(Function(row, "scatter.any", "hash", "exact", inputs, outputs, "candidate"), False)
-                for inputs, outputs in ((f"{where} seed:u32", " ".join(f"o{axis}:f32" for axis in axes)),
-                                        (f"{where} radius:f32 seed:u32", "value:u32")))
+                functions.evaluator(Function("scatter.any", "hash", "exact", ("candidate", "period", *radius), (), "", len(cell)),
+                                    False) for radius in ((), ("radius",)))
             self.assertEqual(points(Knobs(hash_), (*cell, *periods, seed)), tuple(x / UNIT for x in place))
             word, = scattered(Knobs(hash_), (*cell, *periods, to_f32(radius), seed))
             self.assertEqual((word > 0, word % 2), (stands, stands))

@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import unittest
-from pathlib import Path
 from unittest import mock
 
 from catalog.tables.functions import Function
-from catalog.tables.inc import Row
 from proof.oracle import functions, numbers, positions, self_check, words
 from proof.oracle.gradients import Knobs
 
@@ -65,8 +63,7 @@ class SelfCheck(unittest.TestCase):
             self_check.self_check("lattice", 0)
 
     def test_the_row(self) -> None:
-        row = Row(Path("functions.inc"), 1, "FUNCTION", ())
-        function = Function(row, "hash.self_check", "hash", "exact", "zero:u32", "value:u32", "zero")
+        function = Function("hash.self_check", "hash", "exact", ("zero",), ("value",), "u32")
         evaluate = functions.evaluator(function, False)
         for (name, zero), value in VALUES.items():
             self.assertEqual(evaluate(Knobs(name), (zero,)), (value,))

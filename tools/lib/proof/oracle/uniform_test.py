@@ -7,13 +7,11 @@ import re
 import unittest
 from collections.abc import Callable, Sequence
 from fractions import Fraction
-from pathlib import Path
 from unittest import mock
 
 from base.thorough import THOROUGH
 from base.tree import ROOT
 from catalog.tables.functions import Function
-from catalog.tables.inc import Row
 from proof.golden.generator import Generator, generator_of, to_f32
 from proof.oracle import functions, uniform
 
@@ -277,8 +275,7 @@ class Evaluators(unittest.TestCase):
     """What functions.py finds of the rows."""
 
     def found(self, name: str, fixed: bool, row: Sequence) -> tuple:
-        function = Function(Row(Path("functions.inc"), 1, "FUNCTION", ()), f"uniform.{name}", "distribution", "uniform",
-                            "", "", "")
+        function = Function(f"uniform.{name}", "distribution", "uniform", (), (), "")
         return functions.evaluator(function, fixed)(None, row)
 
     def test_rows(self) -> None:

@@ -27,7 +27,7 @@ struct Sum {
 constexpr Sum kSums[] = {
 #define OCTAVE_SUM(name, noise, most, least, greatest, bounded, step, mean) \
   {#name, {hn::SumStep::step, hn::SumMean::mean, most}},
-#include "library/facts.inc"
+#include "library/sums.inc"
 };
 
 std::istream& operator>>(std::istream& in, hn::FloatBounds& bounds) {

@@ -34,7 +34,7 @@ double error_at(const OctaveArguments& arguments, const FloatBounds& bounds, dou
 
 // The same of each octave, where positions do not depend on the noise.
 Errors errors_at(const OctaveArguments& arguments, const FloatBounds& bounds, double lipschitz, double limit) {
-  Whereabouts at = first_octave(bounds.axes, arguments);
+  OctavePosition at = first_octave(bounds.axes, arguments);
   Errors errors;
   for (int i = 0; i < count_of(arguments); ++i) {
     errors.push_back(error_at(arguments, bounds, lipschitz, limit, at.error));
@@ -259,7 +259,7 @@ Errors progressive_errors(const OctaveArguments& arguments, const FloatBounds& n
   const double rate = amplitude_of(arguments) / total.value;
   double rate_error = rate * total.error / (total.value - total.error);
   rate_error += 2.5 * kUnit * (rate + rate_error) + kTiny;
-  Whereabouts at = first_octave(axes, arguments);
+  OctavePosition at = first_octave(axes, arguments);
   Jacobian jacobian;
   Errors errors;
   for (int i = 0; i < count; ++i) {

@@ -20,12 +20,12 @@ struct FloatBounds {
 // noise.
 enum class SumStep {
 #define SUM_STEP(name) name,
-#include "library/facts.inc"
+#include "library/sums.inc"
 };
 // What the sum makes of the mean of its octaves.
 enum class SumMean {
 #define SUM_MEAN(name) name,
-#include "library/facts.inc"
+#include "library/sums.inc"
 };
 
 struct SumRule {

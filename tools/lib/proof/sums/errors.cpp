@@ -51,14 +51,14 @@ double cut_lacunarity(const OctaveArguments& arguments) { return std::trunc(argu
 
 namespace {
 
-Whereabouts next_straight(int axes, const OctaveArguments& arguments, const Whereabouts& at) {
+OctavePosition next_straight(int axes, const OctaveArguments& arguments, const OctavePosition& at) {
   const double lacunarity = std::fabs(arguments.lacunarity);
   const double product_error = lacunarity * (at.error + kUnit * (at.position + at.error) + kTiny) + kTiny;
   const double position = lacunarity * at.position + largest_shift(axes);
   return {position, product_error + kUnit * (position + product_error)};
 }
 
-Whereabouts next_turned(int axes, const OctaveArguments& arguments, const Whereabouts& at) {
+OctavePosition next_turned(int axes, const OctaveArguments& arguments, const OctavePosition& at) {
   const double shift = largest_shift(axes);
   const double diagonal = std::sqrt(axes);
   const double stretch = std::fabs(arguments.lacunarity) * stretch_of(axes, arguments);
@@ -69,7 +69,7 @@ Whereabouts next_turned(int axes, const OctaveArguments& arguments, const Wherea
 
 // A coordinate of a whole position is cut to a multiple of 2^-24, and the lacunarity to one of 2^-23; the product is
 // rounded down, and so are both coordinates after each rotation.
-Whereabouts next_whole(int axes, const OctaveArguments& arguments, const Whereabouts& at) {
+OctavePosition next_whole(int axes, const OctaveArguments& arguments, const OctavePosition& at) {
   const double ratio = cut_lacunarity(arguments);
   const double diagonal = diagonal_of(axes, arguments);
   double error = ratio * at.error + (arguments.lacunarity - ratio) * at.position + diagonal * kWhole;
@@ -81,16 +81,16 @@ Whereabouts next_whole(int axes, const OctaveArguments& arguments, const Whereab
 
 }  // namespace
 
-Whereabouts first_octave(int axes, const OctaveArguments& arguments) {
+OctavePosition first_octave(int axes, const OctaveArguments& arguments) {
   const double diagonal = diagonal_of(axes, arguments);
   return {diagonal * arguments.largest_coordinate,
           arguments.from_cell && !arguments.exact_positions ? diagonal * kWhole : 0.0};
 }
 
-Whereabouts next_octave(int axes, const OctaveArguments& arguments, const Whereabouts& at) {
-  Whereabouts next = arguments.from_cell      ? next_whole(axes, arguments, at)
-                     : turns(axes, arguments) ? next_turned(axes, arguments, at)
-                                              : next_straight(axes, arguments, at);
+OctavePosition next_octave(int axes, const OctaveArguments& arguments, const OctavePosition& at) {
+  OctavePosition next = arguments.from_cell      ? next_whole(axes, arguments, at)
+                        : turns(axes, arguments) ? next_turned(axes, arguments, at)
+                                                 : next_straight(axes, arguments, at);
   if (arguments.exact_positions) next.error = 0.0;
   return next;
 }

@@ -22,7 +22,7 @@ double rounding_of(int operations);
 
 // Where an octave is: how far from the origin at most, and by how much its position may be off. With rotations these are
 // lengths; without, each coordinate is bounded on its own.
-struct Whereabouts {
+struct OctavePosition {
   double position;
   double error;
 };
@@ -34,8 +34,8 @@ double diagonal_of(int axes, const OctaveArguments& arguments);
 double stretch_of(int axes, const OctaveArguments& arguments);
 // From a cell the contract cuts the lacunarity.
 double cut_lacunarity(const OctaveArguments& arguments);
-Whereabouts first_octave(int axes, const OctaveArguments& arguments);
-Whereabouts next_octave(int axes, const OctaveArguments& arguments, const Whereabouts& at);
+OctavePosition first_octave(int axes, const OctaveArguments& arguments);
+OctavePosition next_octave(int axes, const OctaveArguments& arguments, const OctavePosition& at);
 
 // Of clamp(3/2 - e, 0, 1), e = footprint * max(lacunarity, 1)^i computed step by step. It counts up to 3/2 only.
 double fade_error(std::size_t i);

@@ -95,7 +95,7 @@ GulliesTolerance gullies_tolerance(const GulliesArguments& arguments, const Gull
   const double depth = std::clamp(arguments.depth, 0.0, kLargestDepth);
   if (count_of(octaves) == 0 || depth == 0.0) return {0.0, 0.0};
   if (!in_domain(octaves)) return {kInfinite, kInfinite};
-  Whereabouts at = first_octave(2, octaves);
+  OctavePosition at = first_octave(2, octaves);
   Slope slope{std::max(arguments.slope - kSmallSlope, 0.0), arguments.slope, kSmallSlope};
   double weight = 1.0;
   double rate = depth;

@@ -1,21 +1,25 @@
-"""Makes the vectors, the files of vectors/: rows of the golden files, as JSON."""
+"""Makes the vectors: rows of the golden files, as JSON."""
 
 from __future__ import annotations
 
 import json
 import struct
 import subprocess
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+import tempfile
+from collections.abc import Iterable, Sequence
+from dataclasses import asdict, dataclass
 from fractions import Fraction
 from functools import cached_property
 from pathlib import Path
 
+from base import modules
 from base.golden_values import Golden
-from base.tree import VECTORS
+from base.kept import kept
+from base.tree import CONFORMANCE, GOLDEN, ROOT, VECTORS, glsl_files
+from base.twin import NotBuilt, compile_program
+from catalog import suite
 from catalog.tables.configurations import Configuration, read_configurations
 from catalog.tables.functions import Function, read_functions
-from proof.golden.files import BITS
 from proof.vectors.choice import chosen, features
 from translate.pick.program import name_of, names
 
@@ -23,20 +27,24 @@ FORMAT = 1
 INDEX = "index.json"
 LARGEST_BOUND = 2.0**-6  # of a row. Octave sums of floats far out have larger ones, which say little
 DEFAULTS = {"lattice", "lattice+sine"}  # the settings of noise that are told, without their arithmetic
+PROGRAM = Path(__file__).with_name("tolerances.cpp")
+SUMS = Path(__file__).parents[1] / "sums"  # their bounds
+OPTIONS = ("-O0", f"-I{CONFORMANCE}", f"-I{SUMS.parent}", f"-I{ROOT / 'src'}", "-lfmt")
+KINDS = {"i32": (4, struct.Struct(">i")), "f32": (4, struct.Struct(">f")), "f64": (8, struct.Struct(">d"))}
 
 Words = Sequence[int]
 
 
 class NoVectors(Exception):
-    """There is no program that tells bounds, or it fails."""
+    """The program that computes bounds does not compile, or it fails."""
 
 
 def meaning(kind: str, word: int) -> int | float:
     """The number that a word of a golden file stands for."""
     if kind == "u32":
         return word
-    size, code = {"i32": (4, ">i"), "f32": (4, ">f"), "f64": (8, ">d")}[kind]
-    value, = struct.unpack(code, word.to_bytes(size, "big"))
+    size, form = KINDS[kind]
+    value, = form.unpack(word.to_bytes(size, "big"))
     return value
 
 
@@ -68,11 +76,6 @@ class Group:
         return Golden(self.function.id, self.name)
 
     @property
-    def inputs(self) -> list[list[int | float]]:
-        return [[meaning(kind, word) for (_, kind), word in zip(self.golden.head.columns, words)]
-                for words in self.golden.inputs]
-
-    @property
     def results(self) -> list[list[int | float]]:
         return [[meaning(kind, word) for (_, kind), word in zip(self.golden.head.results, words)]
                 for words in self.golden.values]
@@ -83,20 +86,21 @@ class Group:
             return []
         return [f"{self.configuration} {self.function.id} {hexadecimal(words)}" for words in self.golden.inputs]
 
-    def said(self, bounds: Sequence[Sequence[float]], known: dict[str, set]) -> dict:
-        """What the file has of it. `bounds` are those of all rows, or none if every bit counts; `known` keeps features
-        of rows by their words, since settings have most of them alike."""
-        golden, inputs, results = self.golden, self.inputs, self.results
-        allowed = [i for i in range(len(inputs)) if not bounds or max(bounds[i]) <= LARGEST_BOUND]
-        names, words = [name for name, _ in golden.head.columns], [hexadecimal(row) for row in golden.inputs]
+    def said(self, bounds: Sequence[Sequence[float]], known: dict[str, tuple[list, set]]) -> dict:
+        """What the file has of it. `bounds` are those of all rows, or none if every bit counts; `known` keeps numbers
+        and features of rows by their words, since settings have most of them alike."""
+        golden, results = self.golden, self.results
+        words = [hexadecimal(row) for row in golden.inputs]
+        allowed = [i for i in range(len(words)) if not bounds or max(bounds[i]) <= LARGEST_BOUND]
         for i in allowed:
             if words[i] not in known:
-                known[words[i]] = features(dict(zip(names, inputs[i])))
-        numbers = [allowed[i] for i in chosen([known[words[i]] for i in allowed], [results[i] for i in allowed])]
+                row = {name: meaning(kind, word) for (name, kind), word in zip(golden.head.columns, golden.inputs[i])}
+                known[words[i]] = list(row.values()), features(row)
+        numbers = [allowed[i] for i in chosen([known[words[i]][1] for i in allowed], [results[i] for i in allowed])]
         head: dict = {"name": self.name, "arithmetic": self.arithmetic}
         if self.setting:
             head |= {"hash": self.setting.hash, "gradient": self.setting.gradient}
-        rows: list[dict] = [{"in": inputs[i], "words": words[i], "out": results[i]} for i in numbers]
+        rows: list[dict] = [{"in": known[words[i]][0], "words": words[i], "out": results[i]} for i in numbers]
         if bounds:
             rows = [{**row, "bound": bounds[i]} for i, row in zip(numbers, rows)]
             return {**head, "rows": rows}
@@ -121,46 +125,58 @@ def groups_of(function: Function, settings: Sequence[Configuration]) -> list[Gro
     return [Group(function, one) for one in with_values if one.name.removesuffix("+fixed") in DEFAULTS]
 
 
-def asked(program: Path, questions: Sequence[str]) -> list[list[float]]:
-    """The bounds of rows, which the suite tells."""
-    try:
+def asked(questions: Sequence[str]) -> list[list[float]]:
+    """The bounds of rows, which the suite's own code computes."""
+    with tempfile.TemporaryDirectory() as folder:
+        program = Path(folder) / PROGRAM.stem
+        suite.write(Path(folder))  # the functions and the settings
+        try:
+            compile_program("the program that computes bounds", PROGRAM, program, *OPTIONS, include=Path(folder))
+        except NotBuilt as error:
+            raise NoVectors(f"{error}\nIt wants g++ and the library fmt: apt-get install g++ libfmt-dev") from error
         done = subprocess.run([program], input="".join(f"{line}\n" for line in questions), capture_output=True,
                               text=True, check=False)
-    except OSError as error:
-        raise NoVectors(f"{program} does not run: {error.strerror}. tools/test -N builds it") from error
     answers = [[float(bound) for bound in line.split()] for line in done.stdout.splitlines()]
     if done.returncode or len(answers) != len(questions):
-        raise NoVectors(f"{program} ended with status {done.returncode}, and answered {len(answers)} of "
+        raise NoVectors(f"{PROGRAM.name} ended with status {done.returncode}, and answered {len(answers)} of "
                         f"{len(questions)} questions: {done.stderr}")
     return answers
 
 
-def vectors(program: Path, kept: Mapping[str, str] = {}) -> dict[str, str]:
-    """All files, by their names. Those that are `kept` are not made, but as they are."""
+def vectors() -> dict[str, str]:
+    """All files, by their names."""
     settings, known = read_configurations(), names()
     of_functions = {function: groups_of(function, settings) for function in read_functions()}
-    questions = {id(group): group.questions() for function, groups in of_functions.items() for group in groups
-                 if f"{function.id}.json" not in kept}
-    answers = iter(asked(program, [line for lines in questions.values() for line in lines]))
+    questions = {id(group): group.questions() for groups in of_functions.values() for group in groups}
+    answers = iter(asked([line for lines in questions.values() for line in lines]))
     bounds = {number: [next(answers) for _ in lines] for number, lines in questions.items()}
-    files, listed = dict(kept), []
+    files, listed, bits = {}, [], ""
     for function, groups in of_functions.items():
-        name = name_of(function, known)
+        name, bits = name_of(function, known), groups[0].golden.head.bits
         listed.append({"file": f"{function.id}.json", "calls": function.calls, "name": name,
                        "settings": [group.name for group in groups]})
-        if f"{function.id}.json" in kept:
-            continue
-        head = {"format": FORMAT, "function": function.id, "calls": function.calls, "name": name, "bits": BITS,
-                "inputs": columns(function.inputs), "outputs": columns(function.outputs)}
-        of_words: dict[str, set] = {}
+        head = {"format": FORMAT, "function": function.id, "calls": function.calls, "name": name, "bits": bits,
+                "inputs": [*map(asdict, function.inputs)], "outputs": [*map(asdict, function.outputs)]}
+        of_words: dict[str, tuple[list, set]] = {}
         said = [group.said(bounds[id(group)], of_words) for group in groups]
         files[f"{function.id}.json"] = written({**head, "settings": said})
-    files[INDEX] = written({"format": FORMAT, "bits": BITS, "files": listed})
+    files[INDEX] = written({"format": FORMAT, "bits": bits, "files": listed})
     return files
 
 
-def columns(text: str) -> list[dict[str, str]]:
-    return [dict(zip(("name", "type"), column.split(":"))) for column in text.split()]
+def sources() -> list[Path]:
+    """All that the files are made of: golden files, the suite's bounds, the names of functions, and this code."""
+    units = [path for room in (CONFORMANCE / "library", CONFORMANCE / "expected", SUMS) for path in room.glob("*.*")
+             if "_test." not in path.name]
+    return [PROGRAM, *GOLDEN.glob("*.golden"), *units, *(ROOT / "catalog").glob("*.toml"), *glsl_files().values(),
+            *modules.files_of([Path(__file__)])]
+
+
+def vectors_folder() -> Path:
+    """The folder with the files, which are made if they are not there, or if what they are made of has changed. The
+    source of a release has them at its top."""
+    there = ROOT / "vectors"
+    return there if there.is_dir() else kept(VECTORS, sources(), vectors)
 
 
 def written(value: dict) -> str:

@@ -12,7 +12,6 @@ from catalog import asked
 from catalog.tables.markdown import table
 from ship.packing import Refused, papers
 from translate.pick.command import Choice, picker, read_library
-from translate.pick.program import public
 
 PACKAGE = ROOT / "packages" / "blender"
 MANIFEST = "blender_manifest.toml"
@@ -33,7 +32,7 @@ def texts() -> dict[str, str]:
 
 def node_table() -> str:
     """The node groups, for the page."""
-    known = public(read_library(GLSL, Choice("osl", "fixed")))
+    known = read_library(GLSL, Choice("osl", "fixed")).forms
     sizes: dict[tuple[str, ...], list[str]] = {}
     for form in FORMS:
         function = known[form]

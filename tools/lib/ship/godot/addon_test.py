@@ -53,7 +53,7 @@ class Addon(unittest.TestCase):
 
     def test_each_function_has_a_part(self):
         for function in read_functions():
-            part = self.files[f"{ADDON}/{Path(function.row.text(1)).stem}.gdshaderinc"]
+            part = self.files[f"{ADDON}/{Path(function.includes).stem}.gdshaderinc"]
             self.assertRegex(part, rf"(?m)^\w+ {function.calls}\(", function.id)
 
     def test_a_part_stands_alone_and_explains_its_functions(self):

@@ -41,8 +41,8 @@ TURN = "fract(TIME / 8.0)"
 
 
 def public_parts(library: dict[str, Part]) -> list[str]:
-    return [name for name, part in library.items()
-            if any(PUBLIC.match(line) for line in part.lines) or "Made by tools/make" in part.lines[0]]
+    return [name for name, part in library.items() if not name.startswith("detail/")
+            and (any(PUBLIC.match(line) for line in part.lines) or "Made by tools/make" in part.lines[0])]
 
 
 def part_text(name: str, library: dict[str, Part], stripped: dict[str, Part]) -> str:

@@ -15,7 +15,6 @@ from translate.parsing.syntax import Function
 from translate.pick.command import SYNTAXES, Choice, picker, read_library
 from translate.pick.comments import first_sentence
 from translate.pick.osl import without_shader
-from translate.pick.program import public
 from translate.pick.shading import LANGUAGES
 
 PACKAGE = ROOT / "packages" / "materialx"
@@ -62,7 +61,7 @@ PERIOD = Input("period", "vec2", 'value="8.0, 8.0" uiname="Period" '
 
 @cache
 def forms() -> dict[str, Function]:
-    return public(read_library(GLSL, Choice("glsl", "fixed")))
+    return read_library(GLSL, Choice("glsl", "fixed")).forms
 
 
 @cache

@@ -18,7 +18,8 @@ from types import ModuleType
 from typing import NamedTuple
 
 from base.renderer import NoRenderer, Renderer
-from base.tree import ROOT, VECTORS
+from base.tree import ROOT
+from proof.vectors.files import vectors_folder
 from ship.materialx import files
 from translate.pick.osl_runner import PACKAGE as BLENDER
 from translate.pick.osl_runner import RENDER
@@ -122,9 +123,10 @@ class Vectors(NamedTuple):
 
 @functools.cache
 def vectors(form: str) -> Vectors:
-    for one in json.loads((VECTORS / "index.json").read_text(encoding="ascii"))["files"]:
+    folder = vectors_folder()
+    for one in json.loads((folder / "index.json").read_text(encoding="ascii"))["files"]:
         if one["name"] == form:
-            found = json.loads((VECTORS / one["file"]).read_text(encoding="ascii"))
+            found = json.loads((folder / one["file"]).read_text(encoding="ascii"))
             kinds = [column["type"] for column in found["inputs"]]
             if found["inputs"][0]["name"] == "x":  # and not a cell
                 rows = next(group for group in found["settings"] if group["name"] == "lattice+fixed")["rows"]

@@ -13,13 +13,15 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import NamedTuple
 
-from base.tree import GLSL, ROOT, VECTORS, glsl_files
+from base.tree import GLSL, ROOT, glsl_files
+from proof.vectors.files import NoVectors, vectors_folder
 from ship.npm.twin import Failed, compiled
 from ship.packing import of_npm, own_files, put
 from translate.single_file.files import in_order, minified, parts, text
-from translate.wgsl.module import Module, Settings
-from translate.wgsl.names import is_public
-from translate.wgsl.translator import Definition
+from translate.settings import Settings
+from translate.wgsl.module import Module
+from translate.names import is_public
+from translate.wgsl.writer import Definition
 
 PACKAGE = ROOT / "packages" / "npm"
 MADE = "// Made by tools/pack npm. Copyright (c) 2026 The hashnoise authors; MIT License.\n"
@@ -111,7 +113,7 @@ class InGlsl(NamedTuple):
 
 def in_glsl(module: Module) -> dict[tuple[str, tuple[str, ...]], InGlsl]:
     """What has this name and these types in WGSL."""
-    functions = module.translator.functions
+    functions = module.library.functions
     return {(new, types): InGlsl(old, Path(functions[old, types].at.path).stem,
                                  types[-1:] == ("uint",) and (old, types[:-1]) in functions)
             for (old, types), new in module.names().items()}
@@ -187,7 +189,8 @@ const packed = "{packed}";
 
 export const bytes = () => Uint8Array.from(atob(packed), (character) => character.charCodeAt(0));
 """
-    vectors = {f"vectors/{path.name}": path.read_text(encoding="ascii") for path in sorted(VECTORS.glob("*.json"))}
+    vectors = {f"vectors/{path.name}": path.read_text(encoding="ascii")
+               for path in sorted(vectors_folder().glob("*.json"))}
     for files in (glsl_modules(), wgsl_files(definitions), tsl_files(definitions, in_glsl(modules["fast"])), vectors):
         checked_names([*found, *files])
         found.update(files)
@@ -197,5 +200,5 @@ export const bytes = () => Uint8Array.from(atob(packed), (character) => characte
 if __name__ == "__main__":  # pack.sh asks for them: python3 -m ship.npm.files FOLDER
     try:
         put(Path(sys.argv[1]), package(compiled()))
-    except Failed as error:
+    except (Failed, NoVectors) as error:
         sys.exit(str(error))

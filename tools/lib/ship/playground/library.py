@@ -9,9 +9,10 @@ from collections.abc import Callable, Iterator
 from base.tree import GLSL, glsl_files, included_from, version
 from catalog.javascript import drawn, may_draw
 from catalog.model import read
-from translate.single_file.files import INCLUDE, stripped, with_numbers
-from translate.wgsl.module import ARITHMETICS, HASHES, Module, Settings
-from translate.wgsl.translator import Definition
+from translate.settings import ARITHMETICS, HASHES, Settings
+from translate.single_file.files import INCLUDE, lines_of, stripped, with_numbers
+from translate.wgsl.module import Module
+from translate.wgsl.writer import Definition
 
 # The user's own hash is no choice in the page.
 CHOSEN_HASHES = tuple(name for name in HASHES if name != "CUSTOM")
@@ -27,11 +28,11 @@ def glsl() -> dict[str, list[str]]:
     """The lines of the files and of what they include, without comments. What they include has its name in the
     library."""
     found: dict[str, list[str]] = {}
-    wanted = [*of_pictures(), *OTHERS]
+    wanted = [*of_pictures(), OF_THE_HASH, *OTHERS]
     while wanted:
         name = wanted.pop()
         if name not in found:
-            lines = stripped(with_numbers((GLSL / name).read_text(encoding="ascii").splitlines()))
+            lines = stripped(with_numbers(lines_of(GLSL / name)))
             found[name] = [named_include(name, line) for line in lines]
             wanted += [include[1] for line in found[name] if (include := INCLUDE.match(line))]
     return dict(sorted(found.items()))
@@ -66,7 +67,8 @@ def modules(tell: Callable[[str], None]) -> Iterator[tuple[str, dict[str, Defini
             if name == "LATTICE" or not first:
                 found = definitions(of_pictures(), arithmetic, name)
             else:
-                found = {**first, **definitions([OF_THE_HASH], arithmetic, name)}
+                others = definitions([OF_THE_HASH], arithmetic, name)
+                found = {name: others.get(name, same) for name, same in first.items()}
             first = first or found
             yield f"{arithmetic.removeprefix('HN_')} {name}".lower(), found
 
@@ -77,20 +79,16 @@ def written(definition: Definition) -> dict:
 
 def wgsl(tell: Callable[[str], None]) -> dict:
     """Each definition once, and which of them a setting has."""
-    numbers: dict[tuple, int] = {}
-    texts: list[dict] = []
-    settings = {}
+    texts: dict[tuple, dict] = {}
+    settings: dict[str, list[tuple]] = {}
     for setting, found in modules(tell):
-        chosen = []
-        for definition in found.values():
-            entry = written(definition)
-            key = (entry["name"], entry["text"], tuple(entry["needs"]))
-            if key not in numbers:
-                numbers[key] = len(texts)
-                texts.append(entry)
-            chosen.append(numbers[key])
-        settings[setting] = chosen
-    return {"definitions": texts, "settings": settings}
+        entries = [written(definition) for definition in found.values()]
+        settings[setting] = [(entry["name"], entry["text"], tuple(entry["needs"])) for entry in entries]
+        texts.update(zip(settings[setting], entries))
+    # By name, since then those of all dimensions are neighbours, which packs well.
+    numbers = {key: number for number, key in enumerate(sorted(texts))}
+    return {"definitions": [texts[key] for key in numbers],
+            "settings": {setting: [numbers[key] for key in keys] for setting, keys in settings.items()}}
 
 
 def library(tell: Callable[[str], None]) -> dict:

@@ -68,6 +68,6 @@ def page(tell: Callable[[str], None] = lambda _: None) -> str:
     """`tell` takes a sentence before each step that takes long."""
     code = f"\n{script().strip()}\n"
     parts = {"style": (SOURCES / "style.css").read_text(encoding="utf-8").strip(), "script": code, "hash": hash_of(code),
-             "library": packed(library(tell)), "picks": packed(json.loads(picks.FILE.read_text(encoding="ascii")))}
+             "library": packed(library(tell)), "picks": packed(picks.data(tell))}
     return re.sub(r"\{\{(\w+)\}\}", lambda match: parts[match[1]],
                   (SOURCES / "index.html").read_text(encoding="utf-8"))

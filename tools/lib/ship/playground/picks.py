@@ -1,27 +1,23 @@
-"""Writes playground/picks.json: what tools/pick writes of the functions that pictures call. That takes a minute, so the
-page of the playground has this file inside.
-
-    tools/make picks [--check]
-
-Exit status: 0 done, or the file is what it should be; 1 (--check) it is not, or a text cannot be picked; 2 bad usage,
-or it cannot be written.
-"""
+"""What tools/pick writes of the functions that pictures call, which the page of the playground has inside. That takes a
+minute, so build/picks keeps it until something changes that it is made of."""
 
 from __future__ import annotations
 
 import json
-import sys
 from collections.abc import Callable, Collection, Mapping, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from functools import partial
+from pathlib import Path
 
-from base.tree import GLSL, ROOT
-from base.usage import Parser
+from base import modules
+from base.kept import kept
+from base.tree import GLSL, ROOT, glsl_files
 from catalog.javascript import dimensions_of, drawn, may_draw
 from catalog.model import read
-from translate.parsing.tokens import Unknown
 from translate.pick.command import Choice, command_of, picker, read_library
-from translate.pick.program import public
 
-FILE = ROOT / "playground" / "picks.json"
+FOLDER = ROOT / "build" / "picks"
+NAME = "picks.json"
 # In the order of which gzip leaves least.
 CHOICES = [Choice(language, arithmetic) for arithmetic in ("fixed", "fast") for language in ("wgsl", "glsl", "hlsl")]
 FORMS = ("", "_phase", "_full")
@@ -33,20 +29,27 @@ def calls() -> list[list[str]]:
     noises, sums = drawn(read())
     names = [f"hn_{function.name}{n}{form}" for function in (*noises, *sums) for n in dimensions_of(function, 4)
              for form in FORMS if form != "_phase" or may_draw(function, "phase")]
-    known = public(read_library(GLSL, Choice()))
+    known = read_library(GLSL, Choice()).forms
     cells = [[f"hn_cellular{n}_nearest", f"hn_lattice{n}", "hn_unorm"] for n in (2, 3)]
     return [*([name] for name in names if name in known), *cells]
 
 
-def texts(of: Collection[Sequence[str]], tell: Callable[[str], None] = lambda _: None) -> dict[str, str]:
-    """By the command that writes it. `tell` takes a sentence before what takes long."""
-    tell(f"Picking what {len(of)} pictures call, in {len(CHOICES)} texts each ...")
+def picked(choice: Choice, of: Collection[Sequence[str]]) -> dict[str, str]:
+    """By the command that writes it."""
     pick = picker()
-    commands = {command_of(names, choice): (names, choice) for names in of for choice in CHOICES}
-    return {command: pick(*asked).replace(command, COMMAND) for command, asked in commands.items()}
+    commands = {command_of(names, choice): names for names in of}
+    return {command: pick(names, choice).replace(command, COMMAND) for command, names in commands.items()}
 
 
-def woven(named: Mapping[str, str]) -> tuple[list[str], dict[str, list[int]]]:
+def texts(of: Collection[Sequence[str]], tell: Callable[[str], None] = lambda _: None) -> dict[str, str]:
+    """Those of all choices. `tell` takes a sentence before what takes long."""
+    tell(f"Picking what {len(of)} pictures call, in {len(CHOICES)} texts each, which takes a minute at first ...")
+    with ProcessPoolExecutor() as pool:
+        found = {command: text for part in pool.map(partial(picked, of=of), CHOICES) for command, text in part.items()}
+    return {command: found[command] for names in of for command in (command_of(names, choice) for choice in CHOICES)}
+
+
+def woven(named: Mapping[str, str]) -> dict:
     """Lines, and of each text its spans of them: where one begins, and how many lines it has. Most lines stand in many
     texts, further apart than gzip looks."""
     lines: list[str] = []
@@ -70,43 +73,13 @@ def woven(named: Mapping[str, str]) -> tuple[list[str], dict[str, list[int]]]:
             else:
                 of_text += [place, count]
             rest = rest[count:]
-    return lines, spans
+    return {"lines": lines, "texts": spans}
 
 
-def written(named: Mapping[str, str]) -> str:
-    """The file, of which a change shows the lines that changed."""
-    lines, spans = woven(named)
-    rows = [json.dumps(line) for line in lines], [f"{json.dumps(name)}: {of}" for name, of in spans.items()]
-    return '{{"lines": [\n{}\n], "texts": {{\n{}\n}}}}\n'.format(*map(",\n".join, rows))
+def data(tell: Callable[[str], None] = lambda _: None) -> dict:
+    """The texts, woven, as library.js of the playground reads them."""
+    def made() -> dict[str, str]:
+        return {NAME: json.dumps(woven(texts(calls(), tell)))}
 
-
-def unwoven(file: str) -> dict[str, str]:
-    """The texts that written() wrote."""
-    made = json.loads(file)
-    return {command: "".join(f"{line}\n" for place, count in zip(spans[::2], spans[1::2])
-                             for line in made["lines"][place:place + count])
-            for command, spans in made["texts"].items()}
-
-
-def main(arguments: Sequence[str] | None = None) -> int:
-    parser = Parser("tools/make picks", __doc__)
-    parser.add_argument("--check", action="store_true", help="write nothing")
-    check = parser.parse_args(arguments).check
-    try:
-        text = written(texts(calls(), lambda step: print(step, file=sys.stderr, flush=True)))
-    except Unknown as error:
-        parser.exit(1, f"tools/make picks: {error}\n")
-    if not check:
-        try:
-            FILE.write_text(text, encoding="utf-8")
-        except OSError as error:
-            parser.exit(2, f"tools/make picks: cannot write {FILE}: {error.strerror}\n")
-        print(FILE.resolve())
-    elif not FILE.is_file() or FILE.read_text(encoding="utf-8") != text:
-        print(f"{FILE}: it is not what tools/make picks writes", file=sys.stderr)
-        return 1
-    return 0
-
-
-if __name__ == "__main__":
-    sys.exit(main())
+    sources = [*glsl_files().values(), *(ROOT / "catalog").glob("*.toml"), *modules.files_of([Path(__file__)])]
+    return json.loads((kept(FOLDER, sources, made) / NAME).read_text(encoding="utf-8"))

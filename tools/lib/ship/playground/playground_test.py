@@ -16,12 +16,10 @@ from unittest import mock
 
 import ship.playground.command as command
 import ship.playground.page as page
-from base.thorough import THOROUGH
 from base.tree import TOOLS, version
 from ship.playground import picks
 from ship.playground.library import definitions, library, modules, of_pictures, written
-
-MOST_BYTES = 505_000
+from translate.pick.command import Choice
 
 
 class Page(unittest.TestCase):
@@ -31,15 +29,16 @@ class Page(unittest.TestCase):
         cls.modules = dict(modules(cls.told.append))  # which takes seconds
         with mock.patch("ship.playground.library.modules", lambda _: cls.modules.items()):
             cls.library = library(cls.told.append)
+        cls.picks = picks.woven({"tools/pick hn_a": "a\n"})  # the test playground.page makes a page of all texts
         cls.text = cls.made(cls)
 
     def made(self) -> str:
-        with mock.patch.object(page, "library", lambda _: self.library):
+        with mock.patch.object(page, "library", lambda _: self.library), \
+                mock.patch.object(picks, "data", lambda _: self.picks):
             return page.page()
 
-    def test_it_is_one_small_file_that_is_the_same_each_time(self):
+    def test_it_is_one_file_that_is_the_same_each_time(self):
         self.assertEqual(self.made(), self.text)
-        self.assertLess(len(self.text), MOST_BYTES)
         self.assertNotIn("{{", self.text)
         self.assertNotRegex(self.text, r'(?i)(?:src|href)="(?!data:)')
         self.assertNotRegex(self.text, r"\bimport\(|@import|url\((?!data:)")
@@ -63,7 +62,7 @@ class Page(unittest.TestCase):
         self.assertIn("#define HN_HASH_LATTICE 8", self.library["glsl"]["config.glsl"])
         self.assertEqual(len(self.library["wgsl"]["settings"]), 16)
         packed = re.search(r'id="picks">([^<]*)<', self.text)[1]
-        self.assertEqual(json.loads(gzip.decompress(base64.b64decode(packed))), json.loads(picks.FILE.read_text()))
+        self.assertEqual(json.loads(gzip.decompress(base64.b64decode(packed))), self.picks)
 
     def test_the_settings_of_wgsl_are_those_of_the_whole_library(self):
         def entries(found):
@@ -83,31 +82,31 @@ class Page(unittest.TestCase):
 
 
 class Picks(unittest.TestCase):
-    SOME = (["hn_value1"], ["hn_random3"])
-
     @staticmethod
-    def differing(file: str, texts: dict[str, str]) -> list[str]:
-        """The commands whose texts in the file are not these."""
-        in_file = picks.unwoven(file)
-        return [command for command, text in texts.items() if in_file.get(command) != text]
+    def unwoven(data: dict) -> dict[str, str]:
+        return {command: "".join(f"{line}\n" for place, count in zip(spans[::2], spans[1::2])
+                                 for line in data["lines"][place:place + count])
+                for command, spans in data["texts"].items()}
 
-    def test_they_are_what_tools_pick_writes_and_another_text_is_noticed(self):
-        file = picks.FILE.read_text(encoding="ascii")
-        calls = picks.calls()
-        with mock.patch.object(picks, "picker", lambda: lambda names, choice: ""):
-            self.assertEqual(set(picks.unwoven(file)), set(picks.texts(calls)), "run tools/make picks")
-        texts = picks.texts(calls if THOROUGH else self.SOME)
-        self.assertEqual(self.differing(file, texts), [], "run tools/make picks")
-        one, other = "tools/pick hn_value1", "tools/pick hn_random3 --language wgsl"
-        wrong = texts | {one: texts[other], other: texts[other].replace("0x", "0X", 1)}
-        self.assertCountEqual(self.differing(picks.written(wrong), texts), [one, other])
+    def test_they_are_made_once(self):
+        steps = []
+        with tempfile.TemporaryDirectory() as folder, mock.patch.object(picks, "FOLDER", Path(folder) / "picks"), \
+                mock.patch.object(picks, "calls", lambda: [["hn_random3"]]), \
+                mock.patch.object(picks, "CHOICES", [Choice("wgsl", "fixed"), Choice()]):
+            data = picks.data(steps.append)
+            self.assertEqual(picks.data(steps.append), data)
+        self.assertEqual(steps, ["Picking what 1 pictures call, in 2 texts each, which takes a minute at first ..."])
+        written = self.unwoven(data)
+        self.assertEqual([*written], ["tools/pick hn_random3 --language wgsl --arithmetic fixed", "tools/pick hn_random3"])
+        done = subprocess.run([TOOLS / "pick", "hn_random3"], capture_output=True, text=True, check=True)
+        self.assertEqual(written["tools/pick hn_random3"], done.stdout.replace("tools/pick hn_random3", picks.COMMAND))
 
     def test_lines_that_are_alike_are_there_once(self):
         named = {"a": "1\n2\n3\n", "b": "0\n2\n3\n1\n2\n", "c": "2\n3\n0\n2\n", "d": ""}
-        lines, spans = picks.woven(named)
-        self.assertEqual(lines, ["1", "2", "3", "0"])
-        self.assertEqual(spans, {"a": [0, 3], "b": [3, 1, 1, 2, 0, 2], "c": [1, 3, 1, 1], "d": []})
-        self.assertEqual(picks.unwoven(picks.written(named)), named)
+        data = picks.woven(named)
+        self.assertEqual(data["lines"], ["1", "2", "3", "0"])
+        self.assertEqual(data["texts"], {"a": [0, 3], "b": [3, 1, 1, 2, 0, 2], "c": [1, 3, 1, 1], "d": []})
+        self.assertEqual(self.unwoven(data), named)
 
 
 class Script(unittest.TestCase):
@@ -152,19 +151,6 @@ class Command(unittest.TestCase):
             self.assertEqual(command.main(), 0)
             path = Path(folder).resolve() / "a" / "page.html"
             self.assertEqual((out.getvalue(), path.read_text()), (f"{path}\n", "the page"))
-
-    def test_picks_are_written_where_the_page_reads_them(self):
-        with tempfile.TemporaryDirectory() as folder, mock.patch.object(picks, "FILE", Path(folder) / "picks.json"), \
-                mock.patch.object(picks, "calls", lambda: [["hn_random3"]]), \
-                contextlib.redirect_stdout(io.StringIO()) as out, contextlib.redirect_stderr(io.StringIO()) as err:
-            self.assertEqual(picks.main([]), 0)
-            self.assertEqual(out.getvalue(), f"{picks.FILE.resolve()}\n")
-            self.assertEqual(err.getvalue(), "Picking what 1 pictures call, in 6 texts each ...\n")
-            self.assertEqual(picks.unwoven(picks.FILE.read_text()), picks.texts([["hn_random3"]]))
-            self.assertEqual(picks.main(["--check"]), 0)
-            picks.FILE.write_text("{}")
-            self.assertEqual(picks.main(["--check"]), 1)
-            self.assertTrue(err.getvalue().endswith(f"{picks.FILE}: it is not what tools/make picks writes\n"))
 
     def test_the_picture_is_that_of_the_page_and_its_status_counts(self):
         with tempfile.TemporaryDirectory() as folder, mock.patch.object(command, "page", lambda _: "the page"), \

@@ -9,7 +9,7 @@ folder=$1 python=$2 library=${3-} manylinux=${4-}
 
 mkdir -p "$build"
 : >"$log"
-packages=(cmake g++ ninja-build)
+packages=(cmake g++ libfmt-dev ninja-build)
 # A Python of the user's own has what Debian's is without.
 if ! "$python" -c 'if True:
     import ensurepip, pathlib, sysconfig, venv
@@ -30,6 +30,7 @@ if ! "$python" -c 'import sys; sys.exit(sys.prefix == sys.base_prefix)' || ! "${
   logged "Making a virtual environment for the build" "There is no virtual environment for the build" \
     "$python" -m venv "$scratch/builds"
 fi
+logged "Making the vectors" "The vectors could not be made" "$root/tools/make" vectors
 # Objects are kept, so that the next wheel takes less time. Others may have any set.
 settings=("--config-settings=build-dir=$build/python/{wheel_tag}"
   "--config-settings=cmake.define.HASHNOISE_INSTRUCTION_SETS=all")

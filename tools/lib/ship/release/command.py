@@ -11,6 +11,7 @@ from pathlib import Path
 
 from base.tree import ROOT, version
 from base.usage import Parser, near
+from proof.vectors.files import NoVectors
 from ship.release.files import PARTS, NoRelease, Release, named, notes, run
 
 DESCRIPTION = textwrap.dedent("""\
@@ -90,7 +91,7 @@ def main(arguments: list[str] | None = None) -> int:
     parsed = parsed_arguments(arguments)
     try:
         make(parsed.folder.resolve(), parsed.parts, parsed.trial)
-    except NoRelease as error:
+    except (NoRelease, NoVectors) as error:
         print(f"tools/pack release: {error}", file=sys.stderr)
         return 1
     except OSError as error:

@@ -10,11 +10,13 @@ import subprocess
 import tempfile
 from pathlib import Path
 
-from base.tree import HN_CONFORM, ROOT, TOOLS, VECTORS, version
+from base.tree import HN_CONFORM, ROOT, TOOLS, version
 from catalog.tables import glsl
+from proof.vectors.files import vectors_folder
 from ship.recipes import RECIPES
 from ship.release import sbom
 from ship.zips import zipped
+from translate.pick import pages as snippets
 from translate.single_file.files import text
 
 
@@ -76,13 +78,20 @@ class Release:
 
     def vectors(self) -> None:
         """What ports are held to."""
-        files = {f"vectors/{path.name}": path.read_bytes() for path in sorted(VECTORS.glob("*.json"))}
+        files = {f"vectors/{path.name}": path.read_bytes() for path in sorted(vectors_folder().glob("*.json"))}
         (self.folder / f"hashnoise-{self.version}-vectors.zip").write_bytes(zipped(files, self.seconds))
+
+    def snippets(self) -> None:
+        """Functions to paste, in each language. Links to other pages lead nowhere from there."""
+        files = {f"snippets/{path.name}": re.sub(r"\[([^\]]+)\]\(\.\./[^)]*\)", r"\1", path.read_text("utf-8")).encode()
+                 for path in sorted(snippets.whole().iterdir())}
+        (self.folder / f"hashnoise-{self.version}-snippets.zip").write_bytes(zipped(files, self.seconds))
 
     def headers(self) -> None:
         """What is installed of the library without anything compiled, so find_package takes it from where it is."""
         with tempfile.TemporaryDirectory() as scratch:
             log = {"stderr": subprocess.STDOUT}
+            vectors_folder()  # CMake installs them where they are made
             run(["cmake", "-S", ROOT, "-B", f"{scratch}/build", "-G", "Ninja", "-DHASHNOISE_GRID=OFF",
                  "-DHASHNOISE_CONFORMANCE=OFF", "-DHASHNOISE_TESTS=OFF", "-DHASHNOISE_INSTALL=ON",
                  "-DCMAKE_INSTALL_LIBDIR=lib"], **log)
@@ -93,9 +102,11 @@ class Release:
             (self.folder / f"hashnoise-{self.version}-headers.zip").write_bytes(zipped(files, self.seconds))
 
     def source(self) -> None:
+        """What is committed, and the vectors, so that who builds of it needs nothing to make them."""
         name = f"hashnoise-{self.version}"
-        packed = subprocess.run(["git", "-C", ROOT, "archive", "--format=tar", f"--prefix={name}/", "HEAD"],
-                                stdout=subprocess.PIPE, check=True).stdout
+        added = [f"--add-file={path}" for path in sorted(vectors_folder().glob("*.json"))]
+        packed = subprocess.run(["git", "-C", ROOT, "archive", "--format=tar", f"--prefix={name}/vectors/", *added,
+                                 f"--prefix={name}/", "HEAD"], stdout=subprocess.PIPE, check=True).stdout
         (self.folder / f"{name}-source.tar.gz").write_bytes(gzip.compress(packed, mtime=self.seconds))
 
     def playground(self) -> None:
@@ -127,10 +138,11 @@ class Release:
 
 
 PARTS = ("single", "parts", "vectors", "headers", "source", *(name for name in RECIPES if name != "release"),
-         "playground", "check")
+         "playground", "snippets", "check")
 # What must be there of each, so that a tool that makes something else is noticed.
 NAMES = {"single": r"hashnoise(\.min|\.fixed)?\.(glsl|hlsl|metal|wgsl)", "parts": r"hashnoise-VERSION-parts\.zip",
          "vectors": r"hashnoise-VERSION-vectors\.zip",
+         "snippets": r"hashnoise-VERSION-snippets\.zip",
          "headers": r"hashnoise-VERSION-headers\.zip",
          "source": r"hashnoise-VERSION-source\.tar\.gz", "npm": r"hashnoise-VERSION\.tgz",
          "python": r"hashnoise-VERSION-[\w.-]+\.whl",

@@ -7,17 +7,19 @@ import os
 import re
 import shutil
 import subprocess
+import tarfile
 import tempfile
 import unittest
 import zipfile
 from pathlib import Path
 from unittest import mock
 
-from base.tree import ROOT, TOOLS, VECTORS, version
+from base.tree import ROOT, TOOLS, version
+from proof.vectors.files import vectors_folder
 from ship.release import files
 
 # Enough of the tree for what is tried here.
-COPIED = ("CMakeLists.txt", "LICENSE", "glsl", "include", "packages/npm/package.json",
+COPIED = ("CMakeLists.txt", "LICENSE", "catalog/asked.toml", "glsl", "include", "packages/npm/package.json",
           "packages/wesl/Cargo.toml", "pyproject.toml", "tools")
 CHEAP = "single,parts,vectors,headers,source"
 
@@ -36,9 +38,10 @@ class Project(unittest.TestCase):
             copy = shutil.copytree if (ROOT / name).is_dir() else shutil.copy
             (cls.original / name).parent.mkdir(parents=True, exist_ok=True)
             copy(ROOT / name, cls.original / name)
-        (cls.original / "vectors").mkdir()  # some are enough
-        for path in (VECTORS / "index.json", VECTORS / "hash.word.json"):
-            shutil.copy(path, cls.original / "vectors")
+        (cls.original / "vectors").mkdir()  # some are enough, and none is committed
+        (cls.original / ".gitignore").write_text("/vectors/\n")
+        for name in ("index.json", "hash.word.json"):
+            shutil.copy(vectors_folder() / name, cls.original / "vectors")
         changelog = f"# Changelog\n\n## {version()} (2026-11-22)\n\n- It is [there](docs/x.md).\n\n## 0.0.1 (2025-01-01)\n\n- Old.\n"
         (cls.original / "CHANGELOG.md").write_text(changelog)
         # Of one pack fewer files are copied than of a thousand objects.
@@ -76,14 +79,18 @@ class Makes(Project):
             done = self.call("--only", CHEAP, out=out)
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertEqual(done.stdout, f"{out}\n")
-            self.assertIn("Without npm, python, rust, wesl, glsl-noise, unity, unreal, blender, materialx, isf, godot, playground, check.", done.stderr)
+            self.assertIn("Without npm, python, rust, wesl, glsl-noise, unity, unreal, blender, materialx, isf, godot, playground, snippets, check.", done.stderr)
         names = {path.name for path in self.out.iterdir()}
         self.assertEqual(names, {path.name for path in other.iterdir()})
         for name in names:
             self.assertEqual((self.out / name).read_bytes(), (other / name).read_bytes(), name)
         with zipfile.ZipFile(next(self.out.glob("*-vectors.zip"))) as packed:
             self.assertEqual(packed.namelist(), ["vectors/hash.word.json", "vectors/index.json"])
-            self.assertEqual(packed.read("vectors/index.json"), (VECTORS / "index.json").read_bytes())
+            self.assertEqual(packed.read("vectors/index.json"), (vectors_folder() / "index.json").read_bytes())
+        with tarfile.open(next(self.out.glob("*-source.tar.gz"))) as packed:
+            top = f"hashnoise-{version()}"
+            self.assertLess({f"{top}/vectors/index.json", f"{top}/vectors/hash.word.json", f"{top}/LICENSE"},
+                            {*packed.getnames()})
         listed = json.loads((self.out / f"hashnoise-{version()}.cdx.json").read_text())["components"]
         self.assertEqual({one["name"] for one in listed},
                          names - {"SHA256SUMS", f"hashnoise-{version()}.cdx.json"})

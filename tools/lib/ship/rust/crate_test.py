@@ -10,11 +10,10 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
-from base.tree import VECTORS, version
+from base.tree import GOLDEN, version
 from catalog.tables.functions import read_functions
 from ship import command
 from ship.rust import files
-from translate.pick.program import public
 from translate.pick.scalars import bare
 
 FUNCTIONS = {function.id: function for function in read_functions()}
@@ -40,7 +39,7 @@ class Calls(unittest.TestCase):
 
     def test_every_function_of_the_crate_is_called(self) -> None:
         table, needed = files.calls((*files.MODULES, "hash"))
-        known = public(files.library("fixed"))
+        known = files.library("fixed").forms
         all_names = {bare(name) for functions in (*files.MODULES.values(), files.HASHES)
                      for name in files.of_module(known, *functions)}
         called = set(re.findall(r"(?:fast|fixed|hash)::(\w+)\(", table))
@@ -48,7 +47,7 @@ class Calls(unittest.TestCase):
         # Of places the vectors have those alone at which there is noise.
         of_places = {bare(name) for name in files.of_module(known, *files.MODULES["place"])}
         self.assertEqual(all_names - called - of_places, set())
-        self.assertTrue(all((VECTORS / f"{id}.json").is_file() for id in needed))
+        self.assertTrue(all((GOLDEN / f"{id}.golden").is_file() for id in needed))
         self.assertGreater(len(all_names), 100)
 
 

@@ -6,18 +6,18 @@ import re
 from collections.abc import Sequence
 from concurrent.futures import ProcessPoolExecutor
 from functools import cache
-from pathlib import Path
 from typing import NamedTuple
 
-from base.tree import GLSL, ROOT, VECTORS, version
+from base.tree import GLSL, ROOT, version
 from base.usage import near
 from catalog import asked
 from catalog.tables.functions import Function, read_functions
+from proof.vectors.files import vectors_folder
 from ship.packing import Refused, of_cargo, own_files
 from translate.parsing.syntax import Function as Declared
 from translate.pick import command
 from translate.pick.evaluate import Module
-from translate.pick.program import Program, facts, name_of, names, public, read
+from translate.pick.program import Program, facts, name_of, names, read
 from translate.pick.rust import Rust
 from translate.pick.scalars import bare, text
 
@@ -56,7 +56,7 @@ def of_module(known: dict[str, Declared], functions: Sequence[str], most: int) -
 def written(made: Made) -> str:
     """The text of a module. Places are those of the module `place`, so that all modules have the same."""
     of = library(made.arithmetic)
-    known = public(of)
+    known = of.forms
     functions = [known[name] for name in of_module(known, *(HASHES if made.module == "hash" else MODULES[made.module]))]
     program = Program(of, functions)
     shown = text(program, Rust(False), facts(program, GLSL, False), [])
@@ -113,8 +113,7 @@ def argument(kind: str, word: int) -> str:
 
 def call(function: Function, name: str, module: str) -> str:
     """The expression that calls a function with the words of a row."""
-    columns = dict(column.split(":") for column in function.inputs.split())
-    words = {column: argument(kind, i) for i, (column, kind) in enumerate(columns.items())}
+    words = {column.name: argument(column.type, i) for i, column in enumerate(function.inputs)}
     n = function.axes
 
     def along(prefix: str) -> list[str]:
@@ -140,7 +139,7 @@ def call(function: Function, name: str, module: str) -> str:
 
 def calls(modules: Sequence[str]) -> tuple[str, list[str]]:
     """The table of the tests, and the functions whose vectors it needs."""
-    known, declared, rows, needed = names(), public(library("fixed")), [], []
+    known, declared, rows, needed = names(), library("fixed").forms, [], []
     of_hash = of_module(declared, *HASHES)
     of_noise = {name for module in modules if module in MODULES for name in of_module(declared, *MODULES[module])}
     for function in read_functions():
@@ -188,7 +187,7 @@ def package(only: str = ",".join(ALL)) -> dict[str, str]:
     for arithmetic in ARITHMETICS:
         found[f"src/{arithmetic}.rs"] = module_file(arithmetic, of_arithmetic)
     found["tests/vectors/calls.rs"], needed = calls(modules)
+    vectors = vectors_folder()
     for id in needed:
-        path = Path(VECTORS, f"{id}.json")
-        found[f"vectors/{path.name}"] = path.read_text(encoding="ascii")
+        found[f"vectors/{id}.json"] = (vectors / f"{id}.json").read_text(encoding="ascii")
     return found

@@ -18,7 +18,8 @@ import sys
 import unittest
 from pathlib import Path
 
-from base.tree import VECTORS, version
+from base.tree import version
+from proof.vectors.files import vectors_folder
 from ship.packing_support import made
 from ship.unity import files
 from translate.hlsl.compilers import missing as missing_compilers
@@ -97,7 +98,7 @@ class Package(unittest.TestCase):
         self.assertEqual(named, re.findall(r"^void (\w+)_float\(", shader, re.MULTILINE))
 
     def test_csharp_has_the_values_of_the_vectors(self) -> None:
-        rows = next(setting for setting in json.loads((VECTORS / "noise2d.perlin.json").read_text())["settings"]
+        rows = next(setting for setting in json.loads((vectors_folder() / "noise2d.perlin.json").read_text())["settings"]
                     if setting["name"] == "lattice+fixed")["rows"]
         calls = "".join("        Show(HashNoiseFixed.Perlin2(Number(0x{}u), Number(0x{}u), 0x{}u));\n"
                         .format(*row["words"].split()) for row in rows)

@@ -23,6 +23,7 @@ from base.pypi import environment
 from base.tree import ROOT, TOOLS
 from base.usage import Parser
 from ship.website import pages
+from translate.pick import pages as snippets
 
 HERE = Path(__file__).parent
 ENVIRONMENT = ROOT / "build" / "site-environment"
@@ -78,6 +79,7 @@ def make(out: Path) -> None:
         source, made = Path(scratch) / "source", Path(scratch) / "made"
         (source / "extra").mkdir(parents=True)
         pages.write(ROOT, source, MORE)
+        shutil.copytree(snippets.whole(), source / "docs" / "snippets", dirs_exist_ok=True)
         extra(source / "extra")
         shutil.copyfile(HERE / "live.js", source / "extra" / "live.js")
         build(source, made)

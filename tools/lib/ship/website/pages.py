@@ -23,7 +23,7 @@ GROUPS = {
     "Your driver": ["conformance", "checks", "faults", "suite", "formats"],
     "Work on hashnoise": ["internals", "one-noise", "adding", "release", "publishing"],
 }
-TOP = ("CHANGELOG", "CONTRIBUTING", "CODE_OF_CONDUCT", "SECURITY", "results/README", "conformance/run/expect/README")
+TOP = ("CHANGELOG", "CONTRIBUTING", "CODE_OF_CONDUCT", "SECURITY", "conformance/run/expect/README")
 # The page of a package that a command makes; pages of docs/ lead there.
 PACKAGE = re.compile(r"packages/[\w-]+/README\.md")
 # What the site makes of a page.

@@ -10,9 +10,10 @@ from functools import cache
 from base.tree import GLSL, ROOT, version
 from ship.packing import of_cargo, of_npm
 from ship.recipes import RECIPES
-from translate.wgsl.module import Module, Settings
-from translate.wgsl.names import RESERVED
-from translate.wgsl.translator import Definition
+from translate.settings import Settings
+from translate.wgsl.module import Module
+from translate.names import RESERVED
+from translate.wgsl.writer import Definition
 
 PACKAGE = ROOT / "packages" / "wesl"
 NAME = RECIPES["wesl"].name  # by which it is imported, and what npm and cargo call it

@@ -13,7 +13,7 @@ from pathlib import Path
 from base.tree import version
 from ship import command
 from ship.wesl import files
-from translate.wgsl.names import RESERVED, is_public
+from translate.names import RESERVED, is_public
 
 
 class Names(unittest.TestCase):

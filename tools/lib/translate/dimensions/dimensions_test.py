@@ -150,6 +150,16 @@ class Files(unittest.TestCase):
         self.assertEqual(files.made({"detail/a2d.glsl": plane, "detail/a3d.glsl": space}),
                          {"detail/a3d.glsl": f"three\n{SAME}hn_place3\n{files.BY_HAND}hand 3\n{SAME}hn_vec3\n"})
 
+    def test_a_file_of_several_dimensions(self):
+        same = "// The same in 1 and 3 dimensions: tools/make writes it of detail/a2d.glsl.\n"
+        plane = (f"hn_int f() {{}}\n{same}\n// A place.\n{struct('2', 'ivec2')}\n#if A\nHN_FN hn_int f(hn_place2 p) {{}}\n"
+                 f"#endif\n{files.BY_HAND}hand 2\n")
+        made = (f"{same}\n// A place.\n{struct('1', 'int')}{struct('3', 'ivec3')}\n#if A\nHN_FN hn_int f(hn_place1 p) {{}}\n"
+                f"HN_FN hn_int f(hn_place3 p) {{}}\n#endif\n")
+        by_hand = f"{files.BY_HAND}hand 3\n"
+        self.assertEqual(files.made({"detail/a2d.glsl": plane, "a.glsl": f"two\n{same}old\n{by_hand}"}),
+                         {"a.glsl": f"two\n{made}{by_hand}"})
+
     def test_a_whole_file_with_a_part_by_hand(self):
         same = SAME.replace("a2d", "warp2d")
         numbers = IN_SPACE["warp2d.glsl"]

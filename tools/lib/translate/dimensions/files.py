@@ -1,8 +1,9 @@
 """Which texts are made of those of the plane, and where they stand.
 
 A file may be made as a whole. In others a line says from where on the text is made: of what stands in the file of the
-plane below the same line, as far as the next line that says by hand. Where a file has all dimensions, a line says that
-what is below it is made of what is above it, each as far as an empty line or a directive.
+plane below the same line, as far as the next line that says by hand. Where a file has several dimensions, the line names
+them. Where it has all of them, a line says that what is below it is made of what is above it, each as far as an empty
+line or a directive.
 """
 
 from __future__ import annotations
@@ -21,7 +22,8 @@ WITHOUT_PAPERS_GRADIENT = (1, 4)  # the paper has Perlin noise in 2D and 3D
 RESULTS_STAY = ("cellular2d.glsl", "cellular_phase2d.glsl", "cellular_three2d.glsl")  # as many distances everywhere
 
 BY_HAND = "// By hand in each dimension.\n"
-OF_FILE = r"// The same [^\n]*: tools/make writes it of \w+2d\.glsl\.\n"
+OF_FILE = r"// The same [^\n]*: tools/make writes it of [\w/]+2d\.glsl\.\n"
+IN_SEVERAL = re.compile(r"// The same in ([134](?:, [134])*(?: and [134])?) dimensions:")
 OF_ABOVE = r"// The same in ([134](?:, [134])*(?: and [134])?) dimensions: tools/make writes it\.\n"
 MARK = re.compile(rf"^({BY_HAND}|{OF_FILE})", re.MULTILINE)
 BELOW = re.compile(rf"^{OF_ABOVE}", re.MULTILINE)
@@ -68,9 +70,18 @@ def of_whole(source: str, n: int, texts: Mapping[str, str]) -> str:
     return f"{head}\n//\n// Made from {source} by tools/make.{note}{blank}{rest}"
 
 
+def of_zone(file: str, mark: str, source: str, plane: str) -> str:
+    """What is made of a part of the file of the plane. Where it is in several dimensions, each of its functions is in
+    all of them, below the same comment."""
+    if several := IN_SEVERAL.match(mark):
+        return ITEM.sub(lambda item: "".join(transformed(source, item[0], int(n)) for n in re.findall(r"\d", several[1])),
+                        plane)
+    return transformed(source, plane, int(file[-len("2d.glsl")]))
+
+
 def of_zones(file: str, texts: Mapping[str, str]) -> str:
     """A file with what is made in it of the file of the plane."""
-    n, (first, *others) = int(file[-len("2d.glsl")]), zones(texts[file], BY_HAND)
+    first, *others = zones(texts[file], BY_HAND)
     made, marks = first[1], [mark for mark, _ in others]
     for at, (mark, text) in enumerate(others):
         if mark != BY_HAND:
@@ -78,7 +89,7 @@ def of_zones(file: str, texts: Mapping[str, str]) -> str:
             same = [part for other, part in zones(texts.get(source, ""), BY_HAND) if other == mark]
             if len(same) != marks.count(mark):
                 raise Unclear(f"{file} needs as many lines `{mark.strip()}` as {source}")
-            text = transformed(source, same[marks[:at].count(mark)], n)
+            text = of_zone(file, mark, source, same[marks[:at].count(mark)])
         made += mark + text
     return made
 

@@ -16,10 +16,8 @@ import re
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
-from translate.parsing.tokens import NUMBER, SIGN, WORD
+from translate.parsing.tokens import TOKEN
 
-# What stands before a token (blanks, comments and directives), and the token.
-TOKEN = re.compile(rf"((?:\s|//[^\n]*|#(?:[^\n\\]|\\\n)*)*)({NUMBER}|{WORD}|{SIGN}|[^\s\w]|$)")
 AXES = "xyzw"
 OPENING, CLOSING = ("(", "[", "{"), (")", "]", "}")
 OPERATORS = ("+", "^", "|", "&")  # of which the operands may be a pair
@@ -47,7 +45,8 @@ Tokens = Sequence[Token]
 
 
 def tokens_of(text: str) -> list[Token]:
-    return [Token(match[1], match[2], text.count("\n", 0, match.start(2))) for match in TOKEN.finditer(text)]
+    return [Token(match["lead"], match[match.lastgroup], text.count("\n", 0, match.start(match.lastgroup)))
+            for match in TOKEN.finditer(text)]
 
 
 def text_of(tokens: Tokens) -> str:

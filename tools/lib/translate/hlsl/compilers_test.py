@@ -24,7 +24,7 @@ from base.tree import GLSL, ROOT, TOOLS
 from translate.hlsl.compilers import Compiled, Fxc, compile_by_dxc, dxc
 from translate.pick import command
 from translate.pick.languages_test import module as split_module
-from translate.pick.program import Program, chosen, public, read
+from translate.pick.program import Program, chosen, read
 from translate.pick.shading import LANGUAGES
 from translate.pick.shading_runners import Case, HlslRunner
 
@@ -71,7 +71,7 @@ def picked(arithmetic: str, first: int, step: int) -> dict[str, str]:
     runner = object.__new__(HlslRunner)  # its texts alone
     precise = arithmetic == "precise"
     found = {}
-    for name, function in list(public(of).items())[first::step]:
+    for name, function in list(of.forms.items())[first::step]:
         text = Program(whole, chosen(whole, [name])).text(LANGUAGES["hlsl"], precise)
         found[f"{name}.{arithmetic}"] = text + runner.entry_of(Case(of, function, text, b"", 0), 1)
     return found

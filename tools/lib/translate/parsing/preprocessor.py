@@ -5,15 +5,19 @@ Such a macro becomes a constant of the WGSL module, so that its name stays in th
 
 from __future__ import annotations
 
+import functools
 import operator
 import posixpath
 import re
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import NamedTuple
 
 from translate.parsing.tokens import Token, Unknown, tokens_of
 
 DIRECTIVE = re.compile(r"\s*#\s*(\w+)\s*(.*)")
+NAME = re.compile(r"(\w+)\s*\(")  # the first of a head
 DEFINE = re.compile(r"(\w+)(\(([\w\s,]*)\))?\s*(.*)")
 BINARY = {  # of the conditions of #if, by how strongly they bind
     "||": (1, lambda a, b: int(bool(a) or bool(b))), "&&": (2, lambda a, b: int(bool(a) and bool(b))),
@@ -38,17 +42,70 @@ class Constant:
     comment: str
 
 
+class Line(NamedTuple):
+    """A line of code without its comment."""
+    code: str
+    path: str
+    number: int
+    before: tuple[str, ...]  # the comments above it
+    after: str               # the comment behind it
+
+    def tokens(self) -> list[Token]:
+        tokens = list(tokens_of(self.code, self.path, self.number))
+        if self.before:
+            tokens[0] = tokens[0]._replace(before=self.before)
+        if self.after:
+            tokens[-1] = tokens[-1]._replace(after=self.after)
+        return tokens
+
+
+class Item:
+    """A definition, whose tokens are made when they are asked for. `function` is the name of one, as far as it shows."""
+
+    def __init__(self, lines: list[Line], expanded: Callable[[list[Token]], list[Token]], macros: Mapping[str, Macro]):
+        self._lines = lines
+        self._expanded = expanded
+        text = ""
+        for line in lines:
+            text += f"{line.code} "
+            if "{" in line.code:
+                break
+        head, brace, _ = text.partition("{")
+        name = NAME.search(head) if brace and not head.startswith("struct ") else None
+        self.function = name[1] if name and name[1] not in macros else ""
+
+    @functools.cached_property
+    def _parts(self) -> tuple[list[Token], list[Token], list[Line]]:
+        """What is as far as the first {, what is behind it on its line, and the lines below."""
+        tokens: list[Token] = []
+        for count, line in enumerate(self._lines, 1):
+            tokens += line.tokens()
+            if "{" in line.code:
+                break
+        end = next((i for i, token in enumerate(tokens, 1) if token.text == "{"), len(tokens))
+        return self._expanded(tokens[:end]), tokens[end:], self._lines[count:]
+
+    @property
+    def head(self) -> list[Token]:
+        return self._parts[0]
+
+    def rest(self) -> list[Token]:
+        _, tokens, lines = self._parts
+        return self._expanded(tokens + [token for line in lines for token in line.tokens()])
+
+
 class Preprocessor:
-    """The tokens of a text, in the order in which a compiler sees them."""
+    """The definitions of a text, in the order in which a compiler sees them."""
 
     def __init__(self, library: Path, settings: dict[str, str]):
         self.library = library
         self.macros: dict[str, Macro] = {}
         self.constants: dict[str, Constant] = {}
-        self.tokens: list[Token] = []
-        self._chunk: list[Token] = []    # what is not expanded yet
+        self.items: list[Item] = []
+        self._chunk: list[Line] = []     # what is no item yet
         self._heading = ""               # the first line of the file, above its first token
         self._comments: list[str] = []   # above the next token
+        self._guards: dict[str, str] = {}  # of files that a macro leaves out as a whole if they are included again
         for name, value in settings.items():
             self._define(f"{name} {value}", "the options", 0, "")
 
@@ -61,7 +118,7 @@ class Preprocessor:
         self._define(text.rstrip(), text, 0, "")
 
     def expanded(self, line: str) -> str:
-        return " ".join(token.text for token in self._expanded(list(tokens_of(line, line, 0)), keep_constants=True))
+        return " ".join(token.text for token in self._expanded(list(tokens_of(line, line, 0)), self.macros, keep_constants=True))
 
     def stands_for(self, name: str, text: str) -> bool:
         """Whether a macro is defined as that text."""
@@ -75,27 +132,30 @@ class Preprocessor:
         self._heading = heading if heading.startswith("//") else ""
         taken = [True]      # of each open #if: whether its present branch is active
         finished = [False]  # and whether one of its branches was
+        guard, outside = "", 0  # what stands outside of a guard, or may
         for number, line in enumerate(text.split("\n"), 1):
             code, slashes, comment = line.partition("//")
-            comment = f"//{comment.rstrip()}" if slashes else ""
-            directive = DIRECTIVE.fullmatch(code.rstrip())
-            if directive:
+            if "#" in code and (directive := DIRECTIVE.fullmatch(code.rstrip())):
+                if len(taken) == 1:
+                    outside += 1
+                    guard = directive[2].strip() if directive[1] == "ifndef" and outside == 1 else ""
+                comment = f"//{comment.rstrip()}" if slashes else ""
                 self._direct(directive[1], directive[2].strip(), comment, path, number, taken, finished)
-            elif all(taken) and line != self._heading:
-                self._take(code, comment, path, number)
+            elif taken[-1] and all(taken) and line != self._heading:
+                outside += len(taken) == 1 and code.strip() != ""
+                self._take(code, f"//{comment.rstrip()}" if slashes else "", path, number)
         if len(taken) > 1:
             raise Unknown(f"{path}: an #if has no #endif")
+        if guard and outside == 1:
+            self._guards[path] = guard
 
     def _take(self, code: str, comment: str, path: str, line: int) -> None:
-        tokens = list(tokens_of(code, path, line))
-        if not tokens:
+        if not code.strip():
             self._comments.append(comment)
             return
         heading = [self._heading, ""] if self._heading else []
-        tokens[0] = tokens[0]._replace(before=(*heading, *self._comments))
-        tokens[-1] = tokens[-1]._replace(after=comment)
+        self._chunk.append(Line(code, path, line, (*heading, *self._comments), comment))
         self._heading, self._comments = "", []
-        self._chunk += tokens
 
     def _direct(self, name: str, rest: str, comment: str, path: str, line: int, taken: list[bool],
                 finished: list[bool]) -> None:
@@ -145,6 +205,9 @@ class Preprocessor:
         name = posixpath.normpath(posixpath.join(within, file[1])) if file else ""
         if not name or not (self.library / name).is_file():
             raise Unknown(f"{path}:{line}: there is no {rest} in {self.library}")
+        if self._guards.get(name, "") in self.macros:
+            self._comments = []
+            return
         self._flush()
         heading = self._heading
         self._read((self.library / name).read_text(encoding="ascii"), name)
@@ -175,11 +238,26 @@ class Preprocessor:
         return known and any(token.kind == "number" for token in macro.body)
 
     def _flush(self) -> None:
-        if self._chunk:
-            self.tokens += self._expanded(self._chunk, keep_constants=True)
-            self._chunk = []
+        """Makes items of what is whole, since macros are about to change."""
+        if not self._chunk:
+            return
+        macros = dict(self.macros)
+        item: list[Line] = []
+        depth = 0
+        for line in self._chunk:
+            item.append(line)
+            depth += line.code.count("{") - line.code.count("}")
+            if depth == 0 and "}" in line.code:
+                self._add(item, macros)
+                item = []
+        if item:
+            self._add(item, macros)
+        self._chunk = []
 
-    def _expanded(self, tokens: list[Token], keep_constants: bool) -> list[Token]:
+    def _add(self, lines: list[Line], macros: Mapping[str, Macro]) -> None:
+        self.items.append(Item(lines, lambda tokens: self._expanded(tokens, macros, keep_constants=True), macros))
+
+    def _expanded(self, tokens: list[Token], macros: Mapping[str, Macro], keep_constants: bool) -> list[Token]:
         stack = tokens[::-1]
         done: list[Token] = []
         comments: tuple[str, ...] = ()
@@ -188,7 +266,7 @@ class Preprocessor:
             if comments:
                 token = token._replace(before=comments + token.before)
                 comments = ()
-            macro = self.macros.get(token.text) if token.kind == "word" and token.text not in token.hidden else None
+            macro = macros.get(token.text) if token.kind == "word" and token.text not in token.hidden else None
             if macro is None or (keep_constants and token.text in self.constants):
                 done.append(token)
                 continue
@@ -202,12 +280,11 @@ class Preprocessor:
                 hidden = (token.hidden & last.hidden) | {macro.name}
                 if len(arguments) != len(macro.parameters) and not (arguments == [[]] and not macro.parameters):
                     raise token.error(f"{macro.name} has {len(arguments)} arguments instead of {len(macro.parameters)}")
-                values = {name: self._expanded(argument, keep_constants)
+                values = {name: self._expanded(argument, macros, keep_constants)
                           for name, argument in zip(macro.parameters, arguments)}
                 body = [part for piece in macro.body for part in values.get(piece.text, [piece])]
                 token = token._replace(after=last.after)
-            body = [part._replace(path=token.path, line=token.line, hidden=part.hidden | hidden, before=(),
-                                        after="") for part in body]
+            body = [Token(part.kind, part.text, token.path, token.line, (), "", part.hidden | hidden) for part in body]
             if body:
                 body[0] = body[0]._replace(before=token.before)
                 body[-1] = body[-1]._replace(after=token.after)
@@ -236,7 +313,7 @@ class Preprocessor:
     def _holds(self, text: str, path: str, line: int) -> bool:
         defined = re.sub(r"defined\s*(?:\(\s*(\w+)\s*\)|(\w+))",
                          lambda match: str(int((match[1] or match[2]) in self.macros)), text)
-        tokens = self._expanded(list(tokens_of(defined, path, line)), keep_constants=False)
+        tokens = self._expanded(list(tokens_of(defined, path, line)), self.macros, keep_constants=False)
         tokens.append(Token("end", "", path, line))
         value, rest = self._value(tokens, 0)
         if rest[0].kind != "end":

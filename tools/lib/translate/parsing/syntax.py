@@ -3,9 +3,12 @@ languages"). What is not in it is an error that names the place."""
 
 from __future__ import annotations
 
+import functools
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from typing import Union
+from typing import NamedTuple, Union
 
+from translate.parsing.preprocessor import Item
 from translate.parsing.tokens import Token
 
 SCALARS = ("float", "int", "uint", "bool")
@@ -155,21 +158,36 @@ class Parameter:
     is_set: bool  # out and inout
 
 
-@dataclass(frozen=True)
-class Function:
+class Head(NamedTuple):
     at: Token  # the name
     type: str
     parameters: tuple[Parameter, ...]
-    body: Block
     comments: Comments
+    read_body: Callable[[], Block]
 
-    @property
-    def name(self) -> str:
-        return self.at.text
 
-    @property
+class Function:
+    """Its head and its body are read when they are asked for: who picks a function needs few of a thousand."""
+
+    def __init__(self, name: str, read: Callable[[], Head]):
+        self.name = name
+        self._read = read
+
+    @functools.cached_property
+    def head(self) -> Head:
+        return self._read()
+
+    @functools.cached_property
+    def body(self) -> Block:
+        return self.head.read_body()
+
+    @functools.cached_property
     def types(self) -> tuple[str, ...]:
-        return tuple(parameter.type for parameter in self.parameters)
+        return tuple(parameter.type for parameter in self.head.parameters)
+
+    def __getattr__(self, name: str) -> object:
+        """What its head has: at, type, parameters and comments."""
+        return getattr(self.head, name)
 
 
 @dataclass(frozen=True)
@@ -183,18 +201,53 @@ class Struct:
         return self.at.text
 
 
+def definitions(items: Iterable[Item]) -> list[Function | Struct]:
+    """Of a text that was preprocessed."""
+    found: list[Function | Struct] = []
+    types = {*SCALARS, *VECTORS, "void"}
+    for item in items:
+        if item.function:
+            found.append(Function(item.function, functools.partial(_read_head, item, types)))
+        else:
+            found += Parser([*item.head, *item.rest()], types).parse()
+    return found
+
+
+def _read_head(item: Item, types: set[str]) -> Head:
+    parser = Parser(item.head, types)
+    head = parser.head()
+
+    def body() -> Block:
+        inside = Parser([item.head[-1], *item.rest()], types)
+        found = inside.block()
+        inside.end("a function")
+        return found
+
+    return head._replace(read_body=body)
+
+
 class Parser:
-    def __init__(self, tokens: list[Token]):
+    def __init__(self, tokens: list[Token], types: set[str] | None = None):
         last = tokens[-1] if tokens else Token("end", "", "an empty text", 1)
         self.tokens = [*tokens, Token("end", "", last.path, last.line)]
         self.position = 0
-        self.types = {*SCALARS, *VECTORS, "void"}
+        self.types = {*SCALARS, *VECTORS, "void"} if types is None else types
 
     def parse(self) -> list[Function | Struct]:
         found: list[Function | Struct] = []
         while self._next.kind != "end":
             found.append(self._struct() if self._next.text == "struct" else self._function())
         return found
+
+    def expression(self) -> Expression:
+        """One that is all of the text."""
+        found = self._expression()
+        self.end("an expression")
+        return found
+
+    def end(self, what: str) -> None:
+        if self._next.kind != "end":
+            raise self._next.error(f"{self._next} is not expected behind {what}")
 
     # Tokens.
 
@@ -249,7 +302,8 @@ class Parser:
         self._expect(";")
         return Struct(name, tuple(fields), comments)
 
-    def _function(self) -> Function:
+    def head(self) -> Head:
+        """Of a function, as far as its {."""
         comments = Comments(self._next.before)
         type_ = self._type()
         name = self._word("the name of a function")
@@ -261,11 +315,18 @@ class Parser:
             is_set = self._takes("out", "inout") is not None
             parameter_type = self._type()
             parameters.append(Parameter(self._word("the name of a parameter"), parameter_type, is_set))
-        return Function(name, type_, tuple(parameters), self._block(), comments)
+        if self._next.text != "{":
+            raise self._next.error(f"{self._next} stands where {{ is expected")
+        return Head(name, type_, tuple(parameters), comments, self.block)
+
+    def _function(self) -> Function:
+        head = self.head()
+        block = self.block()
+        return Function(head.at.text, lambda: head._replace(read_body=lambda: block))
 
     # Statements.
 
-    def _block(self) -> Block:
+    def block(self) -> Block:
         first = self.position
         self._expect("{")
         comments = self._comments(first)
@@ -279,12 +340,12 @@ class Parser:
 
     def _body(self) -> Block:
         """The block behind an if or a for; a statement on its own is one, too."""
-        return self._block() if self._next.text == "{" else Block((self._statement(),), Comments())
+        return self.block() if self._next.text == "{" else Block((self._statement(),), Comments())
 
     def _statement(self) -> Statement:
         first = self._next
         if first.text == "{":
-            return self._block()
+            return self.block()
         if first.text == "if":
             return self._if()
         if first.text == "for":

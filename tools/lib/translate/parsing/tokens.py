@@ -6,12 +6,12 @@ import functools
 import re
 from typing import NamedTuple
 
-# All that read GLSL in Python make their tokens of these: this, the rules of tools/test mutants and that of
-# tools/make umbrella.
+# All that read GLSL in Python make their tokens of these, with what stands before each: blanks, comments and directives.
 WORD = r"[A-Za-z_]\w*"
 NUMBER = r"0[xX][0-9a-fA-F]+[uU]?|(?:\d+\.\d*|\.\d+)(?:[eE][+-]?\d+)?[fF]?|\d+[eE][+-]?\d+[fF]?|\d+[uU]?"
 SIGN = r"<<=|>>=|&&|\|\||\+\+|--|<<|>>|[-+*/%&|^<>=!]=|[-+*/%&|^<>=!~?:;,.(){}\[\]]"
-TOKEN = re.compile(rf"\s*(?:(?P<word>{WORD})|(?P<number>{NUMBER})|(?P<sign>{SIGN}))")
+TOKEN = re.compile(rf"(?P<lead>(?:\s|//[^\n]*|#(?:[^\n\\]|\\\n)*)*)"
+                   rf"(?:(?P<word>{WORD})|(?P<number>{NUMBER})|(?P<sign>{SIGN})|(?P<unknown>[^\s\w])|(?P<end>$))")
 
 
 class Unknown(Exception):
@@ -37,12 +37,11 @@ class Token(NamedTuple):  # a module has a million of them, and a data class tak
 @functools.lru_cache(maxsize=None)  # nearly all modules include the same files
 def tokens_of(code: str, path: str, line: int) -> tuple[Token, ...]:
     """The tokens of a text without comments, all of one line."""
-    found, position = [], 0
-    code = code.rstrip()
-    while position < len(code):
-        match = TOKEN.match(code, position)
-        if not match or match.end() == position:
-            raise Unknown(f"{path}:{line}: {code[position:].split()[0]} is no GLSL that the translator knows")
-        found.append(Token(match.lastgroup, match[match.lastgroup], path, line))
-        position = match.end()
+    found = []
+    for match in TOKEN.finditer(code):
+        kind = match.lastgroup
+        if kind == "unknown" or "#" in match["lead"]:
+            raise Unknown(f"{path}:{line}: {match[0].split()[0]} is no GLSL that the translator knows")
+        if kind != "end":
+            found.append(Token(kind, match[kind], path, line))
     return tuple(found)

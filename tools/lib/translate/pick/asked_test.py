@@ -7,14 +7,13 @@ import unittest
 from base.tree import GLSL
 from catalog import asked
 from translate.pick.command import Choice, read_library
-from translate.pick.program import public
 
 WHO = {"graphs", "blender", "materialx"}
 
 
 def unknown(lists: dict) -> list[str]:
     """What is in the lists, and is no function, no form of one, or no package."""
-    known = public(read_library(GLSL, Choice("glsl", "fixed")))
+    known = read_library(GLSL, Choice("glsl", "fixed")).forms
     forms = {name.removeprefix("hn_") for name in known}
     functions = {function.name.removeprefix("hn_") for function in known.values()}
     return [*(name for name in (*lists["nodes"], *lists["snippets"]) if name not in forms),

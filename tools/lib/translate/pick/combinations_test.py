@@ -29,7 +29,7 @@ from base.tree import GLSL, ROOT
 from translate.pick import command
 from translate.pick.c import C
 from translate.pick.osl_runner import OslRunner
-from translate.pick.program import public, read
+from translate.pick.program import read
 from translate.pick.runners import RUNNERS, NotInstalled, NotRun, Runner, ran, written_to
 from translate.pick.shading_runners import device
 from translate.wgsl.device import Absent
@@ -177,7 +177,7 @@ def wrong_names(language: str, text: str) -> list[str]:
 def all_names() -> dict[str, list[str]]:
     """By their noises: the first word of the name."""
     families: dict[str, list[str]] = {}
-    for name in public(read(GLSL, command.settings("fast", "lattice"), splits=True)):
+    for name in read(GLSL, command.settings("fast", "lattice"), splits=True).forms:
         families.setdefault(re.match(r"hn_[a-z]+?(?=ular|\d|_|$)", name)[0], []).append(name)
     return families
 

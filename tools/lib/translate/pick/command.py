@@ -30,36 +30,49 @@ from __future__ import annotations
 
 import argparse
 import functools
+import importlib
 import shlex
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from base.tree import GLSL
 from translate.library_file import IMPORT_PATH_HELP, function_name, import_path, imported_as, write
 from translate.parsing.tokens import Unknown
-from translate.pick import tsl
-from translate.pick.c import C
-from translate.pick.csharp import CSharp
 from translate.pick.evaluate import Module
-from translate.pick.go import Go
-from translate.pick.java import Java
-from translate.pick.javascript import JavaScript, TypeScript
-from translate.pick.osl import Osl
 from translate.pick.program import Program, check_sums, chosen, expanded, facts, heading, listed, origin, over, read
-from translate.pick.rust import Rust
-from translate.pick.scalars import Syntax, text
 from translate.pick.shading import LANGUAGES
-from translate.wgsl.module import GRADIENTS, HASHES, Settings
+from translate.settings import GRADIENTS, HASHES, Settings
+
+if TYPE_CHECKING:
+    from translate.pick.scalars import Syntax
 
 ARITHMETICS = ("fast", "fixed", "precise")
 
 
-SYNTAXES: dict[str, type[Syntax]] = {"rust": Rust, "csharp": CSharp, "c": C, "typescript": TypeScript,
-                                     "javascript": JavaScript, "java": Java, "go": Go, "osl": Osl}
+class Syntaxes(Mapping):
+    """The languages of the CPU by their names. Each is imported when it is asked for: nobody asks for all at once."""
+    CLASSES = {"rust": ("rust", "Rust"), "csharp": ("csharp", "CSharp"), "c": ("c", "C"),
+               "typescript": ("javascript", "TypeScript"), "javascript": ("javascript", "JavaScript"),
+               "java": ("java", "Java"), "go": ("go", "Go"), "osl": ("osl", "Osl")}
+
+    def __getitem__(self, language: str) -> type[Syntax]:
+        module, name = self.CLASSES[language]
+        return getattr(importlib.import_module(f"translate.pick.{module}"), name)
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.CLASSES)
+
+    def __len__(self) -> int:
+        return len(self.CLASSES)
+
+
+SYNTAXES = Syntaxes()
 ALIASES = {"glsl-es": "glsl"}  # since one text is for both
 TSL = "tsl"  # three.js's, which is none: a module with the text of two of the shading languages
+NO_PRECISE = "three.js passes `precise` to no shader: take --arithmetic fixed, whose bits are the same everywhere"
 
 
 @dataclass(frozen=True)
@@ -85,8 +98,8 @@ class Choice:
 
     def check(self) -> None:
         shading = LANGUAGES.get(self.language)
-        no_precise = tsl.NO_PRECISE if self.language == TSL else (shading or SYNTAXES[self.language]).no_precise
-        if self.arithmetic == "precise" and no_precise:
+        if self.arithmetic == "precise" and (no_precise := NO_PRECISE if self.language == TSL else (
+                shading or SYNTAXES[self.language]).no_precise):
             raise Unknown(no_precise)
         if self.import_path and self.language != "wgsl":
             raise Unknown("--import-path is of --language wgsl")
@@ -100,11 +113,9 @@ def settings(arithmetic: str, hash_: str, gradient: str = "octahedral") -> dict[
 
 def read_library(library: Path, choice: Choice) -> Module:
     """The library as this choice has it."""
-    knobs = choice.knobs
-    syntax = SYNTAXES.get(choice.language)
-    language = syntax or LANGUAGES.get(choice.language)
-    macros = {**knobs.macros(), **(language.library if language else {})}
-    module = read(library, macros, syntax is not None, knobs.own_functions())
+    language = LANGUAGES.get(choice.language) or (SYNTAXES[choice.language] if choice.language in SYNTAXES else None)
+    macros = {**choice.knobs.macros(), **(language.library if language else {})}
+    module = read(library, macros, choice.language in SYNTAXES, choice.knobs.own_functions())
     return over(module, choice.noise) if choice.noise else module
 
 
@@ -115,6 +126,7 @@ def command_of(names: Sequence[str], choice: Choice) -> str:
 def picker(library: Path = GLSL) -> Callable[[Sequence[str], Choice], str]:
     """What makes many texts: the library is read once for each setting and kind of language, and functions that are
     asked for in one language after the other are evaluated once."""
+    kinds: dict[tuple[object, ...], Choice] = {}  # the first choice of what is read and evaluated in the same way
     module = functools.cache(functools.partial(read_library, library))
 
     @functools.lru_cache(maxsize=4)
@@ -126,19 +138,18 @@ def picker(library: Path = GLSL) -> Callable[[Sequence[str], Choice], str]:
 
     def pick(names: Sequence[str], choice: Choice) -> str:
         choice.check()
-        syntax = SYNTAXES.get(choice.language)
-        splits = syntax is not None
-        # What is evaluated in the same way, once.
-        alike = SYNTAXES if splits else LANGUAGES
-        macros = alike[choice.language].library if choice.language in alike else {}
-        kind = next(name for name, of in alike.items() if of.library == macros)
-        made = program(tuple(names), replace(choice, language=kind, import_path=""))
+        syntax = SYNTAXES[choice.language] if choice.language in SYNTAXES else None
+        language = LANGUAGES.get(choice.language)
+        macros = (syntax or language or LANGUAGES["glsl"]).library
+        alike = replace(choice, language="", import_path="")
+        made = program(tuple(names), kinds.setdefault((alike, syntax is None, *macros.items()), choice))
         command, precise = command_of(names, choice), choice.arithmetic == "precise"
-        if splits:
-            return text(made, SYNTAXES[choice.language](precise), facts(made, library, False), origin(command))
+        if syntax:
+            from translate.pick import scalars
+            return scalars.text(made, syntax(precise), facts(made, library, False), origin(command))
         if choice.language == TSL:
+            from translate.pick import tsl
             return tsl.text(made, facts(made, library, True), origin(command))
-        language = LANGUAGES[choice.language]
         return (imported_as(choice.import_path) + heading(made, language, command, library)
                 + made.text(language, precise, with_seedless=True))
 

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+import html
 import re
 from collections.abc import Sequence
-from xml.sax.saxutils import escape
 
 from translate.pick.printer import PRIMARY, UNARY
 from translate.pick.scalars import Facts, Part, Piece, Syntax, Taken, bare, indented, paragraph_lines, pascal
@@ -143,7 +143,7 @@ private struct Bits {
                 ("returns", returns), ("remarks", f"Error: {facts.error}" if facts.error else ""),
                 ("example", facts.call and f"<code>{facts.call}</code>")]
         lines = [line for tag, shown in tags if shown for line in paragraph_lines(
-            f"<{tag}>{shown if tag == 'example' else f'{escape(shown)}.'}</{tag.split()[0]}>")]
+            f"<{tag}>{shown if tag == 'example' else f'{html.escape(shown, quote=False)}.'}</{tag.split()[0]}>")]
         return [f"/// {line}" for line in lines]
 
     def file(self, heading: Sequence[str], names: Sequence[str], parts: Sequence[str]) -> str:

@@ -32,10 +32,10 @@ from translate.pick.calling import Form
 from translate.pick.command import settings
 from translate.pick.comparison import RANGES
 from translate.pick.evaluate import Module
-from translate.pick.program import Program, chosen, public, read
+from translate.pick.program import Program, chosen, read
 from translate.pick.shading import LANGUAGES
 from translate.pick.shading_runners import pairs_of
-from translate.wgsl.names import is_public
+from translate.names import is_public
 
 # The structs are those of the library.
 WITHOUT_STRUCTS = replace(LANGUAGES["glsl"], structs=False)
@@ -90,7 +90,7 @@ def call_of(module: Module, function: Function) -> str:
 
 def files() -> list[str]:
     """Those of noise and of sums, of which no other of these is made."""
-    rows = {function.row.text(1) for function in read_functions() if function.file.startswith(("noise", "curl", "fbm"))}
+    rows = {function.includes for function in read_functions() if function.file.startswith(("noise", "curl", "fbm"))}
     return sorted(file for file in rows if re.fullmatch(r"(?!octaves|fbm_d)\w+\dd\.glsl", file))
 
 
@@ -111,7 +111,7 @@ class Driver(unittest.TestCase):
     def run_suite(self, arithmetic: str, names: list[str], change: tuple[str, str] = ("", ""),
                   options: Sequence[str] = ("--driver=osmesa",)) -> tuple[int, str]:
         module = read(GLSL, settings(arithmetic, "lattice"))
-        rows = [function.id for function in read_functions() if function.row.text(1) in names]
+        rows = [function.id for function in read_functions() if function.includes in names]
         with tempfile.TemporaryDirectory() as folder:
             library = Path(folder) / "glsl"
             shutil.copytree(GLSL, library)
@@ -166,7 +166,7 @@ class LowestPrecision(unittest.TestCase):
 
     def drawn(self, arithmetic: str, text: str, called: Sequence[str]) -> bytes:
         split = self.modules(arithmetic)[1]
-        calls = "".join(call_of(split, public(split)[name]) for name in called)
+        calls = "".join(call_of(split, split.forms[name]) for name in called)
         shader = text + MAIN.format(side=SIDE, most=100, calls=calls)
         return self.renderer.draw(self.renderer.program(shader)).tobytes()
 
@@ -180,14 +180,14 @@ class LowestPrecision(unittest.TestCase):
 
     def test_functions_have_the_bits_of_desktop_glsl(self) -> None:
         for turn, arithmetic in enumerate(("fast", "fixed")):
-            names = list(public(self.modules(arithmetic)[0]))
+            names = list(self.modules(arithmetic)[0].forms)
             for name in names if THOROUGH else names[turn * 40::80]:
                 with self.subTest(name, arithmetic=arithmetic):
                     self.assertFalse(self.differs(arithmetic, [name]))
 
     def test_so_do_pairs_of_a_family(self) -> None:
         for turn, arithmetic in enumerate(("fast", "fixed")):
-            pairs = pairs_of(public(self.modules(arithmetic)[0]))
+            pairs = pairs_of(self.modules(arithmetic)[0].forms)
             for pair in pairs[turn::2 if THOROUGH else 300]:
                 with self.subTest(pair, arithmetic=arithmetic):
                     self.assertFalse(self.differs(arithmetic, pair))
@@ -195,7 +195,7 @@ class LowestPrecision(unittest.TestCase):
     def test_so_do_all_functions_in_one_text(self) -> None:
         """To write that text takes minutes, so by default it has some of the functions."""
         for turn, arithmetic in enumerate(("fast", "fixed")):
-            names = list(public(self.modules(arithmetic)[0]))[0 if THOROUGH else turn * 32::1 if THOROUGH else 64]
+            names = list(self.modules(arithmetic)[0].forms)[0 if THOROUGH else turn * 32::1 if THOROUGH else 64]
             text = self.text(arithmetic, names)
             for name in names if THOROUGH else names[1::3]:
                 with self.subTest(name, arithmetic=arithmetic):

@@ -6,16 +6,17 @@ stays one; which, the caller decides.
 
 from __future__ import annotations
 
-import functools
 import itertools
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from typing import Union
 
+from translate.library import Library
 from translate.parsing import syntax
 from translate.parsing.preprocessor import Constant as Macro
-from translate.parsing.syntax import Expression, Function, Parameter, Parser, Struct
+from translate.parsing.syntax import Expression, Function, Parameter, Struct
 from translate.parsing.tokens import Token
+from translate.pick import values
 from translate.pick.statements import (
     Break,
     Declare,
@@ -29,6 +30,7 @@ from translate.pick.statements import (
     reachable,
     values_of,
 )
+from translate.pick.typer import Leaves, Typed, Typer, plain
 from translate.pick.values import (
     AXES,
     SIZES,
@@ -36,22 +38,13 @@ from translate.pick.values import (
     Node,
     Operation,
     Variable,
-    binary,
-    builtin,
-    choice,
     construct,
     member,
     operation,
     scalar_of,
-    unary,
     vector_of,
     with_member,
 )
-
-BUILTINS = ("abs", "floor", "trunc", "sqrt", "min", "max")
-CASTS = {"uintBitsToFloat": "float", "floatBitsToUint": "uint", "intBitsToFloat": "float", "floatBitsToInt": "int"}
-
-Leaves = dict[tuple[str, ...], Node]  # of a value: a struct has one for each part, by its path; others have one, at ()
 
 
 @dataclass(frozen=True)
@@ -89,16 +82,6 @@ class Summed:
     types: tuple[str, ...]  # of both
 
 
-@dataclass
-class Typed:
-    type: str
-    leaves: Leaves
-
-    @property
-    def node(self) -> Node:
-        return self.leaves[()]
-
-
 def component(axis: str) -> str:
     """How a path calls a component, other than a field of that name."""
     return f"_{axis}"
@@ -109,37 +92,21 @@ def dotted(path: Sequence[str]) -> str:
     return ".".join(path).replace("._", "_")
 
 
-class Module:
-    """What functions are made of: those of the library, its structs and its constants. For languages without vectors
-    it is split: a vector is its components, as a struct is its parts. `own` are functions of a word that the user
-    has. `summed` is the noise of sums, if it is not that of the library."""
+class Module(Library):
+    """The library for an evaluation. For languages without vectors it is split: a vector is its components, as a struct
+    is its parts. `summed` is the noise of sums, if it is not that of the library."""
 
     def __init__(self, tree: list[Function | Struct], constants: dict[str, Macro], splits: bool = False,
                  own: Sequence[Function] = ()):
-        self.tree = tree
+        super().__init__(tree, constants, own)
         self.summed: Summed | None = None
         self.splits = splits
-        self.own = {item.name: item.type for item in own}
-        self.structs = {item.name: item for item in tree if isinstance(item, Struct)}
-        self.functions = {(item.name, item.types): item for item in tree if isinstance(item, Function)}
-        self.constants = constants
-        self._trees: dict[str, Expression] = {}
         self._parts: dict[str, list[tuple[tuple[str, ...], str]]] = {}
-
-    def constant(self, name: str) -> Expression:
-        if name not in self._trees:
-            self._trees[name] = Parser(list(self.constants[name].body))._expression()
-        return self._trees[name]
 
     def asks_other_noise(self, call: syntax.Call, types: tuple[str, ...]) -> bool:
         """Whether the noise of sums stands here for what is called: hn_perlin(o.place, o.seed)."""
         return (self.summed is not None and (call.at.text, types) == (self.summed.replaced, self.summed.types)
                 and isinstance(call.arguments[0], syntax.Member) and call.arguments[0].at.text == "place")
-
-    def function(self, at: Token, types: tuple[str, ...]) -> Function:
-        if (at.text, types) not in self.functions:
-            raise at.error(f"there is no function {at.text}({', '.join(types)})")
-        return self.functions[at.text, types]
 
     def parts(self, type_: str) -> list[tuple[tuple[str, ...], str]]:
         """The paths of what a type is made of, and their types."""
@@ -168,11 +135,14 @@ class Module:
             parameter.is_set for parameter in function.parameters)
 
 
-class Evaluation:
+class Evaluation(Typer):
     """Of one function. `keeps` says of a plain function and its arguments whether it is called."""
 
+    library: Module
+    make = values
+
     def __init__(self, module: Module, keeps: Callable[[Function, Sequence[Node]], Kept | None]):
-        self.module = module
+        super().__init__(module)
         self.keeps = keeps
         self.arguments: dict[tuple[str, tuple[str, ...]], list[tuple[Node, ...]]] = {}
         self.sums_other_noise = False
@@ -191,18 +161,18 @@ class Evaluation:
             self._bind(state, 0, parameter.at.text, argument)
         self._statements(function.body.statements, 0, state, block)
         for parameter in function.parameters:
-            if parameter.is_set and self.module.passed(parameter):
-                for path, type_ in self.module.parts(parameter.type):
+            if parameter.is_set and self.library.passed(parameter):
+                for path, type_ in self.library.parts(parameter.type):
                     name = dotted((parameter.at.text, *path))
                     value = state[(0, parameter.at.text, *path)]
                     if not (isinstance(value, Variable) and value.name == name):
                         block.append(Set(Variable(type_, name, is_parameter=True), value))
-        if self.module.splits:
+        if self.library.splits:
             block.append(Return(self._results(function, state)))
-        elif function.type in self.module.structs:
+        elif function.type in self.library.structs:
             result = Variable(function.type, "result", is_parameter=True)
             block.append(Declare(result, None))
-            for path, type_ in self.module.parts(function.type):
+            for path, type_ in self.library.parts(function.type):
                 part = Variable(type_, ".".join(("result", *path)), is_parameter=True)
                 block.append(Set(part, state[(0, "return", *path)]))
             block.append(Return(result))
@@ -214,19 +184,19 @@ class Evaluation:
         """What a split function returns, with what it sets of numbers and vectors."""
         names = [("return", function.type)] if function.type != "void" else []
         names += [(parameter.at.text, parameter.type) for parameter in function.parameters
-                  if parameter.is_set and not self.module.passed(parameter)]
+                  if parameter.is_set and not self.library.passed(parameter)]
         found = tuple(self._whole(type_, (0, name), state) for name, type_ in names)
         return operation("results", "", function.type, found) if len(found) > 1 else found[0] if found else None
 
     def _whole(self, type_: str, key: tuple[object, ...], state: Environment) -> Node:
         """A value of its parts."""
-        if type_ in self.module.structs:
+        if type_ in self.library.structs:
             fields: list[Node] = []
-            for name, of, _ in self.module.structs[type_].fields:
-                fields += ([self._whole(of, (*key, name), state)] if of in self.module.structs else
-                           [state[(*key, name, *path)] for path, _ in self.module.parts(of)])
+            for name, of, _ in self.library.structs[type_].fields:
+                fields += ([self._whole(of, (*key, name), state)] if of in self.library.structs else
+                           [state[(*key, name, *path)] for path, _ in self.library.parts(of)])
             return operation("struct", type_, type_, tuple(fields))
-        parts = tuple(state[(*key, *path)] for path, _ in self.module.parts(type_))
+        parts = tuple(state[(*key, *path)] for path, _ in self.library.parts(type_))
         return parts[0] if len(parts) == 1 else construct(type_, parts)
 
     # Variables.
@@ -241,7 +211,8 @@ class Evaluation:
         type_ = self._types.get((frame, name))
         if type_ is None:
             return None
-        return Typed(type_, {path: state[(frame, name, *path)] for path, _ in self.module.parts(type_)})
+        key = (frame, name)
+        return Typed(type_, {path: state[key + path] for path, _ in self.library.parts(type_)})
 
     def _hint(self, name: str, value: Typed) -> None:
         """What is given a name is called so, and later and so further out by another one."""
@@ -268,7 +239,7 @@ class Evaluation:
             if isinstance(statement, syntax.Block):
                 return self._statements((*statement.statements, *rest), frame, state, block)
             if isinstance(statement, syntax.If):
-                condition = self._value(statement.condition, frame, state, block).node
+                condition = self._of_type(statement.condition, "bool", frame, state, block).node
                 no = _listed(statement.no)
                 if isinstance(condition, Constant):
                     taken = statement.yes.statements if condition.value else no
@@ -342,22 +313,16 @@ class Evaluation:
         name = statement.at.text
         if statement.value is None:
             self._types[frame, name] = statement.type
-            for path, type_ in self.module.parts(statement.type):
+            for path, type_ in self.library.parts(statement.type):
                 state[(frame, name, *path)] = _nothing(type_)
             return
-        value = self._value(statement.value, frame, state, block)
+        value = self._of_type(statement.value, statement.type, frame, state, block)
         self._hint(name, value)
         self._bind(state, frame, name, value)
 
     def _assign(self, statement: syntax.Assign, frame: int, state: Environment, block: list[Statement]) -> None:
         target = self._value(statement.target, frame, state, block)
-        sign = statement.at.text
-        if sign in ("++", "--"):
-            value = Typed(target.type, {(): binary(sign[0], target.node, Constant(target.type, 1))})
-        else:
-            value = self._value(statement.value, frame, state, block)
-            if sign != "=":
-                value = self._each(functools.partial(binary, sign[:-1]), target, value)
+        value = self._assigned(statement, target, frame, state, block)
         self._store(statement.target, value, frame, state)
 
     def _store(self, target: Expression, value: Typed, frame: int, state: Environment) -> None:
@@ -366,7 +331,7 @@ class Evaluation:
             path.insert(0, target.at.text)
             target = target.of
         key = (frame, target.at.text, *path)
-        if path and self.module.splits and (*key[:-1], component(path[-1])) in state:
+        if path and self.library.splits and (*key[:-1], component(path[-1])) in state:
             key = (*key[:-1], component(path[-1]))
         if path and key not in state and key[:-1] in state:  # a component of a vector
             state[key[:-1]] = with_member(state[key[:-1]], path[-1], value.node)
@@ -391,14 +356,14 @@ class Evaluation:
             now, body = dict(start), []
             condition = None
             if not asks_behind and loop.condition is not None:
-                condition = self._value(loop.condition, frame, now, body).node
+                condition = self._of_type(loop.condition, "bool", frame, now, body).node
             self._in_loops.append(frame)
             over = self._statements(loop.body.statements, frame, now, body)
             self._in_loops.pop()
             if not asks_behind and loop.step is not None:
                 self._assign(loop.step, frame, now, body)
             if asks_behind:
-                condition = self._value(loop.condition, frame, now, body).node
+                condition = self._of_type(loop.condition, "bool", frame, now, body).node
             states = [exit_.state for exit_ in _exits(body)] + ([] if over else [now])
             changed = {key for other in states for key in start if other[key] is not start[key]} - {*carried, *derived}
             if not changed:
@@ -425,72 +390,40 @@ class Evaluation:
 
     # Expressions.
 
-    def _value(self, expression: Expression, frame: int, state: Environment, block: list[Statement]) -> Typed:
-        def value(of: Expression) -> Typed:
-            return self._value(of, frame, state, block)
-
-        if isinstance(expression, syntax.Number):
-            return _plain(_number(expression.at.text))
-        if isinstance(expression, syntax.Truth):
-            return _plain(Constant("bool", int(expression.at.text == "true")))
-        if isinstance(expression, syntax.Parentheses):
-            return value(expression.inside)
-        if isinstance(expression, syntax.Name):
-            return self._name(expression.at, frame, state, block)
-        if isinstance(expression, syntax.Member):
-            of, name = value(expression.of), expression.at.text
-            if of.type in SIZES:
-                return _plain(of.leaves[component(name),] if self.module.splits else member(of.node, name))
-            type_ = next(type_ for field_name, type_, _ in self.module.structs[of.type].fields if field_name == name)
-            return Typed(type_, {path[1:]: node for path, node in of.leaves.items() if path[0] == name})
-        if isinstance(expression, syntax.Unary):
-            return self._each(functools.partial(unary, expression.at.text), value(expression.operand))
-        if isinstance(expression, syntax.Binary):
-            return self._each(functools.partial(binary, expression.at.text), value(expression.left),
-                              value(expression.right))
-        if isinstance(expression, syntax.Choice):
-            condition = value(expression.condition).node
-            return self._each(functools.partial(choice, condition), value(expression.yes), value(expression.no))
-        return self._call(expression, frame, state, block)
-
     def _name(self, at: Token, frame: int, state: Environment, block: list[Statement]) -> Typed:
         if found := self._read(state, frame, at.text):
             return found
-        if at.text not in self.module.constants:
+        if at.text not in self.library.constants:
             raise at.error(f"{at} is no variable, and no macro that stands for a number")
-        return self._value(self.module.constant(at.text), frame, state, block)
+        return self._value(self.library.constant(at.text), frame, state, block)
 
-    def _call(self, expression: syntax.Call, frame: int, state: Environment, block: list[Statement]) -> Typed:
-        name = expression.at.text
-        arguments = [self._value(argument, frame, state, block) for argument in expression.arguments]
-        if name in SIZES:
-            return self._construct(name, arguments)
-        if name in BUILTINS:
-            return self._each(lambda *nodes: builtin(name, nodes[0].type, nodes), *arguments)
-        if name in CASTS:
-            return self._each(lambda node: operation(
-                "builtin", name, vector_of(CASTS[name], SIZES[node.type]), (node,)), *arguments)
-        if name in self.module.own:
-            return self._each(lambda *nodes: operation("builtin", name, self.module.own[name], nodes), *arguments)
+    def _component(self, of: Typed, axis: str) -> Typed:
+        return plain(of.leaves[component(axis),]) if self.library.splits else super()._component(of, axis)
+
+    def _field(self, of: Typed, name: str, type_: str) -> Typed:
+        return Typed(type_, {path[1:]: node for path, node in of.leaves.items() if path[0] == name})
+
+    def _called(self, expression: syntax.Call, arguments: Sequence[Typed], frame: int, state: Environment,
+                block: list[Statement]) -> Typed:
         at, types = expression.at, tuple(argument.type for argument in arguments)
-        if self.module.asks_other_noise(expression, types):
-            at = at._replace(text=self.module.summed.name)
+        if self.library.asks_other_noise(expression, types):
+            at = at._replace(text=self.library.summed.name)
             self.sums_other_noise = True
-        function = self.module.function(at, types)
-        if self.module.is_plain(function):
+        function = self.library.function(at, types)
+        if self.library.is_plain(function):
             nodes = tuple(argument.node if () in argument.leaves else
                           construct(argument.type, tuple(argument.leaves.values())) for argument in arguments)
             key = (function.name, function.types)
             self.arguments.setdefault(key, []).append(nodes)
             kept = self.keeps(function, nodes)
             if kept:
-                if self.module.splits:
+                if self.library.splits:
                     for parameter, argument, node in zip(function.parameters, expression.arguments, nodes):
                         if isinstance(node, Operation) and node.kind == "construct" and SIZES[node.type] > 1:
                             self.hints.setdefault(
                                 node, argument.at.text if isinstance(argument, syntax.Name) else parameter.at.text)
                 called = operation("call", kept, function.type, tuple(kept.left(nodes)))
-                return Typed(function.type, self.module.leaves(called))
+                return Typed(function.type, self.library.leaves(called))
         inner = next(self._frames)
         for parameter, argument in zip(function.parameters, arguments):
             if parameter.at.text not in (*AXES, "condition") and not any(
@@ -498,17 +431,22 @@ class Evaluation:
                 self._hint(parameter.at.text, argument)
             self._bind(state, inner, parameter.at.text, argument)
         self._statements(function.body.statements, inner, state, block)
-        for parameter, argument in zip(function.parameters, expression.arguments):
-            if parameter.is_set:
-                self._store(argument, self._read(state, inner, parameter.at.text), frame, state)
+        found = [self._read(state, inner, parameter.at.text) for parameter in function.parameters if parameter.is_set]
         result = self._read(state, inner, "return") or Typed("void", {})
-        for key in [key for key in state if key[0] == inner]:
-            del state[key]
+        while state:  # what the call has added stands last
+            key, node = state.popitem()
+            if key[0] != inner:
+                state[key] = node
+                break
+        targets = (one for one, of in zip(expression.arguments, function.parameters) if of.is_set)
+        for argument, value in zip(targets, found):
+            self._store(argument, value, frame, state)
         return result
 
-
     def _each(self, of: Callable[..., Node], *values: Typed) -> Typed:
-        """A function of values, or where vectors are split of their components; a scalar goes with each of them."""
+        """Where vectors are split it is of their components; a scalar goes with each of them."""
+        if not self.library.splits:
+            return super()._each(of, *values)
         most = max(values, key=lambda one: SIZES[one.type])
         leaves = {path: of(*(value.leaves.get(path) or value.node for value in values)) for path in most.leaves}
         for path, node in leaves.items():
@@ -517,25 +455,13 @@ class Evaluation:
         scalar = scalar_of(next(iter(leaves.values())).type)
         return Typed(vector_of(scalar, SIZES[most.type]), leaves)
 
-    def _construct(self, type_: str, arguments: Sequence[Typed]) -> Typed:
+    def _made(self, type_: str, arguments: Sequence[Typed]) -> Typed:
         nodes = tuple(node for argument in arguments for node in argument.leaves.values())
-        if not self.module.splits or SIZES[type_] == 1:
-            return _plain(construct(type_, nodes))
-        parts = self.module.parts(type_)
+        if not self.library.splits or SIZES[type_] == 1:
+            return plain(construct(type_, nodes))
+        parts = self.library.parts(type_)
         nodes = nodes * len(parts) if len(nodes) == 1 else nodes
         return Typed(type_, {path: construct(scalar, (node,)) for (path, scalar), node in zip(parts, nodes)})
-
-
-def _plain(node: Node) -> Typed:
-    return Typed(node.type, {(): node})
-
-
-def _number(text: str) -> Constant:
-    if text[-1] in "uU":
-        return Constant("uint", int(text[:-1], 0))
-    if text[:2] not in ("0x", "0X") and (text[-1] in "fF" or "." in text or "e" in text):
-        return Constant("float", text)
-    return Constant("int", int(text, 0))
 
 
 def _nothing(type_: str) -> Node:

@@ -25,7 +25,7 @@ from translate.pick import command
 from translate.pick.comparison import words_source
 from translate.pick.evaluate import Module
 from translate.pick.osl_runner import OslRunner
-from translate.pick.program import Program, chosen, public, read
+from translate.pick.program import Program, chosen, read
 from translate.pick.runners import RUNNERS, Case, NotInstalled, NotRun, Runner
 from translate.pick.scalars import Piece, Syntax, text
 
@@ -47,7 +47,7 @@ def module(arithmetic: str, syntax: type[Syntax] = Syntax) -> Module:
 
 def functions(of: Module, arithmetic: str) -> dict[str, Function]:
     """By default some, in each arithmetic others."""
-    known = public(of)
+    known = of.forms
     turn = command.ARITHMETICS.index(arithmetic)
     names = list(known) if THOROUGH else [TOGETHER[0], *SPECIAL[turn::3], *list(known)[turn * 48::144]]
     return {name: known[name] for name in dict.fromkeys(names)}

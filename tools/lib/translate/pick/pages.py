@@ -1,4 +1,5 @@
-"""Writes docs/snippets: the functions that are asked for most, in each language, to paste.
+"""Writes docs/snippets: the functions that are asked for most, in GLSL, HLSL and WGSL, to paste. The site and a release
+have these pages in each language.
 
     tools/make snippets [--check] [--out DIR]
 
@@ -12,7 +13,9 @@ import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from base.tree import GLSL, ROOT
+from base import modules
+from base.kept import kept
+from base.tree import GLSL, ROOT, glsl_files
 from base.usage import Parser
 from catalog import asked
 from catalog.tables.markdown import table
@@ -29,26 +32,32 @@ LANGUAGES = (("GLSL", "glsl", "fast", "glsl"), ("HLSL", "hlsl", "fast", "hlsl"),
              ("C#", "csharp", "fixed", "csharp"), ("C", "c", "fixed", "c"), ("TypeScript", "typescript", "fixed", "ts"),
              ("JavaScript", "javascript", "fixed", "js"), ("Java", "java", "fixed", "java"),
              ("Go", "go", "fixed", "go"))
+OF_TREE = tuple(one for one in LANGUAGES if one[0] in ("GLSL", "HLSL", "WGSL"))
+NAMES = "GLSL, HLSL, WGSL, Slang, Metal, Godot, Rust, C#, C, TypeScript, JavaScript, Java and Go"
+Languages = Sequence[tuple[str, str, str, str]]
 Picked = Callable[[str, str, str], str]  # the text of a function in a language, with an arithmetic
 
 
-def page(name: str, picked: Picked) -> str:
+def page(name: str, picked: Picked, languages: Languages = OF_TREE) -> str:
     """Of a function."""
     sections = [f"## {title}\n\n```{word}\n{picked(name, language, arithmetic)}```\n"
-                for title, language, arithmetic, word in LANGUAGES]
+                for title, language, arithmetic, word in languages]
+    floats = ("They compute with floats (`HN_FAST`). " if languages == OF_TREE else
+              "Those of the first six languages compute with floats (`HN_FAST`). All others compute the same bits as each "
+              "other (`HN_FIXED`), for a server and its clients. ")
     return (f"# {name}: {FUNCTIONS[name]}\n\n"
             "Paste what you need; each text stands alone. The GLSL is for OpenGL, from 3.30 on, and for WebGL2 and "
-            "GLSL ES, whatever your own precision is. Those of the first six languages compute with floats "
-            "(`HN_FAST`). All others compute the same bits as each other (`HN_FIXED`), for a server and its clients. "
+            f"GLSL ES, whatever your own precision is. {floats}"
             "[More](../languages.md#one-function) about `tools/pick`, which wrote them, and about other "
             "arithmetics and hashes.\n\n" + "\n".join(sections))
 
 
-def index() -> str:
+def index(languages: Languages = OF_TREE) -> str:
     """The page that lists the others."""
-    return ("# Functions to paste\n\nEach page has one function in GLSL, HLSL, WGSL, Slang, Metal, Godot, Rust, C#, C, "
-            "TypeScript, JavaScript, Java and Go. `tools/make snippets` writes them; "
-            "`tools/pick --list` names all other functions.\n\n"
+    which = (f"GLSL, HLSL and WGSL. `tools/pick hn_perlin2 --language rust` writes one in another language; a release and "
+             f"the site that `tools/make site` makes have these pages in {NAMES}. "
+             if languages == OF_TREE else f"{NAMES}. ")
+    return (f"# Functions to paste\n\nEach page has one function in {which}`tools/pick --list` names all other functions.\n\n"
             + table(("", "what it is"), [[f"[{name}]({name}.md)", what] for name, what in FUNCTIONS.items()]))
 
 
@@ -58,9 +67,16 @@ def for_pages(library: Path = GLSL) -> Picked:
     return lambda name, language, arithmetic: pick([name], Choice(language, arithmetic))
 
 
-def files(picked: Picked) -> dict[str, str]:
+def files(picked: Picked, languages: Languages = OF_TREE) -> dict[str, str]:
     """The pages by their names."""
-    return {"README.md": index(), **{f"{name}.md": page(name, picked) for name in FUNCTIONS}}
+    return {"README.md": index(languages), **{f"{name}.md": page(name, picked, languages) for name in FUNCTIONS}}
+
+
+def whole() -> Path:
+    """The folder with the pages in each language. They take a minute, and are kept until something changes that they are
+    made of."""
+    sources = [*glsl_files().values(), *(ROOT / "catalog").glob("*.toml"), *modules.files_of([Path(__file__)])]
+    return kept(ROOT / "build" / "snippets", sources, lambda: files(for_pages(), LANGUAGES))
 
 
 def wrong(folder: Path, made: dict[str, str]) -> list[str]:

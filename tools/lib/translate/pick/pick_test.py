@@ -24,7 +24,7 @@ from translate.pick import command, comments, pages, printer, tsl, values
 from translate.pick.comparison import source
 from translate.pick.evaluate import Module
 from translate.pick.printer import Language
-from translate.pick.program import Program, chosen, public, read
+from translate.pick.program import Program, chosen, read
 from translate.pick.shading import CPP, HLSL_NAMES, LANGUAGES
 from translate.pick.shading_runners import pairs_of
 from translate.single_file.godot import with_own_names
@@ -72,7 +72,7 @@ class Values(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             program = Path(folder) / "program"
             file = program.with_suffix(".cpp")
-            file.write_text(source(of, public(of), texts, POINTS), encoding="ascii")
+            file.write_text(source(of, of.forms, texts, POINTS), encoding="ascii")
             given = command.settings(arithmetic, *(knobs or ["lattice"]))
             macros = [f"{name}={value}" for name, value in given.items()]
             compile_program("what tools/pick writes", file, program, "-O0", macros=(*macros, "always_inline=unused"))
@@ -81,7 +81,7 @@ class Values(unittest.TestCase):
     def test_they_are_those_of_the_library(self) -> None:
         for turn, arithmetic in enumerate(command.ARITHMETICS):
             of = module(arithmetic)
-            names = list(public(of)) if THOROUGH else list(public(of))[turn * 16::48]
+            names = list(of.forms) if THOROUGH else list(of.forms)[turn * 16::48]
             self.assertGreater(len(names), 6)
             with self.subTest(arithmetic=arithmetic):
                 texts = {name: text(name, of=of, language="cpp") for name in names}
@@ -166,7 +166,7 @@ class Shaders(unittest.TestCase):
                 done = subprocess.run(["glslangValidator", file], capture_output=True, text=True, check=False)
                 self.assertEqual(done.returncode, 0, done.stdout)
         bare = r"(?<!highp )\b(?:float|u?int|[iu]?vec\d) \w+(?: =|[,;)])"
-        for name in list(public(module("fast")))[::1 if THOROUGH else 24]:
+        for name in list(module("fast").forms)[::1 if THOROUGH else 24]:
             self.assertNotRegex(text(name), bare)
         self.assertRegex(text(name).replace("highp ", ""), bare)
 
@@ -190,7 +190,7 @@ class Shaders(unittest.TestCase):
 
     def test_functions_compile_together(self) -> None:
         """Pairs of a family, and all in one text: by default some. WGSL is in pick.shading_test."""
-        names = list(public(module("fast")))
+        names = list(module("fast").forms)
         together = [*pairs_of(names)[::1 if THOROUGH else 600], names if THOROUGH else names[::50]]
         pick = command.picker()
         for functions in together:
@@ -238,7 +238,7 @@ class Shaders(unittest.TestCase):
             with self.subTest(name):
                 self.assertLessEqual(len(text(name)), length)
                 self.assertLessEqual(text(name).count("\n"), lines)
-        names = list(public(module("fast")))[::1 if THOROUGH else 20]
+        names = list(module("fast").forms)[::1 if THOROUGH else 20]
         longest = max((line for name in names for line in text(name).splitlines()), key=len)
         self.assertLessEqual(len(longest), 120)
 
@@ -383,10 +383,10 @@ class Comments(unittest.TestCase):
         return " ".join(" ".join(lines).split())
 
     def test_nothing_refers_to_what_is_not_there(self) -> None:
-        known = list(public(module("fast")))
+        known = list(module("fast").forms)
         for turn, language in enumerate(self.LANGUAGES):
             for name in known if THOROUGH else [*known[turn * 9::288], "hn_cellular2_full"]:
-                if language == command.TSL and not is_node(public(module("fast"))[name]):
+                if language == command.TSL and not is_node(module("fast").forms[name]):
                     continue
                 with self.subTest(name, language=language):
                     self.assertNotRegex(self.comment(self.pick([name], command.Choice(language, "fixed"))),
@@ -399,7 +399,7 @@ class Comments(unittest.TestCase):
 
     def test_all_is_explained(self) -> None:
         """Of every function: it is in the library's comments, so it is in those of each language."""
-        for name, function in public(module("fast")).items():
+        for name, function in module("fast").forms.items():
             with self.subTest(name):
                 facts = comments.facts(function, GLSL, True)
                 self.assertEqual([one for one, text in facts.parameters.items() if not text], [])
@@ -428,7 +428,7 @@ class Comments(unittest.TestCase):
             self.assertIn("usually 4 to 8", shown)
 
     def compiled(self, call: str, name: str, shown: str) -> subprocess.CompletedProcess[str]:
-        function = public(module("fast"))[name]
+        function = module("fast").forms[name]
         variables = "".join(f"  highp {one.type} {one.at.text};\n".replace("highp hn_", "hn_")
                             for one in function.parameters)
         with tempfile.TemporaryDirectory() as folder:
@@ -438,7 +438,7 @@ class Comments(unittest.TestCase):
             return subprocess.run(["glslangValidator", file], capture_output=True, text=True, check=False)
 
     def test_the_call_of_the_comment_compiles(self) -> None:
-        known = public(module("fast"))
+        known = module("fast").forms
         for name in list(known)[::1 if THOROUGH else 30]:
             with self.subTest(name):
                 shown = self.pick([name], command.Choice())
@@ -513,7 +513,7 @@ class Command(unittest.TestCase):
     def test_the_page_says_how_many_functions_there_are(self) -> None:
         """What it shows of them is made by tools/make readme."""
         page = (ROOT / "docs" / "languages.md").read_text()
-        self.assertIn(f"# {len(public(module('fast')))} functions\n", page)
+        self.assertIn(f"# {len(module('fast').forms)} functions\n", page)
 
     def test_the_pages_of_snippets_are_what_it_writes(self) -> None:
         folder = ROOT / "docs" / "snippets"
@@ -527,7 +527,7 @@ class Command(unittest.TestCase):
     def test_pages_are_written_into_a_folder(self) -> None:
         with tempfile.TemporaryDirectory() as folder, \
                 mock.patch.object(pages, "FUNCTIONS", {"hn_random2": "a number"}), \
-                mock.patch.object(pages, "LANGUAGES", pages.LANGUAGES[:1]):
+                mock.patch.object(pages, "OF_TREE", pages.OF_TREE[:1]):
             new = Path(folder, "new")
             self.assertEqual(pages.main(["--out", str(new)]), 0)
             self.assertIn("[hn_random2](hn_random2.md) | a number", (new / "README.md").read_text())
@@ -590,7 +590,7 @@ class Command(unittest.TestCase):
     def test_the_list_has_what_can_be_asked_for(self) -> None:
         status, shown = self.call("--list")
         self.assertEqual(status, 0)
-        known = public(module("fast"))
+        known = module("fast").forms
         lines = shown.splitlines()
         self.assertCountEqual([line.split()[0] for line in lines if line.startswith("  ")], known)
         groups = [line.partition(":")[0] for line in lines if line and not line.startswith("  ")]

@@ -14,7 +14,7 @@ from translate.pick.comments import arguments_of
 from translate.pick.evaluate import Kept, Module
 from translate.pick.statements import Break, Declare, If, Loop, Return, Set, Statement, blocks, inner, operands, values_of, walk
 from translate.pick.values import PREFIXES, SIZES, Constant, Node, Operation, Variable, operation, scalar_of
-from translate.wgsl.names import PASSED
+from translate.names import PASSED
 
 WIDTH = 100  # of lines, as far as values have parts that can be named
 # Names that no variable has: those of the languages, and what readers would take for something else.
@@ -141,22 +141,104 @@ class Language:
         return Writer(self, block, hints, [parameter.at.text for parameter in parameters], names, precise)
 
 
-class Writer:
+class Expressions:
+    """Values as text."""
+
+    def __init__(self, language: Language, names: Mapping[Kept, str]):
+        self.language = language
+        self.names = names  # of functions
+        self.called: dict[Node, str] = {}  # the names of values and variables
+
+    def _text(self, node: Node, strength: int = -1) -> str:
+        """In parentheses, unless it binds more strongly than that."""
+        text, binds = self._expression(node)
+        return text if binds > strength else f"({text})"
+
+    def _constant(self, constant: Constant) -> str:
+        value = constant.value
+        if constant.type == "bool":
+            return "true" if value else "false"
+        if constant.type == "float":
+            return value.rstrip("fF") + self.language.float_suffix
+        if constant.type == "int":
+            return str(value) if value != -(1 << 31) else "(-2147483647 - 1)"
+        return f"0x{value:X}u" if value > 9999 else f"{value}u"
+
+    def _expression(self, node: Node) -> tuple[str, int]:
+        """Its text, and how strongly it binds."""
+        if isinstance(node, Constant):
+            text = self._constant(node)
+            return text, UNARY if text.startswith("-") else PRIMARY
+        if node in self.called or isinstance(node, Variable):
+            return self._named(node), PRIMARY
+        arguments = node.arguments
+        if node.kind == "copy":
+            return self._expression(arguments[0])
+        if node.kind == "member":
+            return f"{self._text(arguments[0], UNARY)}.{node.name}", PRIMARY
+        if node.kind == "unary":
+            return f"{node.name}{self._text(arguments[0], UNARY)}", UNARY
+        if node.kind == "choice":
+            return self._choice(*arguments)
+        if node.kind == "binary":
+            return self._binary(node)
+        if self.language.fills and (number := splatted(node)) is not None:
+            arguments = (number,)
+        if isinstance(node.name, Kept):
+            name = self.names[node.name]
+        else:
+            name = (self.language.called(node.name, node.type) if node.kind == "builtin" else
+                    self.language.named(node.name))
+        return f"{name}({', '.join(self._text(argument) for argument in arguments)})", PRIMARY
+
+    def _named(self, node: Node) -> str:
+        """What has a name: a field has one behind a point."""
+        name, *fields = (self.called.get(node) or node.name).split(".")
+        return ".".join([self.language.variable(name), *map(self.language.field, fields)])
+
+    def _choice(self, condition: Node, yes: Node, no: Node) -> tuple[str, int]:
+        texts = [self._text(argument, CHOICE) for argument in (condition, yes, no)]
+        return f"{texts[0]} ? {texts[1]} : {texts[2]}", CHOICE
+
+    def _binary(self, node: Operation) -> tuple[str, int]:
+        strength = STRENGTH[node.name]
+        parts = []
+        for i, argument in enumerate(self._operands(node)):
+            text, binds = self._expression(argument)
+            is_chain = isinstance(argument, Operation) and argument.kind == "binary" and binds < UNARY
+            apart = is_chain and self._stands_apart(argument.name, node.name)
+            parts.append(f"({text})" if binds < strength + i or apart else text)
+        return f"{parts[0]} {node.name} {parts[1]}", strength
+
+    def _operands(self, node: Operation) -> list[Node]:
+        """Of an operator, as the language takes them."""
+        left, right = node.arguments
+        return [self._scalar(one) if SIZES[other.type] > 1 else one for one, other in ((left, right), (right, left))]
+
+    def _scalar(self, node: Node) -> Node:
+        """A number in place of a vector of it."""
+        number = splatted(node) if self.language.splats else None
+        return node if number is None else number
+
+    def _stands_apart(self, inside: str, around: str) -> bool:
+        """Whether an operation is in parentheses for readers."""
+        return inside != around and (around in BITS or (inside in BITS and around not in TRUTH))
+
+
+class Writer(Expressions):
     """Of the body of one function. `hints` say what values are called in the library, `names` what is called."""
     indent = 2
 
     def __init__(self, language: Language, block: list[Statement], hints: Mapping[Node, str], parameters: Iterable[str],
                  names: Mapping[Kept, str], precise: bool = False, reserved: Iterable[str] = ()):
-        self.language = language
+        super().__init__(language, names)
         self.block = block
         self.hints = hints
-        self.names = names
         self.precise = precise
         known = (node for node in values_of(block) if isinstance(node, Operation))
         functions = (str(node.name) for node in known if node.kind == "builtin")
         results = (one.variable.name for one in walk(block) if isinstance(one, Declare) and one.variable.is_parameter)
         self.taken = {*parameters, *results, *names.values(), *functions, *RESERVED, *reserved}
-        self.called: dict[Node, str] = {}  # the names of values and variables
         self.named: set[Operation] = set()
         self._numbers = {id(one): number for number, one in enumerate(blocks(block))}
         self._places: dict[Operation, Place] = {}
@@ -414,83 +496,6 @@ class Writer:
 
     def _do(self, body: list[str], condition: Node) -> list[str]:
         return ["do {", *body, f"}} while ({self._text(condition)});"]
-
-    # Expressions.
-
-    def _text(self, node: Node, strength: int = -1) -> str:
-        """In parentheses, unless it binds more strongly than that."""
-        text, binds = self._expression(node)
-        return text if binds > strength else f"({text})"
-
-    def _constant(self, constant: Constant) -> str:
-        value = constant.value
-        if constant.type == "bool":
-            return "true" if value else "false"
-        if constant.type == "float":
-            return value.rstrip("fF") + self.language.float_suffix
-        if constant.type == "int":
-            return str(value) if value != -(1 << 31) else "(-2147483647 - 1)"
-        return f"0x{value:X}u" if value > 9999 else f"{value}u"
-
-    def _expression(self, node: Node) -> tuple[str, int]:
-        """Its text, and how strongly it binds."""
-        if isinstance(node, Constant):
-            text = self._constant(node)
-            return text, UNARY if text.startswith("-") else PRIMARY
-        if node in self.called or isinstance(node, Variable):
-            return self._named(node), PRIMARY
-        arguments = node.arguments
-        if node.kind == "copy":
-            return self._expression(arguments[0])
-        if node.kind == "member":
-            return f"{self._text(arguments[0], UNARY)}.{node.name}", PRIMARY
-        if node.kind == "unary":
-            return f"{node.name}{self._text(arguments[0], UNARY)}", UNARY
-        if node.kind == "choice":
-            return self._choice(*arguments)
-        if node.kind == "binary":
-            return self._binary(node)
-        if self.language.fills and (number := splatted(node)) is not None:
-            arguments = (number,)
-        if isinstance(node.name, Kept):
-            name = self.names[node.name]
-        else:
-            name = (self.language.called(node.name, node.type) if node.kind == "builtin" else
-                    self.language.named(node.name))
-        return f"{name}({', '.join(self._text(argument) for argument in arguments)})", PRIMARY
-
-    def _named(self, node: Node) -> str:
-        """What has a name: a field has one behind a point."""
-        name, *fields = (self.called.get(node) or node.name).split(".")
-        return ".".join([self.language.variable(name), *map(self.language.field, fields)])
-
-    def _choice(self, condition: Node, yes: Node, no: Node) -> tuple[str, int]:
-        texts = [self._text(argument, CHOICE) for argument in (condition, yes, no)]
-        return f"{texts[0]} ? {texts[1]} : {texts[2]}", CHOICE
-
-    def _binary(self, node: Operation) -> tuple[str, int]:
-        strength = STRENGTH[node.name]
-        parts = []
-        for i, argument in enumerate(self._operands(node)):
-            text, binds = self._expression(argument)
-            is_chain = isinstance(argument, Operation) and argument.kind == "binary" and binds < UNARY
-            apart = is_chain and self._stands_apart(argument.name, node.name)
-            parts.append(f"({text})" if binds < strength + i or apart else text)
-        return f"{parts[0]} {node.name} {parts[1]}", strength
-
-    def _operands(self, node: Operation) -> list[Node]:
-        """Of an operator, as the language takes them."""
-        left, right = node.arguments
-        return [self._scalar(one) if SIZES[other.type] > 1 else one for one, other in ((left, right), (right, left))]
-
-    def _scalar(self, node: Node) -> Node:
-        """A number in place of a vector of it."""
-        number = splatted(node) if self.language.splats else None
-        return node if number is None else number
-
-    def _stands_apart(self, inside: str, around: str) -> bool:
-        """Whether an operation is in parentheses for readers."""
-        return inside != around and (around in BITS or (inside in BITS and around not in TRUTH))
 
 
 def declared(parameter: Parameter) -> str:

@@ -11,12 +11,12 @@ from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from base.tree import GLSL, version
-from catalog.tables.functions import Function as Row
 from translate.parsing.lines import wrapped
 from translate.parsing.preprocessor import Preprocessor
-from translate.parsing.syntax import Function, Parameter, Parser
+from translate.parsing.syntax import Function, Parameter, definitions
 from translate.parsing.tokens import Unknown
 from translate.pick import comments
 from translate.pick.comments import Facts
@@ -24,7 +24,9 @@ from translate.pick.evaluate import Evaluation, Kept, Known, Module, Summed, Typ
 from translate.pick.printer import Language, declared
 from translate.pick.statements import Statement, values_of, without_copies, without_dead
 from translate.pick.values import AXES, SIZES, Constant, Node, Operation, Variable, begin_anew, scalar_of
-from translate.wgsl.translator import Translator
+
+if TYPE_CHECKING:
+    from catalog.tables.functions import Function as Row
 
 CALL = re.compile(r"(hn_\w+)\((?:hn_(tile|place)\()?(float|vec[234])\)+")
 STEP = re.compile("hn_(add|next|octaves|mean|density|slopes|shifts)")  # of a loop over octaves
@@ -47,24 +49,15 @@ def _read_once(library: Path, settings: tuple[tuple[str, str], ...], splits: boo
 
 
 def _read(library: Path, settings: dict[str, str], splits: bool, own: Sequence[Function], below: str) -> Module:
-    preprocessor = Preprocessor(library, settings)
-    preprocessor.read(f'#include "hashnoise.glsl"\n{below}', "the library")
     # Where floats are precise, all are: the printer says so.
-    tokens = [token for token in preprocessor.tokens if token.text != "precise"]
-    tree = Parser(tokens).parse()
-    for item in tree:
-        names = {item.name, *(parameter.at.text for parameter in item.parameters)} if isinstance(item, Function) else ()
-        for function in own:
-            if function.name in names:
-                raise Unknown(f"{function.name} is a name that the library has: call your function otherwise")
+    preprocessor = Preprocessor(library, {**settings, "precise": ""})
+    preprocessor.read(f'#include "hashnoise.glsl"\n{below}', "the library")
+    tree = definitions(preprocessor.items)
+    for name in (function.name for function in own):
+        if any(name in (item.name, *(one.at.text for one in item.parameters)) for item in tree
+               if isinstance(item, Function)):
+            raise Unknown(f"{name} is a name that the library has: call your function otherwise")
     return Module(tree, preprocessor.constants, splits, own)
-
-
-@functools.lru_cache(maxsize=16)  # tests ask for it with each function
-def public(module: Module) -> dict[str, Function]:
-    """The functions by the names of their forms (wgsl.names). A form has its seed."""
-    translator = Translator(module.tree, module.constants)
-    return {name: item for name in translator.public() if isinstance(item := translator.items[name], Function)}
 
 
 def name_of(row: Row, known: dict[tuple[str, tuple[str, ...]], str]) -> str:
@@ -76,7 +69,7 @@ def name_of(row: Row, known: dict[tuple[str, tuple[str, ...]], str]) -> str:
 
 def names() -> dict[tuple[str, tuple[str, ...]], str]:
     """The names of the forms by what the library calls them and the types that they take."""
-    return {(one.name, tuple(one.types)): name for name, one in public(read(GLSL, {})).items()}
+    return {(one.name, tuple(one.types)): name for name, one in read(GLSL, {}).forms.items()}
 
 
 def expanded(names: Sequence[str]) -> list[str]:
@@ -101,10 +94,10 @@ def expanded(names: Sequence[str]) -> list[str]:
 def listed(module: Module, library: Path) -> str:
     """All forms, by function: what makes noise, and behind it the steps of loops."""
     groups: dict[str, list[str]] = {}
-    for name, function in sorted(public(module).items()):
+    for name, function in sorted(module.forms.items()):
         groups.setdefault(function.name, []).append(f"  {name:32} {function.type} {function.name}"
                                                     f"({', '.join(map(declared, function.parameters))})\n")
-    first = {function.name: function for function in reversed(public(module).values())}
+    first = {function.name: function for function in reversed(module.forms.values())}
     order = sorted(groups, key=lambda name: (STEP.match(name) is not None, name))
     about = {name: re.sub(" (?:on|in) the (?:plane|line)", "", comments.first_sentence(first[name], library))
              for name in order}
@@ -113,11 +106,11 @@ def listed(module: Module, library: Path) -> str:
 
 def chosen(module: Module, names: Sequence[str]) -> list[Function]:
     """The functions of these names."""
-    known = public(module)
-    for name in names:
-        if name not in known:
-            raise Unknown(f"there is no function {name}{_hint(name, known)}")
-    return [known[name] for name in dict.fromkeys(names)]
+    found = {name: module.form(name) for name in names}
+    for name, function in found.items():
+        if function is None:
+            raise Unknown(f"there is no function {name}{_hint(name, module.forms)}")
+    return [*found.values()]
 
 
 def _hint(name: str, known: dict[str, Function]) -> str:
@@ -145,11 +138,11 @@ def over(module: Module, form: str) -> Module:
     noise, = chosen(module, [form])
     dimensions = SIZES.get(noise.types[0]) or int(noise.types[0][-1])
     types = (f"hn_place{dimensions}", "uint")
-    at_place = module.functions.get((noise.name, types))
+    at_place = module.overload(noise.name, types)
     if at_place is None:
         raise Unknown(f"--noise {form}: there is no {noise.name}({', '.join(types)}), and more an octave has not")
     for replaced in ("hn_perlin", "hn_perlin_d"):
-        of_library = module.functions.get((replaced, types))
+        of_library = module.overload(replaced, types)
         if of_library and of_library.type == at_place.type:
             with_other = copy.copy(module)
             with_other.summed = Summed(noise.name, replaced, types)
@@ -179,6 +172,10 @@ class Evaluated:
         return values_of(self.block)
 
     @functools.cached_property
+    def calls(self) -> list[Kept]:
+        return sorted({node.name for node in self.nodes if _is_call(node)}, key=str)
+
+    @functools.cached_property
     def size(self) -> int:
         """How many operations it has."""
         return sum(isinstance(node, Operation) and node.kind not in ("member", "construct") for node in self.nodes)
@@ -190,17 +187,31 @@ class Program:
     def __init__(self, module: Module, roots: Sequence[Function]):
         begin_anew()
         self.module = module
+        self._asked_for = roots
         self.kept: dict[Key, Kept] = {}
         self._done: dict[tuple[Kept, bool], Evaluated] = {}  # that the functions in `kept` leave as they are
-        while True:
-            self.roots = [self._evaluated(self._all_passed(root), is_root=True) for root in roots]
-            self.called = self._called()
-            kept = self._worth_a_call() or self._joined()
-            if kept is None:
-                break
-            key = kept.name, kept.types
-            self.kept[key] = kept
-            self._done = {of: one for of, one in self._done.items() if key not in one.asked}
+        self._evaluate_all()
+        while new := self._worth_a_call() or self._joined():
+            if not self._keep(new):
+                self._keep(new[:1])
+
+    def _evaluate_all(self) -> None:
+        self.roots = [self._evaluated(self._all_passed(root), is_root=True) for root in self._asked_for]
+        self.called = self._called()
+
+    def _keep(self, new: Sequence[Kept]) -> bool:
+        """Whether these stay functions: of several each has to be called as before, else the first one comes first."""
+        before, kept, done = self._arguments(), self.kept, self._done
+        keys = {(one.name, one.types) for one in new}
+        self.kept = {**kept, **{(one.name, one.types): one for one in new}}
+        self._done = {of: one for of, one in done.items() if not one.asked & keys}
+        self._evaluate_all()
+        now = self._arguments()
+        if len(new) == 1 or all(len(now.get(key, ())) == len(before[key]) and
+                                self._known(now[key]) == self.kept[key].known for key in keys):
+            return True
+        self.kept, self._done = kept, done
+        return False
 
     def _evaluated(self, kept: Kept, is_root: bool = False) -> Evaluated:
         if (kept, is_root) not in self._done:
@@ -208,7 +219,7 @@ class Program:
         return self._done[kept, is_root]
 
     def _evaluate(self, kept: Kept, is_root: bool) -> Evaluated:
-        function = self.module.functions[kept.name, kept.types]
+        function = self.module.overload(kept.name, kept.types)
         asked: set[Key] = set()
 
         def keeps(called: Function, arguments: Sequence[Node]) -> Kept | None:
@@ -269,7 +280,7 @@ class Program:
         order: list[Kept] = []
 
         def visit(evaluated: Evaluated) -> None:
-            for kept in sorted({node.name for node in evaluated.nodes if _is_call(node)}, key=str):
+            for kept in evaluated.calls:
                 if kept not in found:
                     found[kept] = self._evaluated(kept)
                     visit(found[kept])
@@ -299,22 +310,31 @@ class Program:
                      else columns.index(column) if columns.index(column) < i else None
                      for i, column in enumerate(columns))
 
-    def _worth_a_call(self) -> Kept | None:
-        """What is called more than once with other arguments, and is long: the longest."""
-        best: tuple[int, Kept] | None = None
+    def _worth_a_call(self) -> list[Kept]:
+        """What is called more than once with other arguments, and is long: the longest, and those that follow by length
+        as long as none calls another one, since each changes what those that call it are."""
+        found: list[Kept] = []
         roots = {(root.function.name, root.function.types) for root in self.roots}
         for key, calls in self._arguments().items():
             count = len(calls)
             if count < 2 or key in self.kept or key in roots:
                 continue
             kept = Kept(*key, self._known(calls))
-            size = self._evaluated(kept).size
             # What the other calls save, less a head of a function and its calls, all in operations.
-            if (count - 1) * size > 4 + count and (best is None or size > best[0]):
-                best = size, kept
-        return best[1] if best else None
+            if (count - 1) * self._evaluated(kept).size > 4 + count:
+                found.append(kept)
+        found.sort(key=lambda kept: -self._evaluated(kept).size)
+        for count in range(1, len(found)):
+            # With those before it, and with those as long as it, since the order of these may change.
+            others = [*found[:count], *(one for one in found if self._evaluated(one).size == self._evaluated(found[count]).size)]
+            if any(self._calls(found[count], one) or self._calls(one, found[count]) for one in others):
+                return found[:count]
+        return found
 
-    def _joined(self) -> Kept | None:
+    def _calls(self, kept: Kept, other: Kept) -> bool:
+        return (other.name, other.types) in self._evaluated(kept).asked
+
+    def _joined(self) -> list[Kept]:
         """A function one of whose arguments is what another one returns, in all calls: with that in it."""
         uses: Counter[Node] = Counter()
         calls: dict[Kept, list[Operation]] = {}
@@ -331,8 +351,8 @@ class Program:
                 other = arguments[0].name if _is_call(arguments[0]) else None
                 if other and len(self.called[other].block) == 1 and len(calls[other]) == len(arguments) and all(
                         _is_call(one) and one.name == other and uses[one] == 1 for one in arguments):
-                    return Kept(kept.name, kept.types, (*kept.known[:i], other, *kept.known[i + 1:]))
-        return None
+                    return [Kept(kept.name, kept.types, (*kept.known[:i], other, *kept.known[i + 1:]))]
+        return []
 
     # Text.
 
@@ -352,7 +372,7 @@ class Program:
 
     def may_lack_seed(self, function: Function) -> bool:
         """Whether GLSL has it without the seed behind its other parameters."""
-        return function.types[-1:] == ("uint",) and (function.name, function.types[:-1]) in self.module.functions
+        return function.types[-1:] == ("uint",) and self.module.overload(function.name, function.types[:-1]) is not None
 
     def _names(self, language: Language) -> dict[Kept, str]:
         """Of the functions that are called. Overloads may differ in what is left out alone: the later has a number."""

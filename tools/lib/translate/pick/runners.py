@@ -21,7 +21,7 @@ from translate.pick.javascript import JavaScript
 from translate.pick.rust import Rust
 from translate.pick.scalars import Part, Piece, Syntax, fields_of, pascal, results_of
 from translate.pick.values import AXES, SIZES, scalar_of
-from translate.wgsl.names import wgsl_name
+from translate.names import wgsl_name
 
 
 class NotInstalled(Exception):

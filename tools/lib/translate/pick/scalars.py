@@ -21,7 +21,7 @@ from translate.pick.printer import BITS, CHOICE, PRIMARY, STRENGTH, TRUTH, UNARY
 from translate.pick.program import Evaluated, Program
 from translate.pick.statements import Break, Declare, If, Loop, Return, Set, Statement, blocks, operands, reachable, walk
 from translate.pick.values import AXES, Constant, Node, Operation, Variable, converted, operation, scalar_of
-from translate.wgsl.names import PASSED, wgsl_name
+from translate.names import PASSED, wgsl_name
 
 ROOM = 84  # for components in one line
 NEGATED = {"<": ">=", ">": "<=", "<=": ">", ">=": "<", "==": "!=", "!=": "=="}  # of whole numbers
@@ -91,7 +91,7 @@ def block_comment(facts: Facts, tag: str) -> list[str]:
 
 
 def facts_of(evaluated: Evaluated, name: str, syntax: Syntax, known: comments.Facts) -> Facts:
-    function, module = evaluated.function, evaluated.evaluation.module
+    function, module = evaluated.function, evaluated.evaluation.library
     names = iter(syntax.variable(one.at.text) for one in evaluated.parameters)
     taken = {one.at.text: [next(names) for _ in module.passed(one)] for one in function.parameters}
     sets = [one.at.text for one in function.parameters if one.is_set and not module.passed(one)]
@@ -638,7 +638,7 @@ def _function(evaluated: Evaluated, name: str, is_public: bool, syntax: Syntax,
     function = evaluated.function
     parameters = [parameter.at.text for parameter in evaluated.parameters]
     snake = [bare(kept.name) for kept in names]  # as variables are called before the language has its say
-    results = results_of(function, evaluated.evaluation.module)
+    results = results_of(function, evaluated.evaluation.library)
     beside = [one.name for one in results[function.type != "void":]] if syntax.sets_parameters else []
     writer = Scalars(syntax, structs, evaluated.block, evaluated.evaluation.hints,
                      evaluated.evaluation.axes, [*parameters, *beside, *snake], names, results)

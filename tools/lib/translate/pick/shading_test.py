@@ -21,7 +21,7 @@ from translate.pick import command, printer
 from translate.pick.evaluate import Module
 from translate.pick.languages_test import POINTS, SKIPPED, difference, functions, words
 from translate.pick.languages_test import module as split_module
-from translate.pick.program import Program, chosen, public, read
+from translate.pick.program import Program, chosen, read
 from translate.pick.shading import LANGUAGES
 from translate.pick.shading_runners import RUNNERS, Case, Runner, WgslRunner, pairs_of
 from translate.wgsl.device import Absent
@@ -85,7 +85,7 @@ class Bounds(unittest.TestCase):
     def wrong(self, change: tuple[str, str] = ("", ""), every: int = 1, only: str = "") -> list[str]:
         cases = [case for case in self.page.cases if not only or case["id"].startswith(only)][::every]
         rows = {case["id"]: ".".join(case["id"].split(".")[:2]) for case in cases}
-        known = public(module("fast"))
+        known = module("fast").forms
         shaders = shaders_over([*rows.values()], "HN_FAST", lambda names: text(
             "wgsl", "fast", *(name for name in names if name in known)))
         self.assertGreater(len(cases), 0)
@@ -126,13 +126,13 @@ class Wgsl(unittest.TestCase):
     @in_thorough_runs
     def test_every_function_compiles(self) -> None:
         for arithmetic in ("fast", "fixed"):
-            for name in public(module(arithmetic)):
+            for name in module(arithmetic).forms:
                 with self.subTest(name=name, arithmetic=arithmetic):
                     self.runner.device.compile(text("wgsl", arithmetic, name))
 
     def test_functions_compile_together(self) -> None:
         """Pairs of a family, and all in one text: by default some."""
-        names = list(public(module("fast")))
+        names = list(module("fast").forms)
         pairs = pairs_of(names)[::1 if THOROUGH else 400]
         for together in (*pairs, names if THOROUGH else names[::40]):
             with self.subTest(together):

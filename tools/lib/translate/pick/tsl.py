@@ -12,11 +12,10 @@ from translate.pick import comments
 from translate.pick.comments import Facts
 from translate.pick.program import Program
 from translate.pick.shading import LANGUAGES
-from translate.wgsl.names import wgsl_name
+from translate.names import wgsl_name
 
 NODES = ROOT / "packages" / "npm" / "src" / "tsl" / "function.js"
 TYPES = re.compile(r"float|u?int|[iu]?vec[234]|hn_place[1-4]")
-NO_PRECISE = "three.js passes `precise` to no shader: take --arithmetic fixed, whose bits are the same everywhere"
 
 
 def signature(function: Function) -> str:

@@ -6,10 +6,11 @@ of floats stays as it is written, since another order of operations could round 
 
 from __future__ import annotations
 
+import functools
 import itertools
 import struct
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Union
 
@@ -36,6 +37,7 @@ class Constant:
     """An int, a uint or a bool that is known, or a float as it is written."""
     type: str
     value: int | str
+    written: str = field(default="", compare=False)  # as the library has it
 
 
 @dataclass(eq=False)
@@ -92,7 +94,26 @@ WHOLE: dict[str, Callable[[int, int], int]] = {
     "<<": lambda a, b: a << (b & 31), ">>": lambda a, b: a >> (b & 31)}
 COMPARED: dict[str, Callable[[int, int], bool]] = {
     "==": int.__eq__, "!=": int.__ne__, "<": int.__lt__, ">": int.__gt__, "<=": int.__le__, ">=": int.__ge__}
+SHIFTS = ("<<", ">>")
 NEUTRAL = {"+": 0, "-": 0, "|": 0, "^": 0, "<<": 0, ">>": 0, "*": 1, "/": 1}  # as the right operand
+
+
+@functools.lru_cache(maxsize=None)
+def result_type(sign: str, left: str, right: str) -> str | None:
+    """Of an operator between these types; None if there is none that the library needs."""
+    if left not in SIZES or right not in SIZES:
+        return None
+    one, other = scalar_of(left), scalar_of(right)
+    if sign in ("&&", "||"):
+        return "bool" if one == other == "bool" else None
+    if sign in COMPARED:
+        return "bool" if left == right and SIZES[left] == 1 and (one != "bool" or sign in ("==", "!=")) else None
+    if sign in SHIFTS:
+        return left if one in PREFIXES and one != "float" and right in ("int", "uint") else None
+    if one != other or one not in PREFIXES or (one == "float" and sign in "&|^%") or (
+            left != right and 1 not in (SIZES[left], SIZES[right])):
+        return None
+    return left if SIZES[left] >= SIZES[right] else right
 
 
 NOTHING = Constant("float", "0.0f")
@@ -165,8 +186,7 @@ def binary(sign: str, left: Node, right: Node) -> Node:
         return left.arguments[1]
     if not whole and sign in "+-" and isinstance(right, Constant) and right.value.startswith("-"):
         sign, right = "-+"[sign == "-"], Constant(right.type, right.value[1:])  # the same bits
-    size = max(SIZES[left.type], SIZES[right.type])
-    type_ = left.type if sign in ("<<", ">>") else vector_of(scalar_of(left.type), size)
+    type_ = result_type(sign, left.type, right.type)
     if whole:
         if sign in NEUTRAL and is_number(right, NEUTRAL[sign]) and left.type == type_ and not hides(sign, left):
             return left
@@ -176,7 +196,7 @@ def binary(sign: str, left: Node, right: Node) -> Node:
         for one, other in ((left, right), (right, left)):
             if sign == "&" and is_number(other, WORD if other.type == "uint" else -1) and one.type == type_:
                 return one
-        if sign in "&*" and (is_number(left, 0) or is_number(right, 0)) and size == 1:
+        if sign in "&*" and (is_number(left, 0) or is_number(right, 0)) and SIZES[type_] == 1:
             return Constant(type_, 0)
     elif sign in "*/" and isinstance(right, Constant) and right.value.rstrip("fF") == "1.0":
         return left

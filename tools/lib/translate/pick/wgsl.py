@@ -1,15 +1,16 @@
-"""WGSL: functions by the names of their forms, since it has no overloads (wgsl.names)."""
+"""WGSL: functions by the names of their forms, since it has no overloads (translate/names.py)."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 
 from translate.parsing.syntax import Function, Parameter
-from translate.pick.evaluate import CASTS, Kept
-from translate.pick.printer import BITS, PRIMARY, TRUTH, UNARY, Language, Writer, splatted
+from translate.pick.evaluate import Kept
+from translate.pick.printer import BITS, PRIMARY, TRUTH, UNARY, Expressions, Language, Writer, splatted
 from translate.pick.statements import Set, Statement, walk
+from translate.pick.typer import CASTS
 from translate.pick.values import SIZES, Node, Operation, Variable, construct, converted, scalar_of, vector_of
-from translate.wgsl.names import RESERVED, variable, wgsl_name, wgsl_type
+from translate.names import RESERVED, variable, wgsl_name, wgsl_type
 
 SHIFTS = ("<<", ">>")
 
@@ -57,31 +58,8 @@ class Wgsl(Language):
         return WgslWriter(self, block, hints, parameters, names)
 
 
-class WgslWriter(Writer):
-    def __init__(self, language: Wgsl, block: list[Statement], hints: Mapping[Node, str],
-                 parameters: Sequence[Parameter], names: Mapping[Kept, str]):
-        self._pointers = {variable(one.at.text) for one in parameters if one.is_set}
-        self._changed = {one.variable for one in walk(block) if isinstance(one, Set)}
-        taken = (name for one in parameters for name in (one.at.text, variable(one.at.text)))
-        super().__init__(language, block, hints, taken, names, reserved=RESERVED)
-
-    def _find_changed_parameters(self) -> None:
-        """None is a variable."""
-
-    # Statements.
-
-    def _declaration(self, type_: str, name: str, text: str) -> str:
-        return f"let {name} = {text};"
-
-    def _declared(self, variable: Variable, name: str, value: str | None) -> str:
-        if value is None:
-            return f"var {name}: {self._type(variable.type)};"
-        return f"{'var' if variable in self._changed else 'let'} {name} = {value};"
-
-    def _do(self, body: list[str], condition: Node) -> list[str]:
-        return ["loop {", *body, f"  continuing {{ break if !{self._text(condition, UNARY)}; }}", "}"]
-
-    # Expressions.
+class WgslExpressions(Expressions):
+    _pointers: set[str]  # parameters
 
     def _named(self, node: Node) -> str:
         name, *fields = super()._named(node).split(".", 1)
@@ -97,7 +75,7 @@ class WgslWriter(Writer):
 
     def _constructed(self, node: Operation) -> tuple[str, int]:
         """Arguments are converted first, if they are several, or if one is repeated."""
-        number = splatted(node)
+        number = splatted(node) if self.language.fills else None
         arguments = node.arguments if number is None else (number,)
         scalar = scalar_of(node.type)
         if len(arguments) > 1 or SIZES[arguments[0].type] < SIZES[node.type]:
@@ -123,3 +101,26 @@ class WgslWriter(Writer):
         if inside in SHIFTS or inside in TRUTH and around in TRUTH and inside != around:
             return True
         return super()._stands_apart(inside, around)
+
+
+class WgslWriter(WgslExpressions, Writer):
+    def __init__(self, language: Wgsl, block: list[Statement], hints: Mapping[Node, str],
+                 parameters: Sequence[Parameter], names: Mapping[Kept, str]):
+        self._pointers = {variable(one.at.text) for one in parameters if one.is_set}
+        self._changed = {one.variable for one in walk(block) if isinstance(one, Set)}
+        taken = (name for one in parameters for name in (one.at.text, variable(one.at.text)))
+        super().__init__(language, block, hints, taken, names, reserved=RESERVED)
+
+    def _find_changed_parameters(self) -> None:
+        """None is a variable."""
+
+    def _declaration(self, type_: str, name: str, text: str) -> str:
+        return f"let {name} = {text};"
+
+    def _declared(self, variable: Variable, name: str, value: str | None) -> str:
+        if value is None:
+            return f"var {name}: {self._type(variable.type)};"
+        return f"{'var' if variable in self._changed else 'let'} {name} = {value};"
+
+    def _do(self, body: list[str], condition: Node) -> list[str]:
+        return ["loop {", *body, f"  continuing {{ break if !{self._text(condition, UNARY)}; }}", "}"]

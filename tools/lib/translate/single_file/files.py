@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 
 from base.tree import GLSL, glsl_files, included_from
 from translate.single_file import godot
@@ -15,6 +16,8 @@ PLACES = {"glsl": "Put it below your #version and #extension lines.", "hlsl": "I
           "metal": "Include it once in a file, below <metal_stdlib>.",
           "godot": "Save it as a .gdshaderinc, and include it once in a shader."}
 INCLUDE = re.compile(r'^#include "([^"]+)"$')
+# What a knob decides to include. Without it the file changes nothing, so that it may be there with any knob.
+CHOSEN = re.compile(r'^#if .*\n((?:#include .*\n)+)#endif\n', re.MULTILINE)
 PASSED = re.compile(r"#define (HN_(?:METRIC|SPREAD)_\w+) (\d+)")
 
 
@@ -25,11 +28,16 @@ class Part:
     lines: tuple[str, ...]
 
 
+def lines_of(path: Path) -> list[str]:
+    """The lines of a file, which includes all that it includes with some knob."""
+    return CHOSEN.sub(r"\1", path.read_text(encoding="ascii")).splitlines()
+
+
 def parts(strip: bool = False) -> dict[str, Part]:
     """All of the GLSL, by the names of the files. In a file, includes stand above the code, so they may come first."""
     found = {}
     for name, path in glsl_files().items():
-        lines = path.read_text(encoding="ascii").splitlines()
+        lines = lines_of(path)
         own = [line for line in lines if not INCLUDE.match(line)]
         found[name] = Part(tuple(included_from(name, match[1]) for line in lines if (match := INCLUDE.match(line))),
                            tuple(stripped(own) if strip else own))
@@ -56,7 +64,7 @@ def flatten(name: str, done: set[str]) -> list[str]:
         return []
     done.add(name)
     lines = []
-    for line in (GLSL / name).read_text(encoding="ascii").splitlines():
+    for line in lines_of(GLSL / name):
         included = INCLUDE.match(line)
         lines += flatten(included_from(name, included[1]), done) if included else [line]
     return lines

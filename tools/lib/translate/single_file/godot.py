@@ -13,7 +13,8 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from base.tree import GLSL
-from translate.parsing.preprocessor import Preprocessor
+from translate.parsing import tokens
+from translate.parsing.preprocessor import DEFINE, DIRECTIVE, Preprocessor
 
 # What Godot does not define. Its language has the built-in functions of GLSL ES 3.00.
 UNDEFINED = ("__cplusplus", "HN_I_HLSL", "HN_I_FXC", "HN_I_METAL", "GL_ES", "GL_GOOGLE_cpp_style_line_directive",
@@ -23,11 +24,9 @@ NO_PRECISE = "HN_I_HAS_PRECISE"
 # The macros of the library's own. Those that users write stay: knobs, their values, metrics.
 OWN = re.compile(r"(?!HN_\w+_GLSL)(HN_I_\w+|HN_FN|hn_\w+)")
 GUARD = re.compile(r"HN_\w+_GLSL")
-DIRECTIVE = re.compile(r"#(\w+)\s*(.*)")
-DEFINE = re.compile(r"(\w+)(\(([^)]*)\))?\s*(.*)")
-WORD = re.compile(r"\b[A-Za-z_]\w*\b")
+WORD = re.compile(rf"\b{tokens.WORD}\b")
 # A name of a parameter or a variable: no member, no function, nothing with the library's prefix.
-LOCAL = re.compile(r"(?<![.\w])(?!hn_|HN_)[A-Za-z_]\w*\b(?!\s*\()")
+LOCAL = re.compile(rf"(?<![.\w])(?!hn_|HN_){tokens.WORD}\b(?!\s*\()")
 WORDS_OF_THE_LANGUAGE = frozenset(
     "bool break const continue do else false float for if in inout int out precise return struct true uint void while "
     "bvec2 bvec3 bvec4 ivec2 ivec3 ivec4 uvec2 uvec3 uvec4 vec2 vec3 vec4".split())

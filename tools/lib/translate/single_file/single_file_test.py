@@ -12,8 +12,9 @@ import unittest
 from base.debian import Missing
 from base.debian import program as from_debian
 from base.thorough import THOROUGH, in_thorough_runs, some
-from base.tree import TOOLS, glsl_files
-from translate.single_file.files import INCLUDE, Part, in_order, minified, parts
+from base.tree import GLSL, TOOLS, glsl_files
+from translate.parsing.preprocessor import Preprocessor
+from translate.single_file.files import INCLUDE, Part, in_order, lines_of, minified, parts
 from translate.single_file.godot import expanded
 
 TOOL = TOOLS / "pick", "whole"
@@ -33,6 +34,19 @@ def compile_shader(text):
         shader.flush()
         done = subprocess.run(["glslangValidator", shader.name], capture_output=True, text=True, check=False)
     return done.returncode == 0, done.stdout
+
+
+class Read(Preprocessor):
+    """The files that a preprocessor reads for one, and how many lines each has."""
+
+    def __init__(self, name, **settings):
+        super().__init__(GLSL, settings)
+        self.lines = {}
+        self._read(glsl_files()[name].read_text(encoding="ascii"), name)
+
+    def _read(self, text, path):
+        self.lines[path] = text.count("\n")
+        super()._read(text, path)
 
 
 class SingleFile(unittest.TestCase):
@@ -231,13 +245,25 @@ class SingleFile(unittest.TestCase):
                 call = CALLS.get(name, "hn_clouds(vec3(1.5), 5, 2.0, 0.5)")
                 right, log = compile_shader(f"#version 330\n{text}\nout vec4 o;\nvoid main() {{ o = vec4({call}); }}\n")
                 self.assertTrue(right, log)
-        self.assertEqual(found["perlin2d.glsl"].includes, ("detail/ramps.glsl",))
+        self.assertEqual(found["perlin2d.glsl"].includes, ("detail/ramps2d.glsl",))
         self.assertIsInstance(found["hashnoise.glsl"], Part)
+
+    def test_a_call_on_the_plane_brings_little_text(self):
+        """Files and lines that who reads it meets, with the default of each knob."""
+        for name, files, lines in (("perlin2d.glsl", 9, 1160), ("simplex2d.glsl", 11, 1510),
+                                   ("cellular2d.glsl", 11, 1640), ("fbm_d2d.glsl", 14, 2270)):
+            with self.subTest(name=name):
+                read = Read(name).lines
+                self.assertLessEqual(len(read), files, read)
+                self.assertLessEqual(sum(read.values()), lines, read)
+        self.assertNotIn("detail/hashes.glsl", Read("perlin2d.glsl").lines)
+        self.assertIn("detail/hashes.glsl", Read("perlin2d.glsl", HN_HASH="HN_HASH_PCG").lines)
+        self.assertIn("detail/sine_gradient.glsl", Read("perlin2d.glsl", HN_GRADIENT="HN_GRADIENT_SINE").lines)
 
     def test_includes_stand_above_the_code(self):
         """Else the parts would come in another order than the preprocessor takes them."""
         for name, path in glsl_files().items():
-            lines = path.read_text(encoding="ascii").splitlines()
+            lines = lines_of(path)
             last = max((number for number, line in enumerate(lines) if INCLUDE.match(line)), default=0)
             above = [line for line in lines[:last] if line and not line.startswith("//") and not INCLUDE.match(line)]
             with self.subTest(path=name):

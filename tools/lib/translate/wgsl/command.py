@@ -10,7 +10,8 @@ from pathlib import Path
 from base.tree import GLSL
 from translate.library_file import IMPORT_PATH_HELP, check_name, function_name, import_path, imported_as, write
 from translate.parsing.tokens import Unknown
-from translate.wgsl.module import ARITHMETICS, GRADIENTS, HASHES, Module, Settings
+from translate.settings import ARITHMETICS, GRADIENTS, HASHES, Settings
+from translate.wgsl.module import Module
 
 DESCRIPTION = "Make a WGSL module of a file of the library. For single functions: tools/pick hn_fbm2 --language wgsl."
 EPILOG = """\

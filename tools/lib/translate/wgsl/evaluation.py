@@ -1,7 +1,8 @@
-"""Compute shaders that evaluate the rows of functions.inc at many points: what the tests run.
+"""Compute shaders that evaluate the rows of the suite at many points, with each setting that has values of them: what
+the tests run.
 
-hn-conform has this package inside, and calls it with a file of JSON, a list of {"knobs": TEXT, "files": [NAME, ...],
-"bodies": {NAME: TEXT}}. The answer is {"texts": [...], "groups": [{"shaders": {NAME: [numbers of texts]}}, or {"error": "why there are none"}]}.
+    python3 -m translate.wgsl.evaluation FILE    writes them as JSON, which hn-conform has inside: {"texts": [...],
+                                                 "shaders": {"SETTING ROW": [numbers of texts]}, "knobs": {SETTING: TEXT}}
 """
 
 from __future__ import annotations
@@ -11,10 +12,13 @@ import sys
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
-from translate.parsing.tokens import Unknown
-from translate.wgsl.module import NO_SETTINGS, Module
+from base.tree import GLSL
+from catalog.tables.configurations import Configuration, read_configurations
+from catalog.tables.functions import read_functions
+from translate.settings import NO_SETTINGS
+from translate.wgsl.module import Module
 
-# What the bodies of the rows take for granted (conformance/library/functions.inc).
+# What the bodies of the rows take for granted (tools/lib/catalog/tables/functions.py).
 PROLOGUE = """#define float_of uintBitsToFloat
 #define bits_of floatBitsToUint
 #define SEEDED(s) , s
@@ -36,40 +40,45 @@ fn main(@builtin(global_invocation_id) id: vec3u) {{
 """
 
 
-def evaluations(library: Path, knobs: str, files: Iterable[str], bodies: Mapping[str, str]) -> dict[str, list[str]]:
-    """The shader of each body, by its name, in pieces: shaders have most of theirs in common. The knobs are lines of
-    GLSL; what the bodies need besides may stand there, too."""
+def module_over(knobs: str, bodies: Mapping[str, str], files: Iterable[str] = ("hashnoise.glsl",),
+                library: Path = GLSL) -> tuple[Module, dict[str, str]]:
+    """The library with a function for each body, and its name by that of the body. The knobs are lines of GLSL; what the
+    bodies need besides may stand there, too."""
     numbers = {name: f"evaluate_{number}" for number, name in enumerate(bodies)}
-    functions = [f"uvec4 {numbers[name]}(uvec4 a, uvec4 b, uvec4 c, uvec4 d) {{ {body} }}\n"
-                 for name, body in bodies.items()]
-    includes = "".join(f'#include "{file}"\n' for file in files)
-    module = Module(library, knobs + includes + PROLOGUE + "".join(functions), NO_SETTINGS, "functions.inc")
+    functions = (f"uvec4 {numbers[name]}(uvec4 a, uvec4 b, uvec4 c, uvec4 d) {{ {body} }}\n"
+                 for name, body in bodies.items())
+    text = "".join([knobs, *(f'#include "{file}"\n' for file in files), PROLOGUE, *functions])
+    return Module(library, text, NO_SETTINGS, "rows"), numbers
+
+
+def evaluations(library: Path, knobs: str, files: Iterable[str], bodies: Mapping[str, str]) -> dict[str, list[str]]:
+    """The shader of each body, by its name, in pieces: shaders have most of theirs in common."""
+    module, numbers = module_over(knobs, bodies, files, library)
     return {name: [*module.pieces([number], strip=True), EPILOGUE.replace("EVALUATE", number)]
             for name, number in numbers.items()}
 
 
-def macros_of_rows(table: Path) -> str:
-    """The macros that stand in the bodies of its rows as they are read: those of one line, which make no row."""
-    lines = table.read_text(encoding="utf-8").split("\n")
-    return "".join(f"{line}\n" for line in lines
-                   if line.startswith("#define ") and not line.endswith("\\") and "FUNCTION(" not in line)
+def knobs(configuration: Configuration) -> str:
+    """The lines that select a setting, as the suite has them (conformance/library/configurations.cpp)."""
+    lines = (f"#define {macro.replace('=', ' ')}\n" for macro in configuration.macros)
+    own = "#define HN_HASH_FN(k) (((k) ^ ((k) >> 16u)) * 0x045D9F3Bu)\n" * (configuration.hash == "custom")
+    return "".join(lines) + own
 
 
-def answered(library: Path, question: list[dict]) -> dict:
+def embedded() -> dict:
+    """The shaders of all rows with all settings that have values in WGSL, which has no HN_PRECISE. A text that several
+    have is there once."""
     texts: dict[str, int] = {}
-    groups: list[dict] = []
-    for group in question:
-        try:
-            found = evaluations(library, group["knobs"], group["files"], group["bodies"])
-        except Unknown as error:
-            groups.append({"error": str(error)})
-            continue
-        groups.append({"shaders": {name: [texts.setdefault(piece, len(texts)) for piece in pieces]
-                                   for name, pieces in found.items()}})
-    return {"texts": list(texts), "groups": groups}
+    found: dict[str, list[int]] = {}
+    settings = {one.name: one for one in read_configurations() if one.arithmetic != "precise"}
+    for setting, configuration in settings.items():
+        rows = [row for row in read_functions() if configuration.covers(row)]
+        shaders = evaluations(GLSL, knobs(configuration), ("hashnoise.glsl", "self_check.glsl"),
+                              {row.id: row.body for row in rows})
+        found |= {f"{setting} {row}": [texts.setdefault(piece, len(texts)) for piece in pieces]
+                  for row, pieces in shaders.items()}
+    return {"texts": list(texts), "shaders": found, "knobs": {name: knobs(one) for name, one in settings.items()}}
 
 
-def main() -> int:
-    library, question, answer = map(Path, sys.argv[1:])
-    answer.write_text(json.dumps(answered(library, json.loads(question.read_text(encoding="utf-8")))), encoding="utf-8")
-    return 0
+if __name__ == "__main__":
+    Path(sys.argv[1]).write_text(json.dumps(embedded()), encoding="ascii")

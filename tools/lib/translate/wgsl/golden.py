@@ -14,24 +14,18 @@ from collections.abc import Callable, Collection, Mapping
 from pathlib import Path
 
 from base.golden_values import Golden
-from base.tree import FUNCTIONS, GLSL
 from catalog.tables.functions import read_functions
 from translate.wgsl.device import Device
-from translate.wgsl.evaluation import EPILOGUE, PROLOGUE, macros_of_rows
-from translate.wgsl.module import NO_SETTINGS, Module
+from translate.wgsl.evaluation import EPILOGUE, module_over
 
 
 def shaders_over(rows: Collection[str], arithmetic: str, of: Callable[[list[str]], str]) -> dict[str, str]:
     """A shader for each row, which has its body, and in front of that what `of` makes of the names of what it calls."""
     bodies = {function.id: function.body for function in read_functions() if function.id in rows}
-    numbers = {row: f"evaluate_{i}" for i, row in enumerate(bodies)}
-    written = "".join(f"uvec4 {numbers[row]}(uvec4 a, uvec4 b, uvec4 c, uvec4 d) {{ {body} }}\n"
-                      for row, body in bodies.items())
-    knobs = f"#define HN_ARITHMETIC {arithmetic}\n{macros_of_rows(FUNCTIONS)}"
-    module = Module(GLSL, f'{knobs}#include "hashnoise.glsl"\n{PROLOGUE}{written}', NO_SETTINGS, "functions.inc")
+    module, numbers = module_over(f"#define HN_ARITHMETIC {arithmetic}\n", bodies)
     found = {}
     for row, number in numbers.items():
-        body = module.translator.definition(number)
+        body = module.definition(number)
         found[row] = "\n".join([of(body.needs), *body.lines, EPILOGUE.replace("EVALUATE", number)])
     return found
 

@@ -3,76 +3,88 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from pathlib import Path
 
-from translate.parsing.preprocessor import Preprocessor
-from translate.parsing.syntax import Function, Parser
-from translate.parsing.tokens import Unknown, tokens_of
-from translate.wgsl.translator import Definition, Translator
+from translate.library import Key, Library
+from translate.names import is_passed, is_public, variable, wgsl_name, wgsl_type
+from translate.parsing.preprocessor import Constant, Preprocessor
+from translate.parsing.syntax import Call, Function, Name, Number, Return, Struct, definitions
+from translate.parsing.tokens import Unknown
+from translate.settings import NO_PRECISE, Settings
+from translate.wgsl.writer import Definition, FunctionWriter
 
-HASHES = ("FNV1", "PARTIAL_FNV1", "JENKINS", "PARTIAL_JENKINS", "MURMUR", "PCG", "XXHASH32", "LATTICE", "CUSTOM")
-GRADIENTS = ("OCTAHEDRAL", "SINE")
-ARITHMETICS = ("HN_FAST", "HN_FIXED")
-NO_PRECISE = ("HN_PRECISE is not possible in WGSL, which has no precise: a compiler may join or reorder operations on "
-              "floats. Take HN_FIXED, whose bits are the same everywhere")
 # What a comment says about overloads that WGSL does not have.
 LEFT_OUT = "; 0 if left out"
 
 
-@dataclass(frozen=True)
-class Settings:
-    """The knobs."""
-    arithmetic: str = "HN_FAST"
-    hash: str = "LATTICE"
-    gradient: str = "OCTAHEDRAL"
-    hash_function: str = ""  # with CUSTOM: the name of the user's function, which takes and returns a u32
-
-    def macros(self) -> dict[str, str]:
-        if self == NO_SETTINGS:
-            return {}
-        if (self.hash == "CUSTOM") != bool(self.hash_function):
-            raise Unknown("the hash CUSTOM and the name of your own belong together: "
-                          "--hash CUSTOM --hash-function my_hash")
-        macros = {"HN_ARITHMETIC": self.arithmetic, "HN_HASH": f"HN_HASH_{self.hash}",
-                  "HN_GRADIENT": f"HN_GRADIENT_{self.gradient}"}
-        return macros | ({"HN_HASH_FN(k)": f"{self.hash_function}(k)"} if self.hash_function else {})
-
-    def own_functions(self) -> list[Function]:
-        """The user's, which the text calls."""
-        if not self.hash_function:
-            return []
-        return Parser(list(tokens_of(f"uint {self.hash_function}(uint k) {{ return k; }}", "the options", 1))).parse()
-
-    def __str__(self) -> str:
-        return f"{self.arithmetic}, HN_HASH_{self.hash} and HN_GRADIENT_{self.gradient}"
-
-
-NO_SETTINGS = Settings("", "", "")
-
-
 class Module:
-    """The definitions of a text, which may include files of the library."""
+    """The definitions of a text, which may include files of the library. Each is translated when it is asked for."""
 
     def __init__(self, library: Path, text: str, settings: Settings = Settings(), path: str = "the text"):
         preprocessor = Preprocessor(library, settings.macros())
         preprocessor.read(text, path)
         if preprocessor.stands_for("HN_ARITHMETIC", "HN_PRECISE"):
             raise Unknown(NO_PRECISE)
-        self.translator = Translator(Parser(preprocessor.tokens).parse(), preprocessor.constants,
-                                     settings.own_functions())
+        self.library = Library(definitions(preprocessor.items), preprocessor.constants, settings.own_functions())
+        for function in self.library.functions.values():
+            if seeded := self.library.seeded(function):
+                _check_seedless(function, seeded)
+        # By name, constants first.
+        self.items: dict[str, Constant | Struct | Function] = dict(self.library.constants)
+        names = {id(function): name for name, function in self.library.named.items()}
+        for item in self.library.tree:
+            name = item.name if isinstance(item, Struct) else names.get(id(item))
+            if name:
+                self.items[name] = item
+        self._definitions: dict[str, Definition] = {}
 
-    def names(self) -> dict[tuple[str, tuple[str, ...]], str]:
-        """The name in WGSL of each function, by its name in GLSL and the types of its parameters."""
-        return self.translator.names()
+    def names(self) -> dict[Key, str]:
+        """The name in WGSL of each function; one without a seed has the name of that with one."""
+        return {key: wgsl_name(self.library.seeded(function) or function)
+                for key, function in self.library.functions.items()}
+
+    def public(self) -> list[str]:
+        """The names of what users call or pass."""
+        return [name for name, item in self.items.items()
+                if (is_passed(name) if isinstance(item, Constant) else isinstance(item, Function) and is_public(item.name))]
+
+    def all_but_constants(self) -> list[str]:
+        return [name for name, item in self.items.items() if not isinstance(item, Constant)]
+
+    def definition(self, name: str) -> Definition:
+        if name not in self._definitions:
+            item = self.items[name]
+            if isinstance(item, Constant):
+                made = FunctionWriter(self.library).constant(name)
+            else:
+                made = self._struct(item) if isinstance(item, Struct) else FunctionWriter(self.library, item).definition()
+            self._definitions[name] = made
+        return self._definitions[name]
+
+    def _struct(self, struct: Struct) -> Definition:
+        lines, needs = [f"struct {struct.name} {{"], []
+        for name, type_, comments in struct.fields:
+            lines += [f"  {line}" for line in comments.before if line]
+            lines.append(f"  {variable(name)}: {wgsl_type(type_)}," + (f"  {comments.after}" if comments.after else ""))
+            needs += [type_] * (type_ in self.library.structs)
+        return Definition(struct.name, struct.comments.before, [*lines, "}"], needs)
 
     def definitions(self) -> list[Definition]:
         """Of public functions, and of all that they need. A file without a public function is there as a whole."""
-        return self._definitions_of(self.translator.public() or self.translator.all_but_constants())
+        return self._definitions_of(self.public() or self.all_but_constants())
 
     def _definitions_of(self, names: Iterable[str]) -> list[Definition]:
-        needed = self.translator.needed_by(names)
-        return [self.translator.definition(name) for name in self.translator.items if name in needed]
+        """Of these, and of all that they need."""
+        needed: set[str] = set()
+        pending = list(names)
+        while pending:
+            name = pending.pop()
+            if name not in self.items:
+                raise Unknown(f"there is no {name} in this module")
+            if name not in needed:
+                needed.add(name)
+                pending += self.definition(name).needs
+        return [self.definition(name) for name in self.items if name in needed]
 
     def text(self, only: Iterable[str] = (), strip: bool = False) -> str:
         """The module, or what these functions of it need."""
@@ -96,3 +108,15 @@ def _text(definition: Definition, previous: Definition | None, strip: bool) -> s
         joined = previous is None or (short and previous.is_constant == definition.is_constant)
         lines = [*([] if joined else [""]), *comments, *definition.lines]
     return "\n".join(lines) + "\n"
+
+
+def _check_seedless(function: Function, seeded: Function) -> None:
+    """Whether it calls the one with a seed with the seed 0, and does nothing else."""
+    body = function.body.statements
+    call = body[0].value if len(body) == 1 and isinstance(body[0], Return) else None
+    passed = [argument.at.text if isinstance(argument, (Name, Number)) else None
+              for argument in (call.arguments if isinstance(call, Call) else ())]
+    expected = [parameter.at.text for parameter in seeded.parameters]
+    expected[expected.index("seed")] = "0u"
+    if passed != expected or call.at.text != function.name:
+        raise function.at.error(f"{function.name} without a seed must be {function.name} with the seed 0u")

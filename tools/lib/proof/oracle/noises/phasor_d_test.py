@@ -8,11 +8,9 @@ import unittest
 from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
-from pathlib import Path
 from unittest import mock
 
 from catalog.tables.functions import Function
-from catalog.tables.inc import Row
 from proof.golden.generator import INT_MAX, INT_MIN, generator_of, to_f32
 from proof.oracle import functions, kernels, noises, words
 from proof.oracle.checked import Checked
@@ -173,11 +171,8 @@ class Rows(unittest.TestCase):
                 places("derivative rows", 3), (("value", "d"), ("quadrature", "q")), (False, True)):
             cell, f, wave, phase, seed, _ = place
             axes = "xyz"[:len(cell)]
-            inputs = " ".join([*(f"c{x}:i32" for x in axes), *(f"f{x}:f32" for x in axes), *(f"k{x}:f32" for x in axes),
-                               "phase:f32", "seed:u32"])
-            outputs = " ".join([f"{first}:f64", *(f"d{x}:f64" for x in axes)])
-            function = Function(Row(Path("functions.inc"), 1, "FUNCTION", ()), "noise2d.phasor_d_any", "simplex_noise",
-                                "phasor_d", inputs, outputs, "cell")
+            function = Function("noise2d.phasor_d_any", "simplex_noise", "phasor_d", ("cell", "wave", "phase"),
+                                (first, "d*"), "f64", len(cell))
             found = functions.evaluator(function, fixed)(KNOBS, (*cell, *f, *wave, phase, seed))
             all_of_it = dict(zip(SLOPES.outputs, of(SLOPES, (cell, f, wave, phase, seed, ()), fixed)))
             self.assertEqual(found, (all_of_it[first], *(all_of_it[name + x] for x in axes)))

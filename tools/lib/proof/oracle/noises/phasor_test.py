@@ -9,11 +9,9 @@ import unittest
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
-from pathlib import Path
 from unittest import mock
 
 from catalog.tables.functions import Function
-from catalog.tables.inc import Row
 from proof.golden.generator import INT_MAX, INT_MIN, Generator, generator_of, to_f32
 from proof.golden.simplex_rows import PHASES, fractions
 from proof.oracle import functions, integers, kernels, noises, turning, words
@@ -482,14 +480,9 @@ class Rows(unittest.TestCase):
         numbers = generator_of("phasor rows")
         for (cell, f, wave, phase, seed, periods), has_cell, has_periods, fixed in itertools.product(
                 places("rows", 3), *[(False, True)] * 3):
-            axes = "xyz"[:len(cell)]
-            where = [f"{x}:f32" for x in axes]
-            if has_cell:
-                where = [f"c{x}:i32" for x in axes] + [f"f{x}:f32" for x in axes]
-            where += [f"p{x}:i32" for x in axes] if has_periods else []
-            inputs = " ".join([*where, *(f"k{x}:f32" for x in axes), "phase:f32", "seed:u32"])
-            function = Function(Row(Path("functions.inc"), 1, "FUNCTION", ()), "noise2d.phasor_any", "simplex_noise",
-                                "phasor", inputs, "value:f64 quadrature:f64", "cell" if has_cell else "position")
+            takes = ("cell" if has_cell else "position", *["period"] * has_periods, "wave", "phase")
+            function = Function("noise2d.phasor_any", "simplex_noise", "phasor", takes, ("value", "quadrature"), "f64",
+                                len(cell))
             cell = [numbers.integer(-4, 3) for _ in cell]
             periods = tuple(numbers.integer(1, 3) for _ in cell) if has_periods else ()
             place = (*cell, *f) if has_cell else tuple(c + x for c, x in zip(cell, f))

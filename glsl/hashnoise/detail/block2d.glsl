@@ -1,0 +1,67 @@
+// hashnoise: the cell on the plane that a noise is in, with the cells beside it.
+// SPDX-License-Identifier: MIT
+
+#ifndef HN_BLOCK2D_GLSL
+#define HN_BLOCK2D_GLSL
+
+#include "cell2d.glsl"
+
+// The lower corner of the previous cell along each axis.
+HN_FN hn_uvec2 hn_i_previous(hn_uvec2 lower) { return uvec2(lower.x - HN_I_STEP_X, lower.y - HN_I_STEP_Y); }
+
+// The wrapped coordinates before another one and after it. Without a period the one before 0 is -1.
+HN_FN hn_uint hn_i_previous(hn_uint c, hn_int period) { return hn_i_select(c == 0u, uint(max(period, 0)), c) - 1u; }
+HN_FN hn_uint hn_i_following(hn_uint c, hn_int period) {
+  return hn_i_select(c + 1u == uint(max(period, 0)), 0u, c + 1u);
+}
+
+// The same in 3 and 4 dimensions: tools/make writes it of block2d.glsl.
+
+HN_FN hn_uvec2 hn_i_previous(hn_uvec2 c, hn_ivec2 period) {
+  return uvec2(hn_i_previous(c.x, period.x), hn_i_previous(c.y, period.y));
+}
+
+// The same in 3 dimensions: tools/make writes it of block2d.glsl.
+
+HN_FN hn_uvec2 hn_i_following(hn_uvec2 c, hn_ivec2 period) {
+  return uvec2(hn_i_following(c.x, period.x), hn_i_following(c.y, period.y));
+}
+
+// The same in 3 and 4 dimensions: tools/make writes it of block2d.glsl.
+
+// A block has the spread coordinates of a cell, of the previous one along each axis, and of the following one: all that
+// simplex noise and cellular noise visit.
+struct hn_i_block2 {
+  hn_uvec2 previous;
+  hn_uvec2 cell;
+  hn_uvec2 following;
+};
+
+HN_FN hn_i_block2 hn_i_block(hn_place2 place) {
+  HN_I_NEW(hn_i_block2, block);
+  if (place.tiled) {
+    hn_uvec2 c = hn_i_wrap(place.cell, place.period);
+    block.cell = hn_i_spread(c);
+    block.previous = hn_i_spread(hn_i_previous(c, place.period));
+    block.following = hn_i_upper(block.cell, c, place.period);
+  } else {
+    block.cell = hn_i_spread(uvec2(place.cell));
+    block.previous = hn_i_previous(block.cell);
+    block.following = hn_i_upper(block.cell);
+  }
+  return block;
+}
+
+// By hand in each dimension.
+
+// The spread coordinates of a block along an axis. Of such three hn_i_triple_at chooses the first, the second or the
+// third, for an n of -1, 0 or 1.
+HN_FN hn_uvec3 hn_i_coordinates_x(hn_i_block2 block) {
+  return uvec3(block.previous.x, block.cell.x, block.following.x);
+}
+HN_FN hn_uvec3 hn_i_coordinates_y(hn_i_block2 block) {
+  return uvec3(block.previous.y, block.cell.y, block.following.y);
+}
+HN_FN hn_uint hn_i_triple_at(hn_uvec3 v, hn_int n) { return hn_i_select(n < 0, v.x, hn_i_select(n > 0, v.z, v.y)); }
+
+#endif
