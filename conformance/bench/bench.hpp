@@ -3,11 +3,11 @@
 
 #include <filesystem>
 #include <map>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "base/csv.hpp"
 #include "bench/counts.hpp"
 #include "bench/subject.hpp"
 #include "bench/timing.hpp"
@@ -24,7 +24,7 @@ struct Provenance {
   ContextInfo info;
   std::optional<EditedLibrary> library = {};  // what was measured in place of the program's own
 };
-nlohmann::json to_json(const Provenance& provenance);
+Facts facts_of(const Provenance& provenance, const Gate& gate, int rounds);
 std::string now();
 
 struct Measurement {
@@ -67,32 +67,8 @@ std::vector<Batch> batches(std::size_t count, std::size_t most);
 Result<BenchReport> run_bench(const Context& context, const SourceSet& sources, const ReferenceCompiler& reference,
                               std::vector<Subject> subjects, const BenchOptions& options, std::FILE* progress);
 
-nlohmann::json to_json(const BenchReport& report);
-nlohmann::json to_json(const Gate& gate);
-nlohmann::json to_json(const Counts& counts);
-// [{source, reason}]
-nlohmann::json absent_sources(const std::map<std::string, std::string>& absent);
-
-// The ratios of an earlier run, by id.
-struct Baseline {
-  std::string renderer;
-  std::map<std::string, Ratio> ratios;  // by subject
-};
-// Reads them from its bench.json. An error: the file cannot be read, or is not such a file.
-Result<Baseline> read_baseline(const std::filesystem::path& path);
-
-// How a subject compares with an earlier run.
-struct Change {
-  std::string id;
-  Ratio before;
-  Ratio now;
-  bool slower = false;  // by more than both spreads
-};
-// Compares the subjects that are in both.
-std::vector<Change> compare_with_baseline(const Baseline& baseline, const BenchReport& report);
-
-// bench.json, bench.csv, index.html, and with dump the optimised SPIR-V that was counted as spirv/<id>.spv.
+// bench.csv, and with dump the optimised SPIR-V that was counted as spirv/<id>.spv.
 Result<void> write_bench(const std::filesystem::path& directory, const Provenance& provenance,
-                         const BenchReport& report, const std::vector<Change>& changes, bool dump);
+                         const BenchReport& report, bool dump);
 
 }  // namespace hn

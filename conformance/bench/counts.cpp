@@ -19,7 +19,6 @@ constexpr auto kDeclarations = std::to_array<std::string_view>(
      "STORAGE", "COUNTER", "SUBROUTINETYPE", "SUBROUTINE",
      // and the modifiers before some of them
      "SHORT", "LONG", "INT", "UINT", "FLOAT", "FLAT", "CENTROID", "NOPERSPECTIVE", "SAMPLE"});
-constexpr const char* kNvidiaSource = "nvidia";
 constexpr std::string_view kBlanks = " \t\r\n";
 
 // Comments run from "#" to the end of the line.
@@ -69,31 +68,6 @@ std::string nvidia_absence(const GladGLContext& gl) {
   return formats > 0 ? "" : "the driver offers no program binaries";
 }
 
-void add_amd(CountReport& report, std::string_view family) {
-  std::vector<std::vector<std::uint32_t>> shaders;
-  std::vector<std::size_t> owners;
-  for (std::size_t i = 0; i < report.counts.size(); ++i) {
-    if (report.counts[i].optimised.empty()) continue;
-    shaders.push_back(report.counts[i].optimised);
-    owners.push_back(i);
-  }
-  const auto statistics = amd_counts(family, shaders);
-  if (!statistics) {
-    report.absent.emplace(family, statistics.error().text());
-    return;
-  }
-  for (std::size_t i = 0; i < owners.size(); ++i) {
-    Counts& counts = report.counts[owners[i]];
-    const auto& one = (*statistics)[i];
-    if (one) {
-      counts.instructions.emplace(family, one->instructions);
-      counts.amd.emplace(family, *one);
-    } else {
-      counts.problems.push_back(fmt::format("{}: {}", family, one.error().text()));
-    }
-  }
-}
-
 }  // namespace
 
 Result<std::vector<std::uint32_t>> optimise_spirv(std::span<const std::uint32_t> words) {
@@ -140,13 +114,6 @@ std::optional<std::int64_t> count_nvidia(std::string_view binary) {
   }
 }
 
-std::vector<std::string> count_sources() {
-  std::vector<std::string> sources = {kSpirvSource};
-  sources.insert(sources.end(), amd_families().begin(), amd_families().end());
-  sources.push_back(kNvidiaSource);
-  return sources;
-}
-
 std::string count_text(const Counts& counts, std::string_view source,
                        const std::map<std::string, std::string>& absent) {
   const auto found = counts.instructions.find(source);
@@ -183,7 +150,6 @@ CountReport count_instructions(const Context& context, const ReferenceCompiler& 
     }
     report.counts.push_back(std::move(counts));
   }
-  for (const std::string_view family : amd_families()) add_amd(report, family);
   return report;
 }
 

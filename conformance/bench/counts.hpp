@@ -1,6 +1,7 @@
 // How many instructions a fragment shader has, by every source at hand.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -9,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "bench/amd.hpp"
 #include "bench/subject.hpp"
 #include "gpu/gpu.hpp"
 #include "gpu/reference_compiler.hpp"
@@ -29,7 +29,6 @@ std::optional<std::int64_t> count_nvidia(std::string_view binary);
 
 struct Counts {
   std::map<std::string, std::int64_t, std::less<>> instructions;  // by source
-  std::map<std::string, AmdStatistics, std::less<>> amd;          // by family: what else there is to know
   std::vector<std::string> problems;                              // why one of them is missing, for this shader alone
   std::vector<std::uint32_t> optimised;
 };
@@ -45,9 +44,10 @@ struct CountReport {
   std::map<std::string, std::string> absent;  // by source: why it is not here at all
 };
 
-constexpr const char* kSpirvSource = "spirv";
-// Every source, in the order in which they are shown: SPIR-V, AMD's families, NVIDIA.
-std::vector<std::string> count_sources();
+// The sources. tools/lib/measure/amd.py adds AMD's.
+inline constexpr const char* kSpirvSource = "spirv";
+inline constexpr const char* kNvidiaSource = "nvidia";
+inline constexpr std::array kCountSources = {kSpirvSource, kNvidiaSource};
 
 // A shader's count from a source as text: "not here" if there is no such source, "failed" if it could not count this
 // shader.

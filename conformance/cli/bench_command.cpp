@@ -55,31 +55,20 @@ bool add_foreigns(const Context& context, const SourceSet& sources, Selection& s
   return good;
 }
 
-// What a comparison is worth.
-void describe_comparison(const Baseline& baseline, const std::vector<Change>& changes, const std::string& renderer) {
-  if (baseline.renderer != renderer) {
-    fmt::print("The baseline was measured on another renderer: {}, not {}\n", baseline.renderer, renderer);
-  }
-  fmt::print("{} subjects compared; {} of the baseline were not measured now\n", changes.size(),
-             baseline.ratios.size() - changes.size());
-}
+constexpr std::ptrdiff_t kFew = 40;  // a terminal has room for them
 
-int conclude(const BenchReport& report, const std::vector<Change>& changes, const std::string& out) {
+int conclude(const BenchReport& report, const std::string& out) {
   int status = 0;
+  const auto measured = std::ranges::count_if(report.measurements, [](const Measurement& m) { return !m.error; });
   for (const Measurement& measurement : report.measurements) {
+    if (!measurement.error && measured <= kFew) {
+      fmt::print("{:>16} {}\n", text_of(measurement.ratio), measurement.subject.id);
+    }
     if (!measurement.error) continue;
     fmt::print("NOT MEASURED {}\n{}\n", measurement.subject.id, printable(measurement.error->text()));
     if (!measurement.unsupported) status = kNotAsExpected;
   }
-  for (const Change& change : changes) {
-    if (!change.slower) continue;
-    fmt::print("SLOWER {}: {:.3f} +- {:.3f}, was {:.3f} +- {:.3f}\n", change.id, change.now.value, change.now.spread,
-               change.before.value, change.before.spread);
-    status = kNotAsExpected;
-  }
-  const auto measured = std::count_if(report.measurements.begin(), report.measurements.end(),
-                                      [](const Measurement& m) { return !m.error.has_value(); });
-  fmt::print("{} subjects measured by {}: {}/index.html\n", measured, name_of(report.gate.clock), out);
+  fmt::print("{} subjects measured by {}: {}/bench.csv\n", measured, name_of(report.gate.clock), out);
   return status;
 }
 
@@ -90,17 +79,10 @@ int bench_command(const BenchCommand& options, Interruption& interruption) {
   if (!sources) return usage_error(sources.error().text());
   auto selection = select(options, *sources);
   if (!selection) return usage_error(selection.error().text());
-  Baseline baseline;
-  if (!options.baseline.empty()) {
-    // Before the run rather than after it; it may be one of the files that are removed from the folder.
-    auto read = read_baseline(options.baseline);
-    if (!read) return usage_error(read.error().text());
-    baseline = std::move(*read);
-  }
   const auto driver = open_driver(options.driver, options.line);
   if (!driver) return driver.error();
   if (!add_foreigns(*driver->context, *sources, *selection)) return kBadUsage;
-  const auto folder = OutputFolder::prepare(options.out, {"bench.json", "bench.csv", "index.html"});
+  const auto folder = OutputFolder::prepare(options.out, {"bench.csv"});
   if (!folder) return usage_error(folder.error().text());
   const ReferenceCompiler reference;
   auto report = run_bench(*driver->context, *sources, reference, std::move(selection->subjects),
@@ -109,16 +91,14 @@ int bench_command(const BenchCommand& options, Interruption& interruption) {
     complain(report.error().text());
     return kNotAsExpected;
   }
-  const std::vector<Change> changes = compare_with_baseline(baseline, *report);
-  if (!options.baseline.empty()) describe_comparison(baseline, changes, driver->provenance.info.renderer);
   Provenance provenance = driver->provenance;
   provenance.library = sources->edited();
   interruption.note_the_first();
-  if (const auto written = write_bench(options.out, provenance, *report, changes, options.dump); !written) {
+  if (const auto written = write_bench(options.out, provenance, *report, options.dump); !written) {
     complain(written.error().text());
     return kNotAsExpected;
   }
-  return conclude(*report, changes, options.out);
+  return conclude(*report, options.out);
 }
 
 }  // namespace hn

@@ -155,8 +155,6 @@ class Cli(unittest.TestCase):
             (["merge", self.folder], "results.json: No such file or directory; merge wants files results.json"),
             (["merge", taken], "results.json: Is a directory; merge wants files results.json"),
             (["merge", self.folder / "bytes"], "bytes: the file is not a results.json: "),
-            (["bench", "--baseline", self.folder], "Is a directory; --baseline wants a bench.json"),
-            (["bench", "--baseline", self.folder / "bytes"], "bytes is not a bench.json of this program: "),
             (["run", "--inject", "abs_imt"], "there are: modulo_sign"),
             (["run", "--seed", "many"], "many"),
             (["run", "--seed", "-1"], "-1"),

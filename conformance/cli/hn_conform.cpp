@@ -11,7 +11,6 @@
 #include "base/interruption.hpp"
 #include "base/process.hpp"
 #include "base/temporary_folder.hpp"
-#include "bench/amd.hpp"
 #include "bench/fragment_compiler.hpp"
 #include "cli/child.hpp"
 #include "cli/command.hpp"
@@ -62,7 +61,6 @@ int run_program(int argc, char** argv) {
   try {
     // What we start ourselves; not for people.
     if (argc == 3 && argv[1] == std::string_view(hn::kChildCommand)) return hn::child_command(argv[2]);
-    if (argc == 3 && argv[1] == std::string_view(hn::kAmdCommand)) return hn::amd_counts_child(argv[2]);
     if (argc > 2 && argv[1] == std::string_view(hn::kStatisticsCommand)) {
       return hn::shader_statistics_command({argv + 2, argv + argc});
     }

@@ -157,14 +157,11 @@ void add_merge(CLI::App& app, MergeCommand& options) {
 
 void add_bench(CLI::App& app, BenchCommand& options) {
   CLI::App& command = *app.add_subcommand("bench", "Measure what every function, hash and knob costs");
-  add_statuses(command, "0 done, 1 something could not be measured or became slower, 2 bad usage, 3 no usable driver");
+  add_statuses(command, "0 done, 1 something could not be measured, 2 bad usage, 3 no usable driver");
   add_driver(command, options.driver);
   add_filter(command, options.filters, "subjects");
-  add_out(command, options.out, "bench.json, bench.csv and index.html");
+  add_out(command, options.out, "bench.csv");
   add_against(command, options.against, "Also measure a shader file");
-  command
-      .add_option("--baseline", options.baseline, "A bench.json to compare with; status 1 if something became slower")
-      ->type_name("FILE");
   add_rounds(command, options.rounds);
   add_glsl(command, options.glsl);
   command.add_flag("--dump", options.dump, "Also write the SPIR-V that was counted: spirv/ID.spv");
@@ -181,15 +178,14 @@ void add_spirv(CLI::App& app, SpirvCommand& options) {
 }
 
 void add_paper(CLI::App& app, PaperCommand& options) {
-  CLI::App& command = *app.add_subcommand("paper", "Reproduce what the paper shows, as a page with pictures and data");
+  CLI::App& command = *app.add_subcommand(
+      "paper", "Measure what the paper shows, as records; tools/measure paper makes a page of them");
   add_statuses(command, "0 done, 1 something could not be measured, 2 bad usage, 3 no usable driver");
   add_driver(command, options.driver);
-  add_out(command, options.out, "index.html, paper.json, the CSV files and the pictures");
+  add_out(command, options.out, "CSV files, and values/ with what is drawn");
   add_rounds(command, options.rounds);
   add_glsl(command, options.glsl);
-  command.add_flag("--dump", options.dump,
-                   "Also write what was measured: the values of the statistics as grids/ID.f32, and the SPIR-V that "
-                   "was counted as spirv/ID.spv");
+  command.add_flag("--dump", options.dump, "Also write the SPIR-V that was counted: spirv/ID.spv");
 }
 
 void add_web(CLI::App& app, WebCommand& options) {

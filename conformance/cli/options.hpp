@@ -72,7 +72,6 @@ struct BenchCommand {
   std::string out = "out";
   std::string glsl;
   std::vector<std::string> against;  // NAME=FILE:EXPRESSION
-  std::string baseline;
   int rounds = 9;
   bool dump = false;
   std::string line;  // the command line, for the record

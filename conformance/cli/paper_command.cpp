@@ -4,13 +4,8 @@
 #include <chrono>
 
 #include "base/file.hpp"
-#include "base/json.hpp"
 #include "base/output_folder.hpp"
 #include "cli/command.hpp"
-#include "output/csv.hpp"
-#include "output/files.hpp"
-#include "output/page.hpp"
-#include "paper/files.hpp"
 #include "paper/laboratory.hpp"
 
 namespace hn {
@@ -21,28 +16,15 @@ struct Part {
   Result<Section> (*measure)(Laboratory&);
 };
 // The table first: it decides which clock is believed.
-constexpr Part kParts[] = {{"table", measure_table},
-                           {"figures", draw_figures},
-                           {"statistics", measure_statistics},
-                           {"periods", measure_periods},
-                           {"bandwidth", measure_bandwidth}};
-
-Result<void> write(const std::filesystem::path& out, const nlohmann::json& data, const nlohmann::json& page,
-                   const std::vector<Section::Csv>& tables) {
-  HN_TRY(const auto html, render_page(text_of(kPaperFiles, "paper.mustache"), page));
-  for (const Section::Csv& table : tables) {
-    HN_DO(write_file(out / table.name, to_csv(table.header, table.rows)));
-  }
-  HN_DO(write_file(out / "paper.json", dump(data, 1) + "\n"));
-  return write_file(out / "index.html", html);
-}
+constexpr Part kParts[] = {
+    {"table", measure_table}, {"values", write_values}, {"period", measure_periods}, {"bandwidth", measure_bandwidth}};
 
 }  // namespace
 
 int paper_command(const PaperCommand& options, Interruption& interruption) {
   const auto sources = library_sources(options.glsl);
   if (!sources) return usage_error(sources.error().text());
-  const auto folder = OutputFolder::prepare(options.out, {"paper.json", "index.html"});
+  const auto folder = OutputFolder::prepare(options.out, {"table.csv", "values.csv", "period.csv", "bandwidth.csv"});
   if (!folder) return usage_error(folder.error().text());
   const auto driver = open_driver(options.driver, options.line);
   if (!driver) return driver.error();
@@ -50,15 +32,7 @@ int paper_command(const PaperCommand& options, Interruption& interruption) {
   Laboratory laboratory(*driver->context, *sources, reference, options.out, options.rounds, options.dump);
   Provenance provenance = driver->provenance;
   provenance.library = sources->edited();
-  nlohmann::json data = to_json(provenance);
-  nlohmann::json page = {{"style", text_of(kOutputFiles, "style.mustache")},
-                         {"provenance", data},
-                         {"library", library_text(provenance.library)},
-                         {"rounds", options.rounds},
-                         {"failures", nlohmann::json::array()}};
-  data["schema"] = 1;
-  data["rounds"] = options.rounds;
-  std::vector<Section::Csv> tables;
+  std::vector<Section> sections;
   bool complete = true;
   for (const Part& part : kParts) {
     const auto start = std::chrono::steady_clock::now();
@@ -66,27 +40,27 @@ int paper_command(const PaperCommand& options, Interruption& interruption) {
     if (!section) {
       // The other sections are still worth having.
       complain(fmt::format("{}: {}", part.name, section.error().text()));
-      data[std::string(part.name)] = {{"error", section.error().text()}};
-      page[std::string(part.name)] = false;
-      page["failures"].push_back({{"section", part.name}, {"text", section.error().text()}});
       complete = false;
       continue;
     }
-    data[std::string(part.name)] = std::move(section->data);
-    page[std::string(part.name)] = std::move(section->page);
     complete = complete && section->complete;
-    std::move(section->csv.begin(), section->csv.end(), std::back_inserter(tables));
+    sections.push_back(std::move(*section));
     fmt::print(stderr, "{}: {:.1f} s\n", part.name,
                std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   }
   interruption.note_the_first();
-  if (const auto written = write(options.out, data, page, tables); !written) {
-    complain(written.error().text());
-    return kNotAsExpected;
+  for (const Section& section : sections) {
+    Facts facts = facts_of(provenance, laboratory.stopwatch.gate(), options.rounds);
+    facts.insert(facts.end(), section.facts.begin(), section.facts.end());
+    const std::filesystem::path path = laboratory.out / fmt::format("{}.csv", section.name);
+    if (const auto written = write_file(path, to_record(facts, section.header, section.rows)); !written) {
+      complain(written.error().text());
+      return kNotAsExpected;
+    }
+    fmt::print("{}: {} rows\n", path.string(), section.rows.size());
   }
-  fmt::print("The paper on {}: {}/index.html\n", driver->provenance.info.renderer, options.out);
   if (complete) return 0;
-  fmt::print("NOT AS EXPECTED: something could not be measured; the page says what\n");
+  fmt::print("NOT AS EXPECTED: something could not be measured; the records name the problem\n");
   return kNotAsExpected;
 }
 

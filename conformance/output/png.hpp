@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <span>
 #include <string>
 
@@ -12,7 +11,5 @@ namespace hn {
 
 // Rows from top to bottom, a byte per pixel: 0 black, 255 white.
 Result<std::string> grey_png(std::span<const std::uint8_t> pixels, int width, int height);
-Result<void> write_grey_png(const std::filesystem::path& path, std::span<const std::uint8_t> pixels, int width,
-                            int height);
 
 }  // namespace hn

@@ -6,8 +6,6 @@
 #include <array>
 #include <optional>
 
-#include "base/number.hpp"
-#include "output/svg.hpp"
 #include "paper/laboratory.hpp"
 
 namespace hn {
@@ -75,8 +73,6 @@ struct Curve {
   Subject subject;
   std::optional<Program> program;
   std::vector<Timing> timings;  // one per number of fetches
-
-  double seconds(std::size_t i) const { return timings[i].median(); }
 };
 
 std::vector<Curve> curves_of(int dimensions) {
@@ -88,28 +84,6 @@ std::vector<Curve> curves_of(int dimensions) {
   curves.push_back({"PartialFNV1, ours", subject_of(entry("partial_fnv1", Form::ours), dimensions), {}, {}});
   curves.push_back({"hashnoise's default", subject_of(entry("lattice", Form::ours), dimensions), {}, {}});
   return curves;
-}
-
-// A line through the last three points, and where it meets the time without fetches: there the curve bends, if it does.
-struct Bend {
-  double seconds_per_fetch = 0.0;
-  double at = 0.0;  // fetches
-  Ratio left_over;  // how much of the noise's own time is still to be seen with the most fetches: 1 is all of it
-};
-
-Bend bend_of(const Curve& curve, const Curve& alone) {
-  const std::size_t last = kFetches.size() - 1;
-  Bend bend;
-  bend.seconds_per_fetch = (curve.seconds(last) - curve.seconds(last - 2)) / (kFetches[last] - kFetches[last - 2]);
-  const double at_zero = curve.seconds(last) - bend.seconds_per_fetch * kFetches[last];
-  bend.at = bend.seconds_per_fetch > 0.0 ? std::max((curve.seconds(0) - at_zero) / bend.seconds_per_fetch, 0.0) : 0.0;
-  Timing left;
-  for (std::size_t i = 0; i < curve.timings[0].samples.size(); ++i) {
-    const double own = curve.timings[0].samples[i] - alone.timings[0].samples[i];
-    if (own > 0.0) left.samples.push_back((curve.timings[last].samples[i] - alone.timings[last].samples[i]) / own);
-  }
-  bend.left_over = {left.median(), left.spread()};
-  return bend;
 }
 
 Result<std::vector<Curve>> sweep(Laboratory& laboratory, int dimensions) {
@@ -129,88 +103,31 @@ Result<std::vector<Curve>> sweep(Laboratory& laboratory, int dimensions) {
   return curves;
 }
 
-bool is_software(const Laboratory& laboratory) {
-  const std::string renderer = describe(laboratory.context).renderer;
-  constexpr std::array<std::string_view, 4> kSoftware = {"llvmpipe", "softpipe", "SwiftShader", "lavapipe"};
-  return std::any_of(kSoftware.begin(), kSoftware.end(),
-                     [&](std::string_view name) { return renderer.find(name) != std::string::npos; });
-}
-
-std::string plot(const std::vector<Curve>& curves, int dimensions) {
-  std::vector<Series> series;
-  const double unit = curves[1].seconds(0);  // Perlin/Float without fetches
-  for (const Curve& curve : curves) {
-    Series one{curve.name, {}, {}};
-    for (std::size_t i = 0; i < kFetches.size(); ++i) {
-      one.x.push_back(kFetches[i]);
-      one.y.push_back(curve.seconds(i) / unit);
-    }
-    series.push_back(std::move(one));
-  }
-  return line_plot(
-      {fmt::format("{}D noise with further fetches", dimensions),
-       fmt::format("fetches per pixel from {} MiB", kMegabytes), "time, as a multiple of Perlin/Float without them"},
-      series);
-}
-
-void add_curves(Section& section, Section::Csv& csv, const std::vector<Curve>& curves, int dimensions) {
-  nlohmann::json rows = nlohmann::json::array();
-  for (const Curve& curve : curves) {
-    const Bend bend = bend_of(curve, curves.front());
-    const bool alone = &curve == &curves.front();
-    nlohmann::json milliseconds = nlohmann::json::array();
-    for (std::size_t i = 0; i < kFetches.size(); ++i) {
-      milliseconds.push_back(curve.seconds(i) * 1e3);
-      csv.rows.push_back({curve.name, fmt::format("{}", dimensions), fmt::format("{}", kFetches[i]),
-                          fmt::format("{:.5g}", curve.seconds(i) * 1e3)});
-    }
-    section.data["curves"].push_back({{"name", curve.name},
-                                      {"dimensions", dimensions},
-                                      {"milliseconds", milliseconds},
-                                      {"bends_at_fetches", bend.at},
-                                      {"milliseconds_per_fetch", bend.seconds_per_fetch * 1e3},
-                                      {"share_of_noise_left_at_most_fetches", bend.left_over.value},
-                                      {"spread_of_that_share", bend.left_over.spread}});
-    rows.push_back({{"name", curve.name},
-                    {"milliseconds", three_digits(curve.seconds(0) * 1e3)},
-                    {"per_fetch", three_digits(bend.seconds_per_fetch * 1e3)},
-                    {"bend", fmt::format("{:.1f}", bend.at)},
-                    {"left_over", alone ? "no noise"
-                                        : fmt::format("{:.0f} ± {:.0f} %", bend.left_over.value * 100.0,
-                                                      bend.left_over.spread * 100.0)}});
-  }
-  section.page["sweeps"].push_back({{"dimensions", dimensions}, {"plot", plot(curves, dimensions)}, {"rows", rows}});
-}
-
 }  // namespace
 
 Result<Section> measure_bandwidth(Laboratory& laboratory) {
-  Section section;
-  section.data = {{"fetches", kFetches},
-                  {"width", kWidth},
-                  {"height", kHeight},
-                  {"texture_bytes", std::size_t{kTextureSide} * kTextureSide * 16},
-                  {"curves", nlohmann::json::array()}};
-  section.page = {{"software", is_software(laboratory)},
-                  {"most", kFetches.back()},
-                  {"megabytes", kMegabytes},
-                  {"absent", false},
-                  {"sweeps", nlohmann::json::array()}};
+  Section section{"bandwidth",
+                  {{"texture", fmt::format("{} MiB", kMegabytes)}},
+                  {"noise", "dimensions", "fetches", "milliseconds", "spread"}};
   GLint most = 0;
   laboratory.context.gl().GetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
   if (most < kTextureSide) {
-    section.page["absent"] =
-        fmt::format("this driver has textures of {} texels at most; the sweep needs {}", most, kTextureSide);
-    section.data["absent"] = section.page["absent"];
+    section.facts.emplace_back(
+        "not measured",
+        fmt::format("this driver has textures of {} texels at most; the sweep needs {}", most, kTextureSide));
     return section;
   }
   const LargeTexture texture(laboratory.context.gl());
-  Section::Csv csv{"bandwidth.csv", {"noise", "dimensions", "fetches", "milliseconds"}, {}};
   for (const int dimensions : {2, 3}) {
     HN_TRY(const auto curves, sweep(laboratory, dimensions));
-    add_curves(section, csv, curves, dimensions);
+    for (const Curve& curve : curves) {
+      for (std::size_t i = 0; i < kFetches.size(); ++i) {
+        section.rows.push_back({curve.name, fmt::format("{}", dimensions), fmt::format("{}", kFetches[i]),
+                                fmt::format("{:.5g}", curve.timings[i].median() * 1e3),
+                                fmt::format("{:.2g}", curve.timings[i].spread() * 1e3)});
+      }
+    }
   }
-  section.csv.push_back(std::move(csv));
   return section;
 }
 

@@ -1,8 +1,7 @@
-// Here is what the sections of the report measure with, and what they hand over.
+// Here is what the sections measure with, and what they hand over.
 #pragma once
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -24,22 +23,18 @@ class Laboratory : public Sampler {
   Stopwatch stopwatch;
 };
 
-// A section of the report: its numbers for paper.json, the same as text for the page, and as CSV files.
+// What a part of the paper was found to be: a record, NAME.csv.
 struct Section {
-  struct Csv {
-    std::string name;
-    std::vector<std::string> header;
-    std::vector<std::vector<std::string>> rows;
-  };
-  nlohmann::json data;
-  nlohmann::json page;
-  std::vector<Csv> csv;
-  bool complete = true;  // else something that was to be measured could not be; the page says what
+  std::string name;
+  Facts facts;  // beside those of the run
+  std::vector<std::string> header;
+  std::vector<std::vector<std::string>> rows = {};
+  bool complete = true;  // else something that was to be measured could not be; its row has the problem
 };
 
 Result<Section> measure_table(Laboratory& laboratory);
-Result<Section> draw_figures(Laboratory& laboratory);
-Result<Section> measure_statistics(Laboratory& laboratory);
+// It also writes files of floats, which the rows name.
+Result<Section> write_values(Laboratory& laboratory);
 Result<Section> measure_periods(Laboratory& laboratory);
 Result<Section> measure_bandwidth(Laboratory& laboratory);
 

@@ -1,6 +1,5 @@
 // After how many cells each noise repeats: shown by equal bits, and by the absence of any shorter repeat.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <bit>
@@ -112,52 +111,32 @@ Finding examine(Laboratory& laboratory, const Claim& claim) {
 }  // namespace
 
 Result<Section> measure_periods(Laboratory& laboratory) {
-  Section section;
-  section.data = {{"points", kPoints}, {"rows", nlohmann::json::array()}};
-  section.page = section.data;
-  section.page["errors"] = nlohmann::json::array();
-  Section::Csv csv{"period.csv",
-                   {"algorithm", "form", "dimensions", "period", "differing_values", "shortest_repeat_x",
-                    "shortest_repeat_y", "shortest_repeat_z", "verdict"},
-                   {}};
+  Section section{"period",
+                  {{"points", fmt::format("{}", kPoints)}},
+                  {"algorithm", "form", "dimensions", "period", "differing_values", "shortest_repeat_x",
+                   "shortest_repeat_y", "shortest_repeat_z", "verdict", "problem"}};
   for (const Claim& claim : all_claims()) {
     const Finding finding = examine(laboratory, claim);
     section.complete = section.complete && finding.error.empty();
     const auto dimensions = static_cast<std::size_t>(claim.subject.dimensions);
     std::size_t differing = 0;
     bool shorter = false;
-    std::vector<std::size_t> repeats;
     for (std::size_t axis = 0; axis < dimensions; ++axis) {
       differing += finding.differing[axis];
       shorter = shorter || finding.repeat[axis] < claim.period;
-      repeats.push_back(finding.repeat[axis]);
     }
     const std::string verdict = !finding.error.empty() ? "failed"
                                 : differing > 0        ? "does not repeat"
                                 : shorter              ? "repeats sooner along a line"
                                                        : "as stated";
-    section.data["rows"].push_back({{"id", claim.subject.id},
-                                    {"form", claim.form},
-                                    {"dimensions", dimensions},
-                                    {"period", claim.period},
-                                    {"values_that_differ_a_period_on", differing},
-                                    {"shortest_repeats", repeats},
-                                    {"verdict", verdict},
-                                    {"error", finding.error}});
-    section.page["rows"].push_back({{"title", claim.title},
-                                    {"form", claim.form},
-                                    {"dimensions", dimensions},
-                                    {"period", claim.period},
-                                    {"differing", differing},
-                                    {"repeats", fmt::format("{}", fmt::join(repeats, ", "))},
-                                    {"verdict", verdict},
-                                    {"good", verdict == "as stated"}});
-    csv.rows.push_back({claim.title, claim.form, fmt::format("{}", dimensions), fmt::format("{}", claim.period),
-                        fmt::format("{}", differing), fmt::format("{}", repeats[0]), fmt::format("{}", repeats[1]),
-                        dimensions == 3 ? fmt::format("{}", repeats[2]) : "no axis", verdict});
-    if (!finding.error.empty()) section.page["errors"].push_back({{"id", claim.subject.id}, {"text", finding.error}});
+    std::vector<std::string> row = {claim.title, claim.form, fmt::format("{}", dimensions),
+                                    fmt::format("{}", claim.period), fmt::format("{}", differing)};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      row.push_back(axis < dimensions ? fmt::format("{}", finding.repeat[axis]) : "no axis");
+    }
+    row.insert(row.end(), {verdict, finding.error});
+    section.rows.push_back(std::move(row));
   }
-  section.csv.push_back(std::move(csv));
   return section;
 }
 

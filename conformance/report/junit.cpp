@@ -6,7 +6,6 @@
 #include <pugixml.hpp>
 #include <sstream>
 
-#include "base/number.hpp"
 #include "base/text.hpp"
 #include "base/version.hpp"
 
@@ -61,7 +60,7 @@ void set_totals(pugi::xml_node node, const Totals& totals) {
   set(node, "failures", std::to_string(totals.failures));
   set(node, "errors", std::to_string(totals.errors));
   set(node, "skipped", std::to_string(totals.skipped));
-  set(node, "time", decimals(totals.seconds, 3));
+  set(node, "time", fmt::format("{:.3f}", totals.seconds));
 }
 
 void add_properties(pugi::xml_node suite, const Run& run) {
@@ -105,7 +104,7 @@ void add_case(pugi::xml_node suite, const CaseResult& result) {
   pugi::xml_node test = suite.append_child("testcase");
   set(test, "classname", function_of(result.id));
   set(test, "name", result.id);
-  set(test, "time", decimals(result.seconds, 3));
+  set(test, "time", fmt::format("{:.3f}", result.seconds));
   const Status status = result.outcome.status;
   switch (verdict_of(result)) {
     case Verdict::failure:

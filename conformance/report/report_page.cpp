@@ -8,11 +8,10 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "base/number.hpp"
+#include "base/ratio.hpp"
 #include "base/text.hpp"
 #include "output/files.hpp"
 #include "output/page.hpp"
-#include "output/svg.hpp"
 #include "report/files.hpp"
 
 namespace hn {
@@ -181,27 +180,32 @@ Json page_counts(const std::vector<const Run*>& here) {
 
 // --- Timings ---------------------------------------------------------------------------------------------------------
 
-std::string timings_plot(const Run& run) {
-  std::vector<Bar> bars;
+// The functions that a driver was timed on, with a bar as long as each takes.
+Json timed_rows(const Run& run) {
+  Json rows = Json::array();
   const Json timings = Json::parse(run.timings, nullptr, false);
-  if (!timings.is_object() || !timings.contains("functions")) return {};
+  if (!timings.is_object() || !timings.contains("functions")) return rows;
+  double longest = 0.0;
   for (const Json& function : timings.at("functions")) {
     if (!function.contains("ratio") || !function.at("ratio").is_number()) continue;
     const Json& spread = function.at("spread");
-    bars.push_back({function.at("id").get<std::string>(), function.at("ratio").get<double>(),
-                    spread.is_number() ? spread.get<double>() : 0.0});
+    const Ratio ratio = {function.at("ratio").get<double>(), spread.is_number() ? spread.get<double>() : 0.0};
+    longest = std::max(longest, ratio.value);
+    rows.push_back({{"id", function.at("id").get<std::string>()}, {"text", text_of(ratio)}, {"part", ratio.value}});
   }
-  if (bars.empty()) return {};
-  return bar_plot({run.driver, "time, as a multiple of Perlin/Float's of as many dimensions", ""}, bars);
+  for (Json& row : rows) {
+    const double part = std::max(row.at("part").get<double>(), 0.0) / std::max(longest, 1e-9);
+    row["part"] = fmt::format("{:.1f}", 100.0 * part);
+  }
+  return rows;
 }
 
 Json page_timings(const std::vector<const Run*>& here) {
-  Json plots = Json::array();
+  Json drivers = Json::array();
   for (const Run* run : here) {
-    if (run->timings.empty()) continue;
-    if (auto plot = timings_plot(*run); !plot.empty()) plots.push_back(std::move(plot));
+    if (Json rows = timed_rows(*run); !rows.empty()) drivers.push_back({{"driver", run->driver}, {"rows", rows}});
   }
-  return {{"any", !plots.empty()}, {"plots", plots}};
+  return {{"any", !drivers.empty()}, {"drivers", drivers}};
 }
 
 // --- To see it again -------------------------------------------------------------------------------------------------

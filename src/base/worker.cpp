@@ -21,7 +21,6 @@ Result<Worker> Worker::start(const nlohmann::json& job, const Launch& launch) {
   HN_TRY(auto process, start_process({.program = launch.program.string(),
                                       .name = "hn-conform",
                                       .arguments = {launch.command, launch.job.string()},
-                                      .environment = launch.environment,
                                       .output = launch.log}));
   Worker worker;
   worker.launch_ = launch;

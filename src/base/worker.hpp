@@ -17,11 +17,10 @@ using SteadyClock = std::chrono::steady_clock;
 // How a process is started.
 struct Launch {
   std::filesystem::path program;
-  std::string command;                                       // The program answers "COMMAND JOB".
-  std::filesystem::path job;                                 // a file for what the process is told
-  std::filesystem::path log;                                 // what it prints
-  std::chrono::milliseconds limit;                           // it has so long to make each report, or is killed
-  std::optional<std::vector<std::string>> environment = {};  // as in ProcessOptions
+  std::string command;              // The program answers "COMMAND JOB".
+  std::filesystem::path job;        // a file for what the process is told
+  std::filesystem::path log;        // what it prints
+  std::chrono::milliseconds limit;  // it has so long to make each report, or is killed
 };
 
 // The parent's side.

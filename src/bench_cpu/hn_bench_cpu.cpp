@@ -8,19 +8,18 @@
 #include <algorithm>
 #include <ctime>
 #include <exception>
-#include <nlohmann/json.hpp>
 
 #include "base/command_line.hpp"
 #include "base/console.hpp"
 #include "base/file.hpp"
 #include "base/interruption.hpp"
-#include "base/json.hpp"
 #include "base/output_folder.hpp"
 #include "base/temporary_folder.hpp"
+#include "base/version.hpp"
 #include "bench_cpu/fast_noise.hpp"
 #include "bench_cpu/measure.hpp"
 #include "bench_cpu/options.hpp"
-#include "bench_cpu/page.hpp"
+#include "bench_cpu/record.hpp"
 
 namespace {
 
@@ -69,7 +68,8 @@ void show_progress(std::size_t done, std::size_t all, const std::string& what) {
 }
 
 int bench(const hn::BenchCpuOptions& options, hn::Interruption& interruption) {
-  hashnoise::Field<1>{hashnoise::Settings{}};  // throws if this processor has no instructions that there are kernels for
+  hashnoise::Field<1>{
+      hashnoise::Settings{}};  // throws if this processor has no instructions that there are kernels for
   std::vector<hn::Subject> subjects = hn::subjects();
   std::erase_if(subjects, [&](const hn::Subject& subject) { return !is_wanted(subject, options.filters); });
   if (subjects.empty()) {
@@ -84,41 +84,42 @@ int bench(const hn::BenchCpuOptions& options, hn::Interruption& interruption) {
     other = std::move(*opened);
   }
   const std::string name = hn::compiler_name();
-  const auto folder = hn::OutputFolder::prepare(options.out, {name + ".json", name + ".md"});
+  const auto folder = hn::OutputFolder::prepare(options.out, {name + ".csv"});
   if (!folder) return usage_error(folder.error().text());
 
-  hn::CpuRun run{.date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))),
-                 .command = command_of(options),
-                 .compiler = hn::compiler_version(),
-                 .processor = hn::processor_name(),
-                 .rounds = options.rounds,
-                 .note = options.note,
-                 .measurements = {},
-                 .python = {}};
+  const hn::Facts facts = {{"date", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)))},
+                           {"command", command_of(options)},
+                           {"compiler", hn::compiler_version()},
+                           {"processor", hn::processor_name()},
+                           {"library", hn::library_version()},
+                           {"rounds", std::to_string(options.rounds)},
+                           {"step", fmt::format("{}", hn::kStep)},
+                           {"note", options.note}};
+  std::optional<hn::PythonMeasurement> python;
   // Before what takes long: it may not be there.
   if (!options.python.empty()) {
     show_progress(0, subjects.size(), "Python");
-    const auto python = hn::measure_python(options.python, options.rounds);
-    if (!python) return failure(python.error().text());
-    run.python = *python;
+    const auto measured = hn::measure_python(options.python, options.rounds);
+    if (!measured) return failure(measured.error().text());
+    python = *measured;
   }
+  std::vector<hn::Measurement> measurements;
   for (const hn::Subject& subject : subjects) {
     show_progress(static_cast<std::size_t>(&subject - subjects.data()), subjects.size(), subject.id);
     const auto measured = hn::measure_subject(subject, other ? &*other : nullptr, options.rounds);
     if (!measured) return failure(measured.error().text());
-    run.measurements.insert(run.measurements.end(), measured->begin(), measured->end());
+    measurements.insert(measurements.end(), measured->begin(), measured->end());
   }
   show_progress(subjects.size(), subjects.size(), "");
   interruption.note_the_first();
-  const std::filesystem::path directory = options.out;
-  for (const auto& [ending, text] :
-       {std::pair{".json", hn::dump(hn::to_json(run), 1) + "\n"}, {".md", hn::page_of(run)}}) {
-    const auto written = hn::write_file(directory / (name + ending), text);
-    if (!written) return failure(written.error().text());
+  const std::filesystem::path path = std::filesystem::path(options.out) / (name + ".csv");
+  const auto written = hn::write_file(path, hn::record_of(facts, measurements, python));
+  if (!written) return failure(written.error().text());
+  for (const hn::Measurement& measurement : measurements) {
+    fmt::print("{:>18} {:8}{:8.0f} million points a second\n", measurement.subject.id, hashnoise::name(measurement.set),
+               measurement.millions_a_second.at("fast"));
   }
-  const auto missed = hn::missed_aims(run);
-  for (const std::string& line : missed) fmt::print("MISSED {}\n", line);
-  fmt::print("{} subjects measured, {} aims missed: {}/{}.md\n", subjects.size(), missed.size(), options.out, name);
+  fmt::print("{} subjects measured: {}\n", subjects.size(), path.string());
   return 0;
 }
 

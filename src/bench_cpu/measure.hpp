@@ -12,7 +12,6 @@
 
 #include "base/ratio.hpp"
 #include "base/result.hpp"
-#include "bench_cpu/aims.hpp"
 #include "bench_cpu/fast_noise.hpp"
 #include "bench_cpu/subjects.hpp"
 
@@ -25,12 +24,27 @@ std::vector<Timing> measure(std::span<const std::function<void()>> works, int ro
 // The quotient of speeds of two that were timed in the same rounds.
 Ratio speed(const Timing& first, const Timing& second);
 
+// What is compared. Every number is a quotient of speeds: how many times as fast the first is as the second.
+inline constexpr std::array kComparisons = {
+    "grids",    // ours over FastNoise2's
+    "points",   // the same at a list of points
+    "octaves",  // ours over FastNoise2's, where the octaves of ours are grids that are not turned
+    "fixed",    // HN_FIXED over HN_FAST
+    "precise",  // HN_PRECISE over HN_FAST
+    "tiles",    // with a period over without
+    "lists",    // at points over on a grid
+    "threads",  // by two threads over by one
+};
+// What is filled, in millions of points a second.
+inline constexpr std::array kFills = {"fast",   "fixed",       "precise",    "tiles",
+                                      "points", "two threads", "FastNoise2", "FastNoise2 points"};
+
 // A subject with a set of instructions.
 struct Measurement {
   Subject subject;
   hashnoise::InstructionSet set;
-  std::map<Comparison, Ratio> ratios;               // those that could be measured
-  std::map<std::string, double> millions_a_second;  // "fast", "fixed", ..., "FastNoise2": medians
+  std::map<std::string, Ratio> ratios;              // of kComparisons, those that could be measured
+  std::map<std::string, double> millions_a_second;  // of kFills: medians
 };
 
 // The sets of a subject, the narrowest first: all in the same rounds. Two threads are timed with the widest.

@@ -20,8 +20,7 @@ tl::expected<BenchCpuOptions, Stop> parse_options(int argc, const char* const* a
   BenchCpuOptions options;
   std::string against;
   app.add_option("--out", options.out,
-                 "The folder for the results: a page, gcc.md or clang.md by the compiler of this program, and the same "
-                 "as JSON")
+                 "The folder for the record: gcc.csv or clang.csv by the compiler of this program")
       ->type_name("DIR")
       ->capture_default_str();
   app.add_option("--against", against, "Also measure FastNoise2, from its shared library")
@@ -36,7 +35,7 @@ tl::expected<BenchCpuOptions, Stop> parse_options(int argc, const char* const* a
       ->type_name("N")
       ->check(CLI::Range(3, 1000))
       ->capture_default_str();
-  app.add_option("--note", options.note, "A sentence for the page, such as the commit of FastNoise2")
+  app.add_option("--note", options.note, "A sentence for the record, such as the commit of FastNoise2")
       ->type_name("TEXT");
   const auto wrong = [](const std::string& message) { return tl::unexpected(Stop{kBadUsage, {}, message}); };
   try {

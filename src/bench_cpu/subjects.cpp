@@ -7,25 +7,24 @@ namespace hn {
 std::vector<Subject> subjects() {
   struct Row {
     std::string_view noise, sum, node, fractal;
-    double aims[2];  // on the plane and in space
   };
   constexpr Row kRows[] = {
-      {"value", "", "Value", "", {1.0, 1.0}},
-      {"perlin", "", "Perlin", "", {1.2, 1.1}},
-      {"simplex", "", "Simplex", "", {1.1, 1.1}},
-      {"simplex_smooth", "", "SuperSimplex", "", {1.0, 1.0}},
-      {"cellular", "", "CellularDistance", "", {2.0, 2.0}},
-      {"perlin", "fbm", "Perlin", "FractalFBm", {1.0, 1.0}},
-      {"simplex", "fbm", "Simplex", "FractalFBm", {1.0, 1.0}},
-      {"perlin", "ridged", "Perlin", "FractalRidged", {1.0, 1.0}},
-      {"simplex", "ridged", "Simplex", "FractalRidged", {1.0, 1.0}},
+      {"value", "", "Value", ""},
+      {"perlin", "", "Perlin", ""},
+      {"simplex", "", "Simplex", ""},
+      {"simplex_smooth", "", "SuperSimplex", ""},
+      {"cellular", "", "CellularDistance", ""},
+      {"perlin", "fbm", "Perlin", "FractalFBm"},
+      {"simplex", "fbm", "Simplex", "FractalFBm"},
+      {"perlin", "ridged", "Perlin", "FractalRidged"},
+      {"simplex", "ridged", "Simplex", "FractalRidged"},
   };
   std::vector<Subject> all;
   for (const Row& row : kRows) {
     for (const int dimensions : {2, 3}) {
       all.push_back({fmt::format("{}{}{}{}", row.sum, row.sum.empty() ? "" : "_", row.noise, dimensions),
                      std::string(row.noise), std::string(row.sum), dimensions, std::string(row.node),
-                     std::string(row.fractal), row.aims[dimensions - 2]});
+                     std::string(row.fractal)});
     }
   }
   return all;

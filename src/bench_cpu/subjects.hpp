@@ -18,7 +18,6 @@ struct Subject {
   int dimensions;
   std::string node;     // FastNoise2's name of the noise
   std::string fractal;  // and of the sum
-  double aim;           // how many times as fast as FastNoise2 it is to be
 };
 
 std::vector<Subject> subjects();

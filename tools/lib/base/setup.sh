@@ -2,7 +2,8 @@
 #
 #   setup conform   what hn-conform needs, built into build/
 #   setup drivers   the same, with every driver that a machine without a GPU and a display can have
-#   setup paper     as conform, with the Vulkan driver that counts AMD's instructions
+#   setup clock     as conform, with the Vulkan driver that counts AMD's instructions, and what makes the page
+#   setup paper     the same, with what draws
 #   setup bake      what hn-bake needs, without the suite unless build/ has it already
 #   setup test      all of it, with the tests and what they need
 #
@@ -26,11 +27,13 @@ source "$root/tools/lib/base/progress.sh"
 readonly conform_packages=(
   cmake g++ ninja-build
   glslang-dev glslang-tools spirv-tools
-  python3-glad libboost-math-dev libcli11-dev libcpp-httplib-dev libexpected-dev libfccp-dev libfmt-dev
+  python3-glad libboost-dev libcli11-dev libcpp-httplib-dev libexpected-dev libfccp-dev libfmt-dev
   libkainjow-mustache-dev libpng-dev libpugixml-dev libvulkan-dev nlohmann-json3-dev pkg-config zlib1g-dev
   libegl-dev libglfw3-dev libjemalloc-dev libosmesa6 libegl1 libegl-mesa0 libgl1-mesa-dri
 )
 readonly paper_packages=(libvulkan1 mesa-vulkan-drivers)
+# Of the page of the paper; costs need the first.
+readonly page_packages=(python3-jinja2 python3-matplotlib python3-numpy python3-scipy)
 # GLFW loads the libraries of OpenGL by their names.
 readonly driver_packages=("${paper_packages[@]}" chromium-headless-shell clang libgl1 libgles2 libglfw3 libglx-mesa0 xvfb)
 # Of the programs of src/, which have no need of drivers.
@@ -44,7 +47,7 @@ readonly example_packages=(git libxcursor-dev libxi-dev libxinerama-dev libxrand
 # Those behind python3-venv compile for ARM, and run what they compile; those of Mono do so with C#. abigail-tools compare
 # binary interfaces.
 readonly test_packages=("${driver_packages[@]}" "${npm_packages[@]}" "${example_packages[@]}" ccache libopenexr-dev
-  libclang-rt-dev libgtest-dev python3 python3-dev python3-numpy python3-pip python3-scipy python3-venv g++-aarch64-linux-gnu
+  libclang-rt-dev libgtest-dev python3 python3-dev python3-jinja2 python3-numpy python3-pip python3-scipy python3-venv g++-aarch64-linux-gnu
   qemu-user mono-mcs mono-runtime abigail-tools)
 # Compilers of the languages that tools/pick writes, as PROGRAM:PACKAGE. A machine may have the program from elsewhere, so
 # the package is missing only where the program is. Node.js is not among them: tools/lib/base/node gets one that is new enough.
@@ -52,10 +55,7 @@ readonly language_packages=(cargo:cargo cargo-clippy:rust-clippy go:golang-go ja
   rustfmt:rustfmt)
 # Of thorough tests: Microsoft's FXC, a program for Windows, and the compiler of what starts it; a Debian that has nothing, and
 # what sees connections.
-readonly thorough_packages=(debootstrap g++-mingw-w64-x86-64 strace wine wine64)
-# Of tools/measure hashes, noise and uniform, which have no need of hn-conform.
-readonly quality_packages=(g++ python3 python3-numpy python3-scipy)
-readonly plot_packages=(python3-matplotlib)
+readonly thorough_packages=(debootstrap g++-mingw-w64-x86-64 python3-matplotlib strace wine wine64)
 
 # If the arguments behind -- ask for help, prints the comment at the top of the command, and what the program says of its
 # options, and stops.
@@ -256,7 +256,9 @@ setup() {
   elif [[ $1 == drivers ]]; then
     packages+=("${driver_packages[@]}")
   elif [[ $1 == paper ]]; then
-    packages+=("${paper_packages[@]}")
+    packages+=("${paper_packages[@]}" "${page_packages[@]}")
+  elif [[ $1 == clock ]]; then
+    packages+=("${paper_packages[@]}" "${page_packages[0]}")
   fi
   if [[ $1 != test && ! -e $build/CMakeCache.txt ]]; then
     configuration+=(-DHASHNOISE_TESTS=OFF)  # their packages may be missing; a build that has tests keeps them

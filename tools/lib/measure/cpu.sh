@@ -1,6 +1,7 @@
 # shellcheck shell=bash
 # Measures what hashnoise::grid costs on this processor, by each of its instruction sets: installs what is missing,
-# builds the library with each compiler, measures. Nothing else should run meanwhile. The pages are gcc.md and clang.md.
+# builds the library with each compiler, measures. Nothing else should run meanwhile. The pages are gcc.md and clang.md,
+# of the records gcc.csv and clang.csv.
 #
 #   tools/measure cpu [options of hn-bench-cpu] [--compiler PROGRAM]...     g++ unless --compiler names another
 #
@@ -29,5 +30,5 @@ refuse_unknown_options "$called" "${BASH_SOURCE[0]}" "$root/src/bench_cpu/option
 
 setup_bench_cpu "${compilers[@]}"
 for compiler in "${compilers[@]}"; do
-  "$(program_by "$(basename "$compiler")")" "${options[@]}"
+  python3 "$root/tools/lib/measure/command.py" cpu "$(program_by "$(basename "$compiler")")" "${options[@]}"
 done

@@ -58,7 +58,8 @@ class Machine:
         self.tools.mkdir()
         shutil.copytree(TOOLS / "lib" / "measure", self.tools / "lib" / "measure")
         (self.tools / "lib" / "base").mkdir()
-        for name in ("lib/base/setup.sh", "lib/base/progress.sh", *{command.split()[0] for command in COMMANDS}):
+        for name in ("lib/base/setup.sh", "lib/base/progress.sh", "lib/base/scientific-python",
+                     *{command.split()[0] for command in COMMANDS}):
             shutil.copy(TOOLS / name, self.tools / name)
         (self.tools / "costs.csv").write_text(TABLE)
         self.programs = root / "programs"
@@ -67,8 +68,9 @@ class Machine:
         self.program("apt-get", APT_GET)
         self.program("cmake", CMAKE)
         self.program("ninja", "echo '[1/25] one'; echo '[25/25] last'")
-        for name in ("clang++", "g++", "ctest", "python3"):
+        for name in ("clang++", "g++", "ctest"):
             self.program(name, "exit 0")
+        self.program("python3", 'case "$*" in *measure*) echo it runs;; esac')
         for path in ("conformance/hn-conform", "src/bake/hn-bake", "bench-cpu-g++/src/bench_cpu/hn-bench-cpu"):
             self.program(root / "build" / path, "echo it runs")
         self.environment = {**os.environ, "PATH": f"{self.programs}:{os.environ['PATH']}",

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import html
 import json
 import os
@@ -20,6 +19,7 @@ from base import chromium
 from base.tree import HN_CONFORM, ROOT
 from base.usage import Parser
 from catalog.tables.markdown import table
+from measure import record as records
 from measure.compile.texts import SUBJECTS, WAYS, Subject, fragment, shaders
 
 DESCRIPTION = """\
@@ -36,7 +36,6 @@ docs/measuring.md.
 Exit status: 0 done, 1 a compiler refused a shader, 2 bad usage or no such compiler here."""
 
 RECORD = ROOT / "docs" / "results" / "llvmpipe" / "compile.csv"
-COLUMNS = ("function", "way", "compiler", "bytes", "ms")
 Times = dict[tuple[str, str], list[float]]  # milliseconds by function and way
 
 
@@ -80,8 +79,7 @@ def by_mesa(program: str, folder: Path, rounds: int) -> Times:
     times: Times = {}
     for _ in range(rounds):
         run(command, {"MESA_SHADER_CACHE_DISABLE": "true"})
-        with open(folder / "out" / "bench.csv", newline="", encoding="utf-8") as file:
-            found = {row["id"]: float(row["compile_ms"]) for row in csv.DictReader(file)}
+        found = {row["id"]: float(row["compile_ms"]) for row in records.read(folder / "out" / "bench.csv").rows}
         for subject, way, _ in shaders():
             times.setdefault((subject.picked, way), []).append(found[f"{subject.picked}-{way}{subject.axes}"])
     return times
@@ -171,8 +169,7 @@ def page_table(rows: Sequence[Mapping[str, str]]) -> str:
 
 
 def record() -> list[dict[str, str]]:
-    with open(RECORD, newline="", encoding="utf-8") as file:
-        return list(csv.DictReader(file))
+    return records.read(RECORD).rows
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -200,11 +197,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
                 print(f"{parser.prog}: {name}: {error}", file=sys.stderr)
                 return 1
     try:
-        options.out.parent.mkdir(parents=True, exist_ok=True)
-        with open(options.out, "w", newline="", encoding="utf-8") as file:
-            writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
-            writer.writeheader()
-            writer.writerows(lines)
+        records.write(options.out, lines)
     except OSError as error:
         parser.error(f"--out: {error}")
     return 0

@@ -36,6 +36,7 @@ from base import debian
 from base.debian import Missing
 from base.tree import ROOT, hn_conform
 from base.usage import Parser
+from measure import record as records
 from measure.gpu import comparing, drivers, operations, record, stripes
 from measure.gpu.chips import CHIPS, Chip
 from measure.gpu.compiling import Compiled, Device, compile_all
@@ -152,7 +153,7 @@ def run(options: argparse.Namespace) -> int:
                           (record.OPERATION_COSTS, [] if options.filter else
                            [price for chip in chips for price in record.prices(chip, shaders[chip.name])])):
         if content:
-            record.write(options.out / name, content)
+            records.write(options.out / name, content)
     for line in (*skipped, *(f"FAILED {row.id} on {row.chip}: {row.problem}" for row in rows if row.problem)):
         print(line)
     print(f"{len(rows)} costs of {len(chips)} chips: {options.out}/{record.COSTS}")

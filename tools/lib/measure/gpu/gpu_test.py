@@ -16,6 +16,7 @@ from unittest import mock
 from base import debian, glslang
 from base.debian import Missing
 from base.thorough import in_thorough_runs
+from measure import record as records
 from measure.gpu import chips, command, comparing, drivers, operations, pages, record, stripes
 from measure.gpu.chips import CHIPS, chip_named
 from measure.gpu.compiling import Compiled, compile_all
@@ -178,7 +179,7 @@ class Records(unittest.TestCase):
             path = Path(folder) / "costs.csv"
             rows = [record.Row("perlin", "m1", "5", "4", "FSCIB 3, IC 2", "24", "0", "1.0", ""),
                     record.Row("simplex", "m1", "", "", "", "", "", "", "too, hard")]
-            record.write(path, [row._asdict() for row in rows])
+            records.write(path, [row._asdict() for row in rows])
             self.assertEqual(list(record.read_costs(path).values()), rows)
             path.write_text(path.read_text().replace(",5,", ",five,"))
             with self.assertRaisesRegex(ValueError, f"{path}:2: the cost is 'five'"):
@@ -408,7 +409,7 @@ class Command(WithStandIn):
         rows = {key: row._asdict() for key, row in pages.costs().items()}
         dearer = rows["noise2d.perlin.lattice", "navi31"]
         dearer["cost"] = str(2 * float(dearer["cost"]))
-        record.write(Path(before), list(rows.values()))
+        records.write(Path(before), list(rows.values()))
         status, out, err = self.call("--compare", before, now, "--drivers", str(self.folder / "none"))
         self.assertEqual(status, 0, err)
         self.assertRegex(out, r"\| Perlin 2D \| [^|]*\b0\.50\b[^|]*\| \*\*1\.00")

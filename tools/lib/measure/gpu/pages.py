@@ -7,10 +7,11 @@ from collections.abc import Mapping, Sequence
 
 from base.tree import ROOT
 from catalog.tables.markdown import table
+from measure import record
 from measure.gpu import comparing, stripes
 from measure.gpu.chips import chip_named
 from measure.gpu.operations import OPERATIONS
-from measure.gpu.record import COSTS, OPERATION_COSTS, Row, read, read_costs
+from measure.gpu.record import COSTS, OPERATION_COSTS, Row, read_costs
 from measure.peers.table import CALLS, dimensions, subject
 
 RECORD = ROOT / "docs" / "results" / "gpu"
@@ -36,7 +37,7 @@ def costs() -> dict[tuple[str, str], Row]:
 
 
 def operation_costs() -> list[dict[str, str]]:
-    return read(RECORD / OPERATION_COSTS, ("operation", "chip", "alone", "beside"))
+    return record.read(RECORD / OPERATION_COSTS).rows
 
 
 def chip_table(rows: Mapping[tuple[str, str], Row]) -> str:

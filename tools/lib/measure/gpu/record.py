@@ -1,15 +1,14 @@
-"""Writes and reads the files of what was measured, costs.csv, operations.csv and chips.csv, and compares costs with
-earlier ones."""
+"""The rows of costs.csv, operations.csv and chips.csv, and the comparison of costs with earlier ones."""
 
 from __future__ import annotations
 
-import csv
 import math
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import NamedTuple
 
+from measure import record
 from measure.gpu.chips import Chip, Vendor
 from measure.gpu.compiling import Compiled
 from measure.gpu.operations import CHAINS, LENGTHS, OPERATIONS, price, subject
@@ -68,29 +67,11 @@ def prices(chip: Chip, shaders: Mapping[str, Compiled]) -> list[dict[str, str]]:
     return rows
 
 
-def write(path: Path, rows: Sequence[Mapping[str, str]]) -> None:
-    with open(path, "w", newline="", encoding="utf-8") as file:
-        writer = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(rows)
-
-
-def read(path: Path, columns: Sequence[str] = Row._fields) -> list[dict[str, str]]:
-    """ValueError if it is no such file."""
-    with open(path, newline="", encoding="utf-8") as file:
-        reader = csv.DictReader(file)
-        if list(reader.fieldnames or ()) != list(columns):
-            raise ValueError(f"{path}: the first line must be {','.join(columns)}, as tools/measure gpu writes it")
-        return list(reader)
-
-
 def read_costs(path: Path) -> dict[tuple[str, str], Row]:
-    rows = [Row(**found) for found in read(path)]
+    rows = [Row(**found) for found in record.read(path, Row._fields, "tools/measure gpu").rows]
     for number, found in enumerate(rows, 2):
-        try:
-            _ = found.problem or float(found.cost)
-        except (TypeError, ValueError):
-            raise ValueError(f"{path}:{number}: the cost is {found.cost!r}, and not a number") from None
+        if not found.problem and record.number(found.cost) is None:
+            raise ValueError(f"{path}:{number}: the cost is {found.cost!r}, and not a number")
     return {(found.id, found.chip): found for found in rows}
 
 
@@ -103,6 +84,6 @@ def dearer(before: Mapping[tuple[str, str], Row], now: Iterable[Row]) -> list[st
             continue
         if found.problem:
             lines.append(f"FAILS {found.id} on {found.chip}: {found.problem}; it cost {was.cost}")
-        elif float(found.cost) > float(was.cost):
+        elif record.Change(*(record.Quantity(float(one.cost)) for one in (was, found))).is_more:
             lines.append(f"DEARER {found.id} on {found.chip}: {found.cost}, was {was.cost}")
     return lines

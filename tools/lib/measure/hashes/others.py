@@ -10,7 +10,6 @@ are random.
 from __future__ import annotations
 
 import argparse
-import csv
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -18,6 +17,7 @@ from pathlib import Path
 import numpy as np
 
 from base.renderer import NotCompiled, Renderer
+from measure import record
 from measure.hashes import gate
 from measure.hashes.judgement import Finding
 from measure.hashes.library import Twin
@@ -162,12 +162,12 @@ def lines(found: Sequence[Judged]) -> list[str]:
 
 
 def write(found: Sequence[Judged], path: Path) -> None:
-    with open(path, "w", newline="", encoding="utf-8") as file:
-        rows = csv.writer(file, lineterminator="\n")
-        rows.writerow(RECORD)
-        for judged in found:
-            result = judged.result
-            findings = result.worst.values()
-            worst = min(findings, key=lambda f: f.p)
-            rows.writerow((result.name, result.dimensions, judged.place, sum(not f.passed for f in findings), len(findings),
-                           worst.test, f"{worst.statistic:.4g}", f"{worst.threshold:.4g}", f"{worst.p:.3g}"))
+    rows = []
+    for judged in found:
+        result = judged.result
+        findings = result.worst.values()
+        worst = min(findings, key=lambda f: f.p)
+        rows.append(dict(zip(RECORD, (
+            result.name, result.dimensions, judged.place, sum(not f.passed for f in findings), len(findings), worst.test,
+            f"{worst.statistic:.4g}", f"{worst.threshold:.4g}", f"{worst.p:.3g}"))))
+    record.write(path, rows, RECORD)

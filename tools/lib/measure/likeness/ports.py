@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import functools
 import hashlib
 import re
@@ -15,6 +14,7 @@ from base.renderer import Renderer
 from base.tree import ROOT
 from catalog.tables.glsl import files_of
 from catalog.tables.markdown import table
+from measure import record as records
 from measure.likeness.measure import Look, look
 from measure.likeness.table import ROWS, UNKNOWN, Row
 from translate.single_file.files import text
@@ -166,25 +166,21 @@ COLUMNS = ("id", "version", "scale", "factor", "offset", *(f"{part} {name}" for 
 
 
 def write(found: Iterable[Port], path: Path) -> None:
-    with open(path, "w", newline="", encoding="utf-8") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(COLUMNS)
-        for each in found:
-            numbers = (each.scale, each.factor, each.offset, *each.theirs, *each.ours, *each.ported)
-            writer.writerow([each.id, each.version, *(f"{number + 0.0:.4f}" for number in numbers)])
+    rows = []
+    for each in found:
+        numbers = (each.scale, each.factor, each.offset, *each.theirs, *each.ours, *each.ported)
+        rows.append(dict(zip(COLUMNS, (each.id, each.version, *(f"{number + 0.0:.4f}" for number in numbers)))))
+    records.write(path, rows, COLUMNS)
 
 
 def read(path: Path = RECORD) -> dict[str, Port]:
     """By id."""
-    with open(path, newline="", encoding="utf-8") as file:
-        rows = list(csv.DictReader(file))
-
     def look_of(row: Mapping[str, str], part: str) -> Look:
         return Look(*(float(row[f"{part} {name}"]) for name in Look._fields))
 
     return {row["id"]: Port(row["id"], row["version"], *(look_of(row, part) for part in LOOKS[:2]),
                             *(float(row[name]) for name in ("scale", "factor", "offset")), look_of(row, LOOKS[2]))
-            for row in rows}
+            for row in records.read(path).rows}
 
 
 # --- The page ---------------------------------------------------------------------------------------------------------

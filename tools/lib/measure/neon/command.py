@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 import fnmatch
-import json
 import re
 import shlex
 import shutil
@@ -16,9 +15,10 @@ from tempfile import TemporaryDirectory
 
 from base.tree import ROOT, version
 from base.usage import Parser
+from measure import record
 from measure.elsewhere import NEON, Build, Failed, output_of
 from measure.neon.counting import Counter, Refused, of_a_fill
-from measure.neon.record import ARITHMETICS, OTHER, Run, page, record
+from measure.neon.record import ARITHMETICS, OTHER, page
 
 DESCRIPTION = """\
 Counts what hashnoise::grid costs with NEON, in instructions, on a machine that need not have it.
@@ -27,7 +27,7 @@ Counts what hashnoise::grid costs with NEON, in instructions, on a machine that 
 
 The library is compiled for ARM, which takes minutes, and fills the grids of tools/measure cpu with the same noises and
 sums. The emulator QEMU executes that, and a plugin of it counts the instructions. FILE is the shared library of
-FastNoise2, compiled for ARM as well. docs/results/cpu/neon.md is such a page; neon.json has the same numbers.
+FastNoise2, compiled for ARM as well. docs/results/cpu/neon.md is such a page; neon.csv has the numbers.
 
 It needs, of Debian 12: cmake, ninja-build, gcc, g++-aarch64-linux-gnu, qemu-user, libfmt-dev, libexpected-dev and
 nlohmann-json3-dev. tools/test installs them.
@@ -79,7 +79,7 @@ def library_named(word: str) -> Path:
     return Path(path).resolve()
 
 
-def count(program: Path, options: argparse.Namespace) -> Run | None:
+def count(program: Path, options: argparse.Namespace) -> record.Record | None:
     """Nothing if no subject is wanted."""
     first, *all_subjects = output_of(*NEON.runner, program, "--list").splitlines()
     points, step = first.split()
@@ -88,17 +88,19 @@ def count(program: Path, options: argparse.Namespace) -> Run | None:
     if not subjects:
         return None
     whats = {name: name for name in ARITHMETICS} | ({OTHER: f"fastnoise2={options.against}"} if options.against else {})
-    fills = {}
+    rows = []
     with TemporaryDirectory() as folder:
         counter = Counter(Path(folder))
         for number, subject in enumerate(subjects):
             print(f"[{number}/{len(subjects)}] {subject}", file=sys.stderr, flush=True)
-            fills[subject] = {name: of_a_fill(counter, program, what, subject) for name, what in whats.items()}
+            rows.append({"noise": subject, **{name: str(of_a_fill(counter, program, what, subject))
+                                              for name, what in whats.items()}})
     emulator = re.search(r"version ([\d.]+)", output_of(NEON.runner[0], "--version"))
-    return Run(date=time.strftime("%Y-%m-%dT%H:%M:%SZ", time.gmtime()), command=command_of(options),
-               compiler=f"GCC {output_of(NEON.compiler, '-dumpfullversion').strip()}",
-               emulator=f"QEMU {emulator[1] if emulator else 'of an unknown version'}", library=version(),
-               note=options.note, points=int(points), step=float(step), fills=fills)
+    facts = {"date": time.strftime("%Y-%m-%dT%H:%M:%SZ", time.gmtime()), "command": command_of(options),
+             "compiler": f"GCC {output_of(NEON.compiler, '-dumpfullversion').strip()}",
+             "emulator": f"QEMU {emulator[1] if emulator else 'of an unknown version'}", "library": version(),
+             "note": options.note, "points": points, "step": step}
+    return record.Record(facts, rows)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -110,7 +112,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--note", default="", metavar="TEXT",
                         help="a sentence for the page, such as the commit of FastNoise2")
     parser.add_argument("--out", type=Path, default=ROOT / "docs" / "results" / "cpu", metavar="DIR",
-                        help="the folder for neon.md and neon.json (default: docs/results/cpu)")
+                        help="the folder for neon.md and neon.csv (default: docs/results/cpu)")
     parser.add_argument("--build", type=Path, default=FOLDER, metavar="DIR",
                         help="where the library is built, and kept (default: build/bench-neon)")
     options = parser.parse_args(arguments)
@@ -140,10 +142,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
         parser.error("no subject matches --filter; the ids are like perlin2, cellular3 and fbm_simplex2, and * stands "
                      "for any part")
     try:
-        for name, text in (("neon.json", json.dumps(record(run), indent=1) + "\n"), ("neon.md", page(run))):
-            (options.out / name).write_text(text, encoding="utf-8")
+        record.write(options.out / "neon.csv", run.rows, facts=run.facts)
+        (options.out / "neon.md").write_text(page(run), encoding="utf-8")
     except OSError as error:
         print(f"{parser.prog}: {error}", file=sys.stderr)
         return 1
-    print(f"{len(run.fills)} subjects counted: {options.out / 'neon.md'}")
+    print(f"{len(run.rows)} subjects counted: {options.out / 'neon.md'}")
     return 0

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import contextlib
 import io
-import json
 import os
 import shutil
 import subprocess
@@ -19,7 +18,8 @@ from base.tree import ROOT
 from measure.elsewhere import NEON, Failed, output_of
 from measure.neon import command
 from measure.neon.counting import Counter, Refused, of_a_fill
-from measure.neon.record import three_digits
+from measure.neon.record import ratios
+from measure.record import read, three_digits
 
 # It executes 5 instructions, and 2 in each turn.
 LOOP = """\
@@ -64,8 +64,8 @@ class Case(unittest.TestCase):
     def results(self) -> list[str]:
         return sorted(path.name for path in (self.folder / "out").glob("*"))
 
-    def record(self) -> dict:
-        return json.loads((self.folder / "out" / "neon.json").read_text(encoding="utf-8"))
+    def record(self):
+        return read(self.folder / "out" / "neon.csv")
 
 
 @unittest.skipIf(NEON.missing(), f"there is no {' and no '.join(NEON.missing())}")
@@ -113,22 +113,21 @@ class ByAStandIn(Case):
         self.assertEqual(status, 0)
         self.assertIn("2 subjects counted", out)
         record = self.record()
-        self.assertEqual((record["points"], record["step"], record["compiler"], record["emulator"], record["note"]),
-                         (100, 0.25, "GCC 12.9.0", "QEMU 7.2.9", "A note."))
-        self.assertEqual(record["command"], "tools/measure neon --against fastnoise2=libFastNoise.so")
-        self.assertEqual([entry["id"] for entry in record["measurements"]], ["perlin2", "cellular3"])
-        for entry in record["measurements"]:
-            self.assertEqual(entry["executed"], {"fast": 1000, "fixed": 2000, "precise": 1250, "FastNoise2": 2500})
-            self.assertEqual(entry["ratios"], {"grids": 2.5, "fixed": 0.5, "precise": 0.8})
+        self.assertEqual([record.facts[name] for name in ("points", "step", "compiler", "emulator", "note", "command")],
+                         ["100", "0.25", "GCC 12.9.0", "QEMU 7.2.9", "A note.",
+                          "tools/measure neon --against fastnoise2=libFastNoise.so"])
+        counts = {"fast": "1000", "fixed": "2000", "precise": "1250", "FastNoise2": "2500"}
+        self.assertEqual(record.rows, [{"noise": noise, **counts} for noise in ("perlin2", "cellular3")])
+        self.assertEqual(list(ratios(record.rows[0]).values()), [2.5, 0.5, 0.8])
         page = (self.folder / "out" / "neon.md").read_text(encoding="utf-8")
         self.assertIn("| `perlin2` | 2.50 | 0.50 | 0.80 |\n", page)
         self.assertIn("| `cellular3` | 10.0 | 20.0 | 12.5 | 25.0 |\n", page)
         self.assertIn(" A note. By `tools/measure neon", page)
-        self.assertNotIn(str(self.folder), page + json.dumps(record))
+        self.assertNotIn(str(self.folder), page + str(record))
 
     def test_some_subjects_without_another_library(self) -> None:
         self.assertEqual(self.main("--filter", "cell*")[0], 0)
-        self.assertEqual([entry["id"] for entry in self.record()["measurements"]], ["cellular3"])
+        self.assertEqual([row["noise"] for row in self.record().rows], ["cellular3"])
         page = (self.folder / "out" / "neon.md").read_text(encoding="utf-8")
         self.assertIn("| noise | HN_FIXED beside HN_FAST | HN_PRECISE beside HN_FAST |\n", page)
         self.assertIn("| `cellular3` | 10.0 | 20.0 | 12.5 |\n", page)
@@ -207,19 +206,19 @@ class Whole(Case):
         options = ("--filter", "perlin2")
         status, _, err = self.main(*options)
         self.assertEqual(status, 0, err)
-        alone = self.record()["measurements"]
+        alone = self.record().rows
         theirs = self.folder / "libfake.so"
         output_of(NEON.compiler, "-std=c++20", "-O1", "-shared", "-fPIC", "-I", ROOT / "include",
                   ROOT / "src/bench_cpu/tests/fake_fast_noise.cpp", self.build / "src/grid/libhashnoise-grid.a",
                   "-o", theirs, "-pthread")
         status, _, err = self.main(*options, "--against", f"fastnoise2={theirs}")
         self.assertEqual(status, 0, err)
-        entry, = self.record()["measurements"]
-        self.assertAlmostEqual(entry["ratios"]["grids"], 3.0, delta=0.01)
-        for name, number in alone[0]["executed"].items():
-            self.assertAlmostEqual(entry["executed"][name] / number, 1.0, delta=1e-5)
-        for ratio in ("fixed", "precise"):
-            self.assertLess(entry["ratios"][ratio], 1.0)
+        row, = self.record().rows
+        beside_theirs, *others = ratios(row).values()
+        self.assertAlmostEqual(beside_theirs, 3.0, delta=0.01)
+        for name in ("fast", "fixed", "precise"):
+            self.assertAlmostEqual(int(row[name]) / int(alone[0][name]), 1.0, delta=1e-5)
+        self.assertLess(max(others), 1.0)
         with mock.patch.dict(os.environ, FAKE_FAST_NOISE="all instructions"):
             status, _, err = self.main(*options, "--against", f"fastnoise2={theirs}")
         self.assertEqual(status, 1)

@@ -55,7 +55,7 @@ def parse(arguments: Sequence[str] | None) -> argparse.Namespace:
     parser.add_argument("--range", type=float, nargs=2, metavar=("LOW", "HIGH"),
                         help="what its values are said to be in")
     parser.add_argument("--require", metavar="NAME,...", help="status 1 if one of these fails: " + ", ".join(JUDGED))
-    parser.add_argument("--out", type=Path, metavar="DIR", help="where judge.json and index.html go; without it only "
+    parser.add_argument("--out", type=Path, metavar="DIR", help="where judged.csv and index.html go; without it only "
                         "the terminal is told")
     parser.add_argument("--record", type=Path, metavar="FILE", help="a CSV that gets the numbers, in place of what it "
                         "had of this name and these dimensions")

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import contextlib
 import io
-import json
 import re
 import tempfile
 import unittest
@@ -124,12 +123,11 @@ class Command(unittest.TestCase):
         self.assertEqual(shown[0], 1, shown)
         self.assertRegex(shown[1], r"(?m)^FAIL jumps +It jumps by 0\.004")
         self.assertRegex(shown[1], r"(?m)^     cost +On llvmpipe a value costs [\d.]+ times")
-        written = json.loads((out / "judge.json").read_text())
-        self.assertEqual([name for name, one in written["measures"].items() if one["fails"]], ["jumps"])
+        self.assertEqual([row["measure"] for row in record.read(out / "judged.csv") if row["fails"] == "yes"], ["jumps"])
         text = (out / "index.html").read_text()
         self.assertIn("a &lt;control&gt;", text)
         self.assertIn("hn_perlin, for comparison", text)
-        self.assertEqual(text.count('class="FAIL"'), 1)
+        self.assertEqual(text.count('class="bad"'), 1)
 
     @in_thorough_runs
     def test_ours_passes_in_space(self) -> None:

@@ -3,25 +3,18 @@
 from __future__ import annotations
 
 import base64
-import html
-import json
 from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
+from markupsafe import Markup
 
 from base.png import png
 from base.tree import version
+from measure import page
+from measure.noise import record
 from measure.noise.measures import Finding
 from measure.noise.noise import Sampler
-
-STYLE = """body{font:16px/1.5 system-ui,sans-serif;max-width:70rem;margin:2rem auto;padding:0 1rem;color:#222}
-table{border-collapse:collapse;width:100%}
-td,th{text-align:left;vertical-align:top;padding:.5rem;border-top:1px solid #ccc}
-.FAIL{color:#a00;font-weight:bold}.pass{color:#060}
-img,svg{width:8rem;image-rendering:pixelated;display:block;margin-top:.3rem}
-code{background:#eee}@media(prefers-color-scheme:dark){body{background:#181818;color:#ddd}code{background:#333}
-.FAIL{color:#f77}.pass{color:#7d7}}"""
 
 
 def greys(values: np.ndarray) -> str:
@@ -69,34 +62,8 @@ def picture(sampler: Sampler, finding: Finding) -> str:
 
 def write(folder: Path, theirs: Sampler, ours: Sampler, found: Mapping[str, Finding], of_ours: Mapping[str, Finding],
           seconds: float, commit: str) -> None:
-    folder.mkdir(parents=True, exist_ok=True)
-    rows = []
-    for name, finding in found.items():
-        cells = [cell(theirs, finding), cell(ours, of_ours[name]) if name in of_ours else ""]
-        rows.append(f"<tr><th scope=row>{name}</th>{''.join(f'<td>{one}</td>' for one in cells)}</tr>")
-    size = len(theirs.subject.text.encode())
-    title = html.escape(theirs.subject.name)
-    (folder / "index.html").write_text(
-        f'<!doctype html><html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width">'
-        f"<title>{title}</title><style>{STYLE}</style><h1>{title}</h1>"
-        f"<p><code>{html.escape(theirs.subject.expression)}</code>, version {html.escape(commit)}</p>"
-        f"<p>Judged by hashnoise {version()}, from values that Mesa's llvmpipe computed. The file has {size:,} bytes, "
-        f"and compiled in {seconds:.2f} s. Numbers are of a sample: what was not found may be there.</p>"
-        f"<table><tr><th></th><th>{title}</th><th>hn_perlin, for comparison</th></tr>{''.join(rows)}</table></html>\n",
-        encoding="utf-8")
-    (folder / "judge.json").write_text(json.dumps(
-        {"noise": theirs.subject.name, "expression": theirs.subject.expression, "version": commit,
-         "dimensions": theirs.subject.dimensions, "hashnoise": version(), "bytes": size,
-         "compile seconds": round(seconds, 3), "measures": {name: record(finding) for name, finding in found.items()}},
-        indent=1) + "\n", encoding="utf-8")
-
-
-def cell(sampler: Sampler, finding: Finding) -> str:
-    verdict = {None: "", True: '<span class="FAIL">FAIL</span> ', False: '<span class="pass">pass</span> '}
-    return (f"{verdict[finding.fails]}<strong>{finding.number:.4g}</strong><br>{html.escape(finding.sentence)}"
-            f"{picture(sampler, finding)}")
-
-
-def record(finding: Finding) -> dict[str, object]:
-    return {"fails": finding.fails, "number": round(finding.number, 9), "sentence": finding.sentence,
-            **{name: value for name, value in finding.more.items() if name != "spectrum"}}
+    rows = [(name, [(one, Markup(picture(sampler, one))) for sampler, one in ((theirs, finding), (ours, of_ours.get(name)))
+                    if one]) for name, finding in found.items()]
+    page.write(folder / "index.html", Path(__file__).with_name("judge.html"), subject=theirs.subject, commit=commit,
+               rows=rows, version=version(), size=f"{len(theirs.subject.text.encode()):,}", seconds=f"{seconds:.2f}")
+    record.put(folder / "judged.csv", theirs.subject, found.values())

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import csv
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 
 from base.tree import ROOT
 from catalog.tables.markdown import table
+from measure import record
 
 RECORD = ROOT / "docs" / "results" / "judged.csv"
 COLUMNS = ("noise", "dimensions", "measure", "fails", "number")
@@ -20,8 +20,7 @@ SHOWN = {"range": ("largest value", "{:.3f}"), "jumps": ("jump", "{:.2g}"),
 
 
 def read(path: Path = RECORD) -> list[dict[str, str]]:
-    with open(path, newline="", encoding="utf-8") as file:
-        return list(csv.DictReader(file))
+    return record.read(path).rows
 
 
 def put(path: Path, subject, findings: Iterable) -> None:
@@ -33,11 +32,7 @@ def put(path: Path, subject, findings: Iterable) -> None:
            for finding in findings]
     kept = [row for row in rows if any(row[name] != value for name, value in of.items())]
     at = next((i for i, row in enumerate(rows) if all(row[name] == value for name, value in of.items())), len(kept))
-    path.parent.mkdir(parents=True, exist_ok=True)
-    with open(path, "w", newline="", encoding="utf-8") as file:
-        writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
-        writer.writeheader()
-        writer.writerows([*kept[:at], *new, *kept[at:]])
+    record.write(path, [*kept[:at], *new, *kept[at:]], COLUMNS)
 
 
 def judge_table(rows: Sequence[Mapping[str, str]]) -> str:

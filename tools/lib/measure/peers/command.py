@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import subprocess
 from collections.abc import Sequence
 from pathlib import Path
 
 from base.tree import hn_conform
 from base.usage import Parser
+from measure import conform
 from measure.peers.copies import add_options, some_given
 from measure.peers.table import CALLS, PEERS, against
 
@@ -20,16 +20,16 @@ Measures what other libraries' noises, sums and warps cost, beside ours and in t
 Each option is the path of a copy of yours; its help names which file or folder of it. What is not given is left out.
 
 It calls hn-conform bench --against, which must be on the PATH or built (tools/measure clock builds it), and leaves
-bench.csv in DIR. docs/results/llvmpipe/peers.csv is such a file; tools/make readme makes the table of docs/measuring.md of
+bench.csv in DIR, with AMD's instructions. docs/results/llvmpipe/peers.csv is such a file; tools/make readme makes the table of docs/measuring.md of
 it.
 
 Exit status: that of hn-conform bench; 2 bad usage."""
 
 
-def command(program: str, paths: dict[str, Path], driver: str, out: str) -> list[str]:
-    """The command that measures the peers at these paths."""
+def options_of(paths: dict[str, Path], driver: str) -> list[str]:
+    """What hn-conform bench is to measure for the peers at these paths."""
     calls = [call for call in CALLS if call.peer in paths]
-    words = [program, "bench", "--driver", driver, "--out", out]
+    words = ["--driver", driver]
     for ours in dict.fromkeys(call.ours for call in calls):
         words += ["--filter", f"{ours}.lattice"]
     for one in against(paths):
@@ -41,10 +41,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser = Parser("tools/measure peers", DESCRIPTION)
     add_options(parser, PEERS)
     parser.add_argument("--driver", default="osmesa", metavar="NAME", help="of hn-conform (default: %(default)s)")
-    parser.add_argument("--out", default="out", metavar="DIR", help="(default: %(default)s)")
+    parser.add_argument("--out", type=Path, default=Path("out"), metavar="DIR", help="(default: %(default)s)")
     options = parser.parse_args(arguments)
     paths = some_given(parser, options, PEERS)
     program = hn_conform()
     if not program:
         parser.error("there is no hn-conform: build it by tools/measure clock, or put it on the PATH")
-    return subprocess.run(command(program, paths, options.driver, options.out), check=False).returncode
+    return conform.bench(program, options.out, options_of(paths, options.driver))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -14,6 +13,7 @@ from base.twin import NotBuilt
 from base.usage import Parser
 from catalog.tables.markdown import table, with_section
 from catalog.tables.marks import between
+from measure import record
 
 DESCRIPTION = """\
 Measures how uniform the results of hn_uniform are, for every noise and for sums of octaves, or fits its constants.
@@ -31,7 +31,6 @@ Exit status: 0 done, 1 an error is above the bound that docs/uniform.md states, 
 
 RECORD = ROOT / "docs" / "results" / "uniform.csv"
 CONTRACT = ROOT / "docs" / "contract.md"
-COLUMNS = ("noise", "octaves", "gain", "points", "error")
 GAIN = 0.5
 SUMS = (*((octaves, GAIN) for octaves in range(1, 9)),
         (2.0, 0.7), (5.0, 0.7), (2.0, 1.0), (3.0, 0.3), (3.5, GAIN), (8.0, 0.8))
@@ -59,26 +58,19 @@ def too_large(rows: Sequence[Row]) -> list[str]:
 
 
 def read(path: Path = RECORD) -> list[Row]:
-    with path.open(encoding="utf-8", newline="") as file:
-        rows = list(csv.reader(file))
-    if not rows or tuple(rows[0]) != COLUMNS:
-        raise ValueError(f"{path}: the first line has to be {','.join(COLUMNS)}, as tools/measure uniform writes it")
     found = []
-    for number, row in enumerate(rows[1:], 2):
+    for number, row in enumerate(record.read(path, Row._fields, "tools/measure uniform").rows, 2):
         try:
-            noise, octaves, gain, points, error = row
-            found.append(Row(noise, float(octaves), float(gain), int(points), float(error)))
-        except ValueError as problem:
-            raise ValueError(f"{path}:{number}: {problem}; a row has {', '.join(COLUMNS)}") from problem
+            found.append(Row(row["noise"], float(row["octaves"]), float(row["gain"]), int(row["points"]),
+                             float(row["error"])))
+        except (TypeError, ValueError) as problem:
+            raise ValueError(f"{path}:{number}: {problem}; a row has {', '.join(Row._fields)}") from problem
     return found
 
 
 def write(path: Path, rows: Sequence[Row]) -> None:
-    with path.open("w", encoding="utf-8", newline="") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(COLUMNS)
-        writer.writerows((row.noise, f"{row.octaves:g}", f"{row.gain:g}", row.points, f"{row.error:.5f}")
-                         for row in rows)
+    record.write(path, ({**row._asdict(), "octaves": f"{row.octaves:g}", "gain": f"{row.gain:g}",
+                         "error": f"{row.error:.5f}"} for row in rows))
 
 
 def page_table(rows: Sequence[Row]) -> str:

@@ -142,7 +142,7 @@ class UniformTest(unittest.TestCase):
             self.assertEqual(ended.exception.code, 2)
             self.assertIn(message, errors.getvalue())
         path = self.folder / "record.csv"
-        for text, message in (("a,b\n", "the first line has to be"),
+        for text, message in (("a,b\n", "the first line must be"),
                               ("noise,octaves,gain,points,error\nX,1\n", r"csv:2: ")):
             path.write_text(text, encoding="utf-8")
             with self.assertRaisesRegex(ValueError, message):

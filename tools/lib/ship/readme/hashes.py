@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-import csv
 from collections.abc import Mapping, Sequence
 
 from base.tree import ROOT
 from catalog.tables.markdown import table
+from measure import record as records
 
 RECORD = ROOT / "docs" / "results" / "hashes.csv"
 
 
 def record() -> list[dict[str, str]]:
-    with open(RECORD, newline="", encoding="utf-8") as file:
-        return list(csv.DictReader(file))
+    return records.read(RECORD).rows
 
 
 def _said(row: Mapping[str, str]) -> str:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import functools
 import subprocess
 from collections.abc import Mapping, Sequence
@@ -13,6 +12,7 @@ import catalog.model
 from base.tree import ROOT
 from base.twin import SOON, compile_program
 from catalog.tables.markdown import table
+from measure import record
 from measure.peers.table import CALLS, PEERS, dimensions, subject
 
 RESULTS = ROOT / "docs" / "results"
@@ -87,17 +87,12 @@ FORMS = ("perlin", "perlin_cell", "perlin_period", "perlin_d", "perlin_phase", "
          "cellular_nearest", "cellular_three", "cellular_d", "cellular_smooth", "cell_border")
 
 
-def costs(renderer: str) -> Costs:
-    return _record(RESULTS / renderer / "bench.csv")
+def costs(renderer: str, file: str = "bench.csv") -> Costs:
+    return {row["id"]: row for row in record.read(RESULTS / renderer / file).rows}
 
 
 def peer_costs(renderer: str) -> Costs:
-    return _record(RESULTS / renderer / "peers.csv")
-
-
-def _record(path: Path) -> Costs:
-    with open(path, newline="", encoding="utf-8") as file:
-        return {row["id"]: row for row in csv.DictReader(file)}
+    return costs(renderer, "peers.csv")
 
 
 def ids(noise: str) -> list[str]:
@@ -153,8 +148,7 @@ def cost_quotes() -> list[str]:
 
 def python_costs() -> list[dict[str, str]]:
     """The rows of python.csv."""
-    with (RESULTS / "cpu" / "python.csv").open(encoding="utf-8", newline="") as file:
-        return list(csv.DictReader(file))
+    return record.read(RESULTS / "cpu" / "python.csv").rows
 
 
 def python_table(rows: Sequence[Mapping[str, str]]) -> str:

@@ -1,4 +1,4 @@
-#include "output/csv.hpp"
+#include "base/csv.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,6 +15,11 @@ TEST(Csv, PlainFieldsAreNotQuoted) {
 TEST(Csv, CommasQuotesAndLineEndsAreQuoted) {
   EXPECT_EQ(to_csv(Row{"a,b", "c\"d"}, std::vector<Row>{{"e\nf", "g\rh"}, {"\"", "i"}}),
             "\"a,b\",\"c\"\"d\"\n\"e\nf\",\"g\rh\"\n\"\"\"\",i\n");
+}
+
+TEST(Csv, ARecordHasItsFactsFirstEachInALine) {
+  EXPECT_EQ(to_record({{"by", "a, b"}, {"why", "c\nd\xFF"}}, Row{"a"}, std::vector<Row>{{"x\ny"}}),
+            "# by: a, b\n# why: c d\xEF\xBF\xBD\na\n\"x\ny\"\n");
 }
 
 TEST(Csv, NoRows) { EXPECT_EQ(to_csv(Row{"a", "b"}, {}), "a,b\n"); }

@@ -1,4 +1,8 @@
-#include "output/csv.hpp"
+#include "base/csv.hpp"
+
+#include <algorithm>
+
+#include "base/text.hpp"
 
 namespace hn {
 namespace {
@@ -30,6 +34,18 @@ std::string to_csv(std::span<const std::string> header, std::span<const std::vec
   add_row(out, header);
   for (const std::vector<std::string>& row : rows) add_row(out, row);
   return out;
+}
+
+std::string to_record(const Facts& facts, std::span<const std::string> header,
+                      std::span<const std::vector<std::string>> rows) {
+  std::string out;
+  for (const auto& [name, value] : facts) {
+    std::string line = "# " + name + ": " + value;
+    std::ranges::replace_if(
+        line, [](char c) { return c == '\n' || c == '\r'; }, ' ');
+    out += clean_text(line) + "\n";
+  }
+  return out + clean_text(to_csv(header, rows));
 }
 
 }  // namespace hn

@@ -1,0 +1,38 @@
+"""Starts hn-conform for commands that make something of its records."""
+
+from __future__ import annotations
+
+import shutil
+import signal
+import subprocess
+from collections.abc import Sequence
+from pathlib import Path
+
+from measure import amd
+
+BENCH = "bench.csv"
+SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+
+
+def run(command: Sequence[str]) -> int:
+    """The exit status. A signal ends the program, and not the command that waits for its last words."""
+    with subprocess.Popen(command) as process:
+        # A terminal sends Ctrl-C to both.
+        handlers = [signal.signal(number, signal.SIG_IGN if number == signal.SIGINT else
+                                  lambda number, _: process.send_signal(number)) for number in SIGNALS]
+        try:
+            status = process.wait()
+        finally:
+            for number, handler in zip(SIGNALS, handlers):
+                signal.signal(number, handler)
+    return status if status >= 0 else 128 - status
+
+
+def bench(program: str, out: Path, options: Sequence[str], dump: bool = False) -> int:
+    """Leaves bench.csv, with AMD's counts; with dump also the SPIR-V that was counted. The status of hn-conform bench."""
+    status = run([program, "bench", "--out", str(out), *options, "--dump"])
+    if status in (0, 1) and (out / BENCH).is_file():
+        amd.add_counts(out / BENCH, out / "spirv", program)
+    if not dump:
+        shutil.rmtree(out / "spirv", ignore_errors=True)
+    return status
