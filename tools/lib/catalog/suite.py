@@ -13,7 +13,7 @@ from pathlib import Path
 
 from catalog.grid import row
 from catalog.model import Catalog, Noise, Sum, read
-from catalog.tables.configurations import FAMILIES, Configuration, read_configurations
+from catalog.tables.configurations import Configuration, families, read_configurations
 from catalog.tables.functions import OCTAVE_SUMS, Column, Function, read_functions
 
 HEAD = "// Made by tools/lib/catalog/suite.py.\n"
@@ -135,7 +135,7 @@ def files() -> dict[str, str]:
     of_cmake = "".join(f'  "{" ".join([one.name, *one.macros])}"\n' for one in configurations)
     return {"library/functions.inc": of_functions(catalog, functions), "library/bodies.inc": of_bodies(functions),
             "library/configurations.inc": of_configurations(configurations), "library/sums.inc": of_sums(catalog),
-            "library/families.inc": HEAD + "".join(f"{name},\n" for name in FAMILIES),
+            "library/families.inc": HEAD + "".join(f"{name},\n" for name in families()),
             "configurations.cmake": f"set(configurations\n{of_cmake})\n"}
 
 

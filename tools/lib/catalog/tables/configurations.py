@@ -17,7 +17,11 @@ FILE = "configurations.toml"
 GRADIENTS = ("octahedral", "sine")
 ARITHMETICS = ("fast", "precise", "fixed")
 DEFAULT_HASH = "lattice"
-FAMILIES = tuple(tables(CATALOG, FILE)["families"])
+
+
+@functools.cache
+def families() -> tuple[str, ...]:
+    return tuple(tables(CATALOG, FILE)["families"])
 
 
 @dataclass(frozen=True)

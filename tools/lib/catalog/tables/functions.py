@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from catalog.model import AXES, CATALOG, CatalogError, Entry, Noise, Sum, read, tables
-from catalog.tables.configurations import FAMILIES
+from catalog.tables.configurations import families
 
 FILE = "functions.toml"
 NOISES = ("gradient_noise", "lattice_noise", "further_gradient_noise", "octahedral_noise", "further_lattice_noise",
@@ -63,7 +63,7 @@ PARTS = {
     "candidate": (Part("cell", "i32", ("c*",)),),  # a cell that has a candidate among scattered points
     "units": (Part("position", "i32", ("*",)), Part("cells", "i32", usual="3"), Part("units", "i32", usual="100")),
     "period": (Part("period", "i32", ("p*",)),),
-    "point": (Part("point", "i32", ("*",)),),
+    "point": (Part("at", "i32", ("*",)),),
     "words": (Part("words", "u32", ("*",)),),
     "wave": (Part("wave", "f32", ("k*",), "p"),),
     "slope": (Part("slope", "f32", ("ex", "ey"), "p"),),  # that gullies begin with
@@ -450,7 +450,7 @@ def _of_row(group: str, name: str, keys: Mapping[str, Any], dimensions: int | No
     if component:
         firsts = ["value", *expanded(gives, dimensions or 1)[1:]]
         members = tuple(f"{one}.{component}" for one in firsts)
-    row = Function(id_, entry.one_of("family", FAMILIES), text("bound"), takes, gives, type_, dimensions or 1, text("includes"),
+    row = Function(id_, entry.one_of("family", families()), text("bound"), takes, gives, type_, dimensions or 1, text("includes"),
                    text("calls"), text("returns", ""), members, sets, entry.take("seeded", bool, False), text("bench", None))
     entry.end()
     return row
@@ -495,8 +495,8 @@ def _read(folder: Path) -> tuple[Function, ...]:
     for function in _rows(folder):
         if function.id in functions:
             raise function.error("it is there already")
-        if function.family not in FAMILIES:
-            raise function.error(f"{function.family} is not a family; there are {', '.join(FAMILIES)}")
+        if function.family not in families():
+            raise function.error(f"{function.family} is not a family; there are {', '.join(families())}")
         if len(function.inputs) > len(WORDS) or len(function.outputs) > len(AXES):
             raise function.error(f"it has more words than the {len(WORDS)} that go in and the {len(AXES)} that come out")
         functions[function.id] = function

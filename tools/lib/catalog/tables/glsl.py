@@ -103,16 +103,20 @@ def declarations(library: Path = LIBRARY) -> list[Declaration]:
 
 
 @functools.cache
+def public_files(library: Path = LIBRARY) -> dict[str, str]:
+    """The files of detail/, and for each the file above it that users include for it."""
+    return {f"detail/{name}": path.name for path in sorted(library.glob("*.glsl"))
+            for name in re.findall(r'^#include "detail/(.+)"$', path.read_text(encoding="utf-8"), re.MULTILINE)}
+
+
+@functools.cache
 def _files(library: Path) -> dict[str, list[str]]:
-    # What users include of detail/ is a file above it that includes it.
-    public = {f"detail/{name}": path for path in library.glob("*.glsl")
-              for name in re.findall(r'^#include "detail/(.+)"$', path.read_text(encoding="utf-8"), re.MULTILINE)}
     found: dict[str, list[str]] = {}
     for function in declarations(library):
         files = found.setdefault(function.name, [])
-        path = public.get(function.path.relative_to(library).as_posix(), function.path)
-        if path.name not in files:
-            files.append(path.name)
+        name = public_files(library).get(function.path.relative_to(library).as_posix(), function.path.name)
+        if name not in files:
+            files.append(name)
     return found
 
 

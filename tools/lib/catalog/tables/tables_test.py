@@ -14,7 +14,8 @@ from base.tree import ROOT, glsl_files
 from catalog.model import CATALOG, CatalogError
 from catalog.tables import glsl, toml
 from catalog.tables.configurations import read_configurations
-from catalog.tables.functions import FAMILIES, read_functions
+from catalog.tables.configurations import families
+from catalog.tables.functions import read_functions
 
 
 class Tables(unittest.TestCase):
@@ -31,7 +32,7 @@ class Tables(unittest.TestCase):
 
     def test_functions(self) -> None:
         functions = {function.id: function for function in read_functions()}
-        self.assertEqual({function.family for function in functions.values()} - set(FAMILIES), set())
+        self.assertEqual({function.family for function in functions.values()} - set(families()), set())
         for id, form, axes, family in (("hash.word", "words", 1, "hash"), ("hash.vec4", "words", 4, "hash"),
                                        ("hash.unorm", "words", 1, "independent"), ("hash.lattice1", "point", 1, "hash"),
                                        ("gradient.sine3", "point", 3, "sine_gradient"),

@@ -9,7 +9,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from base.tree import TOOLS
+from base.tree import ROOT, TOOLS
 
 
 class Npm(unittest.TestCase):
@@ -17,10 +17,9 @@ class Npm(unittest.TestCase):
         scratch = tempfile.TemporaryDirectory()
         self.addCleanup(scratch.cleanup)
         self.root = Path(scratch.name)
-        (self.root / "tools" / "lib" / "base").mkdir(parents=True)
-        for name in ("pack", *(f"lib/base/{file}" for file in ("setup.sh", "progress.sh", "needs.py", "tree.py", "usage.py"))):
-            shutil.copy(TOOLS / name, self.root / "tools" / name)
-        shutil.copytree(TOOLS / "lib" / "ship", self.root / "tools" / "lib" / "ship")
+        shutil.copytree(TOOLS / "lib", self.root / "tools" / "lib", ignore=shutil.ignore_patterns("*_test.py"))
+        shutil.copytree(ROOT / "catalog", self.root / "catalog")
+        shutil.copy(TOOLS / "pack", self.root / "tools")
         # Whoever installs something is noticed, and has everything.
         self.programs = self.root / "programs"
         self.programs.mkdir()

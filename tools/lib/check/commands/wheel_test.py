@@ -10,7 +10,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from base.tree import TOOLS
+from base.tree import ROOT, TOOLS
 
 
 class Wheel(unittest.TestCase):
@@ -18,10 +18,9 @@ class Wheel(unittest.TestCase):
         scratch = tempfile.TemporaryDirectory()
         self.addCleanup(scratch.cleanup)
         self.root = Path(scratch.name)
-        (self.root / "tools" / "lib" / "base").mkdir(parents=True)
-        for name in ("pack", *(f"lib/base/{file}" for file in ("setup.sh", "progress.sh", "needs.py", "tree.py", "usage.py"))):
-            shutil.copy(TOOLS / name, self.root / "tools" / name)
-        shutil.copytree(TOOLS / "lib" / "ship", self.root / "tools" / "lib" / "ship")
+        shutil.copytree(TOOLS / "lib", self.root / "tools" / "lib", ignore=shutil.ignore_patterns("*_test.py"))
+        shutil.copytree(ROOT / "catalog", self.root / "catalog")
+        shutil.copy(TOOLS / "pack", self.root / "tools")
         # Whoever installs something is noticed, and has everything.
         self.programs = self.root / "programs"
         self.programs.mkdir()
@@ -76,6 +75,8 @@ class Wheel(unittest.TestCase):
 
     def test_what_cannot_be_built(self):
         """Here is nothing to build: the end of pip's output is told, and the rest is in the log."""
+        (self.root / "tools" / "make").write_text("#!/bin/sh\n")  # of the vectors
+        (self.root / "tools" / "make").chmod(0o755)
         done = self.call("--python", sys.executable)
         self.assertEqual((done.returncode, done.stdout), (4, ""))
         self.assertIn("The wheel could not be built; all of the output is in", done.stderr)

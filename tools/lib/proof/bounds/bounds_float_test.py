@@ -23,7 +23,7 @@ from proof.bounds.table import bounds_of, slope_bounds_of
 CASES = noises.find("perlin").CASES
 DIMS = (1, 2, 3, 4)
 COUNT = {1: 20_000, 2: 10_000, 3: 4_000, 4: 2_000}
-QUARTER_SINE = Body("q:u32", "sine:f32", "return uvec4(bits_of(hn_i_quarter_sine(a.x)), 0u, 0u, 0u);")
+QUARTER_SINE = Body.of("q:u32", "sine:f32", "return uvec4(bits_of(hn_i_quarter_sine(a.x)), 0u, 0u, 0u);")
 
 
 @functools.cache

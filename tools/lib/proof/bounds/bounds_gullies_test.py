@@ -16,7 +16,7 @@ from proof.bounds.rounded import FIXED, Body, Rounding, Text, along_axes, roundi
 from proof.bounds.sums import Sum
 from proof.bounds.table import read_gullies
 
-BODY = Body(
+BODY = Body.of(
     "cx:i32 cy:i32 fx:f32 fy:f32 footprint:f32 ex:f32 ey:f32 octaves:i32 lacunarity:f32 gain:f32 depth:f32",
     "value:f32 dx:f32 dy:f32",
     "hn_place2 place = hn_place(ivec2(int(a.x), int(a.y)), vec2(float_of(a.z), float_of(a.w)));"

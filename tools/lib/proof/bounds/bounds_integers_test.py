@@ -29,7 +29,7 @@ STEPS = {"fade": "hn_i_fade(int(a.x))", "slope": "hn_i_d_fade(int(a.x))", "sine"
 @functools.cache
 def text():
     return Text([], FIXED, "HN_GRADIENT=HN_GRADIENT_SINE", optimized=True, **{
-        name: Body("x:u32 y:u32 z:u32", "n:i32", f"return uvec4(uint({step}), 0u, 0u, 0u);")
+        name: Body.of("x:u32 y:u32 z:u32", "n:i32", f"return uvec4(uint({step}), 0u, 0u, 0u);")
         for name, step in STEPS.items()})
 
 

@@ -134,7 +134,7 @@ def text(*macros):
                 **({} if macros else {"rotation": ROTATION}))
 
 
-ROTATION = Body("phase:f32", "cosine:f32 sine:f32", "hn_vec2 r = hn_i_rotation(float_of(a.x));"
+ROTATION = Body.of("phase:f32", "cosine:f32 sine:f32", "hn_vec2 r = hn_i_rotation(float_of(a.x));"
                 "return uvec4(bits_of(r.x), bits_of(r.y), 0u, 0u);")
 
 

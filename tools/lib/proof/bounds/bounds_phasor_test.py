@@ -77,7 +77,7 @@ def body(dims, from_cell, what):
     place = (f"hn_place({taken('ivec', 'int')}, {taken('vec', 'float_of')})" if from_cell else taken("vec", "float_of"))
     arguments = f"{place}, {taken('vec', 'float_of')}, float_of({next(words)}), 0u"
     called = f"hn_phasor_d({arguments}).{what}" if what else f"hn_phasor({arguments})"
-    return Body(" ".join(inputs), "value:f32 quadrature:f32",
+    return Body.of(" ".join(inputs), "value:f32 quadrature:f32",
                 f"hn_vec2 n = {called}; return uvec4(bits_of(n.x), bits_of(n.y), 0u, 0u);")
 
 
@@ -86,7 +86,7 @@ def text(*macros):
     """With the derivatives, for bounds_phasor_d_test.py: reading the library is half of what a text costs."""
     forms = [(dims, form, what) for dims in KERNELS for form in ("cell", "position")
              for what in ("", "value", *(f"d{axis}" for axis in AXES[dims]))]
-    weights = {name: Body("t:i32 m:i32", "n:i32", f"return uvec4(uint({step}), 0u, 0u, 0u);") for name, step in (
+    weights = {name: Body.of("t:i32 m:i32", "n:i32", f"return uvec4(uint({step}), 0u, 0u, 0u);") for name, step in (
         ("weight", "hn_i_weight_wave(int(a.x))"), ("fall", "hn_i_d_weight_wave(int(a.x), int(a.y))")) if macros}
     return Text([], *macros, **weights,
                 **{f"{form}{dims}{what}": body(dims, form == "cell", what) for dims, form, what in forms})

@@ -42,6 +42,14 @@ class Body:
     outputs: tuple[Column, ...]
     code: str
 
+    @staticmethod
+    def of(inputs: str, outputs: str, code: str) -> Body:
+        """With columns as text: "x:f32 y:f32"."""
+        def columns(text: str) -> tuple[Column, ...]:
+            return tuple(Column(*column.split(":")) for column in text.split())
+
+        return Body(columns(inputs), columns(outputs), code)
+
 
 class Text:
     """Some functions of the library, by their rows or with bodies of their own, compiled with these macros; optimized,

@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from base.tree import GLSL, ROOT, glsl_files
+from catalog.tables.glsl import public_files
 from proof.vectors.files import NoVectors, vectors_folder
 from ship.npm.twin import Failed, compiled
 from ship.packing import of_npm, own_files, put
@@ -114,7 +115,11 @@ class InGlsl(NamedTuple):
 def in_glsl(module: Module) -> dict[tuple[str, tuple[str, ...]], InGlsl]:
     """What has this name and these types in WGSL."""
     functions = module.library.functions
-    return {(new, types): InGlsl(old, Path(functions[old, types].at.path).stem,
+
+    def file_of(path: str) -> str:
+        return Path(public_files().get(path, path)).stem
+
+    return {(new, types): InGlsl(old, file_of(functions[old, types].at.path),
                                  types[-1:] == ("uint",) and (old, types[:-1]) in functions)
             for (old, types), new in module.names().items()}
 

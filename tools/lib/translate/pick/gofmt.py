@@ -228,10 +228,20 @@ def _wrapped(line: str) -> list[str]:
 
 
 def _keys_aligned(lines: Sequence[str]) -> list[str]:
-    """Lines that begin with a key have their values in a column."""
-    keys = [KEY.fullmatch(line) for line in lines]
-    width = max((len(key[1]) for key in keys if key), default=0)
-    return [f"{key[1]:{width}} {key[2]}" if key else line for line, key in zip(lines, keys)]
+    """Lines that begin with a key have their values in a column. The column ends at a line with several keys."""
+    found: list[str] = []
+    column: list[re.Match[str]] = []
+    for line in (*lines, None):
+        key = line is not None and KEY.fullmatch(line)
+        if column and (not key or ": " in column[-1][2]):
+            width = max(len(one[1]) for one in column)
+            found += [f"{one[1]:{width}} {one[2]}" for one in column]
+            column = []
+        if key:
+            column.append(key)
+        elif line is not None:
+            found.append(line)
+    return found
 
 
 def _aligned(lines: Sequence[str]) -> list[str]:

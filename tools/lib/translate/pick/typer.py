@@ -49,6 +49,9 @@ class Typer:
     def __init__(self, library: Library):
         self.library = library
 
+    def _number(self, text: str) -> Constant:
+        return number(text)
+
     def _name(self, at: Token, *scope: object) -> Typed:
         raise NotImplementedError
 
@@ -69,7 +72,7 @@ class Typer:
             return self._member(expression.at, self._value(expression.of, *scope))
         if kind is syntax.Number:
             try:
-                return plain(number(expression.at.text))
+                return plain(self._number(expression.at.text))
             except ValueError as wrong:
                 raise expression.at.error(str(wrong)) from None
         if kind is syntax.Parentheses:
@@ -176,8 +179,6 @@ def number(text: str) -> Constant:
     if text[-1] in "uU":
         return Constant("uint", _whole(text, text[:-1], 0xFFFFFFFF, "a uint"), f"{text[:-1]}u")
     if text[:2] not in ("0x", "0X") and (text[-1] in "fF" or re.search("[.eE]", text)):
-        if text[-1] not in "fF":
-            raise ValueError(f"{text} has no f: C++ takes it for a double")
         return Constant("float", text, text)
     return Constant("int", _whole(text, text, 0x7FFFFFFF, "an int"), text)
 

@@ -13,7 +13,7 @@ from translate.parsing.lines import WIDTH, wrapped
 from translate.parsing.syntax import Expression, Function, Parameter, Statement
 from translate.parsing.tokens import Token
 from translate.pick.printer import PRIMARY
-from translate.pick.typer import Typed, Typer, plain
+from translate.pick.typer import Typed, Typer, number, plain
 from translate.pick.values import SIZES, Constant, Node, Operation, Variable, result_type, scalar_of, vector_of
 from translate.pick.wgsl import Wgsl, WgslExpressions
 
@@ -88,6 +88,12 @@ class FunctionWriter(Typer):
         self.scopes: list[dict[str, Variable]] = []
         self.expressions = Expressions(
             {variable(one.at.text) for one in function.parameters if one.is_set} if function else set())
+
+    def _number(self, text: str) -> Constant:
+        found = number(text)
+        if found.type == "float" and text[-1] not in "fF":
+            raise ValueError(f"{text} has no f: C++ takes it for a double")
+        return found
 
     def definition(self) -> Definition:
         function = self.function
