@@ -56,7 +56,7 @@ def compile_glsl(code):
         shader = pathlib.Path(folder) / "shader.frag"
         shader.write_text(SINGLE_FILE.sub(lambda place: single_file("--strip", place[1]), code))
         if "#include" in shader.read_text():
-            (pathlib.Path(folder) / "glsl").symlink_to(ROOT / "glsl")
+            (pathlib.Path(folder) / "hashnoise").symlink_to(ROOT / "glsl" / "hashnoise")
             command, = commands("glslangValidator")
             if "layout(location" in code:  # Vulkan's
                 command[command.index("-l")] = "-V"

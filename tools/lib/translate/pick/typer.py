@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import functools
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 from types import ModuleType, SimpleNamespace
 
@@ -45,6 +45,7 @@ class Typer:
     `scope` is where an expression stands, for those who know variables."""
 
     make: ModuleType | SimpleNamespace
+    chosen: Collection[str] = SIZES  # types that ?: may have
 
     def __init__(self, library: Library):
         self.library = library
@@ -138,7 +139,7 @@ class Typer:
 
     def _choice(self, at: Token, condition: Typed, yes: Typed, no: Typed) -> Typed:
         self._checked(at, condition, "bool")
-        if yes.type != no.type or SIZES.get(yes.type) != 1:
+        if yes.type != no.type or yes.type not in self.chosen:
             raise at.error(f"the translator does not know ? of a {yes.type} and a {no.type}")
         return self._each(functools.partial(self.make.choice, condition.node), yes, no)
 

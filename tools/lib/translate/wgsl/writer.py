@@ -79,6 +79,7 @@ class FunctionWriter(Typer):
     """Writes one function."""
 
     make = UNCHANGED
+    chosen = tuple(name for name, size in SIZES.items() if size == 1)  # hn_i_select chooses other values
 
     def __init__(self, library: Library, function: Function | None = None):
         super().__init__(library)
