@@ -40,7 +40,7 @@ double number(const Function& function, std::span<const std::uint32_t> inputs, s
 }
 
 // The largest derivative of an octave sum: that of the noise along any direction, times what octaves grow by. Integers
-// of a frame that has grown too large wrap, but no derivative has more of them.
+// of a Jacobian that has grown too large wrap, but no derivative has more of them.
 double largest_slope_of(const Function& function, const Configuration& configuration,
                         std::span<const std::uint32_t> inputs) {
   const bool fixed = configuration.arithmetic == Arithmetic::fixed;

@@ -251,11 +251,13 @@ float random_gain(Random& random) {
 // A position of few bits: a multiple of 1/32.
 float coarse(float position) { return std::floor(position * 32.0f) * 0.03125f; }
 
-// Whose octaves have frames. With HN_PRECISE their bits are defined while those are below 2^60.
-bool has_frame(const Function& function) { return function.bound == "fbm_d" || function.bound == "warp_progressive"; }
+// Whose octaves have Jacobians. With HN_PRECISE their bits are defined while those are below 2^60.
+bool has_jacobian(const Function& function) {
+  return function.bound == "fbm_d" || function.bound == "warp_progressive";
+}
 
 // Octave sums of integers have values for all settings; those of floats for these, and at a tiny position for a
-// lacunarity of any size, or of any that a frame allows.
+// lacunarity of any size, or of any that a Jacobian allows.
 float random_setting(const Function& function, std::string_view name, Region region, Extremes extremes,
                      Random& random) {
   if (name == "detail") return random_detail(region, extremes, random);
@@ -264,7 +266,7 @@ float random_setting(const Function& function, std::string_view name, Region reg
   if (name == "amplitude") return random_amplitude(function, region, extremes, random);
   if (name == "depth") return random_depth(region, extremes, random);
   if (region == Region::steep && name == "lacunarity")
-    return random_magnitude(20, has_frame(function) ? 29 : 126, random);
+    return random_magnitude(20, has_jacobian(function) ? 29 : 126, random);
   if (region == Region::extreme && extremes == Extremes::integers && random.below(2) == 0) {
     return random.below(2) == 0 ? random_extreme(128, random) : random.uniform(-1.0f, 256.0f);
   }

@@ -141,7 +141,7 @@ Bound bound_of_other(const Settings& s) {
   const double largest = hn::slope_bounds(s.noise, D, kGradient).limit;
   std::vector<double> values(count, value);
   std::vector<double> slopes;
-  double length = 1.0;  // of a column of the frame, without its weight
+  double length = 1.0;  // of a column of the Jacobian, without its weight
   double of_fall = 0.0;
   for (std::size_t i = 0; i < count; ++i) {
     const double roundings = 2.0 * 2.0 * D * static_cast<double>(i + 1) * kUnit * largest * D;

@@ -74,7 +74,7 @@ void draw_settings(Settings& s, int dimensions, bool tiled, Draw draw, Chance& c
     }
     return;
   }
-  const bool has_frames = s.sum == "fbm_d" || s.sum == "eroded" || s.sum == "warp_progressive";
+  const bool has_jacobians = s.sum == "fbm_d" || s.sum == "eroded" || s.sum == "warp_progressive";
   s.octaves = wild ? chance.of({1, 2, 3, 5, 6, 8, 12, 32}) : chance.whole(1, 6);
   s.lacunarity = wild ? chance.of({2.0f, 2.0f, 1.97f, 3.0f, 2.5f, 1.0f, 0.5f, 0.0f}) : chance.of({2.0f, 1.9f});
   s.gain = wild ? chance.of({0.5f, 0.5f, 0.7f, 0.25f, 1.0f, 0.0f, 1.5f}) : chance.of({0.5f, 0.4f});
@@ -82,7 +82,7 @@ void draw_settings(Settings& s, int dimensions, bool tiled, Draw draw, Chance& c
   if (tiled) s.lacunarity = std::max(1.0f, std::trunc(*s.lacunarity));
   if (s.arithmetic == Arithmetic::kFixed) s.gain = std::min(*s.gain, 1.0f);
   if (s.octaves == 32) s.gain = 0.5f;  // so that no power of the gain leaves what HN_PRECISE is defined for
-  if (has_frames) {                    // nor do frames leave what HN_FIXED is defined for
+  if (has_jacobians) {                 // nor do Jacobians leave what HN_FIXED is defined for
     s.octaves = std::min(*s.octaves, 8);
     s.gain = std::min(*s.gain, 0.5f);
   }

@@ -12,7 +12,7 @@ from pathlib import Path
 from base.tree import ROOT
 from catalog.tables import glsl
 from catalog.tables.markdown import table, with_section
-from proof.bounds import frames, gullies, noises, sine, smoothness, sums, turns, uniform
+from proof.bounds import jacobians, gullies, noises, sine, smoothness, sums, turns, uniform
 from proof.bounds.float_sums import gullies_tolerance, octave_tolerance
 from proof.bounds.gradients import GRADIENTS, SINE, Gradient
 from proof.bounds.integers import fade_errors, slope_errors, spline_weight_error
@@ -105,7 +105,7 @@ def sums_table(derived: Everything) -> str:
     return table(("", *head), [row + [""] * (1 + len(head) - len(row)) for row in rows])
 
 
-FRAMED = (  # of sums with slopes, and of warps: a title, the sum, and a noise if it is not the sum's own
+JACOBIAND = (  # of sums with slopes, and of warps: a title, the sum, and a noise if it is not the sum's own
     ("`hn_fbm_d(vec{})`, a derivative", Sum("fbm_d", 16.0, 5, 2.0, 0.5)),
     ("the same over `hn_simplex_d(vec{})`, in a loop", Sum("fbm_d", 16.0, 5, 2.0, 0.5), "simplex"),
     ("`hn_eroded(vec{})`, strength 1", Sum("eroded", 16.0, 5, 2.0, 0.5, strength=1.0)),
@@ -116,7 +116,7 @@ FRAMED = (  # of sums with slopes, and of warps: a title, the sum, and a noise i
     ("`hn_warp_progressive(vec{})`, amplitude 1", Sum("warp_progressive", 16.0, 5, 2.0, 0.5, amplitude=1.0)))
 
 
-def noises_of_frames(derived: Everything, dims: int, kind: str, other: str = "") -> tuple[Bounds, Bounds]:
+def noises_of_jacobians(derived: Everything, dims: int, kind: str, other: str = "") -> tuple[Bounds, Bounds]:
     """What is proven of the noise that such a sum is over, its own or another, and of its derivatives."""
     if other and (other, dims, None) not in derived:
         return bounds_of(other, dims, "none"), slope_bounds_of(f"{other}_d", dims)
@@ -126,16 +126,16 @@ def noises_of_frames(derived: Everything, dims: int, kind: str, other: str = "")
     return (value.bounds(noise, dims, gradient).rounded(), slope.bounds(f"{noise}_d", dims, gradient).rounded())
 
 
-def frame_tolerances(derived: Everything, dims: int, s: Sum, other: str = "") -> list[float]:
+def jacobian_tolerances(derived: Everything, dims: int, s: Sum, other: str = "") -> list[float]:
     """In floats from a position, in floats from a cell, and fixed."""
-    bounds = noises_of_frames(derived, dims, s.kind, other)
-    floats, fixed = frames.TOLERANCES[s.kind]
+    bounds = noises_of_jacobians(derived, dims, s.kind, other)
+    floats, fixed = jacobians.TOLERANCES[s.kind]
     return [floats(s, *bounds), floats(replace(s, from_cell=True), *bounds), fixed(s, *bounds)]
 
 
-def frames_table(derived: Everything) -> str:
-    rows = [[title.format(dims)] + [scientific(tolerance, 2) for tolerance in frame_tolerances(derived, dims, *of)]
-            for dims in (2, 3) for title, *of in FRAMED]
+def jacobians_table(derived: Everything) -> str:
+    rows = [[title.format(dims)] + [scientific(tolerance, 2) for tolerance in jacobian_tolerances(derived, dims, *of)]
+            for dims in (2, 3) for title, *of in JACOBIAND]
     return table(("", "fast and precise: from a position", "from a cell", "fixed"), rows)
 
 
@@ -172,7 +172,7 @@ def slope_parts_table(derived: Everything) -> str:
 
 
 TABLES: dict[str, Callable[[Everything], str]] = {
-    "noises": noise_table, "derivatives": slope_table, "sums": sums_table, "frames": frames_table,
+    "noises": noise_table, "derivatives": slope_table, "sums": sums_table, "Jacobians": jacobians_table,
     "gullies": gullies_table, "parts": parts_table, "parts of derivatives": slope_parts_table,
     "steps": lambda _: smoothness.steps_table()}
 
@@ -192,9 +192,9 @@ def overflow(derived: Everything) -> float:
     return float(rounded_up(max(of_noise.fixed_intermediate for of_noise in derived.values()) / 2**31, 2))
 
 
-def frames_overflow() -> float:
+def jacobians_overflow() -> float:
     """The same of the sums with slopes, and of warps, in the domain of their bounds."""
-    return float(rounded_up(max(frames.largest_intermediates(3).values()) / 2**31, 3))
+    return float(rounded_up(max(jacobians.largest_intermediates(3).values()) / 2**31, 3))
 
 
 def quotes(derived: Everything) -> list[tuple[str, str]]:
@@ -203,9 +203,9 @@ def quotes(derived: Everything) -> list[tuple[str, str]]:
     stated = [(KNOBS, f"| {scientific(plane.error)} | {scientific(space.error)} |"),
               (KNOBS, f"| {scientific(plane.fixed_error)} | {scientific(space.fixed_error)} |"),
               (KNOBS, f"with `HN_FIXED` within {scientific(sine.fixed_sine_error(), 2)}")]
-    steepest = [shortest(frames.longest_gradient(*noises_of_frames(derived, dims, "fbm_d")), 3) for dims in (2, 3)]
+    steepest = [shortest(jacobians.longest_gradient(*noises_of_jacobians(derived, dims, "fbm_d")), 3) for dims in (2, 3)]
     stated.append((ACCURACY, f"no longer than {steepest[0]} in 2D and {steepest[1]} in 3D"))
-    steepest_component = max(bounds_of_slopes.limit for bounds_of_slopes in frames.fitting_slopes())
+    steepest_component = max(bounds_of_slopes.limit for bounds_of_slopes in jacobians.fitting_slopes())
     stated.append((SUMS, f"has slopes up to {shortest(steepest_component, 3)}"))
     limits = [f"{derived[NOISE_OF_SUMS, dims, SINE].bounds('', dims, SINE).rounded().limit:g} in {dims}D"
               for dims in (2, 3)]
@@ -214,7 +214,7 @@ def quotes(derived: Everything) -> list[tuple[str, str]]:
         f"by -{scientific(-slope_errors().min())} to {scientific(slope_errors().max())},",
         f"the sum {scientific(spline_weight_error())} along",
         f"in 3D: {overflow(derived):g} * 2^31",
-        f"{frames_overflow():g} * 2^31 in a sum of slopes",
+        f"{jacobians_overflow():g} * 2^31 in a sum of slopes",
         f"{scientific(-fade_errors().min())} too small",
         f"{scientific(fade_errors().max())} too large",
         *(f"{c:.8f}" for c in sine.SINE_DECIMALS), f"{round(sine.SINE_ARGUMENT_ERROR * 2**30)} / 2^30",

@@ -284,4 +284,4 @@ class Entries(unittest.TestCase):
         self.assertEqual(rows[2], "| `hn_fbm(hn_place2)`, a tile, exact positions | 3.8e-6 | 4.6e-5 | 5.7e-6 | 8.3e-5 |")
         self.assertEqual(len(rows), 2 + len(documents.EXAMPLES) + 1)
         self.assertTrue(rows[4].startswith("| `hn_fbm(float)` |") and rows[4].endswith(" | |  |"), rows[4])
-        self.assertEqual(len(documents.frames_table(RAW).split("\n")), 2 + 2 * len(documents.FRAMED) + 1)
+        self.assertEqual(len(documents.jacobians_table(RAW).split("\n")), 2 + 2 * len(documents.JACOBIAND) + 1)

@@ -9,7 +9,7 @@ import numpy as np
 from proof.bounds import exact_model as exact
 from proof.bounds import kernel_model, sums
 from proof.bounds.exact_model import SHIFT, u32
-from proof.bounds.frames_model import GOLDEN
+from proof.bounds.jacobians_model import GOLDEN
 from proof.bounds.noises.phasor import KERNELS
 
 KERNEL = KERNELS[2]

@@ -18,7 +18,7 @@ from proof.bounds.table import Bounds
 
 CATALOG = {sum_.name: sum_ for sum_ in catalog.model.read().sums}
 KINDS = tuple(name for name, sum_ in CATALOG.items() if sum_.is_of_values)
-SLOPED, SHIFTS = ("fbm_d", "eroded"), ("warp", "warp_progressive")  # sums with slopes, and of vectors: frames.py
+SLOPED, SHIFTS = ("fbm_d", "eroded"), ("warp", "warp_progressive")  # sums with slopes, and of vectors: jacobians.py
 SHIFT_MAX = {1: 11 / 32, 2: 19 / 32, 3: 23 / 32, 4: 27 / 32}  # the largest component of the shift between octaves
 # By how much the turns of a position make a length larger at most: in the plane of x and y, then in that of y and z,
 # then in that of z and w. The second makes lengths in its plane smaller, but not that along x.

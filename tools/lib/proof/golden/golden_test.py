@@ -27,7 +27,7 @@ from proof.golden import cellular_rows, gullies_rows, period_rows, phasor_rows, 
 from proof.golden import command as golden
 from proof.golden.files import Digest, GoldenFile, Sample, Values, golden_files, line
 from proof.golden.generator import INT_MAX, INT_MIN, fnv1a64, generator_of, to_f32
-from proof.oracle import feature_points, frames, gradients, kernels, noises, sums, turning, words
+from proof.oracle import feature_points, jacobians, gradients, kernels, noises, sums, turning, words
 from proof.oracle.functions import knobs_of, values_of
 from proof.oracle.gradients import Knobs
 from proof.oracle.integers import signed
@@ -510,14 +510,14 @@ class GoldenContents(unittest.TestCase):
         options, place, periods = self.of_row(function, row)
         if function.bound != "warp_progressive":
             return [q for q, *_ in sums.octaves_of(place, options, 0, periods)]
-        noise = noises.find(frames.SUMS[function.bound].noise)
-        octaves = frames.progressive_octaves(noise, Knobs("lattice"), place, options, row[-1], periods)
+        noise = noises.find(jacobians.SUMS[function.bound].noise)
+        octaves = jacobians.progressive_octaves(noise, Knobs("lattice"), place, options, row[-1], periods)
         return [q for (q, *_), _ in octaves]
 
-    def test_frames_keep_to_what_their_bounds_are_for(self) -> None:
-        framed = [function for function in SUMS if function.bound in sum_rows.FRAMED]
-        self.assertEqual(len(framed), 12)
-        for function in framed:
+    def test_jacobians_keep_to_what_their_bounds_are_for(self) -> None:
+        jacobiand = [function for function in SUMS if function.bound in sum_rows.JACOBIAND]
+        self.assertEqual(len(jacobiand), 12)
+        for function in jacobiand:
             sizes, moves = [], []
             for row in rows_with(function.id, "lattice+fixed"):
                 options, _, periods = self.of_row(function, row)
@@ -529,14 +529,14 @@ class GoldenContents(unittest.TestCase):
             self.assertEqual(max(moves) <= 256, function.bound == "warp_progressive" or not max(moves))
             self.assertTrue(max(moves) > 200 or function.bound == "fbm_d", function.id)
 
-    def test_nothing_wraps_where_frames_keep_their_range(self) -> None:
+    def test_nothing_wraps_where_jacobians_keep_their_range(self) -> None:
         """The contract's domain is one in which fixed arithmetic loses no bits but those of cells. By default every
         fourth row says so, others of each function."""
         for turn, function in enumerate(SUMS):
-            if function.bound in frames.SUMS:
+            if function.bound in jacobians.SUMS:
                 tried = slice(None) if THOROUGH else slice(turn % 4, None, 4)
                 fixed, rows = values_with(function.id, "lattice+fixed"), rows_with(function.id, "lattice+fixed")[tried]
-                with mock.patch.object(frames, "wrapped", signed):
+                with mock.patch.object(jacobians, "wrapped", signed):
                     values = [line(function.outputs, fixed.evaluate(row)) for row in rows]
                 right = Golden(function.id).values[tried]
                 self.assertEqual(values, [" ".join(f"{word:016x}" for word in words) for words in right])
@@ -549,7 +549,7 @@ class GoldenContents(unittest.TestCase):
                 file, row = values_with(function.id, configuration), sum_rows.steep(function)
                 self.assertIn(row, rows_of(function.id)[0])
                 value, = file.evaluate(row)
-                with mock.patch.object(frames, name, 2 * getattr(frames, name)):
+                with mock.patch.object(jacobians, name, 2 * getattr(jacobians, name)):
                     other, = file.evaluate(row)
                 self.assertGreater(abs(value - other), 2**-12, (function.id, configuration))
 

@@ -13,7 +13,7 @@ from proof.golden import gullies_rows, sum_rows
 from proof.golden.files import golden_files
 from proof.golden.generator import INT_MAX, INT_MIN, Row, generator_of, to_f32
 from proof.golden.rows import FIXED_COORDINATES
-from proof.oracle import frames, functions, gullies, sums
+from proof.oracle import jacobians, functions, gullies, sums
 from proof.oracle.gradients import Knobs
 from proof.oracle.integers import signed
 
@@ -113,7 +113,7 @@ class Rows(unittest.TestCase):
             rows = [row for rows in ROWS[function.id] for row in rows][turn::8]
             for row in rows:
                 right = evaluated(function, row, True)
-                with mock.patch.object(frames, "wrapped", signed), mock.patch.object(gullies, "wrapped", signed):
+                with mock.patch.object(jacobians, "wrapped", signed), mock.patch.object(gullies, "wrapped", signed):
                     self.assertEqual(evaluated(function, row, True), right, row)
 
     def assert_seen(self, fixed: bool, name: str, other: object, least: int = 1) -> None:

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from catalog.tables.functions import Function
 from proof.golden.generator import INT_MAX, INT_MIN, Generator, Row, to_f32
 from proof.golden.period_rows import PERIODS, near_seam
-from proof.oracle.frames import SUMS
+from proof.oracle.jacobians import SUMS
 
 COUNT = 64
 
@@ -72,26 +72,26 @@ def settings(function: Function, octaves: int, lacunarity: float, gain: float, s
     return tuple(octaves if name == "octaves" else to_f32(floats[name]) for name in function.settings)
 
 
-FRAMED = ("fbm_d", "warp_progressive")  # the sums that have the frames of octaves in them
+JACOBIAND = ("fbm_d", "warp_progressive")  # the sums that have the Jacobians of octaves in them
 
 
-def in_frames(function: Function, octaves: int, lacunarity: float, gain: float, amplitude: float) -> bool:
-    """Whether a sum keeps to its bound: the contract says how large frames may be."""
+def in_jacobians(function: Function, octaves: int, lacunarity: float, gain: float, amplitude: float) -> bool:
+    """Whether a sum keeps to its bound: the contract says how large Jacobians may be."""
     sizes = [abs(gain * lacunarity)**i for i in range(min(octaves, 32))]
     moves = function.bound == "warp_progressive" and min(max(amplitude, 0), 64) * max(sizes, default=0) > 256
-    return function.bound not in FRAMED or (sum(sizes) <= 64 and not moves)
+    return function.bound not in JACOBIAND or (sum(sizes) <= 64 and not moves)
 
 
 def kept(function: Function, octaves: int, lacunarity: float, gain: float, special: float | None) -> tuple[int, float]:
     """The octaves and the gain, or lower ones that keep the sum to its bound."""
     amplitude = 2.0 if special is None else special
-    if in_frames(function, octaves, lacunarity, gain, amplitude):
+    if in_jacobians(function, octaves, lacunarity, gain, amplitude):
         return octaves, gain
     if octaves > 8:
         return octaves, to_f32(0.999 / abs(lacunarity))
-    while octaves > 2 and not in_frames(function, octaves, lacunarity, gain, amplitude):
+    while octaves > 2 and not in_jacobians(function, octaves, lacunarity, gain, amplitude):
         octaves -= 1
-    if not in_frames(function, octaves, lacunarity, gain, amplitude):
+    if not in_jacobians(function, octaves, lacunarity, gain, amplitude):
         gain = to_f32((31 if amplitude < 8 else 3.9) / abs(lacunarity))
     return octaves, gain
 
@@ -222,8 +222,8 @@ FIXED_FRACTIONS = (0.0, -0.0, 2.0**-149, 2.0**-25, 2.0**-24, 2.0**-20 - 2.0**-24
                    0.5, 1 - 2.0**-20, 1 - 2.0**-24, 1.0, -0.25, 1.25)
 LACUNARITIES = (1.9, 3.7, 0.0, 255.0, 2.0, 1.0, 0.3, 1e-40, -2.0, 300.0)
 GAINS = (0.0, 1.0, 1.5, 0.7, 0.5, 1e-40, -1.0)
-# Octaves, lacunarities, gains and amplitudes at the ends of what keeps frames in their range.
-LARGEST_FRAMES = ((2, 255.0, 0.24609375, 4.0), (6, 2.0, 1.0, 8.0), (3, 2.0, 1.0, 64.0), (5, 2.0, 1.0, 16.0),
+# Octaves, lacunarities, gains and amplitudes at the ends of what keeps Jacobians in their range.
+LARGEST_JACOBIANS = ((2, 255.0, 0.24609375, 4.0), (6, 2.0, 1.0, 8.0), (3, 2.0, 1.0, 64.0), (5, 2.0, 1.0, 16.0),
                   (32, 1.04, 1.0, 64.0), (32, 255.0, 1 / 256, 64.0), (32, 1.0, 1.0, 64.0))
 
 
@@ -256,7 +256,7 @@ def fixed(function: Function, coordinates: Sequence[float], generator: Generator
         rows += [row((cell,) * n + (f,) * n, 3, 1.9, 1.0) for cell in CELLS for f in (0.5, 1.0)]
     else:
         rows += [row((x,) * n, 3, 1.9, 0.7) for x in coordinates]
-    for octaves, lacunarity, gain, amplitude in LARGEST_FRAMES * (function.bound in FRAMED):
+    for octaves, lacunarity, gain, amplitude in LARGEST_JACOBIANS * (function.bound in JACOBIAND):
         rows.append(row(any_place(function, generator), octaves, lacunarity, gain, amplitude))
     for special in edges + more_edges:
         rows += [row(any_place(function, generator), 6, lacunarity, gain, special)

@@ -8,7 +8,7 @@ from dataclasses import replace
 from catalog.tables.configurations import Configuration
 from catalog.tables.functions import NOISES, OCTAVE_SUMS, Function
 from proof.oracle import (
-    frames,
+    jacobians,
     gradients,
     gullies,
     integers,
@@ -90,7 +90,7 @@ def evaluator(function: Function, fixed: bool) -> Evaluate:
         return _evaluator(CURL, function, fixed)
     if family in NOISES and function.form in ("position", "cell", "place_of_noise"):
         return _noise_evaluator(function, fixed)
-    if family in OCTAVE_SUMS and function.bound in (*sums.SUMS, *frames.SUMS, *OF_THEIR_OWN):
+    if family in OCTAVE_SUMS and function.bound in (*sums.SUMS, *jacobians.SUMS, *OF_THEIR_OWN):
         return _sum_evaluator(function, fixed)
     raise function.error(f"the oracle has no {function.id}: tools/lib/proof/oracle/functions.py finds what it evaluates")
 
@@ -182,8 +182,8 @@ def sum_values(name: str, fixed: bool) -> Callable[..., tuple[Real, ...]]:
     """What a sum returns: of the knobs, the place, the options, the seed and the periods."""
     if name in OF_THEIR_OWN:
         return OF_THEIR_OWN[name].fixed if fixed else OF_THEIR_OWN[name].exact
-    if name in frames.SUMS:
-        noise, of_several = noises.find(frames.SUMS[name].noise), frames.fixed if fixed else frames.exact
+    if name in jacobians.SUMS:
+        noise, of_several = noises.find(jacobians.SUMS[name].noise), jacobians.fixed if fixed else jacobians.exact
         return lambda *arguments: of_several(name, noise, *arguments)
     noise, of_one = noises.find(NOISE_OF_SUMS), sums.fixed if fixed else sums.exact
     return lambda *arguments: (of_one(name, noise, *arguments),)

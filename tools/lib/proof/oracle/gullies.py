@@ -10,9 +10,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 
-from proof.oracle import frames, noises, sums
+from proof.oracle import jacobians, noises, sums
 from proof.oracle.feature_points import fixed_root, root
-from proof.oracle.frames import clamped_to, coarse, prod
+from proof.oracle.jacobians import clamped_to, coarse, prod
 from proof.oracle.gradients import Knobs
 from proof.oracle.integers import NOISE_UNIT, signed
 from proof.oracle.lattice import Choice
@@ -44,7 +44,7 @@ def unit_of(e: Sequence[Fraction]) -> tuple[list[Fraction], Fraction]:
     """u_i, and how long it is."""
     length = root(sum(x * x for x in e))
     factor = 1 / (length + Fraction(1, 8))
-    return [frames.rounded(x * factor) for x in e], frames.rounded(length * factor)
+    return [jacobians.rounded(x * factor) for x in e], jacobians.rounded(length * factor)
 
 
 def exact(knobs: Knobs, place: Place, options: Options, seed: int = 0,
@@ -59,7 +59,7 @@ def exact(knobs: Knobs, place: Place, options: Options, seed: int = 0,
         value, _, dx, _, dy, _ = PHASOR.chosen(Choice(wave=wave_of(u))).exact(knobs, q, s, p)
         height += share * value
         grown = depth * options.lacunarity**i * share
-        e = [clamped(frames.rounded(x + grown * g), -LARGEST_SLOPE, LARGEST_SLOPE) for x, g in zip(e, (dx, dy))]
+        e = [clamped(jacobians.rounded(x + grown * g), -LARGEST_SLOPE, LARGEST_SLOPE) for x, g in zip(e, (dx, dy))]
     return (depth * height, *(after - before for before, after in zip(start, e)))
 
 

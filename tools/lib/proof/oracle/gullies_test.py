@@ -11,7 +11,7 @@ from fractions import Fraction
 from unittest import mock
 
 from proof.golden.generator import INT_MAX, INT_MIN, generator_of, to_f32
-from proof.oracle import frames, gullies, noises, sums
+from proof.oracle import jacobians, gullies, noises, sums
 from proof.oracle.gradients import Real
 from proof.oracle.noises.phasor_test import naive
 from proof.oracle.sums import Options
@@ -209,5 +209,5 @@ class ByHand(unittest.TestCase):
         self.assertEqual(growths(14, 2.0, 1.0, 2.0**-9)[-2:], [2**21, 2**22])
         # They wrap far beyond the domain.
         self.assertEqual(growths(14, 2.0, 1.0, 1.0)[-1], -2**31)
-        with mock.patch.object(frames, "wrapped", lambda n: n):
+        with mock.patch.object(jacobians, "wrapped", lambda n: n):
             self.assertEqual(growths(14, 2.0, 1.0, 1.0)[-1], 2**31)

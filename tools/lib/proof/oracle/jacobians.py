@@ -1,7 +1,7 @@
 """Section 7 of docs/contract.md, slopes and shifts: sums with derivatives, eroded sums and warps. They are exact here,
 and in fixed arithmetic (section 8).
 
-The frame of an octave is a matrix: what takes a small step of the position to that of the octave, times its weight.
+The Jacobian of an octave is a matrix: what takes a small step of the position to that of the octave, times its weight.
 """
 
 from __future__ import annotations
@@ -37,16 +37,16 @@ def transposed(matrix: Matrix) -> Matrix:
     return [list(column) for column in zip(*matrix)]
 
 
-def frames_of(n: int, options: Options, periods: Sequence[int] = ()) -> Iterator[Matrix]:
+def jacobians_of(n: int, options: Options, periods: Sequence[int] = ()) -> Iterator[Matrix]:
     """Of each octave, without end."""
-    frame = [[Fraction(i == j) for j in range(n)] for i in range(n)]
+    jacobian = [[Fraction(i == j) for j in range(n)] for i in range(n)]
     factor = Fraction(options.gain) * sums.growth_of(options, periods)
     while True:
-        yield frame
-        columns = [[factor * x for x in column] for column in zip(*frame)]
+        yield jacobian
+        columns = [[factor * x for x in column] for column in zip(*jacobian)]
         if not periods:
             columns = [turn(column, sums.thirty_second) for column in columns]
-        frame = transposed(columns)
+        jacobian = transposed(columns)
 
 
 def slopes_of(noise: Noise, knobs: Knobs, place: Place, options: Options, seed: int,
@@ -67,8 +67,8 @@ def fbm_d(noise: Noise, knobs: Knobs, place: Place, options: Options, seed: int,
     terms = terms_of(noises, options)
     if not noises:
         return (Fraction(0),) * (1 + len(place))
-    # A frame has the weight in it already.
-    parts = [times(transposed(frame), g) for g, frame in zip(slopes, frames_of(len(place), options, periods))]
+    # A Jacobian has the weight in it already.
+    parts = [times(transposed(jacobian), g) for g, jacobian in zip(slopes, jacobians_of(len(place), options, periods))]
     return (sums.fbm(terms), *(sum(along, Fraction(0)) / sum(terms.weights) for along in zip(*parts)))
 
 
@@ -118,12 +118,12 @@ def progressive_octaves(noise: Noise, knobs: Knobs, place: Place, options: Optio
                         periods: Sequence[int] = ()) -> Iterator[tuple[sums.Octave, Vector]]:
     """Each octave, at the place to which those before it have moved, and its vector."""
     octave, total = (place, periods, seed), sum(sums.weights(options))
-    frames = frames_of(len(place), options, periods)
+    jacobians = jacobians_of(len(place), options, periods)
     for _ in range(sums.count_of(options)):
         v = vector(noise, knobs, octave)
         yield octave, v
         q, *rest = octave
-        moves = times(next(frames), [clamped(options.amplitude, 0, LARGEST_AMPLITUDE) / total * x for x in v])
+        moves = times(next(jacobians), [clamped(options.amplitude, 0, LARGEST_AMPLITUDE) / total * x for x in v])
         moved = [rounded(x + move) for x, move in zip(q, moves)]
         octave = sums.following((moved, *rest), sums.growth_of(options, periods))
 
@@ -161,7 +161,7 @@ def thirty_second(x: int) -> int:
 
 @dataclass(frozen=True)
 class Plane:
-    """A frame in 2D: that of the rows (c, -s) and (s, c), in units of 2^-18."""
+    """A Jacobian in 2D: that of the rows (c, -s) and (s, c), in units of 2^-18."""
     c: int = 2**18
     s: int = 0
 
@@ -185,7 +185,7 @@ Row = tuple[int, int, int]
 
 @dataclass(frozen=True)
 class Space:
-    """A frame in 3D: its rows, in units of 2^-18."""
+    """A Jacobian in 3D: its rows, in units of 2^-18."""
     rows: tuple[Row, Row, Row] = ((2**18, 0, 0), (0, 2**18, 0), (0, 0, 2**18))
 
     def scaled(self, m: int) -> Space:
@@ -202,18 +202,18 @@ class Space:
         return [wrapped(sum(map(prod, column, g))) for column in zip(*self.rows)]
 
 
-FRAMES = {2: Plane, 3: Space}
+JACOBIANS = {2: Plane, 3: Space}
 
 
-def fixed_frames_of(n: int, options: Options, periods: Sequence[int] = ()) -> Iterator[Plane | Space]:
-    frame = FRAMES[n]()
+def fixed_jacobians_of(n: int, options: Options, periods: Sequence[int] = ()) -> Iterator[Plane | Space]:
+    jacobian = JACOBIANS[n]()
     multiplier = math.trunc(sums.lacunarity_of(options, periods) * 2**23)
     m = sums.in_weights(options.gain) * multiplier >> 23
     while True:
-        yield frame
-        frame = frame.scaled(m)
+        yield jacobian
+        jacobian = jacobian.scaled(m)
         if not periods:
-            frame = frame.turned()
+            jacobian = jacobian.turned()
 
 
 def fixed_slopes_of(noise: Noise, knobs: Knobs, place: FixedPlace, options: Options, seed: int,
@@ -237,9 +237,9 @@ def fixed_fbm_d(noise: Noise, knobs: Knobs, place: FixedPlace, options: Options,
     terms = fixed_terms_of(noises, options)
     if not noises:
         return (0,) * (1 + len(place))
-    # In this order, since the frame behind that of the last octave may be beyond any range.
-    frames = zip(slopes, fixed_frames_of(len(place), options, periods))
-    parts = [frame.transposed_times(g) for g, frame in frames]
+    # In this order, since the Jacobian behind that of the last octave may be beyond any range.
+    jacobians = zip(slopes, fixed_jacobians_of(len(place), options, periods))
+    parts = [jacobian.transposed_times(g) for g, jacobian in jacobians]
     totals = [wrapped(sum(along)) for along in zip(*parts)]
     return (sums.fixed_fbm(terms),
             *(coarse(math.trunc(Fraction(d * 2**18, sum(terms.weights)))) for d in totals))
@@ -295,10 +295,10 @@ def fixed_moved(place: FixedPlace, u: Sequence[int], q: int) -> FixedPlace:
 def fixed_warp_progressive(noise: Noise, knobs: Knobs, place: FixedPlace, options: Options, seed: int,
                            periods: Sequence[int] = ()) -> tuple[int, ...]:
     vectors, octave, total = [], (place, periods, seed), sum(sums.fixed_weights(options))
-    for frame in itertools.islice(fixed_frames_of(len(place), options, periods), sums.fixed_count_of(options)):
+    for jacobian in itertools.islice(fixed_jacobians_of(len(place), options, periods), sums.fixed_count_of(options)):
         vectors.append(fixed_vector(noise, knobs, octave))
         at, *rest = octave
-        moved = fixed_moved(at, frame.times(vectors[-1]), (fixed_amplitude(options) << 18) // total)
+        moved = fixed_moved(at, jacobian.times(vectors[-1]), (fixed_amplitude(options) << 18) // total)
         octave = sums.fixed_following((moved, *rest), sums.lacunarity_of(options, periods))
     return fixed_shift_of(vectors, options, len(place))
 

@@ -1,8 +1,8 @@
 """Derives how far octave sums with slopes, and warps, may be off in fixed arithmetic, from the bounds of their noise
 and its derivatives. float_sums.py has the same for floats.
 
-The frame of an octave is a matrix K. Its columns, which a derivative is a product with, and its rows, which a shift is,
-are lengthened by no more than the turns stretch lengths. Integers of a frame do not depend on the position, and so they
+The Jacobian of an octave is a matrix K. Its columns, which a derivative is a product with, and its rows, which a shift is,
+are lengthened by no more than the turns stretch lengths. Integers of a Jacobian do not depend on the position, and so they
 are compared with the exact numbers as they are.
 
 Lengths are bounded, as those of positions are; with a period nothing turns, and each coordinate is bounded on its own.
@@ -41,7 +41,7 @@ FALL_LIMIT = 8.0  # the same of what hn_eroded sums of slopes
 FALL_UNIT = 2.0**-12
 LARGEST_AMPLITUDE = 64.0
 FITTING = ("perlin_d", "simplex_d", "value_d", "cellular_d", "perlin_d_phase", "simplex_d_phase")  # what hn_add takes
-DOUBLES = 1e-12  # more than the rounding errors of 32 frames of up to 64, computed in doubles
+DOUBLES = 1e-12  # more than the rounding errors of 32 Jacobians of up to 64, computed in doubles
 COARSE = 127  # what a large result loses at most, in its units
 
 
@@ -82,7 +82,7 @@ def steepest_fall(strength: float, reach: float) -> float:
     return 2 * strength * r / (1 + strength * r**2)**2
 
 
-# --- In integers: frames ----------------------------------------------------------------------------------------------
+# --- In integers: Jacobians ----------------------------------------------------------------------------------------------
 
 def is_bounded(s: Sum, longest: float = 0.0) -> bool:
     """Whether the bounds are promised for these arguments, and this length of a gradient."""
@@ -93,20 +93,20 @@ def is_bounded(s: Sum, longest: float = 0.0) -> bool:
         s.kind != "warp_progressive" or clamped_amplitude(s) * max(growth, default=0.0) <= LARGEST_SHIFT)
 
 
-def exact_frames(s: Sum, dims: int) -> Iterator[np.ndarray]:
+def exact_jacobians(s: Sum, dims: int) -> Iterator[np.ndarray]:
     """The matrices K_i."""
     turn, lacunarity = np.eye(dims), cut_lacunarity(s) if s.from_cell else s.lacunarity
     for axis, (c, t) in enumerate(PLANES[:dims - 1] if s.turns else ()):
         of_plane = np.eye(dims)
         of_plane[axis:axis + 2, axis:axis + 2] = [[c / 32, -t / 32], [t / 32, c / 32]]
         turn = of_plane @ turn
-    frame = np.eye(dims)
+    jacobian = np.eye(dims)
     while True:
-        yield frame
-        frame = s.gain * lacunarity * turn @ frame
+        yield jacobian
+        jacobian = s.gain * lacunarity * turn @ jacobian
 
 
-def fixed_frames(s: Sum, dims: int) -> Iterator[list[list[int]]]:
+def fixed_jacobians(s: Sum, dims: int) -> Iterator[list[list[int]]]:
     """The same in units of 2^-18, by rows. In the plane (c, s) is the first column, from which the second follows."""
     columns = 1 if dims == 2 else dims
     rows = [[FADE_ONE * (row == column) for column in range(columns)] for row in range(dims)]
@@ -119,9 +119,9 @@ def fixed_frames(s: Sum, dims: int) -> Iterator[list[list[int]]]:
                                    [(t * a + c * b) // 32 for a, b in zip(*rows[axis:axis + 2])])
 
 
-def frames(s: Sum, dims: int) -> Iterator[tuple[np.ndarray, np.ndarray]]:
-    """Of each octave, the fixed frame and the exact one."""
-    for _, fixed, exact in zip(range(s.count), fixed_frames(s, dims), exact_frames(s, dims)):
+def jacobians(s: Sum, dims: int) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+    """Of each octave, the fixed Jacobian and the exact one."""
+    for _, fixed, exact in zip(range(s.count), fixed_jacobians(s, dims), exact_jacobians(s, dims)):
         yield np.array(fixed) / FADE_ONE, exact
 
 
@@ -143,7 +143,7 @@ def fixed_effects(s: Sum, bounds: Bounds, steepest: float) -> list[float]:
 
 
 def fixed_slope_tolerance(s: Sum, noise: Bounds, slope: Bounds) -> float:
-    """The largest error of a derivative of hn_fbm_d: with the columns K of the frames, sum(K . g) / T. A column is off
+    """The largest error of a derivative of hn_fbm_d: with the columns K of the Jacobians, sum(K . g) / T. A column is off
     by a part of what it is divided by, since both are in units of 2^-18. Each product of its numbers is rounded down by
     less than a unit, and so is the division; a result of 32 and more is cut to 127 units."""
     if not is_bounded(s, longest_gradient(noise, slope)) or slope.fixed_limit > SLOPE_LIMIT:
@@ -153,7 +153,7 @@ def fixed_slope_tolerance(s: Sum, noise: Bounds, slope: Bounds) -> float:
     dims, longest = noise.dimensions, longest_gradient(noise, slope) if s.turns else slope.limit
     total, exact_total = sum(fixed_weights(s)) / FADE_ONE, sum(s.weights)
     error, largest = (dims * s.count / total + 1) * SLOPE_UNIT, 0.0
-    for slope_err, (fixed, exact) in zip(fixed_effects(s, slope, slope.lipschitz), frames(s, dims)):
+    for slope_err, (fixed, exact) in zip(fixed_effects(s, slope, slope.lipschitz), jacobians(s, dims)):
         error += longest_column(fixed) / total * lengths(s, dims) * slope_err
         error += longest_column(fixed / total - exact / exact_total) * longest
         largest += longest_column(exact) / exact_total * longest
@@ -198,7 +198,7 @@ def fixed_eroded_tolerance(s: Sum, noise: Bounds, slope: Bounds) -> float:
 # --- In integers: warps ------------------------------------------------------------------------------------------------------------
 
 def fixed_shift_effects(s: Sum, noise: Bounds, slope: Bounds) -> list[float]:
-    """The errors of the noise of each octave of hn_warp_progressive. A position moves by a row of the frame times the
+    """The errors of the noise of each octave of hn_warp_progressive. A position moves by a row of the Jacobian times the
     vectors of noise: the row and its factor are off together, each product is rounded down to 2^-21, and so is that
     with the factor. An error of the noise comes back through the position."""
     dims, axes, errs = noise.dimensions, lengths(s, noise.dimensions), []
@@ -206,7 +206,7 @@ def fixed_shift_effects(s: Sum, noise: Bounds, slope: Bounds) -> list[float]:
     cut = (math.trunc(amplitude * FADE_ONE) * FADE_ONE // total) / FADE_ONE
     factor, limit = amplitude / sum(s.weights), min(noise.fixed_limit, 1.0)
     position, error = first_whole_position(s, dims)
-    for fixed, exact in frames(s, dims):
+    for fixed, exact in jacobians(s, dims):
         errs.append(min(steepest(s, noise, slope) * error + noise.fixed_error, 2 * limit))
         error += norm(cut * fixed - factor * exact) * axes + cut * norm(fixed) * axes * errs[-1]
         error += axes * (cut * dims + 1) * UNIT
@@ -235,14 +235,14 @@ def fixed_warp_tolerance(s: Sum, noise: Bounds, slope: Bounds) -> float:
 
 def largest_intermediates(dims: int) -> dict[str, float]:
     """By name, bounds of the magnitudes that must stay below 2^31 where the bounds are promised, for any noise with
-    derivatives: gain * lacunarity is then at most 63, since the first octave adds 1 to the sum. In a frame a number is
-    rounded down by less than 5 units for each octave, and what was lost before grows as the frame does."""
+    derivatives: gain * lacunarity is then at most 63, since the first octave adds 1 to the sum. In a Jacobian a number is
+    rounded down by less than 5 units for each octave, and what was lost before grows as the Jacobian does."""
     stretched = stretch(Sum("fbm_d", 0.0, 32, 1.0, 1.0), dims)**31
-    frame = stretched * ((LARGEST_GROWTH - 1) * FADE_ONE + 5 * LARGEST_GROWTH)
+    jacobian = stretched * ((LARGEST_GROWTH - 1) * FADE_ONE + 5 * LARGEST_GROWTH)
     slope, vector = math.sqrt(dims) * SLOPE_LIMIT, math.sqrt(dims) / UNIT
-    moved = frame / FADE_ONE * vector + dims
+    moved = jacobian / FADE_ONE * vector + dims
     lost = 32 * dims
-    return {"frame": frame, "turn of a frame": 32 * TURNS[0] * frame,
+    return {"Jacobian": jacobian, "turn of a Jacobian": 32 * TURNS[0] * jacobian,
             "sum of slopes": stretched * (LARGEST_RISE + 5 * 32 * LARGEST_GROWTH / FADE_ONE * slope) / SLOPE_UNIT + lost,
             "step": moved, "turn of a fall": (25 + 20) * FALL_LIMIT / FALL_UNIT,
             "sum of falls": ((25 + 20) / 32) ** (dims - 1) * FALL_LIMIT / FALL_UNIT + SLOPE_LIMIT / FALL_UNIT,

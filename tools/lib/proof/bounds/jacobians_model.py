@@ -1,5 +1,5 @@
 """Octave sums with slopes, and warps, on arrays with LATTICE: exactly, in doubles. Written from docs/contract.md, sections
-7, 8 and 22, for bounds_frames_test.py.
+7, 8 and 22, for bounds_jacobians_test.py.
 
 A sum is a bounds.sums.Sum of one of the kinds fbm_d, eroded, warp and warp_progressive. It gives a list of arrays: the
 value, the value and the derivatives, or the components."""
@@ -29,7 +29,7 @@ def exact_sum(s, p):
     dims, count, amplitude = len(p), s.count, min(max(s.amplitude, 0), 64)
     total = sum(s.gain**i for i in range(count))
     lacunarity = math.floor(s.lacunarity * 2**23) / 2**23 if s.from_cell else s.lacunarity
-    frame, seed, sums, fall = np.eye(dims), 0, [0.0] * (dims + 1), [0.0] * dims
+    jacobian, seed, sums, fall = np.eye(dims), 0, [0.0] * (dims + 1), [0.0] * dims
     for i in range(count):
         weight = s.gain**i
         if s.kind in ("warp", "warp_progressive"):
@@ -37,17 +37,17 @@ def exact_sum(s, p):
             v = [np.clip(exact.value(words, f)[0], -1, 1) for words in words_of_components(cells, seed)]
             sums = [a + weight * x for a, x in zip(sums, v)]
             if s.kind == "warp_progressive":
-                p = [x + amplitude / total * move for x, move in zip(p, times(frame, v))]
+                p = [x + amplitude / total * move for x, move in zip(p, times(jacobian, v))]
         else:
             n, g = exact.perlin_at(OCTAHEDRAL, p, np.int64(seed))
             fall = [x + y for x, y in zip(exact.turn(fall) if s.turns else fall, g)]
             fall = [np.clip(x, -8, 8) for x in fall]
             if s.kind == "eroded":
                 n = n / (1 + min(max(s.strength, 0), 16) * sum(x * x for x in fall))
-            sums = [a + x for a, x in zip(sums, [weight * n, *times(frame.T, g)])]
+            sums = [a + x for a, x in zip(sums, [weight * n, *times(jacobian.T, g)])]
         p = [x * lacunarity for x in p]
         p = [x + shift for x, shift in zip(exact.turn(p) if s.turns else p, SHIFT)]
-        frame = np.array(exact.turn(list(frame)) if s.turns else frame) * (s.gain * lacunarity)
+        jacobian = np.array(exact.turn(list(jacobian)) if s.turns else jacobian) * (s.gain * lacunarity)
         seed = u32(seed + GOLDEN)
     means = [x / total for x in sums] if count else [np.zeros(np.shape(p[0]))] * (dims + 1)
     if s.kind in ("warp", "warp_progressive"):

@@ -19,7 +19,7 @@ from base.tree import GLSL, ROOT
 from base.twin import SOON, compile_program
 from catalog.tables import glsl
 from proof.bounds import exact_model as exact
-from proof.bounds import frames, frames_model, sums
+from proof.bounds import jacobians, jacobians_model, sums
 from proof.bounds.float_sums import octave_tolerance
 from proof.bounds.floats import to_float
 from proof.bounds.gradients import OCTAHEDRAL
@@ -27,7 +27,7 @@ from proof.bounds.integers import SLOPE_UNIT
 from proof.bounds.rounded import FIXED, Rounding, Text, along_axes, roundings
 from proof.bounds.sums import SHIFTS, SLOPED, Sum
 from proof.bounds.table import bounds_of, read, slope_bounds_of
-from proof.oracle import frames as oracle
+from proof.oracle import jacobians as oracle
 from proof.oracle import noises
 from proof.oracle import sums as oracle_sums
 from proof.oracle.gradients import Knobs
@@ -45,7 +45,7 @@ def proven(kind, dims):
 def tolerances(s, dims, is_fixed):
     """Of each number of a result."""
     noise, slope = proven(s.kind, dims)
-    own = frames.TOLERANCES[s.kind][is_fixed](s, noise, slope)
+    own = jacobians.TOLERANCES[s.kind][is_fixed](s, noise, slope)
     of_value = (octave_tolerance, sums.fixed_octave_tolerance)[is_fixed]
     return {"fbm_d": [of_value(s, noise)] + [own] * dims, "eroded": [own]}.get(s.kind, [own] * dims)
 
@@ -56,7 +56,7 @@ def random_sum(rng, kind, **others):
                       "lacunarity": to_float(rng.uniform(0, 3)), "gain": to_float(rng.uniform(0, 1)),
                       "strength": to_float(rng.choice((1.0, 16.0, rng.random()))),
                       "amplitude": to_float(rng.choice((0.25, 64.0, rng.random())))} | others))
-    return s if frames.is_bounded(s) else random_sum(rng, kind, **others)
+    return s if jacobians.is_bounded(s) else random_sum(rng, kind, **others)
 
 
 @functools.cache
@@ -97,7 +97,7 @@ class Errors:
             p = list(np.floor(p) + (p - np.floor(p)).astype(np.float32) if s.from_cell
                      else p.astype(np.float32).astype(float))
             result = self.computed(rounding, s, p)
-            for computed, x, tolerance in zip(result, frames_model.exact_sum(s, p), tolerances(s, dims, bool(self.MACROS)),
+            for computed, x, tolerance in zip(result, jacobians_model.exact_sum(s, p), tolerances(s, dims, bool(self.MACROS)),
                                               strict=True):
                 error = abs(computed - x).max()
                 self.assertLess(error, tolerance, (s, dims))
@@ -179,7 +179,7 @@ class Fixed(Errors, unittest.TestCase):
 
     @in_thorough_runs
     def test_at_the_ends_of_the_domain(self):
-        """Results of 8 and more, of which bits are dropped, and frames and steps that are as large as they may be."""
+        """Results of 8 and more, of which bits are dropped, and Jacobians and steps that are as large as they may be."""
         for gain, lacunarity, octaves in ((1.0, 1.0, 32), (1.0, 4.0, 3), (0.25, 252.0, 2), (0.75, 1.25, 20)):
             self.check(octaves=octaves, gain=gain, lacunarity=lacunarity, amplitude=64.0 / max(1, gain * lacunarity),
                        p_max=4.0)
@@ -195,7 +195,7 @@ class Fixed(Errors, unittest.TestCase):
 
     def test_the_domain(self):
         def bounded(kind, *arguments, **others):
-            return frames.is_bounded(Sum(kind, 1.0, *arguments, **others))
+            return jacobians.is_bounded(Sum(kind, 1.0, *arguments, **others))
         self.assertTrue(bounded("fbm_d", 6, 2.0, 1.0) and not bounded("fbm_d", 7, 2.0, 1.0))
         self.assertTrue(bounded("fbm_d", 2, 63.0, 1.0) and not bounded("fbm_d", 2, 64.0, 1.0))
         self.assertTrue(bounded("warp_progressive", 6, 2.0, 1.0, amplitude=8.0))
@@ -206,7 +206,7 @@ class Fixed(Errors, unittest.TestCase):
                 self.assertEqual(tolerances(Sum(kind, 1.0, *arguments, 1.0, 1.0), 2, True)[-1], math.inf)
 
     def must_fail(self, name, replacement, kinds, **others):
-        with mock.patch.object(frames, name, replacement), self.assertRaises(AssertionError):
+        with mock.patch.object(jacobians, name, replacement), self.assertRaises(AssertionError):
             self.check(kinds, **others)
 
     def test_what_is_left_out_is_noticed(self):
@@ -217,11 +217,11 @@ class Fixed(Errors, unittest.TestCase):
 
     def test_other_sums_are_noticed(self):
         """Must-fail checks: exact sums with a fault, as one of the library would be."""
-        times, words_of_components = frames_model.times, frames_model.words_of_components
+        times, words_of_components = jacobians_model.times, jacobians_model.words_of_components
         for module, name, fault, kinds in (
-                (frames_model, "times", lambda matrix, vector: times(np.array(matrix).T, vector),
+                (jacobians_model, "times", lambda matrix, vector: times(np.array(matrix).T, vector),
                  ("fbm_d", "warp_progressive")),
-                (frames_model, "words_of_components", lambda cells, seed: words_of_components(cells, seed)[:1] * len(cells),
+                (jacobians_model, "words_of_components", lambda cells, seed: words_of_components(cells, seed)[:1] * len(cells),
                  ("warp",)),
                 (exact, "turn", list, ("eroded",))):
             for kind in kinds:
@@ -239,7 +239,7 @@ class Steps(unittest.TestCase):
             of_corner = dict(zip(itertools.product((0, 1), repeat=dims), words))
             for kind, found in (("fbm_d", exact.perlin(OCTAHEDRAL, of_corner.__getitem__, list(f))),
                                 ("warp", exact.value(of_corner.__getitem__, list(f)))):
-                seen, bound = np.linalg.norm(found[1], axis=0).max(), frames.longest_gradient(*proven(kind, dims))
+                seen, bound = np.linalg.norm(found[1], axis=0).max(), jacobians.longest_gradient(*proven(kind, dims))
                 self.assertTrue(bound / 2.5 < seen < bound, (dims, kind, seen, bound))
 
     def test_the_steepest_fall(self):
@@ -247,30 +247,30 @@ class Steps(unittest.TestCase):
         for strength, reach in itertools.product((0.0, 0.001, 0.3, 1.0, 16.0), (0.1, 1.0, 13.9)):
             inside = r[r <= reach]
             fall = 1 / (1 + strength * inside**2)
-            seen, bound = abs(np.diff(fall)).max() / r[1], frames.steepest_fall(strength, reach)
+            seen, bound = abs(np.diff(fall)).max() / r[1], jacobians.steepest_fall(strength, reach)
             self.assertTrue(0.99 * bound <= seen <= bound * (1 + 1e-9), (strength, reach, seen, bound))
-        self.assertAlmostEqual(frames.steepest_fall(1.0, 9.0), 0.6495, delta=1e-4)
+        self.assertAlmostEqual(jacobians.steepest_fall(1.0, 9.0), 0.6495, delta=1e-4)
 
-    def test_frames(self):
+    def test_jacobians(self):
         """The integers of the bounds are near the exact numbers."""
         rng = np.random.default_rng(5)
         for dims, turns in itertools.product(DIMS, (True, False)):
             s = random_sum(rng, "fbm_d", octaves=7, turns=turns)
-            for rounded, exactly in frames.frames(s, dims):
+            for rounded, exactly in jacobians.jacobians(s, dims):
                 self.assertLess(abs(rounded - exactly).max(), 1e-3)
 
     def test_nothing_wraps(self):
         for dims in DIMS:
-            for name, value in frames.largest_intermediates(dims).items():
+            for name, value in jacobians.largest_intermediates(dims).items():
                 self.assertLess(value, 2**31, (dims, name))
-            for name, value in frames.largest_words(dims).items():
+            for name, value in jacobians.largest_words(dims).items():
                 self.assertLess(value, 2**32, (dims, name))
         for limit, factor in (("LARGEST_GROWTH", 8), ("LARGEST_SHIFT", 8), ("LARGEST_RISE", 1.01)):
-            with mock.patch.object(frames, limit, factor * getattr(frames, limit)):
-                self.assertGreater(max(frames.largest_intermediates(3).values()), 2**31)
+            with mock.patch.object(jacobians, limit, factor * getattr(jacobians, limit)):
+                self.assertGreater(max(jacobians.largest_intermediates(3).values()), 2**31)
 
 # Noises that fit a loop with slopes, and what they take behind the place.
-FITTING = {name: "0.375f, " if name.endswith("_phase") else "" for name in frames.FITTING}
+FITTING = {name: "0.375f, " if name.endswith("_phase") else "" for name in jacobians.FITTING}
 NO_NOISES = {"hn_fbm_d", "hn_uniform_d"}  # functions that end in _d: a sum, and one of a value
 CUTS = {ROOT / "docs" / "contract.md": r"`g = trunc\(clamp\(g, -(\d+), (\d+)\) \* 2\^19\)`",
         GLSL / "detail" / "jacobian.glsl": r"min\(max\(g, -(\d+)\.0f\), (\d+)\.0f\) \* HN_I_FLOAT_UNITS_SLOPE"}
@@ -291,11 +291,11 @@ class Cut(unittest.TestCase):
 
     def test_it_is_the_same_everywhere(self):
         for path, pattern in CUTS.items():
-            self.assertEqual(re.findall(pattern, path.read_text()), [(f"{frames.SLOPE_LIMIT:g}",) * 2], path)
-        self.assertEqual(oracle.LARGEST_SLOPE * SLOPE_UNIT, frames.SLOPE_LIMIT)
+            self.assertEqual(re.findall(pattern, path.read_text()), [(f"{jacobians.SLOPE_LIMIT:g}",) * 2], path)
+        self.assertEqual(oracle.LARGEST_SLOPE * SLOPE_UNIT, jacobians.SLOPE_LIMIT)
 
     def test_no_noise_reaches_it(self):
-        self.assertEqual(steeper(frames.SLOPE_LIMIT), set())
+        self.assertEqual(steeper(jacobians.SLOPE_LIMIT), set())
         self.assertGreaterEqual(steeper(4.0), {(name, dims) for name in ("simplex_d", "simplex_d_phase", "phasor_d")
                                                for dims in DIMS})
         self.assertGreaterEqual(steeper(16.0), {("phasor_d", dims) for dims in DIMS})
@@ -308,18 +308,18 @@ class Cut(unittest.TestCase):
     def test_a_sum_over_any_that_fits_may_grow_as_far_as_one_over_perlin_noise(self):
         for name, dims in itertools.product(FITTING, DIMS):
             noise, slope = bounds_of(value_of(name), dims, "octahedral"), slope_bounds_of(name, dims)
-            longest = frames.longest_gradient(noise, slope)
+            longest = jacobians.longest_gradient(noise, slope)
             self.assertLess(longest, 10, (name, dims))  # as the contract says
-            self.assertLess(frames.LARGEST_GROWTH * longest, frames.LARGEST_RISE)
+            self.assertLess(jacobians.LARGEST_GROWTH * longest, jacobians.LARGEST_RISE)
 
     def test_beyond_it_there_is_no_bound(self):
         noise, slope = bounds_of("phasor_d", 2, "none"), slope_bounds_of("phasor_d", 2)
-        steep = frames.longest_gradient(noise, slope)
-        self.assertLess(frames.fixed_slope_tolerance(Sum("fbm_d", 1.0, 4, 2.0, 0.5), noise, slope), 2.0)
+        steep = jacobians.longest_gradient(noise, slope)
+        self.assertLess(jacobians.fixed_slope_tolerance(Sum("fbm_d", 1.0, 4, 2.0, 0.5), noise, slope), 2.0)
         self.assertTrue(4000 / 64 < steep < 4000 / 16)
-        self.assertEqual(frames.fixed_slope_tolerance(Sum("fbm_d", 1.0, 32, 2.0, 0.5), noise, slope), math.inf)
-        with mock.patch.object(frames, "SLOPE_LIMIT", 100.0):
-            self.assertEqual(frames.fixed_slope_tolerance(Sum("fbm_d", 1.0, 4, 2.0, 0.5), noise, slope), math.inf)
+        self.assertEqual(jacobians.fixed_slope_tolerance(Sum("fbm_d", 1.0, 32, 2.0, 0.5), noise, slope), math.inf)
+        with mock.patch.object(jacobians, "SLOPE_LIMIT", 100.0):
+            self.assertEqual(jacobians.fixed_slope_tolerance(Sum("fbm_d", 1.0, 4, 2.0, 0.5), noise, slope), math.inf)
 
 
 class Loops(unittest.TestCase):
@@ -405,7 +405,7 @@ int main() {{
             exactly = oracle.exact("fbm_d", noise, Knobs("lattice"), oracle_sums.at_position(p), options, seed, periods)
             s = Sum("fbm_d", 40.0, options.octaves, float(oracle_sums.lacunarity_of(options, periods)), options.gain,
                     turns=not period)
-            tolerance = frames.fixed_slope_tolerance(s, bounds_of(value_of(name), dims, "octahedral"),
+            tolerance = jacobians.fixed_slope_tolerance(s, bounds_of(value_of(name), dims, "octahedral"),
                                                      slope_bounds_of(name, dims))
             for a, b in zip(found[1:-1], exactly[1:]):
                 self.assertLess(abs(a - b), tolerance, (name, p, seed, options, period))
