@@ -22,8 +22,8 @@ std::string_view name_of(Form form);
 std::string_view title_of(Form form);
 
 struct Algorithm {
-  std::string_view name;   // in ids and in printed.csv
-  std::string_view title;  // as in the paper: "Perlin/FNV1"
+  std::string_view name;   // in ids
+  std::string_view title;  // as in the paper and in printed.csv: "Perlin/FNV1"
   std::string_view macro;  // the end of HN_HASH_... and PAPER_...; none for a table
   bool printed;            // the paper has it
 };
