@@ -63,7 +63,7 @@ PARTS = {
     "candidate": (Part("cell", "i32", ("c*",)),),  # a cell that has a candidate among scattered points
     "units": (Part("position", "i32", ("*",)), Part("cells", "i32", usual="3"), Part("units", "i32", usual="100")),
     "period": (Part("period", "i32", ("p*",)),),
-    "point": (Part("at", "i32", ("*",)),),
+    "point": (Part("lattice_point", "i32", ("*",)),),
     "words": (Part("words", "u32", ("*",)),),
     "wave": (Part("wave", "f32", ("k*",), "p"),),
     "slope": (Part("slope", "f32", ("ex", "ey"), "p"),),  # that gullies begin with
