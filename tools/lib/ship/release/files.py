@@ -71,7 +71,7 @@ class Release:
 
     def parts(self) -> None:
         """Each file that has public functions, with what it needs, for who wants no more than that."""
-        names = sorted({function.path.name for function in glsl.declarations()})
+        names = sorted({name for function in glsl.declarations() for name in glsl.files_of(function.name)})
         files = {f"{language}/{Path(name).stem}.{language}": text([name], language, strip=True).encode("ascii")
                  for language in ("glsl", "hlsl", "metal") for name in names}
         (self.folder / f"hashnoise-{self.version}-parts.zip").write_bytes(zipped(files, self.seconds))
