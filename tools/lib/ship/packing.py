@@ -12,8 +12,8 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from base.tree import ROOT, version
+from base.twin import NotBuilt
 from base.usage import Parser
-from proof.vectors.files import NoVectors
 from ship.recipes import RECIPES, Recipe
 from ship.zips import zipped
 
@@ -109,7 +109,7 @@ def pack(name: str, arguments: Sequence[str]) -> int:
                                   if (value := getattr(given, option)) is not None})
     except Refused as error:
         parser.error(str(error))
-    except NoVectors as error:
+    except NotBuilt as error:
         parser.exit(4, f"tools/pack {name}: {error}\n")
     make_folder(parser, folder)
     top = f"{recipe.name}-{version()}"

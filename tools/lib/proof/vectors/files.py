@@ -35,7 +35,7 @@ KINDS = {"i32": (4, struct.Struct(">i")), "f32": (4, struct.Struct(">f")), "f64"
 Words = Sequence[int]
 
 
-class NoVectors(Exception):
+class NoVectors(NotBuilt):
     """The program that computes bounds does not compile, or it fails."""
 
 
