@@ -33,6 +33,11 @@ class Column:
     def __str__(self) -> str:
         return f"{self.name}:{self.type}"
 
+    @staticmethod
+    def listed(text: str) -> tuple[Column, ...]:
+        """Those of a text such as "x:f32 y:f32"."""
+        return tuple(Column(*column.split(":")) for column in text.split())
+
 
 @dataclass(frozen=True)
 class Part:

@@ -45,10 +45,7 @@ class Body:
     @staticmethod
     def of(inputs: str, outputs: str, code: str) -> Body:
         """With columns as text: "x:f32 y:f32"."""
-        def columns(text: str) -> tuple[Column, ...]:
-            return tuple(Column(*column.split(":")) for column in text.split())
-
-        return Body(columns(inputs), columns(outputs), code)
+        return Body(Column.listed(inputs), Column.listed(outputs), code)
 
 
 class Text:

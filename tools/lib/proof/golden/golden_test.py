@@ -465,17 +465,14 @@ class GoldenContents(unittest.TestCase):
                             self.assertEqual(float(value - margin), float(value + margin), (id, row))
 
     def test_patterns(self) -> None:
-        def columns(text: str) -> list[Column]:
-            return [Column(*column.split(":")) for column in text.split()]
-
-        self.assertEqual(line(columns("a:i32 b:u32 c:f32 d:f64"), (-2, 255, -1.5, 0.5)),
+        self.assertEqual(line(Column.listed("a:i32 b:u32 c:f32 d:f64"), (-2, 255, -1.5, 0.5)),
                          "fffffffe 000000ff bfc00000 3fe0000000000000")
-        self.assertEqual(line(columns("a:f64"), (Fraction(1, 3),)), "3fd5555555555555")
-        self.assertEqual(line(columns("a:f64"), (Fraction(0),)), "0000000000000000")
+        self.assertEqual(line(Column.listed("a:f64"), (Fraction(1, 3),)), "3fd5555555555555")
+        self.assertEqual(line(Column.listed("a:f64"), (Fraction(0),)), "0000000000000000")
         with self.assertRaises(ValueError):
-            line(columns("a:f32"), (0.1,))
+            line(Column.listed("a:f32"), (0.1,))
         with self.assertRaises(ValueError):
-            line(columns("a:u32 b:u32"), (1,))
+            line(Column.listed("a:u32 b:u32"), (1,))
 
     def test_digest_runs_over_the_last_coordinate_first(self) -> None:
         file = values_with("hash.lattice2", "lattice")
