@@ -5,14 +5,13 @@ from __future__ import annotations
 import re
 import shutil
 import tempfile
-import tomllib
 import unittest
 from collections.abc import Callable
 from pathlib import Path
 
-from base.tree import ROOT, glsl_files
+from base.tree import glsl_files
 from catalog.model import CATALOG, CatalogError
-from catalog.tables import glsl, toml
+from catalog.tables import glsl
 from catalog.tables.configurations import read_configurations
 from catalog.tables.configurations import families
 from catalog.tables.functions import read_functions

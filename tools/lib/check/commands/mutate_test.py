@@ -6,7 +6,6 @@ A script stands in for hn-conform, so that this takes no driver and no time.
 from __future__ import annotations
 
 import contextlib
-import fnmatch
 import io
 import os
 import re
@@ -16,7 +15,6 @@ import unittest
 from pathlib import Path
 
 from base.tree import ROOT
-from catalog.tables.functions import read_functions
 from check.mutation import command as mutate
 
 SOURCES = {name: path.read_text(encoding="utf-8") for name, path in mutate.glsl_files(mutate.LIBRARY).items()}

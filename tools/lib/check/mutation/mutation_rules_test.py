@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import unittest
 
-from base.tree import GLSL, glsl_files
+from base.tree import glsl_files
 from check.mutation import rules
 
 

@@ -21,7 +21,7 @@ from base.usage import Parser
 from measure.likeness.ports import version
 from measure.noise import measures, page, record
 from measure.noise.measures import Finding, Measured
-from measure.noise.noise import COUNT, Sampler, Subject, read
+from measure.noise.noise import Sampler, Subject, read
 
 DESCRIPTION = """\
 Judges anybody's noise: its range, jumps, repeats and more, with a page, a record and an exit status.

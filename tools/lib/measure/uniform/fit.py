@@ -12,7 +12,7 @@ import numpy as np
 from scipy.interpolate import CubicSpline
 from scipy.optimize import least_squares
 
-from measure.uniform.model import BINS, SPAN, SUBJECTS, UNITS, Bell, rho, shape_of_sum, uniform, variance, weights
+from measure.uniform.model import SPAN, SUBJECTS, UNITS, Bell, rho, shape_of_sum, uniform, variance, weights
 
 SUMS = ((1, 0.5), (2, 0.5), (3, 0.5), (4, 0.5), (8, 0.5), (2, 0.7), (4, 0.7), (2, 1.0), (3, 0.3), (8, 0.8))
 FOURTH = np.array([rho(*sum_, 4) for sum_ in SUMS])[:, None]

@@ -20,7 +20,7 @@ from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
 from base.debian import Missing, program
-from base.tree import GLSL, ROOT, TOOLS
+from base.tree import GLSL, TOOLS
 from translate.hlsl.compilers import Compiled, Fxc, compile_by_dxc, dxc
 from translate.pick import command
 from translate.pick.languages_test import module as split_module

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from translate.pick.printer import UNARY
 from translate.pick.scalars import Part, Piece, Syntax, Taken
-from translate.pick.values import AXES, PREFIXES, SIZES, Constant, scalar_of
+from translate.pick.values import AXES, PREFIXES, Constant
 
 TYPES = {"float": "float", "int": "int32_t", "uint": "uint32_t", "bool": "int"}
 IN_MATH = {"floor": "floorf", "trunc": "truncf", "sqrt": "sqrtf", "abs": "fabsf"}

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from translate.pick.gofmt import formatted
 from translate.pick.printer import PRIMARY, STRENGTH
-from translate.pick.scalars import Facts, Part, Piece, Syntax, Taken, bare, camel, paragraph_lines, pascal
+from translate.pick.scalars import Facts, Part, Piece, Syntax, Taken, bare, camel, pascal
 from translate.pick.values import AXES, SIZES, scalar_of
 
 PRODUCT = "float32(*)"  # the sign of a product that is rounded

@@ -13,7 +13,7 @@ from translate.parsing.syntax import Function, Parameter
 from translate.pick.comments import arguments_of
 from translate.pick.evaluate import Kept, Module
 from translate.pick.statements import Break, Declare, If, Loop, Return, Set, Statement, blocks, inner, operands, values_of, walk
-from translate.pick.values import PREFIXES, SIZES, Constant, Node, Operation, Variable, operation, scalar_of
+from translate.pick.values import SIZES, Constant, Node, Operation, Variable, operation, scalar_of
 from translate.names import PASSED
 
 WIDTH = 100  # of lines, as far as values have parts that can be named
