@@ -1,4 +1,4 @@
-"""The examples are built and run as docs/engines.md says, on a display that nobody sees or in a browser. Their
+"""The examples are built and run as docs/guide/engines.md says, on a display that nobody sees or in a browser. Their
 pictures show the land that the twin computes; and with the shader of golden.py in the place of their own, golden values
 bit for bit.
 
@@ -33,7 +33,7 @@ from golden import Picture  # noqa: E402
 from screen import Absent, Screen  # noqa: E402
 
 SKIPPED = 77
-PAGE = (ROOT / "docs" / "engines.md").read_text(encoding="utf-8")
+PAGE = (ROOT / "docs" / "guide" / "engines.md").read_text(encoding="utf-8")
 SIZE = 640, 480
 # crates.io has raylib's sources, in the crate that binds them to Rust.
 RAYLIB = "6.0.0"

@@ -30,7 +30,8 @@ struct Range {
 // The largest value of an output that there can be, but for clouds.
 double largest_of(const Function& function, const Configuration& configuration, std::size_t output) {
   if (function.family == Family::sine_gradient) return 1.0;
-  // Octave sums take over the range of the noise. Roundings may take what is not scaled beyond (docs/accuracy.md).
+  // Octave sums take over the range of the noise. Roundings may take what is not scaled beyond
+  // (docs/measured/accuracy.md).
   const NoiseBounds& bounds = bounds_of(function, configuration, output);
   return configuration.arithmetic == Arithmetic::fixed ? bounds.fixed_limit : bounds.limit;
 }

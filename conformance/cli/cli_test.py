@@ -386,11 +386,11 @@ class Cli(unittest.TestCase):
         self.assertEqual(len(self.results()["runs"][0]["cases"]), 1)
 
     def test_the_page_of_checks_is_what_it_prints(self):
-        page = (ROOT / "docs" / "checks.md").read_text()
-        self.assertEqual(self.call("list", "--checks").stdout, page, "run hn-conform list --checks > docs/checks.md")
+        page = (ROOT / "docs" / "reference" / "checks.md").read_text()
+        self.assertEqual(self.call("list", "--checks").stdout, page, "run hn-conform list --checks > docs/reference/checks.md")
 
     def test_every_option_is_in_the_documents(self):
-        for command, page in (("run", "conformance.md"), ("bench", "measuring.md")):
+        for command, page in (("run", "guide/conformance.md"), ("bench", "measured/measuring.md")):
             options = set(re.findall(r"^  (?:-\w,)?(--[\w-]+)", self.call(command, "--help").stdout, re.MULTILINE))
             text = (ROOT / "docs" / page).read_text()
             self.assertEqual({option for option in options - {"--help"} if f"`{option}" not in text}, set(),

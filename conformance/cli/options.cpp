@@ -321,7 +321,8 @@ tl::expected<Command, Stop> parse_options(int argc, const char* const* argv, con
   add_filter(list_app, list.filters, "cases");
   add_thorough(list_app, list.thorough);
   list_app.add_flag("--about", list.about, "Also tell where cases come from: where a bug was reported");
-  list_app.add_flag("--checks", list.checks, "Tell what each check demands (docs/checks.md)")->excludes("--filter");
+  list_app.add_flag("--checks", list.checks, "Tell what each check demands (docs/reference/checks.md)")
+      ->excludes("--filter");
   add_run(app, run, installation.faults);
   add_merge(app, merge);
   add_bench(app, bench);

@@ -258,7 +258,7 @@ std::string digests_text(const std::vector<std::filesystem::path>& digests) {
   if (digests.empty()) return "";
   std::vector<std::string> paths;
   for (const std::filesystem::path& digest : digests) paths.push_back(digest.string());
-  return fmt::format("To send what was found (docs/conformance.md says how): {}\n", fmt::join(paths, ", "));
+  return fmt::format("To send what was found (docs/guide/conformance.md says how): {}\n", fmt::join(paths, ", "));
 }
 
 // Writes what there is to say about the runs, and says it: the exit status. problems: what is wrong beside the cases.

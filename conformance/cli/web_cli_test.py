@@ -156,7 +156,7 @@ class Web(unittest.TestCase):
         self.assertEqual(end["sent"]["shown"], end["digest"])
         address = urllib.parse.urlsplit(end["sent"]["address"])
         self.assertEqual(f"{address.scheme}://{address.netloc}{address.path}",
-                         f"{ADDRESS}/new/main/docs/results/devices")
+                         f"{ADDRESS}/new/main/docs/measured/results/devices")
         fields = dict(urllib.parse.parse_qsl(address.query))
         self.assertEqual(fields, {"filename": end["sent"]["name"], "value": end["digest"]})
         self.assertRegex(fields["filename"],

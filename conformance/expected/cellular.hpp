@@ -1,5 +1,5 @@
 // Cellular noise by a search of all cells around a place: in doubles, and in integers for fixed arithmetic. It follows
-// docs/contract.md, section 16, and has no code and no order of cells from the library.
+// docs/reference/contract.md, section 16, and has no code and no order of cells from the library.
 #pragma once
 
 #include <array>

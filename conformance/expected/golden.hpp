@@ -1,4 +1,4 @@
-// Golden files: what the oracle says. tools/make golden writes them; docs/formats.md describes the format.
+// Golden files: what the oracle says. tools/make golden writes them; docs/reference/formats.md describes the format.
 #pragma once
 
 #include <cstdint>

@@ -92,8 +92,8 @@ namespace {
 // --- Periods ---
 
 // As many octaves as keep the cells of fixed arithmetic within an int, below 9 * 48 * 3^14 and a little more for the
-// shift between octaves (docs/contract.md, section 8). A progressive warp moves the octaves, and those of eight by few
-// enough cells: its Jacobians stay below 2^31 units.
+// shift between octaves (docs/reference/contract.md, section 8). A progressive warp moves the octaves, and those of
+// eight by few enough cells: its Jacobians stay below 2^31 units.
 constexpr std::uint32_t kFixedOctaves = 15;
 constexpr std::uint32_t kFixedMovedOctaves = 8;
 

@@ -11,8 +11,8 @@ namespace {
 
 using Place = std::array<double, 4>;
 
-// Of docs/contract.md, section 13: the noise is scale * sum of w(t) (g . d) with t = r - m |d|^2, d in steps, and
-// w = cubic * t^3 + quartic * t^4 + quintic * t^5. `longest` is the length of the longest gradient, rounded up.
+// Of docs/reference/contract.md, section 13: the noise is scale * sum of w(t) (g . d) with t = r - m |d|^2, d in steps,
+// and w = cubic * t^3 + quartic * t^4 + quintic * t^5. `longest` is the length of the longest gradient, rounded up.
 struct Kernel {
   double r;
   double m;

@@ -63,7 +63,7 @@ const std::vector<NoiseBounds> kSlopeBounds = {
 #undef UNIFORM_BOUNDS
 #undef GULLIES_BOUNDS
 
-// The components of the shift between octaves (docs/contract.md); 2D uses the first two.
+// The components of the shift between octaves (docs/reference/contract.md); 2D uses the first two.
 constexpr std::array kShift = {11.0 / 32.0, 19.0 / 32.0, 23.0 / 32.0, 27.0 / 32.0};
 // The turns between octaves, in the plane of x and y, then in that of y and z, and then, by the numbers of the first,
 // in that of z and w; they stretch, too. On the line nothing turns.

@@ -1,4 +1,5 @@
-// How far a float result may be from the exact value: the bounds that tools/make bounds derives (docs/accuracy.md).
+// How far a float result may be from the exact value: the bounds that tools/make bounds derives
+// (docs/measured/accuracy.md).
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 // A digest is what is worth sending of a run: a file of a few kilobytes that says what a device and its driver
-// returned. docs/formats.md describes it; web/digest.js makes the same of a page's results, and tools/make results
-// checks it.
+// returned. docs/reference/formats.md describes it; web/digest.js makes the same of a page's results, and tools/make
+// results checks it.
 #pragma once
 
 #include <optional>

@@ -52,7 +52,7 @@ bool only_unfinished(const std::vector<Run>& runs);
 
 constexpr std::string_view kResultsFile = "results.json";
 
-// The text of results.json; docs/formats.md describes it.
+// The text of results.json; docs/reference/formats.md describes it.
 std::string results_text(const std::vector<Run>& runs);
 // An error says what is wrong, and where in the file.
 Result<std::vector<Run>> parse_results(std::string_view text);

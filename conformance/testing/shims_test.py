@@ -59,7 +59,7 @@ RWStructuredBuffer<float> values;
 def printed(language: str) -> list[str]:
     """The code of a language in the pages that have some."""
     return re.findall(rf"^```{language}\n(.*?)^```$", "\n".join(
-        (ROOT / "docs" / page).read_text() for page in ("languages.md", "hex-tiling.md")), re.MULTILINE | re.DOTALL)
+        (ROOT / "docs" / page).read_text() for page in ("guide/languages.md", "guide/hex-tiling.md")), re.MULTILINE | re.DOTALL)
 
 
 def settings(arithmetics: tuple[str, ...]) -> list[dict[str, str]]:

@@ -21,7 +21,7 @@ export function asExpected(results) {
   return count(results, "pass") > 0 && bad(results).length === 0;
 }
 
-// It has the schema that hn-conform writes (docs/formats.md). The page has the random points of seed 1.
+// It has the schema that hn-conform writes (docs/reference/formats.md). The page has the random points of seed 1.
 export function resultsJson({ version, library, api, cases, golden }, info, results) {
   const notRun = cases.length - results.length; // since somebody has stopped the page
   const totals = Object.fromEntries(kStatuses.map((status) => [status, count(results, status)]));

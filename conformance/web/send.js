@@ -10,7 +10,7 @@ const place = (id) => document.getElementById(id);
 // Where GitHub shows a new file of the project with this text, for its visitor to propose.
 export function proposalAddress(text) {
   const parts = new URLSearchParams({ filename: digestName(text), value: text });
-  return `${kAddress}/new/main/docs/results/devices?${parts}`;
+  return `${kAddress}/new/main/docs/measured/results/devices?${parts}`;
 }
 
 async function copy(text) {

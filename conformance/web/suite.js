@@ -1,4 +1,4 @@
-// The data that the page comes with (docs/formats.md, "The page and its suite"): shaders, input words and expected
+// The data that the page comes with (docs/reference/formats.md, "The page and its suite"): shaders, input words and expected
 // values.
 
 // Words that go into and come out of one evaluation, as in functions.hpp.

@@ -5,7 +5,7 @@ blocks, however large the terrain is.
     python3 terrain.py                                        # 40,000,000,000 heights, into terrain.zarr
     python3 terrain.py --size 20000 --out small.zarr          # 20 km by 20 km
     python3 terrain.py --scheduler tcp://10.0.0.1:8786        # on a cluster, whose workers see the folder, too
-    python3 terrain.py --measure ../../docs/dask.md           # what a square kilometre costs here, into the page
+    python3 terrain.py --measure ../../docs/guide/dask.md           # what a square kilometre costs here, into the page
 
     import xarray
     land = xarray.open_dataarray("terrain.zarr", engine="zarr", consolidated=False)

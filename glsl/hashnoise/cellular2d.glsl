@@ -26,12 +26,12 @@ HN_FN hn_vec2 hn_i_cellular(hn_place2 place, hn_i_num jitter, hn_int metric, hn_
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
 //   returns  the two distances, in cells: the first in [0, 1.1181], the second in [0, 1.5001] (proven bounds), and not
 //            below the first; on average 0.43 and 0.70. Both are continuous (HN_FIXED: in steps of 2^-18)
-//   error    at most 3.53e-6 against the exact value, in any metric and rounding mode (docs/accuracy.md). HN_FIXED
+//   error    at most 3.53e-6 against the exact value, in any metric and rounding mode (docs/measured/accuracy.md). HN_FIXED
 //            6.81e-5. From a cell at most 3.18e-6
 //   period   2^32 cells per axis, or that of the tile
 //   cost     9 hashes (none with HN_HASH_LATTICE) and 9 multiplications; 2 more to spread the coordinates, 2 more for a
 //            seed that is not constant, and 2 square roots. What is not used of the result costs nothing
-//   source   Worley, "A cellular texture basis function", 1996; docs/contract.md, section 16
+//   source   Worley, "A cellular texture basis function", 1996; docs/reference/contract.md, section 16
 HN_FN hn_vec2 hn_cellular(hn_place2 place, hn_uint seed) {
   return hn_i_cellular(hn_i_block(place), place.fraction, hn_i_jitter(1.0f), HN_METRIC_EUCLIDEAN, seed);
 }

@@ -23,11 +23,11 @@ HN_FN hn_i_rank4 hn_i_nearest(hn_place3 place, hn_i_turn3 turn, hn_float jitter,
 //   returns  the two distances, in cells, by the Euclidean metric: the first in [0, 1.208], the second in [0, 1.3892]
 //            (proven bounds), and not below the first. Both are continuous (HN_FIXED: in steps of 2^-18), in the
 //            phase, too
-//   error    at most 1.15e-5 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED
+//   error    at most 1.15e-5 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
 //            3.01e-4. From a cell at most 1.14e-5
 //   period   2^32 cells per axis, or that of the tile
 //   cost     that of hn_cellular, a sine and a cosine of 6 multiplications of floats each, and 21 multiplications
-//   source   Worley, "A cellular texture basis function", 1996; docs/contract.md, section 16
+//   source   Worley, "A cellular texture basis function", 1996; docs/reference/contract.md, section 16
 HN_FN hn_vec2 hn_cellular_phase(hn_place3 place, hn_float phase, hn_float jitter, hn_uint seed) {
   return hn_i_two_distances(hn_i_nearest(place, hn_i_turning3(phase), jitter, seed), HN_METRIC_EUCLIDEAN);
 }

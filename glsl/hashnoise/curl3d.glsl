@@ -45,11 +45,11 @@ HN_FN hn_vec3 hn_i_curl(hn_vec4 n, hn_vec4 m) {
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
 //   returns  each component in [-46.2, 46.2], in squared noise per squared cell, once continuously differentiable
 //            (HN_FIXED: in steps of 2^-16)
-//   error    at most 8.94e-4 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 1.90e-2.
+//   error    at most 8.94e-4 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED 1.90e-2.
 //            From a cell at most 7.58e-4
 //   period   2^32 cells per axis, or that of the tile
 //   cost     twice that of hn_simplex_d
-//   source   DeWolf, "Divergence-free noise", 2005; docs/contract.md, section 15
+//   source   DeWolf, "Divergence-free noise", 2005; docs/reference/contract.md, section 15
 HN_FN hn_vec3 hn_curl(hn_place3 place, hn_uint seed) {
   return hn_i_curl(hn_simplex_d(place, seed), hn_simplex_d(place, hn_i_other_seed(seed)));
 }

@@ -67,7 +67,7 @@ HN_FN hn_float hn_i_weighted(hn_octaves1 o, hn_float strength) {
 //   seed        any uint: 7u, not 7; 0 if left out; different seeds give independent fields
 //   returns     [-1, 1], mean 0
 //   error       at a position it grows with |p| * lacunarity^octaves, since a float rounds the positions; at a place it
-//               does not (docs/accuracy.md)
+//               does not (docs/measured/accuracy.md)
 //   period      none that floats reach. In a tile octave i repeats after period * lacunarity^i of its cells, so the sum
 //               repeats after the period, and no sooner. Octaves are not rotated there, since they would not fit: a
 //               tile shows the axes more than other sums do
@@ -157,7 +157,7 @@ HN_FN hn_float hn_billow(hn_float p, hn_int octaves, hn_float lacunarity, hn_flo
 // Ridges: sharp crests where the noise passes 0, with detail on them and smooth valleys between.
 //   (parameters, period and cost as for hn_fbm)
 //   returns     [0, 1]: 1 on a crest of every octave
-//   error       grows with the octaves, since each is taken times the one before: docs/accuracy.md
+//   error       grows with the octaves, since each is taken times the one before: docs/measured/accuracy.md
 //   source      Musgrave, in "Texturing and Modeling: A Procedural Approach": his ridged multifractal with the offset 1
 //               and the gain 2, divided by the sum of the weights
 HN_FN hn_float hn_ridged(hn_place1 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
@@ -174,7 +174,7 @@ HN_FN hn_float hn_ridged(hn_float p, hn_int octaves, hn_float lacunarity, hn_flo
 // from the middle on.
 //   (parameters, period and cost as for hn_fbm)
 //   returns     [0, 1]
-//   error       grows with the octaves, since each is taken times the one before: docs/accuracy.md
+//   error       grows with the octaves, since each is taken times the one before: docs/measured/accuracy.md
 //   source      Musgrave, in "Texturing and Modeling: A Procedural Approach": after his hybrid multifractal with the
 //               offset 1, of octaves in [0, 1], divided by the sum of the weights
 HN_FN hn_float hn_hybrid(hn_place1 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
@@ -192,7 +192,7 @@ HN_FN hn_float hn_hybrid(hn_float p, hn_int octaves, hn_float lacunarity, hn_flo
 //   (other parameters, period and cost as for hn_fbm; the strength stands behind the gain, and the seed cannot be
 //   left out)
 //   returns     [-1, 1]
-//   error       twice the strength times that of hn_fbm, and a little more; docs/accuracy.md
+//   error       twice the strength times that of hn_fbm, and a little more; docs/measured/accuracy.md
 //   source      FastNoiseLite, FractalType_PingPong
 HN_FN hn_float hn_ping_pong(hn_place1 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_float strength,
                             hn_uint seed) {
@@ -208,7 +208,7 @@ HN_FN hn_float hn_ping_pong(hn_float p, hn_int octaves, hn_float lacunarity, hn_
 //   (other parameters, period and cost as for hn_fbm; the strength stands behind the gain, and the seed cannot be
 //   left out)
 //   returns     [-1, 1]
-//   error       docs/accuracy.md
+//   error       docs/measured/accuracy.md
 //   source      FastNoiseLite, SetFractalWeightedStrength
 HN_FN hn_float hn_weighted(hn_place1 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_float strength,
                            hn_uint seed) {

@@ -32,9 +32,9 @@ struct hn_slopes2 {
 //             and a derivative beyond [-128, 128], which no noise of the library is. Floats cut off neither
 //   strength  of erosion, usually 1, in [0, 16]
 //   returns   hn_slopes: slopes to begin with; hn_mean: the value and its derivatives, as hn_fbm_d
-//   error     docs/accuracy.md
+//   error     docs/measured/accuracy.md
 //   cost      4 multiplications for the Jacobian, or a division
-//   source    docs/contract.md, section 7
+//   source    docs/reference/contract.md, section 7
 HN_FN hn_slopes2 hn_slopes(hn_octaves2 o) {
   HN_I_NEW(hn_slopes2, s);
   s.x = HN_I_NO_WEIGHT;
@@ -87,7 +87,7 @@ HN_FN hn_float hn_i_eroded(hn_octaves2 o, hn_float strength) {
 //   (parameters, period and source as for hn_fbm)
 //   returns   the value and its derivatives along x and y, per cell of the first octave. A derivative is at most
 //             2.95 times the sum of (1.001 * gain * lacunarity)^i, divided by the sum of gain^i
-//   error     docs/accuracy.md; for HN_FIXED while the sum of (gain * lacunarity)^i is at most 64
+//   error     docs/measured/accuracy.md; for HN_FIXED while the sum of (gain * lacunarity)^i is at most 64
 //   cost      1 noise with derivatives per octave, and 4 multiplications for the Jacobian
 HN_FN hn_vec3 hn_fbm_d(hn_place2 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
   return hn_i_fbm_d(hn_octaves(place, octaves, lacunarity, gain, seed));
@@ -105,7 +105,7 @@ HN_FN hn_vec3 hn_fbm_d(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_float 
 //   (other parameters, period and source as for hn_fbm; the strength stands behind the gain, and the seed cannot be
 //   left out)
 //   returns   [-1, 1]
-//   error     docs/accuracy.md
+//   error     docs/measured/accuracy.md
 //   cost      1 noise with derivatives per octave, and a division
 //   source    Quilez, "More noise", 2008: his slopes are not rotated with the octaves
 HN_FN hn_float hn_eroded(hn_place2 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_float strength,

@@ -16,7 +16,7 @@
 //   returns  an odd multiple of 2^-9 in (-1, 1)
 //   error    none
 //   cost     no multiplication (GLSL before 3.30: 1 of floats)
-//   source   docs/contract.md, section 4
+//   source   docs/reference/contract.md, section 4
 HN_FN hn_float hn_gradient1(hn_uint h) {
 #if HN_ARITHMETIC != HN_FIXED
   return hn_i_gradient1(h);
@@ -30,7 +30,7 @@ HN_FN hn_float hn_gradient1(hn_uint h) {
 //   returns  one of 8 vectors: one component is 3/4 or -3/4, and the other 1/4 or -1/4
 //   error    none
 //   cost     no multiplication (GLSL before 3.30: 1 of floats)
-//   source   docs/contract.md, section 4
+//   source   docs/reference/contract.md, section 4
 HN_FN hn_vec2 hn_gradient2(hn_uint h) { return hn_i_direction2(h); }
 
 // A gradient in space, from the size of a hash and its bits 21 and 22.
@@ -38,7 +38,7 @@ HN_FN hn_vec2 hn_gradient2(hn_uint h) { return hn_i_direction2(h); }
 //   returns  one of 12 vectors: two components are 1 or -1, and one is 0
 //   error    none
 //   cost     no multiplication
-//   source   Perlin, "Improving noise", 2002, for the vectors; docs/contract.md, section 4
+//   source   Perlin, "Improving noise", 2002, for the vectors; docs/reference/contract.md, section 4
 HN_FN hn_vec3 hn_gradient3(hn_uint h) { return hn_i_direction3(h, hn_i_signs(h)); }
 
 // A gradient in four dimensions, from the size of a hash and its bits 20 to 22.
@@ -46,7 +46,7 @@ HN_FN hn_vec3 hn_gradient3(hn_uint h) { return hn_i_direction3(h, hn_i_signs(h))
 //   returns  two components that are 1 or -1, and two that are 0
 //   error    none
 //   cost     no multiplication
-//   source   docs/contract.md, section 4
+//   source   docs/reference/contract.md, section 4
 HN_FN hn_vec4 hn_gradient4(hn_uint h) { return hn_i_direction4(h); }
 
 // The gradient of the noise at a lattice point.
@@ -59,7 +59,7 @@ HN_FN hn_vec4 hn_gradient4(hn_uint h) { return hn_i_direction4(h); }
 //   cost     1 hash (none with HN_HASH_LATTICE), 1 multiplication per axis and 1 more, 2 more for a seed that is not
 //            constant, and those of hn_gradient1 to hn_gradient4; with HN_GRADIENT_SINE 1 hash per axis and a sine of
 //            10 multiplications, 6 of them of floats, per component
-//   source   docs/contract.md, section 4; for the sine: Valdenegro-Toro and Pincheira, sec. 5
+//   source   docs/reference/contract.md, section 4; for the sine: Valdenegro-Toro and Pincheira, sec. 5
 HN_FN hn_float hn_gradient(hn_int cell, hn_uint seed) { return hn_gradient1(hn_i_point(uint(cell), seed)); }
 
 HN_FN hn_vec2 hn_gradient(hn_ivec2 cell, hn_uint seed) {

@@ -89,12 +89,12 @@ HN_FN hn_vec3 hn_i_gullies(hn_octaves2 octaves, hn_vec2 slope, hn_float depth) {
 //   seed        any uint: 7u, not 7; different seeds give independent fields
 //   returns     what is added to the height, at most depth * sum of gain^i in size, and to its derivatives along x and
 //               y. It is continuous where the slope is. The derivatives leave out how the gullies turn
-//   error       it grows from octave to octave, since each follows those before it (docs/accuracy.md). HN_FIXED has the
+//   error       it grows from octave to octave, since each follows those before it (docs/measured/accuracy.md). HN_FIXED has the
 //               same bits everywhere
 //   period      2^31 cells per axis, or that of the tile
 //   cost        hn_phasor_d, a square root and three divisions per octave
 //   HN_FIXED    takes a gain above 1 as 1, and more than 32 octaves as 32
-//   source      docs/contract.md, section 24; waves across the slope as gullies: Tricard et al., "Procedural phasor
+//   source      docs/reference/contract.md, section 24; waves across the slope as gullies: Tricard et al., "Procedural phasor
 //               noise", 2019, for the waves
 HN_FN hn_vec3 hn_gullies(hn_place2 place, hn_float footprint, hn_vec2 slope, hn_int octaves, hn_float lacunarity,
                          hn_float gain, hn_float depth, hn_uint seed) {

@@ -1,7 +1,7 @@
 // hashnoise: integer hashes, the hash of a lattice point, and the float of a hash.
 // SPDX-License-Identifier: MIT
 //
-// Everything in this file is exact: the same bits on every driver. docs/contract.md defines each value.
+// Everything in this file is exact: the same bits on every driver. docs/reference/contract.md defines each value.
 //
 // A word is a uint, and so is a seed: hn_hash(7u). For 7, an int, most versions of GLSL find no overload.
 //

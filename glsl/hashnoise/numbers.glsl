@@ -9,7 +9,7 @@
 //   vec2 place = hn_unorm_two(h);
 //   vec3 direction = hn_sphere(hn_rehash(h, 5u));   // from 5 on: the functions below use those up to 4 themselves
 //
-// Everything in this file is exact: the same bits with every HN_ARITHMETIC and on every driver. docs/contract.md,
+// Everything in this file is exact: the same bits with every HN_ARITHMETIC and on every driver. docs/reference/contract.md,
 // section 18, defines each value.
 
 #ifndef HN_NUMBERS_GLSL
@@ -27,7 +27,7 @@
 //   k        which: any uint. The functions of this file use those from 1 to 4 themselves
 //   returns  any uint; for each k a bijection of h
 //   cost     2 multiplications; 1 more for a k that is not constant
-//   source   docs/contract.md, section 18
+//   source   docs/reference/contract.md, section 18
 HN_FN hn_uint hn_rehash(hn_uint h, hn_uint k) { return hn_i_mix(h + k * HN_I_SEED_STEP); }
 
 // Two uniform numbers: a point of the unit square.
@@ -35,7 +35,7 @@ HN_FN hn_uint hn_rehash(hn_uint h, hn_uint k) { return hn_i_mix(h + k * HN_I_SEE
 //   returns  two numbers in [0, 1), multiples of 2^-24. The first is hn_unorm(h)
 //   error    none
 //   cost     2 multiplications, and 2 of floats
-//   source   docs/contract.md, section 18
+//   source   docs/reference/contract.md, section 18
 HN_FN hn_vec2 hn_unorm_two(hn_uint h) { return vec2(hn_unorm(h), hn_unorm(hn_rehash(h, 1u))); }
 
 // Three uniform numbers: a colour, or a point of the unit cube.
@@ -43,7 +43,7 @@ HN_FN hn_vec2 hn_unorm_two(hn_uint h) { return vec2(hn_unorm(h), hn_unorm(hn_reh
 //   returns  three numbers in [0, 1), multiples of 2^-24. The first two are hn_unorm_two(h)
 //   error    none
 //   cost     4 multiplications, and 3 of floats
-//   source   docs/contract.md, section 18
+//   source   docs/reference/contract.md, section 18
 HN_FN hn_vec3 hn_unorm_three(hn_uint h) {
   return vec3(hn_unorm(h), hn_unorm(hn_rehash(h, 1u)), hn_unorm(hn_rehash(h, 2u)));
 }
@@ -53,7 +53,7 @@ HN_FN hn_vec3 hn_unorm_three(hn_uint h) {
 //   returns  four numbers in [0, 1), multiples of 2^-24. The first three are hn_unorm_three(h)
 //   error    none
 //   cost     6 multiplications, and 4 of floats
-//   source   docs/contract.md, section 18
+//   source   docs/reference/contract.md, section 18
 HN_FN hn_vec4 hn_unorm_four(hn_uint h) {
   return vec4(hn_unorm(h), hn_unorm(hn_rehash(h, 1u)), hn_unorm(hn_rehash(h, 2u)), hn_unorm(hn_rehash(h, 3u)));
 }
@@ -74,7 +74,7 @@ HN_FN hn_uint hn_i_sum_of_bytes(hn_uint bytes) { return (bytes * 0x01010101u) >>
 //            coins and of three uniform numbers, which is nearly normally distributed
 //   error    none
 //   cost     5 multiplications, and 1 of floats
-//   source   docs/contract.md, section 18
+//   source   docs/reference/contract.md, section 18
 HN_FN hn_float hn_gaussian(hn_uint h) {
   hn_uint coins = hn_i_sum_of_bytes(hn_i_bits_of_bytes(hn_rehash(h, 1u)) + hn_i_bits_of_bytes(hn_rehash(h, 2u) >> 1u));
   hn_uint sum = (h & 1023u) + ((h >> 10u) & 1023u) + ((h >> 20u) & 1023u);
@@ -108,7 +108,7 @@ HN_FN hn_uint hn_i_length(hn_uint h, hn_uint k) { return hn_rehash(h, k) >> 17u;
 //   returns  a vector that is 1 long, within 2^-14; multiples of 2^-16
 //   error    none
 //   cost     10 multiplications, and 2 of floats
-//   source   docs/contract.md, section 18
+//   source   docs/reference/contract.md, section 18
 HN_FN hn_vec2 hn_circle(hn_uint h) {
   hn_ivec2 p = hn_i_on_circle(h);
   return vec2(hn_i_component(p.x), hn_i_component(p.y));
@@ -119,7 +119,7 @@ HN_FN hn_vec2 hn_circle(hn_uint h) {
 //   returns  a vector that is at most 1 long, or longer by less than 2^-15; multiples of 2^-16
 //   error    none
 //   cost     16 multiplications, and 2 of floats
-//   source   docs/contract.md, section 18
+//   source   docs/reference/contract.md, section 18
 HN_FN hn_vec2 hn_disk(hn_uint h) {
   hn_ivec2 p = hn_i_on_circle(h);
   hn_int size = int(max(hn_i_length(h, 1u), hn_i_length(h, 2u)));
@@ -131,7 +131,7 @@ HN_FN hn_vec2 hn_disk(hn_uint h) {
 //   returns  a vector that is 1 long, within 2^-13; multiples of 2^-16
 //   error    none
 //   cost     17 multiplications, 5 of floats, and a square root
-//   source   docs/contract.md, section 18
+//   source   docs/reference/contract.md, section 18
 HN_FN hn_vec3 hn_sphere(hn_uint h) {
   hn_ivec3 p = hn_i_on_sphere(h);
   return vec3(hn_i_component(p.x), hn_i_component(p.y), hn_i_component(p.z));
@@ -142,7 +142,7 @@ HN_FN hn_vec3 hn_sphere(hn_uint h) {
 //   returns  a vector that is at most 1 long, or longer by less than 2^-14; multiples of 2^-16
 //   error    none
 //   cost     26 multiplications, 5 of floats, and a square root
-//   source   docs/contract.md, section 18
+//   source   docs/reference/contract.md, section 18
 HN_FN hn_vec3 hn_ball(hn_uint h) {
   hn_ivec3 p = hn_i_on_sphere(h);
   hn_int size = int(max(max(hn_i_length(h, 2u), hn_i_length(h, 3u)), hn_i_length(h, 4u)));
@@ -169,7 +169,7 @@ HN_FN hn_uint hn_i_shuffle_round(hn_uint x, hn_uint shift, hn_uint key, hn_uint 
 //   error    none
 //   cost     1 division of integers, 4 multiplications, and 30 for each step. An item takes less than 2 steps on the
 //            average, and where n is a power of two always 1. 2 multiplications less for a seed that is constant
-//   source   docs/contract.md, section 18
+//   source   docs/reference/contract.md, section 18
 HN_FN hn_uint hn_shuffle(hn_uint i, hn_uint n, hn_uint seed) {
   hn_uint size = max(n, 1u);
   hn_uint most = size - 1u;  // and all bits below its highest
@@ -233,7 +233,7 @@ HN_FN hn_uint hn_i_pascal(hn_uint i) {
 //            of the 2^a by 2^b equal boxes of the square, for a + b up to 24
 //   error    none
 //   cost     14 multiplications, and 2 of floats. 6 less for a seed that is constant
-//   source   Sobol; Owen 1995; Laine and Karras 2011; Vegdahl's constants; docs/contract.md, section 18
+//   source   Sobol; Owen 1995; Laine and Karras 2011; Vegdahl's constants; docs/reference/contract.md, section 18
 HN_FN hn_vec2 hn_sobol(hn_uint i, hn_uint seed) {
   hn_uint s = hn_i_mix(seed);
   hn_uint x = hn_i_reversed(hn_i_owen(i, hn_rehash(s, 1u)));

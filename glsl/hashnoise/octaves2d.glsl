@@ -105,7 +105,7 @@ HN_FN void hn_i_advance(HN_I_INOUT(hn_octaves2) o) {
 //               does not
 //   cost        none: hn_next places each octave
 //   HN_FIXED    takes a gain above 1 as 1, a lacunarity outside [0, 255] as 0 or 255, and more than 32 octaves as 32
-//   source      docs/contract.md, section 7
+//   source      docs/reference/contract.md, section 7
 HN_FN hn_octaves2 hn_octaves(hn_place2 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
   hn_float ratio = hn_i_lacunarity(min(max(lacunarity, 0.0f), 255.0f), place.tiled);
   hn_octaves2 o = hn_i_octaves(place, octaves, ratio, gain, seed);
@@ -188,7 +188,7 @@ HN_FN bool hn_next(HN_I_INOUT(hn_octaves2) o) {
 //   returns   nothing: the octaves have the sum
 //   error     as of the sums in fbm2d.glsl
 //   cost      1 to 10 operations
-//   source    docs/contract.md, section 7
+//   source    docs/reference/contract.md, section 7
 HN_FN void hn_add(HN_I_INOUT(hn_octaves2) o, hn_float n) { o.sum = hn_i_add_noise(o.sum, n); }
 HN_FN void hn_add_turbulence(HN_I_INOUT(hn_octaves2) o, hn_float n) { o.sum = hn_i_add_size(o.sum, n); }
 HN_FN void hn_add_ridged(HN_I_INOUT(hn_octaves2) o, hn_float n) { o.sum = hn_i_add_ridge(o.sum, n); }
@@ -215,7 +215,7 @@ HN_FN void hn_add_footprint(HN_I_INOUT(hn_octaves2) o, hn_float n) {
 //   returns  [-1, 1]; of hn_add_turbulence and hn_add_ridged [0, 1]. Roundings may take floats beyond by 1e-6
 //   error    as of the sums in fbm2d.glsl
 //   cost     a division; with a number of octaves that is no constant some operations for each
-//   source   docs/contract.md, section 7
+//   source   docs/reference/contract.md, section 7
 HN_FN hn_float hn_mean(hn_octaves2 o) { return hn_i_value(hn_i_mean(o.sum)); }
 
 // The density of a sky, from the mean of hn_add: clear below -1/8 and dense above 3/8, with a smooth step between.

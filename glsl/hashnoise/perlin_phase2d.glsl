@@ -32,10 +32,10 @@ HN_FN hn_vec3 hn_i_perlin_phase_d(hn_uvec4 h, hn_i_num2 f, hn_i_num2 rotation) {
 //   seed     any uint: 7u, not 7; different seeds give independent fields
 //   returns  [-1, 1] (proven bound 0.99958), mean 0, 0 at lattice points, twice continuously differentiable, and smooth
 //            in the phase. With a phase of 0 it is hn_perlin, within the error.
-//   error    at most 5.46e-6 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 1.18e-4
+//   error    at most 5.46e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED 1.18e-4
 //   period   2^32 cells per axis, or that of the tile
 //   cost     the hashes of hn_perlin, a sine and a cosine of 6 multiplications of floats each, and twice the rest
-//   source   Perlin and Neyret, "Flow noise", 2001; docs/contract.md, section 14
+//   source   Perlin and Neyret, "Flow noise", 2001; docs/reference/contract.md, section 14
 HN_FN hn_float hn_perlin(hn_place2 place, hn_float phase, hn_uint seed) {
   return hn_i_value(hn_i_perlin_phase(hn_i_corners(hn_i_box(place), seed), place.fraction, hn_i_rotation(phase)));
 }

@@ -38,10 +38,10 @@ HN_FN hn_vec4 hn_i_perlin_phase_d(hn_i_box3 box, hn_i_num3 f, hn_i_num2 rotation
 //   seed     any uint: 7u, not 7; different seeds give independent fields
 //   returns  [-1, 1] (proven bound 0.99895), mean 0, 0 at lattice points, twice continuously differentiable, and smooth
 //            in the phase. With a phase of 0 it is hn_perlin, within the error.
-//   error    at most 7.96e-6 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 1.31e-4
+//   error    at most 7.96e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED 1.31e-4
 //   period   2^32 cells per axis, or that of the tile
 //   cost     the hashes of hn_perlin, a sine and a cosine of 6 multiplications of floats each, and twice the rest
-//   source   Perlin and Neyret, "Flow noise", 2001; docs/contract.md, section 14
+//   source   Perlin and Neyret, "Flow noise", 2001; docs/reference/contract.md, section 14
 HN_FN hn_float hn_perlin(hn_place3 place, hn_float phase, hn_uint seed) {
   return hn_i_value(hn_i_perlin_phase(hn_i_box(place), place.fraction, hn_i_rotation(phase), seed));
 }

@@ -48,12 +48,12 @@ HN_FN hn_float hn_i_perlin_worley(hn_octaves3 wisps, hn_octaves3 billows) {
 //   gain        ratio of amplitudes, usually 0.5; not negative
 //   seed        any uint: 7u, not 7; 0 if left out; different seeds give independent fields
 //   returns     [0, 1], continuous. A cloud is where it is above a threshold, of about 0.75
-//   error       docs/accuracy.md
+//   error       docs/measured/accuracy.md
 //   period      2^32 cells per axis, or that of the tile
 //   cost        hn_fbm, and three times hn_cellular in space, which is most of it
 //   HN_FIXED    takes a gain above 1 as 1, and more than 32 octaves as 32
 //   source      Schneider and Vos, "The Real-time Volumetric Cloudscapes of Horizon: Zero Dawn", 2015;
-//               docs/contract.md, section 25
+//               docs/reference/contract.md, section 25
 HN_FN hn_float hn_perlin_worley(hn_place3 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
   return hn_i_perlin_worley(hn_octaves(place, octaves, lacunarity, gain, seed),
                             hn_octaves(place, min(octaves, 3), lacunarity, gain, hn_i_other_seed(seed)));

@@ -20,13 +20,13 @@
 //   seed     any uint: 7u, not 7; different seeds give independent fields
 //   returns  a value and its quadrature, which is the value a quarter of a turn of the phase before, each in [-1, 1]
 //            (proven bound 0.99933), mean 0, twice continuously differentiable (HN_FIXED: in steps of 2^-21)
-//   error    at most 4.24e-5 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 3.56e-4.
+//   error    at most 4.24e-5 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED 3.56e-4.
 //            From a cell at most 3.04e-5
 //   period   2^31 cells per axis, or that of the tile
 //   cost     3 hashes (none with HN_HASH_LATTICE), 6 sines of 6 multiplications each, and 15 multiplications; 2 more to
 //            spread the coordinates, and 2 more for a seed that is not constant
 //   source   Tricard et al., "Procedural phasor noise", 2019; Lagae et al., "Procedural noise using sparse Gabor
-//            convolution", 2009; docs/contract.md, section 23
+//            convolution", 2009; docs/reference/contract.md, section 23
 HN_FN hn_vec2 hn_phasor(hn_place2 place, hn_vec2 wave, hn_float phase, hn_uint seed) {
   hn_i_num2 skewed = hn_i_skewed(place.fraction);
   hn_uvec3 h = hn_i_triangle(place, skewed, seed);

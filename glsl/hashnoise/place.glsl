@@ -117,7 +117,7 @@ HN_FN hn_place4 hn_i_place(hn_ivec4 cell, hn_i_num4 fraction, hn_ivec4 rest) {
 //   returns  the place
 //   error    none: this loses nothing that the noise does not
 //   cost     none that the noise does not have
-//   source   docs/contract.md, section 6
+//   source   docs/reference/contract.md, section 6
 HN_FN hn_place1 hn_place(hn_int cell, hn_float f) {
   return hn_i_place(cell, hn_i_to_num(f), HN_I_REST(hn_i_rest_of_fraction(f)));
 }
@@ -175,7 +175,7 @@ HN_FN hn_place4 hn_place(hn_vec4 p) {
 //   error    none
 //   cost     for the noise a mask along each axis if the period is a constant power of two, else a division; a few
 //            comparisons along each axis, and for simplex and cellular noise up to two multiplications
-//   source   docs/contract.md, section 6
+//   source   docs/reference/contract.md, section 6
 HN_FN hn_place1 hn_tile(hn_place1 place, hn_int period) {
   hn_place1 tile = place;
   tile.period = period;

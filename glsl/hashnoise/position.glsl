@@ -41,7 +41,7 @@ HN_FN hn_float hn_i_fraction_of_units(hn_uint rest, hn_int units) {
 //   returns   floor(position * cells / units), modulo 2^32
 //   error     none: integers on every driver, and the same in C++
 //   cost      2 divisions of integers per axis; with constants, compilers make products or shifts of them
-//   source    docs/contract.md, section 12
+//   source    docs/reference/contract.md, section 12
 HN_FN hn_int hn_cell(hn_int position, hn_int cells, hn_int units) {
   return int(hn_i_divided(position, cells, units).x);
 }
@@ -63,7 +63,7 @@ HN_FN hn_ivec4 hn_cell(hn_ivec4 position, hn_int cells, hn_int units) {
 //   returns   what position * cells / units is beyond its floor, cut off to a multiple of 2^-24, in [0, 1)
 //   error     less than 2^-24, and the same bits everywhere
 //   cost      2 more divisions of integers per axis
-//   source    docs/contract.md, section 12
+//   source    docs/reference/contract.md, section 12
 HN_FN hn_float hn_fraction(hn_int position, hn_int cells, hn_int units) {
   return hn_i_fraction_of_units(hn_i_divided(position, cells, units).y, units);
 }

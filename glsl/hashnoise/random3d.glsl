@@ -19,7 +19,7 @@
 //   period   2^32 cells per axis, or that of the tile
 //   cost     1 hash (none with HN_HASH_LATTICE) and 3 multiplications; 1 more to spread each coordinate, and 2 more for
 //            a seed that is not constant
-//   source   docs/contract.md, section 17
+//   source   docs/reference/contract.md, section 17
 HN_FN hn_float hn_random(hn_place3 place, hn_uint seed) {
   hn_ivec3 cell = place.cell;
   if (place.tiled) cell = ivec3(hn_i_wrap(place.cell, place.period));

@@ -4,7 +4,7 @@
 // Each cell has a candidate: a random point of the cell. It stands if no candidate within the radius has a larger word.
 // So whether it stands follows from the cells around alone: every program that asks gets the same answer.
 //
-// Everything in this file is exact: the same bits with every HN_ARITHMETIC and on every driver. docs/contract.md,
+// Everything in this file is exact: the same bits with every HN_ARITHMETIC and on every driver. docs/reference/contract.md,
 // section 19, defines each value.
 
 #ifndef HN_SCATTER_GLSL
@@ -55,7 +55,7 @@ HN_FN hn_uint hn_i_unbeaten(hn_uint h, hn_uint square, hn_uint reach) {
 //   error    none
 //   period   2^32 cells per axis, or that of the tile
 //   cost     1 hash (none with HN_HASH_LATTICE) and 7 multiplications; 2 more for a seed that is not constant
-//   source   docs/contract.md, section 19
+//   source   docs/reference/contract.md, section 19
 HN_FN hn_vec2 hn_scatter_point(hn_place2 place, hn_uint seed) {
   hn_ivec2 cell = place.cell;
   if (place.tiled) cell = ivec2(hn_i_wrap(place.cell, place.period));
@@ -76,7 +76,7 @@ HN_FN hn_vec2 hn_scatter_point(hn_ivec2 cell, hn_uint seed) { return hn_scatter_
 //   error    none
 //   period   2^32 cells per axis, or that of the tile
 //   cost     9 hashes (none with HN_HASH_LATTICE) and 80 multiplications
-//   source   Matern, "Spatial variation", 1960 (his second process); docs/contract.md, section 19
+//   source   Matern, "Spatial variation", 1960 (his second process); docs/reference/contract.md, section 19
 HN_FN hn_uint hn_scattered(hn_place2 place, hn_float radius, hn_uint seed) {
   hn_i_block2 block = hn_i_block(place);
   hn_uint s = hn_i_mix(seed);
@@ -109,7 +109,7 @@ HN_FN hn_uint hn_scattered(hn_ivec2 cell, hn_float radius, hn_uint seed) {
 //   error    none
 //   period   2^32 cells per axis, or that of the tile
 //   cost     1 hash (none with HN_HASH_LATTICE) and 10 multiplications; 2 more for a seed that is not constant
-//   source   docs/contract.md, section 19
+//   source   docs/reference/contract.md, section 19
 HN_FN hn_vec3 hn_scatter_point(hn_place3 place, hn_uint seed) {
   hn_ivec3 cell = place.cell;
   if (place.tiled) cell = ivec3(hn_i_wrap(place.cell, place.period));
@@ -128,7 +128,7 @@ HN_FN hn_vec3 hn_scatter_point(hn_ivec3 cell, hn_uint seed) { return hn_scatter_
 //   error    none
 //   period   2^32 cells per axis, or that of the tile
 //   cost     27 hashes (none with HN_HASH_LATTICE) and 330 multiplications
-//   source   Matern, "Spatial variation", 1960 (his second process); docs/contract.md, section 19
+//   source   Matern, "Spatial variation", 1960 (his second process); docs/reference/contract.md, section 19
 HN_FN hn_uint hn_scattered(hn_place3 place, hn_float radius, hn_uint seed) {
   hn_i_block3 block = hn_i_block(place);
   hn_uint s = hn_i_mix(seed);

@@ -20,12 +20,12 @@ HN_FN hn_uint hn_i_checked(hn_uint w, hn_vec3 v, hn_float units) {
 
 // A check of the driver, the compiler or the port that you use: one word, equal everywhere, of 16 points each of
 // hashes, random numbers, directions, orders and whole positions. These take every operation on integers that the
-// noises have with HN_FIXED. docs/same-bits.md says which word is right, and what to do if yours is not.
+// noises have with HN_FIXED. docs/guide/same-bits.md says which word is right, and what to do if yours is not.
 //   zero     0u, from a uniform or an argument: so the compiler cannot compute the word itself
 //   returns  0x0E51B162 with the default hash, and another word with each HN_HASH
 //   error    none
 //   cost     16 hashes (none with HN_HASH_LATTICE) and 3300 multiplications: call it once, not in each pixel
-//   source   docs/contract.md, section 18
+//   source   docs/reference/contract.md, section 18
 HN_FN hn_uint hn_self_check(hn_uint zero) {
   hn_uint w = zero;
   for (hn_int i = 0; i < 16; ++i) {

@@ -40,10 +40,10 @@ HN_FN hn_vec3 hn_i_simplex_d(hn_place2 place, hn_uint seed) {
 //   returns  the value and its derivatives along x and y. A derivative is per cell, in [-8.46, 8.46], once continuously
 //            differentiable (HN_FIXED: in steps of 2^-18)
 //   error    that of hn_simplex, and of a derivative at most 5.15e-5 against the exact value, in any rounding mode
-//            (docs/accuracy.md). HN_FIXED 2.49e-3. From a cell at most 4.45e-5
+//            (docs/measured/accuracy.md). HN_FIXED 2.49e-3. From a cell at most 4.45e-5
 //   period   2^31 cells per axis, or that of the tile
 //   cost     the hashes of hn_simplex, which are most of its cost, and about twice the rest
-//   source   the product rule on weight and ramp; docs/contract.md, section 13
+//   source   the product rule on weight and ramp; docs/reference/contract.md, section 13
 HN_FN hn_vec3 hn_simplex_d(hn_place2 place, hn_uint seed) { return hn_i_simplex_d(place, seed); }
 HN_FN hn_vec3 hn_simplex_d(hn_vec2 p, hn_uint seed) { return hn_simplex_d(hn_place(p), seed); }
 HN_FN hn_vec3 hn_simplex_d(hn_vec2 p) { return hn_simplex_d(p, 0u); }

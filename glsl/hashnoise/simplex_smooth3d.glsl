@@ -73,12 +73,12 @@ HN_FN hn_i_num hn_i_simplex_smooth(hn_i_block3 block, hn_i_num3 f, hn_uint seed)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
 //   returns  [-1, 1] (proven bound 0.99942), mean 0, 0 at lattice points, twice continuously differentiable (HN_FIXED:
 //            in steps of 2^-21)
-//   error    at most 5.88e-6 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 3.88e-4.
+//   error    at most 5.88e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED 3.88e-4.
 //            From a cell at most 5.27e-6
 //   period   2^32 cells per axis, or that of the tile
 //   cost     8 hashes (none with HN_HASH_LATTICE) and 8 multiplications; 3 more to spread the coordinates, and 2 more
 //            for a seed that is not constant
-//   source   Perlin, "Noise hardware", 2001, for the sum over lattice points; docs/contract.md, section 13
+//   source   Perlin, "Noise hardware", 2001, for the sum over lattice points; docs/reference/contract.md, section 13
 HN_FN hn_float hn_simplex_smooth(hn_place3 place, hn_uint seed) {
   return hn_i_value(hn_i_simplex_smooth(hn_i_block(place), place.fraction, seed));
 }

@@ -14,7 +14,7 @@
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
 //   returns  [-1, 1], mean 0, at lattice points any multiple of 2^-22, twice continuously differentiable (HN_FIXED: in
 //            steps of 2^-21)
-//   error    at most 6.10e-6 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 5.57e-5.
+//   error    at most 6.10e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED 5.57e-5.
 //            From a cell at most 5.77e-6
 //   period   2^32 cells per axis, or that of the tile
 //   cost     8 hashes (none with HN_HASH_LATTICE) and 8 multiplications; 3 more to spread the coordinates, and 2 more

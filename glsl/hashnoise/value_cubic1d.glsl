@@ -24,7 +24,7 @@ HN_FN hn_i_num hn_i_value_cubic(hn_place1 place, hn_uint seed) {
 //   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
 //   returns  [-1, 1], mean 0, twice continuously differentiable (HN_FIXED: in steps of 2^-21)
-//   error    at most 5.56e-6 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 3.98e-5.
+//   error    at most 5.56e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED 3.98e-5.
 //            From a cell at most 5.47e-6
 //   period   2^32 cells
 //   cost     4 hashes (none with HN_HASH_LATTICE) and 4 multiplications; 1 more to spread the coordinate, and 2 more

@@ -14,11 +14,11 @@
 //   returns  value, and in dx, dy and dz its derivatives along x, y and z. A derivative is per cell, in [-3.76, 3.76],
 //            once continuously differentiable (HN_FIXED: in steps of 2^-19)
 //   error    that of hn_value_vector, and of a derivative at most 1.87e-5 against the exact value, in any rounding mode
-//            (docs/accuracy.md). HN_FIXED 3.18e-4. From a cell at most 1.76e-5
+//            (docs/measured/accuracy.md). HN_FIXED 3.18e-4. From a cell at most 1.76e-5
 //   period   2^32 cells per axis, or that of the tile
 //   cost     that of hn_value_d, and twice the same again without the hashes; for each corner two multiplications
 //            more
-//   source   the product rule on the interpolation; docs/contract.md, section 22
+//   source   the product rule on the interpolation; docs/reference/contract.md, section 22
 HN_FN hn_derivatives3x3 hn_value_vector_d(hn_place3 place, hn_uint seed) {
   hn_i_box3 box = hn_i_box(place);
   hn_uvec4 a = hn_i_corners(box, false, seed);

@@ -46,9 +46,9 @@ HN_FN void hn_i_move(HN_I_INOUT(hn_octaves2) o, hn_i_num2 n) {
 //   v          the noises at o.place, in [-1, 1]; what is beyond is cut off
 //   amplitude  the largest shift along an axis, in cells, usually about 1, in [0, 64]
 //   returns    hn_shifts: shifts to begin with; hn_mean: the shift along each axis, as hn_warp
-//   error      docs/accuracy.md
+//   error      docs/measured/accuracy.md
 //   cost       8 multiplications for the Jacobian of progressive shifts
-//   source     docs/contract.md, section 7
+//   source     docs/reference/contract.md, section 7
 HN_FN hn_shifts2 hn_shifts(hn_octaves2 o, hn_float amplitude) {
   HN_I_NEW(hn_shifts2, s);
   s.x = HN_I_NO_WEIGHT;
@@ -101,7 +101,7 @@ HN_FN hn_vec2 hn_i_warp_progressive(hn_octaves2 o, hn_float amplitude) {
 //   amplitude   the largest shift along an axis, in cells, usually about 1, in [0, 64]
 //   seed        any uint: 7u, not 7; different seeds give independent shifts
 //   returns     the shift along x and y, each in [-amplitude, amplitude]
-//   error       docs/accuracy.md
+//   error       docs/measured/accuracy.md
 //   period      none that floats reach, or that of the tile
 //   cost        hn_value_vector per octave
 //   source      Quilez, "Domain warping", 2002
@@ -117,7 +117,7 @@ HN_FN hn_vec2 hn_warp(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_float g
 //   (parameters, period and source as for hn_warp)
 //   returns     the shift along x and y, each in [-amplitude, amplitude]
 //   error       grows with the amplitude and with each octave, which is taken at a place that has an error:
-//               docs/accuracy.md
+//               docs/measured/accuracy.md
 //   cost        hn_value_vector per octave, and 8 multiplications for the Jacobian
 HN_FN hn_vec2 hn_warp_progressive(hn_place2 place, hn_int octaves, hn_float lacunarity, hn_float gain,
                                   hn_float amplitude, hn_uint seed) {

@@ -1,4 +1,4 @@
-"""What docs/build-systems.md says is typed as it stands there, in an empty folder; the game that comes of it computes
+"""What docs/guide/build-systems.md says is typed as it stands there, in an empty folder; the game that comes of it computes
 golden values, bit for bit.
 
     build_systems_test.py ENVIRONMENT WORK CLASS...    with what environment.py makes, in a scratch folder
@@ -29,7 +29,7 @@ from base.pypi import is_made  # noqa: E402
 from base.tree import ROOT  # noqa: E402
 
 SKIPPED = 77
-PAGE = (ROOT / "docs" / "build-systems.md").read_text(encoding="utf-8")
+PAGE = (ROOT / "docs" / "guide" / "build-systems.md").read_text(encoding="utf-8")
 ADDRESS = "https://example.com/hashnoise.git"
 # What a build by users needs of the repository.
 USED = ("CMakeLists.txt", "LICENSE", "glsl", "include", "meson.build", "packages/conan", "packages/vcpkg", "src",

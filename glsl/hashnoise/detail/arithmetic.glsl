@@ -12,7 +12,7 @@
 //
 //   hn_i_num                   a fraction of a cell, and what is computed from it: a float, or an integer. The fraction
 //                              is in units of 2^-20, and later numbers have other units, which stand below and in
-//                              docs/contract.md, section 8. hn_i_num2 to hn_i_num4 are vectors of such numbers
+//                              docs/reference/contract.md, section 8. hn_i_num2 to hn_i_num4 are vectors of such numbers
 //   hn_i_vector(x, y, ...)     such a vector
 //   HN_I_ONE                   1 as a fraction
 //   hn_i_cell(p)               the cell of a position; p is a float or a vector, and so is f in the next two

@@ -29,7 +29,7 @@
 // the axis with a, are enough. A point that is two steps away along another axis is not nearer than that.
 //
 // On the square a coordinate has the variance of one that is anywhere in a cell, 1/12. On the octahedron it has half of
-// that, so in space the lattice shows a little (docs/cellular.md).
+// that, so in space the lattice shows a little (docs/guide/cellular.md).
 //
 // Cells are visited by threes, in rows along an axis, and their numbers are vectors: so the text stays short, and
 // compilers take less time. Offsets are numbers like those of arithmetic.glsl. Where they are floats, they are in units

@@ -82,7 +82,7 @@ HN_FN hn_place2 hn_i_place(hn_ivec2 cell, hn_i_num2 fraction, hn_ivec2 rest) {
 //   returns  the place
 //   error    none: this loses nothing that the noise does not
 //   cost     none that the noise does not have
-//   source   docs/contract.md, section 6
+//   source   docs/reference/contract.md, section 6
 HN_FN hn_place2 hn_place(hn_ivec2 cell, hn_vec2 f) {
   return hn_i_place(cell, hn_i_to_num(f),
                     ivec2(HN_I_REST(hn_i_rest_of_fraction(f.x)), HN_I_REST(hn_i_rest_of_fraction(f.y))));
@@ -116,7 +116,7 @@ HN_FN hn_place2 hn_place(hn_vec2 p) {
 //   error    none
 //   cost     for the noise a mask along each axis if the period is a constant power of two, else a division; a few
 //            comparisons along each axis, and for simplex and cellular noise up to two multiplications
-//   source   docs/contract.md, section 6
+//   source   docs/reference/contract.md, section 6
 HN_FN hn_place2 hn_tile(hn_place2 place, hn_ivec2 period) {
   hn_place2 tile = place;
   tile.period = period;

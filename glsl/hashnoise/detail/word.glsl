@@ -75,7 +75,7 @@ HN_FN hn_uint hn_i_mix(hn_uint k) {
 HN_FN hn_uint hn_i_other_seed(hn_uint seed) { return hn_i_mix(seed + HN_I_SEED_STEP); }
 
 // The words of a vector's second and third component, from those of the first: an odd number of 24 bits times their
-// good bits. With other factors two components may depend on each other: docs/quality.md has a test of it.
+// good bits. With other factors two components may depend on each other: docs/measured/quality.md has a test of it.
 HN_FN hn_uvec4 hn_i_words_of_y(hn_uvec4 words) { return (words >> 8u) * 0xEB1831u; }
 HN_FN hn_uvec4 hn_i_words_of_z(hn_uvec4 words) { return (words >> 8u) * 0x84A5E5u; }
 

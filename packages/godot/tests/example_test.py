@@ -63,7 +63,7 @@ class Example(unittest.TestCase):
     engine: Engine
 
     def gallery(self, name: str) -> bytes:
-        width, height, colours = read_png(ROOT / "docs" / "gallery" / f"{name}.png")
+        width, height, colours = read_png(ROOT / "docs" / "guide" / "gallery" / f"{name}.png")
         self.assertEqual((width, height), (SIDE, SIDE))
         return colours
 
@@ -96,7 +96,7 @@ class Example(unittest.TestCase):
                         self.assertGreater(len({colours[i:i + 3] for i in range(0, len(colours), 3 * 97)}), 1000)
 
     def test_the_code_of_the_page_compiles(self):
-        page = (ROOT / "docs" / "godot.md").read_text(encoding="utf-8")
+        page = (ROOT / "docs" / "guide" / "godot.md").read_text(encoding="utf-8")
         shaders = re.findall(r"^```gdshader\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)
         self.assertGreaterEqual(len(shaders), 2)
         for renderer in RENDERERS:

@@ -1,5 +1,5 @@
 // The package is one that npm's registry would take, as npm tells before it sends anything: the command of
-// docs/publishing.md.
+// docs/develop/publishing.md.
 //
 //   node registry.mjs PAGE
 import assert from "node:assert/strict";

@@ -40,7 +40,7 @@ def perlin_d(x, y=None, z=None, w=None, /, *, seed=0, period=None, phase=None, c
     returns  planes: the value, which is that of `perlin`, and its derivatives along each axis, per cell, once
              continuously differentiable: in [-2.69, 2.69] in 1D, [-2.91, 2.91] in 2D, [-3.61, 3.61] in 3D and [-3.62,
              3.62] in 4D, without a phase
-    source   the product rule on the interpolation; docs/contract.md, section 10
+    source   the product rule on the interpolation; docs/reference/contract.md, section 10
 
     help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
@@ -79,7 +79,7 @@ def value_d(x, y=None, z=None, w=None, /, *, seed=0, period=None, cell=None, ari
 
     returns  planes: the value, which is that of `value`, and its derivatives along each axis, per cell, in [-3.76,
              3.76], once continuously differentiable
-    source   the product rule on the interpolation; docs/contract.md, section 10
+    source   the product rule on the interpolation; docs/reference/contract.md, section 10
 
     help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
@@ -122,8 +122,8 @@ def simplex(x, y, z=None, w=None, /, *, seed=0, period=None, phase=None, cell=No
 
     phase    in 2D and 3D: the gradients turn by so many turns, and the field changes in place; it loops after one
     returns  [-1, 1], mean 0, 0 at lattice points, twice continuously differentiable
-    source   Perlin, "Noise hardware", 2001, for the sum over the corners of a simplex; docs/contract.md, section 13;
-             for the phase Perlin and Neyret, "Flow noise", 2001
+    source   Perlin, "Noise hardware", 2001, for the sum over the corners of a simplex; docs/reference/contract.md,
+             section 13; for the phase Perlin and Neyret, "Flow noise", 2001
 
     help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
@@ -144,7 +144,7 @@ def simplex_d(x, y, z=None, w=None, /, *, seed=0, period=None, phase=None, cell=
     returns  planes: the value, which is that of `simplex`, and its derivatives along each axis, per cell, once
              continuously differentiable: in [-8.46, 8.46] in 2D, [-4.81, 4.81] in 3D and [-6.06, 6.06] in 4D, without a
              phase
-    source   the product rule on weight and ramp; docs/contract.md, section 13
+    source   the product rule on weight and ramp; docs/reference/contract.md, section 13
 
     help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
@@ -162,7 +162,8 @@ def simplex_smooth(x, y, z=None, /, *, seed=0, period=None, cell=None, arithmeti
     """Smooth simplex noise, in 2D and 3D: its kernel is larger than that of `simplex`, so the field is calmer.
 
     returns  [-1, 1], mean 0, 0 at lattice points, twice continuously differentiable
-    source   Perlin, "Noise hardware", 2001, for the sum over the corners of a simplex; docs/contract.md, section 13
+    source   Perlin, "Noise hardware", 2001, for the sum over the corners of a simplex; docs/reference/contract.md,
+             section 13
 
     help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
@@ -189,7 +190,7 @@ def cellular(x, y, z=None, /, *, seed=0, period=None, phase=None, jitter=1.0, me
              jitter of 1 is 7/8 of what it is without one in 2D, and 25/32 in 3D
     returns  planes: the two distances, in cells, ascending and continuous. With the Euclidean metric the first is in
              [0, 1.1181] in 2D and [0, 1.2248] in 3D, and the second in [0, 1.5001]
-    source   Worley, "A cellular texture basis function", 1996; docs/contract.md, section 16
+    source   Worley, "A cellular texture basis function", 1996; docs/reference/contract.md, section 16
 
     help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
@@ -210,7 +211,7 @@ def cellular_three(x, y, z=None, /, *, seed=0, period=None, jitter=1.0, metric="
     metric   as of `cellular`
     returns  planes: the three distances, in cells, ascending. The first two are those of `cellular`; with the Euclidean
              metric the third is in [0, 1.5812]
-    source   Worley, "A cellular texture basis function", 1996; docs/contract.md, section 16
+    source   Worley, "A cellular texture basis function", 1996; docs/reference/contract.md, section 16
 
     help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
@@ -230,7 +231,7 @@ def cellular_d(x, y, z=None, /, *, seed=0, period=None, jitter=1.0, cell=None, a
     jitter   as of `cellular`
     returns  planes: the distance, which is the first of `cellular`, and its derivatives along each axis: a vector of
              length 1 away from the point, and 0 at the point. It jumps where another point becomes the nearest
-    source   docs/contract.md, section 16
+    source   docs/reference/contract.md, section 16
 
     help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
@@ -250,7 +251,7 @@ def cellular_smooth(x, y, z=None, /, *, seed=0, period=None, jitter=1.0, cell=No
     jitter   as of `cellular`
     returns  a distance that takes all points within 1 into account, a little below the first of `cellular`: in
              [-0.1937, 7/8] in 2D and [-0.198, 7/8] in 3D, continuously differentiable but for the points themselves
-    source   docs/contract.md, section 16
+    source   docs/reference/contract.md, section 16
 
     help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
@@ -269,7 +270,7 @@ def cell_border(x, y, z=None, /, *, seed=0, period=None, jitter=1.0, cell=None, 
 
     jitter   as of `cellular`
     returns  the distance, in cells, continuous: in [0, 0.844] in 2D and [0, 0.883] in 3D
-    source   docs/contract.md, section 16
+    source   docs/reference/contract.md, section 16
 
     help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
@@ -311,7 +312,7 @@ def value_vector(x, y, z=None, /, *, seed=0, period=None, cell=None, arithmetic=
     The first component is `value`. It costs less than as many noises with seeds of their own.
 
     returns  planes: [-1, 1] along each axis, mean 0, twice continuously differentiable
-    source   Perlin, "Improving noise", 2002, for the interpolant; docs/contract.md, section 22
+    source   Perlin, "Improving noise", 2002, for the interpolant; docs/reference/contract.md, section 22
 
     help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
@@ -332,7 +333,7 @@ def perlin_vector(x, y, z=None, /, *, seed=0, period=None, cell=None, arithmetic
     The first component is `perlin`. It costs less than as many noises with seeds of their own.
 
     returns  planes: [-1, 1] along each axis, mean 0, 0 at lattice points, twice continuously differentiable
-    source   Perlin, "Improving noise", 2002; docs/contract.md, section 22
+    source   Perlin, "Improving noise", 2002; docs/reference/contract.md, section 22
 
     help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
@@ -358,7 +359,7 @@ def phasor(x, y, z=None, /, *, seed=0, period=None, wave=None, phase=None, cell=
     returns  planes: the value and its quadrature, which is the value a quarter of a turn of the phase before, each in
              [-1, 1], mean 0, twice continuously differentiable
     source   Tricard et al., "Procedural phasor noise", 2019; Lagae et al., "Procedural noise using sparse Gabor
-             convolution", 2009; docs/contract.md, section 23
+             convolution", 2009; docs/reference/contract.md, section 23
 
     help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
@@ -378,7 +379,7 @@ def random(x, y=None, z=None, w=None, /, *, seed=0, period=None, cell=None, arit
     It jumps from one cell to the next: place, colour and vary things with it.
 
     returns  [0, 1), a multiple of 2^-24, mean 1/2, uniform
-    source   docs/contract.md, section 17
+    source   docs/reference/contract.md, section 17
 
     help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.

@@ -272,8 +272,8 @@ def perlin_worley(x, y, z, /, *, seed=0, octaves=6, lacunarity=2.0, gain=0.5, pe
 
     octaves  of Perlin noise; the first three have billows, too
     returns  [0, 1], continuous
-    source   Schneider and Vos, "The Real-time Volumetric Cloudscapes of Horizon: Zero Dawn", 2015; docs/contract.md,
-             section 25
+    source   Schneider and Vos, "The Real-time Volumetric Cloudscapes of Horizon: Zero Dawn", 2015;
+             docs/reference/contract.md, section 25
 
     help(hashnoise) explains the other options: `seed`, `lacunarity`, `gain`, `period`, `cell`, `arithmetic`, `out`,
     `threads` and `instruction_set`.

@@ -13,7 +13,7 @@ import hashnoise
 import numpy
 from hashnoise import _grids, _noises, _sums
 
-PAGE = golden.ROOT / "docs" / "python.md"
+PAGE = golden.ROOT / "docs" / "guide" / "python.md"
 GLSL = golden.ROOT / "glsl" / "hashnoise"
 FENCE = re.compile(r"^```python\n(.*?)^```$", re.M | re.S)
 NUMBER = re.compile(r"-?\d+\.\d{2,}")

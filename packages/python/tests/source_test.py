@@ -45,7 +45,7 @@ class Source(unittest.TestCase):
         return said
 
     def test_what_the_build_reads(self):
-        for name in ("CMakeLists.txt", "LICENSE", "pyproject.toml", "docs/python.md", "src/CMakeLists.txt"):
+        for name in ("CMakeLists.txt", "LICENSE", "pyproject.toml", "docs/guide/python.md", "src/CMakeLists.txt"):
             self.assertTrue((self.root / name).is_file(), name)
         for folder in ("glsl/hashnoise", "glsl/hashnoise/detail", "include/hashnoise", "packages/python/hashnoise",
                        "vectors"):

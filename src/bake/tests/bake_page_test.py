@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The commands of docs/bake.md work as they stand there. Usage: bake_page_test.py PATH-OF-HN-BAKE"""
+"""The commands of docs/guide/bake.md work as they stand there. Usage: bake_page_test.py PATH-OF-HN-BAKE"""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import tempfile
 import unittest
 
 PROGRAM = ""
-PAGE = pathlib.Path(__file__).resolve().parents[3] / "docs" / "bake.md"
+PAGE = pathlib.Path(__file__).resolve().parents[3] / "docs" / "guide" / "bake.md"
 
 
 class Page(unittest.TestCase):

@@ -1,5 +1,5 @@
 // With Arithmetic::kFast a field is as near to the scalar functions as twice the error that these state: each of the
-// two may be off by it. The bounds are those that tools/make bounds derives (docs/accuracy.md).
+// two may be off by it. The bounds are those that tools/make bounds derives (docs/measured/accuracy.md).
 //
 // Sums over the noises of the GLSL functions are compared at positions and from cells. Those over other noises are
 // compared from cells, where the positions of the octaves are whole numbers, and the same in both: then a bound follows

@@ -1,8 +1,8 @@
-// With Arithmetic::kFixed a field has the values of the golden files, which the oracle writes from docs/contract.md
-// alone. So does the twin that the other tests compare with.
+// With Arithmetic::kFixed a field has the values of the golden files, which the oracle writes from
+// docs/reference/contract.md alone. So does the twin that the other tests compare with.
 //
-// docs/formats.md describes the files. Each row is a field with settings of its own, and one point. What a driver
-// computes is compared with the twin by hn-conform.
+// docs/reference/formats.md describes the files. Each row is a field with settings of its own, and one point. What a
+// driver computes is compared with the twin by hn-conform.
 #include "expected/golden.hpp"
 
 #include <gtest/gtest.h>

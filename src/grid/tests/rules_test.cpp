@@ -1,4 +1,4 @@
-// The list of rules: what it says of a number, and that docs/cpu.md says the same.
+// The list of rules: what it says of a number, and that docs/guide/cpu.md says the same.
 #include "grid/rules.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// The reader of golden files (docs/formats.md), for tests: words in, and those that must come out.
+// The reader of golden files (docs/reference/formats.md), for tests: words in, and those that must come out.
 import { readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
 

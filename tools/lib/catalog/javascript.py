@@ -18,7 +18,7 @@ from catalog.tables.markdown import with_section as with_table
 TWIN = "packages/npm/wasm/twin.cpp"
 FIELDS = "packages/npm/src/index.js"
 TYPES = "packages/npm/src/index.d.ts"
-PAGE = "docs/javascript.md"
+PAGE = "docs/guide/javascript.md"
 PLAYGROUND = ROOT / "playground" / "catalog.js"
 MOST_DIMENSIONS = 3  # of the twin
 MOST_BYTES = 48_400  # of its module
@@ -190,7 +190,7 @@ def sums(twin: Twin) -> str:
 
 
 def settings_of_page(twin: Twin) -> str:
-    """The table in docs/javascript.md, and what is not in the twin."""
+    """The table in docs/guide/javascript.md, and what is not in the twin."""
     def by_dimensions(functions: Sequence[Function]) -> str:
         line = code([function.name for function in functions if function.is_in(1)])
         return f"{line}; in 2D and 3D {code([function.name for function in functions if not function.is_in(1)])}"

@@ -1,4 +1,4 @@
-"""What pages say of noises and sums: the tables of functions in the README, docs/noises.md and docs/sums.md."""
+"""What pages say of noises and sums: the tables of functions in the README, docs/reference/noises.md and docs/reference/fractals.md."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from catalog.model import Catalog, Function, Noise, Sum
 from catalog.shaders import sums_of_values
 from catalog.tables.markdown import table, with_section
 
-README, NOISES, SUMS = "README.md", "docs/noises.md", "docs/sums.md"
+README, NOISES, SUMS = "README.md", "docs/reference/noises.md", "docs/reference/fractals.md"
 USUAL_SUM = "fbm"
 
 

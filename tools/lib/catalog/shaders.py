@@ -108,7 +108,7 @@ def public_steps(sums: Sequence[Sum]) -> str:
 //   returns   nothing: the octaves have the sum
 //   error     as of the sums in fbm2d.glsl
 //   cost      1 to 10 operations
-//   source    docs/contract.md, section 7
+//   source    docs/reference/contract.md, section 7
 """ + "".join(function(f"HN_FN void {step}",
                        ["HN_I_INOUT(hn_octaves2) o", "hn_float n", *(["hn_float strength"] if of[0].strength else [])],
                        f"o.sum = {of[0].adds('o.sum', 'n', 'strength')};") for step, of in owners.items())

@@ -17,11 +17,11 @@ from proof.golden.files import golden_files
 from proof.oracle import words
 
 ROWS, SETTINGS = "catalog/functions.toml", "catalog/configurations.toml"
-KNOBS = "docs/knobs.md"
-SAME_BITS = "docs/same-bits.md"
-OTHERS = ("docs/uniform.md", "docs/random.md")  # have tables of functions, and so has a section of the page of noises
-OF_NOISES, OTHER_FUNCTIONS = "docs/noises.md", "\n## Other functions\n"
-OF_DERIVATIVES = "docs/noises.md"  # whose table has what returns the derivatives of vectors
+KNOBS = "docs/reference/knobs.md"
+SAME_BITS = "docs/guide/same-bits.md"
+OTHERS = ("docs/guide/uniform.md", "docs/guide/random.md")  # have tables of functions, and so has a section of the page of noises
+OF_NOISES, OTHER_FUNCTIONS = "docs/reference/noises.md", "\n## Other functions\n"
+OF_DERIVATIVES = "docs/reference/noises.md"  # whose table has what returns the derivatives of vectors
 ENTRIES = "tools/lib/proof/{}/noises/{}.py"
 OF_A_NOISE = {"error", "cost"}  # in each comment; and in one of its comments
 OF_A_NOISE_ONCE = OF_A_NOISE | {"returns", "period", "source"}
@@ -102,7 +102,7 @@ def functions_without_words(tree: Tree) -> Iterator[str]:
     tables = "\n".join([functions, others, *map(tree.text, OTHERS)])
     first_cells = [line.split(" | ")[0] for line in tables.split("\n") if line.startswith("|")]
     first_cells += [line.split(" | ")[0] for line in tree.text(OF_DERIVATIVES).split("\n") if "`hn_derivatives" in line]
-    contract = tree.text("docs/contract.md")
+    contract = tree.text("docs/reference/contract.md")
     for declared in tree.declarations:
         if not declared.comment or "returns" not in declared.comment.headings:
             yield f"{declared.place}: {declared} has no comment that says what it returns: write one over it"
@@ -110,11 +110,11 @@ def functions_without_words(tree: Tree) -> Iterator[str]:
         if not any(is_named(name, cell) for cell in first_cells):
             yield f"README.md: no line for {name}: add one to the table of functions, or to that of {' or '.join((OF_NOISES, *OTHERS))}"
         if not re.search(rf"`{name}\b", contract):
-            yield f"docs/contract.md: no word of {name}(...): say what its value is"
+            yield f"docs/reference/contract.md: no word of {name}(...): say what its value is"
 
 
 def arguments_without_words(tree: Tree) -> Iterator[str]:
-    """Of floats docs/same-bits.md says when they are the same everywhere. Of positions and fractions it says so before."""
+    """Of floats docs/guide/same-bits.md says when they are the same everywhere. Of positions and fractions it says so before."""
     said = tree.text(SAME_BITS).partition("\n## The other arguments\n")[2].partition("\n## ")[0].lower()
     told = set()
     for declared in tree.declarations:
@@ -137,10 +137,10 @@ def is_named(name: str, cell: str) -> bool:
 
 def noises_without_entries(tree: Tree) -> Iterator[str]:
     bounds = {(row.noise, row.dimensions) for row in table.read(tree.at(BOUNDS))}
-    contract = tree.text("docs/contract.md")
+    contract = tree.text("docs/reference/contract.md")
     for function in tree.noises:
         noise = function.noise
-        for of, what in (("oracle", "its exact and its fixed value, from docs/contract.md"),
+        for of, what in (("oracle", "its exact and its fixed value, from docs/reference/contract.md"),
                          ("bounds", "what is proven of it")):
             module = tree.root / ENTRIES.format(of, noise)
             if not module.is_file() and not (module.with_suffix("") / "__init__.py").is_file():
@@ -149,7 +149,7 @@ def noises_without_entries(tree: Tree) -> Iterator[str]:
             yield lacks(function, f"{BOUNDS.relative_to(ROOT)} has no {noise} in {function.axes}D: "
                         "run tools/make bounds")
         if not re.search(rf"`{function.calls}`[^.]* (?:takes positions of|have the forms of)", contract):
-            yield lacks(function, f"say in docs/contract.md that `{function.calls}` takes positions of {function.axes} "
+            yield lacks(function, f"say in docs/reference/contract.md that `{function.calls}` takes positions of {function.axes} "
                         "dimensions, and what its value is")
 
 
@@ -228,15 +228,15 @@ def values_without_settings(tree: Tree) -> Iterator[str]:
 
 
 def hashes_without_entries(tree: Tree) -> Iterator[str]:
-    contract, page = tree.text("docs/contract.md"), tree.text(KNOBS)
+    contract, page = tree.text("docs/reference/contract.md"), tree.text(KNOBS)
     for name in re.findall(r"^#define HN_HASH_(\w+) \d+\b", tree.config, re.MULTILINE):
         macro, word = f"HN_HASH_{name}", name.lower()
         if not any(_is_plain(configuration, word) for configuration in tree.configurations):
             yield f"{SETTINGS}: {macro} is under test with no default gradient: add {word} to the hashes of fast"
         if word not in words.HASHES:
-            yield f"tools/lib/proof/oracle/words.py: {macro} is not among the hashes: add it from docs/contract.md"
+            yield f"tools/lib/proof/oracle/words.py: {macro} is not among the hashes: add it from docs/reference/contract.md"
         if f"| `{name}`" not in contract:
-            yield f"docs/contract.md: no line for {macro}: add one to its table of hashes"
+            yield f"docs/reference/contract.md: no line for {macro}: add one to its table of hashes"
         if f"`{macro}`" not in page:
             yield f"{KNOBS}: the knob HN_HASH does not offer {macro}: add it to its line"
 
@@ -266,7 +266,7 @@ def names_of_two_kinds(tree: Tree) -> Iterator[str]:
         yield f"{macros[name]}: {name} is also a function: give the macro another name"
 
 
-PAGES = ("README.md", "CHANGELOG.md", "CONTRIBUTING.md", "llms.txt", "docs/*.md", "docs/gallery/*.md", "examples/**/*.md",
+PAGES = ("README.md", "CHANGELOG.md", "CONTRIBUTING.md", "llms.txt", "docs/*/*.md", "docs/guide/gallery/*.md", "examples/**/*.md",
          "packages/*/README.md")
 OF_THE_INSIDE = {"adding", "frozen", "glossary", "internals", "one-noise", "release"}  # pages for who changes the library
 PICKED = re.compile(r"<!-- tools/make readme: picked.*?<!-- end -->", re.DOTALL)  # texts that tools/pick writes

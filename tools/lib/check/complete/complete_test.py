@@ -30,9 +30,9 @@ class Deletions(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.root = Path(folder.name)
-        for path in (GLSL, ROOT / "include" / "hashnoise", ROOT / "README.md", ROOT / "docs" / "contract.md",
-                     ROOT / "docs" / "knobs.md", ROOT / "docs" / "noises.md", ROOT / "docs" / "random.md",
-                     ROOT / "docs" / "same-bits.md", ROOT / "docs" / "uniform.md", CATALOG, BOUNDS,
+        for path in (GLSL, ROOT / "include" / "hashnoise", ROOT / "README.md", ROOT / "docs" / "reference" / "contract.md",
+                     ROOT / "docs" / "reference" / "knobs.md", ROOT / "docs" / "reference" / "noises.md", ROOT / "docs" / "guide" / "random.md",
+                     ROOT / "docs" / "guide" / "same-bits.md", ROOT / "docs" / "guide" / "uniform.md", CATALOG, BOUNDS,
                      *(ROOT / "tools" / "lib" / "proof" / of / "noises" for of in ("oracle", "bounds"))):
             target = self.root / path.relative_to(ROOT)
             target.parent.mkdir(parents=True, exist_ok=True)
@@ -88,7 +88,7 @@ class Deletions(unittest.TestCase):
         self.noticed(r"^glsl/hashnoise/\w+\.glsl:\d+: hn_merlin\(vec4, uint\) has no row: .* or add a row that calls it")
 
     def test_an_argument_that_may_not_be_the_same_everywhere(self) -> None:
-        self.change("docs/same-bits.md", r"^- \*\*Amplitude, depth, detail", "- **Amplitude, detail")
+        self.change("docs/guide/same-bits.md", r"^- \*\*Amplitude, depth, detail", "- **Amplitude, detail")
         self.noticed(r"^glsl/hashnoise/gullies2d\.glsl:\d+: hn_gullies\(.*\) takes depth, of which docs/same-bits\.md says")
 
     def test_a_function_in_another_form(self) -> None:
@@ -120,11 +120,11 @@ class Deletions(unittest.TestCase):
         self.noticed(r"noise3d\.perlin: .*bounds\.inc has no perlin in 3D: run tools/make bounds")
 
     def test_the_contract(self) -> None:
-        self.change("docs/contract.md", r"^`hn_value_cubic` takes positions of")
+        self.change("docs/reference/contract.md", r"^`hn_value_cubic` takes positions of")
         self.noticed(r"noise3d\.value_cubic_cell: say in docs/contract\.md that `hn_value_cubic` takes positions of 3 dim")
 
     def test_the_contract_of_a_function(self) -> None:
-        self.change("docs/contract.md", r"^\| `hn_snorm\(.*\n")
+        self.change("docs/reference/contract.md", r"^\| `hn_snorm\(.*\n")
         self.noticed(r"^docs/contract\.md: no word of hn_snorm\(\.\.\.\): say what its value is")
 
     def test_the_readme(self) -> None:
@@ -165,7 +165,7 @@ class Deletions(unittest.TestCase):
         for path, entry, left, message in (
                 ("include/hashnoise/*.hpp", r"^inline namespace .*HN_ARITHMETIC\) \{\n", "",
                  r"include/hashnoise/hashnoise\.hpp: HN_ARITHMETIC names no inline namespace"),
-                ("docs/knobs.md", r"^\| `HN_ARITHMETIC` \| `HN_FAST`.*\n", "", r"docs/knobs\.md: no line for HN_ARITH")):
+                ("docs/reference/knobs.md", r"^\| `HN_ARITHMETIC` \| `HN_FAST`.*\n", "", r"docs/knobs\.md: no line for HN_ARITH")):
             with self.subTest(path=path):
                 self.setUp()
                 self.change(path, entry, left)
@@ -202,8 +202,8 @@ class Deletions(unittest.TestCase):
                      r"golden$", r"golden: noise2d\.perlin has no golden values with fnv1\+fixed: run tools/make golden$")
 
     def test_an_internal_name_in_a_page(self) -> None:
-        self.change("docs/uniform.md", r"\A", "Take `hn_i_select`.\n")
-        self.change("docs/random.md", r"\A",
+        self.change("docs/guide/uniform.md", r"\A", "Take `hn_i_select`.\n")
+        self.change("docs/guide/random.md", r"\A",
                     "\n<!-- tools/make readme: picked -->\nhn_i_mix(k)\n<!-- end -->\n`HN_I_FLOAT`\n")
         found = self.noticed(r"^docs/uniform\.md:1: hn_i_select is internal: recommend a public function, or publish",
                              r"^docs/random\.md:5: HN_I_FLOAT is internal")

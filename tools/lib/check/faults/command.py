@@ -1,4 +1,4 @@
-"""Injects every fault that drivers have had, and writes down which cases notice: docs/faults.md.
+"""Injects every fault that drivers have had, and writes down which cases notice: docs/measured/faults.md.
 
     tools/make faults [--check] [--sample N] [--program PATH] [--out FILE] [--jobs N] [NAME]...
 
@@ -30,7 +30,7 @@ from base.tree import HN_CONFORM as PROGRAM
 from base.tree import ROOT
 from base.usage import Parser
 
-TABLE = ROOT / "docs" / "faults.md"
+TABLE = ROOT / "docs" / "measured" / "faults.md"
 TIMEOUT = 600  # seconds; a run takes a few
 
 # Every bug, and every function with the default hash where it depends on one, in the version that most use; the

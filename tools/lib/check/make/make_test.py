@@ -87,13 +87,13 @@ class Table(unittest.TestCase):
                     self.assertEqual(len(unmade([path])), 1)
             path.write_text("// tools/make catalog: end\nRun `tools/make golden`.\n")
             self.assertEqual(unmade([path]), [])
-        page = ROOT / "docs" / "accuracy.md"
+        page = ROOT / "docs" / "measured" / "accuracy.md"
         self.assertEqual(unmade([page]), [])
         self.assertNotEqual(unmade([page], [part for part in MADE if part.name != "bounds"]), [])
 
     def test_each_file_in_a_folder_of_made_files_is_made(self) -> None:
         products = set().union(*(graph.found(part.products) for part in MADE))
-        for pattern in ("conformance/expected/golden/*", "docs/snippets/*", "docs/gallery/*"):
+        for pattern in ("conformance/expected/golden/*", "docs/reference/snippets/*", "docs/guide/gallery/*"):
             files = {path for path in ROOT.glob(pattern) if path.is_file()}
             self.assertGreater(len(files), 10)
             self.assertEqual(files - products, set())

@@ -12,7 +12,7 @@ from pathlib import Path
 
 from base.tree import ROOT
 
-PAGES = ("docs/*.md",)
+PAGES = ("docs/*/*.md",)
 EXCEPTIONS: set[tuple[str, str]] = set()  # a page, and the words that may stand there
 LONGEST_CELL = 250  # letters
 PATTERNS = {

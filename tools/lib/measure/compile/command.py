@@ -30,12 +30,12 @@ as tools/pick prints it.
 
 Compilers are glslang (the program, less an empty shader), mesa (llvmpipe, by hn-conform bench, with its first draw and
 without its cache) and angle (Chromium's WebGL2 on SwiftShader, with its first draw). Each time is the median of the
-rounds, in milliseconds. docs/results/llvmpipe/compile.csv is such a file, of which tools/make readme makes the table of
-docs/measuring.md.
+rounds, in milliseconds. docs/measured/results/llvmpipe/compile.csv is such a file, of which tools/make readme makes the table of
+docs/measured/measuring.md.
 
 Exit status: 0 done, 1 a compiler refused a shader, 2 bad usage or no such compiler here."""
 
-RECORD = ROOT / "docs" / "results" / "llvmpipe" / "compile.csv"
+RECORD = ROOT / "docs" / "measured" / "results" / "llvmpipe" / "compile.csv"
 Times = dict[tuple[str, str], list[float]]  # milliseconds by function and way
 
 

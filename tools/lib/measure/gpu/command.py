@@ -2,8 +2,8 @@
 
     tools/measure gpu --get-drivers [--drivers DIR]      downloads them, some 410 MB of Debian's and PyPI's, into DIR
     tools/measure gpu [--chip NAME]... [--filter GLOB]... [--against NAME=FILE:EXPRESSION]... [--out DIR]
-    tools/measure gpu --wombat Wombat/ --filter '*.perlin.*' --baseline docs/results/gpu/costs.csv
-    tools/measure gpu --compare BEFORE/costs.csv docs/results/gpu/costs.csv
+    tools/measure gpu --wombat Wombat/ --filter '*.perlin.*' --baseline docs/measured/results/gpu/costs.csv
+    tools/measure gpu --compare BEFORE/costs.csv docs/measured/results/gpu/costs.csv
     tools/measure gpu --list-chips
 
 Mesa's drivers for NVIDIA, AMD, Adreno and Apple compile shaders without a GPU, for a stand-in of the kernel. NVIDIA's
@@ -11,7 +11,7 @@ ptxas and Intel's IGC need none; they get the same shaders by way of LLVM. Of ea
 fragment shader, less the empty shader, the record has cycles or instructions, registers and spills. The default is
 every function with each arithmetic, on every chip, and what an operation costs; with --filter the operations are left
 out. It needs hn-conform on the PATH or built (tools/measure clock builds it), and spirv-dis. DIR gets costs.csv,
-operations.csv and chips.csv; docs/results/gpu has such files, of which tools/make readme makes tables. docs/measuring.md
+operations.csv and chips.csv; docs/measured/results/gpu has such files, of which tools/make readme makes tables. docs/measured/measuring.md
 explains them. --compare measures nothing: it prints a table of how many times each noise costs in the second record
 what it did in the first, on a chip of each compiler.
 

@@ -1,6 +1,6 @@
 """Measures how random the hashes are, and what the noise is like.
 
-Without options every hash of the library is judged, and docs/quality.md and its pictures are written. With options that
+Without options every hash of the library is judged, and docs/measured/quality.md and its pictures are written. With options that
 choose what is judged, or with --quick or --least and no --out, the verdicts alone are printed.
 
     tools/measure hashes --quick     the gate alone, with fewer and smaller windows: no page is written
@@ -296,7 +296,7 @@ def run(options, folder: Path) -> int:
     passed &= not any(look.problems for look in looks)
     text = report.page(results, rejected, sine, preferences(), looks, waves, sums, default, options.quick)
     if options.check:
-        return 0 if report.same(out / "quality.md", text) and passed else 1
+        return 0 if report.same(out / "measured" / "quality.md", text) and passed else 1
     report.write(out, text, results, default)
     return 0 if passed else 1
 

@@ -1,5 +1,5 @@
 """Tests that the components of a vector are independent noises, although one word of a lattice point makes the words of
-all of them (docs/contract.md, section 22)."""
+all of them (docs/reference/contract.md, section 22)."""
 
 from __future__ import annotations
 

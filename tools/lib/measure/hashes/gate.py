@@ -12,7 +12,7 @@ from measure.hashes.judgement import Finding, join
 from measure.hashes.lattice import Lattice, cells_of, of_words, sample
 from measure.hashes.library import Twin
 
-GOLDEN = 0x9E3779B9  # between the seeds of octaves, docs/contract.md section 7
+GOLDEN = 0x9E3779B9  # between the seeds of octaves, docs/reference/contract.md section 7
 WORD = 0xFFFFFFFF
 
 # Around the origin, where people look, and where a hash may mirror; negative; at the end of what hn_perlin takes; and

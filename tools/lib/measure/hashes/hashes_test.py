@@ -469,7 +469,8 @@ class Command(unittest.TestCase):
         self.assertAlmostEqual(abs((g * moved).sum() / (g * g).sum()), said["statistic"], 5)
 
     def test_an_old_page_is_noticed(self):
-        page = self.folder / "quality.md"
+        page = self.folder / "measured" / "quality.md"
+        page.parent.mkdir()
         page.write_text("a 0.12345 b 7")
         with contextlib.redirect_stderr(io.StringIO()):
             self.assertTrue(report.same(page, "a 0.12346 b 7"))

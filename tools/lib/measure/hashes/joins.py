@@ -1,4 +1,4 @@
-"""Lags after which both joins of a lattice point are what they were (docs/contract.md, section 3), for many points: there
+"""Lags after which both joins of a lattice point are what they were (docs/reference/contract.md, section 3), for many points: there
 words come again, with every hash.
 
 The first join is the exclusive or of high bits of spread coordinates. It is what it was where as many axes change each

@@ -1,4 +1,4 @@
-"""The page: docs/quality.md, from what was measured."""
+"""The page: docs/measured/quality.md, from what was measured."""
 
 from __future__ import annotations
 
@@ -280,8 +280,9 @@ def _near(a: str, b: str) -> bool:
 
 def write(out: Path, text: str, results: list[HashResult], default: Twin) -> None:
     from measure.hashes import plots  # which needs matplotlib; nothing else does
-    (out / "images").mkdir(parents=True, exist_ok=True)
-    (out / "quality.md").write_text(text, encoding="utf-8")
+    for folder in ("images", "measured"):
+        (out / folder).mkdir(parents=True, exist_ok=True)
+    (out / "measured" / "quality.md").write_text(text, encoding="utf-8")
     plots.lattices(out / "images" / "quality-lattice.png", default)
     plots.isotropy_of_shapes(out / "images" / "isotropy.png", default)
     plots.looks(out / "images" / "looks.png", default)

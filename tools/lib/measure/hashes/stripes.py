@@ -78,7 +78,7 @@ class Stripes:
 
 
 def own_width(dimensions: int, reach: float) -> float:
-    """The deviation along an axis of the power of the weight (docs/contract.md, section 23), in cycles per cell, of the
+    """The deviation along an axis of the power of the weight (docs/reference/contract.md, section 23), in cycles per cell, of the
     frequencies that are no longer than `reach`: the weight is steep, so that some of its power is beyond."""
     end = {2: (819 / 1024) ** 0.5 / 2, 3: 0.5 ** 0.5}[dimensions]
     r = (np.arange(1 << 10) + 0.5) / (1 << 10) * end  # from the point, in cells

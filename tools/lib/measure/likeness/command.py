@@ -21,8 +21,8 @@ Finds the scale and the factor with which a call of ours looks like one of anoth
 
 Each option is the path of a copy of yours; its help names which file or folder of it. What is not given is left out.
 
-It leaves likeness.csv in DIR. docs/results/llvmpipe/likeness.csv is such a file; tools/make readme makes the tables of
-docs/moving.md of it. It needs libOSMesa.
+It leaves likeness.csv in DIR. docs/measured/results/llvmpipe/likeness.csv is such a file; tools/make readme makes the tables of
+docs/guide/moving.md of it. It needs libOSMesa.
 
 Exit status: 0 done, 1 ours does not look alike even so, or with --check the numbers are not those of docs; 2 bad
 usage."""

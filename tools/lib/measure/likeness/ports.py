@@ -19,7 +19,7 @@ from measure.likeness.measure import Look, look
 from measure.likeness.table import ROWS, UNKNOWN, Row
 from translate.single_file.files import text
 
-RECORD = ROOT / "docs" / "results" / "llvmpipe" / "likeness.csv"
+RECORD = ROOT / "docs" / "measured" / "results" / "llvmpipe" / "likeness.csv"
 # A scale or a factor so near to 1 is left out: nobody sees it.
 NEAR = 0.05
 # So far may the deviation and the size of a port be from theirs: what was left out, and 1% for the places that are
@@ -222,7 +222,7 @@ def _range(row: Row, found: Port) -> str:
 
 
 def page_tables(record: Mapping[str, Port]) -> list[tuple[str, str]]:
-    """The tables of docs/moving.md, by the names of their marks."""
+    """The tables of docs/guide/moving.md, by the names of their marks."""
     names = dict.fromkeys(row.table for row in ROWS)
     return [*((f"tools/make readme: {name}", moving_table(name, record)) for name in names),
             ("tools/make readme: Unity", unity_table(record))]

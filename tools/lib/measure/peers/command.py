@@ -20,7 +20,7 @@ Measures what other libraries' noises, sums and warps cost, beside ours and in t
 Each option is the path of a copy of yours; its help names which file or folder of it. What is not given is left out.
 
 It calls hn-conform bench --against, which must be on the PATH or built (tools/measure clock builds it), and leaves
-bench.csv in DIR, with AMD's instructions. docs/results/llvmpipe/peers.csv is such a file; tools/make readme makes the table of docs/measuring.md of
+bench.csv in DIR, with AMD's instructions. docs/measured/results/llvmpipe/peers.csv is such a file; tools/make readme makes the table of docs/measured/measuring.md of
 it.
 
 Exit status: that of hn-conform bench; 2 bad usage."""

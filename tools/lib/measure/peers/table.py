@@ -1,4 +1,4 @@
-"""Other libraries' noise beside ours: how bench calls it, and where it stands in the table of docs/measuring.md."""
+"""Other libraries' noise beside ours: how bench calls it, and where it stands in the table of docs/measured/measuring.md."""
 
 from __future__ import annotations
 

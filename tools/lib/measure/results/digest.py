@@ -1,6 +1,6 @@
 """Digests of results, as anybody may send them: read, and refused for whatever is not as the suite writes it.
 
-docs/formats.md says what a digest has. A refusal is a sentence with the place, what is wrong, and what would be right.
+docs/reference/formats.md says what a digest has. A refusal is a sentence with the place, what is wrong, and what would be right.
 It quotes nothing that it has not made harmless before."""
 
 from __future__ import annotations

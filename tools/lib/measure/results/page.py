@@ -91,7 +91,7 @@ def evidence(digest: Digest) -> str:
                      f"{wrong}</p>")
     cases = "".join(f"<li><code>{escaped(case)}</code></li>" for case in digest.failed)
     command = f"hn-conform run --filter '{digest.failed[0]}'" if digest.failed else "hn-conform run"
-    file = f"{address()}/blob/main/docs/results/devices/{digest.name}"
+    file = f"{address()}/blob/main/docs/measured/results/devices/{digest.name}"
     return (f'<article id="{escaped(anchor(digest))}"><h3>{escaped(digest.renderer)}, {escaped(driver_of(digest))}, '
             f"{escaped(digest.system)}</h3>{''.join(parts)}<p>Among them:</p><ul>{cases}</ul>"
             f"<p>On such a device this shows the first: <code>{escaped(command)}</code>. "

@@ -1,4 +1,4 @@
-"""The noises that have spreads, the model of docs/contract.md, section 21, on arrays, and the program that samples."""
+"""The noises that have spreads, the model of docs/reference/contract.md, section 21, on arrays, and the program that samples."""
 
 from __future__ import annotations
 

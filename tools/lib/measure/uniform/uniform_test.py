@@ -46,7 +46,7 @@ class UniformTest(unittest.TestCase):
     def test_the_contract_and_hn_spread_have_the_constants(self) -> None:
         page = command.CONTRACT.read_text(encoding="utf-8")
         table = command.contract_table(command.in_units(self.text))
-        self.assertEqual(page, with_section("docs/contract.md", page, "tools/measure uniform: contract", table))
+        self.assertEqual(page, with_section("docs/reference/contract.md", page, "tools/measure uniform: contract", table))
         self.assertEqual(self.text, command.with_spreads(self.text, command.in_units(self.text)))
         for sampler in self.samplers.values():
             rows = sampler.run(False, "spreads")

@@ -109,7 +109,7 @@ class Integers(unittest.TestCase):
             self.assertLess(slope.max(), integers.largest_slope_fade_effect(dims, OCTAHEDRAL))
 
     def test_nothing_wraps(self):
-        """By default of two noises: docs/accuracy.md quotes the largest of all noises, which tools/make bounds
+        """By default of two noises: docs/measured/accuracy.md quotes the largest of all noises, which tools/make bounds
         --check compares."""
         for key in command.keys() if THOROUGH else [("perlin_d", 3, OCTAHEDRAL), ("cellular", 3, None)]:
             for name, value in noises.find(key[0]).largest_intermediates(*key[1:]).items():

@@ -272,7 +272,7 @@ class Steps(unittest.TestCase):
 # Noises that fit a loop with slopes, and what they take behind the place.
 FITTING = {name: "0.375f, " if name.endswith("_phase") else "" for name in jacobians.FITTING}
 NO_NOISES = {"hn_fbm_d", "hn_uniform_d"}  # functions that end in _d: a sum, and one of a value
-CUTS = {ROOT / "docs" / "contract.md": r"`g = trunc\(clamp\(g, -(\d+), (\d+)\) \* 2\^19\)`",
+CUTS = {ROOT / "docs" / "reference" / "contract.md": r"`g = trunc\(clamp\(g, -(\d+), (\d+)\) \* 2\^19\)`",
         GLSL / "detail" / "jacobian.glsl": r"min\(max\(g, -(\d+)\.0f\), (\d+)\.0f\) \* HN_I_FLOAT_UNITS_SLOPE"}
 
 
@@ -459,12 +459,12 @@ int main() {{
         return dict(zip(self.STEPS, zip(numbers[::2], numbers[1::2]), strict=True))
 
     def test_a_noise_beyond_its_range(self):
-        """Counts as the contract and docs/sums.md say."""
+        """Counts as the contract and docs/reference/fractals.md say."""
         expected = {step: numbers for step, (_, numbers) in self.STEPS.items()}
         self.assertEqual(self.beyond("HN_FAST"), expected)
         self.assertEqual(self.beyond("HN_FIXED"), {step: tuple(min(number, 1.5) for number in numbers)
                                                    for step, numbers in expected.items()})
-        text = (ROOT / "docs" / "contract.md").read_text()
+        text = (ROOT / "docs" / "reference" / "contract.md").read_text()
         sentence, = re.findall(r"^A noise beyond \[-1, 1\] counts as it is in (.*?);", text, re.MULTILINE)
         as_it_is = {step.partition("(")[0] for step, numbers in expected.items() if numbers == self.AS_IT_IS}
         self.assertEqual(set(re.findall(r"`(hn_\w+)`", sentence)), as_it_is)

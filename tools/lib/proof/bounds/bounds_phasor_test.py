@@ -136,7 +136,7 @@ class Exact(unittest.TestCase):
             self.assertTrue(0.9997 * bound < slopes.max() < bound, (slopes.max(), bound))
 
     def test_shorter_waves(self):
-        """What docs/accuracy.md says of a quarter of the longest."""
+        """What docs/measured/accuracy.md says of a quarter of the longest."""
         for kernel in KERNELS.values():
             slower = replace(kernel, waves=WAVES / 4)
             self.assertTrue(0.999 < 4 * phasor.lipschitz_of(slower) / phasor.lipschitz_of(kernel) < 1.004)

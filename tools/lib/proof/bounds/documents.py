@@ -1,4 +1,4 @@
-"""Bounds are quoted in tables in docs/accuracy.md, which are written from here, and as numbers in prose and in the
+"""Bounds are quoted in tables in docs/measured/accuracy.md, which are written from here, and as numbers in prose and in the
 comments of the library, which are compared."""
 
 from __future__ import annotations
@@ -20,9 +20,9 @@ from proof.bounds.noises import Derived
 from proof.bounds.sums import Sum
 from proof.bounds.table import Bounds, bounds_of, rounded_up, scientific, shortest, slope_bounds_of
 
-ACCURACY = "docs/accuracy.md"
-KNOBS = "docs/knobs.md"
-SUMS = "docs/sums.md"
+ACCURACY = "docs/measured/accuracy.md"
+KNOBS = "docs/reference/knobs.md"
+SUMS = "docs/reference/fractals.md"
 Key = tuple[str, int, Gradient | None]  # a noise, the number of its dimensions, a kind of gradient
 Everything = dict[Key, Derived]
 PHASE = "_phase"  # ends the name of a noise with the forms that take one

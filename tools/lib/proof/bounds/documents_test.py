@@ -80,7 +80,7 @@ class Tree(unittest.TestCase):
         patch = mock.patch.object(noises, "names", return_value=NAMES)
         patch.start()
         self.addCleanup(patch.stop)
-        for part in ("glsl", "docs/accuracy.md", "docs/knobs.md", "docs/sums.md", str(table.PATH.relative_to(ROOT))):
+        for part in ("glsl", "docs/measured/accuracy.md", "docs/reference/knobs.md", "docs/reference/fractals.md", str(table.PATH.relative_to(ROOT))):
             (self.root / part).parent.mkdir(parents=True, exist_ok=True)
             (shutil.copytree if (ROOT / part).is_dir() else shutil.copy)(ROOT / part, self.root / part)
         for path in (path for name in OTHERS for path in (self.root / "glsl").rglob(f"{name}*.glsl")):
@@ -113,30 +113,30 @@ class Tree(unittest.TestCase):
 
     def test_table_and_page_are_compared(self):
         self.change(table.PATH.relative_to(ROOT), "2.01e-4", "2.00e-4")
-        self.change("docs/accuracy.md", "2.44e-6", "2.45e-6")
+        self.change("docs/measured/accuracy.md", "2.44e-6", "2.45e-6")
         self.assertEqual(self.differences(), [
             "conformance/expected/bounds.inc: not up to date; run tools/make bounds",
-            "docs/accuracy.md: not up to date; run tools/make bounds"])
+            "docs/measured/accuracy.md: not up to date; run tools/make bounds"])
 
     def test_a_page_without_its_marks(self):
-        self.change("docs/accuracy.md", "<!-- tools/make bounds: sums -->", "")
-        with self.assertRaisesRegex(LookupError, "docs/accuracy.md has no <!-- tools/make bounds: sums -->"):
+        self.change("docs/measured/accuracy.md", "<!-- tools/make bounds: sums -->", "")
+        with self.assertRaisesRegex(LookupError, "docs/measured/accuracy.md has no <!-- tools/make bounds: sums -->"):
             self.write()
 
     def test_every_table_has_its_marks(self):
         for name in documents.TABLES:
             self.setUp()
-            self.change("docs/accuracy.md", f"<!-- tools/make bounds: {name} -->", "")
+            self.change("docs/measured/accuracy.md", f"<!-- tools/make bounds: {name} -->", "")
             with self.assertRaisesRegex(LookupError, f"has no <!-- tools/make bounds: {name} -->"):
                 self.write()
 
     def test_prose_is_compared(self):
-        for path, old, new in (("docs/knobs.md", "2.67e-6 | 4.45e-6", "2.67e-6 | 4.46e-6"),
-                               ("docs/knobs.md", "0.99689", "0.99688"),
-                               ("docs/accuracy.md", "0.95 * 2^31", "0.94 * 2^31"),
-                               ("docs/accuracy.md", "the sum 1.14e-5", "the sum 1.13e-5"),
-                               ("docs/accuracy.md", "-6.56e-5 to 2.40e-5,", "-6.56e-5 to 2.39e-5,"),
-                               ("docs/accuracy.md", "adds 2.53e-5", "adds 2.52e-5")):
+        for path, old, new in (("docs/reference/knobs.md", "2.67e-6 | 4.45e-6", "2.67e-6 | 4.46e-6"),
+                               ("docs/reference/knobs.md", "0.99689", "0.99688"),
+                               ("docs/measured/accuracy.md", "0.95 * 2^31", "0.94 * 2^31"),
+                               ("docs/measured/accuracy.md", "the sum 1.14e-5", "the sum 1.13e-5"),
+                               ("docs/measured/accuracy.md", "-6.56e-5 to 2.40e-5,", "-6.56e-5 to 2.39e-5,"),
+                               ("docs/measured/accuracy.md", "adds 2.53e-5", "adds 2.52e-5")):
             with self.subTest(path=path, old=old):
                 self.setUp()
                 # A table quotes it twice: in both lines.

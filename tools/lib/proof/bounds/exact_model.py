@@ -1,4 +1,4 @@
-"""docs/contract.md on arrays, with LATTICE, in doubles: words, gradients and numbers of lattice points, and the exact
+"""docs/reference/contract.md on arrays, with LATTICE, in doubles: words, gradients and numbers of lattice points, and the exact
 noises, their derivatives and octave sums. Written from that page alone, for the tests of the bounds and smoothness.py.
 
 A noise takes the fractions along its axes, and a function from a corner of the cell (0 and 1 along each axis; -1 to 2

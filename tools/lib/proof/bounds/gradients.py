@@ -6,7 +6,7 @@ OCTAHEDRAL. On the line gradients are at most 1 - 1/512. On the plane they are (
 is three quarters of the larger component and a quarter of the other. In space and in four dimensions two components are
 1 or -1: h is the sum of the two largest.
 
-TURNED. All that octahedral ones become with a phase (docs/contract.md, section 14), at each lattice point with another
+TURNED. All that octahedral ones become with a phase (docs/reference/contract.md, section 14), at each lattice point with another
 one. On the plane these are all vectors that are as long as they are, sqrt(10) / 4. In space they are as long as
 sqrt(2), in a plane of two axes: h is that times the length of the two largest components.
 

@@ -1,5 +1,5 @@
 """hn_gullies: what is proven of the waves of its octaves, and how far the sum may be off in fixed arithmetic, from
-docs/contract.md, section 24. The suite has the formula of floats, and float_sums.py asks it:
+docs/reference/contract.md, section 24. The suite has the formula of floats, and float_sums.py asks it:
 tools/lib/proof/sums/gullies.cpp has the proof.
 
 WAVES. A wave is k = 3/2 (-u_y, u_x) with |u| < 1, so it is shorter than 3/2. The bounds of value and derivatives are
@@ -188,7 +188,7 @@ def fixed_tolerance(s: Sum, slope: float, depth: float, bounds: GulliesBounds) -
 
 
 def quotes() -> list[str]:
-    """Numbers in the prose of docs/accuracy.md."""
+    """Numbers in the prose of docs/measured/accuracy.md."""
     exact, of = bounds(), bounds().rounded()
 
     def rate(r: float, digits: int) -> str:

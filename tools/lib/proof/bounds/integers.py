@@ -1,4 +1,4 @@
-"""Bounds what the fixed arithmetic (HN_FIXED, docs/contract.md, sections 8 to 11) does to a noise of lattice points.
+"""Bounds what the fixed arithmetic (HN_FIXED, docs/reference/contract.md, sections 8 to 11) does to a noise of lattice points.
 
 What depends on a single fraction is computed here for each of the 2^20 + 1 fractions F, in the integers of the
 contract: the fade t of F, its slope, the weights of the spline, and how much a product with each of them rounds. The

@@ -1,4 +1,4 @@
-"""Octave sums with slopes, and warps, on arrays with LATTICE: exactly, in doubles. Written from docs/contract.md, sections
+"""Octave sums with slopes, and warps, on arrays with LATTICE: exactly, in doubles. Written from docs/reference/contract.md, sections
 7, 8 and 22, for bounds_jacobians_test.py.
 
 A sum is a bounds.sums.Sum of one of the kinds fbm_d, eroded, warp and warp_progressive. It gives a list of arrays: the

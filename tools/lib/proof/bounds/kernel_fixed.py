@@ -1,4 +1,4 @@
-"""Bounds what the fixed arithmetic (HN_FIXED, docs/contract.md, sections 8 and 13) does to a sum over lattice points.
+"""Bounds what the fixed arithmetic (HN_FIXED, docs/reference/contract.md, sections 8 and 13) does to a sum over lattice points.
 
 A coordinate is cut to a multiple of 2^-20 cells, which moves the value by at most L * 2^-20 (CUT), and likewise a
 derivative. There the offsets are exact, and so are ramps and gradients. The rest is bounded over boxes of places, for

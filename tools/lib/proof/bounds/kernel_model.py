@@ -1,4 +1,4 @@
-"""Sums over lattice points, gradients that turn, and waves, on arrays: exactly, in doubles. Written from docs/contract.md,
+"""Sums over lattice points, gradients that turn, and waves, on arrays: exactly, in doubles. Written from docs/reference/contract.md,
 sections 13, 14 and 23, for bounds_kernel_test.py, bounds_phasor_test.py and
 bounds_phasor_d_test.py. Floats are those of the library's text (rounded.py).
 

@@ -1,4 +1,4 @@
-"""Proves how large a sum over the points of a lattice (docs/contract.md, section 13) and its derivatives can be.
+"""Proves how large a sum over the points of a lattice (docs/reference/contract.md, section 13) and its derivatives can be.
 
 The noise is S * sum w(t) (g.d) over the lattice points, t = max(0, r - m |d|^2), with d the offset from the point in
 steps. Along a vector u its derivative is made of g.v, with

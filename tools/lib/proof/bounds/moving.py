@@ -1,4 +1,4 @@
-"""Feature points that go round with a phase (docs/contract.md, section 16): which cells have the nearest ones, how
+"""Feature points that go round with a phase (docs/reference/contract.md, section 16): which cells have the nearest ones, how
 large the distances can be, and the errors of distances and offsets. The metric is the Euclidean one.
 
 POINTS. All of them turn by the same matrix M. So the point of a cell is not farther from the centre of its cell than

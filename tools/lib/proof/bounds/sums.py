@@ -201,7 +201,7 @@ def fixed_mean_error(s: Sum, limit: float, term_errs: list[float], changes: list
 
 
 def fixed_octave_tolerance(s: Sum, noise: Bounds) -> float:
-    """The largest error against the exact sums of docs/contract.md at the same floats, for lacunarity in [0, 255], gain in [0, 1] and
+    """The largest error against the exact sums of docs/reference/contract.md at the same floats, for lacunarity in [0, 255], gain in [0, 1] and
     at most 32 octaves, which is what it does not cut.
 
     A noise is off by L times its position's error and by fixed_error (the cut to 2^-20 is in that). The weights are

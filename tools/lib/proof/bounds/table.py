@@ -13,7 +13,7 @@ from base.tree import BOUNDS
 PATH = BOUNDS
 
 HEAD = """\
-// What is proven of each noise, rounded up. Written by tools/make bounds; docs/accuracy.md tells what it means.
+// What is proven of each noise, rounded up. Written by tools/make bounds; docs/measured/accuracy.md tells what it means.
 //
 //   NOISE_BOUNDS(noise, dimensions, gradient, cell_error, error, lipschitz, limit, fixed_error, fixed_limit)
 //

@@ -1,4 +1,4 @@
-"""Noise whose gradients turn with a phase (docs/contract.md, section 14): what is proven of it, from what is proven of
+"""Noise whose gradients turn with a phase (docs/reference/contract.md, section 14): what is proven of it, from what is proven of
 the noise without a phase.
 
 At the angle a = 2 pi phase a gradient g has become cos(a) g + sin(a) g', and the noise, or a derivative, cos(a) n +
@@ -11,7 +11,7 @@ IN FLOATS the cosine and the sine are off by that of a sine, and by the angle th
 sum and what is scaled.
 
 IN INTEGERS they are off likewise. All parts of an error but the cut of the place and SCALE are moved by sqrt(2). Two
-parts (docs/contract.md, section 10) round down, with factors of which the squares sum to that of 2^18.
+parts (docs/reference/contract.md, section 10) round down, with factors of which the squares sum to that of 2^18.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Uniform values and spreads (docs/contract.md, section 21), in floats and in integers: how far they are off, proven.
+"""Uniform values and spreads (docs/reference/contract.md, section 21), in floats and in integers: how far they are off, proven.
 
 A spread is in its range: taking it there is exact, and errors are those of the numbers in range.
 

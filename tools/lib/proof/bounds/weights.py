@@ -1,4 +1,4 @@
-"""The weights w(t) of simplex noise and of phasor noise (docs/contract.md, sections 13 and 23): their derivatives, and
+"""The weights w(t) of simplex noise and of phasor noise (docs/reference/contract.md, sections 13 and 23): their derivatives, and
 how they are computed, in floats and in integers. The fall of a weight is 2 m w'(t): what the weight's derivative
 multiplies an offset with.
 

@@ -1,4 +1,4 @@
-"""The table of frozen values, conformance/expected/frozen.csv, and what is wrong with it. docs/frozen.md tells what it
+"""The table of frozen values, conformance/expected/frozen.csv, and what is wrong with it. docs/reference/frozen.md tells what it
 promises."""
 
 from __future__ import annotations

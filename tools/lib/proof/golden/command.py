@@ -2,7 +2,7 @@
 
     tools/make golden [--out DIR] [--only NAMES] [--check [--sample N]]
 
-Each file is <function>.golden (docs/formats.md). The functions and the settings are those of catalog/; "any" where the function depends on no knob. A value that is not exact in a float32 is the double
+Each file is <function>.golden (docs/reference/formats.md). The functions and the settings are those of catalog/; "any" where the function depends on no knob. A value that is not exact in a float32 is the double
 nearest to the exact one; with fixed arithmetic it is the float itself. A digest is the 64-bit FNV-1a of the results as
 4 little-endian bytes each, over all points from `origin`, the last coordinate running fastest.
 
@@ -58,7 +58,7 @@ def salt() -> str:
     modules = [path for folder in ("oracle", "golden") for path in (TOOLS / "lib" / "proof" / folder).rglob("*.py")
                if not path.stem.endswith("_test")]
     digest = hashlib.sha256()
-    for path in (ROOT / "docs" / "contract.md", *sorted(CATALOG.glob("*.toml")), *sorted(modules)):
+    for path in (ROOT / "docs" / "reference" / "contract.md", *sorted(CATALOG.glob("*.toml")), *sorted(modules)):
         digest.update(path.read_bytes())
     return digest.hexdigest()
 

@@ -1,4 +1,4 @@
-"""The noises of a lattice share this: a value at each corner of a cell, weighted (docs/contract.md, 6 and 8)."""
+"""The noises of a lattice share this: a value at each corner of a cell, weighted (docs/reference/contract.md, 6 and 8)."""
 
 from __future__ import annotations
 

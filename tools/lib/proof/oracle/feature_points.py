@@ -1,4 +1,4 @@
-"""Section 16 of docs/contract.md: the points of cells, and which of them are nearest.
+"""Section 16 of docs/reference/contract.md: the points of cells, and which of them are nearest.
 
 All cells of a block around the position are candidates. A point lies within an octahedron about the middle of its cell,
 so it is at least as far as a box around that. The candidates are taken in the order of these least distances, until all

@@ -1,4 +1,4 @@
-"""Section 7 of docs/contract.md, slopes and shifts: sums with derivatives, eroded sums and warps. They are exact here,
+"""Section 7 of docs/reference/contract.md, slopes and shifts: sums with derivatives, eroded sums and warps. They are exact here,
 and in fixed arithmetic (section 8).
 
 The Jacobian of an octave is a matrix: what takes a small step of the position to that of the octave, times its weight.

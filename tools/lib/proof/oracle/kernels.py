@@ -1,4 +1,4 @@
-"""Sections 13 and 23 of docs/contract.md: sums over the points of a lattice of triangles, or of a centred one.
+"""Sections 13 and 23 of docs/reference/contract.md: sums over the points of a lattice of triangles, or of a centred one.
 
 Every point in the neighbourhood of a cell is tried, so nothing here knows which of them a position meets.
 """

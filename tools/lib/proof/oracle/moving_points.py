@@ -1,4 +1,4 @@
-"""Section 16 of docs/contract.md: how feature points go round with a phase."""
+"""Section 16 of docs/reference/contract.md: how feature points go round with a phase."""
 
 from __future__ import annotations
 

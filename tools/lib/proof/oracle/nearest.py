@@ -1,4 +1,4 @@
-"""Section 16 of docs/contract.md: what cellular noise says of the nearest point, its cell and where it is."""
+"""Section 16 of docs/reference/contract.md: what cellular noise says of the nearest point, its cell and where it is."""
 
 from __future__ import annotations
 

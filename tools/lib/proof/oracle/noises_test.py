@@ -342,5 +342,5 @@ class EveryNoise(unittest.TestCase):
 
 class Finding(unittest.TestCase):
     def test_a_noise_that_is_not_there(self) -> None:
-        with self.assertRaisesRegex(LookupError, "write tools/lib/proof/oracle/noises/merlin.py from docs/contract.md"):
+        with self.assertRaisesRegex(LookupError, "write tools/lib/proof/oracle/noises/merlin.py from docs/reference/contract.md"):
             noises.find("merlin")

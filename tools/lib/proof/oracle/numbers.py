@@ -1,4 +1,4 @@
-"""Section 18 of docs/contract.md: numbers, directions and points from a word. (words.py has its published hashes.)
+"""Section 18 of docs/reference/contract.md: numbers, directions and points from a word. (words.py has its published hashes.)
 
 All values are exact: words, and floats that are integers divided by a power of two.
 """

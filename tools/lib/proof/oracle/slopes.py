@@ -1,4 +1,4 @@
-"""Section 10 of docs/contract.md: the derivatives of what cells.py weights and interpolates."""
+"""Section 10 of docs/reference/contract.md: the derivatives of what cells.py weights and interpolates."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Section 7 of docs/contract.md: octave sums over a noise, exact, and in fixed arithmetic (section 8)."""
+"""Section 7 of docs/reference/contract.md: octave sums over a noise, exact, and in fixed arithmetic (section 8)."""
 
 from __future__ import annotations
 

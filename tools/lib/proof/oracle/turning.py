@@ -1,4 +1,4 @@
-"""Section 14 of docs/contract.md: gradients that turn by a phase."""
+"""Section 14 of docs/reference/contract.md: gradients that turn by a phase."""
 
 from __future__ import annotations
 

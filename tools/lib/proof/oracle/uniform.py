@@ -1,4 +1,4 @@
-"""Section 21 of docs/contract.md: uniform values, and the spreads by which they are computed, exact, and in fixed
+"""Section 21 of docs/reference/contract.md: uniform values, and the spreads by which they are computed, exact, and in fixed
 arithmetic.
 
 Only the reach of a sum is irrational: it is off by less than ROOT_ERROR times itself, far too little to change the

@@ -15,7 +15,7 @@ from proof.golden.generator import Generator, generator_of, to_f32
 from proof.oracle import uniform
 from proof.oracle.testing import Checked
 
-PAGE = (ROOT / "docs" / "contract.md").read_text(encoding="utf-8").partition("\n## 21. ")[2].partition("\n## ")[0]
+PAGE = (ROOT / "docs" / "reference" / "contract.md").read_text(encoding="utf-8").partition("\n## 21. ")[2].partition("\n## ")[0]
 PLAIN = uniform.spread(uniform.PERLIN2)
 # In order, at the ends, and out of order or of range.
 SPREADS = (PLAIN, uniform.spread(12), (1.0, 0.0, 0.0, 0.0), (1.0, 1.0, 1.0, 1.0), (0.3, 0.0, 0.0, 1.0),

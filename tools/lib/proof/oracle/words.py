@@ -1,4 +1,4 @@
-"""Sections 2 and 3 of docs/contract.md: hashes of words, and of lattice points; the published ones of section 18;
+"""Sections 2 and 3 of docs/reference/contract.md: hashes of words, and of lattice points; the published ones of section 18;
 and the words of vectors of section 22.
 
 All values are words: Python integers masked to 32 bits. A `name` is that of a hash.

@@ -22,9 +22,9 @@ namespace {
 // is known to be in a range, and, but for d, it is in that between e and what is computed in its place, too. A clamp
 // brings no two vectors further apart. Errors and slopes are lengths.
 //
-// ROUNDINGS. A square root is within 6 ulp and a quotient within 3 (docs/accuracy.md). The sum of the squares rounds
-// twice, which moves the root by one, and the sum with 1/8 once; so r is off by 7, s by 18 and u by 11 of kUnit. The
-// square of a slope below 2^-63 may become 0. HN_PRECISE replaces a component of a slope below 2^-32 by 0.
+// ROUNDINGS. A square root is within 6 ulp and a quotient within 3 (docs/measured/accuracy.md). The sum of the squares
+// rounds twice, which moves the root by one, and the sum with 1/8 once; so r is off by 7, s by 18 and u by 11 of kUnit.
+// The square of a slope below 2^-63 may become 0. HN_PRECISE replaces a component of a slope below 2^-32 by 0.
 
 constexpr double kFlat = 1.0 / 8.0;  // how steep ground is where gullies are half as deep as they can be
 constexpr double kWave = 3.0 / 2.0;

@@ -57,7 +57,7 @@ def record() -> dict[str, ports.Port]:
 
 
 def call(file: File) -> str:
-    """Of the library: what looks like theirs, by docs/moving.md."""
+    """Of the library: what looks like theirs, by docs/guide/moving.md."""
     theirs = f"{'cnoise' if file.folder == 'periodic' else file.function}(vec{file.axes} p)"
     row, = (row for row in ROWS if row.table == "webgl-noise" and row.theirs == f"`{theirs}`")
     measured = record()[row.id]

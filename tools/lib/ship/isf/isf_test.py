@@ -92,7 +92,7 @@ class Text(unittest.TestCase):
 
     @unittest.skipUnless(shutil.which("glslangValidator"), "Debian's package glslang-tools is missing")
     def test_what_the_page_has_for_other_programs_compiles(self) -> None:
-        page = (ROOT / "docs" / "engines.md").read_text().partition("## Shadertoy")[2]
+        page = (ROOT / "docs" / "guide" / "engines.md").read_text().partition("## Shadertoy")[2]
         named, = re.findall(r"^    hashnoise/tools/pick (\w+)$", page, re.MULTILINE)
         shadertoy, touch_designer = (code.replace("\n    ", "\n") for code in re.findall(
             r"^    ((?:void mainImage|out vec4).*?)\n\n", page, re.MULTILINE | re.DOTALL))

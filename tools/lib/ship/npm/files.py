@@ -169,7 +169,7 @@ def accepted(type_: str) -> str:
 
 def readme() -> str:
     """The page about this package, whose links would lead nowhere from there."""
-    page = (ROOT / "docs" / "javascript.md").read_text(encoding="utf-8")
+    page = (ROOT / "docs" / "guide" / "javascript.md").read_text(encoding="utf-8")
     return re.sub(r"\[([^\]]+)\]\([^)]*\)", r"\1", page)
 
 

@@ -6,10 +6,10 @@ other libraries, and what packages for other programs have.
     tools/make readme --check    whether they are what they should be, and the README states the costs and the times
 
 A picture is drawn from the code below it, which the C++ twin evaluates at each pixel of a tile; so are those of
-docs/gallery. The typical values are those of 2^16 points. The costs are those of docs/results/llvmpipe/bench.csv,
+docs/guide/gallery. The typical values are those of 2^16 points. The costs are those of docs/measured/results/llvmpipe/bench.csv,
 which hn-conform bench writes, and of peers.csv beside it, which tools/measure peers writes; so it does likeness.csv, of
-which the tables of docs/moving.md are made. Those on GPUs by their compilers are of docs/results/gpu, by tools/measure
-gpu, and compile.csv is by tools/measure compile. How hashes of others fare is in docs/results/hashes.csv, by
+which the tables of docs/guide/moving.md are made. Those on GPUs by their compilers are of docs/measured/results/gpu, by tools/measure
+gpu, and compile.csv is by tools/measure compile. How hashes of others fare is in docs/measured/results/hashes.csv, by
 tools/measure hashes --against, how noises are in judged.csv beside it, by tools/measure noise, and how uniform values
 are in uniform.csv, by tools/measure uniform. The times of commands are those of tools/costs.csv, which tools/test
 --record writes.
@@ -42,17 +42,17 @@ from ship.unity import files as unity
 from ship.unreal import files as unreal
 
 README = "README.md"
-MEASURING = "docs/measuring.md"
-DEFAULT_HASH = "docs/default-hash.md"
-OPERATIONS = "docs/gpu-operations.md"
-NOISES = "docs/noises.md"
-SUMS = "docs/sums.md"
-CONFORMANCE = "docs/conformance.md"
-MOVING = "docs/moving.md"
-LANGUAGES = "docs/languages.md"
-HASHES = "docs/hashes.md"
-JUDGE = "docs/judge.md"
-UNIFORM = "docs/uniform.md"
+MEASURING = "docs/measured/measuring.md"
+DEFAULT_HASH = "docs/measured/default-hash.md"
+OPERATIONS = "docs/measured/gpu-operations.md"
+NOISES = "docs/reference/noises.md"
+SUMS = "docs/reference/fractals.md"
+CONFORMANCE = "docs/guide/conformance.md"
+MOVING = "docs/guide/moving.md"
+LANGUAGES = "docs/guide/languages.md"
+HASHES = "docs/measured/hashes.md"
+JUDGE = "docs/measured/judge.md"
+UNIFORM = "docs/guide/uniform.md"
 SIZE = re.compile(r"(--strip --out noise\.glsl`, )\d+ kB")  # of the whole library, in the README
 
 

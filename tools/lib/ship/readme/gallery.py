@@ -9,7 +9,7 @@ from pathlib import Path
 from base.tree import ROOT
 from ship.readme import picture
 
-PAGE = ROOT / "docs" / "gallery" / "README.md"
+PAGE = ROOT / "docs" / "guide" / "gallery" / "README.md"
 SHEET = "sheet.png"  # all of them
 RECIPE = re.compile(r"^!\[[^\]]*\]\((\w+)\.png\)\n\n(?:[^`!#\n][^\n]*\n\n)?```glsl\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 SHADER = """#version 330

@@ -15,7 +15,7 @@ from catalog.tables.markdown import table
 from measure import record
 from measure.peers.table import CALLS, PEERS, dimensions, subject
 
-RESULTS = ROOT / "docs" / "results"
+RESULTS = ROOT / "docs" / "measured" / "results"
 CPU, GPU = "llvmpipe", "h100"  # the renderers in RESULTS, of which pages tell
 Costs = Mapping[str, Mapping[str, str]]  # the rows of bench.csv, by id
 

@@ -18,9 +18,9 @@ from measure.gpu import pages as of_gpus
 from measure.likeness import ports
 from ship.readme import command, files, numbers, picture, times
 
-PAGES = ("README.md", "llms.txt", "docs/build-systems.md", "docs/cellular.md", "docs/cpu.md", "docs/hex-tiling.md",
-         "docs/knobs.md", "docs/moving.md", "docs/noises.md", "docs/random.md", "docs/same-bits.md", "docs/sums.md",
-         "docs/tutorial.md", "docs/uniform.md")
+PAGES = ("README.md", "llms.txt", "docs/guide/build-systems.md", "docs/guide/cellular.md", "docs/guide/cpu.md", "docs/guide/hex-tiling.md",
+         "docs/reference/knobs.md", "docs/guide/moving.md", "docs/reference/noises.md", "docs/guide/random.md", "docs/guide/same-bits.md", "docs/reference/fractals.md",
+         "docs/guide/tutorial.md", "docs/guide/uniform.md")
 BLOCK = re.compile(r"^```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 SINGLE_FILE = re.compile(r"^// here: what tools/pick whole makes of (\w+\.glsl)$", re.MULTILINE)
 
@@ -74,7 +74,7 @@ def compile_cpp(code):
 
 class Picture(unittest.TestCase):
     def setUp(self):
-        self.page = (ROOT / "docs" / "noises.md").read_text()
+        self.page = (ROOT / "docs" / "reference" / "noises.md").read_text()
         self.tiles = picture.tiles(self.page, "noise.png")
         self.path = picture.path_of("noise.png")
 
@@ -187,14 +187,14 @@ class Code(unittest.TestCase):
 
     def test_functions_that_pages_name_exist(self):
         known = {function.name for function in glsl.declarations()}
-        for page in ["README.md", "docs/moving.md", "docs/sums.md", "docs/noises.md", "docs/cellular.md",
-                     "docs/random.md", "docs/tutorial.md"]:
+        for page in ["README.md", "docs/guide/moving.md", "docs/reference/fractals.md", "docs/reference/noises.md", "docs/guide/cellular.md",
+                     "docs/guide/random.md", "docs/guide/tutorial.md"]:
             named = set(re.findall(r"\b(hn_\w+)\(", (ROOT / page).read_text()))
             self.assertGreater(len(named), 5, page)
             self.assertLessEqual(named, known, page)
 
     def test_links_of_the_tutorial_are_what_the_playground_knows(self):
-        links = re.findall(r"\*\*Playground\*\*: `#([^`]+)`", (ROOT / "docs" / "tutorial.md").read_text())
+        links = re.findall(r"\*\*Playground\*\*: `#([^`]+)`", (ROOT / "docs" / "guide" / "tutorial.md").read_text())
         self.assertGreater(len(links), 3)
         settings, tables = ((ROOT / "playground" / name).read_text() for name in ("model.js", "tables.js"))
         for name, value in (part.split("=") for link in links for part in link.split("&")):
@@ -207,7 +207,7 @@ class Code(unittest.TestCase):
         self.assertNotEqual(compile_cpp(blocks("cpp")[0].replace("hn_fbm", "hn_fmb")).returncode, 0)
 
     def test_commands_that_make_single_files_work(self):
-        lines = commands("tools/pick whole", "docs/languages.md")
+        lines = commands("tools/pick whole", "docs/guide/languages.md")
         self.assertGreaterEqual(len(lines), 4)
         with tempfile.TemporaryDirectory() as folder:
             for line in lines:
@@ -232,7 +232,7 @@ class Code(unittest.TestCase):
                         self.assertTrue((pathlib.Path(folder) / line[line.index("--out") + 1]).stat().st_size)
 
     def test_single_files_around_a_noise_of_ones_own(self):
-        code, = (code for code in blocks("glsl", ["docs/sums.md"]) if "dots" in code)
+        code, = (code for code in blocks("glsl", ["docs/reference/fractals.md"]) if "dots" in code)
         code = re.sub(r"^#extension.*\n", "", code, flags=re.MULTILINE)
         code = code.replace('"hashnoise/fbm2d.glsl"', '"hashnoise/hashnoise.glsl"')
         code = re.sub(r'^#include "hashnoise/(.*)"$', lambda name: single_file("--strip", name[1]), code, flags=re.MULTILINE)

@@ -23,7 +23,7 @@ DESCRIPTION = textwrap.dedent("""\
 
     {parts}
 
-    The same commit makes the same bytes. Only the wheel may differ: compilers decide about it. docs/release.md tells
+    The same commit makes the same bytes. Only the wheel may differ: compilers decide about it. docs/develop/release.md tells
     what the files are.
 
     Exit status: 0 done, 1 there is no release (it says why), 2 bad usage.""").format(

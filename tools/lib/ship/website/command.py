@@ -79,7 +79,7 @@ def make(out: Path) -> None:
         source, made = Path(scratch) / "source", Path(scratch) / "made"
         (source / "extra").mkdir(parents=True)
         pages.write(ROOT, source, MORE)
-        shutil.copytree(snippets.whole(), source / "docs" / "snippets", dirs_exist_ok=True)
+        shutil.copytree(snippets.whole(), source / "docs" / "reference" / "snippets", dirs_exist_ok=True)
         extra(source / "extra")
         shutil.copyfile(HERE / "live.js", source / "extra" / "live.js")
         build(source, made)

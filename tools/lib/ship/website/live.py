@@ -53,7 +53,7 @@ def shader(steps: tuple[tuple[str, str], ...], step: str) -> str:
         function = library(steps).functions[f"color_at_{step}", ("vec2", "float")]
         text = Program(library(steps), [function]).text(LANGUAGE).replace(f"color_at_{step}(", "color_at(")
     except (KeyError, Unknown) as error:
-        raise ValueError(f"docs/tutorial.md: step {step} has no picture: {error}") from error
+        raise ValueError(f"docs/guide/tutorial.md: step {step} has no picture: {error}") from error
     return re.sub(r"\n{2,}", "\n", f"#version 300 es\n{text}{MAIN}")  # HTML within Markdown ends at an empty line
 
 
@@ -68,6 +68,6 @@ def with_pictures(page: str) -> str:
     """The tutorial with a picture below the code of each step, and with links to the playground."""
     steps = tuple((step[1], step[3]) for step in STEP.finditer(page))
     text = STEP.sub(lambda step: step[0] + figure(steps, *step.groups()), page)
-    text = PLAYGROUND.sub(lambda link: f'**Playground**: <a href="../playground.html{html.escape(link[1])}">'
+    text = PLAYGROUND.sub(lambda link: f'**Playground**: <a href="../../playground.html{html.escape(link[1])}">'
                                        f"{html.escape(link[1])}</a>", text)
-    return text + '\n<script src="../live.js"></script>\n'
+    return text + '\n<script src="../../live.js"></script>\n'

@@ -14,20 +14,24 @@ from ship.website import live
 
 # What the site shows beside its pages, in the order in which a reader needs them. A page of docs/ is in one group.
 GROUPS = {
-    "Noise": ["tutorial", "noises", "sums", "cellular", "random", "uniform", "hex-tiling", "gallery/README",
-              "snippets/README", "knobs", "same-bits", "moving", "glossary"],
-    "Where you are": ["languages", "build-systems", "javascript", "python", "notebook", "dask", "cpu", "bake",
-                      "engines", "godot", "playground", "porting"],
-    "What is promised and measured": ["contract", "frozen", "accuracy", "quality", "hashes", "default-hash", "judge",
-                                      "measuring", "gpu-operations", "results/README"],
-    "Your driver": ["conformance", "checks", "faults", "suite", "formats"],
-    "Work on hashnoise": ["internals", "one-noise", "adding", "release", "publishing"],
+    "Guide": ["guide/tutorial", "guide/gallery/README", "guide/languages", "guide/moving", "guide/cellular",
+              "guide/random", "guide/uniform", "guide/hex-tiling", "guide/same-bits"],
+    "Where you are": ["guide/playground", "guide/bake", "guide/build-systems", "guide/javascript", "guide/python",
+                      "guide/notebook", "guide/dask", "guide/cpu", "guide/engines", "guide/godot", "guide/conformance"],
+    "Reference": ["reference/noises", "reference/fractals", "reference/knobs", "reference/snippets/README",
+                  "reference/contract", "reference/frozen", "reference/formats", "reference/checks",
+                  "reference/glossary"],
+    "Measured": ["measured/measuring", "measured/gpu-operations", "measured/accuracy", "measured/quality",
+                 "measured/hashes", "measured/default-hash", "measured/judge", "measured/faults",
+                 "measured/results/README"],
+    "Work on hashnoise": ["develop/internals", "develop/one-noise", "develop/adding", "develop/suite",
+                          "develop/porting", "develop/release", "develop/publishing"],
 }
 TOP = ("CHANGELOG", "CONTRIBUTING", "CODE_OF_CONDUCT", "SECURITY", "conformance/run/expect/README")
 # The page of a package that a command makes; pages of docs/ lead there.
 PACKAGE = re.compile(r"packages/[\w-]+/README\.md")
 # What the site makes of a page.
-CHANGED = {"docs/tutorial.md": live.with_pictures}
+CHANGED = {"docs/guide/tutorial.md": live.with_pictures}
 # The link of a page, but for its anchor.
 LINK = re.compile(r"(?<=\]\()(?!\w+:|#)([^)#\s]+)")
 
@@ -43,7 +47,7 @@ def pages(root: Path) -> list[str]:
 def ungrouped(names: Iterable[str]) -> list[str]:
     """The pages of docs/ that no group has; those in its folders are found by their README."""
     grouped = {f"docs/{name}.md" for those in GROUPS.values() for name in those}
-    return [name for name in names if name.count("/") == 1 and name.startswith("docs/") and name not in grouped]
+    return [name for name in names if name.count("/") == 2 and name.startswith("docs/") and name not in grouped]
 
 
 def table_of_contents(names: Iterable[str]) -> str:

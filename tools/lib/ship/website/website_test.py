@@ -23,7 +23,7 @@ from base.thorough import THOROUGH
 from base.tree import ROOT
 from ship.website import command, live, pages
 
-TUTORIAL = (ROOT / "docs" / "tutorial.md").read_text(encoding="utf-8")
+TUTORIAL = (ROOT / "docs" / "guide" / "tutorial.md").read_text(encoding="utf-8")
 
 PAGE = """# One
 
@@ -87,8 +87,8 @@ class Groups(unittest.TestCase):
         self.assertEqual(pages.ungrouped(pages.pages(ROOT)), [])
 
     def test_a_page_that_is_in_none_is_told(self) -> None:
-        self.assertEqual(pages.ungrouped(["README.md", "docs/sums.md", "docs/lost.md", "docs/results/cpu/gcc.md"]),
-                         ["docs/lost.md"])
+        self.assertEqual(pages.ungrouped(["README.md", "docs/reference/fractals.md", "docs/guide/lost.md",
+                                           "docs/measured/results/cpu/gcc.md"]), ["docs/guide/lost.md"])
 
 
 class Usage(unittest.TestCase):
@@ -125,7 +125,7 @@ class Live(unittest.TestCase):
         second = text[text.index("## 2."):text.index("## 3.")]
         self.assertRegex(second, r'hn_value.*\n```\n\n<figure class="live">\n(?:.*\n){2}</figure>\n\nThis is value')
         self.assertEqual((text.count("</figure>"), text.count("data-moves")), (12, 1))
-        self.assertIn('<a href="../playground.html#sum=none&amp;noise=value">', text)
+        self.assertIn('<a href="../../playground.html#sum=none&amp;noise=value">', text)
 
 
 @unittest.skipUnless(__name__ == "__main__", "the test site.whole has Sphinx")
@@ -166,8 +166,8 @@ class Whole(Tree):
             return subprocess.run([*browser, address], capture_output=True, text=True, check=False).stdout
 
         search = f"{(out / 'search.html').as_uri()}?q=cellular"
-        self.assertRegex(shown(search), r'<li[^>]*><a href="docs/cellular\.html"')
-        tutorial = out / "docs" / "tutorial.html"
+        self.assertRegex(shown(search), r'<li[^>]*><a href="docs/guide/cellular\.html"')
+        tutorial = out / "docs" / "guide" / "tutorial.html"
         self.assertEqual(len(re.findall(r'<figure class="live"[^>]* data-drawn=""', shown(tutorial.as_uri()))), 12)
         tutorial.write_text(tutorial.read_text(encoding="utf-8").replace("highp vec3 color_at", "highp vec3 at", 1),
                             encoding="utf-8")

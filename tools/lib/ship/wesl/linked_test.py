@@ -128,7 +128,7 @@ class Linked(unittest.TestCase):
             self.linker.linked({"wrong": call})
 
     def test_the_code_of_the_page(self) -> None:
-        page = (ROOT / "docs" / "engines.md").read_text(encoding="utf-8")
+        page = (ROOT / "docs" / "guide" / "engines.md").read_text(encoding="utf-8")
         page = page.partition("\n## WESL\n")[2].partition("\n## ")[0]
         shaders = re.findall(r"^```wgsl\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)
         self.assertEqual(len(shaders), 1)

@@ -205,7 +205,7 @@ class Dxc(Hlsl):
 
 class FxcOnly(Hlsl):
     def test_its_own_includes_are_not_beside_the_file(self) -> None:
-        """docs/languages.md has the way that works. If this fails, there is another."""
+        """docs/guide/languages.md has the way that works. If this fails, there is another."""
         said = self.refused({"including": f'#include "hashnoise/hashnoise.hlsl"\n{MAIN}'})
         self.assertIn("X1507", said["including"])
 

@@ -1,4 +1,4 @@
-"""The tree of the GLSL that the library is written in: a narrow subset (docs/internals.md, "One text in several
+"""The tree of the GLSL that the library is written in: a narrow subset (docs/develop/internals.md, "One text in several
 languages"). What is not in it is an error that names the place."""
 
 from __future__ import annotations

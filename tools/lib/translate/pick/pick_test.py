@@ -393,7 +393,7 @@ class Comments(unittest.TestCase):
                                         self.REFERENCE)
 
     def test_a_reference_would_be_noticed(self) -> None:
-        for line in ("returns as above, in the metric", "error docs/accuracy.md", "as of the sums in fbm2d.glsl",
+        for line in ("returns as above, in the metric", "error docs/measured/accuracy.md", "as of the sums in fbm2d.glsl",
                      "the functions below use those"):
             self.assertRegex(line, self.REFERENCE)
 
@@ -512,11 +512,11 @@ class Command(unittest.TestCase):
 
     def test_the_page_says_how_many_functions_there_are(self) -> None:
         """What it shows of them is made by tools/make readme."""
-        page = (ROOT / "docs" / "languages.md").read_text()
+        page = (ROOT / "docs" / "guide" / "languages.md").read_text()
         self.assertIn(f"# {len(module('fast').forms)} functions\n", page)
 
     def test_the_pages_of_snippets_are_what_it_writes(self) -> None:
-        folder = ROOT / "docs" / "snippets"
+        folder = ROOT / "docs" / "reference" / "snippets"
         self.assertEqual((folder / "README.md").read_text(), pages.index())
         self.assertEqual({path.stem for path in folder.glob("hn_*")}, set(pages.FUNCTIONS))
         picked = pages.for_pages()

@@ -43,7 +43,7 @@ def differing(device: Device, shaders: Mapping[str, str], golden: Mapping[str, s
 
 
 class Page:
-    """The suite of a page: what hn-conform has browsers run (docs/formats.md)."""
+    """The suite of a page: what hn-conform has browsers run (docs/reference/formats.md)."""
 
     def __init__(self, program: str, glob: str):
         with tempfile.TemporaryDirectory() as folder:

@@ -32,8 +32,8 @@ def quotes() -> list[tuple[str, str]]:
     floats = [scientific(distances.border_error(dims, apart=CLEAR)) for dims in (2, 3)]
     fixed = [scientific(sum(distances.fixed_border_parts(dims, CLEAR).values())) for dims in (2, 3)]
     largest = [shortest(features.largest_border(dims), 3) for dims in (2, 3)]
-    return [("docs/accuracy.md", f"at most {floats[0]} in 2D and {floats[1]} in 3D, or {fixed[0]} and {fixed[1]} with"),
-            ("docs/accuracy.md", f"to a border stays below {largest[0]} and {largest[1]}.")]
+    return [("docs/measured/accuracy.md", f"at most {floats[0]} in 2D and {floats[1]} in 3D, or {fixed[0]} and {fixed[1]} with"),
+            ("docs/measured/accuracy.md", f"to a border stays below {largest[0]} and {largest[1]}.")]
 
 
 def describe(dims: int, _: Gradient | None) -> dict[str, object]:

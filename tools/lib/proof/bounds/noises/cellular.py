@@ -1,4 +1,4 @@
-"""hn_cellular: what is proven of it, from docs/contract.md, section 16; and of hn_cellular_three, which has its entry
+"""hn_cellular: what is proven of it, from docs/reference/contract.md, section 16; and of hn_cellular_three, which has its entry
 in cellular_three.py. features.py and distances.py of the folder above have the proofs.
 
 One bound holds for all metrics: the largest. That of floats is the hybrid metric's, whose distances are the largest;
@@ -37,7 +37,7 @@ def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
 
 def quotes() -> list[tuple[str, str]]:
     plane, space = ([features.largest_distance(dims, count) for count in (1, 2, 3)] for dims in (2, 3))
-    return [("docs/accuracy.md", f"{listed(plane)} in 2D, and below {listed(space)} in 3D")]
+    return [("docs/measured/accuracy.md", f"{listed(plane)} in 2D, and below {listed(space)} in 3D")]
 
 
 def ends(dims: int) -> list[float]:

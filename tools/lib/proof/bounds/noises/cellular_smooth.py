@@ -37,7 +37,7 @@ def ends(dims: int) -> list[float]:
 
 def quotes() -> list[tuple[str, str]]:
     weights = [shortest(features.largest_weights(dims), 3) for dims in (2, 3)]
-    return [("docs/accuracy.md", f"stays below {weights[0]} in 2D and {weights[1]} in 3D")]
+    return [("docs/measured/accuracy.md", f"stays below {weights[0]} in 2D and {weights[1]} in 3D")]
 
 
 def describe(dims: int, _: Gradient | None) -> dict[str, object]:

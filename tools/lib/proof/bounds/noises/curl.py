@@ -1,4 +1,4 @@
-"""hn_curl: what is proven of it, from docs/contract.md, section 15.
+"""hn_curl: what is proven of it, from docs/reference/contract.md, section 15.
 
 On the plane its components are derivatives of hn_simplex_d, or their negatives. In space a component is
 a_y b_z - a_z b_y of two gradients a and b of hn_simplex_d. Let u be the direction of (a_y, a_z), and H(u) the largest

@@ -1,4 +1,4 @@
-"""hn_hex_tiling: what is proven of its weights and vectors, from docs/contract.md, section 20. One bound holds for both.
+"""hn_hex_tiling: what is proven of its weights and vectors, from docs/reference/contract.md, section 20. One bound holds for both.
 
 RANGE. Weights are from 0 to 1. A vector from a corner stays within the hexagon around it: half a cell along each axis.
 
@@ -60,7 +60,7 @@ def largest_intermediates(_: int, __: Gradient | None) -> dict[str, float]:
 
 
 def quotes() -> list[tuple[str, str]]:
-    return [("docs/accuracy.md", f"vector is within {scientific(offset_error(2, False))} cells")]
+    return [("docs/measured/accuracy.md", f"vector is within {scientific(offset_error(2, False))} cells")]
 
 
 def describe(_: int, __: Gradient | None) -> dict[str, object]:

@@ -33,7 +33,7 @@ def largest_intermediates(dims: int, gradient: Gradient) -> dict[str, float]:
 
 def quotes() -> list[tuple[str, str]]:
     below = listed([range_bound(dims, TURNED) for dims, _ in CASES])
-    return [("docs/accuracy.md", f"With a phase `hn_perlin` stays below {below} in 2D")]
+    return [("docs/measured/accuracy.md", f"With a phase `hn_perlin` stays below {below} in 2D")]
 
 
 def describe(dims: int, gradient: Gradient) -> dict[str, object]:

@@ -1,4 +1,4 @@
-"""hn_perlin_vector (docs/contract.md, section 22): each component is hn_perlin with other words. What is proven of that
+"""hn_perlin_vector (docs/reference/contract.md, section 22): each component is hn_perlin with other words. What is proven of that
 holds for any words; see value_vector.py.
 """
 

@@ -1,4 +1,4 @@
-"""hn_phasor: what is proven of it, from docs/contract.md, section 23. One bound holds for the value and for the
+"""hn_phasor: what is proven of it, from docs/reference/contract.md, section 23. One bound holds for the value and for the
 quadrature: each is the real part of
 
     S * sum of w(t) e(a)        e(a) = exp(2 pi i a) for the value, and -i times that for the quadrature
@@ -221,7 +221,7 @@ def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
 def quotes() -> list[tuple[str, str]]:
     below = listed([range_of(kernel) for kernel in KERNELS.values()])
     long = [shortest(length(dims), 5) for dims in KERNELS]
-    return [("docs/accuracy.md", text) for text in (
+    return [("docs/measured/accuracy.md", text) for text in (
         f"`hn_phasor` stays below {below} in 2D and 3D", f"are at most {long[0]} long in 2D and {long[1]} in 3D",
         f"which costs {scientific(moved(KERNELS[2]))}")]
 

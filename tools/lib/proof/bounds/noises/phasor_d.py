@@ -1,4 +1,4 @@
-"""hn_phasor_d: hn_phasor with its derivatives, from docs/contract.md, section 23. The value is computed in the same
+"""hn_phasor_d: hn_phasor with its derivatives, from docs/reference/contract.md, section 23. The value is computed in the same
 steps, so it has the same bounds. One bound holds for the derivatives of the value and of the quadrature: as in
 phasor.py each is the real part of a sum of z e(a) over the points, with e(a) of length 1 and along an axis
 

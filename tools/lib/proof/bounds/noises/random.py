@@ -1,4 +1,4 @@
-"""hn_random: what is proven of it, from docs/contract.md, section 17.
+"""hn_random: what is proven of it, from docs/reference/contract.md, section 17.
 
 RANGE. A word's upper 24 bits, divided by 2^24: from 0 to 1 - 2^-24.
 

@@ -1,4 +1,4 @@
-"""hn_simplex: what is proven of it, from docs/contract.md, section 13. kernels.py has its range and slopes,
+"""hn_simplex: what is proven of it, from docs/reference/contract.md, section 13. kernels.py has its range and slopes,
 kernel_floats.py and kernel_fixed.py its errors; here they are put together, for all noises of this kind."""
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
 
 def quotes() -> list[tuple[str, str]]:
     below = listed([derive(*case).range for case in CASES])
-    return [("docs/accuracy.md", f"`hn_simplex` stays below {below} in 2D to 4D")]
+    return [("docs/measured/accuracy.md", f"`hn_simplex` stays below {below} in 2D to 4D")]
 
 
 def describe(dims: int, _: Gradient | None) -> dict[str, object]:

@@ -38,7 +38,7 @@ def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
 
 def quotes() -> list[tuple[str, str]]:
     below = listed([range_of(dims) for dims, _ in CASES])
-    return [("docs/accuracy.md", f"and `hn_simplex` below {below}.")]
+    return [("docs/measured/accuracy.md", f"and `hn_simplex` below {below}.")]
 
 
 def describe(dims: int, _: Gradient | None) -> dict[str, object]:

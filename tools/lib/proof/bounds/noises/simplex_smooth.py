@@ -20,7 +20,7 @@ def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
 
 def quotes() -> list[tuple[str, str]]:
     below = listed([derive(*case).range for case in CASES])
-    return [("docs/accuracy.md", f"`hn_simplex_smooth` below {below} in 2D")]
+    return [("docs/measured/accuracy.md", f"`hn_simplex_smooth` below {below} in 2D")]
 
 
 def describe(dims: int, _: Gradient | None) -> dict[str, object]:

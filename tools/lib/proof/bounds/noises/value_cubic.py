@@ -1,4 +1,4 @@
-"""hn_value_cubic: what is proven of it, from docs/contract.md, section 11.
+"""hn_value_cubic: what is proven of it, from docs/reference/contract.md, section 11.
 
 RANGE. The weights b of an axis are not negative and sum to 1, so the value is within +-1, as the numbers are.
 

@@ -1,4 +1,4 @@
-"""hn_value_vector (docs/contract.md, section 22): each component is hn_value with other words. What is proven of that
+"""hn_value_vector (docs/reference/contract.md, section 22): each component is hn_value with other words. What is proven of that
 holds for any words. Those of y and z are products of two factors below 2^24, of which the low 32 bits stay. So they are
 words, too, and their numbers are in the range of those of hn_value.
 """

@@ -1,6 +1,6 @@
 """The noises. Each is a module of this package, under its name, with its two definitions side by side:
 
-    exact(lattice, cell, f) -> tuple[Fraction, ...]         sections 6, 9 to 11, 13, 14, 16 and 22 of docs/contract.md;
+    exact(lattice, cell, f) -> tuple[Fraction, ...]         sections 6, 9 to 11, 13, 14, 16 and 22 of docs/reference/contract.md;
                                                             f are fractions
     fixed(lattice, cell, fraction) -> tuple[int, ...]       with HN_FIXED; fractions in units of 2^-20
 
@@ -85,7 +85,7 @@ def names() -> list[str]:
 
 def find(name: str) -> Noise:
     if name not in names():
-        raise LookupError(f"the oracle has no {name}: write tools/lib/proof/oracle/noises/{name}.py from docs/contract.md")
+        raise LookupError(f"the oracle has no {name}: write tools/lib/proof/oracle/noises/{name}.py from docs/reference/contract.md")
     module = importlib.import_module(f"{__name__}.{name}")
     turns = name.endswith(TURNING) or getattr(module, "TURNS", False)
     return Noise(name, module.exact, module.fixed, getattr(module, "OUTPUTS", OUTPUTS), getattr(module, "UNITS", UNITS),

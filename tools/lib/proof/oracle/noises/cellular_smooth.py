@@ -1,4 +1,4 @@
-"""Section 16 of docs/contract.md: a sum over all points of cells that are near, without creases."""
+"""Section 16 of docs/reference/contract.md: a sum over all points of cells that are near, without creases."""
 
 from __future__ import annotations
 

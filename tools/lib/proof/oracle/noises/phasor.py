@@ -1,4 +1,4 @@
-"""Section 23 of docs/contract.md: phasor noise, a sum of waves around the points of the lattices of simplex noise.
+"""Section 23 of docs/reference/contract.md: phasor noise, a sum of waves around the points of the lattices of simplex noise.
 
 A caller chooses the wave: so many turns of the phase there are in a cell, along each axis.
 """

@@ -1,4 +1,4 @@
-"""Section 23 of docs/contract.md, derivatives: phasor noise with those of its value and of its quadrature."""
+"""Section 23 of docs/reference/contract.md, derivatives: phasor noise with those of its value and of its quadrature."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Section 11 of docs/contract.md: cubic value noise."""
+"""Section 11 of docs/reference/contract.md: cubic value noise."""
 
 from __future__ import annotations
 

@@ -26,8 +26,8 @@ def quotes() -> list[tuple[str, str]]:
     """What prose states of its range."""
     exact = [shortest(range_bound(dims, OCTAHEDRAL), 5) for dims in (1, 2, 3, 4)]
     below = f"{', '.join(exact[:3])} and {exact[3]}"
-    return [("docs/knobs.md", f"noise stays below {below} in 1D to 4D."),
-            ("docs/accuracy.md", f"stays below {below}.")]
+    return [("docs/reference/knobs.md", f"noise stays below {below} in 1D to 4D."),
+            ("docs/measured/accuracy.md", f"stays below {below}.")]
 
 
 def describe(dims: int, gradient: Gradient) -> dict[str, object]:

@@ -1,5 +1,5 @@
 """Proves how large hn_perlin and its derivatives can be and how fast they can change: as suprema.py of the folder
-above, times the scale of docs/contract.md, section 6.
+above, times the scale of docs/reference/contract.md, section 6.
 
 RANGE. The scales of the octahedral gradient are multiples of 1/1024 below the inverse of the supremum before scaling. That
 is 1/2 times 511/512 on the line, and 1.07346 in 4D. On the plane and in space it is that of gradients that turn with a
