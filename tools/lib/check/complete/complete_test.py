@@ -89,7 +89,7 @@ class Deletions(unittest.TestCase):
 
     def test_an_argument_that_may_not_be_the_same_everywhere(self) -> None:
         self.change("docs/guide/same-bits.md", r"^- \*\*Amplitude, depth, detail", "- **Amplitude, detail")
-        self.noticed(r"^glsl/hashnoise/gullies2d\.glsl:\d+: hn_gullies\(.*\) takes depth, of which docs/same-bits\.md says")
+        self.noticed(r"^glsl/hashnoise/gullies2d\.glsl:\d+: hn_gullies\(.*\) takes depth, of which docs/guide/same-bits\.md says")
 
     def test_a_function_in_another_form(self) -> None:
         self.change("glsl/hashnoise/*.glsl", r"^HN_FN (hn_float hn_snorm\()", "  \\1")
@@ -121,11 +121,11 @@ class Deletions(unittest.TestCase):
 
     def test_the_contract(self) -> None:
         self.change("docs/reference/contract.md", r"^`hn_value_cubic` takes positions of")
-        self.noticed(r"noise3d\.value_cubic_cell: say in docs/contract\.md that `hn_value_cubic` takes positions of 3 dim")
+        self.noticed(r"noise3d\.value_cubic_cell: say in docs/reference/contract\.md that `hn_value_cubic` takes positions of 3 dim")
 
     def test_the_contract_of_a_function(self) -> None:
         self.change("docs/reference/contract.md", r"^\| `hn_snorm\(.*\n")
-        self.noticed(r"^docs/contract\.md: no word of hn_snorm\(\.\.\.\): say what its value is")
+        self.noticed(r"^docs/reference/contract\.md: no word of hn_snorm\(\.\.\.\): say what its value is")
 
     def test_the_readme(self) -> None:
         self.change("README.md", r"^\| `hn_perlin\b.*\n")
@@ -135,7 +135,7 @@ class Deletions(unittest.TestCase):
         for page, name in (("random", "hn_gaussian"), ("uniform", "hn_spread_fbm"), ("noises", "hn_phasor_d")):
             with self.subTest(page=page):
                 self.change(f"docs/{page}.md", rf"^\| `{name}\b.*\n")
-                self.noticed(rf"^README\.md: no line for {name}: .* or to that of docs/noises\.md or docs/uniform\.md or docs/random\.md$")
+                self.noticed(rf"^README\.md: no line for {name}: .* or to that of docs/reference/noises\.md or docs/guide/uniform\.md or docs/guide/random\.md$")
 
     def test_a_comment(self) -> None:
         self.change("glsl/hashnoise/*.glsl", r"^(//.*\n)+(HN_FN .*\bhn_snorm\()", "\\2")
@@ -158,14 +158,14 @@ class Deletions(unittest.TestCase):
         self.change("glsl/hashnoise/config.glsl", r"^(#ifndef HN_ARITHMETIC)",
                     "#ifndef HN_WARP\n#define HN_WARP HN_WARP_NONE  // new\n#endif\n\\1")
         self.noticed(r"^include/hashnoise/hashnoise\.hpp: HN_WARP names no inline namespace: add .*\(warp_, HN_WARP\)",
-                     r"^docs/knobs\.md: no line for HN_WARP: add one to the table of knobs",
+                     r"^docs/reference/knobs\.md: no line for HN_WARP: add one to the table of knobs",
                      r"^tools/lib/catalog/tables/configurations\.py: HN_WARP is not in Configuration: add warp")
 
     def test_the_entries_of_a_knob(self) -> None:
         for path, entry, left, message in (
                 ("include/hashnoise/*.hpp", r"^inline namespace .*HN_ARITHMETIC\) \{\n", "",
                  r"include/hashnoise/hashnoise\.hpp: HN_ARITHMETIC names no inline namespace"),
-                ("docs/reference/knobs.md", r"^\| `HN_ARITHMETIC` \| `HN_FAST`.*\n", "", r"docs/knobs\.md: no line for HN_ARITH")):
+                ("docs/reference/knobs.md", r"^\| `HN_ARITHMETIC` \| `HN_FAST`.*\n", "", r"docs/reference/knobs\.md: no line for HN_ARITH")):
             with self.subTest(path=path):
                 self.setUp()
                 self.change(path, entry, left)
@@ -183,7 +183,7 @@ class Deletions(unittest.TestCase):
         self.change("glsl/hashnoise/config.glsl", r"^(#define HN_HASH_PCG 6)", "\\1\n#define HN_HASH_MD5 10  // new")
         self.noticed(r"configurations\.toml: HN_HASH_MD5 is under test with no default",
                      r"^tools/lib/proof/oracle/words\.py: HN_HASH_MD5 is not among the hashes",
-                     r"^docs/contract\.md: no line for HN_HASH_MD5", r"^docs/knobs\.md: the knob .* HN_HASH_MD5")
+                     r"^docs/reference/contract\.md: no line for HN_HASH_MD5", r"^docs/reference/knobs\.md: the knob .* HN_HASH_MD5")
 
     def test_a_hash_by_its_name(self) -> None:
         self.change(SETTINGS, r'"xxhash32", ')
@@ -205,6 +205,6 @@ class Deletions(unittest.TestCase):
         self.change("docs/guide/uniform.md", r"\A", "Take `hn_i_select`.\n")
         self.change("docs/guide/random.md", r"\A",
                     "\n<!-- tools/make readme: picked -->\nhn_i_mix(k)\n<!-- end -->\n`HN_I_FLOAT`\n")
-        found = self.noticed(r"^docs/uniform\.md:1: hn_i_select is internal: recommend a public function, or publish",
-                             r"^docs/random\.md:5: HN_I_FLOAT is internal")
+        found = self.noticed(r"^docs/guide/uniform\.md:1: hn_i_select is internal: recommend a public function, or publish",
+                             r"^docs/guide/random\.md:5: HN_I_FLOAT is internal")
         self.assertFalse(any("hn_i_mix" in text for text in found), found)
