@@ -11,7 +11,6 @@
 #ifndef HN_HASH_GLSL
 #define HN_HASH_GLSL
 
-#include "detail/convert.glsl"
 #include "detail/hashes.glsl"
 #include "detail/word.glsl"
 

@@ -4,7 +4,7 @@
 #ifndef HN_PERLIN2D_GLSL
 #define HN_PERLIN2D_GLSL
 
-#include "detail/ramps2d.glsl"
+#include "detail/direction.glsl"
 
 // The noise in the numbers of HN_ARITHMETIC.
 HN_FN hn_i_num hn_i_perlin(hn_i_box2 box, hn_i_num2 f, hn_uint seed) {

@@ -4,7 +4,7 @@
 #ifndef HN_PERLIN3D_GLSL
 #define HN_PERLIN3D_GLSL
 
-#include "detail/ramps3d.glsl"
+#include "detail/direction3d.glsl"
 
 // The noise in the numbers of HN_ARITHMETIC.
 HN_FN hn_i_num hn_i_perlin(hn_i_box3 box, hn_i_num3 f, hn_uint seed) {

@@ -4,7 +4,7 @@
 #ifndef HN_PERLIN_D2D_GLSL
 #define HN_PERLIN_D2D_GLSL
 
-#include "detail/ramps2d.glsl"
+#include "detail/direction.glsl"
 #include "detail/derivative.glsl"
 
 // The paper's gradient has no noise of this kind.

@@ -4,7 +4,7 @@
 #ifndef HN_PERLIN_D3D_GLSL
 #define HN_PERLIN_D3D_GLSL
 
-#include "detail/ramps3d.glsl"
+#include "detail/direction3d.glsl"
 #include "detail/derivative.glsl"
 
 // The paper's gradient has no noise of this kind.

@@ -4,7 +4,7 @@
 #ifndef HN_PERLIN_VECTOR2D_GLSL
 #define HN_PERLIN_VECTOR2D_GLSL
 
-#include "detail/ramps2d.glsl"
+#include "detail/direction.glsl"
 
 // The paper's gradient has no noise of this kind.
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL

@@ -4,7 +4,7 @@
 #ifndef HN_PERLIN_VECTOR3D_GLSL
 #define HN_PERLIN_VECTOR3D_GLSL
 
-#include "detail/ramps3d.glsl"
+#include "detail/direction3d.glsl"
 
 // The paper's gradient has no noise of this kind.
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL

@@ -15,9 +15,9 @@
 #ifndef HN_PLACE_GLSL
 #define HN_PLACE_GLSL
 
-#include "detail/place2d.glsl"
+#include "detail/cell2d.glsl"
 
-// The same in 3 and 4 dimensions: tools/make writes it of detail/place2d.glsl.
+// The same in 3 and 4 dimensions: tools/make writes it of detail/cell2d.glsl.
 
 #if HN_ARITHMETIC == HN_FAST
 HN_FN hn_ivec3 hn_i_cell(hn_vec3 p) { return ivec3(floor(p)); }
@@ -47,7 +47,7 @@ HN_FN hn_i_num4 hn_i_to_num(hn_vec4 f) {
 }
 #endif
 
-// The same in 1, 3 and 4 dimensions: tools/make writes it of detail/place2d.glsl.
+// The same in 1, 3 and 4 dimensions: tools/make writes it of detail/cell2d.glsl.
 
 // Where a noise is evaluated. Make it by hn_place and hn_tile; only `cell` may be read.
 //   cell      the cell; cells wrap at 2^32
@@ -217,5 +217,7 @@ HN_FN hn_vec4 hn_position(hn_place4 place) {
               hn_i_position_of(place.cell.z, place.fraction.z, place.rest.z),
               hn_i_position_of(place.cell.w, place.fraction.w, place.rest.w));
 }
+
+// By hand in each dimension.
 
 #endif

@@ -4,8 +4,7 @@
 #ifndef HN_ARITHMETIC_GLSL
 #define HN_ARITHMETIC_GLSL
 
-#include "../config.glsl"
-#include "convert.glsl"
+#include "word.glsl"
 
 // A noise has one text for all three arithmetics. It is written in these steps, not in operators, so that with
 // HN_PRECISE each step can say what is rounded on its own:
@@ -36,8 +35,7 @@
 //   hn_i_truth(c)              the condition as a bool, if it is the same for all points
 //   hn_i_any(c)                whether the condition holds at one of the points
 //
-// place2d.glsl has the cell and the fraction of a vector, and cell2d.glsl its fade; place.glsl and cell.glsl have those
-// of other dimensions. value.glsl has the steps of value noise, derivative.glsl those of derivatives, cubic_spline.glsl
+// cell2d.glsl has the cell, the fraction and the fade of a vector; place.glsl and cell.glsl have those of other dimensions. value.glsl has the steps of value noise, derivative.glsl those of derivatives, cubic_spline.glsl
 // those of splines, direction_turning.glsl those of turning gradients, falloff.glsl those of simplex noise, and
 // octave.glsl those of sums.
 

@@ -12,8 +12,7 @@
 #ifndef HN_OCTAVE_GLSL
 #define HN_OCTAVE_GLSL
 
-#include "place2d.glsl"
-#include "word.glsl"
+#include "cell2d.glsl"
 
 // The cosines and sines of the rotations, in 32nds: a position loses few bits by them. In the plane of x and y the
 // angle is arctan(4/5), in space then arctan(13/29) in that of y and z, and in 4D at last arctan(4/5) in that of z and
