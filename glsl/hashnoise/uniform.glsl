@@ -50,7 +50,8 @@ HN_FN hn_vec4 hn_i_spread(hn_int reach, hn_int a, hn_int b, hn_int c) {
 }
 
 // The distribution of the values of a noise.
-//   kind     one of HN_SPREAD_PERLIN2 and so on; any other number counts as that
+//   kind     one of HN_SPREAD_PERLIN2, HN_SPREAD_SIMPLEX3 and so on; other numbers count as HN_SPREAD_PERLIN2
+//   example  vec4 spread = hn_spread(HN_SPREAD_PERLIN2);
 //   returns  the reach, in [1/16, 3], and the three coefficients of the tail, which rise from 0 to 1
 //   error    none
 //   cost     none for a constant
@@ -165,19 +166,21 @@ HN_FN hn_float hn_i_uniform(hn_i_tail tail) {
 
 // The fraction of all values of a noise that are smaller than a value: noise with uniform values.
 //   value    of a noise, or of hn_fbm
-//   spread   of the noise: hn_spread(HN_SPREAD_PERLIN2) and so on, or hn_spread_fbm of that. A number beyond its range
-//            counts as the nearer end
+//   spread   of the noise: hn_spread(HN_SPREAD_PERLIN2) and so on, or hn_spread_fbm of that. Numbers beyond their range
+//            count as the nearer end
+//   example  float u = hn_uniform(hn_perlin(uv * 8.0, 7u), hn_spread(HN_SPREAD_PERLIN2));
 //   returns  [0, 1], 1/2 at 0; it never falls where the value rises (with HN_FIXED; roundings of floats may take it
 //            down by 1e-6), and is twice continuously differentiable but for 0, where its slope has a crease
-//   error    at most 1.50e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED 5.46e-5. How
-//            near to uniform the results are says docs/guide/uniform.md
+//   error    at most 1.50e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
+//            5.46e-5. docs/guide/uniform.md has how near to uniform the results are
 //   cost     about 40 operations, with a division; in HN_FIXED 3 divisions and 20 multiplications
 //   source   docs/reference/contract.md, section 21
 HN_FN hn_float hn_uniform(hn_float value, hn_vec4 spread) { return hn_i_uniform(hn_i_tail_of(value, spread)); }
 
-// The same, and how steep it is: a slope of the noise, times this, is the slope of its uniform values.
+// The same with its derivative: a slope of the noise, times that, is the slope of its uniform values.
 //   value    of a noise, or of hn_fbm
 //   spread   as above
+//   example  vec2 u = hn_uniform_d(hn_perlin(uv * 8.0, 7u), hn_spread(HN_SPREAD_PERLIN2));
 //   returns  the uniform value, and its derivative by the value: how many values there are near it. Not negative
 //   error    of the value as above; of the derivative at most 2.15e-5 / reach. HN_FIXED 4.18e-4 / reach
 //   cost     that of hn_uniform, and a division more
@@ -199,14 +202,15 @@ HN_FN hn_i_num hn_i_of_sum(hn_i_num x, hn_int bell, hn_int way, hn_i_num d, hn_i
   return min(max(n, HN_I_NO_WEIGHT), HN_I_WEIGHT_ONE);
 }
 
-// The distribution of the values of a sum of octaves, from that of its noise. Every gain and number of octaves has its
-// spread. It takes octaves as independent, which on the line they are not quite (docs/guide/uniform.md).
+// The distribution of the values of a fractal, from that of its noise. Every gain and number of octaves has its spread.
+// It takes octaves as independent, which on the line they are not quite (docs/guide/uniform.md).
 //   spread   of the noise: hn_spread(HN_SPREAD_PERLIN2) and so on
-//   octaves  how many, as of hn_fbm, usually 4 to 8, from 1 to 32: 5.0, and 3.5 for a detail that is
-//            no whole number. The lacunarity does not matter
+//   octaves  how many, as of hn_fbm, usually 4 to 8, from 1 to 32: 5.0, and 3.5 for a detail that is no whole number.
+//            The lacunarity does not matter
 //   gain     ratio of amplitudes, as of hn_fbm, usually 0.5, in [0, 1]
+//   example  vec4 spread = hn_spread_fbm(hn_spread(HN_SPREAD_PERLIN2), 5.0, 0.5);
 //   returns  the spread of hn_fbm, or of another mean of octaves of the noise (hn_add)
-//   error    of the coefficients at most 3.65e-5. HN_FIXED 1.93e-4. That of the reach says docs/measured/accuracy.md
+//   error    of the coefficients at most 3.65e-5. HN_FIXED 1.93e-4. docs/measured/accuracy.md has that of the reach
 //   cost     about 10 operations for each octave and 60 more. It does not depend on the position: compute it on the
 //            CPU, or let the compiler, where octaves and gain are constants
 //   source   docs/reference/contract.md, section 21

@@ -75,11 +75,12 @@ HN_FN hn_place2 hn_i_place(hn_ivec2 cell, hn_i_num2 fraction, hn_ivec2 rest) {
   return place;
 }
 
-// A place from a cell and a position in it. It names cells exactly where a float no longer can: far out in a large
-// world, or in one that moves with the viewer.
+// A place from a cell and a position in it, for large worlds, or worlds that move with the viewer: it names cells
+// exactly where a float no longer can.
 //   cell     the cell: int, ivec2, ivec3 or ivec4; cells wrap at 2^32
 //   f        position in the cell, in [0, 1]; outside of it HN_FIXED takes the nearer end. Floats of Perlin and value
 //            noise extrapolate, and other noises have no promise
+//   example  hn_place2 place = hn_place(ivec2(3, -5), vec2(0.25, 0.75));
 //   returns  the place
 //   error    none: this loses nothing that the noise does not
 //   cost     none that the noise does not have
@@ -91,6 +92,7 @@ HN_FN hn_place2 hn_place(hn_ivec2 cell, hn_vec2 f) {
 
 // A place from a cell alone: its first corner. So hn_random(hn_place(cell), seed) is the number of a cell.
 //   cell     the cell: int, ivec2, ivec3 or ivec4
+//   example  float n = hn_random(hn_place(ivec2(3, -5)), 7u);
 //   returns  the place
 //   error    none
 //   cost     none
@@ -98,7 +100,9 @@ HN_FN hn_place2 hn_place(hn_ivec2 cell, hn_vec2 f) {
 HN_FN hn_place2 hn_place(hn_ivec2 cell) { return hn_i_place(cell, hn_i_to_num(vec2(0.0f, 0.0f)), ivec2(0, 0)); }
 
 // A place from a position. hn_perlin(hn_place(p), seed) is hn_perlin(p, seed).
-//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a hill or a valley. Less
+//            than 2^23 along each axis: larger floats have no fraction
+//   example  hn_place2 place = hn_place(uv * 8.0);
 //   returns  the place
 //   error    floats round the fraction of a small negative position
 //   cost     as above
@@ -108,11 +112,13 @@ HN_FN hn_place2 hn_place(hn_vec2 p) {
                     ivec2(HN_I_REST(hn_i_rest_of_position(p.x)), HN_I_REST(hn_i_rest_of_position(p.y))));
 }
 
-// A place in a tile: the field repeats after its period. Corners and points have the words of their coordinates modulo
-// the period.
-//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
-//   place    a place in its stead: hn_place(cell, f), hn_place(cell) and so on
+// A place in a tile, so that a noise or a fractal repeats after its period, without a seam. Corners and points have the
+// hashes of their coordinates modulo the period.
+//   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a hill or a valley. Less
+//            than 2^23 along each axis: larger floats have no fraction
+//   place    in place of p: hn_place(cell, f) or hn_place(cell)
 //   period   cells along each axis: int, ivec2, ivec3 or ivec4; 0 for none along that axis. Less than 0 is none, too
+//   example  float n = hn_perlin(hn_tile(uv * 8.0, ivec2(8, 8)), 7u);
 //   returns  the place
 //   error    none
 //   cost     for the noise a mask along each axis if the period is a constant power of two, else a division; a few
@@ -126,8 +132,9 @@ HN_FN hn_place2 hn_tile(hn_place2 place, hn_ivec2 period) {
 }
 HN_FN hn_place2 hn_tile(hn_vec2 p, hn_ivec2 period) { return hn_tile(hn_place(p), period); }
 
-// The position of a place, for noises of your own that sums call.
+// The position of a place, for your own noise in a fractal.
 //   place    the place
+//   example  vec2 p = hn_position(hn_tile(uv * 8.0, ivec2(8, 8)));
 //   returns  its cell and its fraction in one float along each axis
 //   error    that of a float, far out
 //   source   as of hn_place
