@@ -1,4 +1,4 @@
-// hashnoise: cellular noise on the plane whose points go round with a phase.
+// hashnoise: cellular noise on the plane whose points circle with a phase.
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_CELLULAR_PHASE2D_GLSL

@@ -1,4 +1,4 @@
-// hashnoise: cellular noise in space whose points go round with a phase.
+// hashnoise: cellular noise in space whose points circle with a phase.
 // SPDX-License-Identifier: MIT
 //
 // Made from cellular_phase2d.glsl by tools/make. tools/lib/translate/dimensions/numbers.py has its numbers.

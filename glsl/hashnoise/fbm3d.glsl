@@ -1,4 +1,4 @@
-// hashnoise: octave sums over a noise in space.
+// hashnoise: fractals over a noise in space.
 // SPDX-License-Identifier: MIT
 //
 // Made from fbm2d.glsl by tools/make.
@@ -9,7 +9,7 @@
 #include "octaves3d.glsl"
 #include "perlin3d.glsl"
 
-// Sums over hn_perlin. Over another noise, or over your own, write the same loop (octaves3d.glsl).
+// Fractals over hn_perlin. Over another noise, or over your own, write the same loop (octaves3d.glsl).
 // tools/make catalog: loops
 HN_FN hn_float hn_i_fbm(hn_octaves3 o) {
   do hn_add(o, hn_perlin(o.place, o.seed)); while (hn_next(o));
@@ -45,7 +45,7 @@ HN_FN hn_float hn_i_weighted(hn_octaves3 o, hn_float strength) {
 }
 // tools/make catalog: end
 
-// Each sum has three forms, and with a strength the last two:
+// Each fractal has three forms, and one with a strength has the last two:
 //
 //   hn_fbm(p, octaves, lacunarity, gain)
 //   hn_fbm(p, octaves, lacunarity, gain, seed)
@@ -162,7 +162,7 @@ HN_FN hn_float hn_billow(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_floa
 //   (parameters, period and cost as for hn_fbm)
 //   example     float n = hn_ridged(vec3(uv * 8.0, 0.5), 6, 2.0, 0.5, 7u);
 //   returns     [0, 1]: 1 on a crest of every octave
-//   error       grows with the octaves, since each is taken times the one before: docs/measured/accuracy.md
+//   error       grows with the octaves, since each is multiplied by the one before: docs/measured/accuracy.md
 //   source      Musgrave, in "Texturing and Modeling: A Procedural Approach": his ridged multifractal with the offset 1
 //               and the gain 2, divided by the sum of the weights
 HN_FN hn_float hn_ridged(hn_place3 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
@@ -180,7 +180,7 @@ HN_FN hn_float hn_ridged(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_floa
 //   (parameters, period and cost as for hn_fbm)
 //   example     float n = hn_hybrid(vec3(uv * 8.0, 0.5), 6, 2.0, 0.5, 7u);
 //   returns     [0, 1]
-//   error       grows with the octaves, since each is taken times the one before: docs/measured/accuracy.md
+//   error       grows with the octaves, since each is multiplied by the one before: docs/measured/accuracy.md
 //   source      Musgrave, in "Texturing and Modeling: A Procedural Approach": after his hybrid multifractal with the
 //               offset 1, of octaves in [0, 1], divided by the sum of the weights
 HN_FN hn_float hn_hybrid(hn_place3 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
@@ -194,7 +194,8 @@ HN_FN hn_float hn_hybrid(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_floa
 }
 
 // Ping-pong: each octave is folded up and down, which gives the rings of wood and of agate.
-//   strength    how many times from one end to the other on the way from -1 to 1, times 1/2; usually 2, in [0, 64]
+//   strength    how often it folds: half the number of passes from one end to the other while the noise goes from -1 to
+//               1; usually 2, in [0, 64]
 //   (other parameters, period and cost as for hn_fbm; the strength stands behind the gain, and the seed cannot be
 //   left out)
 //   example     float n = hn_ping_pong(vec3(uv * 8.0, 0.5), 6, 2.0, 0.5, 2.0, 7u);

@@ -1,4 +1,4 @@
-// hashnoise: octave sums over a noise in four dimensions.
+// hashnoise: fractals over a noise in four dimensions.
 // SPDX-License-Identifier: MIT
 //
 // Made from fbm2d.glsl by tools/make.
@@ -12,7 +12,7 @@
 // The paper's gradient has no noise in four dimensions.
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
 
-// Sums over hn_perlin. Over another noise, or over your own, write the same loop (octaves4d.glsl).
+// Fractals over hn_perlin. Over another noise, or over your own, write the same loop (octaves4d.glsl).
 // tools/make catalog: loops
 HN_FN hn_float hn_i_fbm(hn_octaves4 o) {
   do hn_add(o, hn_perlin(o.place, o.seed)); while (hn_next(o));
@@ -48,7 +48,7 @@ HN_FN hn_float hn_i_weighted(hn_octaves4 o, hn_float strength) {
 }
 // tools/make catalog: end
 
-// Each sum has three forms, and with a strength the last two:
+// Each fractal has three forms, and one with a strength has the last two:
 //
 //   hn_fbm(p, octaves, lacunarity, gain)
 //   hn_fbm(p, octaves, lacunarity, gain, seed)
@@ -165,7 +165,7 @@ HN_FN hn_float hn_billow(hn_vec4 p, hn_int octaves, hn_float lacunarity, hn_floa
 //   (parameters, period and cost as for hn_fbm)
 //   example     float n = hn_ridged(vec4(uv * 8.0, 0.5, 0.25), 6, 2.0, 0.5, 7u);
 //   returns     [0, 1]: 1 on a crest of every octave
-//   error       grows with the octaves, since each is taken times the one before: docs/measured/accuracy.md
+//   error       grows with the octaves, since each is multiplied by the one before: docs/measured/accuracy.md
 //   source      Musgrave, in "Texturing and Modeling: A Procedural Approach": his ridged multifractal with the offset 1
 //               and the gain 2, divided by the sum of the weights
 HN_FN hn_float hn_ridged(hn_place4 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
@@ -183,7 +183,7 @@ HN_FN hn_float hn_ridged(hn_vec4 p, hn_int octaves, hn_float lacunarity, hn_floa
 //   (parameters, period and cost as for hn_fbm)
 //   example     float n = hn_hybrid(vec4(uv * 8.0, 0.5, 0.25), 6, 2.0, 0.5, 7u);
 //   returns     [0, 1]
-//   error       grows with the octaves, since each is taken times the one before: docs/measured/accuracy.md
+//   error       grows with the octaves, since each is multiplied by the one before: docs/measured/accuracy.md
 //   source      Musgrave, in "Texturing and Modeling: A Procedural Approach": after his hybrid multifractal with the
 //               offset 1, of octaves in [0, 1], divided by the sum of the weights
 HN_FN hn_float hn_hybrid(hn_place4 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
@@ -197,7 +197,8 @@ HN_FN hn_float hn_hybrid(hn_vec4 p, hn_int octaves, hn_float lacunarity, hn_floa
 }
 
 // Ping-pong: each octave is folded up and down, which gives the rings of wood and of agate.
-//   strength    how many times from one end to the other on the way from -1 to 1, times 1/2; usually 2, in [0, 64]
+//   strength    how often it folds: half the number of passes from one end to the other while the noise goes from -1 to
+//               1; usually 2, in [0, 64]
 //   (other parameters, period and cost as for hn_fbm; the strength stands behind the gain, and the seed cannot be
 //   left out)
 //   example     float n = hn_ping_pong(vec4(uv * 8.0, 0.5, 0.25), 6, 2.0, 0.5, 2.0, 7u);

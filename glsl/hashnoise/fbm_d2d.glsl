@@ -1,4 +1,4 @@
-// hashnoise: octave sums over a noise with derivatives, on the plane.
+// hashnoise: fractals over a noise with derivatives, on the plane.
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_FBM_D2D_GLSL
@@ -68,7 +68,7 @@ HN_FN hn_vec3 hn_mean(hn_octaves2 o, hn_slopes2 s) {
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// Sums over hn_perlin_d, in the forms of hn_fbm.
+// Fractals over hn_perlin_d, in the forms of hn_fbm.
 
 // The paper's gradient has no noise of this kind.
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL

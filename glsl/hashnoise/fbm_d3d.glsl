@@ -1,4 +1,4 @@
-// hashnoise: octave sums over a noise with derivatives, in space.
+// hashnoise: fractals over a noise with derivatives, in space.
 // SPDX-License-Identifier: MIT
 //
 // Made from fbm_d2d.glsl by tools/make. tools/lib/translate/dimensions/numbers.py has its numbers.
@@ -78,7 +78,7 @@ HN_FN hn_vec4 hn_mean(hn_octaves3 o, hn_slopes3 s) {
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// Sums over hn_perlin_d, in the forms of hn_fbm.
+// Fractals over hn_perlin_d, in the forms of hn_fbm.
 
 // The paper's gradient has no noise of this kind.
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL

@@ -3,10 +3,10 @@
 //
 // Everything in this file is exact: the same bits on every driver. docs/reference/contract.md defines each value.
 //
-// A word is a uint, and so is a seed: hn_hash(7u). For 7, an int, most versions of GLSL find no overload.
+// A hash is a uint, and so is a seed: hn_hash(7u). For 7, an int, most versions of GLSL find no overload.
 //
-// In all files a cost counts multiplications. They are of words unless it says otherwise. Ramps, interpolation and the
-// cheap factors of 24 bits in sums of coordinates do not count.
+// In all files a cost counts multiplications, of integers unless it has "of floats". It leaves out ramps, interpolation
+// and the cheap factors of 24 bits in sums of coordinates.
 
 #ifndef HN_HASH_GLSL
 #define HN_HASH_GLSL
@@ -14,7 +14,7 @@
 #include "detail/hashes.glsl"
 #include "detail/word.glsl"
 
-// The word of a lattice point and a seed.
+// The hash of a lattice point and a seed.
 HN_FN hn_uint hn_i_point(hn_uvec2 cell, hn_uint seed) { return hn_i_seeded_word(hn_i_spread(cell), hn_i_mix(seed)); }
 // The same in 1, 3 and 4 dimensions: tools/make writes it.
 HN_FN hn_uint hn_i_point(hn_uint cell, hn_uint seed) { return hn_i_seeded_word(hn_i_spread(cell), hn_i_mix(seed)); }
@@ -70,7 +70,7 @@ HN_FN hn_uint hn_hash(hn_uvec4 v) { return hn_i_hash(hn_hash(uvec3(v.x, v.y, v.z
 #endif
 
 // ---------------------------------------------------------------------------------------------------------------------
-// From a hash to a float. Every step below is exact in a 32-bit float, however it is rounded or contracted.
+// From a hash to a float. Every step is exact in a 32-bit float, however it is rounded or contracted.
 
 // A random float in [0, 1) from a hash: its high 24 bits.
 //   h        any uint

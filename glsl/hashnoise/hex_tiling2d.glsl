@@ -10,7 +10,7 @@
 // The three hexagons that overlap at a position, a component for each. Their centres are the corners of a triangle.
 struct hn_hexes {
   hn_vec3 weights;  // not negative; their sum is 1
-  hn_uvec3 words;   // a random word for each hexagon: hn_lattice of its centre
+  hn_uvec3 words;   // a random hash for each hexagon: hn_lattice of its centre
   hn_vec3 x;        // from the centres to the position, in cells: (x.x, y.x) is the vector from the first, and so on
   hn_vec3 y;
 };

@@ -1,16 +1,16 @@
-// hashnoise: random numbers, directions and points of a word, a shuffled order, and points that fill a square evenly.
+// hashnoise: random numbers, directions and points from a hash, a shuffled order, and points that fill a square evenly.
 // SPDX-License-Identifier: MIT
 //
-// The word says for what the number is: hn_lattice(cell, seed) is one for each cell, hn_lattice(pixel, frame) for each
-// pixel of a frame, and hn_lattice(int(i), seed) for each item. Where one thing needs several numbers that have nothing
-// to do with each other, each takes a word of its own:
+// Choose the hash by the thing that needs a number: hn_lattice(cell, seed) for each cell, hn_lattice(pixel, frame) for
+// each pixel of a frame, and hn_lattice(int(i), seed) for each item. Where one thing needs several independent numbers,
+// give each a hash of its own:
 //
 //   uint h = hn_lattice(cell, seed);
 //   vec2 place = hn_unorm_two(h);
-//   vec3 direction = hn_sphere(hn_rehash(h, 5u));   // from 5 on: the functions below use those up to 4 themselves
+//   vec3 direction = hn_sphere(hn_rehash(h, 5u));   // from 5 on: the functions of this file use 1 to 4
 //
-// Everything in this file is exact: the same bits with every HN_ARITHMETIC and on every driver. docs/reference/contract.md,
-// section 18, defines each value.
+// Everything in this file is exact: the same bits with every HN_ARITHMETIC and on every driver.
+// docs/reference/contract.md, section 18, defines each value.
 
 #ifndef HN_NUMBERS_GLSL
 #define HN_NUMBERS_GLSL
@@ -20,7 +20,7 @@
 #include "hash.glsl"
 
 // ---------------------------------------------------------------------------------------------------------------------
-// Further words, and numbers.
+// More hashes, and numbers.
 
 // Another hash made of a hash, for things that need several random numbers.
 //   h        any uint
@@ -104,7 +104,7 @@ HN_FN hn_ivec3 hn_i_on_sphere(hn_uint h) {
   return ivec3((direction.x * radius) >> 15, (direction.y * radius) >> 15, z);
 }
 
-// A uniform number of 15 bits, from the k-th word. The larger of two is distributed as the root of one, and the largest
+// A uniform number of 15 bits, from the k-th hash. The larger of two is distributed as the root of one, and the largest
 // of three as its cube root: as the distances from the middle are in a disk and in a ball.
 HN_FN hn_uint hn_i_length(hn_uint h, hn_uint k) { return hn_rehash(h, k) >> 17u; }
 
@@ -193,7 +193,7 @@ HN_FN hn_uint hn_shuffle(hn_uint i, hn_uint n, hn_uint seed) {
   hn_uint x = i - i / size * size;
   hn_uint value = 0xFFFFFFFFu;  // beyond, until there is one
   // A step permutes the numbers up to `most`. Its cycle through a number below `size` comes back to one, so this ends.
-  // In C++ x may be many points, of which those that have a value go on for nothing.
+  // In C++ x may be many points: those that have a value go on for nothing.
   do {
     hn_uint key = s;
     for (hn_int pair = 0; pair < 5; ++pair) {

@@ -1,4 +1,4 @@
-// hashnoise: the octaves of a sum in space.
+// hashnoise: the octaves of a fractal in space.
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_OCTAVES3D_GLSL
@@ -9,19 +9,19 @@
 
 // The same beyond the line: tools/make writes it of octaves2d.glsl.
 
-// The octaves of a sum, one after another, over any noise:
+// The octaves of a fractal, one after another, over any noise:
 //
 //   hn_octaves3 o = hn_octaves(p, 6, 2.0, 0.5, 7u);
 //   do hn_add(o, hn_simplex(o.place, o.seed)); while (hn_next(o));
 //   float height = hn_mean(o);
 //
-// It asks behind an octave, since drivers unroll such a loop, and run it faster than one that asks first. In place of
-// hn_add there are hn_add_turbulence, hn_add_ridged, hn_add_hybrid, hn_add_ping_pong and hn_add_weighted, as in sums of
-// these names; and hn_add_detail and hn_add_footprint for octaves without detail that a pixel cannot show. The sums of
-// the library are made so (fbm3d.glsl). To sum a noise of your own, which takes a position, ask for it at
-// hn_position(o.place).
+// The condition stands behind the octave: drivers unroll such a loop, and run it faster than one that begins with it.
+// In place of hn_add there are hn_add_turbulence, hn_add_ridged, hn_add_hybrid, hn_add_ping_pong and hn_add_weighted,
+// as in the fractals of these names, and hn_add_detail and hn_add_footprint for octaves without detail that a pixel
+// cannot show. The fractals of the library are made so (fbm3d.glsl). Evaluate your own noise, if it takes a position,
+// at hn_position(o.place).
 //
-//   place    where the noise of the octave is asked
+//   place    where to evaluate the noise of the octave
 //   seed     its seed
 //   (the rest belongs to the library)
 struct hn_octaves3 {
@@ -177,7 +177,7 @@ HN_FN bool hn_next(HN_I_INOUT(hn_octaves3) o) {
   o.sum.at += 1;
   bool more = hn_i_truth(o.sum.at < o.sum.octaves);
 #ifdef __cplusplus
-  if (!more) return false;  // behind the last octave a position may not fit an int; a GPU asks for no branch
+  if (!more) return false;  // behind the last octave a position may not fit an int; a GPU needs no branch
 #endif
   o.seed += HN_I_SEED_STEP;
   o.sum.weight = hn_i_weight_times(o.sum.weight, o.sum.gain);

@@ -18,8 +18,8 @@ HN_FN hn_i_num3 hn_i_edge_d(hn_i_num a, hn_i_num b, hn_vec2 g, hn_vec2 h, hn_i_n
                      hn_i_lerp_components(g.y, h.y, e));
 }
 
-// The noise and its derivatives before they are scaled, from the words of the corners, the fades and their slopes. The
-// gradients may have turned by a quarter.
+// The noise and its derivatives before they are scaled, from the hashes of the corners, the fades and their slopes. The
+// gradients may be rotated by a quarter turn.
 HN_FN hn_i_num3 hn_i_perlin_d(hn_uvec4 h, hn_i_num2 f, hn_i_num2 t, hn_i_num2 s, bool turned) {
   hn_i_num4 r = hn_i_ramps(h, f, turned);
   hn_i_num3 n0 = hn_i_edge_d(r.x, r.y, hn_i_direction2(h.x, turned), hn_i_direction2(h.y, turned), t.x, s.x);

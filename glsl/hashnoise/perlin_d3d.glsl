@@ -18,8 +18,8 @@ HN_FN hn_i_num4 hn_i_edge_d(hn_i_num a, hn_i_num b, hn_vec3 g, hn_vec3 h, hn_i_n
                      hn_i_lerp_components(g.y, h.y, e), hn_i_lerp_components(g.z, h.z, e));
 }
 
-// The share of a face, from the words of its corners: the interpolated ramp, its derivatives along x and y, and what
-// the gradients' last components add. The gradients may have turned by a quarter.
+// The share of a face, from the hashes of its corners: the interpolated ramp, its derivatives along x and y, and what
+// the gradients' last components add. The gradients may be rotated by a quarter turn.
 HN_FN hn_i_num4 hn_i_face_d(hn_uvec4 h, hn_i_num3 f, bool back, hn_i_num3 t, hn_i_num3 s, bool turned) {
   hn_vec3 g00 = hn_i_direction3(h.x, hn_i_signs(h.x, turned));
   hn_vec3 g10 = hn_i_direction3(h.y, hn_i_signs(h.y, turned));
@@ -37,8 +37,8 @@ HN_FN hn_i_num4 hn_i_face_d(hn_uvec4 h, hn_i_num3 f, bool back, hn_i_num3 t, hn_
                      hn_i_lerp(n0.w, n1.w, t.y));
 }
 
-// The noise and its derivatives before they are scaled, from the words of the corners of both faces, the fades and their
-// slopes.
+// The noise and its derivatives before they are scaled, from the hashes of the corners of both faces, the fades and
+// their slopes.
 HN_FN hn_i_num4 hn_i_perlin_d(hn_uvec4 a, hn_uvec4 b, hn_i_num3 f, hn_i_num3 t, hn_i_num3 s, bool turned) {
   hn_i_num4 front = hn_i_face_d(a, f, false, t, s, turned);
   hn_i_num4 back = hn_i_face_d(b, f, true, t, s, turned);

@@ -12,7 +12,7 @@
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
 
 // The share of two corners of a cell along x in the noise: the interpolated ramp, its derivative along x, and what the
-// gradients' y adds. `rest` is what their z and w add. h are the words of the corners, and x, y, z and w the offsets
+// gradients' y adds. `rest` is what their z and w add. h are the hashes of the corners, and x, y, z and w the offsets
 // from the first; x1 is that from the second along x.
 HN_FN hn_i_num3 hn_i_edge_d(hn_uvec2 h, hn_float x, hn_float x1, hn_float y, hn_float z, hn_float w, hn_i_num2 along,
                             HN_I_OUT(hn_i_num2) rest) {

@@ -1,4 +1,4 @@
-// hashnoise: Perlin noise on the plane whose gradients turn with a phase.
+// hashnoise: Perlin noise on the plane whose gradients rotate with a phase.
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_PERLIN_PHASE2D_GLSL

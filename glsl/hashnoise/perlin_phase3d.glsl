@@ -1,4 +1,4 @@
-// hashnoise: Perlin noise in space whose gradients turn with a phase.
+// hashnoise: Perlin noise in space whose gradients rotate with a phase.
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_PERLIN_PHASE3D_GLSL

@@ -1,7 +1,7 @@
-// hashnoise: places, which say where a noise is evaluated.
+// hashnoise: places, where noises are evaluated.
 // SPDX-License-Identifier: MIT
 //
-// Every noise and every sum takes a position, or a place in its stead:
+// Every noise and every fractal takes a position, or a place instead:
 //
 //   hn_perlin(p, 7u)                                   a position
 //   hn_perlin(hn_place(cell, f), 7u)                   far out, where a float no longer names cells exactly
@@ -9,8 +9,8 @@
 //   hn_perlin(hn_tile(hn_place(cell, f), period), 7u)  both
 //   hn_fbm(hn_tile(p, period), 6, 2.0, 0.5, 7u)        and so on
 //
-// position.glsl makes places of positions that are integers. What a place is made of folds where it is a constant: one
-// without a period costs nothing more than the position.
+// position.glsl makes places of positions that are integers. Compilers fold the members of a place that are constants:
+// a place without a period costs no more than the position.
 
 #ifndef HN_PLACE_GLSL
 #define HN_PLACE_GLSL
@@ -52,7 +52,7 @@ HN_FN hn_i_num4 hn_i_to_num(hn_vec4 f) {
 // Where a noise is evaluated. Make it by hn_place and hn_tile; only `cell` may be read.
 //   cell      the cell; cells wrap at 2^32
 //   fraction  where in the cell it is, in the numbers of HN_ARITHMETIC
-//   rest      what is beyond those numbers, in units of 2^-24 of a cell. Only octave sums with HN_FIXED need it
+//   rest      what is beyond those numbers, in units of 2^-24 of a cell. Only fractals with HN_FIXED need it
 //   period    cells along each axis
 //   tiled     whether it has a period. Octaves are not rotated then, as they would not fit the tile
 struct hn_place1 {

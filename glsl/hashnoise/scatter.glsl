@@ -1,11 +1,11 @@
-// hashnoise: scattered points, no two of which are nearer than a radius, without a list of them.
+// hashnoise: scattered points that are no nearer to each other than a radius, without a list of them.
 // SPDX-License-Identifier: MIT
 //
-// Each cell has a candidate: a random point of the cell. It stands if no candidate within the radius has a larger word.
-// So whether it stands follows from the cells around alone: every program that asks gets the same answer.
+// Each cell has a candidate: a random point of the cell. It is kept if no candidate within the radius has a larger
+// hash. So the cells around it decide alone, and every program gets the same points.
 //
-// Everything in this file is exact: the same bits with every HN_ARITHMETIC and on every driver. docs/reference/contract.md,
-// section 19, defines each value.
+// Everything in this file is exact: the same bits with every HN_ARITHMETIC and on every driver.
+// docs/reference/contract.md, section 19, defines each value.
 
 #ifndef HN_SCATTER_GLSL
 #define HN_SCATTER_GLSL
@@ -13,7 +13,7 @@
 #include "detail/block.glsl"
 #include "numbers.glsl"
 
-// The candidate of a cell with the word h, in units of 2^-15 cells.
+// The candidate of a cell with the hash h, in units of 2^-15 cells.
 HN_FN hn_ivec2 hn_i_candidate2(hn_uint h) {
   hn_uint r = hn_rehash(h, 1u);
   return ivec2(int(r >> 17u), int((r >> 2u) & 32767u));
@@ -35,13 +35,13 @@ HN_FN hn_uint hn_i_square_below_cell(hn_int d) {
   return size * size;
 }
 
-// The square of the distance to the nearest rival so far, and to one more, which has the word `rival` and the square
-// `other`. A rival whose word is smaller than h does not count.
+// The square of the distance to the nearest rival so far, and to one more, which has the hash `rival` and the square
+// `other`. A rival whose hash is smaller than h does not count.
 HN_FN hn_uint hn_i_nearest_rival(hn_uint square, hn_uint h, hn_uint rival, hn_uint other) {
   return hn_i_select(rival < h, square, min(square, other));
 }
 
-// The word to return of a candidate with the word h, by the square of its nearest rival and that of the reach.
+// The result for a candidate with the hash h, by the square of its nearest rival and that of the reach.
 HN_FN hn_uint hn_i_unbeaten(hn_uint h, hn_uint square, hn_uint reach) {
   hn_uint none = 0u;
   return hn_i_select(square < reach, none, hn_rehash(h, 5u) | 1u);

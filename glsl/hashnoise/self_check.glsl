@@ -1,4 +1,4 @@
-// hashnoise: a word that tells whether a driver, a compiler or a port computes what it should.
+// hashnoise: a number that is wrong if a driver, a compiler or a port computes wrong bits.
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_SELF_CHECK_GLSL
@@ -7,7 +7,7 @@
 #include "numbers.glsl"
 #include "position.glsl"
 
-// Multiplies a float by a power of two that makes a whole number of it, and returns that as a word.
+// Multiplies a float by a power of two that makes a whole number of it, and returns that as a uint.
 HN_FN hn_uint hn_i_in_units(hn_float x, hn_float units) { return uint(int(x * units)); }
 
 HN_FN hn_uint hn_i_checked(hn_uint w, hn_uint n) { return hn_i_mix(w + n); }

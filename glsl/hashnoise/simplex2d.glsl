@@ -6,7 +6,7 @@
 
 #include "detail/triangular_lattice.glsl"
 
-// The noise before it is scaled, from the words of the corners. The gradients may have turned by a quarter.
+// The noise before it is scaled, from the hashes of the corners. The gradients may be rotated by a quarter turn.
 HN_FN hn_i_num hn_i_simplex(hn_uvec3 h, hn_i_num2 skewed, bool turned) {
   hn_i_num3 x = hn_i_triangle_x(skewed);
   hn_i_num3 y = hn_i_triangle_y(skewed);

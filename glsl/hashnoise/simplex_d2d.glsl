@@ -6,13 +6,13 @@
 
 #include "detail/triangular_lattice.glsl"
 
-// The share of a corner in the noise and in its derivatives, in steps. The gradient may have turned by a quarter.
+// The share of a corner in the noise and in its derivatives, in steps. The gradient may be rotated by a quarter turn.
 HN_FN hn_i_num3 hn_i_weighted_ramp_d(hn_uint h, hn_i_num x, hn_i_num y, hn_i_num t, bool turned) {
   return hn_i_weighted_ramp_d(hn_i_triangle_ramp(h, x, y, turned), hn_i_direction2(h, turned), x, y,
                               hn_i_weight_plane(t), hn_i_d_weight_plane(t, 1));
 }
 
-// The noise and its derivatives before they are scaled, from the words of the corners.
+// The noise and its derivatives before they are scaled, from the hashes of the corners.
 HN_FN hn_i_num3 hn_i_simplex_d(hn_uvec3 h, hn_i_num2 skewed, bool turned) {
   hn_i_num3 x = hn_i_triangle_x(skewed);
   hn_i_num3 y = hn_i_triangle_y(skewed);

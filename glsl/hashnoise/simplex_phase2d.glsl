@@ -1,4 +1,4 @@
-// hashnoise: simplex noise on the plane whose gradients turn with a phase.
+// hashnoise: simplex noise on the plane whose gradients rotate with a phase.
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_SIMPLEX_PHASE2D_GLSL

@@ -1,4 +1,4 @@
-// hashnoise: simplex noise in space whose gradients turn with a phase.
+// hashnoise: simplex noise in space whose gradients rotate with a phase.
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_SIMPLEX_PHASE3D_GLSL

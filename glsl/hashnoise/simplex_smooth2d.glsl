@@ -9,7 +9,7 @@
 // A sum of weighted ramps is at most 1024 / 3081 (tools/make bounds).
 HN_FN hn_i_num hn_i_scaled_smooth2(hn_i_num n) { return hn_i_scaled(n, 3081); }
 
-// The noise in the numbers of HN_ARITHMETIC, from the words of two neighbours in the lower row and of two in the upper
+// The noise in the numbers of HN_ARITHMETIC, from the hashes of two neighbours in the lower row and of two in the upper
 // one, and the places between these.
 HN_FN hn_i_num hn_i_simplex_smooth(hn_uvec4 h, hn_i_num lower, hn_i_num upper, hn_i_num y) {
   hn_i_num lower1 = hn_i_minus_one(lower);

@@ -1,15 +1,15 @@
 // hashnoise: noise with uniform values, so that "30% of the land is water" is a number.
 // SPDX-License-Identifier: MIT
 //
-// Most values of a noise are near 0, and how many are depends on the noise and on its octaves. hn_uniform turns a value
-// into the fraction of all values that are smaller:
+// Most values of a noise are near 0. Their distribution depends on the noise and on its octaves. hn_uniform turns a
+// value into the fraction of all values that are smaller:
 //
 //   float height = hn_fbm(p, 5, 2.0, 0.5, 7u);
 //   vec4 spread = hn_spread_fbm(hn_spread(HN_SPREAD_PERLIN2), 5.0, 0.5);
 //   bool water = hn_uniform(height, spread) < 0.3;   // 30% of the plane
 //
-// A spread is four numbers that say how values are distributed: the reach, beyond which there are none, and three
-// coefficients. docs/guide/uniform.md says how near to uniform the results are, and tools/measure uniform measures it.
+// A spread is four numbers of a distribution of values: the reach, beyond which there are none, and three coefficients.
+// docs/guide/uniform.md has how near to uniform the results are, and tools/measure uniform measures it.
 //
 // With s = |value| / reach the tail, which is twice the fraction of values farther out, is a polynomial of
 // y = (1 - s)^2 with the Bernstein coefficients 0, a, b, c, 1. These rise, and so the tail does; its slope is 0 at the
@@ -125,7 +125,7 @@ HN_FN hn_i_num hn_i_mix(hn_i_num p, hn_i_num q, hn_i_num y) {
   return hn_i_plus(p, hn_i_weight_times(hn_i_minus(q, p), y));
 }
 
-// A tail lies between two numbers, the difference of which is a quarter of its slope by y = w^2.
+// A tail lies between two numbers. Their difference is a quarter of its slope by y = w^2.
 struct hn_i_tail {
   hn_i_num low;
   hn_i_num high;

@@ -8,7 +8,7 @@
 #include "detail/derivative.glsl"
 #include "detail/value.glsl"
 
-// The noise and its derivatives, from the words of the corners.
+// The noise and its derivatives, from the hashes of the corners.
 HN_FN hn_vec3 hn_i_value_d(hn_uvec4 h, hn_i_num2 f) {
   hn_i_num2 t = hn_i_fade(f);
   hn_i_num3 n = hn_i_lerp_d(hn_i_numbers(h), t, hn_i_d_fade(f));

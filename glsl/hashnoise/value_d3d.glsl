@@ -8,7 +8,7 @@
 #include "detail/derivative.glsl"
 #include "detail/value.glsl"
 
-// The noise and its derivatives, from the words of the corners of both faces.
+// The noise and its derivatives, from the hashes of the corners of both faces.
 HN_FN hn_vec4 hn_i_value_d(hn_uvec4 a, hn_uvec4 b, hn_i_num3 f) {
   hn_i_num3 t = hn_i_fade(f);
   hn_i_num3 s = hn_i_d_fade(f);

@@ -1,4 +1,4 @@
-// hashnoise: shifts of positions on the plane, as sums of octaves.
+// hashnoise: domain warping on the plane: displacements of positions by fractals.
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_WARP2D_GLSL
@@ -17,7 +17,7 @@ struct hn_shifts2 {
   hn_i_jacobian2 jacobian;
   hn_i_num growth;  // of the Jacobian, from octave to octave
   hn_i_num amplitude;
-  hn_i_num rate;  // by which an octave of progressive shifts moves the next
+  hn_i_num rate;  // by which an octave of progressive displacements moves the next
 };
 
 // The position of an octave, moved by n of the octave's cells.
@@ -88,7 +88,7 @@ HN_FN hn_vec2 hn_i_warp_progressive(hn_octaves2 o, hn_float amplitude) {
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// Shifts by hn_value_vector, in the forms of hn_fbm with a seed.
+// Displacements by hn_value_vector, in the forms of hn_fbm with a seed.
 
 // Domain warping: a displacement for a position. Evaluate another noise at p + hn_warp(p, ...). Far from the origin
 // evaluate it at hn_place(cell, f + hn_warp(hn_place(cell, f), ...)), with the whole part of the sum added to the cell.

@@ -52,7 +52,7 @@ HN_FN hn_i_num2 hn_i_to_num(hn_vec2 f) { return hn_i_vector(hn_i_to_num(f.x), hn
 // Where a noise is evaluated. Make it by hn_place and hn_tile; only `cell` may be read.
 //   cell      the cell; cells wrap at 2^32
 //   fraction  where in the cell it is, in the numbers of HN_ARITHMETIC
-//   rest      what is beyond those numbers, in units of 2^-24 of a cell. Only octave sums with HN_FIXED need it
+//   rest      what is beyond those numbers, in units of 2^-24 of a cell. Only fractals with HN_FIXED need it
 //   period    cells along each axis
 //   tiled     whether it has a period. Octaves are not rotated then, as they would not fit the tile
 struct hn_place2 {

@@ -1,4 +1,4 @@
-// hashnoise: hashes of words. Each is exact: the same bits on every driver.
+// hashnoise: hashes of 32-bit numbers. Each is exact: the same bits on every driver.
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_HASHES_GLSL
@@ -6,7 +6,7 @@
 
 #include "../config.glsl"
 
-// Word hashes take a uint and return a uint. They do not depend on HN_HASH.
+// These take a uint and return a uint. They do not depend on HN_HASH.
 
 // FNV-1, 32 bit, of the four bytes of k, lowest first.
 //   k        any uint
@@ -128,8 +128,8 @@ HN_FN hn_uint hn_hash_lowbias32(hn_uint k) {
   return k ^ (k >> 16u);
 }
 
-// Hashes of several words, which return as many: of a pixel and a frame, for example. They are no choices of HN_HASH,
-// which is of one word.
+// Hashes of several numbers, which return as many: of a pixel and a frame, for example. HN_HASH does not offer them,
+// since it hashes one number.
 
 HN_FN hn_uint hn_i_congruential(hn_uint k) { return k * 1664525u + 1013904223u; }
 HN_FN hn_uint hn_i_folded(hn_uint k) { return k ^ (k >> 16u); }

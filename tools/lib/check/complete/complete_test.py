@@ -124,7 +124,7 @@ class Deletions(unittest.TestCase):
                      r"hn_scattered\(ivec2, float, uint\) has no row")
 
     def test_a_function_that_nobody_knows(self) -> None:
-        self.change("glsl/hashnoise/*.glsl", r"^(// Gradient noise on the square lattice)",
+        self.change("glsl/hashnoise/*.glsl", r"^(// Perlin noise on the plane: )",
                     "// New.\n//   returns  0\nHN_FN hn_float hn_merlin(hn_vec4 p, hn_uint seed) {\n}\n\n\\1")
         self.noticed(r"^glsl/hashnoise/\w+\.glsl:\d+: hn_merlin\(vec4, uint\) has no row: .* or add a row that calls it")
 
