@@ -66,7 +66,7 @@ HN_FN hn_float hn_i_cell_border(hn_place2 place, hn_i_num jitter, hn_uint seed, 
 
 // The distance to the border of a cell of cellular noise on the plane, for cracks, tiles and veins. The border is where
 // another feature point is as near as the nearest one. It is not the difference of the distances to both.
-//   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a hill or a valley. Less
+//   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a stone or a tile. Less
 //            than 2^23 along each axis: larger floats have no fraction
 //   place    in place of p: hn_place(cell, f) far from the origin, or hn_tile(p, period) for a tile (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields

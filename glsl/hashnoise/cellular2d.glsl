@@ -21,7 +21,7 @@ HN_FN hn_vec2 hn_i_cellular(hn_place2 place, hn_i_num jitter, hn_int metric, hn_
 
 // Cellular noise on the plane: the distances to the nearest and to the second nearest feature point (Worley's F1 and
 // F2). Each cell has one such point. No point of the whole infinite field is nearer.
-//   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a hill or a valley. Less
+//   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a stone or a tile. Less
 //            than 2^23 along each axis: larger floats have no fraction
 //   place    in place of p: hn_place(cell, f) far from the origin, or hn_tile(p, period) for a tile (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields

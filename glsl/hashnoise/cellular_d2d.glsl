@@ -15,7 +15,7 @@ HN_FN hn_vec3 hn_i_cellular_d(hn_i_block2 block, hn_i_num2 f, hn_i_num jitter, h
 }
 
 // The distance to the nearest feature point on the plane, which is the first of hn_cellular, and its gradient.
-//   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a hill or a valley. Less
+//   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a stone or a tile. Less
 //            than 2^23 along each axis: larger floats have no fraction
 //   place    in place of p: hn_place(cell, f) far from the origin, or hn_tile(p, period) for a tile (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields

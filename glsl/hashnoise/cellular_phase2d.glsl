@@ -11,7 +11,7 @@ HN_FN hn_i_rank4 hn_i_nearest(hn_place2 place, hn_i_turn2 turn, hn_float jitter,
 }
 
 // Cellular noise on the plane whose points circle with a phase: cells move in place, and loop after one turn.
-//   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a hill or a valley. Less
+//   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a stone or a tile. Less
 //            than 2^23 along each axis: larger floats have no fraction
 //   place    in place of p: hn_place(cell, f) far from the origin, or hn_tile(p, period) for a tile (place.glsl)
 //   phase    in turns, any float: phase + 1 has the same bits. A float far from 0 has few bits left for the turn: pass

@@ -23,7 +23,7 @@ HN_FN hn_float hn_i_cellular_smooth(hn_i_block2 block, hn_i_num2 f, hn_i_num jit
 
 // Cellular noise on the plane with rounded valleys and no creases between cells: a distance that takes all points
 // within 1 into account, in any order. No point outside the cells that it visits is within 1, so there are no seams.
-//   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a hill or a valley. Less
+//   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a stone or a tile. Less
 //            than 2^23 along each axis: larger floats have no fraction
 //   place    in place of p: hn_place(cell, f) far from the origin, or hn_tile(p, period) for a tile (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields

@@ -32,7 +32,7 @@ HN_FN hn_vec3 hn_i_in_cells(hn_i_num3 steps) {
 // has a random hash of its own. Sample your texture three times, moved and rotated by the hashes, and mix the samples
 // by the weights. No seam shows, since a hexagon changes where its weight is 0. Hexagons are one cell wide and one
 // high; docs/guide/hex-tiling.md has two ways of mixing.
-//   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a hill or a valley. Less
+//   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a stone or a tile. Less
 //            than 2^23 along each axis: larger floats have no fraction
 //   place    in place of p: hn_place(cell, f) far from the origin, or hn_tile(p, period) for a tile (place.glsl)
 //   seed     any uint: 7u, not 7; different seeds give independent hashes

@@ -5,6 +5,9 @@
 #define HN_PERLIN2D_GLSL
 
 #include "detail/direction.glsl"
+#if HN_GRADIENT == HN_GRADIENT_SINE
+#include "detail/sine_gradient.glsl"
+#endif
 
 // The noise in the numbers of HN_ARITHMETIC.
 HN_FN hn_i_num hn_i_perlin(hn_i_box2 box, hn_i_num2 f, hn_uint seed) {

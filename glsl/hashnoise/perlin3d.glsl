@@ -5,6 +5,9 @@
 #define HN_PERLIN3D_GLSL
 
 #include "detail/direction3d.glsl"
+#if HN_GRADIENT == HN_GRADIENT_SINE
+#include "detail/sine_gradient.glsl"
+#endif
 
 // The noise in the numbers of HN_ARITHMETIC.
 HN_FN hn_i_num hn_i_perlin(hn_i_box3 box, hn_i_num3 f, hn_uint seed) {

@@ -11,7 +11,7 @@
 
 // A random number for each cell: white noise, which jumps from one cell to the next. Place, colour and vary things with
 // it: one for each tile, tree or brick.
-//   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a hill or a valley. Less
+//   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a stone or a tile. Less
 //            than 2^23 along each axis: larger floats have no fraction
 //   place    in place of p: hn_place(cell) of an ivec4, or hn_tile(p, period) for a tile (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent numbers

@@ -5,9 +5,6 @@
 #define HN_DIRECTION_GLSL
 
 #include "cell2d.glsl"
-#if HN_GRADIENT == HN_GRADIENT_SINE
-#include "sine_gradient.glsl"
-#endif
 
 // On the plane a gradient is one of 8: (3, 1) / 4 and (1, 3) / 4, with signs. Their second moments are those of a
 // circle, so noise has the spectrum that gradients of all directions would give it. A gradient that is rotated by a

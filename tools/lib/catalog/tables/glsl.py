@@ -111,9 +111,17 @@ def declarations(library: Path = LIBRARY) -> list[Declaration]:
 
 @functools.cache
 def public_files(library: Path = LIBRARY) -> dict[str, str]:
-    """The files of detail/, and for each the file above it that users include for it."""
-    return {f"detail/{name}": path.name for path in sorted(library.glob("*.glsl"))
-            for name in re.findall(r'^#include "detail/(.+)"$', path.read_text(encoding="utf-8"), re.MULTILINE)}
+    """The files of detail/, and for each the file above it that users include for it: one that has functions of the same
+    name, if there is any."""
+    names: dict[Path, set[str]] = {}
+    for one in declarations(library):
+        names.setdefault(one.path, set()).add(one.name)
+    found: dict[str, list[Path]] = {}
+    for path in sorted(library.glob("*.glsl")):
+        for name in re.findall(r'^#include "detail/(.+)"$', path.read_text(encoding="utf-8"), re.MULTILINE):
+            found.setdefault(f"detail/{name}", []).append(path)
+    return {name: max(paths, key=lambda path: len(names.get(path, set()) & names.get(library / name, set()))).name
+            for name, paths in found.items()}
 
 
 @functools.cache

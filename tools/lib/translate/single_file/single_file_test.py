@@ -245,7 +245,7 @@ class SingleFile(unittest.TestCase):
                 call = CALLS.get(name, "hn_clouds(vec3(1.5), 5, 2.0, 0.5)")
                 right, log = compile_shader(f"#version 330\n{text}\nout vec4 o;\nvoid main() {{ o = vec4({call}); }}\n")
                 self.assertTrue(right, log)
-        self.assertEqual(found["perlin2d.glsl"].includes, ("detail/direction.glsl",))
+        self.assertEqual(found["perlin2d.glsl"].includes, ("detail/direction.glsl", "detail/sine_gradient.glsl"))
         self.assertIsInstance(found["hashnoise.glsl"], Part)
 
     def test_a_call_on_the_plane_brings_little_text(self):
