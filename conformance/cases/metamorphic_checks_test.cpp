@@ -158,7 +158,7 @@ TEST_F(Periods, ASumFromACellThatIsNotThatAtThePositionIsCaught) {
        "hn_i_place(cell, hn_i_to_num(f) ^ 256,"},
       {"warp.warp_progressive2_cell.lattice.fast.fragment.gl330.from_cell", "detail/jacobian.glsl",
        "hn_i_minus(n, cells)", "hn_i_minus(0.5f * n, 0.5f * cells)"},
-      {"fbm.fbm2_cell_period.lattice.precise.fragment.gl400.from_cell", "detail/place2d.glsl",
+      {"fbm.fbm2_cell_period.lattice.precise.fragment.gl400.from_cell", "detail/cell2d.glsl",
        "hn_i_place(cell, hn_i_to_num(f),", "hn_i_place(cell, 0.999f * hn_i_to_num(f),"}};
   for (const Replacement& fault : kFaults) expect_replaced_caught(fault);
 }

@@ -13,6 +13,7 @@
 
 // A gradient on the line, from bits 14 to 22 of a hash.
 //   h        any uint
+//   example  float g = hn_gradient1(hn_lattice(ivec2(3, -5), 7u));
 //   returns  an odd multiple of 2^-9 in (-1, 1)
 //   error    none
 //   cost     no multiplication (GLSL before 3.30: 1 of floats)
@@ -27,6 +28,7 @@ HN_FN hn_float hn_gradient1(hn_uint h) {
 
 // A gradient in the plane, from bits 21, 22 and 31 of a hash.
 //   h        any uint
+//   example  vec2 g = hn_gradient2(hn_lattice(ivec2(3, -5), 7u));
 //   returns  one of 8 vectors: one component is 3/4 or -3/4, and the other 1/4 or -1/4
 //   error    none
 //   cost     no multiplication (GLSL before 3.30: 1 of floats)
@@ -35,6 +37,7 @@ HN_FN hn_vec2 hn_gradient2(hn_uint h) { return hn_i_direction2(h); }
 
 // A gradient in space, from the size of a hash and its bits 21 and 22.
 //   h        any uint
+//   example  vec3 g = hn_gradient3(hn_lattice(ivec2(3, -5), 7u));
 //   returns  one of 12 vectors: two components are 1 or -1, and one is 0
 //   error    none
 //   cost     no multiplication
@@ -43,6 +46,7 @@ HN_FN hn_vec3 hn_gradient3(hn_uint h) { return hn_i_direction3(h, hn_i_signs(h))
 
 // A gradient in four dimensions, from the size of a hash and its bits 20 to 22.
 //   h        any uint
+//   example  vec4 g = hn_gradient4(hn_lattice(ivec2(3, -5), 7u));
 //   returns  two components that are 1 or -1, and two that are 0
 //   error    none
 //   cost     no multiplication
@@ -52,6 +56,7 @@ HN_FN hn_vec4 hn_gradient4(hn_uint h) { return hn_i_direction4(h); }
 // The gradient of the noise at a lattice point.
 //   cell     the point: int, ivec2, ivec3 or ivec4
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   example  vec2 g = hn_gradient(ivec2(3, -5), 7u);
 //   returns  a vector of hn_gradient1, hn_gradient2, hn_gradient3 or hn_gradient4; with HN_GRADIENT_SINE, in 2D and 3D,
 //            a point of the square or cube [-1, 1]^n
 //   error    none; with HN_GRADIENT_SINE less than 2^-19 (HN_FIXED: 3.7e-5)

@@ -38,8 +38,9 @@ HN_FN hn_i_num2 hn_i_scaled_fall3(hn_i_num2 n) {
   return hn_i_vector(hn_i_of_fall(fall.x, 1), hn_i_of_fall(fall.y, 1));
 }
 
-// Phasor noise in space and how steep it is. value has the value and the quadrature of hn_phasor.
+// Phasor noise in space and its slopes: the value and the quadrature of hn_phasor with their derivatives.
 //   (parameters as for hn_phasor in phasor3d.glsl)
+//   example  hn_derivatives2x3 n = hn_phasor_d(vec3(uv * 8.0, 0.5), vec3(4.0, 0.0, 0.0), 0.25, 7u);
 //   returns  value, and in dx, dy and dz the derivatives of both along x, y and z, per cell, at a constant wave and
 //            phase: in [-100.5, 100.5] for the largest waves, once continuously differentiable (HN_FIXED: in steps of
 //            2^-16)

@@ -71,7 +71,9 @@ def comment(sum_: Sum) -> str:
                     "the seed cannot be\n//   left out)\n"]
     else:
         settings = ["//   (parameters, period and cost as for hn_fbm)\n"]
-    return "".join([commented(named(about)), *settings, commented(named(sum_.returns), "returns"),
+    strength = f", {sum_.strength.default:.1f}" if sum_.strength else ""
+    example = f"//   {'example':<11} float n = hn_{sum_.name}(uv * 8.0, 6, 2.0, 0.5{strength}, 7u);\n"
+    return "".join([commented(named(about)), *settings, example, commented(named(sum_.returns), "returns"),
                     commented(named(sum_.error), "error"), commented(named(sum_.source), "source")])
 
 
@@ -102,11 +104,12 @@ def public_steps(sums: Sequence[Sum]) -> str:
     head = commented(f"Add the noise of an octave: {'; '.join(kinds)}.")
     return head + """\
 //   o         the octaves
-//   n         the noise at o.place with o.seed, in [-1, 1]. hn_add and hn_add_turbulence take what is beyond
-//             (HN_FIXED up to 3/2), others cut it off
+//   n         the noise at o.place with o.seed, in [-1, 1]. hn_add and hn_add_turbulence take values beyond (HN_FIXED
+//             up to 3/2), others cut them off
 //   strength  of hn_ping_pong, usually 2, in [0, 64]; of hn_weighted, usually 1, in [0, 1]
-//   returns   nothing: the octaves have the sum
-//   error     as of the sums in fbm2d.glsl
+//   example   do hn_add(o, hn_value(o.place, o.seed)); while (hn_next(o));
+//   returns   nothing: the octaves hold the result so far
+//   error     as of the fractals in fbm2d.glsl
 //   cost      1 to 10 operations
 //   source    docs/reference/contract.md, section 7
 """ + "".join(function(f"HN_FN void {step}",

@@ -106,6 +106,8 @@ def functions_without_words(tree: Tree) -> Iterator[str]:
     for declared in tree.declarations:
         if not declared.comment or "returns" not in declared.comment.headings:
             yield f"{declared.place}: {declared} has no comment that says what it returns: write one over it"
+        elif "example" not in declared.comment.headings:
+            yield f"{declared.place}: the comment over {declared} has no line `example`: add a call, before what it returns"
     for name in sorted({function.calls for function in tree.functions}):
         if not any(is_named(name, cell) for cell in first_cells):
             yield f"README.md: no line for {name}: add one to the table of functions, or to that of {' or '.join((OF_NOISES, *OTHERS))}"

@@ -7,12 +7,14 @@ from __future__ import annotations
 
 import re
 import shutil
+import subprocess
 import tempfile
 import unittest
 from pathlib import Path
 
 from base.tree import BOUNDS, GLSL, GOLDEN, ROOT
 from catalog.model import CATALOG
+from catalog.tables import glsl
 from check.complete.check import ROWS, SETTINGS, problems
 
 BOUNDS_FILE = str(BOUNDS.relative_to(ROOT))
@@ -23,6 +25,45 @@ class Complete(unittest.TestCase):
     def test_the_tree_is_complete(self) -> None:
         found = problems()
         self.assertEqual(found, [], "\n" + "\n".join(found))
+
+
+class Examples(unittest.TestCase):
+    """The code in the comments of the library compiles."""
+
+    def shader(self, library: Path) -> str:
+        """All of it, in the strictest GLSL. uv is a position from 0 to 1, and o the octaves of a fractal."""
+        blocks = []
+        for path, comment in dict.fromkeys((one.path, one.comment) for one in glsl.declarations(library) if one.comment):
+            found = re.search(r"(\d)d\.glsl$", path.name)
+            dims = found[1] if found else "2"
+            for code in comment.examples:
+                octaves = "" if f"hn_octaves{dims} o" in code or not re.search(r"\bo\b", code) else (
+                    f"hn_octaves{dims} o = hn_octaves(p, 6, 2.0, 0.5, 7u);")
+                type_ = f"vec{dims}" if dims > "1" else "float"
+                p = "" if re.search(r"vec\d p =", code) else f"{type_} p = {type_}(uv.x);"
+                blocks.append(f"{{ {p} {octaves}\n{code}\n}}")
+        return ("#version 300 es\n#extension GL_GOOGLE_include_directive : enable\nprecision highp float;\n"
+                '#include "hashnoise/hashnoise.glsl"\nin vec2 uv;\nvoid main() {\n' + "\n".join(blocks) + "\n}\n")
+
+    def compiled(self, shader: str) -> subprocess.CompletedProcess[str]:
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "shader.frag"
+            file.write_text(shader, encoding="ascii")
+            return subprocess.run(["glslangValidator", "-l", f"-I{GLSL.parent}", file], capture_output=True, text=True, check=False)
+
+    def test_they_compile(self) -> None:
+        shader = self.shader(GLSL)
+        self.assertGreater(shader.count("hn_perlin(uv * 8.0, 7u);"), 0)
+        done = self.compiled(shader)
+        self.assertEqual(done.returncode, 0, done.stdout)
+
+    def test_a_wrong_one_is_noticed(self) -> None:
+        shader = self.shader(GLSL)
+        for old, new in (("hn_perlin(uv * 8.0, 7u);", "hn_perlin(uv * 8.0, 7);"), ("vec3 height =", "vec2 height ="),
+                         ("ivec2 nearest;", "")):
+            with self.subTest(new):
+                self.assertIn(old, shader)
+                self.assertNotEqual(self.compiled(shader.replace(old, new, 1)).returncode, 0)
 
 
 class Deletions(unittest.TestCase):
@@ -83,7 +124,7 @@ class Deletions(unittest.TestCase):
                      r"hn_scattered\(ivec2, float, uint\) has no row")
 
     def test_a_function_that_nobody_knows(self) -> None:
-        self.change("glsl/hashnoise/*.glsl", r"^(// Gradient noise on the square lattice)",
+        self.change("glsl/hashnoise/*.glsl", r"^(// Perlin noise on the plane: )",
                     "// New.\n//   returns  0\nHN_FN hn_float hn_merlin(hn_vec4 p, hn_uint seed) {\n}\n\n\\1")
         self.noticed(r"^glsl/hashnoise/\w+\.glsl:\d+: hn_merlin\(vec4, uint\) has no row: .* or add a row that calls it")
 

@@ -171,7 +171,7 @@ EQUIVALENT: tuple[Equivalence, ...] = (
 
     # It is 0 all the same.
     *(Equivalence(file, zero, (f"-{zero}",)) for file, zero in (
-        ("detail/place2d.glsl", "ivec2(0, 0)"), ("place.glsl", "ivec3(0, 0, 0)"), ("place.glsl", "ivec4(0, 0, 0, 0)"))),
+        ("detail/cell2d.glsl", "ivec2(0, 0)"), ("place.glsl", "ivec3(0, 0, 0)"), ("place.glsl", "ivec4(0, 0, 0, 0)"))),
 
     # What nothing is written to is 0 on the drivers here, and in C++.
     *(each for file in ("fbm_d2d.glsl", "fbm_d3d.glsl", "warp2d.glsl", "warp3d.glsl")

@@ -27,6 +27,8 @@ VECTOR = re.compile(r"[iu]?vec2|hn_i_vector")  # what makes a vector of the plan
 SCALARS = {"": "float", "i": "int", "u": "uint"}
 WHERE = {1: "on the line", 3: "in space", 4: "in four dimensions"}
 ALONG = {1: "along x", 3: "along x, y and z", 4: "along x, y, z and w"}
+EXAMPLE = "uv * 8.0"  # a position in examples of calls
+EXAMPLES = {1: "uv.x * 8.0", 3: "vec3(uv * 8.0, 0.5)", 4: "vec4(uv * 8.0, 0.5, 0.25)"}
 
 
 class Unclear(Exception):
@@ -208,7 +210,7 @@ class Rule:
     def words(self, lead: str) -> str:
         """Of comments and directives."""
         lead = lead.replace("on the plane", WHERE[self.n]).replace("along x and y", ALONG[self.n])
-        return re.sub(r"\w+", lambda word: self.name(word[0]), lead)
+        return re.sub(r"\w+", lambda word: self.name(word[0]), lead).replace(EXAMPLE, EXAMPLES[self.n])
 
 
 @functools.lru_cache(maxsize=None)  # tests make the same again and again

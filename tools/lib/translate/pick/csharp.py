@@ -140,8 +140,8 @@ private struct Bits {
         returns = facts.all_returns[:1].upper() + facts.all_returns[1:]
         tags = [("summary", facts.what), *((f'param name="{one}"', text) for names, text in facts.parameters.items()
                                            for one in names.split(", ") if one not in facts.sets),
-                ("returns", returns), ("remarks", f"Error: {facts.error}" if facts.error else ""),
-                ("example", facts.call and f"<code>{facts.call}</code>")]
+                ("example", facts.call and f"<code>{facts.call}</code>"), ("returns", returns),
+                ("remarks", f"Error: {facts.error}" if facts.error else "")]
         lines = [line for tag, shown in tags if shown for line in paragraph_lines(
             f"<{tag}>{shown if tag == 'example' else f'{html.escape(shown, quote=False)}.'}</{tag.split()[0]}>")]
         return [f"/// {line}" for line in lines]

@@ -372,7 +372,7 @@ class Nodes(unittest.TestCase):
 class Comments(unittest.TestCase):
     """They stand alone, in every language: by default of some functions, in each language of others."""
     REFERENCE = re.compile(r"\b(?:above|below)\b(?!,? (?:-?\d|the first|a whole|a thresh))"
-                           r"|docs/|\.md\b|\.glsl\b|in its stead")
+                           r"|docs/|\.md\b|\.glsl\b|in place of (?:p|the cell)\b")
     LANGUAGES = (*LANGUAGES, *command.SYNTAXES, command.TSL)
     pick = staticmethod(command.picker())
 
@@ -442,7 +442,7 @@ class Comments(unittest.TestCase):
         for name in list(known)[::1 if THOROUGH else 30]:
             with self.subTest(name):
                 shown = self.pick([name], command.Choice())
-                call = re.search(r" call (.*) Of hashnoise", self.comment(shown))[1]
+                call = re.search(r" example (.*?)(?: (?:returns|error) .*)? Of hashnoise", self.comment(shown))[1]
                 done = self.compiled(call, name, shown)
                 self.assertEqual(done.returncode, 0, done.stdout)
         self.assertNotEqual(self.compiled("hn_fbm(uv * 8.0, 6)", "hn_fbm2", self.pick(["hn_fbm2"], command.Choice()))
@@ -468,7 +468,7 @@ class Comments(unittest.TestCase):
         for language, (variables, *compiler) in cases.items():
             shown = self.pick(["hn_cellular2_nearest"], command.Choice(language))
             comment = self.comment(shown)
-            call = re.search(r"(?:call |Call: `)(hn_\w+\(.*?\))(?:`| Of hashnoise)", comment)[1]
+            call = re.search(r"(?:example |Example: `)(hn_\w+\(.*?\))(?:`| returns )", comment)[1]
             for made, status in ((call, 0), (call.replace(", 7u", ""), 1)):
                 with self.subTest(language, call=made), tempfile.TemporaryDirectory() as folder:
                     main = f"float made() {{\n{variables}\nreturn {made}.x + offset.x + nearest.x;\n}}\n"

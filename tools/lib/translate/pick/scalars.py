@@ -82,7 +82,7 @@ def spaced(parts: Sequence[str]) -> str:
 
 def block_comment(facts: Facts, tag: str) -> list[str]:
     """What javadoc and JSDoc read. What stands behind a tag belongs to it."""
-    paragraphs = [facts.what, facts.error and f"Error: {facts.error}.", facts.call and f"Call: {facts.call}",
+    paragraphs = [facts.what, facts.call and f"Example: {facts.call}", facts.error and f"Error: {facts.error}.",
                   *(f"@param {one} {text}." for names, text in facts.parameters.items() for one in names.split(", ")
                     if one not in facts.sets),
                   facts.all_returns and f"{tag} {facts.all_returns}."]
@@ -342,9 +342,9 @@ class Syntax:
         listed = [line for names, text in facts.parameters.items()
                   for line in paragraph_lines(f"{names}: {text}.", begin=self.item, indent=" " * len(self.item))]
         paragraphs = [paragraph_lines(facts.what), listed,
+                      paragraph_lines(f"Example: `{facts.call}`" if facts.call else ""),
                       paragraph_lines(f"Returns {facts.all_returns}." if facts.all_returns else ""),
-                      paragraph_lines(f"Error: {facts.error}." if facts.error else ""),
-                      paragraph_lines(f"Call: `{facts.call}`" if facts.call else "")]
+                      paragraph_lines(f"Error: {facts.error}." if facts.error else "")]
         return [line for paragraph in paragraphs if paragraph for line in ("", *paragraph)][1:]
 
     def joined(self, lines: Sequence[str], space: str) -> list[str]:

@@ -122,7 +122,7 @@ FLOATS: dict[str, Callable[[Fraction, Fraction], Fraction]] = {
 
 
 def hides(sign: str, left: Node) -> bool:
-    """Whether an operation that does nothing stays, which hides from FXC what the number is (detail/convert.glsl)."""
+    """Whether an operation that does nothing stays, which hides from FXC what the number is (detail/word.glsl)."""
     return sign == "^" and isinstance(left, Operation) and left.name == "floatBitsToUint"
 
 
