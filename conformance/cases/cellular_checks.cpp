@@ -168,7 +168,7 @@ const Function& row_of(int axes, std::string_view name) {
   return find_function(fmt::format("noise{}d.{}", axes, name));
 }
 
-// What the function that names the nearest point returns beside that: the same text with another result.
+// The other results of the function that names the nearest point: the same text with another result.
 const Function& returned_beside(const Function& naming) {
   static std::list<Function> made;
   static std::list<std::string> texts;

@@ -142,7 +142,7 @@ TEST_F(Periods, AFunctionThatDoesNotRepeatIsCaught) {
   expect_replaced_caught({"fbm.billow2_cell_period.lattice.fast.fragment.gl330.period", "detail/octave.glsl",
                           "return int(uint(period) * uint(lacunarity));",
                           "return int(uint(period) * uint(lacunarity)) + int(period > 0);"});
-  // A tile that turns.
+  // A tile that rotates.
   expect_replaced_caught({"warp.warp_progressive2_cell_period.lattice.fixed.fragment.gl330.period", "octaves2d.glsl",
                           "hn_i_shifted(x, HN_I_SHIFT_X)",
                           "hn_i_shifted(hn_i_rotated_axis(x, y, HN_I_COS_XY, -HN_I_SIN_XY), HN_I_SHIFT_X)"});
@@ -240,7 +240,7 @@ TEST_F(Derivatives, FaultsAreCaught) {
   for (const Aperiodic& fault : kFaults) expect_caught(fault);
 }
 
-// A sign, components in another order, an octave that does not grow, and a turn in the other direction.
+// A sign, components in another order, an octave that does not grow, and a rotation in the other direction.
 TEST_F(Derivatives, FaultsOfSumsAreCaught) {
   constexpr Replacement kFaults[] = {
       {"fbm_d.fbm_d2.lattice.fast.fragment.gl330.derivative", "detail/jacobian.glsl",

@@ -1,7 +1,9 @@
-// Rows of points that are so near each other that many of them lie in one piece of a lattice, such as a cell, but that
-// cross the lattice in any direction: those of octaves that are turned. What depends on a piece alone is computed once
-// for a run of points in it, many runs at a time, and a point finds it by the number of its run. Numbers and their
-// order are those of the library, and so are the bits.
+// Rows of points so near each other that many of them lie in one piece of a lattice, such as a cell, but that cross the
+// lattice in any direction: the rows of rotated octaves. Numbers of a piece are computed once for a run of points in
+// it,
+// many runs at a time, and a point finds them by the number of its run. Numbers and their order are those of the
+// library,
+// and so are the bits.
 #pragma once
 
 #include "windows.hpp"

@@ -40,7 +40,7 @@ def text(*macros):
 
 
 class Found:
-    """What the text computes at places of cells."""
+    """The text's results at places of cells."""
 
     def __init__(self, rounding, home, f, jitter, phase=None, *macros):
         self.rounding, self.macros, self.dims = rounding, macros, len(f)
@@ -61,7 +61,7 @@ def words_around(home, reach=2):
 
 
 def homes(rng, dims, count, touching, of=100_000):
-    """Cells, of which so many have a point that nearly touches that of the next one along x: the nearest of many."""
+    """Cells: so many have a point that nearly touches that of the next one along x: the nearest of many."""
     home = rng.integers(-2**31, 2**31, (dims, of))
     own, other = (model.directions(dims, lattice_word([home[0] + step, *home[1:]], np.int64(SEED))) for step in (0, 1))
     gap = np.linalg.norm((other - own) / 1024 + np.eye(dims)[0][:, None], axis=0)
@@ -120,7 +120,7 @@ class Blocks(unittest.TestCase):
 
     @in_thorough_runs
     def test_borders_on_the_plane(self):
-        """What is proven is this and no more: with smaller boxes 0.028, which takes a minute. 3^n cells have more."""
+        """The proven bound is tight: with smaller boxes it is 0.028, which takes a minute. 3^n cells have more."""
         wrong, _ = borders.prove(borders.block(2), 2, 5, 6)
         self.assertLess(wrong, 0.09)
         wrong, smaller = (borders.prove(cells, 2, 4, 5)[0] for cells in (borders.block(2), features.neighbours(2)))
@@ -128,8 +128,9 @@ class Blocks(unittest.TestCase):
 
     @in_thorough_runs
     def test_borders_are_searched(self):
-        """In space nothing but this says that the block is large enough. It finds the faults of the 3^n cells, and of
-        blocks without one of the slabs."""
+        """In space only this proves that the block is large enough. It finds the faults of the 3^n cells, and of blocks
+        without
+        one of the slabs."""
         for dims, count, steps in ((2, 1200, 8), (3, 300, 3)):
             block = borders.block(dims)
             self.assertLess(borders.search(block, dims, 12, count, steps), 1e-9)
@@ -196,7 +197,7 @@ class Errors(unittest.TestCase):
         return homes(rng, dims, COUNT[dims], COUNT[dims] // 4), model.fractions(rng, dims, COUNT[dims]), jitter
 
     def compared(self, exact, found):
-        """What the bounds hold, and the largest error of each: a noise, and whether it is a derivative."""
+        """The bounds, and the largest error of each: a noise, and whether it is a derivative."""
         for name in ("cellular", "cellular_three"):
             pairs = [(exact.nearest(m), found.nearest(m, name)) for m in model.METRICS]
             yield name, max(abs(a[:len(b)] - b).max() for a, b in pairs)
@@ -401,7 +402,7 @@ class MovingPoints(unittest.TestCase):
         bound, found = moving.fixed_distance_error(2), Found(NEAREST, home, *others, FIXED).of("cellular_phase_cell_period")
         self.assertTrue(bound / 2 < abs(exact - found[0]).max() < bound)
 
-    def test_turns(self):
+    def test_rotations(self):
         """The matrices of random phases, many near those where sines of fixed arithmetic are worst."""
         rng = np.random.default_rng(59)
         worst = 11116544 / 2**32 + rng.integers(-4, 4, 20_000) / 4 + rng.uniform(-1, 1, 20_000) * 2.0**-18
@@ -423,7 +424,7 @@ class MovingPoints(unittest.TestCase):
             off = (rows(dims, sine(angle + 2**30), sine(angle), moving.fixed_product) / 2**16
                    - rows(dims, np.cos(a), np.sin(a), np.multiply))
             seen = np.linalg.norm(off.transpose(2, 0, 1), 2, axis=(1, 2)).max()
-            self.assertTrue(0.9 * moving.fixed_turn_error(dims) < seen < moving.fixed_turn_error(dims), (dims, seen))
+            self.assertTrue(0.9 * moving.fixed_rotation_error(dims) < seen < moving.fixed_rotation_error(dims), (dims, seen))
 
     def test_nothing_wraps(self):
         """A sine may be 1. So its half times itself would wrap, which no sine below 1 does. The library multiplies in
@@ -449,7 +450,7 @@ def whole_root(q):
 
 class Roots(unittest.TestCase):
     def guesses(self, q, ulps, conversion=1.0):
-        """Those of hn_i_root for words, off to either side."""
+        """hn_i_root for words, off to either side."""
         exact = np.sqrt(q.astype(float) * 2**8)
         for sign in (-1, 1):
             off = (1 + sign * conversion * distances.UNIT) ** 0.5 * (1 + sign * ulps * distances.UNIT)

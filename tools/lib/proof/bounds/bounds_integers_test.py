@@ -1,5 +1,5 @@
-"""Tests of what is proven of the steps of fixed arithmetic, and that nothing wraps: the integers of the proofs are those
-of the library's text."""
+"""Tests of what is proven of the steps of fixed arithmetic, and that nothing wraps: the integers of the proofs are
+those of the library's text."""
 
 import functools
 import math
@@ -39,7 +39,7 @@ def step(name, x, y=0, z=0):
 
 
 def proven(kind, dims):
-    """What bounds.inc has of hn_perlin."""
+    """The bounds of hn_perlin in bounds.inc."""
     return bounds_of("perlin", dims, kind.name)
 
 

@@ -231,7 +231,7 @@ class Fixed(Arithmetic):
 
 @dataclass(frozen=True)
 class MovingFixed(Fixed):
-    """Of points that go round: the position is turned instead, backwards."""
+    """Of points that go round: the position is rotated instead, backwards."""
     backwards: Matrix  # B
 
     def from_middle(self, fraction: Sequence[int], beside: Sequence[int]) -> tuple[int, ...]:
@@ -239,7 +239,7 @@ class MovingFixed(Fixed):
         return tuple(x - sum(16 * o * b for o, b in zip(beside, row)) for x, row in zip(middle, self.backwards))
 
     def candidates(self, fraction: Sequence[int]) -> Iterator[Candidate]:
-        # Along an axis of the turned block cells are not one behind the other.
+        # Along an axis of the rotated block cells are not one behind the other.
         reach = self.reach
         for beside in itertools.product(range(-AROUND, AROUND + 1), repeat=len(fraction)):
             yield beside, tuple(max(0, abs(d) - reach) for d in self.from_middle(fraction, beside))
@@ -346,7 +346,7 @@ def fixed_field(lattice: Lattice, cell: Sequence[int], fraction: Sequence[int]) 
 
 
 def whole_numbers(values: Sequence[Fraction], unit: int) -> tuple[int, ...]:
-    """The values in units of 1 / unit, of which they are multiples."""
+    """The values as multiples of 1 / unit."""
     numbers = [value * unit for value in values]
     assert all(number.denominator == 1 for number in numbers)
     return tuple(map(int, numbers))

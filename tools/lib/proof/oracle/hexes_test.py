@@ -44,8 +44,8 @@ def weights_of(found: Found) -> list[Fraction]:
     return [Fraction(found[f"w{corner}"]) for corner in CORNERS]
 
 
-# What a program in C makes of it, which was written from the contract: the hash, the cell, the fraction in units of
-# 2^-20, the periods and the seed; weights, words, and vectors.
+# From a program in C, which was written from the contract: the hash, the cell, the fraction in units of 2^-20, the
+# periods and the seed; weights, hashes, and vectors.
 VECTORS = (
     ("lattice", (-1, INT_MAX), (300000, 700001), (3, 0), 7, (697150, 100001, 251425),
      (650519684, 634511032, 176299772), (37856, 300000, -224288), (175713, -348575, -348575)),

@@ -1,5 +1,5 @@
-"""What the tests of the oracle share: positions, difference quotients, faults that checks have to notice, and whether
-what is drawn comes as often as it should."""
+"""The common parts of the oracle's tests: positions, difference quotients, faults that checks have to notice, and
+whether random numbers come as often as they should."""
 
 from __future__ import annotations
 

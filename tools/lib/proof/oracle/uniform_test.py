@@ -97,7 +97,7 @@ class Values(Checked, unittest.TestCase):
         for spread, of in itertools.product(SPREADS, BOTH):
             reach = uniform.clamped(spread[0], uniform.LEAST_REACH, uniform.LARGEST_REACH)
             for far in (reach, reach * 2, 3, 2**100):
-                # What is cut to an integer of a reach that is none is at the end, too.
+                # A reach of 0 is at the end, too.
                 self.assertEqual(of(far, *spread), (1, 0), spread)
                 self.assertEqual(of(-far, *spread), (0, 0), spread)
             for zero in (0, -0.0):

@@ -1,4 +1,4 @@
-"""What is proven of each noise. A noise is a module of this package, under its name, with
+"""The bounds of each noise. A noise is a module of this package, under its name, with
 
     CASES               in which it exists: pairs of a number of dimensions and a kind of gradient, None if it has none
     derive(dimensions, gradient) -> Derived
@@ -29,7 +29,7 @@ from proof.bounds.table import Bounds, shortest
 
 @dataclass(frozen=True)
 class Derived:
-    """What is proven of a noise in a number of dimensions, with a kind of gradient, as it comes out."""
+    """The bounds of a noise in a number of dimensions, with a kind of gradient, as they come out."""
     promise: float  # of the contract: the range of |noise|
     range: float  # of the exact noise
     lipschitz: float
@@ -50,7 +50,7 @@ class Derived:
 
 
 def derived(promise: float, exact: float, lipschitz: float, cell_error: float, parts: dict[str, float]) -> Derived:
-    """Of a fixed error that is the sum of its parts, of which the cut takes no value out of its range."""
+    """Of a fixed error that is the sum of its parts; the cut takes no value out of its range."""
     error, fixed = position_error(cell_error, lipschitz), sum(parts.values()) * SAFE
     return Derived(promise, exact, lipschitz, cell_error, error, exact + error, fixed,
                    exact + (sum(parts.values()) - parts["cut"]) * SAFE, parts)

@@ -1,8 +1,8 @@
-"""hn_cellular_phase: what is proven of it, from docs/reference/contract.md, section 16. moving.py of the folder above has
-the proofs. How fast distances change with the phase is not bounded here.
+"""hn_cellular_phase: what is proven of it, from docs/reference/contract.md, section 16. moving.py of the folder above
+has the proofs. How fast distances change with the phase is not bounded here.
 
 One bound holds for the distances and for each component of an offset: the larger one. That is the offset's, which is
-turned twice.
+rotated twice.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ def quotes() -> list[tuple[str, str]]:
     off = [moving.fixed_distance_error(dims) for dims in (2, 3)]
     rooms = [str(-rounded_up(-moving.room(dims), 5)) for dims in (2, 3)]
     floats, fixed = ([scientific(norm) for norm in norms] for norms in zip(
-        *((moving.turn_error(dims, 1.0), moving.fixed_turn_error(dims)) for dims in (2, 3))))
+        *((moving.rotation_error(dims, 1.0), moving.fixed_rotation_error(dims)) for dims in (2, 3))))
     return [("docs/measured/accuracy.md", text) for text in (
         f"With a phase the two distances stay below {plane} in 2D, and below {space} in 3D",
         f"which is {radii[0]} in 2D and {radii[1]} in 3D",

@@ -1,11 +1,12 @@
-"""hn_hex_tiling: what is proven of its weights and vectors, from docs/reference/contract.md, section 20. One bound holds for both.
+"""hn_hex_tiling: what is proven of its weights and vectors, from docs/reference/contract.md, section 20. One bound
+holds for both.
 
 RANGE. Weights are from 0 to 1. A vector from a corner stays within the hexagon around it: half a cell along each axis.
 
-LIPSCHITZ. A weight changes as X, as Y or as X - Y, which change by at most 3 where the coordinates change by 1. A vector
-changes by 1.
+LIPSCHITZ. A weight changes as X, as Y or as X - Y, which change by at most 3 where the coordinates change by 1. A
+vector changes by 1.
 
-FLOATS, in steps, of which a cell has two:
+FLOATS, in steps; a cell has two:
 
     X = 2*x + y;  Y = 2*y;  u = X - floor(X);  v = Y - floor(Y)
     1 - u, u - v, v    or, unless u > v,    1 - v, v - u, u
@@ -13,8 +14,8 @@ FLOATS, in steps, of which a cell has two:
 
 X is below 4 and rounds by up to 2^-22: SKEWED. u and v are exact after that, as are halves. Where that moves X over a
 whole number, the corners are those of the other side; where it moves u over v, the weights of both sides differ by no
-more than u moved. Each difference is at most 1 and rounds by up to 2^-24: ONE. So a weight is off by SKEWED and ONE, and
-a vector by half of SKEWED and twice ONE, which is less.
+more than u moved. Each difference is at most 1 and rounds by up to 2^-24: ONE. So a weight is off by SKEWED and ONE,
+and a vector by half of SKEWED and twice ONE, which is less.
 
 FIXED. A coordinate is cut to a multiple of 2^-20, which moves it by less than that. There is no other error.
 """

@@ -4,8 +4,8 @@ RANGE. A word's upper 24 bits, divided by 2^24: from 0 to 1 - 2^-24.
 
 LIPSCHITZ. None: it jumps between cells.
 
-FLOATS. A float holds 24 bits, so there is no error. The cell is floor(p), which is exact. (What is so small that HN_PRECISE
-or a driver takes it for 0 counts to the cell 0.)
+FLOATS. A float holds 24 bits, so there is no error. The cell is floor(p), which is exact. (What is so small that
+HN_PRECISE or a driver takes it for 0 counts to the cell 0.)
 
 FIXED. There is no error either where the cell is the same. A coordinate is cut to a multiple of 2^-20 towards 0, so one
 that is negative and less than that below a whole number counts to the cell above: the number of that cell may be any.

@@ -1,5 +1,5 @@
-"""hn_value: what is proven of it, from docs/reference/contract.md, section 9, and of the derivatives of hn_value_d, from section
-10, which has its entry in value_d.py.
+"""hn_value: what is proven of it, from docs/reference/contract.md, section 9, and of the derivatives of hn_value_d,
+from section 10, which has its entry in value_d.py.
 
 RANGE. The number of a corner is within +-1, and -1 occurs. The weights are not negative and sum to 1, so the value is
 within +-1, too. A derivative is s'(f_1) times an interpolation of differences of two numbers: at most
@@ -66,7 +66,7 @@ STEEPEST = 2 * FADE_MAX[1]
 
 
 def numbers_and_fractions(lo, hi, ulps):
-    """Those of the corners, without the offset."""
+    """The errors of the corners, without the offset."""
     numbers = [Approx(-1.0, 1.0, 0.0, ulps)] * 2 ** len(lo)
     return numbers, [approx_offsets(a, b, ulps)[0] for a, b in zip(lo, hi)]
 

@@ -1,4 +1,5 @@
-"""Section 16 of docs/reference/contract.md: the distance to the border of what is nearer to one point than to any other."""
+"""Section 16 of docs/reference/contract.md: the distance to the border of what is nearer to one point than to any
+other."""
 
 from __future__ import annotations
 

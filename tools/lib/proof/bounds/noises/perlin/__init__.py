@@ -23,7 +23,7 @@ def derive(dims: int, gradient: Gradient) -> Derived:
 
 
 def quotes() -> list[tuple[str, str]]:
-    """What prose states of its range."""
+    """The claims of prose on its range."""
     exact = [shortest(range_bound(dims, OCTAHEDRAL), 5) for dims in (1, 2, 3, 4)]
     below = f"{', '.join(exact[:3])} and {exact[3]}"
     return [("docs/reference/knobs.md", f"noise stays below {below} in 1D to 4D."),
