@@ -52,7 +52,7 @@ class Bench {
 
  private:
   // A program, and which measurement it is of.
-  struct Compiled {
+  struct CompiledSubject {
     std::size_t owner;
     std::unique_ptr<Program> program;
   };
@@ -142,7 +142,7 @@ class Bench {
   Workload load_{};  // of each program
   BenchReport report_;
   std::size_t failed_ = 0;
-  std::vector<Compiled> compiled_;  // the references, then the batch
+  std::vector<CompiledSubject> compiled_;  // the references, then the batch
 };
 
 }  // namespace

@@ -130,7 +130,7 @@ void for_each_thing(const PlannedProgram& program, Take take) {
 }
 
 // The things of the product by number, with the programs that show them.
-struct Things {
+struct ShownThings {
   std::vector<Candidate> programs;
   std::vector<std::string> words;
 };
@@ -174,8 +174,8 @@ class Numbers {
   std::vector<std::string> words_;
 };
 
-Things things_of(const std::vector<PlannedProgram>& programs) {
-  Things things;
+ShownThings things_of(const std::vector<PlannedProgram>& programs) {
+  ShownThings things;
   Numbers numbers;
   std::array<std::unordered_map<std::uint64_t, std::size_t>, 2 * kShown.size()>
       known;  // of a pair of numbers the thing
@@ -204,8 +204,8 @@ Things things_of(const std::vector<PlannedProgram>& programs) {
   return things;
 }
 
-const Things& all_things() {
-  static const Things kThings = things_of(all_programs());
+const ShownThings& all_things() {
+  static const ShownThings kThings = things_of(all_programs());
   return kThings;
 }
 
@@ -249,7 +249,7 @@ std::vector<std::string> shown_by(const PlannedProgram& program) {
 }
 
 std::vector<std::string> not_shown(std::span<const Extent> extents) {
-  const Things& things = all_things();
+  const ShownThings& things = all_things();
   std::vector<bool> shown(things.words.size());
   for (std::size_t i = 0; i < things.programs.size(); ++i) {
     if (extents[i] == Extent::thorough) continue;

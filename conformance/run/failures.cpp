@@ -22,7 +22,7 @@ constexpr std::size_t kMostCommon = 2;
 // More of those that passed are called the others.
 constexpr std::size_t kMostNamed = 3;
 // A trait of nearly all passed cases explains little: it must leave out one in so many of them.
-constexpr std::size_t kToldOfAll = 20;
+constexpr std::size_t kSeparatedOfAll = 20;
 constexpr std::size_t kToldOfGroup = 4;
 
 enum class End { failed, passed, warned, excused };
@@ -103,7 +103,7 @@ std::optional<Trait> trait_of(std::size_t facet, const Rows& failed, const Rows&
   return std::nullopt;
 }
 
-std::size_t told_apart(const Trait& trait, const Rows& others) {
+std::size_t separated_by(const Trait& trait, const Rows& others) {
   return static_cast<std::size_t>(
       std::count_if(others.begin(), others.end(), [&](const Row* row) { return !trait.has(*row); }));
 }
@@ -189,7 +189,7 @@ class Sorter {
 
   Failures sorted() const {
     Failures failures{.failed = failed_.size(), .ran = rows_.size(), .common = {}, .groups = {}};
-    const std::vector<Trait> traits = traits_of(failed_, others_, kToldOfAll);
+    const std::vector<Trait> traits = traits_of(failed_, others_, kSeparatedOfAll);
     for (const Trait& trait : traits) failures.common.push_back(sentence_of(trait, others_, texts_));
     for (const Rows& rows : grouped()) failures.groups.push_back(group_of(rows, traits));
     // A single group shows the common trait of its cases itself.

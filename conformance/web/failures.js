@@ -4,7 +4,7 @@ import { kBadStatuses } from "./checks.js";
 // As in failures.cpp.
 const kMostCommon = 2;
 const kMostNamed = 3;
-const kToldOfAll = 20;
+const kSeparatedOfAll = 20;
 const kToldOfGroup = 4;
 
 export function functionOf(id) {
@@ -118,7 +118,7 @@ export function failuresOf(results, facets) {
                 .map((result) => ({ result, facets: facets.get(result.id) }));
   const failed = ran.filter(({ result }) => isBad(result));
   const others = ran.filter(({ result }) => !isBad(result));
-  const traits = traitsOf(failed, others, kToldOfAll);
+  const traits = traitsOf(failed, others, kSeparatedOfAll);
   const common = traits.map((trait) => sentenceOf(trait, others));
   const groups = grouped(failed).map((rows) => groupOf(rows, ran, traits));
   // A single group shows the common trait of its cases itself.

@@ -9,7 +9,7 @@ import { whereabouts } from "./whereabouts.js";
 const kNewContextTries = 50;
 const kMillisecondsBetweenTries = 200;
 // A browser reports a lost context in a task of its own, after the call that could not be answered.
-const kMillisecondsUntilLossIsTold = 100;
+const kMillisecondsUntilLossIsReported = 100;
 
 const wait = (milliseconds) => new Promise((done) => setTimeout(done, milliseconds));
 
@@ -62,7 +62,7 @@ export async function runSuite(suite, listener) {
     const start = performance.now();
     outcome ??= await runCase(renderers[api], suite, test);
     const seconds = (performance.now() - start) / 1000;
-    if (kBadStatuses.includes(outcome.status)) await wait(kMillisecondsUntilLossIsTold);
+    if (kBadStatuses.includes(outcome.status)) await wait(kMillisecondsUntilLossIsReported);
     if (renderers[api]?.isLost()) {
       outcome = outcomeWith("crash", "the context was lost");
       renderers[api] = null;

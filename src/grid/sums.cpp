@@ -229,7 +229,7 @@ void at_points(const Batch& batch, const Options& options, Octave octave) {
 // Where some points are, for octaves that are whole positions, and for those that are not. The arrays are of numbers,
 // since those of vectors would be filled with zeros first.
 template <int D, bool kIsWhole>
-struct Spots {
+struct BlockPositions {
   // The fraction of a whole position, or the position.
   std::conditional_t<kIsWhole, std::int32_t, float> rest[D][kPointsAtOnce];
   // For kernels that take these. Of octaves at positions the first one alone is passed so.
@@ -317,7 +317,7 @@ void by_octaves(const Batch& batch, const Options& options, Octave) {
   const Arguments<D> given(options);
   const hn_i_num total = hn_i_total(hn_i_octaves(given.octaves), hn_i_gain(given.gain), HN_I_WEIGHT_ONE);
   const bool is_row = b.stride[D - 1] == 0;
-  Spots<D, kIsWhole> spots;
+  BlockPositions<D, kIsWhole> spots;
   Number value[kPointsAtOnce], carried[kPointsAtOnce], weight[kPointsAtOnce];
   float noise[kPointsAtOnce];
   for (int start = 0; start < b.count; start += kPointsAtOnce) {

@@ -39,7 +39,7 @@ def text(*macros):
                 *macros, optimized=True)
 
 
-class Found:
+class Results:
     """The text's results at places of cells."""
 
     def __init__(self, rounding, home, f, jitter, phase=None, *macros):
@@ -215,7 +215,7 @@ class Errors(unittest.TestCase):
         home, f, jitter = self.places(np.random.default_rng(seed), dims)
         exact, worst = model.Exact(*words_around(home), f, jitter), {}
         for rounding in simulated:
-            for name, error in self.compared(exact, Found(rounding, home, f, jitter, None, *macros)):
+            for name, error in self.compared(exact, Results(rounding, home, f, jitter, None, *macros)):
                 worst[name] = max(worst.get(name, 0.0), float(error))
         return worst
 
@@ -255,7 +255,7 @@ class Errors(unittest.TestCase):
         f = 0.5 + np.zeros((dims, 2000))
         f[0] += np.arange(2000) * 2.0**-23
         home, still = np.random.default_rng(40).integers(-2**31, 2**31, (dims, 2000)), np.zeros(2000)
-        exact, found = model.Exact(*words_around(home, 1), f, still), Found(NEAREST, home, f, still, None, FIXED)
+        exact, found = model.Exact(*words_around(home, 1), f, still), Results(NEAREST, home, f, still, None, FIXED)
         return abs(exact.nearest("euclidean")[0] - found.nearest("euclidean")[0]).max()
 
     def test_borders_of_points_that_nearly_touch(self):
@@ -266,16 +266,16 @@ class Errors(unittest.TestCase):
             f = np.concatenate([rng.uniform(0.9, 1, (1, count)), rng.uniform(0.2, 0.8, (dims - 1, count))])
             f, jitter = f.astype(np.float32).astype(float), np.full(count, float(np.float32(1 - 0.7 * 2.0**-20)))
             exact, _ = model.Exact(*words_around(home), f, jitter).border()
-            fixed = abs(exact - Found(NEAREST, home, f, jitter, None, FIXED).of("cell_border_cell_full")).max()
+            fixed = abs(exact - Results(NEAREST, home, f, jitter, None, FIXED).of("cell_border_cell_full")).max()
             bound = proven("cell_border", dims)
             self.assertTrue(bound.fixed_error / 4000 < fixed < bound.fixed_error, (dims, fixed, bound.fixed_error))
-            floats = max(abs(exact - Found(rounding, home, f, jitter).of("cell_border_cell_full")).max()
+            floats = max(abs(exact - Results(rounding, home, f, jitter).of("cell_border_cell_full")).max()
                          for rounding in some(roundings(42), dims, 2))
             self.assertTrue(bound.cell_error / 4000 < floats < bound.cell_error, (dims, floats, bound.cell_error))
 
     def test_fixed_is_within_its_range(self):
         for dims in DIMS:
-            found = Found(NEAREST, *self.places(np.random.default_rng(43), dims), None, FIXED)
+            found = Results(NEAREST, *self.places(np.random.default_rng(43), dims), None, FIXED)
             self.assertLessEqual(max(found.nearest(m).max() for m in model.METRICS),
                                  proven("cellular_three", dims).fixed_limit)
             self.assertLessEqual(found.of("cellular_smooth_cell_full").max(), proven("cellular_smooth", dims).fixed_limit)
@@ -366,7 +366,7 @@ class MovingPoints(unittest.TestCase):
         exact, worst = model.MovingExact(*words_around(home, 1), f, jitter, phase), np.zeros(2)
         first, second, _ = exact.nearest("euclidean")
         for rounding in simulated:
-            found = Found(rounding, home, f, jitter, phase, *macros)
+            found = Results(rounding, home, f, jitter, phase, *macros)
             off = abs(exact.to_nearest() - found.of("cellular_phase_cell_offset"))[:, second - first > 2.0**-10]
             worst = np.maximum(worst, [abs(found.of("cellular_phase_cell_period") - [first, second]).max(), off.max()])
         return worst
@@ -399,7 +399,7 @@ class MovingPoints(unittest.TestCase):
         home = np.random.default_rng(58).integers(-2**31, 2**31, (2, 2000))
         others = f, np.zeros(2000), np.full(2000, 0.125)
         exact = model.MovingExact(*words_around(home, 1), *others).nearest("euclidean")[0]
-        bound, found = moving.fixed_distance_error(2), Found(NEAREST, home, *others, FIXED).of("cellular_phase_cell_period")
+        bound, found = moving.fixed_distance_error(2), Results(NEAREST, home, *others, FIXED).of("cellular_phase_cell_period")
         self.assertTrue(bound / 2 < abs(exact - found[0]).max() < bound)
 
     def test_rotations(self):

@@ -40,7 +40,7 @@ from proof.bounds.documents import (
 )
 from proof.bounds.gradients import SINE
 from proof.bounds.integers import fade_errors, overshoot
-from proof.bounds.noises import Derived
+from proof.bounds.noises import ProvenBounds
 from proof.bounds.sums import Sum
 from proof.bounds.table import HEAD, PATH, SineBounds, gullies_row, noise_row, sine_row, slope_row, uniform_row
 
@@ -54,13 +54,13 @@ def family(key: Key) -> str:
     return key[0].split("_")[0]
 
 
-def derived_of(key: Key) -> Derived:
+def derived_of(key: Key) -> ProvenBounds:
     noise = noises.find(key[0])
     largest = max(noise.largest_intermediates(*key[1:]).values(), default=0.0)
     return replace(noise.derive(*key[1:]), fixed_intermediate=largest)
 
 
-def derive_family(name: str) -> list[Derived]:
+def derive_family(name: str) -> list[ProvenBounds]:
     return [derived_of(key) for key in keys() if family(key) == name]
 
 

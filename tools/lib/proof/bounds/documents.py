@@ -16,7 +16,7 @@ from proof.bounds import jacobians, gullies, noises, rotations, sine, smoothness
 from proof.bounds.float_sums import gullies_tolerance, octave_tolerance
 from proof.bounds.gradients import GRADIENTS, SINE, Gradient
 from proof.bounds.integers import fade_errors, slope_errors, spline_weight_error
-from proof.bounds.noises import Derived
+from proof.bounds.noises import ProvenBounds
 from proof.bounds.sums import Sum
 from proof.bounds.table import Bounds, bounds_of, rounded_up, scientific, shortest, slope_bounds_of
 
@@ -24,7 +24,7 @@ ACCURACY = "docs/measured/accuracy.md"
 KNOBS = "docs/reference/knobs.md"
 SUMS = "docs/reference/fractals.md"
 Key = tuple[str, int, Gradient | None]  # a noise, the number of its dimensions, a kind of gradient
-Everything = dict[Key, Derived]
+Everything = dict[Key, ProvenBounds]
 PHASE = "_phase"  # ends the name of a noise with the forms that take one
 OF_A_NAME = ("cellular_phase",)  # with which the function's name ends, too
 NOISE_OF_SUMS = "perlin"  # unless the user names another
@@ -269,7 +269,7 @@ def noise_of(function: glsl.Declaration) -> str:
     return function.name.removeprefix("hn_") + PHASE * takes_phase(function)
 
 
-def of_function(function: glsl.Declaration, gradient: Gradient, derived: Everything) -> Derived:
+def of_function(function: glsl.Declaration, gradient: Gradient, derived: Everything) -> ProvenBounds:
     noise, dims = noise_of(function), dimensions_of(function)
     return derived.get((noise, dims, gradient)) or derived[noise, dims, None]
 

@@ -50,7 +50,7 @@ PLANE = replace(KERNELS[2], waves=LONGEST)
 
 
 @dataclass(frozen=True)
-class Around:
+class PointNumbers:
     """The numbers of a point at a distance, in cells, or in a box at most: the weight, its fall, and both products."""
     distance: np.ndarray
     weight: np.ndarray
@@ -68,10 +68,10 @@ class Around:
         return TURN * np.hypot(matrix, TURN * LONGEST * self.distance * self.weight)
 
 
-def at_distance(kernel: Waves, distance, least, largest) -> Around:
+def at_distance(kernel: Waves, distance, least, largest) -> PointNumbers:
     """In steps, with the least and the largest t known."""
     weight, slope = kernel.weight, kernel.weight.size(1, least, largest)
-    return Around(distance / kernel.steps, weight.derivative(0, largest), weight.derivative(0, least),
+    return PointNumbers(distance / kernel.steps, weight.derivative(0, largest), weight.derivative(0, least),
                   2 * kernel.fall * slope * distance * kernel.steps)
 
 

@@ -24,7 +24,7 @@ import numpy as np
 from proof.bounds import sine
 from proof.bounds.floats import TINY, UNIT
 from proof.bounds.integers import FADE_ONE, part_intermediate
-from proof.bounds.noises import Derived, derived
+from proof.bounds.noises import ProvenBounds, derived
 
 ANGLE_CUT = 2 * math.pi * 2.0**-30  # a phase is cut off to a multiple of 2^-30 turns
 MIXED_ROUNDING = math.sqrt(2) * 511 + 2 + 2 * 511  # of two parts, in units of what they are parts of
@@ -52,7 +52,7 @@ def mixed(error: float, largest: float, ulps: float = 1.0) -> float:
     return err + 3 * ulps * UNIT * (1 + UNIT)**3 * (largest + err) + 4 * TINY
 
 
-def rotated(still: Derived, largest: float, lipschitz: float, unit: float) -> Derived:
+def rotated(still: ProvenBounds, largest: float, lipschitz: float, unit: float) -> ProvenBounds:
     """Of a noise, or its derivatives. In integers n has this unit, times the scale."""
     parts = {name: math.sqrt(2) * value for name, value in still.fixed_parts.items()}
     parts |= {"cut": still.fixed_parts["cut"] / still.lipschitz * lipschitz, "scaling": still.fixed_parts["scaling"]}

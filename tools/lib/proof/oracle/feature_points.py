@@ -273,7 +273,7 @@ class Point:
         return tuple(map(signed, lattice.point(self.cell)))
 
 
-class TooFar(RuntimeError):
+class BlockTooSmall(RuntimeError):
     """A point outside of the block might count."""
 
 
@@ -324,7 +324,7 @@ class Field:
                 break
             found = sorted([*found, self.point(beside)], key=lambda point: point.order)[:count]
         if found[-1].rank >= self.arithmetic.rank(self.metric, self.outside):
-            raise TooFar(f"{self} has points farther away than the block that is searched")
+            raise BlockTooSmall(f"{self} has points farther away than the block that is searched")
         return found
 
     def distances(self, count: int) -> tuple[Fraction, ...]:

@@ -15,7 +15,7 @@ from proof.oracle import jacobians, gullies, noises, sums
 from proof.oracle.gradients import Real
 from proof.oracle.noises.phasor_test import naive
 from proof.oracle.sums import Options
-from proof.oracle.testing import KNOBS, Checked
+from proof.oracle.testing import KNOBS, FaultChecks
 from proof.oracle.words import MASK, SEED_STEP
 
 DEFAULT = Options(3, 2.0, 0.5, depth=0.1, ex=0.6, ey=-0.3)
@@ -104,7 +104,7 @@ def phasor(at: Callable) -> noises.Noise:
     return replace(gullies.PHASOR, exact_in_cell=at)
 
 
-class Gullies(Checked, unittest.TestCase):
+class Gullies(FaultChecks, unittest.TestCase):
     def check_floats(self) -> None:
         for p, options, *others in places("floats"):
             for a, b in zip(exact(p, options, *others), in_floats(p, options, *others), strict=True):

@@ -14,7 +14,7 @@ from proof.oracle.gradients import Knobs
 from proof.oracle.hexes import CORNERS, HEXES, OUTPUTS
 from proof.oracle.integers import UNIT
 from proof.oracle.lattice import Lattice
-from proof.oracle.testing import Checked
+from proof.oracle.testing import FaultChecks
 
 KNOBS = Knobs("lattice")
 CELLS = ((0, 0), (-1, -1), (3, -2), (-6, 5), (INT_MAX, INT_MIN), (INT_MIN, INT_MAX))
@@ -77,7 +77,7 @@ def steeper(place):
     return corners, [a, b / 2, c + b / 2]
 
 
-class Hexes(Checked, unittest.TestCase):
+class Hexes(FaultChecks, unittest.TestCase):
     def places(self, name: str, count: int = 84) -> Iterator[tuple[Sequence[int], Sequence[Fraction], Sequence[int]]]:
         tried = itertools.cycle(itertools.product(CELLS, TILES))
         for (cell, periods), f in zip(tried, fractions(name, count)):

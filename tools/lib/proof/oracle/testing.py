@@ -41,7 +41,7 @@ def quotient(f: Callable[[Fraction], Fraction], step: Fraction = Fraction(1, 2**
 # --- Faults ------------------------------------------------------------------------------------------------------
 
 
-class Checked:
+class FaultChecks:
     """Stands before unittest.TestCase among the bases of a class that has a method check_NAME for each of CHECKS. Each
     check must notice faults, too: of FAULTS the module, the class or the dictionary that has the fault, its name there,
     the fault itself, and the checks that notice it."""

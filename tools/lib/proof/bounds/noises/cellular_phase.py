@@ -12,7 +12,7 @@ import math
 from proof.bounds import moving
 from proof.bounds.floats import position_error
 from proof.bounds.gradients import Gradient
-from proof.bounds.noises import Derived, cellular, listed
+from proof.bounds.noises import ProvenBounds, cellular, listed
 from proof.bounds.table import rounded_up, scientific, shortest
 
 CASES = cellular.CASES
@@ -20,12 +20,12 @@ COUNT = cellular.COUNT
 offset_error = moving.offset_error
 
 
-def derive(dims: int, _: Gradient | None) -> Derived:
+def derive(dims: int, _: Gradient | None) -> ProvenBounds:
     largest, lipschitz = moving.largest_distance(dims, COUNT), math.sqrt(dims)
     cell_error = max(moving.distance_error(dims, largest), offset_error(dims, False))
     fixed = max(moving.fixed_distance_error(dims), offset_error(dims, True))
     error = position_error(cell_error, lipschitz)
-    return Derived(largest, largest, lipschitz, cell_error, error, largest + error, fixed, largest + fixed,
+    return ProvenBounds(largest, largest, lipschitz, cell_error, error, largest + error, fixed, largest + fixed,
                    moving.fixed_parts(dims))
 
 

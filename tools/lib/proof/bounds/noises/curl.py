@@ -22,7 +22,7 @@ from proof.bounds.boxes import SAFE, Boxes, cell, supremum
 from proof.bounds.floats import UNIT, position_error, rounding
 from proof.bounds.gradients import LENGTH, OCTAHEDRAL, Gradient
 from proof.bounds.kernels import SIMPLEX, Jet, Kernel, Offsets, weight_jet
-from proof.bounds.noises import Derived, simplex, simplex_d
+from proof.bounds.noises import ProvenBounds, simplex, simplex_d
 
 CASES = ((2, None), (3, None))
 TOLERANCE, LEVEL = 1e-3, 8
@@ -89,7 +89,7 @@ def float_error(of_derivative: float) -> float:
     return moved(of_derivative) + UNIT * size + float(rounding(size * (1 + UNIT), 1.0))
 
 
-def derive(dims: int, _: Gradient | None) -> Derived:
+def derive(dims: int, _: Gradient | None) -> ProvenBounds:
     slope = simplex.derived_slope(SIMPLEX[dims])
     if dims == 2:
         return slope
@@ -101,7 +101,7 @@ def derive(dims: int, _: Gradient | None) -> Derived:
              "points": moved(slope.fixed_error) - moved(slope.fixed_parts["cut"]) + 2 * FIXED_PRODUCT,
              "scaling": 2.0**-17}
     fixed_error = sum(parts.values()) * SAFE
-    return Derived(0.0, exact, lipschitz, cell_error, error, exact + error, fixed_error, exact + fixed_error, parts)
+    return ProvenBounds(0.0, exact, lipschitz, cell_error, error, exact + error, fixed_error, exact + fixed_error, parts)
 
 
 def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:

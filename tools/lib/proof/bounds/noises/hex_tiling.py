@@ -25,7 +25,7 @@ from __future__ import annotations
 from proof.bounds.floats import TINY, position_error, rounding
 from proof.bounds.gradients import Gradient
 from proof.bounds.integers import ONE
-from proof.bounds.noises import Derived
+from proof.bounds.noises import ProvenBounds
 from proof.bounds.table import scientific
 
 CASES = ((2, None),)
@@ -51,9 +51,9 @@ def offset_error(_: int, fixed: bool) -> float:
     return position_error((skewed_error() + 2 * rounding(BELOW_ONE, 1.0)) / 2, 1.0)
 
 
-def derive(_: int, __: Gradient | None) -> Derived:
+def derive(_: int, __: Gradient | None) -> ProvenBounds:
     cell_error, cut = weight_error(), LIPSCHITZ / ONE
-    return Derived(1.0, 1.0, LIPSCHITZ, cell_error, position_error(cell_error, LIPSCHITZ), 1.0, cut, 1.0, {"cut": cut})
+    return ProvenBounds(1.0, 1.0, LIPSCHITZ, cell_error, position_error(cell_error, LIPSCHITZ), 1.0, cut, 1.0, {"cut": cut})
 
 
 def largest_intermediates(_: int, __: Gradient | None) -> dict[str, float]:

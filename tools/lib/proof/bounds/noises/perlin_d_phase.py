@@ -6,12 +6,12 @@ from dataclasses import replace
 
 from proof.bounds import rotations
 from proof.bounds.gradients import Gradient
-from proof.bounds.noises import Derived, perlin_d, perlin_phase
+from proof.bounds.noises import ProvenBounds, perlin_d, perlin_phase
 
 CASES = perlin_phase.CASES
 
 
-def derive(dims: int, gradient: Gradient) -> Derived:
+def derive(dims: int, gradient: Gradient) -> ProvenBounds:
     return replace(perlin_phase.derive(dims, gradient), slope=perlin_phase.derive_slope(dims, gradient))
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from proof.bounds import rotations
 from proof.bounds.gradients import OCTAHEDRAL, ROTATED, Gradient
-from proof.bounds.noises import Derived, listed, perlin, perlin_d
+from proof.bounds.noises import ProvenBounds, listed, perlin, perlin_d
 from proof.bounds.noises.perlin.exact import SCALE, lipschitz_bound, range_bound, slope_bound, slope_lipschitz_bound
 from proof.bounds.noises.perlin.fixed import RAMP_ONE
 
@@ -16,12 +16,12 @@ def unit(dims: int) -> float:
     return SCALE[OCTAHEDRAL][dims] / RAMP_ONE[OCTAHEDRAL][dims]
 
 
-def derive(dims: int, gradient: Gradient) -> Derived:
+def derive(dims: int, gradient: Gradient) -> ProvenBounds:
     return rotations.rotated(perlin.derive(dims, gradient), range_bound(dims, ROTATED), lipschitz_bound(dims, ROTATED),
                         unit(dims))
 
 
-def derive_slope(dims: int, gradient: Gradient) -> Derived:
+def derive_slope(dims: int, gradient: Gradient) -> ProvenBounds:
     return rotations.rotated(perlin_d.derive(dims, gradient).slope, slope_bound(dims, ROTATED),
                         slope_lipschitz_bound(dims, ROTATED), 4 * unit(dims))
 

@@ -48,7 +48,7 @@ from proof.bounds.gradients import Gradient
 from proof.bounds.integers import ONE, UNIT, word
 from proof.bounds.kernel_floats import SKEWED
 from proof.bounds.kernels import Jet, Kernel, Offsets, dot, weight_jet
-from proof.bounds.noises import Derived, derived, listed
+from proof.bounds.noises import ProvenBounds, derived, listed
 from proof.bounds.sine import fixed_sine_largest
 from proof.bounds.table import scientific, shortest
 from proof.bounds.weights import EVEN
@@ -184,12 +184,12 @@ def fixed_parts(kernel: Kernel, lipschitz: float) -> dict[str, float]:
 
 # --- What is proven ---------------------------------------------------------------------------------------------------
 
-def derived_value(kernel: Waves) -> Derived:
+def derived_value(kernel: Waves) -> ProvenBounds:
     lipschitz = lipschitz_of(kernel)
     return derived(1.0, range_of(kernel), lipschitz, error_bound(kernel), fixed_parts(kernel, lipschitz))
 
 
-def derive(dims: int, _: Gradient | None) -> Derived:
+def derive(dims: int, _: Gradient | None) -> ProvenBounds:
     return derived_value(KERNELS[dims])
 
 

@@ -48,7 +48,7 @@ from proof.bounds.gradients import Gradient
 from proof.bounds.integers import ONE, SLOPE_UNIT, UNIT, part_intermediate
 from proof.bounds.kernel_floats import SKEWED
 from proof.bounds.kernels import Jet, Offsets, dot, weight_jet
-from proof.bounds.noises import Derived, derived, phasor
+from proof.bounds.noises import ProvenBounds, derived, phasor
 from proof.bounds.noises.perlin.floats import largest_of
 from proof.bounds.noises.phasor import KERNELS, RAMP_ONE, TURN, WAVE_CUT, Waves, scale_of
 
@@ -237,12 +237,12 @@ def fixed_parts(kernel: Waves, lipschitz: float) -> dict[str, float]:
 
 # --- What is proven ---------------------------------------------------------------------------------------------------
 
-def derived_slope(kernel: Waves) -> Derived:
+def derived_slope(kernel: Waves) -> ProvenBounds:
     lipschitz = lipschitz_of(kernel)
     return derived(0.0, range_of(kernel), lipschitz, error_bound(kernel), fixed_parts(kernel, lipschitz))
 
 
-def derive(dims: int, gradient: Gradient | None) -> Derived:
+def derive(dims: int, gradient: Gradient | None) -> ProvenBounds:
     return replace(phasor.derive(dims, gradient), slope=derived_slope(KERNELS[dims]))
 
 

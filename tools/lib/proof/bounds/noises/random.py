@@ -16,15 +16,15 @@ from __future__ import annotations
 import math
 
 from proof.bounds.gradients import Gradient
-from proof.bounds.noises import Derived
+from proof.bounds.noises import ProvenBounds
 
 CASES = tuple((dims, None) for dims in (1, 2, 3, 4))
 
 LARGEST = 1 - 2.0**-24
 
 
-def derive(_: int, __: Gradient | None) -> Derived:
-    return Derived(1.0, LARGEST, math.inf, 0.0, 0.0, LARGEST, LARGEST, LARGEST, {"cut": LARGEST})
+def derive(_: int, __: Gradient | None) -> ProvenBounds:
+    return ProvenBounds(1.0, LARGEST, math.inf, 0.0, 0.0, LARGEST, LARGEST, LARGEST, {"cut": LARGEST})
 
 
 def largest_intermediates(_: int, __: Gradient | None) -> dict[str, float]:

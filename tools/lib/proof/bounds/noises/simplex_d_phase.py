@@ -7,12 +7,12 @@ from dataclasses import replace
 from proof.bounds import rotations
 from proof.bounds.gradients import Gradient
 from proof.bounds.kernels import SIMPLEX
-from proof.bounds.noises import Derived, simplex_d, simplex_phase
+from proof.bounds.noises import ProvenBounds, simplex_d, simplex_phase
 
 CASES = simplex_phase.CASES
 
 
-def derive(dims: int, gradient: Gradient | None) -> Derived:
+def derive(dims: int, gradient: Gradient | None) -> ProvenBounds:
     return replace(simplex_phase.derive(dims, gradient), slope=simplex_phase.derive_slope(dims))
 
 

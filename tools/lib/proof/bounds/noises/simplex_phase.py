@@ -6,7 +6,7 @@ from proof.bounds import kernels, rotations
 from proof.bounds.gradients import ROTATED, Gradient
 from proof.bounds.kernel_fixed import ramp_one
 from proof.bounds.kernels import SIMPLEX
-from proof.bounds.noises import Derived, listed, simplex
+from proof.bounds.noises import ProvenBounds, listed, simplex
 
 CASES = tuple((dims, None) for dims in (2, 3))
 
@@ -20,12 +20,12 @@ def unit(dims: int) -> float:
     return SIMPLEX[dims].scale / 1024 / ramp_one(dims)
 
 
-def derive(dims: int, _: Gradient | None) -> Derived:
+def derive(dims: int, _: Gradient | None) -> ProvenBounds:
     kernel = SIMPLEX[dims]
     return rotations.rotated(simplex.derived_value(kernel), range_of(dims), simplex.lipschitz_of(kernel, ROTATED), unit(dims))
 
 
-def derive_slope(dims: int) -> Derived:
+def derive_slope(dims: int) -> ProvenBounds:
     kernel = SIMPLEX[dims]
     return rotations.rotated(simplex.derived_slope(kernel), simplex.slope_of(kernel, ROTATED),
                         simplex.slope_lipschitz_of(kernel, ROTATED), 4 * kernel.steps * unit(dims))

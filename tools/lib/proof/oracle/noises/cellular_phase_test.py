@@ -13,7 +13,7 @@ from unittest import mock
 from proof.golden.generator import INT_MAX, INT_MIN, generator_of, to_f32
 from proof.golden.simplex_rows import PHASES
 from proof.oracle import feature_points, noises
-from proof.oracle.feature_points import TooFar, direction2, direction3
+from proof.oracle.feature_points import BlockTooSmall, direction2, direction3
 from proof.oracle.gradients import Knobs
 from proof.oracle.integers import UNIT, cosine_and_sine
 from proof.oracle.lattice import Choice, Lattice
@@ -158,5 +158,5 @@ class Searches(unittest.TestCase):
 
     def test_a_block_that_is_too_small_is_found(self) -> None:
         for of in ("exact", "fixed"):
-            with mock.patch.object(feature_points, "AROUND", 0), self.assertRaises(TooFar):
+            with mock.patch.object(feature_points, "AROUND", 0), self.assertRaises(BlockTooSmall):
                 getattr(at(MOVING, 0.3), of)(LATTICE, (0.0, 0.25), 1)

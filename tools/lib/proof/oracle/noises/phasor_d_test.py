@@ -18,7 +18,7 @@ from proof.oracle.lattice import Choice
 from proof.oracle.noises import phasor, phasor_d
 from proof.oracle.noises.phasor import KERNELS
 from proof.oracle.noises.phasor_test import WORD, places
-from proof.oracle.testing import KNOBS, Checked
+from proof.oracle.testing import KNOBS, FaultChecks
 
 SLOPES, PHASOR = map(noises.find, ("phasor_d", "phasor"))
 
@@ -64,7 +64,7 @@ VECTORS = (
      (-593777, 1327792, -3106456, -1353753, 1899695, 890611, -405857, -194012)))
 
 
-class Derivatives(Checked, unittest.TestCase):
+class Derivatives(FaultChecks, unittest.TestCase):
     def check_differences(self) -> None:
         """Of the exact value, on both sides, also where points come and go."""
         step = Fraction(1, 2**24)

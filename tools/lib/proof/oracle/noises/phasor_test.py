@@ -19,7 +19,7 @@ from proof.oracle.integers import NOISE_UNIT, UNIT
 from proof.oracle.lattice import Choice, Lattice
 from proof.oracle.noises import phasor
 from proof.oracle.noises.phasor import KERNELS
-from proof.oracle.testing import KNOBS, Checked
+from proof.oracle.testing import KNOBS, FaultChecks
 
 PHASOR = noises.find("phasor")
 TILES = {2: ((), (1, 1), (2, 3), (7, 0), (INT_MAX, -4)), 3: ((), (1, 1, 1), (2, 1, 3), (0, 7, -1), (5, INT_MAX, 2))}
@@ -135,7 +135,7 @@ WORD_OF, ALONG, TURNS, FIXED_ALONG = Lattice.word, phasor.along, phasor.turns, p
 WAVE, FIXED_WAVE = rotation.cosine_and_sine, integers.cosine_and_sine
 
 
-class Phasor(Checked, unittest.TestCase):
+class Phasor(FaultChecks, unittest.TestCase):
     def check_floats(self) -> None:
         for place in places("floats"):
             self.assertLess(apart(at(*place), naive(*place)), 1e-12, place)
