@@ -111,7 +111,7 @@ def next_whole_position(s: Sum, dims: int, position: float, error: float) -> tup
     ratio, shift = math.trunc(s.lacunarity * 2**23) / 2**23, SHIFT_MAX[dims]
     axes, rotations = lengths(s, dims), ROTATIONS[:dims - 1] if s.rotates else ()
     error = ratio * error + (s.lacunarity - ratio) * position + axes * WHOLE
-    for stretch in turns:
+    for stretch in rotations:
         error = stretch * error + math.sqrt(2) * WHOLE
     return s.lacunarity * math.prod(rotations) * position + axes * shift, error
 
@@ -232,5 +232,5 @@ def largest_octave_intermediates(limit: float) -> dict[str, float]:
     noise = limit * 2**21
     return {"octave": noise * 2**9 + (noise / 2**9 + 1) * 511, "sum of 32 octaves": 32 * (noise + 2),
             "product": 2**9 * FADE_ONE + FADE_ONE, "part of a product": 511 * FADE_ONE, "doubled ridge": 2 * FADE_ONE,
-            "part of ping-pong's t": 2**22 * 511, "turn": (20 + 25) * 2**24, "rest of a turn": (20 + 25) * 31,
+            "part of ping-pong's t": 2**22 * 511, "rotation": (20 + 25) * 2**24, "rest of a rotation": (20 + 25) * 31,
             "billow": 2 * 2**21 + 2**21}
