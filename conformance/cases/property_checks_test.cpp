@@ -123,7 +123,7 @@ TEST_F(Extreme, FixedArithmeticHasANumberForWhatIsNone) {
   expect_caught(kPerlins[2], "perlin2d.glsl", "hn_perlin(args) (isinf(p.x) ? p.x : hn_perlin(args))");
 }
 
-// What a case would not see at ordinary points: that a subnormal position is seen, that it counts.
+// Ordinary points would hide both: a subnormal position is seen, and it counts.
 TEST_F(Extreme, TwinPointsOfFixedAndPreciseArithmeticAreExtremeToo) {
   for (const std::string_view id :
        {"noise2d.perlin.lattice.fixed.fragment.gl330.twin", "noise2d.perlin.lattice.precise.fragment.gl400.twin"}) {

@@ -243,7 +243,9 @@ class Cli(unittest.TestCase):
 
     def test_every_other_check_can_fail(self):
         perlin = "noise2d.perlin.lattice.fast.fragment.gl330"
-        # What does not disturb each other is changed at once: (cases, file, old, new). Cases alone suffer from the others.
+        # Changes that do not disturb each other are made at once: (cases, file, old, new). The cases of each change
+        # fail, and no
+        # others.
         for group in (
             (
                 (f"{perlin}.range", "detail/direction.glsl", "n, 1831)", "n, 3173)"),

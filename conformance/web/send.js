@@ -18,7 +18,7 @@ async function copy(text) {
     await navigator.clipboard.writeText(text);
     place("sent").textContent = "Copied.";
   } catch {
-    // A page that is opened from a disk may not write there. What is selected can be copied by hand.
+    // A page that is opened from a disk may not write there. Selected text can be copied by hand.
     getSelection().selectAllChildren(place("digest"));
     place("sent").textContent = "The browser does not let this page copy. The text is selected: copy it yourself.";
   }

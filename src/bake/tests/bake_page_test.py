@@ -32,8 +32,8 @@ class Page(unittest.TestCase):
             self.assertEqual(len(list(folder.glob("cells.*.png"))), 64)
 
     def test_options_that_it_names_exist(self) -> None:
-        told = subprocess.run([PROGRAM, "--help"], capture_output=True, text=True, check=True).stdout
-        known = set(re.findall(r"(--[\w-]+)", told))
+        help = subprocess.run([PROGRAM, "--help"], capture_output=True, text=True, check=True).stdout
+        known = set(re.findall(r"(--[\w-]+)", help))
         named = set(re.findall(r"`(--[\w-]+)", PAGE.read_text()))
         self.assertGreater(len(named), 10)
         self.assertEqual(named - known, set())

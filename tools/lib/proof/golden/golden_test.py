@@ -27,7 +27,7 @@ from proof.golden import cellular_rows, gullies_rows, period_rows, phasor_rows, 
 from proof.golden import command as golden
 from proof.golden.files import Digest, GoldenFile, Sample, Values, golden_files, line
 from proof.golden.generator import INT_MAX, INT_MIN, fnv1a64, generator_of, to_f32
-from proof.oracle import feature_points, jacobians, gradients, kernels, noises, sums, turning, words
+from proof.oracle import feature_points, jacobians, gradients, kernels, noises, rotation, sums, words
 from proof.oracle.functions import knobs_of, values_of
 from proof.oracle.gradients import Knobs
 from proof.oracle.integers import signed
@@ -89,7 +89,8 @@ def rows_of(id: str) -> tuple[list[tuple], list[tuple]]:
 
 @functools.cache
 def rows_in(id: str, values: Values) -> int:
-    """How many a committed file has. golden.regenerated_is_committed makes the rows of all anew, which takes a while."""
+    """How many a committed file has. golden.regenerated_is_committed makes the rows of all anew, which takes a
+    while."""
     return len(Golden(id, values.name).inputs)
 
 
@@ -284,7 +285,7 @@ class GoldenContents(unittest.TestCase):
                 for at in (0.0, 0.5):
                     self.assertTrue(any(at in f for f in places[phase]), (n, phase))
             # Of those beside quarters the sines and the cosines are 1 and -1.
-            found = [turning.fixed_cosine_and_sine(phase) for phase in places]
+            found = [rotation.fixed_cosine_and_sine(phase) for phase in places]
             for numbers in zip(*found):
                 self.assertTrue({2**16, -2**16} <= set(numbers), n)
 

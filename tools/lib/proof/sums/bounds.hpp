@@ -7,7 +7,7 @@
 
 namespace hn {
 
-// What is proven of a noise, or of the components of its derivative.
+// The bounds of a noise, or of the components of its derivative.
 struct FloatBounds {
   int axes;
   double cell_error;  // of floats, from a cell and a fraction
@@ -16,13 +16,12 @@ struct FloatBounds {
   double limit;       // how large it can be, computed in floats
 };
 
-// What an octave adds: a step of detail/octave.glsl, or what a sum with derivatives or displacements makes of the
-// noise.
+// The step of an octave: a step of detail/octave.glsl, or that of a sum with derivatives or displacements.
 enum class SumStep {
 #define SUM_STEP(name) name,
 #include "library/sums.inc"
 };
-// What the sum makes of the mean of its octaves.
+// The result of a sum, from the mean of its octaves.
 enum class SumMean {
 #define SUM_MEAN(name) name,
 #include "library/sums.inc"
@@ -43,7 +42,7 @@ struct OctaveArguments {
   bool exact_positions;  // the caller's promise: no octave's position is rounded
   double strength = 0.0;
   std::optional<double> footprint = {};
-  bool turns = true;  // it does not with a period
+  bool rotates = true;  // it does not with a period
   bool from_cell = false;
   bool is_detail = false;
   double amplitude = 0.0;

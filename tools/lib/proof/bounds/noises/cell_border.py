@@ -9,7 +9,7 @@ from proof.bounds import distances, features
 from proof.bounds.boxes import SAFE
 from proof.bounds.floats import position_error
 from proof.bounds.gradients import Gradient
-from proof.bounds.noises import Derived, cellular
+from proof.bounds.noises import ProvenBounds, cellular
 from proof.bounds.table import scientific, shortest
 
 CASES = cellular.CASES
@@ -17,11 +17,11 @@ offset_error = cellular.offset_error
 CLEAR = 1 / 8  # a distance between two points that is seldom less
 
 
-def derive(dims: int, _: Gradient | None) -> Derived:
+def derive(dims: int, _: Gradient | None) -> ProvenBounds:
     largest, lipschitz = features.largest_border(dims), math.sqrt(dims)
     cell_error, parts = distances.border_error(dims), distances.fixed_border_parts(dims)
     error, fixed = position_error(cell_error, lipschitz), sum(parts.values()) * SAFE
-    return Derived(largest, largest, lipschitz, cell_error, error, largest + error, fixed, largest + fixed, parts)
+    return ProvenBounds(largest, largest, lipschitz, cell_error, error, largest + error, fixed, largest + fixed, parts)
 
 
 def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:

@@ -5,12 +5,12 @@ from __future__ import annotations
 from proof.bounds import kernel_fixed, kernel_floats
 from proof.bounds.gradients import Gradient
 from proof.bounds.kernels import SMOOTH
-from proof.bounds.noises import Derived, listed, simplex
+from proof.bounds.noises import ProvenBounds, listed, simplex
 
 CASES = tuple((dims, None) for dims in SMOOTH)
 
 
-def derive(dims: int, _: Gradient | None) -> Derived:
+def derive(dims: int, _: Gradient | None) -> ProvenBounds:
     return simplex.derived_value(SMOOTH[dims])
 
 

@@ -1,4 +1,4 @@
-"""Section 14 of docs/reference/contract.md: gradients that turn by a phase."""
+"""Section 14 of docs/reference/contract.md: gradients that rotate by a phase."""
 
 from __future__ import annotations
 
@@ -20,10 +20,10 @@ DIMENSIONS = (2, 3)
 
 def check(n: int) -> None:
     if n not in DIMENSIONS:
-        raise ValueError(f"gradients turn in two and three dimensions, not in {n}D")
+        raise ValueError(f"gradients rotate in two and three dimensions, not in {n}D")
 
 
-def quarter_turned(g: Sequence[Number]) -> tuple[Number, ...]:
+def quarter_rotated(g: Sequence[Number]) -> tuple[Number, ...]:
     """g', the gradient after a quarter of a turn: in space in the plane of the two axes that it has."""
     check(len(g))
     first, second = (0, 1) if len(g) == 2 else (axis for axis, x in enumerate(g) if x)
@@ -42,10 +42,10 @@ def cosine_and_sine(phase: Real) -> tuple[Fraction, Fraction]:
 
 
 @functools.lru_cache(maxsize=4096)  # a noise with derivatives asks several times
-def turned(g: tuple[Real, ...], phase: Real) -> tuple[Fraction, ...]:
+def rotated(g: tuple[Real, ...], phase: Real) -> tuple[Fraction, ...]:
     """The gradient g after `phase` turns."""
     cosine, sine = cosine_and_sine(phase)
-    return tuple(cosine * Fraction(a) + sine * Fraction(b) for a, b in zip(g, quarter_turned(g)))
+    return tuple(cosine * Fraction(a) + sine * Fraction(b) for a, b in zip(g, quarter_rotated(g)))
 
 
 # --- Fixed ------------------------------------------------------------------------------------------------------
@@ -58,13 +58,13 @@ def angle(phase: Real) -> int:
 
 
 @dataclass(frozen=True)
-class Turn:
+class Rotation:
     """C and Z, the cosine and the sine of a phase, in units of 2^-18."""
     cosine: int
     sine: int
 
     def of(self, a: int, b: int) -> int:
-        """Of what there is without a turn and after a quarter of one."""
+        """Of what there is without a rotation and after a quarter of one."""
         return integers.signed(integers.part(a, self.cosine) + integers.part(b, self.sine))
 
 
@@ -74,6 +74,6 @@ def fixed_cosine_and_sine(phase: Real) -> tuple[int, int]:
 
 
 @functools.cache
-def turn_of(phase: Real) -> Turn:
+def rotation_of(phase: Real) -> Rotation:
     cosine, sine = fixed_cosine_and_sine(phase)
-    return Turn(4 * cosine, 4 * sine)
+    return Rotation(4 * cosine, 4 * sine)
