@@ -38,7 +38,7 @@ async function drawn(name, ...alias) {
     const pixels = await page.evaluate(() => globalThis.drawn());
     const imported = await page.evaluate(() => globalThis.imported);
     const code = made.output.map((one) => one.code ?? "").join("");
-    // That React Three Fiber uses what three.js wants to be rid of is no fault of a shader.
+    // React Three Fiber uses what three.js deprecates: that is no fault of a shader.
     return { code, pixels, imported, complaints: page.complaints.filter((text) => !text.startsWith("THREE.Clock")) };
   } finally {
     await server.close();

@@ -1,4 +1,4 @@
-"""What is written about the package: examples run, and numbers are those of the GLSL's comments."""
+"""The package's documentation: examples run, and numbers are those of the GLSL's comments."""
 
 from __future__ import annotations
 

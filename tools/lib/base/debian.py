@@ -50,7 +50,7 @@ class Missing(Exception):
 
 class Program(NamedTuple):
     packages: Sequence[str]
-    # What its environment is told, where {folder} has the packages and {libraries} their libraries.
+    # Variables of its environment: {folder} has the packages and {libraries} their libraries.
     variables: Mapping[str, str] = {}
 
 
@@ -101,7 +101,7 @@ def find(folder: Path, library: str) -> Root | None:
 
 
 def program(name: str) -> Path:
-    """What starts it. It is downloaded if it is not here yet."""
+    """The command that starts it. It is downloaded if it is not here yet."""
     folder = ROOT / "build" / "debian" / name
     wanted = PROGRAMS[name]
     if not (found := find(folder, "libc.so.6")):
@@ -148,7 +148,7 @@ def get(folder: Path, packages: Sequence[str], what: str, mirror: str = MIRROR, 
 
 
 def _run_apt(apt: Path, *arguments: str, failure: str) -> None:
-    """Of what it writes, only how far it is gets through; the rest is told if it fails."""
+    """Only its progress is printed; the rest follows if it fails."""
     said, percent = [], -1
     with subprocess.Popen(["apt-get", "-q", *arguments], env={**os.environ, "APT_CONFIG": str(apt / "apt.conf")},
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True) as process:

@@ -1,4 +1,4 @@
-"""Commands that install nothing open no connection: strace tells.
+"""Commands that install nothing open no connection: strace proves it.
 
     python3 -m check.commands.network_test HN_CONFORM
 
@@ -19,7 +19,7 @@ from base.tree import ROOT, TOOLS
 from ship.recipes import RECIPES
 
 SKIPPED = 77
-# {} is an empty folder. Those that install are conform, test, measure and what else setup.sh serves, what needs NumPy
+# {} is an empty folder. The commands that install are conform, test, measure and others of setup.sh, those with NumPy
 # (scientific-python), what has packages of npm, PyPI or cargo (pack npm, pack python, make site), and measure gpu
 # --get-drivers.
 COMMANDS = (*(["pack", name, "{}"] for name, recipe in RECIPES.items() if not recipe.command),

@@ -16,10 +16,15 @@ from base.tree import ROOT
 
 # Folders whose comments and messages are still to be rewritten. Empty this tuple once they are.
 NOT_YET = ("conformance/", "src/", "include/", "glsl/", "playground/", "README.md", "CONTRIBUTING.md", "llms.txt", "CHANGELOG.md",
-           "docs/measured/results/", "docs/guide/gallery/", "tools/", "catalog/", "packages/", "examples/", ".github/", ".ci/", "CMakeLists.txt", "SECURITY.md")
+           "docs/measured/results/", "docs/guide/gallery/", "tools/lib/proof/oracle/", "tools/lib/proof/bounds/",
+           "catalog/", "packages/python/hashnoise/_")
 # Files, and the words that may stand there.
 EXCEPTIONS: dict[str, str] = {
-    "tools/lib/check/words/*": "*"}  # the patterns, and the faults that tests plant
+    "tools/lib/check/words/*": "*",    # the patterns, and the faults that tests plant
+    "tools/lib/measure/c[lp]*": "told",  # "cannot be told" is a value in records
+    "tools/lib/measure/paper/*": "told",
+    "tools/lib/measure/hashes/texts.py": "What",  # headings that pages link to
+    "tools/lib/catalog/asked.py": "asked"}  # the name of a file
 LONGEST_CELL = 250  # letters
 PATTERNS = {
     r"\b[Oo]f (?:which|whose)\b": "write two sentences",
@@ -31,7 +36,7 @@ MADE_FILES = re.compile(r"^docs/(?:snippets|results)/|(?:^|/)(?:forms|bounds|fac
 MADE = re.compile(r"^<!-- (?!tools/make catalog: |end )[^\n]* -->\n.*?^<!-- end -->$", re.MULTILINE | re.DOTALL)
 WHOLLY_MADE = re.compile(r"`tools/make \w+` writes this page|`hn-conform list --checks` prints this page")
 CODE = re.compile(r"^```.*?^```$|^ {4,}\S.*?$", re.MULTILINE | re.DOTALL)
-QUOTED = re.compile(r"`[^`\n]*`|\]\([^)\n]*\)")
+QUOTED = re.compile(r"`[^`\n]*`|\]\([^)\n]*\)|\{[^{}\n]*\}")  # and values within strings
 STRINGS = r"'(?:\\.|[^'\\\n])*'|\"(?:\\.|[^\"\\\n])*\""
 # Comments and strings, by the endings of files. A file without an ending is a shell script or a Python program.
 TEXTS = {

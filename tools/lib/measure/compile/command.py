@@ -30,8 +30,8 @@ as tools/pick prints it.
 
 Compilers are glslang (the program, less an empty shader), mesa (llvmpipe, by hn-conform bench, with its first draw and
 without its cache) and angle (Chromium's WebGL2 on SwiftShader, with its first draw). Each time is the median of the
-rounds, in milliseconds. docs/measured/results/llvmpipe/compile.csv is such a file, of which tools/make readme makes the table of
-docs/measured/measuring.md.
+rounds, in milliseconds. docs/measured/results/llvmpipe/compile.csv is such a file; tools/make readme makes of it the
+table of docs/measured/measuring.md.
 
 Exit status: 0 done, 1 a compiler refused a shader, 2 bad usage or no such compiler here."""
 
@@ -134,7 +134,7 @@ def by_angle(program: str, folder: Path, rounds: int) -> Times:
                    page.as_uri()])
         told = re.search(r'<pre id="times">(.*?)</pre>', dom, re.DOTALL)
         if not told or not told[1].startswith("["):
-            raise Failed(f"the page in Chromium {html.unescape(told[1]) if told else 'told nothing'}")
+            raise Failed(f"the page in Chromium {html.unescape(told[1]) if told else 'left no report'}")
         for (subject, way, _), milliseconds in zip(asked, json.loads(told[1]), strict=True):
             times.setdefault((subject.picked, way), []).append(milliseconds)
     return times

@@ -1,5 +1,5 @@
 """Tests of what compiles shaders by way of LLVM's text: the translation, and how what compilers print is counted. The
-compilers are asked in thorough runs, as gpu_test.py does."""
+compilers run in thorough runs, as gpu_test.py does."""
 
 from __future__ import annotations
 
@@ -393,7 +393,7 @@ class Real(unittest.TestCase):
         return {id: self.folder / "spirv" / f"{id}.spv" for id in CALLS}
 
     def wrong(self, files: dict[str, Path], wanted: dict[str, str]) -> set[str]:
-        """Those whose shader computes another number on this processor than the C++ that is wanted."""
+        """Functions whose shader computes another number on this processor than the C++ that is wanted."""
         shaders = kernels.translated(files).of(HOST)
         names = {id: f"k{number}" for number, id in enumerate(files)}
         text, made, machine = (self.folder / name for name in ("host.ll", "host.bc", "host.o"))

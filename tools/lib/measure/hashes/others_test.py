@@ -1,4 +1,4 @@
-"""Tests of others.py: a shader's words are where the gate looks for them, and bad hashes are told from good ones."""
+"""Tests of others.py: a shader's words are where the gate looks for them, and bad hashes fail where good ones pass."""
 
 from __future__ import annotations
 

@@ -53,7 +53,7 @@ class Likeness(unittest.TestCase):
         cls.folder = Path(scratch.name)
         (cls.folder / "stand_in.glsl").write_text(STAND_IN)
         (cls.folder / "stand_in_hash.glsl").write_text(HASH)
-        # What is known of it: it is ours, with other numbers.
+        # It is ours, with other numbers.
         (cls.folder / "known.glsl").write_text(
             ports.our_library("hn_simplex(", 2) +
             "float known(vec2 p) { return 0.7 * hn_simplex(0.6 * p + 17.0, 3u); }\n"
@@ -147,11 +147,11 @@ class Likeness(unittest.TestCase):
     def test_a_version_is_the_name_that_git_has(self):
         file = self.folder / "stand_in.glsl"
         told = subprocess.run(["git", "hash-object", file], capture_output=True, text=True, check=True).stdout
-        self.assertEqual(ports.version(file), f"blob {told[:10]}")
+        self.assertEqual(ports.version(file), f"blob {blob[:10]}")
 
 
 class Record(unittest.TestCase):
-    """What stands in the repository."""
+    """The file in the repository."""
 
     def test_it_has_every_row_and_each_looks_alike(self):
         record = ports.read()

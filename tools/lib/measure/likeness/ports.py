@@ -40,7 +40,7 @@ class Port(NamedTuple):
     scale: float
     factor: float
     offset: float
-    ported: Look  # ours with what the page says
+    ported: Look  # ours with the page's settings
 
 
 class Missing(LookupError):
@@ -204,7 +204,7 @@ def moving_table(name: str, record: Mapping[str, Port], rows: Sequence[Row] = RO
 
 
 def unity_table(record: Mapping[str, Port]) -> str:
-    """What follows from the code that Unity's manual shows, and from the noises in it."""
+    """The code that Unity's manual shows, and the noises in it."""
     gradient, value = record["webgl-noise: cnoise(vec2 p) 2D"], record["FastNoiseLite: FNL_NOISE_VALUE 2D"]
     half = (1 / 2 + 1 / 4 + 1 / 8) / 2.0  # of the range of the sum
     return table(("node", "hashnoise"), [

@@ -7,7 +7,7 @@
 
 namespace hn {
 
-// What is proven of a noise, or of the components of its derivative.
+// Bounds of a noise, or of the components of its derivative.
 struct FloatBounds {
   int axes;
   double cell_error;  // of floats, from a cell and a fraction
@@ -16,13 +16,13 @@ struct FloatBounds {
   double limit;       // how large it can be, computed in floats
 };
 
-// What an octave adds: a step of detail/octave.glsl, or what a sum with derivatives or displacements makes of the
+// The summand of an octave: a step of detail/octave.glsl, or what a sum with derivatives or displacements makes of the
 // noise.
 enum class SumStep {
 #define SUM_STEP(name) name,
 #include "library/sums.inc"
 };
-// What the sum makes of the mean of its octaves.
+// The sum's step behind the mean of its octaves.
 enum class SumMean {
 #define SUM_MEAN(name) name,
 #include "library/sums.inc"

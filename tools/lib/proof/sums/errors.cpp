@@ -33,8 +33,8 @@ double rounding_of(int operations) { return std::pow(1.0 + kUnit, operations) - 
 //   1D: as without rotations
 //
 // and lengths are bounded, which rotations stretch by kStretch, coordinates by much more. A coordinate goes through no
-// more than 2 n roundings, the last of them behind the shift, of terms whose magnitudes sum to no more than the stretched
-// length (Cauchy). Terms below 2^-126 may become 0.
+// more than 2 n roundings, the last of them behind the shift, of terms whose magnitudes sum to no more than the
+// stretched length (Cauchy). Terms below 2^-126 may become 0.
 
 bool turns(int axes, const OctaveArguments& arguments) { return arguments.turns && axes > 1; }
 

@@ -43,7 +43,7 @@ double largest_rate(double a, double b, double r) {
   return (a * kFlat + b * at) / ((at + kFlat) * (at + kFlat));
 }
 
-// What an octave starts from: the slope is from `least` to `most` long, and off by `error`.
+// The start of an octave: the slope is from `least` to `most` long, and off by `error`.
 struct Slope {
   double least;
   double most;

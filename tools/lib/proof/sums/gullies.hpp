@@ -6,7 +6,7 @@
 
 namespace hn {
 
-// What is proven of phasor noise at a place of a cell, for waves that are shorter than 3/2, and of its derivatives
+// Bounds of phasor noise at a place of a cell, for waves that are shorter than 3/2, and of its derivatives
 // (bounds.inc, which tools/make bounds writes).
 struct GulliesBounds {
   double value;            // the error

@@ -76,11 +76,11 @@ class Language:
         return f"{self.qualifier if type_ in SIZES and type_ != 'bool' else ''}{self.named(type_)}"
 
     def public_name(self, function: Function) -> str:
-        """That by which users call it."""
+        """The name by which users call it."""
         return function.name
 
     def signature(self, function: Function) -> str:
-        """What the comment says of a function: that of the library."""
+        """The signature in the comment of a function: the library's."""
         return f"{function.name}({', '.join(map(declared, function.parameters))})"
 
     def example(self, function: Function) -> str:
@@ -113,7 +113,7 @@ class Language:
         return f"{head} return {function.name}({passed}); }}\n"
 
     def constants(self, functions: Sequence[Function], module: Module) -> str:
-        """Those that users pass to the functions, where no library beside the text has them."""
+        """The constants that users pass to the functions, where no library beside the text has them."""
         if not self.structs:
             return ""
         taken = {parameter.at.text for function in functions for parameter in function.parameters}
@@ -192,7 +192,7 @@ class Expressions:
         return f"{name}({', '.join(self._text(argument) for argument in arguments)})", PRIMARY
 
     def _named(self, node: Node) -> str:
-        """What has a name: a field has one behind a point."""
+        """The text of a named value: a field's name is behind a point."""
         name, *fields = (self.called.get(node) or node.name).split(".")
         return ".".join([self.language.variable(name), *map(self.language.field, fields)])
 
@@ -262,7 +262,7 @@ class Writer(Expressions):
                 self.called[statement.variable] = statement.variable.name
         return self._lines(self.block, self.indent)
 
-    # What is named, and where.
+    # Names, and their places.
 
     def _save(self) -> None:
         """Copies what is a variable that was set before: _name_late gives it a name."""
@@ -339,7 +339,7 @@ class Writer(Expressions):
                        and node.kind not in ("call", "member")}
 
     def _inside(self, node: Operation) -> list[Node]:
-        """What an expression has in it where it stands."""
+        """The values inside an expression at its place."""
         found: list[Node] = []
         pending = list(node.arguments)
         while pending:
@@ -476,7 +476,7 @@ class Writer(Expressions):
         return [*lines, "}"]
 
     def _otherwise(self, block: list[Statement]) -> list[str]:
-        """The other branch; what stands alone in it is asked next."""
+        """The other branch; a lone condition in it is an `else if`."""
         lines = self._lines(block, self.indent)
         if len(block) == 1 and isinstance(block[0], If) and lines[0].lstrip().startswith("if ") and (
                 lines[-1] == f"{' ' * self.indent}}}"):

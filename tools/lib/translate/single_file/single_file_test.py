@@ -88,11 +88,11 @@ class SingleFile(unittest.TestCase):
                 self.assertEqual(tokens("--language", "godot", name), tokens(name))
         text = generate("--language", "godot", "--strip").stdout
         self.assertNotRegex(text, r"(?m)^HN_[A-Z_]+[1-4]D\(")
-        # No comment tells how to use them, either.
+        # No comment explains how to use them, either.
         self.assertNotRegex(generate("--language", "godot").stdout, r"HN_[A-Z_]+[1-4]D\(")
         self.assertNotRegex(text, r"\bHN_(FN|I_OUT|I_SUMS\w*|I_BITCAST)\b|\bhn_u?i?vec|__cplusplus")
         self.assertLess(len(set(re.findall(r"#define (HN_I_\w+|hn_\w+)", text))), 25)
-        # What knobs decide is still there.
+        # Code that knobs choose is still there.
         self.assertIn("#define HN_I_PRECISE", text)
         self.assertEqual(len(re.findall(r"(?m)^#define hn_i_num2 ", text)), 2)
         for knobs in (["HN_ARITHMETIC=HN_FIXED"], ["HN_HASH=HN_HASH_PCG", "HN_GRADIENT=HN_GRADIENT_SINE"]):

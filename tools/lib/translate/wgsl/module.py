@@ -13,12 +13,12 @@ from translate.parsing.tokens import Unknown
 from translate.settings import NO_PRECISE, Settings
 from translate.wgsl.writer import Definition, FunctionWriter
 
-# What a comment says about overloads that WGSL does not have.
+# Sentences of comments on overloads, which WGSL does not have.
 LEFT_OUT = "; 0 if left out"
 
 
 class Module:
-    """The definitions of a text, which may include files of the library. Each is translated when it is asked for."""
+    """The definitions of a text, which may include files of the library. Each is translated when it is first used."""
 
     def __init__(self, library: Path, text: str, settings: Settings = Settings(), path: str = "the text"):
         preprocessor = Preprocessor(library, settings.macros())
