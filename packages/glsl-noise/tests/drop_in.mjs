@@ -74,7 +74,7 @@ test("Vite finds it by its own name, with the alias for all imports", async () =
 test("glslify finds the files by the name of glsl-noise, and what it makes of one and of all compiles", async () => {
   const glslify = createRequire(import.meta.url)("glslify");
   const page = await browser.newPage();
-  const told = (text) =>
+  const compiled = (text) =>
     page.evaluate((source) => {
       const gl = document.createElement("canvas").getContext("webgl2");
       const made = gl.createShader(gl.FRAGMENT_SHADER);
@@ -96,7 +96,7 @@ ${required.join("\n")}\nvoid main() { color = vec4(${calls.join(" + ")}); }`)}`;
   for (const some of [...files.map((file) => [file]), files]) {
     const shader = shaderOf(some);
     assert.ok(shader.includes(ours) && !shader.includes(theirs));
-    assert.equal(await told(shader), "", some.map(({ name, axes }) => `${name}/${axes}d`).join());
-    assert.notEqual(await told(shader.replace("floor", "flour")), "");
+    assert.equal(await compiled(shader), "", some.map(({ name, axes }) => `${name}/${axes}d`).join());
+    assert.notEqual(await compiled(shader.replace("floor", "flour")), "");
   }
 });

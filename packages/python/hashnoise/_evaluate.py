@@ -141,7 +141,7 @@ def checked_dtype(function, dtype, out):
 
 
 def checked_ranges(function, name, range, dtype, field):
-    """The values that 0 and 65535 stand for, for each plane: the caller's, or else those that the function documents."""
+    """The values that 0 and 65535 stand for, for each plane: the caller's, or else the documented ones."""
     if dtype != _UINT16:
         if range is not None:
             raise ValueError(f"{function}: a range sets the values that 0 and 65535 stand for, and is "

@@ -80,9 +80,9 @@ class Root(NamedTuple):
     def starter(self, program: str, variables: Mapping[str, str]) -> Path:
         """A script that starts a program of the folder."""
         path = self.folder / program
-        told = {name: value.format(folder=self.folder, libraries=self.libraries) for name, value in variables.items()}
+        values = {name: value.format(folder=self.folder, libraries=self.libraries) for name, value in variables.items()}
         command = shlex.join(self.command([str(self.folder / "usr/bin" / program)]))
-        exports = "".join(f"export {name}={shlex.quote(value)}\n" for name, value in told.items())
+        exports = "".join(f"export {name}={shlex.quote(value)}\n" for name, value in values.items())
         path.write_text(f'#!/bin/sh\n{exports}exec {command} "$@"\n', encoding="utf-8")
         path.chmod(0o755)
         return path

@@ -101,8 +101,8 @@ class Whole(unittest.TestCase):
         self.assertEqual(command.problems(INTERFACE, self.now, version()), [])
 
     def test_a_member_that_moved_is_told(self) -> None:
-        told = "\n".join(self.changed("<var-decl name='footprint'", "<var-decl name='blurred'"))
-        self.assertIn("footprint", told)
+        printed = "\n".join(self.changed("<var-decl name='footprint'", "<var-decl name='blurred'"))
+        self.assertIn("footprint", printed)
 
     def test_a_function_that_is_new_is_told(self) -> None:
         line = next(line for line in INTERFACE.read_text(encoding="utf-8").splitlines(keepends=True)
@@ -133,9 +133,9 @@ class Whole(unittest.TestCase):
         return set(re.findall(r"\S*\bhashnoise::.*", command.output_of("nm", "--demangle", made)))
 
     def test_another_version_needs_another_name(self) -> None:
-        told = "\n".join(command.problems(INTERFACE, self.now, "7.1.0"))
-        self.assertIn("of version 7.1.0 it is libhashnoise-grid.so.7.1", told)
-        self.assertIn("is not in the namespace hashnoise::v7_1", told)
+        printed = "\n".join(command.problems(INTERFACE, self.now, "7.1.0"))
+        self.assertIn("of version 7.1.0 it is libhashnoise-grid.so.7.1", printed)
+        self.assertIn("is not in the namespace hashnoise::v7_1", printed)
 
 
 if __name__ == "__main__":

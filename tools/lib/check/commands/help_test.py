@@ -159,12 +159,12 @@ class WrongOptions(Machine):
     def test_options_of_built_programs_are_taken(self):
         """Options in --help of a program are among those in its sources, wherever they are."""
         tried = 0
-        for name, (program, told) in COMMANDS.items():
+        for name, (program, shown) in COMMANDS.items():
             path = ROOT / "build" / program.replace("bench-cpu-g++/", "")
             if not path.exists():
                 continue
-            told = subprocess.run([path, *told.split()], capture_output=True, text=True, check=True).stdout
-            options = {*re.findall(r"^ +(?:-\w,)?(--[a-z-]+)", told, re.MULTILINE)} - {"--help"}
+            shown = subprocess.run([path, *shown.split()], capture_output=True, text=True, check=True).stdout
+            options = {*re.findall(r"^ +(?:-\w,)?(--[a-z-]+)", shown, re.MULTILINE)} - {"--help"}
             with self.subTest(name=name):
                 self.assertGreater(len(options), 3)
                 done = self.call(name, *options)

@@ -90,10 +90,10 @@ class BadUsage(unittest.TestCase):
         parser.add_argument("--out")
         parser.add_argument("--kind", choices=("sweet", "sour"))
         parser.add_argument("--rounds", type=int)
-        with contextlib.redirect_stderr(io.StringIO()) as told, self.assertRaises(SystemExit) as end:
+        with contextlib.redirect_stderr(io.StringIO()) as printed, self.assertRaises(SystemExit) as end:
             parser.parse_args(arguments)
         self.assertEqual(end.exception.code, 2)
-        return told.getvalue()
+        return printed.getvalue()
 
     def test_the_nearest_right_name_is_told(self) -> None:
         hint = "; see tools/measure taste --help\n"

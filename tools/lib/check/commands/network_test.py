@@ -59,9 +59,9 @@ class Network(unittest.TestCase):
     def test_a_connection_is_told(self) -> None:
         """To an address that nobody has, by a socket that sends nothing."""
         code = "import socket; socket.socket({}, socket.SOCK_DGRAM).connect(({!r}, 443))"
-        for family, address, told in (("socket.AF_INET", "192.0.2.1", 1), ("socket.AF_INET", "127.0.0.1", 0)):
+        for family, address, expected in (("socket.AF_INET", "192.0.2.1", 1), ("socket.AF_INET", "127.0.0.1", 0)):
             status, found = connections([sys.executable, "-c", code.format(family, address)], self.folder)
-            self.assertEqual(len(found), told, found)
+            self.assertEqual(len(found), expected, found)
 
 
 if __name__ == "__main__":

@@ -91,7 +91,7 @@ class Verdict:
     run: list[str]      # ids of all cases
 
 
-def told(program: Path, *arguments: str) -> list[Told]:
+def entries(program: Path, *arguments: str) -> list[Told]:
     """hn-conform's output: names, and below each indented lines such as "  injected: this"."""
     listed = subprocess.run([program, *arguments], capture_output=True, text=True, check=False)
     if listed.returncode != 0:
@@ -248,11 +248,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if options.sample is not None and (options.sample < 1 or not options.check or options.names):
         parser.error("--sample takes a number from 1 on, with --check and without names")
     try:
-        faults = told(options.program, "run", "--inject", "list")
+        faults = entries(options.program, "run", "--inject", "list")
         unknown = set(options.names) - {fault.name for fault in faults}
         if unknown:
             parser.error(f"there is no fault {', '.join(sorted(unknown))}; hn-conform run --inject list prints them")
-        bugs = told(options.program, "list", "--about", "--filter", "bugs*")
+        bugs = entries(options.program, "list", "--about", "--filter", "bugs*")
         chosen = [fault for fault in faults if not options.names or fault.name in options.names]
         chosen = sample(chosen, options.sample or len(chosen))
         with ThreadPoolExecutor(max(1, options.jobs)) as pool:

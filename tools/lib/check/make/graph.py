@@ -238,5 +238,5 @@ def walk(parts: Sequence[Part]) -> int:
 
 if __name__ == "__main__":
     step, name = sys.argv[1:]
-    asked = next(part for part in PARTS if part.name == name)
-    sys.exit(look(asked) if step == "look" else make(asked))
+    chosen = next(part for part in PARTS if part.name == name)
+    sys.exit(look(chosen) if step == "look" else make(chosen))

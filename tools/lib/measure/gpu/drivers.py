@@ -39,8 +39,8 @@ class Drivers(debian.Root):
         icd = next(iter((self.folder / "usr/share/vulkan/icd.d").glob(f"{chip.vendor.driver}_icd*.json")), None)
         if icd is None:
             raise Missing(f"{self.folder} has no {chip.vendor.driver}_icd.json, {chip.vendor.title}'s driver of Vulkan")
-        told = dict([chip.variable.split("=")]) if chip.variable else {}
-        return {**ours, **told, "VK_DRIVER_FILES": str(icd), "VK_LOADER_LAYERS_DISABLE": "*", "NODEVICE_SELECT": "1",
+        chosen = dict([chip.variable.split("=")]) if chip.variable else {}
+        return {**ours, **chosen, "VK_DRIVER_FILES": str(icd), "VK_LOADER_LAYERS_DISABLE": "*", "NODEVICE_SELECT": "1",
                 "MESA_SHADER_CACHE_DISABLE": "true"}
 
     def program(self, name: str) -> list[str]:

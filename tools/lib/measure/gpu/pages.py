@@ -99,6 +99,6 @@ def _cost(rows: Mapping[tuple[str, str], Row], id: str, chip: str) -> str:
     row = rows[id, chip]
     if row.problem:
         return "fails"
-    told = row if "Loops" in chip_named(chip).vendor.kinds else rows[id, WITNESS]
+    counted = row if "Loops" in chip_named(chip).vendor.kinds else rows[id, WITNESS]
     waits = chip_named(chip).vendor.target and TABLES.search(row.kinds)
-    return row.cost + "*" * bool(LOOPS.search(told.kinds)) + "+" * bool(waits)
+    return row.cost + "*" * bool(LOOPS.search(counted.kinds)) + "+" * bool(waits)

@@ -152,14 +152,14 @@ def judge(other: Other, dimensions: Sequence[int], twin: Twin, renderer: Rendere
 
 def lines(found: Sequence[Judged]) -> list[str]:
     """For the terminal."""
-    told = []
+    printed = []
     for judged in found:
         result = judged.result
         wrong = sorted((f for f in result.worst.values() if not f.passed), key=lambda f: f.p)
         head = f"{result.name} {result.dimensions}D at {judged.place}: "
-        told.append(head + (f"fails {len(wrong)} of {len(result.worst)} tests, such as {describe(wrong[0])}" if wrong
+        printed.append(head + (f"fails {len(wrong)} of {len(result.worst)} tests, such as {describe(wrong[0])}" if wrong
                             else f"passes {len(result.worst)} tests"))
-    return told
+    return printed
 
 
 def write(found: Sequence[Judged], path: Path) -> None:

@@ -36,16 +36,16 @@ SAME = 0.02
 
 def differences(found: list[ports.Port], record: Mapping[str, ports.Port]) -> list[str]:
     """Between what was found and what a record has."""
-    told = []
+    printed = []
     for each in found:
         before = record.get(each.id)
         if before is None:
-            told.append(f"{each.id}: the record has no such row")
+            printed.append(f"{each.id}: the record has no such row")
         else:
             numbers = (("scale", each.scale, before.scale), ("factor", each.factor, before.factor))
-            told += [f"{each.id}: the {name} is {now:.3f}, and {then:.3f} in the record"
+            printed += [f"{each.id}: the {name} is {now:.3f}, and {then:.3f} in the record"
                      for name, now, then in numbers if not abs(now / then - 1.0) <= SAME]
-    return told
+    return printed
 
 
 def run(paths: Mapping[str, Path], out: Path, pictures: Path | None, check: bool) -> int:

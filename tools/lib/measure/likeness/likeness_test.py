@@ -98,10 +98,10 @@ class Likeness(unittest.TestCase):
             same = ports.read(record)
         self.assertEqual(command.differences([self.found], same), [])
         other = {self.found.id: self.found._replace(factor=1.03 * self.found.factor)}
-        told, = command.differences([self.found], other)
-        self.assertIn("the factor is", told)
-        told, = command.differences([self.found], {})
-        self.assertIn("the record has no such row", told)
+        printed, = command.differences([self.found], other)
+        self.assertIn("the factor is", printed)
+        printed, = command.differences([self.found], {})
+        self.assertIn("the record has no such row", printed)
 
     def test_the_command_fails_with_what_it_finds(self):
         errors = io.StringIO()
@@ -146,7 +146,7 @@ class Likeness(unittest.TestCase):
 
     def test_a_version_is_the_name_that_git_has(self):
         file = self.folder / "stand_in.glsl"
-        told = subprocess.run(["git", "hash-object", file], capture_output=True, text=True, check=True).stdout
+        printed = subprocess.run(["git", "hash-object", file], capture_output=True, text=True, check=True).stdout
         self.assertEqual(ports.version(file), f"blob {blob[:10]}")
 
 

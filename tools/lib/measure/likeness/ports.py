@@ -64,10 +64,10 @@ def source(path: Path) -> str:
 
 def version(path: Path) -> str:
     """The commit of a file in a repository of git, or the name that git would give to its content."""
-    told = subprocess.run(["git", "-C", path.parent, "log", "-1", "--format=%h of %cs", "HEAD"], capture_output=True,
+    printed = subprocess.run(["git", "-C", path.parent, "log", "-1", "--format=%h of %cs", "HEAD"], capture_output=True,
                           text=True, check=False)
-    if told.returncode == 0:
-        return told.stdout.strip()
+    if printed.returncode == 0:
+        return printed.stdout.strip()
     content = path.read_bytes()
     return f"blob {hashlib.sha1(b'blob %d%c' % (len(content), 0) + content).hexdigest()[:10]}"
 
@@ -147,16 +147,16 @@ def ports(paths: Mapping[str, Path], rows: Iterable[Row] = ROWS, tell: Callable[
 
 def problems(found: Iterable[Port], limit: float = LIMIT) -> list[str]:
     """Of ports that do not look alike."""
-    told = []
+    printed = []
     for each in found:
         for name, theirs, ours in (("deviation", each.theirs.deviation, each.ported.deviation),
                                    ("size", each.theirs.size, each.ported.size)):
             if not abs(ours / theirs - 1.0) <= limit:
-                told.append(f"{each.id}: the {name} of theirs is {theirs:.3f}, and of ours as ported {ours:.3f}")
+                printed.append(f"{each.id}: the {name} of theirs is {theirs:.3f}, and of ours as ported {ours:.3f}")
         if not abs(each.ported.mean - each.theirs.mean) <= MEAN_LIMIT * each.theirs.deviation:
-            told.append(f"{each.id}: the mean of theirs is {each.theirs.mean:.3f}, and of ours as ported "
+            printed.append(f"{each.id}: the mean of theirs is {each.theirs.mean:.3f}, and of ours as ported "
                         f"{each.ported.mean:.3f}")
-    return told
+    return printed
 
 
 # --- The record -------------------------------------------------------------------------------------------------------

@@ -148,9 +148,9 @@ class Command(unittest.TestCase):
                                    ((good, "--require", "jumps,range"), "comes without --range"),
                                    ((good, "--dimensions", "4"), "invalid choice")):
             with self.subTest(arguments):
-                status, _, told = self.call(*arguments)
+                status, _, printed = self.call(*arguments)
                 self.assertEqual(status, 2)
-                self.assertIn(message, told)
+                self.assertIn(message, printed)
 
 
 class Record(unittest.TestCase):

@@ -127,10 +127,10 @@ class Looks(unittest.TestCase):
 
     def test_a_parser_reads_them(self) -> None:
         self.assertEqual(len(self.made), len(files.LOOKS))
-        for path, told in zip(self.made, self.read(*self.made), strict=True):
+        for path, printed in zip(self.made, self.read(*self.made), strict=True):
             look = files.LOOKS[path.stem.removeprefix("hn-")]
-            self.assertEqual(told["inputs"], [[one, files.INPUTS[one]["TYPE"]] for one in files.inputs(look)])
-            self.assertEqual((told["valid"], told["type"]), (True, "generator"))
+            self.assertEqual(printed["inputs"], [[one, files.INPUTS[one]["TYPE"]] for one in files.inputs(look)])
+            self.assertEqual((printed["valid"], printed["type"]), (True, "generator"))
         wrong = self.folder / "wrong.fs"
         wrong.write_text(self.made[0].read_text().replace('"INPUTS": [', '"INPUTS": '))
         self.assertFalse(self.read(wrong)[0]["valid"])

@@ -225,8 +225,8 @@ class Code(unittest.TestCase):
             for line in named:
                 with self.subTest(command=line):
                     # Commands that build or install something first have tests of their own.
-                    asked = line if "--out" in line else [*line, "--help"]
-                    done = run(str(ROOT / asked[0]), *asked[1:], cwd=folder)
+                    words = line if "--out" in line else [*line, "--help"]
+                    done = run(str(ROOT / words[0]), *words[1:], cwd=folder)
                     self.assertEqual(done.returncode, 0, done.stderr)
                     if "--out" in line:
                         self.assertTrue((pathlib.Path(folder) / line[line.index("--out") + 1]).stat().st_size)

@@ -189,8 +189,8 @@ class Refuses(Project):
         self.refused(2, "not allowed with", "--only", "single", "--without", "npm")
 
     def test_the_help_names_each_part(self):
-        told = subprocess.run([TOOLS / "pack", "release", "--help"], capture_output=True, text=True, check=True).stdout
-        named = re.search(r"PARTS are names with commas between: ([^.]*)\.", told)[1]
+        printed = subprocess.run([TOOLS / "pack", "release", "--help"], capture_output=True, text=True, check=True).stdout
+        named = re.search(r"PARTS are names with commas between: ([^.]*)\.", printed)[1]
         self.assertEqual(tuple(re.split(r",\s+", named)), files.PARTS)
 
     def test_a_tag_of_another_version(self):

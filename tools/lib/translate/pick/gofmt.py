@@ -185,10 +185,10 @@ def _line(line: str) -> str:
         return line
     before, values, behind = found["before"], found["values"], found["behind"] or ""
     if "; " in values:  # of a loop that counts
-        start, asked, step = values.split("; ")
+        start, condition, step = values.split("; ")
         name, value = start.split(" := ")
         changed = step if step.endswith(("++", "--")) else _line(step)
-        return f"{before}{name} := {_expressions(value)}; {_expressions(asked)}; {changed}{behind}"
+        return f"{before}{name} := {_expressions(value)}; {_expressions(condition)}; {changed}{behind}"
     several = ", " in before and before.endswith(" := ")
     return f"{before}{_expressions(values, 2 if several else 1)}{behind}"
 

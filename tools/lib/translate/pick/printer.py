@@ -305,12 +305,12 @@ class Writer(Expressions):
             if not isinstance(statement, (Set, Return)):
                 first = i + 1
             place = (*around, (number, min(first, i)))
-            asked = place
+            evaluated = place
             if isinstance(statement, Loop) and statement.asks_behind:
-                asked = (*place, (self._numbers[id(statement.body)], len(statement.body)))
+                evaluated = (*place, (self._numbers[id(statement.body)], len(statement.body)))
             for node in operands(statement):
                 if isinstance(node, Operation):
-                    at.setdefault(node, []).append(asked)
+                    at.setdefault(node, []).append(evaluated)
             for other in inner(statement):
                 self._visit(other, place, at)
 

@@ -165,7 +165,7 @@ class Evaluated:
     evaluation: Evaluation
     block: list[Statement]
     parameters: list[Parameter]  # that are left
-    asked: set[Key]  # functions for which it mattered whether they are called
+    consulted: set[Key]  # functions for which it mattered whether they are called
 
     @functools.cached_property
     def nodes(self) -> set[Node]:
@@ -204,7 +204,7 @@ class Program:
         before, kept, done = self._arguments(), self.kept, self._done
         keys = {(one.name, one.types) for one in new}
         self.kept = {**kept, **{(one.name, one.types): one for one in new}}
-        self._done = {of: one for of, one in done.items() if not one.asked & keys}
+        self._done = {of: one for of, one in done.items() if not one.consulted & keys}
         self._evaluate_all()
         now = self._arguments()
         if len(new) == 1 or all(len(now.get(key, ())) == len(before[key]) and
@@ -220,11 +220,11 @@ class Program:
 
     def _evaluate(self, kept: Kept, is_root: bool) -> Evaluated:
         function = self.module.overload(kept.name, kept.types)
-        asked: set[Key] = set()
+        consulted: set[Key] = set()
 
         def keeps(called: Function, arguments: Sequence[Node]) -> Kept | None:
             key = called.name, called.types
-            asked.add(key)
+            consulted.add(key)
             found = self.kept.get(key)
             return found if found and found.left(arguments) is not None else None
 
@@ -245,7 +245,7 @@ class Program:
                     nodes.append(nodes[of])
                 elif isinstance(of, Kept):
                     inside = self._evaluate(of, is_root=False)  # afresh, since its variables get other names
-                    asked |= inside.asked
+                    consulted |= inside.consulted
                     taken = {one.at.text for one in (*function.parameters, *parameters)}
                     parameters += [_renamed(one, inside.nodes, taken) for one in inside.parameters]
                     evaluation.hints.update(inside.evaluation.hints)
@@ -259,7 +259,7 @@ class Program:
                     leaves |= {(*path, *rest): node for rest, node in self.module.leaves(nodes[-1]).items()}
             values.append(Typed(parameter.type, leaves))
         return Evaluated(function, evaluation, without_copies(without_dead(evaluation.run(function, values))),
-                         parameters, asked)
+                         parameters, consulted)
 
     def _named(self, function: Function, parameter: Parameter, path: tuple[str, ...]) -> str:
         """The arguments for a parameter. A position that is split is x, y and so on."""
@@ -332,7 +332,7 @@ class Program:
         return found
 
     def _calls(self, kept: Kept, other: Kept) -> bool:
-        return (other.name, other.types) in self._evaluated(kept).asked
+        return (other.name, other.types) in self._evaluated(kept).consulted
 
     def _joined(self) -> list[Kept]:
         """A function that takes another one's result in all its calls, joined with the other."""

@@ -227,9 +227,9 @@ class SingleFile(unittest.TestCase):
     def test_no_macro_that_a_condition_asks_for_names_another(self):
         """As PlayCanvas' preprocessor needs it, which compares what stands behind a #define as a text."""
         def naming(lines):
-            asked = set(re.findall(r"\bHN_\w+", "".join(line for line in lines if line.startswith("#if "))))
+            tested = set(re.findall(r"\bHN_\w+", "".join(line for line in lines if line.startswith("#if "))))
             defined = {match[1]: match[2] for line in lines if (match := re.match(r"#define (HN_\w+) (\w+)", line))}
-            return {name for name, value in defined.items() if name in asked and value in defined}
+            return {name for name, value in defined.items() if name in tested and value in defined}
         lines = generate().stdout.splitlines(keepends=True)
         self.assertEqual(naming(lines), set())
         self.assertIn("#define HN_HASH 8  // HN_HASH_LATTICE\n", lines)
