@@ -187,7 +187,7 @@ class Sweep(unittest.TestCase):
         self.assertEqual(status, 0, output)
         self.assertEqual(output.count("killed by c.d\n"), 2)
         self.assertIn("2 mutants: 2 killed (0 of them did not compile), 0 survived (0 of them not "
-                      "--thorough, 0 equivalent, 0 errors", output)
+                      "--thorough), 0 equivalent, 0 errors", output)
 
     def test_a_crash_and_a_timeout_kill_but_a_warning_does_not(self):
         for results in (CRASH, TIMEOUT):

@@ -146,7 +146,7 @@ class Likeness(unittest.TestCase):
 
     def test_a_version_is_the_name_that_git_has(self):
         file = self.folder / "stand_in.glsl"
-        printed = subprocess.run(["git", "hash-object", file], capture_output=True, text=True, check=True).stdout
+        blob = subprocess.run(["git", "hash-object", file], capture_output=True, text=True, check=True).stdout
         self.assertEqual(ports.version(file), f"blob {blob[:10]}")
 
 
