@@ -223,7 +223,7 @@ announce() {
     total=$((total + seconds))
     parts+="${parts:+, }$name $(duration "$seconds")"
   done
-  echo "tools/${called:-${0##*/}} $what and runs.${parts:+ That takes about $(duration "$total") minutes here ($parts).} \
+  echo "tools/${called:-${0##*/}} $what and runs.${parts:+ The whole takes about $(duration "$total") minutes here ($parts).} \
 All output of the setup is in $log." >&2
 }
 

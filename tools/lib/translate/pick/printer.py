@@ -56,6 +56,7 @@ class Language:
     has_overloads: ClassVar[bool] = True
     braces: ClassVar[bool] = False  # whether a branch of one statement has them, too
     forever: ClassVar[str] = "while (true) {"
+    ends: ClassVar[tuple[str, str]] = (";", ";")  # of a field, and of a struct
 
     def named(self, name: str) -> str:
         return self.names.get(name, name)
@@ -124,17 +125,25 @@ class Language:
     def constant(self, name: str, value: str) -> str:
         return f"#define {name} {value}\n"
 
-    def head(self, type_: str, name: str, parameters: Iterable[Parameter], read: set[str]) -> str:
-        """Of a function. Parameters may be both set and read."""
-        def typed(one: Parameter) -> str:
-            form = (self.inout if one.at.text in read else self.out) if one.is_set else "{}"
-            return f"{form.format(self.typed(one.type))} {self.variable(one.at.text)}"
+    def pair(self, name: str, type_: str) -> str:
+        """A name with its type, as in parameters and fields."""
+        return f"{type_} {name}"
 
-        return f"{self.function}{self.typed(type_)} {name}({', '.join(map(typed, parameters))}) {{"
+    def parameter(self, one: Parameter, is_read: bool = False) -> str:
+        """A parameter in a head. It may be both set and read."""
+        form = (self.inout if is_read else self.out) if one.is_set else "{}"
+        return self.pair(self.variable(one.at.text), form.format(self.typed(one.type)))
+
+    def prototype(self, type_: str, name: str, parameters: Iterable[str]) -> str:
+        return f"{self.function}{self.typed(type_)} {name}({', '.join(parameters)})"
+
+    def head(self, type_: str, name: str, parameters: Iterable[Parameter], read: set[str]) -> str:
+        return f"{self.prototype(type_, name, (self.parameter(one, one.at.text in read) for one in parameters))} {{"
 
     def struct(self, name: str, fields: Iterable[tuple[str, str]]) -> str:
-        inside = "".join(f"  {self.typed(type_)} {self.field(one)};\n" for one, type_ in fields)
-        return f"struct {name} {{\n{inside}}};\n"
+        after_field, after_struct = self.ends
+        inside = "".join(f"  {self.pair(self.field(one), self.typed(type_))}{after_field}\n" for one, type_ in fields)
+        return f"struct {name} {{\n{inside}}}{after_struct}\n"
 
     def writer(self, block: list[Statement], hints: Mapping[Node, str], parameters: Sequence[Parameter],
                names: Mapping[Kept, str], precise: bool) -> Writer:
