@@ -3,11 +3,10 @@
     project.py make FOLDER                       makes FOLDER/npm
     project.py run FOLDER PROGRAM [ARGUMENT]...    runs a program of Node.js in it, by tools/lib/base/node
 
-The package is what tools/pack npm makes, installed by npm. The code blocks of docs/guide/javascript.md become modules of the
-project:
-blocks/NAME.js as they are printed, and faulty/NAME.js with a mistake that a test has to notice. picked/ has what tools/pick
-writes, and the page of that document which needs no build step: page.html and wrong.html. Exit status: that of the
-program, 0 made, 1 it could not be made, 77 npm's packages or the compiler are not here.
+The package is what tools/pack npm makes, installed by npm. The code blocks of docs/guide/javascript.md become modules
+of the project: blocks/NAME.js as they are printed, and faulty/NAME.js with a mistake that a test has to notice. picked/
+has what tools/pick writes, and the page of that document which needs no build step: page.html and wrong.html. Exit
+status: that of the program, 0 made, 1 it could not be made, 77 npm's packages or the compiler are not here.
 """
 
 from __future__ import annotations
@@ -59,7 +58,7 @@ def picked() -> dict[str, str]:
 
 
 def missing(packages: Path) -> str:
-    """What a project needs and is not here."""
+    """A project needs something that is not here."""
     if not (packages / "made").exists():
         return f"the packages in {packages}: javascript.packages was skipped, or did not run"
     if not shutil.which("clang++"):

@@ -1,4 +1,4 @@
-// The scenes of examples/three, made as docs/guide/javascript.md says, in Chromium with WebGPU and with WebGL2.
+// The scenes of examples/three, made as docs/guide/javascript.md describes, in Chromium with WebGPU and with WebGL2.
 //
 //   node three.mjs ROOT    the repository
 import assert from "node:assert/strict";
@@ -13,7 +13,7 @@ import { serve } from "./files.mjs";
 import { bitsOf } from "./golden_values.mjs";
 
 const [repository] = process.argv.slice(2);
-const WIDTH = 128; // of which WebGPU pads no row
+const WIDTH = 128; // a row of this width needs no padding in WebGPU
 const HEIGHT = 80;
 let folder;
 let files;

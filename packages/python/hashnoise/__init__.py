@@ -40,7 +40,7 @@ Sums (fbm and the others that sums() names) also have these:
                      from 1 to 255; with a cell, and with arithmetic="fixed", from 0 to 255
     gain             how much weaker, usually 0.5; not negative, and with arithmetic="fixed" from 0 to 1
 
-What is wrong raises TypeError or ValueError, and says what would be right.
+A wrong argument raises TypeError or ValueError, with the right ones in the message.
 """
 
 from . import _noises, _sums

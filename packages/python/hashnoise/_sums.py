@@ -1,5 +1,5 @@
 # Made by tools/make catalog from catalog/sums.toml and settings.toml.
-"""The octave sums and the warps, over any noise. help(hashnoise) tells what they have in common."""
+"""The octave sums and the warps, over any noise. help(hashnoise) describes what they have in common."""
 
 from ._evaluate import points, suggesting
 

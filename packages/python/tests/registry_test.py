@@ -1,5 +1,5 @@
-"""The wheel is one that PyPI would take, by the command of docs/develop/publishing.md: twine reads what the wheel says of itself,
-as PyPI does."""
+"""The wheel is one that PyPI would take, by the command of docs/develop/publishing.md: twine reads the wheel's
+metadata, as PyPI does."""
 
 from __future__ import annotations
 

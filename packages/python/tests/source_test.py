@@ -34,7 +34,7 @@ class Source(unittest.TestCase):
         cls.root = Path(scratch.name) / cls.archive.name.removesuffix(".tar.gz")
 
     def missing_headers(self) -> str:
-        """What the preprocessor misses of the files that the sources include."""
+        """Files that the preprocessor misses, of those that the sources include."""
         compiler = shutil.which("c++") or self.skipTest("there is no compiler c++")
         said = ""
         for source in sorted((self.root / "src" / "grid").glob("*.cpp")):

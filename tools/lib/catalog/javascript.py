@@ -1,4 +1,4 @@
-"""What JavaScript knows: the twin in the npm package, its types and its module in WebAssembly, and the playground."""
+"""The JavaScript parts: the twin in the npm package, its types and its module in WebAssembly, and the playground."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ def dimensions_of(function: Function, most: int) -> list[int]:
 
 
 class Twin:
-    """What the twin has of the catalog."""
+    """The twin's tables."""
 
     def __init__(self, catalog: Catalog) -> None:
         self.noises = [noise for noise in catalog.noises if noise.small and noise.first <= MOST_DIMENSIONS]
@@ -115,7 +115,7 @@ def noises_and_sums(twin: Twin) -> str:
 
 
 def types_of_settings(twin: Twin) -> str:
-    """Members of Settings, of which the comments say defaults and owners."""
+    """Members of Settings, with defaults and owners in their comments."""
     def member(name: str, type_: str, comment: str) -> str:
         return f"  /** {comment} */\n  {name}?: {type_};\n"
 
@@ -232,8 +232,8 @@ def package(twin: Twin) -> dict[Path, str]:
 
 
 def drawn(catalog: Catalog) -> tuple[list[Noise], list[Sum]]:
-    """What gives slopes, too, or a noise along each axis, is another form of what does not, and no picture of its own. For
-    a wave there is no control, and of noises that nobody chooses there is no formula to show."""
+    """A function with slopes, or with a noise along each axis, is a form of the one without, and no picture of its own.
+    For a wave there is no control, and of noises that nobody chooses there is no formula to show."""
     forms = [noise for noise in catalog.noises
              if "slopes" in noise.shape or noise.name.endswith("_vector") or "wave" in noise.options]
     return ([noise for noise in catalog.noises if noise not in forms],

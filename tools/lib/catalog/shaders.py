@@ -1,4 +1,4 @@
-"""What the GLSL of sums has of the catalog: their loops and forms, and the public steps of which loops are made.
+"""GLSL of sums from the catalog: their loops and forms, and the public steps in loops.
 
 tools/make umbrella makes the other dimensions of what this writes for the plane.
 """
@@ -21,7 +21,7 @@ SETTINGS = ("hn_int octaves", "hn_float lacunarity", "hn_float gain")
 
 
 def sums_of_values(catalog: Catalog) -> list[Sum]:
-    """Those in fbm2d.glsl."""
+    """The steps in fbm2d.glsl."""
     return [sum_ for sum_ in catalog.sums if sum_.is_of_values]
 
 
@@ -120,7 +120,7 @@ def public_steps(sums: Sequence[Sum]) -> str:
 def files(catalog: Catalog) -> dict[Path, str]:
     sums = sums_of_values(catalog)
     with_loops = with_section(SUMS, "loops", "".join(map(loop, sums)))[1]
-    # Those of fBm stand there by hand, with what all others have from it.
+    # fBm's are written by hand there, with the parts that all others take from it.
     others = "\n".join(comment(sum_) + forms(sum_) for sum_ in sums if sum_.name != "fbm")
     # A comment that stood under the mark without a blank line would take it for its first line, and show it to users.
     return dict([with_section(SUMS, "forms", f"\n{others}", with_loops),

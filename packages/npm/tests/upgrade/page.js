@@ -1,4 +1,5 @@
-// Two versions of the package in one page: the heights of each in JavaScript, and in shaders that have either text, or both.
+// Two versions of the package in one page: the heights of each in JavaScript, and in shaders that have either text, or
+// both.
 import { Field } from "hashnoise";
 import now from "hashnoise/glsl/fbm2d";
 import { Field as FieldBefore } from "hashnoise-before";

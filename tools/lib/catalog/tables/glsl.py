@@ -11,7 +11,7 @@ from base.tree import GLSL, glsl_files
 
 LIBRARY = GLSL
 FUNCTION = re.compile(r"^HN_FN\s+\w+\s+(hn_(?!i_)\w+)\(((?:[^()]|\([^()]*\))*)\)\s*\{", re.MULTILINE)
-# What defines a public function in whatever way, where no comment, no directive and no body is.
+# Definitions of public functions, outside of comments, directives and bodies.
 ANY_FUNCTION = re.compile(r"\b(hn_(?!i_)\w+)\s*\([^;{}]*\{")
 OF_SUMS = re.compile(r'^#include "octaves(\d)d\.glsl"$', re.MULTILINE)  # in the files of sums
 OF_THE_PLANE = re.compile(r"// The same in .* dimensions: tools/make writes it\.")  # says where overloads are from

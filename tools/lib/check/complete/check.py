@@ -1,4 +1,4 @@
-"""Whether every function, noise, hash and setting has all of its entries. What is missing is said with its place."""
+"""Whether every function, noise, hash and setting has all of its entries. A missing one is reported with its place."""
 
 from __future__ import annotations
 
@@ -52,7 +52,8 @@ def lacks(function: Function, what: str) -> str:
     return str(function.error(what))
 
 
-# What makes places, positions of them, and octaves. It has no values of its own: the rows of noises and sums prove it.
+# Functions that make places, their positions, and octaves. They have no values of their own: the rows of noises and
+# sums prove them.
 STEPS = re.compile(r"hn_(place|tile|position|octaves|next|add|add_\w+|mean|density|slopes|shifts)")
 
 
@@ -62,8 +63,8 @@ STEPS = re.compile(r"hn_(place|tile|position|octaves|next|add|add_\w+|mean|densi
 def functions_without_a_row(tree: Tree) -> Iterator[str]:
     rows = {(function.calls, types) for function in tree.functions for types in function.overloads}
     hashes = {configuration.hash for configuration in tree.configurations}
-    # On the line and in 4D a sum is made of the text on the plane, of which every form has a row. So there it is enough
-    # that one form has a row.
+    # On the line and in 4D a sum is made of the text on the plane, and every form of it has a row. So there it is
+    # enough that one form has a row.
     sums = {(declared.path, declared.name) for declared in tree.declarations
             if (declared.name, declared.types) in rows and declared.dimensions_of_sum in (1, 4)}
     for declared in tree.declarations:
@@ -105,7 +106,7 @@ def functions_without_words(tree: Tree) -> Iterator[str]:
     contract = tree.text("docs/reference/contract.md")
     for declared in tree.declarations:
         if not declared.comment or "returns" not in declared.comment.headings:
-            yield f"{declared.place}: {declared} has no comment that says what it returns: write one over it"
+            yield f"{declared.place}: {declared} has no comment on what it returns: write one over it"
         elif "example" not in declared.comment.headings:
             yield f"{declared.place}: the comment over {declared} has no line `example`: add a call, before what it returns"
     for name in sorted({function.calls for function in tree.functions}):
@@ -116,7 +117,7 @@ def functions_without_words(tree: Tree) -> Iterator[str]:
 
 
 def arguments_without_words(tree: Tree) -> Iterator[str]:
-    """Of floats docs/guide/same-bits.md says when they are the same everywhere. Of positions and fractions it says so before."""
+    """docs/guide/same-bits.md lists the floats that are the same everywhere. It treats positions and fractions before."""
     said = tree.text(SAME_BITS).partition("\n## The other arguments\n")[2].partition("\n## ")[0].lower()
     told = set()
     for declared in tree.declarations:
@@ -124,7 +125,7 @@ def arguments_without_words(tree: Tree) -> Iterator[str]:
             is_float = re.fullmatch("float|vec[234]", type_) and name not in ("p", "f")
             if is_float and name not in told and not re.search(rf"\b{name}\b", said):
                 told.add(name)
-                yield f"{declared.place}: {declared} takes {name}, of which {SAME_BITS} says nothing: name it there"
+                yield f"{declared.place}: {declared} takes {name}, which {SAME_BITS} does not name: name it there"
 
 
 def is_named(name: str, cell: str) -> bool:
@@ -170,7 +171,7 @@ def noises_without_comments(tree: Tree) -> Iterator[str]:
 
 def entries_without_a_noise(tree: Tree) -> Iterator[str]:
     noises = {function.noise for function in tree.noises}
-    # What is built on noise may have bounds of its own: hn_curl has. Vectors with derivatives have those of their
+    # Functions built on noise may have bounds of their own: hn_curl has. Vectors with derivatives have those of their
     # components, under their name.
     known = {"oracle": noises, "bounds": noises | {function.bound for function in tree.functions} |
              {function.calls.removeprefix("hn_") for function in tree.functions if function.component is not None}}
@@ -275,7 +276,7 @@ PICKED = re.compile(r"<!-- tools/make readme: picked.*?<!-- end -->", re.DOTALL)
 
 
 def internal_names_in_pages(tree: Tree) -> Iterator[str]:
-    """Nobody is told to call what may have another name tomorrow."""
+    """Pages and messages name no function that may be renamed tomorrow."""
     for path in (path for pages in PAGES for path in sorted(tree.root.glob(pages))):
         if path.stem in OF_THE_INSIDE:
             continue

@@ -1,6 +1,6 @@
 """The tree is complete, and whatever is left out is noticed: each kind of entry is deleted in a copy of the tree.
 
-If test_the_tree_is_complete fails, its message says what to write, and where.
+If test_the_tree_is_complete fails, its message names the missing text and its place.
 """
 
 from __future__ import annotations
@@ -130,7 +130,7 @@ class Deletions(unittest.TestCase):
 
     def test_an_argument_that_may_not_be_the_same_everywhere(self) -> None:
         self.change("docs/guide/same-bits.md", r"^- \*\*Amplitude, depth, detail", "- **Amplitude, detail")
-        self.noticed(r"^glsl/hashnoise/gullies2d\.glsl:\d+: hn_gullies\(.*\) takes depth, of which docs/guide/same-bits\.md says")
+        self.noticed(r"^glsl/hashnoise/gullies2d\.glsl:\d+: hn_gullies\(.*\) takes depth, which docs/guide/same-bits\.md does not name")
 
     def test_a_function_in_another_form(self) -> None:
         self.change("glsl/hashnoise/*.glsl", r"^HN_FN (hn_float hn_snorm\()", "  \\1")
@@ -182,7 +182,7 @@ class Deletions(unittest.TestCase):
 
     def test_a_comment(self) -> None:
         self.change("glsl/hashnoise/*.glsl", r"^(//.*\n)+(HN_FN .*\bhn_snorm\()", "\\2")
-        self.noticed(r"^glsl/hashnoise/\w+\.glsl:\d+: hn_snorm\(uint\) has no comment that says what it returns: write one")
+        self.noticed(r"^glsl/hashnoise/\w+\.glsl:\d+: hn_snorm\(uint\) has no comment on what it returns: write one")
 
     def test_lines_of_a_comment(self) -> None:
         for heading in ("error", "cost"):

@@ -1,5 +1,5 @@
-"""The table of what is made, and but for some of build/ committed: each part, what it is made of, and what makes it. A part stands below those
-that it needs."""
+"""The table of what is made, and but for some of build/ committed: each part, what it is made of, and what makes it. A
+part stands below those that it needs."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ class Part(NamedTuple):
     options: tuple[str, ...] = ()  # with which tools/make makes it
     check: tuple[str, ...] = ("--check",)  # with which it looks at the part
     sample: bool = False  # that look takes a sample
-    program: str = ""  # a target of CMake that it asks
+    program: str = ""  # a target of CMake that it runs
     python: tuple[int, int] = (3, 11)
     scientific: bool = False  # it needs numpy
     by_name: bool = False  # it is made only where it is named

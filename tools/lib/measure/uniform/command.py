@@ -19,7 +19,8 @@ DESCRIPTION = """\
 Measures how uniform the results of hn_uniform are, for every noise and for sums of octaves, or fits its constants.
 
     tools/measure uniform [--points N] [--out FILE]    measures; docs/measured/results/uniform.csv is such a file, of 10^7 points
-                                                       a row, of which tools/make readme makes the table of docs/guide/uniform.md
+                                                       a row, and tools/make readme makes of it the table of
+                                                       docs/guide/uniform.md
     tools/measure uniform --fit [--points N]           fits the spread of each noise, and writes them into uniform.glsl
                                                        and the contract. The bell that sums come near to stays
     tools/measure uniform --bell [--points N]          fits the bell together with all spreads, and prints it
@@ -34,8 +35,8 @@ CONTRACT = ROOT / "docs" / "reference" / "contract.md"
 GAIN = 0.5
 SUMS = (*((octaves, GAIN) for octaves in range(1, 9)),
         (2.0, 0.7), (5.0, 0.7), (2.0, 1.0), (3.0, 0.3), (3.5, GAIN), (8.0, 0.8))
-# The aim; and what the line reaches. There nothing turns, so that the octaves of a sum depend on each other: near lattice
-# points of the first all others have the same fractions. And the density of Perlin noise is infinite at 0.
+# The aim; and what the line reaches. There nothing turns, so that the octaves of a sum depend on each other: near
+# lattice points of the first all others have the same fractions. And the density of Perlin noise is infinite at 0.
 BOUND = 0.005
 LINE_BOUNDS = {"PERLIN1": 0.015}
 
@@ -131,7 +132,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if not options.out.parent.is_dir():
         parser.error(f"--out {options.out}: there is no folder {options.out.parent}")
 
-    # What follows needs numpy, and tools/make readme, which makes the table, does without.
+    # The rest needs numpy, and tools/make readme, which makes the table, does without.
     from measure.uniform import model
 
     text = model.library_text()

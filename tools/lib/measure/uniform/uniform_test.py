@@ -15,7 +15,7 @@ from measure.uniform import command, model
 
 NUMBER = 9  # of hn_perlin(vec2), by which one noise stands for all
 SUBJECT = next(subject for subject in model.SUBJECTS if subject.number == NUMBER)
-# By chance the distribution of POINTS is off by 0.0017 on average. That is too much for constants that are right, which
+# By chance the distribution of POINTS is off by 0.0017 on average. This is too much for constants that are right, which
 # are off by less than the bound allows, but not by much: of MANY_POINTS it is off by 0.0006.
 POINTS, MANY_POINTS = 1 << 18, 1 << 21
 SUMS = ((1.0, 0.5), (5.0, 0.5))

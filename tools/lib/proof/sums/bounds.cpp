@@ -43,7 +43,7 @@ Errors errors_at(const OctaveArguments& arguments, const FloatBounds& bounds, do
   return errors;
 }
 
-// --- What an octave adds, before its weight ---
+// --- An octave, before its weight ---
 
 struct Terms {
   Errors errors;

@@ -1,4 +1,4 @@
-"""The vectors are what they say, docs/develop/porting.md shows how to read them, and a port that is wrong is told so."""
+"""The vectors are right, docs/develop/porting.md shows how to read them, and a wrong port is found."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ def checker() -> Callable:
 
 
 def said_by(port: str) -> str:
-    """What the page's program prints with a port."""
+    """The output of the page's program with a port."""
     out = io.StringIO()
     with contextlib.redirect_stdout(out), contextlib.chdir(folder().parent):
         exec(compile(CHECKER + port, "docs/develop/porting.md", "exec"), {})

@@ -27,8 +27,8 @@ def call(*arguments: str | Path, **variables: str) -> subprocess.CompletedProces
 
 
 def absent(texts: dict[str, str]) -> dict[str, list[str]]:
-    """For each file of a project what it includes or names, and is not there: Godot finds what begins with res:// alone,
-    and includes what ends in .gdshaderinc."""
+    """For each file of a project what it includes or names, and is not there: Godot finds what begins with res://
+    alone, and includes what ends in .gdshaderinc."""
     found = {}
     for name, text in texts.items():
         included = re.findall(r'^[ \t]*#[ \t]*include[ \t]*["<]([^">\n]*)', text, re.MULTILINE)

@@ -18,14 +18,15 @@ from translate.wgsl.writer import Definition
 CHOSEN_HASHES = tuple(name for name in HASHES if name != "CUSTOM")
 # The files of sums, and of what moves positions. A sum that is added has none of its own.
 OF_SUMS = ("octaves", "fbm", "fbm_d", "warp")
-# The file to which a hash makes a difference. What others call of it has the same name with every hash but LATTICE.
+# The file to which a hash makes a difference. Its functions that others call have the same name with every hash but
+# LATTICE.
 OF_THE_HASH = "hash.glsl"
-# What other files have of the library's own kind: languages that need names of their own.
+# Other files of the library's kind: languages that need names of their own.
 OTHERS = ("begin.hlsl", "end.hlsl", "detail/vectors_begin.h", "detail/vectors_end.h")
 
 
 def glsl() -> dict[str, list[str]]:
-    """The lines of the files and of what they include, without comments. What they include has its name in the
+    """The lines of the files and of what they include, without comments. An included file has its name in the
     library."""
     found: dict[str, list[str]] = {}
     wanted = [*of_pictures(), OF_THE_HASH, *OTHERS]
@@ -39,7 +40,7 @@ def glsl() -> dict[str, list[str]]:
 
 
 def of_pictures() -> list[str]:
-    """The files of which pictures are made: of the noises that can be chosen there, of the same with slopes and with a
+    """The files that pictures are made of: of the noises that can be chosen there, of the same with slopes and with a
     phase, and of sums, in each dimension. Everybody loads the page, so it has no others."""
     noises = [noise.name + form for noise in drawn(read())[0] for form in ("", "_d", "_phase")
               if form != "_phase" or may_draw(noise, "phase")]
@@ -57,9 +58,9 @@ def definitions(files: list[str], arithmetic: str, name: str) -> dict[str, Defin
 
 
 def modules(tell: Callable[[str], None]) -> Iterator[tuple[str, dict[str, Definition]]]:
-    """The definitions of these files with each setting, which is called "fast lattice" and so on. To translate them takes
-    long, so hashes but the first differ in their own file alone; a test compares them with the whole. `tell` takes a
-    sentence before each long step."""
+    """The definitions of these files with each setting, which is called "fast lattice" and so on. To translate them
+    takes long, so hashes but the first differ in their own file alone; a test compares them with the whole. `tell`
+    takes a sentence before each long step."""
     for number, arithmetic in enumerate(ARITHMETICS, 1):
         tell(f"Translating the library to WGSL with {arithmetic}, {number} of {len(ARITHMETICS)} ...")
         first: dict[str, Definition] = {}

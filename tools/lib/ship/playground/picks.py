@@ -1,4 +1,4 @@
-"""What tools/pick writes of the functions that pictures call, which the page of the playground has inside. That takes a
+"""tools/pick's texts of the functions that pictures call, which the page of the playground contains. They take a
 minute, so build/picks keeps it until something changes that it is made of."""
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from translate.pick.command import Choice, command_of, picker, read_library
 
 FOLDER = ROOT / "build" / "picks"
 NAME = "picks.json"
-# In the order of which gzip leaves least.
+# In the order that gzip compresses best.
 CHOICES = [Choice(language, arithmetic) for arithmetic in ("fixed", "fast") for language in ("wgsl", "glsl", "hlsl")]
 FORMS = ("", "_phase", "_full")
 COMMAND = "{command}"  # stands in a text for the command that writes it, so that more lines are alike
@@ -42,7 +42,7 @@ def picked(choice: Choice, of: Collection[Sequence[str]]) -> dict[str, str]:
 
 
 def texts(of: Collection[Sequence[str]], tell: Callable[[str], None] = lambda _: None) -> dict[str, str]:
-    """Those of all choices. `tell` takes a sentence before what takes long."""
+    """The picks of all choices. `tell` takes a sentence before each long step."""
     tell(f"Picking what {len(of)} pictures call, in {len(CHOICES)} texts each, which takes a minute at first ...")
     with ProcessPoolExecutor() as pool:
         found = {command: text for part in pool.map(partial(picked, of=of), CHOICES) for command, text in part.items()}

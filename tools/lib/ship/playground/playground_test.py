@@ -25,10 +25,10 @@ from translate.pick.command import Choice
 class Page(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.told = []
-        cls.modules = dict(modules(cls.told.append))  # which takes seconds
+        cls.printed = []
+        cls.modules = dict(modules(cls.printed.append))  # which takes seconds
         with mock.patch("ship.playground.library.modules", lambda _: cls.modules.items()):
-            cls.library = library(cls.told.append)
+            cls.library = library(cls.printed.append)
         cls.picks = picks.woven({"tools/pick hn_a": "a\n"})  # the test playground.page makes a page of all texts
         cls.text = cls.made(cls)
 
@@ -53,7 +53,7 @@ class Page(unittest.TestCase):
 
     def test_each_long_step_is_told(self):
         steps = "HN_FAST, 1 of 2", "HN_FIXED, 2 of 2"
-        self.assertEqual(self.told, [f"Translating the library to WGSL with {step} ..." for step in steps])
+        self.assertEqual(self.printed, [f"Translating the library to WGSL with {step} ..." for step in steps])
 
     def test_the_library_is_in_it(self):
         packed = re.search(r'id="library">([^<]*)<', self.text)[1]
@@ -110,7 +110,7 @@ class Picks(unittest.TestCase):
 
 
 class Script(unittest.TestCase):
-    """What one script cannot take is an error that names the file."""
+    """A module that one script cannot contain is an error that names the file."""
 
     def refused(self, files: dict[str, str], message: str):
         with tempfile.TemporaryDirectory() as folder:

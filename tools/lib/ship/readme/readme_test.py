@@ -1,4 +1,4 @@
-"""What the pages show is true: their code compiles and runs as it stands there, and tools/make readme makes the
+"""The pages are true: their code compiles and runs as it stands there, and tools/make readme makes the
 rest."""
 
 import contextlib
@@ -43,7 +43,7 @@ def single_file(*arguments):
     return run(str(TOOLS / "pick"), "whole", *arguments).stdout
 
 
-# What a part of a shader stands in.
+# The text around a part of a shader.
 HEAD = "#version 330\n#extension GL_GOOGLE_include_directive : require\n"
 TAIL = "out vec4 color;\nvoid main() { color = vec4(1.0); }\n"
 
@@ -94,7 +94,7 @@ class Picture(unittest.TestCase):
     def test_its_code_is_glsl(self):
         pages = [(name, (ROOT / page).read_text()) for name, page in picture.PICTURES.items()]
         lines = "".join(f"  color = vec4({tile}, 1.0);\n" for name, page in pages for tile in picture.tiles(page, name))
-        # What the simulated erosion gives to the pictures (simulated_erosion.hpp) is no shader.
+        # The simulated erosion in the pictures (simulated_erosion.hpp) is no shader.
         given = "float simulated_slope(vec2 uv) { return uv.x; }\nvec3 uneroded(vec2 uv) { return uv.xyx; }\n"
         shader = (f"#version 330\n{single_file('--strip')}{given}in vec2 uv;\nout vec4 color;\nvoid main() {{\n"
                   f"  ivec2 cell;\n  vec2 offset;\n{lines}}}\n")
@@ -224,9 +224,9 @@ class Code(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             for line in named:
                 with self.subTest(command=line):
-                    # Those that build or install something first have tests of their own.
-                    asked = line if "--out" in line else [*line, "--help"]
-                    done = run(str(ROOT / asked[0]), *asked[1:], cwd=folder)
+                    # Commands that build or install something first have tests of their own.
+                    words = line if "--out" in line else [*line, "--help"]
+                    done = run(str(ROOT / words[0]), *words[1:], cwd=folder)
                     self.assertEqual(done.returncode, 0, done.stderr)
                     if "--out" in line:
                         self.assertTrue((pathlib.Path(folder) / line[line.index("--out") + 1]).stat().st_size)

@@ -54,7 +54,7 @@ class Crate(unittest.TestCase):
         self.assertIn("a_function_that_is_wrong_is_noticed ... ok", done.stdout)
 
     def test_cargo_finds_no_fault_with_the_text(self) -> None:
-        """clippy with what it asks for by default. rustfmt leaves out what tools/pick writes."""
+        """clippy with its default lints. rustfmt skips tools/pick's text."""
         for words, fault in ((("clippy", "--all-targets"), "\npub fn same(x: f32) -> f32 {\n    x - x\n}\n"),
                              (("fmt", "--check"), "\npub  use fast::*;\n")):
             if not shutil.which(f"cargo-{words[0]}"):

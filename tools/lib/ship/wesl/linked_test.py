@@ -32,7 +32,7 @@ TESTS = PACKAGE / "tests"
 
 
 class Refused(Exception):
-    """What the linker says."""
+    """The linker's messages."""
 
 
 class Linker:
@@ -118,7 +118,7 @@ class Linked(unittest.TestCase):
         public = re.findall(r"^public fn (\w+)", package()["shaders/package.wesl"], re.MULTILINE)
         self.assertGreater(len(public), 350)
         calls = "".join(f"import hashnoise_wgsl::{name};\n" for name in public)
-        # What is imported and not called is gone, so a function that is not there shows by its name alone.
+        # The linker drops unused imports, so a function that is not there shows by its name alone.
         self.linker.linked({"all": f"{calls}@fragment fn main() -> @location(0) vec4f {{ return vec4f(1.0); }}\n"})
 
     def test_what_is_not_there_is_refused(self) -> None:

@@ -20,7 +20,7 @@ from translate.parsing.tokens import TOKEN
 
 AXES = "xyzw"
 OPENING, CLOSING = ("(", "[", "{"), (")", "]", "}")
-OPERATORS = ("+", "^", "|", "&")  # of which the operands may be a pair
+OPERATORS = ("+", "^", "|", "&")  # their operands may be a pair
 SIGNS = (*OPERATORS, *"-=?:<>;", "return", "<<", ">>", "&&", "||", *(f"{sign}=" for sign in "+-*/&|^<>=!"))
 BEFORE_PAIRS = ("", "=", "return")
 VECTOR = re.compile(r"[iu]?vec2|hn_i_vector")  # what makes a vector of the plane of its components
@@ -32,7 +32,7 @@ EXAMPLES = {1: "uv.x * 8.0", 3: "vec3(uv * 8.0, 0.5)", 4: "vec4(uv * 8.0, 0.5, 0
 
 
 class Unclear(Exception):
-    """What the rule cannot tell."""
+    """Text that the rule does not cover."""
 
 
 @dataclass(frozen=True)
@@ -56,8 +56,8 @@ def text_of(tokens: Tokens) -> str:
 
 
 def next_name(a: str, b: str) -> str | None:
-    """What follows two names: z after x and y, HN_I_STEP_W after HN_I_STEP_Y and HN_I_STEP_Z. It is empty beyond w, and
-    None for names that are no pair."""
+    """The name that follows two names: z after x and y, HN_I_STEP_W after HN_I_STEP_Y and HN_I_STEP_Z. It is empty
+    beyond w, and None for names that are no pair."""
     if a == b:
         return a
     first, second = a.split("_"), b.split("_")
@@ -73,12 +73,12 @@ def next_name(a: str, b: str) -> str | None:
 
 
 def without_remark(lead: str) -> str:
-    """What stands before a token, without the comment that ends the line before."""
+    """The text before a token, without the comment that ends the line before."""
     return re.sub(r"^ *//[^\n]*", "", lead)
 
 
 def next_names(a: Tokens, b: Tokens, alike: bool) -> list[str] | None:
-    """Those of what stands behind a pair, and None if these are none. Where `alike` says so, they may be the same."""
+    """The tokens of the text behind a pair; None if it is no pair. With `alike` they may be the same."""
     if len(a) != len(b) or any(re.search("[/#]", without_remark(token.lead)) for token in b):
         return None
     names = [next_name(one.text, other.text) for one, other in zip(a, b)]
@@ -147,7 +147,7 @@ class Rule:
         return found
 
     def brackets(self, tokens: Tokens) -> list[Token]:
-        """What is within the brackets of an operand."""
+        """The text within the brackets of an operand."""
         found: list[Token] = []
         for part in split(tokens, lambda token: True):
             if part[0].text == "(":

@@ -1,5 +1,5 @@
-"""The library's comment of a function, so that it stands alone: where it refers to another comment, the text of that stands
-in its place, and nothing names a file or a page of the library."""
+"""The library's comment of a function, so that it stands alone: where it refers to another comment, the text of that
+stands in its place, and nothing names a file or a page of the library."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ IN_PLACE = re.compile(r"in place of (?:p|the cell)\b")  # begins what a comment 
 PLACE = ("a place, that is a cell and a position in it, in cells{0}: hn_place and hn_tile make one (tools/pick writes "
          "hn_place_of_cell{1} and hn_tile{1})")
 LEFT_OUT = "; 0 if left out"
-METRIC = ". That is with the Euclidean metric and a jitter of 1"
+METRIC = ". This is with the Euclidean metric and a jitter of 1"
 
 
 class Facts(NamedTuple):
@@ -67,7 +67,7 @@ def _declared(library: Path) -> tuple[dict[tuple[str, tuple[str, ...]], Declarat
 
 
 def _other(declared: Declaration, own: Block, library: Path) -> Declaration | None:
-    """That whose comment the comment of this one refers to."""
+    """The function whose comment this one's comment refers to."""
     _, found = _declared(library)
     if name := FOR_ANOTHER.search(own.notes):
         size = re.search(r"\dd", declared.path.name)
@@ -157,8 +157,8 @@ OTHER_ARGUMENTS = {("n", "uint"): (52,), ("v", "float"): (0.25, -0.5, 0.5)}
 
 
 def arguments_of(function: Function, argument: Callable[[Parameter, Sequence[float] | None], str]) -> list[str]:
-    """What a call passes. `argument` writes one, of a number for each component; without them it is a variable, or a
-    position."""
+    """The arguments of a call. `argument` writes one, of a number for each component; without them it is a variable, or
+    a position."""
     written = []
     for one in function.parameters:
         numbers = ARGUMENTS.get(one.at.text) if one.type in SIZES and not one.is_set else None

@@ -128,7 +128,7 @@ private struct Bits {
         return f"{'public' if is_public else 'private'} static {given} {name}({taken}) {{"
 
     def body(self, lines: Sequence[str]) -> Sequence[str]:
-        """Words wrap, also where a compiler is told to check all others."""
+        """Words wrap, also with a compiler option that checks all other integers."""
         wraps, self.wraps = self.wraps, False
         return ["    unchecked {", *(f"    {line}" for line in lines), "    }"] if wraps else lines
 

@@ -1,4 +1,4 @@
-"""Writes docs/reference/snippets: the functions that are asked for most, in GLSL, HLSL and WGSL, to paste. The site and a release
+"""Writes docs/reference/snippets: the functions in most use, in GLSL, HLSL and WGSL, to paste. The site and a release
 have these pages in each language.
 
     tools/make snippets [--check] [--out DIR]
@@ -43,7 +43,7 @@ def page(name: str, picked: Picked, languages: Languages = OF_TREE) -> str:
     sections = [f"## {title}\n\n```{word}\n{picked(name, language, arithmetic)}```\n"
                 for title, language, arithmetic, word in languages]
     floats = ("They compute with floats (`HN_FAST`). " if languages == OF_TREE else
-              "Those of the first six languages compute with floats (`HN_FAST`). All others compute the same bits as each "
+              "Texts in the first six languages compute with floats (`HN_FAST`). All others compute the same bits as each "
               "other (`HN_FIXED`), for a server and its clients. ")
     return (f"# {name}: {FUNCTIONS[name]}\n\n"
             "Paste what you need; each text stands alone. The GLSL is for OpenGL, from 3.30 on, and for WebGL2 and "
@@ -73,8 +73,8 @@ def files(picked: Picked, languages: Languages = OF_TREE) -> dict[str, str]:
 
 
 def whole() -> Path:
-    """The folder with the pages in each language. They take a minute, and are kept until something changes that they are
-    made of."""
+    """The folder with the pages in each language. They take a minute, and are kept until something changes that they
+    are made of."""
     sources = [*glsl_files().values(), *(ROOT / "catalog").glob("*.toml"), *modules.files_of([Path(__file__)])]
     return kept(ROOT / "build" / "snippets", sources, lambda: files(for_pages(), LANGUAGES))
 

@@ -88,11 +88,11 @@ class SingleFile(unittest.TestCase):
                 self.assertEqual(tokens("--language", "godot", name), tokens(name))
         text = generate("--language", "godot", "--strip").stdout
         self.assertNotRegex(text, r"(?m)^HN_[A-Z_]+[1-4]D\(")
-        # No comment tells how to use them, either.
+        # No comment explains how to use them, either.
         self.assertNotRegex(generate("--language", "godot").stdout, r"HN_[A-Z_]+[1-4]D\(")
         self.assertNotRegex(text, r"\bHN_(FN|I_OUT|I_SUMS\w*|I_BITCAST)\b|\bhn_u?i?vec|__cplusplus")
         self.assertLess(len(set(re.findall(r"#define (HN_I_\w+|hn_\w+)", text))), 25)
-        # What knobs decide is still there.
+        # Code that knobs choose is still there.
         self.assertIn("#define HN_I_PRECISE", text)
         self.assertEqual(len(re.findall(r"(?m)^#define hn_i_num2 ", text)), 2)
         for knobs in (["HN_ARITHMETIC=HN_FIXED"], ["HN_HASH=HN_HASH_PCG", "HN_GRADIENT=HN_GRADIENT_SINE"]):
@@ -227,9 +227,9 @@ class SingleFile(unittest.TestCase):
     def test_no_macro_that_a_condition_asks_for_names_another(self):
         """As PlayCanvas' preprocessor needs it, which compares what stands behind a #define as a text."""
         def naming(lines):
-            asked = set(re.findall(r"\bHN_\w+", "".join(line for line in lines if line.startswith("#if "))))
+            tested = set(re.findall(r"\bHN_\w+", "".join(line for line in lines if line.startswith("#if "))))
             defined = {match[1]: match[2] for line in lines if (match := re.match(r"#define (HN_\w+) (\w+)", line))}
-            return {name for name, value in defined.items() if name in asked and value in defined}
+            return {name for name, value in defined.items() if name in tested and value in defined}
         lines = generate().stdout.splitlines(keepends=True)
         self.assertEqual(naming(lines), set())
         self.assertIn("#define HN_HASH 8  // HN_HASH_LATTICE\n", lines)

@@ -1,5 +1,5 @@
 """Compares what shaders of rows of the suite give with the golden files. The page that hn-conform writes for browsers
-says by what floats may differ."""
+states how much floats may differ."""
 
 from __future__ import annotations
 
