@@ -86,6 +86,17 @@ def listing(folder: str, files: Iterable[str]) -> str:
     return f"---\norphan: true\n---\n\n# {folder}\n\n" + "".join(f"- [{name}]({name})\n" for name in files)
 
 
+def torn_rows(text: str) -> list[str]:
+    """Rows of tables with more or fewer cells than their head, such as by a | in code."""
+    torn, head = [], 0
+    for line in text.splitlines():
+        cells = len(re.findall(r"(?<!\\)\|", line)) if line.startswith("|") else 0
+        head = (head or cells) if cells else 0
+        if cells != head:
+            torn.append(line)
+    return torn
+
+
 def searched(name: str, text: str) -> str:
     """A page with the words by which the search finds its sections, or with a mark that it is not searched."""
     if NOT_SEARCHED.fullmatch(name):

@@ -96,6 +96,16 @@ class Groups(unittest.TestCase):
                                            "docs/measured/results/cpu/gcc.md"]), ["docs/guide/lost.md"])
 
 
+class Tables(unittest.TestCase):
+    def test_rows_have_the_cells_of_their_head(self) -> None:
+        for name in pages.pages(ROOT):
+            self.assertEqual(pages.torn_rows((ROOT / name).read_text(encoding="utf-8")), [], name)
+
+    def test_a_bar_in_code_tears_a_row(self) -> None:
+        row = "| `abs(x)` | `|x|` |"
+        self.assertEqual(pages.torn_rows(f"text\n\n| a | b |\n| - | - |\n{row}\n\n| a |\n| `x \\| y` |\n"), [row])
+
+
 class Search(unittest.TestCase):
     def test_each_heading_with_words_is_on_its_page(self) -> None:
         for name in pages.WORDS:
