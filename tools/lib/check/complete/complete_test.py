@@ -132,7 +132,8 @@ class Deletions(unittest.TestCase):
         self.noticed(r"^README\.md: no line for hn_perlin: add one to the table of functions")
 
     def test_pages_with_tables_of_functions(self) -> None:
-        for page, name in (("random", "hn_gaussian"), ("uniform", "hn_spread_fbm"), ("noises", "hn_phasor_d")):
+        for page, name in (
+                ("guide/random", "hn_gaussian"), ("guide/uniform", "hn_spread_fbm"), ("reference/noises", "hn_phasor_d")):
             with self.subTest(page=page):
                 self.change(f"docs/{page}.md", rf"^\| `{name}\b.*\n")
                 self.noticed(rf"^README\.md: no line for {name}: .* or to that of docs/reference/noises\.md or docs/guide/uniform\.md or docs/guide/random\.md$")
