@@ -25,7 +25,7 @@ from ship.packing import put
 from base.tree import GLSL, ROOT
 
 HERE = Path(__file__).resolve().parent
-SIDE = 256  # of the gallery's pictures
+SIDE = 512  # of the gallery's pictures
 NOISY = {"ink": 0.002}  # the part of the pixels that may differ more, where a little noise turns a colour
 
 

@@ -136,7 +136,8 @@ class Deletions(unittest.TestCase):
                 ("guide/random", "hn_gaussian"), ("guide/uniform", "hn_spread_fbm"), ("reference/noises", "hn_phasor_d")):
             with self.subTest(page=page):
                 self.change(f"docs/{page}.md", rf"^\| `{name}\b.*\n")
-                self.noticed(rf"^README\.md: no line for {name}: .* or to that of docs/reference/noises\.md or docs/guide/uniform\.md or docs/guide/random\.md$")
+                self.noticed(rf"^README\.md: no line for {name}: .* or to that of docs/reference/noises\.md or "
+                             r"docs/guide/uniform\.md or docs/guide/random\.md$")
 
     def test_a_comment(self) -> None:
         self.change("glsl/hashnoise/*.glsl", r"^(//.*\n)+(HN_FN .*\bhn_snorm\()", "\\2")

@@ -60,6 +60,7 @@ class Sheet:
     path: Path
     expressions: Sequence[str]
     columns: int = 100
+    side: int = 256  # pixels of a tile
 
 
 def draw(sheets: Sequence[Sheet], check: bool = False, functions: str = "") -> int:
@@ -74,8 +75,8 @@ def draw(sheets: Sequence[Sheet], check: bool = False, functions: str = "") -> i
         (folder / "tiles.inc").write_text("".join(f"TILE({in_cpp(code)})\n" for code in numbers), encoding="utf-8")
         compile_program("the code of the pictures", Path(__file__).with_name("picture.cpp"), folder / "picture", SOON,
                         "-I", name, "-lpng")
-        asked = ([sheet.path, str(sheet.columns), ",".join(str(numbers[code]) for code in sheet.expressions)]
-                 for sheet in sheets)
+        asked = ([sheet.path, str(sheet.side), str(sheet.columns),
+                  ",".join(str(numbers[code]) for code in sheet.expressions)] for sheet in sheets)
         return subprocess.run([folder / "picture", *(["--check"] if check else []), *itertools.chain(*asked)],
                               check=False).returncode
 
