@@ -1,6 +1,6 @@
 """Makes a site of docs/ and the other pages, with a search, the playground and the page of results.
 
-    tools/make site [--out DIR]      into build/site unless DIR says otherwise; what a site has there is replaced
+    tools/make site [--out DIR]      into build/site, or into DIR; it replaces the site that is there
 
 Open DIR/index.html, from a disk or from a server. Nothing in it is fetched from anywhere else. Sphinx, which makes it,
 is installed from PyPI into build/site-environment at first. Each link to a page, a heading or a file has to lead there.
@@ -28,7 +28,7 @@ from translate.pick import pages as snippets
 HERE = Path(__file__).parent
 ENVIRONMENT = ROOT / "build" / "site-environment"
 MARK = "searchindex.js"  # by which a folder is known as a site
-# What is made beside the pages: the command, where its page appears, and its name in the site.
+# Pages that other commands make: the command, where its page appears, and its name in the site.
 EXTRA = (("playground.html", ["playground", "--out", "{}/playground.html"], "playground.html"),
          ("results.html", ["make", "results", "--earlier", "--page", "{}"], "index.html"))
 MORE = """

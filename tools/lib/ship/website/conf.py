@@ -26,7 +26,7 @@ SHELL = re.compile(r"(?:\w+=\S+ )*(?:hashnoise/|build/|cd |cp |\./)*(?:tools/\w+
 
 
 def language_of(text: str) -> str:
-    """That of code whose page names none."""
+    """The language of code whose page names none."""
     first = text.lstrip().partition("\n")[0]
     return "glsl" if SHADER.match(first) else "sh" if SHELL.match(first) else "json" if first.startswith('{"') else "none"
 
