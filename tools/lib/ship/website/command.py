@@ -1,12 +1,12 @@
 """Makes a site of docs/ and the other pages, with a search, the playground and the page of results.
 
-    tools/make site [--out DIR]      into build/site, or into DIR; it replaces the site that is there
+    tools/make site [--out DIR]      into build/site or DIR; a site there is replaced
 
 Open DIR/index.html, from a disk or from a server. Nothing in it is fetched from anywhere else. Sphinx, which makes it,
 is installed from PyPI into build/site-environment at first. Each link to a page, a heading or a file has to lead there.
 
-Exit status: 0 done, 1 a link leads nowhere, or a page is in no group of tools/lib/ship/website/pages.py; 2 bad usage, 4 PyPI
-cannot be reached, or a part could not be made.
+Exit status: 0 done, 1 a link leads nowhere, or a page is in no group of tools/lib/ship/website/pages.py; 2 bad usage, 4
+PyPI cannot be reached, or a part could not be made.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from translate.pick import pages as snippets
 HERE = Path(__file__).parent
 ENVIRONMENT = ROOT / "build" / "site-environment"
 MARK = "searchindex.js"  # by which a folder is known as a site
-# Pages that other commands make: the command, where its page appears, and its name in the site.
+# Products beside the pages: the command, where its page appears, and its name in the site.
 EXTRA = (("playground.html", ["playground", "--out", "{}/playground.html"], "playground.html"),
          ("results.html", ["make", "results", "--earlier", "--page", "{}"], "index.html"))
 MORE = """

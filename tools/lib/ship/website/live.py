@@ -15,9 +15,9 @@ from translate.pick.shading import LANGUAGES
 
 STEP = re.compile(r"^## (\d+)\. (.*)\n(?:(?!^## ).*\n)*?```glsl\n((?:.*\n)*?)```$", re.MULTILINE)
 PLAYGROUND = re.compile(r"\*\*Playground\*\*: `(#[^`]+)`")
-# The lines around color_at in a user's shader; a picture has those of the site.
+# The text around color_at in a shader of one's own; a picture uses the site's.
 AROUND = re.compile(r"^(?:#|in |out |uniform |void main).*\n", re.MULTILINE)
-# Functions of GLSL that the steps call and the library does not: in its words, and by other names.
+# Functions of GLSL that the steps use and the library does not: in its words, and by other names.
 GLSL_HAS = """
 HN_FN hn_float live_smoothstep(hn_float a, hn_float b, hn_float x) {
   hn_float t = min(max((x - a) / (b - a), 0.0f), 1.0f);

@@ -12,7 +12,7 @@ from pathlib import Path
 
 from ship.website import live
 
-# The side bar, in the order in which a reader needs the pages. A page of docs/ is in one group.
+# The parts of the site beside its pages, in the order in which a reader needs them. A page of docs/ is in one group.
 GROUPS = {
     "Guide": ["guide/tutorial", "guide/gallery/README", "guide/languages", "guide/moving", "guide/cellular",
               "guide/random", "guide/uniform", "guide/hex-tiling", "guide/same-bits"],
@@ -48,14 +48,14 @@ WORDS = {
 }
 # Pages that are not searched, since the page of their folder is: text to paste in all languages, and rows of measurements.
 NOT_SEARCHED = re.compile(r"docs/(?:reference/snippets/hn_\w+|measured/results/.+/\w+)\.md")
-# Pages that the site changes.
+# A page as the site has it.
 CHANGED = {"docs/guide/tutorial.md": live.with_pictures}
 # The link of a page, but for its anchor.
 LINK = re.compile(r"(?<=\]\()(?!\w+:|#)([^)#\s]+)")
 
 
 def pages(root: Path) -> list[str]:
-    """The pages of the site: the README, all of docs/, and a few others."""
+    """The pages of a site: the README, what lies in docs/, and a few others."""
     found = subprocess.run(["git", "-C", root, "ls-files", "-z", "--cached", "--others", "--exclude-standard", "*.md"],
                            capture_output=True, text=True, check=True).stdout.split("\0")
     return sorted(name for name in found if name and (root / name).exists() and
@@ -122,12 +122,12 @@ class Copy:
             shutil.copyfile(self.root / name, self.folder / name)
 
     def target(self, page: str, link: str) -> str:
-        """The link of a page as it has to be in the copy."""
+        """A page's link as it is in the copy."""
         name = posixpath.normpath(posixpath.join(posixpath.dirname(page), link))
         if name == "README.md":
             return posixpath.relpath("index.md", posixpath.dirname(page) or ".")
         if name.startswith("..") or not (self.root / name).exists() or name.endswith(".md"):
-            return link  # Sphinx reports one that leads nowhere
+            return link  # Sphinx reports a missing one
         if (self.root / name).is_file():
             self.keep(name)
             return link

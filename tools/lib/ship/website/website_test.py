@@ -1,4 +1,4 @@
-"""The site: every page is in it, links are made for it, and in a whole one a link that leads nowhere is an error.
+"""The site: every page is in it, links are made for it, and in a whole one a link that leads nowhere is reported.
 
     website_test.py [CLASS...]     without a class as a module of unittest, all but Whole
 
