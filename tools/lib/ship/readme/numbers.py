@@ -9,7 +9,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import catalog.model
-from base.tree import ROOT
+from base.tree import GOLDEN, ROOT
 from base.twin import SOON, compile_program
 from catalog.tables.markdown import table
 from measure import record
@@ -144,6 +144,13 @@ def cost_quotes() -> list[str]:
               if row["noise"].startswith("six octaves") and row["package"] != "hashnoise"]
     return [f"take {plane:.1f} times as long as ours in 2D, and {space:.1f} in 3D",
             f"take {min(others):.0f} to {max(others):.0f} times as long"]
+
+
+def golden_quote() -> str:
+    """The README's number of golden values, rounded down to ten thousands."""
+    found = sum(len(group.split()) for path in GOLDEN.glob("*.golden") for row in path.read_text(encoding="ascii").splitlines()
+                for group in row.split(" = ")[1:] if group != "-" and not row.startswith("columns "))
+    return f"computes {found // 10_000 * 10_000:,} golden values"
 
 
 def python_costs() -> list[dict[str, str]]:

@@ -60,7 +60,9 @@ def extra(folder: Path) -> None:
 def build(source: Path, out: Path) -> None:
     """Sphinx, for which a warning is an error."""
     shutil.copyfile(HERE / "conf.py", source / "conf.py")
-    (source / "extra").mkdir(exist_ok=True)
+    for name in ("extra", "static"):
+        (source / name).mkdir(exist_ok=True)
+    shutil.copyfile(HERE / "phone.css", source / "static" / "phone.css")
     sphinx = [ENVIRONMENT / "bin" / "python", "-m", "sphinx", "-b", "html", "-q", "-W", "--keep-going", "--no-color"]
     done = subprocess.run([*sphinx, "-d", source.with_name("doctrees"), source, out], capture_output=True, text=True,
                           check=False)
@@ -79,7 +81,9 @@ def make(out: Path) -> None:
         source, made = Path(scratch) / "source", Path(scratch) / "made"
         (source / "extra").mkdir(parents=True)
         pages.write(ROOT, source, MORE)
-        shutil.copytree(snippets.whole(), source / "docs" / "reference" / "snippets", dirs_exist_ok=True)
+        for page in snippets.whole().iterdir():
+            name = f"docs/reference/snippets/{page.name}"
+            (source / name).write_text(pages.searched(name, page.read_text(encoding="utf-8")), encoding="utf-8")
         extra(source / "extra")
         shutil.copyfile(HERE / "live.js", source / "extra" / "live.js")
         build(source, made)

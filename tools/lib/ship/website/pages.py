@@ -30,6 +30,24 @@ GROUPS = {
 TOP = ("CHANGELOG", "CONTRIBUTING", "CODE_OF_CONDUCT", "SECURITY", "conformance/run/expect/README")
 # The page of a package that a command makes; pages of docs/ lead there.
 PACKAGE = re.compile(r"packages/[\w-]+/README\.md")
+# The words by which somebody looks for a section, where its heading has another: the page, the heading, the words. The
+# search of the site puts the section first.
+WORDS = {
+    "docs/reference/noises.md": {"Frequency, persistence and other names": ("frequency", "scale", "zoom", "wavelength"),
+                                 "Tiles": ("seamless", "tileable", "tile", "period", "wrap"),
+                                 "Stripes": ("Gabor noise", "phasor"),
+                                 "Derivatives": ("gradient", "normal", "normals", "slope"),
+                                 "Loops: gradients that rotate": ("loop", "animation", "flow noise")},
+    "docs/reference/fractals.md": {"Fractals and warps: terrain, clouds, ridges, wood":
+                                   ("fractal", "fbm", "fractional Brownian motion", "octave", "octaves", "octave sums",
+                                    "persistence", "gain", "lacunarity", "turbulence", "ridged multifractal", "ridged"),
+                                   "Warps": ("domain warp", "domain warping", "domain distortion"),
+                                   "Gullies": ("erosion",)},
+    "docs/guide/cellular.md": {"Cellular noise: distances, cells and borders": ("Worley", "Worley noise", "Voronoi", "cells")},
+    "docs/guide/same-bits.md": {"The same bits on server and client": ("deterministic", "determinism", "multiplayer")},
+}
+# Pages that are not searched, since the page of their folder is: text to paste in all languages, and rows of measurements.
+NOT_SEARCHED = re.compile(r"docs/(?:reference/snippets/hn_\w+|measured/results/.+/\w+)\.md")
 # A page as the site has it.
 CHANGED = {"docs/guide/tutorial.md": live.with_pictures}
 # The link of a page, but for its anchor.
@@ -68,6 +86,29 @@ def listing(folder: str, files: Iterable[str]) -> str:
     return f"---\norphan: true\n---\n\n# {folder}\n\n" + "".join(f"- [{name}]({name})\n" for name in files)
 
 
+def torn_rows(text: str) -> list[str]:
+    """Rows of tables with more or fewer cells than their head, such as by a | in code."""
+    torn, head = [], 0
+    for line in text.splitlines():
+        cells = len(re.findall(r"(?<!\\)\|", line)) if line.startswith("|") else 0
+        head = (head or cells) if cells else 0
+        if cells != head:
+            torn.append(line)
+    return torn
+
+
+def searched(name: str, text: str) -> str:
+    """A page with the words by which the search finds its sections, or with a mark that it is not searched."""
+    if NOT_SEARCHED.fullmatch(name):
+        return f"---\nnosearch: true\n---\n\n{text}"
+    for heading, words in WORDS.get(name, {}).items():
+        entries = "\n```{index} " + ", ".join(f"! {word}" for word in words) + "\n```\n"  # main ones, which come first
+        text, found = re.subn(rf"^#+ {re.escape(heading)}\n", lambda line, of=entries: line[0] + of, text, count=1, flags=re.MULTILINE)
+        if not found:
+            raise ValueError(f"{name}: no heading {heading!r}, which the search names: change WORDS in pages.py")
+    return text
+
+
 class Copy:
     """Pages, and the files that they link to, in a folder for Sphinx."""
 
@@ -103,7 +144,7 @@ class Copy:
 
     def page(self, name: str, more: str = "") -> None:
         text = (self.root / name).read_text(encoding="utf-8")
-        text = CHANGED.get(name, str)(text)
+        text = searched(name, CHANGED.get(name, str)(text))
         text = LINK.sub(lambda link: self.target(name, link[1]), text) + more
         copied = self.folder / ("index.md" if name == "README.md" else name)
         copied.parent.mkdir(parents=True, exist_ok=True)
