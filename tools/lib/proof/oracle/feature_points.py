@@ -296,7 +296,7 @@ class Field:
         return cls(lattice, Fixed.of(lattice, len(cell)), tuple(cell), tuple(fraction), metric)
 
     def point(self, beside: Sequence[int]) -> Point:
-        """That of the cell which is so many cells away."""
+        """The point of the cell which is so many cells away."""
         cell = tuple(c + o for c, o in zip(self.cell, beside))
         moved = self.arithmetic.moved(direction(self.lattice.word(cell), len(cell)))
         offset = tuple(map(operator.sub, self.arithmetic.from_middle(self.fraction, beside), moved))
