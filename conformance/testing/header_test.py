@@ -170,10 +170,9 @@ CALLED = """
 inline hashnoise::Range called(std::span<float> values, float x) {
   namespace lanes = hashnoise::lanes;
   const hashnoise::vec3 p(x, x, x);
-  values[0] = hashnoise::hn_fbm(p, 6, 2.0f, 0.5f, 7u) + hashnoise::hn_cellular(p, 7u).x + hashnoise::hn_simplex_d(p,
-  7u).x; return lanes::fill(hashnoise::CellGrid<2>{{1, 2}, {0.0f, 0.0f}, {0.5, 0.5}, {8, 8}}, values,
-                     [](lanes::ivec2 cell, lanes::vec2 f) { return lanes::hn_fbm(lanes::hn_place(cell, f), 6, 2.0f,
-                     0.5f, 7u); });
+  values[0] = hashnoise::hn_fbm(p, 6, 2.0f, 0.5f, 7u) + hashnoise::hn_cellular(p, 7u).x + hashnoise::hn_simplex_d(p, 7u).x;
+  return lanes::fill(hashnoise::CellGrid<2>{{1, 2}, {0.0f, 0.0f}, {0.5, 0.5}, {8, 8}}, values,
+                     [](lanes::ivec2 cell, lanes::vec2 f) { return lanes::hn_fbm(lanes::hn_place(cell, f), 6, 2.0f, 0.5f, 7u); });
 }
 """
 
@@ -385,13 +384,12 @@ class Unity(unittest.TestCase):
 
 # Macros of shaders before an include, in one word or more. Parameters of the library keep their names: octaves, seed.
 OF_SHADERS = """near 0.1;far 100.0;PI 3.14159;TAU 6.28318;pi 3.14159;tau 6.28318;E 2.71828;EPS 1e-4;EPSILON 1e-4;time iTime
-    resolution iResolution.xy;mouse iMouse;saturate(x) clamp(x,0.,1.);sat(x) clamp(x,0.,1.);lerp mix;lerp3(a,b,c)
-    mix(a,b,c) rot(a) mat2(cos(a),sin(a),-sin(a),cos(a));rot2 rot;rotate rot;hash hash12;hash11(p) fract(p);hash12
-    hash;hash21 hash hash22 hash;hash33 hash;noise snoise;fbm fbm4;snoise noise3;fade(t) ((t)*(t));permute
-    mod289;mod289(x) mod(x,289.) smooth smoothstep;remap map;map scene;scale 4.0;zoom 2.0;speed 0.5;width 800.0;uv
-    gl_FragCoord.xy;st uv;pos ro;ro pos rd dir;dir rd;color vec4(1.);col color;light vec3(1.);camera ro;rand
-    random;random fract;voronoi worley;perlin noise simplex noise;turbulence fbm;ridged fbm;frequency 2.0;MAX_STEPS
-    100;STEPS 100;OCTAVES 6;SEED 7u;SCALE 4.0"""
+    resolution iResolution.xy;mouse iMouse;saturate(x) clamp(x,0.,1.);sat(x) clamp(x,0.,1.);lerp mix;lerp3(a,b,c) mix(a,b,c)
+    rot(a) mat2(cos(a),sin(a),-sin(a),cos(a));rot2 rot;rotate rot;hash hash12;hash11(p) fract(p);hash12 hash;hash21 hash
+    hash22 hash;hash33 hash;noise snoise;fbm fbm4;snoise noise3;fade(t) ((t)*(t));permute mod289;mod289(x) mod(x,289.)
+    smooth smoothstep;remap map;map scene;scale 4.0;zoom 2.0;speed 0.5;width 800.0;uv gl_FragCoord.xy;st uv;pos ro;ro pos
+    rd dir;dir rd;color vec4(1.);col color;light vec3(1.);camera ro;rand random;random fract;voronoi worley;perlin noise
+    simplex noise;turbulence fbm;ridged fbm;frequency 2.0;MAX_STEPS 100;STEPS 100;OCTAVES 6;SEED 7u;SCALE 4.0"""
 
 
 class Shaders(unittest.TestCase):
