@@ -136,8 +136,7 @@ static_assert(!Perlin<Float, int> && !Perlin<vec2, int> && !Perlin<vec2, float> 
 # Macros that programs have before an include of ours, as their headers define them.
 MACROS = {
     "windows.h": """near;far;min(a,b) (((a)<(b))?(a):(b));max(a,b) (((a)>(b))?(a):(b));small char;hyper long
-        interface struct;pascal;cdecl;IN;OUT;OPTIONAL;ERROR 0;DELETE 0x00010000L;CONST const;VOID void;TRUE 1;FALSE
-        0""",
+        interface struct;pascal;cdecl;IN;OUT;OPTIONAL;ERROR 0;DELETE 0x00010000L;CONST const;VOID void;TRUE 1;FALSE 0""",
     "X11": """None 0L;Bool int;Status int;Success 0;True 1;False 0;Always 2;Above 0;Below 1;Complex 0;Convex 2;Nonconvex 1
         Unsorted 0;CursorShape 0;KeyPress 2;FocusIn 9;Opposite 4""",
     "Arduino.h": """min(a,b) ((a)<(b)?(a):(b));max(a,b) ((a)>(b)?(a):(b));abs(x) ((x)>0?(x):-(x));sq(x) ((x)*(x))
