@@ -58,6 +58,7 @@ const kSelects = {
   scale: kScales,
 };
 const kTexts = ["seed", "period", "x", "y", "cells", "width", "height", "frames"];
+const kJumps = { Shape: "heading-noise", Colours: "heading-colours", Code: "heading-code", File: "heading-file" };
 const kArrows = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1, PageUp: 10, PageDown: -10 };
 const kNotes = {
   fast: "Floats are the fastest. They are within a few millionths of the exact value.",
@@ -111,6 +112,7 @@ export class Controls {
     for (const name of kTexts) this.makeText(name);
     this.makeSwatches();
     this.makeLanguages();
+    this.makeJumps();
     for (const [name, made] of Object.entries(kLooks)) {
       const dot = element("i");
       dot.style.background = gradientOf({ map: kSettings.map.usual, ...made });
@@ -217,38 +219,33 @@ export class Controls {
   }
 
   makeLanguages() {
-    const tabs = Object.entries(kLanguages).map(([language, label]) => {
-      const tab = element("button", { type: "button", textContent: label, id: `language-${language}` });
-      tab.setAttribute("role", "tab");
-      tab.setAttribute("aria-controls", "code");
-      tab.addEventListener("click", () => this.chooseLanguage(language));
-      return tab;
-    });
-    byId("languages").append(...tabs);
-    byId("languages").addEventListener("keydown", (event) => {
-      const step = { ArrowRight: 1, ArrowLeft: tabs.length - 1 }[event.key];
-      if (!step) return;
-      event.preventDefault();
-      const next = tabs[(tabs.indexOf(document.activeElement) + step) % tabs.length];
-      next.focus();
-      next.click();
-    });
+    const select = byId("language");
+    select.append(...Object.entries(kLanguages).map(([language, label]) => new Option(label, language)));
+    select.addEventListener("change", () => this.chooseLanguage(select.value));
     this.chooseLanguage(this.language);
   }
 
   chooseLanguage(language) {
-    this.language = language;
+    this.language = byId("language").value = language;
     this.showUncopied();
-    for (const tab of byId("languages").children) {
-      const chosen = tab.id === `language-${language}`;
-      tab.setAttribute("aria-selected", String(chosen));
-      tab.tabIndex = chosen ? 0 : -1;
-    }
     const kinds = kKinds[language];
     const options = Object.entries(kinds).map(([kind, { label }]) => new Option(label, kind));
     byId("kind").replaceChildren(...options);
     byId("row-kind").hidden = options.length === 1;
     this.chooseKind(Object.hasOwn(kinds, this.kind) ? this.kind : "function");
+  }
+
+  // Buttons that lead to the sections of the panel.
+  makeJumps() {
+    for (const [label, heading] of Object.entries(kJumps)) {
+      const target = byId(heading);
+      const onclick = () => {
+        byId("sheet").scrollTop = target.offsetTop - byId("sheet").offsetTop - 8;
+        target.focus({ preventScroll: true });
+      };
+      target.tabIndex = -1;
+      byId("jumps").append(element("button", { type: "button", textContent: label, onclick }));
+    }
   }
 
   chooseKind(kind) {
@@ -289,11 +286,10 @@ export class Controls {
     );
   }
 
-  // This text by this button, for people to copy what the browser did not; without a text there is none.
-  showUncopied(text, button) {
+  // The text for people to copy that the browser did not; without a text there is none.
+  showUncopied(text) {
     byId("uncopied").hidden = text === undefined;
     if (text === undefined) return;
-    button.parentElement.after(byId("uncopied"));
     byId("text-uncopied").value = text;
     byId("text-uncopied").focus();
     byId("text-uncopied").select();

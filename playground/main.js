@@ -4,7 +4,7 @@ import { Controls } from "./controls.js";
 import { costOf } from "./cost.js";
 import { byId } from "./elements.js";
 import { planeOf } from "./files.js";
-import { listen, undoing } from "./hands.js";
+import { anywhere, listen, listKeys, undoing } from "./hands.js";
 import { Library, unpacked } from "./library.js";
 import { linkOf, stateOf, stateOfLook } from "./links.js";
 import { changed, chosen, isTurned, kSettings, possible, rangeOf, titlesOf, uses } from "./model.js";
@@ -321,7 +321,7 @@ class Playground extends Picture {
       area.remove();
       button.focus();
     }
-    this.controls.showUncopied(done ? undefined : text, button);
+    this.controls.showUncopied(done ? undefined : text);
     if (!done) {
       byId("said").textContent = `${what} is not copied.`;
       return;
@@ -388,6 +388,14 @@ class Playground extends Picture {
     if (name === this.state.renderer) this.request();
   }
 
+  // The panel hides, and is there again. The focus does not stay in what nobody sees.
+  fold() {
+    const folded = document.documentElement.classList.toggle("folded");
+    for (const id of ["hide", "handle"]) byId(id).setAttribute("aria-expanded", String(!folded));
+    if (folded && !document.activeElement.checkVisibility()) this.canvas.focus();
+    this.request();
+  }
+
   async start() {
     for (const name of kCanvases) listen(this, byId(name));
     byId("play").addEventListener("click", () => this.play(!this.playing));
@@ -404,7 +412,11 @@ class Playground extends Picture {
     });
     byId("undo").addEventListener("click", () => this.undo());
     byId("redo").addEventListener("click", () => this.redo());
+    for (const id of ["hide", "handle"]) byId(id).addEventListener("click", () => this.fold());
+    listKeys(byId("keys-list").querySelector("tbody"));
+    byId("help").addEventListener("click", () => byId("keys-list").showModal());
     addEventListener("keydown", (event) => undoing(this, event));
+    addEventListener("keydown", (event) => anywhere(this, event));
     // At popstate already, so that no link is written to the place in the history that is gone to.
     addEventListener("popstate", ({ state }) => {
       const next = state?.layers ? possible(state) : stateOf(location.hash);

@@ -91,7 +91,7 @@ export const copiedCode = (page, language, whole, kind = "function") =>
   page.evaluate(
     (tab, chosen, as) => {
       const { controls, state } = window.hashnoise;
-      document.getElementById(`language-${tab}`).click();
+      controls.chooseLanguage(tab);
       controls.chooseKind(as);
       document.getElementById("whole").checked = chosen;
       controls.show(state);
