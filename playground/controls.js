@@ -8,6 +8,7 @@ import { dimensionsOf, isSolid, kLeastTilt, kSettings, noisesOf, settingsOf, use
 import { kParts, positionText, sameNumber } from "./numbers.js";
 import { gradientOf } from "./palette.js";
 import { StopList } from "./stoplist.js";
+import { kLockable } from "./surprise.js";
 import {
   kArithmetics,
   kBlends,
@@ -113,6 +114,7 @@ export class Controls {
     this.makeSwatches();
     this.makeLanguages();
     this.makeJumps();
+    this.makeLocks();
     for (const [name, made] of Object.entries(kLooks)) {
       const dot = element("i");
       dot.style.background = gradientOf({ map: kSettings.map.usual, ...made });
@@ -235,12 +237,32 @@ export class Controls {
     this.chooseKind(Object.hasOwn(kinds, this.kind) ? this.kind : "function");
   }
 
+  // A lock at each setting that "Surprise me" would change.
+  makeLocks() {
+    this.locked = new Set();
+    for (const name of kLockable) {
+      const row = byId(`row-${name}`) ?? byId(name).closest(".row, section");
+      const words = row.querySelector("label, legend, h2").firstChild.textContent.trim();
+      const lock = element("button", { type: "button", className: "lock", ariaPressed: "false", ariaLabel: `Keep ${words}` });
+      lock.addEventListener("click", () => {
+        if (!this.locked.delete(name)) this.locked.add(name);
+        lock.ariaPressed = String(this.locked.has(name));
+      });
+      row.classList.add("lockable");
+      row.append(lock);
+    }
+    byId("locks").addEventListener("click", () => {
+      const shown = byId("sheet").classList.toggle("with-locks");
+      byId("locks").ariaPressed = String(shown);
+    });
+  }
+
   // Buttons that lead to the sections of the panel.
   makeJumps() {
     for (const [label, heading] of Object.entries(kJumps)) {
       const target = byId(heading);
       const onclick = () => {
-        byId("sheet").scrollTop = target.offsetTop - byId("sheet").offsetTop - 8;
+        byId("sheet").scrollTop = target.offsetTop - 12;
         target.focus({ preventScroll: true });
       };
       target.tabIndex = -1;
@@ -252,11 +274,11 @@ export class Controls {
     this.kind = kind;
     this.showUncopied();
     byId("kind").value = kind;
-    const optional = kind === "function" && this.language !== "cpp";
+    const optional = kind === "function" && ["glsl", "hlsl", "wgsl"].includes(this.language);
     byId("choose-whole").hidden = !optional;
     byId("note-code").hidden = optional;
     byId("note-code").textContent =
-      this.language === "cpp" ? "It needs include/ and glsl/ of the library." : "What it calls is in it.";
+      { cpp: "It needs include/ and glsl/ of the library.", python: "", bake: "" }[this.language] ?? "What it calls is in it.";
     this.showCode();
   }
 

@@ -73,13 +73,14 @@ export function undoing(page, event) {
   else page.undo();
 }
 
-// The keys that the page lists. All but the last three want the focus on the picture.
+// The keys that the page lists. All but the last four want the focus on the picture.
 const kKeys = {
   "Arrows": "move the picture; rotate and tilt terrain and solids. Shift: farther, or another place",
   "+ and −": "change the scale",
   "Home": "go back to the origin",
   "Space": "play, stop",
   "R": "another seed",
+  "S": "surprise me",
   "H": "hide or show the settings",
   "?": "this list",
   "Ctrl+Z, Ctrl+Shift+Z": "undo a change, redo it",
@@ -95,7 +96,7 @@ export const listKeys = (table) =>
 export function anywhere(page, event) {
   if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return;
   if (event.target.closest("input[type=text], select, textarea, dialog")) return;
-  const actions = { h: () => page.fold(), H: () => page.fold(), "?": () => byId("keys-list").showModal() };
+  const actions = { s: () => page.surprise(), S: () => page.surprise(), h: () => page.fold(), H: () => page.fold(), "?": () => byId("keys-list").showModal() };
   const action = actions[event.key];
   if (!action) return;
   event.preventDefault();

@@ -55,6 +55,34 @@ export function stateOf(link) {
   return possible(state);
 }
 
+// What a link has that the page does not take, for people: names and values that do not exist, and numbers that became
+// others. Nothing for a link that is right.
+export function ignoredIn(link) {
+  const state = stateOf(link);
+  const known = new Map(
+    state.layers.flatMap((layer, at) =>
+      Object.entries(kSettings).flatMap(([name, { layer: ofLayer }]) =>
+        at > 0 && !ofLayer ? [] : [[nameIn(name, at), [name, ofLayer ? layer[name] : state[name]]]],
+      ),
+    ),
+  );
+  const absent = [];
+  const others = [];
+  for (const [key, text] of new URLSearchParams(link.replace(/^#/, ""))) {
+    const [name, value] = known.get(key) ?? [];
+    const given = name && parsed(name, text);
+    const shown = typeof value === "bigint" ? positionText(value) : String(value);
+    if (given === undefined || (typeof given === "string" && given.toLowerCase() !== value)) absent.push(`${key}=${text}`);
+    else if (given !== value && !(typeof given === "number" && Math.abs(given - value) <= 1e-4 * Math.abs(given)))
+      others.push(`${key}=${text} became ${shown}`);
+  }
+  const list = (words) => words.map((one) => one.slice(0, 60)).join(", ");
+  return [
+    ...(absent.length ? [`The link has what this page does not know: ${list(absent)}.`] : []),
+    ...(others.length ? [`${list(others)}.`] : []),
+  ].join(" ");
+}
+
 // Looks to begin with. `layers` are those above the first.
 export const kLooks = {
   Hills: { sum: "fbm", octaves: 8, map: "land", cells: 5, seed: 21 },

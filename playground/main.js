@@ -1,24 +1,29 @@
 // The page: the state, the picture, and what moves it.
 import { shaderKey } from "./code.js";
 import { Controls } from "./controls.js";
+import { Beside } from "./beside.js";
 import { costOf } from "./cost.js";
 import { byId } from "./elements.js";
-import { planeOf } from "./files.js";
+import { linkInFile, planeOf } from "./files.js";
 import { anywhere, listen, listKeys, undoing } from "./hands.js";
 import { Library, unpacked } from "./library.js";
-import { linkOf, stateOf, stateOfLook } from "./links.js";
+import { ignoredIn, linkOf, stateOf, stateOfLook } from "./links.js";
 import { changed, chosen, isTurned, kSettings, possible, rangeOf, titlesOf, uses } from "./model.js";
 import { positionText } from "./numbers.js";
 import { gradientOf } from "./palette.js";
 import { kCanvases, Picture } from "./picture.js";
+import { Pieces } from "./pieces.js";
 import { kBits } from "./shaders.js";
 import { kRenderers, kViews } from "./tables.js";
+import { surprised } from "./surprise.js";
 import { Steps } from "./undo.js";
 import { histogramOf, summaryOf, wordsOf } from "./values.js";
 import { panned, partsOf, positionOfPixel, zoomed } from "./view.js";
 
 const kLinkDelay = 300; // browsers refuse an address that changes too often
 const kStill = "This picture does not move. Choose 3D or 4D, or one octave of Perlin or simplex noise in 2D.";
+const kLocal =
+  "A page from a disk has no address for others, so the part from # on is copied. Put it behind the address of a playground on a web site.";
 const kTurnOfPixel = 0.0008; // turns by a pixel
 const kTold = 1500; // milliseconds for which a button says that it has copied
 const kSampled = 48; // pixels on the shorter side, of whose values the page tells
@@ -196,6 +201,7 @@ class Playground extends Picture {
     byId("histogram").setAttribute("aria-label", words);
     byId("bars").style.clipPath = shape;
     byId("bars").style.background = gradientOf(state);
+    await this.beside.draw();
   }
 
   // The value below the pointer.
@@ -229,9 +235,7 @@ class Playground extends Picture {
 
   play(on) {
     if (on && !this.animated) {
-      byId("hint").textContent = kStill;
-      byId("hint").hidden = false;
-      this.say(kStill);
+      this.notice(kStill);
       return;
     }
     this.playing = on;
@@ -308,6 +312,30 @@ class Playground extends Picture {
     }
   }
 
+  // A page from a disk has no address for others.
+  async copyLink() {
+    this.writeLink();
+    const local = location.protocol === "file:";
+    const done = await this.copy(local ? this.link || "#" : location.href, byId("link"), local ? "The part behind the address" : "The link");
+    if (local && done) this.notice(kLocal);
+  }
+
+  // A sentence on the picture, until something changes.
+  notice(sentence) {
+    byId("hint").textContent = sentence;
+    byId("hint").hidden = false;
+    this.say(sentence);
+  }
+
+  // A file of this page that somebody drops opens its setting.
+  async drop(file) {
+    const link = file && (await linkInFile(file));
+    if (link === undefined) return this.notice("This file has no setting. A PNG or a JSON of this page has one.");
+    this.replace(stateOf(link), `The setting of ${file.name} is shown. Back undoes it.`);
+    const ignored = ignoredIn(link);
+    if (ignored) this.notice(ignored);
+  }
+
   async copy(text, button, what) {
     let done = true;
     try {
@@ -324,7 +352,7 @@ class Playground extends Picture {
     this.controls.showUncopied(done ? undefined : text);
     if (!done) {
       byId("said").textContent = `${what} is not copied.`;
-      return;
+      return false;
     }
     button.dataset.label ??= button.textContent;
     button.textContent = "Copied";
@@ -334,6 +362,7 @@ class Playground extends Picture {
       setTimeout(() => (button.textContent = button.dataset.label), kTold),
     );
     byId("said").textContent = `${what} is copied.`;
+    return true;
   }
 
   // ------------------------------------------------------------------------------------------------------------------
@@ -376,6 +405,10 @@ class Playground extends Picture {
     this.change({ x: 0n, y: 0n, cells: kSettings.cells.usual });
   }
 
+  surprise() {
+    this.replace(surprised(this.state, this.controls.locked), "Other settings are shown. Back undoes it.");
+  }
+
   roll() {
     this.change({ seed: crypto.getRandomValues(new Uint32Array(1))[0] % 1000000 });
   }
@@ -403,13 +436,12 @@ class Playground extends Picture {
     byId("in").addEventListener("click", () => this.zoom(2 ** -0.5));
     byId("out").addEventListener("click", () => this.zoom(2 ** 0.5));
     byId("home").addEventListener("click", () => this.home());
+    byId("surprise").addEventListener("click", () => this.surprise());
+    this.beside = new Beside(this);
     byId("save").addEventListener("click", () => this.save());
     byId("measure").addEventListener("click", () => this.measure());
     byId("copy").addEventListener("click", () => this.copy(this.controls.code, byId("copy"), "The code"));
-    byId("link").addEventListener("click", () => {
-      this.writeLink();
-      this.copy(location.href, byId("link"), "The link");
-    });
+    byId("link").addEventListener("click", () => this.copyLink());
     byId("undo").addEventListener("click", () => this.undo());
     byId("redo").addEventListener("click", () => this.redo());
     for (const id of ["hide", "handle"]) byId(id).addEventListener("click", () => this.fold());
@@ -420,17 +452,27 @@ class Playground extends Picture {
     // At popstate already, so that no link is written to the place in the history that is gone to.
     addEventListener("popstate", ({ state }) => {
       const next = state?.layers ? possible(state) : stateOf(location.hash);
+      const ignored = state?.layers ? "" : ignoredIn(location.hash);
       this.steps.note(this.state, next);
       this.take(next);
+      if (ignored) this.notice(ignored);
+    });
+    addEventListener("dragover", (event) => event.dataTransfer?.types.includes("Files") && event.preventDefault());
+    addEventListener("drop", (event) => {
+      if (!event.dataTransfer?.files.length) return;
+      event.preventDefault();
+      this.drop(event.dataTransfer.files[0]);
     });
     new ResizeObserver(() => this.request()).observe(byId("stage"));
     document.addEventListener("visibilitychange", () => document.hidden && this.play(false));
     if (!navigator.gpu) this.controls.refuseRenderer("webgpu", "This browser has no WebGPU.", "webgl2");
     this.chooseCanvas();
+    const ignored = ignoredIn(location.hash); // of which the address has nothing soon
     // Until there is a picture, or a sentence on why there is none. To make it sharp may take longer.
     await new Promise((resolve) => {
       this.begun = resolve;
       this.take(this.state);
+      if (ignored) this.notice(ignored);
     });
   }
 }
@@ -438,11 +480,13 @@ class Playground extends Picture {
 // What the tests ask, and who opens the console: hashnoise.pixels(64, 64), hashnoise.state, ...
 unpacked(byId("library").textContent)
   .then(async (data) => {
-    const library = new Library(data);
+    const library = new Library(data, (name) => Pieces.unpacked(byId(name).textContent));
     window.hashnoise = new Playground(library);
     await window.hashnoise.start();
-    library.picks = await unpacked(byId("picks").textContent);
-    window.hashnoise.controls.showCode();
+    for (const name of ["shading", "cpu"]) {
+      await library.load(name);
+      window.hashnoise.controls.showCode();
+    }
     document.documentElement.dataset.ready = "yes";
   })
   .catch((error) => {

@@ -202,12 +202,12 @@ function glsl(library, state, values, { timed, form = "cell", value } = {}) {
 }
 
 function wgsl(library, state, values, { timed, form = "cell", value } = {}) {
-  const { lines, needs } = functions(library, "wgsl", state, values, [form]);
+  const { lines, public: called } = functions(library, "wgsl", state, values, [form], true);
   const solid = isSolid(state) && !timed ? solidShader("wgsl", state, kBits) : undefined;
   const n = state.dimensions;
   const shown = value ?? `${form === "cell" ? "pattern_cell" : "pattern"}(${wgslArguments(n, form, solid)})`;
   return [
-    ...library.wgsl(needs, state),
+    ...library.texts(called, "wgsl", state),
     kWgslFrame,
     "const kPart = 1.0f / 16777216.0f;",
     ...lines,
