@@ -20,8 +20,8 @@ set(rooms_directory ${CMAKE_CURRENT_BINARY_DIR}/rooms)
 set(embed_script ${CMAKE_CURRENT_SOURCE_DIR}/output/embed.cmake)
 
 # Headers of packages that most units read, and that take a compiler several seconds: it reads them once for all rooms,
-# and once for all tests, as the first target of each kind says. They are packages' alone, so they hide no include that
-# is missing within the rooms; the fuzzers, which do without this, show those of packages.
+# and once for all tests, with the first target of each kind. They are packages' alone, so they hide no include that is
+# missing within the rooms; the fuzzers do without this, and so show missing includes of packages.
 set(headers_read_once <algorithm> <filesystem> <functional> <map> <optional> <string> <vector> <fmt/format.h>
                       <fmt/ranges.h> <nlohmann/json.hpp> <tl/expected.hpp>)
 function(read_once target first headers)
@@ -38,8 +38,8 @@ function(read_once target first headers)
   endif()
 endfunction()
 
-# Mesa and glslang compile shaders in very many small allocations. With glibc's a run of hn-conform takes a third longer;
-# sanitizers have their own.
+# Mesa and glslang compile shaders in very many small allocations. With glibc's a run of hn-conform takes a third
+# longer; sanitizers have their own.
 find_library(JEMALLOC jemalloc)
 function(allocate_quickly target)
   if(JEMALLOC AND NOT CMAKE_CXX_FLAGS MATCHES "-fsanitize")
@@ -87,8 +87,9 @@ function(room_tests name)
   if(room_COMPILES)
     allocate_quickly(hn-${name}-test)
   endif()
-  # Mesa compiles the shaders of these tests without optimizing them: they are drawn once, and compiling them is what
-  # such a test costs. What is timed, and the run on all drivers (conform.all), has Mesa as everybody has it.
+  # Mesa compiles the shaders of these tests without optimizing them: each is drawn once, and compiling it is the cost
+  # of
+  # the test. Timed tests, and the run on all drivers (conform.all), have Mesa as everybody has it.
   set(quickly_compiled PROPERTIES ENVIRONMENT GALLIVM_PERF=nopt)
   set(others)
   if(room_TIMED_TESTS)

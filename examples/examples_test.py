@@ -1,6 +1,6 @@
-"""The examples are built and run as docs/engines.md says, on a display that nobody sees or in a browser. Their
-pictures show the land that the twin computes; and with the shader of golden.py in the place of their own, golden values
-bit for bit.
+"""The examples are built and run as docs/guide/engines.md describes, on a display that nobody sees or in a browser.
+Their pictures show the land that the twin computes; and with the shader of golden.py in the place of their own, golden
+values bit for bit.
 
     examples_test.py WORK CLASS    WORK is a scratch folder, in which raylib is kept
 
@@ -33,7 +33,7 @@ from golden import Picture  # noqa: E402
 from screen import Absent, Screen  # noqa: E402
 
 SKIPPED = 77
-PAGE = (ROOT / "docs" / "engines.md").read_text(encoding="utf-8")
+PAGE = (ROOT / "docs" / "guide" / "engines.md").read_text(encoding="utf-8")
 SIZE = 640, 480
 # crates.io has raylib's sources, in the crate that binds them to Rust.
 RAYLIB = "6.0.0"
@@ -66,7 +66,7 @@ def heights(folder: Path, name: str) -> array.array:
 
 
 def lavapipe() -> str:
-    """What describes it to the loader of Vulkan."""
+    """Its description for the loader of Vulkan."""
     drivers = glob.glob("/usr/share/vulkan/icd.d/lvp_icd*.json")
     if not drivers:
         raise unittest.SkipTest("there is no lavapipe")
@@ -166,7 +166,7 @@ class Raylib(Example):
         self.assert_the_land_is_where_the_twin_has_it(pixels, 1e-5)
 
     def golden(self, library: str) -> list[str]:
-        """What is wrong if that is the text of the library."""
+        """The faults with that text as the library."""
         build = (self.folder / self.program).parent
         kept = [(path, path.read_text()) for path in (build / "noise.fs", build / "fbm_d2d.single.glsl")]
         (build / "noise.fs").write_text(self.picture.shader("out vec4 color;", "(479 - int(gl_FragCoord.y))"))
@@ -226,7 +226,8 @@ class Webgl(unittest.TestCase):
         compile_heights(self.folder)
 
     def reds(self) -> bytes:
-        """What the page draws, by rows from the bottom: it is told to put its pixels into itself, and to say errors."""
+        """The pixels that the page draws, by rows from the bottom: a script makes it write pixels and errors into
+        itself."""
         page = self.folder / "index.html"
         text = page.read_text()
         page.write_text(text.replace("</script>", """

@@ -1,4 +1,4 @@
-"""Golden values as a picture: a fragment shader computes a row of a golden file in each pair of pixels, and this says
+"""Golden values as a picture: a fragment shader computes a row of a golden file in each pair of pixels, and this prints
 what it drew wrong."""
 
 from __future__ import annotations

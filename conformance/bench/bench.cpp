@@ -52,7 +52,7 @@ class Bench {
 
  private:
   // A program, and which measurement it is of.
-  struct Compiled {
+  struct CompiledSubject {
     std::size_t owner;
     std::unique_ptr<Program> program;
   };
@@ -89,7 +89,7 @@ class Bench {
     return {};
   }
 
-  // What is compiled, which is a batch with the references before it.
+  // Compiles one batch after another, each behind the reference shaders.
   Result<void> time(const BenchOptions& options) {
     std::vector<Workload> workloads(compiled_.size(), load_);
     for (std::size_t i = 0; i < compiled_.size(); ++i) workloads[i].program = compiled_[i].program.get();
@@ -101,7 +101,7 @@ class Bench {
       const Timing& empty = timings[empty_index(dimensions)];
       measurement.ratio = ratio(timings[i], timings[float_index(dimensions)], empty);
       const double seconds = timings[i].median() - empty.median();
-      // The spread of the empty shader's own time is what can be told apart from nothing.
+      // A difference below the spread of the empty shader's own time is noise.
       measurement.evaluations_per_second.reset();
       if (seconds > empty.spread()) measurement.evaluations_per_second = evaluations / seconds;
     }
@@ -142,7 +142,7 @@ class Bench {
   Workload load_{};  // of each program
   BenchReport report_;
   std::size_t failed_ = 0;
-  std::vector<Compiled> compiled_;  // the references, then the batch
+  std::vector<CompiledSubject> compiled_;  // the references, then the batch
 };
 
 }  // namespace

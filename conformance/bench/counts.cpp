@@ -12,8 +12,8 @@
 namespace hn {
 namespace {
 
-// What the declarations and options of NVIDIA's assembly begin with: the grammar of NV_gpu_program4 and 5,
-// NV_fragment_program4 and those that add to them. All else that ends in a semicolon is an instruction.
+// Declarations and options of NVIDIA's assembly begin with these: the grammar of NV_gpu_program4 and 5, of
+// NV_fragment_program4, and of the extensions to them. Every other text that ends in a semicolon is an instruction.
 constexpr auto kDeclarations = std::to_array<std::string_view>(
     {"OPTION", "ATTRIB", "PARAM", "TEMP", "OUTPUT", "ALIAS", "BUFFER", "BUFFER4", "CBUFFER", "TEXTURE", "IMAGE",
      "STORAGE", "COUNTER", "SUBROUTINETYPE", "SUBROUTINE",

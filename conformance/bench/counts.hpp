@@ -16,10 +16,10 @@
 
 namespace hn {
 
-// What spirv-opt -O makes of SPIR-V.
+// Optimises SPIR-V as spirv-opt -O does.
 Result<std::vector<std::uint32_t>> optimise_spirv(std::span<const std::uint32_t> words);
 
-// That of the shader that evaluates a subject once for each pixel.
+// The same for the shader that evaluates a subject once per pixel.
 Result<std::vector<std::uint32_t>> optimised_spirv(const SourceSet& sources, const ReferenceCompiler& reference,
                                                    const Subject& subject);
 
@@ -33,7 +33,7 @@ struct Counts {
   std::vector<std::uint32_t> optimised;
 };
 
-// What is counted: text for Vulkan, and the program that the driver made of the same text, if there is one.
+// A shader to count: its text for Vulkan, and the driver's program for the same text, if there is one.
 struct CountedShader {
   ShaderText vulkan;
   const Program* program = nullptr;

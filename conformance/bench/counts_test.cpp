@@ -18,7 +18,7 @@ namespace {
 
 using Words = std::vector<std::uint32_t>;
 
-// What a command prints; nothing if it fails.
+// The output of a command; empty if it fails.
 std::string output_of(const std::string& command) {
   std::FILE* const pipe = ::popen(command.c_str(), "r");
   if (!pipe) return {};

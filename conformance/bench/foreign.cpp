@@ -20,7 +20,7 @@ namespace {
 constexpr int kLowestVersion = 330;  // the shaders around the expression need it
 constexpr std::ptrdiff_t kMostLogLines = 12;
 
-// What an argument consists of. The file's name may have a colon in it only if the file is there.
+// The parts of an argument. The file's name may have a colon in it only if the file exists.
 struct Parts {
   std::string name;
   std::optional<std::string> version;
@@ -75,7 +75,7 @@ Result<std::string_view> profile_of(std::string_view number, const std::string& 
                           fmt::join(numbers, ", ")));
 }
 
-// The same of what a #version line says. The shaders around the expression are of GLSL 3.30 where it is earlier, or ES.
+// The profile for a #version line. Before GLSL 3.30 and ES 3.00 the shaders around the expression use GLSL 3.30.
 Result<std::string_view> profile_of_line(std::string_view version, const std::string& where) {
   const auto digits = version.substr(0, version.find_first_not_of("0123456789"));
   int number = 0;

@@ -18,9 +18,9 @@ struct Foreign {
   std::string_view profile = "gl330";  // its version of GLSL
 };
 
-// Reads NAME[@VERSION]=FILE:EXPRESSION. Adds the file to the sources, and what it includes: an include is a file beside
-// the one that says it, or else one of the library's. The version is VERSION, or that of the file's #version line if it
-// is later than GLSL 3.30.
+// Reads NAME[@VERSION]=FILE:EXPRESSION. Adds the file and its includes to the sources: an include is a file beside the
+// including one, or else a file of the library. The version is VERSION, or that of the file's #version line if it is
+// later than GLSL 3.30.
 Result<Foreign> read_foreign(const std::string& argument, SourceSet& sources);
 
 // Its subjects: of a position in the plane, in space, or both, whichever compiles. An error if neither does.

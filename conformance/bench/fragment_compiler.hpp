@@ -11,7 +11,7 @@
 
 namespace hn {
 
-// What VK_KHR_pipeline_executable_properties tells of the fragment stage, by the driver's own names.
+// The statistics of VK_KHR_pipeline_executable_properties for the fragment stage, by the driver's own names.
 using ShaderStatistics = std::map<std::string, double, std::less<>>;
 
 struct CompiledShader {

@@ -1,5 +1,5 @@
-// Perlin's noise of 2002 in 2D and 3D from the gradients at the corners of a cell and the position in it. Included by the
-// files beside it.
+// Perlin's noise of 2002 in 2D and 3D from the gradients at the corners of a cell and the position in it. Included by
+// the files beside it.
 
 #ifndef HN_PAPER_PERLIN_GLSL
 #define HN_PAPER_PERLIN_GLSL

@@ -27,7 +27,7 @@ float hn_bench_value(hn_derivatives2x2 n) { return hn_bench_value(n.value + n.dx
 float hn_bench_value(hn_derivatives2x3 n) { return hn_bench_value(n.value + n.dx + n.dy + n.dz); }
 float hn_bench_value(hn_derivatives3x3 n) { return hn_bench_value(n.value + n.dx + n.dy + n.dz); }
 #endif
-// What a function sets.
+// The outputs of functions.
 ivec2 hn_bench_cell2;
 ivec3 hn_bench_cell3;
 vec2 hn_bench_offset2;
@@ -108,7 +108,7 @@ Subject foreign_subject(std::string_view name, std::string_view file, std::strin
 }
 
 std::string quad_shader(const Subject& subject) {
-  // What the subject needs comes first: a foreign file may have #extension lines.
+  // The subject's text comes first: a foreign file may have #extension lines.
   return fmt::format(R"({}#ifdef VULKAN
 layout(location = 0) in vec3 coordinate;
 layout(location = 0) out vec4 result;

@@ -42,7 +42,7 @@ Subject foreign_subject(std::string_view name, std::string_view file, std::strin
 // One evaluation per pixel at the coordinate of a textured quad, as grey: for counting, and for the paper's table. Also
 // valid for Vulkan.
 std::string quad_shader(const Subject& subject);
-// As many evaluations per pixel as its uniform "iterations" says, all at other positions: for timing.
+// Evaluates at as many positions per pixel as the uniform "iterations" holds, all different: for timing.
 std::string loop_shader(const Subject& subject);
 // For GridRenderer: the value, a float, at the position in the first three input words.
 std::string value_shader(const Subject& subject);

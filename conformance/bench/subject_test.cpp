@@ -110,7 +110,7 @@ TEST_F(SubjectShaders, OfTheLibraryCompile) {
   for (const Subject& subject : some_of(library_subjects(default_configuration()), 17)) expect_shaders_work(subject);
 }
 
-// What a row of the table calls is the same with each setting, so a part of the rows shows that the setting gets there.
+// A row of the table makes the same calls with each setting, so some of the rows show that the setting arrives.
 TEST_F(SubjectShaders, OfOtherSettingsCompile) {
   for (const std::string_view name : {"custom", "fnv1+sine", "lattice+precise", "lattice+fixed"}) {
     ASSERT_EQ(configuration_named(name).name, name);

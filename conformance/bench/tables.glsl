@@ -1,11 +1,10 @@
-// What the paper compares with: Perlin noise whose permutation P and gradients G are textures, once with float
-// arithmetic and once with integers. The same noise, with a period of 256 cells. The textures are made and bound by
-// bench/tables.cpp.
+// The paper's rivals: Perlin noise with its permutation P and its gradients G in textures, once in floats and once in
+// integers. Both are the same noise, with a period of 256 cells. bench/tables.cpp makes and binds the textures.
 //
-// Perlin/Float follows the arrangement of Green, "Implementing Improved Perlin Noise", GPU Gems 2, 2005, which the paper
-// cites: tables made of tables, so that 2D takes 4 fetches and 3D takes 1 + 8. Perlin/Integer goes through the
-// permutation axis by axis, as Perlin's own code does, in tables of 512 entries, so that sums need not be wrapped:
-// 2 + 4 fetches in 2D, 2 + 4 + 8 in 3D.
+// Perlin/Float follows Green, "Implementing Improved Perlin Noise", GPU Gems 2, 2005, which the paper cites: tables of
+// tables, so that 2D takes 4 fetches and 3D takes 1 + 8. Perlin/Integer goes through the permutation axis by axis, as
+// Perlin's own code does, in tables of 512 entries, so that sums need not be wrapped: 2 + 4 fetches in 2D, 2 + 4 + 8 in
+// 3D.
 
 #ifndef HN_PAPER_TABLES_GLSL
 #define HN_PAPER_TABLES_GLSL

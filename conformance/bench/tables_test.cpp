@@ -65,7 +65,7 @@ TEST_P(TableNoise, IsTheSameWithFloatsAndIntegers) {
     const auto at = positions(low, high);
     const auto floats = values(float_subject(GetParam()), at);
     EXPECT_LE(largest_difference(floats, values(integer_subject(GetParam()), at)), kRounding) << low;
-    // They are no two fields of zeros, and positions are told apart.
+    // The two fields are not zero everywhere, and positions give different values.
     const auto [least, greatest] = std::minmax_element(floats.begin(), floats.end());
     EXPECT_LT(*least, -0.5f) << low;
     EXPECT_GT(*greatest, 0.5f) << low;
@@ -99,7 +99,7 @@ TEST_P(TableNoise, IsZeroAtLatticePoints) {
   EXPECT_EQ(largest_difference(values(integer_subject(GetParam()), at), zeros), 0.0);
 }
 
-// What is made after them has textures of its own.
+// A renderer that is made later has textures of its own.
 TEST_P(TableNoise, KeepsItsTablesBesideARenderer) {
   const auto at = positions(-4.0f, 4.0f);
   const auto before = values(float_subject(GetParam()), at);

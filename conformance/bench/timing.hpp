@@ -10,7 +10,7 @@
 
 namespace hn {
 
-// What is timed: a program drawn over a rectangle of pixels.
+// The work to time: a program drawn over a rectangle of pixels.
 struct Workload {
   const Program* program;
   int width;

@@ -94,7 +94,7 @@ struct Case {
   bool needs_driver() const { return !is<ReferenceKind>(); }
   // Whether a run has it without --thorough: on a driver with desktop versions, or on one without.
   bool is_covered(bool es_alone = false) const { return extent != Extent::thorough || (es_alone && for_es); }
-  // What it evaluates of the library, or null.
+  // The evaluation of a function of the library, or null.
   const Evaluation* evaluation() const;
 };
 
@@ -107,7 +107,7 @@ enum class Scope { covered, thorough };
 // Every case, in the order in which they run.
 std::vector<Case> all_cases(Scope scope = Scope::thorough);
 std::vector<std::string> ids_of(const std::vector<Case>& cases);
-// Those of these ids, in their order.
+// The cases with these ids, in the order of the ids.
 Result<std::vector<Case>> cases_with(std::span<const std::string> ids);
 
 using Subjects = std::set<std::string_view>;  // ids of functions

@@ -168,7 +168,7 @@ const Function& row_of(int axes, std::string_view name) {
   return find_function(fmt::format("noise{}d.{}", axes, name));
 }
 
-// What the function that names the nearest point returns beside that: the same text with another result.
+// The other results of the function that names the nearest point: the same text with another result.
 const Function& returned_beside(const Function& naming) {
   static std::list<Function> made;
   static std::list<std::string> texts;
@@ -184,7 +184,7 @@ const Function& returned_beside(const Function& naming) {
 }
 
 // One way to the nearest point and to what is known of it.
-struct Way {
+struct Route {
   const Function* names;
   const Function* offsets;
   const Function* distances;  // null if a function returns none
@@ -211,9 +211,9 @@ Outcome check_cell_names(Session& session, const Evaluation& evaluation) {
   const Function& cell_names = row_of(function.axes, "cellular_cell_nearest");
   const Function& cell_offsets = row_of(function.axes, "cellular_cell_offset");
   const Function& names = row_of(function.axes, "cellular_nearest");
-  std::vector<Way> ways = {{&cell_names, border ? &row_of(function.axes, "cell_border_cell_offset") : &cell_offsets,
-                            border ? nullptr : &returned_beside(cell_names), false},
-                           {&cell_names, &cell_offsets, &row_of(function.axes, "cellular_cell_full"), true}};
+  std::vector<Route> ways = {{&cell_names, border ? &row_of(function.axes, "cell_border_cell_offset") : &cell_offsets,
+                              border ? nullptr : &returned_beside(cell_names), false},
+                             {&cell_names, &cell_offsets, &row_of(function.axes, "cellular_cell_full"), true}};
   if (!function.takes_period()) {
     ways.push_back({&function, &offsets, border ? nullptr : &returned_beside(names), false});
     ways.push_back({&names, &offsets, &row_of(function.axes, "cellular_full"), false});
@@ -232,7 +232,7 @@ Outcome check_cell_names(Session& session, const Evaluation& evaluation) {
     all_places.push_back(places);
   }
   std::vector<PointNames> known;
-  for (const Way& way : ways) {
+  for (const Route& way : ways) {
     const auto run = [&](const Function* form, Words& inputs) -> tl::expected<Words, Outcome> {
       inputs.assign(points * kInputWords, 0u);
       if (form == nullptr) return Words{};

@@ -120,7 +120,8 @@ constexpr auto kDescriptions = std::to_array<CheckDescription>({
      "In the SPIR-V of the Vulkan shaders with `HN_PRECISE`, NoContraction marks every operation on floats that "
      "rounds."},
     {"refused_by_glslang",
-     "Too old a version, a wrong knob, or one that is defined after the include, is an error of glslang that says so."},
+     "Too old a version, a wrong knob, or one that is defined after the include, is an error of glslang that names "
+     "it."},
     {"refused_by_driver", "The same, by the driver."},
     {"defined",
      "A few lines of GLSL that some driver got wrong have the words that the specification fixes (in the file "

@@ -23,7 +23,7 @@ std::string_view stem(std::string_view file) {
   return name.substr(0, name.find('.'));
 }
 
-// No function of a file is called by itself, so what is exact is not told apart.
+// These cases compile whole files, so exact functions get no separate case.
 CaseName name_of(std::string_view file, const Configuration& configuration, Stage stage, const Profile& profile,
                  std::string_view check) {
   return {.function = fmt::format("{}.all", stem(file)),
@@ -54,7 +54,7 @@ Outcome check_with_glslang(const Suite& suite, const Profile& profile, const std
                 : outcome_with(Status::fail, source.error());
 }
 
-// What drivers compile in every version: noise, sums and what both rest on, a tenth of the whole text.
+// Drivers compile this in every version: noise, fractals and the files below both, a tenth of the whole text.
 constexpr std::string_view kFileForDrivers = "fbm2d.glsl";
 
 // glslang tries every file alone with every arithmetic; drivers, which take longer, all of them together.
@@ -150,8 +150,8 @@ const Profile& es_to_spirv(const Configuration& configuration) {
   return can_compile(configuration, kEs310) ? kEs310 : kEs320;
 }
 
-// In ES, what is not declared highp has 16 bits on some machines, and on the others nobody notices. So glslang is asked
-// for the SPIR-V of the ES shader, whose default precision is mediump, and nothing in it may be of relaxed precision.
+// In ES, a number that is not declared highp has 16 bits on some machines, and nobody notices on the others. So glslang
+// compiles the ES shader with a default precision of mediump, and nothing in its SPIR-V may be of relaxed precision.
 Outcome check_highp(const Suite& suite, std::string_view file, const Configuration& configuration) {
   const Profile& profile = es_to_spirv(configuration);
   const auto source = expand(suite.sources, profile, calling_shader(file, configuration, profile, Stage::fragment));
@@ -175,8 +175,8 @@ void add_highp_case(std::vector<Case>& cases, std::string_view file, const Confi
 }
 
 // A driver that contracts shows a forgotten `precise` only if the bits happen to differ, and the software drivers of
-// most machines never contract. So glslang is asked for the SPIR-V, where every operation that rounds must be marked.
-// These functions need no mark: what they compute is exact, contracted or not.
+// most machines never contract. So every operation that rounds must be marked in glslang's SPIR-V. Functions whose
+// results are exact, contracted or not, need no mark.
 Outcome check_uncontracted(const Suite& suite, std::string_view file, const Configuration& configuration) {
   constexpr std::array<std::string_view, 26> kExact = {
       "hn_unorm(",      "hn_snorm(",         "hn_gradient2(",         "hn_gradient3(",  "hn_i_fraction_of_units(",
@@ -206,8 +206,8 @@ void add_uncontracted_case(std::vector<Case>& cases, std::string_view file, cons
                    configuration.default_but_for_arithmetic() ? Extent::one_driver : Extent::thorough});
 }
 
-// A shader that must be refused: by the library, with an #error that says what would be right; or by the compiler,
-// since it defines a knob a second time.
+// A shader that must be refused: by the library, with an #error that names the right value; or by the compiler, since
+// it defines a knob a second time.
 struct Refusal {
   std::string_view name;
   std::string_view profile;
@@ -341,13 +341,13 @@ const Refusal kRefusals[] = {
     {"hash_after_the_include", "gl330", "", "HN_HASH", kOtherHash},
 };
 
-// What the library must take.
+// A shader that the library must accept.
 struct Acceptance {
   std::string_view name;
   std::string knobs;        // before the include
   std::string after = {};   // behind it
   bool everywhere = false;  // in every version, since it is GLSL of its own kind
-  // What it includes.
+  // The included file.
   std::string_view file() const { return everywhere ? "hashnoise.glsl" : "config.glsl"; }
 };
 

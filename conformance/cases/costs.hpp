@@ -15,8 +15,8 @@
 
 namespace hn {
 
-// What the default run may take, on osmesa with an empty cache of shaders: in seconds of processor time of the machine
-// of record, 60 s on two cores.
+// The limit of the default run on osmesa with an empty cache of shaders: in seconds of processor time of the machine of
+// record, 60 s on two cores.
 inline constexpr double kBudget = 120.0;
 
 // How many cases of a check and a function a run had, and what they took together.
@@ -39,7 +39,7 @@ class Costs {
 
   std::string text() const;  // what parse reads
 
-  // What a case takes, from its id: as those of its check and its function did, else as the mean of its check.
+  // The time of a case, estimated from its id: that of its check and function, or else the mean of its check.
   double seconds_of(std::string_view id) const;
   double seconds_of(std::span<const std::string> ids) const;
 

@@ -16,14 +16,14 @@ using CanRun = std::function<bool(const Case&)>;
 
 struct DealtDriver {
   CanRun can_run;
-  // What draws. Windows, surfaces and buffers of one renderer are other ways to the same compiler, so the first of them
-  // shows what every driver must; the others have their share of the rest.
+  // The renderer. Windows, surfaces and buffers of one renderer lead to the same compiler, so the first of them runs
+  // what every driver must run; the others share the rest.
   std::string renderer;
   int turns = 1;  // of the cases for one driver, how many it gets in a round
 };
 
 // For each driver, the indices in `cases` of those that it runs. Cases that share a program stay together. A case that
-// no driver can run goes to the first, which says why.
+// no driver can run goes to the first driver, which reports why.
 std::vector<std::vector<std::size_t>> deal(std::span<const Case> cases, std::span<const DealtDriver> drivers);
 
 }  // namespace hn

@@ -47,7 +47,7 @@ TEST(Deal, WhatSharesAProgramStaysTogether) {
   EXPECT_EQ(deal(cases, drivers), (Places{{0, 1}, {2, 3}}));
 }
 
-TEST(Deal, ADriverHasAsManyTurnsAsItIsSaid) {
+TEST(Deal, ADriverHasAsManyTurnsAsPlanned) {
   std::vector<Case> cases;
   for (int i = 0; i < 8; ++i) cases.push_back(case_of("a." + std::to_string(i), "golden", Extent::one_driver));
   const std::vector<DealtDriver> drivers = {{anything, "a", 3}, {anything, "b", 1}};

@@ -82,7 +82,7 @@ Stencil difference_of_distances(const Place& place, double distance) {
           1.16 / (nearest * nearest) * step * step / 6.0};
 }
 
-// Where the nearest point is the same all around and is no nearer than 1/8, in which the difference says little.
+// The nearest point is the same all around and no nearer than 1/8: closer to it the difference is of no use.
 bool is_clear(const Function& function, const Configuration& configuration, std::span<const std::uint32_t> inputs) {
   const CellularValue all = searched(function, configuration, inputs);
   return all.first >= 0.125 && all.second - all.first > 4.0 * kCellularStep;

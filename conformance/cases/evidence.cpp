@@ -23,7 +23,7 @@ constexpr int kMostPerDriver = 40;
 
 constexpr std::string_view kNoShader = "There is no shader that stands alone: such a shader is made for OpenGL.";
 
-// What is right at a point, and how far from it a float may be unless every bit counts.
+// The right value at a point, and the tolerance of a float unless every bit counts.
 struct Reference {
   std::array<std::uint32_t, kOutputWords> words;
   std::array<double, kOutputWords> allowed;
@@ -80,7 +80,7 @@ class Examiner {
     return random_points(function(), 1, Random(session_.seed, id_));
   }
 
-  // What a function allows, for each output.
+  // The tolerances of a function, for each output.
   std::array<double, kOutputWords> allowed_at(std::size_t i, decltype(tolerance) allowed_by) const {
     std::array<double, kOutputWords> allowed{};
     for (std::size_t word = 0; word < function().outputs.size(); ++word) {
@@ -255,7 +255,7 @@ Result<std::array<std::uint8_t, 4>> draw_pixel(const Context& context, const Pro
 bool EvidenceBudget::take(const CaseName& name) {
   auto& of_function = by_function_[name.function];
   if (all_ >= kMostPerDriver || of_function.size() >= kMostPerFunction) return false;
-  // What fails in one version of the language mostly does so in the others.
+  // A fault in one version of the language is mostly in the others, too.
   CaseName in_any_version = name;
   in_any_version.profile.clear();
   if (!of_function.insert(in_any_version.id()).second) return false;

@@ -95,9 +95,9 @@ TEST_F(EvidenceOf, ThePicturesShowTheDifference) {
   EXPECT_NE(found->note.find("of the 9216 points of the pictures are wrong"), std::string::npos) << found->note;
 }
 
-// The range of a noise that is too large: no single value tells, but the twin does.
+// A noise whose range is too large: no single value shows it, but the twin does.
 TEST_F(EvidenceOf, APropertyIsShownByTheTwin) {
-  const auto found = evidence(changed("detail/ramps2d.glsl", "n, 1831)", "n, 3907)"),
+  const auto found = evidence(changed("detail/direction.glsl", "n, 1831)", "n, 3907)"),
                               "noise2d.perlin.lattice.fast.fragment.gl330.range");
   ASSERT_TRUE(found);
   EXPECT_EQ(colour(found->shader, "gl330"), "red") << found->note;

@@ -1,4 +1,4 @@
-// Facets are what a case's id says about it, in words. Failed cases may have some in common.
+// Facets are the parts of a case's id, in words. Failed cases may have some in common.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// Metamorphic checks: the driver must come to the same values on another way, within twice the tolerance, since it may
-// be off on both. What the values are, other checks tell.
+// Metamorphic checks: the driver must come to the same values in another way, within twice the tolerance, since both
+// may be off. Other checks verify the values themselves.
 #include <fmt/format.h>
 
 #include <array>
@@ -83,7 +83,7 @@ std::vector<Relation> variants_of(const Evaluation& evaluation, const Target& ta
   if (!(target.main || of_vulkan) || !configuration.default_but_for_arithmetic() || !has_variants(function)) return {};
   std::vector<Relation> variants;
   for (const auto& [name, variant, make] : kVariants) {
-    // If several words are only near the right ones, what a trip leaves of them says nothing.
+    // If several words are only near the right ones, a loop over them proves nothing.
     if (name == "in_loop" && function.outputs.size() > 1 && !has_same_bits(function, configuration)) continue;
     variants.push_back({name, PairingKind{{function, configuration, profile, variant, stage}, make}});
   }
@@ -100,7 +100,7 @@ std::vector<Relation> relations_of(const Evaluation& evaluation, const Target& t
     relations.push_back({name, PairingKind{evaluation, make}, &with});
   };
   if (function.takes_period()) {
-    // Without a period octaves turn, so that a sum is another one.
+    // Without a period octaves rotate, so that a sum is another one.
     const bool is_one_of_two = function.has_form_without_period() && has_without(function, "period");
     if (is_one_of_two && !function.is_octave_sum()) {
       add("wrapped", wrapped_pairing, without(function, "period"));

@@ -9,12 +9,12 @@ namespace {
 
 class Metamorphic : public FaultyLibrary {};
 
-struct Way {
+struct Detour {
   std::string_view name;   // what the shader calls itself
   std::string_view check;  // stage.profile.check
 };
 
-class AFault : public Metamorphic, public testing::WithParamInterface<Way> {
+class DetourFault : public Metamorphic, public testing::WithParamInterface<Detour> {
  protected:
   void expect_caught(std::string_view function, std::string_view file, std::string_view fault) {
     const auto id = fmt::format("{}.{}", function, GetParam().check);
@@ -27,25 +27,26 @@ class AFault : public Metamorphic, public testing::WithParamInterface<Way> {
   }
 };
 
-TEST_P(AFault, InANoiseIsCaught) {
+TEST_P(DetourFault, InANoiseIsCaught) {
   // More than two evaluations may differ by, and less than an eye would see.
   expect_caught("noise2d.perlin.lattice.fast", "perlin2d.glsl", "#define hn_perlin(args) (hn_perlin(args) + 0.00001)");
 }
 
-TEST_P(AFault, InTheLastBitOfAHashIsCaught) {
+TEST_P(DetourFault, InTheLastBitOfAHashIsCaught) {
   expect_caught("hash.lattice3.lattice.exact", "hash.glsl", "#define hn_lattice(args) (hn_lattice(args) ^ 1u)");
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Ways, AFault,
-    testing::Values(Way{"CASE_INLINED", "fragment.gl330.inlined"}, Way{"CASE_INLINED", "fragment.es300.inlined"},
-                    Way{"CASE_IN_LOOP", "fragment.gl330.in_loop"},
-                    Way{"CASE_CONSTANT_SEED", "fragment.gl330.constant_seed"},
-                    Way{"CASE_UNIFORM_SEED", "fragment.gl330.uniform_seed"},
-                    Way{"CASE_CONSTANT", "fragment.gl330.folded"}, Way{"CASE_VERTEX", "vertex.gl330.as_fragment"},
-                    Way{"CASE_VERTEX", "vertex.es300.as_fragment"}, Way{"CASE_COMPUTE", "compute.gl430.as_fragment"},
-                    Way{"CASE_COMPUTE", "compute.es310.as_fragment"}, Way{"CASE_VERTEX", "vertex.es300.golden"},
-                    Way{"CASE_COMPUTE", "compute.gl430.golden"}, Way{"CASE_FRAGMENT", "fragment.es300.twin"}));
+    Ways, DetourFault,
+    testing::Values(Detour{"CASE_INLINED", "fragment.gl330.inlined"}, Detour{"CASE_INLINED", "fragment.es300.inlined"},
+                    Detour{"CASE_IN_LOOP", "fragment.gl330.in_loop"},
+                    Detour{"CASE_CONSTANT_SEED", "fragment.gl330.constant_seed"},
+                    Detour{"CASE_UNIFORM_SEED", "fragment.gl330.uniform_seed"},
+                    Detour{"CASE_CONSTANT", "fragment.gl330.folded"}, Detour{"CASE_VERTEX", "vertex.gl330.as_fragment"},
+                    Detour{"CASE_VERTEX", "vertex.es300.as_fragment"},
+                    Detour{"CASE_COMPUTE", "compute.gl430.as_fragment"},
+                    Detour{"CASE_COMPUTE", "compute.es310.as_fragment"}, Detour{"CASE_VERTEX", "vertex.es300.golden"},
+                    Detour{"CASE_COMPUTE", "compute.gl430.golden"}, Detour{"CASE_FRAGMENT", "fragment.es300.twin"}));
 
 // The least that a result can differ by.
 TEST_F(Metamorphic, InPreciseAndFixedArithmeticEveryBitCounts) {
@@ -142,7 +143,7 @@ TEST_F(Periods, AFunctionThatDoesNotRepeatIsCaught) {
   expect_replaced_caught({"fbm.billow2_cell_period.lattice.fast.fragment.gl330.period", "detail/octave.glsl",
                           "return int(uint(period) * uint(lacunarity));",
                           "return int(uint(period) * uint(lacunarity)) + int(period > 0);"});
-  // A tile that turns.
+  // A tile that rotates.
   expect_replaced_caught({"warp.warp_progressive2_cell_period.lattice.fixed.fragment.gl330.period", "octaves2d.glsl",
                           "hn_i_shifted(x, HN_I_SHIFT_X)",
                           "hn_i_shifted(hn_i_rotated_axis(x, y, HN_I_COS_XY, -HN_I_SIN_XY), HN_I_SHIFT_X)"});
@@ -158,7 +159,7 @@ TEST_F(Periods, ASumFromACellThatIsNotThatAtThePositionIsCaught) {
        "hn_i_place(cell, hn_i_to_num(f) ^ 256,"},
       {"warp.warp_progressive2_cell.lattice.fast.fragment.gl330.from_cell", "detail/jacobian.glsl",
        "hn_i_minus(n, cells)", "hn_i_minus(0.5f * n, 0.5f * cells)"},
-      {"fbm.fbm2_cell_period.lattice.precise.fragment.gl400.from_cell", "detail/place2d.glsl",
+      {"fbm.fbm2_cell_period.lattice.precise.fragment.gl400.from_cell", "detail/cell2d.glsl",
        "hn_i_place(cell, hn_i_to_num(f),", "hn_i_place(cell, 0.999f * hn_i_to_num(f),"}};
   for (const Replacement& fault : kFaults) expect_replaced_caught(fault);
 }
@@ -240,7 +241,7 @@ TEST_F(Derivatives, FaultsAreCaught) {
   for (const Aperiodic& fault : kFaults) expect_caught(fault);
 }
 
-// A sign, components in another order, an octave that does not grow, and a turn in the other direction.
+// A sign, components in another order, an octave that does not grow, and a rotation in the other direction.
 TEST_F(Derivatives, FaultsOfSumsAreCaught) {
   constexpr Replacement kFaults[] = {
       {"fbm_d.fbm_d2.lattice.fast.fragment.gl330.derivative", "detail/jacobian.glsl",

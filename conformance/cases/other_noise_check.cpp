@@ -26,7 +26,7 @@ const Vector& slopes_of(OctaveSum sum) { return sum == OctaveSum::fbm_d ? kSteep
 struct ConstantSum {
   OctaveSum kind;
   int axes;
-  bool turns;
+  bool rotates;
   int octaves;
   double lacunarity;
   double gain;
@@ -34,15 +34,15 @@ struct ConstantSum {
   double amplitude;
 };
 
-// The turn between two octaves, of a column and, transposed, of a row.
-Vector turned(const ConstantSum& sum, Vector v) {
-  if (!sum.turns) return v;
+// The rotation between two octaves, of a column and, transposed, of a row.
+Vector rotated(const ConstantSum& sum, Vector v) {
+  if (!sum.rotates) return v;
   v = {(25 * v[0] - 20 * v[1]) / 32, (20 * v[0] + 25 * v[1]) / 32, v[2]};
   if (sum.axes == 3) v = {v[0], (29 * v[1] - 13 * v[2]) / 32, (13 * v[1] + 29 * v[2]) / 32};
   return v;
 }
-Vector turned_back(const ConstantSum& sum, Vector v) {
-  if (!sum.turns) return v;
+Vector rotated_back(const ConstantSum& sum, Vector v) {
+  if (!sum.rotates) return v;
   if (sum.axes == 3) v = {v[0], (29 * v[1] + 13 * v[2]) / 32, (-13 * v[1] + 29 * v[2]) / 32};
   return {(25 * v[0] + 20 * v[1]) / 32, (-20 * v[0] + 25 * v[1]) / 32, v[2]};
 }
@@ -54,7 +54,7 @@ double eroded_constant_noise(const ConstantSum& sum) {
   double weight = 1.0;
   Vector fall = {};
   for (int i = 0; i < sum.octaves; ++i) {
-    fall = turned(sum, fall);
+    fall = rotated(sum, fall);
     double square = 0.0;
     for (std::size_t axis = 0; axis < static_cast<std::size_t>(std::min(sum.axes, 3)); ++axis) {
       fall[axis] = std::clamp(fall[axis] + kConstantSlopes[axis], -8.0, 8.0);
@@ -67,8 +67,8 @@ double eroded_constant_noise(const ConstantSum& sum) {
   return total > 0.0 ? mean / total : 0.0;
 }
 
-// The others, by their steps in the header. That these are right is what the golden files are for: here each sum has to
-// do on the driver with any noise what it does with its own.
+// Adds octaves by the functions of the header. Golden files verify these: here each fractal has to do with any noise,
+// on the driver, the same as with its own.
 double sum_of_constant_noise(const ConstantSum& sum) {
   const auto strength = static_cast<float>(sum.strength);
   const auto n = static_cast<float>(kConstantNoise);
@@ -98,7 +98,7 @@ double sum_of_constant_noise(const ConstantSum& sum) {
   return 0.0;
 }
 
-// What octaves grow by, summed; and the derivative along an axis.
+// The sum of the octaves' growth, and the derivative along an axis.
 struct Slope {
   double growth;
   double value;
@@ -112,7 +112,7 @@ Slope slope_of_constant_noise(const ConstantSum& sum, std::size_t axis) {
     const double growth = std::pow(sum.gain * sum.lacunarity, i);
     Vector v = kSteepSlopes;
     if (sum.axes == 2) v[2] = 0.0;
-    for (int turn = 0; turn < i; ++turn) v = turned_back(sum, v);
+    for (int octave = 0; octave < i; ++octave) v = rotated_back(sum, v);
     slope += growth * v[axis];
     total += std::pow(sum.gain, i);
     growths += growth;
@@ -120,9 +120,10 @@ Slope slope_of_constant_noise(const ConstantSum& sum, std::size_t axis) {
   return {growths, total > 0.0 ? slope / total : 0.0};
 }
 
-// A few roundings of sum and total; what is new in an octave besides the noise is rounded to 2^-18 in integers, and
-// slopes that erode to 2^-12, of which the first turns make up to 11 in space, where a factor changes by up to 2.6 of
-// that. In a shift all of it counts as often as the amplitude says.
+// A few roundings of sum and total. In integers the other terms of an octave are rounded to 2^-18, and the slopes of an
+// erosion to 2^-12: rotations make up to 11 of that in space, where a factor changes by up to 2.6 of it. All of it
+// counts
+// as often as the amplitude in a displacement.
 double tolerance_of_constant_noise(const ConstantSum& sum, const Configuration& configuration) {
   using enum OctaveSum;
   const bool plain = sum.kind == fbm || sum.kind == turbulence || sum.kind == clouds || sum.kind == fbm_d;
@@ -168,7 +169,7 @@ std::string with_constant_noise(const Function& function) {
 }
 
 // The octaves that count, the last of a detail only in part: over a constant noise that changes nothing. From a cell
-// and with a period the lacunarity counts as the library says.
+// and with a period the library rounds the lacunarity.
 ConstantSum settings_of(const Function& function, std::span<const std::uint32_t> inputs) {
   const auto word = [&](std::string_view name) { return inputs[static_cast<std::size_t>(function.input(name))]; };
   const auto number = [&](std::string_view name) { return static_cast<double>(std::bit_cast<float>(word(name))); };

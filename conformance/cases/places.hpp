@@ -10,8 +10,8 @@
 
 namespace hn {
 
-// A cell, and where in it. What a check puts there is a multiple of 2^-16, and the cells of positions lie within 64 or
-// 1,024 of the origin, so that floats hold all of it.
+// A cell, and where in it. Fractions are multiples of 2^-16, and the cells of positions lie within 64 or 1,024 of the
+// origin, so that floats hold both.
 struct Place {
   std::uint32_t cell;
   double fraction;  // in [0, 1], both ends included

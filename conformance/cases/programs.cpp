@@ -16,13 +16,12 @@
 namespace hn {
 namespace {
 
-// What a program is about.
+// The subject of a program.
 enum class Facet { row, noise, bound, family, axes, form, setting, hash, gradient, arithmetic, version, stage };
 constexpr std::size_t kFacets = static_cast<std::size_t>(Facet::stage) + 1;
 
-// What its arguments are, beside the coordinates and the seed: a cell and a fraction, periods, a phase and so on. A
-// function of one noise is in another form the same code with other glue. Positions that are whole numbers of units
-// have two rows, which is all that there is to show of them.
+// The arguments beside the coordinates and the seed: a cell and a fraction, periods, a phase and so on. A function of
+// one noise is in another form the same code with other glue. Positions in whole units have two rows, which cover them.
 std::string form_of(const Function& function) {
   std::string form;
   for (const std::string_view column : {"cx", "px", "phase", "jitter", "metric", "detail", "footprint"}) {
@@ -99,7 +98,7 @@ constexpr std::array kShown = {
     FacetRule{Facet::setting, Facet::family, Reach::opengl},
     // A hash joins the words of so many coordinates in its own way.
     FacetRule{Facet::setting, Facet::axes, Reach::opengl},
-    // What a version or a stage can get wrong.
+    // A version or a stage may be wrong in these.
     FacetRule{Facet::version, Facet::stage, Reach::everywhere},
     FacetRule{Facet::version, Facet::arithmetic, Reach::everywhere},
     FacetRule{Facet::version, Facet::family, Reach::everywhere},
@@ -117,7 +116,7 @@ constexpr std::array kShown = {
 
 bool is_opengl(const PlannedProgram& program) { return program.target.profile->platform() == Platform::opengl; }
 
-// What other languages than GLSL show is theirs alone, and called so.
+// Programs in other languages than GLSL stand for themselves alone, and their name has the language.
 std::string where_shown(const PlannedProgram& program) { return is_opengl(program) ? "" : " beside OpenGL"; }
 
 // Calls take(words of the thing) for each thing that a program shows.
@@ -131,12 +130,12 @@ void for_each_thing(const PlannedProgram& program, Take take) {
 }
 
 // The things of the product by number, with the programs that show them.
-struct Things {
+struct ShownThings {
   std::vector<Candidate> programs;
   std::vector<std::string> words;
 };
 
-// Numbers for the words of a facet. What a facet is about has the same words in thousands of programs.
+// Numbers for the words of a facet. Thousands of programs share the words of a facet.
 class Numbers {
  public:
   int of(Facet facet, const PlannedProgram& program) {
@@ -152,7 +151,7 @@ class Numbers {
 
  private:
   using Source = std::tuple<Facet, const void*, const void*>;
-  // What the words follow from.
+  // The source of a facet's words.
   static Source source_of(Facet facet, const PlannedProgram& program) {
     switch (facet) {
       case Facet::setting:
@@ -175,15 +174,15 @@ class Numbers {
   std::vector<std::string> words_;
 };
 
-Things things_of(const std::vector<PlannedProgram>& programs) {
-  Things things;
+ShownThings things_of(const std::vector<PlannedProgram>& programs) {
+  ShownThings things;
   Numbers numbers;
   std::array<std::unordered_map<std::uint64_t, std::size_t>, 2 * kShown.size()>
       known;  // of a pair of numbers the thing
   for (const PlannedProgram& program : programs) {
     const bool apart = !is_opengl(program);
     Candidate candidate{.shows = {}, .round = 0, .cost = 0};
-    std::array<int, kFacets> numbers_here;  // asked for once: a facet is in several pairs
+    std::array<int, kFacets> numbers_here;  // computed once: a facet is in several pairs
     numbers_here.fill(-1);
     const auto number_of = [&](Facet facet) {
       int& number = numbers_here[static_cast<std::size_t>(facet)];
@@ -205,8 +204,8 @@ Things things_of(const std::vector<PlannedProgram>& programs) {
   return things;
 }
 
-const Things& all_things() {
-  static const Things kThings = things_of(all_programs());
+const ShownThings& all_things() {
+  static const ShownThings kThings = things_of(all_programs());
   return kThings;
 }
 
@@ -217,8 +216,8 @@ int cost_of(const PlannedProgram& program) {
   return (default_hash ? 0 : 2) + (program.target.stage == Stage::fragment ? 1 : 0);
 }
 
-// What every driver runs: the main versions of OpenGL, and of Vulkan its own GLSL, with a program of each family and
-// each arithmetic.
+// Every driver runs these: the main versions of OpenGL, and Vulkan's own GLSL, with a program of each family and each
+// arithmetic.
 bool may_be_for_all(const PlannedProgram& program) {
   const Profile& profile = *program.target.profile;
   const bool of_vulkan = profile.platform() == Platform::vulkan && profile.in_glsl();
@@ -250,7 +249,7 @@ std::vector<std::string> shown_by(const PlannedProgram& program) {
 }
 
 std::vector<std::string> not_shown(std::span<const Extent> extents) {
-  const Things& things = all_things();
+  const ShownThings& things = all_things();
   std::vector<bool> shown(things.words.size());
   for (std::size_t i = 0; i < things.programs.size(); ++i) {
     if (extents[i] == Extent::thorough) continue;
@@ -266,7 +265,7 @@ std::vector<std::string> not_shown(std::span<const Extent> extents) {
 std::vector<bool> cover_of(std::span<const Candidate> candidates, std::size_t things) {
   std::vector<bool> chosen(candidates.size());
   std::vector<bool> shown(things);
-  // What is new of each candidate: of those that were not counted lately, so much at most, since it only becomes less.
+  // For each candidate the number of new things: an upper limit where it was not counted lately, since it only falls.
   std::vector<std::ptrdiff_t> news;
   for (const Candidate& candidate : candidates) news.push_back(std::ssize(candidate.shows));
   const auto count = [&](std::size_t i) {

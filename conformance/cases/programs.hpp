@@ -1,10 +1,12 @@
-// Which programs a run compiles. A program is a function with a setting of the knobs, in a version and a stage.
-// Compiling them is what a run costs, and one program serves many checks.
+// Selects the programs of a run. A program is a function with a setting of the knobs, in a version and a stage.
+// Compiling them is the cost of a run, and one program serves many checks.
 //
 // --thorough has the product of functions, settings, versions and stages. Any other run has a cover of that product: a
-// few of its programs, among which everything that has to be shown is shown at least once. What has to be shown are
-// single things (every function), and pairs of things (every function of a dimension in every arithmetic, every setting
-// with each of its dimensions, every version and stage with each form of a function): kShown lists them.
+// few of its programs, which together show everything in kShown at least once. These are single things (every
+// function),
+// and pairs of things (every function of a dimension in every arithmetic, every setting with each of its dimensions,
+// every
+// version and stage with each form of a function).
 #pragma once
 
 #include <cstddef>
@@ -28,10 +30,10 @@ struct PlannedProgram {
 // of the table of functions.
 const std::vector<PlannedProgram>& all_programs();
 
-// What a program shows of what a cover must show, in words: "fbm.fbm2_cell", "fixed with perlin of 2 axes".
+// The part of a cover that a program shows, in words: "fbm.fbm2_cell", "fixed with perlin of 2 axes".
 std::vector<std::string> shown_by(const PlannedProgram& program);
 
-// What the product shows and the programs of `extents` (one for each of all_programs()) do not.
+// The words that the product shows, and the programs of `extents` (one for each of all_programs()) do not.
 std::vector<std::string> not_shown(std::span<const Extent> extents);
 
 // The extent of each of all_programs(): what every driver runs, what some driver runs, and what --thorough adds.
@@ -41,10 +43,10 @@ const std::vector<Extent>& program_extents();
 // the programs above.
 const std::vector<bool>& is_in_es_cover();
 
-// Chooses from candidates, of which each shows some of the things from 0 to `things` - 1, so that everything is shown
-// that can be. They are taken in order: a candidate is chosen if its round still lacks what it shows. `rounds` says
-// which candidates stand for each other; of those the one that shows most that is new is taken, and of equals the
-// cheapest.
+// Chooses from candidates so that everything is shown that can be: each shows some of the things from 0 to `things` -
+// 1.
+// The choice goes in order: a candidate is chosen if its round still lacks something that it shows. `rounds` lists the
+// candidates that stand for each other; the one that shows most new things is taken, and of equals the cheapest.
 struct Candidate {
   std::vector<std::size_t> shows;
   std::size_t round;  // rounds are numbers from 0 on, in order

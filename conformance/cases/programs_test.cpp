@@ -37,7 +37,7 @@ TEST(Programs, ARunShowsAllThatTheProductShows) {
   EXPECT_EQ(fmt::format("{}", fmt::join(not_shown(program_extents()), "; ")), "");
 }
 
-// The list is what says that something is missing: so it must.
+// The list reports what is missing: so it must change.
 TEST(Programs, WhatIsLeftOutIsListed) {
   std::vector<Extent> extents = program_extents();
   const std::vector<PlannedProgram>& programs = all_programs();
@@ -94,7 +94,7 @@ TEST(Programs, WithEsAloneEveryFunctionIsRunAndEachNoiseInEachArithmeticThatEsHa
   EXPECT_EQ(shown, all);
 }
 
-// What a run has without --thorough, of what there is.
+// The words of a run without --thorough, among all.
 std::set<std::string> words_of(Scope scope, std::string (*word_of)(const Case&)) {
   std::set<std::string> words;
   for (const Case& test : all_cases(scope)) {
@@ -109,7 +109,7 @@ void expect_same(std::string (*word_of)(const Case&)) {
 }
 
 TEST(Extent, EveryCheckIsRunButOneThatAnotherCovers) {
-  // A stage is held against the twin, which says more than the fragment stage.
+  // A stage is compared with the twin, which is stricter than a comparison with the fragment stage.
   expect_same([](const Case& test) { return test.name.check == "as_fragment" ? "" : test.name.check; });
 }
 

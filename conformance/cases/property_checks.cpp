@@ -30,7 +30,8 @@ struct Range {
 // The largest value of an output that there can be, but for clouds.
 double largest_of(const Function& function, const Configuration& configuration, std::size_t output) {
   if (function.family == Family::sine_gradient) return 1.0;
-  // Octave sums take over the range of the noise. Roundings may take what is not scaled beyond (docs/accuracy.md).
+  // Octave sums take over the range of the noise. Roundings may take what is not scaled beyond
+  // (docs/measured/accuracy.md).
   const NoiseBounds& bounds = bounds_of(function, configuration, output);
   return configuration.arithmetic == Arithmetic::fixed ? bounds.fixed_limit : bounds.limit;
 }
@@ -77,7 +78,7 @@ double largest_of_gullies(const Function& function, const Configuration& configu
   return 1.00001 * std::clamp(number(function, inputs, "depth"), 0.0, 8.0) * total + (fixed ? 0x1p-12 : 0.0);
 }
 
-// What an output of the function can be; those of some depend on their settings.
+// The range of an output of the function; it may depend on the settings.
 Range range_of(const Function& function, const Configuration& configuration, std::span<const std::uint32_t> inputs,
                std::size_t output) {
   if (function.family == Family::distribution) {
@@ -107,7 +108,7 @@ Range range_of(const Function& function, const Configuration& configuration, std
   return {sum.least < 0.0 ? -largest : 0.0f, largest};
 }
 
-// Holds a value against its range, and says which that is where it is beyond.
+// Requires that a value is inside its range, and names the range otherwise.
 void require_inside(Comparison& comparison, std::span<const std::uint32_t> inputs, float value, const Range& range) {
   const bool inside = value >= range.low && value <= range.high;  // no NaN is
   comparison.require(inside, inputs, value, inside ? "" : fmt::format("a value in [{}, {}]", range.low, range.high));
@@ -249,8 +250,8 @@ float cellular_used_of(const Function& function) {
   return plane ? 0.7f : 0.8f;
 }
 
-// What a good part of the range is: with a gradient that had lost a third of its length, no value would be beyond 0.67,
-// and of this few points none beyond 0.6. The more lattice points are joined, the rarer are values near the ends.
+// A good part of the range: with a gradient that had lost a third of its length, no value would be beyond 0.67, and of
+// these few points none beyond 0.6. The more lattice points are joined, the rarer are values near the ends.
 float used_of(const Function& function) {
   if (function.is_cellular()) return cellular_used_of(function);
   if (!function.is_noise() || function.is_slope(0)) return 0.0f;

@@ -112,9 +112,9 @@ TEST_F(Extreme, ASumOverAnotherNoiseThatIsNotThatSumIsCaught) {
       {"fbm.fbm3_detail.lattice.fast.fragment.gl330.other_noise", "detail/octave.glsl", "hn_float total = part",
        "hn_float total = 1.0f"},
       // The position of a place that is outside of its cell.
-      {"fbm.fbm2.lattice.fast.fragment.gl330.other_noise", "detail/place2d.glsl",
+      {"fbm.fbm2.lattice.fast.fragment.gl330.other_noise", "detail/cell2d.glsl",
        "hn_i_float(cell) + (fraction + hn_i_float(rest))", "hn_i_float(cell) - (fraction + hn_i_float(rest))"},
-      {"fbm.fbm3_cell.lattice.fixed.fragment.gl330.other_noise", "detail/place2d.glsl", "fraction * 16 + rest",
+      {"fbm.fbm3_cell.lattice.fixed.fragment.gl330.other_noise", "detail/cell2d.glsl", "fraction * 16 + rest",
        "fraction * 32 + rest"}};
   for (const Replacement& fault : kFaults) expect_replaced_caught(fault);
 }
@@ -123,7 +123,7 @@ TEST_F(Extreme, FixedArithmeticHasANumberForWhatIsNone) {
   expect_caught(kPerlins[2], "perlin2d.glsl", "hn_perlin(args) (isinf(p.x) ? p.x : hn_perlin(args))");
 }
 
-// What a case would not see at ordinary points: that a subnormal position is seen, that it counts.
+// Ordinary points would hide both: a subnormal position is seen, and it counts.
 TEST_F(Extreme, TwinPointsOfFixedAndPreciseArithmeticAreExtremeToo) {
   for (const std::string_view id :
        {"noise2d.perlin.lattice.fixed.fragment.gl330.twin", "noise2d.perlin.lattice.precise.fragment.gl400.twin"}) {

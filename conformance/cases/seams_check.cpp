@@ -61,8 +61,8 @@ Crossing crossing_of_centred(Fractions f, std::size_t axes, Random& random) {
   return {f, axis};
 }
 
-// Those of smooth noise in space are in the middle of a cell, and where both ends of a diagonal of the cube are as
-// near. With the distances a, b and c from the nearest ends that is where a + b - c is 0 or 1/2.
+// Smooth noise in space has seams in the middle of a cell, and where both ends of a diagonal of the cube are as near.
+// With the distances a, b and c from the nearest ends the latter are where a + b - c is 0 or 1/2.
 Crossing crossing_of_diagonals(Fractions f, Random& random) {
   const std::size_t axis = random.below(3);
   const double b = from_nearest_end(f[(axis + 1) % 3]);
@@ -74,8 +74,8 @@ Crossing crossing_of_diagonals(Fractions f, Random& random) {
   return {f, axis};
 }
 
-// Those of cellular noise are at a wall, where other cells are searched, and in the middle, where others are beyond
-// them.
+// Cellular noise has seams at a wall, where the searched cells change, and in the middle, where the cells beyond
+// change.
 Crossing crossing_of_cells(Fractions f, std::size_t axes, Random& random) {
   const std::size_t axis = random.below(static_cast<std::uint32_t>(axes));
   f[axis] = random.below(2) == 0 ? 0.0 : 0.5;
@@ -98,8 +98,8 @@ Crossing random_crossing(const Function& function, Random& random) {
   return smooth ? crossing_of_diagonals(f, random) : crossing_of_centred(f, axes, random);
 }
 
-// What an output may change by to a place at that distance; nothing if it may jump. The derivatives of a distance r
-// turn by less than the way divided by r.
+// The largest allowed change of an output between two points this far apart, or nullopt where it may jump. The
+// derivatives of a distance r rotate by less than the way divided by r.
 std::optional<double> largest_change(const Function& function, const Configuration& configuration,
                                      std::span<const std::uint32_t> inputs, std::size_t word, double distance) {
   if (!function.is_cellular() || !function.is_slope(word)) {
@@ -113,8 +113,8 @@ std::optional<double> largest_change(const Function& function, const Configurati
 
 }  // namespace
 
-// The points of a pair are two units apart, one on each side, or one unit and one of them on the plane. What a noise or
-// a derivative may change by in between is proven (bounds.inc).
+// The points of a pair are two units apart, one on each side, or one unit and one of them on the plane. The largest
+// change of a noise or a derivative in between is proven (bounds.inc).
 Outcome check_seams(Session& session, const Evaluation& evaluation) {
   const auto& [function, configuration, profile, variant, stage] = evaluation;
   const auto axes = static_cast<std::size_t>(function.axes);

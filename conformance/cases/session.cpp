@@ -18,7 +18,7 @@ Session::Session(const Suite& suite, const Context& context, std::size_t most_po
     : Session(suite, evaluator_on(context), most_points_) {}
 
 Result<Evaluable*> Session::evaluable(const Evaluation& evaluation) {
-  // Those of a function and a configuration: in each version and stage, and a variant.
+  // The programs of a function and a configuration: each version and stage, and a variant.
   constexpr std::size_t kKept = 8;
   const std::string shader = evaluation_shader(evaluation);
   const std::string key = fmt::format("{} {}", evaluation.profile.name, shader);
@@ -35,7 +35,7 @@ Result<Evaluable*> Session::evaluable(const Evaluation& evaluation) {
 
 const Session::PointSet& Session::twin_points(const Function& function, const Configuration& configuration,
                                               std::size_t count, std::uint64_t batch) {
-  // What is undecided follows from the words, so there the hash counts.
+  // An undecided value follows from the words, so there the hash counts.
   const std::string key =
       fmt::format("{} {} {} {} {}", function.id, configuration.sine(), arithmetic_name(function, configuration),
                   function.jumps() ? configuration.hash : "", batch);

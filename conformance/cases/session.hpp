@@ -18,17 +18,17 @@
 
 namespace hn {
 
-// What every case may use.
+// The resources of every case.
 struct Suite {
   const SourceSet& sources;
   const ReferenceCompiler& reference;
   std::filesystem::path golden_directory;
   std::uint64_t seed;        // of the random points
-  std::uint64_t points = 0;  // of each comparison with the twin; 0 for what its case says
-  bool thorough = false;     // with --thorough a case says more
+  std::uint64_t points = 0;  // of each comparison with the twin; 0 for the case's own number
+  bool thorough = false;     // with --thorough a case reports more
 };
 
-// What a case on a driver may use besides.
+// The further resources of a case on a driver.
 struct Session : Suite {
   const std::unique_ptr<Evaluator> evaluator;
   std::size_t most_points;  // of one evaluation: an evaluator takes 2^20; a slow driver is given fewer
@@ -47,8 +47,9 @@ struct Session : Suite {
   // A long case calls this after each part of its work.
   std::function<void()> still_alive = [] {};
 
-  // What evaluates a function. The last few are kept, since cases that share one follow each other; what is returned
-  // lasts until the next call.
+  // The evaluable of a function. The last few are kept, since cases that share one follow each other; a result lasts
+  // until
+  // the next call.
   Result<Evaluable*> evaluable(const Evaluation& evaluation);
 
   Session(const Suite& suite, std::unique_ptr<Evaluator> evaluator, std::size_t most_points = std::size_t{1} << 20);
@@ -59,7 +60,7 @@ struct Session : Suite {
     std::string key;
     std::unique_ptr<Evaluable> evaluable;
   };
-  std::list<CacheEntry> kept_;  // the last one that was asked for first
+  std::list<CacheEntry> kept_;  // the most recently used first
   std::string kept_points_of_;
   PointSet kept_points_;
 };

@@ -74,7 +74,7 @@ TEST_F(SimplexChecks, APhaseThatDoesNotLoopIsCaught) {
                                       kPart, "(turns - 0.99999f * trunc(turns))"},
                                      {"noise3d.simplex_d_phase_cell_period.lattice.fixed.fragment.gl330.loop",
                                       "detail/sine.glsl", kPart, "(turns - trunc(turns) + 0.0000001f * trunc(turns))"},
-                                     // A negative phase that turns the other way.
+                                     // A negative phase that rotates the other way.
                                      {"noise3d.perlin_phase_cell.lattice.precise.fragment.gl400.loop",
                                       "detail/sine.glsl", kPart, "abs(turns - trunc(turns))"},
                                      {"noise2d.phasor.lattice.fixed.fragment.gl330.loop", "detail/sine.glsl", kPart,

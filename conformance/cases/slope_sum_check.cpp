@@ -26,7 +26,7 @@ double float_input(const Function& function, std::span<const std::uint32_t> inpu
   return static_cast<double>(std::bit_cast<float>(inputs[static_cast<std::size_t>(function.input(name))]));
 }
 
-// How fast a derivative along an axis changes along it. Along a step of the length l, which turns may lay into any
+// How fast a derivative along an axis changes along it. Along a step of the length l, which rotations may lay into any
 // direction, a derivative of the noise changes by no more than its Lipschitz constant times l, since no component is
 // longer; and the magnitudes of the components, by which the derivatives count, sum to no more than sqrt(n) l.
 double bend_of(const Function& function, const Configuration& configuration, std::span<const std::uint32_t> inputs) {

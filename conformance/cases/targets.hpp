@@ -22,7 +22,7 @@ struct Target {
   bool main;  // one of the versions in which a configuration has most of its cases: of desktop OpenGL, or of ES
 };
 
-// Those of a configuration: its main versions, GLSL without bit casts, the other stages, and what Vulkan runs.
+// The targets of a configuration: its main versions, GLSL without bit casts, the other stages, and Vulkan's.
 std::vector<Target> targets_of(const Configuration& configuration);
 
 }  // namespace hn

@@ -66,8 +66,8 @@ std::string both_overloads(std::string_view file, std::span<const Function* cons
   return text;
 }
 
-// A sum has two octaves, of which the second has a lacunarity and a gain: in a loop whose end is not known a compiler
-// sees nothing.
+// A fractal of two octaves: the second has a lacunarity and a gain. A compiler cannot see through a loop of unknown
+// length.
 std::string two_octaves(const Function& function) {
   const int word = function.input("octaves");
   return word < 0 ? "" : fmt::format("{}.{} = 2u; ", "abcd"[word / 4], "xyzw"[word % 4]);
@@ -84,7 +84,7 @@ std::string difference_of_both(std::span<const Function* const> functions) {
   return text + "return r;";
 }
 
-// What stands for the functions of a file, as if it were one more row of the table.
+// The functions of a file, as if they were one more row of the table.
 struct Differences {
   std::string id;
   std::string knobs;
@@ -142,7 +142,7 @@ std::vector<Case> unseeded_cases() {
   std::vector<Case> cases;
   std::vector<std::string_view> files;
   for (const Function& function : all_functions()) {
-    // What stands for the whole library calls functions of other files.
+    // A case of the whole library calls functions of other files.
     const bool known = function.file == "hashnoise.glsl" || std::ranges::find(files, function.file) != files.end();
     if (!known) files.push_back(function.file);
   }

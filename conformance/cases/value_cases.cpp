@@ -11,7 +11,7 @@
 namespace hn {
 namespace {
 
-// What holds for a function by its row alone, and needs no program but its own.
+// The properties of a function that follow from its row alone, and need no program but its own.
 std::vector<Relation> properties_of(const Evaluation& evaluation) {
   const auto& [function, configuration, profile, variant, stage] = evaluation;
   std::vector<Relation> properties;
@@ -42,7 +42,7 @@ std::vector<Relation> properties_of(const Evaluation& evaluation) {
   return properties;
 }
 
-// What compiles other programs besides.
+// The cases that compile other programs besides.
 std::vector<Relation> further_cases_of(const Evaluation& evaluation, const Target& target) {
   const auto& [function, configuration, profile, variant, stage] = evaluation;
   std::vector<Relation> further = relations_of(evaluation, target);
@@ -175,7 +175,7 @@ void add_value_cases(std::vector<Case>& cases, Scope scope, const Subjects* subj
       test.for_es = of_es;
       if (thorough || test.is_covered(true)) cases.push_back(std::move(test));
     };
-    // What tells about the library more than about a driver, one driver shows.
+    // One driver is enough for cases that examine the library more than the driver.
     const Extent by_one = std::max(extents[i], Extent::one_driver);
     add({"golden", GoldenKind{evaluation}}, extents[i], for_es);
     const Platform platform = evaluation.profile.platform();

@@ -34,8 +34,9 @@ tl::expected<Words, Outcome> evaluate(Session& session, const Evaluation& evalua
 namespace {
 
 // By what they cost: with the default knobs 2^16, and thoroughly a quarter of a million, in each arithmetic; of octave
-// sums, which are several noises, of derivatives and in 4D a quarter of that; with other knobs, which are many, a quarter,
-// too; in the versions beside the main one of desktop OpenGL, a quarter, and thoroughly, where they are many, a sixteenth.
+// sums, which are several noises, of derivatives and in 4D a quarter of that; with other knobs, which are many, a
+// quarter, too; in the versions beside the main one of desktop OpenGL, a quarter, and thoroughly, where they are many,
+// a sixteenth.
 std::uint64_t twin_points(const Session& session, const Evaluation& evaluation) {
   if (session.points != 0) return session.points;
   std::uint64_t points = std::uint64_t{1} << (session.thorough ? 18 : 16);

@@ -66,10 +66,10 @@ struct Relation {
   const Function* with = nullptr;  // whose program it takes besides, in the same version and stage
   int programs = 1;                // or how many programs beside its own
 };
-// Those that compile another program: a variant of the shader, or another function. metamorphic_checks.cpp has them,
-// and value_cases.cpp chooses.
+// The relations that compile another program: a variant of the shader, or another function. metamorphic_checks.cpp has
+// them, and value_cases.cpp chooses.
 std::vector<Relation> relations_of(const Evaluation& evaluation, const Target& target);
-// Those that need none: the function again at other points.
+// The relations that need no other program: the function again at other points.
 std::vector<Relation> repetitions_of(const Evaluation& evaluation);
 // A stage of OpenGL against the fragment stage.
 Relation as_fragment(const Evaluation& evaluation);

@@ -55,7 +55,7 @@ TEST_F(CasesOnVulkan, AConstantThatIsWrongFailsInEveryLanguage) {
   }
 }
 
-// What only one shape of the shader gets wrong, its case notices.
+// A fault in one shape of the shader alone is caught by the case of that shape.
 TEST_F(CasesOnVulkan, AShapeThatIsWrongFails) {
   for (const auto& [check, macro] :
        {std::array{"inlined", "CASE_INLINED"}, std::array{"in_loop", "CASE_IN_LOOP"},

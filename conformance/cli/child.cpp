@@ -144,7 +144,7 @@ int run_on_driver(const Job& job, const Driver& driver) {
 }  // namespace
 
 int child_command(const std::filesystem::path& path) {
-  // What this process starts must not hold the pipe open when this process is gone.
+  // Programs that this process starts must not hold the pipe open when this process is gone.
   if (fcntl(kReportFd, F_SETFD, FD_CLOEXEC) != 0) return usage_error("child is called by hn-conform itself only");
   const auto text = read_file(path);
   if (!text) return usage_error(text.error().text());

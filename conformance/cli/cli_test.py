@@ -243,10 +243,12 @@ class Cli(unittest.TestCase):
 
     def test_every_other_check_can_fail(self):
         perlin = "noise2d.perlin.lattice.fast.fragment.gl330"
-        # What does not disturb each other is changed at once: (cases, file, old, new). Cases alone suffer from the others.
+        # Changes that do not disturb each other are made at once: (cases, file, old, new). The cases of each change
+        # fail, and no
+        # others.
         for group in (
             (
-                (f"{perlin}.range", "detail/ramps2d.glsl", "n, 1831)", "n, 3173)"),
+                (f"{perlin}.range", "detail/direction.glsl", "n, 1831)", "n, 3173)"),
                 (f"{perlin}.seeds", "detail/cell2d.glsl", "box.upper, hn_i_seed_join(s), s, 0u)", "box.upper, 0u, 0u, 0u)"),
                 ("fbm.fbm2.*.fast.*.other_noise", "detail/octave.glsl",
                  "hn_i_summed(s.value, n, weight)", "hn_i_summed(s.value, n, HN_I_WEIGHT_ONE)"),
@@ -257,7 +259,7 @@ class Cli(unittest.TestCase):
                 ("config.version_120.*.refused_by_driver", "config.glsl", "needs GLSL 1.30", "needs more"),  # no reason
             ),
             (
-                (f"{perlin}.range", "detail/ramps2d.glsl", "n, 1831)", "n, 490)"),  # little of it is used
+                (f"{perlin}.range", "detail/direction.glsl", "n, 1831)", "n, 490)"),  # little of it is used
                 (f"{perlin}.mirror", "perlin2d.glsl", "hn_perlin(hn_place(p), seed)",
                  "hn_perlin(hn_place(abs(p)), seed)"),
             ),
@@ -381,16 +383,16 @@ class Cli(unittest.TestCase):
                 self.assertEqual(self.results()["runs"][0]["totals"]["fail"], 3)
 
     def test_fail_fast_stops(self):
-        glsl = self.changed_glsl(("detail/ramps2d.glsl", "n, 1831)", "n, 1832)"))
+        glsl = self.changed_glsl(("detail/direction.glsl", "n, 1831)", "n, 1832)"))
         self.run_case("--glsl", glsl, "--fail-fast", case="noise2d.perlin.*.golden")
         self.assertEqual(len(self.results()["runs"][0]["cases"]), 1)
 
     def test_the_page_of_checks_is_what_it_prints(self):
-        page = (ROOT / "docs" / "checks.md").read_text()
-        self.assertEqual(self.call("list", "--checks").stdout, page, "run hn-conform list --checks > docs/checks.md")
+        page = (ROOT / "docs" / "reference" / "checks.md").read_text()
+        self.assertEqual(self.call("list", "--checks").stdout, page, "run hn-conform list --checks > docs/reference/checks.md")
 
     def test_every_option_is_in_the_documents(self):
-        for command, page in (("run", "conformance.md"), ("bench", "measuring.md")):
+        for command, page in (("run", "guide/conformance.md"), ("bench", "measured/measuring.md")):
             options = set(re.findall(r"^  (?:-\w,)?(--[\w-]+)", self.call(command, "--help").stdout, re.MULTILINE))
             text = (ROOT / "docs" / page).read_text()
             self.assertEqual({option for option in options - {"--help"} if f"`{option}" not in text}, set(),

@@ -27,8 +27,8 @@ int unknown_driver(const std::string& name);
 enum class DriverKind { with_context, any };
 std::string driver_names(DriverKind kind);
 
-// The cases that match one of the filters, or all: of the default run, and if none of these matches, or with thorough, of
-// the product. So any id that a run has shown can be run again. An error says if there is none.
+// The cases that match one of the filters, or all: of the default run, and if none of these matches, or with thorough,
+// of the product. So any id that a run has shown can be run again. Having none is an error.
 struct Selection {
   std::vector<Case> cases;
   bool thorough;

@@ -74,7 +74,7 @@ void add_glfw_drivers(std::vector<Driver>& drivers) {
                      }});
 }
 
-// Those that every machine may have.
+// The drivers that every machine may have.
 std::vector<Driver> common_drivers() {
   std::vector<Driver> drivers;
   drivers.push_back({.name = std::string(kReferenceCompiler),

@@ -24,7 +24,7 @@ struct Driver {
   std::string description;
   // The environment of the process that calls create. It is set before, because Mesa reads it when it is loaded.
   std::vector<std::array<std::string, 2>> environment = {};
-  // An error says what is missing on this machine.
+  // An error names the part that this machine lacks.
   std::function<Result<std::unique_ptr<Context>>()> create = {};
   // The most points of one evaluation; fewer where evaluating takes long.
   std::size_t most_points = std::size_t{1} << 20;

@@ -273,7 +273,7 @@ class Ending(unittest.TestCase):
         self.assertEqual(done.returncode, 1)
         self.assertIn(f"cannot write {self.out}/index.html: File too large\n", done.err)
         self.assertIn("--resume", done.err)
-        self.assertIn("1 pass", done.out)  # it is known, and told
+        self.assertIn("1 pass", done.out)  # it is known, and printed
         self.assertFalse((self.out / "index.html.part").exists())
         self.assertEqual(self.call("run", "--out", self.out, *ONE, "--resume").returncode, 0)
 

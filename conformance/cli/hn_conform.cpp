@@ -59,7 +59,7 @@ void say_farewell(int signal, bool again) {
 
 int run_program(int argc, char** argv) {
   try {
-    // What we start ourselves; not for people.
+    // Commands for the program itself, not for people.
     if (argc == 3 && argv[1] == std::string_view(hn::kChildCommand)) return hn::child_command(argv[2]);
     if (argc > 2 && argv[1] == std::string_view(hn::kStatisticsCommand)) {
       return hn::shader_statistics_command({argv + 2, argv + argc});

@@ -11,7 +11,7 @@
 namespace hn {
 namespace {
 
-// docs/checks.md.
+// docs/reference/checks.md.
 std::string page_of_checks() {
   std::string page =
       "# Checks\n\nThis page lists what each check demands. The last part of a case's id names its check. `hn-conform list "

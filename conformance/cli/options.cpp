@@ -135,7 +135,7 @@ void add_run(CLI::App& app, RunCommand& run, const std::string& faults) {
       .add_option(
           "--inject", run.execution.suite.inject,
           fmt::format(
-              "Make the driver behave as if it had a fault, to see what notices it; \"list\" tells what each does: {}",
+              "Make the driver behave as if it had a fault, to see which cases fail; \"list\" describes the faults: {}",
               faults))
       ->type_name("FAULT");
   command.add_flag("--timings", run.output.timings,
@@ -240,7 +240,7 @@ bool has_option(const CLI::App& command, const std::string& name) {
   return std::ranges::count(names_of_options(command), name) != 0;
 }
 
-// The first argument that a command did not take; "--" says of the others that they are not options.
+// The first argument that a command did not take; behind "--" none is an option.
 std::string first_left_over(const CLI::App& command) {
   const auto left = command.remaining();
   const auto first = std::ranges::find_if(left, [](const std::string& argument) { return argument != "--"; });
@@ -255,7 +255,7 @@ tl::unexpected<Stop> unexpected_argument(const CLI::App& app) {
   const std::string word = argument.substr(0, argument.find('='));
   const bool is_option = argument.starts_with('-');
   const auto wrong = [&](const std::string& what) {
-    return wrong_usage(fmt::format("{}; {} --help tells more", what, full_name(app, command)));
+    return wrong_usage(fmt::format("{}; see {} --help", what, full_name(app, command)));
   };
   if (!is_option) {
     return &command == &app ? unknown_command(app, argument)
@@ -281,10 +281,10 @@ tl::unexpected<Stop> help_with(const CLI::App& app, const std::string& topic) {
   return unknown_command(app, topic);
 }
 
-// Help that was asked for, or what is wrong, in CLI11's words.
+// The help, or the error in CLI11's words.
 tl::unexpected<Stop> stop_at(const CLI::App& app, const CLI::ParseError& error) {
   if (error.get_exit_code() != 0) {
-    return wrong_usage(fmt::format("{}; {} --help tells more", error.what(), full_name(app, chosen_command(app))));
+    return wrong_usage(fmt::format("{}; see {} --help", error.what(), full_name(app, chosen_command(app))));
   }
   std::ostringstream out;
   std::ostringstream err;
@@ -321,7 +321,8 @@ tl::expected<Command, Stop> parse_options(int argc, const char* const* argv, con
   add_filter(list_app, list.filters, "cases");
   add_thorough(list_app, list.thorough);
   list_app.add_flag("--about", list.about, "Also tell where cases come from: where a bug was reported");
-  list_app.add_flag("--checks", list.checks, "Tell what each check demands (docs/checks.md)")->excludes("--filter");
+  list_app.add_flag("--checks", list.checks, "Tell what each check demands (docs/reference/checks.md)")
+      ->excludes("--filter");
   add_run(app, run, installation.faults);
   add_merge(app, merge);
   add_bench(app, bench);
@@ -351,7 +352,7 @@ tl::expected<Command, Stop> parse_options(int argc, const char* const* argv, con
   if (app.got_subcommand("spirv")) return spirv;
   if (app.got_subcommand("paper")) return paper;
   if (app.got_subcommand("web")) return web;
-  return wrong_usage(fmt::format("say what to do: {}; --help tells more", kCommands));
+  return wrong_usage(fmt::format("name a command: {}; see --help", kCommands));
 }
 
 }  // namespace hn

@@ -16,7 +16,7 @@ namespace hn {
 constexpr int kNotAsExpected = 1;
 constexpr int kBadUsage = 2;
 constexpr int kNoDriver = 3;
-constexpr int kSignalled = 128;  // and the number of the signal that ended it, as a shell says it
+constexpr int kSignalled = 128;  // and the number of the signal that ended it, as a shell counts it
 
 struct DriversCommand {};
 
@@ -111,7 +111,7 @@ struct Stop {
   std::string err;  // and for the standard error
 };
 
-// What the program comes with.
+// The files that belong to the program.
 struct Installation {
   std::string golden;  // folders that are taken if no option names others
   std::string expect;

@@ -56,16 +56,15 @@ TEST(Options, ThatAreMisspeltAreSuggested) {
                                           "there is no command \"runn\" (did you mean run?); there are drivers"},
         {{"help", "bnech"}, "there is no command \"bnech\" (did you mean bench?)"},
         {{"dance"}, "there is no command \"dance\"; there are drivers"},
-        {{"run", "--diver", "x"},
-         "there is no option --diver (did you mean --driver?); hn-conform run --help tells more"},
+        {{"run", "--diver", "x"}, "there is no option --diver (did you mean --driver?); see hn-conform run --help"},
         {{"run", "--out=a", "--diver=x"}, "there is no option --diver (did you mean --driver?)"},
         {{"bench", "--agianst", "x"}, "there is no option --agianst (did you mean --against?)"},
-        {{"run", "--walk"}, "there is no option --walk; hn-conform run --help tells more"},
+        {{"run", "--walk"}, "there is no option --walk; see hn-conform run --help"},
         {{"run", "-x"}, "there is no option -x; hn-conform run"},
-        {{"--verison"}, "there is no option --verison (did you mean --version?); hn-conform --help tells more"},
+        {{"--verison"}, "there is no option --verison (did you mean --version?); see hn-conform --help"},
         {{"--driver", "zink", "run"}, "--driver belongs after a command, as in hn-conform run --driver"},
-        {{"list", "noise2d"}, "\"noise2d\" is one argument too many; hn-conform list --help tells more"},
-        {{"run", "--seed", "-1"}, "; hn-conform run --help tells more"}}) {
+        {{"list", "noise2d"}, "\"noise2d\" is one argument too many; see hn-conform list --help"},
+        {{"run", "--seed", "-1"}, "; see hn-conform run --help"}}) {
     const auto command = parse(arguments);
     ASSERT_FALSE(command) << expected;
     EXPECT_EQ(command.error().status, kBadUsage);

@@ -76,7 +76,7 @@ class Paper(unittest.TestCase):
         self.assertRegex(spirv_faults(row, other)[0], r"fnv1.published.2d: \d+ instructions, not \d+")
         row["spirv"] = str(int(row["spirv"]) - 1)
         self.assertEqual(len(spirv_faults(row, self.out / "spirv" / f"{row['id']}.spv")), 1)
-        self.assertIn("spirv-dis says", spirv_faults(row, self.out / "table.csv")[0])
+        self.assertIn("spirv-dis fails:", spirv_faults(row, self.out / "table.csv")[0])
 
     def test_instructions_are_in_the_papers_order(self):
         self.assertEqual(order_faults(self.table), [])
@@ -136,7 +136,7 @@ class Broken(unittest.TestCase):
 
 class Usage(unittest.TestCase):
     def call(self, *arguments):
-        """Mistakes are told before anything is measured."""
+        """Mistakes are reported before anything is measured."""
         start = time.monotonic()
         done = subprocess.run([PROGRAM, "paper", *map(str, arguments)], capture_output=True, text=True, check=False)
         self.assertLess(time.monotonic() - start, 10.0)  # a run takes about a minute

@@ -76,7 +76,7 @@ class Run(unittest.TestCase):
         return done.stdout.split()
 
     def wait_for_cases(self, count):
-        """Until the journal tells of so many."""
+        """Waits until the journal has so many results."""
         deadline = time.monotonic() + 60
         journal = self.out / "journal.jsonl"
         while time.monotonic() < deadline:
@@ -117,7 +117,7 @@ class Run(unittest.TestCase):
         done = self.run_program("--driver", "osmesa", "--jobs", 1, "--resume", *SOME)
         self.assertEqual(done.returncode, 0, done.out)
         self.assertEqual(list(self.statuses("osmesa")), self.listed(*SOME))
-        # What was found before stands as it was found, to the time that it took.
+        # Earlier results stay as they were, to the time that each took.
         before = [json.loads(line)["report"]["result"] for line in lines if '"result"' in line and line.endswith("}")]
         after = {case["id"]: case for case in self.runs()["osmesa"]["cases"]}
         self.assertGreaterEqual(len(before), 20)

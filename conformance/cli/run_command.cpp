@@ -116,7 +116,7 @@ int turns_of(std::string_view renderer) {
   return 4;
 }
 
-// What a driver can run, and what draws, as far as it says; nothing if it does not say.
+// The driver's support and renderer, as far as the driver reports them; else nothing.
 std::optional<DealtDriver> describe_for_deal(const std::string& name, const Inquiry& inquiry) {
   const auto report = inquiry.ask(Task::describe, name);
   if (!report || !report->contains("ready")) return std::nullopt;
@@ -137,7 +137,7 @@ std::optional<DealtDriver> describe_for_deal(const std::string& name, const Inqu
 
 Platform platform_of(const Case& test) { return profile_named(test.name.profile).platform(); }
 
-// Those whose shaders a driver of the platform may be asked to run. es_alone: one without a desktop version.
+// The cases whose shaders a driver of the platform may run. es_alone: one without a desktop version.
 std::vector<Case> cases_for(Platform platform, bool thorough, bool es_alone, const std::vector<Case>& all) {
   std::vector<Case> cases;
   std::copy_if(all.begin(), all.end(), std::back_inserter(cases), [&](const Case& test) {
@@ -155,7 +155,7 @@ DriverPlan plan_of(const std::string& driver, const std::vector<Case>& cases, co
   return plan;
 }
 
-// A driver that does not say what it can run is dealt every case, and its run tells why it is not here.
+// A driver that does not report its support gets every case, and its run reports why it is not here.
 void deal_among(std::vector<DriverPlan>& plans, const std::vector<std::string>& names, const std::vector<Case>& cases,
                 const Inquiry& inquiry) {
   std::vector<DealtDriver> drivers;
@@ -186,7 +186,7 @@ std::vector<DriverPlan> deal_plans(const std::vector<std::string>& names, const 
   return plans;
 }
 
-// What every driver is to do: the cases that need one; and for glslang, which is always asked, the others.
+// Plans the work of every driver: the cases that need one; and of glslang, which always runs, the others.
 std::vector<DriverPlan> plan_drivers(std::vector<std::string> names, std::vector<Case> cases, const Shard& shard,
                                      bool dealt, bool thorough, const Inquiry& inquiry) {
   std::erase(names, std::string(kReferenceCompiler));
@@ -258,10 +258,10 @@ std::string digests_text(const std::vector<std::filesystem::path>& digests) {
   if (digests.empty()) return "";
   std::vector<std::string> paths;
   for (const std::filesystem::path& digest : digests) paths.push_back(digest.string());
-  return fmt::format("To send what was found (docs/conformance.md says how): {}\n", fmt::join(paths, ", "));
+  return fmt::format("To send what was found (see docs/guide/conformance.md): {}\n", fmt::join(paths, ", "));
 }
 
-// Writes what there is to say about the runs, and says it: the exit status. problems: what is wrong beside the cases.
+// Writes and prints the results of the runs, and returns the exit status. problems: faults beside the cases.
 int conclude(const std::vector<Run>& runs, const std::string& out, const std::vector<std::string>& problems) {
   const auto written = write_results(out, runs, problems);
   for (const Run& run : runs) say(printable(summary(run)));
@@ -282,7 +282,7 @@ int conclude(const std::vector<Run>& runs, const std::string& out, const std::ve
 
 bool is_here(const Run& run) { return run.absent.empty() && run.driver != kReferenceCompiler; }
 
-// What the run will be, before it begins: what nobody needs to be told of a moment's work.
+// Prints the plan of the run before it begins; nothing for a short one.
 void announce(const RunPlan& plan) {
   std::size_t count = 0;
   double seconds = 0.0;
@@ -322,8 +322,8 @@ std::vector<std::string> missing_drivers(const std::vector<Run>& runs, const std
   return {"none of the drivers is here"};
 }
 
-// Adds the problem of a run that ended early. why: a part of a sentence, or nothing where a case says it.
-// Whether it did.
+// Adds the problem of a run that ended early, and returns whether it did. why: a part of a sentence, or empty where a
+// case gives the reason.
 bool note_what_was_not_run(const RunPlan& plan, const std::vector<Run>& runs, const std::string& why,
                            std::vector<std::string>& problems) {
   std::size_t planned = 0;
@@ -359,7 +359,7 @@ Result<std::vector<Expectation>> load_expectations(const std::string& directory)
   return expectations;
 }
 
-// What a run reads before it asks drivers.
+// The files that a run reads before it starts drivers.
 struct RunInputs {
   Selection chosen;
   SourceSet sources;

@@ -11,8 +11,8 @@
 namespace hn {
 namespace {
 
-// Those of the library that match, then the foreign ones, with the empty shaders before them, whose cost is to be taken
-// from that of the others.
+// The matching subjects of the library, then the foreign ones. The empty shaders come first: the cost of each is
+// subtracted from the others.
 Result<std::vector<Subject>> subjects_of(const SpirvCommand& options, SourceSet& sources,
                                          const ReferenceCompiler& reference) {
   std::vector<Subject> subjects = {empty_subject(2), empty_subject(3)};

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The page that hn-conform web writes, as its user meets it. Usage: web_cli_test.py PATH-OF-HN-CONFORM
 
-Chromium opens it; the page is told to report here what it shows and what it offers for download."""
+Chromium opens the page, which reports here its text and its downloads."""
 
 import base64
 import gzip
@@ -39,7 +39,7 @@ def suite_of(page):
 
 
 def reporting(page, timed):
-    """The page with a suite that tells here what happens, as if it had all default cases."""
+    """The page with a suite that reports its progress here, as if it had all default cases."""
     suite = suite_of(page) | {"report_to": "event", "golden": "89abcdef", "timed": timed}
     packed = base64.b64encode(gzip.compress(json.dumps(suite).encode())).decode()
     return SUITE.sub(packed, page)
@@ -83,7 +83,8 @@ class Listener(http.server.BaseHTTPRequestHandler):
         pass
 
 
-# Of each kind of case a few, of all that a page may have. Every case of a page is run in Chromium by the test conform.all.
+# Of each kind of case a few, of all that a page may have. Every case of a page is run in Chromium by the test
+# conform.all.
 GLOBS = ("bugs.*", "hash.lattice2.lattice.*", "noise2d.perlin.lattice.*", "fbm.fbm2.lattice.fixed.*", "fbm.all.lattice.*",
          "config.hash*")
 FEW = ["--thorough", *(argument for glob in GLOBS for argument in ("--filter", glob))]
@@ -110,7 +111,7 @@ class Web(unittest.TestCase):
         return chromium.command(chromium.found(), self.folder / "profile", PHONE, *switches)
 
     def open(self, page, *switches, timed=()):
-        """What the page says when it is at its end. Nothing is timed but what is named."""
+        """The text of the page at its end. Only named cases are timed."""
         server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Listener)
         server.page = reporting(page, list(timed)).replace("<body>", f"<body>{LOOK}").encode()
         self.assertNotEqual(server.page, page.encode())
@@ -146,7 +147,7 @@ class Web(unittest.TestCase):
         merged = subprocess.run([PROGRAM, "merge", self.folder / "results.json", "--out", self.folder / "merged"],
                                 capture_output=True, text=True, check=False)
         self.assertEqual(merged.returncode, 0, merged.stderr + merged.stdout)
-        # A digest says the same, whoever makes it; and it is what the page shows and offers.
+        # A digest has the same content, whoever makes it; and the page shows and offers it.
         digest, = (self.folder / "merged").glob("digest*")
         self.assertEqual(digest.read_text(), end["digest"])
         made = json.loads(end["digest"])
@@ -156,7 +157,7 @@ class Web(unittest.TestCase):
         self.assertEqual(end["sent"]["shown"], end["digest"])
         address = urllib.parse.urlsplit(end["sent"]["address"])
         self.assertEqual(f"{address.scheme}://{address.netloc}{address.path}",
-                         f"{ADDRESS}/new/main/docs/results/devices")
+                         f"{ADDRESS}/new/main/docs/measured/results/devices")
         fields = dict(urllib.parse.parse_qsl(address.query))
         self.assertEqual(fields, {"filename": end["sent"]["name"], "value": end["digest"]})
         self.assertRegex(fields["filename"],

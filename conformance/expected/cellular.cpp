@@ -29,9 +29,9 @@ struct Place {
   Metric metric;
   Word seed;
   bool pcg;
-  bool moves;                     // its points go round; then the rest says how far
+  bool moves;                     // its points go round; the rest is how far
   Word angle;                     // in units of 2^-32 turns
-  std::array<Vector, 3> turn;     // of fixed arithmetic, in units of 2^-16: the rows that turn the place backwards
+  std::array<Vector, 3> rotation;  // of fixed arithmetic, in units of 2^-16: the rows that rotate the place backwards
 };
 
 constexpr double kUnits = 0x1p20;
@@ -83,10 +83,10 @@ void put_phase(Place& place, float phase) {
     return Vector{static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
   };
   if (place.axes == 2) {
-    place.turn = {vector(c, s, 0), vector(-s, c, 0), Vector{}};
+    place.rotation = {vector(c, s, 0), vector(-s, c, 0), Vector{}};
   } else {
     const std::int64_t both = fixed_product(s, c);
-    place.turn = {vector(c, s, 0), vector(-both, fixed_product(c, c), s), vector(fixed_product(s, s), -both, c)};
+    place.rotation = {vector(c, s, 0), vector(-both, fixed_product(c, c), s), vector(fixed_product(s, s), -both, c)};
   }
 }
 
@@ -171,7 +171,7 @@ Vector direction_of(Word h, std::size_t axes) {
 // A point, seen from the place. Of fixed arithmetic the offset is in units of 2^-20, and the rank what it compares.
 struct VisiblePoint {
   Coordinates from_cell;
-  Vector offset;  // of the place from the point; of fixed arithmetic, where points go round, turned backwards
+  Vector offset;  // of the place from the point; of fixed arithmetic, where points go round, rotated backwards
   double square;  // in cells, or in units of 2^-28: `N`
   double rank;
 };
@@ -232,27 +232,28 @@ Vector moved(const Place& place, Vector u) {
 }
 
 // An offset times a sine, in units of 2^-20.
-double turned(double offset, double sine) {
+double rotated(double offset, double sine) {
   const double high = floor_of(offset / 0x1p8);
   return floor_of(high * sine / 0x1p8) + floor_of((offset - high * 0x1p8) * sine / 0x1p16);
 }
 
-// The offset of a place from the centre of a cell, along an axis, turned backwards.
-double turned_from(const Place& place, const Coordinates& step, std::size_t row) {
+// The offset of a place from the centre of a cell, along an axis, rotated backwards.
+double rotated_from(const Place& place, const Coordinates& step, std::size_t row) {
   double sum = 0.0;
   for (std::size_t axis = 0; axis < place.axes; ++axis) {
-    const double b = place.turn[row][axis];
-    sum += turned(static_cast<double>(place.units[axis] - 0x80000), b) - 16.0 * static_cast<double>(step[axis]) * b;
+    const double b = place.rotation[row][axis];
+    sum += rotated(static_cast<double>(place.units[axis] - 0x80000), b) - 16.0 * static_cast<double>(step[axis]) * b;
   }
   return sum;
 }
 
-// The offset of a place from a point, turned forwards again.
+// The offset of a place from a point, rotated forwards again.
 Vector offset_of(const Place& place, const VisiblePoint& seen) {
   if (!place.moves || !place.fixed) return seen.offset;
   Vector offset{};
   for (std::size_t axis = 0; axis < place.axes; ++axis) {
-    for (std::size_t row = 0; row < place.axes; ++row) offset[axis] += turned(seen.offset[row], place.turn[row][axis]);
+    for (std::size_t row = 0; row < place.axes; ++row)
+      offset[axis] += rotated(seen.offset[row], place.rotation[row][axis]);
   }
   return offset;
 }
@@ -265,9 +266,8 @@ VisiblePoint seen_from(const Place& place, const Coordinates& step) {
   VisiblePoint seen{step, {}, 0.0, 0.0};
   for (std::size_t axis = 0; axis < place.axes; ++axis) {
     if (place.fixed) {
-      const double centre = place.moves
-                                ? turned_from(place, step, axis)
-                                : static_cast<double>(place.units[axis] - step[axis] * 0x100000 - 0x80000);
+      const double centre = place.moves ? rotated_from(place, step, axis)
+                                        : static_cast<double>(place.units[axis] - step[axis] * 0x100000 - 0x80000);
       seen.offset[axis] = centre - floor_of(512.0 * u[axis] * static_cast<double>(place.jitter_units) / 0x1p10);
     } else {
       seen.offset[axis] = place.fraction[axis] - static_cast<double>(step[axis]) - 0.5 - place.jitter / 2.0 * u[axis];

@@ -1,5 +1,5 @@
 // Cellular noise by a search of all cells around a place: in doubles, and in integers for fixed arithmetic. It follows
-// docs/contract.md, section 16, and has no code and no order of cells from the library.
+// docs/reference/contract.md, section 16, and has no code and no order of cells from the library.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ struct FeaturePoint {
   std::array<std::int64_t, 3> cell;  // from the cell of the place
 };
 
-// What a row of cellular noise should be at a point.
+// The right values of a row of cellular noise at a point.
 struct CellularValue {
   // For each output the exact value, or with fixed arithmetic the value that the contract defines.
   std::array<double, kOutputWords> values;

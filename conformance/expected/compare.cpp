@@ -14,7 +14,7 @@
 namespace hn {
 namespace {
 
-// A case tells of so many failures; more of them tell nothing new.
+// The most failures that a case lists; further ones add nothing.
 constexpr std::size_t kMostExamples = 8;
 
 // Such a part of the values of a case may be left out; with more it would be no test.

@@ -30,12 +30,12 @@ class Comparison {
   // Else |got - expected| <= allowed. NaN is never right.
   void number(std::span<const std::uint32_t> inputs, float got, double expected, double allowed,
               std::optional<std::size_t> column = {});
-  // For values of two ways of rounding: bits without a tolerance and of names of cells, else numbers. What is undecided
-  // is left out; too much of it is an error.
+  // For values that are rounded in two ways: equal bits without a tolerance and for names of cells, else near numbers.
+  // Undecided values are left out; too many of them are an error.
   void word(std::span<const std::uint32_t> inputs, std::uint32_t got, double expected, std::uint32_t expected_bits,
             std::optional<double> allowed, std::size_t column);
   std::uint64_t left_out() const { return left_out_; }
-  // For properties: a value that is right or not, with a sentence that says what it should be.
+  // For properties: a value that is right or not, with a sentence on the right value.
   void require(bool right, std::span<const std::uint32_t> inputs, float got, std::string_view should);
 
   // Continues with other points: later comparisons belong to these, and their numbers follow the earlier ones.

@@ -60,7 +60,7 @@ TEST(Comparison, NamesAreBitsAndWhatIsUndecidedIsLeftOut) {
   EXPECT_FALSE(offsets.all_right());
 }
 
-// A check that leaves out more than an eighth says nothing.
+// A check that leaves out more than an eighth proves nothing.
 TEST(Comparison, TooMuchThatIsLeftOutIsAnError) {
   Comparison comparison(find_function("noise2d.cellular_nearest"), kInputs);
   for (int i = 0; i < 7; ++i) comparison.word(kInputs, 1, 0.0, 1, 0.0, 0);

@@ -1,4 +1,4 @@
-// The sets of golden values of which every bit counts, so that whoever is right returns the same.
+// The sets of golden values in which every bit counts: each right implementation returns the same.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace hn {
 
-// What a golden file has of a setting: exact in any arithmetic, or what HN_FIXED makes exact.
+// A setting in a golden file: exact in any arithmetic, or exact with HN_FIXED.
 struct ExactSet {
   std::string_view function;
   std::string setting;  // "lattice+fixed:fixed"

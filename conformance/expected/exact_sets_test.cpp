@@ -24,7 +24,7 @@ TEST(ExactSets, AreThoseOfTheGoldenFilesInTheOrderOfTheirNames) {
       if (!exact) continue;
       EXPECT_EQ(sets.at(*number).function, function.id);
       EXPECT_EQ(sets.at(*number).setting, setting.name);
-      // What the id of a case says.
+      // The words in a case's id.
       EXPECT_EQ(exact_set(function.id, configuration_name(function, *setting.configuration),
                           arithmetic_name(function, *setting.configuration)),
                 number);

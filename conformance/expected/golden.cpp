@@ -38,7 +38,7 @@ bool is_float(std::uint64_t bits) {
   return static_cast<double>(static_cast<float>(value)) == value;
 }
 
-// hn_hash and hn_lattice have one. What comes of a hash is tried well enough by rows.
+// hn_hash and hn_lattice have a digest. Rows are enough for the functions above them.
 bool has_digest(const Function& function) {
   return function.family == Family::hash && function.outputs.front().type == WordType::u32;
 }
@@ -157,7 +157,7 @@ class Parser {
     if (text.ends_with(' ')) return error(fmt::format("{} should not end with a space", in_quotes(text)));
     GoldenRow row{line_, {}, {}};
     HN_DO(words(take(text, kEquals), function_.inputs, row.inputs));
-    // Whether only fixed arithmetic has values: the first other setting tells, and the others have to agree.
+    // Whether only fixed arithmetic has values: the first other setting decides, and the others have to agree.
     std::optional<bool> alone;
     for (auto setting = settings_.begin(); setting != settings_.end(); ++setting) {
       const auto values = take(text, kEquals);

@@ -1,4 +1,5 @@
-// Golden files: what the oracle says. tools/make golden writes them; docs/formats.md describes the format.
+// Golden files: the values of the oracle. tools/make golden writes them; docs/reference/formats.md describes the
+// format.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +32,7 @@ struct GoldenDigest {
   std::vector<std::uint32_t> inputs() const;
 };
 
-// What a function has with a setting of the knobs.
+// The golden values of a function with a setting of the knobs.
 struct Golden {
   std::string calls;  // the function of the library: "hn_perlin"
   std::vector<GoldenRow> rows;
@@ -41,7 +42,8 @@ struct Golden {
 // The bits of a result that a golden file gives a value for, where every bit counts.
 std::uint32_t result_bits(const Column& column, std::uint64_t value);
 
-// What a file calls a setting: "lattice+fixed:fixed". Precise floats are as near to the exact values as fast ones, so
+// The name of a setting in a file: "lattice+fixed:fixed". Precise floats are as near to the exact values as fast ones,
+// so
 // they have the same values.
 std::string golden_setting(const Function& function, const Configuration& configuration);
 // The settings that have values of a function, in the order of their values, with one of the configurations of each.
@@ -57,9 +59,10 @@ Result<void> check_golden_folder(const std::filesystem::path& directory);
 // The file's name in the folder of golden files. It has the values of all settings.
 std::filesystem::path golden_path(const std::filesystem::path& directory, const Function& function);
 
-// Reads a file, holds all of it against what the function's table says, and returns what it has with a configuration
-// that covers the function. Errors name the file and the line, what is wrong and what would be right, and can be
-// printed whatever the bytes are.
+// Reads a file, compares all of it with the function's table, and returns the values for a configuration that covers
+// the
+// function. Errors name the file, the line, the wrong text and the right one, and can be printed whatever the bytes
+// are.
 Result<Golden> read_golden(const std::filesystem::path& path, const Function& function,
                            const Configuration& configuration);
 Result<Golden> parse_golden(std::string_view text, std::string_view path, const Function& function,

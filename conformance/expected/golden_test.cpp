@@ -83,7 +83,7 @@ TEST_P(CorruptGolden, IsAnErrorThatNamesTheLine) {
   EXPECT_TRUE(message.starts_with(fmt::format("file.golden:{}: ", corruption.line))) << message;
   EXPECT_TRUE(message.find(" should ") != std::string::npos || message.find("more than") != std::string::npos ||
               message.find("the file ends") != std::string::npos)
-      << message << " says what would be right";
+      << message << " names the right text";
   EXPECT_TRUE(std::all_of(message.begin(), message.end(), [](char c) { return c >= ' ' && c <= '~'; })) << message;
 }
 

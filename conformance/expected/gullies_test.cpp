@@ -20,7 +20,7 @@ constexpr GulliesBounds kBounds{5e-6, 20.0, 1.4, 1e-4, 300.0, 20.0, 12.0, 2e-4, 
 
 GulliesTolerance of(double octaves, double slope, double depth, double gain = 0.5) {
   OctaveArguments arguments{0.0, octaves, 2.0, gain, true};
-  arguments.turns = false;
+  arguments.rotates = false;
   arguments.from_cell = true;
   return gullies_tolerance({arguments, slope, depth}, kBounds);
 }
@@ -64,7 +64,7 @@ TEST(GulliesTolerance, HasEdges) {
 
 TEST(GulliesTolerance, CountsWhatIsCutOfAPosition) {
   OctaveArguments arguments{0.0, 1, 2.0, 0.5, false};
-  arguments.turns = false;
+  arguments.rotates = false;
   arguments.from_cell = true;
   EXPECT_GT(gullies_tolerance({arguments, 8.0, 1.0}, kBounds).slope, of(1, 8.0, 1.0).slope + 300.0 * 0x1p-24);
 }

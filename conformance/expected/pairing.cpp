@@ -92,8 +92,8 @@ namespace {
 // --- Periods ---
 
 // As many octaves as keep the cells of fixed arithmetic within an int, below 9 * 48 * 3^14 and a little more for the
-// shift between octaves (docs/contract.md, section 8). A progressive warp moves the octaves, and those of eight by few
-// enough cells: its Jacobians stay below 2^31 units.
+// shift between octaves (docs/reference/contract.md, section 8). A progressive warp moves the octaves, and those of
+// eight by few enough cells: its Jacobians stay below 2^31 units.
 constexpr std::uint32_t kFixedOctaves = 15;
 constexpr std::uint32_t kFixedMovedOctaves = 8;
 
@@ -139,7 +139,7 @@ Place random_place(const Function& function, std::int64_t period, Random& random
   return {beside < -reach || beside >= reach ? anywhere : beside, eighths};
 }
 
-// What is made of simplex noise, or of its lattice.
+// Whether a function is of simplex noise, or of its lattice.
 bool is_of_simplex(const Function& function) {
   return function.is_simplex_noise() || function.family == Family::curl || function.is_gullies();
 }
@@ -173,7 +173,7 @@ bool is_inside(const Function& function, std::int64_t rest, std::int64_t period)
   return rest >= before && rest + after < period;
 }
 
-// What the points of pairings with periods have apart from their places and periods.
+// Settings of octaves for pairings with periods, which have their own places and periods.
 void settle_octaves(const Evaluation& evaluation, std::span<std::uint32_t> words, Random& random) {
   const Function& function = evaluation.function;
   if (!function.is_octave_sum()) return;

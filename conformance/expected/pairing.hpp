@@ -12,7 +12,7 @@
 
 namespace hn {
 
-// What must agree, point by point. evaluation.variant.constants may be a part of inputs.
+// Two evaluations that must agree, point by point. evaluation.variant.constants may be a part of inputs.
 struct Pairing {
   Evaluation evaluation;
   Evaluation other;                         // what it is held against
@@ -48,12 +48,12 @@ Pairing folded_pairing(const Evaluation& evaluation, std::uint64_t seed, std::si
 // For functions with periods: points a whole number of periods apart,
 Pairing period_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points = kPairingPoints);
 // points against the form without periods, whose cell is the remainder, and which is the same where it reaches no seam
-// (but of octave sums, which turn without periods),
+// (but of octave sums, which rotate without periods),
 Pairing wrapped_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points = kPairingPoints);
 // and periods that are constants in the shader's text.
 Pairing constant_period_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points = kPairingPoints);
-// For functions with a phase: whole turns apart; half a turn apart, where the noise is the negative; and without a turn
-// against the noise without a phase.
+// For functions with a phase: whole turns apart; half a turn apart, where the noise is the negative; and without a
+// rotation against the noise without a phase.
 Pairing loop_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points = kPairingPoints);
 Pairing half_turn_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points = kPairingPoints);
 Pairing phase_zero_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points = kPairingPoints);

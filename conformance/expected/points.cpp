@@ -37,8 +37,8 @@ std::uint32_t random_count(Random& random) {
 
 // Where a point lies. All coordinates of a point share it.
 enum class Region { near, negative, lattice, far, very_far, extreme, steep };
-// The last two only where they are asked for. A steep point is one of an octave sum at a position: a tiny one, which a
-// huge lacunarity makes large. (From a cell, and of gullies, a lacunarity beyond 255 is cut off.)
+// The last two regions are for callers that name them. A steep point is one of an octave sum at a position: a tiny one,
+// which a huge lacunarity makes large. (From a cell, and for gullies, a lacunarity beyond 255 is cut off.)
 constexpr std::uint32_t kRegions = 5;
 
 std::uint32_t regions_of(const Function& function, Extremes extremes) {
@@ -79,7 +79,7 @@ float random_threshold(Random& random) {
   return random.below(2) == 0 ? threshold : -threshold;
 }
 
-// What a float can hold and a fraction cannot.
+// A number that a float can hold and a fraction cannot.
 float random_extreme(int high, Random& random) {
   switch (random.below(7)) {
     case 0:
@@ -176,7 +176,7 @@ float random_footprint(Region region, Extremes extremes, Random& random) {
   return std::ldexp(random.uniform(0.5f, 1.0f), -static_cast<int>(random.below(9)));
 }
 
-// What people use, what lies in the range, its ends, and beyond.
+// Usual values, the range, its ends, and values beyond.
 float random_strength(const Function& function, Region region, Extremes extremes, Random& random) {
   if (region == Region::extreme && extremes == Extremes::integers && random.below(2) == 0) {
     return random_extreme(128, random);
@@ -190,8 +190,9 @@ float random_strength(const Function& function, Region region, Extremes extremes
   return some[random.below(kPingPong.size())];
 }
 
-// What people use, its ends, beyond and nothing; and so little that HN_PRECISE sees nothing of it. An error of a
-// progressive warp grows with each octave, by more for a larger amplitude: so most are small.
+// Usual values, the ends, values beyond and 0; and values too small for HN_PRECISE. An error of a progressive warp
+// grows
+// with each octave, by more for a larger amplitude: so most are small.
 float random_amplitude(const Function& function, Region region, Extremes extremes, Random& random) {
   if (region == Region::extreme && extremes == Extremes::integers && random.below(2) == 0) {
     return random_extreme(128, random);
@@ -213,7 +214,7 @@ float random_depth(Region region, Extremes extremes, Random& random) {
   return random.below(2) == 0 ? 0.1f : kSome[random.below(kSome.size())];
 }
 
-// A component of the slope that gullies run down: mostly of hills, often flat or nearly so, where gullies turn fast,
+// A component of the slope that gullies run down: mostly of hills, often flat or nearly so, where gullies rotate fast,
 // and now and then at an end or beyond.
 float random_slope(Region region, Random& random) {
   if (region == Region::extreme && random.below(2) == 0) return random_extreme(128, random);
@@ -486,7 +487,7 @@ void add_least_results(std::span<std::uint32_t> words) {
 }
 
 // Feature points are about the centres of cells. Every eighth coordinate goes to the middle of its cell, as far as
-// floats hold that, or to a float beside it. Those on lattice lines are on the walls.
+// floats hold that, or to a float beside it. Coordinates on lattice lines are on the walls.
 void go_to_middles(const Function& function, std::span<std::uint32_t> words, Random& random) {
   const auto axes = static_cast<std::size_t>(function.axes);
   for (std::size_t axis = 0; axis < axes; ++axis) {

@@ -11,8 +11,8 @@ namespace {
 
 using Place = std::array<double, 4>;
 
-// Of docs/contract.md, section 13: the noise is scale * sum of w(t) (g . d) with t = r - m |d|^2, d in steps, and
-// w = cubic * t^3 + quartic * t^4 + quintic * t^5. `longest` is the length of the longest gradient, rounded up.
+// Of docs/reference/contract.md, section 13: the noise is scale * sum of w(t) (g . d) with t = r - m |d|^2, d in steps,
+// and w = cubic * t^3 + quartic * t^4 + quintic * t^5. `longest` is the length of the longest gradient, rounded up.
 struct Kernel {
   double r;
   double m;
@@ -77,8 +77,8 @@ double third(const Kernel& kernel, double u, double distance) {
   return kernel.longest * (std::fabs(w[3]) * distance + 3.0 * std::fabs(w[2]));
 }
 
-// The sum over the points. One that is a little beyond the radius counts as if it were there: the third derivative jumps
-// at the radius, and the places are those of a grid.
+// The sum over the points. One that is a little beyond the radius counts as if it were there: the third derivative
+// jumps at the radius, and the places are those of a grid.
 template <typename OfPoint>
 double sum_at(const Kernel& kernel, const std::vector<Place>& points, const Place& place, std::size_t axis,
               double reach, const OfPoint& of_point) {
@@ -141,7 +141,7 @@ double simplex_third_derivative(int axes) {
   return kFound[static_cast<std::size_t>(axes - 2)];
 }
 
-// The waves are turned by an angle whose derivative along the axis is 2 pi times their number.
+// The waves are rotated by an angle whose derivative along the axis is 2 pi times their number.
 double phasor_third_derivative(int axes, double waves) {
   static const std::array<Derivatives, 2> kFound = {found_waves(2), found_waves(3)};
   const Derivatives& w = kFound[static_cast<std::size_t>(axes - 2)];

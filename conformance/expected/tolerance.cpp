@@ -63,10 +63,10 @@ const std::vector<NoiseBounds> kSlopeBounds = {
 #undef UNIFORM_BOUNDS
 #undef GULLIES_BOUNDS
 
-// The components of the shift between octaves (docs/contract.md); 2D uses the first two.
+// The components of the shift between octaves (docs/reference/contract.md); 2D uses the first two.
 constexpr std::array kShift = {11.0 / 32.0, 19.0 / 32.0, 23.0 / 32.0, 27.0 / 32.0};
-// The turns between octaves, in the plane of x and y, then in that of y and z, and then, by the numbers of the first,
-// in that of z and w; they stretch, too. On the line nothing turns.
+// The rotations between octaves, in the plane of x and y, then in that of y and z, and then, by the numbers of the
+// first, in that of z and w; they stretch, too. On the line nothing rotates.
 constexpr double kCosine = 25.0 / 32.0;
 constexpr double kSine = 20.0 / 32.0;
 constexpr double kSecondCosine = 29.0 / 32.0;
@@ -81,8 +81,8 @@ double float_input(std::span<const std::uint32_t> inputs, int word) {
 
 bool is_float(double value) { return static_cast<double>(static_cast<float>(value)) == value; }
 
-// Whether terms that are floats have a sum that is exact in whatever order they are added: they are multiples of some
-// power of two, of which a float holds as many as their magnitudes sum to.
+// Whether float terms have an exact sum in any order: all are multiples of a power of two, and a float holds as many of
+// these as the magnitudes sum to.
 bool is_exact_sum(std::span<const double> terms) {
   int lowest = std::numeric_limits<int>::max();  // set bit
   double magnitudes = 0.0;
@@ -101,33 +101,33 @@ using Position = std::array<double, 4>;
 
 // One coordinate of a turn, a*x + b*y + shift. Products of two floats are exact in a double. Whether the result is,
 // too.
-bool turn_is_exact(double a, double x, double b, double y, double shift, double& result) {
+bool rotation_is_exact(double a, double x, double b, double y, double shift, double& result) {
   const std::array terms = {a * x, b * y, shift};
   result = terms[0] + terms[1] + terms[2];
   return is_exact_sum(terms);
 }
 
-// The next octave's position, if every step to it is exact. But for the line it is turned: in the plane of x and y,
+// The next octave's position, if every step to it is exact. But for the line it is rotated: in the plane of x and y,
 // then in that of y and z, and then in that of z and w.
 bool next_is_exact(Position& q, std::size_t axes, double lacunarity) {
-  if (axes == 1) return turn_is_exact(q[0], lacunarity, 0.0, 0.0, kShift[0], q[0]);
+  if (axes == 1) return rotation_is_exact(q[0], lacunarity, 0.0, 0.0, kShift[0], q[0]);
   const double c = lacunarity * kCosine;
   const double s = lacunarity * kSine;
   if (!is_float(c) || !is_float(s)) return false;
   const auto [x, y, z, w] = q;
-  if (!turn_is_exact(c, x, -s, y, kShift[0], q[0])) return false;
-  if (axes == 2) return turn_is_exact(s, x, c, y, kShift[1], q[1]);
+  if (!rotation_is_exact(c, x, -s, y, kShift[0], q[0])) return false;
+  if (axes == 2) return rotation_is_exact(s, x, c, y, kShift[1], q[1]);
   const double second_c = lacunarity * kSecondCosine;
   const double second_s = lacunarity * kSecondSine;
   if (!is_float(second_c) || !is_float(second_s)) return false;
   double v = 0.0;
-  if (!turn_is_exact(s, x, c, y, 0.0, v) || !turn_is_exact(kSecondCosine, v, -second_s, z, kShift[1], q[1])) {
+  if (!rotation_is_exact(s, x, c, y, 0.0, v) || !rotation_is_exact(kSecondCosine, v, -second_s, z, kShift[1], q[1])) {
     return false;
   }
-  if (axes == 3) return turn_is_exact(kSecondSine, v, second_c, z, kShift[2], q[2]);
+  if (axes == 3) return rotation_is_exact(kSecondSine, v, second_c, z, kShift[2], q[2]);
   double u = 0.0;
-  return turn_is_exact(kSecondSine, v, second_c, z, 0.0, u) && turn_is_exact(kCosine, u, -s, w, kShift[2], q[2]) &&
-         turn_is_exact(kSine, u, c, w, kShift[3], q[3]);
+  return rotation_is_exact(kSecondSine, v, second_c, z, 0.0, u) &&
+         rotation_is_exact(kCosine, u, -s, w, kShift[2], q[2]) && rotation_is_exact(kSine, u, c, w, kShift[3], q[3]);
 }
 
 bool positions_are_exact(Position q, std::size_t axes, double octaves, double lacunarity) {
@@ -170,7 +170,7 @@ Start start_of(const Function& function, std::span<const std::uint32_t> inputs) 
   return start;
 }
 
-// What an octave sum takes. Gullies are as in a tile wherever they are.
+// The arguments of an octave sum. Gullies are as in a tile wherever they are.
 OctaveArguments octave_arguments(const Function& function, std::span<const std::uint32_t> inputs) {
   const Start start = start_of(function, inputs);
   const auto input = [&](std::string_view name) { return float_input(inputs, function.input(name)); };
@@ -182,7 +182,7 @@ OctaveArguments octave_arguments(const Function& function, std::span<const std::
   const auto octaves = function.takes_detail()
                            ? input("detail")
                            : static_cast<std::int32_t>(inputs[static_cast<std::size_t>(function.input("octaves"))]);
-  // A whole number of whole lacunarity stays one. What a turn rounds down is counted, however little it is.
+  // A whole number times a whole lacunarity stays whole. A rotation that rounds down is counted, however little it is.
   const bool exact =
       whole ? start.exact && tiled
             : positions_are_exact(start.position, static_cast<std::size_t>(function.axes), octaves, lacunarity);
@@ -193,7 +193,7 @@ OctaveArguments octave_arguments(const Function& function, std::span<const std::
   if (function.takes_strength()) arguments.strength = input("strength");
   if (function.takes_amplitude()) arguments.amplitude = input("amplitude");
   if (function.takes_footprint()) arguments.footprint = input("footprint");
-  arguments.turns = !tiled;
+  arguments.rotates = !tiled;
   arguments.from_cell = whole;
   arguments.is_detail = function.takes_detail();
   return arguments;
@@ -253,8 +253,8 @@ const NoiseBounds& bounds_of(const Function& function, const Configuration& conf
   if (function.is_octave_sum()) {
     return bounds_in(table, summed_noise(function), function.axes, configuration.gradient);
   }
-  // A component of the vector to a point is as exact as the Manhattan distance, of which it is a part. Of points that
-  // go round it has the bound of their own.
+  // A component of the vector to a point is as exact as the Manhattan distance, which contains it. For points that go
+  // round it has the bound of their own.
   const bool is_part = function.is_cellular() && function.is_offset(output) && !function.takes_phase();
   const std::string_view bound = is_part ? "cellular" : function.bound;
   return bounds_in(table, bound, function.axes, configuration.gradient);

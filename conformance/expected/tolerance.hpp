@@ -1,4 +1,5 @@
-// How far a float result may be from the exact value: the bounds that tools/make bounds derives (docs/accuracy.md).
+// How far a float result may be from the exact value: the bounds that tools/make bounds derives
+// (docs/measured/accuracy.md).
 #pragma once
 
 #include <cstdint>
@@ -11,8 +12,8 @@
 
 namespace hn {
 
-// What is proven of a noise of so many axes, or of a component of its derivative (bounds.inc, which tools/make bounds
-// writes).
+// The proven bounds of a noise of so many axes, or of a component of its derivative (bounds.inc, which tools/make
+// bounds writes).
 struct NoiseBounds {
   std::string_view noise;
   int axes;
@@ -27,7 +28,7 @@ struct NoiseBounds {
 // They must exist.
 const NoiseBounds& noise_bounds(std::string_view noise, int axes, Gradient gradient);
 const NoiseBounds& slope_bounds(std::string_view noise, int axes, Gradient gradient);
-// Those of an output of a noise, or of the noise that an octave sum adds up.
+// The bounds of an output of a noise, or of the noise that an octave sum adds up.
 const NoiseBounds& bounds_of(const Function& function, const Configuration& configuration, std::size_t output = 0);
 // How far a result may be from the exact one, the real number, in the arithmetic of the configuration.
 double error_of(const Function& function, const Configuration& configuration, std::size_t output);

@@ -41,9 +41,9 @@ std::vector<std::uint32_t> fbm2_inputs(float x, int octaves, float lacunarity) {
           0u};
 }
 
-// A position keeps few bits when it is a multiple of 1/32 and the lacunarity a small whole number: each turn takes five
-// more.
-TEST(Tolerance, ExactTurnsAreRecognised) {
+// A position keeps few bits when it is a multiple of 1/32 and the lacunarity a small whole number: each rotation takes
+// five more.
+TEST(Tolerance, ExactRotationsAreRecognised) {
   const Function& fbm = find_function("fbm.fbm3");
   const auto tolerance_at = [&](float x, float y, float z, std::uint32_t octaves, float lacunarity) {
     std::vector<std::uint32_t> inputs(kInputWords);

@@ -1,10 +1,10 @@
-// Prints digests of what the C++ twin computes at a few points and at many, a line per function that
-// depends on the arithmetic, or on compilers' ways with floats; with the argument "few" only the first of the two.
-// twin_flags_test.py compiles it with many flags, of which some let a compiler make of floats what it likes: so nothing
-// here but the twin computes in them.
+// Prints digests of the C++ twin's results at a few points and at many, a line per function that depends on the
+// arithmetic, or on compilers' ways with floats; with the argument "few" only the first of the two. twin_flags_test.py
+// compiles this with many flags; some let a compiler change the values of floats, so only the twin computes in floats
+// here.
 //
-// With HN_TEST_KNOWN_INTEGERS all integers that go in are constants, the cell and the seed among them, and with
-// HN_TEST_KNOWN_FLOATS all floats are: what compilers know they add up and multiply out.
+// With HN_TEST_KNOWN_INTEGERS all integer inputs are constants, the cell and the seed among them, and with
+// HN_TEST_KNOWN_FLOATS all floats are: compilers evaluate constants themselves.
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -118,7 +118,7 @@ uvec4 words_from(const uint* words) {
 
 template <typename Row, typename Evaluate>
 void digest(std::string_view id, std::string_view family, Evaluate evaluate) {
-  // What is exact has no arithmetic, and of the two kinds of gradients the one that is selected is evaluated.
+  // Exact functions have no arithmetic, and of the two kinds of gradients only the selected one is evaluated.
   if (family == "independent" || family == "hash" || family == "sine_gradient") return;
   state = functions++ << 32;
   std::uint64_t hash = 14695981039346656037u;

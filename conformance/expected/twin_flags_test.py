@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
-"""The C++ twin with HN_FIXED has the same bits whatever compiler and flags it is built with, and no undefined behaviour.
+"""The C++ twin with HN_FIXED has the same bits whatever compiler and flags it is built with, and no undefined
+behaviour.
 
 Usage: twin_flags_test.py --tables=FOLDER [--every-function] [--thorough] COMPILER..., with what
 tools/lib/catalog/suite.py wrote
 
-A function of each kind is tried, and with --every-function all that have values of their own. Compilers, flags, gradients
-and arithmetics are tried in pairs; with --thorough all of them together. Unless every function is tried, what checks each
-operation has few points, and is what is not optimised, too.
+A function of each kind is tried, and with --every-function all that have values of their own. Compilers, flags,
+gradients and arithmetics are tried in pairs; with --thorough all of them together. Unless every function is tried, what
+checks each operation has few points, and is what is not optimised, too.
 """
 
 import concurrent.futures
@@ -27,7 +28,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 # The library asks compilers to inline every function, and then most of the time goes into compiling the same text for
 # each caller. With --every-function what is optimised most has that; else they inline none of it, or what they choose.
 INLINE_NONE = "-Dalways_inline=noinline"
-INLINE_SOME = "-Dalways_inline=unused"  # an attribute that says nothing about it
+INLINE_SOME = "-Dalways_inline=unused"  # an attribute without an effect on it
 MOST = ("-Ofast", "-march=native")  # that is -O3 and -ffast-math
 EVERY_FUNCTION = "--every-function" in sys.argv
 INLINED = () if EVERY_FUNCTION else (INLINE_SOME,)
@@ -51,13 +52,13 @@ def in_pairs(three, *twos):
 
 
 def has_few_points(flags):
-    """What is not optimised takes long, and what is checked at each operation."""
+    """Unoptimised code takes long, and so does code with checks at each operation."""
     return "-O0" in flags or (FUNCTIONS and SANITIZED[2] in flags)
 
 
 @functools.cache
 def digests(compiler, flags, macros):
-    """What twin_flags.cpp prints, built so: by function its digests."""
+    """The output of twin_flags.cpp, built with these flags: its digests by function."""
     with tempfile.TemporaryDirectory() as folder:
         program = pathlib.Path(folder) / "twin"
         command = [compiler, "-std=c++20", *flags, *(f"-D{macro}" for macro in (*FUNCTIONS, *macros)),

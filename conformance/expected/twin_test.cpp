@@ -200,7 +200,7 @@ TEST(Shim, VectorsAreMadeOfSmallerOnesAndOfScalars) {
   EXPECT_EQ(vec4(1.0f, 2.0f, vec2(3.0f, 4.0f)), counted);
   EXPECT_EQ(vec4(vec3(1.0f, 2.0f, 3.0f), 4.0f), counted);
   EXPECT_EQ(vec4(1.0f, vec3(2.0f, 3.0f, 4.0f)), counted);
-  // What is left of the last argument is dropped.
+  // The rest of the last argument is dropped.
   EXPECT_EQ(vec2(counted), vec2(1.0f, 2.0f));
   EXPECT_EQ(vec3(counted), vec3(1.0f, 2.0f, 3.0f));
   EXPECT_EQ(vec3(vec2(1.0f, 2.0f), vec2(3.0f, 4.0f)), vec3(1.0f, 2.0f, 3.0f));

@@ -53,13 +53,13 @@ struct Outcome {
 };
 
 // "123 of 192 values are wrong; the largest difference is 0.389, and 3.51e-06 is allowed": of compared values. Units in
-// the last place are told where no difference is allowed and they are few: a large number of them helps nobody.
+// the last place are printed where no difference is allowed and they are few: a large number of them helps nobody.
 std::string measure_of(const Outcome& outcome);
 
 // An outcome with the error as its message.
 Outcome outcome_with(Status status, const Error& error);
 
-// What a developer needs to see a fault: made where a case failed.
+// The data that a developer needs to see a fault: made where a case failed.
 struct Evidence {
   std::string shader;  // a fragment shader that stands alone and shows it; empty if none does
   // PNG files in base64: the values, what they should be, and the difference, amplified. Empty if there is nothing to

@@ -47,7 +47,7 @@ class ExpressionParser {
 
   const Token& peek(std::size_t ahead = 0) const;
   Token take();
-  // What was found in a wrong place; empty if all went well. After an error only ends are read.
+  // The error in a wrong expression; empty if there is none. After an error only ends are read.
   const std::string& error() const { return error_; }
   Token expect(std::string_view what);
 

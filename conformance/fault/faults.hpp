@@ -1,5 +1,5 @@
-// Faults that drivers have had, made on a healthy one: the code of each shader is rewritten. What the driver got wrong
-// then goes through functions that make the same mistake. glsl/ stays as it is.
+// Faults that drivers have had, made on a healthy one: the code of each shader is rewritten, so that it calls functions
+// with the same mistake. glsl/ stays as it is.
 #pragma once
 
 #include <functional>

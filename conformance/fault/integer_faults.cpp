@@ -137,7 +137,7 @@ void add_functions(std::vector<Fault>& faults) {
                     .rules = {.functions = {{"abs", "hn_fault_abs"}}}});
   faults.push_back({.name = "negative_lost",
                     .fault = "the largest of three integers, one the negative of another",
-                    .reported = "NVIDIA 580 on an H100 (docs/results/h100)",
+                    .reported = "NVIDIA 580 on an H100 (docs/measured/results/h100)",
                     .injected = "`max(max(x, -x), y)` is max(x, y), and so is min",
                     .remark = "",
                     .shim =

@@ -15,7 +15,7 @@
 
 namespace hn {
 
-// What was made of a part of an expression; the space before it stays before what replaces it.
+// The new text of a part of an expression; the space before the part stays.
 struct Rewriting {
   std::string space;
   std::string code;
@@ -35,8 +35,8 @@ struct Rules {
   Names operators = {};    // binary ones: "%" becomes a call of this function, "%=" an assignment of one
   Names functions = {};    // calls of other functions
   std::string minus = {};  // what the unary minus of anything but a number calls
-  // The code for an expression, or nothing if the other rules are to decide; asked first. It begins with the code of
-  // the expression's first part, without the space before it.
+  // The code for an expression, or nothing if the other rules are to decide; it is called before them. The code begins
+  // with that of the expression's first part, without the space before it.
   using Render = std::function<Rewriting(const Expression&)>;  // rewrites a part
   using Pattern = std::optional<std::string>(const Expression&, const Render&, Place&);
   Pattern* pattern = nullptr;

@@ -48,7 +48,7 @@ std::string shim(const ShimLanguage& language, std::string_view name, std::strin
   const std::vector<std::string_view> scalars(operands, scalar);
   std::string text = function(language, name, scalars, std::vector<std::size_t>(operands, 1), code);
   for (std::size_t size = 2; size <= 4; ++size) {
-    // Every choice of which operands are vectors, but none.
+    // Every choice of operands that are vectors, but the empty one.
     for (std::size_t vectors = 1; vectors < (std::size_t{1} << operands); ++vectors) {
       std::vector<std::size_t> sizes;
       for (std::size_t i = 0; i < operands; ++i) sizes.push_back((vectors >> i) & 1 ? size : 1);

@@ -38,7 +38,7 @@ LanguageSupport languages_of_es(const GladGLContext& gl) {
   return {.gl_version = 0, .es_version = major * 100 + minor * 10, .gl130 = false, .bit_encoding = false};
 }
 
-// That a context of desktop OpenGL takes.
+// The version of ES that a context of desktop OpenGL accepts.
 int highest_es_version(const GladGLContext& gl) {
   if (has_extension(gl, "GL_ARB_ES3_2_compatibility")) return 320;
   if (has_extension(gl, "GL_ARB_ES3_1_compatibility")) return 310;

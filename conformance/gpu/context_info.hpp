@@ -1,4 +1,4 @@
-// A ContextInfo has what a context says about itself, and which versions of the language it accepts.
+// A ContextInfo has a context's description of itself, and the versions of the language that it accepts.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ struct ContextInfo {
   std::string gl_version;
   std::string glsl_version;
   LanguageSupport languages;
-  // What the page of a browser says: "Linux", "Firefox 140". A driver of this machine says neither.
+  // The system in a browser's page: "Linux", "Firefox 140". A driver of this machine has none.
   std::string system = {};
   std::string browser = {};
 };

@@ -1,4 +1,4 @@
-// An evaluator evaluates functions at points, and says what it is: a context of OpenGL, or something else. The cases
+// An evaluator evaluates functions at points, and describes itself: a context of OpenGL, or something else. The cases
 // that look at values do not know which.
 #pragma once
 
@@ -27,7 +27,7 @@ class Evaluable {
   // Nothing is converted on the way in or out.
   virtual Result<std::vector<std::uint32_t>> evaluate(std::span<const std::uint32_t> inputs) = 0;
 
-  // What the uniforms hold that some shapes of a shader read.
+  // The values of the uniforms that some shapes of a shader read.
   struct Uniforms {
     std::uint32_t trips = kLoopTrips;
     std::uint32_t variant_seed = kVariantSeed;
@@ -42,7 +42,7 @@ class Evaluator {
   virtual const ContextInfo& info() const = 0;
   // Empty if it evaluates functions in this version and stage, else why not.
   virtual std::string unsupported(const Profile& profile, Stage stage) const = 0;
-  // shader: evaluation_shader(evaluation). What it returns must not outlive this.
+  // shader: evaluation_shader(evaluation). The result must not outlive this.
   virtual Result<std::unique_ptr<Evaluable>> build(const SourceSet& sources, const Evaluation& evaluation,
                                                    std::string_view shader) = 0;
   // Whether it broke and never evaluates anything again. Then its destructor may hang.

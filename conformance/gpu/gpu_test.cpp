@@ -71,7 +71,7 @@ TEST_F(Gpu, WordsTravelUnchanged) {
 }
 
 TEST_F(Gpu, PixelsBesideTheGridSeeNoOldWords) {
-  // A derivative tells what the neighbours in the block have.
+  // A derivative shows the values of the neighbours in the block.
   const auto program = build(kInputs +
                              "void main() { ivec2 at = ivec2(gl_FragCoord.xy);\n"
                              "float x = float(texelFetch(input_a, at, 0).x + texelFetch(input_b, at, 0).x);\n"

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kHeader = 5;  // words before the first instruction
 
-// What is said of the module word by word: each instruction and its operands, from the result on if it has one.
+// Visits the module word by word: each instruction and its operands, from the result on if it has one.
 template <typename Visit>
 void for_each_instruction(std::span<const std::uint32_t> words, Visit visit) {
   for (std::size_t at = kHeader; at < words.size();) {

@@ -16,12 +16,12 @@ struct EditedLibrary {
   bool operator==(const EditedLibrary&) const = default;
 };
 
-// What is under test, for people: "hashnoise 0.2.0", or "the library in copy (perlin2d.glsl differs from hashnoise
+// The library under test, for people: "hashnoise 0.2.0", or "the library in copy (perlin2d.glsl differs from hashnoise
 // 0.2.0; digest 0123456789abcdef)".
 std::string library_text(const std::optional<EditedLibrary>& library);
 
 nlohmann::ordered_json to_json(const EditedLibrary& library);
-// Throws what base/json.hpp says for anything else.
+// Throws the exceptions of base/json.hpp for anything else.
 EditedLibrary edited_library_from(const nlohmann::json& json);
 
 }  // namespace hn

@@ -44,8 +44,8 @@ struct Function {
   bool has_unseeded = false;         // whether there is an overload without a seed
   bool is_continuous = true;         // of a noise
   bool is_never_negative = false;    // of a noise
-  // Whether it is an octave sum of one noise, each octave of which adds to a mean, so that its derivatives are those of
-  // its value.
+  // Whether it is an octave sum of one noise that adds each octave to a mean, so that its derivatives are those of its
+  // value.
   bool is_sum_of_noise = false;
 
   bool exact() const { return bound == "exact"; }
@@ -90,7 +90,7 @@ struct Function {
   // The input word of that name, or -1.
   int input(std::string_view name) const;
   int seed_word() const { return input("seed"); }
-  // Whether it is one of a pair of rows, with a period and without: the id says so.
+  // Whether it is one of a pair of rows, with a period and without, as its id shows.
   bool has_form_without_period() const { return takes_period() && id.ends_with("_period"); }
   int period_word() const { return input("px"); }  // that of the first axis; those of the others follow
   // The parameters of its evaluate: a uvec4 for each four input words, and at least two.
@@ -110,9 +110,9 @@ bool has_without(const Function& function, std::string_view part);
 // Whether the library declares it with these knobs.
 bool is_declared(const Function& function, const Configuration& configuration);
 
-// What case ids say of the arithmetic: "exact" if a function's values do not depend on it.
+// The arithmetic in case ids: "exact" if a function's values do not depend on it.
 std::string_view arithmetic_name(const Function& function, const Configuration& configuration);
-// What case ids and golden files say of the configuration: "any" if a function's values do not depend on it.
+// The configuration in case ids and golden files: "any" if a function's values do not depend on it.
 std::string_view configuration_name(const Function& function, const Configuration& configuration);
 // Whether the contract defines every bit of a function's results: the golden files have these bits.
 bool has_exact_values(const Function& function, const Configuration& configuration);

@@ -40,7 +40,7 @@ std::span<const Profile> all_profiles();
 // Other languages, by the version of each: shader model 6.0 is hlsl60. Metal's language, msl, has none here.
 std::span<const Profile> other_languages();
 
-// Those in which shaders are run, not only compiled: the oldest arithmetic path, the current one, and ES.
+// The profiles whose shaders are run, not only compiled: the oldest arithmetic path, the current one, and ES.
 std::span<const Profile> run_profiles();
 
 // Versions that the library must refuse.
@@ -49,7 +49,7 @@ std::span<const Profile> refused_profiles();
 // Any of the above by its name, which must exist.
 const Profile& profile_named(std::string_view name);
 
-// What a context or a device says it can compile.
+// The languages that a context or a device accepts.
 struct LanguageSupport {
   int gl_version = 0;        // highest GLSL version, 0 for none
   int es_version = 0;        // highest GLSL ES version, 0 for none

@@ -29,9 +29,10 @@ void add_included_by(std::string_view file, std::set<std::string_view>& files) {
   }
 }
 
-// What the shader that tries a file calls: the functions of that file, but not twice a function that has two rows
-// (bench calls it once). Of the files that it includes it calls the first function of each file or family, if the file
-// has no function of its own or is the whole library.
+// The functions that the shader for a file calls: those of that file, but not twice a function that has two rows (bench
+// calls it once). If the file has no function of its own or is the whole library, it also calls the first function of
+// each
+// included file or family.
 std::vector<const Function*> called_from(std::string_view file, Callees callees) {
   std::vector<const Function*> own;
   std::vector<const Function*> others;
@@ -56,8 +57,9 @@ std::vector<const Function*> called_from(std::string_view file, Callees callees)
   return own;
 }
 
-// What a shader needs before it can use the library. In ES the default precision is the lowest there is, since the
-// library must not depend on it.
+// The lines before the library's include. In ES the default precision is the lowest there is, since the library must
+// not
+// depend on it.
 std::string preamble(const Profile& profile, std::string_view bit_casts) {
   std::string text;
   if (profile.es) text += "precision mediump float;\nprecision mediump int;\n";
@@ -70,7 +72,7 @@ constexpr std::string_view kBitCasts =
 constexpr std::string_view kSeeded = "#define SEEDED(s) , s\n#define SEED(s) s\n";
 constexpr std::string_view kUnseeded = "#define SEEDED(s)\n#define SEED(s) s\n";
 
-// What the suite calls types and bit casts, behind the library's own names for them.
+// The suite's names of types and bit casts, behind the library's own names for them.
 constexpr std::string_view kVectorNames = "#include \"detail/vectors_begin.h\"\n";
 constexpr std::string_view kNamesInHlsl = "#define float_of(u) asfloat(u)\n#define bits_of(f) asuint(f)\n";
 constexpr std::string_view kNamesInMetal =
@@ -83,7 +85,7 @@ std::string running_preamble(const Profile& profile) {
   return extension + preamble(profile, kBitCasts);
 }
 
-// What the shader is, for the preprocessor.
+// The names of the shader's case, for the preprocessor.
 std::string case_names(const Evaluation& evaluation) {
   const auto name_of_shape = [](Shape shape) -> std::string_view {
     switch (shape) {
@@ -125,7 +127,7 @@ std::string seeding_of(const ShaderVariant& variant, const Profile& profile) {
   return std::string(kSeeded);
 }
 
-// What the stages of a shader that evaluates differ in.
+// The differences between the stages of an evaluating shader.
 struct StageText {
   std::string layout;       // before everything
   std::string declaration;  // of where results go, and where points come from if that is no texture
@@ -157,7 +159,7 @@ StageText text_over_buffers(const Profile& profile) {
                 "kernel void evaluate_point(device hn_uvec4* results [[buffer(0)]], const device hn_uvec4* points "
                 "[[buffer(1)]], uint index [[thread_position_in_grid]])"};
   }
-  // What is only read can be written, too: what else there is in shader model 5 becomes a texture in Vulkan.
+  // Read-only buffers are writable, too: the read-only ones of shader model 5 become textures in Vulkan.
   return {.layout = {},
           .declaration =
               "RWStructuredBuffer<hn_uvec4> results : register(u0);\n"
@@ -268,8 +270,8 @@ std::string evaluated(const Evaluation& evaluation, std::string_view at) {
   return fmt::format("evaluate({})", arguments_of(evaluation.function, argument));
 }
 
-// evaluate of constants, where the point at hand is one of them. Mesa makes -0 of a choice between the constants 0 and
-// -1.0. That is no fault of the function, so the words are hidden by a number that is 0 there.
+// evaluate of constants, among them the point at hand. Mesa makes -0 of a choice between the constants 0 and -1.0. The
+// function is not at fault, so a number that is 0 there hides the words.
 std::string evaluated_constants(const Evaluation& evaluation, std::span<const std::uint32_t> words) {
   const std::string_view number = in_buffers(evaluation.profile) ? "at" : "at.x";
   std::string text = "  result = uvec4(0u, 0u, 0u, 0u);\n  hn_uint hidden;\n";

@@ -30,7 +30,7 @@ enum class SeedFrom { point, constant, uniform };
 
 // As many as a result has words. The shader reads the number from the uniform "trips".
 inline constexpr std::uint32_t kLoopTrips = 4;
-// What the uniform "variant_seed" must hold. Any number with bits everywhere.
+// The value of the uniform "variant_seed": any number with bits everywhere.
 inline constexpr std::uint32_t kVariantSeed = 0xC2B2AE35u;
 
 struct ShaderVariant {
@@ -42,7 +42,7 @@ struct ShaderVariant {
   std::span<const std::int32_t> periods = {};     // of each axis, as constants of the shader; else from the point
 };
 
-// What is to be evaluated, and how.
+// A function to evaluate, and how.
 struct Evaluation {
   const Function& function;
   const Configuration& configuration;
@@ -54,7 +54,7 @@ struct Evaluation {
 // The shaders of the cases, before their includes are expanded. A shader evaluates the function at the point of its
 // pixel, vertex or invocation, and names what it is (CASE_VERTEX, CASE_IN_LOOP, ...) for faults that concern only that.
 std::string evaluation_shader(const Evaluation& evaluation);
-// What stands between evaluate's parentheses: the text for each parameter, by its number.
+// The text between evaluate's parentheses: an argument for each parameter, by its number.
 template <typename Text>
 std::string arguments_of(const Function& function, Text text_of, std::string_view separator = ", ") {
   std::string arguments;
@@ -71,9 +71,9 @@ std::string idle_fragment_shader();  // for evaluation in the vertex stage
 // The same for a shader that is not a case: evaluate is declared, with the function's parameters, and what follows is
 // the caller's.
 std::string shader_that_evaluates(const Evaluation& evaluation, std::string_view rest);
-// What a shader calls that tries a file. Of one that includes others and has no function of its own that is a function
-// of each file, or of each family, since drivers take long to compile more. Of one with many functions it is all of
-// them, or a few: those of each kind at a position.
+// The functions that the shader for a file calls. If the file includes others and has no function of its own, it calls
+// one of each file, or of each family, since drivers take long to compile more. Otherwise it calls all functions of the
+// file, or a few: those of each kind at a position.
 enum class Callees { few, of_each_family, of_each_file };
 // A shader of any stage that includes a file, twice, and calls what it declares.
 std::string calling_shader(std::string_view file, const Configuration& configuration, const Profile& profile,

@@ -15,7 +15,7 @@
 namespace hn {
 namespace {
 
-// Each source gets its own range of line numbers, because Mesa reports source number 0 whatever #line says. No file of
+// Each source gets its own range of line numbers, because Mesa reports source number 0 whatever #line has. No file of
 // the library comes near so many.
 constexpr int kLinesPerSource = 10000;
 // The library nests 6 deep; a file that includes itself outside of its guard would go on for ever.
@@ -199,7 +199,7 @@ const SourceFile* SourceSet::find(std::string_view name) const {
 std::string ShaderText::translate(std::string_view log) const {
   std::string out;
   const auto is_digit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
-  // Looks for <digits> (':' | '(') <digits>; the second number tells file and line.
+  // Looks for <digits> (':' | '(') <digits>; the second number gives file and line.
   for (std::size_t i = 0; i < log.size();) {
     std::size_t end = i;
     while (end < log.size() && is_digit(log[end])) ++end;

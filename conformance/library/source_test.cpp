@@ -24,7 +24,7 @@ TEST(Source, IncludesAreReplacedAndLinesCounted) {
   EXPECT_EQ(shader->text, "#version 330\n#line 2 0\na\n#line 10001 1\none\ntwo\n#line 4 0\nb\n");
 }
 
-// What an include put into a branch that is skipped counts as lines, and the #line behind it says nothing.
+// An include in a skipped branch counts as lines, and the #line behind it has no effect.
 TEST(Source, LinesAreCountedAgainBehindABranchWithAnInclude) {
   SourceSet sources;
   sources.add("one", "1\n", "one");
@@ -148,7 +148,7 @@ TEST(Source, FolderWithoutAFileIsAnError) {
 
 TEST(Source, LogsOfEveryVendorNameTheFile) {
   const ShaderText shader{"", {"the case's shader", "glsl/hashnoise/hash.glsl", "glsl/hashnoise/config.glsl"}};
-  // Mesa says source 0 whatever #line says; the line tells the file.
+  // Mesa reports source 0 whatever #line has; the line gives the file.
   EXPECT_EQ(shader.translate("0:10012(14): error: x"), "glsl/hashnoise/hash.glsl:12(14): error: x");
   EXPECT_EQ(shader.translate("ERROR: 2:20007: 'x'"), "ERROR: glsl/hashnoise/config.glsl:7: 'x'");
   EXPECT_EQ(shader.translate("1(10012) : error C1008"), "glsl/hashnoise/hash.glsl:12 : error C1008");

@@ -1,4 +1,4 @@
-// The functions whose costs people are told of by device.
+// The functions whose costs are published by device.
 #pragma once
 
 #include <array>

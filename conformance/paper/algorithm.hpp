@@ -18,7 +18,7 @@ enum class Form {
   table,      // no hash: Perlin/Float and Perlin/Integer
 };
 std::string_view name_of(Form form);
-// What a reader should call it: "as published".
+// A title for readers: "as published".
 std::string_view title_of(Form form);
 
 struct Algorithm {
@@ -45,7 +45,7 @@ std::vector<Entry> all_entries();
 enum class Picture { noise, turbulence, clouds };
 std::string_view name_of(Picture picture);
 
-// What the paper limits the period to, in cells.
+// The paper's limit of the period, in cells.
 inline constexpr std::uint32_t kPaperPeriod = std::uint32_t{1} << 20;
 // A picture as a subject: the algorithm's noise, or one of the library's octave sums over it. period: of the library's
 // noise in our form, in cells; 0 for none.

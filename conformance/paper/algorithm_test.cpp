@@ -74,7 +74,7 @@ std::vector<std::pair<std::string, int>> printed_lines(std::string_view csv) {
   return lines;
 }
 
-// What of the table is of no algorithm, and which algorithm of the paper it lacks.
+// Rows of the table without an algorithm, and algorithms of the paper without a row.
 std::set<std::string> missing(std::string_view csv) {
   std::set<std::pair<std::string, int>> expected;
   for (const Algorithm& algorithm : all_algorithms()) {

@@ -48,7 +48,7 @@ class LargeTexture {
   GLuint texture_ = 0;
 };
 
-// The noise of a pixel and as many fetches as "iterations" says. Neighbours fetch neighbouring texels, as shaders do,
+// The noise of a pixel and as many fetches as "iterations" holds. Neighbours fetch neighbouring texels, as shaders do,
 // but no texel is fetched twice in a draw, and each draw starts elsewhere.
 std::string sweep_shader(const Subject& subject) {
   std::string text = loop_shader(subject);

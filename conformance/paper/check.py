@@ -44,9 +44,9 @@ def count_of_listing(listing):
 def spirv_faults(row, path):
     listing = subprocess.run(["spirv-dis", "--raw-id", path], capture_output=True, text=True, check=False)
     if listing.returncode != 0:
-        return [f"{row['id']}: spirv-dis says {listing.stderr.strip()}"]
-    counted, told = count_of_listing(listing.stdout), row["spirv"]
-    return [] if str(counted) == told else [f"{row['id']}: {counted} instructions, not {told}"]
+        return [f"{row['id']}: spirv-dis fails: {listing.stderr.strip()}"]
+    counted, recorded = count_of_listing(listing.stdout), row["spirv"]
+    return [] if str(counted) == recorded else [f"{row['id']}: {counted} instructions, not {recorded}"]
 
 
 def order_faults(rows):

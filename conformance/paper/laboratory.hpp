@@ -23,7 +23,7 @@ class Laboratory : public Sampler {
   Stopwatch stopwatch;
 };
 
-// What a part of the paper was found to be: a record, NAME.csv.
+// The result for a part of the paper: a record, NAME.csv.
 struct Section {
   std::string name;
   Facts facts;  // beside those of the run

@@ -5,8 +5,8 @@
 namespace hn {
 
 std::size_t shortest_cyclic_repeat(std::span<const std::uint32_t> words) {
-  // border[i]: the longest proper prefix of the first i + 1 words that also ends them (Knuth, Morris, Pratt). What lies
-  // before the longest border of the whole is its shortest period, which is cyclic if it divides the length.
+  // border[i]: the longest proper prefix of the first i + 1 words that also ends them (Knuth, Morris, Pratt). The words
+  // before the longest border of the whole are its shortest period, which is cyclic if it divides the length.
   const std::size_t size = words.size();
   if (size == 0) return 0;
   std::vector<std::size_t> border(size, 0);

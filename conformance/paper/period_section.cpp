@@ -14,7 +14,7 @@ namespace {
 constexpr std::uint32_t kTablePeriod = 256;
 constexpr std::size_t kPoints = std::size_t{1} << 16;
 
-// A noise whose period is told beforehand.
+// A noise whose period is known beforehand.
 struct Claim {
   std::string title;
   std::string form;

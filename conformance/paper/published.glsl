@@ -1,6 +1,6 @@
-// The listings of "Implementing Noise with Hash functions for Graphics Processing Units" as printed (Valdenegro-Toro and
-// Pincheira, sec. 5 to 7), for measuring what they do today: int arithmetic, arithmetic shifts, sin of whatever integer
-// comes. Nobody should use them: GLSL leaves open what sin makes of a large argument, and drivers differ.
+// The listings of "Implementing Noise with Hash functions for Graphics Processing Units" as printed (Valdenegro-Toro
+// and Pincheira, sec. 5 to 7), for measuring what they do today: int arithmetic, arithmetic shifts, sin of whatever
+// integer comes. Nobody should use them: GLSL leaves open what sin makes of a large argument, and drivers differ.
 //
 // PAPER_HASH, to be defined before the include: one of the numbers below.
 // PAPER_FNV1_MASK3: the mask of the highest byte in FNV1. The paper prints -2130706432, which is 0x81000000 and takes 2
@@ -109,8 +109,8 @@ vec3 paper_gradient(ivec3 p) {  // sec. 5
   return sin(vec3(z + x, z + y, z + z));
 }
 
-// The paper prints no more than these. The rest is Perlin's algorithm, with the period of 2^20 cells that sec. 8 tells
-// of. Each corner is on its own: that no hash is shared between corners is what the paper's instruction counts say.
+// The paper prints no more than these. The rest is Perlin's algorithm, with the period of 2^20 cells from sec. 8. Each
+// corner is on its own: the paper's instruction counts mean that no hash is shared between corners.
 #define PAPER_CORNER(offset) paper_gradient((cell + offset) & 1048575)
 
 float paper_perlin(vec2 p) {

@@ -39,7 +39,7 @@ bool negative(std::uint32_t word) { return word >> 31 != 0; }
 
 std::uint32_t shift(std::uint32_t word, int by) { return static_cast<std::uint32_t>(std::bit_cast<int>(word) >> by); }
 
-// What the listings come to, each told by its difference from the library's hash where that has a short form.
+// The hashes of the listings, each as its difference from the library's hash where that has a short form.
 std::uint32_t meant_fnv1(std::uint32_t key) { return hn_hash_fnv1(key) ^ (negative(key) ? kSignOfByte : 0u); }
 std::uint32_t printed_fnv1(std::uint32_t key) { return meant_fnv1(key) ^ ((key >> 24) & 0x7Eu); }
 

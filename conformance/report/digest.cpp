@@ -56,7 +56,7 @@ std::string with_safe_characters(std::string_view text, std::size_t most) {
   return safe;
 }
 
-// What a run says of one API. A page runs WGSL beside WebGL2.
+// A run's results for one API. A page runs WGSL beside WebGL2.
 struct Part {
   std::map<std::string, std::array<std::size_t, 3>> counts;  // of a group: passed, failed, other
   std::map<std::size_t, std::uint32_t> checksums;            // by the numbers of sets
@@ -64,12 +64,12 @@ struct Part {
   void add(const CaseResult& result, const std::vector<std::string_view>& parts) {
     const Status status = result.outcome.status;
     const std::size_t kind = is_bad(status) ? 1 : status == Status::unsupported ? 2 : 0;
-    // What is about a file as a whole is one group: there are many files.
+    // The cases of whole files are one group: there are many files.
     ++counts[fmt::format("{}.{}", parts[1] == "all" ? "files" : parts[0], parts[3])][kind];
     if (!result.outcome.checksum) return;
     const auto set = exact_set(function_of(result.id), parts[2], parts[3]);
     if (!set) return;
-    // Versions and stages have a case each. What one returns that is wrong counts.
+    // Versions and stages have a case each. A wrong result counts.
     const auto [entry, added] = checksums.emplace(*set, *result.outcome.checksum);
     if (!added && is_bad(status)) entry->second = *result.outcome.checksum;
   }
@@ -127,7 +127,7 @@ Json costs_of(const Run& run) {
 
 Json device_of(const Run& run) {
   Json device = {{"renderer", without_builds(run.info.renderer)}, {"vendor", without_builds(run.info.vendor)}};
-  // In a browser the renderer's name has the driver's. What compiles the suite's shaders for Vulkan is none.
+  // In a browser the renderer's name has the driver's. The compiler of the suite's shaders for Vulkan is no driver.
   const std::string_view version = run.info.gl_version;
   if (run.info.browser.empty()) device["driver"] = without_builds(version.substr(0, version.find(", glslang")));
   return device;
@@ -177,7 +177,7 @@ std::optional<std::string> digest_text(const Run& run) {
                  {"version", library_version()}};
   if (!run.info.browser.empty()) digest["browser"] = without_builds(run.info.browser);
   if (Json costs = costs_of(run); !costs.is_null()) digest["costs"] = costs;
-  // Names are evidence, of which the first are enough.
+  // Names are evidence; the first few are enough.
   for (;; failed.pop_back()) {
     digest["failed"] = failed;
     const std::string text = digest.dump() + "\n";

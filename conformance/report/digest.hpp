@@ -1,6 +1,6 @@
-// A digest is what is worth sending of a run: a file of a few kilobytes that says what a device and its driver
-// returned. docs/formats.md describes it; web/digest.js makes the same of a page's results, and tools/make results
-// checks it.
+// A digest is the part of a run that is worth sending: a file of a few kilobytes with the results of a device and its
+// driver. docs/reference/formats.md describes it; web/digest.js makes the same from a page's results, and tools/make
+// results checks it.
 #pragma once
 
 #include <optional>
@@ -22,7 +22,7 @@ std::string digest_file(const Run& run);
 // Whether a file in a folder of results is a digest of some run.
 bool is_digest_file(std::string_view name);
 
-// What a driver calls itself, without the numbers of builds, and without characters that mean something anywhere.
+// A driver's own name, without the numbers of builds, and without characters that have a meaning anywhere.
 std::string without_builds(std::string_view text);
 
 }  // namespace hn

@@ -143,7 +143,7 @@ void add_suite(pugi::xml_node suites, const Run& run) {
   for (const CaseResult& result : run.cases) add_case(suite, result);
 }
 
-// What is wrong beside the cases, as a suite of its own.
+// Problems beside the cases, as a suite of its own.
 Totals add_problems(pugi::xml_node suites, const std::vector<std::string>& problems) {
   Totals totals;
   if (problems.empty()) return totals;

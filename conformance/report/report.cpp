@@ -60,7 +60,7 @@ std::string group_lines(const FailureGroup& group) {
   return text + indented(message);
 }
 
-// What is wrong: what that has in common, then group by group; of those that are too many the names and numbers.
+// The failures: their common traits, then group by group; beyond a limit only names and numbers.
 std::string failure_lines(const Run& run) {
   const Failures failures = failures_of(run);
   if (failures.failed == 0) return {};
@@ -112,7 +112,7 @@ std::string unsupported_lines(const Run& run) {
 
 Result<OutputFolder> prepare_results(const std::filesystem::path& directory) {
   HN_TRY(auto folder, OutputFolder::prepare(directory, {kResultsFile, kJunitFile, kPageFile}));
-  // This run may have other drivers, or none of which a digest can be made.
+  // This run may have other drivers, or none that has a digest.
   std::vector<std::filesystem::path> earlier;
   std::error_code none;
   for (const auto& entry : std::filesystem::directory_iterator(directory, none)) {
@@ -158,7 +158,7 @@ std::string summary(const Run& run) {
     seconds += result.seconds;
     samples += result.outcome.samples;
   }
-  // What is wrong comes last, where the reader of a long log looks.
+  // Failures come last, where the reader of a long log looks.
   std::string text = error_lines(run) + unsupported_lines(run) + unneeded_lines(run) + failure_lines(run);
   text += fmt::format("{} on {}, {}{}\n", run.driver, run.info.renderer, run.info.gl_version,
                       run.injected.empty() ? "" : ", made to have the fault " + run.injected);

@@ -88,7 +88,7 @@ Json page_case(const CaseResult& result, PageBudget& shown) {
     }
   }
   const Json examples = examples_of(outcome);
-  // With examples the message says nothing more than the first of them.
+  // With examples the message only repeats the first of them.
   return {{"id", result.id},
           {"measure", outcome.samples == 0 ? "" : measure_of(outcome) + "."},
           {"message", examples.empty() ? Json({{"text", cleaned(outcome.message)}}) : Json(false)},
@@ -104,7 +104,7 @@ Json page_group(const FailureGroup& group, PageBudget& shown) {
     return a->evidence.has_value() > b->evidence.has_value();
   });
   Json cases = Json::array();
-  // Those that say the same are shown once.
+  // Equal texts are shown once.
   const std::size_t most = group.of_function() ? kMostCasesPerFunction : 1;
   for (const CaseResult* result : failed) {
     if (cases.size() >= most || shown.cases >= kMostCases) break;

@@ -36,7 +36,7 @@ std::string plural(std::size_t count, std::string_view what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
-// What was tested. Runs of several machines may be of several copies.
+// The libraries under test. Runs of several machines may be of several copies.
 std::string libraries_of(const std::vector<const Run*>& here) {
   std::set<std::string> libraries;
   for (const Run* run : here) libraries.insert(library_text(run->library));

@@ -158,7 +158,7 @@ TEST(Page, TakesEveryByte) {
   EXPECT_TRUE(has(page, "{{verdict}}"));
 }
 
-// What results.json may hold at the most: everything fails, with logs of every length, and all evidence there is.
+// The largest results.json: everything fails, with logs of every length, and all evidence there is.
 TEST(Page, StaysSmallHoweverMuchIsWrong) {
   std::vector<hn::Run> runs;
   for (int driver = 0; driver < 4; ++driver) {

@@ -64,8 +64,8 @@ constexpr std::pair<std::string_view, std::string_view> kInjectedFiles[] = {
     {"gl130", "hashnoise.glsl"}, {"gl330", "hashnoise.glsl"}, {"es300", "hashnoise.glsl"},
     {"gl460", "fbm2d.glsl"},     {"es320", "fbm2d.glsl"},     {"vulkan", "fbm2d.glsl"}};
 
-// What an injection adds must be right GLSL: else a run would turn red for another reason. Each is compiled in one of
-// these, in turn; with tools/test --thorough in all.
+// An injection must be right GLSL: else a run would turn red for another reason. Each is compiled in one of these, in
+// turn; with tools/test --thorough in all.
 TEST(Faults, EachIsRightGlslInEveryVersion) {
   const ReferenceCompiler compiler;
   std::size_t number = 0;

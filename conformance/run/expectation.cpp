@@ -89,7 +89,7 @@ Result<void> check_expectations(const std::vector<Expectation>& expectations, co
 
 std::string excuse_for(const std::vector<Expectation>& expectations, const std::string& driver,
                        const std::string& renderer, const CaseResult& result) {
-  // What cannot run is not right, and not wrong.
+  // A case that cannot run is neither right nor wrong.
   const Status status = result.outcome.status;
   if (status == Status::unsupported) return {};
   for (const Expectation& expectation : expectations) {

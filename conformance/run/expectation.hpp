@@ -1,4 +1,4 @@
-// An expectation says what is known to go wrong on some drivers, and why that does not make a run wrong.
+// An expectation is a known failure on some drivers, with the reason why it does not make a run wrong.
 #pragma once
 
 #include <filesystem>
@@ -33,7 +33,7 @@ Result<void> check_expectations(const std::vector<Expectation>& expectations, co
 std::string excuse_for(const std::vector<Expectation>& expectations, const std::string& driver,
                        const std::string& renderer, const CaseResult& result);
 
-// Gives every case for which there is an expectation its excuse: if it ended as the expectation says, or right.
+// Gives every case that has an expectation its excuse: if it ended as expected, or right.
 void apply_expectations(const std::vector<Expectation>& expectations, Run& run);
 
 }  // namespace hn

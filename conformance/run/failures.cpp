@@ -21,8 +21,8 @@ namespace {
 constexpr std::size_t kMostCommon = 2;
 // More of those that passed are called the others.
 constexpr std::size_t kMostNamed = 3;
-// What is true of nearly all that passed, too, tells little: of so many of them one must be told apart.
-constexpr std::size_t kToldOfAll = 20;
+// A trait of nearly all passed cases explains little: it must leave out one in so many of them.
+constexpr std::size_t kSeparatedOfAll = 20;
 constexpr std::size_t kToldOfGroup = 4;
 
 enum class End { failed, passed, warned, excused };
@@ -82,7 +82,7 @@ Values values_in(const Rows& rows, std::size_t facet) {
   return values;
 }
 
-// What the facet of a set of cases says of those that failed: they have one of few values, or all but one.
+// A common trait of the failed cases in a facet: they have one of few values, or all but one.
 struct Trait {
   std::size_t facet;
   bool by_absence;  // values are what none of them has
@@ -103,13 +103,13 @@ std::optional<Trait> trait_of(std::size_t facet, const Rows& failed, const Rows&
   return std::nullopt;
 }
 
-std::size_t told_apart(const Trait& trait, const Rows& others) {
+std::size_t separated_by(const Trait& trait, const Rows& others) {
   return static_cast<std::size_t>(
       std::count_if(others.begin(), others.end(), [&](const Row* row) { return !trait.has(*row); }));
 }
 
-// Those that together tell what failed from most of what did not; each tells as much as there is left to tell. One
-// value is simpler than two, which must tell more than twice as much.
+// The traits that together separate the failed cases from most of the others; each is weighed by the cases that are
+// left. One value is simpler than two, which must separate more than twice as many.
 std::vector<Trait> traits_of(const Rows& failed, Rows others, std::size_t share) {
   std::vector<Trait> chosen;
   while (failed.size() > 1 && !others.empty()) {
@@ -117,9 +117,9 @@ std::vector<Trait> traits_of(const Rows& failed, Rows others, std::size_t share)
     double best_score = 0.0;
     for (std::size_t facet = 0; facet < kFacets; ++facet) {
       auto trait = trait_of(facet, failed, others);
-      const std::size_t told = trait ? told_apart(*trait, others) : 0;
-      if (told <= others.size() / share) continue;
-      const double score = static_cast<double>(told) / static_cast<double>(trait->values.size());
+      const std::size_t separated = trait ? separated_by(*trait, others) : 0;
+      if (separated <= others.size() / share) continue;
+      const double score = static_cast<double>(separated) / static_cast<double>(trait->values.size());
       if (score <= best_score) continue;
       best_score = score;
       best = std::move(trait);
@@ -189,10 +189,10 @@ class Sorter {
 
   Failures sorted() const {
     Failures failures{.failed = failed_.size(), .ran = rows_.size(), .common = {}, .groups = {}};
-    const std::vector<Trait> traits = traits_of(failed_, others_, kToldOfAll);
+    const std::vector<Trait> traits = traits_of(failed_, others_, kSeparatedOfAll);
     for (const Trait& trait : traits) failures.common.push_back(sentence_of(trait, others_, texts_));
     for (const Rows& rows : grouped()) failures.groups.push_back(group_of(rows, traits));
-    // A single group says by itself what its cases have in common.
+    // A single group shows the common trait of its cases itself.
     if (failed_.size() > 1 && traits.empty() && (others_.empty() || failures.groups.size() > 1)) {
       failures.common.emplace_back(others_.empty() ? "Every case that ran fails."
                                                    : "The names of the failing cases have nothing in common.");

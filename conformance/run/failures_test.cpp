@@ -153,15 +153,15 @@ TEST(Groups, AreByFunctionWhereValuesAreWrong) {
 }
 
 TEST(Groups, AreByWhatIsSaidWhereThereAreNoValues) {
-  const auto says = [](std::string id, Status status, const char* message) {
+  const auto verdict = [](std::string id, Status status, const char* message) {
     CaseResult bad = result(std::move(id), status);
     bad.outcome.message = message;
     return bad;
   };
   const auto failures =
-      failures_of(run_of({says("noise2d.perlin.lattice.fast.fragment.gl330.golden", Status::fail, "no\n2"),
-                          says("fbm.fbm3.fnv1.fixed.fragment.gl330.twin", Status::fail, "no\n2"),
-                          says("fbm.fbm3.lattice.fast.fragment.gl330.twin", Status::crash, "no\n2"),
+      failures_of(run_of({verdict("noise2d.perlin.lattice.fast.fragment.gl330.golden", Status::fail, "no\n2"),
+                          verdict("fbm.fbm3.fnv1.fixed.fragment.gl330.twin", Status::fail, "no\n2"),
+                          verdict("fbm.fbm3.lattice.fast.fragment.gl330.twin", Status::crash, "no\n2"),
                           right("fbm.fbm3.lattice.fast.vertex.es300.twin")}));
   ASSERT_EQ(failures.groups.size(), 2u);
   EXPECT_EQ(failures.groups[0].text(), "2 cases: no");

@@ -1,4 +1,4 @@
-// The process that runs the cases of one driver: what it is told, and what it tells.
+// The process that runs the cases of one driver: its job, and its reports.
 #pragma once
 
 #include <chrono>
@@ -33,7 +33,7 @@ struct SuiteOptions {
   std::string golden;
   std::string inject;  // the name of a fault, or nothing
   std::uint64_t seed = 1;
-  std::uint64_t points = 0;  // of each comparison with the twin; 0 for what its case says
+  std::uint64_t points = 0;  // of each comparison with the twin; 0 for the case's own number
   bool thorough = false;     // so many as --thorough has
 };
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SuiteOptions, glsl, golden, inject, seed, points, thorough)
@@ -56,8 +56,8 @@ std::string suite_digest(const SuiteOptions& options, const SourceSet& sources);
 // The hidden subcommand that does a job.
 constexpr const char* kChildCommand = "child";
 
-// Does a job that has one report, and waits for it. An error says what the process said or how it ended. It is
-// also an error if stop_fd can be read: then this does not wait any longer.
+// Does a job that has one report, and waits for it. An error has the process's message or how it ended. It is also an
+// error if stop_fd can be read: then this does not wait any longer.
 Result<nlohmann::json> report_of(const Job& job, const std::filesystem::path& directory,
                                  std::chrono::milliseconds limit, int stop_fd = -1);
 

@@ -29,7 +29,7 @@ std::string differences(const nlohmann::json& a, const nlohmann::json& b) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-// Throws what json.hpp says if a line is not a report, of those that run/job.hpp describes, of a driver.
+// Throws the exceptions of json.hpp if a line is not a report of a driver, as run/job.hpp describes them.
 Journal::Entry entry_from(std::string_view line) {
   const nlohmann::json json = parse_json(line);
   Journal::Entry entry{text_at(json, "driver"), member_at(json, "report")};

@@ -23,7 +23,7 @@ class Journal {
   static Result<Journal> reopen(const std::filesystem::path& directory, const nlohmann::json& plan);
   static bool exists(const std::filesystem::path& directory);
 
-  // What was in it when it was opened.
+  // An entry of the journal when it was opened.
   struct Entry {
     std::string driver;
     nlohmann::json report;

@@ -17,7 +17,7 @@ std::string name_of(const Run& run) {
   return fmt::format("{} on {}, {}", run.driver, run.info.renderer, run.info.gl_version);
 }
 
-// Tells how many shards there are, of which a run is one.
+// Returns the number of shards if a run is one of them.
 Result<std::size_t> shards_of(const Run& run) {
   HN_TRY(const auto shard, parse_shard(run.shard));
   return shard.count;
@@ -97,8 +97,7 @@ Result<MergeResult> merge_runs(std::vector<Run> runs, const std::vector<std::str
   for (Run& run : merged.runs) {
     HN_DO(sort_cases(run, order));
     if (!run.shard.empty() && run.cases.size() > run.whole) {
-      return fail(
-          fmt::format("{}: each shard says that all have {} cases, but here are more", name_of(run), run.whole));
+      return fail(fmt::format("{}: by each shard all have {} cases, but here are more", name_of(run), run.whole));
     }
     if (run.not_run != 0) {
       merged.gaps.push_back(fmt::format("{}: {} cases were not run; --resume continues a run that ended early",

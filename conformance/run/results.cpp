@@ -127,7 +127,7 @@ bool only_unfinished(const std::vector<Run>& runs) {
 }
 
 bool all_as_expected(const std::vector<Run>& runs) {
-  // What glslang says is not a verdict on a driver, unless nothing else was asked.
+  // An error of glslang is not a verdict on a driver, unless only glslang ran.
   const bool only_reference = std::all_of(runs.begin(), runs.end(), [](const Run& run) { return run.is_reference(); });
   const auto decides = [&](const Run& run) { return run.as_expected() && (only_reference || !run.is_reference()); };
   return std::any_of(runs.begin(), runs.end(), decides) && std::all_of(runs.begin(), runs.end(), [&](const Run& run) {

@@ -1,4 +1,4 @@
-// The results of runs: what results.json says, and how it is read again.
+// The results of runs: writes and reads results.json.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +30,7 @@ struct Run {
   std::size_t whole = 0;                      // how many cases all shards have
   std::size_t not_run = 0;                    // how many the run did not come to, since it was ended before
   std::vector<CaseResult> cases;
-  std::string timings;                  // JSON, if they were asked for
+  std::string timings;                  // JSON, on request
   std::string date = {};                // when it ended: UTC, ISO 8601
   std::set<std::string> commands = {};  // that made it: several if it was merged
   // Only of a run of all cases that there are by default, without an option that changes what they do: the checksum of
@@ -52,9 +52,9 @@ bool only_unfinished(const std::vector<Run>& runs);
 
 constexpr std::string_view kResultsFile = "results.json";
 
-// The text of results.json; docs/formats.md describes it.
+// The text of results.json; docs/reference/formats.md describes it.
 std::string results_text(const std::vector<Run>& runs);
-// An error says what is wrong, and where in the file.
+// An error describes the fault, and its place in the file.
 Result<std::vector<Run>> parse_results(std::string_view text);
 
 nlohmann::ordered_json to_json(const CaseResult& result);

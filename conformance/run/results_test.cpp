@@ -224,7 +224,7 @@ TEST(Verdict, OfSeveralDriversNeedsAllThatAreHere) {
   hn::Run reference = good;
   reference.driver = kReferenceCompiler;
   EXPECT_TRUE(all_as_expected({reference}));
-  EXPECT_FALSE(all_as_expected({nothing, reference})) << "glslang says nothing about a driver";
+  EXPECT_FALSE(all_as_expected({nothing, reference})) << "glslang is no driver";
   EXPECT_FALSE(all_as_expected({absent, reference}));
   EXPECT_TRUE(all_as_expected({good, absent, nothing}));
   EXPECT_FALSE(all_as_expected({good, bad}));

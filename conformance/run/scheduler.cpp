@@ -87,7 +87,7 @@ class Lane {
     remove_empty_log();
   }
 
-  // What the process said, now or in an earlier run.
+  // Takes a report of the process, from now or from an earlier run.
   void take(const nlohmann::json& report) {
     if (report.contains("absent")) {
       take_absence(report.at("absent").get<std::string>());
@@ -200,7 +200,7 @@ class Lane {
     }
   }
 
-  // What this process printed last, which may say why it ended.
+  // The last output of this process, which may show why it ended.
   std::string log_end() const {
     const std::string text = end_of_log(launch().log, kLogEnd, log_begin_);
     return text.empty() ? text : "; it printed:\n" + text;
@@ -248,7 +248,7 @@ class Scheduler {
     }
     for (const Journal::Entry& entry : journal.earlier()) {
       for (Lane& lane : lanes_) {
-        // What was not here may be here now.
+        // A driver that was absent may be here now.
         if (lane.driver() == entry.driver && !entry.report.contains("absent")) lane.take(entry.report);
       }
     }
@@ -280,8 +280,9 @@ class Scheduler {
   }
 
  private:
-  // If there are fewer drivers than processes may run, the cases of each are split by what they cost, into so many
-  // parts that no core waits long for the last one. What shares a program stays together.
+  // If there are fewer drivers than processes may run, the cases of each are split by cost into so many parts that no
+  // core
+  // waits long for the last one. Cases that share a program stay together.
   void add_parts(const DriverPlan& driver, double piece) {
     DriverPlan part{.driver = driver.driver, .ids = {}, .whole = driver.whole};
     double seconds = 0.0;
@@ -350,7 +351,7 @@ class Scheduler {
     excuse_absence(deadline);
   }
 
-  // Ctrl-Z stops the drivers as well as us. That time is not theirs.
+  // Ctrl-Z stops the drivers as well as this process, so that time does not count for their limits.
   void excuse_absence(SteadyClock::time_point expected) {
     const SteadyClock::time_point now = SteadyClock::now();
     for (Lane& lane : lanes_) {

@@ -27,7 +27,7 @@ struct RunPlan {
   SuiteOptions suite;
   std::string content = {};  // a digest of the library and the golden files
   std::string shard = {};    // "2/3", or empty
-  // What does not change the results:
+  // Options that do not change the results:
   std::size_t jobs = 1;                        // processes at a time
   std::chrono::milliseconds limit{60000};      // for a case, and for a driver to start
   std::vector<Expectation> expectations = {};  // what does not count for fail_fast
@@ -36,7 +36,7 @@ struct RunPlan {
   std::filesystem::path program = own_program();
 };
 
-// What a journal has to agree with.
+// The part of a plan that a journal has to agree with.
 nlohmann::json to_json(const RunPlan& plan);
 
 // The results, in the order of the plan. Some are missing if the run ended early: because of fail_fast, because it was

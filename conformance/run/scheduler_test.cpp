@@ -22,11 +22,11 @@ constexpr std::string_view kReady =
     R"({"ready": {"vendor": "v", "renderer": "r", "gl_version": "1", "glsl_version": "2"}})";
 
 // A line of a script that reports so.
-std::string says(std::string_view report) { return "echo '" + std::string(report) + "' >&3\n"; }
+std::string report_line(std::string_view report) { return "echo '" + std::string(report) + "' >&3\n"; }
 
 // Passes every case of the job that is left, but does something else at one of them; $2 is the job.
 std::string script_that(std::string_view at, std::string_view does) {
-  return says(kReady) +
+  return report_line(kReady) +
          "for id in a b c d e; do\n  grep -o '\"ids\":[^]]*' \"$2\" | grep -q \"\\\"$id\\\"\" || continue\n" +  //
          "  if [ $id = " + std::string(at) + " ]; then " + std::string(does) + "; fi\n" +
          "  echo '{\"result\": {\"id\": \"'$id'\", \"status\": \"pass\", \"samples\": 1, \"mismatches\": 0, "
@@ -110,7 +110,7 @@ TEST_F(SchedulerTest, AfterALostContextAnotherProcessGoesOn) {
   EXPECT_EQ(verdicts(run(lost)), "a pass, b crash, c pass, d pass, e pass");
 }
 
-// What a failed case is followed by; $id is the case.
+// The lines after a failed case; $id is the case.
 constexpr std::string_view kFailsAndIsExamined =
     "echo '{\"result\": {\"id\": \"'$id'\", \"status\": \"fail\", \"samples\": 1, \"mismatches\": 1, \"max_abs\": 0, "
     "\"max_ulp\": 0, \"seconds\": 0, \"message\": \"\"}, \"examined\": true}' >&3; ";
@@ -153,7 +153,7 @@ TEST_F(SchedulerTest, FailFastWaitsForTheEvidence) {
 }
 
 TEST_F(SchedulerTest, ADriverThatIsNotHereHasNoCases) {
-  const hn::Run result = run(says(R"({"absent": "no such library"})"));
+  const hn::Run result = run(report_line(R"({"absent": "no such library"})"));
   EXPECT_EQ(verdicts(result), "");
   EXPECT_EQ(result.absent, "no such library");
 }
@@ -177,13 +177,13 @@ TEST_F(SchedulerTest, AFunctionThatCrashesAlwaysIsGivenUpAndSoIsADriver) {
     return std::string(std::istreambuf_iterator<char>(file), {}).size() / 2;
   };
   // Ten cases of each of three functions are tried.
-  const hn::Run all = run("echo x >>\"$0.starts\"\n" + says(kReady) + "exit 1\n");
+  const hn::Run all = run("echo x >>\"$0.starts\"\n" + report_line(kReady) + "exit 1\n");
   EXPECT_EQ(all.count(Status::crash), 60u);
   EXPECT_EQ(starts(), 30u);
   EXPECT_NE(all.cases[59].outcome.message.find("not run, after 10 cases in a row"), std::string::npos);
   // One function alone does not take the others along.
   const hn::Run one =
-      run(says(kReady) + "for id in $(grep -o 'f[.][a-d][.][0-9]*' \"$2\"); do\n" +
+      run(report_line(kReady) + "for id in $(grep -o 'f[.][a-d][.][0-9]*' \"$2\"); do\n" +
           "  case $id in f.b.*) exit 1;; esac\n  echo '{\"result\": {\"id\": \"'$id'\", \"status\": "
           "\"pass\", \"samples\": 1, \"mismatches\": 0, \"max_abs\": 0, \"max_ulp\": 0, \"seconds\": 0, "
           "\"message\": \"\"}}' >&3\ndone\n");
@@ -211,7 +211,7 @@ TEST_F(SchedulerTest, ACrashAfterTheLastCaseIsAProblem) {
 
 TEST_F(SchedulerTest, ADriverThatIsGoneAfterACrashMayComeBack) {
   const std::string gone_once = "[ -e $0.crashed ] && [ ! -e $0.back ] && { touch $0.back; " +
-                                says(R"({"absent": "no display"})") + "exit 0; }\n";
+                                report_line(R"({"absent": "no display"})") + "exit 0; }\n";
   const hn::Run result = run(gone_once + script_that("b", "touch $0.crashed; exit 1"));
   EXPECT_EQ(verdicts(result), "a pass, b crash, c crash, d pass, e pass");
   EXPECT_NE(result.cases[2].outcome.message.find("no display"), std::string::npos) << result.cases[2].outcome.message;
@@ -301,7 +301,7 @@ TEST_F(SchedulerTest, TheCasesOfADriverAreSplitWhereProcessesAreLeft) {
   plan_.jobs = 3;
   // Each passes what its job has, and the last of them crashes in its last case.
   const hn::Run result =
-      run("echo x >>\"$0.starts\"\n" + says(kReady) +
+      run("echo x >>\"$0.starts\"\n" + report_line(kReady) +
           "for id in $(grep -o 'case[0-9]*' \"$2\"); do\n  [ $id = case999 ] && exit 1\n  echo '{\"result\": {\"id\": "
           "\"'$id'\", \"status\": \"pass\", \"samples\": 1, \"mismatches\": 0, \"max_abs\": 0, \"max_ulp\": 0, "
           "\"seconds\": 0, \"message\": \"\"}}' >&3\ndone\n");
@@ -319,7 +319,8 @@ TEST_F(SchedulerTest, ADriverThatTakesOneProcessOnlyIsNotAbsent) {
   for (int i = 0; i < 400; ++i) plan_.drivers[0].ids.push_back(fmt::format("case{:03}", i));
   plan_.jobs = 2;
   const hn::Run result =
-      run("grep -q case000 \"$2\" || { " + says(R"({"absent": "one is enough"})") + "exit 0; }\n" + says(kReady) +
+      run("grep -q case000 \"$2\" || { " + report_line(R"({"absent": "one is enough"})") + "exit 0; }\n" +
+          report_line(kReady) +
           "for id in $(grep -o 'case[0-9]*' \"$2\"); do echo '{\"result\": {\"id\": "
           "\"'$id'\", \"status\": \"pass\", \"samples\": 1, \"mismatches\": 0, \"max_abs\": 0, \"max_ulp\": 0, "
           "\"seconds\": 0, \"message\": \"\"}}' >&3; done\n");

@@ -51,7 +51,7 @@
 #undef __FAST_MATH__
 #define _MSC_VER 1940
 
-// What MSVC does not have is an error.
+// MSVC has no attributes of this kind.
 #define __attribute__(...) __attribute__ is not in MSVC
 #define __builtin_convertvector __builtin_convertvector is not in MSVC
 #define __builtin_memcpy __builtin_memcpy is not in MSVC

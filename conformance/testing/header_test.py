@@ -133,10 +133,11 @@ static_assert(!Perlin<Float, int> && !Perlin<vec2, int> && !Perlin<vec2, float> 
 """
 
 
-# What programs have before an include of ours, as it is defined there.
+# Macros that programs have before an include of ours, as their headers define them.
 MACROS = {
     "windows.h": """near;far;min(a,b) (((a)<(b))?(a):(b));max(a,b) (((a)>(b))?(a):(b));small char;hyper long
-        interface struct;pascal;cdecl;IN;OUT;OPTIONAL;ERROR 0;DELETE 0x00010000L;CONST const;VOID void;TRUE 1;FALSE 0""",
+        interface struct;pascal;cdecl;IN;OUT;OPTIONAL;ERROR 0;DELETE 0x00010000L;CONST const;VOID void;TRUE 1;FALSE
+        0""",
     "X11": """None 0L;Bool int;Status int;Success 0;True 1;False 0;Always 2;Above 0;Below 1;Complex 0;Convex 2;Nonconvex 1
         Unsorted 0;CursorShape 0;KeyPress 2;FocusIn 9;Opposite 4""",
     "Arduino.h": """min(a,b) ((a)<(b)?(a):(b));max(a,b) ((a)>(b)?(a):(b));abs(x) ((x)>0?(x):-(x));sq(x) ((x)*(x))
@@ -147,7 +148,7 @@ MACROS = {
     "Cocoa": """nil nullptr;Nil nullptr;YES true;NO false;check(x) ((void)(x));verify(x) ((void)(x));NSUInteger unsigned
         require(x,y) ((void)(x));MIN(a,b) ((a)<(b)?(a):(b));MAX(a,b) ((a)>(b)?(a):(b));ABS(a) (a);I 1.0fi""",
 }
-# What the headers had in their text, and what else a program may call so: as macros that stand for no code.
+# The names in the headers' text, and other names that a program may use: as macros that stand for no code.
 OWN_NAMES = re.compile(r'^#pragma pop_macro\("(\w+)"\)$', re.M)
 
 
@@ -164,14 +165,15 @@ def still_there(text: str) -> str:
     return "".join(f"#ifndef {name}\n#error {name} is lost\n#endif\n" for name in re.findall(r"^#define (\w+)", text, re.M))
 
 
-# What a program calls: the templates are instantiated.
+# The calls of a program: they instantiate the templates.
 CALLED = """
 inline hashnoise::Range called(std::span<float> values, float x) {
   namespace lanes = hashnoise::lanes;
   const hashnoise::vec3 p(x, x, x);
-  values[0] = hashnoise::hn_fbm(p, 6, 2.0f, 0.5f, 7u) + hashnoise::hn_cellular(p, 7u).x + hashnoise::hn_simplex_d(p, 7u).x;
-  return lanes::fill(hashnoise::CellGrid<2>{{1, 2}, {0.0f, 0.0f}, {0.5, 0.5}, {8, 8}}, values,
-                     [](lanes::ivec2 cell, lanes::vec2 f) { return lanes::hn_fbm(lanes::hn_place(cell, f), 6, 2.0f, 0.5f, 7u); });
+  values[0] = hashnoise::hn_fbm(p, 6, 2.0f, 0.5f, 7u) + hashnoise::hn_cellular(p, 7u).x + hashnoise::hn_simplex_d(p,
+  7u).x; return lanes::fill(hashnoise::CellGrid<2>{{1, 2}, {0.0f, 0.0f}, {0.5, 0.5}, {8, 8}}, values,
+                     [](lanes::ivec2 cell, lanes::vec2 f) { return lanes::hn_fbm(lanes::hn_place(cell, f), 6, 2.0f,
+                     0.5f, 7u); });
 }
 """
 
@@ -189,8 +191,8 @@ def all_headers() -> str:
     return "".join(map(including, PUBLIC))
 
 
-def says(compiler: str, text: str, *options: str, include: Path = INCLUDE, only: str = "-fsyntax-only") -> str:
-    """What a compiler says of the text; nothing if it takes it without a warning."""
+def messages(compiler: str, text: str, *options: str, include: Path = INCLUDE, only: str = "-fsyntax-only") -> str:
+    """The compiler's messages on the text; empty if it takes it without a warning."""
     command = [compiler, only, "-Wall", "-Wextra", "-Werror", "-I", str(include), *options, "-x", "c++", "-"]
     return subprocess.run(command, input=text, capture_output=True, text=True, check=False).stderr
 
@@ -236,10 +238,10 @@ MORE_WARNINGS = {"g++": ["-Wuseless-cast", "-Wlogical-op", "-Wduplicated-cond", 
 
 
 class BesideOthers(unittest.TestCase):
-    """What a program has already does not matter to the headers, and the headers not to it."""
+    """Code of a program does not disturb the headers, nor they the program."""
 
     def compiled(self, compiler: str, text: str, *options: str) -> None:
-        self.assertEqual(says(compiler, text, "-std=c++20", *options), "")
+        self.assertEqual(messages(compiler, text, "-std=c++20", *options), "")
 
     def test_each_header_stands_behind_the_macros_of_others(self) -> None:
         every = {re.split(r"[ (]", name.strip())[0]: name for names in MACROS.values() for name in re.split("[;\n]", names)}
@@ -285,8 +287,8 @@ class BesideOthers(unittest.TestCase):
             for file in ("macros_begin.h", "macros_end.h"):
                 Path(folder, "glsl", "hashnoise", "detail", file).write_text("")
             text = broken(["T"]) + including("glsl.hpp")
-            self.assertEqual(says(COMPILERS[0], text, "-std=c++20"), "")
-            said = says(COMPILERS[0], text, "-std=c++20", include=Path(folder, "include"))
+            self.assertEqual(messages(COMPILERS[0], text, "-std=c++20"), "")
+            said = messages(COMPILERS[0], text, "-std=c++20", include=Path(folder, "include"))
             self.assertRegex(said[:400], "in expansion of macro .T.")
 
     @unittest.skipUnless(THOROUGH, "takes long: windows.h does")
@@ -308,7 +310,7 @@ class BesideOthers(unittest.TestCase):
                     self.compiled(compiler, LITERALS.replace("USING", using))
 
     def test_a_function_that_is_no_template_would_be_ambiguous(self) -> None:
-        said = says(COMPILERS[0], LITERALS.replace("USING", "namespace hashnoise { float floor(float); }"), "-std=c++20")
+        said = messages(COMPILERS[0], LITERALS.replace("USING", "namespace hashnoise { float floor(float); }"), "-std=c++20")
         self.assertRegex(said, "error: call of overloaded .floor.float.. is ambiguous")
 
     def test_exceptions_and_types_at_run_time_may_be_off(self) -> None:
@@ -336,15 +338,15 @@ class BesideOthers(unittest.TestCase):
                 self.compiled(compiler, all_headers() + CALLED, *WARNINGS, *more)
 
     def test_a_comparison_of_a_program_warns_as_before(self) -> None:
-        said = says(COMPILERS[0], all_headers() + "inline bool same(float x) { return x == 0.5f; }\n", "-std=c++20", "-Wfloat-equal")
+        said = messages(COMPILERS[0], all_headers() + "inline bool same(float x) { return x == 0.5f; }\n", "-std=c++20", "-Wfloat-equal")
         self.assertEqual(said.count("[-Werror=float-equal]"), 1)
 
 
 class Unity(unittest.TestCase):
-    """Files of one translation unit, each of which defines its knobs before its include."""
+    """Files of one translation unit; each defines its knobs before its include."""
 
     def said(self, *files: str, options: tuple[str, ...] = ()) -> str:
-        return says(COMPILERS[0], "".join(files), "-std=c++20", *options, only="-E")  # the preprocessor tells it
+        return messages(COMPILERS[0], "".join(files), "-std=c++20", *options, only="-E")  # the preprocessor is enough
 
     def test_other_knobs_than_those_of_the_text_are_an_error(self) -> None:
         for first in ("hashnoise", "lanes", "grid"):
@@ -368,11 +370,11 @@ class Unity(unittest.TestCase):
         for compiler in COMPILERS:
             with self.subTest(compiler=compiler):
                 text = "".join(FIXED.format(header=header) for header in ("hashnoise", "lanes", "hashnoise", "grid"))
-                self.assertEqual(says(compiler, text + PLAIN.format(header="grid"), "-std=c++20"), "")
+                self.assertEqual(messages(compiler, text + PLAIN.format(header="grid"), "-std=c++20"), "")
                 by_option = "".join(PLAIN.format(header=header) for header in ("lanes", "hashnoise", "grid"))
                 again = "#define HN_ARITHMETIC HN_FIXED\n" + PLAIN.format(header="hashnoise")
-                for said in (says(compiler, by_option, "-std=c++20", "-DHN_ARITHMETIC=3", "-DHN_HASH=HN_HASH_PCG", only="-E"),
-                             says(compiler, again + again, "-std=c++20", only="-E")):
+                for said in (messages(compiler, by_option, "-std=c++20", "-DHN_ARITHMETIC=3", "-DHN_HASH=HN_HASH_PCG", only="-E"),
+                             messages(compiler, again + again, "-std=c++20", only="-E")):
                     self.assertEqual(said, "")
 
     def test_a_wrong_value_is_an_error_behind_the_text_too(self) -> None:
@@ -381,14 +383,15 @@ class Unity(unittest.TestCase):
         self.assertIn("HN_HASH must be one of", said)
 
 
-# What shaders have before an include, in one word or more. Parameters of the library keep their names: octaves, seed.
+# Macros of shaders before an include, in one word or more. Parameters of the library keep their names: octaves, seed.
 OF_SHADERS = """near 0.1;far 100.0;PI 3.14159;TAU 6.28318;pi 3.14159;tau 6.28318;E 2.71828;EPS 1e-4;EPSILON 1e-4;time iTime
-    resolution iResolution.xy;mouse iMouse;saturate(x) clamp(x,0.,1.);sat(x) clamp(x,0.,1.);lerp mix;lerp3(a,b,c) mix(a,b,c)
-    rot(a) mat2(cos(a),sin(a),-sin(a),cos(a));rot2 rot;rotate rot;hash hash12;hash11(p) fract(p);hash12 hash;hash21 hash
-    hash22 hash;hash33 hash;noise snoise;fbm fbm4;snoise noise3;fade(t) ((t)*(t));permute mod289;mod289(x) mod(x,289.)
-    smooth smoothstep;remap map;map scene;scale 4.0;zoom 2.0;speed 0.5;width 800.0;uv gl_FragCoord.xy;st uv;pos ro;ro pos
-    rd dir;dir rd;color vec4(1.);col color;light vec3(1.);camera ro;rand random;random fract;voronoi worley;perlin noise
-    simplex noise;turbulence fbm;ridged fbm;frequency 2.0;MAX_STEPS 100;STEPS 100;OCTAVES 6;SEED 7u;SCALE 4.0"""
+    resolution iResolution.xy;mouse iMouse;saturate(x) clamp(x,0.,1.);sat(x) clamp(x,0.,1.);lerp mix;lerp3(a,b,c)
+    mix(a,b,c) rot(a) mat2(cos(a),sin(a),-sin(a),cos(a));rot2 rot;rotate rot;hash hash12;hash11(p) fract(p);hash12
+    hash;hash21 hash hash22 hash;hash33 hash;noise snoise;fbm fbm4;snoise noise3;fade(t) ((t)*(t));permute
+    mod289;mod289(x) mod(x,289.) smooth smoothstep;remap map;map scene;scale 4.0;zoom 2.0;speed 0.5;width 800.0;uv
+    gl_FragCoord.xy;st uv;pos ro;ro pos rd dir;dir rd;color vec4(1.);col color;light vec3(1.);camera ro;rand
+    random;random fract;voronoi worley;perlin noise simplex noise;turbulence fbm;ridged fbm;frequency 2.0;MAX_STEPS
+    100;STEPS 100;OCTAVES 6;SEED 7u;SCALE 4.0"""
 
 
 class Shaders(unittest.TestCase):
@@ -416,14 +419,14 @@ class Headers(unittest.TestCase):
         for compiler in COMPILERS:
             for header in HEADERS:
                 with self.subTest(compiler=compiler, header=header):
-                    errors = [line for line in says(compiler, including(header), "-std=c++17").splitlines()
+                    errors = [line for line in messages(compiler, including(header), "-std=c++17").splitlines()
                               if "error:" in line]
                     self.assertIn("hashnoise needs C++20: compile with -std=c++20", errors[0])
-                    self.assertEqual(says(compiler, including(header), "-std=c++20"), "")
+                    self.assertEqual(messages(compiler, including(header), "-std=c++20"), "")
 
     def test_the_version_that_msvc_tells_counts(self) -> None:
         for version, refused in (("201703L", True), ("202002L", False)):
-            said = says(COMPILERS[0], including("glsl.hpp"), "-std=c++17", f"-D_MSVC_LANG={version}")
+            said = messages(COMPILERS[0], including("glsl.hpp"), "-std=c++17", f"-D_MSVC_LANG={version}")
             self.assertEqual("hashnoise needs C++20" in said, refused, version)
 
     def test_sums_over_several_noises_live_in_one_file(self) -> None:
@@ -431,26 +434,26 @@ class Headers(unittest.TestCase):
             for arithmetic in ARITHMETICS:
                 with self.subTest(compiler=compiler, arithmetic=arithmetic):
                     setting = ("-std=c++20", f"-DHN_ARITHMETIC={arithmetic}")
-                    self.assertEqual(says(compiler, including("hashnoise.hpp") + SUMS, *setting), "")
+                    self.assertEqual(messages(compiler, including("hashnoise.hpp") + SUMS, *setting), "")
 
     def test_calls_with_the_types_of_glsl_are_taken(self) -> None:
         for compiler in COMPILERS:  # types are the same in every arithmetic
             with self.subTest(compiler=compiler):
-                self.assertEqual(says(compiler, calls(RIGHT), "-std=c++20"), "")
+                self.assertEqual(messages(compiler, calls(RIGHT), "-std=c++20"), "")
 
     def test_calls_that_glsl_refuses_are_deleted(self) -> None:
         right_and_wrong = (*WRONG, "hn_mean(hn_octaves(p, 6, 2, .5f, 7u))", *RIGHT[:3])
         for compiler in COMPILERS:
             with self.subTest(compiler=compiler):
                 all_errors = ("-ferror-limit=0",) if "clang" in Path(compiler).name else ()
-                said = says(compiler, calls(right_and_wrong), "-std=c++20", *all_errors)
+                said = messages(compiler, calls(right_and_wrong), "-std=c++20", *all_errors)
                 self.assertEqual(deleted(said, right_and_wrong), list(right_and_wrong[:-3]))
 
     def test_the_first_line_of_an_error_has_the_cure(self) -> None:
         for compiler in COMPILERS:
             for call in ("hn_perlin(p, 16)", "hn_value(vec3(x), 3)", "hn_fbm(p, 6, 2.0, 0.5, 7)"):
                 with self.subTest(compiler=compiler, call=call):
-                    errors = [line for line in says(compiler, calls((call,)), "-std=c++20").splitlines() if "error: " in line]
+                    errors = [line for line in messages(compiler, calls((call,)), "-std=c++20").splitlines() if "error: " in line]
                     self.assertIn("write 16u for a seed", errors[0])
                     self.assertEqual(len(errors), 1)
 
@@ -458,14 +461,14 @@ class Headers(unittest.TestCase):
         functions = public_functions()
         self.assertTrue({"hn_perlin", "hn_fbm", "hn_warp_progressive", "hn_cell", "hn_hash"} <= set(functions))
         wrong = tuple(f"float({function}(true))" for function in functions)
-        said = says(COMPILERS[0], calls((*wrong, "float(hn_i_mix(true))")), "-std=c++20")
+        said = messages(COMPILERS[0], calls((*wrong, "float(hn_i_mix(true))")), "-std=c++20")
         self.assertEqual(deleted(said, (*wrong, "a function that is not among them")), list(wrong))
 
     def test_lanes_take_no_other_numbers_either(self) -> None:
         for compiler in COMPILERS:
             for first, second in (("lanes", "hashnoise"), ("hashnoise", "lanes")):
                 with self.subTest(compiler=compiler, first=first, second=second):
-                    self.assertEqual(says(compiler, LANES.format(first=first, second=second), "-std=c++20"), "")
+                    self.assertEqual(messages(compiler, LANES.format(first=first, second=second), "-std=c++20"), "")
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""The installed program, moved away from where it was built and installed, and what is installed of builds that have not
-built all of it. Usage: install_test.py CMAKE BUILD SOURCE"""
+"""The installed program, moved away from where it was built and installed, and what is installed of builds that have
+not built all of it. Usage: install_test.py CMAKE BUILD SOURCE"""
 
 import pathlib
 import shutil
@@ -64,7 +64,7 @@ class Install(unittest.TestCase):
 
 
 class PartsOfABuild(unittest.TestCase):
-    """What was built is installed, and find_package finds that."""
+    """Installs the build; find_package finds it."""
 
     def setUp(self):
         scratch = tempfile.TemporaryDirectory()

@@ -35,7 +35,7 @@ using namespace hashnoise;
 constexpr int kLanes = 1;
 
 float lane(hn_float value, int) { return value; }
-// What lanes::select is for a number.
+// lanes::select, for a number.
 template <typename Number>
 Number select(bool condition, Number a, Number b) {
   return condition ? a : b;

@@ -27,7 +27,7 @@ POINTS = ["-O1", "-Dalways_inline=unused"] if THOROUGH else ["-O0", "-Dalways_in
 SETTINGS = (["HN_ARITHMETIC=HN_FAST"],
             ["HN_ARITHMETIC=HN_PRECISE", "HN_HASH=HN_HASH_FNV1", "HN_GRADIENT=HN_GRADIENT_SINE"],
             ["HN_ARITHMETIC=HN_FIXED", "HN_HASH=HN_HASH_PCG"])
-# What the processor must have to run what is compiled for a machine.
+# The instructions that a processor needs for code of a machine.
 MACHINES = {"x86-64-v2": "sse4_2", "x86-64-v3": "avx2", "x86-64-v4": "avx512vl"}
 PROCESSOR = Path("/proc/cpuinfo").read_text().split() if Path("/proc/cpuinfo").exists() else []
 LANES = ("LANES", "HN_LANES_CHECKED")
@@ -37,7 +37,7 @@ FOLDER = tempfile.TemporaryDirectory()  # of the programs
 
 @functools.cache
 def built(compiler: str, *macros: str, flags: tuple[str, ...] = EXACT) -> tuple[str, Path]:
-    """What the compiler says, nothing if it compiles, and the program."""
+    """The compiler's messages, empty if it compiles, and the program."""
     program = Path(FOLDER.name, str(built.cache_info().misses))
     command = [compiler, "-std=c++20", *POINTS, *flags, "-Wall", "-Wextra", "-Werror", "-I", str(INCLUDE),
                *(f"-D{macro}" for macro in macros), str(HERE / "lanes.cpp"), "-o", str(program)]
@@ -47,7 +47,7 @@ def built(compiler: str, *macros: str, flags: tuple[str, ...] = EXACT) -> tuple[
 
 @functools.cache
 def digests(compiler: str, *macros: str, flags: tuple[str, ...] = EXACT, options: tuple[str, ...] = ()) -> list[str]:
-    """What the program prints, built so."""
+    """The output of the program, built so."""
     messages, program = built(compiler, *macros, flags=flags)
     if messages:
         raise AssertionError(messages)
@@ -59,7 +59,7 @@ def printed(program: Path, *options: str) -> list[str]:
 
 
 def as_msvc(*macros: str, flags: tuple[str, ...] = EXACT) -> tuple[str, Path]:
-    """What `built` says of lanes that Clang compiles as MSVC would."""
+    """The result of `built` for lanes that Clang compiles as MSVC would."""
     quickly = () if THOROUGH else ("__forceinline=inline",)
     return built(COMPILERS[-1], *LANES, *macros, *quickly, flags=(*flags, *AS_MSVC))
 

@@ -10,15 +10,15 @@ AS_MSVC = ("-fms-extensions", "-fms-compatibility", "-fms-compatibility-version=
 
 
 def _told(compiler: str, *flags: str) -> list[str]:
-    """What Clang tells itself, given such options of MSVC."""
+    """Clang's own options for such options of MSVC."""
     source = Path(__file__).with_name("lanes.cpp")  # which is only looked for
     command = [compiler, "--driver-mode=cl", "--target=x86_64-pc-windows-msvc", *flags, "/O2", "-###", "/c", "--", source]
-    told = subprocess.run(command, capture_output=True, text=True, check=True).stderr
-    call, = (line for line in told.splitlines() if '"-cc1"' in line)
+    printed = subprocess.run(command, capture_output=True, text=True, check=True).stderr
+    call, = (line for line in printed.splitlines() if '"-cc1"' in line)
     return shlex.split(call)
 
 
 def fp_fast(compiler: str) -> tuple[str, ...]:
-    """What Clang makes of MSVC's /fp:fast, as flags of its own command line."""
+    """Clang's flags for MSVC's /fp:fast, from its own command line."""
     usual, fast = _told(compiler), _told(compiler, "/fp:fast")
     return ("-fno-math-errno", *(word for flag in fast if flag not in usual for word in ("-Xclang", flag)))

@@ -1,10 +1,9 @@
 """The text of the library as HLSL, and in Metal's shading language: python3 shims_test.py CLANG++ [--thorough]
 
-What it computes there is the suite's business (the profiles hlsl60, hlsl50 and msl). Here are the settings that no case
-has, and what the files leave behind in a user's code. glslang compiles the HLSL; clang++ compiles Metal's language, a
-C++14, with the stand-in for its standard library. What other compilers make of the conditions is asked of the
-preprocessor of g++. Settings are tried in pairs, and with --thorough all of them together.
-"""
+The suite checks its results there (the profiles hlsl60, hlsl50 and msl). Here are the settings that no case has, and
+the macros that the files leave behind in a user's code. glslang compiles the HLSL; clang++ compiles Metal's language, a
+C++14, with the stand-in for its standard library. The preprocessor of g++ evaluates the conditions for other compilers.
+Settings are tried in pairs, and with --thorough all of them together."""
 
 from __future__ import annotations
 
@@ -22,7 +21,7 @@ CONFORMANCE = Path(__file__).resolve().parent.parent
 ROOT = CONFORMANCE.parent
 COMPILER = sys.argv[1] if len(sys.argv) > 1 else "clang++"
 THOROUGH = "--thorough" in sys.argv
-# What the user's own code may call as GLSL calls it, and a sum of the user's.
+# A user's own calls with GLSL's names, and a fractal of the user's.
 USER = """
 float my_sum(hn_octaves2 o) {
   do hn_add(o, hn_simplex(o.place, o.seed)); while (hn_next(o));
@@ -59,7 +58,7 @@ RWStructuredBuffer<float> values;
 def printed(language: str) -> list[str]:
     """The code of a language in the pages that have some."""
     return re.findall(rf"^```{language}\n(.*?)^```$", "\n".join(
-        (ROOT / "docs" / page).read_text() for page in ("languages.md", "hex-tiling.md")), re.MULTILINE | re.DOTALL)
+        (ROOT / "docs" / page).read_text() for page in ("guide/languages.md", "guide/hex-tiling.md")), re.MULTILINE | re.DOTALL)
 
 
 def settings(arithmetics: tuple[str, ...]) -> list[dict[str, str]]:
@@ -85,8 +84,8 @@ class Shim(unittest.TestCase):
         self.assertIn(old, text)
         (self.glsl / file).write_text(text.replace(old, new))
 
-    def says(self, *command: str) -> str:
-        """What a compiler says of the file; nothing if it takes it."""
+    def messages(self, *command: str) -> str:
+        """The compiler's messages on the file; empty if it takes it."""
         done = subprocess.run([*command, f"-I{self.include}", str(self.file)], capture_output=True, text=True, check=False)
         return "" if done.returncode == 0 else f"exit status {done.returncode}: {done.stdout}{done.stderr}"
 
@@ -113,7 +112,7 @@ class Settings(unittest.TestCase):
 
 class Hlsl(Shim):
     def accepted(self, stage: str) -> str:
-        return self.says("glslangValidator", "-D", "-V", "-S", stage, "-e", "main", "-o", str(self.file) + ".spv")
+        return self.messages("glslangValidator", "-D", "-V", "-S", stage, "-e", "main", "-o", str(self.file) + ".spv")
 
     def compiled(self, include: str = '#include "hashnoise/hashnoise.hlsl"', **knobs: str) -> str:
         self.written(include + USER + MAIN, knobs)
@@ -151,7 +150,7 @@ class Hlsl(Shim):
 
 class Metal(Shim):
     def accepted(self, *options: str) -> str:
-        return self.says(COMPILER, "-std=c++14", "-fsyntax-only", "-Wall", "-Wextra", "-Werror", *options)
+        return self.messages(COMPILER, "-std=c++14", "-fsyntax-only", "-Wall", "-Wextra", "-Werror", *options)
 
     def compiled(self, **knobs: str) -> str:
         self.written('#include "hashnoise/hashnoise.metal"\nnamespace hashnoise {' + USER + "}\n", knobs)
@@ -186,7 +185,7 @@ class Metal(Shim):
 class Conditions(Shim):
     def preprocessed(self, *macros: str) -> str:
         self.written('#include "hashnoise/hashnoise.glsl"\n', {})
-        return self.says("g++", "-E", "-x", "c", "-Wundef", "-Werror", "-o", "/dev/null", *macros)
+        return self.messages("g++", "-E", "-x", "c", "-Wundef", "-Werror", "-o", "/dev/null", *macros)
 
     # g++ defines __VERSION__ as a string, as DXC does; without it, its preprocessor is like naga's or Godot's.
     WITHOUT_A_NUMBER = (("-DHN_I_HLSL",), ("-U__VERSION__",))

@@ -1,8 +1,8 @@
 """Loops over the scalar functions are vectorized: python3 vectorize_test.py G++ CLANG++ [--thorough]
 
-With the flags that hashnoise.hpp names, each compiler says of each loop whether it made vectors of it. By default one of them
-is asked of floats on the plane, and the other of integers in space; with --thorough both of all.
-"""
+With the flags that hashnoise.hpp names, each compiler reports of each loop whether it made vectors of it. By default
+one
+compiler tries floats on the plane, and the other integers in space; with --thorough both try all."""
 
 from __future__ import annotations
 

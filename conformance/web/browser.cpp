@@ -30,13 +30,13 @@ ContextInfo info_of(const Json& event, const Browser& browser) {
   return info;
 }
 
-// What came of the cases so far, from what the page says.
+// The results so far, from the page's messages.
 class Conversation {
  public:
   Conversation(const Browser& browser, std::span<const Case> cases, const CaseEvents& events)
       : browser_(browser), cases_(cases), events_(events) {}
 
-  // An error in what the page says, or that it gave up, ends the conversation.
+  // An error in a message of the page, or its end, ends the conversation.
   void hear(const std::string& message) {
     try {
       hear(Json::parse(message));
@@ -95,7 +95,7 @@ class Conversation {
     events_.ready(info);
   }
 
-  // Those that the page is not asked for have their verdict in their place among the others.
+  // Cases that do not go to the page have their verdict in their place among the others.
   void finish_unsupported_until(std::string_view id) {
     for (; next_ < cases_.size() && cases_[next_].id != id; ++next_) {
       const Case& test = cases_[next_];

@@ -30,7 +30,7 @@ inline constexpr const char* kWgslHash = "hash.lattice2.lattice.exact.compute.wg
 inline constexpr const char* kWgslSum = "fbm.fbm2.lattice.fast.compute.wgsl.golden";
 inline const std::vector<std::string> kSome = {kHash, kNoise, kCompiles, kRefused};
 
-// What a run told, in its order.
+// The events of a run, in their order.
 struct Story {
   std::vector<ContextInfo> infos;
   std::vector<std::string> started;
@@ -65,11 +65,11 @@ inline Result<void> run(Story& story, std::span<const std::string> ids, std::str
   return run_in_browser(browser_named(browser), sources, golden, ids, story.events());
 }
 
-// What the names of a process's folders begin with.
+// The prefix of a process's folders.
 inline std::string folder_of(pid_t owner) { return TemporaryFolder::prefix(owner); }
 
-// The processes of the Chromiums that a process has started. Each has inherited an output that goes to a log in a folder
-// of that process; their command lines and environments do not all tell it.
+// The processes of the Chromiums that a process has started. Each has inherited an output that goes to a log in a
+// folder of that process; their command lines and environments do not all tell it.
 inline std::vector<pid_t> chromium_of(pid_t owner) {
   const std::string folder = (std::filesystem::temp_directory_path() / folder_of(owner)).string();
   std::vector<pid_t> found;

@@ -156,7 +156,7 @@ TEST(BrowserFault, AValueThatIsOffByMoreThanTheBoundFailsAndSoDoesARefusalWithou
   const TemporaryFolder golden;
   std::filesystem::copy(HN_GOLDEN_DIRECTORY, golden.path(), std::filesystem::copy_options::recursive);
   std::string noise = read_file(golden.path() / "noise2d.perlin.golden").value();
-  // Digits 3 to 15 are the fraction of the double, so this one tells 2^-9 to 2^-12 of it.
+  // Digits 3 to 15 are the fraction of the double, so this one changes it by 2^-9 to 2^-12.
   const auto at = last_value(noise, "lattice") + 5;
   noise[at] = noise[at] == '0' ? 'f' : '0';
   golden.write("noise2d.perlin.golden", noise);
@@ -170,7 +170,7 @@ TEST(BrowserFault, AValueThatIsOffByMoreThanTheBoundFailsAndSoDoesARefusalWithou
   EXPECT_EQ(story.outcome(kCompiles).status, Status::pass);
 }
 
-// A library that is wrong in one variant of the shader only, told by what the shader calls itself.
+// A library that is wrong in one variant of the shader only, recognised by the shader's own names.
 TEST(BrowserFault, EachWayThatIsWrongFailsAndSoDoAWrongDigestAndARefusalThatIsNone) {
   constexpr std::pair<std::string_view, std::string_view> kWays[] = {
       {"CASE_VERTEX", "vertex.es300.golden"},
@@ -221,8 +221,8 @@ TEST(BrowserFault, ANoiseWithoutItsPeriodFails) {
   EXPECT_GT(story.outcome(ids[0]).mismatches, 0u) << story.outcome(ids[0]).message;
 }
 
-// A bug's case fails if the specification says what the value is; else it warns. The same source for both: what is read
-// from the points is changed.
+// A bug's case fails if the specification fixes the value; else it warns. Both have the same source: the words from the
+// points are changed.
 TEST(BrowserFault, ABugThatIsThereFailsOrWarns) {
   SourceSet sources = SourceSet::embedded();
   sources.transform_with([](ShaderText& shader, const Profile&) -> Result<void> {

@@ -1,12 +1,12 @@
-// What the cases hold against what. As in case.hpp: an outcome is a status, counts, the largest differences, a message
-// and the first values that are wrong.
+// The checks of the cases. As in case.hpp: an outcome is a status, counts, the largest differences, a message and the
+// first wrong values.
 import { DriverError } from "./renderer.js";
 import { crc32, digestInputs, fnv1a64, hex, kInputWords, kOutputWords } from "./suite.js";
 
 export const kStatuses = ["pass", "warning", "fail", "unsupported", "crash", "timeout", "error"];
 export const kBadStatuses = ["fail", "crash", "timeout", "error"];
 
-// A case tells of so many failures; more of them tell nothing new.
+// The most failures that a case lists; further ones add nothing.
 const kMostExamples = 8;
 
 const kScratch = new DataView(new ArrayBuffer(4));
@@ -219,8 +219,8 @@ async function checkSame(renderer, suite, test) {
   return comparison.finish();
 }
 
-// Against words whose columns tell what they are: floats within what is allowed, all others bit by bit. What a
-// specification leaves open is a warning.
+// Compares with words by the types of their columns: floats within the tolerance, all others bit by bit. A value that
+// a specification leaves open is a warning.
 async function checkBug(renderer, suite, test) {
   const columns = suite.columns(test.columns);
   const inputs = suite.inputs(columns, test.inputs);

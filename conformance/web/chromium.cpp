@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What keeps Chromium from doing anything but show the page.
+// Options that keep Chromium from doing anything but show the page.
 constexpr std::array<std::string_view, 18> kArguments = {
     "--headless=new",
     "--no-first-run",
@@ -78,8 +78,9 @@ std::span<const Browser> all_browsers() {
        {"--use-angle=swiftshader", "--enable-unsafe-swiftshader"},
        {},
        "SwiftShader"},
-      // Chromium keeps WebGL from software drivers by its blocklist. Without it, that the context cannot be "bound to
-      // the current sequence" is all that it says.
+      // Chromium keeps WebGL from software drivers by its blocklist. Without it, the only message is that the context
+      // cannot
+      // be "bound to the current sequence".
       {"webgl2-mesa",
        "Chromium on Mesa's llvmpipe, headless",
        {"--use-gl=angle", "--use-angle=gl-egl", "--ignore-gpu-blocklist"},

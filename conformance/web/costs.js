@@ -1,4 +1,5 @@
-// What functions cost, compared with each other on this device: times alone say more of the browser than of them.
+// The costs of functions, compared with each other on this device: times alone depend more on the browser than on the
+// functions.
 
 // A draw takes as long as this: a browser's clock may have steps of a millisecond, and what takes long is ended as if
 // it hung.
@@ -7,7 +8,7 @@ const kMostRounds = 1 << 14;
 const kSamples = 7;
 const kUnit = "noise2d.perlin.fast";
 const kEmpty = "empty";
-// What one evaluation costs is the same among twice as many, or the clock measures something else.
+// One evaluation costs the same among twice as many, or the clock measures something else.
 const kLeastOfTwice = 0.75;
 const kMostOfTwice = 1.35;
 

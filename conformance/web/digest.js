@@ -1,4 +1,4 @@
-// What is worth sending of a page's results: the text that report/digest.cpp makes of the same results.
+// The part of a page's results that is worth sending: report/digest.cpp makes the same text from the same results.
 import { kBadStatuses } from "./checks.js";
 import { crc32, hex } from "./suite.js";
 
@@ -33,11 +33,11 @@ function partOf(results, sets, count) {
   for (const { id, status, checksum } of results) {
     const [file, name, , arithmetic] = id.split(".");
     const bad = kBadStatuses.includes(status);
-    // What is about a file as a whole is one group: there are many files.
+    // The cases of whole files are one group: there are many files.
     const group = `${name === "all" ? "files" : file}.${arithmetic}`;
     (counts[group] ??= [0, 0, 0])[bad ? 1 : status === "unsupported" ? 2 : 0] += 1;
     const set = sets.get(id);
-    // Versions and stages have a case each. What one returns that is wrong counts.
+    // Versions and stages have a case each. A wrong result counts.
     if (checksum === undefined || set === undefined) continue;
     if (bad || !checksums.has(set)) checksums.set(set, { file, checksum });
   }

@@ -4,7 +4,7 @@ import { kBadStatuses } from "./checks.js";
 // As in failures.cpp.
 const kMostCommon = 2;
 const kMostNamed = 3;
-const kToldOfAll = 20;
+const kSeparatedOfAll = 20;
 const kToldOfGroup = 4;
 
 export function functionOf(id) {
@@ -29,7 +29,7 @@ function has(trait, row) {
   return trait.values.has(row.facets[trait.facet]) !== trait.byAbsence;
 }
 
-// What the facet of a set of cases says of those that failed: they have one of few values, or all but one.
+// A common trait of the failed cases in a facet: they have one of few values, or all but one.
 function traitOf(facet, failed, others) {
   const wrong = valuesIn(failed, facet);
   if (wrong.has("")) return null;
@@ -40,7 +40,7 @@ function traitOf(facet, failed, others) {
   return good.size === 1 ? { facet, byAbsence: true, values: good } : null;
 }
 
-// Those that together tell what failed from most of what did not. One value is simpler than two.
+// The traits that together separate the failed cases from most of the others. One value is simpler than two.
 function traitsOf(failed, others, share) {
   const chosen = [];
   while (failed.length > 1 && others.length > 0) {
@@ -48,9 +48,9 @@ function traitsOf(failed, others, share) {
     let bestScore = 0;
     for (let facet = 0; facet < failed[0].facets.length; ++facet) {
       const trait = traitOf(facet, failed, others);
-      const told = trait ? others.filter((row) => !has(trait, row)).length : 0;
-      if (told <= Math.floor(others.length / share)) continue;
-      const score = told / trait.values.size;
+      const separated = trait ? others.filter((row) => !has(trait, row)).length : 0;
+      if (separated <= Math.floor(others.length / share)) continue;
+      const score = separated / trait.values.size;
       if (score <= bestScore) continue;
       bestScore = score;
       best = trait;
@@ -118,10 +118,10 @@ export function failuresOf(results, facets) {
                 .map((result) => ({ result, facets: facets.get(result.id) }));
   const failed = ran.filter(({ result }) => isBad(result));
   const others = ran.filter(({ result }) => !isBad(result));
-  const traits = traitsOf(failed, others, kToldOfAll);
+  const traits = traitsOf(failed, others, kSeparatedOfAll);
   const common = traits.map((trait) => sentenceOf(trait, others));
   const groups = grouped(failed).map((rows) => groupOf(rows, ran, traits));
-  // A single group says by itself what its cases have in common.
+  // A single group shows the common trait of its cases itself.
   if (failed.length > 1 && traits.length === 0 && (!others.length || groups.length > 1)) {
     common.push(others.length ? "The names of the failing cases have nothing in common." : "Every case that ran fails.");
   }

@@ -25,7 +25,7 @@ constexpr int kPollMilliseconds = 50;
 // A message has so much of a log: about ten lines.
 constexpr std::size_t kMostOfLog = 2000;
 
-// What the guard needs; made before it is, since another thread may hold a lock when we fork.
+// The guard's arguments; made before we fork, since another thread may hold a lock then.
 struct Plan {
   std::vector<char*> command;
   std::vector<char*> environment;
@@ -70,13 +70,13 @@ void end_all(pid_t program) {
   const pid_t program = fork();
   if (program == 0) become_program(plan);
   setpgid(program, program);  // here as well: whoever comes first
-  bool told = false;
+  bool reported = false;
   while (true) {
     pollfd us = {STDIN_FILENO, POLLIN, 0};
     if (poll(&us, 1, kPollMilliseconds) > 0) break;  // nobody sends anything: it is closed
     int status = 0;
-    if (told || waitpid(program, &status, WNOHANG) == 0) continue;
-    told = true;
+    if (reported || waitpid(program, &status, WNOHANG) == 0) continue;
+    reported = true;
     send(STDIN_FILENO, &status, sizeof status, MSG_NOSIGNAL);
   }
   end_all(program);

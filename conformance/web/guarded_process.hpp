@@ -33,7 +33,7 @@ class GuardedProcess {
       : guard_(guard), channel_(channel), folder_(std::move(folder)) {}
 
   pid_t guard_;
-  int channel_;  // the guard sends how the program ended; that it is closed tells the guard that we are gone
+  int channel_;  // the guard sends how the program ended; when it closes, we are gone
   TemporaryFolder folder_;
 };
 

@@ -1,4 +1,4 @@
-// What failures mean for whoever writes shaders, in sentences.
+// The meaning of failures for writers of shaders, in sentences.
 import { kBadStatuses } from "./checks.js";
 import { functionOf } from "./failures.js";
 
@@ -9,7 +9,7 @@ function listed(names) {
   return names.length > kMostNamed ? `${shown} and ${names.length - kMostNamed} more` : shown;
 }
 
-// What a case is about: what is said of its failure.
+// The subject of a case, for the sentence on its failure.
 function kindOf(id) {
   const [file, name, , arithmetic] = id.split(".");
   if (file === "bugs") return "driver";

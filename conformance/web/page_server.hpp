@@ -1,4 +1,4 @@
-// Serves a page to a browser on this machine, and hands on what the page says, in the thread that asks for it.
+// Serves a page to a browser on this machine, and hands on the page's messages, in the thread that waits for them.
 #pragma once
 
 #include <chrono>

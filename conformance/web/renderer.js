@@ -7,14 +7,14 @@ const kWidth = 1024;
 const kHeight = 64;
 // Cases that share a program follow each other: a variant, what it is compared with, and the same in another stage.
 const kKeptPrograms = 3;
-// Drivers evaluate what is beside the grid along with it, in blocks of pixels or vertices: that must see zeros instead of
-// an earlier case's words, so whole rows are written.
+// Drivers evaluate what is beside the grid along with it, in blocks of pixels or vertices: that must see zeros instead
+// of an earlier case's words, so whole rows are written.
 const kBlock = 4;
 const kNothing = 0xdeadbeef;
 // The textures, as far as a program reads them.
 const kInputs = ["input_a", "input_b", "input_c", "input_d"];
 
-// What the driver did wrong, with its log.
+// An error of the driver, with its log.
 export class DriverError extends Error {
   constructor(message, log = "") {
     super(log ? `${message}\n${log}` : message);
@@ -180,7 +180,7 @@ export class Renderer {
     return words;
   }
 
-  // How long it takes to draw the whole texture, in milliseconds. What is read back is drawn.
+  // The time to draw the whole texture, in milliseconds. Reading back waits for the draw.
   time(program, uniforms) {
     const gl = this.gl;
     gl.bindFramebuffer(gl.FRAMEBUFFER, this.framebuffer);

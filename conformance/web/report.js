@@ -1,4 +1,4 @@
-// What was found: results.json, and the page.
+// The results: results.json, and the page.
 import { kBadStatuses, kStatuses, measureOf } from "./checks.js";
 import { failuresOf, functionOf } from "./failures.js";
 import { meaningsOf } from "./meaning.js";
@@ -21,7 +21,7 @@ export function asExpected(results) {
   return count(results, "pass") > 0 && bad(results).length === 0;
 }
 
-// It has the schema that hn-conform writes (docs/formats.md). The page has the random points of seed 1.
+// It has the schema that hn-conform writes (docs/reference/formats.md). The page has the random points of seed 1.
 export function resultsJson({ version, library, api, cases, golden }, info, results) {
   const notRun = cases.length - results.length; // since somebody has stopped the page
   const totals = Object.fromEntries(kStatuses.map((status) => [status, count(results, status)]));
@@ -58,13 +58,13 @@ function exampleTable(examples) {
 function wrongCase(result) {
   const parts = [element("h4", {}, element("code", {}, result.id))];
   if (result.samples) parts.push(element("p", {}, `${measureOf(result)}.`));
-  // What is not said by the examples.
+  // The message, unless the examples repeat it.
   if (result.examples.length && !result.message.startsWith("first at")) parts.push(element("p", {}, result.message));
   parts.push(result.examples.length ? exampleTable(result.examples) : element("pre", {}, result.message));
   return element("article", {}, ...parts);
 }
 
-// Those that say the same are shown once.
+// Equal texts are shown once.
 function wrongGroup(group, open) {
   const shown = group.results.slice(0, group.ofFunction ? kMostCasesShown : 1);
   const left = group.results.length - shown.length;
@@ -121,7 +121,7 @@ export function showContext(info) {
   place("versions").textContent = `${info.gl_version}; ${info.glsl_version}`;
 }
 
-// Below this the mean of the cases so far says nothing of those to come.
+// Below this the mean of the cases so far does not predict the others.
 const kEnoughToEstimate = 20;
 
 // As "2:05 left": what the cases that are left take if they take as long as those before.

@@ -8,8 +8,8 @@ import { whereabouts } from "./whereabouts.js";
 // A context that is gone may come back when the browser has started its GPU process again.
 const kNewContextTries = 50;
 const kMillisecondsBetweenTries = 200;
-// A browser tells of a lost context in a task of its own, after the call that could not be answered.
-const kMillisecondsUntilLossIsTold = 100;
+// A browser reports a lost context in a task of its own, after the call that could not be answered.
+const kMillisecondsUntilLossIsReported = 100;
 
 const wait = (milliseconds) => new Promise((done) => setTimeout(done, milliseconds));
 
@@ -25,7 +25,7 @@ function breathe() {
   });
 }
 
-// What opens another one, until there is one that is not lost at once.
+// Opens another one, until there is one that is not lost at once.
 async function reopened(open) {
   for (let tries = 1; ; ++tries) {
     try {
@@ -41,10 +41,10 @@ async function reopened(open) {
 
 const kOpen = { webgl2: () => new Renderer(openContext()), webgpu: openDevice };
 
-// listener: async ready(info), started(id), finished(result), and timed(costs) if the suite has what to time; wantsMore(),
-// which is asked before each case. Throws NoContext if there is none.
+// listener: async ready(info), started(id), finished(result), and timed(costs) if the suite has functions to time;
+// wantsMore(), which is called before each case. Throws NoContext if there is none.
 export async function runSuite(suite, listener) {
-  // What runs the cases of each API; null where it was lost. The page cannot do without one.
+  // The renderers of the APIs; null where one was lost. The page cannot do without its own.
   const renderers = { [suite.api]: await kOpen[suite.api]() };
   await listener.ready({ ...renderers[suite.api].describe(), ...whereabouts(navigator.userAgent) });
   for (const test of suite.cases) {
@@ -62,7 +62,7 @@ export async function runSuite(suite, listener) {
     const start = performance.now();
     outcome ??= await runCase(renderers[api], suite, test);
     const seconds = (performance.now() - start) / 1000;
-    if (kBadStatuses.includes(outcome.status)) await wait(kMillisecondsUntilLossIsTold);
+    if (kBadStatuses.includes(outcome.status)) await wait(kMillisecondsUntilLossIsReported);
     if (renderers[api]?.isLost()) {
       outcome = outcomeWith("crash", "the context was lost");
       renderers[api] = null;

@@ -10,7 +10,7 @@ const place = (id) => document.getElementById(id);
 // Where GitHub shows a new file of the project with this text, for its visitor to propose.
 export function proposalAddress(text) {
   const parts = new URLSearchParams({ filename: digestName(text), value: text });
-  return `${kAddress}/new/main/docs/results/devices?${parts}`;
+  return `${kAddress}/new/main/docs/measured/results/devices?${parts}`;
 }
 
 async function copy(text) {
@@ -18,7 +18,7 @@ async function copy(text) {
     await navigator.clipboard.writeText(text);
     place("sent").textContent = "Copied.";
   } catch {
-    // A page that is opened from a disk may not write there. What is selected can be copied by hand.
+    // A page that is opened from a disk may not write there. Selected text can be copied by hand.
     getSelection().selectAllChildren(place("digest"));
     place("sent").textContent = "The browser does not let this page copy. The text is selected: copy it yourself.";
   }

@@ -66,7 +66,7 @@ class SuiteWriter {
 
   const std::optional<std::string>& defect() const { return defect_; }
 
-  // What is timed, if people see the page.
+  // The timed functions, if people see the page.
   Json timed_json() {
     Json list = Json::array();
     for (const TimedShader& timed : timed_shaders()) {
@@ -95,7 +95,7 @@ class SuiteWriter {
   }
 
  private:
-  // What a case is without the browser, if something of its own is wrong: the same as on a driver.
+  // A case without the browser, or its outcome if it has a fault of its own: the same as on a driver.
   using Part = tl::expected<Json, Outcome>;
 
   Part part_of(const Case& test) {
@@ -285,7 +285,7 @@ class SuiteWriter {
             {"fnv1a64", fmt::format("{:016x}", digest.fnv1a64)}};
   }
 
-  // A number for each text; the page says with these words what failures have in common.
+  // A number for each text; the page describes the common traits of failures with these texts.
   Json facets_json(const std::string& id) {
     Json numbers = Json::array();
     for (const std::string& text : facets_of(id)) numbers.push_back(facets_.number_of(text));

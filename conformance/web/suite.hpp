@@ -1,4 +1,5 @@
-// The cases that a browser can run, as data: what the page's suite.js reads. docs/formats.md describes the JSON.
+// The cases that a browser can run, as data: what the page's suite.js reads. docs/reference/formats.md describes the
+// JSON.
 #pragma once
 
 #include <filesystem>

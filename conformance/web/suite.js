@@ -1,5 +1,5 @@
-// The data that the page comes with (docs/formats.md, "The page and its suite"): shaders, input words and expected
-// values.
+// The data that the page comes with (docs/reference/formats.md, "The page and its suite"): shaders, input words and
+// expected values.
 
 // Words that go into and come out of one evaluation, as in functions.hpp.
 export const kInputWords = 16;
@@ -31,7 +31,7 @@ export class Suite {
     this.api = json.api;
   }
 
-  // What the names of the cases say of them, by id: texts, as in facets.hpp.
+  // The facets of the cases by id: texts, as in facets.hpp.
   facets() {
     return new Map(this.json.cases.map(({ id, facets }) => [id, facets.map((number) => this.json.facets[number])]));
   }
@@ -45,7 +45,7 @@ export class Suite {
     };
   }
 
-  // What Renderer.build takes.
+  // The arguments of Renderer.build.
   program(number) {
     const { stage, vertex, fragment, wgsl } = this.json.programs[number];
     if (wgsl !== undefined) return { stage, wgsl: this.shader(wgsl) };
@@ -61,7 +61,7 @@ export class Suite {
     return new Float64Array(bytesOf(this.json.data[number]).buffer);
   }
 
-  // What must run a case: "webgl2" or "webgpu".
+  // The API that a case needs: "webgl2" or "webgpu".
   apiOf(test) {
     const program = this.json.programs[test.program];
     return program === undefined ? this.api : program.wgsl === undefined ? "webgl2" : "webgpu";

@@ -32,7 +32,7 @@ class Device {
     return this.lost;
   }
 
-  // What a call finds wrong is told later, and only to those who ask.
+  // WebGPU reports an error of a call later, and only on request.
   async checked(what, call) {
     this.device.pushErrorScope("validation");
     this.device.pushErrorScope("out-of-memory");

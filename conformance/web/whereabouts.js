@@ -1,6 +1,6 @@
-// What a browser says of itself, without the numbers of builds.
+// A browser's own name, without the numbers of builds.
 
-// The first that is in the user agent. Those that are made of Chromium say so as well, and Chrome names Safari.
+// The first name in the user agent. Browsers made of Chromium name it, too, and Chrome names Safari.
 const kBrowsers = [["Edge", /\bEdgA?\/(\d+)/], ["Opera", /\bOPR\/(\d+)/],
                    ["Samsung Internet", /\bSamsungBrowser\/(\d+)/], ["Firefox", /\b(?:Firefox|FxiOS)\/(\d+)/], ["Chrome", /(?:Chrome|CriOS)\/(\d+)/],
                    ["Safari", /\bVersion\/(\d+).*\bSafari\//]];

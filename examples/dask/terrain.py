@@ -5,7 +5,7 @@ blocks, however large the terrain is.
     python3 terrain.py                                        # 40,000,000,000 heights, into terrain.zarr
     python3 terrain.py --size 20000 --out small.zarr          # 20 km by 20 km
     python3 terrain.py --scheduler tcp://10.0.0.1:8786        # on a cluster, whose workers see the folder, too
-    python3 terrain.py --measure ../../docs/dask.md           # what a square kilometre costs here, into the page
+    python3 terrain.py --measure ../../docs/guide/dask.md           # what a square kilometre costs here, into the page
 
     import xarray
     land = xarray.open_dataarray("terrain.zarr", engine="zarr", consolidated=False)
@@ -32,7 +32,7 @@ WHOLE = 200_000  # metres
 CELL = 4096  # metres: the largest hills
 OCTAVES = 11  # the finest octave has cells of 4 m
 BEGIN, END = "<!-- examples/dask/terrain.py: costs -->\n", "<!-- end -->"
-# What is measured: the side in metres, and what differs from the terrain above.
+# Measured terrains: the side in metres, and what differs from the terrain above.
 MEASURED = ((4096, {}), (8192, {}), (16384, {}), (8192, {"dtype": "float32"}), (8192, {"arithmetic": "fast"}),
             (8192, {"octaves": 5}))
 
@@ -49,7 +49,7 @@ def write(size: int, out: Path, **options) -> None:
 
 
 def measure(size: int, options: dict) -> dict[str, float]:
-    """What a square costs, in a process of its own, so that its memory is counted alone; without what Python and the
+    """The cost of a square, in a process of its own, so that its memory is counted alone; without what Python and the
     libraries take."""
     with tempfile.TemporaryDirectory() as folder:
         done = subprocess.run([sys.executable, __file__, "--size", str(size), "--out", Path(folder, "terrain.zarr"),

@@ -1,4 +1,4 @@
-// Land that a shader draws. The arrow keys move it, and the title says how high it is under the pointer: C++ computes
+// Land that a shader draws. The arrow keys move it, and the title shows how high it is under the pointer: C++ computes
 // that from the same text, with the same bits.
 #define HN_ARITHMETIC HN_FIXED
 #include <cstdio>

@@ -64,19 +64,20 @@ HN_FN hn_float hn_i_cell_border(hn_place2 place, hn_i_num jitter, hn_uint seed, 
 
 // By hand in each dimension.
 
-// The distance to the border of a cell of cellular noise on the plane: to the nearest place that is as near to another
-// feature point as to the nearest one (not the difference of the distances to both). Cracks, tiles and veins are drawn
-// with it.
-//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
-//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
+// The distance to the border of a cell of cellular noise on the plane, for cracks, tiles and veins. The border is where
+// another feature point is as near as the nearest one. It is not the difference of the distances to both.
+//   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a stone or a tile. Less
+//            than 2^23 along each axis: larger floats have no fraction
+//   place    in place of p: hn_place(cell, f) far from the origin, or hn_tile(p, period) for a tile (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   example  float n = hn_cell_border(uv * 8.0, 7u);
 //   returns  the distance to the border, in cells, in [0, 0.844] (proven bound), and 0.17 on average. It is continuous
 //            (HN_FIXED: in steps of 2^-16)
 //   error    at most 1.51e-3 against the exact value, in any rounding mode. HN_FIXED 1.27e-2. That is for two points
-//            that nearly touch: it falls with the distance of the two that make the border (docs/accuracy.md)
+//            that nearly touch: it falls with the distance of the two that make the border (docs/measured/accuracy.md)
 //   period   2^32 cells per axis, or that of the tile
 //   cost     9, 1 and 15 hashes (none with HN_HASH_LATTICE), as many multiplications, and 15 square roots and divisions
-//   source   Quilez, "Voronoi edges", 2012, for the distance; docs/contract.md, section 16
+//   source   Quilez, "Voronoi edges", 2012, for the distance; docs/reference/contract.md, section 16
 HN_FN hn_float hn_cell_border(hn_place2 place, hn_uint seed) {
   return hn_i_cell_border(place, hn_i_jitter(1.0f), seed);
 }
@@ -87,9 +88,10 @@ HN_FN hn_float hn_cell_border(hn_vec2 p, hn_uint seed) { return hn_cell_border(h
 HN_FN hn_float hn_cell_border(hn_vec2 p) { return hn_cell_border(p, 0u); }
 
 // This form also takes the jitter.
-//   jitter   how far the points are from the centres of their cells: 1 as without it, 0 for a regular lattice; what is
-//            outside of [0, 1] counts as the nearer end
+//   jitter   how far the points are from the centres of their cells, in [0, 1]: usually 1; 0 makes a regular lattice.
+//            Numbers outside count as the nearer end
 //   seed     any uint: 7u, not 7
+//   example  float n = hn_cell_border(uv * 8.0, 1.0, 7u);
 //   returns  as above
 //   error    as above
 //   cost     as above
@@ -100,13 +102,14 @@ HN_FN hn_float hn_cell_border(hn_vec2 p, hn_float jitter, hn_uint seed) {
   return hn_cell_border(hn_place(p), jitter, seed);
 }
 
-// This form also takes the jitter, and tells the nearest point.
-//   jitter   how far the points are from the centres of their cells: 1 as without it, 0 for a regular lattice; what is
-//            outside of [0, 1] counts as the nearer end
+// This form also takes the jitter, and sets the nearest point.
+//   jitter   how far the points are from the centres of their cells, in [0, 1]: usually 1; 0 makes a regular lattice.
+//            Numbers outside count as the nearer end
 //   seed     any uint: 7u, not 7
-//   nearest  is set to the cell of the nearest point, modulo the period: hn_lattice(nearest, seed) is a word of its own
-//            for each cell. Of points at the same distance that of the first cell counts, by y, then by x
-//   offset   is set to the vector from the position to that point, in cells
+//   nearest  set to the cell of the nearest point, modulo the period: hn_lattice(nearest, seed) is a random hash for
+//            each cell. Among points at the same distance the first cell counts, by y, then by x
+//   offset   set to the vector from the position to that point, in cells
+//   example  ivec2 nearest; vec2 offset; float n = hn_cell_border(uv * 8.0, 1.0, 7u, nearest, offset);
 //   returns  as above
 //   error    as above; of the offset at most 3.88e-7. HN_FIXED 2.39e-6
 //   cost     as above; one more hash

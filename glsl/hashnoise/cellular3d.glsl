@@ -22,18 +22,20 @@ HN_FN hn_vec2 hn_i_cellular(hn_place3 place, hn_i_num jitter, hn_int metric, hn_
 }
 
 // Cellular noise in space: the distances to the nearest and to the second nearest feature point (Worley's F1 and
-// F2). Each cell has one such point. In the whole infinite field no other point is nearer.
-//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
-//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
+// F2). Each cell has one such point. No point of the whole infinite field is nearer.
+//   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a stone or a tile. Less
+//            than 2^23 along each axis: larger floats have no fraction
+//   place    in place of p: hn_place(cell, f) far from the origin, or hn_tile(p, period) for a tile (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   example  float f1 = hn_cellular(vec3(uv * 8.0, 0.5), 7u).x;
 //   returns  the two distances, in cells: the first in [0, 1.2248], the second in [0, 1.5001] (proven bounds), and not
 //            below the first; on average 0.51 and 0.71. Both are continuous (HN_FIXED: in steps of 2^-18)
-//   error    at most 5.93e-6 against the exact value, in any metric and rounding mode (docs/accuracy.md). HN_FIXED
-//            6.87e-5. From a cell at most 5.49e-6
+//   error    at most 5.93e-6 against the exact value, in any metric and rounding mode (docs/measured/accuracy.md).
+//            HN_FIXED 6.87e-5. From a cell at most 5.49e-6
 //   period   2^32 cells per axis, or that of the tile
 //   cost     27 hashes (none with HN_HASH_LATTICE) and 27 multiplications; 3 more to spread the coordinates, 2 more for
-//            a seed that is not constant, and 2 square roots. What is not used of the result costs nothing
-//   source   Worley, "A cellular texture basis function", 1996; docs/contract.md, section 16
+//            a seed that is not constant, and 2 square roots. The compiler drops the work for results that you ignore
+//   source   Worley, "A cellular texture basis function", 1996; docs/reference/contract.md, section 16
 HN_FN hn_vec2 hn_cellular(hn_place3 place, hn_uint seed) {
   return hn_i_cellular(hn_i_block(place), place.fraction, hn_i_jitter(1.0f), HN_METRIC_EUCLIDEAN, seed);
 }
@@ -41,11 +43,12 @@ HN_FN hn_vec2 hn_cellular(hn_vec3 p, hn_uint seed) { return hn_cellular(hn_place
 HN_FN hn_vec2 hn_cellular(hn_vec3 p) { return hn_cellular(p, 0u); }
 
 // This form also takes the jitter and the metric.
-//   jitter   how far the points are from the centres of their cells: 1 as without it, 0 for a regular lattice; what is
-//            outside of [0, 1] counts as the nearer end
-//   metric   one of HN_METRIC_EUCLIDEAN, _SQUARED, _MANHATTAN, _CHEBYSHEV and _HYBRID; a constant costs
-//            only that metric
+//   jitter   how far the points are from the centres of their cells, in [0, 1]: usually 1; 0 makes a regular lattice.
+//            Numbers outside count as the nearer end
+//   metric   the distance: usually HN_METRIC_EUCLIDEAN, or HN_METRIC_SQUARED, _MANHATTAN, _CHEBYSHEV or _HYBRID. A
+//            constant compiles to that metric alone
 //   seed     any uint: 7u, not 7
+//   example  float f1 = hn_cellular(vec3(uv * 8.0, 0.5), 1.0, HN_METRIC_EUCLIDEAN, 7u).x;
 //   returns  as above, in the metric
 //   error    as above
 //   cost     as above
@@ -56,15 +59,17 @@ HN_FN hn_vec2 hn_cellular(hn_vec3 p, hn_float jitter, hn_int metric, hn_uint see
   return hn_cellular(hn_place(p), jitter, metric, seed);
 }
 
-// This form also takes the jitter and the metric, and tells the nearest point.
-//   jitter   how far the points are from the centres of their cells: 1 as without it, 0 for a regular lattice; what is
-//            outside of [0, 1] counts as the nearer end
-//   metric   one of HN_METRIC_EUCLIDEAN, _SQUARED, _MANHATTAN, _CHEBYSHEV and _HYBRID; a constant costs
-//            only that metric
+// This form also takes the jitter and the metric, and sets the nearest point.
+//   jitter   how far the points are from the centres of their cells, in [0, 1]: usually 1; 0 makes a regular lattice.
+//            Numbers outside count as the nearer end
+//   metric   the distance: usually HN_METRIC_EUCLIDEAN, or HN_METRIC_SQUARED, _MANHATTAN, _CHEBYSHEV or _HYBRID. A
+//            constant compiles to that metric alone
 //   seed     any uint: 7u, not 7
-//   nearest  is set to the cell of the nearest point, modulo the period: hn_lattice(nearest, seed) is a word of its own
-//            for each cell. Of points at the same distance that of the first cell counts, by z, then by y, then by x
-//   offset   is set to the vector from the position to that point, in cells
+//   nearest  set to the cell of the nearest point, modulo the period: hn_lattice(nearest, seed) is a random hash for
+//            each cell. Among points at the same distance the first cell counts, by z, then by y, then by x
+//   offset   set to the vector from the position to that point, in cells
+//   example  ivec3 nearest; vec3 offset; float f1 = hn_cellular(vec3(uv * 8.0, 0.5), 1.0, HN_METRIC_EUCLIDEAN, 7u,
+//            nearest, offset).x;
 //   returns  as above, in the metric
 //   error    as above; of the offset at most 1.05e-6. HN_FIXED 2.39e-6
 //   cost     as above; one more hash

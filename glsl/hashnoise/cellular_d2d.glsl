@@ -14,17 +14,19 @@ HN_FN hn_vec3 hn_i_cellular_d(hn_i_block2 block, hn_i_num2 f, hn_i_num jitter, h
   return vec3(hn_i_distance(best.x, HN_METRIC_EUCLIDEAN), slope.x, slope.y);
 }
 
-// The distance to the nearest feature point on the plane and its gradient. The distance is the first of hn_cellular.
-//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
-//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
+// The distance to the nearest feature point on the plane, which is the first of hn_cellular, and its gradient.
+//   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a stone or a tile. Less
+//            than 2^23 along each axis: larger floats have no fraction
+//   place    in place of p: hn_place(cell, f) far from the origin, or hn_tile(p, period) for a tile (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   example  vec3 n = hn_cellular_d(uv * 8.0, 7u);
 //   returns  the distance, and its derivatives along x and y: a vector of length 1 away from the point, which is
 //            (position - point) / distance; 0 at the point. It jumps where another point becomes the nearest
 //   error    that of hn_cellular, and of a derivative at most 2.57e-6 divided by the distance, in any rounding mode
-//            (docs/accuracy.md). HN_FIXED 1.08e-5 divided by it. From a cell at most 2.40e-6 divided by it
+//            (docs/measured/accuracy.md). HN_FIXED 1.08e-5 divided by it. From a cell at most 2.40e-6 divided by it
 //   period   2^32 cells per axis, or that of the tile
 //   cost     that of hn_cellular and one more hash
-//   source   docs/contract.md, section 16
+//   source   docs/reference/contract.md, section 16
 HN_FN hn_vec3 hn_cellular_d(hn_place2 place, hn_uint seed) {
   return hn_i_cellular_d(hn_i_block(place), place.fraction, hn_i_jitter(1.0f), seed);
 }
@@ -35,9 +37,10 @@ HN_FN hn_vec3 hn_cellular_d(hn_vec2 p, hn_uint seed) { return hn_cellular_d(hn_p
 HN_FN hn_vec3 hn_cellular_d(hn_vec2 p) { return hn_cellular_d(p, 0u); }
 
 // This form also takes the jitter.
-//   jitter   how far the points are from the centres of their cells: 1 as without it, 0 for a regular lattice; what is
-//            outside of [0, 1] counts as the nearer end
+//   jitter   how far the points are from the centres of their cells, in [0, 1]: usually 1; 0 makes a regular lattice.
+//            Numbers outside count as the nearer end
 //   seed     any uint: 7u, not 7
+//   example  vec3 n = hn_cellular_d(uv * 8.0, 1.0, 7u);
 //   returns  as above
 //   error    as above
 //   cost     as above

@@ -1,4 +1,4 @@
-// hashnoise: cellular noise in space whose points go round with a phase.
+// hashnoise: cellular noise in space whose points circle with a phase.
 // SPDX-License-Identifier: MIT
 //
 // Made from cellular_phase2d.glsl by tools/make. tools/lib/translate/dimensions/numbers.py has its numbers.
@@ -12,22 +12,24 @@ HN_FN hn_i_rank4 hn_i_nearest(hn_place3 place, hn_i_turn3 turn, hn_float jitter,
   return hn_i_nearest(hn_i_block(place), hn_i_from_centre(place.fraction), turn, hn_i_moving_jitter3(jitter), seed);
 }
 
-// Cellular noise in space whose points go round: cells that move in place, and loop after one turn.
-//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
-//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
-//   phase    in turns, any float: phase + 1 has the same bits. A float far from 0 has few bits left for the turn: wrap
-//            it yourself
-//   jitter   how far the points are from the centres of their cells: 0 for a regular lattice, up to 1, with which they
-//            are at 25/32 of where those of hn_cellular are; what is outside of [0, 1] counts as the nearer end
+// Cellular noise in space whose points circle with a phase: cells move in place, and loop after one turn.
+//   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a stone or a tile. Less
+//            than 2^23 along each axis: larger floats have no fraction
+//   place    in place of p: hn_place(cell, f) far from the origin, or hn_tile(p, period) for a tile (place.glsl)
+//   phase    in turns, any float: phase + 1 has the same bits. A float far from 0 has few bits left for the turn: pass
+//            fract(phase)
+//   jitter   how far the points are from the centres of their cells, in [0, 1]: usually 1, which puts them at 25/32 of
+//            the distance of those of hn_cellular; 0 makes a regular lattice. Numbers outside count as the nearer end
 //   seed     any uint: 7u, not 7; different seeds give independent fields
+//   example  float f1 = hn_cellular_phase(vec3(uv * 8.0, 0.5), 0.25, 1.0, 7u).x;
 //   returns  the two distances, in cells, by the Euclidean metric: the first in [0, 1.208], the second in [0, 1.3892]
-//            (proven bounds), and not below the first. Both are continuous (HN_FIXED: in steps of 2^-18), in the
-//            phase, too
-//   error    at most 1.15e-5 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED
+//            (proven bounds), and not below the first. Both are continuous (HN_FIXED: in steps of 2^-18), in the phase,
+//            too
+//   error    at most 1.15e-5 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
 //            3.01e-4. From a cell at most 1.14e-5
 //   period   2^32 cells per axis, or that of the tile
 //   cost     that of hn_cellular, a sine and a cosine of 6 multiplications of floats each, and 21 multiplications
-//   source   Worley, "A cellular texture basis function", 1996; docs/contract.md, section 16
+//   source   Worley, "A cellular texture basis function", 1996; docs/reference/contract.md, section 16
 HN_FN hn_vec2 hn_cellular_phase(hn_place3 place, hn_float phase, hn_float jitter, hn_uint seed) {
   return hn_i_two_distances(hn_i_nearest(place, hn_i_turning3(phase), jitter, seed), HN_METRIC_EUCLIDEAN);
 }
@@ -35,10 +37,12 @@ HN_FN hn_vec2 hn_cellular_phase(hn_vec3 p, hn_float phase, hn_float jitter, hn_u
   return hn_cellular_phase(hn_place(p), phase, jitter, seed);
 }
 
-// This form also tells the nearest point.
-//   nearest  is set to the cell of the nearest point, modulo the period: hn_lattice(nearest, seed) is a word of its own
-//            for each cell. Of points at the same distance that of the first cell counts, by z, then by y, then by x
-//   offset   is set to the vector from the position to that point, in cells
+// This form also sets the nearest point.
+//   nearest  set to the cell of the nearest point, modulo the period: hn_lattice(nearest, seed) is a random hash for
+//            each cell. Among points at the same distance the first cell counts, by z, then by y, then by x
+//   offset   set to the vector from the position to that point, in cells
+//   example  ivec3 nearest; vec3 offset; float f1 = hn_cellular_phase(vec3(uv * 8.0, 0.5), 0.25, 1.0, 7u, nearest,
+//            offset).x;
 //   returns  as above
 //   error    as above; of the offset at most 1.14e-5. HN_FIXED 3.01e-4
 //   cost     as above; one more hash

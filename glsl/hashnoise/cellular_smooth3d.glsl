@@ -37,21 +37,22 @@ HN_FN hn_float hn_i_cellular_smooth(hn_i_block3 block, hn_i_num3 f, hn_i_num jit
   return hn_i_smooth_distance(weights);
 }
 
-// Cellular noise in space with rounded valleys: a distance that takes all points within 1 into account, and has no
-// creases between cells. Their order does not matter. No point outside of the block of cells that is visited is within
-// 1, so there are no seams.
-//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
-//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
+// Cellular noise in space with rounded valleys and no creases between cells: a distance that takes all points within 1
+// into account, in any order. No point outside the cells that it visits is within 1, so there are no seams.
+//   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a stone or a tile. Less
+//            than 2^23 along each axis: larger floats have no fraction
+//   place    in place of p: hn_place(cell, f) far from the origin, or hn_tile(p, period) for a tile (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   example  float n = hn_cellular_smooth(vec3(uv * 8.0, 0.5), 7u);
 //   returns  1 - (the sum of (1 - distance)^4 over these points + 1/4096)^(1/4): a little below the first distance of
 //            hn_cellular, in [-0.198, 7/8] (proven bound), continuously differentiable but for the points themselves
 //            (HN_FIXED: in steps of 2^-19)
-//   error    at most 5.93e-6 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 3.23e-4.
-//            From a cell at most 5.72e-6
+//   error    at most 5.93e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
+//            3.23e-4. From a cell at most 5.72e-6
 //   period   2^32 cells per axis, or that of the tile
 //   cost     27 hashes (none with HN_HASH_LATTICE), 27 multiplications and 29 square roots; 3 more multiplications to
 //            spread the coordinates, and 2 more for a seed that is not constant
-//   source   docs/contract.md, section 16
+//   source   docs/reference/contract.md, section 16
 HN_FN hn_float hn_cellular_smooth(hn_place3 place, hn_uint seed) {
   return hn_i_cellular_smooth(hn_i_block(place), place.fraction, hn_i_jitter(1.0f), seed);
 }
@@ -62,9 +63,10 @@ HN_FN hn_float hn_cellular_smooth(hn_vec3 p, hn_uint seed) { return hn_cellular_
 HN_FN hn_float hn_cellular_smooth(hn_vec3 p) { return hn_cellular_smooth(p, 0u); }
 
 // This form also takes the jitter.
-//   jitter   how far the points are from the centres of their cells: 1 as without it, 0 for a regular lattice; what is
-//            outside of [0, 1] counts as the nearer end
+//   jitter   how far the points are from the centres of their cells, in [0, 1]: usually 1; 0 makes a regular lattice.
+//            Numbers outside count as the nearer end
 //   seed     any uint: 7u, not 7
+//   example  float n = hn_cellular_smooth(vec3(uv * 8.0, 0.5), 1.0, 7u);
 //   returns  as above
 //   error    as above
 //   cost     as above

@@ -31,17 +31,19 @@ HN_FN hn_vec3 hn_i_cellular_three(hn_place2 place, hn_i_num jitter, hn_int metri
   return vec3(hn_i_distance(best.x, metric), hn_i_distance(best.y, metric), hn_i_distance(best.z, metric));
 }
 
-// The distances to the three nearest feature points on the plane: Worley's F1, F2 and F3. The first two are those of
-// hn_cellular.
-//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
-//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
+// Cellular noise on the plane: the distances to the three nearest feature points (Worley's F1, F2 and F3). The first
+// two are those of hn_cellular.
+//   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a stone or a tile. Less
+//            than 2^23 along each axis: larger floats have no fraction
+//   place    in place of p: hn_place(cell, f) far from the origin, or hn_tile(p, period) for a tile (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   example  float f3 = hn_cellular_three(uv * 8.0, 7u).z;
 //   returns  the three distances, in cells, ascending: the third in [0, 1.5812] (proven bound)
-//   error    at most 4.22e-6 against the exact value, in any metric and rounding mode (docs/accuracy.md). HN_FIXED
-//            6.81e-5. From a cell at most 3.84e-6
+//   error    at most 4.22e-6 against the exact value, in any metric and rounding mode (docs/measured/accuracy.md).
+//            HN_FIXED 6.81e-5. From a cell at most 3.84e-6
 //   period   2^32 cells per axis, or that of the tile
 //   cost     12 hashes (none with HN_HASH_LATTICE) and 12 multiplications, and what hn_cellular costs besides
-//   source   Worley, "A cellular texture basis function", 1996; docs/contract.md, section 16
+//   source   Worley, "A cellular texture basis function", 1996; docs/reference/contract.md, section 16
 HN_FN hn_vec3 hn_cellular_three(hn_place2 place, hn_uint seed) {
   return hn_i_cellular_three(place, hn_i_jitter(1.0f), HN_METRIC_EUCLIDEAN, seed);
 }
@@ -52,11 +54,12 @@ HN_FN hn_vec3 hn_cellular_three(hn_vec2 p, hn_uint seed) { return hn_cellular_th
 HN_FN hn_vec3 hn_cellular_three(hn_vec2 p) { return hn_cellular_three(p, 0u); }
 
 // This form also takes the jitter and the metric.
-//   jitter   how far the points are from the centres of their cells: 1 as without it, 0 for a regular lattice; what is
-//            outside of [0, 1] counts as the nearer end
-//   metric   one of HN_METRIC_EUCLIDEAN, _SQUARED, _MANHATTAN, _CHEBYSHEV and _HYBRID; a constant costs
-//            only that metric
+//   jitter   how far the points are from the centres of their cells, in [0, 1]: usually 1; 0 makes a regular lattice.
+//            Numbers outside count as the nearer end
+//   metric   the distance: usually HN_METRIC_EUCLIDEAN, or HN_METRIC_SQUARED, _MANHATTAN, _CHEBYSHEV or _HYBRID. A
+//            constant compiles to that metric alone
 //   seed     any uint: 7u, not 7
+//   example  float f3 = hn_cellular_three(uv * 8.0, 1.0, HN_METRIC_EUCLIDEAN, 7u).z;
 //   returns  as above, in the metric
 //   error    as above
 //   cost     as above

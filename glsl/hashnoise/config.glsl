@@ -19,7 +19,7 @@
 #define HN_VERSION_PATCH 0
 
 // ---------------------------------------------------------------------------------------------------------------------
-// The language and its version are told apart here, and nowhere else:
+// The language and its version are distinguished here, and nowhere else:
 //
 //   HN_FN              stands before every function
 //   HN_I_BITCAST       whether uintBitsToFloat exists; else the same values are computed by exact arithmetic
@@ -29,9 +29,9 @@
 //   HN_I_MADE(type)    stands in the struct of a place. In C++ no list of numbers is a place then: in
 //                      hn_perlin({x, y}, 7u) they are a position
 //   HN_I_HIGHP         stands before every type. GLSL ES has three precisions. In fragment shaders an int is mediump,
-//                      with 16 bits, unless the declaration says otherwise. Your own default precision stays as it is.
+//                      with 16 bits, unless the declaration has highp. Your own default precision stays as it is.
 //                      Elsewhere it is empty: nothing is needed, and glslang would warn
-//   HN_I_HIGHP_HERE    makes highp the default precision of floats to the end of the function it begins (convert.glsl)
+//   HN_I_HIGHP_HERE    makes highp the default precision of floats to the end of the function it begins (word.glsl)
 //
 // begin.hlsl and begin.metal name their languages. __VERSION__ is read only where it is a number: DXC defines a string,
 // and a compiler without it counts as a new one. In glslang, which defines the GL_GOOGLE name, it has a value although

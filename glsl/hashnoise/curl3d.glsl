@@ -38,18 +38,20 @@ HN_FN hn_vec3 hn_i_curl(hn_vec4 n, hn_vec4 m) {
               hn_i_curl_to_float(hn_i_velocity(a.x, b.y, a.y, b.x)));
 }
 
-// The cross product of the gradients of two simplex noises: a field of velocities that neither flows together nor
-// apart. What it carries stays on the surfaces on which both noises are constant.
-//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
-//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
+// Curl noise in space: velocities of a flow that neither gathers nor spreads, the cross product of the gradients of two
+// simplex noises. Particles in it stay on the surfaces on which both noises are constant.
+//   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a hill or a valley. Less
+//            than 2^23 along each axis: larger floats have no fraction
+//   place    in place of p: hn_place(cell, f) far from the origin, or hn_tile(p, period) for a tile (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   example  vec3 n = hn_curl(vec3(uv * 8.0, 0.5), 7u);
 //   returns  each component in [-46.2, 46.2], in squared noise per squared cell, once continuously differentiable
 //            (HN_FIXED: in steps of 2^-16)
-//   error    at most 8.94e-4 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 1.90e-2.
-//            From a cell at most 7.58e-4
+//   error    at most 8.94e-4 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
+//            1.90e-2. From a cell at most 7.58e-4
 //   period   2^32 cells per axis, or that of the tile
 //   cost     twice that of hn_simplex_d
-//   source   DeWolf, "Divergence-free noise", 2005; docs/contract.md, section 15
+//   source   DeWolf, "Divergence-free noise", 2005; docs/reference/contract.md, section 15
 HN_FN hn_vec3 hn_curl(hn_place3 place, hn_uint seed) {
   return hn_i_curl(hn_simplex_d(place, seed), hn_simplex_d(place, hn_i_other_seed(seed)));
 }

@@ -1,4 +1,4 @@
-// hashnoise: octave sums over a noise on the plane.
+// hashnoise: fractals over a noise on the plane.
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_FBM2D_GLSL
@@ -7,7 +7,7 @@
 #include "octaves2d.glsl"
 #include "perlin2d.glsl"
 
-// Sums over hn_perlin. Over another noise, or over your own, write the same loop (octaves2d.glsl).
+// Fractals over hn_perlin. Over another noise, or over your own, write the same loop (octaves2d.glsl).
 // tools/make catalog: loops
 HN_FN hn_float hn_i_fbm(hn_octaves2 o) {
   do hn_add(o, hn_perlin(o.place, o.seed)); while (hn_next(o));
@@ -43,29 +43,32 @@ HN_FN hn_float hn_i_weighted(hn_octaves2 o, hn_float strength) {
 }
 // tools/make catalog: end
 
-// Each sum has three forms, and with a strength the last two:
+// Each fractal has three forms, and one with a strength has the last two:
 //
 //   hn_fbm(p, octaves, lacunarity, gain)
 //   hn_fbm(p, octaves, lacunarity, gain, seed)
 //   hn_fbm(place, octaves, lacunarity, gain, seed)
 
-// Fractional Brownian motion: octaves of noise, each finer by the lacunarity, weaker by the gain, and rotated.
-//   p           position, in cells of the first octave; (|p| + 1) * lacunarity^octaves < 2^23, for a lacunarity of 2
-//               or more
-//   place       a place in its stead, in cells of the first octave (place.glsl). The period of a tile times
-//               lacunarity^octaves is below 2^31
-//   octaves     how many, usually 4 to 8; with fewer than 1 the sum is 0
-//   lacunarity  ratio of frequencies, usually 2. In a tile it is a whole number from 1 to 255; others are rounded
-//               down
-//   gain        ratio of amplitudes, usually 0.5; not negative, and the sum of its powers below 2^126 (HN_PRECISE:
-//               2^100)
+// Fractional Brownian motion (fBm), the usual fractal noise: octaves of hn_perlin, each finer by the lacunarity, weaker
+// by the gain, and rotated.
+//   p           position, in cells of the first octave: a coordinate times a frequency, so that a cell is as large as
+//               the largest hills. Less than 2^23 / lacunarity^octaves - 1 along each axis, for a lacunarity of 2 or
+//               more: larger floats have no fraction
+//   place       in place of p, in cells of the first octave: hn_place(cell, f) far from the origin, or
+//               hn_tile(p, period) (place.glsl). The period of a tile times lacunarity^octaves is below 2^31
+//   octaves     how many, usually 4 to 8; with fewer than 1 the result is 0
+//   lacunarity  ratio of frequencies from octave to octave, usually 2. In a tile it is a whole number from 1 to 255;
+//               others are rounded down
+//   gain        ratio of amplitudes (persistence), usually 0.5; not negative, and the sum of its powers below 2^126
+//               (HN_PRECISE: 2^100)
 //   seed        any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   example     float n = hn_fbm(uv * 8.0, 6, 2.0, 0.5, 7u);
 //   returns     [-1, 1], mean 0
 //   error       at a position it grows with |p| * lacunarity^octaves, since a float rounds the positions; at a place it
-//               does not (docs/accuracy.md)
-//   period      none that floats reach. In a tile octave i repeats after period * lacunarity^i of its cells, so the sum
-//               repeats after the period, and no sooner. Octaves are not rotated there, since they would not fit: a
-//               tile shows the axes more than other sums do
+//               does not (docs/measured/accuracy.md)
+//   period      none that floats reach. In a tile octave i repeats after period * lacunarity^i of its cells, so the
+//               fractal repeats after the period, and no sooner. Octaves are not rotated there, since they would not
+//               fit: a tile shows the axes more than other fractals do
 //   cost        1 noise per octave
 //   HN_FIXED    takes a gain above 1 as 1, a lacunarity outside [0, 255] as 0 or 255, and more than 32 octaves as 32.
 //               The error does not grow with |p|
@@ -84,10 +87,11 @@ HN_FN hn_float hn_fbm(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_float g
 // hn_fbm(p, footprint, octaves, lacunarity, gain, seed).
 //   detail      octaves, as a float: 3.5 is three octaves and half of the fourth. So octaves can come and go without a
 //               jump
-//   footprint   the size of a pixel at p, in cells of the first octave: in a fragment shader
-//               max(length(dFdx(p)), length(dFdy(p))). An octave fades out as a pixel grows from 1/2 to 3/2 of
-//               its cells, which comes nearest to the mean over the pixel. The others keep their contrast
+//   footprint   the size of a pixel at p, in cells of the first octave: in a fragment shader max(length(dFdx(p)),
+//               length(dFdy(p))). An octave fades out as a pixel grows from 1/2 to 3/2 of its cells, which comes
+//               nearest to the mean over the pixel. The others keep their contrast
 //   (other parameters, error, period, HN_FIXED and source as for hn_fbm at a position)
+//   example     float n = hn_fbm(uv * 8.0, 3.5, 2.0, 0.5, 7u);
 //   returns     [-1, 1], mean 0
 //   cost        1 noise per octave; octaves that have faded out cost none
 HN_FN hn_float hn_fbm(hn_vec2 p, hn_float detail, hn_float lacunarity, hn_float gain, hn_uint seed) {
@@ -106,6 +110,7 @@ HN_FN hn_float hn_fbm(hn_vec2 p, hn_float footprint, hn_int octaves, hn_float la
 
 // Turbulence: the mean of the octaves' absolute values. Use it for marble and fire.
 //   (parameters, period and cost as for hn_fbm)
+//   example     float n = hn_turbulence(uv * 8.0, 6, 2.0, 0.5, 7u);
 //   returns     [0, 1], with creases where the noise passes 0
 //   error       that of hn_fbm
 //   source      Perlin, "An image synthesizer", 1985; Valdenegro-Toro and Pincheira, fig. 6
@@ -121,6 +126,7 @@ HN_FN hn_float hn_turbulence(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_
 
 // Clouds: the density of a sky, from an fBm.
 //   (parameters, period and cost as for hn_fbm)
+//   example     float n = hn_clouds(uv * 8.0, 6, 2.0, 0.5, 7u);
 //   returns     [0, 1]: 0 is clear, 1 is dense; with fewer than 1 octave 5/32
 //   error       3 times that of hn_fbm, plus 5.4e-7 (HN_FIXED 2.6e-5)
 //   source      after the cloud images of Valdenegro-Toro and Pincheira, fig. 6; the paper has no formula for them
@@ -136,6 +142,7 @@ HN_FN hn_float hn_clouds(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_floa
 
 // Billows: twice the turbulence less 1. The round hills are the other side of ridges.
 //   (parameters, period and cost as for hn_fbm)
+//   example     float n = hn_billow(uv * 8.0, 6, 2.0, 0.5, 7u);
 //   returns     [-1, 1]
 //   error       twice that of hn_turbulence
 //   source      as of hn_turbulence
@@ -151,8 +158,9 @@ HN_FN hn_float hn_billow(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_floa
 
 // Ridges: sharp crests where the noise passes 0, with detail on them and smooth valleys between.
 //   (parameters, period and cost as for hn_fbm)
+//   example     float n = hn_ridged(uv * 8.0, 6, 2.0, 0.5, 7u);
 //   returns     [0, 1]: 1 on a crest of every octave
-//   error       grows with the octaves, since each is taken times the one before: docs/accuracy.md
+//   error       grows with the octaves, since each is multiplied by the one before: docs/measured/accuracy.md
 //   source      Musgrave, in "Texturing and Modeling: A Procedural Approach": his ridged multifractal with the offset 1
 //               and the gain 2, divided by the sum of the weights
 HN_FN hn_float hn_ridged(hn_place2 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
@@ -168,8 +176,9 @@ HN_FN hn_float hn_ridged(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_floa
 // Hybrid terrain: plains are flat and heights are rough. An octave counts as far as the one before it is high; in full
 // from the middle on.
 //   (parameters, period and cost as for hn_fbm)
+//   example     float n = hn_hybrid(uv * 8.0, 6, 2.0, 0.5, 7u);
 //   returns     [0, 1]
-//   error       grows with the octaves, since each is taken times the one before: docs/accuracy.md
+//   error       grows with the octaves, since each is multiplied by the one before: docs/measured/accuracy.md
 //   source      Musgrave, in "Texturing and Modeling: A Procedural Approach": after his hybrid multifractal with the
 //               offset 1, of octaves in [0, 1], divided by the sum of the weights
 HN_FN hn_float hn_hybrid(hn_place2 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
@@ -183,11 +192,13 @@ HN_FN hn_float hn_hybrid(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_floa
 }
 
 // Ping-pong: each octave is folded up and down, which gives the rings of wood and of agate.
-//   strength    how many times from one end to the other on the way from -1 to 1, times 1/2; usually 2, in [0, 64]
+//   strength    how often it folds: half the number of passes from one end to the other while the noise goes from -1 to
+//               1; usually 2, in [0, 64]
 //   (other parameters, period and cost as for hn_fbm; the strength stands behind the gain, and the seed cannot be
 //   left out)
+//   example     float n = hn_ping_pong(uv * 8.0, 6, 2.0, 0.5, 2.0, 7u);
 //   returns     [-1, 1]
-//   error       twice the strength times that of hn_fbm, and a little more; docs/accuracy.md
+//   error       twice the strength times that of hn_fbm, and a little more; docs/measured/accuracy.md
 //   source      FastNoiseLite, FractalType_PingPong
 HN_FN hn_float hn_ping_pong(hn_place2 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_float strength,
                             hn_uint seed) {
@@ -202,8 +213,9 @@ HN_FN hn_float hn_ping_pong(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_f
 //   strength    how much less: 0 is hn_fbm, 1 leaves nothing of the finer octaves at -1; usually 1, in [0, 1]
 //   (other parameters, period and cost as for hn_fbm; the strength stands behind the gain, and the seed cannot be
 //   left out)
+//   example     float n = hn_weighted(uv * 8.0, 6, 2.0, 0.5, 1.0, 7u);
 //   returns     [-1, 1]
-//   error       docs/accuracy.md
+//   error       docs/measured/accuracy.md
 //   source      FastNoiseLite, SetFractalWeightedStrength
 HN_FN hn_float hn_weighted(hn_place2 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_float strength,
                            hn_uint seed) {

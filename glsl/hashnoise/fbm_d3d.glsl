@@ -1,4 +1,4 @@
-// hashnoise: octave sums over a noise with derivatives, in space.
+// hashnoise: fractals over a noise with derivatives, in space.
 // SPDX-License-Identifier: MIT
 //
 // Made from fbm_d2d.glsl by tools/make. tools/lib/translate/dimensions/numbers.py has its numbers.
@@ -21,23 +21,24 @@ struct hn_slopes3 {
   hn_i_num growth;  // of the Jacobian, from octave to octave
 };
 
-// Sums over a noise with derivatives, yours or the library's:
+// A fractal over a noise with derivatives, yours or the library's:
 //
 //   hn_octaves3 o = hn_octaves(p, 6, 2.0, 0.5, 7u);
 //   hn_slopes3 s = hn_slopes(o);
 //   do hn_add(o, s, hn_simplex_d(o.place, o.seed)); while (hn_next(o));
 //   vec4 height = hn_mean(o, s);
 //
-// In place of hn_add there is hn_add_eroded, and then hn_mean(o) is the value.
+// With hn_add_eroded in place of hn_add, hn_mean(o) is the value.
 //   o         the octaves
 //   s         the slopes, from hn_slopes(o)
 //   n         the value of the noise, and its derivatives along x, y and z. HN_FIXED cuts off a value beyond [-3/2,
 //             3/2] and a derivative beyond [-128, 128], which no noise of the library is. Floats cut off neither
 //   strength  of erosion, usually 1, in [0, 16]
+//   example   hn_slopes3 s = hn_slopes(o);
 //   returns   hn_slopes: slopes to begin with; hn_mean: the value and its derivatives, as hn_fbm_d
-//   error     docs/accuracy.md
+//   error     docs/measured/accuracy.md
 //   cost      9 multiplications for the Jacobian, or a division
-//   source    docs/contract.md, section 7
+//   source    docs/reference/contract.md, section 7
 HN_FN hn_slopes3 hn_slopes(hn_octaves3 o) {
   HN_I_NEW(hn_slopes3, s);
   s.x = HN_I_NO_WEIGHT;
@@ -77,7 +78,7 @@ HN_FN hn_vec4 hn_mean(hn_octaves3 o, hn_slopes3 s) {
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// Sums over hn_perlin_d, in the forms of hn_fbm.
+// Fractals over hn_perlin_d, in the forms of hn_fbm.
 
 // The paper's gradient has no noise of this kind.
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
@@ -93,11 +94,12 @@ HN_FN hn_float hn_i_eroded(hn_octaves3 o, hn_float strength) {
   return hn_mean(o);
 }
 
-// Fractional Brownian motion and how steep it is. The value is that of hn_fbm.
+// Fractional Brownian motion (fBm) and its slope: the value of hn_fbm with its derivatives.
 //   (parameters, period and source as for hn_fbm)
+//   example   vec4 n = hn_fbm_d(vec3(uv * 8.0, 0.5), 6, 2.0, 0.5, 7u);
 //   returns   the value and its derivatives along x, y and z, per cell of the first octave. A derivative is at most
 //             3.75 times the sum of (1.001 * gain * lacunarity)^i, divided by the sum of gain^i
-//   error     docs/accuracy.md; for HN_FIXED while the sum of (gain * lacunarity)^i is at most 64
+//   error     docs/measured/accuracy.md; for HN_FIXED while the sum of (gain * lacunarity)^i is at most 64
 //   cost      1 noise with derivatives per octave, and 9 multiplications for the Jacobian
 HN_FN hn_vec4 hn_fbm_d(hn_place3 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
   return hn_i_fbm_d(hn_octaves(place, octaves, lacunarity, gain, seed));
@@ -109,13 +111,14 @@ HN_FN hn_vec4 hn_fbm_d(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float 
   return hn_fbm_d(p, octaves, lacunarity, gain, 0u);
 }
 
-// Eroded fBm: an octave counts less where those before it and itself are steep, so that slopes are smooth and detail
-// gathers in valleys and on summits.
+// Eroded fBm: smooth slopes, with detail in valleys and on summits. An octave counts less where it and those before it
+// are steep.
 //   strength  how much less: 0 is hn_fbm, and usually 1; in [0, 16]. A slope of 1 cell in 1 leaves 1 / (1 + strength)
 //   (other parameters, period and source as for hn_fbm; the strength stands behind the gain, and the seed cannot be
 //   left out)
+//   example   float n = hn_eroded(vec3(uv * 8.0, 0.5), 6, 2.0, 0.5, 1.0, 7u);
 //   returns   [-1, 1]
-//   error     docs/accuracy.md
+//   error     docs/measured/accuracy.md
 //   cost      1 noise with derivatives per octave, and a division
 //   source    Quilez, "More noise", 2008: his slopes are not rotated with the octaves
 HN_FN hn_float hn_eroded(hn_place3 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_float strength,

@@ -67,35 +67,38 @@ HN_FN hn_vec3 hn_i_gullies(hn_octaves2 octaves, hn_vec2 slope, hn_float depth) {
               hn_i_added_slope(hn_i_select(none, before.y, y), before.y));
 }
 
-// Gullies that run down a slope, and smaller ones that run down into them, octave by octave: what erosion by water adds
-// to any height. Add it to a height and its derivatives:
+// Gullies that run down a slope, and smaller ones that run down into them, octave by octave: erosion by water for any
+// height. Add them to a height and its derivatives:
 //
 //   vec3 land = hn_fbm_d(p, 3, 2.0, 0.4, 7u);
 //   land += hn_gullies(p, land.yz, 5, 2.0, 0.5, 0.1, 7u);
 //
-// Where the ground is flat there are none. Their first octave is about a cell apart. For others take another multiple
-// of the position: at 3 p give a third of the slope, and add three times the slope that comes back.
-//   p           position, in cells of the first octave
-//   place       a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl). The period of a
-//               tile times lacunarity^octaves is below 2^31
+// Flat ground has none. Gullies of the first octave are about a cell apart. For a frequency of 3 pass 3 p and a third
+// of the slope, and add three times the slope that it returns.
+//   p           position, in cells of the first octave: a coordinate times a frequency, so that a cell is as large as
+//               the largest gullies are apart
+//   place       in place of p: hn_place(cell, f) far from the origin, or hn_tile(p, period) for a tile (place.glsl).
+//               The period of a tile times lacunarity^octaves is below 2^31
 //   footprint   the size of a pixel at p, in cells of the first octave; 0 if it is left out. An octave fades out as a
 //               pixel grows from 1/4 to 3/4 of its cells
-//   slope       the derivatives of the height along x and y, per cell of p; counts as the nearer end outside [-8, 8]
-//   octaves     how many, usually 4 to 8; with fewer than 1 all is 0
+//   slope       the derivatives of the height along x and y, per cell of p; numbers outside [-8, 8] count as the nearer
+//               end
+//   octaves     how many, usually 4 to 8; with fewer than 1 the result is 0
 //   lacunarity  ratio of frequencies, usually 2: a whole number from 1 to 255; others are rounded down
 //   gain        ratio of depths, usually 0.5; not negative
-//   depth       of the first octave, half from ridge to floor on steep ground: usually 0.05 to 0.2; counts as the
-//               nearer end outside [0, 8]
+//   depth       of the first octave, half from ridge to floor on steep ground: usually 0.05 to 0.2; numbers outside
+//               [0, 8] count as the nearer end
 //   seed        any uint: 7u, not 7; different seeds give independent fields
-//   returns     what is added to the height, at most depth * sum of gain^i in size, and to its derivatives along x and
-//               y. It is continuous where the slope is. The derivatives leave out how the gullies turn
-//   error       it grows from octave to octave, since each follows those before it (docs/accuracy.md). HN_FIXED has the
-//               same bits everywhere
+//   example     vec3 d = hn_gullies(uv * 8.0, vec2(0.5, 0.0), 5, 2.0, 0.5, 0.1, 7u);
+//   returns     the amounts to add to the height, at most depth * sum of gain^i in size, and to its derivatives along x
+//               and y. It is continuous where the slope is. The derivatives leave out that the gullies rotate
+//   error       it grows from octave to octave, since each follows those before it (docs/measured/accuracy.md).
+//               HN_FIXED has the same bits everywhere
 //   period      2^31 cells per axis, or that of the tile
 //   cost        hn_phasor_d, a square root and three divisions per octave
 //   HN_FIXED    takes a gain above 1 as 1, and more than 32 octaves as 32
-//   source      docs/contract.md, section 24; waves across the slope as gullies: Tricard et al., "Procedural phasor
-//               noise", 2019, for the waves
+//   source      docs/reference/contract.md, section 24; waves across the slope as gullies: Tricard et al., "Procedural
+//               phasor noise", 2019, for the waves
 HN_FN hn_vec3 hn_gullies(hn_place2 place, hn_float footprint, hn_vec2 slope, hn_int octaves, hn_float lacunarity,
                          hn_float gain, hn_float depth, hn_uint seed) {
   hn_octaves2 o = hn_octaves(hn_tile(place, place.period), octaves, lacunarity, gain, seed);

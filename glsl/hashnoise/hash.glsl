@@ -1,21 +1,20 @@
 // hashnoise: integer hashes, the hash of a lattice point, and the float of a hash.
 // SPDX-License-Identifier: MIT
 //
-// Everything in this file is exact: the same bits on every driver. docs/contract.md defines each value.
+// Everything in this file is exact: the same bits on every driver. docs/reference/contract.md defines each value.
 //
-// A word is a uint, and so is a seed: hn_hash(7u). For 7, an int, most versions of GLSL find no overload.
+// A hash is a uint, and so is a seed: hn_hash(7u). For 7, an int, most versions of GLSL find no overload.
 //
-// In all files a cost counts multiplications. They are of words unless it says otherwise. Ramps, interpolation and the
-// cheap factors of 24 bits in sums of coordinates do not count.
+// In all files a cost counts multiplications, of integers unless it has "of floats". It leaves out ramps, interpolation
+// and the cheap factors of 24 bits in sums of coordinates.
 
 #ifndef HN_HASH_GLSL
 #define HN_HASH_GLSL
 
-#include "detail/convert.glsl"
 #include "detail/hashes.glsl"
 #include "detail/word.glsl"
 
-// The word of a lattice point and a seed.
+// The hash of a lattice point and a seed.
 HN_FN hn_uint hn_i_point(hn_uvec2 cell, hn_uint seed) { return hn_i_seeded_word(hn_i_spread(cell), hn_i_mix(seed)); }
 // The same in 1, 3 and 4 dimensions: tools/make writes it.
 HN_FN hn_uint hn_i_point(hn_uint cell, hn_uint seed) { return hn_i_seeded_word(hn_i_spread(cell), hn_i_mix(seed)); }
@@ -29,11 +28,11 @@ HN_FN hn_uint hn_i_lattice(hn_uint c, hn_uint s) { return hn_i_mix(hn_i_seeded_w
 HN_FN hn_uint hn_i_lattice(hn_uvec3 c, hn_uint s) { return hn_i_mix(hn_i_seeded_word(c, s) + (hn_i_sum(c) + s)); }
 HN_FN hn_uint hn_i_lattice(hn_uvec4 c, hn_uint s) { return hn_i_mix(hn_i_seeded_word(c, s) + (hn_i_sum(c) + s)); }
 
-// Lattice hashing: a well mixed hash of a point of the integer lattice, with any HN_HASH. It is made of the word from
-// which noise starts, and of the sum: where the first join is 0, at one point in two million, the word is 0, too. Use
-// the hash to scatter things.
+// The hash of a lattice point, to scatter and vary things: 32 well mixed bits, with any HN_HASH. It is mixed from the
+// hash that noises use and from the sum of the coordinates, since the former is 0 at one point in two million.
 //   cell     the point: int, ivec2, ivec3 or ivec4
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   example  uint h = hn_lattice(ivec2(3, -5), 7u);
 //   returns  any uint; take bits from anywhere in it
 //   period   2^32 along each axis
 //   cost     1 hash (none with HN_HASH_LATTICE); 1 multiplication per axis and 3 more; 2 more for a seed that is not
@@ -51,11 +50,12 @@ HN_FN hn_uint hn_lattice(hn_ivec3 cell) { return hn_lattice(cell, 0u); }
 HN_FN hn_uint hn_lattice(hn_ivec4 cell) { return hn_lattice(cell, 0u); }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// The selected hash as published, of 1 to 4 words: H(x), H(H(x) + y), and so on. HN_HASH_LATTICE has no published form,
-// and with it this is hn_lattice.
-//   x, v     the words: uint, uvec2, uvec3 or uvec4
+// The selected hash as published, of 1 to 4 numbers: H(x), H(H(x) + y), and so on. With HN_HASH_LATTICE, which was not
+// published, it is hn_lattice.
+//   x, v     the numbers: uint, uvec2, uvec3 or uvec4
+//   example  uint h = hn_hash(uvec2(12u, 34u));
 //   returns  any uint; it is as good or as weak as the hash
-//   cost     1 hash per word (HN_HASH_LATTICE: as hn_lattice)
+//   cost     1 hash per number (HN_HASH_LATTICE: as hn_lattice)
 //   source   Valdenegro-Toro and Pincheira, sec. 5
 #if HN_HASH == HN_HASH_LATTICE
 HN_FN hn_uint hn_hash(hn_uint x) { return hn_lattice(int(x)); }
@@ -70,17 +70,19 @@ HN_FN hn_uint hn_hash(hn_uvec4 v) { return hn_i_hash(hn_hash(uvec3(v.x, v.y, v.z
 #endif
 
 // ---------------------------------------------------------------------------------------------------------------------
-// From a hash to a float. Every step below is exact in a 32-bit float, however it is rounded or contracted.
+// From a hash to a float. Every step is exact in a 32-bit float, however it is rounded or contracted.
 
-// A float of the high 24 bits of a hash.
+// A random float in [0, 1) from a hash: its high 24 bits.
 //   h        any uint
+//   example  float u = hn_unorm(hn_lattice(ivec2(3, -5), 7u));
 //   returns  [0, 1), a multiple of 2^-24
 //   error    none
 //   cost     1 multiplication of floats
 HN_FN hn_float hn_unorm(hn_uint h) { return HN_I_NOT_WHOLE(hn_i_float(h >> 8u) * (1.0f / 16777216.0f)); }
 
-// A signed float of the high 24 bits of a hash.
+// A random float in [-1, 1) from a hash: its high 24 bits.
 //   h        any uint
+//   example  float s = hn_snorm(hn_lattice(ivec2(3, -5), 7u));
 //   returns  [-1, 1), a multiple of 2^-23
 //   error    none
 //   cost     1 multiplication of floats

@@ -10,7 +10,7 @@
 // The three hexagons that overlap at a position, a component for each. Their centres are the corners of a triangle.
 struct hn_hexes {
   hn_vec3 weights;  // not negative; their sum is 1
-  hn_uvec3 words;   // a random word for each hexagon: hn_lattice of its centre
+  hn_uvec3 words;   // a random hash for each hexagon: hn_lattice of its centre
   hn_vec3 x;        // from the centres to the position, in cells: (x.x, y.x) is the vector from the first, and so on
   hn_vec3 y;
 };
@@ -28,23 +28,25 @@ HN_FN hn_vec3 hn_i_in_cells(hn_i_num3 steps) {
   return vec3(hn_i_in_cells(steps.x), hn_i_in_cells(steps.y), hn_i_in_cells(steps.z));
 }
 
-// Hex tiling: which three hexagons overlap at a position, and how much each counts. Each has its own random word: give
-// each a piece of a texture of your own, moved and turned by its word, and mix the three by their weights. So the
-// texture never repeats, and no seam shows: a hexagon changes where its weight is 0. Hexagons are one cell wide and one
-// high; docs/hex-tiling.md has the two ways of mixing that people use.
-//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
-//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
-//   seed     any uint: 7u, not 7; different seeds give independent words
-//   returns  weights, words and offsets. The weights are in [0, 1], continuous, and change by at most sqrt(5) per cell;
-//            an offset is at most 0.56 long
-//   error    at most 4.77e-7 against the exact weights, in any rounding mode (docs/accuracy.md). HN_FIXED 2.87e-6.
-//            From a cell at most 2.99e-7; of the offset at most 2.39e-7. HN_FIXED 9.54e-7. Where a corner changes, up
-//            to the error, it may be either
+// Hex tiling, for textures that never repeat: the three hexagons that overlap at a position, with their weights. Each
+// has a random hash of its own. Sample your texture three times, moved and rotated by the hashes, and mix the samples
+// by the weights. No seam shows, since a hexagon changes where its weight is 0. Hexagons are one cell wide and one
+// high; docs/guide/hex-tiling.md has two ways of mixing.
+//   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a stone or a tile. Less
+//            than 2^23 along each axis: larger floats have no fraction
+//   place    in place of p: hn_place(cell, f) far from the origin, or hn_tile(p, period) for a tile (place.glsl)
+//   seed     any uint: 7u, not 7; different seeds give independent hashes
+//   example  hn_hexes n = hn_hex_tiling(uv * 8.0, 7u);
+//   returns  weights, hashes (words) and offsets (x, y). The weights are in [0, 1], continuous, and change by at most
+//            sqrt(5) per cell; an offset is at most 0.56 long
+//   error    at most 4.77e-7 against the exact weights, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
+//            2.87e-6. From a cell at most 2.99e-7; of the offset at most 2.39e-7. HN_FIXED 9.54e-7. Where a corner
+//            changes, up to the error, it may be either
 //   period   2^31 cells per axis, or that of the tile
 //   cost     3 hashes (none with HN_HASH_LATTICE) and 12 multiplications; 2 more to spread the coordinates, and 2 more
 //            for a seed that is not constant
-//   source   Heitz and Neyret, "High-performance by-example noise using a histogram-preserving blending operator", 2018,
-//            for the three weights; docs/contract.md, section 20
+//   source   Heitz and Neyret, "High-performance by-example noise using a histogram-preserving blending operator",
+//            2018, for the three weights; docs/reference/contract.md, section 20
 HN_FN hn_hexes hn_hex_tiling(hn_place2 place, hn_uint seed) {
   hn_i_num2 skewed = hn_i_skewed(place.fraction);
   hn_i_triangle2 corners = hn_i_triangle(place, skewed);

@@ -1,4 +1,4 @@
-// hashnoise: the octaves of a sum on the line.
+// hashnoise: the octaves of a fractal on the line.
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_OCTAVES1D_GLSL
@@ -7,19 +7,19 @@
 #include "detail/octave.glsl"
 #include "place.glsl"
 
-// The octaves of a sum, one after another, over any noise:
+// The octaves of a fractal, one after another, over any noise:
 //
 //   hn_octaves1 o = hn_octaves(p, 6, 2.0, 0.5, 7u);
 //   do hn_add(o, hn_value(o.place, o.seed)); while (hn_next(o));
 //   float height = hn_mean(o);
 //
-// It asks behind an octave, since drivers unroll such a loop, and run it faster than one that asks first. In place of
-// hn_add there are hn_add_turbulence, hn_add_ridged, hn_add_hybrid, hn_add_ping_pong and hn_add_weighted, as in sums of
-// these names; and hn_add_detail and hn_add_footprint for octaves without detail that a pixel cannot show. The sums of
-// the library are made so (fbm1d.glsl). To sum a noise of your own, which takes a position, ask for it at
-// hn_position(o.place).
+// The condition stands behind the octave: drivers unroll such a loop, and run it faster than one that begins with it.
+// In place of hn_add there are hn_add_turbulence, hn_add_ridged, hn_add_hybrid, hn_add_ping_pong and hn_add_weighted,
+// as in the fractals of these names, and hn_add_detail and hn_add_footprint for octaves without detail that a pixel
+// cannot show. The fractals of the library are made so (fbm1d.glsl). Evaluate your own noise, if it takes a position,
+// at hn_position(o.place).
 //
-//   place    where the noise of the octave is asked
+//   place    where to evaluate the noise of the octave
 //   seed     its seed
 //   (the rest belongs to the library)
 struct hn_octaves1 {
@@ -72,21 +72,24 @@ HN_FN void hn_i_advance(HN_I_INOUT(hn_octaves1) o) {
 // ---------------------------------------------------------------------------------------------------------------------
 // The same in every dimension: tools/make writes it of octaves2d.glsl.
 
-// The octaves of a sum, with the place and the seed of the first one.
-//   p           position, in cells of the first octave; (|p| + 1) * lacunarity^octaves < 2^23, for a lacunarity of 2
-//               or more
-//   place       a place in its stead (place.glsl). The period of a tile times lacunarity^octaves is below 2^31
+// The octaves of a fractal over your own noise, with the place and the seed of the first one.
+//   p           position, in cells of the first octave: a coordinate times a frequency, so that a cell is as large as
+//               the largest hills. Less than 2^23 / lacunarity^octaves - 1 along each axis, for a lacunarity of 2 or
+//               more: larger floats have no fraction
+//   place       in place of p: hn_place(cell, f) far from the origin, or hn_tile(p, period) for a tile (place.glsl).
+//               The period of a tile times lacunarity^octaves is below 2^31
 //   octaves     how many, usually 4 to 8; with fewer than 1 the mean is 0
-//   lacunarity  ratio of frequencies, usually 2. In a tile it is a whole number from 1 to 255; others are rounded
-//               down
-//   gain        ratio of amplitudes, usually 0.5; not negative
+//   lacunarity  ratio of frequencies from octave to octave, usually 2. In a tile it is a whole number from 1 to 255;
+//               others are rounded down
+//   gain        ratio of amplitudes (persistence), usually 0.5; not negative
 //   seed        any uint: 7u, not 7; different seeds give independent fields
+//   example     hn_octaves1 o = hn_octaves(uv.x * 8.0, 6, 2.0, 0.5, 7u);
 //   returns     the octaves
 //   error       at a position it grows with |p| * lacunarity^octaves, since a float rounds the positions; at a place it
 //               does not
 //   cost        none: hn_next places each octave
 //   HN_FIXED    takes a gain above 1 as 1, a lacunarity outside [0, 255] as 0 or 255, and more than 32 octaves as 32
-//   source      docs/contract.md, section 7
+//   source      docs/reference/contract.md, section 7
 HN_FN hn_octaves1 hn_octaves(hn_place1 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
   hn_float ratio = hn_i_lacunarity(min(max(lacunarity, 0.0f), 255.0f), place.tiled);
   hn_octaves1 o = hn_i_octaves(place, octaves, ratio, gain, seed);
@@ -107,14 +110,15 @@ HN_FN hn_octaves1 hn_octaves(hn_float p, hn_int octaves, hn_float lacunarity, hn
 }
 #endif
 
-// The octaves that a pixel can show: with a number of octaves that is no whole number, for hn_add_detail, and with a
-// footprint, for hn_add_footprint.
+// The octaves that a pixel can show: with a fractional number of octaves, for hn_add_detail, or with a footprint, for
+// hn_add_footprint.
 //   detail      octaves, as a float: 3.5 is three octaves and half of the fourth. So octaves can come and go without a
 //               jump
-//   footprint   the size of a pixel at p, in cells of the first octave: in a fragment shader
-//               max(length(dFdx(p)), length(dFdy(p))). An octave fades out as a pixel grows from 1/2 to 3/2 of
-//               its cells, which comes nearest to the mean over the pixel. The others keep their contrast
+//   footprint   the size of a pixel at p, in cells of the first octave: in a fragment shader max(length(dFdx(p)),
+//               length(dFdy(p))). An octave fades out as a pixel grows from 1/2 to 3/2 of its cells, which comes
+//               nearest to the mean over the pixel. The others keep their contrast
 //   (other parameters, error, cost and source as above)
+//   example     hn_octaves1 o = hn_octaves(uv.x * 8.0, 3.5, 2.0, 0.5, 7u);
 //   returns     the octaves
 HN_FN hn_octaves1 hn_octaves(hn_float p, hn_float detail, hn_float lacunarity, hn_float gain, hn_uint seed) {
   hn_int octaves = hn_i_whole_octaves(detail);
@@ -129,8 +133,9 @@ HN_FN hn_octaves1 hn_octaves(hn_float p, hn_float footprint, hn_int octaves, hn_
   return o;
 }
 
-// Goes on to the next octave.
+// Moves on to the next octave.
 //   o        the octaves
+//   example  do hn_add(o, hn_perlin(o.place, o.seed)); while (hn_next(o));
 //   returns  whether there is one
 //   error    as of hn_octaves
 //   cost     about 10 operations; in HN_FIXED, and at a place, some products of integers
@@ -139,7 +144,7 @@ HN_FN bool hn_next(HN_I_INOUT(hn_octaves1) o) {
   o.sum.at += 1;
   bool more = hn_i_truth(o.sum.at < o.sum.octaves);
 #ifdef __cplusplus
-  if (!more) return false;  // behind the last octave a position may not fit an int; a GPU asks for no branch
+  if (!more) return false;  // behind the last octave a position may not fit an int; a GPU needs no branch
 #endif
   o.seed += HN_I_SEED_STEP;
   o.sum.weight = hn_i_weight_times(o.sum.weight, o.sum.gain);
@@ -163,13 +168,14 @@ HN_FN bool hn_next(HN_I_INOUT(hn_octaves1) o) {
 // (hn_ridged); its height above -1, as far as that of the octave before lets it (hn_hybrid); folded up and down between
 // -1 and 1 (hn_ping_pong); so that finer octaves count less where it is low (hn_weighted).
 //   o         the octaves
-//   n         the noise at o.place with o.seed, in [-1, 1]. hn_add and hn_add_turbulence take what is beyond
-//             (HN_FIXED up to 3/2), others cut it off
+//   n         the noise at o.place with o.seed, in [-1, 1]. hn_add and hn_add_turbulence take values beyond (HN_FIXED
+//             up to 3/2), others cut them off
 //   strength  of hn_ping_pong, usually 2, in [0, 64]; of hn_weighted, usually 1, in [0, 1]
-//   returns   nothing: the octaves have the sum
-//   error     as of the sums in fbm1d.glsl
+//   example   do hn_add(o, hn_value(o.place, o.seed)); while (hn_next(o));
+//   returns   nothing: the octaves hold the result so far
+//   error     as of the fractals in fbm1d.glsl
 //   cost      1 to 10 operations
-//   source    docs/contract.md, section 7
+//   source    docs/reference/contract.md, section 7
 HN_FN void hn_add(HN_I_INOUT(hn_octaves1) o, hn_float n) { o.sum = hn_i_add_noise(o.sum, n); }
 HN_FN void hn_add_turbulence(HN_I_INOUT(hn_octaves1) o, hn_float n) { o.sum = hn_i_add_size(o.sum, n); }
 HN_FN void hn_add_ridged(HN_I_INOUT(hn_octaves1) o, hn_float n) { o.sum = hn_i_add_ridge(o.sum, n); }
@@ -183,9 +189,10 @@ HN_FN void hn_add_weighted(HN_I_INOUT(hn_octaves1) o, hn_float n, hn_float stren
 // tools/make catalog: end
 
 // Add the noise of an octave as it is, and as much of it as a detail or a footprint leaves.
-//   n         the noise, of which hn_add_detail and hn_add_footprint take what is beyond [-1, 1], as hn_add does
+//   n         the noise. hn_add_detail and hn_add_footprint take values beyond [-1, 1], as hn_add does
 //   (other parameters, error, cost and source as above)
-//   returns   nothing: the octaves have the sum
+//   example   do hn_add_detail(o, hn_value(o.place, o.seed)); while (hn_next(o));
+//   returns   nothing: the octaves hold the result so far
 HN_FN void hn_add_detail(HN_I_INOUT(hn_octaves1) o, hn_float n) { o.sum = hn_i_add_part(o.sum, n); }
 HN_FN void hn_add_footprint(HN_I_INOUT(hn_octaves1) o, hn_float n) {
   o.sum = hn_i_add_resolved(o.sum, n, o.lacunarity);
@@ -193,14 +200,16 @@ HN_FN void hn_add_footprint(HN_I_INOUT(hn_octaves1) o, hn_float n) {
 
 // The mean of the octaves by their weights.
 //   o        the octaves, after the last
+//   example  float n = hn_mean(o);
 //   returns  [-1, 1]; of hn_add_turbulence and hn_add_ridged [0, 1]. Roundings may take floats beyond by 1e-6
-//   error    as of the sums in fbm1d.glsl
+//   error    as of the fractals in fbm1d.glsl
 //   cost     a division; with a number of octaves that is no constant some operations for each
-//   source   docs/contract.md, section 7
+//   source   docs/reference/contract.md, section 7
 HN_FN hn_float hn_mean(hn_octaves1 o) { return hn_i_value(hn_i_mean(o.sum)); }
 
 // The density of a sky, from the mean of hn_add: clear below -1/8 and dense above 3/8, with a smooth step between.
 //   o        the octaves, after the last
+//   example  float n = hn_density(o);
 //   returns  [0, 1]
 //   error    as of hn_clouds in fbm1d.glsl
 //   cost     that of hn_mean, and some operations

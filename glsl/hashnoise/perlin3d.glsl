@@ -4,7 +4,10 @@
 #ifndef HN_PERLIN3D_GLSL
 #define HN_PERLIN3D_GLSL
 
-#include "detail/ramps3d.glsl"
+#include "detail/direction3d.glsl"
+#if HN_GRADIENT == HN_GRADIENT_SINE
+#include "detail/sine_gradient.glsl"
+#endif
 
 // The noise in the numbers of HN_ARITHMETIC.
 HN_FN hn_i_num hn_i_perlin(hn_i_box3 box, hn_i_num3 f, hn_uint seed) {
@@ -14,14 +17,18 @@ HN_FN hn_i_num hn_i_perlin(hn_i_box3 box, hn_i_num3 f, hn_uint seed) {
   return hn_i_scaled3(hn_i_lerp(front, back, t.z));
 }
 
-// Gradient noise on the cubic lattice: Perlin 2002 interpolant, hashed gradients.
-//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
-//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
+// Perlin noise in space: smooth hills and valleys, about one to a cell, and 0 at whole positions. It is gradient noise
+// on the cubic lattice, with the interpolant of 2002 and hashed gradients.
+//   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a hill or a valley. Less
+//            than 2^23 along each axis: larger floats have no fraction
+//   place    in place of p: hn_place(cell, f) far from the origin, or hn_tile(p, period) for a tile (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   example  float n = hn_perlin(vec3(uv * 8.0, 0.5), 7u);
 //   returns  [-1, 1] (proven bound 0.99689), mean 0, 0 at lattice points, twice continuously differentiable (HN_FIXED:
 //            in steps of 2^-21); with HN_GRADIENT_SINE, which is not scaled, [-3/2, 3/2] and the rest alike
-//   error    at most 4.45e-6 against the exact value, in any rounding mode (docs/accuracy.md); HN_GRADIENT_SINE
-//            8.12e-6. HN_FIXED 5.40e-5; HN_GRADIENT_SINE 1.40e-4. From a cell at most 4.14e-6; HN_GRADIENT_SINE 7.70e-6
+//   error    at most 4.45e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md);
+//            HN_GRADIENT_SINE 8.12e-6. HN_FIXED 5.40e-5; HN_GRADIENT_SINE 1.40e-4. From a cell at most 4.14e-6;
+//            HN_GRADIENT_SINE 7.70e-6
 //   period   2^32 cells per axis, or that of the tile (HN_GRADIENT_SINE with HN_HASH_PARTIAL_FNV1: no more than 2^31)
 //   cost     8 hashes (none with HN_HASH_LATTICE) and 8 multiplications; 3 more to spread the coordinates, and 2 more
 //            for a seed that is not constant. HN_GRADIENT_SINE: 14 hashes and 24 sines of 10 multiplications each, 6 of

@@ -23,17 +23,19 @@ HN_FN hn_vec2 hn_i_perlin_d(hn_i_box1 box, hn_i_num f, hn_uint seed) {
   return vec2(hn_i_value(hn_i_scaled1(hn_i_lerp(left, right, t))), hn_i_derivative(hn_i_scaled1(slope)));
 }
 
-// Perlin noise on the line and how steep it is. The value is that of hn_perlin.
-//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
-//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
+// Perlin noise on the line and its slope: the value of hn_perlin with its derivatives.
+//   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a hill or a valley. Less
+//            than 2^23 along each axis: larger floats have no fraction
+//   place    in place of p: hn_place(cell, f) far from the origin, or hn_tile(p, period) for a tile (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   example  vec2 n = hn_perlin_d(uv.x * 8.0, 7u);
 //   returns  the value and its derivative. A derivative is per cell, in [-2.69, 2.69], once continuously differentiable
 //            (HN_FIXED: in steps of 2^-19)
 //   error    that of hn_perlin, and of a derivative at most 7.47e-6 against the exact value, in any rounding mode
-//            (docs/accuracy.md). HN_FIXED 1.72e-4. From a cell at most 6.57e-6
+//            (docs/measured/accuracy.md). HN_FIXED 1.72e-4. From a cell at most 6.57e-6
 //   period   2^32 cells
 //   cost     the hashes of hn_perlin, which are most of its cost, and about twice the rest
-//   source   the product rule on the interpolation; docs/contract.md, section 10
+//   source   the product rule on the interpolation; docs/reference/contract.md, section 10
 HN_FN hn_vec2 hn_perlin_d(hn_place1 place, hn_uint seed) {
   return hn_i_perlin_d(hn_i_box(place), place.fraction, seed);
 }

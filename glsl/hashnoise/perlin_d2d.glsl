@@ -4,7 +4,7 @@
 #ifndef HN_PERLIN_D2D_GLSL
 #define HN_PERLIN_D2D_GLSL
 
-#include "detail/ramps2d.glsl"
+#include "detail/direction.glsl"
 #include "detail/derivative.glsl"
 
 // The paper's gradient has no noise of this kind.
@@ -18,8 +18,8 @@ HN_FN hn_i_num3 hn_i_edge_d(hn_i_num a, hn_i_num b, hn_vec2 g, hn_vec2 h, hn_i_n
                      hn_i_lerp_components(g.y, h.y, e));
 }
 
-// The noise and its derivatives before they are scaled, from the words of the corners, the fades and their slopes. The
-// gradients may have turned by a quarter.
+// The noise and its derivatives before they are scaled, from the hashes of the corners, the fades and their slopes. The
+// gradients may be rotated by a quarter turn.
 HN_FN hn_i_num3 hn_i_perlin_d(hn_uvec4 h, hn_i_num2 f, hn_i_num2 t, hn_i_num2 s, bool turned) {
   hn_i_num4 r = hn_i_ramps(h, f, turned);
   hn_i_num3 n0 = hn_i_edge_d(r.x, r.y, hn_i_direction2(h.x, turned), hn_i_direction2(h.y, turned), t.x, s.x);
@@ -34,17 +34,19 @@ HN_FN hn_vec3 hn_i_perlin_d(hn_uvec4 h, hn_i_num2 f) {
   return hn_i_scaled_perlin_d(hn_i_perlin_d(h, f, hn_i_fade(f), hn_i_d_fade(f), false));
 }
 
-// Perlin noise on the plane and how steep it is. The value is that of hn_perlin.
-//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
-//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
+// Perlin noise on the plane and its slope: the value of hn_perlin with its derivatives.
+//   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a hill or a valley. Less
+//            than 2^23 along each axis: larger floats have no fraction
+//   place    in place of p: hn_place(cell, f) far from the origin, or hn_tile(p, period) for a tile (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   example  vec3 n = hn_perlin_d(uv * 8.0, 7u);
 //   returns  the value and its derivatives along x and y. A derivative is per cell, in [-2.91, 2.91], once continuously
 //            differentiable (HN_FIXED: in steps of 2^-19)
 //   error    that of hn_perlin, and of a derivative at most 1.33e-5 against the exact value, in any rounding mode
-//            (docs/accuracy.md). HN_FIXED 2.01e-4. From a cell at most 1.24e-5
+//            (docs/measured/accuracy.md). HN_FIXED 2.01e-4. From a cell at most 1.24e-5
 //   period   2^32 cells per axis, or that of the tile
 //   cost     the hashes of hn_perlin, which are most of its cost, and about twice the rest
-//   source   the product rule on the interpolation; docs/contract.md, section 10
+//   source   the product rule on the interpolation; docs/reference/contract.md, section 10
 HN_FN hn_vec3 hn_perlin_d(hn_place2 place, hn_uint seed) {
   return hn_i_perlin_d(hn_i_corners(hn_i_box(place), seed), place.fraction);
 }

@@ -4,7 +4,7 @@
 #ifndef HN_PERLIN_D3D_GLSL
 #define HN_PERLIN_D3D_GLSL
 
-#include "detail/ramps3d.glsl"
+#include "detail/direction3d.glsl"
 #include "detail/derivative.glsl"
 
 // The paper's gradient has no noise of this kind.
@@ -18,8 +18,8 @@ HN_FN hn_i_num4 hn_i_edge_d(hn_i_num a, hn_i_num b, hn_vec3 g, hn_vec3 h, hn_i_n
                      hn_i_lerp_components(g.y, h.y, e), hn_i_lerp_components(g.z, h.z, e));
 }
 
-// The share of a face, from the words of its corners: the interpolated ramp, its derivatives along x and y, and what
-// the gradients' last components add. The gradients may have turned by a quarter.
+// The share of a face, from the hashes of its corners: the interpolated ramp, its derivatives along x and y, and what
+// the gradients' last components add. The gradients may be rotated by a quarter turn.
 HN_FN hn_i_num4 hn_i_face_d(hn_uvec4 h, hn_i_num3 f, bool back, hn_i_num3 t, hn_i_num3 s, bool turned) {
   hn_vec3 g00 = hn_i_direction3(h.x, hn_i_signs(h.x, turned));
   hn_vec3 g10 = hn_i_direction3(h.y, hn_i_signs(h.y, turned));
@@ -37,8 +37,8 @@ HN_FN hn_i_num4 hn_i_face_d(hn_uvec4 h, hn_i_num3 f, bool back, hn_i_num3 t, hn_
                      hn_i_lerp(n0.w, n1.w, t.y));
 }
 
-// The noise and its derivatives before they are scaled, from the words of the corners of both faces, the fades and their
-// slopes.
+// The noise and its derivatives before they are scaled, from the hashes of the corners of both faces, the fades and
+// their slopes.
 HN_FN hn_i_num4 hn_i_perlin_d(hn_uvec4 a, hn_uvec4 b, hn_i_num3 f, hn_i_num3 t, hn_i_num3 s, bool turned) {
   hn_i_num4 front = hn_i_face_d(a, f, false, t, s, turned);
   hn_i_num4 back = hn_i_face_d(b, f, true, t, s, turned);
@@ -50,17 +50,19 @@ HN_FN hn_vec4 hn_i_scaled_perlin_d(hn_i_num4 n) {
               hn_i_derivative(hn_i_scaled3(n.w)));
 }
 
-// Perlin noise in space and how steep it is. The value is that of hn_perlin.
-//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
-//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
+// Perlin noise in space and its slope: the value of hn_perlin with its derivatives.
+//   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a hill or a valley. Less
+//            than 2^23 along each axis: larger floats have no fraction
+//   place    in place of p: hn_place(cell, f) far from the origin, or hn_tile(p, period) for a tile (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   example  vec4 n = hn_perlin_d(vec3(uv * 8.0, 0.5), 7u);
 //   returns  the value and its derivatives along x, y and z. A derivative is per cell, in [-3.61, 3.61], once
 //            continuously differentiable (HN_FIXED: in steps of 2^-19)
 //   error    that of hn_perlin, and of a derivative at most 1.98e-5 against the exact value, in any rounding mode
-//            (docs/accuracy.md). HN_FIXED 2.28e-4. From a cell at most 1.88e-5
+//            (docs/measured/accuracy.md). HN_FIXED 2.28e-4. From a cell at most 1.88e-5
 //   period   2^32 cells per axis, or that of the tile
 //   cost     the hashes of hn_perlin, which are most of its cost, and about twice the rest
-//   source   the product rule on the interpolation; docs/contract.md, section 10
+//   source   the product rule on the interpolation; docs/reference/contract.md, section 10
 HN_FN hn_vec4 hn_perlin_d(hn_place3 place, hn_uint seed) {
   hn_i_box3 box = hn_i_box(place);
   hn_i_num3 f = place.fraction;

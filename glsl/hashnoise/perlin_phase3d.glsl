@@ -1,4 +1,4 @@
-// hashnoise: Perlin noise in space whose gradients turn with a phase.
+// hashnoise: Perlin noise in space whose gradients rotate with a phase.
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_PERLIN_PHASE3D_GLSL
@@ -29,25 +29,29 @@ HN_FN hn_vec4 hn_i_perlin_phase_d(hn_i_box3 box, hn_i_num3 f, hn_i_num2 rotation
       hn_i_mixed(rotation, hn_i_perlin_d(a, b, f, t, s, false), hn_i_perlin_d(a, b, f, t, s, true)));
 }
 
-// Perlin noise in space whose gradients turn: the field changes in place, and loops after one turn. Each turns in the
-// plane of its two axes.
-//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
-//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
+// Perlin noise in space whose gradients rotate with a phase: the field changes in place, and loops after one turn. Each
+// rotates in the plane of its two axes.
+//   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a hill or a valley. Less
+//            than 2^23 along each axis: larger floats have no fraction
+//   place    in place of p: hn_place(cell, f) far from the origin, or hn_tile(p, period) for a tile (place.glsl)
 //   phase    in turns, any float: the field of phase + 1 has the same bits, and that of phase + 1/2 is the negative
-//            (HN_FIXED: but for the last bits). A float far from 0 has few bits left for the turn: wrap it yourself
+//            (HN_FIXED: but for the last bits). A float far from 0 has few bits left for the turn: pass fract(phase)
 //   seed     any uint: 7u, not 7; different seeds give independent fields
+//   example  float n = hn_perlin(vec3(uv * 8.0, 0.5), 0.25, 7u);
 //   returns  [-1, 1] (proven bound 0.99895), mean 0, 0 at lattice points, twice continuously differentiable, and smooth
 //            in the phase. With a phase of 0 it is hn_perlin, within the error.
-//   error    at most 7.96e-6 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 1.31e-4
+//   error    at most 7.96e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
+//            1.31e-4
 //   period   2^32 cells per axis, or that of the tile
 //   cost     the hashes of hn_perlin, a sine and a cosine of 6 multiplications of floats each, and twice the rest
-//   source   Perlin and Neyret, "Flow noise", 2001; docs/contract.md, section 14
+//   source   Perlin and Neyret, "Flow noise", 2001; docs/reference/contract.md, section 14
 HN_FN hn_float hn_perlin(hn_place3 place, hn_float phase, hn_uint seed) {
   return hn_i_value(hn_i_perlin_phase(hn_i_box(place), place.fraction, hn_i_rotation(phase), seed));
 }
 HN_FN hn_float hn_perlin(hn_vec3 p, hn_float phase, hn_uint seed) { return hn_perlin(hn_place(p), phase, seed); }
 
 // The same with the derivatives along x, y and z, as of hn_perlin_d. The value is as above.
+//   example  vec4 n = hn_perlin_d(vec3(uv * 8.0, 0.5), 0.25, 7u);
 //   returns  the value and its derivatives, per cell, in [-3.61, 3.61]
 //   error    of a derivative at most 3.40e-5. HN_FIXED 5.14e-4
 //   cost     as above, and about twice the rest

@@ -4,23 +4,24 @@
 #ifndef HN_PERLIN_VECTOR2D_GLSL
 #define HN_PERLIN_VECTOR2D_GLSL
 
-#include "detail/ramps2d.glsl"
+#include "detail/direction.glsl"
 
 // The paper's gradient has no noise of this kind.
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
 
-// Two Perlin noises that do not depend on each other, from one hash for each corner: to move positions, for the two
-// parts of a flow.
-//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
-//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
+// Two independent Perlin noises from one hash for each corner: for displacements, for the two parts of a flow.
+//   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a hill or a valley. Less
+//            than 2^23 along each axis: larger floats have no fraction
+//   place    in place of p: hn_place(cell, f) far from the origin, or hn_tile(p, period) for a tile (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
-//   returns  along x hn_perlin, and along y another such noise, each in [-1, 1] (proven bound 0.90913), mean 0, 0
-//            at lattice points, twice continuously differentiable (HN_FIXED: in steps of 2^-21)
-//   error    of each at most 2.67e-6 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED
-//            4.30e-5. From a cell at most 2.44e-6
+//   example  vec2 n = hn_perlin_vector(uv * 8.0, 7u);
+//   returns  along x hn_perlin, and along y another such noise, each in [-1, 1] (proven bound 0.90913), mean 0, 0 at
+//            lattice points, twice continuously differentiable (HN_FIXED: in steps of 2^-21)
+//   error    of each at most 2.67e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md).
+//            HN_FIXED 4.30e-5. From a cell at most 2.44e-6
 //   period   2^32 cells per axis, or that of the tile
 //   cost     that of hn_perlin, and the same again without the hashes; for each corner a multiplication more
-//   source   Perlin, "Improving noise", 2002; docs/contract.md, section 22
+//   source   Perlin, "Improving noise", 2002; docs/reference/contract.md, section 22
 HN_FN hn_vec2 hn_perlin_vector(hn_place2 place, hn_uint seed) {
   hn_uvec4 h = hn_i_corners(hn_i_box(place), seed);
   hn_i_num2 f = place.fraction;

@@ -4,24 +4,24 @@
 #ifndef HN_PERLIN_VECTOR3D_GLSL
 #define HN_PERLIN_VECTOR3D_GLSL
 
-#include "detail/ramps3d.glsl"
+#include "detail/direction3d.glsl"
 
 // The paper's gradient has no noise of this kind.
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
 
-// Three Perlin noises that do not depend on each other, from one hash for each corner: to move positions, for the parts
-// of a flow.
-//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
-//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
+// Three independent Perlin noises from one hash for each corner: for displacements, for the parts of a flow.
+//   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a hill or a valley. Less
+//            than 2^23 along each axis: larger floats have no fraction
+//   place    in place of p: hn_place(cell, f) far from the origin, or hn_tile(p, period) for a tile (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
-//   returns  along x hn_perlin, and along y and z other such noises, each in [-1, 1] (proven bound 0.99689), mean 0,
-//            0 at lattice points, twice continuously differentiable (HN_FIXED: in steps of 2^-21)
-//   error    of each at most 4.45e-6 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED
-//            5.40e-5. From a cell at most 4.14e-6
+//   example  vec3 n = hn_perlin_vector(vec3(uv * 8.0, 0.5), 7u);
+//   returns  along x hn_perlin, and along y and z other such noises, each in [-1, 1] (proven bound 0.99689), mean 0, 0
+//            at lattice points, twice continuously differentiable (HN_FIXED: in steps of 2^-21)
+//   error    of each at most 4.45e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md).
+//            HN_FIXED 5.40e-5. From a cell at most 4.14e-6
 //   period   2^32 cells per axis, or that of the tile
-//   cost     that of hn_perlin, and twice the same again without the hashes; for each corner two multiplications
-//            more
-//   source   Perlin, "Improving noise", 2002; docs/contract.md, section 22
+//   cost     that of hn_perlin, and twice the same again without the hashes; for each corner two multiplications more
+//   source   Perlin, "Improving noise", 2002; docs/reference/contract.md, section 22
 HN_FN hn_vec3 hn_perlin_vector(hn_place3 place, hn_uint seed) {
   hn_i_box3 box = hn_i_box(place);
   hn_uvec4 a = hn_i_corners(box, false, seed);

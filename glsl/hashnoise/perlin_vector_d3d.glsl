@@ -9,19 +9,20 @@
 // The paper's gradient has no noise of this kind.
 #if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
 
-// Three Perlin noises that do not depend on each other, and how steep they are, from one hash for each corner. value is
-// hn_perlin_vector.
-//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
-//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
+// Three independent Perlin noises and their slopes, from one hash for each corner: the value of hn_perlin_vector with
+// its derivatives.
+//   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a hill or a valley. Less
+//            than 2^23 along each axis: larger floats have no fraction
+//   place    in place of p: hn_place(cell, f) far from the origin, or hn_tile(p, period) for a tile (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   example  hn_derivatives3x3 n = hn_perlin_vector_d(vec3(uv * 8.0, 0.5), 7u);
 //   returns  value, and in dx, dy and dz its derivatives along x, y and z. A derivative is per cell, in [-3.61, 3.61],
 //            once continuously differentiable (HN_FIXED: in steps of 2^-19)
 //   error    that of hn_perlin_vector, and of a derivative at most 1.98e-5 against the exact value, in any rounding
-//            mode (docs/accuracy.md). HN_FIXED 2.28e-4. From a cell at most 1.88e-5
+//            mode (docs/measured/accuracy.md). HN_FIXED 2.28e-4. From a cell at most 1.88e-5
 //   period   2^32 cells per axis, or that of the tile
-//   cost     that of hn_perlin_d, and twice the same again without the hashes; for each corner two multiplications
-//            more
-//   source   the product rule on the interpolation; docs/contract.md, section 22
+//   cost     that of hn_perlin_d, and twice the same again without the hashes; for each corner two multiplications more
+//   source   the product rule on the interpolation; docs/reference/contract.md, section 22
 HN_FN hn_derivatives3x3 hn_perlin_vector_d(hn_place3 place, hn_uint seed) {
   hn_i_box3 box = hn_i_box(place);
   hn_uvec4 a = hn_i_corners(box, false, seed);

@@ -35,25 +35,27 @@ HN_FN hn_float hn_i_perlin_worley(hn_octaves3 wisps, hn_octaves3 billows) {
   return hn_i_value(hn_i_either(hn_i_bounded_octave(hn_i_fbm(wisps)), hn_i_bounded_octave(hn_mean(o))));
 }
 
-// Perlin-Worley noise: round billows where the points of cellular noise are, and wisps of Perlin noise between them. It
-// is what volumes of clouds are made of. In a tile it repeats along all three axes, so a texture of one tile fills a
-// sky.
-//   p           position, in cells of the first octave; (|p| + 1) * lacunarity^octaves < 2^23, for a lacunarity of 2
-//               or more
-//   place       a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl). The period of a
-//               tile times lacunarity^octaves is below 2^31
-//   octaves     how many of Perlin noise, usually 4 to 8; the first three have billows, too. With fewer
-//               than 1 the result is 3/4
-//   lacunarity  ratio of frequencies, usually 2. In a tile it is a whole number from 1 to 255; others are rounded down
-//   gain        ratio of amplitudes, usually 0.5; not negative
+// Perlin-Worley noise, for volumes of clouds: round billows where the points of cellular noise are, and wisps of Perlin
+// noise between them. In a tile it repeats along all three axes, so a texture of one tile fills a sky.
+//   p           position, in cells of the first octave: a coordinate times a frequency, so that a cell is as large as
+//               the largest hills. Less than 2^23 / lacunarity^octaves - 1 along each axis, for a lacunarity of 2 or
+//               more: larger floats have no fraction
+//   place       in place of p: hn_place(cell, f) far from the origin, or hn_tile(p, period) for a tile (place.glsl).
+//               The period of a tile times lacunarity^octaves is below 2^31
+//   octaves     how many of Perlin noise, usually 4 to 8; the first three have billows, too. With fewer than 1 the
+//               result is 3/4
+//   lacunarity  ratio of frequencies from octave to octave, usually 2. In a tile it is a whole number from 1 to 255;
+//               others are rounded down
+//   gain        ratio of amplitudes (persistence), usually 0.5; not negative
 //   seed        any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   example     float n = hn_perlin_worley(vec3(uv * 8.0, 0.5), 6, 2.0, 0.5, 7u);
 //   returns     [0, 1], continuous. A cloud is where it is above a threshold, of about 0.75
-//   error       docs/accuracy.md
+//   error       docs/measured/accuracy.md
 //   period      2^32 cells per axis, or that of the tile
 //   cost        hn_fbm, and three times hn_cellular in space, which is most of it
 //   HN_FIXED    takes a gain above 1 as 1, and more than 32 octaves as 32
 //   source      Schneider and Vos, "The Real-time Volumetric Cloudscapes of Horizon: Zero Dawn", 2015;
-//               docs/contract.md, section 25
+//               docs/reference/contract.md, section 25
 HN_FN hn_float hn_perlin_worley(hn_place3 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {
   return hn_i_perlin_worley(hn_octaves(place, octaves, lacunarity, gain, seed),
                             hn_octaves(place, min(octaves, 3), lacunarity, gain, hn_i_other_seed(seed)));

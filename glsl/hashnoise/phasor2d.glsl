@@ -10,23 +10,25 @@
 // Phasor noise on the plane: stripes in a direction and with a wavelength of your choice, which may change from place
 // to place. They bend where the random phases of the lattice do not agree. The value by itself looks as Gabor noise
 // does. The angle of value and quadrature, atan(n.y, n.x), grows across the stripes: any profile may be made of it. So
-// n.x / length(n) is stripes of one height. length(n) says how well the stripes agree.
-//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
-//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
-//   wave     the direction in which the waves run, times the waves per cell: 2 to 8 of them show as stripes. Each
-//            component counts as the nearer end outside [-16, 16]
-//   phase    in turns, any float: phase + 1 has the same bits. The stripes move along the wave as it falls, and loop
-//            after one turn. A float far from 0 has few bits left for the turn: wrap it yourself
+// n.x / length(n) is stripes of one height. length(n) is how well the stripes agree.
+//   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a hill or a valley. Less
+//            than 2^23 along each axis: larger floats have no fraction
+//   place    in place of p: hn_place(cell, f) far from the origin, or hn_tile(p, period) for a tile (place.glsl)
+//   wave     the direction across the stripes, times the number of waves per cell: usually 2 to 8, which show as
+//            stripes. Each component outside [-16, 16] counts as the nearer end
+//   phase    in turns, any float: phase + 1 has the same bits. The stripes move along the wave as the phase falls, and
+//            loop after one turn. A float far from 0 has few bits left for the turn: pass fract(phase)
 //   seed     any uint: 7u, not 7; different seeds give independent fields
-//   returns  a value and its quadrature, which is the value a quarter of a turn of the phase before, each in [-1, 1]
-//            (proven bound 0.99933), mean 0, twice continuously differentiable (HN_FIXED: in steps of 2^-21)
-//   error    at most 4.24e-5 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 3.56e-4.
-//            From a cell at most 3.04e-5
+//   example  vec2 n = hn_phasor(uv * 8.0, vec2(4.0, 0.0), 0.25, 7u);
+//   returns  a value and its quadrature, the value a quarter of a turn of the phase earlier, each in [-1, 1] (proven
+//            bound 0.99933), mean 0, twice continuously differentiable (HN_FIXED: in steps of 2^-21)
+//   error    at most 4.24e-5 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
+//            3.56e-4. From a cell at most 3.04e-5
 //   period   2^31 cells per axis, or that of the tile
 //   cost     3 hashes (none with HN_HASH_LATTICE), 6 sines of 6 multiplications each, and 15 multiplications; 2 more to
 //            spread the coordinates, and 2 more for a seed that is not constant
 //   source   Tricard et al., "Procedural phasor noise", 2019; Lagae et al., "Procedural noise using sparse Gabor
-//            convolution", 2009; docs/contract.md, section 23
+//            convolution", 2009; docs/reference/contract.md, section 23
 HN_FN hn_vec2 hn_phasor(hn_place2 place, hn_vec2 wave, hn_float phase, hn_uint seed) {
   hn_i_num2 skewed = hn_i_skewed(place.fraction);
   hn_uvec3 h = hn_i_triangle(place, skewed, seed);

@@ -8,22 +8,24 @@
 #include "detail/phasor.glsl"
 
 // Phasor noise in space: layers across a direction and with a wavelength of your choice, which may change from place to
-// place. phasor2d.glsl tells what value and quadrature are for.
-//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
-//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
-//   wave     the direction in which the waves run, times the waves per cell: 2 to 8 of them show as layers. Each
-//            component counts as the nearer end outside [-16, 16]
-//   phase    in turns, any float: phase + 1 has the same bits. The layers move along the wave as it falls, and loop
-//            after one turn. A float far from 0 has few bits left for the turn: wrap it yourself
+// place. The angle of value and quadrature, atan(n.y, n.x), grows across the layers, so any profile can be made of it.
+//   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a hill or a valley. Less
+//            than 2^23 along each axis: larger floats have no fraction
+//   place    in place of p: hn_place(cell, f) far from the origin, or hn_tile(p, period) for a tile (place.glsl)
+//   wave     the direction across the layers, times the number of waves per cell: usually 2 to 8, which show as layers.
+//            Each component outside [-16, 16] counts as the nearer end
+//   phase    in turns, any float: phase + 1 has the same bits. The layers move along the wave as the phase falls, and
+//            loop after one turn. A float far from 0 has few bits left for the turn: pass fract(phase)
 //   seed     any uint: 7u, not 7; different seeds give independent fields
-//   returns  a value and its quadrature, which is the value a quarter of a turn of the phase before, each in [-1, 1]
-//            (proven bound 0.99932), mean 0, twice continuously differentiable (HN_FIXED: in steps of 2^-21)
-//   error    at most 4.91e-5 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 4.97e-4.
-//            From a cell at most 3.11e-5
+//   example  vec2 n = hn_phasor(vec3(uv * 8.0, 0.5), vec3(4.0, 0.0, 0.0), 0.25, 7u);
+//   returns  a value and its quadrature, the value a quarter of a turn of the phase earlier, each in [-1, 1] (proven
+//            bound 0.99932), mean 0, twice continuously differentiable (HN_FIXED: in steps of 2^-21)
+//   error    at most 4.91e-5 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
+//            4.97e-4. From a cell at most 3.11e-5
 //   period   2^32 cells per axis, or that of the tile
 //   cost     4 hashes (none with HN_HASH_LATTICE), 8 sines of 6 multiplications each, and 24 multiplications; 3 more to
 //            spread the coordinates, and 2 more for a seed that is not constant
-//   source   as of hn_phasor on the plane; docs/contract.md, section 23
+//   source   as of hn_phasor on the plane; docs/reference/contract.md, section 23
 HN_FN hn_vec2 hn_phasor(hn_place3 place, hn_vec3 wave, hn_float phase, hn_uint seed) {
   hn_i_num4 x;
   hn_i_num4 y;

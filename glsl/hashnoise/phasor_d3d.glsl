@@ -38,16 +38,17 @@ HN_FN hn_i_num2 hn_i_scaled_fall3(hn_i_num2 n) {
   return hn_i_vector(hn_i_of_fall(fall.x, 1), hn_i_of_fall(fall.y, 1));
 }
 
-// Phasor noise in space and how steep it is. value has the value and the quadrature of hn_phasor.
+// Phasor noise in space and its slopes: the value and the quadrature of hn_phasor with their derivatives.
 //   (parameters as for hn_phasor in phasor3d.glsl)
+//   example  hn_derivatives2x3 n = hn_phasor_d(vec3(uv * 8.0, 0.5), vec3(4.0, 0.0, 0.0), 0.25, 7u);
 //   returns  value, and in dx, dy and dz the derivatives of both along x, y and z, per cell, at a constant wave and
 //            phase: in [-100.5, 100.5] for the largest waves, once continuously differentiable (HN_FIXED: in steps of
 //            2^-16)
 //   error    that of hn_phasor, and of a derivative at most 5.20e-3 against the exact value, in any rounding mode
-//            (docs/accuracy.md). HN_FIXED 5.23e-2. From a cell at most 3.35e-3
+//            (docs/measured/accuracy.md). HN_FIXED 5.23e-2. From a cell at most 3.35e-3
 //   period   2^32 cells per axis, or that of the tile
 //   cost     the hashes and sines of hn_phasor, which are most of its cost, and about twice the rest
-//   source   the product rule on weight and wave; docs/contract.md, section 23
+//   source   the product rule on weight and wave; docs/reference/contract.md, section 23
 HN_FN hn_derivatives2x3 hn_phasor_d(hn_place3 place, hn_vec3 wave, hn_float phase, hn_uint seed) {
   hn_i_num4 x;
   hn_i_num4 y;

@@ -1,7 +1,7 @@
-// hashnoise: places, which say where a noise is evaluated.
+// hashnoise: places, where noises are evaluated.
 // SPDX-License-Identifier: MIT
 //
-// Every noise and every sum takes a position, or a place in its stead:
+// Every noise and every fractal takes a position, or a place instead:
 //
 //   hn_perlin(p, 7u)                                   a position
 //   hn_perlin(hn_place(cell, f), 7u)                   far out, where a float no longer names cells exactly
@@ -9,15 +9,15 @@
 //   hn_perlin(hn_tile(hn_place(cell, f), period), 7u)  both
 //   hn_fbm(hn_tile(p, period), 6, 2.0, 0.5, 7u)        and so on
 //
-// position.glsl makes places of positions that are integers. What a place is made of folds where it is a constant: one
-// without a period costs nothing more than the position.
+// position.glsl makes places of positions that are integers. Compilers fold the members of a place that are constants:
+// a place without a period costs no more than the position.
 
 #ifndef HN_PLACE_GLSL
 #define HN_PLACE_GLSL
 
-#include "detail/place2d.glsl"
+#include "detail/cell2d.glsl"
 
-// The same in 3 and 4 dimensions: tools/make writes it of detail/place2d.glsl.
+// The same in 3 and 4 dimensions: tools/make writes it of detail/cell2d.glsl.
 
 #if HN_ARITHMETIC == HN_FAST
 HN_FN hn_ivec3 hn_i_cell(hn_vec3 p) { return ivec3(floor(p)); }
@@ -47,12 +47,12 @@ HN_FN hn_i_num4 hn_i_to_num(hn_vec4 f) {
 }
 #endif
 
-// The same in 1, 3 and 4 dimensions: tools/make writes it of detail/place2d.glsl.
+// The same in 1, 3 and 4 dimensions: tools/make writes it of detail/cell2d.glsl.
 
 // Where a noise is evaluated. Make it by hn_place and hn_tile; only `cell` may be read.
 //   cell      the cell; cells wrap at 2^32
 //   fraction  where in the cell it is, in the numbers of HN_ARITHMETIC
-//   rest      what is beyond those numbers, in units of 2^-24 of a cell. Only octave sums with HN_FIXED need it
+//   rest      what is beyond those numbers, in units of 2^-24 of a cell. Only fractals with HN_FIXED need it
 //   period    cells along each axis
 //   tiled     whether it has a period. Octaves are not rotated then, as they would not fit the tile
 struct hn_place1 {
@@ -109,15 +109,16 @@ HN_FN hn_place4 hn_i_place(hn_ivec4 cell, hn_i_num4 fraction, hn_ivec4 rest) {
   return place;
 }
 
-// A place from a cell and a position in it. It names cells exactly where a float no longer can: far out in a large
-// world, or in one that moves with the viewer.
+// A place from a cell and a position in it, for large worlds, or worlds that move with the viewer: it names cells
+// exactly where a float no longer can.
 //   cell     the cell: int, ivec2, ivec3 or ivec4; cells wrap at 2^32
 //   f        position in the cell, in [0, 1]; outside of it HN_FIXED takes the nearer end. Floats of Perlin and value
 //            noise extrapolate, and other noises have no promise
+//   example  hn_place2 place = hn_place(ivec2(3, -5), vec2(0.25, 0.75));
 //   returns  the place
 //   error    none: this loses nothing that the noise does not
 //   cost     none that the noise does not have
-//   source   docs/contract.md, section 6
+//   source   docs/reference/contract.md, section 6
 HN_FN hn_place1 hn_place(hn_int cell, hn_float f) {
   return hn_i_place(cell, hn_i_to_num(f), HN_I_REST(hn_i_rest_of_fraction(f)));
 }
@@ -134,6 +135,7 @@ HN_FN hn_place4 hn_place(hn_ivec4 cell, hn_vec4 f) {
 
 // A place from a cell alone: its first corner. So hn_random(hn_place(cell), seed) is the number of a cell.
 //   cell     the cell: int, ivec2, ivec3 or ivec4
+//   example  float n = hn_random(hn_place(ivec2(3, -5)), 7u);
 //   returns  the place
 //   error    none
 //   cost     none
@@ -147,7 +149,9 @@ HN_FN hn_place4 hn_place(hn_ivec4 cell) {
 }
 
 // A place from a position. hn_perlin(hn_place(p), seed) is hn_perlin(p, seed).
-//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
+//   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a hill or a valley. Less
+//            than 2^23 along each axis: larger floats have no fraction
+//   example  hn_place2 place = hn_place(uv * 8.0);
 //   returns  the place
 //   error    floats round the fraction of a small negative position
 //   cost     as above
@@ -166,16 +170,18 @@ HN_FN hn_place4 hn_place(hn_vec4 p) {
                           HN_I_REST(hn_i_rest_of_position(p.z)), HN_I_REST(hn_i_rest_of_position(p.w))));
 }
 
-// A place in a tile: the field repeats after its period. Corners and points have the words of their coordinates modulo
-// the period.
-//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
-//   place    a place in its stead: hn_place(cell, f), hn_place(cell) and so on
+// A place in a tile, so that a noise or a fractal repeats after its period, without a seam. Corners and points have the
+// hashes of their coordinates modulo the period.
+//   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a hill or a valley. Less
+//            than 2^23 along each axis: larger floats have no fraction
+//   place    in place of p: hn_place(cell, f) or hn_place(cell)
 //   period   cells along each axis: int, ivec2, ivec3 or ivec4; 0 for none along that axis. Less than 0 is none, too
+//   example  float n = hn_perlin(hn_tile(uv * 8.0, ivec2(8, 8)), 7u);
 //   returns  the place
 //   error    none
 //   cost     for the noise a mask along each axis if the period is a constant power of two, else a division; a few
 //            comparisons along each axis, and for simplex and cellular noise up to two multiplications
-//   source   docs/contract.md, section 6
+//   source   docs/reference/contract.md, section 6
 HN_FN hn_place1 hn_tile(hn_place1 place, hn_int period) {
   hn_place1 tile = place;
   tile.period = period;
@@ -198,8 +204,9 @@ HN_FN hn_place1 hn_tile(hn_float p, hn_int period) { return hn_tile(hn_place(p),
 HN_FN hn_place3 hn_tile(hn_vec3 p, hn_ivec3 period) { return hn_tile(hn_place(p), period); }
 HN_FN hn_place4 hn_tile(hn_vec4 p, hn_ivec4 period) { return hn_tile(hn_place(p), period); }
 
-// The position of a place, for noises of your own that sums call.
+// The position of a place, for your own noise in a fractal.
 //   place    the place
+//   example  vec2 p = hn_position(hn_tile(uv * 8.0, ivec2(8, 8)));
 //   returns  its cell and its fraction in one float along each axis
 //   error    that of a float, far out
 //   source   as of hn_place
@@ -217,5 +224,7 @@ HN_FN hn_vec4 hn_position(hn_place4 place) {
               hn_i_position_of(place.cell.z, place.fraction.z, place.rest.z),
               hn_i_position_of(place.cell.w, place.fraction.w, place.rest.w));
 }
+
+// By hand in each dimension.
 
 #endif

@@ -35,13 +35,14 @@ HN_FN hn_float hn_i_fraction_of_units(hn_uint rest, hn_int units) {
 }
 
 // The cell of a position that is a whole number of units, in a world where `cells` cells are `units` units long.
-//   position  in units: int, ivec2, ivec3 or ivec4
-//   cells     how many, 1 to 65536; a number outside of it counts as the nearer end
-//   units     how long they are, 1 to 65536; a number outside of it counts as the nearer end
+//   position  a whole number of units: int, ivec2, ivec3 or ivec4
+//   cells     how many, 1 to 65536, usually 1; numbers outside count as the nearer end
+//   units     how many units they are long, 1 to 65536; numbers outside count as the nearer end
+//   example   ivec2 cell = hn_cell(ivec2(640, -320), 1, 64);
 //   returns   floor(position * cells / units), modulo 2^32
 //   error     none: integers on every driver, and the same in C++
 //   cost      2 divisions of integers per axis; with constants, compilers make products or shifts of them
-//   source    docs/contract.md, section 12
+//   source    docs/reference/contract.md, section 12
 HN_FN hn_int hn_cell(hn_int position, hn_int cells, hn_int units) {
   return int(hn_i_divided(position, cells, units).x);
 }
@@ -57,13 +58,14 @@ HN_FN hn_ivec4 hn_cell(hn_ivec4 position, hn_int cells, hn_int units) {
                hn_cell(position.w, cells, units));
 }
 
-// The place in its cell of a position that is a whole number of units, in a world where `cells` cells are `units` units
-// long.
+// The fraction within its cell of a position that is a whole number of units, in a world where `cells` cells are
+// `units` units long.
 //   (parameters as for hn_cell)
-//   returns   what position * cells / units is beyond its floor, cut off to a multiple of 2^-24, in [0, 1)
+//   example   vec2 f = hn_fraction(ivec2(640, -320), 1, 64);
+//   returns   position * cells / units less its floor, cut off to a multiple of 2^-24, in [0, 1)
 //   error     less than 2^-24, and the same bits everywhere
 //   cost      2 more divisions of integers per axis
-//   source    docs/contract.md, section 12
+//   source    docs/reference/contract.md, section 12
 HN_FN hn_float hn_fraction(hn_int position, hn_int cells, hn_int units) {
   return hn_i_fraction_of_units(hn_i_divided(position, cells, units).y, units);
 }
@@ -82,6 +84,7 @@ HN_FN hn_vec4 hn_fraction(hn_ivec4 position, hn_int cells, hn_int units) {
 
 // The place of a position that is a whole number of units, in a world where `cells` cells are `units` units long.
 //   (parameters, error and source as for hn_cell and hn_fraction)
+//   example   float n = hn_perlin(hn_place(ivec2(640, -320), 1, 64), 7u);
 //   returns   hn_place(hn_cell(position, cells, units), hn_fraction(position, cells, units))
 //   cost      4 divisions of integers per axis; compilers share what both have in common
 HN_FN hn_place2 hn_place(hn_ivec2 position, hn_int cells, hn_int units) {

@@ -9,15 +9,17 @@
 
 // A random number for each cell: white noise, which jumps from one cell to the next. Place, colour and vary things with
 // it: one for each tile, tree or brick.
-//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
-//   place    a place in its stead: hn_place(cell) of an ivec2, hn_tile(p, period) and so on (place.glsl)
+//   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a stone or a tile. Less
+//            than 2^23 along each axis: larger floats have no fraction
+//   place    in place of p: hn_place(cell) of an ivec2, or hn_tile(p, period) for a tile (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent numbers
+//   example  float n = hn_random(uv * 8.0, 7u);
 //   returns  [0, 1), a multiple of 2^-24, mean 1/2, uniform: hn_unorm(hn_lattice(cell, seed))
 //   error    none. With HN_FIXED a negative coordinate less than 2^-20 below a whole number counts to the next cell
 //   period   2^32 cells per axis, or that of the tile
 //   cost     1 hash (none with HN_HASH_LATTICE) and 3 multiplications; 1 more to spread each coordinate, and 2 more for
 //            a seed that is not constant
-//   source   docs/contract.md, section 17
+//   source   docs/reference/contract.md, section 17
 HN_FN hn_float hn_random(hn_place2 place, hn_uint seed) {
   hn_ivec2 cell = place.cell;
   if (place.tiled) cell = ivec2(hn_i_wrap(place.cell, place.period));

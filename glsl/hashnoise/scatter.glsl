@@ -1,11 +1,11 @@
-// hashnoise: scattered points, no two of which are nearer than a radius, without a list of them.
+// hashnoise: scattered points that are no nearer to each other than a radius, without a list of them.
 // SPDX-License-Identifier: MIT
 //
-// Each cell has a candidate: a random point of the cell. It stands if no candidate within the radius has a larger word.
-// So whether it stands follows from the cells around alone: every program that asks gets the same answer.
+// Each cell has a candidate: a random point of the cell. It is kept if no candidate within the radius has a larger
+// hash. So the cells around it decide alone, and every program gets the same points.
 //
-// Everything in this file is exact: the same bits with every HN_ARITHMETIC and on every driver. docs/contract.md,
-// section 19, defines each value.
+// Everything in this file is exact: the same bits with every HN_ARITHMETIC and on every driver.
+// docs/reference/contract.md, section 19, defines each value.
 
 #ifndef HN_SCATTER_GLSL
 #define HN_SCATTER_GLSL
@@ -13,7 +13,7 @@
 #include "detail/block.glsl"
 #include "numbers.glsl"
 
-// The candidate of a cell with the word h, in units of 2^-15 cells.
+// The candidate of a cell with the hash h, in units of 2^-15 cells.
 HN_FN hn_ivec2 hn_i_candidate2(hn_uint h) {
   hn_uint r = hn_rehash(h, 1u);
   return ivec2(int(r >> 17u), int((r >> 2u) & 32767u));
@@ -35,27 +35,28 @@ HN_FN hn_uint hn_i_square_below_cell(hn_int d) {
   return size * size;
 }
 
-// The square of the distance to the nearest rival so far, and to one more, which has the word `rival` and the square
-// `other`. A rival whose word is smaller than h does not count.
+// The square of the distance to the nearest rival so far, and to one more, which has the hash `rival` and the square
+// `other`. A rival whose hash is smaller than h does not count.
 HN_FN hn_uint hn_i_nearest_rival(hn_uint square, hn_uint h, hn_uint rival, hn_uint other) {
   return hn_i_select(rival < h, square, min(square, other));
 }
 
-// The word to return of a candidate with the word h, by the square of its nearest rival and that of the reach.
+// The result for a candidate with the hash h, by the square of its nearest rival and that of the reach.
 HN_FN hn_uint hn_i_unbeaten(hn_uint h, hn_uint square, hn_uint reach) {
   hn_uint none = 0u;
   return hn_i_select(square < reach, none, hn_rehash(h, 5u) | 1u);
 }
 
-// The point of a cell. hn_scattered tells whether it stands.
+// The candidate point of a cell on the plane. hn_scattered returns whether it is kept.
 //   cell     the cell: an ivec2
-//   place    a place in its stead: hn_tile(hn_place(cell), period), for example (place.glsl). Its cell and period count
+//   place    in place of the cell: hn_tile(hn_place(cell), period), for example (place.glsl). Its cell and period count
 //   seed     any uint: 7u, not 7; different seeds give independent points
+//   example  vec2 at = hn_scatter_point(ivec2(3, -5), 7u);
 //   returns  where in the cell it is: [0, 1) along each axis, multiples of 2^-15; uniform
 //   error    none
 //   period   2^32 cells per axis, or that of the tile
 //   cost     1 hash (none with HN_HASH_LATTICE) and 7 multiplications; 2 more for a seed that is not constant
-//   source   docs/contract.md, section 19
+//   source   docs/reference/contract.md, section 19
 HN_FN hn_vec2 hn_scatter_point(hn_place2 place, hn_uint seed) {
   hn_ivec2 cell = place.cell;
   if (place.tiled) cell = ivec2(hn_i_wrap(place.cell, place.period));
@@ -64,19 +65,20 @@ HN_FN hn_vec2 hn_scatter_point(hn_place2 place, hn_uint seed) {
 }
 HN_FN hn_vec2 hn_scatter_point(hn_ivec2 cell, hn_uint seed) { return hn_scatter_point(hn_place(cell), seed); }
 
-// Whether the point of a cell stands. Things at the points that stand do not overlap: no two of them are nearer than
-// the radius. Nothing has to be stored, and nothing to be visited in an order.
+// Whether the point of a cell on the plane is kept. No two kept points are nearer than the radius, so things at them do
+// not overlap. Nothing is stored, and the order of the cells does not matter.
 //   cell     the cell: an ivec2
-//   place    a place in its stead: hn_tile(hn_place(cell), period), for example (place.glsl). A tile repeats without
-//            a seam
-//   radius   the least distance, in cells; what is outside of [0, 1] counts as the nearer end. It is cut off to a
-//            multiple of 2^-15
+//   place    in place of the cell: hn_tile(hn_place(cell), period), for example (place.glsl). A tile repeats without a
+//            seam
+//   radius   the least distance, in cells; in [0, 1], usually 0.5 to 1; numbers outside count as the nearer end. It is
+//            cut off to a multiple of 2^-15
 //   seed     any uint: 7u, not 7; that of hn_scatter_point
-//   returns  0 if it does not stand; else a random word of the point, which is odd
+//   example  uint h = hn_scattered(ivec2(3, -5), 0.75, 7u);
+//   returns  0 if the point is dropped; else a random hash of the point, which is odd
 //   error    none
 //   period   2^32 cells per axis, or that of the tile
 //   cost     9 hashes (none with HN_HASH_LATTICE) and 80 multiplications
-//   source   Matern, "Spatial variation", 1960 (his second process); docs/contract.md, section 19
+//   source   Matern, "Spatial variation", 1960 (his second process); docs/reference/contract.md, section 19
 HN_FN hn_uint hn_scattered(hn_place2 place, hn_float radius, hn_uint seed) {
   hn_i_block2 block = hn_i_block(place);
   hn_uint s = hn_i_mix(seed);
@@ -101,15 +103,16 @@ HN_FN hn_uint hn_scattered(hn_ivec2 cell, hn_float radius, hn_uint seed) {
   return hn_scattered(hn_place(cell), radius, seed);
 }
 
-// The point of a cell in space.
+// The candidate point of a cell in space. hn_scattered returns whether it is kept.
 //   cell     the cell: an ivec3
-//   place    a place in its stead: hn_tile(hn_place(cell), period), for example (place.glsl)
+//   place    in place of the cell: hn_tile(hn_place(cell), period), for example (place.glsl)
 //   seed     any uint: 7u, not 7; different seeds give independent points
+//   example  vec3 at = hn_scatter_point(ivec3(3, -5, 2), 7u);
 //   returns  where in the cell it is: [0, 1) along each axis, multiples of 2^-15; uniform
 //   error    none
 //   period   2^32 cells per axis, or that of the tile
 //   cost     1 hash (none with HN_HASH_LATTICE) and 10 multiplications; 2 more for a seed that is not constant
-//   source   docs/contract.md, section 19
+//   source   docs/reference/contract.md, section 19
 HN_FN hn_vec3 hn_scatter_point(hn_place3 place, hn_uint seed) {
   hn_ivec3 cell = place.cell;
   if (place.tiled) cell = ivec3(hn_i_wrap(place.cell, place.period));
@@ -118,17 +121,18 @@ HN_FN hn_vec3 hn_scatter_point(hn_place3 place, hn_uint seed) {
 }
 HN_FN hn_vec3 hn_scatter_point(hn_ivec3 cell, hn_uint seed) { return hn_scatter_point(hn_place(cell), seed); }
 
-// Whether the point of a cell stands, in space.
+// Whether the point of a cell in space is kept. No two kept points are nearer than the radius.
 //   cell     the cell: an ivec3
-//   place    a place in its stead: hn_tile(hn_place(cell), period), for example (place.glsl)
-//   radius   the least distance, in cells; what is outside of [0, 1] counts as the nearer end. It is cut off to a
-//            multiple of 2^-15
+//   place    in place of the cell: hn_tile(hn_place(cell), period), for example (place.glsl)
+//   radius   the least distance, in cells; in [0, 1], usually 0.5 to 1; numbers outside count as the nearer end. It is
+//            cut off to a multiple of 2^-15
 //   seed     any uint: 7u, not 7; that of hn_scatter_point
-//   returns  0 if it does not stand; else a random word of the point, which is odd
+//   example  uint h = hn_scattered(ivec3(3, -5, 2), 0.75, 7u);
+//   returns  0 if the point is dropped; else a random hash of the point, which is odd
 //   error    none
 //   period   2^32 cells per axis, or that of the tile
 //   cost     27 hashes (none with HN_HASH_LATTICE) and 330 multiplications
-//   source   Matern, "Spatial variation", 1960 (his second process); docs/contract.md, section 19
+//   source   Matern, "Spatial variation", 1960 (his second process); docs/reference/contract.md, section 19
 HN_FN hn_uint hn_scattered(hn_place3 place, hn_float radius, hn_uint seed) {
   hn_i_block3 block = hn_i_block(place);
   hn_uint s = hn_i_mix(seed);

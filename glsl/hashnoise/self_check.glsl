@@ -1,4 +1,4 @@
-// hashnoise: a word that tells whether a driver, a compiler or a port computes what it should.
+// hashnoise: a number that is wrong if a driver, a compiler or a port computes wrong bits.
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_SELF_CHECK_GLSL
@@ -7,7 +7,7 @@
 #include "numbers.glsl"
 #include "position.glsl"
 
-// Multiplies a float by a power of two that makes a whole number of it, and returns that as a word.
+// Multiplies a float by a power of two that makes a whole number of it, and returns that as a uint.
 HN_FN hn_uint hn_i_in_units(hn_float x, hn_float units) { return uint(int(x * units)); }
 
 HN_FN hn_uint hn_i_checked(hn_uint w, hn_uint n) { return hn_i_mix(w + n); }
@@ -18,14 +18,15 @@ HN_FN hn_uint hn_i_checked(hn_uint w, hn_vec3 v, hn_float units) {
   return hn_i_checked(hn_i_checked(w, vec2(v.x, v.y), units), hn_i_in_units(v.z, units));
 }
 
-// A check of the driver, the compiler or the port that you use: one word, equal everywhere, of 16 points each of
-// hashes, random numbers, directions, orders and whole positions. These take every operation on integers that the
-// noises have with HN_FIXED. docs/same-bits.md says which word is right, and what to do if yours is not.
-//   zero     0u, from a uniform or an argument: so the compiler cannot compute the word itself
-//   returns  0x0E51B162 with the default hash, and another word with each HN_HASH
+// A check of your driver, compiler or port: one number, equal everywhere, made of 16 points each of hashes, random
+// numbers, directions, orders and whole positions. They use every operation on integers that noises use with HN_FIXED.
+// docs/guide/same-bits.md has advice if yours differs.
+//   zero     0u, from a uniform or an argument: so the compiler cannot compute the result itself
+//   example  uint h = hn_self_check(0u);
+//   returns  0x0E51B162 with the default hash, and another number with each HN_HASH
 //   error    none
 //   cost     16 hashes (none with HN_HASH_LATTICE) and 3300 multiplications: call it once, not in each pixel
-//   source   docs/contract.md, section 18
+//   source   docs/reference/contract.md, section 18
 HN_FN hn_uint hn_self_check(hn_uint zero) {
   hn_uint w = zero;
   for (hn_int i = 0; i < 16; ++i) {

@@ -24,17 +24,19 @@ HN_FN hn_i_num hn_i_simplex(hn_i_block4 block, hn_i_num4 f, hn_uint seed) {
 // Simplex noise in four dimensions: gradient noise on the corners and centres of all cells. Four points are enough,
 // where the lattice of simplices would take five and a sort. Where two coordinates stay fixed the contrast depends on
 // them: it is least at vec2(1/2, 0), midway between corners and centres.
-//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
-//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
+//   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a hill or a valley. Less
+//            than 2^23 along each axis: larger floats have no fraction
+//   place    in place of p: hn_place(cell, f) far from the origin, or hn_tile(p, period) for a tile (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   example  float n = hn_simplex(vec4(uv * 8.0, 0.5, 0.25), 7u);
 //   returns  [-1, 1] (proven bound 0.99915), mean 0, 0 at lattice points, twice continuously differentiable (HN_FIXED:
 //            in steps of 2^-21)
-//   error    at most 6.24e-6 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 1.22e-4.
-//            From a cell at most 5.52e-6
+//   error    at most 6.24e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
+//            1.22e-4. From a cell at most 5.52e-6
 //   period   2^32 cells per axis, or that of the tile
 //   cost     4 hashes (none with HN_HASH_LATTICE) and 4 multiplications; 4 more to spread the coordinates, and 2 more
 //            for a seed that is not constant
-//   source   Perlin, "Noise hardware", 2001, for the sum over lattice points; docs/contract.md, section 13
+//   source   Perlin, "Noise hardware", 2001, for the sum over lattice points; docs/reference/contract.md, section 13
 HN_FN hn_float hn_simplex(hn_place4 place, hn_uint seed) {
   return hn_i_value(hn_i_simplex(hn_i_block(place), place.fraction, seed));
 }

@@ -6,13 +6,13 @@
 
 #include "detail/triangular_lattice.glsl"
 
-// The share of a corner in the noise and in its derivatives, in steps. The gradient may have turned by a quarter.
+// The share of a corner in the noise and in its derivatives, in steps. The gradient may be rotated by a quarter turn.
 HN_FN hn_i_num3 hn_i_weighted_ramp_d(hn_uint h, hn_i_num x, hn_i_num y, hn_i_num t, bool turned) {
   return hn_i_weighted_ramp_d(hn_i_triangle_ramp(h, x, y, turned), hn_i_direction2(h, turned), x, y,
                               hn_i_weight_plane(t), hn_i_d_weight_plane(t, 1));
 }
 
-// The noise and its derivatives before they are scaled, from the words of the corners.
+// The noise and its derivatives before they are scaled, from the hashes of the corners.
 HN_FN hn_i_num3 hn_i_simplex_d(hn_uvec3 h, hn_i_num2 skewed, bool turned) {
   hn_i_num3 x = hn_i_triangle_x(skewed);
   hn_i_num3 y = hn_i_triangle_y(skewed);
@@ -33,17 +33,19 @@ HN_FN hn_vec3 hn_i_simplex_d(hn_place2 place, hn_uint seed) {
   return hn_i_simplex_d(hn_i_triangle(place, skewed, seed), skewed);
 }
 
-// Simplex noise on the plane and how steep it is. The value is that of hn_simplex.
-//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
-//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
+// Simplex noise on the plane and its slope: the value of hn_simplex with its derivatives.
+//   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a hill or a valley. Less
+//            than 2^23 along each axis: larger floats have no fraction
+//   place    in place of p: hn_place(cell, f) far from the origin, or hn_tile(p, period) for a tile (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   example  vec3 n = hn_simplex_d(uv * 8.0, 7u);
 //   returns  the value and its derivatives along x and y. A derivative is per cell, in [-8.46, 8.46], once continuously
 //            differentiable (HN_FIXED: in steps of 2^-18)
 //   error    that of hn_simplex, and of a derivative at most 5.15e-5 against the exact value, in any rounding mode
-//            (docs/accuracy.md). HN_FIXED 2.49e-3. From a cell at most 4.45e-5
+//            (docs/measured/accuracy.md). HN_FIXED 2.49e-3. From a cell at most 4.45e-5
 //   period   2^31 cells per axis, or that of the tile
 //   cost     the hashes of hn_simplex, which are most of its cost, and about twice the rest
-//   source   the product rule on weight and ramp; docs/contract.md, section 13
+//   source   the product rule on weight and ramp; docs/reference/contract.md, section 13
 HN_FN hn_vec3 hn_simplex_d(hn_place2 place, hn_uint seed) { return hn_i_simplex_d(place, seed); }
 HN_FN hn_vec3 hn_simplex_d(hn_vec2 p, hn_uint seed) { return hn_simplex_d(hn_place(p), seed); }
 HN_FN hn_vec3 hn_simplex_d(hn_vec2 p) { return hn_simplex_d(p, 0u); }

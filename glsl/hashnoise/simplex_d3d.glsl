@@ -6,7 +6,7 @@
 
 #include "detail/body_centred_lattice.glsl"
 
-// The share of a point in the noise and in its derivatives. The gradient may have turned by a quarter.
+// The share of a point in the noise and in its derivatives. The gradient may be rotated by a quarter turn.
 HN_FN hn_i_num4 hn_i_weighted_ramp_d(hn_uint h, hn_i_num x, hn_i_num y, hn_i_num z, hn_i_num t, bool turned) {
   return hn_i_weighted_ramp_d(hn_i_ramp_of(h, x, y, z, turned), hn_i_direction3(h, hn_i_signs(h, turned)), x, y, z,
                               hn_i_weight4(t), hn_i_d_weight4(t, 2));
@@ -32,17 +32,19 @@ HN_FN hn_vec4 hn_i_simplex_d(hn_i_block3 block, hn_i_num3 f, hn_uint seed) {
   return hn_i_scaled_simplex_d(hn_i_simplex_d(h, x, y, z, t, false));
 }
 
-// Simplex noise in space and how steep it is. The value is that of hn_simplex.
-//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
-//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
+// Simplex noise in space and its slope: the value of hn_simplex with its derivatives.
+//   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a hill or a valley. Less
+//            than 2^23 along each axis: larger floats have no fraction
+//   place    in place of p: hn_place(cell, f) far from the origin, or hn_tile(p, period) for a tile (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   example  vec4 n = hn_simplex_d(vec3(uv * 8.0, 0.5), 7u);
 //   returns  the value and its derivatives along x, y and z. A derivative is per cell, in [-4.81, 4.81], once
 //            continuously differentiable (HN_FIXED: in steps of 2^-19)
 //   error    that of hn_simplex, and of a derivative at most 4.25e-5 against the exact value, in any rounding mode
-//            (docs/accuracy.md). HN_FIXED 9.84e-4. From a cell at most 3.90e-5
+//            (docs/measured/accuracy.md). HN_FIXED 9.84e-4. From a cell at most 3.90e-5
 //   period   2^32 cells per axis, or that of the tile
 //   cost     the hashes of hn_simplex, which are most of its cost, and about twice the rest
-//   source   the product rule on weight and ramp; docs/contract.md, section 13
+//   source   the product rule on weight and ramp; docs/reference/contract.md, section 13
 HN_FN hn_vec4 hn_simplex_d(hn_place3 place, hn_uint seed) {
   return hn_i_simplex_d(hn_i_block(place), place.fraction, seed);
 }

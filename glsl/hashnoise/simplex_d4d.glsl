@@ -37,17 +37,19 @@ HN_FN hn_derivatives4 hn_i_simplex_d(hn_i_block4 block, hn_i_num4 f, hn_uint see
   return n;
 }
 
-// Simplex noise in four dimensions and how steep it is. The value is that of hn_simplex.
-//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
-//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
+// Simplex noise in four dimensions and its slope: the value of hn_simplex with its derivatives.
+//   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a hill or a valley. Less
+//            than 2^23 along each axis: larger floats have no fraction
+//   place    in place of p: hn_place(cell, f) far from the origin, or hn_tile(p, period) for a tile (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
-//   returns  `value` and, in `gradient`, its derivatives along x, y, z and w. A derivative is per cell, in [-6.06,
-//            6.06], once continuously differentiable (HN_FIXED: in steps of 2^-19)
+//   example  hn_derivatives4 n = hn_simplex_d(vec4(uv * 8.0, 0.5, 0.25), 7u);
+//   returns  `value` and, in `gradient`, its derivatives along x, y, z and w. A derivative is per cell, in
+//            [-6.06, 6.06], once continuously differentiable (HN_FIXED: in steps of 2^-19)
 //   error    that of hn_simplex, and of a derivative at most 6.11e-5 against the exact value, in any rounding mode
-//            (docs/accuracy.md). HN_FIXED 1.36e-3. From a cell at most 5.48e-5
+//            (docs/measured/accuracy.md). HN_FIXED 1.36e-3. From a cell at most 5.48e-5
 //   period   2^32 cells per axis, or that of the tile
 //   cost     the hashes of hn_simplex, which are most of its cost, and about twice the rest
-//   source   the product rule on weight and ramp; docs/contract.md, section 13
+//   source   the product rule on weight and ramp; docs/reference/contract.md, section 13
 HN_FN hn_derivatives4 hn_simplex_d(hn_place4 place, hn_uint seed) {
   return hn_i_simplex_d(hn_i_block(place), place.fraction, seed);
 }

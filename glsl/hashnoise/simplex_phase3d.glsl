@@ -1,4 +1,4 @@
-// hashnoise: simplex noise in space whose gradients turn with a phase.
+// hashnoise: simplex noise in space whose gradients rotate with a phase.
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_SIMPLEX_PHASE3D_GLSL
@@ -30,25 +30,29 @@ HN_FN hn_vec4 hn_i_simplex_phase_d(hn_i_block3 block, hn_i_num3 f, hn_i_num2 rot
       hn_i_mixed(rotation, hn_i_simplex_d(h, x, y, z, t, false), hn_i_simplex_d(h, x, y, z, t, true)));
 }
 
-// Simplex noise in space whose gradients turn: the field changes in place, and loops after one turn. Each turns in the
-// plane of its two axes.
-//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
-//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
+// Simplex noise in space whose gradients rotate with a phase: the field changes in place, and loops after one turn.
+// Each rotates in the plane of its two axes.
+//   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a hill or a valley. Less
+//            than 2^23 along each axis: larger floats have no fraction
+//   place    in place of p: hn_place(cell, f) far from the origin, or hn_tile(p, period) for a tile (place.glsl)
 //   phase    in turns, any float: the field of phase + 1 has the same bits, and that of phase + 1/2 is the negative
-//            (HN_FIXED: but for the last bits). A float far from 0 has few bits left for the turn: wrap it yourself
+//            (HN_FIXED: but for the last bits). A float far from 0 has few bits left for the turn: pass fract(phase)
 //   seed     any uint: 7u, not 7; different seeds give independent fields
+//   example  float n = hn_simplex(vec3(uv * 8.0, 0.5), 0.25, 7u);
 //   returns  [-1, 1] (proven bound 0.99958), mean 0, 0 at lattice points, twice continuously differentiable, and smooth
 //            in the phase. With a phase of 0 it is hn_simplex, within the error.
-//   error    at most 8.82e-6 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 2.32e-4
+//   error    at most 8.82e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
+//            2.32e-4
 //   period   2^32 cells per axis, or that of the tile
 //   cost     the hashes of hn_simplex, a sine and a cosine of 6 multiplications of floats each, and twice the rest
-//   source   Perlin and Neyret, "Flow noise", 2001; docs/contract.md, section 14
+//   source   Perlin and Neyret, "Flow noise", 2001; docs/reference/contract.md, section 14
 HN_FN hn_float hn_simplex(hn_place3 place, hn_float phase, hn_uint seed) {
   return hn_i_value(hn_i_simplex_phase(hn_i_block(place), place.fraction, hn_i_rotation(phase), seed));
 }
 HN_FN hn_float hn_simplex(hn_vec3 p, hn_float phase, hn_uint seed) { return hn_simplex(hn_place(p), phase, seed); }
 
 // The same with the derivatives along x, y and z, as of hn_simplex_d. The value is as above.
+//   example  vec4 n = hn_simplex_d(vec3(uv * 8.0, 0.5), 0.25, 7u);
 //   returns  the value and its derivatives, per cell, in [-6.8, 6.8]
 //   error    of a derivative at most 7.11e-5. HN_FIXED 1.79e-3
 //   cost     as above, and about twice the rest

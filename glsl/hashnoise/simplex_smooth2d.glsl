@@ -9,7 +9,7 @@
 // A sum of weighted ramps is at most 1024 / 3081 (tools/make bounds).
 HN_FN hn_i_num hn_i_scaled_smooth2(hn_i_num n) { return hn_i_scaled(n, 3081); }
 
-// The noise in the numbers of HN_ARITHMETIC, from the words of two neighbours in the lower row and of two in the upper
+// The noise in the numbers of HN_ARITHMETIC, from the hashes of two neighbours in the lower row and of two in the upper
 // one, and the places between these.
 HN_FN hn_i_num hn_i_simplex_smooth(hn_uvec4 h, hn_i_num lower, hn_i_num upper, hn_i_num y) {
   hn_i_num lower1 = hn_i_minus_one(lower);
@@ -67,17 +67,20 @@ HN_FN hn_i_num hn_i_simplex_smooth(hn_place2 place, hn_uint seed) {
 // Smooth simplex noise on the plane. The kernel is a quarter larger than that of hn_simplex, in the square of its
 // radius, so the field is calmer. At the distance of a step the kernel ends: so only the two rows around a place count,
 // and in each the two nearest points.
-//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
-//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
+//   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a hill or a valley. Less
+//            than 2^23 along each axis: larger floats have no fraction
+//   place    in place of p: hn_place(cell, f) far from the origin, or hn_tile(p, period) for a tile (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   example  float n = hn_simplex_smooth(uv * 8.0, 7u);
 //   returns  [-1, 1] (proven bound 0.99967), mean 0, 0 at lattice points, twice continuously differentiable (HN_FIXED:
 //            in steps of 2^-21)
-//   error    at most 3.03e-6 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 8.95e-5.
-//            From a cell at most 2.46e-6
+//   error    at most 3.03e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
+//            8.95e-5. From a cell at most 2.46e-6
 //   period   2^31 cells per axis, or that of the tile
 //   cost     4 hashes (none with HN_HASH_LATTICE) and 4 multiplications; 3 more to spread the coordinates, and 2 more
 //            for a seed that is not constant
-//   source   Perlin, "Noise hardware", 2001, for the sum over the corners of a simplex; docs/contract.md, section 13
+//   source   Perlin, "Noise hardware", 2001, for the sum over the corners of a simplex; docs/reference/contract.md,
+//            section 13
 HN_FN hn_float hn_simplex_smooth(hn_place2 place, hn_uint seed) { return hn_i_value(hn_i_simplex_smooth(place, seed)); }
 HN_FN hn_float hn_simplex_smooth(hn_vec2 p, hn_uint seed) { return hn_simplex_smooth(hn_place(p), seed); }
 HN_FN hn_float hn_simplex_smooth(hn_vec2 p) { return hn_simplex_smooth(p, 0u); }

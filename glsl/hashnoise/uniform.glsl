@@ -1,15 +1,15 @@
 // hashnoise: noise with uniform values, so that "30% of the land is water" is a number.
 // SPDX-License-Identifier: MIT
 //
-// Most values of a noise are near 0, and how many are depends on the noise and on its octaves. hn_uniform turns a value
-// into the fraction of all values that are smaller:
+// Most values of a noise are near 0. Their distribution depends on the noise and on its octaves. hn_uniform turns a
+// value into the fraction of all values that are smaller:
 //
 //   float height = hn_fbm(p, 5, 2.0, 0.5, 7u);
 //   vec4 spread = hn_spread_fbm(hn_spread(HN_SPREAD_PERLIN2), 5.0, 0.5);
 //   bool water = hn_uniform(height, spread) < 0.3;   // 30% of the plane
 //
-// A spread is four numbers that say how values are distributed: the reach, beyond which there are none, and three
-// coefficients. docs/uniform.md says how near to uniform the results are, and tools/measure uniform measures it.
+// A spread is four numbers of a distribution of values: the reach, beyond which there are none, and three coefficients.
+// docs/guide/uniform.md has how near to uniform the results are, and tools/measure uniform measures it.
 //
 // With s = |value| / reach the tail, which is twice the fraction of values farther out, is a polynomial of
 // y = (1 - s)^2 with the Bernstein coefficients 0, a, b, c, 1. These rise, and so the tail does; its slope is 0 at the
@@ -50,11 +50,12 @@ HN_FN hn_vec4 hn_i_spread(hn_int reach, hn_int a, hn_int b, hn_int c) {
 }
 
 // The distribution of the values of a noise.
-//   kind     one of HN_SPREAD_PERLIN2 and so on; any other number counts as that
+//   kind     one of HN_SPREAD_PERLIN2, HN_SPREAD_SIMPLEX3 and so on; other numbers count as HN_SPREAD_PERLIN2
+//   example  vec4 spread = hn_spread(HN_SPREAD_PERLIN2);
 //   returns  the reach, in [1/16, 3], and the three coefficients of the tail, which rise from 0 to 1
 //   error    none
 //   cost     none for a constant
-//   source   docs/contract.md, section 21; fitted by tools/measure uniform
+//   source   docs/reference/contract.md, section 21; fitted by tools/measure uniform
 HN_FN hn_vec4 hn_spread(hn_int kind) {
   // tools/measure uniform: spreads
   if (kind == HN_SPREAD_VALUE1) return hn_i_spread(4386, 1861, 2547, 3506);
@@ -124,7 +125,7 @@ HN_FN hn_i_num hn_i_mix(hn_i_num p, hn_i_num q, hn_i_num y) {
   return hn_i_plus(p, hn_i_weight_times(hn_i_minus(q, p), y));
 }
 
-// A tail lies between two numbers, the difference of which is a quarter of its slope by y = w^2.
+// A tail lies between two numbers. Their difference is a quarter of its slope by y = w^2.
 struct hn_i_tail {
   hn_i_num low;
   hn_i_num high;
@@ -165,23 +166,25 @@ HN_FN hn_float hn_i_uniform(hn_i_tail tail) {
 
 // The fraction of all values of a noise that are smaller than a value: noise with uniform values.
 //   value    of a noise, or of hn_fbm
-//   spread   of the noise: hn_spread(HN_SPREAD_PERLIN2) and so on, or hn_spread_fbm of that. A number beyond its range
-//            counts as the nearer end
+//   spread   of the noise: hn_spread(HN_SPREAD_PERLIN2) and so on, or hn_spread_fbm of that. Numbers beyond their range
+//            count as the nearer end
+//   example  float u = hn_uniform(hn_perlin(uv * 8.0, 7u), hn_spread(HN_SPREAD_PERLIN2));
 //   returns  [0, 1], 1/2 at 0; it never falls where the value rises (with HN_FIXED; roundings of floats may take it
 //            down by 1e-6), and is twice continuously differentiable but for 0, where its slope has a crease
-//   error    at most 1.50e-6 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 5.46e-5. How
-//            near to uniform the results are says docs/uniform.md
+//   error    at most 1.50e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
+//            5.46e-5. docs/guide/uniform.md has how near to uniform the results are
 //   cost     about 40 operations, with a division; in HN_FIXED 3 divisions and 20 multiplications
-//   source   docs/contract.md, section 21
+//   source   docs/reference/contract.md, section 21
 HN_FN hn_float hn_uniform(hn_float value, hn_vec4 spread) { return hn_i_uniform(hn_i_tail_of(value, spread)); }
 
-// The same, and how steep it is: a slope of the noise, times this, is the slope of its uniform values.
+// The same with its derivative: a slope of the noise, times that, is the slope of its uniform values.
 //   value    of a noise, or of hn_fbm
 //   spread   as above
+//   example  vec2 u = hn_uniform_d(hn_perlin(uv * 8.0, 7u), hn_spread(HN_SPREAD_PERLIN2));
 //   returns  the uniform value, and its derivative by the value: how many values there are near it. Not negative
 //   error    of the value as above; of the derivative at most 2.15e-5 / reach. HN_FIXED 4.18e-4 / reach
 //   cost     that of hn_uniform, and a division more
-//   source   docs/contract.md, section 21
+//   source   docs/reference/contract.md, section 21
 HN_FN hn_vec2 hn_uniform_d(hn_float value, hn_vec4 spread) {
   hn_i_tail tail = hn_i_tail_of(value, spread);
   hn_i_num rise = hn_i_weight_times(hn_i_minus(tail.high, tail.low), tail.w);
@@ -199,17 +202,18 @@ HN_FN hn_i_num hn_i_of_sum(hn_i_num x, hn_int bell, hn_int way, hn_i_num d, hn_i
   return min(max(n, HN_I_NO_WEIGHT), HN_I_WEIGHT_ONE);
 }
 
-// The distribution of the values of a sum of octaves, from that of its noise. Every gain and number of octaves has its
-// spread. It takes octaves as independent, which on the line they are not quite (docs/uniform.md).
+// The distribution of the values of a fractal, from that of its noise. Every gain and number of octaves has its spread.
+// It takes octaves as independent, which on the line they are not quite (docs/guide/uniform.md).
 //   spread   of the noise: hn_spread(HN_SPREAD_PERLIN2) and so on
-//   octaves  how many, as of hn_fbm, usually 4 to 8, from 1 to 32: 5.0, and 3.5 for a detail that is
-//            no whole number. The lacunarity does not matter
+//   octaves  how many, as of hn_fbm, usually 4 to 8, from 1 to 32: 5.0, and 3.5 for a detail that is no whole number.
+//            The lacunarity does not matter
 //   gain     ratio of amplitudes, as of hn_fbm, usually 0.5, in [0, 1]
+//   example  vec4 spread = hn_spread_fbm(hn_spread(HN_SPREAD_PERLIN2), 5.0, 0.5);
 //   returns  the spread of hn_fbm, or of another mean of octaves of the noise (hn_add)
-//   error    of the coefficients at most 3.65e-5. HN_FIXED 1.93e-4. That of the reach says docs/accuracy.md
+//   error    of the coefficients at most 3.65e-5. HN_FIXED 1.93e-4. docs/measured/accuracy.md has that of the reach
 //   cost     about 10 operations for each octave and 60 more. It does not depend on the position: compute it on the
 //            CPU, or let the compiler, where octaves and gain are constants
-//   source   docs/contract.md, section 21
+//   source   docs/reference/contract.md, section 21
 HN_FN hn_vec4 hn_spread_fbm(hn_vec4 spread, hn_float octaves, hn_float gain) {
   hn_i_num a = hn_i_setting(spread.y, 1.0f);
   hn_i_num b = max(a, hn_i_setting(spread.z, 1.0f));
@@ -239,7 +243,7 @@ HN_FN hn_vec4 hn_spread_fbm(hn_vec4 spread, hn_float octaves, hn_float gain) {
   hn_i_num per_fourth = hn_i_weight_times(per_square, per_square);
   hn_i_num rho8 = hn_i_weight_times(hn_i_weight_times(sum8, per_fourth), per_fourth);
 
-  // docs/contract.md, section 21: the bell, and how a sum comes near to it. tools/measure uniform fits them.
+  // docs/reference/contract.md, section 21: the bell, and how a sum comes near to it. tools/measure uniform fits them.
   hn_i_num d = hn_i_minus(c, hn_i_parts(HN_I_WEIGHT_ONE, 736));
   hn_i_num new_a = hn_i_of_sum(a, 103, 592, d, rho4, rho8);
   hn_i_num new_b = hn_i_of_sum(b, 381, 1958, d, rho4, rho8);

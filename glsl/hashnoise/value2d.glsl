@@ -7,15 +7,17 @@
 #include "detail/cell2d.glsl"
 #include "detail/value.glsl"
 
-// Value noise on the square lattice: hashed numbers, Perlin's 2002 interpolant. It is cheaper than gradient noise, and
-// coarser: its values are large at lattice points.
-//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
-//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
+// Value noise on the plane: cheaper than Perlin noise, and coarser, since its values are large at lattice points. It
+// interpolates hashed numbers on the square lattice by Perlin's interpolant of 2002.
+//   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a hill or a valley. Less
+//            than 2^23 along each axis: larger floats have no fraction
+//   place    in place of p: hn_place(cell, f) far from the origin, or hn_tile(p, period) for a tile (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   example  float n = hn_value(uv * 8.0, 7u);
 //   returns  [-1, 1], mean 0, at lattice points any multiple of 2^-22, twice continuously differentiable (HN_FIXED: in
 //            steps of 2^-21)
-//   error    at most 4.11e-6 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 4.42e-5.
-//            From a cell at most 3.82e-6
+//   error    at most 4.11e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
+//            4.42e-5. From a cell at most 3.82e-6
 //   period   2^32 cells per axis, or that of the tile
 //   cost     4 hashes (none with HN_HASH_LATTICE) and 4 multiplications; 2 more to spread the coordinates, and 2 more
 //            for a seed that is not constant

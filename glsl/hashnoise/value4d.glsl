@@ -20,15 +20,17 @@ HN_FN hn_i_num hn_i_value_noise(hn_i_box4 box, hn_i_num4 f, hn_uint seed) {
   return hn_i_noise_of_numbers(hn_i_lerp(n, t.z, t.w));
 }
 
-// Value noise on the lattice of four dimensions: hashed numbers, Perlin's 2002 interpolant. It is cheaper than gradient
-// noise, and coarser: its values are large at lattice points.
-//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
-//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
+// Value noise in four dimensions: cheaper than Perlin noise, and coarser, since its values are large at lattice points.
+// It interpolates hashed numbers on the lattice of four dimensions by Perlin's interpolant of 2002.
+//   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a hill or a valley. Less
+//            than 2^23 along each axis: larger floats have no fraction
+//   place    in place of p: hn_place(cell, f) far from the origin, or hn_tile(p, period) for a tile (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   example  float n = hn_value(vec4(uv * 8.0, 0.5, 0.25), 7u);
 //   returns  [-1, 1], mean 0, at lattice points any multiple of 2^-22, twice continuously differentiable (HN_FIXED: in
 //            steps of 2^-21)
-//   error    at most 8.44e-6 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 6.55e-5.
-//            From a cell at most 8.06e-6
+//   error    at most 8.44e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
+//            6.55e-5. From a cell at most 8.06e-6
 //   period   2^32 cells per axis, or that of the tile
 //   cost     16 hashes (none with HN_HASH_LATTICE) and 16 multiplications; 4 more to spread the coordinates, and 2 more
 //            for a seed that is not constant

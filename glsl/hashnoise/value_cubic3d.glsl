@@ -29,12 +29,14 @@ HN_FN hn_i_num hn_i_value_cubic(hn_place3 place, hn_uint seed) {
 // Cubic value noise in space: a uniform cubic B-spline over hashed numbers. It is the smoothest of the lattice noises:
 // it does not show the cells, has no creases in its slopes, and stays between the numbers around it. The price is
 // contrast: the spline blurs.
-//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
-//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
+//   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a hill or a valley. Less
+//            than 2^23 along each axis: larger floats have no fraction
+//   place    in place of p: hn_place(cell, f) far from the origin, or hn_tile(p, period) for a tile (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   example  float n = hn_value_cubic(vec3(uv * 8.0, 0.5), 7u);
 //   returns  [-1, 1], mean 0, twice continuously differentiable (HN_FIXED: in steps of 2^-21)
-//   error    at most 1.66e-5 against the exact value, in any rounding mode (docs/accuracy.md). HN_FIXED 8.61e-5.
-//            From a cell at most 1.64e-5
+//   error    at most 1.66e-5 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
+//            8.61e-5. From a cell at most 1.64e-5
 //   period   2^32 cells per axis, or that of the tile
 //   cost     64 hashes (none with HN_HASH_LATTICE) and 64 multiplications; 3 more to spread the coordinates, and 2 more
 //            for a seed that is not constant

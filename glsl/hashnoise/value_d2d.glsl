@@ -8,7 +8,7 @@
 #include "detail/derivative.glsl"
 #include "detail/value.glsl"
 
-// The noise and its derivatives, from the words of the corners.
+// The noise and its derivatives, from the hashes of the corners.
 HN_FN hn_vec3 hn_i_value_d(hn_uvec4 h, hn_i_num2 f) {
   hn_i_num2 t = hn_i_fade(f);
   hn_i_num3 n = hn_i_lerp_d(hn_i_numbers(h), t, hn_i_d_fade(f));
@@ -16,17 +16,19 @@ HN_FN hn_vec3 hn_i_value_d(hn_uvec4 h, hn_i_num2 f) {
               hn_i_derivative(hn_i_of_d_corners(n.z)));
 }
 
-// Value noise on the plane and how steep it is. The value is that of hn_value.
-//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
-//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
+// Value noise on the plane and its slope: the value of hn_value with its derivatives.
+//   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a hill or a valley. Less
+//            than 2^23 along each axis: larger floats have no fraction
+//   place    in place of p: hn_place(cell, f) far from the origin, or hn_tile(p, period) for a tile (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   example  vec3 n = hn_value_d(uv * 8.0, 7u);
 //   returns  the value and its derivatives along x and y. A derivative is per cell, in [-3.76, 3.76], once continuously
 //            differentiable (HN_FIXED: in steps of 2^-19)
 //   error    that of hn_value, and of a derivative at most 1.12e-5 against the exact value, in any rounding mode
-//            (docs/accuracy.md). HN_FIXED 2.86e-4. From a cell at most 1.04e-5
+//            (docs/measured/accuracy.md). HN_FIXED 2.86e-4. From a cell at most 1.04e-5
 //   period   2^32 cells per axis, or that of the tile
 //   cost     the hashes of hn_value, which are most of its cost, and about twice the rest
-//   source   the product rule on the interpolation; docs/contract.md, section 10
+//   source   the product rule on the interpolation; docs/reference/contract.md, section 10
 HN_FN hn_vec3 hn_value_d(hn_place2 place, hn_uint seed) {
   return hn_i_value_d(hn_i_corners(hn_i_box(place), seed), place.fraction);
 }

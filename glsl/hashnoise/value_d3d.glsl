@@ -8,7 +8,7 @@
 #include "detail/derivative.glsl"
 #include "detail/value.glsl"
 
-// The noise and its derivatives, from the words of the corners of both faces.
+// The noise and its derivatives, from the hashes of the corners of both faces.
 HN_FN hn_vec4 hn_i_value_d(hn_uvec4 a, hn_uvec4 b, hn_i_num3 f) {
   hn_i_num3 t = hn_i_fade(f);
   hn_i_num3 s = hn_i_d_fade(f);
@@ -22,17 +22,19 @@ HN_FN hn_vec4 hn_i_value_d(hn_uvec4 a, hn_uvec4 b, hn_i_num3 f) {
               hn_i_derivative(hn_i_of_d_corners(hn_i_d_faded(hn_i_d_corner(front.x, back.x), s.z))));
 }
 
-// Value noise in space and how steep it is. The value is that of hn_value.
-//   p        position, in cells; |p| < 2^23 along each axis (beyond, a float has no fraction)
-//   place    a place in its stead: hn_place(cell, f), hn_tile(p, period) and so on (place.glsl)
+// Value noise in space and its slope: the value of hn_value with its derivatives.
+//   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a hill or a valley. Less
+//            than 2^23 along each axis: larger floats have no fraction
+//   place    in place of p: hn_place(cell, f) far from the origin, or hn_tile(p, period) for a tile (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
+//   example  vec4 n = hn_value_d(vec3(uv * 8.0, 0.5), 7u);
 //   returns  the value and its derivatives along x, y and z. A derivative is per cell, in [-3.76, 3.76], once
 //            continuously differentiable (HN_FIXED: in steps of 2^-19)
 //   error    that of hn_value, and of a derivative at most 1.87e-5 against the exact value, in any rounding mode
-//            (docs/accuracy.md). HN_FIXED 3.18e-4. From a cell at most 1.76e-5
+//            (docs/measured/accuracy.md). HN_FIXED 3.18e-4. From a cell at most 1.76e-5
 //   period   2^32 cells per axis, or that of the tile
 //   cost     the hashes of hn_value, which are most of its cost, and about twice the rest
-//   source   the product rule on the interpolation; docs/contract.md, section 10
+//   source   the product rule on the interpolation; docs/reference/contract.md, section 10
 HN_FN hn_vec4 hn_value_d(hn_place3 place, hn_uint seed) {
   hn_i_box3 box = hn_i_box(place);
   return hn_i_value_d(hn_i_corners(box, false, seed), hn_i_corners(box, true, seed), place.fraction);

@@ -1,4 +1,4 @@
-// hashnoise: shifts of positions in space, as sums of octaves.
+// hashnoise: domain warping in space: displacements of positions by fractals.
 // SPDX-License-Identifier: MIT
 //
 // Made from warp2d.glsl by tools/make. tools/lib/translate/dimensions/numbers.py has its numbers.
@@ -20,7 +20,7 @@ struct hn_shifts3 {
   hn_i_jacobian3 jacobian;
   hn_i_num growth;  // of the Jacobian, from octave to octave
   hn_i_num amplitude;
-  hn_i_num rate;  // by which an octave of progressive shifts moves the next
+  hn_i_num rate;  // by which an octave of progressive displacements moves the next
 };
 
 // The position of an octave, moved by n of the octave's cells.
@@ -37,22 +37,23 @@ HN_FN void hn_i_move(HN_I_INOUT(hn_octaves3) o, hn_i_num3 n) {
   }
 }
 
-// Shifts by any noise, yours or the library's, a number along each axis:
+// Displacements by any noise, yours or the library's, with a component along each axis:
 //
 //   hn_octaves3 o = hn_octaves(p, 6, 2.0, 0.5, 7u);
 //   hn_shifts3 s = hn_shifts(o, 1.5);
-//   do hn_add(o, s, vec3(...)); while (hn_next(o));  // a noise along each axis, with seeds of their own
+//   do hn_add(o, s, hn_perlin_vector(o.place, o.seed)); while (hn_next(o));
 //   vec3 shift = hn_mean(o, s);
 //
-// In place of hn_add there is hn_add_progressive, which moves the octaves that follow.
+// hn_add_progressive in place of hn_add moves the octaves that follow.
 //   o          the octaves
-//   s          the shifts, from hn_shifts(o, amplitude)
-//   v          the noises at o.place, in [-1, 1]; what is beyond is cut off
-//   amplitude  the largest shift along an axis, in cells, usually about 1, in [0, 64]
-//   returns    hn_shifts: shifts to begin with; hn_mean: the shift along each axis, as hn_warp
-//   error      docs/accuracy.md
-//   cost       18 multiplications for the Jacobian of progressive shifts
-//   source     docs/contract.md, section 7
+//   s          the displacements, from hn_shifts(o, amplitude)
+//   v          the noises at o.place, in [-1, 1]; values beyond are cut off
+//   amplitude  the largest displacement along an axis, in cells, usually about 1, in [0, 64]
+//   example    hn_shifts3 s = hn_shifts(o, 1.0);
+//   returns    hn_shifts: displacements to begin with; hn_mean: the displacement along each axis, as hn_warp
+//   error      docs/measured/accuracy.md
+//   cost       18 multiplications for the Jacobian of progressive displacements
+//   source     docs/reference/contract.md, section 7
 HN_FN hn_shifts3 hn_shifts(hn_octaves3 o, hn_float amplitude) {
   HN_I_NEW(hn_shifts3, s);
   s.x = HN_I_NO_WEIGHT;
@@ -94,21 +95,24 @@ HN_FN hn_vec3 hn_i_warp_progressive(hn_octaves3 o, hn_float amplitude) {
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// Shifts by hn_value_vector, in the forms of hn_fbm with a seed.
+// Displacements by hn_value_vector, in the forms of hn_fbm with a seed.
 
-// The shift of a position: another noise is taken at p + hn_warp(p, ...). Far out it is taken at
-// hn_place(cell, f + hn_warp(hn_place(cell, f), ...)), of which the whole part belongs to the cell.
-//   p           position, in cells of the first octave; (|p| + 1) * lacunarity^octaves < 2^23, for a lacunarity of 2
-//               or more
-//   place       a place in its stead, in cells of the first octave (place.glsl)
-//   octaves     how many, usually 4 to 8; with fewer than 1 the shift is 0
-//   lacunarity  ratio of frequencies, usually 2. In a tile it is a whole number from 1 to 255; others are rounded
-//               down
-//   gain        ratio of amplitudes, usually 0.5; not negative
-//   amplitude   the largest shift along an axis, in cells, usually about 1, in [0, 64]
-//   seed        any uint: 7u, not 7; different seeds give independent shifts
-//   returns     the shift along x, y and z, each in [-amplitude, amplitude]
-//   error       docs/accuracy.md
+// Domain warping: a displacement for a position. Evaluate another noise at p + hn_warp(p, ...). Far from the origin
+// evaluate it at hn_place(cell, f + hn_warp(hn_place(cell, f), ...)), with the whole part of the sum added to the cell.
+//   p           position, in cells of the first octave: a coordinate times a frequency, so that a cell is as large as
+//               the largest hills. Less than 2^23 / lacunarity^octaves - 1 along each axis, for a lacunarity of 2 or
+//               more: larger floats have no fraction
+//   place       in place of p, in cells of the first octave: hn_place(cell, f) far from the origin, or
+//               hn_tile(p, period) (place.glsl)
+//   octaves     how many, usually 4 to 8; with fewer than 1 the displacement is 0
+//   lacunarity  ratio of frequencies from octave to octave, usually 2. In a tile it is a whole number from 1 to 255;
+//               others are rounded down
+//   gain        ratio of amplitudes (persistence), usually 0.5; not negative
+//   amplitude   the largest displacement along an axis, in cells, usually about 1, in [0, 64]
+//   seed        any uint: 7u, not 7; different seeds give independent displacements
+//   example     vec3 n = hn_warp(vec3(uv * 8.0, 0.5), 6, 2.0, 0.5, 1.0, 7u);
+//   returns     the displacement along x, y and z, each in [-amplitude, amplitude]
+//   error       docs/measured/accuracy.md
 //   period      none that floats reach, or that of the tile
 //   cost        hn_value_vector per octave
 //   source      Quilez, "Domain warping", 2002
@@ -120,11 +124,12 @@ HN_FN hn_vec3 hn_warp(hn_vec3 p, hn_int octaves, hn_float lacunarity, hn_float g
   return hn_i_warp(hn_octaves(p, octaves, lacunarity, gain, seed), amplitude);
 }
 
-// The same, where each octave is taken at the place to which those before it have moved. It draws strands and eddies.
+// The same, where the octaves before an octave displace it, too. It draws strands and eddies.
 //   (parameters, period and source as for hn_warp)
-//   returns     the shift along x, y and z, each in [-amplitude, amplitude]
-//   error       grows with the amplitude and with each octave, which is taken at a place that has an error:
-//               docs/accuracy.md
+//   example     vec3 n = hn_warp_progressive(vec3(uv * 8.0, 0.5), 6, 2.0, 0.5, 1.0, 7u);
+//   returns     the displacement along x, y and z, each in [-amplitude, amplitude]
+//   error       grows with the amplitude and with each octave, since its place has an error already:
+//               docs/measured/accuracy.md
 //   cost        hn_value_vector per octave, and 18 multiplications for the Jacobian
 HN_FN hn_vec3 hn_warp_progressive(hn_place3 place, hn_int octaves, hn_float lacunarity, hn_float gain,
                                   hn_float amplitude, hn_uint seed) {

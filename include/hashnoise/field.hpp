@@ -33,7 +33,7 @@
 #include <string_view>
 #include <vector>
 
-// What a shared library offers; the rest of it stays inside.
+// Exports the public part of a shared library; the rest stays inside.
 #if defined(__GNUC__) && !defined(_WIN32)
 #define HN_I_OFFERED __attribute__((visibility("default")))
 #else
@@ -49,9 +49,9 @@ enum class Metric { kEuclidean = 1, kSquared = 2, kManhattan = 3, kChebyshev = 4
 
 enum class InstructionSet { kSse41, kAvx2, kAvx512, kNeon, kGeneric };
 
-// What a field is. The names are those of the functions in GLSL without hn_, and the numbers are their parameters. A
-// setting that is given and that the function does not have, or a number outside of its range, is an error of Field's
-// constructor. A sum with no period is the one whose octaves are turned.
+// Describes a field. The names are those of the functions in GLSL without hn_, and the numbers are their parameters. A
+// setting that the function does not have, or a number outside of its range, is an error of Field's constructor. The
+// octaves of a fractal rotate unless it has a period.
 struct Settings {
   // "value", "simplex_d", ...: see noise_names; if empty "perlin", or what the sum takes in GLSL. The sum perlin_worley
   // has noises of its own, and takes none.
@@ -65,8 +65,8 @@ struct Settings {
   std::optional<float> phase{};  // in turns; perlin, perlin_d, simplex, simplex_d, cellular and phasor in 2D and 3D
   std::optional<float> jitter{};   // in [0, 1], and 1 if it is left out; cellular noises
   std::optional<Metric> metric{};  // kEuclidean if it is left out; cellular and cellular_three
-  // A number for each axis, in [-16, 16]: the direction in which waves run, times the waves per cell. 3 along x if it is
-  // empty; phasor.
+  // A number for each axis, in [-16, 16]: the direction in which waves run, times the waves per cell. 3 along x if it
+  // is empty; phasor.
   std::vector<float> wave{};
 
   // For sums.
@@ -94,7 +94,7 @@ HN_I_OFFERED Executor threads(int count = 0);
 template <int D>
 class HN_I_OFFERED Field {
  public:
-  // Throws std::invalid_argument, which says what is wrong and what would be right. It does so for all settings where
+  // Throws std::invalid_argument, which names the wrong value and the right ones. It does so for all settings where
   // instruction_sets() is empty.
   explicit Field(const Settings& settings);
   ~Field();
@@ -105,7 +105,7 @@ class HN_I_OFFERED Field {
   // all derivatives along x, and so on.
   int components() const;
 
-  // What the numbers are: "value", "dx", "x", "f1", ... of each component.
+  // The names of the numbers: "value", "dx", "x", "f1", ... of each component.
   std::vector<std::string> component_names() const;
 
   InstructionSet instruction_set() const;
@@ -132,8 +132,8 @@ extern template class Field<4>;
 HN_I_OFFERED std::vector<std::string_view> noise_names(int dimensions);
 HN_I_OFFERED std::vector<std::string_view> sum_names(int dimensions);
 
-// What both this processor and the library have, the widest first. A library for x86 has nothing for processors without
-// SSE4.1; which sets it has is CMake's HASHNOISE_INSTRUCTION_SETS.
+// The instruction sets of both this processor and the library, the widest first. A library for x86 has nothing for
+// processors without SSE4.1; CMake's HASHNOISE_INSTRUCTION_SETS chooses its sets.
 HN_I_OFFERED std::vector<InstructionSet> instruction_sets();
 HN_I_OFFERED std::string_view name(InstructionSet set);  // "sse4.1", "avx2", "avx512", "neon", "generic"
 

@@ -14,10 +14,10 @@
 // whose components go to planes of their own: `values` has all of the first component, then all of the second. `fill`
 // returns the least and the greatest number of the first component.
 //
-// Sizes that do not fit are a std::invalid_argument; with -fno-exceptions `fill` prints what is wrong, and aborts.
+// Sizes that do not fit are a std::invalid_argument; with -fno-exceptions `fill` prints the error, and aborts.
 //
-// The instructions are those that the flags of the compiler allow. lanes.hpp says what a noise over lanes may do, and
-// hashnoise.hpp which knobs there are.
+// The instructions are those that the flags of the compiler allow. lanes.hpp describes what a noise over lanes may do,
+// and hashnoise.hpp which knobs there are.
 
 #include "lanes.hpp"  // each time, since it compares the knobs
 #include "points.hpp"

@@ -57,7 +57,7 @@ constexpr bool kIsOfGlsl<Vector4<T>> = std::is_arithmetic_v<T>;
 template <typename... T>
 constexpr bool kAreOfGlsl = (kIsOfGlsl<T> && ...);
 
-// What a deleted function returns: nothing, but a compiler writes its name.
+// The result type of a deleted function: compilers print its name.
 template <std::size_t Count>
 struct Hint {
   char text[Count];

@@ -109,8 +109,8 @@ constexpr int kCount = HN_I_LANE_BYTES / 4;
 namespace detail {
 
 #ifdef HN_LANES_PORTABLE
-// What the vector extensions have, as far as it is needed here: a comparison gives all bits, or none. The numbers have
-// names, since there are compilers that keep arrays in memory.
+// The part of the vector extensions that is needed here: a comparison gives all bits, or none. The numbers have names,
+// since there are compilers that keep arrays in memory.
 template <typename S>
 struct Four {
   using Number = S;
@@ -198,7 +198,7 @@ struct VectorOf<std::uint32_t> {
 
 }  // namespace detail
 
-// What a comparison gives: for each lane all bits, or none.
+// The result of a comparison: for each lane all bits, or none.
 struct Mask {
   detail::IntVector v;
 
@@ -226,15 +226,16 @@ struct Lanes {
   requires std::is_arithmetic_v<T>
   HN_I_INLINE explicit(!std::same_as<S, T>) Lanes(T s)
       : v(number(static_cast<S>(s)) - Vector{}) {}
-  // What does not fit is undefined, as it is in C++.
+  // A number that does not fit is undefined, as it is in C++.
   template <typename T>
   HN_I_INLINE explicit Lanes(Lanes<T> other) : v(detail::converted<Vector>(other.v)) {}
   HN_I_INLINE explicit Lanes(Mask mask) : v(detail::converted<Vector>(-mask.v)) {}
 
   HN_I_INLINE S operator[](int i) const { return v[i]; }
 
-  // A number, of which all lanes are made. In WebAssembly the constant of a vector takes 18 bytes, and that of a number
-  // 6 at most: where size matters, the compiler is kept from making the first of the second.
+  // The same number in all lanes. In WebAssembly the constant of a vector takes 18 bytes, and that of a number 6 at
+  // most:
+  // where size matters, the compiler is kept from turning the second into the first.
   HN_I_INLINE static S number(S s) {
 #if defined(HN_I_SIMD128) && defined(__OPTIMIZE_SIZE__)
     asm("" : "+r"(s));
@@ -464,7 +465,7 @@ inline namespace HN_I_PASTE(arithmetic_, HN_ARITHMETIC) {
 #undef HN_I_PASTE_TOKENS
 
 // ---------------------------------------------------------------------------------------------------------------------
-// What loops over points need.
+// For loops over points.
 
 namespace detail {
 

@@ -1,4 +1,4 @@
-// Where a field is asked for: uniform grids and lists of points, in one to four dimensions.
+// The points of a field: uniform grids and lists of points, in one to four dimensions.
 // SPDX-License-Identifier: MIT
 
 #pragma once
@@ -74,7 +74,7 @@ struct Range {
   friend bool operator==(const Range&, const Range&) = default;
 };
 
-// What follows belongs to the library: both kinds of grids are made of it.
+// The rest belongs to the library: both kinds of grids are made of it.
 namespace detail {
 
 // The coordinates of point i of a grid along an axis.

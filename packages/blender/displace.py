@@ -24,7 +24,7 @@ DIRECTIONS = (("Z", "Z", "Up"), ("NORMAL", "Normal", "Along the normal of each v
 
 
 def package():
-    """The package hashnoise; an ImportError says what to do about it."""
+    """The package hashnoise; an ImportError explains how to install it."""
     try:
         import hashnoise
     except ImportError as error:

@@ -7,7 +7,7 @@ import bpy
 from bpy.props import EnumProperty
 
 SHADERS = Path(__file__).parent / "shaders"
-# What a group has for what a script takes.
+# Sockets of a group for parameters of a script.
 SOCKETS = {"VALUE": "NodeSocketFloat", "INT": "NodeSocketInt", "VECTOR": "NodeSocketVector"}
 POSITION = "p"  # of a script
 SCALE = 5.0  # cells in a unit, as the operator has it
@@ -41,7 +41,7 @@ def group(shader):
     if not script.outputs:
         bpy.data.node_groups.remove(tree)
         bpy.data.texts.remove(source)
-        raise NotCompiled(f"Cycles does not compile {shader}.osl; the console says why")
+        raise NotCompiled(f"Cycles does not compile {shader}.osl; see the console")
     connect(tree, script)
     return tree
 

@@ -1,5 +1,5 @@
-"""What docs/build-systems.md says is typed as it stands there, in an empty folder; the game that comes of it computes
-golden values, bit for bit.
+"""The commands of docs/guide/build-systems.md run as they stand there, in an empty folder; the game that comes of it
+computes golden values, bit for bit.
 
     build_systems_test.py ENVIRONMENT WORK CLASS...    with what environment.py makes, in a scratch folder
 
@@ -29,9 +29,9 @@ from base.pypi import is_made  # noqa: E402
 from base.tree import ROOT  # noqa: E402
 
 SKIPPED = 77
-PAGE = (ROOT / "docs" / "build-systems.md").read_text(encoding="utf-8")
+PAGE = (ROOT / "docs" / "guide" / "build-systems.md").read_text(encoding="utf-8")
 ADDRESS = "https://example.com/hashnoise.git"
-# What a build by users needs of the repository.
+# Files of the repository that a user's build needs.
 USED = ("CMakeLists.txt", "LICENSE", "glsl", "include", "meson.build", "packages/conan", "packages/vcpkg", "src",
         "tools/hashnoise-config.cmake.in", "tools/hashnoise.pc.in")
 FUNCTIONS = ("noise2d.perlin", "noise3d.simplex", "fbm.fbm2")
@@ -272,7 +272,7 @@ def library_version() -> str:
 
 
 class Files(unittest.TestCase):
-    """What needs no tool."""
+    """Tests that need no tool."""
 
     def test_versions(self):
         port = json.loads((ROOT / "packages" / "vcpkg" / "hashnoise" / "vcpkg.json").read_text())

@@ -1,4 +1,5 @@
-# What docs/build-systems.md says is typed in an empty folder, and the game that comes of it computes golden values.
+# The commands of docs/guide/build-systems.md run in an empty folder, and the game that comes of it computes golden
+# values.
 set(work ${PROJECT_BINARY_DIR}/build-systems-tests)
 # Each way builds the library anew, and so is for thorough runs.
 add_test(NAME build_systems.environment CONFIGURATIONS Thorough

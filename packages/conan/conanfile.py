@@ -1,4 +1,4 @@
-"""The Conan package: headers and GLSL, with the CMake files that `cmake --install` makes (docs/build-systems.md)."""
+"""The Conan package: headers and GLSL, with the CMake files that `cmake --install` makes (docs/guide/build-systems.md)."""
 
 import re
 from pathlib import Path

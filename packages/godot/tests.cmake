@@ -1,5 +1,5 @@
 # The add-on for Godot: what is in it; and in thorough runs a real Godot that has its values and draws its example.
-# That is the program that HN_GODOT names, the one in the PATH, or Debian's, which is downloaded.
+# Godot is the program that HN_GODOT names, the one in the PATH, or Debian's, which is downloaded.
 set(godot_tests ${CMAKE_CURRENT_LIST_DIR}/tests)
 add_test(NAME godot.addon COMMAND Python3::Interpreter -B -m unittest ship.godot.addon_test
          WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}/tools/lib)

@@ -12,7 +12,7 @@ endforeach()
 add_test(NAME npm.three CONFIGURATIONS Thorough
          COMMAND ${project} run ${packages_of_node} node three.mjs ${PROJECT_SOURCE_DIR})
 add_test(NAME npm.registry CONFIGURATIONS Thorough
-         COMMAND ${project} run ${packages_of_node} node registry.mjs ${PROJECT_SOURCE_DIR}/docs/publishing.md)
+         COMMAND ${project} run ${packages_of_node} node registry.mjs ${PROJECT_SOURCE_DIR}/docs/develop/publishing.md)
 # The last commit of version 0.3.0. After a release it is the tag of the version before the one that is in the making.
 set(before 5301c2bbb34dc19427c8e36684e48987c682c24f)
 add_test(NAME npm.upgrade CONFIGURATIONS Thorough

@@ -50,7 +50,7 @@ inline Kind kind_of(const Memory& memory) {
   throw std::invalid_argument("an array must be of float32, float64, int32 or int64");
 }
 
-// An array along the axes of the result. Steps are in bytes, and 0 along an axis of which it has only one.
+// An array along the axes of the result. Steps are in bytes, and 0 along an axis with a single element.
 struct StridedArray {
   std::byte* data = nullptr;
   Kind kind = Kind::kFloat32;

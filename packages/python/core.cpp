@@ -1,5 +1,5 @@
-// The compiled part of the Python package: fields over NumPy's arrays. hashnoise/ says what users see of it, and checks
-// what they pass.
+// The compiled part of the Python package: fields over NumPy's arrays. hashnoise/ has the interface that users see, and
+// checks what they pass.
 // SPDX-License-Identifier: MIT
 
 #include <nanobind/nanobind.h>
@@ -62,7 +62,7 @@ void run(const Executor& executor, std::size_t count, const Task& task) {
   for (std::size_t i = 0; i < count; ++i) task(i);
 }
 
-// What the numbers of a result are.
+// The numbers of a result.
 enum class Numbers { kFloat32, kFloat16, kUint16 };
 
 inline Numbers numbers_of(const Memory& memory) {
@@ -197,7 +197,7 @@ class Tiles {
   std::size_t nearest_ = 0;
 };
 
-// A field in as many dimensions as were asked for at run time.
+// A field in as many dimensions as were chosen at run time.
 class AnyField {
  public:
   AnyField() = default;
@@ -217,9 +217,9 @@ class AnyField {
                          const nb::tuple& first, nb::handle out, const Ranges& ranges, int threads) const = 0;
 };
 
-// Points of a field that are evaluated together. What does not lie in memory as the field reads and writes it is
-// copied. The arrays of the walk are the coordinates, then the cells if there are any, then the first plane of the
-// result.
+// Points of a field that are evaluated together. Numbers that lie in memory otherwise than the field reads and writes
+// them are copied. The arrays of the walk are the coordinates, then the cells if there are any, then the first plane of
+// the result.
 template <int D>
 class Block {
  public:
@@ -425,7 +425,7 @@ class FieldOf final : public AnyField {
     return range;
   }
 
-  // What is wrong with a grid is an error of its first or its last point. It is thrown here, and not by a thread.
+  // A wrong grid is an error of its first or its last point: throw it here, not in a thread.
   template <class AnyGrid>
   void check_corners(const AnyGrid& grid) const {
     std::vector<float> values(static_cast<std::size_t>(field_.components()));
@@ -574,7 +574,7 @@ NB_MODULE(_core, module) {
   module.def("noise_names", &hashnoise::noise_names, nb::arg("dimensions"));
   module.def("sum_names", &hashnoise::sum_names, nb::arg("dimensions"));
   module.def("instruction_sets", [] { return hashnoise::python::names_of(hashnoise::instruction_sets()); });
-  // Of settings that are whole numbers: the least and the most. What Python has may not fit a Settings, which checks
+  // Of settings that are whole numbers: the least and the most. Python's number may not fit a Settings, which checks
   // the others.
   nb::dict rules;
   for (const hashnoise::grid::Rule& rule : hashnoise::grid::kRules) {

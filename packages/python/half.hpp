@@ -8,12 +8,12 @@
 
 namespace hashnoise::python {
 
-// The nearest, and of two that are as near the even one, as NumPy converts. What is too large is infinite.
+// The nearest, and of two that are as near the even one, as NumPy converts. A value that is too large becomes infinite.
 inline std::uint16_t half_of(float value) {
   const auto bits = std::bit_cast<std::uint32_t>(value);
   const std::uint32_t sign = (bits >> 16u) & 0x8000u;
   const std::uint32_t size = bits & 0x7FFFFFFFu;
-  // All of these are computed, so that compilers vectorize a loop over it. What rounds up may carry to the exponent.
+  // All of these are computed, so that compilers vectorize a loop over it. Rounding up may carry into the exponent.
   const std::uint32_t usual = (size - 0x38000000u + 0x0FFFu + ((size >> 13u) & 1u)) >> 13u;
   // Less than 2^-14: a multiple of 2^-24. Beside 0.5 a float has steps of 2^-24, so the sum is rounded to one.
   const std::uint32_t small = std::bit_cast<std::uint32_t>(std::bit_cast<float>(size) + 0.5f) - 0x3F000000u;

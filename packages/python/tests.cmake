@@ -1,5 +1,5 @@
-# The Python package, in a new virtual environment with its wheel (tests/environment.py). That links the library which the
-# build has compiled: kernels of its own take minutes, and are for thorough runs.
+# The Python package, in a new virtual environment with its wheel (tests/environment.py). The wheel links the library
+# that the build has compiled: kernels of its own take minutes, and are for thorough runs.
 set(package_tests ${CMAKE_CURRENT_LIST_DIR}/tests)
 set(package_environment ${PROJECT_BINARY_DIR}/python-tests)
 add_test(NAME python.wheel

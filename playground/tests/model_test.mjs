@@ -83,7 +83,7 @@ test("the links of the page's description mean what it says", () => {
     ["ridged", "simplex", 3, 1.5, 42, 1000000000n * 16777216n + 4194304n, 4],
   );
   const described = [
-    ...readFileSync(join(root, "docs", "playground.md"), "utf8")
+    ...readFileSync(join(root, "docs", "guide", "playground.md"), "utf8")
       .split("## Links")[1]
       .matchAll(/^\| `(\w+)` \|/gm),
   ].map((match) => match[1]);

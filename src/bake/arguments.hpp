@@ -13,7 +13,7 @@ namespace hn {
 
 constexpr int kLongestAxis = static_cast<int>(hashnoise::grid::kSizeRule.most);
 
-// What is read as words, and understood by parse_options.
+// Options that are read as words; parse_options interprets them.
 struct Words {
   std::string size = "512x512";
   std::string cells = "8";
@@ -31,7 +31,7 @@ struct Words {
   std::vector<std::string> ranges;
 };
 
-// All of them, with what --help says. The options and the words have to live until they are parsed.
+// Adds all options, with their help. The options and the words have to live until they are parsed.
 void add_options(CLI::App& app, BakeOptions& options, Words& words);
 
 }  // namespace hn

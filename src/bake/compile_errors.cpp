@@ -20,7 +20,7 @@ using namespace std::string_view_literals;
 #define HN_BAKE_TEXT_OF(macro) HN_BAKE_QUOTED(macro)
 constexpr std::string_view kVersion = HN_BAKE_TEXT_OF(HN_I_NAMESPACE) "::";  // the namespace of the version
 
-constexpr std::string_view kOwn = "hn-bake: ";  // what a static_assert of ours says begins so
+constexpr std::string_view kOwn = "hn-bake: ";  // the prefix of our static_asserts' messages
 
 // "NAME:3:14: MESSAGE", at the beginning of a line or behind other words.
 struct Remark {
@@ -135,14 +135,14 @@ std::optional<std::string> first_error(std::string_view log, const CompiledText&
     auto here = remark_of(line, expression);
     if (!here) here = remark_of(line, source);
     const std::string_view error = message_of_error(line);
-    // GCC tells before an error what has led to it, and Clang behind it.
+    // GCC prints the cause of an error before it, and Clang behind it.
     if (!message.empty() && !error.empty()) break;
     if (!error.empty()) message = error;
     const bool is_error = here && !error.empty();
     if (here && (!remark || is_error)) remark = here;
     if (!message.empty() && remark) break;
   }
-  // What the whole value is, is wrong in what calls it.
+  // An error in the type of the whole value is reported in the code that calls it.
   if (!remark && message.find(kOwn) != std::string_view::npos) return expression.cpp->glsl.at(0, explained(message));
   if (message.empty() || !remark) return std::nullopt;
   const CppText& cpp = *remark->text->cpp;

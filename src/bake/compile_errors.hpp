@@ -1,4 +1,4 @@
-// Puts what a compiler of C++ says of a user's GLSL into the words of GLSL.
+// Rewrites a C++ compiler's messages on a user's GLSL in the words of GLSL.
 #pragma once
 
 #include <optional>

@@ -16,7 +16,7 @@
 namespace hn {
 namespace {
 
-// What #line calls the texts; their names are the user's, and may have any characters.
+// The names of the texts in #line; the user's own names may have any characters.
 constexpr std::string_view kExpressionName = "hn-bake-expression";
 constexpr std::string_view kSourceName = "hn-bake-source";
 
@@ -100,7 +100,7 @@ std::vector<std::string> compiler() {
   return words.empty() ? std::vector<std::string>{"c++"} : words;
 }
 
-// What the compiler makes on its way stays in the folder, and it speaks English.
+// The compiler's temporary files stay in the folder, and its messages are English.
 std::vector<std::string> environment_in(const std::filesystem::path& folder) {
   std::vector<std::string> variables = environment_without(std::vector<std::string_view>{"TMPDIR=", "LC_", "LANG"});
   variables.push_back(fmt::format("TMPDIR={}", folder.string()));

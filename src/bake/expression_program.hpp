@@ -24,7 +24,7 @@ class ExpressionProgram {
 
   const std::vector<std::string>& components() const { return components_; }  // of the whole value
   std::filesystem::path path() const;
-  std::filesystem::path axes() const { return folder_.path() / "axes"; }  // where it is told of the points
+  std::filesystem::path axes() const { return folder_.path() / "axes"; }  // the points
 
  private:
   ExpressionProgram() = default;
@@ -33,8 +33,8 @@ class ExpressionProgram {
   std::vector<std::string> components_;
 };
 
-// Several processes of the program compute the rows, so that none of them can do harm here, and all end with this
-// process. The error says how one of them ended, and in which rows. Throws as compute does for fields.
+// Computes the rows in several processes, so that none of them can do harm here, and all end with this process. The
+// error describes how one of them ended, and in which rows. Throws as compute does for fields.
 Result<Planes> compute(const ExpressionProgram& program, const BakeOptions& options, const RowsDone& rows_done);
 
 }  // namespace hn

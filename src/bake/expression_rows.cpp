@@ -63,7 +63,7 @@ class Child {
   Process process_;
 };
 
-// What would be wrong with a program that ends so.
+// The likely fault of a program that ends so.
 std::string_view likely_cause(int status) {
   if (!WIFSIGNALED(status)) return "";
   switch (WTERMSIG(status)) {

@@ -72,7 +72,7 @@ std::string channel_name(const std::vector<Component>& components, std::size_t i
   return components.size() > kMostInPng ? components[index].name : std::string(1, "RGBA"[index]);
 }
 
-// What a function of the library has.
+// The parameters of a function of the library.
 nlohmann::ordered_json parameters_of(const BakeOptions& options) {
   using namespace hashnoise;
   const Settings& settings = options.settings;

@@ -42,17 +42,17 @@ struct Report {
 };
 
 // The intervals of these components: documented, or given. Empty for floats, and for --normalize, which finds them. The
-// error says which component has none, or what else does not fit the format. It is known before anything is computed.
+// error names a component without one, or another misfit of the format. It is known before anything is computed.
 Result<std::vector<Mapping>> mappings_of(const BakeOptions& options, const std::vector<std::string>& components);
 
-// Takes what is written of a file, of which nothing must be left if it fails.
+// Writes bytes to a file; if it fails, nothing of the file may be left.
 using WriteFile = std::function<Result<void>(const std::filesystem::path& path, std::string_view bytes)>;
 
 // Makes and writes the files; the planes are used up.
 Result<Report> write_files(const BakeOptions& options, Planes planes, std::vector<Mapping> mappings,
                            const WriteFile& write);
 
-// What made the values, and how they lie in the file: all that the bytes depend on.
+// The settings behind the values, and their order in the file: all that the bytes depend on.
 nlohmann::ordered_json record_of(const BakeOptions& options, const Planes& planes, const Report& report);
 
 }  // namespace hn

@@ -15,7 +15,7 @@ bool is_in(std::string_view words, std::string_view word) {
   return words.find(fmt::format(" {} ", word)) != std::string_view::npos;
 }
 
-// What says nothing in C++: precisions, and parameters that are only read.
+// Words without a meaning in C++: precisions, and parameters that are only read.
 constexpr std::string_view kLeftOut = " in highp mediump lowp precise ";
 constexpr std::string_view kOfGlsl =
     " asm class union enum typedef template this goto inline noinline public static extern external interface long "

@@ -10,7 +10,7 @@
 
 namespace hn {
 
-// What a user wrote, and where it stands: "--expression", or "--source my_noise.glsl".
+// A user's text and its origin: "--expression", or "--source my_noise.glsl".
 struct GlslText {
   std::string name;
   std::string text;

@@ -33,7 +33,7 @@ constexpr const char* kProgram = "hn-bake";
 // Held while a file is written, so that a signal waits for its end: there is a whole file, or none.
 std::mutex writing;
 
-// Before a signal ends the program. What it locks it keeps.
+// Runs before a signal ends the program. Its locks stay locked.
 void say_farewell(int signal, bool) {
   if (isatty(STDERR_FILENO) != 0) std::fputs("\n", stderr);  // below a line of progress, or ^C
   writing.lock();
@@ -206,7 +206,7 @@ int bake(hn::BakeOptions options) {
   return 0;
 }
 
-// What --size asks for may be more than there is.
+// --size may need more memory than there is.
 bool is_out_of_memory(const std::exception& problem) {
   return dynamic_cast<const std::bad_alloc*>(&problem) || dynamic_cast<const std::length_error*>(&problem);
 }

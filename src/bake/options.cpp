@@ -64,7 +64,7 @@ std::string dimensions_of(const std::vector<int>& size) { return fmt::format("{}
 
 std::vector<std::string> texts_of(const std::vector<std::string_view>& names) { return {names.begin(), names.end()}; }
 
-// What to say of a word that is none of the names.
+// A hint for a word that is none of the names.
 std::string choice(std::string_view word, const std::vector<std::string>& names) {
   return fmt::format("{}; there are {}", suggestion(word, names), fmt::join(names, ", "));
 }
@@ -114,7 +114,7 @@ Result<void> choose_function(BakeOptions& options, const Words& words) {
   if (words.expression) return choose_expression(options, words);
   if (words.source) return fail("--source has functions for an --expression, and there is none");
   if (options.function.empty()) {
-    return fail("a function is missing, such as fbm, or an --expression; --help tells more");
+    return fail("a function is missing, such as fbm, or an --expression; see --help");
   }
   const std::optional<std::string>& noise = words.noise;
   const int dimensions = static_cast<int>(options.size.size());
@@ -202,7 +202,7 @@ Result<void> choose_origin(BakeOptions& options, const std::optional<std::string
                           options.origin.size(), options.size.size()));
 }
 
-// The form is that of --origin, which has numbers with signs, too. Which function has a wave the field says.
+// The form is that of --origin, which has numbers with signs, too. The field knows which function has a wave.
 Result<void> choose_wave(BakeOptions& options, const std::optional<std::string>& text) {
   using hashnoise::grid::kWaveRule;
   if (!text) return {};
@@ -325,15 +325,14 @@ tl::unexpected<Stop> unexpected_argument(const CLI::App& app) {
   const auto found = std::ranges::find_if(left, [](const std::string& argument) { return argument != "--"; });
   const std::string argument = found == left.end() ? std::string() : *found;
   if (!argument.starts_with('-')) {
-    return wrong_usage(fmt::format("{} is one argument too many; --help tells more", in_quotes(argument)));
+    return wrong_usage(fmt::format("{} is one argument too many; see --help", in_quotes(argument)));
   }
   std::vector<std::string> names;
   for (const CLI::Option* const option : app.get_options()) {
     for (const std::string& name : option->get_lnames()) names.push_back(fmt::format("--{}", name));
   }
   const std::string word = argument.substr(0, argument.find('='));
-  return wrong_usage(
-      fmt::format("there is no option {}{}; --help tells more", in_quotes(word), suggestion(word, names)));
+  return wrong_usage(fmt::format("there is no option {}{}; see --help", in_quotes(word), suggestion(word, names)));
 }
 
 }  // namespace
@@ -358,7 +357,7 @@ tl::expected<BakeOptions, Stop> parse_options(int argc, const char* const* argv)
   } catch (const CLI::ExtrasError&) {
     return unexpected_argument(app);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() != 0) return wrong_usage(fmt::format("{}; --help tells more", error.what()));
+    if (error.get_exit_code() != 0) return wrong_usage(fmt::format("{}; see --help", error.what()));
     std::ostringstream out;
     std::ostringstream err;
     app.exit(error, out, err);

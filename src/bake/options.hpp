@@ -37,7 +37,7 @@ enum class Layout {
   slices,  // a file for each
 };
 
-// What 16 bits stand for: 0 for the least, 65535 for the greatest.
+// The interval of 16 bits: 0 is its least number, 65535 the greatest.
 using hashnoise::grid::Interval;
 
 // A value that GLSL computes, of the position p, in place of a function of the library.

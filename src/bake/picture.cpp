@@ -14,7 +14,7 @@
 namespace hn {
 namespace {
 
-// What libpng calls; it has no state but these.
+// The state of libpng's callbacks.
 struct PngSink {
   std::string bytes;
   std::string problem;

@@ -23,7 +23,7 @@ struct Planes {
   hashnoise::InstructionSet instruction_set{};  // by which they were computed
 };
 
-// What is called while the work goes on, from several threads: rows that are done.
+// Called from several threads while the work goes on, with the number of rows that are done.
 using RowsDone = std::function<void(std::size_t rows)>;
 
 // Which of these the options choose, by their numbers. Throws std::invalid_argument for a name that is not there.

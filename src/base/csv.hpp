@@ -12,7 +12,7 @@ namespace hn {
 // is a text file like any other. Rows are written as they are, even with too many or too few fields.
 std::string to_csv(std::span<const std::string> header, std::span<const std::vector<std::string>> rows);
 
-// What holds for all rows of a record: where and how its numbers were measured.
+// The facts about all rows of a record: where and how its numbers were measured.
 using Facts = std::vector<std::pair<std::string, std::string>>;
 // The table with the facts above it, as comments: "# date: 2026-01-02T03:04:05Z". tools/lib/measure/record.py reads it.
 std::string to_record(const Facts& facts, std::span<const std::string> header,

@@ -9,8 +9,7 @@
 
 namespace hn {
 
-// The entry whose member has this value. Throws std::logic_error if there is none; `what` says in its message what is
-// missing: "profile".
+// The entry whose member has this value. Throws std::logic_error if there is none; its message has `what`: "profile".
 template <typename Table, typename Member>
 const auto& entry_named(const Table& table, Member member, std::string_view name, std::string_view what) {
   const auto found = std::ranges::find(table, name, member);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr auto kSameSignal = std::chrono::milliseconds(300);
 
-// Those that somebody has not chosen to ignore.
+// The signals that are not ignored.
 sigset_t signals_to_take() {
   sigset_t set;
   sigemptyset(&set);

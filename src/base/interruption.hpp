@@ -17,9 +17,9 @@ namespace hn {
 inline constexpr std::array kEndingSignals = {SIGINT, SIGTERM, SIGHUP};
 std::string_view name_of_signal(int signal);  // "SIGINT"
 
-// While such an object exists, a thread waits for the signals that ask the program to end. It says farewell and ends
-// the program by the signal. Once the program has said that it handles this itself, the first signal is only noted.
-// Signals that are ignored stay ignored (for example by nohup).
+// While such an object exists, a thread waits for the signals that end a program. It prints a farewell and ends the
+// program by the signal. Once the program handles this itself, the first signal is only noted. Ignored signals stay
+// ignored (for example by nohup).
 //
 // Make it before any other thread: they must hold the signals back as well.
 class Interruption {
@@ -31,8 +31,8 @@ class Interruption {
   Interruption& operator=(const Interruption&) = delete;
   ~Interruption();
 
-  // From now on the first signal is noted, and the second ends the program. Those that follow at once are the first:
-  // timeout and many others send it to a process and to its group.
+  // From now on the first signal is noted, and the second ends the program. Signals that follow at once count as the
+  // first: timeout and many others send it to a process and to its group.
   void note_the_first() { noting_ = true; }
   int signal() const { return noted_; }       // that was noted, or 0
   int fd() const { return readable_.get(); }  // can be read once one was noted

@@ -9,7 +9,7 @@
 
 namespace hn {
 
-// Every function that reads throws std::invalid_argument for wrong input, and says what is wrong.
+// Every function that reads throws std::invalid_argument for wrong input, with a message that names the fault.
 
 // Copying, comparing and printing JSON takes stack for every level, so the depth is limited. We write ten levels, and
 // the limit is far above that.

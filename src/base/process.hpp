@@ -25,7 +25,7 @@ struct ProcessOptions {
   std::vector<std::string> arguments = {};
   std::optional<std::vector<std::string>> environment = {};  // NAME=VALUE; ours if there is none
   std::filesystem::path output = "/dev/null";                // of its standard output and error
-  bool is_server = false;  // it cleans up when it is asked to end, so it is asked (SIGTERM) when we end, not killed
+  bool is_server = false;  // it cleans up at its end, so it gets SIGTERM when we end, and is not killed
 };
 
 struct Process {
@@ -46,10 +46,10 @@ struct Process {
 // signals are meant for us: the child does not get them, or ignores them.
 Result<Process> start_process(const ProcessOptions& options);
 
-// Starts a process, which reports nothing, and waits for its end. An error says how it ended, with what it printed; the
-// file options.output, which must be new, holds that until it is read.
+// Starts a process, which reports nothing, and waits for its end. An error has its status and its output; the file
+// options.output, which must be new, holds the output until it is read.
 Result<void> run_process(const ProcessOptions& options);
-// What it prints, for a program that prints little.
+// The output of a program that prints little.
 Result<std::string> output_of(const std::string& program, const std::vector<std::string>& arguments);
 
 // The texts as exec takes them, for as long as they are; the last pointer is null.

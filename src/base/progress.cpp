@@ -23,7 +23,7 @@ std::string time_of(double seconds) {
 
 }  // namespace
 
-// The task goes on even if nobody can be told: fmt::print would throw.
+// The task goes on even if nobody reads: fmt::print would throw.
 void Progress::show(std::size_t done, std::size_t failed, const std::string& current,
                     std::optional<double> seconds_left) {
   const std::string left = seconds_left && done < total_ ? fmt::format(", {} left", time_of(*seconds_left)) : "";

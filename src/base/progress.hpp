@@ -14,7 +14,7 @@ class Progress {
  public:
   Progress(std::FILE* out, std::size_t total);
   ~Progress();
-  // seconds_left: where that can be told.
+  // seconds_left: where it is known.
   void show(std::size_t done, std::size_t failed, const std::string& current,
             std::optional<double> seconds_left = std::nullopt);
 

@@ -30,7 +30,7 @@ Ratio ratio(const Timing& timing, const Timing& reference, const Timing& empty) 
     const double base = reference.samples[i] - empty.samples[i];
     if (base > 0.0) ratios.samples.push_back((timing.samples[i] - empty.samples[i]) / base);
   }
-  // Where the reference is seldom longer than nothing, what is left of the rounds says nothing.
+  // Where the reference seldom takes longer than nothing, the remaining rounds prove nothing.
   if (ratios.samples.empty() || 2 * ratios.samples.size() < rounds) return {};
   return {ratios.median(), ratios.spread()};
 }

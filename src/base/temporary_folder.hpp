@@ -20,7 +20,7 @@ class TemporaryFolder {
   const std::filesystem::path& path() const { return path_; }
   void write(std::string_view name, std::string_view text) const;
 
-  // What the names of a process's folders begin with.
+  // The prefix of a process's folders.
   static std::string prefix(pid_t owner);
 
  private:

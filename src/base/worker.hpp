@@ -18,7 +18,7 @@ using SteadyClock = std::chrono::steady_clock;
 struct Launch {
   std::filesystem::path program;
   std::string command;              // The program answers "COMMAND JOB".
-  std::filesystem::path job;        // a file for what the process is told
+  std::filesystem::path job;        // the file of the process's job
   std::filesystem::path log;        // what it prints
   std::chrono::milliseconds limit;  // it has so long to make each report, or is killed
 };
@@ -35,7 +35,7 @@ class Worker {
   SteadyClock::time_point deadline() const { return deadline_; }
   void postpone_deadline(SteadyClock::duration by) { deadline_ += by; }
 
-  // What has arrived. Call it when fd() can be read, or the deadline has passed.
+  // The reports that have arrived. Call it when fd() can be read, or the deadline has passed.
   std::vector<nlohmann::json> read();
   // Waits for that, or until something can be read from another file as well, and reads.
   std::vector<nlohmann::json> wait(int other_fd = -1);
@@ -43,7 +43,7 @@ class Worker {
   // Set once the process has ended and all of its reports were read.
   struct End {
     bool timed_out = false;  // it was killed by us
-    int status = 0;          // as waitpid tells it
+    int status = 0;          // as in waitpid
     std::string text;        // "ended by signal 11 (Segmentation fault)"
   };
   const std::optional<End>& end() const { return end_; }

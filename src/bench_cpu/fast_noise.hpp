@@ -27,12 +27,12 @@ class FastNoiseField {
 
  private:
   std::shared_ptr<const FastNoiseFunctions> functions_;
-  std::vector<void*> nodes_;  // the first is what is asked; the others are its sources
+  std::vector<void*> nodes_;  // the first is evaluated; the others are its sources
 };
 
 class FastNoise {
  public:
-  // The error says what the file is not.
+  // The error names what the file is not.
   static Result<FastNoise> open(const std::filesystem::path& path);
 
   // Nothing if this build of it has not these instructions. The error: it does not know a name.

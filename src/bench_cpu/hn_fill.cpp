@@ -1,6 +1,5 @@
-// hn-fill: fills a grid as often as it is asked, and prints nothing, so that what it executes can be counted.
-// tools/measure neon compiles it for another processor, where of the packages behind the other programs those are
-// available that are headers alone.
+// hn-fill: fills a grid a number of times, and prints nothing, so that its instructions can be counted. tools/measure
+// neon compiles it for another processor, which has only header-only packages.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -21,7 +21,7 @@ double seconds_of(const std::function<void()>& work, int times) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / times;
 }
 
-// What is timed of one set of instructions; places in the list of all works.
+// The works of one set of instructions, as places in the list of all works.
 struct Places {
   std::size_t fast = 0;
   std::size_t points = 0;
@@ -45,7 +45,7 @@ class Works {
     }
   }
 
-  // What is compared stands next to each other.
+  // Compared works stand next to each other.
   Result<Places> add(hashnoise::InstructionSet set, const FastNoise* other, bool with_threads) {
     using hashnoise::Arithmetic;
     Places places;

@@ -24,7 +24,7 @@ std::vector<Timing> measure(std::span<const std::function<void()>> works, int ro
 // The quotient of speeds of two that were timed in the same rounds.
 Ratio speed(const Timing& first, const Timing& second);
 
-// What is compared. Every number is a quotient of speeds: how many times as fast the first is as the second.
+// The comparisons. Every number is a quotient of speeds: how many times as fast the first is as the second.
 inline constexpr std::array kComparisons = {
     "grids",    // ours over FastNoise2's
     "points",   // the same at a list of points
@@ -35,7 +35,7 @@ inline constexpr std::array kComparisons = {
     "lists",    // at points over on a grid
     "threads",  // by two threads over by one
 };
-// What is filled, in millions of points a second.
+// The fills, in millions of points a second.
 inline constexpr std::array kFills = {"fast",   "fixed",       "precise",    "tiles",
                                       "points", "two threads", "FastNoise2", "FastNoise2 points"};
 

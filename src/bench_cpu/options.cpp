@@ -41,7 +41,7 @@ tl::expected<BenchCpuOptions, Stop> parse_options(int argc, const char* const* a
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() != 0) return wrong(fmt::format("{}; --help tells more", error.what()));
+    if (error.get_exit_code() != 0) return wrong(fmt::format("{}; see --help", error.what()));
     std::ostringstream out;
     std::ostringstream err;
     app.exit(error, out, err);

@@ -12,7 +12,7 @@ constexpr int kNotMeasured = 1;
 constexpr int kBadUsage = 2;
 
 struct BenchCpuOptions {
-  std::string out = "docs/results/cpu";
+  std::string out = "docs/measured/results/cpu";
   std::string against;  // the file of FastNoise2, or empty
   std::string python;   // a program, or empty
   std::vector<std::string> filters;

@@ -26,7 +26,7 @@ inline constexpr int kOctaves = 6;
 hashnoise::Settings settings_of(const Subject& subject, hashnoise::Arithmetic arithmetic,
                                 hashnoise::InstructionSet set);
 
-// What is filled: kPoints points, kStep apart.
+// The grid of a fill: kPoints points, kStep apart.
 template <int D>
 hashnoise::Grid<D> grid() {
   hashnoise::Grid<D> all;

@@ -1,9 +1,10 @@
-// Perlin and simplex noise at points that share nothing. Numbers are those of the library, and so are the bits. What is
-// computed in another way:
+// Perlin and simplex noise at points that share nothing. Numbers are those of the library, and so are the bits. Three
+// parts are computed in another way:
 //   - gradients, by instructions that GPUs have not
-//   - the second join of a word, of which 24 bits count: it is the sum of a product of each coordinate of the cell
-//   - the words of simplex noise: a step to the next point of the lattice changes both joins of a word by what depends
-//     on an axis alone. So each axis is shifted once, and what a step changes is chosen, not the coordinates
+//   - the second join of a hash, whose low 24 bits count: it is the sum of a product of each coordinate of the cell
+//   - the hashes of simplex noise: a step to the next point of the lattice changes both joins of a hash by a term of
+//     one
+//     axis alone. So each axis is shifted once, and the code chooses between changes, not between coordinates
 #pragma once
 
 #include "loops.hpp"

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kMostColumns = kPointsAtOnce + 2 * kCount;
 
-// What a corner has in each column.
+// The numbers of a corner in each column.
 template <int kNumbers, typename S = float>
 using InColumns = Corners<kNumbers, kMostColumns, S>;
 using Lines = InColumns<2>;
@@ -180,7 +180,7 @@ class SimplexColumns<2> {
   static constexpr int kBefore = 1;
   static constexpr int kBehind = 3;
 
-  // What is along y adds 1 at most, and another 1 by a rounding.
+  // The skew by y moves a point at most one column; rounding can add one more.
   HN_I_INLINE static std::uint32_t earliest(std::uint32_t cell, std::uint32_t half) { return 2u * cell + half; }
   HN_I_INLINE static Int number(const Place<2>& place) {
     return Int(hn_i_doubled(Uint(place.cell.x), hn_i_floor(hn_i_skewed(place.fraction).x)));
@@ -327,7 +327,7 @@ class SmoothSimplexColumns<2> {
 };
 
 // The points of smooth simplex noise in space: corners and centres in the four rows of each that are next to the row.
-// The first bit of a row's number tells whether it is further off along y, and the second one, along z.
+// The first bit of a row's number is 1 if it is further off along y, and the second one, along z.
 template <>
 class SmoothSimplexColumns<3> : public CellNumbers<3> {
  public:
@@ -395,8 +395,9 @@ class SmoothSimplexColumns<3> : public CellNumbers<3> {
 };
 
 // The feature points of cellular noise in the Euclidean metric, in the cells of the row and in those around it. Along x
-// offsets from points are kept as those of the middle of the cell. What is across is the same in all of the row, so its
-// square is kept. In space that is so with HN_FIXED alone, since offsets of floats come along the diagonals there.
+// offsets from points are kept for the middle of the cell. Across the row an offset is the same in all of it, so its
+// square
+// is kept. In space this holds with HN_FIXED alone, since offsets of floats come along the diagonals there.
 template <int D>
 class CellularColumns : public CellNumbers<D> {
  public:
@@ -451,7 +452,7 @@ class CellularColumns : public CellNumbers<D> {
 
  private:
 #if HN_ARITHMETIC == HN_FIXED
-  // A square as in hn_i_squares: by digits of 11 bits, of which the high one may be negative here.
+  // A square as in hn_i_squares: by digits of 11 bits; the high one may be negative here.
   static constexpr int kNumbers = 3;
   HN_I_INLINE static Uint high_square(Int x) {
     const Uint high = Uint(x >> 11);
@@ -492,7 +493,7 @@ HN_I_INLINE void over_columns(Columns& columns, int start, int end, Uint seed, c
                               const PlaceAt& place_at, const Use& use) {
   Int lane;
   for (int i = 0; i < kCount; ++i) lane.v[i] = i;
-  // Numbers wrap at 2^32, so it is their distance that tells which is the lower one.
+  // Numbers wrap at 2^32, so the sign of their distance shows which is the lower one.
   const auto distance = static_cast<std::int32_t>(earliest_at(end - 1) - earliest_at(start));
   const bool falls = distance < 0;
   const int last = (falls ? -distance : distance) + Columns::kBefore + Columns::kBehind;
@@ -516,8 +517,8 @@ HN_I_INLINE bool is_at_wrap(std::int32_t cell) { return cell < -2147482624 || ce
 HN_I_INLINE Float value_of(hn_i_num n) { return hn_i_value(n); }
 HN_I_INLINE vec2 value_of(vec2 distances) { return distances; }
 
-// Along a row whose points are no further from each other than Columns::kMostStep. tile_of gives the place that a noise
-// is asked for, of one without a period; at a seam noise_at is asked, point by point.
+// Along a row whose points are no further from each other than Columns::kMostStep. tile_of gives the place in the noise
+// without a period; at a seam noise_at gives the noise, point by point.
 template <int D, bool kTiled, typename Columns, typename TileOf, typename NoiseAt>
 HN_I_INLINE void along_columns(Columns& columns, const Batch& batch, Uint seed, const TileOf& tile_of,
                                const NoiseAt& noise_at) {

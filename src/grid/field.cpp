@@ -363,7 +363,7 @@ std::size_t common_length(const Spans& spans, std::size_t length) {
   return length;
 }
 
-// Points in an array for each axis. `run_block` says where the coordinates of some of them are, and runs the batch.
+// Points in an array for each axis. `run_block` sets the coordinates of some of them, and runs the batch.
 template <typename RunBlock>
 Range fill_points(const Plan& plan, Kernel kernel, std::size_t count, std::span<float> values, const Executor& executor,
                   const RunBlock& run_block) {

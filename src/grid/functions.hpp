@@ -29,7 +29,7 @@ struct NoiseRow {
   }
 };
 
-// What a value is known to be in.
+// The known bounds of a value.
 enum class Bounds { kThese, kOfTheNoise, kOfTheStrength };
 
 // The noise that a sum takes has the shape `of`.
@@ -48,8 +48,8 @@ struct SumRow {
   constexpr bool takes_noise() const { return usual_noise != kNoises; }
 };
 
-// Of a component of a noise that is not in [-1, 1]. "d" is each derivative, "d_phase" the same with a phase, as "f1_phase"
-// is of "f1", and "axis" each component of a vector.
+// Of a component of a noise that is not in [-1, 1]. "d" is each derivative, "d_phase" the same with a phase, as
+// "f1_phase" is of "f1", and "axis" each component of a vector.
 struct RangeRow {
   NoiseId noise;
   std::string_view component;
@@ -102,12 +102,12 @@ constexpr const SumRow& sum_row(std::string_view name) {
   return kSumRows.at(i);
 }
 
-// What is given of the number that a sum calls its strength.
+// The setting of the number that a sum calls its strength.
 inline const std::optional<float>& strength_of(const Settings& settings, const SumRow& sum) {
   return sum.strength == "amplitude" ? settings.amplitude : settings.strength;
 }
 
-// The names of the rows of which that is true.
+// The names of the rows for which the predicate is true.
 template <typename Rows, typename Predicate>
 std::vector<std::string_view> names_where(const Rows& rows, Predicate is_true) {
   std::vector<std::string_view> names;

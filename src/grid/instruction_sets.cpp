@@ -59,7 +59,7 @@ std::array<grid::Kernels, 3> kernels_of(const Build& build) {
 }  // namespace
 
 const grid::Kernels& grid::kernels_for(InstructionSet set, Arithmetic arithmetic) {
-  // What enters kernels in a table is compiled for their instructions, too. So only the tables of a set that the
+  // Code that enters kernels in a table is compiled for their instructions, too. So only tables of sets that the
   // processor has may be made.
   static std::array<std::array<Kernels, 3>, kCount> kernels{};
   static std::array<std::once_flag, kCount> made;

@@ -7,7 +7,7 @@
 
 namespace hashnoise::inline HN_I_NAMESPACE::grid {
 
-// What this library was compiled for, the widest first, whether the processor has it or not.
+// The sets that this library was compiled for, the widest first, whether the processor has them or not.
 std::vector<InstructionSet> compiled_instruction_sets();
 
 // The kernels for instructions and an arithmetic that instruction_sets() lists.

@@ -8,7 +8,7 @@
 
 namespace hashnoise::inline HN_I_NAMESPACE::grid {
 
-// What the numbers at a point are.
+// The kinds of numbers at a point.
 enum class Shape {
   kValue,         // a value
   kWithSlopes,    // a value and a derivative along each axis
@@ -19,8 +19,8 @@ enum class Shape {
   kValueAndQuadrature,
 };
 
-// What a noise takes beside a seed and a period. A phase it has in 2D and 3D.
-// With a phase there is no metric to choose. What has a wave has no form without both.
+// The inputs of a noise beside a seed and a period. A phase exists in 2D and 3D, and rules out a metric. A noise with a
+// wave needs both a wave and a phase.
 enum class Inputs { kNothing, kPhase, kJitter, kJitterAndMetric, kJitterAndMetricAndPhase, kPhaseAndWave };
 
 // The noises, and the functions that sum them, in the order of the catalog.
@@ -53,13 +53,13 @@ struct Loops {
   Kernel points;
   // `points` itself if that is not faster:
   Kernel row;   // where only the coordinates along x differ
-  Kernel line;  // of points that lie on a straight line, as far from each other as a batch says
+  Kernel line;  // of points that lie on a straight line, as far from each other as the batch has it
 };
 constexpr Loops always(Kernel kernel) { return {kernel, kernel, kernel}; }
 
-// What a function takes beside the point.
+// The arguments of a function beside the point.
 struct Options {
-  Loops noise;  // of which a sum is made
+  Loops noise;       // that a fractal adds up
   std::int32_t sum;  // SumId
   std::uint32_t seed;
   std::int32_t period[4];
@@ -109,7 +109,7 @@ struct Kernels {
   // The cells of positions along an axis of a grid, and the places in them.
   void (*split)(const float* position, int count, std::int32_t* cell, float* place);
   bool (*are_finite)(const float* numbers, int count);
-  // Widens kMostLanes ranges, of which any may take any of the numbers.
+  // Widens kMostLanes ranges; each may take any of the numbers.
   void (*widen)(const float* value, int count, float* least, float* greatest);
 };
 

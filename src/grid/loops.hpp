@@ -23,7 +23,7 @@ using grid::Options;
 
 using Number = decltype(hn_i_num()[0]);
 
-// What is kept for so many points of a row stays in the first cache.
+// The numbers of so many points of a row stay in the first cache.
 constexpr int kPointsAtOnce = 256;
 
 template <int D>
@@ -79,7 +79,7 @@ HN_I_INLINE Place<D> place_at(const Batch& b, int i) {
   return b.cell[0] != nullptr ? place_in_cell<D>(b, i) : hn_place(fractions_at<D>(b, i));
 }
 
-// What a noise with a period takes beside the point and the seed.
+// The arguments of a noise with a period beside the point and the seed.
 template <int D>
 struct Tile {
   Cell<D> period;

@@ -20,7 +20,7 @@ namespace {
     }                                                                                        \
   };
 #define HN_GRID_TILE hn_tile(place, given.period)
-// By what it takes. What has no phase has no struct for it.
+// By the noise's inputs. A noise without a phase has no struct for it.
 #define HN_GRID_WITHOUT_PHASE(name, ...)               \
   HN_GRID_NOISE(plain, name, place, given.seed)        \
   HN_GRID_NOISE(full, name, HN_GRID_TILE, __VA_ARGS__) \
@@ -39,7 +39,7 @@ namespace {
   HN_GRID_NOISE(full, name, HN_GRID_TILE, given.jitter, given.metric, given.seed)             \
   HN_GRID_CALL(name##_phase, hn_##name##_phase, place, given.phase, given.jitter, given.seed) \
   HN_GRID_CALL(name##_phase_full, hn_##name##_phase, HN_GRID_TILE, given.phase, given.jitter, given.seed)
-// What has a wave has a phase always: 0 if none is given.
+// A noise with a wave always has a phase: 0 if none is given.
 #define HN_GRID_kPhaseAndWave(name)                                            \
   HN_GRID_NOISE(plain, name, place, given.wave, given.phase, given.seed)       \
   HN_GRID_NOISE(full, name, HN_GRID_TILE, given.wave, given.phase, given.seed) \
@@ -49,7 +49,7 @@ namespace {
 #define HN_CATALOG_NOISE(Id, name, first, last, shape, takes) HN_GRID_##takes(name)
 #include "catalog.inc"
 
-// The columns of a row, for noises that have them, and whether they are asked in a tile.
+// The columns of a row, for noises that have them, and whether they are in a tile.
 template <int D, typename Noise>
 struct ColumnsOf {
   using Type = void;
@@ -72,7 +72,7 @@ HN_GRID_COLUMNS(simplex_smooth, SmoothSimplexColumns)
 HN_GRID_COLUMNS(cellular, CellularColumns)
 #endif
 
-// What a noise has for points on a line. In a tile octaves are not turned, so no line but a row is asked for.
+// The kernel of a noise for points on a line. In a tile octaves are not rotated, so lines other than rows do not occur.
 template <int D, typename Noise>
 struct PiecesOf {
   using Type = void;
@@ -308,7 +308,7 @@ void split(const float* position, int count, std::int32_t* cell, float* place) {
   }
 }
 
-// What is not finite has an exponent of ones. With one more it reaches the sign.
+// Infinities and NaNs have an exponent of ones. One more reaches the sign.
 bool are_finite(const float* numbers, int count) {
   Uint any(0u);
   const auto take = [&](Float n) HN_I_INLINED { any |= (floatBitsToUint(n) & 0x7F800000u) + 0x00800000u; };

@@ -37,7 +37,7 @@ std::vector<std::string_view> names_in(const Rows& rows, int dimensions) {
   return names_where(rows, [=](const auto& row) { return has(row, dimensions); });
 }
 
-// The row of a name, or an error that lists those that there are, and says which is nearest.
+// The row of a name, or an error that lists all names, and the nearest one.
 template <typename Rows>
 std::size_t find(const Rows& rows, const char* what, const std::string& name, int dimensions) {
   const auto row = std::find_if(rows.begin(), rows.end(), [&](const auto& r) { return r.name == name; });
@@ -53,7 +53,7 @@ void check(const Rule& rule, double value) {
   if (const std::string problem = problem_of(rule, value); !problem.empty()) refuse(problem);
 }
 
-// What is given, if it is right, or else what is usual.
+// The given number, if it is right, or else the default.
 template <typename Number>
 Number checked(const Rule& rule, const std::optional<Number>& given) {
   if (!given) return static_cast<Number>(rule.usual);
@@ -98,7 +98,7 @@ std::string sums_with(std::string_view strength) {
   return "the sums " + with_and(names_where(kSumRows, [=](const SumRow& row) { return row.strength == strength; }));
 }
 
-// What is given, and what the noise or the sum has to be for that, which is asked for only if it is not.
+// A setting, and the condition on the noise or the sum, which is evaluated only where the setting is given.
 struct Requirement {
   std::string_view setting;
   bool is_given;
@@ -141,7 +141,7 @@ void check_owners(const Settings& settings, int dimensions, const NoiseRow& nois
 }
 
 // A number for each axis. Without a wave there are 3 waves to a cell along x: enough to show as stripes, and few enough
-// for a picture of some cells. Nothing else in a field says along which direction they should run.
+// for a picture of some cells. Nothing else in a field gives their direction.
 void plan_wave(Plan& plan, const std::vector<float>& wave) {
   if (wave.empty()) {
     plan.options.wave[0] = 3.0f;
@@ -198,9 +198,10 @@ void plan_sum(Plan& plan, const Settings& settings, NoiseId noise, SumId id, boo
   }
 }
 
-// What the functions would take otherwise than it is given is wrong: they cut a lacunarity off in a tile, and with
-// HN_FIXED they take the nearer end. Floats overflow where octaves are too fine or too strong for their number: a
-// position is below 2^31, and so is what is added up, but for these factors.
+// Numbers that the functions would change are wrong: they cut a lacunarity off in a tile, and with HN_FIXED they take
+// the nearer end. Floats overflow where octaves are too fine or too strong for their number: a position is below 2^31,
+// and
+// so is the sum, but for these factors.
 void check_octaves(const Plan& plan, Arithmetic arithmetic, int octaves, bool tiled) {
   const auto lacunarity = static_cast<double>(plan.options.lacunarity);
   const auto gain = static_cast<double>(plan.options.gain);
@@ -239,7 +240,7 @@ Plan plan_of(int dimensions, const Settings& settings) {
   }
   std::optional<SumId> sum;
   if (!settings.sum.empty()) sum = static_cast<SumId>(find(kSumRows, "sum", settings.sum, dimensions));
-  // What sums noises of its own calls Perlin noise.
+  // A sum over noises of its own counts as Perlin noise.
   NoiseId noise = sum && kSumRows.at(*sum).takes_noise() ? kSumRows.at(*sum).usual_noise : kPerlin;
   if (sum && !kSumRows.at(*sum).takes_noise() && !settings.noise.empty()) {
     refuse("the sum " + quoted(settings.sum) + " has noises of its own; leave the noise " + quoted(settings.noise) +

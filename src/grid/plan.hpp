@@ -1,4 +1,4 @@
-// A plan says what a field computes: checked settings, and the kernels for them.
+// A plan is a checked field: its settings, and the kernels for them.
 #pragma once
 
 #include <hashnoise/field.hpp>

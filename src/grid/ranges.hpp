@@ -16,15 +16,17 @@ struct Interval {
   friend bool operator==(const Interval&, const Interval&) = default;
 };
 
-// The least of the interval becomes 0, the greatest 65535, and what is between the nearest number; of two that are as
-// near the greater one. What lies outside becomes the nearer end, and what is no number 0. An interval without an
-// extent makes 0 of everything that is not above it.
+// The least of the interval becomes 0, the greatest 65535, and a number between them the nearest integer; of two
+// equally
+// near the greater one. A number outside becomes the nearer end, and NaN becomes 0. An interval without an extent makes
+// 0
+// of everything that is not above it.
 inline std::uint16_t word_of(float value, const Interval& interval) {
   constexpr double kGreatest = 65535.0;
   const double v = static_cast<double>(value);
   const double extent = interval.greatest - interval.least;
   if (!(extent > 0.0)) return v > interval.greatest ? 0xFFFF : 0;
-  // No branches, so that compilers vectorize a loop over it. What is not a number is the least.
+  // No branches, so that compilers vectorize a loop over it. NaN becomes the least.
   const double above = v > interval.least ? v : interval.least;
   const double inside = above < interval.greatest ? above : interval.greatest;
   return static_cast<std::uint16_t>(static_cast<int>((inside - interval.least) / extent * kGreatest + 0.5));
@@ -36,7 +38,7 @@ constexpr Interval kSigned = {-1.0, 1.0};
 
 inline bool is_derivative(std::string_view component) { return component.size() == 2 && component.front() == 'd'; }
 
-// What the catalog calls a component.
+// The catalog's name of a component.
 inline std::string_view name_of(std::string_view component, Shape shape, bool has_phase) {
   if (shape == Shape::kVector) return "axis";
   if (is_derivative(component)) return has_phase ? "d_phase" : "d";

@@ -1,5 +1,5 @@
 // These rules say what settings may be. The constructor of Field checks them, so the Python package and hn-bake do,
-// too. They read from here what they have to know before there is a Field. docs/cpu.md has it as a table.
+// too. They read from here what they have to know before there is a Field. docs/guide/cpu.md has it as a table.
 #pragma once
 
 #include <cmath>
@@ -29,7 +29,7 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();  // nothing i
   constexpr Rule k##Id##Rule = {#name, is_whole, least, most, usual};
 #include "catalog.inc"
 
-// Those of the strength and the amplitude depend on the sum: see strength_rule.
+// The rules of the strength and the amplitude depend on the sum: see strength_rule.
 constexpr Rule kRules[] = {
 #define HN_CATALOG_SETTING(Id, ...) k##Id##Rule,
 #include "catalog.inc"
@@ -49,13 +49,13 @@ inline std::string digits_of(double number) {
   return text;
 }
 
-// What a setting has to be.
+// The rule of a setting, in words.
 inline std::string words_of(const Rule& rule) {
   if (rule.most < kMostFloat) return "from " + digits_of(rule.least) + " to " + digits_of(rule.most);
   return rule.least > -kMostFloat ? "a finite number of " + digits_of(rule.least) + " or more" : "a finite number";
 }
 
-// What is wrong with a number, and what would be right; nothing if it is right.
+// The fault of a number, with the right ones; empty if it is right.
 inline std::string problem_of(const Rule& rule, double number) {
   if (number >= rule.least && number <= rule.most) return {};  // false for NaN
   return std::string(rule.setting) + " is " + digits_of(number) + ", and has to be " + words_of(rule);

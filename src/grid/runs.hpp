@@ -1,7 +1,9 @@
-// Rows of points that are so near each other that many of them lie in one piece of a lattice, such as a cell, but that
-// cross the lattice in any direction: those of octaves that are turned. What depends on a piece alone is computed once
-// for a run of points in it, many runs at a time, and a point finds it by the number of its run. Numbers and their
-// order are those of the library, and so are the bits.
+// Rows of points so near each other that many of them lie in one piece of a lattice, such as a cell, but that cross the
+// lattice in any direction: the rows of rotated octaves. Numbers of a piece are computed once for a run of points in
+// it,
+// many runs at a time, and a point finds them by the number of its run. Numbers and their order are those of the
+// library,
+// and so are the bits.
 #pragma once
 
 #include "windows.hpp"
@@ -47,11 +49,11 @@ constexpr BytesOfByte kCounts = table_of_counts();
 [[maybe_unused]] constexpr BytesOfByte kSetBits = table_of_set_bits();  // AVX-512 has an instruction in its place
 
 // At which lanes a run begins.
-class Starts {
+class RunStarts {
  public:
-  HN_I_INLINE Starts() : bits_(0u) {}
+  HN_I_INLINE RunStarts() : bits_(0u) {}
   // Where the lanes differ from the ones before them; the first lane follows the last one of `before`.
-  HN_I_INLINE Starts(Uint lanes, Uint before) {
+  HN_I_INLINE RunStarts(Uint lanes, Uint before) {
 #if defined(__AVX512F__)
     // GCC 12 warns of the forms without a mask that they use what has no value.
     bits_ = _mm512_cmpneq_epi32_mask(__m512i(lanes.v),
@@ -241,7 +243,7 @@ template <typename Pieces, typename PlaceAt, typename Use>
 HN_I_INLINE void over_runs(Pieces& pieces, int vectors, Uint seed, const PlaceAt& place_at, const Use& use) {
   using Place = decltype(place_at(0));
   constexpr int kAxes = sizeof(Place::cell) / sizeof(Int);
-  Starts starts[kMostVectors];
+  RunStarts starts[kMostVectors];
   int run[kMostVectors];
   std::int32_t cell[kAxes][kMostRuns];  // of the places that begin a run
   Number fraction[kAxes][kMostRuns];
@@ -250,7 +252,7 @@ HN_I_INLINE void over_runs(Pieces& pieces, int vectors, Uint seed, const PlaceAt
   for (int v = 0; v < vectors; ++v) {
     const Place place = place_at(v);
     const Uint key = Pieces::key(place);
-    starts[v] = Starts(key, before);
+    starts[v] = RunStarts(key, before);
     before = key;
     if (v == 0) starts[v].set_first();
     run[v] = starts[v].first() ? runs : runs - 1;

@@ -46,7 +46,7 @@ HN_I_INLINE void with_step(int id, const Function& function) {
   }
 }
 
-// What a sum makes of the mean.
+// The result of a sum, from the mean.
 HN_I_INLINE hn_i_num end_of(int id, hn_i_num mean) {
   switch (id) {
 #define HN_CATALOG_STEP(Id, name, step, end) \
@@ -64,9 +64,10 @@ HN_I_INLINE auto octaves_at(const Position& p, const Arguments<D>& given) {
   return hn_octaves(p, given.octaves, given.lacunarity, given.gain, given.seed);
 }
 
-// hn_i_mean, of octaves of which there is one at least. With HN_FIXED it has the same integers by one division of
-// doubles in place of three divisions of words, for which there are no instructions. sum * 2^18 is exact, since it has
-// 45 bits. A quotient that is no integer is at least 1 / total from the next one: far more than the division rounds.
+// hn_i_mean, of at least one octave. With HN_FIXED it has the same integers by one division of doubles in place of
+// three divisions of words, for which there are no instructions. sum * 2^18 is exact, since it has 45 bits. A quotient
+// that
+// is no integer is at least 1 / total from the next one: far more than the division rounds.
 HN_I_INLINE hn_i_num mean_of(hn_i_num sum, hn_i_num total) {
 #if HN_ARITHMETIC == HN_FIXED && !defined(HN_LANES_PORTABLE)
   using detail::DoubleVector;
@@ -228,7 +229,7 @@ void at_points(const Batch& batch, const Options& options, Octave octave) {
 // Where some points are, for octaves that are whole positions, and for those that are not. The arrays are of numbers,
 // since those of vectors would be filled with zeros first.
 template <int D, bool kIsWhole>
-struct Spots {
+struct BlockPositions {
   // The fraction of a whole position, or the position.
   std::conditional_t<kIsWhole, std::int32_t, float> rest[D][kPointsAtOnce];
   // For kernels that take these. Of octaves at positions the first one alone is passed so.
@@ -296,13 +297,16 @@ HN_I_INLINE void each_axis(const Function& function) {
   }
 }
 
-// A sum octave by octave over some points: first where the points of an octave are, then the noise there, by its own
-// kernel, then what the sum adds. So what all points of an octave share, such as the mixed seed, is made once for them,
-// no point waits for its octave before, and sums and noises are compiled without each other.
+// A fractal octave by octave over some points: first the positions of an octave, then the noise there, by its own
+// kernel, then the sum. So numbers that all points of an octave share, such as the mixed seed, are computed once, no
+// point
+// waits for its octave before, and sums and noises are compiled without each other.
 //
-// Octaves are turned, but for the first one and those of a tile: so a row stays a row in these alone, and is a line in
-// others. Along a row of a tile all points have one coordinate along each other axis. Those are in `across`, so that
-// what depends on them alone is computed once.
+// Octaves rotate, but for the first one and those of a tile: so a row stays a row in these alone, and is a line in
+// others.
+// Along a row of a tile all points have one coordinate along each other axis. These are in `across`, so that numbers
+// that
+// depend on them alone are computed once.
 template <int D, typename At, bool kIsRowOfTile = false>
 void by_octaves(const Batch& batch, const Options& options, Octave) {
   using Position = decltype(At::of(batch, 0, std::declval<const Arguments<D>&>()));
@@ -313,7 +317,7 @@ void by_octaves(const Batch& batch, const Options& options, Octave) {
   const Arguments<D> given(options);
   const hn_i_num total = hn_i_total(hn_i_octaves(given.octaves), hn_i_gain(given.gain), HN_I_WEIGHT_ONE);
   const bool is_row = b.stride[D - 1] == 0;
-  Spots<D, kIsWhole> spots;
+  BlockPositions<D, kIsWhole> spots;
   Number value[kPointsAtOnce], carried[kPointsAtOnce], weight[kPointsAtOnce];
   float noise[kPointsAtOnce];
   for (int start = 0; start < b.count; start += kPointsAtOnce) {
@@ -362,7 +366,7 @@ void by_octaves(const Batch& batch, const Options& options, Octave) {
       for (int i = 0; i < now.count; i += kCount) {
         each_axis<0, kMoving>([&](auto axis) HN_I_INLINED { spots.template put<axis>(i, o); });
         if constexpr (kIsWhole) {
-          if (kIsTiled) o.place.period = period;  // of which going on makes the next one
+          if (kIsTiled) o.place.period = period;  // the next octave's follows from it
           hn_i_advance(o);
         } else {
           o.p = hn_i_next(o.p, o.lacunarity);
@@ -425,7 +429,7 @@ template <int D>
 void enter_sums(SumKernels (&sums)[grid::kSums][4]) {
   const SumKernels any{octave_by_octave<D, FromPositions<D>>(), octave_by_octave<D, FromCells<D>>(),
                        {by_octaves<D, Tiles<D>>, by_octaves<D, Tiles<D>, true>, nullptr}};
-  // Those with Jacobians, and those of noises of their own, have other kernels, and are entered after these.
+  // Sums with Jacobians, and sums over noises of their own, have other kernels, and are entered after these.
 #define HN_CATALOG_STEP(Id, ...) sums[grid::k##Id][D - 1] = any;
 #include "catalog.inc"
   sums[grid::kDetail][D - 1].at = always(at_points<D, FromPositions<D>, ResolvedFbm<D, true>>);

@@ -1,5 +1,5 @@
-// What is kept for the corners of cells, many of them side by side, and how points find it: a vector of points takes
-// the numbers of their corners from memory with one instruction each, a window, where these are near each other.
+// Numbers of the corners of cells, many of them side by side: a vector of points takes the numbers of its corners from
+// memory with one instruction each, a window, where these are near each other.
 #pragma once
 
 #include "loops.hpp"
@@ -59,9 +59,10 @@ HN_I_INLINE Lanes<S> of_either(const S* a, Int index_a, const S* b, Int index_b,
 #endif
 }
 
-// What a gradient adds along a row, where the offset along each axis but x is the same: x * line.x + line.y. In
-// HN_FIXED line.y has what direction.glsl adds to such a sum, so that the last bit of the sum is a unit; nothing is
-// rounded. In space the component that is 0 adds nothing that could be rounded, either.
+// The terms of a gradient along a row, where the offset along each axis but x is the same: x * line.x + line.y. In
+// HN_FIXED line.y has the number that direction.glsl adds to such a sum, so that the last bit of the sum is a unit;
+// nothing
+// is rounded. In space the component that is 0 adds nothing that could be rounded, either.
 #if HN_ARITHMETIC == HN_FIXED
 constexpr float kBeyond2 = 3.0f, kBeyond3 = 12.0f;
 HN_I_INLINE Int beyond2(Float n) { return hn_i_beyond_3(n); }

@@ -1,8 +1,7 @@
-// Each case here is something that a real driver has got wrong: a few lines of GLSL, inputs, and the words that should
-// come out.
+// Each case is a bug of a real driver: a few lines of GLSL, inputs, and the right words.
 //
-// A bug is data, so that a browser can run the same. Its expected words are computed by C++ that is not GLSL, from what
-// the specification says, when the table is made.
+// A bug is data, so that a browser can run the same. C++ that is not GLSL computes its right words when the table is
+// made, from the specification.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +24,7 @@ struct Bug {
   // types. The body may use float_of and bits_of.
   Function function;
   std::string_view reference;      // where it was reported
-  std::string_view specification;  // what the language says of it, and where
+  std::string_view specification;  // the rule of the language, and where it stands
   // Whether the specification pins the words down. Where it does not they are the natural ones, and a driver that
   // differs is none the worse for it: a warning.
   bool defined;
@@ -33,7 +32,7 @@ struct Bug {
   double allowed = 0.0;
   // Space-separated names of the profiles in which it runs.
   std::string_view profiles = "gl330 es300";
-  // What stands before evaluate: an include, and the bug's own functions if it is about functions.
+  // The text before evaluate: an include, and the bug's own functions if it is about functions.
   std::string_view declarations = "";
   std::vector<BugPoint> points = {};
 
@@ -45,7 +44,7 @@ struct Bug {
 
 std::span<const Bug> all_bugs();
 
-// What evaluation_shader needs to make the bug's shader.
+// The evaluation for evaluation_shader that makes the bug's shader.
 Evaluation evaluation_of(const Bug& bug, const Profile& profile);
 Outcome check_bug(Session& session, const Bug& bug, const Profile& profile);
 // Holds what came out, kOutputWords per point of the bug, against what should.

@@ -51,7 +51,7 @@ TEST(Bugs, AnyWrongWordFailsOrWarns) {
         auto words = right_words(bug);
         std::uint32_t& word = words[i * kOutputWords + column];
         const bool is_float = bug.function.outputs[column].type == WordType::f32;
-        // Beyond every difference that is allowed, of which 2^-6 is the largest.
+        // Beyond every allowed difference: the largest is 2^-6.
         const float value = std::bit_cast<float>(word);
         word = is_float ? hn::word(value + std::max(0.02f, std::fabs(value) * 0.01f)) : word ^ 1u;
         const Outcome outcome = judge_bug(bug, words);

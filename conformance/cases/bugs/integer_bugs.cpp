@@ -215,7 +215,7 @@ void add_others(std::vector<Bug>& bugs) {
       {.function = bug_function("bugs.larger_size", {{"x", i32}, {"y", i32}}, {{"larger", i32}, {"smaller", i32}},
                                 "hn_int x = int(a.x);\nhn_int y = int(a.y);\n"
                                 "return uvec4(uint(max(max(x, -x), y)), uint(min(min(x, -x), y)), 0u, 0u);"),
-       .reference = "hashnoise docs/results/h100 (NVIDIA 580 takes max(max(x, -x), y) for max(x, y))",
+       .reference = "hashnoise docs/measured/results/h100 (NVIDIA 580 takes max(max(x, -x), y) for max(x, y))",
        .specification = "GLSL 4.60 section 8.3: max is the larger of two integers, and min the smaller one",
        .defined = true,
        .points = points({{word(-199), 35}, {word(-199), word(-35)}, {199, 35}, {7, 65537}, {word(-7), word(-65537)}},

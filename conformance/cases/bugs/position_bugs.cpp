@@ -1,4 +1,4 @@
-// Positions that a server and a client compute from whole numbers, each for itself (docs/same-bits.md).
+// Positions that a server and a client compute from whole numbers, each for itself (docs/guide/same-bits.md).
 #include <functional>
 #include <string_view>
 #include <vector>
@@ -8,7 +8,7 @@
 namespace hn {
 namespace {
 
-constexpr std::string_view kReports = "hashnoise docs/same-bits.md (ANGLE on SwiftShader, where sevenths differ)";
+constexpr std::string_view kReports = "hashnoise docs/guide/same-bits.md (ANGLE on SwiftShader, where sevenths differ)";
 
 // Whole numbers near 0, and some of 20 bits on both sides.
 std::vector<BugPoint> whole_points(const std::function<std::vector<std::uint32_t>(std::int32_t)>& expected) {

@@ -18,7 +18,7 @@ void add_position_bugs(std::vector<Bug>& bugs);
 
 inline float as_float(std::uint32_t value) { return std::bit_cast<float>(value); }
 
-// What a bug evaluates. It needs nothing of the library but the names of types.
+// The function of a bug. It needs only the library's names of types.
 using enum WordType;
 inline Function bug_function(std::string_view id, std::vector<Column> inputs, std::vector<Column> outputs,
                              std::string_view body) {

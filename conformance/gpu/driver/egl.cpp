@@ -70,7 +70,7 @@ class EglContext final : public Context {
     if (!call<decltype(eglBindAPI)>("eglBindAPI")(es ? EGL_OPENGL_ES_API : EGL_OPENGL_API)) {
       return fail(fmt::format("EGL has no {} here", es ? "OpenGL ES" : "desktop OpenGL"));
     }
-    // One that tells when it is lost, where the driver has it.
+    // A context that reports when it is lost, where the driver has it.
     for (const bool robust : {true, false}) {
       if (context_ == EGL_NO_CONTEXT) create(robust);
     }
@@ -84,8 +84,9 @@ class EglContext final : public Context {
     return load_functions(call<decltype(eglGetProcAddress)>("eglGetProcAddress"), wanted_);
   }
 
-  // No configuration and no surface: we draw into framebuffer objects only. A driver may give just the version that it
-  // is asked for, so ask for the highest first.
+  // No configuration and no surface: we draw into framebuffer objects only. A driver may give exactly the version that
+  // we
+  // request, so we try the highest first.
   void create(bool robust) {
     for (const auto& [major_version, minor_version] : versions_of(wanted_)) {
       std::vector<EGLint> attributes = {EGL_CONTEXT_MAJOR_VERSION, major_version, EGL_CONTEXT_MINOR_VERSION,

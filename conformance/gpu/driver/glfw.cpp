@@ -30,7 +30,7 @@ class GlfwWindowContext final : public Context {
       hint(GLFW_CLIENT_API, api == Api::gles ? GLFW_OPENGL_ES_API : GLFW_OPENGL_API);
       hint(GLFW_CONTEXT_VERSION_MAJOR, major);
       hint(GLFW_CONTEXT_VERSION_MINOR, minor);
-      // Profiles came with OpenGL 3.2, and GLFW refuses to be asked for one before.
+      // Profiles came with OpenGL 3.2, and GLFW refuses a profile for an earlier version.
       const bool has_profiles = api == Api::gl && (major > 3 || minor >= 2);
       if (has_profiles) hint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
       if (has_profiles) hint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);  // macOS gives no other

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kStartLimit = 20000;  // milliseconds; it takes about 300 where nothing else runs
 
-// What it writes to -displayfd once it takes clients: its number and a line feed.
+// Xvfb writes its number and a line feed to -displayfd once it takes clients.
 std::string read_number(int fd) {
   std::string number;
   pollfd waiting{fd, POLLIN, 0};

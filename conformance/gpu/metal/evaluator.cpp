@@ -37,7 +37,7 @@ class SharedObject {
   void* handle_;
 };
 
-// What a case's shader defines (library/shaders.cpp): it evaluates the point of that number.
+// A case's shader defines this (library/shaders.cpp): it evaluates the point of that number.
 using Kernel = void(std::uint32_t* results, const std::uint32_t* points, std::uint32_t index);
 
 class CompiledKernel final : public Evaluable {
@@ -89,7 +89,7 @@ class MetalEvaluator final : public Evaluator {
     const std::string name = fmt::format("kernel{}", number_++);
     folder_.write(name + ".cpp", text.text);
     const auto object_path = folder_.path() / (name + ".so");
-    // What it calls of the C library is in this process; linking that once more took half of the time.
+    // Its C library is in this process; linking it once more took half of the time.
     std::vector<std::string> arguments = options();
     arguments.insert(arguments.end(), {"-shared", "-nostdlib", "-include-pch", precompiled().string(),
                                        (folder_.path() / (name + ".cpp")).string(), "-o", object_path.string()});

@@ -8,7 +8,7 @@
 
 namespace hn {
 
-// An error says what is missing on this machine.
+// An error names the part that this machine lacks.
 Result<std::unique_ptr<Evaluator>> create_metal_evaluator();
 
 }  // namespace hn

@@ -71,7 +71,7 @@ class Instance {
 
   bool validated() const { return messenger_ != VK_NULL_HANDLE; }
 
-  // What the layers said since this was last asked.
+  // The messages of the layers since the last call.
   std::string complaints() { return std::exchange(complaints_, {}); }
 
   // In the order in which they are numbered.
@@ -118,7 +118,8 @@ class Instance {
         of_type<VkDebugUtilsMessengerCreateInfoEXT>(VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT);
     messages.messageSeverity =
         VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT;
-    messages.messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT;  // not what the loader says of other drivers
+    messages.messageType =
+        VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT;  // not the loader's messages on other drivers
     messages.pfnUserCallback = take_complaint;
     messages.pUserData = this;
     const char* const extension = VK_EXT_DEBUG_UTILS_EXTENSION_NAME;
@@ -157,7 +158,7 @@ class Instance {
     return VK_FALSE;  // so that the call goes on
   }
 
-  // What is smaller comes first.
+  // The smallest comes first.
   std::tuple<int, std::string, std::uint32_t> rank_of(VkPhysicalDevice device) const {
     const VkPhysicalDeviceProperties properties = properties_of(device);
     constexpr std::array kFirst = {VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU, VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU,

@@ -24,7 +24,7 @@ class VulkanKernel {
   virtual ~VulkanKernel() = default;
 };
 
-// What its shaders see: buffers of words, all of descriptor set 0.
+// The bindings of its shaders: buffers of words, all in descriptor set 0.
 inline constexpr std::uint32_t kResultsBinding = 0;
 inline constexpr std::uint32_t kPointsBinding = 1;
 inline constexpr std::uint32_t kUniformsBinding = 2;

@@ -30,7 +30,7 @@ Result<std::vector<std::uint32_t>> Dxc::spirv(const ShaderText& shader) const {
   const TemporaryFolder folder;
   const auto file = [&](const char* name) { return (folder.path() / name).string(); };
   HN_DO(write_file(file("shader.hlsl"), shader.text));
-  // -Gis: IEEE's rules where the text says `precise`.
+  // -Gis: IEEE's rules where the text has `precise`.
   const auto compiled = run_process({.program = program_,
                                      .arguments = {"-spirv", "-fspv-target-env=vulkan1.1", "-Gis", "-T", "cs_6_0", "-E",
                                                    "main", "-Fo", file("shader.spv"), file("shader.hlsl")},

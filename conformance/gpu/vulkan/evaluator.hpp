@@ -12,7 +12,7 @@
 
 namespace hn {
 
-// On the device of that number. An error says what is missing on this machine.
+// On the device of that number. An error names the part that this machine lacks.
 Result<std::unique_ptr<Evaluator>> create_vulkan_evaluator(int number, const ReferenceCompiler& compiler);
 
 }  // namespace hn

@@ -13,8 +13,8 @@ namespace hn {
 
 class Vkd3d {
  public:
-  // The program that the environment variable HN_VKD3D_COMPILER names, or vkd3d-compiler. An error says why there is
-  // none that reads HLSL.
+  // The program that the environment variable HN_VKD3D_COMPILER names, or vkd3d-compiler. An error gives the reason why
+  // there is none that reads HLSL.
   static Result<Vkd3d> find();
   // Compiles a compute shader, with all of its buffers as storage buffers.
   Result<std::vector<std::uint32_t>> spirv(const ShaderText& shader) const;
@@ -27,7 +27,7 @@ class Vkd3d {
   std::string version_;
 };
 
-// "1.10" of what vkd3d-compiler --version says; empty if it says nothing like that.
+// "1.10" from the output of vkd3d-compiler --version; empty if it has no version.
 std::string vkd3d_version(const std::string& text);
 // Whether a version reads HLSL well enough: from 1.10 on.
 bool reads_hlsl(const std::string& version);

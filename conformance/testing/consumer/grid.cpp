@@ -11,7 +11,7 @@ namespace {
 constexpr int kWidth = 37;
 constexpr int kHeight = 3;
 
-// Point i along an axis, as points.hpp says.
+// Point i along an axis, as in points.hpp.
 float coordinate(float origin, float step, int i) {
   return static_cast<float>(static_cast<double>(origin) + static_cast<double>(i) * static_cast<double>(step));
 }

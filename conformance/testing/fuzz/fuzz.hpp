@@ -1,5 +1,6 @@
-// Here is what the fuzz targets share. Each defines LLVMFuzzerTestOneInput for one parser: it must not crash. What it
-// accepts must survive being written and read again, and an error must name a place.
+// The common part of the fuzz targets. Each defines LLVMFuzzerTestOneInput for one parser: it must not crash. An
+// accepted
+// input must survive being written and read again, and an error must name a place.
 #pragma once
 
 #include <cstddef>

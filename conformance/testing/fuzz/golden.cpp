@@ -31,7 +31,7 @@ std::string hex(std::uint64_t word, WordType type) {
   return type == WordType::f64 ? fmt::format("{:016x}", word) : fmt::format("{:08x}", word);
 }
 
-// What a file has with each setting of the function, as tools/make golden writes it.
+// The text of a file with each setting of the function, as tools/make golden writes it.
 std::string written(const std::vector<Golden>& all, const Function& function) {
   std::string settings = "settings";
   std::size_t rows = 0;
@@ -68,7 +68,7 @@ std::string written(const std::vector<Golden>& all, const Function& function) {
   return text;
 }
 
-// What a text has with each setting, or nothing and the error, which is the same whatever setting is asked for.
+// The values of a text with each setting, or nothing and the error, which is the same for all settings.
 std::vector<Golden> parse_all(std::string_view text, const Function& function, std::string& error) {
   std::vector<Golden> all;
   for (const GoldenSetting& setting : golden_settings(function)) {
@@ -91,7 +91,7 @@ void check(const Golden& golden, const Function& function) {
             "a row has a word per column");
   }
   if (golden.digest) {
-    constexpr std::size_t kMostPoints = 1u << 20;  // what a driver is asked in one draw
+    constexpr std::size_t kMostPoints = 1u << 20;  // in one draw of a driver
     const std::size_t points = golden.digest->points();
     require(points >= 1 && points <= kMostPoints, "a digest has at least one point and at most so many");
     // Large ones are slow, and no different.

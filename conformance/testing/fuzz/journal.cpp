@@ -18,7 +18,7 @@ nlohmann::json plan_in(std::string_view text) {
 void check_error(const std::string& message) {
   const bool has_place = message.starts_with("its first line is not a plan") || message.starts_with("line ") ||
                          message.starts_with("it belongs to a run with other settings: \"");
-  require(has_place && message.size() > 10, "an error says where and what", message);
+  require(has_place && message.size() > 10, "an error names place and fault", message);
 }
 
 void check(const std::vector<Journal::Entry>& entries, const nlohmann::json& plan) {
@@ -29,7 +29,7 @@ void check(const std::vector<Journal::Entry>& entries, const nlohmann::json& pla
   for (std::size_t i = 0; i < entries.size(); ++i) {
     require(again->at(i).driver == entries[i].driver && again->at(i).report == entries[i].report, "it is the same then",
             text);
-    // Those that the scheduler takes without asking.
+    // The scheduler takes these without a check.
     const nlohmann::json& report = entries[i].report;
     if (report.contains("result")) case_result_from(report.at("result"));
     if (report.contains("ready")) context_info_from(report.at("ready"));

@@ -22,7 +22,7 @@ std::vector<std::string> lines_of(std::string_view text) {
   return lines;
 }
 
-// What a shell makes of a line of plain words and words in single quotes.
+// Splits a line of plain words and words in single quotes, as a shell does.
 std::vector<std::string> shell_words(std::string_view line) {
   std::vector<std::string> words(1);
   bool quoted = false;

@@ -17,7 +17,7 @@ namespace {
 void check_error(const std::string& message) {
   const bool has_place = message.starts_with("the file") || message.starts_with("run ") ||
                          message.starts_with("its schema is ") || message.starts_with("it was written by version ");
-  require(has_place && message.size() > 20, "an error says where and what", message);
+  require(has_place && message.size() > 20, "an error names place and fault", message);
 }
 
 // All ids, and how often each is there.
@@ -44,7 +44,7 @@ void check_merged(const std::vector<Run>& runs, const MergeResult& merged) {
     const bool is_whole = run.shard.empty() || !run.absent.empty();
     require(is_whole || run.cases.size() < run.whole, "what is called a shard lacks cases");
     require(is_whole || parse_shard(run.shard).has_value(), "a shard is one", run.shard);
-    require(is_whole || !merged.gaps.empty(), "a gap is told");
+    require(is_whole || !merged.gaps.empty(), "a gap is reported");
   }
   check_round_trip(merged.runs);
 }
@@ -68,7 +68,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (merged) {
     fuzz::check_merged(*runs, *merged);
   } else {
-    fuzz::require(!merged.error().message.empty(), "an error says what is wrong");
+    fuzz::require(!merged.error().message.empty(), "an error has a message");
   }
   return 0;
 }

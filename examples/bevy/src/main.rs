@@ -2,7 +2,8 @@
 //!
 //!     ../../tools/pick hn_clouds3 --language wgsl --import-path hashnoise --out assets/shaders/hashnoise.wgsl
 //!
-//! With the name of a PNG file, the program writes the clouds as they are at the start, and ends: `cargo run -- clouds.png`.
+//! With the name of a PNG file, the program writes the clouds as they are at the start, and ends:
+//! `cargo run -- clouds.png`.
 
 use bevy::prelude::*;
 use bevy::reflect::TypePath;

@@ -4,15 +4,15 @@
 #ifndef HN_ARITHMETIC_GLSL
 #define HN_ARITHMETIC_GLSL
 
-#include "../config.glsl"
-#include "convert.glsl"
+#include "word.glsl"
 
 // A noise has one text for all three arithmetics. It is written in these steps, not in operators, so that with
-// HN_PRECISE each step can say what is rounded on its own:
+// HN_PRECISE each step can round on its own:
 //
 //   hn_i_num                   a fraction of a cell, and what is computed from it: a float, or an integer. The fraction
 //                              is in units of 2^-20, and later numbers have other units, which stand below and in
-//                              docs/contract.md, section 8. hn_i_num2 to hn_i_num4 are vectors of such numbers
+//                              docs/reference/contract.md, section 8. hn_i_num2 to hn_i_num4 are vectors of such
+//                              numbers
 //   hn_i_vector(x, y, ...)     such a vector
 //   HN_I_ONE                   1 as a fraction
 //   hn_i_cell(p)               the cell of a position; p is a float or a vector, and so is f in the next two
@@ -22,7 +22,7 @@
 //   hn_i_plus(a, b), hn_i_minus(a, b); floats only: hn_i_times(a, b), hn_i_times_plus(a, b, c): a b + c
 //   hn_i_minus_one(f)          f - 1: the offset from the far corner
 //   hn_i_dot(g, x, y, ...)     a gradient times an offset
-//   hn_i_signed(m, word)       m, or -m if the highest bit of the word is set; floats: m >= 0
+//   hn_i_signed(m, word)       m, or -m if the highest bit of the hash is set; floats: m >= 0
 //   hn_i_size(x)               the absolute value
 //   hn_i_fade(f)               6 f^5 - 15 f^4 + 10 f^3, along each axis
 //   hn_i_lerp(a, b, t)         interpolates from a to b by a fade t
@@ -32,14 +32,14 @@
 //   hn_i_value(n)              the float of a noise; hn_i_derivative(n), that of a derivative
 //   hn_i_select(c, a, b)       a where the condition holds, else b; both are computed
 //   hn_i_choice(c, a, b)       the same of two integers, which may be literals: in HLSL a literal has no type of its
-//                              own, so an overload for integers could not be told from the others
+//                              own, so an overload for integers would be ambiguous
 //   hn_i_truth(c)              the condition as a bool, if it is the same for all points
 //   hn_i_any(c)                whether the condition holds at one of the points
 //
-// place2d.glsl has the cell and the fraction of a vector, and cell2d.glsl its fade; place.glsl and cell.glsl have those
-// of other dimensions. value.glsl has the steps of value noise, derivative.glsl those of derivatives, cubic_spline.glsl
-// those of splines, direction_turning.glsl those of turning gradients, falloff.glsl those of simplex noise, and
-// octave.glsl those of sums.
+// cell2d.glsl has the cell, the fraction and the fade of a vector; place.glsl and cell.glsl have those of other
+// dimensions. value.glsl has the steps of value noise, derivative.glsl those of derivatives, cubic_spline.glsl those of
+// splines, direction_turning.glsl those of rotating gradients, falloff.glsl those of simplex noise, and octave.glsl
+// those of fractals.
 
 // Units of HN_FIXED. A number is an integer there, which counts units of 2^-n. How many make up 1 has a name where the
 // text needs it, as an int and as a float:
@@ -47,13 +47,13 @@
 //   n       name      quantity
 //   20      FRACTION  a fraction, an offset and a jitter, in cells; a rank that is not squared
 //   24      POSITION  the fraction of a whole position, and a footprint, in cells
-//   21      VALUE     a value, the sum of octaves, and a component of a unit vector
+//   21      VALUE     a value, a fractal, and a component of a unit vector
 //   19      SLOPE     a derivative; that of simplex noise on the plane is in units of 2^-18
 //   18      WEIGHT    a fade and its derivative; the weight of a spline, of a point of simplex noise and of an octave;
 //                     a setting of a sum; a number of a Jacobian; a cosine or sine by which something turns
 //   18      DISTANCE  a distance
 //   22, 20            a gradient times an offset, on the plane and beyond (hn_i_along2, hn_i_along3)
-//   29      RAMP      a ramp, and the number of a word. In 4D ramps are in units of 2^-28
+//   29      RAMP      a ramp, and the number of a hash. In 4D ramps are in units of 2^-28
 //   27                the difference of two corners and a component of a gradient, for derivatives. In 4D 2^-26
 //   30, 16            the square of a distance in simplex noise, and its falloff
 //   28                a squared rank

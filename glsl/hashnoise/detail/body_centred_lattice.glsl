@@ -12,8 +12,8 @@
 // The points are the corners of all cells and their centres: so a cell has two points. In space this is the lattice of
 // classic simplex noise, without its skew. Every whole period fits, and the coordinates are halves, so they are exact.
 //
-// A corner has the word of its cell. A centre has the word of its cell with one coordinate more, which is 1. It is
-// spread with the fifth prime of xxHash, and its high 24 bits count. So it adds constants to both joins of the word.
+// A corner has the hash of its cell. A centre has the hash of its cell with one coordinate more, which is 1. It is
+// spread with the fifth prime of xxHash, and its high 24 bits count. So it adds constants to both joins of the hash.
 #define HN_I_CENTRE_SUM 0x165667B1u
 #define HN_I_CENTRE_JOIN 0x00165667u
 
@@ -38,12 +38,12 @@ HN_FN hn_i_num4 hn_i_offsets(hn_i_num f) {
                      hn_i_select(f > middle, hn_i_minus(inner, HN_I_ONE), hn_i_minus(inner, -HN_I_ONE)));
 }
 
-// The ramp of a point in space, before it is weighted. The gradient may have turned by a quarter.
+// The ramp of a point in space, before it is weighted. The gradient may be rotated by a quarter turn.
 HN_FN hn_i_num hn_i_ramp_of(hn_uint h, hn_i_num x, hn_i_num y, hn_i_num z, bool turned) {
   return hn_i_ramp_of3(hn_i_along3(h, hn_i_signs(h, turned), hn_i_offset(x), hn_i_offset(y), hn_i_offset(z)));
 }
 
-// A sum of weighted ramps is at most 1024 / 4918 in space, with turning gradients too, and 1024 / 4298 in four
+// A sum of weighted ramps is at most 1024 / 4918 in space, with rotating gradients too, and 1024 / 4298 in four
 // dimensions (tools/make bounds).
 HN_FN hn_i_num hn_i_scaled_simplex3(hn_i_num n) { return hn_i_scaled(n, 4918); }
 HN_FN hn_i_num hn_i_scaled_simplex4(hn_i_num n) { return hn_i_scaled_ramps(n, 4298); }
@@ -60,9 +60,9 @@ HN_FN hn_i_num hn_i_smallest(hn_i_num3 size) { return min(min(size.x, size.y), s
 HN_FN hn_i_num hn_i_largest(hn_i_num4 size) { return max(max(size.x, size.y), max(size.z, size.w)); }
 HN_FN hn_i_num hn_i_smallest(hn_i_num4 size) { return min(min(size.x, size.y), min(size.z, size.w)); }
 
-// The words of the four points of a cell and, through the out parameters, the offsets from them along each axis and how
-// near they are. The size of an offset from a centre is 1/2 less that from a corner: so it is the largest where that is
-// the smallest. The squares of the distances differ by sums of sizes alone.
+// The hashes of the four points of a cell and, through the out parameters, the offsets from them along each axis and
+// how near they are. The size of an offset from a centre is 1/2 less that from a corner: so it is the largest where
+// that is the smallest. The squares of the distances differ by sums of sizes alone.
 HN_FN hn_uvec4 hn_i_four_points(hn_i_block3 block, hn_i_num3 f, hn_uint seed, HN_I_OUT(hn_i_num4) x,
                                 HN_I_OUT(hn_i_num4) y, HN_I_OUT(hn_i_num4) z, HN_I_OUT(hn_i_num4) near_by) {
   hn_i_num4 dx = hn_i_offsets(f.x);

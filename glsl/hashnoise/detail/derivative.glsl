@@ -6,10 +6,10 @@
 
 #include "arithmetic.glsl"
 
-// Derivatives, too, are numbers. Those that are interpolated have units four times as large:
+// Derivatives are numbers, too, with units four times as large where they are interpolated:
 //
 //   hn_i_d_fade(f)         the derivative of the fade, 30 f^2 (1 - f)^2, along each axis
-//   hn_i_d_corner(a, b)    b - a: the difference of two corners, of which a derivative is made
+//   hn_i_d_corner(a, b)    b - a: the difference of two corners, from which a derivative is made
 //   hn_i_d_faded(r, s)     a rise times the slope of a fade: what the fade adds to a derivative
 //   hn_i_d_faded(g, r, s)  the same, with what an interpolated gradient adds
 //   hn_i_lerp_d(n, t, s)   like hn_i_lerp between four corners, with the derivatives along x and y; t are the fades, s

@@ -1,19 +1,19 @@
-// hashnoise: the gradient of a word on the line and on the plane, and what it adds at an offset.
+// hashnoise: gradients from hashes on the line and on the plane, and their ramps: what they add at an offset.
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_DIRECTION_GLSL
 #define HN_DIRECTION_GLSL
 
-#include "arithmetic.glsl"
+#include "cell2d.glsl"
 
 // On the plane a gradient is one of 8: (3, 1) / 4 and (1, 3) / 4, with signs. Their second moments are those of a
-// circle, so noise has the spectrum that gradients of all directions would give it. A gradient that has turned by a
-// quarter is one of the set, too. Gradients are floats with every HN_ARITHMETIC, and exact.
+// circle, so noise has the spectrum that gradients of all directions would give it. A gradient that is rotated by a
+// quarter turn is one of the set, too. Gradients are floats with every HN_ARITHMETIC, and exact.
 //
 //   hn_i_offset(x)                   an offset as a float
 //   hn_i_far(x)                      x - 1 of such a float: the offset from the far corner
 //   hn_i_exact(t)                    a fade or a weight as a float
-//   hn_i_direction2(h, turned)       the gradient of a word on the plane, or what a quarter turn makes of it
+//   hn_i_direction2(h, turned)       the gradient of a hash on the plane, or what a quarter turn makes of it
 //   hn_i_along2(g, x, y)             a gradient times an offset; in HN_FIXED in units of 2^-22
 //   hn_i_ramp_of2(n)                 takes it to the units of ramps
 //   hn_i_edge2(a, b, t)              interpolates from a to b by a fade, to a ramp
@@ -72,11 +72,11 @@ HN_FN hn_float hn_i_ramp1(hn_float g, hn_float x) { return hn_i_times(g, x); }
 
 #else
 
-// Floats compute this without rounding. What is added to 12 is a multiple of 2^-20, and what is added to 3 one of 2^-22:
+// Floats compute this without rounding. The summands of 12 are multiples of 2^-20, and those of 3 multiples of 2^-22:
 // the last bit of a float there, so that its bits are that number as an integer. Each part of a sum is such a multiple,
-// and so is what any of them add up to. So no order of the sum rounds, and no contraction. No part may be a difference
-// from a large constant, such as a number whose bits stand behind an exponent: a compiler that knows the other parts
-// would add up such constants, and the sum would have too few bits.
+// and so is each partial sum. So no order of the sum rounds, and no contraction. No part may be a difference from a
+// large constant, such as a number whose bits stand behind an exponent: a compiler that knows the other parts would add
+// up such constants, and the sum would have too few bits.
 HN_FN hn_float hn_i_offset(hn_int x) { return hn_i_float(x) * (1.0f / HN_I_FLOAT_UNITS_FRACTION); }
 HN_FN hn_float hn_i_far(hn_float x) { return x - 1.0f; }
 #if HN_I_BITCAST
@@ -110,5 +110,42 @@ HN_FN hn_int hn_i_ramp1(hn_int g, hn_int x) { return (g >> 18) * x; }
 #endif
 
 HN_FN hn_i_num hn_i_scaled1(hn_i_num n) { return hn_i_scaled(n, 2048); }
+
+// Each HN_GRADIENT offers these functions:
+//
+//   hn_i_ramps(box, f, seed)  what the corners 00, 10, 01, 11 of a cell add at the place f in it
+//   hn_i_face2(n, x, y)       interpolates between such four by fades x and y
+//   hn_i_scaled2(n)           noise that is interpolated between ramps, in [-1, 1]
+
+#if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL
+
+// From the hashes of the corners, where the gradients may be rotated by a quarter turn.
+HN_FN hn_i_num4 hn_i_ramps(hn_uvec4 h, hn_i_num2 f, bool turned) {
+  hn_float x = hn_i_offset(f.x);
+  hn_float y = hn_i_offset(f.y);
+  hn_float x1 = hn_i_far(x);
+  hn_float y1 = hn_i_far(y);
+  return hn_i_vector(hn_i_along2(hn_i_direction2(h.x, turned), x, y), hn_i_along2(hn_i_direction2(h.y, turned), x1, y),
+                     hn_i_along2(hn_i_direction2(h.z, turned), x, y1),
+                     hn_i_along2(hn_i_direction2(h.w, turned), x1, y1));
+}
+HN_FN hn_i_num4 hn_i_ramps(hn_i_box2 box, hn_i_num2 f, hn_uint seed) {
+  return hn_i_ramps(hn_i_corners(box, seed), f, false);
+}
+
+HN_FN hn_i_num hn_i_face2(hn_i_num4 n, hn_i_num x, hn_i_num y) {
+  return hn_i_lerp(hn_i_edge2(n.x, n.y, x), hn_i_edge2(n.z, n.w, x), y);
+}
+
+// Noise before it is scaled, from the hashes of the corners and the fades.
+HN_FN hn_i_num hn_i_cell_of_ramps(hn_uvec4 h, hn_i_num2 f, hn_i_num2 t, bool turned) {
+  return hn_i_face2(hn_i_ramps(h, f, turned), t.x, t.y);
+}
+
+// 1831 / 1024 is just below 1 / 0.55902: the largest value that a noise has before it is scaled, with rotating
+// gradients, too (tools/make bounds).
+HN_FN hn_i_num hn_i_scaled2(hn_i_num n) { return hn_i_scaled(n, 1831); }
+
+#endif
 
 #endif

@@ -7,18 +7,18 @@
 #include "falloff.glsl"
 
 // In four dimensions a gradient is one of the 24 corners of the 24-cell: two components are 1 or -1, and two are 0. The
-// 24 are as isotropic as a sphere up to the fifth harmonic. The size of the word chooses one of three ways to pair the
+// 24 are as isotropic as a sphere up to the fifth harmonic. The size of the hash chooses one of three ways to pair the
 // axes: xy and zw below the first third, xw and yz from the second third on, and xz and yw between. Bit 20 chooses the
 // second pair, and bits 22 and 21 are the signs.
 //
-// A ramp is the sum of two offsets. In a kernel it has 30 bits, so its units in HN_FIXED are 2^-28, twice those of other
-// ramps. An interpolation between such ramps is scaled by twice as much there.
+// A ramp is the sum of two offsets. In a kernel it has 30 bits, so its units in HN_FIXED are 2^-28, twice those of
+// other ramps. An interpolation between such ramps is scaled by twice as much there.
 //
-//   hn_i_flipped(x, word)        x, or -x if the highest bit of the word is set
-//   hn_i_along4(h, x, y, z, w)   the gradient of a word times an offset, in the units of offsets
+//   hn_i_flipped(x, word)        x, or -x if the highest bit of the hash is set
+//   hn_i_along4(h, x, y, z, w)   the gradient of a hash times an offset, in the units of offsets
 //   hn_i_direction4(h)           the gradient; hn_i_along4(g, x, y, z, w), the same of offsets that are floats
-//   hn_i_ramp_of4, hn_i_edge4, hn_i_d_edge4, hn_i_lerp_components4 and hn_i_d_weighted_ramp4 are those of direction.glsl
-//   and falloff.glsl in the units of four dimensions
+//   hn_i_ramp_of4, hn_i_edge4, hn_i_d_edge4, hn_i_lerp_components4 and hn_i_d_weighted_ramp4 are those of
+//   direction.glsl and falloff.glsl in the units of four dimensions
 
 HN_FN hn_float hn_i_flipped(hn_float x, hn_uint word) {
 #if HN_I_BITCAST

@@ -1,4 +1,4 @@
-// hashnoise: gradients that turn with a phase.
+// hashnoise: gradients that rotate with a phase.
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_DIRECTION_TURNING_GLSL
@@ -32,9 +32,9 @@ HN_FN hn_i_num2 hn_i_rotation(hn_float phase) {
   return hn_i_rotation(hn_i_wave(angle + 0x40000000u, 0u), hn_i_wave(angle, 0u));
 }
 
-// Gradients that turn with a phase. On the plane all turn alike. In space each turns in the plane of its two axes. Noise
-// is a sum over gradients, so it is the noise of the gradients times the cosine and that of the gradients that have
-// turned by a quarter times the sine.
+// Gradients that rotate with a phase. On the plane all rotate alike. In space each rotates in the plane of its two
+// axes. Noise is a sum over gradients, so it is the noise of the gradients times the cosine and that of the gradients
+// that are rotated by a quarter turn times the sine.
 HN_FN hn_i_num3 hn_i_mixed(hn_i_num2 r, hn_i_num3 a, hn_i_num3 b) {
   return hn_i_vector(hn_i_mixed(r, a.x, b.x), hn_i_mixed(r, a.y, b.y), hn_i_mixed(r, a.z, b.z));
 }

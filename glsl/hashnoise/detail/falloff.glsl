@@ -7,7 +7,7 @@
 
 #include "direction.glsl"
 
-// An offset is a number like a fraction. The square of a length is a float, or a word in units of 2^-30, rounded down.
+// An offset is a number like a fraction. The square of a length is a float, or a uint in units of 2^-30, rounded down.
 //
 //   hn_i_quarters(n)                  n / 4 as an offset
 //   hn_i_half(x)                      x / 2; in HN_FIXED x is even
@@ -131,7 +131,7 @@ HN_FN hn_uint hn_i_square(hn_int x, hn_int y, hn_int z, hn_int w) {
 
 HN_FN hn_uint hn_i_square_plus(hn_uint q, hn_int x) { return q + uint(x) * 1024u; }
 
-// The largest number below 1 has 16 bits, and so its square fits a word.
+// The largest number below 1 has 16 bits, and so its square fits a uint.
 HN_FN hn_int hn_i_falloff(hn_uint q, hn_int s, hn_int m) {
   hn_uint radius = uint(s) << 20u;
   return int(min((radius - min(uint(m) * q, radius) + 8192u) >> 14u, 65535u));

@@ -7,7 +7,7 @@
 #include "square_root.glsl"
 #include "word.glsl"
 
-// The metric of hn_cellular and hn_cellular_three says what they call a distance. It should be a constant: then the
+// The metric of hn_cellular and hn_cellular_three is how they measure distances. It should be a constant: then the
 // compiler keeps that metric alone. Any other number counts as HN_METRIC_EUCLIDEAN.
 #define HN_METRIC_EUCLIDEAN 1
 #define HN_METRIC_SQUARED 2    // the square of the Euclidean distance
@@ -15,9 +15,9 @@
 #define HN_METRIC_CHEBYSHEV 4  // the largest of them
 #define HN_METRIC_HYBRID 5     // Manhattan and squared, added
 
-// Each cell has one feature point. Its offset from the centre of the cell is half the direction that the word of the
-// cell gives, times the jitter. So with a jitter of 1 it lies on a square or octahedron whose corners
-// are in the middle of the cell's sides. That is why a cell and its neighbours always have the two nearest points:
+// Each cell has one feature point. Its offset from the centre of the cell is half the direction that the hash of the
+// cell gives, times the jitter. So with a jitter of 1 it lies on a square or octahedron whose corners are in the middle
+// of the cell's sides. That is why a cell and its neighbours always have the two nearest points:
 //
 //   Let a place be off the centre of its cell by a >= b >= c, each from 0 to 1/2. No point is off its centre by more
 //   than 1/2 in sum along the axes, so it is farthest or nearest at a corner of its octahedron. The point of the cell
@@ -29,7 +29,7 @@
 // the axis with a, are enough. A point that is two steps away along another axis is not nearer than that.
 //
 // On the square a coordinate has the variance of one that is anywhere in a cell, 1/12. On the octahedron it has half of
-// that, so in space the lattice shows a little (docs/cellular.md).
+// that, so in space the lattice shows a little (docs/guide/cellular.md).
 //
 // Cells are visited by threes, in rows along an axis, and their numbers are vectors: so the text stays short, and
 // compilers take less time. Offsets are numbers like those of arithmetic.glsl. Where they are floats, they are in units
@@ -55,10 +55,10 @@
 //                                      to 1
 //   hn_i_smooth_distance(w)            the smooth distance, from the sum of the weights: 1 - (w + 1/4096)^(1/4)
 
-// A direction is a point of the square or octahedron |x| + |y| (+ |z|) = 1. It is made of fields: bits of a word as odd
-// multiples of 2^-9 for the plane, and of 2^-8 for space, in (-1, 1). They are symmetric about 0 and never 0. The highest
-// bit is a sign. For the plane the field is where the fraction of a float begins, from bit 22 down: that saves a shift.
-// For space the two fields are from bit 30 down. No bit is used twice.
+// A direction is a point of the square or octahedron |x| + |y| (+ |z|) = 1. It is made of fields: bits of a hash as odd
+// multiples of 2^-9 for the plane, and of 2^-8 for space, in (-1, 1). They are symmetric about 0 and never 0. The
+// highest bit is a sign. For the plane the field is where the fraction of a float begins, from bit 22 down: that saves
+// a shift. For space the two fields are from bit 30 down. No bit is used twice.
 #if HN_I_BITCAST
 HN_FN hn_vec3 hn_i_fields(hn_uvec3 bits, hn_float offset) {
   HN_I_PRECISE hn_vec3 x = uintBitsToFloat(hn_i_or(bits, 0x40000000u)) - offset;
@@ -215,14 +215,14 @@ HN_FN hn_float hn_i_smooth_distance(hn_uint weights) {
 HN_FN hn_int hn_i_far_step(hn_i_num d) { return hn_i_choice(d > HN_I_NO_OFFSET, 2, -2); }
 
 // hn_i_row returns the offsets from the centres of a cell and of its neighbours along an axis. hn_i_equal_triple
-// repeats an offset, or a word, three times.
+// repeats an offset, or a hash, three times.
 HN_FN hn_i_num3 hn_i_row(hn_i_num d) {
   return hn_i_triple(hn_i_offset_from_cell(d, -1), d, hn_i_offset_from_cell(d, 1));
 }
 HN_FN hn_i_num3 hn_i_equal_triple(hn_i_num d) { return hn_i_triple(d, d, d); }
 HN_FN hn_uvec3 hn_i_equal_triple(hn_uint word) { return uvec3(word, word, word); }
 
-// The words of three cells in a row. Their coordinates add `joins` and `odds` to the two joins of a word, and all else
+// The hashes of three cells in a row. Their coordinates add `joins` and `odds` to the two joins of a hash, and all else
 // adds `join` and `odd`.
 HN_FN hn_uvec3 hn_i_row_words(hn_uvec3 joins, hn_uvec3 odds, hn_uint join, hn_uint odd) {
   joins = hn_i_xor(joins, join);

@@ -40,7 +40,7 @@ HN_FN hn_ivec2 hn_i_cell_of(hn_place2 place, hn_i_rank code) {
 
 // By hand in each dimension.
 
-// The directions of three words along each axis. In HN_FIXED they are in units of 2^-9.
+// The directions of three hashes along each axis. In HN_FIXED they are in units of 2^-9.
 #if HN_ARITHMETIC != HN_FIXED
 
 HN_FN hn_vec3 hn_i_points_x(hn_uvec3 words) { return hn_i_fields2(words); }
@@ -91,7 +91,7 @@ HN_FN hn_i_rank3 hn_i_ranks(hn_uvec3 words, hn_i_num3 x, hn_i_num3 y, hn_i_num j
   return hn_i_squares(words, x, y, jitter);
 }
 
-// The words of a row of the cells around a place, from their spread coordinates: along x at y, and along y at x. s is
+// The hashes of a row of the cells around a place, from their spread coordinates: along x at y, and along y at x. s is
 // the mixed seed.
 HN_FN hn_uvec3 hn_i_words_along_x(hn_i_block2 block, hn_uint y, hn_uint s) {
   hn_uvec3 x = hn_i_coordinates_x(block);

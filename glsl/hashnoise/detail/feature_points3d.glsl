@@ -44,10 +44,10 @@ HN_FN hn_ivec3 hn_i_cell_of(hn_place3 place, hn_i_rank code) {
 
 // By hand in each dimension.
 
-// The directions of three words. Seen along z the octahedron is a square with corners on the axes, and the fields run
-// along its sides: u = x + y and v = x - y. The height above a point of the square is 1 minus the larger of |u| and |v|.
-// Where they are floats, the components of directions are u, v and z. The offsets from points have such components, too. In HN_FIXED u and v stand for x and y, in units
-// of 2^-9.
+// The directions of three hashes. Seen along z the octahedron is a square with corners on the axes, and the fields run
+// along its sides: u = x + y and v = x - y. The height above a point of the square is 1 minus the larger of |u| and
+// |v|. Where they are floats, the components of directions are u, v and z. The offsets from points have such
+// components, too. In HN_FIXED u and v stand for x and y, in units of 2^-9.
 //
 //   hn_i_octahedral_u(x, y), hn_i_octahedral_v(x, y)  such components of offsets
 //   hn_i_squares, hn_i_manhattans, hn_i_chebyshevs  squares, sums of sizes and largest sizes of such offsets
@@ -127,7 +127,7 @@ HN_FN hn_i_rank3 hn_i_ranks(hn_uvec3 words, hn_i_num3 x, hn_i_num3 y, hn_i_num3 
   return hn_i_squares(u, v, w);
 }
 
-// The share of the cells around a place in the first join of a word, along one axis.
+// The share of the cells around a place in the first join of a hash, along one axis.
 HN_FN hn_uvec3 hn_i_joins_x(hn_i_block3 block) {
   hn_uvec3 x = hn_i_coordinates_x(block);
   return x >> HN_I_HIGH_X;
@@ -143,7 +143,7 @@ HN_FN hn_uvec3 hn_i_joins_z(hn_i_block3 block) {
 
 // Inserts the ranks of nine cells in a slab across z into the three smallest so far. x and y are the offsets of the
 // place from their centres along these axes, and z is that along z. `join` and `odd` are what z and the seed add to the
-// joins of a word. `code` is that of the cell in the middle.
+// joins of a hash. `code` is that of the cell in the middle.
 HN_FN hn_i_rank4 hn_i_visit_slab(hn_i_rank4 best, hn_i_block3 block, hn_uint join, hn_uint odd, hn_i_num3 x,
                                  hn_i_num3 y, hn_i_num z, hn_i_num jitter, hn_int metric, hn_int code) {
   hn_uvec3 joins = hn_i_joins_x(block);
@@ -204,7 +204,7 @@ HN_FN hn_int hn_i_far_step_along(hn_int axis, hn_i_num3 d) {
   return hn_i_select(axis == 0, hn_i_far_step(d.x), hn_i_select(axis == 1, hn_i_far_step(d.y), hn_i_far_step(d.z)));
 }
 
-// The words of its row n, which is -1, 0 or 1.
+// The hashes of its row n, which is -1, 0 or 1.
 HN_FN hn_uvec3 hn_i_slab_words(hn_i_block3 block, hn_int axis, hn_uint at, hn_int n, hn_uint seed) {
   hn_uint s = hn_i_mix(seed);
   hn_uvec3 x = hn_i_joins_x(block);

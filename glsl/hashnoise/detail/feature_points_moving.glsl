@@ -1,4 +1,4 @@
-// hashnoise: feature points that go round with a phase.
+// hashnoise: feature points that circle with a phase.
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_FEATURE_POINTS_MOVING_GLSL
@@ -7,7 +7,7 @@
 #include "direction_turning.glsl"
 #include "feature_points.glsl"
 
-// All points go round the centres of their cells alike. So the place is turned instead, backwards, once for all points.
+// All points circle the centres of their cells alike. So the place is rotated instead, backwards, once for all points.
 // Distances stay as they are, but only the Euclidean ones do.
 //
 // A point on its way leaves the square or octahedron on which it lies at a phase of 0, but not the circle or sphere
@@ -16,8 +16,8 @@
 //
 //   hn_i_jitter(j, n)            n / 32 of the jitter
 //   hn_i_projected(d, b)         an offset times a cosine or a sine
-//   hn_i_turned_offset(d, b, n)  the offset from the centre of the n-th cell after a cell, along an axis that turns to
-//                                b. d is the offset from the centre of that cell, turned
+//   hn_i_turned_offset(d, b, n)  the offset from the centre of the n-th cell after a cell, along an axis that rotates
+//                                to b. d is the offset from the centre of that cell, rotated
 //   hn_i_row(d, b)               that for n from -1 to 1
 
 #if HN_ARITHMETIC != HN_FIXED
@@ -34,7 +34,7 @@ HN_FN hn_float hn_i_turned_offset(hn_float d, hn_float b, hn_int n) {
 
 HN_FN hn_int hn_i_jitter(hn_float jitter, hn_int n) { return (hn_i_jitter(jitter) * n) >> 5; }
 
-// A cosine is in units of 2^-18, and an offset that is turned has up to 21 bits. A product with its high bits has 31.
+// A cosine is in units of 2^-18, and an offset that is rotated has up to 21 bits. A product with its high bits has 31.
 HN_FN hn_int hn_i_projected(hn_int d, hn_int b) { return (((d >> 8) * b) >> 10) + (((d & 255) * b) >> 18); }
 HN_FN hn_int hn_i_turned_offset(hn_int d, hn_int b, hn_int n) { return d - n * 4 * b; }
 

@@ -1,4 +1,4 @@
-// hashnoise: the feature points around a place on the plane, as they go round.
+// hashnoise: the feature points around a place on the plane, as they circle.
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_FEATURE_POINTS_MOVING2D_GLSL
@@ -15,7 +15,7 @@
 // than sqrt(511^2 + 1) / 512, so with 7/8 of the jitter r is 0.4367.
 HN_FN hn_i_num hn_i_moving_jitter2(hn_float jitter) { return hn_i_jitter(jitter, 28); }
 
-// The rows of a matrix that turns a place around the centre of a cell, backwards.
+// The rows of a matrix that rotates a place around the centre of a cell, backwards.
 struct hn_i_turn2 {
   hn_i_num2 x;
   hn_i_num2 y;
@@ -32,7 +32,7 @@ HN_FN hn_i_num hn_i_projected(hn_i_num2 d, hn_i_num2 row) {
 
 // The three smallest ranks of the points of a cell and its neighbours, and the code of the nearest one's cell. d is the
 // offset of the place from the centre of the cell. x and y are those from the centres of the cells above and below it,
-// turned.
+// rotated.
 HN_FN hn_i_rank4 hn_i_nearest(hn_i_block2 block, hn_i_num2 d, hn_i_turn2 turn, hn_i_num jitter, hn_uint seed) {
   hn_uint s = hn_i_mix(seed);
   hn_i_num3 x = hn_i_row(hn_i_projected(d, turn.x), turn.x.y);

@@ -1,4 +1,4 @@
-// hashnoise: the feature points around a place in space, as they go round.
+// hashnoise: the feature points around a place in space, as they circle.
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_FEATURE_POINTS_MOVING3D_GLSL
@@ -13,8 +13,8 @@
 // are shorter than 1, so with 25/32 of the jitter r is below 0.3907.
 HN_FN hn_i_num hn_i_moving_jitter3(hn_float jitter) { return hn_i_jitter(jitter, 25); }
 
-// The rows of a matrix that turns a place around the centre of a cell, backwards. Points turn about the x axis first,
-// then about the z axis, both by the phase. About one axis alone the points near to it would hardly move.
+// The rows of a matrix that rotates a place around the centre of a cell, backwards. Points rotate about the x axis
+// first, then about the z axis, both by the phase. About one axis alone the points near to it would hardly move.
 struct hn_i_turn3 {
   hn_i_num3 x;
   hn_i_num3 y;
@@ -44,13 +44,13 @@ HN_FN hn_i_num hn_i_projected(hn_i_num3 d, hn_i_num3 row) {
 }
 
 // The offsets of a place from the centres of three cells: of the n-th cell after its own along z, and of the neighbours
-// of that cell along y. d is the offset from the centre of its own cell along an axis, turned.
+// of that cell along y. d is the offset from the centre of its own cell along an axis, rotated.
 HN_FN hn_i_num3 hn_i_column(hn_i_num d, hn_i_num3 row, hn_int n) {
   return hn_i_row(hn_i_turned_offset(d, row.z, n), row.y);
 }
 
 // Inserts the ranks of nine cells in a slab across z, the n-th after that of the place, into the three smallest so far.
-// d is the offset of the place from the centre of its cell, turned.
+// d is the offset of the place from the centre of its cell, rotated.
 HN_FN hn_i_rank4 hn_i_visit_slab(hn_i_rank4 best, hn_i_block3 block, hn_i_num3 d, hn_i_turn3 turn, hn_i_num jitter,
                                  hn_uint at, hn_int n, hn_uint seed) {
   hn_i_num3 x = hn_i_column(d.x, turn.x, n);

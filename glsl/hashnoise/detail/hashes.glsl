@@ -1,4 +1,4 @@
-// hashnoise: hashes of words. Each is exact: the same bits on every driver.
+// hashnoise: hashes of 32-bit numbers. Each is exact: the same bits on every driver.
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_HASHES_GLSL
@@ -6,10 +6,11 @@
 
 #include "../config.glsl"
 
-// Word hashes take a uint and return a uint. They do not depend on HN_HASH.
+// These take a uint and return a uint. They do not depend on HN_HASH.
 
 // FNV-1, 32 bit, of the four bytes of k, lowest first.
 //   k        any uint
+//   example  uint n = hn_hash_fnv1(5u);
 //   returns  any uint
 //   cost     3 multiplications (the first is of constants)
 //   source   Fowler, Noll, Vo; paper fig. 1
@@ -22,9 +23,10 @@ HN_FN hn_uint hn_hash_fnv1(hn_uint k) {
   return h;
 }
 
-// FNV-1's step, twice with the whole word. It is weak: 31 of 32 words k have the same hash as -2 - k, and the low 8
-// bits repeat with a period of 256.
+// FNV-1's step, twice with all 32 bits. It is weak: 31 of 32 numbers k have the same hash as -2 - k, and the low 8 bits
+// repeat with a period of 256.
 //   k        any uint
+//   example  uint n = hn_hash_partial_fnv1(5u);
 //   returns  any uint
 //   cost     1 multiplication (the first is of constants)
 //   source   Valdenegro-Toro and Pincheira, sec. 7
@@ -49,6 +51,7 @@ HN_FN hn_uint hn_i_jenkins_end(hn_uint h) {
 
 // Jenkins one-at-a-time of the four bytes of k, lowest first.
 //   k        any uint
+//   example  uint n = hn_hash_jenkins(5u);
 //   returns  any uint
 //   cost     no multiplication; 14 shifts, 14 additions and exclusive ors
 //   source   Jenkins, "A hash function for hash table lookup"; paper fig. 2
@@ -61,15 +64,17 @@ HN_FN hn_uint hn_hash_jenkins(hn_uint k) {
   return hn_i_jenkins_end(h);
 }
 
-// One-at-a-time with a single step that takes the whole word.
+// One-at-a-time with a single step that takes all 32 bits.
 //   k        any uint
+//   example  uint n = hn_hash_partial_jenkins(5u);
 //   returns  any uint
 //   cost     no multiplication; 5 shifts, 5 additions and exclusive ors
 //   source   Valdenegro-Toro and Pincheira, sec. 7
 HN_FN hn_uint hn_hash_partial_jenkins(hn_uint k) { return hn_i_jenkins_end(hn_i_jenkins_step(0u, k)); }
 
-// The paper's Murmur: the body of MurmurHash2 for one word, without its final avalanche.
+// The paper's Murmur: the body of MurmurHash2 for 32 bits, without its final avalanche.
 //   k        any uint
+//   example  uint n = hn_hash_murmur(5u);
 //   returns  any uint
 //   cost     2 multiplications
 //   source   Appleby; paper fig. 3
@@ -83,6 +88,7 @@ HN_FN hn_uint hn_hash_murmur(hn_uint k) {
 
 // PCG, output permutation RXS-M-XS of a 32-bit congruential step.
 //   k        any uint
+//   example  uint n = hn_hash_pcg(5u);
 //   returns  any uint; a bijection
 //   cost     2 multiplications, 1 shift by a variable
 //   source   O'Neill; Jarzynski and Olano 2020, pcg_hash
@@ -94,6 +100,7 @@ HN_FN hn_uint hn_hash_pcg(hn_uint k) {
 
 // XXH32 of the four bytes of k with seed 0.
 //   k        any uint
+//   example  uint n = hn_hash_xxhash32(5u);
 //   returns  any uint; a bijection
 //   cost     4 multiplications
 //   source   Collet, xxHash specification; 374761397 is its fifth prime plus the length, 4
@@ -109,6 +116,7 @@ HN_FN hn_uint hn_hash_xxhash32(hn_uint k) {
 
 // Wellons' hash with little bias, of two multiplications.
 //   k        any uint
+//   example  uint n = hn_hash_lowbias32(5u);
 //   returns  any uint; a bijection
 //   cost     2 multiplications
 //   source   Wellons, hash-prospector, lowbias32
@@ -120,14 +128,15 @@ HN_FN hn_uint hn_hash_lowbias32(hn_uint k) {
   return k ^ (k >> 16u);
 }
 
-// Hashes of several words, which return as many: of a pixel and a frame, for example. They are no choices of HN_HASH,
-// which is of one word.
+// Hashes of several numbers, which return as many: of a pixel and a frame, for example. HN_HASH does not offer them,
+// since it hashes one number.
 
 HN_FN hn_uint hn_i_congruential(hn_uint k) { return k * 1664525u + 1013904223u; }
 HN_FN hn_uint hn_i_folded(hn_uint k) { return k ^ (k >> 16u); }
 
-// PCG's step of each of two words, which are then mixed with each other.
+// PCG's step of each of two numbers, which are then mixed with each other.
 //   v        any uvec2
+//   example  uvec2 n = hn_hash_pcg2d(uvec2(12u, 34u));
 //   returns  any uvec2; a bijection
 //   cost     6 multiplications
 //   source   Jarzynski and Olano 2020, pcg2d
@@ -143,8 +152,9 @@ HN_FN hn_uvec2 hn_hash_pcg2d(hn_uvec2 v) {
   return uvec2(hn_i_folded(x), hn_i_folded(y));
 }
 
-// PCG's step of each of three words, which are then mixed by products of two.
+// PCG's step of each of three numbers, which are then mixed by products of two.
 //   v        any uvec3
+//   example  uvec3 n = hn_hash_pcg3d(uvec3(12u, 34u, 56u));
 //   returns  any uvec3; a bijection
 //   cost     9 multiplications
 //   source   Jarzynski and Olano 2020, pcg3d
@@ -164,8 +174,9 @@ HN_FN hn_uvec3 hn_hash_pcg3d(hn_uvec3 v) {
   return uvec3(x, y, z);
 }
 
-// PCG's step of each of four words, which are then mixed by products of two.
+// PCG's step of each of four numbers, which are then mixed by products of two.
 //   v        any uvec4
+//   example  uvec4 n = hn_hash_pcg4d(uvec4(12u, 34u, 56u, 78u));
 //   returns  any uvec4; a bijection
 //   cost     12 multiplications
 //   source   Jarzynski and Olano 2020, pcg4d

@@ -1,9 +1,10 @@
-// hashnoise: the Jacobians of octaves, for sums with derivatives and with displacements.
+// hashnoise: the Jacobians of octaves, for fractals with derivatives and with displacements.
 // SPDX-License-Identifier: MIT
 //
-// The Jacobian of an octave is the matrix of derivatives of its position by the position of the sum, times the octave's
-// weight. On the plane a vector (x, y) stands for the matrix with the rows (x, -y) and (y, x). In space there are three
-// rows. From one octave to the next the Jacobian grows by gain * lacunarity, and it is rotated as positions are.
+// The Jacobian of an octave is the matrix of derivatives of its position by the position of the fractal, times the
+// octave's weight. On the plane a vector (x, y) stands for the matrix with the rows (x, -y) and (y, x). In space there
+// are three rows. From one octave to the next the Jacobian grows by gain * lacunarity, and it is rotated as positions
+// are.
 
 #ifndef HN_JACOBIAN_GLSL
 #define HN_JACOBIAN_GLSL
@@ -200,8 +201,8 @@ HN_FN hn_i_jacobian3 hn_i_next_jacobian(hn_i_jacobian3 k, hn_i_num growth, bool 
   return next;
 }
 
-// The transposed Jacobian times a gradient of the octave is the gradient by the position of the sum. The Jacobian times
-// a displacement of that position is the displacement in the octave.
+// The transposed Jacobian times a gradient of the octave is the gradient by the position of the fractal. The Jacobian
+// times a displacement of that position is the displacement in the octave.
 HN_FN hn_i_num2 hn_i_transposed_times(hn_i_num2 k, hn_i_num2 g) {
   return hn_i_vector(hn_i_wide_plus(hn_i_wide_times(k.x, g.x), hn_i_wide_times(k.y, g.y)),
                      hn_i_wide_minus(hn_i_wide_times(k.x, g.y), hn_i_wide_times(k.y, g.x)));

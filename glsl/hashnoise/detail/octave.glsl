@@ -1,19 +1,18 @@
-// hashnoise: what octave sums have in common.
+// hashnoise: the common parts of fractals.
 // SPDX-License-Identifier: MIT
 //
-// A sum is a weighted mean over octaves. It may transform each of them first (absolute value, ridge and so on). Octave
-// i has the weight gain^i and a seed of its own, which is HN_I_SEED_STEP further, so that octaves of nearby seeds do
-// not coincide either. Each octave is shifted: so the lattice points, where the noise is 0, do not fall together at the
-// origin. And each is rotated, so that the axes do not add up.
+// A fractal is a weighted mean over octaves. It may transform each of them first (absolute value, ridge and so on).
+// Octave i has the weight gain^i and a seed of its own, which is HN_I_SEED_STEP further, so that octaves of nearby
+// seeds do not coincide either. Each octave is shifted: so the lattice points, where the noise is 0, do not fall
+// together at the origin. And each is rotated, so that the axes do not add up.
 //
-// octaves1d.glsl to octaves4d.glsl have the positions of octaves, one after another. jacobian.glsl has what sums with
-// derivatives and displacements need as well.
+// octaves1d.glsl to octaves4d.glsl have the positions of octaves, one after another. jacobian.glsl has the parts that
+// fractals with derivatives and displacements need as well.
 
 #ifndef HN_OCTAVE_GLSL
 #define HN_OCTAVE_GLSL
 
-#include "place2d.glsl"
-#include "word.glsl"
+#include "cell2d.glsl"
 
 // The cosines and sines of the rotations, in 32nds: a position loses few bits by them. In the plane of x and y the
 // angle is arctan(4/5), in space then arctan(13/29) in that of y and z, and in 4D at last arctan(4/5) in that of z and
@@ -23,7 +22,7 @@
 #define HN_I_COS_YZ 29
 #define HN_I_SIN_YZ 13
 
-// A sum under way. With HN_FIXED sums are in units of 2^-21, and weights in units of 2^-18.
+// A fractal under way. With HN_FIXED sums are in units of 2^-21, and weights in units of 2^-18.
 struct hn_i_octave_sum {
   hn_i_num value;
   hn_i_num weight;   // of the octave
@@ -69,7 +68,7 @@ HN_FN hn_int hn_i_weight_to_value(hn_int weight) { return weight << 3; }
 HN_FN hn_int hn_i_height(hn_int n) { return (HN_I_UNITS_VALUE + n) >> 4; }
 
 // A wave between -1 and 1: up and down again along two units of (n + 1) * strength. These are in units of 2^-30, and a
-// word holds them modulo 4.
+// uint holds them modulo 4.
 HN_FN hn_int hn_i_folds(hn_int n, hn_int strength) {
   hn_uint u = uint(n + HN_I_UNITS_VALUE);
   hn_uint s = uint(strength);
@@ -238,7 +237,7 @@ HN_FN hn_float hn_i_whole_fraction(hn_ivec2 x) {
 }
 #endif
 
-// The high word of a product of two words. umulExtended is not in GLSL 1.30.
+// The high 32 bits of a product of two uints. umulExtended is not in GLSL 1.30.
 HN_FN hn_uint hn_i_multiply_high(hn_uint a, hn_uint b) {
   hn_uint a0 = a & 0xFFFFu;
   hn_uint a1 = a >> 16u;
@@ -288,7 +287,7 @@ HN_FN hn_int hn_i_next_period(hn_int period, hn_float lacunarity) { return int(u
 
 #if HN_ARITHMETIC == HN_FIXED
 
-// hn_i_footprint clamps a footprint, which matters up to 2 cells. hn_i_resolved_part tells how much of an octave it
+// hn_i_footprint clamps a footprint, which matters up to 2 cells. hn_i_resolved_part returns how much of an octave it
 // leaves: all of it up to half a cell, and nothing from one and a half on. hn_i_next_footprint converts it to cells of
 // the next octave.
 HN_FN hn_int hn_i_footprint(hn_float footprint) {
@@ -323,7 +322,7 @@ HN_FN hn_int hn_i_bounded(hn_int mean) { return mean; }
 HN_FN hn_float hn_i_bounded(hn_float mean) { return min(max(mean, -1.0f), 1.0f); }
 #endif
 
-// A detail is a number of octaves that need not be whole. hn_i_whole_octaves tells how many octaves it takes, and
+// A detail is a number of octaves that need not be whole. hn_i_whole_octaves returns how many octaves it takes, and
 // hn_i_last_part which part of the last one counts. The first counts as a whole. A detail below 2^-32 takes none, since
 // drivers may flush a subnormal number.
 HN_FN hn_int hn_i_whole_octaves(hn_float detail) {

@@ -7,7 +7,7 @@
 #include "falloff.glsl"
 #include "sine.glsl"
 
-// An angle is a word, in units of 2^-32 turns, so that it wraps as turns do.
+// An angle is a uint, in units of 2^-32 turns, so that it wraps as turns do.
 //
 //   hn_i_waves(k)              a component of a wave vector, in waves per cell: at most 16 in size. In HN_FIXED in
 //                              units of 2^-16
@@ -56,8 +56,8 @@ HN_FN hn_float hn_i_wave_slope(hn_float d) { return hn_i_derivative(d); }
 
 HN_FN hn_int hn_i_waves(hn_float k) { return int(min(max(k, -16.0f), 16.0f) * 65536.0f); }
 
-// k d / 2^4, and half of that. k d has up to 42 bits, of which the low 32 count behind the shift. Each product takes
-// half the bits of the offset, and so stays below 2^31.
+// k d / 2^4, and half of that. k d has up to 42 bits. The low 32 count behind the shift. Each product takes half the
+// bits of the offset, and so stays below 2^31.
 HN_FN hn_uint hn_i_crossed(hn_int k, hn_int d) { return (uint(k * (d >> 10)) << 6u) + uint((k * (d & 1023)) >> 4); }
 HN_FN hn_uint hn_i_crossed_half(hn_int k, hn_int d) {
   return (uint(k * (d >> 10)) << 5u) + uint((k * (d & 1023)) >> 5);
@@ -71,7 +71,7 @@ HN_FN hn_uint hn_i_waves_from(hn_ivec3 k, hn_int x, hn_int y, hn_int z) {
 // Converts units of 2^-16 to those of ramps.
 HN_FN hn_int hn_i_as_ramp(hn_int sine) { return sine * 8192; }
 
-// t^2 (1 - t)^2 is at most 1/16, so 15 times that is below 1. A word has the largest square of the other, which may be
+// t^2 (1 - t)^2 is at most 1/16, so 15 times that is below 1. A uint has the largest square of the other, which may be
 // negative.
 HN_FN hn_int hn_i_weight_wave(hn_int t) {
   hn_uint q = hn_i_falloff_square(t);

@@ -32,7 +32,7 @@ HN_FN hn_uint hn_i_excess_bits(hn_uint m) {
 #endif
 }
 
-// The argument of the paper's sin(float(int)), in turns, modulo 1, in units of 2^-32. The word is taken as a signed
+// The argument of the paper's sin(float(int)), in turns, modulo 1, in units of 2^-32. The hash is taken as a signed
 // integer and rounded to the 24 bits of a float (to nearest, ties to even). GLSL does not define how that conversion
 // rounds, or the sine of so large an argument. The result is that of the magnitude.
 HN_FN hn_uint hn_i_turns(hn_uint w) {
@@ -70,7 +70,7 @@ HN_FN hn_int hn_i_dot(hn_ivec3 g, hn_int x, hn_int y, hn_int z) {
 
 #endif
 
-// The sine of a word. The comment over hn_gradient tells its error.
+// The sine of a hash. The comment over hn_gradient has its error.
 HN_FN hn_i_num hn_i_sine(hn_uint w) { return hn_i_wave(hn_i_turns(w), w); }
 
 HN_FN hn_i_num2 hn_i_gradient(hn_uint column, hn_uint y) {

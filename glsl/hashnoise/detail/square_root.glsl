@@ -6,7 +6,7 @@
 
 #include "arithmetic.glsl"
 
-// The square of a length is a rank: by it lengths are compared. It is a float, or a word in units of 2^-28.
+// The square of a length is a rank: by it lengths are compared. It is a float, or a uint in units of 2^-28.
 //
 //   hn_i_rank             such a square, or another number that lengths are compared by; hn_i_rank3 and hn_i_rank4 are
 //                         vectors of it
@@ -14,21 +14,21 @@
 //   hn_i_squares(x, ...)  the squares of three lengths
 //   hn_i_squared(x, ...)  the square of the length of an offset
 //   hn_i_root(q)          the square root of a square. In HN_FIXED it is in units of 2^-18, rounded down. That of a
-//                         word is there with every HN_ARITHMETIC
+//                         uint is there with every HN_ARITHMETIC
 //   hn_i_over_root(n, q)  n divided by the square root of q, which is not 0. n is the difference of two squares. In
 //                         HN_FIXED the square is in units of 2^-26, and the quotient in units of 2^-15, rounded down
 //   hn_i_unit(x, ...)     an offset divided by its length; 0 if the length is 0. Its components are floats, and in
 //                         HN_FIXED multiples of 2^-21
 
-// These combine each component with the same word. In Godot and WGSL such operators take two vectors alone, and HLSL
+// These combine each component with the same uint. In Godot and WGSL such operators take two vectors alone, and HLSL
 // has no constructor from one number.
 HN_FN hn_uvec3 hn_i_and(hn_uvec3 words, hn_uint mask) { return words & uvec3(mask, mask, mask); }
 HN_FN hn_uvec3 hn_i_or(hn_uvec3 words, hn_uint mask) { return words | uvec3(mask, mask, mask); }
 HN_FN hn_uvec3 hn_i_xor(hn_uvec3 words, hn_uint word) { return words ^ uvec3(word, word, word); }
 
-// The root of a word is there with every HN_ARITHMETIC. First the root of 2^8 q is guessed in floats. The guess is less
-// than 1 off, even if a driver's sqrt is 6 units in the last place off. So the integers around it decide. What is left
-// of 2^8 q is small: 32 bits are enough to tell its sign.
+// The root of a uint is there with every HN_ARITHMETIC. First the root of 2^8 q is guessed in floats. The guess is less
+// than 1 off, even if a driver's sqrt is 6 units in the last place off. So the integers around it decide. The rest of
+// 2^8 q is small: 32 bits are enough for its sign.
 HN_FN hn_uint hn_i_root(hn_uint q) {
   hn_uint v = uint(sqrt(hn_i_float(q)) * 16.0f);
   v = hn_i_select(int((q << 8u) - v * v) < 0, v - 1u, v);
@@ -93,7 +93,7 @@ HN_FN hn_vec3 hn_i_unit(hn_float x, hn_float y, hn_float z) {
 #define hn_i_rank3 hn_uvec3
 #define hn_i_rank4 hn_uvec4
 
-// The sizes are words, since the larger of two words is right on every driver (see hn_i_size).
+// The sizes are uints, since the larger of two uints is right on every driver (see hn_i_size).
 HN_FN hn_uvec3 hn_i_sizes(hn_ivec3 x) { return uvec3(max(x, x * -1)); }
 
 // An offset is below 4 cells, 2^22, and the square of a length below 16. A square has up to 44 bits, so it is made of

@@ -13,7 +13,7 @@
 // are 1, 1.12 and 1.12 steps long. There is no coarser lattice of nearly regular triangles that has a point at every
 // corner of a cell; with this one every whole period fits. Its coordinates are quarters, so they are exact.
 //
-// Point i of row j is at (i, j) in steps, or at (i + 1/2, j) in odd rows. It has the word of the point (i, j) of the
+// Point i of row j is at (i, j) in steps, or at (i + 1/2, j) in odd rows. It has the hash of the point (i, j) of the
 // integer lattice.
 
 // The place of a fraction of a cell, in steps.
@@ -83,7 +83,7 @@ HN_FN hn_i_triangle2 hn_i_triangle(hn_place2 place, hn_i_num2 skewed) {
   return corners;
 }
 
-// The words of the corners. The middle corner lies in the row of the first or in that of the last. So it takes its
+// The hashes of the corners. The middle corner lies in the row of the first or in that of the last. So it takes its
 // row's share of both joins from there.
 HN_FN hn_uvec3 hn_i_triangle(hn_place2 place, hn_i_num2 skewed, hn_uint seed) {
   hn_i_triangle2 corners = hn_i_triangle(place, skewed);
@@ -121,7 +121,7 @@ HN_FN hn_i_num3 hn_i_triangle_falloff(hn_i_num3 x, hn_i_num3 y) {
                      hn_i_falloff(hn_i_square(x.z, y.z), HN_I_TRIANGLE_RADIUS, 1));
 }
 
-// The ramp of a corner, before it is weighted. The gradient may have turned by a quarter.
+// The ramp of a corner, before it is weighted. The gradient may be rotated by a quarter turn.
 HN_FN hn_i_num hn_i_triangle_ramp(hn_uint h, hn_i_num x, hn_i_num y, bool turned) {
   return hn_i_ramp_of2(hn_i_along2(hn_i_direction2(h, turned), hn_i_offset(x), hn_i_offset(y)));
 }

@@ -1,4 +1,4 @@
-// hashnoise: numbers of words, and value noise, which blends them.
+// hashnoise: numbers of hashes, and value noise, which blends them.
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_VALUE_GLSL
@@ -6,17 +6,17 @@
 
 #include "arithmetic.glsl"
 
-//   hn_i_number(word)          the low 23 bits of a word as a number in [-1, 1), with an offset, which
+//   hn_i_number(word)          the low 23 bits of a hash as a number in [-1, 1), with an offset, which
 //                              hn_i_noise_of_numbers takes off
-//   hn_i_numbers(words)        the same of four words
+//   hn_i_numbers(words)        the same of four hashes
 //   hn_i_noise_of_numbers(n)   a noise, from an interpolation between such numbers
-//   hn_i_value_noise(h, t)     value noise, from the words of the corners of a square and the fades along each axis; in
-//                              space from those of the front and of the back face
+//   hn_i_value_noise(h, t)     value noise, from the hashes of the corners of a square and the fades along each axis;
+//                              in space from those of the front and of the back face
 
 #if HN_ARITHMETIC != HN_FIXED
 
-// The low 23 bits of a word, behind the exponent of 2, are a float in [2, 4): that costs two operations. The 3 that
-// are too many stay in until the end, since weights sum to 1 and derivatives do not see them.
+// The low 23 bits of a hash, behind the exponent of 2, are a float in [2, 4): that costs two operations. The 3 that are
+// too many stay in until the end, since weights sum to 1 and derivatives do not see them.
 HN_FN hn_float hn_i_number(hn_uint word) {
 #if HN_I_BITCAST
   return uintBitsToFloat((word & 0x007FFFFFu) | 0x40000000u);

@@ -1,4 +1,4 @@
-// hashnoise: the word of a lattice point, from which its random numbers and gradients are taken.
+// hashnoise: the hash of a lattice point, for its random numbers and gradients; and integers as floats.
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_WORD_GLSL
@@ -9,7 +9,26 @@
 #include "hashes.glsl"
 #endif
 
-// The selected hash of one word.
+// In GLSL ES a constructor has the precision of its argument. NVIDIA's driver takes the default of the scope instead:
+// where that is mediump, float(100000) is infinite. So integers become floats here alone, in scopes of their own.
+HN_FN hn_float hn_i_float(hn_int n) {
+  HN_I_HIGHP_HERE hn_float x = float(n);
+  return x;
+}
+HN_FN hn_float hn_i_float(hn_uint n) {
+  HN_I_HIGHP_HERE hn_float x = float(n);
+  return x;
+}
+
+// Microsoft's FXC takes a whole number times a constant below 2^-19 for a whole number, and leaves out the floor() of
+// it, also where users write it. It does not see what this does, which others leave out.
+#ifdef HN_I_FXC
+#define HN_I_NOT_WHOLE(x) uintBitsToFloat(floatBitsToUint(x) ^ 0u)
+#else
+#define HN_I_NOT_WHOLE(x) (x)
+#endif
+
+// The selected hash of one number.
 #if HN_HASH == HN_HASH_FNV1
 HN_FN hn_uint hn_i_hash(hn_uint k) { return hn_hash_fnv1(k); }
 #elif HN_HASH == HN_HASH_PARTIAL_FNV1
@@ -32,7 +51,7 @@ HN_FN hn_uint hn_i_hash(hn_uint k) { return k; }
 
 // Coordinates are spread: multiplying by an odd number (a prime of xxHash) sends neighbours far apart. So from a point
 // to the next along an axis a spread coordinate grows by a constant, HN_I_STEP_X and so on. The offset, which is
-// xxHash's fifth prime, keeps the origin from being a word of zeros.
+// xxHash's fifth prime, keeps the hash of the origin from being 0.
 #define HN_I_STEP_X 0x9E3779B1u
 #define HN_I_STEP_Y 0x85EBCA77u
 #define HN_I_STEP_Z 0xC2B2AE3Du
@@ -74,12 +93,12 @@ HN_FN hn_uint hn_i_mix(hn_uint k) {
 // The seed of another field, where a function needs several.
 HN_FN hn_uint hn_i_other_seed(hn_uint seed) { return hn_i_mix(seed + HN_I_SEED_STEP); }
 
-// The words of a vector's second and third component, from those of the first: an odd number of 24 bits times their
-// good bits. With other factors two components may depend on each other: docs/quality.md has a test of it.
+// The hashes of a vector's second and third component, from those of the first: an odd number of 24 bits times their
+// good bits. With other factors two components may depend on each other: docs/measured/quality.md has a test of it.
 HN_FN hn_uvec4 hn_i_words_of_y(hn_uvec4 words) { return (words >> 8u) * 0xEB1831u; }
 HN_FN hn_uvec4 hn_i_words_of_z(hn_uvec4 words) { return (words >> 8u) * 0x84A5E5u; }
 
-// The word of a point is the product of two joins of its spread coordinates. The first is the hash of the exclusive or
+// The hash of a point is the product of two joins of its spread coordinates. The first is the hash of the exclusive or
 // of their high bits and of the seed's. The second is made of their sum: an odd number of 24 bits, so that the product
 // loses nothing. Either alone would repeat itself along some line. Without a hash both factors are below 2^24, and
 // compilers see it: such a product costs a quarter of one of 32 bits on AMD's GPUs, and a third on Adreno's. Points
@@ -90,9 +109,9 @@ HN_FN hn_uvec4 hn_i_words_of_z(hn_uvec4 words) { return (words >> 8u) * 0x84A5E5
 HN_FN hn_uint hn_i_seed_join(hn_uint s) { return s >> 8u; }
 
 // hn_i_sum is that sum. Each axis but x has a factor. Without one, points whose spread coordinates differ by d and -d
-// would have the same sum, and the same word where d is small. From x to w each axis has one more bit among the high
-// bits, and its factor one more zero at the end: the two joins share the work of telling points apart. The low 24 bits
-// of a coordinate suffice for 24 bits of the sum, and their product is a cheap one.
+// would have the same sum, and the same hash where d is small. From x to w each axis has one more bit among the high
+// bits, and its factor one more zero at the end: the two joins share the work of separating points. The low 24 bits of
+// a coordinate suffice for 24 bits of the sum, and their product is a cheap one.
 #define HN_I_SUM_Y 0x00E6133Eu
 #define HN_I_SUM_Z 0x00913FDCu
 #define HN_I_SUM_W 0x0085AAB8u
@@ -105,7 +124,7 @@ HN_FN hn_uint hn_i_sum(hn_uvec3 c) { return c.x + hn_i_sum_y(c.y) + hn_i_sum_z(c
 HN_FN hn_uint hn_i_sum(hn_uvec4 c) { return c.x + hn_i_sum_y(c.y) + hn_i_sum_z(c.z) + hn_i_sum_w(c.w); }
 
 // hn_i_odd makes the second join of a sum: it is odd, and multiplied by HN_I_ODD_FACTOR, by a shift and an addition, so
-// that low bits of a coordinate reach the high ones of the word. Only its low 24 bits count. Where the sum grows by a
+// that low bits of a coordinate reach the high ones of the hash. Only its low 24 bits count. Where the sum grows by a
 // step, the join grows by hn_i_odd_step.
 #define HN_I_ODD_FACTOR 4097u
 HN_FN hn_uint hn_i_odd(hn_uint sum) {
@@ -115,10 +134,10 @@ HN_FN hn_uint hn_i_odd(hn_uint sum) {
 HN_FN hn_uint hn_i_odd_step(hn_uint step) { return step * (2u * HN_I_ODD_FACTOR); }
 HN_FN hn_uvec3 hn_i_odd_step(hn_uvec3 steps) { return steps * (2u * HN_I_ODD_FACTOR); }
 
-// The same join where points share no sum. Each axis adds its product to what was made before: GPUs have a product of 24
-// bits and an addition as one operation. That makes simplex noise on the plane 3% cheaper in the mean of six compilers.
-// It is not done elsewhere: in space simplex noise would be 1% cheaper, but hn_simplex_d with HN_FIXED 8% dearer by the
-// schedule for NVIDIA, and so hn_simplex_smooth on the plane with HN_FIXED on Adreno.
+// The same join where points share no sum. Each axis adds its product to what was made before: GPUs have a product of
+// 24 bits and an addition as one operation. That makes simplex noise on the plane 3% cheaper in the mean of six
+// compilers. It is not done elsewhere: in space simplex noise would be 1% cheaper, but hn_simplex_d with HN_FIXED 8%
+// dearer by the schedule for NVIDIA, and so hn_simplex_smooth on the plane with HN_FIXED on Adreno.
 #define HN_I_ODD_OF(factor) (((factor) * (2u * HN_I_ODD_FACTOR)) & 0x00FFFFFFu)
 HN_FN hn_uint hn_i_odd_x(hn_uint x, hn_uint odd) { return (x & 0x00FFFFFFu) * HN_I_ODD_OF(1u) + odd; }
 HN_FN hn_uint hn_i_odd_y(hn_uint y, hn_uint odd) { return (y & 0x00FFFFFFu) * HN_I_ODD_OF(HN_I_SUM_Y) + odd; }
@@ -134,7 +153,7 @@ HN_FN hn_uint hn_i_word(hn_uint join, hn_uint odd) {
 }
 #endif
 
-// The word of a point, from its spread coordinates. The seed and all else add `join` to the exclusive or, and `sum` to
+// The hash of a point, from its spread coordinates. The seed and all else add `join` to the exclusive or, and `sum` to
 // the sum.
 HN_FN hn_uint hn_i_word(hn_uvec2 c, hn_uint join, hn_uint sum) {
   hn_uvec2 j = hn_i_high(c);
@@ -154,7 +173,7 @@ HN_FN hn_uint hn_i_word(hn_uvec4 c, hn_uint join, hn_uint sum) {
   return hn_i_word(j.x ^ j.y ^ j.z ^ j.w ^ join, hn_i_odd(hn_i_sum(c) + sum));
 }
 
-// The word of a point to which nothing but the mixed seed s adds.
+// The hash of a point to which nothing but the mixed seed s adds.
 HN_FN hn_uint hn_i_seeded_word(hn_uvec2 c, hn_uint s) { return hn_i_word(c, hn_i_seed_join(s), s); }
 // The same in 1, 3 and 4 dimensions: tools/make writes it.
 HN_FN hn_uint hn_i_seeded_word(hn_uint c, hn_uint s) { return hn_i_word(c, hn_i_seed_join(s), s); }

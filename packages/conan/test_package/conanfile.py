@@ -1,4 +1,4 @@
-"""What `conan create` builds and runs with the new package."""
+"""The program that `conan create` builds and runs with the new package."""
 
 import os
 

@@ -38,7 +38,7 @@ async function drawn(name, ...alias) {
     const pixels = await page.evaluate(() => globalThis.drawn());
     const imported = await page.evaluate(() => globalThis.imported);
     const code = made.output.map((one) => one.code ?? "").join("");
-    // That React Three Fiber uses what three.js wants to be rid of is no fault of a shader.
+    // React Three Fiber uses what three.js deprecates: that is no fault of a shader.
     return { code, pixels, imported, complaints: page.complaints.filter((text) => !text.startsWith("THREE.Clock")) };
   } finally {
     await server.close();
@@ -74,7 +74,7 @@ test("Vite finds it by its own name, with the alias for all imports", async () =
 test("glslify finds the files by the name of glsl-noise, and what it makes of one and of all compiles", async () => {
   const glslify = createRequire(import.meta.url)("glslify");
   const page = await browser.newPage();
-  const told = (text) =>
+  const compiled = (text) =>
     page.evaluate((source) => {
       const gl = document.createElement("canvas").getContext("webgl2");
       const made = gl.createShader(gl.FRAGMENT_SHADER);
@@ -96,7 +96,7 @@ ${required.join("\n")}\nvoid main() { color = vec4(${calls.join(" + ")}); }`)}`;
   for (const some of [...files.map((file) => [file]), files]) {
     const shader = shaderOf(some);
     assert.ok(shader.includes(ours) && !shader.includes(theirs));
-    assert.equal(await told(shader), "", some.map(({ name, axes }) => `${name}/${axes}d`).join());
-    assert.notEqual(await told(shader.replace("floor", "flour")), "");
+    assert.equal(await compiled(shader), "", some.map(({ name, axes }) => `${name}/${axes}d`).join());
+    assert.notEqual(await compiled(shader.replace("floor", "flour")), "");
   }
 });

@@ -23,7 +23,7 @@ from base.debian import Missing, program as from_debian  # noqa: E402
 
 SKIPPED = 77
 OLDEST = (4, 4)
-# What Godot says when it starts with a renderer. It goes on with OpenGL where there is no Vulkan.
+# Godot prints this when it starts with a renderer. It goes on with OpenGL where there is no Vulkan.
 RENDERERS = {"gl_compatibility": re.compile(r"^OpenGL API .* - Compatibility - Using Device: (.*)$", re.MULTILINE),
              "forward_plus": re.compile(r"^Vulkan .* - Forward\+ - Using Device #\d+: (.*)$", re.MULTILINE)}
 WRONG = re.compile(r"^(?:\w+ )?ERROR:.*(?:\n .*)*", re.MULTILINE)
@@ -34,7 +34,7 @@ class Absent(Exception):
 
 
 class Failure(Exception):
-    """What went wrong in it."""
+    """The errors in it."""
 
 
 def find() -> tuple[str, str]:
@@ -52,7 +52,7 @@ def find() -> tuple[str, str]:
     version = done.stdout.strip()
     number = re.match(r"(\d+)\.(\d+)", version)
     if not number:
-        raise Absent(f"{program} --version says no version, but {version or done.stderr.strip()!r}")
+        raise Absent(f"{program} --version prints no version, but {version or done.stderr.strip()!r}")
     if (int(number[1]), int(number[2])) < OLDEST:
         raise Absent(f"{program} is Godot {version}; the add-on is for 4.4 and later")
     return program, version
@@ -89,7 +89,8 @@ class Engine:
         self.program, self.shown_on, self.home = program, shown_on, home
 
     def run(self, project: Path, renderer: str, script: str, *arguments: str, options: tuple[str, ...] = ()) -> str:
-        """What Godot prints while it runs a script of the project; an error of its own, and another renderer, are a Failure."""
+        """Godot's output while it runs a script of the project; an error of its own, and another renderer, are a
+        Failure."""
         environment = {**os.environ, "DISPLAY": self.shown_on, "HOME": str(self.home), "XDG_DATA_HOME": str(self.home),
                        "XDG_CONFIG_HOME": str(self.home), "XDG_CACHE_HOME": str(self.home)}
         environment.pop("WAYLAND_DISPLAY", None)

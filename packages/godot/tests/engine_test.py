@@ -1,4 +1,4 @@
-"""What the tests say where there is no Godot, or another one."""
+"""Messages of the tests where there is no Godot, or another one."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class Find(unittest.TestCase):
         self.assertEqual(self.with_program("echo 4.6.3.stable")[1], "4.6.3.stable")
         self.assertEqual(self.with_program("echo 4.10.stable")[1], "4.10.stable")
         for command, said in (("echo 4.3.stable", "is Godot 4.3.stable; the add-on is for 4.4 and later"),
-                              ("echo 3.5.2.stable", "for 4.4 and later"), ("echo what", "says no version, but 'what'")):
+                              ("echo 3.5.2.stable", "for 4.4 and later"), ("echo what", "prints no version, but 'what'")):
             with self.subTest(command=command), self.assertRaisesRegex(Absent, said):
                 self.with_program(command)
 

@@ -1,10 +1,11 @@
 extends SceneTree
-# Draws shaders into a picture each, and writes the bytes of the pictures: what values_test.py and example_test.py compare.
+# Draws shaders into a picture each, and writes the bytes of the pictures: what values_test.py and example_test.py
+# compare.
 #
 #     godot --script res://evaluate.gd -- JOB.json
 #
-# The job is {"size": [WIDTH, HEIGHT], "shaders": [{"code": PATH, "rows": [{"out": PATH, "which": N, "inputs": PATH}]}]}.
-# "which" is for a uniform, and "inputs" has the floats of a texture; a row may have neither.
+# The job is {"size": [WIDTH, HEIGHT], "shaders": [{"code": PATH, "rows": [{"out": PATH, "which": N, "inputs":
+# PATH}]}]}. "which" is for a uniform, and "inputs" has the floats of a texture; a row may have neither.
 
 func _initialize():
 	var job = JSON.parse_string(FileAccess.get_file_as_string(OS.get_cmdline_user_args()[0]))

@@ -25,7 +25,7 @@ from ship.packing import put
 from base.tree import GLSL, ROOT
 
 HERE = Path(__file__).resolve().parent
-SIDE = 256  # of the gallery's pictures
+SIDE = 512  # of the gallery's pictures
 NOISY = {"ink": 0.002}  # the part of the pixels that may differ more, where a little noise turns a colour
 
 
@@ -63,7 +63,7 @@ class Example(unittest.TestCase):
     engine: Engine
 
     def gallery(self, name: str) -> bytes:
-        width, height, colours = read_png(ROOT / "docs" / "gallery" / f"{name}.png")
+        width, height, colours = read_png(ROOT / "docs" / "guide" / "gallery" / f"{name}.png")
         self.assertEqual((width, height), (SIDE, SIDE))
         return colours
 
@@ -96,7 +96,7 @@ class Example(unittest.TestCase):
                         self.assertGreater(len({colours[i:i + 3] for i in range(0, len(colours), 3 * 97)}), 1000)
 
     def test_the_code_of_the_page_compiles(self):
-        page = (ROOT / "docs" / "godot.md").read_text(encoding="utf-8")
+        page = (ROOT / "docs" / "guide" / "godot.md").read_text(encoding="utf-8")
         shaders = re.findall(r"^```gdshader\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)
         self.assertGreaterEqual(len(shaders), 2)
         for renderer in RENDERERS:

@@ -117,7 +117,7 @@ def texture_of(inputs: list[list[int]]) -> bytes:
 def evaluated(engine: Engine, renderer: str, rows: Rows, arithmetic: str = "HN_FIXED",
               addon: Callable[[str, bytes], bytes] = lambda name, content: content,
               edit: Callable[[str], str] = lambda code: code) -> dict[str, list[tuple[int, ...]]]:
-    """What Godot has for each point of each row."""
+    """Godot's values for each point of each row."""
     with tempfile.TemporaryDirectory() as folder:
         project = Path(folder)
         (project / "project.godot").write_text("config_version=5\n")

@@ -1,4 +1,4 @@
-/** What a field is: a noise, or a sum of octaves of a noise. A setting that the function does not have is an error. */
+/** The kind of a field: a noise, or a sum of octaves of a noise. A setting that the function does not have is an error. */
 export interface Settings {
   /** "fbm", "ridged", ...; the noise itself if it is left out. */
   sum?: SumName;
@@ -68,7 +68,7 @@ export declare class Field {
   constructor(dimensions: 1 | 2 | 3, settings?: Settings);
 
   readonly dimensions: 1 | 2 | 3;
-  /** What the numbers at a point are: "value", or also "dx" and so on. */
+  /** The numbers at a point: "value", or also "dx" and so on. */
   readonly components: readonly string[];
 
   /** The names of the noises that there are in so many dimensions. */
@@ -87,8 +87,9 @@ export declare class Field {
   allInCell(cell: number | number[], fraction: number | number[]): number[];
 
   /**
-   * The values at many positions: an array of coordinates for each axis, all of the same length. With `cells`, arrays of
-   * whole numbers, the coordinates are the fractions in those. All first components come first, then all second ones.
+   * The values at many positions: an array of coordinates for each axis, all of the same length. With `cells`, arrays
+   * of whole numbers, the coordinates are the fractions in those. All first components come first, then all second
+   * ones.
    */
   points(
     coordinates: (Float32Array | number[])[],
@@ -96,8 +97,8 @@ export declare class Field {
   ): Float32Array;
 
   /**
-   * A uniform grid of size[0] by size[1] points and so on, from `origin` on, `step` cells apart; x is the fastest. With a
-   * `cell` the origin is the fraction in it, and the grid is exact however far out.
+   * A uniform grid of size[0] by size[1] points and so on, from `origin` on, `step` cells apart; x is the fastest. With
+   * a `cell` the origin is the fraction in it, and the grid is exact however far out.
    */
   grid(
     size: number | number[],
@@ -106,7 +107,7 @@ export declare class Field {
 }
 
 /**
- * Compiles the module ahead of the first field, beside other work. Pages for old browsers have to call it: Chromium until
- * 2023 compiles no more than 4 kB at once there.
+ * Compiles the module ahead of the first field, beside other work. Pages for old browsers have to call it: Chromium
+ * until 2023 compiles no more than 4 kB at once there.
  */
 export declare function init(): Promise<void>;

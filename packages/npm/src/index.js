@@ -1,17 +1,17 @@
-// The twin: noises and sums with the bits that HN_FIXED has in shaders. The functions are in WebAssembly (twin.cpp); this
-// checks settings, and says where the points are.
+// The twin: noises and sums with the bits that HN_FIXED has in shaders. The functions are in WebAssembly (twin.cpp);
+// this checks settings, and computes where the points are.
 import { bytes } from "./twin.js";
 
 const AXES = ["x", "y", "z"];
-// What the numbers at a point are.
+// The numbers at a point.
 const SHAPES = {
   value: () => ["value"],
   slopes: (dimensions) => ["value", ...AXES.slice(0, dimensions).map((axis) => `d${axis}`)],
   two_distances: () => ["f1", "f2"],
   vector: (dimensions) => AXES.slice(0, dimensions),
 };
-// What there is, in the order of twin.cpp. The noise of a sum is the one that it takes unless another of its shape is named,
-// and its strength is the name of that number. OWNERS says which noises or sums have a setting.
+// Functions, in the order of twin.cpp. The noise of a sum is the one that it takes unless another of its shape is
+// named, and its strength is the name of that number. OWNERS lists which noises or sums have a setting.
 // tools/make catalog: noises and sums
 const NOISES = {
   perlin: { dimensions: [1, 2, 3], shape: "value", takes: [] },
@@ -59,12 +59,13 @@ const OWNERS = {
 // tools/make catalog: end
 const KNOWN = ["noise", "sum", "seed", "period", "octaves", "lacunarity", "gain", "strength", "amplitude", "jitter", "metric"];
 const OF_SUMS = ["octaves", "lacunarity", "gain"];
-const LONGEST_WORD = 48; // of which the module has room for the numbers
+const LONGEST_WORD = 48; // the module has room for the numbers of one
 const MOST_VALUES = 2 ** 31 - 1; // of an array, in every browser
 const BATCH = 1024; // points, as in twin.cpp
 
 // ---------------------------------------------------------------------------------------------------------------------
-// The module in WebAssembly. It is compiled where the first field is made, so that a page which makes none does nothing.
+// The module in WebAssembly. It is compiled where the first field is made, so that a page which makes none does
+// nothing.
 
 let twin;
 let current; // the field whose settings are in it
@@ -98,8 +99,8 @@ function start() {
 }
 
 /**
- * Compiles the module ahead of the first field, beside other work. Pages for old browsers have to call it: Chromium until
- * 2023 compiles no more than 4 kB at once there.
+ * Compiles the module ahead of the first field, beside other work. Pages for old browsers have to call it: Chromium
+ * until 2023 compiles no more than 4 kB at once there.
  */
 export async function init() {
   if (!twin) {
@@ -109,7 +110,7 @@ export async function init() {
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// What users pass.
+// Values that users pass.
 
 function whole(name, value, least, most) {
   if (!Number.isInteger(value) || value < least || value > most) {
@@ -128,7 +129,8 @@ function real(name, value, least = -Infinity, most = Infinity) {
   return value;
 }
 
-// HN_FIXED takes a lacunarity and a gain beyond these as the nearer end, and in a tile drops the fraction of a lacunarity.
+// HN_FIXED takes a lacunarity and a gain beyond these as the nearer end, and in a tile drops the fraction of a
+// lacunarity.
 const MOST_IN_FIXED = { lacunarity: 255, gain: 1 };
 const inFixed = (name, value) => real(name, value, 0, MOST_IN_FIXED[name]);
 const wholeInTile = (name, value) => whole(`${name} with a period`, value, 1, MOST_IN_FIXED[name]);
@@ -140,7 +142,7 @@ function oneOf(name, value, names) {
   return value;
 }
 
-/** The name that a few typing errors turn into the word, of which there are no more than a third of the letters. */
+/** The name that a few typing errors turn into the word: at most a third of its letters. */
 function suggestion(word, names) {
   if (typeof word !== "string" || word.length > LONGEST_WORD || /[^ -~]/.test(word)) return "";
   try {
@@ -230,7 +232,7 @@ export class Field {
       strength: row?.strength ? real(row.strength, given[row.strength] ?? row.usual, 0, row.most) : 0,
     };
     this.dimensions = dimensions;
-    /** What the numbers at a point are. */
+    /** The numbers at a point. */
     this.components = Object.freeze(SHAPES[(row ?? NOISES[noise]).shape](dimensions));
     Object.freeze(this);
     start();
@@ -317,8 +319,8 @@ export class Field {
   }
 
   /**
-   * The values at many positions: an array of coordinates for each axis, all of the same length. With `cells`, arrays of
-   * whole numbers, the coordinates are the fractions in those.
+   * The values at many positions: an array of coordinates for each axis, all of the same length. With `cells`, arrays
+   * of whole numbers, the coordinates are the fractions in those.
    */
   points(coordinates, options = {}) {
     known(options, ["cells", "out"]);
@@ -359,8 +361,8 @@ export class Field {
   }
 
   /**
-   * A uniform grid of size[0] by size[1] points and so on, from `origin` on, `step` cells apart; x is the fastest. With a
-   * `cell` the origin is the fraction in it, and the grid is exact however far out.
+   * A uniform grid of size[0] by size[1] points and so on, from `origin` on, `step` cells apart; x is the fastest. With
+   * a `cell` the origin is the fraction in it, and the grid is exact however far out.
    */
   grid(size, options = {}) {
     known(options, ["step", "origin", "cell", "out"]);
@@ -444,7 +446,7 @@ function positions(axis, count, origin, step) {
   return { cells, places };
 }
 
-// The same in units of 2^-32 of a cell, of which a place keeps 24 bits.
+// The same in units of 2^-32 of a cell; a place keeps 24 bits of them.
 function exactly(count, cell, origin, step) {
   const cells = new Int32Array(count);
   const places = new Float32Array(count);

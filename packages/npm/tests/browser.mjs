@@ -40,7 +40,7 @@ async function page(path, at = address) {
   return opened;
 }
 
-// What evaluates a row of a golden file in GLSL, with the seed or with another one: its words are a, b, c and d.
+// Evaluates a row of a golden file in GLSL, with the seed or with another one: its words are a, b, c and d.
 const bodies = {
   "noise2d.perlin": (more) => `
     return uvec4(bits_of(hn_perlin(vec2(float_of(a.x), float_of(a.y)), a.z + ${more}u)), 0u, 0u, 0u);`,
@@ -168,7 +168,7 @@ for (const [path, backend] of [["webgpu.html", "WebGPU"], ["webgpu.html?webgl", 
       const component = id === "noise2d.cellular" ? 1 : 0;
       const off = (results) => file.rows.filter((row, i) => bitsOf(results[i]) !== row.expected[component]).length;
       assert.equal(off(await evaluated("fixed", ...given)), 0, id);
-      assert.ok(off(await evaluated("fast", ...given)) > file.rows.length / 4, `${id} in floats is not told from HN_FIXED`);
+      assert.ok(off(await evaluated("fast", ...given)) > file.rows.length / 4, `${id} in floats does not differ from HN_FIXED`);
       rows += file.rows.length;
     }
     console.log(`${rows} rows with ${backend}`);

@@ -1,4 +1,4 @@
-// What a bundler keeps of the package: what is used, and each text once. And what a node takes.
+// A bundler keeps the used parts of the package, and each text once. Also: what a node takes.
 //
 //   node bundles.mjs
 import assert from "node:assert/strict";

@@ -1,4 +1,4 @@
-// The twin's class: a field says what is wrong with its settings, and grids and arrays have the values of single points.
+// The twin's class: a field reports wrong settings, and grids and arrays have the values of single points.
 //
 //   node fields.mjs
 import assert from "node:assert/strict";
@@ -72,7 +72,7 @@ test("cells are exact far out, and wrap at 2^32", () => {
   const alone = [0, 1].map((i) => field.inCell(cells.map((c) => c[i]), fractions.map((f) => f[i])));
   assert.deepEqual(Array.from(some), alone);
   assert.equal(field.inCell([3, 4], [0.5, 0.25]), field.at(3.5, 4.25));
-  // Steps backward, and smaller than a float tells apart there.
+  // Steps backward, and smaller than the distance of floats there.
   const back = field.grid([3, 1], { step: [-0.5, 1], cell: [0, 0], origin: [0.25, 0] });
   assert.deepEqual(Array.from(back), [field.at(0.25, 0), field.at(-0.25, 0), field.at(-0.75, 0)]);
   assert.equal(new Set(field.grid([64, 1], { step: 2 ** -12, cell: [1e9, 0], origin: [0.25, 0.5] })).size, 64);
@@ -108,7 +108,7 @@ test("options that there are not, and arrays that do not fit, are named in a lin
   assert.throws(() => field.grid([2 ** 20, 2 ** 20], { step: 1 }), /room for 2147483647 values, not for 1099511627776/);
 });
 
-test("wrong settings are told", () => {
+test("wrong settings are reported", () => {
   for (const [dimensions, settings, said] of [
     [4, {}, /dimensions has to be a whole number from 1 to 3, not 4/],
     [2, { noise: "perlim" }, /noise in 2D has to be one of perlin, .*, not "perlim" \(did you mean "perlin"\?\)$/],
@@ -166,7 +166,7 @@ test("wrong settings are told", () => {
   }
 });
 
-test("a browser that compiles little at once says what to do, and does it", async () => {
+test("a browser that compiles little at once prints what to do, and does it", async () => {
   const again = await import(`${import.meta.resolve("hashnoise")}?again`); // a module of its own
   const { Module } = WebAssembly;
   WebAssembly.Module = class {

@@ -3,11 +3,10 @@
     project.py make FOLDER                       makes FOLDER/npm
     project.py run FOLDER PROGRAM [ARGUMENT]...    runs a program of Node.js in it, by tools/lib/base/node
 
-The package is what tools/pack npm makes, installed by npm. The code blocks of docs/javascript.md become modules of the
-project:
-blocks/NAME.js as they are printed, and faulty/NAME.js with a mistake that a test has to notice. picked/ has what tools/pick
-writes, and the page of that document which needs no build step: page.html and wrong.html. Exit status: that of the
-program, 0 made, 1 it could not be made, 77 npm's packages or the compiler are not here.
+The package is what tools/pack npm makes, installed by npm. The code blocks of docs/guide/javascript.md become modules
+of the project: blocks/NAME.js as they are printed, and faulty/NAME.js with a mistake that a test has to notice. picked/
+has what tools/pick writes, and the page of that document which needs no build step: page.html and wrong.html. Exit
+status: that of the program, 0 made, 1 it could not be made, 77 npm's packages or the compiler are not here.
 """
 
 from __future__ import annotations
@@ -36,22 +35,22 @@ BLOCKS = {
 
 
 def blocks() -> dict[str, str]:
-    page = (ROOT / "docs" / "javascript.md").read_text(encoding="utf-8")
+    page = (ROOT / "docs" / "guide" / "javascript.md").read_text(encoding="utf-8")
     found = re.findall(r"^```(js|glsl)\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)
     endings = [name.split(".")[1] for name in BLOCKS]
     if [language for language, _ in found] != endings:
-        raise ValueError(f"docs/javascript.md has other blocks than {list(BLOCKS)}")
+        raise ValueError(f"docs/guide/javascript.md has other blocks than {list(BLOCKS)}")
     return {name: code for name, (_, code) in zip(BLOCKS, found)}
 
 
 def picked() -> dict[str, str]:
     """The page without a build step and another with a mistake, where three.js comes from this disk; and its modules."""
-    page = (ROOT / "docs" / "javascript.md").read_text(encoding="utf-8")
+    page = (ROOT / "docs" / "guide" / "javascript.md").read_text(encoding="utf-8")
     html, = re.findall(r"^```html\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)
     command, = re.findall(r"^    hashnoise/(tools/pick .*) --out noise\.js$", page, re.MULTILINE)
     html, replaced = re.subn(r"https://cdn\.jsdelivr\.net/npm/three@[\d.]+/", "/node_modules/three/", html)
     if replaced != 2 or html.count("6, 2") != 1:
-        raise ValueError(f"docs/javascript.md takes three.js from {replaced} addresses, and a page from two")
+        raise ValueError(f"docs/guide/javascript.md takes three.js from {replaced} addresses, and a page from two")
     modules = {"noise.js": command, "fixed.js": "tools/pick hn_fbm2 hn_perlin2_place hn_tile2 --language tsl --arithmetic fixed"}
     return {"page.html": html, "wrong.html": html.replace("6, 2", "5, 2"),
             **{name: subprocess.run([ROOT / words.split()[0], *words.split()[1:]], capture_output=True, text=True,
@@ -59,7 +58,7 @@ def picked() -> dict[str, str]:
 
 
 def missing(packages: Path) -> str:
-    """What a project needs and is not here."""
+    """A project needs something that is not here."""
     if not (packages / "made").exists():
         return f"the packages in {packages}: javascript.packages was skipped, or did not run"
     if not shutil.which("clang++"):

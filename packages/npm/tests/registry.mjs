@@ -1,5 +1,5 @@
-// The package is one that npm's registry would take, as npm tells before it sends anything: the command of
-// docs/publishing.md.
+// The package is one that npm's registry would take, as npm checks before it sends anything: the command of
+// docs/develop/publishing.md.
 //
 //   node registry.mjs PAGE
 import assert from "node:assert/strict";
@@ -14,7 +14,7 @@ const [, command] = /^\| npm \| `(npm publish [^`]*)`/m.exec(page);
 const packages = resolve(import.meta.dirname, "..");
 const packed = readdirSync(packages).find((name) => /^hashnoise-[\d.]+\.tgz$/.test(name));
 
-/** What npm says of a package that lies in a folder. */
+/** npm's messages on a package in a folder. */
 function published(folder, name) {
   assert.ok(command.includes("--dry-run"), command);
   const words = command.replace(/hashnoise-1\.2\.3\.tgz/, name).split(" ");

@@ -1,4 +1,4 @@
-// The scenes of examples/three, made as docs/javascript.md says, in Chromium with WebGPU and with WebGL2.
+// The scenes of examples/three, made as docs/guide/javascript.md describes, in Chromium with WebGPU and with WebGL2.
 //
 //   node three.mjs ROOT    the repository
 import assert from "node:assert/strict";
@@ -13,7 +13,7 @@ import { serve } from "./files.mjs";
 import { bitsOf } from "./golden_values.mjs";
 
 const [repository] = process.argv.slice(2);
-const WIDTH = 128; // of which WebGPU pads no row
+const WIDTH = 128; // a row of this width needs no padding in WebGPU
 const HEIGHT = 80;
 let folder;
 let files;
@@ -21,7 +21,7 @@ let browser;
 
 before(async () => {
   folder = await mkdtemp(join(tmpdir(), "three-"));
-  const page = await readFile(join(repository, "docs", "javascript.md"), "utf8");
+  const page = await readFile(join(repository, "docs", "guide", "javascript.md"), "utf8");
   const [, words] = page.match(/^ {4}hashnoise\/(tools\/pick .*) --out scenes\/noise\.js$/m);
   const [tool, ...options] = words.split(" ");
   execFileSync(join(repository, tool), [...options, "--out", join(folder, "noise.js")]);

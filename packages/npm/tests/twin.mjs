@@ -27,10 +27,11 @@ function evaluated({ dimensions, settings }, { inputs }, row) {
   const at = Object.fromEntries(inputs.map(([name, kind], i) => [name, meaning(kind, row.inputs[i])]));
   const along = (prefix) => ["x", "y", "z"].slice(0, dimensions).map((axis) => at[prefix + axis]);
   const chosen = { ...settings, seed: at.seed };
-  // A field refuses what HN_FIXED takes as the end: more than 32 octaves, a gain above 1, a lacunarity above 255 or, in a
-  // tile, with a fraction, and of a noise a period below 0. That of a sum may become a positive one in a late octave.
+  // A field refuses what HN_FIXED takes as the end: more than 32 octaves, a gain above 1, a lacunarity above 255 or, in
+  // a tile, with a fraction, and of a noise a period below 0. The seed of a sum may become a positive one in a late
+  // octave.
   if ("px" in at) chosen.period = along("p").map((period) => (settings.noise ? Math.max(period, 0) : period));
-  // A sum without a period has octaves that turn. Those of a tile do not, also where the tile has no period.
+  // A sum without a period has octaves that turn. Octaves of a tile do not, also where the tile has no period.
   if (settings.sum && "px" in at && chosen.period.every((period) => period <= 0)) return undefined;
   for (const name of SETTINGS) if (name in at) chosen[name] = at[name];
   if (chosen.octaves > 32) chosen.octaves = 32;

@@ -1,4 +1,4 @@
-// What tsc says of the package: each line below a @ts-expect-error is an error, and no other is.
+// tsc checks the package: each line below a @ts-expect-error is an error, and no other is.
 import { ivec2, uv, vec3 } from "three/tsl";
 import { Field, init, type Settings } from "hashnoise";
 import fbm2d from "hashnoise/glsl/fbm2d";

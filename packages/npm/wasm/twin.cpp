@@ -268,7 +268,7 @@ void run_points(int count) {
 }  // namespace HN_LANES
 
 // ---------------------------------------------------------------------------------------------------------------------
-// What index.js calls.
+// Functions that index.js calls.
 
 #define TWIN_EXPORT(name) extern "C" __attribute__((export_name(#name)))
 using namespace HN_LANES;

@@ -24,7 +24,7 @@ All functions have these options:
     cell             cells, as a tuple with an array of whole numbers for each axis, from -2^31 to 2^31 - 1. The
                      coordinates are then the fractions in the cells, from 0 to 1, and the field is exact however far
                      out
-    arithmetic       "fast": floats, within the error that the function states (docs/accuracy.md); the last bits may
+    arithmetic       "fast": floats, within the error that the function states (docs/measured/accuracy.md); the last bits may
                      differ from processor to processor. "precise": floats with the bits of IEEE arithmetic. "fixed":
                      integers, with the bits of HN_FIXED in every shader
     out              a writeable array of float32 to fill and return, of the shape of the result
@@ -40,7 +40,7 @@ Sums (fbm and the others that sums() names) also have these:
                      from 1 to 255; with a cell, and with arithmetic="fixed", from 0 to 255
     gain             how much weaker, usually 0.5; not negative, and with arithmetic="fixed" from 0 to 1
 
-What is wrong raises TypeError or ValueError, and says what would be right.
+A wrong argument raises TypeError or ValueError, with the right ones in the message.
 """
 
 from . import _noises, _sums

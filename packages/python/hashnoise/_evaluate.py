@@ -10,7 +10,7 @@ import numpy as np
 from . import _core
 
 ARITHMETICS = {"fast": 1, "precise": 2, "fixed": 3}  # the values of HN_FAST and so on
-# Those of HN_METRIC_EUCLIDEAN and so on:
+# The numbers of HN_METRIC_EUCLIDEAN and so on:
 # tools/make catalog: metrics
 METRICS = {"euclidean": 1, "squared": 2, "manhattan": 3, "chebyshev": 4, "hybrid": 5}
 # tools/make catalog: end
@@ -25,7 +25,7 @@ _OF_GRIDS = (_FLOAT32, np.dtype(np.float16), _UINT16)
 
 
 def points(function, coordinates, cell, out, threads, *, noise="", sum="", **options):
-    """What a function returns: its field at the points of arrays.
+    """A function's result: its field at the points of arrays.
 
     function     its name, for messages
     coordinates  x, y, z and w; None for each that was left out
@@ -127,7 +127,7 @@ def checked_out(function, out, shape, dtype=_FLOAT32):
 
 
 def checked_dtype(function, dtype, out):
-    """The type of the numbers of a grid: what is asked for, or else that of `out`, or else float32."""
+    """The type of the numbers of a grid: the chosen one, or else that of `out`, or else float32."""
     if dtype is None:
         return out.dtype if isinstance(out, np.ndarray) and out.dtype in _OF_GRIDS else _FLOAT32
     try:
@@ -141,11 +141,11 @@ def checked_dtype(function, dtype, out):
 
 
 def checked_ranges(function, name, range, dtype, field):
-    """What 0 and 65535 stand for, for each plane: what is asked for, or else what the function documents."""
+    """The values that 0 and 65535 stand for, for each plane: the caller's, or else the documented ones."""
     if dtype != _UINT16:
         if range is not None:
-            raise ValueError(f"{function}: a range says what 0 and 65535 stand for, and is for dtype=\"uint16\" alone, "
-                             f"not for {dtype}")
+            raise ValueError(f"{function}: a range sets the values that 0 and 65535 stand for, and is "
+                             f"for dtype=\"uint16\" alone, not for {dtype}")
         return []
     if range is None:
         if None in field.ranges:
@@ -166,7 +166,7 @@ def suggestion(word, names):
     return _core.suggestion(word, list(names)) if isinstance(word, str) else ""
 
 
-# What other libraries call what is here, and what that is: of a function, and of a grid.
+# Options by their names in other libraries: of a function, and of a grid.
 _FREQUENCY = ("multiply the coordinates by the frequency, since they are in cells",
               "step is the frequency, the cells from point to point")
 _SCALE = ("divide the coordinates by the scale, since they are in cells",
@@ -203,7 +203,7 @@ def suggesting(function):
                 raise
             raise TypeError(f"{error}{meant}") from None
 
-    called.__kwdefaults__ = function.__kwdefaults__  # for who asks what options there are
+    called.__kwdefaults__ = function.__kwdefaults__  # for tools that list the options
     return called
 
 
@@ -223,7 +223,7 @@ def _dimensions(function, coordinates):
 
 
 def _coordinate(function, name, value, masks):
-    if isinstance(value, int):  # of which NumPy makes an array of objects, if it is large
+    if isinstance(value, int):  # NumPy makes an array of objects of a large one
         value = real_number(function, name, value)
     array = _array(function, name, value, "fiub", f"{name} must be a number or an array of numbers, not of", masks)
     return array if array.dtype == _FLOAT32 or array.dtype == _FLOAT64 else array.astype(_FLOAT32)
@@ -244,7 +244,7 @@ def _array(function, name, value, kinds, wanted, masks):
 
 
 def _check_fractions(function, arrays):
-    """What lies beyond a cell is in another one. What is no number is none in the result."""
+    """Fractions beyond a cell are in another one. NaN and infinity give NaN."""
     for axis, array in zip(AXES, arrays):
         if array.size == 0:
             continue
@@ -281,7 +281,7 @@ def _cells(function, cell, dimensions, masks):
     arrays = []
     least, most = _core.rules["cell"]
     for axis, part in zip(AXES, cell):
-        if isinstance(part, int):  # of which NumPy makes an array of objects, if it is large
+        if isinstance(part, int):  # NumPy makes an array of objects of a large one
             ruled_number(function, "cell", part)
         array = _array(function, "cell", part, "iu", f"the cells along {axis} must be whole numbers, not", masks)
         if array.dtype != _INT32 and array.size and not least <= array.min() <= array.max() <= most:

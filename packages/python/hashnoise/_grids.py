@@ -29,7 +29,7 @@ def grid(name, size, *, step, origin=0.0, cell=None, first=0, seed=0, noise=None
                   on, with its bits, whatever the step is. first + size is at most 536870911
     dtype         what the array is of: "float32", "float16" or, for height maps, "uint16"; as `out` is, or else float32
     range         of uint16: the pair (least, greatest) of the values for which 0 and 65535 stand, as `--range` of
-                  tools/bake has it. What is outside becomes the nearer end. Left out it is the range that the function
+                  tools/bake has it. Values outside become the nearer end. Left out it is the range that the function
                   documents
     out           a writeable array to fill and return, of the shape of the result and of one of these types. It may lie
                   in memory in any order, also transposed
@@ -100,7 +100,7 @@ def grid(name, size, *, step, origin=0.0, cell=None, first=0, seed=0, noise=None
 
 @suggesting
 def components(name, dimensions, *, noise=None):
-    """What the planes are of a function that is called `name`, in so many dimensions, over a noise.
+    """The planes of a function that is called `name`, in so many dimensions, over a noise.
 
     >>> hashnoise.components("perlin_d", 2)
     ('value', 'dx', 'dy')
@@ -130,7 +130,8 @@ def sums(dimensions):
 
 
 def instruction_sets():
-    """What this processor and the package have of "avx512", "avx2", "sse4.1", "neon" and "generic".
+    """The instruction sets that this processor and the package have, of "avx512", "avx2", "sse4.1", "neon" and
+    "generic".
 
     The widest is first, and is taken where `instruction_set` is left out.
 

@@ -1,5 +1,5 @@
 # Made by tools/make catalog from catalog/noises.toml and settings.toml.
-"""The noises: each is a function of arrays of coordinates. help(hashnoise) tells what they have in common."""
+"""The noises: each is a function of arrays of coordinates. help(hashnoise) describes what they have in common."""
 
 from ._evaluate import points, suggesting
 
@@ -13,10 +13,10 @@ def perlin(x, y=None, z=None, w=None, /, *, seed=0, period=None, phase=None, cel
            threads=None, instruction_set=None):
     """Perlin noise, in 1D to 4D: gradient noise on the square lattice, with hashed gradients.
 
-    Positions are in cells, and a cell has about one hill or valley. At whole positions the noise is 0, so scale the
-    numbers of pixels and tiles.
+    Positions are in cells, and a cell has about one hill or valley. At whole positions the noise is 0, so multiply
+    pixels by a frequency.
 
-    phase    in 2D and 3D: the gradients turn by so many turns, and the field changes in place; it loops after one
+    phase    in 2D and 3D: how far the gradients rotate, in turns. The field changes in place, and loops after one turn
     returns  [-1, 1], mean 0, 0 at lattice points, twice continuously differentiable
     source   Valdenegro-Toro and Pincheira, sec. 5; Perlin, "Improving noise", 2002; for the phase Perlin and Neyret,
              "Flow noise", 2001
@@ -34,13 +34,13 @@ def perlin(x, y=None, z=None, w=None, /, *, seed=0, period=None, phase=None, cel
 @suggesting
 def perlin_d(x, y=None, z=None, w=None, /, *, seed=0, period=None, phase=None, cell=None, arithmetic="fast", out=None,
              threads=None, instruction_set=None):
-    """Perlin noise and how steep it is, in 1D to 4D.
+    """Perlin noise and its slope, in 1D to 4D.
 
     phase    in 2D and 3D: as of `perlin`
     returns  planes: the value, which is that of `perlin`, and its derivatives along each axis, per cell, once
              continuously differentiable: in [-2.69, 2.69] in 1D, [-2.91, 2.91] in 2D, [-3.61, 3.61] in 3D and [-3.62,
              3.62] in 4D, without a phase
-    source   the product rule on the interpolation; docs/contract.md, section 10
+    source   the product rule on the interpolation; docs/reference/contract.md, section 10
 
     help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
@@ -75,11 +75,11 @@ def value(x, y=None, z=None, w=None, /, *, seed=0, period=None, cell=None, arith
 @suggesting
 def value_d(x, y=None, z=None, w=None, /, *, seed=0, period=None, cell=None, arithmetic="fast", out=None, threads=None,
             instruction_set=None):
-    """Value noise and how steep it is, in 1D to 4D.
+    """Value noise and its slope, in 1D to 4D.
 
     returns  planes: the value, which is that of `value`, and its derivatives along each axis, per cell, in [-3.76,
              3.76], once continuously differentiable
-    source   the product rule on the interpolation; docs/contract.md, section 10
+    source   the product rule on the interpolation; docs/reference/contract.md, section 10
 
     help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
@@ -120,10 +120,10 @@ def simplex(x, y, z=None, w=None, /, *, seed=0, period=None, phase=None, cell=No
     It does not prefer the axes. There are several lattice points to a cell, so its features are smaller than those of
     `perlin`: on the plane about half as large.
 
-    phase    in 2D and 3D: the gradients turn by so many turns, and the field changes in place; it loops after one
+    phase    in 2D and 3D: how far the gradients rotate, in turns. The field changes in place, and loops after one turn
     returns  [-1, 1], mean 0, 0 at lattice points, twice continuously differentiable
-    source   Perlin, "Noise hardware", 2001, for the sum over the corners of a simplex; docs/contract.md, section 13;
-             for the phase Perlin and Neyret, "Flow noise", 2001
+    source   Perlin, "Noise hardware", 2001, for the sum over the corners of a simplex; docs/reference/contract.md,
+             section 13; for the phase Perlin and Neyret, "Flow noise", 2001
 
     help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
@@ -138,13 +138,13 @@ def simplex(x, y, z=None, w=None, /, *, seed=0, period=None, phase=None, cell=No
 @suggesting
 def simplex_d(x, y, z=None, w=None, /, *, seed=0, period=None, phase=None, cell=None, arithmetic="fast", out=None,
               threads=None, instruction_set=None):
-    """Simplex noise and how steep it is, in 2D to 4D.
+    """Simplex noise and its slope, in 2D to 4D.
 
     phase    in 2D and 3D: as of `simplex`
     returns  planes: the value, which is that of `simplex`, and its derivatives along each axis, per cell, once
              continuously differentiable: in [-8.46, 8.46] in 2D, [-4.81, 4.81] in 3D and [-6.06, 6.06] in 4D, without a
              phase
-    source   the product rule on weight and ramp; docs/contract.md, section 13
+    source   the product rule on weight and ramp; docs/reference/contract.md, section 13
 
     help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
@@ -162,7 +162,8 @@ def simplex_smooth(x, y, z=None, /, *, seed=0, period=None, cell=None, arithmeti
     """Smooth simplex noise, in 2D and 3D: its kernel is larger than that of `simplex`, so the field is calmer.
 
     returns  [-1, 1], mean 0, 0 at lattice points, twice continuously differentiable
-    source   Perlin, "Noise hardware", 2001, for the sum over the corners of a simplex; docs/contract.md, section 13
+    source   Perlin, "Noise hardware", 2001, for the sum over the corners of a simplex; docs/reference/contract.md,
+             section 13
 
     help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
@@ -177,7 +178,7 @@ def simplex_smooth(x, y, z=None, /, *, seed=0, period=None, cell=None, arithmeti
 @suggesting
 def cellular(x, y, z=None, /, *, seed=0, period=None, phase=None, jitter=1.0, metric="euclidean", cell=None,
              arithmetic="fast", out=None, threads=None, instruction_set=None):
-    """Cellular noise, in 2D and 3D: distances to the two nearest of points that are strewn one in each cell.
+    """Cellular noise, in 2D and 3D: distances to the two nearest of points that are scattered, one in each cell.
 
     They are Worley's F1 and F2, and those of the whole infinite field.
 
@@ -185,11 +186,11 @@ def cellular(x, y, z=None, /, *, seed=0, period=None, phase=None, jitter=1.0, me
              [0, 1] counts as the nearer end
     metric   "euclidean", "squared" (the square of it), "manhattan" (the sum of the sizes along the axes), "chebyshev"
              (the largest of them) or "hybrid" (Manhattan and squared, added)
-    phase    the points go round by so many turns, and come back after one; with it the metric is Euclidean, and a
+    phase    how far the points circle, in turns. They come back after one turn; with it the metric is Euclidean, and a
              jitter of 1 is 7/8 of what it is without one in 2D, and 25/32 in 3D
     returns  planes: the two distances, in cells, ascending and continuous. With the Euclidean metric the first is in
              [0, 1.1181] in 2D and [0, 1.2248] in 3D, and the second in [0, 1.5001]
-    source   Worley, "A cellular texture basis function", 1996; docs/contract.md, section 16
+    source   Worley, "A cellular texture basis function", 1996; docs/reference/contract.md, section 16
 
     help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
@@ -210,7 +211,7 @@ def cellular_three(x, y, z=None, /, *, seed=0, period=None, jitter=1.0, metric="
     metric   as of `cellular`
     returns  planes: the three distances, in cells, ascending. The first two are those of `cellular`; with the Euclidean
              metric the third is in [0, 1.5812]
-    source   Worley, "A cellular texture basis function", 1996; docs/contract.md, section 16
+    source   Worley, "A cellular texture basis function", 1996; docs/reference/contract.md, section 16
 
     help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
@@ -230,7 +231,7 @@ def cellular_d(x, y, z=None, /, *, seed=0, period=None, jitter=1.0, cell=None, a
     jitter   as of `cellular`
     returns  planes: the distance, which is the first of `cellular`, and its derivatives along each axis: a vector of
              length 1 away from the point, and 0 at the point. It jumps where another point becomes the nearest
-    source   docs/contract.md, section 16
+    source   docs/reference/contract.md, section 16
 
     help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
@@ -250,7 +251,7 @@ def cellular_smooth(x, y, z=None, /, *, seed=0, period=None, jitter=1.0, cell=No
     jitter   as of `cellular`
     returns  a distance that takes all points within 1 into account, a little below the first of `cellular`: in
              [-0.1937, 7/8] in 2D and [-0.198, 7/8] in 3D, continuously differentiable but for the points themselves
-    source   docs/contract.md, section 16
+    source   docs/reference/contract.md, section 16
 
     help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
@@ -269,7 +270,7 @@ def cell_border(x, y, z=None, /, *, seed=0, period=None, jitter=1.0, cell=None, 
 
     jitter   as of `cellular`
     returns  the distance, in cells, continuous: in [0, 0.844] in 2D and [0, 0.883] in 3D
-    source   docs/contract.md, section 16
+    source   docs/reference/contract.md, section 16
 
     help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
@@ -305,13 +306,12 @@ def curl(x, y, z=None, /, *, seed=0, period=None, cell=None, arithmetic="fast", 
 @suggesting
 def value_vector(x, y, z=None, /, *, seed=0, period=None, cell=None, arithmetic="fast", out=None, threads=None,
                  instruction_set=None):
-    """Value noises that do not depend on each other, one along each axis, in 2D and 3D, from one hash for each corner
-    of a cell.
+    """Independent value noises, one along each axis, in 2D and 3D, from one hash for each corner of a cell.
 
     The first component is `value`. It costs less than as many noises with seeds of their own.
 
     returns  planes: [-1, 1] along each axis, mean 0, twice continuously differentiable
-    source   Perlin, "Improving noise", 2002, for the interpolant; docs/contract.md, section 22
+    source   Perlin, "Improving noise", 2002, for the interpolant; docs/reference/contract.md, section 22
 
     help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
@@ -326,13 +326,12 @@ def value_vector(x, y, z=None, /, *, seed=0, period=None, cell=None, arithmetic=
 @suggesting
 def perlin_vector(x, y, z=None, /, *, seed=0, period=None, cell=None, arithmetic="fast", out=None, threads=None,
                   instruction_set=None):
-    """Perlin noises that do not depend on each other, one along each axis, in 2D and 3D, from one hash for each corner
-    of a cell.
+    """Independent Perlin noises, one along each axis, in 2D and 3D, from one hash for each corner of a cell.
 
     The first component is `perlin`. It costs less than as many noises with seeds of their own.
 
     returns  planes: [-1, 1] along each axis, mean 0, 0 at lattice points, twice continuously differentiable
-    source   Perlin, "Improving noise", 2002; docs/contract.md, section 22
+    source   Perlin, "Improving noise", 2002; docs/reference/contract.md, section 22
 
     help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
@@ -350,15 +349,15 @@ def phasor(x, y, z=None, /, *, seed=0, period=None, wave=None, phase=None, cell=
     """Phasor noise, in 2D and 3D: stripes across a direction and with a wavelength of your choice.
 
     The angle of both numbers, atan2(quadrature, value), grows across the stripes, so any profile can be made of it; the
-    length of both says how well the stripes agree.
+    length of both is how well the stripes agree.
 
-    wave     the direction in which the waves run, times the waves per cell: a number from -16 to 16 for each axis, of
-             which 2 to 8 waves show as stripes; 3 waves along x if it is left out
-    phase    in turns: the stripes move along the wave as it falls, and loop after one
-    returns  planes: the value and its quadrature, which is the value a quarter of a turn of the phase before, each in
-             [-1, 1], mean 0, twice continuously differentiable
+    wave     the direction across the stripes, times the number of waves per cell: from -16 to 16 for each axis, usually
+             2 to 8 in all; 3 waves along x if it is left out
+    phase    in turns: the stripes move along the wave as the phase falls, and loop after one turn
+    returns  planes: the value and its quadrature, the value a quarter of a turn of the phase earlier, each in [-1, 1],
+             mean 0, twice continuously differentiable
     source   Tricard et al., "Procedural phasor noise", 2019; Lagae et al., "Procedural noise using sparse Gabor
-             convolution", 2009; docs/contract.md, section 23
+             convolution", 2009; docs/reference/contract.md, section 23
 
     help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.
@@ -378,7 +377,7 @@ def random(x, y=None, z=None, w=None, /, *, seed=0, period=None, cell=None, arit
     It jumps from one cell to the next: place, colour and vary things with it.
 
     returns  [0, 1), a multiple of 2^-24, mean 1/2, uniform
-    source   docs/contract.md, section 17
+    source   docs/reference/contract.md, section 17
 
     help(hashnoise) explains the other options: `seed`, `period`, `cell`, `arithmetic`, `out`, `threads` and
     `instruction_set`.

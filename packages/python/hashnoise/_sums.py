@@ -1,5 +1,5 @@
 # Made by tools/make catalog from catalog/sums.toml and settings.toml.
-"""The octave sums and the warps, over any noise. help(hashnoise) tells what they have in common."""
+"""The octave sums and the warps, over any noise. help(hashnoise) describes what they have in common."""
 
 from ._evaluate import points, suggesting
 
@@ -10,7 +10,7 @@ __all__ = ["fbm", "turbulence", "clouds", "billow", "ridged", "hybrid", "ping_po
 @suggesting
 def fbm(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=None, lacunarity=2.0, gain=0.5, detail=None,
         footprint=None, period=None, cell=None, arithmetic="fast", out=None, threads=None, instruction_set=None):
-    """Fractional Brownian motion, in 1D to 4D: octaves of noise, each finer, weaker, and rotated.
+    """Fractional Brownian motion (fBm), in 1D to 4D: octaves of noise, each finer, weaker, and rotated.
 
     octaves    6 if neither they nor a detail are given
     detail     in place of the octaves, without a period: octaves as a float, in [0, 32]. 3.5 is three octaves and half
@@ -135,7 +135,8 @@ def ping_pong(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6
               strength=2.0, period=None, cell=None, arithmetic="fast", out=None, threads=None, instruction_set=None):
     """Ping-pong, in 1D to 4D: each octave is folded up and down, which gives the rings of wood and of agate.
 
-    strength  how many times from one end to the other on the way from -1 to 1, times 1/2; usually 2, in [0, 64]
+    strength  how often it folds: half the number of passes from one end to the other while the noise goes from -1 to 1;
+              usually 2, in [0, 64]
     returns   [-1, 1]
     source    FastNoiseLite, FractalType_PingPong
 
@@ -173,7 +174,7 @@ def weighted(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6,
 @suggesting
 def fbm_d(x, y, z=None, /, *, seed=0, noise="perlin_d", octaves=6, lacunarity=2.0, gain=0.5, period=None, cell=None,
           arithmetic="fast", out=None, threads=None, instruction_set=None):
-    """Fractional Brownian motion and how steep it is, in 2D and 3D.
+    """Fractional Brownian motion (fBm) and its slope, in 2D and 3D.
 
     noise    one with derivatives: "perlin_d", "simplex_d" or "value_d"
     returns  planes: the value, which is that of `fbm`, and its derivatives along each axis, per cell of the first
@@ -217,12 +218,11 @@ def eroded(x, y, z=None, /, *, seed=0, noise="perlin_d", octaves=6, lacunarity=2
 @suggesting
 def warp(x, y, z=None, /, *, seed=0, noise="value_vector", octaves=6, lacunarity=2.0, gain=0.5, amplitude=1.0,
          period=None, cell=None, arithmetic="fast", out=None, threads=None, instruction_set=None):
-    """How far to move a position before another noise is taken there, in 2D and 3D.
+    """Domain warping, in 2D and 3D: a displacement for a position, before another noise is evaluated there.
 
-    noise      one of vectors: "value_vector", "perlin_vector" or "curl", of which what is beyond [-1, 1] counts as the
-               nearer end
-    amplitude  the largest shift along an axis, in cells, in [0, 64]
-    returns    planes: the shift along each axis, in [-amplitude, amplitude]
+    noise      one of vectors: "value_vector", "perlin_vector" or "curl"; values beyond [-1, 1] count as the nearer end
+    amplitude  the largest displacement along an axis, in cells, in [0, 64]
+    returns    planes: the displacement along each axis, in [-amplitude, amplitude]
     source     Quilez, "Domain warping", 2002
 
     help(hashnoise) explains the other options: `seed`, `octaves`, `lacunarity`, `gain`, `period`, `cell`, `arithmetic`,
@@ -240,14 +240,13 @@ def warp(x, y, z=None, /, *, seed=0, noise="value_vector", octaves=6, lacunarity
 def warp_progressive(x, y, z=None, /, *, seed=0, noise="value_vector", octaves=6, lacunarity=2.0, gain=0.5,
                      amplitude=1.0, period=None, cell=None, arithmetic="fast", out=None, threads=None,
                      instruction_set=None):
-    """The shift of `warp`, in 2D and 3D, where each octave is taken at the place to which those before it moved.
+    """The displacement of `warp`, in 2D and 3D, where the octaves before an octave displace it, too.
 
     It draws strands and eddies.
 
-    noise      one of vectors: "value_vector", "perlin_vector" or "curl", of which what is beyond [-1, 1] counts as the
-               nearer end
-    amplitude  the largest shift along an axis, in cells, in [0, 64]
-    returns    planes: the shift along each axis, in [-amplitude, amplitude]
+    noise      one of vectors: "value_vector", "perlin_vector" or "curl"; values beyond [-1, 1] count as the nearer end
+    amplitude  the largest displacement along an axis, in cells, in [0, 64]
+    returns    planes: the displacement along each axis, in [-amplitude, amplitude]
     source     as of `warp`
 
     help(hashnoise) explains the other options: `seed`, `octaves`, `lacunarity`, `gain`, `period`, `cell`, `arithmetic`,
@@ -272,8 +271,8 @@ def perlin_worley(x, y, z, /, *, seed=0, octaves=6, lacunarity=2.0, gain=0.5, pe
 
     octaves  of Perlin noise; the first three have billows, too
     returns  [0, 1], continuous
-    source   Schneider and Vos, "The Real-time Volumetric Cloudscapes of Horizon: Zero Dawn", 2015; docs/contract.md,
-             section 25
+    source   Schneider and Vos, "The Real-time Volumetric Cloudscapes of Horizon: Zero Dawn", 2015;
+             docs/reference/contract.md, section 25
 
     help(hashnoise) explains the other options: `seed`, `lacunarity`, `gain`, `period`, `cell`, `arithmetic`, `out`,
     `threads` and `instruction_set`.

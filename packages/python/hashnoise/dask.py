@@ -52,8 +52,8 @@ def grid(name, size, *, step, chunks="auto", arithmetic="fixed", threads=1, **op
                       its last bits between processors with other instructions, so it wants workers of one kind
     threads           of each task; 1 if it is left out, since Dask runs as many tasks as a worker has threads
 
-    What is wrong raises TypeError or ValueError here, and not on a worker. Workers need the same version of hashnoise,
-    and say so if they have another one.
+    A wrong argument raises TypeError or ValueError here, and not on a worker. Workers need the same version of
+    hashnoise, and report another one.
 
     >>> terrain = hashnoise.dask.grid("fbm", (1000, 600), step=0.01, chunks=(256, 300), seed=7)
     >>> whole = hashnoise.grid("fbm", (1000, 600), step=0.01, seed=7, arithmetic="fixed")
@@ -119,7 +119,7 @@ def data_array(name, size, *, step, cell_size=1.0, unit="cells", **options):
 
 
 def _block(version, name, dimensions, options, block_info=None):
-    """What a worker computes."""
+    """A worker's part."""
     if version != __version__:
         raise RuntimeError(f"this worker has hashnoise {__version__}, and the array was made with {version}: other "
                            "versions may have other bits. Install the same version on all workers")

@@ -310,7 +310,7 @@ class Grids(unittest.TestCase):
             values = hashnoise.grid("perlin", 40_001, step=step, origin=-20_000 * step)
             self.assertEqual(hashnoise.grid("perlin", 40_001, step=step, origin=-20_000 * step, dtype="f2").tobytes(),
                              values.astype(numpy.float16).tobytes())
-        # What is larger: distances in squares of cells are at most 5.
+        # Larger values: squared distances in cells are at most 5.
         values = hashnoise.grid("cellular", (99, 99), step=0.1, metric="squared")
         self.assertEqual(hashnoise.grid("cellular", (99, 99), step=0.1, metric="squared", dtype="f2").tobytes(),
                          values.astype(numpy.float16).tobytes())

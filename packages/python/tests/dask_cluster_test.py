@@ -26,8 +26,8 @@ from distributed.client import futures_of
 from documents_test import FENCE
 
 SIZE = (1500, 1100)
-OPTIONS = {"step": 0.0371, "octaves": 32, "seed": 7}  # so that it takes long beside what is told of it
-PAGE = golden.ROOT / "docs" / "dask.md"
+OPTIONS = {"step": 0.0371, "octaves": 32, "seed": 7}  # so that computing takes long beside sending the task
+PAGE = golden.ROOT / "docs" / "guide" / "dask.md"
 EXAMPLE = golden.ROOT / "examples" / "dask" / "terrain.py"
 
 

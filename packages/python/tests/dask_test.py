@@ -16,7 +16,7 @@ import hashnoise.dask
 import numpy
 
 SIZE = (151, 103)
-# Each has as many points as SIZE says; blocks begin anywhere.
+# Each has SIZE points; blocks begin anywhere.
 CHUNKS = {"one": -1, "squares": 64, "odd": (37, 101), "rows": (9, -1), "columns": (-1, 17),
           "uneven": ((100, 3), (1, 149, 1)), "auto": "auto", "by bytes": "20kiB"}
 # Steps that are no power of two, also where floats round each position.

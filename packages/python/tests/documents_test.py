@@ -1,4 +1,4 @@
-"""What is written about the package: examples run, and numbers are those of the GLSL's comments."""
+"""The package's documentation: examples run, and numbers are those of the GLSL's comments."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ import hashnoise
 import numpy
 from hashnoise import _grids, _noises, _sums
 
-PAGE = golden.ROOT / "docs" / "python.md"
+PAGE = golden.ROOT / "docs" / "guide" / "python.md"
 GLSL = golden.ROOT / "glsl" / "hashnoise"
 FENCE = re.compile(r"^```python\n(.*?)^```$", re.M | re.S)
 NUMBER = re.compile(r"-?\d+\.\d{2,}")
@@ -98,10 +98,10 @@ class Page(unittest.TestCase):
     def test_the_table_has_every_option(self):
         text = PAGE.read_text(encoding="utf-8")
         rows = [row.split(" | ")[0] for row in re.findall(r"^\| (`.*)$", text, re.M)]
-        told = {name for row in rows for name in re.findall(r"`(\w+)`", row)}
+        documented = {name for row in rows for name in re.findall(r"`(\w+)`", row)}
         options = {option for function in (*_noises.NOISES.values(), *_sums.SUMS.values())
                    for option in function.__kwdefaults__}
-        self.assertEqual(told, options)
+        self.assertEqual(documented, options)
 
     def test_functions_that_it_names_exist(self):
         for name in re.findall(r"hashnoise\.(\w+)", PAGE.read_text(encoding="utf-8")):

@@ -65,7 +65,8 @@ def run(folder: Path, program: list[str], more: Path | None = None) -> int:
 
 
 def add(python: Path, requirements: Path, folder: Path) -> int:
-    """What the file names, in a folder for Python's path. It is installed once, until the file or Python differs."""
+    """The packages that the file names, in a folder for Python's path. It is installed once, until the file or Python
+    differs."""
     wanted = "".join(path.read_text(encoding="utf-8") for path in (requirements, *sorted(TESTS.glob("*.txt"))))
     wanted += os.path.realpath(python)
     made = folder / MADE

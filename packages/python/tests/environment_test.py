@@ -30,33 +30,33 @@ class Environment(unittest.TestCase):
         self.requirements = self.scratch / "requirements.txt"
 
     def call(self, arguments: list[str]) -> tuple[int, str]:
-        told = io.StringIO()
-        with contextlib.redirect_stdout(told), contextlib.redirect_stderr(told):
-            return environment.main(arguments), told.getvalue()
+        printed = io.StringIO()
+        with contextlib.redirect_stdout(printed), contextlib.redirect_stderr(printed):
+            return environment.main(arguments), printed.getvalue()
 
     def make(self, requirements: str) -> tuple[int, str]:
         self.requirements.write_text(requirements, encoding="utf-8")
-        told = io.StringIO()
-        with contextlib.redirect_stdout(told), mock.patch("venv.create") as create:
+        printed = io.StringIO()
+        with contextlib.redirect_stdout(printed), mock.patch("venv.create") as create:
             create.side_effect = lambda folder, **_: folder.symlink_to(self.empty)
-            return environment.make(self.folder, self.requirements), told.getvalue()
+            return environment.make(self.folder, self.requirements), printed.getvalue()
 
     def test_no_registry(self):
         """Nothing listens at this address."""
         nowhere = {"PIP_INDEX_URL": "http://127.0.0.1:9/simple", "PIP_CONFIG_FILE": os.devnull,
                    "PIP_EXTRA_INDEX_URL": "", "PIP_NO_INDEX": "", "PIP_FIND_LINKS": ""}
         with mock.patch.dict(os.environ, nowhere):
-            status, told = self.make("numpy==2.4.6\n")
-        self.assertEqual(status, environment.SKIPPED, told)
-        self.assertIn("PyPI cannot be reached", told)
-        status, told = self.call(["run", str(self.folder), "golden_test"])
+            status, printed = self.make("numpy==2.4.6\n")
+        self.assertEqual(status, environment.SKIPPED, printed)
+        self.assertIn("PyPI cannot be reached", printed)
+        status, printed = self.call(["run", str(self.folder), "golden_test"])
         self.assertEqual(status, environment.SKIPPED)
-        self.assertIn("python.wheel was skipped", told)
+        self.assertIn("python.wheel was skipped", printed)
 
     def test_what_cannot_be_installed_is_no_reason_to_skip(self):
         with mock.patch.dict(os.environ, {"PIP_NO_INDEX": "1"}):
-            status, told = self.make("numpy==0.0.0\n")
-        self.assertEqual(status, 1, told)
+            status, printed = self.make("numpy==0.0.0\n")
+        self.assertEqual(status, 1, printed)
 
     def test_what_is_added_is_installed_once(self):
         added, python = self.scratch / "added", Path("python3")

@@ -22,7 +22,7 @@ from base.tree import BOUNDS, GOLDEN, ROOT  # noqa: E402, F401  (other tests tak
 
 TYPES = {"f32": numpy.float32, "i32": numpy.int32, "u32": numpy.uint32, "f64": numpy.float64}
 METRICS = ("euclidean", "euclidean", "squared", "manhattan", "chebyshev", "hybrid")  # by HN_METRIC_...; 0 is Euclidean
-# What the package takes. In GLSL what lies beyond counts as the nearer end, and golden files have that, too; with
+# Limits of the package. In GLSL values beyond count as the nearer end, and golden files have that, too; with
 # HN_FIXED more than 32 octaves are 32. Rows with fewer than 1 are left out.
 RANGES = {"octaves": (1, 32), "detail": (0, 32), "gain": (0, numpy.inf), "footprint": (0, numpy.inf), "jitter": (0, 1),
           "amplitude": (0, 64), "ping_pong": (0, 64), "weighted": (0, 1), "eroded": (0, 16)}
@@ -50,7 +50,7 @@ class Golden:
 
 
 def of_package(calls: str) -> str:
-    """What the package calls a function. Of hn_cellular_phase the phase is an option of cellular there."""
+    """A function's name in the package. Of hn_cellular_phase the phase is an option of cellular there."""
     return calls.removeprefix("hn_").removesuffix("_phase")
 
 
@@ -94,7 +94,7 @@ def askable(golden: Golden) -> Golden:
 
 
 def computed(golden: Golden, arithmetic: str) -> numpy.ndarray:
-    """What the package computes for each row: planes of as many components as there are results. Rows that differ only
+    """The package's values for each row: planes of as many components as there are results. Rows that differ only
     in their points are computed together."""
     axes = "xyzw"[:golden.axes]
     has_cells = "cx" in golden.arguments
@@ -138,7 +138,7 @@ def computed(golden: Golden, arithmetic: str) -> numpy.ndarray:
 
 
 def different_bits(golden: Golden, results: numpy.ndarray) -> list[str]:
-    """What is wrong with results that must have the bits of the golden file."""
+    """Faults of results that must have the bits of the golden file."""
     wrong = []
     for (column, expected), values in zip(golden.results.items(), results, strict=True):
         words = expected.astype(numpy.float32).view(numpy.uint32)
@@ -148,7 +148,7 @@ def different_bits(golden: Golden, results: numpy.ndarray) -> list[str]:
 
 
 def too_far(golden: Golden, results: numpy.ndarray) -> list[str]:
-    """What is wrong with results that must be as near to the exact values as the noise promises."""
+    """Faults of results that must be as near to the exact values as the noise promises."""
     wrong = []
     for (column, expected), values in zip(golden.results.items(), results, strict=True):
         allowed = bound(golden, column)

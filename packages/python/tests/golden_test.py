@@ -62,7 +62,7 @@ class Fixed(unittest.TestCase):
 
 
 class Vectors(unittest.TestCase):
-    """Those in the package are those of the library, and it has their values."""
+    """The package's golden files are the library's, and it has their values."""
 
     def test_they_are_there(self):
         folder = importlib.resources.files(hashnoise) / "vectors"
@@ -147,7 +147,7 @@ class Reported(unittest.TestCase):
         lines = (golden.GOLDEN / name).read_text(encoding="ascii").splitlines(keepends=True)
         with tempfile.TemporaryDirectory() as scratch:
             (Path(scratch) / name).write_text("".join(lines[:-1]), encoding="ascii")
-            with self.assertRaisesRegex(ValueError, "says that it has"):
+            with self.assertRaisesRegex(ValueError, "the head states"):
                 golden.read("noise1d.perlin", "lattice", Path(scratch))
 
 

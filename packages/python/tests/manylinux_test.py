@@ -17,7 +17,7 @@ NAME = re.compile(r"hashnoise-[\d.]+-(cp\d+-(?:cp\d+|abi3))-(manylinux_2_\d+_\w+
 
 
 def tags(wheel: Path) -> list[str]:
-    """What the wheel says of itself, inside."""
+    """The wheel's metadata."""
     with zipfile.ZipFile(wheel) as archive:
         name, = (name for name in archive.namelist() if name.endswith(".dist-info/WHEEL"))
         return re.findall(r"(?m)^Tag: (\S+)$", archive.read(name).decode())

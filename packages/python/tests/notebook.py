@@ -1,4 +1,4 @@
-"""The cells of docs/notebook.md, as Jupyter runs them, and their pictures.
+"""The cells of docs/guide/notebook.md, as Jupyter runs them, and their pictures.
 
     environment.py call --with notebook.txt FOLDER notebook      writes the pictures that the page shows
 """
@@ -15,7 +15,7 @@ import nbclient
 import nbformat
 from PIL import Image
 
-PAGE = golden.ROOT / "docs" / "notebook.md"
+PAGE = golden.ROOT / "docs" / "guide" / "notebook.md"
 CELL = re.compile(r"^```python\n(.*?)^```$", re.M | re.S)
 SHOWN = re.compile(r"^!\[[^\]]+\]\((images/\S+\.png)\)$", re.M)
 COLOURS = 48  # more of them make files of noise large

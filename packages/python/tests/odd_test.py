@@ -35,7 +35,7 @@ def planes(values):
 
 class NoNumbers(unittest.TestCase):
     def expect(self, name, coordinates, none, **options):
-        """That points are NaN where `none` has them, in all planes, and are else what they are without the others."""
+        """Points are NaN where `none` has them, in all planes; others are as without them."""
         values = planes(called(name, coordinates, **options))
         self.assertTrue(numpy.isnan(values[:, none]).all(), values)
         right = planes(called(name, [numpy.where(none, 0.5, array) for array in coordinates], **options))
@@ -113,7 +113,7 @@ class NoNumbers(unittest.TestCase):
 
 
 class Large(unittest.TestCase):
-    """What is finite gives numbers of the documented range, or none where floats overflow; never garbage."""
+    """Finite positions give numbers of the documented range, or none where floats overflow; never garbage."""
 
     def test_positions(self):
         x = numpy.array([2**22 + 0.5, 2.0**23, -2.0**24, 2.0**31, -2.0**31, 2.0**31 + 256, 1e12, -1e20, 3e38])

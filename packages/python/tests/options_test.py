@@ -1,4 +1,4 @@
-"""Options, and what is said of wrong ones: what is wrong, where, and what would be right."""
+"""Options, and messages for wrong ones: the fault, its place, and the right values."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ class Options(unittest.TestCase):
                             getattr(hashnoise, name)(*[X] * axes)
 
     def test_each_option_counts(self):
-        """What is changed from its default changes the values."""
+        """An option that differs from its default changes the values."""
         changed = {"seed": 5, "period": 3, "wave": (2.5, -1.5), "phase": 0.25, "jitter": 0.5,
                    "metric": "manhattan", "noise": "simplex",
                    "octaves": 3, "lacunarity": 3.0, "gain": 0.25, "strength": 0.5, "amplitude": 0.5, "detail": 2.5,
@@ -68,7 +68,7 @@ class Options(unittest.TestCase):
         self.assertFalse((values == others).all())
 
     def test_default_options(self):
-        """Those that are written in the signature are those of the library."""
+        """Defaults in signatures are the library's."""
         self.assertEqual(hashnoise.fbm(X, seed=0, octaves=6, lacunarity=2.0, gain=0.5, noise="perlin").tobytes(),
                          hashnoise.fbm(X).tobytes())
         self.assertEqual(hashnoise.warp(X, X, noise="value_vector").tobytes(), hashnoise.warp(X, X).tobytes())
@@ -103,7 +103,7 @@ class Options(unittest.TestCase):
 
 
     def test_ends_of_ranges(self):
-        """What lies beyond them is wrong; these are right."""
+        """Options beyond them are wrong; these are right."""
         for options in ({"octaves": 1}, {"octaves": 32}, {"period": 0}, {"period": 2**31 - 1}, {"seed": 2**32 - 1},
                         {"cell": (-2**31, 2**31 - 1)}, {"cell": (numpy.array([2**31 - 1], numpy.uint32), 0)},
                         {"cell": (numpy.array([], numpy.int64), 0)}, {"detail": 0}, {"detail": 32}):
@@ -229,7 +229,7 @@ class Wrong(unittest.TestCase):
             from hashnoise import fmb  # noqa: F401
 
     def test_functions_are_themselves_elsewhere(self):
-        """What names the nearest option stands around each function, which may be sent to a process even so."""
+        """A wrapper that names the nearest option stands around each function; functions can still be pickled."""
         for name in hashnoise.__all__:
             function = getattr(hashnoise, name)
             self.assertIs(pickle.loads(pickle.dumps(function)), function)

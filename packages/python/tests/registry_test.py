@@ -1,5 +1,5 @@
-"""The wheel is one that PyPI would take, by the command of docs/publishing.md: twine reads what the wheel says of itself,
-as PyPI does."""
+"""The wheel is one that PyPI would take, by the command of docs/develop/publishing.md: twine reads the wheel's
+metadata, as PyPI does."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from pathlib import Path
 
 import golden
 
-PAGE = (golden.ROOT / "docs" / "publishing.md").read_text(encoding="utf-8")
+PAGE = (golden.ROOT / "docs" / "develop" / "publishing.md").read_text(encoding="utf-8")
 WHEELS = Path(sys.prefix).parent / "wheels"  # beside the environment
 
 

@@ -34,7 +34,7 @@ class Source(unittest.TestCase):
         cls.root = Path(scratch.name) / cls.archive.name.removesuffix(".tar.gz")
 
     def missing_headers(self) -> str:
-        """What the preprocessor misses of the files that the sources include."""
+        """Files that the preprocessor misses, of those that the sources include."""
         compiler = shutil.which("c++") or self.skipTest("there is no compiler c++")
         said = ""
         for source in sorted((self.root / "src" / "grid").glob("*.cpp")):
@@ -45,7 +45,7 @@ class Source(unittest.TestCase):
         return said
 
     def test_what_the_build_reads(self):
-        for name in ("CMakeLists.txt", "LICENSE", "pyproject.toml", "docs/python.md", "src/CMakeLists.txt"):
+        for name in ("CMakeLists.txt", "LICENSE", "pyproject.toml", "docs/guide/python.md", "src/CMakeLists.txt"):
             self.assertTrue((self.root / name).is_file(), name)
         for folder in ("glsl/hashnoise", "glsl/hashnoise/detail", "include/hashnoise", "packages/python/hashnoise",
                        "vectors"):

@@ -92,7 +92,7 @@ class Types(unittest.TestCase):
         self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout)
 
     def test_the_program_runs(self):
-        exec(compile(PROGRAM, "program", "exec"), {})  # what it says is true
+        exec(compile(PROGRAM, "program", "exec"), {})  # its asserts hold
 
     def test_wrong_calls(self):
         lines = [f"{call}  # {number}" for number, call in enumerate(WRONG)]

@@ -1,4 +1,4 @@
-# The port of the copy of hashnoise that it lies in (docs/build-systems.md).
+# The port of the copy of hashnoise that it lies in (docs/guide/build-systems.md).
 cmake_path(SET SOURCE_PATH NORMALIZE "${CURRENT_PORT_DIR}/../../..")
 
 vcpkg_check_features(OUT_FEATURE_OPTIONS features FEATURES grid HASHNOISE_GRID)

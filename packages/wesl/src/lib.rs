@@ -13,6 +13,6 @@ static ROOT: StaticPackageModule = StaticPackageModule {
     submodules: &[&FIXED],
 };
 
-/// What a resolver of the crate `wesl` takes: `resolver.add_package(&hashnoise_wgsl::PACKAGE)`.
+/// The package for a resolver of the crate `wesl`: `resolver.add_package(&hashnoise_wgsl::PACKAGE)`.
 pub static PACKAGE: StaticPackage =
     StaticPackage { crate_name: "hashnoise_wgsl", root: &ROOT, dependencies: &[] };

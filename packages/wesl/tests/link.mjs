@@ -1,5 +1,5 @@
 // Links shaders by npm's wesl: node link.mjs BUNDLE FOLDER writes FOLDER/NAME.wgsl of each FOLDER/NAME.wesl.
-// Exit status: 0 done, 1 what wesl says.
+// Exit status: 0 done, 1 wesl reports an error.
 
 import { readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { link } from "wesl/core";

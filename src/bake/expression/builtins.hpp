@@ -1,5 +1,5 @@
-// What GLSL has and the library's own text has no use of, for the expressions of users: built-in functions, operators
-// and swizzles. hn-bake includes it in the program that it makes of an expression (program.cpp); it is no part of
+// The parts of GLSL that the library's own text does not use, for the expressions of users: built-in functions,
+// operators and swizzles. hn-bake includes it in the program for an expression (program.cpp); it is no part of
 // hashnoise.
 #pragma once
 
@@ -63,8 +63,8 @@ HN_BAKE_OPERATORS(Vector3)
 HN_BAKE_OPERATORS(Vector4)
 #undef HN_BAKE_OPERATORS
 
-// v.yx is swizzled<21>(v), with a digit for each component: hn-bake writes it so. What it returns is constant, because
-// an assignment to it would change nothing.
+// v.yx is swizzled<21>(v), with a digit for each component: hn-bake writes it so. The result is constant, because an
+// assignment to it would change nothing.
 template <int Digit, typename Vector>
 constexpr auto component_of(const Vector& v) {
   static_assert(Digit <= detail::kComponents<Vector>, "hn-bake: the vector has not so many components");
@@ -122,7 +122,7 @@ inline bool isnan(float x) { return x != x; }
 inline bool isinf(float x) { return std::fabs(x) > std::numeric_limits<float>::max(); }
 #undef HN_BAKE_EACH
 
-// Functions of two, of which the second may be a float for all components.
+// Functions of two arguments; the second may be a float for all components.
 #define HN_BAKE_PAIRS(name)                                                                                     \
   inline vec2 name(vec2 a, vec2 b) { return {name(a.x, b.x), name(a.y, b.y)}; }                                 \
   inline vec4 name(vec4 a, vec4 b) { return {name(a.x, b.x), name(a.y, b.y), name(a.z, b.z), name(a.w, b.w)}; } \

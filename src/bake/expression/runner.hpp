@@ -18,7 +18,7 @@
 
 namespace hn_bake {
 
-constexpr int kRows = 3;  // the file, as hn::kReportFd says
+constexpr int kRows = 3;  // the file, as in hn::kReportFd
 constexpr int kFailed = 1;
 
 template <int D>
@@ -133,7 +133,7 @@ void compute_row(const Axis (&axes)[D], const int (&size)[D], long long row, lon
   }
 }
 
-// The program, of which the words are those of its command line.
+// The program; the words are those of its command line.
 template <int D, typename Function>
 int run(int count, char** words, const int (&size)[D], const Function& value) {
   using Position = typename Point<D>::Position;

@@ -79,7 +79,7 @@ class Bake(unittest.TestCase):
         return array.array(kind, (self.folder / name).read_bytes()).tolist()
 
     def assert_usage(self, arguments, *parts):
-        """Status 2, one line that says these, and nothing written."""
+        """Status 2, one line with these texts, and nothing written."""
         done = self.call(*arguments)
         self.assertEqual(done.returncode, 2, (arguments, done.stderr))
         self.assertEqual(done.stdout, "")
@@ -298,9 +298,9 @@ class Bake(unittest.TestCase):
                                                 "a.png"], cwd=self.folder, stderr=subprocess.PIPE, text=True)
                     time.sleep(wait)
                     process.send_signal(number)
-                    _, told = process.communicate(timeout=60)
+                    _, printed = process.communicate(timeout=60)
                     self.assertEqual(process.returncode, -number)
-                    self.assertIn(number.name, told)
+                    self.assertIn(number.name, printed)
                     self.assertEqual(list(self.folder.iterdir()), [])
 
     def test_progress_is_for_terminals(self):
@@ -310,7 +310,7 @@ class Bake(unittest.TestCase):
         ours, theirs = pty.openpty()
         process = subprocess.Popen(call, cwd=self.folder, stderr=theirs, stdout=subprocess.DEVNULL)
         os.close(theirs)
-        told = b""
+        printed = b""
         while True:
             try:
                 part = os.read(ours, 4096)
@@ -318,10 +318,10 @@ class Bake(unittest.TestCase):
                 break
             if not part:
                 break
-            told += part
+            printed += part
         os.close(ours)
         self.assertEqual(process.wait(), 0)
-        self.assertRegex(told.decode(), r"of 3000 rows, [\d.]+ million points a second")
+        self.assertRegex(printed.decode(), r"of 3000 rows, [\d.]+ million points a second")
 
     def test_help_and_version(self):
         for option in ("--help", "--version"):

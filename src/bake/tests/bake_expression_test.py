@@ -1,8 +1,7 @@
 #!/usr/bin/env python3
-"""What hn-bake says of expressions that are wrong, and how it ends. Usage: bake_expression_test.py PATH-OF-HN-BAKE
+"""hn-bake's messages on wrong expressions, and its exit status. Usage: bake_expression_test.py PATH-OF-HN-BAKE
 
-Each expression that is compiled costs a second. expression_test.cpp, where one is for all, has what they compute.
-"""
+Each compilation takes a second. expression_test.cpp compiles one for all, and tests the values."""
 
 from __future__ import annotations
 
@@ -98,9 +97,9 @@ class Expressions(unittest.TestCase):
         process.send_signal(signal.SIGINT)
         self.assertEqual(process.wait(60), -signal.SIGINT)
         self.assert_nothing_is_left()
-        told = os.read(ours, 4096).decode()
+        printed = os.read(ours, 4096).decode()
         os.close(ours)
-        self.assertIn("compiling the expression", told)
+        self.assertIn("compiling the expression", printed)
         for child in running:
             self.wait_until(lambda child=child: not self.is_running(child))
 

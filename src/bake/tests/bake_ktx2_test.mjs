@@ -19,7 +19,7 @@ test.after(() => rmSync(folder, { recursive: true }));
 const bake = (...words) => execFileSync(program, words, { cwd: folder });
 const bytesOf = (name) => new Uint8Array(readFileSync(join(folder, name)));
 
-/** The file says this of itself, and has these texels. */
+/** Checks the file's header and its texels. */
 function check(bytes, { vkFormat, size, components, is_float, planes }) {
   const file = read(bytes);
   const { pixelWidth, pixelHeight, pixelDepth, levels } = file;

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The commands of docs/bake.md work as they stand there. Usage: bake_page_test.py PATH-OF-HN-BAKE"""
+"""The commands of docs/guide/bake.md work as they stand there. Usage: bake_page_test.py PATH-OF-HN-BAKE"""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import tempfile
 import unittest
 
 PROGRAM = ""
-PAGE = pathlib.Path(__file__).resolve().parents[3] / "docs" / "bake.md"
+PAGE = pathlib.Path(__file__).resolve().parents[3] / "docs" / "guide" / "bake.md"
 
 
 class Page(unittest.TestCase):
@@ -32,8 +32,8 @@ class Page(unittest.TestCase):
             self.assertEqual(len(list(folder.glob("cells.*.png"))), 64)
 
     def test_options_that_it_names_exist(self) -> None:
-        told = subprocess.run([PROGRAM, "--help"], capture_output=True, text=True, check=True).stdout
-        known = set(re.findall(r"(--[\w-]+)", told))
+        help = subprocess.run([PROGRAM, "--help"], capture_output=True, text=True, check=True).stdout
+        known = set(re.findall(r"(--[\w-]+)", help))
         named = set(re.findall(r"`(--[\w-]+)", PAGE.read_text()))
         self.assertGreater(len(named), 10)
         self.assertEqual(named - known, set())

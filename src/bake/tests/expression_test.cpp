@@ -99,7 +99,7 @@ TEST(Expression, IsRecordedWithItsSource) {
   EXPECT_EQ(record.at("settings"), settings);
 }
 
-// The compiler is asked by a name that is not there.
+// The compiler has a name that does not exist.
 TEST(Expression, WithoutACompiler) {
   const char* const before = getenv("CXX");
   const std::string kept = before ? before : "";

@@ -235,7 +235,7 @@ TEST(Files, CountsOfClampedValues) {
   EXPECT_EQ(make(options).report.components[0].mapping->clamped, static_cast<std::size_t>(outside));
 }
 
-// What the bytes do not depend on does not stand in them.
+// Settings without an effect on the bytes are not in the file.
 TEST(Files, AreTheSameByAnyThreadsAndInstructions) {
   for (const Format format : {Format::png, Format::exr, Format::f32, Format::r16}) {
     BakeOptions options =

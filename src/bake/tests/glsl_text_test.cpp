@@ -79,7 +79,7 @@ TEST(GlslText, AMessageShowsTheLine) {
   EXPECT_EQ(text.at(999, "what"), "--source a.glsl, line 3, column 5: what\n  four\n      ^");
 }
 
-std::string told(const std::string& log) {
+std::string explained_log(const std::string& log) {
   const auto glsl = cpp_of_expression({"--expression", "1.0 + f(p.yx, 2.0)"});
   const auto source = cpp_of_functions({"--source a.glsl", "float f(vec2 p, int n) {\n  return g(1.0, p);\n}"});
   EXPECT_TRUE(glsl && source);
@@ -88,24 +88,27 @@ std::string told(const std::string& log) {
 
 // The columns of the C++, "1.0f + f(swizzled<21>(p)   , 2.0f)", are those of the GLSL again.
 TEST(CompileErrors, AreToldInTheWordsOfTheUser) {
-  EXPECT_EQ(told("E: In function 'x':\nE:1:8: error: 'f' was not declared in this scope\nE:1:9: error: more"),
+  EXPECT_EQ(explained_log("E: In function 'x':\nE:1:8: error: 'f' was not declared in this scope\nE:1:9: error: more"),
             "--expression, line 1, column 7: 'f' was not declared in this scope\n  1.0 + f(p.yx, 2.0)\n        ^");
-  EXPECT_EQ(told("E:1:30: error: bad 'hashnoise::vec2' {aka 'hashnoise::Vector2<float>'} [-Werror=x]"),
+  EXPECT_EQ(explained_log("E:1:30: error: bad 'hashnoise::vec2' {aka 'hashnoise::Vector2<float>'} [-Werror=x]"),
             "--expression, line 1, column 15: bad 'vec2'\n  1.0 + f(p.yx, 2.0)\n                ^");
-  EXPECT_NE(told("S:2:10: error: no g").find("--source a.glsl, line 2, column 10: no g\n    return g(1.0, p);"),
-            std::string::npos);
+  EXPECT_NE(
+      explained_log("S:2:10: error: no g").find("--source a.glsl, line 2, column 10: no g\n    return g(1.0, p);"),
+      std::string::npos);
 }
 
 TEST(CompileErrors, InTheLibraryAreToldWhereItWasCalled) {
   EXPECT_NE(
-      told("/a/b.hpp: In instantiation of 'c':\nE:1:8:   required from here\n/a/b.hpp:3:4: error: static assertion "
-           "failed: hn-bake: too long")
+      explained_log(
+          "/a/b.hpp: In instantiation of 'c':\nE:1:8:   required from here\n/a/b.hpp:3:4: error: static assertion "
+          "failed: hn-bake: too long")
           .find("--expression, line 1, column 7: too long\n"),
       std::string::npos);
-  EXPECT_NE(told("/a/b.hpp:3:4: error: static assertion failed \"hn-bake: too long\"\nE:1:8: note: in instantiation of")
+  EXPECT_NE(explained_log(
+                "/a/b.hpp:3:4: error: static assertion failed \"hn-bake: too long\"\nE:1:8: note: in instantiation of")
                 .find("--expression, line 1, column 7: too long\n"),
             std::string::npos);
-  EXPECT_NE(told("/a/b.hpp:3:4: error: static assertion failed: hn-bake: no float").find("column 1: no float"),
+  EXPECT_NE(explained_log("/a/b.hpp:3:4: error: static assertion failed: hn-bake: no float").find("column 1: no float"),
             std::string::npos);
   for (const char* message :
        {"use of deleted function 'hashnoise::v0_4::detail::Refused<hashnoise::v0_4::detail::Hint<14>{\"write {16u} "
@@ -113,14 +116,15 @@ TEST(CompileErrors, InTheLibraryAreToldWhereItWasCalled) {
         "hashnoise::hash_8::gradient_1::arithmetic_3::hn_value(TypesInCall ...) [with TypesInCall = "
         "{hashnoise::Vector2<float>, int}]'",
         "'hn_value<hashnoise::Vector2<float>, int>' is unavailable: write 16u for a seed"}) {
-    EXPECT_NE(told(std::string("E:1:8: error: ") + message).find("column 7: there is no hn_value(vec2, int)\n"),
-              std::string::npos);
+    EXPECT_NE(
+        explained_log(std::string("E:1:8: error: ") + message).find("column 7: there is no hn_value(vec2, int)\n"),
+        std::string::npos);
   }
 }
 
 TEST(CompileErrors, OfTheCompilerAreNotTheUsers) {
-  EXPECT_EQ(told("c++: fatal error: no input files"), "nothing");
-  EXPECT_EQ(told(""), "nothing");
+  EXPECT_EQ(explained_log("c++: fatal error: no input files"), "nothing");
+  EXPECT_EQ(explained_log(""), "nothing");
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ class Reader {
   }
   std::size_t word(std::size_t offset) const { return at<std::uint32_t>(offset); }
 
-  // What is wrong with the file; empty if nothing is.
+  // The error of the file; empty if there is none.
   std::string problem() const {
     if (bytes_.substr(0, 12) != std::string("\xABKTX 20\xBB\r\n\x1A\n", 12)) return "identifier";
     if (word(36) != 1 || word(40) != 1 || word(44) != 0) return "faces, levels or compression";

@@ -46,22 +46,22 @@ TEST(Ranges, AreThoseOfTheFunctions) {
   int found = 0;
   for (const int dimensions : {1, 2, 3, 4}) {
     for (const std::string_view noise : hashnoise::noise_names(dimensions)) {
-      for (const bool turning : {false, true}) {
-        // What has a wave has a phase in all of its forms.
+      for (const bool rotating : {false, true}) {
+        // A noise with a wave has a phase in all of its forms.
         const hashnoise::grid::NoiseRow& row = hashnoise::grid::kNoiseRows[hashnoise::grid::noise_named(noise)];
-        if (turning && (!row.has_phase() || row.has_wave() || dimensions == 1 || dimensions == 4)) continue;
+        if (rotating && (!row.has_phase() || row.has_wave() || dimensions == 1 || dimensions == 4)) continue;
         BakeOptions options;
         options.function = noise;
         options.settings.noise = noise;
         options.size.assign(static_cast<std::size_t>(dimensions), 1);
-        if (turning) options.settings.phase = 0.25f;
-        const std::string stem(turning && noise.ends_with("_d") ? noise.substr(0, noise.size() - 2) : noise);
-        const std::string text = text_of_glsl(fmt::format("{}{}{}d", stem, turning ? "_phase" : "", dimensions));
+        if (rotating) options.settings.phase = 0.25f;
+        const std::string stem(rotating && noise.ends_with("_d") ? noise.substr(0, noise.size() - 2) : noise);
+        const std::string text = text_of_glsl(fmt::format("{}{}{}d", stem, rotating ? "_phase" : "", dimensions));
         for (const std::string& component : component_names(options)) {
           const auto range = documented_range(options.settings, dimensions, component);
           ASSERT_TRUE(range) << noise << dimensions << component;
           if (*range == Interval{-1.0, 1.0} || *range == Interval{0.0, 1.0}) continue;
-          // What the three distances share with the two is said there.
+          // The page of two distances has the rest on three.
           const std::string own = component != "f3" && noise != "cellular" && component.starts_with("f")
                                       ? text_of_glsl(fmt::format("cellular{}d", dimensions))
                                       : text;

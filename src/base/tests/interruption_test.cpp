@@ -12,7 +12,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// What a process that does this ends with, as waitpid tells it. It is sent signals by its own.
+// The status of a process that does this, as in waitpid. It sends signals to itself.
 template <typename Work>
 int end_of(Work work) {
   const pid_t pid = fork();

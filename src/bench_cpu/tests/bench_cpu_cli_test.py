@@ -130,9 +130,9 @@ class BenchCpu(unittest.TestCase):
         self.addCleanup(process.kill)
         time.sleep(0.5)
         process.send_signal(signal.SIGINT)
-        _, told = process.communicate(timeout=60)
+        _, printed = process.communicate(timeout=60)
         self.assertEqual(process.returncode, -signal.SIGINT)
-        self.assertIn("no results are written", told)
+        self.assertIn("no results are written", printed)
         self.assertEqual(list(self.out.glob("*.*")), [])
 
     def test_help(self):

@@ -100,8 +100,8 @@ TEST_P(Bits, FarOut) {
 }
 
 #if defined(__SSE2__)
-// What GCC and Clang do at the start of a program that is linked with -ffast-math or -Ofast: subnormal numbers count as
-// 0, those that come in and those that come out.
+// GCC and Clang do this at the start of a program that is linked with -ffast-math or -Ofast: subnormal numbers count as
+// 0, in operands and in results.
 class SubnormalsAreZero {
  public:
   SubnormalsAreZero() : before_(_mm_getcsr()) { _mm_setcsr(before_ | 0x8040u); }

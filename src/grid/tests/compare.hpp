@@ -20,7 +20,7 @@ std::ostream& operator<<(std::ostream& out, const Settings& settings);
 
 namespace twin {
 
-// Every bit of every plane, of which each has so many points. NaN is nowhere right.
+// Every bit of every plane, with so many points in each. NaN is nowhere right.
 testing::AssertionResult same_bits(std::span<const float> got, std::span<const float> expected, std::size_t points);
 
 // Within a bound that may depend on the component and the point. Infinity is a bound that nothing is compared for.

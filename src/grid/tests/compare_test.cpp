@@ -177,7 +177,7 @@ TEST(Places, OfACellGridWrap) {
   EXPECT_EQ(places_of(fine)[1], (CellPlace<1>{{5}, {1.0f - 0x1p-24f}}));
 }
 
-// What points.hpp computes, with whole numbers that wrap, is what whole numbers of any size would be.
+// points.hpp computes with integers that wrap; the results are those of integers of any size.
 TEST(Places, AreThoseOfTheHeader) {
   Chance chance(17);
   for (int round = 0; round < 20000; ++round) {

@@ -32,8 +32,8 @@ class InstructionSets(unittest.TestCase):
     def test_who_compiles_all_sets_is_told_how_long_that_takes(self):
         done = self.configure("all")
         self.assertEqual(done.returncode, 0, done.stderr)
-        told = "more than a minute of processor time for each" in " ".join(done.stdout.split())
-        self.assertEqual(told, os.uname().machine == "x86_64")
+        announced = "more than a minute of processor time for each" in " ".join(done.stdout.split())
+        self.assertEqual(announced, os.uname().machine == "x86_64")
 
     def test_a_wrong_name_is_an_error_that_has_the_right_ones(self):
         done = self.configure("sse2")

@@ -1,10 +1,10 @@
-"""The library as other machines and compilers have it: python3 elsewhere_test.py WHERE DIGESTS FOLDER
+"""The library on other machines and with other compilers: python3 elsewhere_test.py WHERE DIGESTS FOLDER
 
 It is compiled into FOLDER, which is kept, and run: for ARM, RISC-V and Windows with Debian's cross compilers, by qemu
-and wine, without vector extensions as MSVC would compile it, and with -Ofast. What it computes has the digests that the
-native program DIGESTS prints, and so has the program of conformance/testing/consumer/, which takes the header, lanes
-and a Field. Where a compiler or what runs the program is missing it is skipped (status 77).
-"""
+and
+wine, without vector extensions as MSVC would compile it, and with -Ofast. Its results have the digests that the native
+program DIGESTS prints, and so have those of conformance/testing/consumer/, which takes the header, lanes and a Field.
+Without the compiler or the emulator the test is skipped (status 77)."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ PLACES = {
 }
 PLACE, SETS = PLACES[WHERE]
 BUILD = elsewhere.Build(PLACE, FOLDER)
-# Wine makes a folder for itself where this says, and says by itself what is not done yet.
+# Wine makes a folder for itself here, and prints by itself what it has not done yet.
 ENVIRONMENT = {**os.environ, "WINEPREFIX": str(FOLDER / "wine"), "WINEDEBUG": "-all"}
 # With -ffinite-math-only a compiler may leave out what asks for such numbers.
 NO_NUMBER = """

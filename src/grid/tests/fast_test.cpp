@@ -1,9 +1,10 @@
-// With Arithmetic::kFast a field is as near to the scalar functions as twice the error that these state: each of the
-// two may be off by it. The bounds are those that tools/make bounds derives (docs/accuracy.md).
+// With Arithmetic::kFast a field is as near to the scalar functions as twice their error: each of the two may be off by
+// it. The bounds are those that tools/make bounds derives (docs/measured/accuracy.md).
 //
-// Sums over the noises of the GLSL functions are compared at positions and from cells. Those over other noises are
-// compared from cells, where the positions of the octaves are whole numbers, and the same in both: then a bound follows
-// from that of the noise in a few lines.
+// Sums over the noises of the GLSL functions are compared at positions and from cells. Sums over other noises are
+// compared
+// from cells, where the positions of the octaves are whole numbers, and the same in both: then a bound follows from the
+// bound of the noise in a few lines.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -83,8 +84,8 @@ Bound bound_of_sum(const Settings& s, const std::vector<Place>& places) {
                                 static_cast<double>(gain_of(s)), false};
   for (const Place& place : places)
     arguments.largest_coordinate = std::max(arguments.largest_coordinate, largest_of<D>(place));
-  arguments.turns = !has_period(s, D);
-  if (!arguments.turns) arguments.lacunarity = std::floor(arguments.lacunarity);
+  arguments.rotates = !has_period(s, D);
+  if (!arguments.rotates) arguments.lacunarity = std::floor(arguments.lacunarity);
   arguments.from_cell = !std::is_same_v<Place, Position<D>>;
   arguments.strength = static_cast<double>(strength_of(s));
   arguments.amplitude = static_cast<double>(amplitude_of(s));
@@ -105,8 +106,8 @@ Bound bound_of_sum(const Settings& s, const std::vector<Place>& places) {
 
 // --- Sums over other noises, from cells -----------------------------------------------------------------------------
 
-// By how much a mean of octaves may differ, of which each differs by `octave`, and the last by more. A weight, a term
-// and a total go through a few roundings an octave each.
+// The largest difference of a mean of octaves that differ by `octave` each, the last by more. A weight, a term and a
+// total go through a few roundings an octave each.
 double mean_of(const Settings& s, const std::vector<double>& octaves) {
   double sum = 0.0;
   double total = 0.0;

@@ -1,4 +1,4 @@
-// Tests what a field says of itself, empty grids, and every error that field.hpp promises.
+// Tests the descriptions of a field, empty grids, and every error that field.hpp promises.
 #include "hashnoise/field.hpp"
 
 #include <gtest/gtest.h>
@@ -56,7 +56,7 @@ std::string error_of(const Places& places, std::size_t numbers) {
 }
 
 // Whether a text has each of these parts.
-testing::AssertionResult says(const std::string& text, std::initializer_list<std::string_view> parts) {
+testing::AssertionResult has_parts(const std::string& text, std::initializer_list<std::string_view> parts) {
   for (const std::string_view part : parts) {
     if (text.find(part) == std::string::npos) {
       return testing::AssertionFailure() << "'" << text << "' does not say '" << part << "'";
@@ -65,7 +65,7 @@ testing::AssertionResult says(const std::string& text, std::initializer_list<std
   return testing::AssertionSuccess();
 }
 
-// An error says something.
+// An error has a message.
 #define EXPECT_ERROR(...) EXPECT_NE((__VA_ARGS__), "")
 #define EXPECT_NO_ERROR(...) EXPECT_EQ((__VA_ARGS__), "")
 
@@ -164,7 +164,7 @@ TEST(InstructionSets, ThatAreNotHereAreErrors) {
     Settings settings;
     settings.instruction_set = set;
     const std::string error = error_of<2>(settings);
-    EXPECT_TRUE(says(error, {name(set), name(sets.front())}));
+    EXPECT_TRUE(has_parts(error, {name(set), name(sets.front())}));
   }
   EXPECT_GT(absent, 0);  // no processor has both SSE and NEON
 }
@@ -227,8 +227,8 @@ TEST(Range, OfNothingIsEmpty) {
   expect_empty_range<4>();
 }
 
-// What lies behind the last point, in the vectors that are computed, is no value. The first and the last point have
-// the extremes of lists made for that.
+// The vectors reach behind the last point: the numbers there are no values. The first and the last point have the
+// extremes of lists made for that.
 TEST(Range, IsOfThePointsAndNoOthers) {
   for (const InstructionSet set : instruction_sets()) {
     for (const Arithmetic arithmetic : {Arithmetic::kFast, Arithmetic::kPrecise, Arithmetic::kFixed}) {
@@ -302,14 +302,15 @@ TEST(Settings, WithoutANoiseHaveTheUsualOne) {
 // --- Errors of settings ----------------------------------------------------------------------------------------------
 
 TEST(Errors, OfAnUnknownNoiseNameTheKnownOnes) {
-  EXPECT_TRUE(says(error_of<2>(of("perlln")), {"perlln", "(did you mean perlin?)", "cell_border"}));
-  EXPECT_TRUE(says(error_of<1>(of("hn_perlin")), {"value_cubic"}));
+  EXPECT_TRUE(has_parts(error_of<2>(of("perlln")), {"perlln", "(did you mean perlin?)", "cell_border"}));
+  EXPECT_TRUE(has_parts(error_of<1>(of("hn_perlin")), {"value_cubic"}));
   EXPECT_ERROR(error_of<3>(of("Perlin")));
   EXPECT_ERROR(error_of<3>(of("perlin ")));
 }
 
 TEST(Errors, OfAnUnknownSumNameTheKnownOnes) {
-  EXPECT_TRUE(says(error_of<2>(of("perlin", "fmb")), {"fmb", "(did you mean fbm?)", "turbulence", "warp_progressive"}));
+  EXPECT_TRUE(
+      has_parts(error_of<2>(of("perlin", "fmb")), {"fmb", "(did you mean fbm?)", "turbulence", "warp_progressive"}));
   EXPECT_ERROR(error_of<2>(of("perlin", "perlin")));
   EXPECT_ERROR(error_of<2>(of("fbm")));
 }
@@ -321,7 +322,7 @@ TEST(Errors, OfANoiseInAnotherDimension) {
   EXPECT_ERROR(error_of<4>(of("value_cubic")));
   EXPECT_ERROR(error_of<4>(of("simplex_smooth")));
   EXPECT_ERROR(error_of<4>(of("cell_border")));
-  EXPECT_TRUE(says(error_of<4>(of("curl")), {"curl"}));
+  EXPECT_TRUE(has_parts(error_of<4>(of("curl")), {"curl"}));
 }
 
 TEST(Errors, OfANoiseBesideNoisesOfItsOwn) {
@@ -351,7 +352,7 @@ void expect_errors_of_wrong_pairs() {
     for (const twin::Noise& noise : twin::noises(D)) {
       if (std::ranges::find(right, noise.name) != right.end()) continue;
       const std::string error = error_of<D>(of(noise.name, sum));
-      EXPECT_TRUE(says(error, {noise.name})) << sum;
+      EXPECT_TRUE(has_parts(error, {noise.name})) << sum;
       EXPECT_TRUE(
           std::ranges::any_of(right, [&](const std::string& name) { return error.find(name) != std::string::npos; }))
           << error << ": it does not say what would be right";
@@ -393,11 +394,11 @@ void expect_errors_of_settings() {
     settings = of(noise.name);
     settings.strength = 1.0f;
     EXPECT_ERROR(error_of<D>(settings)) << settings;
-    // Those of sums, also where they are what is usual.
+    // The settings of sums, also where they have their defaults.
     for (const auto& set : kSettingsOfSums) {
       settings = of(noise.name);
       set(settings);
-      EXPECT_TRUE(says(error_of<D>(settings), {noise.name, "has no", "sum"})) << settings;
+      EXPECT_TRUE(has_parts(error_of<D>(settings), {noise.name, "has no", "sum"})) << settings;
     }
   }
   for (const Settings& subject : twin::sum_subjects(D)) {
@@ -412,7 +413,7 @@ void expect_errors_of_settings() {
     EXPECT_ERROR(error_of<D>(settings)) << settings;
     settings = subject;
     settings.wave.assign(D, 3.0f);
-    EXPECT_TRUE(says(error_of<D>(settings), {"has no wave; phasor has one in 2D and 3D"})) << settings;
+    EXPECT_TRUE(has_parts(error_of<D>(settings), {"has no wave; phasor has one in 2D and 3D"})) << settings;
     settings = subject;
     settings.strength = 1.0f;
     const bool has_strength = grid::sum_row(subject.sum).strength == "strength";
@@ -434,7 +435,7 @@ TEST(Errors, OfAPhaseAJitterAMetricOrAStrengthWhereThereIsNone) {
   expect_errors_of_settings<4>();
 }
 
-// What the functions of GLSL would take as the nearer end.
+// The functions of GLSL would take the nearer end.
 TEST(Errors, OfSettingsOutsideOfTheirRange) {
   const auto expect_range = [](Settings settings, const auto& set, float least, float most) {
     for (const float right : {least, most, 0.5f * (least + most)}) {
@@ -464,17 +465,17 @@ TEST(Errors, OfSettingsOutsideOfTheirRange) {
   EXPECT_EQ(error_of<2>(settings), "gain is -0.5, and has to be a finite number of 0 or more");
   settings = of("perlin", "fbm");
   settings.footprint = -0.25f;
-  EXPECT_TRUE(says(error_of<2>(settings), {"footprint is -0.25, and has to be a finite number of 0 or more"}));
+  EXPECT_TRUE(has_parts(error_of<2>(settings), {"footprint is -0.25, and has to be a finite number of 0 or more"}));
 }
 
-// What functions take otherwise than it is given: cut off, or as the nearer end.
+// Numbers that functions change: cut off, or moved to the nearer end.
 TEST(Errors, OfALacunarityInATile) {
   Settings settings = of("perlin", "fbm");
   settings.period = {4, 4, 0, 0};
   for (const float wrong : {2.5f, 0.0f, 0.5f, -2.0f, 256.0f, 1e30f}) {
     settings.lacunarity = wrong;
-    EXPECT_TRUE(
-        says(error_of<2>(settings), {"lacunarity is ", ", and has to be a whole number from 1 to 255 with a period"}))
+    EXPECT_TRUE(has_parts(error_of<2>(settings),
+                          {"lacunarity is ", ", and has to be a whole number from 1 to 255 with a period"}))
         << wrong;
   }
   for (const float right : {1.0f, 2.0f, 3.0f}) {
@@ -501,7 +502,8 @@ TEST(Errors, OfOctavesInFixedArithmetic) {
   EXPECT_EQ(error_of<2>(settings), "");
   for (const float wrong : {-2.0f, 256.0f}) {
     settings.lacunarity = wrong;
-    EXPECT_TRUE(says(error_of<2>(settings), {"lacunarity is ", ", and has to be from 0 to 255 with fixed arithmetic"}));
+    EXPECT_TRUE(
+        has_parts(error_of<2>(settings), {"lacunarity is ", ", and has to be from 0 to 255 with fixed arithmetic"}));
   }
 }
 
@@ -599,8 +601,8 @@ TEST(Errors, OfAWave) {
   EXPECT_EQ(error({2.5f}), "wave has 1 component, and has to have 2 in 2D, one for each axis");
   EXPECT_EQ(error({2.5f, 1.5f, 0.0f}), "wave has 3 components, and has to have 2 in 2D, one for each axis");
   for (const float wrong : {16.5f, -16.5f, 1e9f, kInfinity, -kInfinity, kNan}) {
-    EXPECT_TRUE(says(error({wrong, 1.0f}), {"wave is ", "and has to be from -16 to 16"})) << wrong;
-    EXPECT_TRUE(says(error({1.0f, wrong}), {"wave is ", "and has to be from -16 to 16"})) << wrong;
+    EXPECT_TRUE(has_parts(error({wrong, 1.0f}), {"wave is ", "and has to be from -16 to 16"})) << wrong;
+    EXPECT_TRUE(has_parts(error({1.0f, wrong}), {"wave is ", "and has to be from -16 to 16"})) << wrong;
   }
   Settings settings = of("phasor");
   settings.wave = {2.5f, 1.5f};
@@ -775,7 +777,7 @@ TEST(Errors, OfValuesOfAnotherSize) {
     EXPECT_ERROR(error_of<2>(points, wrong)) << wrong;
     EXPECT_ERROR(error_of<2>(cell_points, wrong)) << wrong;
   }
-  EXPECT_TRUE(says(error_of<2>(grid, 11), {"11", "12"}));
+  EXPECT_TRUE(has_parts(error_of<2>(grid, 11), {"11", "12"}));
   EXPECT_ERROR(error_of<2>(Grid<2>{{0, 0}, {1, 1}, {0, 4}}, 4));
   // With several components.
   std::vector<float> values(12);

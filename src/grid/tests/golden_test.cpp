@@ -1,8 +1,9 @@
-// With Arithmetic::kFixed a field has the values of the golden files, which the oracle writes from docs/contract.md
-// alone. So does the twin that the other tests compare with.
+// With Arithmetic::kFixed a field has the values of the golden files, which the oracle writes from
+// docs/reference/contract.md alone. So does the twin that the other tests compare with.
 //
-// docs/formats.md describes the files. Each row is a field with settings of its own, and one point. What a driver
-// computes is compared with the twin by hn-conform.
+// docs/reference/formats.md describes the files. Each row is a field with settings of its own, and one point.
+// hn-conform
+// compares drivers with the twin.
 #include "expected/golden.hpp"
 
 #include <gtest/gtest.h>
@@ -32,7 +33,7 @@ struct Row {
   std::vector<float> values;
 };
 
-// What the golden file of a function has with HN_FIXED.
+// The golden file of a function with HN_FIXED.
 struct Golden {
   std::string calls;  // the function of the library, without "hn_"
   int dimensions = 0;
@@ -89,7 +90,7 @@ std::optional<Settings> settings_of(const hn::Function& function, const Golden& 
   return settings;
 }
 
-// What else the functions take as the nearer end is an error of a field, too.
+// Other numbers that the functions move to the nearer end are an error of a field, too.
 bool are_in_domain(const Settings& s) {
   const bool is_tiled = std::ranges::any_of(s.period, [](std::int32_t period) { return period > 0; });
   if (!s.sum.empty() && is_tiled && lacunarity_of(s) < 1.0f) return false;

@@ -113,7 +113,7 @@ void evaluate(const Function<D>& function, const CellPlace<D>& place, float* val
   function.in(place.cell, place.f, values);
 }
 
-// What a field should be at places: a plane for each component.
+// The right values of a field at places: a plane for each component.
 template <int D, typename Place>
 std::vector<float> planes_of(const Function<D>& function, const std::vector<Place>& places) {
   const auto components = static_cast<std::size_t>(function.components);

@@ -1,9 +1,9 @@
 """The library on processors that lack instructions: python3 processors_test.py DIGESTS SET...
 
-DIGESTS is run by qemu as each of them; it was compiled for these instruction sets. It takes the instructions that a
-processor has, and prints the same as here. On a processor that has none of them it says so. Without qemu, and where
-DIGESTS is not for x86-64, it is skipped (status 77).
-"""
+qemu runs DIGESTS as each of them; it was compiled for these instruction sets. It takes the instructions that a
+processor
+has, and prints the same as here. On a processor that has none of them it reports that. Without qemu, and where DIGESTS
+is not for x86-64, the test is skipped (status 77)."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ import unittest
 
 QEMU = "qemu-x86_64"
 DIGESTS, *COMPILED = sys.argv[1:]
-# What each processor has of the sets that there can be, the widest first.
+# The sets of each processor, the widest first.
 PROCESSORS = {"core2duo": [], "Nehalem": ["sse4.1"], "Haswell": ["avx2", "sse4.1"]}
 
 

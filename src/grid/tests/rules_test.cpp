@@ -1,4 +1,4 @@
-// The list of rules: what it says of a number, and that docs/cpu.md says the same.
+// The list of rules: its messages, and that docs/guide/cpu.md has the same.
 #include "grid/rules.hpp"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ std::string row_of(const Rule& rule, const std::string& of = "") {
          usual + " | ";
 }
 
-// What the page lacks.
+// The rules that the page lacks.
 std::string missing_from(const std::string& text) {
   std::string missing;
   const auto look_for = [&](const std::string& row) {

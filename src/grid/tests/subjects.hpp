@@ -13,7 +13,7 @@
 
 namespace hashnoise::twin {
 
-// What a noise can have.
+// The options of a noise.
 bool has_jitter(const std::string& noise);
 bool has_metric(const std::string& noise);
 bool has_wave(const std::string& noise);

@@ -27,7 +27,7 @@ struct Function {
 template <int D>
 Function<D> function(const Settings& settings);
 
-// What there is, by the catalog.
+// The catalog's noises and sums.
 struct Noise {
   std::string name;
   int components;
@@ -37,12 +37,12 @@ std::vector<std::string> sums(int dimensions);
 
 // The noises that a sum can be taken over; "" alone for a sum of noises of its own.
 std::vector<std::string> noises_of(const std::string& sum, int dimensions);
-// That of its GLSL function; "" if that is several.
+// The noise of its GLSL function; "" if there are several.
 std::string noise_below(const std::string& sum);
 
 bool has_period(const Settings& settings, int dimensions);
 
-// The numbers of settings. Those that are left out are what field.hpp says.
+// The numbers of settings, with the defaults of field.hpp.
 inline float jitter_of(const Settings& s) { return s.jitter.value_or(1.0f); }
 inline int metric_of(const Settings& s) { return static_cast<int>(s.metric.value_or(Metric::kEuclidean)); }
 // 3 along x without one; 0 behind the last axis.

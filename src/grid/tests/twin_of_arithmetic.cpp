@@ -86,8 +86,7 @@ CALL(cellular_phase)  // of the setting `phase` of cellular
 }  // namespace call
 #undef CALL
 
-// What a noise takes between its place and its seed.
-// With a phase cellular noise takes no metric.
+// The arguments of a noise between its place and its seed. With a phase cellular noise takes no metric.
 enum class Options {
   kNothing,
   kPhase,
@@ -142,7 +141,7 @@ NoiseEntry<D> entry(std::string_view name) {
   return e;
 }
 
-// With a phase there are two forms, in 2D and 3D. What has a wave has one, and without a phase it is 0.
+// With a phase there are two forms, in 2D and 3D. A noise with a wave has one, and without a phase it is 0.
 template <int D, typename Call, Options O>
 void add(std::vector<NoiseEntry<D>>& all, std::string_view name) {
   if constexpr (O == Options::kPhase) {
@@ -179,7 +178,7 @@ const NoiseEntry<D>& noise_entry(std::string_view name, bool has_phase) {
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
-// Sums. What they add up is `chosen`, with a value, or `chosen_d`, with derivatives, or `chosen_vector`, in 2D and 3D.
+// Sums. They add up `chosen`, with a value, or `chosen_d`, with derivatives, or `chosen_vector`, in 2D and 3D.
 
 template <int D>
 struct Choice {
@@ -225,7 +224,7 @@ float n_of(const Octaves& o) {
       __VA_ARGS__                                                                                                  \
     }                                                                                                              \
   };
-// Those of values by their steps in the catalog. That these are right is what the golden files are for.
+// Sums of values by their steps in the catalog. Golden files verify these.
 #define HN_CATALOG_STEP(Id, name, step, end)                                          \
   SUM(                                                                                \
       name, [[maybe_unused]] const float strength = twin::strength_of(settings); do { \
@@ -273,7 +272,7 @@ twin::Function<D> of_noise(const Settings& s) {
 
 template <int D, typename Call>
 twin::Function<D> of_sum(const Settings& s) {
-  // What sums noises of its own chooses none.
+  // A sum over noises of its own chooses none.
   const NoiseEntry<D>* noise = s.noise.empty() ? nullptr : &noise_entry<D>(s.noise, false);
   const Ints<D> period = glsl<D>(s.period);
   const bool tile = twin::has_period(s, D);

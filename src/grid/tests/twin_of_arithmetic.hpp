@@ -1,4 +1,4 @@
-// What each arithmetic of the twin exports: twin_of_arithmetic.cpp is compiled once for each.
+// The exports of each arithmetic of the twin: twin_of_arithmetic.cpp is compiled once for each.
 // SPDX-License-Identifier: MIT
 
 #pragma once

@@ -3,9 +3,9 @@
 
 Usage: weak_symbols_test.py COMPILER NM OBJECT...
 
-The kernels are compiled with the instructions of one set. An inline function that is not inlined is a weak symbol, and of
-all that have its name a linker keeps one: it may be that with AVX-512, and a program would crash in it on a processor
-that lacks this. So a kernel's functions have internal linkage, or are always inlined.
+The kernels are compiled with the instructions of one set. An inline function that is not inlined is a weak symbol, and
+of all that have its name a linker keeps one: it may be that with AVX-512, and a program would crash in it on a
+processor that lacks this. So a kernel's functions have internal linkage, or are always inlined.
 """
 
 import pathlib
@@ -17,7 +17,7 @@ import unittest
 
 COMPILER = NM = ""
 OBJECTS = []
-# What nm says of a symbol that is weak or unique, and defined: weak ones without a definition are small letters.
+# nm's letters for a symbol that is weak or unique, and defined: weak ones without a definition are small letters.
 WEAK = "WVu"
 # A pointer to a function of the C++ library, which unwinding reads. It has no instructions.
 HARMLESS = re.compile(r"DW\.ref\.__gxx_personality_v0$")

@@ -69,7 +69,7 @@ def _growth(name: str, row: Row) -> str:
 
 
 def problems(table: Table, tests: Iterable[str]) -> list[str]:
-    """What is wrong with the table, given the rows that the tests of a default run should have."""
+    """Faults of the table, given the rows that the tests of a default run should have."""
     rows, expected = tests_of(table), set(tests)
     found = [f"{name} has no row: run tools/test --record -R NAME_OF_THE_TEST" for name in sorted(expected - rows.keys())]
     found += [f"{name} is no test of a default run any more: run tools/test --record -N, which removes its row"

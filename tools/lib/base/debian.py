@@ -50,7 +50,7 @@ class Missing(Exception):
 
 class Program(NamedTuple):
     packages: Sequence[str]
-    # What its environment is told, where {folder} has the packages and {libraries} their libraries.
+    # Variables of its environment: {folder} has the packages and {libraries} their libraries.
     variables: Mapping[str, str] = {}
 
 
@@ -80,9 +80,9 @@ class Root(NamedTuple):
     def starter(self, program: str, variables: Mapping[str, str]) -> Path:
         """A script that starts a program of the folder."""
         path = self.folder / program
-        told = {name: value.format(folder=self.folder, libraries=self.libraries) for name, value in variables.items()}
+        values = {name: value.format(folder=self.folder, libraries=self.libraries) for name, value in variables.items()}
         command = shlex.join(self.command([str(self.folder / "usr/bin" / program)]))
-        exports = "".join(f"export {name}={shlex.quote(value)}\n" for name, value in told.items())
+        exports = "".join(f"export {name}={shlex.quote(value)}\n" for name, value in values.items())
         path.write_text(f'#!/bin/sh\n{exports}exec {command} "$@"\n', encoding="utf-8")
         path.chmod(0o755)
         return path
@@ -101,7 +101,7 @@ def find(folder: Path, library: str) -> Root | None:
 
 
 def program(name: str) -> Path:
-    """What starts it. It is downloaded if it is not here yet."""
+    """The command that starts it. It is downloaded if it is not here yet."""
     folder = ROOT / "build" / "debian" / name
     wanted = PROGRAMS[name]
     if not (found := find(folder, "libc.so.6")):
@@ -148,7 +148,7 @@ def get(folder: Path, packages: Sequence[str], what: str, mirror: str = MIRROR, 
 
 
 def _run_apt(apt: Path, *arguments: str, failure: str) -> None:
-    """Of what it writes, only how far it is gets through; the rest is told if it fails."""
+    """Only its progress is printed; the rest follows if it fails."""
     said, percent = [], -1
     with subprocess.Popen(["apt-get", "-q", *arguments], env={**os.environ, "APT_CONFIG": str(apt / "apt.conf")},
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True) as process:

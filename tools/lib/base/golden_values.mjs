@@ -1,4 +1,4 @@
-// The reader of golden files (docs/formats.md), for tests: words in, and those that must come out.
+// The reader of golden files (docs/reference/formats.md), for tests: words in, and those that must come out.
 import { readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
 
@@ -14,7 +14,7 @@ function word(kind, text) {
   return view.getUint32(0);
 }
 
-/** What a word that goes in means. */
+/** The value of a word that goes in. */
 export function meaning(kind, bits) {
   view.setUint32(0, bits);
   return { f32: () => view.getFloat32(0), i32: () => bits | 0, u32: () => bits >>> 0 }[kind]();
@@ -26,8 +26,8 @@ export function bitsOf(value) {
 }
 
 /**
- * What a function has with a setting: the function of the library that it calls, how many axes it takes, its columns in
- * and out, as [name, kind], and its rows.
+ * A function with a setting: the function of the library that it calls, how many axes it takes, its columns that go in
+ * and come out, as [name, kind], and its rows.
  */
 export function read(folder, id, setting = "lattice+fixed") {
   const lines = readFileSync(join(folder, `${id}.golden`), "ascii").split("\n");

@@ -1,4 +1,4 @@
-"""The reader of golden files (docs/formats.md), for tests: words in, and those that must come out."""
+"""The reader of golden files (docs/reference/formats.md), for tests: words in, and those that must come out."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ Columns = tuple[tuple[str, str], ...]  # names and types
 
 @dataclass(frozen=True)
 class Head:
-    """What the lines before the rows say."""
+    """The lines before the rows."""
     calls: str           # the function of the library: hn_perlin
     columns: Columns     # what goes in
     results: Columns     # what comes out
@@ -43,9 +43,9 @@ def head_of(path: Path) -> Head:
 
 
 class Golden:
-    """What a function has with a setting, as words: the bit patterns in the file.
+    """The values of a function with a setting, as words: the bit patterns in the file.
 
-    head      what the file says before the rows
+    head      the lines before the rows
     inputs    a list of words for each row
     values    likewise, what must come out
     """
@@ -55,7 +55,7 @@ class Golden:
         self.head = head_of(path)
         rows = _rows(path.read_text(encoding="ascii"), self.head.size)
         if len(rows) != self.head.rows or not rows:
-            raise ValueError(f"{id} says that it has {self.head.rows} rows, and has {len(rows)}")
+            raise ValueError(f"{id}: the head states {self.head.rows} rows, and there are {len(rows)}")
         group = 1 + self.head.settings.index(setting)
         chosen = [(row[0], row[group]) for row in rows if row[group] != "-"]
         self.inputs, self.values = ([[int(word, 16) for word in row[side].split()] for row in chosen]

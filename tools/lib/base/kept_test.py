@@ -1,4 +1,4 @@
-"""What is kept in build/ is made anew where it is not as it was, or what it is made of."""
+"""Files kept in build/ are made anew where they or their inputs changed."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """Ends a command with one line, in place of a traceback, where Python is too old for it.
 
-A command says what it needs before it imports anything else of lib/, so this file is read by every Python 3.
+A command states what it needs before it imports anything else of lib/, so this file is read by every Python 3.
 """
 
 import os

@@ -1,15 +1,15 @@
 # To be sourced: shows what a step does while it runs, so that no command is silent for long.
 #
 #   logged TITLE FAILURE COMMAND...    runs the command with its output in $log; if it fails, shows the end of the log,
-#                                      says FAILURE and stops with status 4. With expected=SECONDS before it, it also
-#                                      says how long that takes about.
+#                                      prints FAILURE and stops with status 4. With expected=SECONDS before it, it also
+#                                      prints an estimate of the time.
 #   cost KIND NAME                     the value of a row of tools/costs.csv, or nothing
 #   seconds_here SECONDS [CORES]       how long it takes on this machine what takes so long by the table
 #   duration SECONDS                   as 3:05
 #
-# On a terminal one line is rewritten each second; in a log or a pipe there is a line every ten seconds. Progress is read
-# off the output: [12/140] of ninja, and the lines that apt-get writes with APT::Status-Fd. It is bash alone, because
-# tools/conform needs no Python.
+# On a terminal one line is rewritten each second; in a log or a pipe there is a line every ten seconds. Progress is
+# read off the output: [12/140] of ninja, and the lines that apt-get writes with APT::Status-Fd. It is bash alone,
+# because tools/conform needs no Python.
 set -o pipefail
 
 readonly costs=$root/tools/costs.csv
@@ -26,8 +26,9 @@ duration() {
 
 milliseconds() { echo $((${EPOCHREALTIME/[.,]/} / 1000)); }
 
-# The processor time of a loop of bash, in seconds. Other work scales with it well enough to say "about". Where two cores
-# share what they compute with, a loop takes longer beside others, and so does a build: so there are as many at a time.
+# The processor time of a loop of bash, in seconds. Other work scales with it well enough to say "about". Where two
+# cores share what they compute with, a loop takes longer beside others, and so does a build: so there are as many at a
+# time.
 #   calibration [HOW_MANY]
 calibration() {
   local loops=${1:-1} number
@@ -50,7 +51,7 @@ seconds_here() {
     'BEGIN { printf "%.0f", (there > 0 ? seconds * here / there : seconds) / cores }'
 }
 
-# Sets `at` to how far the command is, if the line of its output says that; fails if the line belongs into the log.
+# Sets `at` to the command's progress, if the line of its output shows it; fails if the line belongs into the log.
 read_progress() {
   local rest
   case $1 in
@@ -98,8 +99,8 @@ show_progress() {
   if [[ -t 2 ]]; then printf '\r\e[K' >&2; fi
 }
 
-# Sets `time_of_children` to the processor time of the commands that this shell has waited for, in seconds. In $( ) it would
-# be that of another shell, which has waited for none.
+# Sets `time_of_children` to the processor time of the commands that this shell has waited for, in seconds. In $( ) it
+# would be that of another shell, which has waited for none.
 take_time_of_children() {
   times >"$build/times"
   time_of_children=$(awk 'NR == 2 { split($1 "m" $2, part, "m"); print part[1] * 60 + part[2] + part[3] * 60 + part[4] }' \

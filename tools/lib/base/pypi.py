@@ -12,14 +12,14 @@ from pathlib import Path
 from base.debian import Missing
 
 SKIPPED = 77
-# What pip says if it reaches no registry.
+# pip's messages if it reaches no registry.
 OFFLINE = re.compile("NewConnectionError|ConnectTimeout|ReadTimeout|NameResolutionError|ProxyError|"
                      "Max retries exceeded|connection broken", re.I)
 
 
 def install(python: Path, requirements: Path, folder: Path | None = None) -> int:
-    """What a file names, for the Python of a virtual environment, or into a folder: 0 if it is there, 1 if not, SKIPPED
-    without PyPI. What is in a folder is used for long, and so is compiled."""
+    """Installs the packages that a file names, for the Python of a virtual environment, or into a folder: 0 if it is
+    there, 1 if not, SKIPPED without PyPI. Packages in a folder are used for long, and so are compiled."""
     where = ["--no-compile"] if folder is None else ["--target", folder]
     done = subprocess.run([python, "-m", "pip", "--disable-pip-version-check", "install", "--quiet", *where,
                            "--retries", "1", "--requirement", requirements], capture_output=True, text=True, check=False)
@@ -42,7 +42,7 @@ def is_made(folder: Path, requirements: Path) -> bool:
 
 
 def environment(folder: Path, requirements: Path) -> int:
-    """A virtual environment with what a file names. One that has it is kept. What is returned is as of install()."""
+    """A virtual environment with the packages that a file names. One that has them is kept. Returns as install() does."""
     if is_made(folder, requirements):
         return 0
     shutil.rmtree(folder, ignore_errors=True)

@@ -11,7 +11,7 @@ FRAGMENT, VERTEX = 0x8B30, 0x8B31
 COMPILED, LINKED = 0x8B81, 0x8B82
 TRIANGLES = 4
 SIDE = 512  # so a quarter of a million places: deviations and sizes of other seeds differ by less than 1%
-# What OSMesaCreateContextAttribs takes is pairs that a 0 ends: pixels of four floats, in a core profile of OpenGL 4.5,
+# OSMesaCreateContextAttribs takes pairs, ended by a 0: pixels of four floats, in a core profile of OpenGL 4.5,
 # the newest that this renderer has.
 CONTEXT = (0x22, RGBA, 0x33, 0x34, 0x36, 4, 0x37, 5, 0)
 # One triangle that covers every pixel.
@@ -44,8 +44,8 @@ class Renderer:
         self._call("glViewport", 0, 0, side, side)
 
     def program(self, fragment: str) -> int:
-        """Compiles a fragment shader, in place of the one before; NotCompiled has the log of the driver. Below `#version
-        300 es` the driver computes mediump with 16 bits, as a phone does."""
+        """Compiles a fragment shader, in place of the one before; NotCompiled has the log of the driver. Below
+        `#version 300 es` the driver computes mediump with 16 bits, as a phone does."""
         self._make_current()
         version = fragment.splitlines()[0]
         self._call("glDeleteProgram", self._program)

@@ -1,5 +1,5 @@
-"""A room of tools/lib imports those before it and none behind it, its tests too. The oracle imports no text of glsl/ and
-nothing that reads it, so that it shares no mistake with the library."""
+"""A room of tools/lib imports those before it and none behind it, its tests too. The oracle imports no text of glsl/
+and nothing that reads it, so that it shares no mistake with the library."""
 
 from __future__ import annotations
 
@@ -11,7 +11,8 @@ from base.modules import LIB, files_of, imported
 
 ROOMS = ("base", "catalog", "translate", "proof", "measure", "ship", "check")
 ORACLE = LIB / "proof" / "oracle"
-# What the oracle may see, and its tests: the rows of functions, and for tests points, and ranges that are proven.
+# Modules that the oracle and its tests may import: the rows of functions, and for tests points, and ranges that are
+# proven.
 OF_ORACLE = (LIB / "base", LIB / "catalog", ORACLE)
 OF_TESTS = (*OF_ORACLE, LIB / "proof" / "golden", LIB / "proof" / "bounds" / "table.py")
 READERS = re.compile(r"\b(GLSL|glsl_files)\b|catalog\.tables(\.glsl\b| import (.*\b)?glsl\b)")
@@ -26,7 +27,7 @@ def arrows_up(path: Path, text: str) -> list[Path]:
 
 
 def beyond(allowed: tuple[Path, ...], files: dict[Path, str]) -> list[Path]:
-    """What of these files the oracle must not see."""
+    """Imports in these files that the oracle must not have."""
     return [path for path, text in files.items() if not any(path.is_relative_to(room) for room in allowed)
             or (READERS.search(text) and path != LIB / "base" / "tree.py")]
 

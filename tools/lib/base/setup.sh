@@ -8,7 +8,7 @@
 #   setup test      all of it, with the tests and what they need
 #
 # It installs the packages that are missing; where it cannot, it stops with status 4. On another system it names what is
-# needed and tries to build. It says first what it will do and how long that takes about, and tools/lib/base/progress.sh
+# needed and tries to build. It prints first what it will do and an estimate of the time, and tools/lib/base/progress.sh
 # reports what is going on. --help is answered before any of that:
 #
 #   help_if_asked PROGRAM [ARGUMENT...] -- "$@"     the program has the options of the command
@@ -44,20 +44,21 @@ readonly bake_packages=("${program_packages[@]}" libopenexr-dev)
 readonly npm_packages=(clang g++ libc++-dev-wasm32 libfmt-dev lld python3 wasi-libc)
 # Of the tests of examples/, which build raylib.
 readonly example_packages=(git libxcursor-dev libxi-dev libxinerama-dev libxrandr-dev vulkan-validationlayers x11-utils)
-# Those behind python3-venv compile for ARM, and run what they compile; those of Mono do so with C#. abigail-tools compare
+# The packages behind python3-venv compile for ARM, and run the results; Mono's do so with C#. abigail-tools compare
 # binary interfaces.
 readonly test_packages=("${driver_packages[@]}" "${npm_packages[@]}" "${example_packages[@]}" ccache libopenexr-dev
   libclang-rt-dev libgtest-dev python3 python3-dev python3-jinja2 python3-numpy python3-pip python3-scipy python3-venv g++-aarch64-linux-gnu
   qemu-user mono-mcs mono-runtime abigail-tools)
-# Compilers of the languages that tools/pick writes, as PROGRAM:PACKAGE. A machine may have the program from elsewhere, so
-# the package is missing only where the program is. Node.js is not among them: tools/lib/base/node gets one that is new enough.
+# Compilers of the languages that tools/pick writes, as PROGRAM:PACKAGE. A machine may have the program from elsewhere,
+# so the package is missing only where the program is. Node.js is not among them: tools/lib/base/node gets one that is
+# new enough.
 readonly language_packages=(cargo:cargo cargo-clippy:rust-clippy go:golang-go javac:default-jdk-headless rustc:rustc
   rustfmt:rustfmt)
-# Of thorough tests: Microsoft's FXC, a program for Windows, and the compiler of what starts it; a Debian that has nothing, and
-# what sees connections.
+# Of thorough tests: Microsoft's FXC, a program for Windows, and the compiler of what starts it; a Debian that has
+# nothing, and what sees connections.
 readonly thorough_packages=(debootstrap g++-mingw-w64-x86-64 python3-matplotlib strace wine wine64)
 
-# If the arguments behind -- ask for help, prints the comment at the top of the command, and what the program says of its
+# If the arguments behind -- have --help, prints the comment at the top of the command, and the program's list of its
 # options, and stops.
 help_if_asked() {
   local -a program=()
@@ -103,7 +104,7 @@ suggestion() {
 
 # Stops with status 2 if one of the arguments behind -- is an option that no text names, before anything is installed or
 # built for it. The texts are the sources of the program that has the options: they are here before the program is, and
-# are never older than it. Only words such as --out are judged; what is wrong with values, or with -o, the program says.
+# are never older than it. Only words such as --out are judged; the program reports wrong values, and a wrong -o.
 # With abbreviated=1 before it the beginning of an option will do, as it does for Python.
 refuse_unknown_options() {
   local command=$1 argument word text texts=
@@ -125,7 +126,7 @@ refuse_unknown_options() {
     [[ $word =~ ^--[a-zA-Z0-9][a-zA-Z0-9._-]*$ && " ${known[*]} " != *" $word "* ]] || continue
     [[ -z ${abbreviated-} || " ${known[*]} " != *" $word"* ]] || continue
     echo "tools/$command: there is no option $word$(suggestion "$word" "${known[@]}");" \
-      "tools/$command --help tells more" >&2
+      "see tools/$command --help" >&2
     exit 2
   done
 }
@@ -159,7 +160,8 @@ install_missing() {
   fi
   local started
   started=$(milliseconds)
-  # With the first option apt-get prints how far it is. With the second it needs no pseudo terminal, which a container may lack.
+  # With the first option apt-get prints how far it is. With the second it needs no pseudo terminal, which a container
+  # may lack.
   local -a apt_get=(apt-get -q -o APT::Status-Fd=1 -o Dpkg::Use-Pty=0)
   logged "Asking for the newest packages" "apt-get could not read the list of packages" "${sudo[@]}" "${apt_get[@]}" update
   logged "Installing ${#missing[@]} packages and what they need" "apt-get could not install these packages: ${missing[*]}" \
@@ -168,8 +170,9 @@ install_missing() {
     'BEGIN { printf "%.2f", ms / 1000 / count }')"
 }
 
-# What is built from now on, and by tests, is compiled once: the wheel has the kernels of hashnoise::grid, too. -Werror has
-# no say in what a compiler makes; its name has one to ccache, and what builds the wheel would choose another.
+# ccache compiles once what is built from now on, and by tests: the wheel has the kernels of hashnoise::grid, too.
+# -Werror has no say in what a compiler makes; its name has one to ccache, and what builds the wheel would choose
+# another.
 share_objects() {
   command -v ccache >/dev/null || return 0
   export CCACHE_DIR=${CCACHE_DIR:-$build/ccache} CCACHE_NOHASHDIR=1 CCACHE_IGNOREOPTIONS=-Werror
@@ -178,8 +181,8 @@ share_objects() {
 }
 
 # How many steps the build in this folder has yet to do for these targets; nothing if that is not known before it is
-# configured. Of build.ninja itself ninja would first ask whether CMake has to run again, and in a dry run say no more: of
-# a file by another name it does not ask.
+# configured. Of build.ninja itself ninja would first ask whether CMake has to run again, and in a dry run say no more:
+# of a file by another name it does not ask.
 steps_to_do() {
   [[ -e $1/build.ninja ]] && command -v ninja >/dev/null || return 0
   cp "$1/build.ninja" "$1/steps.ninja"
@@ -220,7 +223,7 @@ announce() {
     total=$((total + seconds))
     parts+="${parts:+, }$name $(duration "$seconds")"
   done
-  echo "tools/${called:-${0##*/}} $what and runs.${parts:+ That takes about $(duration "$total") minutes here ($parts).} \
+  echo "tools/${called:-${0##*/}} $what and runs.${parts:+ The whole takes about $(duration "$total") minutes here ($parts).} \
 All output of the setup is in $log." >&2
 }
 
@@ -273,8 +276,8 @@ setup() {
   if [[ $1 == drivers || ($1 == test && -n ${HN_THOROUGH-}) ]]; then find_vkd3d; fi
 }
 
-# HLSL of shader model 5 wants vkd3d-compiler 1.10. Debian 12 has 1.2, so that of Debian's unstable suite is unpacked into
-# build/, 16 MB. Where it cannot be had, hn-conform calls these cases unsupported, and prints why.
+# HLSL of shader model 5 wants vkd3d-compiler 1.10. Debian 12 has 1.2, so that of Debian's unstable suite is unpacked
+# into build/, 16 MB. Where it cannot be had, hn-conform calls these cases unsupported, and prints why.
 find_vkd3d() {
   [[ -z ${HN_VKD3D_COMPILER-} ]] && command -v apt-get >/dev/null && command -v python3 >/dev/null || return 0
   local version program
@@ -312,7 +315,7 @@ configure_and_build() {
   fi
 }
 
-# What the compiler makes of the library is measured, so each has a build without anything else.
+# Each compiler's output is measured, so each has a build without anything else.
 setup_bench_cpu() {
   local -a packages=("${program_packages[@]}") missing
   local compiler folder run

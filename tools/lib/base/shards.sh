@@ -7,7 +7,7 @@
 #   --host HOST[:FOLDER]   a machine that ssh reaches without a password, with a copy of the repository, of the same
 #                          commit, in FOLDER (hashnoise, in the home folder, if it is left out). May be repeated: the
 #                          hosts get the parts in turn, and install and build by themselves
-#   --out DIR              the folder of the joined results (default out). What each part left is in DIR/shards
+#   --out DIR              the folder of the joined results (default out). The files of each part are in DIR/shards
 #
 #   tools/conform shards 4 --driver all --thorough --out out
 #   tools/conform shards --host alice --host bob:src/hashnoise --driver 'egl-device:*' --out out
@@ -16,13 +16,14 @@
 # results the joined ones say that its cases are missing.
 #
 # Exit status: 0 all as expected, 1 something is not, 2 bad usage, or the copies are not of the same commit, 3 no usable
-# driver, 4 it could not be built, or a host cannot be reached. What ends a part is the status if others went on.
+# driver, 4 it could not be built, or a host cannot be reached. The status of a part that failed is the status if others
+# went on.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
 help_if_asked "$build/conformance/hn-conform" run -- "$@"
 
 bad_usage() {
-  echo "tools/conform shards: $1; tools/conform shards --help tells more" >&2
+  echo "tools/conform shards: $1; see tools/conform shards --help" >&2
   exit 2
 }
 
@@ -62,7 +63,7 @@ fi
 count=$((10#$count))
 refuse_unknown_options "conform shards" "${BASH_SOURCE[0]}" "$root/conformance/cli/options.cpp" -- ${options[@]+"${options[@]}"}
 
-# What a host does, as a script: its results are what it prints, and all else goes to the standard error.
+# The script of a host: it prints its results, and all else goes to the standard error.
 script_of() {
   local part=$1 folder=$2 results=build/shards/$1-of-$count
   printf 'cd %q || exit 4\nresults=%s\n' "$folder" "$results"

@@ -1,8 +1,9 @@
-"""Prints which tests a run of ctest skipped, in whole or in part, and why: skipped.py FILE, which ctest --output-junit wrote.
+"""Prints which tests a run of ctest skipped, in whole or in part, and why: skipped.py FILE, which ctest --output-junit
+wrote.
 
-A test that is skipped as a whole prints its reason last. A test that passes may skip cases: unittest prints their reasons
-with -v, and GoogleTest always does. Cases that take long are counted. A case whose reason is "the test NAME ..." is not
-listed, since NAME runs it.
+A test that is skipped as a whole prints its reason last. A test that passes may skip cases: unittest prints their
+reasons with -v, and GoogleTest always does. Cases that take long are counted. A case whose reason is "the test NAME
+..." is not listed, since NAME runs it.
 """
 
 from __future__ import annotations

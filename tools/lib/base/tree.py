@@ -17,7 +17,7 @@ VECTORS = ROOT / "build" / "vectors"  # proof.vectors makes them
 
 
 def glsl_files(library: Path = GLSL) -> dict[str, Path]:
-    """The files of the library by their names: what users include, and detail/, of which that is made."""
+    """The files of the library by their names: what users include, and its parts in detail/."""
     return {path.relative_to(library).as_posix(): path for path in sorted(library.rglob("*.glsl"))}
 
 

@@ -1,4 +1,4 @@
-"""Refusals of what a command is asked wrongly: status 2, and one line that has the nearest right name."""
+"""Refusals of wrong arguments: status 2, and one line that has the nearest right name."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class Parser(argparse.ArgumentParser):
     def error(self, message: str) -> NoReturn:
         if choice := NO_CHOICE.search(message):
             message += near(choice["word"], re.findall(r"[^\s',]+", choice["names"]))
-        self.exit(2, f"{self.prog}: {message}; {self.prog} --help tells more\n")
+        self.exit(2, f"{self.prog}: {message}; see {self.prog} --help\n")
 
     def parse_args(self, args: Sequence[str] | None = None, namespace: argparse.Namespace | None = None):
         given, left = self.parse_known_args(args, namespace)

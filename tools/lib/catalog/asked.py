@@ -1,4 +1,4 @@
-"""The functions that are asked for most: catalog/asked.toml."""
+"""The functions in most use: catalog/asked.toml."""
 
 from __future__ import annotations
 
@@ -14,16 +14,16 @@ def _lists() -> dict[str, dict[str, Any]]:
 
 
 def nodes(who: str) -> tuple[str, ...]:
-    """The forms of which a package has nodes, or node groups."""
+    """The forms that are nodes, or node groups, of a package."""
     return tuple(f"hn_{form}" for form, have in _lists()["nodes"].items() if who in have)
 
 
 def modules() -> dict[str, tuple[tuple[str, ...], int]]:
-    """Those of the Rust crate: the functions of each, and in how many dimensions at most."""
+    """The forms of the Rust crate: the functions of each, and in how many dimensions at most."""
     return {name: (tuple(f"hn_{function}" for function in of["functions"]), of["dimensions"])
             for name, of in _lists()["rust"].items()}
 
 
 def snippets() -> dict[str, str]:
-    """The functions of docs/snippets, and what each is for."""
+    """The functions of docs/reference/snippets, and what each is for."""
     return {f"hn_{name}": what for name, what in _lists()["snippets"].items()}

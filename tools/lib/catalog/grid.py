@@ -1,4 +1,4 @@
-"""What C++ knows: the header, and in src/grid/catalog.inc the compiled library and its programs."""
+"""The C++ parts: the header, and in src/grid/catalog.inc the compiled library and its programs."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def in_camel_case(name: str) -> str:
 
 
 def takes_of(noise: Noise) -> str:
-    """What it takes beside a seed and a period."""
+    """Its arguments beside a seed and a period."""
     return "k" + ("And".join(in_camel_case(option) for option in sorted(noise.options)) or "Nothing")
 
 
@@ -107,7 +107,7 @@ def files(catalog: Catalog) -> dict[Path, str]:
 
 
 def wrapped(line: str) -> list[str]:
-    """Lines of comment, of which those after the first are indented."""
+    """Lines of comment; those after the first are indented."""
     lines, rest = [], line
     while len(rest) > 110:
         at = rest.rindex(" ", 0, 110)

@@ -1,4 +1,4 @@
-"""What JavaScript knows: the twin in the npm package, its types and its module in WebAssembly, and the playground."""
+"""The JavaScript parts: the twin in the npm package, its types and its module in WebAssembly, and the playground."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from catalog.tables.markdown import with_section as with_table
 TWIN = "packages/npm/wasm/twin.cpp"
 FIELDS = "packages/npm/src/index.js"
 TYPES = "packages/npm/src/index.d.ts"
-PAGE = "docs/javascript.md"
+PAGE = "docs/guide/javascript.md"
 PLAYGROUND = ROOT / "playground" / "catalog.js"
 MOST_DIMENSIONS = 3  # of the twin
 MOST_BYTES = 48_400  # of its module
@@ -62,7 +62,7 @@ def dimensions_of(function: Function, most: int) -> list[int]:
 
 
 class Twin:
-    """What the twin has of the catalog."""
+    """The twin's tables."""
 
     def __init__(self, catalog: Catalog) -> None:
         self.noises = [noise for noise in catalog.noises if noise.small and noise.first <= MOST_DIMENSIONS]
@@ -115,7 +115,7 @@ def noises_and_sums(twin: Twin) -> str:
 
 
 def types_of_settings(twin: Twin) -> str:
-    """Members of Settings, of which the comments say defaults and owners."""
+    """Members of Settings, with defaults and owners in their comments."""
     def member(name: str, type_: str, comment: str) -> str:
         return f"  /** {comment} */\n  {name}?: {type_};\n"
 
@@ -190,7 +190,7 @@ def sums(twin: Twin) -> str:
 
 
 def settings_of_page(twin: Twin) -> str:
-    """The table in docs/javascript.md, and what is not in the twin."""
+    """The table in docs/guide/javascript.md, and what is not in the twin."""
     def by_dimensions(functions: Sequence[Function]) -> str:
         line = code([function.name for function in functions if function.is_in(1)])
         return f"{line}; in 2D and 3D {code([function.name for function in functions if not function.is_in(1)])}"
@@ -232,8 +232,8 @@ def package(twin: Twin) -> dict[Path, str]:
 
 
 def drawn(catalog: Catalog) -> tuple[list[Noise], list[Sum]]:
-    """What gives slopes, too, or a noise along each axis, is another form of what does not, and no picture of its own. For
-    a wave there is no control, and of noises that nobody chooses there is no formula to show."""
+    """A function with slopes, or with a noise along each axis, is a form of the one without, and no picture of its own.
+    For a wave there is no control, and of noises that nobody chooses there is no formula to show."""
     forms = [noise for noise in catalog.noises
              if "slopes" in noise.shape or noise.name.endswith("_vector") or "wave" in noise.options]
     return ([noise for noise in catalog.noises if noise not in forms],

@@ -17,7 +17,7 @@ except ImportError:  # before Python 3.11
 CATALOG = ROOT / "catalog"
 SHAPES = ("value", "slopes", "two_distances", "three_distances", "distance_with_slopes", "vector", "value_and_quadrature")
 AXES = "xyzw"
-OWN = "own"  # what a sum is of whose noises nobody chooses
+OWN = "own"  # the noise of a sum that leaves no choice
 MEANS = ("", "density", "billows", "bounded")  # glsl/hashnoise/detail/octave.glsl
 
 
@@ -26,7 +26,7 @@ PLAIN, BOUNDED = "noise", "bounded_size"
 
 
 class CatalogError(ValueError):
-    """What is wrong, with the file and the entry."""
+    """The fault, with the file and the entry."""
 
 
 @dataclass(frozen=True)
@@ -40,7 +40,7 @@ class Strength:
 
 @dataclass(frozen=True)
 class Families:
-    """Of which settings the suite has values of a function (catalog/configurations.toml)."""
+    """The settings for which the suite has values of a function (catalog/configurations.toml)."""
     usual: str  # on the plane and in space
     tiles: str  # there, in a tile; of a sum also from a cell
     others: str  # on the line, in four dimensions, and with a phase
@@ -116,7 +116,7 @@ class Sum(Function):
 
     @property
     def step_of_loops(self) -> str:
-        """That of a loop of a user's own, "" if there is none. Billows have one that bounds the noise, and is not
+        """The step for a loop of a user's own, "" if there is none. Billows have one that bounds the noise, and is not
         public."""
         return "hn_add_turbulence" if self.step == BOUNDED else self.public_step or ""
 

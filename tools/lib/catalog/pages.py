@@ -1,4 +1,5 @@
-"""What pages say of noises and sums: the tables of functions in the README, docs/noises.md and docs/sums.md."""
+"""Texts of pages on noises and sums: the tables of functions in the README, docs/reference/noises.md and
+docs/reference/fractals.md."""
 
 from __future__ import annotations
 
@@ -10,12 +11,12 @@ from catalog.model import Catalog, Function, Noise, Sum
 from catalog.shaders import sums_of_values
 from catalog.tables.markdown import table, with_section
 
-README, NOISES, SUMS = "README.md", "docs/noises.md", "docs/sums.md"
+README, NOISES, SUMS = "README.md", "docs/reference/noises.md", "docs/reference/fractals.md"
 USUAL_SUM = "fbm"
 
 
 def grouped(functions: Iterable[Function], text: Callable[[Function], str]) -> list[tuple[list[Function], str]]:
-    """Those of which the page says the same are one row, where the first of them stands."""
+    """Functions with equal text share a row, where the first of them stands."""
     groups: dict[str, list[Function]] = {}
     for function in functions:
         groups.setdefault(text(function), []).append(function)
@@ -32,7 +33,7 @@ def settings(sum_: Sum) -> str:
 
 
 def parameters(noise: Noise) -> str:
-    """Of the form with the fewest. What has a wave has no form without all others."""
+    """The parameters of the form with the fewest. A noise with a wave has no form without all others."""
     return ", ".join(["p", *noise.options, "seed"] if "wave" in noise.options else ["p [, seed]"])
 
 

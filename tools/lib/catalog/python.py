@@ -18,13 +18,13 @@ PLACE = ("0.5", "0.25", "0.75", "0.125")  # of the examples: as many of them as 
 
 NOISES = '''\
 # Made by tools/make catalog from catalog/noises.toml and settings.toml.
-"""The noises: each is a function of arrays of coordinates. help(hashnoise) tells what they have in common."""
+"""The noises: each is a function of arrays of coordinates. help(hashnoise) describes what they have in common."""
 '''
 SUMS = '''\
 # Made by tools/make catalog from catalog/sums.toml and settings.toml.
-"""The octave sums and the warps, over any noise. help(hashnoise) tells what they have in common."""
+"""The octave sums and the warps, over any noise. help(hashnoise) describes what they have in common."""
 '''
-# What a stub has of a grid, whose array is of the type that is asked for, or that of `out`.
+# Overloads of a grid in a stub: its array has the type of dtype, or of `out`.
 GRID = ("name: _Name, size: int | Sequence[int], *, step: float | Sequence[float], "
         "origin: float | Sequence[float] = 0.0, cell: int | Sequence[int] | None = None, "
         "first: int | Sequence[int] = 0, seed: int = 0, "
@@ -95,13 +95,13 @@ def _options(function: Function, catalog: Catalog) -> tuple[_Option, ...]:
 
 
 def _of_noise(noise: Function, catalog: Catalog) -> Iterable[_Option]:
-    """Those that not every noise has."""
+    """Options that not every noise has."""
     known = (_WAVE, _PHASE, _setting("jitter", catalog), _Option("metric", f'"{catalog.metrics[0]}"', "_Metric"))
     return (option for option in known if option.name in noise.options)
 
 
 def _of_sum(function: Sum, catalog: Catalog) -> Iterable[_Option]:
-    """Those that only sums have. Where a detail may stand in place of octaves, neither has a default."""
+    """Options that only sums have. Where a detail may stand in place of octaves, neither has a default."""
     in_detail = tuple(option for option in _SUM_IN_DETAIL if option.name in function.options)
     if function.takes_noise:
         yield _Option("noise", f'"{function.noise}"', "_Noise")
@@ -165,7 +165,7 @@ def _filled(text: str, indent: int = 0) -> str:
 
 
 def _types(function: Function, catalog: Catalog) -> str:
-    """What a stub has of a function; one that returns a single value for a point returns a number for numbers."""
+    """A function in a stub; one that returns a single value for a point returns a number for numbers."""
     options = _options(function, catalog)
     arrays = _signature(function, options, "npt.ArrayLike", "_Values")
     if function.shape != "value":

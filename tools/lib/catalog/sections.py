@@ -12,7 +12,7 @@ START, END = "tools/make catalog: {}", "tools/make catalog: end"
 
 def with_section(path: str, name: str, content: str, text: str | None = None) -> tuple[Path, str]:
     """The path, and its text (that of the file, unless one is given) with the content between the line of comment that
-    says `tools/make catalog: NAME` and the one that says `tools/make catalog: end`."""
+    has `tools/make catalog: NAME` and the one that has `tools/make catalog: end`."""
     file = ROOT / path
     text = file.read_text(encoding="utf-8") if text is None else text
     start = START.format(name)

@@ -1,4 +1,4 @@
-"""What the GLSL of sums has of the catalog: their loops and forms, and the public steps of which loops are made.
+"""GLSL of sums from the catalog: their loops and forms, and the public steps in loops.
 
 tools/make umbrella makes the other dimensions of what this writes for the plane.
 """
@@ -21,7 +21,7 @@ SETTINGS = ("hn_int octaves", "hn_float lacunarity", "hn_float gain")
 
 
 def sums_of_values(catalog: Catalog) -> list[Sum]:
-    """Those in fbm2d.glsl."""
+    """The steps in fbm2d.glsl."""
     return [sum_ for sum_ in catalog.sums if sum_.is_of_values]
 
 
@@ -71,7 +71,9 @@ def comment(sum_: Sum) -> str:
                     "the seed cannot be\n//   left out)\n"]
     else:
         settings = ["//   (parameters, period and cost as for hn_fbm)\n"]
-    return "".join([commented(named(about)), *settings, commented(named(sum_.returns), "returns"),
+    strength = f", {sum_.strength.default:.1f}" if sum_.strength else ""
+    example = f"//   {'example':<11} float n = hn_{sum_.name}(uv * 8.0, 6, 2.0, 0.5{strength}, 7u);\n"
+    return "".join([commented(named(about)), *settings, example, commented(named(sum_.returns), "returns"),
                     commented(named(sum_.error), "error"), commented(named(sum_.source), "source")])
 
 
@@ -102,13 +104,14 @@ def public_steps(sums: Sequence[Sum]) -> str:
     head = commented(f"Add the noise of an octave: {'; '.join(kinds)}.")
     return head + """\
 //   o         the octaves
-//   n         the noise at o.place with o.seed, in [-1, 1]. hn_add and hn_add_turbulence take what is beyond
-//             (HN_FIXED up to 3/2), others cut it off
+//   n         the noise at o.place with o.seed, in [-1, 1]. hn_add and hn_add_turbulence take values beyond (HN_FIXED
+//             up to 3/2), others cut them off
 //   strength  of hn_ping_pong, usually 2, in [0, 64]; of hn_weighted, usually 1, in [0, 1]
-//   returns   nothing: the octaves have the sum
-//   error     as of the sums in fbm2d.glsl
+//   example   do hn_add(o, hn_value(o.place, o.seed)); while (hn_next(o));
+//   returns   nothing: the octaves hold the result so far
+//   error     as of the fractals in fbm2d.glsl
 //   cost      1 to 10 operations
-//   source    docs/contract.md, section 7
+//   source    docs/reference/contract.md, section 7
 """ + "".join(function(f"HN_FN void {step}",
                        ["HN_I_INOUT(hn_octaves2) o", "hn_float n", *(["hn_float strength"] if of[0].strength else [])],
                        f"o.sum = {of[0].adds('o.sum', 'n', 'strength')};") for step, of in owners.items())
@@ -117,7 +120,7 @@ def public_steps(sums: Sequence[Sum]) -> str:
 def files(catalog: Catalog) -> dict[Path, str]:
     sums = sums_of_values(catalog)
     with_loops = with_section(SUMS, "loops", "".join(map(loop, sums)))[1]
-    # Those of fBm stand there by hand, with what all others have from it.
+    # fBm's are written by hand there, with the parts that all others take from it.
     others = "\n".join(comment(sum_) + forms(sum_) for sum_ in sums if sum_.name != "fbm")
     # A comment that stood under the mark without a blank line would take it for its first line, and show it to users.
     return dict([with_section(SUMS, "forms", f"\n{others}", with_loops),

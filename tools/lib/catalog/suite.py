@@ -2,7 +2,8 @@
 
     python3 -m catalog.suite FOLDER
 
-conformance/CMakeLists.txt calls it from tools/lib, for a folder of the build. A file that would be the same is left alone.
+conformance/CMakeLists.txt calls it from tools/lib, for a folder of the build. A file that would be the same is left
+alone.
 """
 
 from __future__ import annotations
@@ -37,8 +38,9 @@ def flag(value: bool) -> str:
 
 def plain(function: Function) -> str:
     """The id that the noise would have whose derivative, or whose value beside it, a function is; of an octave sum, the
-    sum of octaves without slopes. In four dimensions value and derivative are two rows: perlin_d_value and perlin_d. The
-    sums of noises with derivatives are in a file of their own: fbm_d.fbm_d2 and fbm_d.eroded2 belong to fbm.fbm2."""
+    sum of octaves without slopes. In four dimensions value and derivative are two rows: perlin_d_value and perlin_d.
+    The sums of noises with derivatives are in a file of their own: fbm_d.fbm_d2 and fbm_d.eroded2 belong to
+    fbm.fbm2."""
     if function.family in OCTAVE_SUMS:
         return f"fbm.fbm{function.name[len(function.bound):]}"
     parts = function.name.split("_")
@@ -87,7 +89,7 @@ def is_never_negative(noise: Noise) -> bool:
 def of_bodies(functions: Sequence[Function]) -> str:
     """Each body as code."""
     head = HEAD + ("// FUNCTION(id, family, configurations that it has values with, a bit for each, (COLUMN(name, type) "
-                   "...), body): the columns are those that go in. What is not declared with the sine gradient is left out there.\n")
+                   "...), body): the columns are those that go in. Rows not declared with the sine gradient are left out there.\n")
     rows = []
     for function in functions:
         inputs = " ".join(f'COLUMN("{column.name}", {column.type})' for column in function.inputs)
@@ -123,14 +125,14 @@ def facts_of(sum_: Sum) -> str:
 
 
 def step_and_mean(sum_: Sum) -> tuple[str, str]:
-    """What the suite calls what an octave adds, and what becomes of the mean. Derivatives are added as they are, and a
+    """The suite's names for an octave's step, and for the mean's. Derivatives are added as they are, and a
     warp is a step of its own."""
     plain_step = "noise" if sum_.of == "slopes" else sum_.name
     return sum_.step or plain_step, sum_.mean or "as_it_is"
 
 
 def files() -> dict[str, str]:
-    """By their names in the folder. What C++ includes is in the room library."""
+    """By their names in the folder. Files that C++ includes are in the room library."""
     catalog, functions, configurations = read(), read_functions(), read_configurations()
     of_cmake = "".join(f'  "{" ".join([one.name, *one.macros])}"\n' for one in configurations)
     return {"library/functions.inc": of_functions(catalog, functions), "library/bodies.inc": of_bodies(functions),

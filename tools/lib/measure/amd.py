@@ -22,7 +22,7 @@ def environment(family: str) -> dict[str, str]:
     return {**{name: value for name, value in os.environ.items() if not name.startswith(CHANGING)},
             "RADV_FORCE_FAMILY": family, "RADV_DEBUG": "nocache", "MESA_SHADER_CACHE_DISABLE": "true",
             "VK_DRIVER_FILES": drivers, "VK_ICD_FILENAMES": drivers,  # the older name, all that Debian 12's loader knows
-            "NODEVICE_SELECT": "1"}  # Mesa's layer that sorts the GPUs, and asks a display server for it
+            "NODEVICE_SELECT": "1"}  # Mesa's layer that sorts the GPUs, and connects to a display server
 
 
 def add_counts(path: Path, spirv: Path, program: str = str(HN_CONFORM)) -> bool:

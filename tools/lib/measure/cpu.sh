@@ -7,7 +7,7 @@
 #
 #   tools/measure cpu --compiler g++ --compiler clang++ --against fastnoise2=libFastNoise.so --python venv/bin/python
 #
-# Exit status: 0 done, even if an aim is missed, 1 something could not be measured, 2 bad usage, 4 it could not be built.
+# Exit status: 0 done, even if an aim is missed, 1 a measurement failed, 2 bad usage, 4 it could not be built.
 program_by() { echo "$build/bench-cpu-$1/src/bench_cpu/hn-bench-cpu"; }
 help_if_asked "$(program_by g++)" -- "$@"
 

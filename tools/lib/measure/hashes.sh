@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# Starts hashes/command.py. Pictures need matplotlib, which is large, so it is asked for only where some are drawn.
+# Starts hashes/command.py. Pictures need matplotlib, which is large, so it is installed only where some are drawn.
 plots=,matplotlib
 for argument in "$@"; do
   case $argument in

@@ -1,4 +1,4 @@
-"""Pages of what was measured: HTML from Jinja's templates, of which frame.html has what they share."""
+"""Pages of what was measured: HTML from Jinja's templates, with frame.html around each."""
 
 from __future__ import annotations
 

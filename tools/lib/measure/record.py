@@ -1,5 +1,6 @@
-"""Records of what was measured: CSV files. A row is what was measured and its setting, a column a quantity, whose name has
-the unit. What holds for all rows, such as the date and the driver, stands above them as comments: "# date: 2026-11-26"."""
+"""Records of what was measured: CSV files. A row is what was measured and its setting, a column a quantity, whose name
+has the unit. Facts of all rows, such as the date and the driver, stands above them as comments: "# date:
+2026-11-26"."""
 
 from __future__ import annotations
 
@@ -76,7 +77,7 @@ def three_digits(number: float) -> str:
 
 def quantities(rows: Iterable[Mapping[str, str]], key: Sequence[str], value: str,
                spread: str = "") -> dict[tuple[str, ...], Quantity]:
-    """Those that are numbers, by what was measured."""
+    """The quantities that are numbers, by name."""
     found = {}
     for row in rows:
         one, around = number(row[value]), number(row[spread]) if spread else 0.0
@@ -87,5 +88,5 @@ def quantities(rows: Iterable[Mapping[str, str]], key: Sequence[str], value: str
 
 def compare(before: Mapping[tuple[str, ...], Quantity],
             now: Mapping[tuple[str, ...], Quantity]) -> dict[tuple[str, ...], Change]:
-    """What both have."""
+    """Rows that both have."""
     return {key: Change(before[key], found) for key, found in now.items() if key in before}

@@ -17,7 +17,7 @@ HELP = f"""Makes a package, and prints where it is.
     tools/pack NAME [options] [FOLDER]
 
 {"".join(f"  {name:{WIDTH}}  {recipe.line}{chr(10)}" for name, recipe in RECIPES.items())}
-tools/pack NAME --help tells the options of one.
+tools/pack NAME --help prints the options of one.
 
 Exit status: 0 done, 1 the wheel computes wrong values, or there is no release, 2 bad usage, 4 it could not be made."""
 

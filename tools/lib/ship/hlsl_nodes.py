@@ -1,4 +1,4 @@
-"""Functions in HLSL that are nodes of engines' shader graphs: what is asked for most, with what a node passes."""
+"""Functions in HLSL that are nodes of engines' shader graphs: the functions in most use, with the arguments of a node."""
 
 from __future__ import annotations
 

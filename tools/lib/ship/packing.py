@@ -21,7 +21,7 @@ Files = Mapping[str, "str | bytes"]
 
 
 def own_files(folder: Path) -> dict[str, str]:
-    """What a package has as it stands in a folder, by the paths there."""
+    """The files that a package takes from a folder, by the paths there."""
     return {path.relative_to(folder).as_posix(): path.read_text(encoding="utf-8")
             for path in sorted(folder.rglob("*")) if path.is_file()}
 
@@ -43,7 +43,7 @@ def papers(package: Path) -> dict[str, str]:
 
 
 class Refused(Exception):
-    """What is wrong with what a package is asked for."""
+    """A fault of the arguments of a package."""
 
 
 def encoded(content: str | bytes) -> bytes:
@@ -69,7 +69,7 @@ def add_folder(parser: Parser, folder: str) -> None:
 
 
 def checked_folder(parser: Parser, given: argparse.Namespace) -> Path:
-    """That of the arguments, which need not be there yet."""
+    """The path in the arguments, which need not exist yet."""
     if not given.folder:
         parser.error("the folder has no name")
     folder = Path(given.folder)
@@ -91,7 +91,7 @@ def files_of(name: str, **options: str) -> Files:
 
 
 def pack(name: str, arguments: Sequence[str]) -> int:
-    """The command of a package that has no other. What is wrong with arguments is told before anything is made."""
+    """The command of a package that has no other. It refuses wrong arguments before it makes anything."""
     recipe = RECIPES[name]
     parser = Parser(f"tools/pack {name}", described(name, recipe))
     add_folder(parser, f"build/{name}")
@@ -129,7 +129,7 @@ def pack(name: str, arguments: Sequence[str]) -> int:
 
 
 def put(folder: Path, files: Files) -> None:
-    """The files, and no others that an earlier run left. What cargo made stays."""
+    """The files, and no others that an earlier run left. cargo's files stay."""
     for path in folder.glob("*"):
         if path.name not in ("target", "Cargo.lock"):
             shutil.rmtree(path) if path.is_dir() else path.unlink()

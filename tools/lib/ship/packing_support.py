@@ -1,4 +1,4 @@
-"""What tests of packages have in common."""
+"""Shared parts of the packages' tests."""
 
 from __future__ import annotations
 

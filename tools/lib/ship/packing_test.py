@@ -1,4 +1,4 @@
-"""tools/pack: what it tells and refuses, of every package alike. The tests of a package tell what is in it."""
+"""tools/pack: help and refusals, of every package alike. The tests of a package check its contents."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ class Usage(unittest.TestCase):
     def test_what_is_no_option(self) -> None:
         for name in RECIPES:
             self.assert_refused((name, "--no-such=1"), f"tools/pack {name}: there is no option --no-such; ",
-                                f"tools/pack {name} --help tells more")
+                                f"see tools/pack {name} --help")
         for name in PACKED:
             if RECIPES[name].has_folder:
                 self.assert_refused((name, "--zpi"), "there is no option --zpi (did you mean --zip?)")
@@ -86,7 +86,7 @@ class Usage(unittest.TestCase):
     def test_a_word_that_is_near_nothing_is_told_alone(self) -> None:
         with contextlib.redirect_stderr(io.StringIO()) as error, self.assertRaises(SystemExit):
             Parser("tools/some", "").parse_args(["--other", "word"])
-        self.assertEqual(error.getvalue(), "tools/some: there is no option --other; tools/some --help tells more\n")
+        self.assertEqual(error.getvalue(), "tools/some: there is no option --other; see tools/some --help\n")
 
 
 class Writing(unittest.TestCase):

@@ -1,4 +1,4 @@
-"""What tools/pack makes: a row for each package."""
+"""The packages of tools/pack: a row for each package."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ class Recipe(NamedTuple):
     line: str                            # what it makes
     name: str = ""                       # of the folder and of the zip file, before -VERSION
     of_zip: str = ""                     # that of the zip file, if it is another one
-    more: str = ""                       # what its help tells besides
+    more: str = ""                       # the rest of its help
     has_vectors: bool = False            # which a compiler is needed to make
     options: dict[str, Option] = {}
     is_zip: bool = False                 # always: the files are for a folder that a user has
@@ -34,7 +34,7 @@ class Recipe(NamedTuple):
 
     @property
     def has_folder(self) -> bool:
-        """It is that unless --zip asks for a file."""
+        """Whether a folder is written: not with --zip."""
         return bool(self.name) and not self.is_zip
 
 
@@ -43,7 +43,7 @@ RECIPES = {
     "python": Recipe("the Python package, as a wheel", command="ship.python.command"),
     "rust": Recipe(
         "the Rust crate", "hashnoise", "hashnoise-rust",
-        "It has what tools/pick writes of the functions that are asked for most, with HN_FAST and with HN_FIXED, and "
+        "It has tools/pick's text of the functions in most use, with HN_FAST and with HN_FIXED, and "
         "the vectors to which `cargo test` holds it. It takes some minutes. --only place,perlin,hash makes some "
         "modules, which is for tests: place and hash are always needed.",
         True, {"only": Option("MODULES", "these modules, with commas between")}),
@@ -58,11 +58,11 @@ RECIPES = {
     "unity": Recipe(
         "the package for Unity", "com.hashnoise.noise",
         more="Unity's Package Manager takes the folder. It has functions for HLSL, for the Custom Function nodes of "
-        "Shader Graph, and for C#, of what is asked for most."),
+        "Shader Graph, and for C#, of the functions in most use."),
     "unreal": Recipe(
         "the plugin for Unreal", "hashnoise-unreal",
         more="A project has it in its folder Plugins. It has files of HLSL that materials include, and the text of "
-        "custom nodes, of what is asked for most."),
+        "custom nodes, of the functions in most use."),
     "blender": Recipe(
         "the add-on for Blender", "hashnoise-blender",
         more="Blender 4.2 and later install the zip file from the disk as an extension. It has node groups for "
@@ -72,7 +72,7 @@ RECIPES = {
         options={"wheel": Option("FILE", "the Python package, which it then has")}),
     "materialx": Recipe(
         "nodes for MaterialX", "hashnoise-materialx",
-        more="MaterialX loads the folder `hashnoise` in it: nodes of what is asked for most, for its generators of "
+        more="MaterialX loads the folder `hashnoise` in it: nodes of the functions in most use, for its generators of "
         "GLSL, Metal's language, Slang and OSL."),
     "isf": Recipe(
         "looks in the Interactive Shader Format (ISF)", "hashnoise-isf",

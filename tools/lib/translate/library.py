@@ -13,8 +13,8 @@ Key = tuple[str, tuple[str, ...]]  # of a function: its name, and the types of i
 
 
 class Library:
-    """`own` are functions of the user's, which the text calls. A function is read when it is asked for, which is seldom
-    where only few are picked."""
+    """`own` are functions of the user's, which the text calls. A function is read when it is first used, which is
+    seldom where only few are picked."""
 
     def __init__(self, tree: list[Function | Struct], constants: dict[str, Constant], own: list[Function]):
         self.tree = tree

@@ -35,7 +35,7 @@ def function_name(text: str) -> str:
 
 
 def check_name(parser: argparse.ArgumentParser, name: str, library: Path) -> None:
-    """Refuses what is no file of the library, and says which may be meant."""
+    """Refuses a name that is no file of the library, and suggests the nearest."""
     names = sorted(path.name for path in library.glob("*.glsl"))
     if name in names:
         return

@@ -11,9 +11,9 @@ A public function has its name in GLSL, and behind it:
   _detail, _footprint    if it takes that
 
 So hn_perlin(hn_place2 place, uint seed) is hn_perlin2_place. Functions of words or spreads that are not overloaded keep
-their names: hn_hash_pcg, hn_unorm, hn_gradient2, hn_shuffle. So do the hashes of several words that have a name, such as
-hn_hash_pcg2d. So hn_gradient of a cell is hn_gradient_lattice2. A struct that users know keeps its name, too. So what
-makes a hn_place2 is hn_place_of2 of a position, hn_place_of_cell2 of a cell and a fraction, hn_place_at_cell2 of a
+their names: hn_hash_pcg, hn_unorm, hn_gradient2, hn_shuffle. So do the hashes of several words that have a name, such
+as hn_hash_pcg2d. So hn_gradient of a cell is hn_gradient_lattice2. A struct that users know keeps its name, too. So
+what makes a hn_place2 is hn_place_of2 of a position, hn_place_of_cell2 of a cell and a fraction, hn_place_at_cell2 of a
 cell, and hn_place_of_units2.
 
 An internal function has the types of its parameters behind its name: hn_i_lerp_f32_f32_f32. A struct is called there as
@@ -26,11 +26,11 @@ import re
 
 from translate.parsing.syntax import Function
 
-# What a function of words, or of spreads, that is not overloaded takes; and hashes by name.
+# The argument of a function of hashes, or of spreads, without overloads; and hashes by name.
 NOT_OVERLOADED = (("h",), ("k",), ("h", "k"), ("i", "n", "seed"), ("i", "seed"), ("zero",), ("kind",),
                   ("value", "spread"), ("spread", "octaves", "gain"))
 OF_A_NAME = "hn_hash_"
-# What is called otherwise, since its name is that of another function or of a struct; by its first parameter.
+# Functions with other names, where another function or a struct has the name; by its first parameter.
 OTHERS = {("hn_gradient", "cell"): "hn_gradient_lattice", ("hn_place", "p"): "hn_place_of",
           ("hn_place", "cell"): "hn_place_of_cell", ("hn_place", "position"): "hn_place_of_units",
           ("hn_octaves", "p"): "hn_octaves_of", ("hn_octaves", "place"): "hn_octaves_of",

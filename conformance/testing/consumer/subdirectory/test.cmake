@@ -6,13 +6,13 @@ function(call)
   execute_process(COMMAND ${ARGV} COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
 
-# What lies below the prefix, of the program and of hashnoise.
+# The installed files below the prefix, of the program and of hashnoise.
 function(installed result prefix)
   execute_process(COMMAND ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${WORK}/build -G ${GENERATOR}
                           -DHASHNOISE_SOURCE=${SOURCE} ${ARGN} OUTPUT_VARIABLE said COMMAND_ERROR_IS_FATAL ANY)
   # It links the headers alone, and is not frightened with the minutes of kernels.
   if(NOT said MATCHES "hashnoise::grid, if you link it, has kernels for " OR said MATCHES "minute")
-    message(FATAL_ERROR "it should be told of the kernels in one line: ${said}")
+    message(FATAL_ERROR "one line should name the kernels: ${said}")
   endif()
   call(${CMAKE_COMMAND} --build ${WORK}/build)
   call(${CMAKE_COMMAND} --install ${WORK}/build --prefix ${prefix})

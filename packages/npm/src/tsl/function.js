@@ -1,12 +1,12 @@
-// A function of the library as nodes of three.js: in WGSL or in GLSL, whichever the renderer speaks. What tools/pick
-// writes for three.js has this text, too.
+// A function of the library as nodes of three.js: in WGSL or in GLSL, whichever the renderer speaks. The text that
+// tools/pick writes for three.js has this text, too.
 import { Fn, glslFn, uint, wgslFn } from "three/tsl";
 
 const WGSL_TYPES = { float: "f32", int: "i32", uint: "u32" };
 const wgslType = (type) => WGSL_TYPES[type] ?? type.replace(/^([iu]?)vec(\d)$/, (_, kind, size) => `vec${size}${kind || "f"}`);
 
 /**
- * What makes the nodes of a function. `declared` are its parameters in GLSL, and `called` is its name there; `inWgsl`
+ * Makes the nodes of a function. `declared` are its parameters in GLSL, and `called` is its name there; `inWgsl`
  * and `inGlsl` return the node of the text that it needs. The seed is the last parameter, and may be left out where
  * GLSL lets it: elsewhere it would be taken for what was forgotten before it.
  */

@@ -1,4 +1,4 @@
-// What a page with WebGLRenderer draws: golden rows with each way to the text, and the materials of the documentation.
+// A page with WebGLRenderer draws golden rows with each way to the text, and the materials of the documentation.
 import * as THREE from "three";
 import cellular3d from "hashnoise/glsl/cellular3d";
 import fbm2d from "hashnoise/glsl/fbm2d";
@@ -78,7 +78,7 @@ void main() {
 
 const SIDE = 64;
 
-/** What a canvas shows of linear light, as three.js converts it: sRGB. */
+/** Linear light as a canvas shows it, as three.js converts it: sRGB. */
 const shown = (v) => (v <= 0.0031308 ? 12.92 * v : 1.055 * v ** (1 / 2.4) - 0.055);
 
 /** How far the gray of a picture is from 0.5 + fbm as light, in steps of 8 bits, where that is farthest. */
@@ -118,7 +118,7 @@ globalThis.hashnoise = {
   evaluate,
   /** How far a material of the documentation is off, and the same one with a mistake. */
   materials: () => Object.fromEntries(Object.entries(materials).map(([name, made]) => [name, made().map(ofMaterial)])),
-  /** What the documentation's code for the twin computes: as printed, and with a mistake. */
+  /** The documentation's code for the twin: values as printed, and with a mistake. */
   twin: () => [
     { height, heights: Array.from(heights.slice(0, 300)), here, tile: Array.from(tile.slice(0, 300)) },
     { height: wrongHeight, heights: Array.from(wrongHeights.slice(0, 300)), here: wrongHere, tile: Array.from(wrongTile.slice(0, 300)) },

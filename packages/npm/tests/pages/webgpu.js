@@ -1,4 +1,4 @@
-// What a page with WebGPURenderer computes, in WGSL, or in GLSL where `?webgl` forces the fallback.
+// A page with WebGPURenderer computes in WGSL, or in GLSL where `?webgl` forces the fallback.
 import { MeshBasicNodeMaterial, Mesh, OrthographicCamera, PlaneGeometry, Scene, WebGPURenderer } from "three/webgpu";
 import { Fn, instanceIndex, instancedArray, ivec2, vec2, vec3 } from "three/tsl";
 import { Field } from "hashnoise";

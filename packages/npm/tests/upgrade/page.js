@@ -1,11 +1,12 @@
-// Two versions of the package in one page: the heights of each in JavaScript, and in shaders that have either text, or both.
+// Two versions of the package in one page: the heights of each in JavaScript, and in shaders that have either text, or
+// both.
 import { Field } from "hashnoise";
 import now from "hashnoise/glsl/fbm2d";
 import { Field as FieldBefore } from "hashnoise-before";
 import before from "hashnoise-before/glsl/fbm2d";
 
 const settings = { sum: "fbm", octaves: 6, seed: 7 };
-// All names of the library begin so, and one shader has each once (docs/frozen.md).
+// All names of the library begin so, and one shader has each once (docs/reference/frozen.md).
 const renamed = before.replace(/\b(hn|HN)_/g, "$1before_");
 const texts = {
   now: "#define HN_ARITHMETIC HN_FIXED\n" + now,

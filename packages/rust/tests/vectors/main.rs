@@ -7,7 +7,7 @@ use calls::CALLS;
 use std::fs;
 use std::path::Path;
 
-/// What a function returns, as numbers in which nothing is lost.
+/// A function's results, as numbers in which nothing is lost.
 pub trait Numbers {
     fn numbers(self) -> Vec<f64>;
 }

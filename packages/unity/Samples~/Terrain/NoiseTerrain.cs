@@ -4,7 +4,7 @@ using UnityEngine;
 /// same. Put it on an object with a material of the shader HashNoise/NoiseTerrain.</summary>
 [RequireComponent(typeof(MeshFilter), typeof(MeshRenderer))]
 public class NoiseTerrain : MonoBehaviour {
-    const int Side = 129; // points, of which 16 make a cell: their positions are exact as floats
+    const int Side = 129; // points, 16 to a cell: their positions are exact as floats
     const float Height = 2.0f;
 
     public static float HeightAt(float x, float z) {

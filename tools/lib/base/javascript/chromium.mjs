@@ -36,7 +36,7 @@ export async function launch({ args = [], ...others } = {}) {
   });
 }
 
-// That a test reads pixels is no fault of a page, and chromium-headless-shell warns of it.
+// chromium-headless-shell warns that a test reads pixels: that is no fault of a page.
 const readsPixels = (text) => text.includes("GPU stall due to ReadPixels");
 
 /** A page that remembers what went wrong in it: page.complaints has the errors and warnings of its console. */

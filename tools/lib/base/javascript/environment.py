@@ -18,8 +18,8 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 NODE = HERE.parent / "node"
 SKIPPED = 77
-MADE = "made"  # a file that appears when all is there, and says of what it was made
-# What npm says if it reaches no registry, and pip if it is to fetch Node.js.
+MADE = "made"  # a file that appears when all is there, and holds the digest of its inputs
+# Messages of npm if it reaches no registry, and of pip if it is to fetch Node.js.
 OFFLINE = re.compile("ENOTFOUND|EAI_AGAIN|ECONNREFUSED|ECONNRESET|ETIMEDOUT|ENETUNREACH|NewConnectionError|"
                      "ConnectTimeout|ReadTimeout|NameResolutionError|ProxyError|Max retries exceeded", re.I)
 

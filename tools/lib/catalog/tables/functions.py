@@ -1,7 +1,8 @@
-"""The functions under test: the noises and the sums of the catalog in all their forms, and what catalog/functions.toml has.
+"""The functions under test: the noises and the sums of the catalog in all their forms, and what catalog/functions.toml
+has.
 
-A row is a public function in a form: at a position, from a cell, in a tile, with what may be set. What the suite, bench,
-the twin and the tools do with a function follows from its row.
+A row is a public function in a form: at a position, from a cell, in a tile, with its settings. The suite, bench,
+the twin and the tools treat a function by its row.
 """
 
 from __future__ import annotations
@@ -35,7 +36,7 @@ class Column:
 
     @staticmethod
     def listed(text: str) -> tuple[Column, ...]:
-        """Those of a text such as "x:f32 y:f32"."""
+        """The columns of a text such as "x:f32 y:f32"."""
         return tuple(Column(*column.split(":")) for column in text.split())
 
 
@@ -82,14 +83,14 @@ PARTS = {
         "lacunarity": "2.0", "gain": "0.5", "strength": "", "amplitude": "", "depth": ""}.items()},
 }
 PARTS["place_of_units"] = PARTS["units"]
-ITEMS = ("i", "k", "n", "seed")  # words of which each has a meaning of its own
+ITEMS = ("i", "k", "n", "seed")  # each of these words has a meaning of its own
 OF_SUMS = ("footprint", "slope", "octaves", "detail", "lacunarity", "gain", *STRENGTHS, "depth")
 # Behind these there is always a seed.
 SEEDED = {"candidate", "cell", "period", "place_of_units", "phase", "jitter", "detail", "footprint", "slope", *STRENGTHS}
 
 # The words that go in, in their order.
 WORDS = tuple(f"{word}.{axis}" for word in "abcd" for axis in AXES)
-# What bench takes for a position in so many dimensions, given a vec3 p, or a vec2 on the line and on the plane.
+# bench's position in so many dimensions, given a vec3 p, or a vec2 on the line and on the plane.
 USUAL = {
     "position": ("p.x", "p", "p", "vec4(p, p.x)"),
     "cell": ("int(floor(p.x)), p.x - floor(p.x)", "ivec2(floor(p)), p - floor(p)", "ivec3(floor(p)), p - floor(p)",
@@ -145,7 +146,7 @@ class Function:
     def error(self, message: str) -> CatalogError:
         return CatalogError(f"catalog: {self.id}: {message}")
 
-    # --- What goes in, and what comes out ---
+    # --- Arguments and results ---
 
     @property
     def parts(self) -> list[Part]:
@@ -167,7 +168,7 @@ class Function:
 
     @property
     def form(self) -> str:
-        """What it takes first, with what is like it."""
+        """Its first argument, with those like it."""
         first = self.takes[0]
         if first in ITEMS or "k" in self.takes:
             return "items"
@@ -319,9 +320,9 @@ class Function:
 
     @property
     def bench(self) -> str:
-        """What bench measures: the function at a position p, a vec3 if there are three axes or more, else a vec2; "" if
-        another row measures the same. What a function sets are hn_bench_cell2 and hn_bench_cell3, an ivec2 and an ivec3,
-        and hn_bench_offset2 and hn_bench_offset3."""
+        """bench's expression: the function at a position p, a vec3 if there are three axes or more, else a vec2; "" if
+        another row measures the same. Parameters that a function sets are hn_bench_cell2 and hn_bench_cell3, an ivec2
+        and an ivec3, and hn_bench_offset2 and hn_bench_offset3."""
         if self.benched is not None:
             return self.benched
         n = self.axes
@@ -349,7 +350,7 @@ class Function:
 
 
 def results(function: Noise | Sum, dimensions: int) -> dict[str, dict[str, Any]]:
-    """What comes out, by what the id of a row ends with: five numbers do not fit into one."""
+    """The results, by the end of a row's id: five numbers do not fit into one."""
     if function.shape in ("slopes", "distance_with_slopes"):
         if dimensions < 4:
             return {"": {"gives": ("value", "d*")}}

@@ -11,10 +11,12 @@ from base.tree import GLSL, glsl_files
 
 LIBRARY = GLSL
 FUNCTION = re.compile(r"^HN_FN\s+\w+\s+(hn_(?!i_)\w+)\(((?:[^()]|\([^()]*\))*)\)\s*\{", re.MULTILINE)
-# What defines a public function in whatever way, where no comment, no directive and no body is.
+# Definitions of public functions, outside of comments, directives and bodies.
 ANY_FUNCTION = re.compile(r"\b(hn_(?!i_)\w+)\s*\([^;{}]*\{")
 OF_SUMS = re.compile(r'^#include "octaves(\d)d\.glsl"$', re.MULTILINE)  # in the files of sums
 OF_THE_PLANE = re.compile(r"// The same in .* dimensions: tools/make writes it\.")  # says where overloads are from
+EXAMPLE = re.compile(r"^   example  +(\S.*(?:\n {6,}\S.*)*)", re.MULTILINE)  # of a call, in a comment
+STATEMENTS = re.compile(r"(?:^   \S+ \S.*;(?: *//.*)?$\n?)+", re.MULTILINE)  # between the sentences of a comment
 NO_CODE = re.compile(r"//[^\n]*|/\*.*?\*/|^[ \t]*#(?:[^\n]*\\\n)*[^\n]*", re.MULTILINE | re.DOTALL)
 
 
@@ -24,6 +26,11 @@ class Comment:
     line: int
     lines: tuple[str, ...]
 
+    @property
+    def examples(self) -> list[str]:
+        """The code in it."""
+        text = "\n".join(self.lines)
+        return [*STATEMENTS.findall(text), *(re.sub(r"\s+", " ", found) for found in EXAMPLE.findall(text))]
 
     @property
     def headings(self) -> set[str]:
@@ -104,9 +111,17 @@ def declarations(library: Path = LIBRARY) -> list[Declaration]:
 
 @functools.cache
 def public_files(library: Path = LIBRARY) -> dict[str, str]:
-    """The files of detail/, and for each the file above it that users include for it."""
-    return {f"detail/{name}": path.name for path in sorted(library.glob("*.glsl"))
-            for name in re.findall(r'^#include "detail/(.+)"$', path.read_text(encoding="utf-8"), re.MULTILINE)}
+    """The files of detail/, and for each the file above it that users include for it: one that has functions of the same
+    name, if there is any."""
+    names: dict[Path, set[str]] = {}
+    for one in declarations(library):
+        names.setdefault(one.path, set()).add(one.name)
+    found: dict[str, list[Path]] = {}
+    for path in sorted(library.glob("*.glsl")):
+        for name in re.findall(r'^#include "detail/(.+)"$', path.read_text(encoding="utf-8"), re.MULTILINE):
+            found.setdefault(f"detail/{name}", []).append(path)
+    return {name: max(paths, key=lambda path: len(names.get(path, set()) & names.get(library / name, set()))).name
+            for name, paths in found.items()}
 
 
 @functools.cache

@@ -19,7 +19,7 @@ from catalog.tables.functions import read_functions
 
 class Tables(unittest.TestCase):
     def refused(self, read: Callable, file: str, old: str, new: str, message: str) -> None:
-        """What a copy of the catalog says in which one file has something else."""
+        """The messages for a copy of the catalog with one file changed."""
         with tempfile.TemporaryDirectory() as name:
             folder = Path(name, "catalog")
             shutil.copytree(CATALOG, folder)
@@ -165,7 +165,7 @@ class Library(unittest.TestCase):
 
     def test_finds_overloads_and_their_comments(self) -> None:
         (self.folder / "a.glsl").write_text("""
-// What it is.
+// A noise.
 //   seed     any
 HN_FN hn_float hn_one(hn_place2 place,
                       hn_uint seed) {
@@ -181,7 +181,7 @@ HN_FN hn_float hn_four(hn_vec4 p, HN_I_OUT(hn_vec4) gradient) { return 0.0f; }
                          ["hn_one(place2, uint)", "hn_one(vec2)", "hn_two(vec3)"])
         self.assertEqual((first.line, second.line, third.line), (4, 7, 9))
         self.assertEqual(str(fourth), "hn_four(vec4, out vec4)")
-        self.assertEqual(first.comment, glsl.Comment(2, (" What it is.", "   seed     any")))
+        self.assertEqual(first.comment, glsl.Comment(2, (" A noise.", "   seed     any")))
         self.assertEqual(first.comment.headings, {"seed"})
         self.assertIs(second.comment, first.comment)  # an overload without one of its own
         self.assertIsNone(third.comment)
@@ -236,7 +236,7 @@ HN_FN HN_I_HIGHP float hn_eight(hn_vec2 p) {
     def test_no_mark_of_a_generator_is_in_a_comment_that_users_see(self) -> None:
         (self.folder / "a.glsl").write_text("""
 // tools/make catalog: forms
-// What it is.
+// A noise.
 HN_FN hn_float hn_one(hn_vec2 p) { return 0.0f; }
 """)
 

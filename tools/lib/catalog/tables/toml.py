@@ -1,7 +1,7 @@
 """Reads TOML as far as catalog/ has it, where Python has no tomllib, which is there from 3.11 on.
 
 A table has one name or several, a line has one key, and a value is a string, a number, true, false, an array of these,
-or an inline table of one line. What else TOML has is an error here.
+or an inline table of one line. Other TOML is an error here.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""tools/test abi: what it says of the committed interface, and what it refuses.
+"""tools/test abi: its messages on the committed interface, and its refusals.
 
     python3 -m unittest abi.abi_test    without a compiler
     python3 -m check.abi.abi_test FOLDER      builds the library in FOLDER; skipped (77) where tools/test abi is
@@ -21,7 +21,7 @@ from check.abi import command
 from check.abi.command import INTERFACE
 
 MINOR = ".".join(version().split(".")[:2])
-# What a user's file may have: functions of the header, a struct of them, and the library.
+# A user's file: functions of the header, a struct of them, and the library.
 USER = """
 #include <hashnoise/field.hpp>
 #include <hashnoise/hashnoise.hpp>
@@ -91,7 +91,7 @@ class Whole(unittest.TestCase):
         self.before = self.folder / "before.abi"
 
     def changed(self, old: str, new: str) -> list[str]:
-        """What is said if the committed file were another."""
+        """The messages for another committed file."""
         text = INTERFACE.read_text(encoding="utf-8")
         self.assertIn(old, text)
         self.before.write_text(text.replace(old, new), encoding="utf-8")
@@ -101,8 +101,8 @@ class Whole(unittest.TestCase):
         self.assertEqual(command.problems(INTERFACE, self.now, version()), [])
 
     def test_a_member_that_moved_is_told(self) -> None:
-        told = "\n".join(self.changed("<var-decl name='footprint'", "<var-decl name='blurred'"))
-        self.assertIn("footprint", told)
+        printed = "\n".join(self.changed("<var-decl name='footprint'", "<var-decl name='blurred'"))
+        self.assertIn("footprint", printed)
 
     def test_a_function_that_is_new_is_told(self) -> None:
         line = next(line for line in INTERFACE.read_text(encoding="utf-8").splitlines(keepends=True)
@@ -110,7 +110,7 @@ class Whole(unittest.TestCase):
         self.assertIn("1 Added function", "\n".join(self.changed(line, "")))
 
     def test_two_versions_share_no_name(self) -> None:
-        """Objects of a program of which one includes another version."""
+        """Objects of a program; one includes another version."""
         with tempfile.TemporaryDirectory() as name:
             folder = Path(name)
             for library in ("include", "glsl"):
@@ -127,15 +127,15 @@ class Whole(unittest.TestCase):
             self.assertEqual(ours & self.names_in(folder, ROOT / "include"), ours)
 
     def names_in(self, folder: Path, include: Path) -> set[str]:
-        """What a linker sees of hashnoise in an object that is not optimized."""
+        """hashnoise's symbols in an object that is not optimized."""
         made = folder / "user.o"
         command.output_of("c++", "-std=c++20", "-O0", "-I", include, "-c", folder / "user.cpp", "-o", made)
         return set(re.findall(r"\S*\bhashnoise::.*", command.output_of("nm", "--demangle", made)))
 
     def test_another_version_needs_another_name(self) -> None:
-        told = "\n".join(command.problems(INTERFACE, self.now, "7.1.0"))
-        self.assertIn("of version 7.1.0 it is libhashnoise-grid.so.7.1", told)
-        self.assertIn("is not in the namespace hashnoise::v7_1", told)
+        printed = "\n".join(command.problems(INTERFACE, self.now, "7.1.0"))
+        self.assertIn("of version 7.1.0 it is libhashnoise-grid.so.7.1", printed)
+        self.assertIn("is not in the namespace hashnoise::v7_1", printed)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 """Holds the binary interface of hashnoise::grid, as a shared library, to what this minor version has promised.
 
-    tools/test abi --check     builds the library, and says what differs from src/grid/tests/grid.abi
+    tools/test abi --check     builds the library, and prints the differences from src/grid/tests/grid.abi
     tools/test abi --write     writes that file anew; refused in a patch, whose interface is that of its minor version
 
 A program that was compiled with 1.2.0 runs with the library of 1.2.3, and not with that of 1.3.0: its SONAME differs,
@@ -32,7 +32,7 @@ from base.tree import ROOT, version  # noqa: E402
 INTERFACE = ROOT / "src" / "grid" / "tests" / "grid.abi"
 FOLDER = ROOT / "build" / "abi"
 NEEDED = ("abidw", "abidiff", "c++filt")
-# What is left out has no say in what a program of another patch needs.
+# The rest does not matter to a program of another patch.
 OPTIONS = ("--no-corpus-path", "--no-comp-dir-path", "--no-elf-needed", "--no-show-locs", "--no-parameter-names",
            "--exported-interfaces-only", "--drop-undefined-syms", "--drop-private-types", "--headers-dir",
            str(ROOT / "include" / "hashnoise"))
@@ -43,7 +43,7 @@ class Failed(Exception):
 
 
 def skipped() -> str:
-    """Why nothing can be said here; empty if it can."""
+    """Why there is nothing to compare with; empty if there is."""
     missing = [program for program in NEEDED if shutil.which(program) is None]
     if missing:
         return f"skipped: there is no {' and no '.join(missing)}"
@@ -72,7 +72,7 @@ def described(library: Path) -> str:
 
 
 def compared(before: Path, now: Path) -> str:
-    """What abidiff says; its status tells of changes, too. Another name of a member is harmless to it."""
+    """abidiff's output; its status differs for changes, too. Another name of a member is harmless to it."""
     return output_of("abidiff", "--harmless", before, now, accepted=range(0, 16)).strip()
 
 
@@ -87,14 +87,14 @@ def soname(interface: str) -> str:
 
 
 def functions(interface: str) -> list[str]:
-    """What the library offers to a linker, by the names that C++ gives, of hashnoise's own."""
+    """The library's symbols for a linker, by the names that C++ gives, of hashnoise's own."""
     symbols = re.findall(r"<elf-symbol name='([^']*)'", interface)
     names = output_of("c++filt", *symbols).splitlines() if symbols else []
     return sorted(name for name in names if "hashnoise" in name)
 
 
 def problems(before: Path, now: Path, of: str) -> list[str]:
-    """What is not as it was in the description of a library."""
+    """Differences from the description of a library."""
     text = now.read_text(encoding="utf-8")
     wrong = []
     if soname(text) != promised(of):

@@ -1,7 +1,7 @@
 """Tests of tools/test fuzz
 
-Scripts stand in for the fuzzers, so that this takes no build and no time. That the fuzzers themselves work shows in the
-test fuzz.corpus, and that they find something when something is planted.
+Scripts stand in for the fuzzers, so that this takes no build and no time. fuzz.corpus tests the fuzzers
+themselves, and that they find a planted fault.
 """
 
 from __future__ import annotations

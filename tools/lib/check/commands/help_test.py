@@ -14,7 +14,7 @@ from pathlib import Path
 from base.tree import ROOT, TOOLS
 
 CONFORM = "conformance/hn-conform"
-# The program behind each, in build/, and what it is asked.
+# The program behind each, in build/, and its arguments.
 COMMANDS = {"bake": ("src/bake/hn-bake", "--help"), "conform": (CONFORM, "run --help"),
             "measure clock": (CONFORM, "bench --help"), "measure paper": (CONFORM, "paper --help"),
             "measure cpu": ("bench-cpu-g++/src/bench_cpu/hn-bench-cpu", "--help")}
@@ -83,13 +83,13 @@ class Help(Machine):
 
     def test_the_program_tells_its_options(self):
         for program, _ in COMMANDS.values():
-            self.write_program(self.root / "build" / program, 'echo "told: $*"')
-        self.write_program(self.programs / "ctest", 'echo "told: $*"')
-        for name, (_, told) in {**COMMANDS, "test": ("ctest", "--help")}.items():
+            self.write_program(self.root / "build" / program, 'echo "called with: $*"')
+        self.write_program(self.programs / "ctest", 'echo "called with: $*"')
+        for name, (_, called) in {**COMMANDS, "test": ("ctest", "--help")}.items():
             with self.subTest(name=name):
                 done = self.call(name, "--help")
                 self.assert_helped(done)
-                self.assertIn(f"told: {told}\n", done.stdout)
+                self.assertIn(f"called with: {called}\n", done.stdout)
 
     def test_whoever_asks_for_none_is_not_helped(self):
         self.assertEqual(self.call("conform", "--filter", "*help*").returncode, 4)
@@ -125,7 +125,7 @@ class WrongOptions(Machine):
                  "no option --agianst (did you mean --against?)"),
                 ("measure cpu", ("--compilers", "g++"), "no option --compilers (did you mean --compiler?)"),
                 ("conform", ("--drivre", "all"), "no option --drivre (did you mean --driver?)"),
-                ("conform", ("--no-such-thing",), "no option --no-such-thing; tools/conform --help tells more"),
+                ("conform", ("--no-such-thing",), "no option --no-such-thing; see tools/conform --help"),
                 ("conform", ("--Driver", "all"), "no option --Driver (did you mean --driver?)"),
                 ("measure paper", ("--out", "x", "--round=3"), "no option --round (did you mean --rounds?)")):
             with self.subTest(name=name, arguments=arguments):
@@ -148,7 +148,7 @@ class WrongOptions(Machine):
         for name in SCIENTIFIC:
             with self.subTest(name=name):
                 self.assert_refused(self.call(name, "--noize"), f"tools/{name}: there is no option --noize")
-        self.assertEqual([path.name for path in self.called()], ["python3.called"])  # which is asked what it has
+        self.assertEqual([path.name for path in self.called()], ["python3.called"])  # for its version and modules
 
     def test_of_what_needs_scientific_python_beginnings_will_do(self):
         self.lose_pythons()
@@ -157,14 +157,14 @@ class WrongOptions(Machine):
         self.assertIn("dpkg-query.called", [path.name for path in self.called()])
 
     def test_options_of_built_programs_are_taken(self):
-        """What --help of a program tells is among what its sources tell, wherever they are."""
+        """Options in --help of a program are among those in its sources, wherever they are."""
         tried = 0
-        for name, (program, told) in COMMANDS.items():
+        for name, (program, shown) in COMMANDS.items():
             path = ROOT / "build" / program.replace("bench-cpu-g++/", "")
             if not path.exists():
                 continue
-            told = subprocess.run([path, *told.split()], capture_output=True, text=True, check=True).stdout
-            options = {*re.findall(r"^ +(?:-\w,)?(--[a-z-]+)", told, re.MULTILINE)} - {"--help"}
+            shown = subprocess.run([path, *shown.split()], capture_output=True, text=True, check=True).stdout
+            options = {*re.findall(r"^ +(?:-\w,)?(--[a-z-]+)", shown, re.MULTILINE)} - {"--help"}
             with self.subTest(name=name):
                 self.assertGreater(len(options), 3)
                 done = self.call(name, *options)

@@ -21,7 +21,7 @@ def call(*arguments: str) -> subprocess.CompletedProcess[str]:
 
 
 def rows(text: str) -> dict[str, tuple[str, str]]:
-    """What starts each name, and the line of help, by the table in the command."""
+    """The program behind each name, and the line of help, by the table in the command."""
     parts = (line.split(maxsplit=2) for line in TABLE.search(text)[1].splitlines())
     return {name: (started, line) for name, started, line in parts}
 
@@ -49,7 +49,8 @@ class Names(unittest.TestCase):
 
     def test_each_is_there_and_nothing_else(self) -> None:
         self.assertEqual(lost(self.table, ROOMS), set())
-        self.assertEqual({started for started, _ in self.table.values()}, {"shell", "python", "scientific"})
+        started = {started for started, _ in self.table.values()}
+        self.assertEqual(started, {"shell", "python", "numpy,scipy", "jinja2,numpy,scipy"})
 
     def test_a_lost_one_is_noticed(self) -> None:
         self.assertEqual(lost({**self.table, "taste": ("python", "")}, ROOMS), {ROOMS / "taste" / "command.py"})
@@ -82,20 +83,20 @@ class BadUsage(unittest.TestCase):
         done = call("gpu", "--filtr", "x")
         self.assertEqual((done.returncode, done.stdout), (2, ""))
         self.assertEqual(done.stderr, "tools/measure gpu: there is no option --filtr (did you mean --filter?); "
-                                      "tools/measure gpu --help tells more\n")
+                                      "see tools/measure gpu --help\n")
 
     def refusal(self, *arguments: str) -> str:
         parser = Parser("tools/measure taste", "")
         parser.add_argument("--out")
         parser.add_argument("--kind", choices=("sweet", "sour"))
         parser.add_argument("--rounds", type=int)
-        with contextlib.redirect_stderr(io.StringIO()) as told, self.assertRaises(SystemExit) as end:
+        with contextlib.redirect_stderr(io.StringIO()) as printed, self.assertRaises(SystemExit) as end:
             parser.parse_args(arguments)
         self.assertEqual(end.exception.code, 2)
-        return told.getvalue()
+        return printed.getvalue()
 
     def test_the_nearest_right_name_is_told(self) -> None:
-        hint = "; tools/measure taste --help tells more\n"
+        hint = "; see tools/measure taste --help\n"
         for arguments, message in ((("--ot=x",), f"there is no option --ot (did you mean --out?){hint}"),
                                    (("--wombat", "x"), f"there is no option --wombat{hint}"),
                                    (("--rounds", "x"), f"argument --rounds: invalid int value: 'x'{hint}"),

@@ -1,4 +1,4 @@
-"""Which Python the commands need: what users call runs by 3.9, and one that is too old is told so in one line."""
+"""Which Python the commands need: what users call runs by 3.9, and one that is too old gets one line."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ from check.make.parts import PARTS
 from ship.recipes import RECIPES
 
 USERS = ("make", "pack", "pick", "playground")
-# What tools/pack imports by the names of its recipes. A release is what works on the project.
+# Modules that tools/pack imports by the names of its recipes. Only maintainers make a release.
 OF_PACK = tuple(path for name, recipe in RECIPES.items() if recipe.python == (3, 9)
                 for path in sorted((LIB / "ship" / name.replace("-", "_")).glob("*.py"))
                 if path.name in ("command.py", "files.py"))
 WHAT = re.compile(r"^needs\.python\((3), (\d+)\)$", re.M)
 TYPES = {"bool", "bytes", "dict", "float", "frozenset", "int", "list", "set", "str", "tuple", "type"}
-# What Python has since 3.10 or later: modules and what they have, methods, and arguments of calls.
+# Python has these since 3.10 or later: modules and their names, methods, and arguments of calls.
 LATER_NAMES = {"tomllib", "itertools.pairwise", "functools.Placeholder", "contextlib.aclosing", "contextlib.chdir",
                "datetime.UTC", "enum.StrEnum", "hashlib.file_digest", "inspect.get_annotations",
                "itertools.batched", "math.cbrt", "math.exp2", "math.sumprod", "operator.call", "statistics.correlation",
@@ -49,7 +49,7 @@ def files_of(command: str) -> dict[Path, str]:
 
 @functools.cache
 def later_than(version: tuple[int, int], text: str) -> list[str]:
-    """What a file has that Python did not have by then. Annotations are of no account where nothing evaluates them."""
+    """Names in a file that Python did not have by then. Annotations are of no account where nothing evaluates them."""
     try:
         ast.parse(text, feature_version=version)
     except SyntaxError as error:
@@ -72,7 +72,7 @@ def _of_no_account(part: ast.AST, has_annotations_as_text: bool) -> Iterator[ast
         for annotation in (getattr(part, "annotation", None), getattr(part, "returns", None)):
             if annotation is not None:
                 yield from ast.walk(annotation)
-    # What is there for a Python that lacks it.
+    # A substitute for a Python that lacks the function.
     if isinstance(part, ast.Try) and any(isinstance(handler.type, ast.Name) and handler.type.id == "ImportError"
                                          for handler in part.handlers):
         for statement in part.body:
@@ -128,7 +128,7 @@ def pythons() -> dict[tuple[int, int], str]:
     for python in (path for folder in folders for path in sorted(folder.glob("python3.?*"))):
         if re.fullmatch(r"python3\.\d+", python.name):
             done = call(str(python), "-c", "import sys; print(*sys.version_info[:2])")
-            if done.returncode == 0:  # of pyenv one is on the PATH that only says that there is none
+            if done.returncode == 0:  # pyenv puts a stub on the PATH that only reports that there is none
                 major, minor = done.stdout.split()
                 found.setdefault((int(major), int(minor)), str(python))
     return found

@@ -1,4 +1,4 @@
-"""Commands that install nothing open no connection: strace tells.
+"""Commands that install nothing open no connection: strace proves it.
 
     python3 -m check.commands.network_test HN_CONFORM
 
@@ -19,7 +19,7 @@ from base.tree import ROOT, TOOLS
 from ship.recipes import RECIPES
 
 SKIPPED = 77
-# {} is an empty folder. Those that install are conform, test, measure and what else setup.sh serves, what needs NumPy
+# {} is an empty folder. The commands that install are conform, test, measure and others of setup.sh, those with NumPy
 # (scientific-python), what has packages of npm, PyPI or cargo (pack npm, pack python, make site), and measure gpu
 # --get-drivers.
 COMMANDS = (*(["pack", name, "{}"] for name, recipe in RECIPES.items() if not recipe.command),
@@ -59,9 +59,9 @@ class Network(unittest.TestCase):
     def test_a_connection_is_told(self) -> None:
         """To an address that nobody has, by a socket that sends nothing."""
         code = "import socket; socket.socket({}, socket.SOCK_DGRAM).connect(({!r}, 443))"
-        for family, address, told in (("socket.AF_INET", "192.0.2.1", 1), ("socket.AF_INET", "127.0.0.1", 0)):
+        for family, address, expected in (("socket.AF_INET", "192.0.2.1", 1), ("socket.AF_INET", "127.0.0.1", 0)):
             status, found = connections([sys.executable, "-c", code.format(family, address)], self.folder)
-            self.assertEqual(len(found), told, found)
+            self.assertEqual(len(found), expected, found)
 
 
 if __name__ == "__main__":

@@ -30,7 +30,7 @@ class Npm(PackMachine):
                 done = self.call(*arguments)
                 self.assertEqual((done.returncode, done.stdout), (2, ""))
                 self.assertIn(f"tools/pack npm: {said}", done.stderr)
-                self.assertIn("tools/pack npm --help tells more\n", done.stderr)
+                self.assertIn("see tools/pack npm --help\n", done.stderr)
                 self.assertFalse((self.root / "build").exists())
 
     def test_what_cannot_be_made(self):

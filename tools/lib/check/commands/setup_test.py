@@ -144,7 +144,7 @@ class Setup(unittest.TestCase):
     def test_the_first_line_says_how_long_it_takes_here(self) -> None:
         self.at_once()
         self.assertRegex(self.machine.run("conform")[1],
-                         r"That takes about \d+:\d\d minutes here \(packages \d:\d\d, build \d+:\d\d, run \d+:\d\d\)\.")
+                         r"The whole takes about \d+:\d\d minutes here \(packages \d:\d\d, build \d+:\d\d, run \d+:\d\d\)\.")
 
     def test_without_a_table_it_says_what_but_not_how_long(self) -> None:
         self.at_once()
@@ -214,7 +214,7 @@ class Setup(unittest.TestCase):
         while True:
             try:
                 part = os.read(terminal, 4096)
-            except OSError:  # Linux says so where others end the file
+            except OSError:  # Linux raises where others end the file
                 break
             if not part:
                 break

@@ -15,7 +15,7 @@ from pathlib import Path
 from base.thorough import in_thorough_runs
 from base.tree import ROOT, TOOLS, hn_conform
 
-# Each run notes what it was asked, in one file; $HN_STATUS says what which part ends with, as in "2:4".
+# Each run notes its arguments in one file; $HN_STATUS sets the status of a part, as in "2:4".
 CONFORM = """while [ $# -gt 0 ]; do
   case $1 in --shard) shard=$2; shift;; --out) out=$2; shift;; *) rest="$rest<$1>";; esac
   shift

@@ -1,4 +1,4 @@
-"""Tests of tools/test: which tests it runs, and what it says of them.
+"""Tests of tools/test: which tests it runs, and how it reports them.
 
 The tests that ctest runs here are scripts in a build folder that CMake has configured; scripts stand in for cmake, so
 that nothing is built.

@@ -40,11 +40,11 @@ class Wheel(PackMachine):
                 done = self.call(*arguments)
                 self.assertEqual((done.returncode, done.stdout), (2, ""))
                 self.assertIn(f"tools/pack python: {said}", done.stderr)
-                self.assertIn("tools/pack python --help tells more\n", done.stderr)
+                self.assertIn("see tools/pack python --help\n", done.stderr)
                 self.assertFalse((self.root / "build").exists())
 
     def test_what_cannot_be_built(self):
-        """Here is nothing to build: the end of pip's output is told, and the rest is in the log."""
+        """Here is nothing to build: the end of pip's output is printed, and the rest is in the log."""
         (self.root / "tools" / "make").write_text("#!/bin/sh\n")  # of the vectors
         (self.root / "tools" / "make").chmod(0o755)
         done = self.call("--python", sys.executable)

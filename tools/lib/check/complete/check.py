@@ -1,4 +1,4 @@
-"""Whether every function, noise, hash and setting has all of its entries. What is missing is said with its place."""
+"""Whether every function, noise, hash and setting has all of its entries. A missing one is reported with its place."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ from proof.golden.files import golden_files
 from proof.oracle import words
 
 ROWS, SETTINGS = "catalog/functions.toml", "catalog/configurations.toml"
-KNOBS = "docs/knobs.md"
-SAME_BITS = "docs/same-bits.md"
-OTHERS = ("docs/uniform.md", "docs/random.md")  # have tables of functions, and so has a section of the page of noises
-OF_NOISES, OTHER_FUNCTIONS = "docs/noises.md", "\n## Other functions\n"
-OF_DERIVATIVES = "docs/noises.md"  # whose table has what returns the derivatives of vectors
+KNOBS = "docs/reference/knobs.md"
+SAME_BITS = "docs/guide/same-bits.md"
+OTHERS = ("docs/guide/uniform.md", "docs/guide/random.md")  # have tables of functions, and so has a section of the page of noises
+OF_NOISES, OTHER_FUNCTIONS = "docs/reference/noises.md", "\n## Other functions\n"
+OF_DERIVATIVES = "docs/reference/noises.md"  # whose table has what returns the derivatives of vectors
 ENTRIES = "tools/lib/proof/{}/noises/{}.py"
 OF_A_NOISE = {"error", "cost"}  # in each comment; and in one of its comments
 OF_A_NOISE_ONCE = OF_A_NOISE | {"returns", "period", "source"}
@@ -52,7 +52,8 @@ def lacks(function: Function, what: str) -> str:
     return str(function.error(what))
 
 
-# What makes places, positions of them, and octaves. It has no values of its own: the rows of noises and sums prove it.
+# Functions that make places, their positions, and octaves. They have no values of their own: the rows of noises and
+# sums prove them.
 STEPS = re.compile(r"hn_(place|tile|position|octaves|next|add|add_\w+|mean|density|slopes|shifts)")
 
 
@@ -62,8 +63,8 @@ STEPS = re.compile(r"hn_(place|tile|position|octaves|next|add|add_\w+|mean|densi
 def functions_without_a_row(tree: Tree) -> Iterator[str]:
     rows = {(function.calls, types) for function in tree.functions for types in function.overloads}
     hashes = {configuration.hash for configuration in tree.configurations}
-    # On the line and in 4D a sum is made of the text on the plane, of which every form has a row. So there it is enough
-    # that one form has a row.
+    # On the line and in 4D a sum is made of the text on the plane, and every form of it has a row. So there it is
+    # enough that one form has a row.
     sums = {(declared.path, declared.name) for declared in tree.declarations
             if (declared.name, declared.types) in rows and declared.dimensions_of_sum in (1, 4)}
     for declared in tree.declarations:
@@ -102,19 +103,21 @@ def functions_without_words(tree: Tree) -> Iterator[str]:
     tables = "\n".join([functions, others, *map(tree.text, OTHERS)])
     first_cells = [line.split(" | ")[0] for line in tables.split("\n") if line.startswith("|")]
     first_cells += [line.split(" | ")[0] for line in tree.text(OF_DERIVATIVES).split("\n") if "`hn_derivatives" in line]
-    contract = tree.text("docs/contract.md")
+    contract = tree.text("docs/reference/contract.md")
     for declared in tree.declarations:
         if not declared.comment or "returns" not in declared.comment.headings:
-            yield f"{declared.place}: {declared} has no comment that says what it returns: write one over it"
+            yield f"{declared.place}: {declared} has no comment on what it returns: write one over it"
+        elif "example" not in declared.comment.headings:
+            yield f"{declared.place}: the comment over {declared} has no line `example`: add a call, before what it returns"
     for name in sorted({function.calls for function in tree.functions}):
         if not any(is_named(name, cell) for cell in first_cells):
             yield f"README.md: no line for {name}: add one to the table of functions, or to that of {' or '.join((OF_NOISES, *OTHERS))}"
         if not re.search(rf"`{name}\b", contract):
-            yield f"docs/contract.md: no word of {name}(...): say what its value is"
+            yield f"docs/reference/contract.md: no word of {name}(...): say what its value is"
 
 
 def arguments_without_words(tree: Tree) -> Iterator[str]:
-    """Of floats docs/same-bits.md says when they are the same everywhere. Of positions and fractions it says so before."""
+    """docs/guide/same-bits.md lists the floats that are the same everywhere. It treats positions and fractions before."""
     said = tree.text(SAME_BITS).partition("\n## The other arguments\n")[2].partition("\n## ")[0].lower()
     told = set()
     for declared in tree.declarations:
@@ -122,7 +125,7 @@ def arguments_without_words(tree: Tree) -> Iterator[str]:
             is_float = re.fullmatch("float|vec[234]", type_) and name not in ("p", "f")
             if is_float and name not in told and not re.search(rf"\b{name}\b", said):
                 told.add(name)
-                yield f"{declared.place}: {declared} takes {name}, of which {SAME_BITS} says nothing: name it there"
+                yield f"{declared.place}: {declared} takes {name}, which {SAME_BITS} does not name: name it there"
 
 
 def is_named(name: str, cell: str) -> bool:
@@ -137,10 +140,10 @@ def is_named(name: str, cell: str) -> bool:
 
 def noises_without_entries(tree: Tree) -> Iterator[str]:
     bounds = {(row.noise, row.dimensions) for row in table.read(tree.at(BOUNDS))}
-    contract = tree.text("docs/contract.md")
+    contract = tree.text("docs/reference/contract.md")
     for function in tree.noises:
         noise = function.noise
-        for of, what in (("oracle", "its exact and its fixed value, from docs/contract.md"),
+        for of, what in (("oracle", "its exact and its fixed value, from docs/reference/contract.md"),
                          ("bounds", "what is proven of it")):
             module = tree.root / ENTRIES.format(of, noise)
             if not module.is_file() and not (module.with_suffix("") / "__init__.py").is_file():
@@ -149,7 +152,7 @@ def noises_without_entries(tree: Tree) -> Iterator[str]:
             yield lacks(function, f"{BOUNDS.relative_to(ROOT)} has no {noise} in {function.axes}D: "
                         "run tools/make bounds")
         if not re.search(rf"`{function.calls}`[^.]* (?:takes positions of|have the forms of)", contract):
-            yield lacks(function, f"say in docs/contract.md that `{function.calls}` takes positions of {function.axes} "
+            yield lacks(function, f"say in docs/reference/contract.md that `{function.calls}` takes positions of {function.axes} "
                         "dimensions, and what its value is")
 
 
@@ -168,7 +171,7 @@ def noises_without_comments(tree: Tree) -> Iterator[str]:
 
 def entries_without_a_noise(tree: Tree) -> Iterator[str]:
     noises = {function.noise for function in tree.noises}
-    # What is built on noise may have bounds of its own: hn_curl has. Vectors with derivatives have those of their
+    # Functions built on noise may have bounds of their own: hn_curl has. Vectors with derivatives have those of their
     # components, under their name.
     known = {"oracle": noises, "bounds": noises | {function.bound for function in tree.functions} |
              {function.calls.removeprefix("hn_") for function in tree.functions if function.component is not None}}
@@ -228,15 +231,15 @@ def values_without_settings(tree: Tree) -> Iterator[str]:
 
 
 def hashes_without_entries(tree: Tree) -> Iterator[str]:
-    contract, page = tree.text("docs/contract.md"), tree.text(KNOBS)
+    contract, page = tree.text("docs/reference/contract.md"), tree.text(KNOBS)
     for name in re.findall(r"^#define HN_HASH_(\w+) \d+\b", tree.config, re.MULTILINE):
         macro, word = f"HN_HASH_{name}", name.lower()
         if not any(_is_plain(configuration, word) for configuration in tree.configurations):
             yield f"{SETTINGS}: {macro} is under test with no default gradient: add {word} to the hashes of fast"
         if word not in words.HASHES:
-            yield f"tools/lib/proof/oracle/words.py: {macro} is not among the hashes: add it from docs/contract.md"
+            yield f"tools/lib/proof/oracle/words.py: {macro} is not among the hashes: add it from docs/reference/contract.md"
         if f"| `{name}`" not in contract:
-            yield f"docs/contract.md: no line for {macro}: add one to its table of hashes"
+            yield f"docs/reference/contract.md: no line for {macro}: add one to its table of hashes"
         if f"`{macro}`" not in page:
             yield f"{KNOBS}: the knob HN_HASH does not offer {macro}: add it to its line"
 
@@ -266,14 +269,14 @@ def names_of_two_kinds(tree: Tree) -> Iterator[str]:
         yield f"{macros[name]}: {name} is also a function: give the macro another name"
 
 
-PAGES = ("README.md", "CHANGELOG.md", "CONTRIBUTING.md", "llms.txt", "docs/*.md", "docs/gallery/*.md", "examples/**/*.md",
+PAGES = ("README.md", "CHANGELOG.md", "CONTRIBUTING.md", "llms.txt", "docs/*/*.md", "docs/guide/gallery/*.md", "examples/**/*.md",
          "packages/*/README.md")
 OF_THE_INSIDE = {"adding", "frozen", "glossary", "internals", "one-noise", "release"}  # pages for who changes the library
 PICKED = re.compile(r"<!-- tools/make readme: picked.*?<!-- end -->", re.DOTALL)  # texts that tools/pick writes
 
 
 def internal_names_in_pages(tree: Tree) -> Iterator[str]:
-    """Nobody is told to call what may have another name tomorrow."""
+    """Pages and messages name no function that may be renamed tomorrow."""
     for path in (path for pages in PAGES for path in sorted(tree.root.glob(pages))):
         if path.stem in OF_THE_INSIDE:
             continue

@@ -1,18 +1,20 @@
 """The tree is complete, and whatever is left out is noticed: each kind of entry is deleted in a copy of the tree.
 
-If test_the_tree_is_complete fails, its message says what to write, and where.
+If test_the_tree_is_complete fails, its message names the missing text and its place.
 """
 
 from __future__ import annotations
 
 import re
 import shutil
+import subprocess
 import tempfile
 import unittest
 from pathlib import Path
 
 from base.tree import BOUNDS, GLSL, GOLDEN, ROOT
 from catalog.model import CATALOG
+from catalog.tables import glsl
 from check.complete.check import ROWS, SETTINGS, problems
 
 BOUNDS_FILE = str(BOUNDS.relative_to(ROOT))
@@ -25,14 +27,53 @@ class Complete(unittest.TestCase):
         self.assertEqual(found, [], "\n" + "\n".join(found))
 
 
+class Examples(unittest.TestCase):
+    """The code in the comments of the library compiles."""
+
+    def shader(self, library: Path) -> str:
+        """All of it, in the strictest GLSL. uv is a position from 0 to 1, and o the octaves of a fractal."""
+        blocks = []
+        for path, comment in dict.fromkeys((one.path, one.comment) for one in glsl.declarations(library) if one.comment):
+            found = re.search(r"(\d)d\.glsl$", path.name)
+            dims = found[1] if found else "2"
+            for code in comment.examples:
+                octaves = "" if f"hn_octaves{dims} o" in code or not re.search(r"\bo\b", code) else (
+                    f"hn_octaves{dims} o = hn_octaves(p, 6, 2.0, 0.5, 7u);")
+                type_ = f"vec{dims}" if dims > "1" else "float"
+                p = "" if re.search(r"vec\d p =", code) else f"{type_} p = {type_}(uv.x);"
+                blocks.append(f"{{ {p} {octaves}\n{code}\n}}")
+        return ("#version 300 es\n#extension GL_GOOGLE_include_directive : enable\nprecision highp float;\n"
+                '#include "hashnoise/hashnoise.glsl"\nin vec2 uv;\nvoid main() {\n' + "\n".join(blocks) + "\n}\n")
+
+    def compiled(self, shader: str) -> subprocess.CompletedProcess[str]:
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "shader.frag"
+            file.write_text(shader, encoding="ascii")
+            return subprocess.run(["glslangValidator", "-l", f"-I{GLSL.parent}", file], capture_output=True, text=True, check=False)
+
+    def test_they_compile(self) -> None:
+        shader = self.shader(GLSL)
+        self.assertGreater(shader.count("hn_perlin(uv * 8.0, 7u);"), 0)
+        done = self.compiled(shader)
+        self.assertEqual(done.returncode, 0, done.stdout)
+
+    def test_a_wrong_one_is_noticed(self) -> None:
+        shader = self.shader(GLSL)
+        for old, new in (("hn_perlin(uv * 8.0, 7u);", "hn_perlin(uv * 8.0, 7);"), ("vec3 height =", "vec2 height ="),
+                         ("ivec2 nearest;", "")):
+            with self.subTest(new):
+                self.assertIn(old, shader)
+                self.assertNotEqual(self.compiled(shader.replace(old, new, 1)).returncode, 0)
+
+
 class Deletions(unittest.TestCase):
     def setUp(self) -> None:
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.root = Path(folder.name)
-        for path in (GLSL, ROOT / "include" / "hashnoise", ROOT / "README.md", ROOT / "docs" / "contract.md",
-                     ROOT / "docs" / "knobs.md", ROOT / "docs" / "noises.md", ROOT / "docs" / "random.md",
-                     ROOT / "docs" / "same-bits.md", ROOT / "docs" / "uniform.md", CATALOG, BOUNDS,
+        for path in (GLSL, ROOT / "include" / "hashnoise", ROOT / "README.md", ROOT / "docs" / "reference" / "contract.md",
+                     ROOT / "docs" / "reference" / "knobs.md", ROOT / "docs" / "reference" / "noises.md", ROOT / "docs" / "guide" / "random.md",
+                     ROOT / "docs" / "guide" / "same-bits.md", ROOT / "docs" / "guide" / "uniform.md", CATALOG, BOUNDS,
                      *(ROOT / "tools" / "lib" / "proof" / of / "noises" for of in ("oracle", "bounds"))):
             target = self.root / path.relative_to(ROOT)
             target.parent.mkdir(parents=True, exist_ok=True)
@@ -83,13 +124,13 @@ class Deletions(unittest.TestCase):
                      r"hn_scattered\(ivec2, float, uint\) has no row")
 
     def test_a_function_that_nobody_knows(self) -> None:
-        self.change("glsl/hashnoise/*.glsl", r"^(// Gradient noise on the square lattice)",
+        self.change("glsl/hashnoise/*.glsl", r"^(// Perlin noise on the plane: )",
                     "// New.\n//   returns  0\nHN_FN hn_float hn_merlin(hn_vec4 p, hn_uint seed) {\n}\n\n\\1")
         self.noticed(r"^glsl/hashnoise/\w+\.glsl:\d+: hn_merlin\(vec4, uint\) has no row: .* or add a row that calls it")
 
     def test_an_argument_that_may_not_be_the_same_everywhere(self) -> None:
-        self.change("docs/same-bits.md", r"^- \*\*Amplitude, depth, detail", "- **Amplitude, detail")
-        self.noticed(r"^glsl/hashnoise/gullies2d\.glsl:\d+: hn_gullies\(.*\) takes depth, of which docs/same-bits\.md says")
+        self.change("docs/guide/same-bits.md", r"^- \*\*Amplitude, depth, detail", "- **Amplitude, detail")
+        self.noticed(r"^glsl/hashnoise/gullies2d\.glsl:\d+: hn_gullies\(.*\) takes depth, which docs/guide/same-bits\.md does not name")
 
     def test_a_function_in_another_form(self) -> None:
         self.change("glsl/hashnoise/*.glsl", r"^HN_FN (hn_float hn_snorm\()", "  \\1")
@@ -120,26 +161,28 @@ class Deletions(unittest.TestCase):
         self.noticed(r"noise3d\.perlin: .*bounds\.inc has no perlin in 3D: run tools/make bounds")
 
     def test_the_contract(self) -> None:
-        self.change("docs/contract.md", r"^`hn_value_cubic` takes positions of")
-        self.noticed(r"noise3d\.value_cubic_cell: say in docs/contract\.md that `hn_value_cubic` takes positions of 3 dim")
+        self.change("docs/reference/contract.md", r"^`hn_value_cubic` takes positions of")
+        self.noticed(r"noise3d\.value_cubic_cell: say in docs/reference/contract\.md that `hn_value_cubic` takes positions of 3 dim")
 
     def test_the_contract_of_a_function(self) -> None:
-        self.change("docs/contract.md", r"^\| `hn_snorm\(.*\n")
-        self.noticed(r"^docs/contract\.md: no word of hn_snorm\(\.\.\.\): say what its value is")
+        self.change("docs/reference/contract.md", r"^\| `hn_snorm\(.*\n")
+        self.noticed(r"^docs/reference/contract\.md: no word of hn_snorm\(\.\.\.\): say what its value is")
 
     def test_the_readme(self) -> None:
         self.change("README.md", r"^\| `hn_perlin\b.*\n")
         self.noticed(r"^README\.md: no line for hn_perlin: add one to the table of functions")
 
     def test_pages_with_tables_of_functions(self) -> None:
-        for page, name in (("random", "hn_gaussian"), ("uniform", "hn_spread_fbm"), ("noises", "hn_phasor_d")):
+        for page, name in (
+                ("guide/random", "hn_gaussian"), ("guide/uniform", "hn_spread_fbm"), ("reference/noises", "hn_phasor_d")):
             with self.subTest(page=page):
                 self.change(f"docs/{page}.md", rf"^\| `{name}\b.*\n")
-                self.noticed(rf"^README\.md: no line for {name}: .* or to that of docs/noises\.md or docs/uniform\.md or docs/random\.md$")
+                self.noticed(rf"^README\.md: no line for {name}: .* or to that of docs/reference/noises\.md or "
+                             r"docs/guide/uniform\.md or docs/guide/random\.md$")
 
     def test_a_comment(self) -> None:
         self.change("glsl/hashnoise/*.glsl", r"^(//.*\n)+(HN_FN .*\bhn_snorm\()", "\\2")
-        self.noticed(r"^glsl/hashnoise/\w+\.glsl:\d+: hn_snorm\(uint\) has no comment that says what it returns: write one")
+        self.noticed(r"^glsl/hashnoise/\w+\.glsl:\d+: hn_snorm\(uint\) has no comment on what it returns: write one")
 
     def test_lines_of_a_comment(self) -> None:
         for heading in ("error", "cost"):
@@ -158,14 +201,14 @@ class Deletions(unittest.TestCase):
         self.change("glsl/hashnoise/config.glsl", r"^(#ifndef HN_ARITHMETIC)",
                     "#ifndef HN_WARP\n#define HN_WARP HN_WARP_NONE  // new\n#endif\n\\1")
         self.noticed(r"^include/hashnoise/hashnoise\.hpp: HN_WARP names no inline namespace: add .*\(warp_, HN_WARP\)",
-                     r"^docs/knobs\.md: no line for HN_WARP: add one to the table of knobs",
+                     r"^docs/reference/knobs\.md: no line for HN_WARP: add one to the table of knobs",
                      r"^tools/lib/catalog/tables/configurations\.py: HN_WARP is not in Configuration: add warp")
 
     def test_the_entries_of_a_knob(self) -> None:
         for path, entry, left, message in (
                 ("include/hashnoise/*.hpp", r"^inline namespace .*HN_ARITHMETIC\) \{\n", "",
                  r"include/hashnoise/hashnoise\.hpp: HN_ARITHMETIC names no inline namespace"),
-                ("docs/knobs.md", r"^\| `HN_ARITHMETIC` \| `HN_FAST`.*\n", "", r"docs/knobs\.md: no line for HN_ARITH")):
+                ("docs/reference/knobs.md", r"^\| `HN_ARITHMETIC` \| `HN_FAST`.*\n", "", r"docs/reference/knobs\.md: no line for HN_ARITH")):
             with self.subTest(path=path):
                 self.setUp()
                 self.change(path, entry, left)
@@ -183,7 +226,7 @@ class Deletions(unittest.TestCase):
         self.change("glsl/hashnoise/config.glsl", r"^(#define HN_HASH_PCG 6)", "\\1\n#define HN_HASH_MD5 10  // new")
         self.noticed(r"configurations\.toml: HN_HASH_MD5 is under test with no default",
                      r"^tools/lib/proof/oracle/words\.py: HN_HASH_MD5 is not among the hashes",
-                     r"^docs/contract\.md: no line for HN_HASH_MD5", r"^docs/knobs\.md: the knob .* HN_HASH_MD5")
+                     r"^docs/reference/contract\.md: no line for HN_HASH_MD5", r"^docs/reference/knobs\.md: the knob .* HN_HASH_MD5")
 
     def test_a_hash_by_its_name(self) -> None:
         self.change(SETTINGS, r'"xxhash32", ')
@@ -202,9 +245,9 @@ class Deletions(unittest.TestCase):
                      r"golden$", r"golden: noise2d\.perlin has no golden values with fnv1\+fixed: run tools/make golden$")
 
     def test_an_internal_name_in_a_page(self) -> None:
-        self.change("docs/uniform.md", r"\A", "Take `hn_i_select`.\n")
-        self.change("docs/random.md", r"\A",
+        self.change("docs/guide/uniform.md", r"\A", "Take `hn_i_select`.\n")
+        self.change("docs/guide/random.md", r"\A",
                     "\n<!-- tools/make readme: picked -->\nhn_i_mix(k)\n<!-- end -->\n`HN_I_FLOAT`\n")
-        found = self.noticed(r"^docs/uniform\.md:1: hn_i_select is internal: recommend a public function, or publish",
-                             r"^docs/random\.md:5: HN_I_FLOAT is internal")
+        found = self.noticed(r"^docs/guide/uniform\.md:1: hn_i_select is internal: recommend a public function, or publish",
+                             r"^docs/guide/random\.md:5: HN_I_FLOAT is internal")
         self.assertFalse(any("hn_i_mix" in text for text in found), found)

@@ -1,10 +1,11 @@
-"""Measures what tests cost, and checks the table of it: tools/test --record calls this, and so does the test costs.table.
+"""Measures what tests cost, and checks the table of it: tools/test --record calls this, and so does the test
+costs.table.
 
     python3 -B -m check.costs.command record BUILD [options of ctest that choose tests]
     python3 -B -m check.costs.command check BUILD
 
 Each test runs alone, and its processor time counts, with that of all processes that it starts. A machine that others
-share is not always as fast: how fast it is, is asked before and after each test that takes long. A record of all tests
+share is not always as fast: its speed is measured before and after each test that takes long. A record of all tests
 makes this machine the one that the table speaks of. The tests should have run before, since what one makes another may
 use. Exit status: 0 done, 1 a test failed and its row is as it was, or the
 table is not right, 2 bad usage.
@@ -29,17 +30,17 @@ from base.tree import ROOT, TOOLS
 
 TABLE = TOOLS / "costs.csv"
 BUDGET = 900  # two cores, eleven minutes: two tests at a time take longer than one alone
-# What is run without options, by its program in the build.
+# Programs that run without options, by its program in the build.
 RUNS = {"conform": ("conformance/hn-conform", "run"), "bench": ("conformance/hn-conform", "bench"),
         "paper": ("conformance/hn-conform", "paper")}
 OWN_TEST = "costs.table"
-STEADY = 4.0  # seconds for which what was asked of the machine's speed holds
+STEADY = 4.0  # seconds for which a measurement of the machine's speed holds
 PR_SET_CHILD_SUBREAPER = 36  # of linux/prctl.h
 LEFT = 5.0  # seconds that a process may take to end behind the test that started it
 
 
 def listed(build: Path, *options: str) -> list[dict]:
-    """The tests of a default run, by ctest. Those that make what others use come first."""
+    """The tests of a default run, by ctest. Tests that make fixtures come first."""
     command = ["ctest", "--test-dir", str(build), "--show-only=json-v1", *options]
     tests = json.loads(subprocess.run(command, capture_output=True, text=True, check=True).stdout)["tests"]
     # A program of gtest that is not built has none; and the test of the table fails until all others have their rows.
@@ -68,8 +69,8 @@ def time_of_children() -> float:
 
 
 def calibration(loops: int = 1) -> float:
-    """The processor time of the loop of tools/lib/base/progress.sh, of so many at a time; the least of some, because others may
-    disturb it."""
+    """The processor time of the loop of tools/lib/base/progress.sh, of so many at a time; the least of some, because
+    others may disturb it."""
     command = ["bash", "-c", 'root=$1; build=; log=; source "$root/tools/lib/base/progress.sh"; calibration "$2"', "bash", str(ROOT),
                str(loops)]
     return min(float(subprocess.run(command, capture_output=True, text=True, check=True).stdout) for _ in range(5))
@@ -98,7 +99,7 @@ def children() -> list[int]:
 
 
 def wait_for_what_is_left() -> None:
-    """Until no process is left of the test before, each of which is a child of this one now."""
+    """Waits until no process is left of the test before: they are children of this one now."""
     end = time.monotonic() + LEFT
     while left := children():
         if time.monotonic() > end:
@@ -127,8 +128,8 @@ def cost_of(command: list[str], folder: str | None, environment: dict[str, str],
 
 
 def kept_rows(build: Path, there: float) -> dict[tuple[str, str], float]:
-    """What tools/lib/base/setup.sh and tools/test have measured while they installed, built from nothing and ran all tests; with
-    how fast the machine was then, if it matters. In a folder of 0.3.0 nothing says it, and no row counts."""
+    """The measurements of tools/lib/base/setup.sh and tools/test: installation, build from nothing, all tests; with
+    how fast the machine was then, if it matters. In a folder of 0.3.0 the speed is missing, and no row counts."""
     path = build / "measured.csv"
     lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
     rows = [row for row in (line.split(",") for line in lines) if len(row) == 4]
@@ -144,7 +145,7 @@ def record(build: Path, path: Path, options: list[str]) -> int:
     there = table.setdefault(("speed", "loop"), costs.Row(busy)).value
     measured = kept_rows(build, there)
     tests = [] if "-N" in options else listed(build, *options)
-    # Chromium's processes end behind that which started them, and nobody else asks what they have used.
+    # Chromium's processes end behind that which started them, and nobody else counts their time.
     ctypes.CDLL(None).prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0)
     failed = []
     log = build / "recorded.log"

@@ -83,11 +83,11 @@ def burning(name: str, seconds: float, status: int = 0, **properties: object) ->
 class Page(unittest.TestCase):
     def test_what_cpu_md_says_of_an_instruction_set_is_what_was_measured(self) -> None:
         """A build of hn-bench-cpu is almost nothing but the kernels of three sets."""
-        text = (ROOT / "docs" / "cpu.md").read_text(encoding="utf-8")
+        text = (ROOT / "docs" / "guide" / "cpu.md").read_text(encoding="utf-8")
         said = re.search(r"takes about (\d+) seconds of processor time to compile each set", text)
-        self.assertIsNotNone(said, "docs/cpu.md no longer says how long an instruction set takes")
+        self.assertIsNotNone(said, "docs/guide/cpu.md no longer states the time of an instruction set")
         measured = costs.read_file(command.TABLE)[("build", "bench-cpu")].value / 3
-        self.assertTrue(self.is_about(float(said[1]), measured), f"docs/cpu.md says {said[1]} s; it is {measured:.0f} s")
+        self.assertTrue(self.is_about(float(said[1]), measured), f"docs/guide/cpu.md states {said[1]} s; it is {measured:.0f} s")
         self.assertFalse(self.is_about(float(said[1]), measured * 2))
 
     def is_about(self, said: float, measured: float) -> bool:
@@ -127,7 +127,7 @@ class Recording(unittest.TestCase):
             with mock.patch.object(command, "LEFT", 1.0):
                 status, table, text = self.record(starting)
             self.assertEqual(status, 0, text)
-            # Of a process that nobody waits for the system tells hundredths of a second, and the last are not seen.
+            # The system counts a process without a waiting parent in hundredths of a second, and the last are lost.
             self.assertTrue(0.45 <= table["test", name].value < 1.1, table)
 
     def test_on_a_machine_that_is_half_as_fast_a_second_counts_half(self) -> None:

@@ -1,4 +1,4 @@
-"""Injects every fault that drivers have had, and writes down which cases notice: docs/faults.md.
+"""Injects every fault that drivers have had, and writes down which cases notice: docs/measured/faults.md.
 
     tools/make faults [--check] [--sample N] [--program PATH] [--out FILE] [--jobs N] [NAME]...
 
@@ -30,7 +30,7 @@ from base.tree import HN_CONFORM as PROGRAM
 from base.tree import ROOT
 from base.usage import Parser
 
-TABLE = ROOT / "docs" / "faults.md"
+TABLE = ROOT / "docs" / "measured" / "faults.md"
 TIMEOUT = 600  # seconds; a run takes a few
 
 # Every bug, and every function with the default hash where it depends on one, in the version that most use; the
@@ -41,21 +41,22 @@ FILTERS = ("bugs*", "hash.*.lattice.*.gl330.golden", "hash.*.any.*.gl330.golden"
            "noise?d.simplex*.lattice.*.gl330.golden", "fbm.fbm3.lattice.*.gl330.golden",
            "hash.lattice2.lattice.*.es300.golden", "hash.unorm.any.*.es300.golden",
            "noise2d.perlin.lattice.*.es300.golden")
-# Those of a sample: compiling the others is nearly all that it would cost.
+# The cases of a sample: compiling the others is nearly all that it would cost.
 FEW = ("bugs*", "hash.*.lattice.*.gl330.golden", "hash.*.any.*.gl330.golden", "noise2d.perlin.lattice.*.gl330.golden",
        "noise2d.value.lattice.*.gl330.golden", "noise2d.simplex.lattice.*.gl330.golden",
        "noise3d.perlin.lattice.*.gl330.golden")
 
 HEAD = """# Faults of drivers, and what notices them
 
-This page lists the faults that drivers have had, and the cases that notice them. `tools/make faults` writes this page. It
-makes a healthy driver (llvmpipe, by OSMesa) behave as if it had each of these faults: `hn-conform run --inject NAME`
-rewrites the code of every shader, but not `glsl/`. Each fault fails the run, and the table names the functions whose cases
-fail. If only cases of `bugs` fail, the library avoids the faulty operation on purpose. The cases are those of `{filters}`.
+This page lists the faults that drivers have had, and the cases that notice them. `tools/make faults` writes this page.
+It makes a healthy driver (llvmpipe, by OSMesa) behave as if it had each of these faults: `hn-conform run --inject NAME`
+rewrites the code of every shader, but not `glsl/`. Each fault fails the run, and the table names the functions whose
+cases fail. If only cases of `bugs` fail, the library avoids the faulty operation on purpose. The cases are those of
+`{filters}`.
 
-A case cannot fail where a specification leaves the result open. It gives a warning, and the last column has the cases that
-warn here but not on the healthy driver. If a specification allows the fault as it was reported, a worse fault is injected,
-which the column "injected" describes.
+A case cannot fail where a specification leaves the result open. It gives a warning, and the last column has the cases
+that warn here but not on the healthy driver. If a specification allows the fault as it was reported, a worse fault is
+injected, which the column "injected" describes.
 
 """
 
@@ -90,8 +91,8 @@ class Verdict:
     run: list[str]      # ids of all cases
 
 
-def told(program: Path, *arguments: str) -> list[Told]:
-    """What hn-conform prints: names, and below each indented lines such as "  injected: this"."""
+def entries(program: Path, *arguments: str) -> list[Told]:
+    """hn-conform's output: names, and below each indented lines such as "  injected: this"."""
     listed = subprocess.run([program, *arguments], capture_output=True, text=True, check=False)
     if listed.returncode != 0:
         raise NotRun(listed.stderr)
@@ -146,7 +147,7 @@ def named(cell: str) -> set[str]:
 
 
 def start_of_row(fault: Told) -> str:
-    """The cells that hn-conform tells without a run."""
+    """The cells that hn-conform prints without a run."""
     injected = fault.facts["injected"]
     if "remark" in fault.facts:
         injected += f" ({fault.facts['remark']})"
@@ -159,7 +160,7 @@ def row(fault: Told, verdict: Verdict, healthy: Verdict) -> str:
 
 
 def bug_table(cases: list[Told]) -> str:
-    """What the cases of bugs/ come from; a row for all versions of one."""
+    """The faults behind the cases of bugs/; a row for all versions of one."""
     bugs: dict[tuple[str, str], list[Told]] = {}
     for case in cases:
         _, function, _, _, _, _, check = case.name.split(".")
@@ -193,7 +194,7 @@ def describe(fault: Told, verdict: Verdict) -> str:
 
 
 def kept_row(fault: Told, path: Path) -> str:
-    """The row of a fault that is not injected, as the file has it; none if it tells something else of the fault."""
+    """The row of a fault that is not injected, as the file has it; none if it differs otherwise."""
     lines = path.read_text(encoding="utf-8").splitlines(keepends=True) if path.exists() else []
     return next((line for line in lines if line.startswith(start_of_row(fault))), f"| `{fault.name}` has no row |\n")
 
@@ -223,7 +224,7 @@ def with_warnings_of(kept: str, text: str) -> str:
 
 
 def settle(text: str, path: Path, check: bool) -> int:
-    """Writes the table, or says whether the file is it."""
+    """Writes the table, or returns whether the file is it."""
     if not check:
         path.write_text(text, encoding="utf-8")
         return 0
@@ -247,11 +248,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if options.sample is not None and (options.sample < 1 or not options.check or options.names):
         parser.error("--sample takes a number from 1 on, with --check and without names")
     try:
-        faults = told(options.program, "run", "--inject", "list")
+        faults = entries(options.program, "run", "--inject", "list")
         unknown = set(options.names) - {fault.name for fault in faults}
         if unknown:
-            parser.error(f"there is no fault {', '.join(sorted(unknown))}; hn-conform run --inject list tells them")
-        bugs = told(options.program, "list", "--about", "--filter", "bugs*")
+            parser.error(f"there is no fault {', '.join(sorted(unknown))}; hn-conform run --inject list prints them")
+        bugs = entries(options.program, "list", "--about", "--filter", "bugs*")
         chosen = [fault for fault in faults if not options.names or fault.name in options.names]
         chosen = sample(chosen, options.sample or len(chosen))
         with ThreadPoolExecutor(max(1, options.jobs)) as pool:

@@ -2,11 +2,12 @@
 
     tools/test fuzz [--seconds N | --runs N] [--build DIR] [--out DIR] [TARGET...]
 
-A target is a file of conformance/testing/fuzz: expectations, golden, journal, options, results, shaders; without one all are
-run, one after the other, for N seconds each (600), or for N inputs. Each begins with conformance/testing/fuzz/corpus/TARGET,
-which stays as it is. What it learns is kept in DIR/TARGET/corpus (--out, build-fuzz/findings), and where the next run
-goes on; with --runs, for which every run is to be the same, it is not. Inputs that break a parser, or that take it too
-long or too much memory, are left in DIR/TARGET/findings; the program that found one tells more if it is called with it.
+A target is a file of conformance/testing/fuzz: expectations, golden, journal, options, results, shaders; without one
+all are run, one after the other, for N seconds each (600), or for N inputs. Each begins with
+conformance/testing/fuzz/corpus/TARGET, which stays as it is. New inputs are kept in DIR/TARGET/corpus (--out,
+build-fuzz/findings), and where the next run goes on; with --runs, for which every run is to be the same, it is not.
+Inputs that break a parser, or that take it too long or too much memory, are left in DIR/TARGET/findings; call the
+program that found one with it for details.
 
 Exit status: 0 nothing found, 1 something found, 2 bad usage, 4 it could not be built.
 """

@@ -37,10 +37,10 @@ build always: phony
 
 
 class NotBuilt(Exception):
-    """A program that a part asks is not there, or could not be built."""
+    """A program that a part runs is not there, or could not be built."""
 
 
-# --- What a part has ---
+# --- Properties of a part ---
 
 def found(patterns: Sequence[str]) -> set[Path]:
     return {path for pattern in patterns for path in ROOT.glob(pattern) if path.is_file() and "_test." not in path.name}
@@ -131,13 +131,13 @@ def call(part: Part, *options: str, quiet: bool = False) -> tuple[int, str]:
 
 
 def build(part: Part, anew: bool = True) -> None:
-    """Brings the program up to date that a part asks."""
+    """Brings the program that a part runs up to date."""
     folder = ROOT / "build"
     if not part.program:
         return
     if not (folder / "CMakeCache.txt").is_file():
         if not anew or subprocess.run([TOOLS / "test", "-N"], stdout=subprocess.DEVNULL, check=False).returncode != 0:
-            raise NotBuilt(f"it asks {part.program}, which tools/test -N builds")
+            raise NotBuilt(f"it runs {part.program}, which tools/test -N builds")
     done = subprocess.run(["cmake", "--build", folder, "--target", part.program], capture_output=True, text=True,
                           check=False)
     if done.returncode != 0:
@@ -152,7 +152,7 @@ def look(part: Part) -> None:
 
 
 def make(part: Part) -> int:
-    """Makes a part of which something is not as recorded. Where there is no record, as in a new clone, its check decides
+    """Makes a part that differs from its record. Where there is no record, as in a new clone, its check decides
     first."""
     why, before = changed(part), products(part)
     try:
@@ -238,5 +238,5 @@ def walk(parts: Sequence[Part]) -> int:
 
 if __name__ == "__main__":
     step, name = sys.argv[1:]
-    asked = next(part for part in PARTS if part.name == name)
-    sys.exit(look(asked) if step == "look" else make(asked))
+    chosen = next(part for part in PARTS if part.name == name)
+    sys.exit(look(chosen) if step == "look" else make(chosen))

@@ -18,21 +18,21 @@ from check.make.parts import PARTS, Part
 MADE = [part for part in PARTS if not part.by_name]
 FOLDERS = ("catalog", "conformance", "docs", "glsl", "include", "packages", "playground", "src")
 TEXTS = (".cpp", ".glsl", ".h", ".hpp", ".inc", ".js", ".md", ".py", ".pyi", ".ts")
-# What a file says of itself at its top, and where a part of it is made.
+# The note at the top of a made file, and around a made part.
 AT_THE_TOP = re.compile(r"(?:Made|Written)(?: from \S+)? by tools/make\b(?: (\w+))?"
                         r"|`tools/make (\w+)` (?:makes|writes) this")
 MARK = re.compile(r"^(?://|#|<!--|  //) ?tools/make (\w+): (?!end\b)", re.MULTILINE)
 
 
 def marks(text: str) -> Iterator[str]:
-    """The parts that a file says it is by; an empty name if it says none."""
+    """The parts that a file names as its makers; an empty name if it names none."""
     if found := AT_THE_TOP.search("\n".join(text.splitlines()[:5])):
         yield found[1] or found[2] or ""
     yield from MARK.findall(text)
 
 
 def unmade(files: Iterable[Path], parts: Iterable[Part] = MADE) -> list[str]:
-    """What says that tools/make makes it, and is no product of a part."""
+    """Files that name tools/make as their maker, and are no product of a part."""
     products = {part.name: graph.found(part.products) for part in parts}
     wrong = []
     for path in files:
@@ -87,13 +87,13 @@ class Table(unittest.TestCase):
                     self.assertEqual(len(unmade([path])), 1)
             path.write_text("// tools/make catalog: end\nRun `tools/make golden`.\n")
             self.assertEqual(unmade([path]), [])
-        page = ROOT / "docs" / "accuracy.md"
+        page = ROOT / "docs" / "measured" / "accuracy.md"
         self.assertEqual(unmade([page]), [])
         self.assertNotEqual(unmade([page], [part for part in MADE if part.name != "bounds"]), [])
 
     def test_each_file_in_a_folder_of_made_files_is_made(self) -> None:
         products = set().union(*(graph.found(part.products) for part in MADE))
-        for pattern in ("conformance/expected/golden/*", "docs/snippets/*", "docs/gallery/*"):
+        for pattern in ("conformance/expected/golden/*", "docs/reference/snippets/*", "docs/guide/gallery/*"):
             files = {path for path in ROOT.glob(pattern) if path.is_file()}
             self.assertGreater(len(files), 10)
             self.assertEqual(files - products, set())
@@ -272,12 +272,12 @@ class Toy(unittest.TestCase):
     def test_what_asks_a_program_that_is_not_there_is_left_out_of_a_check(self) -> None:
         self.parts(two=", program='hn-frozen'")
         self.put("out/two", "B")
-        self.assertIn("two: nobody looked: it asks hn-frozen, which tools/test -N builds\n", self.make("--check")[1])
+        self.assertIn("two: nobody looked: it runs hn-frozen, which tools/test -N builds\n", self.make("--check")[1])
         self.put("tools/test", "#!/bin/sh\nexit 4\n")
         (self.root / "tools/test").chmod(0o755)
         made, said = self.make(status=1)
         self.assertEqual(made, "")
-        self.assertIn("tools/make: two: it asks hn-frozen", said)
+        self.assertIn("tools/make: two: it runs hn-frozen", said)
         self.assertIn("tools/make: these are not made: two\n", said)
 
     def test_a_part_that_is_named_is_made(self) -> None:

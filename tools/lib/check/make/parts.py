@@ -1,5 +1,5 @@
-"""The table of what is made, and but for some of build/ committed: each part, what it is made of, and what makes it. A part stands below those
-that it needs."""
+"""The table of what is made, and but for some of build/ committed: each part, what it is made of, and what makes it. A
+part stands below those that it needs."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ class Part(NamedTuple):
     options: tuple[str, ...] = ()  # with which tools/make makes it
     check: tuple[str, ...] = ("--check",)  # with which it looks at the part
     sample: bool = False  # that look takes a sample
-    program: str = ""  # a target of CMake that it asks
+    program: str = ""  # a target of CMake that it runs
     python: tuple[int, int] = (3, 11)
     scientific: bool = False  # it needs numpy
     by_name: bool = False  # it is made only where it is named
@@ -28,14 +28,16 @@ LIBRARY = ("glsl/hashnoise/**/*.glsl", "glsl/hashnoise/**/*.h", "include/hashnoi
 SUITE = (*(f"{room}/*.[ch]pp" for room in ("src/base", "conformance/library", "conformance/expected",
                                            "tools/lib/proof/sums")),
          "conformance/expected/*.inc", "catalog/*.toml")
-PAGES = ("README.md", "docs/gallery/README.md",
-         *(f"docs/{page}.md" for page in ("cellular", "conformance", "default-hash", "gpu-operations", "hashes", "judge",
-                                          "languages", "measuring", "moving", "noises", "sums", "uniform")))
+PAGES = ("README.md", "docs/guide/gallery/README.md",
+         *(f"docs/{page}.md" for page in (
+             "guide/cellular", "guide/conformance", "guide/languages", "guide/moving", "guide/uniform",
+             "measured/default-hash", "measured/gpu-operations", "measured/hashes", "measured/judge",
+             "measured/measuring", "reference/fractals", "reference/noises")))
 
 PARTS = (
     Part("catalog", "what the library, packages and pages have of catalog/", "a second", "catalog.command",
          ("catalog/*.toml",),
-         ("README.md", "docs/javascript.md", "docs/noises.md", "docs/sums.md",
+         ("README.md", "docs/guide/javascript.md", "docs/reference/noises.md", "docs/reference/fractals.md",
           "glsl/hashnoise/fbm2d.glsl", "glsl/hashnoise/octaves2d.glsl", "include/hashnoise/hashnoise.hpp",
           "packages/npm/src/index.*", "packages/npm/wasm/twin.cpp", "packages/python/hashnoise/*.py*",
           "playground/catalog.js", "src/grid/catalog.inc")),
@@ -43,29 +45,31 @@ PARTS = (
          "a second", "translate.dimensions.command", ("include/hashnoise/*.hpp",),
          ("glsl/hashnoise/**/*.glsl", "glsl/hashnoise/detail/*.h"), python=(3, 9)),
     Part("readme", "pictures, numbers and tables of pages", "half a minute", "ship.readme.command",
-         (*PAGES, *LIBRARY, "docs/results/**/*.csv", "tools/costs.csv", "tools/lib/ship/readme/*.[ch]pp",
+         (*PAGES, *LIBRARY, "docs/measured/results/**/*.csv", "tools/costs.csv", "tools/lib/ship/readme/*.[ch]pp",
           "catalog/*.toml"),
-         (*PAGES, "docs/images/*.png", "docs/gallery/*.png", "packages/*/README.md")),
-    Part("bounds", "ranges, slopes and errors, proven: bounds.inc, and the tables of docs/accuracy.md",
+         (*PAGES, "docs/images/*.png", "docs/guide/gallery/*.png", "packages/*/README.md")),
+    Part("bounds", "ranges, slopes and errors, proven: bounds.inc, and the tables of docs/measured/accuracy.md",
          "half a minute", "proof.bounds.command",
-         (*LIBRARY, "docs/accuracy.md", "docs/knobs.md", "docs/sums.md", "tools/lib/proof/bounds/noises/*.py",
+         (*LIBRARY, "docs/measured/accuracy.md", "docs/reference/knobs.md", "docs/reference/fractals.md",
+          "tools/lib/proof/bounds/noises/*.py",
           "tools/lib/proof/bounds/*.cpp", "tools/lib/proof/sums/*.[ch]pp", "catalog/sums.toml"),
-         ("conformance/expected/bounds.inc", "docs/accuracy.md"), scientific=True),
+         ("conformance/expected/bounds.inc", "docs/measured/accuracy.md"), scientific=True),
     Part("golden", "golden files, by the oracle", "five minutes", "proof.golden.command",
          ("catalog/*.toml", "tools/lib/proof/oracle/noises/*.py"), ("conformance/expected/golden/*.golden",),
          check=("--check", "--sample", "8"), sample=True),
-    Part("one-noise", "what docs/one-noise.md quotes of Perlin noise", "seconds", "ship.readme.one_noise",
-         ("docs/one-noise.md", *LIBRARY, "docs/contract.md", "docs/accuracy.md", "docs/results/gpu/costs.csv",
-          "conformance/expected/golden/noise2d.perlin.golden"), ("docs/one-noise.md",)),
+    Part("one-noise", "what docs/develop/one-noise.md quotes of Perlin noise", "seconds", "ship.readme.one_noise",
+         ("docs/develop/one-noise.md", *LIBRARY, "docs/reference/contract.md", "docs/measured/accuracy.md",
+          "docs/measured/results/gpu/costs.csv",
+          "conformance/expected/golden/noise2d.perlin.golden"), ("docs/develop/one-noise.md",)),
     Part("freeze", "entries of new functions among what never changes", "seconds for each function", "proof.frozen.command",
          (*LIBRARY, *SUITE), ("conformance/expected/frozen.csv",), sample=True, program="hn-frozen"),
-    Part("snippets", "docs/snippets: functions to paste", "half a minute", "translate.pick.pages",
-         ("glsl/hashnoise/**/*.glsl",), ("docs/snippets/*.md",), python=(3, 9)),
-    Part("faults", "docs/faults.md: which cases notice what drivers got wrong", "ten minutes", "check.faults.command",
-         ("conformance/cases/bugs/*", "conformance/fault/*"), ("docs/faults.md",),
+    Part("snippets", "docs/reference/snippets: functions to paste", "half a minute", "translate.pick.pages",
+         ("glsl/hashnoise/**/*.glsl",), ("docs/reference/snippets/*.md",), python=(3, 9)),
+    Part("faults", "docs/measured/faults.md: which cases notice what drivers got wrong", "ten minutes", "check.faults.command",
+         ("conformance/cases/bugs/*", "conformance/fault/*"), ("docs/measured/faults.md",),
          check=("--check", "--sample", "4"), sample=True, program="hn-conform"),
     Part("results", "a page of what people's devices returned, which are checked", "a second", "measure.results.command",
-         ("docs/results/devices/*.json", "docs/results/devices/versions/*.csv", "conformance/expected/golden/*.golden",
+         ("docs/measured/results/devices/*.json", "docs/measured/results/devices/versions/*.csv", "conformance/expected/golden/*.golden",
           "catalog/*.toml", "conformance/web/address.js"), ("build/results/index.html",),
          options=("--earlier",), check=("--check", "--earlier")),
     Part("vectors", "build/vectors: rows of golden files, for ports", "half a minute", "proof.vectors.command", (),

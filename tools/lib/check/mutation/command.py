@@ -3,18 +3,19 @@
     tools/test mutants [--list] [--sample N [--seed S]] [--file NAME]... [--rule NAME]... [--thorough] [--program PATH]
                        [--jobs N]
 
-A mutant is a copy of glsl/hashnoise/ with one change in the body of a function, in whatever branch of an #if it stands, or in a
-preprocessor line: a constant, an operator, a shift, a comparison, a sign, two arguments swapped, another or no
-function called, another component or variable of the same type taken, a line dropped. tools/lib/check/mutation/rules.py has
-the rules. Each mutant prints a line: its number, where it is, what changed, and the case that killed it, or SURVIVED. The
-numbers are the same with every selection, until the library changes. At the end come the sums by file and by rule.
+A mutant is a copy of glsl/hashnoise/ with one change in the body of a function, in whatever branch of an #if it stands,
+or in a preprocessor line: a constant, an operator, a shift, a comparison, a sign, two arguments swapped, another or no
+function called, another component or variable of the same type taken, a line dropped. tools/lib/check/mutation/rules.py
+has the rules. Each mutant prints a line: its number, where it is, what changed, and the case that killed it, or
+SURVIVED. The numbers are the same with every selection, until the library changes. At the end come the sums by file and
+by rule.
 
-A mutant first runs with --filter on the golden values of the functions of its own file, then on all cases of these, then
-on functions of the files that include it. Only if these do not kill it the whole default run follows; so a survivor has
-survived all that tools/conform runs. With --thorough a survivor goes on to what --thorough has of these functions: every
-setting in every version and stage. A mutant that only that kills is reported as such, and wants a case in the default
-run. Nothing is cached. A mutant that does not compile is killed, but tells nothing about the suite: those are counted
-apart.
+A mutant first runs with --filter on the golden values of the functions of its own file, then on all cases of these,
+then on functions of the files that include it. Only if these do not kill it the whole default run follows; so a
+survivor has survived all that tools/conform runs. With --thorough a survivor goes on to what --thorough has of these
+functions: every setting in every version and stage. A mutant that only that kills is reported as such, and wants a case
+in the default run. Nothing is cached. A mutant that does not compile is killed, but proves nothing about the suite:
+those are counted apart.
 
 The unchanged library must pass the cases that kill, or else they would show nothing. Some are tried first, and at the
 end all that killed a mutant.
@@ -87,7 +88,7 @@ class Mutant:
         return f"{self.number:4}  {where:<20}  {self.change()}"
 
     def change(self) -> str:
-        """In one line. What is inserted is shown before the word that it stands at."""
+        """In one line. An insertion is shown before the word that follows it."""
         old, new = " ".join(self.old.split()), " ".join(self.new.split())
         if not old:
             word = re.match(r"\w*", self.original[self.end:])
@@ -159,11 +160,11 @@ EQUIVALENT: tuple[Equivalence, ...] = (
            ("angle & 0x7FFFFFFFu", "angle & 0x7FFFFFFEu"),
            ("min(q, 0x80000000u - q)", "min(q, 0x80000001u - q)")),
 
-    # With either the sine is off by 1.67e-6 at most, of the 1.91e-6 that the contract allows: all 2^32 words were compared
-    # with sin(float(int)) in double, in C++.
+    # With either the sine is off by 1.67e-6 at most, of the 1.91e-6 that the contract allows: all 2^32 words were
+    # compared with sin(float(int)) in double, in C++.
     *alike("detail/sine_gradient.glsl", ("high * 0x054Au", "high + 0x054Au", "rounds * 0x054Au")),
 
-    # What these let through is subnormal, and the drivers that have HN_PRECISE here flush it by themselves. (The test
+    # Values that pass these are subnormal, and the drivers that have HN_PRECISE here flush it by themselves. (The test
     # unit.Twin runs the text with and without that.) The sign plays no part.
     *alike("detail/octave.glsl", ("& 0x7F800000u) == 0u", "& 0x7F800001u) == 0u", "& 0x7F800000u) == 1u",
             "| 0x7F800000u) == 0u"),
@@ -171,15 +172,15 @@ EQUIVALENT: tuple[Equivalence, ...] = (
 
     # It is 0 all the same.
     *(Equivalence(file, zero, (f"-{zero}",)) for file, zero in (
-        ("detail/place2d.glsl", "ivec2(0, 0)"), ("place.glsl", "ivec3(0, 0, 0)"), ("place.glsl", "ivec4(0, 0, 0, 0)"))),
+        ("detail/cell2d.glsl", "ivec2(0, 0)"), ("place.glsl", "ivec3(0, 0, 0)"), ("place.glsl", "ivec4(0, 0, 0, 0)"))),
 
-    # What nothing is written to is 0 on the drivers here, and in C++.
+    # Memory without a write is 0 on the drivers here, and in C++.
     *(each for file in ("fbm_d2d.glsl", "fbm_d3d.glsl", "warp2d.glsl", "warp3d.glsl")
       for each in alike(file, *((f"s.{axis} = HN_I_NO_WEIGHT;", "") for axis in ("xyz" if "3d" in file else "xy")))),
     *alike("detail/octave.glsl", ("s.value = HN_I_NO_WEIGHT;", ""), ("s.footprint = HN_I_NO_WEIGHT;", ""), ("s.at = 0;", "")),
 
-    # Nothing reads this position: hn_next and the warps ask is_whole before, and hn_octaves writes the position where it
-    # makes is_whole false. (It is written so that no part of the struct that is returned is undefined.)
+    # Nothing reads this position: hn_next and the warps ask is_whole before, and hn_octaves writes the position where
+    # it makes is_whole false. (It is written so that no part of the struct that is returned is undefined.)
     *alike("octaves1d.glsl", ("o.p = 0.0f;", "", "o.p = 0.015625f;")),
     *(Equivalence(f"octaves{n}d.glsl", f"o.p = vec{n}({', '.join(['0.0f'] * n)});",
                   ("", *(f"o.p = vec{n}({', '.join('0.015625f' if i == axis else '0.0f' for i in range(n))});"
@@ -192,8 +193,8 @@ EQUIVALENT: tuple[Equivalence, ...] = (
            ("place.period = ivec4(0, 0, 0, 0);", "place.period = ivec4(1, 0, 0, 0);", "place.period = ivec4(0, 1, 0, 0);",
             "place.period = ivec4(0, 0, 1, 0);", "place.period = ivec4(0, 0, 0, 1);", "")),
 
-    # The lowest bit of these words is 0: all that direction4d.glsl passes is shifted left by 9 or 10 bits, and nobody else
-    # calls hn_i_flipped.
+    # The lowest bit of these words is 0: all that direction4d.glsl passes is shifted left by 9 or 10 bits, and nobody
+    # else calls hn_i_flipped.
     *alike("detail/direction4d.glsl",
            ("(word & 0x80000000u) != 0u, -x, x)", "(word & 0x80000001u) != 0u, -x, x)"),
            ("floatBitsToUint(x) ^ (word & 0x80000000u)", "floatBitsToUint(x) ^ (word & 0x80000001u)")),
@@ -202,7 +203,7 @@ EQUIVALENT: tuple[Equivalence, ...] = (
     *alike("detail/arithmetic.glsl", ("abs(x)", "abs(-x)"), ("abs(n)", "abs(-n)"), ("x < 0, -x, x", "x <= 0, -x, x")),
     *alike("detail/direction.glsl", ("abs(x)", "abs(-x)")),
 
-    # So is the square, and the other components are not asked for.
+    # So is the square, and the other components are not used.
     *alike("detail/square_root.glsl", *((f"ivec3({axis}, 0, 0)", f"ivec3(-{axis}, 0, 0)", f"ivec3({axis}, 1, 0)", f"ivec3({axis}, 0, 1)")
                           for axis in "xyz")),
 
@@ -232,9 +233,9 @@ EQUIVALENT: tuple[Equivalence, ...] = (
            ("step(h, k >> 24u)", "step(k >> 24u, h)"),
            ("step(0u, k)", "step(k, 0u)")),
 
-    # The third distance is a continuous function of the place, and so is the least over the cells of either choice. Each
-    # is right on its side, so on the line between both are right. (3 million places on these lines had the same bits in
-    # every arithmetic, on the plane, and 375,000 in space.)
+    # The third distance is a continuous function of the place, and so is the least over the cells of either choice.
+    # Each is right on its side, so on the line between both are right. (3 million places on these lines had the same
+    # bits in every arithmetic, on the plane, and 375,000 in space.)
     *alike("cellular_three2d.glsl", ("hn_i_size(d.x) >= hn_i_size(d.y)", "hn_i_size(d.x) > hn_i_size(d.y)")),
     *alike("cellular_three3d.glsl", ("x >= max(y, z)", "x > max(y, z)"), ("y >= z", "y > z")),
 
@@ -263,7 +264,7 @@ EQUIVALENT: tuple[Equivalence, ...] = (
 
     # With bit casts or without, the same bits come out: of hn_i_fields2 and hn_i_fields3 for all fields, of hn_i_signed
     # for all m in [0, 1], of hn_i_excess_bits for all m below 2^31, and of hn_i_sine for 2^31. (All of these were
-    # compared, bit by bit.) So it does not matter who goes without; and only whether HN_I_BITCAST is 0 is ever asked.
+    # compared, bit by bit.) So it does not matter who goes without; and only whether HN_I_BITCAST is 0 is ever tested.
     *alike("config.glsl",
            ("HN_I_VERSION >= 330", "HN_I_VERSION >= 331", "HN_I_VERSION > 330"),
            ("#define HN_I_BITCAST 1", "#define HN_I_BITCAST 0", "#define HN_I_BITCAST 2")),
@@ -273,7 +274,7 @@ EQUIVALENT: tuple[Equivalence, ...] = (
            ("#define HN_I_VERSION 460", "", "#define HN_I_VERSION 461", "#define HN_I_VERSION 459"),
            (") || defined(HN_I_HLSL)", ") && defined(HN_I_HLSL)")),
 
-    # What is included twice then has nothing but macros, and these may be defined twice if they are the same; or
+    # A file included twice then has only macros, and these may be defined twice if they are the same; or
     # nothing but #include, of files with guards of their own.
     *alike("config.glsl", ("#define HN_CONFIG_GLSL", "")),
     *alike("hashnoise.glsl", ("#define HN_HASHNOISE_GLSL", "")),
@@ -293,14 +294,14 @@ library_parts = cache(parts)
 
 @cache
 def included_anyhow(file: str) -> frozenset[str]:
-    """What a file includes that another of its includes brings as well."""
+    """Includes of a file that another of its includes brings as well."""
     library = library_parts()
     includes = library[file].includes
     return frozenset(name for name in includes
                      if any(name in in_order(other, library) for other in includes if other != name))
 
 
-# What stands before two arguments that may change places.
+# Text before two arguments that may change places.
 #
 # - A number and its weight: in floats their product is the same, and in HN_FIXED hn_i_summed drops the product of the
 #   low 9 bits of both.
@@ -308,7 +309,7 @@ def included_anyhow(file: str) -> frozenset[str]:
 # - The first two components whose squares are summed: a sum of two floats is the same in either order, and in HN_FIXED
 #   the whole sum is exact. Where a driver contracts it, HN_FAST is within its bound with either square rounded.
 COMMUTES = re.compile(r"\bhn_i_(?:(?:with|summed)\([\w.]+, |multiply_high\(|squared?\()$")
-# What stands before a number whose sign plays no part: it is squared, in HN_FIXED after its absolute value is taken or
+# Text before a number whose sign plays no part: it is squared, in HN_FIXED after its absolute value is taken or
 # with a product that has no more than 32 bits.
 SQUARED = re.compile(r"\bhn_i_squared?\((?:[^(),]*, )*$")
 
@@ -335,10 +336,10 @@ class Verdict:
         return KINDS[self.kind] + self.detail
 
 
-# What a verdict may be, and how it reads.
+# The verdicts, and their texts.
 KINDS = {"killed": "killed by ", "uncompiled": "does not compile: killed by ", "equivalent": "equivalent, not run",
          "thorough": "SURVIVED, and killed with --thorough by ", "survived": "SURVIVED", "error": "ERROR: "}
-# The statuses of a case that notices the change: all that are bad but error, which says that the suite is at fault.
+# The statuses of a case that notices the change: all that are bad but error, which is a fault of the suite.
 KILLING = ("fail", "crash", "timeout")
 
 
@@ -349,7 +350,7 @@ def verdict_of(case: dict[str, object]) -> Verdict:
 
 
 def failed_case(results: Path) -> Verdict:
-    """What the first case says that notices the change."""
+    """The message of the first case that notices the change."""
     try:
         cases = [case for run in json.loads(results.read_text(encoding="utf-8"))["runs"] for case in run["cases"]]
     except (OSError, ValueError, KeyError) as error:
@@ -413,7 +414,8 @@ def judges_of(file: str) -> tuple[tuple[str, ...], tuple[str, ...]]:
 
 
 def stages_of(file: str) -> tuple[tuple[str, ...], ...]:
-    """What to run on a mutant of a file: its golden values, all of its cases, some of what rests on it, everything."""
+    """The cases to run on a mutant of a file: its golden values, all of its cases, some of what rests on it,
+    everything."""
     own, near = judges_of(file)
     of_file = ("config.*",) if file == "config.glsl" else (f"{Path(file).stem}.all.*",)
     golden = tuple(f"{function}.*.golden" for function in own)
@@ -452,10 +454,10 @@ def table(title: str, rows: Iterable[tuple[str, str]]) -> str:
 
 
 def sound(verdict: Verdict) -> bool:
-    """Whether the unchanged library passed; if not, this says so."""
+    """Whether the unchanged library passed; if not, this prints why."""
     if verdict.kind == "survived":
         return True
-    print(f"mutate: the unchanged library does not pass, so nothing can be said: {verdict}", file=sys.stderr)
+    print(f"mutate: the unchanged library does not pass, so a mutant proves nothing: {verdict}", file=sys.stderr)
     return False
 
 
@@ -477,8 +479,8 @@ def sweep(program: Path, sources: Sources, mutants: Sequence[Mutant], jobs: int,
     kinds = Counter(verdict.kind for _, verdict in judged)
     survivors = [str(mutant) for mutant, verdict in judged if verdict.kind in ("survived", "thorough")]
     print(*["Survivors:", *survivors] if survivors else [], sep="\n", end="\n" if survivors else "")
-    print(f"{len(mutants)} mutants: {kinds['killed'] + kinds['uncompiled']} killed, of which {kinds['uncompiled']} did "
-          f"not compile, {kinds['survived'] + kinds['thorough']} survived, of which {kinds['thorough']} not --thorough, "
+    print(f"{len(mutants)} mutants: {kinds['killed'] + kinds['uncompiled']} killed ({kinds['uncompiled']} of them did "
+          f"not compile), {kinds['survived'] + kinds['thorough']} survived ({kinds['thorough']} of them not --thorough), "
           f"{kinds['equivalent']} equivalent, {kinds['error']} errors, in "
           f"{time.monotonic() - start:.0f} s")
     return 3 if kinds["error"] else 1 if survivors else 0

@@ -1,8 +1,9 @@
-"""The faults that tools/test mutants plants, one place at a time: from a piece of GLSL to the changes of it worth trying.
+"""The faults that tools/test mutants plants, one place at a time: from a piece of GLSL to the changes of it worth
+trying.
 
 A rule is a function from Code, which is the body of a function, the value of a macro or the condition of an #if, to
-Changes. It looks at tokens, so it needs no grammar, and it avoids what would not compile: such a mutant tells nothing
-about the suite. What a rule cannot know it tries.
+Changes. It looks at tokens, so it needs no grammar, and it avoids what would not compile: such a mutant proves nothing
+about the suite. A rule tries where it cannot know.
 """
 
 from __future__ import annotations
@@ -39,7 +40,7 @@ def without_cpp(source: str) -> str:
     for i, line in enumerate(lines):
         conditional = CONDITIONAL.match(line)
         is_start = conditional is not None and conditional[1].startswith("if")
-        # What a conditional stands in is around it, whether it opens, goes on or closes.
+        # The text around a conditional stays around it, whether it opens, goes on or closes.
         if any(only_cpp[:-1] if conditional and not is_start else only_cpp):
             lines[i] = blank(line)
         if is_start:
@@ -84,7 +85,7 @@ def variables_of(tokens: Sequence[Token]) -> Iterator[tuple[int, str, str]]:
 
 @dataclass(frozen=True)
 class Code:
-    """Code without comments. Of a function it is the body; its head, up to the brace, tells the parameters."""
+    """Code without comments. For a function it is the body; the head, up to the brace, has the parameters."""
     text: str
     head: str = ""
 
@@ -285,7 +286,7 @@ def is_condition(code: Code, first: int, last: int) -> bool:
 
 
 def kind_of(code: Code, first: int, last: int) -> str:
-    """The type of an expression, as far as its first operand tells; empty if it does not."""
+    """The type of an expression, by its first operand; empty if that leaves it open."""
     if is_condition(code, first, last):
         return "bool"
     while code.token(first).text == "(":
@@ -312,7 +313,8 @@ def swap_arguments(code: Code) -> Iterator[Change]:
             gap = code.text[code.token(first_end).end:code.token(second).start]
             other = code.text[code.token(second).start:end]
             kinds = kind_of(code, first, first_end), kind_of(code, second, second_end)
-            # What a function returns is not known. A constructor most likely gets it beside numbers, which it is, too.
+            # The type that a function returns is not known. A constructor most likely gets it beside numbers, which it
+            # is, too.
             same = kinds[0] == kinds[1] or "" in kinds and bool(TYPE.fullmatch(name) or name == "hn_i_vector")
             if one != other and same:
                 yield Change(start, end, other + gap + one)
@@ -327,7 +329,7 @@ OTHER_FUNCTIONS = {
     "hn_i_plus": ("hn_i_minus",), "hn_i_minus": ("hn_i_plus",),
     "hn_i_scaled2": ("hn_i_scaled3",), "hn_i_scaled3": ("hn_i_scaled2",),
 }
-# What returns the type that it takes, so that its argument may stand for it.
+# Functions that return their argument's type, so that it may stand for them.
 STEPS = ("abs", "floor", "trunc", "hn_i_mix", "hn_i_hash", "hn_i_spread", "hn_i_high", "hn_i_odd", "hn_i_wrap",
          "hn_i_next", "hn_hash", "hn_i_to_num", "hn_i_minus_one", "hn_i_density", "hn_i_excess_bits")
 
@@ -388,7 +390,7 @@ RULES: dict[str, Rule] = {
 MACRO = re.compile(r"(?P<keyword>[ \t]*#[ \t]*define[ \t]+)(?P<name>\w+(?:\([^)]*\))?)(?P<value>[^\n]*)")
 CONDITION = re.compile(r"[ \t]*#[ \t]*(?:el)?if\b")
 OTHER_KEYWORDS = {"ifdef": "ifndef", "ifndef": "ifdef"}
-# What a macro may stand for: the numbers of the knobs, each with the next, and a precision.
+# Values of macros: the numbers of the knobs, each with the next, and a precision.
 OTHER_VALUES = {"HN_HASH_" + one: "HN_HASH_" + other for one, other in zip(
     ("FNV1", "PARTIAL_FNV1", "JENKINS", "PARTIAL_JENKINS", "MURMUR", "PCG", "XXHASH32", "LATTICE", "CUSTOM"),
     ("PARTIAL_FNV1", "JENKINS", "PARTIAL_JENKINS", "MURMUR", "PCG", "XXHASH32", "LATTICE", "CUSTOM", "FNV1"))}
@@ -397,7 +399,7 @@ OTHER_VALUES |= {"HN_GRADIENT_OCTAHEDRAL": "HN_GRADIENT_SINE", "HN_GRADIENT_SINE
 
 
 def change_directive(line: str) -> Iterator[Change]:
-    """What an #include, #define or #error does; what an #if asks for. The line has no comment."""
+    """The argument of an #include, #define or #error; the condition of an #if. The line has no comment."""
     keyword = line.split("#")[1].split()[0]
     macro, condition = MACRO.match(line), CONDITION.match(line)
     if keyword in ("include", "define", "error"):

@@ -1,5 +1,6 @@
-"""Tests of the linter of words, and that the pages have none."""
+"""Tests of the linter of words, and that the tree has no such words."""
 
+import subprocess
 import tempfile
 import unittest
 from pathlib import Path
@@ -15,8 +16,8 @@ def found(text: str, head: str = HEAD) -> list[str]:
 
 
 class Words(unittest.TestCase):
-    def test_the_pages_have_none(self) -> None:
-        self.assertEqual(list(lint.faults_of_pages()), [])
+    def test_the_tree_has_none(self) -> None:
+        self.assertEqual(list(lint.faults_of_tree()), [])
 
     def test_planted_faults_are_found(self) -> None:
         for text, fault in (
@@ -50,14 +51,38 @@ class Words(unittest.TestCase):
         self.assertEqual(len(found(text)), 1)
         self.assertIn("docs/x.md:9: ", found(text)[0])
 
+    def test_faults_in_code_are_found(self) -> None:
+        for name, text in (
+                ("x.py", "a = 1\n# The tool says so."), ("x.py", 'def f():\n    """The number, as the file tells."""'),
+                ("x.py", "\nprint(f'{name} says nothing')"), ("x.py", '"""Head.\n\nWhat is left is 0."""'.replace("\n\n", "\n")),
+                ("x.cpp", "int a;  // here\n// Those of the plane."), ("x.cpp", '\nthrow Error("the file tells nothing");'),
+                ("x.hpp", "/* A pair,\n * of which one is red. */"), ("x.glsl", "\n// That of a cell is 1."), ("x.js", "\nshow(`${a} is dearer`);"),
+                ("x.cmake", '\nmessage(STATUS "The file says so")'), ("x.toml", "\n# What it is."), ("tool", "#!/bin/sh\n# The program says so."),
+                ("x.html", "<p>\nThe page tells you.</p>")):
+            with self.subTest(name=name, text=text):
+                message, = lint.faults_of_code(name, text)
+                self.assertTrue(message.startswith(f"{name}:2: "), message)
+
+    def test_names_and_code_are_left_out(self) -> None:
+        for name, text in (("x.py", "told = asks['says']  # a name"), ("x.cpp", "bool told = says; // as `told` is"), ("x.sh", "echo $#  says"),
+                           ("x.py", "# What is it?")):
+            self.assertEqual(list(lint.faults_of_code(name, text)), [], text)
+
     def test_exceptions_and_folders(self) -> None:
         with tempfile.TemporaryDirectory() as folder:
-            page = Path(folder, "docs", "x.md")
-            page.parent.mkdir()
-            page.write_text(HEAD + "It says.\n", encoding="utf-8")
-            self.assertEqual(len(list(lint.faults_of_pages(Path(folder)))), 1)
-            with mock.patch.object(lint, "EXCEPTIONS", {("docs/x.md", "says")}):
-                self.assertEqual(list(lint.faults_of_pages(Path(folder))), [])
+            root = Path(folder)
+            subprocess.run(["git", "init", "-q", folder], check=True)
+            for name, text in (("docs/x.md", HEAD + "It says.\n"), ("a/x.py", "# It says so.\n"), ("made/x.py", "# It says so.\n"),
+                               ("README.md", "# Name\n\nIt says.\n"), (".gitignore", "made\n")):
+                (root / name).parent.mkdir(exist_ok=True)
+                (root / name).write_text(text, encoding="utf-8")
+            with mock.patch.object(lint, "NOT_YET", ()):
+                found = [message.partition(":")[0] for message in lint.faults_of_tree(root)]
+                self.assertEqual(found, ["README.md", "a/x.py", "docs/x.md"])
+                with mock.patch.object(lint, "EXCEPTIONS", {"docs/x.md": "says", "a/*": "*"}):
+                    self.assertEqual(len(list(lint.faults_of_tree(root))), 1)
+            with mock.patch.object(lint, "NOT_YET", ("a/", "docs/")):
+                self.assertEqual(len(list(lint.faults_of_tree(root))), 1)
 
 
 if __name__ == "__main__":

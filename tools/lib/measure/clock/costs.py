@@ -1,6 +1,6 @@
 """Measures what noise costs on a driver by a clock, compares it with an earlier record, and makes a page of it.
 
-clock.sh describes the options, of which all but these two are those of hn-conform bench."""
+clock.sh describes the options; all but these two are those of hn-conform bench."""
 
 from __future__ import annotations
 

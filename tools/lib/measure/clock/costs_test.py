@@ -28,11 +28,11 @@ class Case(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.out = Path(folder.name) / "out"
-        self.asked: list[str] = []
+        self.passed: list[str] = []
 
     def measure(self, *arguments: str, rows: tuple[str, ...] = (), status: int = 0) -> tuple[int, str, str]:
         def run(command: list[str]) -> int:
-            self.asked = command[1:]
+            self.passed = command[1:]
             if status in (0, 1):
                 self.out.mkdir(exist_ok=True)
                 self.write(self.out / "bench.csv", *rows)
@@ -105,7 +105,7 @@ class Baseline(Case):
         status, out, _ = self.measure("--baseline", str(earlier), "--driver", "x",
                                       rows=(costing("a", 2, 2), costing("b", 2, 8), costing("new", 2, 1), FAILED))
         self.assertEqual(status, 1)
-        self.assertEqual(self.asked, ["bench", "--out", str(self.out), "--driver", "x", "--dump"])
+        self.assertEqual(self.passed, ["bench", "--out", str(self.out), "--driver", "x", "--dump"])
         self.assertIn("another renderer: Rage <2>, not Voodoo <2>", out)
         self.assertIn("2 subjects compared; 1 of the baseline were not measured now", out)
         self.assertEqual([line for line in out.splitlines() if line.startswith("SLOWER")],
@@ -125,7 +125,7 @@ class Baseline(Case):
                            ("bytes.csv", "bytes.csv is not a bench.csv of this program: ")):
             with self.subTest(name):
                 status, _, err = self.measure("--baseline", str(folder / name))
-                self.assertEqual((status, self.asked), (2, []))
+                self.assertEqual((status, self.passed), (2, []))
                 self.assertRegex(err, part)
 
     def test_a_status_of_the_program_stays(self) -> None:

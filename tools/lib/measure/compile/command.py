@@ -30,12 +30,12 @@ as tools/pick prints it.
 
 Compilers are glslang (the program, less an empty shader), mesa (llvmpipe, by hn-conform bench, with its first draw and
 without its cache) and angle (Chromium's WebGL2 on SwiftShader, with its first draw). Each time is the median of the
-rounds, in milliseconds. docs/results/llvmpipe/compile.csv is such a file, of which tools/make readme makes the table of
-docs/measuring.md.
+rounds, in milliseconds. docs/measured/results/llvmpipe/compile.csv is such a file; tools/make readme makes of it the
+table of docs/measured/measuring.md.
 
 Exit status: 0 done, 1 a compiler refused a shader, 2 bad usage or no such compiler here."""
 
-RECORD = ROOT / "docs" / "results" / "llvmpipe" / "compile.csv"
+RECORD = ROOT / "docs" / "measured" / "results" / "llvmpipe" / "compile.csv"
 Times = dict[tuple[str, str], list[float]]  # milliseconds by function and way
 
 
@@ -122,20 +122,20 @@ def by_angle(program: str, folder: Path, rounds: int) -> Times:
     vertex = ("#version 300 es\nout highp vec{axes} p;\nvoid main() {{ gl_Position = vec4(gl_VertexID / 2, "
               "gl_VertexID % 2, 0, 1); p = vec{axes}(gl_Position.x); }}\n")
     version = "#version 300 es\nprecision highp float;\nprecision highp int;"
-    asked = [(subject, way, fragment(version, subject, library)) for subject, way, library in shaders()]
+    jobs = [(subject, way, fragment(version, subject, library)) for subject, way, library in shaders()]
     page = folder / "page.html"
     times: Times = {}
     for number in range(rounds):
         # A text that no cache has seen: each round is a comment more.
         listed = [{"vertex": vertex.format(axes=subject.axes), "fragment": f"{text}// {number}\n"}
-                  for subject, _, text in asked]
+                  for subject, _, text in jobs]
         page.write_text(PAGE % json.dumps(listed).replace("</", "<\\/"), encoding="utf-8")
         dom = run([*chromium.command(program, folder / f"profile{number}", "--dump-dom", "--timeout=60000"),
                    page.as_uri()])
-        told = re.search(r'<pre id="times">(.*?)</pre>', dom, re.DOTALL)
-        if not told or not told[1].startswith("["):
-            raise Failed(f"the page in Chromium {html.unescape(told[1]) if told else 'told nothing'}")
-        for (subject, way, _), milliseconds in zip(asked, json.loads(told[1]), strict=True):
+        printed = re.search(r'<pre id="times">(.*?)</pre>', dom, re.DOTALL)
+        if not printed or not printed[1].startswith("["):
+            raise Failed(f"the page in Chromium {html.unescape(printed[1]) if printed else 'left no report'}")
+        for (subject, way, _), milliseconds in zip(jobs, json.loads(printed[1]), strict=True):
             times.setdefault((subject.picked, way), []).append(milliseconds)
     return times
 

@@ -113,7 +113,7 @@ def page(of: Record) -> str:
 
 def main(arguments: Sequence[str]) -> int:
     parser = Parser("tools/measure cpu", __doc__)
-    parser.add_argument("--out", type=Path, default=ROOT / "docs" / "results" / "cpu")
+    parser.add_argument("--out", type=Path, default=ROOT / "docs" / "measured" / "results" / "cpu")
     program, *others = arguments
     options, others = argparse.ArgumentParser.parse_known_args(parser, others)
     status = conform.run([program, "--out", str(options.out), *others])

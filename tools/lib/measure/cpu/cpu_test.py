@@ -58,7 +58,7 @@ class Page(unittest.TestCase):
 
     def test_the_pages_here_are_such_pages(self) -> None:
         """Their first table, of its own cells."""
-        text = (ROOT / "docs" / "results" / "cpu" / "gcc.md").read_text(encoding="utf-8")
+        text = (ROOT / "docs" / "measured" / "results" / "cpu" / "gcc.md").read_text(encoding="utf-8")
         lines = text[text.index("| noise |"):text.index("## Lists")].strip().splitlines()
         heads, _, *cells = ([cell.strip() for cell in line.strip("|").split("|")] for line in lines)
         rows = [row(name.strip("`"), instructions, grids=number.replace("**", "").replace(" missed", ""))
@@ -73,19 +73,19 @@ class Command(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             out = Path(folder)
             record.write(out / "clang.csv", [], ("noise",))
-            asked = []
+            passed = []
 
             def run(words: list[str]) -> int:
-                asked.append(words)
+                passed.append(words)
                 record.write(out / "gcc.csv", ROWS, facts=FACTS)
                 return 0
 
-            with mock.patch.object(command.conform, "run", run), contextlib.redirect_stdout(io.StringIO()) as told:
+            with mock.patch.object(command.conform, "run", run), contextlib.redirect_stdout(io.StringIO()) as printed:
                 self.assertEqual(command.main(["program", "--out", folder, "--rounds", "3"]), 0)
-            self.assertEqual(asked, [["program", "--out", folder, "--rounds", "3"]])
+            self.assertEqual(passed, [["program", "--out", folder, "--rounds", "3"]])
             self.assertIn("compiled by GCC", (out / "gcc.md").read_text(encoding="utf-8"))
             self.assertFalse((out / "clang.md").exists())
-            self.assertIn(f"3 aims missed: {out}/gcc.md", told.getvalue())
+            self.assertIn(f"3 aims missed: {out}/gcc.md", printed.getvalue())
             with mock.patch.object(command.conform, "run", return_value=2):
                 self.assertEqual(command.main(["program", "--out", folder]), 2)
 

@@ -1,4 +1,4 @@
-"""The GPUs that can be measured without one: what compiles for each, and what the compiler says of a shader. That is a
+"""The GPUs that can be measured without one: what compiles for each, and the compiler's report on a shader: a
 driver of Vulkan with what stands in for its kernel, or a compiler that needs neither."""
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ class Chip(NamedTuple):
     name: str
     title: str
     vendor: Vendor
-    variable: str  # NAME=VALUE by which the shim is told which GPU to be, or empty; or the compiler's name of the GPU
+    variable: str  # NAME=VALUE that sets the shim's GPU, or empty; or the compiler's name of the GPU
     lanes: int = 0  # in a pass, where passes are counted
 
 

@@ -2,8 +2,8 @@
 
     tools/measure gpu --get-drivers [--drivers DIR]      downloads them, some 410 MB of Debian's and PyPI's, into DIR
     tools/measure gpu [--chip NAME]... [--filter GLOB]... [--against NAME=FILE:EXPRESSION]... [--out DIR]
-    tools/measure gpu --wombat Wombat/ --filter '*.perlin.*' --baseline docs/results/gpu/costs.csv
-    tools/measure gpu --compare BEFORE/costs.csv docs/results/gpu/costs.csv
+    tools/measure gpu --wombat Wombat/ --filter '*.perlin.*' --baseline docs/measured/results/gpu/costs.csv
+    tools/measure gpu --compare BEFORE/costs.csv docs/measured/results/gpu/costs.csv
     tools/measure gpu --list-chips
 
 Mesa's drivers for NVIDIA, AMD, Adreno and Apple compile shaders without a GPU, for a stand-in of the kernel. NVIDIA's
@@ -11,11 +11,11 @@ ptxas and Intel's IGC need none; they get the same shaders by way of LLVM. Of ea
 fragment shader, less the empty shader, the record has cycles or instructions, registers and spills. The default is
 every function with each arithmetic, on every chip, and what an operation costs; with --filter the operations are left
 out. It needs hn-conform on the PATH or built (tools/measure clock builds it), and spirv-dis. DIR gets costs.csv,
-operations.csv and chips.csv; docs/results/gpu has such files, of which tools/make readme makes tables. docs/measuring.md
-explains them. --compare measures nothing: it prints a table of how many times each noise costs in the second record
-what it did in the first, on a chip of each compiler.
+operations.csv and chips.csv; docs/measured/results/gpu has such files, and tools/make readme makes tables of them.
+docs/measured/measuring.md explains them. --compare measures nothing: it prints a table of how many times each noise
+costs in the second record what it did in the first, on a chip of each compiler.
 
-Exit status: 0 done, 1 something became dearer than in the baseline, 2 bad usage, 3 there are no drivers for a chip, and
+Exit status: 0 done, 1 something costs more than in the baseline, 2 bad usage, 3 there are no drivers for a chip, and
 why; 4 the drivers could not be had; 130 it was interrupted.
 """
 
@@ -55,7 +55,7 @@ class BadUsage(Exception):
 
 
 class Progress:
-    """A line every ten seconds, or as often as HN_PROGRESS_SECONDS says."""
+    """A line every ten seconds, or every HN_PROGRESS_SECONDS."""
 
     def __init__(self, total: int):
         self.total, self.done, self.lock = total, 0, threading.Lock()
@@ -161,7 +161,7 @@ def run(options: argparse.Namespace) -> int:
         return 3 if skipped else 0
     compared = sum((row.id, row.chip) in before for row in rows)
     lines = record.dearer(before, rows)
-    print(*lines, f"{compared} costs compared, {len(lines)} are dearer or fail; {len(before) - compared} of the "
+    print(*lines, f"{compared} costs compared, {len(lines)} cost more or fail; {len(before) - compared} of the "
           "baseline were not measured now", sep="\n")
     return 1 if lines else 3 if skipped else 0
 

@@ -17,8 +17,8 @@ Rows = Mapping[tuple[str, str], Row]
 
 
 def weight(row: Row) -> float:
-    """What a shader takes. NVIDIA's cycles are those of a schedule that waits, so its instructions count as much: it is
-    their geometric mean. On Apple the unit of integers may be the one that others wait for: IC."""
+    """The cost of a shader. NVIDIA's cycles are those of a schedule that waits, so its instructions count as much: it
+    is their geometric mean. On Apple the unit of integers may be the one that others wait for: IC."""
     vendor, cost = chip_named(row.chip).vendor, float(row.cost)
     if vendor is NVIDIA:
         return math.sqrt(cost * float(row.instructions))

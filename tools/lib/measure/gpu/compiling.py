@@ -17,7 +17,7 @@ LIMIT = 120.0  # seconds without a new result
 
 
 class Compiled(NamedTuple):
-    """What became of a shader: its statistics, or what went wrong."""
+    """A compiled shader: its statistics, or the error."""
     statistics: Mapping[str, float]
     seconds: float  # of the processor
     problem: str = ""
@@ -62,7 +62,7 @@ def _compiled(report: Mapping) -> Compiled:
 
 def _one_process(command: Sequence[str], environment: Mapping[str, str], done: Callable[[], None],
                  limit: float) -> tuple[list[dict], str, str]:
-    """What it reports, how it ended, and what else it said."""
+    """Its report, its status, and its other output."""
     reports, killed = [], threading.Event()
 
     def kill() -> None:

@@ -39,12 +39,12 @@ class Drivers(debian.Root):
         icd = next(iter((self.folder / "usr/share/vulkan/icd.d").glob(f"{chip.vendor.driver}_icd*.json")), None)
         if icd is None:
             raise Missing(f"{self.folder} has no {chip.vendor.driver}_icd.json, {chip.vendor.title}'s driver of Vulkan")
-        told = dict([chip.variable.split("=")]) if chip.variable else {}
-        return {**ours, **told, "VK_DRIVER_FILES": str(icd), "VK_LOADER_LAYERS_DISABLE": "*", "NODEVICE_SELECT": "1",
+        chosen = dict([chip.variable.split("=")]) if chip.variable else {}
+        return {**ours, **chosen, "VK_DRIVER_FILES": str(icd), "VK_LOADER_LAYERS_DISABLE": "*", "NODEVICE_SELECT": "1",
                 "MESA_SHADER_CACHE_DISABLE": "true"}
 
     def program(self, name: str) -> list[str]:
-        """What starts one of Debian's."""
+        """The command that starts one of Debian's."""
         for path in sorted((self.folder / "usr/bin").glob(f"{name}*")):
             if path.name in (name, f"{name}-{LLVM}") or name == "ocloc":
                 return self.command([str(path)])
@@ -60,7 +60,7 @@ class Drivers(debian.Root):
         return self.libraries / f"lib{name}_noop_drm_shim.so"
 
     def unused_shims(self) -> list[str]:
-        """Those of GPUs that no chip of ours is of: a newer package may have them."""
+        """Drivers of GPUs without a chip in our list: a newer package may have them."""
         prefix, suffix = self.shim("\n").name.split("\n")
         known = UNUSED_SHIMS | {chip.vendor.shim for chip in CHIPS}
         names = (path.name for path in sorted(self.libraries.glob(f"{prefix}*{suffix}")))

@@ -1,4 +1,4 @@
-"""Tests of tools/measure gpu with a stand-in of the compilers. The real ones are asked where HN_GPU_DRIVERS names a
+"""Tests of tools/measure gpu with a stand-in of the compilers. The real ones run where HN_GPU_DRIVERS names a
 folder that tools/measure gpu --get-drivers filled."""
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from measure.gpu.chips import CHIPS, chip_named
 from measure.gpu.compiling import Compiled, compile_all
 from measure.peers.table import CALLS, dimensions, subject
 
-# hn-conform as far as it is called. A shader costs what its file says: 7 cycles for each word of it, or trouble.
+# hn-conform as far as it is called. A shader costs what its file states: 7 cycles for each word of it, or trouble.
 STAND_IN = """#!/bin/sh
 case $1 in
   spirv)
@@ -40,7 +40,7 @@ case $1 in
       set -- $(cat "$file")
       case $1 in
         refuse) echo '{{"error": "too hard"}}' ;;
-        crash) echo 'told before' >&2; printf '{{"stat'; kill -SEGV $$ ;;
+        crash) echo 'printed before' >&2; printf '{{"stat'; kill -SEGV $$ ;;
         hang) exec sleep 60 ;;
         *) echo "{{\\"statistics\\": {{\\"Static cycle count\\": $((7 * $#)), \\"Instruction count\\": $#, \
 \\"Number of GPRs\\": 24}}, \\"seconds\\": 0.002}}" ;;
@@ -102,7 +102,7 @@ class Compiling(WithStandIn):
     def test_a_shader_that_is_refused_or_kills_the_compiler_costs_itself(self):
         one, crashed, refused, two, last = self.compile("one", "crash", "refuse", "one two", "crash")
         self.assertEqual((one.statistics["Static cycle count"], one.seconds), (7, 0.002))
-        self.assertEqual(crashed.problem, "the compiler ended by SIGSEGV (told before)")
+        self.assertEqual(crashed.problem, "the compiler ended by SIGSEGV (printed before)")
         self.assertEqual(refused.problem, "too hard")
         self.assertEqual(two.statistics["Static cycle count"], 14)
         self.assertEqual(last.problem, crashed.problem)
@@ -120,7 +120,7 @@ class Compiling(WithStandIn):
         self.assertIsNotNone(kill.call_args.args[0].returncode)
 
     def test_a_compiler_that_cannot_start_says_why(self):
-        for text, why in (("echo '{\"error\": \"no GPU\"}'", "no GPU"), ("echo told; exit 7", "ended with status 7"),
+        for text, why in (("echo '{\"error\": \"no GPU\"}'", "no GPU"), ("echo text; exit 7", "ended with status 7"),
                           ("echo oh >&2; kill -ABRT $$", "ended by SIGABRT \\(oh\\)")):
             with self.subTest(why=why), self.assertRaisesRegex(Missing, why):
                 program = self.script(self.folder / "broken", f"#!/bin/sh\n{text}\n")
@@ -144,7 +144,7 @@ class Records(unittest.TestCase):
 
     def test_statistics_of_another_name_are_a_problem_and_not_0(self):
         row = record.row("perlin", AMPERE, Compiled({"Cycles": 9}, 0.0), self.shader(67))
-        self.assertEqual((row.cost, row.problem), ("", 'the driver tells no "Instruction count"'))
+        self.assertEqual((row.cost, row.problem), ("", 'the driver reports no "Instruction count"'))
         row = record.row("perlin", AMPERE, self.shader(327), Compiled({}, 0.0, "crashed"))
         self.assertEqual((row.cost, row.problem), ("", "crashed"))
 
@@ -265,7 +265,7 @@ public static int Seed(in Config config) => config.Seed;
 #region Core algorithms
 /// <summary> Calls what stands below. </summary>
 private static vec4 ErosionFilter(
-    vec2 p, int octaves, // of which there are some
+    vec2 p, int octaves, // some of them
     out real ridgeMap)
 {
     vec2 sum = R0;
@@ -301,10 +301,10 @@ void main(){ color = vec4(waves(TexCoord)); }
 
 
 class Stripes(WithStandIn):
-    """What is made of files that are no GLSL for an expression."""
+    """GLSL for an expression, made of files in other languages."""
 
     def compiled(self, text: str, expression: str) -> str:
-        """What glslang says of it."""
+        """glslang's messages."""
         shader = ("#version 450\nlayout(location = 0) out float result;\nfloat set;\n"
                   + text.replace("#version", "//") + f"void main() {{ result = ({expression}); }}\n")
         return glslang.compiled(shader, "-V", "-o", "/dev/null").stdout
@@ -398,7 +398,7 @@ class Command(WithStandIn):
         again = ("--chip", "ampere", "--filter", "*", "--baseline", str(baseline))
         status, out, _ = self.call(*again)
         self.assertEqual(status, 0, out)
-        self.assertIn("3 costs compared, 0 are dearer or fail; 0 of the baseline were not measured now", out)
+        self.assertIn("3 costs compared, 0 cost more or fail; 0 of the baseline were not measured now", out)
         baseline.write_text(baseline.read_text().replace("perlin,ampere,14,", "perlin,ampere,13,"))
         status, out, _ = self.call(*again)
         self.assertEqual(status, 1)

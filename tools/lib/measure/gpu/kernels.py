@@ -1,4 +1,4 @@
-"""Shaders by compilers that take LLVM's text (llvm.py), and what stands in what they make: NVIDIA's ptxas, of which
+"""Shaders by compilers that take LLVM's text (llvm.py), and the instructions in their output: NVIDIA's ptxas, whose
 nvdisasm prints the machine's instructions, and Intel's IGC, which prints them itself.
 
 No compiler estimates a cost here, so instructions are counted, each by the unit of the GPU that runs it.
@@ -78,7 +78,7 @@ class Compiler:
         self.found, self.chip, self.passes = found, chip, SHADERS
 
     def call(self, command: Sequence[str | Path], folder: Path, **variables: str) -> str:
-        """What it prints. Failed if it ends with another status than 0."""
+        """Its output. Failed if it ends with another status than 0."""
         ours = {name: value for name, value in os.environ.items() if not name.startswith(("IGC_", "LD_"))}
         try:
             done = subprocess.run([str(word) for word in command], cwd=folder, env={**ours, **variables}, text=True,
@@ -227,7 +227,7 @@ JUMPS = re.compile(r"(?:goto|jmpi|brd|brc)\b")
 
 def counts_of_asm(text: str, lanes: int) -> dict[str, dict[str, float]]:
     """By kernel: what IGC prints. An instruction passes once for each `lanes` lanes that it has, at least once; a
-    message to memory and a branch once. What waits (sync, nop) is not counted."""
+    message to memory and a branch once. Waits (sync, nop) are not counted."""
     kernels: dict[str, Counter[str]] = {}
     found, labels = Counter(), set()
     for line in text.splitlines():
@@ -253,7 +253,7 @@ def counts_of_asm(text: str, lanes: int) -> dict[str, dict[str, float]]:
 
 
 def unit(name: str, operands: str) -> str:
-    """What an instruction of Intel's is for."""
+    """The kind of an instruction of Intel's."""
     first = name.split(".")[0]
     if first in ("send", "sends", "sendc", "sendsc", "load", "store"):
         return "memory"

@@ -1,5 +1,5 @@
 """Tests of what compiles shaders by way of LLVM's text: the translation, and how what compilers print is counted. The
-compilers are asked in thorough runs, as gpu_test.py does."""
+compilers run in thorough runs, as gpu_test.py does."""
 
 from __future__ import annotations
 
@@ -249,14 +249,14 @@ class Compilers(unittest.TestCase):
         self.assertEqual((row.cost, row.compile_ms, row.problem), ("0", "", ""))
 
     def test_an_operation_is_compiled_as_it_is_written(self):
-        asked = self.folder / "asked"
-        self.enterContext(mock.patch.dict(os.environ, {"HN_ASKED": str(asked)}))
+        passed = self.folder / "passed"
+        self.enterContext(mock.patch.dict(os.environ, {"HN_ASKED": str(passed)}))
         found = stand_in(self.folder / "drivers", opt=f'echo "$1" >>"$HN_ASKED"\n{COPY}', llc=COPY, ptxas=PTXAS,
                          nvdisasm=NVDISASM)
         texts = {"operation-fma-1-16-2": SHADER, "noise": SHADER}
         _, results = kernels.compile_all(found, chip_named("sm90"), llvm.Kernels(texts))
         self.assertEqual([result.problem for result in results], ["", ""])
-        self.assertEqual(asked.read_text().split(), ["-O3", "-passes=mem2reg,simplifycfg"])
+        self.assertEqual(passed.read_text().split(), ["-O3", "-passes=mem2reg,simplifycfg"])
 
     def test_a_compiler_that_prints_nothing_is_no_success(self):
         found = stand_in(self.folder, opt=COPY, llc=COPY, ptxas=PTXAS, nvdisasm="true")
@@ -264,13 +264,13 @@ class Compilers(unittest.TestCase):
         self.assertEqual(result.problem, "the compiler printed nothing of 1 shaders")
 
     def test_exact_shaders_go_to_igc_apart(self):
-        asked = self.folder / "asked"
-        self.enterContext(mock.patch.dict(os.environ, {"HN_ASKED": str(asked)}))
+        passed = self.folder / "passed"
+        self.enterContext(mock.patch.dict(os.environ, {"HN_ASKED": str(passed)}))
         found = stand_in(self.folder / "drivers", opt=COPY, llvm_spirv=COPY, ocloc=OCLOC)
         plain = SHADER.replace("OpDecorate %40 NoContraction\n", "")
         _, results = kernels.compile_all(found, chip_named("acm"), llvm.Kernels({"exact": SHADER, "plain": plain}))
         self.assertEqual([result.statistics.get("floats") for result in results], [2, 2], results)
-        options = [line.partition("-options ")[2] for line in asked.read_text().splitlines()]
+        options = [line.partition("-options ")[2] for line in passed.read_text().splitlines()]
         self.assertEqual(options, ["-cl-mad-enable", ""])
 
     def test_a_folder_without_them_is_told(self):
@@ -393,7 +393,7 @@ class Real(unittest.TestCase):
         return {id: self.folder / "spirv" / f"{id}.spv" for id in CALLS}
 
     def wrong(self, files: dict[str, Path], wanted: dict[str, str]) -> set[str]:
-        """Those whose shader computes another number on this processor than the C++ that is wanted."""
+        """Functions whose shader computes another number on this processor than the C++ that is wanted."""
         shaders = kernels.translated(files).of(HOST)
         names = {id: f"k{number}" for number, id in enumerate(files)}
         text, made, machine = (self.folder / name for name in ("host.ll", "host.bc", "host.o"))

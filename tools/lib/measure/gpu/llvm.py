@@ -22,16 +22,16 @@ NAME = "@kernel"  # in the definition of one, until a module names it
 STRIDE = 1024  # floats between the components of an input in memory
 # Behind the last branch of a loop. A loop that always runs as often is written out, so that its steps are counted.
 LOOP = ", !llvm.loop !loop"
-WRITTEN_OUT = 1_000_000  # the number of the metadata that asks for it; those of loops come next
+WRITTEN_OUT = 1_000_000  # the number of the metadata for it; the numbers of loops come next
 
 
 class Unsupported(Exception):
-    """What of SPIR-V has no translation here."""
+    """SPIR-V without a translation here."""
 
 
 @dataclass(frozen=True, eq=False)
 class Target:
-    """What differs between the compilers behind LLVM."""
+    """Differences of the compilers behind LLVM."""
     head: str  # of a module: its layout and triple
     kernel: str  # what stands between `define` and `void`
     index: tuple[str, ...]  # lines that set %index, an i64
@@ -127,7 +127,7 @@ class Kernel:
         self.body.append(f"  %v{id[1:]} = {text}")
 
     def splat(self, value: str, vector: str) -> str:
-        """A vector of which each component is the float."""
+        """A vector with the float in each component."""
         return self.emit(self.assembled(vector, [f"float {value}"] * self.types[vector].count))
 
     def assembled(self, type: str, parts: Sequence[str]) -> str:

@@ -15,7 +15,7 @@ class Operation(NamedTuple):
     setup: str = ""  # before the first step
 
 
-# As authors write them. What a compiler would fold with the step before it has a companion, which the title names.
+# As authors write them. A step that a compiler would fold with the one before has a companion, which the title names.
 OPERATIONS = (
     Operation("product32", "product of 32 bits", "uint", "x * y"),
     Operation("product24", "product of 24 bits, with a mask", "uint", "(x & 0xFFFFFFu) * y", "y &= 0xFFFFFFu;"),
@@ -36,7 +36,7 @@ OPERATIONS = (
     Operation("root", "square root", "float", "sqrt(x)"),
     Operation("exponential", "power of two", "float", "exp2(x)"),
     Operation("sine", "sine", "float", "sin(x)"),
-    Operation("texture", "texture, read where the one before says", "float", "texture(image, vec2(x, y)).r"),
+    Operation("texture", "texture, read where the one before points", "float", "texture(image, vec2(x, y)).r"),
 )
 CHAINS = (1, 8)  # that a shader has side by side
 LENGTHS = (16, 48)  # of a chain; what a shader costs at its ends is in both

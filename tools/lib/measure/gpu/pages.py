@@ -1,4 +1,5 @@
-"""The tables of what was measured in docs/measuring.md, docs/default-hash.md and docs/gpu-operations.md."""
+"""The tables of what was measured in docs/measured/measuring.md, docs/measured/default-hash.md and
+docs/measured/gpu-operations.md."""
 
 from __future__ import annotations
 
@@ -14,8 +15,8 @@ from measure.gpu.operations import OPERATIONS
 from measure.gpu.record import COSTS, OPERATION_COSTS, Row, read_costs
 from measure.peers.table import CALLS, dimensions, subject
 
-RECORD = ROOT / "docs" / "results" / "gpu"
-# What shows the cost of a word: the hash alone, and noises that are little more than hashes.
+RECORD = ROOT / "docs" / "measured" / "results" / "gpu"
+# Functions that show the cost of a hash: the hash alone, and noises that are little more than hashes.
 HASHED = {"hash.lattice2.lattice": "`hn_lattice` of an `ivec2`", "hash.lattice3.lattice": "`hn_lattice` of an `ivec3`",
           "noise2d.value.lattice": "value 2D", "noise3d.value.lattice": "value 3D", "noise2d.perlin.lattice": "Perlin 2D",
           "noise3d.perlin.lattice": "Perlin 3D", "noise2d.simplex.lattice": "simplex 2D",
@@ -98,6 +99,6 @@ def _cost(rows: Mapping[tuple[str, str], Row], id: str, chip: str) -> str:
     row = rows[id, chip]
     if row.problem:
         return "fails"
-    told = row if "Loops" in chip_named(chip).vendor.kinds else rows[id, WITNESS]
+    counted = row if "Loops" in chip_named(chip).vendor.kinds else rows[id, WITNESS]
     waits = chip_named(chip).vendor.target and TABLES.search(row.kinds)
-    return row.cost + "*" * bool(LOOPS.search(told.kinds)) + "+" * bool(waits)
+    return row.cost + "*" * bool(LOOPS.search(counted.kinds)) + "+" * bool(waits)

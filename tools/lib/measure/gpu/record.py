@@ -49,7 +49,7 @@ def row(id: str, chip: Chip, shader: Compiled, empty: Compiled) -> Row:
 def lacks(statistics: Mapping[str, float], vendor: Vendor) -> str:
     """Another version of a driver may have other names; 0 would be wrong then."""
     missing = {vendor.cost, vendor.instructions, vendor.registers} - set(statistics)
-    return f"the driver tells no \"{min(missing)}\"" if missing else ""
+    return f"the driver reports no \"{min(missing)}\"" if missing else ""
 
 
 def prices(chip: Chip, shaders: Mapping[str, Compiled]) -> list[dict[str, str]]:
@@ -76,7 +76,8 @@ def read_costs(path: Path) -> dict[tuple[str, str], Row]:
 
 
 def dearer(before: Mapping[tuple[str, str], Row], now: Iterable[Row]) -> list[str]:
-    """What costs more than it did, or has no cost any more. Compilers repeat themselves, so that any growth counts."""
+    """Rows that cost more than before, or have no cost any more. Compilers repeat themselves, so that any growth
+    counts."""
     lines = []
     for found in now:
         was = before.get((found.id, found.chip))

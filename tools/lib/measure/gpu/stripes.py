@@ -1,6 +1,6 @@
-"""Other libraries' stripes and gullies beside ours, of which the compilers alone tell the cost.
+"""Other libraries' stripes and gullies beside ours, whose cost the compilers alone count.
 
-Two of their files are no GLSL that an expression can stand behind: one is C#, and one is a whole shader. What is
+Two of their files are no GLSL that an expression can stand behind: one is C#, and one is a whole shader. The text
 compiled is made of them each time, in a folder that goes away.
 """
 
@@ -19,7 +19,7 @@ PEERS = (
 )
 
 # Octaves, lacunarity and gain are those of our row of bench. The other numbers are those of its own example. The
-# ridges, which it tells as well, are not asked for, so that compilers leave them out.
+# ridges, which it returns as well, are not used, so that compilers leave them out.
 FIVE_OCTAVES = ("p, vec3(0.0, p), 0.0, 0.22, 0.5, 1.5, vec4(0.1, 0.0, 0.1, 2.0), vec4(1.25, 1.25, 2.8, 1.5), "
                 "vec2(0.7, 1.0), 0.15, 5, 2.0, 0.5, 0.7, 0.5, 0, hn_bench_set.w")
 CALLS = (
@@ -35,13 +35,13 @@ CALLS = (
 
 # The regions of the C# that are taken, in this order.
 REGIONS = ("Precision helper constants", "Common shader-style helpers", "Core algorithms")
-# What C# leaves to its compiler. All others are floats.
+# Types that C# leaves to its compiler. All others are floats.
 TYPES = {**dict.fromkeys(("i", "j"), "int"),
          **dict.fromkeys(("gullySlope", "sideDir", "pInt", "pFrac", "gridOffset", "gridPoint", "randomOffset",
                           "vectorFromCellPoint", "interpolated", "k", "seedOffset", "inner"), "vec2"),
          **dict.fromkeys(("inputHeightAndSlope", "gullies", "fadedGullies", "heightAndSlopeDelta"), "vec3"),
          "phacelle": "vec4"}
-# What Unity's library has, and GLSL has not, or under another name.
+# Functions of Unity's library that GLSL lacks, or names otherwise.
 UNITY = """#define lerp mix
 #define frac fract
 #define PI_DBL 3.14159265358979
@@ -77,7 +77,7 @@ def of_csharp(text: str) -> str:
 
 
 def of_shader(text: str) -> str:
-    """What stands above its main function, with variables in place of its uniforms, which the expression sets."""
+    """The text above its main function, with variables in place of its uniforms, which the expression sets."""
     above, main, _ = text.partition("void main()")
     found, count = re.subn(r"layout\s*\([^)]*\)\s*uniform \w+\s*\{([^}]*)\};", r"\1", above)
     if not main or not count:
@@ -101,6 +101,6 @@ def adapted(peer: str, path: Path, folder: Path) -> Path:
 
 
 def against(paths: Mapping[str, Path], folder: Path) -> list[str]:
-    """What --against is to be given for the calls of the peers at these paths. What is made of files goes there."""
+    """Arguments of --against for the calls of the peers at these paths. Made files go there."""
     files = {peer: adapted(peer, path, folder) for peer, path in paths.items()}
     return [f"{subject(call)}={files[call.peer]}:{call.expression}" for call in CALLS if call.peer in files]

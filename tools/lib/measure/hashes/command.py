@@ -1,7 +1,7 @@
 """Measures how random the hashes are, and what the noise is like.
 
-Without options every hash of the library is judged, and docs/quality.md and its pictures are written. With options that
-choose what is judged, or with --quick or --least and no --out, the verdicts alone are printed.
+Without options every hash of the library is judged, and docs/measured/quality.md and its pictures are written. With
+options that choose what is judged, or with --quick or --least and no --out, the verdicts alone are printed.
 
     tools/measure hashes --quick     the gate alone, with fewer and smaller windows: no page is written
 
@@ -52,7 +52,7 @@ class Task:
 
 
 class Dump:
-    """Writes the windows that are judged, as .npy files, and tells what they are."""
+    """Writes the windows that are judged, as .npy files, and prints what they are."""
 
     def __init__(self, folder: Path, twin: library.Twin):
         self.folder, self.twin, self.entries = folder, twin, []
@@ -296,7 +296,7 @@ def run(options, folder: Path) -> int:
     passed &= not any(look.problems for look in looks)
     text = report.page(results, rejected, sine, preferences(), looks, waves, sums, default, options.quick)
     if options.check:
-        return 0 if report.same(out / "quality.md", text) and passed else 1
+        return 0 if report.same(out / "measured" / "quality.md", text) and passed else 1
     report.write(out, text, results, default)
     return 0 if passed else 1
 

@@ -1,5 +1,5 @@
 """Tests that the components of a vector are independent noises, although one word of a lattice point makes the words of
-all of them (docs/contract.md, section 22)."""
+all of them (docs/reference/contract.md, section 22)."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ GRADIENT = {2: [31, 22, 21], 3: [31, 30, 22, 21, 29, 28]}
 # make each combination of 12 bits. Of 15 bits together few factors would pass, and to the last bit none can.
 TOGETHER = {"numbers": {2: {2: 6}, 3: {2: 6, 3: 4}}, "gradients": {2: {2: 3}, 3: {2: 6, 3: 4}}}
 
-# The good bits of a word, of which the further components are made.
+# The good bits of a word, which the further components are made of.
 GOOD = 24
 
 OFFSETS = 64       # that are drawn, beside 0
@@ -131,7 +131,7 @@ def between(components: list[Lattice]) -> Iterator[Finding]:
 
 
 def numbers(lattice: Lattice) -> np.ndarray:
-    """What value noise takes, in (-1, 1), with one as a last axis."""
+    """Numbers for value noise, in (-1, 1), with one as a last axis."""
     low = lattice.words & np.uint32((1 << NUMBER_BITS) - 1)
     return ((low + 0.5) * 2.0 ** (1 - NUMBER_BITS) - 1).astype(np.float32)[..., None]
 

@@ -278,7 +278,7 @@ class Function(Twin):
         return self.stage(self.words(cells, seeds), cells.shape[1])
 
     def noise(self, positions, seed):
-        """That of its own gradients, or else it would be the library's: the ramps of all corners, by their weights."""
+        """The noise of its own gradients (else it would be the library's): the ramps of all corners, by their weights."""
         cells = np.floor(positions)
         place = positions - cells
         fade = isotropy.fade(place)

@@ -8,11 +8,12 @@ from scipy import stats
 from measure.hashes.judgement import Finding, peak, poisson, two_tails
 from measure.hashes.lattice import Lattice
 
-# Bits that a run has at least. A window has 2^21 runs in the plane and 2^22.5 in space. A run is equal to the reverse of
-# one that begins in it where a part of their line is a palindrome. That takes half as many bits, and such pairs come in
-# clusters: each palindrome may have a longer one around it. Of 3 bits for a cell, 80 bits are 27 cells, and a palindrome
-# of them is equal in 14 pairs of cells: 2^(21 - 42) are expected, and two pairs at once come hardly ever. With 50 bits it
-# would be 2^(21 - 27), and a random lattice would fail once in 2^11 windows, by three pairs at once.
+# Bits that a run has at least. A window has 2^21 runs in the plane and 2^22.5 in space. A run is equal to the reverse
+# of one that begins in it where a part of their line is a palindrome. A palindrome takes half as many bits, and such
+# pairs come in clusters: each palindrome may have a longer one around it. Of 3 bits for a cell, 80 bits are 27 cells,
+# and a palindrome of them is equal in 14 pairs of cells: 2^(21 - 42) are expected, and two pairs at once come hardly
+# ever. With 50 bits it would be 2^(21 - 27), and a random lattice would fail once in 2^11 windows, by three pairs at
+# once.
 RUN_BITS = 80
 # Odd multipliers that make one word of a run: those of SplitMix64 (Steele, Lea and Flood, 2014), which spread well.
 MULTIPLIER = np.uint64(0xBF58476D1CE4E5B9)
@@ -152,7 +153,7 @@ def shared(a: np.ndarray, b: np.ndarray) -> int:
 
 
 def between(a: Lattice, b: Lattice) -> list[Finding]:
-    """What two seeds have in common: words anywhere, and runs of cells."""
+    """Common to two seeds: words anywhere, and runs of cells."""
     n = a.words.size
     return [poisson("seeds: common words", shared(a.words, b.words), n * b.words.size * 2.0 ** -a.varying, n),
             common_runs("seeds: common runs", a, b)]

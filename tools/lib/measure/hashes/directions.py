@@ -9,7 +9,8 @@ import numpy as np
 from measure.hashes.judgement import Finding, chi_square
 from measure.hashes.lattice import Lattice
 
-# Those of docs/contract.md, section 4: on the plane (3, 1) / 4 and (1, 3) / 4 with signs, in space the edges of a cube.
+# The directions of docs/reference/contract.md, section 4: on the plane (3, 1) / 4 and (1, 3) / 4 with signs, in space
+# the edges of a cube.
 GRADIENTS = {2: np.array([g for g in product((-0.75, -0.25, 0.25, 0.75), repeat=2) if abs(g[0]) + abs(g[1]) == 1]),
              3: np.array([g for g in product((-1.0, 0.0, 1.0), repeat=3) if g.count(0.0) == 1])}
 

@@ -38,7 +38,7 @@ class Noise:
 NOISES = (Noise("perlin", 2), Noise("simplex", 2, 2), Noise("simplex_smooth", 2, 2), Noise("value", 2),
           Noise("value_cubic", 2), Noise("perlin", 3), Noise("simplex", 3), Noise("simplex_smooth", 3),
           Noise("value", 3), Noise("value_cubic", 3), Noise("perlin_worley", 3))
-# What Perlin-Worley noise may show of its lattice: the aim that isotropy.py has in the plane for structures, what
+# How much Perlin-Worley noise may show of its lattice: the aim that isotropy.py has in the plane for structures, what
 # octaves.py allows for waves, and slices as unlike as those of Perlin noise in space. Distances to the points of cells
 # have another mean at another place of a cell; that mean may make this part of the variance, and is left out of the
 # waves.

@@ -1,4 +1,4 @@
-"""What noises show of their lattices: the statistics find what is there, and simplex noise shows what it should."""
+"""Traces of the lattice in noises: the statistics find what is there, and simplex noise shows what it should."""
 
 import tempfile
 import unittest
@@ -56,8 +56,8 @@ class Simplex(unittest.TestCase):
         perlin, simplex, smooth = (fields.look(TWIN, noise) for noise in (PERLIN2, SIMPLEX2, SMOOTH2))
         for ours in (simplex, smooth):
             self.assertLess(worst(ours.spectrum), worst(perlin.spectrum) / 4)
-        # Structures lean towards the sides of triangles, those of Perlin noise towards axes and diagonals alike. A larger
-        # kernel costs a fourth point, and leaves less of that.
+        # Structures lean towards the sides of triangles, those of Perlin noise towards axes and diagonals alike. A
+        # larger kernel costs a fourth point, and leaves less of that.
         self.assertLess(worst(simplex.structures), 0.8 * worst(perlin.structures))
         self.assertLess(worst(smooth.structures), worst(simplex.structures) / 2)
 

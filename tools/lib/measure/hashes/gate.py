@@ -1,4 +1,4 @@
-"""The gate says what is measured of a hash: which windows, with which seeds, by which tests."""
+"""The gate lists the measurements of a hash: which windows, with which seeds, by which tests."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from measure.hashes.judgement import Finding, join
 from measure.hashes.lattice import Lattice, cells_of, of_words, sample
 from measure.hashes.library import Twin
 
-GOLDEN = 0x9E3779B9  # between the seeds of octaves, docs/contract.md section 7
+GOLDEN = 0x9E3779B9  # between the seeds of octaves, docs/reference/contract.md section 7
 WORD = 0xFFFFFFFF
 
 # Around the origin, where people look, and where a hash may mirror; negative; at the end of what hn_perlin takes; and
@@ -56,8 +56,8 @@ WINDOW_TESTS: list[Callable[[Lattice], list[Finding]]] = [
     fourier.autocorrelation, bits.values, bits.pairs, bits.local, bits.numbers, directions.frequencies,
     copies.duplicates]
 COSTLY_TESTS: list[Callable[[Lattice], list[Finding]]] = [fourier.bit_autocorrelation, bits.bit_pairs, bits.quads]
-# Further components are judged in those of so many first windows that have costly tests. Their words have fewer bits, so
-# that what counts equal words does not hold for them.
+# Further components are judged in those of so many first windows that have costly tests. Their words have fewer bits,
+# so that what counts equal words does not hold for them.
 COMPONENT_WINDOWS = 4
 COMPONENT_TESTS = [copies.consumed if test is copies.duplicates else test for test in WINDOW_TESTS]
 
@@ -83,13 +83,13 @@ def _placed(findings: list[Finding], place: str) -> list[Finding]:
 
 
 def judge_words(words: np.ndarray, twin: Twin) -> list[Finding]:
-    """Everything that can be said of a window of words alone."""
+    """All measures of a window of words alone."""
     lattice = of_words(words, twin)
     return judge_window(lattice) + avalanche.of_window(lattice)
 
 
 def judge_gradients(lattice: Lattice) -> list[Finding]:
-    """Everything that can be said of the gradients of a window, for gradients that are not the library's."""
+    """All measures of the gradients of a window, for gradients that are not the library's."""
     findings = [*fourier.autocorrelation(lattice), directions.others(lattice),
                 isotropy.judge(isotropy.of_window(lattice), lattice.dimensions)]
     return _placed(findings, lattice.place)
@@ -138,7 +138,7 @@ def each_finding(twin: Twin, dimensions: int, effort: Effort,
 
 def each_of_choices(twin: Twin, dimensions: int, effort: Effort,
                     keep: Keep = lambda lattice: None) -> Iterable[Finding]:
-    """What chooses its cells and seeds: avalanche, far pairs, seeds."""
+    """Tests that choose their cells and seeds: avalanche, far pairs, seeds."""
     for seed in effort.seeds:
         yield from avalanche.of_twin(twin, dimensions, seed, effort.samples)
         yield from avalanche.far(twin, dimensions, seed, effort.samples)
@@ -152,7 +152,7 @@ def each_of_choices(twin: Twin, dimensions: int, effort: Effort,
 
 
 def judge_components(words: list[np.ndarray], twin: Twin) -> Iterable[Finding]:
-    """Everything that can be said of the words of components in a window."""
+    """All measures of the words of components in a window."""
     tables = components.Tables(words[0].ndim)
     tables.add(words)
     yield from tables.judge()

@@ -32,7 +32,7 @@ from measure.hashes import (
 )
 
 SMALL = {2: (64, 64), 3: (16, 16, 16)}
-SHAPES = {2: (512, 512), 3: (32, 32, 256)}  # in space, long enough for a line to be told from chance
+SHAPES = {2: (512, 512), 3: (32, 32, 256)}  # in space, long enough for a line to differ from chance
 FOLDER = tempfile.TemporaryDirectory()
 TWIN = library.build("LATTICE", [], ROOT / "include", Path(FOLDER.name))
 
@@ -87,7 +87,7 @@ class Windows(unittest.TestCase):
     def test_every_test_of_a_window_has_a_control(self):
         meant = {test for _, tests in controls.WINDOWS.values() for test in tests}
         made = {finding.test for finding in gate.judge_words(controls.random(SHAPES[2]), TWIN)}
-        # What 2D's fewer bits have of "equal words"; the next test is its control.
+        # 2D's fewer bits have "equal words"; the next test is its control.
         self.assertEqual(made - meant, {"equal values"})
 
     def test_values_that_are_too_few(self):
@@ -469,7 +469,8 @@ class Command(unittest.TestCase):
         self.assertAlmostEqual(abs((g * moved).sum() / (g * g).sum()), said["statistic"], 5)
 
     def test_an_old_page_is_noticed(self):
-        page = self.folder / "quality.md"
+        page = self.folder / "measured" / "quality.md"
+        page.parent.mkdir()
         page.write_text("a 0.12345 b 7")
         with contextlib.redirect_stderr(io.StringIO()):
             self.assertTrue(report.same(page, "a 0.12346 b 7"))

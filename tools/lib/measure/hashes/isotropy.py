@@ -119,7 +119,7 @@ def judge(values: list[float], dimensions: int) -> Finding:
 
 
 def same_noise(twin: Twin, dimensions: int, seed: int) -> Finding:
-    """The library's noise is that of its gradients, scaled, or else the test says nothing of it."""
+    """The library's noise is that of its gradients, scaled, or else the test proves nothing about it."""
     side = {2: 64, 3: 16}[dimensions]
     ours = noise(twin.gradients(cells_of((0,) * dimensions, (side,) * dimensions), seed)
                  .reshape(*[side] * dimensions, dimensions))

@@ -1,5 +1,5 @@
-"""Lags after which both joins of a lattice point are what they were (docs/contract.md, section 3), for many points: there
-words come again, with every hash.
+"""Lags after which both joins of a lattice point are what they were (docs/reference/contract.md, section 3), for many
+points: there words come again, with every hash.
 
 The first join is the exclusive or of high bits of spread coordinates. It is what it was where as many axes change each
 of its bits as cancel: none, or two, or four. The second is the low bits of a sum of spread coordinates, each times a
@@ -48,7 +48,7 @@ def keeps_the_sum(steps: np.ndarray, joins: Joins = Joins()) -> np.ndarray:
 
 
 def shares(steps: np.ndarray, least: float = 0.0, joins: Joins = Joins()) -> np.ndarray:
-    """Of which share of all points the first join is what it was, after each of these rows. It is exact, but 0 where it
+    """The share of all points whose first join is as before, after each of these rows. It is exact, but 0 where it
     is `least` at most. From the lowest bit to the highest, it counts by which axes change a bit. Axis a does so where
     the bit of the step is not the carry from below; then the carry to the next bit is 0 or 1 as often."""
     axes = steps.shape[1]

@@ -80,10 +80,10 @@ class Repeats(unittest.TestCase):
         self.assertGreater(worst(of_one_change(3, 1 << 12, LEAST, near)).share, 0.5)
 
     def test_pages_have_these_numbers(self):
-        page = " ".join((ROOT / "docs" / "default-hash.md").read_text(encoding="utf-8").split())
+        page = " ".join((ROOT / "docs" / "measured" / "default-hash.md").read_text(encoding="utf-8").split())
         for repeat in (*WORST.values(), FAR, MORE_CHANGES):
             for text in (f"({', '.join(map(str, repeat.lag))})", f"{100 * repeat.share:.1f}%"):
-                self.assertTrue(text in page, f"docs/default-hash.md has no {text}")
+                self.assertTrue(text in page, f"docs/measured/default-hash.md has no {text}")
 
     @staticmethod
     def rounded(repeat: Repeat) -> Repeat:

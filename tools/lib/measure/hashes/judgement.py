@@ -115,5 +115,5 @@ def chi_square(test: str, counts: np.ndarray, where=None) -> Finding:
 
 
 def poisson(test: str, count: int, expected: float, samples: int, where: str = "") -> Finding:
-    """A verdict on how many rare things happened, of which so many are expected: neither too many nor too few."""
+    """A verdict on how many rare things happened, against the expected number: neither too many nor too few."""
     return two_tails(test, count, stats.poisson(expected), samples, 1, where)

@@ -1,6 +1,6 @@
 // Evaluates the C++ twin for tools/measure hashes: reads points, writes raw words. Compiled once per setting of knobs.
 //   lattice word|gradient|noise|stage|NAME 2|3 < points > values
-// word      hn_i_point(cell, seed), of which the gradient is made: a point is the cell and the seed, 32-bit integers; a
+// word      hn_i_point(cell, seed), that the gradient is made of: a point is the cell and the seed, 32-bit integers; a
 //           value is a word
 // gradient  hn_gradient(cell, seed): the same points; a value is the floats of the gradient
 // noise     hn_perlin(p, seed): a point is the floats of p and the seed; a value is a float

@@ -15,8 +15,8 @@ from base.twin import NotBuilt, compile_program
 SOURCE = Path(__file__).resolve().parent / "lattice.cpp"
 AXES = "xyzw"
 WORDS = ("word", "further")  # quantities that are no floats
-# What hashes of a lattice often multiply the coordinates by: the first primes of xxHash, in this order. They are tried
-# where a library does not say what it takes.
+# Factors with which hashes of a lattice often multiply the coordinates: the first primes of xxHash, in this order. They
+# are tried where a library does not say what it takes.
 USUAL_STEPS = ((0x9E3779B1,), (0x85EBCA77,), (0xC2B2AE3D,), (0x27D4EB2F,))
 STAGE_PROBES = 4096  # words
 LEAST_CHANGED = 1 / 16  # of them, whose gradient a consumed bit changes
@@ -46,8 +46,8 @@ def default_hash(include: Path) -> str:
 
 
 def steps_of(include: Path) -> tuple[tuple[int, ...], ...]:
-    """For each axis the constants that spread its coordinates: by HN_I_STEP_X in detail/word.glsl and so on, or by names that
-    have more before the axis. Where there are none, usual ones."""
+    """For each axis the constants that spread its coordinates: by HN_I_STEP_X in detail/word.glsl and so on, or by
+    names that have more before the axis. Where there are none, usual ones."""
     text = (include.parent / "glsl" / "hashnoise" / "detail" / "word.glsl").read_text(encoding="utf-8")
     steps = []
     for axis, usual in zip(AXES.upper(), USUAL_STEPS):

@@ -2,8 +2,8 @@
 
 A hash of the lattice multiplies each coordinate by an odd constant K, modulo 2^32. So for every number d there is a
 lag L, d / K, after which the product is d further; and where d is a small number or a power of two, few bits of the
-product are others. What follows has to tell such cells apart as well as neighbours. Most of these lags are wider than
-any window, so no test of a window sees them.
+product are others. The following steps must separate such cells as well as neighbours. Most of these lags are wider
+than any window, so no test of a window sees them.
 """
 
 from __future__ import annotations
@@ -26,8 +26,8 @@ def signed(value: int) -> int:
 
 
 def denominators(step: int) -> list[int]:
-    """Those of the continued fraction of step / 2^32 up to 2^31: no lag below the next of them brings a coordinate that
-    is multiplied by step as near to what it was. (After 2^31 the same pairs of cells come again.)"""
+    """The denominators of the continued fraction of step / 2^32 up to 2^31: no lag below the next of them brings a
+    coordinate that is multiplied by step as near to what it was. (After 2^31 the same pairs of cells come again.)"""
     found, before, numerator, denominator = [1], 0, step, TURN
     while numerator:
         part, rest = divmod(denominator, numerator)

@@ -156,7 +156,7 @@ def repeats(twin: Twin, dimensions: int, seeds: Iterable[int] = SEEDS) -> Repeat
 
 @dataclass(frozen=True)
 class Shown:
-    """What the page tells of sums: their directions, those of sums that do not turn, and whether tiles repeat."""
+    """The page on sums: their directions, those of sums that do not turn, and whether tiles repeat."""
     turned: list[Directions]
     unturned: list[Directions]
     repeats: list[Repeats]

@@ -1,4 +1,4 @@
-"""What octave sums show of their lattices: the statistics find what is there, the library passes, and sums whose
+"""Traces of the lattice in octave sums: the statistics find what is there, the library passes, and sums whose
 octaves do not turn, or repeat alike, are rejected."""
 
 import re

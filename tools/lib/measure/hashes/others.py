@@ -1,10 +1,10 @@
 """Hashes of shaders that are not ours, judged as lattices of words: rendered from their GLSL by Mesa's llvmpipe.
 
-A hash is an expression of `c`, the cell as integers, or of `p`, the same as floats. A uint counts as a word. Of a float,
-which should be in [0, 1), the ten highest bits count, since shaders use a float as a direction or a colour. The next one,
-bit 21, is a sign of our gradients and would be judged like the highest bit, but Hoskins' hash has a correlation of 0.18 in
-it, and of 0.02 in each of the ten. So the parity of the ten stands there, which is equal where they are. All other bits
-are random.
+A hash is an expression of `c`, the cell as integers, or of `p`, the same as floats. A uint counts as a word. Of a
+float, which should be in [0, 1), the ten highest bits count, since shaders use a float as a direction or a colour. The
+next one, bit 21, is a sign of our gradients and would be judged like the highest bit, but Hoskins' hash has a
+correlation of 0.18 in it, and of 0.02 in each of the ten. So the parity of the ten stands there, which is equal where
+they are. All other bits are random.
 """
 
 from __future__ import annotations
@@ -26,7 +26,8 @@ from measure.likeness.ports import source
 
 SIDE = 1024  # of what is rendered at once
 PARITY = 1 << 21  # below the ten bits
-# Words of floats have 31 bits and the parity: twice as many are equal, and ten bits choose one of twelve gradients unevenly.
+# Words of floats have 31 bits and the parity: twice as many are equal, and ten bits choose one of twelve gradients
+# unevenly.
 OF_WORDS = {"equal words", "directions: frequencies"}
 # Around the origin; as far as scenes go; where a float has an eighth of a cell left; and far out.
 ORIGINS = {2: ((-512, -512), (10000, 20000), (1000000, -2000000), (8000000, 7000000)),
@@ -103,7 +104,7 @@ def parity(words: np.ndarray) -> np.ndarray:
 
 
 def words_of(renderer: Renderer, program: int, kind: str, origin: tuple[int, ...]) -> np.ndarray:
-    """Those of the window at that origin, as the gate takes it: axis 0 is x."""
+    """The words of the window at that origin, as the gate takes it: axis 0 is x."""
     n = len(origin)
     side = gate.SIDES[n]
     rows = side ** n // SIDE
@@ -125,7 +126,7 @@ def words_of(renderer: Renderer, program: int, kind: str, origin: tuple[int, ...
 
 @dataclass(frozen=True)
 class Judged:
-    """What is known of the window of a hash at an origin."""
+    """The measures of the window of a hash at an origin."""
     origin: tuple[int, ...]
     result: HashResult
 
@@ -151,14 +152,14 @@ def judge(other: Other, dimensions: Sequence[int], twin: Twin, renderer: Rendere
 
 def lines(found: Sequence[Judged]) -> list[str]:
     """For the terminal."""
-    told = []
+    printed = []
     for judged in found:
         result = judged.result
         wrong = sorted((f for f in result.worst.values() if not f.passed), key=lambda f: f.p)
         head = f"{result.name} {result.dimensions}D at {judged.place}: "
-        told.append(head + (f"fails {len(wrong)} of {len(result.worst)} tests, such as {describe(wrong[0])}" if wrong
+        printed.append(head + (f"fails {len(wrong)} of {len(result.worst)} tests, such as {describe(wrong[0])}" if wrong
                             else f"passes {len(result.worst)} tests"))
-    return told
+    return printed
 
 
 def write(found: Sequence[Judged], path: Path) -> None:

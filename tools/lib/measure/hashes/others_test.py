@@ -1,4 +1,4 @@
-"""Tests of others.py: a shader's words are where the gate looks for them, and bad hashes are told from good ones."""
+"""Tests of others.py: a shader's words are where the gate looks for them, and bad hashes fail where good ones pass."""
 
 from __future__ import annotations
 
@@ -78,10 +78,10 @@ class Others(unittest.TestCase):
     def test_the_command_tells_and_records_it(self):
         given = f"theirs={self.folder / 'hashes.glsl'}:striped(p)"
         small = {2: ORIGINS[2][:1]}
-        with mock.patch.object(others, "ORIGINS", small), contextlib.redirect_stdout(io.StringIO()) as told, \
+        with mock.patch.object(others, "ORIGINS", small), contextlib.redirect_stdout(io.StringIO()) as printed, \
                 mock.patch.object(others, "words_of", lambda *a, real=others.words_of: real(*a)[:128, :128]):
             self.assertEqual(command.main(["--against", given, "--dimensions", "2", "--out", str(self.folder)]), 1)
-        self.assertRegex(told.getvalue(), r"^theirs 2D at -512, -512: fails \d+ of \d+ tests, such as ")
+        self.assertRegex(printed.getvalue(), r"^theirs 2D at -512, -512: fails \d+ of \d+ tests, such as ")
         with open(self.folder / "hashes.csv", newline="", encoding="utf-8") as file:
             row, = csv.DictReader(file)
         self.assertEqual((row["hash"], row["dimensions"], row["origin"]), ("theirs", "2", "-512, -512"))
@@ -96,9 +96,9 @@ class Others(unittest.TestCase):
         with self.assertRaisesRegex(others.BadExpression, "neither a uint nor a float.*(?s:.)*absent"):
             others.judge(self.other("absent(p)"), (2, 3), self.twin, self.renderer)
         given = f"theirs={self.folder / 'hashes.glsl'}:good(c)"
-        with contextlib.redirect_stderr(io.StringIO()) as told, self.assertRaises(SystemExit):
+        with contextlib.redirect_stderr(io.StringIO()) as printed, self.assertRaises(SystemExit):
             command.main(["--against", given, "--against", given.replace("=", "/3=", 1)])
-        self.assertIn("names theirs twice in 3D: write theirs/2=... and theirs/3=...", told.getvalue())
+        self.assertIn("names theirs twice in 3D: write theirs/2=... and theirs/3=...", printed.getvalue())
 
     def test_a_hash_may_be_for_the_plane_alone(self):
         plane = Other.parse(f"theirs/2={self.folder / 'hashes.glsl'}:good(c)")

@@ -1,4 +1,4 @@
-"""The pictures of docs/quality.md."""
+"""The pictures of docs/measured/quality.md."""
 
 from __future__ import annotations
 

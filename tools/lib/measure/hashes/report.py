@@ -1,4 +1,4 @@
-"""The page: docs/quality.md, from what was measured."""
+"""The page: docs/measured/quality.md, from what was measured."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from measure.hashes.noise import Measured
 
 @dataclass
 class HashResult:
-    """What is known of a hash in the plane or in space."""
+    """The measures of a hash in the plane or in space."""
     name: str
     dimensions: int
     findings: list[Finding]
@@ -48,7 +48,7 @@ class Sine:
 
 @dataclass
 class Preference:
-    """What the blocks of a window of gradients say of the directions in their noise."""
+    """The directions in noise, by the blocks of a window of gradients."""
     gradients: str
     dimensions: int
     values: list[float]
@@ -261,7 +261,7 @@ NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[+-]?\d+)?")
 
 
 def same(path: Path, text: str) -> bool:
-    """Whether a page says this, but for the last digits of its numbers, in which versions of numpy may differ."""
+    """Whether a page has this text, but for the last digits of its numbers, in which versions of numpy may differ."""
     try:
         old = path.read_text(encoding="utf-8")
     except OSError as error:
@@ -280,8 +280,9 @@ def _near(a: str, b: str) -> bool:
 
 def write(out: Path, text: str, results: list[HashResult], default: Twin) -> None:
     from measure.hashes import plots  # which needs matplotlib; nothing else does
-    (out / "images").mkdir(parents=True, exist_ok=True)
-    (out / "quality.md").write_text(text, encoding="utf-8")
+    for folder in ("images", "measured"):
+        (out / folder).mkdir(parents=True, exist_ok=True)
+    (out / "measured" / "quality.md").write_text(text, encoding="utf-8")
     plots.lattices(out / "images" / "quality-lattice.png", default)
     plots.isotropy_of_shapes(out / "images" / "isotropy.png", default)
     plots.looks(out / "images" / "looks.png", default)

@@ -1,7 +1,7 @@
-"""Compares phasor noise with the wave that it was asked for, and measures what it shows of its lattice.
+"""Compares phasor noise with the wave that it was given, and measures traces of its lattice.
 
 To have a direction is no fault of stripes: it is chosen. So the directions of their spectrum are those from the wave
-that was asked for, around which the power of a sum of waves lies as the weight of a point has it, the same all around.
+that was given, around which the power of a sum of waves lies as the weight of a point has it, the same all around.
 """
 
 from __future__ import annotations
@@ -78,8 +78,9 @@ class Stripes:
 
 
 def own_width(dimensions: int, reach: float) -> float:
-    """The deviation along an axis of the power of the weight (docs/contract.md, section 23), in cycles per cell, of the
-    frequencies that are no longer than `reach`: the weight is steep, so that some of its power is beyond."""
+    """The deviation along an axis of the power of the weight (docs/reference/contract.md, section 23), in cycles per
+    cell, of the frequencies that are no longer than `reach`: the weight is steep, so that some of its power is
+    beyond."""
     end = {2: (819 / 1024) ** 0.5 / 2, 3: 0.5 ** 0.5}[dimensions]
     r = (np.arange(1 << 10) + 0.5) / (1 << 10) * end  # from the point, in cells
     t = 819 / 1024 - 4 * r * r if dimensions == 2 else 1 - 2 * r * r
@@ -149,7 +150,7 @@ def measure(field: Field, wave: Sequence[float], effort: Effort | None = None) -
 
 def independence(spectra: Sequence[np.ndarray], effort: Effort) -> Finding:
     """The largest correlation of neighbouring seeds' fields, over all shifts. Its square is exponential where phases
-    are random. Its mean over the shifts that differ by whole cells, after which the lattice is the same, tells the
+    are random. Its mean over the shifts that differ by whole cells, after which the lattice is the same, is the
     scale."""
     ratios = []
     for a, b in pairwise(spectra):

@@ -1,4 +1,4 @@
-"""What phasor noise and Perlin-Worley noise show of their lattices: each statistic rejects the field that is meant for
+"""Traces of the lattice in phasor noise and Perlin-Worley noise: each statistic rejects the field that is meant for
 it, and a thorough run judges the library."""
 
 import re
@@ -30,7 +30,7 @@ OURS = (2 * np.pi * stripes.own_width(2, stripes.reach_of(WAVE, SMALL.per_cell))
 
 
 def model(weight=round_weight(OURS), points=POINTS, more=0.0, phases=lambda seed: seed):
-    """Waves around the points of a lattice of squares, with more of a wave than was asked for along each axis."""
+    """Waves around the points of a lattice of squares, with a larger wave than given along each axis."""
     def field(positions, period, wave, seed):
         side = period * points
         angles = np.random.default_rng(phases(seed)).uniform(size=(side, side))
@@ -48,9 +48,9 @@ def plane_wave(positions, period, wave, seed):
     return np.exp(2j * np.pi * (positions @ np.array(wave) + seed * 0.3))
 
 
-# What a field is, and the statistics that must reject it.
+# Fields, and the statistics that must reject it.
 CONTROLS = {
-    "another wave than was asked for": (model(more=0.06), {"centre"}),
+    "another wave than the given one": (model(more=0.06), {"centre"}),
     "one wave everywhere": (plane_wave, {"width"}),
     "a weight that is longer along y": (model(lambda x, y: np.exp(-1.6 * OURS * x * x - 0.5 * OURS * y * y)),
                                         {"width", "round"}),

@@ -1,4 +1,4 @@
-"""The words of docs/quality.md."""
+"""The words of docs/measured/quality.md."""
 
 HEAD = """# How random the hashes are
 
@@ -8,7 +8,7 @@ HEAD = """# How random the hashes are
 
 The windows are 1024 x 1024 and 128 x 128 x 128 cells at {origins} origins (around 0, negative, at the end of what `hn_perlin` takes, near 2^31), each with two of {seeds} seeds. The tool also compares {pairs} pairs of seeds, and searches {windows} more windows at random origins for copies. It compares the components of vectors with each other, two in the plane and three in space. These are made of one word (`hn_value_vector`, `hn_perlin_vector`), so they are compared by 12 bits together at most: they have only 24 bits in common, and nothing makes them independent to the last of these. Cells that are too far apart for a window are compared at powers of two, and at the lags after which spread coordinates are nearly the same. The tables show the most improbable value over all of them. Lines that end in "all" test the windows together: they show a weakness that is everywhere, even a small one.
 
-![Autocorrelation and spectrum of the default hash and of two that fail](images/quality-lattice.png)
+![Autocorrelation and spectrum of the default hash and of two that fail](../images/quality-lattice.png)
 """
 
 QUICK = """**This is a quick run.** It tests the default hash in one window at each of two origins, and the others in one small window.
@@ -90,7 +90,7 @@ NOISE = """## The noise
 
 The statistics are those of 1024 x 1024 samples, 8 per cell (in 3D of a slice), for 8 seeds, with the standard error of the mean over the seeds. The attained range is that of 2^22 random points. The spectrum is computed under a Hann window. Directions are computed from waves between 0.3 and 1.2 cycles per cell, in sectors of 10 degrees. The ratio of the strongest direction to the weakest is above 1 for any noise, because sectors fluctuate. "Axes" and "diagonals" are the directions within 10 degrees of them. A lattice of squares favours its axes a little.
 
-![Spectrum by frequency and by direction](images/quality-noise.png)
+![Spectrum by frequency and by direction](../images/quality-noise.png)
 
 """
 
@@ -101,7 +101,7 @@ The spectrum does not show this: it is the same for all gradients that have the 
 
 Any noise on a lattice of squares favours its axes and its diagonals; the gradients decide which of them it favours more. The magnitude may be {aim} at most in the plane and {space} in space. Gradients of length 1 in uniform directions have about as much in the plane, and so have the 12 edges of Perlin's "Improving noise" (2002) in space, which the library uses: they are the usual choices if directions must not show. A limit of zero would not be better founded: the number moves by as much if all places count. These are the values for some sets of gradients, made by numpy, with the standard error. The picture shows the first three of them with the same words of the default hash.
 
-![Noise of gradients on four diagonals, of the library, and on the circle, and the directions across its structures](images/isotropy.png)
+![Noise of gradients on four diagonals, of the library, and on the circle, and the directions across its structures](../images/isotropy.png)
 
 """
 
@@ -114,7 +114,7 @@ This table has the noises of the library side by side, with 8 seeds each and the
 
 `hn_perlin_worley` has one octave, because further octaves have lattices of their own. Its billows are a little denser at some places of a cell than at others, as the distances of cellular noise are. Of its variance {fixed} is the same in each cell, and its spectrum shows this part. Without this part the spectrum has {rest}. This noise is tested: its structures may have {structures}, that part of the variance {most}, the spectrum without it {waves}, and its slices must have {slices}.
 
-![Perlin noise, simplex noise, smooth simplex noise, and the directions across their structures](images/looks.png)
+![Perlin noise, simplex noise, smooth simplex noise, and the directions across their structures](../images/looks.png)
 
 """
 

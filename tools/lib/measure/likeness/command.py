@@ -19,15 +19,16 @@ Finds the scale and the factor with which a call of ours looks like one of anoth
     tools/measure likeness [--fastnoiselite FILE] [--materialx DIR] [--webgl-noise DIR] [--psrdnoise DIR] [--lygia DIR]
                            [--pictures DIR] [--out DIR | --check]
 
-Each option is the path of a copy of yours; its help names which file or folder of it. What is not given is left out.
+Each option is the path of a copy of yours; its help names which file or folder of it. Peers without an option are left
+out.
 
-It leaves likeness.csv in DIR. docs/results/llvmpipe/likeness.csv is such a file; tools/make readme makes the tables of
-docs/moving.md of it. It needs libOSMesa.
+It leaves likeness.csv in DIR. docs/measured/results/llvmpipe/likeness.csv is such a file; tools/make readme makes the
+tables of docs/guide/moving.md of it. It needs libOSMesa.
 
 Exit status: 0 done, 1 ours does not look alike even so, or with --check the numbers are not those of docs; 2 bad
 usage."""
 
-# Those whose calls have rows.
+# Peers whose calls have rows.
 ALIKE = tuple(peer for peer in (*PEERS, *OTHERS) if any(row.peer == peer.option for row in ROWS))
 # A record of the same calls differs by less, whatever the driver.
 SAME = 0.02
@@ -35,16 +36,16 @@ SAME = 0.02
 
 def differences(found: list[ports.Port], record: Mapping[str, ports.Port]) -> list[str]:
     """Between what was found and what a record has."""
-    told = []
+    printed = []
     for each in found:
         before = record.get(each.id)
         if before is None:
-            told.append(f"{each.id}: the record has no such row")
+            printed.append(f"{each.id}: the record has no such row")
         else:
             numbers = (("scale", each.scale, before.scale), ("factor", each.factor, before.factor))
-            told += [f"{each.id}: the {name} is {now:.3f}, and {then:.3f} in the record"
+            printed += [f"{each.id}: the {name} is {now:.3f}, and {then:.3f} in the record"
                      for name, now, then in numbers if not abs(now / then - 1.0) <= SAME]
-    return told
+    return printed
 
 
 def run(paths: Mapping[str, Path], out: Path, pictures: Path | None, check: bool) -> int:

@@ -53,7 +53,7 @@ class Likeness(unittest.TestCase):
         cls.folder = Path(scratch.name)
         (cls.folder / "stand_in.glsl").write_text(STAND_IN)
         (cls.folder / "stand_in_hash.glsl").write_text(HASH)
-        # What is known of it: it is ours, with other numbers.
+        # It is ours, with other numbers.
         (cls.folder / "known.glsl").write_text(
             ports.our_library("hn_simplex(", 2) +
             "float known(vec2 p) { return 0.7 * hn_simplex(0.6 * p + 17.0, 3u); }\n"
@@ -98,10 +98,10 @@ class Likeness(unittest.TestCase):
             same = ports.read(record)
         self.assertEqual(command.differences([self.found], same), [])
         other = {self.found.id: self.found._replace(factor=1.03 * self.found.factor)}
-        told, = command.differences([self.found], other)
-        self.assertIn("the factor is", told)
-        told, = command.differences([self.found], {})
-        self.assertIn("the record has no such row", told)
+        printed, = command.differences([self.found], other)
+        self.assertIn("the factor is", printed)
+        printed, = command.differences([self.found], {})
+        self.assertIn("the record has no such row", printed)
 
     def test_the_command_fails_with_what_it_finds(self):
         errors = io.StringIO()
@@ -146,12 +146,12 @@ class Likeness(unittest.TestCase):
 
     def test_a_version_is_the_name_that_git_has(self):
         file = self.folder / "stand_in.glsl"
-        told = subprocess.run(["git", "hash-object", file], capture_output=True, text=True, check=True).stdout
-        self.assertEqual(ports.version(file), f"blob {told[:10]}")
+        blob = subprocess.run(["git", "hash-object", file], capture_output=True, text=True, check=True).stdout
+        self.assertEqual(ports.version(file), f"blob {blob[:10]}")
 
 
 class Record(unittest.TestCase):
-    """What stands in the repository."""
+    """The file in the repository."""
 
     def test_it_has_every_row_and_each_looks_alike(self):
         record = ports.read()

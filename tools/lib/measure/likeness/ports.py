@@ -19,7 +19,7 @@ from measure.likeness.measure import Look, look
 from measure.likeness.table import ROWS, UNKNOWN, Row
 from translate.single_file.files import text
 
-RECORD = ROOT / "docs" / "results" / "llvmpipe" / "likeness.csv"
+RECORD = ROOT / "docs" / "measured" / "results" / "llvmpipe" / "likeness.csv"
 # A scale or a factor so near to 1 is left out: nobody sees it.
 NEAR = 0.05
 # So far may the deviation and the size of a port be from theirs: what was left out, and 1% for the places that are
@@ -40,7 +40,7 @@ class Port(NamedTuple):
     scale: float
     factor: float
     offset: float
-    ported: Look  # ours with what the page says
+    ported: Look  # ours with the page's settings
 
 
 class Missing(LookupError):
@@ -64,10 +64,10 @@ def source(path: Path) -> str:
 
 def version(path: Path) -> str:
     """The commit of a file in a repository of git, or the name that git would give to its content."""
-    told = subprocess.run(["git", "-C", path.parent, "log", "-1", "--format=%h of %cs", "HEAD"], capture_output=True,
+    printed = subprocess.run(["git", "-C", path.parent, "log", "-1", "--format=%h of %cs", "HEAD"], capture_output=True,
                           text=True, check=False)
-    if told.returncode == 0:
-        return told.stdout.strip()
+    if printed.returncode == 0:
+        return printed.stdout.strip()
     content = path.read_bytes()
     return f"blob {hashlib.sha1(b'blob %d%c' % (len(content), 0) + content).hexdigest()[:10]}"
 
@@ -147,16 +147,16 @@ def ports(paths: Mapping[str, Path], rows: Iterable[Row] = ROWS, tell: Callable[
 
 def problems(found: Iterable[Port], limit: float = LIMIT) -> list[str]:
     """Of ports that do not look alike."""
-    told = []
+    printed = []
     for each in found:
         for name, theirs, ours in (("deviation", each.theirs.deviation, each.ported.deviation),
                                    ("size", each.theirs.size, each.ported.size)):
             if not abs(ours / theirs - 1.0) <= limit:
-                told.append(f"{each.id}: the {name} of theirs is {theirs:.3f}, and of ours as ported {ours:.3f}")
+                printed.append(f"{each.id}: the {name} of theirs is {theirs:.3f}, and of ours as ported {ours:.3f}")
         if not abs(each.ported.mean - each.theirs.mean) <= MEAN_LIMIT * each.theirs.deviation:
-            told.append(f"{each.id}: the mean of theirs is {each.theirs.mean:.3f}, and of ours as ported "
+            printed.append(f"{each.id}: the mean of theirs is {each.theirs.mean:.3f}, and of ours as ported "
                         f"{each.ported.mean:.3f}")
-    return told
+    return printed
 
 
 # --- The record -------------------------------------------------------------------------------------------------------
@@ -204,7 +204,7 @@ def moving_table(name: str, record: Mapping[str, Port], rows: Sequence[Row] = RO
 
 
 def unity_table(record: Mapping[str, Port]) -> str:
-    """What follows from the code that Unity's manual shows, and from the noises in it."""
+    """The code that Unity's manual shows, and the noises in it."""
     gradient, value = record["webgl-noise: cnoise(vec2 p) 2D"], record["FastNoiseLite: FNL_NOISE_VALUE 2D"]
     half = (1 / 2 + 1 / 4 + 1 / 8) / 2.0  # of the range of the sum
     return table(("node", "hashnoise"), [
@@ -222,7 +222,7 @@ def _range(row: Row, found: Port) -> str:
 
 
 def page_tables(record: Mapping[str, Port]) -> list[tuple[str, str]]:
-    """The tables of docs/moving.md, by the names of their marks."""
+    """The tables of docs/guide/moving.md, by the names of their marks."""
     names = dict.fromkeys(row.table for row in ROWS)
     return [*((f"tools/make readme: {name}", moving_table(name, record)) for name in names),
             ("tools/make readme: Unity", unity_table(record))]

@@ -6,13 +6,13 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 PLAIN = (-1.0, 1.0)
-UNKNOWN = (0.0, 0.0)  # no range: theirs has none that is told
+UNKNOWN = (0.0, 0.0)  # no range: theirs documents none
 
 
 class Row(NamedTuple):
     """In `ours` and `before` stand {p} for the position, which the scale multiplies, {factor} for the factor with a
     sign of multiplication, {offset} for what is added, {seed} for the seed, {amplitude} for that of a warp, {sum} for
-    the number of octaves, the lacunarity and the gain, and {inner} for the factor of another row. What is not there is
+    the number of octaves, the lacunarity and the gain, and {inner} for the factor of another row. A missing one is
     not looked for."""
     table: str  # of the page
     peer: str  # the option of tools/measure peers
@@ -143,7 +143,7 @@ def _fastnoiselite() -> Iterator[Row]:
 
 
 def _godot() -> Iterator[Row]:
-    """What a new FastNoiseLite of Godot is set to, by its documentation (doc_classes/FastNoiseLite.xml)."""
+    """The defaults of FastNoiseLite in Godot, by its documentation (doc_classes/FastNoiseLite.xml)."""
     yield from _noise("`get_noise_2d`, `get_noise_3d`", "{factor}my_fbm({p}, 5, 2.0, 0.5, {seed})", table="Godot",
                       before=own_sum("my_fbm", "fbm", "hn_simplex_smooth"), noise_type="FNL_NOISE_OPENSIMPLEX2S",
                       fractal_type="FNL_FRACTAL_FBM", octaves="5")
@@ -200,7 +200,7 @@ def _lygia() -> Iterator[Row]:
     for axes in (2, 3):
         yield row(axes, "worley", "1.0 - {factor}hn_cellular({p}, {seed}).x", UNKNOWN)
     yield row(2, "voronoi", "{factor}hn_cellular({p}, {seed}).x", UNKNOWN, part=".z")
-    # What is added lets no place have a curl of 0, which has no direction.
+    # The summand keeps the curl from 0, which has no direction.
     yield row(3, "curl", "normalize(hn_curl({p}, {seed}) + 1.0e-6)", UNKNOWN, part=".x", ours_part=".x")
 
 

@@ -27,7 +27,7 @@ Counts what hashnoise::grid costs with NEON, in instructions, on a machine that 
 
 The library is compiled for ARM, which takes minutes, and fills the grids of tools/measure cpu with the same noises and
 sums. The emulator QEMU executes that, and a plugin of it counts the instructions. FILE is the shared library of
-FastNoise2, compiled for ARM as well. docs/results/cpu/neon.md is such a page; neon.csv has the numbers.
+FastNoise2, compiled for ARM as well. docs/measured/results/cpu/neon.md is such a page; neon.csv has the numbers.
 
 It needs, of Debian 12: cmake, ninja-build, gcc, g++-aarch64-linux-gnu, qemu-user, libfmt-dev, libexpected-dev and
 nlohmann-json3-dev. tools/test installs them.
@@ -111,8 +111,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
                         help="only the subjects whose id matches this glob, as in perlin2 or fbm_*; may be repeated")
     parser.add_argument("--note", default="", metavar="TEXT",
                         help="a sentence for the page, such as the commit of FastNoise2")
-    parser.add_argument("--out", type=Path, default=ROOT / "docs" / "results" / "cpu", metavar="DIR",
-                        help="the folder for neon.md and neon.csv (default: docs/results/cpu)")
+    parser.add_argument("--out", type=Path, default=ROOT / "docs" / "measured" / "results" / "cpu", metavar="DIR",
+                        help="the folder for neon.md and neon.csv (default: docs/measured/results/cpu)")
     parser.add_argument("--build", type=Path, default=FOLDER, metavar="DIR",
                         help="where the library is built, and kept (default: build/bench-neon)")
     options = parser.parse_args(arguments)

@@ -20,7 +20,7 @@ int qemu_plugin_version = 1;
 
 static uint64_t executed;
 
-/* What QEMU adds to the code of a block is not atomic: the number is that of a program with one thread. */
+/* QEMU's addition to the code of a block is not atomic: the number is that of a program with one thread. */
 static void count_block(uint64_t plugin, struct qemu_plugin_tb *block) {
   (void)plugin;
   qemu_plugin_register_vcpu_tb_exec_inline(block, QEMU_PLUGIN_INLINE_ADD_U64, &executed, qemu_plugin_tb_n_insns(block));

@@ -8,7 +8,7 @@ from pathlib import Path
 from measure.elsewhere import NEON, Failed, output_of
 
 PLUGIN = Path(__file__).resolve().with_name("count.c")
-BAD_USAGE = 2  # the status with which hn-fill says that a file is no FastNoise2
+BAD_USAGE = 2  # the status of hn-fill for a file that is no FastNoise2
 
 
 class Refused(Exception):
@@ -40,7 +40,7 @@ class Counter:
 
 
 def of_a_fill(counter: Counter, program: Path, what: str, subject: str) -> int:
-    """The program fills a grid once, and twice. What it executes besides is the same, and so it cancels."""
+    """The program fills a grid once, and twice. The rest of its instructions is the same, and cancels."""
     once, twice = (counter.instructions(program, what, subject, times) for times in "12")
     if twice <= once:
         raise Failed(f"{subject}, {what}: {once} instructions fill a grid once, and {twice} twice")

@@ -70,7 +70,7 @@ class Case(unittest.TestCase):
 
 @unittest.skipIf(NEON.missing(), f"there is no {' and no '.join(NEON.missing())}")
 class ByQemu(Case):
-    """What the plugin counts of a program whose instructions are known."""
+    """The plugin's count for a program whose instructions are known."""
 
     def program(self, status: int) -> Path:
         source, program = self.folder / "loop.s", self.folder / "loop"

@@ -9,7 +9,7 @@ from measure.record import Record, three_digits
 
 ARITHMETICS = ("fast", "fixed", "precise")
 OTHER = "FastNoise2"
-# Quotients as hn-bench-cpu has them: more than 1 says that the first of the two in the title is cheaper.
+# Quotients as hn-bench-cpu has them: above 1 the first of the two in the title costs less.
 RATIOS = {"HN_FAST beside FastNoise2": (OTHER, "fast"), "HN_FIXED beside HN_FAST": ("fast", "fixed"),
           "HN_PRECISE beside HN_FAST": ("fast", "precise")}
 
@@ -31,8 +31,8 @@ def page(of: Record) -> str:
 {facts["note"] and " "}{facts["note"]} By `{facts["command"]}`.
 
 QEMU counted the instructions that filling a grid takes, by one thread. They are no times: a processor executes some \
-of them side by side, and waits for others. A grid has 1024 x 1024 or 128 x 128 x 64 points, {facts["step"]} cells from \
-each other, and sums have six octaves.
+of them side by side, and waits for others. A grid has 1024 x 1024 or 128 x 128 x 64 points, {facts["step"]} cells from
+\ each other, and sums have six octaves.
 
 ## Beside each other
 

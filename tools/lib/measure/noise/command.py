@@ -29,7 +29,7 @@ Judges anybody's noise: its range, jumps, repeats and more, with a page, a recor
     tools/measure noise 'noise.glsl:snoise(p)'                       on the plane; p is a vec2
     tools/measure noise 'noise.glsl:snoise(p)' --dimensions 3 --range -1 1 --require range,jumps --out judged
 
-It renders the GLSL by Mesa's software renderer (Debian's libosmesa6). docs/judge.md explains each measure.
+It renders the GLSL by Mesa's software renderer (Debian's libosmesa6). docs/measured/judge.md explains each measure.
 
 Exit status: 0 done, 1 a measure of --require fails, 2 bad usage, or the GLSL does not compile, 4 there is no
 renderer."""
@@ -40,7 +40,7 @@ WITH_SLOPE = """
 float judge_ours(vec2 p, uint seed, out vec2 slope) { vec3 n = hn_perlin_d(p, seed); slope = n.yz; return n.x; }
 float judge_ours(vec3 p, uint seed, out vec3 slope) { vec4 n = hn_perlin_d(p, seed); slope = n.yzw; return n.x; }
 """
-# Softpipe says that it has an older OpenGL than the text asks for; what the text needs of it it has.
+# Softpipe reports an older OpenGL than the text requires; it has what the text uses.
 SOFTPIPE = {"GALLIUM_DRIVER": "softpipe", "MESA_GL_VERSION_OVERRIDE": "4.5", "MESA_GLSL_VERSION_OVERRIDE": "450"}
 ROUNDS, VALUES = 7, 24  # of a place: so that what a drawing costs beside them does not count
 
@@ -53,10 +53,10 @@ def parse(arguments: Sequence[str] | None) -> argparse.Namespace:
     parser.add_argument("--dimensions", type=int, choices=(2, 3), default=2, help="of p (default: %(default)s)")
     parser.add_argument("--name", help="of the noise, for the page (default: EXPRESSION)")
     parser.add_argument("--range", type=float, nargs=2, metavar=("LOW", "HIGH"),
-                        help="what its values are said to be in")
+                        help="the documented range of its values")
     parser.add_argument("--require", metavar="NAME,...", help="status 1 if one of these fails: " + ", ".join(JUDGED))
     parser.add_argument("--out", type=Path, metavar="DIR", help="where judged.csv and index.html go; without it only "
-                        "the terminal is told")
+                        "the terminal gets")
     parser.add_argument("--record", type=Path, metavar="FILE", help="a CSV that gets the numbers, in place of what it "
                         "had of this name and these dimensions")
     options = parser.parse_args(arguments)
@@ -94,7 +94,7 @@ def ours(dimensions: int) -> Subject:
 
 
 def by_softpipe(subject: Subject) -> np.ndarray | None:
-    """What measures.compilers compares, by the other driver, which a process of its own loads."""
+    """The values that measures.compilers compares, by the other driver, which a process of its own loads."""
     with tempfile.TemporaryDirectory() as folder:
         text, values = Path(folder) / "shader", Path(folder) / "values"
         text.write_text(json.dumps(vars(subject)), encoding="utf-8")
@@ -110,7 +110,7 @@ def draw(text: str, values: str) -> int:
 
 
 def cost(subject: Subject, other: Subject) -> Finding:
-    """What a value costs beside one of another noise, by turns in one process."""
+    """The cost of a value beside one of another noise, by turns in one process."""
     samplers = [Sampler(each, times=VALUES) for each in (subject, other)]
     times: list[list[float]] = [[], []]
     for _ in range(ROUNDS):

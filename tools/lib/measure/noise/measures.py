@@ -10,7 +10,7 @@ import numpy as np
 from measure.hashes.fields import harmonic, waves
 from measure.noise.noise import COUNT, Sampler
 
-# What is allowed. Lengths and jumps are in standard deviations of the noise.
+# The limits. Lengths and jumps are in standard deviations of the noise.
 OUTSIDE = 1e-4  # beyond the range that is claimed
 JUMP = 0.003  # a step of 1/85 of a deviation shows as a line in a gradient of 8 bits over two deviations
 SLOPE = 0.02  # of the root of the mean square of the derivatives
@@ -33,7 +33,7 @@ class Finding:
 
 
 class Measured:
-    """What several measures need of a noise: a draw from everywhere."""
+    """Samples that several measures need: a draw from everywhere."""
 
     def __init__(self, sampler: Sampler) -> None:
         self.sampler = sampler
@@ -80,7 +80,7 @@ def extremes(m: Measured) -> Finding:
     beyond = max(claimed[0] - low, high - claimed[1]) if claimed else 0.0
     said = f"Values from {low:.4f} to {high:.4f} were found."
     if claimed:
-        said += (f" That is {beyond:.4g} beyond [{claimed[0]:g}, {claimed[1]:g}]." if beyond > OUTSIDE else
+        said += (f" They are {beyond:.4g} beyond [{claimed[0]:g}, {claimed[1]:g}]." if beyond > OUTSIDE else
                  f" All are in [{claimed[0]:g}, {claimed[1]:g}].")
     return Finding("range", beyond > OUTSIDE if claimed else None, max(-low, high), said,
                    {"least": low, "greatest": high})
@@ -291,7 +291,7 @@ def far(m: Measured) -> Finding:
     fails = abs(parts[-1e3] - 1) > FAR or not abs(parts[1e4] - 1) <= FAR
     said = ("; ".join(f"at {place:g} cells {100 * part:.0f}%" for place, part in parts.items())
             + ". At NaN it is " + ", at infinity ".join(f"{value:g}" for value in odd) + ".")
-    return Finding("far", fails, reach, f"Of its deviation there is left {said}", {"parts": parts})
+    return Finding("far", fails, reach, f"The deviation that remains: {said}", {"parts": parts})
 
 
 def compilers(m: Measured, other: Callable[[], np.ndarray | None]) -> Finding | None:

@@ -1,4 +1,4 @@
-"""Tests of tools/measure noise: a noise with each defect is told, and ours has none."""
+"""Tests of tools/measure noise: each defect in a noise is found, and ours has none."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ float value(vec2 p, uint seed, out vec2 slope) {
 float value(vec2 p, uint seed) { vec2 slope; return value(p, seed, slope); }
 float sine(vec2 c) { return fract(sin(dot(c, vec2(12.9898, 78.233))) * 43758.5453) * 2.0 - 1.0; }
 """
-# What is wrong with each is the measure of its name.
+# The measure of its name fails for each.
 CONTROLS = {
     "range": "1.05 * value(p, seed)",
     "jumps": "value(p, seed) + step(0.37, fract(p.x * 0.7 + p.y)) * 0.004",
@@ -148,9 +148,9 @@ class Command(unittest.TestCase):
                                    ((good, "--require", "jumps,range"), "comes without --range"),
                                    ((good, "--dimensions", "4"), "invalid choice")):
             with self.subTest(arguments):
-                status, _, told = self.call(*arguments)
+                status, _, printed = self.call(*arguments)
                 self.assertEqual(status, 2)
-                self.assertIn(message, told)
+                self.assertIn(message, printed)
 
 
 class Record(unittest.TestCase):

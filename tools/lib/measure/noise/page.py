@@ -34,7 +34,7 @@ def bars(counts: list[int]) -> str:
 
 
 def picture(sampler: Sampler, finding: Finding) -> str:
-    """What shows the number: the field around it where the measure is about places."""
+    """The picture beside the number: the field around it where the measure is about places."""
     n = sampler.subject.dimensions
     x, y = np.eye(n)[:2]
 

@@ -1,4 +1,4 @@
-"""The record of judgements, docs/results/judged.csv, and the table of docs/judge.md."""
+"""The record of judgements, docs/measured/results/judged.csv, and the table of docs/measured/judge.md."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from base.tree import ROOT
 from catalog.tables.markdown import table
 from measure import record
 
-RECORD = ROOT / "docs" / "results" / "judged.csv"
+RECORD = ROOT / "docs" / "measured" / "results" / "judged.csv"
 COLUMNS = ("noise", "dimensions", "measure", "fails", "number")
 # How the numbers of a measure are shown, and what the column is called.
 SHOWN = {"range": ("largest value", "{:.3f}"), "jumps": ("jump", "{:.2g}"),

@@ -35,7 +35,7 @@ SOFTWARE = ("llvmpipe", "softpipe", "SwiftShader", "lavapipe")
 Row = Mapping[str, str]
 
 
-# --- The table ----------------------------------------------------------------------------------------------------------
+# --- The table --------------------------------------------------------------------------------------------------------
 
 
 def printed(algorithm: str, dimensions: str) -> Row | None:
@@ -60,7 +60,7 @@ def cells(row: Row, sources: Sequence[str]) -> list[str]:
 
 
 def claims(rows: Sequence[Row]) -> list[str]:
-    """What the paper concludes from its table, beside what this run found."""
+    """The paper's conclusions from its table, beside what this run found."""
     def ratios(algorithm: str, form: str) -> str:
         return ", ".join(f"{row['dimensions']}D {float(row['ratio_800x600']):.2f} (paper "
                          f"{printed_ratio(algorithm, row['dimensions'], '800x600'):.2f})" for row in rows
@@ -87,12 +87,12 @@ def table(of: Record) -> dict[str, object]:
                             if row["dimensions"] == n]) for n in "23"]}
 
 
-# --- The figure ---------------------------------------------------------------------------------------------------------
+# --- The figure -------------------------------------------------------------------------------------------------------
 
 
 def greys(values: np.ndarray, what: str) -> np.ndarray:
-    """Noise from -1 black to 1 white; turbulence from 0 to 1/2, since most of it is below; clouds from 0 to 1. What is no
-    number is black."""
+    """Noise from -1 black to 1 white; turbulence from 0 to 1/2, since most of it is below; clouds from 0 to 1. A value
+    that is no number is black."""
     levels = {"noise": 0.5 + 0.5 * values, "turbulence": 2 * values, "clouds": values}[what]
     return np.rint(np.clip(np.nan_to_num(levels), 0.0, 1.0) * 255).astype(np.uint8)
 
@@ -119,7 +119,7 @@ def figures(of: Record, out: Path) -> dict[str, object]:
     return {"facts": of.facts, "sheets": sheets, "rows": ", ".join(in_figure)}
 
 
-# --- Statistics ---------------------------------------------------------------------------------------------------------
+# --- Statistics -------------------------------------------------------------------------------------------------------
 
 
 class Sample(NamedTuple):
@@ -156,8 +156,8 @@ def sample(row: Row, values: np.ndarray) -> Sample:
 
 
 def chi_square(a: np.ndarray, b: np.ndarray) -> tuple[float, int, float]:
-    """Of the hypothesis that two histograms of as many values are of the same distribution: the statistic, the degrees of
-    freedom and the probability of so large a difference."""
+    """Of the hypothesis that two histograms of as many values are of the same distribution: the statistic, the degrees
+    of freedom and the probability of so large a difference."""
     both = a + b >= FEWEST
     statistic = float((((a - b) ** 2)[both] / (a + b)[both]).sum())
     degrees = int(both.sum()) - 1
@@ -187,7 +187,7 @@ def statistics(of: Record, out: Path) -> dict[str, object]:
     return {"facts": of.facts, "samples": samples, "partials": partials}
 
 
-# --- The rest -----------------------------------------------------------------------------------------------------------
+# --- The rest ---------------------------------------------------------------------------------------------------------
 
 
 def bend(fetches: Sequence[int], times: Sequence[float]) -> tuple[float, float]:

@@ -17,17 +17,18 @@ Measures what other libraries' noises, sums and warps cost, beside ours and in t
     tools/measure peers [--fastnoiselite FILE] [--wombat DIR] [--materialx DIR] [--webgl-noise DIR] [--psrdnoise DIR]
                         [--driver NAME] [--out DIR]
 
-Each option is the path of a copy of yours; its help names which file or folder of it. What is not given is left out.
+Each option is the path of a copy of yours; its help names which file or folder of it. Peers without an option are left
+out.
 
 It calls hn-conform bench --against, which must be on the PATH or built (tools/measure clock builds it), and leaves
-bench.csv in DIR, with AMD's instructions. docs/results/llvmpipe/peers.csv is such a file; tools/make readme makes the table of docs/measuring.md of
-it.
+bench.csv in DIR, with AMD's instructions. docs/measured/results/llvmpipe/peers.csv is such a file; tools/make readme
+makes the table of docs/measured/measuring.md of it.
 
 Exit status: that of hn-conform bench; 2 bad usage."""
 
 
 def options_of(paths: dict[str, Path], driver: str) -> list[str]:
-    """What hn-conform bench is to measure for the peers at these paths."""
+    """The functions that hn-conform bench measures for the peers at these paths."""
     calls = [call for call in CALLS if call.peer in paths]
     words = ["--driver", driver]
     for ours in dict.fromkeys(call.ours for call in calls):

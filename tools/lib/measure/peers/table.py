@@ -1,4 +1,5 @@
-"""Other libraries' noise beside ours: how bench calls it, and where it stands in the table of docs/measuring.md."""
+"""Other libraries' noise beside ours: how bench calls it, and where it stands in the table of
+docs/measured/measuring.md."""
 
 from __future__ import annotations
 
@@ -32,13 +33,13 @@ PEERS = (
 # No cost of these is measured, only what they look like.
 OTHERS = (Peer("lygia", "the folder of lygia", "lygia", ""),)
 
-# FastNoiseLite's state: Perlin noise with the frequency 1, then octaves, lacunarity, gain, the strengths of weighted and
-# of ping-pong sums, and what only cells and warps use.
+# FastNoiseLite's state: Perlin noise with the frequency 1, then octaves, lacunarity, gain, the strengths of weighted
+# and of ping-pong sums, and what only cells and warps use.
 SIX_OCTAVES = ("fnl_state(0, 1.0, FNL_NOISE_PERLIN, FNL_ROTATION_NONE, FNL_FRACTAL_NONE, 6, 2.0, 0.5, 0.0, 2.0, 0, 0, 1.0, "
                "0, 1.0)")
 
 
-# What its warps do: p moves, and is told. Their vectors are those of a grid, as ours are.
+# Its warps move p, and return it. Their vectors are those of a grid, as ours are.
 def _warped(kind: str, axes: str) -> str:
     state = SIX_OCTAVES.removesuffix("0, 1.0)") + "FNL_DOMAIN_WARP_BASICGRID, 1.0)"
     moved = [f"hn_bench_set.{axis}" for axis in axes]
@@ -85,7 +86,7 @@ CALLS = (
     Call("smooth simplex 2D", "noise2d.simplex_smooth", "fastnoiselite", "", "_fnlSingleOpenSimplex2S2D(0, p.x, p.y)"),
     Call("smooth simplex 3D", "noise3d.simplex_smooth", "fastnoiselite", "",
          "_fnlSingleOpenSimplex2S3D(0, p.x, p.y, p.z)"),
-    # Its own default: the nearest distance, squared. What it returns is chosen at run time, so both are computed.
+    # Its own default: the nearest distance, squared. The result is chosen at run time, so both are computed.
     Call("cellular 2D", "noise2d.cellular", "fastnoiselite", "", "_fnlSingleCellular2D(fnlCreateState(0), 0, p.x, p.y)"),
     Call("cellular 3D", "noise3d.cellular", "fastnoiselite", "",
          "_fnlSingleCellular3D(fnlCreateState(0), 0, p.x, p.y, p.z)"),
@@ -131,7 +132,7 @@ def dimensions(call: Call) -> int:
 
 
 def against(paths: Mapping[str, Path]) -> list[str]:
-    """What --against is to be given for the calls of the peers at these paths."""
+    """Arguments of --against for the calls of the peers at these paths."""
     versions = {peer.option: f"@{peer.version}" if peer.version else "" for peer in PEERS}
     return [f"{subject(call)}{versions[call.peer]}={paths[call.peer] / call.file}:{call.expression}"
             for call in CALLS if call.peer in paths]

@@ -1,8 +1,8 @@
 """Calls of packages of PyPI that compute noise on the plane, ours among them, and how long they take.
 
-command.py runs this file by a Python that has the packages; packages that it lacks are left out. Each line of the output
-is a call: the noise, the package, its version, nanoseconds per point, the time in that of ours, and its spread. All use one
-thread. A package without arrays is called once per point, in a loop of Python.
+command.py runs this file by a Python that has the packages; packages that it lacks are left out. Each line of the
+output is a call: the noise, the package, its version, nanoseconds per point, the time in that of ours, and its spread.
+All use one thread. A package without arrays is called once per point, in a loop of Python.
 """
 
 from __future__ import annotations

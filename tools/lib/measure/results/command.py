@@ -1,14 +1,14 @@
 """Checks digests of results, which people send of their devices, and makes the page of them.
 
     tools/make results [PATH...]              checks files, or folders of nothing else (default:
-                                              docs/results/devices), and writes build/results/index.html
+                                              docs/measured/results/devices), and writes build/results/index.html
     tools/make results --page DIR [PATH...]   the same, but it writes DIR/index.html
     tools/make results --check [PATH...]      checks them
     tools/make results --freeze               before a release: keeps the checksums of this version in
-                                              docs/results/devices/versions/, by which its digests are checked when
-                                              the golden files are others
+                                              docs/measured/results/devices/versions/, by which its digests are checked
+                                              when the golden files are others
 
-docs/formats.md says what a digest is. Its checksums are computed once more from the golden files. With --earlier a
+docs/reference/formats.md defines a digest. Its checksums are computed once more from the golden files. With --earlier a
 digest may be of other golden files of the same version, as those are that were sent before the last change of values;
 the page leaves it out.
 
@@ -27,14 +27,14 @@ from measure.results import page
 from measure.results.digest import Digest, Earlier, Refused, read, shown
 from measure.results.sets import FrozenSets, GoldenSets, Sets, write
 
-RESULTS = ROOT / "docs" / "results" / "devices"
+RESULTS = ROOT / "docs" / "measured" / "results" / "devices"
 VERSIONS = RESULTS / "versions"
 OTHERS = ("README.md", "versions")  # of the folder of results
 PAGE = ROOT / "build" / "results"
 
 
 def known_versions(folder: Path = VERSIONS) -> dict[str, Sets]:
-    """Those that were frozen, and this one."""
+    """The frozen versions, and this one."""
     versions: dict[str, Sets] = {path.stem: FrozenSets(path) for path in sorted(folder.glob("*.csv"))}
     return {**versions, version(): GoldenSets(GOLDEN)}
 

@@ -8,12 +8,12 @@ from dataclasses import dataclass, field
 
 from measure.results.digest import BROWSER_APIS, Digest, Part
 
-# Its vendor, its device and its driver; browsers leave out one or two of them, and Firefox says that it is not exact.
+# Its vendor, its device and its driver; browsers leave out one or two of them, and Firefox marks it as inexact.
 ANGLE = re.compile(r"ANGLE \((?:[^,()]+, )?(.+?)(?:, [^,()]+(?: \([^()]*\))?)?\)(?: on .*)?")
-# The part of ANGLE's names that says how it reaches the device.
+# The part of ANGLE's names that names how it reaches the device.
 BACKENDS = re.compile(r"^(?:ANGLE Metal Renderer: |Vulkan [\d.]+ \(|OpenGL(?: ES)? )|"
                       r" (?:Direct3D\w+|OpenGL(?: ES)? [\d.]+|\(0x[0-9A-Fa-f]+\)).*$")
-# Those that number their releases in a string that has other numbers besides.
+# Drivers that number their releases in a string that has other numbers besides.
 RELEASE = re.compile(r"\b(?:Mesa|NVIDIA|Build|SwiftShader driver|Adreno|V@|v1\.r)[ -]?(\d+(?:\.\d+)?)")
 NUMBER = re.compile(r"\d+(?:\.\d+)?")
 
@@ -31,7 +31,7 @@ def numbers_of(version: str) -> tuple[int, ...]:
 
 
 def release(driver: str) -> tuple[int, ...]:
-    """What the releases of a driver are ordered by."""
+    """The key that orders the releases of a driver."""
     found = RELEASE.search(driver)
     every = NUMBER.findall(driver)
     return numbers_of(found[1]) if found else numbers_of(every[-1]) if every else ()
@@ -52,7 +52,7 @@ class Device:
 
     @property
     def newest(self) -> list[Digest]:
-        """Those of the newest driver with the newest library: several if several people sent one."""
+        """Digests of the newest driver with the newest library: several if several people sent one."""
         last = order(self.digests[-1])
         return [digest for digest in self.digests if order(digest) == last]
 
@@ -81,7 +81,7 @@ def order(digest: Digest) -> tuple[tuple[int, ...], tuple[int, ...]]:
 
 
 def devices_of(digests: Iterable[Digest]) -> list[Device]:
-    """By vendor, name and API. What one browser finds is no word on another, so each has a row of its own."""
+    """By vendor, name and API. One browser's result proves nothing about another, so each has a row of its own."""
     found: dict[tuple[str, ...], Device] = {}
     for digest in sorted(digests, key=order):
         for api in digest.parts:

@@ -1,7 +1,7 @@
 """Digests of results, as anybody may send them: read, and refused for whatever is not as the suite writes it.
 
-docs/formats.md says what a digest has. A refusal is a sentence with the place, what is wrong, and what would be right.
-It quotes nothing that it has not made harmless before."""
+docs/reference/formats.md lists what a digest has. A refusal is a sentence with the place, what is wrong, and what would
+be right. It quotes nothing that it has not made harmless before."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ CASE = re.compile(rf"([a-z0-9_]{{1,32}})\.([a-z0-9_]{{1,48}})\.[a-z0-9_+]{{1,32}
 
 
 class Refused(Exception):
-    """A digest that cannot be taken; the message says why."""
+    """A digest that cannot be taken; the message has the reason."""
 
 
 class Earlier(Refused):
@@ -51,7 +51,7 @@ class Earlier(Refused):
 
 @dataclass(frozen=True)
 class Part:
-    """What a digest says of one API."""
+    """A digest's results of one API."""
     counts: Mapping[str, tuple[int, int, int]]  # of a group, "fbm.fixed": passed, failed, other
     checksums: Mapping[str, str]
     sets: frozenset[int]
@@ -165,7 +165,7 @@ class Reader:
         return found
 
     def name(self, value: Any, where: str) -> str:
-        """What a driver calls itself."""
+        """A driver's own name."""
         found = self.text(value, where, lambda text: len(text) <= MOST_NAME and SAFE.fullmatch(text),
                           f"at most {MOST_NAME} letters, digits and ()+,./:;@_- with single blanks between them")
         return self.text(found, where, lambda text: not BUILD.search(text), "a name without the numbers of builds, "
@@ -307,7 +307,7 @@ def digest_of(name: str, found: Any, versions: Mapping[str, Sets]) -> Digest:
     in_browser = all(api in BROWSER_APIS for api in apis)
     parts = {api: part_of(part, f"apis.{api}", None if is_earlier else sets) for api, part in apis.items()}
     if not any(numbers[0] for part in parts.values() for numbers in part.counts.values()):
-        raise Refused("no case passed; such a run says nothing of a device")
+        raise Refused("no case passed; such a run proves nothing about a device")
     if in_browser != ("browser" in found):
         raise Refused("browser is missing; a digest of a browser has it" if in_browser else
                       "browser is there, and no API is one of a browser; it should be left out")

@@ -14,7 +14,7 @@ from measure.results.digest import APIS, TIMED, UNIT, Digest
 
 STYLE = ROOT / "conformance" / "output" / "style.mustache"
 ADDRESS = ROOT / "conformance" / "web" / "address.js"
-# What this page has beside that: ids of cases are long words, and tables that fold need no box to scroll in.
+# This page adds to that: ids of cases are long words, and tables that fold need no box to scroll in.
 OWN_STYLE = "<style>code, h3 { overflow-wrap: anywhere; } .fold { max-height: none; }</style>\n"
 NAMES = {"opengl": "OpenGL", "opengles": "OpenGL ES", "vulkan": "Vulkan", "webgl2": "WebGL2", "webgpu": "WebGPU"}
 KINDS = (("HN_FIXED", ("fixed",)), ("hashes and random numbers", ("exact",)), ("floats", ("fast", "precise")),
@@ -78,7 +78,7 @@ def device_table(devices: Sequence[Device]) -> str:
 
 
 def evidence(digest: Digest) -> str:
-    """What failed, and how to see it oneself."""
+    """The failed cases, with commands that repeat them."""
     parts = []
     for api, part in digest.parts.items():
         failed = sum(numbers[1] for numbers in part.counts.values())
@@ -91,7 +91,7 @@ def evidence(digest: Digest) -> str:
                      f"{wrong}</p>")
     cases = "".join(f"<li><code>{escaped(case)}</code></li>" for case in digest.failed)
     command = f"hn-conform run --filter '{digest.failed[0]}'" if digest.failed else "hn-conform run"
-    file = f"{address()}/blob/main/docs/results/devices/{digest.name}"
+    file = f"{address()}/blob/main/docs/measured/results/devices/{digest.name}"
     return (f'<article id="{escaped(anchor(digest))}"><h3>{escaped(digest.renderer)}, {escaped(driver_of(digest))}, '
             f"{escaped(digest.system)}</h3>{''.join(parts)}<p>Among them:</p><ul>{cases}</ul>"
             f"<p>On such a device this shows the first: <code>{escaped(command)}</code>. "
@@ -119,7 +119,7 @@ def cost_table(devices: Sequence[Device]) -> str:
             if any(cells[:len(measured)]):
                 rows.append((escaped(name), *cells))
     heads = ["function", *measured, *(f"{chip_named(chip).title}, counted" for chip in COUNTED)]
-    return (f"<p>As multiples of <code>{UNIT}</code> on the same device. What is counted is what a compiler says of "
+    return (f"<p>As multiples of <code>{UNIT}</code> on the same device. Counted columns are a compiler's counts of "
             f"the same shader.</p>\n{table(heads, rows, 'table')}")
 
 
@@ -131,9 +131,9 @@ def page(digests: Sequence[Digest]) -> str:
     facts = (f"{len(digests)} results of {len(names)} devices, "
              f"{len(devices)} with each API and browser counted by itself.") if digests else "There are no results yet."
     failures = "".join(map(evidence, failing)) or '<p class="good">No result that was sent has a failure.</p>\n'
-    sections = [("What holds",
+    sections = [("Results",
                  what_holds(devices) + "<p>Of each device the newest driver counts that somebody ran.</p>"),
-                ("Devices", device_table(devices)), ("What failed", failures), ("Costs", cost_table(devices))]
+                ("Devices", device_table(devices)), ("Failures", failures), ("Costs", cost_table(devices))]
     body = "".join(f"<h2>{title}</h2>\n{content}" for title, content in sections)
     return (f'<!doctype html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
             f'<meta name="viewport" content="width=device-width, initial-scale=1">\n'

@@ -1,4 +1,4 @@
-"""tools/make results: which digests it refuses, and what its page says of those that it takes."""
+"""tools/make results: which digests it refuses, and the page of those that it takes."""
 
 from __future__ import annotations
 
@@ -483,7 +483,7 @@ class Golden(unittest.TestCase):
 
 
 class Constants(unittest.TestCase):
-    """What is written in C++, in JavaScript and here is the same."""
+    """Constants in C++, in JavaScript and here are the same."""
 
     def test_they_agree(self):
         report = ROOT / "conformance" / "report"

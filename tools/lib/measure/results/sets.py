@@ -1,4 +1,4 @@
-"""The sets of golden values of which every bit counts, and the checksum of each: what every device that is right
+"""The sets of golden values with every bit significant, and the checksum of each: what every device that is right
 returns. conformance/expected/exact_sets.hpp has the same sets in the same order."""
 
 from __future__ import annotations
@@ -42,13 +42,13 @@ class Sets:
         raise NotImplementedError
 
     def combined(self, numbers: Iterable[int]) -> str:
-        """That of several sets, in their order."""
+        """The checksum of several sets, in their order."""
         words = b"".join(struct.pack("<I", self.checksum(number)) for number in sorted(numbers))
         return f"{zlib.crc32(words):08x}"
 
 
 class GoldenSets(Sets):
-    """Those of a folder of golden files."""
+    """The sets of a folder of golden files."""
 
     def __init__(self, folder: Path):
         functions, settings = [], []
@@ -88,7 +88,7 @@ class GoldenSets(Sets):
 
 
 class FrozenSets(Sets):
-    """Those of a version whose golden files are no more, from the file that `write` made."""
+    """The sets of a version whose golden files are gone, from the file that `write` made."""
 
     def __init__(self, path: Path):
         with path.open(encoding="ascii", newline="") as file:

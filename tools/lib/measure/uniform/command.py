@@ -1,4 +1,4 @@
-"""The command line of tools/measure uniform, which describes it, and the table of docs/uniform.md."""
+"""The command line of tools/measure uniform, which describes it, and the table of docs/guide/uniform.md."""
 
 from __future__ import annotations
 
@@ -18,8 +18,9 @@ from measure import record
 DESCRIPTION = """\
 Measures how uniform the results of hn_uniform are, for every noise and for sums of octaves, or fits its constants.
 
-    tools/measure uniform [--points N] [--out FILE]    measures; docs/results/uniform.csv is such a file, of 10^7 points
-                                                       a row, of which tools/make readme makes the table of docs/uniform.md
+    tools/measure uniform [--points N] [--out FILE]    measures; docs/measured/results/uniform.csv is such a file, of 10^7 points
+                                                       a row, and tools/make readme makes of it the table of
+                                                       docs/guide/uniform.md
     tools/measure uniform --fit [--points N]           fits the spread of each noise, and writes them into uniform.glsl
                                                        and the contract. The bell that sums come near to stays
     tools/measure uniform --bell [--points N]          fits the bell together with all spreads, and prints it
@@ -27,15 +28,15 @@ Measures how uniform the results of hn_uniform are, for every noise and for sums
 Each point is at a random cell and fraction, with a random seed. The error of a noise is the largest difference between
 the share of results below u and u itself, over all u (Kolmogorov's distance). Chance alone adds about 0.9 / sqrt(N).
 
-Exit status: 0 done, 1 an error is above the bound that docs/uniform.md states, 2 bad usage, 4 it could not be built."""
+Exit status: 0 done, 1 an error is above the bound that docs/guide/uniform.md states, 2 bad usage, 4 it could not be built."""
 
-RECORD = ROOT / "docs" / "results" / "uniform.csv"
-CONTRACT = ROOT / "docs" / "contract.md"
+RECORD = ROOT / "docs" / "measured" / "results" / "uniform.csv"
+CONTRACT = ROOT / "docs" / "reference" / "contract.md"
 GAIN = 0.5
 SUMS = (*((octaves, GAIN) for octaves in range(1, 9)),
         (2.0, 0.7), (5.0, 0.7), (2.0, 1.0), (3.0, 0.3), (3.5, GAIN), (8.0, 0.8))
-# The aim; and what the line reaches. There nothing turns, so that the octaves of a sum depend on each other: near lattice
-# points of the first all others have the same fractions. And the density of Perlin noise is infinite at 0.
+# The aim; and what the line reaches. There nothing turns, so that the octaves of a sum depend on each other: near
+# lattice points of the first all others have the same fractions. And the density of Perlin noise is infinite at 0.
 BOUND = 0.005
 LINE_BOUNDS = {"PERLIN1": 0.015}
 
@@ -131,7 +132,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if not options.out.parent.is_dir():
         parser.error(f"--out {options.out}: there is no folder {options.out.parent}")
 
-    # What follows needs numpy, and tools/make readme, which makes the table, does without.
+    # The rest needs numpy, and tools/make readme, which makes the table, does without.
     from measure.uniform import model
 
     text = model.library_text()
@@ -165,7 +166,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
                for name, spread in fit.spreads(densities, bell).items()}
     (GLSL / "uniform.glsl").write_text(with_spreads(text, spreads), encoding="utf-8")
     page = CONTRACT.read_text(encoding="utf-8")
-    section = with_section("docs/contract.md", page, "tools/measure uniform: contract", contract_table(spreads))
+    section = with_section("docs/reference/contract.md", page, "tools/measure uniform: contract", contract_table(spreads))
     CONTRACT.write_text(section, encoding="utf-8")
     return 0
 

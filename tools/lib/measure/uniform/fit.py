@@ -22,7 +22,7 @@ AT = np.concatenate([np.arange(0.0, 0.2, 0.02), np.arange(0.2, 4.0, 0.04)])
 COARSE = 1 << 12  # bins of the characteristic functions
 SCALE = 0.002  # differences of this size count as 1
 STEPS = (1.0, 2.0, 4.0, 6.0)
-# What is gained by a spread that rises from each coefficient to the next, beside its fit.
+# The gain of a spread that rises from each coefficient to the next, beside its fit.
 ORDER = 300.0
 MARGIN = 0.001
 

@@ -1,4 +1,5 @@
-"""The noises that have spreads, the model of docs/contract.md, section 21, on arrays, and the program that samples."""
+"""The noises that have spreads, the model of docs/reference/contract.md, section 21, on arrays, and the program that
+samples."""
 
 from __future__ import annotations
 
@@ -45,7 +46,7 @@ SUBJECTS = tuple(Subject(int(number), name, int(axes), function, bool(sine))
 
 
 class Bell:
-    """What sums come near to, and how: two columns of three numbers."""
+    """Limits of sums, and their rates: two columns of three numbers."""
 
     def __init__(self, numbers: np.ndarray) -> None:
         self.end, self.way = numbers
@@ -105,7 +106,7 @@ def uniform(values: np.ndarray, reach: np.ndarray, shape: np.ndarray) -> np.ndar
 
 
 class Sampler:
-    """The program, with each gradient when it is asked for; `include` is the header's folder, and `macros` are knobs."""
+    """The program, with each gradient when it is first used; `include` is the header's folder, and `macros` are knobs."""
 
     def __init__(self, folder: Path, include: Path = ROOT / "include", macros: Sequence[str] = ()) -> None:
         self.folder, self.include, self.macros = folder, include, macros

@@ -15,7 +15,7 @@ from measure.uniform import command, model
 
 NUMBER = 9  # of hn_perlin(vec2), by which one noise stands for all
 SUBJECT = next(subject for subject in model.SUBJECTS if subject.number == NUMBER)
-# By chance the distribution of POINTS is off by 0.0017 on average. That is too much for constants that are right, which
+# By chance the distribution of POINTS is off by 0.0017 on average. This is too much for constants that are right, which
 # are off by less than the bound allows, but not by much: of MANY_POINTS it is off by 0.0006.
 POINTS, MANY_POINTS = 1 << 18, 1 << 21
 SUMS = ((1.0, 0.5), (5.0, 0.5))
@@ -46,7 +46,7 @@ class UniformTest(unittest.TestCase):
     def test_the_contract_and_hn_spread_have_the_constants(self) -> None:
         page = command.CONTRACT.read_text(encoding="utf-8")
         table = command.contract_table(command.in_units(self.text))
-        self.assertEqual(page, with_section("docs/contract.md", page, "tools/measure uniform: contract", table))
+        self.assertEqual(page, with_section("docs/reference/contract.md", page, "tools/measure uniform: contract", table))
         self.assertEqual(self.text, command.with_spreads(self.text, command.in_units(self.text)))
         for sampler in self.samplers.values():
             rows = sampler.run(False, "spreads")

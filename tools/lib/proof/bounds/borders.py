@@ -15,7 +15,7 @@ that are 1 apart are within r of x, then P is within 1/2 of both, and so it is i
 is: directions are not along an axis. So r is less than the larger distance to the two, whichever they are: 0 and one
 beside it are taken here.
 
-Branch and bound over boxes of x and P bounds by how much this fails: places y of a grid, of which some are in U from
+Branch and bound over boxes of x and P bounds by how much this fails: places y of a grid, some of them in U from
 everywhere in the box of P, and boxes of y that may meet W. By reflections and exchanges of axes 1/2 >= x_1 >= .. >= 0.
 """
 
@@ -158,9 +158,11 @@ def octahedron(dims: int, steps: int) -> np.ndarray:
 
 
 def cut_off(cells: Iterable[Cell], dims: int, x: np.ndarray, p: np.ndarray, steps: int) -> np.ndarray:
-    """How much of the border of a block a point outside of it cuts off, for places x and nearest points P. Points of
-    different cells are independent: those of the block are where their borders are farthest, as far as is tried, and
-    the one outside is where its border is nearest. What is positive is a fault of the block."""
+    """The length of a block's border that a point outside of the block cuts off, for places x and nearest points P.
+    Points
+    of different cells are independent: those of the block are where their borders are farthest, as far as is tried, and
+    the
+    one outside is where its border is nearest. A positive length is a fault of the block."""
     points, cells = octahedron(dims, steps), frozenset(cells)
     own = np.rint(p)
 

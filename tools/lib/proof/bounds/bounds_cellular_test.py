@@ -39,8 +39,8 @@ def text(*macros):
                 *macros, optimized=True)
 
 
-class Found:
-    """What the text computes at places of cells."""
+class Results:
+    """The text's results at places of cells."""
 
     def __init__(self, rounding, home, f, jitter, phase=None, *macros):
         self.rounding, self.macros, self.dims = rounding, macros, len(f)
@@ -61,7 +61,7 @@ def words_around(home, reach=2):
 
 
 def homes(rng, dims, count, touching, of=100_000):
-    """Cells, of which so many have a point that nearly touches that of the next one along x: the nearest of many."""
+    """Cells: so many have a point that nearly touches that of the next one along x: the nearest of many."""
     home = rng.integers(-2**31, 2**31, (dims, of))
     own, other = (model.directions(dims, lattice_word([home[0] + step, *home[1:]], np.int64(SEED))) for step in (0, 1))
     gap = np.linalg.norm((other - own) / 1024 + np.eye(dims)[0][:, None], axis=0)
@@ -120,7 +120,7 @@ class Blocks(unittest.TestCase):
 
     @in_thorough_runs
     def test_borders_on_the_plane(self):
-        """What is proven is this and no more: with smaller boxes 0.028, which takes a minute. 3^n cells have more."""
+        """The proven bound is tight: with smaller boxes it is 0.028, which takes a minute. 3^n cells have more."""
         wrong, _ = borders.prove(borders.block(2), 2, 5, 6)
         self.assertLess(wrong, 0.09)
         wrong, smaller = (borders.prove(cells, 2, 4, 5)[0] for cells in (borders.block(2), features.neighbours(2)))
@@ -128,8 +128,9 @@ class Blocks(unittest.TestCase):
 
     @in_thorough_runs
     def test_borders_are_searched(self):
-        """In space nothing but this says that the block is large enough. It finds the faults of the 3^n cells, and of
-        blocks without one of the slabs."""
+        """In space only this proves that the block is large enough. It finds the faults of the 3^n cells, and of blocks
+        without
+        one of the slabs."""
         for dims, count, steps in ((2, 1200, 8), (3, 300, 3)):
             block = borders.block(dims)
             self.assertLess(borders.search(block, dims, 12, count, steps), 1e-9)
@@ -196,7 +197,7 @@ class Errors(unittest.TestCase):
         return homes(rng, dims, COUNT[dims], COUNT[dims] // 4), model.fractions(rng, dims, COUNT[dims]), jitter
 
     def compared(self, exact, found):
-        """What the bounds hold, and the largest error of each: a noise, and whether it is a derivative."""
+        """The bounds, and the largest error of each: a noise, and whether it is a derivative."""
         for name in ("cellular", "cellular_three"):
             pairs = [(exact.nearest(m), found.nearest(m, name)) for m in model.METRICS]
             yield name, max(abs(a[:len(b)] - b).max() for a, b in pairs)
@@ -214,7 +215,7 @@ class Errors(unittest.TestCase):
         home, f, jitter = self.places(np.random.default_rng(seed), dims)
         exact, worst = model.Exact(*words_around(home), f, jitter), {}
         for rounding in simulated:
-            for name, error in self.compared(exact, Found(rounding, home, f, jitter, None, *macros)):
+            for name, error in self.compared(exact, Results(rounding, home, f, jitter, None, *macros)):
                 worst[name] = max(worst.get(name, 0.0), float(error))
         return worst
 
@@ -254,7 +255,7 @@ class Errors(unittest.TestCase):
         f = 0.5 + np.zeros((dims, 2000))
         f[0] += np.arange(2000) * 2.0**-23
         home, still = np.random.default_rng(40).integers(-2**31, 2**31, (dims, 2000)), np.zeros(2000)
-        exact, found = model.Exact(*words_around(home, 1), f, still), Found(NEAREST, home, f, still, None, FIXED)
+        exact, found = model.Exact(*words_around(home, 1), f, still), Results(NEAREST, home, f, still, None, FIXED)
         return abs(exact.nearest("euclidean")[0] - found.nearest("euclidean")[0]).max()
 
     def test_borders_of_points_that_nearly_touch(self):
@@ -265,16 +266,16 @@ class Errors(unittest.TestCase):
             f = np.concatenate([rng.uniform(0.9, 1, (1, count)), rng.uniform(0.2, 0.8, (dims - 1, count))])
             f, jitter = f.astype(np.float32).astype(float), np.full(count, float(np.float32(1 - 0.7 * 2.0**-20)))
             exact, _ = model.Exact(*words_around(home), f, jitter).border()
-            fixed = abs(exact - Found(NEAREST, home, f, jitter, None, FIXED).of("cell_border_cell_full")).max()
+            fixed = abs(exact - Results(NEAREST, home, f, jitter, None, FIXED).of("cell_border_cell_full")).max()
             bound = proven("cell_border", dims)
             self.assertTrue(bound.fixed_error / 4000 < fixed < bound.fixed_error, (dims, fixed, bound.fixed_error))
-            floats = max(abs(exact - Found(rounding, home, f, jitter).of("cell_border_cell_full")).max()
+            floats = max(abs(exact - Results(rounding, home, f, jitter).of("cell_border_cell_full")).max()
                          for rounding in some(roundings(42), dims, 2))
             self.assertTrue(bound.cell_error / 4000 < floats < bound.cell_error, (dims, floats, bound.cell_error))
 
     def test_fixed_is_within_its_range(self):
         for dims in DIMS:
-            found = Found(NEAREST, *self.places(np.random.default_rng(43), dims), None, FIXED)
+            found = Results(NEAREST, *self.places(np.random.default_rng(43), dims), None, FIXED)
             self.assertLessEqual(max(found.nearest(m).max() for m in model.METRICS),
                                  proven("cellular_three", dims).fixed_limit)
             self.assertLessEqual(found.of("cellular_smooth_cell_full").max(), proven("cellular_smooth", dims).fixed_limit)
@@ -365,7 +366,7 @@ class MovingPoints(unittest.TestCase):
         exact, worst = model.MovingExact(*words_around(home, 1), f, jitter, phase), np.zeros(2)
         first, second, _ = exact.nearest("euclidean")
         for rounding in simulated:
-            found = Found(rounding, home, f, jitter, phase, *macros)
+            found = Results(rounding, home, f, jitter, phase, *macros)
             off = abs(exact.to_nearest() - found.of("cellular_phase_cell_offset"))[:, second - first > 2.0**-10]
             worst = np.maximum(worst, [abs(found.of("cellular_phase_cell_period") - [first, second]).max(), off.max()])
         return worst
@@ -398,10 +399,10 @@ class MovingPoints(unittest.TestCase):
         home = np.random.default_rng(58).integers(-2**31, 2**31, (2, 2000))
         others = f, np.zeros(2000), np.full(2000, 0.125)
         exact = model.MovingExact(*words_around(home, 1), *others).nearest("euclidean")[0]
-        bound, found = moving.fixed_distance_error(2), Found(NEAREST, home, *others, FIXED).of("cellular_phase_cell_period")
+        bound, found = moving.fixed_distance_error(2), Results(NEAREST, home, *others, FIXED).of("cellular_phase_cell_period")
         self.assertTrue(bound / 2 < abs(exact - found[0]).max() < bound)
 
-    def test_turns(self):
+    def test_rotations(self):
         """The matrices of random phases, many near those where sines of fixed arithmetic are worst."""
         rng = np.random.default_rng(59)
         worst = 11116544 / 2**32 + rng.integers(-4, 4, 20_000) / 4 + rng.uniform(-1, 1, 20_000) * 2.0**-18
@@ -423,7 +424,7 @@ class MovingPoints(unittest.TestCase):
             off = (rows(dims, sine(angle + 2**30), sine(angle), moving.fixed_product) / 2**16
                    - rows(dims, np.cos(a), np.sin(a), np.multiply))
             seen = np.linalg.norm(off.transpose(2, 0, 1), 2, axis=(1, 2)).max()
-            self.assertTrue(0.9 * moving.fixed_turn_error(dims) < seen < moving.fixed_turn_error(dims), (dims, seen))
+            self.assertTrue(0.9 * moving.fixed_rotation_error(dims) < seen < moving.fixed_rotation_error(dims), (dims, seen))
 
     def test_nothing_wraps(self):
         """A sine may be 1. So its half times itself would wrap, which no sine below 1 does. The library multiplies in
@@ -449,7 +450,7 @@ def whole_root(q):
 
 class Roots(unittest.TestCase):
     def guesses(self, q, ulps, conversion=1.0):
-        """Those of hn_i_root for words, off to either side."""
+        """hn_i_root for words, off to either side."""
         exact = np.sqrt(q.astype(float) * 2**8)
         for sign in (-1, 1):
             off = (1 + sign * conversion * distances.UNIT) ** 0.5 * (1 + sign * ulps * distances.UNIT)

@@ -1,5 +1,5 @@
-"""Tests of what is proven of fixed arithmetic: the text of the library in integers stays within the bounds, and reaches a
-part of them. Here are the noises and the octave sums; bounds_integers_test.py has the steps."""
+"""Tests of what is proven of fixed arithmetic: the text of the library in integers stays within the bounds, and reaches
+a part of them. Here are the noises and the octave sums; bounds_integers_test.py has the steps."""
 
 import functools
 import unittest
@@ -23,7 +23,7 @@ NEAREST = Rounding("nearest")
 
 
 def every_noise():
-    """What Errors.largest takes, and the bounds of the value and of the derivatives."""
+    """The arguments of Errors.largest, and the bounds of the value and of the derivatives."""
     for dims, kind in CASES:
         yield (("perlin", dims, kind, functools.partial(exact.perlin, kind)), proven(kind, dims),
                slope_bounds_of("perlin_d", dims) if kind is OCTAHEDRAL else None)
@@ -144,7 +144,7 @@ class Octaves(floats.OctaveErrors, unittest.TestCase):
             return list(rng.integers(-s.p_max * 256, s.p_max * 256, (dims, 200)) / 256)
 
         def arguments(rng, name, **others):
-            return self.random_sum(rng, name, turns=False, from_cell=True, lacunarity=float(rng.integers(0, 4)),
+            return self.random_sum(rng, name, rotates=False, from_cell=True, lacunarity=float(rng.integers(0, 4)),
                                    **others)
         self.check(arguments)
         self.check(lambda rng, name: arguments(rng, name, p_max=16, exact_positions=True), spread=exactly)

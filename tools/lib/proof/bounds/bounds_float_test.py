@@ -28,7 +28,7 @@ QUARTER_SINE = Body.of("q:u32", "sine:f32", "return uvec4(bits_of(hn_i_quarter_s
 
 @functools.cache
 def text(kind, *macros):
-    """What is asked of the library with a kind of gradient."""
+    """The calls of the library with a kind of gradient."""
     if kind is SINE:
         ids = [f"noise{dims}d.perlin{form}" for dims in (2, 3) for form in ("", "_cell")]
         ids += [f"fbm.{name}{dims}{form}" for dims in (2, 3) for name in sums.KINDS for form in FORMS]
@@ -50,7 +50,7 @@ FORMS = ("", "_cell", "_cell_period", "_detail", "_footprint")
 
 
 def proven(kind, dims):
-    """What bounds.inc has of hn_perlin."""
+    """The bounds of hn_perlin in bounds.inc."""
     return bounds_of("perlin", dims, kind.name)
 
 
@@ -252,16 +252,16 @@ class OctaveErrors:
 
     @staticmethod
     def row_of(s, dims):
-        """In a tile without a period nothing turns."""
+        """In a tile without a period nothing rotates."""
         form = ("_detail" if isinstance(s.octaves, float) else "_footprint" if s.footprint is not None
-                else "_cell_period" if not s.turns else "_cell" if s.from_cell else "")
+                else "_cell_period" if not s.rotates else "_cell" if s.from_cell else "")
         return f"fbm.{s.kind}{dims}{form}"
 
     def computed(self, rounding, kind, s, p):
         columns = {"lacunarity": s.lacunarity, "gain": s.gain, "seed": 0}
         columns |= (along_axes("c", map(np.floor, p)) | along_axes("f", [x - np.floor(x) for x in p]) if s.from_cell
                     else along_axes("", p))
-        columns |= {} if s.turns else along_axes("p", [0] * len(p))
+        columns |= {} if s.rotates else along_axes("p", [0] * len(p))
         columns |= {"detail" if isinstance(s.octaves, float) else "octaves": s.octaves}
         columns |= {} if s.footprint is None else {"footprint": s.footprint}
         columns |= {"strength": s.strength} if s.kind in sums.LARGEST_STRENGTH else {}
@@ -293,7 +293,7 @@ class Octaves(OctaveErrors, unittest.TestCase):
     @in_thorough_runs
     def test_with_a_period(self):
         def arguments(rng, name):
-            return self.random_sum(rng, name, lacunarity=float(rng.integers(0, 4)), turns=False, from_cell=True)
+            return self.random_sum(rng, name, lacunarity=float(rng.integers(0, 4)), rotates=False, from_cell=True)
         self.assert_near(self.check(arguments), 1 / 60)
 
     @in_thorough_runs
@@ -316,7 +316,7 @@ class Octaves(OctaveErrors, unittest.TestCase):
     @in_thorough_runs
     def test_simulated_with_exact_positions(self):
         def arguments(rng, name):
-            return self.random_sum(rng, name, p_max=16.0, lacunarity=2.0, gain=0.5, turns=False, from_cell=True,
+            return self.random_sum(rng, name, p_max=16.0, lacunarity=2.0, gain=0.5, rotates=False, from_cell=True,
                                    exact_positions=True)
 
         def spread(rng, dims, s):
@@ -335,7 +335,7 @@ class Octaves(OctaveErrors, unittest.TestCase):
     def test_fails_with_fewer_bits(self):
         """For each kind, in one of its forms, or in a thorough run in each."""
         fewer = [Rounding("nearest", lost_bits=9)]
-        forms = ({"turns": False, "from_cell": True, "lacunarity": 2.0}, {"from_cell": True, "lacunarity": 2.0}, {})
+        forms = ({"rotates": False, "from_cell": True, "lacunarity": 2.0}, {"from_cell": True, "lacunarity": 2.0}, {})
         for turn, name in enumerate(sums.KINDS):
             for others in some(forms, turn):
                 with self.subTest(name=name, **others), self.assertRaises(AssertionError):
@@ -343,7 +343,7 @@ class Octaves(OctaveErrors, unittest.TestCase):
                                (name,), simulated=fewer)
 
     def test_fails_without_a_step(self):
-        """What ping-pong does to the error of a noise is more than an fBm does."""
+        """Ping-pong makes more of the error of a noise than an fBm does."""
         with mock.patch.object(float_sums, "rule_of", lambda s: "fbm"):
             with self.assertRaises(AssertionError):
                 self.check(lambda rng, name: self.random_sum(rng, name, octaves=1, strength=64.0), ("ping_pong",))

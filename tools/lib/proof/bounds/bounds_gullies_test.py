@@ -31,11 +31,11 @@ def text(*macros):
 
 
 def a_sum(octaves, lacunarity=2.0, gain=0.5, footprint=None):
-    return Sum("fbm", 0.0, octaves, lacunarity, gain, footprint=footprint, turns=False, from_cell=True)
+    return Sum("fbm", 0.0, octaves, lacunarity, gain, footprint=footprint, rotates=False, from_cell=True)
 
 
 def places(seed, count):
-    """Cells and fractions, some of which are multiples of few bits."""
+    """Cells and fractions; some are multiples of few bits."""
     rng = np.random.default_rng(seed)
     f = np.where(rng.random(count) < 0.5, rng.random((2, count)), rng.integers(0, 65, (2, count)) / 64)
     return list(rng.integers(-2**20, 2**20, (2, count))), f.astype(np.float32).astype(float)
@@ -82,7 +82,7 @@ def ratios(case, seed, found, tolerance_of):
 
 class Bounds(unittest.TestCase):
     def test_of_waves(self):
-        """Nothing at random places is steeper, or turns faster, than what is proven; and it comes near."""
+        """Nothing at random places is steeper, or rotates faster, than what is proven; and it comes near."""
         rng, bounds, count, kernel = np.random.default_rng(1), read_gullies(), 4000, KERNELS[2]
         words = {tuple(kernel_model.halves(point)): rng.integers(0, 2**32, count)
                  for point in kernel_model.points(kernel)}
@@ -93,9 +93,9 @@ class Bounds(unittest.TestCase):
         def at(wave):
             results = kernel_model.phasor_d(kernel, lambda point: words[tuple(point)], f, wave, np.zeros(count))
             return results[0].real, np.array([g.real for g in results[1:]])
-        (v, g), (turned_v, turned_g) = at(k), at(k + step)
-        for seen, bound in ((np.hypot(*g), bounds.steepest), (abs(turned_v - v) / 1e-6, bounds.turn),
-                            (np.hypot(*(turned_g - g)) / 1e-6, bounds.slope_turn)):
+        (v, g), (rotated_v, rotated_g) = at(k), at(k + step)
+        for seen, bound in ((np.hypot(*g), bounds.steepest), (abs(rotated_v - v) / 1e-6, bounds.wave_rate),
+                            (np.hypot(*(rotated_g - g)) / 1e-6, bounds.slope_wave_rate)):
             self.assertTrue(0.4 * bound < seen.max() < bound, (seen.max(), bound))
 
     def test_they_are_those_of_short_waves(self):
@@ -131,7 +131,7 @@ class Floats(unittest.TestCase):
         self.assertTrue((worst > 1).all(), worst)
 
     def test_smaller_bounds_are_noticed(self):
-        """A must-fail check: of the errors of waves, and of how fast these turn."""
+        """A must-fail check: of the errors of waves, and of how fast these change."""
         worst = np.max([self.worst(rounding, smaller(32)) for rounding in roundings(9)[1::2]], axis=0)
         self.assertGreater(worst.max(), 1)
 

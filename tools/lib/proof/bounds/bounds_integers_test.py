@@ -1,5 +1,5 @@
-"""Tests of what is proven of the steps of fixed arithmetic, and that nothing wraps: the integers of the proofs are those
-of the library's text."""
+"""Tests of what is proven of the steps of fixed arithmetic, and that nothing wraps: the integers of the proofs are
+those of the library's text."""
 
 import functools
 import math
@@ -39,7 +39,7 @@ def step(name, x, y=0, z=0):
 
 
 def proven(kind, dims):
-    """What bounds.inc has of hn_perlin."""
+    """The bounds of hn_perlin in bounds.inc."""
     return bounds_of("perlin", dims, kind.name)
 
 
@@ -109,7 +109,7 @@ class Integers(unittest.TestCase):
             self.assertLess(slope.max(), integers.largest_slope_fade_effect(dims, OCTAHEDRAL))
 
     def test_nothing_wraps(self):
-        """By default of two noises: docs/accuracy.md quotes the largest of all noises, which tools/make bounds
+        """By default of two noises: docs/measured/accuracy.md quotes the largest of all noises, which tools/make bounds
         --check compares."""
         for key in command.keys() if THOROUGH else [("perlin_d", 3, OCTAHEDRAL), ("cellular", 3, None)]:
             for name, value in noises.find(key[0]).largest_intermediates(*key[1:]).items():
@@ -180,11 +180,11 @@ class Sums(unittest.TestCase):
         for x, y in zip(a[-1000:].tolist(), b[-1000:].tolist()):
             self.assertEqual(sums.product(x, y), x * y >> 18)
 
-    def test_parts_of_a_turn(self):
+    def test_parts_of_a_rotation(self):
         """25 X - 20 Y of fractions of up to 2^24, and of what is left of cells, are what they are bounded by."""
         r, m = np.array([0, 2**24]), np.array([0, 31])
         largest = sums.largest_octave_intermediates(1.0)
-        for part, name in ((r, "turn"), (m, "rest of a turn")):
+        for part, name in ((r, "rotation"), (m, "rest of a rotation")):
             made = [a * part[:, None] + b * part for a, b in ((25, -20), (20, 25), (29, -13), (13, 29))]
             self.assertEqual(max(abs(x).max() for x in made), largest[name])
 

@@ -1,5 +1,6 @@
-"""Tests of what is proven of octave sums with slopes, and of warps: the library's text stays within the bounds, and
-reaches a part of them. What is left out of a bound, or of a sum, is noticed."""
+"""Tests of the bounds of octave sums with slopes, and of warps: the library's text stays within the bounds, and reaches
+a
+part of them. A missing part of a bound, or of a sum, is noticed."""
 
 import functools
 import itertools
@@ -37,7 +38,7 @@ KINDS = SLOPED + SHIFTS
 
 
 def proven(kind, dims):
-    """What bounds.inc has of the noise of a sum, and of its derivatives."""
+    """The bounds of the noise of a sum in bounds.inc, and of its derivatives."""
     noise = "value" if kind in SHIFTS else "perlin"
     return bounds_of(noise, dims, "octahedral"), slope_bounds_of(f"{noise}_d", dims)
 
@@ -61,7 +62,7 @@ def random_sum(rng, kind, **others):
 
 @functools.cache
 def text(*macros):
-    """What is asked of the library."""
+    """The calls of the library."""
     return Text((row_of(kind, dims, form) for kind in KINDS for dims in DIMS for form in ("", "_cell", "_cell_period")),
                 *macros)
 
@@ -76,11 +77,11 @@ class Errors:
     SIMULATED = roundings(3)
 
     def computed(self, rounding, s, p):
-        """In a tile without a period nothing turns."""
+        """In a tile without a period nothing rotates."""
         places, form = along_axes("", p), ""
         if s.from_cell:
             places, form = along_axes("c", map(np.floor, p)) | along_axes("f", [x - np.floor(x) for x in p]), "_cell"
-        if not s.turns:
+        if not s.rotates:
             places, form = places | along_axes("p", [0] * len(p)), "_cell_period"
         settings = {"octaves": s.octaves, "lacunarity": s.lacunarity, "gain": s.gain, "seed": 0}
         if s.kind in SHIFTS:
@@ -122,7 +123,7 @@ class Floats(Errors, unittest.TestCase):
 
     @in_thorough_runs
     def test_with_a_period(self):
-        self.assert_near(self.check(arguments=lambda rng: {"lacunarity": float(rng.integers(0, 4))}, turns=False,
+        self.assert_near(self.check(arguments=lambda rng: {"lacunarity": float(rng.integers(0, 4))}, rotates=False,
                                     from_cell=True), 1 / 100)
 
     @in_thorough_runs
@@ -131,10 +132,10 @@ class Floats(Errors, unittest.TestCase):
 
     def test_fails_with_fewer_bits(self):
         fewer = [Rounding("nearest", lost_bits=10)]
-        for kind, turns in itertools.product(KINDS, (True, False)):
-            with self.subTest(kind=kind, turns=turns), self.assertRaises(AssertionError):
+        for kind, rotates in itertools.product(KINDS, (True, False)):
+            with self.subTest(kind=kind, rotates=rotates), self.assertRaises(AssertionError):
                 self.check((kind,), simulated=fewer, octaves=2, lacunarity=2.0, gain=0.5, strength=1.0, amplitude=0.25,
-                           p_max=4.0, turns=turns, from_cell=not turns)
+                           p_max=4.0, rotates=rotates, from_cell=not rotates)
 
     def test_tiny_results(self):
         """HN_PRECISE replaces them by 0."""
@@ -171,7 +172,7 @@ class Fixed(Errors, unittest.TestCase):
             self.assert_near(usual, least)
 
     def test_with_a_period(self):
-        self.assert_near(self.check(arguments=lambda rng: {"lacunarity": float(rng.integers(0, 4))}, turns=False,
+        self.assert_near(self.check(arguments=lambda rng: {"lacunarity": float(rng.integers(0, 4))}, rotates=False,
                                     from_cell=True), 1 / 20)
 
     def test_from_a_cell(self):
@@ -179,7 +180,7 @@ class Fixed(Errors, unittest.TestCase):
 
     @in_thorough_runs
     def test_at_the_ends_of_the_domain(self):
-        """Results of 8 and more, of which bits are dropped, and Jacobians and steps that are as large as they may be."""
+        """Results of 8 and more, which lose bits, and Jacobians and steps that are as large as they may be."""
         for gain, lacunarity, octaves in ((1.0, 1.0, 32), (1.0, 4.0, 3), (0.25, 252.0, 2), (0.75, 1.25, 20)):
             self.check(octaves=octaves, gain=gain, lacunarity=lacunarity, amplitude=64.0 / max(1, gain * lacunarity),
                        p_max=4.0)
@@ -223,7 +224,7 @@ class Fixed(Errors, unittest.TestCase):
                  ("fbm_d", "warp_progressive")),
                 (jacobians_model, "words_of_components", lambda cells, seed: words_of_components(cells, seed)[:1] * len(cells),
                  ("warp",)),
-                (exact, "turn", list, ("eroded",))):
+                (exact, "rotate", list, ("eroded",))):
             for kind in kinds:
                 with mock.patch.object(module, name, fault), self.assertRaises(AssertionError):
                     self.check((kind,), octaves=4, lacunarity=2.0, gain=0.5, strength=1.0, amplitude=1.0)
@@ -254,8 +255,8 @@ class Steps(unittest.TestCase):
     def test_jacobians(self):
         """The integers of the bounds are near the exact numbers."""
         rng = np.random.default_rng(5)
-        for dims, turns in itertools.product(DIMS, (True, False)):
-            s = random_sum(rng, "fbm_d", octaves=7, turns=turns)
+        for dims, rotates in itertools.product(DIMS, (True, False)):
+            s = random_sum(rng, "fbm_d", octaves=7, rotates=rotates)
             for rounded, exactly in jacobians.jacobians(s, dims):
                 self.assertLess(abs(rounded - exactly).max(), 1e-3)
 
@@ -272,12 +273,12 @@ class Steps(unittest.TestCase):
 # Noises that fit a loop with slopes, and what they take behind the place.
 FITTING = {name: "0.375f, " if name.endswith("_phase") else "" for name in jacobians.FITTING}
 NO_NOISES = {"hn_fbm_d", "hn_uniform_d"}  # functions that end in _d: a sum, and one of a value
-CUTS = {ROOT / "docs" / "contract.md": r"`g = trunc\(clamp\(g, -(\d+), (\d+)\) \* 2\^19\)`",
+CUTS = {ROOT / "docs" / "reference" / "contract.md": r"`g = trunc\(clamp\(g, -(\d+), (\d+)\) \* 2\^19\)`",
         GLSL / "detail" / "jacobian.glsl": r"min\(max\(g, -(\d+)\.0f\), (\d+)\.0f\) \* HN_I_FLOAT_UNITS_SLOPE"}
 
 
 def steeper(cut):
-    """Noises of the library with derivatives, of which one is beyond the cut."""
+    """Noises of the library with derivatives; one of them is beyond the cut."""
     return {(of.noise, of.dimensions) for of in read(macro="SLOPE_BOUNDS") if max(of.limit, of.fixed_limit) > cut}
 
 
@@ -309,7 +310,7 @@ class Cut(unittest.TestCase):
         for name, dims in itertools.product(FITTING, DIMS):
             noise, slope = bounds_of(value_of(name), dims, "octahedral"), slope_bounds_of(name, dims)
             longest = jacobians.longest_gradient(noise, slope)
-            self.assertLess(longest, 10, (name, dims))  # as the contract says
+            self.assertLess(longest, 10, (name, dims))  # as in the contract
             self.assertLess(jacobians.LARGEST_GROWTH * longest, jacobians.LARGEST_RISE)
 
     def test_beyond_it_there_is_no_bound(self):
@@ -386,7 +387,7 @@ int main() {{
     @staticmethod
     def noise(name):
         found = noises.find(name)
-        return found.turned(0.375) if name.endswith("_phase") else found
+        return found.rotated(0.375) if name.endswith("_phase") else found
 
     def check(self, program, count, names=tuple(FITTING)):
         rng, rows = np.random.default_rng(6), []
@@ -404,7 +405,7 @@ int main() {{
             # From a place: the lacunarity that is used is the one that is cut.
             exactly = oracle.exact("fbm_d", noise, Knobs("lattice"), oracle_sums.at_position(p), options, seed, periods)
             s = Sum("fbm_d", 40.0, options.octaves, float(oracle_sums.lacunarity_of(options, periods)), options.gain,
-                    turns=not period)
+                    rotates=not period)
             tolerance = jacobians.fixed_slope_tolerance(s, bounds_of(value_of(name), dims, "octahedral"),
                                                      slope_bounds_of(name, dims))
             for a, b in zip(found[1:-1], exactly[1:]):
@@ -427,7 +428,7 @@ int main() {{
         for found, x in zip(steep, exactly, strict=True):
             self.assertLess(abs(found - x), slope_bounds_of("simplex_d", 3).fixed_error)
 
-    # What adds one octave, how its value is asked for, and what it is of a noise of 1.25 and of 2.
+    # The call that adds one octave, the expression of its value, and its result for a noise of 1.25 and of 2.
     AS_IT_IS, NEARER_END = (1.25, 2.0), (1.0, 1.0)
     STEPS = {"hn_add(o, n)": ("hn_mean(o)", AS_IT_IS), "hn_add_turbulence(o, -n)": ("hn_mean(o)", AS_IT_IS),
              "hn_add_detail(o, n)": ("hn_mean(o)", AS_IT_IS), "hn_add_footprint(o, n)": ("hn_mean(o)", AS_IT_IS),
@@ -441,7 +442,7 @@ int main() {{
              "hn_add_progressive(o, w, vec2(n, 0.0f))": ("hn_mean(o, w).x", NEARER_END)}
 
     def beyond(self, arithmetic):
-        """What the octave comes to of both noises, by the step."""
+        """The result of the octave for both noises, by the step."""
         lines = "".join(f"""  for (float n : {{1.25f, 2.0f}}) {{
     hn_octaves2 o = hn_octaves(vec2(0.5f, 0.5f), 1, 2.0f, 0.5f, 7u);
     [[maybe_unused]] hn_slopes2 s = hn_slopes(o);
@@ -459,12 +460,12 @@ int main() {{
         return dict(zip(self.STEPS, zip(numbers[::2], numbers[1::2]), strict=True))
 
     def test_a_noise_beyond_its_range(self):
-        """Counts as the contract and docs/sums.md say."""
+        """Counts as the contract and docs/reference/fractals.md say."""
         expected = {step: numbers for step, (_, numbers) in self.STEPS.items()}
         self.assertEqual(self.beyond("HN_FAST"), expected)
         self.assertEqual(self.beyond("HN_FIXED"), {step: tuple(min(number, 1.5) for number in numbers)
                                                    for step, numbers in expected.items()})
-        text = (ROOT / "docs" / "contract.md").read_text()
+        text = (ROOT / "docs" / "reference" / "contract.md").read_text()
         sentence, = re.findall(r"^A noise beyond \[-1, 1\] counts as it is in (.*?);", text, re.MULTILINE)
         as_it_is = {step.partition("(")[0] for step, numbers in expected.items() if numbers == self.AS_IT_IS}
         self.assertEqual(set(re.findall(r"`(hn_\w+)`", sentence)), as_it_is)

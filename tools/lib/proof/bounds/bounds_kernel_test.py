@@ -1,4 +1,4 @@
-"""Tests of what is proven of simplex noise, of gradients that turn and of curl: the library's text stays within the
+"""Tests of what is proven of simplex noise, of gradients that rotate and of curl: the library's text stays within the
 bounds, and reaches a part of them. A wrong constant is noticed."""
 
 import functools
@@ -11,9 +11,9 @@ import numpy as np
 
 from base.thorough import in_thorough_runs
 from proof.bounds import exact_model as exact
-from proof.bounds import kernel_model, kernels, turns
+from proof.bounds import kernel_model, kernels, rotations
 from proof.bounds.boxes import Boxes
-from proof.bounds.gradients import LENGTH, OCTAHEDRAL, TURNED
+from proof.bounds.gradients import LENGTH, OCTAHEDRAL, ROTATED
 from proof.bounds.kernels import SIMPLEX, SMOOTH, Offsets, Quantity
 from proof.bounds.noises import curl, simplex, simplex_phase
 from proof.bounds.rounded import FIXED, Body, Rounding, Text, along_axes, roundings, table
@@ -31,15 +31,15 @@ def proven(noise, dims):
     return bounds_of(noise, dims, "octahedral"), slope
 
 
-def random_phase(rng, count, turning=True):
-    return rng.integers(0, 2**30, count) * 4 if turning else None
+def random_phase(rng, count, rotating=True):
+    return rng.integers(0, 2**30, count) * 4 if rotating else None
 
 
-def random_case(rng, kernel, turning, count):
+def random_case(rng, kernel, rotating, count):
     """Words of each point, fractions and a phase."""
     words = {tuple(kernel_model.halves(point)): rng.integers(0, 2**32, count) for point in kernel_model.points(kernel)}
     fractions = list(rng.random((kernel.dims, count)))
-    return lambda halves: words[tuple(halves)], fractions, random_phase(rng, count, turning)
+    return lambda halves: words[tuple(halves)], fractions, random_phase(rng, count, rotating)
 
 
 def largest_differences(computed, expected):
@@ -64,7 +64,7 @@ class Exact(unittest.TestCase):
     def test_bounds_are_attained(self):
         """By the library's gradients; a bound a little smaller would be refuted."""
         for kernel in (*SIMPLEX.values(), *SMOOTH.values()):
-            for gradient, quantity in itertools.product((OCTAHEDRAL, TURNED) if kernel.dims < 4 else (OCTAHEDRAL,), (
+            for gradient, quantity in itertools.product((OCTAHEDRAL, ROTATED) if kernel.dims < 4 else (OCTAHEDRAL,), (
                     kernels.VALUE, Quantity(((0.0,) * (kernel.dims - 1) + (1.0,),)), Quantity(((1.0,) * kernel.dims,)))):
                 bound = kernels.largest(kernel, quantity, gradient, kernel.dims - 1)
                 seen = self.searched(lambda place: kernels.attained(kernel, quantity, gradient.support, place),
@@ -73,10 +73,10 @@ class Exact(unittest.TestCase):
 
     @in_thorough_runs
     def test_scales_leave_little_room(self):
-        for noise, kernel, turning in NOISES:
-            derived = simplex_phase.derive(kernel.dims, None) if turning else simplex.derived_value(kernel)
+        for noise, kernel, rotating in NOISES:
+            derived = simplex_phase.derive(kernel.dims, None) if rotating else simplex.derived_value(kernel)
             self.assertLess(max(derived.largest, derived.fixed_largest), 1, noise)
-            # Simplex noise has the scale of that whose gradients turn.
+            # Simplex noise has the scale of that whose gradients rotate.
             if noise != "simplex" or kernel.dims == 4:
                 self.assertGreater(derived.fixed_largest + 2 / kernel.scale, 1, noise)
             limits, _ = proven(noise, kernel.dims)
@@ -85,15 +85,15 @@ class Exact(unittest.TestCase):
     def test_model_is_what_is_bounded(self):
         """The contract's noise is the sum over the kernel's points, and its derivatives are those by differences."""
         rng, step = np.random.default_rng(3), 1e-6
-        for noise, kernel, turning in NOISES:
-            words, fractions, phase = random_case(rng, kernel, turning, 300)
+        for noise, kernel, rotating in NOISES:
+            words, fractions, phase = random_case(rng, kernel, rotating, 300)
             f = [x * 0.49 for x in fractions]
             value, along = kernel_model.simplex(kernel, words, f, phase)
             place, total = np.array(f) * kernel.steps, 0.0
             inside = (place <= 0.5).all(axis=0)
             for point in kernel.points:
                 g = exact.gradient(OCTAHEDRAL, kernel.dims, words(kernel_model.halves(point)))
-                g = kernel_model.turned(g, phase)
+                g = kernel_model.rotated(g, phase)
                 v = kernels.vector(kernel, kernels.VALUE, place - np.array(point)[:, None])
                 total = total + sum(np.array(g) * v)
             self.assertLess(abs(total * kernel.scale / 1024 - value)[inside].max(), 1e-12, noise)
@@ -126,7 +126,7 @@ class Exact(unittest.TestCase):
 
 @functools.cache
 def text(*macros):
-    """What is asked of the library."""
+    """The calls of the library."""
     ids = [f"noise{dims}d.{name}_cell" for dims in (2, 3, 4)
            for name in ("simplex", "simplex_d", "simplex_smooth", "simplex_phase", "simplex_d_phase", "perlin_phase",
                         "perlin_d_phase")]
@@ -142,15 +142,15 @@ class Errors:
     """Of the text of the library with these macros."""
     MACROS: tuple[str, ...] = ()
 
-    def errors(self, noise, dims, exactly, turning, some, count=5000):
+    def errors(self, noise, dims, exactly, rotating, some, count=5000):
         """The largest of the value and of the derivatives; `exactly` are those of cells, fractions and phases."""
         rng = np.random.default_rng(8)
         f = list(rng.random((dims, count)).astype(np.float32).astype(float))
         cells = list(rng.integers(-2**31, 2**31, (dims, count)))
-        phase = rng.integers(0, 2**24, count) * 256 if turning else None
+        phase = rng.integers(0, 2**24, count) * 256 if rotating else None
         expected = exactly(cells, f, phase)
         columns = along_axes("c", cells) | along_axes("f", f) | {"seed": 0}
-        if turning:
+        if rotating:
             columns["phase"] = phase / 2**32
         found = []
         for rounding in some:
@@ -161,9 +161,9 @@ class Errors:
             found.append(largest_differences((value, slopes), expected))
         return np.max(found, axis=0)
 
-    def of_simplex(self, noise, kernel, turning, some, count=5000):
+    def of_simplex(self, noise, kernel, rotating, some, count=5000):
         return self.errors(noise, kernel.dims, lambda cells, f, phase: kernel_model.simplex(
-            kernel, kernel_model.words_at(kernel, cells), f, phase), turning, some, count)
+            kernel, kernel_model.words_at(kernel, cells), f, phase), rotating, some, count)
 
     def of_perlin(self, dims, some, count=5000):
         return self.errors("perlin_phase", dims, lambda cells, f, phase: kernel_model.perlin(
@@ -174,23 +174,23 @@ class Floats(Errors, unittest.TestCase):
     """Of any rounding mode."""
 
     def test_any_rounding(self):
-        for noise, kernel, turning in NOISES:
+        for noise, kernel, rotating in NOISES:
             value, slope = proven(noise, kernel.dims)
-            seen, seen_slope = self.of_simplex(noise, kernel, turning, roundings(10))
+            seen, seen_slope = self.of_simplex(noise, kernel, rotating, roundings(10))
             self.assertTrue(value.cell_error / 10 < seen < value.cell_error, (noise, kernel.dims, seen))
             if slope:
                 self.assertTrue(slope.cell_error / 14 < seen_slope < slope.cell_error, (noise, kernel.dims, seen_slope))
 
     def test_fails_with_fewer_bits(self):
         """A must-fail check: a mantissa without 5 of its bits."""
-        for noise, kernel, turning in NOISES:
+        for noise, kernel, rotating in NOISES:
             value, slope = proven(noise, kernel.dims)
-            seen, seen_slope = self.of_simplex(noise, kernel, turning, [Rounding("nearest", lost_bits=5)])
+            seen, seen_slope = self.of_simplex(noise, kernel, rotating, [Rounding("nearest", lost_bits=5)])
             self.assertGreater(seen, value.cell_error, noise)
             if slope:
                 self.assertGreater(seen_slope, slope.cell_error, noise)
 
-    def test_turned_perlin(self):
+    def test_rotated_perlin(self):
         for dims in (2, 3):
             value, slope = proven("perlin_phase", dims)
             for some, fails in ((roundings(13), False), ([Rounding("nearest", lost_bits=6)], True)):
@@ -203,9 +203,9 @@ class Fixed(Errors, unittest.TestCase):
     MACROS = (FIXED,)
 
     def of_all(self, count):
-        """What is proven, and what is seen."""
-        for noise, kernel, turning in NOISES:
-            yield proven(noise, kernel.dims), self.of_simplex(noise, kernel, turning, [Rounding("nearest")], count)
+        """The proven bound, and the largest error."""
+        for noise, kernel, rotating in NOISES:
+            yield proven(noise, kernel.dims), self.of_simplex(noise, kernel, rotating, [Rounding("nearest")], count)
         for dims in (2, 3):
             yield proven("perlin_phase", dims), self.of_perlin(dims, [Rounding("nearest")], count)
 
@@ -243,16 +243,16 @@ class Fixed(Errors, unittest.TestCase):
         self.assertTrue(0.998 * row.limit < (scale * longest) ** 2 < row.limit)
 
 
-class Turns(unittest.TestCase):
+class Rotations(unittest.TestCase):
     def test_support(self):
         """Of the gradients at many phases: none is beyond, and nearly all of it is reached."""
         rng = np.random.default_rng(15)
         for dims in (2, 3):
             words = np.array([a << 21 | b << 31 | 2**31 // 3 * c for a in range(4) for b in (0, 1) for c in range(3)])
             some = exact.gradient(OCTAHEDRAL, dims, words)
-            g = np.concatenate([kernel_model.turned(some, phase) for phase in range(0, 2**32, 2**25)], axis=1)
+            g = np.concatenate([kernel_model.rotated(some, phase) for phase in range(0, 2**32, 2**25)], axis=1)
             v = np.concatenate([rng.normal(size=(dims, 60)), np.eye(dims), np.ones((dims, 1))], axis=1)
-            reached, h = (g.T @ v).max(axis=0), TURNED.support(v)
+            reached, h = (g.T @ v).max(axis=0), ROTATED.support(v)
             self.assertLess((reached - h).max(), 1e-14)
             self.assertGreater((reached / h).min(), 0.998)
             self.assertAlmostEqual(np.sqrt((g * g).sum(axis=0)).max(), LENGTH[dims])
@@ -261,9 +261,9 @@ class Turns(unittest.TestCase):
         words = np.random.default_rng(16).integers(0, 2**32, 2000)
         for dims in (2, 3):
             g = np.array(exact.gradient(OCTAHEDRAL, dims, words))
-            turned = np.array(exact.quarter(list(g)))
-            self.assertEqual(*({tuple(column) for column in some.T} for some in (g, turned)))
-            self.assertFalse((g * turned).sum(axis=0).any())
+            rotated = np.array(exact.quarter(list(g)))
+            self.assertEqual(*({tuple(column) for column in some.T} for some in (g, rotated)))
+            self.assertFalse((g * rotated).sum(axis=0).any())
 
     def test_errors_of_two_sums(self):
         """Two sums that are off as far as they may, and a rotation that is: one of them is nearly off by the bound."""
@@ -275,14 +275,14 @@ class Turns(unittest.TestCase):
             c, s = np.cos(angle) + off * signs[0], np.sin(angle) + off * signs[1]
             seen = abs(c * (n + error * signs[2]) + s * (m + error * signs[3])
                        - np.cos(angle) * n - np.sin(angle) * m).max()
-            self.assertTrue(0.95 * turns.moved(error, off, 1.0) < seen <= turns.moved(error, off, 1.0))
+            self.assertTrue(0.95 * rotations.moved(error, off, 1.0) < seen <= rotations.moved(error, off, 1.0))
 
     def test_sine_of_a_phase(self):
         angle = np.random.default_rng(16).integers(0, 2**30, 20_000) * 4
         for rounding in roundings(17):
-            phase = angle >> 8 << 8  # of which a float has all bits
+            phase = angle >> 8 << 8  # a float has all its bits
             _, found = text()("rotation", rounding, phase=phase / 2**32)
-            self.assertLess(abs(found - np.sin(phase / 2**31 * math.pi)).max(), turns.float_error())
+            self.assertLess(abs(found - np.sin(phase / 2**31 * math.pi)).max(), rotations.float_error())
 
 
 if __name__ == "__main__":

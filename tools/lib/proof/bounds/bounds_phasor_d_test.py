@@ -1,5 +1,5 @@
-"""Tests of what is proven of the derivatives of phasor noise: the text of the library stays within the bounds, and reaches
-a part of them. A wrong constant is noticed."""
+"""Tests of what is proven of the derivatives of phasor noise: the text of the library stays within the bounds, and
+reaches a part of them. A wrong constant is noticed."""
 
 import unittest
 from unittest import mock
@@ -129,7 +129,7 @@ class Fixed(unittest.TestCase):
             largest = phasor_d.largest_intermediates(dims, None)
             self.assertLess(max(largest.values()), 2**31)
             high = abs(np.array([-2**29, 2**29]) >> 9) * (abs(turns).max() >> 9)
-            self.assertTrue(0.99 < high.max() / largest["turned"] <= 1)
+            self.assertTrue(0.99 < high.max() / largest["rotated"] <= 1)
 
 
 class Floats(unittest.TestCase):

@@ -65,8 +65,8 @@ def exactly(dims, cells, f, wave, phase):
 # --- The text of the library ------------------------------------------------------------------------------------------
 
 def body(dims, from_cell, what):
-    """From a position, or a cell and a fraction; then the wave and the phase. Of hn_phasor, or if `what` says so a part
-    of hn_phasor_d."""
+    """From a position, or a cell and a fraction; then the wave and the phase. Of hn_phasor, or with `what` a part of
+    hn_phasor_d."""
     axes = AXES[dims]
     inputs = [f"c{axis}:i32" for axis in axes * from_cell] + [f"{'f' * from_cell}{axis}:f32" for axis in axes]
     inputs += [f"k{axis}:f32" for axis in axes] + ["phase:f32"]
@@ -136,14 +136,14 @@ class Exact(unittest.TestCase):
             self.assertTrue(0.9997 * bound < slopes.max() < bound, (slopes.max(), bound))
 
     def test_shorter_waves(self):
-        """What docs/accuracy.md says of a quarter of the longest."""
+        """The claim of docs/measured/accuracy.md on a quarter of the longest."""
         for kernel in KERNELS.values():
             slower = replace(kernel, waves=WAVES / 4)
             self.assertTrue(0.999 < 4 * phasor.lipschitz_of(slower) / phasor.lipschitz_of(kernel) < 1.004)
             self.assertTrue(0.3 < phasor.error_bound(slower) / phasor.error_bound(kernel) < 0.5)
 
     def test_weight_by_its_slope(self):
-        """The slope is that of the weight, and both are within the ends that are told of each range of t."""
+        """The slope is that of the weight, and both are within the ends for each range of t."""
         rng, step, weight = np.random.default_rng(11), 1e-6, KERNELS[3].weight
         low, high = np.sort(rng.uniform(0, 1, (2, 4000)), axis=0)
         between = low + (high - low) * np.linspace(0, 1, 65)[:, None]
@@ -184,7 +184,7 @@ def rounded(x, rng, fuse=False):
 
 
 class Weights(unittest.TestCase):
-    """What is proven of the steps from t to a weight and its fall: that t is off, and that steps round."""
+    """The bounds of the steps from t to a weight and its fall: t is off, and steps round."""
     OFF = 2.0**-20  # by so much t is off: far more than in floats, and less than in integers
 
     def float_errors(self, kernel, rng, exactly, off, fuse):

@@ -11,7 +11,7 @@ from base.thorough import in_thorough_runs
 from proof.bounds import exact_model as exact
 from proof.bounds import noises, suprema
 from proof.bounds.boxes import Boxes, cell, corners, fade_derivative, largest_derivative, supremum
-from proof.bounds.gradients import LENGTH, OCTAHEDRAL, SINE, TURNED, octahedral_support
+from proof.bounds.gradients import LENGTH, OCTAHEDRAL, SINE, ROTATED, octahedral_support
 from proof.bounds.noises import value_cubic
 from proof.bounds.noises.perlin import exact as perlin
 from proof.bounds.noises.perlin.exact import SCALE
@@ -23,7 +23,7 @@ QUANTITIES = (suprema.VALUE, suprema.SLOPE, suprema.LIPSCHITZ, suprema.SLOPE_LIP
 
 
 def proven(kind, dims):
-    """What bounds.inc has of hn_perlin."""
+    """The bounds of hn_perlin in bounds.inc."""
     return bounds_of("perlin", dims, kind.name)
 
 
@@ -83,7 +83,7 @@ class Search(unittest.TestCase):
     @in_thorough_runs
     def test_bounds_are_attained(self):
         """Nearly, by a search, for each quantity; so a bound a little smaller would be refuted."""
-        cases = [*CASES, *((dims, None) for dims in DIMS), (2, TURNED), (3, TURNED)]
+        cases = [*CASES, *((dims, None) for dims in DIMS), (2, ROTATED), (3, ROTATED)]
         for (dims, kind), quantity in itertools.product(cases, QUANTITIES):
             seen, _ = searched(lambda points: suprema.steepest(quantity, kind, points), dims)
             bound = suprema.largest(quantity, dims, kind)
@@ -128,13 +128,13 @@ class Range(unittest.TestCase):
             self.assertTrue(dims / 2 <= suprema.largest(suprema.VALUE, dims, SINE) < dims / 2 + 1e-4)
 
     def test_known_suprema(self):
-        for dims, kind, known in ((1, OCTAHEDRAL, 511 / 1024), (2, OCTAHEDRAL, 0.508437), (2, TURNED, 5**0.5 / 4),
-                                  (3, OCTAHEDRAL, 1.036354), (3, TURNED, 1.038483), (4, OCTAHEDRAL, 1.073454)):
+        for dims, kind, known in ((1, OCTAHEDRAL, 511 / 1024), (2, OCTAHEDRAL, 0.508437), (2, ROTATED, 5**0.5 / 4),
+                                  (3, OCTAHEDRAL, 1.036354), (3, ROTATED, 1.038483), (4, OCTAHEDRAL, 1.073454)):
             self.assertAlmostEqual(suprema.largest(suprema.VALUE, dims, kind), known, delta=2e-5)
 
     def test_fails_with_a_larger_scale(self):
         """The scales are the largest multiples of 1/1024, up to one, that leave room for the errors."""
-        for dims, kind in ((2, TURNED), (3, TURNED), (4, OCTAHEDRAL)):
+        for dims, kind in ((2, ROTATED), (3, ROTATED), (4, OCTAHEDRAL)):
             attained, _ = searched(lambda points: suprema.steepest(suprema.VALUE, kind, points), dims)
             self.assertGreater((SCALE[OCTAHEDRAL][dims] + 1.5 / 1024) * attained, 1)
 

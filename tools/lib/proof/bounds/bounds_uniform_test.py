@@ -38,7 +38,7 @@ def some_values(rng, count):
 
 
 def some_sums(rng, count):
-    """Some of many octaves of which all but the first hardly count: a float that rounds up counts each."""
+    """Many octaves, and all but the first hardly count: a float that rounds up counts each."""
     octaves = np.choose(rng.integers(0, 3, count), [rng.integers(1, 33, count), np.full(count, 32),
                                                     1 + rng.choice([1, 4, 31], count) * rng.random(count)])
     gain = np.choose(rng.integers(0, 5, count), [np.full(count, 0.5), rng.random(count), rng.uniform(0.9, 1, count),
@@ -101,7 +101,7 @@ class Floats(unittest.TestCase):
     def test_simulated(self):
         found, bounds = in_floats(roundings(1)), np.array(astuple(uniform.errors(False)))
         self.assertTrue((found < bounds).all(), (found, bounds))
-        # Those of sums are far above what they can be: they add all errors of a noise whose numbers are all 0.
+        # The bounds of sums are far above their errors: they add all errors of a noise whose numbers are all 0.
         self.assertTrue((found > bounds * [1 / 4, 1 / 8, 1 / 100, 1 / 20]).all(), found / bounds)
 
     def test_to_nearest_it_is_half(self):

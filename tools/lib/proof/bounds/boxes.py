@@ -76,8 +76,9 @@ class Boxes:
             yield (self.index + np.array(corner)[:, None]) * self.side
 
     def at_vertices(self, value: Callable[[np.ndarray], np.ndarray]) -> np.ndarray:
-        """What a function of places, axes by places, has at each end of each box, vertices by boxes. Boxes share most
-        of their ends, and each is computed once."""
+        """The values of a function of places, axes by places, at each end of each box, vertices by boxes. Boxes share
+        most of
+        their ends, and each is computed once."""
         ends = np.concatenate([self.index + np.array(corner)[:, None] for corner in corners(self.dims)], axis=1)
         first = ends.min(axis=1, keepdims=True)
         spans = [int(span) for span in (ends - first).max(axis=1) + 1]
@@ -121,7 +122,7 @@ Bound = Callable[[Boxes], tuple[np.ndarray, ...]]
 
 
 def in_chunks(bound: Bound, boxes: Boxes) -> list[np.ndarray]:
-    """What `bound` gives for all of the boxes."""
+    """The results of `bound` for all of the boxes."""
     count = boxes.index.shape[1]
     chunks = [bound(boxes.only(slice(start, start + CHUNK))) for start in range(0, count, CHUNK)]
     return [np.concatenate(column) for column in zip(*chunks)]
@@ -147,9 +148,11 @@ def supremum(bound: Bound, boxes: Boxes, levels: int, tolerance: float = 1e-6, e
 
 
 def smooth(value: Callable[[np.ndarray], np.ndarray], curvature: Callable[[Boxes], np.ndarray]) -> Bound:
-    """The bound of a value that is a maximum of smooth functions whose second derivatives along the axes, on a box, are
-    in magnitude at most curvatures of which `curvature` gives the sum: multilinear interpolation between the vertices
-    errs by at most 1/8 of that times the side squared."""
+    """The bound of a value that is a maximum of smooth functions. `curvature` gives the sum of the largest magnitudes
+    of
+    their second derivatives along the axes, on a box: multilinear interpolation between the vertices errs by at most
+    1/8 of
+    that times the side squared."""
     def bound(boxes: Boxes) -> tuple[np.ndarray, np.ndarray]:
         attained = boxes.at_vertices(value).max(axis=0)
         return attained + curvature(boxes) / 8 * boxes.side ** 2, attained

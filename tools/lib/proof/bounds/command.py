@@ -1,11 +1,11 @@
 """Proves the numbers that the documentation quotes about noise and octave sums: range, Lipschitz constant, errors.
 
-    tools/make bounds            writes bounds.inc, which the suite includes, and the tables of docs/accuracy.md
-    tools/make bounds --check    whether these, and every bound that a comment or a page quotes, are what is derived
-    tools/make bounds --table    prints all that is derived
+    tools/make bounds            writes bounds.inc, which the suite includes, and the tables of
+    docs/measured/accuracy.md tools/make bounds --check    whether these, and every bound that a comment or a page
+    quotes, are what is derived tools/make bounds --table    prints all that is derived
     tools/make bounds --json     prints the same as JSON
 
-noises/ has what is proven of each noise.
+noises/ has the proofs for each noise.
 
 Exit status: 0 all is as derived, 1 something is not: prose and comments are for you to mend; 2 bad usage, or a table or
 page that cannot be read; 4 numpy and scipy are missing, and could not be installed (tools/lib/base/scientific-python).
@@ -40,7 +40,7 @@ from proof.bounds.documents import (
 )
 from proof.bounds.gradients import SINE
 from proof.bounds.integers import fade_errors, overshoot
-from proof.bounds.noises import Derived
+from proof.bounds.noises import ProvenBounds
 from proof.bounds.sums import Sum
 from proof.bounds.table import HEAD, PATH, SineBounds, gullies_row, noise_row, sine_row, slope_row, uniform_row
 
@@ -50,17 +50,17 @@ def keys() -> list[Key]:
 
 
 def family(key: Key) -> str:
-    """What the noises begin with that are proven of the same suprema: simplex_d_phase is a simplex."""
+    """The prefixes of the noises that share suprema: simplex_d_phase is a simplex."""
     return key[0].split("_")[0]
 
 
-def derived_of(key: Key) -> Derived:
+def derived_of(key: Key) -> ProvenBounds:
     noise = noises.find(key[0])
     largest = max(noise.largest_intermediates(*key[1:]).values(), default=0.0)
     return replace(noise.derive(*key[1:]), fixed_intermediate=largest)
 
 
-def derive_family(name: str) -> list[Derived]:
+def derive_family(name: str) -> list[ProvenBounds]:
     return [derived_of(key) for key in keys() if family(key) == name]
 
 
@@ -84,14 +84,14 @@ def rendered(derived: Everything) -> str:
 
 
 def files(derived: Everything, root: Path = ROOT) -> dict[Path, str]:
-    """What is written, with what should be in it."""
+    """The written files, with the text that should be in them."""
     page = root / ACCURACY
     return {root / PATH.relative_to(ROOT): rendered(derived),
             page: with_tables(page.read_text(encoding="utf-8"), derived)}
 
 
 def differences(derived: Everything, root: Path = ROOT) -> list[str]:
-    """What is not as derived."""
+    """The differences from the derived numbers."""
     old = [f"{path}: not up to date; run tools/make bounds" for path, text in files(derived, root).items()
            if not path.is_file() or path.read_text(encoding="utf-8") != text]
     return old + missing_quotes(derived, root) + wrong_comments(derived, root / "glsl")
@@ -102,7 +102,7 @@ SUMS = (  # that the page does not have
     *((3, Sum(kind, 16.0, 5, 1.9, 0.6, 1.0)) for kind in ("billow", "ridged", "ping_pong", "weighted")))
 
 
-def told(octave_sum: Sum) -> str:
+def name_of_sum(octave_sum: Sum) -> str:
     """Its kind, and the arguments that are not as most are."""
     return " ".join([octave_sum.kind, *(f"{field.name}={getattr(octave_sum, field.name):g}" for field in fields(Sum)[1:]
                                         if getattr(octave_sum, field.name) != field.default)])
@@ -136,10 +136,10 @@ def everything_for_a_reader(derived: Everything) -> dict[str, dict]:
         "the fixed fade": {"error_from": float(fade_errors().min()), "error_to": float(fade_errors().max()),
                            "overshoot": overshoot()},
         "octave sums: octahedral in floats, fixed; sine in floats, fixed": {
-            f"{dims}D {told(octave_sum)}": [f"{of_sum:.3g}" for of_sum in sum_tolerances(derived, dims, octave_sum)]
+            f"{dims}D {name_of_sum(octave_sum)}": [f"{of_sum:.3g}" for of_sum in sum_tolerances(derived, dims, octave_sum)]
             for dims, octave_sum in (*(example[1:] for example in EXAMPLES), *SUMS)},
         "sums with slopes, and warps: in floats from a position, in floats from a cell, fixed": {
-            f"{dims}D {told(jacobiand)}": [f"{of_sum:.3g}" for of_sum in jacobian_tolerances(derived, dims, jacobiand)]
+            f"{dims}D {name_of_sum(jacobiand)}": [f"{of_sum:.3g}" for of_sum in jacobian_tolerances(derived, dims, jacobiand)]
             for dims in (2, 3) for _, example in JACOBIAND for jacobiand in (example, replace(example, octaves=6))}}
 
 

@@ -10,7 +10,7 @@ QUOTIENT_ULPS. Vulkan allows 2 ulp to inversesqrt and 2.5 to a division, and mak
 In space the first two components are x + y and x - y, and the square of the length is half of theirs and z * z.
 
 ORDER. The k-th smallest distance changes by no more than the distances do, since a block has all that matter.
-Those of points that are farther may have larger errors; but these are small against how much farther they are.
+The distances of farther points may have larger errors; but these are small against how much farther they are.
 
 FIXED. Along an axis an offset D is off by less than 1 unit of 2^-20 cells for the place, 1 for the product of
 direction and jitter, and u/2 for the cut of the jitter. N rounds down by less than a unit of 2^-28, which takes up to
@@ -61,8 +61,8 @@ def from_points(dims: int, reach: float, centre: float, product: float, ulps: fl
     along = centre + point + f32(length * 1.001, ulps)
     if dims == 2:
         return along, along
-    turned = math.sqrt(2) * length * 1.001
-    return 2 * centre + f32(turned + 1, ulps) + point + f32(turned, ulps), along
+    rotated = math.sqrt(2) * length * 1.001
+    return 2 * centre + f32(rotated + 1, ulps) + point + f32(rotated, ulps), along
 
 
 def length_error(dims: int, reach: float, ulps: float) -> float:
@@ -71,7 +71,7 @@ def length_error(dims: int, reach: float, ulps: float) -> float:
 
 
 def length_of(across: float, along: float) -> float:
-    """Of two components; of three, two are turned, and longer by sqrt(2)."""
+    """Of two components; of three, two are rotated, and longer by sqrt(2)."""
     return math.hypot(across, along)
 
 
@@ -145,7 +145,7 @@ def metric_slope(metric: str, dims: int, largest: float) -> float:
 
 def direction_error(dims: int, reach: float, ulps: float = 1.0) -> float:
     """Of a component of an offset divided by its length, times that length. If the offset is off by e and longer than
-    e, then its direction turns by an angle of a sine of at most e over the length. Below a right angle no chord is
+    e, then its direction rotates by an angle of a sine of at most e over the length. Below a right angle no chord is
     longer than sqrt(2) times the sine. If it is shorter, the component may be off by 2. Hence 2 e, for both."""
     steps = relative(1 + OPERATIONS[dims] / 2, ulps) + UNIT * (ROOT_ULPS + QUOTIENT_ULPS) + UNIT**2 * 100
     return (2 * length_error(dims, reach, ulps) / 2 + steps * reach) * SAFE

@@ -1,5 +1,5 @@
-"""Bounds are quoted in tables in docs/accuracy.md, which are written from here, and as numbers in prose and in the
-comments of the library, which are compared."""
+"""Bounds are quoted in tables in docs/measured/accuracy.md, which are written from here, and as numbers in prose and in
+the comments of the library, which are compared."""
 
 from __future__ import annotations
 
@@ -12,21 +12,21 @@ from pathlib import Path
 from base.tree import ROOT
 from catalog.tables import glsl
 from catalog.tables.markdown import table, with_section
-from proof.bounds import jacobians, gullies, noises, sine, smoothness, sums, turns, uniform
+from proof.bounds import jacobians, gullies, noises, rotations, sine, smoothness, sums, uniform
 from proof.bounds.float_sums import gullies_tolerance, octave_tolerance
 from proof.bounds.gradients import GRADIENTS, SINE, Gradient
 from proof.bounds.integers import fade_errors, slope_errors, spline_weight_error
-from proof.bounds.noises import Derived
+from proof.bounds.noises import ProvenBounds
 from proof.bounds.sums import Sum
 from proof.bounds.table import Bounds, bounds_of, rounded_up, scientific, shortest, slope_bounds_of
 
-ACCURACY = "docs/accuracy.md"
-KNOBS = "docs/knobs.md"
-SUMS = "docs/sums.md"
+ACCURACY = "docs/measured/accuracy.md"
+KNOBS = "docs/reference/knobs.md"
+SUMS = "docs/reference/fractals.md"
 Key = tuple[str, int, Gradient | None]  # a noise, the number of its dimensions, a kind of gradient
-Everything = dict[Key, Derived]
+Everything = dict[Key, ProvenBounds]
 PHASE = "_phase"  # ends the name of a noise with the forms that take one
-OF_A_NAME = ("cellular_phase",)  # of which it ends the function's name, too
+OF_A_NAME = ("cellular_phase",)  # with which the function's name ends, too
 NOISE_OF_SUMS = "perlin"  # unless the user names another
 
 # --- Tables -----------------------------------------------------------------------------------------------------------
@@ -73,8 +73,8 @@ def slope_table(derived: Everything) -> str:
 
 EXAMPLES = (  # of octave sums: a title, the number of dimensions, the sum
     ("`hn_fbm(hn_place2)`, a tile, exact positions", 2,
-     Sum("fbm", 16.0, 5, 2.0, 0.5, turns=False, from_cell=True, exact_positions=True)),
-    ("`hn_fbm(hn_place2)`, a tile", 2, Sum("fbm", 16.0, 5, 2.0, 0.5, turns=False, from_cell=True)),
+     Sum("fbm", 16.0, 5, 2.0, 0.5, rotates=False, from_cell=True, exact_positions=True)),
+    ("`hn_fbm(hn_place2)`, a tile", 2, Sum("fbm", 16.0, 5, 2.0, 0.5, rotates=False, from_cell=True)),
     ("`hn_fbm(float)`", 1, Sum("fbm", 16.0, 5, 2.0, 0.5)),
     ("`hn_fbm(vec2)`", 2, Sum("fbm", 16.0, 5, 2.0, 0.5)),
     ("`hn_fbm(vec3)`", 3, Sum("fbm", 16.0, 5, 2.0, 0.5)),
@@ -92,7 +92,7 @@ EXAMPLES = (  # of octave sums: a title, the number of dimensions, the sum
 
 
 def sum_tolerances(derived: Everything, dims: int, octave_sum: Sum) -> list[float]:
-    """In floats and fixed, for each kind of gradient of which there is a noise."""
+    """In floats and fixed, for each kind of gradient that has a noise."""
     keys = [(NOISE_OF_SUMS, dims, gradient) for gradient in GRADIENTS if (NOISE_OF_SUMS, dims, gradient) in derived]
     return [tolerance(octave_sum, derived[key].bounds(*key).rounded()) for key in keys
             for tolerance in (octave_tolerance, sums.fixed_octave_tolerance)]
@@ -117,7 +117,7 @@ JACOBIAND = (  # of sums with slopes, and of warps: a title, the sum, and a nois
 
 
 def noises_of_jacobians(derived: Everything, dims: int, kind: str, other: str = "") -> tuple[Bounds, Bounds]:
-    """What is proven of the noise that such a sum is over, its own or another, and of its derivatives."""
+    """The bounds of the noise that such a sum is over, its own or another, and of its derivatives."""
     if other and (other, dims, None) not in derived:
         return bounds_of(other, dims, "none"), slope_bounds_of(f"{other}_d", dims)
     own, gradient = ("value", None) if kind in sums.SHIFTS else (NOISE_OF_SUMS, GRADIENTS[0])
@@ -141,7 +141,7 @@ def jacobians_table(derived: Everything) -> str:
 
 CUT = tuple(  # of gullies: a title, the sum, the length of the slope, the depth
     (f"{count} octaves, depth {depth:g}, a slope of {slope:g}",
-     Sum("fbm", 16.0, count, 2.0, 0.5, turns=False, from_cell=True), slope, depth)
+     Sum("fbm", 16.0, count, 2.0, 0.5, rotates=False, from_cell=True), slope, depth)
     for count, slope, depth in ((2, 1.0, 0.1), (3, 1.0, 0.05), (3, 1.0, 0.1), (3, 3.0, 0.1), (5, 1.0, 0.05),
                                 (5, 3.0, 0.05), (5, 1.0, 0.1), (5, 3.0, 0.1), (5, 3.0, 0.2)))
 
@@ -223,7 +223,7 @@ def quotes(derived: Everything) -> list[tuple[str, str]]:
         f"2^-19 = {scientific(SINE.component_error)}", f"which is {scientific(sine.fixed_sine_error())}:",
         f"at most 1 - {math.floor((1 - sine.sine_largest()) * 1e9) / 1e9:.2e}".replace("e-0", "e-"),
         f"adds {scientific(sums.cloud_error())} ",
-        f"within {scientific(turns.float_error())} of those of the phase")]
+        f"within {scientific(rotations.float_error())} of those of the phase")]
     stated += [(ACCURACY, text) for text in (*uniform.quotes(), *gullies.quotes())]
     return stated + [quote for name in noises.names() for quote in getattr(noises.find(name), "quotes", list)()]
 
@@ -241,7 +241,7 @@ def missing_quotes(derived: Everything, root: Path = ROOT) -> list[str]:
 
 # --- The comments of the library --------------------------------------------------------------------------------------
 
-# What a number belongs to, in reading order: a heading, a knob, or a number.
+# The kind of a number, in reading order: a heading, a knob, or a number.
 # The range of a derivative has few decimals, and is known by its brackets. "of the offset": the errors after it are
 # those of the out parameter. "From a cell": those after it are of places that hn_place makes of a cell and a fraction,
 # which are smaller than those of positions.
@@ -269,7 +269,7 @@ def noise_of(function: glsl.Declaration) -> str:
     return function.name.removeprefix("hn_") + PHASE * takes_phase(function)
 
 
-def of_function(function: glsl.Declaration, gradient: Gradient, derived: Everything) -> Derived:
+def of_function(function: glsl.Declaration, gradient: Gradient, derived: Everything) -> ProvenBounds:
     noise, dims = noise_of(function), dimensions_of(function)
     return derived.get((noise, dims, gradient)) or derived[noise, dims, None]
 
@@ -280,7 +280,7 @@ UNIFORM = {"hn_uniform": "value", "hn_uniform_d": "slope", "hn_spread_fbm": "coe
 
 def derived_for(function: glsl.Declaration, kind: str, fixed: bool, gradient: Gradient,
                 derived: Everything, place: int = 0) -> float | None:
-    """What a number in the comment of a function should be, rounded up: an "error", that "in a cell", that of an
+    """The right value of a number in the comment of a function, rounded up: an "error", that "in a cell", that of an
     "offset", or the end of a "range". Where there are several ends, they have a place."""
     if noise_of(function) in noises.names():
         module, dims = noises.find(noise_of(function)), dimensions_of(function)
@@ -299,19 +299,19 @@ def derived_for(function: glsl.Declaration, kind: str, fixed: bool, gradient: Gr
     if function.name == "hn_clouds" and kind == "error":
         return sums.cloud_error() if fixed else beyond_fbm("clouds")
     if function.name == "hn_fbm_d" and kind == "range":
-        return sums.TURNS[0]  # by which a derivative's range grows
+        return sums.ROTATIONS[0]  # by which a derivative's range grows
     if function.name in UNIFORM and kind == "error":
         return getattr(uniform.errors(fixed), UNIFORM[function.name])
     return None
 
 
 def beyond_fbm(kind: str) -> float:
-    """What a sum is off by beyond the error of an fBm: that of no octaves."""
+    """The error of a sum beyond that of an fBm: that of no octaves."""
     return octave_tolerance(Sum(kind, 0.0, 0, 2.0, 0.5), Bounds(NOISE_OF_SUMS, 2, "none", *[0.0] * 6))
 
 
 def wrong_numbers(function: glsl.Declaration, derived: Everything) -> dict[tuple, str]:
-    """What is wrong in the comment over a function, by the line, the number and what is right."""
+    """The faults of the comment over a function, by the line, the number and the right value."""
     messages, fixed, gradient, offset_next, in_cell, ends = {}, False, GRADIENTS[0], False, False, 0
     text = "\n".join(function.comment.lines)
     if (noise_of(function) in noises.names() and not REFERS.search(text)

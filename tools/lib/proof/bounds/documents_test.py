@@ -16,17 +16,17 @@ from base.tree import ROOT
 from catalog.tables import glsl
 from proof.bounds import command, documents, noises, table
 from proof.bounds.gradients import OCTAHEDRAL, SINE
-from proof.bounds.noises import Derived
+from proof.bounds.noises import ProvenBounds
 from proof.bounds.table import rounded_up, scientific, shortest
 
-RAW = {("perlin", dims, gradient): Derived(*numbers, {"cut": 4.35e-6}) for dims, gradient, numbers in (
+RAW = {("perlin", dims, gradient): ProvenBounds(*numbers, {"cut": 4.35e-6}) for dims, gradient, numbers in (
     (1, OCTAHEDRAL, (1, 0.998047325, 2.68904068, 1.458e-06, 1.61830372e-06, 0.998048943, 3.70550766e-05, 0.99808)),
     (2, OCTAHEDRAL, (1, 0.909129023, 3.76671991, 2.43583288e-06, 2.66034689e-06, 0.909131683, 4.29217982e-05, 0.9092)),
     (3, OCTAHEDRAL, (1, 0.996888828, 5.19026883, 4.13874209e-06, 4.44810622e-06, 0.996893276, 5.39168815e-05, 0.997)),
     (4, OCTAHEDRAL, (1, 0.999033831, 6.43035966, 6.89510628e-06, 7.278386e-06, 0.999041109, 6.92584549e-05, 0.9991)),
     (2, SINE, (1.0, 1.0, 3.75000221, 4.35355953e-06, 4.57707708e-06, 1.00000458, 7.98294426e-05, 1.00000809)),
     (3, SINE, (1.5, 1.5, 6.93756014, 7.69718103e-06, 8.11069184e-06, 1.50000811, 0.000139159166, 1.5000119)))}
-RAW |= {("perlin_d", dims, OCTAHEDRAL): replace(RAW["perlin", dims, OCTAHEDRAL], slope=Derived(*numbers, {"cut": 2e-5}))
+RAW |= {("perlin_d", dims, OCTAHEDRAL): replace(RAW["perlin", dims, OCTAHEDRAL], slope=ProvenBounds(*numbers, {"cut": 2e-5}))
         for dims, numbers in (
     (1, (0, 2.68904067, 14.9707175, 6.56868161e-06, 7.4610059e-06, 2.68904814, 0.000171702229, 2.6891981)),
     (2, (0, 2.90564073, 14.8241721, 1.23307053e-05, 1.32142948e-05, 2.90565395, 0.00020028267, 2.90582688)),
@@ -34,12 +34,12 @@ RAW |= {("perlin_d", dims, OCTAHEDRAL): replace(RAW["perlin", dims, OCTAHEDRAL],
     (4, (0, 3.61689537, 21.9417659, 3.14717456e-05, 3.27795768e-05, 3.61692815, 0.000317362357, 3.61719181)))}
 RAW["perlin_d", 3, OCTAHEDRAL] = replace(RAW["perlin_d", 3, OCTAHEDRAL], fixed_intermediate=0.94901 * 2**31)
 
-RAW |= {("value", dims, None): Derived(*numbers, {"cut": 4e-6}) for dims, numbers in (
+RAW |= {("value", dims, None): ProvenBounds(*numbers, {"cut": 4e-6}) for dims, numbers in (
     (1, (1, 1, 3.75000179, 1.90739974e-06, 2.13091726e-06, 1.00000213, 3.57525477e-05, 1.00000214)),
     (2, (1, 1, 4.77928774, 3.81796043e-06, 4.10282818e-06, 1.0000041, 4.417562e-05, 1.00000404)),
     (3, (1, 1, 5.62504718, 5.76129851e-06, 6.09657745e-06, 1.0000061, 5.56680499e-05, 1.00000594)),
     (4, (1, 1, 6.35490152, 8.05781653e-06, 8.43659818e-06, 1.00000844, 6.5413013e-05, 1.00000785)))}
-RAW |= {("value_d", dims, None): replace(RAW["value", dims, None], slope=Derived(*numbers, {"cut": 1e-5}))
+RAW |= {("value_d", dims, None): replace(RAW["value", dims, None], slope=ProvenBounds(*numbers, {"cut": 1e-5}))
         for dims, numbers in (
     (1, (0, 3.75, 11.5470064, 2.71201182e-06, 3.40026703e-06, 3.7500034, 0.000153974245, 3.75015397)),
     (2, (0, 3.75, 14.0625136, 1.03177238e-05, 1.11559149e-05, 3.75001116, 0.000285073443, 3.75028507)),
@@ -80,7 +80,7 @@ class Tree(unittest.TestCase):
         patch = mock.patch.object(noises, "names", return_value=NAMES)
         patch.start()
         self.addCleanup(patch.stop)
-        for part in ("glsl", "docs/accuracy.md", "docs/knobs.md", "docs/sums.md", str(table.PATH.relative_to(ROOT))):
+        for part in ("glsl", "docs/measured/accuracy.md", "docs/reference/knobs.md", "docs/reference/fractals.md", str(table.PATH.relative_to(ROOT))):
             (self.root / part).parent.mkdir(parents=True, exist_ok=True)
             (shutil.copytree if (ROOT / part).is_dir() else shutil.copy)(ROOT / part, self.root / part)
         for path in (path for name in OTHERS for path in (self.root / "glsl").rglob(f"{name}*.glsl")):
@@ -113,30 +113,30 @@ class Tree(unittest.TestCase):
 
     def test_table_and_page_are_compared(self):
         self.change(table.PATH.relative_to(ROOT), "2.01e-4", "2.00e-4")
-        self.change("docs/accuracy.md", "2.44e-6", "2.45e-6")
+        self.change("docs/measured/accuracy.md", "2.44e-6", "2.45e-6")
         self.assertEqual(self.differences(), [
             "conformance/expected/bounds.inc: not up to date; run tools/make bounds",
-            "docs/accuracy.md: not up to date; run tools/make bounds"])
+            "docs/measured/accuracy.md: not up to date; run tools/make bounds"])
 
     def test_a_page_without_its_marks(self):
-        self.change("docs/accuracy.md", "<!-- tools/make bounds: sums -->", "")
-        with self.assertRaisesRegex(LookupError, "docs/accuracy.md has no <!-- tools/make bounds: sums -->"):
+        self.change("docs/measured/accuracy.md", "<!-- tools/make bounds: sums -->", "")
+        with self.assertRaisesRegex(LookupError, "docs/measured/accuracy.md has no <!-- tools/make bounds: sums -->"):
             self.write()
 
     def test_every_table_has_its_marks(self):
         for name in documents.TABLES:
             self.setUp()
-            self.change("docs/accuracy.md", f"<!-- tools/make bounds: {name} -->", "")
+            self.change("docs/measured/accuracy.md", f"<!-- tools/make bounds: {name} -->", "")
             with self.assertRaisesRegex(LookupError, f"has no <!-- tools/make bounds: {name} -->"):
                 self.write()
 
     def test_prose_is_compared(self):
-        for path, old, new in (("docs/knobs.md", "2.67e-6 | 4.45e-6", "2.67e-6 | 4.46e-6"),
-                               ("docs/knobs.md", "0.99689", "0.99688"),
-                               ("docs/accuracy.md", "0.95 * 2^31", "0.94 * 2^31"),
-                               ("docs/accuracy.md", "the sum 1.14e-5", "the sum 1.13e-5"),
-                               ("docs/accuracy.md", "-6.56e-5 to 2.40e-5,", "-6.56e-5 to 2.39e-5,"),
-                               ("docs/accuracy.md", "adds 2.53e-5", "adds 2.52e-5")):
+        for path, old, new in (("docs/reference/knobs.md", "2.67e-6 | 4.45e-6", "2.67e-6 | 4.46e-6"),
+                               ("docs/reference/knobs.md", "0.99689", "0.99688"),
+                               ("docs/measured/accuracy.md", "0.95 * 2^31", "0.94 * 2^31"),
+                               ("docs/measured/accuracy.md", "the sum 1.14e-5", "the sum 1.13e-5"),
+                               ("docs/measured/accuracy.md", "-6.56e-5 to 2.40e-5,", "-6.56e-5 to 2.39e-5,"),
+                               ("docs/measured/accuracy.md", "adds 2.53e-5", "adds 2.52e-5")):
             with self.subTest(path=path, old=old):
                 self.setUp()
                 # A table quotes it twice: in both lines.
@@ -202,7 +202,7 @@ class Phases(unittest.TestCase):
 
     def test_numbers(self):
         """The larger error for both, and the range of a derivative; another number is wrong."""
-        slope = Derived(0, 2.92167, 14.9, 2.42e-5, 2.506e-5, 2.9217, 3.594e-4, 2.92203, {})
+        slope = ProvenBounds(0, 2.92167, 14.9, 2.42e-5, 2.506e-5, 2.9217, 3.594e-4, 2.92203, {})
         derived = {("perlin_d_phase", 2, OCTAHEDRAL): replace(RAW["perlin", 2, OCTAHEDRAL], slope=slope)}
 
         def wrong(error, largest):
@@ -220,7 +220,7 @@ class SeveralNumbers(unittest.TestCase):
     """A comment may state several ends of ranges, in their order, and the error of an offset."""
 
     def wrong(self, ends="first in [0, 1.1181], the second in [0, 1.5001]", offset="3.88e-7. HN_FIXED 2.39e-6"):
-        of_noise = Derived(3.76, 3.76, 5.84, 3.179e-6, 3.529e-6, 3.76, 6.809e-5, 3.76, {})
+        of_noise = ProvenBounds(3.76, 3.76, 5.84, 3.179e-6, 3.529e-6, 3.76, 6.809e-5, 3.76, {})
         lines = (f"   returns  the {ends}", f"   error    at most 3.53e-6; of the offset at most {offset}",
                  "   cost     none")
         function = glsl.Declaration(Path("x"), 9, "hn_cellular", ("place2", "float", "int", "uint"),

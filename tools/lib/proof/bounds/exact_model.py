@@ -1,5 +1,6 @@
-"""docs/contract.md on arrays, with LATTICE, in doubles: words, gradients and numbers of lattice points, and the exact
-noises, their derivatives and octave sums. Written from that page alone, for the tests of the bounds and smoothness.py.
+"""docs/reference/contract.md on arrays, with LATTICE, in doubles: words, gradients and numbers of lattice points, and
+the exact noises, their derivatives and octave sums. Written from that page alone, for the tests of the bounds and
+smoothness.py.
 
 A noise takes the fractions along its axes, and a function from a corner of the cell (0 and 1 along each axis; -1 to 2
 in cubic noise) to its words: an array, or with the sine gradient one for each component.
@@ -16,7 +17,7 @@ from proof.bounds.sums import clamped_strength, step_of
 
 SCALE = {OCTAHEDRAL: {1: 2048 / 1024, 2: 1831 / 1024, 3: 985 / 1024, 4: 953 / 1024}, SINE: {2: 1.0, 3: 1.0}}
 SHIFT = (11 / 32, 19 / 32, 23 / 32, 27 / 32)
-TURNS = ((25, 20), (29, 13), (25, 20))  # 32 times cosine and sine, in the plane of an axis and the next
+ROTATIONS = ((25, 20), (29, 13), (25, 20))  # 32 times cosine and sine, in the plane of an axis and the next
 
 
 # --- Words ------------------------------------------------------------------------------------------------------------
@@ -146,12 +147,12 @@ def weights(corner, fractions):
     return math.prod(factors), along
 
 
-def perlin(kind, words_of, fractions, turn=list):
-    """The value, and the derivatives, of gradients that are turned by a function."""
+def perlin(kind, words_of, fractions, rotation=list):
+    """The value, and the derivatives, of gradients that are rotated by a function."""
     dims = len(fractions)
     value, derivatives = 0.0, [0.0] * dims
     for corner in corners(dims):
-        g = turn(gradient(kind, dims, words_of(corner)))
+        g = rotation(gradient(kind, dims, words_of(corner)))
         ramp = sum(component * (f - o) for component, f, o in zip(g, fractions, corner))
         weight, along = weights(corner, fractions)
         value = value + weight * ramp
@@ -192,10 +193,10 @@ def perlin_at(kind, p, seed=np.int64(0)):
     return perlin(kind, words_at(kind, cells, seed), fractions)
 
 
-def turn(q):
+def rotate(q):
     """Of section 7."""
     q = list(q)
-    for axis, (c, s) in enumerate(TURNS[:len(q) - 1]):
+    for axis, (c, s) in enumerate(ROTATIONS[:len(q) - 1]):
         q[axis:axis + 2] = (c * q[axis] - s * q[axis + 1]) / 32, (s * q[axis] + c * q[axis + 1]) / 32
     return q
 
@@ -219,7 +220,7 @@ def octaves(kind, s, p):
         total = total + used * term
         weight = weight * s.gain * (1 - strength * (1 - n) / 2)
         q = [x * s.lacunarity for x in p]
-        p = [x + shift for x, shift in zip(turn(q) if s.turns else q, SHIFT)]
+        p = [x + shift for x, shift in zip(rotate(q) if s.rotates else q, SHIFT)]
         seed = u32(seed + 0x9E3779B9)
     mean = total / sum(powers) if count else np.zeros(np.shape(p[0]))
     if s.kind == "billow":

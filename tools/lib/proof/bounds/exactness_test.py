@@ -98,7 +98,8 @@ class Ramps(unittest.TestCase):
                 self.check([(g * t,) for g in components], 3.0, 2.0**-22)
 
     def test_others_are_noticed(self):
-        """Must-fail checks: a finer offset, a start behind which floats are coarser, and a sum that leaves its range."""
+        """Must-fail checks: a finer offset, a start behind which floats are coarser, and a sum that leaves its
+        range."""
         for terms, start, unit in (((0.75 * 2.0**-21, 0.25), 3.0, 2.0**-22), ((0.75, 2.0**-22), 7.0, 2.0**-22),
                                    ((0.75, 0.75), 3.0, 2.0**-22), ((2.5, 2.5), 12.0, 2.0**-20)):
             self.assertTrue(self.wrong(terms, start, unit), (terms, start))

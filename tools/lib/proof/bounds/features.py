@@ -1,5 +1,5 @@
-"""Finds where the feature points of cellular noise can be (docs/contract.md, section 16): which cells have the nearest
-ones, and how large the distances can be.
+"""Finds where the feature points of cellular noise can be (docs/reference/contract.md, section 16): which cells have
+the nearest ones, and how large the distances can be.
 
 The point of a cell lies in an octahedron (on the plane a square): the places that are not farther than 1/2 from the
 centre of the cell, in sum along the axes. Points of different cells are independent. So at a place x the largest that

@@ -36,7 +36,7 @@ def _program() -> subprocess.Popen[str]:
 
 def _answer(what: str, rule: str, s: Sum, *others: float) -> list[float]:
     footprint = -1.0 if s.footprint is None else s.footprint
-    arguments = (s.p_max, s.octaves, s.lacunarity, s.gain, s.exact_positions, s.strength, footprint, s.turns, s.from_cell,
+    arguments = (s.p_max, s.octaves, s.lacunarity, s.gain, s.exact_positions, s.strength, footprint, s.rotates, s.from_cell,
                  isinstance(s.octaves, float), s.amplitude)
     process = _program()
     print(what, rule, *(float(x) if isinstance(x, float) else int(x) for x in (*arguments, *others)),
@@ -51,7 +51,7 @@ def _told(what: str, s: Sum, *bounds: Bounds) -> float:
 
 
 def rule_of(s: Sum) -> str:
-    """By the rule of which sum it adds octaves."""
+    """By the rule with which a sum adds octaves."""
     return s.kind
 
 

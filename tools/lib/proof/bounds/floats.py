@@ -189,7 +189,7 @@ def approx_number_derivatives(values, fractions, offset):
 # --- The cubic spline -------------------------------------------------------------------------------------------------
 
 def spline_weight(t):
-    """Of the points 2 and 0 at a fraction t, exactly: b_2 and b_0. Those of -1 and 1 are the same at 1 - t."""
+    """Of the points 2 and 0 at a fraction t, exactly: b_2 and b_0. The errors of -1 and 1 are the same at 1 - t."""
     return t**3 / 6, 2 / 3 - t**2 + t**3 / 2
 
 
@@ -229,8 +229,8 @@ TOLERANCE = 0.001  # relative
 
 
 def error_supremum(error: Callable[[Sequence[np.ndarray], Sequence[np.ndarray]], np.ndarray], dims: int) -> float:
-    """The largest error over the fractions of a cell, given a bound for boxes by their lower and upper ends. What it
-    gives for a point is no bound, but no box around it can have less."""
+    """The largest error over the fractions of a cell, given a bound for boxes by their lower and upper ends. Its
+    value for a point is no bound, but no box around it can have less."""
     def bound(boxes: Boxes) -> tuple[np.ndarray, np.ndarray]:
         middle = (boxes.lo + boxes.hi) / 2
         return error(boxes.lo, boxes.hi), error(middle, middle)

@@ -6,9 +6,9 @@ OCTAHEDRAL. On the line gradients are at most 1 - 1/512. On the plane they are (
 is three quarters of the larger component and a quarter of the other. In space and in four dimensions two components are
 1 or -1: h is the sum of the two largest.
 
-TURNED. All that octahedral ones become with a phase (docs/contract.md, section 14), at each lattice point with another
-one. On the plane these are all vectors that are as long as they are, sqrt(10) / 4. In space they are as long as
-sqrt(2), in a plane of two axes: h is that times the length of the two largest components.
+ROTATED. All that octahedral ones become with a phase (docs/reference/contract.md, section 14), at each lattice point
+with another one. On the plane these are all vectors that are as long as they are, sqrt(10) / 4. In space they are as
+long as sqrt(2), in a plane of two axes: h is that times the length of the two largest components.
 
 SINE. The cube |g_i| <= 1.
 """
@@ -26,7 +26,8 @@ LENGTH = {1: LARGEST_1D, 2: math.sqrt(10) / 4, 3: math.sqrt(2), 4: math.sqrt(2)}
 
 
 def two_largest(v):
-    """Magnitudes, the largest ones first. Of four they are found as the larger of pairs, which is faster than to sort."""
+    """Magnitudes, the largest ones first. Of four they are found as the larger of pairs, which is faster than to
+    sort."""
     v = np.abs(np.asarray(v, float))
     if len(v) == 2:
         return np.maximum(v[0], v[1]), np.minimum(v[0], v[1])
@@ -45,7 +46,7 @@ def octahedral_support(v):
     return (3 * a + b) / 4 if len(v) == 2 else a + b
 
 
-def turned_support(v):
+def rotated_support(v):
     return LENGTH[len(v)] * np.hypot(*two_largest(v))
 
 
@@ -73,7 +74,7 @@ class Gradient:
 
 
 OCTAHEDRAL = Gradient("octahedral", octahedral_support)
-TURNED = Gradient("turned", turned_support)
+ROTATED = Gradient("rotated", rotated_support)
 SINE = Gradient("sine", sine_support, 2.0**-19)
 
 GRADIENTS = (OCTAHEDRAL, SINE)

@@ -1,5 +1,5 @@
 """hn_gullies: what is proven of the waves of its octaves, and how far the sum may be off in fixed arithmetic, from
-docs/contract.md, section 24. The suite has the formula of floats, and float_sums.py asks it:
+docs/reference/contract.md, section 24. The suite has the formula of floats, and float_sums.py asks it:
 tools/lib/proof/sums/gullies.cpp has the proof.
 
 WAVES. A wave is k = 3/2 (-u_y, u_x) with |u| < 1, so it is shorter than 3/2. The bounds of value and derivatives are
@@ -10,8 +10,8 @@ and g change with k, is bounded by a sum over the points of
     of v         2 pi |d| w
     of g         2 pi hypot(max(w, 2 m w' |d|^2 - w), 2 pi |k| |d| w)
 
-with d in cells. The last is the largest length of what k changes of (dw/dx_j + 2 pi i k_j w) e(a): w along the axes, and
-2 pi i d times the bracket. The matrix w - 2 m w' d d^T has the eigenvalues w and w - 2 m w' |d|^2.
+with d in cells. The last is the largest length of what k changes of (dw/dx_j + 2 pi i k_j w) e(a): w along the axes,
+and 2 pi i d times the bracket. The matrix w - 2 m w' d d^T has the eigenvalues w and w - 2 m w' |d|^2.
 
 STEP. An octave takes the slope e to e + A |u| g(k), A = depth (gain L)^i f. With r = |e| a step of the length s moves
 |u| = r / (r + 1/8) by s / 8 / (r + 1/8)^2 at most, and u by s / (r + 1/8). So |u| g moves by
@@ -50,8 +50,8 @@ PLANE = replace(KERNELS[2], waves=LONGEST)
 
 
 @dataclass(frozen=True)
-class Around:
-    """What a point has at a distance, in cells, or in a box at most: the weight, its fall, and both products."""
+class PointNumbers:
+    """The numbers of a point at a distance, in cells, or in a box at most: the weight, its fall, and both products."""
     distance: np.ndarray
     weight: np.ndarray
     least_weight: np.ndarray
@@ -60,18 +60,18 @@ class Around:
     def steep(self):
         return np.hypot(self.fall, TURN * LONGEST * self.weight)
 
-    def turning(self):
+    def wave_rate(self):
         return TURN * self.distance * self.weight
 
-    def turning_slope(self):
+    def wave_rate_of_slope(self):
         matrix = np.maximum(self.weight, self.fall * self.distance - self.least_weight)
         return TURN * np.hypot(matrix, TURN * LONGEST * self.distance * self.weight)
 
 
-def at_distance(kernel: Waves, distance, least, largest) -> Around:
-    """In steps, of which the least and the largest t are known."""
+def at_distance(kernel: Waves, distance, least, largest) -> PointNumbers:
+    """In steps, with the least and the largest t known."""
     weight, slope = kernel.weight, kernel.weight.size(1, least, largest)
-    return Around(distance / kernel.steps, weight.derivative(0, largest), weight.derivative(0, least),
+    return PointNumbers(distance / kernel.steps, weight.derivative(0, largest), weight.derivative(0, least),
                   2 * kernel.fall * slope * distance * kernel.steps)
 
 
@@ -94,8 +94,8 @@ def largest(quantity: str) -> float:
 
 def bounds() -> GulliesBounds:
     value, slope = phasor.derived_value(PLANE), phasor_d.derived_slope(PLANE)
-    return GulliesBounds(value.cell_error, value.lipschitz, largest("turning"), slope.cell_error, slope.lipschitz,
-                         largest("turning_slope"), largest("steep"), value.fixed_error, slope.fixed_error)
+    return GulliesBounds(value.cell_error, value.lipschitz, largest("wave_rate"), slope.cell_error, slope.lipschitz,
+                         largest("wave_rate_of_slope"), largest("steep"), value.fixed_error, slope.fixed_error)
 
 
 # --- The sum, fixed ---------------------------------------------------------------------------------------------------
@@ -138,14 +138,14 @@ class Slope:
         return Slope(max(self.least - step, 0.0), min(self.most + step, LARGEST_SLOPE), min(error, 2 * LARGEST_SLOPE))
 
 
-def fixed_product_error(slope: Slope, limit: float, turn: float, error: float) -> float:
-    """Of |u| times a number that is at most that large, changes with k as `turn` says, and has that error."""
+def fixed_product_error(slope: Slope, limit: float, wave_rate: float, error: float) -> float:
+    """Of |u| times a number that is at most that large, changes with k by `wave_rate`, and has that error."""
     nearest = max(slope.least - slope.error, 0.0)
     root_error = min(2.0**-10, 2.0**-20 / nearest if nearest else 1.0) + ROOT_UNIT
     of_u = 1.01 * (2.0**-20 / (nearest + FLAT)**2 + ROOT_UNIT * largest_rate(0.0, 1.0, nearest))
     of_size = 1.01 * FLAT * root_error / (nearest + FLAT)**2 + 2.0**-21 + 2 * WEIGHT_UNIT
-    of_number = min(turn * LONGEST * (of_u + math.sqrt(2) * 2.0**-21) + error, 2 * limit)
-    off = largest_rate(limit, LONGEST * turn, nearest) * slope.error
+    of_number = min(wave_rate * LONGEST * (of_u + math.sqrt(2) * 2.0**-21) + error, 2 * limit)
+    off = largest_rate(limit, LONGEST * wave_rate, nearest) * slope.error
     return min(off + slope.steepness * of_number + of_size * (limit + of_number), 2.001 * limit)
 
 
@@ -173,10 +173,10 @@ def fixed_tolerance(s: Sum, slope: float, depth: float, bounds: GulliesBounds) -
         weight, fade, exact_weight, exact_rate = weight / FADE_ONE, fade / FADE_ONE, s.gain**i, deep * (
             s.gain * s.lacunarity)**i
         of_fade = abs(fade - fades[i])
-        of_value = fixed_product_error(e, 1.0, bounds.turn, bounds.lipschitz * position_error + bounds.fixed_value)
+        of_value = fixed_product_error(e, 1.0, bounds.wave_rate, bounds.lipschitz * position_error + bounds.fixed_value)
         height += weight * (fade * of_value + of_fade) + abs(weight - exact_weight) + WEIGHT_UNIT + 2 * UNIT
         total += exact_weight * fades[i] * e.steepness
-        of_slope = fixed_product_error(e, bounds.steepest, bounds.slope_turn, math.sqrt(2) * (
+        of_slope = fixed_product_error(e, bounds.steepest, bounds.slope_wave_rate, math.sqrt(2) * (
             bounds.slope_lipschitz * position_error + bounds.fixed_slope))
         largest = bounds.steepest * e.steepness * fades[i]
         error = rate * (fade * of_slope + of_fade * bounds.steepest) + abs(rate - exact_rate) * largest
@@ -188,13 +188,13 @@ def fixed_tolerance(s: Sum, slope: float, depth: float, bounds: GulliesBounds) -
 
 
 def quotes() -> list[str]:
-    """Numbers in the prose of docs/accuracy.md."""
+    """Numbers in the prose of docs/measured/accuracy.md."""
     exact, of = bounds(), bounds().rounded()
 
     def rate(r: float, digits: int) -> str:
-        return shortest(largest_rate(of.steepest, LONGEST * of.slope_turn, r), digits)
+        return shortest(largest_rate(of.steepest, LONGEST * of.slope_wave_rate, r), digits)
     return [f"within {scientific(exact.value)} of the value and {scientific(exact.slope)} of a derivative",
-            f"no longer than G = {of.steepest:g}, and changes", f"no more than G' = {of.slope_turn:g} times",
-            f"v changes by {of.turn:g} times", f"by {rate(0.0, 2)} d on flat ground, {rate(1.0, 3)} d for a slope of 1, "
+            f"no longer than G = {of.steepest:g}, and changes", f"no more than G' = {of.slope_wave_rate:g} times",
+            f"v changes by {of.wave_rate:g} times", f"by {rate(0.0, 2)} d on flat ground, {rate(1.0, 3)} d for a slope of 1, "
             f"and {rate(3.0, 3)} d for one of 3",
             f"{scientific(exact.fixed_value)} of the value and {scientific(exact.fixed_slope)} of a derivative, with the cut"]

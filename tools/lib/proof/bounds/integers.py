@@ -1,6 +1,7 @@
-"""Bounds what the fixed arithmetic (HN_FIXED, docs/contract.md, sections 8 to 11) does to a noise of lattice points.
+"""Bounds what the fixed arithmetic (HN_FIXED, docs/reference/contract.md, sections 8 to 11) does to a noise of lattice
+points.
 
-What depends on a single fraction is computed here for each of the 2^20 + 1 fractions F, in the integers of the
+Numbers of a single fraction are computed here for each of the 2^20 + 1 fractions F, in the integers of the
 contract: the fade t of F, its slope, the weights of the spline, and how much a product with each of them rounds. The
 rest is proven over boxes of fractions. Two things move the value of every interpolated noise:
 
@@ -241,9 +242,12 @@ def slope_fade_effect(boxes: Boxes, gradient: Gradient) -> np.ndarray:
 
 def _slope_fade_curvature(boxes: Boxes, gradient: Gradient) -> np.ndarray:
     """The second derivatives of sum_o g_o.(change of v_o). With v_o = (d_1 w) d + w e and offsets d that grow by 1, it
-    is h(1, .., 1) times the second derivative of d_1 w, and h(1, 0, ..) times twice its first and the second of w. Along
-    the first axis s' of d_1 w is differentiated, of which the change has the factor of the others; along another the
-    change has the factors s' + e' and 1 + 2 e, less what is exact."""
+    is
+    h(1, .., 1) times the second derivative of d_1 w, and h(1, 0, ..) times twice its first and the second of w. Along
+    the
+    first axis s' of d_1 w is differentiated, and its change has the factor of the others; along another the change has
+    the
+    factors s' + e' and 1 + 2 e, less the exact product."""
     reach, component = gradient.reach(boxes.dims), gradient.component(boxes.dims)
     grown, slope_error = 1 + 2 * _magnitudes(boxes), _magnitudes(boxes, slope_errors)[0]
     largest, total = _largest(boxes), 0.0
@@ -264,7 +268,7 @@ def rounding_effect(boxes: Boxes, of_corner: float = 0) -> np.ndarray:
 
 
 def largest_effect(of_boxes, dims: int, exchange: int = 0, coarse=None, fine=None) -> float:
-    """The largest of what is given for each box. Those with nearly the largest are halved, to be tighter."""
+    """The largest value over the boxes. Boxes with nearly the largest are halved, for a tighter bound."""
     coarse, fine = coarse or COARSE, fine or FINE
     boxes, settled = grid(dims, coarse[dims]).sorted_from(min(exchange, dims - 1)), 0.0
     while boxes.level < fine[dims]:
@@ -336,7 +340,7 @@ def spline_weight_error() -> float:
 
 @functools.cache
 def spline_rounding() -> float:
-    """What four products with the weights of a fraction round down by, at most."""
+    """The largest rounding of four products with the weights of a fraction."""
     return float(part_roundings(splines()).sum(axis=0).max())
 
 
@@ -349,8 +353,8 @@ def part_intermediate(value: float, factors) -> float:
 
 
 def interpolation_intermediates(corner: float, dims: int, difference: float | None = None) -> dict[str, float]:
-    """By name, bounds of the magnitudes in the interpolation of corners' values of at most `corner`, of which two that
-    are interpolated differ by at most `difference`. Interpolated values stay as large, with LERP."""
+    """By name, bounds of the magnitudes in the interpolation of corners' values of at most `corner`; two that are
+    interpolated differ by at most `difference`. Interpolated values stay as large, with LERP."""
     off = dims * lerp_roundings().max()
     value = corner + off + 2 * corner * overshoot() * dims
     apart = 2 * value if difference is None else difference + 2 * off + 4 * corner * overshoot() * dims

@@ -1,13 +1,13 @@
 """Derives how far octave sums with slopes, and warps, may be off in fixed arithmetic, from the bounds of their noise
 and its derivatives. float_sums.py has the same for floats.
 
-The Jacobian of an octave is a matrix K. Its columns, which a derivative is a product with, and its rows, which a shift is,
-are lengthened by no more than the turns stretch lengths. Integers of a Jacobian do not depend on the position, and so they
-are compared with the exact numbers as they are.
+The Jacobian of an octave is a matrix K. Its columns, which a derivative is a product with, and its rows, which a shift
+is, are lengthened by no more than the rotations stretch lengths. Integers of a Jacobian do not depend on the position,
+and so they are compared with the exact numbers as they are.
 
-Lengths are bounded, as those of positions are; with a period nothing turns, and each coordinate is bounded on its own.
-L of a noise is the largest sum of the magnitudes of its derivatives. It bounds the lengths of gradients, and with them
-how far noise changes with the length of a step: less than L times the step."""
+Lengths are bounded, as those of positions are; with a period nothing rotates, and each coordinate is bounded on its
+own. L of a noise is the largest sum of the magnitudes of its derivatives. It bounds the lengths of gradients, and with
+them how far noise changes with the length of a step: less than L times the step."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from proof.bounds.float_sums import octave_tolerance, slope_tolerance
 from proof.bounds.integers import FADE_ONE, SLOPE_UNIT, UNIT
 from proof.bounds.sums import (
     LARGEST_STRENGTH,
-    TURNS,
+    ROTATIONS,
     WEIGHT_UNIT,
     Sum,
     first_whole_position,
@@ -33,7 +33,7 @@ from proof.bounds.sums import (
 )
 from proof.bounds.table import Bounds, slope_bounds_of
 
-PLANES = ((25, 20), (29, 13), (25, 20))  # the turns of the contract: of an axis and the next
+PLANES = ((25, 20), (29, 13), (25, 20))  # the rotations of the contract: of an axis and the next
 LARGEST_GROWTH, LARGEST_SHIFT = 64.0, 256.0  # for which the bounds are promised
 LARGEST_RISE = 4000.0  # the same of the growths' sum times the longest gradient
 SLOPE_LIMIT = 128.0  # of a component, beyond which it is cut off
@@ -46,12 +46,12 @@ COARSE = 127  # what a large result loses at most, in its units
 
 
 def stretch(s: Sum, dims: int) -> float:
-    """Of a length, by the turns between two octaves."""
-    return math.prod(TURNS[:dims - 1]) if s.turns else 1.0
+    """Of a length, by the rotations between two octaves."""
+    return math.prod(ROTATIONS[:dims - 1]) if s.rotates else 1.0
 
 
 def fitting_slopes() -> list[Bounds]:
-    """What is proven of the derivatives of the noises that fit the hn_add of a loop with slopes."""
+    """The bounds of the derivatives of the noises that fit the hn_add of a loop with slopes."""
     return [slope_bounds_of(name, dims) for name in FITTING for dims in (2, 3)]
 
 
@@ -64,7 +64,7 @@ def longest_gradient(noise: Bounds, slope: Bounds) -> float:
 
 def steepest(s: Sum, noise: Bounds, slope: Bounds) -> float:
     """How much noise changes by, per step: of lengths, or where these are not bounded of the largest coordinate."""
-    return longest_gradient(noise, slope) if s.turns else noise.lipschitz
+    return longest_gradient(noise, slope) if s.rotates else noise.lipschitz
 
 
 def cut_lacunarity(s: Sum) -> float:
@@ -82,7 +82,8 @@ def steepest_fall(strength: float, reach: float) -> float:
     return 2 * strength * r / (1 + strength * r**2)**2
 
 
-# --- In integers: Jacobians ----------------------------------------------------------------------------------------------
+# --- In integers: Jacobians
+# ----------------------------------------------------------------------------------------------
 
 def is_bounded(s: Sum, longest: float = 0.0) -> bool:
     """Whether the bounds are promised for these arguments, and this length of a gradient."""
@@ -95,15 +96,15 @@ def is_bounded(s: Sum, longest: float = 0.0) -> bool:
 
 def exact_jacobians(s: Sum, dims: int) -> Iterator[np.ndarray]:
     """The matrices K_i."""
-    turn, lacunarity = np.eye(dims), cut_lacunarity(s) if s.from_cell else s.lacunarity
-    for axis, (c, t) in enumerate(PLANES[:dims - 1] if s.turns else ()):
+    rotation, lacunarity = np.eye(dims), cut_lacunarity(s) if s.from_cell else s.lacunarity
+    for axis, (c, t) in enumerate(PLANES[:dims - 1] if s.rotates else ()):
         of_plane = np.eye(dims)
         of_plane[axis:axis + 2, axis:axis + 2] = [[c / 32, -t / 32], [t / 32, c / 32]]
-        turn = of_plane @ turn
+        rotation = of_plane @ rotation
     jacobian = np.eye(dims)
     while True:
         yield jacobian
-        jacobian = s.gain * lacunarity * turn @ jacobian
+        jacobian = s.gain * lacunarity * rotation @ jacobian
 
 
 def fixed_jacobians(s: Sum, dims: int) -> Iterator[list[list[int]]]:
@@ -114,7 +115,7 @@ def fixed_jacobians(s: Sum, dims: int) -> Iterator[list[list[int]]]:
     while True:
         yield [[rows[0][0], -rows[1][0]], [rows[1][0], rows[0][0]]] if dims == 2 else rows
         rows = [[number * growth >> 18 for number in row] for row in rows]
-        for axis, (c, t) in enumerate(PLANES[:dims - 1] if s.turns else ()):
+        for axis, (c, t) in enumerate(PLANES[:dims - 1] if s.rotates else ()):
             rows[axis:axis + 2] = ([(c * a - t * b) // 32 for a, b in zip(*rows[axis:axis + 2])],
                                    [(t * a + c * b) // 32 for a, b in zip(*rows[axis:axis + 2])])
 
@@ -134,7 +135,8 @@ def norm(matrix: np.ndarray) -> float:
     return float(np.linalg.norm(matrix, 2)) + DOUBLES
 
 
-# --- In integers: slopes -----------------------------------------------------------------------------------------------------------
+# --- In integers: slopes
+# -----------------------------------------------------------------------------------------------------------
 
 def fixed_effects(s: Sum, bounds: Bounds, steepest: float) -> list[float]:
     """The errors of the noise of each octave, or of its derivatives, where positions do not depend on the noise."""
@@ -143,14 +145,14 @@ def fixed_effects(s: Sum, bounds: Bounds, steepest: float) -> list[float]:
 
 
 def fixed_slope_tolerance(s: Sum, noise: Bounds, slope: Bounds) -> float:
-    """The largest error of a derivative of hn_fbm_d: with the columns K of the Jacobians, sum(K . g) / T. A column is off
-    by a part of what it is divided by, since both are in units of 2^-18. Each product of its numbers is rounded down by
-    less than a unit, and so is the division; a result of 32 and more is cut to 127 units."""
+    """The largest error of a derivative of hn_fbm_d: with the columns K of the Jacobians, sum(K . g) / T. A column is
+    off by a part of what it is divided by, since both are in units of 2^-18. Each product of its numbers is rounded
+    down by less than a unit, and so is the division; a result of 32 and more is cut to 127 units."""
     if not is_bounded(s, longest_gradient(noise, slope)) or slope.fixed_limit > SLOPE_LIMIT:
         return math.inf
     if not s.count:
         return 0.0
-    dims, longest = noise.dimensions, longest_gradient(noise, slope) if s.turns else slope.limit
+    dims, longest = noise.dimensions, longest_gradient(noise, slope) if s.rotates else slope.limit
     total, exact_total = sum(fixed_weights(s)) / FADE_ONE, sum(s.weights)
     error, largest = (dims * s.count / total + 1) * SLOPE_UNIT, 0.0
     for slope_err, (fixed, exact) in zip(fixed_effects(s, slope, slope.lipschitz), jacobians(s, dims)):
@@ -160,21 +162,24 @@ def fixed_slope_tolerance(s: Sum, noise: Bounds, slope: Bounds) -> float:
     return error + (COARSE * SLOPE_UNIT if largest + error >= 32 else 0.0)
 
 
-# --- In integers: erosion ----------------------------------------------------------------------------------------------------------
+# --- In integers: erosion
+# ----------------------------------------------------------------------------------------------------------
 
 def fixed_fall_errors(s: Sum, noise: Bounds, slope: Bounds) -> list[float]:
     """Of the factors 1 / (1 + strength |e|^2). A slope is rounded down to 2^-12, and so are two coordinates by each
-    turn; a clamp brings no two vectors further apart. The square times the strength rounds down by less than 2^-16 of
-    a number from 1 on, and the quotient by 2^-18. What is cut of the strength changes a factor by up to
+    rotation;
+    a clamp brings no two vectors further apart. The square times the strength rounds down by less than 2^-16 of a
+    number
+    from 1 on, and the quotient by 2^-18. The cut of the strength changes a factor by up to
     d r^2 / (1 + strength r^2)^2, which is largest where strength r^2 = 1."""
     dims, axes = noise.dimensions, math.sqrt(noise.dimensions)
     strength, cut = fixed_strength(s)
     longest = longest_gradient(noise, slope) + axes * slope.fixed_error
-    turns, ends, errs = TURNS[:dims - 1] if s.turns else (), axes * FALL_LIMIT, []
+    rotations, ends, errs = ROTATIONS[:dims - 1] if s.rotates else (), axes * FALL_LIMIT, []
     err, reach = 0.0, 0.0
     for slope_err in fixed_effects(s, slope, slope.lipschitz):
-        for turn in turns if errs else ():
-            err, reach = turn * err + math.sqrt(2) * FALL_UNIT, turn * reach + math.sqrt(2) * FALL_UNIT
+        for rotation in rotations if errs else ():
+            err, reach = rotation * err + math.sqrt(2) * FALL_UNIT, rotation * reach + math.sqrt(2) * FALL_UNIT
         err = min(err + axes * (slope_err + FALL_UNIT), 2 * ends)
         reach = min(reach + longest + axes * FALL_UNIT, ends)
         of_cut = cut * (min(reach**2, 1 / (4 * strength)) if strength > 0 else reach**2)
@@ -195,11 +200,12 @@ def fixed_eroded_tolerance(s: Sum, noise: Bounds, slope: Bounds) -> float:
     return fixed_mean_error(s, limit, terms) + limit * s.count * WEIGHT_UNIT / total
 
 
-# --- In integers: warps ------------------------------------------------------------------------------------------------------------
+# --- In integers: warps
+# ------------------------------------------------------------------------------------------------------------
 
 def fixed_shift_effects(s: Sum, noise: Bounds, slope: Bounds) -> list[float]:
-    """The errors of the noise of each octave of hn_warp_progressive. A position moves by a row of the Jacobian times the
-    vectors of noise: the row and its factor are off together, each product is rounded down to 2^-21, and so is that
+    """The errors of the noise of each octave of hn_warp_progressive. A position moves by a row of the Jacobian times
+    the vectors of noise: the row and its factor are off together, each product is rounded down to 2^-21, and so is that
     with the factor. An error of the noise comes back through the position."""
     dims, axes, errs = noise.dimensions, lengths(s, noise.dimensions), []
     amplitude, total = clamped_amplitude(s), sum(fixed_weights(s))
@@ -235,16 +241,16 @@ def fixed_warp_tolerance(s: Sum, noise: Bounds, slope: Bounds) -> float:
 
 def largest_intermediates(dims: int) -> dict[str, float]:
     """By name, bounds of the magnitudes that must stay below 2^31 where the bounds are promised, for any noise with
-    derivatives: gain * lacunarity is then at most 63, since the first octave adds 1 to the sum. In a Jacobian a number is
-    rounded down by less than 5 units for each octave, and what was lost before grows as the Jacobian does."""
+    derivatives: gain * lacunarity is then at most 63, since the first octave adds 1 to the sum. In a Jacobian a number
+    is rounded down by less than 5 units for each octave, and what was lost before grows as the Jacobian does."""
     stretched = stretch(Sum("fbm_d", 0.0, 32, 1.0, 1.0), dims)**31
     jacobian = stretched * ((LARGEST_GROWTH - 1) * FADE_ONE + 5 * LARGEST_GROWTH)
     slope, vector = math.sqrt(dims) * SLOPE_LIMIT, math.sqrt(dims) / UNIT
     moved = jacobian / FADE_ONE * vector + dims
     lost = 32 * dims
-    return {"Jacobian": jacobian, "turn of a Jacobian": 32 * TURNS[0] * jacobian,
+    return {"Jacobian": jacobian, "rotation of a Jacobian": 32 * ROTATIONS[0] * jacobian,
             "sum of slopes": stretched * (LARGEST_RISE + 5 * 32 * LARGEST_GROWTH / FADE_ONE * slope) / SLOPE_UNIT + lost,
-            "step": moved, "turn of a fall": (25 + 20) * FALL_LIMIT / FALL_UNIT,
+            "step": moved, "rotation of a fall": (25 + 20) * FALL_LIMIT / FALL_UNIT,
             "sum of falls": ((25 + 20) / 32) ** (dims - 1) * FALL_LIMIT / FALL_UNIT + SLOPE_LIMIT / FALL_UNIT,
             "step of a position": LARGEST_SHIFT * stretched * (1 + 5 * LARGEST_GROWTH / FADE_ONE) * vector
             + LARGEST_AMPLITUDE * dims + 1,

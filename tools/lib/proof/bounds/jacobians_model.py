@@ -1,5 +1,5 @@
-"""Octave sums with slopes, and warps, on arrays with LATTICE: exactly, in doubles. Written from docs/contract.md, sections
-7, 8 and 22, for bounds_jacobians_test.py.
+"""Octave sums with slopes, and warps, on arrays with LATTICE: exactly, in doubles. Written from
+docs/reference/contract.md, sections 7, 8 and 22, for bounds_jacobians_test.py.
 
 A sum is a bounds.sums.Sum of one of the kinds fbm_d, eroded, warp and warp_progressive. It gives a list of arrays: the
 value, the value and the derivatives, or the components."""
@@ -40,14 +40,14 @@ def exact_sum(s, p):
                 p = [x + amplitude / total * move for x, move in zip(p, times(jacobian, v))]
         else:
             n, g = exact.perlin_at(OCTAHEDRAL, p, np.int64(seed))
-            fall = [x + y for x, y in zip(exact.turn(fall) if s.turns else fall, g)]
+            fall = [x + y for x, y in zip(exact.rotate(fall) if s.rotates else fall, g)]
             fall = [np.clip(x, -8, 8) for x in fall]
             if s.kind == "eroded":
                 n = n / (1 + min(max(s.strength, 0), 16) * sum(x * x for x in fall))
             sums = [a + x for a, x in zip(sums, [weight * n, *times(jacobian.T, g)])]
         p = [x * lacunarity for x in p]
-        p = [x + shift for x, shift in zip(exact.turn(p) if s.turns else p, SHIFT)]
-        jacobian = np.array(exact.turn(list(jacobian)) if s.turns else jacobian) * (s.gain * lacunarity)
+        p = [x + shift for x, shift in zip(exact.rotate(p) if s.rotates else p, SHIFT)]
+        jacobian = np.array(exact.rotate(list(jacobian)) if s.rotates else jacobian) * (s.gain * lacunarity)
         seed = u32(seed + GOLDEN)
     means = [x / total for x in sums] if count else [np.zeros(np.shape(p[0]))] * (dims + 1)
     if s.kind in ("warp", "warp_progressive"):

@@ -1,4 +1,5 @@
-"""Bounds what the fixed arithmetic (HN_FIXED, docs/contract.md, sections 8 and 13) does to a sum over lattice points.
+"""Bounds what the fixed arithmetic (HN_FIXED, docs/reference/contract.md, sections 8 and 13) does to a sum over lattice
+points.
 
 A coordinate is cut to a multiple of 2^-20 cells, which moves the value by at most L * 2^-20 (CUT), and likewise a
 derivative. There the offsets are exact, and so are ramps and gradients. The rest is bounded over boxes of places, for
@@ -97,7 +98,7 @@ LEVELS, TOLERANCE = {2: 10, 3: 8, 4: 7}, 0.01
 def error_supremum(kernel: Kernel, of_boxes) -> float:
     """Of what is given for each box."""
     def bound(boxes: Boxes):
-        # What a box has in its middle is no bound, but no box around it can have less.
+        # The value in the middle of a box is no bound, but no box around it can have less.
         return of_boxes(boxes), of_boxes(Boxes(30, (boxes.index * 2 + 1) << (29 - boxes.level)))
     return supremum(bound, cell(kernel.dims, half=True), LEVELS[kernel.dims], TOLERANCE,
                     None if kernel.triangles else 0)
@@ -157,8 +158,9 @@ def pieces(kernel: Kernel) -> tuple[np.ndarray, np.ndarray]:
 def weighted_intermediates(kernel: Kernel, ramp: float) -> dict[str, float]:
     """Of ramps up to that size. The value is at most 1. No offset from a point that is visited is more than 1 along an
     axis: so the squares sum to at most 2 steps on the plane, and elsewhere to 1, or 3/2 with the larger kernel, of
-    which m is 1. The word m q is then at most 2^31. Those of the weights of simplex noise fit 32 bits, since
-    t < 2^16, and t (98304 - t) is at most 49152^2. A sum of the parts of some of the points is as large as that of all can be."""
+    which m is 1. The word m q is then at most 2^31. The products in the weights of simplex noise fit 32 bits, since
+    t < 2^16, and t (98304 - t) is at most 49152^2. A sum of the parts of some of the points is as large as that of all
+    can be."""
     weight = kernel.weight.size(0, *pieces(kernel)).max() * FADE_ONE + 1
     return {"half of the word of a square": 2.0**30, "ramp": ramp,
             "attenuated": part_intermediate(ramp, np.array([math.ceil(weight)])),

@@ -15,13 +15,13 @@ distances are sums: of the squares of the sizes s_i of the offsets from the near
     hn_simplex          1 - 2 s_i to the next corner, n/4 - sum s_i to the centre of the cell, and from there 2 s_i
     hn_simplex_smooth   from the nearest point of either kind min(1 - 2 s_i, 2 - 2 sum s + 2 s_i)
 
-What is not visited because of rounding, or visited with the distance of another point, is as far away as the radius but
-for some 2^-22, and so is its t. A weight of simplex noise is below 2^-58 there, and its fall below 2^-36. Those of
-phasor noise, at most 16 t^3 and 192 t^2, are below 2^-55 and 2^-32. What is `forgotten` of a weight is more than all of
-that.
+A point that rounding leaves out, or visits with the distance of another point, is as far away as the radius but
+for some 2^-22, and so is its t. A weight of simplex noise is below 2^-58 there, and its fall below 2^-36. The weights
+and falls of phasor noise, at most 16 t^3 and 192 t^2, are below 2^-55 and 2^-32. The `forgotten` part of a weight is
+more than all of that.
 
-What a box of places may have of a point is propagated as in floats.py. The points that are not near add zeros, so sums
-round at most as many times as there are points to visit, less one.
+The numbers of a point in a box of places are propagated as in floats.py. The points that are not near add zeros, so
+sums round at most as many times as there are points to visit, less one.
 """
 
 from __future__ import annotations
@@ -157,7 +157,7 @@ def error_supremum(error, kernel: Kernel) -> float:
 
 
 def _moved(kernel: Kernel, quantity: Quantity, ulps) -> float:
-    """What the move of the place does to a quantity."""
+    """The effect of the move of the place on a quantity."""
     if kernel is SMOOTH[2] or not kernel.triangles:
         return 0.0
     along_x = Quantity((*quantity.along, (1.0, 0.0)))

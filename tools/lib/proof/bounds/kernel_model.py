@@ -1,5 +1,5 @@
-"""Sums over lattice points, gradients that turn, and waves, on arrays: exactly, in doubles. Written from docs/contract.md,
-sections 13, 14 and 23, for bounds_kernel_test.py, bounds_phasor_test.py and
+"""Sums over lattice points, gradients that rotate, and waves, on arrays: exactly, in doubles. Written from
+docs/reference/contract.md, sections 13, 14 and 23, for bounds_kernel_test.py, bounds_phasor_test.py and
 bounds_phasor_d_test.py. Floats are those of the library's text (rounded.py).
 
 A noise takes the fractions along its axes, and a function from a lattice point, as coordinates in half steps, to its
@@ -16,7 +16,7 @@ from proof.bounds.weights import CUBE, EVEN, FIFTH, PLANE
 
 
 def points(kernel):
-    """Those that may be near a place of the cell, in steps."""
+    """The points that may be near a place of the cell, in steps."""
     if kernel.triangles:
         return [(i + (j % 2) / 2, j) for i in range(-2, 4) for j in range(-1, 4)]
     corners = list(itertools.product(range(-1, 3), repeat=kernel.dims))
@@ -44,7 +44,7 @@ def at(near, words):
     return words if words is None or len(words) == 1 else words[near]
 
 
-def turned(g, phase):
+def rotated(g, phase):
     if phase is None:
         return g
     angle = phase / 2**31 * math.pi
@@ -78,7 +78,7 @@ def simplex(kernel, words_of, fractions, phase=None):
     value, derivatives = np.zeros(place.shape[1]), np.zeros(place.shape)
     for point, near, d, t in near_points(kernel, place):
         w, slope = weight(kernel, t)
-        g = turned(exact.gradient(OCTAHEDRAL, kernel.dims, at(near, words_of(point))), at(near, phase))
+        g = rotated(exact.gradient(OCTAHEDRAL, kernel.dims, at(near, words_of(point))), at(near, phase))
         ramp = sum(a * b for a, b in zip(g, d))
         value[near] += w * ramp
         for axis, a in enumerate(g):
@@ -109,4 +109,4 @@ def phasor_d(kernel, words_of, fractions, wave, phase):
 
 
 def perlin(words_of, fractions, phase):
-    return exact.perlin(OCTAHEDRAL, words_of, fractions, lambda g: turned(g, phase))
+    return exact.perlin(OCTAHEDRAL, words_of, fractions, lambda g: rotated(g, phase))

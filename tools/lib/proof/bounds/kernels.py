@@ -1,4 +1,5 @@
-"""Proves how large a sum over the points of a lattice (docs/contract.md, section 13) and its derivatives can be.
+"""Proves how large a sum over the points of a lattice (docs/reference/contract.md, section 13) and its derivatives can
+be.
 
 The noise is S * sum w(t) (g.d) over the lattice points, t = max(0, r - m |d|^2), with d the offset from the point in
 steps. Along a vector u its derivative is made of g.v, with
@@ -14,11 +15,11 @@ continuously differentiable, these bound how much both change for each change of
 Each sum is bounded by branch and bound over places in [0, 1/2]^n, in steps. That is enough: the lattice has a point at
 0 and at every whole step along an axis, so a reflection brings any place to [0, 1/2]^n if the lattice is centred. The
 rows of triangles are a step apart, and every second is shifted by half a step; half a turn about (1/4, 1/2) maps them
-to each other. Reflections and half turns change only the signs of components, of which h does not depend. Derivatives
-are taken for all signs of s, and on the plane along each axis. In a centred lattice axes may be exchanged.
+to each other. Reflections and half turns change only the signs of components, and h does not depend on these.
+Derivatives are taken for all signs of s, and on the plane along each axis. In a centred lattice axes may be exchanged.
 
 In a box g.v is bounded by its values at the vertices and its second derivatives along the axes, as in boxes.py. These
-are sums of products, of whose factors a Jet has bounds. w' is once continuously differentiable and its second
+are sums of products, and a Jet has bounds of the factors. w' is once continuously differentiable and its second
 derivative is bounded, which is enough. The third line is bounded by the value in the middle and the first derivatives,
 so it is less tight.
 """
@@ -55,7 +56,7 @@ class Kernel:
 
     @functools.cached_property
     def points(self) -> tuple[tuple[float, ...], ...]:
-        """Those that are near enough to count somewhere in [0, 1/2]^n."""
+        """The points that are near enough to count somewhere in [0, 1/2]^n."""
         if self.triangles:
             every = [(i + (j & 1) / 2, float(j)) for i in range(-2, 3) for j in range(-2, 3)]
         else:
@@ -136,7 +137,7 @@ class Offsets:
     size: np.ndarray
     least: np.ndarray
     largest: np.ndarray
-    sizes: dict[int, np.ndarray] = field(default_factory=dict)  # what weight_size has computed: it is asked for each axis
+    sizes: dict[int, np.ndarray] = field(default_factory=dict)  # the results of weight_size, which each axis needs
 
     @staticmethod
     def of(kernel: Kernel, boxes: Boxes, point: tuple[float, ...]) -> Offsets:

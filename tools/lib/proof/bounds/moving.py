@@ -1,7 +1,7 @@
-"""Feature points that go round with a phase (docs/contract.md, section 16): which cells have the nearest ones, how
-large the distances can be, and the errors of distances and offsets. The metric is the Euclidean one.
+"""Feature points that go round with a phase (docs/reference/contract.md, section 16): which cells have the nearest
+ones, how large the distances can be, and the errors of distances and offsets. The metric is the Euclidean one.
 
-POINTS. All of them turn by the same matrix M. So the point of a cell is not farther from the centre of its cell than
+POINTS. All of them rotate by the same matrix M. So the point of a cell is not farther from the centre of its cell than
 RADIUS: the longest direction, times half of the largest jitter. Here it may be anywhere within that.
 
 BLOCKS. A point of a cell c is as near to a place x as one of a cell o, if |c - x| + RADIUS <= |o - x| - RADIUS, that
@@ -14,12 +14,13 @@ enough, and two such cells c of the block for each o outside. Both sides are nea
 
 DISTANCES. In the simplex the nearest centre is that of the cell itself, and the next one that of its neighbour along
 the first axis. Both distances are convex, so with RADIUS they are largest at corners. On the plane the points of four
-cells are that far from the corner where these meet, if they are turned by 1/8. In any dimension those of the neighbours
-of a cell are that far from its centre, if they are not turned. But in space no turn takes directions to all diagonals
-of a cube. There the first distance is bounded over boxes of places and angles, as that to the farthest corner of an
-octahedron that is turned. For a constant angle this is convex in the place. With the angle a corner moves, and is off a
-chord of its way by no more than 1/2 k times 4 (see below) times 1/8 of the square of the chord's angle. Half a turn,
-and a turn backwards, only reflect what there is. So angles up to a quarter of a turn are enough.
+cells are that far from the corner where these meet, if they are rotated by 1/8. In any dimension those of the
+neighbours of a cell are that far from its centre, if they are not rotated. But in space no rotation takes directions to
+all diagonals of a cube. There the first distance is bounded over boxes of places and angles, as that to the farthest
+corner of an octahedron that is rotated. For a constant angle this is convex in the place. With the angle a corner
+moves, and is off a chord of its way by no more than 1/2 k times 4 (see below) times 1/8 of the square of the chord's
+angle. Half a turn, and a rotation backwards, only reflect what there is. So angles up to a quarter of a turn are
+enough.
 
 FLOATS. With B, the transpose of M, an offset is, in units of half a cell,
 
@@ -27,19 +28,19 @@ FLOATS. With B, the transpose of M, an offset is, in units of half a cell,
 
 for the columns of B, each product and difference being rounded. The first of these is dims products and one sum less.
 Every intermediate vector is at most as long as the offset of the place from the centre of the cell, since along each
-axis the place is within half a cell of the centre of its own. The computed B is off by TURN, as a norm: in a plane the
-errors of a cosine and a sine are those of a multiple of a turn. So TURN moves an offset by as much, times its length
-before the point is subtracted. An offset that is turned forwards has all these errors, TURN once more, and those of its
-own sums.
+axis the place is within half a cell of the centre of its own. The computed B is off by ROTATION, as a norm: in a plane
+the errors of a cosine and a sine are those of a multiple of a turn. So ROTATION moves an offset by as much, times its
+length before the point is subtracted. An offset that is rotated forwards has all these errors, ROTATION once more, and
+those of its own sums.
 
-FIXED. B is computed from 2^16 sines. What it is off by, as a norm, is evaluated at both ends of the interval of angles
-that each belongs to, for each quarter of a turn: between them the exact matrix is off its chord by no more than
-SAGITTA. A product that `turned` sums rounds down by less than 2 units of 2^-20, and the product of direction and jitter
-by 1. The jitter is cut twice, by less than 1 + k units.
+FIXED. B is computed from 2^16 sines. Its error, as a norm, is evaluated at both ends of the interval of angles that
+each belongs to, for each quarter of a turn: between them the exact matrix is off its chord by no more than SAGITTA. A
+product that `rotated` sums rounds down by less than 2 units of 2^-20, and the product of direction and jitter by 1. The
+jitter is cut twice, by less than 1 + k units.
 
 The rank takes up to 2^-14 from a distance, but only where that is 2^-14; from a larger one, t, it takes less than
-2^-28 / t. TURN takes the more the farther the place is from the centre of the cell. Their sum is convex in t, so it is
-largest at an end.
+2^-28 / t. ROTATION takes the more the farther the place is from the centre of the cell. Their sum is convex in t, so it
+is largest at an end.
 """
 
 from __future__ import annotations
@@ -49,7 +50,7 @@ import math
 
 import numpy as np
 
-from proof.bounds import distances, features, turns
+from proof.bounds import distances, features, rotations
 from proof.bounds.boxes import SAFE, Boxes, cell, supremum
 from proof.bounds.distances import PLACE, RANK, f32
 from proof.bounds.features import Cell
@@ -85,8 +86,8 @@ def largest_distance(dims: int, count: int) -> float:
 def farthest_in_space(cells: np.ndarray, places: np.ndarray, angles: np.ndarray) -> np.ndarray:
     """The largest distance to a point of each cell: cells by places."""
     off = (cells[:, :, None] - places[None]).transpose(1, 0, 2)
-    turned = [sum(b * d for b, d in zip(row, off)) for row in rows(3, np.cos(angles), np.sin(angles), np.multiply)]
-    return np.sqrt((off**2).sum(axis=0) + JITTER[3] * abs(np.array(turned)).max(axis=0) + JITTER[3] ** 2 / 4)
+    rotated = [sum(b * d for b, d in zip(row, off)) for row in rows(3, np.cos(angles), np.sin(angles), np.multiply)]
+    return np.sqrt((off**2).sum(axis=0) + JITTER[3] * abs(np.array(rotated)).max(axis=0) + JITTER[3] ** 2 / 4)
 
 
 def largest_in_space() -> float:
@@ -100,21 +101,21 @@ def largest_in_space() -> float:
 
 
 def room(dims: int) -> float:
-    """What twice the radius must be less than: at the corner of a cell, how much farther the cells beyond it are."""
+    """The limit for twice the radius: at the corner of a cell, how much farther the cells beyond it are."""
     corner, centre = (0.5,) * dims, (0,) * dims
     return math.dist((2, *centre[1:]), corner) - math.dist(centre, corner)
 
 
 # --- Floats -----------------------------------------------------------------------------------------------------------
 
-def turn_error(dims: int, ulps: float) -> float:
-    """TURN. In space two turns are multiplied, and four of the products round."""
-    plane = math.sqrt(2) * turns.float_error(ulps)
+def rotation_error(dims: int, ulps: float) -> float:
+    """ROTATION. In space two rotations are multiplied, and four of the products round."""
+    plane = math.sqrt(2) * rotations.float_error(ulps)
     return plane if dims == 2 else plane * (2 + plane) + 2 * f32(0.99, ulps)
 
 
 def components(dims: int, reach: float, ulps: float) -> tuple[float, float]:
-    """As those of distances.py, but without TURN."""
+    """As those of distances.py, but without ROTATION."""
     away = 2 * (reach + RADIUS[dims]) * 1.001
     projected = dims * f32(1.0, ulps) + sum(f32(math.sqrt(axes) * 1.001, ulps) for axes in range(2, dims + 1))
     centre = math.sqrt(dims) * 1.001 * f32(1.0, ulps) + projected + dims * f32(away, ulps)
@@ -124,7 +125,7 @@ def components(dims: int, reach: float, ulps: float) -> tuple[float, float]:
 
 def length_error(dims: int, reach: float, ulps: float) -> float:
     away = 2 * (reach + RADIUS[dims])
-    return distances.length_of(*components(dims, reach, ulps)) + turn_error(dims, ulps) * away
+    return distances.length_of(*components(dims, reach, ulps)) + rotation_error(dims, ulps) * away
 
 
 def distance_error(dims: int, reach: float, ulps: float = 1.0) -> float:
@@ -135,12 +136,12 @@ def distance_error(dims: int, reach: float, ulps: float = 1.0) -> float:
 def float_offset_error(dims: int, ulps: float = 1.0) -> float:
     """Of a component, from a position or a cell, in cells."""
     reach = largest_distance(dims, 1)
-    length, turn = 2 * reach, turn_error(dims, ulps)
+    length, rotation = 2 * reach, rotation_error(dims, ulps)
     err = length_error(dims, reach, ulps)
     if dims == 3:
         err += math.sqrt(2) * f32(2 * length * 1.001, ulps) / 2  # x + y and x - y become x and y
-    forwards = turn * length + (2 * dims - 1) * f32(length * 1.001, ulps)
-    return (((1 + turn) * err + forwards) / 2 + 2.0**-24) * SAFE
+    forwards = rotation * length + (2 * dims - 1) * f32(length * 1.001, ulps)
+    return (((1 + rotation) * err + forwards) / 2 + 2.0**-24) * SAFE
 
 
 # --- Fixed ------------------------------------------------------------------------------------------------------------
@@ -185,31 +186,31 @@ def largest_norm(matrices: np.ndarray) -> float:
 
 
 @functools.cache
-def fixed_turn_error(dims: int) -> float:
-    """TURN. The derivatives of the matrix by the angle have norms of at most 1 on the plane, and of 2, then 4, in
-    space, where two turns are multiplied."""
+def fixed_rotation_error(dims: int) -> float:
+    """ROTATION. The derivatives of the matrix by the angle have norms of at most 1 on the plane, and of 2, then 4, in
+    space, where two rotations are multiplied."""
     speed = dims - 1
     sagitta = (speed * 2 * math.pi * 2.0**-18) ** 2 / 8
     worst = max(largest_norm(np.array(rows(dims, cosine, sine, fixed_product)) / 2**16
                              - np.array(rows(dims, np.cos(angle), np.sin(angle), np.multiply)))
                 for angle, cosine, sine in quarters())
-    return worst + sagitta + speed * turns.ANGLE_CUT + DOUBLE
+    return worst + sagitta + speed * rotations.ANGLE_CUT + DOUBLE
 
 
 def fixed_points(dims: int) -> float:
-    """How far a point is off, but for TURN: the first row of B in space has a 0."""
+    """How far a point is off, but for ROTATION: the first row of B in space has a 0."""
     axes = (2, 2) if dims == 2 else (2, 3, 3)
     return (math.hypot(*(2 * n for n in axes)) + LONGEST[dims] * (1 + JITTER[dims]) / 2) * PLACE
 
 
 def fixed_offset_before(dims: int, distance: float) -> float:
     """How far an offset is off before its length is computed."""
-    return distances.fixed_place(dims) + fixed_points(dims) + fixed_turn_error(dims) * (distance + RADIUS[dims])
+    return distances.fixed_place(dims) + fixed_points(dims) + fixed_rotation_error(dims) * (distance + RADIUS[dims])
 
 
 def fixed_parts(dims: int) -> dict[str, float]:
-    turned = fixed_turn_error(dims) * (largest_distance(dims, 2) + RADIUS[dims])
-    return distances.fixed_parts(dims) | {"points": fixed_points(dims) + turned}
+    rotated = fixed_rotation_error(dims) * (largest_distance(dims, 2) + RADIUS[dims])
+    return distances.fixed_parts(dims) | {"points": fixed_points(dims) + rotated}
 
 
 def fixed_distance_error(dims: int) -> float:
@@ -225,7 +226,7 @@ def fixed_offset_error(dims: int) -> float:
     """Of a component. The nearest point that is found may be farther than the nearest one, by as much as both are
     off."""
     reach = largest_distance(dims, 1) + 2.0**-10
-    return (fixed_offset_before(dims, reach) * (1 + fixed_turn_error(dims)) + fixed_turn_error(dims) * reach
+    return (fixed_offset_before(dims, reach) * (1 + fixed_rotation_error(dims)) + fixed_rotation_error(dims) * reach
             + 2 * dims * PLACE) * SAFE
 
 
@@ -234,11 +235,11 @@ def offset_error(dims: int, fixed: bool) -> float:
 
 
 def largest_intermediates(dims: int) -> dict[str, float]:
-    """An offset is turned forwards if it is the nearest. A square is that of one to a cell at a corner of the block. In
-    space the half of a sine is multiplied with that of another."""
+    """An offset is rotated forwards if it is the nearest. A square is that of one to a cell at a corner of the block.
+    In space the half of a sine is multiplied with that of another."""
     length = 1.5 * math.sqrt(dims) + RADIUS[dims] + 2.0**-10
     largest = int(fixed_sines().max())
     products = {"product of two sines": (largest // 2 + 1) ** 2 + 2.0**15} if dims == 3 else {}
     return {"offset of a point": 512 * distances.LARGEST_COMPONENT[dims] * JITTER[dims] * 2.0**20,
-            "turned offset": ((largest_distance(dims, 1) + 2.0**-10) * 2**12 + 1) * largest * 4,
+            "rotated offset": ((largest_distance(dims, 1) + 2.0**-10) * 2**12 + 1) * largest * 4,
             **products, **distances.square_intermediates(length**2)}

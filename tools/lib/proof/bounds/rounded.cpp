@@ -28,7 +28,7 @@ struct Rounding {
     return static_cast<double>(state >> 40) * 0x1p-24;
   }
 
-  // One of the two floats around x; x itself, if it is a float, or too small to be told from 0.
+  // One of the two floats around x; x itself, if it is a float, or too small to differ from 0.
   double round(double x) {
     if (lost_bits > 0 && std::isfinite(x)) {
       int exponent = 0;

@@ -1,5 +1,6 @@
-"""The text of the library in 32-bit floats, with any rounding, or in integers, for the tests of the bounds: a function is
-asked for by its row in the suite's table, and by the columns of that."""
+"""The text of the library in 32-bit floats, with any rounding, or in integers, for the tests of the bounds: a function
+is
+named by its row in the suite's table, and by the columns of that."""
 
 from __future__ import annotations
 
@@ -37,7 +38,7 @@ def roundings(seed: int) -> list[Rounding]:
 
 @dataclass(frozen=True)
 class Body:
-    """What a row of the table says of a function."""
+    """The description of a function in a row of the table."""
     inputs: tuple[Column, ...]
     outputs: tuple[Column, ...]
     code: str
@@ -69,7 +70,7 @@ class Text:
         self.folder.cleanup()
 
     def __call__(self, id: str, rounding: Rounding, **columns: np.ndarray | float) -> list[np.ndarray]:
-        """What comes out of a function: the floats of each output, at each point."""
+        """The results of a function: the floats of each output, at each point."""
         return [words.view(np.float32).astype(float) for words in self.words(id, rounding, **columns)]
 
     def words(self, id: str, rounding: Rounding, **columns: np.ndarray | float) -> list[np.ndarray]:
@@ -91,7 +92,7 @@ def table() -> dict[str, Body]:
 
 
 def along_axes(prefix: str, columns: Iterable[np.ndarray]) -> dict[str, np.ndarray]:
-    """Those of a position ("") or a cell ("c") and so on, by their names."""
+    """The inputs of a position ("") or a cell ("c") and so on, by their names."""
     return {f"{prefix}{axis}": column for axis, column in zip("xyzw", columns)}
 
 

@@ -36,7 +36,7 @@ def sine_polynomial(x):
 
 
 def sine_truncation(point):
-    """What the polynomial, in exact arithmetic, is off by."""
+    """The error of the polynomial, in exact arithmetic."""
     return abs(sine_polynomial(point[0]) - np.sin(math.pi / 2 * point[0]))
 
 

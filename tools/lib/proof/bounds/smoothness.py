@@ -61,12 +61,12 @@ def measure(noise: str, dims: int, pitch: int) -> tuple[Steps, Steps]:
 
 @functools.cache
 def steps_table() -> str:
-    def told(steps: Steps) -> str:
+    def text_of(steps: Steps) -> str:
         return f"{steps.rms:.0e}, {steps.largest:.0e}; {steps.own:.0e}".replace("e-0", "e-")
 
     rows = []
     for noise, dims in CASES:
         by_pitch = [measure(noise, dims, pitch) for pitch in PITCHES]
-        rows.append([f"`hn_{noise}(vec{dims})`", *(told(differences) for differences, _ in by_pitch)])
-        rows.append([f"`hn_{noise}_d(vec{dims})`", *(told(returned) for _, returned in by_pitch)])
+        rows.append([f"`hn_{noise}(vec{dims})`", *(text_of(differences) for differences, _ in by_pitch)])
+        rows.append([f"`hn_{noise}_d(vec{dims})`", *(text_of(returned) for _, returned in by_pitch)])
     return table(("", *(f"{pitch} pixels to a cell" for pitch in PITCHES)), rows)

@@ -1,5 +1,5 @@
-"""The steps by which sums add an octave (glsl/hashnoise/detail/octave.glsl): what each does to the noise, and by how much the
-integers of it may be off."""
+"""The steps by which sums add an octave (glsl/hashnoise/detail/octave.glsl): what each does to the noise, and by how
+much the integers of it may be off."""
 
 from __future__ import annotations
 
@@ -13,16 +13,17 @@ WEIGHT_UNIT = 1 / FADE_ONE
 
 
 class Step:
-    """A step that adds the noise as it is. What a step leaves of the next octave is 1/2 before the first."""
+    """A step that adds the noise as it is. Before the first octave the rest of a step is 1/2."""
     clamps = True  # a noise beyond [-1, 1] counts as the nearer end
 
     def term(self, n, before, strength):
-        """What an octave adds, and what it leaves of the next."""
+        """The number that an octave adds, and the rest for the next."""
         return n, before
 
     def fixed_errors(self, errs: list[float], strength: float, cut: float) -> list[float]:
-        """The errors of what octaves add in integers, before their weights, given those of the noise; the strength is cut
-        by so much. Those of floats are in tools/lib/proof/sums/bounds.cpp."""
+        """The errors of octaves in integers, before their weights, given those of the noise; the strength is cut by so
+        much. The
+        errors of floats are in tools/lib/proof/sums/bounds.cpp."""
         return errs
 
 
@@ -50,9 +51,9 @@ class Ridge(Step):
         return r, r
 
     def fixed_errors(self, errs, strength, cut):
-        """A root g = sqrt(r) follows from d min(sqrt(2) g, 1). So an error of d moves g by as much, what was there before
-        by sqrt(2) times that, and r by twice what g is moved by: it grows as sqrt(2)^i, and not as 2^i. What products
-        lose does not depend on r, and is counted with r: it doubles."""
+        """A root g = sqrt(r) follows from d min(sqrt(2) g, 1). So an error of d moves g by as much, what was there
+        before by sqrt(2) times that, and r by twice what g is moved by: it grows as sqrt(2)^i, and not as 2^i. What
+        products lose does not depend on r, and is counted with r: it doubles."""
         terms, root, lost = [], 0.0, 0.0
         for i, err in enumerate(errs):
             root = err + WEIGHT_UNIT + math.sqrt(2) * root

@@ -20,9 +20,9 @@ CATALOG = {sum_.name: sum_ for sum_ in catalog.model.read().sums}
 KINDS = tuple(name for name, sum_ in CATALOG.items() if sum_.is_of_values)
 SLOPED, SHIFTS = ("fbm_d", "eroded"), ("warp", "warp_progressive")  # sums with slopes, and of vectors: jacobians.py
 SHIFT_MAX = {1: 11 / 32, 2: 19 / 32, 3: 23 / 32, 4: 27 / 32}  # the largest component of the shift between octaves
-# By how much the turns of a position make a length larger at most: in the plane of x and y, then in that of y and z,
-# then in that of z and w. The second makes lengths in its plane smaller, but not that along x.
-TURNS = (math.hypot(25, 20) / 32, max(math.hypot(29, 13) / 32, 1.0), math.hypot(25, 20) / 32)
+# By how much the rotations of a position make a length larger at most: in the plane of x and y, then in that of y and
+# z, then in that of z and w. The second makes lengths in its plane smaller, but not that along x.
+ROTATIONS = (math.hypot(25, 20) / 32, max(math.hypot(29, 13) / 32, 1.0), math.hypot(25, 20) / 32)
 WHOLE = 2.0**-24  # the unit of whole positions
 
 @dataclass(frozen=True)
@@ -37,7 +37,7 @@ class Sum:
     strength: float = 0.0
     amplitude: float = 0.0
     footprint: float | None = None
-    turns: bool = True  # it does not with a period
+    rotates: bool = True  # it does not with a period
     from_cell: bool = False
     exact_positions: bool = False  # the caller's promise that every q is computed without rounding
 
@@ -51,7 +51,7 @@ class Sum:
 
     @property
     def weights(self) -> list[float]:
-        """gain^i, the last one as much less as a detail says."""
+        """gain^i; the last one is smaller with a detail."""
         powers = [self.gain**i for i in range(self.count)]
         if self.count > 1:
             powers[-1] *= self.octaves - (self.count - 1)
@@ -59,7 +59,7 @@ class Sum:
 
     @property
     def fades(self) -> list[float]:
-        """What a footprint leaves of each octave."""
+        """The part of each octave that a footprint leaves."""
         if self.footprint is None:
             return [1.0] * self.count
         finer = max(self.lacunarity, 1.0)
@@ -87,13 +87,13 @@ def clamped_strength(s: Sum) -> float:
 
 def lengths(s: Sum, dims: int) -> float:
     """How much longer a vector is than its largest coordinate, where lengths are bounded."""
-    return math.sqrt(dims) if s.turns else 1.0
+    return math.sqrt(dims) if s.rotates else 1.0
 
 
 def whole_positions(s: Sum, dims: int) -> Iterator[float]:
-    """The largest errors of each octave's position, as a length, or without turns of a coordinate. A coordinate is cut to
-    a multiple of 2^-24, and the lacunarity of 2^-23; the product is rounded down, and so are both coordinates after
-    each turn."""
+    """The largest errors of each octave's position, as a length, or without rotations of a coordinate. A coordinate is
+    cut to a multiple of 2^-24, and the lacunarity of 2^-23; the product is rounded down, and so are both coordinates
+    after each rotation."""
     position, error = first_whole_position(s, dims)
     while True:
         yield error
@@ -102,18 +102,18 @@ def whole_positions(s: Sum, dims: int) -> Iterator[float]:
 
 
 def first_whole_position(s: Sum, dims: int) -> tuple[float, float]:
-    """How long it is, or without turns how large its coordinates, and the same of its error."""
+    """How long it is, or without rotations how large its coordinates, and the same of its error."""
     return lengths(s, dims) * s.p_max, 0.0 if s.exact_positions else lengths(s, dims) * WHOLE
 
 
 def next_whole_position(s: Sum, dims: int, position: float, error: float) -> tuple[float, float]:
     """Of the next octave, from those of one."""
     ratio, shift = math.trunc(s.lacunarity * 2**23) / 2**23, SHIFT_MAX[dims]
-    axes, turns = lengths(s, dims), TURNS[:dims - 1] if s.turns else ()
+    axes, rotations = lengths(s, dims), ROTATIONS[:dims - 1] if s.rotates else ()
     error = ratio * error + (s.lacunarity - ratio) * position + axes * WHOLE
-    for stretch in turns:
+    for stretch in rotations:
         error = stretch * error + math.sqrt(2) * WHOLE
-    return s.lacunarity * math.prod(turns) * position + axes * shift, error
+    return s.lacunarity * math.prod(rotations) * position + axes * shift, error
 
 
 # --- In integers ------------------------------------------------------------------------------------------------------
@@ -134,7 +134,7 @@ def fixed_weights(s: Sum) -> list[int]:
 
 
 def fixed_fades(s: Sum) -> list[int]:
-    """What a footprint leaves of each octave, in units of 2^-18."""
+    """The part of each octave that a footprint leaves, in units of 2^-18."""
     if s.footprint is None:
         return [FADE_ONE] * s.count
     finer = max(math.trunc(s.lacunarity * 2**23), 2**23)
@@ -201,8 +201,8 @@ def fixed_mean_error(s: Sum, limit: float, term_errs: list[float], changes: list
 
 
 def fixed_octave_tolerance(s: Sum, noise: Bounds) -> float:
-    """The largest error against the exact sums of docs/contract.md at the same floats, for lacunarity in [0, 255], gain in [0, 1] and
-    at most 32 octaves, which is what it does not cut.
+    """The largest error against the exact sums of docs/reference/contract.md at the same floats, for lacunarity in [0,
+    255], gain in [0, 1] and at most 32 octaves, which is what it does not cut.
 
     A noise is off by L times its position's error and by fixed_error (the cut to 2^-20 is in that). The weights are
     compared with the exact ones as they are: a change of weights by c_i, whose exact sum is 1, moves the mean by at
@@ -227,10 +227,10 @@ def fixed_octave_tolerance(s: Sum, noise: Bounds) -> float:
 
 def largest_octave_intermediates(limit: float) -> dict[str, float]:
     """By name, bounds of the magnitudes that must stay below 2^31, for a noise of at most `limit`: of
-    v * (A >> 9) + (v >> 9) * (A & 511), A <= 2^18. Where A & 511 is not 0, A >> 9 is at most 511. Of a turn, the parts
-    of whole positions that are multiplied have 24 bits, and a fraction of 1 is 2^24."""
+    v * (A >> 9) + (v >> 9) * (A & 511), A <= 2^18. Where A & 511 is not 0, A >> 9 is at most 511. Of a rotation, the
+    parts of whole positions that are multiplied have 24 bits, and a fraction of 1 is 2^24."""
     noise = limit * 2**21
     return {"octave": noise * 2**9 + (noise / 2**9 + 1) * 511, "sum of 32 octaves": 32 * (noise + 2),
             "product": 2**9 * FADE_ONE + FADE_ONE, "part of a product": 511 * FADE_ONE, "doubled ridge": 2 * FADE_ONE,
-            "part of ping-pong's t": 2**22 * 511, "turn": (20 + 25) * 2**24, "rest of a turn": (20 + 25) * 31,
+            "part of ping-pong's t": 2**22 * 511, "rotation": (20 + 25) * 2**24, "rest of a rotation": (20 + 25) * 31,
             "billow": 2 * 2**21 + 2**21}

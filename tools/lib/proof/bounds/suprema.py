@@ -131,5 +131,5 @@ def largest(quantity: Quantity, dims: int, gradient: Gradient | None) -> float:
 
 
 def attained(quantity: Quantity, gradient: Gradient | None, point: tuple[float, ...]) -> float:
-    """What gradients reach at a point, before it is scaled: no bound may be below."""
+    """The largest value of gradients at a point, before the scale: no bound may be below."""
     return float(steepest(quantity, gradient, np.array(point, float)[:, None])[0])

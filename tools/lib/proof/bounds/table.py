@@ -13,7 +13,7 @@ from base.tree import BOUNDS
 PATH = BOUNDS
 
 HEAD = """\
-// What is proven of each noise, rounded up. Written by tools/make bounds; docs/accuracy.md tells what it means.
+// The bounds of each noise, rounded up. Written by tools/make bounds; docs/measured/accuracy.md explains them.
 //
 //   NOISE_BOUNDS(noise, dimensions, gradient, cell_error, error, lipschitz, limit, fixed_error, fixed_limit)
 //
@@ -32,10 +32,11 @@ HEAD = """\
 //   value         the error of hn_uniform; slope, that of its derivative, times the reach
 //   reach         that of the first number of hn_spread_fbm, divided by the reach; coefficient, that of another one
 //
-//   GULLIES_BOUNDS(value, lipschitz, turn, slope, slope_lipschitz, slope_turn, steepest, fixed_value, fixed_slope)
+//   GULLIES_BOUNDS(value, lipschitz, wave_rate, slope, slope_lipschitz, slope_wave_rate, steepest, fixed_value,
+//                  fixed_slope)
 //
 //   value         the error of the waves of gullies in floats, from a cell; slope, that of a derivative of theirs
-//   lipschitz     how fast they change with the position; turn, with the length by which a wave changes
+//   lipschitz     how fast they change with the position; wave_rate, with the length by which a wave changes
 //   steepest      how long the vector of their derivatives is at most
 
 """
@@ -71,13 +72,13 @@ class SineBounds:
 
 @dataclass(frozen=True)
 class GulliesBounds:
-    """Of the waves of gullies, as HEAD says."""
+    """The waves of gullies, as in HEAD."""
     value: float
     lipschitz: float
-    turn: float
+    wave_rate: float
     slope: float
     slope_lipschitz: float
-    slope_turn: float
+    slope_wave_rate: float
     steepest: float
     fixed_value: float
     fixed_slope: float
@@ -155,7 +156,7 @@ def gullies_row(bounds: GulliesBounds) -> str:
 
 
 def _rows(path: Path, macro: str) -> list[list[str]]:
-    """The fields of its rows, each of which is a line."""
+    """The fields of its rows; each row is a line."""
     start = f"{macro}("
     rows = [line.removeprefix(start).removesuffix(")").split(", ")
             for line in path.read_text(encoding="utf-8").splitlines() if line.startswith(start)]

@@ -1,4 +1,5 @@
-"""Uniform values and spreads (docs/contract.md, section 21), in floats and in integers: how far they are off, proven.
+"""Uniform values and spreads (docs/reference/contract.md, section 21), in floats and in integers: how far they are off,
+proven.
 
 A spread is in its range: taking it there is exact, and errors are those of the numbers in range.
 
@@ -8,7 +9,7 @@ VALUES AND SLOPES, of a box of s at a time. In floats, with a quotient within QU
     four rounds of mix(p, q) = p + (q - p)*y from 0, a, b, c, 1 to t_0 and t_1, then to T
     1 - T/2;  4*((t_1 - t_0)*w) / reach
 
-What y is off by moves T by 4 times that and (t_1 - t_0), which is at most the largest of the Bernstein polynomials of
+An error of y moves T by 4 times that and (t_1 - t_0), which is at most the largest of the Bernstein polynomials of
 degree 3 at y, since it is their mean weighted with a, b - a, c - b and 1 - c. Likewise the numbers of a round before it
 differ by no more than the largest of those of a lower degree. In integers a number rounds down by less than 1 unit of
 2^-21 where it is cut, and in each round. (reach is at least 1/16, so that s is off by 2^-17 for that, and 2^-18.)
@@ -55,7 +56,7 @@ def highest(degree, low, high, slope=False):
             lower = [math.comb(degree - 1, i) * y**i * (1 - y)**(degree - 1 - i) for i in range(degree)]
             return degree * np.max(np.abs([a - b for a, b in zip([*lower, 0 * y], [0 * y, *lower])]), axis=0)
         return np.max([math.comb(degree, i) * y**i * (1 - y)**(degree - i) for i in range(degree + 1)], axis=0)
-    # Those of degree 3 have second derivatives below 18, and third ones of at most 18.
+    # Polynomials of degree 3 have second derivatives below 18, and third ones of at most 18.
     return np.maximum(at(low), at(high)) + 18 / 8 * (high - low)**2
 
 
@@ -277,7 +278,7 @@ def errors(fixed, ulps=1.0):
 
 
 def quotes() -> list[str]:
-    """What prose must state."""
+    """The numbers that prose must state."""
     floats, integers = (tuple(map(scientific, astuple(errors(fixed)))) for fixed in (False, True))
     return ["`hn_uniform` is within {} and a slope of `hn_uniform_d` within {} / r".format(*floats[:2]),
             "a reach within {} r, and other numbers within {},".format(*floats[2:]),

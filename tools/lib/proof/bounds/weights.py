@@ -1,6 +1,6 @@
-"""The weights w(t) of simplex noise and of phasor noise (docs/contract.md, sections 13 and 23): their derivatives, and
-how they are computed, in floats and in integers. The fall of a weight is 2 m w'(t): what the weight's derivative
-multiplies an offset with.
+"""The weights w(t) of simplex noise and of phasor noise (docs/reference/contract.md, sections 13 and 23): their
+derivatives, and how they are computed, in floats and in integers. The fall of a weight is 2 m w'(t): what the weight's
+derivative multiplies an offset with.
 
 In integers t is off by e, and
 
@@ -50,7 +50,7 @@ def value_of(terms: Terms, t):
 
 @functools.cache
 def _roots(*items: tuple[int, float]) -> list[float]:
-    """Those that are real, or nearly: of a double root doubles make two that are not."""
+    """The real roots, or nearly real ones: doubles turn a double root into two complex ones."""
     terms = dict(items)
     found = np.roots([terms.get(power, 0.0) for power in range(max(terms, default=0), -1, -1)])
     return [float(root.real) for root in found if abs(root.imag) < 1e-6]
@@ -148,7 +148,7 @@ def _floats_plane_fall(t: Approx, m: int) -> Approx:
 
 
 def _without_error(t: Approx) -> Approx:
-    """What it may have been computed as."""
+    """The values that it may have been computed as."""
     return Approx(np.maximum(t.lo - t.err, 0.0), t.hi + t.err, 0.0, t.ulps)
 
 
@@ -171,8 +171,10 @@ def _floats_even_fall(t: Approx, m: int) -> Approx:
 @dataclass(frozen=True, eq=False)
 class Weight:
     """A polynomial: coefficients by powers of t. `floats` computes it, and `float_fall` its fall; `fixed` and
-    `fixed_fall` bound the errors of W and E, given the least and the largest t and its error. A fall is told its m.
-    Where there are no derivatives there is no fall."""
+    `fixed_fall`
+    bound the errors of W and E, given the least and the largest t and its error. A fall has its m as an argument. Where
+    there
+    are no derivatives there is no fall."""
     coefficients: Terms
     floats: Callable[[Approx], Approx]
     fixed: Callable

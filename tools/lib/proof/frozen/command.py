@@ -1,5 +1,5 @@
 """Keeps the values that never change from version 1.0 on: checksums of a million values of each function with HN_FIXED,
-and of each hash. docs/frozen.md tells what is promised.
+and of each hash. docs/reference/frozen.md states what is promised.
 
     tools/make freeze                          adds what has no entry. From 1.0 on it also freezes what is provisional
     tools/make freeze --check [--all]          holds the library to the table, at 2,048 points of each function, or at
@@ -33,11 +33,11 @@ PROGRAM = ROOT / "build" / "conformance" / "hn-frozen"
 
 
 class NoProgram(Exception):
-    """What computes the values does not."""
+    """The file that computes the values does not."""
 
 
 class Library:
-    """What the library returns, as hn-frozen computes it."""
+    """The library's values, as hn-frozen computes it."""
 
     def __init__(self, program: Path) -> None:
         self.program = program
@@ -112,7 +112,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         parser.error("a NAME goes with --provisional")
     if given.provisional and table.is_stable(version()):
         parser.error(f"--provisional is for versions before 1.0, and the library is {version()}: its values stay. "
-                     "docs/frozen.md tells how a mistake is corrected")
+                     "docs/reference/frozen.md describes how a mistake is corrected")
     library = Library(given.program)
     try:
         exists = given.table.exists()

@@ -1,5 +1,5 @@
-"""The table of frozen values, conformance/expected/frozen.csv, and what is wrong with it. docs/frozen.md tells what it
-promises."""
+"""The table of frozen values, conformance/expected/frozen.csv, and its faults. docs/reference/frozen.md describes what
+it promises."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ class Sums:
 
 @dataclass(frozen=True)
 class Entry:
-    """What is frozen of a function with a setting."""
+    """The frozen values of a function with a setting."""
 
     since: str
     first: Sums
@@ -87,7 +87,7 @@ def text_of(entries: Mapping[Key, Entry]) -> str:
 
 
 def parse_sums(text: str) -> dict[Key, Sums]:
-    """What hn-frozen prints."""
+    """hn-frozen's output."""
     return {(row[0], row[1]): Sums(row[2], row[3]) for row in csv.reader(io.StringIO(text))}
 
 

@@ -1,7 +1,7 @@
 """The inputs of cellular noise: phases, jitters and metrics, and positions on walls, at corners and in the middle of
 cells.
 
-What is said of the nearest point jumps where another becomes the nearest. Floats may say either there, so such a
+The data of the nearest point jump where another becomes the nearest. Floats may return either there, so such a
 function has no such positions, but for fixed arithmetic: that has some where points are equally near, and pairs of
 positions between which the nearest point changes.
 """
@@ -32,9 +32,9 @@ SPECIAL, TIES, CHANGES = 4 * KINDS, 16, 12  # how many
 # With the Manhattan metric a point two cells away is as near as the nearest ones of the neighbours: those count.
 FAR_TIE = (1760080, 0, 0.75, 0.0, 2, 48, 1.0, 3, 2020091907)
 
-# --- What a caller chooses --------------------------------------------------------------------------------------
+# --- A caller's choices --------------------------------------------------------------------------------------
 
-# Those beyond an end count as the end; tiny ones, and what fixed arithmetic cuts off.
+# Numbers beyond an end count as the end; tiny ones, and what fixed arithmetic cuts off.
 ODD_JITTERS = tuple(map(to_f32, (-0.5, 1.75, -0.0, 1e-40, 2.0**-33, 2.0**-32, 2.0**-21, 2.0**-20, 1 - 2.0**-24,
                                  1 + 2.0**-23)))
 METRICS = (1, 2, 3, 4, 5)
@@ -173,7 +173,7 @@ def jumps(function: Function) -> bool:
 
 
 def distances_of(function: Function, fixed: bool) -> Evaluate:
-    """The two of the points of which the function says something."""
+    """The two points that the function returns data of."""
     return values_of(noises.find("cellular_phase" if function.has_phase else "cellular"), function, fixed)
 
 
@@ -238,7 +238,7 @@ def changes(function: Function, knobs: Knobs, generator: Generator) -> list[Row]
 
 
 def for_fixed(function: Function, settings: Sequence[Configuration], generator: Generator) -> list[Row]:
-    """What only fixed arithmetic has a value for."""
+    """Inputs with a value in fixed arithmetic alone."""
     if not jumps(function):
         return []
     knobs, = dict.fromkeys(knobs_of(setting) for setting in settings if setting.fixed and setting.covers(function))

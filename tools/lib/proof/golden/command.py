@@ -1,22 +1,23 @@
-"""Writes or checks the golden files: inputs, and what the oracle says comes out.
+"""Writes or checks the golden files: inputs, and the oracle's results.
 
     tools/make golden [--out DIR] [--only NAMES] [--check [--sample N]]
 
-Each file is <function>.golden (docs/formats.md). The functions and the settings are those of catalog/; "any" where the function depends on no knob. A value that is not exact in a float32 is the double
-nearest to the exact one; with fixed arithmetic it is the float itself. A digest is the 64-bit FNV-1a of the results as
-4 little-endian bytes each, over all points from `origin`, the last coordinate running fastest.
+Each file is <function>.golden (docs/reference/formats.md). The functions and the settings are those of catalog/; "any"
+where the function depends on no knob. A value that is not exact in a float32 is the double nearest to the exact one;
+with fixed arithmetic it is the float itself. A digest is the 64-bit FNV-1a of the results as 4 little-endian bytes
+each, over all points from `origin`, the last coordinate running fastest.
 
 The inputs are those of rows.py; their generator is seeded with the function's name alone, so that every setting sees
 the same inputs. Fixed arithmetic has some more behind them.
 
 With --sample the oracle computes N rows of each file, with every setting, and N / 2 of those that only fixed arithmetic
 has; the heads and the inputs of all rows are compared as ever. Which rows they are follows from the text of the oracle
-and of the contract, so that whoever changes one of these asks other rows than before.
+and of the contract, so that a change of one of these selects other rows than before.
 
 With --only the files are those of the functions whose names the pattern matches, such as 'warp.*'; all others stay as
 they are, and are not looked at. It may be given several times.
 
-Exit status: 0 written, or all is as the oracle says; 1 something is not; 2 bad usage, or a table that is wrong.
+Exit status: 0 written, or all files equal the oracle's; 1 something is not; 2 bad usage, or a table that is wrong.
 """
 
 from __future__ import annotations
@@ -39,8 +40,8 @@ from proof.golden.files import GoldenFile, Sample, golden_files
 
 
 def generate(directory: Path | None = None, sample: Sample | None = None, only: Sequence[str] = ()) -> dict[str, str]:
-    """The golden files, all or those whose functions a pattern matches: the text by the file name. What a sample leaves
-    out is as the file in the directory has it."""
+    """The golden files, all or those whose functions a pattern matches: the text by the file name. Rows that a sample
+    leaves out are as in the file in the directory."""
     files = [file for file in golden_files(read_functions(), read_configurations())
              if not only or any(fnmatchcase(file.function.id, pattern) for pattern in only)]
     with ProcessPoolExecutor() as pool:
@@ -49,7 +50,7 @@ def generate(directory: Path | None = None, sample: Sample | None = None, only: 
 
 def generated(directory: Path | None, sample: Sample | None, file: GoldenFile) -> str:
     path = directory / file.name if directory else None
-    # latin-1 takes any byte. What is no value is computed.
+    # latin-1 takes any byte. A text that is no value is computed.
     return file.text(path.read_bytes().decode("latin-1") if path and path.is_file() else "", sample)
 
 
@@ -58,7 +59,7 @@ def salt() -> str:
     modules = [path for folder in ("oracle", "golden") for path in (TOOLS / "lib" / "proof" / folder).rglob("*.py")
                if not path.stem.endswith("_test")]
     digest = hashlib.sha256()
-    for path in (ROOT / "docs" / "contract.md", *sorted(CATALOG.glob("*.toml")), *sorted(modules)):
+    for path in (ROOT / "docs" / "reference" / "contract.md", *sorted(CATALOG.glob("*.toml")), *sorted(modules)):
         digest.update(path.read_bytes())
     return digest.hexdigest()
 
@@ -85,7 +86,7 @@ def first_difference(expected: str, found: str) -> str:
 
 
 def differences(directory: Path, files: dict[str, str], ending: str = "golden", all_of_them: bool = True) -> list[str]:
-    """What is wrong with the golden files in the directory, which should have no others if these are all; one message
+    """Faults of the golden files in the directory, which should have no others if these are all; one message
     per file."""
     messages = []
     for name, text in sorted(files.items()):
@@ -122,5 +123,5 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return 0
     messages = differences(options.out, files, all_of_them=not options.only)
     what = f"{options.sample} rows and more of each of {len(files)}" if sample else f"{len(files)}"
-    print("\n".join(messages) if messages else f"{what} golden files are as the oracle says")
+    print("\n".join(messages) if messages else f"{what} golden files equal the oracle's")
     return 1 if messages else 0

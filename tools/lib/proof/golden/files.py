@@ -29,7 +29,7 @@ class Digest:
 
 
 # Of hashes, by what they take and by the number of axes. The blocks of words run over the wrap at 2^32, those of
-# coordinates over the sign change. Those of candidates run over the seams of a tile, too, with
+# coordinates over the sign change. Rows of candidates run over the seams of a tile, too, with
 # a radius of 1.
 ONE = 0x3F800000
 DIGESTS = {
@@ -56,7 +56,7 @@ def meaning(kind: str, word: int) -> int | float:
 
 @dataclass(frozen=True)
 class Values:
-    """What a function has with a setting: a column group of its file."""
+    """A function with a setting: a column group of its file."""
     function: Function
     configuration: Configuration
 

@@ -1,4 +1,4 @@
-"""The numbers of which the inputs of the golden files, and of tests, are made."""
+"""The numbers in the inputs of the golden files, and of tests."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """Tests of tools/make golden
 
-What the files say and how, and that `golden --check` notices what differs.
+The files' contents and form, and that `golden --check` notices what differs.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from proof.golden import cellular_rows, gullies_rows, period_rows, phasor_rows, 
 from proof.golden import command as golden
 from proof.golden.files import Digest, GoldenFile, Sample, Values, golden_files, line
 from proof.golden.generator import INT_MAX, INT_MIN, fnv1a64, generator_of, to_f32
-from proof.oracle import feature_points, jacobians, gradients, kernels, noises, sums, turning, words
+from proof.oracle import feature_points, jacobians, gradients, kernels, noises, rotation, sums, words
 from proof.oracle.functions import knobs_of, values_of
 from proof.oracle.gradients import Knobs
 from proof.oracle.integers import signed
@@ -37,7 +37,7 @@ from proof.oracle.noises import cell_border, simplex, simplex_smooth
 from proof.oracle.sums import SHIFT
 
 FUNCTIONS = {function.id: function for function in read_functions()}
-# Those of gullies have a test of their own.
+# Rows of gullies have a test of their own.
 SUMS = [function for function in FUNCTIONS.values()
         if function.family in OCTAVE_SUMS and function.bound != gullies_rows.BOUND]
 CELLULAR = [function for function in FUNCTIONS.values() if function.family in cellular_rows.FAMILIES]
@@ -47,7 +47,7 @@ FILES = {file.function.id: file for file in golden_files(list(FUNCTIONS.values()
 
 
 ENDS = {INT_MIN, INT_MAX}
-# What stands in a column of a function's rows with a setting, in every number of dimensions that is named; x, cx, fx
+# The numbers in a column of a function's rows with a setting, in every number of dimensions that is named; x, cx, fx
 # and px are all axes.
 EDGES = (
     ("noise{n}d.perlin", "lattice+fixed", (2, 3), "x", {*map(to_f32, (-1e-40, 3e38, -3.4e38)), -2.0**-21, -2.0**-20,
@@ -89,7 +89,8 @@ def rows_of(id: str) -> tuple[list[tuple], list[tuple]]:
 
 @functools.cache
 def rows_in(id: str, values: Values) -> int:
-    """How many a committed file has. golden.regenerated_is_committed makes the rows of all anew, which takes a while."""
+    """How many a committed file has. golden.regenerated_is_committed makes the rows of all anew, which takes a
+    while."""
     return len(Golden(id, values.name).inputs)
 
 
@@ -133,7 +134,7 @@ class GoldenContents(unittest.TestCase):
             self.assertEqual(clouds.evaluate(row), (Fraction(5, 32),), row)
 
     def test_values_of_fixed_arithmetic_are_floats(self) -> None:
-        """Of the files, which are what the oracle says: golden.regenerated_is_committed."""
+        """The committed files equal the oracle's: golden.regenerated_is_committed."""
         for id, file in FILES.items():
             for values in file.values:
                 if values.configuration.fixed:
@@ -284,7 +285,7 @@ class GoldenContents(unittest.TestCase):
                 for at in (0.0, 0.5):
                     self.assertTrue(any(at in f for f in places[phase]), (n, phase))
             # Of those beside quarters the sines and the cosines are 1 and -1.
-            found = [turning.fixed_cosine_and_sine(phase) for phase in places]
+            found = [rotation.fixed_cosine_and_sine(phase) for phase in places]
             for numbers in zip(*found):
                 self.assertTrue({2**16, -2**16} <= set(numbers), n)
 
@@ -528,7 +529,7 @@ class GoldenContents(unittest.TestCase):
 
     def test_nothing_wraps_where_jacobians_keep_their_range(self) -> None:
         """The contract's domain is one in which fixed arithmetic loses no bits but those of cells. By default every
-        fourth row says so, others of each function."""
+        fourth row has it, others of each function."""
         for turn, function in enumerate(SUMS):
             if function.bound in jacobians.SUMS:
                 tried = slice(None) if THOROUGH else slice(turn % 4, None, 4)
@@ -602,7 +603,7 @@ class GoldenContents(unittest.TestCase):
 
 
 class GoldenReader(unittest.TestCase):
-    """What golden_values.py reads, and what it refuses."""
+    """golden_values.py: files that it reads, and files that it refuses."""
 
     def setUp(self) -> None:
         directory = tempfile.TemporaryDirectory()
@@ -642,7 +643,7 @@ class GoldenReader(unittest.TestCase):
 
 
 class GoldenCheck(unittest.TestCase):
-    """What --check must notice, on a few files in a directory of its own."""
+    """Faults that --check must notice, on a few files in a directory of its own."""
 
     def setUp(self) -> None:
         directory = tempfile.TemporaryDirectory()
@@ -703,7 +704,7 @@ class GoldenCheck(unittest.TestCase):
             self.assertEqual((status, output.startswith(f"hash.unorm.golden: differs, line {8 + other}: ")), (1, True))
         path.write_text(whole)
         self.assertEqual(self.run_main("--check", "--sample", "3"),
-                         (0, f"3 rows and more of each of {len(self.files)} golden files are as the oracle says\n"))
+                         (0, f"3 rows and more of each of {len(self.files)} golden files equal the oracle's\n"))
 
     def test_a_sample_computes_rows_of_fixed_arithmetic_and_a_digest(self) -> None:
         for id, lines in (("noise1d.value", 3 + 1), ("hash.lattice1", 3 + 1)):
@@ -731,7 +732,7 @@ class GoldenCheck(unittest.TestCase):
         self.assertEqual(self.run_main("--check")[0], 0)
 
     def test_only_some_files(self) -> None:
-        # Of one file that is missing, one that is wrong, and one that is extra, each command sees what it is asked for.
+        # Of one file that is missing, one that is wrong, and one that is extra, each command sees its own.
         (self.directory / "hash.old.golden").write_text("")
         (self.directory / "hash.unorm.golden").write_text("")
         (self.directory / "hash.snorm.golden").unlink()

@@ -24,7 +24,7 @@ SLOPES = tuple(tuple(map(to_f32, slope)) for slope in (
     (0.0, -0.125), (2.0**-10, -2.0**-12), (-2.0**-30, 2.0**-30), (2.0**-66, 0.0), (2.0**-100, 0.0),
     (1.0, 2.0**-20), (-2.0**-16, -2.0), (8.0, 0.0), (-8.0, 8.0), (8 - 2.0**-20, -8 + 2.0**-20),
     (9.0, 0.5), (-0.25, -300.0), (3e38, -3e38)))
-# What fixed arithmetic cuts to a multiple of 2^-16, and lengths of few units of it.
+# Numbers that fixed arithmetic cuts to a multiple of 2^-16, and lengths of few units of it.
 CUT = tuple(tuple(map(to_f32, slope)) for slope in (
     (1e-40, -1e-40), (2.0**-149, 0.0), (2.0**-17, -2.0**-17), (2.0**-16 - 2.0**-40, 2.0**-16),
     (-3 * 2.0**-17, 2.0**-15), (63 * 2.0**-16, 0.0), (0.0, -64 * 2.0**-16), (65 * 2.0**-16, 1.0),
@@ -62,7 +62,7 @@ def visible_at(generator: Generator) -> float:
 
 
 def slope_of(index: int, slopes: Sequence[tuple[float, float]], generator: Generator) -> tuple[float, float]:
-    """That of a row by its number: every other one is an edge."""
+    """The length in a row by its number: every other one is an edge."""
     if index % 2:
         return slopes[index // 2 % len(slopes)]
     most = (0.03125, 1.0, 2.0, 8.0)[index // 2 % 4]
@@ -143,7 +143,8 @@ def of_fixed(function: Function, index: int, place: Row, of_octaves: tuple[int, 
 
 
 def fixed(function: Function, coordinates: Sequence[float], generator: Generator) -> list[Row]:
-    """What is cut off, what is odd, many octaves, and places at edges and far; `coordinates` are those of positions."""
+    """Inputs that are cut off, odd inputs, many octaves, and places at edges and far; `coordinates` are those of
+    positions."""
     rows: list[Row] = []
 
     def add(place: Row, of_octaves: tuple[int, float, float], depth: float, footprint: float | None = None) -> None:

@@ -117,7 +117,7 @@ class Rows(unittest.TestCase):
                     self.assertEqual(evaluated(function, row, True), right, row)
 
     def assert_seen(self, fixed: bool, name: str, other: object, least: int = 1) -> None:
-        """That so many rows of each function have other values."""
+        """So many rows of each function have other values."""
         for function in GULLIES:
             seen = 0
             for row in ROWS[function.id][0]:

@@ -71,7 +71,7 @@ def anywhere(generator: Generator) -> tuple[float, float]:
 
 
 def near(generator: Generator) -> Sequence[float]:
-    """A position near the origin, of which floats may round the fraction."""
+    """A position near the origin, whose fraction floats may round."""
     while True:
         p = [generator.uniform(-8, 8) for _ in range(2)]
         if is_clear(*p):
@@ -103,7 +103,7 @@ def plain(function: Function, generator: Generator) -> list[Row]:
 
 
 def for_fixed(function: Function, generator: Generator) -> list[Row]:
-    """What is cut off, and positions of any size."""
+    """Inputs that are cut off, and positions of any size."""
     if function.form == "cell":
         rows = []
         for index in range(COUNT):

@@ -12,13 +12,13 @@ from proof.golden.generator import Generator, Row, to_f32
 EDGES = tuple(map(to_f32, (
     0.0, -0.0, 2.0**-149, -2.0**-149, 1e-40, -2.0**-126, 2.0**-24, 0.5, -1 / 3, 1.0, -1.0, math.sqrt(2), -math.pi, 8.0,
     -12.25, 16 - 2.0**-20, 16.0, -16.0, 16 + 2.0**-19, -16 - 2.0**-19, -17.0, 3e38, -3e38)))
-# What fixed arithmetic cuts to a multiple of 2^-16, on either side of 0.
+# Numbers that fixed arithmetic cuts to a multiple of 2^-16, on either side of 0.
 CUT = (2.0**-17, -2.0**-17, 2.0**-16, -2.0**-16, 2.0**-16 - 2.0**-40, -3 * 2.0**-17, 1 + 2.0**-17, -1 - 2.0**-17,
        1 - 2.0**-24, to_f32(0.1), -5 + 2.0**-18, 16 - 2.0**-20, -16 + 2.0**-20)
 
 
 def wave(index: int, n: int, edges: Sequence[float], generator: Generator) -> tuple[float, ...]:
-    """That of a row by its number: as many kinds as go with every phase, which has kinds by the same number."""
+    """The wave in a row by its number: as many kinds as go with every phase, which has kinds by the same number."""
     kind, turn = index % 5, index // 5
     edge, axis = edges[turn % len(edges)], turn % n
     if kind == 0:    # along an axis, the next time along another: there are odd numbers of edges, no multiples of 3

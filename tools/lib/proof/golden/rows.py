@@ -48,7 +48,7 @@ COUNTS = (0, 1, 2, 3, 4, 5, 7, 8, 9, 31, 32, 33, 52, 1000, 2**16 - 1, 2**16, 2**
 
 
 def item_rows(takes: Sequence[str], generator: Generator) -> list[Row]:
-    """128 rows of words of which each has a meaning of its own; of items the first, the last, and those beyond them."""
+    """128 rows of words, each with a meaning of its own; of items the first, the last, and those beyond them."""
     if "n" in takes:
         rows = [(i, n, 0) for n in COUNTS for i in dict.fromkeys((0, max(n - 1, 0), n))]
         while len(rows) < 128:
@@ -144,8 +144,9 @@ def position_rows(n: int, generator: Generator) -> list[Row]:
     return rows
 
 
-# Cells whose first corner has, with the default hash and the seed 0, a word beside a third of all words: there gradients
-# in three and four dimensions have other axes. All words were searched for them. With another hash they are cells like others.
+# Cells whose first corner has, with the default hash and the seed 0, a word beside a third of all words: there
+# gradients in three and four dimensions have other axes. All words were searched for them. With another hash they are
+# cells like others.
 BESIDE_THIRDS = ((-1249059409, 2, 0, 0), (285610395, 0, 0, 0), (1152198107, 0, 0, 0), (1917728123, 2, 0, 0))
 
 
@@ -222,7 +223,7 @@ def fixed_cell_rows(n: int, generator: Generator) -> list[Row]:
 
 # --- Which rows a function has ----------------------------------------------------------------------------------
 
-# What makes the rows of sums that need other ones.
+# Makers of rows for sums that need special ones.
 OF_SUMS = {gullies_rows.BOUND: gullies_rows, perlin_worley_rows.BOUND: perlin_worley_rows}
 SIMPLEX = ("simplex_noise", "curl")  # the families above its lattices
 # Noises that jump at whole numbers have no values for negative coordinates that drivers may flush to 0.
@@ -273,7 +274,7 @@ def with_phases(rows: list[Row], function: Function, waves: Sequence[float], gen
 
 
 def rows_of_fixed(function: Function, settings: Sequence[Configuration], generator: Generator) -> list[Row]:
-    """Those of noises, and of what is made of them, for fixed arithmetic alone."""
+    """Rows of noises, and of functions made of them, for fixed arithmetic alone."""
     n, form = function.axes, function.form
     rows = {"position": fixed_position_rows, "cell": fixed_cell_rows}[form](n, generator)
     if function.has_period:
@@ -285,7 +286,7 @@ def rows_of_fixed(function: Function, settings: Sequence[Configuration], generat
 
 
 def plain_rows(function: Function, settings: Sequence[Configuration], generator: Generator) -> list[Row]:
-    """Those of noises, and of what is made of them, for every arithmetic."""
+    """Rows of noises, and of functions made of them, for every arithmetic."""
     n, form = function.axes, function.form
     of_form = {"position": position_rows, "cell": cell_rows}
     of_simplex = {"position": simplex_rows.positions, "cell": simplex_rows.cells}

@@ -14,7 +14,7 @@ from proof.oracle.lattice import Lattice
 
 PERIODS = (0, 0, 1, 2, 3, 5, 64, 1000003, 2**30, INT_MAX, -1, INT_MIN)
 ENDS = (INT_MIN, INT_MIN + 1, -1, 0, INT_MAX - 1, INT_MAX)
-# Those beyond an end count as the end; what is less than a unit is cut off.
+# Numbers beyond an end count as the end; less than a unit is cut off.
 RADII = tuple(map(to_f32, (0.0, -0.0, -2.0**-15, -1.0, -3e38, 1e-40, 2.0**-16, 2.0**-15, 3 * 2.0**-16, 0.5,
                            1 - 2.0**-15, 1 - 2.0**-24, 1.0, 1 + 2.0**-23, 1.5, 2.0, 65536.0, 3e38)))
 COUNT = 96  # of cells
@@ -91,8 +91,8 @@ def across_ends(n: int, generator: Generator) -> list[Row]:
 
 def felled(wanted: set, shown: Callable[[Row, tuple[int, ...]], set], place: Callable[[], Row],
            generator: Generator) -> list[Row]:
-    """Places, with radii around that of the nearest rival, which together show all that is wanted. What a place shows
-    depends on the step to that rival."""
+    """Places, with radii around that of the nearest rival, which together show all that is wanted. The things that a
+    place shows depend on the step to that rival."""
     rows: list[Row] = []
     while wanted:
         row, seed = place(), generator.seed()

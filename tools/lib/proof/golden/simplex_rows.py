@@ -63,7 +63,7 @@ def on_centred(n: int, kind: int, generator: Generator) -> tuple[float, ...]:
 
 
 def at_the_end(n: int, square: float, generator: Generator) -> tuple[float, ...]:
-    """A fraction whose distance from a point, of which the square is given in cells, is that at which it ends to
+    """A fraction whose distance from a point, given by its square in cells, is that at which it ends to
     count, but for 2^-20."""
     towards = [generator.uniform(-1, 1) for _ in range(n)]
     factor = math.sqrt(square / sum(x * x for x in towards))
@@ -129,7 +129,7 @@ PHASES = tuple(map(to_f32, (
 
 
 def phase(index: int, generator: Generator) -> float:
-    """That of a row by its number: every other one is an edge."""
+    """The fraction in a row by its number: every other one is an edge."""
     if index % 2:
         return PHASES[index // 2 % len(PHASES)]
     return generator.uniform(-1, 1) if index % 4 else generator.uniform(-1000, 1000)

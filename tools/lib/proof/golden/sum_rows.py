@@ -15,7 +15,7 @@ COUNT = 64
 
 # Of each setting that only some sums have: edges with any arithmetic, and more with fixed. The strengths of ping-pong
 # reach as far as 64, those of the weighted sum as far as 1, those of eroded sums as far as 16, and amplitudes as far as
-# 64. What is beyond counts as the end.
+# 64. Numbers beyond count as the end.
 Edges = dict[str, tuple[tuple[float, ...], tuple[float, ...]]]
 EDGES: Edges = {
     # A footprint at which an octave begins to fade, or is gone, is 1/2 or 3/2 over a power of the lacunarity.
@@ -55,7 +55,7 @@ def usual(function: Function, octaves: int, generator: Generator) -> float:
     if function.bound == "warp":
         return generator.pick((1.0, 0.5, 2.0, generator.uniform(0, 4)))
     if function.bound == "warp_progressive":
-        # What is off by a little moves all that follows, the more so the larger the amplitude is.
+        # A small error moves all that follows, the more so the larger the amplitude is.
         largest = 2.0 if octaves <= 2 else 0.5 if octaves <= 4 else 0.125
         return generator.pick((largest, largest, generator.uniform(0, largest)))
     return generator.pick({
@@ -76,7 +76,7 @@ JACOBIAND = ("fbm_d", "warp_progressive")  # the sums that have the Jacobians of
 
 
 def in_jacobians(function: Function, octaves: int, lacunarity: float, gain: float, amplitude: float) -> bool:
-    """Whether a sum keeps to its bound: the contract says how large Jacobians may be."""
+    """Whether a sum keeps to its bound: the contract limits Jacobians."""
     sizes = [abs(gain * lacunarity)**i for i in range(min(octaves, 32))]
     moves = function.bound == "warp_progressive" and min(max(amplitude, 0), 64) * max(sizes, default=0) > 256
     return function.bound not in JACOBIAND or (sum(sizes) <= 64 and not moves)
@@ -121,7 +121,7 @@ def somewhere(function: Function, octaves: int, lacunarity: float, periods: Sequ
     # In four dimensions a turn adds more bits.
     reach = 1 if growth > 200 else generator.pick((4, 8) if function.axes == 4 and not periods else (4, 16, 64))
     if function.has_cell:
-        # What is turned may come to lie along an axis, where it is longer by the square root of the axes at most. A
+        # A rotated vector may come to lie along an axis, where it is longer by the square root of the axes at most. A
         # progressive warp moves it, too.
         largest, margin = 2**29 if function.axes == 4 else 2**30, 256 if function.bound == "warp_progressive" else 8
         reach = min(generator.pick((8, 200, 2**28, 2**31)), math.floor(largest / growth) - margin)
@@ -237,7 +237,7 @@ def any_place(function: Function, generator: Generator) -> Row:
 
 
 def fixed(function: Function, coordinates: Sequence[float], generator: Generator) -> list[Row]:
-    """What is cut off, what is odd, and places at edges and far; `coordinates` are the edges of positions."""
+    """Inputs that are cut off, odd inputs, and places at edges and far; `coordinates` are the edges of positions."""
     n, (_, edges, more_edges) = function.axes, edges_of(function)
 
     def row(place: Row, octaves: int, lacunarity: float, gain: float, special: float | None = None) -> Row:

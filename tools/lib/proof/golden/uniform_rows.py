@@ -22,7 +22,7 @@ BEYOND = ((0.03125, 0.25, 0.5, 0.75), (0.0, 0.25, 0.5, 0.75), (-1.0, 0.25, 0.5, 
           (1.0, -0.5, 0.5, 0.75), (1.0, 0.25, 0.5, 1.5), (1.0, 1.5, 2.0, 3.0), (1.0, -3.0, -2.0, -1.0),
           (1.0, 0.75, 0.5, 0.25), (1.0, 0.25, 0.75, 0.5), (1.0, 0.5, 0.25, 0.75), (1e30, 1e30, -1e30, 1e30),
           (0.05, 2.0, -1.0, 0.5))
-# Which fixed arithmetic cuts to integers, of which products keep some bits, and which floats may take for 0.
+# Which fixed arithmetic cuts to integers whose products keep some bits, and which floats may take for 0.
 CUT = ((0.0625 + 2.0**-22, 2.0**-22, 3 * 2.0**-22, 1 - 2.0**-24), (3 - 2.0**-22, 2.0**-21, 2.0**-20, 1 - 2.0**-21),
        (1 / 3, 1e-40, 511 * 2.0**-21, 513 * 2.0**-21), (-0.0, -0.0, 2.0**-149, 3.4e38), (3.4e38, -3.4e38, 1 / 3, 2 / 3),
        (1 + 2.0**-23, 1 / 7, 1 / 7 + 2.0**-23, 0.9), (0.1, 511 * 2.0**-18, 513 * 2.0**-18, 1 - 2.0**-18))
@@ -126,5 +126,5 @@ def plain(function: Function, generator: Generator) -> list[Row]:
 
 
 def for_fixed(function: Function, generator: Generator) -> list[Row]:
-    """Those for fixed arithmetic alone."""
+    """Rows for fixed arithmetic alone."""
     return fixed_values(generator) if function.form == "spread_value" else fixed_sums(generator)

@@ -1,4 +1,5 @@
-"""The noises of a lattice share this: a value at each corner of a cell, weighted (docs/contract.md, 6 and 8)."""
+"""The noises of a lattice share this: a value at each corner of a cell, weighted (docs/reference/contract.md, 6 and
+8)."""
 
 from __future__ import annotations
 
@@ -49,7 +50,7 @@ def corners(cell: Sequence[int], fraction: Sequence[int]) -> Iterator[tuple[list
 
 
 def halves(values: Sequence[Value]) -> Iterator[tuple[Value, Value]]:
-    """What lies at o = 0 and at o = 1 of the next axis: x, then y, z, w."""
+    """The values at o = 0 and at o = 1 of the next axis: x, then y, z, w."""
     half = len(values) // 2
     return zip(values[:half], values[half:])
 

@@ -36,7 +36,7 @@ def points_of(n: int, jitter: float, name: str = "lattice") -> tuple[np.ndarray,
 NEARER = {2: 7 / 8, 3: 25 / 32}
 
 
-def turn(n: int, phase: float) -> np.ndarray:
+def rotation(n: int, phase: float) -> np.ndarray:
     """M, of points that move."""
     c, s = math.cos(2 * math.pi * phase), math.sin(2 * math.pi * phase)
     in_the_plane = np.array(((c, -s, 0), (s, c, 0), (0, 0, 1)))
@@ -47,7 +47,7 @@ def moved(n: int, jitter: float, phase: float) -> np.ndarray:
     """The points of the block with a phase."""
     cells, points = points_of(n, NEARER[n] * jitter)
     middles = cells + 0.5
-    return middles + (points - middles) @ turn(n, phase).T
+    return middles + (points - middles) @ rotation(n, phase).T
 
 
 def positions(n: int, count: int) -> list[list[float]]:
@@ -103,7 +103,7 @@ class Witness(unittest.TestCase):
 
     def check_moving(self, n: int, jitter: float, phase: float, points: np.ndarray) -> None:
         tree, cells = cKDTree(points), points_of(n, 0)[0]
-        distance, near, offset = (noise.chosen(Choice(jitter)).turned(phase) for noise in
+        distance, near, offset = (noise.chosen(Choice(jitter)).rotated(phase) for noise in
                                   (noises.find("cellular_phase"), nearest.NEAREST, nearest.OFFSET))
         for p in positions(n, 20):
             distances, indices = tree.query(p, 2)
@@ -144,8 +144,8 @@ class Witness(unittest.TestCase):
         p = np.array(list(itertools.product((0, 1 / 8, 1 / 4, 3 / 8, 1 / 2, 3 / 4, 1), repeat=n)))
         corners = r * np.concatenate((np.eye(n), -np.eye(n)))
         for phase in range(phases):
-            # Turned backwards: octahedra are upright there.
-            d = (p[:, None] - 0.5 - around) @ turn(n, phase / phases)
+            # Rotated backwards: octahedra are upright there.
+            d = (p[:, None] - 0.5 - around) @ rotation(n, phase / phases)
             farthest = np.linalg.norm(d[:, is_beside, None] - corners, axis=-1).max(axis=-1)
             # The nearest point of an octahedron: what its offsets lack is the same along all axes that lack some.
             away = -np.sort(-np.abs(d[:, ~is_beside]), axis=-1)

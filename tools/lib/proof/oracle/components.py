@@ -1,4 +1,4 @@
-"""Section 22 of docs/contract.md: vectors whose components are noises of one hash."""
+"""Section 22 of docs/reference/contract.md: vectors whose components are noises of one hash."""
 
 from __future__ import annotations
 

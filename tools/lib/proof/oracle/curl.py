@@ -1,4 +1,4 @@
-"""Section 15 of docs/contract.md: the curl of simplex noise."""
+"""Section 15 of docs/reference/contract.md: the curl of simplex noise."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Tests of curl.py: by the derivatives of which it is made, and that it has no divergence."""
+"""Tests of curl.py: it consists of derivatives, and has no divergence."""
 
 from __future__ import annotations
 

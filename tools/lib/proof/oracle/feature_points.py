@@ -1,4 +1,4 @@
-"""Section 16 of docs/contract.md: the points of cells, and which of them are nearest.
+"""Section 16 of docs/reference/contract.md: the points of cells, and which of them are nearest.
 
 All cells of a block around the position are candidates. A point lies within an octahedron about the middle of its cell,
 so it is at least as far as a box around that. The candidates are taken in the order of these least distances, until all
@@ -231,7 +231,7 @@ class Fixed(Arithmetic):
 
 @dataclass(frozen=True)
 class MovingFixed(Fixed):
-    """Of points that go round: the position is turned instead, backwards."""
+    """Of points that go round: the position is rotated instead, backwards."""
     backwards: Matrix  # B
 
     def from_middle(self, fraction: Sequence[int], beside: Sequence[int]) -> tuple[int, ...]:
@@ -239,7 +239,7 @@ class MovingFixed(Fixed):
         return tuple(x - sum(16 * o * b for o, b in zip(beside, row)) for x, row in zip(middle, self.backwards))
 
     def candidates(self, fraction: Sequence[int]) -> Iterator[Candidate]:
-        # Along an axis of the turned block cells are not one behind the other.
+        # Along an axis of the rotated block cells are not one behind the other.
         reach = self.reach
         for beside in itertools.product(range(-AROUND, AROUND + 1), repeat=len(fraction)):
             yield beside, tuple(max(0, abs(d) - reach) for d in self.from_middle(fraction, beside))
@@ -273,7 +273,7 @@ class Point:
         return tuple(map(signed, lattice.point(self.cell)))
 
 
-class TooFar(RuntimeError):
+class BlockTooSmall(RuntimeError):
     """A point outside of the block might count."""
 
 
@@ -324,7 +324,7 @@ class Field:
                 break
             found = sorted([*found, self.point(beside)], key=lambda point: point.order)[:count]
         if found[-1].rank >= self.arithmetic.rank(self.metric, self.outside):
-            raise TooFar(f"{self} has points farther away than the block that is searched")
+            raise BlockTooSmall(f"{self} has points farther away than the block that is searched")
         return found
 
     def distances(self, count: int) -> tuple[Fraction, ...]:
@@ -346,7 +346,7 @@ def fixed_field(lattice: Lattice, cell: Sequence[int], fraction: Sequence[int]) 
 
 
 def whole_numbers(values: Sequence[Fraction], unit: int) -> tuple[int, ...]:
-    """The values in units of 1 / unit, of which they are multiples."""
+    """The values as multiples of 1 / unit."""
     numbers = [value * unit for value in values]
     assert all(number.denominator == 1 for number in numbers)
     return tuple(map(int, numbers))

@@ -19,7 +19,7 @@ from proof.oracle.feature_points import (
     MANHATTAN,
     SQUARED,
     Field,
-    TooFar,
+    BlockTooSmall,
     direction2,
     direction3,
     fixed_root,
@@ -168,7 +168,7 @@ class Searches(unittest.TestCase):
     def test_a_block_that_is_too_small_is_found(self) -> None:
         for name, around in (("cellular", 0), ("cellular_three", 1), ("cellular_smooth", 0), ("cell_border", 1)):
             for of in (noises.find(name).exact, noises.find(name).fixed):
-                with mock.patch.object(feature_points, "AROUND", around), self.assertRaises(TooFar, msg=name):
+                with mock.patch.object(feature_points, "AROUND", around), self.assertRaises(BlockTooSmall, msg=name):
                     for seed in range(100):
                         of(LATTICE, (0.0, 0.25), seed)
 

@@ -113,7 +113,7 @@ def _of_a_place(position: Sequence[int], cells: int, units: int) -> tuple[list[i
             [positions.fraction(x, cells, units) for x in position])
 
 
-# What a function sets beside its value.
+# The outputs of a function beside its value.
 SETS = {"nearest": NEAREST, "offset": OFFSET}
 
 
@@ -136,7 +136,7 @@ def chosen(noise: Noise, function: Function, numbers: list[Real]) -> Noise:
         choice = replace(choice, metric=numbers.pop())
     if function.has_jitter:
         choice = replace(choice, jitter=numbers.pop())
-    of = noise.turned(numbers.pop()) if function.has_phase else noise
+    of = noise.rotated(numbers.pop()) if function.has_phase else noise
     if function.has_wave:
         choice = replace(choice, wave=tuple(numbers[-function.axes:]))
         del numbers[-function.axes:]
@@ -179,7 +179,7 @@ def _evaluator(noise: Noise, function: Function, fixed: bool) -> Evaluate:
 
 
 def sum_values(name: str, fixed: bool) -> Callable[..., tuple[Real, ...]]:
-    """What a sum returns: of the knobs, the place, the options, the seed and the periods."""
+    """The results of a sum: of the knobs, the place, the options, the seed and the periods."""
     if name in OF_THEIR_OWN:
         return OF_THEIR_OWN[name].fixed if fixed else OF_THEIR_OWN[name].exact
     if name in jacobians.SUMS:

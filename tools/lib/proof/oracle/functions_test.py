@@ -1,4 +1,4 @@
-"""Tests of functions.py: that the oracle evaluates what each row of the table of functions says."""
+"""Tests of functions.py: the oracle evaluates each row of the table of functions."""
 
 from __future__ import annotations
 

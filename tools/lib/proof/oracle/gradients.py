@@ -1,4 +1,4 @@
-"""Sections 4 and 5 of docs/contract.md: from a hash to a float, and the gradient at a lattice point.
+"""Sections 4 and 5 of docs/reference/contract.md: from a hash to a float, and the gradient at a lattice point.
 
 Section 4 is exact in the library too. Of the sine gradient only the oracle is: a sine is irrational, so it is off by
 less than SINE_ERROR, far too little to change the double nearest to it.
@@ -80,8 +80,9 @@ Real = Union[Fraction, float]
 
 @dataclass(frozen=True)
 class Knobs:
-    """What the noise depends on besides its arguments: HN_HASH and HN_GRADIENT (octahedral or sine). HN_ARITHMETIC says
-    only how it is computed."""
+    """The knobs of the noise's values: HN_HASH and HN_GRADIENT (octahedral or sine). HN_ARITHMETIC changes only how
+    they are
+    computed."""
     hash: str
     sine: bool = False
 
@@ -158,7 +159,7 @@ def sine_of_word(w: int) -> Fraction:
 
 
 def sine_arguments(name: str, cell: Sequence[int], seed: int) -> list[int]:
-    """The words of which the paper's gradient, in 2D or 3D, takes the sine, under the hash `name`."""
+    """The hashes whose sines are the paper's gradient, in 2D or 3D, under the hash `name`."""
     chained = [hash_words(name, [cell[0] & MASK]) ^ mix(seed)]
     for c in cell[1:]:
         chained.append(hash_words(name, [(chained[-1] + c) & MASK]))

@@ -1,4 +1,4 @@
-"""Section 24 of docs/contract.md: what gullies add to a height, and to its slopes.
+"""Section 24 of docs/reference/contract.md: what gullies add to a height, and to its slopes.
 
 Each octave is phasor noise whose waves run across the slope that those before it have left.
 """

@@ -15,7 +15,7 @@ from proof.oracle import jacobians, gullies, noises, sums
 from proof.oracle.gradients import Real
 from proof.oracle.noises.phasor_test import naive
 from proof.oracle.sums import Options
-from proof.oracle.testing import KNOBS, Checked
+from proof.oracle.testing import KNOBS, FaultChecks
 from proof.oracle.words import MASK, SEED_STEP
 
 DEFAULT = Options(3, 2.0, 0.5, depth=0.1, ex=0.6, ey=-0.3)
@@ -72,8 +72,8 @@ def places(name: str, count: int = 16) -> Iterator[Place]:
         yield p, options, numbers.word(), ((), (), (3, 0), (7, 1000003))[numbers.integer(0, 3)]
 
 
-# What a program in C makes of it, with its words of 32 bits, which was written from the contract: the cell, the
-# fraction in units of 2^-24, the periods, the settings and the seed; the height and both slopes.
+# From a program in C, with its words of 32 bits, which was written from the contract: the cell, the fraction in units
+# of 2^-24, the periods, the settings and the seed; the height and both slopes.
 VECTORS = (
     ((0, 0), (0, 0), (0, 0), (1, 2.0, 0.5, 0.1, 0.6, -0.3, 0.0), 0,
      (-100452, 4330, 8660)),
@@ -95,7 +95,7 @@ VECTORS = (
      (91897, -10664, -1829)))
 
 
-# What faults are made of.
+# The parts of faults.
 UNIT_OF, FIXED_UNIT, GROWTHS = gullies.unit_of, gullies.fixed_unit, gullies.fixed_growths
 AT = gullies.PHASOR.exact_in_cell
 
@@ -104,7 +104,7 @@ def phasor(at: Callable) -> noises.Noise:
     return replace(gullies.PHASOR, exact_in_cell=at)
 
 
-class Gullies(Checked, unittest.TestCase):
+class Gullies(FaultChecks, unittest.TestCase):
     def check_floats(self) -> None:
         for p, options, *others in places("floats"):
             for a, b in zip(exact(p, options, *others), in_floats(p, options, *others), strict=True):
@@ -124,7 +124,7 @@ class Gullies(Checked, unittest.TestCase):
             self.assertEqual(tuple(x * unit for x, unit in zip(found, gullies.UNITS)), expected)
 
     def check_differences(self) -> None:
-        """The waves of the first octave do not turn with the place: there slopes are what a height rises by."""
+        """The waves of the first octave do not rotate with the place: there slopes are what a height rises by."""
         step = Fraction(1, 2**24)
         for p, options, *others in places("differences", 12):
             options = replace(options, octaves=1, ex=options.ex / 4, ey=options.ey / 4)  # they stay within 8
@@ -192,7 +192,7 @@ class ByHand(unittest.TestCase):
         self.assertEqual(gullies.fixed_unit([64, 0]), ([2**25 // d, 0], (2**25 // d) >> 3))
 
     def test_ranges_of_fixed_arithmetic(self) -> None:
-        """What the contract says of floats, and how many bits the integers have."""
+        """The contract's claims on floats, and on the bits of integers."""
         end = 2**19
         for e in ((end, end), (end, 0), (-end, end), (end, 1), (end - 1, -end)):
             u, length = gullies.fixed_unit(e)

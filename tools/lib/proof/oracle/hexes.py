@@ -1,4 +1,5 @@
-"""Section 20 of docs/contract.md: hex tiling. With HN_FIXED nothing but the fraction differs: all else is exact."""
+"""Section 20 of docs/reference/contract.md: hex tiling. With HN_FIXED nothing but the fraction differs: all else is
+exact."""
 
 from __future__ import annotations
 

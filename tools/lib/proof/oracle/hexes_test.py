@@ -14,7 +14,7 @@ from proof.oracle.gradients import Knobs
 from proof.oracle.hexes import CORNERS, HEXES, OUTPUTS
 from proof.oracle.integers import UNIT
 from proof.oracle.lattice import Lattice
-from proof.oracle.testing import Checked
+from proof.oracle.testing import FaultChecks
 
 KNOBS = Knobs("lattice")
 CELLS = ((0, 0), (-1, -1), (3, -2), (-6, 5), (INT_MAX, INT_MIN), (INT_MIN, INT_MAX))
@@ -44,8 +44,8 @@ def weights_of(found: Found) -> list[Fraction]:
     return [Fraction(found[f"w{corner}"]) for corner in CORNERS]
 
 
-# What a program in C makes of it, which was written from the contract: the hash, the cell, the fraction in units of
-# 2^-20, the periods and the seed; weights, words, and vectors.
+# From a program in C, which was written from the contract: the hash, the cell, the fraction in units of 2^-20, the
+# periods and the seed; weights, hashes, and vectors.
 VECTORS = (
     ("lattice", (-1, INT_MAX), (300000, 700001), (3, 0), 7, (697150, 100001, 251425),
      (650519684, 634511032, 176299772), (37856, 300000, -224288), (175713, -348575, -348575)),
@@ -77,7 +77,7 @@ def steeper(place):
     return corners, [a, b / 2, c + b / 2]
 
 
-class Hexes(Checked, unittest.TestCase):
+class Hexes(FaultChecks, unittest.TestCase):
     def places(self, name: str, count: int = 84) -> Iterator[tuple[Sequence[int], Sequence[Fraction], Sequence[int]]]:
         tried = itertools.cycle(itertools.product(CELLS, TILES))
         for (cell, periods), f in zip(tried, fractions(name, count)):

@@ -1,8 +1,9 @@
-"""Section 8 of docs/contract.md, what noises in fixed arithmetic share: coordinates, fade, interpolation, the sine.
+"""Section 8 of docs/reference/contract.md, what noises in fixed arithmetic share: coordinates, fade, interpolation, the
+sine.
 
-The formulas are those of the contract, in Python's integers. Those never overflow, so that the contract's words of 32
-bits need two checks: `signed` and `word` raise where a value would not fit. What should wrap is masked where it stands.
-"""
+The formulas are those of the contract, in Python's integers. Python's never overflow, so that the contract's words of
+32 bits need two checks: `signed` and `word` raise where a value would not fit. Numbers that should wrap are masked in
+place. """
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""Section 7 of docs/contract.md, slopes and shifts: sums with derivatives, eroded sums and warps. They are exact here,
-and in fixed arithmetic (section 8).
+"""Section 7 of docs/reference/contract.md, slopes and shifts: sums with derivatives, eroded sums and warps. They are
+exact here, and in fixed arithmetic (section 8).
 
 The Jacobian of an octave is a matrix: what takes a small step of the position to that of the octave, times its weight.
 """
@@ -16,7 +16,7 @@ from proof.oracle import sums
 from proof.oracle.gradients import Knobs, Real
 from proof.oracle.integers import NOISE_UNIT, SLOPE_UNIT, word
 from proof.oracle.noises import Noise
-from proof.oracle.sums import FixedPlace, Options, Place, Terms, clamped, fixed_at, turn
+from proof.oracle.sums import FixedPlace, Options, Place, Terms, clamped, fixed_at, rotate
 from proof.oracle.words import signed as wrapped
 
 LARGEST_STRENGTH, LARGEST_AMPLITUDE = 16, 64
@@ -45,7 +45,7 @@ def jacobians_of(n: int, options: Options, periods: Sequence[int] = ()) -> Itera
         yield jacobian
         columns = [[factor * x for x in column] for column in zip(*jacobian)]
         if not periods:
-            columns = [turn(column, sums.thirty_second) for column in columns]
+            columns = [rotate(column, sums.thirty_second) for column in columns]
         jacobian = transposed(columns)
 
 
@@ -79,7 +79,7 @@ def eroded(noise: Noise, knobs: Knobs, place: Place, options: Options, seed: int
     terms, e, shares = terms_of(noises, options), [Fraction(0)] * len(place), []
     for weight, g in zip(terms.weights, slopes, strict=True):
         if not periods:
-            e = turn(e, sums.thirty_second)
+            e = rotate(e, sums.thirty_second)
         e = [clamped(a + b, -LARGEST_SUM, LARGEST_SUM) for a, b in zip(e, g)]
         shares.append(weight / (1 + strength * sum(x * x for x in e)))
     return (sums.fbm(replace(terms, shares=shares)),)
@@ -136,7 +136,7 @@ def warp_progressive(noise: Noise, knobs: Knobs, place: Place, options: Options,
 
 # --- Fixed -------------------------------------------------------------------------------------------------------
 
-# What may wrap outside of the contract's domain, and only there, goes through `wrapped`.
+# Numbers that may wrap outside of the contract's domain, and only there, go through `wrapped`.
 
 LARGEST_SLOPE = 128 * SLOPE_UNIT
 LARGEST_E = LARGEST_SUM * 2**12
@@ -147,7 +147,7 @@ def prod(a: int, b: int) -> int:
 
 
 def coarse(v: int) -> int:
-    """What a float can hold."""
+    """The range of a float."""
     return v if abs(v) < 2**24 else int(math.copysign(abs(v) // 128 * 128, v))
 
 
@@ -168,8 +168,8 @@ class Plane:
     def scaled(self, m: int) -> Plane:
         return Plane(prod(self.c, m), prod(self.s, m))
 
-    def turned(self) -> Plane:
-        return Plane(*turn([self.c, self.s], thirty_second))
+    def rotated(self) -> Plane:
+        return Plane(*rotate([self.c, self.s], thirty_second))
 
     def times(self, v: Sequence[int]) -> list[int]:
         x, y = v
@@ -191,8 +191,8 @@ class Space:
     def scaled(self, m: int) -> Space:
         return Space(tuple(tuple(prod(a, m) for a in row) for row in self.rows))
 
-    def turned(self) -> Space:
-        columns = [turn(column, thirty_second) for column in zip(*self.rows)]
+    def rotated(self) -> Space:
+        columns = [rotate(column, thirty_second) for column in zip(*self.rows)]
         return Space(tuple(zip(*columns)))
 
     def times(self, v: Sequence[int]) -> list[int]:
@@ -213,7 +213,7 @@ def fixed_jacobians_of(n: int, options: Options, periods: Sequence[int] = ()) ->
         yield jacobian
         jacobian = jacobian.scaled(m)
         if not periods:
-            jacobian = jacobian.turned()
+            jacobian = jacobian.rotated()
 
 
 def fixed_slopes_of(noise: Noise, knobs: Knobs, place: FixedPlace, options: Options, seed: int,
@@ -245,12 +245,12 @@ def fixed_fbm_d(noise: Noise, knobs: Knobs, place: FixedPlace, options: Options,
             *(coarse(math.trunc(Fraction(d * 2**18, sum(terms.weights)))) for d in totals))
 
 
-def fixed_shares(weights: Sequence[int], slopes: Sequence[Sequence[int]], strength: Real, turned: bool) -> list[int]:
+def fixed_shares(weights: Sequence[int], slopes: Sequence[Sequence[int]], strength: Real, rotated: bool) -> list[int]:
     """The B_i of an eroded sum."""
     s, e, shares = sums.in_weights(strength, LARGEST_STRENGTH), [0] * len(slopes[0] if slopes else ()), []
     for weight, g in zip(weights, slopes, strict=True):
-        if turned:
-            e = turn(e, thirty_second)
+        if rotated:
+            e = rotate(e, thirty_second)
         e = [clamped_to(a + (b >> 7), LARGEST_E) for a, b in zip(e, g)]
         steepness = word(sum(x * x for x in e))
         shares.append(sums.product(weight, 2**34 // word(2**16 + (steepness * s >> 26))))

@@ -57,17 +57,17 @@ class Jacobians(unittest.TestCase):
         return list(itertools.islice(jacobians.jacobians_of(n, options, periods), count))
 
     def test_by_hand(self) -> None:
-        # 0.5 * 3 times the turn, which is 25/32 and 20/32.
+        # 0.5 * 3 times the rotation, which is 25/32 and 20/32.
         unit, first, second = self.exact_jacobians(2, Options(3, 3.0, 0.5))
         c, s = Fraction(75, 64), Fraction(60, 64)
         self.assertEqual((unit, first), ([[1, 0], [0, 1]], [[c, -s], [s, c]]))
         self.assertEqual(second, [[c * c - s * s, -2 * c * s], [2 * c * s, c * c - s * s]])
-        # In space the rows turn: (25, -20, 0) / 32, and of (20, 25, 0) / 32 and (0, 0, 1) 29 and 13 32nds.
+        # In space the rows rotate: (25, -20, 0) / 32, and of (20, 25, 0) / 32 and (0, 0, 1) 29 and 13 32nds.
         _, first, _ = self.exact_jacobians(3, Options(3, 2.0, 0.5))
         self.assertEqual([[1024 * x for x in row] for row in first],
                          [[800, -640, 0], [580, 725, -416], [260, 325, 928]])
 
-    def test_with_periods_nothing_turns_and_the_lacunarity_is_whole(self) -> None:
+    def test_with_periods_nothing_rotates_and_the_lacunarity_is_whole(self) -> None:
         for n in (2, 3):
             found = self.exact_jacobians(n, Options(3, 2.9, 0.25), (5, 0, 0)[:n])
             self.assertEqual(found, [[[Fraction(i == j, 2**k) for j in range(n)] for i in range(n)] for k in range(3)])
@@ -104,10 +104,10 @@ class Jacobians(unittest.TestCase):
         m = 183500 * math.trunc(Fraction(1.9) * 2**23) // 2**23
         self.assertEqual(m, 348649)
         self.assertEqual(self.fixed_jacobians(2, Options(3, 1.9, 0.7), (), 2)[1], Plane(25 * m // 32, 20 * m // 32))
-        # With a Jacobian that is negative: -3 halves are -1.5, and this is -2 before the turn.
+        # With a Jacobian that is negative: -3 halves are -1.5, and this is -2 before the rotation.
         self.assertEqual(Plane(-3, 3).scaled(ONE // 2), Plane(-2, 1))
-        self.assertEqual(Plane(-2, 1).turned(), Plane(-70 // 32, -15 // 32))
-        self.assertEqual(Space(((1, 0, 0), (0, 1, 0), (0, 0, 1))).turned().rows, ((0, -1, 0), (0, 0, -1), (0, 0, 0)))
+        self.assertEqual(Plane(-2, 1).rotated(), Plane(-70 // 32, -15 // 32))
+        self.assertEqual(Space(((1, 0, 0), (0, 1, 0), (0, 0, 1))).rotated().rows, ((0, -1, 0), (0, 0, -1), (0, 0, 0)))
 
     def test_products_with_a_jacobian(self) -> None:
         self.assertEqual(Plane(2 * ONE, ONE).times((3, 5)), [1, 13])
@@ -139,13 +139,15 @@ class Jacobians(unittest.TestCase):
 class LargestNumbers(unittest.TestCase):
     """Of any noise, at the ends of the domain that the contract gives Jacobians: nothing wraps."""
 
-    # Octaves, lacunarities, gains and amplitudes: the Jacobians sum to 64 at most, and with the amplitude are 256 at most.
+    # Octaves, lacunarities, gains and amplitudes: the Jacobians sum to 64 at most, and with the amplitude are 256 at
+    # most.
     ENDS = ((2, 63.0, 1.0, 4.0), (2, 255.0, 63 / 255, 4.0), (6, 2.0, 1.0, 8.0), (3, 2.0, 1.0, 64.0),
             (5, 2.0, 1.0, 16.0), (32, 1.04, 1.0, 64.0), (32, 1.0, 1.0, 64.0), (3, 7.4, 1.0, 4.0))
 
     def largest(self, n: int, options: Options, periods: Sequence[int], rise: float = 4000) -> None:
-        """What is largest along each axis: octaves that all point the way in which their Jacobians do. The lengths of
-        their gradients are the rise, divided by what the Jacobians sum to."""
+        """The largest slope along each axis: octaves that all point the way in which their Jacobians do. The lengths of
+        their
+        gradients are the rise, divided by the sum of the Jacobians."""
         count, ends = sums.fixed_count_of(options), list(itertools.product((-1, 1), repeat=n))
         found = list(itertools.islice(jacobians.fixed_jacobians_of(n, options, periods), count))
         place = [(0, 0)] * n
@@ -206,7 +208,7 @@ class Derivatives(unittest.TestCase):
                              SLOPES.fixed(LATTICE, p, seed, periods))
 
     def test_two_octaves_by_hand(self) -> None:
-        # Slopes of (1/4, 1/2) and then of (-1, 1/8), each with a gain times a lacunarity of 3/2: turned back they are
+        # Slopes of (1/4, 1/2) and then of (-1, 1/8), each with a gain times a lacunarity of 3/2: rotated back they are
         # (-25 + 20/8, 25/8 + 20) / 32 times 3/2, and the weights are 3/2.
         octaves = {0: (0, 2**17, 2**18), SEED_STEP: (0, -2**19, 2**16)}
         noise = Noise("by hand", lambda lattice, *_: tuple(Fraction(x, 2**19) for x in octaves[lattice.seed]),
@@ -262,7 +264,7 @@ class Eroded(unittest.TestCase):
                 jacobians.fixed("eroded", noise, LATTICE, [(0, 0)] * n, options, 0, periods)[0])
 
     def test_by_hand(self) -> None:
-        # (1, 2): 5. The turn of it is (-15, 70) / 32, and with (0.5, -2) this is (1, 6) / 32.
+        # (1, 2): 5. The rotation of it is (-15, 70) / 32, and with (0.5, -2) this is (1, 6) / 32.
         exactly, whole = self.eroded(2, ((1, 2), (0.5, -2)), 0.5)
         self.assertEqual(exactly, (1 / Fraction(7, 2) + 1 / (1 + Fraction(37, 2048))) / 2)
         self.assertLess(abs(exactly - whole), 2**-16)
@@ -276,7 +278,7 @@ class Eroded(unittest.TestCase):
         self.assertLess(abs(exactly - whole), 2**-16)
 
     def test_slopes_that_sum_to_much(self) -> None:
-        # With periods nothing turns: 3, 6, 9, 5. Only 8 of the 9 count, also later.
+        # With periods nothing rotates: 3, 6, 9, 5. Only 8 of the 9 count, also later.
         slopes = ((3, 0), (3, 0), (3, 0), (-4, 0))
         exactly, whole = self.eroded(2, slopes, 1, (5, 5))
         self.assertEqual(exactly, (Fraction(1, 10) + Fraction(1, 37) + Fraction(1, 65) + Fraction(1, 17)) / 4)
@@ -290,8 +292,8 @@ class Eroded(unittest.TestCase):
             self.assertEqual(jacobians.fixed_shares([ONE], [(g, 0)], 16.0, True), [2**34 // (2**16 + steep)])
         # All at the ends, with the largest strength: 1 + 16 * 3 * 64 is 3073, and 2^18 / 3073 is 85.3.
         self.assertEqual(jacobians.fixed_shares([0, 0, 0, ONE], [(2**21,) * 3] * 4, 16.0, False)[3], 85)
-        # The turn of (1000, 3001) is (-35020, 95025) / 32, which is rounded down, and that of (2969, 500) in space is
-        # (79601, 53097) / 32.
+        # The rotation of (1000, 3001) is (-35020, 95025) / 32, which is rounded down, and that of (2969, 500) in space
+        # is (79601, 53097) / 32.
         for slopes, e in (([(128000, 384128), (0, 0)], (-1095, 2969)),
                           ([(128000, 384128, 64000), (0, 0, 128)], (-1095, 2487, 1660))):
             steep = sum(x * x for x in e) * 16 * ONE >> 26
@@ -310,7 +312,8 @@ class Warps(unittest.TestCase):
                                  tuple(2 * v for v in VECTOR.fixed(LATTICE, p, seed, periods)))
 
     def test_two_octaves_by_hand(self) -> None:
-        # 1.5 times as far at half the weight: a weight of 2/3 and of 1/3, a Jacobian of 3/4 of the turn for what follows.
+        # 1.5 times as far at half the weight: a weight of 2/3 and of 1/3, a Jacobian of 3/4 of the rotation for what
+        # follows.
         for p, seed, periods in cases("two octaves", 2):
             n, options = len(p), Options(2, 1.5, 0.5, amplitude=1.25)
             q = list(p)
@@ -336,14 +339,14 @@ class Warps(unittest.TestCase):
             octaves = [octave for octave, _ in jacobians.progressive_octaves(VECTOR, LATTICE, p, options, seed, periods)]
             vectors = [v for _, v in jacobians.progressive_octaves(VECTOR, LATTICE, p, options, seed, periods)]
             jacobian = list(itertools.islice(jacobians.jacobians_of(len(p), options, periods), 2))
-            # In cells of the first octave, the second moves by as much as its Jacobian and its gain say: the turn back of
-            # what it moves, over the lacunarity.
+            # In cells of the first octave, the second moves by as much as its Jacobian and its gain say: the rotation
+            # back of what it moves, over the lacunarity.
             *_, (plain, *_) = sums.octaves_of(p, options, seed, periods)
             moves = [Fraction(3, 4) / Fraction(7, 4) * x for x in vectors[0]]
             *_, (moved, *_) = sums.octaves_of([a + b for a, b in zip(p, moves)], options, seed, periods)
             then = [Fraction(3, 7) * 2 * x for x in jacobians.times(jacobian[1], vectors[1])]
             if not periods:
-                then = sums.turn(then, sums.thirty_second)
+                then = sums.rotate(then, sums.thirty_second)
             for a, b, c in zip(moved, then, octaves[2][0]):
                 self.assertLess(abs(a + b - c), 2**-200)
             self.assertNotEqual(plain, octaves[2][0])

@@ -1,4 +1,5 @@
-"""Sections 13 and 23 of docs/contract.md: sums over the points of a lattice of triangles, or of a centred one.
+"""Sections 13 and 23 of docs/reference/contract.md: sums over the points of a lattice of triangles, or of a centred
+one.
 
 Every point in the neighbourhood of a cell is tried, so nothing here knows which of them a position meets.
 """
@@ -88,7 +89,7 @@ class Kernel:
         return 2 if self.triangles else 1
 
     def reaches(self, square: int, step: int) -> bool:
-        """Whether a point counts: of the square of its distance, in units of which a step has `step`."""
+        """Whether a point counts: of the square of its distance, in units; a step has `step` of them."""
         return 1024 * self.m * square < self.r * step**2
 
 
@@ -127,7 +128,7 @@ def centred_points(kernel: Kernel, position: Sequence[int], step: int) -> Iterat
 
 
 def points(kernel: Kernel, position: Sequence[int], step: int) -> list[Point]:
-    """The points that count at a position in a cell, in units of which a step has `step`, an even number."""
+    """The points that count at a position in a cell, in units; a step has `step` of them, an even number."""
     if kernel.triangles:
         around = triangle_points(position, step)
     else:

@@ -1,12 +1,12 @@
-"""The lattice under a noise: its points with a seed, with periods and with a phase (docs/contract.md, 6, 13, 14 and
-16), and what a caller of cellular noise (16) and of phasor noise (23) chooses."""
+"""The lattice under a noise: its points with a seed, with periods and with a phase (docs/reference/contract.md, 6, 13,
+14 and 16), and what a caller of cellular noise (16) and of phasor noise (23) chooses."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
-from proof.oracle import gradients, integers, ramps, turning
+from proof.oracle import gradients, integers, ramps, rotation
 from proof.oracle.gradients import Knobs, Real
 from proof.oracle.words import component_word, lattice, point_word
 
@@ -20,7 +20,7 @@ def repeated(coordinate: int, period: int) -> int:
 
 @dataclass(frozen=True)
 class Choice:
-    """What a caller chooses: of cellular noise the jitter and the metric (section 16), of phasor noise a wave (23)."""
+    """A caller's choices: for cellular noise the jitter and the metric (section 16), for phasor noise a wave (23)."""
     jitter: Real = 1
     metric: int = EUCLIDEAN
     wave: tuple[Real, ...] = ()  # one number for each axis
@@ -31,13 +31,13 @@ class Lattice:
     knobs: Knobs
     seed: int = 0
     periods: tuple[int, ...] = ()  # one for each axis, 0 and less for none; or empty, for none at all
-    phase: Real | None = None  # by which octahedral gradients are turned, and feature points go round
+    phase: Real | None = None  # by which octahedral gradients are rotated, and feature points go round
     choice: Choice = Choice()
     component: int = 0  # of a vector, whose noises have words of their own (section 22)
-    quarter: bool = False  # with HN_FIXED: gradients have turned by a quarter
+    quarter: bool = False  # with HN_FIXED: gradients have rotated by a quarter
 
     def point(self, corner: Sequence[int]) -> list[int]:
-        """What is hashed for a corner of a cell."""
+        """The hash of a corner of a cell."""
         if not self.periods:
             return list(corner)
         return [repeated(c, period) for c, period in zip(corner, self.periods, strict=True)]
@@ -48,7 +48,7 @@ class Lattice:
         return replace(self, periods=tuple(2 * period for period in self.periods))
 
     def word(self, corner: Sequence[int], centre: bool = False) -> int:
-        """Of a corner, or of the centre of the cell of which it is the first corner."""
+        """Of a corner, or of the centre of the cell behind this first corner."""
         return component_word(point_word(self.knobs.hash, self.point(corner), self.seed, centre), self.component)
 
     def hash(self, corner: Sequence[int]) -> int:
@@ -56,7 +56,7 @@ class Lattice:
         return lattice(self.knobs.hash, self.point(corner), self.seed)
 
     def gradient(self, corner: Sequence[int]) -> tuple[Real, ...]:
-        """As HN_GRADIENT says."""
+        """By HN_GRADIENT."""
         if self.knobs.sine_in(len(corner)):
             self.check_phase()
             return gradients.gradient(self.knobs, self.point(corner), self.seed)
@@ -64,12 +64,12 @@ class Lattice:
 
     def check_phase(self) -> None:
         if self.phase is not None:
-            raise ValueError("sine gradients do not turn")
+            raise ValueError("sine gradients do not rotate")
 
     def octahedral(self, word: int, n: int) -> tuple[Real, ...]:
         """The gradient of a word in n dimensions, whatever HN_GRADIENT."""
         g = gradients.OCTAHEDRAL[n](word)
-        return g if self.phase is None else turning.turned(g, self.phase)
+        return g if self.phase is None else rotation.rotated(g, self.phase)
 
     def fixed_sine_gradient(self, corner: Sequence[int]) -> tuple[int, ...]:
         """In units of 2^-16."""
@@ -77,16 +77,16 @@ class Lattice:
         return integers.sine_gradient(self.knobs, self.point(corner), self.seed)
 
     def fixed_sums(self, of_gradients: Callable[[Lattice], Sequence[int]]) -> list[int]:
-        """What is scaled in fixed arithmetic: sums over gradients. With a phase, of those of both quarters."""
+        """The sums over gradients that fixed arithmetic scales. With a phase, those of both quarters."""
         if self.phase is None:
             return list(of_gradients(self))
-        turn, still = turning.turn_of(self.phase), replace(self, phase=None)
-        return [turn.of(a, b) for a, b in zip(of_gradients(still), of_gradients(replace(still, quarter=True)),
+        rotation_, still = rotation.rotation_of(self.phase), replace(self, phase=None)
+        return [rotation_.of(a, b) for a, b in zip(of_gradients(still), of_gradients(replace(still, quarter=True)),
                                               strict=True)]
 
     def whole_gradient(self, word: int, n: int) -> tuple[int, ...]:
         g = ramps.whole_gradient(word, n)
-        return turning.quarter_turned(g) if self.quarter else g
+        return rotation.quarter_rotated(g) if self.quarter else g
 
     def fixed_ramp(self, word: int, d: Sequence[int]) -> int:
         """The octahedral ramp of a word at the offset d, in the units of ramps."""

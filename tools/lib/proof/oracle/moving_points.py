@@ -1,4 +1,4 @@
-"""Section 16 of docs/contract.md: how feature points go round with a phase."""
+"""Section 16 of docs/reference/contract.md: how feature points go round with a phase."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import functools
 import math
 from fractions import Fraction
 
-from proof.oracle import turning
+from proof.oracle import rotation
 from proof.oracle.gradients import Real
 from proof.oracle.integers import signed
 
@@ -26,8 +26,8 @@ def columns(matrix: Matrix) -> Matrix:
 @functools.lru_cache(maxsize=4096)
 def forwards(n: int, phase: Real) -> Matrix:
     """M: what a phase makes of a direction."""
-    turning.check(n)
-    c, s = turning.cosine_and_sine(phase)
+    rotation.check(n)
+    c, s = rotation.cosine_and_sine(phase)
     if n == 2:
         return ((c, -s), (s, c))
     # First in the plane of y and z, then in that of x and y.
@@ -50,9 +50,9 @@ def fixed_product(a: int, b: int) -> int:
 
 @functools.lru_cache(maxsize=4096)
 def backwards(n: int, phase: Real) -> Matrix:
-    """B, in units of 2^-16: what a phase makes of a position, so that points need no turn."""
-    turning.check(n)
-    c, s = turning.fixed_cosine_and_sine(phase)
+    """B, in units of 2^-16: what a phase makes of a position, so that points need no rotation."""
+    rotation.check(n)
+    c, s = rotation.fixed_cosine_and_sine(phase)
     if n == 2:
         return ((c, s), (-s, c))
     cc, ss, sc = fixed_product(c, c), fixed_product(s, s), fixed_product(s, c)
@@ -64,7 +64,7 @@ def fixed_jitter(n: int, jitter: Fraction) -> int:
     return math.floor(NEARER[n] * math.trunc(jitter * 2**20))
 
 
-def turned(e: int, b: int) -> int:
+def rotated(e: int, b: int) -> int:
     """The product of an offset in units of 2^-20 and a number of B, in the units of the offset."""
     return signed((signed(e // 2**8 * b) // 2**8) + (signed(e % 2**8 * b) // 2**16))
 
@@ -72,4 +72,4 @@ def turned(e: int, b: int) -> int:
 @functools.lru_cache(maxsize=4096)  # a search asks for each cell
 def times(matrix: Matrix, d: tuple[int, ...]) -> tuple[int, ...]:
     """Of whole numbers, in those units."""
-    return tuple(sum(map(turned, d, row)) for row in matrix)
+    return tuple(sum(map(rotated, d, row)) for row in matrix)

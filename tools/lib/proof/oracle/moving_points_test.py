@@ -1,4 +1,4 @@
-"""Tests of moving_points.py: turns by hand, forwards and backwards, and roundings."""
+"""Tests of moving_points.py: rotations by hand, forwards and backwards, and roundings."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from proof.golden.generator import generator_of
 from proof.golden.simplex_rows import PHASES
 from proof.oracle import moving_points
 from proof.oracle.gradients import SINE_ERROR
-from proof.oracle.moving_points import backwards, columns, fixed_jitter, forwards, turned
+from proof.oracle.moving_points import backwards, columns, fixed_jitter, forwards, rotated
 
 # With these phases sines and cosines in units of 2^-16 are 65536, and -65536.
 LARGEST = tuple(quarter / 4 + beside for quarter in range(-2, 3) for beside in (-2.0**-17, 2.0**-17))
@@ -79,7 +79,7 @@ class Backwards(unittest.TestCase):
                     self.assertLess(abs(Fraction(found, 2**16) - x), 2**-13, phase)
 
     def test_it_makes_nothing_much_shorter(self) -> None:
-        # What a search takes for farther than its block hangs on that.
+        # A search takes points beyond its block for farther because of this.
         for n, phase in itertools.product((2, 3), phases("shorter", 300)):
             b = backwards(n, phase)
             for i in range(n):
@@ -89,13 +89,13 @@ class Backwards(unittest.TestCase):
     def test_products_by_hand(self) -> None:
         for e, b, expected in ((-2**19, 65535, -8 * 65535), (-2**19, -46341, 8 * 46341), (300, -3, -2), (300, 3, 0),
                                (-1, 65536, -1), (255, 65536, 255), (-1, 65535, -256 + 254), (2**19, 1, 8)):
-            self.assertEqual(turned(e, b), expected, (e, b))
+            self.assertEqual(rotated(e, b), expected, (e, b))
 
     def test_products_are_near(self) -> None:
         numbers = generator_of("products")
         for _ in range(300):
             e, b = numbers.integer(-2**21, 2**21), numbers.integer(-2**16, 2**16)
-            self.assertTrue(0 <= Fraction(e * b, 2**16) - turned(e, b) < 2)
+            self.assertTrue(0 <= Fraction(e * b, 2**16) - rotated(e, b) < 2)
 
     def test_jitters(self) -> None:
         for jitter, plane, space in ((0, 0, 0), (1, 917504, 819200), (Fraction(1, 2**20), 0, 0),

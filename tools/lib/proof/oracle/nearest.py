@@ -1,4 +1,4 @@
-"""Section 16 of docs/contract.md: what cellular noise says of the nearest point, its cell and where it is."""
+"""Section 16 of docs/reference/contract.md: the nearest point of cellular noise, its cell and its offset."""
 
 from __future__ import annotations
 
@@ -33,6 +33,6 @@ def fixed_offset(lattice: Lattice, cell: Sequence[int], fraction: Sequence[int])
     return tuple(-d for d in field.arithmetic.straight(point.offset))
 
 
-# With the Euclidean metric, if none is chosen, these are what borders say, too. Turned they are of points that move.
-NEAREST = Noise("nearest", exact_cell, fixed_cell, ("nx", "ny", "nz"), (1,) * 3, turns=True)
-OFFSET = Noise("offset", exact_offset, fixed_offset, ("ox", "oy", "oz"), (UNIT,) * 3, turns=True)
+# With the Euclidean metric, if none is chosen, these are what borders say, too. Rotated they are of points that move.
+NEAREST = Noise("nearest", exact_cell, fixed_cell, ("nx", "ny", "nz"), (1,) * 3, rotates=True)
+OFFSET = Noise("offset", exact_offset, fixed_offset, ("ox", "oy", "oz"), (UNIT,) * 3, rotates=True)

@@ -1,7 +1,6 @@
-"""What holds for every noise of the oracle, in each number of dimensions and with each gradient that bounds.inc has.
+"""Properties of every noise of the oracle, in each number of dimensions and with each gradient in bounds.inc.
 
-A noise that is added needs no test here. Each check must find the fault that is planted for it.
-"""
+A noise that is added needs no test here. Each check must find the fault that is planted for it."""
 
 from __future__ import annotations
 
@@ -30,16 +29,16 @@ from proof.oracle.testing import FORMS, KNOBS, Place, moved, places, quotient
 
 PERIOD = 48
 POINTS = 24
-PHASE = 0.3  # of noises that turn
+PHASE = 0.3  # of noises that rotate
 WAVE = (2.25, -1.5, 0.7)  # of phasor noise
 # How much of their range values use at least. The factors of a product, as a curl in space is, are seldom large
 # together, and nearly all positions are far nearer to points of cells, and to borders, than the farthest one.
 USED, SELDOM_USED = 0.5, 0.25
-# What has bounds and a place as noises have, and is none. Of a vector with derivatives the second component stands for
-# all.
+# Functions that have bounds and a place as noises have, and are none. For a vector with derivatives the second
+# component stands for all.
 NO_NOISES = {of.name: of for of in (CURL, HEXES)} | {
     f"{of}_vector_d": component(noises.find(f"{of}_d"), 1) for of in ("perlin", "value")}
-# In fixed arithmetic interpolation to the end of a cell, and a turn of positions, round.
+# In fixed arithmetic interpolation to the end of a cell, and a rotation of positions, round.
 ROUND_AT_SEAMS = ("perlin", "value", "cellular_phase")
 
 
@@ -54,11 +53,11 @@ def tried_settings(bounds: Bounds) -> list[Knobs]:
 
 
 def named(name: str, n: int) -> Noise:
-    """With its gradients turned, if they turn."""
+    """With its gradients rotated, if they rotate."""
     noise = NO_NOISES.get(name) or noises.find(name)
     if name.startswith("phasor"):
         noise = noise.chosen(Choice(wave=WAVE[:n]))
-    return noise if noise.phase is None else noise.turned(PHASE)
+    return noise if noise.phase is None else noise.rotated(PHASE)
 
 
 def has_derivatives(bounds: Bounds) -> bool:
@@ -241,15 +240,15 @@ class EveryNoise(unittest.TestCase):
                         self.assertLess(abs(limit - slope), 2**-64)
 
     @of_every_noise
-    def test_a_phase_turns(self, noise: Noise, bounds: Bounds) -> None:
-        """Gradients and waves turn by as much, so that noise is linear in the cosine and in the sine of a phase."""
+    def test_a_phase_rotates(self, noise: Noise, bounds: Bounds) -> None:
+        """Gradients and waves rotate by as much, so that noise is linear in the cosine and in the sine of a phase."""
         if noise.phase is None:
             return
         knobs, n = settings(bounds)[0], bounds.dimensions
         (p, seed), = points(bounds, "turns", 1)
 
         def at(phase: float | Fraction, form: str = "exact") -> tuple[Fraction, ...]:
-            return getattr(noise.turned(phase), form)(knobs, p, seed, (3,) * n)
+            return getattr(noise.rotated(phase), form)(knobs, p, seed, (3,) * n)
 
         for form in FORMS:
             self.assertEqual(len({at(i / 16, form) for i in range(16)}), 16)
@@ -260,12 +259,12 @@ class EveryNoise(unittest.TestCase):
                 cosine, sine = map(gradients.sine_of_turns, (phase + Fraction(1, 4), phase))
                 for found, still, quarter in zip(at(phase), at(0), at(0.25), strict=True):
                     self.assertLess(abs(found - cosine * still - sine * quarter), 2**-180)
-            if bounds.noise.endswith(noises.TURNING):
-                plain = noises.find(bounds.noise.removesuffix(noises.TURNING))
+            if bounds.noise.endswith(noises.ROTATING):
+                plain = noises.find(bounds.noise.removesuffix(noises.ROTATING))
                 self.assertEqual(at(0), plain.exact(knobs, p, seed, (3,) * n))
 
     def test_each_check_finds_its_fault(self) -> None:
-        perlin, slopes, turning = map(noises.find, ("perlin", "perlin_d", "perlin_phase"))
+        perlin, slopes, rotating = map(noises.find, ("perlin", "perlin_d", "perlin_phase"))
 
         class Rounding(Noise):
             """It takes the nearest cell."""
@@ -310,8 +309,8 @@ class EveryNoise(unittest.TestCase):
                  [fault for noise in (perlin, slopes) for fault in on_lattice(lambda lattice: {"knobs": KNOBS}, noise)]),
                 ("with_derivatives_it_is_the_same_noise", [scaled(slopes, less, 1, 1), off(slopes, 1, 0, 0)]),
                 ("derivatives_are_the_limits_of_difference_quotients", [scaled(slopes, 1, 1, less)]),
-                ("a_phase_turns", [*on_lattice(lambda lattice: {"phase": 0.3}, turning),
-                                   on_lattice(lambda lattice: {"phase": lattice.phase + 1 / 8}, turning)[0]])):
+                ("a_phase_rotates", [*on_lattice(lambda lattice: {"phase": 0.3}, rotating),
+                                   on_lattice(lambda lattice: {"phase": lattice.phase + 1 / 8}, rotating)[0]])):
             check = getattr(EveryNoise, f"test_{name}").check
             tried.add(check)
             for fault in faults:
@@ -342,5 +341,5 @@ class EveryNoise(unittest.TestCase):
 
 class Finding(unittest.TestCase):
     def test_a_noise_that_is_not_there(self) -> None:
-        with self.assertRaisesRegex(LookupError, "write tools/lib/proof/oracle/noises/merlin.py from docs/contract.md"):
+        with self.assertRaisesRegex(LookupError, "write tools/lib/proof/oracle/noises/merlin.py from docs/reference/contract.md"):
             noises.find("merlin")

@@ -1,4 +1,5 @@
-"""Section 18 of docs/contract.md: numbers, directions and points from a word. (words.py has its published hashes.)
+"""Section 18 of docs/reference/contract.md: numbers, directions and points from a word. (words.py has its published
+hashes.)
 
 All values are exact: words, and floats that are integers divided by a power of two.
 """
@@ -140,7 +141,7 @@ def scramble(x: int, s: int) -> int:
 
 
 def second_axis(i: int) -> int:
-    """y of point i, the lowest bit of which is the first one behind the point. (x is i itself.)"""
+    """y of point i; its lowest bit is the first one behind the point. (x is i itself.)"""
     y, v = 0, 1
     for k in range(32):
         if i >> k & 1:

@@ -290,7 +290,7 @@ class Shuffles(unittest.TestCase):
             self.assertEqual(permutation(numbers.shuffle, 2, seed), (swap, 1 - swap))
 
     def lost(self) -> list[tuple[int, int, int]]:
-        """What does not come back by the rounds in reverse: (i, n, seed)."""
+        """The points that do not come back by the rounds in reverse: (i, n, seed)."""
         draws = generator_of("shuffle")
         rows = [(draws.integer(0, n - 1), n, draws.seed()) for n in (*self.LARGE, *range(2, 40)) for _ in range(10)]
         return [row for row in rows if unshuffle(numbers.shuffle(*row), *row[1:]) != row[0]]

@@ -1,4 +1,4 @@
-"""Section 25 of docs/contract.md: Perlin noise that is lifted where cells have their points."""
+"""Section 25 of docs/reference/contract.md: Perlin noise that is lifted where cells have their points."""
 
 from __future__ import annotations
 

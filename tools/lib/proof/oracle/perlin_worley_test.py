@@ -19,7 +19,7 @@ from proof.oracle import functions, noises, perlin_worley, sums, words
 from proof.oracle.gradients import Knobs, Real
 from proof.oracle.integers import NOISE_UNIT
 from proof.oracle.sums import Options
-from proof.oracle.testing import KNOBS, Checked
+from proof.oracle.testing import KNOBS, FaultChecks
 
 STEP = 0x9E3779B9
 FUNCTIONS = [function for function in read_functions() if function.bound == perlin_worley_rows.BOUND]
@@ -66,7 +66,7 @@ def by_parts(p: Sequence[Real], options: Options, seed: int, periods: Sequence[i
     return 1 - (1 - perlin / weights) * (1 - min(max(cells / few, -1), 1)) / 4
 
 
-class PerlinWorley(Checked, unittest.TestCase):
+class PerlinWorley(FaultChecks, unittest.TestCase):
     def check_parts(self) -> None:
         for place in places("parts"):
             self.assertAlmostEqual(float(exact(*place)), by_parts(*place), 12)

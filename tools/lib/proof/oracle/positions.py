@@ -1,4 +1,4 @@
-"""Section 12 of docs/contract.md: positions that are integers. All of it is exact in the library, too."""
+"""Section 12 of docs/reference/contract.md: positions that are integers. All of it is exact in the library, too."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Ramps and gradients in fixed arithmetic: section 8 of docs/contract.md."""
+"""Ramps and gradients in fixed arithmetic: section 8 of docs/reference/contract.md."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Section 19 of docs/contract.md: scattered points. All of it is exact in the library, too."""
+"""Section 19 of docs/reference/contract.md: scattered points. All of it is exact in the library, too."""
 
 from __future__ import annotations
 

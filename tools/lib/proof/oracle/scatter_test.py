@@ -1,4 +1,4 @@
-"""Tests of scatter.py: points that stand keep their distance, and they are as many as theory says."""
+"""Tests of scatter.py: points that stand keep their distance, and they are as many as theory predicts."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ class Field:
         return {cell for cell in self.cells if stands(self.lattice, cell, radius)}
 
     def expected(self, radius: float) -> set[Cell]:
-        """Those that no other point with a larger word is too near to; right for the inner cells."""
+        """The points that no other point with a larger hash is too near to; right for the inner cells."""
         fallen = set()
         for a, b, square in self.pairs:
             if math.sqrt(square) < math.floor(radius * UNIT):
@@ -228,8 +228,8 @@ class Share(unittest.TestCase):
             self.check(lambda lattice, cell, radius: scatter.stands(lattice, cell, 0.9 * radius))
 
 
-# What a program in C makes of it, which was written from the contract: the hash, the cell, the periods, the radius and
-# the seed; whether the candidate stands, and where it is.
+# From a program in C, which was written from the contract: the hash, the cell, the periods, the radius and the seed;
+# whether the candidate stands, and where it is.
 VECTORS = (
     ("lattice", (12, 6), (0, 0), 0.650634765625, 0, 1, (19220, 23490)),
     ("lattice", (12, 6), (0, 0), 0.6506652832, 0, 0, (19220, 23490)),

@@ -1,4 +1,4 @@
-"""hn_self_check, the end of section 18 of docs/contract.md."""
+"""hn_self_check, the end of section 18 of docs/reference/contract.md."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Section 10 of docs/contract.md: the derivatives of what cells.py weights and interpolates."""
+"""Section 10 of docs/reference/contract.md: the derivatives of what cells.py weights and interpolates."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ def rise(a: int, b: int) -> int:
 
 @dataclass(frozen=True)
 class Ramp:
-    """What is interpolated: a value, with its derivatives along the axes that are done, and the components of its
+    """The interpolated numbers: a value, with its derivatives along the axes that are done, and the components of its
     gradient along the others, in units four times as large. Value noise has no gradient."""
     value: int
     derivatives: tuple[int, ...] = ()

@@ -1,4 +1,4 @@
-"""Section 7 of docs/contract.md: octave sums over a noise, exact, and in fixed arithmetic (section 8)."""
+"""Section 7 of docs/reference/contract.md: octave sums over a noise, exact, and in fixed arithmetic (section 8)."""
 
 from __future__ import annotations
 
@@ -15,16 +15,17 @@ from proof.oracle.words import MASK, SEED_STEP
 from proof.oracle.words import signed as wrapped
 
 SHIFT = (Fraction(11, 32), Fraction(19, 32), Fraction(23, 32), Fraction(27, 32))
-# In 32nds the cosines and the sines of the turns: in the plane of x and y, then in that of y and z, then of z and w.
-TURNS = ((25, 20), (29, 13), (25, 20))
+# In 32nds the cosines and the sines of the rotations: in the plane of x and y, then in that of y and z, then of z and
+# w.
+ROTATIONS = ((25, 20), (29, 13), (25, 20))
 
 Number = TypeVar("Number", int, Fraction)
 
 
 @dataclass(frozen=True)
 class Options:
-    """What a sum takes beside the place and the seed."""
-    octaves: Real  # of which the last counts in part, unless this is whole
+    """The options of a sum beside the place and the seed."""
+    octaves: Real  # the last counts in part, unless this is whole
     lacunarity: Real
     gain: Real
     strength: Real = 0
@@ -37,7 +38,7 @@ class Options:
 
 @dataclass(frozen=True)
 class Terms(Generic[Number]):
-    """What the octaves have come to. In fixed arithmetic all are integers, in the units of the contract."""
+    """The sums over the octaves so far. In fixed arithmetic all are integers, in the units of the contract."""
     noises: list[Number]
     weights: list[Number]  # of the total
     shares: list[Number]  # the weights of the sum: less than those with a footprint
@@ -60,10 +61,10 @@ def lacunarity_of(options: Options, periods: Sequence[int]) -> Fraction:
     return Fraction(math.floor(factor)) if periods else factor
 
 
-def turn(q: Sequence[Number], thirty_second: Callable[[Number], Number]) -> list[Number]:
-    """The turn of a position, or of another vector. On the line it is left as it is."""
+def rotate(q: Sequence[Number], thirty_second: Callable[[Number], Number]) -> list[Number]:
+    """The rotation of a position, or of another vector. On the line it is left as it is."""
     q = list(q)
-    for i, (cosine, sine) in zip(range(len(q) - 1), TURNS):
+    for i, (cosine, sine) in zip(range(len(q) - 1), ROTATIONS):
         a, b = q[i:i + 2]
         q[i:i + 2] = thirty_second(cosine * a - sine * b), thirty_second(sine * a + cosine * b)
     return q
@@ -103,7 +104,7 @@ def following(octave: Octave, factor: Fraction) -> Octave:
     q, periods, seed = octave
     q = [x * factor for x in q]
     if not periods:
-        q = turn(q, thirty_second)
+        q = rotate(q, thirty_second)
     return ([x + shift for x, shift in zip(q, SHIFT)], [int(period * factor) for period in periods],
             (seed + SEED_STEP) & MASK)
 
@@ -244,7 +245,7 @@ def fixed_following(octave: FixedOctave, factor: Fraction) -> FixedOctave:
     multiplier = math.trunc(factor * 2**23)
     q = [reduced((cell * POSITION_UNIT + r) * multiplier >> 23) for cell, r in place]
     if not periods:
-        q = turn(q, lambda x: reduced(x >> 5))
+        q = rotate(q, lambda x: reduced(x >> 5))
     q = [reduced(x + int(shift * POSITION_UNIT)) for x, shift in zip(q, SHIFT)]
     return (list(map(cell_and_rest, q)), [wrapped(period * math.floor(factor)) for period in periods],
             (seed + SEED_STEP) & MASK)
@@ -259,7 +260,7 @@ def fixed_octaves_of(place: FixedPlace, options: Options, seed: int,
 
 
 def fixed_at(noise: Noise, knobs: Knobs, octave: FixedOctave) -> tuple[int, ...]:
-    """What the noise returns there, as integers in its units."""
+    """The result of the noise there, as integers in its units."""
     place, periods, seed = octave
     return noise.fixed_in_cell(noise.lattice(knobs, seed, periods), [cell for cell, _ in place],
                                [r >> 4 for _, r in place])

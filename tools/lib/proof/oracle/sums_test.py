@@ -54,7 +54,7 @@ class Octaves(unittest.TestCase):
                 for q, periods, seed in sums.octaves_of(sums.at_position(p), options, 0xFFFFFFFF, periods)]
 
     def test_by_hand(self) -> None:
-        # Twice the position is (0.75, -24.5), and (508.75, -597.5) / 32 after the turn.
+        # Twice the position is (0.75, -24.5), and (508.75, -597.5) / 32 after the rotation.
         self.assertEqual(self.places((0.375, -12.25), Options(2, 2.0, 0.5)),
                          [((0.375, -12.25), (), 0xFFFFFFFF), ((16.2421875, -18.078125), (), 0x9E3779B8)])
         # (2, 4, 6); (-0.9375, 4.375, 6); (-0.9375, 48.875 / 32, 230.875 / 32).
@@ -74,7 +74,7 @@ class Octaves(unittest.TestCase):
                          ((3.34375, 6.59375, 9.71875, 12.84375), (3, 6, 9, 0), 0x9E3779B8))
 
     def test_with_periods_by_hand(self) -> None:
-        # Nothing turns, not even along an axis without a period. 2.9 is rounded down.
+        # Nothing rotates, not even along an axis without a period. 2.9 is rounded down.
         self.assertEqual(self.places((0.375, -12.25), Options(3, 2.9, 0.5), (5, -5)),
                          [((0.375, -12.25), (5, -5), 0xFFFFFFFF), ((1.09375, -23.90625), (10, -10), 0x9E3779B8),
                           ((2.53125, -47.21875), (20, -20), 0x3C6EF371)])
@@ -296,7 +296,7 @@ class FixedSums(unittest.TestCase):
                          [(-2**31, 11 * 2**19), (0, 19 * 2**19)])
         # Rounded down twice: 3 units times 1/2 is 1, and -1 is -1; then (25 + 20) / 32, (20 - 25) / 32.
         self.assertEqual(self.next_place([(0, 3), (-1, one - 1)], 0.5), [(0, 1 + 11 * 2**19), (0, 19 * 2**19 - 1)])
-        # The third axis turns with what the second has become: 20 * 5 / 32 is 3, and then 29 * 3 / 32 and 13 * 3 / 32
+        # The third axis rotates with what the second has become: 20 * 5 / 32 is 3, and then 29 * 3 / 32 and 13 * 3 / 32
         # are 2 and 1.
         self.assertEqual(self.next_place([(0, 5), (0, 0), (0, 0)], 1.0),
                          [(0, 3 + 11 * 2**19), (0, 2 + 19 * 2**19), (0, 1 + 23 * 2**19)])
@@ -305,7 +305,7 @@ class FixedSums(unittest.TestCase):
                          [(0, 11 * 2**19 - 20), (0, 22 + 19 * 2**19), (0, 7 + 23 * 2**19), (0, 6 + 27 * 2**19)])
         self.assertEqual(self.next_place([(0, 0), (0, 0), (0, 0), (0, 33)], 1.0)[2:],
                          [(0, 23 * 2**19 - 21), (0, 27 * 2**19 + 25)])
-        # On the line nothing turns.
+        # On the line nothing rotates.
         self.assertEqual(self.next_place([(-1, one - 3)], 1.5), [(0, 11 * 2**19 - 5)])
         # The lacunarity is cut to a multiple of 2^-23.
         self.assertEqual(self.next_place([(2**23, 0), (0, 0)], 2.0**-23 + 2.0**-40),
@@ -313,23 +313,23 @@ class FixedSums(unittest.TestCase):
 
     def test_next_positions_wrap(self) -> None:
         one, end = 2**24, 2**31
-        # Twice the last cells are -2 and 0; the turn of 2^31 - 1 is beyond the range along both axes.
+        # Twice the last cells are -2 and 0; the rotation of 2^31 - 1 is beyond the range along both axes.
         self.assertEqual(self.next_place([(end - 1, 0), (-end, 0)], 2.0, (0, 0)), [(-2, 11 * 2**19), (0, 19 * 2**19)])
         x, y = (25 * (end - 1) - 20 * (1 - end)) * one // 32, (20 * (end - 1) + 25 * (1 - end)) * one // 32
         self.assertGreater(x, 2**55)
         x += 11 * 2**19 - 2**56
         y += 19 * 2**19
         self.assertEqual(self.next_place([(end - 1, 0), (1 - end, 0)], 1.0), [(x >> 24, x % one), (y >> 24, y % one)])
-        # In space what the first turn has brought beyond the range is reduced before the second: 135 * 2^24 cells
+        # In space what the first rotation has brought beyond the range is reduced before the second: 135 * 2^24 cells
         # become -121 * 2^24.
         self.assertEqual(self.next_place([(3 * 2**29, 0), (3 * 2**29, 0), (0, 0)], 1.0),
                          [(15 * 2**24, 11 * 2**19), (-29 * 121 * 2**19, 19 * 2**19), (-13 * 121 * 2**19, 23 * 2**19)])
-        # In four dimensions what the second turn has brought beyond it is reduced before the third: with 45 * 2^25
+        # In four dimensions what the second rotation has brought beyond it is reduced before the third: with 45 * 2^25
         # along y after the first one, (13 * 45 + 29 * 63) / 32 times 2^25 becomes -421 * 2^22.
         self.assertEqual(self.next_place([(2**30, 0), (2**30, 0), (63 * 2**25, 0), (0, 0)], 1.0),
                          [(5 * 2**25, 11 * 2**19), (486 * 2**20, 19 * 2**19), (-25 * 421 * 2**17, 23 * 2**19),
                           (-20 * 421 * 2**17, 27 * 2**19)])
-        # A product of 87 bits, all of which count.
+        # A product of 87 bits that all count.
         for position, lacunarity in itertools.product((2**55 - 1, -2**55 + 1, 0x123456789ABCDF), (255 - 2.0**-16, 1.9)):
             moved = math.floor(Fraction(math.trunc(lacunarity * 2**23), 2**23) * position)
             moved = (moved + 2**55) % 2**56 - 2**55
@@ -410,7 +410,8 @@ class FixedSums(unittest.TestCase):
         self.assertEqual(values, sorted(values))
 
     def test_heights_of_hybrid_sums_are_cut(self) -> None:
-        # To 18 bits, and so is what one leaves to the next: 777777 is no multiple of 16. (There are no vectors of these.)
+        # To 18 bits, and so is what one leaves to the next: 777777 is no multiple of 16. (There are no vectors of
+        # these.)
         h = (2**21 - 777777) >> 4
         following = ((h >> 9) * (2 * h) + ((h & 511) * (2 * h) >> 9)) >> 9
         for values, height in (([-777777], h << 3), ([-777777] * 2, (h + following << 3) // 2)):

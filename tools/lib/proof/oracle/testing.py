@@ -1,5 +1,5 @@
-"""What the tests of the oracle share: positions, difference quotients, faults that checks have to notice, and whether
-what is drawn comes as often as it should."""
+"""The common parts of the oracle's tests: positions, difference quotients, faults that checks have to notice, and
+whether random numbers come as often as they should."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def quotient(f: Callable[[Fraction], Fraction], step: Fraction = Fraction(1, 2**
 # --- Faults ------------------------------------------------------------------------------------------------------
 
 
-class Checked:
+class FaultChecks:
     """Stands before unittest.TestCase among the bases of a class that has a method check_NAME for each of CHECKS. Each
     check must notice faults, too: of FAULTS the module, the class or the dictionary that has the fault, its name there,
     the fault itself, and the checks that notice it."""

@@ -1,5 +1,5 @@
-"""Section 21 of docs/contract.md: uniform values, and the spreads by which they are computed, exact, and in fixed
-arithmetic.
+"""Section 21 of docs/reference/contract.md: uniform values, and the spreads by which they are computed, exact, and in
+fixed arithmetic.
 
 Only the reach of a sum is irrational: it is off by less than ROOT_ERROR times itself, far too little to change the
 double nearest to it.
@@ -73,7 +73,7 @@ def uniform_d(value: Real, *spread: Real) -> tuple[Fraction, Fraction]:
 
 
 def weights(octaves: Real, gain: Real) -> list[Fraction]:
-    """A_i, of which the last counts in part."""
+    """A_i; the last counts in part."""
     return sums.weights(options(octaves, gain))
 
 

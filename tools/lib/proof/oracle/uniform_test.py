@@ -13,9 +13,9 @@ from base.thorough import THOROUGH
 from base.tree import ROOT
 from proof.golden.generator import Generator, generator_of, to_f32
 from proof.oracle import uniform
-from proof.oracle.testing import Checked
+from proof.oracle.testing import FaultChecks
 
-PAGE = (ROOT / "docs" / "contract.md").read_text(encoding="utf-8").partition("\n## 21. ")[2].partition("\n## ")[0]
+PAGE = (ROOT / "docs" / "reference" / "contract.md").read_text(encoding="utf-8").partition("\n## 21. ")[2].partition("\n## ")[0]
 PLAIN = uniform.spread(uniform.PERLIN2)
 # In order, at the ends, and out of order or of range.
 SPREADS = (PLAIN, uniform.spread(12), (1.0, 0.0, 0.0, 0.0), (1.0, 1.0, 1.0, 1.0), (0.3, 0.0, 0.0, 1.0),
@@ -60,7 +60,7 @@ def integral(reach: Fraction, *coefficients: Fraction) -> Fraction:
     return reach**2 * found
 
 
-class Page(Checked, unittest.TestCase):
+class Page(FaultChecks, unittest.TestCase):
     def check_table(self) -> None:
         rows = re.findall(r"^\| `hn_.*\| (\d+) \| `HN_SPREAD_(\w+)` \| (\d+) \| (\d+) \| (\d+) \| (\d+) \|$", PAGE,
                           re.MULTILINE)
@@ -92,12 +92,12 @@ class Page(Checked, unittest.TestCase):
             self.assertEqual(uniform.spread(other), PLAIN)
 
 
-class Values(Checked, unittest.TestCase):
+class Values(FaultChecks, unittest.TestCase):
     def check_ends(self) -> None:
         for spread, of in itertools.product(SPREADS, BOTH):
             reach = uniform.clamped(spread[0], uniform.LEAST_REACH, uniform.LARGEST_REACH)
             for far in (reach, reach * 2, 3, 2**100):
-                # What is cut to an integer of a reach that is none is at the end, too.
+                # A reach of 0 is at the end, too.
                 self.assertEqual(of(far, *spread), (1, 0), spread)
                 self.assertEqual(of(-far, *spread), (0, 0), spread)
             for zero in (0, -0.0):
@@ -177,7 +177,7 @@ class Values(Checked, unittest.TestCase):
         (uniform, "product", lambda a, b: (a >> 9) * (b >> 9), ("fixed",)))
 
 
-class Sums(Checked, unittest.TestCase):
+class Sums(FaultChecks, unittest.TestCase):
     def check_one(self) -> None:
         """A single octave has the spread of the noise itself."""
         for spread in SPREADS:

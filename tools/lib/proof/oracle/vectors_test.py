@@ -99,8 +99,8 @@ VECTORS: dict[tuple[str, int, bool], dict[str, tuple[int, ...]]] = {
 }
 
 OF_VECTORS = ("fbm", "turbulence", "clouds", "billow", "ridged", "ping_pong", "weighted")
-# With either settings all seven sums at the point, then all in the cell, then fBm at the point with as many octaves as
-# DETAILS says, and with the footprint.
+# With either settings all seven sums at the point, then all in the cell, then fBm at the point with DETAILS octaves,
+# and with the footprint.
 SUM_VECTORS: dict[tuple[str, int, bool], tuple[int, ...]] = {
     ("lattice", 2, False): (-828422, 887732, 0, -321688, 296144, 847954, -541617, 79370, 423728, 522447, -1249696,
         1329110, 519926, 157946, -701735, -840648, -25826, 629769, 271525, -837614, 364636, -45502, -21500, 193534,
@@ -175,7 +175,7 @@ class Vectors(unittest.TestCase):
             periods = PERIODS[:n] if has_periods else ()
             for name in vectors:
                 noise, knobs = CURL if name == CURL.name else noises.find(name), Knobs(hash_name)
-                at_point, in_cell = (noise if noise.phase is None else noise.turned(phase)
+                at_point, in_cell = (noise if noise.phase is None else noise.rotated(phase)
                                      for phase in (PHASE, CELL_PHASE))
                 found = (*units(noise, at_point.fixed(knobs, POINT[:n], SEED, periods)),
                          *units(noise, in_cell.fixed_cell(knobs, CELL[:n], FRACTION[:n], CELL_SEED, periods)))

@@ -1,5 +1,5 @@
-"""Sections 2 and 3 of docs/contract.md: hashes of words, and of lattice points; the published ones of section 18;
-and the words of vectors of section 22.
+"""Sections 2 and 3 of docs/reference/contract.md: hashes of words, and of lattice points; the published ones of section
+18; and the words of vectors of section 22.
 
 All values are words: Python integers masked to 32 bits. A `name` is that of a hash.
 """
@@ -132,7 +132,7 @@ def spread(point: Sequence[int]) -> list[int]:
 # How far the spread coordinates and the mixed seed are shifted, so that their high bits are left.
 SHIFTS, SEED_SHIFT = (12, 11, 10, 9), 8
 
-# What the low 24 bits of the spread coordinates after the first are multiplied by in the sum A.
+# The factors of the low 24 bits of the spread coordinates after the first, in the sum A.
 FACTORS = (0xE6133E, 0x913FDC, 0x85AAB8)
 
 # The centre of a cell (section 13) has h', a spread coordinate that a corner does not have, and its shift.
@@ -197,7 +197,7 @@ def lowbias32(word: int) -> int:
 
 
 def congruential(word: int) -> int:
-    """What all hashes of the pcg family below do first: the step of a generator, for each component."""
+    """The first step of all hashes of the pcg family below: the step of a generator, for each component."""
     return word * 1664525 + 1013904223 & MASK
 
 
@@ -241,5 +241,5 @@ COMPONENT_FACTORS = (0xEB1831, 0x84A5E5)
 
 
 def component_word(word: int, component: int) -> int:
-    """What stands in place of the word of a lattice point for a component of a vector, which is 0 for x."""
+    """The number that replaces the hash of a lattice point for a component of a vector; 0 for x."""
     return (word >> 8) * COMPONENT_FACTORS[component - 1] & MASK if component else word

@@ -162,7 +162,7 @@ class Hashes(unittest.TestCase):
             self.assertEqual(words.mix(word), value)
 
     def test_joins_by_hand(self) -> None:
-        # Without a seed, s is 0: J is x' >> 12, and M is 2 x' + 1 = 0x691BC2C5 times 0x1001, of which 24 bits count.
+        # Without a seed, s is 0: J is x' >> 12, and M is 2 x' + 1 = 0x691BC2C5 times 0x1001; 24 bits of it count.
         self.assertEqual(words.joins((1,)), (0xB48DE, 0x4812C5))
         # A adds 0xEBCA77 * 0xE6133E, 0xB2AE3D * 0x913FDC and 0xD4EB2F * 0x85AAB8 to x', and 32 bits of each count.
         self.assertEqual(words.weighted_sum((1,) * 4), 0xB48DE162 + 0xA00BDDD2 + 0x42FBBF6C + 0x2CA13FC8 - 2**32)
@@ -224,7 +224,7 @@ class Hashes(unittest.TestCase):
                 self.assertEqual(words.point_word(name, (5, -6, 7), seed), h ^ h // 512, name)
 
     def test_low_bit_is_that_of_the_join(self) -> None:
-        # Which the contract says not to be good: bits 12 and 11 of the spread coordinates.
+        # By the contract these are not good: bits 12 and 11 of the spread coordinates.
         for x, y in itertools.product(range(8), repeat=2):
             first, second = words.spread((x, y))
             self.assertEqual(words.point_word("lattice", (x, y)) % 2, (first // 2**12 + second // 2**11) % 2)

@@ -1,7 +1,7 @@
 // The bounds of octave sums (bounds.cpp, gullies.cpp), for tools/make bounds: it answers each line
 //
 //   value|slope SUM   largest coordinate, octaves, lacunarity, gain, exact positions, strength, footprint (-1: none),
-//                     turns, from a cell, is a detail, amplitude
+//                     rotates, from a cell, is a detail, amplitude
 //                     axes, cell error, error, lipschitz, limit of the noise, and the same of its derivative
 //
 // with a number, and
@@ -37,15 +37,15 @@ std::istream& operator>>(std::istream& in, hn::FloatBounds& bounds) {
 std::istream& operator>>(std::istream& in, hn::OctaveArguments& arguments) {
   double footprint = 0.0;
   in >> arguments.largest_coordinate >> arguments.octaves >> arguments.lacunarity >> arguments.gain >>
-      arguments.exact_positions >> arguments.strength >> footprint >> arguments.turns >> arguments.from_cell >>
+      arguments.exact_positions >> arguments.strength >> footprint >> arguments.rotates >> arguments.from_cell >>
       arguments.is_detail >> arguments.amplitude;
   if (footprint >= 0.0) arguments.footprint = footprint;
   return in;
 }
 
 std::istream& operator>>(std::istream& in, hn::GulliesBounds& bounds) {
-  return in >> bounds.value >> bounds.lipschitz >> bounds.turn >> bounds.slope >> bounds.slope_lipschitz >>
-         bounds.slope_turn >> bounds.steepest >> bounds.fixed_value >> bounds.fixed_slope;
+  return in >> bounds.value >> bounds.lipschitz >> bounds.wave_rate >> bounds.slope >> bounds.slope_lipschitz >>
+         bounds.slope_wave_rate >> bounds.steepest >> bounds.fixed_value >> bounds.fixed_slope;
 }
 
 bool answer_of_gullies() {

@@ -43,7 +43,7 @@ Errors errors_at(const OctaveArguments& arguments, const FloatBounds& bounds, do
   return errors;
 }
 
-// --- What an octave adds, before its weight ---
+// --- An octave, before its weight ---
 
 struct Terms {
   Errors errors;
@@ -54,7 +54,8 @@ struct Terms {
 //
 // A root g = sqrt(r) follows from d min(sqrt(2) g, 1). So an error of d moves g by as much, what was there before by
 // sqrt(2) times that, and r by twice what g is moved by: it grows as sqrt(2)^i, and not as 2^i. Relative errors of r
-// move g by half of them. What is lost below the smallest float does not depend on r, and is counted with r: it doubles.
+// move g by half of them. The loss below the smallest float does not depend on r, and is counted with r: it
+// doubles.
 Terms ridges(const Errors& noise_errors) {
   Terms terms{{}, 1.0};
   double root = 0.0;
@@ -81,8 +82,8 @@ Terms heights(const Errors& noise_errors) {
 
 // t = (n + 1)*strength;  t = t - 2*floor(t/2);  z = min(t, 2 - t);  2*z - 1
 //
-// Of t only n + 1 and the product round: 2 - t is exact for t from 1 on. The difference may be fused with the product, so
-// that t is less than 0 or more than 2 by the rounding of the product; this counts twice, then.
+// Of t only n + 1 and the product round: 2 - t is exact for t from 1 on. The difference may be fused with the product,
+// so that t is less than 0 or more than 2 by the rounding of the product; this counts twice, then.
 Terms waves(const Errors& noise_errors, double strength) {
   Terms terms{{}, 1.001};
   for (const double noise_error : noise_errors) {
@@ -123,8 +124,8 @@ double detail_total(const OctaveArguments& arguments) {
 //   footprint:  amplitude*fade, in place of the amplitude, adds to the sum: factor_errors are those of the fades
 //   detail:     the last amplitude is multiplied with its share, with which the total begins
 //
-// A term is at most the limit, exact as well as computed, so |sum| is at most limit * total; a division errs by up to 2.5
-// ulp. The total of a detail has terms that are not negative, each through no more than so many roundings.
+// A term is at most the limit, exact as well as computed, so |sum| is at most limit * total; a division errs by up to
+// 2.5 ulp. The total of a detail has terms that are not negative, each through no more than so many roundings.
 double mean_error(const SumRule& rule, const OctaveArguments& arguments, double noise_limit, const Errors& noise_errors,
                   const Errors& factor_errors = {}) {
   const double strength = strength_of(rule, arguments);
@@ -164,9 +165,9 @@ double mean_error(const SumRule& rule, const OctaveArguments& arguments, double 
 // --- Derivatives and displacements ---
 //
 // The Jacobian of an octave is gain * lacunarity to the power of the octave, times rotations. So its columns have that
-// length, but for what rotations stretch, and no vector becomes longer by more. Without rotations each axis is on its own,
-// and lengths are those of coordinates. The lipschitz of a noise is the largest sum of the magnitudes of its derivatives:
-// it bounds the lengths of gradients, and with them how far noise changes with the length of a step.
+// length, but for what rotations stretch, and no vector becomes longer by more. Without rotations each axis is on its
+// own, and lengths are those of coordinates. The lipschitz of a noise is the largest sum of the magnitudes of its
+// derivatives: it bounds the lengths of gradients, and with them how far noise changes with the length of a step.
 
 struct Jacobian {
   double length = 1.0;  // of a column, and how much longer a vector becomes
@@ -196,7 +197,7 @@ double longest_gradient(const FloatBounds& noise, const FloatBounds& slope) {
 
 // How fast a noise changes: with a length, or with the largest coordinate.
 double steepest(const OctaveArguments& arguments, const FloatBounds& noise, const FloatBounds& slope) {
-  return turns(noise.axes, arguments) ? longest_gradient(noise, slope) : noise.lipschitz;
+  return rotates(noise.axes, arguments) ? longest_gradient(noise, slope) : noise.lipschitz;
 }
 
 // The largest slope of 1 / (1 + strength r^2) for r up to `reach`: it is steepest where strength r^2 = 1/3.
@@ -219,7 +220,7 @@ Errors fall_errors(double strength, const OctaveArguments& arguments, const Floa
   const double ends = kLargestFall * diagonal;
   const double longest = longest_gradient(noise, slope);
   const double stretch = stretch_of(axes, arguments);
-  const double rounding = turns(axes, arguments) ? rounding_of(2 * (axes - 1)) : 0.0;
+  const double rounding = rotates(axes, arguments) ? rounding_of(2 * (axes - 1)) : 0.0;
   const double of_factor = rounding_of(axes + 2) + 3.5 * kUnit + 1000.0 * kTiny;
   double error = 0.0;
   double reach = 0.0;
@@ -243,12 +244,13 @@ double eroded_tolerance(const SumRule& rule, const OctaveArguments& arguments, c
   return mean_error(rule, arguments, noise.limit, terms);
 }
 
-// The errors of the noise of each octave of a progressive warp, of which no component is beyond 1:
+// The errors of the noise of each octave of a progressive warp; no component is beyond 1:
 //
 //   rate = amplitude / total;  q = q + (J v)*rate
 //
-// A coordinate of J v goes through n operations; the error of the noise comes back through the position in this way. From
-// a cell what a position moves by is cut to 2^-24, and so is its fraction. HN_PRECISE replaces a step below 2^-96 by 0.
+// A coordinate of J v goes through n operations; the error of the noise comes back through the position in this way.
+// From a cell what a position moves by is cut to 2^-24, and so is its fraction. HN_PRECISE replaces a step below 2^-96
+// by 0.
 Errors progressive_errors(const OctaveArguments& arguments, const FloatBounds& noise, const FloatBounds& slope) {
   const int axes = noise.axes;
   const int count = count_of(arguments);
@@ -307,8 +309,8 @@ double value_tolerance(const SumRule& rule, const OctaveArguments& arguments, co
 //   billows = 2*mean - 1
 //   t = clamp(2*mean + 0.25, 0, 1);  density = t*t*(3 - 2*t)
 //
-// The clamp leaves no more than 1, whatever the limit; the smoothstep has slopes up to 3/2 and three roundings, relative
-// to a value of at most 1.
+// The clamp leaves no more than 1, whatever the limit; the smoothstep has slopes up to 3/2 and three roundings,
+// relative to a value of at most 1.
 double end_tolerance(SumMean end, double error) {
   if (end == SumMean::density) return 1.5 * (2.0 * error + kUnit) + 3.001 * kUnit;
   if (end == SumMean::billows) return 2.0 * error + kUnit * (1.0 + 2.0 * error);
@@ -346,7 +348,7 @@ double octave_slope_tolerance(const OctaveArguments& arguments, const FloatBound
   if (!in_domain(arguments)) return kInfinite;
   const int axes = noise.axes;
   const double diagonal = diagonal_of(axes, arguments);
-  const double longest = turns(axes, arguments) ? longest_gradient(noise, slope) : slope.limit;
+  const double longest = rotates(axes, arguments) ? longest_gradient(noise, slope) : slope.limit;
   Jacobian jacobian;
   Total total;
   double largest = 0.0;

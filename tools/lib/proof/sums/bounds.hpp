@@ -7,7 +7,7 @@
 
 namespace hn {
 
-// What is proven of a noise, or of the components of its derivative.
+// The bounds of a noise, or of the components of its derivative.
 struct FloatBounds {
   int axes;
   double cell_error;  // of floats, from a cell and a fraction
@@ -16,13 +16,12 @@ struct FloatBounds {
   double limit;       // how large it can be, computed in floats
 };
 
-// What an octave adds: a step of detail/octave.glsl, or what a sum with derivatives or displacements makes of the
-// noise.
+// The step of an octave: a step of detail/octave.glsl, or that of a sum with derivatives or displacements.
 enum class SumStep {
 #define SUM_STEP(name) name,
 #include "library/sums.inc"
 };
-// What the sum makes of the mean of its octaves.
+// The result of a sum, from the mean of its octaves.
 enum class SumMean {
 #define SUM_MEAN(name) name,
 #include "library/sums.inc"
@@ -43,7 +42,7 @@ struct OctaveArguments {
   bool exact_positions;  // the caller's promise: no octave's position is rounded
   double strength = 0.0;
   std::optional<double> footprint = {};
-  bool turns = true;  // it does not with a period
+  bool rotates = true;  // it does not with a period
   bool from_cell = false;
   bool is_detail = false;
   double amplitude = 0.0;
@@ -54,10 +53,10 @@ bool has_jacobian(SumStep step);
 // Whether a noise beyond [-1, 1] counts as the nearer end.
 bool is_clamped(SumStep step);
 
-// The largest error of an octave sum over a noise, against the exact sums of docs/contract.md at the same floats; of a
-// sum of vectors, that of a component. `slope` are the bounds of the derivative of the noise: an erosion and a warp
-// need them. From a cell the sum is defined for a lacunarity in [0, 255]; the error is infinite where no error is
-// bounded.
+// The largest error of an octave sum over a noise, against the exact sums of docs/reference/contract.md at the same
+// floats; of a sum of vectors, that of a component. `slope` are the bounds of the derivative of the noise: an erosion
+// and a warp need them. From a cell the sum is defined for a lacunarity in [0, 255]; the error is infinite where no
+// error is bounded.
 double octave_tolerance(const SumRule& rule, const OctaveArguments& arguments, const FloatBounds& noise,
                         const FloatBounds& slope);
 // The same of a component of the derivative of an fBm.

@@ -33,17 +33,17 @@ double rounding_of(int operations) { return std::pow(1.0 + kUnit, operations) - 
 //   1D: as without rotations
 //
 // and lengths are bounded, which rotations stretch by kStretch, coordinates by much more. A coordinate goes through no
-// more than 2 n roundings, the last of them behind the shift, of terms whose magnitudes sum to no more than the stretched
-// length (Cauchy). Terms below 2^-126 may become 0.
+// more than 2 n roundings, the last of them behind the shift, of terms whose magnitudes sum to no more than the
+// stretched length (Cauchy). Terms below 2^-126 may become 0.
 
-bool turns(int axes, const OctaveArguments& arguments) { return arguments.turns && axes > 1; }
+bool rotates(int axes, const OctaveArguments& arguments) { return arguments.rotates && axes > 1; }
 
 double diagonal_of(int axes, const OctaveArguments& arguments) {
-  return turns(axes, arguments) ? std::sqrt(axes) : 1.0;
+  return rotates(axes, arguments) ? std::sqrt(axes) : 1.0;
 }
 
 double stretch_of(int axes, const OctaveArguments& arguments) {
-  if (!turns(axes, arguments)) return 1.0;
+  if (!rotates(axes, arguments)) return 1.0;
   return axes == 4 ? kStretch * kStretch : kStretch;
 }
 
@@ -58,7 +58,7 @@ OctavePosition next_straight(int axes, const OctaveArguments& arguments, const O
   return {position, product_error + kUnit * (position + product_error)};
 }
 
-OctavePosition next_turned(int axes, const OctaveArguments& arguments, const OctavePosition& at) {
+OctavePosition next_rotated(int axes, const OctaveArguments& arguments, const OctavePosition& at) {
   const double shift = largest_shift(axes);
   const double diagonal = std::sqrt(axes);
   const double stretch = std::fabs(arguments.lacunarity) * stretch_of(axes, arguments);
@@ -73,8 +73,8 @@ OctavePosition next_whole(int axes, const OctaveArguments& arguments, const Octa
   const double ratio = cut_lacunarity(arguments);
   const double diagonal = diagonal_of(axes, arguments);
   double error = ratio * at.error + (arguments.lacunarity - ratio) * at.position + diagonal * kWhole;
-  for (int turn = 0; turns(axes, arguments) && turn < axes - 1; ++turn) {
-    error = (turn % 2 == 0 ? kStretch : 1.0) * error + std::sqrt(2.0) * kWhole;
+  for (int plane = 0; rotates(axes, arguments) && plane < axes - 1; ++plane) {
+    error = (plane % 2 == 0 ? kStretch : 1.0) * error + std::sqrt(2.0) * kWhole;
   }
   return {arguments.lacunarity * stretch_of(axes, arguments) * at.position + diagonal * largest_shift(axes), error};
 }
@@ -88,9 +88,9 @@ OctavePosition first_octave(int axes, const OctaveArguments& arguments) {
 }
 
 OctavePosition next_octave(int axes, const OctaveArguments& arguments, const OctavePosition& at) {
-  OctavePosition next = arguments.from_cell      ? next_whole(axes, arguments, at)
-                        : turns(axes, arguments) ? next_turned(axes, arguments, at)
-                                                 : next_straight(axes, arguments, at);
+  OctavePosition next = arguments.from_cell        ? next_whole(axes, arguments, at)
+                        : rotates(axes, arguments) ? next_rotated(axes, arguments, at)
+                                                   : next_straight(axes, arguments, at);
   if (arguments.exact_positions) next.error = 0.0;
   return next;
 }

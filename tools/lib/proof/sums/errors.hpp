@@ -20,17 +20,17 @@ int count_of(const OctaveArguments& arguments);
 // Relative, of so many operations.
 double rounding_of(int operations);
 
-// Where an octave is: how far from the origin at most, and by how much its position may be off. With rotations these are
-// lengths; without, each coordinate is bounded on its own.
+// Where an octave is: how far from the origin at most, and by how much its position may be off. With rotations these
+// are lengths; without, each coordinate is bounded on its own.
 struct OctavePosition {
   double position;
   double error;
 };
 
-bool turns(int axes, const OctaveArguments& arguments);
+bool rotates(int axes, const OctaveArguments& arguments);
 // How much longer a vector can be than its largest coordinate, where lengths are bounded.
 double diagonal_of(int axes, const OctaveArguments& arguments);
-// What the rotations between two octaves make of a length.
+// The growth of a length by the rotations between two octaves.
 double stretch_of(int axes, const OctaveArguments& arguments);
 // From a cell the contract cuts the lacunarity.
 double cut_lacunarity(const OctaveArguments& arguments);

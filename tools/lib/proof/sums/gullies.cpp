@@ -22,9 +22,9 @@ namespace {
 // is known to be in a range, and, but for d, it is in that between e and what is computed in its place, too. A clamp
 // brings no two vectors further apart. Errors and slopes are lengths.
 //
-// ROUNDINGS. A square root is within 6 ulp and a quotient within 3 (docs/accuracy.md). The sum of the squares rounds
-// twice, which moves the root by one, and the sum with 1/8 once; so r is off by 7, s by 18 and u by 11 of kUnit. The
-// square of a slope below 2^-63 may become 0. HN_PRECISE replaces a component of a slope below 2^-32 by 0.
+// ROUNDINGS. A square root is within 6 ulp and a quotient within 3 (docs/measured/accuracy.md). The sum of the squares
+// rounds twice, which moves the root by one, and the sum with 1/8 once; so r is off by 7, s by 18 and u by 11 of kUnit.
+// The square of a slope below 2^-63 may become 0. HN_PRECISE replaces a component of a slope below 2^-32 by 0.
 
 constexpr double kFlat = 1.0 / 8.0;  // how steep ground is where gullies are half as deep as they can be
 constexpr double kWave = 3.0 / 2.0;
@@ -43,7 +43,7 @@ double largest_rate(double a, double b, double r) {
   return (a * kFlat + b * at) / ((at + kFlat) * (at + kFlat));
 }
 
-// What an octave starts from: the slope is from `least` to `most` long, and off by `error`.
+// The slope before an octave: from `least` to `most` long, and off by `error`.
 struct Slope {
   double least;
   double most;
@@ -56,15 +56,15 @@ struct Product {
   double error;
 };
 
-// `limit` is the largest length of the number, `turn` how fast it changes with k, and `error` what it is off by at a
-// right position and wave.
-Product product(const Slope& slope, double limit, double turn, double error, double fade, double fade_off) {
+// `limit` is the largest length of the number, `wave_rate` how fast it changes with k, and `error` what it is off by at
+// a right position and wave.
+Product product(const Slope& slope, double limit, double wave_rate, double error, double fade, double fade_off) {
   const double s = steepness(slope.most);
   const double s_error = 18.5 * kUnit * s + kSmallRoot;
   const double u_error = 12.5 * kUnit * s + kSmallRoot;  // with the product with 3/2
-  const double number_error = std::min(turn * kWave * u_error + error, 2.0 * limit);
+  const double number_error = std::min(wave_rate * kWave * u_error + error, 2.0 * limit);
   const double nearest = std::max(slope.least - slope.error, 0.0);
-  double off = largest_rate(limit, kWave * turn, nearest) * slope.error;
+  double off = largest_rate(limit, kWave * wave_rate, nearest) * slope.error;
   off += s * number_error + s_error * (limit + number_error);
   off = fade * off + fade_off * (s + s_error) * (limit + number_error);
   // Both products are of at most 1 and the limit, exact as well as computed.
@@ -106,9 +106,9 @@ GulliesTolerance gullies_tolerance(const GulliesArguments& arguments, const Gull
   for (int i = 0; i < count_of(octaves); ++i) {
     const double fade = fade_of(octaves, i);
     const double fade_off = octaves.footprint ? fade_error(static_cast<std::size_t>(i)) : 0.0;
-    const Product height = product(slope, kLargestHeight, bounds.turn, bounds.lipschitz * at.error + bounds.value, fade,
-                                   fade_off);
-    const Product step = product(slope, bounds.steepest, bounds.slope_turn,
+    const Product height =
+        product(slope, kLargestHeight, bounds.wave_rate, bounds.lipschitz * at.error + bounds.value, fade, fade_off);
+    const Product step = product(slope, bounds.steepest, bounds.slope_wave_rate,
                                  kDiagonal * (bounds.slope_lipschitz * at.error + bounds.slope), fade, fade_off);
     const double term_error = weight * height.error;
     sum += weight * height.largest;

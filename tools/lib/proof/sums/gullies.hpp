@@ -6,15 +6,15 @@
 
 namespace hn {
 
-// What is proven of phasor noise at a place of a cell, for waves that are shorter than 3/2, and of its derivatives
+// The bounds of phasor noise at a place of a cell, for waves that are shorter than 3/2, and of its derivatives
 // (bounds.inc, which tools/make bounds writes).
 struct GulliesBounds {
   double value;            // the error
   double lipschitz;        // how fast it changes: the error per error of the position
-  double turn;             // the error per error of the wave
+  double wave_rate;        // the error per error of the wave
   double slope;            // the same of a component of the vector of its derivatives
   double slope_lipschitz;  // of a component
-  double slope_turn;       // of the vector
+  double slope_wave_rate;  // of the vector
   double steepest;         // the largest length of the vector
   double fixed_value, fixed_slope;
 };

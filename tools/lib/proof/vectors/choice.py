@@ -46,7 +46,7 @@ def periods_of(row: Values) -> Iterator[tuple[str, int, int]]:
 
 
 def features(row: Values) -> set[Hashable]:
-    """What can be said of what goes in, so that rows can be told apart."""
+    """Properties of inputs that distinguish rows."""
     found: set[Hashable] = set()
     for name, value in row.items():
         if isinstance(value, int):

@@ -2,9 +2,9 @@
 
     tools/make vectors
 
-Each file of build/vectors is FUNCTION.json, and index.json lists them; docs/porting.md tells what they hold. g++
-compiles what computes the bounds of floats, with the library fmt. The files stay as they are if nothing has changed
-that they are made of. tools/pack calls this for the packages that have them.
+Each file of build/vectors is FUNCTION.json, and index.json lists them; docs/develop/porting.md describes their
+contents. g++ compiles what computes the bounds of floats, with the library fmt. The files stay as they are if nothing
+has changed that they are made of. tools/pack calls this for the packages that have them.
 
 Exit status: 0 done, 2 bad usage, 4 they cannot be made.
 """

@@ -26,7 +26,7 @@ from translate.pick.program import name_of, names
 FORMAT = 1
 INDEX = "index.json"
 LARGEST_BOUND = 2.0**-6  # of a row. Octave sums of floats far out have larger ones, which say little
-DEFAULTS = {"lattice", "lattice+sine"}  # the settings of noise that are told, without their arithmetic
+DEFAULTS = {"lattice", "lattice+sine"}  # the settings of noise that are written out, without their arithmetic
 PROGRAM = Path(__file__).with_name("tolerances.cpp")
 SUMS = Path(__file__).parents[1] / "sums"  # their bounds
 OPTIONS = ("-O0", f"-I{CONFORMANCE}", f"-I{SUMS.parent}", f"-I{ROOT / 'src'}", "-lfmt")
@@ -49,13 +49,13 @@ def meaning(kind: str, word: int) -> int | float:
 
 
 def unit_of(values: Iterable[float]) -> int:
-    """The exponent of the largest power of two of which all are multiples; 0 if they are whole."""
+    """The exponent of the largest power of two that divides all; 0 if they are whole."""
     return -max((Fraction(value).denominator.bit_length() - 1 for value in values), default=0)
 
 
 @dataclass(frozen=True)
 class Group:
-    """What a function has with a setting."""
+    """A function with a setting."""
     function: Function
     setting: Configuration | None  # none where no knob matters
 
@@ -81,13 +81,13 @@ class Group:
                 for words in self.golden.values]
 
     def questions(self) -> list[str]:
-        """A line for each row, for the program that tells bounds."""
+        """A line for each row, for the program that prints bounds."""
         if self.arithmetic != "fast":
             return []
         return [f"{self.configuration} {self.function.id} {hexadecimal(words)}" for words in self.golden.inputs]
 
     def said(self, bounds: Sequence[Sequence[float]], known: dict[str, tuple[list, set]]) -> dict:
-        """What the file has of it. `bounds` are those of all rows, or none if every bit counts; `known` keeps numbers
+        """Its part of the file. `bounds` are for all rows, or none if every bit counts; `known` keeps numbers
         and features of rows by their words, since settings have most of them alike."""
         golden, results = self.golden, self.results
         words = [hexadecimal(row) for row in golden.inputs]

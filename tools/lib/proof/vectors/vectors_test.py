@@ -1,4 +1,4 @@
-"""The vectors are what they say, docs/porting.md shows how to read them, and a port that is wrong is told so."""
+"""The vectors are right, docs/develop/porting.md shows how to read them, and a wrong port is found."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from catalog.tables.configurations import read_configurations
 from catalog.tables.functions import read_functions
 from proof.vectors import choice, command, files
 
-PAGE = (ROOT / "docs" / "porting.md").read_text(encoding="utf-8")
+PAGE = (ROOT / "docs" / "develop" / "porting.md").read_text(encoding="utf-8")
 CHECKER, PORT = re.findall(r"^```python\n(.*?)^```$", PAGE, re.MULTILINE | re.DOTALL)
 NUMBER = re.compile(r"0x[0-9A-F]+|(?<=2\*\*)24|(?<=>> )\d+|\b2 (?=\* a)|\b1\b(?=\) \* 4097)|4097")
 
@@ -47,15 +47,15 @@ def all_groups() -> Iterator[tuple[dict, dict]]:
 def checker() -> Callable:
     """The checker of the page."""
     defined: dict = {}
-    exec(compile(CHECKER, "docs/porting.md", "exec"), defined)  # the page's own text
+    exec(compile(CHECKER, "docs/develop/porting.md", "exec"), defined)  # the page's own text
     return defined["faults"]
 
 
 def said_by(port: str) -> str:
-    """What the page's program prints with a port."""
+    """The output of the page's program with a port."""
     out = io.StringIO()
     with contextlib.redirect_stdout(out), contextlib.chdir(folder().parent):
-        exec(compile(CHECKER + port, "docs/porting.md", "exec"), {})
+        exec(compile(CHECKER + port, "docs/develop/porting.md", "exec"), {})
     return out.getvalue()
 
 

@@ -25,7 +25,7 @@ def shader(form: str) -> str:
 
 @cache
 def texts() -> dict[str, str]:
-    """What tools/pick writes of each form."""
+    """tools/pick's text of each form."""
     pick = picker()
     return {form: pick((form,), Choice("osl", "fixed")) for form in FORMS}
 

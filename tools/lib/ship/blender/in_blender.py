@@ -17,7 +17,7 @@ class NoBlender(Exception):
 
 def found(environment: Path, user: Path) -> None:
     """Puts bpy and the Python package of a folder of python.wheel onto the path, with the NumPy that bpy comes with.
-    What Blender keeps for its user goes into a folder."""
+    Blender's user files go into a folder."""
     os.environ["BLENDER_USER_RESOURCES"] = str(user)
     packages = list(environment.glob("venv/lib/python*/site-packages/hashnoise"))
     if not packages:
@@ -90,7 +90,7 @@ class Heights:
         return moved.reshape(-1, 3)[:, 2]
 
     def rendered(self, shader: str, side: int, offset: Sequence[float], folder: Path, **inputs):
-        """What a group gives in each pixel of a square, three numbers in order, at the pixel's number plus an offset. A
+        """A group's values in each pixel of a square, three numbers in order, at the pixel's number plus an offset. A
         color is not negative, so there are two pictures."""
         import bpy
         import numpy

@@ -57,7 +57,7 @@ def record() -> dict[str, ports.Port]:
 
 
 def call(file: File) -> str:
-    """Of the library: what looks like theirs, by docs/moving.md."""
+    """Of the library: what looks like theirs, by docs/guide/moving.md."""
     theirs = f"{'cnoise' if file.folder == 'periodic' else file.function}(vec{file.axes} p)"
     row, = (row for row in ROWS if row.table == "webgl-noise" and row.theirs == f"`{theirs}`")
     measured = record()[row.id]
@@ -83,8 +83,8 @@ def function(file: File) -> Function:
 
 
 def for_glslify(text: str, prefix: str) -> str:
-    """What glslify leaves as it is. It knows GLSL ES 1.00, and so takes types and functions that came later, and the u
-    behind a number, for names of the file, which it changes. It does not change names of macros."""
+    """Text that glslify leaves as it is. It knows GLSL ES 1.00, and so takes types and functions that came later, and
+    the u behind a number, for names of the file, which it changes. It does not change names of macros."""
     text = re.sub(r"\b(0x[0-9A-F]+|\d+)u\b", r"uint(\1)", text)
     used = [name for name in LATER if re.search(rf"\b{name}\b", text)]
     text = re.sub(rf"\b({'|'.join(LATER)})\b", rf"{prefix}\1", text)
@@ -93,8 +93,8 @@ def for_glslify(text: str, prefix: str) -> str:
 
 @cache
 def glsl(file: File) -> str:
-    """What a file has. The names of helpers are its own, since a shader may have several of these files. What glslify
-    exports stands where glsl-noise has it."""
+    """A file's text. The names of helpers are its own, since a shader may have several of these files. Text that
+    glslify exports stands where glsl-noise has it."""
     prefix = f"hn_{file.function}{file.axes}_"
     text = Program(library(), [function(file)]).text(LANGUAGE).replace("hn_i_", prefix)
     return (f"// {file.head}, of hashnoise {version()}: {call(file)}\n"
@@ -108,7 +108,7 @@ def module(text: str) -> str:
 
 
 def file_table() -> str:
-    """What each file stands for, for the page."""
+    """The function of each file, for the page."""
     return table(("file", "function", "what it returns"),
                  [(f"`glsl-noise/{file.path}`", f"`{file.head}`", f"`{call(file)}`") for file in FILES])
 

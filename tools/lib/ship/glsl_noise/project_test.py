@@ -26,13 +26,13 @@ def main(packages: Path) -> int:
     if not (packages / environment.MADE).exists():
         print(f"{packages} has no packages: javascript.packages was skipped, or did not run")
         return SKIPPED
-    # What is not there is found in the folder above.
+    # Node.js looks in the folder above for a missing one.
     project = packages / "glsl-noise"
     if status := environment.make(project, TESTS):
         return status
     put(project / NAME, package())
     page = package()["README.md"]
-    # As the page says, and by its own name.
+    # As on the page, and by its own name.
     command, = re.findall(rf"^    npm install (.*{NAME})-VERSION$", page, re.MULTILINE)
     install = [TOOLS / "lib" / "base" / "node", "npm", "install", "--offline", "--no-save", "--no-audit", "--no-fund"]
     done = subprocess.run([*install, command, f"{NAME}@file:{NAME}"], cwd=project, capture_output=True, text=True,

@@ -27,8 +27,8 @@ def call(*arguments: str | Path, **variables: str) -> subprocess.CompletedProces
 
 
 def absent(texts: dict[str, str]) -> dict[str, list[str]]:
-    """For each file of a project what it includes or names, and is not there: Godot finds what begins with res:// alone,
-    and includes what ends in .gdshaderinc."""
+    """For each file of a project what it includes or names, and is not there: Godot finds what begins with res://
+    alone, and includes what ends in .gdshaderinc."""
     found = {}
     for name, text in texts.items():
         included = re.findall(r'^[ \t]*#[ \t]*include[ \t]*["<]([^">\n]*)', text, re.MULTILINE)
@@ -66,7 +66,7 @@ class Addon(unittest.TestCase):
             self.assertIn(said, self.files[f"{ADDON}/{part}.gdshaderinc"])
 
     def test_what_is_named_is_there(self):
-        page = (ROOT / "docs" / "godot.md").read_text(encoding="utf-8")
+        page = (ROOT / "docs" / "guide" / "godot.md").read_text(encoding="utf-8")
         shaders = "".join(re.findall(r"^```gdshader\n(.*?)^```$", page, re.MULTILINE | re.DOTALL))
         self.assertEqual(absent({**self.files, "page": shaders}), {})
         name = f"{ADDON}/example/recipes/marble.gdshader"
@@ -93,7 +93,7 @@ class Addon(unittest.TestCase):
             self.assertIn(f"recipes/{recipe.name}.gdshader", scene)
 
     def test_the_pages_name_the_file_that_is_made(self):
-        self.assertIn(ARCHIVE, (ROOT / "docs" / "godot.md").read_text(encoding="utf-8"))
+        self.assertIn(ARCHIVE, (ROOT / "docs" / "guide" / "godot.md").read_text(encoding="utf-8"))
 
     def test_the_command(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -22,7 +22,7 @@ HEADER = """\
 //
 {where}
 """
-COMMENTED = "// What it needs comes first. Its own functions follow, each below a comment that says what it takes and returns."
+COMMENTED = "// Helpers come first. The file's own functions follow, each below a comment on its arguments and result."
 PLAIN = "// The functions are explained in the files of one noise each, such as perlin2d.gdshaderinc."
 RECIPE = """\
 // A recipe of hashnoise's gallery. Made by tools/pack godot.
@@ -46,7 +46,7 @@ def public_parts(library: dict[str, Part]) -> list[str]:
 
 
 def part_text(name: str, library: dict[str, Part], stripped: dict[str, Part]) -> str:
-    """A part with all that it needs, of which the comments are left out."""
+    """A part with all that it needs, without the needed parts' comments."""
     first = library[name].lines[0]
     only_names_others = "Made by tools/make" in first
     what = re.match(r"// hashnoise: (.*?\.)(?: |$)", first)[1]
@@ -90,7 +90,7 @@ def gallery(names: list[str]) -> str:
 
 
 def package() -> dict[str, bytes]:
-    """What a project gets, by its path there."""
+    """The files of a project, by their paths there."""
     library, stripped = parts(), parts(strip=True)
     found = {f"{ADDON}/{Path(name).stem}.gdshaderinc": part_text(name, library, stripped).encode("ascii")
              for name in public_parts(library)}

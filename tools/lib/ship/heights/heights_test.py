@@ -3,7 +3,7 @@ and the shader of Godot's add-on, at points of our own, near the origin and far 
 
     python3 -m ship.heights.heights_test ENVIRONMENT PACKAGES    the folders of python.wheel and of javascript.packages
 
-The land is hn_fbm on the plane with HN_FIXED. Godot itself is not asked: Chromium runs its add-on's text as GLSL.
+The land is hn_fbm on the plane with HN_FIXED. Godot itself does not run: Chromium runs its add-on's text as GLSL.
 Exit status: 0 they are the same, 1 they are not, 77 they are the same where there is all that it needs.
 """
 

@@ -30,15 +30,15 @@ SKIPPED = 77
 PARSER = "interactive-shader-format@2.9.0"
 SIDE = 64
 TYPES = {"float": "float", "long": "int", "color": "vec4"}
-# Reads the files that it is told, and writes what each is as JSON.
+# Reads the given files, and writes the kind of each as JSON.
 READ = """const { Parser } = require("./package/lib/main.js");
-const told = process.argv.slice(2).map((name) => {
+const files = process.argv.slice(2).map((name) => {
   const parser = new Parser();
   parser.parse(require("fs").readFileSync(name, "utf8"));
   const inputs = (parser.inputs ?? []).map(({ NAME, TYPE }) => [NAME, TYPE]);
   return { valid: parser.valid, type: parser.type, inputs, said: parser.description };
 });
-console.log(JSON.stringify(told));
+console.log(JSON.stringify(files));
 """
 
 
@@ -63,7 +63,7 @@ def drawn(text: str, values: dict[str, str]) -> str:
 
 
 def values_of(text: str, **others: str) -> dict[str, str]:
-    """What a program sets at first."""
+    """The values that a program starts with."""
     found = {"RENDERSIZE": f"vec2({SIDE}.0)", "TIME": "3.25"}
     for one in described(text)["INPUTS"]:
         value = one["DEFAULT"]
@@ -92,7 +92,7 @@ class Text(unittest.TestCase):
 
     @unittest.skipUnless(shutil.which("glslangValidator"), "Debian's package glslang-tools is missing")
     def test_what_the_page_has_for_other_programs_compiles(self) -> None:
-        page = (ROOT / "docs" / "engines.md").read_text().partition("## Shadertoy")[2]
+        page = (ROOT / "docs" / "guide" / "engines.md").read_text().partition("## Shadertoy")[2]
         named, = re.findall(r"^    hashnoise/tools/pick (\w+)$", page, re.MULTILINE)
         shadertoy, touch_designer = (code.replace("\n    ", "\n") for code in re.findall(
             r"^    ((?:void mainImage|out vec4).*?)\n\n", page, re.MULTILINE | re.DOTALL))
@@ -127,10 +127,10 @@ class Looks(unittest.TestCase):
 
     def test_a_parser_reads_them(self) -> None:
         self.assertEqual(len(self.made), len(files.LOOKS))
-        for path, told in zip(self.made, self.read(*self.made), strict=True):
+        for path, printed in zip(self.made, self.read(*self.made), strict=True):
             look = files.LOOKS[path.stem.removeprefix("hn-")]
-            self.assertEqual(told["inputs"], [[one, files.INPUTS[one]["TYPE"]] for one in files.inputs(look)])
-            self.assertEqual((told["valid"], told["type"]), (True, "generator"))
+            self.assertEqual(printed["inputs"], [[one, files.INPUTS[one]["TYPE"]] for one in files.inputs(look)])
+            self.assertEqual((printed["valid"], printed["type"]), (True, "generator"))
         wrong = self.folder / "wrong.fs"
         wrong.write_text(self.made[0].read_text().replace('"INPUTS": [', '"INPUTS": '))
         self.assertFalse(self.read(wrong)[0]["valid"])
@@ -150,7 +150,7 @@ class Looks(unittest.TestCase):
 
 
 def fetched(folder: Path) -> int:
-    """The parser, without what its package asks for and does not use: 0 if it is there."""
+    """The parser, without packages that it requires and does not use: 0 if it is there."""
     if (folder / "package").exists():
         return 0
     folder.mkdir(parents=True, exist_ok=True)

@@ -139,7 +139,7 @@ def source(form: str, target: str) -> str:
     text = pick()(names, Choice(language, "fixed"))
     is_osl = language in SYNTAXES
     text = without_shader(text) + osl_wrapper(form) if is_osl else text + wrapper(form, language)
-    # MaterialX itself says what a shader begins with, and comments would be in every shader.
+    # MaterialX itself writes the head of a shader, and comments would be in every shader.
     text = re.sub(r"(?m)^ *//.*\n|^#.*\n|^using .*\n", "", text).lstrip()
     own = node(form)
     text = re.sub(rf"\bhn_(?!{own.removeprefix('hn_')}\b)", f"{own}_", re.sub(r"\n{2,}", "\n", text))

@@ -1,4 +1,4 @@
-"""What MaterialX makes of the library of nodes, and what compiles and runs that, for tests."""
+"""Shaders that MaterialX makes of the library of nodes, compiled and run for tests."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ GENERATORS = {"glsl": ("GenGlsl", "Glsl"), "essl": ("GenGlsl", "Essl"), "vulkan"
               "wgsl": ("GenGlsl", "Wgsl"), "metal": ("GenMsl", "Msl"), "slang": ("GenSlang", "Slang"),
               "osl": ("GenOsl", "Osl")}
 PIXEL = "pixel"
-SIDE = 64  # pixels, of which a row has as many as there are rows of vectors
+SIDE = 64  # pixels; a row of them has as many as there are rows of vectors
 
 
 def materialx(part: str = "") -> ModuleType:
@@ -78,7 +78,7 @@ class Generated:
         self._last = node
 
     def faults(self) -> str:
-        """What MaterialX has against the library; nothing if it is right."""
+        """MaterialX's messages on the library; nothing if it is right."""
         return self.graph.validate()[1]
 
     def targets(self) -> dict[str, set[str]]:
@@ -178,7 +178,7 @@ class Language:
         return text[text.index("// hn_"):text.index(self.ends)]
 
     def run(self, jobs: Sequence[Job], folder: Path) -> list[list[list[float]]]:
-        """What comes out of each row of each job."""
+        """The results of each row of each job."""
         raise NotImplementedError
 
 

@@ -70,7 +70,7 @@ def glsl_modules() -> dict[str, str]:
 
 
 def comment(definition: Definition) -> str:
-    """What documents a definition, for editors."""
+    """The comment of a definition, for editors."""
     block: list[str] = []
     for line in reversed(definition.comments):
         if not line.startswith("//"):
@@ -113,7 +113,7 @@ class InGlsl(NamedTuple):
 
 
 def in_glsl(module: Module) -> dict[tuple[str, tuple[str, ...]], InGlsl]:
-    """What has this name and these types in WGSL."""
+    """The function with this name and these types in WGSL."""
     functions = module.library.functions
 
     def file_of(path: str) -> str:
@@ -169,7 +169,7 @@ def accepted(type_: str) -> str:
 
 def readme() -> str:
     """The page about this package, whose links would lead nowhere from there."""
-    page = (ROOT / "docs" / "javascript.md").read_text(encoding="utf-8")
+    page = (ROOT / "docs" / "guide" / "javascript.md").read_text(encoding="utf-8")
     return re.sub(r"\[([^\]]+)\]\([^)]*\)", r"\1", page)
 
 
@@ -202,7 +202,7 @@ export const bytes = () => Uint8Array.from(atob(packed), (character) => characte
     return found
 
 
-if __name__ == "__main__":  # pack.sh asks for them: python3 -m ship.npm.files FOLDER
+if __name__ == "__main__":  # pack.sh calls it: python3 -m ship.npm.files FOLDER
     try:
         put(Path(sys.argv[1]), package(compiled()))
     except (Failed, NoVectors) as error:

@@ -19,14 +19,14 @@ DESCRIBED = (ROOT / "packages" / "npm" / "package.json").read_text(encoding="utf
 
 
 def string_of(name: str, files: dict[str, str]) -> str:
-    """What a module of strings exports."""
+    """The exports of a module of strings."""
     code = files[f"glsl/{name}.js"]
     paths = dict(IMPORT.findall(code))
     return "".join(json.loads(EXPORT.search(files[f"glsl/{paths[part][2:]}"])[1])
                    for part in EXPORT.search(code)[1].split(" + "))
 
 
-# What no node takes or gives.
+# Types that no node takes or gives.
 STRUCTS = r"ptr<|-> ?hn_(?:derivatives[\dx]+|hexes)|hn_(?:octaves|slopes|shifts)\d"
 
 

@@ -24,7 +24,7 @@ def draw(html: Path) -> int:
 
 def main() -> int:
     parser = argparse.ArgumentParser(prog="tools/playground", description="Make the playground, a page of one file.",
-                                     epilog="docs/playground.md tells what the page does.")
+                                     epilog="docs/guide/playground.md describes the page.")
     parser.add_argument("--out", type=Path, default=ROOT / "build" / "playground.html", metavar="FILE",
                         help="the file to write (default: build/playground.html)")
     parser.add_argument("--picture", action="store_true",

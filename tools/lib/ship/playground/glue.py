@@ -1,12 +1,16 @@
-"""Functions of the playground's own, in GLSL, which tools/pick translates for languages that have no vectors: what a picture
-shows of a noise as one number, places that are moved, and how layers are combined. A shader has these in line."""
+"""Functions of the playground's own, in GLSL, which tools/pick translates for languages without vectors: the one number
+of a noise that a picture shows, places that are moved, and how layers are combined. A shader has these in line."""
 
 from __future__ import annotations
 
 PREFIX = "hn_play_"
-DISTANCES = {"cellular": ("cellular", "{}.x", "1.0f - 2.0f * {}"), "cellular_second": ("cellular", "{}.y", "1.5f - 2.0f * {}"),
-             "cellular_between": ("cellular", "{0}.y - {0}.x", "1.0f - 2.0f * {}"),
-             "cellular_third": ("cellular_three", "{}.z", "1.75f - 2.0f * {}")}
+# What a picture shows of the distances of a noise, and what a sum takes of that.
+DISTANCES = {
+    "cellular": ("cellular", "{}.x", "1.0f - 2.0f * {}"),
+    "cellular_second": ("cellular", "{}.y", "1.5f - 2.0f * {}"),
+    "cellular_between": ("cellular", "{0}.y - {0}.x", "1.0f - 2.0f * {}"),
+    "cellular_third": ("cellular_three", "{}.z", "1.75f - 2.0f * {}"),
+}
 
 
 def text(n: int) -> str:
@@ -16,10 +20,12 @@ def text(n: int) -> str:
     whole = "period" if n == 1 else f"ivec{n}({', '.join(['period'] * n)})"
     lines = [
         f"HN_FN {place} hn_play_at({p} p, hn_float scale) {{ return hn_place(p * scale); }}",
-        f"HN_FN {place} hn_play_in_tile({p} p, hn_float scale, hn_int period) {{ return hn_tile(p * scale, {whole}); }}",
+        f"HN_FN {place} hn_play_in_tile({p} p, hn_float scale, hn_int period) {{ "
+        f"return hn_tile(p * scale, {whole}); }}",
         f"HN_FN hn_float hn_play_billows(hn_octaves{n} o) {{ return min(2.0f * hn_mean(o) - 1.0f, 1.0f); }}",
         f"HN_FN hn_float hn_play_bounded(hn_octaves{n} o) {{ return min(max(hn_mean(o), -1.0f), 1.0f); }}",
-        f"HN_FN hn_float hn_play_random_signed({place} place, hn_uint seed) {{ return 2.0f * hn_random(place, seed) - 1.0f; }}",
+        f"HN_FN hn_float hn_play_random_signed({place} place, hn_uint seed) {{ "
+        "return 2.0f * hn_random(place, seed) - 1.0f; }",
         "HN_FN hn_float hn_play_steps(hn_float v) { return hn_float(int(floor(min(max(v, -8.0f), 8.0f) * 65536.0f))) *"
         " 0.0000152587890625f; }",
         "HN_FN hn_float hn_play_product(hn_float a, hn_float b) { int i = int(a * 65536.0f); int j = int(b * 65536.0f);"
@@ -34,8 +40,8 @@ def text(n: int) -> str:
             lines += [
                 f"HN_FN {place} hn_play_{warp}({p} p, hn_float scale, {settings}) {{ {p} s = p * scale; "
                 f"return hn_place(s + hn_{warp}(s, {moved})); }}",
-                f"HN_FN {place} hn_play_{warp}_in_tile({p} p, hn_float scale, hn_int period, {settings}) {{ {p} s = p * scale; "
-                f"return hn_tile(s + hn_{warp}(hn_tile(s, {whole}), {moved}), {whole}); }}"]
+                f"HN_FN {place} hn_play_{warp}_in_tile({p} p, hn_float scale, hn_int period, {settings}) {{ "
+                f"{p} s = p * scale; return hn_tile(s + hn_{warp}(hn_tile(s, {whole}), {moved}), {whole}); }}"]
         for name, (called, shown, signed) in DISTANCES.items():
             parameters = f"{place} place, hn_float jitter, hn_int metric, hn_uint seed"
             call = f"hn_{called}(place, jitter, metric, seed)"
@@ -45,15 +51,16 @@ def text(n: int) -> str:
                       f"HN_FN hn_float hn_play_{name}_signed({parameters}) {{ return "
                       f"{signed.format(f'hn_play_{name}(place, jitter, metric, seed)')}; }}"]
         for name, signed in (("cellular_smooth", "1.0f - 2.0f * {}"), ("cell_border", "4.0f * {} - 1.0f")):
-            lines += [f"HN_FN hn_float hn_play_{name}_signed({place} place, hn_float jitter, hn_uint seed) {{ return "
-                      f"{signed.format(f'hn_{name}(place, jitter, seed)')}; }}"]
+            lines += [f"HN_FN hn_float hn_play_{name}_signed({place} place, hn_float jitter, hn_uint seed) {{ "
+                      f"return {signed.format(f'hn_{name}(place, jitter, seed)')}; }}"]
         lines += [
-            f"HN_FN hn_float hn_play_cells({place} place, hn_float jitter, hn_int metric, hn_uint seed) {{ {cell} nearest; "
-            f"hn_vec{n} offset; hn_cellular(place, jitter, metric, seed, nearest, offset); "
+            f"HN_FN hn_float hn_play_cells({place} place, hn_float jitter, hn_int metric, hn_uint seed) {{ "
+            f"{cell} nearest; hn_vec{n} offset; hn_cellular(place, jitter, metric, seed, nearest, offset); "
             "return hn_unorm(hn_lattice(nearest, seed + 1u)); }",
-            f"HN_FN hn_float hn_play_cells_signed({place} place, hn_float jitter, hn_int metric, hn_uint seed) {{ return "
-            "2.0f * hn_play_cells(place, jitter, metric, seed) - 1.0f; }",
+            f"HN_FN hn_float hn_play_cells_signed({place} place, hn_float jitter, hn_int metric, hn_uint seed) {{ "
+            "return 2.0f * hn_play_cells(place, jitter, metric, seed) - 1.0f; }",
             f"HN_FN hn_float hn_play_curl({place} place, hn_uint seed) {{ return hn_curl(place, seed).x; }}"]
-        lines += [f"HN_FN void hn_play_add_eroded_{noise}(inout hn_octaves{n} o, inout hn_slopes{n} s, hn_float strength) "
-                  f"{{ hn_add_eroded(o, s, hn_{noise}_d(o.place, o.seed), strength); }}" for noise in ("perlin", "value", "simplex")]
+        lines += [f"HN_FN void hn_play_add_eroded_{noise}(inout hn_octaves{n} o, inout hn_slopes{n} s, "
+                  f"hn_float strength) {{ hn_add_eroded(o, s, hn_{noise}_d(o.place, o.seed), strength); }}"
+                  for noise in ("perlin", "value", "simplex")]
     return "\n".join(lines) + "\n"

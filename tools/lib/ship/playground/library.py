@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+
 from base.tree import GLSL, glsl_files, included_from, version
 from catalog.javascript import drawn, may_draw
 from catalog.model import read
@@ -11,12 +12,12 @@ from translate.single_file.files import INCLUDE, lines_of, stripped, with_number
 # The files of sums, and of what moves positions. A sum that is added has none of its own.
 OF_SUMS = ("octaves", "fbm", "fbm_d", "warp")
 OF_THE_HASH = "hash.glsl"
-# What other files have of the library's own kind: languages that need names of their own.
+# Other files of the library's kind: languages that need names of their own.
 OTHERS = ("begin.hlsl", "end.hlsl", "detail/vectors_begin.h", "detail/vectors_end.h")
 
 
 def glsl() -> dict[str, list[str]]:
-    """The lines of the files and of what they include, without comments. What they include has its name in the
+    """The lines of the files and of what they include, without comments. An included file has its name in the
     library."""
     found: dict[str, list[str]] = {}
     wanted = [*of_pictures(), OF_THE_HASH, *OTHERS]
@@ -30,7 +31,7 @@ def glsl() -> dict[str, list[str]]:
 
 
 def of_pictures() -> list[str]:
-    """The files of which pictures are made: of the noises that can be chosen there, of the same with slopes and with a
+    """The files that pictures are made of: of the noises that can be chosen there, of the same with slopes and with a
     phase, and of sums, in each dimension. Everybody loads the page, so it has no others."""
     noises = [noise.name + form for noise in drawn(read())[0] for form in ("", "_d", "_phase")
               if form != "_phase" or may_draw(noise, "phase")]

@@ -68,7 +68,8 @@ def hash_of(code: str) -> str:
 def page(tell: Callable[[str], None] = lambda _: None) -> str:
     """`tell` takes a sentence before each step that takes long."""
     code = f"\n{script().strip()}\n"
-    parts = {"style": (SOURCES / "style.css").read_text(encoding="utf-8").strip(), "script": code, "hash": hash_of(code),
+    style = (SOURCES / "style.css").read_text(encoding="utf-8").strip()
+    parts = {"style": style, "script": code, "hash": hash_of(code),
              "library": packed(library()), **picks.kept_texts(tell)}
     return re.sub(r"\{\{(\w+)\}\}", lambda match: parts[match[1]],
                   (SOURCES / "index.html").read_text(encoding="utf-8"))

@@ -1,8 +1,8 @@
 """What tools/pick writes of every function that a picture may call, in each language, as pieces that the page composes.
 
-A program of tools/pick has all functions of one dimension at once, so that they share what they call. The page takes the
-pieces that a picture needs. The pieces are LZMA, since gzip looks back too short a way to see how much languages and
-dimensions have in common. All of it takes minutes, so build/picks keeps it until something changes that it is made of."""
+A program of tools/pick has all functions of one dimension at once, so that they share what they call. The page takes
+the pieces that a picture needs. The pieces are LZMA, since gzip looks back too short a way to find how much languages
+and dimensions have in common. All of it takes minutes, so build/picks keeps it until one of its sources changes."""
 
 from __future__ import annotations
 
@@ -35,8 +35,8 @@ SHADING = ("glsl", "hlsl", "metal", "godot", "wgsl")
 # These have the bits of HN_FIXED, as docs/snippets have: on a CPU floats are not faster by much.
 CPU = ("c", "java", "csharp", "javascript", "go", "rust", "osl")
 DIMENSIONS = (1, 2, 3, 4)
-# The page has the other hashes for shading languages. They differ in the pieces in which a hash stands, which small programs
-# have, too, so one of them is picked as a whole.
+# The page has the other hashes for shading languages. They differ in one function, which small programs have, too, so
+# one of them is picked as a whole.
 WHOLE_HASHES = ("lattice", "pcg")
 OTHER_HASHES = ("fnv1", "partial_fnv1", "jenkins", "partial_jenkins", "murmur", "xxhash32")
 # HTML has no room for three of the digits to the base of 85.
@@ -45,7 +45,8 @@ WORD = "hn_i_word uint uint"  # the function in which hashes differ, and what it
 COMMENT = re.compile(r"^\s*//.*\n", re.MULTILINE)
 BLOCK = re.compile(r"^/\*\*\n(?: \*.*\n)+", re.MULTILINE)
 # Raw LZMA: playground/lzma.js knows its properties.
-FILTERS = [{"id": lzma.FILTER_LZMA1, "preset": 9 | lzma.PRESET_EXTREME, "dict_size": 1 << 23, "lc": 3, "lp": 0, "pb": 0}]
+FILTERS = [{"id": lzma.FILTER_LZMA1, "preset": 9 | lzma.PRESET_EXTREME, "dict_size": 1 << 23, "lc": 3, "lp": 0,
+            "pb": 0}]
 
 
 class Piece(NamedTuple):
@@ -70,8 +71,8 @@ def small_roots(n: int) -> list[str]:
 
 
 def roots(module: Module, n: int, of_cpu: bool) -> list[str]:
-    """The names of what the page calls. A jitter and a metric are always passed, and sums over other noises, in tiles, or
-    at places are loops, so that there is less text."""
+    """The names of what the page calls. A jitter and a metric are always passed, and sums over other noises, in tiles
+    or at places are loops, so that there is less text."""
     noises, sums = drawn(read())
     with_jitter = [noise.name for noise in noises if f"hn_{noise.name}{n}_full" in module.forms]
     plain = [noise.name for noise in noises if noise.name not in with_jitter]
@@ -85,11 +86,12 @@ def roots(module: Module, n: int, of_cpu: bool) -> list[str]:
     names += [f"hn_{name}{n}{place}_phase" for name in plain for place in places]
     names += [f"hn_{name}{n}{place}_full" for name in with_jitter for place in places]
     names += [f"hn_{total.name}{n}" for total in sums]
-    names += [f"hn_octaves_of{n}_place", f"hn_octaves_of{n}", f"hn_next{n}", f"hn_mean{n}", f"hn_density{n}", f"hn_add{n}",
-              f"hn_slopes_of{n}"]
+    names += [f"hn_{step}{n}" for step in ("octaves_of", "next", "mean", "density", "add", "slopes_of")]
+    names += [f"hn_octaves_of{n}_place"]
     names += [f"{total.step_of_loops}{n}" for total in sums if total.step_of_loops]
     if of_cpu:
-        names += [wgsl_name(function) for (name, _), function in module.functions.items() if name.startswith(glue.PREFIX)]
+        names += [wgsl_name(function) for (name, _), function in module.functions.items()
+                  if name.startswith(glue.PREFIX)]
     else:
         names += [f"hn_{noise.name}_d{n}_place" for noise in noises]
         names += [f"hn_cellular{n}_nearest", f"hn_cellular{n}_place_nearest", f"hn_lattice{n}", "hn_unorm"]
@@ -103,7 +105,8 @@ def settings() -> list[Setting]:
     order = sorted(DIMENSIONS, key=lambda n: abs(n - 3.4))
     arithmetics = ("fixed", "fast")
     return [*(Setting(CPU, "fixed", "lattice", n) for n in order),
-            *(Setting(SHADING, arithmetic, hash_, n) for n in order for hash_ in WHOLE_HASHES for arithmetic in arithmetics),
+            *(Setting(SHADING, arithmetic, hash_, n) for n in order for hash_ in WHOLE_HASHES
+              for arithmetic in arithmetics),
             *(Setting(SHADING, arithmetic, hash_, n, is_small=True) for n in order for arithmetic in arithmetics
               for hash_ in (WHOLE_HASHES[1], *OTHER_HASHES))]
 

@@ -101,7 +101,7 @@ class Picks(unittest.TestCase):
 
 
 class Script(unittest.TestCase):
-    """What one script cannot take is an error that names the file."""
+    """A module that one script cannot contain is an error that names the file."""
 
     def refused(self, files: dict[str, str], message: str):
         with tempfile.TemporaryDirectory() as folder:

@@ -37,7 +37,7 @@ settings=("--config-settings=build-dir=$build/python/{wheel_tag}"
 if [[ -n $library ]]; then
   settings=("--config-settings=build-dir=$build/python/linked/{wheel_tag}"
     "--config-settings=cmake.define.HASHNOISE_LIBRARY=$(realpath "$library")"
-    # What is left to compile is for tests, which run shorter than that takes. Most of it is reading headers.
+    # The rest of the compilation is for tests, which run in less time. Most of it is reading headers.
     "--config-settings=cmake.define.CMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG"
     "--config-settings=cmake.define.CMAKE_UNITY_BUILD=ON"
     "--config-settings=cmake.define.CMAKE_UNITY_BUILD_BATCH_SIZE=0")
@@ -46,7 +46,7 @@ logged "Building the wheel" "The wheel could not be built" "${pip[@]}" wheel --n
   "${settings[@]}" "$root"
 wheels=("$scratch/wheels"/*.whl)
 
-# What is checked below is the wheel that others get.
+# The checks below are of the wheel that others get.
 if [[ -n $manylinux ]]; then
   tools=$scratch/repairs/bin
   logged "Making a virtual environment for auditwheel" "There is no virtual environment for auditwheel" \
@@ -66,7 +66,7 @@ where_numpy_is='import numpy, pathlib; print(pathlib.Path(numpy.__file__).parent
 if [[ -n $is_environment ]] && numpy=$("$python" -c "$where_numpy_is" 2>/dev/null); then
   for packages in "$scratch"/checks/lib/python*/site-packages; do echo "$numpy" >"$packages/numpy.pth"; done
 else
-  logged "Installing what checks the wheel" "What checks the wheel could not be installed" \
+  logged "Installing the wheel's checker" "The wheel's checker could not be installed" \
     install_for_check --requirement "$root/packages/python/tests/numpy.txt"
 fi
 logged "Installing the wheel" "The wheel could not be installed" install_for_check --no-deps "${wheels[0]}"

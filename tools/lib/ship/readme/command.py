@@ -6,13 +6,13 @@ other libraries, and what packages for other programs have.
     tools/make readme --check    whether they are what they should be, and the README states the costs and the times
 
 A picture is drawn from the code below it, which the C++ twin evaluates at each pixel of a tile; so are those of
-docs/gallery. The typical values are those of 2^16 points. The costs are those of docs/results/llvmpipe/bench.csv,
-which hn-conform bench writes, and of peers.csv beside it, which tools/measure peers writes; so it does likeness.csv, of
-which the tables of docs/moving.md are made. Those on GPUs by their compilers are of docs/results/gpu, by tools/measure
-gpu, and compile.csv is by tools/measure compile. How hashes of others fare is in docs/results/hashes.csv, by
-tools/measure hashes --against, how noises are in judged.csv beside it, by tools/measure noise, and how uniform values
-are in uniform.csv, by tools/measure uniform. The times of commands are those of tools/costs.csv, which tools/test
---record writes.
+docs/guide/gallery. The typical values are those of 2^16 points. The costs are those of
+docs/measured/results/llvmpipe/bench.csv, which hn-conform bench writes, and of peers.csv beside it, which tools/measure
+peers writes; so it does likeness.csv, of and the tables of docs/guide/moving.md are made of them. Costs on GPUs by
+their compilers are of docs/measured/results/gpu, by tools/measure gpu, and compile.csv is by tools/measure compile. How
+hashes of others fare is in docs/measured/results/hashes.csv, by tools/measure hashes --against, how noises are in
+judged.csv beside it, by tools/measure noise, and how uniform values are in uniform.csv, by tools/measure uniform. The
+times of commands are those of tools/costs.csv, which tools/test --record writes.
 
 Exit status: 0 all is as it should be, 1 something is not: prose is for you to mend; 2 bad usage, the code does not
 compile, or a page cannot be read.
@@ -42,22 +42,22 @@ from ship.unity import files as unity
 from ship.unreal import files as unreal
 
 README = "README.md"
-MEASURING = "docs/measuring.md"
-DEFAULT_HASH = "docs/default-hash.md"
-OPERATIONS = "docs/gpu-operations.md"
-NOISES = "docs/noises.md"
-SUMS = "docs/sums.md"
-CONFORMANCE = "docs/conformance.md"
-MOVING = "docs/moving.md"
-LANGUAGES = "docs/languages.md"
-HASHES = "docs/hashes.md"
-JUDGE = "docs/judge.md"
-UNIFORM = "docs/uniform.md"
+MEASURING = "docs/measured/measuring.md"
+DEFAULT_HASH = "docs/measured/default-hash.md"
+OPERATIONS = "docs/measured/gpu-operations.md"
+NOISES = "docs/reference/noises.md"
+SUMS = "docs/reference/fractals.md"
+CONFORMANCE = "docs/guide/conformance.md"
+MOVING = "docs/guide/moving.md"
+LANGUAGES = "docs/guide/languages.md"
+HASHES = "docs/measured/hashes.md"
+JUDGE = "docs/measured/judge.md"
+UNIFORM = "docs/guide/uniform.md"
 SIZE = re.compile(r"(--strip --out noise\.glsl`, )\d+ kB")  # of the whole library, in the README
 
 
 def tables(times: of_commands.Times) -> list[tuple[str, str, str]]:
-    """What pages have between marks: the page, the name of the marks, and the table."""
+    """Made parts of pages: the page, the name of the marks, and the table."""
     typical, costs = numbers.typical(), numbers.costs(numbers.CPU)
     return [(NOISES, "tools/make readme: values", numbers.typical_table(typical, numbers.COMMON)),
             (SUMS, "tools/make readme: typical values of sums", numbers.typical_table(typical, numbers.SUMS)),
@@ -94,7 +94,7 @@ def tables(times: of_commands.Times) -> list[tuple[str, str, str]]:
 
 
 def problems(check: bool) -> list[str]:
-    """What is not as it should be, after the tables are written, or with check as they are."""
+    """Faults, after the tables are written, or with check as they are."""
     found, times = [], of_commands.times()
     for path, name, table in tables(times):
         page = (ROOT / path).read_text(encoding="utf-8")
@@ -110,7 +110,8 @@ def problems(check: bool) -> list[str]:
     elif right != readme:
         found.append(f"{README}: the size of the single file is not what it should be; run tools/make readme")
     found += [f"{README}: it must state {quote!r}"
-              for quote in (*of_gpus.quotes(of_gpus.costs()), *numbers.cost_quotes(), of_commands.times_quote(times)) if quote not in readme]
+              for quote in (*of_gpus.quotes(of_gpus.costs()), *numbers.cost_quotes(), numbers.golden_quote(),
+                             of_commands.times_quote(times)) if quote not in readme]
     return found
 
 

@@ -34,7 +34,7 @@ def files_table() -> str:
     return table(("", "1D", "2D", "3D", "4D", "all"), [[", ".join(functions), *cells] for cells, functions in rows.items()])
 
 
-# The functions that the page says the size of, and their files.
+# The functions whose size the page states, and their files.
 PICKED = {"hn_perlin2": "perlin2d.glsl", "hn_perlin3": "perlin3d.glsl", "hn_simplex2": "simplex2d.glsl",
           "hn_simplex3": "simplex3d.glsl", "hn_cellular2": "cellular2d.glsl", "hn_fbm2": "fbm2d.glsl"}
 
@@ -45,7 +45,7 @@ pick = functools.cache(picker)
 
 @functools.cache
 def picks_table() -> str:
-    """What tools/pick writes of functions, without the comment, beside the files that they are in."""
+    """tools/pick's texts of functions, without the comment, beside the files that they are in."""
     modules = [read_library(GLSL, Choice(arithmetic=arithmetic)) for arithmetic in ARITHMETICS[:2]]
     rows = []
     for name, file in PICKED.items():

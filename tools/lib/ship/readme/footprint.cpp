@@ -1,6 +1,6 @@
 // Prints how far pixels of a plane that recedes to the horizon are from the mean of many places in them, with the
-// footprint of hn_fbm and without: root mean squares over the far half of the picture, a line each. The plane is that of
-// the picture in docs/sums.md.
+// footprint of hn_fbm and without: root mean squares over the far half of the picture, a line each. The plane is that
+// of the picture in docs/reference/fractals.md.
 #include <cmath>
 #include <cstdio>
 #include <hashnoise/hashnoise.hpp>

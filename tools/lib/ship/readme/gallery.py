@@ -9,9 +9,11 @@ from pathlib import Path
 from base.tree import ROOT
 from ship.readme import picture
 
-PAGE = ROOT / "docs" / "gallery" / "README.md"
+PAGE = ROOT / "docs" / "guide" / "gallery" / "README.md"
 SHEET = "sheet.png"  # all of them
-RECIPE = re.compile(r"^!\[[^\]]*\]\((\w+)\.png\)\n\n(?:[^`!#\n][^\n]*\n\n)?```glsl\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+SIDE = 512  # pixels of a picture, which the page shows at half the size: dense screens have two for one
+RECIPE = re.compile(r'^<img src="(\w+)\.png" width="256" alt="[^"\n]+">\n\n(?:(?!```)[^<#\n][^\n]*\n\n)?```glsl\n(.*?)^```$',
+                    re.MULTILINE | re.DOTALL)
 SHADER = """#version 330
 #extension GL_GOOGLE_include_directive : require
 {code}
@@ -64,4 +66,4 @@ def sheets(folder: Path = PAGE.parent) -> list[picture.Sheet]:
     """Every picture, and the sheet of all."""
     calls = {recipe.name: recipe.call() for recipe in recipes()}
     return [picture.Sheet(folder / SHEET, list(calls.values()), columns=5),
-            *(picture.Sheet(folder / f"{name}.png", [call]) for name, call in calls.items())]
+            *(picture.Sheet(folder / f"{name}.png", [call], side=SIDE) for name, call in calls.items())]

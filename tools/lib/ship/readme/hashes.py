@@ -1,4 +1,4 @@
-"""The table of docs/hashes.md, from what tools/measure hashes --against found of the hashes that people paste."""
+"""The table of docs/measured/hashes.md, from what tools/measure hashes --against found of the hashes that people paste."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from base.tree import ROOT
 from catalog.tables.markdown import table
 from measure import record as records
 
-RECORD = ROOT / "docs" / "results" / "hashes.csv"
+RECORD = ROOT / "docs" / "measured" / "results" / "hashes.csv"
 
 
 def record() -> list[dict[str, str]]:

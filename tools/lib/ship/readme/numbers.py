@@ -9,17 +9,17 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import catalog.model
-from base.tree import ROOT
+from base.tree import GOLDEN, ROOT
 from base.twin import SOON, compile_program
 from catalog.tables.markdown import table
 from measure import record
 from measure.peers.table import CALLS, PEERS, dimensions, subject
 
-RESULTS = ROOT / "docs" / "results"
-CPU, GPU = "llvmpipe", "h100"  # the renderers in RESULTS, of which pages tell
+RESULTS = ROOT / "docs" / "measured" / "results"
+CPU, GPU = "llvmpipe", "h100"  # the renderers in RESULTS that pages name
 Costs = Mapping[str, Mapping[str, str]]  # the rows of bench.csv, by id
 
-# --- Typical values -----------------------------------------------------------------------------------------------------
+# --- Typical values ---------------------------------------------------------------------------------------------------
 
 CATALOG = catalog.model.read()
 SUMS = tuple(f"hn_{sum_.name}" for sum_ in CATALOG.sums if sum_.shape != "slopes" and sum_.is_in(2))
@@ -57,7 +57,7 @@ def _number(value: float) -> str:
     return f"{round(value, 2) + 0.0:g}"
 
 
-# --- What a footprint is worth ------------------------------------------------------------------------------------------
+# --- The gain of a footprint ------------------------------------------------------------------------------------------
 
 
 @functools.cache
@@ -72,7 +72,7 @@ def footprint_quote(errors: Mapping[str, float]) -> str:
             f"{errors['deviation']:.2f}.\n")
 
 
-# --- Costs --------------------------------------------------------------------------------------------------------------
+# --- Costs ------------------------------------------------------------------------------------------------------------
 
 NOISES = {  # what stands in the table, by the end of its ids
     "table.float": "Perlin/Float (`table.float`)",
@@ -108,7 +108,7 @@ def cost_table(rows: Costs, count: str, whose: str) -> str:
 
 
 def form_table(rows: Costs) -> str:
-    """What each noise costs, by its dimensions and arithmetic."""
+    """The cost of each noise, by its dimensions and arithmetic."""
     def cells(form: str, arithmetic: str) -> list[str]:
         found = [rows.get(f"noise{n}d.{form}.lattice{arithmetic}") for n in range(1, 5)]
         return [_cost(row) if row else "" for row in found]
@@ -146,6 +146,13 @@ def cost_quotes() -> list[str]:
             f"take {min(others):.0f} to {max(others):.0f} times as long"]
 
 
+def golden_quote() -> str:
+    """The README's number of golden values, rounded down to ten thousands."""
+    found = sum(len(group.split()) for path in GOLDEN.glob("*.golden") for row in path.read_text(encoding="ascii").splitlines()
+                for group in row.split(" = ")[1:] if group != "-" and not row.startswith("columns "))
+    return f"computes {found // 10_000 * 10_000:,} golden values"
+
+
 def python_costs() -> list[dict[str, str]]:
     """The rows of python.csv."""
     return record.read(RESULTS / "cpu" / "python.csv").rows
@@ -161,6 +168,6 @@ def python_table(rows: Sequence[Mapping[str, str]]) -> str:
 
 
 def _six_octaves(rows: Costs, axes: int) -> float:
-    """What FastNoiseLite's six octaves of Perlin noise cost, in ours."""
+    """The cost of FastNoiseLite's six octaves of Perlin noise, in ours."""
     [call] = [call for call in CALLS if (call.noise, call.peer) == (f"fBm {axes}D, 6 octaves", "fastnoiselite")]
     return float(rows[f"{subject(call)}{dimensions(call)}"]["ratio"]) / float(rows[f"{call.ours}.lattice"]["ratio"])

@@ -1,4 +1,4 @@
-"""Makes what docs/one-noise.md quotes of the files that Perlin noise on the plane passes through.
+"""Makes what docs/develop/one-noise.md quotes of the files that Perlin noise on the plane passes through.
 
     tools/make one-noise            writes the quotes
     tools/make one-noise --check    writes nothing
@@ -23,14 +23,14 @@ from proof.oracle.cells import weighted_sum
 from proof.oracle.noises import perlin
 from ship.readme import files
 
-NAME = "docs/one-noise.md"
+NAME = "docs/develop/one-noise.md"
 ID = "noise2d.perlin"
 SETTINGS = {"lattice": "`HN_FAST`", "lattice+fixed": "`HN_FIXED`"}
 
 
 def contract() -> str:
     """The steps of the noise."""
-    text = (ROOT / "docs/contract.md").read_text(encoding="utf-8")
+    text = (ROOT / "docs/reference/contract.md").read_text(encoding="utf-8")
     return re.search(r"^### Perlin noise\n.*?^(1\..*?\n)\n", text, re.DOTALL | re.MULTILINE)[1]
 
 
@@ -54,7 +54,7 @@ def oracle() -> str:
 
 def bounds() -> str:
     """The row of the noise among the bounds, with the head of the table."""
-    lines = (ROOT / "docs/accuracy.md").read_text(encoding="utf-8").splitlines(keepends=True)
+    lines = (ROOT / "docs/measured/accuracy.md").read_text(encoding="utf-8").splitlines(keepends=True)
     at = next(i for i, line in enumerate(lines) if line.startswith("| `hn_perlin(vec2)`, octahedral"))
     head = max(i for i in range(at) if lines[i].startswith("| ---"))
     return lines[head - 1] + lines[head] + lines[at]

@@ -14,26 +14,26 @@ from base.tree import ROOT
 from base.twin import SOON, compile_program
 
 PICTURES = {  # the page that shows each
-    "noise.png": "docs/noises.md",
-    "lattice.png": "docs/noises.md",
-    "slopes.png": "docs/noises.md",
-    "tiles.png": "docs/noises.md",
-    "simplex.png": "docs/noises.md",
-    "phase.png": "docs/noises.md",
-    "curl.png": "docs/noises.md",
-    "phasor.png": "docs/noises.md",
-    "vectors.png": "docs/noises.md",
-    "cellular.png": "docs/cellular.md",
-    "jitter.png": "docs/cellular.md",
-    "metrics.png": "docs/cellular.md",
-    "cellular-phase.png": "docs/cellular.md",
-    "cellular-tiles.png": "docs/cellular.md",
-    "sums.png": "docs/sums.md",
-    "gullies.png": "docs/sums.md",
-    "erosion.png": "docs/sums.md",
-    "footprint.png": "docs/sums.md",
+    "noise.png": "docs/reference/noises.md",
+    "lattice.png": "docs/reference/noises.md",
+    "slopes.png": "docs/reference/noises.md",
+    "tiles.png": "docs/reference/noises.md",
+    "simplex.png": "docs/reference/noises.md",
+    "phase.png": "docs/reference/noises.md",
+    "curl.png": "docs/reference/noises.md",
+    "phasor.png": "docs/reference/noises.md",
+    "vectors.png": "docs/reference/noises.md",
+    "cellular.png": "docs/guide/cellular.md",
+    "jitter.png": "docs/guide/cellular.md",
+    "metrics.png": "docs/guide/cellular.md",
+    "cellular-phase.png": "docs/guide/cellular.md",
+    "cellular-tiles.png": "docs/guide/cellular.md",
+    "sums.png": "docs/reference/fractals.md",
+    "gullies.png": "docs/reference/fractals.md",
+    "erosion.png": "docs/reference/fractals.md",
+    "footprint.png": "docs/reference/fractals.md",
 }
-BELOW_A_PICTURE = r"^!\[[^\]]*\]\((?:docs/)?images/{}\)\n\n(?:\S.*\n)*\n((?:    \S.*\n)+)"
+BELOW_A_PICTURE = r"^!\[[^\]]*\]\((?:docs/|\.\./)images/{}\)\n\n(?:\S.*\n)*\n((?:    \S.*\n)+)"
 FLOAT = re.compile(r"(?<![\w.])\d+\.\d+(?![\w.])")  # without a suffix it is a float in GLSL, and a double in C++
 
 
@@ -60,6 +60,7 @@ class Sheet:
     path: Path
     expressions: Sequence[str]
     columns: int = 100
+    side: int = 256  # pixels of a tile
 
 
 def draw(sheets: Sequence[Sheet], check: bool = False, functions: str = "") -> int:
@@ -74,8 +75,8 @@ def draw(sheets: Sequence[Sheet], check: bool = False, functions: str = "") -> i
         (folder / "tiles.inc").write_text("".join(f"TILE({in_cpp(code)})\n" for code in numbers), encoding="utf-8")
         compile_program("the code of the pictures", Path(__file__).with_name("picture.cpp"), folder / "picture", SOON,
                         "-I", name, "-lpng")
-        asked = ([sheet.path, str(sheet.columns), ",".join(str(numbers[code]) for code in sheet.expressions)]
-                 for sheet in sheets)
+        asked = ([sheet.path, str(sheet.side), str(sheet.columns),
+                  ",".join(str(numbers[code]) for code in sheet.expressions)] for sheet in sheets)
         return subprocess.run([folder / "picture", *(["--check"] if check else []), *itertools.chain(*asked)],
                               check=False).returncode
 

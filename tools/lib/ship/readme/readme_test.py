@@ -1,4 +1,4 @@
-"""What the pages show is true: their code compiles and runs as it stands there, and tools/make readme makes the
+"""The pages are true: their code compiles and runs as it stands there, and tools/make readme makes the
 rest."""
 
 import contextlib
@@ -18,9 +18,9 @@ from measure.gpu import pages as of_gpus
 from measure.likeness import ports
 from ship.readme import command, files, numbers, picture, times
 
-PAGES = ("README.md", "llms.txt", "docs/build-systems.md", "docs/cellular.md", "docs/cpu.md", "docs/hex-tiling.md",
-         "docs/knobs.md", "docs/moving.md", "docs/noises.md", "docs/random.md", "docs/same-bits.md", "docs/sums.md",
-         "docs/tutorial.md", "docs/uniform.md")
+PAGES = ("README.md", "llms.txt", "docs/guide/build-systems.md", "docs/guide/cellular.md", "docs/guide/cpu.md", "docs/guide/hex-tiling.md",
+         "docs/reference/knobs.md", "docs/guide/moving.md", "docs/reference/noises.md", "docs/guide/random.md", "docs/guide/same-bits.md", "docs/reference/fractals.md",
+         "docs/guide/tutorial.md", "docs/guide/uniform.md")
 BLOCK = re.compile(r"^```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 SINGLE_FILE = re.compile(r"^// here: what tools/pick whole makes of (\w+\.glsl)$", re.MULTILINE)
 
@@ -43,7 +43,7 @@ def single_file(*arguments):
     return run(str(TOOLS / "pick"), "whole", *arguments).stdout
 
 
-# What a part of a shader stands in.
+# The text around a part of a shader.
 HEAD = "#version 330\n#extension GL_GOOGLE_include_directive : require\n"
 TAIL = "out vec4 color;\nvoid main() { color = vec4(1.0); }\n"
 
@@ -74,7 +74,7 @@ def compile_cpp(code):
 
 class Picture(unittest.TestCase):
     def setUp(self):
-        self.page = (ROOT / "docs" / "noises.md").read_text()
+        self.page = (ROOT / "docs" / "reference" / "noises.md").read_text()
         self.tiles = picture.tiles(self.page, "noise.png")
         self.path = picture.path_of("noise.png")
 
@@ -94,7 +94,7 @@ class Picture(unittest.TestCase):
     def test_its_code_is_glsl(self):
         pages = [(name, (ROOT / page).read_text()) for name, page in picture.PICTURES.items()]
         lines = "".join(f"  color = vec4({tile}, 1.0);\n" for name, page in pages for tile in picture.tiles(page, name))
-        # What the simulated erosion gives to the pictures (simulated_erosion.hpp) is no shader.
+        # The simulated erosion in the pictures (simulated_erosion.hpp) is no shader.
         given = "float simulated_slope(vec2 uv) { return uv.x; }\nvec3 uneroded(vec2 uv) { return uv.xyx; }\n"
         shader = (f"#version 330\n{single_file('--strip')}{given}in vec2 uv;\nout vec4 color;\nvoid main() {{\n"
                   f"  ivec2 cell;\n  vec2 offset;\n{lines}}}\n")
@@ -145,16 +145,18 @@ class Numbers(unittest.TestCase):
                 mock.patch.object(ports, "read", return_value=alike), \
                 mock.patch.object(numbers, "costs", return_value=costs), \
                 mock.patch.object(numbers, "peer_costs", return_value=peers), \
+                mock.patch.object(numbers, "golden_quote", return_value="computes 7 golden values"), \
                 mock.patch.object(times, "times", return_value=slower):
             status, output = self.check()
         self.assertEqual(status, 1)
-        self.assertRegex(output, r"docs/noises\.md: a table is not what it should be")
-        self.assertRegex(output, r"docs/measuring\.md: a table is not what it should be")
-        self.assertRegex(output, r"docs/gpu-operations\.md: a table is not what it should be")
-        self.assertRegex(output, r"docs/moving\.md: a table is not what it should be")
-        self.assertRegex(output, r"docs/conformance\.md: a table is not what it should be")
+        self.assertRegex(output, r"docs/reference/noises\.md: a table is not what it should be")
+        self.assertRegex(output, r"docs/measured/measuring\.md: a table is not what it should be")
+        self.assertRegex(output, r"docs/measured/gpu-operations\.md: a table is not what it should be")
+        self.assertRegex(output, r"docs/guide/moving\.md: a table is not what it should be")
+        self.assertRegex(output, r"docs/guide/conformance\.md: a table is not what it should be")
         self.assertRegex(output, r"README\.md: it must state 'take 2\.8 times as long as ours in 2D")
         self.assertRegex(output, r"README\.md: it must state \"[\d.]+ to 76\.9 times the instructions of FastNoiseLite's")
+        self.assertRegex(output, r"README\.md: it must state 'computes 7 golden values'")
         self.assertRegex(output, r"README\.md: it must state 'On two cores the suite takes ")
 
     @mock.patch.object(picture, "draw", new=lambda *_: 0)
@@ -187,14 +189,14 @@ class Code(unittest.TestCase):
 
     def test_functions_that_pages_name_exist(self):
         known = {function.name for function in glsl.declarations()}
-        for page in ["README.md", "docs/moving.md", "docs/sums.md", "docs/noises.md", "docs/cellular.md",
-                     "docs/random.md", "docs/tutorial.md"]:
+        for page in ["README.md", "docs/guide/moving.md", "docs/reference/fractals.md", "docs/reference/noises.md", "docs/guide/cellular.md",
+                     "docs/guide/random.md", "docs/guide/tutorial.md"]:
             named = set(re.findall(r"\b(hn_\w+)\(", (ROOT / page).read_text()))
             self.assertGreater(len(named), 5, page)
             self.assertLessEqual(named, known, page)
 
     def test_links_of_the_tutorial_are_what_the_playground_knows(self):
-        links = re.findall(r"\*\*Playground\*\*: `#([^`]+)`", (ROOT / "docs" / "tutorial.md").read_text())
+        links = re.findall(r"\*\*Playground\*\*: `#([^`]+)`", (ROOT / "docs" / "guide" / "tutorial.md").read_text())
         self.assertGreater(len(links), 3)
         settings, tables = ((ROOT / "playground" / name).read_text() for name in ("model.js", "tables.js"))
         for name, value in (part.split("=") for link in links for part in link.split("&")):
@@ -207,7 +209,7 @@ class Code(unittest.TestCase):
         self.assertNotEqual(compile_cpp(blocks("cpp")[0].replace("hn_fbm", "hn_fmb")).returncode, 0)
 
     def test_commands_that_make_single_files_work(self):
-        lines = commands("tools/pick whole", "docs/languages.md")
+        lines = commands("tools/pick whole", "docs/guide/languages.md")
         self.assertGreaterEqual(len(lines), 4)
         with tempfile.TemporaryDirectory() as folder:
             for line in lines:
@@ -224,15 +226,15 @@ class Code(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             for line in named:
                 with self.subTest(command=line):
-                    # Those that build or install something first have tests of their own.
-                    asked = line if "--out" in line else [*line, "--help"]
-                    done = run(str(ROOT / asked[0]), *asked[1:], cwd=folder)
+                    # Commands that build or install something first have tests of their own.
+                    words = line if "--out" in line else [*line, "--help"]
+                    done = run(str(ROOT / words[0]), *words[1:], cwd=folder)
                     self.assertEqual(done.returncode, 0, done.stderr)
                     if "--out" in line:
                         self.assertTrue((pathlib.Path(folder) / line[line.index("--out") + 1]).stat().st_size)
 
     def test_single_files_around_a_noise_of_ones_own(self):
-        code, = (code for code in blocks("glsl", ["docs/sums.md"]) if "dots" in code)
+        code, = (code for code in blocks("glsl", ["docs/reference/fractals.md"]) if "dots" in code)
         code = re.sub(r"^#extension.*\n", "", code, flags=re.MULTILINE)
         code = code.replace('"hashnoise/fbm2d.glsl"', '"hashnoise/hashnoise.glsl"')
         code = re.sub(r'^#include "hashnoise/(.*)"$', lambda name: single_file("--strip", name[1]), code, flags=re.MULTILINE)
@@ -265,7 +267,7 @@ class ForMachines(unittest.TestCase):
 
 class Readme(unittest.TestCase):
     def test_it_is_short(self):
-        self.assertLess(len((ROOT / "README.md").read_bytes()), 8200)
+        self.assertLess(len((ROOT / "README.md").read_bytes()), 8000)
 
     def test_links_lead_somewhere(self):
         for page in [ROOT / "README.md", ROOT / "llms.txt", ROOT / "CONTRIBUTING.md", *(ROOT / "docs").rglob("*.md")]:

@@ -1,5 +1,5 @@
-// Erosion by drops of water that run down a grid of heights, to compare hn_gullies with (docs/sums.md). No shader can
-// do that at a point by itself, which is what gullies are for.
+// Erosion by drops of water that run down a grid of heights, to compare hn_gullies with (docs/reference/fractals.md).
+// No shader can do that at a point by itself, which is what gullies are for.
 #pragma once
 
 #include <algorithm>

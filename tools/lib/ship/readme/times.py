@@ -38,7 +38,7 @@ def times_table(of: Times) -> str:
 
 
 def times_quote(of: Times) -> str:
-    """What the README says of them, in whole minutes."""
+    """The README's times, in whole minutes."""
     first = {command: _minutes(sum(parts)) for command, parts in of.items()}
     return (f"On two cores the suite takes {first['conform']} minutes at first and {_minutes(of['conform'][2])} again, "
             f"`tools/test` {first['test']}.")

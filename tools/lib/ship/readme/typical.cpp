@@ -69,8 +69,8 @@ void print_in(const char* name, int first_dimension, int last_dimension, Noise n
   [](auto p) -> decltype(hashnoise::hn_##name(p __VA_OPT__(, ) __VA_ARGS__)) { \
     return hashnoise::hn_##name(p __VA_OPT__(, ) __VA_ARGS__);                 \
   }
-// What the pages show: in 2D and 3D noises that are a value and have no jitter, and sums without slopes, with what is
-// usual, by what their strength is called.
+// The functions that the pages show: in 2D and 3D noises that are a value and have no jitter, and sums without slopes,
+// with what is usual, by what their strength is called.
 #define NOISE_kNothing(name) print_in("hn_" #name, 2, 3, CALL(name));
 #define NOISE_kPhase(name) print_in("hn_" #name, 2, 3, CALL(name));
 #define NOISE_kJitter(name)

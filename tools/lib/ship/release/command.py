@@ -23,10 +23,10 @@ DESCRIPTION = textwrap.dedent("""\
 
     {parts}
 
-    The same commit makes the same bytes. Only the wheel may differ: compilers decide about it. docs/release.md tells
-    what the files are.
+    The same commit makes the same bytes. Only the wheel may differ: compilers decide about it. docs/develop/release.md
+    describes what the files are.
 
-    Exit status: 0 done, 1 there is no release (it says why), 2 bad usage.""").format(
+    Exit status: 0 done, 1 there is no release (it prints why), 2 bad usage.""").format(
     parts=textwrap.fill(f"PARTS are names with commas between: {', '.join(PARTS)}. Parts that are not made are named at "
                         "the end.", 120, break_on_hyphens=False))
 
@@ -34,7 +34,7 @@ DESCRIPTION = textwrap.dedent("""\
 def parsed_arguments(arguments: list[str] | None) -> argparse.Namespace:
     parser = Parser("tools/pack release", DESCRIPTION)
     parser.add_argument("--trial", action="store_true",
-                        help="whatever is not committed, and whatever CHANGELOG.md says of the day")
+                        help="whatever is not committed, and whatever day CHANGELOG.md has")
     parser.add_argument("--tag", metavar="NAME",
                         help="there is no release unless the version is that of this tag: v1.2.3")
     chosen = parser.add_mutually_exclusive_group()

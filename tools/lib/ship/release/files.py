@@ -25,7 +25,7 @@ class NoRelease(Exception):
 
 
 def run(command: list[str | Path], **options) -> str:
-    """What a command prints; what it says of a failure is the reason for there being no release."""
+    """A command's output; the message of a failure is the reason why there is no release."""
     done = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=False, **options)
     if done.returncode != 0:
         raise NoRelease(f"{Path(command[0]).name} {' '.join(map(str, command[1:]))} ended with status {done.returncode}")
@@ -33,10 +33,10 @@ def run(command: list[str | Path], **options) -> str:
 
 
 def notes(changelog: str, wanted: str, trial: bool) -> str:
-    """What the changelog says of a version. Its heading has the day of the release: "## 1.2.3 (2026-11-22)"."""
+    """The changelog's part on a version. Its heading has the day of the release: "## 1.2.3 (2026-11-22)"."""
     section = re.search(rf"^## {re.escape(wanted)} \((.*?)\)\n+(.*?)(?=^## |\Z)", changelog, re.M | re.S)
     if not section:
-        raise NoRelease(f'CHANGELOG.md says nothing of {wanted}; it must have a heading like "## {wanted} (2026-11-22)"')
+        raise NoRelease(f'CHANGELOG.md has no part on {wanted}; it must have a heading like "## {wanted} (2026-11-22)"')
     if not re.fullmatch(r"\d{4}-\d\d-\d\d", section[1]) and not trial:
         raise NoRelease(f'CHANGELOG.md has "{section[1]}" in place of the day on which {wanted} is released; '
                         "--trial makes one all the same")
@@ -77,7 +77,7 @@ class Release:
         (self.folder / f"hashnoise-{self.version}-parts.zip").write_bytes(zipped(files, self.seconds))
 
     def vectors(self) -> None:
-        """What ports are held to."""
+        """The files that ports are checked with."""
         files = {f"vectors/{path.name}": path.read_bytes() for path in sorted(vectors_folder().glob("*.json"))}
         (self.folder / f"hashnoise-{self.version}-vectors.zip").write_bytes(zipped(files, self.seconds))
 
@@ -88,7 +88,7 @@ class Release:
         (self.folder / f"hashnoise-{self.version}-snippets.zip").write_bytes(zipped(files, self.seconds))
 
     def headers(self) -> None:
-        """What is installed of the library without anything compiled, so find_package takes it from where it is."""
+        """The installed files of the library without compiled ones, so find_package takes it from where it is."""
         with tempfile.TemporaryDirectory() as scratch:
             log = {"stderr": subprocess.STDOUT}
             vectors_folder()  # CMake installs them where they are made
@@ -102,7 +102,7 @@ class Release:
             (self.folder / f"hashnoise-{self.version}-headers.zip").write_bytes(zipped(files, self.seconds))
 
     def source(self) -> None:
-        """What is committed, and the vectors, so that who builds of it needs nothing to make them."""
+        """The committed files, and the vectors, so that builds from it need not make them."""
         name = f"hashnoise-{self.version}"
         added = [f"--add-file={path}" for path in sorted(vectors_folder().glob("*.json"))]
         packed = subprocess.run(["git", "-C", ROOT, "archive", "--format=tar", f"--prefix={name}/vectors/", *added,
@@ -123,7 +123,7 @@ class Release:
             (self.folder / "check.html").write_bytes((Path(scratch) / "index.html").read_bytes())
 
     def materials(self) -> None:
-        """What is in it, for who has to keep lists of that."""
+        """The parts of the release, for those who have to list them."""
         files = {path.name: path.read_bytes() for path in self.folder.iterdir()}
         try:
             made = sbom.text(sbom.bom(self.version, self.seconds, files, sbom.of_others()))
@@ -139,7 +139,7 @@ class Release:
 
 PARTS = ("single", "parts", "vectors", "headers", "source", *(name for name in RECIPES if name != "release"),
          "playground", "snippets", "check")
-# What must be there of each, so that a tool that makes something else is noticed.
+# Files that each must have, so that a tool that makes something else is noticed.
 NAMES = {"single": r"hashnoise(\.min|\.fixed)?\.(glsl|hlsl|metal|wgsl)", "parts": r"hashnoise-VERSION-parts\.zip",
          "vectors": r"hashnoise-VERSION-vectors\.zip",
          "snippets": r"hashnoise-VERSION-snippets\.zip",

@@ -34,7 +34,7 @@ def required(text: str) -> tuple[str, str]:
 
 
 def of_others(root: Path = ROOT) -> dict[str, list[Component]]:
-    """What others wrote, by the names of the files that need it: what pip, npm and cargo install beside a package, and
+    """Software of others, by the names of the files that need it: what pip, npm and cargo install beside a package, and
     what is compiled into the wheel. No other file of a release has or needs anything of that kind."""
     project = tomllib.loads((root / "pyproject.toml").read_text(encoding="utf-8"))
     package = json.loads((root / "packages" / "npm" / "package.json").read_text(encoding="utf-8"))
@@ -76,7 +76,7 @@ def of_file(name: str, data: bytes, version: str) -> Component:
 
 
 def bom(version: str, seconds: int, files: Mapping[str, bytes], others: Mapping[str, list[Component]]) -> Component:
-    """That of these files, made at the time of the commit. The number of it follows from what it says."""
+    """The bill of these files, made at the time of the commit. Its number follows from its contents."""
     made = [of_file(name, data, version) for name, data in sorted(files.items())]
     needed = {name: [one for pattern, those in others.items() if fnmatchcase(name, pattern) for one in those]
               for name in sorted(files)}

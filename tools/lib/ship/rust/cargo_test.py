@@ -54,7 +54,7 @@ class Crate(unittest.TestCase):
         self.assertIn("a_function_that_is_wrong_is_noticed ... ok", done.stdout)
 
     def test_cargo_finds_no_fault_with_the_text(self) -> None:
-        """clippy with what it asks for by default. rustfmt leaves out what tools/pick writes."""
+        """clippy with its default lints. rustfmt skips tools/pick's text."""
         for words, fault in ((("clippy", "--all-targets"), "\npub fn same(x: f32) -> f32 {\n    x - x\n}\n"),
                              (("fmt", "--check"), "\npub  use fast::*;\n")):
             if not shutil.which(f"cargo-{words[0]}"):
@@ -89,7 +89,7 @@ class Crate(unittest.TestCase):
 
     def test_what_a_registry_wants_is_in_the_manifest(self) -> None:
         """crates.io refuses a crate without a description or a license; cargo warns of these and of others. The project
-        has no address yet (docs/publishing.md)."""
+        has no address yet (docs/develop/publishing.md)."""
         path = self.folder / "Cargo.toml"
         right = path.read_text(encoding="utf-8")
         self.addCleanup(path.write_text, right, encoding="utf-8")
@@ -104,7 +104,7 @@ class Crate(unittest.TestCase):
 
     @in_thorough_runs
     def test_its_pages_compile_and_its_comments_are_comments(self) -> None:
-        page = (ROOT / "docs" / "languages.md").read_text(encoding="utf-8").partition("### Rust\n")[2]
+        page = (ROOT / "docs" / "guide" / "languages.md").read_text(encoding="utf-8").partition("### Rust\n")[2]
         shown = re.search(r"^```rust\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)[1]
         test = f"#[test]\nfn page() {{\n{shown}assert!(height.abs() <= 1.0 && grain.abs() <= 1.0);\n}}\n"
         (self.folder / "tests" / "page.rs").write_text(test, encoding="utf-8")

@@ -69,7 +69,7 @@ def written(made: Made) -> str:
 
 
 def methods(n: int) -> str:
-    """What makes a place, by vectors."""
+    """The constructors of a place, by vectors."""
     def all_of(of: str) -> str:
         return ", ".join(f"{of}[{i}]" for i in range(n))
 
@@ -85,7 +85,7 @@ impl Place{n} {{
         place_of_cell{n}({all_of("cell")}, {all_of("fraction")})
     }}
 
-    /// The place of whole units, of which `units` make so many `cells`.
+    /// The place of whole units; `units` of them make so many `cells`.
     pub fn of_units(position: [i32; {n}], cells: i32, units: i32) -> Self {{
         place_of_units{n}({all_of("position")}, cells, units)
     }}
@@ -99,7 +99,7 @@ impl Place{n} {{
 
 
 def module_file(arithmetic: str, modules: Sequence[str]) -> str:
-    """That of an arithmetic, with the names of all its modules."""
+    """The crate's file for an arithmetic, with the names of all its modules."""
     what = {"fast": "`HN_FAST`: floats, within the error that each function states.",
             "fixed": "`HN_FIXED`: integers, so the bits are the same everywhere."}[arithmetic]
     return (f"//! {what}\n" + MADE.format(version()) + "\n" +

@@ -53,7 +53,7 @@ def shown(type_: str) -> str:
 
 
 def meta(path: str) -> str:
-    """What Unity keeps beside each file and folder. In a package that it must not change, it ignores what has none."""
+    """Unity's file beside each file and folder. In a package that it must not change, it ignores files without one."""
     guid = hashlib.md5(f"{NAME}/{path}".encode(), usedforsecurity=False).hexdigest()
     return f"fileFormatVersion: 2\nguid: {guid}\n"
 

@@ -15,7 +15,7 @@ DESCRIPTION = "HashNoise.uplugin"
 
 
 def code(form: str) -> str:
-    """What stands in a custom node."""
+    """The text of a custom node."""
     return f"return {call(form)};"
 
 

@@ -85,7 +85,7 @@ class Plugin(unittest.TestCase):
     @classmethod
     def setUpClass(cls) -> None:
         cls.root, cls.folder = made(cls, "unreal")
-        # Where the module says that they are.
+        # Where the module registers them.
         (cls.root / "HashNoise").symlink_to(cls.folder / "Shaders")
 
     def status_of(self, *words: str | Path) -> tuple[int, str]:

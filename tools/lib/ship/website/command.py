@@ -1,12 +1,12 @@
 """Makes a site of docs/ and the other pages, with a search, the playground and the page of results.
 
-    tools/make site [--out DIR]      into build/site unless DIR says otherwise; what a site has there is replaced
+    tools/make site [--out DIR]      into build/site or DIR; a site there is replaced
 
 Open DIR/index.html, from a disk or from a server. Nothing in it is fetched from anywhere else. Sphinx, which makes it,
 is installed from PyPI into build/site-environment at first. Each link to a page, a heading or a file has to lead there.
 
-Exit status: 0 done, 1 a link leads nowhere, or a page is in no group of tools/lib/ship/website/pages.py; 2 bad usage, 4 PyPI
-cannot be reached, or a part could not be made.
+Exit status: 0 done, 1 a link leads nowhere, or a page is in no group of tools/lib/ship/website/pages.py; 2 bad usage, 4
+PyPI cannot be reached, or a part could not be made.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from translate.pick import pages as snippets
 HERE = Path(__file__).parent
 ENVIRONMENT = ROOT / "build" / "site-environment"
 MARK = "searchindex.js"  # by which a folder is known as a site
-# What is made beside the pages: the command, where its page appears, and its name in the site.
+# Products beside the pages: the command, where its page appears, and its name in the site.
 EXTRA = (("playground.html", ["playground", "--out", "{}/playground.html"], "playground.html"),
          ("results.html", ["make", "results", "--earlier", "--page", "{}"], "index.html"))
 MORE = """
@@ -60,7 +60,9 @@ def extra(folder: Path) -> None:
 def build(source: Path, out: Path) -> None:
     """Sphinx, for which a warning is an error."""
     shutil.copyfile(HERE / "conf.py", source / "conf.py")
-    (source / "extra").mkdir(exist_ok=True)
+    for name in ("extra", "static"):
+        (source / name).mkdir(exist_ok=True)
+    shutil.copyfile(HERE / "phone.css", source / "static" / "phone.css")
     sphinx = [ENVIRONMENT / "bin" / "python", "-m", "sphinx", "-b", "html", "-q", "-W", "--keep-going", "--no-color"]
     done = subprocess.run([*sphinx, "-d", source.with_name("doctrees"), source, out], capture_output=True, text=True,
                           check=False)
@@ -79,7 +81,9 @@ def make(out: Path) -> None:
         source, made = Path(scratch) / "source", Path(scratch) / "made"
         (source / "extra").mkdir(parents=True)
         pages.write(ROOT, source, MORE)
-        shutil.copytree(snippets.whole(), source / "docs" / "snippets", dirs_exist_ok=True)
+        for page in snippets.whole().iterdir():
+            name = f"docs/reference/snippets/{page.name}"
+            (source / name).write_text(pages.searched(name, page.read_text(encoding="utf-8")), encoding="utf-8")
         extra(source / "extra")
         shutil.copyfile(HERE / "live.js", source / "extra" / "live.js")
         build(source, made)

@@ -15,9 +15,9 @@ from translate.pick.shading import LANGUAGES
 
 STEP = re.compile(r"^## (\d+)\. (.*)\n(?:(?!^## ).*\n)*?```glsl\n((?:.*\n)*?)```$", re.MULTILINE)
 PLAYGROUND = re.compile(r"\*\*Playground\*\*: `(#[^`]+)`")
-# What is around color_at in a shader of one's own; a picture has that of the site.
+# The text around color_at in a shader of one's own; a picture uses the site's.
 AROUND = re.compile(r"^(?:#|in |out |uniform |void main).*\n", re.MULTILINE)
-# What the steps take from GLSL and the library does not call: in its words, and by other names.
+# Functions of GLSL that the steps use and the library does not: in its words, and by other names.
 GLSL_HAS = """
 HN_FN hn_float live_smoothstep(hn_float a, hn_float b, hn_float x) {
   hn_float t = min(max((x - a) / (b - a), 0.0f), 1.0f);
@@ -53,7 +53,7 @@ def shader(steps: tuple[tuple[str, str], ...], step: str) -> str:
         function = library(steps).functions[f"color_at_{step}", ("vec2", "float")]
         text = Program(library(steps), [function]).text(LANGUAGE).replace(f"color_at_{step}(", "color_at(")
     except (KeyError, Unknown) as error:
-        raise ValueError(f"docs/tutorial.md: step {step} has no picture: {error}") from error
+        raise ValueError(f"docs/guide/tutorial.md: step {step} has no picture: {error}") from error
     return re.sub(r"\n{2,}", "\n", f"#version 300 es\n{text}{MAIN}")  # HTML within Markdown ends at an empty line
 
 
@@ -68,6 +68,6 @@ def with_pictures(page: str) -> str:
     """The tutorial with a picture below the code of each step, and with links to the playground."""
     steps = tuple((step[1], step[3]) for step in STEP.finditer(page))
     text = STEP.sub(lambda step: step[0] + figure(steps, *step.groups()), page)
-    text = PLAYGROUND.sub(lambda link: f'**Playground**: <a href="../playground.html{html.escape(link[1])}">'
+    text = PLAYGROUND.sub(lambda link: f'**Playground**: <a href="../../playground.html{html.escape(link[1])}">'
                                        f"{html.escape(link[1])}</a>", text)
-    return text + '\n<script src="../live.js"></script>\n'
+    return text + '\n<script src="../../live.js"></script>\n'

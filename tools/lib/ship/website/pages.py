@@ -12,28 +12,50 @@ from pathlib import Path
 
 from ship.website import live
 
-# What the site shows beside its pages, in the order in which a reader needs them. A page of docs/ is in one group.
+# The parts of the site beside its pages, in the order in which a reader needs them. A page of docs/ is in one group.
 GROUPS = {
-    "Noise": ["tutorial", "noises", "sums", "cellular", "random", "uniform", "hex-tiling", "gallery/README",
-              "snippets/README", "knobs", "same-bits", "moving", "glossary"],
-    "Where you are": ["languages", "build-systems", "javascript", "python", "notebook", "dask", "cpu", "bake",
-                      "engines", "godot", "playground", "porting"],
-    "What is promised and measured": ["contract", "frozen", "accuracy", "quality", "hashes", "default-hash", "judge",
-                                      "measuring", "gpu-operations", "results/README"],
-    "Your driver": ["conformance", "checks", "faults", "suite", "formats"],
-    "Work on hashnoise": ["internals", "one-noise", "adding", "release", "publishing"],
+    "Guide": ["guide/tutorial", "guide/gallery/README", "guide/languages", "guide/moving", "guide/cellular",
+              "guide/random", "guide/uniform", "guide/hex-tiling", "guide/same-bits"],
+    "Where you are": ["guide/playground", "guide/bake", "guide/build-systems", "guide/javascript", "guide/python",
+                      "guide/notebook", "guide/dask", "guide/cpu", "guide/engines", "guide/godot", "guide/conformance"],
+    "Reference": ["reference/noises", "reference/fractals", "reference/knobs", "reference/snippets/README",
+                  "reference/contract", "reference/frozen", "reference/formats", "reference/checks",
+                  "reference/glossary"],
+    "Measured": ["measured/measuring", "measured/gpu-operations", "measured/accuracy", "measured/quality",
+                 "measured/hashes", "measured/default-hash", "measured/judge", "measured/faults",
+                 "measured/results/README"],
+    "Work on hashnoise": ["develop/internals", "develop/one-noise", "develop/adding", "develop/suite",
+                          "develop/porting", "develop/release", "develop/publishing"],
 }
 TOP = ("CHANGELOG", "CONTRIBUTING", "CODE_OF_CONDUCT", "SECURITY", "conformance/run/expect/README")
 # The page of a package that a command makes; pages of docs/ lead there.
 PACKAGE = re.compile(r"packages/[\w-]+/README\.md")
-# What the site makes of a page.
-CHANGED = {"docs/tutorial.md": live.with_pictures}
+# The words by which somebody looks for a section, where its heading has another: the page, the heading, the words. The
+# search of the site puts the section first.
+WORDS = {
+    "docs/reference/noises.md": {"Frequency, persistence and other names": ("frequency", "scale", "zoom", "wavelength"),
+                                 "Tiles": ("seamless", "tileable", "tile", "period", "wrap"),
+                                 "Stripes": ("Gabor noise", "phasor"),
+                                 "Derivatives": ("gradient", "normal", "normals", "slope"),
+                                 "Loops: gradients that rotate": ("loop", "animation", "flow noise")},
+    "docs/reference/fractals.md": {"Fractals and warps: terrain, clouds, ridges, wood":
+                                   ("fractal", "fbm", "fractional Brownian motion", "octave", "octaves", "octave sums",
+                                    "persistence", "gain", "lacunarity", "turbulence", "ridged multifractal", "ridged"),
+                                   "Warps": ("domain warp", "domain warping", "domain distortion"),
+                                   "Gullies": ("erosion",)},
+    "docs/guide/cellular.md": {"Cellular noise: distances, cells and borders": ("Worley", "Worley noise", "Voronoi", "cells")},
+    "docs/guide/same-bits.md": {"The same bits on server and client": ("deterministic", "determinism", "multiplayer")},
+}
+# Pages that are not searched, since the page of their folder is: text to paste in all languages, and rows of measurements.
+NOT_SEARCHED = re.compile(r"docs/(?:reference/snippets/hn_\w+|measured/results/.+/\w+)\.md")
+# A page as the site has it.
+CHANGED = {"docs/guide/tutorial.md": live.with_pictures}
 # The link of a page, but for its anchor.
 LINK = re.compile(r"(?<=\]\()(?!\w+:|#)([^)#\s]+)")
 
 
 def pages(root: Path) -> list[str]:
-    """Those that a site shows: the README, what lies in docs/, and a few others."""
+    """The pages of a site: the README, what lies in docs/, and a few others."""
     found = subprocess.run(["git", "-C", root, "ls-files", "-z", "--cached", "--others", "--exclude-standard", "*.md"],
                            capture_output=True, text=True, check=True).stdout.split("\0")
     return sorted(name for name in found if name and (root / name).exists() and
@@ -43,7 +65,7 @@ def pages(root: Path) -> list[str]:
 def ungrouped(names: Iterable[str]) -> list[str]:
     """The pages of docs/ that no group has; those in its folders are found by their README."""
     grouped = {f"docs/{name}.md" for those in GROUPS.values() for name in those}
-    return [name for name in names if name.count("/") == 1 and name.startswith("docs/") and name not in grouped]
+    return [name for name in names if name.count("/") == 2 and name.startswith("docs/") and name not in grouped]
 
 
 def table_of_contents(names: Iterable[str]) -> str:
@@ -64,6 +86,29 @@ def listing(folder: str, files: Iterable[str]) -> str:
     return f"---\norphan: true\n---\n\n# {folder}\n\n" + "".join(f"- [{name}]({name})\n" for name in files)
 
 
+def torn_rows(text: str) -> list[str]:
+    """Rows of tables with more or fewer cells than their head, such as by a | in code."""
+    torn, head = [], 0
+    for line in text.splitlines():
+        cells = len(re.findall(r"(?<!\\)\|", line)) if line.startswith("|") else 0
+        head = (head or cells) if cells else 0
+        if cells != head:
+            torn.append(line)
+    return torn
+
+
+def searched(name: str, text: str) -> str:
+    """A page with the words by which the search finds its sections, or with a mark that it is not searched."""
+    if NOT_SEARCHED.fullmatch(name):
+        return f"---\nnosearch: true\n---\n\n{text}"
+    for heading, words in WORDS.get(name, {}).items():
+        entries = "\n```{index} " + ", ".join(f"! {word}" for word in words) + "\n```\n"  # main ones, which come first
+        text, found = re.subn(rf"^#+ {re.escape(heading)}\n", lambda line, of=entries: line[0] + of, text, count=1, flags=re.MULTILINE)
+        if not found:
+            raise ValueError(f"{name}: no heading {heading!r}, which the search names: change WORDS in pages.py")
+    return text
+
+
 class Copy:
     """Pages, and the files that they link to, in a folder for Sphinx."""
 
@@ -77,12 +122,12 @@ class Copy:
             shutil.copyfile(self.root / name, self.folder / name)
 
     def target(self, page: str, link: str) -> str:
-        """What a link of a page has to be in the copy."""
+        """A page's link as it is in the copy."""
         name = posixpath.normpath(posixpath.join(posixpath.dirname(page), link))
         if name == "README.md":
             return posixpath.relpath("index.md", posixpath.dirname(page) or ".")
         if name.startswith("..") or not (self.root / name).exists() or name.endswith(".md"):
-            return link  # Sphinx tells whether it is there
+            return link  # Sphinx reports a missing one
         if (self.root / name).is_file():
             self.keep(name)
             return link
@@ -99,7 +144,7 @@ class Copy:
 
     def page(self, name: str, more: str = "") -> None:
         text = (self.root / name).read_text(encoding="utf-8")
-        text = CHANGED.get(name, str)(text)
+        text = searched(name, CHANGED.get(name, str)(text))
         text = LINK.sub(lambda link: self.target(name, link[1]), text) + more
         copied = self.folder / ("index.md" if name == "README.md" else name)
         copied.parent.mkdir(parents=True, exist_ok=True)

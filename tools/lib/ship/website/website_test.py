@@ -1,4 +1,4 @@
-"""The site: every page is in it, links are made for it, and in a whole one a link that leads nowhere is told.
+"""The site: every page is in it, links are made for it, and in a whole one a link that leads nowhere is reported.
 
     website_test.py [CLASS...]     without a class as a module of unittest, all but Whole
 
@@ -16,14 +16,15 @@ import tempfile
 import unittest
 from pathlib import Path
 from unittest import mock
+from urllib.parse import quote
 
 from base import chromium, glslang
 from base.pypi import SKIPPED, environment
 from base.thorough import THOROUGH
 from base.tree import ROOT
-from ship.website import command, live, pages
+from ship.website import command, conf, live, pages
 
-TUTORIAL = (ROOT / "docs" / "tutorial.md").read_text(encoding="utf-8")
+TUTORIAL = (ROOT / "docs" / "guide" / "tutorial.md").read_text(encoding="utf-8")
 
 PAGE = """# One
 
@@ -39,6 +40,10 @@ docs/one
 docs/two
 ```
 """
+# Words of users, and the page that the search of the site has to show first.
+FIRST = {"seamless": "reference/noises", "persistence": "reference/fractals", "frequency": "reference/noises", "scale": "reference/noises",
+         "domain warp": "reference/fractals", "Worley": "guide/cellular", "turbulence": "reference/fractals",
+         "octaves": "reference/fractals", "cellular": "guide/cellular"}
 # Whatever a page loads by itself, from elsewhere.
 LOADED = re.compile('<(?:script|img|iframe)[^>]*\\bsrc="(?:https?:)?//|'
                     '<link[^>]*rel="(?:stylesheet|preload)"[^>]*href="(?:https?:)?//')
@@ -87,8 +92,40 @@ class Groups(unittest.TestCase):
         self.assertEqual(pages.ungrouped(pages.pages(ROOT)), [])
 
     def test_a_page_that_is_in_none_is_told(self) -> None:
-        self.assertEqual(pages.ungrouped(["README.md", "docs/sums.md", "docs/lost.md", "docs/results/cpu/gcc.md"]),
-                         ["docs/lost.md"])
+        self.assertEqual(pages.ungrouped(["README.md", "docs/reference/fractals.md", "docs/guide/lost.md",
+                                           "docs/measured/results/cpu/gcc.md"]), ["docs/guide/lost.md"])
+
+
+class Tables(unittest.TestCase):
+    def test_rows_have_the_cells_of_their_head(self) -> None:
+        for name in pages.pages(ROOT):
+            self.assertEqual(pages.torn_rows((ROOT / name).read_text(encoding="utf-8")), [], name)
+
+    def test_a_bar_in_code_tears_a_row(self) -> None:
+        row = "| `abs(x)` | `|x|` |"
+        self.assertEqual(pages.torn_rows(f"text\n\n| a | b |\n| - | - |\n{row}\n\n| a |\n| `x \\| y` |\n"), [row])
+
+
+class Search(unittest.TestCase):
+    def test_each_heading_with_words_is_on_its_page(self) -> None:
+        for name in pages.WORDS:
+            text = pages.searched(name, (ROOT / name).read_text(encoding="utf-8"))
+            self.assertEqual(text.count("\n```{index} ! "), len(pages.WORDS[name]))
+        with self.assertRaisesRegex(ValueError, "docs/guide/cellular.md: no heading 'Cellular noise"):
+            pages.searched("docs/guide/cellular.md", "# Cells\n")
+
+    def test_pages_of_measurements_are_not_searched(self) -> None:
+        for name, left_out in (("docs/measured/results/cpu/gcc.md", True), ("docs/reference/snippets/hn_fbm2.md", True),
+                               ("docs/measured/results/README.md", False), ("docs/reference/snippets/README.md", False),
+                               ("docs/measured/quality.md", False)):
+            self.assertEqual(pages.searched(name, "text").startswith("---\nnosearch: true\n---\n"), left_out, name)
+
+
+class Colours(unittest.TestCase):
+    def test_code_without_a_language_gets_one(self) -> None:
+        for text, language in (("vec3(0.5 + hn_fbm(uv))\n", "glsl"), ("hashnoise/tools/pack unity  # x\n", "sh"),
+                               ("cmake -S a -B b\n", "sh"), ('{"schema": 2,\n', "json"), ("q_0 = p\n", "none")):
+            self.assertEqual(conf.language_of(text), language, text)
 
 
 class Usage(unittest.TestCase):
@@ -125,7 +162,7 @@ class Live(unittest.TestCase):
         second = text[text.index("## 2."):text.index("## 3.")]
         self.assertRegex(second, r'hn_value.*\n```\n\n<figure class="live">\n(?:.*\n){2}</figure>\n\nThis is value')
         self.assertEqual((text.count("</figure>"), text.count("data-moves")), (12, 1))
-        self.assertIn('<a href="../playground.html#sum=none&amp;noise=value">', text)
+        self.assertIn('<a href="../../playground.html#sum=none&amp;noise=value">', text)
 
 
 @unittest.skipUnless(__name__ == "__main__", "the test site.whole has Sphinx")
@@ -165,13 +202,17 @@ class Whole(Tree):
         def shown(address: str) -> str:
             return subprocess.run([*browser, address], capture_output=True, text=True, check=False).stdout
 
-        search = f"{(out / 'search.html').as_uri()}?q=cellular"
-        self.assertRegex(shown(search), r'<li[^>]*><a href="docs/cellular\.html"')
-        tutorial = out / "docs" / "tutorial.html"
+        for words, right in FIRST.items():
+            found = re.findall(r'<li[^>]*><a href="([^"#]*)', shown(f"{(out / 'search.html').as_uri()}?q={quote(words)}"))
+            self.assertEqual(found[0], f"docs/{right}.html", words)
+            self.assertEqual([page for page in found if "/cpu/" in page or "/snippets/hn_" in page], [], words)
+        tutorial = out / "docs" / "guide" / "tutorial.html"
         self.assertEqual(len(re.findall(r'<figure class="live"[^>]* data-drawn=""', shown(tutorial.as_uri()))), 12)
         tutorial.write_text(tutorial.read_text(encoding="utf-8").replace("highp vec3 color_at", "highp vec3 at", 1),
                             encoding="utf-8")
         page = shown(tutorial.as_uri())
+        self.assertGreaterEqual(page.count('class="copybtn'), 12)
+        self.assertIn('<span class="kt">vec3</span>', page)
         self.assertEqual(page.count('data-drawn=""'), 11)
         self.assertIn("There is no picture here: ", page)
 

@@ -37,7 +37,7 @@ def structs() -> frozenset[str]:
 
 
 def renamed(code: str) -> str:
-    """With the names of a module, whose path says that they are hashnoise's: perlin2, Place2, METRIC_EUCLIDEAN. Two of
+    """With the names of a module, whose path has hashnoise's name: perlin2, Place2, METRIC_EUCLIDEAN. Two of
     them would be reserved words, so there is a line behind those: unorm_, snorm_."""
     def name(found: re.Match[str]) -> str:
         bare = found[1] or found[2]

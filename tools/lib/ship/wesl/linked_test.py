@@ -32,7 +32,7 @@ TESTS = PACKAGE / "tests"
 
 
 class Refused(Exception):
-    """What the linker says."""
+    """The linker's messages."""
 
 
 class Linker:
@@ -118,7 +118,7 @@ class Linked(unittest.TestCase):
         public = re.findall(r"^public fn (\w+)", package()["shaders/package.wesl"], re.MULTILINE)
         self.assertGreater(len(public), 350)
         calls = "".join(f"import hashnoise_wgsl::{name};\n" for name in public)
-        # What is imported and not called is gone, so a function that is not there shows by its name alone.
+        # The linker drops unused imports, so a function that is not there shows by its name alone.
         self.linker.linked({"all": f"{calls}@fragment fn main() -> @location(0) vec4f {{ return vec4f(1.0); }}\n"})
 
     def test_what_is_not_there_is_refused(self) -> None:
@@ -128,7 +128,7 @@ class Linked(unittest.TestCase):
             self.linker.linked({"wrong": call})
 
     def test_the_code_of_the_page(self) -> None:
-        page = (ROOT / "docs" / "engines.md").read_text(encoding="utf-8")
+        page = (ROOT / "docs" / "guide" / "engines.md").read_text(encoding="utf-8")
         page = page.partition("\n## WESL\n")[2].partition("\n## ")[0]
         shaders = re.findall(r"^```wgsl\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)
         self.assertEqual(len(shaders), 1)

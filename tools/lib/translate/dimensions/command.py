@@ -4,27 +4,26 @@ whole. Of the text of the plane it makes what other dimensions have alike.
     tools/make umbrella [--check] [--glsl DIR]
 
 `<noise>2d.glsl` is a noise on the plane, so noise2d.glsl includes it; every dimension has such a file. But a file that
-includes another noise of its dimension, or detail/octave.glsl, is built on noise: then `<name>.glsl` includes `<name>2d.glsl`
-and `<name>3d.glsl`.
-hashnoise.glsl includes the files of noise first, since a knob may name any noise for what is built on it. After them it
-includes every file that no other file includes. detail/undef_guards.h takes the guards of all files back, but
-that of config.glsl, so that C++ can include the text once more for other types.
+includes another noise of its dimension, or detail/octave.glsl, is built on noise: then `<name>.glsl` includes
+`<name>2d.glsl` and `<name>3d.glsl`. hashnoise.glsl includes the files of noise first, since a knob may name any noise
+for what is built on it. After them it includes every file that no other file includes. detail/undef_guards.h takes the
+guards of all files back, but that of config.glsl, so that C++ can include the text once more for other types.
 
 The headers of C++ stand between detail/macros_begin.h and detail/macros_end.h. The first puts away the macros of
 windows.h and others that have the name of anything in the text or in the headers (near, min, T), and the second brings
 them back.
 
 The text of the plane is by hand. Where another dimension has the same, but for the number of its axes, it is made: as a
-whole file, such as fbm3d.glsl, which says so at its top, or below a line in one of these forms:
+whole file, such as fbm3d.glsl, which is marked at its top, or below a line in one of these forms:
 
     // The same in every dimension: tools/make writes it of octaves2d.glsl.
     // The same in 1, 3 and 4 dimensions: tools/make writes it.
 
 Below the first, in both files, stands what is made, as far as a line "// By hand in each dimension."; above the second,
-in a file that has all dimensions, stands what it is made of. tools/lib/translate/dimensions/rule.py says what is changed.
+in a file that has all dimensions, stands its source. tools/lib/translate/dimensions/rule.py describes the changes.
 
-With --check nothing is written. Exit status: 0 done, 1 (--check) a file is not what it should be, or it cannot be told
-what another dimension has, 2 bad usage.
+With --check nothing is written. Exit status: 0 done, 1 (--check) a file is not what it should be, or the rule does not
+cover it what another dimension has, 2 bad usage.
 """
 
 from __future__ import annotations
@@ -46,7 +45,7 @@ AGAIN = "detail/undef_guards.h"
 MACROS_BEGIN = "detail/macros_begin.h"
 MACROS_END = "detail/macros_end.h"
 HEADERS = sorted((ROOT / "include" / "hashnoise").glob("*.hpp"))
-# What a line has of names that a macro could have: what a macro of ours stands for, and all of a line that is no
+# Names in a line that a macro could have: a macro's text in our files, and all of a line that is no
 # directive. A number's suffix is no name.
 DEFINITION = re.compile(r"#define \w+(\([^)]*\))?(.*)")
 NO_CODE = re.compile(r'//.*|"(?:\\.|[^"\\])*"')
@@ -55,9 +54,9 @@ WORD = re.compile(r"\.?\d(?:[eEpP][+-]|[\w.'])*|\w+")
 # attributes, which tests define.
 NOT_THEIRS = re.compile(r"_|hn_|HN_|wasm_|v\w+q_\w|"
                         r"(\w+_t|std|stderr|memcpy|abort|gnu|always_inline|maybe_unused|vector_size|visibility)$")
-# What Arduino and others define, and the standard headers cannot be read with, which the headers include.
+# Macros of Arduino and others that break the standard headers, which our headers include.
 STANDARD = frozenset({"byte", "ceil", "cos", "exp", "log", "pow", "round", "sin", "swap"})
-# Who asks for such warnings in programs of their own shall not see ours: the text compares floats where it means to.
+# Programs that enable such warnings shall not see ours: the text compares floats where it means to.
 SILENT_BEGIN = """
 #if defined(__GNUC__) || defined(__clang__)
 #pragma GCC diagnostic push
@@ -172,7 +171,7 @@ def macros(texts: Iterable[str]) -> dict[str, str]:
 
 
 def wrong(folder: Path) -> dict[str, str]:
-    """What is not as it should be in the folder: the text of each such file, empty for one that should not be there."""
+    """The stale files of the folder: the text of each such file, empty for one that should not be there."""
     texts = {name: path.read_text(encoding="ascii") for name, path in glsl_files(folder).items()}
     same = made_of_the_plane(texts)
     made = umbrellas(texts | same) | same

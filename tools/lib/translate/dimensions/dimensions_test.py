@@ -165,7 +165,7 @@ class Files(unittest.TestCase):
         numbers = IN_SPACE["warp2d.glsl"]
         plane = f"// A warp.\n\nhn_place2\n{files.BY_HAND}hand 2\n{same}hn_vec2  // {' '.join(numbers)}\n"
         old = f"old\n{files.BY_HAND}hand 3\n{same}old\n"
-        made = (f"// A warp.\n//\n// Made from warp2d.glsl by tools/make. What is by hand says so. "
+        made = (f"// A warp.\n//\n// Made from warp2d.glsl by tools/make. Parts by hand are marked. "
                 f"tools/lib/translate/dimensions/numbers.py has its numbers.\n\nhn_place3\n{files.BY_HAND}hand 3\n{same}hn_vec3  // {' '.join(numbers.values())}\n")
         self.assertEqual(files.made({"warp2d.glsl": plane, "warp3d.glsl": old}), {"warp3d.glsl": made})
 
@@ -179,7 +179,7 @@ class Files(unittest.TestCase):
         for texts, why in (
                 ({"a.glsl": f"{struct('1', 'int')}{BELOW}"}, "a.glsl has nothing of the plane above"),
                 ({"a.glsl": f"{two}\n{BELOW}"}, "a.glsl has nothing of the plane above"),
-                ({"a.glsl": two + BELOW.replace("4", "5")}, "a.glsl says .* not a line that tools/make umbrella knows"),
+                ({"a.glsl": two + BELOW.replace("4", "5")}, "a.glsl has .* not a line that tools/make umbrella knows"),
                 ({"a3d.glsl": SAME}, "a3d.glsl needs as many lines .* as a2d.glsl"),
                 ({"a3d.glsl": SAME, "a2d.glsl": SAME * 2}, "a3d.glsl needs as many lines .* as a2d.glsl"),
                 ({"random2d.glsl": files.BY_HAND}, "random1d.glsl needs as many lines .* as random2d.glsl"),

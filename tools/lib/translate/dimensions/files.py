@@ -1,9 +1,9 @@
 """Which texts are made of those of the plane, and where they stand.
 
-A file may be made as a whole. In others a line says from where on the text is made: of what stands in the file of the
-plane below the same line, as far as the next line that says by hand. Where a file has several dimensions, the line names
-them. Where it has all of them, a line says that what is below it is made of what is above it, each as far as an empty
-line or a directive.
+A file may be made as a whole. In others a line marks where made text begins: it is made of the text in the file of the
+plane below the same line, as far as the next line that marks text by hand. Where a file has several dimensions, the
+line names them. Where it has all of them, a line marks that the text below it is made of the text above it, each as far
+as an empty line or a directive.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ def transformed(source: str, plane: str, n: int) -> str:
 
 
 def zones(text: str, first: str) -> list[tuple[str, str]]:
-    """The parts of a file, each with the line that says of what it is made, or that it is by hand."""
+    """The parts of a file, each with the line that names its source, or marks it as by hand."""
     parts = [first, *MARK.split(text)]
     return list(zip(parts[::2], parts[1::2]))
 
@@ -60,7 +60,7 @@ def of_whole(source: str, n: int, texts: Mapping[str, str]) -> str:
         raise Unclear(f"{file} needs as many lines `{BY_HAND.strip()}` as {source}, with what is by hand below each")
     text = "".join(mark + (by_hand.pop(0) if mark == BY_HAND else transformed(source, part, n)) for mark, part in parts)
     note = " On the line nothing can rotate." if (source, n) == ("fbm2d.glsl", 1) else ""
-    note += " What is by hand says so." if BY_HAND in text else ""
+    note += " Parts by hand are marked." if BY_HAND in text else ""
     note += " tools/lib/translate/dimensions/numbers.py has its numbers." if n == 3 and source in IN_SPACE else ""
     head, blank, rest = text.partition("\n\n")
     if source == "fbm2d.glsl" and n in WITHOUT_PAPERS_GRADIENT:
@@ -71,7 +71,7 @@ def of_whole(source: str, n: int, texts: Mapping[str, str]) -> str:
 
 
 def of_zone(file: str, mark: str, source: str, plane: str) -> str:
-    """What is made of a part of the file of the plane. Where it is in several dimensions, each of its functions is in
+    """The text made of a part of the file of the plane. Where it is in several dimensions, each of its functions is in
     all of them, below the same comment."""
     if several := IN_SEVERAL.match(mark):
         return ITEM.sub(lambda item: "".join(transformed(source, item[0], int(n)) for n in re.findall(r"\d", several[1])),
@@ -120,7 +120,7 @@ def made(texts: Mapping[str, str]) -> dict[str, str]:
              for source, dimensions in WHOLE.items() if source in texts for n in dimensions}
     for file, text in texts.items():
         if unknown := NO_MARK.search(text):
-            raise Unclear(f"{file} says `{unknown[0]}`, which is not a line that tools/make umbrella knows")
+            raise Unclear(f"{file} has `{unknown[0]}`, which is not a line that tools/make umbrella knows")
         if file not in found and BELOW.search(text):
             found[file] = of_lines_above(file, text)
         elif file not in found and not file.endswith("2d.glsl") and re.search(OF_FILE, text):

@@ -12,7 +12,7 @@ ONE_LINE = re.compile(r"(\S.*\) \{) (.*;) \}")  # a function
 
 
 def places_to_break(line: str) -> Iterator[tuple[int, list[int]]]:
-    """Those behind a comma or an operator. With each the columns where the value, and what is in brackets, begin."""
+    """The blanks behind a comma or an operator. With each the columns where the value, and what is in brackets, begin."""
     value = re.match(r" *return |.*? = | +", line)
     columns = [value.end()] if value else []
     for at, sign in enumerate(line):

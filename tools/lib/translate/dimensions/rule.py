@@ -20,17 +20,19 @@ from translate.parsing.tokens import TOKEN
 
 AXES = "xyzw"
 OPENING, CLOSING = ("(", "[", "{"), (")", "]", "}")
-OPERATORS = ("+", "^", "|", "&")  # of which the operands may be a pair
+OPERATORS = ("+", "^", "|", "&")  # their operands may be a pair
 SIGNS = (*OPERATORS, *"-=?:<>;", "return", "<<", ">>", "&&", "||", *(f"{sign}=" for sign in "+-*/&|^<>=!"))
 BEFORE_PAIRS = ("", "=", "return")
 VECTOR = re.compile(r"[iu]?vec2|hn_i_vector")  # what makes a vector of the plane of its components
 SCALARS = {"": "float", "i": "int", "u": "uint"}
 WHERE = {1: "on the line", 3: "in space", 4: "in four dimensions"}
 ALONG = {1: "along x", 3: "along x, y and z", 4: "along x, y, z and w"}
+EXAMPLE = "uv * 8.0"  # a position in examples of calls
+EXAMPLES = {1: "uv.x * 8.0", 3: "vec3(uv * 8.0, 0.5)", 4: "vec4(uv * 8.0, 0.5, 0.25)"}
 
 
 class Unclear(Exception):
-    """What the rule cannot tell."""
+    """Text that the rule does not cover."""
 
 
 @dataclass(frozen=True)
@@ -54,8 +56,8 @@ def text_of(tokens: Tokens) -> str:
 
 
 def next_name(a: str, b: str) -> str | None:
-    """What follows two names: z after x and y, HN_I_STEP_W after HN_I_STEP_Y and HN_I_STEP_Z. It is empty beyond w, and
-    None for names that are no pair."""
+    """The name that follows two names: z after x and y, HN_I_STEP_W after HN_I_STEP_Y and HN_I_STEP_Z. It is empty
+    beyond w, and None for names that are no pair."""
     if a == b:
         return a
     first, second = a.split("_"), b.split("_")
@@ -71,12 +73,12 @@ def next_name(a: str, b: str) -> str | None:
 
 
 def without_remark(lead: str) -> str:
-    """What stands before a token, without the comment that ends the line before."""
+    """The text before a token, without the comment that ends the line before."""
     return re.sub(r"^ *//[^\n]*", "", lead)
 
 
 def next_names(a: Tokens, b: Tokens, alike: bool) -> list[str] | None:
-    """Those of what stands behind a pair, and None if these are none. Where `alike` says so, they may be the same."""
+    """The tokens of the text behind a pair; None if it is no pair. With `alike` they may be the same."""
     if len(a) != len(b) or any(re.search("[/#]", without_remark(token.lead)) for token in b):
         return None
     names = [next_name(one.text, other.text) for one, other in zip(a, b)]
@@ -145,7 +147,7 @@ class Rule:
         return found
 
     def brackets(self, tokens: Tokens) -> list[Token]:
-        """What is within the brackets of an operand."""
+        """The text within the brackets of an operand."""
         found: list[Token] = []
         for part in split(tokens, lambda token: True):
             if part[0].text == "(":
@@ -208,7 +210,7 @@ class Rule:
     def words(self, lead: str) -> str:
         """Of comments and directives."""
         lead = lead.replace("on the plane", WHERE[self.n]).replace("along x and y", ALONG[self.n])
-        return re.sub(r"\w+", lambda word: self.name(word[0]), lead)
+        return re.sub(r"\w+", lambda word: self.name(word[0]), lead).replace(EXAMPLE, EXAMPLES[self.n])
 
 
 @functools.lru_cache(maxsize=None)  # tests make the same again and again

@@ -66,7 +66,7 @@ class Umbrella(unittest.TestCase):
         self.assertEqual(self.includes("zone.glsl"), ["zone2d.glsl"])
 
         # Without an include of its own dimension it is a noise.
-        (self.glsl / "zone2d.glsl").write_text('#include "detail/ramps2d.glsl"\n#include "perlin3d.glsl"\n')
+        (self.glsl / "zone2d.glsl").write_text('#include "detail/direction.glsl"\n#include "perlin3d.glsl"\n')
         self.assertEqual(self.run_main("--check"), (1, ["detail/undef_guards.h", "hashnoise.glsl", "noise2d.glsl", "zone.glsl"]))
         self.assertEqual(self.run_main(), (0, []))
         self.assertIn("zone2d.glsl", self.includes("noise2d.glsl"))

@@ -37,7 +37,7 @@ NEEDED = {"wine": "wine wine64", "x86_64-w64-mingw32-g++": "g++-mingw-w64-x86-64
 
 
 class Compiled(NamedTuple):
-    """What became of a text."""
+    """A compiler's result."""
     code: bytes  # nothing if it does not compile
     messages: str
 
@@ -150,7 +150,7 @@ class Fxc:
                             "WINEDLLOVERRIDES": f"{Path(FXC_LIBRARY).stem}=n;mscoree=;mshtml="}
 
     def compile(self, files: Sequence[Path], profile: str, entry: str = "main") -> list[Compiled]:
-        """What becomes of files, which are in one folder: an include is looked for from there on."""
+        """Results of files, which are in one folder: an include is looked for from there on."""
         for file in files:  # of an earlier text
             Path(f"{file}.code").unlink(missing_ok=True)
         done = subprocess.run(["wine", self.folder / "fxc.exe", profile, entry, *(file.name for file in files)],

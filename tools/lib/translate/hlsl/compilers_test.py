@@ -45,7 +45,7 @@ RWStructuredBuffer<uint> words;
 }}
 """
 
-# What becomes a float of a whole number, each with the name of what is picked.
+# Inputs that become floats of whole numbers, each with the name of what is picked.
 POINT = "asfloat(words[id.x])"
 CALLS = {"hn_unorm(words[id.x])": "hn_unorm", "hn_snorm(words[id.x])": "hn_snorm",
          f"hn_random({POINT}, 7u)": "hn_random1", f"hn_perlin(float2({POINT}, 0.5), 7u)": "hn_perlin2",
@@ -81,11 +81,11 @@ class Compiler:
     filter: str  # of the cases of the suite that it compiles
 
     def compile(self, texts: dict[str, str], stage: str) -> dict[str, Compiled]:
-        """What becomes of the texts."""
+        """The compilers' results."""
         raise NotImplementedError
 
     def values(self) -> dict[str, str]:
-        """What the suite's environment is, to run what this compiler makes."""
+        """The suite's environment, to run this compiler's output."""
         raise NotImplementedError
 
 
@@ -153,7 +153,7 @@ class Hlsl(unittest.TestCase):
     conform: str
 
     def refused(self, texts: dict[str, str], stage: str = "pixel") -> dict[str, str]:
-        """Those that do not compile, or not in silence."""
+        """Texts that do not compile, or not in silence."""
         return {name: made.messages or "no code" for name, made in self.compiler.compile(texts, stage).items()
                 if made.messages.replace("DXIL.dll not found", "").strip() or not made.code}
 
@@ -205,7 +205,7 @@ class Dxc(Hlsl):
 
 class FxcOnly(Hlsl):
     def test_its_own_includes_are_not_beside_the_file(self) -> None:
-        """docs/languages.md has the way that works. If this fails, there is another."""
+        """docs/guide/languages.md has the way that works. If this fails, there is another."""
         said = self.refused({"including": f'#include "hashnoise/hashnoise.hlsl"\n{MAIN}'})
         self.assertIn("X1507", said["including"])
 

@@ -4,7 +4,7 @@ WIDTH = 120  # as .clang-format has it
 
 
 def wrapped(text: str, indent: int) -> list[str]:
-    """A line of code with that indentation, broken where it is too long, behind a comma if there is one. What follows
+    """A line of code with that indentation, broken where it is too long, behind a comma if there is one. The rest
     is indented by 4 more."""
     lines, more = [], 0
     while indent + more + len(text) > WIDTH:

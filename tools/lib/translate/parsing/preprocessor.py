@@ -60,7 +60,7 @@ class Line(NamedTuple):
 
 
 class Item:
-    """A definition, whose tokens are made when they are asked for. `function` is the name of one, as far as it shows."""
+    """A definition, whose tokens are made when they are first used. `function` is the name of one, as far as it shows."""
 
     def __init__(self, lines: list[Line], expanded: Callable[[list[Token]], list[Token]], macros: Mapping[str, Macro]):
         self._lines = lines
@@ -76,7 +76,7 @@ class Item:
 
     @functools.cached_property
     def _parts(self) -> tuple[list[Token], list[Token], list[Line]]:
-        """What is as far as the first {, what is behind it on its line, and the lines below."""
+        """The text up to the first {, the text behind it on its line, and the lines below."""
         tokens: list[Token] = []
         for count, line in enumerate(self._lines, 1):
             tokens += line.tokens()

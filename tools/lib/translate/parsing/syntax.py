@@ -1,5 +1,5 @@
-"""The tree of the GLSL that the library is written in: a narrow subset (docs/internals.md, "One text in several
-languages"). What is not in it is an error that names the place."""
+"""The tree of the GLSL that the library is written in: a narrow subset (docs/develop/internals.md, "One text in several
+languages"). Other GLSL is an error that names the place."""
 
 from __future__ import annotations
 
@@ -144,7 +144,7 @@ class Loop:
 class DoLoop:
     at: Token
     body: Block
-    condition: Expression  # asked behind the body
+    condition: Expression  # tested behind the body
     comments: Comments
 
 
@@ -167,7 +167,7 @@ class Head(NamedTuple):
 
 
 class Function:
-    """Its head and its body are read when they are asked for: who picks a function needs few of a thousand."""
+    """Its head and its body are read when they are first used: a pick needs few of a thousand functions."""
 
     def __init__(self, name: str, read: Callable[[], Head]):
         self.name = name
@@ -186,7 +186,7 @@ class Function:
         return tuple(parameter.type for parameter in self.head.parameters)
 
     def __getattr__(self, name: str) -> object:
-        """What its head has: at, type, parameters and comments."""
+        """Its head: at, type, parameters and comments."""
         return getattr(self.head, name)
 
 
@@ -279,13 +279,13 @@ class Parser:
         return self._take().text
 
     def _comments(self, first: int) -> Comments:
-        """Those of a statement that has just been taken: what is in its middle stands above it."""
+        """The comments of a statement that has just been taken: those in its middle stand above it."""
         tokens = self.tokens[first:self.position]
         before = [line for i, token in enumerate(tokens) for line in token.before if line or i == 0]
         before += [token.after for token in tokens[:-1] if token.after]
         return Comments(tuple(before), tokens[-1].after)
 
-    # What stands outside of functions.
+    # Text outside of functions.
 
     def _struct(self) -> Struct:
         comments = Comments(self._take().before)

@@ -6,7 +6,8 @@ import functools
 import re
 from typing import NamedTuple
 
-# All that read GLSL in Python make their tokens of these, with what stands before each: blanks, comments and directives.
+# All that read GLSL in Python make their tokens of these, with what stands before each: blanks, comments and
+# directives.
 WORD = r"[A-Za-z_]\w*"
 NUMBER = r"0[xX][0-9a-fA-F]+[uU]?|(?:\d+\.\d*|\.\d+)(?:[eE][+-]?\d+)?[fF]?|\d+[eE][+-]?\d+[fF]?|\d+[uU]?"
 SIGN = r"<<=|>>=|&&|\|\||\+\+|--|<<|>>|[-+*/%&|^<>=!]=|[-+*/%&|^<>=!~?:;,.(){}\[\]]"
@@ -15,7 +16,7 @@ TOKEN = re.compile(rf"(?P<lead>(?:\s|//[^\n]*|#(?:[^\n\\]|\\\n)*)*)"
 
 
 class Unknown(Exception):
-    """What the translator does not know, and where: "FILE:LINE: what"."""
+    """An error for GLSL that the translator does not know, with its place: "FILE:LINE: what"."""
 
 
 class Token(NamedTuple):  # a module has a million of them, and a data class takes four times as long

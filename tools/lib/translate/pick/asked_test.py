@@ -1,4 +1,4 @@
-"""What is asked for most is there, and who has it is known."""
+"""The functions in most use exist, and so do their packages."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ WHO = {"graphs", "blender", "materialx"}
 
 
 def unknown(lists: dict) -> list[str]:
-    """What is in the lists, and is no function, no form of one, or no package."""
+    """Entries of the lists that are no function, no form of one, or no package."""
     known = read_library(GLSL, Choice("glsl", "fixed")).forms
     forms = {name.removeprefix("hn_") for name in known}
     functions = {function.name.removeprefix("hn_") for function in known.values()}

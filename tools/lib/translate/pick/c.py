@@ -122,7 +122,7 @@ static inline uint32_t hn_i_as_uint(float x) {
     # Functions.
 
     def returned(self, results: Sequence[Part], pieces: Sequence[Piece]) -> list[str]:
-        """What GLSL sets is set through pointers."""
+        """Parameters that GLSL sets are pointers."""
         lines = [f"*{self.variable(part.name)} = {piece.text};" for part, piece in zip(results, pieces)
                  if part.name != "value"]
         return [*lines, *(f"return {piece.text};" for part, piece in zip(results, pieces) if part.name == "value")]

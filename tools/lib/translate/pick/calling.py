@@ -1,4 +1,4 @@
-"""Calls of picked functions in shading languages, for tests: they read the words of arguments from `inputs`, of which
+"""Calls of picked functions in shading languages, for tests: they read the words of arguments from `inputs`;
 those of a point begin `at`, and write the words of results to `outputs`, from `to` on."""
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from translate.pick.printer import Language
 
 @dataclass(frozen=True)
 class Form:
-    """How a language says it. {} stands for a word, or for what becomes one."""
+    """A language's syntax for it. {} stands for a word, or for what becomes one."""
     language: Language
     read: Mapping[str, str]
     write: Mapping[str, str]

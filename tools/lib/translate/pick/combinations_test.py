@@ -1,4 +1,4 @@
-"""What tools/pick writes of several functions at once, and of each alone: the names in it are right, and the compiler and
+"""Texts of tools/pick, of several functions at once, and of each alone: the names in it are right, and the compiler and
 the linters of each language are silent.
 
     python3 -m translate.pick.combinations_test PACKAGES       the folder that lib/base/javascript/environment.py makes, for TypeScript
@@ -150,7 +150,7 @@ def declared(language: str, statement: str) -> list[str]:
 
 
 def wrong_names(language: str, text: str) -> list[str]:
-    """What is wrong with the names in a text: a variable that has that of a parameter or of another variable, one that
+    """Faults of the names in a text: a variable that has that of a parameter or of another variable, one that
     is set to itself, and one that is to be set and is not."""
     found: list[str] = []
     for function in functions_in(language, text):
@@ -183,7 +183,7 @@ def all_names() -> dict[str, list[str]]:
 
 
 def groups() -> Iterator[tuple[str, Names]]:
-    """What is written at once, with an arithmetic."""
+    """The functions written at once, with an arithmetic."""
     if not THOROUGH:
         yield from (("fast", pair) for pair in PAIRS)
         yield "fixed", tuple(names[-1] for names in list(all_names().values())[::8])
@@ -339,7 +339,7 @@ class TypeScriptCompiler:
 
 
 def compiler(language: str) -> Compiler:
-    """What compiles texts of a language; NotInstalled or Absent, if it is not there."""
+    """The compiler of a language; raises NotInstalled or Absent if it is not there."""
     if language == "typescript":
         if not (TypeScriptCompiler.packages / "made").exists():
             raise NotInstalled("TypeScript is not there: name the folder that lib/base/javascript/environment.py makes")
@@ -356,7 +356,7 @@ def compiler(language: str) -> Compiler:
     return runner
 
 
-# What a compiler or a linter must refuse: a change of the text of hn_perlin2.
+# Compilers and linters must refuse this: a change of the text of hn_perlin2.
 REFUSED: Mapping[str, Sequence[tuple[str, str]]] = {
     "rust": (("-> f32 {", "-> f32 {\n    let unused = 1.0;"), ("seed: u32", "seed: u32, _a: u32, _b: u32, _c: u32, "
              "_d: u32, _e: u32, _f: u32"), (".wrapping_add(", ".wrapping_add(1 - 1 + ")),

@@ -14,10 +14,10 @@ the CPU.
     tools/pick --list                                  which functions there are, by noise
 
 A function is called by its form: hn_perlin2 is hn_perlin(vec2 p, uint seed), and hn_perlin2_place is
-hn_perlin(hn_place2 place, uint seed). What it is made of stands in its place; what is called more than once stays a
-function. What is known is computed, and what nothing needs is gone. The values are those of the library. In the text
-its name is that of the library where the language has overloads, and that of its form elsewhere: hn_perlin2 in WGSL
-and C, perlin2 in Rust, Perlin2 in C# and Go.
+hn_perlin(hn_place2 place, uint seed). The functions that it calls are inlined; a function that is called more than once
+stays a function. Constants are folded, and unused code is removed. The values are those of the library. In the text its
+name is that of the library where the language has overloads, and that of its form elsewhere: hn_perlin2 in WGSL and C,
+perlin2 in Rust, Perlin2 in C# and Go.
 
 Ask for all functions of a shader or program at once: two texts may have the same function.
 
@@ -53,7 +53,7 @@ ARITHMETICS = ("fast", "fixed", "precise")
 
 
 class Syntaxes(Mapping):
-    """The languages of the CPU by their names. Each is imported when it is asked for: nobody asks for all at once."""
+    """The languages of the CPU by their names. Each is imported when it is first used: nobody needs all at once."""
     CLASSES = {"rust": ("rust", "Rust"), "csharp": ("csharp", "CSharp"), "c": ("c", "C"),
                "typescript": ("javascript", "TypeScript"), "javascript": ("javascript", "JavaScript"),
                "java": ("java", "Java"), "go": ("go", "Go"), "osl": ("osl", "Osl")}
@@ -77,7 +77,7 @@ NO_PRECISE = "three.js passes `precise` to no shader: take --arithmetic fixed, w
 
 @dataclass(frozen=True)
 class Choice:
-    """What is asked for, by the names of the options."""
+    """The arguments, by the names of the options."""
     language: str = "glsl"
     arithmetic: str = "fast"
     hash: str = "lattice"
@@ -91,7 +91,7 @@ class Choice:
         return Settings(f"HN_{self.arithmetic.upper()}", self.hash.upper(), self.gradient.upper(), self.hash_function)
 
     def options(self) -> list[str]:
-        """Those that are not left out."""
+        """The options that are given."""
         given = ((field.name, getattr(self, field.name), field.default) for field in fields(self))
         return [word for name, value, default in given if value != default
                 for word in (f"--{name.replace('_', '-')}", value)]
@@ -124,8 +124,8 @@ def command_of(names: Sequence[str], choice: Choice) -> str:
 
 
 def picker(library: Path = GLSL) -> Callable[[Sequence[str], Choice], str]:
-    """What makes many texts: the library is read once for each setting and kind of language, and functions that are
-    asked for in one language after the other are evaluated once."""
+    """Makes many texts: the library is read once for each setting and kind of language, and functions that are
+    written in one language after the other are evaluated once."""
     kinds: dict[tuple[object, ...], Choice] = {}  # the first choice of what is read and evaluated in the same way
     module = functools.cache(functools.partial(read_library, library))
 

@@ -1,5 +1,5 @@
-"""The library's comment of a function, so that it stands alone: where it refers to another comment, the text of that stands
-in its place, and nothing names a file or a page of the library."""
+"""The library's comment of a function, so that it stands alone: where it refers to another comment, the text of that
+stands in its place, and nothing names a file or a page of the library."""
 
 from __future__ import annotations
 
@@ -20,12 +20,11 @@ FOR_ANOTHER = re.compile(r"as for (hn_\w+)")
 LIKE_ANOTHER = re.compile(r"(This form|The same|Add the noise of an octave as it is, and)\b")
 REFERENCE = re.compile(r"docs/|\.glsl")
 TYPES = re.compile(": int, ivec2, ivec3 or ivec4")  # of overloads, where a function that stands alone has one
-POSITION = ("in cells{}: scale it, so that one cell is as large as a hill or a valley shall be. Along each axis below "
-            "2^23{}, since floats have no fraction beyond")
-PLACE = ("a place, that is a cell and a position in it, in cells{0}: hn_place and hn_tile make one, of which "
-         "tools/pick writes hn_place_of_cell{1} and hn_tile{1}")
+IN_PLACE = re.compile(r"in place of (?:p|the cell)\b")  # begins what a comment has of a place, for who may pass either
+PLACE = ("a place, that is a cell and a position in it, in cells{0}: hn_place and hn_tile make one (tools/pick writes "
+         "hn_place_of_cell{1} and hn_tile{1})")
 LEFT_OUT = "; 0 if left out"
-METRIC = ". That is with the Euclidean metric and a jitter of 1"
+METRIC = ". This is with the Euclidean metric and a jitter of 1"
 
 
 class Facts(NamedTuple):
@@ -68,7 +67,7 @@ def _declared(library: Path) -> tuple[dict[tuple[str, tuple[str, ...]], Declarat
 
 
 def _other(declared: Declaration, own: Block, library: Path) -> Declaration | None:
-    """That whose comment the comment of this one refers to."""
+    """The function whose comment this one's comment refers to."""
     _, found = _declared(library)
     if name := FOR_ANOTHER.search(own.notes):
         size = re.search(r"\dd", declared.path.name)
@@ -121,14 +120,10 @@ def without_references(text: str) -> str:
 def _parameter(parameter: Parameter, text: str, may_be_left_out: bool) -> str:
     name, size = parameter.at.text, parameter.type[-1]
     text = TYPES.sub("", without_references(text))
-    if name == "p" and text.startswith("position, in cells"):
-        of_octave = (" of the first octave", " / lacunarity^octaves") if "first octave" in text else ("", "")
-        return f"position, {POSITION.format(*of_octave)}"
-    if name == "place" and "in its stead" in text:
+    if name == "place" and IN_PLACE.match(text):
         of_octave = " of the first octave" if "first octave" in text else ""
         rest = text.partition(". ")[2]
         text = PLACE.format(of_octave, size) + (f". {rest}" if rest else "")
-    text = text.replace("1 as without it", "usually 1")
     return text if may_be_left_out else text.replace(LEFT_OUT, "")
 
 
@@ -162,8 +157,8 @@ OTHER_ARGUMENTS = {("n", "uint"): (52,), ("v", "float"): (0.25, -0.5, 0.5)}
 
 
 def arguments_of(function: Function, argument: Callable[[Parameter, Sequence[float] | None], str]) -> list[str]:
-    """What a call passes. `argument` writes one, of a number for each component; without them it is a variable, or a
-    position."""
+    """The arguments of a call. `argument` writes one, of a number for each component; without them it is a variable, or
+    a position."""
     written = []
     for one in function.parameters:
         numbers = ARGUMENTS.get(one.at.text) if one.type in SIZES and not one.is_set else None
@@ -173,14 +168,14 @@ def arguments_of(function: Function, argument: Callable[[Parameter, Sequence[flo
 
 
 def lines(facts: Facts, variable: Callable[[str], str], call: str) -> list[str]:
-    """Of a comment, without the slashes. The names of the parameters are what `variable` makes of them."""
-    rows = {**{variable(name): text for name, text in facts.parameters.items()}, "returns": facts.returns,
-            "error": facts.error}
+    """Of a comment, without the slashes, in the order of those of the library. The names of the parameters are what
+    `variable` makes of them."""
+    rows = {**{variable(name): text for name, text in facts.parameters.items()}, "example": call,
+            "returns": facts.returns, "error": facts.error}
     width = max(map(len, rows))
     written = textwrap.wrap(facts.what, 117, initial_indent=" ", subsequent_indent=" ")
     for name, text in rows.items():
         if text:
             written += textwrap.wrap(text, 117, initial_indent=f"   {name:{width}}  ",
                                      subsequent_indent=" " * (width + 5))
-    return [*written, *textwrap.wrap(call, 117, initial_indent=f"   {'call':{width}}  ",
-                                     subsequent_indent=" " * (width + 5))]
+    return written

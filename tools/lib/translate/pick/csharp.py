@@ -128,7 +128,7 @@ private struct Bits {
         return f"{'public' if is_public else 'private'} static {given} {name}({taken}) {{"
 
     def body(self, lines: Sequence[str]) -> Sequence[str]:
-        """Words wrap, also where a compiler is told to check all others."""
+        """Words wrap, also with a compiler option that checks all other integers."""
         wraps, self.wraps = self.wraps, False
         return ["    unchecked {", *(f"    {line}" for line in lines), "    }"] if wraps else lines
 
@@ -140,8 +140,8 @@ private struct Bits {
         returns = facts.all_returns[:1].upper() + facts.all_returns[1:]
         tags = [("summary", facts.what), *((f'param name="{one}"', text) for names, text in facts.parameters.items()
                                            for one in names.split(", ") if one not in facts.sets),
-                ("returns", returns), ("remarks", f"Error: {facts.error}" if facts.error else ""),
-                ("example", facts.call and f"<code>{facts.call}</code>")]
+                ("example", facts.call and f"<code>{facts.call}</code>"), ("returns", returns),
+                ("remarks", f"Error: {facts.error}" if facts.error else "")]
         lines = [line for tag, shown in tags if shown for line in paragraph_lines(
             f"<{tag}>{shown if tag == 'example' else f'{html.escape(shown, quote=False)}.'}</{tag.split()[0]}>")]
         return [f"/// {line}" for line in lines]

@@ -1,4 +1,4 @@
-"""What tools/pick writes has the golden values, and the bits of the twin, on a driver, and the same bits in GLSL ES
+"""tools/pick's text has the golden values, and the bits of the twin, on a driver, and the same bits in GLSL ES
 under the lowest precision.
 
     python3 -m translate.pick.driver_test HN_CONFORM
@@ -89,7 +89,7 @@ def call_of(module: Module, function: Function) -> str:
 
 
 def files() -> list[str]:
-    """Those of noise and of sums, of which no other of these is made."""
+    """Functions of noise and of sums that no other of these is made of."""
     rows = {function.includes for function in read_functions() if function.file.startswith(("noise", "curl", "fbm"))}
     return sorted(file for file in rows if re.fullmatch(r"(?!octaves|fbm_d)\w+\dd\.glsl", file))
 

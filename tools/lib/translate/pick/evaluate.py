@@ -1,6 +1,6 @@
 """A function partly evaluated: what it calls stands in its place, what is known is computed, structs are their parts.
 
-What is left are statements (statements.py). A function that is called more than once, and is worth a call,
+The results are statements (statements.py). A function that is called more than once, and is worth a call,
 stays one; which, the caller decides.
 """
 
@@ -57,7 +57,7 @@ class Kept:
     known: tuple[Known, ...]
 
     def left(self, arguments: Sequence[Node]) -> list[Node] | None:
-        """Those that are passed; None if these do not fit."""
+        """The arguments that are passed; None if they do not fit."""
         passed: list[Node] = []
         for argument, known in zip(arguments, self.known):
             if known is None:
@@ -136,7 +136,7 @@ class Module(Library):
 
 
 class Evaluation(Typer):
-    """Of one function. `keeps` says of a plain function and its arguments whether it is called."""
+    """The evaluation of one function. `keeps` decides for a plain function and its arguments whether it is called."""
 
     library: Module
     make = values
@@ -181,7 +181,7 @@ class Evaluation(Typer):
         return block
 
     def _results(self, function: Function, state: Environment) -> Node | None:
-        """What a split function returns, with what it sets of numbers and vectors."""
+        """A split function's result, with what it sets of numbers and vectors."""
         names = [("return", function.type)] if function.type != "void" else []
         names += [(parameter.at.text, parameter.type) for parameter in function.parameters
                   if parameter.is_set and not self.library.passed(parameter)]
@@ -215,7 +215,7 @@ class Evaluation(Typer):
         return Typed(type_, {path: state[key + path] for path, _ in self.library.parts(type_)})
 
     def _hint(self, name: str, value: Typed) -> None:
-        """What is given a name is called so, and later and so further out by another one."""
+        """A value keeps the first name that it is given, unless a later one, further out, replaces it."""
         for path, node in value.leaves.items():
             fields = [part for part in path if not part.startswith("_")]
             name = fields[-1] if fields else name
@@ -230,7 +230,7 @@ class Evaluation(Typer):
                         if isinstance(argument, Operation):
                             self.hints.setdefault(argument, f"{name}_{axis}")
 
-    # Statements. Each function says whether the call is over behind what it did: by a return or a break.
+    # Statements. Each function returns whether the call is over behind what it did: by a return or a break.
 
     def _statements(self, statements: Sequence[syntax.Statement], frame: int, state: Environment,
                     block: list[Statement]) -> bool:
@@ -261,7 +261,7 @@ class Evaluation(Typer):
         over = [self._statements((*yes, *rest), frame, state_yes, block_yes),
                 self._statements((*no, *rest), frame, state_no, block_no)]
         if _breaks(block_yes) or _breaks(block_no):
-            # What goes on is the branch without the break. It stands behind the other one, where all see its variables.
+            # The branch without the break goes on. It stands behind the other one, where all see its variables.
             if _breaks(block_yes):
                 block += [If(condition, block_yes, []), *block_no]
             else:
@@ -505,7 +505,7 @@ def _exits(block: list[Statement]) -> list[Break]:
 
 
 def _sets(carried: dict[tuple[object, ...], Variable], state: Environment) -> list[Statement]:
-    """What changes in a turn."""
+    """Variables that change in a turn."""
     return [Set(variable, state[key]) for key, variable in carried.items() if state[key] is not variable]
 
 
@@ -522,7 +522,7 @@ def _derived(key: tuple[object, ...], carried: dict[tuple[object, ...], Variable
 
 
 def _behind(condition: Node, body: Sequence[Statement], new: dict[Node, Node]) -> Node:
-    """The condition of a loop that asks behind its body, of the variables that the body has set. Where the body
+    """The condition of a loop that tests behind its body, of the variables that the body has set. Where the body
     computes the same of what they were before, it is of copies, so that it is not the same node."""
     shown = _replaced(condition, dict(new))
     made = {node for node in reachable([shown]) if isinstance(node, Operation)}

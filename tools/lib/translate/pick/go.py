@@ -11,7 +11,7 @@ from translate.pick.scalars import Facts, Part, Piece, Syntax, Taken, bare, came
 from translate.pick.values import AXES, SIZES, scalar_of
 
 PRODUCT = "float32(*)"  # the sign of a product that is rounded
-NUMBERS = re.compile(r"(?:0x[\dA-F]+|[\d.]+|[-+*/ ()])+")  # of which no type follows
+NUMBERS = re.compile(r"(?:0x[\dA-F]+|[\d.]+|[-+*/ ()])+")  # no type follows from these
 
 
 class Go(Syntax):

@@ -185,10 +185,10 @@ def _line(line: str) -> str:
         return line
     before, values, behind = found["before"], found["values"], found["behind"] or ""
     if "; " in values:  # of a loop that counts
-        start, asked, step = values.split("; ")
+        start, condition, step = values.split("; ")
         name, value = start.split(" := ")
         changed = step if step.endswith(("++", "--")) else _line(step)
-        return f"{before}{name} := {_expressions(value)}; {_expressions(asked)}; {changed}{behind}"
+        return f"{before}{name} := {_expressions(value)}; {_expressions(condition)}; {changed}{behind}"
     several = ", " in before and before.endswith(" := ")
     return f"{before}{_expressions(values, 2 if several else 1)}{behind}"
 
@@ -208,7 +208,7 @@ def _cuts(line: str) -> dict[int, list[int]]:
 
 
 def _wrapped(line: str) -> list[str]:
-    """A line that is too long is broken where the fewest brackets are around. What follows has a tab more, and one for
+    """A line that is too long is broken where the fewest brackets are around. The rest has a tab more, and one for
     each bracket around it in which a line was broken before."""
     indent = len(line) - len(line.lstrip("\t"))
     if line.lstrip().startswith("//"):
@@ -262,7 +262,7 @@ def _with_bodies(lines: Sequence[str]) -> list[str]:
 
 
 def formatted(text: str) -> str:
-    """All lines of a text, of which each is a statement, or the head or the end of one."""
+    """All lines of a text; each is a statement, or the head or the end of one."""
     lines: list[str] = []
     of_struct: list[str] | None = None
     for line in text.splitlines():

@@ -1,4 +1,4 @@
-"""Java 17 and later, where each float is rounded as IEEE 754 says: a class of static methods."""
+"""Java 17 and later, where each float is rounded as in IEEE 754: a class of static methods."""
 
 from __future__ import annotations
 

@@ -179,7 +179,7 @@ class JavaScript(Syntax):
         return f"{'export ' if is_public else ''}function {name}({taken}){self._of(given)} {{"
 
     def beginning(self, parameters: Sequence[Taken], is_public: bool) -> list[str]:
-        """What users pass need not be a float."""
+        """Users' numbers need not be floats."""
         if not is_public:
             return []
         return [f"{one.name} = {self.helper('fround')}({one.name});" for one in parameters

@@ -1,4 +1,4 @@
-"""What tools/pick writes in languages without vectors has the bits of the library in C++.
+"""tools/pick's text in languages without vectors has the bits of the library in C++.
 
     python3 -m translate.pick.languages_test points FOLDER           what is passed, and what comes back in C++
     python3 -m translate.pick.languages_test LANGUAGE FOLDER         compiles and compares
@@ -31,8 +31,8 @@ from translate.pick.scalars import Piece, Syntax, text
 
 POINTS = 200
 SKIPPED = 77
-# What has the most of what is written in different ways: vectors that are returned or set, structs, loops, of which one
-# ends when it may. Each arithmetic has two of them or three.
+# Functions with most of the constructs that languages write differently: vectors that are returned or set, structs,
+# loops (one ends when it may). Each arithmetic has two of them or three.
 SPECIAL = ("hn_next2", "hn_fbm2", "hn_cellular2_nearest", "hn_cell_border2_nearest", "hn_tile2", "hn_fbm_d2",
            "hn_shuffle")
 
@@ -74,7 +74,7 @@ def counts(of: Module, function: Function) -> tuple[int, int]:
 
 
 def words(folder: Path, arithmetic: str, of: Module) -> dict[str, tuple[bytes, bytes]]:
-    """What is passed to each function at all points, and what comes back."""
+    """The arguments of each function at all points, and its results."""
     inputs, outputs = (Path(f"{folder / arithmetic}.{end}").read_bytes() for end in ("in", "out"))
     found: dict[str, tuple[bytes, bytes]] = {}
     at = [0, 0]

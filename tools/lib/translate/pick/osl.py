@@ -17,7 +17,7 @@ from translate.pick.values import AXES, PREFIXES, SIZES, Constant
 MASKED = re.compile(r"(\(\w+ >> \d+\)) & (0x[0-9A-F]+)")
 COMPARED = {"<": ("hn_i_less", "{0}, {1}"), ">": ("hn_i_less", "{1}, {0}")}
 UNSIGNED = {"/": "hn_i_quotient", "%": "hn_i_rest"}
-# What a parameter of the shader is unless it is set.
+# Defaults of the shader's parameters.
 DEFAULTS = {"octaves": "6", "lacunarity": "2.0", "gain": "0.5", "jitter": "1.0", "metric": "1", "strength": "1.0",
             "amplitude": "1.0"}
 VECTORS = {f"hn_{prefix}vec{size}": ("float" if scalar == "float" else "int", AXES[:size])
@@ -176,7 +176,7 @@ int hn_i_to_word(float x) {
         return "while (1) {"
 
     def returned(self, results: Sequence[Part], pieces: Sequence[Piece]) -> list[str]:
-        """What GLSL sets is set by parameters."""
+        """Parameters that GLSL sets are output parameters."""
         lines = [f"{self.variable(part.name)} = {piece.text};" for part, piece in zip(results, pieces)
                  if part.name != "value"]
         return [*lines, *(f"return {piece.text};" for part, piece in zip(results, pieces) if part.name == "value")]
@@ -214,7 +214,7 @@ int hn_i_to_word(float x) {
 
 
 def shader(syntax: Osl, name: str, parameters: Sequence[Taken], results: Sequence[Part]) -> list[str]:
-    """What a node of a renderer is made of; nothing for a function that takes or sets a struct, or returns one."""
+    """The shader for a node of a renderer; nothing for a function that takes or sets a struct, or returns one."""
     if any(one.type not in SIZES for one in (*parameters, *results)):
         return []
     axes = [one.name for one in parameters if one.name in AXES]

@@ -14,12 +14,12 @@ from pathlib import Path
 
 import bpy
 
-# Where Blender's own Python has what Cycles asks of a shader.
+# Where Blender's own Python has the header that Cycles needs for a shader.
 sys.path += map(str, Path(bpy.utils.resource_path("LOCAL")).glob("python/lib/python*/site-packages"))
 
 
 def prepared() -> bpy.types.Scene:
-    """A square of 1 by 1 that shines as its shader says, and nothing that changes a value on its way."""
+    """A square of 1 by 1 that shines as its shader computes, and nothing that changes a value on its way."""
     import addon_utils
 
     addon_utils.enable("cycles")
@@ -69,7 +69,7 @@ def compiled(tree: bpy.types.NodeTree, shader: Path) -> bpy.types.Node:
 
 
 def pixels(scene: bpy.types.Scene, shown: bpy.types.NodeSocket, file: Path, width: int, height: int) -> array:
-    """What a color of the square's material is, four floats a pixel, from the first row on; an image goes into a file."""
+    """The color of the square's material, four floats a pixel, from the first row on; an image goes into a file."""
     square, camera = scene.objects["square"], scene.objects["camera"]
     square.scale = (width, height, 1)
     camera.location = (width / 2, height / 2, 1)

@@ -18,7 +18,7 @@ from translate.wgsl.device import Absent, installed
 
 PACKAGE = "bpy==5.0.1"
 RENDER = Path(__file__).resolve().with_name("osl_render.py")
-# A word is two halves, and a float its positive or its negative part. The third part of the color tells the sign of 0,
+# A word is two halves, and a float its positive or its negative part. The third part of the color has the sign of 0,
 # which atan2 knows.
 WORDS = """
 void put(output color shown, int row, output int to, int word) {

@@ -1,4 +1,4 @@
-"""Writes docs/snippets: the functions that are asked for most, in GLSL, HLSL and WGSL, to paste. The site and a release
+"""Writes docs/reference/snippets: the functions in most use, in GLSL, HLSL and WGSL, to paste. The site and a release
 have these pages in each language.
 
     tools/make snippets [--check] [--out DIR]
@@ -22,7 +22,7 @@ from catalog.tables.markdown import table
 from translate.parsing.tokens import Unknown
 from translate.pick.command import Choice, picker
 
-FOLDER = ROOT / "docs" / "snippets"
+FOLDER = ROOT / "docs" / "reference" / "snippets"
 
 FUNCTIONS = asked.snippets()
 # The heading, the language of tools/pick, its arithmetic, and the word that Markdown has for the language.
@@ -43,12 +43,12 @@ def page(name: str, picked: Picked, languages: Languages = OF_TREE) -> str:
     sections = [f"## {title}\n\n```{word}\n{picked(name, language, arithmetic)}```\n"
                 for title, language, arithmetic, word in languages]
     floats = ("They compute with floats (`HN_FAST`). " if languages == OF_TREE else
-              "Those of the first six languages compute with floats (`HN_FAST`). All others compute the same bits as each "
+              "Texts in the first six languages compute with floats (`HN_FAST`). All others compute the same bits as each "
               "other (`HN_FIXED`), for a server and its clients. ")
     return (f"# {name}: {FUNCTIONS[name]}\n\n"
             "Paste what you need; each text stands alone. The GLSL is for OpenGL, from 3.30 on, and for WebGL2 and "
             f"GLSL ES, whatever your own precision is. {floats}"
-            "[More](../languages.md#one-function) about `tools/pick`, which wrote them, and about other "
+            "[More](../../guide/languages.md#one-function) about `tools/pick`, which wrote them, and about other "
             "arithmetics and hashes.\n\n" + "\n".join(sections))
 
 
@@ -62,7 +62,7 @@ def index(languages: Languages = OF_TREE) -> str:
 
 
 def for_pages(library: Path = GLSL) -> Picked:
-    """The texts of docs/snippets."""
+    """The texts of docs/reference/snippets."""
     pick = picker(library)
     return lambda name, language, arithmetic: pick([name], Choice(language, arithmetic))
 
@@ -73,8 +73,8 @@ def files(picked: Picked, languages: Languages = OF_TREE) -> dict[str, str]:
 
 
 def whole() -> Path:
-    """The folder with the pages in each language. They take a minute, and are kept until something changes that they are
-    made of."""
+    """The folder with the pages in each language. They take a minute, and are kept until something changes that they
+    are made of."""
     sources = [*glsl_files().values(), *(ROOT / "catalog").glob("*.toml"), *modules.files_of([Path(__file__)])]
     return kept(ROOT / "build" / "snippets", sources, lambda: files(for_pages(), LANGUAGES))
 
@@ -88,7 +88,7 @@ def wrong(folder: Path, made: dict[str, str]) -> list[str]:
 def main(arguments: Sequence[str] | None = None) -> int:
     parser = Parser("tools/make snippets", __doc__)
     parser.add_argument("--check", action="store_true", help="write nothing")
-    parser.add_argument("--out", type=Path, default=FOLDER, metavar="DIR", help="default: docs/snippets")
+    parser.add_argument("--out", type=Path, default=FOLDER, metavar="DIR", help="default: docs/reference/snippets")
     given = parser.parse_args(arguments)
     try:
         made = files(for_pages())

@@ -34,7 +34,7 @@ SIZES = {"hn_perlin2": (1600, 42), "hn_value2": (1600, 42), "hn_simplex2": (2600
          "hn_fbm2": (2200, 48)}
 POINTS = 300
 WITHOUT_HIGHP = Language()  # as GLSL is, for readers of a test
-# What has the most of what languages write in different ways.
+# Functions with most of the constructs that languages write differently.
 MIXED = ("hn_perlin2", "hn_fbm_d2", "hn_cellular2_nearest", "hn_tile4", "hn_next3")
 
 
@@ -110,7 +110,7 @@ class Values(unittest.TestCase):
 
 class Shaders(unittest.TestCase):
     def spirv(self, shader: str) -> str:
-        """What an optimizer leaves of a shader."""
+        """A shader after an optimizer."""
         with tempfile.TemporaryDirectory() as folder:
             paths = [str(Path(folder) / name) for name in ("shader.frag", "whole.spv", "less.spv")]
             Path(paths[0]).write_text(shader, encoding="ascii")
@@ -249,7 +249,7 @@ class Shaders(unittest.TestCase):
 
 
 class Statements(unittest.TestCase):
-    """What the library has little of: variables that change together, and ways out of loops and functions."""
+    """Constructs that are rare in the library: variables that change together, and ways out of loops and functions."""
 
     CASES = (
         ("void hn_swap(inout float a, inout float b) { float t = a; a = b; b = t; }",
@@ -274,12 +274,12 @@ class Statements(unittest.TestCase):
          "    result = a + 1.0;\n  } else {\n    result = a;\n  }\n  return result;\n}\n"),
         ("uint hn_same(uint a, bool b) { uint c = a & 0xFFFFFFFFu; return (c == 0u ? 0u : c) + (b ? 1u : 0u); }",
          "uint hn_same(uint a, bool b) { return a + (b ? 1u : 0u); }\n"),
-        # A condition behind the body is of what the body set, also where that asked the same before.
+        # A condition behind the body is of what the body set, also where it was tested before.
         ("uint hn_walk(uint x, uint n) { uint v = 9u; do { x = x * 5u + 1u; v = v >= n ? x : v; } while (v >= n); "
          "return v; }",
          "uint hn_walk(uint x, uint n) {\n  uint v = 9u;\n  do {\n    uint x2 = x * 5u + 1u;\n    x = x2;\n"
          "    v = v >= n ? x2 : v;\n  } while (v >= n);\n  return v;\n}\n"),
-        # What branches read they do not set before.
+        # Branches do not set a variable before they read it.
         ("float hn_read(float r, float b) { for (int i = 0; i < 3; i++) { float s; if (r < b) { s = b; } "
          "else { s = r + 1.0f; } r = s; } return r; }",
          "float hn_read(float r, float b) {\n  for (int i = 0; i < 3; i++) {\n    float s;\n    if (r < b) {\n"
@@ -372,7 +372,7 @@ class Nodes(unittest.TestCase):
 class Comments(unittest.TestCase):
     """They stand alone, in every language: by default of some functions, in each language of others."""
     REFERENCE = re.compile(r"\b(?:above|below)\b(?!,? (?:-?\d|the first|a whole|a thresh))"
-                           r"|docs/|\.md\b|\.glsl\b|in its stead")
+                           r"|docs/|\.md\b|\.glsl\b|in place of (?:p|the cell)\b")
     LANGUAGES = (*LANGUAGES, *command.SYNTAXES, command.TSL)
     pick = staticmethod(command.picker())
 
@@ -393,7 +393,7 @@ class Comments(unittest.TestCase):
                                         self.REFERENCE)
 
     def test_a_reference_would_be_noticed(self) -> None:
-        for line in ("returns as above, in the metric", "error docs/accuracy.md", "as of the sums in fbm2d.glsl",
+        for line in ("returns as above, in the metric", "error docs/measured/accuracy.md", "as of the sums in fbm2d.glsl",
                      "the functions below use those"):
             self.assertRegex(line, self.REFERENCE)
 
@@ -442,7 +442,7 @@ class Comments(unittest.TestCase):
         for name in list(known)[::1 if THOROUGH else 30]:
             with self.subTest(name):
                 shown = self.pick([name], command.Choice())
-                call = re.search(r" call (.*) Of hashnoise", self.comment(shown))[1]
+                call = re.search(r" example (.*?)(?: (?:returns|error) .*)? Of hashnoise", self.comment(shown))[1]
                 done = self.compiled(call, name, shown)
                 self.assertEqual(done.returncode, 0, done.stdout)
         self.assertNotEqual(self.compiled("hn_fbm(uv * 8.0, 6)", "hn_fbm2", self.pick(["hn_fbm2"], command.Choice()))
@@ -468,7 +468,7 @@ class Comments(unittest.TestCase):
         for language, (variables, *compiler) in cases.items():
             shown = self.pick(["hn_cellular2_nearest"], command.Choice(language))
             comment = self.comment(shown)
-            call = re.search(r"(?:call |Call: `)(hn_\w+\(.*?\))(?:`| Of hashnoise)", comment)[1]
+            call = re.search(r"(?:example |Example: `)(hn_\w+\(.*?\))(?:`| returns )", comment)[1]
             for made, status in ((call, 0), (call.replace(", 7u", ""), 1)):
                 with self.subTest(language, call=made), tempfile.TemporaryDirectory() as folder:
                     main = f"float made() {{\n{variables}\nreturn {made}.x + offset.x + nearest.x;\n}}\n"
@@ -511,12 +511,12 @@ class Command(unittest.TestCase):
         self.assertEqual(code(shown), text("hn_value2", arithmetic="fixed") + without_seed)
 
     def test_the_page_says_how_many_functions_there_are(self) -> None:
-        """What it shows of them is made by tools/make readme."""
-        page = (ROOT / "docs" / "languages.md").read_text()
+        """tools/make readme makes its examples."""
+        page = (ROOT / "docs" / "guide" / "languages.md").read_text()
         self.assertIn(f"# {len(module('fast').forms)} functions\n", page)
 
     def test_the_pages_of_snippets_are_what_it_writes(self) -> None:
-        folder = ROOT / "docs" / "snippets"
+        folder = ROOT / "docs" / "reference" / "snippets"
         self.assertEqual((folder / "README.md").read_text(), pages.index())
         self.assertEqual({path.stem for path in folder.glob("hn_*")}, set(pages.FUNCTIONS))
         picked = pages.for_pages()
@@ -614,7 +614,7 @@ class Command(unittest.TestCase):
                                    (("hn_perln",), "no function hn_perln (did you mean hn_perlin1, hn_perlin2, hn_per"),
                                    (("perlin3",), "there is no function perlin3 (did you mean hn_perlin3"),
                                    (("hn_gulies",), "no function hn_gulies (did you mean hn_gullies2?)"),
-                                   (("zzzzzzzz",), "there is no function zzzzzzzz; --list tells them"),
+                                   (("zzzzzzzz",), "there is no function zzzzzzzz; --list prints them"),
                                    (("hn_perlin",), "there are hn_perlin1, hn_perlin1_place"),
                                    (("hn_value2", "--hash", "custom"), "--hash-function my_hash"),
                                    (("hn_value2", "--hash", "custom", "--hash-function", "a-b"), "not 'a-b'"),
@@ -629,7 +629,7 @@ class Command(unittest.TestCase):
                                    (("hn_value2", "--arithmetic", "precise", "--language", "godot"), "no `precise`"),
                                    (("hn_value2", "--arithmetic", "precise", "--language", "wgsl"), "Take HN_FIXED"),
                                    (("hn_value2", "--noise", "hn_simplex2"), "hn_value(vec2, uint) is no sum"),
-                                   (("hn_fbm2", "--noise", "hn_simplex3"), "asks for hn_perlin(hn_place3, uint)"),
+                                   (("hn_fbm2", "--noise", "hn_simplex3"), "calls hn_perlin(hn_place3, uint)"),
                                    (("hn_fbm2", "hn_warp2", "--noise", "hn_value2"), "hn_warp("),
                                    (("hn_fbm2", "--noise", "hn_simplx2"), "there is no function hn_simplx2"),
                                    (("hn_fbm2", "--noise", "hn_curl2"), "returns vec2, and what"),

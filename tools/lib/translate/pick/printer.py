@@ -56,6 +56,7 @@ class Language:
     has_overloads: ClassVar[bool] = True
     braces: ClassVar[bool] = False  # whether a branch of one statement has them, too
     forever: ClassVar[str] = "while (true) {"
+    ends: ClassVar[tuple[str, str]] = (";", ";")  # of a field, and of a struct
 
     def named(self, name: str) -> str:
         return self.names.get(name, name)
@@ -76,11 +77,11 @@ class Language:
         return f"{self.qualifier if type_ in SIZES and type_ != 'bool' else ''}{self.named(type_)}"
 
     def public_name(self, function: Function) -> str:
-        """That by which users call it."""
+        """The name by which users call it."""
         return function.name
 
     def signature(self, function: Function) -> str:
-        """What the comment says of a function: that of the library."""
+        """The signature in the comment of a function: the library's."""
         return f"{function.name}({', '.join(map(declared, function.parameters))})"
 
     def example(self, function: Function) -> str:
@@ -113,7 +114,7 @@ class Language:
         return f"{head} return {function.name}({passed}); }}\n"
 
     def constants(self, functions: Sequence[Function], module: Module) -> str:
-        """Those that users pass to the functions, where no library beside the text has them."""
+        """The constants that users pass to the functions, where no library beside the text has them."""
         if not self.structs:
             return ""
         taken = {parameter.at.text for function in functions for parameter in function.parameters}
@@ -124,17 +125,25 @@ class Language:
     def constant(self, name: str, value: str) -> str:
         return f"#define {name} {value}\n"
 
-    def head(self, type_: str, name: str, parameters: Iterable[Parameter], read: set[str]) -> str:
-        """Of a function. Parameters may be both set and read."""
-        def typed(one: Parameter) -> str:
-            form = (self.inout if one.at.text in read else self.out) if one.is_set else "{}"
-            return f"{form.format(self.typed(one.type))} {self.variable(one.at.text)}"
+    def pair(self, name: str, type_: str) -> str:
+        """A name with its type, as in parameters and fields."""
+        return f"{type_} {name}"
 
-        return f"{self.function}{self.typed(type_)} {name}({', '.join(map(typed, parameters))}) {{"
+    def parameter(self, one: Parameter, is_read: bool = False) -> str:
+        """A parameter in a head. It may be both set and read."""
+        form = (self.inout if is_read else self.out) if one.is_set else "{}"
+        return self.pair(self.variable(one.at.text), form.format(self.typed(one.type)))
+
+    def prototype(self, type_: str, name: str, parameters: Iterable[str]) -> str:
+        return f"{self.function}{self.typed(type_)} {name}({', '.join(parameters)})"
+
+    def head(self, type_: str, name: str, parameters: Iterable[Parameter], read: set[str]) -> str:
+        return f"{self.prototype(type_, name, (self.parameter(one, one.at.text in read) for one in parameters))} {{"
 
     def struct(self, name: str, fields: Iterable[tuple[str, str]]) -> str:
-        inside = "".join(f"  {self.typed(type_)} {self.field(one)};\n" for one, type_ in fields)
-        return f"struct {name} {{\n{inside}}};\n"
+        after_field, after_struct = self.ends
+        inside = "".join(f"  {self.pair(self.field(one), self.typed(type_))}{after_field}\n" for one, type_ in fields)
+        return f"struct {name} {{\n{inside}}}{after_struct}\n"
 
     def writer(self, block: list[Statement], hints: Mapping[Node, str], parameters: Sequence[Parameter],
                names: Mapping[Kept, str], precise: bool) -> Writer:
@@ -192,7 +201,7 @@ class Expressions:
         return f"{name}({', '.join(self._text(argument) for argument in arguments)})", PRIMARY
 
     def _named(self, node: Node) -> str:
-        """What has a name: a field has one behind a point."""
+        """The text of a named value: a field's name is behind a point."""
         name, *fields = (self.called.get(node) or node.name).split(".")
         return ".".join([self.language.variable(name), *map(self.language.field, fields)])
 
@@ -262,7 +271,7 @@ class Writer(Expressions):
                 self.called[statement.variable] = statement.variable.name
         return self._lines(self.block, self.indent)
 
-    # What is named, and where.
+    # Names, and their places.
 
     def _save(self) -> None:
         """Copies what is a variable that was set before: _name_late gives it a name."""
@@ -305,12 +314,12 @@ class Writer(Expressions):
             if not isinstance(statement, (Set, Return)):
                 first = i + 1
             place = (*around, (number, min(first, i)))
-            asked = place
+            evaluated = place
             if isinstance(statement, Loop) and statement.asks_behind:
-                asked = (*place, (self._numbers[id(statement.body)], len(statement.body)))
+                evaluated = (*place, (self._numbers[id(statement.body)], len(statement.body)))
             for node in operands(statement):
                 if isinstance(node, Operation):
-                    at.setdefault(node, []).append(asked)
+                    at.setdefault(node, []).append(evaluated)
             for other in inner(statement):
                 self._visit(other, place, at)
 
@@ -339,7 +348,7 @@ class Writer(Expressions):
                        and node.kind not in ("call", "member")}
 
     def _inside(self, node: Operation) -> list[Node]:
-        """What an expression has in it where it stands."""
+        """The values inside an expression at its place."""
         found: list[Node] = []
         pending = list(node.arguments)
         while pending:
@@ -476,7 +485,7 @@ class Writer(Expressions):
         return [*lines, "}"]
 
     def _otherwise(self, block: list[Statement]) -> list[str]:
-        """The other branch; what stands alone in it is asked next."""
+        """The other branch; a lone condition in it is an `else if`."""
         lines = self._lines(block, self.indent)
         if len(block) == 1 and isinstance(block[0], If) and lines[0].lstrip().startswith("if ") and (
                 lines[-1] == f"{' ' * self.indent}}}"):

@@ -50,7 +50,7 @@ def _read_once(library: Path, settings: tuple[tuple[str, str], ...], splits: boo
 
 
 def _read(library: Path, settings: dict[str, str], splits: bool, own: Sequence[Function], below: str) -> Module:
-    # Where floats are precise, all are: the printer says so.
+    # Where floats are precise, all are: the printer writes it.
     preprocessor = Preprocessor(library, {**settings, "precise": ""})
     preprocessor.read(f'#include "hashnoise.glsl"\n{below}', "the library")
     tree = definitions(preprocessor.items)
@@ -115,7 +115,7 @@ def chosen(module: Module, names: Sequence[str]) -> list[Function]:
 
 
 def _hint(name: str, known: dict[str, Function]) -> str:
-    """What was probably meant: the forms of a function, or a form that a few typing errors turn into the name."""
+    """A suggestion: the forms of a function, or a form that a few typing errors turn into the name."""
     def forms(called: str) -> list[str]:
         return sorted(form for form, function in known.items() if function.name == called)
 
@@ -126,7 +126,7 @@ def _hint(name: str, known: dict[str, Function]) -> str:
     functions = {function.name for function in known.values()}
     near = difflib.get_close_matches(name, sorted({*functions, *known}))
     if not near:
-        return "; --list tells them"
+        return "; --list prints them"
     if near[0] in functions and near[0] not in known:
         near = [form for form in forms(near[0]) if form[:-1] == near[0]] or forms(near[0])  # with a dimension
     near = [form for form in near if form in known]
@@ -148,14 +148,14 @@ def over(module: Module, form: str) -> Module:
             with_other = copy.copy(module)
             with_other.summed = Summed(noise.name, replaced, types)
             return with_other
-    raise Unknown(f"--noise {form} returns {at_place.type}, and what a sum asks for returns a float, or derivatives as "
+    raise Unknown(f"--noise {form} returns {at_place.type}, and a sum's noise returns a float, or derivatives as "
                   "those of hn_perlin_d")
 
 
 def check_sums(program: Program, summed: Summed) -> None:
     for root in program.roots:
         if not root.evaluation.sums_other_noise:
-            raise Unknown(f"{root.function.name}({', '.join(root.function.types)}) is no sum that asks for "
+            raise Unknown(f"{root.function.name}({', '.join(root.function.types)}) is no sum that calls "
                           f"{summed.replaced}({', '.join(summed.types)}), for which --noise could stand")
 
 
@@ -166,7 +166,7 @@ class Evaluated:
     evaluation: Evaluation
     block: list[Statement]
     parameters: list[Parameter]  # that are left
-    asked: set[Key]  # of which functions it mattered whether they are called
+    consulted: set[Key]  # functions for which it mattered whether they are called
 
     @functools.cached_property
     def nodes(self) -> set[Node]:
@@ -183,7 +183,7 @@ class Evaluated:
 
 
 class Program:
-    """The functions that are asked for, and those that they call."""
+    """The chosen functions, and those that they call."""
 
     def __init__(self, module: Module, roots: Sequence[Function]):
         begin_anew()
@@ -205,7 +205,7 @@ class Program:
         before, kept, done = self._arguments(), self.kept, self._done
         keys = {(one.name, one.types) for one in new}
         self.kept = {**kept, **{(one.name, one.types): one for one in new}}
-        self._done = {of: one for of, one in done.items() if not one.asked & keys}
+        self._done = {of: one for of, one in done.items() if not one.consulted & keys}
         self._evaluate_all()
         now = self._arguments()
         if len(new) == 1 or all(len(now.get(key, ())) == len(before[key]) and
@@ -221,11 +221,11 @@ class Program:
 
     def _evaluate(self, kept: Kept, is_root: bool) -> Evaluated:
         function = self.module.overload(kept.name, kept.types)
-        asked: set[Key] = set()
+        consulted: set[Key] = set()
 
         def keeps(called: Function, arguments: Sequence[Node]) -> Kept | None:
             key = called.name, called.types
-            asked.add(key)
+            consulted.add(key)
             found = self.kept.get(key)
             return found if found and found.left(arguments) is not None else None
 
@@ -246,7 +246,7 @@ class Program:
                     nodes.append(nodes[of])
                 elif isinstance(of, Kept):
                     inside = self._evaluate(of, is_root=False)  # afresh, since its variables get other names
-                    asked |= inside.asked
+                    consulted |= inside.consulted
                     taken = {one.at.text for one in (*function.parameters, *parameters)}
                     parameters += [_renamed(one, inside.nodes, taken) for one in inside.parameters]
                     evaluation.hints.update(inside.evaluation.hints)
@@ -260,10 +260,10 @@ class Program:
                     leaves |= {(*path, *rest): node for rest, node in self.module.leaves(nodes[-1]).items()}
             values.append(Typed(parameter.type, leaves))
         return Evaluated(function, evaluation, without_copies(without_dead(evaluation.run(function, values))),
-                         parameters, asked)
+                         parameters, consulted)
 
     def _named(self, function: Function, parameter: Parameter, path: tuple[str, ...]) -> str:
-        """What is passed for a parameter. A position that is split is x, y and so on."""
+        """The arguments for a parameter. A position that is split is x, y and so on."""
         name = dotted((parameter.at.text, *path))
         taken = any(one.at.text in AXES for one in function.parameters)
         if not self.module.splits or parameter.at.text != "p" or taken:
@@ -297,7 +297,7 @@ class Program:
         return [*self.roots, *self.called.values()]
 
     def _arguments(self) -> dict[Key, dict[tuple[Node, ...], None]]:
-        """Those of all calls, each once, by what is called."""
+        """The arguments of all calls, each once, by the function."""
         found: dict[Key, dict[tuple[Node, ...], None]] = {}
         for one in self._all():
             for key, arguments in one.evaluation.arguments.items():
@@ -312,8 +312,8 @@ class Program:
                      for i, column in enumerate(columns))
 
     def _worth_a_call(self) -> list[Kept]:
-        """What is called more than once with other arguments, and is long: the longest, and those that follow by length
-        as long as none calls another one, since each changes what those that call it are."""
+        """Long functions that are called more than once with other arguments: the longest, and those that follow by
+        length as long as none calls another one, since each changes what those that call it are."""
         found: list[Kept] = []
         roots = {(root.function.name, root.function.types) for root in self.roots}
         for key, calls in self._arguments().items():
@@ -321,7 +321,7 @@ class Program:
             if count < 2 or key in self.kept or key in roots:
                 continue
             kept = Kept(*key, self._known(calls))
-            # What the other calls save, less a head of a function and its calls, all in operations.
+            # The savings by the other calls, less a head of a function and its calls, all in operations.
             if (count - 1) * self._evaluated(kept).size > 4 + count:
                 found.append(kept)
         found.sort(key=lambda kept: -self._evaluated(kept).size)
@@ -333,10 +333,10 @@ class Program:
         return found
 
     def _calls(self, kept: Kept, other: Kept) -> bool:
-        return (other.name, other.types) in self._evaluated(kept).asked
+        return (other.name, other.types) in self._evaluated(kept).consulted
 
     def _joined(self) -> list[Kept]:
-        """A function one of whose arguments is what another one returns, in all calls: with that in it."""
+        """A function that takes another one's result in all its calls, joined with the other."""
         uses: Counter[Node] = Counter()
         calls: dict[Kept, list[Operation]] = {}
         made_here = (node for one in self._all() for node in one.nodes if isinstance(node, Operation))
@@ -396,7 +396,7 @@ class Program:
         return names
 
     def structs(self) -> list[str]:
-        """Those in parameters and results, with what they are made of, in the order of the library."""
+        """The structs in parameters and results, with the structs inside, in the order of the library."""
         needed = {type_ for root in self.roots for type_ in (root.function.type, *root.function.types)}
         for name, struct in reversed(self.module.structs.items()):
             if name in needed:
@@ -419,7 +419,7 @@ class Program:
 
 
 def heading(program: Program, language: Language, command: str, library: Path) -> str:
-    """What the functions are, take, return and may be wrong by, and how to make them again."""
+    """The head: functions, arguments, results, errors, and the command that makes the text again."""
     lines: list[str] = []
     for root, of_function in zip(program.roots, facts(program, library, language.has_overloads)):
         function = root.function
@@ -433,7 +433,7 @@ def origin(command: str) -> list[str]:
 
 
 def facts(program: Program, library: Path, may_lack_seed: bool) -> list[Facts]:
-    """What the library's comments tell of each function."""
+    """The library's comments on each function."""
     found = [comments.facts(root.function, library, may_lack_seed) for root in program.roots]
     if summed := program.module.summed:
         found = [one._replace(what=f"{one.what} The noise is {summed.name}. Ranges and errors are those with "

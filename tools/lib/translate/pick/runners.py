@@ -33,7 +33,7 @@ class NotRun(Exception):
 
 
 def ran(folder: Path, *command: str | Path) -> str:
-    """What a program prints; raises NotRun if it fails."""
+    """A program's output; raises NotRun if it fails."""
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
     if done.returncode:
         raise NotRun(f"{' '.join(map(str, command))} returned {done.returncode}:\n{done.stdout}{done.stderr}")
@@ -75,7 +75,7 @@ class Runner:
             raise NotInstalled(f"there is no {' and no '.join(missing)}: apt-get install {self.packages}")
 
     def run(self, cases: Sequence[Case], module: Module, points: int, inputs: bytes, folder: Path) -> bytes:
-        """What the functions return for these words."""
+        """The functions' results for these words."""
         (folder / "inputs").write_bytes(inputs)
         calls = [self.call(module, case.function, points) for case in cases]
         self.build_and_run([case.text for case in cases], calls, folder)
@@ -141,7 +141,7 @@ class Runner:
                 if parameter.is_set:
                     outputs += leaves(type_, name)
         of_results = [leaf for i, part in enumerate(results) for leaf in leaves(part.type, self.result(results, i))]
-        # What is set stands behind what is returned; what is returned beside it, in the order of the parameters.
+        # Parameters that are set stand behind the result; further results in the order of the parameters.
         lines += self.called(syntax.function_name(wgsl_name(function), is_public=True), arguments, results)
         lines += [self.write[type_].format(value) for type_, value in (*of_results, *outputs)]
         inside = "".join(f"{self.indent}    {line}\n" for line in lines)
@@ -208,7 +208,7 @@ class RustRunner(Runner):
         ran(folder, folder / "main")
 
     def lint(self, texts: Sequence[str], folder: Path) -> None:
-        """By clippy with what it asks for by default."""
+        """By clippy with its default lints."""
         modules = "".join(f"pub mod m{i} {{\n{text}}}\n" for i, text in enumerate(texts))
         written_to(folder, {"noise.rs": f"#![no_std]\n{modules}"})
         ran(folder, "clippy-driver", "--edition", "2021", "--crate-type", "rlib", "--emit", "metadata", "-D", "warnings",

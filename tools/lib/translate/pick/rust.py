@@ -18,7 +18,7 @@ LIKE_A_GENERIC = ("<", "<=", "<<")  # behind a cast they would be taken for the 
 
 
 def _constants() -> dict[float, str]:
-    """Those of core, for which clippy asks, by their values as f32."""
+    """The constants of core, which clippy wants, by their values as f32."""
     values = {"E": math.e, "PI": math.pi, "TAU": math.tau, "SQRT_2": math.sqrt(2), "LN_2": math.log(2),
               "LN_10": math.log(10), "LOG2_E": math.log2(math.e), "LOG10_E": math.log10(math.e),
               "LOG2_10": math.log2(10), "LOG10_2": math.log10(2), "FRAC_1_PI": 1 / math.pi, "FRAC_2_PI": 2 / math.pi,
@@ -44,7 +44,7 @@ def is_number(piece: Piece) -> bool:
 
 
 def typed(piece: Piece, type_: str) -> str:
-    """What has a method: a number has no type of its own."""
+    """The receiver of a method: a literal has no type of its own."""
     if not is_number(piece):
         return piece.within(UNARY)
     number = f"{piece.text}_{Rust.types[type_]}"

@@ -45,7 +45,7 @@ class Part(NamedTuple):
 
 
 class Facts(NamedTuple):
-    """What the library's comment says of a function: paragraphs."""
+    """The library's comment on a function: paragraphs."""
     what: str
     returns: str
     error: str
@@ -68,7 +68,7 @@ def paragraph_lines(text: str, width: int = 96, begin: str = "", indent: str = "
 
 
 def indented(parts: Sequence[str]) -> str:
-    """What stands in a class."""
+    """The text of a class."""
     lines = (part for line in spaced(parts).splitlines()
              for part in wrapped(line.lstrip(), 4 + len(line) - len(line.lstrip())))
     return "".join(f"{line.rstrip()}\n" for line in lines)
@@ -81,8 +81,8 @@ def spaced(parts: Sequence[str]) -> str:
 
 
 def block_comment(facts: Facts, tag: str) -> list[str]:
-    """What javadoc and JSDoc read. What stands behind a tag belongs to it."""
-    paragraphs = [facts.what, facts.error and f"Error: {facts.error}.", facts.call and f"Call: {facts.call}",
+    """A comment for javadoc and JSDoc. Text behind a tag belongs to it."""
+    paragraphs = [facts.what, facts.call and f"Example: {facts.call}", facts.error and f"Error: {facts.error}.",
                   *(f"@param {one} {text}." for names, text in facts.parameters.items() for one in names.split(", ")
                     if one not in facts.sets),
                   facts.all_returns and f"{tag} {facts.all_returns}."]
@@ -157,14 +157,14 @@ class Syntax:
     library: Mapping[str, str] = {}  # macros with which the library is read
     no_precise = ""                  # why it has no `precise`, and what to take
     reserved: frozenset[str] = frozenset()
-    helpers: Mapping[str, str] = {}  # functions that the language lacks, with what is said of them
+    helpers: Mapping[str, str] = {}  # functions that the language lacks, with their comments
     needs: Mapping[str, Sequence[str]] = {}  # of helpers: other helpers
     helpers_first = False            # whether functions stand before those that call them
     sets_parameters = False          # whether what is returned beside the result is set by parameters of that name
     shifts_by_int = False            # whether the right operand of a shift has to be an int
     counts_a_range = False           # whether loops that count go through a range
     branches_are_values = False      # whether an if has a value
-    # What a declaration of a component looks like, if those of one vector share a line, and what they are together.
+    # The form of a component's declaration, if the components of a vector share a line, and of the line.
     component: re.Pattern[str] | None = None
     components = ""
     item = "- "            # before an item of a list in a comment
@@ -342,9 +342,9 @@ class Syntax:
         listed = [line for names, text in facts.parameters.items()
                   for line in paragraph_lines(f"{names}: {text}.", begin=self.item, indent=" " * len(self.item))]
         paragraphs = [paragraph_lines(facts.what), listed,
+                      paragraph_lines(f"Example: `{facts.call}`" if facts.call else ""),
                       paragraph_lines(f"Returns {facts.all_returns}." if facts.all_returns else ""),
-                      paragraph_lines(f"Error: {facts.error}." if facts.error else ""),
-                      paragraph_lines(f"Call: `{facts.call}`" if facts.call else "")]
+                      paragraph_lines(f"Error: {facts.error}." if facts.error else "")]
         return [line for paragraph in paragraphs if paragraph for line in ("", *paragraph)][1:]
 
     def joined(self, lines: Sequence[str], space: str) -> list[str]:
@@ -395,7 +395,7 @@ class Scalars(Writer):
         super().__init__(Language(), block, hints, parameters, names, reserved={*syntax.reserved, *syntax.helpers})
 
     def changed_parameters(self) -> set[str]:
-        """Those that are variables as well."""
+        """The parameters that are variables as well."""
         return {self.called[one.variable] for one in walk(self.block)
                 if isinstance(one, Declare) and id(one) in self._dropped and one.variable in self.called
                 and isinstance(one.value, Variable) and one.value.is_parameter}
@@ -484,7 +484,7 @@ class Scalars(Writer):
         yielded = [one for one in block if isinstance(one, Set) and one.variable in self._yielded]
         if not yielded:
             return super()._lines(block, indent)
-        # What the block gives stands behind what else is in it.
+        # The results of the block stand behind its other statements.
         self._dropped |= {id(one) for one in yielded}
         lines = super()._lines(block, indent)
         texts = [self._text(one.value) for one in yielded]
@@ -589,7 +589,7 @@ def _only_sets(branches: If, variables: Sequence[Variable]) -> bool:
 
 
 def text(program: Program, syntax: Syntax, known: Sequence[comments.Facts] = (), heading: Sequence[str] = ()) -> str:
-    """The functions of a program. What is known of them is in their order."""
+    """The functions of a program. Facts about them are in their order."""
     public = [wgsl_name(root.function) for root in program.roots]
     names = _names(program, syntax, [syntax.function_name(name, is_public=True) for name in public])
     parts = {name: fields_of(program.module, name) for name in program.structs()}
@@ -614,9 +614,11 @@ def pieces(program: Program, syntax: Syntax) -> Iterator[tuple[str, str]]:
     parts = {name: fields_of(program.module, name) for name in program.structs()}
     functions = [(names[kept], _function(evaluated, names[kept], False, syntax, parts, names))
                  for kept, evaluated in program.called.items()]
-    functions += [(name, _function(root, name, True, syntax, parts, names)) for name, root in zip(public, program.roots)]
+    functions += [(name, _function(root, name, True, syntax, parts, names))
+                  for name, root in zip(public, program.roots)]
     structs = [(syntax.type_name(name), syntax.struct(name, fields)) for name, fields in parts.items()]
-    return iter([*structs, *((name, syntax.helpers[name]) for name in syntax.helpers if name in syntax.used), *functions])
+    helpers = [(name, syntax.helpers[name]) for name in syntax.helpers if name in syntax.used]
+    return iter([*structs, *helpers, *functions])
 
 
 def fields_of(module: Module, name: str) -> list[Part]:
@@ -626,7 +628,7 @@ def fields_of(module: Module, name: str) -> list[Part]:
 
 
 def results_of(function: Function, module: Module) -> list[Part]:
-    """What it returns, and behind that what it sets in GLSL."""
+    """Its result, and behind it the parameters that it sets in GLSL."""
     results = [Part("value", function.type)] if function.type != "void" else []
     return results + [Part(one.at.text, one.type) for one in function.parameters
                       if one.is_set and not module.passed(one)]

@@ -47,7 +47,7 @@ class InRust(unittest.TestCase):
         ("int hn_f(int a) { int sum = 0; for (int i = 0; i < a; i++) { sum += i; a -= 2; } return sum + a; }",
          "pub fn f1(mut a: i32) -> i32 {\n    let mut sum = 0;\n    let mut i = 0;\n    while i < a {\n"
          "        a -= 2;\n        sum += i;\n        i += 1;\n    }\n    sum + a\n}"),
-        # What is set is returned; vectors are their components.
+        # Parameters that are set are returned; vectors are their components.
         ("void hn_f(vec2 p, uint seed, out ivec2 near, out float far) "
          "{ near = ivec2(p) - 1; far = p.x < p.y ? p.x : p.y; }",
          "/// Returns near, far.\npub fn f2(x: f32, y: f32, _seed: u32) -> ([i32; 2], f32) {\n"

@@ -26,12 +26,12 @@ class Godot(Language):
         return f"{name}{SUFFIX}"
 
 
-# In a fragment shader of GLSL ES numbers have 16 bits unless a declaration says otherwise, whatever the user's own
+# In a fragment shader of GLSL ES numbers have 16 bits unless a declaration sets more, whatever the user's own
 # precision is. Elsewhere `highp` means nothing. A constructor should have the precision of its argument; NVIDIA's
 # driver gives it that of the scope, where float(100000) is infinite.
 GLSL = Language(qualifier="highp ", scope="precision highp float;")
-NO_PRECISE_IN_METAL = ("Metal's language has no `precise`, and its compiler computes by fast math unless it is told "
-                       "otherwise: take --arithmetic fixed, whose bits are the same everywhere")
+NO_PRECISE_IN_METAL = ("Metal's language has no `precise`, and its compiler computes by fast math unless an option "
+                       "turns it off: take --arithmetic fixed, whose bits are the same everywhere")
 HLSL = Language(fills=False, names=HLSL_NAMES, library={"HN_I_FXC": "1"})
 # Slang does not find a variable that was declared before it in the same statement, if `<` stands behind its name.
 SLANG = replace(HLSL, joins=False, no_precise="Slang's compiler leaves `precise` out of SPIR-V: take --arithmetic "

@@ -52,7 +52,7 @@ class Runner:
     """Of a language."""
     form: Form
     arithmetics: Sequence[str] = ("fixed",)  # whose words are those of the library
-    # What stands behind a text, by the words that a call takes and gives at each of the points.
+    # The text behind a pick, by the words that a call takes and gives at each of the points.
     entry: str
 
     def entry_of(self, case: Case, points: int) -> str:
@@ -61,7 +61,7 @@ class Runner:
                                  lines="".join(f"    {line}\n" for line in lines))
 
     def run(self, cases: Sequence[Case], points: int) -> list[bytes]:
-        """What the functions return for these words, one behind another."""
+        """The functions' results for these words, one behind another."""
         raise NotImplementedError
 
 

@@ -1,4 +1,4 @@
-"""What tools/pick writes in shading languages has the bits of the C++ header with HN_FIXED; in WGSL it has golden
+"""tools/pick's text in shading languages has the bits of the C++ header with HN_FIXED; in WGSL it has golden
 values within the bound with HN_FAST.
 
     python3 -m translate.pick.shading_test HN_CONFORM FOLDER LANGUAGE...     FOLDER has what pick.languages_test has written

@@ -33,7 +33,7 @@ class If:
 
 @dataclass
 class Loop:
-    """`condition` is asked before each turn, or behind it; None is true. The step changes a variable between turns."""
+    """`condition` is tested before each turn, or behind it; None is true. The step changes a variable between turns."""
     condition: Node | None
     asks_behind: bool
     body: list[Statement]

@@ -1,5 +1,5 @@
-"""The types of expressions, by which GLSL chooses among overloads, and their values. What the library does not need of
-GLSL is an error that names the place."""
+"""The types of expressions, by which GLSL chooses among overloads, and their values. GLSL that the library does not
+need is an error that names the place."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ NUMBERS = ("float", "int", "uint")
 # Functions of the language, by how many arguments, all of one type, which is that of the result, too.
 BUILTINS = {"abs": (1, ("float", "int")), "floor": (1, ("float",)), "trunc": (1, ("float",)), "sqrt": (1, ("float",)),
             "min": (2, NUMBERS), "max": (2, NUMBERS)}
-# Those that reinterpret bits: from what, and to what.
+# Functions that reinterpret bits: from what, and to what.
 CASTS = {"uintBitsToFloat": ("uint", "float"), "floatBitsToUint": ("float", "uint"),
          "intBitsToFloat": ("int", "float"), "floatBitsToInt": ("float", "int")}
 
@@ -57,7 +57,7 @@ class Typer:
         raise NotImplementedError
 
     def _called(self, call: syntax.Call, arguments: Sequence[Typed], *scope: object) -> Typed:
-        """What a function of the library returns."""
+        """A library function's result."""
         raise NotImplementedError
 
     def _value(self, expression: Expression, *scope: object) -> Typed:
@@ -95,7 +95,7 @@ class Typer:
         return value
 
     def _assigned(self, statement: syntax.Assign, target: Typed, *scope: object) -> Typed:
-        """What is assigned to what has that value."""
+        """The value that is assigned."""
         at, sign = statement.at, statement.at.text
         if statement.value is None:
             if target.type != "int":

@@ -1,6 +1,6 @@
 """Values of a function that is partly evaluated: trees whose leaves are numbers, parameters and variables.
 
-What is known of integers and conditions is computed at once, as GLSL computes it, and of floats what is exact. All else
+Known integers and conditions are computed at once, as in GLSL, and so are exact operations on floats. All else
 of floats stays as it is written, since another order of operations could round otherwise.
 """
 
@@ -50,7 +50,7 @@ class Variable:
 
 @dataclass(eq=False)
 class Operation:
-    """An operator, a constructor, a function of the language or one of the module. Those that are alike are one."""
+    """An operator, a constructor, a function of the language or one of the module. Equal ones are one object."""
     kind: str  # unary, binary, choice, member, construct, builtin, call or copy
     name: str  # the operator, the member, the type or the function
     type: str
@@ -122,7 +122,7 @@ FLOATS: dict[str, Callable[[Fraction, Fraction], Fraction]] = {
 
 
 def hides(sign: str, left: Node) -> bool:
-    """Whether an operation that does nothing stays, which hides from FXC what the number is (detail/convert.glsl)."""
+    """Whether an operation that does nothing stays, which hides from FXC what the number is (detail/word.glsl)."""
     return sign == "^" and isinstance(left, Operation) and left.name == "floatBitsToUint"
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
 
 from translate.parsing.syntax import Function, Parameter
 from translate.pick.evaluate import Kept
@@ -15,10 +16,14 @@ from translate.names import RESERVED, variable, wgsl_name, wgsl_type
 SHIFTS = ("<<", ">>")
 
 
+@dataclass(frozen=True)
 class Wgsl(Language):
+    out: str = "ptr<function, {}>"
+    inout: str = "ptr<function, {}>"
     has_overloads = False
     braces = True
     forever = "loop {"
+    ends = (",", "")
 
     def named(self, name: str) -> str:
         return wgsl_type(name)
@@ -36,22 +41,17 @@ class Wgsl(Language):
         return wgsl_name(function)
 
     def signature(self, function: Function) -> str:
-        return self.head(function.type, wgsl_name(function), function.parameters, set())[len("fn "):-len(" {")]
+        return self.prototype(function.type, wgsl_name(function), map(self.parameter, function.parameters))[len("fn "):]
 
     def constant(self, name: str, value: str) -> str:
         return f"const {name}: i32 = {value};\n"
 
-    def head(self, type_: str, name: str, parameters: Iterable[Parameter], read: set[str]) -> str:
-        def typed(one: Parameter) -> str:
-            form = "ptr<function, {}>" if one.is_set else "{}"
-            return f"{self.variable(one.at.text)}: {form.format(self.typed(one.type))}"
+    def pair(self, name: str, type_: str) -> str:
+        return f"{name}: {type_}"
 
+    def prototype(self, type_: str, name: str, parameters: Iterable[str]) -> str:
         returned = f" -> {self.typed(type_)}" if type_ != "void" else ""
-        return f"fn {name}({', '.join(map(typed, parameters))}){returned} {{"
-
-    def struct(self, name: str, fields: Iterable[tuple[str, str]]) -> str:
-        inside = "".join(f"  {self.field(one)}: {self.typed(type_)},\n" for one, type_ in fields)
-        return f"struct {name} {{\n{inside}}}\n"
+        return f"fn {name}({', '.join(parameters)}){returned}"
 
     def writer(self, block: list[Statement], hints: Mapping[Node, str], parameters: Sequence[Parameter],
                names: Mapping[Kept, str], precise: bool) -> Writer:

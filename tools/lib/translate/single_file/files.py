@@ -16,7 +16,7 @@ PLACES = {"glsl": "Put it below your #version and #extension lines.", "hlsl": "I
           "metal": "Include it once in a file, below <metal_stdlib>.",
           "godot": "Save it as a .gdshaderinc, and include it once in a shader."}
 INCLUDE = re.compile(r'^#include "([^"]+)"$')
-# What a knob decides to include. Without it the file changes nothing, so that it may be there with any knob.
+# An include that a knob decides on. Without it the file changes nothing, so that it may be there with any knob.
 CHOSEN = re.compile(r'^#if .*\n((?:#include .*\n)+)#endif\n', re.MULTILINE)
 PASSED = re.compile(r"#define (HN_(?:METRIC|SPREAD)_\w+) (\d+)")
 
@@ -87,7 +87,7 @@ MACRO = re.compile(r"(#define \w+(?:\([^)]*\))?)( |$)(.*)")
 
 def minified(lines: Iterable[str]) -> Iterator[str]:
     """The same lines without blanks that say nothing, so an error names the line that it named in the stripped file.
-    The one behind a macro's name stays: it tells a macro with arguments from one without."""
+    The one behind a macro's name stays: it separates a macro without arguments from one with."""
     for line in stripped(lines):
         if macro := MACRO.fullmatch(line):
             yield macro[1] + macro[2] + BLANK.sub("", macro[3])
@@ -120,7 +120,7 @@ def text(names: Sequence[str], language: str = "glsl", strip: bool = False, mini
     elif language == "godot":
         lines = godot.expanded(lines)
     elif language == "slang":
-        # What users pass is a constant in a module, since macros stay inside.
+        # Numbers that users pass are constants in a module, since macros stay inside.
         for name, value in [found.groups() for line in lines if (found := PASSED.match(line))]:
             lines += [f"#undef {name}", f"static const int {name} = {value};"]
         lines += ["#if HN_ARITHMETIC == HN_PRECISE",

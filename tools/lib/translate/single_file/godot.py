@@ -16,12 +16,12 @@ from base.tree import GLSL
 from translate.parsing import tokens
 from translate.parsing.preprocessor import DEFINE, DIRECTIVE, Preprocessor
 
-# What Godot does not define. Its language has the built-in functions of GLSL ES 3.00.
+# Functions that Godot does not define. Its language has the built-in functions of GLSL ES 3.00.
 UNDEFINED = ("__cplusplus", "HN_I_HLSL", "HN_I_FXC", "HN_I_METAL", "GL_ES", "GL_GOOGLE_cpp_style_line_directive",
              "__VERSION__", "_MSC_VER", "VULKAN")
-# It has no `precise` either, whatever its version says.
+# It has no `precise` either, whatever its version is.
 NO_PRECISE = "HN_I_HAS_PRECISE"
-# The macros of the library's own. Those that users write stay: knobs, their values, metrics.
+# The macros of the library's own. Macros that users write stay: knobs, their values, metrics.
 OWN = re.compile(r"(?!HN_\w+_GLSL)(HN_I_\w+|HN_FN|hn_\w+)")
 GUARD = re.compile(r"HN_\w+_GLSL")
 WORD = re.compile(rf"\b{tokens.WORD}\b")

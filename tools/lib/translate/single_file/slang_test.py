@@ -23,7 +23,7 @@ from translate.single_file.files import text
 from translate.wgsl.device import Absent
 
 FIXED = {"HN_ARITHMETIC": "HN_FIXED"}
-PAGE = (ROOT / "docs" / "languages.md").read_text(encoding="utf-8").partition("\n## Slang\n")[2].partition("\n## ")[0]
+PAGE = (ROOT / "docs" / "guide" / "languages.md").read_text(encoding="utf-8").partition("\n## Slang\n")[2].partition("\n## ")[0]
 
 
 class Imported(SlangRunner):

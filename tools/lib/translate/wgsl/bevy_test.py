@@ -1,5 +1,5 @@
-"""Modules of tools/pick whole --language wgsl and tools/pick as Bevy imports them: naga_oil composes them, and what comes out has the golden
-values.
+"""Modules of tools/pick whole --language wgsl and tools/pick as Bevy imports them: naga_oil composes them, and what
+comes out has the golden values.
 
     python3 -m translate.wgsl.bevy_test FOLDER    where cargo builds what composes
 
@@ -28,7 +28,7 @@ COMPOSER = Path(__file__).resolve().parent / "composer"
 EXAMPLE = ROOT / "examples" / "bevy"
 SAMPLE = ("noise1d.perlin", "noise2d.perlin", "noise2d.perlin_cell_period", "noise3d.value_cell",
           "noise4d.simplex", "fbm.clouds3", "fbm.fbm2")
-# What the example imports of Bevy, as far as it needs it.
+# The parts of Bevy that the example needs.
 BEVY = {"vertex_output": """#define_import_path bevy_sprite::mesh2d_vertex_output
 struct VertexOutput { @builtin(position) position: vec4f, @location(0) world_position: vec4f,
                       @location(1) world_normal: vec3f, @location(2) uv: vec2f }
@@ -39,7 +39,7 @@ struct Globals { time: f32, delta_time: f32, frame_count: u32 }
 
 
 class Refused(Exception):
-    """What naga_oil says."""
+    """naga_oil's messages."""
 
 
 def build(folder: Path) -> Path:
@@ -56,7 +56,7 @@ def build(folder: Path) -> Path:
 
 
 def picked(*options: str) -> str:
-    """What a user gets."""
+    """The text that a user gets."""
     return subprocess.run([sys.executable, TOOLS / "pick", *options], capture_output=True, text=True, check=True).stdout
 
 
@@ -97,7 +97,7 @@ class Bevy(unittest.TestCase):
         self.assertEqual(self.differing(whole), set())
 
     def test_picked_functions_have_them_too(self):
-        """Those that the rows call, in one module."""
+        """The functions that the rows call, in one module."""
         imported = re.findall(r"#import hashnoise::(hn_\w+)", "".join(evaluation_of(SAMPLE).values()))
         names = [name for name in dict.fromkeys(imported) if not re.fullmatch(r"hn_place\d", name)]
         text = picked(*names, "--language", "wgsl", "--arithmetic", "fixed", "--import-path", "hashnoise")
@@ -119,7 +119,7 @@ class Bevy(unittest.TestCase):
             self.composed({"hashnoise": picked("hn_fbm2", "--language", "wgsl")}, {"user": user.format("hn_fbm2", "hn_fbm2")})
 
     def test_the_code_of_the_page(self):
-        page = (ROOT / "docs" / "engines.md").read_text(encoding="utf-8")
+        page = (ROOT / "docs" / "guide" / "engines.md").read_text(encoding="utf-8")
         command = re.search(r"^    hashnoise/tools/pick (.*) --out assets/shaders/hashnoise.wgsl$", page, re.MULTILINE)[1]
         shader, = re.findall(r"^```wgsl\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)
         modules = {"hashnoise": picked(*command.split()), **BEVY}
@@ -128,7 +128,7 @@ class Bevy(unittest.TestCase):
             self.composed(modules, {"page": shader.replace("hn_clouds3", "hn_cloudz3")})
 
     def test_the_example_draws_the_clouds_of_the_library(self):
-        """Its sky is mixed by hn_clouds3, whose value comes out where sky and cloud are told apart."""
+        """Its sky is mixed by hn_clouds3, whose value comes out where sky and cloud differ."""
         command = re.search(r"tools/pick (.*) --out assets/shaders/hashnoise.wgsl", (EXAMPLE / "src/main.rs").read_text())[1]
         own = (EXAMPLE / "assets/shaders/clouds.wgsl").read_text()
         modules = {"hashnoise": picked(*command.split()), **BEVY}

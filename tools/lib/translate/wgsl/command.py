@@ -16,7 +16,7 @@ from translate.wgsl.module import Module
 DESCRIPTION = "Make a WGSL module of a file of the library. For single functions: tools/pick hn_fbm2 --language wgsl."
 EPILOG = """\
 noise2d.glsl is the noise on the plane, and fbm2d.glsl the octave sums on the plane; noise3d.glsl and fbm3d.glsl are
-those in space; hashnoise.glsl is everything. tools/pick --list tells the names of the functions.
+those in space; hashnoise.glsl is everything. tools/pick --list prints the names of the functions.
 
   tools/pick whole --language wgsl --arithmetic HN_FIXED fbm2d.glsl > fbm2d.wgsl
   tools/pick whole --language wgsl --import-path hashnoise --out assets/shaders/hashnoise.wgsl
@@ -29,10 +29,10 @@ def header(name: str, settings: Settings, path: str) -> str:
 // hashnoise in WGSL. Made by tools/pick whole --language wgsl from {name} with {settings}.
 // Copyright (c) 2026 The hashnoise authors; MIT License.
 //
-// The functions are those of the GLSL, and so are their comments: vec2 there is vec2f here, ivec2 is vec2i, and uvec2 is
-// vec2u. What has several forms there has a name for each form here, and always takes the seed: hn_perlin(p, seed) is
-// hn_perlin2(p, seed), and hn_perlin(hn_tile(p, period), seed) is hn_perlin2_place(hn_tile2(p, period), seed). What a
-// function sets is a pointer: hn_cellular2_nearest(p, jitter, metric, seed, &nearest, &offset).
+// The functions are those of the GLSL, and so are their comments: vec2 there is vec2f here, ivec2 is vec2i, and uvec2
+// is vec2u. A function with several forms there has a name for each form here, and always takes the seed: hn_perlin(p,
+// seed) is hn_perlin2(p, seed), and hn_perlin(hn_tile(p, period), seed) is hn_perlin2_place(hn_tile2(p, period), seed).
+// A parameter that a function sets is a pointer: hn_cellular2_nearest(p, jitter, metric, seed, &nearest, &offset).
 
 """
 

@@ -90,7 +90,7 @@ class Device:
         return [tuple(results[i:i + OUTPUT_WORDS]) for i in range(0, len(results), OUTPUT_WORDS)]
 
     def run(self, text: str | bytes, inputs: bytes, size: int, points: int) -> memoryview:
-        """What a shader writes, so many bytes, that is called for each of the points, GROUP at a time."""
+        """A shader's output, so many bytes; it is called for each of the points, GROUP at a time."""
         device, usage = self._device, self._wgpu.BufferUsage
         pipeline = device.create_compute_pipeline(
             layout="auto", compute={"module": self.compile(text), "entry_point": "main"})

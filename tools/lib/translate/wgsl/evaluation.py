@@ -18,7 +18,7 @@ from catalog.tables.functions import read_functions
 from translate.settings import NO_SETTINGS
 from translate.wgsl.module import Module
 
-# What the bodies of the rows take for granted (tools/lib/catalog/tables/functions.py).
+# Definitions that the bodies of the rows use (tools/lib/catalog/tables/functions.py).
 PROLOGUE = """#define float_of uintBitsToFloat
 #define bits_of floatBitsToUint
 #define SEEDED(s) , s
@@ -42,8 +42,8 @@ fn main(@builtin(global_invocation_id) id: vec3u) {{
 
 def module_over(knobs: str, bodies: Mapping[str, str], files: Iterable[str] = ("hashnoise.glsl",),
                 library: Path = GLSL) -> tuple[Module, dict[str, str]]:
-    """The library with a function for each body, and its name by that of the body. The knobs are lines of GLSL; what the
-    bodies need besides may stand there, too."""
+    """The library with a function for each body, and its name by that of the body. The knobs are lines of GLSL; what
+    the bodies need besides may stand there, too."""
     numbers = {name: f"evaluate_{number}" for number, name in enumerate(bodies)}
     functions = (f"uvec4 {numbers[name]}(uvec4 a, uvec4 b, uvec4 c, uvec4 d) {{ {body} }}\n"
                  for name, body in bodies.items())

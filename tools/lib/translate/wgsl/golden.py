@@ -1,5 +1,5 @@
 """Compares what shaders of rows of the suite give with the golden files. The page that hn-conform writes for browsers
-says by what floats may differ."""
+states how much floats may differ."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def differing(device: Device, shaders: Mapping[str, str], golden: Mapping[str, s
 
 
 class Page:
-    """The suite of a page: what hn-conform has browsers run (docs/formats.md)."""
+    """The suite of a page: what hn-conform has browsers run (docs/reference/formats.md)."""
 
     def __init__(self, program: str, glob: str):
         with tempfile.TemporaryDirectory() as folder:

@@ -6,19 +6,19 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from translate.library import Key, Library
-from translate.names import is_passed, is_public, variable, wgsl_name, wgsl_type
+from translate.names import is_passed, is_public, wgsl_name
 from translate.parsing.preprocessor import Constant, Preprocessor
 from translate.parsing.syntax import Call, Function, Name, Number, Return, Struct, definitions
 from translate.parsing.tokens import Unknown
 from translate.settings import NO_PRECISE, Settings
-from translate.wgsl.writer import Definition, FunctionWriter
+from translate.wgsl.writer import LANGUAGE, Definition, FunctionWriter
 
-# What a comment says about overloads that WGSL does not have.
+# Sentences of comments on overloads, which WGSL does not have.
 LEFT_OUT = "; 0 if left out"
 
 
 class Module:
-    """The definitions of a text, which may include files of the library. Each is translated when it is asked for."""
+    """The definitions of a text, which may include files of the library. Each is translated when it is first used."""
 
     def __init__(self, library: Path, text: str, settings: Settings = Settings(), path: str = "the text"):
         preprocessor = Preprocessor(library, settings.macros())
@@ -65,7 +65,8 @@ class Module:
         lines, needs = [f"struct {struct.name} {{"], []
         for name, type_, comments in struct.fields:
             lines += [f"  {line}" for line in comments.before if line]
-            lines.append(f"  {variable(name)}: {wgsl_type(type_)}," + (f"  {comments.after}" if comments.after else ""))
+            field = LANGUAGE.pair(LANGUAGE.field(name), LANGUAGE.typed(type_))
+            lines.append(f"  {field},{comments.after and f'  {comments.after}'}")
             needs += [type_] * (type_ in self.library.structs)
         return Definition(struct.name, struct.comments.before, [*lines, "}"], needs)
 

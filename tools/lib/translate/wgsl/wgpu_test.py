@@ -2,7 +2,8 @@
 
     python3 -m translate.wgsl.wgpu_test HN_CONFORM
 
-What floats may differ by, and their shaders, are those of the page that hn-conform writes for browsers. Exit status: 0 it does, 1 it does not, 77 there is no wgpu here.
+The tolerances of floats, and their shaders, are those of the page that hn-conform writes for browsers. Exit status: 0
+it does, 1 it does not, 77 there is no wgpu here.
 """
 
 from __future__ import annotations
@@ -32,7 +33,7 @@ WHOLES = [path.name for path in sorted(GLSL.glob("*.glsl")) if "Made by tools/ma
 
 
 def shaders(library: Path, rows: Iterable[str]) -> dict[str, str]:
-    """Those of these rows, with HN_FIXED."""
+    """The functions of these rows, with HN_FIXED."""
     chosen = {function.id: function.body for function in read_functions() if function.id in rows}
     made = evaluations(library, "#define HN_ARITHMETIC HN_FIXED\n", ["hashnoise.glsl"], chosen)
     return {row: "".join(pieces) for row, pieces in made.items()}
@@ -55,7 +56,7 @@ class Wgpu(unittest.TestCase):
             self.device.compile("fn f() -> f32 { return 1u; }")
 
     def test_the_code_of_pages_compiles(self):
-        for page, count in (("languages.md", 1), ("hex-tiling.md", 2), ("../llms.txt", 1)):
+        for page, count in (("guide/languages.md", 1), ("guide/hex-tiling.md", 2), ("../llms.txt", 1)):
             text = (ROOT / "docs" / page).read_text()
             command = re.search(r"^    tools/pick (.*--language wgsl.*) --out noise.wgsl$", text, re.MULTILINE)[1]
             done = subprocess.run([TOOLS / "pick", *command.split()], capture_output=True, text=True, check=True)

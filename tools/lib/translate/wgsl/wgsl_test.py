@@ -27,7 +27,7 @@ WHOLE = '#include "hashnoise.glsl"\n'
 
 def files_with(arithmetic: str) -> list[str]:
     """Each of some files has one of the arithmetics, and in a thorough run each file all; the whole library always has
-    all. A step of 9 takes files of each number of dimensions, of which there are 4."""
+    all. A step of 9 takes files of each number of dimensions, 1 to 4."""
     return FILES if THOROUGH else FILES[3 * ARITHMETICS.index(arithmetic)::9]
 
 
@@ -48,7 +48,7 @@ def types_of(overload: tuple[str, ...]) -> tuple[str, ...]:
 
 
 def name_by_row(function: Function, types: tuple[str, ...]) -> str:
-    """The name that a function has in WGSL by the id of its row: without what repeats the file, or says of which kind
+    """The name that a function has in WGSL by the id of its row: without what repeats the file, or the kind that
     the place is."""
     of_parts = function.component is not None or function.name.endswith("_quadrature")
     if of_parts or function.form == "candidate" or function.bound == "hex_tiling":  # several rows of one function
@@ -115,7 +115,7 @@ class Names(unittest.TestCase):
         self.assertNotIn("hn_perlin(vec2, uint)", missing)
 
     def test_they_do_not_move(self):
-        """What a file alone defines has the same name and the same text in the whole."""
+        """A definition in a single file has the same name and the same text in the whole."""
         for arithmetic, module in self.modules.items():
             for file in files_with(arithmetic):
                 for definition in module_of(file, arithmetic).definitions():

@@ -106,9 +106,7 @@ class FunctionWriter(Typer):
                       if not parameter.is_set and parameter.at.text in self.changed]
             body = [f"  var {variable(parameter.at.text)} = {parameter.at.text}_in;" for parameter in copies]
             body += self._block(function.body, 2)
-        head = f"fn {wgsl_name(function)}({', '.join(self._parameter(parameter) for parameter in function.parameters)})"
-        if function.type != "void":
-            head += f" -> {wgsl_type(function.type)}"
+        head = LANGUAGE.prototype(function.type, wgsl_name(function), map(self._parameter, function.parameters))
         for type_ in (function.type, *function.types):
             self._need_type(type_)
         after = function.body.comments.after
@@ -129,10 +127,9 @@ class FunctionWriter(Typer):
         return Definition(name, (), lines, needs, is_constant=True)
 
     def _parameter(self, parameter: Parameter) -> str:
-        name, type_ = variable(parameter.at.text), wgsl_type(parameter.type)
-        if parameter.is_set:
-            return f"{name}: ptr<function, {type_}>"
-        return f"{parameter.at.text}_in: {type_}" if parameter.at.text in self.changed else f"{name}: {type_}"
+        if not parameter.is_set and parameter.at.text in self.changed:
+            return LANGUAGE.pair(f"{parameter.at.text}_in", wgsl_type(parameter.type))
+        return LANGUAGE.parameter(parameter)
 
     def _need_type(self, type_: str) -> None:
         if type_ in self.library.structs:

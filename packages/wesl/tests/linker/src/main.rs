@@ -1,6 +1,6 @@
 //! Links shaders by the crate wesl: `linker FOLDER` writes FOLDER/NAME.wgsl of each FOLDER/NAME.wesl.
 //!
-//! Exit status: 0 done, 1 what wesl says.
+//! Exit status: 0 done, 1 wesl reports an error.
 
 use wesl::{resolver::StandardResolver, Compiler};
 

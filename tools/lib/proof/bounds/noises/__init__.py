@@ -1,7 +1,7 @@
-"""What is proven of each noise. A noise is a module of this package, under its name, with
+"""The bounds of each noise. A noise is a module of this package, under its name, with
 
     CASES               in which it exists: pairs of a number of dimensions and a kind of gradient, None if it has none
-    derive(dimensions, gradient) -> Derived
+    derive(dimensions, gradient) -> ProvenBounds
     largest_intermediates(dimensions, gradient) -> dict
                         of fixed arithmetic: by name, bounds of the magnitudes that must stay below 2^31
 
@@ -28,8 +28,8 @@ from proof.bounds.table import Bounds, shortest
 
 
 @dataclass(frozen=True)
-class Derived:
-    """What is proven of a noise in a number of dimensions, with a kind of gradient, as it comes out."""
+class ProvenBounds:
+    """The bounds of a noise in a number of dimensions, with a kind of gradient, as they come out."""
     promise: float  # of the contract: the range of |noise|
     range: float  # of the exact noise
     lipschitz: float
@@ -39,7 +39,7 @@ class Derived:
     fixed_error: float
     fixed_largest: float
     fixed_parts: dict[str, float]  # of fixed_error, each at its largest
-    slope: Derived | None = None  # the same of each of its derivatives, if it returns them; they have no promise
+    slope: ProvenBounds | None = None  # the same of each of its derivatives, if it returns them; they have no promise
     fixed_intermediate: float = 0.0  # the largest number on the way to it
 
     def bounds(self, noise: str, dimensions: int, gradient: Gradient | None) -> Bounds:
@@ -49,10 +49,10 @@ class Derived:
                       max(self.promise, self.fixed_largest))
 
 
-def derived(promise: float, exact: float, lipschitz: float, cell_error: float, parts: dict[str, float]) -> Derived:
-    """Of a fixed error that is the sum of its parts, of which the cut takes no value out of its range."""
+def derived(promise: float, exact: float, lipschitz: float, cell_error: float, parts: dict[str, float]) -> ProvenBounds:
+    """Of a fixed error that is the sum of its parts; the cut takes no value out of its range."""
     error, fixed = position_error(cell_error, lipschitz), sum(parts.values()) * SAFE
-    return Derived(promise, exact, lipschitz, cell_error, error, exact + error, fixed,
+    return ProvenBounds(promise, exact, lipschitz, cell_error, error, exact + error, fixed,
                    exact + (sum(parts.values()) - parts["cut"]) * SAFE, parts)
 
 

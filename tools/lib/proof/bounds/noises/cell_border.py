@@ -9,7 +9,7 @@ from proof.bounds import distances, features
 from proof.bounds.boxes import SAFE
 from proof.bounds.floats import position_error
 from proof.bounds.gradients import Gradient
-from proof.bounds.noises import Derived, cellular
+from proof.bounds.noises import ProvenBounds, cellular
 from proof.bounds.table import scientific, shortest
 
 CASES = cellular.CASES
@@ -17,11 +17,11 @@ offset_error = cellular.offset_error
 CLEAR = 1 / 8  # a distance between two points that is seldom less
 
 
-def derive(dims: int, _: Gradient | None) -> Derived:
+def derive(dims: int, _: Gradient | None) -> ProvenBounds:
     largest, lipschitz = features.largest_border(dims), math.sqrt(dims)
     cell_error, parts = distances.border_error(dims), distances.fixed_border_parts(dims)
     error, fixed = position_error(cell_error, lipschitz), sum(parts.values()) * SAFE
-    return Derived(largest, largest, lipschitz, cell_error, error, largest + error, fixed, largest + fixed, parts)
+    return ProvenBounds(largest, largest, lipschitz, cell_error, error, largest + error, fixed, largest + fixed, parts)
 
 
 def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
@@ -32,8 +32,8 @@ def quotes() -> list[tuple[str, str]]:
     floats = [scientific(distances.border_error(dims, apart=CLEAR)) for dims in (2, 3)]
     fixed = [scientific(sum(distances.fixed_border_parts(dims, CLEAR).values())) for dims in (2, 3)]
     largest = [shortest(features.largest_border(dims), 3) for dims in (2, 3)]
-    return [("docs/accuracy.md", f"at most {floats[0]} in 2D and {floats[1]} in 3D, or {fixed[0]} and {fixed[1]} with"),
-            ("docs/accuracy.md", f"to a border stays below {largest[0]} and {largest[1]}.")]
+    return [("docs/measured/accuracy.md", f"at most {floats[0]} in 2D and {floats[1]} in 3D, or {fixed[0]} and {fixed[1]} with"),
+            ("docs/measured/accuracy.md", f"to a border stays below {largest[0]} and {largest[1]}.")]
 
 
 def describe(dims: int, _: Gradient | None) -> dict[str, object]:

@@ -1,5 +1,5 @@
-"""hn_cellular: what is proven of it, from docs/contract.md, section 16; and of hn_cellular_three, which has its entry
-in cellular_three.py. features.py and distances.py of the folder above have the proofs.
+"""hn_cellular: what is proven of it, from docs/reference/contract.md, section 16; and of hn_cellular_three, which has
+its entry in cellular_three.py. features.py and distances.py of the folder above have the proofs.
 
 One bound holds for all metrics: the largest. That of floats is the hybrid metric's, whose distances are the largest;
 that of fixed arithmetic is the Euclidean one's, by the root of a small square. The errors of offsets are smaller.
@@ -10,24 +10,24 @@ from __future__ import annotations
 from proof.bounds import distances, features
 from proof.bounds.floats import position_error
 from proof.bounds.gradients import Gradient
-from proof.bounds.noises import Derived, listed
+from proof.bounds.noises import ProvenBounds, listed
 
 CASES = ((2, None), (3, None))
 COUNT = 2
 
 
-def derived(dims: int, count: int) -> Derived:
+def derived(dims: int, count: int) -> ProvenBounds:
     """Of so many distances."""
     most = {metric: features.largest_distance(dims, count, metric) for metric in features.METRICS}
     cell_error = max(distances.metric_error(metric, dims, largest) for metric, largest in most.items())
     slope = max(distances.metric_slope(metric, dims, largest) for metric, largest in most.items())
     fixed = max(distances.fixed_metric_error(metric, dims, largest) for metric, largest in most.items())
     error, largest = position_error(cell_error, slope), max(most.values())
-    return Derived(largest, largest, slope, cell_error, error, largest + error, fixed, largest + fixed,
+    return ProvenBounds(largest, largest, slope, cell_error, error, largest + error, fixed, largest + fixed,
                    distances.fixed_parts(dims))
 
 
-def derive(dims: int, _: Gradient | None) -> Derived:
+def derive(dims: int, _: Gradient | None) -> ProvenBounds:
     return derived(dims, COUNT)
 
 
@@ -37,7 +37,7 @@ def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
 
 def quotes() -> list[tuple[str, str]]:
     plane, space = ([features.largest_distance(dims, count) for count in (1, 2, 3)] for dims in (2, 3))
-    return [("docs/accuracy.md", f"{listed(plane)} in 2D, and below {listed(space)} in 3D")]
+    return [("docs/measured/accuracy.md", f"{listed(plane)} in 2D, and below {listed(space)} in 3D")]
 
 
 def ends(dims: int) -> list[float]:

@@ -1,8 +1,8 @@
-"""hn_cellular_phase: what is proven of it, from docs/contract.md, section 16. moving.py of the folder above has
-the proofs. How fast distances change with the phase is not bounded here.
+"""hn_cellular_phase: what is proven of it, from docs/reference/contract.md, section 16. moving.py of the folder above
+has the proofs. How fast distances change with the phase is not bounded here.
 
 One bound holds for the distances and for each component of an offset: the larger one. That is the offset's, which is
-turned twice.
+rotated twice.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ import math
 from proof.bounds import moving
 from proof.bounds.floats import position_error
 from proof.bounds.gradients import Gradient
-from proof.bounds.noises import Derived, cellular, listed
+from proof.bounds.noises import ProvenBounds, cellular, listed
 from proof.bounds.table import rounded_up, scientific, shortest
 
 CASES = cellular.CASES
@@ -20,12 +20,12 @@ COUNT = cellular.COUNT
 offset_error = moving.offset_error
 
 
-def derive(dims: int, _: Gradient | None) -> Derived:
+def derive(dims: int, _: Gradient | None) -> ProvenBounds:
     largest, lipschitz = moving.largest_distance(dims, COUNT), math.sqrt(dims)
     cell_error = max(moving.distance_error(dims, largest), offset_error(dims, False))
     fixed = max(moving.fixed_distance_error(dims), offset_error(dims, True))
     error = position_error(cell_error, lipschitz)
-    return Derived(largest, largest, lipschitz, cell_error, error, largest + error, fixed, largest + fixed,
+    return ProvenBounds(largest, largest, lipschitz, cell_error, error, largest + error, fixed, largest + fixed,
                    moving.fixed_parts(dims))
 
 
@@ -44,8 +44,8 @@ def quotes() -> list[tuple[str, str]]:
     off = [moving.fixed_distance_error(dims) for dims in (2, 3)]
     rooms = [str(-rounded_up(-moving.room(dims), 5)) for dims in (2, 3)]
     floats, fixed = ([scientific(norm) for norm in norms] for norms in zip(
-        *((moving.turn_error(dims, 1.0), moving.fixed_turn_error(dims)) for dims in (2, 3))))
-    return [("docs/accuracy.md", text) for text in (
+        *((moving.rotation_error(dims, 1.0), moving.fixed_rotation_error(dims)) for dims in (2, 3))))
+    return [("docs/measured/accuracy.md", text) for text in (
         f"With a phase the two distances stay below {plane} in 2D, and below {space} in 3D",
         f"which is {radii[0]} in 2D and {radii[1]} in 3D",
         f"the difference is {rooms[0]} in 2D and {rooms[1]} in 3D, and 2 r is {twice[0]} and {twice[1]}",

@@ -9,7 +9,7 @@ from proof.bounds import distances, features
 from proof.bounds.boxes import SAFE
 from proof.bounds.floats import position_error
 from proof.bounds.gradients import Gradient
-from proof.bounds.noises import Derived, cellular
+from proof.bounds.noises import ProvenBounds, cellular
 from proof.bounds.table import shortest
 
 CASES = cellular.CASES
@@ -20,11 +20,11 @@ def smallest(dims: int) -> float:
     return 1 - (features.largest_weights(dims) + 1 / 4096) ** 0.25
 
 
-def derive(dims: int, _: Gradient | None) -> Derived:
+def derive(dims: int, _: Gradient | None) -> ProvenBounds:
     lipschitz = features.most_within(dims) ** 0.25 * math.sqrt(dims)
     cell_error, parts = distances.smooth_error(dims), distances.fixed_smooth_parts(dims)
     error, fixed = position_error(cell_error, lipschitz), sum(parts.values()) * SAFE
-    return Derived(LARGEST, LARGEST, lipschitz, cell_error, error, LARGEST + error, fixed, LARGEST, parts)
+    return ProvenBounds(LARGEST, LARGEST, lipschitz, cell_error, error, LARGEST + error, fixed, LARGEST, parts)
 
 
 def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
@@ -37,7 +37,7 @@ def ends(dims: int) -> list[float]:
 
 def quotes() -> list[tuple[str, str]]:
     weights = [shortest(features.largest_weights(dims), 3) for dims in (2, 3)]
-    return [("docs/accuracy.md", f"stays below {weights[0]} in 2D and {weights[1]} in 3D")]
+    return [("docs/measured/accuracy.md", f"stays below {weights[0]} in 2D and {weights[1]} in 3D")]
 
 
 def describe(dims: int, _: Gradient | None) -> dict[str, object]:

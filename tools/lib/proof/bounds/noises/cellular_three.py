@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from proof.bounds import features
 from proof.bounds.gradients import Gradient
-from proof.bounds.noises import Derived, cellular
+from proof.bounds.noises import ProvenBounds, cellular
 
 CASES = cellular.CASES
 COUNT = 3
 largest_intermediates, quotes = cellular.largest_intermediates, cellular.quotes
 
 
-def derive(dims: int, _: Gradient | None) -> Derived:
+def derive(dims: int, _: Gradient | None) -> ProvenBounds:
     return cellular.derived(dims, COUNT)
 
 

@@ -1,14 +1,13 @@
-"""hn_curl: what is proven of it, from docs/contract.md, section 15.
+"""hn_curl: what is proven of it, from docs/reference/contract.md, section 15.
 
 On the plane its components are derivatives of hn_simplex_d, or their negatives. In space a component is
 a_y b_z - a_z b_y of two gradients a and b of hn_simplex_d. Let u be the direction of (a_y, a_z), and H(u) the largest
 derivative along u there. The component is the length of (a_y, a_z), which is a derivative along u, times the derivative
-of the other noise at a right angle to u. So it is at most the largest H(u) H(u turned by a quarter), over places and
+of the other noise at a right angle to u. So it is at most the largest H(u) H(u rotated by a quarter), over places and
 directions. Let R be the largest H(u): the largest length that two components of a gradient have together.
 
 Whatever changes each derivative by at most e moves a component by at most e (|a_y| + |a_z| + |b_y| + |b_z|) + 2 e^2,
-and so by 2 sqrt(2) R e + 2 e^2: the place, and the errors of the derivatives. In floats the products and the difference
-round, of which |a_y b_z| + |a_z b_y| is at most R^2. In integers prod(a, b) is below the product by less than 2 units
+and so by 2 sqrt(2) R e + 2 e^2: the place, and the errors of the derivatives. In floats the products and the difference round; |a_y b_z| + |a_z b_y| is at most R^2. In integers prod(a, b) is below the product by less than 2 units
 of 2^-20, 1 for the low digits and 1 for the shift. The result is rounded to a multiple of 2^-16.
 """
 
@@ -23,7 +22,7 @@ from proof.bounds.boxes import SAFE, Boxes, cell, supremum
 from proof.bounds.floats import UNIT, position_error, rounding
 from proof.bounds.gradients import LENGTH, OCTAHEDRAL, Gradient
 from proof.bounds.kernels import SIMPLEX, Jet, Kernel, Offsets, weight_jet
-from proof.bounds.noises import Derived, simplex, simplex_d
+from proof.bounds.noises import ProvenBounds, simplex, simplex_d
 
 CASES = ((2, None), (3, None))
 TOLERANCE, LEVEL = 1e-3, 8
@@ -65,15 +64,15 @@ def longest_pair() -> tuple[float, float]:
     pi, or up to pi/2 for the product, which a quarter of a turn does not change."""
     kernel, scale = SIMPLEX[3], SIMPLEX[3].scale / 1024
 
-    def bound(boxes: Boxes, whole: float, turned: tuple[float, ...]):
+    def bound(boxes: Boxes, whole: float, rotated: tuple[float, ...]):
         by_place, by_angle = curvature(kernel, Boxes(boxes.level, boxes.index[1:]))
         beyond = (by_place + (2 * whole) ** 2 * by_angle) / 8 * boxes.side**2
         reached = boxes.at_vertices(
-            lambda point: np.array([along(kernel, point[1:], 2 * whole * point[0] + turn) for turn in turned]))
+            lambda point: np.array([along(kernel, point[1:], 2 * whole * point[0] + turn) for turn in rotated]))
         return (reached.max(axis=1) + beyond).prod(axis=0), reached.prod(axis=0).max(axis=0)
 
-    def largest(whole: float, *turned: float) -> float:
-        of_boxes = functools.partial(bound, whole=whole, turned=turned)
+    def largest(whole: float, *rotated: float) -> float:
+        of_boxes = functools.partial(bound, whole=whole, rotated=rotated)
         return supremum(of_boxes, cell(4, half=True), LEVEL, TOLERANCE)
     return scale * largest(math.pi, 0.0), scale**2 * largest(math.pi / 2, 0.0, math.pi / 2)
 
@@ -90,7 +89,7 @@ def float_error(of_derivative: float) -> float:
     return moved(of_derivative) + UNIT * size + float(rounding(size * (1 + UNIT), 1.0))
 
 
-def derive(dims: int, _: Gradient | None) -> Derived:
+def derive(dims: int, _: Gradient | None) -> ProvenBounds:
     slope = simplex.derived_slope(SIMPLEX[dims])
     if dims == 2:
         return slope
@@ -102,7 +101,7 @@ def derive(dims: int, _: Gradient | None) -> Derived:
              "points": moved(slope.fixed_error) - moved(slope.fixed_parts["cut"]) + 2 * FIXED_PRODUCT,
              "scaling": 2.0**-17}
     fixed_error = sum(parts.values()) * SAFE
-    return Derived(0.0, exact, lipschitz, cell_error, error, exact + error, fixed_error, exact + fixed_error, parts)
+    return ProvenBounds(0.0, exact, lipschitz, cell_error, error, exact + error, fixed_error, exact + fixed_error, parts)
 
 
 def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:

@@ -1,11 +1,12 @@
-"""hn_hex_tiling: what is proven of its weights and vectors, from docs/contract.md, section 20. One bound holds for both.
+"""hn_hex_tiling: what is proven of its weights and vectors, from docs/reference/contract.md, section 20. One bound
+holds for both.
 
 RANGE. Weights are from 0 to 1. A vector from a corner stays within the hexagon around it: half a cell along each axis.
 
-LIPSCHITZ. A weight changes as X, as Y or as X - Y, which change by at most 3 where the coordinates change by 1. A vector
-changes by 1.
+LIPSCHITZ. A weight changes as X, as Y or as X - Y, which change by at most 3 where the coordinates change by 1. A
+vector changes by 1.
 
-FLOATS, in steps, of which a cell has two:
+FLOATS, in steps; a cell has two:
 
     X = 2*x + y;  Y = 2*y;  u = X - floor(X);  v = Y - floor(Y)
     1 - u, u - v, v    or, unless u > v,    1 - v, v - u, u
@@ -13,8 +14,8 @@ FLOATS, in steps, of which a cell has two:
 
 X is below 4 and rounds by up to 2^-22: SKEWED. u and v are exact after that, as are halves. Where that moves X over a
 whole number, the corners are those of the other side; where it moves u over v, the weights of both sides differ by no
-more than u moved. Each difference is at most 1 and rounds by up to 2^-24: ONE. So a weight is off by SKEWED and ONE, and
-a vector by half of SKEWED and twice ONE, which is less.
+more than u moved. Each difference is at most 1 and rounds by up to 2^-24: ONE. So a weight is off by SKEWED and ONE,
+and a vector by half of SKEWED and twice ONE, which is less.
 
 FIXED. A coordinate is cut to a multiple of 2^-20, which moves it by less than that. There is no other error.
 """
@@ -24,7 +25,7 @@ from __future__ import annotations
 from proof.bounds.floats import TINY, position_error, rounding
 from proof.bounds.gradients import Gradient
 from proof.bounds.integers import ONE
-from proof.bounds.noises import Derived
+from proof.bounds.noises import ProvenBounds
 from proof.bounds.table import scientific
 
 CASES = ((2, None),)
@@ -50,9 +51,9 @@ def offset_error(_: int, fixed: bool) -> float:
     return position_error((skewed_error() + 2 * rounding(BELOW_ONE, 1.0)) / 2, 1.0)
 
 
-def derive(_: int, __: Gradient | None) -> Derived:
+def derive(_: int, __: Gradient | None) -> ProvenBounds:
     cell_error, cut = weight_error(), LIPSCHITZ / ONE
-    return Derived(1.0, 1.0, LIPSCHITZ, cell_error, position_error(cell_error, LIPSCHITZ), 1.0, cut, 1.0, {"cut": cut})
+    return ProvenBounds(1.0, 1.0, LIPSCHITZ, cell_error, position_error(cell_error, LIPSCHITZ), 1.0, cut, 1.0, {"cut": cut})
 
 
 def largest_intermediates(_: int, __: Gradient | None) -> dict[str, float]:
@@ -60,7 +61,7 @@ def largest_intermediates(_: int, __: Gradient | None) -> dict[str, float]:
 
 
 def quotes() -> list[tuple[str, str]]:
-    return [("docs/accuracy.md", f"vector is within {scientific(offset_error(2, False))} cells")]
+    return [("docs/measured/accuracy.md", f"vector is within {scientific(offset_error(2, False))} cells")]
 
 
 def describe(_: int, __: Gradient | None) -> dict[str, object]:

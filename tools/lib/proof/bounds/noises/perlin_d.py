@@ -6,7 +6,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from proof.bounds.gradients import OCTAHEDRAL, Gradient
-from proof.bounds.noises import Derived, derived, perlin
+from proof.bounds.noises import ProvenBounds, derived, perlin
 from proof.bounds.noises.perlin.exact import slope_bound, slope_lipschitz_bound
 from proof.bounds.noises.perlin.fixed import largest_slope_intermediates, slope_error_parts
 from proof.bounds.noises.perlin.floats import slope_error_bound
@@ -14,7 +14,7 @@ from proof.bounds.noises.perlin.floats import slope_error_bound
 CASES = tuple((dims, OCTAHEDRAL) for dims in (1, 2, 3, 4))
 
 
-def derive(dims: int, gradient: Gradient) -> Derived:
+def derive(dims: int, gradient: Gradient) -> ProvenBounds:
     slope = derived(0.0, slope_bound(dims), slope_lipschitz_bound(dims), slope_error_bound(dims), slope_error_parts(dims))
     return replace(perlin.derive(dims, gradient), slope=slope)
 

@@ -4,18 +4,18 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from proof.bounds import turns
+from proof.bounds import rotations
 from proof.bounds.gradients import Gradient
-from proof.bounds.noises import Derived, perlin_d, perlin_phase
+from proof.bounds.noises import ProvenBounds, perlin_d, perlin_phase
 
 CASES = perlin_phase.CASES
 
 
-def derive(dims: int, gradient: Gradient) -> Derived:
+def derive(dims: int, gradient: Gradient) -> ProvenBounds:
     return replace(perlin_phase.derive(dims, gradient), slope=perlin_phase.derive_slope(dims, gradient))
 
 
 def largest_intermediates(dims: int, gradient: Gradient) -> dict[str, float]:
     slope = perlin_phase.derive_slope(dims, gradient).fixed_largest / (4 * perlin_phase.unit(dims))
     return (perlin_phase.largest_intermediates(dims, gradient) | perlin_d.largest_intermediates(dims, gradient)
-            | turns.largest_intermediates("derivative", slope))
+            | rotations.largest_intermediates("derivative", slope))

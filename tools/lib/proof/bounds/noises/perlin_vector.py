@@ -1,6 +1,6 @@
-"""hn_perlin_vector (docs/contract.md, section 22): each component is hn_perlin with other words. What is proven of that
-holds for any words; see value_vector.py.
-"""
+"""hn_perlin_vector (docs/reference/contract.md, section 22): each component is hn_perlin with other hashes. The bounds
+of
+hn_perlin hold for any hashes; see value_vector.py."""
 
 from __future__ import annotations
 

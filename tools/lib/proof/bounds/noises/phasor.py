@@ -1,14 +1,14 @@
-"""hn_phasor: what is proven of it, from docs/contract.md, section 23. One bound holds for the value and for the
-quadrature: each is the real part of
+"""hn_phasor: what is proven of it, from docs/reference/contract.md, section 23. One bound holds for the value and for
+the quadrature: each is the real part of
 
     S * sum of w(t) e(a)        e(a) = exp(2 pi i a) for the value, and -i times that for the quadrature
 
-over the points of simplex noise (kernels.py), of which the words, and so the angles, may be any. The weight w is EVEN
+over the points of simplex noise (kernels.py); their hashes, and so the angles, may be any. The weight w is EVEN
 of weights.py.
 
 RANGE. It is S times the supremum of the sum of the weights, which is that of the length of value and quadrature, too.
 That is not at a point, but in the middle of two: half a step from each on the plane, and in space half way from a
-corner to a centre. What moves the place, a cut or the rounding of a fraction, takes neither out of its range.
+corner to a centre. A move of the place, by a cut or the rounding of a fraction, takes neither out of its range.
 
 LIPSCHITZ. The derivative along a vector u, per step, has in place of the weight
 
@@ -22,15 +22,15 @@ FLOATS, as in kernel_floats.py, with these in place of a ramp:
 
     turns = k*d + ..;  on the plane turns/2;  the angle is cut off to a multiple of 2^-30 turns;  cosine and sine
 
-Everything behind the sum is exact up to the sine, of which sine.py has the error. The angle of the phase is cut off,
+Everything behind the sum is exact up to the sine, and sine.py has the sine's error. The angle of the phase is cut off,
 too. On the plane the skewed coordinate moves the place, for all points alike.
 
 FIXED, as in kernel_fixed.py. The wave is cut to a multiple of 2^-16 along each axis, which turns a point by up to that
 times its offset. The product along each axis rounds down by less than 2^-32 turns. Sines times 2^13 are exact.
 
-NO OVERFLOW. K is at most 2^20. An offset is at most 1 step along an axis, of which the contract's product takes the
-high and the low 10 bits in turn: the low ones are below 2^10, and the high ones are at most 2^10. The words on the way
-to a weight and to its fall are evaluated for every t.
+NO OVERFLOW. K is at most 2^20. An offset is at most 1 step along an axis, and the contract's product takes the high and
+the low 10 bits in turn: the low ones are below 2^10, and the high ones are at most 2^10. The words on the way to a
+weight and to its fall are evaluated for every t.
 """
 
 from __future__ import annotations
@@ -41,14 +41,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from proof.bounds import kernel_fixed, kernel_floats, kernels, turns
+from proof.bounds import kernel_fixed, kernel_floats, kernels, rotations
 from proof.bounds.boxes import Boxes, cell, supremum
 from proof.bounds.floats import Approx
 from proof.bounds.gradients import Gradient
 from proof.bounds.integers import ONE, UNIT, word
 from proof.bounds.kernel_floats import SKEWED
 from proof.bounds.kernels import Jet, Kernel, Offsets, dot, weight_jet
-from proof.bounds.noises import Derived, derived, listed
+from proof.bounds.noises import ProvenBounds, derived, listed
 from proof.bounds.sine import fixed_sine_largest
 from proof.bounds.table import scientific, shortest
 from proof.bounds.weights import EVEN
@@ -135,7 +135,7 @@ def angle_error(kernel: Waves, own: kernel_floats.Offsets, ulps: float):
 
 def wave_error(kernel: Waves, own: kernel_floats.Offsets, ulps: float):
     """Of the cosine and the sine of a point."""
-    return angle_error(kernel, own, ulps) + turns.ANGLE_CUT + turns.float_error(ulps)
+    return angle_error(kernel, own, ulps) + rotations.ANGLE_CUT + rotations.float_error(ulps)
 
 
 def value_error(kernel: Waves, ulps, lo, hi):
@@ -148,7 +148,7 @@ def value_error(kernel: Waves, ulps, lo, hi):
 
 
 def moved(kernel: Waves, ulps: float = 1.0) -> float:
-    """What the move of the place does."""
+    """The effect of the move of the place."""
     if not kernel.triangles:
         return 0.0
     return SKEWED * ulps * scale_of(kernel) * largest(kernel, (1.0, 0.0), rate_along(kernel, 1))
@@ -165,7 +165,7 @@ def error_bound(kernel: Waves, ulps: float = 1.0) -> float:
 def fixed_wave_error(kernel: Kernel, offsets: Offsets):
     """Of the cosine and the sine of a point, in each box."""
     along = WAVE_CUT * offsets.size.sum(axis=0) / kernel.steps + kernel.dims * ANGLE_UNIT
-    return turns.fixed_error() + TURN * along
+    return rotations.fixed_error() + TURN * along
 
 
 @functools.cache
@@ -184,12 +184,12 @@ def fixed_parts(kernel: Kernel, lipschitz: float) -> dict[str, float]:
 
 # --- What is proven ---------------------------------------------------------------------------------------------------
 
-def derived_value(kernel: Waves) -> Derived:
+def derived_value(kernel: Waves) -> ProvenBounds:
     lipschitz = lipschitz_of(kernel)
     return derived(1.0, range_of(kernel), lipschitz, error_bound(kernel), fixed_parts(kernel, lipschitz))
 
 
-def derive(dims: int, _: Gradient | None) -> Derived:
+def derive(dims: int, _: Gradient | None) -> ProvenBounds:
     return derived_value(KERNELS[dims])
 
 
@@ -221,7 +221,7 @@ def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
 def quotes() -> list[tuple[str, str]]:
     below = listed([range_of(kernel) for kernel in KERNELS.values()])
     long = [shortest(length(dims), 5) for dims in KERNELS]
-    return [("docs/accuracy.md", text) for text in (
+    return [("docs/measured/accuracy.md", text) for text in (
         f"`hn_phasor` stays below {below} in 2D and 3D", f"are at most {long[0]} long in 2D and {long[1]} in 3D",
         f"which costs {scientific(moved(KERNELS[2]))}")]
 

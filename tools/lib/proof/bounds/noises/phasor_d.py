@@ -1,5 +1,5 @@
-"""hn_phasor_d: hn_phasor with its derivatives, from docs/contract.md, section 23. The value is computed in the same
-steps, so it has the same bounds. One bound holds for the derivatives of the value and of the quadrature: as in
+"""hn_phasor_d: hn_phasor with its derivatives, from docs/reference/contract.md, section 23. The value is computed in
+the same steps, so it has the same bounds. One bound holds for the derivatives of the value and of the quadrature: as in
 phasor.py each is the real part of a sum of z e(a) over the points, with e(a) of length 1 and along an axis
 
     z = -2 m w' d_i + 2 pi i k_i w
@@ -22,8 +22,9 @@ On the plane the skewed coordinate moves the place for all of this alike.
 FIXED. The fall is that of kernel_fixed.py with a cosine in place of a ramp. The sum is in units of 2^-27 per step. Its
 product with S, in units of 2^-19, is exact in units of 2^-24 per cell, and so
 
-    TURN     2 pi k_i is off by what all integers K show, of which there are 2^21 + 1, and by the cut of the wave, times a value of at most
-             1. With T = 512 a + b the part of 2^8 z is z/2 a + z/2^10 b, of which z >> 1 and z >> 10 round down
+    TURN     2 pi k_i is off by the largest error over all integers K, 2^21 + 1 in number, and by the cut of the wave,
+             times a value of at most 1. With T = 512 a + b the part of 2^8 z is z/2 a + z/2^10 b, and z >> 1 and
+             z >> 10 round down
     VALUE    the error of z times 2 pi k_i
     LAST     the last sum is rounded to a multiple of 2^-16
 
@@ -47,7 +48,7 @@ from proof.bounds.gradients import Gradient
 from proof.bounds.integers import ONE, SLOPE_UNIT, UNIT, part_intermediate
 from proof.bounds.kernel_floats import SKEWED
 from proof.bounds.kernels import Jet, Offsets, dot, weight_jet
-from proof.bounds.noises import Derived, derived, phasor
+from proof.bounds.noises import ProvenBounds, derived, phasor
 from proof.bounds.noises.perlin.floats import largest_of
 from proof.bounds.noises.phasor import KERNELS, RAMP_ONE, TURN, WAVE_CUT, Waves, scale_of
 
@@ -139,13 +140,13 @@ def slope_error(kernel: Waves, ulps, largest: float, lo, hi):
         for terms, d in zip(along, own):
             terms.append(falling(fall, cosine, d))
     z = kernel_floats.added(kernel, values, ulps)
-    turned = turned_value(kernel, z, ulps)
+    rotated = rotated_value(kernel, z, ulps)
     sums = [kernel_floats.added(kernel, terms, ulps) for terms in along]
     derivatives = [Approx(kernel.steps * a.lo, kernel.steps * a.hi, kernel.steps * a.err, ulps) for a in sums]
-    return largest_of(last_sum(a, turned, largest).err for a in derivatives)
+    return largest_of(last_sum(a, rotated, largest).err for a in derivatives)
 
 
-def turned_value(kernel: Waves, z: Approx, ulps) -> Approx:
+def rotated_value(kernel: Waves, z: Approx, ulps) -> Approx:
     """2 pi k z, in any order of its two products."""
     rate = constant(TURN, ulps)
     largest = kernel.waves * (rate.hi + rate.err) * (z.size() + z.err)
@@ -160,7 +161,7 @@ def last_sum(a: Approx, b: Approx, largest: float) -> Approx:
 
 
 def moved(kernel: Waves, ulps: float = 1.0) -> float:
-    """What the move of the place does, per cell."""
+    """The effect of the move of the place, per cell."""
     if not kernel.triangles:
         return 0.0
     most = max(second_derivative(kernel, axis, (1.0, 0.0), 2) for axis in kernels.axes(kernel))
@@ -218,7 +219,7 @@ def whole_turns(kernel: Waves) -> np.ndarray:
 
 
 @functools.cache
-def fixed_turn_error(kernel: Waves) -> float:
+def fixed_rotation_error(kernel: Waves) -> float:
     """How far T times a value of at most 1 is off, and the part of the contract from it."""
     turns = whole_turns(kernel)
     exactly = TURN * 2.0**-3 * np.arange(-(len(turns) // 2), len(turns) // 2 + 1)
@@ -231,17 +232,17 @@ def fixed_parts(kernel: Waves, lipschitz: float) -> dict[str, float]:
     scaling = (kernel.steps * kernel_fixed.scaling_error(kernel, SLOPE_UNIT)
                + TURN * kernel.waves * kernel_fixed.scaling_error(kernel, UNIT))
     return {"cut": lipschitz / ONE, "points": scale_of(kernel) * fixed_rounding_effect(kernel), "scaling": scaling,
-            "turn": fixed_turn_error(kernel) + LAST / 2}
+            "turn": fixed_rotation_error(kernel) + LAST / 2}
 
 
 # --- What is proven ---------------------------------------------------------------------------------------------------
 
-def derived_slope(kernel: Waves) -> Derived:
+def derived_slope(kernel: Waves) -> ProvenBounds:
     lipschitz = lipschitz_of(kernel)
     return derived(0.0, range_of(kernel), lipschitz, error_bound(kernel), fixed_parts(kernel, lipschitz))
 
 
-def derive(dims: int, gradient: Gradient | None) -> Derived:
+def derive(dims: int, gradient: Gradient | None) -> ProvenBounds:
     return replace(phasor.derive(dims, gradient), slope=derived_slope(KERNELS[dims]))
 
 
@@ -257,7 +258,7 @@ def largest_intermediates(dims: int, gradient: Gradient | None) -> dict[str, flo
         "falling": part_intermediate(float(RAMP_ONE), factor), "leaning": 2 * part_intermediate(k, whole),
         "scaled derivative": kernel_fixed.scaled_intermediate(leaning, kernel.scale),
         "turn": part_intermediate(2.0**9 * kernel.waves / WAVE_CUT, np.array([205887])),
-        "turned": part_intermediate(2.0**29, turns[[0, -1]]),
+        "rotated": part_intermediate(2.0**29, turns[[0, -1]]),
         "last sum": (slope.fixed_largest + LAST) / FINE,
         "first term": kernel.steps * scale_of(kernel) * leaning / 2**27 / FINE}
 

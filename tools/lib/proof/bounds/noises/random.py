@@ -1,11 +1,11 @@
-"""hn_random: what is proven of it, from docs/contract.md, section 17.
+"""hn_random: what is proven of it, from docs/reference/contract.md, section 17.
 
 RANGE. A word's upper 24 bits, divided by 2^24: from 0 to 1 - 2^-24.
 
 LIPSCHITZ. None: it jumps between cells.
 
-FLOATS. A float holds 24 bits, so there is no error. The cell is floor(p), which is exact. (What is so small that HN_PRECISE
-or a driver takes it for 0 counts to the cell 0.)
+FLOATS. A float holds 24 bits, so there is no error. The cell is floor(p), which is exact. (What is so small that
+HN_PRECISE or a driver takes it for 0 counts to the cell 0.)
 
 FIXED. There is no error either where the cell is the same. A coordinate is cut to a multiple of 2^-20 towards 0, so one
 that is negative and less than that below a whole number counts to the cell above: the number of that cell may be any.
@@ -16,15 +16,15 @@ from __future__ import annotations
 import math
 
 from proof.bounds.gradients import Gradient
-from proof.bounds.noises import Derived
+from proof.bounds.noises import ProvenBounds
 
 CASES = tuple((dims, None) for dims in (1, 2, 3, 4))
 
 LARGEST = 1 - 2.0**-24
 
 
-def derive(_: int, __: Gradient | None) -> Derived:
-    return Derived(1.0, LARGEST, math.inf, 0.0, 0.0, LARGEST, LARGEST, LARGEST, {"cut": LARGEST})
+def derive(_: int, __: Gradient | None) -> ProvenBounds:
+    return ProvenBounds(1.0, LARGEST, math.inf, 0.0, 0.0, LARGEST, LARGEST, LARGEST, {"cut": LARGEST})
 
 
 def largest_intermediates(_: int, __: Gradient | None) -> dict[str, float]:

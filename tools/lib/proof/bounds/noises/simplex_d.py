@@ -7,12 +7,12 @@ from dataclasses import replace
 from proof.bounds import kernel_fixed, kernel_floats
 from proof.bounds.gradients import Gradient
 from proof.bounds.kernels import SIMPLEX
-from proof.bounds.noises import Derived, simplex
+from proof.bounds.noises import ProvenBounds, simplex
 
 CASES = simplex.CASES
 
 
-def derive(dims: int, gradient: Gradient | None) -> Derived:
+def derive(dims: int, gradient: Gradient | None) -> ProvenBounds:
     return replace(simplex.derive(dims, gradient), slope=simplex.derived_slope(SIMPLEX[dims]))
 
 

@@ -4,19 +4,19 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from proof.bounds import turns
+from proof.bounds import rotations
 from proof.bounds.gradients import Gradient
 from proof.bounds.kernels import SIMPLEX
-from proof.bounds.noises import Derived, simplex_d, simplex_phase
+from proof.bounds.noises import ProvenBounds, simplex_d, simplex_phase
 
 CASES = simplex_phase.CASES
 
 
-def derive(dims: int, gradient: Gradient | None) -> Derived:
+def derive(dims: int, gradient: Gradient | None) -> ProvenBounds:
     return replace(simplex_phase.derive(dims, gradient), slope=simplex_phase.derive_slope(dims))
 
 
 def largest_intermediates(dims: int, gradient: Gradient | None) -> dict[str, float]:
     unit = 4 * SIMPLEX[dims].steps * simplex_phase.unit(dims)
     return (simplex_phase.largest_intermediates(dims, gradient) | simplex_d.largest_intermediates(dims, gradient)
-            | turns.largest_intermediates("derivative", simplex_phase.derive_slope(dims).fixed_largest / unit))
+            | rotations.largest_intermediates("derivative", simplex_phase.derive_slope(dims).fixed_largest / unit))

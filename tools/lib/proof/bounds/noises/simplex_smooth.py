@@ -5,12 +5,12 @@ from __future__ import annotations
 from proof.bounds import kernel_fixed, kernel_floats
 from proof.bounds.gradients import Gradient
 from proof.bounds.kernels import SMOOTH
-from proof.bounds.noises import Derived, listed, simplex
+from proof.bounds.noises import ProvenBounds, listed, simplex
 
 CASES = tuple((dims, None) for dims in SMOOTH)
 
 
-def derive(dims: int, _: Gradient | None) -> Derived:
+def derive(dims: int, _: Gradient | None) -> ProvenBounds:
     return simplex.derived_value(SMOOTH[dims])
 
 
@@ -20,7 +20,7 @@ def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
 
 def quotes() -> list[tuple[str, str]]:
     below = listed([derive(*case).range for case in CASES])
-    return [("docs/accuracy.md", f"`hn_simplex_smooth` below {below} in 2D")]
+    return [("docs/measured/accuracy.md", f"`hn_simplex_smooth` below {below} in 2D")]
 
 
 def describe(dims: int, _: Gradient | None) -> dict[str, object]:

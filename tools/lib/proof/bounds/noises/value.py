@@ -1,5 +1,5 @@
-"""hn_value: what is proven of it, from docs/contract.md, section 9, and of the derivatives of hn_value_d, from section
-10, which has its entry in value_d.py.
+"""hn_value: what is proven of it, from docs/reference/contract.md, section 9, and of the derivatives of hn_value_d,
+from section 10, which has its entry in value_d.py.
 
 RANGE. The number of a corner is within +-1, and -1 occurs. The weights are not negative and sum to 1, so the value is
 within +-1, too. A derivative is s'(f_1) times an interpolation of differences of two numbers: at most
@@ -56,7 +56,7 @@ from proof.bounds.integers import (
     slope_rounding,
     slopes,
 )
-from proof.bounds.noises import Derived
+from proof.bounds.noises import ProvenBounds
 
 CASES = tuple((dims, None) for dims in (1, 2, 3, 4))
 
@@ -66,7 +66,7 @@ STEEPEST = 2 * FADE_MAX[1]
 
 
 def numbers_and_fractions(lo, hi, ulps):
-    """Those of the corners, without the offset."""
+    """The errors of the corners, without the offset."""
     numbers = [Approx(-1.0, 1.0, 0.0, ulps)] * 2 ** len(lo)
     return numbers, [approx_offsets(a, b, ulps)[0] for a, b in zip(lo, hi)]
 
@@ -91,7 +91,7 @@ def slope_error_bound(dims: int, ulps: float = 1.0) -> float:
     return error_supremum(functools.partial(slope_error, ulps=ulps), dims)
 
 
-def derive(dims: int, _: Gradient | None) -> Derived:
+def derive(dims: int, _: Gradient | None) -> ProvenBounds:
     lipschitz, cell_error = suprema.largest(suprema.LIPSCHITZ, dims, None), error_bound(dims)
     error = position_error(cell_error, lipschitz)
     lerp = largest_rounding(dims) / NUMBER_ONE
@@ -99,10 +99,10 @@ def derive(dims: int, _: Gradient | None) -> Derived:
              "scaling": UNIT / 2}
     fixed_error = lipschitz / ONE + largest_joint_effect(dims, None, NUMBER_ONE) + UNIT / 2
     fixed_largest = (1 + 2 * overshoot()) ** dims + lerp + UNIT / 2
-    return Derived(1.0, 1.0, lipschitz, cell_error, error, 1.0 + error, fixed_error * SAFE, fixed_largest * SAFE, parts)
+    return ProvenBounds(1.0, 1.0, lipschitz, cell_error, error, 1.0 + error, fixed_error * SAFE, fixed_largest * SAFE, parts)
 
 
-def derive_slope(dims: int) -> Derived:
+def derive_slope(dims: int) -> ProvenBounds:
     lipschitz, cell_error = suprema.largest(suprema.SLOPE_LIPSCHITZ, dims, None), slope_error_bound(dims)
     error = position_error(cell_error, lipschitz)
     others = largest_fade_effect(dims - 1, None)
@@ -110,7 +110,7 @@ def derive_slope(dims: int) -> Derived:
              "fade": 2 * (float(np.abs(slope_errors()).max()) + slopes().max() / FADE_ONE * others),
              "interpolation": slope_rounding(dims, gradients=False) / (NUMBER_ONE / 4), "scaling": SLOPE_UNIT / 2}
     fixed_error = sum(parts.values()) * SAFE
-    return Derived(0.0, STEEPEST, lipschitz, cell_error, error, STEEPEST + error, fixed_error,
+    return ProvenBounds(0.0, STEEPEST, lipschitz, cell_error, error, STEEPEST + error, fixed_error,
                    STEEPEST + fixed_error, parts)
 
 

@@ -1,4 +1,4 @@
-"""hn_value_cubic: what is proven of it, from docs/contract.md, section 11.
+"""hn_value_cubic: what is proven of it, from docs/reference/contract.md, section 11.
 
 RANGE. The weights b of an axis are not negative and sum to 1, so the value is within +-1, as the numbers are.
 
@@ -46,7 +46,7 @@ from proof.bounds.integers import (
     spline_weight_error,
     splines,
 )
-from proof.bounds.noises import Derived
+from proof.bounds.noises import ProvenBounds
 from proof.bounds.noises.value import NUMBER_ONE, OFFSET
 
 CASES = tuple((dims, None) for dims in (1, 2, 3))
@@ -97,7 +97,7 @@ def error_bound(dims: int, ulps: float = 1.0) -> float:
     return error_supremum(functools.partial(value_error, ulps=ulps), dims)
 
 
-def derive(dims: int, _: Gradient | None) -> Derived:
+def derive(dims: int, _: Gradient | None) -> ProvenBounds:
     if splines().min() < 0 or (splines().sum(axis=0) != FADE_ONE).any():
         raise ValueError("a weight is negative, or the weights do not sum to 1")
     lipschitz, cell_error = lipschitz_bound(dims), error_bound(dims)
@@ -105,7 +105,7 @@ def derive(dims: int, _: Gradient | None) -> Derived:
     parts = {"cut": lipschitz * (1 / ONE + SPLINE_STEP / 2), "weights": (1 + spline_weight_error()) ** dims - 1,
              "interpolation": dims * spline_rounding() / NUMBER_ONE, "scaling": UNIT / 2}
     fixed_largest = 1 + parts["interpolation"] + parts["scaling"]
-    return Derived(1.0, 1.0, lipschitz, cell_error, error, 1.0 + error, sum(parts.values()) * SAFE,
+    return ProvenBounds(1.0, 1.0, lipschitz, cell_error, error, 1.0 + error, sum(parts.values()) * SAFE,
                    fixed_largest * SAFE, parts)
 
 

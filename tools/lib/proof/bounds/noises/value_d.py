@@ -6,12 +6,12 @@ from __future__ import annotations
 from dataclasses import replace
 
 from proof.bounds.gradients import Gradient
-from proof.bounds.noises import Derived, value
+from proof.bounds.noises import ProvenBounds, value
 
 CASES = value.CASES
 
 
-def derive(dims: int, gradient: Gradient | None) -> Derived:
+def derive(dims: int, gradient: Gradient | None) -> ProvenBounds:
     return replace(value.derive(dims, gradient), slope=value.derive_slope(dims))
 
 

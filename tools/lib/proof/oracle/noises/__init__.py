@@ -1,13 +1,13 @@
 """The noises. Each is a module of this package, under its name, with its two definitions side by side:
 
-    exact(lattice, cell, f) -> tuple[Fraction, ...]         sections 6, 9 to 11, 13, 14, 16 and 22 of docs/contract.md;
-                                                            f are fractions
+    exact(lattice, cell, f) -> tuple[Fraction, ...]         docs/reference/contract.md, sections 6, 9 to 11, 13, 14, 16
+                                                            and 22; f are fractions
     fixed(lattice, cell, fraction) -> tuple[int, ...]       with HN_FIXED; fractions in units of 2^-20
 
-What they return is the value, and after it the derivatives along x, y, z, w of a noise that has them. A fixed value is
+They return the value, and after it the derivatives along x, y, z, w of a noise that has them. A fixed value is
 in units of 2^-21, a fixed derivative in units of 2^-19. A module with other names of what it returns has OUTPUTS, one
-with other units UNITS. The gradients of a noise called ..._phase turn, or its feature points do; of another that takes a
-phase the module has TURNS.
+with other units UNITS. The gradients of a noise called ..._phase rotate, or its feature points do; of another that
+takes a phase the module has ROTATES.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from proof.oracle.lattice import Choice, Lattice
 OUTPUTS = ("value", "dx", "dy", "dz", "dw")
 UNITS = (NOISE_UNIT, *(SLOPE_UNIT,) * 4)
 VECTOR = ("vx", "vy", "vz")  # the outputs of what returns a vector
-TURNING = "_phase"
+ROTATING = "_phase"
 
 
 @dataclass(frozen=True)
@@ -40,12 +40,12 @@ class Noise:
     units: tuple[int, ...] = UNITS
     phase: Real | None = None
     choice: Choice = Choice()  # of cellular noise, and of phasor noise
-    turns: bool = False  # whether it may have a phase
+    rotates: bool = False  # whether it may have a phase
 
-    def turned(self, phase: Real) -> Noise:
-        """The noise with its gradients, or its feature points, turned."""
-        if not self.turns:
-            raise ValueError(f"the gradients of {self.name} do not turn")
+    def rotated(self, phase: Real) -> Noise:
+        """The noise with its gradients, or its feature points, rotated."""
+        if not self.rotates:
+            raise ValueError(f"the gradients of {self.name} do not rotate")
         return replace(self, phase=phase)
 
     def chosen(self, choice: Choice) -> Noise:
@@ -85,8 +85,8 @@ def names() -> list[str]:
 
 def find(name: str) -> Noise:
     if name not in names():
-        raise LookupError(f"the oracle has no {name}: write tools/lib/proof/oracle/noises/{name}.py from docs/contract.md")
+        raise LookupError(f"the oracle has no {name}: write tools/lib/proof/oracle/noises/{name}.py from docs/reference/contract.md")
     module = importlib.import_module(f"{__name__}.{name}")
-    turns = name.endswith(TURNING) or getattr(module, "TURNS", False)
+    rotates = name.endswith(ROTATING) or getattr(module, "ROTATES", False)
     return Noise(name, module.exact, module.fixed, getattr(module, "OUTPUTS", OUTPUTS), getattr(module, "UNITS", UNITS),
-                 Fraction(0) if turns else None, turns=turns)
+                 Fraction(0) if rotates else None, rotates=rotates)

@@ -1,4 +1,5 @@
-"""Section 16 of docs/contract.md: the distance to the border of what is nearer to one point than to any other."""
+"""Section 16 of docs/reference/contract.md: the distance to the border of what is nearer to one point than to any
+other."""
 
 from __future__ import annotations
 
@@ -7,7 +8,7 @@ from collections.abc import Callable, Sequence
 from fractions import Fraction
 from typing import TypeVar
 
-from proof.oracle.feature_points import EUCLIDEAN, Field, Point, TooFar, fixed_root, fixed_square, root, square
+from proof.oracle.feature_points import EUCLIDEAN, Field, Point, BlockTooSmall, fixed_root, fixed_square, root, square
 from proof.oracle.lattice import Lattice
 
 UNITS = (2**16,)
@@ -39,7 +40,7 @@ def smallest(field: Field, between: Callable[[Point, Point], Border],
             border = between(nearest, point)
             found = border if found is None else min(found, border)
     if may_count(field.outside):
-        raise TooFar(f"{field} has a border with points outside of the block that is searched")
+        raise BlockTooSmall(f"{field} has a border with points outside of the block that is searched")
     return found
 
 

@@ -1,4 +1,4 @@
-"""Section 16 of docs/contract.md: the distances of the nearest two points of cells."""
+"""Section 16 of docs/reference/contract.md: the distances of the nearest two points of cells."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Section 16 of docs/contract.md: the distance of the nearest point, and its derivatives."""
+"""Section 16 of docs/reference/contract.md: the distance of the nearest point, and its derivatives."""
 
 from __future__ import annotations
 

@@ -1,4 +1,5 @@
-"""Section 16 of docs/contract.md: the distances of the nearest two points of cells, which go round with a phase."""
+"""Section 16 of docs/reference/contract.md: the distances of the nearest two points of cells, which go round with a
+phase."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 """Tests of cellular_phase.py, and of what is said of the nearest point that moves: by hand, by naive searches of points
-that are turned in floats and in whole numbers, and by what a phase does."""
+that are rotated in floats and in whole numbers, and by what a phase does."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from unittest import mock
 from proof.golden.generator import INT_MAX, INT_MIN, generator_of, to_f32
 from proof.golden.simplex_rows import PHASES
 from proof.oracle import feature_points, noises
-from proof.oracle.feature_points import TooFar, direction2, direction3
+from proof.oracle.feature_points import BlockTooSmall, direction2, direction3
 from proof.oracle.gradients import Knobs
 from proof.oracle.integers import UNIT, cosine_and_sine
 from proof.oracle.lattice import Choice, Lattice
 from proof.oracle.moving_points_test import LARGEST
 from proof.oracle.nearest import NEAREST, OFFSET
 from proof.oracle.noises import Noise
-from proof.oracle.turning import angle
+from proof.oracle.rotation import angle
 
 LATTICE = Knobs("lattice")
 STILL, MOVING = noises.find("cellular"), noises.find("cellular_phase")
@@ -28,7 +28,7 @@ NEARER = {2: 7 / 8, 3: 25 / 32}
 
 
 def at(noise: Noise, phase: float, jitter: float = 1.0) -> Noise:
-    return noise.chosen(Choice(jitter)).turned(phase)
+    return noise.chosen(Choice(jitter)).rotated(phase)
 
 
 def samples(name: str, n: int, count: int = 24) -> Iterator[tuple[list[Fraction], int, float, float]]:
@@ -45,7 +45,7 @@ def samples(name: str, n: int, count: int = 24) -> Iterator[tuple[list[Fraction]
 
 
 def t(e: int, b: int) -> int:
-    """The contract's turned(e, b)."""
+    """The contract's rotated(e, b)."""
     return ((e >> 8) * b >> 8) + ((e & 255) * b >> 16)
 
 
@@ -74,7 +74,7 @@ def fixed_offset(f: Sequence[int], o: Sequence[int], word: int, phase: float, ji
 
 
 def forwards(d: Sequence[int], phase: float) -> tuple[int, ...]:
-    """What stands in an offset, in units of -2^-20."""
+    """The right offset, in units of -2^-20."""
     c, s, cc, ss, sc = sines(phase)
     if len(d) == 2:
         x, y = d
@@ -103,7 +103,7 @@ class Naive(unittest.TestCase):
 
 
 class Phases(unittest.TestCase):
-    def test_without_a_turn_points_are_nearer_to_the_middle(self) -> None:
+    def test_without_a_rotation_points_are_nearer_to_the_middle(self) -> None:
         for n in (2, 3):
             for p, seed, _, jitter in samples("zero", n, 8):
                 nearer = STILL.chosen(Choice(Fraction(jitter) * Fraction(NEARER[n])))
@@ -120,7 +120,7 @@ class Phases(unittest.TestCase):
 
     def test_the_metric_is_the_euclidean_one(self) -> None:
         for noise, of in itertools.product((MOVING, NEAREST, OFFSET), ("exact", "fixed")):
-            found = {getattr(noise.chosen(Choice(0.75, metric)).turned(0.3), of)(LATTICE, (0.3, 0.9), 5)
+            found = {getattr(noise.chosen(Choice(0.75, metric)).rotated(0.3), of)(LATTICE, (0.3, 0.9), 5)
                      for metric in (1, 2, 3, 4, 5)}
             self.assertEqual(len(found), 1)
 
@@ -158,5 +158,5 @@ class Searches(unittest.TestCase):
 
     def test_a_block_that_is_too_small_is_found(self) -> None:
         for of in ("exact", "fixed"):
-            with mock.patch.object(feature_points, "AROUND", 0), self.assertRaises(TooFar):
+            with mock.patch.object(feature_points, "AROUND", 0), self.assertRaises(BlockTooSmall):
                 getattr(at(MOVING, 0.3), of)(LATTICE, (0.0, 0.25), 1)

@@ -1,11 +1,11 @@
-"""Section 16 of docs/contract.md: a sum over all points of cells that are near, without creases."""
+"""Section 16 of docs/reference/contract.md: a sum over all points of cells that are near, without creases."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
-from proof.oracle.feature_points import EUCLIDEAN, Field, Point, TooFar, fixed_root, root, square
+from proof.oracle.feature_points import EUCLIDEAN, Field, Point, BlockTooSmall, fixed_root, root, square
 from proof.oracle.lattice import Lattice
 
 UNITS = (2**19,)
@@ -14,7 +14,7 @@ UNITS = (2**19,)
 def near_points(field: Field) -> Iterator[Point]:
     """All points nearer than 1, and some others."""
     if square(field.outside) < field.arithmetic.unit**2:
-        raise TooFar(f"the block around {field} is smaller than a cell")
+        raise BlockTooSmall(f"the block around {field} is smaller than a cell")
     for beside, least in field.candidates():
         if square(least) < field.arithmetic.unit**2:
             yield field.point(beside)

@@ -1,4 +1,4 @@
-"""Section 6 of docs/contract.md: Perlin noise."""
+"""Section 6 of docs/reference/contract.md: Perlin noise."""
 
 from __future__ import annotations
 

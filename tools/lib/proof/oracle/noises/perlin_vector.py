@@ -1,4 +1,4 @@
-"""Section 22 of docs/contract.md: a Perlin noise along each axis."""
+"""Section 22 of docs/reference/contract.md: a Perlin noise along each axis."""
 
 from __future__ import annotations
 

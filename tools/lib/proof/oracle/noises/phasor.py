@@ -1,4 +1,5 @@
-"""Section 23 of docs/contract.md: phasor noise, a sum of waves around the points of the lattices of simplex noise.
+"""Section 23 of docs/reference/contract.md: phasor noise, a sum of waves around the points of the lattices of simplex
+noise.
 
 A caller chooses the wave: so many turns of the phase there are in a cell, along each axis.
 """
@@ -11,7 +12,7 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import TypeVar
 
-from proof.oracle import integers, kernels, ramps, turning
+from proof.oracle import integers, kernels, ramps, rotation
 from proof.oracle.gradients import Real
 from proof.oracle.integers import NOISE_UNIT, part, signed
 from proof.oracle.kernels import Kernel
@@ -22,7 +23,7 @@ from proof.oracle.words import MASK
 Number = TypeVar("Number", int, Fraction)
 
 OUTPUTS = ("value", "quadrature")
-TURNS = True
+ROTATES = True
 UNITS = (NOISE_UNIT,) * 2
 # By the number of dimensions. The lattices and t are those of simplex noise. In space the same weight falls twice as
 # fast, since t does.
@@ -63,7 +64,7 @@ def waves(lattice: Lattice, cell: Sequence[int],
     """Of each point the offset from it in steps, t, and the cosine and the sine of its turns."""
     kernel = KERNELS[len(cell)]
     for point, d, t in kernels.weighted_points(kernel, tuple(f)):
-        yield d, t, turning.cosine_and_sine(turns(lattice, kernel, point.word(kernel, lattice, cell), d))
+        yield d, t, rotation.cosine_and_sine(turns(lattice, kernel, point.word(kernel, lattice, cell), d))
 
 
 def exact(lattice: Lattice, cell: Sequence[int], f: Sequence[Fraction]) -> tuple[Fraction, ...]:
@@ -81,14 +82,13 @@ def fixed_wave(wave: Sequence[Real]) -> list[int]:
 
 
 def fixed_along(kernel: Kernel, wave: Sequence[Real], d: Sequence[int]) -> int:
-    """D, in units of 2^-32 turns, of which there may be several: only the sum of all is reduced. The products have 40
-    bits."""
+    """D, in units of 2^-32 turns; several have a sum, and only the sum of all is reduced. The products have 40 bits."""
     return sum(k * x // (2**4 * kernel.steps) for k, x in zip(fixed_wave(wave), d, strict=True))
 
 
 def fixed_turns(lattice: Lattice, kernel: Kernel, h: int, d: Sequence[int]) -> int:
     """a, a word."""
-    return h + turning.angle(lattice.phase) + fixed_along(kernel, lattice.choice.wave, d) & MASK
+    return h + rotation.angle(lattice.phase) + fixed_along(kernel, lattice.choice.wave, d) & MASK
 
 
 def fixed_waves(lattice: Lattice, cell: Sequence[int],

@@ -1,4 +1,4 @@
-"""Section 23 of docs/contract.md, derivatives: phasor noise with those of its value and of its quadrature."""
+"""Section 23 of docs/reference/contract.md, derivatives: phasor noise with those of its value and of its quadrature."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from proof.oracle.noises.phasor import KERNELS
 
 # A pair for the noise, and one along each axis: of the value, then of the quadrature.
 OUTPUTS = ("value", "quadrature", "dx", "qx", "dy", "qy", "dz", "qz")
-TURNS = True
+ROTATES = True
 UNITS = (NOISE_UNIT,) * 2 + (2**16,) * 6
 
 TWO_PI = Fraction(2 * gradients.PI, 2**gradients.SINE_BITS)

@@ -18,7 +18,7 @@ from proof.oracle.lattice import Choice
 from proof.oracle.noises import phasor, phasor_d
 from proof.oracle.noises.phasor import KERNELS
 from proof.oracle.noises.phasor_test import WORD, places
-from proof.oracle.testing import KNOBS, Checked
+from proof.oracle.testing import KNOBS, FaultChecks
 
 SLOPES, PHASOR = map(noises.find, ("phasor_d", "phasor"))
 
@@ -29,7 +29,7 @@ ERROR = 2**-6.5
 
 def of(noise: noises.Noise, place: tuple, fixed: bool = False) -> tuple[Fraction, ...]:
     cell, f, wave, phase, seed, periods = place
-    noise = noise.turned(phase).chosen(Choice(wave=tuple(wave)))
+    noise = noise.rotated(phase).chosen(Choice(wave=tuple(wave)))
     return (noise.fixed_cell if fixed else noise.exact_cell)(KNOBS, cell, f, seed, periods)
 
 
@@ -43,8 +43,8 @@ def derivatives(found: Sequence[Real]) -> list[Sequence[Real]]:
     return list(zip(found[2::2], found[3::2], strict=True))
 
 
-# What a program in C makes of it, with its words of 32 bits, which was written from the contract: the cell, the
-# fraction in units of 2^-20, the periods, the wave, the phase and the seed; value, quadrature and their derivatives.
+# From a program in C, with its words of 32 bits, which was written from the contract: the cell, the fraction in units
+# of 2^-20, the periods, the wave, the phase and the seed; value, quadrature and their derivatives.
 VECTORS = (
     ((0, 0), (0, 0), (0, 0), (0.0, 0.0), 0.0, 0,
      (-1191729, -462683, 0, 0, 0, 0)),
@@ -64,7 +64,7 @@ VECTORS = (
      (-593777, 1327792, -3106456, -1353753, 1899695, 890611, -405857, -194012)))
 
 
-class Derivatives(Checked, unittest.TestCase):
+class Derivatives(FaultChecks, unittest.TestCase):
     def check_differences(self) -> None:
         """Of the exact value, on both sides, also where points come and go."""
         step = Fraction(1, 2**24)

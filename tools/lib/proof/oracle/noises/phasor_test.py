@@ -13,13 +13,13 @@ from unittest import mock
 
 from proof.golden.generator import INT_MAX, INT_MIN, Generator, generator_of, to_f32
 from proof.golden.simplex_rows import PHASES, fractions
-from proof.oracle import integers, kernels, noises, turning, words
+from proof.oracle import integers, kernels, noises, rotation, words
 from proof.oracle.gradients import Knobs, Real
 from proof.oracle.integers import NOISE_UNIT, UNIT
 from proof.oracle.lattice import Choice, Lattice
 from proof.oracle.noises import phasor
 from proof.oracle.noises.phasor import KERNELS
-from proof.oracle.testing import KNOBS, Checked
+from proof.oracle.testing import KNOBS, FaultChecks
 
 PHASOR = noises.find("phasor")
 TILES = {2: ((), (1, 1), (2, 3), (7, 0), (INT_MAX, -4)), 3: ((), (1, 1, 1), (2, 1, 3), (0, 7, -1), (5, INT_MAX, 2))}
@@ -45,7 +45,7 @@ WEIGHT_ERROR, FALL_ERROR = Fraction(37, 4), Fraction(63, 4)
 
 def at(cell: Sequence[int], f: Sequence[Real], wave: Sequence[Real], phase: Real = 0, seed: int = 7,
        periods: Sequence[int] = (), fixed: bool = False) -> tuple[Fraction, ...]:
-    noise = PHASOR.turned(phase).chosen(Choice(wave=tuple(wave)))
+    noise = PHASOR.rotated(phase).chosen(Choice(wave=tuple(wave)))
     return (noise.fixed_cell if fixed else noise.exact_cell)(KNOBS, cell, f, seed, periods)
 
 
@@ -109,8 +109,8 @@ def apart(a: Sequence[Real], b: Sequence[Real]) -> float:
     return length([x - y for x, y in zip(a, b, strict=True)])
 
 
-# What a program in C makes of it, with its words of 32 bits, which was written from the contract: the hash, the cell,
-# the fraction in units of 2^-20, the periods, the wave, the phase and the seed; value and quadrature in units of 2^-21.
+# From a program in C, with its words of 32 bits, which was written from the contract: the hash, the cell, the fraction
+# in units of 2^-20, the periods, the wave, the phase and the seed; value and quadrature in units of 2^-21.
 VECTORS = (
     ("lattice", (0, 0), (0, 0), (0, 0), (0.0, 0.0), 0.0, 0, (-1191729, -462683)),
     ("lattice", (-1, INT_MAX), (300000, 700001), (3, 0), (16.0, -16.0), 0.75, 7, (-1168895, -573555)),
@@ -130,12 +130,12 @@ VECTORS = (
      (964314, 1067894)))
 
 
-# What faults are made of.
+# The parts of faults.
 WORD_OF, ALONG, TURNS, FIXED_ALONG = Lattice.word, phasor.along, phasor.turns, phasor.fixed_along
-WAVE, FIXED_WAVE = turning.cosine_and_sine, integers.cosine_and_sine
+WAVE, FIXED_WAVE = rotation.cosine_and_sine, integers.cosine_and_sine
 
 
-class Phasor(Checked, unittest.TestCase):
+class Phasor(FaultChecks, unittest.TestCase):
     def check_floats(self) -> None:
         for place in places("floats"):
             self.assertLess(apart(at(*place), naive(*place)), 1e-12, place)
@@ -147,7 +147,7 @@ class Phasor(Checked, unittest.TestCase):
 
     def check_program(self) -> None:
         for hash_, cell, fraction, periods, wave, phase, seed, expected in VECTORS:
-            noise = PHASOR.turned(to_f32(phase)).chosen(Choice(wave=tuple(map(to_f32, wave))))
+            noise = PHASOR.rotated(to_f32(phase)).chosen(Choice(wave=tuple(map(to_f32, wave))))
             found = noise.fixed_cell(Knobs(hash_), cell, [Fraction(x, UNIT) for x in fraction], seed, periods)
             self.assertEqual(found, tuple(Fraction(x, NOISE_UNIT) for x in expected))
 
@@ -230,10 +230,10 @@ class Phasor(Checked, unittest.TestCase):
          ("smoothness",)),
         (phasor, "along", lambda *rest: -ALONG(*rest), ("floats", "fixed")),
         (phasor, "turns", lambda lattice, *rest: TURNS(replace(lattice, phase=0), *rest), ("floats", "fixed")),
-        (turning, "cosine_and_sine", lambda a: WAVE(a)[::-1], ("floats", "fixed")),
+        (rotation, "cosine_and_sine", lambda a: WAVE(a)[::-1], ("floats", "fixed")),
         (phasor, "fixed_along", lambda *rest: min(max(FIXED_ALONG(*rest), -2**31), 2**31 - 1), ("program", "fixed")),
         (phasor, "fixed_wave", lambda wave: [math.floor(k * 2**16) for k in phasor.clamped(wave)], ("cuts",)),
-        (turning, "angle", lambda phase: 0, ("program", "fixed")),
+        (rotation, "angle", lambda phase: 0, ("program", "fixed")),
         (integers, "cosine_and_sine", lambda a: FIXED_WAVE(a)[::-1], ("program", "fixed")))
 
 
@@ -260,7 +260,7 @@ class ByHand(unittest.TestCase):
             self.assertEqual(quadrature, 0)
 
     def test_products_of_a_wave_are_rounded_down_each(self) -> None:
-        # A last bit of D is 2^-32 of a turn, and no result tells it from another but by chance.
+        # A last bit of D is 2^-32 of a turn, and no result shows it but by chance.
         products = (65537 * (16 - 2**17), -65537 * (2**18 + 1))
         found = phasor.fixed_along(KERNELS[2], (1 + 2.0**-16, -1 - 2.0**-16), (16 - 2**17, 2**18 + 1))
         self.assertEqual(found, products[0] // 32 + products[1] // 32)
@@ -281,7 +281,7 @@ class ByHand(unittest.TestCase):
 
 class Weights(unittest.TestCase):
     def errors(self) -> tuple[Fraction, Fraction]:
-        """The largest of W and of E on the plane over all t, of which `word` raises where a step is none."""
+        """The largest of W and of E on the plane over all t; `word` raises where a step is none."""
         kernel, of_weight, of_fall = KERNELS[2], 0, 0
         for t in range(2**16):
             q = t * t + 2**15 >> 16

@@ -1,4 +1,4 @@
-"""Section 17 of docs/contract.md: random numbers, one for each cell."""
+"""Section 17 of docs/reference/contract.md: random numbers, one for each cell."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Section 13 of docs/contract.md: simplex noise with its derivatives."""
+"""Section 13 of docs/reference/contract.md: simplex noise with its derivatives."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Section 14 of docs/contract.md: simplex noise whose gradients turn, with its derivatives."""
+"""Section 14 of docs/reference/contract.md: simplex noise whose gradients rotate, with its derivatives."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Section 14 of docs/contract.md: simplex noise whose gradients turn, as those of the lattice do."""
+"""Section 14 of docs/reference/contract.md: simplex noise whose gradients rotate, as those of the lattice do."""
 
 from __future__ import annotations
 

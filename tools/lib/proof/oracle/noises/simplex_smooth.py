@@ -1,4 +1,4 @@
-"""Section 13 of docs/contract.md: simplex noise whose kernels reach farther."""
+"""Section 13 of docs/reference/contract.md: simplex noise whose kernels reach farther."""
 
 from __future__ import annotations
 

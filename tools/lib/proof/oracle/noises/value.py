@@ -1,4 +1,4 @@
-"""Section 9 of docs/contract.md: value noise."""
+"""Section 9 of docs/reference/contract.md: value noise."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Section 11 of docs/contract.md: cubic value noise."""
+"""Section 11 of docs/reference/contract.md: cubic value noise."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ OFFSETS = (-1, 0, 1, 2)  # of the points that count, along each axis
 
 
 def spline_weights(f: Fraction) -> tuple[Fraction, ...]:
-    """Those of the four points along one axis."""
+    """The weights of the four points along one axis."""
     def middle(t: Fraction) -> Fraction:
         return Fraction(2, 3) - t**2 + t**3 / 2
 
@@ -58,7 +58,7 @@ def fixed_weights(fraction: int) -> tuple[int, ...]:
 
 
 def fixed(lattice: Lattice, cell: Sequence[int], fraction: Sequence[int]) -> tuple[int]:
-    # Those with the smallest x first; so each axis takes as many rows of four as values are left.
+    # The smallest x comes first; so each axis takes as many rows of four as values are left.
     values = [fixed_number(lattice, [c + o for c, o in zip(cell, offset)])
               for offset in itertools.product(OFFSETS, repeat=len(cell))]
     for f in fraction:

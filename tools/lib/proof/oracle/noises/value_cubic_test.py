@@ -50,8 +50,8 @@ class Weights(unittest.TestCase):
             self.assertEqual(sum(fixed), 2**18)
             self.assertGreaterEqual(min(fixed), 0)
             for b, exact in zip(fixed, value_cubic.spline_weights(Fraction(fraction, UNIT))):
-                # x is rounded by half a unit of 2^-15, and a weight changes by 2/3 of that at most: 8/3. A weight rounds
-                # by 1/2, and the third by what the others do.
+                # x is rounded by half a unit of 2^-15, and a weight changes by 2/3 of that at most: 8/3. A weight
+                # rounds by 1/2, and the third by what the others do.
                 self.assertLess(abs(b - exact * 2**18), 8 / 3 + 3 / 2, fraction)
         self.assertEqual(value_cubic.fixed_weights(0), (43691, 174763, 43690, 0))
         self.assertEqual(value_cubic.fixed_weights(UNIT), (0, 43691, 174762, 43691))

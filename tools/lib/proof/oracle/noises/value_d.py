@@ -1,4 +1,4 @@
-"""Section 10 of docs/contract.md: value noise with its derivatives."""
+"""Section 10 of docs/reference/contract.md: value noise with its derivatives."""
 
 from __future__ import annotations
 

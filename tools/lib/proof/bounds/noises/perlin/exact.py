@@ -1,10 +1,10 @@
 """Proves how large hn_perlin and its derivatives can be and how fast they can change: as suprema.py of the folder
-above, times the scale of docs/contract.md, section 6.
+above, times the scale of docs/reference/contract.md, section 6.
 
-RANGE. The scales of the octahedral gradient are multiples of 1/1024 below the inverse of the supremum before scaling. That
-is 1/2 times 511/512 on the line, and 1.07346 in 4D. On the plane and in space it is that of gradients that turn with a
-phase: 0.559017 on the plane, in the middle of the cell, where gradients that do not turn reach 0.508437; and 1.03849 in
-space, where they reach 1.03636. What is left up to 1 is room for the errors of the fixed arithmetic.
+RANGE. The scales of the octahedral gradient are multiples of 1/1024 below the inverse of the supremum before scaling.
+That is 1/2 times 511/512 on the line, and 1.07346 in 4D. On the plane and in space it is that of gradients that rotate
+with a phase: 0.559017 on the plane, in the middle of the cell, where gradients that do not rotate reach 0.508437; and
+1.03849 in space, where they reach 1.03636. The rest up to 1 is room for the errors of the fixed arithmetic.
 
 SINE GRADIENT. Its components are independent, |g_i| <= 1, and nothing is scaled. The range is exact: the supremum over
 the gradients is the sum over the axes of
@@ -29,7 +29,7 @@ def range_bound(dims, gradient):
 
 
 def scaled(quantity, dims, gradient):
-    """Of gradients that turn, too."""
+    """Of gradients that rotate, too."""
     return SCALE[SINE if gradient is SINE else OCTAHEDRAL][dims] * suprema.largest(quantity, dims, gradient)
 
 

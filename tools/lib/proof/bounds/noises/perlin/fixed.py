@@ -1,5 +1,5 @@
-"""The error of hn_perlin and of the derivatives of hn_perlin_d in fixed arithmetic (docs/contract.md, sections 8 and
-10), proven; that the noise stays in range, and that what must not wrap does not.
+"""The error of hn_perlin and of the derivatives of hn_perlin_d in fixed arithmetic (docs/reference/contract.md,
+sections 8 and 10), proven; that the noise stays in range, and that what must not wrap does not.
 
 HN_PERLIN. The fixed value differs from the exact one by five things. FADE, LERP and RAMP are bounded together, for each
 box:
@@ -13,7 +13,7 @@ box:
              1).
 
 HN_PERLIN_D. A derivative is off by the same: by L of the derivative times 2^-20, and FADE with the slope of a fade.
-What it rounds by is in integers.py (slope_rounding). Its unit is 2^-19.
+Its rounding is in integers.py (slope_rounding). Its unit is 2^-19.
 
 RANGE. The scales of the octahedral gradient leave 1 less the range of exact.py, more than FADE, LERP, RAMP and
 SCALE together (CUT moves a position, not a value out of its range): |hn_perlin| <= 1. Octave sums round by less than 2
@@ -117,23 +117,27 @@ def slope_error_parts(dims):
 
 # --- Overflow ---------------------------------------------------------------------------------------------------------
 
-# What two ramps, or two values between ramps, along an axis differ by: their offsets are f and 1 - f there, and at most 1
-# along other axes. Of two ramps it is 4 in space, where both other axes are at an end, at corners without a weight: then
-# 2^31 wraps, and the value does not depend on it. Else it is less, by 2^-20 or more. Behind an interpolation along x it
-# is at most 7/2: h is at most 1 + max(x, f), or 1 + max(1 - x, f), and likewise for 1 - f, and the mean of x and 1 - x
-# with the weights 1 - s(x) and s(x) is at most 1/2. For h is the sum of the two largest: max(x, f) + max(x, 1 - f) is at
-# most 1 + x.
+# The largest difference of two ramps, or of two values between ramps, along an axis: their offsets are f and 1 - f
+# there, and at most 1 along other axes. Of two ramps it is 4 in space, where both other axes are at an end, at corners
+# without a weight: then 2^31 wraps, and the value does not depend on it. Else it is less, by 2^-20 or more. Behind an
+# interpolation along x it is at most 7/2: h is at most 1 + max(x, f), or 1 + max(1 - x, f), and likewise for 1 - f, and
+# the mean of x and 1
+# - x with the weights 1 - s(x) and s(x) is at most 1/2. For h is the sum of the two largest: max(x, f) + max(x, 1 - f)
+# is at most 1 + x.
 LARGEST_DIFFERENCE = {1: 1.0, 2: 7 / 4, 3: 7 / 2, 4: 4.0}
-# Two derivatives in space have slopes of at most 15/8 times two such differences. Those of four ramps with the offsets
-# x, 1 - x and y, 1 - y are 4 ramps of at most 1 + max(|x|, |y|), which sum to at most 7: the maxima are convex in x and
-# y, and sum to 3 at the ends. A component is at most 1.
+# Two derivatives in space have slopes of at most 15/8 times two such differences. The differences of four ramps with
+# the offsets x, 1 - x and y, 1 - y are 4 ramps of at most 1 + max(|x|, |y|), which sum to at most 7: the maxima are
+# convex
+# in x and y, and sum to 3 at the ends. A component is at most 1.
 LARGEST_DERIVATIVES_DIFFERENCE = {3: 15 / 8 * 7 + 2}
 
 
 def largest_intermediates(dims, gradient):
-    """(The fade and the sine are checked as evaluated.) The partial sums of a ramp are at most h(1, .., 1) times its one;
-    with the sine gradient n * 2^28 and a rounding. What is scaled is an interpolated value: the range before the scale,
-    with what fixed arithmetic may add."""
+    """(The fade and the sine are checked as evaluated.) The partial sums of a ramp are at most h(1, .., 1) times its
+    one;
+    with the sine gradient n * 2^28 and a rounding. An interpolated value is scaled: the range before the scale, with
+    the
+    errors of fixed arithmetic."""
     one = RAMP_ONE[gradient][dims]
     if gradient is SINE:
         ramp = dims * (one * fixed_sine_largest() + 1)

@@ -51,7 +51,7 @@ def approx_octahedral_ramp(own, ulps):
 
 
 def approx_sine_ramp(own, ulps):
-    """g . d for any |g_i| <= 1 of which the float is within SINE.component_error, and at most 1, too."""
+    """g . d for any |g_i| <= 1 whose floats are within SINE.component_error, and at most 1, too."""
     products = []
     for d in own:
         size = d.size()

@@ -2,7 +2,7 @@
 //!
 //!     composer FOLDER [MODULE ...] -- [SHADER ...]
 //!
-//! SHADER becomes FOLDER/SHADER, by its file name. Exit status: 0 done, 1 what naga_oil says.
+//! SHADER becomes FOLDER/SHADER, by its file name. Exit status: 0 done, 1 naga_oil reports an error.
 
 use naga_oil::compose::{ComposableModuleDescriptor, Composer, NagaModuleDescriptor, ShaderLanguage};
 use std::path::Path;
