@@ -28,9 +28,11 @@ export const decimal = (value) => (Number.isInteger(value) ? `${value}.0` : Stri
 export const declaration = (language, type, name, value) =>
   language === "wgsl" ? `let ${name} = ${value};` : `${type} ${name} = ${value};`;
 
+const hasSuffix = (language) => language === "cpp" || language === "metal";
+
 // A number as a float of the language.
 function literal(language, value) {
-  return language === "cpp" ? `${decimal(value)}f` : decimal(value);
+  return hasSuffix(language) ? `${decimal(value)}f` : decimal(value);
 }
 
 // A part of a value with integers is a whole number of these steps, so that no product of two has to be rounded.
@@ -122,7 +124,7 @@ class Writer {
   }
 
   number(text) {
-    return this.language === "cpp" ? text.replace(/\b\d+\.\d+\b/g, "$&f") : text;
+    return hasSuffix(this.language) ? text.replace(/\b\d+\.\d+\b/g, "$&f") : text;
   }
 
   // A call of a function of the library by the name that it has in WGSL, which has no overloads.

@@ -115,9 +115,10 @@ export class Controls {
     this.makeLanguages();
     this.makeJumps();
     this.makeLocks();
-    for (const [name, made] of Object.entries(kLooks)) {
+    const names = Object.keys(kLooks);
+    for (const [at, name] of names.entries()) {
       const dot = element("i");
-      dot.style.background = gradientOf({ map: kSettings.map.usual, ...made });
+      dot.style.backgroundPositionX = `${(100 * at) / (names.length - 1)}%`; // of pictures beside each other
       byId("looks").append(
         element("button", { type: "button", className: "quiet", onclick: () => look(name) }, dot, name),
       );

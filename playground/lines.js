@@ -1,6 +1,6 @@
 // The picture as lines for tools/bake and for Python, which compute grids.
-import { kBlends, kNoises, kSums } from "./tables.js";
-import { remapOf, shownLayers, uses } from "./model.js";
+import { kNoises, kSums } from "./tables.js";
+import { rangeOf, remapOf, shownLayers, uses } from "./model.js";
 import { kPartsOfCell } from "./view.js";
 
 
@@ -36,7 +36,9 @@ export const isOneLine = (state) => {
   const { weight, offset } = remapOf(state, state.layers.indexOf(shown[0]));
   const [{ warp, scale }] = shown;
   return (
-    shown.length === 1 && weight === 1 && offset === 0 && scale === 1 && state.hash === "lattice" && functionOf(shown[0]) !== undefined &&
+    shown.length === 1 &&
+    [weight, offset, scale, state.hash].join(" ") === "1 0 1 lattice" &&
+    functionOf(shown[0]) !== undefined &&
     (warp === "none" || state.dimensions === 1 || state.dimensions === 4)
   );
 };
@@ -47,10 +49,12 @@ export function bakeLines(state) {
   const size = [width, height, 1, 1].slice(0, dimensions).join("x");
   const cell = (state.view === "tiles" ? 3 * state.period : state.cells) / Math.min(width, height);
   const across = [width * cell, height * cell].map((cells) => Number(cells.toPrecision(7)));
-  const origin = [Number(state.x) / kPartsOfCell - across[0] / 2, Number(state.y) / kPartsOfCell - across[1] / 2, state.z, state.w].slice(0, dimensions);
+  const corner = [state.x, state.y].map((middle, axis) => Number(middle) / kPartsOfCell - across[axis] / 2);
+  const origin = [...corner, state.z, state.w].slice(0, dimensions);
   const place = `--size ${size} --cells ${across[0]} --origin=${origin.map((part) => Number(part.toFixed(6))).join("x")}`;
   const period = state.period ? ` --period ${Array(dimensions).fill(state.period).join("x")}` : "";
-  const rest = `${period} --arithmetic ${state.arithmetic} -o noise.png`;
+  const range = rangeOf(state).map((end) => Number(end.toFixed(4))).join(":");
+  const rest = `${period} --range=${range} --arithmetic ${state.arithmetic} -o noise.png`;
   if (!isOneLine(state)) return [`tools/bake --expression 'pattern(p)' --source pattern.glsl ${place}${rest}`];
   const [layer] = shownLayers(state);
   const at = state.layers.indexOf(layer);
@@ -68,24 +72,34 @@ export function pythonLines(state) {
     return ["# Python has no such hash, and no sums of distances: tools/bake has all pictures."];
   const axes = ["x", "y", "z", "w"].slice(0, dimensions);
   const written = (options) =>
-    Object.entries({ ...options, ...(state.period ? { period: state.period } : {}), ...(state.arithmetic === "fast" ? {} : { arithmetic: "fixed" }) })
+    Object.entries({
+      ...(state.period ? { period: state.period } : {}),
+      ...options,
+      ...(state.arithmetic === "fast" ? {} : { arithmetic: "fixed" }),
+    })
       .map(([name, value]) => `${name}=${typeof value === "string" ? `"${value}"` : value}`).join(", ");
   const index = (layer) => (layer.sum === "none" && kShown[layer.noise] !== undefined ? `[${kShown[layer.noise]}]` : "");
   const step = Number(((state.view === "tiles" ? 3 * state.period : state.cells) / Math.min(width, height)).toPrecision(9));
   if (isOneLine(state) && dimensions === 2) {
-    const first = [[state.x, width], [state.y, height]].map(([middle, side]) => Math.round(Number(middle) / kPartsOfCell / step) - Math.floor(side / 2));
+    const first = [[state.x, width], [state.y, height]].map(
+      ([middle, side]) => Math.round(Number(middle) / kPartsOfCell / step) - Math.floor(side / 2),
+    );
     const options = written(optionsOf(state, shown[0], state.layers.indexOf(shown[0])));
-    return ["import hashnoise", "", `values = hashnoise.grid("${functionOf(shown[0])}", (${width}, ${height}), step=${step}, first=(${first.join(", ")}), ${options})${index(shown[0])}`];
+    const grid = `"${functionOf(shown[0])}", (${width}, ${height}), step=${step}, first=(${first.join(", ")})`;
+    return ["import hashnoise", "", `values = hashnoise.grid(${grid}, ${options})${index(shown[0])}`];
   }
   let mask = false;
   const lines = shown.flatMap((layer, number) => {
     const at = state.layers.indexOf(layer);
     const scaled = layer.scale === 1 ? axes : axes.map((axis) => `${layer.scale} * ${axis}`);
-    const options = written({ ...optionsOf(state, layer, at), ...(state.period ? { period: state.period * layer.scale } : {}) });
+    const period = state.period ? { period: state.period * layer.scale } : {};
+    const options = written({ ...optionsOf(state, layer, at), ...period });
     const warped = layer.warp !== "none" && (dimensions === 2 || dimensions === 3);
     const moves = axes.map((axis) => `d${axis}`);
+    const { octaves, lacunarity, gain, amplitude } = layer;
+    const ofWarp = written({ seed: (layer.seed + 1) % 4294967296, octaves, lacunarity, gain, amplitude, ...period });
     const warp = warped
-      ? [`    ${moves.join(", ")} = hashnoise.${layer.warp}(${scaled.join(", ")}, ${written({ seed: (layer.seed + 1) % 4294967296, octaves: layer.octaves, lacunarity: layer.lacunarity, gain: layer.gain, amplitude: layer.amplitude })})`]
+      ? [`    ${moves.join(", ")} = hashnoise.${layer.warp}(${scaled.join(", ")}, ${ofWarp})`]
       : [];
     const passed = warped ? scaled.map((axis, i) => `${axis} + ${moves[i]}`) : scaled;
     const value = `hashnoise.${functionOf(layer)}(${passed.join(", ")}, ${options})${index(layer)}`;
@@ -104,10 +118,11 @@ export function pythonLines(state) {
     mask = false;
     return [...warp, `    v = ${number ? made : remapped}`];
   });
+  const line = `numpy.arange(${width}) * ${step}`;
   return [
-    "import hashnoise", "import numpy", "", `# Positions in cells. ${shown.length > 1 ? `The layers: ${shown.slice(1).map(({ blend }) => kBlends[blend].label.toLowerCase()).join(", ")}.` : ""}`.trimEnd(),
+    "import hashnoise", "import numpy", "", "# Positions are in cells.",
     `def pattern(${axes.join(", ")}):`, ...lines, "    return v", "",
-    `x, y = numpy.meshgrid(numpy.arange(${width}) * ${step}, numpy.arange(${height}) * ${step})`.replace(/^x, y = .*$/, (line) => (dimensions === 1 ? `x = numpy.arange(${width}) * ${step}` : line)),
+    dimensions === 1 ? `x = ${line}` : `x, y = numpy.meshgrid(${line}, numpy.arange(${height}) * ${step})`,
     `values = pattern(${["x", "y", state.z, state.w].slice(0, dimensions).join(", ")})`,
   ];
 }

@@ -93,6 +93,8 @@ export const kLooks = {
   Agate: { sum: "ping_pong", octaves: 4, gain: 0.4, strength: 3, warp: "warp", amplitude: 1, map: "wood", cells: 3 },
   Stones: { sum: "none", noise: "cellular_between", map: "moss", cells: 9 },
   Cracks: { sum: "none", noise: "cell_border", map: "ember", cells: 7, warp: "warp", amplitude: 0.6 },
+  Mosaic: { sum: "none", noise: "cells", jitter: 0.7, metric: "manhattan", map: "lagoon", cells: 8 },
+  Scales: { sum: "none", noise: "cellular_third", jitter: 0.35, metric: "chebyshev", map: "wood", cells: 8 },
   Slopes: { sum: "eroded", octaves: 9, map: "marble", cells: 4, strength: 4 },
   Tiles: { sum: "fbm", period: 3, map: "signed", cells: 9, seed: 4 },
   Foam: { sum: "fbm", noise: "cellular", octaves: 4, map: "lagoon", cells: 7 },

@@ -23,7 +23,8 @@ import { panned, partsOf, positionOfPixel, zoomed } from "./view.js";
 const kLinkDelay = 300; // browsers refuse an address that changes too often
 const kStill = "This picture does not move. Choose 3D or 4D, or one octave of Perlin or simplex noise in 2D.";
 const kLocal =
-  "A page from a disk has no address for others, so the part from # on is copied. Put it behind the address of a playground on a web site.";
+  "A page from a disk has no address for others, so the part from # on is copied. Put it behind the address of a " +
+  "playground on a web site.";
 const kTurnOfPixel = 0.0008; // turns by a pixel
 const kTold = 1500; // milliseconds for which a button says that it has copied
 const kSampled = 48; // pixels on the shorter side, of whose values the page tells
@@ -275,11 +276,12 @@ class Playground extends Picture {
       this.play(false);
       const key = this.costKey;
       const backend = await this.backend();
-      const { ratio, low, high, cell } = await costOf(backend, this.library, planeOf(this.state));
+      const { ratio, low, high, cell, million } = await costOf(backend, this.library, planeOf(this.state));
       const text = (number) => (number < 10 ? number.toFixed(2) : number.toFixed(1));
       byId("cost").textContent = `${text(ratio)} × hn_perlin`;
       byId("note-cost").textContent =
-        `That is pattern(p). From a cell, pattern(cell, f) costs ${text(cell)} ×. hn_perlin(p) in 2D, in floats, ` +
+        `A million values take ${text(million)} ms. That is pattern(p). ` +
+        `From a cell, pattern(cell, f) costs ${text(cell)} ×. hn_perlin(p) in 2D, in floats, ` +
         `was drawn in turns with both on ${backend.describe()}. ` +
         `Parts of the rounds gave ${text(low)} to ${text(high)}.`;
       byId("note-cost").hidden = false;

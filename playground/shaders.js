@@ -9,7 +9,7 @@ import { cellOf, originOf, partsOf, placeOf, stepOf, tileOf } from "./view.js";
 // What a pixel is: a colour of the map, or the four bytes of the value.
 export const kColours = 0;
 export const kBits = 1;
-const kTimes = 8; // that a shader computes the noise of a pixel, when it is timed
+export const kTimes = 8; // that a shader computes the noise of a pixel, when it is timed
 const kUnit = 1048576; // of a value, when it is made a whole number: 2^20
 
 // The words of a frame, as both languages lay them out: ten vectors of four, and four more for each layer.

@@ -456,3 +456,47 @@ test("a picture that plays leaves what is typed", async () => {
   assert.equal(Number((await stateOfPage(page)).seed), 12);
   await page.click("#play"); // it would play on beside the other tests
 });
+
+test("copy, save and link are in sight, and the settings hide", async () => {
+  const page = await shownOnShared("#seed=3");
+  for (const viewport of [{ width: 1440, height: 900 }, { ...kPhone, width: 390 }]) {
+    await page.setViewport({ ...viewport, deviceScaleFactor: 0.125 });
+    await ready(page); // another kind of device loads the page again
+    const boxes = () =>
+      page.evaluate(() =>
+        ["copy", "save", "link"].map((id) => {
+          const box = document.getElementById(id).getBoundingClientRect();
+          return box.height > 0 && box.top >= 0 && box.bottom <= innerHeight && box.right <= innerWidth;
+        }),
+      );
+    assert.deepEqual(await boxes(), [true, true, true]);
+    await page.focus("#picture-webgl2");
+    await press(page, "h");
+    // On a phone the bar stays.
+    assert.deepEqual(await boxes(), Array(3).fill(viewport.width < 700));
+    assert.equal(await page.$eval("#octaves", (slider) => slider.checkVisibility()), false);
+    await page.$eval(viewport.width < 700 ? "#handle" : "#hide", (button) => button.click());
+    assert.equal(await page.$eval("#octaves", (slider) => slider.checkVisibility()), true);
+  }
+  await press(page, "?");
+  assert.match(await page.$eval("dialog[open]", (list) => list.textContent), /Home.*another seed.*hide or show/s);
+  assert.deepEqual(await foundByAxe(page), []);
+  await press(page, "Escape");
+  await page.setViewport(kLaptop);
+  await ready(page);
+});
+
+test("two settings are side by side, and a wrong link says so", async () => {
+  const page = await shownOnShared("#sum=fmb&seed=4");
+  assert.match(await visibleText(page, "hint"), /does not know: sum=fmb/);
+  await page.click("#compare");
+  await page.evaluate(() => window.hashnoise.change({ seed: 5, map: "land" }));
+  await page.waitForFunction(() => !document.getElementById("picture-kept").hidden);
+  await page.click("#exchange");
+  assert.deepEqual(await page.evaluate(() => [window.hashnoise.link, window.hashnoise.beside.kept.map]), ["#seed=4", "land"]);
+  await page.click("#compare");
+  assert.equal(await page.$eval("#picture-kept", (canvas) => canvas.hidden), true);
+  await page.click("#surprise");
+  assert.notEqual(await page.evaluate(() => window.hashnoise.link), "#seed=4");
+  assert.deepEqual(page.complaints, []);
+});

@@ -1,7 +1,8 @@
 // Programs that print what copied code of the languages of the CPU computes, as the words of floats.
 import { mkdir, writeFile } from "node:fs/promises";
 import { join } from "node:path";
-import { inFolder, run } from "./support.mjs";
+import { readFileSync } from "node:fs";
+import { inFolder, kRoot, run } from "./support.mjs";
 
 
 // How each is compiled and run: the files, by the call of pattern at "column" and "row", and the commands.
@@ -22,6 +23,24 @@ int main(void) {
 `,
     }),
     commands: [["gcc", "-std=c99", "-O1", "-ffp-contract=off", "-Wall", "-Wno-unused-function", "-Werror", "main.c", "-o", "main", "-lm"], ["./main"]],
+  },
+  // Compiled as C++, with the stand-in of the suite for Metal's library, which has no functions for colours.
+  metal: {
+    needs: ["clang++"],
+    files: (code, call, width, height) => ({
+      metal_stdlib: readFileSync(join(kRoot, "conformance", "gpu", "metal", "metal_stdlib.hpp"), "utf8"),
+      "main.cpp": `${code.slice(0, code.indexOf("// From "))}
+#include <cstdio>
+#include <cstring>
+int main() {
+  for (int row = 0; row < ${height}; ++row) for (int column = 0; column < ${width}; ++column) {
+    float value = ${call("pattern", "(float)column * 0.125f", "(float)row * 0.125f", "f", "float")};
+    unsigned word; std::memcpy(&word, &value, 4); std::printf("%u\\n", word);
+  }
+}
+`,
+    }),
+    commands: [["clang++", "-std=c++14", "-O1", "-ffp-contract=off", "-I.", "main.cpp", "-o", "main"], ["./main"]],
   },
   rust: {
     needs: ["rustc"],
@@ -91,9 +110,9 @@ export const hasCompiler = async (language) => (await Promise.all(kPrograms[lang
 export const wordsOf = (language, code, state, width, height) =>
   inFolder(async (folder) => {
     const { files, commands } = kPrograms[language];
-    const call = (name, x, y, suffix) => {
-      const parts = [x, y, ...[state.z, state.w].map((part) => `${part.toFixed(4)}${suffix}`)];
-      return `${name}(${parts.slice(0, state.dimensions).join(", ")})`;
+    const call = (name, x, y, suffix, vector) => {
+      const parts = [x, y, ...[state.z, state.w].map((part) => `${part.toFixed(4)}${suffix}`)].slice(0, state.dimensions);
+      return `${name}(${vector && parts.length > 1 ? `${vector}${parts.length}(${parts.join(", ")})` : parts.join(", ")})`;
     };
     for (const [name, text] of Object.entries(files(code, call, width, height))) {
       await mkdir(join(folder, name, ".."), { recursive: true });

@@ -69,7 +69,8 @@ def page(tell: Callable[[str], None] = lambda _: None) -> str:
     """`tell` takes a sentence before each step that takes long."""
     code = f"\n{script().strip()}\n"
     style = (SOURCES / "style.css").read_text(encoding="utf-8").strip()
-    parts = {"style": style, "script": code, "hash": hash_of(code),
+    looks = base64.b64encode((SOURCES / "looks.webp").read_bytes()).decode("ascii")
+    parts = {"style": style, "looks": looks, "script": code, "hash": hash_of(code),
              "library": packed(library()), **picks.kept_texts(tell)}
     return re.sub(r"\{\{(\w+)\}\}", lambda match: parts[match[1]],
                   (SOURCES / "index.html").read_text(encoding="utf-8"))
