@@ -208,7 +208,7 @@ Result<std::vector<Subject>> subjects_that_compile(const Foreign& foreign, std::
   const std::string log =
       logs[0] == logs[1] ? logs[0] : fmt::format("With a vec2 as p:\n{}With a vec3 as p:\n{}", logs[0], logs[1]);
   return fail(fmt::format("--against {}: this does not compile with {}, neither for a vec2 nor for a vec3; the "
-                          "expression must be a float from p, and NAME@450=FILE:EXPRESSION asks for GLSL 4.50",
+                          "expression must be a float from p, and NAME@450=FILE:EXPRESSION requires GLSL 4.50",
                           foreign.argument, language),
               log);
 }

@@ -91,7 +91,7 @@ TEST_F(Foreigns, ErrorsNameTheLineOfAnIncludedFileAndOfTheExpression) {
   expect_refused("wrong", "good.glsl:absent(p)", "neither for a vec2 nor for a vec3");
 }
 
-// Beyond an include in a branch that the preprocessor skips, #line has to be said again.
+// Beyond an include in a branch that the preprocessor skips, #line has to be written again.
 TEST_F(Foreigns, ErrorsNameTheLineBehindAnIncludeThatIsLeftOut) {
   folder_.write("long.glsl", "// 1\n// 2\n// 3\n// 4\n");
   folder_.write("top.glsl", "#ifdef NEVER\n#include \"long.glsl\"\n#endif\nfloat f(vec2 p) { return undeclared; }\n");

@@ -56,7 +56,7 @@ struct CompilationKind {
   bool too_old = false;  // a driver may refuse the version before it reads the library's words
 };
 
-// A case that asks only the reference compiler.
+// A case that needs only the reference compiler.
 struct ReferenceKind {
   std::function<Outcome(const Suite&)> check;
 };

@@ -311,7 +311,7 @@ class Cli(unittest.TestCase):
 
     def test_whatever_a_golden_file_is_its_case_is_an_error_that_can_be_printed(self):
         golden = self.golden_copy()
-        damages = {  # one for each file, so that one run shows them all: (content, what is said of it)
+        damages = {  # one for each file, so that one run shows them all: (content, its message)
             "perlin": lambda path, text: (BYTES, f"{path}:1: \"\\xff\\x1b[2J"),
             "perlin_cell": lambda path, text: (bytes(100000), f"{path}:1: \"\\x00"),
             "perlin_period": lambda path, text:

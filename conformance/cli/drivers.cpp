@@ -30,7 +30,7 @@ void add_both(std::vector<Driver>& drivers, Driver driver, Create create) {
   drivers.push_back(std::move(gles));
 }
 
-// EGL with what the environment asks for; Mesa takes something else where it has not that.
+// EGL with the driver that the environment names; without that driver Mesa takes another one.
 CreatedContext create_mesa(Api api, std::string_view renderer) {
   auto context = create_egl(api);
   if (!context) return context;
@@ -60,7 +60,7 @@ void add_mesa_drivers(std::vector<Driver>& drivers) {
                             {"LIBGL_ALWAYS_SOFTWARE", "true"},
                             {"VK_DRIVER_FILES", lavapipe.value_or("")},
                             {"VK_ICD_FILENAMES", lavapipe.value_or("")},  // the older name
-                            {"NODEVICE_SELECT", "1"}}},  // a layer of Mesa's that asks a display server
+                            {"NODEVICE_SELECT", "1"}}},  // a layer of Mesa's that queries a display server
            [lavapipe](Api api) { return create_zink(api, lavapipe); });
 }
 

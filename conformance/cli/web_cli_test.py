@@ -179,7 +179,7 @@ class Web(unittest.TestCase):
         file.write_text("\n".join(lines))
         end = self.open(self.page("--golden", golden, *SMALL))
         self.assertEqual(end["verdict"], "NOT AS EXPECTED")
-        self.assertIn("What is made of them is not what it is elsewhere.", end["meaning"])
+        self.assertIn("Worlds made of them differ from those on other devices.", end["meaning"])
         made = json.loads(end["digest"])
         self.assertEqual((made["apis"]["webgl2"]["verdict"], made["apis"]["webgl2"]["cases"]["hash.exact"][1]),
                          ("fail", len(made["failed"])))
@@ -213,7 +213,7 @@ class Web(unittest.TestCase):
         merged = subprocess.run([PROGRAM, "merge", self.folder / "results.json", "--out", self.folder / "merged"],
                                 capture_output=True, text=True, check=False)
         self.assertEqual(merged.returncode, 1, merged.stderr + merged.stdout)
-        self.assertIn(f"What was tested is the library in {copy} (", merged.stdout)
+        self.assertIn(f"The tested library is the library in {copy} (", merged.stdout)
         lines = merged.stdout.splitlines()
         said = [line for line in lines if line.startswith("Every failing case is ")]
         groups = [line.removeprefix("FAIL").strip() for line in lines if line.startswith("FAIL") and " cases of " in line]
@@ -262,7 +262,7 @@ class Web(unittest.TestCase):
                 break
         self.assertEqual((list(costs), costs["noise2d.perlin.fast"]), (["noise2d.perlin.fast", "noise2d.perlin.fixed"], 100))
         self.assertGreater(costs["noise2d.perlin.fixed"], 100)
-        self.assertIn("What functions cost here", end["found"])
+        self.assertIn("Costs of functions here", end["found"])
 
     def test_a_page_of_some_cases_has_no_digest(self):
         self.assertNotIn("golden", suite_of(self.page(*SMALL)))

@@ -15,7 +15,7 @@ using Vector = std::array<double, 3>;
 
 enum class Metric { euclidean = 1, squared, manhattan, chebyshev, hybrid };
 
-// --- What goes in ---
+// --- Input ---
 
 struct Place {
   std::size_t axes;
@@ -311,7 +311,7 @@ std::array<const VisiblePoint*, 3> nearest_of(const std::vector<VisiblePoint>& a
   return nearest;
 }
 
-// --- What comes out ---
+// --- Output ---
 
 double smooth_of(const std::vector<VisiblePoint>& all, bool fixed) {
   double weights = 0.0;

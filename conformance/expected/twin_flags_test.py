@@ -25,7 +25,7 @@ TABLES = ""
 THOROUGH = False
 FUNCTIONS = ()  # the macros that choose them
 HERE = pathlib.Path(__file__).resolve().parent
-# The library asks compilers to inline every function, and then most of the time goes into compiling the same text for
+# The library makes compilers inline every function, and then most of the time goes into compiling the same text for
 # each caller. With --every-function what is optimised most has that; else they inline none of it, or what they choose.
 INLINE_NONE = "-Dalways_inline=noinline"
 INLINE_SOME = "-Dalways_inline=unused"  # an attribute without an effect on it

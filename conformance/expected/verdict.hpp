@@ -14,7 +14,7 @@ namespace hn {
 
 enum class Status {
   pass,
-  warning,  // nothing that the library promises is touched, but somebody should know: what is said is in the message
+  warning,  // every promise of the library holds; the message has what somebody should know
   fail,     // the driver, or the library on it, is wrong
   unsupported,  // the driver cannot, and does not claim to
   crash,        // the process of the driver ended, or its context or device was lost

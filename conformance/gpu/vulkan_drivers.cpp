@@ -26,7 +26,7 @@ Result<std::string> vulkan_drivers(std::string_view prefix, const std::vector<st
 
 std::vector<std::array<std::string, 2>> vulkan_environment(const std::vector<std::filesystem::path>& files) {
   std::vector<std::array<std::string, 2>> environment = {
-      {"NODEVICE_SELECT", "1"}};  // a layer of Mesa's that asks a display server
+      {"NODEVICE_SELECT", "1"}};  // a layer of Mesa's that queries a display server
   for (const std::filesystem::path& file : files) {
     std::error_code none;
     if (!std::filesystem::exists(file, none)) continue;

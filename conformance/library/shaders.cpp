@@ -15,7 +15,7 @@ namespace hn {
 namespace {
 
 // Adds what a file of the library includes, by itself or by what it includes. Each file is looked at once: every start
-// of the program asks this for all of them, and they include each other in many ways.
+// of the program calls this for all of them, and they include each other in many ways.
 void add_included_by(std::string_view file, std::set<std::string_view>& files) {
   constexpr std::string_view kInclude = "\n#include \"";
   const std::string_view text = text_of(kLibraryFiles, file);

@@ -11,7 +11,7 @@ namespace hn {
 std::string to_gzip(std::string_view data) {
   if (data.size() > std::numeric_limits<uInt>::max()) throw std::length_error("to_gzip: more than 4 GiB");
   z_stream stream = {};
-  constexpr int kGzip = 16;  // added to the bits of the window it asks for gzip's header
+  constexpr int kGzip = 16;  // added to the bits of the window it selects gzip's header
   if (deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, MAX_WBITS + kGzip, MAX_MEM_LEVEL, Z_DEFAULT_STRATEGY) !=
       Z_OK) {
     throw std::bad_alloc();

@@ -142,7 +142,7 @@ Result<std::vector<std::filesystem::path>> write_results(const std::filesystem::
 std::string edited_libraries(const std::vector<Run>& runs) {
   std::set<std::string> texts;
   for (const Run& run : runs) {
-    if (run.library) texts.insert(fmt::format("What was tested is {}\n", library_text(run.library)));
+    if (run.library) texts.insert(fmt::format("The tested library is {}\n", library_text(run.library)));
   }
   return fmt::format("{}", fmt::join(texts, ""));
 }

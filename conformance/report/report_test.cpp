@@ -141,7 +141,7 @@ TEST(EditedLibraries, AreNamedOnce) {
   hn::Run run = run_of({result("a.b.golden", Status::pass)});
   EXPECT_EQ(edited_libraries({run}), "");
   run.library = {.folder = "my/copy", .digest = "0123", .changed = {}};
-  EXPECT_EQ(edited_libraries({run, run}), "What was tested is " + library_text(run.library) + "\n");
+  EXPECT_EQ(edited_libraries({run, run}), "The tested library is " + library_text(run.library) + "\n");
 }
 
 TEST(Summary, TellsWhatNeedsNoExcuse) {

@@ -146,7 +146,7 @@ std::string success_of(const Rows& rows, std::string_view which, std::string_vie
   return good == 1 ? fmt::format("the {} passes", one) : fmt::format("all {} {} pass", good, which);
 }
 
-// It counts all cases that ran, so that it is true whatever else is said.
+// It counts all cases that ran, so that it is true whatever the other lines are.
 std::string sentence_of(const Trait& trait, const Rows& others, const Texts& texts) {
   Rows apart;
   for (const Row* row : others) {
@@ -224,7 +224,7 @@ class Sorter {
     const CaseResult& first = *rows.front()->result;
     FailureGroup group{.status = first.outcome.status, .title = {}, .ran = 0, .only = {}, .cases = {}};
     for (const Row* row : rows) group.cases.push_back(row->result);
-    // Held against those that have what all that failed has: the rest is said already.
+    // Held against those that have what all that failed has: the rest is printed already.
     Rows others;
     if (has_values(first)) {
       const Rows& of_function = by_function_.at(function_of(first.id));

@@ -21,7 +21,7 @@ HERE = Path(__file__).resolve().parent
 INCLUDE = HERE.parent.parent / "include"
 THOROUGH = "--thorough" in sys.argv
 COMPILERS = [argument for argument in sys.argv[1:] if argument != "--thorough"]
-# The values do not depend on what is inlined. Where it is everything, as the library asks, compilers take long; and at
+# The values do not depend on what is inlined. Where it is everything, as in the library, compilers take long; and at
 # few points a program takes less time than its optimization would.
 POINTS = ["-O1", "-Dalways_inline=unused"] if THOROUGH else ["-O0", "-Dalways_inline=noinline", "-DFEW_POINTS"]
 SETTINGS = (["HN_ARITHMETIC=HN_FAST"],

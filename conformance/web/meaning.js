@@ -19,7 +19,7 @@ function kindOf(id) {
 
 const kSentences = {
   exact: (names) => `Hashes or random numbers are wrong here, in ${names}. ` +
-                    "What is made of them is not what it is elsewhere.",
+                    "Worlds made of them differ from those on other devices.",
   fixed: (names) => `With HN_FIXED these have other bits here than on other devices: ${names}. ` +
                     "Do not compare them between devices.",
   fast: (names) => `With floats these are off by more than their bounds allow: ${names}. They may look wrong here.`,

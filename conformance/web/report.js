@@ -77,7 +77,7 @@ function wrongGroup(group, open) {
 function wrongParts(failures) {
   const shown = failures.groups.slice(0, kMostGroupsShown);
   const rest = failures.groups.slice(kMostGroupsShown).map(({ status, text }) => element("li", {}, `${status}: ${text}`));
-  const parts = [element("h2", {}, "What is wrong, and where"),
+  const parts = [element("h2", {}, "Failures, and their places"),
                  element("p", {}, `${failures.failed} of ${failures.ran} cases are wrong.`),
                  ...failures.common.map((sentence) => element("p", {}, sentence)),
                  ...shown.map((group, place) => wrongGroup(group, place < kMostOpen))];
@@ -173,7 +173,7 @@ export function showResults(suite, info, results, costs) {
                  table(["function", "difference"], differences));
   }
   if (costs) {
-    found.append(element("h2", {}, "What functions cost here"),
+    found.append(element("h2", {}, "Costs of functions here"),
                  table(["function", "as a multiple of Perlin noise with floats"],
                        Object.entries(costs).map(([name, percent]) => [name, (percent / 100).toFixed(2)])));
   }

@@ -73,7 +73,7 @@ HN_FN hn_float hn_i_cell_border(hn_place2 place, hn_i_num jitter, hn_uint seed, 
 //   example  float n = hn_cell_border(uv * 8.0, 7u);
 //   returns  the distance to the border, in cells, in [0, 0.844] (proven bound), and 0.17 on average. It is continuous
 //            (HN_FIXED: in steps of 2^-16)
-//   error    at most 1.51e-3 against the exact value, in any rounding mode. HN_FIXED 1.27e-2. That is for two points
+//   error    at most 1.51e-3 against the exact value, in any rounding mode. HN_FIXED 1.27e-2. This is for two points
 //            that nearly touch: it falls with the distance of the two that make the border (docs/measured/accuracy.md)
 //   period   2^32 cells per axis, or that of the tile
 //   cost     9, 1 and 15 hashes (none with HN_HASH_LATTICE), as many multiplications, and 15 square roots and divisions

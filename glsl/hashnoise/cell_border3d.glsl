@@ -20,7 +20,7 @@ HN_FN hn_i_rank hn_i_border(hn_i_rank best, hn_uvec3 words, hn_i_num3 x, hn_i_nu
 
 // The distance to the border, given the smallest ranks. The cells beside the block are needed as well: where a place is
 // at the wall of its own cell, the cell two steps on may share the nearest border with the nearest one
-// (tools/make bounds). That makes 54 cells, in six slabs. They are visited in a loop: unrolled, a shader takes much
+// (tools/make bounds). These are 54 cells, in six slabs. They are visited in a loop: unrolled, a shader takes much
 // longer to compile.
 HN_FN hn_float hn_i_cell_border(hn_i_block3 block, hn_uvec3 two, hn_i_num3 d, hn_i_num jitter, hn_uint seed,
                                 hn_i_rank4 nearest) {
@@ -70,7 +70,7 @@ HN_FN hn_float hn_i_cell_border(hn_place3 place, hn_i_num jitter, hn_uint seed, 
 //   example  float n = hn_cell_border(vec3(uv * 8.0, 0.5), 7u);
 //   returns  the distance to the border, in cells, in [0, 0.883] (proven bound), and 0.13 on average. It is continuous
 //            (HN_FIXED: in steps of 2^-16)
-//   error    at most 1.72e-3 against the exact value, in any rounding mode. HN_FIXED 6.97e-3. That is for two points
+//   error    at most 1.72e-3 against the exact value, in any rounding mode. HN_FIXED 6.97e-3. This is for two points
 //            that nearly touch: it falls with the distance of the two that make the border (docs/measured/accuracy.md)
 //   period   2^32 cells per axis, or that of the tile
 //   cost     27, 1 and 54 hashes (none with HN_HASH_LATTICE), as many multiplications, and 54 square roots and

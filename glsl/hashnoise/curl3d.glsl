@@ -17,7 +17,7 @@ HN_FN hn_float hn_i_float_to_curl(hn_float d) { return d; }
 
 #else
 
-// Multiplies two derivatives, each in units of 2^-19. The product is in units of 2^-20. That of their low 9 bits, which
+// Multiplies two derivatives, each in units of 2^-19. The product is in units of 2^-20. The product of their low 9 bits, which
 // is below one unit, is dropped.
 HN_FN hn_int hn_i_slope_product(hn_int a, hn_int b) {
   return (a >> 9) * (b >> 9) + (((a >> 9) * (b & 511) + (a & 511) * (b >> 9)) >> 9);

@@ -46,7 +46,7 @@ class Child {
   }
 
   int fd() const { return process_.reports.get(); }
-  // Kills it if it runs; what waitpid said.
+  // Kills it if it runs; by waitpid.
   int end() {
     kill(process_.pid, SIGKILL);
     return wait();

@@ -61,7 +61,7 @@ std::vector<std::string> environment_without(std::span<const std::string_view> b
 // The file of this program, even while a newer one replaces it in the file system.
 std::filesystem::path own_program();
 
-// "ended by signal 9 (Killed)", "ended with status 1": what waitpid said.
+// "ended by signal 9 (Killed)", "ended with status 1": by waitpid.
 std::string describe_end(int status);
 
 }  // namespace hn

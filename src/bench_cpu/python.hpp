@@ -14,7 +14,7 @@ struct PythonMeasurement {
 };
 
 // hashnoise.perlin at a million points in 2D, by one thread each: a process of this Python per round, and C++ in turns
-// with it. The error is what Python said.
+// with it. The error has Python's message.
 Result<PythonMeasurement> measure_python(const std::string& python, int rounds);
 
 }  // namespace hn

@@ -97,7 +97,7 @@ struct NoiseKernels {
   Octave octave;
   Octave octave_full;  // with a period
 };
-struct SumKernels {  // whose `line` nobody asks for
+struct SumKernels {  // whose `line` nobody calls
   Loops at;    // at positions
   Loops in;    // in cells
   Loops tile;  // with a period, of both

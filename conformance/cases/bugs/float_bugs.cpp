@@ -15,7 +15,7 @@ constexpr double kSineError = 0x1p-11;
 constexpr std::string_view kSineReports =
     "taisei-project/taisei 189 (Intel, above 1e4); doitsujin/dxvk 4866 (Intel, near pi/2)";
 constexpr std::string_view kSineBound =
-    "OpenGL 4.6 section 2.3.4.1 asks for about 1 part in 10^5 of every operation, Vulkan for 2^-11 in [-pi, pi]; this "
+    "OpenGL 4.6 section 2.3.4.1 requires about 1 part in 10^5 of every operation, Vulkan 2^-11 in [-pi, pi]; this "
     "is the wider";
 
 void add_sine(std::vector<Bug>& bugs) {

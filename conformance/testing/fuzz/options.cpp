@@ -61,7 +61,7 @@ void check(const Command& measuring) {
 
 void check_stop(const Stop& stop) {
   require(stop.status == 0 || stop.status == kBadUsage, "the status is one of the documented");
-  require(stop.status == 0 ? !stop.out.empty() : !stop.err.empty(), "something is said");
+  require(stop.status == 0 ? !stop.out.empty() : !stop.err.empty(), "something is printed");
 }
 
 void check_shard(const std::string& text) {

@@ -17,7 +17,7 @@
 
 // Each cell has one feature point. Its offset from the centre of the cell is half the direction that the hash of the
 // cell gives, times the jitter. So with a jitter of 1 it lies on a square or octahedron whose corners are in the middle
-// of the cell's sides. That is why a cell and its neighbours always have the two nearest points:
+// of the cell's sides. So a cell and its neighbours always have the two nearest points:
 //
 //   Let a place be off the centre of its cell by a >= b >= c, each from 0 to 1/2. No point is off its centre by more
 //   than 1/2 in sum along the axes, so it is farthest or nearest at a corner of its octahedron. The point of the cell

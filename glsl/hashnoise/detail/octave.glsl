@@ -402,7 +402,7 @@ HN_FN hn_i_octave_sum hn_i_add_resolved(hn_i_octave_sum s, hn_float n, hn_float 
 }
 
 // The total of the weights, and the mean of what was summed with them. With fewer octaves than one the mean is 0: a
-// loop adds an octave before it asks whether there is any.
+// loop adds an octave before it checks whether there is any.
 HN_FN hn_i_num hn_i_total(hn_i_octave_sum s) { return hn_i_total(s.octaves, s.gain, s.part); }
 HN_FN hn_i_num hn_i_mean(hn_i_octave_sum s, hn_i_num sum, hn_i_num total) {
   return hn_i_select(s.octaves < 1, HN_I_NO_WEIGHT, hn_i_mean(sum, total));

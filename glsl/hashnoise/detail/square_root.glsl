@@ -13,7 +13,7 @@
 //   hn_i_sizes(x)         the absolute values of three numbers, as ranks
 //   hn_i_squares(x, ...)  the squares of three lengths
 //   hn_i_squared(x, ...)  the square of the length of an offset
-//   hn_i_root(q)          the square root of a square. In HN_FIXED it is in units of 2^-18, rounded down. That of a
+//   hn_i_root(q)          the square root of a square. In HN_FIXED it is in units of 2^-18, rounded down. The root of a
 //                         uint is there with every HN_ARITHMETIC
 //   hn_i_over_root(n, q)  n divided by the square root of q, which is not 0. n is the difference of two squares. In
 //                         HN_FIXED the square is in units of 2^-26, and the quotient in units of 2^-15, rounded down

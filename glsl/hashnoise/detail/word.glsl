@@ -135,9 +135,9 @@ HN_FN hn_uint hn_i_odd_step(hn_uint step) { return step * (2u * HN_I_ODD_FACTOR)
 HN_FN hn_uvec3 hn_i_odd_step(hn_uvec3 steps) { return steps * (2u * HN_I_ODD_FACTOR); }
 
 // The same join where points share no sum. Each axis adds its product to what was made before: GPUs have a product of
-// 24 bits and an addition as one operation. That makes simplex noise on the plane 3% cheaper in the mean of six
-// compilers. It is not done elsewhere: in space simplex noise would be 1% cheaper, but hn_simplex_d with HN_FIXED 8%
-// dearer by the schedule for NVIDIA, and so hn_simplex_smooth on the plane with HN_FIXED on Adreno.
+// 24 bits and an addition as one operation. So simplex noise on the plane costs 3% less in the mean of six
+// compilers. It is not done elsewhere: in space simplex noise would cost 1% less, but hn_simplex_d with HN_FIXED 8%
+// more by the schedule for NVIDIA, and so does hn_simplex_smooth on the plane with HN_FIXED on Adreno.
 #define HN_I_ODD_OF(factor) (((factor) * (2u * HN_I_ODD_FACTOR)) & 0x00FFFFFFu)
 HN_FN hn_uint hn_i_odd_x(hn_uint x, hn_uint odd) { return (x & 0x00FFFFFFu) * HN_I_ODD_OF(1u) + odd; }
 HN_FN hn_uint hn_i_odd_y(hn_uint y, hn_uint odd) { return (y & 0x00FFFFFFu) * HN_I_ODD_OF(HN_I_SUM_Y) + odd; }

@@ -9,7 +9,7 @@
 namespace hn {
 namespace {
 
-// A reader of its own, by https://registry.khronos.org/KTX/specs/2.0/ktxspec.v2.html; bake.ktx2 asks somebody else's.
+// A reader of its own, by https://registry.khronos.org/KTX/specs/2.0/ktxspec.v2.html; bake.ktx2 uses somebody else's.
 class Reader {
  public:
   explicit Reader(const std::string& bytes) : bytes_(bytes) {}

@@ -25,7 +25,7 @@ int end_of(Work work) {
   return status;
 }
 
-// Says by its status what was said.
+// Ends with the signal as its status, and with 99 if it is the second one.
 void exit_with_farewell(int signal, bool again) { _exit(again ? 99 : signal); }
 
 bool becomes_readable(int fd) {

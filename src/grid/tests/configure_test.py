@@ -1,6 +1,6 @@
 """Tests what CMake makes of HASHNOISE_INSTRUCTION_SETS: python3 configure_test.py CMAKE COMPILER
 
-Nothing is compiled but what CMake asks the compiler.
+Nothing is compiled but CMake's own checks of the compiler.
 """
 
 from __future__ import annotations

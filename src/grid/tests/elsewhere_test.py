@@ -39,7 +39,7 @@ PLACE, SETS = PLACES[WHERE]
 BUILD = elsewhere.Build(PLACE, FOLDER)
 # Wine makes a folder for itself here, and prints by itself what it has not done yet.
 ENVIRONMENT = {**os.environ, "WINEPREFIX": str(FOLDER / "wine"), "WINEDEBUG": "-all"}
-# With -ffinite-math-only a compiler may leave out what asks for such numbers.
+# With -ffinite-math-only a compiler may leave out checks for such numbers.
 NO_NUMBER = """
 #include <bit>
 #include <cstdio>

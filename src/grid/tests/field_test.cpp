@@ -69,7 +69,7 @@ testing::AssertionResult has_parts(const std::string& text, std::initializer_lis
 #define EXPECT_ERROR(...) EXPECT_NE((__VA_ARGS__), "")
 #define EXPECT_NO_ERROR(...) EXPECT_EQ((__VA_ARGS__), "")
 
-// --- What there is ---------------------------------------------------------------------------------------------------
+// --- Accessors ------------------------------------------------------------------------------------------------------
 
 TEST(Names, OfOtherDimensionsAreNone) {
   for (const int dimensions : {-1, 0, 5}) {

@@ -235,7 +235,7 @@ TEST(Golden, Values) {
   EXPECT_GT(rows, 20000u);
 }
 
-// --- What reads and compares must notice what is wrong ---
+// --- The readers and comparisons must notice faults ---
 
 TEST(GoldenFile, WithAWrongNumberIsNoticed) {
   const hn::Function& function = hn::find_function("noise2d.perlin_d_cell");

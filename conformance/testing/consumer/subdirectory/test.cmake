@@ -1,5 +1,5 @@
 # Builds, runs and installs a project that has hashnoise as a part of its build: the headers of hashnoise are installed
-# with it only where it asks for them.
+# with it only where it includes them.
 #   cmake -DSOURCE=<source folder of hashnoise> -DWORK=<scratch folder> -DGENERATOR=<CMake's generator> -P test.cmake
 cmake_minimum_required(VERSION 3.21)
 function(call)

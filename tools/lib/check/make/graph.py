@@ -164,6 +164,8 @@ def make(part: Part) -> int:
                 print(f"{part.name}: it is as it should be", flush=True)
                 return 0
             why = said.strip().splitlines() or [f"its check ended with status {status}"]
+            if "Traceback (most recent call last)" in said:
+                why = why[-1:]  # the error
         elif not why:
             record(part)
             return 0

@@ -35,7 +35,7 @@ REACH = 0.8125  # what is farther from a place does not matter: r is less, as th
 
 
 def block(dims: int) -> frozenset[Cell]:
-    """That of the library, for a place with coordinates from 0 on."""
+    """The cells that the library reads, for a place with coordinates from 0 on."""
     return features.neighbours(dims).union(*(features.slab(dims, axis) for axis in range(dims)))
 
 

@@ -258,8 +258,8 @@ def dimensions_of(function: glsl.Declaration) -> int:
 
 
 def takes_phase(function: glsl.Declaration) -> bool:
-    """On the line a float is a position. Octave sums take floats, too; they are no noises. That of hn_cellular is the
-    jitter, for which one bound holds."""
+    """On the line a float is a position. Octave sums take floats, too; they are no noises. The float of hn_cellular is
+    the jitter, for which one bound holds."""
     with_phase = function.name.removeprefix("hn_") + PHASE
     return (dimensions_of(function) > 1 and "float" in function.types and with_phase not in OF_A_NAME
             and with_phase in noises.names())

@@ -72,7 +72,7 @@ def words_at(kind, cells, seed=np.int64(0)):
 
 
 def words_of_component(words, axis):
-    """Those of a component of a vector (section 22), from the words of the corners."""
+    """The values of a component of a vector (section 22), from the words of the corners."""
     factor = (1, 0xEB1831, 0x84A5E5)[axis]
     return (lambda corner: u32((words(corner) >> 8) * factor)) if axis else words
 

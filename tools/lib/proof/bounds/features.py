@@ -15,7 +15,7 @@ then every point of o is at least as far from x as every point of c, in each met
 function of the magnitudes that grows with each (Hardy, Littlewood and Polya; all five are). To have the m nearest
 points, a block of cells needs, for every x, m such cells c for each cell o outside of it. By reflections and exchanges
 of axes 1/2 >= x_1 >= x_2 >= .. >= 0. There the left side is convex, and a sum of k components of o - x is linear and
-not more than the right side; so it is enough to look at the corners of this simplex. That is done in fractions. A cell
+not more than the right side; so it is enough to look at the corners of this simplex. The program does that in fractions. A cell
 o beyond +-3 along an axis is farther than the one that has 3 there instead.
 """
 

@@ -18,7 +18,7 @@ and mediump. (The usual form of the fade, with t*(t*6 - 15) + 10, is the same po
 the same, but cancels from terms near 10 to a result near 1, and triples the bound.)
 
 From a position there is one rounding more: p - floor(p) is exact except for -1/2 < p < 0, where it lies in (1/2, 1],
-whose floats are 2^-24 apart. That moves f by at most 2^-24 along each axis and so adds L * 2^-24.
+whose floats are 2^-24 apart. This moves f by at most 2^-24 along each axis and so adds L * 2^-24.
 
 HN_PRECISE rounds to nearest, and takes a coordinate below 2^-32 as 0, which moves a value by at most L * 2^-32: far
 less than rounding to nearest saves, so the bounds hold for it, too.

@@ -1,5 +1,5 @@
 """hn_gullies: what is proven of the waves of its octaves, and how far the sum may be off in fixed arithmetic, from
-docs/reference/contract.md, section 24. The suite has the formula of floats, and float_sums.py asks it:
+docs/reference/contract.md, section 24. The suite has the formula of floats, and float_sums.py calls it:
 tools/lib/proof/sums/gullies.cpp has the proof.
 
 WAVES. A wave is k = 3/2 (-u_y, u_x) with |u| < 1, so it is shorter than 3/2. The bounds of value and derivatives are
@@ -20,7 +20,7 @@ STEP. An octave takes the slope e to e + A |u| g(k), A = depth (gain L)^i f. Wit
 
 with G' for g, and |u| v likewise. A clamp brings no two slopes further apart.
 
-FIXED. The square of r rounds down by less than 2^-20. That moves r by less than 2^-20 / r, and by 2^-10 at most; the
+FIXED. The square of r rounds down by less than 2^-20. This moves r by less than 2^-20 / r, and by 2^-10 at most; the
 root rounds down by less than 2^-14. So r times the first is below 2^-20, and u is off by both over (r + 1/8)^2, but for
 a hundredth. Each of its components is rounded down to 2^-21. |u| is rounded down to 2^-18 twice, and so is its product
 with a rate or a weight. Rates and weights are compared with the exact ones as they are.

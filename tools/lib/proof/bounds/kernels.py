@@ -12,7 +12,7 @@ Each is linear in each gradient, so its supremum over the gradients is the sum o
 norm of the gradient is the largest derivative along (+-1, .., +-1). As the noise is twice and its derivative once
 continuously differentiable, these bound how much both change for each change of the largest coordinate.
 
-Each sum is bounded by branch and bound over places in [0, 1/2]^n, in steps. That is enough: the lattice has a point at
+Each sum is bounded by branch and bound over places in [0, 1/2]^n, in steps. This is enough: the lattice has a point at
 0 and at every whole step along an axis, so a reflection brings any place to [0, 1/2]^n if the lattice is centred. The
 rows of triangles are a step apart, and every second is shifted by half a step; half a turn about (1/4, 1/2) maps them
 to each other. Reflections and half turns change only the signs of components, and h does not depend on these.
@@ -72,7 +72,7 @@ SIMPLEX = {2: Kernel(2, 819 / 1024, 1, 4099, 3, PLANE, triangles=True),
 SMOOTH = {2: Kernel(2, 1.0, 1, 3081, 4, CUBE, triangles=True), 3: Kernel(3, 0.75, 1, 4279, 8, FIFTH)}
 
 
-# --- What is summed ---------------------------------------------------------------------------------------------------
+# --- Summands ---------------------------------------------------------------------------------------------------------
 
 @dataclass(frozen=True)
 class Quantity:
@@ -220,7 +220,7 @@ def largest(kernel: Kernel, quantity: Quantity, gradient: Gradient, same_axes_fr
 
 
 def axes(kernel: Kernel) -> list[tuple[float, ...]]:
-    """Those that are different: on the plane both."""
+    """The axes that differ: on the plane both."""
     count = kernel.dims if kernel.triangles else 1
     return [tuple(float(axis == i) for i in range(kernel.dims)) for axis in range(count)]
 

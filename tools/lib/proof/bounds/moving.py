@@ -166,7 +166,7 @@ def quarters():
 
 
 def rows(dims: int, cosine, sine, product):
-    """Those of B."""
+    """The rows of B."""
     if dims == 2:
         return [[cosine, sine], [-sine, cosine]]
     both = product(sine, cosine)

@@ -75,7 +75,7 @@ LARGEST_STRENGTH = {name: float(sum_.strength.most) for name, sum_ in CATALOG.it
 
 
 def step_of(kind: str) -> Step:
-    """That of a sum without slopes and shifts; the others add the noise as it is."""
+    """The step of a sum without slopes and shifts; the others add the noise as it is."""
     return STEPS[CATALOG[kind].step] if kind in KINDS else STEPS["noise"]
 
 

@@ -155,7 +155,7 @@ class Witness(unittest.TestCase):
         return min(gaps)
 
     def test_of_points_that_move_two_of_the_neighbours_are_nearest(self) -> None:
-        # That is what k is for. With a whole jitter it would not be so, nor with more than k in the plane.
+        # This is the purpose of k. With a whole jitter it would not be so, nor with more than k in the plane.
         for n, phases in ((2, 48), (3, 24)):
             self.assertGreater(self.least_gap(n, NEARER[n], phases), 1 / 64)
             self.assertLess(self.least_gap(n, 1, phases), 0)

@@ -19,7 +19,7 @@ COARSER = 8  # in space a component with HN_FIXED is in units of 2^-16
 
 
 def second(lattice: Lattice) -> Lattice:
-    """That of the second noise in space."""
+    """The lattice of the second noise in space."""
     return replace(lattice, seed=mix((lattice.seed + SEED_STEP) & MASK))
 
 

@@ -296,7 +296,7 @@ class Field:
         return cls(lattice, Fixed.of(lattice, len(cell)), tuple(cell), tuple(fraction), metric)
 
     def point(self, beside: Sequence[int]) -> Point:
-        """That of the cell which is so many cells away."""
+        """The point of the cell which is so many cells away."""
         cell = tuple(c + o for c, o in zip(self.cell, beside))
         moved = self.arithmetic.moved(direction(self.lattice.word(cell), len(cell)))
         offset = tuple(map(operator.sub, self.arithmetic.from_middle(self.fraction, beside), moved))
@@ -348,5 +348,6 @@ def fixed_field(lattice: Lattice, cell: Sequence[int], fraction: Sequence[int]) 
 def whole_numbers(values: Sequence[Fraction], unit: int) -> tuple[int, ...]:
     """The values as multiples of 1 / unit."""
     numbers = [value * unit for value in values]
-    assert all(number.denominator == 1 for number in numbers)
+    if wrong := [value for value, number in zip(values, numbers) if number.denominator != 1]:
+        raise ValueError(f"{wrong[0]} is no multiple of 1 / {unit}, as section 16 of the contract requires")
     return tuple(map(int, numbers))

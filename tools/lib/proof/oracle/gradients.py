@@ -105,7 +105,7 @@ def round24(n: int) -> int:
 
 
 # The fixed point of the sine. PI is off by less than 2^9 units (16 times 1/2 for each of its 42 terms, little more),
-# and reducing an arc of 2^31 takes it less than 2^30 times: 2^39 units. That leaves a double's bits even of a noise
+# and reducing an arc of 2^31 takes it less than 2^30 times: 2^39 units. This leaves a double's bits even of a noise
 # whose fractions are 2^-126.
 SINE_BITS = 256
 SINE_ERROR = Fraction(1, 2**214)

@@ -44,7 +44,7 @@ class Lattice:
 
     @property
     def of_triangles(self) -> Lattice:
-        """That of section 13, whose points are half a cell apart along each axis."""
+        """The lattice of section 13, whose points are half a cell apart along each axis."""
         return replace(self, periods=tuple(2 * period for period in self.periods))
 
     def word(self, corner: Sequence[int], centre: bool = False) -> int:

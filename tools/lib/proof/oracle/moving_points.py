@@ -69,7 +69,7 @@ def rotated(e: int, b: int) -> int:
     return signed((signed(e // 2**8 * b) // 2**8) + (signed(e % 2**8 * b) // 2**16))
 
 
-@functools.lru_cache(maxsize=4096)  # a search asks for each cell
+@functools.lru_cache(maxsize=4096)  # a search calls it for each cell
 def times(matrix: Matrix, d: tuple[int, ...]) -> tuple[int, ...]:
     """Of whole numbers, in those units."""
     return tuple(sum(map(rotated, d, row)) for row in matrix)

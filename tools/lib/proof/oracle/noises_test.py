@@ -194,7 +194,7 @@ class EveryNoise(unittest.TestCase):
 
     @of_every_noise
     def test_noise_is_0_at_lattice_points(self, noise: Noise, bounds: Bounds) -> None:
-        """That of gradients."""
+        """Noise of gradients is."""
         if bounds.noise.startswith(("perlin", "simplex")):
             for knobs, c in itertools.product(settings(bounds), (-3, 0, -0.0, 7, 2**23, -2**31, 3e38)):
                 for of in (noise.exact, noise.fixed):

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from proof.oracle import gradients
 from proof.oracle.integers import UNIT, signed
 
-# By the number of dimensions: the unit of the ramps. That of gradients is a quarter of it.
+# By the number of dimensions: the unit of the ramps. The unit of gradients is a quarter of it.
 RAMP_UNITS = {1: 2**29, 2: 2**29, 3: 2**29, 4: 2**28}
 # In which a gradient's components are whole numbers.
 GRADIENT_UNITS = {1: 512, 2: 4, 3: 1, 4: 1}

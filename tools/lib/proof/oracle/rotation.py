@@ -41,7 +41,7 @@ def cosine_and_sine(phase: Real) -> tuple[Fraction, Fraction]:
     return gradients.sine_of_turns(turns + Fraction(1, 4)), gradients.sine_of_turns(turns)
 
 
-@functools.lru_cache(maxsize=4096)  # a noise with derivatives asks several times
+@functools.lru_cache(maxsize=4096)  # a noise with derivatives calls it several times
 def rotated(g: tuple[Real, ...], phase: Real) -> tuple[Fraction, ...]:
     """The gradient g after `phase` turns."""
     cosine, sine = cosine_and_sine(phase)

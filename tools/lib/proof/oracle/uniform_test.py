@@ -188,7 +188,7 @@ class Sums(FaultChecks, unittest.TestCase):
                     self.assertEqual(fixed, Fraction(math.trunc(x * 2**18), 2**18))
 
     def check_variance(self) -> None:
-        """That of a sum is that of a noise times the sum of the squares of the weights, divided by their total's."""
+        """The variance of a sum is that of a noise times the sum of the squares of the weights, divided by their total's."""
         draws = generator_of("uniform_test.variance")
         for _ in range(COUNT):
             *spread, octaves, gain = some_sum(draws)

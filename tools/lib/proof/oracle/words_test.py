@@ -166,7 +166,7 @@ class Hashes(unittest.TestCase):
         self.assertEqual(words.joins((1,)), (0xB48DE, 0x4812C5))
         # A adds 0xEBCA77 * 0xE6133E, 0xB2AE3D * 0x913FDC and 0xD4EB2F * 0x85AAB8 to x', and 32 bits of each count.
         self.assertEqual(words.weighted_sum((1,) * 4), 0xB48DE162 + 0xA00BDDD2 + 0x42FBBF6C + 0x2CA13FC8 - 2**32)
-        # That is 0xC436BE68; twice that, and 1, is 0x886D7CD1.
+        # This is 0xC436BE68; twice it, and 1, is 0x886D7CD1.
         self.assertEqual(words.joins((1,) * 4), (0xB48DE ^ 0x10BD79 ^ 0x30ACAB ^ 0x13EA75, 0x3A8CD1))
         # mix(1) is 0xED345605 (see above): with x' it adds up to 0xA1C23767.
         self.assertEqual(words.joins((1,), 1), (0xB48DE ^ 0xED3456, 0x715ECF))

@@ -56,7 +56,9 @@ void print_in(const char* name, int first_dimension, int last_dimension, Noise n
   if constexpr (requires { noise(vec2()); }) {
     if (has(2)) print_typical(name, 2, [&](vec4 p) { return first(noise(vec2(p.x, p.y))); });
   }
-  if (has(3)) print_typical(name, 3, [&](vec4 p) { return first(noise(vec3(p.x, p.y, p.z))); });
+  if constexpr (requires { noise(vec3()); }) {
+    if (has(3)) print_typical(name, 3, [&](vec4 p) { return first(noise(vec3(p.x, p.y, p.z))); });
+  }
   if constexpr (requires { noise(vec4()); }) {
     if (has(4)) print_typical(name, 4, [&](vec4 p) { return first(noise(p)); });
   }

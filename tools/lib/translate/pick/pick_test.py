@@ -632,7 +632,7 @@ class Command(unittest.TestCase):
                                    (("hn_fbm2", "--noise", "hn_simplex3"), "calls hn_perlin(hn_place3, uint)"),
                                    (("hn_fbm2", "hn_warp2", "--noise", "hn_value2"), "hn_warp("),
                                    (("hn_fbm2", "--noise", "hn_simplx2"), "there is no function hn_simplx2"),
-                                   (("hn_fbm2", "--noise", "hn_curl2"), "returns vec2, and what"),
+                                   (("hn_fbm2", "--noise", "hn_curl2"), "returns vec2, and a sum"),
                                    (("hn_fbm2", "--noise", "hn_unorm"), "there is no hn_unorm(hn_place1, uint)"),
                                    (("hn_value2", "--list"), "or ask for --list"),
                                    (("hn_value2", "--glsl", "/nowhere"), "/nowhere")):

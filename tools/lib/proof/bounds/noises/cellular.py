@@ -1,7 +1,7 @@
 """hn_cellular: what is proven of it, from docs/reference/contract.md, section 16; and of hn_cellular_three, which has
 its entry in cellular_three.py. features.py and distances.py of the folder above have the proofs.
 
-One bound holds for all metrics: the largest. That of floats is the hybrid metric's, whose distances are the largest;
+One bound holds for all metrics: the largest. The bound of floats is the hybrid metric's, whose distances are the largest;
 that of fixed arithmetic is the Euclidean one's, by the root of a small square. The errors of offsets are smaller.
 """
 

@@ -7,7 +7,7 @@ over the points of simplex noise (kernels.py); their hashes, and so the angles, 
 of weights.py.
 
 RANGE. It is S times the supremum of the sum of the weights, which is that of the length of value and quadrature, too.
-That is not at a point, but in the middle of two: half a step from each on the plane, and in space half way from a
+The supremum is not at a point, but in the middle of two: half a step from each on the plane, and in space half way from a
 corner to a centre. A move of the place, by a cut or the rounding of a fraction, takes neither out of its range.
 
 LIPSCHITZ. The derivative along a vector u, per step, has in place of the weight
@@ -182,7 +182,7 @@ def fixed_parts(kernel: Kernel, lipschitz: float) -> dict[str, float]:
             "scaling": kernel_fixed.scaling_error(kernel, UNIT)}
 
 
-# --- What is proven ---------------------------------------------------------------------------------------------------
+# --- Proofs -----------------------------------------------------------------------------------------------------------
 
 def derived_value(kernel: Waves) -> ProvenBounds:
     lipschitz = lipschitz_of(kernel)

@@ -156,7 +156,7 @@ def rotated_value(kernel: Waves, z: Approx, ulps) -> Approx:
 
 
 def last_sum(a: Approx, b: Approx, largest: float) -> Approx:
-    """Of which the exact one is known to be that large at most."""
+    """A sum, whose exact value is at most `largest`."""
     return Approx(-largest, largest, a.err + b.err, a.ulps).rounded()
 
 
@@ -235,7 +235,7 @@ def fixed_parts(kernel: Waves, lipschitz: float) -> dict[str, float]:
             "turn": fixed_rotation_error(kernel) + LAST / 2}
 
 
-# --- What is proven ---------------------------------------------------------------------------------------------------
+# --- Proofs -----------------------------------------------------------------------------------------------------------
 
 def derived_slope(kernel: Waves) -> ProvenBounds:
     lipschitz = lipschitz_of(kernel)

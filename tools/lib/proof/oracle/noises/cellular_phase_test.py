@@ -1,4 +1,4 @@
-"""Tests of cellular_phase.py, and of what is said of the nearest point that moves: by hand, by naive searches of points
+"""Tests of cellular_phase.py, and of claims about the nearest point that moves: by hand, by naive searches of points
 that are rotated in floats and in whole numbers, and by what a phase does."""
 
 from __future__ import annotations

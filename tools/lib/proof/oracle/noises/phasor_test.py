@@ -179,7 +179,7 @@ class Phasor(FaultChecks, unittest.TestCase):
                 self.assertLessEqual(kernel.scale * found, MOST * 1024 * 2**18)
 
     def check_energy(self) -> None:
-        """Over all phases the mean of the squared length is the sum of the squares of the weights. That is nearly the
+        """Over all phases the mean of the squared length is the sum of the squares of the weights. It is nearly the
         same everywhere: its deviation over a cell is a small part of its mean, and hardly less than what is allowed."""
         for n, kernel in KERNELS.items():
             side = {2: 24, 3: 6}[n]

@@ -2,7 +2,7 @@
 above, times the scale of docs/reference/contract.md, section 6.
 
 RANGE. The scales of the octahedral gradient are multiples of 1/1024 below the inverse of the supremum before scaling.
-That is 1/2 times 511/512 on the line, and 1.07346 in 4D. On the plane and in space it is that of gradients that rotate
+It is 1/2 times 511/512 on the line, and 1.07346 in 4D. On the plane and in space it is that of gradients that rotate
 with a phase: 0.559017 on the plane, in the middle of the cell, where gradients that do not rotate reach 0.508437; and
 1.03849 in space, where they reach 1.03636. The rest up to 1 is room for the errors of the fixed arithmetic.
 
