@@ -22,7 +22,7 @@ export class Beside {
     this.draw().catch(() => {});
   }
 
-  // What was kept is edited, and what was edited is kept.
+  // The two settings change places: you go on with the kept one.
   exchange() {
     const { state } = this.page;
     const { x, y, cells } = state;

@@ -3,7 +3,7 @@
 import { isSolid, remapOf, settingsOf, shownLayers, uses } from "./model.js";
 import { kMetrics, kNoises, kSums } from "./tables.js";
 
-// In the order of the page. Those behind C++ have one form, and no library beside it.
+// In the order of the page. Languages behind C++ have one form, and no library beside it.
 export const kLanguages = {
   glsl: "GLSL", hlsl: "HLSL", wgsl: "WGSL", cpp: "C++", metal: "Metal", godot: "Godot", tsl: "three.js TSL", csharp: "C#, Unity",
   rust: "Rust", go: "Go", java: "Java", c: "C", javascript: "JavaScript", python: "Python", osl: "OSL, Blender", bake: "tools/bake",
@@ -40,7 +40,7 @@ const kSteps = 65536;
 export const partOf = ({ arithmetic }, value) =>
   arithmetic === "fixed" ? Math.round(value * kSteps) / kSteps : value;
 
-// What the functions of each layer that is shown are called with, as numbers.
+// The numbers with which the functions of each visible layer are called.
 export function numbers(language, state) {
   const { int } = kTypes[language];
   const n = state.dimensions;
@@ -89,7 +89,7 @@ export function shapes(state) {
   });
 }
 
-// What a sum makes of the mean, by what the catalog calls it: the function that ends the loop, and what becomes of that.
+// The end of each sum, by its name in the catalog: the function that ends the loop, and an expression of its result.
 const kMeans = {
   density: { end: "hn_density" },
   billows: { of: (mean) => `min(2.0 * ${mean} - 1.0, 1.0)` },
@@ -113,7 +113,7 @@ class Writer {
     this.files = new Set();
     this.needs = new Set(); // what the functions call, by the names in WGSL
     this.summed = state.sum !== "none";
-    // Where a noise is asked: at a position, in a cell, or at a place that is given.
+    // Where a noise is computed: at a position, in a cell, or at a place that is given.
     this.position = { position: "p" };
     this.cell = { cell: "cell", f: "f" };
     this.place = { place: "place" };
@@ -416,7 +416,7 @@ class Mixer {
     return writer.define(name, writer.parametersOf(where), [...lines, "return v;"]);
   }
 
-  // What the layers are made steps and multiplied by.
+  // The functions that make values steps, and multiply them.
   helpers() {
     if (!this.fixed) return [];
     const [writer] = this.writers;
@@ -459,7 +459,7 @@ export function functions(library, language, state, values, forms = ["cell", "po
   return { lines, files: all("files"), needs, public: needs.filter((name) => /^hn_(?!i_|(?:place|octaves|slopes)\d$)/.test(name)) };
 }
 
-// What names the shader of a state: states with the same key differ in uniforms alone.
+// The name of the shader of a state: states with the same key differ in uniforms alone.
 export function shaderKey(state) {
   const { dimensions, arithmetic, hash } = state;
   const layers = shapes(state).map((shape, at) => {

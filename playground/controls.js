@@ -83,7 +83,7 @@ function counted(name, value, steps) {
 }
 
 export class Controls {
-  // `change` takes what is chosen, {name: value}, and of which layer; `look` the name of a look; `replace` a state with
+  // `change` takes the chosen settings, {name: value}, and the number of their layer; `look` the name of a look; `replace` a state with
   // other layers, and a sentence on it; `say` a sentence alone.
   constructor(library, { change, look, replace, say }) {
     this.library = library;
@@ -93,7 +93,7 @@ export class Controls {
     this.state = undefined;
     this.layer = 0; // the number of the one that the panel shows
     this.typed = undefined; // the field whose text nobody has entered yet
-    this.corrected = undefined; // {name, value}: the field that says what its number became
+    this.corrected = undefined; // {name, value}: the field that shows what its number became
     const choose = (layer) => {
       this.layer = layer;
       this.show(this.state);
@@ -202,7 +202,7 @@ export class Controls {
       this.corrected = undefined;
       this.change({ [name]: counted(name, this.settings[name], steps) });
     });
-    // What is wrong stays until something else is shown.
+    // A wrong text stays until something else is shown.
     input.addEventListener("blur", () => {
       this.typed = undefined;
       if (input.getAttribute("aria-invalid") !== "true") this.show(this.state);
@@ -279,7 +279,7 @@ export class Controls {
     byId("choose-whole").hidden = !optional;
     byId("note-code").hidden = optional;
     byId("note-code").textContent =
-      { cpp: "It needs include/ and glsl/ of the library.", python: "", bake: "" }[this.language] ?? "What it calls is in it.";
+      { cpp: "It needs include/ and glsl/ of the library.", python: "", bake: "" }[this.language] ?? "The text has all that it calls.";
     this.showCode();
   }
 

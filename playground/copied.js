@@ -1,4 +1,4 @@
-// What is copied: the functions of code.js with the colours, with what they call, and as a whole shader.
+// The texts to copy: the functions of code.js with the colours, with what they call, and as a whole shader.
 import { decimal, declaration, functions, kLanguages, kTypes, knobs, numbers } from "./code.js";
 import { bakeLines, isOneLine, pythonLines } from "./lines.js";
 import { rangeOf, shownLayers } from "./model.js";
@@ -273,7 +273,7 @@ function tslText(library, state, first) {
   };
 }
 
-// A command; and what it reads where no option says it.
+// A command; and the file that it reads where no option is enough.
 function bakeText(library, state, first) {
   const lines = bakeLines(state);
   if (isOneLine(state)) return { head: [`# ${first}`], library: () => [], code: lines };

@@ -1,4 +1,4 @@
-// What the copied functions cost on this GPU, pattern(p) and pattern(cell, f), as ratios to hn_perlin(p) on the plane.
+// The costs of the copied functions on this GPU, pattern(p) and pattern(cell, f), as ratios to hn_perlin(p) on the plane.
 // All are drawn in turns, so that what else the machine does concerns all; what a shader costs that computes nothing
 // is taken off all.
 import { emptyShader, frameOf, kColours, kTimes, plainOf, timedShader } from "./shaders.js";
@@ -11,7 +11,7 @@ const kMostSide = 2048;
 const kMostDraws = 64;
 
 // Of rounds, each a list of milliseconds: of the empty shader, of hn_perlin, of what is shown at a position and from a
-// cell. What else the machine does only adds, so the least counts.
+// cell. Other work of the machine only adds time, so the least counts.
 function ratiosOf(rounds) {
   const [empty, plain, ...shown] = rounds[0].map((_, number) => Math.min(...rounds.map((round) => round[number])));
   return shown.map((least) => (plain > empty ? Math.max(least - empty, 0) / (plain - empty) : NaN));

@@ -31,7 +31,7 @@ const floatsOf = (bytes) => {
   return Float32Array.from({ length: bytes.length / 4 }, (_, at) => view.getFloat32(at * 4, true));
 };
 
-// What the four bytes of each pixel become in a file.
+// How a file writes the four bytes of each pixel.
 const kEncoded = {
   colours: (bytes) => bytes.filter((_, at) => at % 4 < 3),
   heights: (bytes, state) => inOrder(heightsOf(floatsOf(bytes), state), false),
@@ -161,7 +161,7 @@ async function partsOfFile(state, read, tell) {
   return made ? made.parts() : parts;
 }
 
-// Its name says what is shown, by which seed, and what a pixel is, so that no file replaces another one.
+// Its name has the noise, the seed and the kind, so that no file replaces another one.
 export function nameOfFile(state) {
   const { file, width, height } = state;
   const [{ sum, noise, seed }, ...others] = state.layers;
@@ -174,7 +174,7 @@ export function nameOfFile(state) {
 
 const kTypesOfFiles = { png: "image/png", gif: "image/gif", tif: "image/tiff", json: "application/json" };
 
-// The file of the state. `read(mode, first, rows, state, border)` gives the bytes of so many rows, the first of which is
+// The file of the state. `read(mode, first, rows, state, border)` gives the bytes of so many rows. The first row is
 // this one, counted from below, with so many pixels around; `tell` takes which part is done.
 export async function fileOf(state, read, tell = () => {}) {
   const { file } = state;

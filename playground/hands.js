@@ -1,4 +1,4 @@
-// What moves the picture: pointers, fingers, a wheel and keys.
+// Input that moves the picture: pointers, fingers, a wheel and keys.
 import { byId, element } from "./elements.js";
 import { isTurned } from "./model.js";
 

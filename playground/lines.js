@@ -4,7 +4,7 @@ import { rangeOf, remapOf, shownLayers, uses } from "./model.js";
 import { kPartsOfCell } from "./view.js";
 
 
-// What hashnoise and tools/bake call a noise by, and which number of its results is shown.
+// Which number of the results of a noise is shown, in Python and by tools/bake.
 const kShown = { cellular: 0, cellular_second: 1, cellular_third: 2, curl: 0 };
 const kComponents = { cellular: "f1", cellular_second: "f2", cellular_third: "f3", curl: "x" };
 

@@ -22,7 +22,7 @@ export function linkOf(state) {
   return parts.length ? `#${parts.join("&")}` : "";
 }
 
-// What somebody wrote as the value of a setting. Nothing for what is no number where it should be one.
+// The value of a setting that somebody wrote. Nothing for a text that should be a number and is none.
 export function parsed(name, text) {
   const setting = kSettings[name];
   if (typeof setting.usual === "string") return text;
@@ -55,7 +55,7 @@ export function stateOf(link) {
   return possible(state);
 }
 
-// What a link has that the page does not take, for people: names and values that do not exist, and numbers that became
+// The parts of a link that the page does not take, as a sentence: names and values that do not exist, and numbers that became
 // others. Nothing for a link that is right.
 export function ignoredIn(link) {
   const state = stateOf(link);

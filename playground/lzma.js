@@ -82,7 +82,7 @@ class Lengths {
   }
 }
 
-// The first `size` bytes, of which there are no more.
+// All `size` bytes.
 export async function unpackedLzma(bytes, size) {
   const decoder = new RangeDecoder(bytes);
   const out = new Uint8Array(size);

@@ -26,8 +26,8 @@ const kLocal =
   "A page from a disk has no address for others, so the part from # on is copied. Put it behind the address of a " +
   "playground on a web site.";
 const kTurnOfPixel = 0.0008; // turns by a pixel
-const kTold = 1500; // milliseconds for which a button says that it has copied
-const kSampled = 48; // pixels on the shorter side, of whose values the page tells
+const kTold = 1500; // milliseconds for which a button shows that it has copied
+const kSampled = 48; // pixels on the shorter side, whose values the page summarizes
 const kSpeed = 0.25; // cells, or turns over four, in a second
 
 class Playground extends Picture {
@@ -90,14 +90,14 @@ class Playground extends Picture {
     this.linkTimer = setTimeout(() => this.writeLink(), kLinkDelay);
   }
 
-  // What changes more than a setting can be undone: the browser's Back brings back what was shown.
+  // A change of more than a setting can be undone: the browser's Back brings back what was shown.
   replace(next, said) {
     const other = linkOf(next) !== this.link;
     this.writeLink();
     this.steps.note(this.state, next);
     this.take(next);
     if (other) this.writeLink("pushState");
-    byId("said").textContent = said;
+    byId("status").textContent = said;
   }
 
   look(name) {
@@ -123,8 +123,8 @@ class Playground extends Picture {
 
   // The words are new each time, so that they are read aloud each time.
   say(sentence) {
-    byId("said").textContent = "";
-    requestAnimationFrame(() => (byId("said").textContent = sentence));
+    byId("status").textContent = "";
+    requestAnimationFrame(() => (byId("status").textContent = sentence));
   }
 
   get link() {
@@ -168,13 +168,13 @@ class Playground extends Picture {
     byId("message").hidden = false;
   }
 
-  // What does not work is not tried again: a device that is lost once is lost again. Says whether the other takes over.
+  // A renderer that fails is not tried again: a device that is lost once is lost again. Returns whether the other takes over.
   without(name, other) {
     if (byId(`renderer-${other}`).disabled) return false;
     const sentence = `${kRenderers[name]} does not work in this browser, so ${kRenderers[other]} draws the picture.`;
     this.take({ ...this.state, renderer: other });
     this.controls.refuseRenderer(name, sentence, other);
-    byId("said").textContent = sentence;
+    byId("status").textContent = sentence;
     return true;
   }
 
@@ -184,7 +184,7 @@ class Playground extends Picture {
 
   // How the values of the picture are distributed, of some of its pixels.
   async rested() {
-    // What is read in the frame in which a picture was drawn can take the picture from the screen.
+    // Reading in the frame in which a picture was drawn can take the picture from the screen.
     await this.drawing;
     await new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
     const state = this.state;
@@ -228,7 +228,7 @@ class Playground extends Picture {
   // ------------------------------------------------------------------------------------------------------------------
   // Time.
 
-  // What moves in time: the last coordinate, or the phase.
+  // The setting that moves in time: the last coordinate, or the phase.
   get animated() {
     const used = uses(this.state);
     return used.w ? "w" : used.z ? "z" : used.phase ? "phase" : undefined;
@@ -268,7 +268,7 @@ class Playground extends Picture {
 
   async measure() {
     const button = byId("measure");
-    // A button that is disabled loses the focus, so this one only says that it does nothing now.
+    // A button that is disabled loses the focus, so this one is only marked as doing nothing now.
     if (button.ariaDisabled === "true") return;
     button.ariaDisabled = "true";
     byId("cost").textContent = "Measuring …";
@@ -280,13 +280,13 @@ class Playground extends Picture {
       const text = (number) => (number < 10 ? number.toFixed(2) : number.toFixed(1));
       byId("cost").textContent = `${text(ratio)} × hn_perlin`;
       byId("note-cost").textContent =
-        `A million values take ${text(million)} ms. That is pattern(p). ` +
+        `A million values take ${text(million)} ms. It is pattern(p). ` +
         `From a cell, pattern(cell, f) costs ${text(cell)} ×. hn_perlin(p) in 2D, in floats, ` +
         `was drawn in turns with both on ${backend.describe()}. ` +
         `Parts of the rounds gave ${text(low)} to ${text(high)}.`;
       byId("note-cost").hidden = false;
       this.measured = key;
-      byId("said").textContent = `It costs ${text(ratio)} times as much as Perlin noise in 2D.`;
+      byId("status").textContent = `It costs ${text(ratio)} times as much as Perlin noise in 2D.`;
     } catch (error) {
       byId("cost").textContent = error.message;
     } finally {
@@ -305,9 +305,9 @@ class Playground extends Picture {
       const url = URL.createObjectURL(file);
       Object.assign(document.createElement("a"), { href: url, download: file.name }).click();
       setTimeout(() => URL.revokeObjectURL(url), kTold);
-      byId("said").textContent = `${file.name} is saved.`;
+      byId("status").textContent = `${file.name} is saved.`;
     } catch (error) {
-      byId("said").textContent = byId("note-file").textContent = `The file is not saved. ${error.message}`;
+      byId("status").textContent = byId("note-file").textContent = `The file is not saved. ${error.message}`;
     } finally {
       button.ariaDisabled = "false";
       button.textContent = label;
@@ -353,7 +353,7 @@ class Playground extends Picture {
     }
     this.controls.showUncopied(done ? undefined : text);
     if (!done) {
-      byId("said").textContent = `${what} is not copied.`;
+      byId("status").textContent = `${what} is not copied.`;
       return false;
     }
     button.dataset.label ??= button.textContent;
@@ -363,7 +363,7 @@ class Playground extends Picture {
       button,
       setTimeout(() => (button.textContent = button.dataset.label), kTold),
     );
-    byId("said").textContent = `${what} is copied.`;
+    byId("status").textContent = `${what} is copied.`;
     return true;
   }
 
@@ -391,7 +391,7 @@ class Playground extends Picture {
     this.change({ turn: (((turn - right * kTurnOfPixel) % 1) + 1) % 1, tilt: tilt - up * kTurnOfPixel });
   }
 
-  // A scale has six digits. What they leave out is kept, so that one step back undoes one forth.
+  // A scale has six digits. The rest is kept, so that one step back undoes one forth.
   zoom(factor, at = [0, 0]) {
     if (!uses(this.state).cells) return;
     const [width, height] = this.size;
@@ -469,7 +469,7 @@ class Playground extends Picture {
     document.addEventListener("visibilitychange", () => document.hidden && this.play(false));
     if (!navigator.gpu) this.controls.refuseRenderer("webgpu", "This browser has no WebGPU.", "webgl2");
     this.chooseCanvas();
-    const ignored = ignoredIn(location.hash); // of which the address has nothing soon
+    const ignored = ignoredIn(location.hash); // before the address loses it
     // Until there is a picture, or a sentence on why there is none. To make it sharp may take longer.
     await new Promise((resolve) => {
       this.begun = resolve;
@@ -479,7 +479,7 @@ class Playground extends Picture {
   }
 }
 
-// What the tests ask, and who opens the console: hashnoise.pixels(64, 64), hashnoise.state, ...
+// For the tests, and for people who open the console: hashnoise.pixels(64, 64), hashnoise.state, ...
 unpacked(byId("library").textContent)
   .then(async (data) => {
     const library = new Library(data, (name) => Pieces.unpacked(byId(name).textContent));

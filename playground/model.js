@@ -90,7 +90,7 @@ export const shownLayers = ({ layers }) => layers.filter(({ on }) => on);
 
 // A ball or a cube of space, for which there have to be three dimensions.
 export const isSolid = ({ view, dimensions }) => dimensions > 2 && (view === "sphere" || view === "cube");
-// What is not a plane can be turned.
+// Everything but a plane can be rotated.
 export const isTurned = (state) => state.view === "terrain" || isSolid(state);
 
 // The height of the highest colour on terrain, in sides of the block. More cells make it lower, as if seen from farther
@@ -98,7 +98,7 @@ export const isTurned = (state) => state.view === "terrain" || isSolid(state);
 const kCellsOfWholeRelief = 2;
 export const reliefHeight = ({ steep, cells }) => steep * Math.min(1, kCellsOfWholeRelief / cells);
 
-// What the layers are, for people.
+// The names of the layers, for people.
 const titleOf = ({ sum, noise }) =>
   sum === "none" ? kNoises[noise].label : `${kSums[sum].label} of ${kNoises[noise].label}`;
 export const titlesOf = ({ layers }) =>
@@ -204,7 +204,7 @@ export function uses(state, at = 0) {
   };
 }
 
-// What the values of a layer are multiplied by, and what is added then, before the layer is combined. The weight of a
+// The factor and the summand of the values of a layer, before the layer is combined. The weight of a
 // mixture is another thing.
 export function remapOf({ layers }, at) {
   const { weight, offset, blend } = layers[at];

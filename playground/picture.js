@@ -29,7 +29,7 @@ const kStrip = 40; // milliseconds that a part of a picture takes; between two t
 const kMostStrips = 256; // of a picture, since one waits for each
 const kCoarsest = 8;
 const kRest = 160; // milliseconds without a change after which it is drawn fine again
-const kPatience = 250; // milliseconds after which the page says that it draws
+const kPatience = 250; // milliseconds after which the page shows that it draws
 
 // It draws `state`. Whoever extends this has four functions, too: begun() is called when there is the first picture,
 // drawn() each time that there is one, rested() some time after the last change, and failed(error) when there is no
@@ -280,7 +280,7 @@ export class Picture {
     return backend.read(program, frameOf(state, width, height, mode), width, height);
   }
 
-  // The file that the state asks for.
+  // The file of the state.
   async file(tell) {
     const state = fileState(this.state);
     const backend = await this.backend();

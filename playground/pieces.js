@@ -1,4 +1,4 @@
-// What tools/pick writes of the functions that pictures call, in each language: as pieces, from which a picture takes those
+// The functions that pictures call, as tools/pick writes them in each language: as pieces, from which a picture takes those
 // that it needs (tools/lib/ship/playground/picks.py).
 import { unpackedLzma } from "./lzma.js";
 
@@ -57,7 +57,7 @@ export class Pieces {
     }));
   }
 
-  // The texts of these functions and of all that they need. What shading languages need is read from the text in WGSL,
+  // The texts of these functions and of all that they need. Calls within shading languages are read from the text in WGSL,
   // which has no overloads; the modules of one setting have the same pieces in the same order.
   texts(names, language, ...rest) {
     const own = this.module([language, ...rest]);

@@ -29,7 +29,7 @@ export function surfaceOf(values, side, [low, high], palette, steep) {
   return { heights, colours, side, steep };
 }
 
-// How far along a line it is in the block, as far as one axis tells, and the others told before.
+// How far along a line it is in the block, by one axis and those before it.
 function crossed(start, direction, [enters, leaves]) {
   if (Math.abs(direction) < 1e-9) return Math.abs(start) > 0.5 ? [1, 0] : [enters, leaves];
   const ends = [(-0.5 - start) / direction, (0.5 - start) / direction];

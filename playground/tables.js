@@ -1,8 +1,8 @@
-// What there is to choose: noises, sums and the others, each with what the page has to know of it.
+// The choices: noises, sums and the others, each with what the page has to know of it.
 
 import { kCatalog } from "./catalog.js";
 
-// Rows, each with what the library says of the function that it shows, and a row for each function that none shows.
+// Rows, each with what the catalog has of the function that it shows, and a row for each function that none shows.
 function completed(rows, functions) {
   const shown = Object.entries(rows).map(([name, row]) => row.shows ?? name);
   const others = Object.keys(functions).filter((name) => !shown.includes(name));
@@ -79,7 +79,7 @@ export const kHashes = {
   lattice: "Lattice, the default", fnv1: "FNV-1", partial_fnv1: "FNV-1, partial", jenkins: "Jenkins",
   partial_jenkins: "Jenkins, partial", murmur: "Murmur", pcg: "PCG", xxhash32: "xxHash32",
 };
-// What can be saved. A height is a number of 16 bits.
+// The kinds of files. A height is a number of 16 bits.
 const kOfHeights = "Heights go from 0 for the lowest colour to 65535 for the highest. ";
 const kOfRaw = "The upper row comes first, and of each number the lowest byte.";
 const kOfLoop =

@@ -29,7 +29,7 @@ const chosen = [
 ];
 const placed = (settings, state = usualState()) =>
   changed(changed(state, { arithmetic: "fixed" }), { ...settings, ...kOrigin, renderer: "webgl2" });
-// What tools/pick has written is all compiled in a thorough run. (In those the tests of tools/pick hold the bits of all
+// All that tools/pick has written is compiled in a thorough run. (In those the tests of tools/pick hold the bits of all
 // functions to the C++ header.)
 const picked = simpleStates().map((state) => changed(state, { z: 0.75, w: 1.5, ...kOrigin }));
 // Every way to combine layers, with integers, and in a thorough run with floats.
@@ -96,7 +96,7 @@ void main() {
 }
 `;
 };
-// What shadertoy.com puts around the text.
+// The text as shadertoy.com completes it.
 const onShadertoy = (code) => `#version 300 es
 precision highp float;
 precision highp int;
@@ -131,7 +131,7 @@ after(() => browser.close());
 const kVertex = `#version 300 es
 void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }`;
 
-// What a fragment shader draws by WebGL2: the bytes of colours, or words of a target of words; or what the driver says.
+// The picture of a fragment shader by WebGL2: bytes of colours, or words of a target of words; or the driver's message.
 const drawn = (fragment, words) =>
   page.evaluate(
     (texts, width, height, whole) => {
@@ -187,7 +187,7 @@ void main() {
   return Array.isArray(found) ? found.filter((_, at) => at % 4 === 0) : found;
 }
 
-// What a whole shader in WGSL draws, as the bytes of colours from the lower row on.
+// The picture of a whole shader in WGSL, as the bytes of colours from the lower row on.
 const drawnByWgsl = (text) =>
   page.evaluate(
     async (code, width, height) => {
@@ -319,7 +319,7 @@ test("copied GLSL and HLSL compile", async () => {
   }
 });
 
-// How many pixels have another colour. That of the page is one of 256, and its graph has an edge.
+// How many pixels have another colour. The page has one of 256, and its graph has an edge.
 const unlike = (one, other) => {
   let count = 0;
   for (let at = 0; at < one.length; at += 4)
@@ -433,7 +433,7 @@ test("code that is wrong is noticed", async () => {
   const wgsl = await copiedCode(page, "wgsl", true);
   assert.match(await drawnWgsl(wgsl.replace("return hn_fbm2(p", "return hn_absent(p"), state, false), /hn_absent/);
   assert.notDeepEqual(await drawnWgsl(wgsl.replaceAll(", 7u)", ", 8u)"), state, false), shown);
-  // What tools/pick writes of other arithmetic.
+  // The text of tools/pick with other arithmetic.
   await page.evaluate(() => {
     const { modules } = window.hashnoise.library.pieces.shading;
     for (const key of Object.keys(modules)) modules[key] = modules[key.replace(" fixed ", " fast ")];

@@ -84,7 +84,7 @@ test("a PNG has the colours, the upper row first, and the link", async () => {
   assert.equal(settingsOf(stateOf(comment.split(" ")[1])).seed, 9);
 });
 
-test("heights are the whole numbers that the page's description says", async () => {
+test("heights are the whole numbers of the page's description", async () => {
   const state = stateFor({ file: "heights", contrast: 0.8 });
   const { depth, kind, pixels } = readPng((await saved(state)).bytes);
   assert.deepEqual([depth, kind], [16, 0]);

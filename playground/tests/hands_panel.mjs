@@ -1,4 +1,4 @@
-// What people do with the panel: fields, sliders, layers, the clipboard. hands_test.mjs runs it.
+// The panel, as people use it: fields, sliders, layers, the clipboard. hands_test.mjs runs it.
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { resolve } from "node:path";
@@ -73,7 +73,7 @@ test("a keyboard alone is enough", async () => {
   await page.close();
 });
 
-test("what is not of a place is not taken, and said", async () => {
+test("a text that is no place is not taken, and a sentence states why", async () => {
   const page = await shownOnShared();
   const enter = async (id, text) => {
     await page.$eval(
@@ -107,7 +107,7 @@ test("what is not of a place is not taken, and said", async () => {
   assert.equal(await page.$eval("#x", (input) => input.getAttribute("aria-invalid")), null);
 });
 
-test("a typed number that is changed says so", async () => {
+test("a typed number that is changed has a message", async () => {
   const page = await shownOnShared("#dimensions=3&z=0.49");
   const enter = async (id, text) => {
     await page.click(`#${id}`, { count: 3 });
@@ -157,7 +157,7 @@ test("one arrow key is one whole step", async () => {
   assert.equal(await after("x", "ArrowLeft"), 5n << 22n);
   assert.equal(await after("cells", "ArrowUp"), 9.5);
   assert.equal(await after("cells", "PageDown", "ArrowDown"), 0.1875);
-  // What is typed counts, whether or not it is entered.
+  // A typed text counts, whether or not it is entered.
   await page.click("#seed", { count: 3 });
   await page.keyboard.type("41");
   assert.equal(await after("seed", "ArrowUp"), 42);
@@ -192,7 +192,7 @@ test("every control has a name", async () => {
   await page.close();
 });
 
-// What axe-core finds, by the names of its rules. (It reads colours, too, but not of what lies on glass.)
+// The findings of axe-core, by the names of its rules. (It reads colours, too, but not of what lies on glass.)
 async function foundByAxe(page) {
   await page.evaluate(await readFile(resolve("node_modules", "axe-core", "axe.min.js"), "utf8"));
   const { violations } = await page.evaluate(() => window.axe.run(document));
@@ -383,7 +383,7 @@ test("Smaller undoes Larger", async () => {
   }
 });
 
-test("it says that it has copied only if it has", async () => {
+test("a button shows that it has copied only if it has", async () => {
   const page = await opened(browser, {
     viewport: kLaptop,
     before: () => {
@@ -404,7 +404,7 @@ test("it says that it has copied only if it has", async () => {
     await page.click(`#${id}`);
     assert.equal(await label(id), before);
     assert.match(await visibleText(page, "note-uncopied"), /did not let the page copy/);
-    assert.match(await page.$eval("#said", (said) => said.textContent), /is not copied/);
+    assert.match(await page.$eval("#status", (said) => said.textContent), /is not copied/);
     const selected = await page.evaluate(() => {
       const { value, selectionStart, selectionEnd } = document.activeElement;
       return value.slice(selectionStart, selectionEnd);
@@ -425,7 +425,7 @@ test("it says that it has copied only if it has", async () => {
   await page.close();
 });
 
-test("Play says why it does not", async () => {
+test("Play states why it does not play", async () => {
   const page = await shownOnShared();
   const described = () =>
     page.$eval("#play", (button) => document.getElementById(button.getAttribute("aria-describedby")).textContent);
@@ -435,7 +435,7 @@ test("Play says why it does not", async () => {
     await page.focus(`#${id}`);
     await press(page, "Space");
     assert.equal(await visibleText(page, "hint"), await described());
-    await page.waitForFunction(() => /does not move/.test(document.getElementById("said").textContent));
+    await page.waitForFunction(() => /does not move/.test(document.getElementById("status").textContent));
     await page.click("#dimensions label:nth-child(3)");
     assert.equal(await visibleText(page, "hint"), "");
     assert.equal(await described(), "");
@@ -486,7 +486,7 @@ test("copy, save and link are in sight, and the settings hide", async () => {
   await ready(page);
 });
 
-test("two settings are side by side, and a wrong link says so", async () => {
+test("two settings are side by side, and a wrong link has a message", async () => {
   const page = await shownOnShared("#sum=fmb&seed=4");
   assert.match(await visibleText(page, "hint"), /does not know: sum=fmb/);
   await page.click("#compare");

@@ -20,7 +20,7 @@ import {
 } from "../model.js";
 
 const kThree = "#sum=none&noise=value&weight=2&sum2=none&blend2=add&offset2=0.5&scale2=4&blend3=mix&weight3=0.25";
-// What is called in the text needs no text of the library.
+// The text alone, without that of the library.
 const textOf = (state, language = "glsl", forms = ["position"]) =>
   functions(undefined, language, state, numbers(language, state), forms).lines.join("\n");
 
@@ -135,7 +135,7 @@ test("two sums over one noise have functions of their own", () => {
     assert.equal(text.split(`float ${name}(`).length, 2, name);
 });
 
-// What the functions of the text do with integers, in JavaScript.
+// The functions of the text with integers, in JavaScript.
 const steps = (value) => Math.floor(Math.min(Math.max(value, -8), 8) * 65536) / 65536;
 test("with integers weights are whole steps, and products are exact", () => {
   const state = changed(stateOf(kThree), { arithmetic: "fixed", weight: 0.3 });

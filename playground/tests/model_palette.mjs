@@ -77,7 +77,7 @@ test("stops are moved between their neighbours, added and removed", () => {
   assert.deepEqual([canLoseStop(text), canLoseStop("0-000000_100-ffffff")], [true, false]);
 });
 
-// What colour(value) of a copied text returns, as JavaScript computes it.
+// colour(value) of a copied text, as JavaScript computes it.
 function colourOf(state, language) {
   const shells = { glsl: ["", ""], hlsl: ["", ""], wgsl: ["", ""] };
   const library = { pieces: { shading: { shells } }, texts: () => [], version: "" };

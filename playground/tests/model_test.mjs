@@ -64,7 +64,7 @@ test("a link brings its state back", () => {
     const state = anyState();
     const link = linkOf(state);
     assert.equal(linkOf(stateOf(link)), link);
-    // What the state does not use is not in its link; all else is.
+    // Settings that the state does not use are not in its link; all others are.
     const shader = (of) => {
       const seeds = shownLayers(of).map(({ seed }) => seed);
       const place = of.dimensions === 1 ? [of.x] : [of.x, of.y];
@@ -76,7 +76,7 @@ test("a link brings its state back", () => {
   assert.equal(linkOf(usualState()), "");
 });
 
-test("the links of the page's description mean what it says", () => {
+test("the links of the page's description mean what it states", () => {
   const state = settingsOf(stateOf("#sum=ridged&noise=simplex&dimensions=3&z=1.5&seed=42&x=1000000000.25&cells=4"));
   assert.deepEqual(
     [state.sum, state.noise, state.dimensions, state.z, state.seed, state.x, state.cells],
@@ -129,7 +129,7 @@ test("a link with what is not there still opens", () => {
   }
 });
 
-test("a wrong link says what it ignored", () => {
+test("a wrong link states what is ignored", () => {
   assert.equal(ignoredIn("#sum=ridged&noise=simplex&x=1e9&blend2=add&seed2=3&cells=0.3333333333&map=land"), "");
   assert.equal(
     ignoredIn("#sum=fmb&octaves=abc&seed=-5&speed=1"),
@@ -233,7 +233,7 @@ test("what one waits for any picture is no cost of a pixel", async () => {
     const time = async (pixels) => wait + pixels * pixel;
     const speed = await Speed.measured(time, 1280 * 800);
     assert.ok(Math.abs(speed.pixel - pixel) <= 0.02 * pixel, `${speed.pixel} is not ${pixel}`);
-    // More octaves, of which strips of forty milliseconds tell.
+    // More octaves, which strips of forty milliseconds show.
     for (let i = 0; i < 20; ++i) {
       const pixels = Math.max(1280, Math.min(1280 * 800, speed.pixelsIn(40)));
       speed.learn(pixels, await time(4 * pixels));
@@ -253,7 +253,7 @@ test("what one waits for any picture is no cost of a pixel", async () => {
   assert.ok(steady.pixelsIn(40) * 0.02 < 60, `${steady.pixel}`);
 });
 
-// A GPU that takes as long as it is told for each of the texts.
+// A GPU that takes a given time for each of the texts.
 const costWhere = (language, position, cell) =>
   costOf(
     {
@@ -452,7 +452,7 @@ test("states with one shader have one text of it, and others have another", () =
 const kOfShadertoy = 65536; // characters that a tab has
 const kDefined = /^ *(?:export |public |private |pub |static |inline |highp )*(?:fn|func|function|[\w<>\[\](), ]+?) \*?(\w+)\(/gm;
 
-// What is wrong with a copied text: nothing, if it has what it calls of the library, in few characters.
+// The fault of a copied text: nothing, if it has what it calls of the library, in few characters.
 function wrongText(from, language, state) {
   const text = copiedText(from, language, state);
   if (/#include "hashnoise|^#define HN_VERSION_MAJOR|^const HN_I_|…/m.test(text)) return "it has the files of the library";
@@ -493,7 +493,7 @@ test("a text without a piece is noticed", () => {
   assert.throws(() => library.pieces.shading.texts(["hn_absent2"], "glsl", "fast", "lattice", 2), /no hn_absent2 in glsl/);
 });
 
-test("what is copied says what is chosen", () => {
+test("a copied text has the chosen settings", () => {
   const state = possible(
     changed(usualState(), { sum: "ridged", noise: "simplex", octaves: 5, seed: 9, arithmetic: "fixed", hash: "pcg" }),
   );

@@ -42,7 +42,7 @@ const subjects = [
 
 const signed = (word) => word | 0;
 
-// What the page shows of a row: the state and the point; nothing for a row that no pixel can have.
+// A row as the page shows it: the state and the point; nothing for a row that no pixel can have.
 function shownOf({ words }, state) {
   const axes = kAxes.slice(0, state.dimensions);
   const cells = words.cx !== undefined;
@@ -89,7 +89,7 @@ async function differing(page, renderer, [id, subject]) {
   return { tried, wrong };
 }
 
-// Pictures of which every pixel is compared with C++: 8 of them make a cell, and far out a cell has its own neighbours.
+// Pictures whose every pixel is compared with C++: 8 pixels make a cell, and far out a cell has its own neighbours.
 const far = { x: -1000000000n * 16777216n + 4711n, y: 2000000000n * 16777216n, cells: 0.75 };
 const pictures = [
   { sum: "fbm", noise: "simplex", ...far },
@@ -140,7 +140,7 @@ int cell(long long at) { return static_cast<int>(static_cast<unsigned>(at >> 24)
 float place(long long at) { return static_cast<float>(at & 0xFFFFFF) * 0x1p-24f; }
 `;
 
-// The words of each picture by C++. Those with one hash are in one program, since the header takes long to compile.
+// The words of each picture by C++. Pictures with one hash are in one program, since the header takes long to compile.
 async function wordsOfCpp() {
   const words = new Map();
   for (const hash of new Set(pictures.map((state) => state.hash))) {
@@ -346,7 +346,7 @@ test("a sphere and a cube show points of space, the same by WebGL2 and by WebGPU
   }
 });
 
-// What the button saves: the words of the file, and its name.
+// The saved file: the words of the file, and its name.
 const saved = () =>
   page.evaluate(async () => {
     const make = URL.createObjectURL.bind(URL);

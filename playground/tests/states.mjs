@@ -26,7 +26,7 @@ export function* chance(word) {
     yield word / 4294967296;
   }
 }
-// What gives any settings of a layer, or of the whole picture.
+// Makes any settings of a layer, or of the whole picture.
 export const settingsBy = (next) => (ofLayer) => {
   const one = (list) => list[Math.floor(next() * list.length)];
   const found = {};

@@ -29,8 +29,8 @@ def main() -> int:
     parser.add_argument("--out", type=Path, default=ROOT / "build" / "playground.html", metavar="FILE",
                         help="the file to write (default: build/playground.html)")
     parser.add_argument("--picture", action="store_true",
-                        help="also write docs/images/playground.png and playground/looks.webp, the pictures of the page and "
-                        "of its looks, in Chromium")
+                        help="also write docs/images/playground.png and playground/looks.webp, the pictures of the page "
+                        "and of its looks, in Chromium")
     arguments = parser.parse_args()
     out = arguments.out
 

@@ -4,7 +4,7 @@ of a noise that a picture shows, places that are moved, and how layers are combi
 from __future__ import annotations
 
 PREFIX = "hn_play_"
-# What a picture shows of the distances of a noise, and what a sum takes of that.
+# Each noise of distances: the function, the number that a picture shows, and the noise that a sum takes.
 DISTANCES = {
     "cellular": ("cellular", "{}.x", "1.0f - 2.0f * {}"),
     "cellular_second": ("cellular", "{}.y", "1.5f - 2.0f * {}"),

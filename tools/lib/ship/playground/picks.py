@@ -1,4 +1,4 @@
-"""What tools/pick writes of every function that a picture may call, in each language, as pieces that the page composes.
+"""Every function that a picture may call, as tools/pick writes it in each language: pieces that the page composes.
 
 A program of tools/pick has all functions of one dimension at once, so that they share what they call. The page takes
 the pieces that a picture needs. The pieces are LZMA, since gzip looks back too short a way to find how much languages
@@ -155,7 +155,7 @@ def every_module(made: Iterable[tuple[Setting, dict[str, list[Piece]]]]) -> dict
 
 
 def shells() -> dict[str, list[str]]:
-    """What stands in front of the pieces of a language and behind them."""
+    """The lines in front of the pieces of a language and behind them."""
     found = {language: [LANGUAGES[language].opening, ""] for language in SHADING}
     for language in CPU:
         if language != "osl":  # whose shader the page writes

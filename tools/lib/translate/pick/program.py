@@ -367,7 +367,7 @@ class Program:
 
     def pieces(self, language: Language, precise: bool = False) -> Iterator[tuple[str, str]]:
         """Structs and functions, each behind what it needs. A name is the same in all languages of one program, and that of
-        a function that is asked for is the one of its form."""
+        a function that is wanted is the one of its form."""
         names = self._names(language)
         for name in self.structs() if language.structs else []:
             yield name, language.struct(name, [(field, type_) for field, type_, _ in self.module.structs[name].fields])

@@ -608,7 +608,7 @@ def text(program: Program, syntax: Syntax, known: Sequence[comments.Facts] = (),
 
 
 def pieces(program: Program, syntax: Syntax) -> Iterator[tuple[str, str]]:
-    """What text() has, without comments: each piece by the name that others call it by."""
+    """The parts of text(), without comments: each piece by the name that others call it by."""
     public = [syntax.function_name(wgsl_name(root.function), is_public=True) for root in program.roots]
     names = _names(program, syntax, public)
     parts = {name: fields_of(program.module, name) for name in program.structs()}
