@@ -60,7 +60,7 @@ TEST(Options, ThatAreMisspeltAreSuggested) {
         {{"run", "--out=a", "--diver=x"}, "there is no option --diver (did you mean --driver?)"},
         {{"bench", "--agianst", "x"}, "there is no option --agianst (did you mean --against?)"},
         {{"run", "--walk"}, "there is no option --walk; see hn-conform run --help"},
-        {{"run", "-x"}, "there is no option -x; hn-conform run"},
+        {{"run", "-x"}, "there is no option -x; see hn-conform run --help"},
         {{"--verison"}, "there is no option --verison (did you mean --version?); see hn-conform --help"},
         {{"--driver", "zink", "run"}, "--driver belongs after a command, as in hn-conform run --driver"},
         {{"list", "noise2d"}, "\"noise2d\" is one argument too many; see hn-conform list --help"},
