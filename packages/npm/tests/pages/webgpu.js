@@ -17,7 +17,7 @@ const rows = {
   "noise2d.perlin": (noise, x, i, seed) => noise.hn_perlin2(vec2(x.x, x.y), seed),
   "noise3d.perlin": (noise, x, i, seed) => noise.hn_perlin3(vec3(x.x, x.y, x.z), seed),
   "noise2d.value_cell": (noise, x, i, seed) =>
-    noise.hn_value2_place(noise.hn_place_of_cell2(ivec2(i.x, i.y), vec2(x.x, x.y)), seed),
+    noise.hn_value2_place(noise.hn_place_in_cell2(ivec2(i.x, i.y), vec2(x.x, x.y)), seed),
   "noise2d.perlin_period": (noise, x, i, seed) =>
     noise.hn_perlin2_place(noise.hn_tile2(vec2(x.x, x.y), ivec2(i.x, i.y)), seed),
   "noise2d.cellular": (noise, x, i, seed) => noise.hn_cellular2(vec2(x.x, x.y), seed).y,

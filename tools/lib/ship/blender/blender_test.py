@@ -35,7 +35,7 @@ SIDE = 12  # pixels
 
 class Text(unittest.TestCase):
     def test_a_shader_has_the_name_of_its_function(self) -> None:
-        self.assertEqual([files.shader(form) for form in ("hn_fbm2", "hn_cellular3_full", "hn_cell_border2")],
+        self.assertEqual([files.shader(form) for form in ("hn_fbm2", "hn_cellular3_jitter", "hn_cell_border2")],
                          ["fbm2", "cellular3", "cell_border2"])
         self.assertEqual(len({files.shader(form) for form in files.FORMS}), len(files.FORMS))
 

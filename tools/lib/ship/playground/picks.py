@@ -20,7 +20,7 @@ FOLDER = ROOT / "build" / "picks"
 NAME = "picks.json"
 # In the order that gzip compresses best.
 CHOICES = [Choice(language, arithmetic) for arithmetic in ("fixed", "fast") for language in ("wgsl", "glsl", "hlsl")]
-FORMS = ("", "_phase", "_full")
+FORMS = ("", "_phase", "_jitter")
 COMMAND = "{command}"  # stands in a text for the command that writes it, so that more lines are alike
 
 
