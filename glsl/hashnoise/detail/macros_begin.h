@@ -389,6 +389,10 @@
 #undef fourth
 #pragma push_macro("fprintf")
 #undef fprintf
+#pragma push_macro("fractal")
+#undef fractal
+#pragma push_macro("fractal_names")
+#undef fractal_names
 #pragma push_macro("fraction")
 #undef fraction
 #pragma push_macro("from")
@@ -877,8 +881,6 @@
 #undef sum4
 #pragma push_macro("sum8")
 #undef sum8
-#pragma push_macro("sum_names")
-#undef sum_names
 #pragma push_macro("sums")
 #undef sums
 #pragma push_macro("swap")

@@ -24,19 +24,19 @@ _UINT16 = np.dtype(np.uint16)
 _OF_GRIDS = (_FLOAT32, np.dtype(np.float16), _UINT16)
 
 
-def points(function, coordinates, cell, out, threads, *, noise="", sum="", **options):
+def points(function, coordinates, cell, out, threads, *, noise="", fractal="", **options):
     """A function's result: its field at the points of arrays.
 
     function     its name, for messages
     coordinates  x, y, z and w; None for each that was left out
-    noise, sum   as in field.hpp; a sum of noises of its own takes no noise
+    noise, fractal   as in field.hpp; a fractal of noises of its own takes no noise
     options      those of the function, by name
     """
     dimensions = _dimensions(function, coordinates)
     masks = []
     arrays = [_coordinate(function, axis, value, masks) for axis, value in zip(AXES, coordinates[:dimensions])]
     cells = [] if cell is None else _cells(function, cell, dimensions, masks)
-    field = make_field(function, dimensions, noise, sum, options)
+    field = make_field(function, dimensions, noise, fractal, options)
     components = len(field.component_names)
     shape = _shape(function, arrays + cells)
     if cells:
@@ -61,10 +61,10 @@ def points(function, coordinates, cell, out, threads, *, noise="", sum="", **opt
     return float(result) if out is None and wanted == () else result
 
 
-def make_field(function, dimensions, noise, sum, options):
+def make_field(function, dimensions, noise, fractal, options):
     settings = _core.Settings()
     settings.noise = _text(function, "noise", noise)
-    settings.sum = sum
+    settings.fractal = fractal
     for name, value in options.items():
         if value is not None:
             setattr(settings, name, _CHECKS[name](function, name, value, dimensions))
@@ -174,7 +174,7 @@ _SCALE = ("divide the coordinates by the scale, since they are in cells",
 _PERIOD = ("period is after how many cells the field repeats",) * 2
 _ELSEWHERE = {
     "frequency": _FREQUENCY, "freq": _FREQUENCY, "scale": _SCALE, "wavelength": _SCALE, "zoom": _FREQUENCY,
-    "persistence": ("gain is the persistence, of sums such as fbm",) * 2,
+    "persistence": ("gain is the persistence, of fractals such as fbm",) * 2,
     **dict.fromkeys(("repeat", "tile", "tileable"), _PERIOD),
     "offset": ("add the offset to the coordinates", "origin is the first point, in cells"),
     "shape": ("the result has the shape of the coordinates", "size is (width, height), the shape the other way round"),

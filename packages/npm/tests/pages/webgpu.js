@@ -41,7 +41,7 @@ async function evaluate(id, arithmetic, floats, integers, seeds) {
 }
 
 const SIDE = 64;
-const field = new Field(2, { sum: "fbm", octaves: 6, seed: 7 });
+const field = new Field(2, { fractal: "fbm", octaves: 6, seed: 7 });
 const cells = new Field(2, { noise: "cellular", seed: 3 });
 const gray = (u, v) => 0.5 + field.at(u * 8, v * 8);
 const grayOfCode = (u, v) => gray(u, v) + 0.2 * cells.at(u * 4, v * 4);
