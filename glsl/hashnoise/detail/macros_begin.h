@@ -319,6 +319,8 @@
 #undef direction
 #pragma push_macro("distance")
 #undef distance
+#pragma push_macro("distribution")
+#undef distribution
 #pragma push_macro("divisor")
 #undef divisor
 #pragma push_macro("dw")
@@ -841,8 +843,6 @@
 #undef span
 #pragma push_macro("spans")
 #undef spans
-#pragma push_macro("spread")
-#undef spread
 #pragma push_macro("sqrt")
 #undef sqrt
 #pragma push_macro("sqrt_ps")

@@ -10,8 +10,8 @@ A public function has its name in GLSL, and behind it:
   _nearest    as _jitter, if it also sets the nearest point
   _detail, _footprint    if it takes that
 
-So hn_perlin(hn_place2 place, uint seed) is hn_perlin2_place. Functions of words or spreads that are not overloaded keep
-their names: hn_hash_pcg, hn_unorm, hn_gradient2, hn_shuffle. So do the hashes of several words that have a name, such
+So hn_perlin(hn_place2 place, uint seed) is hn_perlin2_place. Functions of words or distributions that are not overloaded
+keep their names: hn_hash_pcg, hn_unorm, hn_gradient2, hn_shuffle. So do the hashes of several words that have a name, such
 as hn_hash_pcg2d. So hn_gradient of a cell is hn_gradient_lattice2. A struct that users know keeps its name, too. So
 what makes a hn_place2 is hn_place_of2 of a position, hn_place_in_cell2 of a cell and a fraction, hn_place_at_cell2 of a
 cell, and hn_place_of_units2.
@@ -26,9 +26,9 @@ import re
 
 from translate.parsing.syntax import Function
 
-# The argument of a function of hashes, or of spreads, without overloads; and hashes by name.
+# The argument of a function of hashes, or of distributions, without overloads; and hashes by name.
 NOT_OVERLOADED = (("h",), ("k",), ("h", "k"), ("i", "n", "seed"), ("i", "seed"), ("zero",), ("kind",),
-                  ("value", "spread"), ("spread", "octaves", "gain"))
+                  ("value", "distribution"), ("distribution", "octaves", "gain"))
 OF_A_NAME = "hn_hash_"
 # Functions with other names, where another function or a struct has the name; by its first parameter.
 OTHERS = {("hn_gradient", "cell"): "hn_gradient_lattice", ("hn_place", "p"): "hn_place_of",
@@ -42,7 +42,7 @@ OF_AXES = re.compile(r"hn_(place|octaves|slopes|shifts)([1-4])")  # structs
 WITH_VECTORS = ("hn_add", "hn_mean")  # beside the octaves they may take a sum of slopes or shifts
 
 # How the constants begin that users pass, by the name of the parameter.
-PASSED = {"metric": "HN_METRIC_", "kind": "HN_SPREAD_"}
+PASSED = {"metric": "HN_METRIC_", "kind": "HN_DISTRIBUTION_"}
 
 # Names of variables that WGSL reserves, or that the module calls.
 RESERVED = frozenset("""

@@ -73,7 +73,7 @@ PARTS = {
     "words": (Part("words", "u32", ("*",)),),
     "wave": (Part("wave", "f32", ("k*",), "p"),),
     "slope": (Part("slope", "f32", ("ex", "ey"), "p"),),  # that gullies begin with
-    "distribution": (Part("spread", "f32", ("reach", "a", "b", "c"), "hn_spread(HN_SPREAD_PERLIN2)"),),
+    "distribution": (Part("spread", "f32", ("reach", "a", "b", "c"), "hn_distribution(HN_DISTRIBUTION_PERLIN2)"),),
     **{name: (Part(name, "u32", usual=usual),) for name, usual in {
         **dict.fromkeys(("key", "h", "i", "zero"), "floatBitsToUint(p.x)"), "k": "1u", "n": "1000u", "seed": "7u"}.items()},
     **{name: (Part(name, "i32", usual=usual),) for name, usual in {

@@ -68,6 +68,8 @@ def name_by_row(function: Function, types: tuple[str, ...]) -> str:
         return f"hn_gradient_lattice{function.axes}"
     if function.calls.startswith("hn_hash_"):
         return f"hn_hash_{name}"
+    if function.file == "uniform":
+        return function.calls
     words = re.fullmatch(r"word|vec(\d)", name)
     if words:
         return f"hn_hash{words[1] or 1}"
