@@ -50,6 +50,7 @@ HN_FN hn_vec4 hn_i_distribution(hn_int reach, hn_int a, hn_int b, hn_int c) {
 }
 
 // The distribution of the values of a noise.
+// Experimental: a later version may return other values.
 //   kind     one of HN_DISTRIBUTION_PERLIN2, HN_DISTRIBUTION_SIMPLEX3 and so on; other numbers count as
 //            HN_DISTRIBUTION_PERLIN2
 //   example  vec4 distribution = hn_distribution(HN_DISTRIBUTION_PERLIN2);
@@ -207,6 +208,7 @@ HN_FN hn_i_num hn_i_of_sum(hn_i_num x, hn_int bell, hn_int way, hn_i_num d, hn_i
 
 // The distribution of the values of a fractal, from that of its noise, for any gain and number of octaves. It takes
 // octaves as independent, which on the line they are not quite (docs/guide/uniform.md).
+// Experimental: a later version may return other values.
 //   distribution  of the noise: hn_distribution(HN_DISTRIBUTION_PERLIN2) and so on
 //   octaves  how many, as of hn_fbm, usually 4 to 8, from 1 to 32: 5.0, and 3.5 for a detail that is no whole number.
 //            The lacunarity does not matter

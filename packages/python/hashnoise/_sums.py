@@ -267,7 +267,7 @@ def perlin_worley(x, y, z, /, *, seed=0, octaves=6, lacunarity=2.0, gain=0.5, pe
     between them.
 
     It is what volumes of clouds are made of. A cloud is where it is above a threshold: 98 of 100 values are from 0.6 to
-    0.88.
+    0.88. Experimental: a later version may return other values.
 
     octaves  of Perlin noise; the first three have billows, too
     returns  [0, 1], continuous

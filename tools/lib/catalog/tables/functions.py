@@ -133,6 +133,7 @@ class Function:
     benched: str | None = None  # None: what follows from all of this
     bench_seed: str = "0u"
     strength: str = ""  # the usual one
+    experimental: bool = False  # not frozen from 1.0 on
 
     @property
     def file(self) -> str:
@@ -457,7 +458,8 @@ def _of_row(group: str, name: str, keys: Mapping[str, Any], dimensions: int | No
         firsts = ["value", *expanded(gives, dimensions or 1)[1:]]
         members = tuple(f"{one}.{component}" for one in firsts)
     row = Function(id_, entry.one_of("family", families()), text("bound"), takes, gives, type_, dimensions or 1, text("includes"),
-                   text("calls"), text("returns", ""), members, sets, entry.take("seeded", bool, False), text("bench", None))
+                   text("calls"), text("returns", ""), members, sets, entry.take("seeded", bool, False), text("bench", None),
+                   experimental=entry.take("experimental", bool, False))
     entry.end()
     return row
 
