@@ -59,6 +59,11 @@ const OWNERS = {
 // tools/make catalog: end
 const KNOWN = ["noise", "fractal", "seed", "period", "octaves", "lacunarity", "gain", "strength", "amplitude", "jitter", "metric"];
 const OF_FRACTALS = ["octaves", "lacunarity", "gain"];
+// Settings by their names in other libraries, and before 1.0.
+const ELSEWHERE = {
+  noise_type: "noise", sum: "fractal", fractal_type: "fractal", persistence: "gain", distance_function: "metric",
+  cellular_jitter: "jitter", ping_pong_strength: "strength", weighted_strength: "strength", domain_warp_amp: "amplitude",
+};
 const LONGEST_WORD = 48; // the module has room for the numbers of one
 const MOST_VALUES = 2 ** 31 - 1; // of an array, in every browser
 const BATCH = 1024; // points, as in twin.cpp
@@ -135,9 +140,10 @@ const MOST_IN_FIXED = { lacunarity: 255, gain: 1 };
 const inFixed = (name, value) => real(name, value, 0, MOST_IN_FIXED[name]);
 const wholeInTile = (name, value) => whole(`${name} with a period`, value, 1, MOST_IN_FIXED[name]);
 
-function oneOf(name, value, names) {
+function oneOf(name, value, names, elsewhere = {}) {
   if (!names.includes(value)) {
-    throw new RangeError(`${name} has to be one of ${names.join(", ")}, not ${shown(value)}${suggestion(value, names)}`);
+    const meant = Object.hasOwn(elsewhere, value) ? ` (here it is "${elsewhere[value]}")` : suggestion(value, names);
+    throw new RangeError(`${name} has to be one of ${names.join(", ")}, not ${shown(value)}${meant}`);
   }
   return value;
 }
@@ -203,7 +209,7 @@ export class Field {
 
   constructor(dimensions, settings = {}) {
     whole("dimensions", dimensions, 1, 3);
-    for (const name of Object.keys(settings)) oneOf("a setting", name, KNOWN);
+    for (const name of Object.keys(settings)) oneOf("a setting", name, KNOWN, ELSEWHERE);
     const given = Object.fromEntries(Object.entries(settings).filter(([, value]) => value !== undefined));
     const fractal =
       given.fractal === undefined ? undefined : oneOf(`fractal in ${dimensions}D`, given.fractal, Field.fractals(dimensions));

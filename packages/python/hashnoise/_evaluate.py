@@ -175,7 +175,17 @@ _PERIOD = ("period is after how many cells the field repeats",) * 2
 _ELSEWHERE = {
     "frequency": _FREQUENCY, "freq": _FREQUENCY, "scale": _SCALE, "wavelength": _SCALE, "zoom": _FREQUENCY,
     "persistence": ("gain is the persistence, of fractals such as fbm",) * 2,
-    **dict.fromkeys(("repeat", "tile", "tileable"), _PERIOD),
+    **dict.fromkeys(("repeat", "tile", "tileable", "repeatx"), _PERIOD),
+    **dict.fromkeys(("fractal", "fractal_type"), ("the fractals are functions, such as fbm and ridged",
+                                                  "the first argument names the fractal, such as \"fbm\"")),
+    "noise_type": ("the noises are functions; noise is what a fractal such as fbm takes",
+                   "the first argument names the noise; noise is what a fractal such as \"fbm\" takes"),
+    "distance_function": ("metric is the distance function, of cellular",) * 2,
+    "cellular_jitter": ("jitter is that, of cellular noises",) * 2,
+    **dict.fromkeys(("ping_pong_strength", "weighted_strength"),
+                    ("strength is that, of the functions ping_pong and weighted",) * 2),
+    **dict.fromkeys(("domain_warp_amp", "warp_amplitude"),
+                    ("amplitude is that in cells, of the functions warp and warp_progressive",) * 2),
     "offset": ("add the offset to the coordinates", "origin is the first point, in cells"),
     "shape": ("the result has the shape of the coordinates", "size is (width, height), the shape the other way round"),
 }

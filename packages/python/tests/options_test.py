@@ -207,6 +207,12 @@ class Wrong(unittest.TestCase):
                 ("frequency", "multiply the coordinates by the frequency", "step is the frequency"),
                 ("scale", "divide the coordinates by the scale", "step is 1 / scale"),
                 ("persistence", "gain is the persistence, of fractals such as fbm", "gain is the persistence"),
+                ("fractal_type", "the fractals are functions, such as fbm", "the first argument names the fractal"),
+                ("noise_type", "the noises are functions", "the first argument names the noise"),
+                ("distance_function", "metric is the distance function", "metric is"),
+                ("cellular_jitter", "jitter is that, of cellular noises", "jitter is"),
+                ("ping_pong_strength", "strength is that, of the functions ping_pong", "strength is"),
+                ("domain_warp_amp", "amplitude is that in cells", "amplitude is"),
                 ("tileable", "period is after how many cells the field repeats", "period is after"),
                 ("offset", "add the offset to the coordinates", "origin is the first point, in cells"),
                 ("shape", "the result has the shape of the coordinates", r"size is \(width, height\)")):
