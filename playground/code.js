@@ -1,9 +1,13 @@
 // The functions of what is shown, in each language. The page draws with the same functions: the text that is copied has
 // numbers where that of the page has uniforms, so that no shader is compiled again when a number changes.
 import { isSolid, remapOf, settingsOf, shownLayers, uses } from "./model.js";
-import { kNoises, kSums } from "./tables.js";
+import { kMetrics, kNoises, kSums } from "./tables.js";
 
-export const kLanguages = { glsl: "GLSL", hlsl: "HLSL", wgsl: "WGSL", cpp: "C++" };
+// In the order of the page. Languages behind C++ have one form, and no library beside it.
+export const kLanguages = {
+  glsl: "GLSL", hlsl: "HLSL", wgsl: "WGSL", cpp: "C++", metal: "Metal", godot: "Godot", tsl: "three.js TSL", csharp: "C#, Unity",
+  rust: "Rust", go: "Go", java: "Java", c: "C", javascript: "JavaScript", python: "Python", osl: "OSL, Blender", bake: "tools/bake",
+};
 
 const vector = (prefix, scalar) => (n) => (n === 1 ? scalar : `${prefix}${n}`);
 export const kTypes = {
@@ -16,16 +20,19 @@ export const kTypes = {
     uint: "u32",
   },
 };
-kTypes.cpp = kTypes.glsl;
+kTypes.cpp = kTypes.godot = kTypes.glsl;
+kTypes.metal = kTypes.hlsl;
 
 export const decimal = (value) => (Number.isInteger(value) ? `${value}.0` : String(value));
 
 export const declaration = (language, type, name, value) =>
   language === "wgsl" ? `let ${name} = ${value};` : `${type} ${name} = ${value};`;
 
+const hasSuffix = (language) => language === "cpp" || language === "metal";
+
 // A number as a float of the language.
 function literal(language, value) {
-  return language === "cpp" ? `${decimal(value)}f` : decimal(value);
+  return hasSuffix(language) ? `${decimal(value)}f` : decimal(value);
 }
 
 // A part of a value with integers is a whole number of these steps, so that no product of two has to be rounded.
@@ -33,7 +40,7 @@ const kSteps = 65536;
 export const partOf = ({ arithmetic }, value) =>
   arithmetic === "fixed" ? Math.round(value * kSteps) / kSteps : value;
 
-// What the functions of each layer that is shown are called with, as numbers.
+// The numbers with which the functions of each visible layer are called.
 export function numbers(language, state) {
   const { int } = kTypes[language];
   const n = state.dimensions;
@@ -61,7 +68,7 @@ export function numbers(language, state) {
 }
 
 // Which forms of the functions each layer that is shown needs. States that agree in this have one shader.
-function shapes(state) {
+export function shapes(state) {
   return state.layers.flatMap((layer, at) => {
     if (!layer.on) return [];
     const used = uses(state, at);
@@ -82,7 +89,7 @@ function shapes(state) {
   });
 }
 
-// What a sum makes of the mean, by what the catalog calls it: the function that ends the loop, and what becomes of that.
+// The end of each sum, by its name in the catalog: the function that ends the loop, and an expression of its result.
 const kMeans = {
   density: { end: "hn_density" },
   billows: { of: (mean) => `min(2.0 * ${mean} - 1.0, 1.0)` },
@@ -90,10 +97,12 @@ const kMeans = {
 };
 
 // The functions of a layer, in one language. `values` are what numbers() returns of it, or names of uniforms; `name` is
-// what the layer's function is called, and `suffix` stands behind the names of the functions that it calls.
+// what the layer's function is called, and `suffix` stands behind the names of the functions that it calls. One that is
+// `short` calls what the page has of tools/pick: a jitter and a metric are passed always, and sums at places are loops.
 class Writer {
-  constructor(library, language, state, values, name, suffix) {
+  constructor(library, language, state, values, name, suffix, short) {
     this.library = library;
+    this.short = short;
     this.language = language;
     this.state = state;
     this.values = values;
@@ -104,7 +113,7 @@ class Writer {
     this.files = new Set();
     this.needs = new Set(); // what the functions call, by the names in WGSL
     this.summed = state.sum !== "none";
-    // Where a noise is asked: at a position, in a cell, or at a place that is given.
+    // Where a noise is computed: at a position, in a cell, or at a place that is given.
     this.position = { position: "p" };
     this.cell = { cell: "cell", f: "f" };
     this.place = { place: "place" };
@@ -115,7 +124,7 @@ class Writer {
   }
 
   number(text) {
-    return this.language === "cpp" ? text.replace(/\b\d+\.\d+\b/g, "$&f") : text;
+    return hasSuffix(this.language) ? text.replace(/\b\d+\.\d+\b/g, "$&f") : text;
   }
 
   // A call of a function of the library by the name that it has in WGSL, which has no overloads.
@@ -127,12 +136,13 @@ class Writer {
   // A call of a noise or of a sum, in a tile if the state has one. A place that is given is in it already.
   call(name, { position, cell, f, place }, form, ...rest) {
     const { n, state, values } = this;
-    let passed = place ?? position ?? this.called("hn_place", `hn_place_of_cell${n}`, cell, f);
+    let passed = place ?? position ?? this.called("hn_place", `hn_place_in_cell${n}`, cell, f);
     if (state.tiled && !place) {
       passed = this.called("hn_tile", `hn_tile${n}${cell ? "_place" : ""}`, passed, values.period);
     }
     const placed = place || cell || state.tiled ? "_place" : "";
-    return this.called(name, `${name}${n}${placed}${form && `_${form}`}`, passed, ...rest);
+    const called = name === "hn_octaves" ? "hn_octaves_of" : name;
+    return this.called(name, `${called}${n}${placed}${form && `_${form}`}`, passed, ...rest);
   }
 
   let(type, name, value) {
@@ -160,9 +170,11 @@ class Writer {
     const { noise, state } = this;
     const { float, int } = this.types;
     const cellular = noise.metric || noise.jitter;
-    const metric = `HN_METRIC_${state.metric.toUpperCase()}`;
+    const full = state.full || this.short;
+    const named = `HN_METRIC_${state.metric.toUpperCase()}`;
+    const metric = this.short ? String(Object.keys(kMetrics).indexOf(state.metric) + 1) : named;
     this.files.add(`${noise.file}${state.turned ? "_phase" : ""}${this.n}d.glsl`);
-    if (noise.metric && (state.full || noise.nearest)) this.needs.add(metric);
+    if (noise.metric && !this.short && (full || noise.nearest)) this.needs.add(named);
     if (noise.nearest) {
       this.files.add("hash.glsl");
       const wgsl = this.language === "wgsl";
@@ -177,8 +189,8 @@ class Writer {
       };
     }
     let call;
-    if (cellular && state.full) {
-      call = this.call(noise.calls, where, "full", values.jitter, ...(noise.metric ? [metric] : []), values.seed);
+    if (cellular && full) {
+      call = this.call(noise.calls, where, "jitter", values.jitter, ...(noise.metric ? [metric] : []), values.seed);
     } else if (state.turned) {
       call = this.call(noise.calls, where, "phase", values.phase, values.seed);
     } else {
@@ -218,7 +230,7 @@ class Writer {
     const { mean: made, steep, strength } = kSums[state.sum];
     this.files.add(`${steep ? "fbm_d" : "fbm"}${n}d.glsl`);
     this.sum = `hn_${state.sum}`;
-    if (state.noise === "perlin") return [];
+    if (state.noise === "perlin" && !(this.short && (state.tiled || this.ofCell))) return [];
     const noise = this.summedNoise();
     this.sum = `${state.sum}_${state.noise}${this.suffix}`;
     const wgsl = this.language === "wgsl";
@@ -258,8 +270,7 @@ class Writer {
     if (this.sum.startsWith("hn_")) {
       return { lines: [], value: this.call(this.sum, where, "", ...settings, ...strength, values.seed) };
     }
-    const name = this.language === "wgsl" ? "hn_octaves_of" : "hn_octaves";
-    const octaves = this.call(name, where, "", ...settings, values.seed);
+    const octaves = this.call("hn_octaves", where, "", ...settings, values.seed);
     return { lines: [], value: `${this.sum}(${[octaves, ...strength].join(", ")})` };
   }
 
@@ -320,6 +331,7 @@ class Writer {
 
   // The lines of the functions in these forms.
   write(forms) {
+    this.ofCell = forms.includes("cell");
     const sums = this.summed ? this.defineSum() : [];
     return [...sums, ...(sums.length ? [""] : []), ...forms.flatMap((form) => this.pattern(this[form]))];
   }
@@ -350,10 +362,23 @@ class Mixer {
     return moved ? `${weightedValue} + ${values.offset}` : weightedValue;
   }
 
+  // A part from 0 to 1 of a value.
+  part(value) {
+    const [low, high] = ["0.0", "1.0"].map((text) => this.writers[0].number(text));
+    return this.stepped(`min(max(${value}, ${low}), ${high})`);
+  }
+
+  // So much of the way from v to a value.
+  mixed(part, value) {
+    return `v + ${this.product(part, this.fixed ? `${this.stepped(value)} - v` : `(${value} - v)`)}`;
+  }
+
+  // The value of a layer together with v, which is the value so far.
   next({ blend, ...shape }, writer, call) {
-    if (blend === "mix") {
-      const rest = `${this.stepped(call)} - v`;
-      return `v + ${this.product(writer.values.weight, this.fixed ? rest : `(${rest})`)}`;
+    if (blend === "mix") return this.mixed(writer.values.weight, call);
+    if (blend === "height") {
+      const { weight, offset } = writer.values;
+      return this.mixed(this.part(`${this.product(weight, "v")} + ${offset}`), call);
     }
     const value = this.remapped(shape, writer, call);
     if (blend === "add") return `v + ${value}`;
@@ -369,9 +394,19 @@ class Mixer {
     const where = writer[form];
     const wgsl = language === "wgsl";
     const passed = where.cell ? "cell, f" : "p";
+    let mask;
     const lines = writers.map((writer, at) => {
       const call = `${writer.nameOf(where)}(${passed})`;
-      if (at > 0) return `v = ${this.stepped(this.next(shown[at], writer, call))};`;
+      if (at > 0 && shown[at].blend === "mask") {
+        mask = `m${at + 1}`;
+        return declaration(language, writer.types.float(1), mask, this.part(this.remapped(shown[at], writer, call)));
+      }
+      if (at > 0) {
+        const next = this.next(shown[at], writer, call);
+        const made = mask ? this.mixed(mask, next) : next;
+        mask = undefined;
+        return `v = ${this.stepped(made)};`;
+      }
       const { weighted, moved } = shown[0];
       const value = this.remapped(shown[0], writer, call);
       const first = weighted || moved ? this.stepped(value) : value;
@@ -381,7 +416,7 @@ class Mixer {
     return writer.define(name, writer.parametersOf(where), [...lines, "return v;"]);
   }
 
-  // What the layers are made steps and multiplied by.
+  // The functions that make values steps, and multiply them.
   helpers() {
     if (!this.fixed) return [];
     const [writer] = this.writers;
@@ -411,20 +446,20 @@ class Mixer {
 // {lines, files, needs, public}: the definition of "pattern" in these forms, the files of the library and the functions
 // that it needs, and which of those anybody may call. The forms are "cell", pattern(cell, f), and "position",
 // pattern(p). `values` are what numbers() returns, or names of uniforms.
-export function functions(library, language, state, values, forms = ["cell", "position"]) {
+export function functions(library, language, state, values, forms = ["cell", "position"], short = false) {
   const shown = shapes(state);
   const alone = shown.length === 1 && !shown[0].weighted && !shown[0].moved;
   const writers = shown.map((shape, at) => {
     const name = alone ? "pattern" : `layer_${at + 1}`;
-    return new Writer(library, language, shape, values[at], name, alone ? "" : `_${at + 1}`);
+    return new Writer(library, language, shape, values[at], name, alone ? "" : `_${at + 1}`, short);
   });
   const lines = alone ? writers[0].write(forms) : new Mixer(language, shown, writers).write(forms);
   const all = (of) => [...new Set(writers.flatMap((writer) => [...writer[of]]))];
   const needs = all("needs");
-  return { lines, files: all("files"), needs, public: needs.filter((name) => /^hn_(?!i_|place\d$)/.test(name)) };
+  return { lines, files: all("files"), needs, public: needs.filter((name) => /^hn_(?!i_|(?:place|octaves|slopes)\d$)/.test(name)) };
 }
 
-// What names the shader of a state: states with the same key differ in uniforms alone.
+// The name of the shader of a state: states with the same key differ in uniforms alone.
 export function shaderKey(state) {
   const { dimensions, arithmetic, hash } = state;
   const layers = shapes(state).map((shape, at) => {

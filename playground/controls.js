@@ -8,6 +8,7 @@ import { dimensionsOf, isSolid, kLeastTilt, kSettings, noisesOf, settingsOf, use
 import { kParts, positionText, sameNumber } from "./numbers.js";
 import { gradientOf } from "./palette.js";
 import { StopList } from "./stoplist.js";
+import { kLockable } from "./surprise.js";
 import {
   kArithmetics,
   kBlends,
@@ -58,6 +59,7 @@ const kSelects = {
   scale: kScales,
 };
 const kTexts = ["seed", "period", "x", "y", "cells", "width", "height", "frames"];
+const kJumps = { Shape: "heading-noise", Colours: "heading-colours", Code: "heading-code", File: "heading-file" };
 const kArrows = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1, PageUp: 10, PageDown: -10 };
 const kNotes = {
   fast: "Floats are the fastest. They are within a few millionths of the exact value.",
@@ -81,7 +83,7 @@ function counted(name, value, steps) {
 }
 
 export class Controls {
-  // `change` takes what is chosen, {name: value}, and of which layer; `look` the name of a look; `replace` a state with
+  // `change` takes the chosen settings, {name: value}, and the number of their layer; `look` the name of a look; `replace` a state with
   // other layers, and a sentence on it; `say` a sentence alone.
   constructor(library, { change, look, replace, say }) {
     this.library = library;
@@ -91,7 +93,7 @@ export class Controls {
     this.state = undefined;
     this.layer = 0; // the number of the one that the panel shows
     this.typed = undefined; // the field whose text nobody has entered yet
-    this.corrected = undefined; // {name, value}: the field that says what its number became
+    this.corrected = undefined; // {name, value}: the field that shows what its number became
     const choose = (layer) => {
       this.layer = layer;
       this.show(this.state);
@@ -111,9 +113,12 @@ export class Controls {
     for (const name of kTexts) this.makeText(name);
     this.makeSwatches();
     this.makeLanguages();
-    for (const [name, made] of Object.entries(kLooks)) {
+    this.makeJumps();
+    this.makeLocks();
+    const names = Object.keys(kLooks);
+    for (const [at, name] of names.entries()) {
       const dot = element("i");
-      dot.style.background = gradientOf({ map: kSettings.map.usual, ...made });
+      dot.style.backgroundPositionX = `${(100 * at) / (names.length - 1)}%`; // of pictures beside each other
       byId("looks").append(
         element("button", { type: "button", className: "quiet", onclick: () => look(name) }, dot, name),
       );
@@ -197,7 +202,7 @@ export class Controls {
       this.corrected = undefined;
       this.change({ [name]: counted(name, this.settings[name], steps) });
     });
-    // What is wrong stays until something else is shown.
+    // A wrong text stays until something else is shown.
     input.addEventListener("blur", () => {
       this.typed = undefined;
       if (input.getAttribute("aria-invalid") !== "true") this.show(this.state);
@@ -217,33 +222,15 @@ export class Controls {
   }
 
   makeLanguages() {
-    const tabs = Object.entries(kLanguages).map(([language, label]) => {
-      const tab = element("button", { type: "button", textContent: label, id: `language-${language}` });
-      tab.setAttribute("role", "tab");
-      tab.setAttribute("aria-controls", "code");
-      tab.addEventListener("click", () => this.chooseLanguage(language));
-      return tab;
-    });
-    byId("languages").append(...tabs);
-    byId("languages").addEventListener("keydown", (event) => {
-      const step = { ArrowRight: 1, ArrowLeft: tabs.length - 1 }[event.key];
-      if (!step) return;
-      event.preventDefault();
-      const next = tabs[(tabs.indexOf(document.activeElement) + step) % tabs.length];
-      next.focus();
-      next.click();
-    });
+    const select = byId("language");
+    select.append(...Object.entries(kLanguages).map(([language, label]) => new Option(label, language)));
+    select.addEventListener("change", () => this.chooseLanguage(select.value));
     this.chooseLanguage(this.language);
   }
 
   chooseLanguage(language) {
-    this.language = language;
+    this.language = byId("language").value = language;
     this.showUncopied();
-    for (const tab of byId("languages").children) {
-      const chosen = tab.id === `language-${language}`;
-      tab.setAttribute("aria-selected", String(chosen));
-      tab.tabIndex = chosen ? 0 : -1;
-    }
     const kinds = kKinds[language];
     const options = Object.entries(kinds).map(([kind, { label }]) => new Option(label, kind));
     byId("kind").replaceChildren(...options);
@@ -251,15 +238,48 @@ export class Controls {
     this.chooseKind(Object.hasOwn(kinds, this.kind) ? this.kind : "function");
   }
 
+  // A lock at each setting that "Surprise me" would change.
+  makeLocks() {
+    this.locked = new Set();
+    for (const name of kLockable) {
+      const row = byId(`row-${name}`) ?? byId(name).closest(".row, section");
+      const words = row.querySelector("label, legend, h2").firstChild.textContent.trim();
+      const lock = element("button", { type: "button", className: "lock", ariaPressed: "false", ariaLabel: `Keep ${words}` });
+      lock.addEventListener("click", () => {
+        if (!this.locked.delete(name)) this.locked.add(name);
+        lock.ariaPressed = String(this.locked.has(name));
+      });
+      row.classList.add("lockable");
+      row.append(lock);
+    }
+    byId("locks").addEventListener("click", () => {
+      const shown = byId("sheet").classList.toggle("with-locks");
+      byId("locks").ariaPressed = String(shown);
+    });
+  }
+
+  // Buttons that lead to the sections of the panel.
+  makeJumps() {
+    for (const [label, heading] of Object.entries(kJumps)) {
+      const target = byId(heading);
+      const onclick = () => {
+        byId("sheet").scrollTop = target.offsetTop - 12;
+        target.focus({ preventScroll: true });
+      };
+      target.tabIndex = -1;
+      byId("jumps").append(element("button", { type: "button", textContent: label, onclick }));
+    }
+  }
+
   chooseKind(kind) {
     this.kind = kind;
     this.showUncopied();
     byId("kind").value = kind;
-    const optional = kind === "function" && this.language !== "cpp";
+    const optional = kind === "function" && ["glsl", "hlsl", "wgsl"].includes(this.language);
     byId("choose-whole").hidden = !optional;
     byId("note-code").hidden = optional;
     byId("note-code").textContent =
-      this.language === "cpp" ? "It needs include/ and glsl/ of the library." : "What it calls is in it.";
+      { cpp: "It needs include/ and glsl/ of the library.", python: "", bake: "" }[this.language] ?? "The text has all that it calls.";
     this.showCode();
   }
 
@@ -289,11 +309,10 @@ export class Controls {
     );
   }
 
-  // This text by this button, for people to copy what the browser did not; without a text there is none.
-  showUncopied(text, button) {
+  // The text for people to copy that the browser did not; without a text there is none.
+  showUncopied(text) {
     byId("uncopied").hidden = text === undefined;
     if (text === undefined) return;
-    button.parentElement.after(byId("uncopied"));
     byId("text-uncopied").value = text;
     byId("text-uncopied").focus();
     byId("text-uncopied").select();

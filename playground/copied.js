@@ -1,7 +1,9 @@
-// What is copied: the functions of code.js with the colours, with what they call, and as a whole shader.
-import { decimal, declaration, functions, kTypes, knobs, numbers } from "./code.js";
+// The texts to copy: the functions of code.js with the colours, with what they call, and as a whole shader.
+import { decimal, declaration, functions, kLanguages, kTypes, knobs, numbers } from "./code.js";
+import { bakeLines, isOneLine, pythonLines } from "./lines.js";
 import { rangeOf, shownLayers } from "./model.js";
 import { partsOfColour, rampOf } from "./palette.js";
+import { isScalar, scalarCode } from "./scalar.js";
 import { cellOf, cellsAcross, kPartsOfCell, partsOf, placeOf } from "./view.js";
 
 // The values that the lowest and the highest colour stand for, and how the lowest is taken off.
@@ -19,7 +21,7 @@ function colours(language, state) {
     return `${float(3)}(${parts.join(", ")})`;
   };
   const { whole, stops } = rampOf(state);
-  const mix = language === "hlsl" ? "lerp" : "mix";
+  const mix = language === "hlsl" ? "lerp" : "mix"; // Metal has HLSL's types, and mix
   const scale = Number((whole / span).toPrecision(7));
   const wgsl = language === "wgsl";
   const three = (part) => (wgsl ? `vec3f(${part})` : part);
@@ -49,6 +51,18 @@ const kPlaces = {
   hlsl: "Shader model 5 or 6.",
   wgsl: "Put your entry points below.",
   cpp: "C++20.",
+  metal: "Metal Shading Language.",
+  godot: "Godot 4.4 or later: a .gdshaderinc file, or below shader_type.",
+  tsl: "three.js: pattern and colour are functions that make nodes.",
+  csharp: "C#, for Unity and .NET. HashNoise.Pattern is the value.",
+  rust: "Rust, without std.",
+  go: "Go 1.18 or later.",
+  java: "Java 17 or later. HashNoise.pattern is the value.",
+  c: "C99.",
+  javascript: "A module. TypeScript: tools/pick --language typescript.",
+  python: "Of the package hashnoise: pip install -v . in the library.",
+  osl: "Open Shading Language, for a Script node of Blender's Cycles.",
+  bake: "In the library, on Linux.",
 };
 
 // Of the library's own files.
@@ -127,8 +141,8 @@ export const kKinds = {
       result: (colour) => `return vec4f(${colour}, 1.0);`,
     },
   },
-  cpp: { function: { label: "Functions" } },
 };
+for (const language of Object.keys(kLanguages)) kKinds[language] ??= { function: { label: "Functions" } };
 
 const middleOf = ({ x, y, z, w, dimensions }) => [x, y, partsOf(z), partsOf(w)].slice(0, dimensions);
 
@@ -184,47 +198,91 @@ function mainOf(language, state, { main, pixel, below, result }) {
 const withHighp = (line) =>
   line.replace(/(?<![/].*)(?<!highp )\b(?:float|u?int|[iu]?vec[234])(?= [a-z]\w*)/g, "highp $&");
 
-// {head, library, code}: lines; of the library a function that makes them: what tools/pick writes of what is called, or
-// the files, if the page has not picked that. Without it the head includes it, if the language can. Whole shaders
-// always have it.
+const textLines = (library, language, names, state) =>
+  library.texts(names, language, state).flatMap((text) => text.trimEnd().split("\n"));
+
+// {head, library, code}: lines; of the library a function that makes them: what tools/pick writes of what is called. Without
+// it the head includes it, if the language can. Whole shaders and other languages always have it.
 export function copied(library, language, state, kind = "function", withLibrary = true) {
+  const note = state.dimensions === 1 ? "p counts cells" : "p is a position in cells: uv * 8.0 has 8 of them on a side";
+  const first = `Made by hashnoise's playground, version ${library.version}. ${kKinds[language][kind].use ?? kPlaces[language]}`;
+  const waits = isScalar(language) ? !library.pieces.cpu : !["cpp", "python", "bake"].includes(language) && !library.pieces.shading;
+  if (waits) return { head: [], library: () => [], code: ["…"] };
+  if (language === "python") return { head: [`# ${first}`], library: () => [], code: pythonLines(state) };
+  if (language === "bake") return bakeText(library, state, first);
+  if (isScalar(language)) {
+    const { head, ...rest } = scalarCode(library, language, state);
+    const hash = state.hash === "lattice" ? [] : ["// With the default hash: the page has no other in this language."];
+    const floats = state.arithmetic === "fixed" ? [] : ["// In integers, whose values differ from those of floats by less than 0.0001."];
+    return { head: [`// ${first}`, kLicense, ...hash, ...floats, ...(head.length ? ["", ...head] : [])], ...rest };
+  }
+  if (language === "tsl") return tslText(library, state, first);
   const shell = kKinds[language][kind];
   const [cpp, wgsl] = [language === "cpp", language === "wgsl"];
+  const isNew = language === "metal" || language === "godot";
   const values = numbers(language, state);
-  const shown = functions(library, language, state, values, [formOf(state)]);
-  const inside = !cpp && (shell.main || withLibrary);
-  const picked = inside ? library.picked(pickCommand(language, state, shown.public)) : [];
-  const single = shell.main || picked.length > 0;
-  const { lines, files, needs, public: called } = single ? shown : functions(library, language, state, values);
+  const inside = !cpp && (isNew || shell.main || withLibrary);
+  const forms = inside ? [formOf(state)] : undefined;
+  const { lines, files, public: called } = functions(library, language, state, values, forms, inside);
   const included = language === "hlsl" ? ["begin.hlsl", ...files, "end.hlsl"] : files;
   const headers = cpp ? ["<hashnoise/hashnoise.hpp>"] : included.map((file) => `"hashnoise/${file}"`);
-  const command = [
-    `// ${inside ? "Less than the library below is" : "In front of it stands"} what tools/pick writes:`,
-    `// ${pickCommand(language, state, called)}`,
-  ];
-  const note = state.dimensions === 1 ? "p counts cells" : "p is a position in cells: uv * 8.0 has 8 of them on a side";
+  const command = ["// In front of it stands what tools/pick writes:", `// ${pickCommand(language, state, called)}`];
   const written = [
-    ...(shell.main ? [] : [`// ${note}.${single ? "" : " Far out pass an integer cell and the place in it."}`]),
+    ...(shell.main ? [] : [`// ${note}.${inside ? "" : " Far out pass an integer cell and the place in it."}`]),
     ...lines,
     ...(cpp ? [] : ["", ...colours(language, state)]),
     ...(shell.main ? ["", ...shell.declared, ...mainOf(language, state, shell)] : []),
   ];
   const code = language === "glsl" && !shell.main ? written.map(withHighp) : written;
+  const [opening] = inside ? library.pieces.shading.shells[language] : [""];
   return {
     head: [
       ...(shell.first ?? []),
-      `// Made by hashnoise's playground, version ${library.version}. ${shell.use ?? kPlaces[language]}`,
-      ...(inside && !picked.length ? [kLicense] : []),
-      ...(picked.length || (!inside && !wgsl) ? [] : command),
-      ...(picked.length || wgsl ? [] : knobs(state)),
+      `// ${first}`,
+      ...(inside ? [kLicense] : []),
+      ...(!inside && wgsl ? command : []),
+      ...(inside || wgsl ? [] : knobs(state)),
       ...(inside || wgsl ? [] : headers.map((header) => `#include ${header}`)),
+      ...(opening ? opening.trimEnd().split("\n") : []),
       "",
     ],
-    library: () => {
-      if (!inside || picked.length) return picked;
-      return wgsl ? library.wgsl(needs, state).flatMap((piece) => piece.split("\n")) : library.lines(included);
-    },
+    library: () => (inside ? textLines(library, language, called, state) : []),
     code: cpp ? ["namespace hashnoise {", ...code, "}  // namespace hashnoise"] : code,
+  };
+}
+
+// A module for three.js: the text of both languages of its renderers, and nodes of what it defines.
+function tslText(library, state, first) {
+  const textOf = (language) => {
+    const shown = functions(library, language, state, numbers(language, state), ["position"], true);
+    const code = [...shown.lines, "", ...colours(language, state)];
+    const text = [...textLines(library, language, shown.public, state), "", ...(language === "glsl" ? code.map(withHighp) : code)];
+    return text.join("\n").replaceAll("\\", "\\\\").replaceAll("`", "\\`").replaceAll("${", "\\${").split("\n");
+  };
+  const [begin] = library.pieces.shading.shells.tsl;
+  const p = `${state.dimensions === 1 ? "float" : `vec${state.dimensions}`} p`;
+  const node = (name, type, declared) =>
+    `export const ${name} = nodesOf("${name}", "${type}", "${declared}", "${name}", () => textOfWgsl, () => textOfGlsl);`;
+  return {
+    head: [`// ${first}`, kLicense, "", ...begin.trimEnd().split("\n"), ""],
+    library: () => [],
+    code: [
+      "const textOfGlsl = glsl(`", ...textOf("glsl"), "`);", "const textOfWgsl = wgsl(`", ...textOf("wgsl"), "`);",
+      "// p is a position in cells: pattern(uv().mul(8)).", node("pattern", "float", p), node("colour", "vec3", "float value"),
+    ],
+  };
+}
+
+// A command; and the file that it reads where no option is enough.
+function bakeText(library, state, first) {
+  const lines = bakeLines(state);
+  if (isOneLine(state)) return { head: [`# ${first}`], library: () => [], code: lines };
+  const { lines: code } = functions(library, "glsl", state, numbers("glsl", state), ["position"]);
+  const hash = state.hash === "lattice" ? [] : ["# tools/bake has the default hash."];
+  return {
+    head: [`# ${first}`, ...hash, "cat > pattern.glsl << END"],
+    library: () => [],
+    code: [...code, "END", ...lines],
   };
 }
 

@@ -1,7 +1,7 @@
-// What the copied functions cost on this GPU, pattern(p) and pattern(cell, f), as ratios to hn_perlin(p) on the plane.
+// The costs of the copied functions on this GPU, pattern(p) and pattern(cell, f), as ratios to hn_perlin(p) on the plane.
 // All are drawn in turns, so that what else the machine does concerns all; what a shader costs that computes nothing
 // is taken off all.
-import { emptyShader, frameOf, kColours, plainOf, timedShader } from "./shaders.js";
+import { emptyShader, frameOf, kColours, kTimes, plainOf, timedShader } from "./shaders.js";
 
 const kRounds = 12;
 const kFewRounds = 3; // of what is so slow that more would take too long
@@ -11,14 +11,14 @@ const kMostSide = 2048;
 const kMostDraws = 64;
 
 // Of rounds, each a list of milliseconds: of the empty shader, of hn_perlin, of what is shown at a position and from a
-// cell. What else the machine does only adds, so the least counts.
+// cell. Other work of the machine only adds time, so the least counts.
 function ratiosOf(rounds) {
   const [empty, plain, ...shown] = rounds[0].map((_, number) => Math.min(...rounds.map((round) => round[number])));
   return shown.map((least) => (plain > empty ? Math.max(least - empty, 0) / (plain - empty) : NaN));
 }
 
-// {ratio, low, high, cell}: at a position, of all rounds and between which the ratios of three parts of them lie; and
-// from a cell.
+// {ratio, low, high, cell, million}: at a position, of all rounds and between which the ratios of three parts of them lie;
+// from a cell; and milliseconds of a million values at a position.
 export async function costOf(backend, library, state) {
   const { language } = backend;
   // Far out, where floats have no fractions, a position would be the same for all pixels.
@@ -56,7 +56,9 @@ export async function costOf(backend, library, state) {
     if (!Number.isFinite(ratio)) throw new Error("The clock of this browser is too coarse to tell.");
     const parts = [0, 1, 2].map((part) => ratiosOf(rounds.filter((_, number) => number % 3 === part))[0]);
     const known = parts.filter(Number.isFinite);
-    return { ratio, low: Math.min(ratio, ...known), high: Math.max(ratio, ...known), cell };
+    const [empty, , position] = states.map((_, number) => Math.min(...rounds.map((round) => round[number])));
+    const million = ((position - empty) * 1e6) / (side * side * draws * kTimes);
+    return { ratio, low: Math.min(ratio, ...known), high: Math.max(ratio, ...known), cell, million };
   } finally {
     programs.forEach((program) => backend.discard(program));
   }

@@ -1,7 +1,7 @@
 // The files that the page saves: pictures and heights of any size, from the same shaders that draw.
 import { Gif } from "./gif.js";
 import { linkOf } from "./links.js";
-import { isSolid, uses } from "./model.js";
+import { isSolid, rangeOf, reliefHeight, uses } from "./model.js";
 import { paletteOf } from "./palette.js";
 import { Png } from "./png.js";
 import { kBits, kColours, unitsOf } from "./shaders.js";
@@ -31,13 +31,54 @@ const floatsOf = (bytes) => {
   return Float32Array.from({ length: bytes.length / 4 }, (_, at) => view.getFloat32(at * 4, true));
 };
 
-// What the four bytes of each pixel become in a file.
+// How a file writes the four bytes of each pixel.
 const kEncoded = {
   colours: (bytes) => bytes.filter((_, at) => at % 4 < 3),
   heights: (bytes, state) => inOrder(heightsOf(floatsOf(bytes), state), false),
   r16: (bytes, state) => inOrder(heightsOf(floatsOf(bytes), state), true),
   r32: (bytes) => bytes,
+  tiff: (bytes) => bytes,
 };
+
+// The colours of a normal map, as OpenGL has it: green is up. The values have one more on each side. Heights are those of
+// the terrain of the same picture.
+export function normalsOf(values, state, width, rows, shorter) {
+  const [low, high] = rangeOf(state);
+  const factor = (reliefHeight(state) * shorter) / 2 / (high - low);
+  const made = new Uint8Array(3 * width * rows);
+  const wide = width + 2;
+  for (let row = 0, to = 0; row < rows; ++row)
+    for (let column = 0; column < width; ++column) {
+      const at = (row + 1) * wide + column + 1;
+      const right = (values[at - 1] - values[at + 1]) * factor;
+      const up = (values[at + wide] - values[at - wide]) * factor;
+      const size = Math.hypot(right, up, 1);
+      for (const part of [right, up, 1]) made[to++] = Math.round(((part / size) * 0.5 + 0.5) * 255);
+    }
+  return made;
+}
+
+// The head of a TIFF file of one float a pixel, without compression.
+const kTiffTags = 10;
+export function tiffHead(width, height) {
+  const size = 8 + 2 + 12 * kTiffTags + 4;
+  const view = new DataView(new ArrayBuffer(size));
+  view.setUint32(0, 0x49492a00); // little-endian from here on
+  view.setUint32(4, 8, true);
+  view.setUint16(8, kTiffTags, true);
+  const [short, long] = [3, 4];
+  [
+    [256, long, width], [257, long, height], [258, short, 32], [259, short, 1], [262, short, 1], [273, long, size],
+    [277, short, 1], [278, long, height], [279, long, 4 * width * height], [339, short, 3],
+  ].forEach(([tag, type, value], number) => {
+    const at = 10 + 12 * number;
+    view.setUint16(at, tag, true);
+    view.setUint16(at + 2, type, true);
+    view.setUint32(at + 4, 1, true);
+    view.setUint32(at + 8, value, true);
+  });
+  return new Uint8Array(view.buffer);
+}
 
 // Rows from the lower left corner on, turned, so that the upper row comes first.
 function turned(bytes, width) {
@@ -70,13 +111,13 @@ export function framesOf(state) {
   return Array.from({ length: state.frames }, (_, at) => ({ ...state, ...moved((at + 1) / state.frames) }));
 }
 
-// The bytes of strips of a picture, from the upper one on, each with its upper row first.
-async function* strips(read, mode, state) {
+// The bytes of strips of a picture, from the upper one on, each with its upper row first; with so many pixels around.
+async function* strips(read, mode, state, border = 0) {
   const { width, height } = state;
   const most = Math.max(1, Math.floor(kMostOfStrip / width));
   for (let above = height; above > 0; above -= most) {
     const rows = Math.min(most, above);
-    yield turned(await read(mode, above - rows, rows, state), width);
+    yield turned(await read(mode, above - rows, rows, state, border), width + 2 * border);
   }
 }
 
@@ -104,26 +145,51 @@ async function partsOfFile(state, read, tell) {
   const made = kFiles[file].png
     ? new Png(width, height, file === "heights", `hashnoise ${linkOf(state)}`.trim())
     : undefined;
-  const parts = [];
+  const parts = file === "tiff" ? [tiffHead(width, height)] : [];
+  const border = file === "normals" ? 1 : 0;
   let done = 0;
-  for await (const bytes of strips(read, file === "colours" ? kColours : kBits, state)) {
-    const encoded = kEncoded[file](bytes, state);
+  for await (const bytes of strips(read, file === "colours" ? kColours : kBits, state, border)) {
+    const rows = bytes.length / 4 / (width + 2 * border) - 2 * border;
+    const encoded = border
+      ? normalsOf(floatsOf(bytes), state, width, rows, Math.min(width, height))
+      : kEncoded[file](bytes, state);
     if (made) await made.add(encoded);
     else parts.push(encoded);
-    done += bytes.length / 4;
-    tell(done / (width * height));
+    done += rows;
+    tell(done / height);
   }
   return made ? made.parts() : parts;
 }
 
-// The file of the state. `read(mode, first, rows, state)` gives the bytes of so many rows, the first of which is this
-// one, counted from below; `tell` takes which part is done.
-export async function fileOf(state, read, tell = () => {}) {
+// Its name has the noise, the seed and the kind, so that no file replaces another one.
+export function nameOfFile(state) {
   const { file, width, height } = state;
-  const { ending } = kFiles[file];
-  const parts = await (file === "gif" ? gifOf : partsOfFile)(state, read, tell);
-  const [{ sum, noise }, ...others] = state.layers;
+  const [{ sum, noise, seed }, ...others] = state.layers;
   const subject = others.length ? "layers" : `${sum === "none" ? "" : `${sum}-`}${noise}`;
-  const type = { png: "image/png", gif: "image/gif" }[ending] ?? "application/octet-stream";
-  return new File(parts, `hashnoise-${subject}-${width}x${height}.${ending}`, { type });
+  const { ending, part = file } = kFiles[file];
+  const kind = part === "colours" ? "" : `-${part}`;
+  const size = file === "json" ? "" : `-${width}x${height}`;
+  return `hashnoise-${subject.replaceAll("_", "-")}-seed${seed}${kind}${size}.${ending}`;
+}
+
+const kTypesOfFiles = { png: "image/png", gif: "image/gif", tif: "image/tiff", json: "application/json" };
+
+// The file of the state. `read(mode, first, rows, state, border)` gives the bytes of so many rows. The first row is
+// this one, counted from below, with so many pixels around; `tell` takes which part is done.
+export async function fileOf(state, read, tell = () => {}) {
+  const { file } = state;
+  const parts =
+    file === "json"
+      ? [`${JSON.stringify({ hashnoise: linkOf(state) || "#" })}\n`]
+      : await (file === "gif" ? gifOf : partsOfFile)(state, read, tell);
+  return new File(parts, nameOfFile(state), { type: kTypesOfFiles[kFiles[file].ending] ?? "application/octet-stream" });
+}
+
+// The link in a file that the page has saved: of a setting, or in the comment of a PNG. Nothing for another file.
+export async function linkInFile(file) {
+  const bytes = await file.slice(0, 4096).arrayBuffer();
+  const text = new TextDecoder("latin1").decode(bytes);
+  const comment = text.indexOf("tEXtComment\0hashnoise");
+  if (comment >= 4) return text.slice(comment + 21, comment + 4 + new DataView(bytes).getUint32(comment - 4)).trim() || "#";
+  return /"hashnoise": ?"(#[^"]*)"/.exec(text)?.[1];
 }

@@ -24,7 +24,7 @@ class Codes {
   }
 }
 
-// What LZW makes of the pixels. A string is the code of all but its last pixel, and that pixel.
+// The pixels compressed by LZW. A string is the code of all but its last pixel, and that pixel.
 function compressed(pixels) {
   const codes = new Codes();
   const strings = new Int32Array(kSlots);

@@ -1,4 +1,5 @@
-// What moves the picture: pointers, fingers, a wheel and keys.
+// Input that moves the picture: pointers, fingers, a wheel and keys.
+import { byId, element } from "./elements.js";
 import { isTurned } from "./model.js";
 
 const kKeyTurn = 25; // pixels of a drag that a key turns terrain or a solid by
@@ -70,6 +71,36 @@ export function undoing(page, event) {
   event.preventDefault();
   if (key === "y" || event.shiftKey) page.redo();
   else page.undo();
+}
+
+// The keys that the page lists. All but the last four want the focus on the picture.
+const kKeys = {
+  "Arrows": "move the picture; rotate and tilt terrain and solids. Shift: farther, or another place",
+  "+ and −": "change the scale",
+  "Home": "go back to the origin",
+  "Space": "play, stop",
+  "R": "another seed",
+  "S": "surprise me",
+  "H": "hide or show the settings",
+  "?": "this list",
+  "Ctrl+Z, Ctrl+Shift+Z": "undo a change, redo it",
+};
+export const listKeys = (table) =>
+  table.append(
+    ...Object.entries(kKeys).map(([keys, effect]) =>
+      element("tr", {}, element("th", { scope: "row", textContent: keys }), element("td", { textContent: effect })),
+    ),
+  );
+
+// Keys that work wherever nobody types.
+export function anywhere(page, event) {
+  if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return;
+  if (event.target.closest("input[type=text], select, textarea, dialog")) return;
+  const actions = { s: () => page.surprise(), h: () => page.fold(), "?": () => byId("keys-list").showModal() };
+  const action = actions[event.key.toLowerCase()];
+  if (!action) return;
+  event.preventDefault();
+  action();
 }
 
 function press(page, event) {

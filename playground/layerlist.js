@@ -1,6 +1,6 @@
 // The list of layers: which of them the panel shows, and what becomes of the list.
 import { byId, element } from "./elements.js";
-import { kMostLayers, swapped, titlesOf, withLayer, withoutLayer } from "./model.js";
+import { kMostLayers, titlesOf, withLayer, withMoved, withoutLayer } from "./model.js";
 
 export class LayerList {
   // `choose` takes the number of a layer; `change` takes settings of one and its number; `replace` takes a state with
@@ -33,12 +33,27 @@ export class LayerList {
       up,
       remove,
     );
+    row.draggable = true;
+    row.addEventListener("dragstart", (event) => {
+      this.dragged = at;
+      event.dataTransfer.effectAllowed = "move";
+    });
+    row.addEventListener("dragover", (event) => this.dragged !== undefined && event.preventDefault());
+    row.addEventListener("drop", (event) => {
+      event.preventDefault();
+      this.move(this.dragged, at);
+    });
+    row.addEventListener("dragend", () => (this.dragged = undefined));
     return { row, chosen, title, on, up };
+  }
+
+  move(from, to) {
+    if (from !== undefined && from !== to) this.replace(withMoved(this.state, from, to), to, `It is layer ${to + 1} now.`);
   }
 
   moveUp(at) {
     if (at === 0) return;
-    this.replace(swapped(this.state, at - 1), at - 1, `It is layer ${at} now.`);
+    this.move(at, at - 1);
     byId(`up-${at}`).focus();
   }
 

@@ -22,7 +22,7 @@ export function linkOf(state) {
   return parts.length ? `#${parts.join("&")}` : "";
 }
 
-// What somebody wrote as the value of a setting. Nothing for what is no number where it should be one.
+// The value of a setting that somebody wrote. Nothing for a text that should be a number and is none.
 export function parsed(name, text) {
   const setting = kSettings[name];
   if (typeof setting.usual === "string") return text;
@@ -55,6 +55,34 @@ export function stateOf(link) {
   return possible(state);
 }
 
+// The parts of a link that the page does not take, as a sentence: names and values that do not exist, and numbers that became
+// others. Nothing for a link that is right.
+export function ignoredIn(link) {
+  const state = stateOf(link);
+  const known = new Map(
+    state.layers.flatMap((layer, at) =>
+      Object.entries(kSettings).flatMap(([name, { layer: ofLayer }]) =>
+        at > 0 && !ofLayer ? [] : [[nameIn(name, at), [name, ofLayer ? layer[name] : state[name]]]],
+      ),
+    ),
+  );
+  const absent = [];
+  const others = [];
+  for (const [key, text] of new URLSearchParams(link.replace(/^#/, ""))) {
+    const [name, value] = known.get(key) ?? [];
+    const given = name && parsed(name, text);
+    const shown = typeof value === "bigint" ? positionText(value) : String(value);
+    if (given === undefined || (typeof given === "string" && given.toLowerCase() !== value)) absent.push(`${key}=${text}`);
+    else if (given !== value && !(typeof given === "number" && Math.abs(given - value) <= 1e-4 * Math.abs(given)))
+      others.push(`${key}=${text} became ${shown}`);
+  }
+  const list = (words) => words.map((one) => one.slice(0, 60)).join(", ");
+  return [
+    ...(absent.length ? [`The link has what this page does not know: ${list(absent)}.`] : []),
+    ...(others.length ? [`${list(others)}.`] : []),
+  ].join(" ");
+}
+
 // Looks to begin with. `layers` are those above the first.
 export const kLooks = {
   Hills: { sum: "fbm", octaves: 8, map: "land", cells: 5, seed: 21 },
@@ -65,6 +93,8 @@ export const kLooks = {
   Agate: { sum: "ping_pong", octaves: 4, gain: 0.4, strength: 3, warp: "warp", amplitude: 1, map: "wood", cells: 3 },
   Stones: { sum: "none", noise: "cellular_between", map: "moss", cells: 9 },
   Cracks: { sum: "none", noise: "cell_border", map: "ember", cells: 7, warp: "warp", amplitude: 0.6 },
+  Mosaic: { sum: "none", noise: "cells", jitter: 0.7, metric: "manhattan", map: "lagoon", cells: 8 },
+  Scales: { sum: "none", noise: "cellular_third", jitter: 0.35, metric: "chebyshev", map: "wood", cells: 8 },
   Slopes: { sum: "eroded", octaves: 9, map: "marble", cells: 4, strength: 4 },
   Tiles: { sum: "fbm", period: 3, map: "signed", cells: 9, seed: 4 },
   Foam: { sum: "fbm", noise: "cellular", octaves: 4, map: "lagoon", cells: 7 },

@@ -1,27 +1,33 @@
 // The page: the state, the picture, and what moves it.
 import { shaderKey } from "./code.js";
 import { Controls } from "./controls.js";
+import { Beside } from "./beside.js";
 import { costOf } from "./cost.js";
 import { byId } from "./elements.js";
-import { planeOf } from "./files.js";
-import { listen, undoing } from "./hands.js";
+import { linkInFile, planeOf } from "./files.js";
+import { anywhere, listen, listKeys, undoing } from "./hands.js";
 import { Library, unpacked } from "./library.js";
-import { linkOf, stateOf, stateOfLook } from "./links.js";
+import { ignoredIn, linkOf, stateOf, stateOfLook } from "./links.js";
 import { changed, chosen, isTurned, kSettings, possible, rangeOf, titlesOf, uses } from "./model.js";
 import { positionText } from "./numbers.js";
 import { gradientOf } from "./palette.js";
 import { kCanvases, Picture } from "./picture.js";
+import { Pieces } from "./pieces.js";
 import { kBits } from "./shaders.js";
 import { kRenderers, kViews } from "./tables.js";
+import { surprised } from "./surprise.js";
 import { Steps } from "./undo.js";
 import { histogramOf, summaryOf, wordsOf } from "./values.js";
 import { panned, partsOf, positionOfPixel, zoomed } from "./view.js";
 
 const kLinkDelay = 300; // browsers refuse an address that changes too often
 const kStill = "This picture does not move. Choose 3D or 4D, or one octave of Perlin or simplex noise in 2D.";
+const kLocal =
+  "A page from a disk has no address for others, so the part from # on is copied. Put it behind the address of a " +
+  "playground on a web site.";
 const kTurnOfPixel = 0.0008; // turns by a pixel
-const kTold = 1500; // milliseconds for which a button says that it has copied
-const kSampled = 48; // pixels on the shorter side, of whose values the page tells
+const kTold = 1500; // milliseconds for which a button shows that it has copied
+const kSampled = 48; // pixels on the shorter side, whose values the page summarizes
 const kSpeed = 0.25; // cells, or turns over four, in a second
 
 class Playground extends Picture {
@@ -84,14 +90,14 @@ class Playground extends Picture {
     this.linkTimer = setTimeout(() => this.writeLink(), kLinkDelay);
   }
 
-  // What changes more than a setting can be undone: the browser's Back brings back what was shown.
+  // A change of more than a setting can be undone: the browser's Back brings back what was shown.
   replace(next, said) {
     const other = linkOf(next) !== this.link;
     this.writeLink();
     this.steps.note(this.state, next);
     this.take(next);
     if (other) this.writeLink("pushState");
-    byId("said").textContent = said;
+    byId("status").textContent = said;
   }
 
   look(name) {
@@ -117,8 +123,8 @@ class Playground extends Picture {
 
   // The words are new each time, so that they are read aloud each time.
   say(sentence) {
-    byId("said").textContent = "";
-    requestAnimationFrame(() => (byId("said").textContent = sentence));
+    byId("status").textContent = "";
+    requestAnimationFrame(() => (byId("status").textContent = sentence));
   }
 
   get link() {
@@ -162,13 +168,13 @@ class Playground extends Picture {
     byId("message").hidden = false;
   }
 
-  // What does not work is not tried again: a device that is lost once is lost again. Says whether the other takes over.
+  // A renderer that fails is not tried again: a device that is lost once is lost again. Returns whether the other takes over.
   without(name, other) {
     if (byId(`renderer-${other}`).disabled) return false;
     const sentence = `${kRenderers[name]} does not work in this browser, so ${kRenderers[other]} draws the picture.`;
     this.take({ ...this.state, renderer: other });
     this.controls.refuseRenderer(name, sentence, other);
-    byId("said").textContent = sentence;
+    byId("status").textContent = sentence;
     return true;
   }
 
@@ -178,7 +184,7 @@ class Playground extends Picture {
 
   // How the values of the picture are distributed, of some of its pixels.
   async rested() {
-    // What is read in the frame in which a picture was drawn can take the picture from the screen.
+    // Reading in the frame in which a picture was drawn can take the picture from the screen.
     await this.drawing;
     await new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
     const state = this.state;
@@ -196,6 +202,7 @@ class Playground extends Picture {
     byId("histogram").setAttribute("aria-label", words);
     byId("bars").style.clipPath = shape;
     byId("bars").style.background = gradientOf(state);
+    await this.beside.draw();
   }
 
   // The value below the pointer.
@@ -221,7 +228,7 @@ class Playground extends Picture {
   // ------------------------------------------------------------------------------------------------------------------
   // Time.
 
-  // What moves in time: the last coordinate, or the phase.
+  // The setting that moves in time: the last coordinate, or the phase.
   get animated() {
     const used = uses(this.state);
     return used.w ? "w" : used.z ? "z" : used.phase ? "phase" : undefined;
@@ -229,9 +236,7 @@ class Playground extends Picture {
 
   play(on) {
     if (on && !this.animated) {
-      byId("hint").textContent = kStill;
-      byId("hint").hidden = false;
-      this.say(kStill);
+      this.notice(kStill);
       return;
     }
     this.playing = on;
@@ -263,7 +268,7 @@ class Playground extends Picture {
 
   async measure() {
     const button = byId("measure");
-    // A button that is disabled loses the focus, so this one only says that it does nothing now.
+    // A button that is disabled loses the focus, so this one is only marked as doing nothing now.
     if (button.ariaDisabled === "true") return;
     button.ariaDisabled = "true";
     byId("cost").textContent = "Measuring …";
@@ -271,16 +276,17 @@ class Playground extends Picture {
       this.play(false);
       const key = this.costKey;
       const backend = await this.backend();
-      const { ratio, low, high, cell } = await costOf(backend, this.library, planeOf(this.state));
+      const { ratio, low, high, cell, million } = await costOf(backend, this.library, planeOf(this.state));
       const text = (number) => (number < 10 ? number.toFixed(2) : number.toFixed(1));
       byId("cost").textContent = `${text(ratio)} × hn_perlin`;
       byId("note-cost").textContent =
-        `That is pattern(p). From a cell, pattern(cell, f) costs ${text(cell)} ×. hn_perlin(p) in 2D, in floats, ` +
+        `A million values take ${text(million)} ms. It is pattern(p). ` +
+        `From a cell, pattern(cell, f) costs ${text(cell)} ×. hn_perlin(p) in 2D, in floats, ` +
         `was drawn in turns with both on ${backend.describe()}. ` +
         `Parts of the rounds gave ${text(low)} to ${text(high)}.`;
       byId("note-cost").hidden = false;
       this.measured = key;
-      byId("said").textContent = `It costs ${text(ratio)} times as much as Perlin noise in 2D.`;
+      byId("status").textContent = `It costs ${text(ratio)} times as much as Perlin noise in 2D.`;
     } catch (error) {
       byId("cost").textContent = error.message;
     } finally {
@@ -299,13 +305,37 @@ class Playground extends Picture {
       const url = URL.createObjectURL(file);
       Object.assign(document.createElement("a"), { href: url, download: file.name }).click();
       setTimeout(() => URL.revokeObjectURL(url), kTold);
-      byId("said").textContent = `${file.name} is saved.`;
+      byId("status").textContent = `${file.name} is saved.`;
     } catch (error) {
-      byId("said").textContent = byId("note-file").textContent = `The file is not saved. ${error.message}`;
+      byId("status").textContent = byId("note-file").textContent = `The file is not saved. ${error.message}`;
     } finally {
       button.ariaDisabled = "false";
       button.textContent = label;
     }
+  }
+
+  // A page from a disk has no address for others.
+  async copyLink() {
+    this.writeLink();
+    const local = location.protocol === "file:";
+    const done = await this.copy(local ? this.link || "#" : location.href, byId("link"), local ? "The part behind the address" : "The link");
+    if (local && done) this.notice(kLocal);
+  }
+
+  // A sentence on the picture, until something changes.
+  notice(sentence) {
+    byId("hint").textContent = sentence;
+    byId("hint").hidden = false;
+    this.say(sentence);
+  }
+
+  // A file of this page that somebody drops opens its setting.
+  async drop(file) {
+    const link = file && (await linkInFile(file));
+    if (link === undefined) return this.notice("This file has no setting. A PNG or a JSON of this page has one.");
+    this.replace(stateOf(link), `The setting of ${file.name} is shown. Back undoes it.`);
+    const ignored = ignoredIn(link);
+    if (ignored) this.notice(ignored);
   }
 
   async copy(text, button, what) {
@@ -321,10 +351,10 @@ class Playground extends Picture {
       area.remove();
       button.focus();
     }
-    this.controls.showUncopied(done ? undefined : text, button);
+    this.controls.showUncopied(done ? undefined : text);
     if (!done) {
-      byId("said").textContent = `${what} is not copied.`;
-      return;
+      byId("status").textContent = `${what} is not copied.`;
+      return false;
     }
     button.dataset.label ??= button.textContent;
     button.textContent = "Copied";
@@ -333,7 +363,8 @@ class Playground extends Picture {
       button,
       setTimeout(() => (button.textContent = button.dataset.label), kTold),
     );
-    byId("said").textContent = `${what} is copied.`;
+    byId("status").textContent = `${what} is copied.`;
+    return true;
   }
 
   // ------------------------------------------------------------------------------------------------------------------
@@ -360,7 +391,7 @@ class Playground extends Picture {
     this.change({ turn: (((turn - right * kTurnOfPixel) % 1) + 1) % 1, tilt: tilt - up * kTurnOfPixel });
   }
 
-  // A scale has six digits. What they leave out is kept, so that one step back undoes one forth.
+  // A scale has six digits. The rest is kept, so that one step back undoes one forth.
   zoom(factor, at = [0, 0]) {
     if (!uses(this.state).cells) return;
     const [width, height] = this.size;
@@ -376,6 +407,10 @@ class Playground extends Picture {
     this.change({ x: 0n, y: 0n, cells: kSettings.cells.usual });
   }
 
+  surprise() {
+    this.replace(surprised(this.state, this.controls.locked), "Other settings are shown. Back undoes it.");
+  }
+
   roll() {
     this.change({ seed: crypto.getRandomValues(new Uint32Array(1))[0] % 1000000 });
   }
@@ -388,6 +423,14 @@ class Playground extends Picture {
     if (name === this.state.renderer) this.request();
   }
 
+  // The panel hides, and is there again. The focus does not stay in what nobody sees.
+  fold() {
+    const folded = document.documentElement.classList.toggle("folded");
+    for (const id of ["hide", "handle"]) byId(id).setAttribute("aria-expanded", String(!folded));
+    if (folded && !document.activeElement.checkVisibility()) this.canvas.focus();
+    this.request();
+  }
+
   async start() {
     for (const name of kCanvases) listen(this, byId(name));
     byId("play").addEventListener("click", () => this.play(!this.playing));
@@ -395,42 +438,57 @@ class Playground extends Picture {
     byId("in").addEventListener("click", () => this.zoom(2 ** -0.5));
     byId("out").addEventListener("click", () => this.zoom(2 ** 0.5));
     byId("home").addEventListener("click", () => this.home());
+    byId("surprise").addEventListener("click", () => this.surprise());
+    this.beside = new Beside(this);
     byId("save").addEventListener("click", () => this.save());
     byId("measure").addEventListener("click", () => this.measure());
     byId("copy").addEventListener("click", () => this.copy(this.controls.code, byId("copy"), "The code"));
-    byId("link").addEventListener("click", () => {
-      this.writeLink();
-      this.copy(location.href, byId("link"), "The link");
-    });
+    byId("link").addEventListener("click", () => this.copyLink());
     byId("undo").addEventListener("click", () => this.undo());
     byId("redo").addEventListener("click", () => this.redo());
+    for (const id of ["hide", "handle"]) byId(id).addEventListener("click", () => this.fold());
+    listKeys(byId("keys-list").querySelector("tbody"));
+    byId("help").addEventListener("click", () => byId("keys-list").showModal());
     addEventListener("keydown", (event) => undoing(this, event));
+    addEventListener("keydown", (event) => anywhere(this, event));
     // At popstate already, so that no link is written to the place in the history that is gone to.
     addEventListener("popstate", ({ state }) => {
       const next = state?.layers ? possible(state) : stateOf(location.hash);
+      const ignored = state?.layers ? "" : ignoredIn(location.hash);
       this.steps.note(this.state, next);
       this.take(next);
+      if (ignored) this.notice(ignored);
+    });
+    addEventListener("dragover", (event) => event.dataTransfer?.types.includes("Files") && event.preventDefault());
+    addEventListener("drop", (event) => {
+      if (!event.dataTransfer?.files.length) return;
+      event.preventDefault();
+      this.drop(event.dataTransfer.files[0]);
     });
     new ResizeObserver(() => this.request()).observe(byId("stage"));
     document.addEventListener("visibilitychange", () => document.hidden && this.play(false));
     if (!navigator.gpu) this.controls.refuseRenderer("webgpu", "This browser has no WebGPU.", "webgl2");
     this.chooseCanvas();
+    const ignored = ignoredIn(location.hash); // before the address loses it
     // Until there is a picture, or a sentence on why there is none. To make it sharp may take longer.
     await new Promise((resolve) => {
       this.begun = resolve;
       this.take(this.state);
+      if (ignored) this.notice(ignored);
     });
   }
 }
 
-// What the tests ask, and who opens the console: hashnoise.pixels(64, 64), hashnoise.state, ...
+// For the tests, and for people who open the console: hashnoise.pixels(64, 64), hashnoise.state, ...
 unpacked(byId("library").textContent)
   .then(async (data) => {
-    const library = new Library(data);
+    const library = new Library(data, (name) => Pieces.unpacked(byId(name).textContent));
     window.hashnoise = new Playground(library);
     await window.hashnoise.start();
-    library.picks = await unpacked(byId("picks").textContent);
-    window.hashnoise.controls.showCode();
+    for (const name of ["shading", "cpu"]) {
+      await library.load(name);
+      window.hashnoise.controls.showCode();
+    }
     document.documentElement.dataset.ready = "yes";
   })
   .catch((error) => {

@@ -59,7 +59,7 @@ export const kSettings = {
   frames: { usual: 40, from: 2, to: 200, whole: true },
 };
 
-export const kMostLayers = 4;
+export const kMostLayers = 8;
 export const kLeastTilt = 0.02; // of terrain, which has nothing to be seen from below
 const kUsualTile = 4; // cells of a period that nobody has chosen
 
@@ -90,10 +90,15 @@ export const shownLayers = ({ layers }) => layers.filter(({ on }) => on);
 
 // A ball or a cube of space, for which there have to be three dimensions.
 export const isSolid = ({ view, dimensions }) => dimensions > 2 && (view === "sphere" || view === "cube");
-// What is not a plane can be turned.
+// Everything but a plane can be rotated.
 export const isTurned = (state) => state.view === "terrain" || isSolid(state);
 
-// What the layers are, for people.
+// The height of the highest colour on terrain, in sides of the block. More cells make it lower, as if seen from farther
+// away: with one height for all scales many cells would be a field of spires.
+const kCellsOfWholeRelief = 2;
+export const reliefHeight = ({ steep, cells }) => steep * Math.min(1, kCellsOfWholeRelief / cells);
+
+// The names of the layers, for people.
 const titleOf = ({ sum, noise }) =>
   sum === "none" ? kNoises[noise].label : `${kSums[sum].label} of ${kNoises[noise].label}`;
 export const titlesOf = ({ layers }) =>
@@ -115,6 +120,7 @@ export function chosen(state, changes, at = 0) {
   const layer = next.layers[at];
   if (changes.sum && changes.sum !== state.layers[at].sum) layer.strength = usualOf("strength", layer);
   if (changes.blend === "mix" && layer.weight === 1) layer.weight = 0.5;
+  if (changes.blend === "mask" && layer.weight === 1 && !layer.offset) Object.assign(layer, { weight: 3, offset: 0.5 });
   if (changes.view === "tiles" && !next.period) next.period = kUsualTile;
   if (isSolid({ ...next, dimensions: 3 }) && changes.view && next.dimensions < 3) next.dimensions = 3;
   const untouched = next.stops === kSettings.stops.usual;
@@ -188,8 +194,8 @@ export function uses(state, at = 0) {
   return {
     sum: true, noise: true, dimensions: true, seed: true, period: true, arithmetic: true, hash: true, map: true,
     stops: state.map === "own", contrast: true, x: true, y: state.dimensions > 1, cells: state.view !== "tiles", renderer: true,
-    view: state.dimensions > 1, turn: turned, tilt: turned, steep: state.view === "terrain",
-    file: true, width: true, height: true, frames: state.file === "gif",
+    view: state.dimensions > 1, turn: turned, tilt: turned, steep: state.view === "terrain" || state.file === "normals",
+    file: true, width: state.file !== "json", height: state.file !== "json", frames: state.file === "gif",
     octaves: sum, lacunarity: sum, gain: sum, strength: Boolean(kSums[layer.sum].strength),
     jitter: Boolean(noise.jitter), metric: Boolean(noise.metric),
     warp: warped, amplitude: warped && layer.warp !== "none",
@@ -198,11 +204,11 @@ export function uses(state, at = 0) {
   };
 }
 
-// What the values of a layer are multiplied by, and what is added then, before the layer is combined. The weight of a
+// The factor and the summand of the values of a layer, before the layer is combined. The weight of a
 // mixture is another thing.
 export function remapOf({ layers }, at) {
   const { weight, offset, blend } = layers[at];
-  const plain = layers.length === 1 || (at > 0 && blend === "mix");
+  const plain = layers.length === 1 || (at > 0 && (blend === "mix" || blend === "height"));
   return plain ? { weight: 1, offset: 0 } : { weight, offset };
 }
 
@@ -218,10 +224,10 @@ export function withLayer(state) {
 export const withoutLayer = (state, at) =>
   possible({ ...state, layers: state.layers.filter((_, number) => number !== at) });
 
-// The state with this layer and the one above it in each other's place.
-export function swapped(state, at) {
+// The state with this layer at another place in the list.
+export function withMoved(state, from, to) {
   const layers = [...state.layers];
-  [layers[at], layers[at + 1]] = [layers[at + 1], layers[at]];
+  layers.splice(to, 0, ...layers.splice(from, 1));
   return possible({ ...state, layers });
 }
 
@@ -270,15 +276,23 @@ export function rangeOf(state) {
     const range = times(rangeOfLayer(layer, state.dimensions), weight).map((end) => end + offset);
     return [{ layer, range }];
   });
-  const [low, high] = found
-    .slice(1)
-    .reduce(
-      (below, { layer: { blend, weight }, range }) =>
-        blend === "mix"
-          ? sumOfRanges(times(below, 1 - weight), times(range, weight))
-          : kRanges[blend](below, range),
-      found[0].range,
-    );
+  let masked = false;
+  const [low, high] = found.slice(1).reduce((below, { layer: { blend, weight }, range }) => {
+    if (blend === "mask") {
+      masked = true;
+      return below;
+    }
+    const both = ([one, other], [lower, higher]) => [Math.min(one, lower), Math.max(other, higher)];
+    const next =
+      blend === "mix"
+        ? sumOfRanges(times(below, 1 - weight), times(range, weight))
+        : blend === "height"
+          ? both(below, range)
+          : kRanges[blend](below, range);
+    const made = masked ? both(below, next) : next;
+    masked = false;
+    return made;
+  }, found[0].range);
   const middle = (low + high) / 2;
   const half = Math.max(high - low, 0.001) / 2 / state.contrast;
   return [middle - half, middle + half];

@@ -3,11 +3,13 @@ import { shaderKey } from "./code.js";
 import { byId } from "./elements.js";
 import { fileOf, fileState, framesOf, planeOf } from "./files.js";
 import { linkOf } from "./links.js";
-import { isSolid, rangeOf } from "./model.js";
+import { isSolid, rangeOf, reliefHeight } from "./model.js";
+import { wrapped } from "./numbers.js";
 import { gradientOf, paletteOf } from "./palette.js";
 import { reliefOf, surfaceOf } from "./relief.js";
 import { frameOf, kBits, kColours, pageShader } from "./shaders.js";
 import { Speed } from "./speed.js";
+import { originOf, partsOf, stepOf } from "./view.js";
 import { WebGL2 } from "./webgl.js";
 import { WebGPU } from "./webgpu.js";
 
@@ -15,7 +17,10 @@ export const kBackends = { webgl2: WebGL2, webgpu: WebGPU };
 export const kCanvases = [...Object.keys(kBackends), "terrain"].map((name) => `picture-${name}`);
 const kSideOfTerrain = 384; // values, at rest
 const kSideOfMoving = 128;
+const kFinestTerrain = 1024;
 const kPixelsOfTerrain = 1.2e6;
+const kPixelsOfSharpTerrain = 8e6;
+const kColumnPixels = 5e5; // that are drawn between two looks at what else the page has to do
 const kKeptPrograms = 24;
 const kMostPixels = 16e6;
 const kMoving = 34; // milliseconds that a picture may take while it moves; else it is drawn coarser
@@ -24,7 +29,7 @@ const kStrip = 40; // milliseconds that a part of a picture takes; between two t
 const kMostStrips = 256; // of a picture, since one waits for each
 const kCoarsest = 8;
 const kRest = 160; // milliseconds without a change after which it is drawn fine again
-const kPatience = 250; // milliseconds after which the page says that it draws
+const kPatience = 250; // milliseconds after which the page shows that it draws
 
 // It draws `state`. Whoever extends this has four functions, too: begun() is called when there is the first picture,
 // drawn() each time that there is one, rested() some time after the last change, and failed(error) when there is no
@@ -57,6 +62,7 @@ export class Picture {
       // Once, however many ask until it is there.
       this.creating[name] ??= kBackends[name].create(byId(`picture-${name}`)).finally(() => delete this.creating[name]);
       this.backends[name] = await this.creating[name];
+      if (name === "webgpu") await this.library.load("shading");
     }
     return this.backends[name];
   }
@@ -219,23 +225,50 @@ export class Picture {
     await this.drawn();
   }
 
-  // The surface is kept, since often the block is only turned.
+  // The values of a square with so many on a side, in strips between which the page does other things. Nothing if another
+  // picture is wanted meanwhile.
+  async heightsOf(backend, program, state, side) {
+    const values = new Float32Array(side * side);
+    const speed = await this.speedOf(backend, program, state);
+    for (let row = 0; row < side; ) {
+      if (row > 0 && this.wanted) return undefined;
+      const rows = Math.min(side - row, Math.max(Math.ceil(side / kMostStrips), Math.floor(speed.pixelsIn(kStrip) / side)));
+      const frame = frameOf(state, side, side, kBits, { first: row, rows });
+      values.set(new Float32Array((await backend.read(program, frame, side, rows)).buffer), row * side);
+      row += rows;
+    }
+    return values;
+  }
+
+  // The surface is kept, since often the block is only rotated. At rest it first has as many values as it takes to look
+  // right, and then as many as the screen shows.
   async drawTerrain(backend, program, state, wanted) {
-    const side = this.moves ? kSideOfMoving : kSideOfTerrain;
-    const key = [side, linkOf({ ...state, turn: 0, tilt: 0, width: 0, height: 0 })].join(" ");
-    if (this.surface?.key !== key && !(this.moves && this.surface?.key === key.replace(side, kSideOfTerrain))) {
-      const bytes = await backend.read(program, frameOf(state, side, side, kBits), side, side);
-      const values = new Float32Array(bytes.buffer);
-      this.surface = { key, ...surfaceOf(values, side, rangeOf(state), paletteOf(state), state.steep) };
+    const finest = Math.min(kFinestTerrain, Math.max(kSideOfTerrain, Math.min(...this.size)));
+    const key = linkOf({ ...state, turn: 0, tilt: 0, width: 0, height: 0 });
+    const had = this.surface?.key === key ? this.surface.side : 0;
+    const side = this.moves ? Math.max(had, kSideOfMoving) : had < kSideOfTerrain ? kSideOfTerrain : finest;
+    if (had !== side) {
+      const values = await this.heightsOf(backend, program, state, side);
+      if (!values) return;
+      this.surface = { key, ...surfaceOf(values, side, rangeOf(state), paletteOf(state), reliefHeight(state)) };
+    }
+    const sharp = !this.moves && side === finest;
+    const most = sharp ? kPixelsOfSharpTerrain : kPixelsOfTerrain;
+    const [width, height] = this.size.map(
+      (length, _, size) => Math.ceil(length * Math.min(1, Math.sqrt(most / (size[0] * size[1])))),
+    );
+    const bytes = new Uint8ClampedArray(4 * width * height);
+    const columns = sharp ? Math.ceil(kColumnPixels / height) : width;
+    for (let column = 0; column < width; column += columns) {
+      reliefOf(this.surface, state, width, height, Math.round(width * this.free), bytes, [column, column + columns]);
+      if (!sharp) continue;
+      await new Promise((resolve) => setTimeout(resolve));
+      if (this.wanted) return;
     }
     const canvas = byId("picture-terrain");
-    const [width, height] = this.size.map(
-      (length, _, size) => Math.ceil(length * Math.min(1, Math.sqrt(kPixelsOfTerrain / (size[0] * size[1])))),
-    );
     Object.assign(canvas, { width, height });
-    const bytes = reliefOf(this.surface, state, width, height, Math.round(width * this.free));
     canvas.getContext("2d").putImageData(new ImageData(bytes, width, height), 0, 0);
-    await this.wasDrawn(backend, wanted, this.surface.side === kSideOfTerrain ? 1 : 2);
+    await this.wasDrawn(backend, wanted, sharp ? 1 : 2);
   }
 
   // Four bytes a pixel from the lower left corner on, of a picture of this size: of colours, or of the bits of values.
@@ -247,15 +280,21 @@ export class Picture {
     return backend.read(program, frameOf(state, width, height, mode), width, height);
   }
 
-  // The file that the state asks for.
+  // The file of the state.
   async file(tell) {
     const state = fileState(this.state);
     const backend = await this.backend();
     const program = await this.program(backend, state.file === "gif" ? framesOf(state)[0] : state);
     this.usePalette(backend, state);
     const { width, height } = state;
-    const read = (mode, first, rows, shown) =>
-      backend.read(program, frameOf(shown, width, height, mode, { first, rows }), width, rows);
+    const read = (mode, first, rows, shown, border) => {
+      if (!border) return backend.read(program, frameOf(shown, width, height, mode, { first, rows }), width, rows);
+      const step = BigInt(stepOf(shown, width, height));
+      const [x, y] = originOf(shown, width, height);
+      const corner = [wrapped(x - step), wrapped(y + step * BigInt(first - 1)), partsOf(shown.z), partsOf(shown.w)];
+      const frame = frameOf(shown, width, height, mode, { position: corner, rows: rows + 2 });
+      return backend.read(program, frame, width + 2, rows + 2);
+    };
     return fileOf(state, read, tell);
   }
 

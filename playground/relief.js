@@ -29,7 +29,7 @@ export function surfaceOf(values, side, [low, high], palette, steep) {
   return { heights, colours, side, steep };
 }
 
-// How far along a line it is in the block, as far as one axis tells, and the others told before.
+// How far along a line it is in the block, by one axis and those before it.
 function crossed(start, direction, [enters, leaves]) {
   if (Math.abs(direction) < 1e-9) return Math.abs(start) > 0.5 ? [1, 0] : [enters, leaves];
   const ends = [(-0.5 - start) / direction, (0.5 - start) / direction];
@@ -38,9 +38,9 @@ function crossed(start, direction, [enters, leaves]) {
 
 // The bytes of a picture, from the upper row on; where there is no block they are 0. `turn` is how far the block is
 // turned, and `tilt` how far one looks down, in turns: 0.25 is from above. The block is in the middle of the first
-// `free` columns.
-export function reliefOf({ heights, colours, side, steep }, { turn, tilt }, width, height, free = width) {
-  const bytes = new Uint8ClampedArray(4 * width * height);
+// `free` columns. Of the columns from `begin` to `end` alone it sets the bytes.
+export function reliefOf({ heights, colours, side, steep }, { turn, tilt }, width, height, free = width,
+  bytes = new Uint8ClampedArray(4 * width * height), [begin, end] = [0, width]) {
   const [sine, cosine] = [Math.sin(turn * kRound), Math.cos(turn * kRound)];
   const [down, across] = [Math.sin(tilt * kRound), Math.cos(tilt * kRound)];
   const deep = Math.SQRT2 * down + (steep + kBase) * across; // the block on the screen, in sides
@@ -48,7 +48,7 @@ export function reliefOf({ heights, colours, side, steep }, { turn, tilt }, widt
   const middle = height / 2 - (steep - kBase) * 0.5 * across * scale; // the row of the block's middle, from below
   const step = 0.7 / side;
   const most = side - 1.001;
-  for (let column = 0; column < width; ++column) {
+  for (let column = begin; column < Math.min(end, width); ++column) {
     const right = (column + 0.5 - free / 2) / scale;
     // The line of the block that this column shows, from the front to the back.
     const start = [right * cosine, right * sine];

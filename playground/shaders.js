@@ -6,10 +6,10 @@ import { isSolid, kMostLayers, rangeOf, shownLayers, usualLayer } from "./model.
 import { solidPlace, solidShader, wordsOfSolid } from "./solid.js";
 import { cellOf, originOf, partsOf, placeOf, stepOf, tileOf } from "./view.js";
 
-// What a pixel is: a colour of the map, or the four bytes of the value.
+// The content of a pixel: a colour of the map, or the four bytes of the value.
 export const kColours = 0;
 export const kBits = 1;
-const kTimes = 8; // that a shader computes the noise of a pixel, when it is timed
+export const kTimes = 8; // that a shader computes the noise of a pixel, when it is timed
 const kUnit = 1048576; // of a value, when it is made a whole number: 2^20
 
 // The words of a frame, as both languages lay them out: ten vectors of four, and four more for each layer.
@@ -48,7 +48,7 @@ export function unitsOf(state) {
   return { low, span: Math.min(Math.max(high - low, 64), 16777215) };
 }
 
-// Of a picture of this size, or of so many rows of it, the first of which is `first`, counted from below. `position` is
+// The frame of a picture of this size, or of so many rows of it from `first` on, counted from below. `position` is
 // that of the pixel in the lower left corner of the picture, if it is not that of the state. A solid is in the middle
 // of the first `free` columns.
 export function frameOf(state, width, height, mode, { position, first = 0, rows = height, free = width } = {}) {
@@ -117,7 +117,7 @@ const kWgslPlace = `fn place_of(cell: i32, place: u32, i: u32) -> vec2u {
   return vec2u(u32(cell) + i * u.step.x + (high >> 12u), ((high & 4095u) << 12u) | (low & 4095u));
 }`;
 
-// What a value becomes. A value in steps of 2^-20 is a whole number; the colour is one of 256. In one dimension the
+// How a value is shown. A value in steps of 2^-20 is a whole number; the colour is one of 256. In one dimension the
 // picture is a graph: full colour below the value, and an eighth of it above.
 const kGlslShade = `vec4 shade(float value, int row) {
   if (u_shown.z == ${kBits}) {
@@ -140,7 +140,7 @@ const kWgslShade = `fn shade(value: f32, row: i32) -> vec4f {
   return color;
 }`;
 
-// What "pattern" is called with at a pixel, for a number of dimensions: the cell and the place in it, or the position.
+// The arguments of "pattern" at a pixel, for a number of dimensions: the cell and the place in it, or the position.
 function glslArguments(n, form, solid) {
   const vector = (type, parts) => (n === 1 ? parts[0] : `${type}(${parts.slice(0, n).join(", ")})`);
   const cell = vector(`ivec${n}`, ["int(x.x)", "int(y.x)", solid ? "int(z.x)" : "u_cell.z", "u_cell.w"]);
@@ -202,12 +202,12 @@ function glsl(library, state, values, { timed, form = "cell", value } = {}) {
 }
 
 function wgsl(library, state, values, { timed, form = "cell", value } = {}) {
-  const { lines, needs } = functions(library, "wgsl", state, values, [form]);
+  const { lines, public: called } = functions(library, "wgsl", state, values, [form], true);
   const solid = isSolid(state) && !timed ? solidShader("wgsl", state, kBits) : undefined;
   const n = state.dimensions;
   const shown = value ?? `${form === "cell" ? "pattern_cell" : "pattern"}(${wgslArguments(n, form, solid)})`;
   return [
-    ...library.wgsl(needs, state),
+    ...library.texts(called, "wgsl", state),
     kWgslFrame,
     "const kPart = 1.0f / 16777216.0f;",
     ...lines,
@@ -242,11 +242,11 @@ export const plainOf = (state) => ({
   hash: "lattice",
 });
 
-// What the page draws with: numbers are uniforms.
+// The shader that the page draws with: numbers are uniforms.
 export const pageShader = (library, language, state) =>
   kWrite[language](library, state, uniforms(language, state));
 
-// What is timed: the numbers stand in the text, as in a shader of somebody who copied it.
+// The shader that is timed: the numbers stand in the text, as in a shader of somebody who copied it.
 export const timedShader = (library, language, state, form) =>
   kWrite[language](library, state, numbers(language, state), { timed: true, form });
 

@@ -16,7 +16,7 @@ const kDarkSide = 0.5; // of the colour, where no light comes
 const kLit = 0.5; // of it, which the light adds
 const kBehind = [0.11, 0.115, 0.14]; // the colour behind the solid
 
-// What is right, up, and towards who looks, in space. From above, x is right and y is up.
+// The directions to the right, up, and towards the viewer, in space. From above, x is right and y is up.
 export function axesOf({ turn, tilt }) {
   const [sine, cosine] = [Math.sin(turn * kTurn), Math.cos(turn * kTurn)];
   const [down, across] = [Math.sin(tilt * kTurn), Math.cos(tilt * kTurn)];
@@ -44,7 +44,7 @@ export function solidPlace(state) {
   return { position: [...corner, partsOf(state.w)], step };
 }
 
-// Which point of the solid is at a pixel, if there is one, and how bright it is there. `ahead` is what is told of each
+// Which point of the solid is at a pixel, if there is one, and how bright it is there. `ahead` is known of each
 // kind of solid: how far its point is in front of the middle, and which way it faces.
 const glslPoint = (ahead) => `bool solid_at(ivec2 pixel, out ivec3 point, out float light) {
   ivec2 s = ((2 * pixel + 1 - u_solid[3].xy) * u_solid[3].z) >> 8;
@@ -148,7 +148,7 @@ const kLitColours = {
   wgsl: (bits) => `select(vec4f(vec3f(light), 1.0), vec4f(1.0), u.shown.z == ${bits})`,
 };
 
-// What the shader of a solid has: a function; lines of main, which is called with a pixel `at`, up to the places of its
+// The parts of the shader of a solid: a function; lines of main, which is called with a pixel `at`, up to the places of its
 // point along each axis; and what its colour is multiplied by. A pixel without a point has four bytes of 255 in place
 // of a value, which is no number. `bits` is the mode of the frame in which pixels are values.
 export const solidShader = (language, { view }, bits) => ({

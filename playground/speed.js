@@ -13,7 +13,7 @@ export class Speed {
     this.pixel = pixel;
   }
 
-  // `time` draws a picture of so many pixels, and says how many milliseconds that took. None has more than `most`.
+  // `time` draws a picture of so many pixels, and returns how many milliseconds that took. None has more than `most`.
   static async measured(time, most) {
     await time(kSmall); // at which some drivers still compile
     const wait = Math.min(await time(kSmall), await time(kSmall));
@@ -21,13 +21,13 @@ export class Speed {
       const count = Math.min(pixels, most);
       const once = await time(count);
       if (once - wait < kClear && count < most) continue;
-      // What else the machine does only adds.
+      // Other work of the machine only adds time.
       const more = Math.min(once, await time(count)) - wait;
       if (more >= kClear || count >= most) return new Speed(wait, Math.max(more, 0) / Math.max(count - kSmall, 1));
     }
   }
 
-  // A picture told more: the settings matter, too, as more octaves take longer. One of few pixels tells little of them,
+  // Learns from a picture: the settings matter, too, as more octaves take longer. Few pixels show little of them,
   // if it takes about as long as any picture: the last strip of one may be a single row.
   learn(pixels, milliseconds) {
     this.wait = Math.min(this.wait, milliseconds);

@@ -31,7 +31,7 @@ export class StopList {
       type: "text", id: `colour-${at + 1}`, maxLength: 7, spellcheck: false,
       ariaLabel: `Colour of ${name}, in hexadecimal`,
     });
-    // What is no colour is not taken: the field has its colour again, and a sentence says so until something changes.
+    // A text that is no colour is not taken: the field has its colour again, and a sentence stays until something changes.
     typed.addEventListener("input", () => (typed.dataset.typed = "yes"));
     typed.addEventListener("change", () => {
       delete typed.dataset.typed;

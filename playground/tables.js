@@ -1,8 +1,8 @@
-// What there is to choose: noises, sums and the others, each with what the page has to know of it.
+// The choices: noises, sums and the others, each with what the page has to know of it.
 
 import { kCatalog } from "./catalog.js";
 
-// Rows, each with what the library says of the function that it shows, and a row for each function that none shows.
+// Rows, each with what the catalog has of the function that it shows, and a row for each function that none shows.
 function completed(rows, functions) {
   const shown = Object.entries(rows).map(([name, row]) => row.shows ?? name);
   const others = Object.keys(functions).filter((name) => !shown.includes(name));
@@ -79,17 +79,21 @@ export const kHashes = {
   lattice: "Lattice, the default", fnv1: "FNV-1", partial_fnv1: "FNV-1, partial", jenkins: "Jenkins",
   partial_jenkins: "Jenkins, partial", murmur: "Murmur", pcg: "PCG", xxhash32: "xxHash32",
 };
-// What can be saved. A height is a number of 16 bits.
+// The kinds of files. A height is a number of 16 bits.
 const kOfHeights = "Heights go from 0 for the lowest colour to 65535 for the highest. ";
 const kOfRaw = "The upper row comes first, and of each number the lowest byte.";
 const kOfLoop =
   "One octave of Perlin or simplex noise loops in 2D and 3D. Others need a period, in 3D or 4D, or have one frame.";
+const kOfNormals = "Red is to the right, green is up, as in OpenGL; for Direct3D turn green over. Relief sets how steep it is. ";
 export const kFiles = {
   colours: { label: "PNG, colours", png: true, ending: "png", note: "The file has the colours of the picture." },
   heights: { label: "PNG, heights in 16 bits", png: true, ending: "png", note: kOfHeights },
-  gif: { label: "GIF, a loop", ending: "gif", note: kOfLoop },
-  r16: { label: "Raw heights in 16 bits", ending: "r16", note: kOfHeights + kOfRaw },
-  r32: { label: "Raw values in floats", ending: "r32", note: `Values are as pattern(p) returns them. ${kOfRaw}` },
+  normals: { label: "PNG, normal map", png: true, ending: "png", note: kOfNormals },
+  tiff: { label: "TIFF, values in floats", ending: "tif", part: "values", note: "Values are as pattern(p) returns them." },
+  gif: { label: "GIF, a loop", ending: "gif", part: "loop", note: kOfLoop },
+  r16: { label: "Raw heights in 16 bits", ending: "r16", part: "heights", note: kOfHeights + kOfRaw },
+  r32: { label: "Raw values in floats", ending: "r32", part: "values", note: `Values are as pattern(p) returns them. ${kOfRaw}` },
+  json: { label: "JSON, the setting", ending: "json", part: "setting", note: "Drop it onto the picture to open it again, or a PNG of this page." },
 };
 export const kViews = { plane: "Plane", tiles: "3 × 3 tiles", terrain: "Terrain", sphere: "Sphere", cube: "Cube" };
 // How a layer is combined with what is below it.
@@ -99,6 +103,8 @@ export const kBlends = {
   min: { label: "Take the lower", sign: "min" },
   max: { label: "Take the higher", sign: "max" },
   mix: { label: "Mix", sign: "mix" },
+  mask: { label: "Mask of the next layer", sign: "mask" },
+  height: { label: "Where it is high below", sign: "high" },
 };
 export const kRenderers = { webgl2: "WebGL2", webgpu: "WebGPU" };
 

@@ -1,4 +1,4 @@
-// What was changed in this visit, step by step, so that it can be undone and done again.
+// The changes of this visit, step by step, so that they can be undone and done again.
 import { kSettings, possible } from "./model.js";
 
 const kMostSteps = 200;

@@ -1,4 +1,4 @@
-// What the values of a picture are: how far they go, and how often each is.
+// The values of a picture: how far they go, and how often each is.
 
 const kBins = 40;
 const kTenths = 10; // for people who hear the histogram

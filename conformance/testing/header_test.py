@@ -136,8 +136,7 @@ static_assert(!Perlin<Float, int> && !Perlin<vec2, int> && !Perlin<vec2, float> 
 # Macros that programs have before an include of ours, as their headers define them.
 MACROS = {
     "windows.h": """near;far;min(a,b) (((a)<(b))?(a):(b));max(a,b) (((a)>(b))?(a):(b));small char;hyper long
-        interface struct;pascal;cdecl;IN;OUT;OPTIONAL;ERROR 0;DELETE 0x00010000L;CONST const;VOID void;TRUE 1;FALSE
-        0""",
+        interface struct;pascal;cdecl;IN;OUT;OPTIONAL;ERROR 0;DELETE 0x00010000L;CONST const;VOID void;TRUE 1;FALSE 0""",
     "X11": """None 0L;Bool int;Status int;Success 0;True 1;False 0;Always 2;Above 0;Below 1;Complex 0;Convex 2;Nonconvex 1
         Unsorted 0;CursorShape 0;KeyPress 2;FocusIn 9;Opposite 4""",
     "Arduino.h": """min(a,b) ((a)<(b)?(a):(b));max(a,b) ((a)>(b)?(a):(b));abs(x) ((x)>0?(x):-(x));sq(x) ((x)*(x))
@@ -170,10 +169,9 @@ CALLED = """
 inline hashnoise::Range called(std::span<float> values, float x) {
   namespace lanes = hashnoise::lanes;
   const hashnoise::vec3 p(x, x, x);
-  values[0] = hashnoise::hn_fbm(p, 6, 2.0f, 0.5f, 7u) + hashnoise::hn_cellular(p, 7u).x + hashnoise::hn_simplex_d(p,
-  7u).x; return lanes::fill(hashnoise::CellGrid<2>{{1, 2}, {0.0f, 0.0f}, {0.5, 0.5}, {8, 8}}, values,
-                     [](lanes::ivec2 cell, lanes::vec2 f) { return lanes::hn_fbm(lanes::hn_place(cell, f), 6, 2.0f,
-                     0.5f, 7u); });
+  values[0] = hashnoise::hn_fbm(p, 6, 2.0f, 0.5f, 7u) + hashnoise::hn_cellular(p, 7u).x + hashnoise::hn_simplex_d(p, 7u).x;
+  return lanes::fill(hashnoise::CellGrid<2>{{1, 2}, {0.0f, 0.0f}, {0.5, 0.5}, {8, 8}}, values,
+                     [](lanes::ivec2 cell, lanes::vec2 f) { return lanes::hn_fbm(lanes::hn_place(cell, f), 6, 2.0f, 0.5f, 7u); });
 }
 """
 
@@ -385,13 +383,12 @@ class Unity(unittest.TestCase):
 
 # Macros of shaders before an include, in one word or more. Parameters of the library keep their names: octaves, seed.
 OF_SHADERS = """near 0.1;far 100.0;PI 3.14159;TAU 6.28318;pi 3.14159;tau 6.28318;E 2.71828;EPS 1e-4;EPSILON 1e-4;time iTime
-    resolution iResolution.xy;mouse iMouse;saturate(x) clamp(x,0.,1.);sat(x) clamp(x,0.,1.);lerp mix;lerp3(a,b,c)
-    mix(a,b,c) rot(a) mat2(cos(a),sin(a),-sin(a),cos(a));rot2 rot;rotate rot;hash hash12;hash11(p) fract(p);hash12
-    hash;hash21 hash hash22 hash;hash33 hash;noise snoise;fbm fbm4;snoise noise3;fade(t) ((t)*(t));permute
-    mod289;mod289(x) mod(x,289.) smooth smoothstep;remap map;map scene;scale 4.0;zoom 2.0;speed 0.5;width 800.0;uv
-    gl_FragCoord.xy;st uv;pos ro;ro pos rd dir;dir rd;color vec4(1.);col color;light vec3(1.);camera ro;rand
-    random;random fract;voronoi worley;perlin noise simplex noise;turbulence fbm;ridged fbm;frequency 2.0;MAX_STEPS
-    100;STEPS 100;OCTAVES 6;SEED 7u;SCALE 4.0"""
+    resolution iResolution.xy;mouse iMouse;saturate(x) clamp(x,0.,1.);sat(x) clamp(x,0.,1.);lerp mix;lerp3(a,b,c) mix(a,b,c)
+    rot(a) mat2(cos(a),sin(a),-sin(a),cos(a));rot2 rot;rotate rot;hash hash12;hash11(p) fract(p);hash12 hash;hash21 hash
+    hash22 hash;hash33 hash;noise snoise;fbm fbm4;snoise noise3;fade(t) ((t)*(t));permute mod289;mod289(x) mod(x,289.)
+    smooth smoothstep;remap map;map scene;scale 4.0;zoom 2.0;speed 0.5;width 800.0;uv gl_FragCoord.xy;st uv;pos ro;ro pos
+    rd dir;dir rd;color vec4(1.);col color;light vec3(1.);camera ro;rand random;random fract;voronoi worley;perlin noise
+    simplex noise;turbulence fbm;ridged fbm;frequency 2.0;MAX_STEPS 100;STEPS 100;OCTAVES 6;SEED 7u;SCALE 4.0"""
 
 
 class Shaders(unittest.TestCase):

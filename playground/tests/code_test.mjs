@@ -6,7 +6,8 @@ import { join } from "node:path";
 import test, { after, before } from "node:test";
 import { linkOf, stateOf } from "../links.js";
 import { changed, usualState } from "../model.js";
-import { simpleStates } from "./states.mjs";
+import { hasCompiler, kCompiled, wordsOf, wordsOfJavaScript } from "./languages.mjs";
+import { anyStates, simpleStates } from "./states.mjs";
 import { compiled, copiedCode, inFolder, kRoot, launched, opened, pixels, run, setState } from "./support.mjs";
 
 const kThorough = Boolean(process.env.HN_THOROUGH);
@@ -28,7 +29,7 @@ const chosen = [
 ];
 const placed = (settings, state = usualState()) =>
   changed(changed(state, { arithmetic: "fixed" }), { ...settings, ...kOrigin, renderer: "webgl2" });
-// What tools/pick has written is all compiled in a thorough run. (In those the tests of tools/pick hold the bits of all
+// All that tools/pick has written is compiled in a thorough run. (In those the tests of tools/pick hold the bits of all
 // functions to the C++ header.)
 const picked = simpleStates().map((state) => changed(state, { z: 0.75, w: 1.5, ...kOrigin }));
 // Every way to combine layers, with integers, and in a thorough run with floats.
@@ -37,11 +38,14 @@ const layered = (kThorough ? ["fixed", "fast"] : ["fixed"]).map((arithmetic) =>
     { arithmetic, period: 3 },
     stateOf(
       "#sum=ridged&scale=2&blend2=multiply&noise2=simplex&weight2=0.3&offset2=-0.75&blend3=max&sum3=none&noise3=" +
-        "cellular_between&weight3=-1.5&seed3=9&blend4=mix&sum4=billow&noise4=value&weight4=0.3&scale4=4",
+        "cellular_between&weight3=-1.5&seed3=9&blend4=mix&sum4=billow&noise4=value&weight4=0.3&scale4=4" +
+        "&blend5=mask&sum5=none&noise5=value&weight5=1.5&offset5=0.3&blend6=height&sum6=none&noise6=simplex&weight6=0.7",
     ),
   ),
 );
-const whole = [...chosen.map((settings) => placed(settings)), ...layered];
+// In a thorough run fifty that nobody has chosen.
+const any = kThorough ? anyStates(50).map((state) => changed(state, { z: 0.75, w: 1.5, ...kOrigin })) : [];
+const whole = [...chosen.map((settings) => placed(settings)), ...layered, ...any];
 const states = [...whole, ...picked.filter((_, at) => at % 101 === 7)];
 
 // A call of pattern() at the pixel, at a position or from a cell.
@@ -92,7 +96,7 @@ void main() {
 }
 `;
 };
-// What shadertoy.com puts around the text.
+// The text as shadertoy.com completes it.
 const onShadertoy = (code) => `#version 300 es
 precision highp float;
 precision highp int;
@@ -127,7 +131,7 @@ after(() => browser.close());
 const kVertex = `#version 300 es
 void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }`;
 
-// What a fragment shader draws by WebGL2: the bytes of colours, or words of a target of words; or what the driver says.
+// The picture of a fragment shader by WebGL2: bytes of colours, or words of a target of words; or the driver's message.
 const drawn = (fragment, words) =>
   page.evaluate(
     (texts, width, height, whole) => {
@@ -183,7 +187,7 @@ void main() {
   return Array.isArray(found) ? found.filter((_, at) => at % 4 === 0) : found;
 }
 
-// What a whole shader in WGSL draws, as the bytes of colours from the lower row on.
+// The picture of a whole shader in WGSL, as the bytes of colours from the lower row on.
 const drawnByWgsl = (text) =>
   page.evaluate(
     async (code, width, height) => {
@@ -315,7 +319,7 @@ test("copied GLSL and HLSL compile", async () => {
   }
 });
 
-// How many pixels have another colour. That of the page is one of 256, and its graph has an edge.
+// How many pixels have another colour. The page has one of 256, and its graph has an edge.
 const unlike = (one, other) => {
   let count = 0;
   for (let at = 0; at < one.length; at += 4)
@@ -381,6 +385,30 @@ test("copied GLSL and WGSL draw the picture", async () => {
   }
 });
 
+test("copied code of other languages computes the picture", async () => {
+  for (const [number, given] of whole.entries()) {
+    const state = { ...given, arithmetic: "fixed", hash: "lattice" };
+    await setState(page, state);
+    const shown = await pixels(page, kWidth, kHeight, true);
+    const exact = state.layers.every(({ warp, noise }) => warp === "none" && noise !== "curl");
+    // In a default run each language compiles one of them.
+    const compilers = kThorough ? [kCompiled[number % kCompiled.length]] : kCompiled.slice(number, number + 1);
+    for (const language of ["javascript", ...compilers]) {
+      if (language !== "javascript" && !(await hasCompiler(language))) continue;
+      const code = await copiedCode(page, language, true);
+      const words = await (language === "javascript" ? wordsOfJavaScript : wordsOf.bind(undefined, language))(code, state, kWidth, kHeight);
+      const floats = [words, shown].map((list) => new Float32Array(new Uint32Array(list).buffer));
+      const off = Math.max(...floats[0].map((value, at) => Math.abs(value - floats[1][at])));
+      assert.ok(off <= (exact ? 0 : 1e-4), `${language}, ${linkOf(state)}: off by ${off}`);
+    }
+  }
+  // Another number is noticed.
+  await setState(page, whole[0]);
+  const code = await copiedCode(page, "javascript", true);
+  const words = (text) => wordsOfJavaScript(text, whole[0], kWidth, kHeight);
+  assert.notDeepEqual(await words(code.replace(", 7)", ", 8)")), await words(code));
+});
+
 test("copied C++ has pattern(p), too", async () => {
   await setState(page, states[1]);
   const printed = await compiled(
@@ -405,10 +433,10 @@ test("code that is wrong is noticed", async () => {
   const wgsl = await copiedCode(page, "wgsl", true);
   assert.match(await drawnWgsl(wgsl.replace("return hn_fbm2(p", "return hn_absent(p"), state, false), /hn_absent/);
   assert.notDeepEqual(await drawnWgsl(wgsl.replaceAll(", 7u)", ", 8u)"), state, false), shown);
-  // What tools/pick writes of other arithmetic.
+  // The text of tools/pick with other arithmetic.
   await page.evaluate(() => {
-    const { texts } = window.hashnoise.library.picks;
-    for (const command of Object.keys(texts)) texts[command] = texts[command.replace(" --arithmetic fixed", "")];
+    const { modules } = window.hashnoise.library.pieces.shading;
+    for (const key of Object.keys(modules)) modules[key] = modules[key.replace(" fixed ", " fast ")];
   });
   for (const found of [
     await drawnGlsl(await copiedCode(page, "glsl", true), state, false),

@@ -2,9 +2,9 @@
 import assert from "node:assert/strict";
 import test from "node:test";
 import { inflateSync } from "node:zlib";
-import { fileOf, framesOf, heightsOf } from "../files.js";
+import { fileOf, framesOf, heightsOf, linkInFile, nameOfFile, normalsOf } from "../files.js";
 import { Gif } from "../gif.js";
-import { stateOf } from "../links.js";
+import { linkOf, stateOf } from "../links.js";
 import { paletteOf } from "../palette.js";
 import { changed, possible, rangeOf, settingsOf, usualState } from "../model.js";
 
@@ -73,7 +73,7 @@ test("a PNG has the colours, the upper row first, and the link", async () => {
   const { file, bytes } = await saved(stateFor({ file: "colours", seed: 9 }), asked);
   const { width, height, depth, kind, pixels, comment } = readPng(bytes);
   assert.deepEqual([width, height, depth, kind, file.name, file.type],
-                   [600, 450, 8, 2, "hashnoise-fbm-perlin-600x450.png", "image/png"]);
+                   [600, 450, 8, 2, "hashnoise-fbm-perlin-seed9-600x450.png", "image/png"]);
   for (const [x, y] of [[0, 0], [599, 0], [0, 449], [301, 13], [17, 440]]) {
     const at = ((449 - y) * 600 + x) * 3;
     assert.deepEqual(pixels.slice(at, at + 3), [x & 255, y & 255, 7], `${x}, ${y}`);
@@ -84,7 +84,7 @@ test("a PNG has the colours, the upper row first, and the link", async () => {
   assert.equal(settingsOf(stateOf(comment.split(" ")[1])).seed, 9);
 });
 
-test("heights are the whole numbers that the page's description says", async () => {
+test("heights are the whole numbers of the page's description", async () => {
   const state = stateFor({ file: "heights", contrast: 0.8 });
   const { depth, kind, pixels } = readPng((await saved(state)).bytes);
   assert.deepEqual([depth, kind], [16, 0]);
@@ -188,12 +188,51 @@ test("a loop comes back to where it was", async () => {
   const read = reader(600);
   const file = await fileOf(state, (mode, first, rows, { phase }) => frame.push(phase) && read(mode, first, rows));
   assert.deepEqual([frame, file.name, file.type],
-                   [[1, 1, 2, 2, 3, 3].map((part) => part / 3), "hashnoise-perlin-600x450.gif", "image/gif"]);
+                   [[1, 1, 2, 2, 3, 3].map((part) => part / 3), "hashnoise-perlin-seed7-loop-600x450.gif", "image/gif"]);
   const { frames } = readGif(new Uint8Array(await file.arrayBuffer()));
   const expected = heightsOf([valueOf(3, 449), valueOf(599, 0)], state).map((height) => height >> 8);
   const large = { ...state, frames: 200, width: 8192, height: 8192 };
   await assert.rejects(fileOf(large, read), /at most 400 million pixels/);
   assert.deepEqual([frames.length, frames[0][3], frames[2].at(-1)], [3, ...expected]);
+});
+
+test("a slope becomes a colour of a normal map", () => {
+  const state = possible({ ...usualState(), file: "normals", steep: 0.5, cells: 1 });
+  const [low, high] = rangeOf(state);
+  // Values that rise to the right by one height of the colours in two pixels, with one more on each side; 45 degrees.
+  const ramp = Float32Array.from({ length: 16 }, (_, at) => low + ((high - low) * (at % 4)) / 2);
+  assert.deepEqual([...normalsOf(ramp, state, 2, 2, 4)].slice(0, 3), [37, 128, 218]);
+  const flat = new Float32Array(16).fill(0.25);
+  assert.deepEqual([...normalsOf(flat, state, 2, 2, 4)], Array(4).fill([128, 128, 255]).flat());
+  const up = Float32Array.from({ length: 16 }, (_, at) => -Math.floor(at / 4)); // the upper row comes first
+  assert.ok(normalsOf(up, state, 2, 2, 4)[1] < 128);
+});
+
+test("names tell files apart, and a file brings its setting back", async () => {
+  const state = stateFor({ seed: 12, file: "heights" });
+  assert.equal(nameOfFile(state), "hashnoise-fbm-perlin-seed12-heights-600x450.png");
+  const kinds = ["colours", "heights", "normals", "tiff", "gif", "r16", "r32", "json"];
+  assert.equal(new Set(kinds.map((file) => nameOfFile({ ...state, file }))).size, kinds.length);
+  for (const file of ["json", "colours"]) {
+    const made = await fileOf({ ...state, file, width: 4, height: 3 }, async (_, first, rows) => new Uint8Array(4 * 4 * rows));
+    assert.equal(linkOf(stateOf(await linkInFile(made))), linkOf({ ...state, file, width: 4, height: 3 }));
+  }
+  assert.equal(await linkInFile(new File(["something else"], "other.json")), undefined);
+});
+
+test("a TIFF has the values of the picture as floats", async () => {
+  const values = Float32Array.from({ length: 6 }, (_, at) => at - 2.5);
+  const state = possible({ ...usualState(), file: "tiff", width: 3, height: 2 });
+  const file = await fileOf(state, async () => new Uint8Array(values.buffer.slice(0)));
+  const view = new DataView(await file.arrayBuffer());
+  const tags = new Map(
+    Array.from({ length: view.getUint16(8, true) }, (_, at) => 10 + 12 * at).map((at) => [view.getUint16(at, true), view.getUint32(at + 8, true)]),
+  );
+  assert.deepEqual([view.getUint32(0), view.getUint32(4, true)], [0x49492a00, 8]);
+  assert.deepEqual([256, 257, 258, 279, 339].map((tag) => tags.get(tag)), [3, 2, 32, 24, 3]);
+  const start = tags.get(273);
+  assert.equal(view.byteLength, start + 24);
+  assert.equal(view.getFloat32(start, true), values[3]); // the upper row comes first
 });
 
 test("a file that is wrong is noticed", async () => {

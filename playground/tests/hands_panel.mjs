@@ -1,4 +1,4 @@
-// What people do with the panel: fields, sliders, layers, the clipboard. hands_test.mjs runs it.
+// The panel, as people use it: fields, sliders, layers, the clipboard. hands_test.mjs runs it.
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { resolve } from "node:path";
@@ -17,7 +17,7 @@ import {
   visibleText,
   wait,
 } from "./hands_support.mjs";
-import { kPage, kPhone, opened, pixels, ready, stateOfPage } from "./support.mjs";
+import { kPhone, opened, pixels, ready, stateOfPage } from "./support.mjs";
 
 test("a keyboard alone is enough", async () => {
   const page = await opened(browser, { viewport: kLaptop, before: keepCopies });
@@ -48,20 +48,20 @@ test("a keyboard alone is enough", async () => {
   await press(page, "Enter", "ArrowUp");
   await tabTo(page, "map-dusk");
   await press(page, "ArrowRight");
-  await tabTo(page, "language-glsl");
-  await press(page, "ArrowRight", "ArrowRight");
-  await tabTo(page, "copy");
-  await press(page, "Enter");
   await tabTo(page, "arithmetic-fast");
   await press(page, "ArrowRight");
+  await tabTo(page, "language");
+  await press(page, "ArrowDown", "ArrowDown");
+  await tabTo(page, "copy");
+  await press(page, "Enter");
   state = await stateOfPage(page);
   assert.deepEqual(
     [state.sum, state.noise, state.dimensions, state.octaves, state.z, state.seed, state.map, state.arithmetic],
     ["ridged", "value", 3, 8, 0.36, 100, "lagoon", "fixed"],
   );
   const copies = (await page.evaluate(() => window.copies)).join();
-  assert.match(copies, /fn pattern_cell\(cell: vec3i, f: vec3f\)/);
-  assert.match(copies, /fn hn_i_cell_vec3f/);
+  assert.match(copies, /fn pattern\(p: vec3f\)/);
+  assert.match(copies, /fn hn_add_ridged3/);
 
   await page.evaluate(() => document.getElementById("picture-webgl2").focus());
   const before = (await stateOfPage(page)).z;
@@ -73,7 +73,7 @@ test("a keyboard alone is enough", async () => {
   await page.close();
 });
 
-test("what is not of a place is not taken, and said", async () => {
+test("a text that is no place is not taken, and a sentence states why", async () => {
   const page = await shownOnShared();
   const enter = async (id, text) => {
     await page.$eval(
@@ -107,7 +107,7 @@ test("what is not of a place is not taken, and said", async () => {
   assert.equal(await page.$eval("#x", (input) => input.getAttribute("aria-invalid")), null);
 });
 
-test("a typed number that is changed says so", async () => {
+test("a typed number that is changed has a message", async () => {
   const page = await shownOnShared("#dimensions=3&z=0.49");
   const enter = async (id, text) => {
     await page.click(`#${id}`, { count: 3 });
@@ -157,7 +157,7 @@ test("one arrow key is one whole step", async () => {
   assert.equal(await after("x", "ArrowLeft"), 5n << 22n);
   assert.equal(await after("cells", "ArrowUp"), 9.5);
   assert.equal(await after("cells", "PageDown", "ArrowDown"), 0.1875);
-  // What is typed counts, whether or not it is entered.
+  // A typed text counts, whether or not it is entered.
   await page.click("#seed", { count: 3 });
   await page.keyboard.type("41");
   assert.equal(await after("seed", "ArrowUp"), 42);
@@ -192,7 +192,7 @@ test("every control has a name", async () => {
   await page.close();
 });
 
-// What axe-core finds, by the names of its rules. (It reads colours, too, but not of what lies on glass.)
+// The findings of axe-core, by the names of its rules. (It reads colours, too, but not of what lies on glass.)
 async function foundByAxe(page) {
   await page.evaluate(await readFile(resolve("node_modules", "axe-core", "axe.min.js"), "utf8"));
   const { violations } = await page.evaluate(() => window.axe.run(document));
@@ -383,7 +383,7 @@ test("Smaller undoes Larger", async () => {
   }
 });
 
-test("it says that it has copied only if it has", async () => {
+test("a button shows that it has copied only if it has", async () => {
   const page = await opened(browser, {
     viewport: kLaptop,
     before: () => {
@@ -398,13 +398,13 @@ test("it says that it has copied only if it has", async () => {
   const label = (id) => page.$eval(`#${id}`, (button) => button.textContent);
   for (const [id, expected] of [
     ["copy", await page.evaluate(() => window.hashnoise.controls.code)],
-    ["link", kPage],
+    ["link", "#"],
   ]) {
     const before = await label(id);
     await page.click(`#${id}`);
     assert.equal(await label(id), before);
     assert.match(await visibleText(page, "note-uncopied"), /did not let the page copy/);
-    assert.match(await page.$eval("#said", (said) => said.textContent), /is not copied/);
+    assert.match(await page.$eval("#status", (said) => said.textContent), /is not copied/);
     const selected = await page.evaluate(() => {
       const { value, selectionStart, selectionEnd } = document.activeElement;
       return value.slice(selectionStart, selectionEnd);
@@ -425,7 +425,7 @@ test("it says that it has copied only if it has", async () => {
   await page.close();
 });
 
-test("Play says why it does not", async () => {
+test("Play states why it does not play", async () => {
   const page = await shownOnShared();
   const described = () =>
     page.$eval("#play", (button) => document.getElementById(button.getAttribute("aria-describedby")).textContent);
@@ -435,7 +435,7 @@ test("Play says why it does not", async () => {
     await page.focus(`#${id}`);
     await press(page, "Space");
     assert.equal(await visibleText(page, "hint"), await described());
-    await page.waitForFunction(() => /does not move/.test(document.getElementById("said").textContent));
+    await page.waitForFunction(() => /does not move/.test(document.getElementById("status").textContent));
     await page.click("#dimensions label:nth-child(3)");
     assert.equal(await visibleText(page, "hint"), "");
     assert.equal(await described(), "");
@@ -455,4 +455,48 @@ test("a picture that plays leaves what is typed", async () => {
   await wait(settled);
   assert.equal(Number((await stateOfPage(page)).seed), 12);
   await page.click("#play"); // it would play on beside the other tests
+});
+
+test("copy, save and link are in sight, and the settings hide", async () => {
+  const page = await shownOnShared("#seed=3");
+  for (const viewport of [{ width: 1440, height: 900 }, { ...kPhone, width: 390 }]) {
+    await page.setViewport({ ...viewport, deviceScaleFactor: 0.125 });
+    await ready(page); // another kind of device loads the page again
+    const boxes = () =>
+      page.evaluate(() =>
+        ["copy", "save", "link"].map((id) => {
+          const box = document.getElementById(id).getBoundingClientRect();
+          return box.height > 0 && box.top >= 0 && box.bottom <= innerHeight && box.right <= innerWidth;
+        }),
+      );
+    assert.deepEqual(await boxes(), [true, true, true]);
+    await page.focus("#picture-webgl2");
+    await press(page, "h");
+    // On a phone the bar stays.
+    assert.deepEqual(await boxes(), Array(3).fill(viewport.width < 700));
+    assert.equal(await page.$eval("#octaves", (slider) => slider.checkVisibility()), false);
+    await page.$eval(viewport.width < 700 ? "#handle" : "#hide", (button) => button.click());
+    assert.equal(await page.$eval("#octaves", (slider) => slider.checkVisibility()), true);
+  }
+  await press(page, "?");
+  assert.match(await page.$eval("dialog[open]", (list) => list.textContent), /Home.*another seed.*hide or show/s);
+  assert.deepEqual(await foundByAxe(page), []);
+  await press(page, "Escape");
+  await page.setViewport(kLaptop);
+  await ready(page);
+});
+
+test("two settings are side by side, and a wrong link has a message", async () => {
+  const page = await shownOnShared("#sum=fmb&seed=4");
+  assert.match(await visibleText(page, "hint"), /does not know: sum=fmb/);
+  await page.click("#compare");
+  await page.evaluate(() => window.hashnoise.change({ seed: 5, map: "land" }));
+  await page.waitForFunction(() => !document.getElementById("picture-kept").hidden);
+  await page.click("#exchange");
+  assert.deepEqual(await page.evaluate(() => [window.hashnoise.link, window.hashnoise.beside.kept.map]), ["#seed=4", "land"]);
+  await page.click("#compare");
+  assert.equal(await page.$eval("#picture-kept", (canvas) => canvas.hidden), true);
+  await page.click("#surprise");
+  assert.notEqual(await page.evaluate(() => window.hashnoise.link), "#seed=4");
+  assert.deepEqual(page.complaints, []);
 });

@@ -1,4 +1,4 @@
-// What the tests of hands share: pages, keys, and what is seen and heard.
+// Shared by the tests of hands: pages, keys, and what is seen and heard.
 import assert from "node:assert/strict";
 import { after, before } from "node:test";
 import { kForWebGl, launched, opened, pixels } from "./support.mjs";
@@ -12,7 +12,7 @@ export const kThorough = Boolean(process.env.HN_THOROUGH);
 // A picture of 360 x 260 pixels, with the panel on it.
 export const kPane = { width: 720, height: 520, deviceScaleFactor: 0.5 };
 
-// What is copied, without a clipboard.
+// Keeps copied texts, without a clipboard.
 export const keepCopies = () => {
   window.copies = [];
   Object.defineProperty(navigator, "clipboard", {
@@ -36,7 +36,7 @@ export async function tabTo(page, id) {
   assert.fail(`Tab does not lead to ${id}`);
 }
 
-// What a screen reader has nothing to say of.
+// The controls for which a screen reader has no name.
 export async function nameless(page) {
   const tree = await page.accessibility.snapshot({ interestingOnly: true });
   const found = [];
@@ -53,13 +53,13 @@ export async function nameless(page) {
 export const visibleText = (page, id) =>
   page.$eval(`#${id}`, (shown) => (shown.checkVisibility() ? shown.textContent : ""));
 
-// What is seen, as a PNG.
+// The screen, as a PNG.
 export const screenshot = (page) => page.screenshot({ encoding: "base64" });
 
 // As bytes of pixels. Megabytes of them take a second to come here.
 export const pixelsOf = (page, png) => page.evaluate(async (text) => Array.from(await window.bytesOf(text)), png);
 
-// What decodes a PNG in the page.
+// Decodes a PNG in the page.
 export const decoding = () => {
   window.bytesOf = async (text) => {
     const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));

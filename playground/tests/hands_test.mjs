@@ -1,4 +1,4 @@
-// What people do with the page: open it from a disk, use a keyboard alone, two fingers, links.
+// The page, as people use it: they open it from a disk, use a keyboard alone, two fingers, links.
 import assert from "node:assert/strict";
 import test from "node:test";
 import {
@@ -58,7 +58,9 @@ test("a link shows the same picture", async () => {
   const link = await page.evaluate(() => location.hash);
   assert.match(link, /^#seed=\d+&octaves=7&warp=warp_progressive&map=lagoon&cells=[\d.]+$/);
   await page.click("#link");
-  assert.deepEqual(await page.evaluate(() => window.copies), [kPage + link]);
+  // A page from a disk has no address for others.
+  assert.deepEqual(await page.evaluate(() => window.copies), [link]);
+  assert.match(await visibleText(page, "hint"), /has no address for others/);
   const other = await opened(browser, { link, viewport: kLaptop });
   assert.deepEqual(await stateOfPage(other), await stateOfPage(page));
   assert.deepEqual(await pixels(other, 48, 32), await pixels(page, 48, 32));
@@ -186,7 +188,7 @@ test("a slow picture becomes sharp in strips that leave the page time", { skip: 
       const [shown, drawn] = [seenNow.slice(row * 1440), bytes.slice((259 - row) * 1440)];
       assert.deepEqual(shown.slice(0, 640), drawn.slice(0, 640), `row ${row}`);
     }
-    // What is wanted meanwhile does not wait for the end.
+    // A picture that is wanted meanwhile does not wait for the end.
     await page.evaluate(() => window.hashnoise.change({ seed: 9 }));
     await page.waitForFunction((count) => window.seen.sizes.length > count, {}, seen.sizes.length + 1);
     await page.evaluate(() => window.hashnoise.change({ seed: 10 }));
@@ -195,7 +197,7 @@ test("a slow picture becomes sharp in strips that leave the page time", { skip: 
   }
 });
 
-test("the page says that it draws until there is a picture", async () => {
+test("the page shows that it draws until there is a picture", async () => {
   const page = await browser.newPage();
   await page.setViewport(kLaptop);
   await page.evaluateOnNewDocument(() => {
@@ -286,11 +288,11 @@ test("a wheel changes the scale around the pointer, whose value is shown", async
   assert.ok(Math.abs((await shown()) - before) < 0.05);
 });
 
-test("WebGPU draws, and where there is none the page says so and goes on", async () => {
+test("WebGPU draws, and where there is none the page states it and goes on", async () => {
   const page = await opened(await withWebGpu(), { link: "#renderer=webgpu", viewport: kLaptop });
   assert.match(await page.$eval("#gpu", (text) => text.textContent), /swiftshader/i);
   assert.equal(await page.$eval("#picture-webgpu", (canvas) => canvas.hidden), false);
-  // Who asks twice until there is a device gets one.
+  // Two requests before there is a device get one.
   const same = await page.evaluate(async () => {
     delete window.hashnoise.backends.webgpu;
     const [one, two] = await Promise.all([window.hashnoise.backend(), window.hashnoise.backend()]);
@@ -402,7 +404,7 @@ test("Ctrl+Z and a button undo settings, and leave a text that is typed", async 
   const last = await shown();
   await ctrl("z");
   assert.equal(await shown(), "0.52 7 #octaves=1&gain=0.52");
-  await page.waitForFunction(() => document.getElementById("said").textContent === "The last change is undone.");
+  await page.waitForFunction(() => document.getElementById("status").textContent === "The last change is undone.");
   await page.click("#undo");
   assert.equal(await shown(), "0.5 7 #octaves=1");
   await ctrl("Shift", "z");
@@ -452,7 +454,7 @@ test("the times of noise are ratios to Perlin noise", { skip: kBesideOthers }, a
   assert.ok(sum > 1.8 && sum > plain, `four octaves cost ${sum}`);
   assert.match(
     await page.$eval("#note-cost", (note) => note.textContent),
-    /^That is pattern\(p\)\. From a cell, pattern\(cell, f\) costs [\d.]+ ×\. hn_perlin\(p\) in 2D, .* on ANGLE/,
+    /^A million values take [\d.]+ ms\. It is pattern\(p\)\. From a cell, pattern\(cell, f\) costs [\d.]+ ×\. hn_perlin\(p\) in 2D, .* on ANGLE/,
   );
   // The button keeps the focus, and a second press does nothing meanwhile.
   const pressed = await page.evaluate(() => {

@@ -1,4 +1,4 @@
-// What people turn: terrain and solids. hands_test.mjs runs it.
+// Terrain and solids, which people rotate. hands_test.mjs runs it.
 import assert from "node:assert/strict";
 import test from "node:test";
 import { press, shownOnShared } from "./hands_support.mjs";

@@ -11,7 +11,7 @@ import {
   possible,
   rangeOf,
   settingsOf,
-  swapped,
+  withMoved,
   titlesOf,
   usualState,
   uses,
@@ -20,7 +20,7 @@ import {
 } from "../model.js";
 
 const kThree = "#sum=none&noise=value&weight=2&sum2=none&blend2=add&offset2=0.5&scale2=4&blend3=mix&weight3=0.25";
-// What is called in the text needs no text of the library.
+// The text alone, without that of the library.
 const textOf = (state, language = "glsl", forms = ["position"]) =>
   functions(undefined, language, state, numbers(language, state), forms).lines.join("\n");
 
@@ -31,7 +31,7 @@ test("links of one layer are as they were, and a number names another layer", ()
   const three = stateOf(kThree);
   assert.equal(linkOf(three), kThree);
   assert.deepEqual(titlesOf(three), ["Value", "+ Perlin", "mix fBm of Perlin"]);
-  // A layer between two that a link names is there, too, and there are no more than four.
+  // A layer between two that a link names is there, too, and there are no more than eight.
   assert.equal(linkOf(stateOf("#blend3=min")), "#blend2=add&blend3=min");
   assert.equal(stateOf("#blend9=min").layers.length, 1);
   assert.equal(settingsOf(stateOf("#blend2=add&scale2=5"), 1).scale, 4);
@@ -61,10 +61,25 @@ test("layers are added, moved and removed", () => {
   let state = chosen(usualState(), { seed: 4294967295, sum: "ridged" });
   for (let number = 2; number <= kMostLayers; ++number) state = withLayer(state);
   // Each has noise of its own. Above the largest seed they go on from 0.
-  assert.deepEqual(state.layers.map(({ seed }) => seed), [4294967295, 9, 19, 29]);
+  assert.deepEqual(state.layers.map(({ seed }) => seed), [4294967295, 9, 19, 29, 39, 49, 59, 69]);
   assert.equal(withLayer(state).layers.length, kMostLayers);
-  assert.deepEqual(swapped(state, 0).layers.map(({ sum }) => sum), ["fbm", "ridged", "fbm", "fbm"]);
-  assert.deepEqual(withoutLayer(swapped(state, 0), 1).layers.map(({ sum }) => sum), ["fbm", "fbm", "fbm"]);
+  const sums = ({ layers }) => layers.map(({ sum }) => sum).join(" ");
+  const rest = " fbm fbm fbm fbm fbm";
+  assert.equal(sums(withMoved(state, 0, 2)), `fbm fbm ridged${rest}`);
+  assert.equal(sums(withMoved(withMoved(state, 0, 2), 2, 1)), `fbm ridged fbm${rest}`);
+  assert.equal(sums(withoutLayer(withMoved(state, 0, 1), 1)), `fbm fbm${rest}`);
+});
+
+test("a layer is the mask of the next, and height is one, too", () => {
+  const text = textOf(stateOf("#blend2=mask&sum2=none&noise2=value&weight2=2&blend3=max&sum3=none&blend4=height&weight4=0.5&offset4=0.25"));
+  assert.match(text, /float m2 = min\(max\(2\.0 \* layer_2\(p\), 0\.0\), 1\.0\);/);
+  assert.match(text, /v = v \+ m2 \* \(max\(v, layer_3\(p\)\) - v\);/);
+  assert.match(text, /v = v \+ min\(max\(0\.5 \* v \+ 0\.25, 0\.0\), 1\.0\) \* \(layer_4\(p\) - v\);/);
+  const wgsl = textOf(stateOf("#blend2=mask&sum2=none&blend3=add"), "wgsl");
+  assert.match(wgsl, /let m2 = .*;\n {2}v = v \+ m2 \* \(v \+ layer_3\(p\) - v\);/);
+  // Who chooses a mask gets one that has an edge. A mask of nothing changes nothing.
+  assert.deepEqual(chosen(stateOf("#blend2=add"), { blend: "mask" }, 1).layers[1].weight, 3);
+  assert.deepEqual(rangeOf(stateOf("#seed=3&blend2=mask")), rangeOf(stateOf("#seed=3")));
 });
 
 test("the colours span what the layers may be together", () => {
@@ -120,7 +135,7 @@ test("two sums over one noise have functions of their own", () => {
     assert.equal(text.split(`float ${name}(`).length, 2, name);
 });
 
-// What the functions of the text do with integers, in JavaScript.
+// The functions of the text with integers, in JavaScript.
 const steps = (value) => Math.floor(Math.min(Math.max(value, -8), 8) * 65536) / 65536;
 test("with integers weights are whole steps, and products are exact", () => {
   const state = changed(stateOf(kThree), { arithmetic: "fixed", weight: 0.3 });

@@ -77,9 +77,10 @@ test("stops are moved between their neighbours, added and removed", () => {
   assert.deepEqual([canLoseStop(text), canLoseStop("0-000000_100-ffffff")], [true, false]);
 });
 
-// What colour(value) of a copied text returns, as JavaScript computes it.
+// colour(value) of a copied text, as JavaScript computes it.
 function colourOf(state, language) {
-  const library = { picked: () => [], lines: () => [], wgsl: () => [], version: "" };
+  const shells = { glsl: ["", ""], hlsl: ["", ""], wgsl: ["", ""] };
+  const library = { pieces: { shading: { shells } }, texts: () => [], version: "" };
   const code = copied(library, language, state).code.map((line) => line.replaceAll("highp ", ""));
   const start = code.findIndex((line) => /^(fn|vec3|float3) colour\(/.test(line));
   const vector = { glsl: "vec3", hlsl: "float3", wgsl: "vec3f" }[language];

@@ -10,7 +10,7 @@ import { functions, numbers, shaderKey } from "../code.js";
 import { copied, copiedText, kKinds, kLicense } from "../copied.js";
 import { costOf } from "../cost.js";
 import { Library, unpacked } from "../library.js";
-import { kLooks, linkOf, stateOf, stateOfLook } from "../links.js";
+import { ignoredIn, kLooks, linkOf, stateOf, stateOfLook } from "../links.js";
 import {
   changed,
   dimensionsOf,
@@ -23,47 +23,31 @@ import {
   usualLayer,
   usualState,
 } from "../model.js";
+import { chance, settingsBy } from "./states.mjs";
 import { parsedNumber, parsedPosition, positionText, sameNumber } from "../numbers.js";
 import { paletteOf } from "../palette.js";
+import { Pieces } from "../pieces.js";
 import { pageShader } from "../shaders.js";
 import { Speed } from "../speed.js";
+import { kLockable, surprised } from "../surprise.js";
 import { kHashes, kMetrics, kNoises, kSums, kWarps } from "../tables.js";
 import { cellsAcross, originOf, panned, positionOfPixel, stepOf, zoomed } from "../view.js";
 import "./model_palette.mjs";
 import "./model_undo.mjs";
-import { simpleStates } from "./states.mjs";
 
 const root = resolve(dirname(fileURLToPath(import.meta.url)), "..", "..");
 const page = readFileSync(process.argv[2], "utf8");
-const inPage = (id) => unpacked(new RegExp(`id="${id}">([^<]*)<`).exec(page)[1]);
-const library = new Library(await inPage("library"));
-library.picks = await inPage("picks");
+const inPage = (id) => new RegExp(`id="${id}">([^<]*)<`).exec(page)[1];
+const library = new Library(await unpacked(inPage("library")), (name) => Pieces.unpacked(inPage(name)));
+for (const name of ["shading", "cpu"]) await library.load(name);
 
-test("the page is small", () => assert.ok(page.length < 495_000, `${page.length} bytes`));
+test("the page is small", () => assert.ok(page.length < 700_000, `${page.length} bytes`));
 
-// Numbers that are the same in every run.
-function* chance(word) {
-  for (;;) {
-    word = (Math.imul(word, 1664525) + 1013904223) >>> 0;
-    yield word / 4294967296;
-  }
-}
 const from = chance(19);
 const next = () => from.next().value;
 const one = (list) => list[Math.floor(next() * list.length)];
 
-function anySettings(ofLayer) {
-  const found = {};
-  for (const [name, setting] of Object.entries(kSettings)) {
-    if (Boolean(setting.layer) !== ofLayer) continue;
-    if (setting.of) found[name] = one(Object.keys(setting.of));
-    else if (setting.fit) found[name] = one([setting.usual, "5-0a0b0c_5-ffffff_90-000000", "7-12"]);
-    else if (typeof setting.usual === "bigint")
-      found[name] = BigInt.asIntN(56, BigInt(Math.floor(next() * 2 ** 53)) * 8n);
-    else found[name] = setting.from + next() * (Math.min(setting.to, 1e6) - setting.from);
-  }
-  return found;
-}
+const anySettings = settingsBy(next);
 
 function anyState(most = 4) {
   const layers = Array.from({ length: 1 + Math.floor(next() * most) }, () => {
@@ -80,7 +64,7 @@ test("a link brings its state back", () => {
     const state = anyState();
     const link = linkOf(state);
     assert.equal(linkOf(stateOf(link)), link);
-    // What the state does not use is not in its link; all else is.
+    // Settings that the state does not use are not in its link; all others are.
     const shader = (of) => {
       const seeds = shownLayers(of).map(({ seed }) => seed);
       const place = of.dimensions === 1 ? [of.x] : [of.x, of.y];
@@ -92,7 +76,7 @@ test("a link brings its state back", () => {
   assert.equal(linkOf(usualState()), "");
 });
 
-test("the links of the page's description mean what it says", () => {
+test("the links of the page's description mean what it states", () => {
   const state = settingsOf(stateOf("#sum=ridged&noise=simplex&dimensions=3&z=1.5&seed=42&x=1000000000.25&cells=4"));
   assert.deepEqual(
     [state.sum, state.noise, state.dimensions, state.z, state.seed, state.x, state.cells],
@@ -143,6 +127,31 @@ test("a link with what is not there still opens", () => {
   ]) {
     assert.equal(settingsOf(stateOf(link))[name], name === "cells" ? Number((1 / 64).toPrecision(6)) : value, link);
   }
+});
+
+test("a wrong link states what is ignored", () => {
+  assert.equal(ignoredIn("#sum=ridged&noise=simplex&x=1e9&blend2=add&seed2=3&cells=0.3333333333&map=land"), "");
+  assert.equal(
+    ignoredIn("#sum=fmb&octaves=abc&seed=-5&speed=1"),
+    "The link has what this page does not know: sum=fmb, octaves=abc, speed=1. seed=-5 became 0.",
+  );
+  for (const name of Object.keys(kLooks)) {
+    const link = linkOf(stateOfLook(name, usualState()));
+    assert.equal(ignoredIn(link), "", link);
+  }
+});
+
+test("a surprise is possible, and leaves what is locked", () => {
+  const state = stateOf("#sum=ridged&seed=5&map=land&blend2=add");
+  const seen = new Set();
+  for (let i = 0; i < 50; ++i) {
+    const other = surprised(state, new Set(["seed", "map"]), next);
+    assert.deepEqual(possible(other), other);
+    assert.deepEqual([other.map, ...other.layers.map(({ seed }) => seed)], ["land", 5, 7]);
+    seen.add(linkOf(other));
+  }
+  assert.equal(seen.size, 50);
+  assert.deepEqual(surprised(state, new Set(kLockable), next), state);
 });
 
 test("a look is possible as it is written", () => {
@@ -224,7 +233,7 @@ test("what one waits for any picture is no cost of a pixel", async () => {
     const time = async (pixels) => wait + pixels * pixel;
     const speed = await Speed.measured(time, 1280 * 800);
     assert.ok(Math.abs(speed.pixel - pixel) <= 0.02 * pixel, `${speed.pixel} is not ${pixel}`);
-    // More octaves, of which strips of forty milliseconds tell.
+    // More octaves, which strips of forty milliseconds show.
     for (let i = 0; i < 20; ++i) {
       const pixels = Math.max(1280, Math.min(1280 * 800, speed.pixelsIn(40)));
       speed.learn(pixels, await time(4 * pixels));
@@ -244,7 +253,7 @@ test("what one waits for any picture is no cost of a pixel", async () => {
   assert.ok(steady.pixelsIn(40) * 0.02 < 60, `${steady.pixel}`);
 });
 
-// A GPU that takes as long as it is told for each of the texts.
+// A GPU that takes a given time for each of the texts.
 const costWhere = (language, position, cell) =>
   costOf(
     {
@@ -320,7 +329,7 @@ from base.tree import GLSL
 from translate.settings import Settings
 from translate.wgsl.module import Module`;
 
-test("the library in the page is that of tools/pick whole, and of the translator", () => {
+test("the library in the page is that of tools/pick whole", () => {
   for (const file of ["fbm2d.glsl", "cellular3d.glsl"]) {
     const made = execFileSync(join(root, "tools", "pick"), ["whole", "--strip", file], { encoding: "utf8" });
     // In the page the text goes on, and keeps the numbers of its lines.
@@ -328,14 +337,6 @@ test("the library in the page is that of tools/pick whole, and of the translator
     assert.equal(library.lines([file]).join("\n"), text.trim(), file);
     assert.equal(made.split("\n")[1], kLicense);
   }
-  const script = `${kImports}
-from ship.playground.library import of_pictures
-text = "".join(f'#include "{file}"\\n' for file in of_pictures())
-module = Module(GLSL, text, Settings("HN_FIXED", "PCG"))
-print(module.text(["hn_ridged3_place"], strip=True), end="")
-`;
-  const made = execFileSync("python3", ["-c", script], { encoding: "utf8" });
-  assert.equal(library.wgsl(["hn_ridged3_place"], { arithmetic: "fixed", hash: "pcg" }).join("\n"), made.trim());
 });
 
 // A sum over another noise is a loop of ours. In WGSL it must be what the translator makes of the one in GLSL.
@@ -448,50 +449,51 @@ test("states with one shader have one text of it, and others have another", () =
   assert.equal(new Set(texts.values()).size, texts.size);
 });
 
-// What is wrong with the text of tools/pick in what is copied: nothing, if it defines what the picture calls.
-function wrongPick(from, language, state) {
+const kOfShadertoy = 65536; // characters that a tab has
+const kDefined = /^ *(?:export |public |private |pub |static |inline |highp )*(?:fn|func|function|[\w<>\[\](), ]+?) \*?(\w+)\(/gm;
+
+// The fault of a copied text: nothing, if it has what it calls of the library, in few characters.
+function wrongText(from, language, state) {
   const text = copiedText(from, language, state);
-  if (/#include|^#define HN_VERSION_MAJOR|^const HN_I_/m.test(text)) return "the library is in it";
-  const n = state.dimensions > 1 ? state.dimensions : "";
-  const types = { glsl: `float|vec${n}|ivec${n}|u?int`, hlsl: `float${n}|int${n}|uint` }[language];
-  for (const name of functions(from, language, state, numbers(language, state), ["position"]).public) {
-    const [, overloaded] = /^(\w+?)\d?(?:_phase|_full|_nearest)?$/.exec(name);
-    const head = language === "wgsl" ? `^fn ${name}\\(` : `^\\w+ ${overloaded}\\((?:${types}) `;
-    if (!new RegExp(head, "m").test(text.replaceAll("highp ", ""))) return `there is no ${name}`;
-  }
-  return "";
+  if (/#include "hashnoise|^#define HN_VERSION_MAJOR|^const HN_I_|…/m.test(text)) return "it has the files of the library";
+  if (text.length >= kOfShadertoy) return `it has ${text.length} characters`;
+  const defined = new Set(Array.from(text.matchAll(kDefined), ([, name]) => name));
+  const code = text.replace(/^ *(?:\/\/|#).*$/gm, "");
+  const called = new Set(Array.from(code.matchAll(/\b(hn_(?!uvec|ivec|vec)\w+)\(/gi), ([, name]) => name));
+  const absent = [...called].find((name) => !defined.has(name) && !new RegExp(`struct ${name}\\b`).test(code));
+  return absent ? `there is no ${absent}` : "";
 }
+const kShort = ["glsl", "hlsl", "wgsl", "metal", "godot", "tsl", "c", "osl", "rust", "go", "java", "csharp", "javascript"];
 
-test("what tools/pick writes of what a picture calls is in the text that is copied", () => {
-  const asked = new Set();
-  const from = Object.create(library, {
-    picked: { value: (command) => library.picked(asked.add(command) && command) },
-  });
-  for (const state of simpleStates())
-    for (const language of ["glsl", "hlsl", "wgsl"])
-      assert.equal(wrongPick(from, language, state), "", `${language}, ${linkOf(state)}`);
-  assert.deepEqual([...asked].toSorted(), Object.keys(library.picks.texts).toSorted());
-});
-
-test("a text of another function is noticed, and so is a picture without one", () => {
-  const [state] = simpleStates().filter((shown) => settingsOf(shown).sum === "fbm");
-  const { lines, texts } = library.picks;
-  for (const language of ["glsl", "hlsl", "wgsl"]) {
-    const command = `tools/pick hn_fbm1${language === "glsl" ? "" : ` --language ${language}`}`;
-    for (const [other, wrong] of [
-      [command.replace("fbm1", "fbm2"), "there is no hn_fbm1"],
-      [command.replace("fbm1", "clouds1"), "there is no hn_fbm1"],
-      ["tools/pick hn_absent1", "the library is in it"],
-    ]) {
-      const picks = { lines, texts: { ...texts, [command]: texts[other] } };
-      assert.equal(wrongPick(Object.assign(Object.create(library), { picks }), language, state), wrong);
-    }
-    for (const more of [{ hash: "pcg" }, { period: 4 }, { warp: "warp", dimensions: 2 }, { cells: 4096 }])
-      assert.equal(wrongPick(library, language, changed(state, more)), "the library is in it", JSON.stringify(more));
+test("what is copied in any language needs no file, and is short", () => {
+  const sizes = [];
+  for (let i = 0; i < 39; ++i) {
+    const state = possible({ ...anySettings(false), layers: Array.from({ length: 1 + (i % 3) }, () => anySettings(true)) });
+    const language = kShort[i % kShort.length];
+    assert.equal(wrongText(library, language, state), "", `${language}, ${linkOf(state)}`);
+    for (const kind of Object.keys(kKinds.glsl)) sizes.push(copiedText(library, "glsl", state, kind).length);
+  }
+  assert.ok(Math.max(...sizes) < kOfShadertoy, `${Math.max(...sizes)}`);
+  // One setting more than the plain picture has.
+  for (const link of ["", "#period=4", "#warp=warp", "#blend2=multiply&sum2=none&noise2=cellular", "#noise=simplex", "#hash=pcg"]) {
+    const { length } = copiedText(library, "glsl", stateOf(link));
+    assert.ok(length < 13_000, `${link}: ${length}`);
   }
 });
 
-test("what is copied says what is chosen", () => {
+test("a text without a piece is noticed", () => {
+  const without = (name) =>
+    Object.assign(Object.create(library), {
+      texts: (...wanted) => library.texts(...wanted).filter((text) => !text.includes(`${name}(`)),
+    });
+  for (const language of ["glsl", "hlsl", "wgsl"]) {
+    assert.equal(wrongText(library, language, usualState()), "");
+  }
+  assert.equal(wrongText(without("hn_fbm"), "glsl", usualState()), "there is no hn_fbm");
+  assert.throws(() => library.pieces.shading.texts(["hn_absent2"], "glsl", "fast", "lattice", 2), /no hn_absent2 in glsl/);
+});
+
+test("a copied text has the chosen settings", () => {
   const state = possible(
     changed(usualState(), { sum: "ridged", noise: "simplex", octaves: 5, seed: 9, arithmetic: "fixed", hash: "pcg" }),
   );
@@ -511,11 +513,13 @@ test("what is copied says what is chosen", () => {
     for (const kind of Object.keys(kKinds[language])) {
       const text = copiedText(library, language, state, kind);
       assert.ok(!text.includes("#include") && text.includes(kLicense), `${language}, ${kind}`);
-      assert.match(text, language === "wgsl" ? /^fn hn_lattice|^fn hn_i_/m : /^#define HN_VERSION_MAJOR/m);
+      assert.match(text, /^(fn hn_add_ridged2|(highp )?void hn_add_ridged)\(/m);
     }
   }
   assert.match(
     copied(library, "wgsl", state, "function", false).head.join("\n"),
     /tools\/pick .*hn_add_ridged2 .*--language wgsl --arithmetic fixed --hash pcg/,
   );
+  assert.match(copiedText(library, "bake", stateOf("#seed=9&period=4")), /^tools\/bake fbm --seed 9 .*--period 4x4 .*-o noise\.png$/m);
+  assert.match(copiedText(library, "python", stateOf("#seed=9")), /^values = hashnoise\.grid\("fbm", \(1024, 1024\), .*seed=9/m);
 });

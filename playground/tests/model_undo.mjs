@@ -79,7 +79,7 @@ test("one slider that is moved is one step", () => {
   page.change(10, { gain: 0.8 });
   page.step("undo");
   assert.equal(page.shown, "0.5 7 1");
-  // What comes back to where it was, or changes nothing, is none.
+  // A change that comes back to where it was, or changes nothing, is no step.
   page.change(10, { gain: 0.6 });
   page.change(10, { gain: 0.5 });
   page.change(10, { gain: 0.5 });

@@ -42,7 +42,7 @@ const subjects = [
 
 const signed = (word) => word | 0;
 
-// What the page shows of a row: the state and the point; nothing for a row that no pixel can have.
+// A row as the page shows it: the state and the point; nothing for a row that no pixel can have.
 function shownOf({ words }, state) {
   const axes = kAxes.slice(0, state.dimensions);
   const cells = words.cx !== undefined;
@@ -89,7 +89,7 @@ async function differing(page, renderer, [id, subject]) {
   return { tried, wrong };
 }
 
-// Pictures of which every pixel is compared with C++: 8 of them make a cell, and far out a cell has its own neighbours.
+// Pictures whose every pixel is compared with C++: 8 pixels make a cell, and far out a cell has its own neighbours.
 const far = { x: -1000000000n * 16777216n + 4711n, y: 2000000000n * 16777216n, cells: 0.75 };
 const pictures = [
   { sum: "fbm", noise: "simplex", ...far },
@@ -106,7 +106,8 @@ const pictures = [
 // Layers, far out: every way to combine them, finer ones, one that is off, a warp and weights that are rounded.
 const kLayered =
   "#sum=ridged&weight=1.1&blend2=add&sum2=billow&noise2=simplex&weight2=-0.7&offset2=0.1&scale2=4&" +
-  "blend3=multiply&on3=0&blend4=mix&sum4=none&noise4=cells&weight4=0.35&seed4=3&warp4=warp";
+  "blend3=multiply&on3=0&blend4=mix&sum4=none&noise4=cells&weight4=0.35&seed4=3&warp4=warp&" +
+  "blend5=mask&sum5=none&noise5=value&weight5=1.5&offset5=0.3&blend6=height&sum6=none&noise6=simplex&weight6=0.7&offset6=0.2";
 const kOthers =
   "#noise=value&blend2=multiply&weight2=1.3&blend3=min&sum3=none&noise3=cellular&offset3=-0.6&" +
   "blend4=max&sum4=none&noise4=curl&weight4=0.2&scale4=64&dimensions=3&z=7.3&period=3";
@@ -139,7 +140,7 @@ int cell(long long at) { return static_cast<int>(static_cast<unsigned>(at >> 24)
 float place(long long at) { return static_cast<float>(at & 0xFFFFFF) * 0x1p-24f; }
 `;
 
-// The words of each picture by C++. Those with one hash are in one program, since the header takes long to compile.
+// The words of each picture by C++. Pictures with one hash are in one program, since the header takes long to compile.
 async function wordsOfCpp() {
   const words = new Map();
   for (const hash of new Set(pictures.map((state) => state.hash))) {
@@ -345,7 +346,7 @@ test("a sphere and a cube show points of space, the same by WebGL2 and by WebGPU
   }
 });
 
-// What the button saves: the words of the file, and its name.
+// The saved file: the words of the file, and its name.
 const saved = () =>
   page.evaluate(async () => {
     const make = URL.createObjectURL.bind(URL);
@@ -370,7 +371,7 @@ test("a file that is saved has the picture", async () => {
   for (const renderer of ["webgl2", "webgpu"]) {
     await setState(page, { ...state, file: "r32", renderer });
     const file = await saved();
-    assert.equal(file.name, "hashnoise-curl-40x32.r32");
+    assert.equal(file.name, "hashnoise-curl-seed7-values-40x32.r32");
     const words = Array.from(new Uint32Array(new Uint8Array(file.bytes).buffer));
     const rows = (list) => [...Array(kHeight).keys()].map((row) => list.slice(row * kWidth, (row + 1) * kWidth));
     assert.deepEqual(rows(words).toReversed(), rows(await pixels(page, kWidth, kHeight, true)), renderer);
@@ -403,7 +404,8 @@ test("a changed library is noticed", async () => {
     const { library } = window.hashnoise;
     const changed = (text) => text.replaceAll("0x9E3779B9u", "0x9E3779B8u");
     for (const [file, lines] of Object.entries(library.glsl)) library.glsl[file] = lines.map(changed);
-    for (const definition of library.definitions) definition.text = changed(definition.text);
+    const { pieces } = library.pieces.shading;
+    for (const at of pieces.keys()) pieces[at] = changed(pieces[at]);
   });
   for (const renderer of ["webgl2", "webgpu"]) {
     const { wrong } = await differing(broken, renderer, [

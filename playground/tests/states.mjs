@@ -1,5 +1,5 @@
 // The states whose functions tools/pick has written for the page, each once.
-import { changed, dimensionsOfLayer, possible, uses, usualState } from "../model.js";
+import { changed, dimensionsOfLayer, kSettings, possible, uses, usualState } from "../model.js";
 import { kArithmetics, kNoises, kSums } from "../tables.js";
 
 const kForms = [{}, { phase: 0.25 }, { jitter: 0.5 }, { metric: "hybrid" }];
@@ -18,3 +18,34 @@ export const simpleStates = () =>
       ),
     ),
   );
+
+// Numbers that are the same in every run.
+export function* chance(word) {
+  for (;;) {
+    word = (Math.imul(word, 1664525) + 1013904223) >>> 0;
+    yield word / 4294967296;
+  }
+}
+// Makes any settings of a layer, or of the whole picture.
+export const settingsBy = (next) => (ofLayer) => {
+  const one = (list) => list[Math.floor(next() * list.length)];
+  const found = {};
+  for (const [name, setting] of Object.entries(kSettings)) {
+    if (Boolean(setting.layer) !== ofLayer) continue;
+    if (setting.of) found[name] = one(Object.keys(setting.of));
+    else if (setting.fit) found[name] = one([setting.usual, "5-0a0b0c_5-ffffff_90-000000", "7-12"]);
+    else if (typeof setting.usual === "bigint")
+      found[name] = BigInt.asIntN(56, BigInt(Math.floor(next() * 2 ** 53)) * 8n);
+    else found[name] = setting.from + next() * (Math.min(setting.to, 1e6) - setting.from);
+  }
+  return found;
+};
+
+// Pictures of up to three layers, with integers and without a solid, for compilers.
+export function anyStates(count, seed = 5) {
+  const from = chance(seed);
+  const any = settingsBy(() => from.next().value);
+  return Array.from({ length: count }, (_, at) =>
+    possible({ ...any(false), view: "plane", arithmetic: "fixed", renderer: "webgl2", layers: Array.from({ length: 1 + (at % 3) }, () => any(true)) }),
+  );
+}

@@ -1,4 +1,4 @@
-// What the tests of the page share. They run in the folder of tools/lib/base/javascript:
+// Shared by the tests of the page. They run in the folder of tools/lib/base/javascript:
 //
 //   node TEST PAGE.html
 import { execFile } from "node:child_process";
@@ -91,7 +91,7 @@ export const copiedCode = (page, language, whole, kind = "function") =>
   page.evaluate(
     (tab, chosen, as) => {
       const { controls, state } = window.hashnoise;
-      document.getElementById(`language-${tab}`).click();
+      controls.chooseLanguage(tab);
       controls.chooseKind(as);
       document.getElementById("whole").checked = chosen;
       controls.show(state);
@@ -123,7 +123,7 @@ export async function inFolder(work) {
   }
 }
 
-// What a program of C++ prints that ends in `main`, behind the copied code.
+// The output of a program of C++ that ends in `main`, behind the copied code.
 export const compiled = (code, main) =>
   inFolder(async (folder) => {
     await writeFile(join(folder, "main.cpp"), `${code}\n${main}`);

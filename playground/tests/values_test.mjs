@@ -1,4 +1,4 @@
-// What the page tells of the values of a picture.
+// The summary of the values of a picture.
 import assert from "node:assert/strict";
 import test from "node:test";
 import { histogramOf, summaryOf, wordsOf } from "../values.js";
@@ -25,7 +25,7 @@ test("how far values go, and how many each part of the colours has", () => {
   assert.match(shape, /22\.50% 50\.00%, 25\.00% 50\.00%/);
 });
 
-test("what is within the colours needs no words, and a little is said to be little", () => {
+test("values within the colours need no words, and few beyond them are called few", () => {
   const many = [...Array(1000).fill(0.25), 3];
   assert.match(wordsOf(summaryOf(many.slice(0, -1), [0, 1]), [0, 1]), /from 0\.25 to 0\.25, .* from 0 to 1\.$/);
   assert.match(wordsOf(summaryOf(many, [0, 1]), [0, 1]), /; 0 % of the values are below, and less than 1 % above\.$/);

@@ -52,11 +52,11 @@ readonly test_packages=("${driver_packages[@]}" "${npm_packages[@]}" "${example_
 # Compilers of the languages that tools/pick writes, as PROGRAM:PACKAGE. A machine may have the program from elsewhere,
 # so the package is missing only where the program is. Node.js is not among them: tools/lib/base/node gets one that is
 # new enough.
-readonly language_packages=(cargo:cargo cargo-clippy:rust-clippy go:golang-go javac:default-jdk-headless rustc:rustc
-  rustfmt:rustfmt)
+readonly language_packages=(cargo:cargo cargo-clippy:rust-clippy go:golang-go iverilog:iverilog
+  javac:default-jdk-headless rustc:rustc rustfmt:rustfmt)
 # Of thorough tests: Microsoft's FXC, a program for Windows, and the compiler of what starts it; a Debian that has
-# nothing, and what sees connections.
-readonly thorough_packages=(debootstrap g++-mingw-w64-x86-64 python3-matplotlib strace wine wine64)
+# nothing; what sees connections; what simulates circuits and synthesises them.
+readonly thorough_packages=(debootstrap g++-mingw-w64-x86-64 python3-matplotlib strace verilator wine wine64 yosys)
 
 # If the arguments behind -- have --help, prints the comment at the top of the command, and the program's list of its
 # options, and stops.

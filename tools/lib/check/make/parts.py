@@ -32,7 +32,7 @@ PAGES = ("README.md", "docs/guide/gallery/README.md",
          *(f"docs/{page}.md" for page in (
              "guide/cellular", "guide/conformance", "guide/languages", "guide/moving", "guide/uniform",
              "measured/default-hash", "measured/gpu-operations", "measured/hashes", "measured/judge",
-             "measured/measuring", "reference/fractals", "reference/noises")))
+             "measured/measuring", "measured/silicon", "reference/fractals", "reference/noises")))
 
 PARTS = (
     Part("catalog", "what the library, packages and pages have of catalog/", "a second", "catalog.command",

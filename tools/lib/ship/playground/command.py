@@ -13,12 +13,13 @@ from ship.playground.page import Unfit, page
 from translate.parsing.tokens import Unknown
 
 PICTURE = ROOT / "docs" / "images" / "playground.png"
+LOOKS = ROOT / "playground" / "looks.webp"  # which the next page has inside
 
 
 def draw(html: Path) -> int:
     """Writes the picture of a page, in Chromium; the exit status of the program that does."""
     folder = ROOT / "build" / "javascript"
-    command = ["node", ROOT / "playground" / "picture.mjs", html.resolve(), PICTURE]
+    command = ["node", ROOT / "playground" / "picture.mjs", html.resolve(), PICTURE, LOOKS]
     return subprocess.run([sys.executable, "-B", environment.__file__, "run", folder, *command], check=False).returncode
 
 
@@ -28,7 +29,8 @@ def main() -> int:
     parser.add_argument("--out", type=Path, default=ROOT / "build" / "playground.html", metavar="FILE",
                         help="the file to write (default: build/playground.html)")
     parser.add_argument("--picture", action="store_true",
-                        help="also write docs/images/playground.png, the picture of the page, in Chromium")
+                        help="also write docs/images/playground.png and playground/looks.webp, the pictures of the page "
+                        "and of its looks, in Chromium")
     arguments = parser.parse_args()
     out = arguments.out
 

@@ -17,6 +17,7 @@ SOURCES = ROOT / "playground"
 FIRST = "main.js"  # the module that imports the others
 IMPORT = re.compile(r'^import \{[^}]*\} from "\./(\w+\.js)";\n', re.MULTILINE)
 EXPORT = re.compile(r"^export (?=(?:async )?(?:const|class|function)\b)", re.MULTILINE)
+BLANK = re.compile(r"^(?: *//.*\n|\n| +)", re.MULTILINE)  # comments and indents, which browsers do not need
 NAME = re.compile(r"^(?:async )?(?:const|let|class|function\*?) (\w+)", re.MULTILINE)
 
 
@@ -50,7 +51,7 @@ def script() -> str:
             if name in names:
                 raise Unfit(f"{name} is defined in playground/{names[name]} and in playground/{file}")
             names[name] = file
-    return "\n".join(texts.values())
+    return BLANK.sub("", "\n".join(texts.values()))
 
 
 def packed(data: dict) -> str:
@@ -67,7 +68,9 @@ def hash_of(code: str) -> str:
 def page(tell: Callable[[str], None] = lambda _: None) -> str:
     """`tell` takes a sentence before each step that takes long."""
     code = f"\n{script().strip()}\n"
-    parts = {"style": (SOURCES / "style.css").read_text(encoding="utf-8").strip(), "script": code, "hash": hash_of(code),
-             "library": packed(library(tell)), "picks": packed(picks.data(tell))}
+    style = (SOURCES / "style.css").read_text(encoding="utf-8").strip()
+    looks = base64.b64encode((SOURCES / "looks.webp").read_bytes()).decode("ascii")
+    parts = {"style": style, "looks": looks, "script": code, "hash": hash_of(code),
+             "library": packed(library()), **picks.kept_texts(tell)}
     return re.sub(r"\{\{(\w+)\}\}", lambda match: parts[match[1]],
                   (SOURCES / "index.html").read_text(encoding="utf-8"))

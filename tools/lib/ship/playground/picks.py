@@ -1,85 +1,203 @@
-"""tools/pick's texts of the functions that pictures call, which the page of the playground contains. They take a
-minute, so build/picks keeps it until something changes that it is made of."""
+"""Every function that a picture may call, as tools/pick writes it in each language: pieces that the page composes.
+
+A program of tools/pick has all functions of one dimension at once, so that they share what they call. The page takes
+the pieces that a picture needs. The pieces are LZMA, since gzip looks back too short a way to find how much languages
+and dimensions have in common. All of it takes minutes, so build/picks keeps it until one of its sources changes."""
 
 from __future__ import annotations
 
+import base64
 import json
-from collections.abc import Callable, Collection, Mapping, Sequence
+import lzma
+import re
+from collections.abc import Callable, Iterable
 from concurrent.futures import ProcessPoolExecutor
 from functools import partial
 from pathlib import Path
+from typing import NamedTuple
 
 from base import modules
 from base.kept import kept
 from base.tree import GLSL, ROOT, glsl_files
-from catalog.javascript import dimensions_of, drawn, may_draw
+from catalog.javascript import drawn
 from catalog.model import read
-from translate.pick.command import Choice, command_of, picker, read_library
+from ship.playground import glue
+from translate.names import wgsl_name
+from translate.pick import program as of_pick
+from translate.pick import scalars, tsl
+from translate.pick.command import SYNTAXES, Choice
+from translate.pick.evaluate import Module
+from translate.pick.program import Program
+from translate.pick.shading import LANGUAGES
 
 FOLDER = ROOT / "build" / "picks"
-NAME = "picks.json"
-# In the order that gzip compresses best.
-CHOICES = [Choice(language, arithmetic) for arithmetic in ("fixed", "fast") for language in ("wgsl", "glsl", "hlsl")]
-FORMS = ("", "_phase", "_jitter")
-COMMAND = "{command}"  # stands in a text for the command that writes it, so that more lines are alike
+SHADING = ("glsl", "hlsl", "metal", "godot", "wgsl")
+# These have the bits of HN_FIXED, as docs/snippets have: on a CPU floats are not faster by much.
+CPU = ("c", "java", "csharp", "javascript", "go", "rust", "osl")
+DIMENSIONS = (1, 2, 3, 4)
+# The page has the other hashes for shading languages. They differ in one function, which small programs have, too, so
+# one of them is picked as a whole.
+WHOLE_HASHES = ("lattice", "pcg")
+OTHER_HASHES = ("fnv1", "partial_fnv1", "jenkins", "partial_jenkins", "murmur", "xxhash32")
+# HTML has no room for three of the digits to the base of 85.
+DIGITS = bytes.maketrans(b"<&`", b".,:")
+WORD = "hn_i_word uint uint"  # the function in which hashes differ, and what it calls
+COMMENT = re.compile(r"^\s*//.*\n", re.MULTILINE)
+BLOCK = re.compile(r"^/\*\*\n(?: \*.*\n)+", re.MULTILINE)
+# Raw LZMA: playground/lzma.js knows its properties.
+FILTERS = [{"id": lzma.FILTER_LZMA1, "preset": 9 | lzma.PRESET_EXTREME, "dict_size": 1 << 23, "lc": 3, "lp": 0,
+            "pb": 0}]
 
 
-def calls() -> list[list[str]]:
-    """The functions of each picture that has no tile, no warp, and no sum over another noise than Perlin's."""
+class Piece(NamedTuple):
+    """A function or a struct, by the name by which others need it."""
+    name: str
+    text: str
+
+
+class Setting(NamedTuple):
+    languages: tuple[str, ...]
+    arithmetic: str
+    hash: str
+    dimensions: int
+    is_small: bool = False
+
+    def key(self, language: str) -> str:
+        return f"{language} {self.arithmetic} {self.hash} {self.dimensions}"
+
+
+def small_roots(n: int) -> list[str]:
+    return [f"hn_perlin{n}", f"hn_value{n}", f"hn_lattice{n}"]
+
+
+def roots(module: Module, n: int, of_cpu: bool) -> list[str]:
+    """The names of what the page calls. A jitter and a metric are always passed, and sums over other noises, in tiles
+    or at places are loops, so that there is less text."""
     noises, sums = drawn(read())
-    names = [f"hn_{function.name}{n}{form}" for function in (*noises, *sums) for n in dimensions_of(function, 4)
-             for form in FORMS if form != "_phase" or may_draw(function, "phase")]
-    known = read_library(GLSL, Choice()).forms
-    cells = [[f"hn_cellular{n}_nearest", f"hn_lattice{n}", "hn_unorm"] for n in (2, 3)]
-    return [*([name] for name in names if name in known), *cells]
+    with_jitter = [noise.name for noise in noises if f"hn_{noise.name}{n}_jitter" in module.forms]
+    plain = [noise.name for noise in noises if noise.name not in with_jitter]
+    places = ("", "_place")
+    if of_cpu:  # these have longer texts, so they have fewer functions
+        names = [f"hn_perlin{n}", f"hn_value{n}", f"hn_simplex{n}"]
+        places = ("_place",)
+    else:
+        names = []
+    names += [f"hn_{name}{n}{place}" for name in plain for place in places]
+    names += [f"hn_{name}{n}{place}_phase" for name in plain for place in places]
+    names += [f"hn_{name}{n}{place}_jitter" for name in with_jitter for place in places]
+    names += [f"hn_{total.name}{n}" for total in sums]
+    names += [f"hn_{step}{n}" for step in ("octaves_of", "next", "mean", "density", "add", "slopes_of")]
+    names += [f"hn_octaves_of{n}_place"]
+    names += [f"{total.step_of_loops}{n}" for total in sums if total.step_of_loops]
+    if of_cpu:
+        names += [wgsl_name(function) for (name, _), function in module.functions.items()
+                  if name.startswith(glue.PREFIX)]
+    else:
+        names += [f"hn_{noise.name}_d{n}_place" for noise in noises]
+        names += [f"hn_cellular{n}_nearest", f"hn_cellular{n}_place_nearest", f"hn_lattice{n}", "hn_unorm"]
+        names += [f"hn_{warp}{n}{place}" for warp in ("warp", "warp_progressive") for place in places]
+        names += [f"hn_tile{n}", f"hn_tile{n}_place", f"hn_place_in_cell{n}", f"hn_mean{n}_slopes"]
+    return [name for name in dict.fromkeys(names) if module.form(name) is not None]
 
 
-def picked(choice: Choice, of: Collection[Sequence[str]]) -> dict[str, str]:
-    """By the command that writes it."""
-    pick = picker()
-    commands = {command_of(names, choice): names for names in of}
-    return {command: pick(names, choice).replace(command, COMMAND) for command, names in commands.items()}
+def settings() -> list[Setting]:
+    """The longest first."""
+    order = sorted(DIMENSIONS, key=lambda n: abs(n - 3.4))
+    arithmetics = ("fixed", "fast")
+    return [*(Setting(CPU, "fixed", "lattice", n) for n in order),
+            *(Setting(SHADING, arithmetic, hash_, n) for n in order for hash_ in WHOLE_HASHES
+              for arithmetic in arithmetics),
+            *(Setting(SHADING, arithmetic, hash_, n, is_small=True) for n in order for arithmetic in arithmetics
+              for hash_ in (WHOLE_HASHES[1], *OTHER_HASHES))]
 
 
-def texts(of: Collection[Sequence[str]], tell: Callable[[str], None] = lambda _: None) -> dict[str, str]:
-    """The picks of all choices. `tell` takes a sentence before each long step."""
-    tell(f"Picking what {len(of)} pictures call, in {len(CHOICES)} texts each, which takes a minute at first ...")
+def program_of(setting: Setting) -> Program:
+    of_cpu = setting.languages[0] in SYNTAXES
+    choice = Choice(setting.languages[0], setting.arithmetic, setting.hash)
+    language = SYNTAXES[choice.language] if of_cpu else LANGUAGES[choice.language]
+    macros = {**choice.knobs.macros(), **language.library}
+    module = of_pick.read(GLSL, macros, of_cpu, below=glue.text(setting.dimensions) if of_cpu else "")
+    names = small_roots(setting.dimensions) if setting.is_small else roots(module, setting.dimensions, of_cpu)
+    return Program(module, of_pick.chosen(module, names))
+
+
+def pieces_of(setting: Setting) -> tuple[Setting, dict[str, list[Piece]]]:
+    """Of each language."""
+    program = program_of(setting)
+    found = {}
+    for language in setting.languages:
+        if language in SYNTAXES:
+            made = scalars.pieces(program, SYNTAXES[language](False))
+        else:
+            made = program.pieces(LANGUAGES[language])
+        found[setting.key(language)] = [Piece(name, COMMENT.sub("", text)) for name, text in made]
+    return setting, found
+
+
+def with_hash(base: list[Piece], of_base: list[Piece], of_other: list[Piece]) -> list[Piece]:
+    """The pieces of a hash, with those in which a small program with another hash differs from one with this."""
+    if {piece.name for piece in of_base if piece not in of_other} != {WORD}:
+        raise ValueError(f"hashes differ in more than {WORD}")
+    new = [piece for piece in of_other if piece not in of_base]
+    return [one for piece in base for one in (new if piece.name == WORD else [piece])]
+
+
+def every_module(made: Iterable[tuple[Setting, dict[str, list[Piece]]]]) -> dict[str, list[Piece]]:
+    whole: dict[str, list[Piece]] = {}
+    small: dict[str, list[Piece]] = {}
+    for setting, found in made:
+        (small if setting.is_small else whole).update(found)
+    for key, pieces in small.items():
+        base = key.replace(f" {key.split()[2]} ", f" {WHOLE_HASHES[1]} ")
+        if key != base:
+            whole[key] = with_hash(whole[base], small[base], pieces)
+    return whole
+
+
+def shells() -> dict[str, list[str]]:
+    """The lines in front of the pieces of a language and behind them."""
+    found = {language: [LANGUAGES[language].opening, ""] for language in SHADING}
+    for language in CPU:
+        if language != "osl":  # whose shader the page writes
+            before, after = SYNTAXES[language](False).file([], ["pattern"], ["\0math.\n"]).split("\0math.\n")
+            found[language] = [before.lstrip("\n").rstrip(" \t"), after]
+    opening, nodes = tsl.NODES.read_text(encoding="ascii").split("\n\n", 1)
+    imports = opening.splitlines()[-1].replace(" glslFn", " glsl, glslFn").replace(" wgslFn", " wgsl, wgslFn")
+    return {**found, "osl": ["", ""], "tsl": [f"{imports}\n\n{BLOCK.sub('', nodes.replace('export ', ''))}", ""]}
+
+
+def data(modules_: dict[str, list[Piece]]) -> dict:
+    """Each piece once, and which of them each module has, in their order."""
+    every = {piece for pieces in modules_.values() for piece in pieces}
+    order = {language: at for at, language in enumerate((*SHADING, *CPU))}
+    languages = {piece: order[key.split()[0]] for key, pieces in modules_.items() for piece in pieces}
+
+    def place(piece: Piece) -> tuple:
+        return languages[piece], re.sub(r"\d", "", piece.name), piece.name, piece.text
+
+    numbers = {piece: at for at, piece in enumerate(sorted(every, key=place))}
+    return {"pieces": [part for piece in numbers for part in piece], "shells": shells(),
+            "modules": {key: [numbers[piece] for piece in pieces] for key, pieces in modules_.items()}}
+
+
+def compressed(text: str) -> str:
+    made = lzma.compress(text.encode(), format=lzma.FORMAT_RAW, filters=FILTERS)
+    return f"{len(text.encode())} {base64.b85encode(made).translate(DIGITS).decode('ascii')}"
+
+
+def texts(tell: Callable[[str], None] = lambda _: None) -> dict[str, str]:
+    """Of the languages of shaders, and of those of the CPU: JSON, compressed."""
+    tell(f"Picking what pictures call, in {len(SHADING) + len(CPU)} languages, which takes minutes at first ...")
     with ProcessPoolExecutor() as pool:
-        found = {command: text for part in pool.map(partial(picked, of=of), CHOICES) for command, text in part.items()}
-    return {command: found[command] for names in of for command in (command_of(names, choice) for choice in CHOICES)}
+        every = every_module(pool.map(pieces_of, settings()))
+    found = {}
+    for name, languages in (("shading", SHADING), ("cpu", CPU)):
+        part = data({key: every[key] for key in sorted(every) if key.split()[0] in languages})
+        found[name] = compressed(json.dumps(part, separators=(",", ":")))
+    return found
 
 
-def woven(named: Mapping[str, str]) -> dict:
-    """Lines, and of each text its spans of them: where one begins, and how many lines it has. Most lines stand in many
-    texts, further apart than gzip looks."""
-    lines: list[str] = []
-    places: dict[str, list[int]] = {}
-    spans: dict[str, list[int]] = {}
-
-    def alike(place: int, rest: Sequence[str]) -> int:
-        return next((i for i, line in enumerate(rest) if lines[place + i:place + i + 1] != [line]), len(rest))
-
-    for name, text in named.items():
-        rest = text.splitlines()
-        of_text = spans[name] = []
-        while rest:
-            if rest[0] not in places:
-                places[rest[0]] = [len(lines)]
-                lines.append(rest[0])
-            place = max(places[rest[0]], key=lambda one: alike(one, rest))
-            count = alike(place, rest)
-            if of_text and sum(of_text[-2:]) == place:
-                of_text[-1] += count
-            else:
-                of_text += [place, count]
-            rest = rest[count:]
-    return {"lines": lines, "texts": spans}
-
-
-def data(tell: Callable[[str], None] = lambda _: None) -> dict:
-    """The texts, woven, as library.js of the playground reads them."""
-    def made() -> dict[str, str]:
-        return {NAME: json.dumps(woven(texts(calls(), tell)))}
-
+def kept_texts(tell: Callable[[str], None] = lambda _: None) -> dict[str, str]:
     sources = [*glsl_files().values(), *(ROOT / "catalog").glob("*.toml"), *modules.files_of([Path(__file__)])]
-    return json.loads((kept(FOLDER, sources, made) / NAME).read_text(encoding="utf-8"))
+    folder = kept(FOLDER, sources, partial(texts, tell))
+    return {name: (folder / name).read_text(encoding="ascii") for name in ("shading", "cpu")}

@@ -6,6 +6,7 @@ import gzip
 import hashlib
 import io
 import json
+import lzma
 import re
 import subprocess
 import sys
@@ -18,23 +19,18 @@ import ship.playground.command as command
 import ship.playground.page as page
 from base.tree import TOOLS, version
 from ship.playground import picks
-from ship.playground.library import definitions, library, modules, of_pictures, written
-from translate.pick.command import Choice
+from ship.playground.library import library
+from translate.pick.command import Choice, picked
 
 
 class Page(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.printed = []
-        cls.modules = dict(modules(cls.printed.append))  # which takes seconds
-        with mock.patch("ship.playground.library.modules", lambda _: cls.modules.items()):
-            cls.library = library(cls.printed.append)
-        cls.picks = picks.woven({"tools/pick hn_a": "a\n"})  # the test playground.page makes a page of all texts
+        cls.picks = {"shading": "2 YQ==", "cpu": "2 Yg=="}  # the test playground.page makes a page of all texts
         cls.text = cls.made(cls)
 
     def made(self) -> str:
-        with mock.patch.object(page, "library", lambda _: self.library), \
-                mock.patch.object(picks, "data", lambda _: self.picks):
+        with mock.patch.object(picks, "kept_texts", lambda _: self.picks):
             return page.page()
 
     def test_it_is_one_file_that_is_the_same_each_time(self):
@@ -51,62 +47,57 @@ class Page(unittest.TestCase):
         self.assertIn(f"default-src 'none'; script-src '{allowed}';", self.text)
         self.assertNotIn(page.hash_of(code[0] + " "), self.text)
 
-    def test_each_long_step_is_told(self):
-        steps = "HN_FAST, 1 of 2", "HN_FIXED, 2 of 2"
-        self.assertEqual(self.printed, [f"Translating the library to WGSL with {step} ..." for step in steps])
-
     def test_the_library_is_in_it(self):
         packed = re.search(r'id="library">([^<]*)<', self.text)[1]
-        self.assertEqual(json.loads(gzip.decompress(base64.b64decode(packed))), self.library)
-        self.assertEqual(self.library["version"], version())
-        self.assertIn("#define HN_HASH_LATTICE 8", self.library["glsl"]["config.glsl"])
-        self.assertEqual(len(self.library["wgsl"]["settings"]), 16)
-        packed = re.search(r'id="picks">([^<]*)<', self.text)[1]
-        self.assertEqual(json.loads(gzip.decompress(base64.b64decode(packed))), self.picks)
-
-    def test_the_settings_of_wgsl_are_those_of_the_whole_library(self):
-        def entries(found):
-            return sorted(map(written, found.values()), key=lambda entry: entry["name"])
-
-        whole = entries(definitions(of_pictures(), "HN_FIXED", "JENKINS"))
-        self.assertEqual(entries(self.modules["fixed jenkins"]), whole)
-        self.assertNotEqual(entries(self.modules["fixed lattice"]), whole)
-
-    def test_what_a_definition_needs_is_there(self):
-        entries = self.library["wgsl"]["definitions"]
-        for setting, numbers in self.library["wgsl"]["settings"].items():
-            names = {entries[number]["name"] for number in numbers}
-            self.assertEqual(len(names), len(numbers))
-            for number in numbers:
-                self.assertLessEqual(set(entries[number]["needs"]), names, setting)
+        self.assertEqual(json.loads(gzip.decompress(base64.b64decode(packed))), library())
+        self.assertEqual(library()["version"], version())
+        self.assertIn("#define HN_HASH_LATTICE 8", library()["glsl"]["config.glsl"])
+        for name, text in self.picks.items():
+            self.assertIn(f'id="{name}">{text}<', self.text)
 
 
 class Picks(unittest.TestCase):
-    @staticmethod
-    def unwoven(data: dict) -> dict[str, str]:
-        return {command: "".join(f"{line}\n" for place, count in zip(spans[::2], spans[1::2])
-                                 for line in data["lines"][place:place + count])
-                for command, spans in data["texts"].items()}
+    SETTING = picks.Setting(picks.SHADING, "fixed", "pcg", 1)
 
-    def test_they_are_made_once(self):
-        steps = []
-        with tempfile.TemporaryDirectory() as folder, mock.patch.object(picks, "FOLDER", Path(folder) / "picks"), \
-                mock.patch.object(picks, "calls", lambda: [["hn_random3"]]), \
-                mock.patch.object(picks, "CHOICES", [Choice("wgsl", "fixed"), Choice()]):
-            data = picks.data(steps.append)
-            self.assertEqual(picks.data(steps.append), data)
-        self.assertEqual(steps, ["Picking what 1 pictures call, in 2 texts each, which takes a minute at first ..."])
-        written = self.unwoven(data)
-        self.assertEqual([*written], ["tools/pick hn_random3 --language wgsl --arithmetic fixed", "tools/pick hn_random3"])
-        done = subprocess.run([TOOLS / "pick", "hn_random3"], capture_output=True, text=True, check=True)
-        self.assertEqual(written["tools/pick hn_random3"], done.stdout.replace("tools/pick hn_random3", picks.COMMAND))
+    def test_pieces_are_what_tools_pick_writes(self):
+        setting = self.SETTING._replace(hash="lattice", is_small=True)
+        _, pieces = picks.pieces_of(setting)
+        for language in ("glsl", "wgsl", "metal"):
+            made = picked(picks.small_roots(1), Choice(language, "fixed"))
+            for piece in pieces[setting.key(language)]:
+                self.assertIn(piece.text, made, language)
+        _, pieces = picks.pieces_of(picks.Setting(("c", "rust"), "fixed", "lattice", 1, is_small=True))
+        made = picked(picks.small_roots(1), Choice("rust", "fixed"))
+        for piece in pieces["rust fixed lattice 1"]:
+            self.assertIn(piece.text, made)
 
-    def test_lines_that_are_alike_are_there_once(self):
-        named = {"a": "1\n2\n3\n", "b": "0\n2\n3\n1\n2\n", "c": "2\n3\n0\n2\n", "d": ""}
-        data = picks.woven(named)
-        self.assertEqual(data["lines"], ["1", "2", "3", "0"])
-        self.assertEqual(data["texts"], {"a": [0, 3], "b": [3, 1, 1, 2, 0, 2], "c": [1, 3, 1, 1], "d": []})
-        self.assertEqual(self.unwoven(data), named)
+    def test_other_hashes_are_as_if_picked_as_a_whole(self):
+        other = self.SETTING._replace(hash="jenkins")
+        small = [one._replace(is_small=True) for one in (self.SETTING, other)]
+        found = picks.every_module(map(picks.pieces_of, [self.SETTING, *small]))
+        _, whole = picks.pieces_of(other)
+        for key, pieces in whole.items():
+            self.assertEqual(found[key], pieces)
+            self.assertNotEqual(found[key.replace("jenkins", "pcg")], pieces)
+
+    def test_hashes_that_differ_elsewhere_are_refused(self):
+        one, word, other = picks.Piece("one", "1"), picks.Piece(picks.WORD, "2"), picks.Piece(picks.WORD, "3")
+        self.assertEqual(picks.with_hash([word, one], [word], [other]), [other, one])
+        with self.assertRaisesRegex(ValueError, "differ in more than hn_i_word"):
+            picks.with_hash([word, one], [word, one], [other])
+
+    def test_each_piece_is_there_once(self):
+        one, other = picks.Piece("one", "1"), picks.Piece("other", "2")
+        made = picks.data({"glsl fast lattice 2": [other, one], "glsl fixed lattice 2": [one]})
+        self.assertEqual(made["pieces"], ["one", "1", "other", "2"])
+        self.assertEqual(made["modules"], {"glsl fast lattice 2": [1, 0], "glsl fixed lattice 2": [0]})
+
+    def test_a_text_is_compressed(self):
+        size, made = picks.compressed("abc" * 999).split()
+        self.assertNotRegex(made, "[<&`]")
+        digits = bytes(made, "ascii").translate(bytes.maketrans(b".,:", b"<&`"))
+        bytes_ = lzma.decompress(base64.b85decode(digits), format=lzma.FORMAT_RAW, filters=picks.FILTERS)
+        self.assertEqual((size, bytes_), ("2997", b"abc" * 999))
 
 
 class Script(unittest.TestCase):

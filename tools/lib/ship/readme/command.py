@@ -11,8 +11,9 @@ docs/measured/results/llvmpipe/bench.csv, which hn-conform bench writes, and of 
 peers writes; so it does likeness.csv, of and the tables of docs/guide/moving.md are made of them. Costs on GPUs by
 their compilers are of docs/measured/results/gpu, by tools/measure gpu, and compile.csv is by tools/measure compile. How
 hashes of others fare is in docs/measured/results/hashes.csv, by tools/measure hashes --against, how noises are in
-judged.csv beside it, by tools/measure noise, and how uniform values are in uniform.csv, by tools/measure uniform. The
-times of commands are those of tools/costs.csv, which tools/test --record writes.
+judged.csv beside it, by tools/measure noise, and how uniform values are in uniform.csv, by tools/measure uniform. What
+circuits take is in silicon.csv, by tools/measure silicon. The times of commands are those of tools/costs.csv, which
+tools/test --record writes.
 
 Exit status: 0 all is as it should be, 1 something is not: prose is for you to mend; 2 bad usage, the code does not
 compile, or a page cannot be read.
@@ -31,6 +32,7 @@ from measure.compile import command as of_compilers
 from measure.gpu import pages as of_gpus
 from measure.likeness import ports
 from measure.noise import record as of_noises
+from measure.silicon import command as of_circuits
 from measure.uniform import command as of_uniform
 from ship.blender import files as blender
 from ship.glsl_noise import files as glsl_noise
@@ -53,12 +55,13 @@ LANGUAGES = "docs/guide/languages.md"
 HASHES = "docs/measured/hashes.md"
 JUDGE = "docs/measured/judge.md"
 UNIFORM = "docs/guide/uniform.md"
+SILICON = "docs/measured/silicon.md"
 SIZE = re.compile(r"(--strip --out noise\.glsl`, )\d+ kB")  # of the whole library, in the README
 
 
 def tables(times: of_commands.Times) -> list[tuple[str, str, str]]:
     """Made parts of pages: the page, the name of the marks, and the table."""
-    typical, costs = numbers.typical(), numbers.costs(numbers.CPU)
+    typical, costs, circuits = numbers.typical(), numbers.costs(numbers.CPU), of_circuits.read()
     return [(NOISES, "tools/make readme: values", numbers.typical_table(typical, numbers.COMMON)),
             (SUMS, "tools/make readme: typical values of sums", numbers.typical_table(typical, numbers.SUMS)),
             (SUMS, "tools/make readme: typical values of sums in 1D and 4D",
@@ -84,6 +87,7 @@ def tables(times: of_commands.Times) -> list[tuple[str, str, str]]:
             (MEASURING, "tools/make readme: peers on a GPU", numbers.peer_table(numbers.peer_costs(numbers.GPU))),
             (HASHES, "tools/make readme: hashes", hashes.hash_table(hashes.record())),
             (JUDGE, "tools/make readme: judged", of_noises.judge_table(of_noises.read())),
+            (SILICON, "tools/make readme: circuits", of_circuits.table(circuits)),
             ("packages/blender/README.md", "tools/make readme: nodes", blender.node_table()),
             ("packages/materialx/README.md", "tools/make readme: nodes", materialx.node_table()),
             ("packages/unity/README.md", "tools/make readme: nodes", unity.node_table()),

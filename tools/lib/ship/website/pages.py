@@ -21,7 +21,7 @@ GROUPS = {
     "Reference": ["reference/noises", "reference/fractals", "reference/knobs", "reference/snippets/README",
                   "reference/contract", "reference/frozen", "reference/formats", "reference/checks",
                   "reference/glossary"],
-    "Measured": ["measured/measuring", "measured/gpu-operations", "measured/accuracy", "measured/quality",
+    "Measured": ["measured/measuring", "measured/gpu-operations", "measured/silicon", "measured/accuracy", "measured/quality",
                  "measured/hashes", "measured/default-hash", "measured/judge", "measured/faults",
                  "measured/results/README"],
     "Work on hashnoise": ["develop/internals", "develop/one-noise", "develop/adding", "develop/suite",

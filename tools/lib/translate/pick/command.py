@@ -9,6 +9,7 @@ the CPU.
     tools/pick hn_fbm2 --language osl --out fbm2.osl   a node for Blender's Cycles
     tools/pick hn_fbm2 --language tsl --out noise.js   nodes for three.js
     tools/pick hn_fbm3 --noise hn_simplex3 --arithmetic fixed --language rust --out noise.rs
+    tools/pick hn_simplex2 --language verilog --out simplex2.v     a circuit: a value at each clock
     tools/pick hn_fbm2_tile                            hn_tile2, and hn_fbm2_place, which takes what that makes
     tools/pick 'hn_fbm(hn_tile(vec2))'                 the same
     tools/pick --list                                  which functions there are, by noise
@@ -71,6 +72,8 @@ class Syntaxes(Mapping):
 
 SYNTAXES = Syntaxes()
 ALIASES = {"glsl-es": "glsl"}  # since one text is for both
+VERILOG = "verilog"  # modules for programs that make circuits
+OF_VERILOG = ("constants", "clock", "stages", "multipliers")
 TSL = "tsl"  # three.js's, which is none: a module with the text of two of the shading languages
 NO_PRECISE = "three.js passes `precise` to no shader: take --arithmetic fixed, whose bits are the same everywhere"
 
@@ -85,6 +88,10 @@ class Choice:
     gradient: str = "octahedral"
     noise: str = ""
     import_path: str = ""
+    constants: str = ""
+    clock: str = ""
+    stages: str = ""
+    multipliers: str = ""
 
     @property
     def knobs(self) -> Settings:
@@ -97,6 +104,15 @@ class Choice:
                 for word in (f"--{name.replace('_', '-')}", value)]
 
     def check(self) -> None:
+        of_verilog = next((name for name in OF_VERILOG if getattr(self, name)), None)
+        if self.language == VERILOG:
+            if self.arithmetic != "fixed":
+                raise Unknown("a circuit has no floats: take --arithmetic fixed, whose bits are the same everywhere")
+            if self.clock and self.stages:
+                raise Unknown("--clock and --stages both say how long a pipeline is: give one of them")
+            return
+        if of_verilog:
+            raise Unknown(f"--{of_verilog} is of --language verilog")
         shading = LANGUAGES.get(self.language)
         if self.arithmetic == "precise" and (no_precise := NO_PRECISE if self.language == TSL else (
                 shading or SYNTAXES[self.language]).no_precise):
@@ -115,7 +131,9 @@ def read_library(library: Path, choice: Choice) -> Module:
     """The library as this choice has it."""
     language = LANGUAGES.get(choice.language) or (SYNTAXES[choice.language] if choice.language in SYNTAXES else None)
     macros = {**choice.knobs.macros(), **(language.library if language else {})}
-    module = read(library, macros, choice.language in SYNTAXES, choice.knobs.own_functions())
+    if choice.language == VERILOG:
+        macros["__VERSION__"] = "130"  # without bits of floats
+    module = read(library, macros, choice.language in (*SYNTAXES, VERILOG), choice.knobs.own_functions())
     return over(module, choice.noise) if choice.noise else module
 
 
@@ -138,6 +156,11 @@ def picker(library: Path = GLSL) -> Callable[[Sequence[str], Choice], str]:
 
     def pick(names: Sequence[str], choice: Choice) -> str:
         choice.check()
+        if choice.language == VERILOG:
+            from translate.pick import verilog
+            library_module = module(choice)
+            return verilog.text(library_module, chosen(library_module, names), library, origin(command_of(names, choice)),
+                                verilog.Choices.of(choice.constants, choice.clock, choice.stages, choice.multipliers))
         syntax = SYNTAXES[choice.language] if choice.language in SYNTAXES else None
         language = LANGUAGES.get(choice.language)
         macros = (syntax or language or LANGUAGES["glsl"]).library
@@ -161,19 +184,32 @@ def picked(names: Sequence[str], choice: Choice = Choice(), library: Path = GLSL
     return picker(library)(names, choice)
 
 
+def count(text: str) -> str:
+    """A whole number, as it is written."""
+    if not text.isdecimal():
+        raise argparse.ArgumentTypeError(f"{text} is not a whole number, such as 28")
+    return text
+
+
+def positive(text: str) -> str:
+    if not count(text).strip("0"):
+        raise argparse.ArgumentTypeError(f"{text} is not above 0")
+    return text
+
+
 def main(arguments: Sequence[str] | None = None) -> int:
     parser = argparse.ArgumentParser(prog="tools/pick", description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     hashes = tuple(name.lower() for name in HASHES)
     parser.add_argument("names", nargs="*", metavar="FUNCTION", help="such as hn_perlin2")
-    parser.add_argument("--language", choices=(*LANGUAGES, *ALIASES, *SYNTAXES, TSL), default="glsl",
+    parser.add_argument("--language", choices=(*LANGUAGES, *ALIASES, *SYNTAXES, TSL, VERILOG), default="glsl",
                         help="glsl (the default, and glsl-es is the same) is for 3.30 and later, GLSL ES 3.00 and WebGL2, "
                         "and with precise for 4.00 and ES 3.20; hlsl is for the shader models 5 and 6; precise is for"
                         " glsl, hlsl and the languages of the CPU; rust needs core alone; csharp is a static class; c"
                         " is a header of C99; typescript and javascript are modules; java is for 17 and later; go for"
                         " 1.18 and later; osl is a shader of the first function, too; tsl is a module of nodes for "
-                        "three.js")
-    parser.add_argument("--arithmetic", choices=ARITHMETICS, default="fast", help="default: %(default)s")
+                        "three.js; verilog is a pipeline for each function, of integers")
+    parser.add_argument("--arithmetic", choices=ARITHMETICS, help="default: fast, and of verilog fixed")
     parser.add_argument("--hash", type=str.lower, choices=hashes, default="lattice", metavar="NAME",
                         help=f"{', '.join(hashes)} (default: %(default)s)")
     parser.add_argument("--hash-function", metavar="NAME", type=function_name,
@@ -182,12 +218,20 @@ def main(arguments: Sequence[str] | None = None) -> int:
                         help="default: %(default)s")
     parser.add_argument("--noise", metavar="FORM", help="what sums are over, in place of hn_perlin: such as "
                         "hn_simplex3, or for sums with derivatives hn_simplex_d3")
+    parser.add_argument("--constants", metavar="NAME=VALUE,...", help="verilog: parameters that are constant, such as "
+                        "octaves=6,lacunarity=2,gain=0.5; seed=7 leaves out the port of the seed")
+    parser.add_argument("--clock", metavar="MHZ", type=positive, help="verilog: where registers stand: as many as this clock "
+                        "takes on an ECP5, by a simple model (default: 100)")
+    parser.add_argument("--stages", metavar="N", type=positive, help="verilog: the same by how many there may be")
+    parser.add_argument("--multipliers", metavar="N", type=count, help="verilog: how many multipliers of 18 bits there are; "
+                        "other products are sums (default: any number)")
     parser.add_argument("--import-path", metavar="NAME", type=import_path, help=IMPORT_PATH_HELP)
     parser.add_argument("--list", action="store_true", help="write the names of the functions, and what they take")
     parser.add_argument("--glsl", type=Path, default=GLSL, metavar="DIR", help="another copy of the library")
     parser.add_argument("--out", type=Path, metavar="FILE", help="the file to write (default: standard output)")
     given = parser.parse_args(arguments)
     given.language = ALIASES.get(given.language, given.language)
+    given.arithmetic = given.arithmetic or ("fixed" if given.language == VERILOG else "fast")
     if bool(given.names) == given.list:
         parser.error("name functions, such as hn_perlin2, or ask for --list")
     choice = Choice(**{field.name: getattr(given, field.name) or field.default for field in fields(Choice)})

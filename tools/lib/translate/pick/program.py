@@ -8,7 +8,7 @@ import functools
 import re
 import textwrap
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -18,6 +18,7 @@ from translate.parsing.lines import wrapped
 from translate.parsing.preprocessor import Preprocessor
 from translate.parsing.syntax import Function, Parameter, definitions
 from translate.parsing.tokens import Unknown
+from translate.names import wgsl_name
 from translate.pick import comments
 from translate.pick.comments import Facts
 from translate.pick.evaluate import Evaluation, Kept, Known, Module, Summed, Typed, dotted
@@ -358,17 +359,23 @@ class Program:
 
     def text(self, language: Language, precise: bool = False, with_seedless: bool = False) -> str:
         """With overloads that lack the seed, if the language has overloads and the library has those."""
-        names = self._names(language)
-        functions = [self._function(evaluated, names[kept], language, names, precise)
-                     for kept, evaluated in self.called.items()]
-        functions += [self._function(root, language.public_name(root.function), language, names, precise)
-                      for root in self.roots]
+        functions = [text for _, text in self.pieces(language, precise)]
         if with_seedless and language.has_overloads:
             functions += [language.seedless(root.function) for root in self.roots if self.may_lack_seed(root.function)]
-        structs = [language.struct(name, [(field, type_) for field, type_, _ in self.module.structs[name].fields])
-                   for name in self.structs()] if language.structs else []
         constants = language.constants([root.function for root in self.roots], self.module)
-        return "".join([language.opening, constants, *structs, *functions])
+        return "".join([language.opening, constants, *functions])
+
+    def pieces(self, language: Language, precise: bool = False) -> Iterator[tuple[str, str]]:
+        """Structs and functions, each behind what it needs. A name is the same in all languages of one program, and that of
+        a function that is wanted is the one of its form."""
+        names = self._names(language)
+        for name in self.structs() if language.structs else []:
+            yield name, language.struct(name, [(field, type_) for field, type_, _ in self.module.structs[name].fields])
+        for kept, evaluated in self.called.items():
+            yield f"{kept.name} {' '.join(kept.types)}", self._function(evaluated, names[kept], language, names, precise)
+        for root in self.roots:
+            shown = language.public_name(root.function)
+            yield wgsl_name(root.function), self._function(root, shown, language, names, precise)
 
     def may_lack_seed(self, function: Function) -> bool:
         """Whether GLSL has it without the seed behind its other parameters."""

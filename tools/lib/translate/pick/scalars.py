@@ -10,7 +10,7 @@ from __future__ import annotations
 import itertools
 import re
 import textwrap
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from translate.parsing.lines import wrapped
@@ -605,6 +605,20 @@ def text(program: Program, syntax: Syntax, known: Sequence[comments.Facts] = (),
     helpers = [syntax.helpers[name] for name in syntax.helpers if name in syntax.used]
     functions = [*helpers, *written, *of_roots] if syntax.helpers_first else [*of_roots, *written, *helpers]
     return syntax.file(heading, [syntax.function_name(name, is_public=True) for name in public], [*structs, *functions])
+
+
+def pieces(program: Program, syntax: Syntax) -> Iterator[tuple[str, str]]:
+    """The parts of text(), without comments: each piece by the name that others call it by."""
+    public = [syntax.function_name(wgsl_name(root.function), is_public=True) for root in program.roots]
+    names = _names(program, syntax, public)
+    parts = {name: fields_of(program.module, name) for name in program.structs()}
+    functions = [(names[kept], _function(evaluated, names[kept], False, syntax, parts, names))
+                 for kept, evaluated in program.called.items()]
+    functions += [(name, _function(root, name, True, syntax, parts, names))
+                  for name, root in zip(public, program.roots)]
+    structs = [(syntax.type_name(name), syntax.struct(name, fields)) for name, fields in parts.items()]
+    helpers = [(name, syntax.helpers[name]) for name in syntax.helpers if name in syntax.used]
+    return iter([*structs, *helpers, *functions])
 
 
 def fields_of(module: Module, name: str) -> list[Part]:

@@ -1,0 +1,128 @@
+// The picture as lines for tools/bake and for Python, which compute grids.
+import { kNoises, kSums } from "./tables.js";
+import { rangeOf, remapOf, shownLayers, uses } from "./model.js";
+import { kPartsOfCell } from "./view.js";
+
+
+// Which number of the results of a noise is shown, in Python and by tools/bake.
+const kShown = { cellular: 0, cellular_second: 1, cellular_third: 2, curl: 0 };
+const kComponents = { cellular: "f1", cellular_second: "f2", cellular_third: "f3", curl: "x" };
+
+// The settings of a layer that differ from those of the functions, by their names there.
+function optionsOf(state, layer, at) {
+  const used = uses(state, at);
+  const sum = layer.sum !== "none";
+  const noise = kNoises[layer.noise];
+  return {
+    ...(sum && layer.noise !== "perlin" ? { noise: noise.calls.replace("hn_", "") } : {}),
+    seed: layer.seed,
+    ...(sum ? { octaves: layer.octaves, lacunarity: layer.lacunarity, gain: layer.gain } : {}),
+    ...(kSums[layer.sum].strength ? { strength: layer.strength } : {}),
+    ...(used.jitter && layer.jitter !== 1 ? { jitter: layer.jitter } : {}),
+    ...(used.metric && layer.metric !== "euclidean" ? { metric: layer.metric } : {}),
+    ...(state.phase && !sum && noise.phase && state.dimensions > 1 && state.dimensions < 4 ? { phase: state.phase } : {}),
+  };
+}
+
+// The function of a layer; nothing if there is none of that name: what is between two points, a random number for each
+// cell, and sums of distances.
+function functionOf({ sum, noise }) {
+  if (sum !== "none") return kNoises[noise].signed ? undefined : sum;
+  return ["cellular_between", "cells"].includes(noise) ? undefined : kNoises[noise].calls.replace("hn_", "");
+}
+
+export const isOneLine = (state) => {
+  const shown = shownLayers(state);
+  const { weight, offset } = remapOf(state, state.layers.indexOf(shown[0]));
+  const [{ warp, scale }] = shown;
+  return (
+    shown.length === 1 &&
+    [weight, offset, scale, state.hash].join(" ") === "1 0 1 lattice" &&
+    functionOf(shown[0]) !== undefined &&
+    (warp === "none" || state.dimensions === 1 || state.dimensions === 4)
+  );
+};
+
+
+export function bakeLines(state) {
+  const { width, height, dimensions } = state;
+  const size = [width, height, 1, 1].slice(0, dimensions).join("x");
+  const cell = (state.view === "tiles" ? 3 * state.period : state.cells) / Math.min(width, height);
+  const across = [width * cell, height * cell].map((cells) => Number(cells.toPrecision(7)));
+  const corner = [state.x, state.y].map((middle, axis) => Number(middle) / kPartsOfCell - across[axis] / 2);
+  const origin = [...corner, state.z, state.w].slice(0, dimensions);
+  const place = `--size ${size} --cells ${across[0]} --origin=${origin.map((part) => Number(part.toFixed(6))).join("x")}`;
+  const period = state.period ? ` --period ${Array(dimensions).fill(state.period).join("x")}` : "";
+  const range = rangeOf(state).map((end) => Number(end.toFixed(4))).join(":");
+  const rest = `${period} --range=${range} --arithmetic ${state.arithmetic} -o noise.png`;
+  if (!isOneLine(state)) return [`tools/bake --expression 'pattern(p)' --source pattern.glsl ${place}${rest}`];
+  const [layer] = shownLayers(state);
+  const at = state.layers.indexOf(layer);
+  const options = Object.entries(optionsOf(state, layer, at)).map(([name, value]) => `--${name} ${value}`);
+  const component = layer.sum === "none" ? kComponents[layer.noise] : undefined;
+  if (component) options.push(`--components ${component}`);
+  return [`tools/bake ${functionOf(layer)} ${options.join(" ")} ${place}${rest}`];
+}
+
+// A function of arrays of coordinates; one line if a grid is enough.
+export function pythonLines(state) {
+  const { width, height, dimensions } = state;
+  const shown = shownLayers(state);
+  if (state.hash !== "lattice" || shown.some((layer) => !functionOf(layer)))
+    return ["# Python has no such hash, and no sums of distances: tools/bake has all pictures."];
+  const axes = ["x", "y", "z", "w"].slice(0, dimensions);
+  const written = (options) =>
+    Object.entries({
+      ...(state.period ? { period: state.period } : {}),
+      ...options,
+      ...(state.arithmetic === "fast" ? {} : { arithmetic: "fixed" }),
+    })
+      .map(([name, value]) => `${name}=${typeof value === "string" ? `"${value}"` : value}`).join(", ");
+  const index = (layer) => (layer.sum === "none" && kShown[layer.noise] !== undefined ? `[${kShown[layer.noise]}]` : "");
+  const step = Number(((state.view === "tiles" ? 3 * state.period : state.cells) / Math.min(width, height)).toPrecision(9));
+  if (isOneLine(state) && dimensions === 2) {
+    const first = [[state.x, width], [state.y, height]].map(
+      ([middle, side]) => Math.round(Number(middle) / kPartsOfCell / step) - Math.floor(side / 2),
+    );
+    const options = written(optionsOf(state, shown[0], state.layers.indexOf(shown[0])));
+    const grid = `"${functionOf(shown[0])}", (${width}, ${height}), step=${step}, first=(${first.join(", ")})`;
+    return ["import hashnoise", "", `values = hashnoise.grid(${grid}, ${options})${index(shown[0])}`];
+  }
+  let mask = false;
+  const lines = shown.flatMap((layer, number) => {
+    const at = state.layers.indexOf(layer);
+    const scaled = layer.scale === 1 ? axes : axes.map((axis) => `${layer.scale} * ${axis}`);
+    const period = state.period ? { period: state.period * layer.scale } : {};
+    const options = written({ ...optionsOf(state, layer, at), ...period });
+    const warped = layer.warp !== "none" && (dimensions === 2 || dimensions === 3);
+    const moves = axes.map((axis) => `d${axis}`);
+    const { octaves, lacunarity, gain, amplitude } = layer;
+    const ofWarp = written({ seed: (layer.seed + 1) % 4294967296, octaves, lacunarity, gain, amplitude, ...period });
+    const warp = warped
+      ? [`    ${moves.join(", ")} = hashnoise.${layer.warp}(${scaled.join(", ")}, ${ofWarp})`]
+      : [];
+    const passed = warped ? scaled.map((axis, i) => `${axis} + ${moves[i]}`) : scaled;
+    const value = `hashnoise.${functionOf(layer)}(${passed.join(", ")}, ${options})${index(layer)}`;
+    const { weight, offset } = remapOf(state, at);
+    const remapped = `${weight === 1 ? "" : `${weight} * `}${value}${offset ? ` + ${offset}` : ""}`;
+    const next = {
+      add: `v + ${remapped}`, multiply: `v * (${remapped})`, min: `numpy.minimum(v, ${remapped})`, max: `numpy.maximum(v, ${remapped})`,
+      mix: `v + ${layer.weight} * (${value} - v)`,
+      height: `v + numpy.clip(${layer.weight} * v + ${layer.offset}, 0, 1) * (${value} - v)`,
+    }[layer.blend];
+    if (number && layer.blend === "mask") {
+      mask = true;
+      return [...warp, `    mask = numpy.clip(${remapped}, 0, 1)`];
+    }
+    const made = mask ? `v + mask * (${next} - v)` : next;
+    mask = false;
+    return [...warp, `    v = ${number ? made : remapped}`];
+  });
+  const line = `numpy.arange(${width}) * ${step}`;
+  return [
+    "import hashnoise", "import numpy", "", "# Positions are in cells.",
+    `def pattern(${axes.join(", ")}):`, ...lines, "    return v", "",
+    dimensions === 1 ? `x = ${line}` : `x, y = numpy.meshgrid(${line}, numpy.arange(${height}) * ${step})`,
+    `values = pattern(${["x", "y", state.z, state.w].slice(0, dimensions).join(", ")})`,
+  ];
+}

@@ -1,0 +1,267 @@
+// The picture as a function of numbers, for languages without vectors: C, Rust, C#, Java, Go, JavaScript and OSL. It calls
+// what tools/pick writes, so that here are calls and sums alone.
+import { decimal, partOf, shapes } from "./code.js";
+import { remapOf } from "./model.js";
+import { named } from "./pieces.js";
+import { kMetrics, kNoises, kSums } from "./tables.js";
+
+const kAxes = ["x", "y", "z", "w"];
+const kPlain = ["perlin", "value", "simplex"]; // these have functions of a position
+const signed = (seed) => String(seed | 0); // where words are numbers with a sign
+
+// How a language writes what the functions need. `o` is how a sum is passed to what changes it.
+const kSyntax = {
+  c: {
+    float: (value) => `${decimal(value)}f`, uint: (value) => `${value}u`, o: "&o", s: "&s", place: "o.place", seed: "o.seed",
+    head: (name, parameters) => `static inline float ${name}(${parameters.map(([type, one]) => `${type} ${one}`).join(", ")}) {`,
+    types: { float: "float", uint: "uint32_t", place: (n) => `hn_place${n}`, octaves: (n) => `hn_octaves${n}` },
+    let: (name, value) => `float ${name} = ${value};`, struct: (type, name, value) => `${type} ${name} = ${value};`,
+    loop: (lines, next) => ["do {", ...lines.map((line) => `  ${line}`), `} while (${next});`],
+  },
+  rust: {
+    float: decimal, uint: String, o: "&mut o", s: "&mut s", place: "o.place", seed: "o.seed", copies: true,
+    head: (name, parameters, isPublic) =>
+      `${isPublic ? "pub " : ""}fn ${name}(${parameters.map(([type, one]) => `${one}: ${type}`).join(", ")}) -> f32 {`,
+    types: { float: "f32", uint: "u32", place: (n) => `Place${n}`, octaves: (n) => `Octaves${n}` },
+    let: (name, value) => `let ${name} = ${value};`, struct: (_, name, value) => `let mut ${name} = ${value};`,
+    loop: (lines, next) => ["loop {", ...lines.map((line) => `    ${line}`), `    if !${next} {`, "        break;", "    }", "}"],
+  },
+  csharp: {
+    float: (value) => `${decimal(value)}f`, uint: (value) => `${value}u`, o: "ref o", s: "ref s", place: "o.Place", seed: "o.Seed",
+    head: (name, parameters, isPublic) =>
+      `${isPublic ? "public" : "private"} static float ${name}(${parameters.map(([type, one]) => `${type} ${one}`).join(", ")}) {`,
+    types: { float: "float", uint: "uint", place: (n) => `Place${n}`, octaves: (n) => `Octaves${n}` },
+    let: (name, value) => `float ${name} = ${value};`, struct: (_, name, value) => `var ${name} = ${value};`,
+    loop: (lines, next) => ["do {", ...lines.map((line) => `    ${line}`), `} while (${next});`],
+  },
+  java: {
+    float: (value) => `${decimal(value)}f`, uint: signed, o: "o", s: "s", place: "o.place", seed: "o.seed",
+    head: (name, parameters, isPublic) =>
+      `${isPublic ? "public" : "private"} static float ${name}(${parameters.map(([type, one]) => `${type} ${one}`).join(", ")}) {`,
+    types: { float: "float", uint: "int", place: (n) => `Place${n}`, octaves: (n) => `Octaves${n}` },
+    let: (name, value) => `float ${name} = ${value};`, struct: (_, name, value) => `var ${name} = ${value};`,
+    loop: (lines, next) => ["do {", ...lines.map((line) => `    ${line}`), `} while (${next});`],
+  },
+  go: {
+    float: decimal, uint: String, o: "&o", s: "&s", place: "o.Place", seed: "o.Seed",
+    head: (name, parameters) => `func ${name}(${parameters.map(([type, one]) => `${one} ${type}`).join(", ")}) float32 {`,
+    types: { float: "float32", uint: "uint32", place: (n) => `Place${n}`, octaves: (n) => `Octaves${n}` },
+    let: (name, value) => `${name} := ${value}`, struct: (_, name, value) => `${name} := ${value}`, end: "",
+    loop: (lines, next) => ["for {", ...lines.map((line) => `\t${line}`), `\tif !${next} {`, "\t\tbreak", "\t}", "}"],
+  },
+  javascript: {
+    float: String, uint: String, o: "o", s: "s", place: "o.place", seed: "o.seed",
+    head: (name, parameters, isPublic) => `${isPublic ? "export " : ""}function ${name}(${parameters.map(([, one]) => one).join(", ")}) {`,
+    types: { float: "", uint: "", place: () => "", octaves: () => "" },
+    let: (name, value) => `const ${name} = ${value};`, struct: (_, name, value) => `const ${name} = ${value};`,
+    loop: (lines, next) => ["do {", ...lines.map((line) => `  ${line}`), `} while (${next});`],
+  },
+  osl: {
+    float: decimal, uint: signed, o: "o", s: "s", place: "o.place", seed: "o.seed",
+    head: (name, parameters) => `float ${name}(${parameters.map(([type, one]) => `${type} ${one}`).join(", ")}) {`,
+    types: { float: "float", uint: "int", place: (n) => `hn_place${n}`, octaves: (n) => `hn_octaves${n}` },
+    let: (name, value) => `float ${name} = ${value};`, struct: (type, name, value) => `${type} ${name} = ${value};`,
+    loop: (lines, next) => ["do {", ...lines.map((line) => `  ${line}`), `} while (${next});`],
+  },
+};
+const kIndent = { rust: "    ", csharp: "    ", java: "    ", go: "\t" };
+export const isScalar = (language) => Object.hasOwn(kSyntax, language);
+
+class ScalarWriter {
+  constructor(language, state) {
+    this.language = language;
+    this.syntax = kSyntax[language];
+    this.state = state;
+    this.n = state.dimensions;
+    this.needs = new Set();
+    this.end = this.syntax.end ?? ";";
+  }
+
+  // A call of a function by its name in C.
+  call(name, ...passed) {
+    this.needs.add(name);
+    return `${named(this.language, name)}(${passed.join(", ")})`;
+  }
+
+  float(value) {
+    return this.syntax.float(value);
+  }
+
+  ours(name) {
+    return named(this.language, name);
+  }
+
+  get axes() {
+    return kAxes.slice(0, this.n);
+  }
+
+  settings({ octaves, lacunarity, gain }) {
+    return [String(octaves), this.float(lacunarity), this.float(gain)];
+  }
+
+  // The place of a layer.
+  placeOf(layer) {
+    const { n, state } = this;
+    const period = state.period ? [String(state.period * layer.scale)] : [];
+    const tile = state.period ? "_in_tile" : "";
+    const scale = this.float(layer.scale);
+    if (layer.warp === "none") return this.call(`hn_play_${state.period ? "in_tile" : "at"}${n}`, ...this.axes, scale, ...period);
+    const moved = [...this.settings(layer), this.float(layer.amplitude), this.syntax.uint((layer.seed + 1) % 4294967296)];
+    return this.call(`hn_play_${layer.warp}${tile}${n}`, ...this.axes, scale, ...period, ...moved);
+  }
+
+  // The noise of a layer at a place, as it is or as a sum takes it.
+  noiseAt(layer, place, seed, forSum) {
+    const { n } = this;
+    const noise = kNoises[layer.noise];
+    const suffix = forSum && noise.signed ? "_signed" : "";
+    if (layer.turned) return this.call(`${noise.calls}${n}_place_phase`, place, this.float(this.state.phase), seed);
+    const jitter = this.float(layer.jitter);
+    if (noise.metric) {
+      const metric = String(Object.keys(kMetrics).indexOf(layer.metric) + 1);
+      return this.call(`hn_play_${layer.noise}${suffix}${n}_place_jitter`, place, jitter, metric, seed);
+    }
+    if (noise.jitter) return this.call(`hn_${suffix ? "play_" : ""}${layer.noise}${suffix}${n}_place_jitter`, place, jitter, seed);
+    if (suffix || noise.of) return this.call(`hn_play_${layer.noise}${suffix}${n}_place`, place, seed);
+    return this.call(`${noise.calls}${n}_place`, place, seed);
+  }
+
+  define(name, parameters, lines, isPublic = false) {
+    const indent = kIndent[this.language] ?? "  ";
+    if (this.language === "rust") lines.push(lines.pop().replace(/^return (.*);$/, "$1"));
+    return [this.syntax.head(name, parameters, isPublic), ...lines.map((line) => `${indent}${line}`), "}", ""];
+  }
+
+  // The functions of a sum over another noise, or at a place; and its name.
+  loopOf(layer, at) {
+    const { n, syntax } = this;
+    const { step, mean, steep } = kSums[layer.sum];
+    const noise = this.ours(`noise_${at + 1}`);
+    const name = this.ours(`sum_${at + 1}`);
+    const strength = kSums[layer.sum].strength ? [this.float(layer.strength)] : [];
+    const { place, seed } = syntax;
+    const begin = [syntax.struct(syntax.types.octaves(n), "o", "given")];
+    const lines = [];
+    const octave = [];
+    if (steep) {
+      begin.push(syntax.struct(`hn_slopes${n}`, "s", this.call(`hn_slopes_of${n}`, "o")));
+      octave.push(`${this.call(`hn_play_add_eroded_${layer.noise}${n}`, syntax.o, syntax.s, ...strength)}${this.end}`);
+    } else {
+      const parameters = [[syntax.types.place(n), "place"], [syntax.types.uint, "seed"]];
+      lines.push(...this.define(noise, parameters, [`return ${this.noiseAt(layer, "place", "seed", true)}${this.end}`]));
+      const add = this.call(`hn_add${step ? `_${step}` : ""}${n}`, syntax.o, "n", ...strength);
+      octave.push(syntax.let("n", `${noise}(${place}, ${seed})`), `${add}${this.end}`);
+    }
+    const end = { density: `hn_density${n}`, billows: `hn_play_billows${n}`, bounded: `hn_play_bounded${n}` }[mean] ?? `hn_mean${n}`;
+    const body = [...begin, ...syntax.loop(octave, this.call(`hn_next${n}`, syntax.o)), `return ${this.call(end, "o")}${this.end}`];
+    lines.push(...this.define(name, [[syntax.types.octaves(n), "given"]], body));
+    return { lines, name };
+  }
+
+  // The value of a layer, with the functions that it needs.
+  layer(layer, at) {
+    const seed = this.syntax.uint(layer.seed);
+    const near = layer.warp === "none" && !layer.tiled && !layer.scaled;
+    const noise = kNoises[layer.noise];
+    if (layer.sum === "none") {
+      const plain = near && !layer.turned && kPlain.includes(layer.noise);
+      if (!plain) return { lines: [], value: this.noiseAt(layer, this.placeOf(layer), seed, false) };
+      return { lines: [], value: this.call(`${noise.calls}${this.n}`, ...this.axes, seed) };
+    }
+    const settings = this.settings(layer);
+    if (near && layer.noise === "perlin") {
+      const strength = kSums[layer.sum].strength ? [this.float(layer.strength)] : [];
+      return { lines: [], value: this.call(`hn_${layer.sum}${this.n}`, ...this.axes, ...settings, ...strength, seed) };
+    }
+    const { lines, name } = this.loopOf(layer, at);
+    return { lines, value: `${name}(${this.call(`hn_octaves_of${this.n}_place`, this.placeOf(layer), ...settings, seed)})` };
+  }
+
+  // How a value is combined with those before it, as Mixer has it. `v` is what those are called.
+  combined(shape, value, v) {
+    const { fixed } = this;
+    const part = (number) => this.float(partOf(this.state, number));
+    if (v && shape.blend === "mix") return this.mixed(v, part(shape.weight), value);
+    if (v && shape.blend === "height") {
+      return this.mixed(v, this.part(`${this.product(part(shape.weight), v)} + ${part(shape.offset)}`), value);
+    }
+    const weighted = shape.weighted ? this.product(part(shape.weight), this.steps(value)) : this.steps(value);
+    const moved = shape.moved ? `${weighted} + ${part(shape.offset)}` : weighted;
+    if (!v || shape.blend === "mask") return moved;
+    if (shape.blend === "add") return `${v} + ${moved}`;
+    if (shape.blend === "multiply") return this.product(v, shape.moved || shape.weighted ? (fixed ? this.steps(moved) : `(${moved})`) : moved);
+    return this.call(`hn_play_${shape.blend === "min" ? "lower" : "higher"}1`, v, moved);
+  }
+
+  get fixed() {
+    return this.state.arithmetic === "fixed";
+  }
+
+  steps(text) {
+    return this.fixed ? this.call("hn_play_steps1", text) : text;
+  }
+
+  product(one, other) {
+    return this.fixed ? this.call("hn_play_product1", one, other) : `${one} * ${other}`;
+  }
+
+  // A part from 0 to 1 of a value, and so much of the way from v to a value.
+  part(value) {
+    const [low, high] = [this.float(0), this.float(1)];
+    return this.steps(this.call("hn_play_lower1", this.call("hn_play_higher1", value, low), high));
+  }
+
+  mixed(v, part, value) {
+    return `${v} + ${this.product(part, this.fixed ? `${this.steps(value)} - ${v}` : `(${value} - ${v})`)}`;
+  }
+
+  // The lines that combine the layers.
+  combining(shown, layers) {
+    let [v, mask] = [];
+    const lines = layers.map(({ value }, at) => {
+      const name = `${v && shown[at].blend === "mask" ? "m" : "v"}${at + 1}`;
+      const made = this.combined(shown[at], value, v);
+      if (name[0] === "m") {
+        mask = name;
+        return this.syntax.let(name, this.part(made));
+      }
+      const next = this.steps(mask ? this.mixed(v, mask, made) : made);
+      [v, mask] = [name];
+      return this.syntax.let(name, next);
+    });
+    return [...lines, `return ${v}${this.end}`];
+  }
+
+  write() {
+    const shown = shapes(this.state);
+    const { weight, offset } = remapOf(this.state, this.state.layers.findIndex(({ on }) => on));
+    const alone = shown.length === 1 && weight === 1 && offset === 0;
+    const layers = shown.map((layer, at) => this.layer(layer, at));
+    const body = alone ? [`return ${layers[0].value}${this.end}`] : this.combining(shown, layers);
+    const parameters = this.axes.map((axis) => [this.syntax.types.float, axis]);
+    return [...layers.flatMap(({ lines }) => lines), ...this.define(this.ours("pattern"), parameters, body, true)];
+  }
+}
+
+const kShader = (n) => [
+  `shader hashnoise_pattern(point p = P, ${n > 3 ? "float w = 0.62, " : ""}output float value = 0) {`,
+  `  value = pattern(${["p[0]", "p[1]", "p[2]", "w"].slice(0, n).join(", ")});`,
+  "}",
+];
+
+// {head, library, code} as copied() has them.
+export function scalarCode(library, language, state) {
+  const writer = new ScalarWriter(language, state);
+  const code = writer.write();
+  const [first, last] = library.pieces.cpu.shells[language];
+  const inside = () => library.pieces.cpu.texts(writer.needs, language, "fixed", "lattice", state.dimensions).map((text) => text.trimEnd());
+  const indent = ["java", "csharp"].includes(language) ? "    " : "";
+  const lined = (text) => text.split("\n").map((line) => (line ? indent + line : line));
+  const tabbed = (line) => (language === "go" ? line.replace(/^(?: {4})+/, (found) => "\t".repeat(found.length / 4)) : line);
+  const math = language === "go" && !inside().some((text) => text.includes("math.")) ? first.replace(/\nimport "math"\n/, "") : first;
+  return {
+    head: math.trimEnd().split("\n").filter((line, at, all) => line || all.length > 1),
+    library: () => inside().flatMap((text) => ["", ...lined(text)]).map(tabbed),
+    code: [...lined(code.join("\n").trimEnd()), ...(language === "osl" ? ["", ...kShader(state.dimensions)] : []), ...(last ? last.trimEnd().split("\n") : [])],
+  };
+}

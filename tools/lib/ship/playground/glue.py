@@ -1,0 +1,66 @@
+"""Functions of the playground's own, in GLSL, which tools/pick translates for languages without vectors: the one number
+of a noise that a picture shows, places that are moved, and how layers are combined. A shader has these in line."""
+
+from __future__ import annotations
+
+PREFIX = "hn_play_"
+# Each noise of distances: the function, the number that a picture shows, and the noise that a sum takes.
+DISTANCES = {
+    "cellular": ("cellular", "{}.x", "1.0f - 2.0f * {}"),
+    "cellular_second": ("cellular", "{}.y", "1.5f - 2.0f * {}"),
+    "cellular_between": ("cellular", "{0}.y - {0}.x", "1.0f - 2.0f * {}"),
+    "cellular_third": ("cellular_three", "{}.z", "1.75f - 2.0f * {}"),
+}
+
+
+def text(n: int) -> str:
+    """For so many dimensions, in the library's own types."""
+    p, cell = ("hn_float", "hn_int") if n == 1 else (f"hn_vec{n}", f"hn_ivec{n}")
+    place = f"hn_place{n}"
+    whole = "period" if n == 1 else f"ivec{n}({', '.join(['period'] * n)})"
+    lines = [
+        f"HN_FN {place} hn_play_at({p} p, hn_float scale) {{ return hn_place(p * scale); }}",
+        f"HN_FN {place} hn_play_in_tile({p} p, hn_float scale, hn_int period) {{ "
+        f"return hn_tile(p * scale, {whole}); }}",
+        f"HN_FN hn_float hn_play_billows(hn_octaves{n} o) {{ return min(2.0f * hn_mean(o) - 1.0f, 1.0f); }}",
+        f"HN_FN hn_float hn_play_bounded(hn_octaves{n} o) {{ return min(max(hn_mean(o), -1.0f), 1.0f); }}",
+        f"HN_FN hn_float hn_play_random_signed({place} place, hn_uint seed) {{ "
+        "return 2.0f * hn_random(place, seed) - 1.0f; }",
+        "HN_FN hn_float hn_play_steps(hn_float v) { return hn_float(int(floor(min(max(v, -8.0f), 8.0f) * 65536.0f))) *"
+        " 0.0000152587890625f; }",
+        "HN_FN hn_float hn_play_product(hn_float a, hn_float b) { int i = int(a * 65536.0f); int j = int(b * 65536.0f);"
+        " return hn_float(((i >> 8) * j + (((i & 255) * j) >> 8)) >> 8) * 0.0000152587890625f; }",
+        "HN_FN hn_float hn_play_lower(hn_float a, hn_float b) { return min(a, b); }",
+        "HN_FN hn_float hn_play_higher(hn_float a, hn_float b) { return max(a, b); }",
+    ]
+    if n in (2, 3):
+        for warp in ("warp", "warp_progressive"):
+            moved = "octaves, lacunarity, gain, amplitude, seed"
+            settings = "hn_int octaves, hn_float lacunarity, hn_float gain, hn_float amplitude, hn_uint seed"
+            lines += [
+                f"HN_FN {place} hn_play_{warp}({p} p, hn_float scale, {settings}) {{ {p} s = p * scale; "
+                f"return hn_place(s + hn_{warp}(s, {moved})); }}",
+                f"HN_FN {place} hn_play_{warp}_in_tile({p} p, hn_float scale, hn_int period, {settings}) {{ "
+                f"{p} s = p * scale; return hn_tile(s + hn_{warp}(hn_tile(s, {whole}), {moved}), {whole}); }}"]
+        for name, (called, shown, signed) in DISTANCES.items():
+            parameters = f"{place} place, hn_float jitter, hn_int metric, hn_uint seed"
+            call = f"hn_{called}(place, jitter, metric, seed)"
+            size = 3 if called == "cellular_three" else 2
+            value = f"hn_vec{size} d = {call}; return {shown.format('d')};"
+            lines += [f"HN_FN hn_float hn_play_{name}({parameters}) {{ {value} }}",
+                      f"HN_FN hn_float hn_play_{name}_signed({parameters}) {{ return "
+                      f"{signed.format(f'hn_play_{name}(place, jitter, metric, seed)')}; }}"]
+        for name, signed in (("cellular_smooth", "1.0f - 2.0f * {}"), ("cell_border", "4.0f * {} - 1.0f")):
+            lines += [f"HN_FN hn_float hn_play_{name}_signed({place} place, hn_float jitter, hn_uint seed) {{ "
+                      f"return {signed.format(f'hn_{name}(place, jitter, seed)')}; }}"]
+        lines += [
+            f"HN_FN hn_float hn_play_cells({place} place, hn_float jitter, hn_int metric, hn_uint seed) {{ "
+            f"{cell} nearest; hn_vec{n} offset; hn_cellular(place, jitter, metric, seed, nearest, offset); "
+            "return hn_unorm(hn_lattice(nearest, seed + 1u)); }",
+            f"HN_FN hn_float hn_play_cells_signed({place} place, hn_float jitter, hn_int metric, hn_uint seed) {{ "
+            "return 2.0f * hn_play_cells(place, jitter, metric, seed) - 1.0f; }",
+            f"HN_FN hn_float hn_play_curl({place} place, hn_uint seed) {{ return hn_curl(place, seed).x; }}"]
+        lines += [f"HN_FN void hn_play_add_eroded_{noise}(inout hn_octaves{n} o, inout hn_slopes{n} s, "
+                  f"hn_float strength) {{ hn_add_eroded(o, s, hn_{noise}_d(o.place, o.seed), strength); }}"
+                  for noise in ("perlin", "value", "simplex")]
+    return "\n".join(lines) + "\n"
