@@ -136,7 +136,7 @@ class Writer {
   // A call of a noise or of a sum, in a tile if the state has one. A place that is given is in it already.
   call(name, { position, cell, f, place }, form, ...rest) {
     const { n, state, values } = this;
-    let passed = place ?? position ?? this.called("hn_place", `hn_place_of_cell${n}`, cell, f);
+    let passed = place ?? position ?? this.called("hn_place", `hn_place_in_cell${n}`, cell, f);
     if (state.tiled && !place) {
       passed = this.called("hn_tile", `hn_tile${n}${cell ? "_place" : ""}`, passed, values.period);
     }
@@ -190,7 +190,7 @@ class Writer {
     }
     let call;
     if (cellular && full) {
-      call = this.call(noise.calls, where, "full", values.jitter, ...(noise.metric ? [metric] : []), values.seed);
+      call = this.call(noise.calls, where, "jitter", values.jitter, ...(noise.metric ? [metric] : []), values.seed);
     } else if (state.turned) {
       call = this.call(noise.calls, where, "phase", values.phase, values.seed);
     } else {

@@ -119,9 +119,9 @@ class ScalarWriter {
     const jitter = this.float(layer.jitter);
     if (noise.metric) {
       const metric = String(Object.keys(kMetrics).indexOf(layer.metric) + 1);
-      return this.call(`hn_play_${layer.noise}${suffix}${n}_place_full`, place, jitter, metric, seed);
+      return this.call(`hn_play_${layer.noise}${suffix}${n}_place_jitter`, place, jitter, metric, seed);
     }
-    if (noise.jitter) return this.call(`hn_${suffix ? "play_" : ""}${layer.noise}${suffix}${n}_place_full`, place, jitter, seed);
+    if (noise.jitter) return this.call(`hn_${suffix ? "play_" : ""}${layer.noise}${suffix}${n}_place_jitter`, place, jitter, seed);
     if (suffix || noise.of) return this.call(`hn_play_${layer.noise}${suffix}${n}_place`, place, seed);
     return this.call(`${noise.calls}${n}_place`, place, seed);
   }

@@ -31,13 +31,13 @@ std::string form_of(const Function& function) {
 }
 
 // A row may have a part of what a function computes, by code of its own: in four dimensions the value that comes with
-// derivatives, and of cellular noise the cell that is nearest and where its point lies. A spread is computed by code of
-// its own, too.
+// derivatives, and of cellular noise the cell that is nearest and where its point lies. A distribution is computed by
+// code of its own, too.
 std::string_view part_of(const Function& function) {
   if (function.is_derived() && !function.has_slopes()) return "the value of ";
   if (function.is_name(0)) return "the cell of ";
   if (function.is_offset(0)) return "the offset of ";
-  if (function.outputs.front().name == "reach") return "the spread of ";
+  if (function.outputs.front().name == "reach") return "the distribution of ";
   return "";
 }
 

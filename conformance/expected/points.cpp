@@ -373,7 +373,7 @@ std::uint32_t random_whole(const Column& column, const Function& function, Regio
 }
 
 // Draws a value or its distribution: mostly where it has no end, often at an end, and now and then far beyond. A
-// number of octaves is one of what hn_spread_fbm takes.
+// number of octaves is one of what hn_distribution_fbm takes.
 float random_of_distribution(std::string_view name, Region region, Random& random) {
   if (region == Region::extreme && random.below(2) == 0) return random_extreme(128, random);
   constexpr std::array kEnds = {0.0f, -0.0f, 1.0f, -1.0f, 3.0f, 0.0625f};

@@ -219,7 +219,7 @@ double octave_sum_tolerance(const Function& function, Gradient gradient, std::sp
                                    : octave_tolerance(octave_sum_of(function), function.axes, arguments, gradient);
 }
 
-// Of uniform values and of spreads of sums.
+// Of uniform values and of distributions of sums.
 double distribution_tolerance(const Function& function, std::span<const std::uint32_t> inputs, std::size_t output) {
   const std::string_view name = function.outputs[output].name;
   const double reach = std::clamp(float_input(inputs, function.input("reach")), 0.0625, 3.0);

@@ -75,6 +75,7 @@ HN_FN hn_vec3 hn_i_gullies(hn_octaves2 octaves, hn_vec2 slope, hn_float depth) {
 //
 // Flat ground has none. Gullies of the first octave are about a cell apart. For a frequency of 3 pass 3 p and a third
 // of the slope, and add three times the slope that it returns.
+// Experimental: a later version may return other values.
 //   p           position, in cells of the first octave: a coordinate times a frequency, so that a cell is as large as
 //               the largest gullies are apart
 //   place       in place of p: hn_place(cell, f) far from the origin, or hn_tile(p, period) for a tile (place.glsl).

@@ -169,7 +169,8 @@ HN_FN bool hn_next(HN_I_INOUT(hn_octaves1) o) {
 // -1 and 1 (hn_ping_pong); so that finer octaves count less where it is low (hn_weighted).
 //   o         the octaves
 //   n         the noise at o.place with o.seed, in [-1, 1]. hn_add and hn_add_turbulence take values beyond (HN_FIXED
-//             up to 3/2), others cut them off
+//             up to 3/2), others cut them off. hn_add takes whole octaves: of hn_octaves(p, 4.5, ...) it adds 5, and
+//             hn_add_detail half of the last
 //   strength  of hn_ping_pong, usually 2, in [0, 64]; of hn_weighted, usually 1, in [0, 1]
 //   example   do hn_add(o, hn_value(o.place, o.seed)); while (hn_next(o));
 //   returns   nothing: the octaves hold the result so far

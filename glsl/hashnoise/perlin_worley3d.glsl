@@ -37,6 +37,7 @@ HN_FN hn_float hn_i_perlin_worley(hn_octaves3 wisps, hn_octaves3 billows) {
 
 // Perlin-Worley noise, for volumes of clouds: round billows where the points of cellular noise are, and wisps of Perlin
 // noise between them. In a tile it repeats along all three axes, so a texture of one tile fills a sky.
+// Experimental: a later version may return other values.
 //   p           position, in cells of the first octave: a coordinate times a frequency, so that a cell is as large as
 //               the largest hills. Less than 2^23 / lacunarity^octaves - 1 along each axis, for a lacunarity of 2 or
 //               more: larger floats have no fraction

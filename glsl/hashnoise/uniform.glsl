@@ -5,10 +5,10 @@
 // value into the fraction of all values that are smaller:
 //
 //   float height = hn_fbm(p, 5, 2.0, 0.5, 7u);
-//   vec4 spread = hn_spread_fbm(hn_spread(HN_SPREAD_PERLIN2), 5.0, 0.5);
-//   bool water = hn_uniform(height, spread) < 0.3;   // 30% of the plane
+//   vec4 distribution = hn_distribution_fbm(hn_distribution(HN_DISTRIBUTION_PERLIN2), 5.0, 0.5);
+//   bool water = hn_uniform(height, distribution) < 0.3;   // 30% of the plane
 //
-// A spread is four numbers of a distribution of values: the reach, beyond which there are none, and three coefficients.
+// A distribution is four numbers: the reach, beyond which there are no values, and three coefficients.
 // docs/guide/uniform.md has how near to uniform the results are, and tools/measure uniform measures it.
 //
 // With s = |value| / reach the tail, which is twice the fraction of values farther out, is a polynomial of
@@ -22,60 +22,62 @@
 #include "detail/square_root.glsl"
 
 // ---------------------------------------------------------------------------------------------------------------------
-// The spreads of the noises.
+// The distributions of the noises.
 
 // tools/measure uniform: numbers
-#define HN_SPREAD_VALUE1 1
-#define HN_SPREAD_VALUE2 2
-#define HN_SPREAD_VALUE3 3
-#define HN_SPREAD_VALUE4 4
-#define HN_SPREAD_VALUE_CUBIC1 5
-#define HN_SPREAD_VALUE_CUBIC2 6
-#define HN_SPREAD_VALUE_CUBIC3 7
-#define HN_SPREAD_PERLIN1 8
-#define HN_SPREAD_PERLIN2 9
-#define HN_SPREAD_PERLIN3 10
-#define HN_SPREAD_PERLIN4 11
-#define HN_SPREAD_SIMPLEX2 12
-#define HN_SPREAD_SIMPLEX3 13
-#define HN_SPREAD_SIMPLEX4 14
-#define HN_SPREAD_SIMPLEX_SMOOTH2 15
-#define HN_SPREAD_SIMPLEX_SMOOTH3 16
-#define HN_SPREAD_SINE2 17
-#define HN_SPREAD_SINE3 18
+#define HN_DISTRIBUTION_VALUE1 1
+#define HN_DISTRIBUTION_VALUE2 2
+#define HN_DISTRIBUTION_VALUE3 3
+#define HN_DISTRIBUTION_VALUE4 4
+#define HN_DISTRIBUTION_VALUE_CUBIC1 5
+#define HN_DISTRIBUTION_VALUE_CUBIC2 6
+#define HN_DISTRIBUTION_VALUE_CUBIC3 7
+#define HN_DISTRIBUTION_PERLIN1 8
+#define HN_DISTRIBUTION_PERLIN2 9
+#define HN_DISTRIBUTION_PERLIN3 10
+#define HN_DISTRIBUTION_PERLIN4 11
+#define HN_DISTRIBUTION_SIMPLEX2 12
+#define HN_DISTRIBUTION_SIMPLEX3 13
+#define HN_DISTRIBUTION_SIMPLEX4 14
+#define HN_DISTRIBUTION_SIMPLEX_SMOOTH2 15
+#define HN_DISTRIBUTION_SIMPLEX_SMOOTH3 16
+#define HN_DISTRIBUTION_SINE2 17
+#define HN_DISTRIBUTION_SINE3 18
 // tools/measure uniform: end
 
-HN_FN hn_vec4 hn_i_spread(hn_int reach, hn_int a, hn_int b, hn_int c) {
+HN_FN hn_vec4 hn_i_distribution(hn_int reach, hn_int a, hn_int b, hn_int c) {
   return vec4(hn_i_float(reach), hn_i_float(a), hn_i_float(b), hn_i_float(c)) * (1.0f / 4096.0f);
 }
 
 // The distribution of the values of a noise.
-//   kind     one of HN_SPREAD_PERLIN2, HN_SPREAD_SIMPLEX3 and so on; other numbers count as HN_SPREAD_PERLIN2
-//   example  vec4 spread = hn_spread(HN_SPREAD_PERLIN2);
+// Experimental: a later version may return other values.
+//   kind     one of HN_DISTRIBUTION_PERLIN2, HN_DISTRIBUTION_SIMPLEX3 and so on; other numbers count as
+//            HN_DISTRIBUTION_PERLIN2
+//   example  vec4 distribution = hn_distribution(HN_DISTRIBUTION_PERLIN2);
 //   returns  the reach, in [1/16, 3], and the three coefficients of the tail, which rise from 0 to 1
 //   error    none
 //   cost     none for a constant
 //   source   docs/reference/contract.md, section 21; fitted by tools/measure uniform
-HN_FN hn_vec4 hn_spread(hn_int kind) {
-  // tools/measure uniform: spreads
-  if (kind == HN_SPREAD_VALUE1) return hn_i_spread(4386, 1861, 2547, 3506);
-  if (kind == HN_SPREAD_VALUE2) return hn_i_spread(4192, 1310, 2400, 3358);
-  if (kind == HN_SPREAD_VALUE3) return hn_i_spread(4043, 833, 2233, 3164);
-  if (kind == HN_SPREAD_VALUE4) return hn_i_spread(3957, 453, 1904, 2991);
-  if (kind == HN_SPREAD_VALUE_CUBIC1) return hn_i_spread(3847, 1006, 2480, 3274);
-  if (kind == HN_SPREAD_VALUE_CUBIC2) return hn_i_spread(3312, 126, 1874, 2995);
-  if (kind == HN_SPREAD_VALUE_CUBIC3) return hn_i_spread(2423, 68, 1551, 2913);
-  if (kind == HN_SPREAD_PERLIN1) return hn_i_spread(3930, 91, 1356, 1679);
-  if (kind == HN_SPREAD_PERLIN3) return hn_i_spread(2953, 348, 1923, 3001);
-  if (kind == HN_SPREAD_PERLIN4) return hn_i_spread(2707, 122, 1749, 2951);
-  if (kind == HN_SPREAD_SIMPLEX2) return hn_i_spread(4235, 4, 2867, 3147);
-  if (kind == HN_SPREAD_SIMPLEX3) return hn_i_spread(4253, 790, 1515, 3070);
-  if (kind == HN_SPREAD_SIMPLEX4) return hn_i_spread(3718, 507, 886, 2305);
-  if (kind == HN_SPREAD_SIMPLEX_SMOOTH2) return hn_i_spread(4533, 51, 2427, 3152);
-  if (kind == HN_SPREAD_SIMPLEX_SMOOTH3) return hn_i_spread(4162, 875, 2535, 3241);
-  if (kind == HN_SPREAD_SINE2) return hn_i_spread(2596, 306, 1551, 2823);
-  if (kind == HN_SPREAD_SINE3) return hn_i_spread(2954, 111, 1490, 2882);
-  return hn_i_spread(4082, 21, 1195, 3017);
+HN_FN hn_vec4 hn_distribution(hn_int kind) {
+  // tools/measure uniform: distributions
+  if (kind == HN_DISTRIBUTION_VALUE1) return hn_i_distribution(4386, 1861, 2547, 3506);
+  if (kind == HN_DISTRIBUTION_VALUE2) return hn_i_distribution(4192, 1310, 2400, 3358);
+  if (kind == HN_DISTRIBUTION_VALUE3) return hn_i_distribution(4043, 833, 2233, 3164);
+  if (kind == HN_DISTRIBUTION_VALUE4) return hn_i_distribution(3957, 453, 1904, 2991);
+  if (kind == HN_DISTRIBUTION_VALUE_CUBIC1) return hn_i_distribution(3847, 1006, 2480, 3274);
+  if (kind == HN_DISTRIBUTION_VALUE_CUBIC2) return hn_i_distribution(3312, 126, 1874, 2995);
+  if (kind == HN_DISTRIBUTION_VALUE_CUBIC3) return hn_i_distribution(2423, 68, 1551, 2913);
+  if (kind == HN_DISTRIBUTION_PERLIN1) return hn_i_distribution(3930, 91, 1356, 1679);
+  if (kind == HN_DISTRIBUTION_PERLIN3) return hn_i_distribution(2953, 348, 1923, 3001);
+  if (kind == HN_DISTRIBUTION_PERLIN4) return hn_i_distribution(2707, 122, 1749, 2951);
+  if (kind == HN_DISTRIBUTION_SIMPLEX2) return hn_i_distribution(4235, 4, 2867, 3147);
+  if (kind == HN_DISTRIBUTION_SIMPLEX3) return hn_i_distribution(4253, 790, 1515, 3070);
+  if (kind == HN_DISTRIBUTION_SIMPLEX4) return hn_i_distribution(3718, 507, 886, 2305);
+  if (kind == HN_DISTRIBUTION_SIMPLEX_SMOOTH2) return hn_i_distribution(4533, 51, 2427, 3152);
+  if (kind == HN_DISTRIBUTION_SIMPLEX_SMOOTH3) return hn_i_distribution(4162, 875, 2535, 3241);
+  if (kind == HN_DISTRIBUTION_SINE2) return hn_i_distribution(2596, 306, 1551, 2823);
+  if (kind == HN_DISTRIBUTION_SINE3) return hn_i_distribution(2954, 111, 1490, 2882);
+  return hn_i_distribution(4082, 21, 1195, 3017);
   // tools/measure uniform: end
 }
 
@@ -134,13 +136,13 @@ struct hn_i_tail {
   hn_i_num value;
 };
 
-HN_FN hn_i_tail hn_i_tail_of(hn_float value, hn_vec4 spread) {
+HN_FN hn_i_tail hn_i_tail_of(hn_float value, hn_vec4 distribution) {
   HN_I_NEW(hn_i_tail, tail);
-  tail.reach = hn_i_as_value(spread.x, 0.0625f, 3.0f);
+  tail.reach = hn_i_as_value(distribution.x, 0.0625f, 3.0f);
   tail.value = hn_i_as_value(value, -3.0f, 3.0f);
-  hn_i_num a = hn_i_as_value(spread.y, 0.0f, 1.0f);
-  hn_i_num b = max(a, hn_i_as_value(spread.z, 0.0f, 1.0f));
-  hn_i_num c = max(b, hn_i_as_value(spread.w, 0.0f, 1.0f));
+  hn_i_num a = hn_i_as_value(distribution.y, 0.0f, 1.0f);
+  hn_i_num b = max(a, hn_i_as_value(distribution.z, 0.0f, 1.0f));
+  hn_i_num c = max(b, hn_i_as_value(distribution.w, 0.0f, 1.0f));
   // A quotient of floats may be beyond 1.
   hn_i_num s = hn_i_mean(min(hn_i_size(tail.value), tail.reach), tail.reach);
   tail.w = max(hn_i_minus(HN_I_WEIGHT_ONE, s), HN_I_NO_WEIGHT);
@@ -166,27 +168,29 @@ HN_FN hn_float hn_i_uniform(hn_i_tail tail) {
 
 // The fraction of all values of a noise that are smaller than a value: noise with uniform values.
 //   value    of a noise, or of hn_fbm
-//   spread   of the noise: hn_spread(HN_SPREAD_PERLIN2) and so on, or hn_spread_fbm of that. Numbers beyond their range
-//            count as the nearer end
-//   example  float u = hn_uniform(hn_perlin(uv * 8.0, 7u), hn_spread(HN_SPREAD_PERLIN2));
+//   distribution  of the noise: hn_distribution(HN_DISTRIBUTION_PERLIN2) and so on, or hn_distribution_fbm of that.
+//            Numbers beyond their range count as the nearer end
+//   example  float u = hn_uniform(hn_perlin(uv * 8.0, 7u), hn_distribution(HN_DISTRIBUTION_PERLIN2));
 //   returns  [0, 1], 1/2 at 0; it never falls where the value rises (with HN_FIXED; roundings of floats may take it
 //            down by 1e-6), and is twice continuously differentiable but for 0, where its slope has a crease
 //   error    at most 1.50e-6 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
 //            5.46e-5. docs/guide/uniform.md has how near to uniform the results are
 //   cost     about 40 operations, with a division; in HN_FIXED 3 divisions and 20 multiplications
 //   source   docs/reference/contract.md, section 21
-HN_FN hn_float hn_uniform(hn_float value, hn_vec4 spread) { return hn_i_uniform(hn_i_tail_of(value, spread)); }
+HN_FN hn_float hn_uniform(hn_float value, hn_vec4 distribution) {
+  return hn_i_uniform(hn_i_tail_of(value, distribution));
+}
 
 // The same with its derivative: a slope of the noise, times that, is the slope of its uniform values.
 //   value    of a noise, or of hn_fbm
-//   spread   as above
-//   example  vec2 u = hn_uniform_d(hn_perlin(uv * 8.0, 7u), hn_spread(HN_SPREAD_PERLIN2));
+//   distribution  as above
+//   example  vec2 u = hn_uniform_d(hn_perlin(uv * 8.0, 7u), hn_distribution(HN_DISTRIBUTION_PERLIN2));
 //   returns  the uniform value, and its derivative by the value: how many values there are near it. Not negative
 //   error    of the value as above; of the derivative at most 2.15e-5 / reach. HN_FIXED 4.18e-4 / reach
 //   cost     that of hn_uniform, and a division more
 //   source   docs/reference/contract.md, section 21
-HN_FN hn_vec2 hn_uniform_d(hn_float value, hn_vec4 spread) {
-  hn_i_tail tail = hn_i_tail_of(value, spread);
+HN_FN hn_vec2 hn_uniform_d(hn_float value, hn_vec4 distribution) {
+  hn_i_tail tail = hn_i_tail_of(value, distribution);
   hn_i_num rise = hn_i_weight_times(hn_i_minus(tail.high, tail.low), tail.w);
   hn_i_num twice = hn_i_plus(rise, rise);
   return vec2(hn_i_uniform(tail), hn_i_of_units(hn_i_mean(hn_i_plus(twice, twice), tail.reach)));
@@ -202,22 +206,23 @@ HN_FN hn_i_num hn_i_of_sum(hn_i_num x, hn_int bell, hn_int way, hn_i_num d, hn_i
   return min(max(n, HN_I_NO_WEIGHT), HN_I_WEIGHT_ONE);
 }
 
-// The distribution of the values of a fractal, from that of its noise. Every gain and number of octaves has its spread.
-// It takes octaves as independent, which on the line they are not quite (docs/guide/uniform.md).
-//   spread   of the noise: hn_spread(HN_SPREAD_PERLIN2) and so on
+// The distribution of the values of a fractal, from that of its noise, for any gain and number of octaves. It takes
+// octaves as independent, which on the line they are not quite (docs/guide/uniform.md).
+// Experimental: a later version may return other values.
+//   distribution  of the noise: hn_distribution(HN_DISTRIBUTION_PERLIN2) and so on
 //   octaves  how many, as of hn_fbm, usually 4 to 8, from 1 to 32: 5.0, and 3.5 for a detail that is no whole number.
 //            The lacunarity does not matter
 //   gain     ratio of amplitudes, as of hn_fbm, usually 0.5, in [0, 1]
-//   example  vec4 spread = hn_spread_fbm(hn_spread(HN_SPREAD_PERLIN2), 5.0, 0.5);
-//   returns  the spread of hn_fbm, or of another mean of octaves of the noise (hn_add)
+//   example  vec4 distribution = hn_distribution_fbm(hn_distribution(HN_DISTRIBUTION_PERLIN2), 5.0, 0.5);
+//   returns  the distribution of hn_fbm, or of another mean of octaves of the noise (hn_add)
 //   error    of the coefficients at most 3.65e-5. HN_FIXED 1.93e-4. docs/measured/accuracy.md has that of the reach
 //   cost     about 10 operations for each octave and 60 more. It does not depend on the position: compute it on the
 //            CPU, or let the compiler, where octaves and gain are constants
 //   source   docs/reference/contract.md, section 21
-HN_FN hn_vec4 hn_spread_fbm(hn_vec4 spread, hn_float octaves, hn_float gain) {
-  hn_i_num a = hn_i_setting(spread.y, 1.0f);
-  hn_i_num b = max(a, hn_i_setting(spread.z, 1.0f));
-  hn_i_num c = max(b, hn_i_setting(spread.w, 1.0f));
+HN_FN hn_vec4 hn_distribution_fbm(hn_vec4 distribution, hn_float octaves, hn_float gain) {
+  hn_i_num a = hn_i_setting(distribution.y, 1.0f);
+  hn_i_num b = max(a, hn_i_setting(distribution.z, 1.0f));
+  hn_i_num c = max(b, hn_i_setting(distribution.w, 1.0f));
   hn_float detail = min(max(octaves, 1.0f), 32.0f);
   hn_int count = min(hn_i_whole_octaves(detail), 32);  // of a NaN, too
   hn_i_num ratio = hn_i_setting(gain, 1.0f);
@@ -254,7 +259,7 @@ HN_FN hn_vec4 hn_spread_fbm(hn_vec4 spread, hn_float octaves, hn_float gain) {
   hn_i_num falls = hn_i_weight_times(hn_i_weight_times(sum2, per_sum), per_sum);
   hn_i_num variance = hn_i_weight_times(hn_i_variance(a, b, c), falls);
   hn_i_num stretch = hn_i_root_of_ratio(hn_i_mean(variance, hn_i_variance(new_a, new_b, new_c)));
-  hn_i_num reach = hn_i_weight_times(hn_i_as_reach(spread.x), stretch);
+  hn_i_num reach = hn_i_weight_times(hn_i_as_reach(distribution.x), stretch);
   return vec4(hn_i_of_units(reach), hn_i_of_units(new_a), hn_i_of_units(new_b), hn_i_of_units(new_c));
 }
 

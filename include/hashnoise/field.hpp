@@ -1,12 +1,12 @@
-// Noises and sums that are chosen at run time, over grids and lists of points, with the widest instructions that the
-// processor has. This is the header of the compiled library: link hashnoise::grid.
+// Noises and fractals that are chosen at run time, over grids and lists of points, with the widest instructions that
+// the processor has. This is the header of the compiled library: link hashnoise::grid.
 // SPDX-License-Identifier: MIT
 //
 //   #include <hashnoise/field.hpp>
 //
 //   hashnoise::Settings settings;
 //   settings.noise = "simplex";
-//   settings.sum = "fbm";
+//   settings.fractal = "fbm";
 //   const hashnoise::Field<2> field(settings);
 //   std::vector<float> heights(1024 * 1024);
 //   const hashnoise::Range range = field.fill(hashnoise::Grid<2>{{0, 0}, {0.01f, 0.01f}, {1024, 1024}}, heights);
@@ -53,10 +53,11 @@ enum class InstructionSet { kSse41, kAvx2, kAvx512, kNeon, kGeneric };
 // setting that the function does not have, or a number outside of its range, is an error of Field's constructor. The
 // octaves of a fractal rotate unless it has a period.
 struct Settings {
-  // "value", "simplex_d", ...: see noise_names; if empty "perlin", or what the sum takes in GLSL. The sum perlin_worley
-  // has noises of its own, and takes none.
+  // "value", "simplex_d", ...: see noise_names; if empty "perlin", or what the fractal takes in GLSL. The fractal
+  // perlin_worley has noises of its own, and takes none.
   std::string noise{};
-  std::string sum{};    // "fbm", "ridged", ...: see sum_names; the noise itself if empty
+  // The fractal type: "fbm", "ridged", "warp", ...: see fractal_names; the noise itself if empty.
+  std::string fractal{};
   Arithmetic arithmetic = Arithmetic::kFast;
   std::uint32_t seed = 0;
   std::array<std::int32_t, 4> period{};  // in cells, along each axis; 0 for none, and not negative
@@ -64,17 +65,17 @@ struct Settings {
   // For noises.
   std::optional<float> phase{};  // in turns; perlin, perlin_d, simplex, simplex_d, cellular and phasor in 2D and 3D
   std::optional<float> jitter{};   // in [0, 1], and 1 if it is left out; cellular noises
-  std::optional<Metric> metric{};  // kEuclidean if it is left out; cellular and cellular_three
+  std::optional<Metric> metric{};  // the distance function, and kEuclidean if it is left out; cellular, cellular_three
   // A number for each axis, in [-16, 16]: the direction in which waves run, times the waves per cell. 3 along x if it
   // is empty; phasor.
   std::vector<float> wave{};
 
-  // For sums.
+  // For fractals.
   std::optional<int> octaves{};       // from 1 to 32, and 6 if it is left out
   // 2 if it is left out. With a period whole, from 1 to 255; in cells and with kFixed from 0 to 255.
   std::optional<float> lacunarity{};
   std::optional<float> gain{};  // not negative, and with kFixed at most 1; 0.5 if it is left out
-  // ping_pong: in [0, 64], and 2 if it is left out; weighted: in [0, 1], and 1; eroded: in [0, 16], and 1.
+  // Of ping_pong: in [0, 64], and 2 if it is left out; of weighted: in [0, 1], and 1; of eroded: in [0, 16], and 1.
   std::optional<float> strength{};
   std::optional<float> amplitude{};  // in [0, 64], and 1 if it is left out; warp, warp_progressive
   std::optional<float> detail{};     // in [0, 32]; fbm without a period: octaves as a float, in place of `octaves`
@@ -128,9 +129,9 @@ extern template class Field<2>;
 extern template class Field<3>;
 extern template class Field<4>;
 
-// The noises and the sums that there are in so many dimensions, in the order of the documents.
+// The noises and the fractals that there are in so many dimensions, in the order of the documents.
 HN_I_OFFERED std::vector<std::string_view> noise_names(int dimensions);
-HN_I_OFFERED std::vector<std::string_view> sum_names(int dimensions);
+HN_I_OFFERED std::vector<std::string_view> fractal_names(int dimensions);
 
 // The instruction sets of both this processor and the library, the widest first. A library for x86 has nothing for
 // processors without SSE4.1; CMake's HASHNOISE_INSTRUCTION_SETS chooses its sets.

@@ -6,7 +6,7 @@ import bpy
 import numpy
 from bpy.props import EnumProperty, FloatProperty, IntProperty
 
-SUMS = (("NONE", "None", "The noise itself"),
+FRACTALS = (("NONE", "None", "The noise itself"),
         ("fbm", "fBm", "Octaves: hills and land"),
         ("ridged", "Ridged", "Octaves with crests, in [0, 1]: mountains"),
         ("billow", "Billow", "Octaves that are round above and creased below"),
@@ -17,7 +17,7 @@ NOISES = (("perlin", "Perlin", "Gradient noise"),
           ("simplex", "Simplex", "Gradient noise without squares"),
           ("value", "Value", "Interpolated random numbers"),
           ("value_cubic", "Cubic Value", "Smoother value noise"),
-          ("cellular", "Cellular", "The distance to the nearest of scattered points; no sum takes it"))
+          ("cellular", "Cellular", "The distance to the nearest of scattered points; no fractal takes it"))
 POSITIONS = (("PLANE", "X and Y", "The noise is on the plane, so what stands above a place gets its height, too"),
              ("SPACE", "X, Y and Z", "The noise is in space"))
 DIRECTIONS = (("Z", "Z", "Up"), ("NORMAL", "Normal", "Along the normal of each vertex"))
@@ -33,12 +33,12 @@ def package():
     return hashnoise
 
 
-def heights(positions, sum_, noise, octaves, lacunarity, gain, seed):
+def heights(positions, fractal, noise, octaves, lacunarity, gain, seed):
     """Of positions in cells, an array of float32 with a row for each, with the bits of HN_FIXED."""
     of = package()
     axes = numpy.ascontiguousarray(positions.T)
-    if sum_ != "NONE":
-        return getattr(of, sum_)(*axes, noise=noise, octaves=octaves, lacunarity=lacunarity, gain=gain, seed=seed,
+    if fractal != "NONE":
+        return getattr(of, fractal)(*axes, noise=noise, octaves=octaves, lacunarity=lacunarity, gain=gain, seed=seed,
                                  arithmetic="fixed")
     values = getattr(of, noise)(*axes, seed=seed, arithmetic="fixed")
     return values[0] if noise == "cellular" else values  # of several distances the first
@@ -57,7 +57,7 @@ class OBJECT_OT_hashnoise_displace(bpy.types.Operator):
     bl_label = "Displace by hashnoise"
     bl_options = {"REGISTER", "UNDO"}
 
-    sum: EnumProperty(name="Sum", items=SUMS, default="fbm")
+    fractal: EnumProperty(name="Fractal", items=FRACTALS, default="fbm")
     noise: EnumProperty(name="Noise", items=NOISES, default="perlin")
     scale: FloatProperty(name="Scale", default=5.0, description="Cells of the noise in a unit of the object")
     strength: FloatProperty(name="Strength", default=0.2, description="How far a height of 1 moves a vertex")
@@ -93,7 +93,7 @@ class OBJECT_OT_hashnoise_displace(bpy.types.Operator):
         places = read(mesh.vertices, "co")
         at = places[:, :2 if self.position == "PLANE" else 3] * numpy.float32(self.scale)
         try:
-            moves = heights(at, self.sum, self.noise, self.octaves, self.lacunarity, self.gain, self.seed)
+            moves = heights(at, self.fractal, self.noise, self.octaves, self.lacunarity, self.gain, self.seed)
         except (ImportError, TypeError, ValueError) as error:
             return self.refused(str(error))
         moves = moves * numpy.float32(self.strength)

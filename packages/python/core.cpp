@@ -525,7 +525,7 @@ NB_MODULE(_core, module) {
   nb::class_<Settings>(module, "Settings")
       .def(nb::init<>())
       .def_rw("noise", &Settings::noise)
-      .def_rw("sum", &Settings::sum)
+      .def_rw("fractal", &Settings::fractal)
       .def_prop_rw(
           "arithmetic", [](const Settings& settings) { return static_cast<int>(settings.arithmetic); },
           [](Settings& settings, int value) { settings.arithmetic = static_cast<Arithmetic>(value); })
@@ -572,7 +572,7 @@ NB_MODULE(_core, module) {
       },
       nb::arg("word"), nb::arg("names"));
   module.def("noise_names", &hashnoise::noise_names, nb::arg("dimensions"));
-  module.def("sum_names", &hashnoise::sum_names, nb::arg("dimensions"));
+  module.def("fractal_names", &hashnoise::fractal_names, nb::arg("dimensions"));
   module.def("instruction_sets", [] { return hashnoise::python::names_of(hashnoise::instruction_sets()); });
   // Of settings that are whole numbers: the least and the most. Python's number may not fit a Settings, which checks
   // the others.

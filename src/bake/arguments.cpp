@@ -52,7 +52,8 @@ std::string owners_of(std::string_view strength) {
 void add_parameters(CLI::App& app, BakeOptions& options, Words& words) {
   const char* const group = "Parameters, as in GLSL";
   hashnoise::Settings& settings = options.settings;
-  app.add_option("--noise", words.noise, "The noise of a sum (default: that of the function in GLSL, mostly perlin)")
+  app.add_option("--noise", words.noise,
+                 "The noise of a fractal (default: that of the function in GLSL, mostly perlin)")
       ->type_name("NAME")
       ->group(group);
   app.add_option("--seed", settings.seed, "Different seeds give independent fields")
@@ -64,15 +65,15 @@ void add_parameters(CLI::App& app, BakeOptions& options, Words& words) {
       ->type_name("X[xY...]")
       ->group(group);
   app.add_option("--octaves", settings.octaves,
-                 fmt::format("Of a sum (default: {})", hashnoise::grid::kOctavesRule.usual))
+                 fmt::format("Of a fractal (default: {})", hashnoise::grid::kOctavesRule.usual))
       ->type_name("N")
       ->check(within(hashnoise::grid::kOctavesRule))
       ->group(group);
   add_number(app, "--lacunarity", settings.lacunarity,
-             fmt::format("Of a sum: by how much an octave is finer than the one before (default: {})",
+             fmt::format("Of a fractal: by how much an octave is finer than the one before (default: {})",
                          hashnoise::grid::kLacunarityRule.usual));
   add_number(app, "--gain", settings.gain,
-             fmt::format("Of a sum: by how much an octave is weaker, a factor (default: {})",
+             fmt::format("Of a fractal: by how much an octave is weaker, a factor (default: {})",
                          hashnoise::grid::kGainRule.usual));
   add_number(app, "--strength", settings.strength, owners_of("strength"));
   add_number(app, "--amplitude", settings.amplitude, owners_of("amplitude") + ", in cells");
@@ -183,7 +184,7 @@ void add_files(CLI::App& app, BakeOptions& options, Words& words) {
 void add_options(CLI::App& app, BakeOptions& options, Words& words) {
   app.add_option(
          "FUNCTION", options.function,
-         "A noise (perlin, cellular, ...) or a sum (fbm, ridged, ...), as in GLSL without hn_; or an --expression")
+         "A noise (perlin, cellular, ...) or a fractal (fbm, ridged, ...), as in GLSL without hn_; or an --expression")
       ->type_name("");
   add_expression(app, words);
   add_parameters(app, options, words);

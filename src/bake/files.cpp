@@ -85,7 +85,7 @@ nlohmann::ordered_json parameters_of(const BakeOptions& options) {
   const auto number_or_usual = [&](const std::optional<float>& value, const grid::Rule& rule) {
     return number(value.value_or(static_cast<float>(rule.usual)));
   };
-  if (settings.sum.empty()) {
+  if (settings.fractal.empty()) {
     const grid::NoiseRow& noise = grid::kNoiseRows[grid::noise_named(settings.noise)];
     if (noise.has_jitter()) json["jitter"] = number_or_usual(settings.jitter, grid::kJitterRule);
     if (noise.has_metric()) {
@@ -100,7 +100,7 @@ nlohmann::ordered_json parameters_of(const BakeOptions& options) {
     if (settings.footprint) json["footprint"] = number(*settings.footprint);
     json["lacunarity"] = number_or_usual(settings.lacunarity, grid::kLacunarityRule);
     json["gain"] = number_or_usual(settings.gain, grid::kGainRule);
-    const grid::SumRow& sum = grid::sum_row(settings.sum);
+    const grid::SumRow& sum = grid::sum_row(settings.fractal);
     if (!sum.strength.empty())
       json[std::string(sum.strength)] = number(strength_of(settings, sum).value_or(sum.usual_strength));
   }

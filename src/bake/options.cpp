@@ -119,12 +119,12 @@ Result<void> choose_function(BakeOptions& options, const Words& words) {
   const std::optional<std::string>& noise = words.noise;
   const int dimensions = static_cast<int>(options.size.size());
   const auto noises = hashnoise::noise_names(dimensions);
-  const auto sums = hashnoise::sum_names(dimensions);
+  const auto sums = hashnoise::fractal_names(dimensions);
   if (has(sums, options.function)) {
-    options.settings.sum = options.function;
+    options.settings.fractal = options.function;
     if (!hashnoise::grid::sum_row(options.function).takes_noise()) {
       if (!noise) return {};
-      return fail(fmt::format("--noise: the sum {} has noises of its own; leave it out", options.function));
+      return fail(fmt::format("--noise: the fractal {} has noises of its own; leave it out", options.function));
     }
     options.settings.noise = noise.value_or(noise_of(options.function));
     if (has(noises, options.settings.noise)) return {};
@@ -134,11 +134,11 @@ Result<void> choose_function(BakeOptions& options, const Words& words) {
   if (!has(noises, options.function)) {
     auto names = texts_of(noises);
     names.insert(names.end(), sums.begin(), sums.end());
-    return fail(fmt::format("there is no noise or sum {} in {}{}", in_quotes(options.function),
+    return fail(fmt::format("there is no noise or fractal {} in {}{}", in_quotes(options.function),
                             dimensions_of(options.size), choice(options.function, names)));
   }
   if (noise) {
-    return fail(fmt::format("--noise is for a sum, and {} is a noise itself; the sums are {}", options.function,
+    return fail(fmt::format("--noise is for a fractal, and {} is a noise itself; the fractals are {}", options.function,
                             fmt::join(sums, ", ")));
   }
   options.settings.noise = options.function;
@@ -342,8 +342,7 @@ std::string_view name_of(Format format) {
 }
 
 tl::expected<BakeOptions, Stop> parse_options(int argc, const char* const* argv) {
-  CLI::App app("Writes a noise, a sum of its octaves or an expression as a picture, a volume or raw numbers.",
-               "hn-bake");
+  CLI::App app("Writes a noise, a fractal of it or an expression as a picture, a volume or raw numbers.", "hn-bake");
   app.set_version_flag("--version", library_version());
   app.footer(
       "Exit status: 0 done, 1 the file could not be written, 2 bad usage, 4 it could not be built, or an expression "

@@ -48,7 +48,7 @@ struct Expression {
 };
 
 struct BakeOptions {
-  std::string function;  // as it was named: a noise, or a sum; "expression" for one
+  std::string function;  // as it was named: a noise, or a fractal; "expression" for one
   std::optional<Expression> expression;
   hashnoise::Settings settings;
   std::vector<int> size;       // points along each axis; as many as there are dimensions

@@ -104,7 +104,7 @@ class Works {
   // Grids of the noise, added up in parts that stay in a cache.
   std::size_t add_octaves(hashnoise::InstructionSet set) {
     hashnoise::Settings settings = settings_of(subject_, hashnoise::Arithmetic::kFast, set);
-    settings.sum.clear();
+    settings.fractal.clear();
     settings.octaves.reset();
     std::vector<std::shared_ptr<const hashnoise::Field<D>>> fields;
     for (int octave = 0; octave < kOctaves; ++octave) {

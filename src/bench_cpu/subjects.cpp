@@ -34,7 +34,7 @@ hashnoise::Settings settings_of(const Subject& subject, hashnoise::Arithmetic ar
                                 hashnoise::InstructionSet set) {
   hashnoise::Settings settings;
   settings.noise = subject.noise;
-  settings.sum = subject.sum;
+  settings.fractal = subject.sum;
   settings.arithmetic = arithmetic;
   settings.seed = 7;
   if (!subject.sum.empty()) settings.octaves = kOctaves;

@@ -95,7 +95,7 @@ std::string with_and(std::vector<std::string_view> names) {
 
 std::string noises_with(bool (NoiseRow::*option)() const) { return with_and(names_where(kNoiseRows, option)); }
 std::string sums_with(std::string_view strength) {
-  return "the sums " + with_and(names_where(kSumRows, [=](const SumRow& row) { return row.strength == strength; }));
+  return "the fractals " + with_and(names_where(kSumRows, [=](const SumRow& row) { return row.strength == strength; }));
 }
 
 // A setting, and the condition on the noise or the sum, which is evaluated only where the setting is given.
@@ -112,8 +112,8 @@ void check_owners(const Settings& settings, int dimensions, const NoiseRow& nois
   const bool has_phase = is_noise && noise.has_phase() && (dimensions == 2 || dimensions == 3);
   const bool is_limited = is_sum && sum == &kSumRows[kFbm] && !tiled;
   const auto has_strength = [&](std::string_view name) { return is_sum && sum->strength == name; };
-  constexpr auto of_sums = [] { return std::string("sums have one"); };
-  constexpr auto of_fbm = [] { return std::string("the sum fbm has one, if it has no period"); };
+  constexpr auto of_sums = [] { return std::string("fractals have one"); };
+  constexpr auto of_fbm = [] { return std::string("the fractal fbm has one, if it has no period"); };
   const Requirement all[] = {
       {"phase", settings.phase.has_value(), has_phase,
        [] { return noises_with(&NoiseRow::has_phase) + " have one in 2D and 3D"; }},
@@ -123,7 +123,7 @@ void check_owners(const Settings& settings, int dimensions, const NoiseRow& nois
        [] { return noises_with(&NoiseRow::has_jitter) + " have one"; }},
       {"metric", settings.metric.has_value(), is_noise && noise.has_metric(),
        [] { return noises_with(&NoiseRow::has_metric) + " have one"; }},
-      {"octaves", settings.octaves.has_value(), is_sum, [] { return std::string("sums have them"); }},
+      {"octaves", settings.octaves.has_value(), is_sum, [] { return std::string("fractals have them"); }},
       {"lacunarity", settings.lacunarity.has_value(), is_sum, of_sums},
       {"gain", settings.gain.has_value(), is_sum, of_sums},
       {"strength", settings.strength.has_value(), has_strength("strength"),
@@ -135,7 +135,7 @@ void check_owners(const Settings& settings, int dimensions, const NoiseRow& nois
   };
   for (const Requirement& given : all) {
     if (!given.is_given || given.is_had) continue;
-    refuse((is_sum ? "the sum " + quoted(sum->name) : quoted(noise.name)) + in_dimensions(dimensions) +
+    refuse((is_sum ? "the fractal " + quoted(sum->name) : quoted(noise.name)) + in_dimensions(dimensions) +
            (tiled ? " with a period" : "") + " has no " + std::string(given.setting) + "; " + given.owners());
   }
 }
@@ -175,7 +175,7 @@ void plan_noise(Plan& plan, const Settings& settings, NoiseId id, bool tiled) {
 void plan_sum(Plan& plan, const Settings& settings, NoiseId noise, SumId id, bool tiled) {
   const SumRow& row = kSumRows.at(id);
   if (row.takes_noise() && kNoiseRows.at(noise).shape != row.of) {
-    refuse("the sum " + quoted(row.name) + " does not take the noise " + quoted(kNoiseRows.at(noise).name) +
+    refuse("the fractal " + quoted(row.name) + " does not take the noise " + quoted(kNoiseRows.at(noise).name) +
            in_dimensions(plan.dimensions) + "; it takes: " + listed(summands(row.of, plan.dimensions)));
   }
   if (settings.detail && settings.footprint) refuse("detail and footprint exclude each other; leave one out");
@@ -239,12 +239,12 @@ Plan plan_of(int dimensions, const Settings& settings) {
     refuse("metric has to be a value of Metric: " + listed({std::begin(kMetricNames), std::end(kMetricNames)}));
   }
   std::optional<SumId> sum;
-  if (!settings.sum.empty()) sum = static_cast<SumId>(find(kSumRows, "sum", settings.sum, dimensions));
+  if (!settings.fractal.empty()) sum = static_cast<SumId>(find(kSumRows, "fractal", settings.fractal, dimensions));
   // A sum over noises of its own counts as Perlin noise.
   NoiseId noise = sum && kSumRows.at(*sum).takes_noise() ? kSumRows.at(*sum).usual_noise : kPerlin;
   if (sum && !kSumRows.at(*sum).takes_noise() && !settings.noise.empty()) {
-    refuse("the sum " + quoted(settings.sum) + " has noises of its own; leave the noise " + quoted(settings.noise) +
-           " out");
+    refuse("the fractal " + quoted(settings.fractal) + " has noises of its own; leave the noise " +
+           quoted(settings.noise) + " out");
   }
   if (!settings.noise.empty()) noise = static_cast<NoiseId>(find(kNoiseRows, "noise", settings.noise, dimensions));
   bool tiled = false;
@@ -282,6 +282,6 @@ Plan plan_of(int dimensions, const Settings& settings) {
 namespace hashnoise::inline HN_I_NAMESPACE {
 
 std::vector<std::string_view> noise_names(int dimensions) { return grid::names_in(grid::kNoiseRows, dimensions); }
-std::vector<std::string_view> sum_names(int dimensions) { return grid::names_in(grid::kSumRows, dimensions); }
+std::vector<std::string_view> fractal_names(int dimensions) { return grid::names_in(grid::kSumRows, dimensions); }
 
 }  // namespace hashnoise::inline HN_I_NAMESPACE

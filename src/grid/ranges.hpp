@@ -80,7 +80,8 @@ inline std::optional<Interval> range_of_sum(const SumRow& sum, const Settings& s
 // numbers: of the derivatives of fbm_d, which depend on the gain and the lacunarity, and of distances in other metrics
 // than the Euclidean one. The settings of a sum name its noise.
 inline std::optional<Interval> documented_range(const Settings& settings, int dimensions, std::string_view component) {
-  if (!settings.sum.empty()) return ranges::range_of_sum(sum_row(settings.sum), settings, dimensions, component);
+  if (!settings.fractal.empty())
+    return ranges::range_of_sum(sum_row(settings.fractal), settings, dimensions, component);
   if (settings.metric.value_or(Metric::kEuclidean) != Metric::kEuclidean) return std::nullopt;
   return ranges::range_of_noise(settings.noise, settings.phase.has_value(), dimensions, component);
 }

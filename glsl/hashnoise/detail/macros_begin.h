@@ -319,6 +319,8 @@
 #undef direction
 #pragma push_macro("distance")
 #undef distance
+#pragma push_macro("distribution")
+#undef distribution
 #pragma push_macro("divisor")
 #undef divisor
 #pragma push_macro("dw")
@@ -389,6 +391,10 @@
 #undef fourth
 #pragma push_macro("fprintf")
 #undef fprintf
+#pragma push_macro("fractal")
+#undef fractal
+#pragma push_macro("fractal_names")
+#undef fractal_names
 #pragma push_macro("fraction")
 #undef fraction
 #pragma push_macro("from")
@@ -837,8 +843,6 @@
 #undef span
 #pragma push_macro("spans")
 #undef spans
-#pragma push_macro("spread")
-#undef spread
 #pragma push_macro("sqrt")
 #undef sqrt
 #pragma push_macro("sqrt_ps")
@@ -877,8 +881,6 @@
 #undef sum4
 #pragma push_macro("sum8")
 #undef sum8
-#pragma push_macro("sum_names")
-#undef sum_names
 #pragma push_macro("sums")
 #undef sums
 #pragma push_macro("swap")

@@ -1,19 +1,19 @@
-/** The kind of a field: a noise, or a sum of octaves of a noise. A setting that the function does not have is an error. */
+/** The kind of a field: a noise, or a fractal: octaves of a noise. A setting that the function does not have is an error. */
 export interface Settings {
   /** "fbm", "ridged", ...; the noise itself if it is left out. */
-  sum?: SumName;
+  fractal?: FractalName;
   /** 0 to 2^32 - 1; 0 if it is left out. */
   seed?: number;
   /** After how many cells the field repeats, along all axes or along each; 0 for never. */
   period?: number | number[];
   // tools/make catalog: settings
-  /** "perlin" if it is left out, and of sums what the shader's take: "perlin", "perlin_d" or "value_vector". */
+  /** "perlin" if it is left out, and of fractals what the shader's take: "perlin", "perlin_d" or "value_vector". */
   noise?: NoiseName;
-  /** Of sums, from 1 to 32; 6 if they are left out. */
+  /** Of fractals, from 1 to 32; 6 if they are left out. */
   octaves?: number;
-  /** Of sums, from 0 to 255, and a whole number from 1 with a period; 2 if it is left out. */
+  /** Of fractals, from 0 to 255, and a whole number from 1 with a period; 2 if it is left out. */
   lacunarity?: number;
-  /** Of sums, from 0 to 1; 0.5 if it is left out. */
+  /** Of fractals, from 0 to 1; 0.5 if it is left out. */
   gain?: number;
   /** Of ping_pong, weighted and eroded, from 0 to 64, 1 and 16; 2, 1 and 1 if it is left out. */
   strength?: number;
@@ -41,7 +41,7 @@ export type NoiseName =
   | "value_vector"
   | "random";
 
-export type SumName =
+export type FractalName =
   | "fbm"
   | "turbulence"
   | "clouds"
@@ -63,7 +63,7 @@ export type MetricName =
   | "hybrid";
 // tools/make catalog: end
 
-/** A noise or a sum in one, two or three dimensions, with the bits of HN_FIXED. Its settings do not change. */
+/** A noise or a fractal in one, two or three dimensions, with the bits of HN_FIXED. Its settings do not change. */
 export declare class Field {
   constructor(dimensions: 1 | 2 | 3, settings?: Settings);
 
@@ -73,8 +73,8 @@ export declare class Field {
 
   /** The names of the noises that there are in so many dimensions. */
   static noises(dimensions: 1 | 2 | 3): NoiseName[];
-  /** The names of the sums that there are in so many dimensions. */
-  static sums(dimensions: 1 | 2 | 3): SumName[];
+  /** The names of the fractals that there are in so many dimensions. */
+  static fractals(dimensions: 1 | 2 | 3): FractalName[];
 
   /** The first component at a position, in cells. */
   at(...position: number[]): number;

@@ -1,4 +1,4 @@
-// The twin: noises and sums with the bits that HN_FIXED has in shaders. The functions are in WebAssembly (twin.cpp);
+// The twin: noises and fractals with the bits that HN_FIXED has in shaders. The functions are in WebAssembly (twin.cpp);
 // this checks settings, and computes where the points are.
 import { bytes } from "./twin.js";
 
@@ -10,8 +10,8 @@ const SHAPES = {
   two_distances: () => ["f1", "f2"],
   vector: (dimensions) => AXES.slice(0, dimensions),
 };
-// Functions, in the order of twin.cpp. The noise of a sum is the one that it takes unless another of its shape is
-// named, and its strength is the name of that number. OWNERS lists which noises or sums have a setting.
+// Functions, in the order of twin.cpp. The noise of a fractal is the one that it takes unless another of its shape is
+// named, and its strength is the name of that number. OWNERS lists which noises or fractals have a setting.
 // tools/make catalog: noises and sums
 const NOISES = {
   perlin: { dimensions: [1, 2, 3], shape: "value", takes: [] },
@@ -27,7 +27,7 @@ const NOISES = {
   value_vector: { dimensions: [2, 3], shape: "vector", takes: [] },
   random: { dimensions: [1, 2, 3], shape: "value", takes: [] },
 };
-const SUMS = {
+const FRACTALS = {
   fbm: { dimensions: [1, 2, 3], shape: "value", noise: "perlin" },
   turbulence: { dimensions: [1, 2, 3], shape: "value", noise: "perlin" },
   clouds: { dimensions: [1, 2, 3], shape: "value", noise: "perlin" },
@@ -57,8 +57,13 @@ const OWNERS = {
   metric: "cellular has one",
 };
 // tools/make catalog: end
-const KNOWN = ["noise", "sum", "seed", "period", "octaves", "lacunarity", "gain", "strength", "amplitude", "jitter", "metric"];
-const OF_SUMS = ["octaves", "lacunarity", "gain"];
+const KNOWN = ["noise", "fractal", "seed", "period", "octaves", "lacunarity", "gain", "strength", "amplitude", "jitter", "metric"];
+const OF_FRACTALS = ["octaves", "lacunarity", "gain"];
+// Settings by their names in other libraries, and before 1.0.
+const ELSEWHERE = {
+  noise_type: "noise", sum: "fractal", fractal_type: "fractal", persistence: "gain", distance_function: "metric",
+  cellular_jitter: "jitter", ping_pong_strength: "strength", weighted_strength: "strength", domain_warp_amp: "amplitude",
+};
 const LONGEST_WORD = 48; // the module has room for the numbers of one
 const MOST_VALUES = 2 ** 31 - 1; // of an array, in every browser
 const BATCH = 1024; // points, as in twin.cpp
@@ -135,9 +140,10 @@ const MOST_IN_FIXED = { lacunarity: 255, gain: 1 };
 const inFixed = (name, value) => real(name, value, 0, MOST_IN_FIXED[name]);
 const wholeInTile = (name, value) => whole(`${name} with a period`, value, 1, MOST_IN_FIXED[name]);
 
-function oneOf(name, value, names) {
+function oneOf(name, value, names, elsewhere = {}) {
   if (!names.includes(value)) {
-    throw new RangeError(`${name} has to be one of ${names.join(", ")}, not ${shown(value)}${suggestion(value, names)}`);
+    const meant = Object.hasOwn(elsewhere, value) ? ` (here it is "${elsewhere[value]}")` : suggestion(value, names);
+    throw new RangeError(`${name} has to be one of ${names.join(", ")}, not ${shown(value)}${meant}`);
   }
   return value;
 }
@@ -196,32 +202,33 @@ function arrayOf(name, value, types) {
 
 // ---------------------------------------------------------------------------------------------------------------------
 
-/** A noise or a sum in one, two or three dimensions, with the bits of HN_FIXED. Its settings do not change. */
+/** A noise or a fractal in one, two or three dimensions, with the bits of HN_FIXED. Its settings do not change. */
 export class Field {
   #settings;
-  #isSum;
+  #isFractal;
 
   constructor(dimensions, settings = {}) {
     whole("dimensions", dimensions, 1, 3);
-    for (const name of Object.keys(settings)) oneOf("a setting", name, KNOWN);
+    for (const name of Object.keys(settings)) oneOf("a setting", name, KNOWN, ELSEWHERE);
     const given = Object.fromEntries(Object.entries(settings).filter(([, value]) => value !== undefined));
-    const sum = given.sum === undefined ? undefined : oneOf(`sum in ${dimensions}D`, given.sum, Field.sums(dimensions));
-    const row = sum ? SUMS[sum] : undefined;
+    const fractal =
+      given.fractal === undefined ? undefined : oneOf(`fractal in ${dimensions}D`, given.fractal, Field.fractals(dimensions));
+    const row = fractal ? FRACTALS[fractal] : undefined;
     const noises = Field.noises(dimensions).filter((name) => !row || NOISES[name].shape === NOISES[row.noise].shape);
-    const noise = oneOf(sum ? `noise of ${sum}` : `noise in ${dimensions}D`, given.noise ?? row?.noise ?? "perlin", noises);
+    const noise = oneOf(fractal ? `noise of ${fractal}` : `noise in ${dimensions}D`, given.noise ?? row?.noise ?? "perlin", noises);
     const refuse = (name, why) => {
-      if (given[name] !== undefined) throw new RangeError(`${sum ?? noise} has no ${name}; ${why}`);
+      if (given[name] !== undefined) throw new RangeError(`${fractal ?? noise} has no ${name}; ${why}`);
     };
-    if (!sum) for (const name of OF_SUMS) refuse(name, "sums have it");
-    const takes = sum ? [row.strength] : NOISES[noise].takes;
+    if (!fractal) for (const name of OF_FRACTALS) refuse(name, "fractals have it");
+    const takes = fractal ? [row.strength] : NOISES[noise].takes;
     for (const [name, owners] of Object.entries(OWNERS)) if (!takes.includes(name)) refuse(name, owners);
     const of = (check, name, value) => check(name, value, NUMBERS[name].least, NUMBERS[name].most);
     const number = (name, check = real) => of(check, name, given[name] ?? NUMBERS[name].usual);
     const periods = given.period ?? NUMBERS.period.usual;
     const period = perAxis("period", periods, dimensions, (name, one) => of(whole, name, one));
-    this.#isSum = sum !== undefined;
+    this.#isFractal = fractal !== undefined;
     this.#settings = {
-      integers: [dimensions, Object.keys(NOISES).indexOf(noise), Object.keys(SUMS).indexOf(sum), period.some((one) => one > 0)],
+      integers: [dimensions, Object.keys(NOISES).indexOf(noise), Object.keys(FRACTALS).indexOf(fractal), period.some((one) => one > 0)],
       seed: number("seed", whole),
       period,
       jitter: number("jitter"),
@@ -243,9 +250,9 @@ export class Field {
     return namesIn(NOISES, dimensions);
   }
 
-  /** The names of the sums that there are in so many dimensions. */
-  static sums(dimensions) {
-    return namesIn(SUMS, dimensions);
+  /** The names of the fractals that there are in so many dimensions. */
+  static fractals(dimensions) {
+    return namesIn(FRACTALS, dimensions);
   }
 
   #load() {

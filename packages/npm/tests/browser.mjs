@@ -80,12 +80,12 @@ test("three.js with WebGLRenderer has golden values, with the text from everywhe
 const heights = {
   "hn_perlin(p.xy, seed)": (p, seed) => new Field(2, { seed }).at(p[0], p[1]),
   "hn_fbm(p.xy, 7, 1.875, 0.625, seed)": (p, seed) =>
-    new Field(2, { sum: "fbm", octaves: 7, lacunarity: 1.875, gain: 0.625, seed }).at(p[0], p[1]),
-  "hn_ridged(p, 5, 2.0, 0.5, seed)": (p, seed) => new Field(3, { sum: "ridged", octaves: 5, seed }).at(...p),
+    new Field(2, { fractal: "fbm", octaves: 7, lacunarity: 1.875, gain: 0.625, seed }).at(p[0], p[1]),
+  "hn_ridged(p, 5, 2.0, 0.5, seed)": (p, seed) => new Field(3, { fractal: "ridged", octaves: 5, seed }).at(...p),
   "hn_simplex(hn_tile(p, ivec3(9, 16, 5)), seed)": (p, seed) =>
     new Field(3, { noise: "simplex", period: [9, 16, 5], seed }).at(...p),
   "hn_eroded(p.xy, 4, 2.0, 0.5, 1.5, seed)": (p, seed) =>
-    new Field(2, { sum: "eroded", octaves: 4, strength: 1.5, seed }).at(p[0], p[1]),
+    new Field(2, { fractal: "eroded", octaves: 4, strength: 1.5, seed }).at(p[0], p[1]),
   "hn_cellular(p.xy, 0.75, HN_METRIC_MANHATTAN, seed).y": (p, seed) =>
     new Field(2, { noise: "cellular", jitter: 0.75, metric: "manhattan", seed }).all(p[0], p[1])[1],
 };
@@ -187,7 +187,7 @@ for (const [path, backend] of [["bits.html", "WebGPU"], ["bits.html?webgl", "Web
     const points = Array.from({ length: 64 }, (_, i) => [i * 0.37 - 11, 5 - i * 0.61].map(Math.fround));
     const of = (settings) => points.map((p) => bitsOf(new Field(2, settings).at(...p)));
     const expected = {
-      fbm: of({ sum: "fbm", octaves: 6, seed: 7 }), fbmOfSeedZero: of({ sum: "fbm", octaves: 6 }),
+      fbm: of({ fractal: "fbm", octaves: 6, seed: 7 }), fbmOfSeedZero: of({ fractal: "fbm", octaves: 6 }),
       tile: of({ noise: "perlin", period: [8, 5], seed: 7 }),
     };
     for (const [name, bits] of Object.entries(expected)) {
@@ -215,7 +215,7 @@ test("the documentation's page without a build step draws what Field computes", 
       return Array.from({ length: 512 / 16 }, (_, i) => context.getImageData(16 * i, 16 * i, 1, 1).data[0]);
     }, png));
   }
-  const field = new Field(2, { sum: "fbm", octaves: 6, seed: 7 });
+  const field = new Field(2, { fractal: "fbm", octaves: 6, seed: 7 });
   const shown = (v) => 255 * (v <= 0.0031308 ? 12.92 * v : 1.055 * v ** (1 / 2.4) - 0.055); // sRGB
   const expected = found[0].map((_, i) => {
     const at = (8 * (16 * i + 0.5)) / 512;

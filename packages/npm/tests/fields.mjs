@@ -7,11 +7,11 @@ import { Field, init } from "hashnoise";
 
 const bits = (values) => Array.from(new Uint32Array(Float32Array.from(values).buffer));
 
-/** Every noise and every sum, in each of their dimensions. */
+/** Every noise and every fractal, in each of their dimensions. */
 function* all() {
   for (const dimensions of [1, 2, 3]) {
     for (const noise of Field.noises(dimensions)) yield new Field(dimensions, { noise, seed: 3, period: 5 });
-    for (const sum of Field.sums(dimensions)) yield new Field(dimensions, { sum, seed: 3, octaves: 3 });
+    for (const fractal of Field.fractals(dimensions)) yield new Field(dimensions, { fractal, seed: 3, octaves: 3 });
   }
 }
 
@@ -56,7 +56,7 @@ test("a grid of more points than are computed at once has the same values", () =
 });
 
 test("cells are exact far out, and wrap at 2^32", () => {
-  const field = new Field(2, { sum: "fbm", seed: 7 });
+  const field = new Field(2, { fractal: "fbm", seed: 7 });
   const grid = field.grid([5, 2], { step: 0.75, cell: [2 ** 31 - 2, -3], origin: [0.5, 0] });
   for (let y = 0; y < 2; ++y) {
     for (let x = 0; x < 5; ++x) {
@@ -80,13 +80,13 @@ test("cells are exact far out, and wrap at 2^32", () => {
 
 test("fields do not disturb each other, and neither do seeds and periods", () => {
   const one = new Field(2, { seed: 1 });
-  const two = new Field(2, { seed: 2, sum: "ridged" });
+  const two = new Field(2, { seed: 2, fractal: "ridged" });
   const first = one.at(0.5, 0.25);
   const second = two.at(0.5, 0.25);
   assert.notEqual(first, second);
   assert.equal(one.at(0.5, 0.25), first);
   assert.equal(two.at(0.5, 0.25), second);
-  const tile = new Field(2, { sum: "fbm", period: [3, 4] });
+  const tile = new Field(2, { fractal: "fbm", period: [3, 4] });
   assert.equal(tile.at(0.5, 0.25), tile.at(3.5, -3.75));
 });
 
@@ -112,25 +112,30 @@ test("wrong settings are reported", () => {
   for (const [dimensions, settings, said] of [
     [4, {}, /dimensions has to be a whole number from 1 to 3, not 4/],
     [2, { noise: "perlim" }, /noise in 2D has to be one of perlin, .*, not "perlim" \(did you mean "perlin"\?\)$/],
-    [3, { sum: "fbn" }, /sum in 3D has to be one of fbm, .*, not "fbn" \(did you mean "fbm"\?\)$/],
-    [3, { sum: "pign_pong" }, /not "pign_pong" \(did you mean "ping_pong"\?\)$/],
+    [3, { fractal: "fbn" }, /fractal in 3D has to be one of fbm, .*, not "fbn" \(did you mean "fbm"\?\)$/],
+    [3, { fractal: "pign_pong" }, /not "pign_pong" \(did you mean "ping_pong"\?\)$/],
     [2, { noise: "perlin".repeat(20) }, /not "(perlin){20}"$/],
     [2, { noise: "gabor" }, /not "gabor"$/],
+    [2, { fractal_type: "fbm" }, /a setting has to be one of noise, fractal, .*, not "fractal_type" \(here it is "fractal"\)$/],
+    [2, { sum: "fbm" }, /not "sum" \(here it is "fractal"\)$/],
+    [2, { noise: "cellular", distance_function: "manhattan" }, /not "distance_function" \(here it is "metric"\)$/],
+    [2, { noise: "cellular", cellular_jitter: 0.5 }, /not "cellular_jitter" \(here it is "jitter"\)$/],
+    [2, { fractal: "ping_pong", ping_pong_strength: 2 }, /not "ping_pong_strength" \(here it is "strength"\)$/],
     [2, { noise: 3 }, /not 3$/],
     [1, { noise: "simplex" }, /noise in 1D has to be one of perlin, (?!.*simplex,).*, not "simplex"/],
-    [1, { sum: "warp" }, /sum in 1D has to be one of fbm, .*weighted, not "warp"/],
-    [2, { sum: "eroded", noise: "perlin" }, /noise of eroded has to be one of perlin_d, value_d, simplex_d, not "perlin"/],
+    [1, { fractal: "warp" }, /fractal in 1D has to be one of fbm, .*weighted, not "warp"/],
+    [2, { fractal: "eroded", noise: "perlin" }, /noise of eroded has to be one of perlin_d, value_d, simplex_d, not "perlin"/],
     [2, { octave: 3 }, /a setting has to be one of noise, .*, not "octave" \(did you mean "octaves"\?\)$/],
-    [2, { octaves: 3 }, /perlin has no octaves; sums have it/],
-    [2, { sum: "fbm", octaves: 33 }, /octaves has to be a whole number from 1 to 32, not 33/],
-    [2, { sum: "fbm", octaves: 0 }, /octaves has to be a whole number from 1 to 32, not 0/],
-    [2, { sum: "fbm", strength: 1 }, /fbm has no strength; ping_pong, weighted and eroded have one/],
-    [2, { sum: "weighted", strength: 2 }, /strength has to be from 0 to 1, not 2/],
-    [2, { sum: "fbm", gain: -1 }, /gain has to be from 0 to 1, not -1/],
-    [2, { sum: "fbm", gain: 1.5 }, /gain has to be from 0 to 1, not 1.5/],
-    [2, { sum: "fbm", lacunarity: 256 }, /lacunarity has to be from 0 to 255, not 256/],
-    [2, { sum: "fbm", lacunarity: 2.5, period: 8 }, /lacunarity with a period has to be a whole number from 1 to 255, not 2.5/],
-    [2, { sum: "fbm", lacunarity: NaN }, /lacunarity has to be a finite number, not NaN/],
+    [2, { octaves: 3 }, /perlin has no octaves; fractals have it/],
+    [2, { fractal: "fbm", octaves: 33 }, /octaves has to be a whole number from 1 to 32, not 33/],
+    [2, { fractal: "fbm", octaves: 0 }, /octaves has to be a whole number from 1 to 32, not 0/],
+    [2, { fractal: "fbm", strength: 1 }, /fbm has no strength; ping_pong, weighted and eroded have one/],
+    [2, { fractal: "weighted", strength: 2 }, /strength has to be from 0 to 1, not 2/],
+    [2, { fractal: "fbm", gain: -1 }, /gain has to be from 0 to 1, not -1/],
+    [2, { fractal: "fbm", gain: 1.5 }, /gain has to be from 0 to 1, not 1.5/],
+    [2, { fractal: "fbm", lacunarity: 256 }, /lacunarity has to be from 0 to 255, not 256/],
+    [2, { fractal: "fbm", lacunarity: 2.5, period: 8 }, /lacunarity with a period has to be a whole number from 1 to 255, not 2.5/],
+    [2, { fractal: "fbm", lacunarity: NaN }, /lacunarity has to be a finite number, not NaN/],
     [2, { seed: -1 }, /seed has to be a whole number from 0 to 4294967295, not -1/],
     [2, { period: [1, 2, 3] }, /period has to be a number, or an array of 2, not \[1,2,3\]/],
     [2, { period: 1.5 }, /period has to be a whole number from 0 to 2147483647, not 1.5/],

@@ -12,7 +12,7 @@ import { bitsOf, meaning } from "./golden_values.mjs";
 const { rows, texts } = JSON.parse(await readFile(process.argv[2], "utf8"));
 const found = {
   npm: rows.map(([x, y, seed]) =>
-    bitsOf(new Field(2, { sum: "fbm", octaves: 6, seed }).at(meaning("f32", x), meaning("f32", y)))),
+    bitsOf(new Field(2, { fractal: "fbm", octaves: 6, seed }).at(meaning("f32", x), meaning("f32", y)))),
 };
 
 /** In the page: a word for each row, which the stage of vertices computes. */

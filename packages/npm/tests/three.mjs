@@ -90,11 +90,11 @@ const apart = (one, other) => one.reduce((sum, byte, i) => sum + Math.abs(byte -
 const scenes = {
   terrain: { name: "height", axes: "xy", moves: false,
     at: (field, [x, y]) => field.at(0.375 * x, 0.375 * y),
-    settings: [2, { sum: "eroded", octaves: 10, strength: 1 }] },
+    settings: [2, { fractal: "eroded", octaves: 10, strength: 1 }] },
   clouds: { name: "density", axes: "xyz", moves: true, at: (field, [x, y, z]) => field.at(x, y, z),
-    settings: [3, { sum: "clouds", octaves: 8, gain: 0.55 }] },
+    settings: [3, { fractal: "clouds", octaves: 8, gain: 0.55 }] },
   water: { name: "waves", axes: "xyz", moves: true, at: (field, [x, y, z]) => field.all(x, y, z)[0],
-    settings: [3, { sum: "fbm_d", octaves: 5, gain: 0.42 }] },
+    settings: [3, { fractal: "fbm_d", octaves: 5, gain: 0.42 }] },
 };
 const points = Array.from({ length: 64 }, (_, i) => [i * 0.37 - 11, 5 - i * 0.61, 2 ** (i % 10), 0].map(Math.fround));
 const drawn = {};

@@ -18,7 +18,7 @@ function functionOf({ calls, axes: dimensions, inputs, outputs }) {
   const name = calls.slice("hn_".length);
   if (dimensions < 1 || dimensions > 3 || [...inputs, ...outputs].some(([column]) => ABSENT.includes(column))) return undefined;
   if (Field.noises(dimensions).includes(name)) return { dimensions, name, settings: { noise: name } };
-  if (Field.sums(dimensions).includes(name)) return { dimensions, name, settings: { sum: name } };
+  if (Field.fractals(dimensions).includes(name)) return { dimensions, name, settings: { fractal: name } };
   return undefined;
 }
 
@@ -28,14 +28,14 @@ function evaluated({ dimensions, settings }, { inputs }, row) {
   const along = (prefix) => ["x", "y", "z"].slice(0, dimensions).map((axis) => at[prefix + axis]);
   const chosen = { ...settings, seed: at.seed };
   // A field refuses what HN_FIXED takes as the end: more than 32 octaves, a gain above 1, a lacunarity above 255 or, in
-  // a tile, with a fraction, and of a noise a period below 0. The seed of a sum may become a positive one in a late
+  // a tile, with a fraction, and of a noise a period below 0. The seed of a fractal may become a positive one in a late
   // octave.
   if ("px" in at) chosen.period = along("p").map((period) => (settings.noise ? Math.max(period, 0) : period));
-  // A sum without a period has octaves that turn. Octaves of a tile do not, also where the tile has no period.
-  if (settings.sum && "px" in at && chosen.period.every((period) => period <= 0)) return undefined;
+  // A fractal without a period has octaves that turn. Octaves of a tile do not, also where the tile has no period.
+  if (settings.fractal && "px" in at && chosen.period.every((period) => period <= 0)) return undefined;
   for (const name of SETTINGS) if (name in at) chosen[name] = at[name];
   if (chosen.octaves > 32) chosen.octaves = 32;
-  if (settings.sum) {
+  if (settings.fractal) {
     const lacunarity = Math.min(Math.max(chosen.lacunarity, 0), 255);
     chosen.lacunarity = "px" in at ? Math.floor(lacunarity) : lacunarity;
     chosen.gain = Math.min(Math.max(chosen.gain, 0), 1);
@@ -103,9 +103,9 @@ test("the vectors of the package hold it, too", () => {
   assert.deepEqual(wrong(2 ** -21), rows);
 });
 
-test("every noise and every sum has golden files", () => {
+test("every noise and every fractal has golden files", () => {
   for (const dimensions of [1, 2, 3]) {
-    for (const name of [...Field.noises(dimensions), ...Field.sums(dimensions)]) {
+    for (const name of [...Field.noises(dimensions), ...Field.fractals(dimensions)]) {
       const forms = files.filter((file) => {
         const found = functionOf(file);
         return found.name === name && found.dimensions === dimensions;

@@ -11,7 +11,7 @@ import { hn_lattice2 } from "hashnoise/tsl/fixed";
 import { hn_cellular2, wgsl } from "hashnoise/wgsl";
 import { hn_fbm3 } from "hashnoise/wgsl/fixed";
 
-const settings: Settings = { sum: "eroded", noise: "simplex_d", period: [4, 8], strength: 2 };
+const settings: Settings = { fractal: "eroded", noise: "simplex_d", period: [4, 8], strength: 2 };
 const field = new Field(2, settings);
 export const heights: Float32Array = field.grid([4, 4], { step: 0.5, cell: [1, 2] });
 export const height: number = field.at(1, 2) + field.inCell([1, 2], [0, 0.5]);

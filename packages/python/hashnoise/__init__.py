@@ -32,7 +32,7 @@ All functions have these options:
                      values do not depend on it. Other threads of Python run meanwhile
     instruction_set  one of instruction_sets(); without it the widest
 
-Sums (fbm and the others that sums() names) also have these:
+Fractals (fbm and the others that fractals() names) also have these:
 
     noise            what is summed: the name of a noise that returns one number for a point. perlin_worley sums its own
     octaves          how many, from 1 to 32; each costs one noise
@@ -46,11 +46,11 @@ A wrong argument raises TypeError or ValueError, with the right ones in the mess
 from . import _noises, _sums
 from ._core import version as __version__
 from ._evaluate import suggestion as _suggestion
-from ._grids import components, grid, instruction_sets, noises, sums
+from ._grids import components, fractals, grid, instruction_sets, noises
 from ._noises import *  # noqa: F403
 from ._sums import *  # noqa: F403
 
-__all__ = ["components", "grid", "instruction_sets", "noises", "sums", *_noises.__all__, *_sums.__all__]
+__all__ = ["components", "fractals", "grid", "instruction_sets", "noises", *_noises.__all__, *_sums.__all__]
 
 
 def __getattr__(name):

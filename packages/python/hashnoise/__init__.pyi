@@ -21,8 +21,8 @@ _Metric: TypeAlias = Literal["euclidean", "squared", "manhattan", "chebyshev", "
 _Noise: TypeAlias = Literal["perlin", "perlin_d", "value", "value_d", "value_cubic", "simplex", "simplex_d",
                             "simplex_smooth", "cellular", "cellular_three", "cellular_d", "cellular_smooth",
                             "cell_border", "curl", "value_vector", "perlin_vector", "phasor", "random"]
-_Sum: TypeAlias = Literal["fbm", "turbulence", "clouds", "billow", "ridged", "hybrid", "ping_pong", "weighted", "fbm_d",
-                          "eroded", "warp", "warp_progressive", "perlin_worley"]
+_Fractal: TypeAlias = Literal["fbm", "turbulence", "clouds", "billow", "ridged", "hybrid", "ping_pong", "weighted",
+                              "fbm_d", "eroded", "warp", "warp_progressive", "perlin_worley"]
 # tools/make catalog: end
 _Name: TypeAlias = _Noise | _Sum
 
@@ -398,5 +398,5 @@ def grid(name: _Name, size: int | Sequence[int], *, step: float | Sequence[float
 # tools/make catalog: end
 def components(name: _Name, dimensions: int, *, noise: _Noise | None = None) -> tuple[str, ...]: ...
 def noises(dimensions: int) -> tuple[_Noise, ...]: ...
-def sums(dimensions: int) -> tuple[_Sum, ...]: ...
+def fractals(dimensions: int) -> tuple[_Fractal, ...]: ...
 def instruction_sets() -> tuple[str, ...]: ...

@@ -24,19 +24,19 @@ _UINT16 = np.dtype(np.uint16)
 _OF_GRIDS = (_FLOAT32, np.dtype(np.float16), _UINT16)
 
 
-def points(function, coordinates, cell, out, threads, *, noise="", sum="", **options):
+def points(function, coordinates, cell, out, threads, *, noise="", fractal="", **options):
     """A function's result: its field at the points of arrays.
 
     function     its name, for messages
     coordinates  x, y, z and w; None for each that was left out
-    noise, sum   as in field.hpp; a sum of noises of its own takes no noise
+    noise, fractal   as in field.hpp; a fractal of noises of its own takes no noise
     options      those of the function, by name
     """
     dimensions = _dimensions(function, coordinates)
     masks = []
     arrays = [_coordinate(function, axis, value, masks) for axis, value in zip(AXES, coordinates[:dimensions])]
     cells = [] if cell is None else _cells(function, cell, dimensions, masks)
-    field = make_field(function, dimensions, noise, sum, options)
+    field = make_field(function, dimensions, noise, fractal, options)
     components = len(field.component_names)
     shape = _shape(function, arrays + cells)
     if cells:
@@ -61,10 +61,10 @@ def points(function, coordinates, cell, out, threads, *, noise="", sum="", **opt
     return float(result) if out is None and wanted == () else result
 
 
-def make_field(function, dimensions, noise, sum, options):
+def make_field(function, dimensions, noise, fractal, options):
     settings = _core.Settings()
     settings.noise = _text(function, "noise", noise)
-    settings.sum = sum
+    settings.fractal = fractal
     for name, value in options.items():
         if value is not None:
             setattr(settings, name, _CHECKS[name](function, name, value, dimensions))
@@ -174,8 +174,18 @@ _SCALE = ("divide the coordinates by the scale, since they are in cells",
 _PERIOD = ("period is after how many cells the field repeats",) * 2
 _ELSEWHERE = {
     "frequency": _FREQUENCY, "freq": _FREQUENCY, "scale": _SCALE, "wavelength": _SCALE, "zoom": _FREQUENCY,
-    "persistence": ("gain is the persistence, of sums such as fbm",) * 2,
-    **dict.fromkeys(("repeat", "tile", "tileable"), _PERIOD),
+    "persistence": ("gain is the persistence, of fractals such as fbm",) * 2,
+    **dict.fromkeys(("repeat", "tile", "tileable", "repeatx"), _PERIOD),
+    **dict.fromkeys(("fractal", "fractal_type"), ("the fractals are functions, such as fbm and ridged",
+                                                  "the first argument names the fractal, such as \"fbm\"")),
+    "noise_type": ("the noises are functions; noise is what a fractal such as fbm takes",
+                   "the first argument names the noise; noise is what a fractal such as \"fbm\" takes"),
+    "distance_function": ("metric is the distance function, of cellular",) * 2,
+    "cellular_jitter": ("jitter is that, of cellular noises",) * 2,
+    **dict.fromkeys(("ping_pong_strength", "weighted_strength"),
+                    ("strength is that, of the functions ping_pong and weighted",) * 2),
+    **dict.fromkeys(("domain_warp_amp", "warp_amplitude"),
+                    ("amplitude is that in cells, of the functions warp and warp_progressive",) * 2),
     "offset": ("add the offset to the coordinates", "origin is the first point, in cells"),
     "shape": ("the result has the shape of the coordinates", "size is (width, height), the shape the other way round"),
 }

@@ -14,7 +14,7 @@ def grid(name, size, *, step, origin=0.0, cell=None, first=0, seed=0, noise=None
          gain=None, strength=None, amplitude=None, detail=None, footprint=None, period=None, wave=None, phase=None,
          jitter=None, metric=None, arithmetic="fast", dtype=None, range=None, out=None, return_range=False,
          threads=None, instruction_set=None):
-    """A noise or a sum on a uniform grid: an image, or a volume. It needs no coordinates, and is fastest.
+    """A noise or a fractal on a uniform grid: an image, or a volume. It needs no coordinates, and is fastest.
 
     name          which: "perlin", "fbm", ..., as the functions are called
     size          points along x, y and so on: (width, height). Sizes, steps, origins, cells and periods are all given
@@ -120,13 +120,13 @@ def noises(dimensions):
     return tuple(_core.noise_names(_dimensions("noises", dimensions)))
 
 
-def sums(dimensions):
-    """The names of the sums that there are in so many dimensions, 1 to 4.
+def fractals(dimensions):
+    """The names of the fractals that there are in so many dimensions, 1 to 4.
 
-    >>> "warp" in hashnoise.sums(3), "warp" in hashnoise.sums(1)
+    >>> "warp" in hashnoise.fractals(3), "warp" in hashnoise.fractals(1)
     (True, False)
     """
-    return tuple(_core.sum_names(_dimensions("sums", dimensions)))
+    return tuple(_core.fractal_names(_dimensions("fractals", dimensions)))
 
 
 def instruction_sets():
@@ -145,15 +145,15 @@ def instruction_sets():
 def field_of(function, name, dimensions, options):
     """The field that the function called `name` is of, with its defaults for what is left out or None."""
     settings = _options(function, name, {option: value for option, value in options.items() if value is not None})
-    return make_field(function, dimensions, settings.pop("noise"), settings.pop("sum"), settings)
+    return make_field(function, dimensions, settings.pop("noise"), settings.pop("fractal"), settings)
 
 
 def _options(function, name, given):
-    """The noise, the sum and the options that make the function called `name`: its defaults, and what is given."""
+    """The noise, the fractal and the options that make the function called `name`: its defaults, and what is given."""
     if isinstance(name, str) and name in _noises.NOISES:
-        own, chosen = _noises.NOISES[name], {"noise": name, "sum": ""}
+        own, chosen = _noises.NOISES[name], {"noise": name, "fractal": ""}
     elif isinstance(name, str) and name in _sums.SUMS:
-        own, chosen = _sums.SUMS[name], {"noise": None, "sum": name}
+        own, chosen = _sums.SUMS[name], {"noise": None, "fractal": name}
     else:
         names = [*_noises.NOISES, *_sums.SUMS]
         raise ValueError(f"{function}: there is no function {name!r}{suggestion(name, names)}; there are "
@@ -163,7 +163,7 @@ def _options(function, name, given):
         if option not in defaults:
             raise TypeError(f"{function}: {name} has no option {option}; it has {', '.join(defaults)}")
     made = {option: value for option, value in defaults.items() if option not in ("cell", "out", "threads")}
-    # A sum of noises of its own has no option for them.
+    # A fractal of noises of its own has no option for them.
     return {"noise": "", **made, **{option: value for option, value in chosen.items() if value is not None}, **given}
 
 

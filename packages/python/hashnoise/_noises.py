@@ -349,7 +349,7 @@ def phasor(x, y, z=None, /, *, seed=0, period=None, wave=None, phase=None, cell=
     """Phasor noise, in 2D and 3D: stripes across a direction and with a wavelength of your choice.
 
     The angle of both numbers, atan2(quadrature, value), grows across the stripes, so any profile can be made of it; the
-    length of both is how well the stripes agree.
+    length of both is how well the stripes agree. Experimental: a later version may return other values.
 
     wave     the direction across the stripes, times the number of waves per cell: from -16 to 16 for each axis, usually
              2 to 8 in all; 3 waves along x if it is left out

@@ -1,5 +1,5 @@
 # Made by tools/make catalog from catalog/sums.toml and settings.toml.
-"""The octave sums and the warps, over any noise. help(hashnoise) describes what they have in common."""
+"""The fractals and the warps, over any noise. help(hashnoise) describes what they have in common."""
 
 from ._evaluate import points, suggesting
 
@@ -26,7 +26,7 @@ def fbm(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=None, l
     >>> hashnoise.fbm(0.5, 0.25, seed=7, arithmetic="fixed")
     -0.41556310653686523
     """
-    return points("fbm", (x, y, z, w), cell, out, threads, sum="fbm", seed=seed, noise=noise, octaves=octaves,
+    return points("fbm", (x, y, z, w), cell, out, threads, fractal="fbm", seed=seed, noise=noise, octaves=octaves,
                   lacunarity=lacunarity, gain=gain, detail=detail, footprint=footprint, period=period,
                   arithmetic=arithmetic, instruction_set=instruction_set)
 
@@ -45,7 +45,7 @@ def turbulence(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=
     >>> hashnoise.turbulence(0.5, 0.25, seed=7, arithmetic="fixed")
     0.5065531730651855
     """
-    return points("turbulence", (x, y, z, w), cell, out, threads, sum="turbulence", seed=seed, noise=noise,
+    return points("turbulence", (x, y, z, w), cell, out, threads, fractal="turbulence", seed=seed, noise=noise,
                   octaves=octaves, lacunarity=lacunarity, gain=gain, period=period, arithmetic=arithmetic,
                   instruction_set=instruction_set)
 
@@ -64,7 +64,7 @@ def clouds(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6, l
     >>> hashnoise.clouds(0.5, 0.25, seed=7, arithmetic="fixed")
     0.0
     """
-    return points("clouds", (x, y, z, w), cell, out, threads, sum="clouds", seed=seed, noise=noise, octaves=octaves,
+    return points("clouds", (x, y, z, w), cell, out, threads, fractal="clouds", seed=seed, noise=noise, octaves=octaves,
                   lacunarity=lacunarity, gain=gain, period=period, arithmetic=arithmetic,
                   instruction_set=instruction_set)
 
@@ -83,7 +83,7 @@ def billow(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6, l
     >>> hashnoise.billow(0.5, 0.25, seed=7, arithmetic="fixed")
     0.013106346130371094
     """
-    return points("billow", (x, y, z, w), cell, out, threads, sum="billow", seed=seed, noise=noise, octaves=octaves,
+    return points("billow", (x, y, z, w), cell, out, threads, fractal="billow", seed=seed, noise=noise, octaves=octaves,
                   lacunarity=lacunarity, gain=gain, period=period, arithmetic=arithmetic,
                   instruction_set=instruction_set)
 
@@ -103,7 +103,7 @@ def ridged(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6, l
     >>> hashnoise.ridged(0.5, 0.25, seed=7, arithmetic="fixed")
     0.12437057495117188
     """
-    return points("ridged", (x, y, z, w), cell, out, threads, sum="ridged", seed=seed, noise=noise, octaves=octaves,
+    return points("ridged", (x, y, z, w), cell, out, threads, fractal="ridged", seed=seed, noise=noise, octaves=octaves,
                   lacunarity=lacunarity, gain=gain, period=period, arithmetic=arithmetic,
                   instruction_set=instruction_set)
 
@@ -125,7 +125,7 @@ def hybrid(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6, l
     >>> hashnoise.hybrid(0.5, 0.25, seed=7, arithmetic="fixed")
     0.15586233139038086
     """
-    return points("hybrid", (x, y, z, w), cell, out, threads, sum="hybrid", seed=seed, noise=noise, octaves=octaves,
+    return points("hybrid", (x, y, z, w), cell, out, threads, fractal="hybrid", seed=seed, noise=noise, octaves=octaves,
                   lacunarity=lacunarity, gain=gain, period=period, arithmetic=arithmetic,
                   instruction_set=instruction_set)
 
@@ -146,7 +146,7 @@ def ping_pong(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6
     >>> hashnoise.ping_pong(0.5, 0.25, seed=7, arithmetic="fixed")
     0.6300945281982422
     """
-    return points("ping_pong", (x, y, z, w), cell, out, threads, sum="ping_pong", seed=seed, noise=noise,
+    return points("ping_pong", (x, y, z, w), cell, out, threads, fractal="ping_pong", seed=seed, noise=noise,
                   octaves=octaves, lacunarity=lacunarity, gain=gain, strength=strength, period=period,
                   arithmetic=arithmetic, instruction_set=instruction_set)
 
@@ -166,9 +166,9 @@ def weighted(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6,
     >>> hashnoise.weighted(0.5, 0.25, seed=7, arithmetic="fixed")
     -0.32480430603027344
     """
-    return points("weighted", (x, y, z, w), cell, out, threads, sum="weighted", seed=seed, noise=noise, octaves=octaves,
-                  lacunarity=lacunarity, gain=gain, strength=strength, period=period, arithmetic=arithmetic,
-                  instruction_set=instruction_set)
+    return points("weighted", (x, y, z, w), cell, out, threads, fractal="weighted", seed=seed, noise=noise,
+                  octaves=octaves, lacunarity=lacunarity, gain=gain, strength=strength, period=period,
+                  arithmetic=arithmetic, instruction_set=instruction_set)
 
 
 @suggesting
@@ -187,7 +187,7 @@ def fbm_d(x, y, z=None, /, *, seed=0, noise="perlin_d", octaves=6, lacunarity=2.
     >>> hashnoise.fbm_d(0.5, 0.25, seed=7, arithmetic="fixed")
     array([-0.4155631 ,  1.2902737 , -0.44997787], dtype=float32)
     """
-    return points("fbm_d", (x, y, z), cell, out, threads, sum="fbm_d", seed=seed, noise=noise, octaves=octaves,
+    return points("fbm_d", (x, y, z), cell, out, threads, fractal="fbm_d", seed=seed, noise=noise, octaves=octaves,
                   lacunarity=lacunarity, gain=gain, period=period, arithmetic=arithmetic,
                   instruction_set=instruction_set)
 
@@ -210,7 +210,7 @@ def eroded(x, y, z=None, /, *, seed=0, noise="perlin_d", octaves=6, lacunarity=2
     >>> hashnoise.eroded(0.5, 0.25, seed=7, arithmetic="fixed")
     -0.27370214462280273
     """
-    return points("eroded", (x, y, z), cell, out, threads, sum="eroded", seed=seed, noise=noise, octaves=octaves,
+    return points("eroded", (x, y, z), cell, out, threads, fractal="eroded", seed=seed, noise=noise, octaves=octaves,
                   lacunarity=lacunarity, gain=gain, strength=strength, period=period, arithmetic=arithmetic,
                   instruction_set=instruction_set)
 
@@ -231,7 +231,7 @@ def warp(x, y, z=None, /, *, seed=0, noise="value_vector", octaves=6, lacunarity
     >>> hashnoise.warp(0.5, 0.25, seed=7, arithmetic="fixed")
     array([ 0.00859165, -0.26816893], dtype=float32)
     """
-    return points("warp", (x, y, z), cell, out, threads, sum="warp", seed=seed, noise=noise, octaves=octaves,
+    return points("warp", (x, y, z), cell, out, threads, fractal="warp", seed=seed, noise=noise, octaves=octaves,
                   lacunarity=lacunarity, gain=gain, amplitude=amplitude, period=period, arithmetic=arithmetic,
                   instruction_set=instruction_set)
 
@@ -255,7 +255,7 @@ def warp_progressive(x, y, z=None, /, *, seed=0, noise="value_vector", octaves=6
     >>> hashnoise.warp_progressive(0.5, 0.25, seed=7, arithmetic="fixed")
     array([-0.21678829, -0.21608591], dtype=float32)
     """
-    return points("warp_progressive", (x, y, z), cell, out, threads, sum="warp_progressive", seed=seed, noise=noise,
+    return points("warp_progressive", (x, y, z), cell, out, threads, fractal="warp_progressive", seed=seed, noise=noise,
                   octaves=octaves, lacunarity=lacunarity, gain=gain, amplitude=amplitude, period=period,
                   arithmetic=arithmetic, instruction_set=instruction_set)
 
@@ -267,7 +267,7 @@ def perlin_worley(x, y, z, /, *, seed=0, octaves=6, lacunarity=2.0, gain=0.5, pe
     between them.
 
     It is what volumes of clouds are made of. A cloud is where it is above a threshold: 98 of 100 values are from 0.6 to
-    0.88.
+    0.88. Experimental: a later version may return other values.
 
     octaves  of Perlin noise; the first three have billows, too
     returns  [0, 1], continuous
@@ -280,7 +280,7 @@ def perlin_worley(x, y, z, /, *, seed=0, octaves=6, lacunarity=2.0, gain=0.5, pe
     >>> hashnoise.perlin_worley(0.5, 0.25, 0.75, seed=7, arithmetic="fixed")
     0.823091983795166
     """
-    return points("perlin_worley", (x, y, z), cell, out, threads, sum="perlin_worley", seed=seed, octaves=octaves,
+    return points("perlin_worley", (x, y, z), cell, out, threads, fractal="perlin_worley", seed=seed, octaves=octaves,
                   lacunarity=lacunarity, gain=gain, period=period, arithmetic=arithmetic,
                   instruction_set=instruction_set)
 

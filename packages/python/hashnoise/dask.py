@@ -40,7 +40,7 @@ _BLOCK = 22  # 2^22 points: 16 MiB of float32, which take long beside what a tas
 
 
 def grid(name, size, *, step, chunks="auto", arithmetic="fixed", threads=1, **options):
-    """A noise or a sum on a uniform grid, as a lazy Dask array.
+    """A noise or a fractal on a uniform grid, as a lazy Dask array.
 
     name, size, step  as of hashnoise.grid, and so are the other options, without `first`, `out` and `return_range`
     chunks            the blocks: as Dask has them, for each axis of the array but that of planes, which is never cut.

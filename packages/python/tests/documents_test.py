@@ -43,7 +43,7 @@ class Docstrings(unittest.TestCase):
                 self.assertRegex(function.__doc__, r"(?m)^ *returns +\S")
                 self.assertRegex(function.__doc__, r"(?m)^ *source +\S")
                 dimensions = [axes for axes in range(1, 5)
-                              if function.__name__ in hashnoise.noises(axes) + hashnoise.sums(axes)]
+                              if function.__name__ in hashnoise.noises(axes) + hashnoise.fractals(axes)]
                 said = f"{dimensions[0]}D"
                 if len(dimensions) > 1:
                     said += f" {'and' if len(dimensions) == 2 else 'to'} {dimensions[-1]}D"

@@ -60,7 +60,7 @@ def names(setting: str) -> list[str]:
     for id, _ in golden_values.ids(setting):
         head = golden_values.head_of(GOLDEN / f"{id}.golden")
         name, columns = of_package(head.calls), {name for name, _ in head.columns + head.results}
-        if not columns & ABSENT and head.axes and name in hashnoise.noises(head.axes) + hashnoise.sums(head.axes):
+        if not columns & ABSENT and head.axes and name in hashnoise.noises(head.axes) + hashnoise.fractals(head.axes):
             found.append(id)
     return found
 
@@ -79,7 +79,7 @@ def askable(golden: Golden) -> Golden:
     period, which may become a positive one in a late octave, and of a lacunarity below 1 in a tile. It is also without
     those of a tile that repeats along no axis: GLSL has such sums, whose octaves are not turned. In the package a sum
     that repeats along no axis is the one without a period."""
-    if golden.function not in hashnoise.sums(golden.axes):
+    if golden.function not in hashnoise.fractals(golden.axes):
         return golden
     periods = [values for name, values in golden.arguments.items() if name in ("px", "py", "pz", "pw")]
     kept = numpy.ones(len(golden.arguments["seed"]), bool)

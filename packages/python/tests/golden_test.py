@@ -28,7 +28,7 @@ class Fixed(unittest.TestCase):
                 tested.add((file.function, file.axes))
                 if "phase" in file.arguments:
                     turning.add((file.function, file.axes))
-        everything = {(name, axes) for axes in range(1, 5) for name in hashnoise.noises(axes) + hashnoise.sums(axes)}
+        everything = {(name, axes) for axes in range(1, 5) for name in hashnoise.noises(axes) + hashnoise.fractals(axes)}
         self.assertEqual(tested, everything)
         with_phase = ("perlin", "perlin_d", "simplex", "simplex_d", "cellular", "phasor")
         self.assertEqual(turning, {(name, axes) for name in with_phase for axes in (2, 3)})
@@ -81,7 +81,7 @@ class Fast(unittest.TestCase):
         for arithmetic in ("fast", "precise"):
             for name in golden.names("lattice"):
                 file = golden.read(name, "lattice")
-                if file.function in hashnoise.sums(file.axes):
+                if file.function in hashnoise.fractals(file.axes):
                     continue  # what is promised of a sum depends on its positions; the compiled library's tests know it
                 with self.subTest(name, arithmetic=arithmetic):
                     self.assertEqual(golden.too_far(file, golden.computed(file, arithmetic))[:5], [])

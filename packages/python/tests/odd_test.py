@@ -11,7 +11,7 @@ import hashnoise
 import numpy
 
 ARITHMETICS = ("fast", "precise", "fixed")
-FUNCTIONS = [(name, axes) for axes in range(1, 5) for name in hashnoise.noises(axes) + hashnoise.sums(axes)]
+FUNCTIONS = [(name, axes) for axes in range(1, 5) for name in hashnoise.noises(axes) + hashnoise.fractals(axes)]
 USUAL = numpy.array([0.375, 7.25, -3.5, 0.0, 100.125])
 NONE = (numpy.nan, numpy.inf, -numpy.inf)
 # A value that a setting of floats may have. Where a function has it, others of the kind are tried.
@@ -119,7 +119,7 @@ class Large(unittest.TestCase):
         x = numpy.array([2**22 + 0.5, 2.0**23, -2.0**24, 2.0**31, -2.0**31, 2.0**31 + 256, 1e12, -1e20, 3e38])
         for (name, axes), arithmetic in itertools.product(FUNCTIONS, ARITHMETICS):
             with self.subTest(name, axes=axes, arithmetic=arithmetic):
-                options = {"octaves": 3} if name in hashnoise.sums(axes) else {}
+                options = {"octaves": 3} if name in hashnoise.fractals(axes) else {}
                 values = planes(called(name, [x] * axes, arithmetic=arithmetic, **options))
                 self.assertFalse((numpy.abs(values) > 64).any(), values)
                 self.assertTrue(numpy.isfinite(values[:, :5]).all(), values)
@@ -145,14 +145,14 @@ class Large(unittest.TestCase):
                     ({"lacunarity": 1e30}, r"lacunarity is 1e\+30, and with 32 octaves and a gain of 0.5"),
                     ({"gain": 1e6}, "gain is 1000000, and with 32 octaves and a lacunarity of 2")):
                 most = 8.55 if "lacunarity" in options else 4.27
-                for name in hashnoise.sums(3):
+                for name in hashnoise.fractals(3):
                     with self.subTest(name, arithmetic=arithmetic, **options):
                         with self.assertRaisesRegex(
                                 ValueError, f"^{name}: {said} it has to be at most {most}, or floats overflow$"):
                             called(name, [0.5] * 3, octaves=32, arithmetic=arithmetic, **options)
 
     def test_a_lacunarity_that_would_be_another(self):
-        for name in hashnoise.sums(3):
+        for name in hashnoise.fractals(3):
             for options, said in (
                     ({"period": 4, "lacunarity": 2.5}, "2.5, and has to be a whole number from 1 to 255 with a period"),
                     ({"period": (0, 0, 5), "lacunarity": 0.5}, "0.5, and has to be a whole number from 1 to 255"),

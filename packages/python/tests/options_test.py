@@ -14,7 +14,7 @@ import numpy
 X = numpy.linspace(0, 9, 100, dtype=numpy.float32)
 EXACT = ("random",)  # the same numbers with every arithmetic
 SETS = hashnoise.instruction_sets()
-OF_SHAPES = {"perlin_d": "simplex_d", "value_vector": "perlin_vector"}  # noises that a sum may take in place of one
+OF_SHAPES = {"perlin_d": "simplex_d", "value_vector": "perlin_vector"}  # noises that a fractal may take in place of one
 
 
 class Options(unittest.TestCase):
@@ -24,13 +24,13 @@ class Options(unittest.TestCase):
         self.assertEqual(hashnoise.__version__, ".".join(numbers))
 
     def test_every_name_is_a_function(self):
-        names = {name for axes in range(1, 5) for name in hashnoise.noises(axes) + hashnoise.sums(axes)}
-        others = {"components", "grid", "instruction_sets", "noises", "sums"}
+        names = {name for axes in range(1, 5) for name in hashnoise.noises(axes) + hashnoise.fractals(axes)}
+        others = {"components", "fractals", "grid", "instruction_sets", "noises"}
         self.assertEqual(set(hashnoise.__all__), names | others)
         for axes in range(1, 5):
             for name in names:
                 with self.subTest(name, axes=axes):
-                    if name in hashnoise.noises(axes) + hashnoise.sums(axes):
+                    if name in hashnoise.noises(axes) + hashnoise.fractals(axes):
                         getattr(hashnoise, name)(*[X] * axes)
                     else:
                         with self.assertRaises((TypeError, ValueError)):
@@ -43,7 +43,7 @@ class Options(unittest.TestCase):
                    "octaves": 3, "lacunarity": 3.0, "gain": 0.25, "strength": 0.5, "amplitude": 0.5, "detail": 2.5,
                    "footprint": 0.25, "arithmetic": "fixed", "cell": (3, 4)}
         same = {"out", "threads", "instruction_set"}
-        for name in hashnoise.noises(2) + hashnoise.sums(2):
+        for name in hashnoise.noises(2) + hashnoise.fractals(2):
             function = getattr(hashnoise, name)
             for option in function.__kwdefaults__:
                 if option in same or (option == "arithmetic" and name in EXACT):
@@ -206,7 +206,13 @@ class Wrong(unittest.TestCase):
         for option, of_points, of_grids in (
                 ("frequency", "multiply the coordinates by the frequency", "step is the frequency"),
                 ("scale", "divide the coordinates by the scale", "step is 1 / scale"),
-                ("persistence", "gain is the persistence, of sums such as fbm", "gain is the persistence"),
+                ("persistence", "gain is the persistence, of fractals such as fbm", "gain is the persistence"),
+                ("fractal_type", "the fractals are functions, such as fbm", "the first argument names the fractal"),
+                ("noise_type", "the noises are functions", "the first argument names the noise"),
+                ("distance_function", "metric is the distance function", "metric is"),
+                ("cellular_jitter", "jitter is that, of cellular noises", "jitter is"),
+                ("ping_pong_strength", "strength is that, of the functions ping_pong", "strength is"),
+                ("domain_warp_amp", "amplitude is that in cells", "amplitude is"),
                 ("tileable", "period is after how many cells the field repeats", "period is after"),
                 ("offset", "add the offset to the coordinates", "origin is the first point, in cells"),
                 ("shape", "the result has the shape of the coordinates", r"size is \(width, height\)")):
@@ -316,7 +322,7 @@ class Wrong(unittest.TestCase):
         self.assert_told(TypeError, "step", lambda: hashnoise.grid("perlin", 3))
 
     def test_dimensions(self):
-        for ask in (hashnoise.noises, hashnoise.sums, lambda dimensions: hashnoise.components("perlin", dimensions)):
+        for ask in (hashnoise.noises, hashnoise.fractals, lambda dimensions: hashnoise.components("perlin", dimensions)):
             self.assert_told(ValueError, "dimensions must be from 1 to 4, not 5", lambda: ask(5))
             self.assert_told(TypeError, "dimensions must be a whole number", lambda: ask("2"))
         self.assert_told(ValueError, "^components: .*cellular", lambda: hashnoise.components("cellular", 4))

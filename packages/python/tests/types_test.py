@@ -26,7 +26,7 @@ far: npt.NDArray[np.float32] = hashnoise.fbm(0.5, 0.5, cell=(np.arange(3), 10**9
 image: npt.NDArray[np.float32] = hashnoise.grid("cellular", (640, 480), step=0.01, metric="manhattan")
 volume, (least, greatest) = hashnoise.grid("clouds", (9, 9, 9), step=(0.1, 0.1, 0.2), return_range=True)
 extent: float = greatest - least
-names: tuple[str, ...] = hashnoise.noises(2) + hashnoise.sums(2) + hashnoise.instruction_sets()
+names: tuple[str, ...] = hashnoise.noises(2) + hashnoise.fractals(2) + hashnoise.instruction_sets()
 stripes, quadrature = hashnoise.phasor(x, 0.5, wave=(2.5, -1.5), phase=0.25)
 heights: npt.NDArray[np.uint16] = hashnoise.grid("fbm", (64, 48), step=0.01, dtype="uint16", range=(-0.5, 0.5))
 halves: npt.NDArray[np.float16] = hashnoise.grid("fbm", (64, 48), step=0.01, dtype=np.float16)
@@ -34,7 +34,7 @@ words, (low, high) = hashnoise.grid("fbm", 9, step=0.01, dtype=np.dtype("uint16"
 numbers: npt.NDArray[np.uint16] = words
 part: npt.NDArray[np.float16] = hashnoise.grid("fbm", (64, 48), step=0.01, first=(64, 0),
                                                out=np.empty((48, 64), np.float16))
-pictures = [hashnoise.grid(name, (9, 9), step=0.1) for name in hashnoise.noises(2) + hashnoise.sums(2)]
+pictures = [hashnoise.grid(name, (9, 9), step=0.1) for name in hashnoise.noises(2) + hashnoise.fractals(2)]
 layers: npt.NDArray[np.float32] = hashnoise.grid("phasor", (9, 9, 9), step=0.1, wave=[1, 2, 3])
 planes: tuple[str, ...] = hashnoise.components("warp", 2, noise="perlin_vector")
 version: str = hashnoise.__version__

@@ -80,7 +80,7 @@ TEST(Ranges, HoldAndAreUsed) {
   for (const int dimensions : {2, 3}) {
     const auto noises = hashnoise::noise_names(dimensions);
     auto names = noises;
-    for (const auto sum : hashnoise::sum_names(dimensions)) names.push_back(sum);
+    for (const auto sum : hashnoise::fractal_names(dimensions)) names.push_back(sum);
     for (const std::string_view name : names) {
       const auto options =
           parsed({std::string(name), "--size", dimensions == 2 ? "200x200" : "40x40x40", "--cells", "37"});

@@ -68,7 +68,7 @@ TEST_P(Bits, OfSums) {
 TEST_P(Bits, OfSumsWithDetailAndFootprint) {
   in_dimensions([&]<int D>(std::integral_constant<int, D>) {
     for (Settings settings : sum_subjects(D)) {
-      if (settings.sum != "fbm") continue;
+      if (settings.fractal != "fbm") continue;
       settings.detail = 1.0f;
       expect_bits_everywhere<D>(settings, false, false);
       settings.detail.reset();
@@ -221,7 +221,7 @@ TEST_P(Bits, OfRowsOfNearPoints) {
         for (const int period : {0, 7}) {
           Settings settings;
           settings.noise = noise;
-          settings.sum = sum;
+          settings.fractal = sum;
           settings.period.fill(period);
           if (!sum.empty()) {
             settings.octaves = chance.whole(1, 5);

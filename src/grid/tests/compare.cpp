@@ -12,7 +12,7 @@ std::ostream& operator<<(std::ostream& out, const Range& range) {
 }
 
 std::ostream& operator<<(std::ostream& out, const Settings& s) {
-  out << (s.sum.empty() ? "" : s.sum + " of ") << s.noise << ", arithmetic " << static_cast<int>(s.arithmetic)
+  out << (s.fractal.empty() ? "" : s.fractal + " of ") << s.noise << ", arithmetic " << static_cast<int>(s.arithmetic)
       << ", seed " << s.seed << ", period";
   for (const std::int32_t period : s.period) out << " " << period;
   if (s.phase) out << ", phase " << *s.phase;

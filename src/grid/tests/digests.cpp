@@ -44,7 +44,7 @@ void print(hashnoise::Settings settings) {
   field.fill(cells, values);
   digest = digest_of(values, digest);
   std::printf("%dD %s %s %s%s %016llx\n", D, settings.arithmetic == hashnoise::Arithmetic::kFixed ? "fixed" : "precise",
-              settings.noise.c_str(), settings.sum.c_str(), settings.period[0] != 0 ? " tile" : "",
+              settings.noise.c_str(), settings.fractal.c_str(), settings.period[0] != 0 ? " tile" : "",
               static_cast<unsigned long long>(digest));
 }
 
@@ -59,9 +59,9 @@ void print_all(hashnoise::Arithmetic arithmetic) {
       print<D>(settings);
     }
     settings.octaves = 3;
-    for (const std::string_view sum : hashnoise::sum_names(D)) {
+    for (const std::string_view sum : hashnoise::fractal_names(D)) {
       settings.noise.clear();
-      settings.sum = sum;
+      settings.fractal = sum;
       print<D>(settings);
     }
   }

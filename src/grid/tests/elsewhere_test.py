@@ -55,7 +55,7 @@ int main() {
   }
   try {
     hashnoise::Settings settings;
-    settings.sum = "fbm";
+    settings.fractal = "fbm";
     settings.gain = number;
     const hashnoise::Field<2> field(settings);
   } catch (const std::invalid_argument&) {

@@ -94,12 +94,13 @@ Bound bound_of_sum(const Settings& s, const std::vector<Place>& places) {
     arguments.is_detail = true;
   }
   if (s.footprint) arguments.footprint = static_cast<double>(*s.footprint);
-  const bool has_slopes = s.sum == "fbm_d";
-  if (s.sum == "perlin_worley") {
+  const bool has_slopes = s.fractal == "fbm_d";
+  if (s.fractal == "perlin_worley") {
     const double error = 2.0 * hn::perlin_worley_tolerance(arguments);
     return [=](std::size_t, std::size_t) { return error; };
   }
-  const double value = hn::octave_tolerance(has_slopes ? hn::OctaveSum::fbm : kind_of(s.sum), D, arguments, kGradient);
+  const double value =
+      hn::octave_tolerance(has_slopes ? hn::OctaveSum::fbm : kind_of(s.fractal), D, arguments, kGradient);
   const double slope = has_slopes ? hn::octave_slope_tolerance(D, arguments) : value;
   return [=](std::size_t component, std::size_t) { return 2.0 * (has_slopes && component > 0 ? slope : value); };
 }
@@ -122,19 +123,19 @@ double mean_of(const Settings& s, const std::vector<double>& octaves) {
 
 template <int D>
 Bound bound_of_other(const Settings& s) {
-  if (grid::sum_row(s.sum).of == grid::Shape::kValue) {
+  if (grid::sum_row(s.fractal).of == grid::Shape::kValue) {
     hn::OctaveArguments arguments{0.0,  static_cast<double>(octaves_of(s)), static_cast<double>(lacunarity_of(s)),
                                   static_cast<double>(gain_of(s)), true};
     arguments.from_cell = true;
     arguments.strength = static_cast<double>(strength_of(s));
-    const double error = 2.0 * hn::octave_tolerance(kind_of(s.sum), D, arguments, kGradient, s.noise);
+    const double error = 2.0 * hn::octave_tolerance(kind_of(s.fractal), D, arguments, kGradient, s.noise);
     return [=](std::size_t, std::size_t) { return error; };
   }
   Settings noise = s;
-  noise.sum = "";
+  noise.fractal = "";
   const double value = 2.0 * error_of_noise(noise, D, 0, true);
   const auto count = static_cast<std::size_t>(octaves_of(s));
-  if (s.sum == "warp") {
+  if (s.fractal == "warp") {
     const double error = static_cast<double>(amplitude_of(s)) * mean_of(s, std::vector(count, value));
     return [=](std::size_t, std::size_t) { return error; };
   }
@@ -149,7 +150,7 @@ Bound bound_of_other(const Settings& s) {
     slopes.push_back(length * (std::sqrt(static_cast<double>(D)) * of_slope + roundings));
     length *= 1.001 * static_cast<double>(lacunarity_of(s));
     of_fall = 1.001 * of_fall + std::sqrt(static_cast<double>(D)) * (of_slope + 32.0 * kUnit * 8.0);
-    const double strength = s.sum == "eroded" ? static_cast<double>(strength_of(s)) : 0.0;
+    const double strength = s.fractal == "eroded" ? static_cast<double>(strength_of(s)) : 0.0;
     values[i] += 0.65 * std::sqrt(strength) * of_fall + 16.0 * kUnit;
   }
   const double error = mean_of(s, values);
@@ -217,7 +218,7 @@ TEST_P(Fast, Noises) {
 TEST_P(Fast, Sums) {
   in_dimensions([&]<int D>(std::integral_constant<int, D>) {
     for (const Settings& settings : sum_subjects(D)) {
-      if (settings.noise != noise_below(settings.sum)) continue;
+      if (settings.noise != noise_below(settings.fractal)) continue;
       for (const bool tiled : {false, true}) {
         const auto draw = [&](Settings& s) { draw_settings(s, D, tiled, Draw::kTame, chance); };
         const auto bound = [](const Settings& s, const auto& places) { return bound_of_sum<D>(s, places); };
@@ -226,7 +227,7 @@ TEST_P(Fast, Sums) {
       }
     }
     Settings fbm;
-    fbm.sum = "fbm";
+    fbm.fractal = "fbm";
     fbm.noise = "perlin";
     const auto draw = [&](Settings& s) { draw_settings(s, D, false, Draw::kTame, chance); };
     const auto bound = [](const Settings& s, const auto& places) { return bound_of_sum<D>(s, places); };
@@ -242,7 +243,7 @@ TEST_P(Fast, SumsOverOtherNoises) {
   in_dimensions([&]<int D>(std::integral_constant<int, D>) {
     for (const Settings& settings : sum_subjects(D)) {
       // A step of a progressive warp is taken at a place that has an error.
-      if (settings.noise == noise_below(settings.sum) || settings.sum == "warp_progressive") continue;
+      if (settings.noise == noise_below(settings.fractal) || settings.fractal == "warp_progressive") continue;
       for (const bool tiled : {false, true}) {
         const auto draw = [&](Settings& s) { draw_settings(s, D, tiled, Draw::kTame, chance); };
         expect_near_in_cells<D>(settings, draw, [](const Settings& s, const auto&) { return bound_of_other<D>(s); });
@@ -280,8 +281,8 @@ TEST(FastBounds, RejectWhatIsWrong) {
     expect_rejected(s, cells, moved_cells, bound_of_noise<2>(s, places_of(cells)));
   }
   for (const Settings& s : sum_subjects(2)) {
-    if (s.sum == "warp_progressive" || s.noise == "cell_border") continue;
-    const bool is_default = s.noise == noise_below(s.sum);
+    if (s.fractal == "warp_progressive" || s.noise == "cell_border") continue;
+    const bool is_default = s.noise == noise_below(s.fractal);
     expect_rejected(s, cells, moved_cells, is_default ? bound_of_sum<2>(s, places_of(cells)) : bound_of_other<2>(s));
   }
 }

@@ -30,7 +30,7 @@ constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 Settings of(const std::string& noise, const std::string& sum = "") {
   Settings settings;
   settings.noise = noise;
-  settings.sum = sum;
+  settings.fractal = sum;
   return settings;
 }
 
@@ -75,7 +75,7 @@ TEST(Names, OfOtherDimensionsAreNone) {
   for (const int dimensions : {-1, 0, 5}) {
     try {
       EXPECT_TRUE(noise_names(dimensions).empty());
-      EXPECT_TRUE(sum_names(dimensions).empty());
+      EXPECT_TRUE(fractal_names(dimensions).empty());
     } catch (const std::invalid_argument&) {
     }
   }
@@ -308,7 +308,7 @@ TEST(Errors, OfAnUnknownNoiseNameTheKnownOnes) {
   EXPECT_ERROR(error_of<3>(of("perlin ")));
 }
 
-TEST(Errors, OfAnUnknownSumNameTheKnownOnes) {
+TEST(Errors, OfAnUnknownFractalNameTheKnownOnes) {
   EXPECT_TRUE(
       has_parts(error_of<2>(of("perlin", "fmb")), {"fmb", "(did you mean fbm?)", "turbulence", "warp_progressive"}));
   EXPECT_ERROR(error_of<2>(of("perlin", "perlin")));
@@ -328,7 +328,7 @@ TEST(Errors, OfANoiseInAnotherDimension) {
 TEST(Errors, OfANoiseBesideNoisesOfItsOwn) {
   EXPECT_NO_ERROR(error_of<3>(of("", "perlin_worley")));
   EXPECT_EQ(error_of<3>(of("simplex", "perlin_worley")),
-            "the sum \"perlin_worley\" has noises of its own; leave the noise \"simplex\" out");
+            "the fractal \"perlin_worley\" has noises of its own; leave the noise \"simplex\" out");
 }
 
 TEST(Errors, OfASumInAnotherDimension) {
@@ -398,7 +398,7 @@ void expect_errors_of_settings() {
     for (const auto& set : kSettingsOfSums) {
       settings = of(noise.name);
       set(settings);
-      EXPECT_TRUE(has_parts(error_of<D>(settings), {noise.name, "has no", "sum"})) << settings;
+      EXPECT_TRUE(has_parts(error_of<D>(settings), {noise.name, "has no", "fractal"})) << settings;
     }
   }
   for (const Settings& subject : twin::sum_subjects(D)) {
@@ -416,11 +416,11 @@ void expect_errors_of_settings() {
     EXPECT_TRUE(has_parts(error_of<D>(settings), {"has no wave; phasor has one in 2D and 3D"})) << settings;
     settings = subject;
     settings.strength = 1.0f;
-    const bool has_strength = grid::sum_row(subject.sum).strength == "strength";
+    const bool has_strength = grid::sum_row(subject.fractal).strength == "strength";
     EXPECT_EQ(error_of<D>(settings).empty(), has_strength) << settings;
     settings = subject;
     settings.amplitude = 1.0f;
-    EXPECT_EQ(error_of<D>(settings).empty(), subject.sum.starts_with("warp")) << settings;
+    EXPECT_EQ(error_of<D>(settings).empty(), subject.fractal.starts_with("warp")) << settings;
     settings = subject;
     settings.octaves = 6;
     settings.lacunarity = 2.0f;
@@ -486,7 +486,7 @@ TEST(Errors, OfALacunarityInATile) {
   settings.period = {};
   EXPECT_EQ(error_of<2>(settings), "");
   EXPECT_NO_ERROR(error_of<1>(settings));
-  settings.sum.clear();  // a noise has none, and its default counts for nothing
+  settings.fractal.clear();  // a noise has none, and its default counts for nothing
   settings.lacunarity.reset();
   settings.period = {4, 4, 0, 0};
   EXPECT_EQ(error_of<2>(settings), "");

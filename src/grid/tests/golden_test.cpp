@@ -79,7 +79,7 @@ std::optional<Settings> settings_of(const hn::Function& function, const Golden& 
   if (function.is_octave_sum()) {
     const std::vector<std::string> there_are = sums(golden.dimensions);
     if (std::ranges::find(there_are, golden.calls) == there_are.end()) return {};
-    settings.sum = golden.calls;
+    settings.fractal = golden.calls;
     settings.noise = noise_below(golden.calls);
     return settings;
   }
@@ -93,8 +93,8 @@ std::optional<Settings> settings_of(const hn::Function& function, const Golden& 
 // Other numbers that the functions move to the nearer end are an error of a field, too.
 bool are_in_domain(const Settings& s) {
   const bool is_tiled = std::ranges::any_of(s.period, [](std::int32_t period) { return period > 0; });
-  if (!s.sum.empty() && is_tiled && lacunarity_of(s) < 1.0f) return false;
-  const float most = s.sum.empty() ? 0.0f : grid::sum_row(s.sum).most_strength;
+  if (!s.fractal.empty() && is_tiled && lacunarity_of(s) < 1.0f) return false;
+  const float most = s.fractal.empty() ? 0.0f : grid::sum_row(s.fractal).most_strength;
   const auto is_between = [](float x, float from, float to) { return from <= x && x <= to; };
   return std::ranges::all_of(s.period, [](std::int32_t period) { return period >= 0; }) && octaves_of(s) >= 1 &&
          octaves_of(s) <= 32 && is_between(s.detail.value_or(0.0f), 0.0f, 32.0f) &&
@@ -116,7 +116,7 @@ bool set(Settings& settings, const Golden& golden, const Row& row) {
     settings.period[axis] = static_cast<std::int32_t>(word(kPeriods[axis]));
     has_period = has_period || settings.period[axis] > 0;
   }
-  if (has("px") && !settings.sum.empty() && !has_period) return false;
+  if (has("px") && !settings.fractal.empty() && !has_period) return false;
   if (has("phase")) settings.phase = number("phase");
   settings.wave.clear();
   constexpr std::array<const char*, 3> kWaves = {"kx", "ky", "kz"};
@@ -131,7 +131,7 @@ bool set(Settings& settings, const Golden& golden, const Row& row) {
   if (has("octaves")) settings.octaves = static_cast<std::int32_t>(word("octaves"));
   // An error of a field is what the functions take as the nearer end, or in a tile as the whole part.
   if (has("lacunarity")) settings.lacunarity = std::clamp(number("lacunarity"), 0.0f, 255.0f);
-  if (has_period && !settings.sum.empty()) settings.lacunarity = std::trunc(lacunarity_of(settings));
+  if (has_period && !settings.fractal.empty()) settings.lacunarity = std::trunc(lacunarity_of(settings));
   if (has("gain")) settings.gain = std::clamp(number("gain"), 0.0f, 1.0f);
   if (has("strength")) settings.strength = number("strength");
   if (has("amplitude")) settings.amplitude = number("amplitude");
@@ -208,7 +208,7 @@ TEST(Golden, Values) {
     EXPECT_TRUE(has_rows(*settings, golden, compared));
     EXPECT_GT(compared, 20u);
     rows += compared;
-    subjects.insert(settings->sum + " " + settings->noise + std::to_string(golden.dimensions) +
+    subjects.insert(settings->fractal + " " + settings->noise + std::to_string(golden.dimensions) +
                     (golden.columns.contains("phase") ? " phase" : "") +
                     (golden.columns.contains("detail") ? " detail" : "") +
                     (golden.columns.contains("footprint") ? " footprint" : ""));
@@ -260,7 +260,7 @@ TEST(GoldenFile, NamesWhatItIsOf) {
   const auto name = [](std::string_view id) {
     const hn::Function& function = hn::find_function(id);
     const auto settings = settings_of(function, read(function));
-    return settings ? settings->sum + "/" + settings->noise : "";
+    return settings ? settings->fractal + "/" + settings->noise : "";
   };
   EXPECT_EQ(name("noise2d.perlin"), "/perlin");
   EXPECT_EQ(name("noise2d.perlin_d_phase_cell_period"), "/perlin_d");

@@ -55,10 +55,10 @@ TEST_P(Guard, NothingBesideTheArraysIsTouched) {
     for (const char* const sum : {"", "fbm", "warp"}) {
       hashnoise::Settings settings;
       settings.instruction_set = set;
-      settings.sum = sum;
-      if (!settings.sum.empty()) settings.octaves = 2;
+      settings.fractal = sum;
+      if (!settings.fractal.empty()) settings.octaves = 2;
       for (std::size_t count = 1; count < 84; ++count) touch(settings, count, GetParam());
-      if (settings.sum.empty()) settings.noise = "perlin_d";
+      if (settings.fractal.empty()) settings.noise = "perlin_d";
       for (const std::size_t count : {1, 15, 16, 17, 1023, 1024, 1025}) touch(settings, count, GetParam());
     }
   }

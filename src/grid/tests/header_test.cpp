@@ -58,7 +58,7 @@ TEST(Header, FillsWithPlanes) {
 TEST(Header, FillsWithSums) {
   Settings settings;
   settings.noise = "perlin";
-  settings.sum = "ridged";
+  settings.fractal = "ridged";
   settings.octaves = 4;
   expect_bits_everywhere(
       settings, [](lanes::vec2 p) { return lanes::hn_ridged(p, 4, 2.0f, 0.5f, 0u); },

@@ -44,7 +44,7 @@ std::vector<Settings> sum_subjects(int dimensions) {
     for (const std::string& noise : noises_of(sum, dimensions)) {
       Settings settings;
       settings.noise = noise;
-      settings.sum = sum;
+      settings.fractal = sum;
       subjects.push_back(settings);
     }
   }
@@ -63,7 +63,7 @@ void draw_settings(Settings& s, int dimensions, bool tiled, Draw draw, Chance& c
     if (!has_period(s, dimensions)) s.period[0] = 6;
   }
   if (s.phase) s.phase = chance.of({0.0f, 0.25f, 1.0f / 3.0f, -0.7f, 12345.625f, chance.between(-2.0f, 2.0f)});
-  if (s.sum.empty()) {
+  if (s.fractal.empty()) {
     if (has_jitter(s.noise)) s.jitter = chance.of({1.0f, 1.0f, 0.0f, 0.5f, chance.between(0.0f, 1.0f)});
     if (has_metric(s.noise) && !s.phase) s.metric = static_cast<Metric>(chance.whole(1, 5));
     s.wave.clear();
@@ -74,7 +74,7 @@ void draw_settings(Settings& s, int dimensions, bool tiled, Draw draw, Chance& c
     }
     return;
   }
-  const bool has_jacobians = s.sum == "fbm_d" || s.sum == "eroded" || s.sum == "warp_progressive";
+  const bool has_jacobians = s.fractal == "fbm_d" || s.fractal == "eroded" || s.fractal == "warp_progressive";
   s.octaves = wild ? chance.of({1, 2, 3, 5, 6, 8, 12, 32}) : chance.whole(1, 6);
   s.lacunarity = wild ? chance.of({2.0f, 2.0f, 1.97f, 3.0f, 2.5f, 1.0f, 0.5f, 0.0f}) : chance.of({2.0f, 1.9f});
   s.gain = wild ? chance.of({0.5f, 0.5f, 0.7f, 0.25f, 1.0f, 0.0f, 1.5f}) : chance.of({0.5f, 0.4f});
@@ -87,7 +87,7 @@ void draw_settings(Settings& s, int dimensions, bool tiled, Draw draw, Chance& c
     s.gain = std::min(*s.gain, 0.5f);
   }
   s.strength.reset();
-  const grid::SumRow& sum = grid::sum_row(s.sum);
+  const grid::SumRow& sum = grid::sum_row(s.fractal);
   if (sum.strength == "strength" && !chance.one_in(3)) {
     s.strength = chance.between(0.0f, std::min(2.5f * sum.usual_strength, sum.most_strength));
   }

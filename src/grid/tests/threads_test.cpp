@@ -72,7 +72,7 @@ TEST_P(AnyExecutor, GivesTheSame) {
       expect_same_with_any<3>(settings, CellPoints<3>(draw_cell_points<3>(20011, chance)));
     }
     Settings sum;
-    sum.sum = "warp";
+    sum.fractal = "warp";
     sum.noise = "value_vector";
     sum.arithmetic = GetParam();
     sum.instruction_set = set;
@@ -124,7 +124,7 @@ TEST_P(AnyExecutor, GivesAPartOfAGridTheBitsOfTheWhole) {
       first.fill(5);
       std::array<int, D> size;
       size.fill(4);
-      size[0] = settings.sum.empty() ? 70 : 17;
+      size[0] = settings.fractal.empty() ? 70 : 17;
       expect_part_of_whole<D>(settings, grid, first, size);
       size[0] = 5;
       expect_part_of_whole<D>(settings, grid, first, size);
@@ -134,7 +134,7 @@ TEST_P(AnyExecutor, GivesAPartOfAGridTheBitsOfTheWhole) {
     for (const Settings& settings : noise_subjects(3)) expect(settings, std::integral_constant<int, 3>{});
     for (Settings settings : sum_subjects(2)) {
       expect(settings, std::integral_constant<int, 2>{});
-      if (settings.sum != "fbm") continue;
+      if (settings.fractal != "fbm") continue;
       settings.period = {7, 5};
       expect(settings, std::integral_constant<int, 2>{});
     }

@@ -61,6 +61,6 @@ std::string noise_below(const std::string& sum) {
   return row.takes_noise() ? std::string(grid::kNoiseRows[row.usual_noise].name) : "";
 }
 
-float strength_of(const Settings& s) { return s.strength.value_or(grid::sum_row(s.sum).usual_strength); }
+float strength_of(const Settings& s) { return s.strength.value_or(grid::sum_row(s.fractal).usual_strength); }
 
 }  // namespace hashnoise::twin

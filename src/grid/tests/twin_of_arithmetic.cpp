@@ -316,10 +316,10 @@ twin::Function<D> of_limited(const Settings& s) {
 
 template <int D>
 twin::Function<D> of_settings(const Settings& s) {
-  if (s.sum.empty()) return of_noise<D>(s);
+  if (s.fractal.empty()) return of_noise<D>(s);
   if (s.detail || s.footprint) return of_limited<D>(s);
 #define SUM(name) \
-  if (s.sum == #name) return of_sum<D, name##_call>(s);
+  if (s.fractal == #name) return of_sum<D, name##_call>(s);
 #define HN_CATALOG_STEP(Id, name, step, end) SUM(name)
 #include "grid/catalog.inc"
   if constexpr (D == 2 || D == 3) {
@@ -332,7 +332,7 @@ twin::Function<D> of_settings(const Settings& s) {
     SUM(perlin_worley)
   }
 #undef SUM
-  throw std::logic_error("the twin has no sum " + s.sum);
+  throw std::logic_error("the twin has no sum " + s.fractal);
 }
 
 }  // namespace

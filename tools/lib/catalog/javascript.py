@@ -108,7 +108,7 @@ def noises_and_sums(twin: Twin) -> str:
 
     return "".join([
         "const NOISES = {\n", rows({noise.name: of_noise(noise) for noise in twin.noises}), "};\n",
-        "const SUMS = {\n", rows({sum_.name: of_sum(sum_) for sum_ in twin.sums}), "};\n",
+        "const FRACTALS = {\n", rows({sum_.name: of_sum(sum_) for sum_ in twin.sums}), "};\n",
         f"const METRICS = {literal(twin.metrics)};\n",
         "const NUMBERS = {\n", rows({name: of_number(name) for name in NUMBERS}), "};\n",
         "const OWNERS = {\n", rows({name: have(name) for name in (*STRENGTHS, *PARTS)}), "};\n"])
@@ -131,11 +131,11 @@ def types_of_settings(twin: Twin) -> str:
     jitter, octaves = twin.settings["jitter"], twin.settings["octaves"]
     usual = list(dict.fromkeys(sum_.noise for sum_ in twin.sums))
     return "".join([
-        member("noise", "NoiseName", f'"perlin" if it is left out, and of sums what the shader\'s take: '
+        member("noise", "NoiseName", f'"perlin" if it is left out, and of fractals what the shader\'s take: '
                                      f'{in_quotes(usual[:-1])} or "{usual[-1]}".'),
-        member("octaves", "number", f"Of sums, from {octaves.least} to {octaves.most}; {twin.default('octaves')} if "
+        member("octaves", "number", f"Of fractals, from {octaves.least} to {octaves.most}; {twin.default('octaves')} if "
                                     "they are left out."),
-        *(member(name, "number", f"Of sums, from 0 to {most}; {twin.default(name)} if it is left out.")
+        *(member(name, "number", f"Of fractals, from 0 to {most}; {twin.default(name)} if it is left out.")
           for name, most in (("lacunarity", "255, and a whole number from 1 with a period"), ("gain", "1"))),
         member("strength", "number", strength("strength")),
         member("amplitude", "number", strength("amplitude", ", in cells")),
@@ -145,7 +145,7 @@ def types_of_settings(twin: Twin) -> str:
 
 
 def types_of_names(twin: Twin) -> str:
-    names = {"NoiseName": [noise.name for noise in twin.noises], "SumName": [sum_.name for sum_ in twin.sums],
+    names = {"NoiseName": [noise.name for noise in twin.noises], "FractalName": [sum_.name for sum_ in twin.sums],
              "MetricName": twin.metrics}
     return "\n".join(f"export type {type_} =\n" + "\n".join(f'  | "{name}"' for name in of_type) + ";\n"
                      for type_, of_type in names.items())
@@ -201,11 +201,11 @@ def settings_of_page(twin: Twin) -> str:
 
     jitter, octaves = twin.settings["jitter"], twin.settings["octaves"]
     return table(("setting", "of", "if it is left out"), [
-        ("`noise`", by_dimensions(twin.noises), '`"perlin"`; of sums as in the shader'),
-        ("`sum`", by_dimensions(twin.sums), "none"),
+        ("`noise`", by_dimensions(twin.noises), '`"perlin"`; of fractals as in the shader'),
+        ("`fractal`", by_dimensions(twin.sums), "none"),
         ("`seed`", f"all; 0 to 2^{int(twin.settings['seed'].most).bit_length()} - 1", twin.default("seed")),
         ("`period`", "all; cells, a number or one for each axis; 0 for none", "none"),
-        ("`octaves`, `lacunarity`, `gain`", f"sums; octaves from {octaves.least} to {octaves.most}, lacunarity to 255 (whole with a "
+        ("`octaves`, `lacunarity`, `gain`", f"fractals; octaves from {octaves.least} to {octaves.most}, lacunarity to 255 (whole with a "
          "period), gain to 1", ", ".join(map(twin.default, ("octaves", "lacunarity", "gain")))),
         ("`strength`; `amplitude`", "; ".join(code(twin.owners(name)) for name in STRENGTHS),
          "; ".join(map(strengths, STRENGTHS))),

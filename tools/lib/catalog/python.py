@@ -22,7 +22,7 @@ NOISES = '''\
 '''
 SUMS = '''\
 # Made by tools/make catalog from catalog/sums.toml and settings.toml.
-"""The octave sums and the warps, over any noise. help(hashnoise) describes what they have in common."""
+"""The fractals and the warps, over any noise. help(hashnoise) describes what they have in common."""
 '''
 # Overloads of a grid in a stub: its array has the type of dtype, or of `out`.
 GRID = ("name: _Name, size: int | Sequence[int], *, step: float | Sequence[float], "
@@ -53,7 +53,7 @@ def files(catalog: Catalog) -> dict[Path, str]:
     types = "".join(_types(function, catalog) for function in (*catalog.noises, *catalog.sums))
     stub = with_section(STUB, "metrics", _literal("_Metric", catalog.metrics))[1]
     names = _literal("_Noise", [noise.name for noise in catalog.noises]) + _literal(
-        "_Sum", [sum_.name for sum_ in catalog.sums])
+        "_Fractal", [sum_.name for sum_ in catalog.sums])
     stub = with_section(STUB, "names", names, stub)[1]
     stub = with_section(STUB, "grid", "".join(_of_grid(*kind) for kind in GRIDS), stub)[1]
     return dict([(ROOT / PACKAGE / "_noises.py", noises), (ROOT / PACKAGE / "_sums.py", sums),
@@ -134,7 +134,7 @@ def _function(function: Function, catalog: Catalog) -> str:
     axes = AXES[:function.last]
     coordinates = [axis if index < function.first else f"{axis}=None" for index, axis in enumerate(axes)]
     parameters = [*coordinates, "/", "*", *(f"{option.name}={option.default}" for option in options)]
-    kind = "sum" if isinstance(function, Sum) else "noise"
+    kind = "fractal" if isinstance(function, Sum) else "noise"
     passed = [f'"{function.name}"', f"({', '.join(axes)}{',' if len(axes) == 1 else ''})", "cell", "out", "threads",
               f'{kind}="{function.name}"', *(f"{option.name}={option.name}" for option in options if option.is_setting)]
     return ("@suggesting\n" + _list(f"def {function.name}(", parameters, "):") + _docstring(function, options)

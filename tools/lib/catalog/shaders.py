@@ -105,7 +105,8 @@ def public_steps(sums: Sequence[Sum]) -> str:
     return head + """\
 //   o         the octaves
 //   n         the noise at o.place with o.seed, in [-1, 1]. hn_add and hn_add_turbulence take values beyond (HN_FIXED
-//             up to 3/2), others cut them off
+//             up to 3/2), others cut them off. hn_add takes whole octaves: of hn_octaves(p, 4.5, ...) it adds 5, and
+//             hn_add_detail half of the last
 //   strength  of hn_ping_pong, usually 2, in [0, 64]; of hn_weighted, usually 1, in [0, 1]
 //   example   do hn_add(o, hn_value(o.place, o.seed)); while (hn_next(o));
 //   returns   nothing: the octaves hold the result so far

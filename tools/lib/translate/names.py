@@ -6,14 +6,14 @@ A public function has its name in GLSL, and behind it:
   1 to 4      its dimensions: those of the position, the place, the cell or the words that it takes
   _place      if it takes a place
   _phase      if it takes a phase, which it need not: hn_phasor and hn_cellular_phase always do
-  _full       if it takes everything that may be chosen, a jitter among it, and no phase
-  _nearest    as _full, if it also sets the nearest point
+  _jitter     if it takes a jitter and no phase: of all the settings of cellular noise, there are forms without
+  _nearest    as _jitter, if it also sets the nearest point
   _detail, _footprint    if it takes that
 
-So hn_perlin(hn_place2 place, uint seed) is hn_perlin2_place. Functions of words or spreads that are not overloaded keep
-their names: hn_hash_pcg, hn_unorm, hn_gradient2, hn_shuffle. So do the hashes of several words that have a name, such
+So hn_perlin(hn_place2 place, uint seed) is hn_perlin2_place. Functions of words or distributions that are not overloaded
+keep their names: hn_hash_pcg, hn_unorm, hn_gradient2, hn_shuffle. So do the hashes of several words that have a name, such
 as hn_hash_pcg2d. So hn_gradient of a cell is hn_gradient_lattice2. A struct that users know keeps its name, too. So
-what makes a hn_place2 is hn_place_of2 of a position, hn_place_of_cell2 of a cell and a fraction, hn_place_at_cell2 of a
+what makes a hn_place2 is hn_place_of2 of a position, hn_place_in_cell2 of a cell and a fraction, hn_place_at_cell2 of a
 cell, and hn_place_of_units2.
 
 An internal function has the types of its parameters behind its name: hn_i_lerp_f32_f32_f32. A struct is called there as
@@ -26,13 +26,13 @@ import re
 
 from translate.parsing.syntax import Function
 
-# The argument of a function of hashes, or of spreads, without overloads; and hashes by name.
+# The argument of a function of hashes, or of distributions, without overloads; and hashes by name.
 NOT_OVERLOADED = (("h",), ("k",), ("h", "k"), ("i", "n", "seed"), ("i", "seed"), ("zero",), ("kind",),
-                  ("value", "spread"), ("spread", "octaves", "gain"))
+                  ("value", "distribution"), ("distribution", "octaves", "gain"))
 OF_A_NAME = "hn_hash_"
 # Functions with other names, where another function or a struct has the name; by its first parameter.
 OTHERS = {("hn_gradient", "cell"): "hn_gradient_lattice", ("hn_place", "p"): "hn_place_of",
-          ("hn_place", "cell"): "hn_place_of_cell", ("hn_place", "position"): "hn_place_of_units",
+          ("hn_place", "cell"): "hn_place_in_cell", ("hn_place", "position"): "hn_place_of_units",
           ("hn_octaves", "p"): "hn_octaves_of", ("hn_octaves", "place"): "hn_octaves_of",
           ("hn_slopes", "o"): "hn_slopes_of", ("hn_shifts", "o"): "hn_shifts_of"}
 ALONE = {("hn_place", "cell"): "hn_place_at_cell"}  # of these parameters alone
@@ -42,7 +42,7 @@ OF_AXES = re.compile(r"hn_(place|octaves|slopes|shifts)([1-4])")  # structs
 WITH_VECTORS = ("hn_add", "hn_mean")  # beside the octaves they may take a sum of slopes or shifts
 
 # How the constants begin that users pass, by the name of the parameter.
-PASSED = {"metric": "HN_METRIC_", "kind": "HN_SPREAD_"}
+PASSED = {"metric": "HN_METRIC_", "kind": "HN_DISTRIBUTION_"}
 
 # Names of variables that WGSL reserves, or that the module calls.
 RESERVED = frozenset("""
@@ -118,6 +118,6 @@ def _public(function: Function) -> str:
     if "nearest" in takes:
         parts.append("nearest")
     elif "jitter" in takes and "phase" not in takes:
-        parts.append("full")
+        parts.append("jitter")
     parts += [word for word in ("detail", "footprint") if word in takes]
     return "_".join(parts)

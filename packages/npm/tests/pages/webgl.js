@@ -83,7 +83,7 @@ const shown = (v) => (v <= 0.0031308 ? 12.92 * v : 1.055 * v ** (1 / 2.4) - 0.05
 
 /** How far the gray of a picture is from 0.5 + fbm as light, in steps of 8 bits, where that is farthest. */
 function furthest(pixels, flipped) {
-  const field = new Field(2, { sum: "fbm", octaves: 6, seed: 7 });
+  const field = new Field(2, { fractal: "fbm", octaves: 6, seed: 7 });
   let most = 0;
   for (let y = 0; y < SIDE; ++y) {
     for (let x = 0; x < SIDE; ++x) {

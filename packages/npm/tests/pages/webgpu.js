@@ -17,7 +17,7 @@ const rows = {
   "noise2d.perlin": (noise, x, i, seed) => noise.hn_perlin2(vec2(x.x, x.y), seed),
   "noise3d.perlin": (noise, x, i, seed) => noise.hn_perlin3(vec3(x.x, x.y, x.z), seed),
   "noise2d.value_cell": (noise, x, i, seed) =>
-    noise.hn_value2_place(noise.hn_place_of_cell2(ivec2(i.x, i.y), vec2(x.x, x.y)), seed),
+    noise.hn_value2_place(noise.hn_place_in_cell2(ivec2(i.x, i.y), vec2(x.x, x.y)), seed),
   "noise2d.perlin_period": (noise, x, i, seed) =>
     noise.hn_perlin2_place(noise.hn_tile2(vec2(x.x, x.y), ivec2(i.x, i.y)), seed),
   "noise2d.cellular": (noise, x, i, seed) => noise.hn_cellular2(vec2(x.x, x.y), seed).y,
@@ -41,7 +41,7 @@ async function evaluate(id, arithmetic, floats, integers, seeds) {
 }
 
 const SIDE = 64;
-const field = new Field(2, { sum: "fbm", octaves: 6, seed: 7 });
+const field = new Field(2, { fractal: "fbm", octaves: 6, seed: 7 });
 const cells = new Field(2, { noise: "cellular", seed: 3 });
 const gray = (u, v) => 0.5 + field.at(u * 8, v * 8);
 const grayOfCode = (u, v) => gray(u, v) + 0.2 * cells.at(u * 4, v * 4);

@@ -5,7 +5,7 @@ import now from "hashnoise/glsl/fbm2d";
 import { Field as FieldBefore } from "hashnoise-before";
 import before from "hashnoise-before/glsl/fbm2d";
 
-const settings = { sum: "fbm", octaves: 6, seed: 7 };
+const settings = { fractal: "fbm", octaves: 6, seed: 7 };
 // All names of the library begin so, and one shader has each once (docs/reference/frozen.md).
 const renamed = before.replace(/\b(hn|HN)_/g, "$1before_");
 const texts = {

@@ -73,7 +73,7 @@ PARTS = {
     "words": (Part("words", "u32", ("*",)),),
     "wave": (Part("wave", "f32", ("k*",), "p"),),
     "slope": (Part("slope", "f32", ("ex", "ey"), "p"),),  # that gullies begin with
-    "distribution": (Part("spread", "f32", ("reach", "a", "b", "c"), "hn_spread(HN_SPREAD_PERLIN2)"),),
+    "distribution": (Part("spread", "f32", ("reach", "a", "b", "c"), "hn_distribution(HN_DISTRIBUTION_PERLIN2)"),),
     **{name: (Part(name, "u32", usual=usual),) for name, usual in {
         **dict.fromkeys(("key", "h", "i", "zero"), "floatBitsToUint(p.x)"), "k": "1u", "n": "1000u", "seed": "7u"}.items()},
     **{name: (Part(name, "i32", usual=usual),) for name, usual in {
@@ -133,6 +133,7 @@ class Function:
     benched: str | None = None  # None: what follows from all of this
     bench_seed: str = "0u"
     strength: str = ""  # the usual one
+    experimental: bool = False  # not frozen from 1.0 on
 
     @property
     def file(self) -> str:
@@ -457,7 +458,8 @@ def _of_row(group: str, name: str, keys: Mapping[str, Any], dimensions: int | No
         firsts = ["value", *expanded(gives, dimensions or 1)[1:]]
         members = tuple(f"{one}.{component}" for one in firsts)
     row = Function(id_, entry.one_of("family", families()), text("bound"), takes, gives, type_, dimensions or 1, text("includes"),
-                   text("calls"), text("returns", ""), members, sets, entry.take("seeded", bool, False), text("bench", None))
+                   text("calls"), text("returns", ""), members, sets, entry.take("seeded", bool, False), text("bench", None),
+                   experimental=entry.take("experimental", bool, False))
     entry.end()
     return row
 

@@ -174,7 +174,7 @@ class Deletions(unittest.TestCase):
 
     def test_pages_with_tables_of_functions(self) -> None:
         for page, name in (
-                ("guide/random", "hn_gaussian"), ("guide/uniform", "hn_spread_fbm"), ("reference/noises", "hn_phasor_d")):
+                ("guide/random", "hn_gaussian"), ("guide/uniform", "hn_distribution_fbm"), ("reference/noises", "hn_phasor_d")):
             with self.subTest(page=page):
                 self.change(f"docs/{page}.md", rf"^\| `{name}\b.*\n")
                 self.noticed(rf"^README\.md: no line for {name}: .* or to that of docs/reference/noises\.md or "

@@ -21,9 +21,9 @@ Measures how uniform the results of hn_uniform are, for every noise and for sums
     tools/measure uniform [--points N] [--out FILE]    measures; docs/measured/results/uniform.csv is such a file, of 10^7 points
                                                        a row, and tools/make readme makes of it the table of
                                                        docs/guide/uniform.md
-    tools/measure uniform --fit [--points N]           fits the spread of each noise, and writes them into uniform.glsl
+    tools/measure uniform --fit [--points N]           fits the distribution of each noise, and writes them into uniform.glsl
                                                        and the contract. The bell that sums come near to stays
-    tools/measure uniform --bell [--points N]          fits the bell together with all spreads, and prints it
+    tools/measure uniform --bell [--points N]          fits the bell together with all distributions, and prints it
 
 Each point is at a random cell and fraction, with a random seed. The error of a noise is the largest difference between
 the share of results below u and u itself, over all u (Kolmogorov's distance). Chance alone adds about 0.9 / sqrt(N).
@@ -85,7 +85,7 @@ def page_table(rows: Sequence[Row]) -> str:
         single = [row.error for row in own if row.octaves == 1]
         usual = [row.error for row in own if row.octaves > 1 and row.gain == GAIN]
         other = [row.error for row in own if row.octaves > 1 and row.gain != GAIN]
-        lines.append((f"`HN_SPREAD_{noise}`", percent(*single), percent(*usual), percent(*other)))
+        lines.append((f"`HN_DISTRIBUTION_{noise}`", percent(*single), percent(*usual), percent(*other)))
     return table(("noise", "one octave", "2 to 8 octaves, gain 0.5", "gains of 0.3 to 1"), lines)
 
 
@@ -95,20 +95,20 @@ def with_spreads(text: str, spreads: dict[str, tuple[int, ...]]) -> str:
 
     others = [subject.name for subject in SUBJECTS if subject.name != "PERLIN2"]
     def made(name: str) -> str:
-        return f"return hn_i_spread({', '.join(map(str, spreads[name]))});\n"
+        return f"return hn_i_distribution({', '.join(map(str, spreads[name]))});\n"
 
     end = "// tools/measure uniform: end"
-    numbers = "".join(f"#define HN_SPREAD_{subject.name} {subject.number}\n" for subject in SUBJECTS)
-    rows = [f"  if (kind == HN_SPREAD_{name}) {made(name)}" for name in others] + [f"  {made('PERLIN2')}"]
+    numbers = "".join(f"#define HN_DISTRIBUTION_{subject.name} {subject.number}\n" for subject in SUBJECTS)
+    rows = [f"  if (kind == HN_DISTRIBUTION_{name}) {made(name)}" for name in others] + [f"  {made('PERLIN2')}"]
     text = between("uniform.glsl", text, "// tools/measure uniform: numbers", end, numbers)
-    return between("uniform.glsl", text, "// tools/measure uniform: spreads", end, "".join(rows))
+    return between("uniform.glsl", text, "// tools/measure uniform: distributions", end, "".join(rows))
 
 
 def contract_table(spreads: dict[str, tuple[int, ...]]) -> str:
     from measure.uniform.model import SUBJECTS
 
     return table(("noise", "number", "name", "reach", "a", "b", "c"),
-                 [(subject.title, str(subject.number), f"`HN_SPREAD_{subject.name}`", *map(str, spreads[subject.name]))
+                 [(subject.title, str(subject.number), f"`HN_DISTRIBUTION_{subject.name}`", *map(str, spreads[subject.name]))
                   for subject in SUBJECTS])
 
 
@@ -124,7 +124,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--points", type=int, default=10**7, metavar="N", help="of each noise and sum (10^7)")
     parser.add_argument("--out", type=Path, default=RECORD, metavar="FILE", help="where the measurement goes")
     what = parser.add_mutually_exclusive_group()
-    what.add_argument("--fit", action="store_true", help="fit the spreads, and write them")
+    what.add_argument("--fit", action="store_true", help="fit the distributions, and write them")
     what.add_argument("--bell", action="store_true", help="fit the bell, and print it")
     options = parser.parse_args(arguments)
     if options.points < 1000:

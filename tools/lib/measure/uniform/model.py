@@ -1,4 +1,4 @@
-"""The noises that have spreads, the model of docs/reference/contract.md, section 21, on arrays, and the program that
+"""The noises that have distributions, the model of docs/reference/contract.md, section 21, on arrays, and the program that
 samples."""
 
 from __future__ import annotations
@@ -23,8 +23,8 @@ SPAN = 3.0  # the histograms of the sampler are over [-SPAN / 2, SPAN / 2]
 
 SUBJECT = re.compile(r"^(SINE_)?SUBJECT\((\d+), (\w+), (\d), (\w+)\)$", re.MULTILINE)
 OF_SUM = re.compile(r"hn_i_of_sum\(\w, (\d+), (\d+), d,")
-SPREAD = re.compile(r"HN_SPREAD_(\w+)\) return hn_i_spread\((\d+), (\d+), (\d+), (\d+)\);")
-LAST = re.compile(r"^  return hn_i_spread\((\d+), (\d+), (\d+), (\d+)\);", re.MULTILINE)
+SPREAD = re.compile(r"HN_DISTRIBUTION_(\w+)\) return hn_i_distribution\((\d+), (\d+), (\d+), (\d+)\);")
+LAST = re.compile(r"^  return hn_i_distribution\((\d+), (\d+), (\d+), (\d+)\);", re.MULTILINE)
 
 
 @dataclass(frozen=True)
@@ -65,7 +65,7 @@ def spreads_of(text: str) -> dict[str, tuple[float, ...]]:
     last = LAST.search(text)
     missing = {subject.name for subject in SUBJECTS} - set(found) - {"PERLIN2"}
     if missing or last is None:
-        raise ValueError(f"uniform.glsl: hn_spread has no line of {', '.join(sorted(missing)) or 'PERLIN2'}")
+        raise ValueError(f"uniform.glsl: hn_distribution has no line of {', '.join(sorted(missing)) or 'PERLIN2'}")
     found["PERLIN2"] = list(last.groups())
     return {name: tuple(int(number) / UNITS for number in numbers) for name, numbers in found.items()}
 

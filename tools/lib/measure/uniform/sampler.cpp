@@ -4,7 +4,7 @@
 //   sampler measure POINTS    for each line "number octaves gain reach a b c" of the input how far the results of
 //                             hn_uniform are from uniform: the largest difference of the two distributions. The spread
 //                             is that of the noise
-//   sampler spreads           the spreads of hn_spread
+//   sampler spreads           the spreads of hn_distribution
 //   sampler sums              for each line as above the spread of the sum
 //   sampler map               for each line "value reach a b c" the results of hn_uniform_d
 //
@@ -91,7 +91,7 @@ struct Line {
 template <int Axes, typename Noise>
 void write_error(const Line& line, Noise noise, long points) {
   const bool single = line.octaves == 1.0f;
-  const vec4 spread = single ? line.spread : hn_spread_fbm(line.spread, line.octaves, line.gain);
+  const vec4 spread = single ? line.spread : hn_distribution_fbm(line.spread, line.octaves, line.gain);
   std::vector<long> bins(kUniformBins);
   Random random{static_cast<std::uint64_t>(line.number) << 32u};
   for (long i = 0; i < points; ++i) {
@@ -146,7 +146,7 @@ int main(int count, char** arguments) {
     return 0;
   }
   if (std::strcmp(mode, "spreads") == 0) {
-#define USE(number, name, axes, function) write(HN_SPREAD_##name, hn_spread(HN_SPREAD_##name));
+#define USE(number, name, axes, function) write(HN_DISTRIBUTION_##name, hn_distribution(HN_DISTRIBUTION_##name));
 #include HN_SUBJECTS
 #undef USE
     return 0;
@@ -165,7 +165,7 @@ int main(int count, char** arguments) {
   while (std::scanf("%d %f %f %f %f %f %f", &line.number, &line.octaves, &line.gain, &line.spread.x, &line.spread.y,
                     &line.spread.z, &line.spread.w) == 7) {
     if (std::strcmp(mode, "sums") == 0) {
-      write(line.number, hn_spread_fbm(line.spread, line.octaves, line.gain));
+      write(line.number, hn_distribution_fbm(line.spread, line.octaves, line.gain));
       continue;
     }
     switch (line.number) {

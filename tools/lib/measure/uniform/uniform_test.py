@@ -43,7 +43,7 @@ class UniformTest(unittest.TestCase):
         cls.spreads = model.spreads_of(cls.text)
         cls.bell = model.Bell.of(cls.text)
 
-    def test_the_contract_and_hn_spread_have_the_constants(self) -> None:
+    def test_the_contract_and_hn_distribution_have_the_constants(self) -> None:
         page = command.CONTRACT.read_text(encoding="utf-8")
         table = command.contract_table(command.in_units(self.text))
         self.assertEqual(page, with_section("docs/reference/contract.md", page, "tools/measure uniform: contract", table))
@@ -147,8 +147,8 @@ class UniformTest(unittest.TestCase):
             path.write_text(text, encoding="utf-8")
             with self.assertRaisesRegex(ValueError, message):
                 command.read(path)
-        with self.assertRaisesRegex(ValueError, "hn_spread has no line of SINE2"):
-            model.spreads_of(self.text.replace("HN_SPREAD_SINE2)", "HN_SPREAD_OTHER)"))
+        with self.assertRaisesRegex(ValueError, "hn_distribution has no line of SINE2"):
+            model.spreads_of(self.text.replace("HN_DISTRIBUTION_SINE2)", "HN_DISTRIBUTION_OTHER)"))
         with self.assertRaisesRegex(ValueError, "three calls of hn_i_of_sum"):
             model.Bell.of("")
 

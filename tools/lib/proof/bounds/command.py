@@ -130,7 +130,7 @@ def everything_for_a_reader(derived: Everything) -> dict[str, dict]:
             "below_1_by_any_rounding": 1 - sine.sine_largest(),
             "fixed_error": sine.fixed_sine_error(),
             "fixed_largest": float(sine.fixed_sine_largest())},
-        "uniform values, slopes times a reach, and spreads of sums: in floats": asdict(uniform.errors(False)),
+        "uniform values, slopes times a reach, and distributions of sums: in floats": asdict(uniform.errors(False)),
         "the same to nearest": asdict(uniform.errors(False, 0.5)),
         "the same fixed": asdict(uniform.errors(True)),
         "the fixed fade": {"error_from": float(fade_errors().min()), "error_to": float(fade_errors().max()),

@@ -275,7 +275,7 @@ def of_function(function: glsl.Declaration, gradient: Gradient, derived: Everyth
 
 
 # The comments of these functions tell the errors of these numbers.
-UNIFORM = {"hn_uniform": "value", "hn_uniform_d": "slope", "hn_spread_fbm": "coefficient"}
+UNIFORM = {"hn_uniform": "value", "hn_uniform_d": "slope", "hn_distribution_fbm": "coefficient"}
 
 
 def derived_for(function: glsl.Declaration, kind: str, fixed: bool, gradient: Gradient,

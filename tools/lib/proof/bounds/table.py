@@ -30,7 +30,7 @@ HEAD = """\
 //   UNIFORM_BOUNDS(value, slope, reach, coefficient, fixed_value, fixed_slope, fixed_reach, fixed_coefficient)
 //
 //   value         the error of hn_uniform; slope, that of its derivative, times the reach
-//   reach         that of the first number of hn_spread_fbm, divided by the reach; coefficient, that of another one
+//   reach         that of the first number of hn_distribution_fbm, divided by the reach; coefficient, that of another one
 //
 //   GULLIES_BOUNDS(value, lipschitz, wave_rate, slope, slope_lipschitz, slope_wave_rate, steepest, fixed_value,
 //                  fixed_slope)
@@ -91,7 +91,7 @@ class GulliesBounds:
 @dataclass(frozen=True)
 class UniformBounds:
     """Of a value; of a slope, times the reach; of the reach of a sum, divided by that of its noise; and of another
-    number of its spread."""
+    number of its distribution."""
     value: float
     slope: float
     reach: float

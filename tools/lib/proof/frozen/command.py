@@ -1,14 +1,17 @@
 """Keeps the values that never change from version 1.0 on: checksums of a million values of each function with HN_FIXED,
 and of each hash. docs/reference/frozen.md states what is promised.
 
-    tools/make freeze                          adds what has no entry. From 1.0 on it also freezes what is provisional
+    tools/make freeze                          adds what has no entry. From 1.0 on it also freezes what is provisional,
+                                               but for experimental functions
     tools/make freeze --check [--all]          holds the library to the table, at 2,048 points of each function, or at
                                                all
-    tools/make freeze --provisional [NAME...]  before 1.0: makes the entries of these functions anew, or all entries
+    tools/make freeze --provisional [NAME...]  makes the entries of these functions anew, or all entries. From 1.0 on
+                                               those of experimental functions, by their names
 
 The table is conformance/expected/frozen.csv. An entry that exists is never written again, and where one is wrong
-nothing is written. Only --provisional replaces entries, and from version 1.0.0 on it is refused. A NAME is that of
-functions in the table, such as 'noise2d.phasor*'. The values are those of hn-frozen, which tools/test builds.
+nothing is written. Only --provisional replaces entries, and from version 1.0.0 on it is refused for all functions but
+those that catalog/functions.toml calls experimental. A NAME is that of functions in the table, such as
+'noise2d.phasor*'. The values are those of hn-frozen, which tools/test builds.
 
 All entries take about eight minutes of processor time.
 
@@ -26,6 +29,7 @@ from pathlib import Path
 
 from base.tree import FROZEN, ROOT, version
 from base.usage import Parser
+from catalog.tables.functions import read_functions
 from proof.frozen import table
 from proof.frozen.table import ALL, FIRST, PROVISIONAL, Entry, Key, Sums
 
@@ -65,17 +69,27 @@ class Library:
         return made
 
 
+def experimental() -> frozenset[str]:
+    """The functions whose values may change from 1.0 on, too."""
+    return frozenset(function.id for function in read_functions() if function.experimental)
+
+
 def added(entries: Mapping[Key, Entry], library: Library, of: str) -> tuple[dict[Key, Entry], list[str]]:
     """The entries with those that are missing, and what hinders that."""
     first = library.sums(FIRST)
-    since = of if table.is_stable(of) else PROVISIONAL
-    settled = {key for key, entry in entries.items() if table.is_stable(of) and not entry.is_frozen}
+    stays = {key for key in first.keys() | entries.keys() if table.is_stable(of) and key[0] not in experimental()}
+    settled = {key for key, entry in entries.items() if key in stays and not entry.is_frozen}
     wrong = [*table.changed(entries, first, FIRST), *table.gone(entries, first)]
     if wrong:
         return {}, wrong
-    made = library.entries(settled | (first.keys() - entries.keys()), since)
+    missing = first.keys() - entries.keys()
+    made = library.entries(settled | (missing & stays), of) | library.entries(missing - stays, PROVISIONAL)
     wrong = list(table.changed({key: entries[key] for key in settled}, {key: made[key].all for key in settled}, ALL))
     return {**entries, **made}, wrong
+
+
+def is_named(key: Key, names: Sequence[str]) -> bool:
+    return not names or any(fnmatchcase(key[0], name) for name in names)
 
 
 def replaced(entries: Mapping[Key, Entry], library: Library,
@@ -83,22 +97,19 @@ def replaced(entries: Mapping[Key, Entry], library: Library,
     """The entries with those of some functions, or of all, made anew; and which names there are not."""
     known = set(library.sums(1))
 
-    def is_named(key: Key) -> bool:
-        return not names or any(fnmatchcase(key[0], name) for name in names)
-
     unknown = [f"there is no function {name}" for name in names
                if not any(fnmatchcase(function, name) for function, _ in known | entries.keys())]
     if unknown:
         return {}, unknown
-    kept = {key: entry for key, entry in entries.items() if not is_named(key)}
-    return kept | library.entries({key for key in known if is_named(key)}, PROVISIONAL), []
+    kept = {key: entry for key, entry in entries.items() if not is_named(key, names)}
+    return kept | library.entries({key for key in known if is_named(key, names)}, PROVISIONAL), []
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     parser = Parser("tools/make freeze", __doc__)
     what = parser.add_mutually_exclusive_group()
     what.add_argument("--check", action="store_true", help="say what is not as it was")
-    what.add_argument("--provisional", action="store_true", help="before 1.0: make entries anew")
+    what.add_argument("--provisional", action="store_true", help="make entries anew: before 1.0, or of experimental functions")
     parser.add_argument("--all", action="store_true", help="with --check: at all points")
     parser.add_argument("--program", type=Path, default=PROGRAM, metavar="PATH",
                         help="hn-frozen (default: %(default)s)")
@@ -110,18 +121,21 @@ def main(arguments: Sequence[str] | None = None) -> int:
         parser.error("--all goes with --check")
     if given.names and not given.provisional:
         parser.error("a NAME goes with --provisional")
-    if given.provisional and table.is_stable(version()):
-        parser.error(f"--provisional is for versions before 1.0, and the library is {version()}: its values stay. "
-                     "docs/reference/frozen.md describes how a mistake is corrected")
     library = Library(given.program)
     try:
         exists = given.table.exists()
         if given.check and not exists:
             raise ValueError(f"there is no {given.table}; tools/make freeze writes it")
         entries = table.read(given.table) if exists else {}
+        if given.provisional and table.is_stable(version()):
+            stay = sorted({key[0] for key in entries if is_named(key, given.names)} - experimental())
+            if stay:
+                parser.error(f"--provisional is for versions before 1.0, and the library is {version()}: the values of "
+                             f"{stay[0]} stay, since it is not experimental. docs/reference/frozen.md describes how a "
+                             "mistake is corrected")
         if given.check:
             count = ALL if given.all else FIRST
-            wrong = table.problems(entries, library.sums(count), count, version())
+            wrong = table.problems(entries, library.sums(count), count, version(), experimental())
         elif given.provisional:
             entries, wrong = replaced(entries, library, given.names)
         else:

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import contextlib
 import io
+import re
 import tempfile
 import unittest
 from collections import defaultdict
 from pathlib import Path
 from unittest import mock
 
-from base.tree import FROZEN
+from base.tree import FROZEN, ROOT
+from catalog.tables.functions import read_functions
+from catalog.tables.glsl import declarations
 from proof.frozen import command, table
 from proof.frozen.table import ALL, FIRST
 
@@ -153,6 +156,24 @@ class FromOneOn(Command):
             self.assert_told("--provisional is for versions before 1.0", "--provisional", "noise2d.perlin",
                              version=version, status=2)
 
+    def test_experimental_entries_stay_provisional_and_are_made_anew(self) -> None:
+        with mock.patch.object(command, "experimental", lambda: frozenset({WORD[0]})):
+            self.freeze()
+            self.assertEqual({key: entry.since for key, entry in table.read(self.table).items()},
+                             {PERLIN: "1.0.0", HASHED: "1.0.0", WORD: "provisional"})
+            self.library[WORD][1] = "aaaa0009"
+            self.assert_told("hash.word with pcg:exact: .*provisional.*--provisional$", "--check", version="1.1.0")
+            for names in ([], ["*"], ["hash.*", "noise2d.perlin"]):
+                self.assert_told("library is 1.1.0: the values of noise2d.perlin stay", "--provisional", *names,
+                                 version="1.1.0", status=2)
+            self.assert_right("--provisional", "hash.*", version="1.1.0")
+            self.assert_right("--check", version="1.1.0")
+        self.assert_told("hash.word with pcg:exact: it is provisional, but the library is 1.1.0", "--check",
+                         version="1.1.0")
+        with mock.patch.object(command, "experimental", lambda: frozenset({WORD[0], PERLIN[0]})):
+            self.assert_told("noise2d.perlin with .* frozen since 1.0.0, so catalog/functions.toml cannot", "--check",
+                             version="1.1.0")
+
     def test_a_function_has_to_stay(self) -> None:
         self.freeze()
         del self.library[WORD]
@@ -205,6 +226,18 @@ class Unreadable(Command):
 
 class Committed(unittest.TestCase):
     """The test frozen.values holds the library to it."""
+
+    def test_what_is_experimental_says_so_everywhere(self) -> None:
+        names = {row.calls for row in read_functions() if row.experimental}
+        self.assertEqual(names, {"hn_phasor", "hn_phasor_d", "hn_gullies", "hn_perlin_worley", "hn_distribution",
+                                 "hn_distribution_fbm"})
+        self.assertEqual({row.calls for row in read_functions() if row.calls in names and not row.experimental}, set())
+        page = (ROOT / "docs" / "reference" / "frozen.md").read_text(encoding="utf-8")
+        listed = page.partition("\n## What is experimental\n")[2].partition("\n## ")[0]
+        rows = " ".join(line.split("|")[1] for line in listed.splitlines() if line.startswith("| `"))
+        self.assertEqual(set(re.findall(r"`(hn_\w+)`", rows)), names)
+        said = {one.name for one in declarations() if any("Experimental: " in line for line in one.comment.lines)}
+        self.assertEqual(said, names)
 
     def test_values_depend_on_the_setting_and_points_do_not(self) -> None:
         entries = table.read(FROZEN)

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -119,19 +119,24 @@ def gone(entries: Mapping[Key, Entry], known: Iterable[Key]) -> Iterator[str]:
                   "Its entry is provisional: if the function is meant to go, run tools/make freeze --provisional"))
 
 
-def unsettled(entries: Mapping[Key, Entry], version: str) -> Iterator[str]:
-    """From 1.0 on nothing is provisional, and before nothing is frozen; and no entry is of a later version."""
+def unsettled(entries: Mapping[Key, Entry], version: str, experimental: Collection[str]) -> Iterator[str]:
+    """From 1.0 on only experimental functions are provisional, and before nothing is frozen; and no entry is of a later
+    version."""
     for key, entry in sorted(entries.items()):
         name = f"{key[0]} with {key[1]}"
         if entry.is_frozen and not is_stable(entry.since):
             yield f"{name}: it is frozen since {entry.since}, before 1.0"
         elif entry.is_frozen and parsed_version(entry.since) > parsed_version(version):
             yield f"{name}: it is frozen since {entry.since}, but the library is {version}"
-        elif not entry.is_frozen and is_stable(version):
+        elif entry.is_frozen and key[0] in experimental:
+            yield (f"{name}: it is frozen since {entry.since}, so catalog/functions.toml cannot call it experimental "
+                   "any more")
+        elif not entry.is_frozen and is_stable(version) and key[0] not in experimental:
             yield f"{name}: it is provisional, but the library is {version}. Run tools/make freeze"
 
 
-def problems(entries: Mapping[Key, Entry], computed: Mapping[Key, Sums], count: int, version: str) -> list[str]:
+def problems(entries: Mapping[Key, Entry], computed: Mapping[Key, Sums], count: int, version: str,
+             experimental: Collection[str]) -> list[str]:
     """All that is wrong, where `computed` is all that the library has."""
     return [*changed(entries, computed, count), *missing(entries, computed), *gone(entries, computed),
-            *unsettled(entries, version)]
+            *unsettled(entries, version, experimental)]

@@ -42,7 +42,7 @@ PERLIN2 = 9  # that any other number counts as
 
 
 def spread(noise: int) -> tuple[float, ...]:
-    """hn_spread."""
+    """hn_distribution."""
     number = noise if 1 <= noise <= len(TABLE) else PERLIN2
     return tuple(x / TABLE_UNIT for x in TABLE[number - 1])
 
@@ -93,7 +93,7 @@ def root(x: Fraction) -> Fraction:
 
 
 def spread_fbm(*arguments: Real) -> tuple[Fraction, ...]:
-    """hn_spread_fbm: of a spread, octaves and a gain."""
+    """hn_distribution_fbm: of a spread, octaves and a gain."""
     *spread, octaves, gain = arguments
     reach, *coefficients = in_range(*spread)
     found = weights(octaves, gain)
@@ -151,7 +151,7 @@ def fixed_uniform_d(value: Real, *spread: Real) -> tuple[Fraction, Fraction]:
 
 
 def fixed_spread_fbm(*arguments: Real) -> tuple[Fraction, ...]:
-    """hn_spread_fbm: of a spread, octaves and a gain."""
+    """hn_distribution_fbm: of a spread, octaves and a gain."""
     *spread, octaves, gain = arguments
     r, *coefficients = fixed_in_range(SUM_UNIT, *spread)
     of_one = sums.fixed_weights(options(octaves, gain))

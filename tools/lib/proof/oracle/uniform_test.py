@@ -62,7 +62,7 @@ def integral(reach: Fraction, *coefficients: Fraction) -> Fraction:
 
 class Page(FaultChecks, unittest.TestCase):
     def check_table(self) -> None:
-        rows = re.findall(r"^\| `hn_.*\| (\d+) \| `HN_SPREAD_(\w+)` \| (\d+) \| (\d+) \| (\d+) \| (\d+) \|$", PAGE,
+        rows = re.findall(r"^\| `hn_.*\| (\d+) \| `HN_DISTRIBUTION_(\w+)` \| (\d+) \| (\d+) \| (\d+) \| (\d+) \|$", PAGE,
                           re.MULTILINE)
         self.assertEqual([int(row[0]) for row in rows], list(range(1, len(uniform.TABLE) + 1)))
         self.assertEqual([tuple(map(int, row[2:])) for row in rows], list(uniform.TABLE))
@@ -75,7 +75,7 @@ class Page(FaultChecks, unittest.TestCase):
         v = "{} a + {} b + {} c + {}".format(*uniform.VARIANCE)
         for text in (f"`B = {listed(uniform.BELL)}`", f"`H = {listed(uniform.WAY)}`", f"V(a, b, c) = {v}\n",
                      f"`octaves` to [1, {uniform.MOST_OCTAVES}]", f"[1/16, {uniform.LARGEST_REACH}]",
-                     f"{uniform.TABLE_UNIT} times their spreads"):
+                     f"{uniform.TABLE_UNIT} times their distributions"):
             self.assertIn(text, PAGE)
 
     CHECKS = ("table", "constants")

@@ -35,7 +35,7 @@ SIDE = 12  # pixels
 
 class Text(unittest.TestCase):
     def test_a_shader_has_the_name_of_its_function(self) -> None:
-        self.assertEqual([files.shader(form) for form in ("hn_fbm2", "hn_cellular3_full", "hn_cell_border2")],
+        self.assertEqual([files.shader(form) for form in ("hn_fbm2", "hn_cellular3_jitter", "hn_cell_border2")],
                          ["fbm2", "cellular3", "cell_border2"])
         self.assertEqual(len({files.shader(form) for form in files.FORMS}), len(files.FORMS))
 
@@ -114,16 +114,16 @@ class AddOn(unittest.TestCase):
         points = self.heights.random_points(200)
         at = points * numpy.float32(0.37)
         octaves = {"octaves": 5, "lacunarity": 2.25, "gain": 0.625}
-        for (sum_, *_), (noise, *_), axes in itertools.product(displace.SUMS, displace.NOISES, (2, 3)):
-            if sum_ != "NONE" and noise == "cellular":
+        for (fractal, *_), (noise, *_), axes in itertools.product(displace.FRACTALS, displace.NOISES, (2, 3)):
+            if fractal != "NONE" and noise == "cellular":
                 continue
-            function = getattr(hashnoise, noise if sum_ == "NONE" else sum_)
-            more = {} if sum_ == "NONE" else {"noise": noise, **octaves}
+            function = getattr(hashnoise, noise if fractal == "NONE" else fractal)
+            more = {} if fractal == "NONE" else {"noise": noise, **octaves}
             expected = [function(*map(float, p[:axes]), seed=7, arithmetic="fixed", **more) for p in at]
             if noise == "cellular":
                 expected = [value[0] for value in expected]
-            with self.subTest(sum=sum_, noise=noise, axes=axes):
-                got = self.heights.displaced(points, sum=sum_, noise=noise, scale=0.37, strength=1.0, seed=7, **octaves,
+            with self.subTest(fractal=fractal, noise=noise, axes=axes):
+                got = self.heights.displaced(points, fractal=fractal, noise=noise, scale=0.37, strength=1.0, seed=7, **octaves,
                                              position="PLANE" if axes == 2 else "SPACE")
                 self.assertEqual(got.tobytes(), numpy.array(expected, numpy.float32).tobytes())
         other = self.heights.displaced(points, scale=0.37, strength=1.0, seed=8)
@@ -173,7 +173,7 @@ class AddOn(unittest.TestCase):
         mesh = bpy.context.object.data
         with mock.patch.dict(sys.modules, {"hashnoise": None}):
             self.refused(displace, re.escape(sys.executable) + r" -m pip install hashnoise-VERSION-\.\.\.\.whl")
-        self.refused(displace, "cellular", sum="fbm", noise="cellular")
+        self.refused(displace, "cellular", fractal="fbm", noise="cellular")
         bpy.ops.object.mode_set(mode="EDIT")
         self.refused(displace, "Change to Object Mode")
         bpy.ops.object.mode_set(mode="OBJECT")

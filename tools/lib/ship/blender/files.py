@@ -20,7 +20,7 @@ FORMS = asked.nodes("blender")  # of node groups, all with HN_FIXED
 
 def shader(form: str) -> str:
     """The name of its file."""
-    return form.removeprefix("hn_").removesuffix("_full")
+    return form.removeprefix("hn_").removesuffix("_jitter")
 
 
 @cache

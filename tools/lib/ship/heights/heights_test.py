@@ -172,7 +172,7 @@ class Everywhere(unittest.TestCase):
             x, y, seeds = zip(*rows()[start:start + POINTS])
             places = numpy.array([x, y, [0] * POINTS], numpy.float32)
             of_python += hashnoise.fbm(places[0], places[1], seed=seeds[0], arithmetic="fixed").tobytes()
-            settings = {"sum": "fbm", "octaves": 6, "scale": 1.0, "strength": 1.0}
+            settings = {"fractal": "fbm", "octaves": 6, "scale": 1.0, "strength": 1.0}
             of_blender += in_blender.displaced(places.T, seed=seeds[0], **settings).tobytes()
         for name, got in (("Python", of_python), ("Blender", of_blender)):
             with self.subTest(name):

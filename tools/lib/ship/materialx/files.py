@@ -71,7 +71,7 @@ def pick():
 
 def node(form: str) -> str:
     """The name of the node: hn_perlin2d of hn_perlin2, and hn_perlin2d_tile of hn_perlin2_place."""
-    return re.sub(r"(\d)(_full)?$", r"\1d", form.replace("2_place", "2d_tile"))
+    return re.sub(r"(\d)(_jitter)?$", r"\1d", form.replace("2_place", "2d_tile"))
 
 
 def inputs(form: str) -> list[Input]:

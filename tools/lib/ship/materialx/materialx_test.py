@@ -27,7 +27,7 @@ class Text(unittest.TestCase):
         for form, name, inputs in (
                 ("hn_perlin2", "hn_perlin2d", ["amplitude", "pivot", "texcoord", "seed"]),
                 ("hn_fbm3", "hn_fbm3d", ["amplitude", "position", "octaves", "lacunarity", "diminish", "seed"]),
-                ("hn_cellular2_full", "hn_cellular2d", ["texcoord", "jitter", "metric", "seed"]),
+                ("hn_cellular2_jitter", "hn_cellular2d", ["texcoord", "jitter", "metric", "seed"]),
                 ("hn_warp3", "hn_warp3d", ["position", "octaves", "lacunarity", "diminish", "amplitude", "seed"]),
                 ("hn_perlin2_place", "hn_perlin2d_tile", ["amplitude", "pivot", "texcoord", "period", "seed"])):
             with self.subTest(form):
@@ -35,7 +35,7 @@ class Text(unittest.TestCase):
                 self.assertEqual([one.name for one in files.inputs(form)], inputs)
 
     def test_a_definition_is_that_of_its_node(self) -> None:
-        made = xml.fromstring(files.document(files.declared("hn_cellular2_full"))).find("nodedef")
+        made = xml.fromstring(files.document(files.declared("hn_cellular2_jitter"))).find("nodedef")
         self.assertEqual((made.get("name"), made.get("node")), ("ND_hn_cellular2d", "hn_cellular2d"))
         self.assertEqual([(one.get("name"), one.get("type")) for one in made.iter("input")],
                          [("texcoord", "vector2"), ("jitter", "float"), ("metric", "integer"), ("seed", "integer")])

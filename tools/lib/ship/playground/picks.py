@@ -74,7 +74,7 @@ def roots(module: Module, n: int, of_cpu: bool) -> list[str]:
     """The names of what the page calls. A jitter and a metric are always passed, and sums over other noises, in tiles
     or at places are loops, so that there is less text."""
     noises, sums = drawn(read())
-    with_jitter = [noise.name for noise in noises if f"hn_{noise.name}{n}_full" in module.forms]
+    with_jitter = [noise.name for noise in noises if f"hn_{noise.name}{n}_jitter" in module.forms]
     plain = [noise.name for noise in noises if noise.name not in with_jitter]
     places = ("", "_place")
     if of_cpu:  # these have longer texts, so they have fewer functions
@@ -84,7 +84,7 @@ def roots(module: Module, n: int, of_cpu: bool) -> list[str]:
         names = []
     names += [f"hn_{name}{n}{place}" for name in plain for place in places]
     names += [f"hn_{name}{n}{place}_phase" for name in plain for place in places]
-    names += [f"hn_{name}{n}{place}_full" for name in with_jitter for place in places]
+    names += [f"hn_{name}{n}{place}_jitter" for name in with_jitter for place in places]
     names += [f"hn_{total.name}{n}" for total in sums]
     names += [f"hn_{step}{n}" for step in ("octaves_of", "next", "mean", "density", "add", "slopes_of")]
     names += [f"hn_octaves_of{n}_place"]
@@ -96,7 +96,7 @@ def roots(module: Module, n: int, of_cpu: bool) -> list[str]:
         names += [f"hn_{noise.name}_d{n}_place" for noise in noises]
         names += [f"hn_cellular{n}_nearest", f"hn_cellular{n}_place_nearest", f"hn_lattice{n}", "hn_unorm"]
         names += [f"hn_{warp}{n}{place}" for warp in ("warp", "warp_progressive") for place in places]
-        names += [f"hn_tile{n}", f"hn_tile{n}_place", f"hn_place_of_cell{n}", f"hn_mean{n}_slopes"]
+        names += [f"hn_tile{n}", f"hn_tile{n}_place", f"hn_place_in_cell{n}", f"hn_mean{n}_slopes"]
     return [name for name in dict.fromkeys(names) if module.form(name) is not None]
 
 

@@ -21,7 +21,7 @@ FUNCTIONS = {function.id: function for function in read_functions()}
 
 class Calls(unittest.TestCase):
     def test_a_place_is_made_of_what_the_row_has(self) -> None:
-        cell = ("f::place_of_cell2(w[0] as i32, w[1] as i32, f32::from_bits(w[2]), f32::from_bits(w[3]))")
+        cell = ("f::place_in_cell2(w[0] as i32, w[1] as i32, f32::from_bits(w[2]), f32::from_bits(w[3]))")
         for id, name, expected in (
                 ("noise2d.perlin", "hn_perlin2", "f::perlin2(f32::from_bits(w[0]), f32::from_bits(w[1]), w[2])"),
                 ("noise2d.perlin_cell", "hn_perlin2_place", f"f::perlin2_place({cell}, w[4])"),

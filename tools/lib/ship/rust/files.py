@@ -82,7 +82,7 @@ impl Place{n} {{
 
     /// A cell, and a position in it from 0 to 1. It names cells exactly where a float no longer can.
     pub fn in_cell(cell: [i32; {n}], fraction: [f32; {n}]) -> Self {{
-        place_of_cell{n}({all_of("cell")}, {all_of("fraction")})
+        place_in_cell{n}({all_of("cell")}, {all_of("fraction")})
     }}
 
     /// The place of whole units; `units` of them make so many `cells`.
@@ -124,7 +124,7 @@ def call(function: Function, name: str, module: str) -> str:
 
     if function.has_place:
         if function.has_cell:
-            place = called(f"place_of_cell{n}", *along("c"), *along("f"))
+            place = called(f"place_in_cell{n}", *along("c"), *along("f"))
         elif function.form == "place_of_noise":
             place = called(f"place_of_units{n}", *along(""), words.pop("cells"), words.pop("units"))
         else:

@@ -16,7 +16,7 @@ from ship.recipes import RECIPES
 PACKAGE = ROOT / "packages" / "unity"
 NAME = RECIPES["unity"].name
 # C# has slopes, too, for normals, and exact places.
-SCRIPTS = (*NODES, TILE, "hn_place_of_cell2", "hn_perlin_d2", "hn_simplex_d2", "hn_fbm_d2")
+SCRIPTS = (*NODES, TILE, "hn_place_in_cell2", "hn_perlin_d2", "hn_simplex_d2", "hn_fbm_d2")
 
 
 def node(form: str, arithmetic: str) -> str:

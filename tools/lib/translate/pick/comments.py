@@ -22,7 +22,7 @@ REFERENCE = re.compile(r"docs/|\.glsl")
 TYPES = re.compile(": int, ivec2, ivec3 or ivec4")  # of overloads, where a function that stands alone has one
 IN_PLACE = re.compile(r"in place of (?:p|the cell)\b")  # begins what a comment has of a place, for who may pass either
 PLACE = ("a place, that is a cell and a position in it, in cells{0}: hn_place and hn_tile make one (tools/pick writes "
-         "hn_place_of_cell{1} and hn_tile{1})")
+         "hn_place_in_cell{1} and hn_tile{1})")
 LEFT_OUT = "; 0 if left out"
 METRIC = ". This is with the Euclidean metric and a jitter of 1"
 

@@ -91,7 +91,7 @@ class Values(unittest.TestCase):
         choices = (("pcg", "sine"), ("fnv1", "octahedral"), ("pcg", "octahedral"), ("jenkins", "sine"))
         for knobs in choices if THOROUGH else choices[:1]:
             of = module("fast", *knobs)
-            texts = {name: text(name, of=of, language="cpp") for name in ("hn_perlin2", "hn_cellular3_full")}
+            texts = {name: text(name, of=of, language="cpp") for name in ("hn_perlin2", "hn_cellular3_jitter")}
             with self.subTest(knobs=knobs):
                 self.assertEqual(self.differing("fast", texts, *knobs), [])
 
@@ -385,7 +385,7 @@ class Comments(unittest.TestCase):
     def test_nothing_refers_to_what_is_not_there(self) -> None:
         known = list(module("fast").forms)
         for turn, language in enumerate(self.LANGUAGES):
-            for name in known if THOROUGH else [*known[turn * 9::288], "hn_cellular2_full"]:
+            for name in known if THOROUGH else [*known[turn * 9::288], "hn_cellular2_jitter"]:
                 if language == command.TSL and not is_node(module("fast").forms[name]):
                     continue
                 with self.subTest(name, language=language):
@@ -414,7 +414,7 @@ class Comments(unittest.TestCase):
                     self.assertIn("cells", facts.parameters["p"])
 
     def test_the_whole_comment_of_the_base_form_is_there(self) -> None:
-        shown = self.comment(self.pick(["hn_cellular2_full"], command.Choice()))
+        shown = self.comment(self.pick(["hn_cellular2_jitter"], command.Choice()))
         for part in ("the distances to the nearest and to the second nearest", "This form also takes the jitter and "
                      "the metric.", "in [0, 1.1181]", "on average 0.43 and 0.70", "at most 3.53e-6"):
             self.assertIn(part, shown)
@@ -604,7 +604,7 @@ class Command(unittest.TestCase):
         self.assertEqual(self.call("hn_fbm2_tile"), both)
         self.assertEqual(self.call("hn_fbm(hn_tile(vec2))"), both)
         self.assertEqual(self.call("hn_fbm(vec2)"), self.call("hn_fbm2"))
-        self.assertEqual(self.call("hn_fbm(hn_place(vec3))"), self.call("hn_place_of_cell3", "hn_fbm3_place"))
+        self.assertEqual(self.call("hn_fbm(hn_place(vec3))"), self.call("hn_place_in_cell3", "hn_fbm3_place"))
         self.assertIn("; in a tile that is hn_perlin2_tile\n", self.call("hn_perlin")[1])
         self.assertIn("there is no function hn_ball2_place", self.call("hn_ball2_tile")[1])
 

@@ -29,7 +29,7 @@ STRENGTH = {"||": 1, "&&": 2, "|": 4, "^": 5, "&": 6, "==": 7, "!=": 7, "<": 8, 
 CHOICE, UNARY, PRIMARY = 0, 12, 13
 BITS = ("|", "^", "&", "<<", ">>")  # readers want parentheses around and in these
 TRUTH = ("&&", "||")
-EXAMPLES = {"metric": "HN_METRIC_EUCLIDEAN", "kind": "HN_SPREAD_PERLIN2"}  # of what users pass
+EXAMPLES = {"metric": "HN_METRIC_EUCLIDEAN", "kind": "HN_DISTRIBUTION_PERLIN2"}  # of what users pass
 DECLARATION = re.compile(r" *((?:precise |highp )*(?:(?:float|u?int)[234]?|bool|[iu]?vec[234])) (\w+(?: = .*)?;)")
 UNNAMED = {"floor": "whole", "abs": "size"}  # what a value is called that has no name in the library
 Place = tuple[tuple[int, int], ...]  # of a statement: of each block around it the number, and the index in it

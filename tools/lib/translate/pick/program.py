@@ -83,7 +83,7 @@ def expanded(names: Sequence[str]) -> list[str]:
         if called:
             function, place, type_ = called.groups()
             size = SIZES[type_]
-            found += [{"tile": f"hn_tile{size}", "place": f"hn_place_of_cell{size}"}[place]] if place else []
+            found += [{"tile": f"hn_tile{size}", "place": f"hn_place_in_cell{size}"}[place]] if place else []
             found.append(f"{function}{size}{'_place' if place else ''}")
         elif tiled:
             found += [f"hn_tile{tiled[2]}", f"{tiled[1]}_place"]

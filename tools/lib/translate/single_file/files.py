@@ -18,7 +18,7 @@ PLACES = {"glsl": "Put it below your #version and #extension lines.", "hlsl": "I
 INCLUDE = re.compile(r'^#include "([^"]+)"$')
 # An include that a knob decides on. Without it the file changes nothing, so that it may be there with any knob.
 CHOSEN = re.compile(r'^#if .*\n((?:#include .*\n)+)#endif\n', re.MULTILINE)
-PASSED = re.compile(r"#define (HN_(?:METRIC|SPREAD)_\w+) (\d+)")
+PASSED = re.compile(r"#define (HN_(?:METRIC|DISTRIBUTION)_\w+) (\d+)")
 
 
 @dataclass(frozen=True)

@@ -55,6 +55,7 @@ def name_by_row(function: Function, types: tuple[str, ...]) -> str:
         return f"{function.calls}{function.axes}{'_place' * types[0].startswith('hn_place')}"
     name = re.sub(r"_(?:cell|period)(?=_|$)", "", function.name)
     place = "_place" if function.has_place else ""
+    name = name.replace("_full", "_jitter")
     if function.sets == "offset":
         name = name.replace("_offset", "_nearest")
     if function.bound.endswith("_d") and function.axes == 4:
@@ -67,6 +68,8 @@ def name_by_row(function: Function, types: tuple[str, ...]) -> str:
         return f"hn_gradient_lattice{function.axes}"
     if function.calls.startswith("hn_hash_"):
         return f"hn_hash_{name}"
+    if function.file == "uniform":
+        return function.calls
     words = re.fullmatch(r"word|vec(\d)", name)
     if words:
         return f"hn_hash{words[1] or 1}"
@@ -98,7 +101,7 @@ class Names(unittest.TestCase):
 
     def test_those_of_places(self):
         names = self.modules["HN_FAST"].names()
-        for types, name in ((("vec2",), "hn_place_of2"), (("ivec2", "vec2"), "hn_place_of_cell2"),
+        for types, name in ((("vec2",), "hn_place_of2"), (("ivec2", "vec2"), "hn_place_in_cell2"),
                             (("int", "int", "int"), "hn_place_of_units1")):
             self.assertEqual(names["hn_place", types], name)
         self.assertEqual(names["hn_tile", ("vec3", "ivec3")], "hn_tile3")
