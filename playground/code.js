@@ -293,16 +293,8 @@ class Writer {
     if (state.warp === "none") return { lines: [], where };
     this.files.add(`warp${this.n}d.glsl`);
     const { float, int } = this.types;
-    const shift = this.call(
-      `hn_${state.warp}`,
-      where,
-      "",
-      values.octaves,
-      values.lacunarity,
-      values.gain,
-      values.amplitude,
-      values.otherSeed,
-    );
+    const { octaves, lacunarity, gain, amplitude, otherSeed } = values;
+    const shift = this.call(`hn_${state.warp}`, where, "", octaves, lacunarity, gain, amplitude, otherSeed);
     const set = (name, value) => this.let(float(this.n), name, value);
     if (!where.cell) return { lines: [set("q", `${where.position} + ${shift}`)], where: { position: "q" } };
     return {
