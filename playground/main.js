@@ -359,10 +359,7 @@ class Playground extends Picture {
     button.dataset.label ??= button.textContent;
     button.textContent = "Copied";
     clearTimeout(this.labelTimers.get(button));
-    this.labelTimers.set(
-      button,
-      setTimeout(() => (button.textContent = button.dataset.label), kTold),
-    );
+    this.labelTimers.set(button, setTimeout(() => (button.textContent = button.dataset.label), kTold));
     byId("status").textContent = `${what} is copied.`;
     return true;
   }
