@@ -49,20 +49,12 @@ export function numbers(language, state) {
     const whole = String(state.period * layer.scale);
     const alike = language === "hlsl" && n > 1 ? Array(n).fill(whole).join(", ") : whole;
     return {
-      seed: `${layer.seed}u`,
-      otherSeed: `${(layer.seed + 1) % 4294967296}u`,
-      octaves: String(layer.octaves),
-      lacunarity: literal(language, layer.lacunarity),
-      gain: literal(language, layer.gain),
-      strength: literal(language, layer.strength),
-      amplitude: literal(language, layer.amplitude),
-      jitter: literal(language, layer.jitter),
-      phase: literal(language, state.phase),
-      period: n === 1 ? whole : `${int(n)}(${alike})`,
-      weight: part(layer.weight),
-      offset: part(layer.offset),
-      scale: literal(language, layer.scale),
-      wholeScale: `${layer.scale}u`,
+      seed: `${layer.seed}u`, otherSeed: `${(layer.seed + 1) % 4294967296}u`, octaves: String(layer.octaves),
+      lacunarity: literal(language, layer.lacunarity), gain: literal(language, layer.gain),
+      strength: literal(language, layer.strength), amplitude: literal(language, layer.amplitude),
+      jitter: literal(language, layer.jitter), phase: literal(language, state.phase),
+      period: n === 1 ? whole : `${int(n)}(${alike})`, weight: part(layer.weight), offset: part(layer.offset),
+      scale: literal(language, layer.scale), wholeScale: `${layer.scale}u`,
     };
   });
 }
@@ -212,15 +204,9 @@ class Writer {
     }
     const values = { ...this.values, seed: "seed", otherSeed: "seed + 1u" };
     const { lines, value } = this.noiseAt(this.place, values);
-    const parameters = [
-      [`hn_place${this.n}`, "place"],
-      [this.types.uint, "seed"],
-    ];
+    const parameters = [[`hn_place${this.n}`, "place"], [this.types.uint, "seed"]];
     const name = `${state.noise}${this.suffix}`;
-    return {
-      name,
-      lines: this.define(name, parameters, [...lines, `return ${this.number(noise.signed(value))};`]),
-    };
+    return { name, lines: this.define(name, parameters, [...lines, `return ${this.number(noise.signed(value))};`]) };
   }
 
   // Sets the function of the sum, and returns the lines that define it: over another noise than the library's own it is
@@ -293,16 +279,8 @@ class Writer {
     if (state.warp === "none") return { lines: [], where };
     this.files.add(`warp${this.n}d.glsl`);
     const { float, int } = this.types;
-    const shift = this.call(
-      `hn_${state.warp}`,
-      where,
-      "",
-      values.octaves,
-      values.lacunarity,
-      values.gain,
-      values.amplitude,
-      values.otherSeed,
-    );
+    const { octaves, lacunarity, gain, amplitude, otherSeed } = values;
+    const shift = this.call(`hn_${state.warp}`, where, "", octaves, lacunarity, gain, amplitude, otherSeed);
     const set = (name, value) => this.let(float(this.n), name, value);
     if (!where.cell) return { lines: [set("q", `${where.position} + ${shift}`)], where: { position: "q" } };
     return {

@@ -10,17 +10,7 @@ import { gradientOf } from "./palette.js";
 import { StopList } from "./stoplist.js";
 import { kLockable } from "./surprise.js";
 import {
-  kArithmetics,
-  kBlends,
-  kFiles,
-  kHashes,
-  kMaps,
-  kMetrics,
-  kNoises,
-  kRenderers,
-  kSums,
-  kViews,
-  kWarps,
+  kArithmetics, kBlends, kFiles, kHashes, kMaps, kMetrics, kNoises, kRenderers, kSums, kViews, kWarps,
 } from "./tables.js";
 
 // name: [label, from, to, step].
@@ -58,7 +48,14 @@ const kSelects = {
   blend: labels(kBlends),
   scale: kScales,
 };
-const kTexts = ["seed", "period", "x", "y", "cells", "width", "height", "frames"];
+// The labels of the texts, each with what stands small below it, and of the selects.
+const kTexts = {
+  seed: ["Seed"], period: ["Period", "cells, 0 is none"], x: ["x"], y: ["y"], cells: ["Cells across"],
+  width: ["Width", "pixels"], height: ["Height", "pixels"], frames: ["Frames", "25 a second"],
+};
+const kLabels = {
+  sum: "Octave sum", noise: "Noise", metric: "Metric", hash: "Hash", file: "Save as", blend: "Combined", scale: "Scale",
+};
 const kJumps = { Shape: "heading-noise", Colours: "heading-colours", Code: "heading-code", File: "heading-file" };
 const kArrows = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1, PageUp: 10, PageDown: -10 };
 const kNotes = {
@@ -107,10 +104,12 @@ export class Controls {
       },
     });
     this.stops = new StopList(change, say);
+    for (const place of document.querySelectorAll("[data-rows]"))
+      place.replaceWith(...place.dataset.rows.split(" ").map((name) => element("div", { className: "row", id: `row-${name}` })));
     for (const [name, table] of Object.entries(kSelects)) this.makeSelect(name, table);
     for (const [name, setting] of Object.entries(kSliders)) this.makeSlider(name, ...setting);
     for (const [name, table] of Object.entries(kChoices)) this.makeChoices(name, table);
-    for (const name of kTexts) this.makeText(name);
+    for (const [name, words] of Object.entries(kTexts)) this.makeText(name, ...words);
     this.makeSwatches();
     this.makeLanguages();
     this.makeJumps();
@@ -129,7 +128,8 @@ export class Controls {
   }
 
   makeSelect(name, table) {
-    const select = byId(name);
+    const select = element("select", { id: name });
+    byId(`row-${name}`).append(element("label", { htmlFor: name, id: `label-${name}`, textContent: kLabels[name] }), select);
     select.append(...Object.entries(table).map(([value, label]) => new Option(label, value)));
     select.addEventListener("change", () => this.change({ [name]: parsed(name, select.value) }));
   }
@@ -164,8 +164,11 @@ export class Controls {
     }
   }
 
-  makeText(name) {
-    const input = byId(name);
+  makeText(name, label, small) {
+    const inputMode = ["x", "y", "cells"].includes(name) ? "decimal" : "numeric";
+    const input = element("input", { id: name, type: "text", inputMode, spellcheck: false });
+    const words = small ? [`${label} `, element("small", { textContent: small })] : [label];
+    byId(`row-${name}`).append(element("label", { htmlFor: name }, ...words), input);
     const wrong = element("p", { className: "wrong", id: `wrong-${name}`, hidden: true });
     wrong.setAttribute("role", "alert");
     input.after(wrong);
@@ -357,7 +360,7 @@ export class Controls {
       input.value = state[name];
       byId(`of-${name}`).textContent = name === "octaves" ? state[name] : state[name].toFixed(2);
     }
-    for (const name of kTexts) {
+    for (const name of Object.keys(kTexts)) {
       if (name === this.typed) continue; // a playing picture must not take it away
       const input = byId(name);
       const text = typeof state[name] === "bigint" ? positionText(state[name]) : String(state[name]);

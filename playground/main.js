@@ -359,10 +359,7 @@ class Playground extends Picture {
     button.dataset.label ??= button.textContent;
     button.textContent = "Copied";
     clearTimeout(this.labelTimers.get(button));
-    this.labelTimers.set(
-      button,
-      setTimeout(() => (button.textContent = button.dataset.label), kTold),
-    );
+    this.labelTimers.set(button, setTimeout(() => (button.textContent = button.dataset.label), kTold));
     byId("status").textContent = `${what} is copied.`;
     return true;
   }
@@ -433,22 +430,17 @@ class Playground extends Picture {
 
   async start() {
     for (const name of kCanvases) listen(this, byId(name));
-    byId("play").addEventListener("click", () => this.play(!this.playing));
-    byId("dice").addEventListener("click", () => this.roll());
-    byId("in").addEventListener("click", () => this.zoom(2 ** -0.5));
-    byId("out").addEventListener("click", () => this.zoom(2 ** 0.5));
-    byId("home").addEventListener("click", () => this.home());
-    byId("surprise").addEventListener("click", () => this.surprise());
+    const clicks = {
+      play: () => this.play(!this.playing), dice: () => this.roll(), in: () => this.zoom(2 ** -0.5),
+      out: () => this.zoom(2 ** 0.5), home: () => this.home(), surprise: () => this.surprise(),
+      save: () => this.save(), measure: () => this.measure(),
+      copy: () => this.copy(this.controls.code, byId("copy"), "The code"), link: () => this.copyLink(),
+      undo: () => this.undo(), redo: () => this.redo(), help: () => byId("keys-list").showModal(),
+    };
+    for (const [id, action] of Object.entries(clicks)) byId(id).addEventListener("click", action);
     this.beside = new Beside(this);
-    byId("save").addEventListener("click", () => this.save());
-    byId("measure").addEventListener("click", () => this.measure());
-    byId("copy").addEventListener("click", () => this.copy(this.controls.code, byId("copy"), "The code"));
-    byId("link").addEventListener("click", () => this.copyLink());
-    byId("undo").addEventListener("click", () => this.undo());
-    byId("redo").addEventListener("click", () => this.redo());
     for (const id of ["hide", "handle"]) byId(id).addEventListener("click", () => this.fold());
     listKeys(byId("keys-list").querySelector("tbody"));
-    byId("help").addEventListener("click", () => byId("keys-list").showModal());
     addEventListener("keydown", (event) => undoing(this, event));
     addEventListener("keydown", (event) => anywhere(this, event));
     // At popstate already, so that no link is written to the place in the history that is gone to.

@@ -3,17 +3,7 @@
 import { wrapped } from "./numbers.js";
 import { possibleStops, stopsOfMap } from "./palette.js";
 import {
-  kArithmetics,
-  kBlends,
-  kFiles,
-  kHashes,
-  kMaps,
-  kMetrics,
-  kNoises,
-  kRenderers,
-  kSums,
-  kViews,
-  kWarps,
+  kArithmetics, kBlends, kFiles, kHashes, kMaps, kMetrics, kNoises, kRenderers, kSums, kViews, kWarps,
 } from "./tables.js";
 
 // The settings, in the order of a link. A number has its ends; x and y are read and written by the view. Each layer has

@@ -9,14 +9,19 @@ const kAxes = ["x", "y", "z", "w"];
 const kPlain = ["perlin", "value", "simplex"]; // these have functions of a position
 const signed = (seed) => String(seed | 0); // where words are numbers with a sign
 
+// What several languages write as C does.
+const typed = (parameters) => parameters.map(([type, one]) => `${type} ${one}`).join(", ");
+const doWhile = (lines, next, indent = "  ") =>
+  ["do {", ...lines.map((line) => indent + line), `} while (${next});`];
+
 // How a language writes what the functions need. `o` is how a sum is passed to what changes it.
 const kSyntax = {
   c: {
     float: (value) => `${decimal(value)}f`, uint: (value) => `${value}u`, o: "&o", s: "&s", place: "o.place", seed: "o.seed",
-    head: (name, parameters) => `static inline float ${name}(${parameters.map(([type, one]) => `${type} ${one}`).join(", ")}) {`,
+    head: (name, parameters) => `static inline float ${name}(${typed(parameters)}) {`,
     types: { float: "float", uint: "uint32_t", place: (n) => `hn_place${n}`, octaves: (n) => `hn_octaves${n}` },
     let: (name, value) => `float ${name} = ${value};`, struct: (type, name, value) => `${type} ${name} = ${value};`,
-    loop: (lines, next) => ["do {", ...lines.map((line) => `  ${line}`), `} while (${next});`],
+    loop: doWhile,
   },
   rust: {
     float: decimal, uint: String, o: "&mut o", s: "&mut s", place: "o.place", seed: "o.seed", copies: true,
@@ -28,19 +33,17 @@ const kSyntax = {
   },
   csharp: {
     float: (value) => `${decimal(value)}f`, uint: (value) => `${value}u`, o: "ref o", s: "ref s", place: "o.Place", seed: "o.Seed",
-    head: (name, parameters, isPublic) =>
-      `${isPublic ? "public" : "private"} static float ${name}(${parameters.map(([type, one]) => `${type} ${one}`).join(", ")}) {`,
+    head: (name, parameters, isPublic) => `${isPublic ? "public" : "private"} static float ${name}(${typed(parameters)}) {`,
     types: { float: "float", uint: "uint", place: (n) => `Place${n}`, octaves: (n) => `Octaves${n}` },
     let: (name, value) => `float ${name} = ${value};`, struct: (_, name, value) => `var ${name} = ${value};`,
-    loop: (lines, next) => ["do {", ...lines.map((line) => `    ${line}`), `} while (${next});`],
+    loop: (lines, next) => doWhile(lines, next, "    "),
   },
   java: {
     float: (value) => `${decimal(value)}f`, uint: signed, o: "o", s: "s", place: "o.place", seed: "o.seed",
-    head: (name, parameters, isPublic) =>
-      `${isPublic ? "public" : "private"} static float ${name}(${parameters.map(([type, one]) => `${type} ${one}`).join(", ")}) {`,
+    head: (name, parameters, isPublic) => `${isPublic ? "public" : "private"} static float ${name}(${typed(parameters)}) {`,
     types: { float: "float", uint: "int", place: (n) => `Place${n}`, octaves: (n) => `Octaves${n}` },
     let: (name, value) => `float ${name} = ${value};`, struct: (_, name, value) => `var ${name} = ${value};`,
-    loop: (lines, next) => ["do {", ...lines.map((line) => `    ${line}`), `} while (${next});`],
+    loop: (lines, next) => doWhile(lines, next, "    "),
   },
   go: {
     float: decimal, uint: String, o: "&o", s: "&s", place: "o.Place", seed: "o.Seed",
@@ -54,14 +57,14 @@ const kSyntax = {
     head: (name, parameters, isPublic) => `${isPublic ? "export " : ""}function ${name}(${parameters.map(([, one]) => one).join(", ")}) {`,
     types: { float: "", uint: "", place: () => "", octaves: () => "" },
     let: (name, value) => `const ${name} = ${value};`, struct: (_, name, value) => `const ${name} = ${value};`,
-    loop: (lines, next) => ["do {", ...lines.map((line) => `  ${line}`), `} while (${next});`],
+    loop: doWhile,
   },
   osl: {
     float: decimal, uint: signed, o: "o", s: "s", place: "o.place", seed: "o.seed",
-    head: (name, parameters) => `float ${name}(${parameters.map(([type, one]) => `${type} ${one}`).join(", ")}) {`,
+    head: (name, parameters) => `float ${name}(${typed(parameters)}) {`,
     types: { float: "float", uint: "int", place: (n) => `hn_place${n}`, octaves: (n) => `hn_octaves${n}` },
     let: (name, value) => `float ${name} = ${value};`, struct: (type, name, value) => `${type} ${name} = ${value};`,
-    loop: (lines, next) => ["do {", ...lines.map((line) => `  ${line}`), `} while (${next});`],
+    loop: doWhile,
   },
 };
 const kIndent = { rust: "    ", csharp: "    ", java: "    ", go: "\t" };

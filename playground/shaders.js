@@ -86,20 +86,10 @@ function uniforms(language, state) {
   return shownLayers(state).map((_, at) => {
     const of = `${glsl ? "u_" : "u."}layers[${at}]`;
     return {
-      seed: `${of}.seed.x`,
-      otherSeed: `${of}.seed.y`,
-      octaves: `${of}.octaves.x`,
-      lacunarity: `${of}.sum.x`,
-      gain: `${of}.sum.y`,
-      strength: `${of}.sum.z`,
-      amplitude: `${of}.sum.w`,
-      jitter: `${of}.more.x`,
-      weight: `${of}.more.y`,
-      offset: `${of}.more.z`,
-      phase: glsl ? "u_turn.x" : "u.turn.x",
-      period: `${ints}(${of}.octaves.z)`,
-      scale: `${float}(${of}.octaves.y)`,
-      wholeScale: `${uint}(${of}.octaves.y)`,
+      seed: `${of}.seed.x`, otherSeed: `${of}.seed.y`, octaves: `${of}.octaves.x`, lacunarity: `${of}.sum.x`,
+      gain: `${of}.sum.y`, strength: `${of}.sum.z`, amplitude: `${of}.sum.w`, jitter: `${of}.more.x`,
+      weight: `${of}.more.y`, offset: `${of}.more.z`, phase: glsl ? "u_turn.x" : "u.turn.x",
+      period: `${ints}(${of}.octaves.z)`, scale: `${float}(${of}.octaves.y)`, wholeScale: `${uint}(${of}.octaves.y)`,
     };
   });
 }

@@ -20,11 +20,7 @@ const kBehind = [0.11, 0.115, 0.14]; // the colour behind the solid
 export function axesOf({ turn, tilt }) {
   const [sine, cosine] = [Math.sin(turn * kTurn), Math.cos(turn * kTurn)];
   const [down, across] = [Math.sin(tilt * kTurn), Math.cos(tilt * kTurn)];
-  const axes = [
-    [cosine, sine, 0],
-    [-sine * down, cosine * down, across],
-    [sine * across, -cosine * across, down],
-  ];
+  const axes = [[cosine, sine, 0], [-sine * down, cosine * down, across], [sine * across, -cosine * across, down]];
   return axes.map((axis) => axis.map((part) => Math.round(part * kOne)));
 }
 
