@@ -9,7 +9,7 @@ const kAxes = ["x", "y", "z", "w"];
 const kPlain = ["perlin", "value", "simplex"]; // these have functions of a position
 const signed = (seed) => String(seed | 0); // where words are numbers with a sign
 
-// What several languages write as C does.
+// The syntax that C, C#, Java and OSL share.
 const typed = (parameters) => parameters.map(([type, one]) => `${type} ${one}`).join(", ");
 const doWhile = (lines, next, indent = "  ") =>
   ["do {", ...lines.map((line) => indent + line), `} while (${next});`];
