@@ -11,13 +11,12 @@ from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
 from base import pypi
-from base.tree import GLSL, ROOT, version
+from base.tree import ROOT, version
 from base.usage import Parser
 from measure import record
 from measure.silicon import synthesis
 from translate.pick import command as pick
-from translate.pick import verilog
-from translate.pick.program import chosen
+from translate.pick.verilog_bench import SUM
 
 DESCRIPTION = """\
 Measures what noise takes of a chip: tools/pick --language verilog, synthesised by Yosys for Lattice's ECP5, and placed
@@ -32,19 +31,12 @@ docs/measured/results/silicon.csv, from which tools/make readme makes the table 
 Exit status: 0 done, 2 bad usage, 77 nextpnr cannot be had."""
 
 # Functions, their constants, and the noise of a sum.
-SUM = "octaves=4,lacunarity=2,gain=0.5"
 FUNCTIONS = (("hn_random2", "", ""), ("hn_value2", "", ""), ("hn_perlin2", "", ""), ("hn_simplex2", "", ""),
              ("hn_perlin3", "", ""), ("hn_simplex3", "", ""), ("hn_cellular2", "", ""), ("hn_fbm2", SUM, ""),
              ("hn_fbm2", SUM, "hn_simplex2"))
 SMALLEST = str(synthesis.CHIPS[0][3])  # multipliers of the smallest chip
 RECORD = ROOT / "docs" / "measured" / "results" / "silicon.csv"
 PROGRAMS = ("yosys",)
-
-
-def made(name: str, constants: str, noise: str, multipliers: str) -> verilog.Made:
-    choice = pick.Choice(language=pick.VERILOG, arithmetic="fixed", noise=noise)
-    module = pick.read_library(GLSL, choice)
-    return verilog.Made(module, chosen(module, [name])[0], GLSL, verilog.Choices.of(constants, multipliers=multipliers))
 
 
 def nextpnr() -> Path | None:
@@ -58,7 +50,8 @@ def nextpnr() -> Path | None:
 
 def row_of(function: tuple[str, str, str], multipliers: str, program: Path) -> dict[str, object]:
     name, constants, noise = function
-    one = made(name, constants, noise, multipliers)
+    choice = pick.Choice(pick.VERILOG, "fixed", noise=noise, constants=constants, multipliers=multipliers)
+    one, = pick.circuits([name], choice)
     row = {"function": name, "noise": noise, "constants": constants.replace(",", " "), "most": multipliers or "any",
            **synthesis.synthesised(one, program)}
     print(" ".join(f"{key}={value}" for key, value in row.items() if value != ""), flush=True)

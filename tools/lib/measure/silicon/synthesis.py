@@ -8,6 +8,7 @@ import subprocess
 from pathlib import Path
 
 from base.tree import ROOT
+from translate.pick import verilog
 from translate.pick.verilog import CLOCK, Made
 
 FOLDER = ROOT / "build" / "silicon"
@@ -66,7 +67,7 @@ def run(key: str, *command: str | Path) -> str:
 def synthesised(made: Made, nextpnr: Path) -> dict[str, object]:
     """Its size, the smallest chip that it fits, and its clock on the smallest of all."""
     FOLDER.mkdir(parents=True, exist_ok=True)
-    text = f"`default_nettype none\n{made.text()}{bench(made)}"
+    text = verilog.text([made], []) + bench(made)
     name = f"{made.name}-{hashlib.sha256(text.encode()).hexdigest()[:12]}"
     (FOLDER / f"{name}.v").write_text(text, encoding="ascii")
     report = run(text, "yosys", "-p", f"read_verilog {name}.v; {ECP5.format(name)}")

@@ -49,6 +49,7 @@ from translate.settings import GRADIENTS, HASHES, Settings
 
 if TYPE_CHECKING:
     from translate.pick.scalars import Syntax
+    from translate.pick.verilog import Made
 
 ARITHMETICS = ("fast", "fixed", "precise")
 
@@ -109,7 +110,7 @@ class Choice:
             if self.arithmetic != "fixed":
                 raise Unknown("a circuit has no floats: take --arithmetic fixed, whose bits are the same everywhere")
             if self.clock and self.stages:
-                raise Unknown("--clock and --stages both say how long a pipeline is: give one of them")
+                raise Unknown("--clock and --stages both set the length of a pipeline: give one of them")
             return
         if of_verilog:
             raise Unknown(f"--{of_verilog} is of --language verilog")
@@ -137,6 +138,14 @@ def read_library(library: Path, choice: Choice) -> Module:
     return over(module, choice.noise) if choice.noise else module
 
 
+def circuits(names: Sequence[str], choice: Choice, module: Module | None = None, library: Path = GLSL) -> list[Made]:
+    """The functions as modules of Verilog."""
+    from translate.pick import verilog
+    module = module or read_library(library, choice)
+    choices = verilog.Choices.of(choice.constants, choice.clock, choice.stages, choice.multipliers)
+    return [verilog.Made(module, one, library, choices) for one in chosen(module, names)]
+
+
 def command_of(names: Sequence[str], choice: Choice) -> str:
     return shlex.join(["tools/pick", *dict.fromkeys(names), *choice.options()])
 
@@ -158,9 +167,7 @@ def picker(library: Path = GLSL) -> Callable[[Sequence[str], Choice], str]:
         choice.check()
         if choice.language == VERILOG:
             from translate.pick import verilog
-            library_module = module(choice)
-            return verilog.text(library_module, chosen(library_module, names), library, origin(command_of(names, choice)),
-                                verilog.Choices.of(choice.constants, choice.clock, choice.stages, choice.multipliers))
+            return verilog.text(circuits(names, choice, module(choice), library), origin(command_of(names, choice)))
         syntax = SYNTAXES[choice.language] if choice.language in SYNTAXES else None
         language = LANGUAGES.get(choice.language)
         macros = (syntax or language or LANGUAGES["glsl"]).library

@@ -576,9 +576,8 @@ def _constant(name: str, type_: str, text: str) -> Constant:
     return Constant(type_, value & 0xFFFFFFFF if type_ == "uint" else value)
 
 
-def text(module: Module, asked: Sequence[Function], library: Path, heading: Sequence[str], choices: Choices) -> str:
-    made = [Made(module, one, library, choices) for one in asked]
-    unknown = [name for name in choices.constants if all(name in one.left for one in made)]
+def text(made: Sequence[Made], heading: Sequence[str]) -> str:
+    unknown = [name for name in made[0].choices.constants if all(name in one.left for one in made)]
     if unknown:
         raise Unknown(f"--constants {unknown[0]}: {made[0].name} has no such parameter; it takes "
                       f"{', '.join(one.at.text for one in made[0].function.parameters)}")

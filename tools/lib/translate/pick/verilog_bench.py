@@ -18,6 +18,7 @@ from translate.pick.runners import ran
 from translate.pick.values import SIZES
 from translate.pick.verilog import FRACTION, REST, Made, Port
 
+SUM = "octaves=4,lacunarity=2,gain=0.5"  # the constants of a sum of octaves
 LINT = ("verilator", "--lint-only", "-Wall", "--language", "1364-2005")
 BENCH = """#include <cmath>
 #include <cstdint>

@@ -18,17 +18,15 @@ from pathlib import Path
 
 from base.png import read_png
 from base.renderer import Renderer
-from base.tree import GLSL, ROOT
+from base.tree import ROOT
 from translate.parsing.tokens import Unknown
-from translate.pick import command, verilog_bench
-from translate.pick.program import chosen
+from translate.pick import command, verilog, verilog_bench
 from translate.pick.runners import ran
-from translate.pick.verilog import Choices, Made
-from translate.pick.verilog_bench import LINT
+from translate.pick.verilog import Made
+from translate.pick.verilog_bench import LINT, SUM
 from translate.single_file import files
 
 POINTS = 1_000_000
-SUM = "octaves=4,lacunarity=2,gain=0.5"
 # Functions, the vectors of each, its constants, and the noise of a sum.
 FEW = (("hn_simplex2", "noise2d.simplex_cell", "", ""),)
 ALL = (*FEW, ("hn_random2", "noise2d.random_cell", "", ""), ("hn_perlin2", "noise2d.perlin_cell", "", ""), ("hn_perlin3", "noise3d.perlin_cell", "", ""),
@@ -40,13 +38,11 @@ EXAMPLE = ROOT / "examples" / "silicon"
 
 
 def made(name: str, constants: str = "", noise: str = "", **choices: str) -> Made:
-    choice = command.Choice(language="verilog", arithmetic="fixed", noise=noise)
-    module = command.read_library(GLSL, choice)
-    return Made(module, chosen(module, [name])[0], GLSL, Choices.of(constants, **choices))
+    return command.circuits([name], command.Choice("verilog", "fixed", noise=noise, constants=constants, **choices))[0]
 
 
 def text(of: Made) -> str:
-    return f"`default_nettype none\n{of.text()}"
+    return verilog.text([of], [])
 
 
 class Texts(unittest.TestCase):
