@@ -10,7 +10,7 @@ import { gradientOf } from "./palette.js";
 import { StopList } from "./stoplist.js";
 import { kLockable } from "./surprise.js";
 import {
-  kArithmetics, kBlends, kFiles, kHashes, kMaps, kMetrics, kNoises, kRenderers, kSums, kViews, kWarps,
+  kArithmetics, kBlends, kFiles, kHashes, kMaps, kMetrics, kNoises, kRenderers, kSums, kTints, kViews, kWarps,
 } from "./tables.js";
 
 // name: [label, from, to, step].
@@ -103,7 +103,7 @@ export class Controls {
         replace(state, said);
       },
     });
-    this.stops = new StopList(change, say);
+    this.stops = new StopList((colours) => this.paint(colours), say);
     for (const place of document.querySelectorAll("[data-rows]"))
       place.replaceWith(...place.dataset.rows.split(" ").map((name) => element("div", { className: "row", id: `row-${name}` })));
     for (const [name, table] of Object.entries(kSelects)) this.makeSelect(name, table);
@@ -213,15 +213,21 @@ export class Controls {
   }
 
   makeSwatches() {
-    for (const [value, { label }] of Object.entries(kMaps)) {
+    for (const [value, { label }] of Object.entries(kTints)) {
       const input = element("input", { type: "radio", name: "map", value, id: `map-${value}` });
       input.setAttribute("aria-label", label);
-      input.addEventListener("change", () => this.change({ map: value }));
+      input.addEventListener("change", () => this.paint({ map: value }));
       const swatch = element("label", { title: label }, input);
-      if (value === "own") swatch.append(element("span", { textContent: label }));
+      if (!kMaps[value]?.stops) swatch.append(element("span", { textContent: label }));
       else swatch.style.background = gradientOf({ map: value });
       byId("map").append(swatch);
     }
+  }
+
+  // Colours of the layer that the panel shows, if it can have its own, or of the picture.
+  paint(colours) {
+    const names = uses(this.state, this.layer).tint ? { map: "tint", stops: "tints" } : { map: "map", stops: "stops" };
+    this.change(Object.fromEntries(Object.entries(colours).map(([name, value]) => [names[name], value])));
   }
 
   makeLanguages() {
@@ -348,7 +354,11 @@ export class Controls {
       input.disabled = !dimensions.includes(Number(input.value));
     for (const view of ["sphere", "cube"])
       byId(`view-${view}`).disabled = !dimensions.some((number) => number > 2);
-    for (const name of [...Object.keys(kChoices), "map"]) {
+    const colours = used.tint ? { map: state.tint, stops: state.tints } : state;
+    byId("heading-colours").textContent = used.tint ? `Colours where layer ${this.layer + 1} counts` : "Colours";
+    byId("map-none").parentElement.hidden = !used.tint;
+    byId(`map-${colours.map}`).checked = true;
+    for (const name of Object.keys(kChoices)) {
       const chosen = byId(`${name}-${state[name]}`);
       if (chosen) chosen.checked = true;
     }
@@ -374,8 +384,9 @@ export class Controls {
       const row = byId(`row-${name}`);
       if (row) row.hidden = !used[name];
     }
-    this.stops.show(state);
-    byId("map-own").parentElement.style.background = gradientOf({ map: "own", stops: state.stops });
+    byId("row-stops").hidden = colours.map !== "own";
+    this.stops.show(colours);
+    byId("map-own").parentElement.style.background = gradientOf({ map: "own", stops: colours.stops });
     byId("note-arithmetic").textContent = kNotes[state.arithmetic];
     byId("note-file").textContent = kFiles[state.file].note;
     this.showCode();

@@ -1,7 +1,7 @@
 // The texts to copy: the functions of code.js with the colours, with what they call, and as a whole shader.
 import { decimal, declaration, functions, kLanguages, kTypes, knobs, numbers } from "./code.js";
 import { bakeLines, isOneLine, pythonLines } from "./lines.js";
-import { rangeOf, shownLayers } from "./model.js";
+import { mapsOf, numbersOfTinted, rangeOf, shownLayers } from "./model.js";
 import { partsOfColour, rampOf } from "./palette.js";
 import { isScalar, scalarCode } from "./scalar.js";
 import { cellOf, cellsAcross, kPartsOfCell, partsOf, placeOf } from "./view.js";
@@ -12,15 +12,29 @@ function endsOf(state) {
   return { low, high, span: high - low, minus: low < 0 ? `+ ${decimal(-low)}` : `- ${decimal(low)}` };
 }
 
-// The colours as a function of the value.
-function colours(language, state) {
+// The colours as functions of the value: of the picture, or of the picture and of layers that have their own; and
+// of these a function of a position, where `at` defines one.
+function colours(language, state, at) {
+  const [picture, ...tints] = mapsOf(state);
+  if (!tints.length) return coloursOf(language, state, picture, "colour");
+  const wgsl = language === "wgsl";
+  const numbers = numbersOfTinted(state);
+  const mix = language === "hlsl" ? "lerp" : "mix";
+  const mixed = (part, k) => `c = ${mix}(c, colours_${numbers[k]}(v), ${wgsl ? `vec3f(${part})` : part});`;
+  const first = wgsl ? "var c = colours(v);" : `${kTypes[language].float(3)} c = colours(v);`;
+  const colour = at("colour", (parts) => [first, ...parts.map(mixed), "return c;"], 3);
+  const maps = tints.flatMap((map, number) => ["", ...coloursOf(language, state, map, `colours_${numbers[number]}`)]);
+  return [...coloursOf(language, state, picture, "colours"), ...maps, "", ...colour];
+}
+
+function coloursOf(language, state, map, name) {
   const { low, high, span, minus } = endsOf(state);
   const { float } = kTypes[language];
   const colour = (stop) => {
     const parts = partsOfColour(stop.colour).map((part) => (part / 255).toFixed(3));
     return `${float(3)}(${parts.join(", ")})`;
   };
-  const { whole, stops } = rampOf(state);
+  const { whole, stops } = rampOf(map);
   const mix = language === "hlsl" ? "lerp" : "mix"; // Metal has HLSL's types, and mix
   const scale = Number((whole / span).toPrecision(7));
   const wgsl = language === "wgsl";
@@ -42,9 +56,14 @@ function colours(language, state) {
       .map((stop, at) => `c = ${mix}(c, ${colour(stop)}, ${three(way(stops[at].place, stop.place))});`),
     "return c;",
   ];
-  const head = wgsl ? "fn colour(value: f32) -> vec3f {" : `${float(3)} colour(float value) {`;
-  return [`// From ${low} to ${high}: the colours of the picture.`, head, ...lines.map((line) => `  ${line}`), "}"];
+  const head = wgsl ? `fn ${name}(value: f32) -> vec3f {` : `${float(3)} ${name}(float value) {`;
+  const whose = map === state ? "the picture" : `layer ${name.split("_")[1]}`;
+  return [`// From ${low} to ${high}: the colours of ${whose}.`, head, ...lines.map((line) => `  ${line}`), "}"];
 }
+
+// In languages without colours: how much each layer that has its own counts.
+const masks = (state, at) =>
+  numbersOfTinted(state).flatMap((number, k) => ["", ...at(`mask_${number}`, (parts) => [`return ${parts[k]};`])]);
 
 const kPlaces = {
   glsl: "Put it below your #version and #extension lines.",
@@ -178,16 +197,18 @@ function mainOf(language, state, { main, pixel, below, result }) {
   } else {
     lines.push(set(float(n), "p", vector(float(n), [slice, ...numbers.slice(2)])));
   }
-  const call = far ? `${language === "wgsl" ? "pattern_cell" : "pattern"}(cell, f)` : "pattern(p)";
+  const called = (name) => (far ? `${name}${language === "wgsl" ? "_cell" : ""}(cell, f)` : `${name}(p)`);
+  const call = called("pattern");
+  const hasTints = mapsOf(state).length > 1;
   if (n > 1) {
-    lines.push(result(`colour(${call})`));
+    lines.push(result(hasTints ? called("colour") : `colour(${call})`));
   } else {
     // A graph of the values.
     const { minus, span } = endsOf(state);
     lines.push(
       set(float(1), "value", call),
       set(float(1), "above", `step((value ${minus}) * ${decimal(Number((1 / span).toPrecision(7)))}, ${below})`),
-      result(`colour(value) * (1.0 - 0.875 * above)`),
+      result(`${hasTints ? called("colour") : "colour(value)"} * (1.0 - 0.875 * above)`),
     );
   }
   return [main, ...lines.map((line) => `  ${line}`), "}"];
@@ -223,14 +244,14 @@ export function copied(library, language, state, kind = "function", withLibrary 
   const values = numbers(language, state);
   const inside = !cpp && (isNew || shell.main || withLibrary);
   const forms = inside ? [formOf(state)] : undefined;
-  const { lines, files, public: called } = functions(library, language, state, values, forms, inside);
+  const { lines, at, files, public: called } = functions(library, language, state, values, forms, inside);
   const included = language === "hlsl" ? ["begin.hlsl", ...files, "end.hlsl"] : files;
   const headers = cpp ? ["<hashnoise/hashnoise.hpp>"] : included.map((file) => `"hashnoise/${file}"`);
   const command = ["// In front of it stands what tools/pick writes:", `// ${pickCommand(language, state, called)}`];
   const written = [
     ...(shell.main ? [] : [`// ${note}.${inside ? "" : " Far out pass an integer cell and the place in it."}`]),
     ...lines,
-    ...(cpp ? [] : ["", ...colours(language, state)]),
+    ...(cpp ? masks(state, at) : ["", ...colours(language, state, at)]),
     ...(shell.main ? ["", ...shell.declared, ...mainOf(language, state, shell)] : []),
   ];
   const code = language === "glsl" && !shell.main ? written.map(withHighp) : written;
@@ -255,7 +276,7 @@ export function copied(library, language, state, kind = "function", withLibrary 
 function tslText(library, state, first) {
   const textOf = (language) => {
     const shown = functions(library, language, state, numbers(language, state), ["position"], true);
-    const code = [...shown.lines, "", ...colours(language, state)];
+    const code = [...shown.lines, "", ...colours(language, state, shown.at)];
     const text = [...textLines(library, language, shown.public, state), "", ...(language === "glsl" ? code.map(withHighp) : code)];
     return text.join("\n").replaceAll("\\", "\\\\").replaceAll("`", "\\`").replaceAll("${", "\\${").split("\n");
   };
@@ -268,7 +289,8 @@ function tslText(library, state, first) {
     library: () => [],
     code: [
       "const textOfGlsl = glsl(`", ...textOf("glsl"), "`);", "const textOfWgsl = wgsl(`", ...textOf("wgsl"), "`);",
-      "// p is a position in cells: pattern(uv().mul(8)).", node("pattern", "float", p), node("colour", "vec3", "float value"),
+      "// p is a position in cells: pattern(uv().mul(8)).", node("pattern", "float", p),
+      node("colour", "vec3", mapsOf(state).length > 1 ? p : "float value"),
     ],
   };
 }
@@ -277,12 +299,12 @@ function tslText(library, state, first) {
 function bakeText(library, state, first) {
   const lines = bakeLines(state);
   if (isOneLine(state)) return { head: [`# ${first}`], library: () => [], code: lines };
-  const { lines: code } = functions(library, "glsl", state, numbers("glsl", state), ["position"]);
+  const { lines: code, at } = functions(library, "glsl", state, numbers("glsl", state), ["position"]);
   const hash = state.hash === "lattice" ? [] : ["# tools/bake has the default hash."];
   return {
     head: [`# ${first}`, ...hash, "cat > pattern.glsl << END"],
     library: () => [],
-    code: [...code, "END", ...lines],
+    code: [...code, ...masks(state, at), "END", ...lines],
   };
 }
 

@@ -1,6 +1,6 @@
 // The picture as lines for tools/bake and for Python, which compute grids.
 import { kNoises, kSums } from "./tables.js";
-import { rangeOf, remapOf, shownLayers, uses } from "./model.js";
+import { numbersOfTinted, rangeOf, remapOf, shownLayers, tintedLayers, uses } from "./model.js";
 import { kPartsOfCell } from "./view.js";
 
 
@@ -55,7 +55,9 @@ export function bakeLines(state) {
   const period = state.period ? ` --period ${Array(dimensions).fill(state.period).join("x")}` : "";
   const range = rangeOf(state).map((end) => Number(end.toFixed(4))).join(":");
   const rest = `${period} --range=${range} --arithmetic ${state.arithmetic} -o noise.png`;
-  if (!isOneLine(state)) return [`tools/bake --expression 'pattern(p)' --source pattern.glsl ${place}${rest}`];
+  const masks = numbersOfTinted(state).map((number) => [`mask_${number}(p)`, `${period} --range=0:1 --arithmetic ${state.arithmetic} -o mask_${number}.png`]);
+  if (!isOneLine(state))
+    return [["pattern(p)", rest], ...masks].map(([value, end]) => `tools/bake --expression '${value}' --source pattern.glsl ${place}${end}`);
   const [layer] = shownLayers(state);
   const at = state.layers.indexOf(layer);
   const options = Object.entries(optionsOf(state, layer, at)).map(([name, value]) => `--${name} ${value}`);
@@ -88,7 +90,8 @@ export function pythonLines(state) {
     const grid = `"${functionOf(shown[0])}", (${width}, ${height}), step=${step}, first=(${first.join(", ")})`;
     return ["import hashnoise", "", `values = hashnoise.grid(${grid}, ${options})${index(shown[0])}`];
   }
-  let mask = false;
+  let mask = "";
+  const masks = [];
   const lines = shown.flatMap((layer, number) => {
     const at = state.layers.indexOf(layer);
     const scaled = layer.scale === 1 ? axes : axes.map((axis) => `${layer.scale} * ${axis}`);
@@ -107,22 +110,27 @@ export function pythonLines(state) {
     const remapped = `${weight === 1 ? "" : `${weight} * `}${value}${offset ? ` + ${offset}` : ""}`;
     const next = {
       add: `v + ${remapped}`, multiply: `v * (${remapped})`, min: `numpy.minimum(v, ${remapped})`, max: `numpy.maximum(v, ${remapped})`,
-      mix: `v + ${layer.weight} * (${value} - v)`,
-      height: `v + numpy.clip(${layer.weight} * v + ${layer.offset}, 0, 1) * (${value} - v)`,
     }[layer.blend];
-    if (number && layer.blend === "mask") {
-      mask = true;
-      return [...warp, `    mask = numpy.clip(${remapped}, 0, 1)`];
+    const part = { mix: layer.weight, height: `numpy.clip(${layer.weight} * v + ${layer.offset}, 0, 1)`, mask: `numpy.clip(${remapped}, 0, 1)` }[layer.blend];
+    const isMask = number > 0 && layer.blend === "mask";
+    const own = tintedLayers(state).includes(layer);
+    const name = own ? `mask_${number + 1}` : "mask";
+    const before = isMask || (own && number > 0) ? [...warp, `    ${name} = ${part}`] : warp;
+    if (own) masks.push(mask && !isMask ? `${mask} * ${name}` : name);
+    if (isMask) {
+      mask = name;
+      return before;
     }
-    const made = mask ? `v + mask * (${next} - v)` : next;
-    mask = false;
-    return [...warp, `    v = ${number ? made : remapped}`];
+    const mixed = next ?? `v + ${own ? name : part} * (${value} - v)`;
+    const made = mask ? `v + ${mask} * (${mixed} - v)` : mixed;
+    mask = "";
+    return [...before, `    v = ${number ? made : remapped}`];
   });
   const line = `numpy.arange(${width}) * ${step}`;
   return [
     "import hashnoise", "import numpy", "", "# Positions are in cells.",
-    `def pattern(${axes.join(", ")}):`, ...lines, "    return v", "",
+    `def pattern(${axes.join(", ")}):`, ...lines, `    return ${["v", ...masks].join(", ")}`, "",
     dimensions === 1 ? `x = ${line}` : `x, y = numpy.meshgrid(${line}, numpy.arange(${height}) * ${step})`,
-    `values = pattern(${["x", "y", state.z, state.w].slice(0, dimensions).join(", ")})`,
+    `${["values", ...numbersOfTinted(state).map((number) => `mask_${number}`)].join(", ")} = pattern(${["x", "y", state.z, state.w].slice(0, dimensions).join(", ")})`,
   ];
 }

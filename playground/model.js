@@ -3,7 +3,7 @@
 import { wrapped } from "./numbers.js";
 import { possibleStops, stopsOfMap } from "./palette.js";
 import {
-  kArithmetics, kBlends, kFiles, kHashes, kMaps, kMetrics, kNoises, kRenderers, kSums, kViews, kWarps,
+  kArithmetics, kBlends, kFiles, kHashes, kMaps, kMetrics, kNoises, kRenderers, kSums, kTints, kViews, kWarps,
 } from "./tables.js";
 
 // The settings, in the order of a link. A number has its ends; x and y are read and written by the view. Each layer has
@@ -27,6 +27,8 @@ export const kSettings = {
   weight: { usual: 1, from: -4, to: 4, layer: true },
   offset: { usual: 0, from: -4, to: 4, layer: true },
   scale: { usual: 1, from: 1, to: 64, power: true, layer: true },
+  tint: { usual: "none", of: kTints, layer: true },
+  tints: { usual: "0-000000_100-ffffff", fit: possibleStops, layer: true },
   phase: { usual: 0, from: 0, to: 1 },
   z: { usual: 0.37, from: -1e9, to: 1e9 },
   w: { usual: 0.62, from: -1e9, to: 1e9 },
@@ -78,6 +80,15 @@ export const settingsOf = (state, at = 0) => ({ ...state, ...state.layers[at] })
 // The layers that are not switched off.
 export const shownLayers = ({ layers }) => layers.filter(({ on }) => on);
 
+// Whether colours of its own can show where a layer counts, and whether they do.
+const canTint = ({ blend }) => ["mix", "mask", "height"].includes(blend);
+const isTinted = (layer, at) => at > 0 && layer.tint !== "none" && canTint(layer);
+// The layers that are shown, and which of them have colours of their own. Of the lowest nothing is below.
+export const tintedLayers = (state) => shownLayers(state).filter(isTinted);
+// Their numbers among those that are shown, from 1 on, as code has them.
+export const numbersOfTinted = (state) => tintedLayers(state).map((layer) => shownLayers(state).indexOf(layer) + 1);
+export const mapsOf = (state) => [state, ...tintedLayers(state).map(({ tint, tints }) => ({ map: tint, stops: tints }))];
+
 // A ball or a cube of space, for which there have to be three dimensions.
 export const isSolid = ({ view, dimensions }) => dimensions > 2 && (view === "sphere" || view === "cube");
 // Everything but a plane can be rotated.
@@ -115,6 +126,11 @@ export function chosen(state, changes, at = 0) {
   if (isSolid({ ...next, dimensions: 3 }) && changes.view && next.dimensions < 3) next.dimensions = 3;
   const untouched = next.stops === kSettings.stops.usual;
   if (changes.map === "own" && state.map !== "own" && untouched) next.stops = stopsOfMap(state.map);
+  if (changes.tint === "own" && layer.tints === kSettings.tints.usual) {
+    const { tint } = state.layers[at];
+    const { map, stops } = tint === "none" ? state : { map: tint, stops: layer.tints };
+    layer.tints = map === "own" ? stops : stopsOfMap(map);
+  }
   return possible(next);
 }
 
@@ -190,6 +206,7 @@ export function uses(state, at = 0) {
     jitter: Boolean(noise.jitter), metric: Boolean(noise.metric),
     warp: warped, amplitude: warped && layer.warp !== "none",
     on: several, blend: at > 0, weight: several, offset: several && !mixed, scale: several,
+    tint: at > 0 && canTint(layer), tints: at > 0 && canTint(layer) && layer.tint === "own",
     phase: warped && state.layers.some(turns), z: state.dimensions > 2, w: state.dimensions > 3,
   };
 }

@@ -2,7 +2,7 @@
 // HN_FIXED both draw the same bytes, since everything from the position to the colour is whole numbers.
 import { functions, knobs, numbers, partOf } from "./code.js";
 import { kWgslVertex } from "./copied.js";
-import { isSolid, kMostLayers, rangeOf, shownLayers, usualLayer } from "./model.js";
+import { isSolid, kMostLayers, rangeOf, shownLayers, tintedLayers, usualLayer } from "./model.js";
 import { solidPlace, solidShader, wordsOfSolid } from "./solid.js";
 import { cellOf, originOf, partsOf, placeOf, stepOf, tileOf } from "./view.js";
 
@@ -109,26 +109,42 @@ const kWgslPlace = `fn place_of(cell: i32, place: u32, i: u32) -> vec2u {
 
 // How a value is shown. A value in steps of 2^-20 is a whole number; the colour is one of 256. In one dimension the
 // picture is a graph: full colour below the value, and an eighth of it above.
-const kGlslShade = `vec4 shade(float value, int row) {
+// Colours of layers are mixed in whole numbers, too.
+const glslShade = (tints) => `${tints ? `float tints[${tints}];\n` : ""}vec4 shade(float value, int row) {
   if (u_shown.z == ${kBits}) {
     uint bits = floatBitsToUint(value);
     return vec4(float(bits & 255u), float((bits >> 8u) & 255u), float((bits >> 16u) & 255u), float(bits >> 24u)) / 255.0;
   }
   uint d = uint(clamp(int(floor(value * ${kUnit}.0)) - u_shown.x, 0, u_shown.y - 1));
-  vec4 color = texelFetch(u_palette, ivec2(int(d * 256u / uint(u_shown.y)), 0), 0);
+  int entry = int(d * 256u / uint(u_shown.y));
+  vec4 color = texelFetch(u_palette, ivec2(entry, 0), 0);${tints ? `
+  for (int k = 0; k < ${tints}; ++k) {
+    uint part = uint(tints[k] * 65536.0);
+    uvec4 other = uvec4(texelFetch(u_palette, ivec2(entry, k + 1), 0) * 255.0 + 0.5);
+    color = vec4((uvec4(color * 255.0 + 0.5) * (65536u - part) + other * part + 32768u) >> 16u) / 255.0;
+  }` : ""}
   if (row >= 0 && uint(row) > (d >> 6u) * u_step.w / (uint(u_shown.y) >> 6u)) color = vec4(color.rgb * 0.125, 1.0);
   return color;
 }`;
-const kWgslShade = `fn shade(value: f32, row: i32) -> vec4f {
+const wgslShade = (tints) => `${tints ? `var<private> tints: array<f32, ${tints}>;\n` : ""}fn shade(value: f32, row: i32) -> vec4f {
   if (u.shown.z == ${kBits}) {
     let bits = bitcast<u32>(value);
     return vec4f(f32(bits & 255u), f32((bits >> 8u) & 255u), f32((bits >> 16u) & 255u), f32(bits >> 24u)) / 255.0;
   }
   let d = u32(clamp(i32(floor(value * ${kUnit}.0)) - u.shown.x, 0, u.shown.y - 1));
-  var color = textureLoad(palette, vec2i(i32(d * 256u / u32(u.shown.y)), 0), 0);
+  let entry = i32(d * 256u / u32(u.shown.y));
+  var color = textureLoad(palette, vec2i(entry, 0), 0);${tints ? `
+  for (var k = 0; k < ${tints}; k++) {
+    let part = u32(tints[k] * 65536.0);
+    let other = vec4u(textureLoad(palette, vec2i(entry, k + 1), 0) * 255.0 + 0.5);
+    color = vec4f((vec4u(color * 255.0 + 0.5) * (65536u - part) + other * part + 32768u) >> vec4u(16u)) / 255.0;
+  }` : ""}
   if (row >= 0 && u32(row) > (d >> 6u) * u.step.w / (u32(u.shown.y) >> 6u)) { color = vec4f(color.rgb * 0.125, 1.0); }
   return color;
 }`;
+
+// How much the layers with colours count at the pixel is kept for "shade".
+const kept = (parts) => [...parts.map((part, at) => `tints[${at}] = ${part};`), "return v;"];
 
 // The arguments of "pattern" at a pixel, for a number of dimensions: the cell and the place in it, or the position.
 function glslArguments(n, form, solid) {
@@ -155,7 +171,8 @@ void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2
 // shown. One that is timed computes it at several cells, so that the GPU has more to do than to write pixels. Both
 // coordinates go on, so that no compiler computes one of them before the loop.
 function glsl(library, state, values, { timed, form = "cell", value } = {}) {
-  const { lines, files } = functions(library, "glsl", state, values, [form]);
+  const tints = timed ? 0 : tintedLayers(state).length;
+  const { lines, files } = functions(library, "glsl", state, values, [form], false, tints ? kept : undefined);
   const solid = isSolid(state) && !timed ? solidShader("glsl", state, kBits) : undefined;
   const n = state.dimensions;
   const shown = value ?? `pattern(${glslArguments(n, form, solid)})`;
@@ -170,9 +187,9 @@ function glsl(library, state, values, { timed, form = "cell", value } = {}) {
     "uniform sampler2D u_palette;",
     "out vec4 color;",
     "const float kPart = 1.0 / 16777216.0;",
+    glslShade(tints),
     ...lines,
     kGlslPlace,
-    kGlslShade,
     ...(solid ? [solid.point] : []),
     "void main() {",
     "  uvec2 at = (uvec2(gl_FragCoord.xy) + uvec2(0u, uint(u_shown.w))) % u_drawn.z;",
@@ -192,7 +209,8 @@ function glsl(library, state, values, { timed, form = "cell", value } = {}) {
 }
 
 function wgsl(library, state, values, { timed, form = "cell", value } = {}) {
-  const { lines, public: called } = functions(library, "wgsl", state, values, [form], true);
+  const tints = timed ? 0 : tintedLayers(state).length;
+  const { lines, public: called } = functions(library, "wgsl", state, values, [form], true, tints ? kept : undefined);
   const solid = isSolid(state) && !timed ? solidShader("wgsl", state, kBits) : undefined;
   const n = state.dimensions;
   const shown = value ?? `${form === "cell" ? "pattern_cell" : "pattern"}(${wgslArguments(n, form, solid)})`;
@@ -200,9 +218,9 @@ function wgsl(library, state, values, { timed, form = "cell", value } = {}) {
     ...library.texts(called, "wgsl", state),
     kWgslFrame,
     "const kPart = 1.0f / 16777216.0f;",
+    wgslShade(tints),
     ...lines,
     kWgslPlace,
-    kWgslShade,
     ...(solid ? [solid.point] : []),
     ...kWgslVertex,
     "@fragment fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {",
