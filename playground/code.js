@@ -37,6 +37,8 @@ function literal(language, value) {
 
 // A part of a value with integers is a whole number of these steps, so that no product of two has to be rounded.
 const kSteps = 65536;
+// How far beside a place its slope is measured, in cells.
+export const kStepBeside = 0.0625;
 export const partOf = ({ arithmetic }, value) =>
   arithmetic === "fixed" ? Math.round(value * kSteps) / kSteps : value;
 
@@ -325,6 +327,7 @@ class Mixer {
     this.shown = shown;
     this.writers = writers;
     this.fixed = shown.some(({ arithmetic }) => arithmetic === "fixed");
+    this.steep = shown.flatMap(({ blend }, at) => (at > 0 && blend === "slope" ? [at] : []));
   }
 
   product(one, other) {
@@ -354,11 +357,44 @@ class Mixer {
   }
 
   // How much a layer counts, from 0 to 1; nothing for one that is combined in another way.
-  partOf(shape, writer, call) {
+  partOf(shape, writer, call, where, number) {
     const { weight, offset } = writer.values;
+    if (shape.blend === "slope") return this.part(`${this.product(weight, this.slopeBelow(writer, where, number))} + ${offset}`);
     if (shape.blend === "mix") return weight;
     if (shape.blend === "mask") return this.part(this.remapped(shape, writer, call));
     return shape.blend === "height" ? this.part(`${this.product(weight, "v")} + ${offset}`) : undefined;
+  }
+
+  // How steep it is below a layer, from what is below at the place and a step beside it along each axis.
+  slopeBelow({ n, types }, where, number) {
+    const passed = Array.from({ length: n }, (_, axis) => {
+      const parts = Array.from({ length: n }, (_, other) => this.writers[0].number(other === axis ? String(kStepBeside) : "0.0"));
+      const step = n === 1 ? parts[0] : `${types.float(n)}(${parts.join(", ")})`;
+      return where.cell ? `beside_${number}(cell, f, ${step})` : `below_${number}(p + ${step})`;
+    });
+    return `layer_slope(${["v", ...passed].join(", ")})`;
+  }
+
+  // The functions of what is below a layer. From a cell both summands of a place have few digits, so that it is exact.
+  below(form, at) {
+    const [writer] = this.writers;
+    const { n, types } = writer;
+    const where = writer[form];
+    const { lines } = this.mixing(form, false, at);
+    const name = `below_${at + 1}`;
+    const made = this.define(where, name, [...lines, "return v;"]);
+    if (!where.cell) return made;
+    const called = this.language === "wgsl" ? `${name}_cell` : name;
+    const e = [types.float(n), "e"];
+    return [...made, ...writer.define(`beside_${at + 1}`, [...writer.parametersOf(where), e], [
+      writer.let(types.float(n), "whole", "floor(f + e)"), `return ${called}(cell + ${types.int(n)}(whole), f + (e - whole));`,
+    ])];
+  }
+
+  define(where, name, lines, size) {
+    const [writer] = this.writers;
+    const called = this.language === "wgsl" && where.cell ? `${name}_cell` : name;
+    return writer.define(called, writer.parametersOf(where), lines, size);
   }
 
   // The value of a layer together with v, which is the value so far.
@@ -371,12 +407,12 @@ class Mixer {
   }
 
   // The lines that make "v" at a place; and how much each layer with colours of its own counts, behind these lines.
-  mixing(form, isTinted) {
+  mixing(form, isTinted, count) {
     const { language, shown, writers } = this;
     const where = writers[0][form];
     const parts = [];
     let mask;
-    const lines = writers.flatMap((writer, at) => {
+    const lines = writers.slice(0, count).flatMap((writer, at) => {
       const call = `${writer.nameOf(where)}(${where.cell ? "cell, f" : "p"})`;
       const shape = shown[at];
       if (at === 0) {
@@ -384,7 +420,7 @@ class Mixer {
         const first = shape.weighted || shape.moved ? this.stepped(value) : value;
         return [language === "wgsl" ? `var v = ${first};` : `float v = ${first};`];
       }
-      const part = this.partOf(shape, writer, call);
+      const part = this.partOf(shape, writer, call, where, at + 1);
       const isMask = shape.blend === "mask";
       const named = isMask || (isTinted && shape.tinted) ? `m${at + 1}` : undefined;
       const made = named ? [writer.let(writer.types.float(1), named, part)] : [];
@@ -404,16 +440,33 @@ class Mixer {
 
   // A function at a place. `end` makes its last lines of how much the layers with colours count, if they matter.
   at(form, name, end, size) {
-    const [writer] = this.writers;
-    const where = writer[form];
     const { lines, parts } = this.mixing(form, Boolean(end));
-    const called = this.language === "wgsl" && where.cell ? `${name}_cell` : name;
-    return writer.define(called, writer.parametersOf(where), [...lines, ...(end ? end(parts) : ["return v;"])], size);
+    return this.define(this.writers[0][form], name, [...lines, ...(end ? end(parts) : ["return v;"])], size);
   }
 
   // The functions that make values steps, and multiply them.
   helpers() {
-    if (!this.fixed) return [];
+    return [...(this.fixed ? this.fixedHelpers() : []), ...(this.steep.length ? [...this.slopeHelper(), ""] : [])];
+  }
+
+  // The length of a slope along its axes: the greatest, and half of the others, which is at most an eighth too much on a
+  // plane. It has no root, so that it is exact with integers.
+  slopeHelper() {
+    const [writer] = this.writers;
+    const { types, n } = writer;
+    const axes = ["x", "y", "z", "w"].slice(0, n);
+    const set = (name, value) => writer.let(types.float(1), name, writer.number(value));
+    const lines = axes.map((x) => set(`d${x}`, `min(max(${x} - v, v - ${x}) * ${decimal(1 / kStepBeside)}, 8.0)`));
+    const [first, ...others] = axes.map((x) => `d${x}`);
+    let length = first;
+    for (const d of others) {
+      lines.push(set(`s${d}`, this.stepped(`max(${length}, ${d}) + 0.5 * min(${length}, ${d})`)));
+      length = `s${d}`;
+    }
+    return writer.define("layer_slope", ["v", ...axes].map((name) => [types.float(1), name]), [...lines, `return ${length};`]);
+  }
+
+  fixedHelpers() {
     const [writer] = this.writers;
     const { float, int } = writer.types;
     const step = writer.number(String(1 / kSteps));
@@ -434,7 +487,8 @@ class Mixer {
 
   write(forms, end) {
     const layers = this.writers.flatMap((writer) => [...writer.write(forms), ""]);
-    return [...this.helpers(), ...layers, ...forms.flatMap((form) => this.at(form, "pattern", end))];
+    const below = this.steep.flatMap((at) => forms.flatMap((form) => this.below(form, at)));
+    return [...this.helpers(), ...layers, ...below, ...forms.flatMap((form) => this.at(form, "pattern", end))];
   }
 }
 

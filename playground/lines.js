@@ -1,4 +1,5 @@
 // The picture as lines for tools/bake and for Python, which compute grids.
+import { kStepBeside } from "./code.js";
 import { kNoises, kSums } from "./tables.js";
 import { numbersOfTinted, rangeOf, remapOf, shownLayers, tintedLayers, uses } from "./model.js";
 import { kPartsOfCell } from "./view.js";
@@ -66,6 +67,11 @@ export function bakeLines(state) {
   return [`tools/bake ${functionOf(layer)} ${options.join(" ")} ${place}${rest}`];
 }
 
+const kSlope = [
+  "def slope(v, *beside):", "    length = 0", "    for other in beside:", `        d = numpy.minimum(abs(other - v) * ${1 / kStepBeside}, 8)`,
+  "        length = numpy.maximum(length, d) + 0.5 * numpy.minimum(length, d)", "    return length", "",
+];
+
 // A function of arrays of coordinates; one line if a grid is enough.
 export function pythonLines(state) {
   const { width, height, dimensions } = state;
@@ -91,8 +97,9 @@ export function pythonLines(state) {
     return ["import hashnoise", "", `values = hashnoise.grid(${grid}, ${options})${index(shown[0])}`];
   }
   let mask = "";
-  const masks = [];
-  const lines = shown.flatMap((layer, number) => {
+  const [masks, below] = [[], []];
+  const parameters = axes.join(", ");
+  const lines = shown.reduce((done, layer, number) => {
     const at = state.layers.indexOf(layer);
     const scaled = layer.scale === 1 ? axes : axes.map((axis) => `${layer.scale} * ${axis}`);
     const period = state.period ? { period: state.period * layer.scale } : {};
@@ -111,11 +118,17 @@ export function pythonLines(state) {
     const next = {
       add: `v + ${remapped}`, multiply: `v * (${remapped})`, min: `numpy.minimum(v, ${remapped})`, max: `numpy.maximum(v, ${remapped})`,
     }[layer.blend];
-    const part = { mix: layer.weight, height: `numpy.clip(${layer.weight} * v + ${layer.offset}, 0, 1)`, mask: `numpy.clip(${remapped}, 0, 1)` }[layer.blend];
+    const isSlope = number > 0 && layer.blend === "slope";
+    if (isSlope) below.push(`def below_${number + 1}(${parameters}):`, ...done, "    return v", "");
+    const beside = axes.map((axis) => `below_${number + 1}(${axes.map((other) => (other === axis ? `${axis} + ${kStepBeside}` : other)).join(", ")})`);
+    const clipped = (of) => `numpy.clip(${layer.weight} * ${of} + ${layer.offset}, 0, 1)`;
+    const part = {
+      mix: layer.weight, height: clipped("v"), slope: clipped(`slope(${["v", ...beside].join(", ")})`), mask: `numpy.clip(${remapped}, 0, 1)`,
+    }[layer.blend];
     const isMask = number > 0 && layer.blend === "mask";
     const own = tintedLayers(state).includes(layer);
-    const name = own ? `mask_${number + 1}` : "mask";
-    const before = isMask || (own && number > 0) ? [...warp, `    ${name} = ${part}`] : warp;
+    const name = `mask_${number + 1}`;
+    const before = [...done, ...warp, ...(isMask || own ? [`    ${name} = ${part}`] : [])];
     if (own) masks.push(mask && !isMask ? `${mask} * ${name}` : name);
     if (isMask) {
       mask = name;
@@ -125,11 +138,11 @@ export function pythonLines(state) {
     const made = mask ? `v + ${mask} * (${mixed} - v)` : mixed;
     mask = "";
     return [...before, `    v = ${number ? made : remapped}`];
-  });
+  }, []);
   const line = `numpy.arange(${width}) * ${step}`;
   return [
-    "import hashnoise", "import numpy", "", "# Positions are in cells.",
-    `def pattern(${axes.join(", ")}):`, ...lines, `    return ${["v", ...masks].join(", ")}`, "",
+    "import hashnoise", "import numpy", "", ...(below.length ? kSlope : []), ...below, "# Positions are in cells.",
+    `def pattern(${parameters}):`, ...lines, `    return ${["v", ...masks].join(", ")}`, "",
     dimensions === 1 ? `x = ${line}` : `x, y = numpy.meshgrid(${line}, numpy.arange(${height}) * ${step})`,
     `${["values", ...numbersOfTinted(state).map((number) => `mask_${number}`)].join(", ")} = pattern(${["x", "y", state.z, state.w].slice(0, dimensions).join(", ")})`,
   ];

@@ -52,6 +52,7 @@ export const kSettings = {
 };
 
 export const kMostLayers = 8;
+const kMostSlopes = 2; // layers, since each needs what is below it at several places
 export const kLeastTilt = 0.02; // of terrain, which has nothing to be seen from below
 const kUsualTile = 4; // cells of a period that nobody has chosen
 
@@ -81,7 +82,7 @@ export const settingsOf = (state, at = 0) => ({ ...state, ...state.layers[at] })
 export const shownLayers = ({ layers }) => layers.filter(({ on }) => on);
 
 // Whether colours of its own can show where a layer counts, and whether they do.
-const canTint = ({ blend }) => ["mix", "mask", "height"].includes(blend);
+const canTint = ({ blend }) => ["mix", "mask", "height", "slope"].includes(blend);
 const isTinted = (layer, at) => at > 0 && layer.tint !== "none" && canTint(layer);
 // The layers that are shown, and which of them have colours of their own. Of the lowest nothing is below.
 export const tintedLayers = (state) => shownLayers(state).filter(isTinted);
@@ -122,6 +123,7 @@ export function chosen(state, changes, at = 0) {
   if (changes.sum && changes.sum !== state.layers[at].sum) layer.strength = usualOf("strength", layer);
   if (changes.blend === "mix" && layer.weight === 1) layer.weight = 0.5;
   if (changes.blend === "mask" && layer.weight === 1 && !layer.offset) Object.assign(layer, { weight: 3, offset: 0.5 });
+  if (changes.blend === "slope" && layer.weight === 1 && !layer.offset) Object.assign(layer, { weight: 2, offset: -1 });
   if (changes.view === "tiles" && !next.period) next.period = kUsualTile;
   if (isSolid({ ...next, dimensions: 3 }) && changes.view && next.dimensions < 3) next.dimensions = 3;
   const untouched = next.stops === kSettings.stops.usual;
@@ -164,6 +166,7 @@ function possibleLayer(given, period) {
 export function possible(state) {
   const next = possibleSettings(usualsOf(false), state);
   next.layers = state.layers.slice(0, kMostLayers).map((layer) => possibleLayer(layer, next.period));
+  for (const layer of next.layers.filter(({ blend }) => blend === "slope").slice(kMostSlopes)) layer.blend = "height";
   if (!shownLayers(next).length) next.layers[0].on = 1;
   if (!dimensionsOf(next).includes(next.dimensions)) next.dimensions = 2;
   if ((next.view === "tiles" && !next.period) || next.dimensions === 1) next.view = "plane";
@@ -215,7 +218,7 @@ export function uses(state, at = 0) {
 // mixture is another thing.
 export function remapOf({ layers }, at) {
   const { weight, offset, blend } = layers[at];
-  const plain = layers.length === 1 || (at > 0 && (blend === "mix" || blend === "height"));
+  const plain = layers.length === 1 || (at > 0 && ["mix", "height", "slope"].includes(blend));
   return plain ? { weight: 1, offset: 0 } : { weight, offset };
 }
 
@@ -293,7 +296,7 @@ export function rangeOf(state) {
     const next =
       blend === "mix"
         ? sumOfRanges(times(below, 1 - weight), times(range, weight))
-        : blend === "height"
+        : blend === "height" || blend === "slope"
           ? both(below, range)
           : kRanges[blend](below, range);
     const made = masked ? both(below, next) : next;

@@ -40,7 +40,7 @@ const layered = (kThorough ? ["fixed", "fast"] : ["fixed"]).map((arithmetic) =>
       "#sum=ridged&scale=2&blend2=multiply&noise2=simplex&weight2=0.3&offset2=-0.75&blend3=max&sum3=none&noise3=" +
         "cellular_between&weight3=-1.5&seed3=9&blend4=mix&sum4=billow&noise4=value&weight4=0.3&scale4=4" +
         "&blend5=mask&sum5=none&noise5=value&weight5=1.5&offset5=0.3&blend6=height&sum6=none&noise6=simplex&weight6=0.7" +
-        "&tint4=moss&tint5=own&tints5=0-102030_70-f0e010&tint6=grey",
+        "&tint4=moss&tint5=own&tints5=0-102030_70-f0e010&tint6=grey&blend7=slope&sum7=none&weight7=0.5&offset7=-0.4&tint7=land",
     ),
   ),
 );

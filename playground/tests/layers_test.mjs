@@ -107,6 +107,18 @@ test("a layer has colours of its own where it counts", () => {
   assert.match(copied(library, "python", state).code.join("\n"), /^ {4}return v, mask_2, mask_4$/m);
 });
 
+test("a layer counts where it is steep below", () => {
+  const state = chosen(stateOf("#sum=none&blend2=slope&noise2=value&sum2=none"), { blend: "slope" }, 1);
+  assert.deepEqual([state.layers[1].weight, state.layers[1].offset], [2, -1]);
+  const text = textOf(state);
+  assert.match(text, /float below_2\(vec2 p\) \{\n {2}float v = layer_1\(p\);\n {2}return v;\n\}/);
+  assert.match(text, /2\.0 \* layer_slope\(v, below_2\(p \+ vec2\(0\.0625, 0\.0\)\), below_2\(p \+ vec2\(0\.0, 0\.0625\)\)\) \+ -1\.0/);
+  assert.match(textOf(state, "wgsl", ["cell"]), /return below_2_cell\(cell \+ vec2i\(whole\), f \+ \(e - whole\)\);/);
+  // Each such layer needs what is below it at three places, so there are at most two.
+  const blends = stateOf("#blend2=slope&blend3=slope&blend4=slope").layers.map(({ blend }) => blend);
+  assert.deepEqual(blends.slice(1), ["slope", "slope", "height"]);
+});
+
 test("the colours span what the layers may be together", () => {
   const range = (link) => rangeOf(stateOf(link)).map((end) => Number(end.toFixed(3)));
   const cells = "#sum=none&noise=cells"; // from 0 to 1

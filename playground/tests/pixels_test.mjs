@@ -108,7 +108,7 @@ const kLayered =
   "#sum=ridged&weight=1.1&blend2=add&sum2=billow&noise2=simplex&weight2=-0.7&offset2=0.1&scale2=4&" +
   "blend3=multiply&on3=0&blend4=mix&sum4=none&noise4=cells&weight4=0.35&seed4=3&warp4=warp&" +
   "blend5=mask&sum5=none&noise5=value&weight5=1.5&offset5=0.3&blend6=height&sum6=none&noise6=simplex&weight6=0.7&offset6=0.2&" +
-  "tint4=ember&tint5=moss&tint6=grey";
+  "tint4=ember&tint5=moss&tint6=grey&blend7=slope&sum7=none&weight7=0.5&offset7=-0.4&tint7=land";
 const kOthers =
   "#noise=value&blend2=multiply&weight2=1.3&blend3=min&sum3=none&noise3=cellular&offset3=-0.6&" +
   "blend4=max&sum4=none&noise4=curl&weight4=0.2&scale4=64&dimensions=3&z=7.3&period=3";
