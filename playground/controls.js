@@ -54,9 +54,9 @@ const kTexts = {
   width: ["Width", "pixels"], height: ["Height", "pixels"], frames: ["Frames", "25 a second"],
 };
 const kLabels = {
-  sum: "Octave sum", noise: "Noise", metric: "Metric", hash: "Hash", file: "Save as", blend: "Combined", scale: "Scale",
+  sum: "Fractal", noise: "Noise", metric: "Metric", hash: "Hash", file: "Save as", blend: "Combined", scale: "Scale",
 };
-const kJumps = { Shape: "heading-noise", Colours: "heading-colours", Code: "heading-code", File: "heading-file" };
+const kJumps = { Layers: "heading-layers", Shape: "heading-noise", Colours: "heading-colours", Code: "heading-code", File: "heading-file" };
 const kArrows = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1, PageUp: 10, PageDown: -10 };
 const kNotes = {
   fast: "Floats are the fastest. They are within a few millionths of the exact value.",
@@ -388,7 +388,13 @@ export class Controls {
     this.stops.show(colours);
     byId("map-own").parentElement.style.background = gradientOf({ map: "own", stops: colours.stops });
     byId("note-arithmetic").textContent = kNotes[state.arithmetic];
-    byId("note-file").textContent = kFiles[state.file].note;
+    const { label, ending, note } = kFiles[state.file];
+    byId("note-file").textContent = note;
+    byId("save").textContent = `Save ${ending.toUpperCase()}`;
+    byId("save").title = `Save ${label}`;
+    // Relief is beside what it is for.
+    const before = byId(state.view === "terrain" ? "row-tilt" : "row-file");
+    if (before.nextElementSibling.id !== "row-steep") before.after(byId("row-steep"));
     this.showCode();
   }
 }

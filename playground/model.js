@@ -100,9 +100,11 @@ export const isTurned = (state) => state.view === "terrain" || isSolid(state);
 const kCellsOfWholeRelief = 2;
 export const reliefHeight = ({ steep, cells }) => steep * Math.min(1, kCellsOfWholeRelief / cells);
 
-// The names of the layers, for people.
-const titleOf = ({ sum, noise }) =>
+// The names of the layers, for people, and what tells those of one name apart.
+export const titleOf = ({ sum, noise }) =>
   sum === "none" ? kNoises[noise].label : `${kSums[sum].label} of ${kNoises[noise].label}`;
+export const detailsOf = ({ blend, seed, scale }, at) =>
+  `${at ? kBlends[blend].label : "Base"} · seed ${seed}${scale > 1 ? ` · ${scale} × as fine` : ""}`;
 export const titlesOf = ({ layers }) =>
   layers.map((layer, at) => `${at ? `${kBlends[layer.blend].sign} ` : ""}${titleOf(layer)}`);
 
@@ -123,7 +125,7 @@ export function chosen(state, changes, at = 0) {
   if (changes.sum && changes.sum !== state.layers[at].sum) layer.strength = usualOf("strength", layer);
   if (changes.blend === "mix" && layer.weight === 1) layer.weight = 0.5;
   if (changes.blend === "mask" && layer.weight === 1 && !layer.offset) Object.assign(layer, { weight: 3, offset: 0.5 });
-  if (changes.blend === "slope" && layer.weight === 1 && !layer.offset) Object.assign(layer, { weight: 2, offset: -1 });
+  if (changes.blend === "slope" && layer.weight === 1 && !layer.offset) Object.assign(layer, { weight: 2, offset: -2 });
   if (changes.view === "tiles" && !next.period) next.period = kUsualTile;
   if (isSolid({ ...next, dimensions: 3 }) && changes.view && next.dimensions < 3) next.dimensions = 3;
   const untouched = next.stops === kSettings.stops.usual;

@@ -8,6 +8,7 @@ import { linkOf, stateOf } from "../links.js";
 import {
   changed,
   chosen,
+  detailsOf,
   dimensionsOf,
   kMostLayers,
   mapsOf,
@@ -109,10 +110,11 @@ test("a layer has colours of its own where it counts", () => {
 
 test("a layer counts where it is steep below", () => {
   const state = chosen(stateOf("#sum=none&blend2=slope&noise2=value&sum2=none"), { blend: "slope" }, 1);
-  assert.deepEqual([state.layers[1].weight, state.layers[1].offset], [2, -1]);
+  assert.deepEqual([state.layers[1].weight, state.layers[1].offset], [2, -2]);
   const text = textOf(state);
   assert.match(text, /float below_2\(vec2 p\) \{\n {2}float v = layer_1\(p\);\n {2}return v;\n\}/);
-  assert.match(text, /2\.0 \* layer_slope\(v, below_2\(p \+ vec2\(0\.0625, 0\.0\)\), below_2\(p \+ vec2\(0\.0, 0\.0625\)\)\) \+ -1\.0/);
+  assert.equal(detailsOf(changed(state, { scale: 4 }, 1).layers[1], 1), "Where it is steep below · seed 7 · 4 × as fine");
+  assert.match(text, /2\.0 \* layer_slope\(v, below_2\(p \+ vec2\(0\.0625, 0\.0\)\), below_2\(p \+ vec2\(0\.0, 0\.0625\)\)\) \+ -2\.0/);
   assert.match(textOf(state, "wgsl", ["cell"]), /return below_2_cell\(cell \+ vec2i\(whole\), f \+ \(e - whole\)\);/);
   // Each such layer needs what is below it at three places, so there are at most two.
   const blends = stateOf("#blend2=slope&blend3=slope&blend4=slope").layers.map(({ blend }) => blend);
