@@ -1,6 +1,6 @@
 // The functions of what is shown, in each language. The page draws with the same functions: the text that is copied has
 // numbers where that of the page has uniforms, so that no shader is compiled again when a number changes.
-import { isSolid, remapOf, settingsOf, shownLayers, tintedLayers, uses } from "./model.js";
+import { isLeaning, isSolid, remapOf, settingsOf, shownLayers, tintedLayers, uses } from "./model.js";
 import { kMetrics, kNoises, kSums } from "./tables.js";
 
 // In the order of the page. Languages behind C++ have one form, and no library beside it.
@@ -518,7 +518,7 @@ export function shaderKey(state) {
     const { noise, sum, warp, metric, tiled, turned, full, weighted, moved, scaled, blend, tinted } = shape;
     return [noise, sum, warp, full ? metric : "", tiled, turned, weighted, moved, scaled, at ? blend : "", tinted].join(" ");
   });
-  return [dimensions, arithmetic, hash, isSolid(state) ? state.view : "", ...layers].join(" ");
+  return [dimensions, arithmetic, hash, isSolid(state) ? state.view : isLeaning(state) ? "leaning" : "", ...layers].join(" ");
 }
 
 // The knobs that differ from the library's defaults.

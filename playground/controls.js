@@ -23,6 +23,7 @@ const kSliders = {
   phase: ["Phase", 0, 1, 0.01],
   z: ["Slice at z", -8, 8, 0.01],
   w: ["Slice at w", -8, 8, 0.01],
+  lean: ["Slice leans", 0, 0.25, 0.01],
   amplitude: ["Amplitude", 0, 8, 0.05],
   contrast: ["Contrast", 0.25, 4, 0.05],
   turn: ["Turn", 0, 1, 0.01],

@@ -1,10 +1,10 @@
 // The texts to copy: the functions of code.js with the colours, with what they call, and as a whole shader.
 import { decimal, declaration, functions, kLanguages, kTypes, knobs, numbers } from "./code.js";
 import { bakeLines, isOneLine, pythonLines } from "./lines.js";
-import { mapsOf, numbersOfTinted, rangeOf, shownLayers } from "./model.js";
+import { isLeaning, mapsOf, numbersOfTinted, rangeOf, shownLayers } from "./model.js";
 import { partsOfColour, rampOf } from "./palette.js";
 import { isScalar, scalarCode } from "./scalar.js";
-import { cellOf, cellsAcross, kPartsOfCell, partsOf, placeOf } from "./view.js";
+import { cellOf, cellsAcross, kPartsOfCell, leaningNumbers, leant, partsOf, placeOf } from "./view.js";
 
 // The values that the lowest and the highest colour stand for, and how the lowest is taken off.
 function endsOf(state) {
@@ -164,12 +164,25 @@ export const kKinds = {
 for (const language of Object.keys(kLanguages)) kKinds[language] ??= { function: { label: "Functions" } };
 
 const middleOf = ({ x, y, z, w, dimensions }) => [x, y, partsOf(z), partsOf(w)].slice(0, dimensions);
+const inSpace = (state) => (isLeaning(state) ? leant(state, middleOf(state)) : middleOf(state)).slice(0, state.dimensions);
+
+// Where a position of a picture that leans is in space.
+function sliceLines(language, state) {
+  if (!isLeaning(state)) return [];
+  const { float } = kTypes[language];
+  const n = state.dimensions;
+  const suffix = ["cpp", "metal"].includes(language) ? "f" : "";
+  const rows = leaningNumbers(state).map((row) => row.map((part, at) => `${decimal(part)}${suffix} * p.${"xyz"[at]}`).join(" + "));
+  const body = `return ${float(n)}(${[...rows, "p.w"].slice(0, n).join(", ")});`;
+  const head = language === "wgsl" ? `fn slice(p: ${float(n)}) -> ${float(n)} {` : `${language === "cpp" ? "inline " : ""}${float(n)} slice(${float(n)} p) {`;
+  return ["// Where p of the picture is in space, since the slice leans: pattern(slice(p)).", head, `  ${body}`, "}", ""];
+}
 
 // By which form of "pattern" the picture is drawn: beyond so many cells a position in floats has too few digits behind
 // the point.
 const kFar = 1024;
 const formOf = (state) =>
-  cellsAcross(state) * Math.max(...shownLayers(state).map(({ scale }) => scale)) > kFar || middleOf(state).some((parts) => Math.abs(cellOf(parts)) > kFar) ? "cell" : "position";
+  cellsAcross(state) * Math.max(...shownLayers(state).map(({ scale }) => scale)) > kFar || inSpace(state).some((parts) => Math.abs(cellOf(parts)) > kFar) ? "cell" : "position";
 
 // The lines of the main function of a whole shader, which draws the picture as the page has it.
 function mainOf(language, state, { main, pixel, below, result }) {
@@ -177,11 +190,13 @@ function mainOf(language, state, { main, pixel, below, result }) {
   const n = state.dimensions;
   const set = (type, name, value) => declaration(language, type, name, value);
   const vector = (type, parts) => (parts.length === 1 ? parts[0] : `${type}(${parts.join(", ")})`);
-  const place = middleOf(state);
   const far = formOf(state) === "cell";
+  const leans = isLeaning(state);
+  const place = far ? inSpace(state) : middleOf(state);
   const numbers = place.map((parts) => decimal((far ? placeOf(parts) : Number(parts)) / kPartsOfCell));
-  const flat = Math.min(n, 2); // The pixel has so many coordinates; the others are those of the slice.
-  const scaled = `${n === 1 ? "pixel.x" : "pixel"} * ${decimal(cellsAcross(state))}`;
+  const flat = leans ? n : Math.min(n, 2); // The pixel has so many coordinates; the others are those of the slice.
+  const onPlane = `${n === 1 ? "pixel.x" : "pixel"} * ${decimal(cellsAcross(state))}`;
+  const scaled = leans ? `slice(${vector(float(n), [onPlane, "0.0", "0.0"].slice(0, n - 1))})` : onPlane;
   const slice = `${scaled} + ${vector(float(flat), numbers.slice(0, flat))}`;
   const lines = [set(float(2), "pixel", pixel)];
   if (far) {
@@ -191,11 +206,12 @@ function mainOf(language, state, { main, pixel, below, result }) {
     lines.push(
       set(float(flat), "q", slice),
       set(float(flat), "whole", "floor(q)"),
-      set(int(n), "cell", vector(int(n), [cell, ...cells.slice(2)])),
-      set(float(n), "f", vector(float(n), ["q - whole", ...numbers.slice(2)])),
+      set(int(n), "cell", flat === n ? cell : vector(int(n), [cell, ...cells.slice(2)])),
+      set(float(n), "f", flat === n ? "q - whole" : vector(float(n), ["q - whole", ...numbers.slice(2)])),
     );
   } else {
-    lines.push(set(float(n), "p", vector(float(n), [slice, ...numbers.slice(2)])));
+    const p = vector(float(n), [leans ? `${onPlane} + ${vector(float(2), numbers.slice(0, 2))}` : slice, ...numbers.slice(2)]);
+    lines.push(set(float(n), "p", leans ? `slice(${p})` : p));
   }
   const called = (name) => (far ? `${name}${language === "wgsl" ? "_cell" : ""}(cell, f)` : `${name}(p)`);
   const call = called("pattern");
@@ -235,7 +251,9 @@ export function copied(library, language, state, kind = "function", withLibrary 
     const { head, ...rest } = scalarCode(library, language, state);
     const hash = state.hash === "lattice" ? [] : ["// With the default hash: the page has no other in this language."];
     const floats = state.arithmetic === "fixed" ? [] : ["// In integers, whose values differ from those of floats by less than 0.0001."];
-    return { head: [`// ${first}`, kLicense, ...hash, ...floats, ...(head.length ? ["", ...head] : [])], ...rest };
+    const sum = (row) => row.map((part, at) => `${part} * ${"xyz"[at]}`).join(" + ").replaceAll("+ -", "- ");
+    const leaning = isLeaning(state) ? ["// The slice leans: x, y, z of the picture are in space at", ...leaningNumbers(state).map((row) => `//   ${sum(row)}`)] : [];
+    return { head: [`// ${first}`, kLicense, ...hash, ...floats, ...leaning, ...(head.length ? ["", ...head] : [])], ...rest };
   }
   if (language === "tsl") return tslText(library, state, first);
   const shell = kKinds[language][kind];
@@ -250,6 +268,7 @@ export function copied(library, language, state, kind = "function", withLibrary 
   const command = ["// In front of it stands what tools/pick writes:", `// ${pickCommand(language, state, called)}`];
   const written = [
     ...(shell.main ? [] : [`// ${note}.${inside ? "" : " Far out pass an integer cell and the place in it."}`]),
+    ...sliceLines(language, state),
     ...lines,
     ...(cpp ? masks(state, at) : ["", ...colours(language, state, at)]),
     ...(shell.main ? ["", ...shell.declared, ...mainOf(language, state, shell)] : []),
@@ -276,7 +295,7 @@ export function copied(library, language, state, kind = "function", withLibrary 
 function tslText(library, state, first) {
   const textOf = (language) => {
     const shown = functions(library, language, state, numbers(language, state), ["position"], true);
-    const code = [...shown.lines, "", ...colours(language, state, shown.at)];
+    const code = [...sliceLines(language, state), ...shown.lines, "", ...colours(language, state, shown.at)];
     const text = [...textLines(library, language, shown.public, state), "", ...(language === "glsl" ? code.map(withHighp) : code)];
     return text.join("\n").replaceAll("\\", "\\\\").replaceAll("`", "\\`").replaceAll("${", "\\${").split("\n");
   };
@@ -290,6 +309,7 @@ function tslText(library, state, first) {
     code: [
       "const textOfGlsl = glsl(`", ...textOf("glsl"), "`);", "const textOfWgsl = wgsl(`", ...textOf("wgsl"), "`);",
       "// p is a position in cells: pattern(uv().mul(8)).", node("pattern", "float", p),
+      ...(isLeaning(state) ? [node("slice", p.slice(0, 4), p)] : []),
       node("colour", "vec3", mapsOf(state).length > 1 ? p : "float value"),
     ],
   };
@@ -304,7 +324,7 @@ function bakeText(library, state, first) {
   return {
     head: [`# ${first}`, ...hash, "cat > pattern.glsl << END"],
     library: () => [],
-    code: [...code, ...masks(state, at), "END", ...lines],
+    code: [...sliceLines("glsl", state), ...code, ...masks(state, at), "END", ...lines],
   };
 }
 

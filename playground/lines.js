@@ -1,8 +1,8 @@
 // The picture as lines for tools/bake and for Python, which compute grids.
 import { kStepBeside } from "./code.js";
 import { kNoises, kSums } from "./tables.js";
-import { numbersOfTinted, rangeOf, remapOf, shownLayers, tintedLayers, uses } from "./model.js";
-import { kPartsOfCell } from "./view.js";
+import { isLeaning, numbersOfTinted, rangeOf, remapOf, shownLayers, tintedLayers, uses } from "./model.js";
+import { kPartsOfCell, leaningNumbers } from "./view.js";
 
 
 // Which number of the results of a noise is shown, in Python and by tools/bake.
@@ -37,7 +37,7 @@ export const isOneLine = (state) => {
   const { weight, offset } = remapOf(state, state.layers.indexOf(shown[0]));
   const [{ warp, scale }] = shown;
   return (
-    shown.length === 1 &&
+    shown.length === 1 && !isLeaning(state) &&
     [weight, offset, scale, state.hash].join(" ") === "1 0 1 lattice" &&
     functionOf(shown[0]) !== undefined &&
     (warp === "none" || state.dimensions === 1 || state.dimensions === 4)
@@ -58,7 +58,7 @@ export function bakeLines(state) {
   const rest = `${period} --range=${range} --arithmetic ${state.arithmetic} -o noise.png`;
   const masks = numbersOfTinted(state).map((number) => [`mask_${number}(p)`, `${period} --range=0:1 --arithmetic ${state.arithmetic} -o mask_${number}.png`]);
   if (!isOneLine(state))
-    return [["pattern(p)", rest], ...masks].map(([value, end]) => `tools/bake --expression '${value}' --source pattern.glsl ${place}${end}`);
+    return [["pattern(p)", rest], ...masks].map(([value, end]) => `tools/bake --expression '${isLeaning(state) ? value.replace("(p)", "(slice(p))") : value}' --source pattern.glsl ${place}${end}`);
   const [layer] = shownLayers(state);
   const at = state.layers.indexOf(layer);
   const options = Object.entries(optionsOf(state, layer, at)).map(([name, value]) => `--${name} ${value}`);
@@ -139,11 +139,14 @@ export function pythonLines(state) {
     mask = "";
     return [...before, `    v = ${number ? made : remapped}`];
   }, []);
+  const place = ["x", "y", state.z, state.w].slice(0, dimensions);
+  const leaning = leaningNumbers(state).map((row) => row.map((part, at) => `${part} * ${place[at]}`).join(" + "));
+  const passed = isLeaning(state) ? [...leaning, ...place.slice(3)] : place;
   const line = `numpy.arange(${width}) * ${step}`;
   return [
     "import hashnoise", "import numpy", "", ...(below.length ? kSlope : []), ...below, "# Positions are in cells.",
     `def pattern(${parameters}):`, ...lines, `    return ${["v", ...masks].join(", ")}`, "",
     dimensions === 1 ? `x = ${line}` : `x, y = numpy.meshgrid(${line}, numpy.arange(${height}) * ${step})`,
-    `${["values", ...numbersOfTinted(state).map((number) => `mask_${number}`)].join(", ")} = pattern(${["x", "y", state.z, state.w].slice(0, dimensions).join(", ")})`,
+    `${["values", ...numbersOfTinted(state).map((number) => `mask_${number}`)].join(", ")} = pattern(${passed.join(", ")})`,
   ];
 }

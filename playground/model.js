@@ -32,6 +32,7 @@ export const kSettings = {
   phase: { usual: 0, from: 0, to: 1 },
   z: { usual: 0.37, from: -1e9, to: 1e9 },
   w: { usual: 0.62, from: -1e9, to: 1e9 },
+  lean: { usual: 0, from: 0, to: 0.25 },
   arithmetic: { usual: "fast", of: kArithmetics },
   hash: { usual: "lattice", of: kHashes },
   view: { usual: "plane", of: kViews },
@@ -94,6 +95,10 @@ export const mapsOf = (state) => [state, ...tintedLayers(state).map(({ tint, tin
 export const isSolid = ({ view, dimensions }) => dimensions > 2 && (view === "sphere" || view === "cube");
 // Everything but a plane can be rotated.
 export const isTurned = (state) => state.view === "terrain" || isSolid(state);
+
+// A slice of space that is not along the cells. Tiles and loops need one that is.
+const canLean = (state) => state.dimensions > 2 && !state.period && !isSolid(state);
+export const isLeaning = (state) => canLean(state) && state.lean > 0;
 
 // The height of the highest colour on terrain, in sides of the block. More cells make it lower, as if seen from farther
 // away: with one height for all scales many cells would be a field of spires.
@@ -212,7 +217,7 @@ export function uses(state, at = 0) {
     warp: warped, amplitude: warped && layer.warp !== "none",
     on: several, blend: at > 0, weight: several, offset: several && !mixed, scale: several,
     tint: at > 0 && canTint(layer), tints: at > 0 && canTint(layer) && layer.tint === "own",
-    phase: warped && state.layers.some(turns), z: state.dimensions > 2, w: state.dimensions > 3,
+    phase: warped && state.layers.some(turns), z: state.dimensions > 2, w: state.dimensions > 3, lean: canLean(state),
   };
 }
 

@@ -2,9 +2,9 @@
 // HN_FIXED both draw the same bytes, since everything from the position to the colour is whole numbers.
 import { functions, knobs, numbers, partOf } from "./code.js";
 import { kWgslVertex } from "./copied.js";
-import { isSolid, kMostLayers, rangeOf, shownLayers, tintedLayers, usualLayer } from "./model.js";
+import { isLeaning, isSolid, kMostLayers, rangeOf, shownLayers, tintedLayers, usualLayer } from "./model.js";
 import { solidPlace, solidShader, wordsOfSolid } from "./solid.js";
-import { cellOf, originOf, partsOf, placeOf, stepOf, tileOf } from "./view.js";
+import { cellOf, leaningSteps, leant, originOf, partsOf, placeOf, stepOf, tileOf } from "./view.js";
 
 // The content of a pixel: a colour of the map, or the four bytes of the value.
 export const kColours = 0;
@@ -54,6 +54,7 @@ export function unitsOf(state) {
 export function frameOf(state, width, height, mode, { position, first = 0, rows = height, free = width } = {}) {
   const { position: begin, step } = placed(state, width, height);
   position ??= begin;
+  if (isLeaning(state)) position = leant(state, position);
   const bytes = new ArrayBuffer(kFrameBytes);
   const whole = new Int32Array(bytes);
   const word = new Uint32Array(bytes);
@@ -66,6 +67,7 @@ export function frameOf(state, width, height, mode, { position, first = 0, rows 
   word.set([kTimes, first + rows - 1, tileOf(state, width, height), 0], 16);
   float.set([state.phase, 0, 0, 0], 20);
   if (isSolid(state)) whole.set(wordsOfSolid(state, free, height), 24);
+  if (isLeaning(state)) whole.set(leaningSteps(state, step).flatMap((way) => [...way.map(cellOf), 0, ...way.map(placeOf), 0]), 24);
   for (const [at, layer] of shownLayers(state).entries()) {
     const start = kWordsOfFrame + at * kWordsOfLayer;
     const { scale, lacunarity, gain, strength, amplitude, seed } = layer;
@@ -95,17 +97,28 @@ function uniforms(language, state) {
 }
 
 // The place of a pixel along an axis is origin + i * step. The step is taken in halves, so that no product leaves 32
-// bits.
-const kGlslPlace = `uvec2 place_of(int cell, uint place, uint i) {
-  uint low = i * (u_step.y & 4095u) + (place & 4095u);
-  uint high = i * (u_step.y >> 12u) + (place >> 12u) + (low >> 12u);
-  return uvec2(uint(cell) + i * u_step.x + (high >> 12u), ((high & 4095u) << 12u) | (low & 4095u));
-}`;
-const kWgslPlace = `fn place_of(cell: i32, place: u32, i: u32) -> vec2u {
-  let low = i * (u.step.y & 4095u) + (place & 4095u);
-  let high = i * (u.step.y >> 12u) + (place >> 12u) + (low >> 12u);
-  return vec2u(u32(cell) + i * u.step.x + (high >> 12u), ((high & 4095u) << 12u) | (low & 4095u));
-}`;
+// bits. On a slice that leans each axis has a step for both coordinates of a pixel.
+const kGlslPlace = `uvec2 place_beside(uvec2 place, uvec2 by, uint i) {
+  uint low = i * (by.y & 4095u) + (place.y & 4095u);
+  uint high = i * (by.y >> 12u) + (place.y >> 12u) + (low >> 12u);
+  return uvec2(place.x + i * by.x + (high >> 12u), ((high & 4095u) << 12u) | (low & 4095u));
+}
+uvec2 place_of(int cell, uint place, uint i) { return place_beside(uvec2(uint(cell), place), u_step.xy, i); }`;
+const kWgslPlace = `fn place_beside(place: vec2u, by: vec2u, i: u32) -> vec2u {
+  let low = i * (by.y & 4095u) + (place.y & 4095u);
+  let high = i * (by.y >> 12u) + (place.y >> 12u) + (low >> 12u);
+  return vec2u(place.x + i * by.x + (high >> 12u), ((high & 4095u) << 12u) | (low & 4095u));
+}
+fn place_of(cell: i32, place: u32, i: u32) -> vec2u { return place_beside(vec2u(u32(cell), place), u.step.xy, i); }`;
+const placesOf = (state, timed, glsl) => {
+  const [type, uint, of] = glsl ? ["uvec2", "uint", "u_"] : ["vec2u", "u32", "u."];
+  const set = (axis) => (glsl ? `  uvec2 ${axis} =` : `  var ${axis} =`);
+  if (timed || !isLeaning(state))
+    return ["x", "y"].map((axis) => `${set(axis)} place_of(${of}cell.${axis}, ${of}place.${axis}, at.${axis});`);
+  const by = (axis, way) => `${type}(${uint}(${of}solid[${way}].${axis}), ${uint}(${of}solid[${way + 1}].${axis}))`;
+  return ["x", "y", "z"].map((axis) =>
+    `${set(axis)} place_beside(place_beside(${type}(${uint}(${of}cell.${axis}), ${of}place.${axis}), ${by(axis, 0)}, at.x), ${by(axis, 2)}, at.y);`);
+};
 
 // How a value is shown. A value in steps of 2^-20 is a whole number; the colour is one of 256. In one dimension the
 // picture is a graph: full colour below the value, and an eighth of it above.
@@ -175,7 +188,7 @@ function glsl(library, state, values, { timed, form = "cell", value } = {}) {
   const { lines, files } = functions(library, "glsl", state, values, [form], false, tints ? kept : undefined);
   const solid = isSolid(state) && !timed ? solidShader("glsl", state, kBits) : undefined;
   const n = state.dimensions;
-  const shown = value ?? `pattern(${glslArguments(n, form, solid)})`;
+  const shown = value ?? `pattern(${glslArguments(n, form, solid || (!timed && isLeaning(state)))})`;
   return [
     "#version 300 es",
     "precision highp float;",
@@ -195,10 +208,7 @@ function glsl(library, state, values, { timed, form = "cell", value } = {}) {
     "  uvec2 at = (uvec2(gl_FragCoord.xy) + uvec2(0u, uint(u_shown.w))) % u_drawn.z;",
     ...(solid
       ? [solid.places]
-      : [
-          "  uvec2 x = place_of(u_cell.x, u_place.x, at.x);",
-          "  uvec2 y = place_of(u_cell.y, u_place.y, at.y);",
-        ]),
+      : placesOf(state, timed, true)),
     ...(timed
       ? [`  float sum = 0.0;`, `  for (uint i = 0u; i < u_drawn.x; ++i) { sum += ${shown}; x.x += 8u; y.x += 5u; }`]
       : [`  float sum = ${shown};`]),
@@ -213,7 +223,7 @@ function wgsl(library, state, values, { timed, form = "cell", value } = {}) {
   const { lines, public: called } = functions(library, "wgsl", state, values, [form], true, tints ? kept : undefined);
   const solid = isSolid(state) && !timed ? solidShader("wgsl", state, kBits) : undefined;
   const n = state.dimensions;
-  const shown = value ?? `${form === "cell" ? "pattern_cell" : "pattern"}(${wgslArguments(n, form, solid)})`;
+  const shown = value ?? `${form === "cell" ? "pattern_cell" : "pattern"}(${wgslArguments(n, form, solid || (!timed && isLeaning(state)))})`;
   return [
     ...library.texts(called, "wgsl", state),
     kWgslFrame,
@@ -228,7 +238,7 @@ function wgsl(library, state, values, { timed, form = "cell", value } = {}) {
     "  let at = vec2u(u32(position.x), u.drawn.y - u32(position.y)) % u.drawn.z;",
     ...(solid
       ? [solid.places]
-      : ["  var x = place_of(u.cell.x, u.place.x, at.x);", "  var y = place_of(u.cell.y, u.place.y, at.y);"]),
+      : placesOf(state, timed, false)),
     ...(timed
       ? [`  var sum = 0.0f;`, `  for (var i = 0u; i < u.drawn.x; i++) { sum += ${shown}; x.x += 8u; y.x += 5u; }`]
       : [`  let sum = ${shown};`]),

@@ -342,6 +342,8 @@ test("a whole shader draws the picture", async () => {
     states[8],
     { ...states[8], x: 1n << 50n },
     layered[0],
+    changed(stateOf("#sum=none&dimensions=3&lean=0.1"), { ...kOrigin, arithmetic: "fixed", z: 0.75 }),
+    changed(stateOf("#sum=none&dimensions=4&lean=0.2"), { ...kOrigin, x: 1n << 45n, arithmetic: "fixed", z: 0.75 }),
   ]) {
     await setState(page, { ...state, x: state.x + half, y: state.y + half });
     const shown = await pixels(page, kWidth, kHeight);

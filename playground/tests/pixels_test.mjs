@@ -3,8 +3,9 @@
 import assert from "node:assert/strict";
 import test, { after, before } from "node:test";
 import { linkOf, stateOf } from "../links.js";
-import { changed, mapsOf, numbersOfTinted, rangeOf, usualState } from "../model.js";
+import { changed, isLeaning, mapsOf, numbersOfTinted, rangeOf, usualState } from "../model.js";
 import { kMaps } from "../tables.js";
+import { leaningSteps, leant } from "../view.js";
 import { bitsOf, compiled, copiedCode, floatOf, golden, launched, opened, pixels, setState } from "./support.mjs";
 
 // Each row makes a program, or two; in a default run there are some of half of the files, and each picture has
@@ -102,6 +103,7 @@ const pictures = [
   { sum: "weighted", noise: "cell_border", dimensions: 3, z: 7.125, period: 5, octaves: 2 },
   { sum: "turbulence", noise: "perlin", dimensions: 4, z: 1.75, w: -0.125, octaves: 3, lacunarity: 1.875 },
   { sum: "clouds", noise: "value", dimensions: 1, map: "sky" },
+  { sum: "none", noise: "perlin", dimensions: 4, ...far, z: 1.75, lean: 0.152 },
 ].map((state) => changed(usualState(), { x: 5n, y: -7n, cells: 6, ...state, arithmetic: "fixed" }));
 // Layers, far out: every way to combine them, finer ones, one that is off, a warp and weights that are rounded.
 const kLayered =
@@ -121,14 +123,17 @@ const kHeight = 32;
 function printer(state, name) {
   const n = state.dimensions;
   const step = Math.round((state.cells / kHeight) * kParts);
-  const axes = ["x", "y", String(Math.round(state.z * kParts)), String(Math.round(state.w * kParts))].slice(0, n);
+  const steps = leaningSteps(state, step);
+  const corner = leant(state, [state.x - BigInt(kWidth / 2 * step), state.y - BigInt(kHeight / 2 * step), BigInt(Math.round(state.z * kParts)), 0n]);
+  const leaning = ["x", "y", "z"].map((axis, k) => `const long long ${axis} = ${corner[k]}LL + column * ${steps[0][k]}LL + row * ${steps[1][k]}LL;`);
+  const axes = ["x", "y", isLeaning(state) ? "z" : String(Math.round(state.z * kParts)), String(Math.round(state.w * kParts))].slice(0, n);
   const list = (type, part) => (n === 1 ? part("x") : `${type}${n}(${axes.map((axis) => part(axis)).join(", ")})`);
   const place = `${list("hashnoise::ivec", (axis) => `cell(${axis})`)}, ${list("hashnoise::vec", (axis) => `place(${axis})`)}`;
   return `void print_${name}() {
   for (int row = 0; row < ${kHeight}; ++row) {
     for (int column = 0; column < ${kWidth}; ++column) {
-      const long long x = ${state.x}LL + (column - ${kWidth / 2}) * ${step}LL;
-      [[maybe_unused]] const long long y = ${state.y}LL + (row - ${kHeight / 2}) * ${step}LL;
+      ${isLeaning(state) ? leaning.join(" ") : `const long long x = ${state.x}LL + (column - ${kWidth / 2}) * ${step}LL;
+      [[maybe_unused]] const long long y = ${state.y}LL + (row - ${kHeight / 2}) * ${step}LL;`}
       const auto value = hashnoise::${name}::pattern(${place});
       std::printf("%08x", hashnoise::floatBitsToUint(value));
 ${numbersOfTinted(state).map((number) => `      std::printf(" %08x", hashnoise::floatBitsToUint(hashnoise::${name}::mask_${number}(${place})));\n`).join("")}      std::printf("\\n");
