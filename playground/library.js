@@ -9,9 +9,10 @@ export async function unpacked(base64) {
 }
 
 export class Library {
-  // version; glsl: {file: [line, ...]} without comments; `unpack` unpacks the pieces of the languages of this name.
-  constructor({ version, glsl }, unpack) {
+  // version; counts: what compilers count (tools/lib/ship/playground/counts.py); glsl: {file: [line, ...]} without comments; `unpack` unpacks the pieces of the languages of this name.
+  constructor({ version, glsl, counts }, unpack) {
     this.version = version;
+    this.counts = counts;
     this.glsl = glsl;
     this.unpack = unpack;
     this.loading = {}; // promises

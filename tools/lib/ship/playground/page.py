@@ -17,7 +17,8 @@ SOURCES = ROOT / "playground"
 FIRST = "main.js"  # the module that imports the others
 IMPORT = re.compile(r'^import \{[^}]*\} from "\./(\w+\.js)";\n', re.MULTILINE)
 EXPORT = re.compile(r"^export (?=(?:async )?(?:const|class|function)\b)", re.MULTILINE)
-BLANK = re.compile(r"^(?: *//.*\n|\n| +)", re.MULTILINE)  # comments and indents, which browsers do not need
+# Comments and indents, which browsers do not need. Behind code a comment has no quotes, so that it is in no text.
+BLANK = re.compile(r"^(?: *//.*\n|\n| +)|(?<=[;,{(\[]) +// [^\"'`\n]*$", re.MULTILINE)
 NAME = re.compile(r"^(?:async )?(?:const|let|class|function\*?) (\w+)", re.MULTILINE)
 
 
