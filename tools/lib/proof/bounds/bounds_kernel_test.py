@@ -190,12 +190,13 @@ class Floats(Errors, unittest.TestCase):
                 self.assertGreater(seen_slope, slope.cell_error, noise)
 
     def test_rotated_perlin(self):
-        for dims in (2, 3):
+        # In space the proof takes both sums to be off as far as they may, to opposite sides: it is less tight there.
+        for dims, part, slope_part in ((2, 9, 14), (3, 12, 16)):
             value, slope = proven("perlin_phase", dims)
             for some, fails in ((roundings(13), False), ([Rounding("nearest", lost_bits=6)], True)):
                 seen, seen_slope = self.of_perlin(dims, some)
                 self.assertEqual((seen > value.cell_error, seen_slope > slope.cell_error), (fails, fails))
-                self.assertTrue(seen > value.cell_error / 9 and seen_slope > slope.cell_error / 14)
+                self.assertTrue(seen > value.cell_error / part and seen_slope > slope.cell_error / slope_part)
 
 
 class Fixed(Errors, unittest.TestCase):
