@@ -72,7 +72,7 @@ def rotated(g: tuple[Real, ...], h: int, phase: Real) -> tuple[Fraction, ...]:
 
 
 def angle(phase: Real) -> int:
-    """A, in units of 2^-32 of a turn."""
+    """T, in units of 2^-32 of a turn."""
     exact = Fraction(phase)
     return 4 * math.trunc((exact - math.trunc(exact)) * 2**30) & MASK
 

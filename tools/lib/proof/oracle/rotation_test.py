@@ -127,7 +127,7 @@ class Rotated(unittest.TestCase):
         return found
 
     def test_the_sums_over_all_gradients_stay(self) -> None:
-        """Those of section 4 of the contract: of components, of products of two and of three."""
+        """The sums of section 4 of the contract: of components, of products of two and of three."""
         some = [(g, h) for h in range(0, 2**32, 2**20) for g in [gradients.gradient3(h)]]
         one_each = {(g, rotation.edge(g, h)): h for g, h in some}.items()
         for phase in (0, Fraction(1, 8), Fraction(1, 4), Fraction(0.3)):
