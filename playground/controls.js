@@ -339,7 +339,7 @@ export class Controls {
     byId("renderer").parentElement.setAttribute("aria-describedby", "note-renderer");
   }
 
-  // What compilers count, of the function of the layer.
+  // The table of compilers' counts for the function of the layer.
   showCounts() {
     const { sum, dimensions, arithmetic } = this.settings;
     const { name, rows } = countsOf(this.library.counts, this.settings);

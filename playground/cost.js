@@ -4,8 +4,8 @@
 import { emptyShader, frameOf, kColours, kTimes, plainOf, timedShader } from "./shaders.js";
 import { kNoises } from "./tables.js";
 
-// What compilers count for the noise or the fractal of a layer: the chip, instructions and registers. Nothing for what
-// nobody has counted.
+// The counts of compilers for the noise or the fractal of a layer: the chip, instructions and registers. No rows for a
+// function that nobody has counted.
 export function countsOf({ chips, of }, { sum, noise, dimensions, arithmetic, hash }) {
   const { calls, nearest } = kNoises[noise];
   const name = sum !== "none" ? sum : calls.replace("hn_", "");

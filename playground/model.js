@@ -105,7 +105,7 @@ export const isLeaning = (state) => canLean(state) && state.lean > 0;
 const kCellsOfWholeRelief = 2;
 export const reliefHeight = ({ steep, cells }) => steep * Math.min(1, kCellsOfWholeRelief / cells);
 
-// The names of the layers, for people, and what tells those of one name apart.
+// The names of the layers, for people, and the settings by which layers of one name differ.
 export const titleOf = ({ sum, noise }) =>
   sum === "none" ? kNoises[noise].label : `${kSums[sum].label} of ${kNoises[noise].label}`;
 export const detailsOf = ({ blend, seed, scale }, at) =>

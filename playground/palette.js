@@ -88,7 +88,7 @@ export function paletteOf(state) {
   return bytes;
 }
 
-// Those of several maps behind each other.
+// The colours of several maps behind each other.
 export const palettesOf = (maps) => Uint8Array.from(maps.flatMap((map) => [...paletteOf(map)]));
 
 export function gradientOf(state) {

@@ -126,4 +126,4 @@ export const kMaps = {
   },
   own: { label: "Your own" }, // of the setting "stops"
 };
-export const kTints = { none: { label: "Those of the picture" }, ...kMaps };
+export const kTints = { none: { label: "Colours of the picture" }, ...kMaps };
