@@ -1,10 +1,11 @@
 // The library inside the page: the text of glsl/hashnoise/, with which WebGL2 draws at once, and the pieces that tools/pick
 // writes, with which WebGPU draws, and which are copied.
 
-// In the page both are JSON, gzipped and written as base64 (tools/playground).
-export async function unpacked(base64) {
-  const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
-  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
+import { bytesOf } from "./pieces.js";
+
+// In the page the first is JSON, gzipped and written in digits to the base of 85 (tools/playground).
+export async function unpacked(digits) {
+  const stream = new Blob([bytesOf(digits)]).stream().pipeThrough(new DecompressionStream("gzip"));
   return JSON.parse(await new Response(stream).text());
 }
 
