@@ -71,8 +71,8 @@ def small_roots(n: int) -> list[str]:
 
 
 def roots(module: Module, n: int, of_cpu: bool) -> list[str]:
-    """The names of what the page calls. A jitter and a metric are always passed, and sums over other noises, in tiles
-    or at places are loops, so that there is less text."""
+    """The names of what the page calls. A jitter and a metric are always passed, and sums over other noises are loops, and
+    on a CPU also those in tiles, so that there is less text."""
     noises, sums = drawn(read())
     with_jitter = [noise.name for noise in noises if f"hn_{noise.name}{n}_jitter" in module.forms]
     plain = [noise.name for noise in noises if noise.name not in with_jitter]
@@ -89,10 +89,8 @@ def roots(module: Module, n: int, of_cpu: bool) -> list[str]:
     names += [f"hn_{step}{n}" for step in ("octaves_of", "next", "mean", "density", "add", "slopes_of")]
     names += [f"hn_octaves_of{n}_place"]
     names += [f"{total.step_of_loops}{n}" for total in sums if total.step_of_loops]
-    if of_cpu:
-        names += [wgsl_name(function) for (name, _), function in module.functions.items()
-                  if name.startswith(glue.PREFIX)]
-    else:
+    names += [wgsl_name(function) for (name, _), function in module.functions.items() if name.startswith(glue.PREFIX)]
+    if not of_cpu:
         names += [f"hn_{noise.name}_d{n}_place" for noise in noises]
         names += [f"hn_cellular{n}_nearest", f"hn_cellular{n}_place_nearest", f"hn_lattice{n}", "hn_unorm"]
         names += [f"hn_{warp}{n}{place}" for warp in ("warp", "warp_progressive") for place in places]
@@ -120,8 +118,10 @@ def program_of(setting: Setting) -> Program:
     choice = Choice(setting.languages[0], setting.arithmetic, setting.hash)
     language = SYNTAXES[choice.language] if of_cpu else LANGUAGES[choice.language]
     macros = {**choice.knobs.macros(), **language.library}
-    module = of_pick.read(GLSL, macros, of_cpu, below=glue.text(setting.dimensions) if of_cpu else "")
-    names = small_roots(setting.dimensions) if setting.is_small else roots(module, setting.dimensions, of_cpu)
+    n = setting.dimensions
+    own = glue.text_of_cpu(n) if of_cpu else glue.text_of_shaders(n, setting.arithmetic, drawn(read())[1])
+    module = of_pick.read(GLSL, macros, of_cpu, below=own)
+    names = small_roots(n) if setting.is_small else roots(module, n, of_cpu)
     return Program(module, of_pick.chosen(module, names))
 
 
