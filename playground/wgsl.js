@@ -1,4 +1,4 @@
-// Functions that both languages of the page's shaders have: they are written in GLSL, of which this module knows what they use.
+// Functions that both languages of the page have in their shaders. They are written in the part of GLSL that this module knows.
 // A condition is in its line with what it holds for; shifts of vectors are by vectors; counters end with ++.
 const kScalars = { float: "f32", int: "i32", uint: "u32" };
 const kTypesOfGlsl = /\b(float|u?int|[iu]?vec\d)\b/g;
