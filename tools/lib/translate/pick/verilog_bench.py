@@ -128,12 +128,12 @@ def vectors(made: Made, file: Path) -> Vectors:
         others = {name: passed[name] for name in names[2 * size:]}
         units = [int(f * (1 << (FRACTION + REST))) for f in row["in"][size:2 * size]]
         if max(units) >> (FRACTION + REST) or any(
-                    abs(others[name] - float(value)) > 1e-6 for name, value in made.choices.constants.items()):
+                    abs(others[name] - float(value)) > 1e-6 for name, value in made.constants.items()):
             found = found._replace(left_out=found.left_out + 1)
             continue
         numbers = [*row["in"][:size], *(unit >> REST for unit in units)]
         numbers += [unit & ((1 << REST) - 1) for unit in units] if made.has_rest else []
-        found.points.append([*numbers, *(value for name, value in others.items() if name not in made.choices.constants)])
+        found.points.append([*numbers, *(value for name, value in others.items() if name not in made.constants)])
         found.values.append(row["units"])
     return found
 
@@ -154,8 +154,8 @@ def call(made: Made) -> str:
     passed: list[str] = []
     for parameter in made.function.parameters:
         name, type_ = parameter.at.text, parameter.type
-        if name in made.choices.constants:
-            value = made.choices.constants[name]
+        if name in made.constants:
+            value = made.constants[name]
             passed.append({"float": f"float({float(value)})" if type_ == "float" else "", "uint": f"{value}u"}.get(type_, value))
         elif found := re.fullmatch("hn_place([1-4])", type_):
             size = int(found[1])
@@ -183,7 +183,7 @@ def _expected(made: Made) -> list[str]:
         parts = ["value"]
     else:
         parts = [f"value.{axis}" for axis in "xyzw"[:len(made.outputs)]]
-    return [f"std::lround(std::ldexp(double({part}), {units}))" for part, units in zip(parts, made.units)]
+    return [f"std::lround(std::ldexp(double({part}), {value.places}))" for part, value in zip(parts, made.values)]
 
 
 def _found(port: Port) -> str:
