@@ -339,6 +339,17 @@ Pairing half_turn_pairing(const Evaluation& evaluation, std::uint64_t seed, std:
   return pairing_by_error(evaluation, evaluation, std::move(here), std::move(there), -1.0);
 }
 
+namespace {
+
+// In space gradients that rotate reach larger values, so their noise has a smaller scale (docs/reference/contract.md,
+// section 14).
+double scale_with_phase(const Function& function) {
+  if (function.axes == 2) return 1.0;
+  return function.is_simplex_noise() ? 4902.0 / 4918.0 : 879.0 / 985.0;
+}
+
+}  // namespace
+
 Pairing phase_zero_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points) {
   const Function& function = evaluation.function;
   const Evaluation other{without(function, "phase"), evaluation.configuration, evaluation.profile};
@@ -348,7 +359,7 @@ Pairing phase_zero_pairing(const Evaluation& evaluation, std::uint64_t seed, std
     put_phase(function, inputs, i, random.below(2) == 0 ? 0.0f : random_turns(random));
   }
   Words others = inputs_for(other.function, function, inputs);
-  return pairing_by_error(evaluation, other, std::move(inputs), std::move(others), 1.0);
+  return pairing_by_error(evaluation, other, std::move(inputs), std::move(others), scale_with_phase(function));
 }
 
 namespace {

@@ -53,7 +53,7 @@ Pairing wrapped_pairing(const Evaluation& evaluation, std::uint64_t seed, std::s
 // and periods that are constants in the shader's text.
 Pairing constant_period_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points = kPairingPoints);
 // For functions with a phase: whole turns apart; half a turn apart, where the noise is the negative; and without a
-// rotation against the noise without a phase.
+// rotation against the noise without a phase, in space times a factor.
 Pairing loop_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points = kPairingPoints);
 Pairing half_turn_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points = kPairingPoints);
 Pairing phase_zero_pairing(const Evaluation& evaluation, std::uint64_t seed, std::size_t points = kPairingPoints);

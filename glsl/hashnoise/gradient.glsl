@@ -42,7 +42,7 @@ HN_FN hn_vec2 hn_gradient2(hn_uint h) { return hn_i_direction2(h); }
 //   error    none
 //   cost     no multiplication
 //   source   Perlin, "Improving noise", 2002, for the vectors; docs/reference/contract.md, section 4
-HN_FN hn_vec3 hn_gradient3(hn_uint h) { return hn_i_direction3(h, hn_i_signs(h)); }
+HN_FN hn_vec3 hn_gradient3(hn_uint h) { return hn_i_direction3(h, false); }
 
 // A gradient in four dimensions, from the size of a hash and its bits 20 to 22.
 //   h        any uint

@@ -19,12 +19,12 @@ HN_FN hn_i_num4 hn_i_edge_d(hn_i_num a, hn_i_num b, hn_vec3 g, hn_vec3 h, hn_i_n
 }
 
 // The share of a face, from the hashes of its corners: the interpolated ramp, its derivatives along x and y, and what
-// the gradients' last components add. The gradients may be rotated by a quarter turn.
+// the gradients' last components add. The gradients may be rotated by a sixth of a turn.
 HN_FN hn_i_num4 hn_i_face_d(hn_uvec4 h, hn_i_num3 f, bool back, hn_i_num3 t, hn_i_num3 s, bool turned) {
-  hn_vec3 g00 = hn_i_direction3(h.x, hn_i_signs(h.x, turned));
-  hn_vec3 g10 = hn_i_direction3(h.y, hn_i_signs(h.y, turned));
-  hn_vec3 g01 = hn_i_direction3(h.z, hn_i_signs(h.z, turned));
-  hn_vec3 g11 = hn_i_direction3(h.w, hn_i_signs(h.w, turned));
+  hn_vec3 g00 = hn_i_direction3(h.x, turned);
+  hn_vec3 g10 = hn_i_direction3(h.y, turned);
+  hn_vec3 g01 = hn_i_direction3(h.z, turned);
+  hn_vec3 g11 = hn_i_direction3(h.w, turned);
   hn_float x = hn_i_offset(f.x);
   hn_float y = hn_i_offset(f.y);
   hn_float x1 = hn_i_far(x);
@@ -45,10 +45,7 @@ HN_FN hn_i_num4 hn_i_perlin_d(hn_uvec4 a, hn_uvec4 b, hn_i_num3 f, hn_i_num3 t, 
   return hn_i_vector(hn_i_lerp(front.x, back.x, t.z), hn_i_lerp(front.y, back.y, t.z), hn_i_lerp(front.z, back.z, t.z),
                      hn_i_d_faded(hn_i_lerp(front.w, back.w, t.z), hn_i_d_corner(front.x, back.x), s.z));
 }
-HN_FN hn_vec4 hn_i_scaled_perlin_d(hn_i_num4 n) {
-  return vec4(hn_i_value(hn_i_scaled3(n.x)), hn_i_derivative(hn_i_scaled3(n.y)), hn_i_derivative(hn_i_scaled3(n.z)),
-              hn_i_derivative(hn_i_scaled3(n.w)));
-}
+HN_FN hn_vec4 hn_i_scaled_perlin_d(hn_i_num4 n) { return hn_i_scaled_d(n, 985); }
 
 // Perlin noise in space and its slope: the value of hn_perlin with its derivatives.
 //   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a hill or a valley. Less

@@ -6,7 +6,7 @@
 
 #include "detail/body_centred_lattice.glsl"
 
-// The noise before it is scaled. The gradients may be rotated by a quarter turn.
+// The noise before it is scaled. The gradients may be rotated by a sixth of a turn.
 HN_FN hn_i_num hn_i_simplex(hn_uvec4 h, hn_i_num4 x, hn_i_num4 y, hn_i_num4 z, hn_i_num4 t, bool turned) {
   hn_i_num n = hn_i_weighted_ramp(hn_i_ramp_of(h.x, x.x, y.x, z.x, turned), hn_i_weight4(t.x));
   n = hn_i_plus(n, hn_i_weighted_ramp(hn_i_ramp_of(h.y, x.y, y.y, z.y, turned), hn_i_weight4(t.y)));

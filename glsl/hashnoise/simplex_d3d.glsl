@@ -6,9 +6,9 @@
 
 #include "detail/body_centred_lattice.glsl"
 
-// The share of a point in the noise and in its derivatives. The gradient may be rotated by a quarter turn.
+// The share of a point in the noise and in its derivatives. The gradient may be rotated by a sixth of a turn.
 HN_FN hn_i_num4 hn_i_weighted_ramp_d(hn_uint h, hn_i_num x, hn_i_num y, hn_i_num z, hn_i_num t, bool turned) {
-  return hn_i_weighted_ramp_d(hn_i_ramp_of(h, x, y, z, turned), hn_i_direction3(h, hn_i_signs(h, turned)), x, y, z,
+  return hn_i_weighted_ramp_d(hn_i_ramp_of(h, x, y, z, turned), hn_i_direction3(h, turned), x, y, z,
                               hn_i_weight4(t), hn_i_d_weight4(t, 2));
 }
 
@@ -19,10 +19,7 @@ HN_FN hn_i_num4 hn_i_simplex_d(hn_uvec4 h, hn_i_num4 x, hn_i_num4 y, hn_i_num4 z
   return hn_i_plus(hn_i_plus(corners, hn_i_weighted_ramp_d(h.z, x.z, y.z, z.z, t.z, turned)),
                    hn_i_weighted_ramp_d(h.w, x.w, y.w, z.w, t.w, turned));
 }
-HN_FN hn_vec4 hn_i_scaled_simplex_d(hn_i_num4 n) {
-  return vec4(hn_i_value(hn_i_scaled_simplex3(n.x)), hn_i_derivative(hn_i_scaled_simplex3(n.y)),
-              hn_i_derivative(hn_i_scaled_simplex3(n.z)), hn_i_derivative(hn_i_scaled_simplex3(n.w)));
-}
+HN_FN hn_vec4 hn_i_scaled_simplex_d(hn_i_num4 n) { return hn_i_scaled_d(n, 4918); }
 HN_FN hn_vec4 hn_i_simplex_d(hn_i_block3 block, hn_i_num3 f, hn_uint seed) {
   hn_i_num4 x;
   hn_i_num4 y;

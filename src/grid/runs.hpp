@@ -191,7 +191,7 @@ class PerlinPieces {
     if constexpr (D == 2) {
       return hn_i_direction2(word);
     } else {
-      return hn_i_direction3(word, hn_i_signs(word));
+      return hn_i_direction3(word, false);
     }
   }
 

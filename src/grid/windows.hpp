@@ -77,7 +77,7 @@ HN_I_INLINE vec2 line2(Uint word, hn_i_num y) {
   return vec2(g.x, g.y * hn_i_offset(y) + kBeyond2);
 }
 HN_I_INLINE vec2 line3(Uint word, hn_i_num y, hn_i_num z) {
-  const vec3 g = hn_i_direction3(word, hn_i_signs(word));
+  const vec3 g = hn_i_direction3(word, false);
   return vec2(g.x, g.y * hn_i_offset(y) + kBeyond3 + g.z * hn_i_offset(z));
 }
 HN_I_INLINE hn_i_num along_line2(vec2 line, Float x) { return beyond2(line.x * x + line.y); }

@@ -38,13 +38,12 @@ HN_FN hn_i_num4 hn_i_offsets(hn_i_num f) {
                      hn_i_select(f > middle, hn_i_minus(inner, HN_I_ONE), hn_i_minus(inner, -HN_I_ONE)));
 }
 
-// The ramp of a point in space, before it is weighted. The gradient may be rotated by a quarter turn.
+// The ramp of a point in space, before it is weighted. The gradient may be rotated by a sixth of a turn.
 HN_FN hn_i_num hn_i_ramp_of(hn_uint h, hn_i_num x, hn_i_num y, hn_i_num z, bool turned) {
-  return hn_i_ramp_of3(hn_i_along3(h, hn_i_signs(h, turned), hn_i_offset(x), hn_i_offset(y), hn_i_offset(z)));
+  return hn_i_ramp_of3(hn_i_along3(h, hn_i_offset(x), hn_i_offset(y), hn_i_offset(z), turned));
 }
 
-// A sum of weighted ramps is at most 1024 / 4918 in space, with rotating gradients too, and 1024 / 4298 in four
-// dimensions (tools/make bounds).
+// A sum of weighted ramps is at most 1024 / 4918 in space, and 1024 / 4298 in four dimensions (tools/make bounds).
 HN_FN hn_i_num hn_i_scaled_simplex3(hn_i_num n) { return hn_i_scaled(n, 4918); }
 HN_FN hn_i_num hn_i_scaled_simplex4(hn_i_num n) { return hn_i_scaled_ramps(n, 4298); }
 

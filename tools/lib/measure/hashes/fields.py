@@ -25,19 +25,24 @@ class Noise:
     name: str  # of the function, without hn_
     dimensions: int
     steps: int = 1  # of its lattice, in a cell: so that all are sampled alike
+    phase: float | None = None  # turns
 
     @property
     def title(self) -> str:
-        return f"`hn_{self.name}` {self.dimensions}D"
+        phase = "" if self.phase is None else f", a phase of {self.phase} turns"
+        return f"`hn_{self.name}` {self.dimensions}D{phase}"
 
     @property
     def judged(self) -> bool:
         return self.name == "perlin_worley"
 
 
+EIGHTH = 1 / 8  # of a turn, where gradients on the plane differ the most from those without a phase
 NOISES = (Noise("perlin", 2), Noise("simplex", 2, 2), Noise("simplex_smooth", 2, 2), Noise("value", 2),
-          Noise("value_cubic", 2), Noise("perlin", 3), Noise("simplex", 3), Noise("simplex_smooth", 3),
-          Noise("value", 3), Noise("value_cubic", 3), Noise("perlin_worley", 3))
+          Noise("value_cubic", 2), Noise("perlin", 2, phase=EIGHTH), Noise("simplex", 2, 2, EIGHTH),
+          Noise("perlin", 3), Noise("simplex", 3), Noise("simplex_smooth", 3), Noise("value", 3),
+          Noise("value_cubic", 3), Noise("perlin", 3, phase=EIGHTH), Noise("simplex", 3, phase=EIGHTH),
+          Noise("perlin_worley", 3))
 # How much Perlin-Worley noise may show of its lattice: the aim that isotropy.py has in the plane for structures, what
 # octaves.py allows for waves, and slices as unlike as those of Perlin noise in space. Distances to the points of cells
 # have another mean at another place of a cell; that mean may make this part of the variance, and is left out of the
@@ -70,7 +75,7 @@ def block(twin: Twin, noise: Noise, seed: int) -> np.ndarray:
     side = SIDES[noise.dimensions]
     shape = (side * isotropy.PER_CELL,) * noise.dimensions
     places = (cells_of((0,) * noise.dimensions, shape) + 0.5) / (isotropy.PER_CELL * noise.steps)
-    return twin.tile(noise.name, places, side // noise.steps, seed).reshape(shape)
+    return twin.tile(noise.name, places, side // noise.steps, seed, noise.phase).reshape(shape)
 
 
 def harmonic(vectors: np.ndarray, weights: np.ndarray, order: int) -> float:
@@ -100,7 +105,7 @@ def slices(twin: Twin, noise: Noise, seed: int) -> float:
     rng = np.random.default_rng(seed)
     places = rng.uniform(0, SIDES[3], (HEIGHTS, PLACES, 3))
     places[..., 2] = np.arange(HEIGHTS)[:, None] / HEIGHTS + rng.integers(0, SIDES[3], (1, PLACES))
-    values = twin.tile(noise.name, places.reshape(-1, 3), SIDES[3], seed).reshape(HEIGHTS, PLACES)
+    values = twin.tile(noise.name, places.reshape(-1, 3), SIDES[3], seed, noise.phase).reshape(HEIGHTS, PLACES)
     deviations = values.astype(float).std(axis=1)
     return float(deviations.min() / deviations.max())
 

@@ -91,6 +91,16 @@ struct Quantity {
      const vec3 p(real(in[0]), real(in[1]), real(in[2]));                                                            \
      *out = std::bit_cast<Word>(hashnoise::hn_##name(hashnoise::hn_tile(p, ivec3(integer(in[3]))), in[4]));          \
    }}
+#define PHASE(name)                                                                                                \
+  {#name "_phase", '2', 5, 1,                                                                                      \
+   [](const Word* in, Word* out) {                                                                                   \
+     const auto tile = hashnoise::hn_tile(vec2(real(in[0]), real(in[1])), ivec2(integer(in[3])));                    \
+     *out = std::bit_cast<Word>(hashnoise::hn_##name(tile, real(in[2]), in[4]));                                     \
+   }},                                                                                                               \
+  {#name "_phase", '3', 6, 1, [](const Word* in, Word* out) {                                                      \
+     const auto tile = hashnoise::hn_tile(vec3(real(in[0]), real(in[1]), real(in[2])), ivec3(integer(in[4])));       \
+     *out = std::bit_cast<Word>(hashnoise::hn_##name(tile, real(in[3]), in[5]));                                     \
+   }}
 // clang-format on
 
 constexpr auto kQuantities = std::to_array<Quantity>({
@@ -163,6 +173,10 @@ constexpr auto kQuantities = std::to_array<Quantity>({
     TILED(value_cubic),
     TILED(simplex),
     TILED(simplex_smooth),
+#if HN_GRADIENT == HN_GRADIENT_OCTAHEDRAL  // the paper's gradient has no phase
+    PHASE(perlin),
+    PHASE(simplex),
+#endif
     {"phasor", '2', 6, 2,
      [](const Word* in, Word* out) {
        const vec2 p(real(in[0]), real(in[1]));
@@ -187,6 +201,7 @@ constexpr auto kQuantities = std::to_array<Quantity>({
 #endif
 });
 #undef TILED
+#undef PHASE
 
 const Quantity* find(int argc, char** argv) {
   if (argc != 3) return nullptr;

@@ -96,12 +96,13 @@ class Twin:
         points = _points(positions.astype(np.float32).view(np.uint32), seed)
         return self.evaluate(f"{name}_vector", positions.shape[1], points).reshape(positions.shape)
 
-    def tile(self, name: str, positions: np.ndarray, period: int, seed: int) -> np.ndarray:
-        """hn_<name> with a period, the same along each axis."""
-        points = np.empty((positions.shape[0], positions.shape[1] + 2), np.uint32)
-        points[:, :-2] = positions.astype(np.float32).view(np.uint32)
-        points[:, -2:] = period, seed
-        return self.evaluate(name, positions.shape[1], points)
+    def tile(self, name: str, positions: np.ndarray, period: int, seed: int, phase: float | None = None) -> np.ndarray:
+        """hn_<name> with a period, the same along each axis, and with a phase in turns."""
+        phases = () if phase is None else (np.float32(phase).view(np.uint32),)
+        points = np.empty((len(positions), positions.shape[1] + len(phases) + 2), np.uint32)
+        points[:, :positions.shape[1]] = positions.astype(np.float32).view(np.uint32)
+        points[:, positions.shape[1]:] = *phases, period, seed
+        return self.evaluate(f"{name}_phase" if phases else name, positions.shape[1], points)
 
     def phasor(self, positions: np.ndarray, period: int, wave, seed: int) -> np.ndarray:
         """hn_phasor with a period, the same along each axis: the value and its quadrature as complex numbers."""

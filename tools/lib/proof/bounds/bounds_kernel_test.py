@@ -14,14 +14,14 @@ from proof.bounds import exact_model as exact
 from proof.bounds import kernel_model, kernels, rotations
 from proof.bounds.boxes import Boxes
 from proof.bounds.gradients import LENGTH, OCTAHEDRAL, ROTATED
-from proof.bounds.kernels import SIMPLEX, SMOOTH, Offsets, Quantity
+from proof.bounds.kernels import ROTATING, SIMPLEX, SMOOTH, Offsets, Quantity
 from proof.bounds.noises import curl, simplex, simplex_phase
 from proof.bounds.rounded import FIXED, Body, Rounding, Text, along_axes, roundings, table
 from proof.bounds.table import bounds_of
 
 NOISES = [("simplex", kernel, False) for kernel in SIMPLEX.values()]
 NOISES += [("simplex_smooth", kernel, False) for kernel in SMOOTH.values()]
-NOISES += [("simplex_phase", SIMPLEX[dims], True) for dims in (2, 3)]
+NOISES += [("simplex_phase", kernel, True) for kernel in ROTATING.values()]
 SLOPES = {"simplex": "simplex_d", "simplex_phase": "simplex_d_phase", "perlin_phase": "perlin_d_phase"}
 
 
@@ -76,8 +76,8 @@ class Exact(unittest.TestCase):
         for noise, kernel, rotating in NOISES:
             derived = simplex_phase.derive(kernel.dims, None) if rotating else simplex.derived_value(kernel)
             self.assertLess(max(derived.largest, derived.fixed_largest), 1, noise)
-            # Simplex noise has the scale of that whose gradients rotate.
-            if noise != "simplex" or kernel.dims == 4:
+            # On the plane simplex noise has the scale of that whose gradients rotate.
+            if noise != "simplex" or kernel.dims > 2:
                 self.assertGreater(derived.fixed_largest + 2 / kernel.scale, 1, noise)
             limits, _ = proven(noise, kernel.dims)
             self.assertEqual((limits.limit, limits.fixed_limit), (1, 1))
@@ -92,8 +92,7 @@ class Exact(unittest.TestCase):
             place, total = np.array(f) * kernel.steps, 0.0
             inside = (place <= 0.5).all(axis=0)
             for point in kernel.points:
-                g = exact.gradient(OCTAHEDRAL, kernel.dims, words(kernel_model.halves(point)))
-                g = kernel_model.rotated(g, phase)
+                g = kernel_model.gradients(kernel.dims, words(kernel_model.halves(point)), phase)
                 v = kernels.vector(kernel, kernels.VALUE, place - np.array(point)[:, None])
                 total = total + sum(np.array(g) * v)
             self.assertLess(abs(total * kernel.scale / 1024 - value)[inside].max(), 1e-12, noise)
@@ -191,12 +190,13 @@ class Floats(Errors, unittest.TestCase):
                 self.assertGreater(seen_slope, slope.cell_error, noise)
 
     def test_rotated_perlin(self):
-        for dims in (2, 3):
+        # In space the proof takes both sums to be off as far as they may, to opposite sides: it is less tight there.
+        for dims, part, slope_part in ((2, 9, 14), (3, 12, 16)):
             value, slope = proven("perlin_phase", dims)
             for some, fails in ((roundings(13), False), ([Rounding("nearest", lost_bits=6)], True)):
                 seen, seen_slope = self.of_perlin(dims, some)
                 self.assertEqual((seen > value.cell_error, seen_slope > slope.cell_error), (fails, fails))
-                self.assertTrue(seen > value.cell_error / 9 and seen_slope > slope.cell_error / 14)
+                self.assertTrue(seen > value.cell_error / part and seen_slope > slope.cell_error / slope_part)
 
 
 class Fixed(Errors, unittest.TestCase):
@@ -248,34 +248,68 @@ class Rotations(unittest.TestCase):
         """Of the gradients at many phases: none is beyond, and nearly all of it is reached."""
         rng = np.random.default_rng(15)
         for dims in (2, 3):
-            words = np.array([a << 21 | b << 31 | 2**31 // 3 * c for a in range(4) for b in (0, 1) for c in range(3)])
-            some = exact.gradient(OCTAHEDRAL, dims, words)
-            g = np.concatenate([kernel_model.rotated(some, phase) for phase in range(0, 2**32, 2**25)], axis=1)
+            words = np.arange(0, 2**32, 2**20)
+            g = np.concatenate([kernel_model.gradients(dims, words, phase) for phase in range(0, 2**32, 2**25)], axis=1)
             v = np.concatenate([rng.normal(size=(dims, 60)), np.eye(dims), np.ones((dims, 1))], axis=1)
             reached, h = (g.T @ v).max(axis=0), ROTATED.support(v)
             self.assertLess((reached - h).max(), 1e-14)
             self.assertGreater((reached / h).min(), 0.998)
             self.assertAlmostEqual(np.sqrt((g * g).sum(axis=0)).max(), LENGTH[dims])
 
-    def test_what_a_quarter_makes_of_a_gradient_is_one_of_the_set(self):
+    def test_what_is_added_is_of_the_same_set(self):
         words = np.random.default_rng(16).integers(0, 2**32, 2000)
         for dims in (2, 3):
             g = np.array(exact.gradient(OCTAHEDRAL, dims, words))
-            rotated = np.array(exact.quarter(list(g)))
-            self.assertEqual(*({tuple(column) for column in some.T} for some in (g, rotated)))
-            self.assertFalse((g * rotated).sum(axis=0).any())
+            other = np.array(exact.rotated(dims, words, 1 / 4 if dims == 2 else 1 / 6)).round(12)
+            self.assertEqual(*({tuple(abs(column)) for column in some.T} for some in (g, other)))
+            self.assertLess(abs((g * other).sum(axis=0) - (dims == 3)).max(), 1e-11)
+
+    def test_shares_of_two_sums(self):
+        angle = np.linspace(0, 2 * math.pi, 721)
+        for dims in (2, 3):
+            b = rotations.LARGEST_SHARE[dims] * np.sin(angle)
+            a = np.cos(angle) - (b / 2 if dims == 3 else 0)
+            self.assertAlmostEqual((abs(a) + abs(b)).max(), rotations.IN_SUM[dims])
+            self.assertAlmostEqual(max(abs(a).max(), abs(b).max()), rotations.LARGEST_SHARE[dims])
 
     def test_errors_of_two_sums(self):
-        """Two sums that are off as far as they may, and a rotation that is: one of them is nearly off by the bound."""
+        """Two sums that are off as far as they may, a cosine and a sine that are, and in space what is made of them:
+        one of them is nearly off by the bound."""
         rng = np.random.default_rng(17)
         angle, part = rng.uniform(0, 2 * math.pi, (2, 100_000))
-        n, m = np.cos(part), np.sin(part)
-        for error, off in ((1e-4, 1e-6), (1e-6, 1e-4)):
-            signs = rng.choice((-1, 1), (4, 100_000))
-            c, s = np.cos(angle) + off * signs[0], np.sin(angle) + off * signs[1]
-            seen = abs(c * (n + error * signs[2]) + s * (m + error * signs[3])
-                       - np.cos(angle) * n - np.sin(angle) * m).max()
-            self.assertTrue(0.95 * rotations.moved(error, off, 1.0) < seen <= rotations.moved(error, off, 1.0))
+        n, quarter = np.cos(part), np.sin(part)
+        for dims, error, off, round_b, round_a in ((2, 1e-4, 1e-6, 0, 0), (2, 1e-6, 1e-4, 0, 0), (3, 1e-4, 1e-6, 0, 0),
+                                                   (3, 1e-6, 1e-4, 0, 0), (3, 1e-7, 1e-7, 1e-4, 0),
+                                                   (3, 1e-7, 1e-7, 0, 1e-4), (3, 1e-5, 1e-5, 1e-5, 1e-5)):
+            signs = rng.choice((-1, 1), (6, 100_000))
+            a, b, m = np.cos(angle) + off * signs[0], np.sin(angle) + off * signs[1], quarter
+            if dims == 3:
+                b, m = 2 / math.sqrt(3) * b + round_b * signs[4], (n + math.sqrt(3) * quarter) / 2
+                a = a - b / 2 + round_a * signs[5]
+            seen = abs(a * (n + error * signs[2]) + b * (m + error * signs[3])
+                       - np.cos(angle) * n - np.sin(angle) * quarter).max()
+            bound = rotations.moved(dims, error, off, 1.0, math.sqrt(3) / 2 * round_b + round_a)
+            # All at once is seldom the worst of each.
+            self.assertTrue((0.75 if round_a and round_b else 0.95) * bound < seen <= bound, (dims, error, off))
+
+    def test_rounding_of_shares(self):
+        """In integers of all sines, and in floats of the worst of them."""
+        s = np.arange(-2**16, 2**16 + 1)
+        for c in (0, 12345, 65535):
+            b = 4 * s + ((s * 20277) >> 15)
+            off_b = b - 8 / math.sqrt(3) * s
+            off_a = 4 * c - (b >> 1) - (4 * c - b / 2)
+            seen = (math.sqrt(3) / 2 * abs(off_b) + abs(off_a)).max() / 2**18
+            self.assertTrue(0.8 * rotations.fixed_rounding(3) < seen <= rotations.fixed_rounding(3))
+        sine = np.sin(np.linspace(0, 2 * math.pi, 100_000)).astype(np.float32)
+        for factor in (rotations.FACTOR, np.nextafter(np.float32(rotations.FACTOR), np.float32(2))):
+            b = np.float32(factor) * sine
+            cosine = np.sqrt(1 - sine.astype(float) ** 2).astype(np.float32)
+            a = cosine - np.float32(0.5) * b
+            off_b, off_a = b - 2 / math.sqrt(3) * sine.astype(float), a - (cosine.astype(float) - b.astype(float) / 2)
+            seen = (math.sqrt(3) / 2 * abs(off_b) + abs(off_a)).max()
+            self.assertLess(seen, rotations.float_rounding(3))
+        self.assertGreater(seen, rotations.float_rounding(3) / 3)
 
     def test_sine_of_a_phase(self):
         angle = np.random.default_rng(16).integers(0, 2**30, 20_000) * 4

@@ -223,7 +223,9 @@ def quotes(derived: Everything) -> list[tuple[str, str]]:
         f"2^-19 = {scientific(SINE.component_error)}", f"which is {scientific(sine.fixed_sine_error())}:",
         f"at most 1 - {math.floor((1 - sine.sine_largest()) * 1e9) / 1e9:.2e}".replace("e-0", "e-"),
         f"adds {scientific(sums.cloud_error())} ",
-        f"within {scientific(rotations.float_error())} of those of the phase")]
+        f"within {scientific(rotations.float_error())} of those of the phase",
+        f"by at most {scientific(rotations.float_rounding(3))} for each unit of its range",
+        f"which adds {scientific(rotations.fixed_rounding(3))} for each unit")]
     stated += [(ACCURACY, text) for text in (*uniform.quotes(), *gullies.quotes())]
     return stated + [quote for name in noises.names() for quote in getattr(noises.find(name), "quotes", list)()]
 

@@ -12,10 +12,11 @@ import math
 import numpy as np
 
 from proof.bounds.boxes import corners
-from proof.bounds.gradients import OCTAHEDRAL, SINE
+from proof.bounds.gradients import OCTAHEDRAL, ROTATED, SINE
 from proof.bounds.sums import clamped_strength, step_of
 
-SCALE = {OCTAHEDRAL: {1: 2048 / 1024, 2: 1831 / 1024, 3: 985 / 1024, 4: 953 / 1024}, SINE: {2: 1.0, 3: 1.0}}
+SCALE = {OCTAHEDRAL: {1: 2048 / 1024, 2: 1831 / 1024, 3: 985 / 1024, 4: 953 / 1024},
+         ROTATED: {2: 1831 / 1024, 3: 879 / 1024}, SINE: {2: 1.0, 3: 1.0}}
 SHIFT = (11 / 32, 19 / 32, 23 / 32, 27 / 32)
 ROTATIONS = ((25, 20), (29, 13), (25, 20))  # 32 times cosine and sine, in the plane of an axis and the next
 
@@ -115,13 +116,19 @@ def gradient(kind, dims, words):
     return [g / PARTS[dims] for g in whole_gradient(dims, words)]
 
 
-def quarter(g):
-    """A gradient of two or three components after a quarter of a turn (section 14)."""
-    if len(g) == 2:
-        return [-g[1], g[0]]
-    x, y, z = g
-    return [np.where(x == 0, 0, np.where(y == 0, -z, -y)), np.where(y == 0, 0, np.where(x == 0, -z, x)),
-            np.where(z == 0, 0, np.where(x == 0, y, x))]
+def edge(h):
+    """e, which a gradient in space is after a sixth of a turn (section 14): of its axes it keeps one."""
+    x, y, z = whole_gradient(3, h)
+    b = 1 - 2 * ((h >> 20) & 1)
+    return [np.where(z == 0, 0, np.where(y == 0, x, b)), np.where(z == 0, y, np.where(y == 0, b, 0)),
+            np.where(z == 0, b, np.where(y == 0, 0, z))]
+
+
+def rotated(dims, words, turns):
+    """Octahedral gradients after so many turns."""
+    g, c, s = gradient(OCTAHEDRAL, dims, words), np.cos(2 * math.pi * turns), np.sin(2 * math.pi * turns)
+    quarter = [-g[1], g[0]] if dims == 2 else [(2 * b - a) / math.sqrt(3) for a, b in zip(g, edge(words))]
+    return [c * a + s * b for a, b in zip(g, quarter)]
 
 
 def number(h):
@@ -147,12 +154,12 @@ def weights(corner, fractions):
     return math.prod(factors), along
 
 
-def perlin(kind, words_of, fractions, rotation=list):
-    """The value, and the derivatives, of gradients that are rotated by a function."""
+def perlin(kind, words_of, fractions, gradient_of=gradient):
+    """The value, and the derivatives, of what a function makes of the kind, the dimensions and the words."""
     dims = len(fractions)
     value, derivatives = 0.0, [0.0] * dims
     for corner in corners(dims):
-        g = rotation(gradient(kind, dims, words_of(corner)))
+        g = gradient_of(kind, dims, words_of(corner))
         ramp = sum(component * (f - o) for component, f, o in zip(g, fractions, corner))
         weight, along = weights(corner, fractions)
         value = value + weight * ramp

@@ -7,8 +7,13 @@ is three quarters of the larger component and a quarter of the other. In space a
 1 or -1: h is the sum of the two largest.
 
 ROTATED. All that octahedral ones become with a phase (docs/reference/contract.md, section 14), at each lattice point
-with another one. On the plane these are all vectors that are as long as they are, sqrt(10) / 4. In space they are as
-long as sqrt(2), in a plane of two axes: h is that times the length of the two largest components.
+with another one. On the plane these are all vectors that are as long as they are, sqrt(10) / 4. In space an edge g and
+the edge e, 60 degrees apart, are both perpendicular to g x e, which is 1 or -1 along each axis: so g goes along the
+circle of the radius sqrt(2) that is perpendicular to a diagonal s of the cube. Each of the four has six edges on its
+circle, and a reflection only exchanges diagonals. On a circle the largest g.v is sqrt(2) times the length of v without
+its part along s, sqrt(|v|^2 - (s.v)^2 / 3); h is that of the diagonal with the least |s.v|. With the magnitudes a >= b
+>= c of the components, |s.v| is one of a + b + c, a + b - c, a - b + c and |a - b - c|. The last is the least: the
+third is more by 2 c or 2 (a - b).
 
 SINE. The cube |g_i| <= 1.
 """
@@ -47,7 +52,12 @@ def octahedral_support(v):
 
 
 def rotated_support(v):
-    return LENGTH[len(v)] * np.hypot(*two_largest(v))
+    if len(v) == 2:
+        return LENGTH[2] * np.hypot(*v)
+    v = np.abs(np.asarray(v, float))
+    a = v.max(axis=0)
+    along = (2 * a - v.sum(axis=0)) / math.sqrt(3)  # a - b - c: of v, along the diagonal
+    return LENGTH[3] * np.sqrt((v * v).sum(axis=0) - along * along)
 
 
 def sine_support(v):

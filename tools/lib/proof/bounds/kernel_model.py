@@ -11,7 +11,7 @@ import math
 import numpy as np
 
 from proof.bounds import exact_model as exact
-from proof.bounds.gradients import OCTAHEDRAL
+from proof.bounds.gradients import OCTAHEDRAL, ROTATED
 from proof.bounds.weights import CUBE, EVEN, FIFTH, PLANE
 
 
@@ -44,11 +44,10 @@ def at(near, words):
     return words if words is None or len(words) == 1 else words[near]
 
 
-def rotated(g, phase):
+def gradients(dims, words, phase):
     if phase is None:
-        return g
-    angle = phase / 2**31 * math.pi
-    return [np.cos(angle) * a + np.sin(angle) * b for a, b in zip(g, exact.quarter(g))]
+        return exact.gradient(OCTAHEDRAL, dims, words)
+    return exact.rotated(dims, words, phase / 2**32)
 
 
 def weight(kernel, t):
@@ -78,7 +77,7 @@ def simplex(kernel, words_of, fractions, phase=None):
     value, derivatives = np.zeros(place.shape[1]), np.zeros(place.shape)
     for point, near, d, t in near_points(kernel, place):
         w, slope = weight(kernel, t)
-        g = rotated(exact.gradient(OCTAHEDRAL, kernel.dims, at(near, words_of(point))), at(near, phase))
+        g = gradients(kernel.dims, at(near, words_of(point)), at(near, phase))
         ramp = sum(a * b for a, b in zip(g, d))
         value[near] += w * ramp
         for axis, a in enumerate(g):
@@ -109,4 +108,4 @@ def phasor_d(kernel, words_of, fractions, wave, phase):
 
 
 def perlin(words_of, fractions, phase):
-    return exact.perlin(OCTAHEDRAL, words_of, fractions, lambda g: rotated(g, phase))
+    return exact.perlin(ROTATED, words_of, fractions, lambda _, dims, words: gradients(dims, words, phase))

@@ -29,7 +29,7 @@ from __future__ import annotations
 import functools
 import itertools
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -69,6 +69,7 @@ class Kernel:
 SIMPLEX = {2: Kernel(2, 819 / 1024, 1, 4099, 3, PLANE, triangles=True),
            3: Kernel(3, 1.0, 2, 4918, 4, FOURTH),
            4: Kernel(4, 1.0, 2, 4298, 4, CUBE)}
+ROTATING = {2: SIMPLEX[2], 3: replace(SIMPLEX[3], scale=4902)}  # with a phase
 SMOOTH = {2: Kernel(2, 1.0, 1, 3081, 4, CUBE, triangles=True), 3: Kernel(3, 0.75, 1, 4279, 8, FIFTH)}
 
 

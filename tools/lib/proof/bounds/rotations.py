@@ -1,17 +1,30 @@
 """Noise whose gradients rotate with a phase (docs/reference/contract.md, section 14): what is proven of it, from what
-is proven of the noise without a phase.
+is proven of the noise without a phase, with the scale of that with a phase.
 
-At the angle a = 2 pi phase a gradient g has become cos(a) g + sin(a) g', and the noise, or a derivative, cos(a) n +
-sin(a) n', where n is that of the gradients g, and n' that of the g'. A gradient that has rotated by a quarter is one of
-the set, so all bounds of n hold for n', too. The exact noise is bounded with all gradients at all phases (ROTATED in
-gradients.py), and so is how fast it changes. So the length of (n, n') is at most the range R, and |n| + |n'| at most
-sqrt(2) R. A move of n and n' by at most e moves the noise by at most sqrt(2) e.
+At the angle a = 2 pi phase a gradient g has become cos(a) g + sin(a) g', and the noise, or a derivative, N(a) = cos(a)
+N(0) + sin(a) N(1/4 turn). The exact noise is bounded with all gradients at all phases (ROTATED in gradients.py), and so
+is how fast it changes. So the length of (N(0), N(1/4 turn)) is at most the range R. A cosine and a sine that are off by
+d move the noise by at most sqrt(2) d R.
 
-IN FLOATS the cosine and the sine are off by that of a sine, and by the angle that is cut off. Two products round, their
-sum and what is scaled.
+It is computed as A n + B m, where n is the noise of the gradients g, and m that of other gradients of the same set: all
+bounds of n hold for m, too.
 
-IN INTEGERS they are off likewise. All parts of an error but the cut of the place and SCALE are moved by sqrt(2). Two
-parts (docs/reference/contract.md, section 10) round down, with factors whose squares sum to that of 2^18.
+ON THE PLANE these are the g', A the cosine and B the sine. |A| + |B| is at most sqrt(2), and so is that times e what
+the noise is moved by if n and m are off by e.
+
+IN SPACE they are the edges e = (g + sqrt(3) g') / 2, B = 2 sin(a) / sqrt(3) and A = cos(a) - B / 2. Both are 2 /
+sqrt(3) times a cosine, of angles that are 120 degrees apart: so |A| + |B| is at most 2, at a = 120 degrees. B is
+rounded, by b, and A, by a' beside the cosine and B / 2: this moves the noise by b (m - n / 2) + a' n = b sqrt(3)/2
+N(1/4 turn) + a' n, at most (sqrt(3)/2 b + a') R.
+
+IN FLOATS the cosine and the sine are off by that of a sine, and by the angle that is cut off. In space B is a product
+with the float FACTOR, and A a difference; B / 2 is exact. Two products round, their sum and what is scaled. The
+products are at most R in sum on the plane, where (n, m) is no longer than R, and 2 R in space.
+
+IN INTEGERS they are off likewise. In space B is 2 sin(a) / sqrt(3) with 20277 / 2^15 for 4 (2 / sqrt(3) - 1), rounded
+down to a multiple of 2^-18, and B >> 1 rounds down to one. All parts of an error but the cut of the place and SCALE are
+moved by sqrt(2), or by 2. Two parts (docs/reference/contract.md, section 10) round down, with factors as large as A and
+B in units of 2^-18.
 """
 
 from __future__ import annotations
@@ -23,11 +36,17 @@ import numpy as np
 
 from proof.bounds import sine
 from proof.bounds.floats import TINY, UNIT
-from proof.bounds.integers import FADE_ONE, part_intermediate
+from proof.bounds.integers import FADE_ONE, part_intermediate, scaled_intermediate
 from proof.bounds.noises import ProvenBounds, derived
 
 ANGLE_CUT = 2 * math.pi * 2.0**-30  # a phase is cut off to a multiple of 2^-30 turns
-MIXED_ROUNDING = math.sqrt(2) * 511 + 2 + 2 * 511  # of two parts, in units of what they are parts of
+IN_SUM = {2: math.sqrt(2), 3: 2.0}  # |A| + |B|, by the number of dimensions
+OFF_IN_SUM = {2: 2.0, 3: 3.0}  # how far they are off, by the error of a cosine and a sine
+LARGEST_SHARE = {2: 1.0, 3: 2 / math.sqrt(3)}  # of A and of B
+PRODUCTS = {2: 1.0, 3: 2.0}  # |A n| + |B m|, by R
+# Of two parts, in units of what they are parts of.
+MIXED_ROUNDING = {dims: 511 * in_sum + 2 + 2 * 511 for dims, in_sum in IN_SUM.items()}
+FACTOR = 1.15470054
 
 
 @functools.cache
@@ -41,27 +60,50 @@ def fixed_error() -> float:
     return sine.fixed_sine_error() + ANGLE_CUT
 
 
-def moved(error: float, off: float, largest: float) -> float:
-    """A noise of at most that size, if n and n' are off by `error`, and the cosine and the sine by `off`."""
-    return math.sqrt(2) * (error + off * largest) + 2 * off * error
+def float_rounding(dims: int, ulps: float = 1.0) -> float:
+    """sqrt(3)/2 b + a'. The constant may be the float on the other side."""
+    if dims == 2:
+        return 0.0
+    of_sine = abs(FACTOR / LARGEST_SHARE[3] - 1) + 2 * ulps * UNIT
+    return (of_sine + LARGEST_SHARE[3] * ulps * UNIT) * (1 + 2 * float_error(ulps))
 
 
-def mixed(error: float, largest: float, ulps: float = 1.0) -> float:
-    """The error of a noise in floats, from that of n and n'."""
-    err = moved(error, float_error(ulps), largest)
-    return err + 3 * ulps * UNIT * (1 + UNIT)**3 * (largest + err) + 4 * TINY
+def fixed_rounding(dims: int) -> float:
+    """The same in integers, where a sine is at most 2^16."""
+    if dims == 2:
+        return 0.0
+    b = (1 + abs(20277 / 2**15 - 4 * (LARGEST_SHARE[3] - 1)) * 2**16) / FADE_ONE
+    return b / LARGEST_SHARE[3] + 1 / 2 / FADE_ONE
 
 
-def rotated(still: ProvenBounds, largest: float, lipschitz: float, unit: float) -> ProvenBounds:
-    """Of a noise, or its derivatives. In integers n has this unit, times the scale."""
-    parts = {name: math.sqrt(2) * value for name, value in still.fixed_parts.items()}
+def moved(dims: int, error: float, off: float, largest: float, rounding: float = 0.0) -> float:
+    """A noise of at most that size, if n and m are off by `error`, and the cosine and the sine by `off`, and what A and
+    B round by moves it by `rounding`."""
+    return (IN_SUM[dims] * error + (math.sqrt(2) * off + rounding) * largest
+            + (OFF_IN_SUM[dims] * off + 2 * rounding) * error)
+
+
+def mixed(dims: int, error: float, largest: float, ulps: float = 1.0) -> float:
+    """The error of a noise in floats, from that of n and m."""
+    err = moved(dims, error, float_error(ulps), largest, float_rounding(dims, ulps))
+    return err + (PRODUCTS[dims] + 2) * ulps * UNIT * (1 + UNIT)**3 * (largest + err) + 4 * dims * TINY
+
+
+def rotated(still: ProvenBounds, dims: int, largest: float, lipschitz: float, unit: float,
+            ratio: float = 1.0) -> ProvenBounds:
+    """Of a noise, or its derivatives. In integers n has this unit, times the scale, which is so much of that without a
+    phase, and no more than it: SCALE is no more, either."""
+    parts = {name: IN_SUM[dims] * ratio * value for name, value in still.fixed_parts.items()}
     parts |= {"cut": still.fixed_parts["cut"] / still.lipschitz * lipschitz, "scaling": still.fixed_parts["scaling"]}
-    beside = sum(value for name, value in still.fixed_parts.items() if name not in ("cut", "scaling"))
-    parts["gradient"] = moved(beside, fixed_error(), largest) - math.sqrt(2) * beside + MIXED_ROUNDING * unit
-    return derived(still.promise, largest, lipschitz, mixed(still.cell_error, largest), parts)
+    beside = ratio * sum(value for name, value in still.fixed_parts.items() if name not in ("cut", "scaling"))
+    parts["gradient"] = (moved(dims, beside, fixed_error(), largest, fixed_rounding(dims)) - IN_SUM[dims] * beside
+                         + MIXED_ROUNDING[dims] * unit)
+    return derived(still.promise, largest, lipschitz, mixed(dims, ratio * still.cell_error, largest), parts)
 
 
-def largest_intermediates(name: str, value: float) -> dict[str, float]:
-    """Of what is scaled: n and n' are as large as it, or as they are without a phase."""
-    return {f"part of a turned {name}": part_intermediate(value, np.array([FADE_ONE])),
-            f"rotated {name}": math.sqrt(2) * value * sine.fixed_sine_largest() + 2 * MIXED_ROUNDING}
+def largest_intermediates(name: str, dims: int, value: float, scale: int) -> dict[str, float]:
+    """Of what is scaled: n and m are as large as it, or as they are without a phase."""
+    share = math.ceil(LARGEST_SHARE[dims] * FADE_ONE) + 32
+    mixture = IN_SUM[dims] * value * sine.fixed_sine_largest() + 2 * MIXED_ROUNDING[dims]
+    return {f"part of a turned {name}": part_intermediate(value, np.array([share])), f"rotated {name}": mixture,
+            f"scaled {name}": scaled_intermediate(value, scale)}

@@ -217,13 +217,13 @@ def fixed_slopes(kernel: Kernel, lattice: Lattice, cell: Sequence[int], fraction
 
 
 def fixed_value(kernel: Kernel, lattice: Lattice, cell: Sequence[int], fraction: Sequence[int]) -> int:
-    total, = lattice.fixed_sums(lambda still: [fixed_sum(kernel, still, cell, fraction)])
+    total, = lattice.fixed_sums(len(cell), lambda still: [fixed_sum(kernel, still, cell, fraction)])
     return ramps.scaled(total, fixed_scale(kernel, len(cell)))
 
 
 def fixed_derivatives(kernel: Kernel, lattice: Lattice, cell: Sequence[int], fraction: Sequence[int]) -> list[int]:
     """In units of 2^-19 per cell."""
-    totals = lattice.fixed_sums(lambda still: fixed_slopes(kernel, still, cell, fraction))
+    totals = lattice.fixed_sums(len(cell), lambda still: fixed_slopes(kernel, still, cell, fraction))
     return [kernel.steps * ramps.scaled(total, fixed_scale(kernel, len(cell))) for total in totals]
 
 

@@ -34,7 +34,7 @@ class Lattice:
     phase: Real | None = None  # by which octahedral gradients are rotated, and feature points go round
     choice: Choice = Choice()
     component: int = 0  # of a vector, whose noises have words of their own (section 22)
-    quarter: bool = False  # with HN_FIXED: gradients have rotated by a quarter
+    others: bool = False  # with HN_FIXED: the vectors beside the gradients, whose sum is n' of section 14
 
     def point(self, corner: Sequence[int]) -> list[int]:
         """The hash of a corner of a cell."""
@@ -69,24 +69,24 @@ class Lattice:
     def octahedral(self, word: int, n: int) -> tuple[Real, ...]:
         """The gradient of a word in n dimensions, whatever HN_GRADIENT."""
         g = gradients.OCTAHEDRAL[n](word)
-        return g if self.phase is None else rotation.rotated(g, self.phase)
+        return g if self.phase is None else rotation.rotated(g, word, self.phase)
 
     def fixed_sine_gradient(self, corner: Sequence[int]) -> tuple[int, ...]:
         """In units of 2^-16."""
         self.check_phase()
         return integers.sine_gradient(self.knobs, self.point(corner), self.seed)
 
-    def fixed_sums(self, of_gradients: Callable[[Lattice], Sequence[int]]) -> list[int]:
-        """The sums over gradients that fixed arithmetic scales. With a phase, those of both quarters."""
+    def fixed_sums(self, n: int, of_gradients: Callable[[Lattice], Sequence[int]]) -> list[int]:
+        """The sums over gradients in n dimensions that fixed arithmetic scales. With a phase, each of two."""
         if self.phase is None:
             return list(of_gradients(self))
-        rotation_, still = rotation.rotation_of(self.phase), replace(self, phase=None)
-        return [rotation_.of(a, b) for a, b in zip(of_gradients(still), of_gradients(replace(still, quarter=True)),
-                                              strict=True)]
+        rotation_, still = rotation.rotation_of(self.phase, n), replace(self, phase=None)
+        return [rotation_.of(a, b) for a, b in zip(of_gradients(still), of_gradients(replace(still, others=True)),
+                                                   strict=True)]
 
     def whole_gradient(self, word: int, n: int) -> tuple[int, ...]:
         g = ramps.whole_gradient(word, n)
-        return rotation.quarter_rotated(g) if self.quarter else g
+        return rotation.other(g, word) if self.others else g
 
     def fixed_ramp(self, word: int, d: Sequence[int]) -> int:
         """The octahedral ramp of a word at the offset d, in the units of ramps."""

@@ -23,13 +23,17 @@ def check(n: int) -> None:
         raise ValueError(f"gradients rotate in two and three dimensions, not in {n}D")
 
 
-def quarter_rotated(g: Sequence[Number]) -> tuple[Number, ...]:
-    """g', the gradient after a quarter of a turn: in space in the plane of the two axes that it has."""
+def edge(g: Sequence[Number], h: int) -> tuple[Number | int, ...]:
+    """e, which the gradient g of the word h is after a sixth of a turn."""
+    b = -1 if h >> 20 & 1 else 1
+    return ((0, g[1], b), (g[0], b, 0), (b, 0, g[2]))[gradients.third(h)]
+
+
+def other(g: Sequence[Number], h: int) -> tuple[Number | int, ...]:
+    """The vector whose sum fixed arithmetic adds to that of the gradient g of the word h: g' on the plane, e in
+    space."""
     check(len(g))
-    first, second = (0, 1) if len(g) == 2 else (axis for axis, x in enumerate(g) if x)
-    quarter = [x - x for x in g]
-    quarter[first], quarter[second] = -g[second], g[first]
-    return tuple(quarter)
+    return (-g[1], g[0]) if len(g) == 2 else edge(g, h)
 
 
 # --- Exact ------------------------------------------------------------------------------------------------------
@@ -41,31 +45,47 @@ def cosine_and_sine(phase: Real) -> tuple[Fraction, Fraction]:
     return gradients.sine_of_turns(turns + Fraction(1, 4)), gradients.sine_of_turns(turns)
 
 
-@functools.lru_cache(maxsize=4096)  # a noise with derivatives calls it several times
-def rotated(g: tuple[Real, ...], phase: Real) -> tuple[Fraction, ...]:
-    """The gradient g after `phase` turns."""
+# 1 / sqrt(3), too small by less than 2^-SINE_BITS, which is far less than SINE_ERROR.
+INVERSE_ROOT = Fraction(math.isqrt(2**(2 * gradients.SINE_BITS) // 3), 2**gradients.SINE_BITS)
+
+
+def shares(phase: Real, n: int) -> tuple[Fraction, Fraction]:
+    """How much a rotated gradient in n dimensions has of the gradient, and of the other vector: the cosine and the sine
+    on the plane, A and B in space. Exact at whole and half turns, else they are off by less than 3 SINE_ERROR in
+    sum."""
     cosine, sine = cosine_and_sine(phase)
-    return tuple(cosine * Fraction(a) + sine * Fraction(b) for a, b in zip(g, quarter_rotated(g)))
+    return (cosine, sine) if n == 2 else (cosine - sine * INVERSE_ROOT, 2 * sine * INVERSE_ROOT)
+
+
+@functools.lru_cache(maxsize=4096)  # a noise with derivatives calls it several times
+def mixed(g: tuple[Real, ...], other_: tuple[Real, ...], phase: Real) -> tuple[Fraction, ...]:
+    a, b = shares(phase, len(g))
+    return tuple(a * Fraction(x) + b * Fraction(y) for x, y in zip(g, other_))
+
+
+def rotated(g: tuple[Real, ...], h: int, phase: Real) -> tuple[Fraction, ...]:
+    """The gradient g of the word h after `phase` turns."""
+    return mixed(g, other(g, h), phase)
 
 
 # --- Fixed ------------------------------------------------------------------------------------------------------
 
 
 def angle(phase: Real) -> int:
-    """A, in units of 2^-32 of a turn."""
+    """T, in units of 2^-32 of a turn."""
     exact = Fraction(phase)
     return 4 * math.trunc((exact - math.trunc(exact)) * 2**30) & MASK
 
 
 @dataclass(frozen=True)
 class Rotation:
-    """C and Z, the cosine and the sine of a phase, in units of 2^-18."""
-    cosine: int
-    sine: int
+    """How much a phase takes of the sum n, and of the sum n' of the other vectors, in units of 2^-18: C and Z of the
+    contract on the plane, A and B in space."""
+    of_gradients: int
+    of_others: int
 
-    def of(self, a: int, b: int) -> int:
-        """Of what there is without a rotation and after a quarter of one."""
-        return integers.signed(integers.part(a, self.cosine) + integers.part(b, self.sine))
+    def of(self, n: int, n_other: int) -> int:
+        return integers.signed(integers.part(n, self.of_gradients) + integers.part(n_other, self.of_others))
 
 
 def fixed_cosine_and_sine(phase: Real) -> tuple[int, int]:
@@ -74,6 +94,11 @@ def fixed_cosine_and_sine(phase: Real) -> tuple[int, int]:
 
 
 @functools.cache
-def rotation_of(phase: Real) -> Rotation:
-    cosine, sine = fixed_cosine_and_sine(phase)
-    return Rotation(4 * cosine, 4 * sine)
+def rotation_of(phase: Real, n: int) -> Rotation:
+    """In n dimensions."""
+    check(n)
+    c, z = (4 * number for number in fixed_cosine_and_sine(phase))
+    if n == 2:
+        return Rotation(c, z)
+    b = z + (integers.signed((z >> 2) * 20277) >> 15)
+    return Rotation(c - (b >> 1), b)

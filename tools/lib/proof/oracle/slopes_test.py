@@ -13,6 +13,7 @@ from proof.oracle import noises, slopes
 from proof.oracle.cells import smooth
 from proof.oracle.gradients import Knobs
 from proof.oracle.integers import UNIT, fade
+from proof.oracle.lattice import Lattice
 from proof.oracle.noises import perlin_d, value_d
 from proof.oracle.testing import KNOBS, quotient
 
@@ -68,7 +69,7 @@ class Derivatives(unittest.TestCase):
         for n, cell in itertools.product(DIMENSIONS, (-3, 5)):
             point, knobs = (cell,) * n, Knobs("pcg")
             gradient = perlin_d.Lattice(knobs, 7).gradient(point)
-            expected = [Fraction(g) * perlin_d.perlin.scale(knobs, n) for g in gradient]
+            expected = [Fraction(g) * perlin_d.perlin.scale(Lattice(knobs), n) for g in gradient]
             self.assertEqual(list(noises.find("perlin_d").exact(knobs, point, 7)), [0, *expected])
             self.assertEqual(noises.find("value_d").exact(knobs, point, 7)[1:], (0,) * n)
             self.assertEqual(noises.find("value_d").fixed(knobs, point, 7)[1:], (0,) * n)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from proof.bounds import rotations
 from proof.bounds.gradients import Gradient
 from proof.bounds.noises import ProvenBounds, perlin_d, perlin_phase
 
@@ -16,6 +15,6 @@ def derive(dims: int, gradient: Gradient) -> ProvenBounds:
 
 
 def largest_intermediates(dims: int, gradient: Gradient) -> dict[str, float]:
-    slope = perlin_phase.derive_slope(dims, gradient).fixed_largest / (4 * perlin_phase.unit(dims))
+    slope = perlin_phase.derive_slope(dims, gradient).fixed_largest
     return (perlin_phase.largest_intermediates(dims, gradient) | perlin_d.largest_intermediates(dims, gradient)
-            | rotations.largest_intermediates("derivative", slope))
+            | perlin_phase.scaled_intermediates("derivative", dims, slope, 4 * perlin_phase.unit(dims)))

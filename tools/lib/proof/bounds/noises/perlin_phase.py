@@ -7,35 +7,48 @@ from proof.bounds.gradients import OCTAHEDRAL, ROTATED, Gradient
 from proof.bounds.noises import ProvenBounds, listed, perlin, perlin_d
 from proof.bounds.noises.perlin.exact import SCALE, lipschitz_bound, range_bound, slope_bound, slope_lipschitz_bound
 from proof.bounds.noises.perlin.fixed import RAMP_ONE
+from proof.bounds.table import shortest
 
 CASES = ((2, OCTAHEDRAL), (3, OCTAHEDRAL))
 
 
 def unit(dims: int) -> float:
     """Of ramps, scaled."""
-    return SCALE[OCTAHEDRAL][dims] / RAMP_ONE[OCTAHEDRAL][dims]
+    return SCALE[ROTATED][dims] / RAMP_ONE[OCTAHEDRAL][dims]
+
+
+def ratio(dims: int) -> float:
+    """Of the scales with and without a phase."""
+    return SCALE[ROTATED][dims] / SCALE[OCTAHEDRAL][dims]
 
 
 def derive(dims: int, gradient: Gradient) -> ProvenBounds:
-    return rotations.rotated(perlin.derive(dims, gradient), range_bound(dims, ROTATED), lipschitz_bound(dims, ROTATED),
-                        unit(dims))
+    return rotations.rotated(perlin.derive(dims, gradient), dims, range_bound(dims, ROTATED),
+                             lipschitz_bound(dims, ROTATED), unit(dims), ratio(dims))
 
 
 def derive_slope(dims: int, gradient: Gradient) -> ProvenBounds:
-    return rotations.rotated(perlin_d.derive(dims, gradient).slope, slope_bound(dims, ROTATED),
-                        slope_lipschitz_bound(dims, ROTATED), 4 * unit(dims))
+    return rotations.rotated(perlin_d.derive(dims, gradient).slope, dims, slope_bound(dims, ROTATED),
+                             slope_lipschitz_bound(dims, ROTATED), 4 * unit(dims), ratio(dims))
+
+
+def scaled_intermediates(name: str, dims: int, largest: float, of_unit: float) -> dict[str, float]:
+    return rotations.largest_intermediates(name, dims, largest / of_unit, round(1024 * SCALE[ROTATED][dims]))
 
 
 def largest_intermediates(dims: int, gradient: Gradient) -> dict[str, float]:
-    value = derive(dims, gradient).fixed_largest / unit(dims)
-    return perlin.largest_intermediates(dims, gradient) | rotations.largest_intermediates("value", value)
+    return (perlin.largest_intermediates(dims, gradient)
+            | scaled_intermediates("value", dims, derive(dims, gradient).fixed_largest, unit(dims)))
 
 
 def quotes() -> list[tuple[str, str]]:
     below = listed([range_bound(dims, ROTATED) for dims, _ in CASES])
-    return [("docs/measured/accuracy.md", f"With a phase `hn_perlin` stays below {below} in 2D")]
+    before = shortest(range_bound(3, ROTATED) / SCALE[ROTATED][3], 5)
+    return [("docs/measured/accuracy.md", f"With a phase `hn_perlin` stays below {below} in 2D"),
+            ("docs/measured/accuracy.md", f"before the scale becomes {before} of Perlin noise")]
 
 
 def describe(dims: int, gradient: Gradient) -> dict[str, object]:
-    return {"error_from_cell_to_nearest": rotations.mixed(perlin.error_bound(dims, gradient, 0.5),
-                                                      range_bound(dims, ROTATED), 0.5)}
+    error = ratio(dims) * perlin.error_bound(dims, gradient, 0.5)
+    return {"scale": SCALE[ROTATED][dims],
+            "error_from_cell_to_nearest": rotations.mixed(dims, error, range_bound(dims, ROTATED), 0.5)}

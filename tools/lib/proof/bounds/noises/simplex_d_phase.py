@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from proof.bounds import rotations
 from proof.bounds.gradients import Gradient
-from proof.bounds.kernels import SIMPLEX
+from proof.bounds.kernels import ROTATING
 from proof.bounds.noises import ProvenBounds, simplex_d, simplex_phase
 
 CASES = simplex_phase.CASES
@@ -17,6 +16,6 @@ def derive(dims: int, gradient: Gradient | None) -> ProvenBounds:
 
 
 def largest_intermediates(dims: int, gradient: Gradient | None) -> dict[str, float]:
-    unit = 4 * SIMPLEX[dims].steps * simplex_phase.unit(dims)
+    slope, unit = simplex_phase.derive_slope(dims).fixed_largest, 4 * ROTATING[dims].steps * simplex_phase.unit(dims)
     return (simplex_phase.largest_intermediates(dims, gradient) | simplex_d.largest_intermediates(dims, gradient)
-            | rotations.largest_intermediates("derivative", simplex_phase.derive_slope(dims).fixed_largest / unit))
+            | simplex_phase.scaled_intermediates("derivative", dims, slope, unit))

@@ -13,6 +13,7 @@ from proof.oracle.ramps import scaled, sine_ramp
 # --- Exact ------------------------------------------------------------------------------------------------------
 
 OCTAHEDRAL_SCALES = {1: Fraction(2), 2: Fraction(1831, 1024), 3: Fraction(985, 1024), 4: Fraction(953, 1024)}
+ROTATING_SCALES = OCTAHEDRAL_SCALES | {3: Fraction(879, 1024)}  # with a phase (section 14)
 
 
 def check(knobs: Knobs, n: int) -> None:
@@ -20,9 +21,11 @@ def check(knobs: Knobs, n: int) -> None:
         raise ValueError(f"with the sine gradient there is no Perlin noise in {n}D")
 
 
-def scale(knobs: Knobs, n: int) -> Fraction:
+def scale(lattice: Lattice, n: int) -> Fraction:
     """The factor of the weighted sum in n dimensions."""
-    return Fraction(1) if knobs.sine else OCTAHEDRAL_SCALES[n]
+    if lattice.knobs.sine:
+        return Fraction(1)
+    return (OCTAHEDRAL_SCALES if lattice.phase is None else ROTATING_SCALES)[n]
 
 
 def ramp(lattice: Lattice, corner: Sequence[int], offset: Sequence[Fraction]) -> Fraction:
@@ -33,7 +36,7 @@ def ramp(lattice: Lattice, corner: Sequence[int], offset: Sequence[Fraction]) ->
 def exact(lattice: Lattice, cell: Sequence[int], f: Sequence[Fraction]) -> tuple[Fraction]:
     check(lattice.knobs, len(f))
     total = weighted_sum(cell, f, lambda corner, offset: ramp(lattice, corner, offset))
-    return (total * scale(lattice.knobs, len(f)),)
+    return (total * scale(lattice, len(f)),)
 
 
 # --- Fixed (section 8) ------------------------------------------------------------------------------------------
@@ -41,6 +44,13 @@ def exact(lattice: Lattice, cell: Sequence[int], f: Sequence[Fraction]) -> tuple
 
 # By the number of dimensions, for octahedral gradients.
 FIXED_SCALES = {1: 2048, 2: 1831, 3: 985, 4: 1906}
+ROTATING_FIXED_SCALES = FIXED_SCALES | {3: 879}
+
+
+def fixed_scaled(lattice: Lattice, n: int, sums: Sequence[int]) -> tuple[int, ...]:
+    """The results in n dimensions, of the sums that are scaled."""
+    scales = FIXED_SCALES if lattice.phase is None else ROTATING_FIXED_SCALES
+    return tuple(scaled(x, scales[n]) for x in sums)
 
 
 def fixed_ramp(lattice: Lattice, corner: Sequence[int], d: Sequence[int]) -> int:
@@ -54,6 +64,6 @@ def fixed(lattice: Lattice, cell: Sequence[int], fraction: Sequence[int]) -> tup
     check(lattice.knobs, len(cell))
     if lattice.knobs.sine:
         lattice.check_phase()
-    n, = lattice.fixed_sums(
+    sums = lattice.fixed_sums(len(cell),
         lambda still: [interpolated(cell, fraction, lambda corner, d: fixed_ramp(still, corner, d))])
-    return (n >> 7 if lattice.knobs.sine else scaled(n, FIXED_SCALES[len(cell)]),)
+    return (sums[0] >> 7,) if lattice.knobs.sine else fixed_scaled(lattice, len(cell), sums)

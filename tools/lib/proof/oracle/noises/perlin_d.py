@@ -9,7 +9,6 @@ from proof.oracle.cells import corners, halves, weighted_sum
 from proof.oracle.integers import fade
 from proof.oracle.lattice import Lattice
 from proof.oracle.noises import perlin
-from proof.oracle.ramps import scaled
 from proof.oracle.slopes import Ramp, fade_slope, interpolated_ramp, weight_derivatives
 
 
@@ -23,7 +22,7 @@ def exact(lattice: Lattice, cell: Sequence[int], f: Sequence[Fraction]) -> tuple
     of_weights = weight_derivatives(cell, f, lambda corner, offset: perlin.ramp(lattice, corner, offset))
     of_ramps = [weighted_sum(cell, f, lambda corner, _: Fraction(lattice.gradient(corner)[axis]))
                 for axis in range(len(f))]
-    scale = perlin.scale(lattice.knobs, len(f))
+    scale = perlin.scale(lattice, len(f))
     return (*perlin.exact(lattice, cell, f), *(scale * (a + b) for a, b in zip(of_weights, of_ramps)))
 
 
@@ -40,5 +39,5 @@ def interpolated(lattice: Lattice, cell: Sequence[int], fraction: Sequence[int])
 
 def fixed(lattice: Lattice, cell: Sequence[int], fraction: Sequence[int]) -> tuple[int, ...]:
     check(lattice)
-    sums = lattice.fixed_sums(lambda still: interpolated(still, cell, fraction))
-    return tuple(scaled(x, perlin.FIXED_SCALES[len(cell)]) for x in sums)
+    sums = lattice.fixed_sums(len(cell), lambda still: interpolated(still, cell, fraction))
+    return perlin.fixed_scaled(lattice, len(cell), sums)

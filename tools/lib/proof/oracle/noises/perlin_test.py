@@ -57,7 +57,7 @@ def interpolated_perlin(knobs: Knobs, p: Sequence[float], seed: int, periods: Se
         low, high = value((*corner, 0)), value((*corner, 1))
         return low + (high - low) * t**3 * (t * (t * 6 - 15) + 10)
 
-    return value(()) * perlin.scale(knobs, len(f))
+    return value(()) * perlin.scale(Lattice(knobs), len(f))
 
 
 class Perlin(unittest.TestCase):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
-from proof.oracle.noises.simplex_d import exact, fixed
+from proof.oracle.kernels import noise_with_derivatives
+from proof.oracle.noises.simplex_phase import KERNELS
 
-__all__ = ["exact", "fixed"]
+exact, fixed = noise_with_derivatives(KERNELS)

@@ -2,6 +2,11 @@
 
 from __future__ import annotations
 
-from proof.oracle.noises.simplex import exact, fixed
+from dataclasses import replace
 
-__all__ = ["exact", "fixed"]
+from proof.oracle.kernels import noise
+from proof.oracle.noises import simplex
+
+KERNELS = simplex.KERNELS | {3: replace(simplex.KERNELS[3], scale=4902)}
+
+exact, fixed = noise(KERNELS)

@@ -2,9 +2,10 @@
 above, times the scale of docs/reference/contract.md, section 6.
 
 RANGE. The scales of the octahedral gradient are multiples of 1/1024 below the inverse of the supremum before scaling.
-It is 1/2 times 511/512 on the line, and 1.07346 in 4D. On the plane and in space it is that of gradients that rotate
-with a phase: 0.559017 on the plane, in the middle of the cell, where gradients that do not rotate reach 0.508437; and
-1.03849 in space, where they reach 1.03636. The rest up to 1 is room for the errors of the fixed arithmetic.
+It is 1/2 times 511/512 on the line, 1.03636 in space and 1.07346 in 4D. On the plane it is that of gradients that
+rotate with a phase, which have the same scale: 0.559017, in the middle of the cell, where gradients that do not rotate
+reach 0.508437. In space gradients that rotate reach 1.16420 and have a scale of their own. The rest up to 1 is room for
+the errors of the fixed arithmetic; in space the scale without a phase could be 3/1024 larger.
 
 SINE GRADIENT. Its components are independent, |g_i| <= 1, and nothing is scaled. The range is exact: the supremum over
 the gradients is the sum over the axes of
@@ -16,9 +17,10 @@ middle of the cell.
 """
 
 from proof.bounds import suprema
-from proof.bounds.gradients import OCTAHEDRAL, SINE
+from proof.bounds.gradients import OCTAHEDRAL, ROTATED, SINE
 
-SCALE = {OCTAHEDRAL: {1: 2.0, 2: 1831 / 1024, 3: 985 / 1024, 4: 953 / 1024}, SINE: {2: 1.0, 3: 1.0}}
+SCALE = {OCTAHEDRAL: {1: 2.0, 2: 1831 / 1024, 3: 985 / 1024, 4: 953 / 1024},
+         ROTATED: {2: 1831 / 1024, 3: 879 / 1024}, SINE: {2: 1.0, 3: 1.0}}
 
 
 def range_bound(dims, gradient):
@@ -29,8 +31,7 @@ def range_bound(dims, gradient):
 
 
 def scaled(quantity, dims, gradient):
-    """Of gradients that rotate, too."""
-    return SCALE[SINE if gradient is SINE else OCTAHEDRAL][dims] * suprema.largest(quantity, dims, gradient)
+    return SCALE[gradient][dims] * suprema.largest(quantity, dims, gradient)
 
 
 def lipschitz_bound(dims, gradient):
