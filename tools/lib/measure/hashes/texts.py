@@ -114,6 +114,8 @@ This table has the noises of the library side by side, with 8 seeds each and the
 
 `hn_perlin_worley` has one octave, because further octaves have lattices of their own. Its billows are a little denser at some places of a cell than at others, as the distances of cellular noise are. Of its variance {fixed} is the same in each cell, and its spectrum shows this part. Without this part the spectrum has {rest}. This noise is tested: its structures may have {structures}, that part of the variance {most}, the spectrum without it {waves}, and its slices must have {slices}.
 
+With a [phase](../reference/noises.md#loops-gradients-that-rotate) gradients rotate. On the plane the set of them differs the most after an eighth of a turn, and structures prefer the diagonals there. In space their preference is the same at each phase.
+
 ![Perlin noise, simplex noise, smooth simplex noise, and the directions across their structures](../images/looks.png)
 
 """
