@@ -93,6 +93,12 @@ endmodule
 """
 
 
+def written(points: Sequence[Sequence[int]], folder: Path) -> Path:
+    file = folder / "points"
+    file.write_text("".join(f"{' '.join(map(str, point))}\n" for point in points), encoding="ascii")
+    return file
+
+
 def icarus(made: Made, text: str, points: Sequence[Sequence[int]], folder: Path) -> list[list[int]]:
     """The results of a module at points, which have a number for each port that is read."""
     outputs = [port.name for port in made.outputs]
@@ -102,7 +108,7 @@ def icarus(made: Made, text: str, points: Sequence[Sequence[int]], folder: Path)
         declared="\n".join(declared), module=made.name, latency=made.pipeline.latency, points=len(points),
         connected=", ".join(f".{name}({name})" for name in (*inputs, *outputs)), format=" ".join(["%d"] * len(inputs)),
         inputs=", ".join(inputs), shown=" ".join(["%0d"] * len(outputs)), outputs=", ".join(outputs))
-    (folder / "points").write_text("".join(f"{' '.join(map(str, point))}\n" for point in points), encoding="ascii")
+    written(points, folder)
     (folder / "bench.v").write_text(source, encoding="ascii")
     (folder / f"{made.name}.v").write_text(text, encoding="ascii")
     ran(folder, "iverilog", "-g2005", "-Wall", "-Wno-timescale", "-s", "bench", "-o", "bench.vvp", "bench.v", f"{made.name}.v")
