@@ -83,7 +83,7 @@ export function shapes(state) {
 
 // The end of each sum, by its name in the catalog: the function that ends the loop, and an expression of its result.
 const kMeans = {
-  density: { end: "hn_density" },
+  density: { end: "density" },
   billows: { of: (mean) => `min(2.0 * ${mean} - 1.0, 1.0)` },
   bounded: { of: (mean) => `min(max(${mean}, -1.0), 1.0)` }, // roundings may take it beyond
 };
@@ -203,8 +203,9 @@ class Writer {
       return { name: `${noise.calls}${steep}`, lines: [] };
     }
     const values = { ...this.values, seed: "seed", otherSeed: "seed + 1u" };
-    const { lines, value } = this.noiseAt(this.place, values);
-    const parameters = [[`hn_place${this.n}`, "place"], [this.types.uint, "seed"]];
+    const { lines, value } = this.noiseAt(this.near ? this.position : this.place, values);
+    const where = this.near ? [this.types.float(this.n), "p"] : [`hn_place${this.n}`, "place"];
+    const parameters = [where, [this.types.uint, "seed"]];
     const name = `${state.noise}${this.suffix}`;
     return { name, lines: this.define(name, parameters, [...lines, `return ${this.number(noise.signed(value))};`]) };
   }
@@ -216,34 +217,44 @@ class Writer {
     const { mean: made, steep, strength } = kSums[state.sum];
     this.files.add(`${steep ? "fbm_d" : "fbm"}${n}d.glsl`);
     this.sum = `hn_${state.sum}`;
-    if (state.noise === "perlin" && !(this.short && (state.tiled || this.ofCell))) return [];
+    // Of sums of values at positions in floats, and of those in a tile, the page has functions whose text is shorter.
+    const isPlain = this.short && !this.ofCell && state.arithmetic !== "fixed" && !steep;
+    const isLoop = this.short && (state.tiled ? !isPlain || n === 1 || n === 4 : this.ofCell);
+    if (state.noise === "perlin" && !isLoop) return [];
+    const near = isPlain && !state.tiled;
+    this.near = near;
     const noise = this.summedNoise();
     this.sum = `${state.sum}_${state.noise}${this.suffix}`;
     const wgsl = this.language === "wgsl";
-    const step = `hn_add${kSums[state.sum].step ? `_${kSums[state.sum].step}` : ""}`;
-    const { end = "hn_mean", of = (mean) => mean } = kMeans[made] ?? {};
     const set = (name) => (wgsl ? `&${name}` : name);
-    const at = ["o.place", "o.seed"];
+    const [o, at] = near ? ["sum", ["p", "seed"]] : ["o", ["o.place", "o.seed"]];
+    const ours = (name, ...passed) => this.called(`hn_${near ? "play_" : ""}${name}`, near ? `hn_play_${name}1` : `hn_${name}${n}`, ...passed);
+    const { end = "mean", of = (mean) => mean } = kMeans[made] ?? {};
     const octave = noise.lines.length
       ? `${noise.name}(${at.join(", ")})`
-      : this.called(noise.name, `${noise.name}${n}_place`, ...at);
+      : this.called(noise.name, `${noise.name}${n}${near ? "" : "_place"}`, ...at);
     const rest = [...(steep ? [set("s")] : []), octave, ...(strength ? ["strength"] : [])];
-    const add = this.called(step, `${step}${n}`, set("o"), ...rest);
-    const next = this.called("hn_next", `hn_next${n}`, set("o"));
-    const mean = of(this.called(end, `${end}${n}`, "o"));
-    const slopes = wgsl ? `var s: hn_slopes${n}` : `hn_slopes${n} s`;
+    const add = ours(`add${kSums[state.sum].step ? `_${kSums[state.sum].step}` : ""}`, set(o), ...rest);
+    const next = near
+      ? this.called("hn_play_next", `hn_play_next${n}`, ...["p", "seed", "sum"].map(set), "lacunarity")
+      : ours("next", set("o"));
+    const variable = (type, name, value) => (wgsl ? `var ${name}: ${type} = ${value};` : `${type} ${name} = ${value};`);
+    const { float, int, uint } = this.types;
+    const given = near ? [[float(n), "p"], [uint, "seed"]] : [[`hn_octaves${n}`, "o"]];
     const lines = [
-      ...(steep ? [`${slopes} = ${this.called("hn_slopes", `hn_slopes_of${n}`, "o")};`] : []),
+      ...(wgsl ? given.map(([, name]) => `var ${name} = ${name}_in;`) : []),
+      ...(near ? [variable("hn_i_octave_sum", "sum", ours("begin", "octaves", "gain"))] : []),
+      ...(steep ? [variable(`hn_slopes${n}`, "s", this.called("hn_slopes", `hn_slopes_of${n}`, "o"))] : []),
       ...(wgsl
         ? ["loop {", `  ${add};`, `  continuing { break if !(${next}); }`, "}"]
         : [`do ${add}; while (${next});`]),
-      `return ${this.number(mean)};`,
+      `return ${this.number(of(ours(end, o)))};`,
     ];
     const parameters = [
-      [`hn_octaves${n}`, wgsl ? "o_in" : "o"],
-      ...(strength ? [[this.types.float(1), "strength"]] : []),
+      ...given.map(([type, name]) => [type, wgsl ? `${name}_in` : name]),
+      ...(near ? [[int(1), "octaves"], [float(1), "lacunarity"], [float(1), "gain"]] : []),
+      ...(strength ? [[float(1), "strength"]] : []),
     ];
-    if (wgsl) lines.unshift("var o = o_in;");
     return [...noise.lines, ...this.define(this.sum, parameters, lines)];
   }
 
@@ -253,8 +264,14 @@ class Writer {
     if (!this.summed) return this.noiseAt(where, values);
     const settings = [values.octaves, values.lacunarity, values.gain];
     const strength = kSums[state.sum].strength ? [values.strength] : [];
+    if (this.near) return { lines: [], value: `${this.sum}(${[where.position, values.seed, ...settings, ...strength].join(", ")})` };
     if (this.sum.startsWith("hn_")) {
-      return { lines: [], value: this.call(this.sum, where, "", ...settings, ...strength, values.seed) };
+      const passed = [...settings, ...strength, values.seed];
+      const inTile = `hn_play_${state.sum}_in_tile`;
+      const value = this.short && state.tiled
+        ? this.called(inTile, `${inTile}${this.n}`, where.position, values.period, ...passed)
+        : this.call(this.sum, where, "", ...passed);
+      return { lines: [], value };
     }
     const octaves = this.call("hn_octaves", where, "", ...settings, values.seed);
     return { lines: [], value: `${this.sum}(${[octaves, ...strength].join(", ")})` };

@@ -149,6 +149,7 @@ export function possible(state) {
   const next = possibleSettings(usualsOf(false), state);
   next.layers = state.layers.slice(0, kMostLayers).map((layer) => possibleLayer(layer, next.period));
   if (!shownLayers(next).length) next.layers[0].on = 1;
+  if (next.layers.length === 1) next.layers[0].scale = 1; // of a layer alone there is none, and its tiles would have it
   if (!dimensionsOf(next).includes(next.dimensions)) next.dimensions = 2;
   if ((next.view === "tiles" && !next.period) || next.dimensions === 1) next.view = "plane";
   if (next.view !== "plane" && next.view !== "tiles" && !isTurned(next)) next.view = "plane";

@@ -9,62 +9,49 @@ const kAxes = ["x", "y", "z", "w"];
 const kPlain = ["perlin", "value", "simplex"]; // these have functions of a position
 const signed = (seed) => String(seed | 0); // where words are numbers with a sign
 
-// The syntax that C, C#, Java and OSL share.
 const typed = (parameters) => parameters.map(([type, one]) => `${type} ${one}`).join(", ");
 const doWhile = (lines, next, indent = "  ") =>
   ["do {", ...lines.map((line) => indent + line), `} while (${next});`];
+const typesInC = (uint) => ({ float: "float", uint, place: (n) => `hn_place${n}`, octaves: (n) => `hn_octaves${n}` });
+const typesByName = (float, uint) => ({ float, uint, place: (n) => `Place${n}`, octaves: (n) => `Octaves${n}` });
 
 // How a language writes what the functions need. `o` is how a sum is passed to what changes it.
+const kC = {
+  float: (value) => `${decimal(value)}f`, uint: (value) => `${value}u`, o: "&o", s: "&s", place: "o.place", seed: "o.seed",
+  head: (name, parameters) => `static inline float ${name}(${typed(parameters)}) {`, types: typesInC("uint32_t"),
+  let: (name, value) => `float ${name} = ${value};`, struct: (type, name, value) => `${type} ${name} = ${value};`, loop: doWhile,
+};
+const kJava = {
+  ...kC, uint: signed, o: "o", s: "s", types: typesByName("float", "int"),
+  head: (name, parameters, isPublic) => `${isPublic ? "public" : "private"} static float ${name}(${typed(parameters)}) {`,
+  struct: (_, name, value) => `var ${name} = ${value};`, loop: (lines, next) => doWhile(lines, next, "    "),
+};
 const kSyntax = {
-  c: {
-    float: (value) => `${decimal(value)}f`, uint: (value) => `${value}u`, o: "&o", s: "&s", place: "o.place", seed: "o.seed",
-    head: (name, parameters) => `static inline float ${name}(${typed(parameters)}) {`,
-    types: { float: "float", uint: "uint32_t", place: (n) => `hn_place${n}`, octaves: (n) => `hn_octaves${n}` },
-    let: (name, value) => `float ${name} = ${value};`, struct: (type, name, value) => `${type} ${name} = ${value};`,
-    loop: doWhile,
-  },
+  c: kC,
   rust: {
-    float: decimal, uint: String, o: "&mut o", s: "&mut s", place: "o.place", seed: "o.seed", copies: true,
+    float: decimal, uint: String, o: "&mut o", s: "&mut s", place: "o.place", seed: "o.seed", types: typesByName("f32", "u32"),
     head: (name, parameters, isPublic) =>
       `${isPublic ? "pub " : ""}fn ${name}(${parameters.map(([type, one]) => `${one}: ${type}`).join(", ")}) -> f32 {`,
-    types: { float: "f32", uint: "u32", place: (n) => `Place${n}`, octaves: (n) => `Octaves${n}` },
     let: (name, value) => `let ${name} = ${value};`, struct: (_, name, value) => `let mut ${name} = ${value};`,
     loop: (lines, next) => ["loop {", ...lines.map((line) => `    ${line}`), `    if !${next} {`, "        break;", "    }", "}"],
   },
-  csharp: {
-    float: (value) => `${decimal(value)}f`, uint: (value) => `${value}u`, o: "ref o", s: "ref s", place: "o.Place", seed: "o.Seed",
-    head: (name, parameters, isPublic) => `${isPublic ? "public" : "private"} static float ${name}(${typed(parameters)}) {`,
-    types: { float: "float", uint: "uint", place: (n) => `Place${n}`, octaves: (n) => `Octaves${n}` },
-    let: (name, value) => `float ${name} = ${value};`, struct: (_, name, value) => `var ${name} = ${value};`,
-    loop: (lines, next) => doWhile(lines, next, "    "),
-  },
-  java: {
-    float: (value) => `${decimal(value)}f`, uint: signed, o: "o", s: "s", place: "o.place", seed: "o.seed",
-    head: (name, parameters, isPublic) => `${isPublic ? "public" : "private"} static float ${name}(${typed(parameters)}) {`,
-    types: { float: "float", uint: "int", place: (n) => `Place${n}`, octaves: (n) => `Octaves${n}` },
-    let: (name, value) => `float ${name} = ${value};`, struct: (_, name, value) => `var ${name} = ${value};`,
-    loop: (lines, next) => doWhile(lines, next, "    "),
-  },
+  csharp: { ...kJava, uint: kC.uint, o: "ref o", s: "ref s", place: "o.Place", seed: "o.Seed", types: typesByName("float", "uint") },
+  java: kJava,
   go: {
-    float: decimal, uint: String, o: "&o", s: "&s", place: "o.Place", seed: "o.Seed",
+    float: decimal, uint: String, o: "&o", s: "&s", place: "o.Place", seed: "o.Seed", types: typesByName("float32", "uint32"),
     head: (name, parameters) => `func ${name}(${parameters.map(([type, one]) => `${one} ${type}`).join(", ")}) float32 {`,
-    types: { float: "float32", uint: "uint32", place: (n) => `Place${n}`, octaves: (n) => `Octaves${n}` },
     let: (name, value) => `${name} := ${value}`, struct: (_, name, value) => `${name} := ${value}`, end: "",
     loop: (lines, next) => ["for {", ...lines.map((line) => `\t${line}`), `\tif !${next} {`, "\t\tbreak", "\t}", "}"],
   },
   javascript: {
-    float: String, uint: String, o: "o", s: "s", place: "o.place", seed: "o.seed",
+    float: String, uint: String, o: "o", s: "s", place: "o.place", seed: "o.seed", types: typesByName("", ""),
     head: (name, parameters, isPublic) => `${isPublic ? "export " : ""}function ${name}(${parameters.map(([, one]) => one).join(", ")}) {`,
-    types: { float: "", uint: "", place: () => "", octaves: () => "" },
     let: (name, value) => `const ${name} = ${value};`, struct: (_, name, value) => `const ${name} = ${value};`,
     loop: doWhile,
   },
   osl: {
-    float: decimal, uint: signed, o: "o", s: "s", place: "o.place", seed: "o.seed",
+    ...kC, float: decimal, uint: signed, o: "o", s: "s", types: typesInC("int"),
     head: (name, parameters) => `float ${name}(${typed(parameters)}) {`,
-    types: { float: "float", uint: "int", place: (n) => `hn_place${n}`, octaves: (n) => `hn_octaves${n}` },
-    let: (name, value) => `float ${name} = ${value};`, struct: (type, name, value) => `${type} ${name} = ${value};`,
-    loop: doWhile,
   },
 };
 const kIndent = { rust: "    ", csharp: "    ", java: "    ", go: "\t" };

@@ -2,6 +2,7 @@
 // that in whole numbers, so that every GPU shows the same points.
 import { wrapped } from "./numbers.js";
 import { kPartsOfCell, partsOf } from "./view.js";
+import { inWgsl } from "./wgsl.js";
 
 const kRadius = 16384; // of the ball in its own units, and of a ball around the cube
 const kHalfEdge = 9459; // of the cube
@@ -9,6 +10,7 @@ const kRounded = 4; // how far beyond its edges roundings may take a point of it
 const kOne = 16384; // of the whole numbers by which the solid is turned
 const kBitsOfOne = 14;
 const kNowhere = 1048576; // farther than anything is
+const kAway = 32768;
 const kRadiusShown = 0.46; // the radius of the ball in shorter sides of the picture
 const kTurn = 2 * Math.PI;
 const kLightOfSolid = [-0.35, 0.45, 0.82]; // from where light comes: right, up, and to who looks
@@ -40,115 +42,59 @@ export function solidPlace(state) {
   return { position: [...corner, partsOf(state.w)], step };
 }
 
-// Which point of the solid is at a pixel, if there is one, and how bright it is there. `ahead` is known of each
-// kind of solid: how far its point is in front of the middle, and which way it faces.
-const glslPoint = (ahead) => `bool solid_at(ivec2 pixel, out ivec3 point, out float light) {
-  ivec2 s = ((2 * pixel + 1 - u_solid[3].xy) * u_solid[3].z) >> 8;
-  if (max(abs(s.x), abs(s.y)) > ${kRadius}) return false;
+// Which point of the solid is at a pixel, and how bright it is there: less than 0 where there is none. `ahead` is known of
+// each kind of solid: how far its point is in front of the middle, and which way it faces.
+const pointOf = (ahead) => `vec4 solid_at(ivec2 pixel) {
+  ivec2 s = ((2 * pixel + 1 - u_solid[3].xy) * u_solid[3].z) >> uvec2(8u);
+  vec4 nowhere = vec4(0.0, 0.0, 0.0, -1.0);
+  if (max(abs(s.x), abs(s.y)) > ${kRadius}) return nowhere;
   ivec3 beside = s.x * u_solid[0].xyz + s.y * u_solid[1].xyz;
   ivec3 towards = u_solid[2].xyz;
-  vec3 normal;
 ${ahead}
-  light = ${kDarkSide} + ${kLit} * clamp(dot(normal, vec3(${kLightOfSolid.join(", ")})), 0.0, 1.0);
-  return true;
-}`;
-const wgslPoint = (ahead) => `
-fn solid_at(pixel: vec2i, point: ptr<function, vec3i>, light: ptr<function, f32>) -> bool {
-  let s = ((2 * pixel + 1 - u.solid[3].xy) * u.solid[3].z) >> vec2u(8u);
-  if (max(abs(s.x), abs(s.y)) > ${kRadius}) { return false; }
-  let beside = s.x * u.solid[0].xyz + s.y * u.solid[1].xyz;
-  let towards = u.solid[2].xyz;
-  var normal: vec3f;
-${ahead}
-  *light = ${kDarkSide} + ${kLit} * clamp(dot(normal, vec3f(${kLightOfSolid.join(", ")})), 0.0, 1.0);
-  return true;
+  float light = clamp(dot(normal, vec3(${kLightOfSolid.join(", ")})), 0.0, 1.0);
+  return vec4(vec3(point), ${kDarkSide} + ${kLit} * light);
 }`;
 
-// The root of the ball is a whole number, whatever the GPU's own root is.
-const kGlslBall = `  int rest = ${kRadius * kRadius} - s.x * s.x - s.y * s.y;
-  if (rest < 0) return false;
+const kPoints = {
+  // The root of the ball is a whole number, whatever the GPU's own root is.
+  sphere: pointOf(`  int rest = ${kRadius * kRadius} - s.x * s.x - s.y * s.y;
+  if (rest < 0) return nowhere;
   int near = int(sqrt(float(rest)));
-  if (near * near > rest) --near;
-  if ((near + 1) * (near + 1) <= rest) ++near;
-  point = (beside + near * towards) >> ${kBitsOfOne};
-  normal = vec3(s, near) / ${kRadius}.0;`;
-const kWgslBall = `  let rest = ${kRadius * kRadius} - s.x * s.x - s.y * s.y;
-  if (rest < 0) { return false; }
-  var near = i32(sqrt(f32(rest)));
-  if (near * near > rest) { near -= 1; }
-  if ((near + 1) * (near + 1) <= rest) { near += 1; }
-  *point = (beside + near * towards) >> vec3u(${kBitsOfOne}u);
-  normal = vec3f(vec3i(s, near)) / ${kRadius}.0;`;
-
-// Of the cube's faces that look here the nearest one. Languages round quotients below 0 in different ways, so what is
-// divided is made larger first.
-const kAway = 32768;
-const kGlslCube = `  int near = ${kNowhere};
+  if (near * near > rest) near -= 1;
+  if ((near + 1) * (near + 1) <= rest) near += 1;
+  ivec3 point = (beside + near * towards) >> uvec3(${kBitsOfOne}u);
+  vec3 normal = vec3(ivec3(s, near)) / ${kRadius}.0;`),
+  // Of the cube's faces that look here the nearest one. Languages round quotients below 0 in different ways, so what is
+  // divided is made larger first.
+  cube: pointOf(`  int near = ${kNowhere};
   int face = 0;
   int side = 0;
-  for (int k = 0; k < 3; ++k) {
+  for (int k = 0; k < 3; k++) {
     int facing = sign(towards[k]);
     int steep = max(abs(towards[k]), 1);
     int far = (${kHalfEdge * kOne} - facing * beside[k] + steep * ${kAway}) / steep - ${kAway};
     if (facing != 0 && far < near) { near = far; face = k; side = facing; }
   }
-  if (abs(near) > ${kRadius}) return false;
-  point = (beside + near * towards) >> ${kBitsOfOne};
-  if (max(max(abs(point.x), abs(point.y)), abs(point.z)) > ${kHalfEdge + kRounded}) return false;
+  if (abs(near) > ${kRadius}) return nowhere;
+  ivec3 point = (beside + near * towards) >> uvec3(${kBitsOfOne}u);
+  if (max(max(abs(point.x), abs(point.y)), abs(point.z)) > ${kHalfEdge + kRounded}) return nowhere;
   point = clamp(point, ivec3(-${kHalfEdge}), ivec3(${kHalfEdge}));
   point[face] = side * ${kHalfEdge};
-  normal = vec3(u_solid[0][face], u_solid[1][face], u_solid[2][face]) * (float(side) / ${kOne}.0);`;
-const kWgslCube = `  var near = ${kNowhere};
-  var face = 0;
-  var side = 0;
-  for (var k = 0; k < 3; k++) {
-    let facing = sign(towards[k]);
-    let steep = max(abs(towards[k]), 1);
-    let far = (${kHalfEdge * kOne} - facing * beside[k] + steep * ${kAway}) / steep - ${kAway};
-    if (facing != 0 && far < near) { near = far; face = k; side = facing; }
-  }
-  if (abs(near) > ${kRadius}) { return false; }
-  var found = (beside + near * towards) >> vec3u(${kBitsOfOne}u);
-  if (max(max(abs(found.x), abs(found.y)), abs(found.z)) > ${kHalfEdge + kRounded}) { return false; }
-  found = clamp(found, vec3i(-${kHalfEdge}), vec3i(${kHalfEdge}));
-  found[face] = side * ${kHalfEdge};
-  *point = found;
-  normal = vec3f(vec3i(u.solid[0][face], u.solid[1][face], u.solid[2][face])) * (f32(side) / ${kOne}.0);`;
+  vec3 normal = vec3(ivec3(u_solid[0][face], u_solid[1][face], u_solid[2][face])) * (float(side) / ${kOne}.0);`),
+};
+const lightOf = (bits) => `vec4 solid_light(float light) {
+  if (u_shown.z == ${bits}) return vec4(1.0);
+  if (light < 0.0) return vec4(${kBehind.join(", ")}, 1.0);
+  return vec4(vec3(light), 1.0);
+}`;
+const kPlacesOfSolid = ["x", "y", "z"].map((axis) => `  uvec2 ${axis} = place_of(u_cell.${axis}, u_place.${axis}, uint(int(solid.${axis}) + ${kRadius}));`);
 
-const kBehindIt = `${kBehind.join(", ")}, 1.0`;
-const kSolidPlaces = {
-  glsl: (bits) => `  ivec3 point;
-  float light;
-  if (!solid_at(ivec2(at), point, light)) {
-    color = u_shown.z == ${bits} ? vec4(1.0) : vec4(${kBehindIt});
-    return;
-  }
-  uvec2 x = place_of(u_cell.x, u_place.x, uint(point.x + ${kRadius}));
-  uvec2 y = place_of(u_cell.y, u_place.y, uint(point.y + ${kRadius}));
-  uvec2 z = place_of(u_cell.z, u_place.z, uint(point.z + ${kRadius}));`,
-  wgsl: (bits) => `  var point: vec3i;
-  var light: f32;
-  if (!solid_at(vec2i(at), &point, &light)) {
-    return select(vec4f(${kBehindIt}), vec4f(1.0), u.shown.z == ${bits});
-  }
-  let x = place_of(u.cell.x, u.place.x, u32(point.x + ${kRadius}));
-  let y = place_of(u.cell.y, u.place.y, u32(point.y + ${kRadius}));
-  let z = place_of(u.cell.z, u.place.z, u32(point.z + ${kRadius}));`,
-};
-const kPoints = {
-  glsl: { sphere: glslPoint(kGlslBall), cube: glslPoint(kGlslCube) },
-  wgsl: { sphere: wgslPoint(kWgslBall), cube: wgslPoint(kWgslCube) },
-};
-const kLitColours = {
-  glsl: (bits) => `u_shown.z == ${bits} ? vec4(1.0) : vec4(vec3(light), 1.0)`,
-  wgsl: (bits) => `select(vec4f(vec3f(light), 1.0), vec4f(1.0), u.shown.z == ${bits})`,
-};
-
-// The parts of the shader of a solid: a function; lines of main, which is called with a pixel `at`, up to the places of its
+// The parts of the shader of a solid: functions; lines of main, which is called with a pixel `at`, up to the places of its
 // point along each axis; and what its colour is multiplied by. A pixel without a point has four bytes of 255 in place
 // of a value, which is no number. `bits` is the mode of the frame in which pixels are values.
-export const solidShader = (language, { view }, bits) => ({
-  point: kPoints[language][view],
-  places: kSolidPlaces[language](bits),
-  light: kLitColours[language](bits),
-});
+export function solidShader(language, { view }, bits) {
+  const [written, end] = language === "wgsl" ? [inWgsl, "return $;"] : [(text) => text, "color = $; return;"];
+  const light = "solid_light(solid.w)";
+  const places = ["  vec4 solid = solid_at(ivec2(at));", `  if (solid.w < 0.0) { ${end.replace("$", light)} }`, ...kPlacesOfSolid];
+  return { point: written([kPoints[view], lightOf(bits)].join("\n")), places: written(places.join("\n")), light };
+}

@@ -28,6 +28,8 @@ test("links of one layer are as they were, and a number names another layer", ()
   const one = stateOf("#sum=ridged&noise=simplex&seed=42&weight=0.5&sum2=none");
   assert.equal(one.layers.length, 1);
   assert.equal(linkOf(one), "#sum=ridged&noise=simplex&seed=42");
+  // A layer that is left alone has no scale, with which its tiles would be other ones.
+  assert.equal(withoutLayer(stateOf("#period=3&scale=4&blend2=add"), 1).layers[0].scale, 1);
   const three = stateOf(kThree);
   assert.equal(linkOf(three), kThree);
   assert.deepEqual(titlesOf(three), ["Value", "+ Perlin", "mix fBm of Perlin"]);

@@ -1,9 +1,14 @@
-"""Functions of the playground's own, in GLSL, which tools/pick translates for languages without vectors: the one number
-of a noise that a picture shows, places that are moved, and how layers are combined. A shader has these in line."""
+"""Functions of the playground's own, in GLSL, which tools/pick translates. For languages without vectors: the one number
+of a noise that a picture shows, places that are moved, and how layers are combined; a shader has these in line."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
+from catalog.model import Sum
+
 PREFIX = "hn_play_"
+TILED = (2, 3)  # dimensions in which sums in a tile have functions of their own: people tile pictures and volumes
 # Each noise of distances: the function, the number that a picture shows, and the noise that a sum takes.
 DISTANCES = {
     "cellular": ("cellular", "{}.x", "1.0f - 2.0f * {}"),
@@ -13,7 +18,34 @@ DISTANCES = {
 }
 
 
-def text(n: int) -> str:
+def text_of_shaders(n: int, arithmetic: str, sums: Sequence[Sum]) -> str:
+    """Sums of values over octaves at positions in floats, which integers have not, and in a tile of Perlin noise. Both are
+    shorter than what takes every place."""
+    if arithmetic == "fixed":
+        return ""
+    p, octaves, state = "hn_float" if n == 1 else f"hn_vec{n}", f"hn_octaves{n} o;", "inout hn_i_octave_sum sum"
+    lines = [
+        "HN_FN hn_i_octave_sum hn_play_begin(hn_int octaves, hn_float gain) { return hn_i_empty_sum(octaves, gain); }",
+        f"HN_FN bool hn_play_next(inout {p} p, inout hn_uint seed, {state}, hn_float lacunarity) {{ "
+        f"hn_octaves{n} o = hn_octaves(p, sum.octaves, lacunarity, sum.gain, seed); o.sum = sum; "
+        "bool more = hn_next(o); p = o.p; seed = o.seed; sum = o.sum; return more; }",
+    ]
+    lines += [f"HN_FN hn_float hn_play_{end}(hn_i_octave_sum sum) {{ {octaves} o.sum = sum; return hn_{end}(o); }}"
+              for end in ("mean", "density")]
+    for step, has_strength in {total.step_of_loops: bool(total.strength) for total in sums if total.is_of_values}.items():
+        strength, passed = (", hn_float strength", ", strength") if has_strength else ("", "")
+        lines.append(f"HN_FN void hn_play_{step.removeprefix('hn_')}({state}, hn_float n{strength}) {{ {octaves} "
+                     f"o.sum = sum; {step}(o, n{passed}); sum = o.sum; }}")
+    for total in sums:
+        if total.is_of_values and n in TILED:
+            strength, passed = (", hn_float strength", ", strength") if total.strength else ("", "")
+            lines.append(f"HN_FN hn_float hn_play_{total.name}_in_tile({p} p, hn_ivec{n} period, hn_int octaves, "
+                         f"hn_float lacunarity, hn_float gain{strength}, hn_uint seed) {{ return "
+                         f"hn_{total.name}(hn_tile(p, period), octaves, lacunarity, gain{passed}, seed); }}")
+    return "\n".join(lines) + "\n"
+
+
+def text_of_cpu(n: int) -> str:
     """For so many dimensions, in the library's own types."""
     p, cell = ("hn_float", "hn_int") if n == 1 else (f"hn_vec{n}", f"hn_ivec{n}")
     place = f"hn_place{n}"

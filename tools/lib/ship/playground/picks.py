@@ -11,7 +11,7 @@ import gc
 import json
 import lzma
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from functools import partial
 from pathlib import Path
@@ -36,10 +36,9 @@ SHADING = ("glsl", "hlsl", "metal", "godot", "wgsl")
 # These have the bits of HN_FIXED, as docs/snippets have: on a CPU floats are not faster by much.
 CPU = ("c", "java", "csharp", "javascript", "go", "rust", "osl")
 DIMENSIONS = (1, 2, 3, 4)
-# The page has the other hashes for shading languages. They differ in one function, which small programs have, too, so
-# one of them is picked as a whole.
-WHOLE_HASHES = ("lattice", "pcg")
-OTHER_HASHES = ("fnv1", "partial_fnv1", "jenkins", "partial_jenkins", "murmur", "xxhash32")
+# The page has the other hashes for shading languages. They differ in one function, which is the same in a small program
+# of any dimension and arithmetic.
+OTHER_HASHES = ("fnv1", "partial_fnv1", "jenkins", "partial_jenkins", "murmur", "pcg", "xxhash32")
 # HTML has no room for three of the digits to the base of 85.
 DIGITS = bytes.maketrans(b"<&`", b".,:")
 WORD = "hn_i_word uint uint"  # the function in which hashes differ, and what it calls
@@ -72,8 +71,8 @@ def small_roots(n: int) -> list[str]:
 
 
 def roots(module: Module, n: int, of_cpu: bool) -> list[str]:
-    """The names of what the page calls. A jitter and a metric are always passed, and sums over other noises, in tiles
-    or at places are loops, so that there is less text."""
+    """The names of what the page calls. A jitter and a metric are always passed, and sums over other noises are loops, and
+    on a CPU also those in tiles, so that there is less text."""
     noises, sums = drawn(read())
     with_jitter = [noise.name for noise in noises if f"hn_{noise.name}{n}_jitter" in module.forms]
     plain = [noise.name for noise in noises if noise.name not in with_jitter]
@@ -90,10 +89,8 @@ def roots(module: Module, n: int, of_cpu: bool) -> list[str]:
     names += [f"hn_{step}{n}" for step in ("octaves_of", "next", "mean", "density", "add", "slopes_of")]
     names += [f"hn_octaves_of{n}_place"]
     names += [f"{total.step_of_loops}{n}" for total in sums if total.step_of_loops]
-    if of_cpu:
-        names += [wgsl_name(function) for (name, _), function in module.functions.items()
-                  if name.startswith(glue.PREFIX)]
-    else:
+    names += [wgsl_name(function) for (name, _), function in module.functions.items() if name.startswith(glue.PREFIX)]
+    if not of_cpu:
         names += [f"hn_{noise.name}_d{n}_place" for noise in noises]
         names += [f"hn_cellular{n}_nearest", f"hn_cellular{n}_place_nearest", f"hn_lattice{n}", "hn_unorm"]
         names += [f"hn_{warp}{n}{place}" for warp in ("warp", "warp_progressive") for place in places]
@@ -101,15 +98,19 @@ def roots(module: Module, n: int, of_cpu: bool) -> list[str]:
     return [name for name in dict.fromkeys(names) if module.form(name) is not None]
 
 
+def base_of_hashes(n: int) -> str:
+    """The hash whose program becomes those of the others. In four dimensions that of the lattice is so short that it
+    stands in line."""
+    return "pcg" if n == 4 else "lattice"
+
+
 def settings() -> list[Setting]:
     """The longest first."""
     order = sorted(DIMENSIONS, key=lambda n: abs(n - 3.4))
-    arithmetics = ("fixed", "fast")
     return [*(Setting(CPU, "fixed", "lattice", n) for n in order),
-            *(Setting(SHADING, arithmetic, hash_, n) for n in order for hash_ in WHOLE_HASHES
-              for arithmetic in arithmetics),
-            *(Setting(SHADING, arithmetic, hash_, n, is_small=True) for n in order for arithmetic in arithmetics
-              for hash_ in (WHOLE_HASHES[1], *OTHER_HASHES))]
+            *(Setting(SHADING, arithmetic, hash_, n) for n in order for hash_ in sorted({"lattice", base_of_hashes(n)})
+              for arithmetic in ("fixed", "fast")),
+            *(Setting(SHADING, "fast", hash_, 2, is_small=True) for hash_ in OTHER_HASHES)]
 
 
 def program_of(setting: Setting) -> Program:
@@ -117,8 +118,10 @@ def program_of(setting: Setting) -> Program:
     choice = Choice(setting.languages[0], setting.arithmetic, setting.hash)
     language = SYNTAXES[choice.language] if of_cpu else LANGUAGES[choice.language]
     macros = {**choice.knobs.macros(), **language.library}
-    module = of_pick.read(GLSL, macros, of_cpu, below=glue.text(setting.dimensions) if of_cpu else "")
-    names = small_roots(setting.dimensions) if setting.is_small else roots(module, setting.dimensions, of_cpu)
+    n = setting.dimensions
+    own = glue.text_of_cpu(n) if of_cpu else glue.text_of_shaders(n, setting.arithmetic, drawn(read())[1])
+    module = of_pick.read(GLSL, macros, of_cpu, below=own)
+    names = small_roots(n) if setting.is_small else roots(module, n, of_cpu)
     return Program(module, of_pick.chosen(module, names))
 
 
@@ -135,24 +138,35 @@ def pieces_of(setting: Setting) -> tuple[Setting, dict[str, list[Piece]]]:
     return setting, found
 
 
-def with_hash(base: list[Piece], of_base: list[Piece], of_other: list[Piece]) -> list[Piece]:
-    """The pieces of a hash, with those in which a small program with another hash differs from one with this."""
-    if {piece.name for piece in of_base if piece not in of_other} != {WORD}:
+def own_pieces(small: Sequence[list[Piece]]) -> list[list[Piece]]:
+    """Of programs with different hashes, those that not all have: WORD, and in front of it what it calls."""
+    common = set.intersection(*map(set, small))
+    own = [[piece for piece in pieces if piece not in common] for pieces in small]
+    if set.intersection(*({piece.name for piece in pieces} for pieces in own)) != {WORD}:
         raise ValueError(f"hashes differ in more than {WORD}")
-    new = [piece for piece in of_other if piece not in of_base]
-    return [one for piece in base for one in (new if piece.name == WORD else [piece])]
+    return own
+
+
+def with_hash(base: list[Piece], own: list[Piece]) -> list[Piece]:
+    """The pieces of a program with one hash, with the pieces of another in their place."""
+    at, = (i for i, piece in enumerate(base) if piece.name == WORD)
+    return [*base[:at], *own, *base[at + 1:]]
 
 
 def every_module(made: Iterable[tuple[Setting, dict[str, list[Piece]]]]) -> dict[str, list[Piece]]:
-    whole: dict[str, list[Piece]] = {}
-    small: dict[str, list[Piece]] = {}
+    made = list(made)
+    small = {setting.hash: found.values() for setting, found in made if setting.is_small}
+    own = [dict(zip(small, own_pieces(programs))) for programs in zip(*small.values())]  # by the hash, in each language
+    every: dict[str, list[Piece]] = {}
     for setting, found in made:
-        (small if setting.is_small else whole).update(found)
-    for key, pieces in small.items():
-        base = key.replace(f" {key.split()[2]} ", f" {WHOLE_HASHES[1]} ")
-        if key != base:
-            whole[key] = with_hash(whole[base], small[base], pieces)
-    return whole
+        if setting.is_small:
+            continue
+        every.update(found)
+        if setting.languages == SHADING and setting.hash == base_of_hashes(setting.dimensions):
+            for language, pieces, by_hash in zip(SHADING, found.values(), own):
+                for hash_, new in by_hash.items():
+                    every[setting._replace(hash=hash_).key(language)] = with_hash(pieces, new)
+    return every
 
 
 def shells() -> dict[str, list[str]]:

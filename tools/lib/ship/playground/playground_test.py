@@ -17,6 +17,7 @@ from unittest import mock
 
 import ship.playground.command as command
 import ship.playground.page as page
+from base.thorough import THOROUGH, in_thorough_runs
 from base.tree import TOOLS, version
 from ship.playground import picks
 from ship.playground.library import library
@@ -57,10 +58,10 @@ class Page(unittest.TestCase):
 
 
 class Picks(unittest.TestCase):
-    SETTING = picks.Setting(picks.SHADING, "fixed", "pcg", 1)
+    SETTING = picks.Setting(picks.SHADING, "fixed", "lattice", 1)
 
     def test_pieces_are_what_tools_pick_writes(self):
-        setting = self.SETTING._replace(hash="lattice", is_small=True)
+        setting = self.SETTING._replace(is_small=True)
         _, pieces = picks.pieces_of(setting)
         for language in ("glsl", "wgsl", "metal"):
             made = picked(picks.small_roots(1), Choice(language, "fixed"))
@@ -72,19 +73,38 @@ class Picks(unittest.TestCase):
             self.assertIn(piece.text, made)
 
     def test_other_hashes_are_as_if_picked_as_a_whole(self):
-        other = self.SETTING._replace(hash="jenkins")
-        small = [one._replace(is_small=True) for one in (self.SETTING, other)]
-        found = picks.every_module(map(picks.pieces_of, [self.SETTING, *small]))
-        _, whole = picks.pieces_of(other)
-        for key, pieces in whole.items():
-            self.assertEqual(found[key], pieces)
-            self.assertNotEqual(found[key.replace("jenkins", "pcg")], pieces)
+        """With the longest one, and in a thorough run in every dimension."""
+        small = [picks.pieces_of(setting) for setting in picks.settings() if setting.hash in ("jenkins", "murmur")]
+        for n in picks.DIMENSIONS if THOROUGH else (1,):
+            base = self.SETTING._replace(dimensions=n, hash=picks.base_of_hashes(n))
+            found = picks.every_module([picks.pieces_of(base), *small])
+            _, whole = picks.pieces_of(base._replace(hash="jenkins"))
+            for key, pieces in whole.items():
+                self.assertEqual(found[key], pieces)
+                self.assertNotEqual(found[key.replace("jenkins", base.hash)], pieces)
+
+    @in_thorough_runs
+    def test_hashes_have_the_same_pieces_in_small_programs(self):
+        """Whatever the dimension and the arithmetic. By default the test above sees it, with one hash."""
+        def own(arithmetic: str, n: int) -> list[list[list[picks.Piece]]]:
+            settings = [one._replace(arithmetic=arithmetic, dimensions=n) for one in picks.settings() if one.is_small]
+            return [picks.own_pieces(programs) for programs in zip(*(picks.pieces_of(one)[1].values() for one in settings))]
+
+        expected = own("fast", 2)
+        for n in picks.DIMENSIONS:
+            for arithmetic in ("fixed", "fast"):
+                self.assertEqual(own(arithmetic, n), expected, (arithmetic, n))
 
     def test_hashes_that_differ_elsewhere_are_refused(self):
-        one, word, other = picks.Piece("one", "1"), picks.Piece(picks.WORD, "2"), picks.Piece(picks.WORD, "3")
-        self.assertEqual(picks.with_hash([word, one], [word], [other]), [other, one])
-        with self.assertRaisesRegex(ValueError, "differ in more than hn_i_word"):
-            picks.with_hash([word, one], [word, one], [other])
+        one, other, step = picks.Piece("one", "1"), picks.Piece("one", "2"), picks.Piece("step", "3")
+        word, second = picks.Piece(picks.WORD, "4"), picks.Piece(picks.WORD, "5")
+        self.assertEqual(picks.own_pieces([[one, word], [one, step, second]]), [[word], [step, second]])
+        self.assertEqual(picks.with_hash([one, word, other], [step, second]), [one, step, second, other])
+        for small in ([[one, word], [other, second]], [[one, step], [one, word]]):
+            with self.assertRaisesRegex(ValueError, "differ in more than hn_i_word"):
+                picks.own_pieces(small)
+        with self.assertRaises(ValueError):
+            picks.with_hash([one], [word])
 
     def test_each_piece_is_there_once(self):
         one, other = picks.Piece("one", "1"), picks.Piece("other", "2")

@@ -186,8 +186,10 @@ class Function:
         return tuple(parameter.type for parameter in self.head.parameters)
 
     def __getattr__(self, name: str) -> object:
-        """Its head: at, type, parameters and comments."""
-        return getattr(self.head, name)
+        """Its head: at, type, parameters and comments. From then on it is an attribute of its own, which is quicker."""
+        value = getattr(self.head, name)
+        self.__dict__[name] = value
+        return value
 
 
 @dataclass(frozen=True)

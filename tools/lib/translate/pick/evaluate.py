@@ -72,6 +72,7 @@ class Kept:
 
 
 Known = Union[None, Constant, int, Kept]
+GENERIC = frozenset((*AXES, "condition"))  # names of parameters that tell nothing of what is passed
 
 
 @dataclass(frozen=True)
@@ -102,6 +103,7 @@ class Module(Library):
         self.summed: Summed | None = None
         self.splits = splits
         self._parts: dict[str, list[tuple[tuple[str, ...], str]]] = {}
+        self._plain: dict[tuple[str, tuple[str, ...]], bool] = {}
 
     def asks_other_noise(self, call: syntax.Call, types: tuple[str, ...]) -> bool:
         """Whether the noise of sums stands here for what is called: hn_perlin(o.place, o.seed)."""
@@ -131,8 +133,11 @@ class Module(Library):
 
     def is_plain(self, function: Function) -> bool:
         """Whether all that it takes and gives are numbers and vectors."""
-        return all(type_ in SIZES for type_ in (function.type, *function.types)) and not any(
-            parameter.is_set for parameter in function.parameters)
+        key = function.name, function.types
+        if key not in self._plain:
+            self._plain[key] = all(type_ in SIZES for type_ in (function.type, *function.types)) and not any(
+                parameter.is_set for parameter in function.parameters)
+        return self._plain[key]
 
 
 class Evaluation(Typer):
@@ -211,8 +216,11 @@ class Evaluation(Typer):
         type_ = self._types.get((frame, name))
         if type_ is None:
             return None
+        parts = self.library.parts(type_)
+        if len(parts) == 1 and not parts[0][0]:
+            return Typed(type_, {(): state[frame, name]})
         key = (frame, name)
-        return Typed(type_, {path: state[key + path] for path, _ in self.library.parts(type_)})
+        return Typed(type_, {path: state[key + path] for path, _ in parts})
 
     def _hint(self, name: str, value: Typed) -> None:
         """A value keeps the first name that it is given, unless a later one, further out, replaces it."""
@@ -426,7 +434,7 @@ class Evaluation(Typer):
                 return Typed(function.type, self.library.leaves(called))
         inner = next(self._frames)
         for parameter, argument in zip(function.parameters, arguments):
-            if parameter.at.text not in (*AXES, "condition") and not any(
+            if parameter.at.text not in GENERIC and not any(
                     node in self.hints for node in argument.leaves.values()):
                 self._hint(parameter.at.text, argument)
             self._bind(state, inner, parameter.at.text, argument)

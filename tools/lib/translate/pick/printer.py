@@ -249,6 +249,7 @@ class Writer(Expressions):
         results = (one.variable.name for one in walk(block) if isinstance(one, Declare) and one.variable.is_parameter)
         self.taken = {*parameters, *results, *names.values(), *functions, *RESERVED, *reserved}
         self.named: set[Operation] = set()
+        self._lengths: dict[Operation, int] = {}  # until another is named
         self._numbers = {id(one): number for number, one in enumerate(blocks(block))}
         self._places: dict[Operation, Place] = {}
         self._counts: dict[int, tuple[Declare, Set]] = {}  # of loops that count, by id()
@@ -369,6 +370,7 @@ class Writer(Expressions):
                     break
                 hinted = [one for one in parts if one in self.hints]
                 self.named.add(max(hinted or parts, key=lambda one: (self._length(one) <= WIDTH) * self._length(one)))
+                self._lengths.clear()
 
     def _length(self, node: Node) -> int:
         """About as many characters as its expression takes."""
@@ -376,6 +378,11 @@ class Writer(Expressions):
             return len(self._constant(node))
         if isinstance(node, Variable):
             return 5
+        if node not in self._lengths:
+            self._lengths[node] = self._length_of(node)
+        return self._lengths[node]
+
+    def _length_of(self, node: Operation) -> int:
         name = self.names[node.name] if isinstance(node.name, Kept) else node.name
         return 3 + len(name) + sum(6 if argument in self.named else 1 + self._length(argument)
                                    for argument in node.arguments)

@@ -569,8 +569,8 @@ class Scalars(Writer):
             return syntax.builtin(node.name, node.type, arguments)
         return syntax.call(self.names[node.name], arguments)
 
-    def _length(self, node: Node) -> int:
-        return super()._length(node) + (self.syntax.overhead(node) if isinstance(node, Operation) else 0)
+    def _length_of(self, node: Operation) -> int:
+        return super()._length_of(node) + self.syntax.overhead(node)
 
 
 def _only_sets(branches: If, variables: Sequence[Variable]) -> bool:

@@ -88,10 +88,11 @@ def reachable(nodes: Iterable[Node]) -> set[Node]:
     pending = list(nodes)
     while pending:
         node = pending.pop()
-        if isinstance(node, Constant) or node in found:
+        kind = type(node)
+        if kind is Constant or node in found:
             continue
         found.add(node)
-        if isinstance(node, Operation):
+        if kind is Operation:
             pending += node.arguments
     return found
 
