@@ -3,7 +3,7 @@
 `default_nettype none
 
 module pattern #(
-    parameter LATENCY = 1
+    parameter LATENCY = 2
 ) (
     input wire clock,  // 25 MHz
     output wire [7:0] grey,

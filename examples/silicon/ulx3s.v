@@ -2,7 +2,7 @@
 `default_nettype none
 
 module ulx3s #(
-    parameter LATENCY = 1
+    parameter LATENCY = 2
 ) (
     input wire clk_25mhz,
     output reg [3:0] red, green, blue,

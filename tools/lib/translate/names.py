@@ -23,6 +23,7 @@ it is, without the hn_ or hn_i_.
 from __future__ import annotations
 
 import re
+from collections.abc import Collection
 
 from translate.parsing.syntax import Function
 
@@ -80,8 +81,8 @@ def components(glsl: str) -> int:
     return int(glsl[-1]) if "vec" in glsl or OF_AXES.fullmatch(glsl) else 1
 
 
-def variable(name: str) -> str:
-    return f"{name}_" if name in RESERVED else name
+def variable(name: str, reserved: Collection[str] = RESERVED) -> str:
+    return f"{name}_" if name in reserved else name
 
 
 def is_public(name: str) -> bool:

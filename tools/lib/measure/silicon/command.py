@@ -19,13 +19,14 @@ from translate.pick import command as pick
 from translate.pick.verilog_bench import SUM
 
 DESCRIPTION = """\
-Measures what noise takes of a chip: tools/pick --language verilog, synthesised by Yosys for Lattice's ECP5, and placed
-and routed by nextpnr, which knows the clock, where the smallest chip has room. No chip is needed.
+Measures what noise takes of a chip: tools/pick --language verilog, synthesised by Yosys for gates of any chip and for
+Lattice's ECP5, and placed and routed by nextpnr, which knows the clock, where the smallest ECP5 has room. No chip is
+needed.
 
     tools/measure silicon [--only FUNCTION ...] [--out FILE]
 
-It installs nextpnr from PyPI (222 MB) into build/silicon. It takes hours on two cores, and keeps in build/silicon what
-the programs print, so that it goes on where it was stopped. Without --out it writes
+It installs nextpnr from PyPI (222 MB) into build/silicon. It takes half an hour on two cores that do nothing else, and
+keeps in build/silicon what the programs print, so that it goes on where it was stopped. Without --out it writes
 docs/measured/results/silicon.csv, from which tools/make readme makes the table of docs/measured/silicon.md.
 
 Exit status: 0 done, 2 bad usage, 77 nextpnr cannot be had."""
@@ -79,13 +80,13 @@ def shown(row: Mapping[str, str]) -> str:
 
 
 def table(rows: Sequence[Mapping[str, str]]) -> str:
-    lines = ["| function | multipliers | LUTs | registers | clocks | chip | MHz | million values a second | "
-             "values a second and LUT |", "| --- | --- | --- | --- | --- | --- | --- | --- | --- |"]
+    heads = ("function", "gates", "multipliers", "LUTs", "registers", "clocks", "chip", "MHz, million values a second",
+             "values a second and LUT")
+    lines = [f"| {' | '.join(heads)} |", "| --- " * len(heads) + "|"]
     for row in rows:
-        mhz = float(row["mhz"]) if row["mhz"] else None
-        speed = [f"{mhz:.0f}", f"{mhz:.0f}", f"{mhz * 1e6 / int(row['luts']):,.0f}"] if mhz else ["", "", ""]
-        cells = [shown(row), row["multipliers"], f"{int(row['luts']):,}", f"{int(row['registers']):,}", row["latency"],
-                 row["chip"] or "none", *speed]
+        mhz = [f"{float(row['mhz']):.0f}", f"{float(row['mhz']) * 1e6 / int(row['luts']):,.0f}"] if row["mhz"] else ["", ""]
+        cells = [shown(row), f"{int(row['gates']):,}" if row["gates"] else "", row["multipliers"], f"{int(row['luts']):,}",
+                 f"{int(row['registers']):,}", row["latency"], row["chip"] or "none", *mhz]
         lines.append(f"| {' | '.join(cells)} |")
     return "\n".join(lines) + "\n"
 
@@ -107,6 +108,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return pypi.SKIPPED
     rows = measured([one for one in FUNCTIONS if not options.only or one[0] in options.only], program)
     facts = {"date": datetime.date.today().isoformat(), "hashnoise": version(),
-             "yosys": synthesis.run("", "yosys", "-V"), "nextpnr": synthesis.run("", program, "--version")}
+             "yosys": synthesis.run("", "yosys", "-V"),
+             "nextpnr": synthesis.run("", program, "--version").partition("Version ")[2].strip(")\n")}
     record.write(options.out or RECORD, rows, facts=facts)
     return 0

@@ -8,7 +8,6 @@ import subprocess
 from pathlib import Path
 
 from base.tree import ROOT
-from translate.pick import verilog
 from translate.pick.verilog import CLOCK, Made
 
 FOLDER = ROOT / "build" / "silicon"
@@ -16,6 +15,8 @@ FOLDER = ROOT / "build" / "silicon"
 CHIPS = (("ECP5-25", "--25k", 24288, 28), ("ECP5-45", "--45k", 43848, 72), ("ECP5-85", "--85k", 83640, 156))
 MOST_USED = 0.9  # of a chip, for which wires are found
 ECP5 = "synth_ecp5 -noflatten -top bench -json {0}.json; stat"
+GENERIC = "synth -flatten -noabc -top {0}; abc -g cmos; opt_clean; stat -tech cmos"
+NAND = 4  # transistors of the gate that counts as one
 
 
 def bench(made: Made) -> str:
@@ -51,34 +52,37 @@ def counted(report: str, module: str) -> dict[str, int]:
     return {kind: int(number) for kind, number in re.findall(r"^ +(\$?\w+) +(\d+)$", part, re.MULTILINE)}
 
 
-def run(key: str, *command: str | Path) -> str:
-    """Returns the output of a program, or the one that it had before for the same files and options."""
-    name = hashlib.sha256("\n".join([key, *map(str, command)]).encode()).hexdigest()[:24]
+def run(key: str, program: str | Path, *options: str) -> str:
+    """Returns the output of a program, or the one that it had before for the same key and options."""
+    name = hashlib.sha256("\n".join([key, Path(program).name, *options]).encode()).hexdigest()[:24]
     file = FOLDER / f"{name}.log"
     if not file.exists():
-        done = subprocess.run(command, cwd=FOLDER, capture_output=True, text=True, check=False)
+        done = subprocess.run([program, *options], cwd=FOLDER, capture_output=True, text=True, check=False)
         if done.returncode:
             shown = (done.stdout + done.stderr)[-2000:]
-            raise RuntimeError(f"{' '.join(map(str, command))} returned {done.returncode}:\n{shown}")
+            raise RuntimeError(f"{' '.join([str(program), *options])} returned {done.returncode}:\n{shown}")
         file.write_text(done.stdout + done.stderr, encoding="utf-8")
     return file.read_text(encoding="utf-8")
 
 
 def synthesised(made: Made, nextpnr: Path) -> dict[str, object]:
-    """Its size, the smallest chip that it fits, and its clock on the smallest of all."""
+    """Its size, and the smallest chip that it fits; with its clock, if that is the smallest of all. Gates are those of a
+    circuit whose products are left to Yosys."""
     FOLDER.mkdir(parents=True, exist_ok=True)
-    text = verilog.text([made], []) + bench(made)
+    text = made.text() + bench(made)
     name = f"{made.name}-{hashlib.sha256(text.encode()).hexdigest()[:12]}"
     (FOLDER / f"{name}.v").write_text(text, encoding="ascii")
-    report = run(text, "yosys", "-p", f"read_verilog {name}.v; {ECP5.format(name)}")
-    cells = counted(report, made.name)
+    cells = counted(run(text, "yosys", "-p", f"read_verilog {name}.v; {ECP5.format(name)}"), made.name)
     found: dict[str, object] = {
         "luts": cells.get("LUT4", 0) + 2 * cells.get("CCU2C", 0), "multipliers": cells.get("MULT18X18D", 0),
-        "registers": cells.get("TRELLIS_FF", 0), "latency": made.pipeline.latency, "chip": "", "mhz": ""}
+        "registers": cells.get("TRELLIS_FF", 0), "gates": "", "latency": made.pipeline.latency, "chip": "", "mhz": ""}
+    if not made.choice.multipliers:
+        generic = run(text, "yosys", "-p", f"read_verilog {name}.v; {GENERIC.format(made.name)}")
+        found["gates"] = round(int(re.findall(r"Estimated number of transistors: +(\d+)", generic)[-1]) / NAND)
     chip = next((one for one in CHIPS if found["luts"] <= MOST_USED * one[2] and found["multipliers"] <= one[3]), None)
     found["chip"] = chip[0] if chip else ""
     if chip == CHIPS[0]:
         log = run(text, nextpnr, chip[1], "--package", "CABGA381", "--speed", "6", "--json", f"{name}.json", "--freq",
-                  made.choices.clock or CLOCK, "--timing-allow-fail", "--seed", "1", "--lpf-allow-unconstrained")
-        found |= {"mhz": float(re.findall(r"Max frequency for clock .*?: ([\d.]+) MHz", log)[-1])}
+                  made.choice.clock or CLOCK, "--timing-allow-fail", "--seed", "1", "--lpf-allow-unconstrained")
+        found["mhz"] = float(re.findall(r"Max frequency for clock .*?: ([\d.]+) MHz", log)[-1])
     return found

@@ -7,7 +7,6 @@ computed. A product is one of at most 18 by 18 bits, the size of a multiplier, o
 
 from __future__ import annotations
 
-import re
 import struct
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
@@ -57,10 +56,10 @@ class Gate:
         return self.by if self.kind == "constant" else None
 
 
-class Real(NamedTuple):
-    """A float: whole * 2^-places."""
+class Number(NamedTuple):
+    """whole * 2^-places. An integer and a bool have no places."""
     whole: Gate
-    places: int
+    places: int = 0
 
 
 class Circuit:
@@ -95,10 +94,8 @@ class Circuit:
             return self.shifted(a.arguments[0], a.by + by)
         if by > 0:
             return self.gate("shl", (a,), a.low << by, a.high << by, by)
-        if a.kind == "shr":
-            return self.shifted(a.arguments[0], by - a.by)
         low, high = a.low >> -by, a.high >> -by
-        return self.constant(low) if low == high else self.gate("shr", (a,), low, high, -by)
+        return self.gate("shr", (a,), low, high, -by)
 
     def within(self, a: Gate, low: int, high: int) -> Gate:
         """The number of that range whose lowest bits are those of a."""
@@ -108,8 +105,6 @@ class Circuit:
         if a.value is not None:
             value = a.value & ((1 << bits) - 1)
             return self.constant(value - (1 << bits) if low < 0 and value >> (bits - 1) else value)
-        if a.kind == "low" and a.width >= bits:
-            a = a.arguments[0]
         return self.gate("low", (a,), low, high)
 
     def word(self, a: Gate, is_signed: bool = False, bits: int = 32) -> Gate:
@@ -138,8 +133,6 @@ class Circuit:
         return self.gate("plus", (a, b), a.low + b.low, a.high + b.high)
 
     def minus(self, a: Gate, b: Gate) -> Gate:
-        if a is b:
-            return self.constant(0)
         if b.value is not None:
             return self.plus(a, self.constant(-b.value))
         if a.value is not None and (pushed := self.pushed(b, lambda leaf: self.minus(a, leaf))):
@@ -172,8 +165,6 @@ class Circuit:
         for one, other in ((a, b), (b, a)):
             if pushed := self.pushed(one, lambda leaf, by=other: self.times(by, leaf)):
                 return pushed
-            if one.kind == "shl":
-                return self.shifted(self.times(one.arguments[0], other), one.by)
         if b.value is not None:
             zeros = (b.value & -b.value).bit_length() - 1
             odd = self.constant(b.value >> zeros)
@@ -185,7 +176,7 @@ class Circuit:
 
     def product(self, a: Gate, b: Gate) -> Gate:
         ends = [x * y for x in (a.low, a.high) for y in (b.low, b.high)]
-        return self.gate("times", (a, b), 0 if a is b and not a.is_signed else min(ends), max(ends))
+        return self.gate("times", (a, b), min(ends), max(ends))
 
     def by_multipliers(self, a: Gate, b: Gate) -> Gate:
         """A product as a sum of some that a multiplier computes."""
@@ -194,7 +185,7 @@ class Circuit:
             if one.width > (WIDEST if one.is_signed else room):
                 low = self.by_multipliers(self.word(one, bits=room), other)
                 return self.plus(self.shifted(self.by_multipliers(self.shifted(one, -room), other), room), low)
-        return self.product(a, b) if min(a.width, b.width) > 1 else self.times(a, b)
+        return self.product(a, b)
 
     def by_sums(self, a: Gate, b: Gate) -> Gate:
         """The same without multipliers."""
@@ -247,35 +238,29 @@ class Circuit:
             a, b = b, a
         if a.value is not None:
             return self.constant({"and": int.__and__, "or": int.__or__, "xor": int.__xor__}[kind](a.value, b.value))
-        if kind == "and" and b.value is not None and b.value >= 0:
+        if b.value == 0:
+            return b if kind == "and" else a
+        if kind == "and" and b.value is not None and b.value > 0:
             zeros = (b.value & -b.value).bit_length() - 1
-            run = b.value >> max(zeros, 0)
-            if not run:
-                return self.constant(0)
+            run = b.value >> zeros
             if run & (run + 1) == 0:
                 return self.shifted(self.word(self.shifted(a, -zeros), bits=run.bit_length()), zeros)
-        if b.value == 0:
-            return a
-        if a is b:
-            return self.constant(0) if kind == "xor" else a
         if kind == "and" and not (a.is_signed and b.is_signed):
             return self.gate(kind, (a, b), 0, min(one.high for one in (a, b) if not one.is_signed))
-        bits = max(one.width + ((a.is_signed or b.is_signed) and not one.is_signed) for one in (a, b))
         is_signed = a.is_signed or b.is_signed
+        bits = max(one.width + (is_signed and not one.is_signed) for one in (a, b))
         return self.gate(kind, (a, b), -(1 << (bits - 1)) if is_signed else 0, (1 << (bits - is_signed)) - 1)
 
     def negated(self, a: Gate) -> Gate:
         if a.value is not None:
             return self.constant(1 - a.value)
-        return a.arguments[0] if a.kind == "not" else self.gate("not", (a,), 0, 1)
+        return self.gate("not", (a,), 0, 1)
 
     def less(self, a: Gate, b: Gate) -> Gate:
         if a.high < b.low or a.low >= b.high:
             return self.constant(int(a.high < b.low))
         if b.value == 0:
             return self.bit(a, a.width - 1)
-        if a.value == -1:
-            return self.negated(self.bit(b, b.width - 1))
         return self.gate("less", (a, b), 0, 1)
 
     def equal(self, a: Gate, b: Gate) -> Gate:
@@ -283,8 +268,6 @@ class Circuit:
             a, b = b, a
         if a is b or a.high < b.low or b.high < a.low:
             return self.constant(int(a is b))
-        if a.value is not None:
-            return self.constant(int(a.value == b.value))
         if b.value == 0 and a.kind == "shl":
             return self.equal(a.arguments[0], b)
         if (a.low, a.high) == (0, 1) and b.value is not None:
@@ -294,12 +277,8 @@ class Circuit:
     def choice(self, condition: Gate, yes: Gate, no: Gate) -> Gate:
         if condition.value is not None:
             return yes if condition.value else no
-        if yes is no:
-            return yes
         if condition.kind == "not":
             return self.choice(condition.arguments[0], no, yes)
-        if (yes.value, no.value) in ((1, 0), (0, 1)):
-            return condition if yes.value else self.negated(condition)
         return self.gate("choice", (condition, yes, no), min(yes.low, no.low), max(yes.high, no.high))
 
     def size(self, a: Gate) -> Gate:
@@ -376,34 +355,40 @@ class Unrolled(Evaluation):
 CALLED = {("hn_i_root", ("uint",)), ("hn_i_mean", ("int", "int"))}  # that a circuit computes in its own way
 
 
+OPERATORS: dict[str, Callable[[Circuit, Gate, Gate], Gate]] = {
+    "+": Circuit.plus, "-": Circuit.minus, "*": Circuit.times, "<": Circuit.less, "==": Circuit.equal,
+    ">": lambda make, a, b: make.less(b, a), "<=": lambda make, a, b: make.negated(make.less(b, a)),
+    ">=": lambda make, a, b: make.negated(make.less(a, b)), "!=": lambda make, a, b: make.negated(make.equal(a, b)),
+    **{sign: lambda make, a, b, kind=kind: make.bits(kind, a, b) for sign, kind in (
+        ("&", "and"), ("|", "or"), ("^", "xor"), ("&&", "and"), ("||", "or"))}}
+
+
 class Lowering:
     """Makes gates of values. `known` are ranges of floats, `hints` are names."""
 
     def __init__(self, name: str, circuit: Circuit, inputs: Mapping[str, Gate],
                  known: Mapping[Node, tuple[Fraction, Fraction]], hints: Mapping[Node, str]):
         self.name, self.circuit, self.inputs, self.known, self.hints = name, circuit, inputs, known, hints
-        self._done: dict[Node, Gate | Real] = {}
+        self._done: dict[Node, Number] = {}
 
-    def of(self, node: Node) -> Gate | Real:
-        if node not in self._done:
-            pending = [node]
-            while pending:  # graphs are deeper than Python's stack
-                one = pending[-1]
-                needed = [] if not isinstance(one, Operation) else [
-                    argument for argument in one.arguments if argument not in self._done]
-                if needed:
-                    pending += needed
-                    continue
+    def of(self, node: Node) -> Number:
+        pending = [node]
+        while pending:  # graphs are deeper than Python's stack
+            one = pending[-1]
+            needed = [argument for argument in one.arguments if argument not in self._done] if isinstance(
+                one, Operation) else []
+            pending += needed
+            if not needed:
                 pending.pop()
                 if one not in self._done:
-                    self._done[one] = self._bounded(one, self._made(one))
+                    self._done[one] = self._named(one, self._made(one))
         return self._done[node]
 
-    def _bounded(self, node: Node, made: Gate | Real) -> Gate | Real:
-        if node in self.known and isinstance(made, Real):
-            low, high = (int(end * (1 << made.places)) for end in self.known[node])
-            made = Real(self.circuit.within(made.whole, low, high), made.places)
-        gate = made.whole if isinstance(made, Real) else made
+    def _named(self, node: Node, made: Number) -> Number:
+        if node in self.known:
+            made = made._replace(whole=self.circuit.within(
+                made.whole, *(int(end * (1 << made.places)) for end in self.known[node])))
+        gate = made.whole
         while gate.kind == "low":
             gate = gate.arguments[0]
         gate.name = gate.name or self.hints.get(node, "")
@@ -412,34 +397,36 @@ class Lowering:
     def refused(self, why: str) -> Unknown:
         return Unknown(ROUNDS.format(self.name, why))
 
-    def _made(self, node: Node) -> Gate | Real:
+    def _made(self, node: Node) -> Number:
         make = self.circuit
         if isinstance(node, Constant):
-            return self._real(str(node.value).rstrip("fF")) if node.type == "float" else make.constant(
-                int(node.value))
+            return self._float(str(node.value).rstrip("fF")) if node.type == "float" else Number(
+                make.constant(int(node.value)))
         if isinstance(node, Variable):
-            return self.inputs[node.name]
+            return Number(self.inputs[node.name])
         arguments = [self._done[argument] for argument in node.arguments]
-        if node.kind == "copy":
-            return arguments[0]
+        a, b = arguments[0], arguments[-1]
         if node.kind == "call":
-            return make.root(arguments[0]) if node.name.name == "hn_i_root" else self._mean(*arguments)
-        if node.kind == "choice":
-            return self._each(lambda a, b: make.choice(arguments[0], a, b), *arguments[1:])
-        if any(isinstance(one, Real) for one in arguments):
-            return self._of_reals(node, arguments)
+            return Number(make.root(a.whole) if node.name.name == "hn_i_root" else self._mean(a.whole, b.whole))
         if node.kind == "construct":
-            if node.type == "float":
-                if arguments[0].width > LARGEST_FLOAT:
-                    raise self.refused("a float would round what it computes")
-                return Real(arguments[0], 0)
-            return make.word(arguments[0], node.type == "int")
-        return make.word(self._whole(node, arguments), node.type == "int") if node.type != "bool" else self._whole(
-            node, arguments)
+            return self._converted(node.type, a)
+        if node.type == "float" and node.name == "*":
+            return Number(make.times(a.whole, b.whole), a.places + b.places)
+        if node.type == "float" and node.name == "/":
+            if b.whole.value is None or b.whole.value & (b.whole.value - 1) or b.whole.value < 1:
+                raise self.refused("it divides floats")
+            return Number(a.whole, a.places - b.places + b.whole.value.bit_length() - 1)
+        numbers = arguments[1:] if node.kind == "choice" else arguments
+        places = max(one.places for one in numbers)
+        aligned = [make.shifted(one.whole, places - one.places) for one in numbers]
+        whole = make.choice(a.whole, *aligned) if node.kind == "choice" else self._whole(node, aligned[0], aligned[-1])
+        if node.type in ("int", "uint"):
+            whole = make.word(whole, node.type == "int")
+        return Number(whole, places if node.type == "float" else 0)
 
-    def _whole(self, node: Operation, arguments: Sequence[Gate]) -> Gate:
+    def _whole(self, node: Operation, a: Gate, b: Gate) -> Gate:
+        """Of numbers in the same units."""
         make, name = self.circuit, node.name
-        a, b = arguments if len(arguments) == 2 else (arguments[0], arguments[0])
         if node.kind == "unary":
             return {"-": lambda: make.minus(make.constant(0), a), "!": lambda: make.negated(a),
                     "~": lambda: make.bits("xor", a, make.constant(-1 if node.type == "int" else WORD))}[name]()
@@ -457,19 +444,16 @@ class Lowering:
             quotient = make.quotient(a, b.value)
             return quotient if name == "/" else make.within(
                 make.minus(a, make.times(quotient, b)), 0, b.value - 1)
-        return {"+": make.plus, "-": make.minus, "*": make.times, "<": make.less, "==": make.equal,
-                ">": lambda x, y: make.less(y, x), "<=": lambda x, y: make.negated(make.less(y, x)),
-                ">=": lambda x, y: make.negated(make.less(x, y)), "!=": lambda x, y: make.negated(make.equal(x, y)),
-                **{sign: lambda x, y, kind=kind: make.bits(kind, x, y) for sign, kind in (
-                    ("&", "and"), ("|", "or"), ("^", "xor"), ("&&", "and"), ("||", "or"))}}[name](a, b)
+        if name not in OPERATORS:
+            raise self.refused(f"it takes the {name} of a float")
+        return OPERATORS[name](make, a, b)
 
     def _extreme(self, name: str, a: Gate, b: Gate) -> Gate:
         if a.high <= b.low or b.high <= a.low:
             return a if (a.high <= b.low) == (name == "min") else b
         made = self.circuit.choice(self.circuit.less(b, a), *((b, a) if name == "min" else (a, b)))
         best = min if name == "min" else max
-        low, high = best(a.low, b.low), best(a.high, b.high)
-        return self.circuit.within(made, low, high)
+        return self.circuit.within(made, best(a.low, b.low), best(a.high, b.high))
 
     def _mean(self, sum_: Gate, total: Gate) -> Gate:
         """sum * 2^18 / total, cut off towards 0."""
@@ -481,50 +465,22 @@ class Lowering:
 
     # Floats.
 
-    def _real(self, text: str) -> Real:
+    def _float(self, text: str) -> Number:
         """Of a number as it is written, which a float rounds."""
         value = Fraction(struct.unpack("f", struct.pack("f", float(text)))[0])
         zeros = (value.numerator & -value.numerator).bit_length() - 1 if value else 0
-        return Real(self.circuit.constant(value.numerator >> max(zeros, 0)), value.denominator.bit_length() - 1 - zeros)
+        return Number(self.circuit.constant(value.numerator >> zeros), value.denominator.bit_length() - 1 - zeros)
 
-    def _each(self, of: Callable[[Gate, Gate], Gate], a: Gate | Real, b: Gate | Real) -> Gate | Real:
-        """Of two integers, or of two floats in the same units."""
-        if isinstance(a, Real) and isinstance(b, Real):
-            places = max(a.places, b.places)
-            return Real(of(*(self.circuit.shifted(one.whole, places - one.places) for one in (a, b))), places)
-        return of(a, b)
-
-    def _of_reals(self, node: Operation, arguments: Sequence[Real]) -> Gate | Real:
-        make, name = self.circuit, node.name
-        a, b = arguments if len(arguments) == 2 else (arguments[0], arguments[0])
-        if node.kind == "construct":  # an integer, cut off towards 0
-            whole = make.shifted(a.whole, -a.places)
-            if a.places > 0 and a.whole.is_signed and not (a.whole.kind == "shl" and a.whole.by >= a.places):
-                up = make.plus(a.whole, make.constant((1 << a.places) - 1))
-                whole = make.choice(make.less(a.whole, make.constant(0)), make.shifted(up, -a.places), whole)
-            return make.word(whole, node.type == "int")
-        if name in ("floor", "trunc") and a.places <= 0:
+    def _converted(self, type_: str, a: Number) -> Number:
+        """An integer as a float, or as another one; and the whole part of a float."""
+        make = self.circuit
+        if type_ == "float":
+            if a.whole.width > LARGEST_FLOAT:
+                raise self.refused("a float would round what it computes")
             return a
-        if name == "floor":
-            return Real(make.shifted(a.whole, -a.places), 0)
-        if name == "*":
-            return Real(make.times(a.whole, b.whole), a.places + b.places)
-        if name == "/":
-            if b.whole.value is None or b.whole.value & (b.whole.value - 1) or b.whole.value < 1:
-                raise self.refused("it divides floats")
-            return Real(a.whole, a.places - b.places + b.whole.value.bit_length() - 1)
-        if node.kind == "unary" or name == "abs":
-            return Real(make.minus(make.constant(0), a.whole) if name == "-" else make.size(a.whole), a.places)
-        if node.kind == "construct" or name not in ("+", "-", "<", ">", "<=", ">=", "==", "!=", "min", "max"):
-            raise self.refused(f"it takes the {name} of a float")
-        places = max(a.places, b.places)
-        whole = self._whole(node, [make.shifted(one.whole, places - one.places) for one in (a, b)])
-        return whole if node.type == "bool" else Real(whole, places)
-
-
-def intervals(text: str) -> list[tuple[Fraction, Fraction]]:
-    """The ranges that a comment states, such as [-1, 1]."""
-    return [(Fraction(low), Fraction(high)) for low, high in re.findall(r"\[(-?\d[\d.]*), (\d+(?:\.\d+)?)[\])]", text)]
+        if a.places > 0 and a.whole.is_signed and not (a.whole.kind == "shl" and a.whole.by >= a.places):
+            raise self.refused("it takes the whole part of a float that may be negative")
+        return Number(make.word(make.shifted(a.whole, -a.places), type_ == "int"))
 
 
 def at_place(module: Library, function: Function) -> Function:

@@ -142,8 +142,7 @@ def circuits(names: Sequence[str], choice: Choice, module: Module | None = None,
     """The functions as modules of Verilog."""
     from translate.pick import verilog
     module = module or read_library(library, choice)
-    choices = verilog.Choices.of(choice.constants, choice.clock, choice.stages, choice.multipliers)
-    return [verilog.Made(module, one, library, choices) for one in chosen(module, names)]
+    return [verilog.Made(module, one, library, choice) for one in chosen(module, names)]
 
 
 def command_of(names: Sequence[str], choice: Choice) -> str:

@@ -172,10 +172,13 @@ def lines(facts: Facts, variable: Callable[[str], str], call: str) -> list[str]:
     `variable` makes of them."""
     rows = {**{variable(name): text for name, text in facts.parameters.items()}, "example": call,
             "returns": facts.returns, "error": facts.error}
+    return laid_out(facts.what, rows)
+
+
+def laid_out(what: str, rows: Mapping[str, str], columns: int = 117) -> list[str]:
+    """A paragraph, and behind it the rows that have a text."""
     width = max(map(len, rows))
-    written = textwrap.wrap(facts.what, 117, initial_indent=" ", subsequent_indent=" ")
+    written = textwrap.wrap(what, columns, initial_indent=" ", subsequent_indent=" ")
     for name, text in rows.items():
-        if text:
-            written += textwrap.wrap(text, 117, initial_indent=f"   {name:{width}}  ",
-                                     subsequent_indent=" " * (width + 5))
+        written += textwrap.wrap(text, columns, initial_indent=f"   {name:{width}}  ", subsequent_indent=" " * (width + 5))
     return written

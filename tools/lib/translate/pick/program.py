@@ -434,11 +434,13 @@ def origin(command: str) -> list[str]:
 
 def facts(program: Program, library: Path, may_lack_seed: bool) -> list[Facts]:
     """The library's comments on each function."""
-    found = [comments.facts(root.function, library, may_lack_seed) for root in program.roots]
-    if summed := program.module.summed:
-        found = [one._replace(what=f"{one.what} The noise is {summed.name}. Ranges and errors are those with "
-                              f"{summed.replaced}.") for one in found]
-    return found
+    return [of_noise(comments.facts(root.function, library, may_lack_seed), program.module.summed) for root in program.roots]
+
+
+def of_noise(known: Facts, summed: Summed | None) -> Facts:
+    """What a comment has of a sum, for one of another noise."""
+    return known._replace(what=f"{known.what} The noise is {summed.name}. Ranges and errors are those with "
+                          f"{summed.replaced}.") if summed else known
 
 
 def _is_call(node: Node) -> bool:

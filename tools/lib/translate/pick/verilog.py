@@ -9,31 +9,23 @@ import functools
 import itertools
 import re
 import textwrap
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from pathlib import Path
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
-from translate.names import wgsl_name
+from translate.names import variable, wgsl_name
 from translate.parsing.syntax import Function
 from translate.parsing.tokens import Unknown
 from translate.pick import comments
-from translate.pick.circuit import (
-    WIDEST,
-    WIRING,
-    Circuit,
-    Gate,
-    Lowering,
-    Real,
-    Unrolled,
-    at_place,
-    intervals,
-    width,
-)
+from translate.pick.circuit import WIDEST, WIRING, Circuit, Gate, Lowering, Unrolled, at_place, width
 from translate.pick.evaluate import Module, dotted
-from translate.pick.statements import Return
+from translate.pick.program import of_noise
 from translate.pick.typer import Typed
-from translate.pick.values import AXES, SIZES, Constant, Operation, Variable, begin_anew
+from translate.pick.values import AXES, SIZES, WORD, Constant, Operation, Variable, begin_anew
+
+if TYPE_CHECKING:
+    from translate.pick.command import Choice
 
 CLOCK = "100"  # MHz
 FRACTION, REST = 20, 4  # bits of a fraction, and of what an octave sum has beyond them
@@ -58,30 +50,17 @@ NO_PORT = ("{0} {1}, for which a module has no port: ask for a noise, such as hn
            "hn_fbm2")
 
 
-class Choices(NamedTuple):
-    constants: Mapping[str, str]
-    clock: str
-    stages: str
-    multipliers: str
-
-    @staticmethod
-    def of(constants: str, clock: str = "", stages: str = "", multipliers: str = "") -> Choices:
-        """Of the texts of options."""
-        found: dict[str, str] = {}
-        for one in filter(None, constants.split(",")):
-            name, sign, value = one.partition("=")
-            if not sign:
-                raise Unknown(f"--constants {constants}: {one} has no value; write {name}=VALUE")
-            found[name.strip()] = value.strip()
-        return Choices(found, clock, stages, multipliers)
-
-
 class Piece(NamedTuple):
-    """Bits of a gate from `low` on, one bit of it `count` times, or bits of a constant."""
+    """Bits of a gate from `low` on, or its sign as often, or bits of a constant."""
     gate: Gate | None
     low: int
-    count: int
+    count: int = 1
     repeats: bool = False
+
+    @property
+    def read(self) -> int:
+        """The bits of the gate, as a number that has them."""
+        return ((1 << (1 if self.repeats else self.count)) - 1) << self.low
 
 
 class Used:
@@ -97,62 +76,61 @@ class Used:
         """Returns whether more is the same."""
         self.bits: dict[Gate, int] = {}  # which are used
         self.reads: dict[Gate, list[tuple[Gate, int]]] = {}  # arguments, and how many bits of each
+        self._joined: dict[tuple[Gate, int], list[Piece]] = {}
         order = [gate for gate in self.reachable() if gate.kind not in ("constant", *WIRING)]
-        for gate, count in self.results:
-            self._use(gate, count)
+        self._use(self.results)
         for gate in reversed(order):
-            self.reads[gate] = self._reads(gate) if self.bits.get(gate) else []
-            for argument, count in self.reads[gate]:
-                self._use(argument, count)
-        self.order = [gate for gate in order if self.bits.get(gate)]
+            if self.bits.get(gate):
+                self.reads[gate] = self._reads(gate)
+                self._use(self.reads[gate])
+        self.order = [gate for gate in order if gate in self.reads]
         before = len(self.same)
         for gate in self.order:
-            if gate.kind == "plus":
-                for one, other in (gate.arguments, gate.arguments[::-1]):
-                    if self.joined(one, self.has(gate)) == [Piece(None, 0, self.has(gate))]:
-                        self.same[gate] = other
+            for one, other in (gate.arguments, gate.arguments[::-1]) if gate.kind == "plus" else ():
+                if self.joined(one, self.has(gate)) == [Piece(None, 0, self.has(gate))]:
+                    self.same[gate] = other
         return len(self.same) > before
 
-    def pieces(self, gate: Gate, low: int, count: int) -> Iterator[Piece]:
-        """Where bits of a number come from, the lowest first: wires are looked through."""
-        if count <= 0:
-            return
-        if gate in self.same:
-            yield from self.pieces(self.same[gate], low, count)
-        elif gate.value is not None:
-            yield Piece(None, (gate.value >> low) & ((1 << count) - 1), count)
-        elif gate.kind == "shl" and low < gate.by:
-            zeros = min(count, gate.by - low)
-            yield Piece(None, 0, zeros)
-            yield from self.pieces(gate, low + zeros, count - zeros)
-        elif gate.kind in ("shl", "shr"):
-            yield from self.pieces(gate.arguments[0], low - gate.by if gate.kind == "shl" else low + gate.by, count)
-        else:
-            inside = max(min(count, gate.width - low), 0)
-            of_low = gate.kind == "low"
-            if inside:
-                yield from self.pieces(gate.arguments[0], low, inside) if of_low else [Piece(gate, low, inside)]
-            if count > inside and not gate.is_signed:
-                yield Piece(None, 0, count - inside)
-            elif count > inside:
-                at = gate.width - 1
-                sign, = self.pieces(gate.arguments[0], at, 1) if of_low else [Piece(gate, at, 1)]
-                yield Piece(None, -(sign.low & 1) & ((1 << (count - inside)) - 1), count - inside) if (
-                    sign.gate is None) else sign._replace(count=count - inside, repeats=True)
+    def _run(self, gate: Gate, low: int, count: int) -> Piece:
+        """Where the first of these bits come from, as many as come from one gate: wires are looked through."""
+        repeats = False
+        while True:
+            if gate in self.same:
+                gate = self.same[gate]
+            elif gate.value is not None:
+                value = -(gate.value >> low & 1) if repeats else gate.value >> low
+                return Piece(None, value & ((1 << count) - 1), count)
+            elif gate.kind == "shr":
+                gate, low = gate.arguments[0], low + gate.by
+            elif gate.kind == "shl" and low >= gate.by:
+                gate, low = gate.arguments[0], low - gate.by
+            elif gate.kind == "shl":
+                return Piece(None, 0, count if repeats else min(count, gate.by - low))
+            elif low < gate.width:
+                count = count if repeats else min(count, gate.width - low)
+                if gate.kind != "low":
+                    return Piece(gate, low, count, repeats)
+                gate = gate.arguments[0]
+            elif gate.is_signed:
+                low, repeats = gate.width - 1, True
+            else:
+                return Piece(None, 0, count)
 
     def joined(self, gate: Gate, count: int) -> list[Piece]:
-        """The pieces of the lowest bits, with neighbours of one number together."""
-        found: list[Piece] = []
-        for one in self.pieces(gate, 0, count):
-            last = found[-1] if found else None
-            if last and last.gate is one.gate is None:
-                found[-1] = Piece(None, last.low | one.low << last.count, last.count + one.count)
-            elif last and last.gate is one.gate and not last.repeats and not one.repeats and (
-                    one.low == last.low + last.count):
-                found[-1] = last._replace(count=last.count + one.count)
-            else:
-                found.append(one)
-        return found
+        """Where the lowest bits of a number come from, the lowest first."""
+        if (gate, count) not in self._joined:
+            found = self._joined[gate, count] = []
+            at = 0
+            while at < count:
+                one, last = self._run(gate, at, count - at), found[-1] if found else None
+                at += one.count
+                if last and one.gate is last.gate is None:
+                    found[-1] = Piece(None, last.low | one.low << last.count, last.count + one.count)
+                elif last and one.gate is last.gate and one.low == last.low + last.count and not one.repeats:
+                    found[-1] = last._replace(count=last.count + one.count)
+                else:
+                    found.append(one)
+        return self._joined[gate, count]
 
     def reachable(self) -> list[Gate]:
         """In the order in which they are made, that is arguments first."""
@@ -165,43 +143,58 @@ class Used:
                 pending += gate.arguments
         return sorted(found, key=lambda one: one.number)
 
-    def _sources(self, of: Sequence[tuple[Gate, int]]) -> list[Gate]:
-        return list(dict.fromkeys(piece.gate for gate, count in of for piece in self.joined(gate, count) if piece.gate))
+    def sources(self, of: Sequence[tuple[Gate, int]]) -> dict[Gate, int]:
+        """The gates of some numbers, and which bits of them."""
+        found: dict[Gate, int] = {}
+        for gate, count in of:
+            for piece in self.joined(gate, count):
+                if piece.gate:
+                    found[piece.gate] = found.get(piece.gate, 0) | piece.read
+        return found
 
-    def _use(self, gate: Gate, count: int) -> None:
-        for piece in self.joined(gate, count):
-            if piece.gate:
-                ones = (1 << (1 if piece.repeats else piece.count)) - 1
-                self.bits[piece.gate] = self.bits.get(piece.gate, 0) | ones << piece.low
+    def _use(self, of: Sequence[tuple[Gate, int]]) -> None:
+        for gate, bits in self.sources(of).items():
+            self.bits[gate] = self.bits.get(gate, 0) | bits
 
     def has(self, gate: Gate) -> int:
         """How many bits a gate computes."""
         return self.bits[gate].bit_length()
 
     def _reads(self, gate: Gate) -> list[tuple[Gate, int]]:
-        if gate.kind == "input":
-            return []
+        count = self.has(gate)
         if gate.kind in ("less", "equal"):
             signed = any(one.is_signed for one in gate.arguments)
             count = max(one.width + (signed and not one.is_signed) for one in gate.arguments)
-            return [(one, count) for one in gate.arguments]
-        if gate.kind == "choice":
-            return [(gate.arguments[0], 1), *((one, self.has(gate)) for one in gate.arguments[1:])]
-        return [(one, self.has(gate)) for one in gate.arguments]
+        return [(one, 1 if gate.kind == "choice" and not i else count) for i, one in enumerate(gate.arguments)]
+
 
 class Pipeline(Used):
     """In which stage each gate is computed."""
 
-    def __init__(self, results: Sequence[tuple[Gate, int]], period: float):
+    def __init__(self, results: Sequence[tuple[Gate, int]]):
         super().__init__(results)
-        self.sources = {gate: self._sources(self.reads[gate]) for gate in self.order}
+        self.ahead = {gate: self.sources(self.reads[gate]) for gate in self.order}
         self.delays = {gate: self._delay(gate) for gate in self.order}
-        slowest = max(self.delays.values(), default=0)
-        if slowest + REGISTER > period:
+        self.shortest = max(self.delays.values(), default=0) + REGISTER  # ns a clock
+
+    def set_clock(self, period: float) -> int:
+        """Places the registers, for a clock of so many ns. Returns the latency."""
+        if period < self.shortest:
             raise Unknown(f"a clock of {1000 / period:.0f} MHz is too fast for one of its products or sums: at most "
-                          f"--clock {int(1000 / (slowest + REGISTER))}")
+                          f"--clock {int(1000 / self.shortest)}")
         self.stages = self._schedule(period - REGISTER)
-        self.latency = max((self.stages[source] for source in self._sources(results)), default=0) + 1
+        self.latency = max((self.stages[source] for source in self.sources(self.results)), default=0) + 1
+        return self.latency
+
+    def set_stages(self, most: int) -> None:
+        """The same for the fastest clock with so few stages."""
+        low, high = 0.0, 2000.0
+        for _ in range(16):
+            middle = (low + high) / 2
+            fits = middle >= self.shortest and self.set_clock(middle) <= most
+            low, high = (low, middle) if fits else (middle, high)
+        if self.set_clock(high) > most:
+            raise Unknown(f"--stages {most}: it takes {self.latency} at the slowest clock, of 0.5 MHz")
 
     def _delay(self, gate: Gate) -> float:
         if gate.kind == "input":
@@ -215,35 +208,35 @@ class Pipeline(Used):
         """As soon as possible, or as late, whichever takes fewer registers."""
         soon: dict[Gate, tuple[int, float]] = {}
         for gate in self.order:
-            start = max((soon[one] for one in self.sources[gate]), default=(0, 0.0))
+            start = max((soon[one] for one in self.ahead[gate]), default=(0, 0.0))
             end = start[1] + self.delays[gate]
             soon[gate] = (start[0], end) if end <= room else (start[0] + 1, self.delays[gate])
         last = max((stage for stage, _ in soon.values()), default=0)
         late: dict[Gate, tuple[int, float]] = {}  # when it has to begin
-        ends = {source: (last, room) for source in self._sources(self.results)}
+        ends = {source: (last, room) for source in self.sources(self.results)}
         for gate in reversed(self.order):
             stage, end = ends[gate]
             begin = end - self.delays[gate]
             late[gate] = (stage, begin) if begin >= 0 else (stage - 1, room - self.delays[gate])
-            for one in self.sources[gate]:
+            for one in self.ahead[gate]:
                 ends[one] = min(ends.get(one, late[gate]), late[gate])
         found = [{gate: 0 if gate.kind == "input" else stage for gate, (stage, _) in one.items()}
                  for one in (soon, late)]
-        return min((one for one in found if min(one.values(), default=0) >= 0), key=self.registered)
+        return min((one for one in found if min(one.values(), default=0) >= 0), key=self._registered)
 
-    def registered(self, stages: Mapping[Gate, int]) -> int:
+    def _registered(self, stages: Mapping[Gate, int]) -> int:
         """About how many bits registers hold."""
         last = dict(stages)
         for gate in self.order:
-            for one in self.sources[gate]:
+            for one in self.ahead[gate]:
                 last[one] = max(last[one], stages[gate])
         return sum((last[gate] - stages[gate]) * bin(self.bits[gate]).count("1") for gate in self.order)
 
 
 def with_multipliers(circuit: Circuit, results: Sequence[tuple[Gate, int]],
-                     most: int | None) -> list[tuple[Gate, int]]:
+                     most: float) -> list[tuple[Gate, int]]:
     """The same with products that multipliers compute, those that would take the most tables otherwise: at most so many
-    multipliers; None is any number."""
+    multipliers."""
     used = Used(results)
     costs: dict[Gate, tuple[float, int]] = {}  # tables for a multiplier, and multipliers
     for gate in used.order:
@@ -253,12 +246,11 @@ def with_multipliers(circuit: Circuit, results: Sequence[tuple[Gate, int]],
             by = gate.arguments[1].value
             tables = a * b if by is None else a * bin(by).count("1") / 2
             costs[gate] = tables / count, count
-    left = most
     kept: set[Gate] = set()
     for gate in sorted(costs, key=lambda one: (-costs[one][0], one.number)):
-        if left is None or costs[gate][1] <= left:
+        if costs[gate][1] <= most:
             kept.add(gate)
-            left = None if left is None else left - costs[gate][1]
+            most -= costs[gate][1]
     made: dict[Gate, Gate] = {}
     for gate in used.reachable():
         arguments = [made[one] for one in gate.arguments]
@@ -309,29 +301,20 @@ class Text:
         pipeline = self.pipeline
         found: list[list[tuple[str, str, str]]] = [[] for _ in range(pipeline.latency)]
         for gate in pipeline.order:
-            first = pipeline.stages[gate]
-            later = 0
-            covers = {}
-            for stage in range(pipeline.latency - 1, first, -1):
-                later |= self.used.get((gate, stage), 0)
-                covers[stage] = _cover(later)
-            for stage in range(first, pipeline.latency):
-                here, following = covers.get(stage, 0), covers.get(stage + 1, 0)
-                if stage == first:
-                    here = (1 << (pipeline.has(gate) if gate.kind != "input" else gate.width)) - 1
-                self._leave(gate, stage, here & ~(self.used.get((gate, stage), 0) | following))
-                if following:
-                    low, high = _ends(following)
+            first, kept, unused = pipeline.stages[gate], 0, []  # bits that the register behind a stage has
+            for stage in range(pipeline.latency - 1, first - 1, -1):
+                if kept:
+                    low, high = (kept & -kept).bit_length() - 1, kept.bit_length() - 1
                     found[stage].append((self._name(gate, stage + 1), f"[{high}:{low}] " if high else "",
                                          self._slice(gate, stage, low, high)))
+                read = self.used.get((gate, stage), 0) | kept
+                kept = read and (1 << read.bit_length()) - (read & -read)  # all between the first and the last
+                if stage == first:
+                    kept = (1 << (gate.width if gate.kind == "input" else pipeline.has(gate))) - 1
+                runs = re.finditer("1+", f"{kept & ~read:b}"[::-1])
+                unused[:0] = [self._slice(gate, stage, run.start(), run.end() - 1) for run in runs]
+            self.unused += unused
         return found
-
-    def _leave(self, gate: Gate, stage: int, bits: int) -> None:
-        while bits:
-            low = (bits & -bits).bit_length() - 1
-            count = ((bits >> low) ^ ((bits >> low) + 1)).bit_length() - 1
-            self.unused.append(self._slice(gate, stage, low, low + count - 1))
-            bits &= ~(((1 << count) - 1) << low)
 
     def _name(self, gate: Gate, stage: int) -> str:
         """In that stage."""
@@ -352,9 +335,8 @@ class Text:
             if one.gate is None:
                 parts.append(f"{one.count}'h{one.low:X}" if one.low else f"{one.count}'d0")
                 continue
-            taken = 1 if one.repeats else one.count
-            self.used[one.gate, stage] = self.used.get((one.gate, stage), 0) | ((1 << taken) - 1) << one.low
-            text = self._slice(one.gate, stage, one.low, one.low + taken - 1)
+            self.used[one.gate, stage] = self.used.get((one.gate, stage), 0) | one.read
+            text = self._slice(one.gate, stage, one.low, one.read.bit_length() - 1)
             parts.append(f"{{{one.count}{{{text}}}}}" if one.repeats and one.count > 1 else text)
         return parts[0] if len(parts) == 1 else f"{{{', '.join(parts)}}}"
 
@@ -371,18 +353,6 @@ class Text:
 
 def _range(count: int) -> str:
     return f"[{count - 1}:0] " if count > 1 else ""
-
-
-def _ends(bits: int) -> tuple[int, int]:
-    return (bits & -bits).bit_length() - 1, bits.bit_length() - 1
-
-
-def _cover(bits: int) -> int:
-    """All between the first and the last."""
-    if not bits:
-        return 0
-    low, high = _ends(bits)
-    return (2 << high) - (1 << low)
 
 
 class Port(NamedTuple):
@@ -403,79 +373,73 @@ class Port(NamedTuple):
 class Made:
     """A function as a module."""
 
-    def __init__(self, module: Module, asked: Function, library: Path, choices: Choices):
-        self.name = wgsl_name(asked)
-        self.function = at_place(module, asked)
-        self.facts = comments.facts(asked, library, False)
-        self.module, self.choices = module, choices
+    def __init__(self, module: Module, asked: Function, library: Path, choice: Choice):
+        self.name, self.function = wgsl_name(asked), at_place(module, asked)
+        self.facts = of_noise(comments.facts(asked, library, False), module.summed)
+        self.module, self.choice, self.constants = module, choice, constants(choice.constants)
+        self.has_rest = any(one.at.text == "octaves" for one in self.function.parameters)
         self.ports: list[Port] = []
+        self.outputs: list[Port] = []
         self.circuit = Circuit()
         self.inputs: dict[str, Gate] = {}
         begin_anew()
         ranges = functools.cache(functools.partial(_ranges, library=library))
         evaluation = Unrolled(module, ranges)
-        block = evaluation.run(self.function, self._arguments())
-        lowering = Lowering(self.name, self.circuit, self.inputs, evaluation.known, evaluation.hints)
-        result = next(one.value for one in block if isinstance(one, Return))
+        *_, returned = evaluation.run(self.function, self._arguments())
+        result = returned.value
         if module.summed and not evaluation.sums_other_noise:
             raise Unknown(f"{self.name} is no sum, for whose noise --noise could stand: ask for hn_fbm2 or another sum")
         if result is None or self.function.type in module.structs:
             raise Unknown(NO_PORT.format(self.name, f"returns {self.function.type}"))
-        parts = result.arguments if isinstance(result, Operation) and result.kind == "construct" and (
-            SIZES[result.type] > 1) else (result,)
-        values = [lowering.of(part) for part in parts]
+        is_vector = isinstance(result, Operation) and result.kind == "construct" and SIZES[result.type] > 1
+        parts = result.arguments if is_vector else (result,)
+        lowering = Lowering(self.name, self.circuit, self.inputs, evaluation.known, evaluation.hints)
+        self.values = [lowering.of(part) for part in parts]
         known = ranges(asked)
-        known = known[:1] if len(values) == 1 else known if len(known) == len(values) else []
-        names = ["value"] if len(values) == 1 else [f"value_{axis}" for axis in AXES[:len(values)]]
-        self.outputs: list[Port] = []
-        results: list[Gate] = []
-        for name, value, known_range in zip(names, values, [*known, *[None] * len(values)]):
-            gate = value.whole if isinstance(value, Real) else value
-            if known_range and isinstance(value, Real):
-                gate = self.circuit.within(gate, *(int(end * 2**value.places) for end in known_range))
-            what = f"in units of 2^{-value.places}" if isinstance(value, Real) and value.places else "a whole number"
-            self.outputs.append(Port(name, gate.low, gate.high, what))
-            results.append(gate)
-        self.units = [value.places if isinstance(value, Real) else 0 for value in values]
-        most = int(choices.multipliers) if choices.multipliers else None
-        self.pipeline = self._pipeline(with_multipliers(self.circuit, [(gate, gate.width) for gate in results], most))
+        known = known[:1] if len(parts) == 1 else known if len(known) == len(parts) else []
+        results: list[tuple[Gate, int]] = []
+        for axis, part, value, range_ in itertools.zip_longest(AXES[:len(parts)], parts, self.values, known):
+            gate = value.whole
+            if range_ and part.type == "float":
+                gate = self.circuit.within(gate, *(int(end * 2**value.places) for end in range_))
+            what = f"in units of 2^{-value.places}" if value.places else "a whole number"
+            self.outputs.append(Port(f"value_{axis}" if is_vector else "value", gate.low, gate.high, what))
+            results.append((gate, gate.width))
+        self.pipeline = Pipeline(with_multipliers(self.circuit, results, float(choice.multipliers or "inf")))
+        if choice.stages:
+            self.pipeline.set_stages(int(choice.stages))
+        else:
+            self.pipeline.set_clock(1000 / float(choice.clock or CLOCK))
 
     def _arguments(self) -> list[Typed]:
         """A constant for each parameter that is known, and a port for each other one."""
         missing, found = [], []
-        constants = dict(self.choices.constants)
         for parameter in self.function.parameters:
             name, type_ = parameter.at.text, parameter.type
+            is_place = re.fullmatch("hn_place[1-4]", type_)
             leaves = {}
-            if name in constants:
-                leaves[()] = _constant(name, type_, constants.pop(name))
-            elif re.fullmatch("hn_place[1-4]", type_):
-                leaves = {path: self._of_place(path, type_) for path, type_ in self.module.parts(type_)}
-            elif type_ in self.module.structs or parameter.is_set:
-                raise Unknown(NO_PORT.format(
-                    self.name, f"takes {type_}" if type_ in self.module.structs else f"sets {name}"))
+            if name in self.constants:
+                leaves[()] = _constant(name, type_, self.constants[name])
+            elif parameter.is_set or type_ in self.module.structs and not is_place:
+                takes = f"takes {type_}" if type_ in self.module.structs else f"sets {name}"
+                raise Unknown(NO_PORT.format(self.name, takes))
             elif type_.startswith(("float", "vec")) or name in ("octaves", "metric", "kind"):
                 missing.append((name, type_))
             else:
-                leaves = {path: self._port(dotted((name, *path)), scalar, self.facts.parameters.get(name, ""))
+                leaves = {path: self._of_place(path, scalar) if is_place else
+                          self._port(dotted((name, *path)), scalar, self.facts.parameters.get(name, ""))
                           for path, scalar in self.module.parts(type_)}
             found.append(Typed(type_, leaves))
         if missing:
-            shown = ",".join(f"{name}={_usual(name, type_)}" for name, type_ in missing)
-            names = [name for name, _ in missing]
-            listed = " and ".join(filter(None, [", ".join(names[:-1]), names[-1]]))
-            raise Unknown(f"{self.name} takes {listed}, which a circuit has as constants: add --constants {shown}")
-        self.left = constants
+            *names, last = [name for name, _ in missing]
+            raise Unknown(f"{self.name} takes {', '.join(names)}{' and ' * bool(names)}{last}, which a circuit has as "
+                          f"constants: add --constants {','.join(f'{name}={_usual(name, type_)}' for name, type_ in missing)}")
         return found
 
     def _of_place(self, path: tuple[str, ...], type_: str) -> Constant | Variable:
         if path[0] in ("period", "tiled") or path[0] == "rest" and not self.has_rest:
             return Constant(type_, 0)
         return self._port(dotted(path), path[0], "")
-
-    @property
-    def has_rest(self) -> bool:
-        return any(one.at.text == "octaves" for one in self.function.parameters)
 
     def _port(self, name: str, kind: str, what: str) -> Variable:
         bits, is_signed, what = {
@@ -484,40 +448,11 @@ class Made:
             "rest": (REST, False, f"the bits behind the fraction, in units of 2^-{FRACTION + REST}"),
             "int": (32, True, what), "uint": (32, False, what.replace("any uint: 7u, not 7", "any")),
             "bool": (1, False, what)}[kind]
-        shown = f"{name}_" if name in RESERVED else name
+        shown = variable(name, RESERVED)
         low, high = (-(1 << (bits - 1)), (1 << (bits - 1)) - 1) if is_signed else (0, (1 << bits) - 1)
         self.ports.append(Port(shown, low, high, what))
         self.inputs[name] = self.circuit.input(shown, low, high)
-        return Variable({"cell": "int", "fraction": "int", "rest": "int"}.get(kind, kind), name, is_parameter=True)
-
-    def _pipeline(self, results: Sequence[tuple[Gate, int]]) -> Pipeline:
-        if not self.choices.stages:
-            return Pipeline(results, 1000 / float(self.choices.clock or CLOCK))
-        wanted, low, high = int(self.choices.stages), 0.0, 2000.0
-        if Pipeline(results, high).latency > wanted:
-            raise Unknown(f"--stages {wanted}: a pipeline has at least 1")
-        for _ in range(16):  # the shortest period with so few stages
-            middle = (low + high) / 2
-            try:
-                fits = Pipeline(results, middle).latency <= wanted
-            except Unknown:
-                fits = False
-            low, high = (low, middle) if fits else (middle, high)
-        return Pipeline(results, high)
-
-    def text(self) -> str:
-        pipeline = self.pipeline
-        taken = {port.name for port in (*self.ports, *self.outputs)}
-        names: dict[Gate, str] = {gate: gate.by for gate in pipeline.order if gate.kind == "input"}
-        for gate in pipeline.order:
-            if gate.kind != "input":
-                names[gate] = _free(gate.name or "n", taken)
-        lines = Text(pipeline, names, [port.name for port in self.outputs]).lines()
-        ports = ["input wire clock", *(f"input wire {port.declared}" for port in self.read),
-                 *(f"output reg {port.declared}" for port in self.outputs)]
-        head = "".join(f"    {port}{',' if port is not ports[-1] else ''}\n" for port in ports)
-        body = "".join(f"  {line}\n" if line else "\n" for line in lines for line in _wrapped(line))
-        return f"module {self.name} (\n{head});\n{body}endmodule\n"
+        return Variable(kind if kind in SIZES else "int", name, is_parameter=True)
 
     @property
     def read(self) -> list[Port]:
@@ -525,34 +460,46 @@ class Made:
         names = {gate.by for gate in self.pipeline.order if gate.kind == "input"}
         return [port for port in self.ports if port.name in names]
 
+    def text(self) -> str:
+        taken = {port.name for port in (*self.ports, *self.outputs)}
+        names = {gate: gate.by if gate.kind == "input" else _free(gate.name or "n", taken) for gate in self.pipeline.order}
+        lines = Text(self.pipeline, names, [port.name for port in self.outputs]).lines()
+        ports = ",\n".join(["    input wire clock", *(f"    input wire {port.declared}" for port in self.read),
+                            *(f"    output reg {port.declared}" for port in self.outputs)])
+        body = "".join(f"  {one}\n" if one else "\n" for line in lines for one in textwrap.wrap(
+            line, 118, subsequent_indent="    ", break_long_words=False, break_on_hyphens=False) or [""])
+        return f"module {self.name} (\n{ports}\n);\n{body}endmodule\n"
+
     def comment(self) -> list[str]:
-        facts = self.facts
         rows = {port.name: f"{port.width} bits, {'signed' if port.low < 0 else 'unsigned'}: {port.what}"
                 for port in (*self.read, *self.outputs)}
-        constants = ", ".join(f"{name} {value}" for name, value in self.choices.constants.items())
-        written = textwrap.wrap(facts.what + (f" Here {constants}." if constants else ""), 117)
-        wide = max(map(len, [*rows, "latency"]))
-        rows |= {"latency": f"{self.pipeline.latency} clocks; a value leaves at each", "returns": facts.returns}
-        for name, text in rows.items():
-            written += textwrap.wrap(text, 117, initial_indent=f"  {name:{wide}}  ", subsequent_indent=" " * (wide + 4))
-        return [f" {line}" for line in written]
+        rows |= {"latency": f"{self.pipeline.latency} clocks; a value leaves at each", "returns": self.facts.returns}
+        given = ", ".join(f"{name} {value}" for name, value in self.constants.items())
+        return comments.laid_out(self.facts.what + (f" Here {given}." if given else ""), rows, 118)
+
+
+def constants(text: str) -> dict[str, str]:
+    """Of NAME=VALUE,NAME=VALUE."""
+    found: dict[str, str] = {}
+    for one in filter(None, text.split(",")):
+        name, sign, value = one.partition("=")
+        if not sign:
+            raise Unknown(f"--constants {text}: {one} has no value; write {name}=VALUE")
+        found[name.strip()] = value.strip()
+    return found
 
 
 def _ranges(function: Function, library: Path) -> list[tuple[Fraction, Fraction]]:
-    """The ranges of its results, as its comment states them. Distances have others in other metrics."""
+    """The ranges of its results, such as [-1, 1], as its comment states them. Distances have others in other metrics."""
     if any(one.at.text == "metric" for one in function.parameters):
         return []
-    return intervals(comments.facts(function, library, False).returns)
-
-
-def _wrapped(line: str) -> list[str]:
-    if len(line) <= 118:
-        return [line]
-    return textwrap.wrap(line, 118, subsequent_indent="    ", break_long_words=False, break_on_hyphens=False)
+    returns = comments.facts(function, library, False).returns
+    return [(Fraction(low), Fraction(high)) for low, high in re.findall(
+        r"\[(-?\d[\d.]*), (\d+(?:\.\d+)?)[\])]", returns)]
 
 
 def _free(name: str, taken: set[str]) -> str:
-    name = f"{name}_" if name in RESERVED else name
+    name = variable(name, RESERVED)
     joint = "_" if name[-1].isdigit() else ""
     found = name if name not in taken else next(
         one for i in itertools.count(2) if (one := f"{name}{joint}{i}") not in taken)
@@ -573,12 +520,12 @@ def _constant(name: str, type_: str, text: str) -> Constant:
         raise Unknown(f"--constants {name}={text}: {name} is {kind}, such as {name}={_usual(name, type_)}") from None
     if type_ == "float":
         return Constant("float", f"{float(value)}f")
-    return Constant(type_, value & 0xFFFFFFFF if type_ == "uint" else value)
+    return Constant(type_, value & WORD if type_ == "uint" else value)
 
 
 def text(made: Sequence[Made], heading: Sequence[str]) -> str:
-    unknown = [name for name in made[0].choices.constants if all(name in one.left for one in made)]
-    if unknown:
+    known = [one.at.text for of in made for one in of.function.parameters]
+    if unknown := [name for name in made[0].constants if name not in known]:
         raise Unknown(f"--constants {unknown[0]}: {made[0].name} has no such parameter; it takes "
                       f"{', '.join(one.at.text for one in made[0].function.parameters)}")
     parts = ["".join(f"//{line}\n" for line in one.comment()) + one.text() for one in made]

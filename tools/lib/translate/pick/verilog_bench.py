@@ -93,6 +93,12 @@ endmodule
 """
 
 
+def written(points: Sequence[Sequence[int]], folder: Path) -> Path:
+    file = folder / "points"
+    file.write_text("".join(f"{' '.join(map(str, point))}\n" for point in points), encoding="ascii")
+    return file
+
+
 def icarus(made: Made, text: str, points: Sequence[Sequence[int]], folder: Path) -> list[list[int]]:
     """The results of a module at points, which have a number for each port that is read."""
     outputs = [port.name for port in made.outputs]
@@ -102,7 +108,7 @@ def icarus(made: Made, text: str, points: Sequence[Sequence[int]], folder: Path)
         declared="\n".join(declared), module=made.name, latency=made.pipeline.latency, points=len(points),
         connected=", ".join(f".{name}({name})" for name in (*inputs, *outputs)), format=" ".join(["%d"] * len(inputs)),
         inputs=", ".join(inputs), shown=" ".join(["%0d"] * len(outputs)), outputs=", ".join(outputs))
-    (folder / "points").write_text("".join(f"{' '.join(map(str, point))}\n" for point in points), encoding="ascii")
+    written(points, folder)
     (folder / "bench.v").write_text(source, encoding="ascii")
     (folder / f"{made.name}.v").write_text(text, encoding="ascii")
     ran(folder, "iverilog", "-g2005", "-Wall", "-Wno-timescale", "-s", "bench", "-o", "bench.vvp", "bench.v", f"{made.name}.v")
@@ -128,12 +134,12 @@ def vectors(made: Made, file: Path) -> Vectors:
         others = {name: passed[name] for name in names[2 * size:]}
         units = [int(f * (1 << (FRACTION + REST))) for f in row["in"][size:2 * size]]
         if max(units) >> (FRACTION + REST) or any(
-                    abs(others[name] - float(value)) > 1e-6 for name, value in made.choices.constants.items()):
+                    abs(others[name] - float(value)) > 1e-6 for name, value in made.constants.items()):
             found = found._replace(left_out=found.left_out + 1)
             continue
         numbers = [*row["in"][:size], *(unit >> REST for unit in units)]
         numbers += [unit & ((1 << REST) - 1) for unit in units] if made.has_rest else []
-        found.points.append([*numbers, *(value for name, value in others.items() if name not in made.choices.constants)])
+        found.points.append([*numbers, *(value for name, value in others.items() if name not in made.constants)])
         found.values.append(row["units"])
     return found
 
@@ -154,8 +160,8 @@ def call(made: Made) -> str:
     passed: list[str] = []
     for parameter in made.function.parameters:
         name, type_ = parameter.at.text, parameter.type
-        if name in made.choices.constants:
-            value = made.choices.constants[name]
+        if name in made.constants:
+            value = made.constants[name]
             passed.append({"float": f"float({float(value)})" if type_ == "float" else "", "uint": f"{value}u"}.get(type_, value))
         elif found := re.fullmatch("hn_place([1-4])", type_):
             size = int(found[1])
@@ -183,7 +189,7 @@ def _expected(made: Made) -> list[str]:
         parts = ["value"]
     else:
         parts = [f"value.{axis}" for axis in "xyzw"[:len(made.outputs)]]
-    return [f"std::lround(std::ldexp(double({part}), {units}))" for part, units in zip(parts, made.units)]
+    return [f"std::lround(std::ldexp(double({part}), {value.places}))" for part, value in zip(parts, made.values)]
 
 
 def _found(port: Port) -> str:

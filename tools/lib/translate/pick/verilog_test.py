@@ -123,7 +123,7 @@ class Whole(Simulated):
         self.compare(ALL)
 
     def test_linters_are_silent_and_the_bits_are_those_of_the_library(self) -> None:
-        for name, _, constants, noise in ALL:
+        for name, file, constants, noise in ALL:
             for multipliers in ("", "28", "0") if name in ("hn_simplex2", "hn_value2") else ("",):
                 with self.subTest(name, noise=noise, multipliers=multipliers), tempfile.TemporaryDirectory() as folder:
                     of = made(name, constants, noise, multipliers=multipliers)
@@ -132,6 +132,10 @@ class Whole(Simulated):
                     self.assertEqual(ran(Path(folder), *LINT, f"{name}.v"), "")
                     program = verilog_bench.build(of, shown, Path(folder))
                     self.assertEqual(verilog_bench.differing(program, POINTS), 0)
+                    if file:
+                        points = verilog_bench.vectors(of, self.folder / f"{file}.json").points
+                        of_vectors = verilog_bench.written(points, Path(folder))
+                        self.assertEqual(verilog_bench.differing(program, len(points), of_vectors), 0)
 
     def test_the_frame_of_the_example_is_that_of_its_shader(self) -> None:
         with tempfile.TemporaryDirectory() as name:
