@@ -1,6 +1,6 @@
 // The functions of what is shown, in each language. The page draws with the same functions: the text that is copied has
 // numbers where that of the page has uniforms, so that no shader is compiled again when a number changes.
-import { isSolid, remapOf, settingsOf, shownLayers, uses } from "./model.js";
+import { isLeaning, isSolid, remapOf, settingsOf, shownLayers, tintedLayers, uses } from "./model.js";
 import { kMetrics, kNoises, kSums } from "./tables.js";
 
 // In the order of the page. Languages behind C++ have one form, and no library beside it.
@@ -37,6 +37,8 @@ function literal(language, value) {
 
 // A part of a value with integers is a whole number of these steps, so that no product of two has to be rounded.
 const kSteps = 65536;
+// How far beside a place its slope is measured, in cells.
+export const kStepBeside = 0.0625;
 export const partOf = ({ arithmetic }, value) =>
   arithmetic === "fixed" ? Math.round(value * kSteps) / kSteps : value;
 
@@ -61,6 +63,7 @@ export function numbers(language, state) {
 
 // Which forms of the functions each layer that is shown needs. States that agree in this have one shader.
 export function shapes(state) {
+  const tinted = tintedLayers(state);
   return state.layers.flatMap((layer, at) => {
     if (!layer.on) return [];
     const used = uses(state, at);
@@ -76,6 +79,7 @@ export function shapes(state) {
         weighted: weight !== 1,
         moved: offset !== 0,
         scaled: used.scale && layer.scale !== 1,
+        tinted: tinted.includes(layer),
       },
     ];
   });
@@ -142,14 +146,14 @@ class Writer {
   }
 
   // A function of our own, of one or of several lines.
-  define(name, parameters, lines) {
+  define(name, parameters, lines, size = 1) {
     const { float } = this.types;
     if (this.language === "wgsl") {
       const list = parameters.map(([type, parameter]) => `${parameter}: ${type}`).join(", ");
-      return this.body(`fn ${name}(${list}) -> ${float(1)} {`, lines);
+      return this.body(`fn ${name}(${list}) -> ${float(size)} {`, lines);
     }
     const list = parameters.map(([type, parameter]) => `${type} ${parameter}`).join(", ");
-    return this.body(`${this.language === "cpp" ? "inline " : ""}${float(1)} ${name}(${list}) {`, lines);
+    return this.body(`${this.language === "cpp" ? "inline " : ""}${float(size)} ${name}(${list}) {`, lines);
   }
 
   body(head, lines) {
@@ -340,6 +344,7 @@ class Mixer {
     this.shown = shown;
     this.writers = writers;
     this.fixed = shown.some(({ arithmetic }) => arithmetic === "fixed");
+    this.steep = shown.flatMap(({ blend }, at) => (at > 0 && blend === "slope" ? [at] : []));
   }
 
   product(one, other) {
@@ -368,13 +373,49 @@ class Mixer {
     return `v + ${this.product(part, this.fixed ? `${this.stepped(value)} - v` : `(${value} - v)`)}`;
   }
 
+  // How much a layer counts, from 0 to 1; nothing for one that is combined in another way.
+  partOf(shape, writer, call, where, number) {
+    const { weight, offset } = writer.values;
+    if (shape.blend === "slope") return this.part(`${this.product(weight, this.slopeBelow(writer, where, number))} + ${offset}`);
+    if (shape.blend === "mix") return weight;
+    if (shape.blend === "mask") return this.part(this.remapped(shape, writer, call));
+    return shape.blend === "height" ? this.part(`${this.product(weight, "v")} + ${offset}`) : undefined;
+  }
+
+  // How steep it is below a layer, from what is below at the place and a step beside it along each axis.
+  slopeBelow({ n, types }, where, number) {
+    const passed = Array.from({ length: n }, (_, axis) => {
+      const parts = Array.from({ length: n }, (_, other) => this.writers[0].number(other === axis ? String(kStepBeside) : "0.0"));
+      const step = n === 1 ? parts[0] : `${types.float(n)}(${parts.join(", ")})`;
+      return where.cell ? `beside_${number}(cell, f, ${step})` : `below_${number}(p + ${step})`;
+    });
+    return `layer_slope(${["v", ...passed].join(", ")})`;
+  }
+
+  // The functions of what is below a layer. From a cell both summands of a place have few digits, so that it is exact.
+  below(form, at) {
+    const [writer] = this.writers;
+    const { n, types } = writer;
+    const where = writer[form];
+    const { lines } = this.mixing(form, false, at);
+    const name = `below_${at + 1}`;
+    const made = this.define(where, name, [...lines, "return v;"]);
+    if (!where.cell) return made;
+    const called = this.language === "wgsl" ? `${name}_cell` : name;
+    const e = [types.float(n), "e"];
+    return [...made, ...writer.define(`beside_${at + 1}`, [...writer.parametersOf(where), e], [
+      writer.let(types.float(n), "whole", "floor(f + e)"), `return ${called}(cell + ${types.int(n)}(whole), f + (e - whole));`,
+    ])];
+  }
+
+  define(where, name, lines, size) {
+    const [writer] = this.writers;
+    const called = this.language === "wgsl" && where.cell ? `${name}_cell` : name;
+    return writer.define(called, writer.parametersOf(where), lines, size);
+  }
+
   // The value of a layer together with v, which is the value so far.
   next({ blend, ...shape }, writer, call) {
-    if (blend === "mix") return this.mixed(writer.values.weight, call);
-    if (blend === "height") {
-      const { weight, offset } = writer.values;
-      return this.mixed(this.part(`${this.product(weight, "v")} + ${offset}`), call);
-    }
     const value = this.remapped(shape, writer, call);
     if (blend === "add") return `v + ${value}`;
     const plain = !shape.weighted && !shape.moved;
@@ -382,38 +423,67 @@ class Mixer {
     return `${blend}(v, ${value})`;
   }
 
-  // "pattern" at a place.
-  pattern(form) {
+  // The lines that make "v" at a place; and how much each layer with colours of its own counts, behind these lines.
+  mixing(form, isTinted, count) {
     const { language, shown, writers } = this;
-    const [writer] = writers;
-    const where = writer[form];
-    const wgsl = language === "wgsl";
-    const passed = where.cell ? "cell, f" : "p";
+    const where = writers[0][form];
+    const parts = [];
     let mask;
-    const lines = writers.map((writer, at) => {
-      const call = `${writer.nameOf(where)}(${passed})`;
-      if (at > 0 && shown[at].blend === "mask") {
-        mask = `m${at + 1}`;
-        return declaration(language, writer.types.float(1), mask, this.part(this.remapped(shown[at], writer, call)));
+    const lines = writers.slice(0, count).flatMap((writer, at) => {
+      const call = `${writer.nameOf(where)}(${where.cell ? "cell, f" : "p"})`;
+      const shape = shown[at];
+      if (at === 0) {
+        const value = this.remapped(shape, writer, call);
+        const first = shape.weighted || shape.moved ? this.stepped(value) : value;
+        return [language === "wgsl" ? `var v = ${first};` : `float v = ${first};`];
       }
-      if (at > 0) {
-        const next = this.next(shown[at], writer, call);
-        const made = mask ? this.mixed(mask, next) : next;
-        mask = undefined;
-        return `v = ${this.stepped(made)};`;
+      const part = this.partOf(shape, writer, call, where, at + 1);
+      const isMask = shape.blend === "mask";
+      const named = isMask || (isTinted && shape.tinted) ? `m${at + 1}` : undefined;
+      const made = named ? [writer.let(writer.types.float(1), named, part)] : [];
+      if (isTinted && shape.tinted) {
+        const shown = shape.blend === "mix" ? this.part(named) : named;
+        parts.push(mask && !isMask ? this.product(mask, shown) : shown);
       }
-      const { weighted, moved } = shown[0];
-      const value = this.remapped(shown[0], writer, call);
-      const first = weighted || moved ? this.stepped(value) : value;
-      return wgsl ? `var v = ${first};` : `float v = ${first};`;
+      if (!isMask) {
+        const next = part ? this.mixed(named ?? part, call) : this.next(shape, writer, call);
+        made.push(`v = ${this.stepped(mask ? this.mixed(mask, next) : next)};`);
+      }
+      mask = isMask ? named : undefined;
+      return made;
     });
-    const name = wgsl && where.cell ? "pattern_cell" : "pattern";
-    return writer.define(name, writer.parametersOf(where), [...lines, "return v;"]);
+    return { lines, parts };
+  }
+
+  // A function at a place. `end` makes its last lines of how much the layers with colours count, if they matter.
+  at(form, name, end, size) {
+    const { lines, parts } = this.mixing(form, Boolean(end));
+    return this.define(this.writers[0][form], name, [...lines, ...(end ? end(parts) : ["return v;"])], size);
   }
 
   // The functions that make values steps, and multiply them.
   helpers() {
-    if (!this.fixed) return [];
+    return [...(this.fixed ? this.fixedHelpers() : []), ...(this.steep.length ? [...this.slopeHelper(), ""] : [])];
+  }
+
+  // The length of a slope along its axes: the greatest, and half of the others, which is at most an eighth too much on a
+  // plane. It has no root, so that it is exact with integers.
+  slopeHelper() {
+    const [writer] = this.writers;
+    const { types, n } = writer;
+    const axes = ["x", "y", "z", "w"].slice(0, n);
+    const set = (name, value) => writer.let(types.float(1), name, writer.number(value));
+    const lines = axes.map((x) => set(`d${x}`, `min(max(${x} - v, v - ${x}) * ${decimal(1 / kStepBeside)}, 8.0)`));
+    const [first, ...others] = axes.map((x) => `d${x}`);
+    let length = first;
+    for (const d of others) {
+      lines.push(set(`s${d}`, this.stepped(`max(${length}, ${d}) + 0.5 * min(${length}, ${d})`)));
+      length = `s${d}`;
+    }
+    return writer.define("layer_slope", ["v", ...axes].map((name) => [types.float(1), name]), [...lines, `return ${length};`]);
+  }
+
+  fixedHelpers() {
     const [writer] = this.writers;
     const { float, int } = writer.types;
     const step = writer.number(String(1 / kSteps));
@@ -432,36 +502,40 @@ class Mixer {
     ];
   }
 
-  write(forms) {
+  write(forms, end) {
     const layers = this.writers.flatMap((writer) => [...writer.write(forms), ""]);
-    return [...this.helpers(), ...layers, ...forms.flatMap((form) => this.pattern(form))];
+    const below = this.steep.flatMap((at) => forms.flatMap((form) => this.below(form, at)));
+    return [...this.helpers(), ...layers, ...below, ...forms.flatMap((form) => this.at(form, "pattern", end))];
   }
 }
 
 // {lines, files, needs, public}: the definition of "pattern" in these forms, the files of the library and the functions
 // that it needs, and which of those anybody may call. The forms are "cell", pattern(cell, f), and "position",
-// pattern(p). `values` are what numbers() returns, or names of uniforms.
-export function functions(library, language, state, values, forms = ["cell", "position"], short = false) {
+// pattern(p). `values` are what numbers() returns, or names of uniforms. `at(name, end, size)` defines another function
+// in these forms: `end` makes its last lines of how much the layers with colours count. "pattern" may have such lines, too.
+export function functions(library, language, state, values, forms = ["cell", "position"], short = false, end = undefined) {
   const shown = shapes(state);
   const alone = shown.length === 1 && !shown[0].weighted && !shown[0].moved;
   const writers = shown.map((shape, at) => {
     const name = alone ? "pattern" : `layer_${at + 1}`;
     return new Writer(library, language, shape, values[at], name, alone ? "" : `_${at + 1}`, short);
   });
-  const lines = alone ? writers[0].write(forms) : new Mixer(language, shown, writers).write(forms);
+  const mixer = new Mixer(language, shown, writers);
+  const lines = alone ? writers[0].write(forms) : mixer.write(forms, end);
   const all = (of) => [...new Set(writers.flatMap((writer) => [...writer[of]]))];
   const needs = all("needs");
-  return { lines, files: all("files"), needs, public: needs.filter((name) => /^hn_(?!i_|(?:place|octaves|slopes)\d$)/.test(name)) };
+  const at = (...made) => forms.flatMap((form) => mixer.at(form, ...made));
+  return { lines, at, files: all("files"), needs, public: needs.filter((name) => /^hn_(?!i_|(?:place|octaves|slopes)\d$)/.test(name)) };
 }
 
 // The name of the shader of a state: states with the same key differ in uniforms alone.
 export function shaderKey(state) {
   const { dimensions, arithmetic, hash } = state;
   const layers = shapes(state).map((shape, at) => {
-    const { noise, sum, warp, metric, tiled, turned, full, weighted, moved, scaled, blend } = shape;
-    return [noise, sum, warp, full ? metric : "", tiled, turned, weighted, moved, scaled, at ? blend : ""].join(" ");
+    const { noise, sum, warp, metric, tiled, turned, full, weighted, moved, scaled, blend, tinted } = shape;
+    return [noise, sum, warp, full ? metric : "", tiled, turned, weighted, moved, scaled, at ? blend : "", tinted].join(" ");
   });
-  return [dimensions, arithmetic, hash, isSolid(state) ? state.view : "", ...layers].join(" ");
+  return [dimensions, arithmetic, hash, isSolid(state) ? state.view : isLeaning(state) ? "leaning" : "", ...layers].join(" ");
 }
 
 // The knobs that differ from the library's defaults.

@@ -1,6 +1,7 @@
 // The panel: what is chosen there, and how it shows the state.
 import { kLanguages } from "./code.js";
 import { copied, copiedText, kKinds } from "./copied.js";
+import { countsOf } from "./cost.js";
 import { byId, element } from "./elements.js";
 import { LayerList } from "./layerlist.js";
 import { kLooks, numbersOf, parsed } from "./links.js";
@@ -10,7 +11,7 @@ import { gradientOf } from "./palette.js";
 import { StopList } from "./stoplist.js";
 import { kLockable } from "./surprise.js";
 import {
-  kArithmetics, kBlends, kFiles, kHashes, kMaps, kMetrics, kNoises, kRenderers, kSums, kViews, kWarps,
+  kArithmetics, kBlends, kFiles, kHashes, kMaps, kMetrics, kNoises, kRenderers, kSums, kTints, kViews, kWarps,
 } from "./tables.js";
 
 // name: [label, from, to, step].
@@ -23,6 +24,7 @@ const kSliders = {
   phase: ["Phase", 0, 1, 0.01],
   z: ["Slice at z", -8, 8, 0.01],
   w: ["Slice at w", -8, 8, 0.01],
+  lean: ["Slice leans", 0, 0.25, 0.01],
   amplitude: ["Amplitude", 0, 8, 0.05],
   contrast: ["Contrast", 0.25, 4, 0.05],
   turn: ["Turn", 0, 1, 0.01],
@@ -54,9 +56,9 @@ const kTexts = {
   width: ["Width", "pixels"], height: ["Height", "pixels"], frames: ["Frames", "25 a second"],
 };
 const kLabels = {
-  sum: "Octave sum", noise: "Noise", metric: "Metric", hash: "Hash", file: "Save as", blend: "Combined", scale: "Scale",
+  sum: "Fractal", noise: "Noise", metric: "Metric", hash: "Hash", file: "Save as", blend: "Combined", scale: "Scale",
 };
-const kJumps = { Shape: "heading-noise", Colours: "heading-colours", Code: "heading-code", File: "heading-file" };
+const kJumps = { Layers: "heading-layers", Shape: "heading-noise", Colours: "heading-colours", Code: "heading-code", File: "heading-file" };
 const kArrows = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1, PageUp: 10, PageDown: -10 };
 const kNotes = {
   fast: "Floats are the fastest. They are within a few millionths of the exact value.",
@@ -103,7 +105,7 @@ export class Controls {
         replace(state, said);
       },
     });
-    this.stops = new StopList(change, say);
+    this.stops = new StopList((colours) => this.paint(colours), say);
     for (const place of document.querySelectorAll("[data-rows]"))
       place.replaceWith(...place.dataset.rows.split(" ").map((name) => element("div", { className: "row", id: `row-${name}` })));
     for (const [name, table] of Object.entries(kSelects)) this.makeSelect(name, table);
@@ -213,15 +215,21 @@ export class Controls {
   }
 
   makeSwatches() {
-    for (const [value, { label }] of Object.entries(kMaps)) {
+    for (const [value, { label }] of Object.entries(kTints)) {
       const input = element("input", { type: "radio", name: "map", value, id: `map-${value}` });
       input.setAttribute("aria-label", label);
-      input.addEventListener("change", () => this.change({ map: value }));
+      input.addEventListener("change", () => this.paint({ map: value }));
       const swatch = element("label", { title: label }, input);
-      if (value === "own") swatch.append(element("span", { textContent: label }));
+      if (!kMaps[value]?.stops) swatch.append(element("span", { textContent: label }));
       else swatch.style.background = gradientOf({ map: value });
       byId("map").append(swatch);
     }
+  }
+
+  // Colours of the layer that the panel shows, if it can have its own, or of the picture.
+  paint(colours) {
+    const names = uses(this.state, this.layer).tint ? { map: "tint", stops: "tints" } : { map: "map", stops: "stops" };
+    this.change(Object.fromEntries(Object.entries(colours).map(([name, value]) => [names[name], value])));
   }
 
   makeLanguages() {
@@ -331,6 +339,18 @@ export class Controls {
     byId("renderer").parentElement.setAttribute("aria-describedby", "note-renderer");
   }
 
+  // The table of compilers' counts for the function of the layer.
+  showCounts() {
+    const { sum, dimensions, arithmetic } = this.settings;
+    const { name, rows } = countsOf(this.library.counts, this.settings);
+    const [caption] = byId("counts").getElementsByTagName("caption");
+    byId("counts").hidden = !rows.length;
+    caption.textContent =
+      `A call of ${name}(p) in ${dimensions}D, in ${kArithmetics[arithmetic].toLowerCase()}${sum === "none" ? "" : ", of 6 octaves"}, as compilers count.`;
+    const cells = (row) => row.map((text, at) => element(at ? "td" : "th", at ? {} : { scope: "row" }, text));
+    byId("counts").tBodies[0].replaceChildren(...rows.map((row) => element("tr", {}, ...cells(row))));
+  }
+
   show(whole) {
     this.state = whole;
     this.layer = Math.min(this.layer, whole.layers.length - 1);
@@ -348,7 +368,11 @@ export class Controls {
       input.disabled = !dimensions.includes(Number(input.value));
     for (const view of ["sphere", "cube"])
       byId(`view-${view}`).disabled = !dimensions.some((number) => number > 2);
-    for (const name of [...Object.keys(kChoices), "map"]) {
+    const colours = used.tint ? { map: state.tint, stops: state.tints } : state;
+    byId("heading-colours").textContent = used.tint ? `Colours where layer ${this.layer + 1} counts` : "Colours";
+    byId("map-none").parentElement.hidden = !used.tint;
+    byId(`map-${colours.map}`).checked = true;
+    for (const name of Object.keys(kChoices)) {
       const chosen = byId(`${name}-${state[name]}`);
       if (chosen) chosen.checked = true;
     }
@@ -374,10 +398,18 @@ export class Controls {
       const row = byId(`row-${name}`);
       if (row) row.hidden = !used[name];
     }
-    this.stops.show(state);
-    byId("map-own").parentElement.style.background = gradientOf({ map: "own", stops: state.stops });
+    byId("row-stops").hidden = colours.map !== "own";
+    this.stops.show(colours);
+    byId("map-own").parentElement.style.background = gradientOf({ map: "own", stops: colours.stops });
     byId("note-arithmetic").textContent = kNotes[state.arithmetic];
-    byId("note-file").textContent = kFiles[state.file].note;
+    const { label, ending, note } = kFiles[state.file];
+    byId("note-file").textContent = note;
+    byId("save").textContent = `Save ${ending.toUpperCase()}`;
+    byId("save").title = `Save ${label}`;
+    // Relief is beside what it is for.
+    const before = byId(state.view === "terrain" ? "row-tilt" : "row-file");
+    if (before.nextElementSibling.id !== "row-steep") before.after(byId("row-steep"));
+    this.showCounts();
     this.showCode();
   }
 }

@@ -1,10 +1,10 @@
 // The texts to copy: the functions of code.js with the colours, with what they call, and as a whole shader.
 import { decimal, declaration, functions, kLanguages, kTypes, knobs, numbers } from "./code.js";
 import { bakeLines, isOneLine, pythonLines } from "./lines.js";
-import { rangeOf, shownLayers } from "./model.js";
+import { isLeaning, mapsOf, numbersOfTinted, rangeOf, shownLayers } from "./model.js";
 import { partsOfColour, rampOf } from "./palette.js";
 import { isScalar, scalarCode } from "./scalar.js";
-import { cellOf, cellsAcross, kPartsOfCell, partsOf, placeOf } from "./view.js";
+import { cellOf, cellsAcross, kPartsOfCell, leaningNumbers, leant, partsOf, placeOf } from "./view.js";
 
 // The values that the lowest and the highest colour stand for, and how the lowest is taken off.
 function endsOf(state) {
@@ -12,15 +12,29 @@ function endsOf(state) {
   return { low, high, span: high - low, minus: low < 0 ? `+ ${decimal(-low)}` : `- ${decimal(low)}` };
 }
 
-// The colours as a function of the value.
-function colours(language, state) {
+// The colours as functions of the value: of the picture, or of the picture and of layers that have their own; and
+// of these a function of a position, where `at` defines one.
+function colours(language, state, at) {
+  const [picture, ...tints] = mapsOf(state);
+  if (!tints.length) return coloursOf(language, state, picture, "colour");
+  const wgsl = language === "wgsl";
+  const numbers = numbersOfTinted(state);
+  const mix = language === "hlsl" ? "lerp" : "mix";
+  const mixed = (part, k) => `c = ${mix}(c, colours_${numbers[k]}(v), ${wgsl ? `vec3f(${part})` : part});`;
+  const first = wgsl ? "var c = colours(v);" : `${kTypes[language].float(3)} c = colours(v);`;
+  const colour = at("colour", (parts) => [first, ...parts.map(mixed), "return c;"], 3);
+  const maps = tints.flatMap((map, number) => ["", ...coloursOf(language, state, map, `colours_${numbers[number]}`)]);
+  return [...coloursOf(language, state, picture, "colours"), ...maps, "", ...colour];
+}
+
+function coloursOf(language, state, map, name) {
   const { low, high, span, minus } = endsOf(state);
   const { float } = kTypes[language];
   const colour = (stop) => {
     const parts = partsOfColour(stop.colour).map((part) => (part / 255).toFixed(3));
     return `${float(3)}(${parts.join(", ")})`;
   };
-  const { whole, stops } = rampOf(state);
+  const { whole, stops } = rampOf(map);
   const mix = language === "hlsl" ? "lerp" : "mix"; // Metal has HLSL's types, and mix
   const scale = Number((whole / span).toPrecision(7));
   const wgsl = language === "wgsl";
@@ -42,9 +56,14 @@ function colours(language, state) {
       .map((stop, at) => `c = ${mix}(c, ${colour(stop)}, ${three(way(stops[at].place, stop.place))});`),
     "return c;",
   ];
-  const head = wgsl ? "fn colour(value: f32) -> vec3f {" : `${float(3)} colour(float value) {`;
-  return [`// From ${low} to ${high}: the colours of the picture.`, head, ...lines.map((line) => `  ${line}`), "}"];
+  const head = wgsl ? `fn ${name}(value: f32) -> vec3f {` : `${float(3)} ${name}(float value) {`;
+  const whose = map === state ? "the picture" : `layer ${name.split("_")[1]}`;
+  return [`// From ${low} to ${high}: the colours of ${whose}.`, head, ...lines.map((line) => `  ${line}`), "}"];
 }
+
+// In languages without colours: how much each layer that has its own counts.
+const masks = (state, at) =>
+  numbersOfTinted(state).flatMap((number, k) => ["", ...at(`mask_${number}`, (parts) => [`return ${parts[k]};`])]);
 
 const kPlaces = {
   glsl: "Put it below your #version and #extension lines.",
@@ -145,12 +164,25 @@ export const kKinds = {
 for (const language of Object.keys(kLanguages)) kKinds[language] ??= { function: { label: "Functions" } };
 
 const middleOf = ({ x, y, z, w, dimensions }) => [x, y, partsOf(z), partsOf(w)].slice(0, dimensions);
+const inSpace = (state) => (isLeaning(state) ? leant(state, middleOf(state)) : middleOf(state)).slice(0, state.dimensions);
+
+// Where a position of a picture that leans is in space.
+function sliceLines(language, state) {
+  if (!isLeaning(state)) return [];
+  const { float } = kTypes[language];
+  const n = state.dimensions;
+  const suffix = ["cpp", "metal"].includes(language) ? "f" : "";
+  const rows = leaningNumbers(state).map((row) => row.map((part, at) => `${decimal(part)}${suffix} * p.${"xyz"[at]}`).join(" + "));
+  const body = `return ${float(n)}(${[...rows, "p.w"].slice(0, n).join(", ")});`;
+  const head = language === "wgsl" ? `fn slice(p: ${float(n)}) -> ${float(n)} {` : `${language === "cpp" ? "inline " : ""}${float(n)} slice(${float(n)} p) {`;
+  return ["// Where p of the picture is in space, since the slice leans: pattern(slice(p)).", head, `  ${body}`, "}", ""];
+}
 
 // By which form of "pattern" the picture is drawn: beyond so many cells a position in floats has too few digits behind
 // the point.
 const kFar = 1024;
 const formOf = (state) =>
-  cellsAcross(state) * Math.max(...shownLayers(state).map(({ scale }) => scale)) > kFar || middleOf(state).some((parts) => Math.abs(cellOf(parts)) > kFar) ? "cell" : "position";
+  cellsAcross(state) * Math.max(...shownLayers(state).map(({ scale }) => scale)) > kFar || inSpace(state).some((parts) => Math.abs(cellOf(parts)) > kFar) ? "cell" : "position";
 
 // The lines of the main function of a whole shader, which draws the picture as the page has it.
 function mainOf(language, state, { main, pixel, below, result }) {
@@ -158,11 +190,13 @@ function mainOf(language, state, { main, pixel, below, result }) {
   const n = state.dimensions;
   const set = (type, name, value) => declaration(language, type, name, value);
   const vector = (type, parts) => (parts.length === 1 ? parts[0] : `${type}(${parts.join(", ")})`);
-  const place = middleOf(state);
   const far = formOf(state) === "cell";
+  const leans = isLeaning(state);
+  const place = far ? inSpace(state) : middleOf(state);
   const numbers = place.map((parts) => decimal((far ? placeOf(parts) : Number(parts)) / kPartsOfCell));
-  const flat = Math.min(n, 2); // The pixel has so many coordinates; the others are those of the slice.
-  const scaled = `${n === 1 ? "pixel.x" : "pixel"} * ${decimal(cellsAcross(state))}`;
+  const flat = leans ? n : Math.min(n, 2); // The pixel has so many coordinates; the others are those of the slice.
+  const onPlane = `${n === 1 ? "pixel.x" : "pixel"} * ${decimal(cellsAcross(state))}`;
+  const scaled = leans ? `slice(${vector(float(n), [onPlane, "0.0", "0.0"].slice(0, n - 1))})` : onPlane;
   const slice = `${scaled} + ${vector(float(flat), numbers.slice(0, flat))}`;
   const lines = [set(float(2), "pixel", pixel)];
   if (far) {
@@ -172,22 +206,25 @@ function mainOf(language, state, { main, pixel, below, result }) {
     lines.push(
       set(float(flat), "q", slice),
       set(float(flat), "whole", "floor(q)"),
-      set(int(n), "cell", vector(int(n), [cell, ...cells.slice(2)])),
-      set(float(n), "f", vector(float(n), ["q - whole", ...numbers.slice(2)])),
+      set(int(n), "cell", flat === n ? cell : vector(int(n), [cell, ...cells.slice(2)])),
+      set(float(n), "f", flat === n ? "q - whole" : vector(float(n), ["q - whole", ...numbers.slice(2)])),
     );
   } else {
-    lines.push(set(float(n), "p", vector(float(n), [slice, ...numbers.slice(2)])));
+    const p = vector(float(n), [leans ? `${onPlane} + ${vector(float(2), numbers.slice(0, 2))}` : slice, ...numbers.slice(2)]);
+    lines.push(set(float(n), "p", leans ? `slice(${p})` : p));
   }
-  const call = far ? `${language === "wgsl" ? "pattern_cell" : "pattern"}(cell, f)` : "pattern(p)";
+  const called = (name) => (far ? `${name}${language === "wgsl" ? "_cell" : ""}(cell, f)` : `${name}(p)`);
+  const call = called("pattern");
+  const hasTints = mapsOf(state).length > 1;
   if (n > 1) {
-    lines.push(result(`colour(${call})`));
+    lines.push(result(hasTints ? called("colour") : `colour(${call})`));
   } else {
     // A graph of the values.
     const { minus, span } = endsOf(state);
     lines.push(
       set(float(1), "value", call),
       set(float(1), "above", `step((value ${minus}) * ${decimal(Number((1 / span).toPrecision(7)))}, ${below})`),
-      result(`colour(value) * (1.0 - 0.875 * above)`),
+      result(`${hasTints ? called("colour") : "colour(value)"} * (1.0 - 0.875 * above)`),
     );
   }
   return [main, ...lines.map((line) => `  ${line}`), "}"];
@@ -214,7 +251,9 @@ export function copied(library, language, state, kind = "function", withLibrary 
     const { head, ...rest } = scalarCode(library, language, state);
     const hash = state.hash === "lattice" ? [] : ["// With the default hash: the page has no other in this language."];
     const floats = state.arithmetic === "fixed" ? [] : ["// In integers, whose values differ from those of floats by less than 0.0001."];
-    return { head: [`// ${first}`, kLicense, ...hash, ...floats, ...(head.length ? ["", ...head] : [])], ...rest };
+    const sum = (row) => row.map((part, at) => `${part} * ${"xyz"[at]}`).join(" + ").replaceAll("+ -", "- ");
+    const leaning = isLeaning(state) ? ["// The slice leans: x, y, z of the picture are in space at", ...leaningNumbers(state).map((row) => `//   ${sum(row)}`)] : [];
+    return { head: [`// ${first}`, kLicense, ...hash, ...floats, ...leaning, ...(head.length ? ["", ...head] : [])], ...rest };
   }
   if (language === "tsl") return tslText(library, state, first);
   const shell = kKinds[language][kind];
@@ -223,14 +262,15 @@ export function copied(library, language, state, kind = "function", withLibrary 
   const values = numbers(language, state);
   const inside = !cpp && (isNew || shell.main || withLibrary);
   const forms = inside ? [formOf(state)] : undefined;
-  const { lines, files, public: called } = functions(library, language, state, values, forms, inside);
+  const { lines, at, files, public: called } = functions(library, language, state, values, forms, inside);
   const included = language === "hlsl" ? ["begin.hlsl", ...files, "end.hlsl"] : files;
   const headers = cpp ? ["<hashnoise/hashnoise.hpp>"] : included.map((file) => `"hashnoise/${file}"`);
   const command = ["// In front of it stands what tools/pick writes:", `// ${pickCommand(language, state, called)}`];
   const written = [
     ...(shell.main ? [] : [`// ${note}.${inside ? "" : " Far out pass an integer cell and the place in it."}`]),
+    ...sliceLines(language, state),
     ...lines,
-    ...(cpp ? [] : ["", ...colours(language, state)]),
+    ...(cpp ? masks(state, at) : ["", ...colours(language, state, at)]),
     ...(shell.main ? ["", ...shell.declared, ...mainOf(language, state, shell)] : []),
   ];
   const code = language === "glsl" && !shell.main ? written.map(withHighp) : written;
@@ -255,7 +295,7 @@ export function copied(library, language, state, kind = "function", withLibrary 
 function tslText(library, state, first) {
   const textOf = (language) => {
     const shown = functions(library, language, state, numbers(language, state), ["position"], true);
-    const code = [...shown.lines, "", ...colours(language, state)];
+    const code = [...sliceLines(language, state), ...shown.lines, "", ...colours(language, state, shown.at)];
     const text = [...textLines(library, language, shown.public, state), "", ...(language === "glsl" ? code.map(withHighp) : code)];
     return text.join("\n").replaceAll("\\", "\\\\").replaceAll("`", "\\`").replaceAll("${", "\\${").split("\n");
   };
@@ -268,7 +308,9 @@ function tslText(library, state, first) {
     library: () => [],
     code: [
       "const textOfGlsl = glsl(`", ...textOf("glsl"), "`);", "const textOfWgsl = wgsl(`", ...textOf("wgsl"), "`);",
-      "// p is a position in cells: pattern(uv().mul(8)).", node("pattern", "float", p), node("colour", "vec3", "float value"),
+      "// p is a position in cells: pattern(uv().mul(8)).", node("pattern", "float", p),
+      ...(isLeaning(state) ? [node("slice", p.slice(0, 4), p)] : []),
+      node("colour", "vec3", mapsOf(state).length > 1 ? p : "float value"),
     ],
   };
 }
@@ -277,12 +319,12 @@ function tslText(library, state, first) {
 function bakeText(library, state, first) {
   const lines = bakeLines(state);
   if (isOneLine(state)) return { head: [`# ${first}`], library: () => [], code: lines };
-  const { lines: code } = functions(library, "glsl", state, numbers("glsl", state), ["position"]);
+  const { lines: code, at } = functions(library, "glsl", state, numbers("glsl", state), ["position"]);
   const hash = state.hash === "lattice" ? [] : ["# tools/bake has the default hash."];
   return {
     head: [`# ${first}`, ...hash, "cat > pattern.glsl << END"],
     library: () => [],
-    code: [...code, "END", ...lines],
+    code: [...sliceLines("glsl", state), ...code, ...masks(state, at), "END", ...lines],
   };
 }
 

@@ -1,7 +1,7 @@
 // The files that the page saves: pictures and heights of any size, from the same shaders that draw.
 import { Gif } from "./gif.js";
 import { linkOf } from "./links.js";
-import { isSolid, rangeOf, reliefHeight, uses } from "./model.js";
+import { isSolid, mapsOf, rangeOf, reliefHeight, uses } from "./model.js";
 import { paletteOf } from "./palette.js";
 import { Png } from "./png.js";
 import { kBits, kColours, unitsOf } from "./shaders.js";
@@ -10,6 +10,7 @@ import { kFiles } from "./tables.js";
 const kMostOfStrip = 262144; // pixels, so that no draw keeps the GPU for long
 const kMostOfLoop = 4e8; // pixels, since all frames are in memory until the file is saved
 const kGreys = 65536;
+const kColoursOfGif = 256;
 
 // The heights of values, as numbers of 16 bits: each value is a whole number of steps of 2^-20, and those between the
 // lowest and the highest colour are dealt to the numbers as they are to the 256 colours.
@@ -121,20 +122,47 @@ async function* strips(read, mode, state, border = 0) {
   }
 }
 
+// The 256 colours of a GIF for a picture that has more of them: of cubes of colours those with the most pixels; and a
+// function that makes the numbers of the nearest ones.
+function fewColours(picture) {
+  const cubeOf = (bytes, at) => ((bytes[at] >> 3) << 10) | ((bytes[at + 1] >> 3) << 5) | (bytes[at + 2] >> 3);
+  const counts = new Uint32Array(32768);
+  for (let at = 0; at < picture.length; at += 4) ++counts[cubeOf(picture, at)];
+  const cubes = [...counts.keys()].sort((one, other) => counts[other] - counts[one]).slice(0, kColoursOfGif);
+  const partsOf = (cube) => [cube >> 10, (cube >> 5) & 31, cube & 31].map((part) => part * 8 + 4);
+  const colours = cubes.map(partsOf);
+  const nearest = new Map();
+  const numberOf = (cube) => {
+    if (!nearest.has(cube)) {
+      const parts = partsOf(cube);
+      const far = colours.map((colour) => colour.reduce((sum, part, k) => sum + (part - parts[k]) ** 2, 0));
+      nearest.set(cube, far.indexOf(Math.min(...far)));
+    }
+    return nearest.get(cube);
+  };
+  const numbersOf = (bytes) => Uint8Array.from({ length: bytes.length / 4 }, (_, at) => numberOf(cubeOf(bytes, 4 * at)));
+  return { palette: Uint8Array.from(colours.flatMap((colour) => [...colour, 255])), numbersOf };
+}
+
 async function gifOf(state, read, tell) {
   const { width, height } = state;
   const frames = framesOf(state);
   if (width * height * frames.length > kMostOfLoop)
     throw new Error("A loop has at most 400 million pixels in all frames.");
-  const made = new Gif(width, height, paletteOf(state));
+  const mode = mapsOf(state).length > 1 ? kColours : kBits;
+  let [made, few] = mode === kBits ? [new Gif(width, height, paletteOf(state))] : [];
   for (const [number, frame] of frames.entries()) {
-    const pixels = new Uint8Array(width * height);
+    const picture = new Uint8Array(4 * width * height);
     let done = 0;
-    for await (const bytes of strips(read, kBits, frame)) {
-      pixels.set(heightsOf(floatsOf(bytes), frame).map((height) => height >> 8), done);
-      done += bytes.length / 4;
+    for await (const bytes of strips(read, mode, frame)) {
+      picture.set(bytes, done);
+      done += bytes.length;
     }
-    made.add(pixels);
+    if (!made) {
+      few = fewColours(picture);
+      made = new Gif(width, height, few.palette);
+    }
+    made.add(few ? few.numbersOf(picture) : Uint8Array.from(heightsOf(floatsOf(picture), frame), (height) => height >> 8));
     tell((number + 1) / frames.length);
   }
   return made.done();

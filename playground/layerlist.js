@@ -1,6 +1,7 @@
 // The list of layers: which of them the panel shows, and what becomes of the list.
 import { byId, element } from "./elements.js";
-import { kMostLayers, titlesOf, withLayer, withMoved, withoutLayer } from "./model.js";
+import { detailsOf, kMostLayers, tintedLayers, titleOf, withLayer, withMoved, withoutLayer } from "./model.js";
+import { gradientOf } from "./palette.js";
 
 export class LayerList {
   // `choose` takes the number of a layer; `change` takes settings of one and its number; `replace` takes a state with
@@ -18,7 +19,7 @@ export class LayerList {
   made(at, choose, change) {
     const chosen = element("input", { type: "radio", name: "layer", id: `layer-${at + 1}` });
     chosen.addEventListener("change", () => choose(at));
-    const title = element("span");
+    const [title, details, tint] = [element("span"), element("small"), element("i")];
     const on = element("input", { type: "checkbox", id: `on-${at + 1}`, ariaLabel: `Layer ${at + 1} is shown` });
     on.addEventListener("change", () => change({ on: Number(on.checked) }, at));
     const button = (id, textContent, ariaLabel, onclick) =>
@@ -28,7 +29,7 @@ export class LayerList {
     const row = element(
       "li",
       { hidden: true },
-      element("label", { className: "layer" }, chosen, title),
+      element("label", { className: "layer" }, chosen, element("span", {}, title, details), tint),
       element("label", { className: "shown" }, on),
       up,
       remove,
@@ -44,7 +45,7 @@ export class LayerList {
       this.move(this.dragged, at);
     });
     row.addEventListener("dragend", () => (this.dragged = undefined));
-    return { row, chosen, title, on, up };
+    return { row, chosen, title, details, tint, on, up };
   }
 
   move(from, to) {
@@ -66,15 +67,18 @@ export class LayerList {
   show(state, number) {
     this.state = state;
     const { layers } = state;
-    const titles = titlesOf(state);
+    const tinted = tintedLayers(state);
     byId("layers").hidden = layers.length === 1;
     byId("add-layer").ariaDisabled = String(layers.length === kMostLayers);
-    for (const [at, { row, chosen, title, on, up }] of this.rows.entries()) {
+    for (const [at, { row, chosen, title, details, tint, on, up }] of this.rows.entries()) {
       row.hidden = at >= layers.length;
       if (row.hidden) continue;
       chosen.checked = at === number;
       on.checked = Boolean(layers[at].on);
-      title.textContent = titles[at];
+      title.textContent = titleOf(layers[at]);
+      details.textContent = detailsOf(layers[at], at);
+      tint.hidden = !tinted.includes(layers[at]);
+      tint.style.background = tint.hidden ? "" : gradientOf({ map: layers[at].tint, stops: layers[at].tints });
       up.ariaDisabled = String(at === 0);
     }
   }

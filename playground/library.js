@@ -1,17 +1,19 @@
 // The library inside the page: the text of glsl/hashnoise/, with which WebGL2 draws at once, and the pieces that tools/pick
 // writes, with which WebGPU draws, and which are copied.
 
-// In the page both are JSON, gzipped and written as base64 (tools/playground).
-export async function unpacked(base64) {
-  const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
-  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
+import { bytesOf } from "./pieces.js";
+
+// In the page the first is JSON, gzipped and written in digits to the base of 85 (tools/playground).
+export async function unpacked(digits) {
+  const stream = new Blob([bytesOf(digits)]).stream().pipeThrough(new DecompressionStream("gzip"));
   return JSON.parse(await new Response(stream).text());
 }
 
 export class Library {
-  // version; glsl: {file: [line, ...]} without comments; `unpack` unpacks the pieces of the languages of this name.
-  constructor({ version, glsl }, unpack) {
+  // version; counts: what compilers count (tools/lib/ship/playground/counts.py); glsl: {file: [line, ...]} without comments; `unpack` unpacks the pieces of the languages of this name.
+  constructor({ version, glsl, counts }, unpack) {
     this.version = version;
+    this.counts = counts;
     this.glsl = glsl;
     this.unpack = unpack;
     this.loading = {}; // promises

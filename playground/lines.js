@@ -1,7 +1,8 @@
 // The picture as lines for tools/bake and for Python, which compute grids.
+import { kStepBeside } from "./code.js";
 import { kNoises, kSums } from "./tables.js";
-import { rangeOf, remapOf, shownLayers, uses } from "./model.js";
-import { kPartsOfCell } from "./view.js";
+import { isLeaning, numbersOfTinted, rangeOf, remapOf, shownLayers, tintedLayers, uses } from "./model.js";
+import { kPartsOfCell, leaningNumbers } from "./view.js";
 
 
 // Which number of the results of a noise is shown, in Python and by tools/bake.
@@ -36,7 +37,7 @@ export const isOneLine = (state) => {
   const { weight, offset } = remapOf(state, state.layers.indexOf(shown[0]));
   const [{ warp, scale }] = shown;
   return (
-    shown.length === 1 &&
+    shown.length === 1 && !isLeaning(state) &&
     [weight, offset, scale, state.hash].join(" ") === "1 0 1 lattice" &&
     functionOf(shown[0]) !== undefined &&
     (warp === "none" || state.dimensions === 1 || state.dimensions === 4)
@@ -55,7 +56,9 @@ export function bakeLines(state) {
   const period = state.period ? ` --period ${Array(dimensions).fill(state.period).join("x")}` : "";
   const range = rangeOf(state).map((end) => Number(end.toFixed(4))).join(":");
   const rest = `${period} --range=${range} --arithmetic ${state.arithmetic} -o noise.png`;
-  if (!isOneLine(state)) return [`tools/bake --expression 'pattern(p)' --source pattern.glsl ${place}${rest}`];
+  const masks = numbersOfTinted(state).map((number) => [`mask_${number}(p)`, `${period} --range=0:1 --arithmetic ${state.arithmetic} -o mask_${number}.png`]);
+  if (!isOneLine(state))
+    return [["pattern(p)", rest], ...masks].map(([value, end]) => `tools/bake --expression '${isLeaning(state) ? value.replace("(p)", "(slice(p))") : value}' --source pattern.glsl ${place}${end}`);
   const [layer] = shownLayers(state);
   const at = state.layers.indexOf(layer);
   const options = Object.entries(optionsOf(state, layer, at)).map(([name, value]) => `--${name} ${value}`);
@@ -63,6 +66,11 @@ export function bakeLines(state) {
   if (component) options.push(`--components ${component}`);
   return [`tools/bake ${functionOf(layer)} ${options.join(" ")} ${place}${rest}`];
 }
+
+const kSlope = [
+  "def slope(v, *beside):", "    length = 0", "    for other in beside:", `        d = numpy.minimum(abs(other - v) * ${1 / kStepBeside}, 8)`,
+  "        length = numpy.maximum(length, d) + 0.5 * numpy.minimum(length, d)", "    return length", "",
+];
 
 // A function of arrays of coordinates; one line if a grid is enough.
 export function pythonLines(state) {
@@ -88,8 +96,10 @@ export function pythonLines(state) {
     const grid = `"${functionOf(shown[0])}", (${width}, ${height}), step=${step}, first=(${first.join(", ")})`;
     return ["import hashnoise", "", `values = hashnoise.grid(${grid}, ${options})${index(shown[0])}`];
   }
-  let mask = false;
-  const lines = shown.flatMap((layer, number) => {
+  let mask = "";
+  const [masks, below] = [[], []];
+  const parameters = axes.join(", ");
+  const lines = shown.reduce((done, layer, number) => {
     const at = state.layers.indexOf(layer);
     const scaled = layer.scale === 1 ? axes : axes.map((axis) => `${layer.scale} * ${axis}`);
     const period = state.period ? { period: state.period * layer.scale } : {};
@@ -107,22 +117,36 @@ export function pythonLines(state) {
     const remapped = `${weight === 1 ? "" : `${weight} * `}${value}${offset ? ` + ${offset}` : ""}`;
     const next = {
       add: `v + ${remapped}`, multiply: `v * (${remapped})`, min: `numpy.minimum(v, ${remapped})`, max: `numpy.maximum(v, ${remapped})`,
-      mix: `v + ${layer.weight} * (${value} - v)`,
-      height: `v + numpy.clip(${layer.weight} * v + ${layer.offset}, 0, 1) * (${value} - v)`,
     }[layer.blend];
-    if (number && layer.blend === "mask") {
-      mask = true;
-      return [...warp, `    mask = numpy.clip(${remapped}, 0, 1)`];
+    const isSlope = number > 0 && layer.blend === "slope";
+    if (isSlope) below.push(`def below_${number + 1}(${parameters}):`, ...done, "    return v", "");
+    const beside = axes.map((axis) => `below_${number + 1}(${axes.map((other) => (other === axis ? `${axis} + ${kStepBeside}` : other)).join(", ")})`);
+    const clipped = (of) => `numpy.clip(${layer.weight} * ${of} + ${layer.offset}, 0, 1)`;
+    const part = {
+      mix: layer.weight, height: clipped("v"), slope: clipped(`slope(${["v", ...beside].join(", ")})`), mask: `numpy.clip(${remapped}, 0, 1)`,
+    }[layer.blend];
+    const isMask = number > 0 && layer.blend === "mask";
+    const own = tintedLayers(state).includes(layer);
+    const name = `mask_${number + 1}`;
+    const before = [...done, ...warp, ...(isMask || own ? [`    ${name} = ${part}`] : [])];
+    if (own) masks.push(mask && !isMask ? `${mask} * ${name}` : name);
+    if (isMask) {
+      mask = name;
+      return before;
     }
-    const made = mask ? `v + mask * (${next} - v)` : next;
-    mask = false;
-    return [...warp, `    v = ${number ? made : remapped}`];
-  });
+    const mixed = next ?? `v + ${own ? name : part} * (${value} - v)`;
+    const made = mask ? `v + ${mask} * (${mixed} - v)` : mixed;
+    mask = "";
+    return [...before, `    v = ${number ? made : remapped}`];
+  }, []);
+  const place = ["x", "y", state.z, state.w].slice(0, dimensions);
+  const leaning = leaningNumbers(state).map((row) => row.map((part, at) => `${part} * ${place[at]}`).join(" + "));
+  const passed = isLeaning(state) ? [...leaning, ...place.slice(3)] : place;
   const line = `numpy.arange(${width}) * ${step}`;
   return [
-    "import hashnoise", "import numpy", "", "# Positions are in cells.",
-    `def pattern(${axes.join(", ")}):`, ...lines, "    return v", "",
+    "import hashnoise", "import numpy", "", ...(below.length ? kSlope : []), ...below, "# Positions are in cells.",
+    `def pattern(${parameters}):`, ...lines, `    return ${["v", ...masks].join(", ")}`, "",
     dimensions === 1 ? `x = ${line}` : `x, y = numpy.meshgrid(${line}, numpy.arange(${height}) * ${step})`,
-    `values = pattern(${["x", "y", state.z, state.w].slice(0, dimensions).join(", ")})`,
+    `${["values", ...numbersOfTinted(state).map((number) => `mask_${number}`)].join(", ")} = pattern(${passed.join(", ")})`,
   ];
 }

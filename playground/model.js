@@ -3,7 +3,7 @@
 import { wrapped } from "./numbers.js";
 import { possibleStops, stopsOfMap } from "./palette.js";
 import {
-  kArithmetics, kBlends, kFiles, kHashes, kMaps, kMetrics, kNoises, kRenderers, kSums, kViews, kWarps,
+  kArithmetics, kBlends, kFiles, kHashes, kMaps, kMetrics, kNoises, kRenderers, kSums, kTints, kViews, kWarps,
 } from "./tables.js";
 
 // The settings, in the order of a link. A number has its ends; x and y are read and written by the view. Each layer has
@@ -27,9 +27,12 @@ export const kSettings = {
   weight: { usual: 1, from: -4, to: 4, layer: true },
   offset: { usual: 0, from: -4, to: 4, layer: true },
   scale: { usual: 1, from: 1, to: 64, power: true, layer: true },
+  tint: { usual: "none", of: kTints, layer: true },
+  tints: { usual: "0-000000_100-ffffff", fit: possibleStops, layer: true },
   phase: { usual: 0, from: 0, to: 1 },
   z: { usual: 0.37, from: -1e9, to: 1e9 },
   w: { usual: 0.62, from: -1e9, to: 1e9 },
+  lean: { usual: 0, from: 0, to: 0.25 },
   arithmetic: { usual: "fast", of: kArithmetics },
   hash: { usual: "lattice", of: kHashes },
   view: { usual: "plane", of: kViews },
@@ -50,6 +53,7 @@ export const kSettings = {
 };
 
 export const kMostLayers = 8;
+const kMostSlopes = 2; // layers, since each needs what is below it at several places
 export const kLeastTilt = 0.02; // of terrain, which has nothing to be seen from below
 const kUsualTile = 4; // cells of a period that nobody has chosen
 
@@ -78,19 +82,34 @@ export const settingsOf = (state, at = 0) => ({ ...state, ...state.layers[at] })
 // The layers that are not switched off.
 export const shownLayers = ({ layers }) => layers.filter(({ on }) => on);
 
+// Whether colours of its own can show where a layer counts, and whether they do.
+const canTint = ({ blend }) => ["mix", "mask", "height", "slope"].includes(blend);
+const isTinted = (layer, at) => at > 0 && layer.tint !== "none" && canTint(layer);
+// The layers that are shown, and which of them have colours of their own. Of the lowest nothing is below.
+export const tintedLayers = (state) => shownLayers(state).filter(isTinted);
+// Their numbers among those that are shown, from 1 on, as code has them.
+export const numbersOfTinted = (state) => tintedLayers(state).map((layer) => shownLayers(state).indexOf(layer) + 1);
+export const mapsOf = (state) => [state, ...tintedLayers(state).map(({ tint, tints }) => ({ map: tint, stops: tints }))];
+
 // A ball or a cube of space, for which there have to be three dimensions.
 export const isSolid = ({ view, dimensions }) => dimensions > 2 && (view === "sphere" || view === "cube");
 // Everything but a plane can be rotated.
 export const isTurned = (state) => state.view === "terrain" || isSolid(state);
+
+// A slice of space that is not along the cells. Tiles and loops need one that is.
+const canLean = (state) => state.dimensions > 2 && !state.period && !isSolid(state);
+export const isLeaning = (state) => canLean(state) && state.lean > 0;
 
 // The height of the highest colour on terrain, in sides of the block. More cells make it lower, as if seen from farther
 // away: with one height for all scales many cells would be a field of spires.
 const kCellsOfWholeRelief = 2;
 export const reliefHeight = ({ steep, cells }) => steep * Math.min(1, kCellsOfWholeRelief / cells);
 
-// The names of the layers, for people.
-const titleOf = ({ sum, noise }) =>
+// The names of the layers, for people, and the settings by which layers of one name differ.
+export const titleOf = ({ sum, noise }) =>
   sum === "none" ? kNoises[noise].label : `${kSums[sum].label} of ${kNoises[noise].label}`;
+export const detailsOf = ({ blend, seed, scale }, at) =>
+  `${at ? kBlends[blend].label : "Base"} · seed ${seed}${scale > 1 ? ` · ${scale} × as fine` : ""}`;
 export const titlesOf = ({ layers }) =>
   layers.map((layer, at) => `${at ? `${kBlends[layer.blend].sign} ` : ""}${titleOf(layer)}`);
 
@@ -111,10 +130,16 @@ export function chosen(state, changes, at = 0) {
   if (changes.sum && changes.sum !== state.layers[at].sum) layer.strength = usualOf("strength", layer);
   if (changes.blend === "mix" && layer.weight === 1) layer.weight = 0.5;
   if (changes.blend === "mask" && layer.weight === 1 && !layer.offset) Object.assign(layer, { weight: 3, offset: 0.5 });
+  if (changes.blend === "slope" && layer.weight === 1 && !layer.offset) Object.assign(layer, { weight: 2, offset: -2 });
   if (changes.view === "tiles" && !next.period) next.period = kUsualTile;
   if (isSolid({ ...next, dimensions: 3 }) && changes.view && next.dimensions < 3) next.dimensions = 3;
   const untouched = next.stops === kSettings.stops.usual;
   if (changes.map === "own" && state.map !== "own" && untouched) next.stops = stopsOfMap(state.map);
+  if (changes.tint === "own" && layer.tints === kSettings.tints.usual) {
+    const { tint } = state.layers[at];
+    const { map, stops } = tint === "none" ? state : { map: tint, stops: layer.tints };
+    layer.tints = map === "own" ? stops : stopsOfMap(map);
+  }
   return possible(next);
 }
 
@@ -148,6 +173,7 @@ function possibleLayer(given, period) {
 export function possible(state) {
   const next = possibleSettings(usualsOf(false), state);
   next.layers = state.layers.slice(0, kMostLayers).map((layer) => possibleLayer(layer, next.period));
+  for (const layer of next.layers.filter(({ blend }) => blend === "slope").slice(kMostSlopes)) layer.blend = "height";
   if (!shownLayers(next).length) next.layers[0].on = 1;
   if (next.layers.length === 1) next.layers[0].scale = 1; // of a layer alone there is none, and its tiles would have it
   if (!dimensionsOf(next).includes(next.dimensions)) next.dimensions = 2;
@@ -191,7 +217,8 @@ export function uses(state, at = 0) {
     jitter: Boolean(noise.jitter), metric: Boolean(noise.metric),
     warp: warped, amplitude: warped && layer.warp !== "none",
     on: several, blend: at > 0, weight: several, offset: several && !mixed, scale: several,
-    phase: warped && state.layers.some(turns), z: state.dimensions > 2, w: state.dimensions > 3,
+    tint: at > 0 && canTint(layer), tints: at > 0 && canTint(layer) && layer.tint === "own",
+    phase: warped && state.layers.some(turns), z: state.dimensions > 2, w: state.dimensions > 3, lean: canLean(state),
   };
 }
 
@@ -199,7 +226,7 @@ export function uses(state, at = 0) {
 // mixture is another thing.
 export function remapOf({ layers }, at) {
   const { weight, offset, blend } = layers[at];
-  const plain = layers.length === 1 || (at > 0 && (blend === "mix" || blend === "height"));
+  const plain = layers.length === 1 || (at > 0 && ["mix", "height", "slope"].includes(blend));
   return plain ? { weight: 1, offset: 0 } : { weight, offset };
 }
 
@@ -277,7 +304,7 @@ export function rangeOf(state) {
     const next =
       blend === "mix"
         ? sumOfRanges(times(below, 1 - weight), times(range, weight))
-        : blend === "height"
+        : blend === "height" || blend === "slope"
           ? both(below, range)
           : kRanges[blend](below, range);
     const made = masked ? both(below, next) : next;

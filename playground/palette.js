@@ -88,6 +88,9 @@ export function paletteOf(state) {
   return bytes;
 }
 
+// The colours of several maps behind each other.
+export const palettesOf = (maps) => Uint8Array.from(maps.flatMap((map) => [...paletteOf(map)]));
+
 export function gradientOf(state) {
   const { whole, stops } = rampOf(state);
   const list = stops.map(({ place, colour }) => `#${colour} ${Number(((place / whole) * 100).toFixed(2))}%`);

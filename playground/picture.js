@@ -3,9 +3,9 @@ import { shaderKey } from "./code.js";
 import { byId } from "./elements.js";
 import { fileOf, fileState, framesOf, planeOf } from "./files.js";
 import { linkOf } from "./links.js";
-import { isSolid, rangeOf, reliefHeight } from "./model.js";
+import { isSolid, mapsOf, rangeOf, reliefHeight } from "./model.js";
 import { wrapped } from "./numbers.js";
-import { gradientOf, paletteOf } from "./palette.js";
+import { gradientOf, paletteOf, palettesOf } from "./palette.js";
 import { reliefOf, surfaceOf } from "./relief.js";
 import { frameOf, kBits, kColours, pageShader } from "./shaders.js";
 import { Speed } from "./speed.js";
@@ -84,10 +84,11 @@ export class Picture {
   }
 
   usePalette(backend, state) {
-    const colours = gradientOf(state);
+    const maps = mapsOf(state);
+    const colours = maps.map(gradientOf).join(" ");
     if (backend.colours === colours) return;
     backend.colours = colours;
-    backend.setPalette(paletteOf(state));
+    backend.setPalette(palettesOf(maps));
   }
 
   // The size of the picture in pixels of the screen.
@@ -225,19 +226,19 @@ export class Picture {
     await this.drawn();
   }
 
-  // The values of a square with so many on a side, in strips between which the page does other things. Nothing if another
-  // picture is wanted meanwhile.
-  async heightsOf(backend, program, state, side) {
-    const values = new Float32Array(side * side);
+  // The bytes of a square with so many pixels on a side, in strips between which the page does other things. Nothing if
+  // another picture is wanted meanwhile.
+  async squareOf(backend, program, state, side, mode) {
+    const bytes = new Uint8Array(4 * side * side);
     const speed = await this.speedOf(backend, program, state);
     for (let row = 0; row < side; ) {
       if (row > 0 && this.wanted) return undefined;
       const rows = Math.min(side - row, Math.max(Math.ceil(side / kMostStrips), Math.floor(speed.pixelsIn(kStrip) / side)));
-      const frame = frameOf(state, side, side, kBits, { first: row, rows });
-      values.set(new Float32Array((await backend.read(program, frame, side, rows)).buffer), row * side);
+      const frame = frameOf(state, side, side, mode, { first: row, rows });
+      bytes.set(await backend.read(program, frame, side, rows), 4 * row * side);
       row += rows;
     }
-    return values;
+    return bytes;
   }
 
   // The surface is kept, since often the block is only rotated. At rest it first has as many values as it takes to look
@@ -248,9 +249,12 @@ export class Picture {
     const had = this.surface?.key === key ? this.surface.side : 0;
     const side = this.moves ? Math.max(had, kSideOfMoving) : had < kSideOfTerrain ? kSideOfTerrain : finest;
     if (had !== side) {
-      const values = await this.heightsOf(backend, program, state, side);
-      if (!values) return;
-      this.surface = { key, ...surfaceOf(values, side, rangeOf(state), paletteOf(state), reliefHeight(state)) };
+      const values = await this.squareOf(backend, program, state, side, kBits);
+      const hasTints = mapsOf(state).length > 1;
+      const colours = hasTints && (await this.squareOf(backend, program, state, side, kColours));
+      if (!values || colours === undefined) return;
+      const heights = new Float32Array(values.buffer);
+      this.surface = { key, ...surfaceOf(heights, side, rangeOf(state), paletteOf(state), reliefHeight(state), colours) };
     }
     const sharp = !this.moves && side === finest;
     const most = sharp ? kPixelsOfSharpTerrain : kPixelsOfTerrain;

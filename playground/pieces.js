@@ -18,7 +18,7 @@ const kDigitsOf85 = new Map(
   [..."0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz!#$%,()*+-;.=>?@^_:{|}~"].map((digit, at) => [digit, at]),
 );
 // Five digits are four bytes, and the last ones so many bytes fewer as there are digits fewer.
-function bytesOf(digits) {
+export function bytesOf(digits) {
   const count = Math.floor((digits.length * 4) / 5);
   const view = new DataView(new ArrayBuffer(count + 4));
   for (let from = 0, to = 0; from < digits.length; from += 5, to += 4) {

@@ -10,8 +10,8 @@ const kRound = 2 * Math.PI;
 
 // The heights of values, from 0 for the lowest colour to 1 for the highest, and the colour of each with its light.
 // `side` is the number of values on a side, the first in the lower left corner; `steep` is the height of the highest
-// colour in sides of the block.
-export function surfaceOf(values, side, [low, high], palette, steep) {
+// colour in sides of the block. Colours are those of the palette, or of `pixels` if there are some.
+export function surfaceOf(values, side, [low, high], palette, steep, pixels) {
   const heights = Float32Array.from(values, (value) => Math.min(Math.max((value - low) / (high - low), 0), 1));
   const colours = new Uint8Array(3 * side * side);
   const size = Math.hypot(...kLight);
@@ -23,8 +23,9 @@ export function surfaceOf(values, side, [low, high], palette, steep) {
       const slope = [-right, -up].map((part) => part * steep * side * 0.5);
       const shine = (slope[0] * light[0] + slope[1] * light[1] + light[2]) / Math.hypot(slope[0], slope[1], 1);
       const bright = kDark + (1 - kDark) * Math.min(Math.max(shine / light[2], 0), 1.25);
-      const colour = 4 * Math.min(Math.floor(heights[at] * 256), 255);
-      for (let part = 0; part < 3; ++part) colours[3 * at + part] = Math.min(palette[colour + part] * bright, 255);
+      const colour = 4 * (pixels ? at : Math.min(Math.floor(heights[at] * 256), 255));
+      for (let part = 0; part < 3; ++part)
+        colours[3 * at + part] = Math.min((pixels || palette)[colour + part] * bright, 255);
     }
   return { heights, colours, side, steep };
 }

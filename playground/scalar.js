@@ -1,6 +1,6 @@
 // The picture as a function of numbers, for languages without vectors: C, Rust, C#, Java, Go, JavaScript and OSL. It calls
 // what tools/pick writes, so that here are calls and sums alone.
-import { decimal, partOf, shapes } from "./code.js";
+import { decimal, kStepBeside, partOf, shapes } from "./code.js";
 import { remapOf } from "./model.js";
 import { named } from "./pieces.js";
 import { kMetrics, kNoises, kSums } from "./tables.js";
@@ -170,17 +170,42 @@ class ScalarWriter {
   // How a value is combined with those before it, as Mixer has it. `v` is what those are called.
   combined(shape, value, v) {
     const { fixed } = this;
+    if (v && ["mix", "height", "slope"].includes(shape.blend)) return this.mixed(v, this.partOf(shape, value, v), value);
     const part = (number) => this.float(partOf(this.state, number));
-    if (v && shape.blend === "mix") return this.mixed(v, part(shape.weight), value);
-    if (v && shape.blend === "height") {
-      return this.mixed(v, this.part(`${this.product(part(shape.weight), v)} + ${part(shape.offset)}`), value);
-    }
     const weighted = shape.weighted ? this.product(part(shape.weight), this.steps(value)) : this.steps(value);
     const moved = shape.moved ? `${weighted} + ${part(shape.offset)}` : weighted;
     if (!v || shape.blend === "mask") return moved;
     if (shape.blend === "add") return `${v} + ${moved}`;
     if (shape.blend === "multiply") return this.product(v, shape.moved || shape.weighted ? (fixed ? this.steps(moved) : `(${moved})`) : moved);
     return this.call(`hn_play_${shape.blend === "min" ? "lower" : "higher"}1`, v, moved);
+  }
+
+  // How much a layer counts, as Mixer has it.
+  partOf(shape, value, v) {
+    const [weight, offset] = [shape.weight, shape.offset].map((number) => this.float(partOf(this.state, number)));
+    if (shape.blend === "mix") return weight;
+    const below = shape.blend === "slope" ? v.replace("v", "s") : v;
+    return this.part(shape.blend === "mask" ? this.combined(shape, value, v) : `${this.product(weight, below)} + ${offset}`);
+  }
+
+  // How steep it is below a layer, as Mixer has it: names and their values, up to the slope of the value v.
+  slopeBelow(number, v) {
+    const made = this.axes.flatMap((axis, at) => {
+      const places = this.axes.map((other) => (other === axis ? `${axis} + ${this.float(kStepBeside)}` : other));
+      const below = `b${number}${at}`;
+      const size = `${this.call("hn_play_higher1", `${below} - ${v}`, `${v} - ${below}`)} * ${this.float(1 / kStepBeside)}`;
+      return [
+        [below, `${this.ours(`below_${number}`)}(${places.join(", ")})`],
+        [`d${number}${at}`, this.call("hn_play_lower1", size, this.float(8))],
+      ];
+    });
+    const length = this.axes.map((_, at) => `d${number}${at}`).reduce((sum, d) => {
+      const half = `${this.float(0.5)} * ${this.call("hn_play_lower1", sum, d)}`;
+      const name = `${sum}${d}`;
+      made.push([name, this.steps(`${this.call("hn_play_higher1", sum, d)} + ${half}`)]);
+      return name;
+    });
+    return [...made, [v.replace("v", "s"), length]];
   }
 
   get fixed() {
@@ -205,21 +230,40 @@ class ScalarWriter {
     return `${v} + ${this.product(part, this.fixed ? `${this.steps(value)} - ${v}` : `(${value} - ${v})`)}`;
   }
 
-  // The lines that combine the layers.
+  // The lines that combine the layers; and by the names of other functions those that make how much the layers with
+  // colours of their own count.
   combining(shown, layers) {
     let [v, mask] = [];
-    const lines = layers.map(({ value }, at) => {
-      const name = `${v && shown[at].blend === "mask" ? "m" : "v"}${at + 1}`;
-      const made = this.combined(shown[at], value, v);
-      if (name[0] === "m") {
-        mask = name;
-        return this.syntax.let(name, this.part(made));
+    const made = []; // each a name and its value
+    const returning = (value) => {
+      const needed = [`return ${value}${this.end}`];
+      for (const [name, other] of made.toReversed())
+        if (needed.some((line) => new RegExp(`\\b${name}\\b`).test(line))) needed.unshift(this.syntax.let(name, other));
+      return needed;
+    };
+    const [below, masks] = [{}, {}];
+    layers.forEach(({ value }, at) => {
+      const shape = shown[at];
+      const isMask = v && shape.blend === "mask";
+      if (v && shape.blend === "slope") {
+        below[`below_${at + 1}`] = returning(v);
+        made.push(...this.slopeBelow(at + 1, v));
       }
-      const next = this.steps(mask ? this.mixed(v, mask, made) : made);
+      if (shape.tinted) {
+        const part = shape.blend === "mix" ? this.part(this.partOf(shape, value, v)) : this.partOf(shape, value, v);
+        masks[`mask_${at + 1}`] = returning(mask && !isMask ? this.product(mask, part) : part);
+      }
+      const name = `${isMask ? "m" : "v"}${at + 1}`;
+      if (isMask) {
+        made.push([name, this.partOf(shape, value, v)]);
+        mask = name;
+        return;
+      }
+      const next = this.combined(shape, value, v);
+      made.push([name, this.steps(mask ? this.mixed(v, mask, next) : next)]);
       [v, mask] = [name];
-      return this.syntax.let(name, next);
     });
-    return [...lines, `return ${v}${this.end}`];
+    return { below, lines: returning(v), masks };
   }
 
   write() {
@@ -227,9 +271,10 @@ class ScalarWriter {
     const { weight, offset } = remapOf(this.state, this.state.layers.findIndex(({ on }) => on));
     const alone = shown.length === 1 && weight === 1 && offset === 0;
     const layers = shown.map((layer, at) => this.layer(layer, at));
-    const body = alone ? [`return ${layers[0].value}${this.end}`] : this.combining(shown, layers);
+    const { below, lines, masks } = alone ? { lines: [`return ${layers[0].value}${this.end}`] } : this.combining(shown, layers);
     const parameters = this.axes.map((axis) => [this.syntax.types.float, axis]);
-    return [...layers.flatMap(({ lines }) => lines), ...this.define(this.ours("pattern"), parameters, body, true)];
+    const defined = Object.entries({ ...below, pattern: lines, ...masks }).flatMap(([name, body]) => this.define(this.ours(name), parameters, body, true));
+    return [...layers.flatMap(({ lines: functions }) => functions), ...defined];
   }
 }
 

@@ -2,9 +2,9 @@
 // HN_FIXED both draw the same bytes, since everything from the position to the colour is whole numbers.
 import { functions, knobs, numbers, partOf } from "./code.js";
 import { kWgslVertex } from "./copied.js";
-import { isSolid, kMostLayers, rangeOf, shownLayers, usualLayer } from "./model.js";
+import { isLeaning, isSolid, kMostLayers, rangeOf, shownLayers, tintedLayers, usualLayer } from "./model.js";
 import { solidPlace, solidShader, wordsOfSolid } from "./solid.js";
-import { cellOf, originOf, partsOf, placeOf, stepOf, tileOf } from "./view.js";
+import { cellOf, leaningSteps, leant, originOf, partsOf, placeOf, stepOf, tileOf } from "./view.js";
 
 // The content of a pixel: a colour of the map, or the four bytes of the value.
 export const kColours = 0;
@@ -54,6 +54,7 @@ export function unitsOf(state) {
 export function frameOf(state, width, height, mode, { position, first = 0, rows = height, free = width } = {}) {
   const { position: begin, step } = placed(state, width, height);
   position ??= begin;
+  if (isLeaning(state)) position = leant(state, position);
   const bytes = new ArrayBuffer(kFrameBytes);
   const whole = new Int32Array(bytes);
   const word = new Uint32Array(bytes);
@@ -66,6 +67,7 @@ export function frameOf(state, width, height, mode, { position, first = 0, rows 
   word.set([kTimes, first + rows - 1, tileOf(state, width, height), 0], 16);
   float.set([state.phase, 0, 0, 0], 20);
   if (isSolid(state)) whole.set(wordsOfSolid(state, free, height), 24);
+  if (isLeaning(state)) whole.set(leaningSteps(state, step).flatMap((way) => [...way.map(cellOf), 0, ...way.map(placeOf), 0]), 24);
   for (const [at, layer] of shownLayers(state).entries()) {
     const start = kWordsOfFrame + at * kWordsOfLayer;
     const { scale, lacunarity, gain, strength, amplitude, seed } = layer;
@@ -95,40 +97,67 @@ function uniforms(language, state) {
 }
 
 // The place of a pixel along an axis is origin + i * step. The step is taken in halves, so that no product leaves 32
-// bits.
-const kGlslPlace = `uvec2 place_of(int cell, uint place, uint i) {
-  uint low = i * (u_step.y & 4095u) + (place & 4095u);
-  uint high = i * (u_step.y >> 12u) + (place >> 12u) + (low >> 12u);
-  return uvec2(uint(cell) + i * u_step.x + (high >> 12u), ((high & 4095u) << 12u) | (low & 4095u));
-}`;
-const kWgslPlace = `fn place_of(cell: i32, place: u32, i: u32) -> vec2u {
-  let low = i * (u.step.y & 4095u) + (place & 4095u);
-  let high = i * (u.step.y >> 12u) + (place >> 12u) + (low >> 12u);
-  return vec2u(u32(cell) + i * u.step.x + (high >> 12u), ((high & 4095u) << 12u) | (low & 4095u));
-}`;
+// bits. On a slice that leans each axis has a step for both coordinates of a pixel.
+const kGlslPlace = `uvec2 place_beside(uvec2 place, uvec2 by, uint i) {
+  uint low = i * (by.y & 4095u) + (place.y & 4095u);
+  uint high = i * (by.y >> 12u) + (place.y >> 12u) + (low >> 12u);
+  return uvec2(place.x + i * by.x + (high >> 12u), ((high & 4095u) << 12u) | (low & 4095u));
+}
+uvec2 place_of(int cell, uint place, uint i) { return place_beside(uvec2(uint(cell), place), u_step.xy, i); }`;
+const kWgslPlace = `fn place_beside(place: vec2u, by: vec2u, i: u32) -> vec2u {
+  let low = i * (by.y & 4095u) + (place.y & 4095u);
+  let high = i * (by.y >> 12u) + (place.y >> 12u) + (low >> 12u);
+  return vec2u(place.x + i * by.x + (high >> 12u), ((high & 4095u) << 12u) | (low & 4095u));
+}
+fn place_of(cell: i32, place: u32, i: u32) -> vec2u { return place_beside(vec2u(u32(cell), place), u.step.xy, i); }`;
+const placesOf = (state, timed, glsl) => {
+  const [type, uint, of] = glsl ? ["uvec2", "uint", "u_"] : ["vec2u", "u32", "u."];
+  const set = (axis) => (glsl ? `  uvec2 ${axis} =` : `  var ${axis} =`);
+  if (timed || !isLeaning(state))
+    return ["x", "y"].map((axis) => `${set(axis)} place_of(${of}cell.${axis}, ${of}place.${axis}, at.${axis});`);
+  const by = (axis, way) => `${type}(${uint}(${of}solid[${way}].${axis}), ${uint}(${of}solid[${way + 1}].${axis}))`;
+  return ["x", "y", "z"].map((axis) =>
+    `${set(axis)} place_beside(place_beside(${type}(${uint}(${of}cell.${axis}), ${of}place.${axis}), ${by(axis, 0)}, at.x), ${by(axis, 2)}, at.y);`);
+};
 
 // How a value is shown. A value in steps of 2^-20 is a whole number; the colour is one of 256. In one dimension the
 // picture is a graph: full colour below the value, and an eighth of it above.
-const kGlslShade = `vec4 shade(float value, int row) {
+// Colours of layers are mixed in whole numbers, too.
+const glslShade = (tints) => `${tints ? `float tints[${tints}];\n` : ""}vec4 shade(float value, int row) {
   if (u_shown.z == ${kBits}) {
     uint bits = floatBitsToUint(value);
     return vec4(float(bits & 255u), float((bits >> 8u) & 255u), float((bits >> 16u) & 255u), float(bits >> 24u)) / 255.0;
   }
   uint d = uint(clamp(int(floor(value * ${kUnit}.0)) - u_shown.x, 0, u_shown.y - 1));
-  vec4 color = texelFetch(u_palette, ivec2(int(d * 256u / uint(u_shown.y)), 0), 0);
+  int entry = int(d * 256u / uint(u_shown.y));
+  vec4 color = texelFetch(u_palette, ivec2(entry, 0), 0);${tints ? `
+  for (int k = 0; k < ${tints}; ++k) {
+    uint part = uint(tints[k] * 65536.0);
+    uvec4 other = uvec4(texelFetch(u_palette, ivec2(entry, k + 1), 0) * 255.0 + 0.5);
+    color = vec4((uvec4(color * 255.0 + 0.5) * (65536u - part) + other * part + 32768u) >> 16u) / 255.0;
+  }` : ""}
   if (row >= 0 && uint(row) > (d >> 6u) * u_step.w / (uint(u_shown.y) >> 6u)) color = vec4(color.rgb * 0.125, 1.0);
   return color;
 }`;
-const kWgslShade = `fn shade(value: f32, row: i32) -> vec4f {
+const wgslShade = (tints) => `${tints ? `var<private> tints: array<f32, ${tints}>;\n` : ""}fn shade(value: f32, row: i32) -> vec4f {
   if (u.shown.z == ${kBits}) {
     let bits = bitcast<u32>(value);
     return vec4f(f32(bits & 255u), f32((bits >> 8u) & 255u), f32((bits >> 16u) & 255u), f32(bits >> 24u)) / 255.0;
   }
   let d = u32(clamp(i32(floor(value * ${kUnit}.0)) - u.shown.x, 0, u.shown.y - 1));
-  var color = textureLoad(palette, vec2i(i32(d * 256u / u32(u.shown.y)), 0), 0);
+  let entry = i32(d * 256u / u32(u.shown.y));
+  var color = textureLoad(palette, vec2i(entry, 0), 0);${tints ? `
+  for (var k = 0; k < ${tints}; k++) {
+    let part = u32(tints[k] * 65536.0);
+    let other = vec4u(textureLoad(palette, vec2i(entry, k + 1), 0) * 255.0 + 0.5);
+    color = vec4f((vec4u(color * 255.0 + 0.5) * (65536u - part) + other * part + 32768u) >> vec4u(16u)) / 255.0;
+  }` : ""}
   if (row >= 0 && u32(row) > (d >> 6u) * u.step.w / (u32(u.shown.y) >> 6u)) { color = vec4f(color.rgb * 0.125, 1.0); }
   return color;
 }`;
+
+// How much the layers with colours count at the pixel is kept for "shade".
+const kept = (parts) => [...parts.map((part, at) => `tints[${at}] = ${part};`), "return v;"];
 
 // The arguments of "pattern" at a pixel, for a number of dimensions: the cell and the place in it, or the position.
 function glslArguments(n, form, solid) {
@@ -155,10 +184,11 @@ void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2
 // shown. One that is timed computes it at several cells, so that the GPU has more to do than to write pixels. Both
 // coordinates go on, so that no compiler computes one of them before the loop.
 function glsl(library, state, values, { timed, form = "cell", value } = {}) {
-  const { lines, files } = functions(library, "glsl", state, values, [form]);
+  const tints = timed ? 0 : tintedLayers(state).length;
+  const { lines, files } = functions(library, "glsl", state, values, [form], false, tints ? kept : undefined);
   const solid = isSolid(state) && !timed ? solidShader("glsl", state, kBits) : undefined;
   const n = state.dimensions;
-  const shown = value ?? `pattern(${glslArguments(n, form, solid)})`;
+  const shown = value ?? `pattern(${glslArguments(n, form, solid || (!timed && isLeaning(state)))})`;
   return [
     "#version 300 es",
     "precision highp float;",
@@ -170,18 +200,15 @@ function glsl(library, state, values, { timed, form = "cell", value } = {}) {
     "uniform sampler2D u_palette;",
     "out vec4 color;",
     "const float kPart = 1.0 / 16777216.0;",
+    glslShade(tints),
     ...lines,
     kGlslPlace,
-    kGlslShade,
     ...(solid ? [solid.point] : []),
     "void main() {",
     "  uvec2 at = (uvec2(gl_FragCoord.xy) + uvec2(0u, uint(u_shown.w))) % u_drawn.z;",
     ...(solid
       ? [solid.places]
-      : [
-          "  uvec2 x = place_of(u_cell.x, u_place.x, at.x);",
-          "  uvec2 y = place_of(u_cell.y, u_place.y, at.y);",
-        ]),
+      : placesOf(state, timed, true)),
     ...(timed
       ? [`  float sum = 0.0;`, `  for (uint i = 0u; i < u_drawn.x; ++i) { sum += ${shown}; x.x += 8u; y.x += 5u; }`]
       : [`  float sum = ${shown};`]),
@@ -192,17 +219,18 @@ function glsl(library, state, values, { timed, form = "cell", value } = {}) {
 }
 
 function wgsl(library, state, values, { timed, form = "cell", value } = {}) {
-  const { lines, public: called } = functions(library, "wgsl", state, values, [form], true);
+  const tints = timed ? 0 : tintedLayers(state).length;
+  const { lines, public: called } = functions(library, "wgsl", state, values, [form], true, tints ? kept : undefined);
   const solid = isSolid(state) && !timed ? solidShader("wgsl", state, kBits) : undefined;
   const n = state.dimensions;
-  const shown = value ?? `${form === "cell" ? "pattern_cell" : "pattern"}(${wgslArguments(n, form, solid)})`;
+  const shown = value ?? `${form === "cell" ? "pattern_cell" : "pattern"}(${wgslArguments(n, form, solid || (!timed && isLeaning(state)))})`;
   return [
     ...library.texts(called, "wgsl", state),
     kWgslFrame,
     "const kPart = 1.0f / 16777216.0f;",
+    wgslShade(tints),
     ...lines,
     kWgslPlace,
-    kWgslShade,
     ...(solid ? [solid.point] : []),
     ...kWgslVertex,
     "@fragment fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {",
@@ -210,7 +238,7 @@ function wgsl(library, state, values, { timed, form = "cell", value } = {}) {
     "  let at = vec2u(u32(position.x), u.drawn.y - u32(position.y)) % u.drawn.z;",
     ...(solid
       ? [solid.places]
-      : ["  var x = place_of(u.cell.x, u.place.x, at.x);", "  var y = place_of(u.cell.y, u.place.y, at.y);"]),
+      : placesOf(state, timed, false)),
     ...(timed
       ? [`  var sum = 0.0f;`, `  for (var i = 0u; i < u.drawn.x; i++) { sum += ${shown}; x.x += 8u; y.x += 5u; }`]
       : [`  let sum = ${shown};`]),

@@ -71,7 +71,7 @@ export class StopList {
     if (map !== this.map || stops !== this.text) byId("wrong-stops").hidden = true;
     this.map = map;
     this.text = stops;
-    byId("edit-map").hidden = map === "own";
+    byId("edit-map").hidden = map === "own" || map === "none";
     this.showRows();
   }
 

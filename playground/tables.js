@@ -105,6 +105,7 @@ export const kBlends = {
   mix: { label: "Mix", sign: "mix" },
   mask: { label: "Mask of the next layer", sign: "mask" },
   height: { label: "Where it is high below", sign: "high" },
+  slope: { label: "Where it is steep below", sign: "steep" },
 };
 export const kRenderers = { webgl2: "WebGL2", webgpu: "WebGPU" };
 
@@ -125,3 +126,4 @@ export const kMaps = {
   },
   own: { label: "Your own" }, // of the setting "stops"
 };
+export const kTints = { none: { label: "Colours of the picture" }, ...kMaps };

@@ -30,6 +30,25 @@ export function originOf(state, width, height) {
   return [wrapped(state.x - before(width)), wrapped(state.y - before(height))];
 }
 
+// The rows of a rotation, which leans the slice towards the diagonal of the cells, in whole numbers of 1/16384. So a position
+// is whole, too, and the same everywhere.
+const kWhole14 = 16384;
+export function leaningRows({ lean }) {
+  const [sine, cosine] = [Math.sin(lean * 2 * Math.PI), Math.cos(lean * 2 * Math.PI)];
+  const [near, far, up] = [(1 + cosine) / 2, (cosine - 1) / 2, sine * Math.SQRT1_2];
+  return [[near, far, up], [far, near, up], [-up, -up, cosine]].map((row) => row.map((part) => Math.round(part * kWhole14)));
+}
+export const leaningNumbers = (state) => leaningRows(state).map((row) => row.map((part) => part / kWhole14));
+
+// Where a position of the picture is in space.
+export const leant = (state, [x, y, z, w]) => [
+  ...leaningRows(state).map(([a, b, c]) => wrapped((x * BigInt(a) + y * BigInt(b) + z * BigInt(c)) >> 14n)), w,
+];
+
+// The distances between two pixels to the right and upwards, each along three axes.
+export const leaningSteps = (state, step) =>
+  [0, 1].map((way) => leaningRows(state).map((row) => BigInt(Math.round((row[way] * step) / kWhole14))));
+
 export const cellOf = (parts) => Number(BigInt.asIntN(32, parts >> 24n));
 export const placeOf = (parts) => Number(parts & (kParts - 1n));
 

@@ -1,4 +1,5 @@
 // The picture by WebGL2.
+import { kMostLayers } from "./model.js";
 import { kFrameBytes, kVertex } from "./shaders.js";
 
 const kImpatient = 4; // milliseconds
@@ -38,7 +39,7 @@ export class WebGL2 {
     gl.bindBuffer(gl.UNIFORM_BUFFER, this.frames);
     gl.bufferData(gl.UNIFORM_BUFFER, kFrameBytes, gl.DYNAMIC_DRAW);
     gl.bindBufferBase(gl.UNIFORM_BUFFER, 0, this.frames);
-    this.palette = this.texture(256, 1);
+    this.palette = this.texture(256, kMostLayers);
     this.vertex = this.shader(gl.VERTEX_SHADER, kVertex);
     gl.disable(gl.DITHER);
   }
@@ -97,11 +98,11 @@ export class WebGL2 {
     this.gl.deleteProgram(program);
   }
 
-  // 256 colours of four bytes.
+  // 256 colours of four bytes, for each map.
   setPalette(bytes) {
     const { gl } = this;
     gl.bindTexture(gl.TEXTURE_2D, this.palette);
-    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, 256, 1, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, 256, bytes.length / 1024, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
   }
 
   use(program, frame, width, height) {

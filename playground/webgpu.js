@@ -1,4 +1,5 @@
 // The picture by WebGPU.
+import { kMostLayers } from "./model.js";
 import { kFrameBytes } from "./shaders.js";
 
 const kFormat = "rgba8unorm";
@@ -27,7 +28,7 @@ export class WebGPU {
       canvas.dispatchEvent(new Event("lost"));
     });
     this.frames = device.createBuffer({ size: kFrameBytes, usage: GPUBufferUsage.UNIFORM | GPUBufferUsage.COPY_DST });
-    this.palette = this.texture(256, 1, GPUTextureUsage.TEXTURE_BINDING | GPUTextureUsage.COPY_DST);
+    this.palette = this.texture(256, kMostLayers, GPUTextureUsage.TEXTURE_BINDING | GPUTextureUsage.COPY_DST);
     const visibility = GPUShaderStage.FRAGMENT;
     this.layout = device.createBindGroupLayout({
       entries: [
@@ -73,7 +74,7 @@ export class WebGPU {
   discard() {}
 
   setPalette(bytes) {
-    this.device.queue.writeTexture({ texture: this.palette }, bytes, { bytesPerRow: 1024 }, [256, 1]);
+    this.device.queue.writeTexture({ texture: this.palette }, bytes, { bytesPerRow: 1024 }, [256, bytes.length / 1024]);
   }
 
   // Draws a picture, or a part of it: a rectangle, as setScissorRect takes one.

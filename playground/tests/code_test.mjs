@@ -5,7 +5,7 @@ import { writeFile } from "node:fs/promises";
 import { join } from "node:path";
 import test, { after, before } from "node:test";
 import { linkOf, stateOf } from "../links.js";
-import { changed, usualState } from "../model.js";
+import { changed, mapsOf, usualState } from "../model.js";
 import { hasCompiler, kCompiled, wordsOf, wordsOfJavaScript } from "./languages.mjs";
 import { anyStates, simpleStates } from "./states.mjs";
 import { compiled, copiedCode, inFolder, kRoot, launched, opened, pixels, run, setState } from "./support.mjs";
@@ -39,7 +39,8 @@ const layered = (kThorough ? ["fixed", "fast"] : ["fixed"]).map((arithmetic) =>
     stateOf(
       "#sum=ridged&scale=2&blend2=multiply&noise2=simplex&weight2=0.3&offset2=-0.75&blend3=max&sum3=none&noise3=" +
         "cellular_between&weight3=-1.5&seed3=9&blend4=mix&sum4=billow&noise4=value&weight4=0.3&scale4=4" +
-        "&blend5=mask&sum5=none&noise5=value&weight5=1.5&offset5=0.3&blend6=height&sum6=none&noise6=simplex&weight6=0.7",
+        "&blend5=mask&sum5=none&noise5=value&weight5=1.5&offset5=0.3&blend6=height&sum6=none&noise6=simplex&weight6=0.7" +
+        "&tint4=moss&tint5=own&tints5=0-102030_70-f0e010&tint6=grey&blend7=slope&sum7=none&weight7=0.5&offset7=-0.4&tint7=land",
     ),
   ),
 );
@@ -81,6 +82,9 @@ function call(language, state, cell) {
 // Whether the forms of pattern() that a text has take a cell.
 const formsOf = (code) => [true, false].filter((cell) => /pattern(_cell)?\((\w+ cell,|cell:)/.test(code) || !cell);
 const callsOf = (language, code, state) => formsOf(code).map((cell) => call(language, state, cell)).join(" + ");
+// Its colour: of the value, or of a position where layers have colours of their own.
+const colourOf = (language, code, state) =>
+  mapsOf(state).length > 1 ? callsOf(language, code, state).replaceAll("pattern", "colour") : `colour(${callsOf(language, code, state)})`;
 
 // glslang's opinion of a shader.
 const glslang = (text, name, ...options) =>
@@ -102,7 +106,7 @@ const glslShader = (code, state, version = "450") => {
 void main() {
   int column = int(gl_FragCoord.x);
   int row = int(gl_FragCoord.y);
-  color = vec4(colour(${callsOf("glsl", code, state)}), 1.0);
+  color = vec4(${colourOf("glsl", code, state)}, 1.0);
 }
 `;
 };
@@ -126,7 +130,7 @@ const hlslShader = (code, state) => `${code}
 float4 main(float4 position : SV_Position) : SV_Target {
   int column = int(position.x);
   int row = int(position.y);
-  return float4(colour(${callsOf("hlsl", code, state)}), 1.0f);
+  return float4(${colourOf("hlsl", code, state)}, 1.0f);
 }
 `;
 
@@ -281,7 +285,7 @@ fn main(@builtin(global_invocation_id) id: vec3u) {
   let column = id.x % ${kWidth}u;
   let row = id.x / ${kWidth}u;
   bits[id.x] = bitcast<u32>(${call("wgsl", state, cell)});
-  if (colour(0.0).x > 2.0) { bits[id.x] = 0u; }
+  if (${mapsOf(state).length > 1 ? call("wgsl", state, cell).replace("pattern", "colour") : "colour(0.0)"}.x > 2.0) { bits[id.x] = 0u; }
 }
 `,
     kWidth * kHeight,
@@ -317,7 +321,7 @@ test("copied GLSL and HLSL compile", async () => {
     const text = glsl(await copiedCode(page, "glsl", whole, kind), state);
     assert.equal(await glslang(text, "shader.frag", ...options, include), "", `${kind}: ${linkOf(state)}`);
     if (kind === "function") {
-      assert.match(text, /^highp vec3 colour\(highp float value\) \{$/m);
+      assert.match(text, /^highp vec3 colours?\(highp float value\) \{$/m);
       assert.match(text, /^highp float pattern\(highp /m);
       // Nothing is declared with the precision of the user.
       const own = text.slice(text.lastIndexOf("// p ")).split(/\n(?:layout.*)?out vec4/)[0].replace(/\/\/.*/g, "");
@@ -347,6 +351,9 @@ test("a whole shader draws the picture", async () => {
     states[7],
     states[8],
     { ...states[8], x: 1n << 50n },
+    layered[0],
+    changed(stateOf("#sum=none&dimensions=3&lean=0.1"), { ...kOrigin, arithmetic: "fixed", z: 0.75 }),
+    changed(stateOf("#sum=none&dimensions=4&lean=0.2"), { ...kOrigin, x: 1n << 45n, arithmetic: "fixed", z: 0.75 }),
   ]) {
     await setState(page, { ...state, x: state.x + half, y: state.y + half });
     const shown = await pixels(page, kWidth, kHeight);

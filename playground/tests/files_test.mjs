@@ -196,6 +196,15 @@ test("a loop comes back to where it was", async () => {
   assert.deepEqual([frames.length, frames[0][3], frames[2].at(-1)], [3, ...expected]);
 });
 
+test("a loop with colours of layers has the nearest of its most frequent colours", async () => {
+  const state = { ...stateOf("#sum=none&blend2=mask&sum2=none&tint2=moss&file=gif&frames=2"), width: 64, height: 40 };
+  const file = await fileOf(state, reader(64));
+  const { frames, colours } = readGif(new Uint8Array(await file.arrayBuffer()));
+  // The pixels of this picture are (x, y from below, 7), in cubes of eight, fewer than 256.
+  const shown = (x, y) => [...colours.subarray(3 * frames[1][(39 - y) * 64 + x]).subarray(0, 3)];
+  for (const [x, y] of [[0, 0], [63, 39], [17, 8]]) assert.deepEqual(shown(x, y), [x, y, 7].map((part) => (part & 248) + 4));
+});
+
 test("a slope becomes a colour of a normal map", () => {
   const state = possible({ ...usualState(), file: "normals", steep: 0.5, cells: 1 });
   const [low, high] = rangeOf(state);

@@ -308,7 +308,7 @@ test("layers are added, chosen, moved, switched off and removed by the keyboard,
   assert.deepEqual(await layers(), ["ridged 3 1", "fbm 14 1"]);
   assert.deepEqual(
     await page.$$eval("#layers li:not([hidden]) .layer", (rows) => rows.map((row) => row.textContent)),
-    ["Ridged of Perlin", "× fBm of Perlin"],
+    ["Ridged of PerlinBase · seed 3", "fBm of PerlinMultiply · seed 14"],
   );
   assert.match(await page.$eval("#picture-webgl2", (canvas) => canvas.ariaLabel), /Ridged of Perlin, × fBm of Perlin/);
   assert.equal(
@@ -368,6 +368,19 @@ test("a map of one's own is made by the keyboard", async () => {
   assert.match(stops, /^10-050308_20-ffee00_40-00aa00_60-d94a12_80-f7a027_100-fff2c2$/);
   assert.equal(await page.evaluate(() => window.hashnoise.link), `#sum=none&noise=value&map=own&stops=${stops}`);
   assert.notDeepEqual(await pixels(page, 16, 16), before);
+  // A mask has colours of its own in the same place.
+  await shownOnShared("#sum=none&map=grey&file=normals&blend2=mask&sum2=none");
+  assert.equal(await visibleText(page, "heading-colours"), "Colours");
+  await go("layer-1", "ArrowDown");
+  assert.equal(await visibleText(page, "heading-colours"), "Colours where layer 2 counts");
+  await go("map-none", ...Array(6).fill("ArrowRight"));
+  assert.equal(await page.evaluate(() => window.hashnoise.link), "#sum=none&map=grey&file=normals&sum2=none&blend2=mask&tint2=moss");
+  await go("edit-map", "Enter");
+  await go("place-1", "PageUp");
+  assert.match(await page.evaluate(() => window.hashnoise.link), /&map=grey&.*&tint2=own&tints2=10-10140f_20-26331f_/);
+  // Relief is where it is of use, and Save names its kind.
+  assert.equal(await page.$eval("#row-file", (row) => row.nextElementSibling.id), "row-steep");
+  assert.equal(await visibleText(page, "save"), "Save PNG");
   assert.deepEqual(page.complaints, []);
 });
 

@@ -2,12 +2,16 @@
 import assert from "node:assert/strict";
 import test from "node:test";
 import { functions, numbers, shaderKey } from "../code.js";
+import { copied } from "../copied.js";
+import { scalarCode } from "../scalar.js";
 import { linkOf, stateOf } from "../links.js";
 import {
   changed,
   chosen,
+  detailsOf,
   dimensionsOf,
   kMostLayers,
+  mapsOf,
   possible,
   rangeOf,
   settingsOf,
@@ -82,6 +86,41 @@ test("a layer is the mask of the next, and height is one, too", () => {
   // Who chooses a mask gets one that has an edge. A mask of nothing changes nothing.
   assert.deepEqual(chosen(stateOf("#blend2=add"), { blend: "mask" }, 1).layers[1].weight, 3);
   assert.deepEqual(rangeOf(stateOf("#seed=3&blend2=mask")), rangeOf(stateOf("#seed=3")));
+});
+
+test("a layer has colours of its own where it counts", () => {
+  const state = stateOf("#blend2=mask&sum2=none&tint2=moss&blend3=add&tint3=land&blend4=mix&weight4=0.25&tint4=own&tints4=0-000000_50-ff0000");
+  assert.deepEqual(mapsOf(state).map(({ map, stops }) => [map, stops]).slice(1), [["moss", "0-000000_100-ffffff"], ["own", "0-000000_50-ff0000"]]);
+  assert.deepEqual([uses(state, 0).tint, uses(state, 1).tint, uses(state, 1).tints, uses(state, 2).tint, uses(state, 3).tints], [false, true, false, false, true]);
+  // Sums have no part of their own, so that colours of theirs are not in the link; and a missing name means those of the picture.
+  assert.doesNotMatch(linkOf(state), /tint3/);
+  assert.deepEqual(mapsOf(stateOf("#blend2=mask")).length, 1);
+  assert.equal(shaderKey(changed(state, { tint: "land" }, 1)), shaderKey(state));
+  assert.notEqual(shaderKey(changed(state, { tint: "none" }, 1)), shaderKey(state));
+  assert.match(chosen(state, { tint: "own" }, 1).layers[1].tints, /^0-10140f_20-/);
+  const shells = { glsl: ["", ""], go: ["", ""] };
+  const library = { version: "", texts: () => [], pieces: { shading: { shells }, cpu: { shells, texts: () => [] } } };
+  const glsl = copied(library, "glsl", state).code.join("\n");
+  assert.match(glsl, /^highp vec3 colours_2\(highp float value\) \{$/m);
+  assert.match(glsl, /vec3 c = colours\(v\);\n {2}c = mix\(c, colours_2\(v\), m2\);\n {2}c = mix\(c, colours_4\(v\), min\(max\(m4, 0\.0\), 1\.0\)\);\n {2}return c;/);
+  // Languages without colours have the parts, and nothing that these do not need.
+  const go = scalarCode(library, "go", state).code.join("\n");
+  assert.match(go, /^func Mask2\(x float32, y float32\) float32 \{\n\tm2 := .*\n\treturn m2|^func Mask2\(.*\n\treturn /m);
+  assert.doesNotMatch(go.slice(go.indexOf("func Mask2")), /\bv1\b/);
+  assert.match(copied(library, "python", state).code.join("\n"), /^ {4}return v, mask_2, mask_4$/m);
+});
+
+test("a layer counts where it is steep below", () => {
+  const state = chosen(stateOf("#sum=none&blend2=slope&noise2=value&sum2=none"), { blend: "slope" }, 1);
+  assert.deepEqual([state.layers[1].weight, state.layers[1].offset], [2, -2]);
+  const text = textOf(state);
+  assert.match(text, /float below_2\(vec2 p\) \{\n {2}float v = layer_1\(p\);\n {2}return v;\n\}/);
+  assert.equal(detailsOf(changed(state, { scale: 4 }, 1).layers[1], 1), "Where it is steep below · seed 7 · 4 × as fine");
+  assert.match(text, /2\.0 \* layer_slope\(v, below_2\(p \+ vec2\(0\.0625, 0\.0\)\), below_2\(p \+ vec2\(0\.0, 0\.0625\)\)\) \+ -2\.0/);
+  assert.match(textOf(state, "wgsl", ["cell"]), /return below_2_cell\(cell \+ vec2i\(whole\), f \+ \(e - whole\)\);/);
+  // Each such layer needs what is below it at three places, so there are at most two.
+  const blends = stateOf("#blend2=slope&blend3=slope&blend4=slope").layers.map(({ blend }) => blend);
+  assert.deepEqual(blends.slice(1), ["slope", "slope", "height"]);
 });
 
 test("the colours span what the layers may be together", () => {

@@ -8,7 +8,7 @@ import { fileURLToPath } from "node:url";
 import { kCatalog } from "../catalog.js";
 import { functions, numbers, shaderKey } from "../code.js";
 import { copied, copiedText, kKinds, kLicense } from "../copied.js";
-import { costOf } from "../cost.js";
+import { costOf, countsOf } from "../cost.js";
 import { Library, unpacked } from "../library.js";
 import { ignoredIn, kLooks, linkOf, stateOf, stateOfLook } from "../links.js";
 import {
@@ -31,7 +31,7 @@ import { pageShader } from "../shaders.js";
 import { Speed } from "../speed.js";
 import { kLockable, surprised } from "../surprise.js";
 import { kHashes, kMetrics, kNoises, kSums, kWarps } from "../tables.js";
-import { cellsAcross, originOf, panned, positionOfPixel, stepOf, zoomed } from "../view.js";
+import { cellsAcross, leaningNumbers, leant, originOf, panned, positionOfPixel, stepOf, zoomed } from "../view.js";
 import "./model_palette.mjs";
 import "./model_undo.mjs";
 
@@ -279,6 +279,17 @@ test("the cost is that of pattern(p) in calls of hn_perlin(p), and that from a c
   }
 });
 
+test("compilers' counts are those of the record, and only of what was counted", () => {
+  const found = (link) => countsOf(library.counts, settingsOf(stateOf(link)));
+  const record = readFileSync(join(root, "docs", "measured", "results", "gpu", "costs.csv"), "utf8");
+  const [, , , instructions, , registers] = /^noise2d\.cellular\.lattice,m1,.*$/m.exec(record)[0].match(/("[^"]*"|[^,]*)(?:,|$)/g).map((cell) => cell.replace(/,$/, ""));
+  const { name, rows } = found("#sum=none&noise=cellular_second");
+  assert.deepEqual([name, rows.length, rows[4]], ["hn_cellular", 6, ["Apple M1", instructions, registers]]);
+  // A fractal with integers has loops: four compilers count one octave of it, so that these are not shown.
+  assert.deepEqual([found("").rows.length, found("#arithmetic=fixed").rows.length], [6, 2]);
+  for (const link of ["#noise=value", "#hash=pcg", "#sum=none&noise=cells"]) assert.deepEqual(found(link).rows, [], link);
+});
+
 test("what is below a pointer stays there while the scale changes", () => {
   for (let i = 0; i < 500; ++i) {
     const state = {
@@ -302,6 +313,23 @@ test("what is below a pointer stays there while the scale changes", () => {
   assert.equal(stepOf(state, 64, 48), 2 ** 21);
   assert.deepEqual(originOf(state, 64, 48), [-(32n << 21n), -(24n << 21n)]);
   assert.deepEqual(panned(state, 64, 48, 8, -4), { x: -(8n << 21n), y: 4n << 21n });
+});
+
+test("a slice leans by a rotation, and is where it was without", () => {
+  const lean = Math.acos(1 / Math.sqrt(3)) / (2 * Math.PI); // along the diagonal of the cells
+  const rows = leaningNumbers({ lean });
+  rows.forEach((row) => assert.ok(Math.abs(row[2] - 1 / Math.sqrt(3)) < 1e-4, `${row}`));
+  for (const one of [0, 1, 2])
+    for (const other of [0, 1, 2]) {
+      const product = rows.reduce((sum, row) => sum + row[one] * row[other], 0);
+      assert.ok(Math.abs(product - Number(one === other)) < 2e-4, `${one} and ${other}: ${product}`);
+    }
+  const place = [5n << 24n, -7n, 1n << 30n, 3n];
+  assert.deepEqual(leant({ lean: 0 }, place), place);
+  assert.deepEqual(stateOf("#dimensions=3&lean=0.1").lean, 0.1);
+  assert.equal(linkOf(stateOf("#lean=0.1")), "");
+  // A tile has its cells along the axes.
+  assert.equal(linkOf(stateOf("#dimensions=3&lean=0.1&period=4")), "#dimensions=3&period=4");
 });
 
 test("a picture of tiles has one tile three times on its shorter side", () => {

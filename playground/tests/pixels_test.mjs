@@ -3,8 +3,9 @@
 import assert from "node:assert/strict";
 import test, { after, before } from "node:test";
 import { linkOf, stateOf } from "../links.js";
-import { changed, rangeOf, usualState } from "../model.js";
+import { changed, isLeaning, mapsOf, numbersOfTinted, rangeOf, usualState } from "../model.js";
 import { kMaps } from "../tables.js";
+import { leaningSteps, leant } from "../view.js";
 import { bitsOf, compiled, copiedCode, floatOf, golden, launched, opened, pixels, setState } from "./support.mjs";
 
 // Each row makes a program, or two; in a default run there are some of half of the files, and each picture has
@@ -102,12 +103,14 @@ const pictures = [
   { sum: "weighted", noise: "cell_border", dimensions: 3, z: 7.125, period: 5, octaves: 2 },
   { sum: "turbulence", noise: "perlin", dimensions: 4, z: 1.75, w: -0.125, octaves: 3, lacunarity: 1.875 },
   { sum: "clouds", noise: "value", dimensions: 1, map: "sky" },
+  { sum: "none", noise: "perlin", dimensions: 4, ...far, z: 1.75, lean: 0.152 },
 ].map((state) => changed(usualState(), { x: 5n, y: -7n, cells: 6, ...state, arithmetic: "fixed" }));
 // Layers, far out: every way to combine them, finer ones, one that is off, a warp and weights that are rounded.
 const kLayered =
   "#sum=ridged&weight=1.1&blend2=add&sum2=billow&noise2=simplex&weight2=-0.7&offset2=0.1&scale2=4&" +
   "blend3=multiply&on3=0&blend4=mix&sum4=none&noise4=cells&weight4=0.35&seed4=3&warp4=warp&" +
-  "blend5=mask&sum5=none&noise5=value&weight5=1.5&offset5=0.3&blend6=height&sum6=none&noise6=simplex&weight6=0.7&offset6=0.2";
+  "blend5=mask&sum5=none&noise5=value&weight5=1.5&offset5=0.3&blend6=height&sum6=none&noise6=simplex&weight6=0.7&offset6=0.2&" +
+  "tint4=ember&tint5=moss&tint6=grey&blend7=slope&sum7=none&weight7=0.5&offset7=-0.4&tint7=land";
 const kOthers =
   "#noise=value&blend2=multiply&weight2=1.3&blend3=min&sum3=none&noise3=cellular&offset3=-0.6&" +
   "blend4=max&sum4=none&noise4=curl&weight4=0.2&scale4=64&dimensions=3&z=7.3&period=3";
@@ -120,16 +123,20 @@ const kHeight = 32;
 function printer(state, name) {
   const n = state.dimensions;
   const step = Math.round((state.cells / kHeight) * kParts);
-  const axes = ["x", "y", String(Math.round(state.z * kParts)), String(Math.round(state.w * kParts))].slice(0, n);
+  const steps = leaningSteps(state, step);
+  const corner = leant(state, [state.x - BigInt(kWidth / 2 * step), state.y - BigInt(kHeight / 2 * step), BigInt(Math.round(state.z * kParts)), 0n]);
+  const leaning = ["x", "y", "z"].map((axis, k) => `const long long ${axis} = ${corner[k]}LL + column * ${steps[0][k]}LL + row * ${steps[1][k]}LL;`);
+  const axes = ["x", "y", isLeaning(state) ? "z" : String(Math.round(state.z * kParts)), String(Math.round(state.w * kParts))].slice(0, n);
   const list = (type, part) => (n === 1 ? part("x") : `${type}${n}(${axes.map((axis) => part(axis)).join(", ")})`);
+  const place = `${list("hashnoise::ivec", (axis) => `cell(${axis})`)}, ${list("hashnoise::vec", (axis) => `place(${axis})`)}`;
   return `void print_${name}() {
   for (int row = 0; row < ${kHeight}; ++row) {
     for (int column = 0; column < ${kWidth}; ++column) {
-      const long long x = ${state.x}LL + (column - ${kWidth / 2}) * ${step}LL;
-      [[maybe_unused]] const long long y = ${state.y}LL + (row - ${kHeight / 2}) * ${step}LL;
-      const auto value = hashnoise::${name}::pattern(${list("hashnoise::ivec", (axis) => `cell(${axis})`)},
-                                            ${list("hashnoise::vec", (axis) => `place(${axis})`)});
-      std::printf("%08x\\n", hashnoise::floatBitsToUint(value));
+      ${isLeaning(state) ? leaning.join(" ") : `const long long x = ${state.x}LL + (column - ${kWidth / 2}) * ${step}LL;
+      [[maybe_unused]] const long long y = ${state.y}LL + (row - ${kHeight / 2}) * ${step}LL;`}
+      const auto value = hashnoise::${name}::pattern(${place});
+      std::printf("%08x", hashnoise::floatBitsToUint(value));
+${numbersOfTinted(state).map((number) => `      std::printf(" %08x", hashnoise::floatBitsToUint(hashnoise::${name}::mask_${number}(${place})));\n`).join("")}      std::printf("\\n");
     }
   }
 }
@@ -140,7 +147,7 @@ int cell(long long at) { return static_cast<int>(static_cast<unsigned>(at >> 24)
 float place(long long at) { return static_cast<float>(at & 0xFFFFFF) * 0x1p-24f; }
 `;
 
-// The words of each picture by C++. Pictures with one hash are in one program, since the header takes long to compile.
+// The words of each picture by C++, each with how much its layers with colours count. Pictures with one hash are in one program, since the header takes long to compile.
 async function wordsOfCpp() {
   const words = new Map();
   for (const hash of new Set(pictures.map((state) => state.hash))) {
@@ -157,33 +164,37 @@ async function wordsOfCpp() {
     const printed = (await compiled(texts.join("\n"), [kPlaces, ...printers, main].join("\n"))).trim().split("\n");
     alike.forEach((state, number) => {
       const mine = printed.slice(number * kWidth * kHeight, (number + 1) * kWidth * kHeight);
-      words.set(state, mine.map((word) => parseInt(word, 16)));
+      words.set(state, mine.map((line) => line.split(" ").map((word) => parseInt(word, 16))));
     });
   }
   return words;
 }
 
-// The colour that a value has, by another way than the shader's: the map at the number of the colour.
-function colourOf(value, state, row) {
+// The colour that a value has, by another way than the shader's: the map at the number of the colour, and so much of those
+// of layers.
+function colourOf(value, state, row, counts) {
   const [low, high] = rangeOf(state).map((end) => Math.round(end * 2 ** 20));
   const units = Math.min(Math.max(Math.floor(value * 2 ** 20) - low, 0), high - low - 1);
   const number = Math.floor((units * 256) / (high - low));
-  const stops = kMaps[state.map].stops.map((stop) => parseInt(stop, 16));
-  const place = (number * (stops.length - 1)) / 255;
-  const at = Math.min(Math.floor(place), stops.length - 2);
   const above =
     state.dimensions === 1 && row > Math.floor((Math.floor(units / 64) * kHeight) / Math.floor((high - low) / 64));
-  const parts = [16, 8, 0].map((shift) => {
-    const [from, to] = [stops[at], stops[at + 1]].map((stop) => (stop >> shift) & 255);
-    return Math.round(from + (to - from) * (place - at)) * (above ? 0.125 : 1);
+  const [picture, ...tints] = mapsOf(state).map(({ map }) => {
+    const stops = kMaps[map].stops.map((stop) => parseInt(stop, 16));
+    const place = (number * (stops.length - 1)) / 255;
+    const at = Math.min(Math.floor(place), stops.length - 2);
+    return [16, 8, 0].map((shift) => {
+      const [from, to] = [stops[at], stops[at + 1]].map((stop) => (stop >> shift) & 255);
+      return Math.round(from + (to - from) * (place - at));
+    });
   });
-  return { parts, exact: !above };
+  const mixed = tints.reduce((below, tint, k) => below.map((part, i) => Math.round(part + (tint[i] - part) * floatOf(counts[k]))), picture);
+  return { parts: mixed.map((part) => part * (above ? 0.125 : 1)), exact: !above };
 }
 
-function wrongColours(values, bytes, state) {
+function wrongColours(values, bytes, state, counts) {
   let wrong = 0;
   values.forEach((word, at) => {
-    const { parts, exact } = colourOf(floatOf(word), state, Math.floor(at / kWidth));
+    const { parts, exact } = colourOf(floatOf(word), state, Math.floor(at / kWidth), counts?.[at]);
     const off = Math.max(...parts.map((part, i) => Math.abs(part - bytes[4 * at + i])));
     if (off > (exact ? 0 : 0.5) || bytes[4 * at + 3] !== 255) ++wrong;
   });
@@ -220,7 +231,8 @@ test("every pixel of a picture has the value of C++, and its colour", async () =
   const words = await wordsOfCpp();
   for (const [number, state] of pictures.entries()) {
     const name = linkOf(state);
-    const expected = words.get(state);
+    const expected = words.get(state).map(([word]) => word);
+    const counts = words.get(state).map(([, ...rest]) => rest);
     assert.ok(new Set(expected).size > 5, `${name} shows next to nothing`);
     const colours = {};
     for (const renderer of kThorough ? ["webgl2", "webgpu"] : [number % 2 ? "webgl2" : "webgpu"]) {
@@ -228,9 +240,12 @@ test("every pixel of a picture has the value of C++, and its colour", async () =
       const values = await pixels(page, kWidth, kHeight, true);
       assert.equal(unequal(values, expected), 0, `${name} by ${renderer}`);
       colours[renderer] = await pixels(page, kWidth, kHeight);
-      assert.equal(wrongColours(values, colours[renderer], state), 0, `colours of ${name} by ${renderer}`);
+      assert.equal(wrongColours(values, colours[renderer], state, counts), 0, `colours of ${name} by ${renderer}`);
     }
     if (kThorough) assert.equal(unequal(colours.webgl2, colours.webgpu), 0);
+    // Another part of a colour is noticed.
+    const others = counts.map((list) => list.map(() => 0x3e800000));
+    if (counts[0].length) assert.notEqual(wrongColours(expected, Object.values(colours)[0], state, others), 0);
   }
 });
 

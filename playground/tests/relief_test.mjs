@@ -39,6 +39,13 @@ test("from above it is the plane, and a turn turns it", () => {
   }
 });
 
+test("a surface has the colours of pixels, where layers have their own", () => {
+  const flat = new Float32Array(4).fill(0.5);
+  const pixels = Uint8Array.from([9, 8, 7, 255, 1, 2, 3, 255, 4, 5, 6, 255, 7, 8, 9, 255]);
+  const { colours } = surfaceOf(flat, 2, [0, 1], kGrey, 0.2, pixels);
+  assert.deepEqual([...colours], [...pixels].filter((_, at) => at % 4 < 3));
+});
+
 test("what stands in front hides what is behind, and a flat look sees its side", () => {
   const wall = (_, y) => (y >= 6 && y <= 9 ? 1 : 0);
   const count = (tilt) => {

@@ -92,7 +92,7 @@ class Controls(unittest.TestCase):
 class Grid:
     """A stand-in of the library whose noise is the lattice, and little else."""
 
-    def tile(self, name, positions, period, seed):
+    def tile(self, name, positions, period, seed, phase):
         rough = np.random.default_rng(seed).normal(size=len(positions))
         return (np.cos(2 * np.pi * positions).sum(axis=1) + 0.1 * rough).astype(np.float32)
 

@@ -17,7 +17,8 @@ SOURCES = ROOT / "playground"
 FIRST = "main.js"  # the module that imports the others
 IMPORT = re.compile(r'^import \{[^}]*\} from "\./(\w+\.js)";\n', re.MULTILINE)
 EXPORT = re.compile(r"^export (?=(?:async )?(?:const|class|function)\b)", re.MULTILINE)
-BLANK = re.compile(r"^(?: *//.*\n|\n| +)", re.MULTILINE)  # comments and indents, which browsers do not need
+# Comments and indents, which browsers do not need. Behind code a comment has no quotes, so that it is in no text.
+BLANK = re.compile(r"^(?: *//.*\n|\n| +)|(?<=[;,{(\[]) +// [^\"'`\n]*$", re.MULTILINE)
 NAME = re.compile(r"^(?:async )?(?:const|let|class|function\*?) (\w+)", re.MULTILINE)
 
 
@@ -57,7 +58,7 @@ def script() -> str:
 def packed(data: dict) -> str:
     """The same for the same data: without a time in it, and without the system, which Python writes from 3.11 on."""
     made = gzip.compress(json.dumps(data, separators=(",", ":")).encode(), 9, mtime=0)
-    return base64.b64encode(made[:9] + b"\xFF" + made[10:]).decode("ascii")
+    return base64.b85encode(made[:9] + b"\xFF" + made[10:]).translate(picks.DIGITS).decode("ascii")
 
 
 def hash_of(code: str) -> str:

@@ -438,7 +438,7 @@ def facts(program: Program, library: Path, may_lack_seed: bool) -> list[Facts]:
 
 
 def of_noise(known: Facts, summed: Summed | None) -> Facts:
-    """What a comment has of a sum, for one of another noise."""
+    """The facts of a sum, for one of another noise."""
     return known._replace(what=f"{known.what} The noise is {summed.name}. Ranges and errors are those with "
                           f"{summed.replaced}.") if summed else known
 

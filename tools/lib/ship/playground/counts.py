@@ -1,0 +1,50 @@
+"""How many instructions and registers compilers of GPUs count for what the page shows: from the record of
+tools/measure gpu, one chip of each compiler."""
+
+from __future__ import annotations
+
+import csv
+import re
+from pathlib import Path
+
+from base.tree import ROOT
+from catalog.javascript import drawn
+from catalog.model import read
+
+RECORD = ROOT / "docs" / "measured" / "results" / "gpu"
+CHIPS = ("sm90", "ampere", "navi31", "adreno740", "m1", "acm")
+# These unroll every loop. Of the others a shader in which one left a loop has no count: it would be that of an octave.
+UNROLLING = ("sm90", "acm")
+WITNESS = "adreno740"  # of loops
+LOOPS = re.compile(r"\bLoops [1-9]")  # in the kinds of a row
+CASE = re.compile(r"(?:noise([1-4])d|\w+)\.([a-z_]+)([1-4]?)\.lattice(\+fixed)?")
+
+
+def rows(path: Path) -> list[dict[str, str]]:
+    with path.open(encoding="utf-8", newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def subject(case: str) -> str | None:
+    """Of a case at a position with the default hash: "perlin2", or "perlin2 fixed"."""
+    found = CASE.fullmatch(case)
+    return found and found[2] + (found[1] or found[3]) + " fixed" * bool(found[4])
+
+
+def counts() -> dict:
+    """chips: their titles; of: {subject: the instructions and registers of each chip, "-" where there is no count}."""
+    noises, sums = drawn(read())
+    names = {one.name for one in (*noises, *sums)}
+    titles = {row["chip"]: row["title"] for row in rows(RECORD / "chips.csv")}
+    found: dict[str, dict[str, dict[str, str]]] = {}
+    for row in rows(RECORD / "costs.csv"):
+        name = subject(row["id"])
+        if name and re.split(r"\d", name)[0] in names and row["chip"] in CHIPS and not row["problem"]:
+            found.setdefault(name, {})[row["chip"]] = row
+
+    def count(of: dict[str, dict[str, str]], chip: str) -> str:
+        looped = LOOPS.search(of.get(WITNESS, {}).get("kinds", "")) and chip not in UNROLLING
+        return "- -" if looped or chip not in of else f"{of[chip]['instructions']} {of[chip]['registers']}"
+
+    return {"chips": [titles[chip] for chip in CHIPS],
+            "of": {name: " ".join(count(of, chip) for chip in CHIPS) for name, of in sorted(found.items())}}
