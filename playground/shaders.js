@@ -5,6 +5,7 @@ import { kWgslVertex } from "./copied.js";
 import { isLeaning, isSolid, kMostLayers, rangeOf, shownLayers, tintedLayers, usualLayer } from "./model.js";
 import { solidPlace, solidShader, wordsOfSolid } from "./solid.js";
 import { cellOf, leaningSteps, leant, originOf, partsOf, placeOf, stepOf, tileOf } from "./view.js";
+import { inWgsl } from "./wgsl.js";
 
 // The content of a pixel: a colour of the map, or the four bytes of the value.
 export const kColours = 0;
@@ -98,69 +99,52 @@ function uniforms(language, state) {
 
 // The place of a pixel along an axis is origin + i * step. The step is taken in halves, so that no product leaves 32
 // bits. On a slice that leans each axis has a step for both coordinates of a pixel.
-const kGlslPlace = `uvec2 place_beside(uvec2 place, uvec2 by, uint i) {
+const kPlace = `uvec2 place_beside(uvec2 place, uvec2 by, uint i) {
   uint low = i * (by.y & 4095u) + (place.y & 4095u);
   uint high = i * (by.y >> 12u) + (place.y >> 12u) + (low >> 12u);
   return uvec2(place.x + i * by.x + (high >> 12u), ((high & 4095u) << 12u) | (low & 4095u));
 }
-uvec2 place_of(int cell, uint place, uint i) { return place_beside(uvec2(uint(cell), place), u_step.xy, i); }`;
-const kWgslPlace = `fn place_beside(place: vec2u, by: vec2u, i: u32) -> vec2u {
-  let low = i * (by.y & 4095u) + (place.y & 4095u);
-  let high = i * (by.y >> 12u) + (place.y >> 12u) + (low >> 12u);
-  return vec2u(place.x + i * by.x + (high >> 12u), ((high & 4095u) << 12u) | (low & 4095u));
-}
-fn place_of(cell: i32, place: u32, i: u32) -> vec2u { return place_beside(vec2u(u32(cell), place), u.step.xy, i); }`;
-const placesOf = (state, timed, glsl) => {
-  const [type, uint, of] = glsl ? ["uvec2", "uint", "u_"] : ["vec2u", "u32", "u."];
-  const set = (axis) => (glsl ? `  uvec2 ${axis} =` : `  var ${axis} =`);
+uvec2 place_of(int cell, uint place, uint i) {
+  return place_beside(uvec2(uint(cell), place), u_step.xy, i);
+}`;
+const placesOf = (state, timed) => {
   if (timed || !isLeaning(state))
-    return ["x", "y"].map((axis) => `${set(axis)} place_of(${of}cell.${axis}, ${of}place.${axis}, at.${axis});`);
-  const by = (axis, way) => `${type}(${uint}(${of}solid[${way}].${axis}), ${uint}(${of}solid[${way + 1}].${axis}))`;
+    return ["x", "y"].map((axis) => `  uvec2 ${axis} = place_of(u_cell.${axis}, u_place.${axis}, at.${axis});`);
+  const by = (axis, way) => `uvec2(uint(u_solid[${way}].${axis}), uint(u_solid[${way + 1}].${axis}))`;
   return ["x", "y", "z"].map((axis) =>
-    `${set(axis)} place_beside(place_beside(${type}(${uint}(${of}cell.${axis}), ${of}place.${axis}), ${by(axis, 0)}, at.x), ${by(axis, 2)}, at.y);`);
+    `  uvec2 ${axis} = place_beside(place_beside(uvec2(uint(u_cell.${axis}), u_place.${axis}), ${by(axis, 0)}, at.x), ${by(axis, 2)}, at.y);`);
 };
 
 // How a value is shown. A value in steps of 2^-20 is a whole number; the colour is one of 256. In one dimension the
-// picture is a graph: full colour below the value, and an eighth of it above.
-// Colours of layers are mixed in whole numbers, too.
-const glslShade = (tints) => `${tints ? `float tints[${tints}];\n` : ""}vec4 shade(float value, int row) {
+// picture is a graph: full colour below the value, and an eighth of it above. Colours of layers are mixed in whole numbers,
+// too.
+const shade = (tints) => `vec4 shade(float value, int row) {
   if (u_shown.z == ${kBits}) {
-    uint bits = floatBitsToUint(value);
+    uint bits = bits_of(value);
     return vec4(float(bits & 255u), float((bits >> 8u) & 255u), float((bits >> 16u) & 255u), float(bits >> 24u)) / 255.0;
   }
   uint d = uint(clamp(int(floor(value * ${kUnit}.0)) - u_shown.x, 0, u_shown.y - 1));
   int entry = int(d * 256u / uint(u_shown.y));
-  vec4 color = texelFetch(u_palette, ivec2(entry, 0), 0);${tints ? `
-  for (int k = 0; k < ${tints}; ++k) {
+  vec4 color = palette_at(entry, 0);${tints ? `
+  for (int k = 0; k < ${tints}; k++) {
     uint part = uint(tints[k] * 65536.0);
-    uvec4 other = uvec4(texelFetch(u_palette, ivec2(entry, k + 1), 0) * 255.0 + 0.5);
-    color = vec4((uvec4(color * 255.0 + 0.5) * (65536u - part) + other * part + 32768u) >> 16u) / 255.0;
+    uvec4 other = uvec4(palette_at(entry, k + 1) * 255.0 + 0.5);
+    color = vec4((uvec4(color * 255.0 + 0.5) * (65536u - part) + other * part + 32768u) >> uvec4(16u)) / 255.0;
   }` : ""}
   if (row >= 0 && uint(row) > (d >> 6u) * u_step.w / (uint(u_shown.y) >> 6u)) color = vec4(color.rgb * 0.125, 1.0);
   return color;
 }`;
-const wgslShade = (tints) => `${tints ? `var<private> tints: array<f32, ${tints}>;\n` : ""}fn shade(value: f32, row: i32) -> vec4f {
-  if (u.shown.z == ${kBits}) {
-    let bits = bitcast<u32>(value);
-    return vec4f(f32(bits & 255u), f32((bits >> 8u) & 255u), f32((bits >> 16u) & 255u), f32(bits >> 24u)) / 255.0;
-  }
-  let d = u32(clamp(i32(floor(value * ${kUnit}.0)) - u.shown.x, 0, u.shown.y - 1));
-  let entry = i32(d * 256u / u32(u.shown.y));
-  var color = textureLoad(palette, vec2i(entry, 0), 0);${tints ? `
-  for (var k = 0; k < ${tints}; k++) {
-    let part = u32(tints[k] * 65536.0);
-    let other = vec4u(textureLoad(palette, vec2i(entry, k + 1), 0) * 255.0 + 0.5);
-    color = vec4f((vec4u(color * 255.0 + 0.5) * (65536u - part) + other * part + 32768u) >> vec4u(16u)) / 255.0;
-  }` : ""}
-  if (row >= 0 && u32(row) > (d >> 6u) * u.step.w / (u32(u.shown.y) >> 6u)) { color = vec4f(color.rgb * 0.125, 1.0); }
-  return color;
-}`;
+// Functions that it calls, in the own words of each language.
+const glslOwn = (tints) => `${tints ? `float tints[${tints}];\n` : ""}vec4 palette_at(int x, int y) { return texelFetch(u_palette, ivec2(x, y), 0); }
+uint bits_of(float x) { return floatBitsToUint(x); }`;
+const wgslOwn = (tints) => `${tints ? `var<private> tints: array<f32, ${tints}>;\n` : ""}fn palette_at(x: i32, y: i32) -> vec4f { return textureLoad(palette, vec2i(x, y), 0); }
+fn bits_of(x: f32) -> u32 { return bitcast<u32>(x); }`;
 
 // How much the layers with colours count at the pixel is kept for "shade".
 const kept = (parts) => [...parts.map((part, at) => `tints[${at}] = ${part};`), "return v;"];
 
 // The arguments of "pattern" at a pixel, for a number of dimensions: the cell and the place in it, or the position.
-function glslArguments(n, form, solid) {
+function argumentsOf(n, form, solid) {
   const vector = (type, parts) => (n === 1 ? parts[0] : `${type}(${parts.slice(0, n).join(", ")})`);
   const cell = vector(`ivec${n}`, ["int(x.x)", "int(y.x)", solid ? "int(z.x)" : "u_cell.z", "u_cell.w"]);
   const third = `float(${solid ? "z.y" : "u_place.z"})`;
@@ -168,15 +152,6 @@ function glslArguments(n, form, solid) {
   if (form === "cell") return `${cell}, ${places} * kPart`;
   return `${n === 1 ? "float" : `vec${n}`}(${cell}) + ${places} * kPart`;
 }
-const wgslArguments = (n, form, solid) =>
-  glslArguments(n, form, solid)
-    .replace(/\bivec(\d)/g, "vec$1i")
-    .replace(/\bvec(\d)\(/g, "vec$1f(")
-    .replaceAll("int(", "i32(")
-    .replaceAll("float(", "f32(")
-    .replaceAll("u_cell", "u.cell")
-    .replaceAll("u_place", "u.place");
-
 export const kVertex = `#version 300 es
 void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }`;
 
@@ -188,7 +163,7 @@ function glsl(library, state, values, { timed, form = "cell", value } = {}) {
   const { lines, files } = functions(library, "glsl", state, values, [form], false, tints ? kept : undefined);
   const solid = isSolid(state) && !timed ? solidShader("glsl", state, kBits) : undefined;
   const n = state.dimensions;
-  const shown = value ?? `pattern(${glslArguments(n, form, solid || (!timed && isLeaning(state)))})`;
+  const shown = value ?? `pattern(${argumentsOf(n, form, solid || (!timed && isLeaning(state)))})`;
   return [
     "#version 300 es",
     "precision highp float;",
@@ -200,15 +175,14 @@ function glsl(library, state, values, { timed, form = "cell", value } = {}) {
     "uniform sampler2D u_palette;",
     "out vec4 color;",
     "const float kPart = 1.0 / 16777216.0;",
-    glslShade(tints),
+    glslOwn(tints),
+    shade(tints),
     ...lines,
-    kGlslPlace,
+    kPlace,
     ...(solid ? [solid.point] : []),
     "void main() {",
     "  uvec2 at = (uvec2(gl_FragCoord.xy) + uvec2(0u, uint(u_shown.w))) % u_drawn.z;",
-    ...(solid
-      ? [solid.places]
-      : placesOf(state, timed, true)),
+    ...(solid ? [solid.places] : placesOf(state, timed)),
     ...(timed
       ? [`  float sum = 0.0;`, `  for (uint i = 0u; i < u_drawn.x; ++i) { sum += ${shown}; x.x += 8u; y.x += 5u; }`]
       : [`  float sum = ${shown};`]),
@@ -223,22 +197,21 @@ function wgsl(library, state, values, { timed, form = "cell", value } = {}) {
   const { lines, public: called } = functions(library, "wgsl", state, values, [form], true, tints ? kept : undefined);
   const solid = isSolid(state) && !timed ? solidShader("wgsl", state, kBits) : undefined;
   const n = state.dimensions;
-  const shown = value ?? `${form === "cell" ? "pattern_cell" : "pattern"}(${wgslArguments(n, form, solid || (!timed && isLeaning(state)))})`;
+  const shown = value ?? `${form === "cell" ? "pattern_cell" : "pattern"}(${inWgsl(argumentsOf(n, form, solid || (!timed && isLeaning(state))))})`;
   return [
     ...library.texts(called, "wgsl", state),
     kWgslFrame,
     "const kPart = 1.0f / 16777216.0f;",
-    wgslShade(tints),
+    wgslOwn(tints),
+    inWgsl(shade(tints)),
     ...lines,
-    kWgslPlace,
+    inWgsl(kPlace),
     ...(solid ? [solid.point] : []),
     ...kWgslVertex,
     "@fragment fn fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {",
     // Rows are counted from the lower end, as in OpenGL.
     "  let at = vec2u(u32(position.x), u.drawn.y - u32(position.y)) % u.drawn.z;",
-    ...(solid
-      ? [solid.places]
-      : placesOf(state, timed, false)),
+    ...(solid ? [solid.places] : placesOf(state, timed).map(inWgsl)),
     ...(timed
       ? [`  var sum = 0.0f;`, `  for (var i = 0u; i < u.drawn.x; i++) { sum += ${shown}; x.x += 8u; y.x += 5u; }`]
       : [`  let sum = ${shown};`]),
