@@ -91,13 +91,13 @@ struct Quantity {
      const vec3 p(real(in[0]), real(in[1]), real(in[2]));                                                            \
      *out = std::bit_cast<Word>(hashnoise::hn_##name(hashnoise::hn_tile(p, ivec3(integer(in[3]))), in[4]));          \
    }}
-#define PHASE(name)                                                                                                \
-  {#name "_phase", '2', 5, 1,                                                                                      \
+#define PHASE(name)                                                                                                  \
+  {#name "_phase", '2', 5, 1,                                                                                        \
    [](const Word* in, Word* out) {                                                                                   \
      const auto tile = hashnoise::hn_tile(vec2(real(in[0]), real(in[1])), ivec2(integer(in[3])));                    \
      *out = std::bit_cast<Word>(hashnoise::hn_##name(tile, real(in[2]), in[4]));                                     \
    }},                                                                                                               \
-  {#name "_phase", '3', 6, 1, [](const Word* in, Word* out) {                                                      \
+  {#name "_phase", '3', 6, 1, [](const Word* in, Word* out) {                                                        \
      const auto tile = hashnoise::hn_tile(vec3(real(in[0]), real(in[1]), real(in[2])), ivec3(integer(in[4])));       \
      *out = std::bit_cast<Word>(hashnoise::hn_##name(tile, real(in[3]), in[5]));                                     \
    }}
