@@ -957,8 +957,10 @@
 #undef uvec4
 #pragma push_macro("v")
 #undef v
-#pragma push_macro("v0_4")
-#undef v0_4
+#pragma push_macro("v1")
+#undef v1
+#pragma push_macro("v1_0")
+#undef v1_0
 #pragma push_macro("value")
 #undef value
 #pragma push_macro("values")

@@ -98,7 +98,7 @@ class GoldenContents(unittest.TestCase):
     def test_format(self) -> None:
         lines = self.file("noise1d.value")
         self.assertEqual(lines[:7], [
-            "hashnoise golden 2", "function noise1d.value", "calls hn_value", "bits 0.4.0",
+            "hashnoise golden 2", "function noise1d.value", "calls hn_value", "bits 1.0.0",
             "columns x:f32 seed:u32 = value:f64", "settings pcg:fast lattice:fast lattice+fixed:fixed",
             f"rows {len(lines) - 8}"
         ])
