@@ -76,9 +76,11 @@ class Exact(unittest.TestCase):
         for noise, kernel, rotating in NOISES:
             derived = simplex_phase.derive(kernel.dims, None) if rotating else simplex.derived_value(kernel)
             self.assertLess(max(derived.largest, derived.fixed_largest), 1, noise)
-            # On the plane simplex noise has the scale of that whose gradients rotate.
+            # On the plane simplex noise has the scale of that whose gradients rotate. In 4D the scale could be 4301 of
+            # 1024 and is 4298: the bound is tighter than it was when the scale was chosen, and the values stay.
             if noise != "simplex" or kernel.dims > 2:
-                self.assertGreater(derived.fixed_largest + 2 / kernel.scale, 1, noise)
+                steps = 4 if kernel.dims == 4 else 2
+                self.assertGreater(derived.fixed_largest + steps / kernel.scale, 1, noise)
             limits, _ = proven(noise, kernel.dims)
             self.assertEqual((limits.limit, limits.fixed_limit), (1, 1))
 
