@@ -197,6 +197,10 @@ EQUIVALENT: tuple[Equivalence, ...] = (
     *alike("detail/feature_points2d.glsl",
            *((f"cell(d.{axis}, {axis})), jitter).x", f"cell(d.{axis}, {axis})), jitter).y") for axis in "xy")),
 
+    # It squares them.
+    *(each for file in ("simplex2d", "simplex_d2d", "phasor2d", "phasor_d2d")
+      for each in alike(f"{file}.glsl", ("triangle_falloff(x, y)", "triangle_falloff(-x, y)", "triangle_falloff(x, -y)"))),
+
     # It compares them.
     *alike("detail/feature_points3d.glsl", *((f"hn_i_if_axis(axis, {n}", f"hn_i_if_axis({n}, axis") for n in (0, 2))),
 
