@@ -160,7 +160,7 @@ class Record(unittest.TestCase):
         self.assertEqual(ports.problems(record.values()), [])
 
     def stale(self, record: Mapping[str, ports.Port]) -> list[str]:
-        """The rows of which the library looks otherwise now, of the noises that most others are made of."""
+        """The ids of rows that do not fit the library any more, of noises that most others are made of."""
         renderer, wrong = Renderer(), []
         for row in ROWS:
             if row.id in ("FastNoiseLite: FNL_NOISE_PERLIN 2D", "lygia: snoise(vec3 p) 3D", "lygia: curl(vec3 p) 3D"):
