@@ -38,6 +38,28 @@ HN_FN hn_vec3 hn_i_curl(hn_vec4 n, hn_vec4 m) {
               hn_i_curl_to_float(hn_i_velocity(a.x, b.y, a.y, b.x)));
 }
 
+// A cell, or the next one if a place in it is in that after it is moved by so many quarters of a cell.
+HN_FN hn_uint hn_i_moved_cell(hn_uint cell, hn_i_num f, hn_int quarters) {
+  return cell + uint(hn_i_choice(f < hn_i_quarters(4 - quarters), 0, 1));
+}
+HN_FN hn_i_num hn_i_moved_fraction(hn_i_num f, hn_int quarters) {
+  hn_i_num rest = hn_i_quarters(4 - quarters);
+  return hn_i_select(f < rest, hn_i_plus(f, hn_i_quarters(quarters)), hn_i_minus(f, rest));
+}
+
+// The place moved by half a cell along x and by a quarter along z. No place is farther from the points of the lattice
+// than (1/2, 0, 1/4): where one noise is steep near a point, the other one, which is moved, is not.
+HN_FN hn_place3 hn_i_between_points(hn_place3 place) {
+  hn_place3 moved = place;
+  hn_uvec3 cell = uvec3(place.cell);
+  if (place.tiled) cell = hn_i_wrap(place.cell, place.period);
+  moved.cell = ivec3(uvec3(hn_i_moved_cell(cell.x, place.fraction.x, 2), cell.y,
+                           hn_i_moved_cell(cell.z, place.fraction.z, 1)));
+  moved.fraction = hn_i_vector(hn_i_moved_fraction(place.fraction.x, 2), place.fraction.y,
+                               hn_i_moved_fraction(place.fraction.z, 1));
+  return moved;
+}
+
 // Curl noise in space: velocities of a flow that neither gathers nor spreads, the cross product of the gradients of two
 // simplex noises. Particles in it stay on the surfaces on which both noises are constant.
 //   p        position, in cells: a coordinate times a frequency, so that a cell is as large as a hill or a valley. Less
@@ -53,7 +75,7 @@ HN_FN hn_vec3 hn_i_curl(hn_vec4 n, hn_vec4 m) {
 //   cost     twice that of hn_simplex_d
 //   source   DeWolf, "Divergence-free noise", 2005; docs/reference/contract.md, section 15
 HN_FN hn_vec3 hn_curl(hn_place3 place, hn_uint seed) {
-  return hn_i_curl(hn_simplex_d(place, seed), hn_simplex_d(place, hn_i_other_seed(seed)));
+  return hn_i_curl(hn_simplex_d(place, seed), hn_simplex_d(hn_i_between_points(place), hn_i_other_seed(seed)));
 }
 HN_FN hn_vec3 hn_curl(hn_vec3 p, hn_uint seed) { return hn_curl(hn_place(p), seed); }
 HN_FN hn_vec3 hn_curl(hn_vec3 p) { return hn_curl(p, 0u); }

@@ -623,6 +623,8 @@
 #undef more
 #pragma push_macro("most")
 #undef most
+#pragma push_macro("moved")
+#undef moved
 #pragma push_macro("n")
 #undef n
 #pragma push_macro("n0")
@@ -737,6 +739,8 @@
 #undef q
 #pragma push_macro("q_centre")
 #undef q_centre
+#pragma push_macro("quarters")
+#undef quarters
 #pragma push_macro("quotient")
 #undef quotient
 #pragma push_macro("r")
