@@ -79,12 +79,13 @@ def both(kernel: Kernel) -> tuple[Points, Points]:
 
 def along(kernel: Kernel, points: Points, place: np.ndarray, u: np.ndarray):
     """The largest derivative along each direction at each place, per step: places by directions."""
-    total = 0.0
+    total = np.zeros((place.shape[1], u.shape[1]))
     for point in points:
         d = place - point[:, None]
-        t = np.maximum(kernel.radius - kernel.fall * (d * d).sum(axis=0), 0.0)
-        w, slope = (kernel.weight.derivative(order, t)[:, None] for order in range(2))
-        total = total + OCTAHEDRAL.support(w * u[:, None] - 2 * kernel.fall * slope * (d.T @ u) * d[:, :, None])
+        t = kernel.radius - kernel.fall * (d * d).sum(axis=0)
+        near = np.flatnonzero(t > 0)
+        d, (w, slope) = d[:, near], (kernel.weight.derivative(order, t[near])[:, None] for order in range(2))
+        total[near] += OCTAHEDRAL.support(w * u[:, None] - 2 * kernel.fall * slope * (d.T @ u) * d[:, :, None])
     return total
 
 
