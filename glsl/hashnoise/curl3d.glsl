@@ -67,10 +67,10 @@ HN_FN hn_place3 hn_i_between_points(hn_place3 place) {
 //   place    in place of p: hn_place(cell, f) far from the origin, or hn_tile(p, period) for a tile (place.glsl)
 //   seed     any uint: 7u, not 7; 0 if left out; different seeds give independent fields
 //   example  vec3 n = hn_curl(vec3(uv * 8.0, 0.5), 7u);
-//   returns  each component in [-46.2, 46.2], in squared noise per squared cell, once continuously differentiable
+//   returns  each component in [-31.1, 31.1], in squared noise per squared cell, once continuously differentiable
 //            (HN_FIXED: in steps of 2^-16)
-//   error    at most 8.94e-4 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
-//            1.90e-2. From a cell at most 7.58e-4
+//   error    at most 7.34e-4 against the exact value, in any rounding mode (docs/measured/accuracy.md). HN_FIXED
+//            1.56e-2. From a cell at most 6.78e-4
 //   period   2^32 cells per axis, or that of the tile
 //   cost     twice that of hn_simplex_d
 //   source   DeWolf, "Divergence-free noise", 2005; docs/reference/contract.md, section 15
