@@ -20,7 +20,7 @@ With the last one an angle is between an eighth of a turn and three eighths. The
 [0, 1/2]^3, and leave the angle between these. No reflection of z alone is among them.
 
 With any gradients the product is smooth, and is bounded from its values at the vertices of boxes and its second
-derivatives, as in boxes.py. Those by the place are as in kernels.py. A box has all angles, and vertices at some of
+derivatives, as in boxes.py. Derivatives by the place are as in kernels.py. A box has all angles, and vertices at some of
 them. Both factors are sinusoids of the angle, so their product is one of twice the angle, and a constant. Its second
 derivative is at most twice the product of their amplitudes, which are derivatives along some directions.
 
@@ -90,7 +90,7 @@ def along(kernel: Kernel, points: Points, place: np.ndarray, u: np.ndarray):
 
 
 def directions(axes: tuple[int, int], turn: float, parts: int) -> np.ndarray:
-    """Those that divide a quarter into so many parts."""
+    """The directions that divide a quarter into so many parts."""
     angle = math.pi / 4 + turn + np.linspace(0, math.pi / 2, parts + 1)
     u = np.zeros((3, parts + 1))
     u[axes[0]], u[axes[1]] = np.cos(angle), np.sin(angle)
