@@ -20,8 +20,8 @@ With the last one an angle is between an eighth of a turn and three eighths. The
 [0, 1/2]^3, and leave the angle between these. No reflection of z alone is among them.
 
 With any gradients the product is smooth, and is bounded from its values at the vertices of boxes and its second
-derivatives, as in boxes.py. Derivatives by the place are as in kernels.py. A box has all angles, and vertices at some of
-them. Both factors are sinusoids of the angle, so their product is one of twice the angle, and a constant. Its second
+derivatives, as in boxes.py. Derivatives by the place are as in kernels.py. A box has all angles, and vertices at some
+of them. Both factors are sinusoids of the angle, so their product is one of twice the angle, and a constant. Its second
 derivative is at most twice the product of their amplitudes, which are derivatives along some directions.
 
 Let S be the largest |a_y| + |a_z| + |b_y| + |b_z|, or that of two other axes. It is the sum of H and H_m along
