@@ -22,7 +22,7 @@ GROUPS = {
                   "reference/contract", "reference/frozen", "reference/formats", "reference/checks",
                   "reference/glossary"],
     "Measured": ["measured/measuring", "measured/gpu-operations", "measured/silicon", "measured/accuracy", "measured/quality",
-                 "measured/hashes", "measured/default-hash", "measured/judge", "measured/faults",
+                 "measured/hashes", "measured/default-hash", "measured/judge", "measured/faults", "measured/proof",
                  "measured/results/README"],
     "Work on hashnoise": ["develop/internals", "develop/one-noise", "develop/adding", "develop/suite",
                           "develop/porting", "develop/release", "develop/publishing"],
