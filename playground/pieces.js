@@ -37,7 +37,7 @@ export class Pieces {
   }
 
   // pieces: [name, text, name, text, ...]; shells: {language: [first lines, last lines]}; modules: {"glsl fast lattice 2":
-  // [numbers of pieces]}.
+  // [how much further a piece is than the one before]}.
   constructor({ pieces, shells, modules }) {
     this.pieces = pieces;
     this.shells = shells;
@@ -51,10 +51,11 @@ export class Pieces {
   }
 
   module(setting) {
-    return this.modules[setting.join(" ")].map((number) => ({
-      name: this.pieces[2 * number],
-      text: this.pieces[2 * number + 1],
-    }));
+    let number = 0;
+    return this.modules[setting.join(" ")].map((step) => {
+      number += step;
+      return { name: this.pieces[2 * number], text: this.pieces[2 * number + 1] };
+    });
   }
 
   // The texts of these functions and of all that they need. Calls within shading languages are read from the text in WGSL,

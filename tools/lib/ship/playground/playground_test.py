@@ -111,7 +111,7 @@ class Picks(unittest.TestCase):
         one, other = picks.Piece("one", "1"), picks.Piece("other", "2")
         made = picks.data({"glsl fast lattice 2": [other, one], "glsl fixed lattice 2": [one]})
         self.assertEqual(made["pieces"], ["one", "1", "other", "2"])
-        self.assertEqual(made["modules"], {"glsl fast lattice 2": [1, 0], "glsl fixed lattice 2": [0]})
+        self.assertEqual(made["modules"], {"glsl fast lattice 2": [1, -1], "glsl fixed lattice 2": [0]})
 
     def test_a_text_is_compressed(self):
         size, made = picks.compressed("abc" * 999).split()
