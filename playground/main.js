@@ -295,21 +295,28 @@ class Playground extends Picture {
     }
   }
 
+  // Saves the file, or stops that.
   async save() {
+    if (this.saving) return this.saving.abort();
+    const { signal } = (this.saving = new AbortController());
     const button = byId("save");
-    if (button.ariaDisabled === "true") return;
-    button.ariaDisabled = "true";
     const label = button.textContent;
+    const tell = (part) => {
+      signal.throwIfAborted();
+      button.textContent = `Stop, ${Math.round(part * 100)} %`;
+    };
     try {
-      const file = await this.file((part) => (button.textContent = `${Math.round(part * 100)} %`));
+      tell(0);
+      const file = await this.file(tell);
       const url = URL.createObjectURL(file);
       Object.assign(document.createElement("a"), { href: url, download: file.name }).click();
       setTimeout(() => URL.revokeObjectURL(url), kTold);
       byId("status").textContent = `${file.name} is saved.`;
     } catch (error) {
-      byId("status").textContent = byId("note-file").textContent = `The file is not saved. ${error.message}`;
+      const why = signal.aborted ? "You have stopped it." : error.message;
+      byId("status").textContent = byId("note-file").textContent = `The file is not saved. ${why}`;
     } finally {
-      button.ariaDisabled = "false";
+      this.saving = undefined;
       button.textContent = label;
     }
   }
