@@ -549,5 +549,7 @@ test("a copied text has the chosen settings", () => {
     /tools\/pick .*hn_add_ridged2 .*--language wgsl --arithmetic fixed --hash pcg/,
   );
   assert.match(copiedText(library, "bake", stateOf("#seed=9&period=4")), /^tools\/bake fbm --seed 9 .*--period 4x4 .*-o noise\.png$/m);
+  assert.match(copiedText(library, "bake", stateOf("#sum=eroded&noise=simplex")), /^tools\/bake eroded --noise simplex_d /m);
+  assert.match(copiedText(library, "python", stateOf("#arithmetic=fixed&blend2=add")), /^ {4}v = numpy\.clip\(v \+ .*, -8, 8\)$/m);
   assert.match(copiedText(library, "python", stateOf("#seed=9")), /^values = hashnoise\.grid\("fbm", \(1024, 1024\), .*seed=9/m);
 });
