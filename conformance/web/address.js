@@ -1,3 +1,3 @@
-// Where the project is, and results are sent; tools/make results reads it here, too. The project has no public place
-// yet, so this is the stand-in that docs/guide/build-systems.md has as well.
+// Where the project is, and results are sent; tools/lib/base/tree.py reads it here, too. The project has no public place
+// yet, so this is a stand-in. A test compares it with the addresses in pages.
 export const kAddress = "https://example.com/hashnoise";

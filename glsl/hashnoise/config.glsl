@@ -14,8 +14,8 @@
 #ifndef HN_CONFIG_GLSL
 #define HN_CONFIG_GLSL
 
-#define HN_VERSION_MAJOR 0
-#define HN_VERSION_MINOR 4
+#define HN_VERSION_MAJOR 1
+#define HN_VERSION_MINOR 0
 #define HN_VERSION_PATCH 0
 
 // ---------------------------------------------------------------------------------------------------------------------

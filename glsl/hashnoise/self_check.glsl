@@ -23,9 +23,9 @@ HN_FN hn_uint hn_i_checked(hn_uint w, hn_vec3 v, hn_float units) {
 // docs/guide/same-bits.md has advice if yours differs.
 //   zero     0u, from a uniform or an argument: so the compiler cannot compute the result itself
 //   example  uint h = hn_self_check(0u);
-//   returns  0x0E51B162 with the default hash, and another number with each HN_HASH
+//   returns  0x1BB1728B with the default hash, and another number with each HN_HASH
 //   error    none
-//   cost     16 hashes (none with HN_HASH_LATTICE) and 3300 multiplications: call it once, not in each pixel
+//   cost     16 hashes (none with HN_HASH_LATTICE) and 3400 multiplications: call it once, not in each pixel
 //   source   docs/reference/contract.md, section 18
 HN_FN hn_uint hn_self_check(hn_uint zero) {
   hn_uint w = zero;

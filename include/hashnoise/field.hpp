@@ -40,7 +40,7 @@
 #define HN_I_OFFERED
 #endif
 
-namespace hashnoise::inline HN_I_NAMESPACE {
+namespace hashnoise::inline HN_I_LIBRARY {
 
 enum class Arithmetic { kFast = 1, kPrecise = 2, kFixed = 3 };  // HN_FAST, HN_PRECISE, HN_FIXED
 

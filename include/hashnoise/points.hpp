@@ -16,7 +16,7 @@
 #include <limits>
 #include <span>
 
-namespace hashnoise::inline HN_I_NAMESPACE {
+namespace hashnoise::inline HN_I_LIBRARY {
 
 template <typename T, int D>
 using PerAxis = std::array<T, static_cast<std::size_t>(D)>;
@@ -74,8 +74,10 @@ struct Range {
   friend bool operator==(const Range&, const Range&) = default;
 };
 
+}  // namespace hashnoise
+
 // The rest belongs to the library: both kinds of grids are made of it.
-namespace detail {
+namespace hashnoise::inline HN_I_NAMESPACE::detail {
 
 // The coordinates of point i of a grid along an axis.
 HN_I_INLINE float position_of(float origin, float step, int i) {
@@ -98,7 +100,6 @@ HN_I_INLINE CellAndPlace cell_and_place_of(std::int32_t cell, float f, double st
           static_cast<float>(static_cast<std::uint32_t>(at) >> 8u) * (1.0f / 16777216.0f)};
 }
 
-}  // namespace detail
-}  // namespace hashnoise
+}  // namespace hashnoise::detail
 
 #include "../../glsl/hashnoise/detail/macros_end.h"

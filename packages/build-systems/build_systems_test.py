@@ -26,11 +26,11 @@ sys.path.insert(0, str(TESTS.parents[1] / "tools" / "lib"))
 
 from base.golden_values import Golden  # noqa: E402
 from base.pypi import is_made  # noqa: E402
-from base.tree import ROOT  # noqa: E402
+from base.tree import ROOT, address  # noqa: E402
 
 SKIPPED = 77
 PAGE = (ROOT / "docs" / "guide" / "build-systems.md").read_text(encoding="utf-8")
-ADDRESS = "https://example.com/hashnoise.git"
+ADDRESS = f"{address()}.git"
 # Files of the repository that a user's build needs.
 USED = ("CMakeLists.txt", "LICENSE", "glsl", "include", "meson.build", "packages/conan", "packages/vcpkg", "src",
         "tools/hashnoise-config.cmake.in", "tools/hashnoise.pc.in")

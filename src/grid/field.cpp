@@ -6,7 +6,7 @@
 #include "plan.hpp"
 #include "rules.hpp"
 
-namespace hashnoise::inline HN_I_NAMESPACE {
+namespace hashnoise::inline HN_I_LIBRARY {
 
 template <int D>
 struct Field<D>::Plan : grid::Plan {};
@@ -487,4 +487,4 @@ template class Field<2>;
 template class Field<3>;
 template class Field<4>;
 
-}  // namespace hashnoise::inline HN_I_NAMESPACE
+}  // namespace hashnoise::inline HN_I_LIBRARY

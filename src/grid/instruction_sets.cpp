@@ -69,6 +69,16 @@ const grid::Kernels& grid::kernels_for(InstructionSet set, Arithmetic arithmetic
   return kernels.at(i).at(static_cast<std::size_t>(arithmetic) - 1);
 }
 
+std::vector<InstructionSet> grid::compiled_instruction_sets() {
+  std::vector<InstructionSet> sets;
+  for (const Build& build : kBuilds) sets.push_back(build.set);
+  return sets;
+}
+
+}  // namespace hashnoise::inline HN_I_NAMESPACE
+
+namespace hashnoise::inline HN_I_LIBRARY {
+
 std::vector<InstructionSet> instruction_sets() {
   std::vector<InstructionSet> sets;
   for (const Build& build : kBuilds) {
@@ -77,15 +87,9 @@ std::vector<InstructionSet> instruction_sets() {
   return sets;
 }
 
-std::vector<InstructionSet> grid::compiled_instruction_sets() {
-  std::vector<InstructionSet> sets;
-  for (const Build& build : kBuilds) sets.push_back(build.set);
-  return sets;
-}
-
 std::string_view name(InstructionSet set) {
   constexpr std::array<std::string_view, 5> kNames = {"sse4.1", "avx2", "avx512", "neon", "generic"};
   return kNames.at(static_cast<std::size_t>(set));
 }
 
-}  // namespace hashnoise
+}  // namespace hashnoise::inline HN_I_LIBRARY

@@ -279,9 +279,9 @@ Plan plan_of(int dimensions, const Settings& settings) {
 
 }  // namespace hashnoise::inline HN_I_NAMESPACE::grid
 
-namespace hashnoise::inline HN_I_NAMESPACE {
+namespace hashnoise::inline HN_I_LIBRARY {
 
 std::vector<std::string_view> noise_names(int dimensions) { return grid::names_in(grid::kNoiseRows, dimensions); }
 std::vector<std::string_view> fractal_names(int dimensions) { return grid::names_in(grid::kSumRows, dimensions); }
 
-}  // namespace hashnoise::inline HN_I_NAMESPACE
+}  // namespace hashnoise::inline HN_I_LIBRARY

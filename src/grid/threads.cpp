@@ -5,7 +5,7 @@
 #include <mutex>
 #include <thread>
 
-namespace hashnoise::inline HN_I_NAMESPACE {
+namespace hashnoise::inline HN_I_LIBRARY {
 
 Executor threads(int count) {
   if (count <= 0) count = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));

@@ -623,6 +623,8 @@
 #undef more
 #pragma push_macro("most")
 #undef most
+#pragma push_macro("moved")
+#undef moved
 #pragma push_macro("n")
 #undef n
 #pragma push_macro("n0")
@@ -737,6 +739,8 @@
 #undef q
 #pragma push_macro("q_centre")
 #undef q_centre
+#pragma push_macro("quarters")
+#undef quarters
 #pragma push_macro("quotient")
 #undef quotient
 #pragma push_macro("r")
@@ -957,8 +961,10 @@
 #undef uvec4
 #pragma push_macro("v")
 #undef v
-#pragma push_macro("v0_4")
-#undef v0_4
+#pragma push_macro("v1")
+#undef v1
+#pragma push_macro("v1_0")
+#undef v1_0
 #pragma push_macro("value")
 #undef value
 #pragma push_macro("values")

@@ -24,7 +24,7 @@ _Noise: TypeAlias = Literal["perlin", "perlin_d", "value", "value_d", "value_cub
 _Fractal: TypeAlias = Literal["fbm", "turbulence", "clouds", "billow", "ridged", "hybrid", "ping_pong", "weighted",
                               "fbm_d", "eroded", "warp", "warp_progressive", "perlin_worley"]
 # tools/make catalog: end
-_Name: TypeAlias = _Noise | _Sum
+_Name: TypeAlias = _Noise | _Fractal
 
 __version__: str
 

@@ -289,7 +289,7 @@ def curl(x, y, z=None, /, *, seed=0, period=None, cell=None, arithmetic="fast", 
     carries.
 
     returns  planes: the velocity along each axis, once continuously differentiable. In 2D they are derivatives of
-             `simplex`, in [-8.46, 8.46]; in 3D they are in [-46.2, 46.2]
+             `simplex`, in [-8.46, 8.46]; in 3D they are in [-31.1, 31.1]
     source   Bridson, Hourihan, Nordenstam, "Curl-noise for procedural fluid flow", 2007; DeWolf, "Divergence-free
              noise", 2005
 

@@ -111,7 +111,7 @@ TEST(CompileErrors, InTheLibraryAreToldWhereItWasCalled) {
   EXPECT_NE(explained_log("/a/b.hpp:3:4: error: static assertion failed: hn-bake: no float").find("column 1: no float"),
             std::string::npos);
   for (const char* message :
-       {"use of deleted function 'hashnoise::v0_4::detail::Refused<hashnoise::v0_4::detail::Hint<14>{\"write {16u} "
+       {"use of deleted function 'hashnoise::v1_0::detail::Refused<hashnoise::v1_0::detail::Hint<14>{\"write {16u} "
         "(6\"}> "
         "hashnoise::hash_8::gradient_1::arithmetic_3::hn_value(TypesInCall ...) [with TypesInCall = "
         "{hashnoise::Vector2<float>, int}]'",

@@ -35,3 +35,9 @@ def version() -> str:
     """Of the library. It stands once, in the file that every shader includes."""
     text = (GLSL / "config.glsl").read_text(encoding="ascii")
     return ".".join(re.findall(r"^#define HN_VERSION_(?:MAJOR|MINOR|PATCH) (\d+)$", text, re.MULTILINE))
+
+
+def address() -> str:
+    """Of the project. It stands once in code, where the page that checks a browser reads it, and in pages for users."""
+    text = (CONFORMANCE / "web" / "address.js").read_text(encoding="utf-8")
+    return re.search(r'^export const kAddress = "([^"]+)";$', text, re.MULTILINE)[1]

@@ -18,6 +18,13 @@ def near(word: str, names: Iterable[str]) -> str:
     return f" (did you mean {bare[found[0]]}?)" if found else ""
 
 
+def whole(text: str) -> int:
+    """An argument that is a whole number from 1 on."""
+    if not text.isdecimal() or int(text) < 1:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a whole number from 1 on")
+    return int(text)
+
+
 class Parser(argparse.ArgumentParser):
     """Of the options of a command. Its description is printed as it is."""
 

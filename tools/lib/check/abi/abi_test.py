@@ -20,7 +20,7 @@ from base.tree import ROOT, version
 from check.abi import command
 from check.abi.command import INTERFACE
 
-MINOR = ".".join(version().split(".")[:2])
+MAJOR, MINOR, _ = version().split(".")
 # A user's file: functions of the header, a struct of them, and the library.
 USER = """
 #include <hashnoise/field.hpp>
@@ -40,16 +40,16 @@ class Committed(unittest.TestCase):
     def setUp(self) -> None:
         self.text = INTERFACE.read_text(encoding="utf-8")
 
-    def test_it_is_of_this_minor_version(self) -> None:
-        self.assertEqual(command.soname(self.text), f"libhashnoise-grid.so.{MINOR}")
+    def test_it_is_of_this_major_version(self) -> None:
+        self.assertEqual(command.soname(self.text), f"libhashnoise-grid.so.{MAJOR}")
 
     def test_it_has_what_the_header_offers_and_nothing_else(self) -> None:
         names = command.functions(self.text)
-        space = f"hashnoise::v{MINOR.replace('.', '_')}::"
+        space = f"hashnoise::v{MAJOR}::"
         for name in ("Field<2>::Field(", "Field<4>::fill(", "threads(int)", "noise_names[abi:cxx11](int)", "fractal_names",
                      "instruction_sets()", "name("):
             self.assertTrue(any(name.split("[")[0] in symbol for symbol in names), name)
-        self.assertEqual([name for name in names if space not in name or f"{space}grid::" in name], [])
+        self.assertEqual([name for name in names if space not in name or "::grid::" in name], [])
 
 
 class Promise(unittest.TestCase):
@@ -58,17 +58,15 @@ class Promise(unittest.TestCase):
         self.addCleanup(scratch.cleanup)
         self.folder = Path(scratch.name)
 
-    def test_programs_ask_for_the_minor_version(self) -> None:
-        self.assertEqual(command.promised("1.2.3"), "libhashnoise-grid.so.1.2")
-        self.assertEqual(command.promised("0.10.0"), "libhashnoise-grid.so.0.10")
+    def test_programs_name_the_major_version(self) -> None:
+        self.assertEqual(command.promised("1.2.3"), "libhashnoise-grid.so.1")
+        self.assertEqual(command.promised("10.0.0"), "libhashnoise-grid.so.10")
 
-    def test_a_patch_keeps_the_interface_of_its_minor_version(self) -> None:
+    def test_the_first_interface_of_a_major_version_is_free(self) -> None:
         before = self.folder / "grid.abi"
-        self.assertFalse(command.is_kept(before, "1.2.3"), "there is none yet")
-        before.write_text("<abi-corpus version='2.1' soname='libhashnoise-grid.so.1.2'>")
-        for of, kept in (("1.2.3", True), ("1.2.0", False), ("1.3.0", False), ("1.3.1", False)):
-            with self.subTest(of):
-                self.assertEqual(command.is_kept(before, of), kept)
+        self.assertEqual(command.broken(before, INTERFACE, version()), "", "there is none yet")
+        before.write_text(f"<abi-corpus version='2.1' soname='libhashnoise-grid.so.{int(MAJOR) + 1}'>")
+        self.assertEqual(command.broken(before, INTERFACE, version()), "")
 
     def test_without_the_programs_it_is_skipped(self) -> None:
         out = io.StringIO()
@@ -97,19 +95,32 @@ class Whole(unittest.TestCase):
         self.before.write_text(text.replace(old, new), encoding="utf-8")
         return command.problems(self.before, self.now, version())
 
+    def broken(self, patch: int) -> str:
+        """The message on what the library breaks of the other committed file, in a patch or in a minor version."""
+        return command.broken(self.before, self.now, f"{MAJOR}.7.{patch}")
+
     def test_it_is_as_it_was(self) -> None:
         self.assertEqual(command.problems(INTERFACE, self.now, version()), [])
 
     def test_a_member_that_moved_is_told(self) -> None:
         printed = "\n".join(self.changed("<var-decl name='footprint'", "<var-decl name='blurred'"))
         self.assertIn("footprint", printed)
+        self.assertIn("footprint", self.broken(patch=0))
+        self.assertIn("footprint", self.broken(patch=1))
 
     def test_a_function_that_is_new_is_told(self) -> None:
         line = next(line for line in INTERFACE.read_text(encoding="utf-8").splitlines(keepends=True)
                     if "<elf-symbol name=" in line and "threads" in line)
         self.assertIn("1 Added function", "\n".join(self.changed(line, "")))
+        self.assertEqual(self.broken(patch=0), "", "a minor version may add it")
+        self.assertIn("1 Added function", self.broken(patch=1))
 
-    def test_two_versions_share_no_name(self) -> None:
+    def test_a_function_that_is_gone_is_told(self) -> None:
+        self.changed("_ZN9hashnoise2v17threadsEi", "_ZN9hashnoise2v17runnersEi")
+        for patch in (0, 1):
+            self.assertIn("1 Removed function", self.broken(patch))
+
+    def test_two_versions_share_no_name_but_for_the_library_of_a_major_version(self) -> None:
         """Objects of a program; one includes another version."""
         with tempfile.TemporaryDirectory() as name:
             folder = Path(name)
@@ -117,14 +128,20 @@ class Whole(unittest.TestCase):
                 shutil.copytree(ROOT / library, folder / library)
             header = folder / "include/hashnoise/glsl.hpp"
             text = header.read_text(encoding="ascii")
-            own = f"HN_I_NAMESPACE v{MINOR.replace('.', '_')}"
-            self.assertIn(own, text)
-            header.write_text(text.replace(own, "HN_I_NAMESPACE v7_1"), encoding="ascii")
             (folder / "user.cpp").write_text(USER)
-            ours, theirs = (self.names_in(folder, root / "include") for root in (ROOT, folder))
-            self.assertTrue(any("Field" in name for name in ours))
-            self.assertEqual(ours & theirs, set())
+            ours = self.names_in(folder, ROOT / "include")
             self.assertEqual(ours & self.names_in(folder, ROOT / "include"), ours)
+            self.assertTrue(any("Field" in name for name in ours))
+            other_minor = text.replace(f"HN_I_NAMESPACE v{MAJOR}_{MINOR}\n", f"HN_I_NAMESPACE v{MAJOR}_77\n")
+            self.assertNotEqual(text, other_minor)
+            other_major = other_minor.replace(f"HN_I_LIBRARY v{MAJOR}\n", "HN_I_LIBRARY v77\n")
+            self.assertNotEqual(other_minor, other_major)
+            header.write_text(other_minor, encoding="ascii")
+            shared = ours & self.names_in(folder, folder / "include")
+            self.assertTrue(any("Field" in name for name in shared))
+            self.assertEqual([name for name in shared if f"hashnoise::v{MAJOR}_" in name], [])
+            header.write_text(other_major, encoding="ascii")
+            self.assertEqual(ours & self.names_in(folder, folder / "include"), set())
 
     def names_in(self, folder: Path, include: Path) -> set[str]:
         """hashnoise's symbols in an object that is not optimized."""
@@ -134,8 +151,8 @@ class Whole(unittest.TestCase):
 
     def test_another_version_needs_another_name(self) -> None:
         printed = "\n".join(command.problems(INTERFACE, self.now, "7.1.0"))
-        self.assertIn("of version 7.1.0 it is libhashnoise-grid.so.7.1", printed)
-        self.assertIn("is not in the namespace hashnoise::v7_1", printed)
+        self.assertIn("of version 7.1.0 it is libhashnoise-grid.so.7", printed)
+        self.assertIn("is not in the namespace hashnoise::v7", printed)
 
 
 if __name__ == "__main__":

@@ -1,11 +1,15 @@
-"""Holds the binary interface of hashnoise::grid, as a shared library, to what this minor version has promised.
+"""Holds the binary interface of hashnoise::grid, as a shared library, to what this major version has promised.
 
     tools/test abi --check     builds the library, and prints the differences from src/grid/tests/grid.abi
-    tools/test abi --write     writes that file anew; refused in a patch, whose interface is that of its minor version
+    tools/test abi --write     writes that file anew. Refused if something in it has changed or is gone, and in a patch
+                               also if something is new
 
-A program that was compiled with 1.2.0 runs with the library of 1.2.3, and not with that of 1.3.0: its SONAME differs,
-and so does the namespace of its functions. abidw describes the library, and abidiff compares; both are in Debian's
-abigail-tools. The file is for x86-64, and elsewhere the command is skipped.
+A program that was compiled with 1.2.0 runs with the library of 1.2.3 and of 1.3.0, and not with that of 2.0.0: its
+SONAME differs, and so does the namespace of its functions. abidw describes the library, and abidiff compares; both are
+in Debian's abigail-tools. The file is for x86-64, and elsewhere the command is skipped.
+
+Before a release, what was new may change again: begin with the file of the last release, `git checkout TAG
+src/grid/tests/grid.abi`.
 
 The library is compiled anew, which takes minutes; FOLDER (build/abi) keeps it.
 
@@ -50,11 +54,15 @@ def skipped() -> str:
     return "" if platform.machine() == "x86_64" else "skipped: this machine is no x86-64"
 
 
-def output_of(*command: str | Path, accepted: Sequence[int] = (0,)) -> str:
+def run(*command: str | Path, accepted: Sequence[int] = (0,)) -> subprocess.CompletedProcess[str]:
     done = subprocess.run([str(part) for part in command], capture_output=True, text=True, check=False)
     if done.returncode not in accepted:
         raise Failed(f"{command[0]} ended with status {done.returncode}: {(done.stdout + done.stderr)[-2000:].strip()}")
-    return done.stdout
+    return done
+
+
+def output_of(*command: str | Path) -> str:
+    return run(*command).stdout
 
 
 def build(folder: Path) -> Path:
@@ -71,14 +79,15 @@ def described(library: Path) -> str:
     return output_of("abidw", *OPTIONS, library).replace(f"'{ROOT}/", "'")
 
 
-def compared(before: Path, now: Path) -> str:
-    """abidiff's output; its status differs for changes, too. Another name of a member is harmless to it."""
-    return output_of("abidiff", "--harmless", before, now, accepted=range(0, 16)).strip()
+def compared(before: Path, now: Path, *options: str) -> str:
+    """abidiff's output if there are changes. Another name of a member is harmless to it."""
+    done = run("abidiff", "--harmless", *options, before, now, accepted=(0, 4, 8, 12))
+    return done.stdout.strip() if done.returncode != 0 else ""
 
 
 def promised(of: str) -> str:
     """The SONAME of the library in a version."""
-    return "libhashnoise-grid.so." + ".".join(of.split(".")[:2])
+    return "libhashnoise-grid.so." + of.split(".")[0]
 
 
 def soname(interface: str) -> str:
@@ -100,19 +109,25 @@ def problems(before: Path, now: Path, of: str) -> list[str]:
     if soname(text) != promised(of):
         wrong.append(f"the SONAME is {soname(text) or 'missing'}; of version {of} it is {promised(of)}")
     offered = functions(text)
-    space = "hashnoise::v" + "_".join(of.split(".")[:2]) + "::"
-    wrong += [f"{name} is not in the namespace {space[:-2]}: HN_I_NAMESPACE in include/hashnoise/glsl.hpp names it"
+    space = f"hashnoise::v{of.split('.')[0]}::"
+    wrong += [f"{name} is not in the namespace {space[:-2]}: HN_I_LIBRARY in include/hashnoise/glsl.hpp names it"
               for name in offered if space not in name]
-    wrong += [f"{name} is not for users, and is offered to them" for name in offered if f"{space}grid::" in name]
+    wrong += [f"{name} is not for users, and is offered to them" for name in offered if "::grid::" in name]
     if not before.exists():
         return [*wrong, f"there is no {before}; tools/test abi --write makes it"]
     report = compared(before, now)
     return wrong + ([report] if report else [])
 
 
-def is_kept(before: Path, of: str) -> bool:
-    """Whether the interface of this version may not change: that of its minor version is released."""
-    return of.split(".")[2] != "0" and before.exists() and soname(before.read_text(encoding="utf-8")) == promised(of)
+def broken(before: Path, now: Path, of: str) -> str:
+    """A message on what the interface of this version may not change: a minor version adds functions, a patch none."""
+    if not before.exists() or soname(before.read_text(encoding="utf-8")) != promised(of):
+        return ""
+    if of.split(".")[2] != "0":
+        report, rule = compared(before, now), "a patch, which changes nothing: put the change into the next minor version"
+    else:
+        report, rule = compared(before, now, "--no-added-syms"), "no new major version: it only adds functions"
+    return f"{report}\n{of} is {rule}" if report else ""
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -133,9 +148,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         now.write_text(described(library), encoding="utf-8")
         if given.check:
             wrong = problems(INTERFACE, now, version())
-        elif is_kept(INTERFACE, version()) and compared(INTERFACE, now):
-            wrong = [f"{version()} is a patch: its interface is that of {'.'.join(version().split('.')[:2])}.0. "
-                     "Put the change into the next minor version"]
+        elif report := broken(INTERFACE, now, version()):
+            wrong = [report]
         else:
             shutil.copyfile(now, INTERFACE)
             wrong = problems(INTERFACE, now, version())

@@ -27,6 +27,7 @@ from collections.abc import Sequence  # noqa: E402
 from pathlib import Path  # noqa: E402
 
 from base.tree import ROOT  # noqa: E402
+from base.usage import whole  # noqa: E402
 
 FUZZ = ROOT / "conformance" / "testing" / "fuzz"
 TARGETS = sorted(path.stem for path in FUZZ.glob("*.cpp"))
@@ -90,18 +91,12 @@ def describe(status: int, lines: Sequence[str], findings: Path, log: Path) -> st
     return f"nothing found in {int(stats['number_of_executed_units']):,} inputs"
 
 
-def positive(text: str) -> int:
-    if not text.isdecimal() or int(text) < 1:
-        raise argparse.ArgumentTypeError(f"{text!r} is not a whole number from 1 on")
-    return int(text)
-
-
 def options_from(arguments: Sequence[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="tools/test fuzz", description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     limit = parser.add_mutually_exclusive_group()
-    limit.add_argument("--seconds", type=positive, default=600, metavar="N", help="for each target (600)")
-    limit.add_argument("--runs", type=positive, metavar="N", help="so many inputs for each, always the same")
+    limit.add_argument("--seconds", type=whole, default=600, metavar="N", help="for each target (600)")
+    limit.add_argument("--runs", type=whole, metavar="N", help="so many inputs for each, always the same")
     parser.add_argument("--build", type=Path, default=ROOT / "build-fuzz", metavar="DIR", help="where they are built")
     parser.add_argument("--out", type=Path, metavar="DIR", help="for what is found and learnt (BUILD/findings)")
     parser.add_argument("targets", nargs="*", metavar="TARGET", help=", ".join(TARGETS))

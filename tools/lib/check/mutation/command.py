@@ -193,6 +193,17 @@ EQUIVALENT: tuple[Equivalence, ...] = (
            ("place.period = ivec4(0, 0, 0, 0);", "place.period = ivec4(1, 0, 0, 0);", "place.period = ivec4(0, 1, 0, 0);",
             "place.period = ivec4(0, 0, 1, 0);", "place.period = ivec4(0, 0, 0, 1);", "")),
 
+    # All three components are the same: they are of one point.
+    *alike("detail/feature_points2d.glsl",
+           *((f"cell(d.{axis}, {axis})), jitter).x", f"cell(d.{axis}, {axis})), jitter).y") for axis in "xy")),
+
+    # It squares them.
+    *(each for file in ("simplex2d", "simplex_d2d", "phasor2d", "phasor_d2d")
+      for each in alike(f"{file}.glsl", ("triangle_falloff(x, y)", "triangle_falloff(-x, y)", "triangle_falloff(x, -y)"))),
+
+    # It compares them.
+    *alike("detail/feature_points3d.glsl", *((f"hn_i_if_axis(axis, {n}", f"hn_i_if_axis({n}, axis") for n in (0, 2))),
+
     # The lowest bit of these words is 0: all that direction4d.glsl passes is shifted left by 9 or 10 bits, and nobody
     # else calls hn_i_flipped.
     *alike("detail/direction4d.glsl",

@@ -213,6 +213,17 @@ def unity_table(record: Mapping[str, Port]) -> str:
                          "2.0, 0.5, seed)`"]])
 
 
+def blender_table(record: Mapping[str, Port]) -> str:
+    """OSL and Blender have the Perlin noise of MaterialX."""
+    plane, space = (record[f"MaterialX: mx_perlin_noise_float(vec{axes} p) {axes}D"].factor for axes in (2, 3))
+    return table(("OSL or Blender", "hashnoise"), [
+        ['OSL\'s `noise(p)`, `noise("uperlin", p)`', f"`0.5 + {space / 2:.2f} * hn_perlin(p, seed)`"],
+        ["Noise Texture, fBM, normalized", f"`0.5 + {space / 2:.2f} * hn_fbm(p, detail + 1.0, lacunarity, roughness, seed)`; "
+                                           f"in 2D {plane / 2:.2f}"],
+        ["the same, not normalized", f"`{space:.2f} * hn_fbm(...)` times the sum of `roughness^i`; in 2D {plane:.2f}"],
+        ["its Distortion", f"`p += distortion * {space:.2f} * hn_perlin_vector(p, seed)` before the call"]])
+
+
 def _range(row: Row, found: Port) -> str:
     if row.range == UNKNOWN:
         return ""
@@ -225,4 +236,4 @@ def page_tables(record: Mapping[str, Port]) -> list[tuple[str, str]]:
     """The tables of docs/guide/moving.md, by the names of their marks."""
     names = dict.fromkeys(row.table for row in ROWS)
     return [*((f"tools/make readme: {name}", moving_table(name, record)) for name in names),
-            ("tools/make readme: Unity", unity_table(record))]
+            ("tools/make readme: OSL and Blender", blender_table(record)), ("tools/make readme: Unity", unity_table(record))]

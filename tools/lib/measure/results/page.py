@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 import html
-import re
 from collections.abc import Iterable, Mapping, Sequence
 
-from base.tree import ROOT, version
+from base.tree import ROOT, address, version
 from measure.gpu import pages as counts
 from measure.gpu.chips import chip_named
 from measure.results.devices import Device, devices_of, driver_of
 from measure.results.digest import APIS, TIMED, UNIT, Digest
 
 STYLE = ROOT / "conformance" / "output" / "style.mustache"
-ADDRESS = ROOT / "conformance" / "web" / "address.js"
 # This page adds to that: ids of cases are long words, and tables that fold need no box to scroll in.
 OWN_STYLE = "<style>code, h3 { overflow-wrap: anywhere; } .fold { max-height: none; }</style>\n"
 NAMES = {"opengl": "OpenGL", "opengles": "OpenGL ES", "vulkan": "Vulkan", "webgl2": "WebGL2", "webgpu": "WebGPU"}
@@ -25,11 +23,6 @@ COUNTED = ("ampere", "navi31", "m1")  # chips whose static counts stand beside w
 
 def escaped(text: object) -> str:
     return html.escape(str(text), quote=True)
-
-
-def address() -> str:
-    """Of the project: the one constant that names it."""
-    return re.search(r'^export const kAddress = "([^"]+)";$', ADDRESS.read_text(encoding="utf-8"), re.MULTILINE)[1]
 
 
 def table(heads: Sequence[str], rows: Iterable[Sequence[str]], kind: str = "table fold") -> str:

@@ -14,7 +14,7 @@ from html.parser import HTMLParser
 from pathlib import Path
 from unittest import mock
 
-from base.tree import ROOT, version
+from base.tree import ROOT, address, version
 from measure.results import command, page
 from measure.results.devices import device_name, devices_of, release
 from measure.results.digest import MOST_BYTES, Earlier, Refused, digest_of, parse, read
@@ -386,7 +386,7 @@ class Page(unittest.TestCase):
     def test_failures_have_their_evidence(self):
         self.assertIn(f"<code>{CASE}</code>", self.text)
         for link in self.reader.links:
-            self.assertTrue(link.startswith(page.address()) or link[1:] in self.reader.ids, link)
+            self.assertTrue(link.startswith(address()) or link[1:] in self.reader.ids, link)
         self.assertEqual(sum(link.startswith("#") for link in self.reader.links), 4)
         self.assertIn("The checksums of noise2d are not those of other devices.", self.text)
 

@@ -48,18 +48,19 @@ def largest_differences(computed, expected):
     return abs(value - exact_value).max(), max(abs(a - b).max() for a, b in zip(along, exact_along))
 
 
-class Exact(unittest.TestCase):
-    def searched(self, function, dims, count=600, rounds=40):
-        """Nearly the largest of a function of places, by random search near the best few."""
-        rng = np.random.default_rng(dims)
-        places, reach = rng.uniform(0, 0.5, (dims, 20 * count)), 0.2
-        for _ in range(rounds):
-            best = places[:, np.argsort(function(places))[-5:]]
-            places = np.concatenate([best, np.clip(np.repeat(best, count // 5, axis=1)
-                                                   + rng.uniform(-reach, reach, (dims, count)), 0, 0.5)], axis=1)
-            reach *= 0.8
-        return float(function(places).max())
+def searched(function, dims, count=600, rounds=40):
+    """Nearly the largest of a function of places, by random search near the best few."""
+    rng = np.random.default_rng(dims)
+    places, reach = rng.uniform(0, 0.5, (dims, 20 * count)), 0.2
+    for _ in range(rounds):
+        best = places[:, np.argsort(function(places))[-5:]]
+        places = np.concatenate([best, np.clip(np.repeat(best, count // 5, axis=1)
+                                               + rng.uniform(-reach, reach, (dims, count)), 0, 0.5)], axis=1)
+        reach *= 0.8
+    return float(function(places).max())
 
+
+class Exact(unittest.TestCase):
     @in_thorough_runs
     def test_bounds_are_attained(self):
         """By the library's gradients; a bound a little smaller would be refuted."""
@@ -67,8 +68,8 @@ class Exact(unittest.TestCase):
             for gradient, quantity in itertools.product((OCTAHEDRAL, ROTATED) if kernel.dims < 4 else (OCTAHEDRAL,), (
                     kernels.VALUE, Quantity(((0.0,) * (kernel.dims - 1) + (1.0,),)), Quantity(((1.0,) * kernel.dims,)))):
                 bound = kernels.largest(kernel, quantity, gradient, kernel.dims - 1)
-                seen = self.searched(lambda place: kernels.attained(kernel, quantity, gradient.support, place),
-                                     kernel.dims)
+                seen = searched(lambda place: kernels.attained(kernel, quantity, gradient.support, place),
+                                kernel.dims)
                 self.assertTrue(0.999 * bound < seen <= bound, (kernel.dims, gradient.name, quantity, seen, bound))
 
     @in_thorough_runs
@@ -76,9 +77,11 @@ class Exact(unittest.TestCase):
         for noise, kernel, rotating in NOISES:
             derived = simplex_phase.derive(kernel.dims, None) if rotating else simplex.derived_value(kernel)
             self.assertLess(max(derived.largest, derived.fixed_largest), 1, noise)
-            # On the plane simplex noise has the scale of that whose gradients rotate.
+            # On the plane simplex noise has the scale of that whose gradients rotate. In 4D the scale could be 4301 of
+            # 1024 and is 4298: the bound is tighter than it was when the scale was chosen, and the values stay.
             if noise != "simplex" or kernel.dims > 2:
-                self.assertGreater(derived.fixed_largest + 2 / kernel.scale, 1, noise)
+                steps = 4 if kernel.dims == 4 else 2
+                self.assertGreater(derived.fixed_largest + steps / kernel.scale, 1, noise)
             limits, _ = proven(noise, kernel.dims)
             self.assertEqual((limits.limit, limits.fixed_limit), (1, 1))
 
@@ -129,7 +132,7 @@ def text(*macros):
     ids = [f"noise{dims}d.{name}_cell" for dims in (2, 3, 4)
            for name in ("simplex", "simplex_d", "simplex_smooth", "simplex_phase", "simplex_d_phase", "perlin_phase",
                         "perlin_d_phase")]
-    return Text([id for id in ids if id in table()], *macros, optimized=True,
+    return Text([id for id in [*ids, "curl.curl3_cell"] if id in table()], *macros, optimized=True,
                 **({} if macros else {"rotation": ROTATION}))
 
 
@@ -225,10 +228,135 @@ class Fixed(Errors, unittest.TestCase):
                     if bound:
                         self.assertGreater(error, bound.fixed_error, bound)
 
-    @in_thorough_runs
-    def test_curl(self):
-        """The contract's products, of random derivatives."""
-        rng, (row, slope) = np.random.default_rng(7), (bounds_of("curl", 3, "octahedral"), proven("simplex", 3)[1])
+
+EDGES = np.array([edge for edge in itertools.product((-1.0, 0.0, 1.0), repeat=3) if np.dot(edge, edge) == 2])
+
+
+class Curl(unittest.TestCase):
+    KERNEL = SIMPLEX[3]
+    SCALE = KERNEL.scale / 1024
+
+    def rise(self, d, u):
+        """The vector whose product with a gradient is the derivative along u, at the offset d; and of a gradient, its
+        derivatives."""
+        w, slope = kernel_model.weight(self.KERNEL, np.maximum(1 - 2 * (d * d).sum(axis=0), 0.0))
+        return w * u - 4 * slope * (u * d).sum(axis=0) * d
+
+    def farthest(self, move, place, u):
+        """The derivatives, per cell, of the gradients for which the one along u is largest: axes by places by
+        directions. `u` is the same, or is another one at each place."""
+        total = 0.0
+        for point in curl.points_of(self.KERNEL, move):
+            d = (place - point[:, None])[..., None]
+            g = EDGES[np.tensordot(EDGES, self.rise(d, u), 1).argmax(axis=0)]
+            total = total + self.rise(d, g.transpose(2, 0, 1))
+        return self.SCALE * total
+
+    def reached(self, place):
+        """The largest component of these gradients."""
+        found = 0.0
+        for i, j in curl.AXES:
+            a = self.farthest((0.0,) * 3, place, curl.directions((i, j), 0.0, 32)[:, None])
+            turned = np.zeros(a.shape)
+            turned[i], turned[j] = -a[j], a[i]
+            b = self.farthest(curl.MOVE, place, turned)
+            found = np.maximum(found, (a[i] * b[j] - a[j] * b[i]).max(axis=1))
+        return found
+
+    def reached_sum(self, place):
+        """The largest of two components of both gradients."""
+        found = 0.0
+        for i, j in curl.AXES:
+            u = np.zeros((3, 1, 2))
+            u[i], u[j] = 1.0, (1.0, -1.0)
+            lengths = sum(abs(self.farthest(move, place, u)[[i, j]]).sum(axis=0).max(axis=1)
+                          for move in ((0.0,) * 3, curl.MOVE))
+            found = np.maximum(found, lengths)
+        return found
+
+    def test_bounds_are_nearly_attained(self):
+        # The product of the largest derivatives along two directions is of gradients in other directions than these.
+        limit = bounds_of("curl", 3, "octahedral").limit
+        self.assertTrue(0.995 * limit < searched(self.reached, 3, 20, 20) < limit)
+        largest = curl.largest_sum()
+        self.assertTrue(0.998 * largest < searched(self.reached_sum, 3, 20, 20) < largest)
+
+    def test_without_the_move_it_would_be_more(self):
+        with mock.patch.object(curl, "MOVE", (0.0,) * 3):
+            at_a_point = self.reached(np.zeros((3, 1)))[0]
+        self.assertAlmostEqual(at_a_point, (self.SCALE * LENGTH[3])**2)
+        self.assertGreater(at_a_point, 1.4 * bounds_of("curl", 3, "octahedral").limit)
+
+    def test_symmetries(self):
+        """Of a largest product of derivatives along a direction and along another, at any place."""
+        rng, around = np.random.default_rng(11), [point for half in (0.0, 0.5) for point in
+                                                  np.array(list(itertools.product(range(-1, 3), repeat=3))) + half]
+        move = np.array(curl.MOVE)
+
+        def slope(place, u):
+            return curl.along(self.KERNEL, around, (place % 1)[:, None], u[:, None])[0, 0]
+
+        def product(place, u, v):
+            return slope(place, u) * slope(place + move, v)
+
+        exchange = np.array(((0, 1, 0), (1, 0, 0), (0, 0, -1)))
+        for _ in range(5):
+            place, u, v = rng.uniform(0, 1, 3), *rng.normal(size=(2, 3))
+            expected = product(place, u, v)
+            for of in (np.diag((-1, 1, 1)), np.diag((1, -1, 1)), exchange):
+                self.assertAlmostEqual(product(of @ place, of @ u, of @ v), expected)
+            self.assertAlmostEqual(product(place + 0.5, u, -v), expected)
+            self.assertAlmostEqual(product(-place - move, v, u), expected)
+            for no_symmetry in (np.diag((1, 1, -1)), abs(exchange)):
+                self.assertNotAlmostEqual(product(no_symmetry @ place, no_symmetry @ u, no_symmetry @ v), expected)
+
+    def test_second_derivatives(self):
+        """Of random gradients along random directions, in small boxes: they are within what is assumed."""
+        rng, step = np.random.default_rng(12), 1e-4
+        boxes = Boxes(5, rng.integers(0, 16, (3, 200)))
+        middle, angle = (boxes.lo + boxes.hi) / 2, rng.uniform(0, math.pi, 200)
+        both = curl.both(self.KERNEL)
+        edges = [[EDGES[rng.integers(0, 12, 200)].T for _ in points] for points in both]
+
+        def product(place, angle):
+            return math.prod(
+                sum((g * self.rise(place - point[:, None], u)).sum(axis=0)
+                    for g, point in zip(gradients, points))
+                for gradients, points, u in zip(edges, both, (
+                    np.stack([np.zeros(200), np.cos(angle), np.sin(angle)]),
+                    np.stack([np.zeros(200), -np.sin(angle), np.cos(angle)]))))
+        jets = [a * b for a, b in zip(*(curl.jets(self.KERNEL, points, boxes) for points in both))]
+        for axis, bound in enumerate((*(jet.second for jet in jets), 2 * jets[0].value)):
+            moved = step * np.eye(4)[axis][:, None]
+            second = (product(middle + moved[:3], angle + moved[3]) + product(middle - moved[:3], angle - moved[3])
+                      - 2 * product(middle, angle)) / step**2
+            self.assertLess((abs(second) - bound).max(), 1e-4)
+            self.assertGreater((abs(second) / bound).max(), 0.01)
+
+    def errors(self, some, *macros, count=5000):
+        """The largest of the library's text."""
+        rng = np.random.default_rng(13)
+        f = rng.random((3, count)).astype(np.float32).astype(float)
+        cells = rng.integers(-2**31, 2**31, (3, count))
+        following = f >= 1 - np.array(curl.MOVE)[:, None]
+        moved = f + np.array(curl.MOVE)[:, None] - following
+        a, b = (np.array(kernel_model.simplex(self.KERNEL, kernel_model.words_at(self.KERNEL, at, seed), place)[1])
+                for at, place, seed in ((cells, f, 0), (cells + following, moved, exact.mix(np.int64(0x9E3779B9)))))
+        expected = np.cross(a, b, axis=0)
+        columns = along_axes("c", cells) | along_axes("f", f) | {"seed": 0}
+        return max(abs(np.array(text(*macros)("curl.curl3_cell", rounding, **columns)) - expected).max()
+                   for rounding in some)
+
+    def test_errors(self):
+        row = bounds_of("curl", 3, "octahedral")
+        for some, macros, bound, part in ((roundings(14), (), row.cell_error, 25),
+                                          ([Rounding("nearest")], (FIXED,), row.fixed_error, 12)):
+            self.assertTrue(bound / part < self.errors(some, *macros) < bound)
+        self.assertGreater(self.errors([Rounding("nearest", lost_bits=6)]), row.cell_error)
+
+    def test_products_of_integers(self):
+        """The contract's, of random derivatives."""
+        rng, slope = np.random.default_rng(7), proven("simplex", 3)[1]
         a, b = rng.uniform(-slope.limit / 2, slope.limit / 2, (2, 2, 50_000))
         n, m = np.round(a * 2**19).astype(np.int64), np.round(b * 2**19).astype(np.int64)
 
@@ -237,10 +365,6 @@ class Fixed(Errors, unittest.TestCase):
         component = ((prod(n[0], m[1]) - prod(n[1], m[0]) + 8) >> 4) / 2**16
         off = abs(component - (n[0] * m[1] - n[1] * m[0]) / 2**38).max()
         self.assertTrue(2.0**-18 < off < 2.0**-17 + 2 * curl.FIXED_PRODUCT)
-        self.assertLess(curl.longest_pair()[1], row.limit)
-        # At a lattice point the derivatives are the gradients' components times the scale.
-        scale, longest = SIMPLEX[3].scale / 1024, LENGTH[3]
-        self.assertTrue(0.998 * row.limit < (scale * longest) ** 2 < row.limit)
 
 
 class Rotations(unittest.TestCase):

@@ -23,14 +23,16 @@ def points(kernel):
     return corners + [tuple(x + 0.5 for x in corner) for corner in corners]
 
 
-def words_at(kernel, cells):
+def words_at(kernel, cells, seed=0):
     """From a point to its words, in cells at these coordinates."""
+    seed = np.int64(seed)
+
     def words(halves):
         if not kernel.triangles:
-            return exact.lattice_word([c + h // 2 for c, h in zip(cells, halves)], np.int64(0), centre=halves[0] % 2 == 1)
+            return exact.lattice_word([c + h // 2 for c, h in zip(cells, halves)], seed, centre=halves[0] % 2 == 1)
         row = halves[1] // 2
         column = (halves[0] - row % 2) // 2
-        return exact.lattice_word([2 * cells[0] + column, 2 * cells[1] + row], np.int64(0))
+        return exact.lattice_word([2 * cells[0] + column, 2 * cells[1] + row], seed)
     return words
 
 

@@ -1,17 +1,15 @@
-"""Keeps the values that never change from version 1.0 on: checksums of a million values of each function with HN_FIXED,
-and of each hash. docs/reference/frozen.md states what is promised.
+"""Keeps the values that never change: checksums of a million values of each function with HN_FIXED, and of each hash.
+docs/reference/frozen.md states what is promised.
 
-    tools/make freeze                          adds what has no entry. From 1.0 on it also freezes what is provisional,
-                                               but for experimental functions
-    tools/make freeze --check [--all]          holds the library to the table, at 2,048 points of each function, or at
-                                               all
-    tools/make freeze --provisional [NAME...]  makes the entries of these functions anew, or all entries. From 1.0 on
-                                               those of experimental functions, by their names
+    tools/make freeze                        adds what has no entry, and freezes what is not experimental any more
+    tools/make freeze --check [--all]        holds the library to the table, at 2,048 points of each function, or at
+                                             all
+    tools/make freeze --provisional NAME...  makes the entries of these experimental functions anew
 
 The table is conformance/expected/frozen.csv. An entry that exists is never written again, and where one is wrong
-nothing is written. Only --provisional replaces entries, and from version 1.0.0 on it is refused for all functions but
-those that catalog/functions.toml calls experimental. A NAME is that of functions in the table, such as
-'noise2d.phasor*'. The values are those of hn-frozen, which tools/test builds.
+nothing is written. Only --provisional replaces entries, and it is refused for all functions but those that
+catalog/functions.toml calls experimental. A NAME is that of functions in the table, such as 'noise2d.phasor*'. The
+values are those of hn-frozen, which tools/test builds.
 
 All entries take about eight minutes of processor time.
 
@@ -77,7 +75,7 @@ def experimental() -> frozenset[str]:
 def added(entries: Mapping[Key, Entry], library: Library, of: str) -> tuple[dict[Key, Entry], list[str]]:
     """The entries with those that are missing, and what hinders that."""
     first = library.sums(FIRST)
-    stays = {key for key in first.keys() | entries.keys() if table.is_stable(of) and key[0] not in experimental()}
+    stays = {key for key in first.keys() | entries.keys() if key[0] not in experimental()}
     settled = {key for key, entry in entries.items() if key in stays and not entry.is_frozen}
     wrong = [*table.changed(entries, first, FIRST), *table.gone(entries, first)]
     if wrong:
@@ -89,12 +87,12 @@ def added(entries: Mapping[Key, Entry], library: Library, of: str) -> tuple[dict
 
 
 def is_named(key: Key, names: Sequence[str]) -> bool:
-    return not names or any(fnmatchcase(key[0], name) for name in names)
+    return any(fnmatchcase(key[0], name) for name in names)
 
 
 def replaced(entries: Mapping[Key, Entry], library: Library,
              names: Sequence[str]) -> tuple[dict[Key, Entry], list[str]]:
-    """The entries with those of some functions, or of all, made anew; and which names there are not."""
+    """The entries with those of some functions made anew; and which names there are not."""
     known = set(library.sums(1))
 
     unknown = [f"there is no function {name}" for name in names
@@ -109,7 +107,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser = Parser("tools/make freeze", __doc__)
     what = parser.add_mutually_exclusive_group()
     what.add_argument("--check", action="store_true", help="say what is not as it was")
-    what.add_argument("--provisional", action="store_true", help="make entries anew: before 1.0, or of experimental functions")
+    what.add_argument("--provisional", action="store_true", help="make entries of experimental functions anew")
     parser.add_argument("--all", action="store_true", help="with --check: at all points")
     parser.add_argument("--program", type=Path, default=PROGRAM, metavar="PATH",
                         help="hn-frozen (default: %(default)s)")
@@ -119,20 +117,18 @@ def main(arguments: Sequence[str] | None = None) -> int:
     given = parser.parse_args(arguments)
     if given.all and not given.check:
         parser.error("--all goes with --check")
-    if given.names and not given.provisional:
-        parser.error("a NAME goes with --provisional")
+    if bool(given.names) != given.provisional:
+        parser.error("a NAME goes with --provisional, and --provisional with a NAME")
     library = Library(given.program)
     try:
         exists = given.table.exists()
         if given.check and not exists:
             raise ValueError(f"there is no {given.table}; tools/make freeze writes it")
         entries = table.read(given.table) if exists else {}
-        if given.provisional and table.is_stable(version()):
-            stay = sorted({key[0] for key in entries if is_named(key, given.names)} - experimental())
-            if stay:
-                parser.error(f"--provisional is for versions before 1.0, and the library is {version()}: the values of "
-                             f"{stay[0]} stay, since it is not experimental. docs/reference/frozen.md describes how a "
-                             "mistake is corrected")
+        stay = sorted({key[0] for key in entries if is_named(key, given.names)} - experimental())
+        if given.provisional and stay:
+            parser.error(f"the values of {stay[0]} stay, since it is not experimental. docs/reference/frozen.md describes "
+                         "how a mistake is corrected")
         if given.check:
             count = ALL if given.all else FIRST
             wrong = table.problems(entries, library.sums(count), count, version(), experimental())

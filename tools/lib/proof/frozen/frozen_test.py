@@ -8,6 +8,7 @@ import re
 import tempfile
 import unittest
 from collections import defaultdict
+from collections.abc import Collection
 from pathlib import Path
 from unittest import mock
 
@@ -25,6 +26,7 @@ VALUES = {PERLIN: ("11111111", "aaaa0001"), HASHED: ("11111111", "aaaa0002"), WO
 
 class Command(unittest.TestCase):
     """With a program that prints what a library would have."""
+    experimental: Collection[str] = ()
 
     def setUp(self) -> None:
         scratch = tempfile.TemporaryDirectory()
@@ -45,10 +47,11 @@ end
 """)
         self.program.chmod(0o755)
 
-    def call(self, *arguments: str, version: str = "0.4.0") -> tuple[int, str, str]:
+    def call(self, *arguments: str, version: str = "1.0.0") -> tuple[int, str, str]:
         self.write_program()
         out, error = io.StringIO(), io.StringIO()
         with mock.patch.object(command, "version", lambda: version), contextlib.redirect_stdout(out), \
+                mock.patch.object(command, "experimental", lambda: frozenset(self.experimental)), \
                 contextlib.redirect_stderr(error):
             try:
                 status = command.main([*arguments, "--program", str(self.program), "--table", str(self.table)])
@@ -56,14 +59,14 @@ end
                 status = ended.code
         return status, out.getvalue(), error.getvalue()
 
-    def assert_told(self, pattern: str, *arguments: str, version: str = "0.4.0", status: int = 1) -> None:
+    def assert_told(self, pattern: str, *arguments: str, version: str = "1.0.0", status: int = 1) -> None:
         before = self.table.read_text() if self.table.exists() else None
         found, out, error = self.call(*arguments, version=version)
         self.assertEqual((found, out), (status, ""), error)
         self.assertRegex(error, pattern)
         self.assertEqual(self.table.read_text() if self.table.exists() else None, before, "it was written all the same")
 
-    def assert_right(self, *arguments: str, version: str = "0.4.0") -> None:
+    def assert_right(self, *arguments: str, version: str = "1.0.0") -> None:
         status, _, error = self.call(*arguments, version=version)
         self.assertEqual(status, 0, error)
 
@@ -73,35 +76,74 @@ end
         self.table.write_text(text.replace(before, after))
 
 
-class BeforeOne(Command):
-    def test_it_is_made_and_checked(self) -> None:
+class Frozen(Command):
+    def setUp(self) -> None:
+        super().setUp()
         self.assert_right()
-        self.assertEqual(self.table.read_text().splitlines()[1], "hash.word,pcg:exact,provisional,22222222,aaaa0003,"
+
+    def test_it_is_made_and_checked(self) -> None:
+        self.assertEqual(self.table.read_text().splitlines()[1], "hash.word,pcg:exact,1.0.0,22222222,aaaa0003,"
                                                                  "22222222,bbbb0003")
         self.assert_right("--check")
-        self.assert_right("--check", "--all")
+        self.assert_right("--check", "--all", version="1.2.0")
 
-    def test_a_checksum_that_is_another_is_told_and_stays(self) -> None:
-        self.assert_right()
+    def test_a_value_that_is_another_is_told_and_stays(self) -> None:
+        told = r"\Anoise2d.perlin with lattice\+fixed:fixed: of \d+ points some have other values than those of its entry"
         for before, after, arguments in (("aaaa0001", "aaaa0009", ["--check"]), ("aaaa0001", "aaaa0009", []),
                                          ("bbbb0001", "bbbb0009", ["--check", "--all"])):
             with self.subTest(before, arguments=arguments):
                 self.change_table(before, after)
-                self.assert_told(r"\Anoise2d.perlin with lattice\+fixed:fixed: of \d+ points some have other values "
-                                 r"than those of its entry, which is provisional.*--provisional$", *arguments)
+                self.assert_told(f"{told}, which is frozen since 1.0.0. They must not change: give what is new another "
+                                 "name$", *arguments, version="1.1.0")
                 self.change_table(after, before)
         self.assert_right("--check")
 
-    def test_a_function_without_an_entry_is_told_and_added(self) -> None:
-        self.assert_right()
+    def test_nothing_replaces_an_entry(self) -> None:
+        for version in ("1.0.0", "1.1.0", "2.0.0", "10.0.0"):
+            self.assert_told("the values of hash.word stay, since it is not experimental", "--provisional", "*",
+                             version=version, status=2)
+
+    def test_a_new_function_is_told_and_frozen_at_once(self) -> None:
         self.library["noise2d.new", "lattice+fixed:fixed"] = ["33333333", "aaaa0004"]
         self.assert_told(r"\Anoise2d.new with lattice\+fixed:fixed: it has no entry. Run tools/make freeze$", "--check")
-        self.assert_right()
-        self.assert_right("--check")
-        self.assertEqual(len(table.read(self.table)), 4)
+        self.assert_right(version="1.1.0")
+        self.assert_right("--check", version="1.1.0")
+        entries = table.read(self.table)
+        self.assertEqual(len(entries), 4)
+        self.assertEqual(entries["noise2d.new", "lattice+fixed:fixed"].since, "1.1.0")
+        self.assertEqual(entries[PERLIN].since, "1.0.0")
 
-    def test_a_function_that_is_gone_is_told(self) -> None:
+    def test_a_function_has_to_stay(self) -> None:
+        del self.library[WORD]
+        self.assert_told("no such function any more. It is frozen since 1.0.0, so it has to stay", version="1.1.0")
+
+    def test_other_points_are_told_apart_from_other_values(self) -> None:
+        self.library[WORD][0] = "2222222f"
+        self.assert_told("hash.word with pcg:exact: the points are others", "--check")
+
+    def test_a_version_that_cannot_be_is_told(self) -> None:
+        self.assert_told("frozen since 1.0.0, but the library is 0.9.0", "--check", version="0.9.0")
+
+
+class Experimental(Command):
+    experimental = {WORD[0]}
+
+    def setUp(self) -> None:
+        super().setUp()
         self.assert_right()
+
+    def test_its_entry_is_provisional_and_made_anew(self) -> None:
+        self.assertEqual({key: entry.since for key, entry in table.read(self.table).items()},
+                         {PERLIN: "1.0.0", HASHED: "1.0.0", WORD: "provisional"})
+        self.library[WORD][1] = "aaaa0009"
+        self.assert_told("hash.word with pcg:exact: .*provisional.*--provisional$", "--check", version="1.1.0")
+        self.assert_told("the values of noise2d.perlin stay", "--provisional", "hash.*", "noise2d.perlin", version="1.1.0",
+                         status=2)
+        self.assert_told("there is no function fbm.*", "--provisional", "hash.word", "fbm.*")
+        self.assert_right("--provisional", "hash.*", version="1.1.0")
+        self.assert_right("--check", version="1.1.0")
+
+    def test_it_may_go(self) -> None:
         del self.library[WORD]
         for arguments in (["--check"], []):
             self.assert_told("hash.word with pcg:exact: there is no such function any more. Its entry is provisional",
@@ -109,89 +151,20 @@ class BeforeOne(Command):
         self.assert_right("--provisional", "hash.word")
         self.assertEqual(set(table.read(self.table)), {PERLIN, HASHED})
 
-    def test_provisional_entries_are_made_anew_by_their_names_or_all(self) -> None:
-        self.assert_right()
-        for sums in self.library.values():
-            sums[1] = sums[1].replace("0", "1")
-        self.assert_right("--provisional", "noise2d.*")
-        self.assert_told(r"\Ahash.word[^\n]*\n\Z", "--check")
-        self.assert_right("--provisional")
-        self.assert_right("--check")
-        self.assert_told("there is no function fbm.*", "--provisional", "hash.word", "fbm.*")
-
-    def test_other_points_are_told_apart_from_other_values(self) -> None:
-        self.assert_right()
-        self.library[WORD][0] = "2222222f"
-        self.assert_told("hash.word with pcg:exact: the points are others", "--check")
-
-
-class FromOneOn(Command):
-    def setUp(self) -> None:
-        super().setUp()
-        self.assert_right()
-
-    def freeze(self) -> None:
-        self.assert_right(version="1.0.0")
-
-    def test_what_is_provisional_is_told_and_frozen(self) -> None:
-        self.assert_told("provisional, but the library is 1.0.0. Run tools/make freeze", "--check", version="1.0.0")
-        self.freeze()
-        self.assertEqual({entry.since for entry in table.read(self.table).values()}, {"1.0.0"})
-        self.assert_right("--check", version="1.0.0")
-        self.assert_right("--check", "--all", version="1.2.0")
-
-    def test_what_differs_is_not_frozen(self) -> None:
-        self.change_table("bbbb0001", "bbbb0009")
-        self.assert_told("of 1048576 points some have other values", version="1.0.0")
-
-    def test_nothing_replaces_an_entry(self) -> None:
-        self.freeze()
-        self.library[PERLIN][1] = "aaaa0009"
-        for arguments in ([], ["--check"], ["--check", "--all"]):
-            self.assert_told(r"frozen since 1.0.0. They must not change: give what is new another name$", *arguments,
-                             version="1.1.0")
-        for version in ("1.0.0", "1.1.0", "2.0.0", "10.0.0"):
-            self.assert_told(f"--provisional is for versions before 1.0, and the library is {version}", "--provisional",
-                             version=version, status=2)
-            self.assert_told("--provisional is for versions before 1.0", "--provisional", "noise2d.perlin",
-                             version=version, status=2)
-
-    def test_experimental_entries_stay_provisional_and_are_made_anew(self) -> None:
-        with mock.patch.object(command, "experimental", lambda: frozenset({WORD[0]})):
-            self.freeze()
-            self.assertEqual({key: entry.since for key, entry in table.read(self.table).items()},
-                             {PERLIN: "1.0.0", HASHED: "1.0.0", WORD: "provisional"})
-            self.library[WORD][1] = "aaaa0009"
-            self.assert_told("hash.word with pcg:exact: .*provisional.*--provisional$", "--check", version="1.1.0")
-            for names in ([], ["*"], ["hash.*", "noise2d.perlin"]):
-                self.assert_told("library is 1.1.0: the values of noise2d.perlin stay", "--provisional", *names,
-                                 version="1.1.0", status=2)
-            self.assert_right("--provisional", "hash.*", version="1.1.0")
-            self.assert_right("--check", version="1.1.0")
-        self.assert_told("hash.word with pcg:exact: it is provisional, but the library is 1.1.0", "--check",
+    def test_one_that_is_ready_is_told_and_frozen(self) -> None:
+        self.experimental = set()
+        self.assert_told("hash.word with pcg:exact: it is provisional, and the function is not experimental", "--check",
                          version="1.1.0")
-        with mock.patch.object(command, "experimental", lambda: frozenset({WORD[0], PERLIN[0]})):
-            self.assert_told("noise2d.perlin with .* frozen since 1.0.0, so catalog/functions.toml cannot", "--check",
-                             version="1.1.0")
-
-    def test_a_function_has_to_stay(self) -> None:
-        self.freeze()
-        del self.library[WORD]
-        self.assert_told("no such function any more. It is frozen since 1.0.0, so it has to stay", version="1.1.0")
-
-    def test_a_new_function_is_frozen_at_once(self) -> None:
-        self.freeze()
-        self.library["noise2d.new", "lattice+fixed:fixed"] = ["33333333", "aaaa0004"]
+        self.change_table("bbbb0003", "bbbb0009")
+        self.assert_told("of 1048576 points some have other values", version="1.1.0")
+        self.change_table("bbbb0009", "bbbb0003")
         self.assert_right(version="1.1.0")
-        entries = table.read(self.table)
-        self.assertEqual(entries["noise2d.new", "lattice+fixed:fixed"].since, "1.1.0")
-        self.assertEqual(entries[PERLIN].since, "1.0.0")
+        self.assertEqual(table.read(self.table)[WORD].since, "1.1.0")
 
-    def test_a_version_that_cannot_be_is_told(self) -> None:
-        self.freeze()
-        self.assert_told("frozen since 1.0.0, but the library is 0.9.0", "--check", version="0.9.0")
-        self.change_table("hash.word,pcg:exact,1.0.0", "hash.word,pcg:exact,0.9.0")
-        self.assert_told("hash.word with pcg:exact: it is frozen since 0.9.0, before 1.0", "--check", version="1.0.0")
+    def test_one_that_is_frozen_is_told(self) -> None:
+        self.experimental = {WORD[0], PERLIN[0]}
+        self.assert_told("noise2d.perlin with .* frozen since 1.0.0, so catalog/functions.toml cannot", "--check",
+                         version="1.1.0")
 
 
 class Unreadable(Command):
@@ -221,6 +194,7 @@ class Unreadable(Command):
     def test_options_that_do_not_go_together_are_told(self) -> None:
         self.assert_told("--all goes with --check", "--all", status=2)
         self.assert_told("a NAME goes with --provisional", "noise2d.perlin", status=2)
+        self.assert_told("and --provisional with a NAME", "--provisional", status=2)
         self.assert_told("not allowed with", "--check", "--provisional", status=2)
 
 

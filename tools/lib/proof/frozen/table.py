@@ -45,11 +45,6 @@ def parsed_version(text: str) -> tuple[int, ...]:
     return tuple(map(int, text.split(".")))
 
 
-def is_stable(version: str) -> bool:
-    """Whether values of this version stay for good."""
-    return parsed_version(version) >= (1, 0, 0)
-
-
 def parse(text: str) -> dict[Key, Entry]:
     """Raises ValueError with a sentence that names the line."""
     entries: dict[Key, Entry] = {}
@@ -120,19 +115,16 @@ def gone(entries: Mapping[Key, Entry], known: Iterable[Key]) -> Iterator[str]:
 
 
 def unsettled(entries: Mapping[Key, Entry], version: str, experimental: Collection[str]) -> Iterator[str]:
-    """From 1.0 on only experimental functions are provisional, and before nothing is frozen; and no entry is of a later
-    version."""
+    """Only experimental functions are provisional, and no entry is of a later version."""
     for key, entry in sorted(entries.items()):
         name = f"{key[0]} with {key[1]}"
-        if entry.is_frozen and not is_stable(entry.since):
-            yield f"{name}: it is frozen since {entry.since}, before 1.0"
-        elif entry.is_frozen and parsed_version(entry.since) > parsed_version(version):
+        if entry.is_frozen and parsed_version(entry.since) > parsed_version(version):
             yield f"{name}: it is frozen since {entry.since}, but the library is {version}"
         elif entry.is_frozen and key[0] in experimental:
             yield (f"{name}: it is frozen since {entry.since}, so catalog/functions.toml cannot call it experimental "
                    "any more")
-        elif not entry.is_frozen and is_stable(version) and key[0] not in experimental:
-            yield f"{name}: it is provisional, but the library is {version}. Run tools/make freeze"
+        elif not entry.is_frozen and key[0] not in experimental:
+            yield f"{name}: it is provisional, and the function is not experimental. Run tools/make freeze"
 
 
 def problems(entries: Mapping[Key, Entry], computed: Mapping[Key, Sums], count: int, version: str,

@@ -16,7 +16,7 @@ from proof.golden.rows import rows_of
 from proof.oracle.functions import evaluator, knobs_of
 from proof.oracle.gradients import Real
 
-BITS = "0.4.0"  # the version in which the values last changed
+BITS = "1.0.0"  # the version in which the values last changed
 
 
 @dataclass(frozen=True)

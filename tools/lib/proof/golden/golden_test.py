@@ -10,6 +10,7 @@ import functools
 import io
 import itertools
 import math
+import operator
 import tempfile
 import unittest
 from collections.abc import Iterator, Sequence
@@ -27,8 +28,8 @@ from proof.golden import cellular_rows, gullies_rows, period_rows, phasor_rows, 
 from proof.golden import command as golden
 from proof.golden.files import Digest, GoldenFile, Sample, Values, golden_files, line
 from proof.golden.generator import INT_MAX, INT_MIN, fnv1a64, generator_of, to_f32
-from proof.oracle import feature_points, jacobians, gradients, kernels, noises, rotation, sums, words
-from proof.oracle.functions import knobs_of, values_of
+from proof.oracle import curl, feature_points, jacobians, gradients, kernels, noises, rotation, sums, words
+from proof.oracle.functions import evaluator, knobs_of, values_of
 from proof.oracle.gradients import Knobs
 from proof.oracle.integers import signed
 from proof.oracle.lattice import Lattice
@@ -98,7 +99,7 @@ class GoldenContents(unittest.TestCase):
     def test_format(self) -> None:
         lines = self.file("noise1d.value")
         self.assertEqual(lines[:7], [
-            "hashnoise golden 2", "function noise1d.value", "calls hn_value", "bits 0.4.0",
+            "hashnoise golden 2", "function noise1d.value", "calls hn_value", "bits 1.0.0",
             "columns x:f32 seed:u32 = value:f64", "settings pcg:fast lattice:fast lattice+fixed:fixed",
             f"rows {len(lines) - 8}"
         ])
@@ -330,6 +331,29 @@ class GoldenContents(unittest.TestCase):
             for period in simplex_rows.PERIODS:
                 phases = {cell % period for cell, of in found if of == period}
                 self.assertTrue({0, period - 1} <= phases, (n, period))
+
+    def test_curl_rows_reach_where_the_second_place_enters_another_cell(self) -> None:
+        knobs, right = Knobs("lattice"), curl.moved
+
+        def wraps(*place):
+            cell, f = right(*place)
+            return [words.signed(c & words.MASK) for c in cell], f
+
+        def stays(cell, *fraction):
+            return cell, right(cell, *fraction)[1]
+
+        for name in ("curl3", "curl3_cell", "curl3_cell_period"):
+            function = FUNCTIONS[f"curl.{name}"]
+            rows = simplex_rows.crossings(function.form, function.has_period)
+            self.assertEqual(rows_of(function.id)[0][-len(rows):], rows)
+            # Without a period a cell that wraps is the same one.
+            for (fault, least), fixed in itertools.product(((stays, 0.4), (wraps, function.has_period / 8)),
+                                                           (False, True)):
+                expected = [evaluator(function, fixed)(knobs, row) for row in rows]
+                with mock.patch.object(curl, "moved", fault):
+                    found = [evaluator(function, fixed)(knobs, row) for row in rows]
+                differing = sum(map(operator.ne, found, expected)) / len(rows)
+                self.assertTrue(differing >= least and bool(differing) == bool(least), (name, fault, differing))
 
     @in_thorough_runs
     def test_cellular_rows_choose_every_jitter_and_metric(self) -> None:

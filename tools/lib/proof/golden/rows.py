@@ -296,6 +296,8 @@ def plain_rows(function: Function, settings: Sequence[Configuration], generator:
     rows = of_form[form](n, generator)
     if function.family in SIMPLEX:
         rows += of_simplex[form](n, generator)
+    if function.family == "curl" and n == 3:
+        rows += simplex_rows.crossings(form, function.has_period)
     if function.family in cellular_rows.FAMILIES:
         rows = cellular_rows.with_choices(rows + cellular_rows.special(function, generator), function, generator)
         rows += cellular_rows.turns(function, generator)

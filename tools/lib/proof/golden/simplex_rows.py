@@ -119,6 +119,23 @@ def period_cells(n: int, generator: Generator) -> list[Row]:
     return rows
 
 
+# --- Curl in space ----------------------------------------------------------------------------------------------
+
+# Of the fractions along x and z at which the place of its second noise enters the next cell, both sides and the ends.
+CROSSINGS = ((0.0, 0.0), (0.5 - BESIDE, 0.75 - BESIDE), (0.5 - 2.0**-25, 0.75 - 2.0**-24), (0.5, 0.75), (0.5, 0.25),
+             (0.25, 0.75), (1 - 2.0**-24, 1 - 2.0**-24), (1.0, 1.0), (0.0, 1.0))
+CROSSING_CELLS = ((INT_MAX, 5, INT_MAX), (2, INT_MAX, -1))
+CROSSING_PERIODS = ((1, 2, 3), (3, 1, 2), (2, 3, 1), (3, 3, 3), (INT_MAX, 7, 0), (0, 0, INT_MAX))
+
+
+def crossings(form: str, has_period: bool) -> list[Row]:
+    """Positions, or cells and fractions. Positions are in small cells, where floats have these fractions."""
+    cells = CROSSING_CELLS if form == "cell" else ((0, 5, 0), (2, 5, -1))
+    places = [(*cell, x, 0.375, z) if form == "cell" else (*map(to_f32, (cell[0] + x, cell[1] + 0.375, cell[2] + z)),)
+              for cell in cells for x, z in CROSSINGS]
+    return [(*place, *periods, 7) for place in places for periods in (CROSSING_PERIODS if has_period else ((),))]
+
+
 # --- Phases -----------------------------------------------------------------------------------------------------
 
 # Whole turns and quarters, what is cut off, the step of 2^-30 and the end of a turn, and phases far from 0.

@@ -7,7 +7,7 @@ from dataclasses import replace
 from fractions import Fraction
 from typing import TypeVar
 
-from proof.oracle.integers import SLOPE_UNIT, signed
+from proof.oracle.integers import SLOPE_UNIT, UNIT, signed
 from proof.oracle.lattice import Lattice
 from proof.oracle.noises import VECTOR, Noise, simplex_d
 from proof.oracle.words import MASK, SEED_STEP, mix
@@ -16,11 +16,21 @@ Number = TypeVar("Number", int, Fraction)
 
 UNITS = (SLOPE_UNIT,) * 3
 COARSER = 8  # in space a component with HN_FIXED is in units of 2^-16
+MOVE = (Fraction(1, 2), Fraction(0), Fraction(1, 4))  # of the place of the second noise in space
 
 
 def second(lattice: Lattice) -> Lattice:
     """The lattice of the second noise in space."""
     return replace(lattice, seed=mix((lattice.seed + SEED_STEP) & MASK))
+
+
+def moved(cell: Sequence[int], f: Sequence[Number], unit: int) -> tuple[list[int], list[Number]]:
+    """The place of the second noise in space, with fractions in units of 1 / unit. Behind the last cell of an int is
+    one more."""
+    moves = [type(x)(move * unit) for x, move in zip(f, MOVE, strict=True)]
+    into_next = [x >= unit - move for x, move in zip(f, moves)]
+    return ([c + next_ for c, next_ in zip(cell, into_next)],
+            [x - (unit - move) if next_ else x + move for x, move, next_ in zip(f, moves, into_next)])
 
 
 def in_the_plane(gradient: Sequence[Number]) -> tuple[Number, Number]:
@@ -32,7 +42,7 @@ def exact(lattice: Lattice, cell: Sequence[int], f: Sequence[Fraction]) -> tuple
     _, *a = simplex_d.exact(lattice, cell, f)
     if len(cell) == 2:
         return in_the_plane(a)
-    _, *b = simplex_d.exact(second(lattice), cell, f)
+    _, *b = simplex_d.exact(second(lattice), *moved(cell, f, 1))
     return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
 
 
@@ -50,7 +60,7 @@ def fixed(lattice: Lattice, cell: Sequence[int], fraction: Sequence[int]) -> tup
     _, *a = simplex_d.fixed(lattice, cell, fraction)
     if len(cell) == 2:
         return in_the_plane(a)
-    _, *b = simplex_d.fixed(second(lattice), cell, fraction)
+    _, *b = simplex_d.fixed(second(lattice), *moved(cell, fraction, UNIT))
     return tuple(fixed_component(a, b, i, j) for i, j in ((1, 2), (2, 0), (0, 1)))
 
 

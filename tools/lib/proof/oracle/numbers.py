@@ -140,11 +140,16 @@ def scramble(x: int, s: int) -> int:
     return x ^ (x * 0x53A22864 & MASK)
 
 
-def second_axis(i: int) -> int:
-    """y of point i; its lowest bit is the first one behind the point. (x is i itself.)"""
+def order(i: int, s: int) -> int:
+    """j: which point comes as point i. Each of its bits depends on that bit of i and those above it."""
+    return reversed_bits(scramble(reversed_bits(i), s))
+
+
+def second_axis(j: int) -> int:
+    """y of the point; its lowest bit is the first one behind the point. (x is j itself.)"""
     y, v = 0, 1
     for k in range(32):
-        if i >> k & 1:
+        if j >> k & 1:
             y ^= v
         v ^= v << 1  # v_k has k + 1 bits
     return y
@@ -153,5 +158,6 @@ def second_axis(i: int) -> int:
 def sobol(i: int, seed: int) -> tuple[float, float]:
     """hn_sobol."""
     s = mix(seed)
-    return (unorm(reversed_bits(scramble(i, rehash(s, 1)))),
-            unorm(reversed_bits(scramble(second_axis(i), rehash(s, 2)))))
+    j = order(i, rehash(s, 3))
+    return (unorm(reversed_bits(scramble(j, rehash(s, 1)))),
+            unorm(reversed_bits(scramble(second_axis(j), rehash(s, 2)))))

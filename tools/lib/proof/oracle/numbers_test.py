@@ -383,8 +383,9 @@ class Sobol(unittest.TestCase):
     def test_points_by_hand(self) -> None:
         for i, seed in itertools.product((0, 1, 6, words.MASK), self.SEEDS):
             s = words.mix(seed)
-            x, y = (numbers.scramble(axis, words.mix(s + k * 0x9E3779B9 & words.MASK))
-                    for k, axis in ((1, i), (2, numbers.second_axis(i))))
+            third, *others = (words.mix(s + k * 0x9E3779B9 & words.MASK) for k in (3, 1, 2))
+            j = int(f"{numbers.scramble(int(f'{i:032b}'[::-1], 2), third):032b}"[::-1], 2)
+            x, y = map(numbers.scramble, (j, numbers.second_axis(j)), others)
             # The high 24 bits of the reversed word are the low ones.
             expected = tuple(sum((word >> k & 1) / 2**(k + 1) for k in range(24)) for word in (x, y))
             self.assertEqual(numbers.sobol(i, seed), expected)
@@ -403,10 +404,33 @@ class Sobol(unittest.TestCase):
 
     def test_what_is_no_net(self) -> None:
         self.assertFalse(is_a_net(self.net(4, 0, 3)[:-1] + [numbers.sobol(16, 3)]))
-        with mock.patch.object(numbers, "second_axis", lambda i: i):
+        with mock.patch.object(numbers, "second_axis", lambda j: j):
             self.assertFalse(is_a_net(self.net(3, 0, 3)))
+        with mock.patch.object(numbers, "order", numbers.scramble):
+            self.assertFalse(is_a_net(self.net(4, 0, 3)))
         with mock.patch.object(numbers, "reversed_bits", lambda word: word):
             self.assertFalse(is_a_net(self.net(4, 0, 3)))
+
+    def test_another_order_in_each_power_of_two_of_points(self) -> None:
+        for bits, block, s in itertools.product((0, 1, 6), (0, 1, 37), (0, 5, words.MASK)):
+            found = [numbers.order(block << bits | i, s) for i in range(2**bits)]
+            self.assertEqual(sorted(found), [found[0] >> bits << bits | i for i in range(2**bits)])
+
+    def pairs_of(self, seeds: tuple[int, int]) -> list[list[bool]]:
+        """In which halves of the axes point i of one sequence is, and of another."""
+        return [[x >= 0.5 for seed in seeds for x in numbers.sobol(i, seed)] for i in range(2000)]
+
+    def test_two_sequences_are_independent_of_each_other(self) -> None:
+        cells = equal_chances(itertools.product((False, True), repeat=4))
+        for seeds in ((0, 1), (1, 0x9E3779BA), (5, 1000)):
+            found = self.pairs_of(seeds)
+            self.assertLess(unevenness(map(tuple, found), cells), LIMIT)
+            self.assertAlmostEqual(sum(a and b for a, _, b, _ in found) / len(found), 1 / 4, delta=0.03)
+
+    def test_with_points_in_one_order_they_are_not(self) -> None:
+        with mock.patch.object(numbers, "order", lambda i, s: i):
+            found = self.pairs_of((0, 1))
+        self.assertIn(sum(a and b for a, _, b, _ in found) / len(found), (0, 1 / 2))
 
     def test_seeds_move_points_everywhere(self) -> None:
         cells = equal_chances(itertools.product(range(8), repeat=2))

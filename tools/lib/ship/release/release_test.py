@@ -14,13 +14,14 @@ import zipfile
 from pathlib import Path
 from unittest import mock
 
-from base.tree import ROOT, TOOLS, version
+from base.tree import ROOT, TOOLS, address, version
 from proof.vectors.files import vectors_folder
 from ship.release import files
 
 # Enough of the tree for what is tried here.
 COPIED = ("CMakeLists.txt", "LICENSE", "catalog/asked.toml", "glsl", "include", "packages/npm/package.json",
           "packages/wesl/Cargo.toml", "pyproject.toml", "tools")
+ADDRESS = re.compile(r"https://[\w./-]+/hashnoise(?=[^\w-]|$)")
 CHEAP = "single,parts,vectors,headers,source"
 
 
@@ -161,7 +162,15 @@ class Refuses(Project):
 
     def test_a_namespace_is_of_this_version(self):
         major, minor, _ = version().split(".")
-        self.assertIn(f"\n#define HN_I_NAMESPACE v{major}_{minor}\n", (ROOT / "include/hashnoise/glsl.hpp").read_text())
+        self.assertIn(f"\n#define HN_I_NAMESPACE v{major}_{minor}\n#define HN_I_LIBRARY v{major}\n",
+                      (ROOT / "include/hashnoise/glsl.hpp").read_text())
+
+    def test_pages_have_the_address_of_the_project(self):
+        """It changes when the project gets a public place: then each page that has another is named here."""
+        others = [f"{path.relative_to(ROOT)}: {found}" for path in [ROOT / "README.md", *ROOT.glob("docs/**/*.md")]
+                  for found in ADDRESS.findall(path.read_text(encoding="utf-8")) if found != address()]
+        self.assertEqual(others, [])
+        self.assertEqual(ADDRESS.findall("URL https://example.org/a/hashnoise.git."), ["https://example.org/a/hashnoise"])
 
     def test_a_version_that_the_changelog_does_not_have(self):
         with self.assertRaisesRegex(files.NoRelease, "has no part on 7.0.0"):

@@ -12,6 +12,7 @@ from translate.pick.values import SIZES, scalar_of, vector_of
 
 HEAD = """#include <bit>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <random>
 
@@ -101,13 +102,13 @@ def _compared(number: int, name: str, function: Function, points: int) -> str:
         differs = f"a != b || (a && ({differs}))"  # in C++ it stops before the octave that is none
     body = "\n      ".join(lines)
     end = f'    if (count > 0) std::printf("{name}: %d of {points}\\n", count);\n  }}'
-    return _drawing(number, f"{body}\n      count += {differs};", points, end, "    int count = 0;\n")
+    return _drawing(f"{number}u", f"{body}\n      count += {differs};", points, end, "    int count = 0;\n")
 
 
-def _drawing(number: int, body: str, points: int, end: str = "  }", start: str = "") -> str:
+def _drawing(seed: str, body: str, points: int, end: str = "  }", start: str = "") -> str:
     """A block of the program that does so at points that it draws."""
     return f"""  {{
-    std::mt19937 g({number}u);
+    std::mt19937 g({seed});
     [[maybe_unused]] const auto r = [&g](double a, double b) {{ return float(a + (b - a) * (g() / 4294967296.0)); }};
 {start}    for (int i = 0; i < {points}; i++) {{
       {body}
@@ -127,8 +128,10 @@ void put(FILE* file, bool value) { put(file, uint(value)); }
 
 def words_source(module: Module, functions: Mapping[str, Function], points: int) -> str:
     """A program that draws points and writes two files that its arguments name: the words of what is passed to each
-    function at each point, and those of what it returns and sets. `module` is split: a vector is its components."""
-    lines = [HEAD, "}  // namespace hashnoise\nusing namespace hashnoise;", WORDS, "int main(int, char** names) {",
+    function at each point, and those of what it returns and sets. `module` is split: a vector is its components. A
+    third argument is a number, and each has other points."""
+    lines = [HEAD, "}  // namespace hashnoise\nusing namespace hashnoise;", WORDS, "int main(int count, char** names) {",
+             "  const uint seed = count > 3 ? uint(std::atoi(names[3])) << 8u : 0u;",
              '  inputs = std::fopen(names[1], "wb");', '  outputs = std::fopen(names[2], "wb");']
     for number, function in enumerate(functions.values()):
         body: list[str] = []
@@ -144,7 +147,7 @@ def words_source(module: Module, functions: Mapping[str, Function], points: int)
         body.append(f"{call};" if function.type == "void" else f"const auto result = {call};")
         if function.type != "void":
             body += [f"put(outputs, result{_path(path)});" for path, _ in module.parts(function.type)]
-        lines.append(_drawing(number, "\n      ".join([*body, *behind]), points))
+        lines.append(_drawing(f"seed + {number}u", "\n      ".join([*body, *behind]), points))
     return "\n".join([*lines, "  std::fclose(inputs);", "  std::fclose(outputs);", "}", ""])
 
 

@@ -66,6 +66,7 @@ class Runner:
     arithmetics: Sequence[str] = ("fast", "fixed", "precise")  # that the language has
     exact = ""               # a program that compares the helpers of the syntax with the language's own
     loop: str                # the head of a loop of {points}
+    optimizes = False        # whether it is built as users build it, and not with all checks
     indent = "        "
 
     def check(self, lints: bool = False) -> None:
@@ -83,6 +84,10 @@ class Runner:
 
     def build_and_run(self, texts: Sequence[str], calls: Sequence[str], folder: Path) -> None:
         """It reads the file `inputs`, and writes `outputs`."""
+        ran(folder, *self.build(texts, calls, folder))
+
+    def build(self, texts: Sequence[str], calls: Sequence[str], folder: Path) -> Sequence[str | Path]:
+        """The command that does so."""
         raise NotImplementedError
 
     def run_exact(self, folder: Path) -> None:
@@ -198,14 +203,15 @@ class RustRunner(Runner):
         ran(folder, "rustc", "--edition", "2021", "-O", "exact.rs")
         ran(folder, folder / "exact")
 
-    def build_and_run(self, texts: Sequence[str], calls: Sequence[str], folder: Path) -> None:
+    def build(self, texts: Sequence[str], calls: Sequence[str], folder: Path) -> Sequence[str | Path]:
         modules = "".join(f"pub mod m{i} {{\n{text}}}\n" for i, text in enumerate(texts))
         (folder / "noise.rs").write_text(f"#![no_std]\n#![deny(warnings)]\n{modules}", encoding="ascii")
         blocks = "".join(f"    {{\n        use noise::m{i}::*;\n{call}\n    }}\n" for i, call in enumerate(calls))
         (folder / "main.rs").write_text(self.MAIN.format(calls=blocks), encoding="ascii")
-        ran(folder, "rustc", "--edition", "2021", "--crate-type", "rlib", "-C", "debug-assertions", "noise.rs")
-        ran(folder, "rustc", "--edition", "2021", "--extern", "noise=libnoise.rlib", "main.rs")
-        ran(folder, folder / "main")
+        options = ("-O",) if self.optimizes else ("-C", "debug-assertions")
+        ran(folder, "rustc", "--edition", "2021", "--crate-type", "rlib", *options, "noise.rs")
+        ran(folder, "rustc", "--edition", "2021", *options, "--extern", "noise=libnoise.rlib", "main.rs")
+        return [folder / "main"]
 
     def lint(self, texts: Sequence[str], folder: Path) -> None:
         """By clippy with its default lints."""
@@ -273,7 +279,7 @@ int main(void) {{
 }}
 """
 
-    def build_and_run(self, texts: Sequence[str], calls: Sequence[str], folder: Path) -> None:
+    def build(self, texts: Sequence[str], calls: Sequence[str], folder: Path) -> Sequence[str | Path]:
         names = ["main.c"]
         for i, (text, call) in enumerate(zip(texts, calls)):
             (folder / f"m{i}.h").write_text(text, encoding="ascii")
@@ -283,8 +289,9 @@ int main(void) {{
         declared = "".join(f"void run{i}(void);\n" for i in range(len(texts)))
         runs = "".join(f"  run{i}();\n" for i in range(len(texts)))
         (folder / "main.c").write_text(self.WORDS + declared + self.MAIN.format(runs=runs), encoding="ascii")
-        ran(folder, "gcc", *self.WARNINGS, "-ffp-contract=off", "-fsanitize=undefined,float-cast-overflow", "-fno-sanitize-recover=all", *names, "-lm", "-o", "main")
-        ran(folder, folder / "main")
+        options = ("-O2",) if self.optimizes else ("-fsanitize=undefined,float-cast-overflow", "-fno-sanitize-recover=all")
+        ran(folder, "gcc", *self.WARNINGS, "-ffp-contract=off", *options, *names, "-lm", "-o", "main")
+        return [folder / "main"]
 
     def lint(self, texts: Sequence[str], folder: Path) -> None:
         headers = written_to(folder, {f"m{i}.h": text for i, text in enumerate(texts)})
@@ -332,7 +339,7 @@ class CSharpRunner(LikeC):
 }}
 """
 
-    def build_and_run(self, texts: Sequence[str], calls: Sequence[str], folder: Path) -> None:
+    def build(self, texts: Sequence[str], calls: Sequence[str], folder: Path) -> Sequence[str | Path]:
         names: list[str] = ["words.cs"]
         for i, (text, call) in enumerate(zip(texts, calls)):
             names.append(f"m{i}.cs")
@@ -342,7 +349,7 @@ class CSharpRunner(LikeC):
         runs = "".join(f"        M{i}.Run.All();\n" for i in range(len(texts)))
         (folder / "words.cs").write_text(self.MAIN.format(runs=runs), encoding="ascii")
         ran(folder, *self.COMPILE, "-out:main.exe", *names)
-        ran(folder, "mono", "main.exe")
+        return ["mono", "main.exe"]
 
     def lint(self, texts: Sequence[str], folder: Path) -> None:
         names = written_to(folder, {f"m{i}.cs": f"namespace M{i} {{\n{text}}}\n" for i, text in enumerate(texts)})
@@ -379,7 +386,7 @@ export const putFloat = (x) => {
 export const write = () => writeFileSync("outputs", Uint32Array.from(outputs));
 """
 
-    def build_and_run(self, texts: Sequence[str], calls: Sequence[str], folder: Path) -> None:
+    def build(self, texts: Sequence[str], calls: Sequence[str], folder: Path) -> Sequence[str | Path]:
         (folder / "words.mjs").write_text(self.WORDS, encoding="ascii")
         imported = 'import { next, float, put, putFloat } from "./words.mjs";\n'
         for i, (text, call) in enumerate(zip(texts, calls)):
@@ -389,7 +396,7 @@ export const write = () => writeFileSync("outputs", Uint32Array.from(outputs));
             (folder / f"run{i}.mjs").write_text(run, encoding="ascii")
         main = "".join(f'import "./run{i}.mjs";\n' for i in range(len(texts)))
         (folder / "main.mjs").write_text(f'{main}import {{ write }} from "./words.mjs";\nwrite();\n', encoding="ascii")
-        ran(folder, "node", "main.mjs")
+        return ["node", "main.mjs"]
 
     def lint(self, texts: Sequence[str], folder: Path) -> None:
         names = written_to(folder, {f"text{i}.mjs": text for i, text in enumerate(texts)})
@@ -430,7 +437,7 @@ public final class Words {{
 }}
 """
 
-    def build_and_run(self, texts: Sequence[str], calls: Sequence[str], folder: Path) -> None:
+    def build(self, texts: Sequence[str], calls: Sequence[str], folder: Path) -> Sequence[str | Path]:
         runs = "".join(f"        m{i}.Run.all();\n" for i in range(len(texts)))
         files = {"words/Words.java": self.WORDS.format(runs=runs)}
         for i, (text, call) in enumerate(zip(texts, calls)):
@@ -439,7 +446,7 @@ public final class Words {{
             body = f"    public static void all() {{\n{call}\n    }}\n"
             files[f"m{i}/Run.java"] = f"{head}public class Run {{\n{body}}}\n"
         self._compile(files, folder)
-        ran(folder, "java", *self.cheap, "words.Words")
+        return ["java", *(() if self.optimizes else self.cheap), "words.Words"]
 
     def _compile(self, files: Mapping[str, str], folder: Path) -> None:
         ran(folder, "javac", *(f"-J{option}" for option in self.cheap), "-proc:none", "-Xlint:all", "-Werror",
@@ -485,7 +492,7 @@ func PutFloat(x float32) { Put(math.Float32bits(x)) }
 func Write() { os.WriteFile("outputs", outputs, 0644) }
 """
 
-    def build_and_run(self, texts: Sequence[str], calls: Sequence[str], folder: Path) -> None:
+    def build(self, texts: Sequence[str], calls: Sequence[str], folder: Path) -> Sequence[str | Path]:
         numbers = range(len(texts))
         imports = "".join(f'    m{i} "hn/m{i}"\n' for i in numbers)
         runs = "".join(f"    m{i}.Run()\n" for i in numbers)
@@ -498,7 +505,7 @@ func Write() { os.WriteFile("outputs", outputs, 0644) }
             files[f"m{i}/run.go"] = f"{head}func Run() {{\n{call}\n}}\n"
         written_to(folder, files)
         ran(folder, "go", "build", "-o", "main", ".")
-        ran(folder, folder / "main")
+        return [folder / "main"]
 
     def lint(self, texts: Sequence[str], folder: Path) -> None:
         written_to(folder, {"go.mod": "module hn\n\ngo 1.18\n",

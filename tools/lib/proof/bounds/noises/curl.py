@@ -1,104 +1,182 @@
 """hn_curl: what is proven of it, from docs/reference/contract.md, section 15.
 
-On the plane its components are derivatives of hn_simplex_d, or their negatives. In space a component is
-a_y b_z - a_z b_y of two gradients a and b of hn_simplex_d. Let u be the direction of (a_y, a_z), and H(u) the largest
-derivative along u there. The component is the length of (a_y, a_z), which is a derivative along u, times the derivative
-of the other noise at a right angle to u. So it is at most the largest H(u) H(u rotated by a quarter), over places and
-directions. Let R be the largest H(u): the largest length that two components of a gradient have together.
+On the plane its components are derivatives of hn_simplex_d, or their negatives. In space the component along x is
+a_y b_z - a_z b_y of two gradients a and b of hn_simplex_d, b at the place that is moved by m = (1/2, 0, 1/4). Let u be
+the direction of (a_y, a_z), H(u) the largest derivative along u, and H_m(u) that at the place that is moved. The
+component is the length of (a_y, a_z), which is a derivative along u, times the derivative of the other noise at a right
+angle to u. So it is at most the largest H(u) H_m(u'), u' being u rotated by a quarter, over places and directions; and
+likewise along y and z.
 
-Whatever changes each derivative by at most e moves a component by at most e (|a_y| + |a_z| + |b_y| + |b_z|) + 2 e^2,
-and so by 2 sqrt(2) R e + 2 e^2: the place, and the errors of the derivatives. In floats the products and the difference round; |a_y b_z| + |a_z b_y| is at most R^2. In integers prod(a, b) is below the product by less than 2 units
-of 2^-20, 1 for the low digits and 1 for the shift. The result is rounded to a multiple of 2^-16.
+These symmetries take a place and a direction to others with the same product, as u is as good as -u:
+
+    the translations of the lattice, which move both places alike;
+    x -> -x, and y -> -y: m becomes m less a translation; an angle in the plane of u, from one of its axes, becomes its
+    negative, or stays;
+    x <-> y and z -> -z: m becomes m less a translation; the component along x becomes that along y, so that only one
+    of them is looked at;
+    place -> -(place + m) and u -> u', which exchanges the factors.
+
+With the last one an angle is between an eighth of a turn and three eighths. The first two bring the place to
+[0, 1/2]^3, and leave the angle between these. No reflection of z alone is among them.
+
+With any gradients the product is smooth, and is bounded from its values at the vertices of boxes and its second
+derivatives, as in boxes.py. Derivatives by the place are as in kernels.py. A box has all angles, and vertices at some
+of them. Both factors are sinusoids of the angle, so their product is one of twice the angle, and a constant. Its second
+derivative is at most twice the product of their amplitudes, which are derivatives along some directions.
+
+Let S be the largest |a_y| + |a_z| + |b_y| + |b_z|, or that of two other axes. It is the sum of H and H_m along
+(0, +-1, +-1), so it is bounded likewise, over places alone. Whatever changes each derivative by at most e moves a
+component by at most S e + 2 e^2: the place, and the errors of the derivatives. |a_y b_z| + |a_z b_y| is at most a
+quarter of S^2.
+
+In floats the fraction that is moved rounds once, to one in [m, 1], whose floats are at most 2^-24 apart. (The
+difference, of a fraction from 1 - m on, is exact.) So the derivatives of the second noise are off by 2^-24 times their
+Lipschitz constant, too. The products and the difference round. In integers the move is exact, and prod(a, b) is below
+the product by less than 2 units of 2^-20, 1 for the low digits and 1 for the shift. The result is rounded to a multiple
+of 2^-16.
 """
 
 from __future__ import annotations
 
 import functools
+import itertools
 import math
+from collections.abc import Callable, Iterator, Sequence
 
 import numpy as np
 
 from proof.bounds.boxes import SAFE, Boxes, cell, supremum
 from proof.bounds.floats import UNIT, position_error, rounding
 from proof.bounds.gradients import LENGTH, OCTAHEDRAL, Gradient
-from proof.bounds.kernels import SIMPLEX, Jet, Kernel, Offsets, weight_jet
+from proof.bounds.kernels import SIMPLEX, Jet, Kernel, Offsets, Quantity, jet, vector, weight_jet
 from proof.bounds.noises import ProvenBounds, simplex, simplex_d
 
 CASES = ((2, None), (3, None))
-TOLERANCE, LEVEL = 1e-3, 8
+TOLERANCE, LEVEL = 1e-3, 10
+PARTS = 64  # of a quarter, between directions
+MOVE = (0.5, 0.0, 0.25)
+MOVE_ERROR = 2.0**-24  # of a fraction in floats
+AXES = ((1, 2), (0, 1))  # of the planes of the components along x, whose bounds that along y shares, and along z
 FIXED_PRODUCT = 2.0**-20  # the unit of prod
 
+Points = Sequence[np.ndarray]
 
-# --- The largest length of two components -----------------------------------------------------------------------------
 
-def along(kernel: Kernel, place, angle):
-    """The largest derivative along (0, cos, sin), per step."""
-    u, total = np.stack([np.zeros(angle.shape), np.cos(angle), np.sin(angle)]), 0.0
-    for point in kernel.points:
-        d = place - np.array(point)[:, None]
-        t = np.maximum(kernel.radius - kernel.fall * (d * d).sum(axis=0), 0.0)
-        w, slope = (kernel.weight.derivative(order, t) for order in range(2))
-        total = total + OCTAHEDRAL.support(w * u - 2 * kernel.fall * slope * (d * u).sum(axis=0) * d)
+def points_of(kernel: Kernel, move: Sequence[float]) -> Points:
+    """Where the place that is moved is near a point of the lattice: those that count somewhere in [0, 1/2]^3."""
+    every = (np.array(corner) + half - np.array(move)
+             for half in (0.0, 0.5) for corner in itertools.product(range(-1, 3), repeat=kernel.dims))
+    return [point for point in every
+            if kernel.fall * (np.maximum(np.maximum(-point, point - 0.5), 0.0) ** 2).sum() < kernel.radius]
+
+
+def both(kernel: Kernel) -> tuple[Points, Points]:
+    """The points of both noises."""
+    return points_of(kernel, (0.0,) * 3), points_of(kernel, MOVE)
+
+
+# --- The largest product ----------------------------------------------------------------------------------------------
+
+def along(kernel: Kernel, points: Points, place: np.ndarray, u: np.ndarray):
+    """The largest derivative along each direction at each place, per step: places by directions."""
+    total = np.zeros((place.shape[1], u.shape[1]))
+    for point in points:
+        d = place - point[:, None]
+        t = kernel.radius - kernel.fall * (d * d).sum(axis=0)
+        near = np.flatnonzero(t > 0)
+        d, (w, slope) = d[:, near], (kernel.weight.derivative(order, t[near])[:, None] for order in range(2))
+        total[near] += OCTAHEDRAL.support(w * u[:, None] - 2 * kernel.fall * slope * (d.T @ u) * d[:, :, None])
     return total
 
 
-def curvature(kernel: Kernel, boxes: Boxes):
-    """The sum of the second derivatives along the axes, and the one by the angle, which is at most the derivative
-    itself along some direction."""
-    by_place = by_angle = 0.0
-    for point in kernel.points:
-        offsets = Offsets.of(kernel, boxes, point)
-        length = np.sqrt((offsets.size**2).sum(axis=0))
-        for axis in range(kernel.dims):
-            ramp = Jet(OCTAHEDRAL.support(offsets.size), OCTAHEDRAL.component(kernel.dims))
-            falling = weight_jet(offsets, axis, 1) * Jet(length, 1.0) * ramp
-            derivative = weight_jet(offsets, axis).times(LENGTH[kernel.dims]) + falling.times(2 * kernel.fall)
-            by_place = by_place + derivative.second
-        by_angle = by_angle + derivative.value
-    return by_place, by_angle
+def directions(axes: tuple[int, int], turn: float, parts: int) -> np.ndarray:
+    """The directions that divide a quarter into so many parts."""
+    angle = math.pi / 4 + turn + np.linspace(0, math.pi / 2, parts + 1)
+    u = np.zeros((3, parts + 1))
+    u[axes[0]], u[axes[1]] = np.cos(angle), np.sin(angle)
+    return u
+
+
+def product(kernel: Kernel, parts: int, place: np.ndarray):
+    """The largest H(u) H_m(u') of these directions."""
+    of_planes = [math.prod(along(kernel, points, place, directions(axes, turn, parts))
+                           for points, turn in zip(both(kernel), (0.0, math.pi / 2))).max(axis=1) for axes in AXES]
+    return np.maximum(*of_planes)
+
+
+def jets(kernel: Kernel, points: Points, boxes: Boxes) -> Iterator[Jet]:
+    """Of a derivative along any direction, for any gradients: by the place, along each axis."""
+    near = [Offsets.of(kernel, boxes, tuple(point)) for point in points]
+    for axis in range(kernel.dims):
+        total = Jet(0.0)
+        for offsets in near:
+            of_u = Jet(np.sqrt((offsets.size**2).sum(axis=0)), 1.0)
+            falling = weight_jet(offsets, axis, 1) * of_u * Jet(OCTAHEDRAL.support(offsets.size),
+                                                                OCTAHEDRAL.component(kernel.dims))
+            total = total + weight_jet(offsets, axis).times(LENGTH[kernel.dims]) + falling.times(2 * kernel.fall)
+        yield total
 
 
 @functools.cache
-def longest_pair() -> tuple[float, float]:
-    """R and the largest product, per cell. By reflections the place is in [0, 1/2]^3; then u may have any angle up to
-    pi, or up to pi/2 for the product, which a quarter of a turn does not change."""
-    kernel, scale = SIMPLEX[3], SIMPLEX[3].scale / 1024
+def largest_product() -> float:
+    """Per cell."""
+    kernel = SIMPLEX[3]
 
-    def bound(boxes: Boxes, whole: float, rotated: tuple[float, ...]):
-        by_place, by_angle = curvature(kernel, Boxes(boxes.level, boxes.index[1:]))
-        beyond = (by_place + (2 * whole) ** 2 * by_angle) / 8 * boxes.side**2
-        reached = boxes.at_vertices(
-            lambda point: np.array([along(kernel, point[1:], 2 * whole * point[0] + turn) for turn in rotated]))
-        return (reached.max(axis=1) + beyond).prod(axis=0), reached.prod(axis=0).max(axis=0)
+    def bound(boxes: Boxes):
+        parts = min(2 ** max(boxes.level - 3, 0), PARTS)
+        reached = boxes.at_vertices(functools.partial(product, kernel, parts)).max(axis=0)
+        products = [a * b for a, b in zip(*(jets(kernel, points, boxes) for points in both(kernel)))]
+        by_place, by_angle = sum(of_axis.second for of_axis in products), 2 * products[0].value
+        return reached + (by_place * boxes.side**2 + by_angle * (math.pi / 2 / parts) ** 2) / 8, reached
+    return (kernel.scale / 1024) ** 2 * supremum(bound, cell(3, half=True), LEVEL, TOLERANCE)
 
-    def largest(whole: float, *rotated: float) -> float:
-        of_boxes = functools.partial(bound, whole=whole, rotated=rotated)
-        return supremum(of_boxes, cell(4, half=True), LEVEL, TOLERANCE)
-    return scale * largest(math.pi, 0.0), scale**2 * largest(math.pi / 2, 0.0, math.pi / 2)
+
+# --- The largest sum --------------------------------------------------------------------------------------------------
+
+@functools.cache
+def largest_sum() -> float:
+    """S, per cell."""
+    kernel = SIMPLEX[3]
+    planes = [[Quantity((tuple({axes[0]: 1.0, axes[1]: sign}.get(axis, 0.0) for axis in range(3)),))
+               for sign in (1.0, -1.0)] for axes in AXES]
+
+    def largest(of_points: Callable[[np.ndarray, Quantity], np.ndarray]):
+        """For each noise the larger one of the lines of a plane."""
+        return np.maximum(*(sum(np.maximum(*(sum(of_points(point, line) for point in points) for line in lines))
+                                for points in both(kernel)) for lines in planes))
+
+    def bound(boxes: Boxes):
+        def second(point: np.ndarray, line: Quantity):
+            offsets = Offsets.of(kernel, boxes, tuple(point))
+            return sum(jet(kernel, line, OCTAHEDRAL, offsets, axis).second for axis in range(kernel.dims))
+        reached = boxes.at_vertices(lambda place: largest(
+            lambda point, line: OCTAHEDRAL.support(vector(kernel, line, place - point[:, None])))).max(axis=0)
+        return reached + largest(second) / 8 * boxes.side**2, reached
+    return kernel.scale / 1024 * supremum(bound, cell(3, half=True), LEVEL, TOLERANCE)
 
 
 # --- Bounds -----------------------------------------------------------------------------------------------------------
 
-def moved(error: float) -> float:
-    """A component, if each derivative is off by that."""
-    return 2 * math.sqrt(2) * longest_pair()[0] * error + 2 * error**2
+def off(error: float) -> float:
+    """How far a component is off, if each derivative is by that."""
+    return largest_sum() * error + 2 * error**2
 
 
 def float_error(of_derivative: float) -> float:
-    size = longest_pair()[0] ** 2 + moved(of_derivative)
-    return moved(of_derivative) + UNIT * size + float(rounding(size * (1 + UNIT), 1.0))
+    error = off(of_derivative)
+    products = UNIT * (largest_sum() ** 2 / 4 + error)
+    return error + products + float(rounding(largest_product() + error + products, 1.0))
 
 
 def derive(dims: int, _: Gradient | None) -> ProvenBounds:
     slope = simplex.derived_slope(SIMPLEX[dims])
     if dims == 2:
         return slope
-    longest, exact = longest_pair()
-    lipschitz = 2 * math.sqrt(2) * longest * slope.lipschitz
-    cell_error = float_error(slope.cell_error)
-    error = position_error(cell_error, lipschitz) + moved(slope.error - slope.cell_error)
-    parts = {"cut": moved(slope.fixed_parts["cut"]),
-             "points": moved(slope.fixed_error) - moved(slope.fixed_parts["cut"]) + 2 * FIXED_PRODUCT,
+    exact, lipschitz = largest_product(), largest_sum() * slope.lipschitz
+    cell_error = float_error(slope.cell_error + MOVE_ERROR * slope.lipschitz)
+    error = position_error(cell_error, lipschitz)
+    parts = {"cut": off(slope.fixed_parts["cut"]),
+             "points": off(slope.fixed_error) - off(slope.fixed_parts["cut"]) + 2 * FIXED_PRODUCT,
              "scaling": 2.0**-17}
     fixed_error = sum(parts.values()) * SAFE
     return ProvenBounds(0.0, exact, lipschitz, cell_error, error, exact + error, fixed_error, exact + fixed_error, parts)
@@ -114,4 +192,4 @@ def largest_intermediates(dims: int, _: Gradient | None) -> dict[str, float]:
 
 
 def describe(dims: int, _: Gradient | None) -> dict[str, object]:
-    return {"longest_pair_of_components": longest_pair()[0]} if dims == 3 else {}
+    return {"largest_sum_of_components": largest_sum()} if dims == 3 else {}

@@ -1,0 +1,138 @@
+"""Compares what tools/pick writes in other languages with the library in C++, bit by bit, at many points.
+
+    tools/measure languages [--points N] [--out DIR] [LANGUAGE...]
+
+The functions are the ten of FUNCTIONS, with integers. Each language is compiled as users compile it, and gets the same
+points: N in all (10^9), drawn anew in each round of 5 million. languages.csv goes into DIR: the language, the function,
+its points, and at how many of them a bit differs. docs/measured/results/languages.csv is such a file. A language is one
+of c, csharp, go, java, javascript, rust; without one all are compared, and those without a compiler here are left out.
+
+All languages take an hour or two for 10^9 points. The file is written after each round, so a run that is stopped has
+what it has compared.
+
+Exit status: 0 no bit differs, 1 some do, 2 bad usage, 4 a compiler is missing or fails.
+"""
+
+from __future__ import annotations
+
+import sys
+import tempfile
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+
+from base.tree import GLSL
+from base.twin import NotBuilt, compile_program
+from base.usage import Parser, whole
+from translate.pick import command as pick
+from translate.pick.comparison import words_source
+from translate.pick.evaluate import Module
+from translate.pick.program import Program, chosen, read
+from translate.pick.runners import RUNNERS, NotInstalled, NotRun, Runner, ran
+from translate.pick.scalars import Syntax, text
+
+FUNCTIONS = ("hn_perlin2", "hn_perlin3", "hn_simplex2", "hn_simplex3", "hn_value2", "hn_value3", "hn_cellular2",
+             "hn_cellular3", "hn_fbm2", "hn_random2")
+ROUND = 500_000  # points of each function
+COLUMNS = "language,function,points,differing"
+
+
+class Words:
+    """The library's: of what is passed to the functions, and of what comes back, in the order of the functions."""
+
+    def __init__(self, module: Module, points: int, folder: Path) -> None:
+        self.module, self.points, self.folder = module, points, folder
+        self.functions = {name: module.forms[name] for name in FUNCTIONS}
+        source = folder / "words.cpp"
+        source.write_text(words_source(module, self.functions, points), encoding="ascii")
+        macros = [f"{name}={value}" for name, value in pick.settings("fixed", "lattice").items()]
+        compile_program("the program that draws points", source, folder / "words", macros=macros)
+
+    def draw(self, number: int) -> bytes:
+        """Writes the file `inputs`, and returns what comes back."""
+        ran(self.folder, self.folder / "words", self.folder / "inputs", self.folder / "right", str(number))
+        return (self.folder / "right").read_bytes()
+
+    def differing(self, right: bytes, found: bytes) -> Iterator[int]:
+        """At how many points each function differs."""
+        if len(right) != len(found):
+            raise NotRun(f"{len(found)} bytes came back; the library has {len(right)}")
+        at = 0
+        for function in self.functions.values():
+            size = 4 * len(self.module.parts(function.type))
+            end = at + size * self.points
+            yield 0 if right[at:end] == found[at:end] else sum(
+                right[i:i + size] != found[i:i + size] for i in range(at, end, size))
+            at = end
+
+
+def built(runner: Runner, words: Words, folder: Path) -> Sequence[str | Path]:
+    """The command that computes what comes back."""
+    module = read(GLSL, {**pick.settings("fixed", "lattice"), **runner.syntax.library}, splits=True)
+    texts = [text(Program(module, chosen(module, [name])), runner.syntax(False)) for name in words.functions]
+    calls = [runner.call(module, function, words.points) for function in words.functions.values()]
+    return runner.build(texts, calls, folder)
+
+
+def compared(runners: Mapping[str, Runner], rounds: int, points: int) -> Iterator[dict[tuple[str, str], int]]:
+    """After each round at how many points each language and function differs."""
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        words = Words(read(GLSL, pick.settings("fixed", "lattice") | Syntax.library, splits=True), points, folder)
+        commands = {}
+        for language, runner in runners.items():
+            (folder / language).mkdir()
+            (folder / language / "inputs").symlink_to(folder / "inputs")
+            commands[language] = built(runner, words, folder / language)
+        sums = {(language, function): 0 for language in runners for function in words.functions}
+        for number in range(rounds):
+            right = words.draw(number)
+            for language, command in commands.items():
+                ran(folder / language, *command)
+                found = (folder / language / "outputs").read_bytes()
+                for function, count in zip(words.functions, words.differing(right, found)):
+                    sums[language, function] += count
+            yield sums
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    parser = Parser("tools/measure languages", __doc__)
+    parser.add_argument("--points", type=whole, default=10**9, metavar="N", help="of each language, in all (10^9)")
+    parser.add_argument("--out", type=Path, default=Path("out"), metavar="DIR", help="for languages.csv (out)")
+    parser.add_argument("languages", nargs="*", metavar="LANGUAGE", help=", ".join(sorted(RUNNERS)))
+    given = parser.parse_args(arguments)
+    for language in given.languages:
+        if language not in RUNNERS:
+            parser.error(f"there is no language {language}; it is one of {', '.join(sorted(RUNNERS))}")
+    runners = {}
+    for language in given.languages or sorted(RUNNERS):
+        runner = RUNNERS[language]()
+        runner.optimizes = True
+        try:
+            runner.check()
+        except NotInstalled as reason:
+            print(f"tools/measure languages: {language} is left out: {reason}", file=sys.stderr)
+        else:
+            runners[language] = runner
+    if given.languages and len(runners) < len(given.languages) or not runners:
+        return 4
+    points = min(ROUND, -(-given.points // len(FUNCTIONS)))
+    rounds = -(-given.points // (points * len(FUNCTIONS)))
+    given.out.mkdir(parents=True, exist_ok=True)
+    record = given.out / "languages.csv"
+    differing = 0
+    try:
+        for number, sums in enumerate(compared(runners, rounds, points), 1):
+            lines = [COLUMNS, *(f"{language},{function},{number * points},{count}"
+                                for (language, function), count in sums.items())]
+            record.write_text("\n".join([*lines, ""]), encoding="ascii")  # each time, for whoever stops it
+            differing = sum(sums.values())
+            print(f"round {number} of {rounds}: {differing} points differ", file=sys.stderr, flush=True)
+    except (NotBuilt, NotRun, OSError) as error:
+        print(f"tools/measure languages: {error}", file=sys.stderr)
+        return 4
+    print(record)
+    return 1 if differing else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
