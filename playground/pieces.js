@@ -29,13 +29,13 @@ export function bytesOf(digits) {
   return new Uint8Array(view.buffer, 0, count);
 }
 
-export class Pieces {
-  // Of a text: the number of bytes, a blank, and LZMA in digits to the base of 85.
-  static async unpacked(text) {
-    const [size, digits] = text.trim().split(" ");
-    return new Pieces(JSON.parse(new TextDecoder().decode(await unpackedLzma(bytesOf(digits), Number(size)))));
-  }
+// The content of a text in the page: JSON, as the number of its bytes, a blank, and LZMA in digits to the base of 85.
+export async function unpacked(text) {
+  const [size, digits] = text.trim().split(" ");
+  return JSON.parse(new TextDecoder().decode(await unpackedLzma(bytesOf(digits), Number(size))));
+}
 
+export class Pieces {
   // pieces: [name, text, name, text, ...]; shells: {language: [first lines, last lines]}; modules: {"glsl fast lattice 2":
   // [how much further a piece is than the one before]}.
   constructor({ pieces, shells, modules }) {
