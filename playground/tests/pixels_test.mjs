@@ -426,9 +426,9 @@ async function looksAtWebM(turning) {
       window.VideoEncoder = had;
       return [label, document.getElementById("note-file").textContent, button.textContent];
     }, change);
-  assert.deepEqual(await note("stop"), ["Stop, 0 %", "The file is not saved. You have stopped it.", "Save WEBM"]);
+  assert.deepEqual(await note("stop"), ["Stop, 0 %", "The file is not saved. You have stopped it.", "Save WebM"]);
   assert.deepEqual(await note("none"), [
-    "Stop, 0 %", "The file is not saved. This browser makes no WebM on a page from file://. Choose another file, such as a GIF.", "Save WEBM",
+    "Stop, 0 %", "The file is not saved. This browser makes no WebM on a page from file://. Choose another file, such as a GIF.", "Save WebM",
   ]);
 }
 
