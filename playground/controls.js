@@ -402,9 +402,9 @@ export class Controls {
     this.stops.show(colours);
     byId("map-own").parentElement.style.background = gradientOf({ map: "own", stops: colours.stops });
     byId("note-arithmetic").textContent = kNotes[state.arithmetic];
-    const { label, ending, note } = kFiles[state.file];
+    const { label, note } = kFiles[state.file];
     byId("note-file").textContent = note;
-    byId("save").textContent = `Save ${ending.toUpperCase()}`;
+    byId("save").textContent = `Save ${label.split(/\W/)[0]}`;
     byId("save").title = `Save ${label}`;
     // Relief is beside what it is for.
     const before = byId(state.view === "terrain" ? "row-tilt" : "row-file");

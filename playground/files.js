@@ -6,6 +6,7 @@ import { paletteOf } from "./palette.js";
 import { Png } from "./png.js";
 import { kBits, kColours, unitsOf } from "./shaders.js";
 import { kFiles } from "./tables.js";
+import { WebM } from "./webm.js";
 
 const kMostOfStrip = 262144; // pixels, so that no draw keeps the GPU for long
 const kMostOfLoop = 4e8; // pixels, since all frames are in memory until the file is saved
@@ -144,6 +145,31 @@ function fewColours(picture) {
   return { palette: Uint8Array.from(colours.flatMap((colour) => [...colour, 255])), numbersOf };
 }
 
+// The whole picture of a frame.
+async function pictureOf(read, mode, frame) {
+  const picture = new Uint8Array(4 * frame.width * frame.height);
+  let done = 0;
+  for await (const bytes of strips(read, mode, frame)) {
+    picture.set(bytes, done);
+    done += bytes.length;
+  }
+  return picture;
+}
+
+async function webmOf(state, read, tell) {
+  const frames = framesOf(state);
+  const made = await WebM.create(state.width, state.height);
+  try {
+    for (const [number, frame] of frames.entries()) {
+      await made.add(await pictureOf(read, kColours, frame));
+      tell((number + 1) / frames.length);
+    }
+    return await made.done();
+  } finally {
+    made.stop();
+  }
+}
+
 async function gifOf(state, read, tell) {
   const { width, height } = state;
   const frames = framesOf(state);
@@ -152,12 +178,7 @@ async function gifOf(state, read, tell) {
   const mode = mapsOf(state).length > 1 ? kColours : kBits;
   let [made, few] = mode === kBits ? [new Gif(width, height, paletteOf(state))] : [];
   for (const [number, frame] of frames.entries()) {
-    const picture = new Uint8Array(4 * width * height);
-    let done = 0;
-    for await (const bytes of strips(read, mode, frame)) {
-      picture.set(bytes, done);
-      done += bytes.length;
-    }
+    const picture = await pictureOf(read, mode, frame);
     if (!made) {
       few = fewColours(picture);
       made = new Gif(width, height, few.palette);
@@ -200,7 +221,7 @@ export function nameOfFile(state) {
   return `hashnoise-${subject.replaceAll("_", "-")}-seed${seed}${kind}${size}.${ending}`;
 }
 
-const kTypesOfFiles = { png: "image/png", gif: "image/gif", tif: "image/tiff", json: "application/json" };
+const kTypesOfFiles = { png: "image/png", gif: "image/gif", webm: "video/webm", tif: "image/tiff", json: "application/json" };
 
 // The file of the state. `read(mode, first, rows, state, border)` gives the bytes of so many rows. The first row is
 // this one, counted from below, with so many pixels around; `tell` takes which part is done.
@@ -209,7 +230,7 @@ export async function fileOf(state, read, tell = () => {}) {
   const parts =
     file === "json"
       ? [`${JSON.stringify({ hashnoise: linkOf(state) || "#" })}\n`]
-      : await (file === "gif" ? gifOf : partsOfFile)(state, read, tell);
+      : await ({ gif: gifOf, webm: webmOf }[file] ?? partsOfFile)(state, read, tell);
   return new File(parts, nameOfFile(state), { type: kTypesOfFiles[kFiles[file].ending] ?? "application/octet-stream" });
 }
 

@@ -1,16 +1,8 @@
 // The library inside the page: the text of glsl/hashnoise/, with which WebGL2 draws at once, and the pieces that tools/pick
 // writes, with which WebGPU draws, and which are copied.
 
-import { bytesOf } from "./pieces.js";
-
-// In the page the first is JSON, gzipped and written in digits to the base of 85 (tools/playground).
-export async function unpacked(digits) {
-  const stream = new Blob([bytesOf(digits)]).stream().pipeThrough(new DecompressionStream("gzip"));
-  return JSON.parse(await new Response(stream).text());
-}
-
 export class Library {
-  // version; counts: what compilers count (tools/lib/ship/playground/counts.py); glsl: {file: [line, ...]} without comments; `unpack` unpacks the pieces of the languages of this name.
+  // version; counts: what compilers count (tools/lib/ship/playground/counts.py); glsl: {file: [line, ...]} without comments; `unpack` makes the pieces of the languages of this name.
   constructor({ version, glsl, counts }, unpack) {
     this.version = version;
     this.counts = counts;

@@ -15,7 +15,7 @@ function optionsOf(state, layer, at) {
   const sum = layer.sum !== "none";
   const noise = kNoises[layer.noise];
   return {
-    ...(sum && layer.noise !== "perlin" ? { noise: noise.calls.replace("hn_", "") } : {}),
+    ...(sum && layer.noise !== "perlin" ? { noise: noise.calls.replace("hn_", "") + (kSums[layer.sum].steep ? "_d" : "") } : {}),
     seed: layer.seed,
     ...(sum ? { octaves: layer.octaves, lacunarity: layer.lacunarity, gain: layer.gain } : {}),
     ...(kSums[layer.sum].strength ? { strength: layer.strength } : {}),
@@ -96,6 +96,8 @@ export function pythonLines(state) {
     const grid = `"${functionOf(shown[0])}", (${width}, ${height}), step=${step}, first=(${first.join(", ")})`;
     return ["import hashnoise", "", `values = hashnoise.grid(${grid}, ${options})${index(shown[0])}`];
   }
+  // As integers are in other languages, as soon as something is done with the value of a noise.
+  const isClipped = state.arithmetic === "fixed" && (shown.length > 1 || shown[0].weight !== 1 || shown[0].offset !== 0);
   let mask = "";
   const [masks, below] = [[], []];
   const parameters = axes.join(", ");
@@ -137,7 +139,8 @@ export function pythonLines(state) {
     const mixed = next ?? `v + ${own ? name : part} * (${value} - v)`;
     const made = mask ? `v + ${mask} * (${mixed} - v)` : mixed;
     mask = "";
-    return [...before, `    v = ${number ? made : remapped}`];
+    const result = number ? made : remapped;
+    return [...before, `    v = ${isClipped ? `numpy.clip(${result}, -8, 8)` : result}`];
   }, []);
   const place = ["x", "y", state.z, state.w].slice(0, dimensions);
   const leaning = leaningNumbers(state).map((row) => row.map((part, at) => `${part} * ${place[at]}`).join(" + "));

@@ -6,13 +6,13 @@ import { costOf } from "./cost.js";
 import { byId } from "./elements.js";
 import { linkInFile, planeOf } from "./files.js";
 import { anywhere, listen, listKeys, undoing } from "./hands.js";
-import { Library, unpacked } from "./library.js";
+import { Library } from "./library.js";
 import { ignoredIn, linkOf, stateOf, stateOfLook } from "./links.js";
 import { changed, chosen, isTurned, kSettings, possible, rangeOf, titlesOf, uses } from "./model.js";
 import { positionText } from "./numbers.js";
 import { gradientOf } from "./palette.js";
 import { kCanvases, Picture } from "./picture.js";
-import { Pieces } from "./pieces.js";
+import { Pieces, unpacked } from "./pieces.js";
 import { kBits } from "./shaders.js";
 import { kRenderers, kViews } from "./tables.js";
 import { surprised } from "./surprise.js";
@@ -295,21 +295,28 @@ class Playground extends Picture {
     }
   }
 
+  // Saves the file, or stops that.
   async save() {
+    if (this.saving) return this.saving.abort();
+    const { signal } = (this.saving = new AbortController());
     const button = byId("save");
-    if (button.ariaDisabled === "true") return;
-    button.ariaDisabled = "true";
     const label = button.textContent;
+    const tell = (part) => {
+      signal.throwIfAborted();
+      button.textContent = `Stop, ${Math.round(part * 100)} %`;
+    };
     try {
-      const file = await this.file((part) => (button.textContent = `${Math.round(part * 100)} %`));
+      tell(0);
+      const file = await this.file(tell);
       const url = URL.createObjectURL(file);
       Object.assign(document.createElement("a"), { href: url, download: file.name }).click();
       setTimeout(() => URL.revokeObjectURL(url), kTold);
       byId("status").textContent = `${file.name} is saved.`;
     } catch (error) {
-      byId("status").textContent = byId("note-file").textContent = `The file is not saved. ${error.message}`;
+      const why = signal.aborted ? "You have stopped it." : error.message;
+      byId("status").textContent = byId("note-file").textContent = `The file is not saved. ${why}`;
     } finally {
-      button.ariaDisabled = "false";
+      this.saving = undefined;
       button.textContent = label;
     }
   }
@@ -474,7 +481,7 @@ class Playground extends Picture {
 // For the tests, and for people who open the console: hashnoise.pixels(64, 64), hashnoise.state, ...
 unpacked(byId("library").textContent)
   .then(async (data) => {
-    const library = new Library(data, (name) => Pieces.unpacked(byId(name).textContent));
+    const library = new Library(data, async (name) => new Pieces(await unpacked(byId(name).textContent)));
     window.hashnoise = new Playground(library);
     await window.hashnoise.start();
     for (const name of ["shading", "cpu"]) {

@@ -95,6 +95,8 @@ export const mapsOf = (state) => [state, ...tintedLayers(state).map(({ tint, tin
 export const isSolid = ({ view, dimensions }) => dimensions > 2 && (view === "sphere" || view === "cube");
 // Everything but a plane can be rotated.
 export const isTurned = (state) => state.view === "terrain" || isSolid(state);
+// A file with frames.
+export const isLoop = ({ file }) => kFiles[file].part === "loop";
 
 // A slice of space that is not along the cells. Tiles and loops need one that is.
 const canLean = (state) => state.dimensions > 2 && !state.period && !isSolid(state);
@@ -212,7 +214,7 @@ export function uses(state, at = 0) {
     sum: true, noise: true, dimensions: true, seed: true, period: true, arithmetic: true, hash: true, map: true,
     stops: state.map === "own", contrast: true, x: true, y: state.dimensions > 1, cells: state.view !== "tiles", renderer: true,
     view: state.dimensions > 1, turn: turned, tilt: turned, steep: state.view === "terrain" || state.file === "normals",
-    file: true, width: state.file !== "json", height: state.file !== "json", frames: state.file === "gif",
+    file: true, width: state.file !== "json", height: state.file !== "json", frames: isLoop(state),
     octaves: sum, lacunarity: sum, gain: sum, strength: Boolean(kSums[layer.sum].strength),
     jitter: Boolean(noise.jitter), metric: Boolean(noise.metric),
     warp: warped, amplitude: warped && layer.warp !== "none",

@@ -3,7 +3,7 @@ import { shaderKey } from "./code.js";
 import { byId } from "./elements.js";
 import { fileOf, fileState, framesOf, planeOf } from "./files.js";
 import { linkOf } from "./links.js";
-import { isSolid, mapsOf, rangeOf, reliefHeight } from "./model.js";
+import { isLoop, isSolid, mapsOf, rangeOf, reliefHeight } from "./model.js";
 import { wrapped } from "./numbers.js";
 import { gradientOf, paletteOf, palettesOf } from "./palette.js";
 import { reliefOf, surfaceOf } from "./relief.js";
@@ -288,7 +288,7 @@ export class Picture {
   async file(tell) {
     const state = fileState(this.state);
     const backend = await this.backend();
-    const program = await this.program(backend, state.file === "gif" ? framesOf(state)[0] : state);
+    const program = await this.program(backend, isLoop(state) ? framesOf(state)[0] : state);
     this.usePalette(backend, state);
     const { width, height } = state;
     const read = (mode, first, rows, shown, border) => {

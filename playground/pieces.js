@@ -29,15 +29,15 @@ export function bytesOf(digits) {
   return new Uint8Array(view.buffer, 0, count);
 }
 
-export class Pieces {
-  // Of a text: the number of bytes, a blank, and LZMA in digits to the base of 85.
-  static async unpacked(text) {
-    const [size, digits] = text.trim().split(" ");
-    return new Pieces(JSON.parse(new TextDecoder().decode(await unpackedLzma(bytesOf(digits), Number(size)))));
-  }
+// The content of a text in the page: JSON, as the number of its bytes, a blank, and LZMA in digits to the base of 85.
+export async function unpacked(text) {
+  const [size, digits] = text.trim().split(" ");
+  return JSON.parse(new TextDecoder().decode(await unpackedLzma(bytesOf(digits), Number(size))));
+}
 
+export class Pieces {
   // pieces: [name, text, name, text, ...]; shells: {language: [first lines, last lines]}; modules: {"glsl fast lattice 2":
-  // [numbers of pieces]}.
+  // [how much further a piece is than the one before]}.
   constructor({ pieces, shells, modules }) {
     this.pieces = pieces;
     this.shells = shells;
@@ -51,10 +51,11 @@ export class Pieces {
   }
 
   module(setting) {
-    return this.modules[setting.join(" ")].map((number) => ({
-      name: this.pieces[2 * number],
-      text: this.pieces[2 * number + 1],
-    }));
+    let number = 0;
+    return this.modules[setting.join(" ")].map((step) => {
+      number += step;
+      return { name: this.pieces[2 * number], text: this.pieces[2 * number + 1] };
+    });
   }
 
   // The texts of these functions and of all that they need. Calls within shading languages are read from the text in WGSL,

@@ -442,15 +442,20 @@ test("a lost context comes back", async () => {
 
 test("the times of noise are ratios to Perlin noise", { skip: kBesideOthers }, async () => {
   const page = await opened(browser, { link: "#sum=none" });
+  // The middle of three: on a machine with other work one may be off by a factor of two.
   const measure = async () => {
-    await page.evaluate(() => window.hashnoise.measure());
-    return page.$eval("#cost", (output) => output.textContent);
+    const found = [];
+    for (let i = 0; i < 3; ++i) {
+      await page.evaluate(() => window.hashnoise.measure());
+      found.push(parseFloat(await page.$eval("#cost", (output) => output.textContent)));
+    }
+    return found.toSorted((one, other) => one - other)[1];
   };
-  const plain = parseFloat(await measure());
+  const plain = await measure();
   assert.ok(plain > 0.5 && plain < 2, `hn_perlin costs ${plain} times as much as itself`);
   await page.evaluate(() => window.hashnoise.change({ sum: "fbm", octaves: 4 }));
   assert.equal(await page.$eval("#cost", (output) => output.textContent), "Cost on this GPU");
-  const sum = parseFloat(await measure());
+  const sum = await measure();
   assert.ok(sum > 1.8 && sum > plain, `four octaves cost ${sum}`);
   assert.match(
     await page.$eval("#note-cost", (note) => note.textContent),

@@ -9,7 +9,7 @@ import { kCatalog } from "../catalog.js";
 import { functions, numbers, shaderKey } from "../code.js";
 import { copied, copiedText, kKinds, kLicense } from "../copied.js";
 import { costOf, countsOf } from "../cost.js";
-import { Library, unpacked } from "../library.js";
+import { Library } from "../library.js";
 import { ignoredIn, kLooks, linkOf, stateOf, stateOfLook } from "../links.js";
 import {
   changed,
@@ -26,7 +26,7 @@ import {
 import { chance, settingsBy } from "./states.mjs";
 import { parsedNumber, parsedPosition, positionText, sameNumber } from "../numbers.js";
 import { paletteOf } from "../palette.js";
-import { Pieces } from "../pieces.js";
+import { Pieces, unpacked } from "../pieces.js";
 import { pageShader } from "../shaders.js";
 import { Speed } from "../speed.js";
 import { kLockable, surprised } from "../surprise.js";
@@ -38,7 +38,7 @@ import "./model_undo.mjs";
 const root = resolve(dirname(fileURLToPath(import.meta.url)), "..", "..");
 const page = readFileSync(process.argv[2], "utf8");
 const inPage = (id) => new RegExp(`id="${id}">([^<]*)<`).exec(page)[1];
-const library = new Library(await unpacked(inPage("library")), (name) => Pieces.unpacked(inPage(name)));
+const library = new Library(await unpacked(inPage("library")), async (name) => new Pieces(await unpacked(inPage(name))));
 for (const name of ["shading", "cpu"]) await library.load(name);
 
 test("the page is small", () => assert.ok(page.length < 700_000, `${page.length} bytes`));
@@ -549,5 +549,7 @@ test("a copied text has the chosen settings", () => {
     /tools\/pick .*hn_add_ridged2 .*--language wgsl --arithmetic fixed --hash pcg/,
   );
   assert.match(copiedText(library, "bake", stateOf("#seed=9&period=4")), /^tools\/bake fbm --seed 9 .*--period 4x4 .*-o noise\.png$/m);
+  assert.match(copiedText(library, "bake", stateOf("#sum=eroded&noise=simplex")), /^tools\/bake eroded --noise simplex_d /m);
+  assert.match(copiedText(library, "python", stateOf("#arithmetic=fixed&blend2=add")), /^ {4}v = numpy\.clip\(v \+ .*, -8, 8\)$/m);
   assert.match(copiedText(library, "python", stateOf("#seed=9")), /^values = hashnoise\.grid\("fbm", \(1024, 1024\), .*seed=9/m);
 });

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import base64
-import gzip
 import hashlib
 import json
 import re
@@ -55,12 +54,6 @@ def script() -> str:
     return BLANK.sub("", "\n".join(texts.values()))
 
 
-def packed(data: dict) -> str:
-    """The same for the same data: without a time in it, and without the system, which Python writes from 3.11 on."""
-    made = gzip.compress(json.dumps(data, separators=(",", ":")).encode(), 9, mtime=0)
-    return base64.b85encode(made[:9] + b"\xFF" + made[10:]).translate(picks.DIGITS).decode("ascii")
-
-
 def hash_of(code: str) -> str:
     """By which the page's policy allows its script, and no other."""
     return "sha256-" + base64.b64encode(hashlib.sha256(code.encode()).digest()).decode("ascii")
@@ -72,6 +65,6 @@ def page(tell: Callable[[str], None] = lambda _: None) -> str:
     style = (SOURCES / "style.css").read_text(encoding="utf-8").strip()
     looks = base64.b64encode((SOURCES / "looks.webp").read_bytes()).decode("ascii")
     parts = {"style": style, "looks": looks, "script": code, "hash": hash_of(code),
-             "library": packed(library()), **picks.kept_texts(tell)}
+             "library": picks.compressed(json.dumps(library(), separators=(",", ":"))), **picks.kept_texts(tell)}
     return re.sub(r"\{\{(\w+)\}\}", lambda match: parts[match[1]],
                   (SOURCES / "index.html").read_text(encoding="utf-8"))

@@ -182,7 +182,8 @@ def shells() -> dict[str, list[str]]:
 
 
 def data(modules_: dict[str, list[Piece]]) -> dict:
-    """Each piece once, and which of them each module has, in their order."""
+    """Each piece once, and which of them each module has, in their order: how much further each is than the one before,
+    which packs to half as much as their numbers."""
     every = {piece for pieces in modules_.values() for piece in pieces}
     order = {language: at for at, language in enumerate((*SHADING, *CPU))}
     languages = {piece: order[key.split()[0]] for key, pieces in modules_.items() for piece in pieces}
@@ -192,7 +193,11 @@ def data(modules_: dict[str, list[Piece]]) -> dict:
 
     numbers = {piece: at for at, piece in enumerate(sorted(every, key=place))}
     return {"pieces": [part for piece in numbers for part in piece], "shells": shells(),
-            "modules": {key: [numbers[piece] for piece in pieces] for key, pieces in modules_.items()}}
+            "modules": {key: steps([numbers[piece] for piece in pieces]) for key, pieces in modules_.items()}}
+
+
+def steps(numbers: Sequence[int]) -> list[int]:
+    return [number - before for before, number in zip((0, *numbers), numbers)]
 
 
 def compressed(text: str) -> str:

@@ -212,7 +212,9 @@ class Shaders(unittest.TestCase):
                 done = subprocess.run(["glslangValidator", "-D", "-V", "-e", "main", "-o", f"{folder}/out", file],
                                       capture_output=True, text=True, check=False)
                 self.assertEqual(done.returncode, 0, done.stdout)
-            glsl = re.sub("highp |precision highp float;", "", text(*MIXED, arithmetic=arithmetic))
+            alike_glsl = replace(LANGUAGES["glsl"], names_choices=False)
+            shown = program(module(arithmetic), *MIXED).text(alike_glsl, arithmetic == "precise")
+            glsl = re.sub("highp |precision highp float;", "", shown)
             for theirs, ours in HLSL_NAMES.items():
                 glsl = re.sub(rf"\b{theirs}\b", ours, glsl)
             # Which declarations share a line depends on how long they are.
@@ -223,7 +225,7 @@ class Shaders(unittest.TestCase):
 
     def test_variables_have_names_of_their_own_in_godot(self) -> None:
         """As tools/pick whole gives them, in the text of GLSL without operators of a vector and a number."""
-        glsl = program(module("fast"), *MIXED).text(Language(splats=False))
+        glsl = program(module("fast"), *MIXED).text(Language(splats=False, names_choices=True))
         shown = text(*MIXED, language="godot")
 
         def joined(lines: Sequence[str]) -> str:
@@ -232,6 +234,16 @@ class Shaders(unittest.TestCase):
 
         self.assertEqual(joined(shown.splitlines()), joined(with_own_names(glsl.splitlines())))
         self.assertNotEqual(joined(shown.replace("p_hn", "p").splitlines()), joined(with_own_names(glsl.splitlines())))
+
+    def test_glsl_chooses_between_names_and_numbers(self) -> None:
+        """Another choice is a branch in browsers, and a loop with thirty of them does not finish compiling."""
+        plain = r"(?:-?\d[\w.]*|[a-z][\w.]*)"
+        computed = re.compile(rf"\?(?! {plain} : {plain}[;,)])")
+        for name in list(module("fixed").forms)[::1 if THOROUGH else 20]:
+            for language in ("glsl", "godot"):
+                shown = " ".join(code(text(name, arithmetic="fixed", language=language)).split())
+                self.assertIsNone(computed.search(shown), name)
+        self.assertRegex(code(text("hn_simplex3", arithmetic="fixed", language="hlsl")), computed)
 
     def test_they_are_short(self) -> None:
         for name, (length, lines) in SIZES.items():

@@ -50,6 +50,7 @@ class Language:
     fills: bool = True    # whether constructors of vectors take one number
     structs: bool = True  # whether structs are defined
     joins: bool = True    # whether one statement declares several variables
+    names_choices: bool = False  # whether what is chosen from is computed before
     no_precise: str = ""  # why it has no `precise`, and what to take
     names: Mapping[str, str] = field(default_factory=dict)  # of types and functions, where they are not GLSL's
     library: Mapping[str, str] = field(default_factory=dict)  # macros with which the library is read
@@ -258,6 +259,8 @@ class Writer(Expressions):
         self._choose()
         if precise:
             self._name_precise()
+        if language.names_choices:
+            self._name_choices()
         self._name_late()
         self._split()
         self._find_counts()
@@ -347,6 +350,11 @@ class Writer(Expressions):
             node.kind == "call" or not _is_float(node.type)) for argument in node.arguments]
         self.named |= {node for node in gone if isinstance(node, Operation) and _is_float(node.type)
                        and node.kind not in ("call", "member")}
+
+    def _name_choices(self) -> None:
+        """Names what ?: chooses from, if it is computed: between names and numbers ANGLE selects, and else it branches."""
+        self.named |= {one for node in values_of(self.block) if isinstance(node, Operation) and node.kind == "choice"
+                       for one in node.arguments[1:] if isinstance(one, Operation) and one.kind not in ("copy", "member")}
 
     def _inside(self, node: Operation) -> list[Node]:
         """The values inside an expression at its place."""

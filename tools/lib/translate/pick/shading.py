@@ -28,8 +28,9 @@ class Godot(Language):
 
 # In a fragment shader of GLSL ES numbers have 16 bits unless a declaration sets more, whatever the user's own
 # precision is. Elsewhere `highp` means nothing. A constructor should have the precision of its argument; NVIDIA's
-# driver gives it that of the scope, where float(100000) is infinite.
-GLSL = Language(qualifier="highp ", scope="precision highp float;")
+# driver gives it that of the scope, where float(100000) is infinite. And in a loop SwiftShader, on which browsers draw
+# without a GPU, compiles twice as long for each branch, so that there may be no thirty.
+GLSL = Language(qualifier="highp ", scope="precision highp float;", names_choices=True)
 NO_PRECISE_IN_METAL = ("Metal's language has no `precise`, and its compiler computes by fast math unless an option "
                        "turns it off: take --arithmetic fixed, whose bits are the same everywhere")
 HLSL = Language(fills=False, names=HLSL_NAMES, library={"HN_I_FXC": "1"})
@@ -39,8 +40,8 @@ SLANG = replace(HLSL, joins=False, no_precise="Slang's compiler leaves `precise`
 METAL = Metal(opening="#include <metal_stdlib>\nusing namespace metal;\n\n", float_suffix="f", function="inline ",
               out="thread {}&", inout="thread {}&", no_precise=NO_PRECISE_IN_METAL, names=HLSL_NAMES)
 # Its operators are used as the text of the library uses them, which Godot has compiled: of two vectors.
-GODOT = Godot(splats=False, no_precise="Godot's language has no `precise`: take --arithmetic fixed, whose bits are the "
-              "same everywhere")
+GODOT = Godot(splats=False, names_choices=True, no_precise="Godot's language has no `precise`: take --arithmetic "
+              "fixed, whose bits are the same everywhere")
 LANGUAGES = {"glsl": GLSL, "hlsl": HLSL, "slang": SLANG, "metal": METAL, "godot": GODOT,
              "wgsl": Wgsl(passed="&{}", no_precise=NO_PRECISE, joins=False)}
 # For tests: over include/hashnoise/glsl.hpp, which has no operators of a number and a vector, and with its structs.
