@@ -34,7 +34,7 @@ def main(packages: Path) -> int:
     page = package()["README.md"]
     # As on the page, and by its own name.
     command, = re.findall(rf"^    npm install (.*{NAME})-VERSION$", page, re.MULTILINE)
-    install = [TOOLS / "lib" / "base" / "node", "npm", "install", "--offline", "--no-save", "--no-audit", "--no-fund"]
+    install = [TOOLS / "lib" / "base" / "node", "npm", "install", "--prefer-offline", "--no-save", "--no-audit", "--no-fund"]
     done = subprocess.run([*install, command, f"{NAME}@file:{NAME}"], cwd=project, capture_output=True, text=True,
                           check=False)
     if done.returncode != 0:
