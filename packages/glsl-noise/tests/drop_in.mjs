@@ -60,7 +60,10 @@ test("drei draws with it by the alias of the page, and with its own noise withou
   for (const { pixels } of [before, after]) assert.ok(lit(pixels) > 1000, `${lit(pixels)} pixels of the sphere`);
   assert.ok(differing(before.pixels, after.pixels) > 100);
   // About as large, as the noise has the same contrast.
-  assert.ok(Math.abs(lit(after.pixels) / lit(before.pixels) - 1) < 0.5);
+  assert.ok(
+    Math.abs(lit(after.pixels) / lit(before.pixels) - 1) < 0.5,
+    `${lit(after.pixels)} pixels of the sphere, and ${lit(before.pixels)} before`,
+  );
   assert.notDeepEqual(wrong.complaints, [], "a shader that does not compile is not noticed");
 });
 

@@ -5,7 +5,8 @@ import now from "hashnoise/glsl/fbm2d";
 import { Field as FieldBefore } from "hashnoise-before";
 import before from "hashnoise-before/glsl/fbm2d";
 
-const settings = { fractal: "fbm", octaves: 6, seed: 7 };
+const settings = { octaves: 6, seed: 7 };
+const fields = { now: [Field, { ...settings, fractal: "fbm" }], before: [FieldBefore, { ...settings, sum: "fbm" }] };
 // All names of the library begin so, and one shader has each once (docs/reference/frozen.md).
 const renamed = before.replace(/\b(hn|HN)_/g, "$1before_");
 const texts = {
@@ -61,7 +62,8 @@ function drawn(names, points) {
 
 /** The same of the twin in JavaScript. */
 function computed(name, points) {
-  const field = new (name === "now" ? Field : FieldBefore)(2, settings);
+  const [Type, chosen] = fields[name];
+  const field = new Type(2, chosen);
   return [...new Uint32Array(Float32Array.from(points, (p) => field.at(...p)).buffer)];
 }
 
