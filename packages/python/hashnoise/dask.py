@@ -5,7 +5,7 @@
     >>> world.shape, world.dtype, world.chunksize
     ((200000, 200000), dtype('float32'), (2048, 2048))
     >>> world[100_000, 100_000:100_003].compute()  # computes one of 9,604 blocks
-    array([0.02505398, 0.02533531, 0.02429342], dtype=float32)
+    array([-0.00582933, -0.00729895, -0.01051855], dtype=float32)
 
 A block is hashnoise.grid(..., first=...), so it has the bits that one call for the whole area would give, had a machine
 the memory for it. A block that is lost with its worker is computed again, by another one, and is the same.

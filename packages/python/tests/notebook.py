@@ -17,7 +17,7 @@ from PIL import Image
 
 PAGE = golden.ROOT / "docs" / "guide" / "notebook.md"
 CELL = re.compile(r"^```python\n(.*?)^```$", re.M | re.S)
-SHOWN = re.compile(r"^!\[[^\]]+\]\((images/\S+\.png)\)$", re.M)
+SHOWN = re.compile(r"^!\[[^\]]+\]\((\.\./images/\S+\.png)\)$", re.M)
 COLOURS = 48  # more of them make files of noise large
 
 
