@@ -197,10 +197,6 @@ EQUIVALENT: tuple[Equivalence, ...] = (
     *alike("detail/feature_points2d.glsl",
            *((f"cell(d.{axis}, {axis})), jitter).x", f"cell(d.{axis}, {axis})), jitter).y") for axis in "xy")),
 
-    # It squares them.
-    *(each for file in ("simplex2d", "simplex_d2d", "phasor2d", "phasor_d2d")
-      for each in alike(f"{file}.glsl", ("triangle_falloff(x, y)", "triangle_falloff(-x, y)", "triangle_falloff(x, -y)"))),
-
     # It compares them.
     *alike("detail/feature_points3d.glsl", *((f"hn_i_if_axis(axis, {n}", f"hn_i_if_axis({n}, axis") for n in (0, 2))),
 
@@ -322,7 +318,7 @@ def included_anyhow(file: str) -> frozenset[str]:
 COMMUTES = re.compile(r"\bhn_i_(?:(?:with|summed)\([\w.]+, |multiply_high\(|squared?\()$")
 # Text before a number whose sign plays no part: it is squared, in HN_FIXED after its absolute value is taken or
 # with a product that has no more than 32 bits.
-SQUARED = re.compile(r"\bhn_i_squared?\((?:[^(),]*, )*$")
+SQUARED = re.compile(r"\bhn_i_(?:squared?|triangle_falloff)\((?:[^(),]*, )*$")
 
 
 def is_equivalent(mutant: Mutant) -> bool:
