@@ -126,7 +126,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
             raise ValueError(f"there is no {given.table}; tools/make freeze writes it")
         entries = table.read(given.table) if exists else {}
         stay = sorted({key[0] for key in entries if is_named(key, given.names)} - experimental())
-        if given.provisional and stay:
+        if stay:
             parser.error(f"the values of {stay[0]} stay, since it is not experimental. docs/reference/frozen.md describes "
                          "how a mistake is corrected")
         if given.check:
