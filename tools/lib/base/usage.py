@@ -18,10 +18,10 @@ def near(word: str, names: Iterable[str]) -> str:
     return f" (did you mean {bare[found[0]]}?)" if found else ""
 
 
-def whole(text: str) -> int:
-    """An argument that is a whole number from 1 on."""
-    if not text.isdecimal() or int(text) < 1:
-        raise argparse.ArgumentTypeError(f"{text!r} is not a whole number from 1 on")
+def whole(text: str, least: int = 1) -> int:
+    """An argument that is a whole number from the least on."""
+    if not text.isdecimal() or int(text) < least:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a whole number from {least} on")
     return int(text)
 
 

@@ -49,6 +49,7 @@ from pathlib import Path  # noqa: E402
 
 from base.tree import GLSL as LIBRARY  # noqa: E402
 from base.tree import ROOT, glsl_files, included_from
+from base.usage import whole  # noqa: E402
 from catalog.tables.functions import read_functions  # noqa: E402
 from check.mutation import rules  # noqa: E402
 from translate.single_file.files import INCLUDE, in_order, parts  # noqa: E402
@@ -493,23 +494,17 @@ def sweep(program: Path, sources: Sources, mutants: Sequence[Mutant], jobs: int,
     return 3 if kinds["error"] else 1 if survivors else 0
 
 
-def positive(text: str) -> int:
-    if (value := int(text)) < 1:
-        raise ValueError(text)
-    return value
-
-
 def options_of(arguments: Sequence[str] | None) -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="tools/test mutants", description="Does the suite notice a change of the library?")
     parser.add_argument("--list", action="store_true", help="only list the mutants")
-    parser.add_argument("--sample", type=positive, metavar="N", help="only N of them, spread evenly")
+    parser.add_argument("--sample", type=whole, metavar="N", help="only N of them, spread evenly")
     parser.add_argument("--seed", type=int, default=1, metavar="S", help="which N; default: 1")
     parser.add_argument("--file", action="append", metavar="NAME", help="only those of glsl/hashnoise/NAME; may be repeated")
     parser.add_argument("--rule", action="append", metavar="NAME", choices=(*rules.RULES, "directive"),
                         help=f"only those of one rule: {', '.join(rules.RULES)}, directive; may be repeated")
     parser.add_argument("--thorough", action="store_true", help="run survivors on what --thorough has besides")
     parser.add_argument("--program", type=Path, default=PROGRAM, metavar="PATH", help="default: %(default)s")
-    parser.add_argument("--jobs", type=positive, default=2, metavar="N", help="how many at a time; default: 2")
+    parser.add_argument("--jobs", type=whole, default=2, metavar="N", help="how many at a time; default: 2")
     options = parser.parse_args(arguments)
     for name in options.file or ():
         if not (LIBRARY / name).is_file():

@@ -13,28 +13,22 @@ Exit status: 0 done, 1 the package is not in that Python or a call failed, 2 bad
 
 from __future__ import annotations
 
-import argparse
 import subprocess
 from collections.abc import Sequence
+from functools import partial
 from pathlib import Path
 
-from base.usage import Parser
+from base.usage import Parser, whole
 
 CALLS = Path(__file__).with_name("calls.py")
 COLUMNS = "noise,package,version,nanoseconds,ratio,spread\n"
-
-
-def rounds(text: str) -> int:
-    if not text.isdecimal() or int(text) < 3:
-        raise argparse.ArgumentTypeError(f"{text!r} is not a whole number from 3 on")
-    return int(text)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     parser = Parser("tools/measure python", __doc__)
     parser.add_argument("--python", type=Path, required=True, metavar="FILE", help="a Python that has the packages")
     parser.add_argument("--out", type=Path, default=Path("out"), metavar="DIR", help="for python.csv (out)")
-    parser.add_argument("--rounds", type=rounds, default=9, metavar="N", help="samples of each time (9)")
+    parser.add_argument("--rounds", type=partial(whole, least=3), default=9, metavar="N", help="samples of each time (9)")
     given = parser.parse_args(arguments)
     if not given.python.is_file():
         parser.error(f"--python: there is no {given.python}")
