@@ -21,14 +21,12 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 from base.tree import GLSL
-from base.twin import NotBuilt, compile_program
+from base.twin import NotBuilt
 from base.usage import Parser, whole
-from translate.pick import command as pick
-from translate.pick.comparison import words_source
+from translate.pick.command import Choice, picker, read_library
+from translate.pick.comparison import compile_words
 from translate.pick.evaluate import Module
-from translate.pick.program import Program, chosen, read
 from translate.pick.runners import RUNNERS, NotInstalled, NotRun, Runner, ran
-from translate.pick.scalars import Syntax, text
 
 FUNCTIONS = ("hn_perlin2", "hn_perlin3", "hn_simplex2", "hn_simplex3", "hn_value2", "hn_value3", "hn_cellular2",
              "hn_cellular3", "hn_fbm2", "hn_random2")
@@ -42,10 +40,7 @@ class Words:
     def __init__(self, module: Module, points: int, folder: Path) -> None:
         self.module, self.points, self.folder = module, points, folder
         self.functions = {name: module.forms[name] for name in FUNCTIONS}
-        source = folder / "words.cpp"
-        source.write_text(words_source(module, self.functions, points), encoding="ascii")
-        macros = [f"{name}={value}" for name, value in pick.settings("fixed", "lattice").items()]
-        compile_program("the program that draws points", source, folder / "words", macros=macros)
+        compile_words(module, self.functions, points, "fixed", folder / "words")
 
     def draw(self, number: int) -> bytes:
         """Writes the file `inputs`, and returns what comes back."""
@@ -65,24 +60,19 @@ class Words:
             at = end
 
 
-def built(runner: Runner, words: Words, folder: Path) -> Sequence[str | Path]:
-    """The command that computes what comes back."""
-    module = read(GLSL, {**pick.settings("fixed", "lattice"), **runner.syntax.library}, splits=True)
-    texts = [text(Program(module, chosen(module, [name])), runner.syntax(False)) for name in words.functions]
-    calls = [runner.call(module, function, words.points) for function in words.functions.values()]
-    return runner.build(texts, calls, folder)
-
-
 def compared(runners: Mapping[str, Runner], rounds: int, points: int) -> Iterator[dict[tuple[str, str], int]]:
     """After each round at how many points each language and function differs."""
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        words = Words(read(GLSL, pick.settings("fixed", "lattice") | Syntax.library, splits=True), points, folder)
+        module, pick = read_library(GLSL, Choice(language="c", arithmetic="fixed")), picker()
+        words = Words(module, points, folder)
         commands = {}
         for language, runner in runners.items():
             (folder / language).mkdir()
             (folder / language / "inputs").symlink_to(folder / "inputs")
-            commands[language] = built(runner, words, folder / language)
+            texts = [pick([name], Choice(language=language, arithmetic="fixed")) for name in words.functions]
+            calls = [runner.call(module, function, points) for function in words.functions.values()]
+            commands[language] = runner.build(texts, calls, folder / language)
         sums = {(language, function): 0 for language in runners for function in words.functions}
         for number in range(rounds):
             right = words.draw(number)
@@ -119,19 +109,18 @@ def main(arguments: Sequence[str] | None = None) -> int:
     rounds = -(-given.points // (points * len(FUNCTIONS)))
     given.out.mkdir(parents=True, exist_ok=True)
     record = given.out / "languages.csv"
-    differing = 0
+    sums = {}
     try:
         for number, sums in enumerate(compared(runners, rounds, points), 1):
             lines = [COLUMNS, *(f"{language},{function},{number * points},{count}"
                                 for (language, function), count in sums.items())]
             record.write_text("\n".join([*lines, ""]), encoding="ascii")  # each time, for whoever stops it
-            differing = sum(sums.values())
-            print(f"round {number} of {rounds}: {differing} points differ", file=sys.stderr, flush=True)
+            print(f"round {number} of {rounds}: {sum(sums.values())} points differ", file=sys.stderr, flush=True)
     except (NotBuilt, NotRun, OSError) as error:
         print(f"tools/measure languages: {error}", file=sys.stderr)
         return 4
     print(record)
-    return 1 if differing else 0
+    return 1 if any(sums.values()) else 0
 
 
 if __name__ == "__main__":

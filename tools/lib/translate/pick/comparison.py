@@ -5,8 +5,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 
+from base.twin import compile_program
 from translate.parsing.syntax import Function, Parameter
+from translate.pick.command import settings
 from translate.pick.evaluate import Module
 from translate.pick.values import SIZES, scalar_of, vector_of
 
@@ -149,6 +152,15 @@ def words_source(module: Module, functions: Mapping[str, Function], points: int)
             body += [f"put(outputs, result{_path(path)});" for path, _ in module.parts(function.type)]
         lines.append(_drawing(f"seed + {number}u", "\n      ".join([*body, *behind]), points))
     return "\n".join([*lines, "  std::fclose(inputs);", "  std::fclose(outputs);", "}", ""])
+
+
+def compile_words(module: Module, functions: Mapping[str, Function], points: int, arithmetic: str, program: Path,
+                  *options: str) -> None:
+    """Makes that program, beside its source."""
+    source = program.with_suffix(".cpp")
+    source.write_text(words_source(module, functions, points), encoding="ascii")
+    macros = [f"{name}={value}" for name, value in settings(arithmetic, "lattice").items()]
+    compile_program("the program that draws points", source, program, *options, macros=macros)
 
 
 def _path(path: Sequence[str]) -> str:

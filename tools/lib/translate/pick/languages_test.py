@@ -19,10 +19,9 @@ from pathlib import Path
 
 from base.thorough import THOROUGH
 from base.tree import GLSL
-from base.twin import compile_program
 from translate.parsing.syntax import Function
 from translate.pick import command
-from translate.pick.comparison import words_source
+from translate.pick.comparison import compile_words
 from translate.pick.evaluate import Module
 from translate.pick.osl_runner import OslRunner
 from translate.pick.program import Program, chosen, read
@@ -59,10 +58,7 @@ def write_points(folder: Path) -> None:
     for arithmetic in command.ARITHMETICS:
         of = module(arithmetic)
         program = folder / arithmetic
-        file = program.with_suffix(".cpp")
-        file.write_text(words_source(of, functions(of, arithmetic), POINTS), encoding="ascii")
-        macros = [f"{name}={value}" for name, value in command.settings(arithmetic, "lattice").items()]
-        compile_program("what writes points", file, program, "-O0", macros=(*macros, "always_inline=unused"))
+        compile_words(of, functions(of, arithmetic), POINTS, arithmetic, program, "-O0", "-Dalways_inline=unused")
         subprocess.run([program, f"{program}.in", f"{program}.out"], check=True)
 
 
