@@ -11,7 +11,6 @@ import subprocess
 import tempfile
 import unittest
 import zlib
-from collections.abc import Mapping
 from pathlib import Path
 from unittest import mock
 
@@ -159,22 +158,21 @@ class Record(unittest.TestCase):
         self.assertEqual(list(record), [row.id for row in ROWS])
         self.assertEqual(ports.problems(record.values()), [])
 
-    def stale(self, record: Mapping[str, ports.Port]) -> list[str]:
-        """The ids of rows that do not fit the library any more, of noises that most others are made of."""
-        renderer, wrong = Renderer(), []
-        for row in ROWS:
-            if row.id in ("FastNoiseLite: FNL_NOISE_PERLIN 2D", "lygia: snoise(vec3 p) 3D", "lygia: curl(vec3 p) 3D"):
-                now = look(renderer, ports.our_source(row, {}), ports.measured_call(row), row.axes)
-                pairs = zip(now[1:], record[row.id].ours[1:])
-                wrong += [row.id] * any(abs(a / b - 1) > command.SAME for a, b in pairs)
-        return wrong
-
     def test_our_noises_look_as_they_did_when_they_were_measured(self):
-        record = {**ports.read()}
-        self.assertEqual(self.stale(record), [])
-        name = "lygia: snoise(vec3 p) 3D"
+        """The noises that most others are made of."""
+        record, renderer = {**ports.read()}, Renderer()
+        some = ("FastNoiseLite: FNL_NOISE_PERLIN 2D", "lygia: snoise(vec3 p) 3D", "lygia: curl(vec3 p) 3D")
+        now = {row.id: look(renderer, ports.our_source(row, {}), ports.measured_call(row), row.axes)
+               for row in ROWS if row.id in some}
+
+        def stale() -> list[str]:
+            return [name for name in some if any(abs(a / b - 1) > command.SAME
+                                                 for a, b in zip(now[name][1:], record[name].ours[1:]))]
+
+        self.assertEqual(stale(), [])
+        name = some[1]
         record[name] = record[name]._replace(ours=record[name].ours._replace(deviation=0.36))
-        self.assertEqual(self.stale(record), [name])
+        self.assertEqual(stale(), [name])
 
     def test_a_row_that_is_not_there_is_told(self):
         record = {**ports.read()}

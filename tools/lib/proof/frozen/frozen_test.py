@@ -88,12 +88,12 @@ class Frozen(Command):
         self.assert_right("--check", "--all", version="1.2.0")
 
     def test_a_value_that_is_another_is_told_and_stays(self) -> None:
-        told = r"\Anoise2d.perlin with lattice\+fixed:fixed: of \d+ points some have other values than those of its entry"
+        message = r"\Anoise2d.perlin with lattice\+fixed:fixed: of \d+ points some have other values than those of its entry"
         for before, after, arguments in (("aaaa0001", "aaaa0009", ["--check"]), ("aaaa0001", "aaaa0009", []),
                                          ("bbbb0001", "bbbb0009", ["--check", "--all"])):
             with self.subTest(before, arguments=arguments):
                 self.change_table(before, after)
-                self.assert_told(f"{told}, which is frozen since 1.0.0. They must not change: give what is new another "
+                self.assert_told(f"{message}, which is frozen since 1.0.0. They must not change: give what is new another "
                                  "name$", *arguments, version="1.1.0")
                 self.change_table(after, before)
         self.assert_right("--check")
