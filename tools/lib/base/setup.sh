@@ -160,9 +160,10 @@ install_missing() {
   fi
   local started
   started=$(milliseconds)
-  # With the first option apt-get prints how far it is. With the second it needs no pseudo terminal, which a container
-  # may lack.
-  local -a apt_get=(apt-get -q -o APT::Status-Fd=1 -o Dpkg::Use-Pty=0)
+  # With the first option apt-get prints how far it is. It closes that file for dpkg and the scripts of packages: without
+  # standard output ccache's fails. sudo closes what has the number 3, so the file is opened behind it. With the second
+  # option apt-get needs no pseudo terminal, which a container may lack.
+  local -a apt_get=(sh -c 'exec apt-get "$@" 3>&1' sh -q -o APT::Status-Fd=3 -o Dpkg::Use-Pty=0)
   logged "Asking for the newest packages" "apt-get could not read the list of packages" "${sudo[@]}" "${apt_get[@]}" update
   logged "Installing ${#missing[@]} packages and what they need" "apt-get could not install these packages: ${missing[*]}" \
     "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive "${apt_get[@]}" install -y --no-install-recommends "${missing[@]}"

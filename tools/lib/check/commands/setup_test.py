@@ -37,9 +37,14 @@ build,bench-cpu,100,
 steps,bench-cpu,50,
 run,conform,60,
 """
-APT_GET = f"""case "$*" in
+# As apt-get does, it closes the file of its progress for dpkg.
+APT_GET = f"""fd=$(echo "$*" | sed 's/.*Status-Fd=\\([0-9]*\\).*/\\1/')
+case "$*" in
   *update*) sleep {SLOW};;
-  *) echo dlstatus:1:25.5:Retrieving; sleep {SLOW}; echo pmstatus:cmake:75.2:Unpacking; sleep {SLOW};;
+  *) eval "exec 9>&$fd"
+     echo dlstatus:1:25.5:Retrieving >&9; sleep {SLOW}; echo pmstatus:cmake:75.2:Unpacking >&9; sleep {SLOW}
+     eval "exec $fd>&-"
+     echo Setting up cmake ... || exit 100;;
 esac"""
 CMAKE = f"""case "$*" in
   *--build*) echo '[1/2] first'; sleep {SLOW}; echo '[2/2] second'; sleep {SLOW};;
@@ -187,6 +192,11 @@ class Setup(unittest.TestCase):
         self.assertEqual(status, 4)
         self.assertIn("E: no network", shown)
         self.assertRegex(shown, "apt-get could not install these packages: .*nlohmann-json3-dev")
+
+    def test_scripts_of_packages_print_into_the_log(self) -> None:
+        self.at_once()
+        self.assertEqual(self.machine.run("conform")[0], 0)
+        self.assertIn("Setting up cmake ...\n", (self.machine.root / "build" / "setup.log").read_text())
 
     def test_a_line_that_comes_in_parts_is_one_in_the_log(self) -> None:
         self.at_once()
