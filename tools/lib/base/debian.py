@@ -4,7 +4,7 @@ beside each other. Nothing is installed.
 A chroot would need root and a gigabyte. A program is started by the folder's own dynamic linker instead, which takes
 libraries of the folder first, and those of the system for what the folder lacks.
 
-    python3 -B debian.py PROGRAM    one of those of PROGRAMS: prints the path of a script that starts it
+    python3 -B -m base.debian PROGRAM    one of those of PROGRAMS: prints the path of a script that starts it
 
 Exit status: 0 done, 77 it cannot be had here.
 """

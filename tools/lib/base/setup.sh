@@ -284,7 +284,7 @@ find_vkd3d() {
   local version program
   version=$(vkd3d-compiler --version 2>/dev/null | sed -n 's/.*version \([0-9]*\)\.\([0-9]*\).*/\1 \2/p;q') || true
   if [[ -n $version ]] && ((${version% *} * 100 + ${version#* } >= 110)); then return 0; fi
-  program=$(python3 -B "$root/tools/lib/base/debian.py" vkd3d-compiler) || return 0
+  program=$(PYTHONPATH=$root/tools/lib python3 -B -m base.debian vkd3d-compiler) || return 0
   [[ -z $program ]] || export HN_VKD3D_COMPILER=$program
 }
 

@@ -198,6 +198,16 @@ class Setup(unittest.TestCase):
         self.assertEqual(self.machine.run("conform")[0], 0)
         self.assertIn("Setting up cmake ...\n", (self.machine.root / "build" / "setup.log").read_text())
 
+    def test_the_compiler_of_hlsl_is_fetched_from_debian(self) -> None:
+        for name in ("debian", "tree"):
+            shutil.copy(TOOLS / "lib" / "base" / f"{name}.py", self.machine.tools / "lib" / "base")
+        (self.machine.programs / "python3").unlink()
+        self.machine.program("vkd3d-compiler", "exit 1")
+        self.machine.program("apt-get", 'echo "E: no network"; exit 100')
+        done = subprocess.run(["bash", "-c", "source tools/lib/base/setup.sh; find_vkd3d"], cwd=self.machine.root,
+                              env=self.machine.environment, capture_output=True, text=True, check=False)
+        self.assertRegex(done.stderr, "skipped: (there is no |apt-get cannot read the list of sid at .*\n.*no network)")
+
     def test_a_line_that_comes_in_parts_is_one_in_the_log(self) -> None:
         self.at_once()
         self.machine.program("cmake", f"printf 'half a'; sleep {2 * TICK}; printf ' line'; exit 1")
