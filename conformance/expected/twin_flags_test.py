@@ -53,7 +53,7 @@ def in_pairs(three, *twos):
 
 def has_few_points(flags):
     """Unoptimised code takes long, and so does code with checks at each operation."""
-    return "-O0" in flags or (FUNCTIONS and SANITIZED[2] in flags)
+    return "-O0" in flags or (len(FUNCTIONS) > 0 and SANITIZED[2] in flags)
 
 
 @functools.cache
