@@ -119,7 +119,8 @@ class Bevy(unittest.TestCase):
             self.composed({"hashnoise": picked("hn_fbm2", "--language", "wgsl")}, {"user": user.format("hn_fbm2", "hn_fbm2")})
 
     def test_the_code_of_the_page(self):
-        page = (ROOT / "docs" / "guide" / "engines.md").read_text(encoding="utf-8")
+        engines = (ROOT / "docs" / "guide" / "engines.md").read_text(encoding="utf-8")
+        page = re.search(r"^## Bevy and wgpu\n(.*?)^## ", engines, re.MULTILINE | re.DOTALL)[1]
         command = re.search(r"^    hashnoise/tools/pick (.*) --out assets/shaders/hashnoise.wgsl$", page, re.MULTILINE)[1]
         shader, = re.findall(r"^```wgsl\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)
         modules = {"hashnoise": picked(*command.split()), **BEVY}
