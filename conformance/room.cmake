@@ -88,8 +88,7 @@ function(room_tests name)
     allocate_quickly(hn-${name}-test)
   endif()
   # Mesa compiles the shaders of these tests without optimizing them: each is drawn once, and compiling it is the cost
-  # of
-  # the test. Timed tests, and the run on all drivers (conform.all), have Mesa as everybody has it.
+  # of the test. Timed tests, and the run on all drivers (conform.all), have Mesa as everybody has it.
   set(quickly_compiled PROPERTIES ENVIRONMENT GALLIVM_PERF=nopt)
   set(others)
   if(room_TIMED_TESTS)

@@ -122,8 +122,7 @@ Slope slope_of_constant_noise(const ConstantSum& sum, std::size_t axis) {
 
 // A few roundings of sum and total. In integers the other terms of an octave are rounded to 2^-18, and the slopes of an
 // erosion to 2^-12: rotations make up to 11 of that in space, where a factor changes by up to 2.6 of it. All of it
-// counts
-// as often as the amplitude in a displacement.
+// counts as often as the amplitude in a displacement.
 double tolerance_of_constant_noise(const ConstantSum& sum, const Configuration& configuration) {
   using enum OctaveSum;
   const bool plain = sum.kind == fbm || sum.kind == turbulence || sum.kind == clouds || sum.kind == fbm_d;

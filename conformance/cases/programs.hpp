@@ -5,8 +5,7 @@
 // few of its programs, which together show everything in kShown at least once. These are single things (every
 // function),
 // and pairs of things (every function of a dimension in every arithmetic, every setting with each of its dimensions,
-// every
-// version and stage with each form of a function).
+// every version and stage with each form of a function).
 #pragma once
 
 #include <cstddef>

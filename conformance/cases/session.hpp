@@ -48,8 +48,7 @@ struct Session : Suite {
   std::function<void()> still_alive = [] {};
 
   // The evaluable of a function. The last few are kept, since cases that share one follow each other; a result lasts
-  // until
-  // the next call.
+  // until the next call.
   Result<Evaluable*> evaluable(const Evaluation& evaluation);
 
   Session(const Suite& suite, std::unique_ptr<Evaluator> evaluator, std::size_t most_points = std::size_t{1} << 20);

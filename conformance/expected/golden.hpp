@@ -43,8 +43,7 @@ struct Golden {
 std::uint32_t result_bits(const Column& column, std::uint64_t value);
 
 // The name of a setting in a file: "lattice+fixed:fixed". Precise floats are as near to the exact values as fast ones,
-// so
-// they have the same values.
+// so they have the same values.
 std::string golden_setting(const Function& function, const Configuration& configuration);
 // The settings that have values of a function, in the order of their values, with one of the configurations of each.
 struct GoldenSetting {
@@ -60,8 +59,7 @@ Result<void> check_golden_folder(const std::filesystem::path& directory);
 std::filesystem::path golden_path(const std::filesystem::path& directory, const Function& function);
 
 // Reads a file, compares all of it with the function's table, and returns the values for a configuration that covers
-// the
-// function. Errors name the file, the line, the wrong text and the right one, and can be printed whatever the bytes
+// the function. Errors name the file, the line, the wrong text and the right one, and can be printed whatever the bytes
 // are.
 Result<Golden> read_golden(const std::filesystem::path& path, const Function& function,
                            const Configuration& configuration);

@@ -191,8 +191,7 @@ float random_strength(const Function& function, Region region, Extremes extremes
 }
 
 // Usual values, the ends, values beyond and 0; and values too small for HN_PRECISE. An error of a progressive warp
-// grows
-// with each octave, by more for a larger amplitude: so most are small.
+// grows with each octave, by more for a larger amplitude: so most are small.
 float random_amplitude(const Function& function, Region region, Extremes extremes, Random& random) {
   if (region == Region::extreme && extremes == Extremes::integers && random.below(2) == 0) {
     return random_extreme(128, random);

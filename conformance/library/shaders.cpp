@@ -31,8 +31,7 @@ void add_included_by(std::string_view file, std::set<std::string_view>& files) {
 
 // The functions that the shader for a file calls: those of that file, but not twice a function that has two rows (bench
 // calls it once). If the file has no function of its own or is the whole library, it also calls the first function of
-// each
-// included file or family.
+// each included file or family.
 std::vector<const Function*> called_from(std::string_view file, Callees callees) {
   std::vector<const Function*> own;
   std::vector<const Function*> others;
@@ -58,8 +57,7 @@ std::vector<const Function*> called_from(std::string_view file, Callees callees)
 }
 
 // The lines before the library's include. In ES the default precision is the lowest there is, since the library must
-// not
-// depend on it.
+// not depend on it.
 std::string preamble(const Profile& profile, std::string_view bit_casts) {
   std::string text;
   if (profile.es) text += "precision mediump float;\nprecision mediump int;\n";

@@ -15,8 +15,7 @@ constexpr std::string_view kPageFile = "index.html";
 Result<std::string> report_page(const std::vector<Run>& runs, const std::vector<std::string>& problems = {});
 
 // The parts of the page that show single cases (report_failures.cpp). However much is wrong, the page stays small
-// enough
-// to open and to send: each part is cut, and shows how much it leaves out.
+// enough to open and to send: each part is cut, and shows how much it leaves out.
 nlohmann::json page_failures(const std::vector<Run>& runs);  // wrong values and refused shaders, by driver and function
 nlohmann::json page_breakdowns(const std::vector<Run>& runs);  // crashes, timeouts, errors, by driver and message
 nlohmann::json page_warnings(const std::vector<Run>& runs);

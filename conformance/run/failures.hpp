@@ -26,8 +26,7 @@ struct Failures {
   std::size_t failed = 0;
   std::size_t ran = 0;  // cases that are not unsupported
   // Sentences that are true of all failed cases and not of the others, the strongest first: "Every failing case is in
-  // 2D;
-  // all 1311 in 3D pass." If there is none, one sentence states that. Empty if fewer than two cases failed.
+  // 2D; all 1311 in 3D pass." If there is none, one sentence states that. Empty if fewer than two cases failed.
   std::vector<std::string> common;
   std::vector<FailureGroup> groups;  // in the order of their first cases
 };

@@ -281,8 +281,7 @@ class Scheduler {
 
  private:
   // If there are fewer drivers than processes may run, the cases of each are split by cost into so many parts that no
-  // core
-  // waits long for the last one. Cases that share a program stay together.
+  // core waits long for the last one. Cases that share a program stay together.
   void add_parts(const DriverPlan& driver, double piece) {
     DriverPlan part{.driver = driver.driver, .ids = {}, .whole = driver.whole};
     double seconds = 0.0;

@@ -29,10 +29,8 @@ std::span<const Browser> all_browsers();
 
 // Runs the cases with these ids, in their order, in a browser of its own, which ends with this function or with this
 // process. If the context is lost, the case that ran is a crash, and the page continues with a new context. An error
-// has
-// the reason why the browser did not start or went away, with its message. The case that ran then has been started and
-// not
-// finished.
+// has the reason why the browser did not start or went away, with its message. The case that ran then has been started
+// and not finished.
 Result<void> run_in_browser(const Browser& browser, const SourceSet& sources, const std::filesystem::path& golden,
                             std::span<const std::string> ids, const CaseEvents& events);
 

@@ -79,8 +79,7 @@ std::span<const Browser> all_browsers() {
        {},
        "SwiftShader"},
       // Chromium keeps WebGL from software drivers by its blocklist. Without it, the only message is that the context
-      // cannot
-      // be "bound to the current sequence".
+      // cannot be "bound to the current sequence".
       {"webgl2-mesa",
        "Chromium on Mesa's llvmpipe, headless",
        {"--use-gl=angle", "--use-angle=gl-egl", "--ignore-gpu-blocklist"},

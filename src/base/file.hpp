@@ -12,8 +12,7 @@
 namespace hn {
 
 // Writes a file, and makes its folder if it is missing. It writes beside the file and renames, so that nobody reads
-// half
-// a file. An error has the reason, and leaves the old file as it was.
+// half a file. An error has the reason, and leaves the old file as it was.
 Result<void> write_file(const std::filesystem::path& path, std::string_view bytes);
 
 // The bytes of a file. An error names it, and ends with the hint: what the file should be, or where it comes from.

@@ -396,8 +396,7 @@ class SmoothSimplexColumns<3> : public CellNumbers<3> {
 
 // The feature points of cellular noise in the Euclidean metric, in the cells of the row and in those around it. Along x
 // offsets from points are kept for the middle of the cell. Across the row an offset is the same in all of it, so its
-// square
-// is kept. In space this holds with HN_FIXED alone, since offsets of floats come along the diagonals there.
+// square is kept. In space this holds with HN_FIXED alone, since offsets of floats come along the diagonals there.
 template <int D>
 class CellularColumns : public CellNumbers<D> {
  public:

@@ -200,8 +200,7 @@ void plan_sum(Plan& plan, const Settings& settings, NoiseId noise, SumId id, boo
 
 // Numbers that the functions would change are wrong: they cut a lacunarity off in a tile, and with HN_FIXED they take
 // the nearer end. Floats overflow where octaves are too fine or too strong for their number: a position is below 2^31,
-// and
-// so is the sum, but for these factors.
+// and so is the sum, but for these factors.
 void check_octaves(const Plan& plan, Arithmetic arithmetic, int octaves, bool tiled) {
   const auto lacunarity = static_cast<double>(plan.options.lacunarity);
   const auto gain = static_cast<double>(plan.options.gain);

@@ -17,10 +17,8 @@ struct Interval {
 };
 
 // The least of the interval becomes 0, the greatest 65535, and a number between them the nearest integer; of two
-// equally
-// near the greater one. A number outside becomes the nearer end, and NaN becomes 0. An interval without an extent makes
-// 0
-// of everything that is not above it.
+// equally near the greater one. A number outside becomes the nearer end, and NaN becomes 0. An interval without an
+// extent makes 0 of everything that is not above it.
 inline std::uint16_t word_of(float value, const Interval& interval) {
   constexpr double kGreatest = 65535.0;
   const double v = static_cast<double>(value);

@@ -66,8 +66,7 @@ HN_I_INLINE auto octaves_at(const Position& p, const Arguments<D>& given) {
 
 // hn_i_mean, of at least one octave. With HN_FIXED it has the same integers by one division of doubles in place of
 // three divisions of words, for which there are no instructions. sum * 2^18 is exact, since it has 45 bits. A quotient
-// that
-// is no integer is at least 1 / total from the next one: far more than the division rounds.
+// that is no integer is at least 1 / total from the next one: far more than the division rounds.
 HN_I_INLINE hn_i_num mean_of(hn_i_num sum, hn_i_num total) {
 #if HN_ARITHMETIC == HN_FIXED && !defined(HN_LANES_PORTABLE)
   using detail::DoubleVector;
@@ -299,14 +298,12 @@ HN_I_INLINE void each_axis(const Function& function) {
 
 // A fractal octave by octave over some points: first the positions of an octave, then the noise there, by its own
 // kernel, then the sum. So numbers that all points of an octave share, such as the mixed seed, are computed once, no
-// point
-// waits for its octave before, and sums and noises are compiled without each other.
+// point waits for its octave before, and sums and noises are compiled without each other.
 //
 // Octaves rotate, but for the first one and those of a tile: so a row stays a row in these alone, and is a line in
 // others.
 // Along a row of a tile all points have one coordinate along each other axis. These are in `across`, so that numbers
-// that
-// depend on them alone are computed once.
+// that depend on them alone are computed once.
 template <int D, typename At, bool kIsRowOfTile = false>
 void by_octaves(const Batch& batch, const Options& options, Octave) {
   using Position = decltype(At::of(batch, 0, std::declval<const Arguments<D>&>()));

@@ -61,8 +61,7 @@ HN_I_INLINE Lanes<S> of_either(const S* a, Int index_a, const S* b, Int index_b,
 
 // The terms of a gradient along a row, where the offset along each axis but x is the same: x * line.x + line.y. In
 // HN_FIXED line.y has the number that direction.glsl adds to such a sum, so that the last bit of the sum is a unit;
-// nothing
-// is rounded. In space the component that is 0 adds nothing that could be rounded, either.
+// nothing is rounded. In space the component that is 0 adds nothing that could be rounded, either.
 #if HN_ARITHMETIC == HN_FIXED
 constexpr float kBeyond2 = 3.0f, kBeyond3 = 12.0f;
 HN_I_INLINE Int beyond2(Float n) { return hn_i_beyond_3(n); }

@@ -85,8 +85,7 @@ class EglContext final : public Context {
   }
 
   // No configuration and no surface: we draw into framebuffer objects only. A driver may give exactly the version that
-  // we
-  // request, so we try the highest first.
+  // we request, so we try the highest first.
   void create(bool robust) {
     for (const auto& [major_version, minor_version] : versions_of(wanted_)) {
       std::vector<EGLint> attributes = {EGL_CONTEXT_MAJOR_VERSION, major_version, EGL_CONTEXT_MINOR_VERSION,

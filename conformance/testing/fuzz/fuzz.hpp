@@ -1,6 +1,5 @@
 // The common part of the fuzz targets. Each defines LLVMFuzzerTestOneInput for one parser: it must not crash. An
-// accepted
-// input must survive being written and read again, and an error must name a place.
+// accepted input must survive being written and read again, and an error must name a place.
 #pragma once
 
 #include <cstddef>

@@ -2,9 +2,8 @@
 // it. The bounds are those that tools/make bounds derives (docs/measured/accuracy.md).
 //
 // Sums over the noises of the GLSL functions are compared at positions and from cells. Sums over other noises are
-// compared
-// from cells, where the positions of the octaves are whole numbers, and the same in both: then a bound follows from the
-// bound of the noise in a few lines.
+// compared from cells, where the positions of the octaves are whole numbers, and the same in both: then a bound follows
+// from the bound of the noise in a few lines.
 #include <gtest/gtest.h>
 
 #include <algorithm>

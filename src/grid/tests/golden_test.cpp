@@ -2,8 +2,7 @@
 // docs/reference/contract.md alone. So does the twin that the other tests compare with.
 //
 // docs/reference/formats.md describes the files. Each row is a field with settings of its own, and one point.
-// hn-conform
-// compares drivers with the twin.
+// hn-conform compares drivers with the twin.
 #include "expected/golden.hpp"
 
 #include <gtest/gtest.h>

@@ -106,8 +106,7 @@ class Components(unittest.TestCase):
 class ByHand(unittest.TestCase):
     # The hash of a lattice point, and the numbers of the vector there, times 2^22: the low 23 bits of the hashes, less
     # 2^22. 0xEB1831 is 15407153, which loses the bit of 2^23, and 0x84A5E5 is 8693221. All high bits are a factor of
-    # -1, but
-    # for bits beyond the lowest 24.
+    # -1, but for bits beyond the lowest 24.
     NUMBERS = {0: (-2**22,) * 3, 255: (255 - 2**22, -2**22, -2**22),
                256: (256 - 2**22, 15407153 - 2**23 - 2**22, 8693221 - 2**23 - 2**22),
                0x80000200: (512 - 2**22, 2 * 15407153 - 3 * 2**23 - 2**22, 2 * 8693221 - 2 * 2**23 - 2**22),

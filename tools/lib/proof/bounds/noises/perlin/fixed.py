@@ -127,8 +127,7 @@ def slope_error_parts(dims):
 LARGEST_DIFFERENCE = {1: 1.0, 2: 7 / 4, 3: 7 / 2, 4: 4.0}
 # Two derivatives in space have slopes of at most 15/8 times two such differences. The differences of four ramps with
 # the offsets x, 1 - x and y, 1 - y are 4 ramps of at most 1 + max(|x|, |y|), which sum to at most 7: the maxima are
-# convex
-# in x and y, and sum to 3 at the ends. A component is at most 1.
+# convex in x and y, and sum to 3 at the ends. A component is at most 1.
 LARGEST_DERIVATIVES_DIFFERENCE = {3: 15 / 8 * 7 + 2}
 
 
