@@ -152,10 +152,12 @@ class Fxc:
     def compile(self, files: Sequence[Path], profile: str, entry: str = "main") -> list[Compiled]:
         """Results of files, which are in one folder: an include is looked for from there on."""
         for file in files:  # of an earlier text
-            Path(f"{file}.code").unlink(missing_ok=True)
+            for end in ("code", "messages"):
+                Path(f"{file}.{end}").unlink(missing_ok=True)
         done = subprocess.run(["wine", self.folder / "fxc.exe", profile, entry, *(file.name for file in files)],
                               cwd=files[0].parent, env=self.environment, capture_output=True, text=True, check=False)
-        if done.returncode not in (0, 1):
+        # Wine may end with 1, too.
+        if done.returncode not in (0, 1) or not Path(f"{files[-1]}.messages").exists():
             raise RuntimeError(f"FXC did not start: {done.stdout}{done.stderr}")
         found = []
         for file in files:

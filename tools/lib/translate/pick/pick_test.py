@@ -5,20 +5,22 @@ from __future__ import annotations
 import contextlib
 import functools
 import io
+import operator
 import re
 import shutil
 import subprocess
 import tempfile
 import unittest
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import fields, is_dataclass, replace
 from pathlib import Path
 from unittest import mock
 
 from base.thorough import THOROUGH
 from base.tree import GLSL, ROOT, TOOLS
 from base.twin import compile_program
-from translate.parsing.syntax import Function, Parser
+from translate.parsing.preprocessor import Preprocessor
+from translate.parsing.syntax import Binary, Function, Name, Number, Parentheses, Parser, definitions
 from translate.parsing.tokens import Unknown, tokens_of
 from translate.pick import command, comments, pages, printer, tsl, values
 from translate.pick.comparison import source
@@ -33,6 +35,8 @@ from translate.single_file.godot import with_own_names
 SIZES = {"hn_perlin2": (1600, 42), "hn_value2": (1600, 42), "hn_simplex2": (2600, 48), "hn_cellular2": (2700, 52),
          "hn_fbm2": (2200, 48)}
 POINTS = 300
+OPERATORS = {"+": operator.add, "-": operator.sub, "*": operator.mul, "<<": operator.lshift, ">>": operator.rshift,
+             "&": operator.and_, "|": operator.or_, "^": operator.xor}
 WITHOUT_HIGHP = Language()  # as GLSL is, for readers of a test
 # Functions with most of the constructs that languages write differently.
 MIXED = ("hn_perlin2", "hn_fbm_d2", "hn_cellular2_nearest", "hn_tile4", "hn_next3")
@@ -222,6 +226,40 @@ class Shaders(unittest.TestCase):
                      for shown in (hlsl, glsl)]
             alike[0] = re.sub(r"\b(\w+)\(([\w.]+)(?:, \2)+\)", r"\1(\2)", alike[0])  # float3(x, x, x)
             self.assertEqual(*alike)
+
+    def test_literals_of_literals_are_below_2_31(self) -> None:
+        """FXC takes others for 2^31: 0x00E6133Eu * 8194u, for instance."""
+        def large(text: str, arithmetic: str) -> list[str]:
+            library = Preprocessor(GLSL, {**command.settings(arithmetic, "lattice"), "precise": ""})
+            library.read(f'#include "hashnoise.glsl"\n{text}', "the library")
+            constants = {name: Parser(list(one.body)).expression() for name, one in library.constants.items()}
+            found = []
+
+            def value(of: object) -> int | None:
+                """Of a literal, and of what is computed of literals."""
+                if isinstance(of, Number):
+                    return int(of.at.text.rstrip("u"), 0) if re.fullmatch("0x[0-9A-F]+u?|[0-9]+u?", of.at.text) else None
+                if isinstance(of, Name) and of.at.text in constants:
+                    return value(constants[of.at.text])
+                parts = [value(getattr(of, field.name)) for field in fields(of)] if is_dataclass(of) else []
+                if isinstance(of, tuple | list):
+                    parts = [value(part) for part in of]
+                if isinstance(of, Parentheses):
+                    return parts[-1]
+                if not isinstance(of, Binary) or None in parts[1:] or of.at.text not in OPERATORS:
+                    return None
+                result = OPERATORS[of.at.text](*parts[1:])
+                if result >= 2**31:
+                    found.append(str(of.at))
+                return result
+
+            for function in definitions(library.items):
+                value(function.body if isinstance(function, Function) else ())
+            return found
+        for arithmetic in command.ARITHMETICS if THOROUGH else ("fixed",):
+            self.assertEqual(large("", arithmetic), [])
+        wrong = "uint own(uint x) {\n  return x ^ ((HN_I_SUM_Y * 2u) * 4097u & 255u);\n}"
+        self.assertEqual(len(large(wrong, "fixed")), 1)
 
     def test_variables_have_names_of_their_own_in_godot(self) -> None:
         """As tools/pick whole gives them, in the text of GLSL without operators of a vector and a number."""
