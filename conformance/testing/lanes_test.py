@@ -83,6 +83,14 @@ class Lanes(unittest.TestCase):
                 self.assertEqual(messages, "")
                 self.assertEqual(printed(program), scalar(*setting))
 
+    def test_msvc_takes_the_headers(self):
+        """Lanes need less of them."""
+        text = "#include <hashnoise/hashnoise.hpp>\n#include <hashnoise/field.hpp>\n"
+        done = subprocess.run([COMPILERS[-1], "-std=c++20", "-fsyntax-only", "-DAS_MSVC_WHOLE_LIBRARY",
+                               "-D__forceinline=inline", *AS_MSVC, "-I", str(INCLUDE), "-x", "c++", "-"], input=text,
+                              capture_output=True, text=True, check=False)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+
     @unittest.skipUnless(THOROUGH, "takes long, and MSVC takes them as the same")
     def test_lanes_without_vector_extensions_may_be_asked_for(self):
         for compiler in COMPILERS:

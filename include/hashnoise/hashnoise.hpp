@@ -66,7 +66,7 @@ struct Hint {
   }
 };
 template <Hint>
-struct Refused;
+struct Refused {};  // MSVC may want it whole, as Clang does with -fdelayed-template-parsing
 
 // GLSL's 0.5 is a float.
 template <typename T>

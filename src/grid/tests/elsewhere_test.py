@@ -1,10 +1,9 @@
 """The library on other machines and with other compilers: python3 elsewhere_test.py WHERE DIGESTS FOLDER
 
 It is compiled into FOLDER, which is kept, and run: for ARM, RISC-V and Windows with Debian's cross compilers, by qemu
-and
-wine, without vector extensions as MSVC would compile it, and with -Ofast. Its results have the digests that the native
-program DIGESTS prints, and so have those of conformance/testing/consumer/, which takes the header, lanes and a Field.
-Without the compiler or the emulator the test is skipped (status 77)."""
+and wine, without vector extensions as MSVC would compile it, and with -Ofast. Its results have the digests that the
+native program DIGESTS prints, and so have those of conformance/testing/consumer/, which takes the header, lanes and a
+Field. Without the compiler or the emulator the test is skipped (status 77)."""
 
 from __future__ import annotations
 

@@ -54,9 +54,9 @@ readonly test_packages=("${driver_packages[@]}" "${npm_packages[@]}" "${example_
 # new enough.
 readonly language_packages=(cargo:cargo cargo-clippy:rust-clippy go:golang-go iverilog:iverilog
   javac:default-jdk-headless rustc:rustc rustfmt:rustfmt)
-# Of thorough tests: Microsoft's FXC, a program for Windows, and the compiler of what starts it; a Debian that has
-# nothing; what sees connections; what simulates circuits and synthesises them.
-readonly thorough_packages=(debootstrap g++-mingw-w64-x86-64 python3-matplotlib strace verilator wine wine64 yosys)
+# Of thorough tests: Microsoft's FXC, a program for Windows, and the compiler of what starts it; RISC-V's compiler; a
+# Debian that has nothing; what sees connections; what simulates circuits and synthesises them.
+readonly thorough_packages=(debootstrap g++-mingw-w64-x86-64 g++-riscv64-linux-gnu python3-matplotlib strace verilator wine wine64 yosys)
 
 # If the arguments behind -- have --help, prints the comment at the top of the command, and the program's list of its
 # options, and stops.
