@@ -15,7 +15,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from msvc import AS_MSVC, fp_fast
+from msvc import AS_MSVC, WHOLE_AS_MSVC, fp_fast
 
 HERE = Path(__file__).resolve().parent
 INCLUDE = HERE.parent.parent / "include"
@@ -86,9 +86,8 @@ class Lanes(unittest.TestCase):
     def test_msvc_takes_the_headers(self):
         """Lanes need less of them."""
         text = "#include <hashnoise/hashnoise.hpp>\n#include <hashnoise/field.hpp>\n"
-        done = subprocess.run([COMPILERS[-1], "-std=c++20", "-fsyntax-only", "-DAS_MSVC_WHOLE_LIBRARY",
-                               "-D__forceinline=inline", *AS_MSVC, "-I", str(INCLUDE), "-x", "c++", "-"], input=text,
-                              capture_output=True, text=True, check=False)
+        done = subprocess.run([COMPILERS[-1], "-std=c++20", "-fsyntax-only", *WHOLE_AS_MSVC, "-I", str(INCLUDE),
+                               "-x", "c++", "-"], input=text, capture_output=True, text=True, check=False)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
 
     @unittest.skipUnless(THOROUGH, "takes long, and MSVC takes them as the same")

@@ -18,7 +18,7 @@ sys.path[:0] = [str(TESTING), str(ROOT / "tools" / "lib")]
 sys.argv, (WHERE, *PATHS) = sys.argv[:1], sys.argv[1:]
 from measure import elsewhere  # noqa: E402
 from measure.elsewhere import NEON, Place  # noqa: E402
-from msvc import AS_MSVC  # noqa: E402
+from msvc import WHOLE_AS_MSVC  # noqa: E402
 
 DIGESTS, FOLDER = (Path(path).resolve() for path in PATHS)
 # And the instructions of each. CMake takes "generic" for a processor that it does not know. Where nothing is forced
@@ -29,8 +29,7 @@ PLACES = {
                     ("-Dalways_inline=unused",)), ("generic",)),
     "windows": (Place("x86_64-w64-mingw32-g++-posix", ("wine",), "Windows", "x86_64", ("-static",)),
                 ("sse4.1", "avx2", "avx512")),
-    "msvc": (Place("clang++", (), "Linux", "unknown",
-                   ("-DAS_MSVC_WHOLE_LIBRARY", "-D__forceinline=inline", *AS_MSVC)), ("generic",)),
+    "msvc": (Place("clang++", (), "Linux", "unknown", WHOLE_AS_MSVC), ("generic",)),
     "fast_math": (Place("g++", (), os.uname().sysname, os.uname().machine, ("-Ofast", "-Dalways_inline=unused")),
                   ("sse4.1", "avx2", "avx512", "neon", "generic")),
 }

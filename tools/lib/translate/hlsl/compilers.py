@@ -9,6 +9,7 @@ is FXC with the options of vkd3d-compiler, for the suite. HN_VKD3D_REAL names a 
 from __future__ import annotations
 
 import functools
+import itertools
 import os
 import platform
 import shutil
@@ -151,20 +152,17 @@ class Fxc:
 
     def compile(self, files: Sequence[Path], profile: str, entry: str = "main") -> list[Compiled]:
         """Results of files, which are in one folder: an include is looked for from there on."""
-        for file in files:  # of an earlier text
-            for end in ("code", "messages"):
-                Path(f"{file}.{end}").unlink(missing_ok=True)
+        written = [(Path(f"{file}.code"), Path(f"{file}.messages")) for file in files]
+        for path in itertools.chain(*written):  # of an earlier text
+            path.unlink(missing_ok=True)
         done = subprocess.run(["wine", self.folder / "fxc.exe", profile, entry, *(file.name for file in files)],
                               cwd=files[0].parent, env=self.environment, capture_output=True, text=True, check=False)
         # Wine may end with 1, too.
-        if done.returncode not in (0, 1) or not Path(f"{files[-1]}.messages").exists():
+        if done.returncode not in (0, 1) or not written[-1][1].exists():
             raise RuntimeError(f"FXC did not start: {done.stdout}{done.stderr}")
-        found = []
-        for file in files:
-            code, messages = (Path(f"{file}.{end}") for end in ("code", "messages"))
-            found.append(Compiled(code.read_bytes() if code.exists() else b"",
-                                  messages.read_bytes().decode(errors="replace").rstrip("\0")))
-        return found
+        return [Compiled(code.read_bytes() if code.exists() else b"",
+                         messages.read_bytes().decode(errors="replace").rstrip("\0"))
+                for code, messages in written]
 
 
 def compile_by_dxc(file: Path, profile: str, entry: str = "main", *options: str) -> Compiled:
