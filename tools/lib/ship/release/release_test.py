@@ -80,7 +80,7 @@ class Makes(Project):
             done = self.call("--only", CHEAP, out=out)
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertEqual(done.stdout, f"{out}\n")
-            self.assertIn("Without npm, python, rust, wesl, glsl-noise, unity, unreal, blender, materialx, isf, godot, playground, snippets, check.", done.stderr)
+            self.assertIn("Without check, npm, python, rust, wesl, glsl-noise, unity, unreal, blender, materialx, isf, godot, playground, snippets.", done.stderr)
         names = {path.name for path in self.out.iterdir()}
         self.assertEqual(names, {path.name for path in other.iterdir()})
         for name in names:
@@ -193,7 +193,7 @@ class Refuses(Project):
         self.refused(1, "is no git repository", "--only", "single")
 
     def test_parts_that_there_are_not(self):
-        self.refused(2, "there is no part ruby; there are single, parts, vectors, headers", "--only", "ruby")
+        self.refused(2, "there is no part ruby; there are check, single, parts, vectors", "--only", "ruby")
         self.refused(2, "no part is left", "--without", ",".join(files.PARTS))
         self.refused(2, "not allowed with", "--only", "single", "--without", "npm")
 
@@ -207,6 +207,7 @@ class Refuses(Project):
         self.refused(2, "there is no part ruby", "--tag", f"v{version()}", "--only", "ruby")
 
     def test_a_page_without_the_program_that_makes_it(self):
+        self.assertEqual(files.PARTS[0], "check", "it is refused before what takes minutes")
         with mock.patch.object(files, "HN_CONFORM", ROOT / "build" / "nowhere" / "hn-conform"), \
                 self.assertRaisesRegex(files.NoRelease, "there is no build/nowhere/hn-conform.*tools/conform builds it"):
             files.Release.check(mock.Mock(folder=self.out))
