@@ -25,6 +25,11 @@ Outcome check_pairing(Session& session, const Pairing& pairing) {
   if (!expected) return expected.error();
   const auto got = evaluate(session, pairing.evaluation, pairing.inputs);
   if (!got) return got.error();
+  return judge_pairing(pairing, *got, *expected);
+}
+
+Outcome judge_pairing(const Pairing& pairing, std::span<const std::uint32_t> got,
+                      std::span<const std::uint32_t> expected) {
   Comparison comparison(pairing.evaluation.function, pairing.inputs);
   // column: the output that the word is; nothing for what a trip leaves of all of them.
   const auto compare_word = [&](std::size_t i, std::optional<std::size_t> column, std::uint32_t word,
@@ -39,12 +44,12 @@ Outcome check_pairing(Session& session, const Pairing& pairing) {
     }
   };
   for (std::size_t i = 0; i < pairing.inputs.size() / kInputWords; ++i) {
-    const auto words = result(*got, i);
+    const auto words = result(got, i);
     for (std::size_t trip = 0; pairing.in_loop() && trip < kLoopTrips; ++trip) {
-      compare_word(i ^ trip, std::nullopt, words[trip], left_by_trip(result(*expected, i ^ trip)));
+      compare_word(i ^ trip, std::nullopt, words[trip], left_by_trip(result(expected, i ^ trip)));
     }
     for (std::size_t word = 0; !pairing.in_loop() && word < pairing.words(); ++word) {
-      compare_word(i, word, words[word], result(*expected, i)[word]);
+      compare_word(i, word, words[word], result(expected, i)[word]);
     }
   }
   return comparison.finish();

@@ -2,10 +2,44 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 #include "cases/faulty_library_fixture.hpp"
+#include "cases/value_checks.hpp"
+#include "expected/twin.hpp"
 
 namespace hn {
 namespace {
+
+// The relations of every function in HN_FIXED, on the C++ twin: a run of pairs tries a part of them on a driver. Variants
+// of a shader are the same function there. With tools/test --thorough in all arithmetics, at as many points as on drivers.
+TEST(Relations, HoldInTheTwin) {
+  const bool thorough = std::getenv("HN_THOROUGH") != nullptr;
+  std::size_t held = 0;
+  for (const Configuration& configuration : all_configurations()) {
+    if (!configuration.default_but_for_arithmetic()) continue;
+    if (!thorough && configuration.arithmetic != Arithmetic::fixed) continue;
+    const Target target{&main_profile(configuration, false), Stage::fragment, true};
+    for (const Function& function : all_functions()) {
+      if (!covers(configuration, function)) continue;
+      const Evaluation evaluation{function, configuration, *target.profile};
+      std::vector<Relation> relations = relations_of(evaluation, target);
+      for (const Relation& repetition : repetitions_of(evaluation)) relations.push_back(repetition);
+      for (const Relation& relation : relations) {
+        const auto* const kind = std::get_if<PairingKind>(&relation.kind);
+        if (!kind || kind->make == variant_pairing || kind->make == folded_pairing) continue;
+        const Pairing pairing = kind->make(kind->evaluation, 1, thorough ? kPairingPoints : kPairingPoints / 4);
+        const auto got = evaluate_twin(pairing.evaluation.function, configuration, pairing.inputs);
+        const auto expected = evaluate_twin(pairing.other.function, configuration, pairing.other_inputs);
+        const Outcome outcome = judge_pairing(pairing, got, expected);
+        EXPECT_EQ(outcome.status, Status::pass)
+            << function.id << ' ' << configuration.name << ' ' << relation.check << ": " << outcome.message;
+        ++held;
+      }
+    }
+  }
+  EXPECT_GT(held, 400u);
+}
 
 class Metamorphic : public FaultyLibrary {};
 

@@ -164,12 +164,13 @@ Place moved(const Function& function, const Place& place, WordType type, std::in
 
 // A cell whose noise reaches no seam, and its like within the period. hn_value_cubic takes one lattice point more on
 // each side. Simplex and cellular noise take points of the cell before and of the cell after; a third distance and a
-// border those of one cell more.
+// border those of one cell more. One of the two noises of curl in space may be that of the next cell.
 bool is_inside(const Function& function, std::int64_t rest, std::int64_t period) {
   const bool cubic = function.bound == "value_cubic";
   const bool far = function.bound == "cellular_three" || function.bound == "cell_border";
   const std::int64_t before = far ? 2 : cubic || is_of_simplex(function) || function.is_cellular() ? 1 : 0;
-  const std::int64_t after = cubic || far ? 2 : 1;
+  const bool moved = function.family == Family::curl && function.axes == 3;
+  const std::int64_t after = cubic || far || moved ? 2 : 1;
   return rest >= before && rest + after < period;
 }
 
