@@ -11,8 +11,8 @@
 #include "value_vector3d.glsl"
 
 // A sum of vectors, and the Jacobian of the octave.
-// Its numbers are apart: where points leave a loop at different octaves, lavapipe of Mesa 22.3 takes a vector that is
-// used behind it from the last octave of all.
+// Its numbers are apart: in lavapipe of Mesa 22.3 a point that has left a loop computes a vector once more, while other
+// points go on (bugs.vector_behind_loop of the conformance suite).
 struct hn_shifts3 {
   hn_i_num x;
   hn_i_num y;

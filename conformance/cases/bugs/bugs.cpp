@@ -30,7 +30,7 @@ void add_cases(std::vector<Case>& cases, const Bug& bug) {
     cases.push_back({{.function = std::string(bug.function.id),
                       .configuration = "any",
                       .arithmetic = std::string(bug.arithmetic()),
-                      .stage = Stage::fragment,
+                      .stage = evaluation_of(bug, profile).stage,
                       .profile = std::string(profile.name),
                       .check = std::string(bug.check())},
                      BugKind{&bug, &profile},
@@ -54,7 +54,8 @@ std::span<const Bug> all_bugs() {
 }
 
 Evaluation evaluation_of(const Bug& bug, const Profile& profile) {
-  return {bug.function, default_configuration(), profile, {.knobs = bug.declarations}};
+  const Stage stage = profile.platform() == Platform::opengl ? Stage::fragment : Stage::compute;
+  return {bug.function, default_configuration(), profile, {.knobs = bug.declarations}, stage};
 }
 
 Outcome check_bug(Session& session, const Bug& bug, const Profile& profile) {

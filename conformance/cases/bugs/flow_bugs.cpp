@@ -54,6 +54,23 @@ void add_loops(std::vector<Bug>& bugs) {
          const std::uint32_t h = iterated(in[0], 0, static_cast<std::int32_t>(in[1]));
          return Words{h, h, h};
        })});
+  // Points beside each other leave it after different counts. Each component is iterated from its own start.
+  bugs.push_back({.function = bug_function("bugs.vector_behind_loop", {{"x", u32}, {"y", u32}, {"last", i32}},
+                                           {{"x", u32}, {"y", u32}},
+                                           "hn_uvec2 v = uvec2(a.x, a.y);\nhn_int i = 0;\n"
+                                           "do {\n  v = v * 1664525u + 1013904223u + uint(i);\n  i = i + 1;\n} "
+                                           "while (i <= min(int(a.z), 63));\n"
+                                           "return uvec4(v, 0u, 0u);"),
+                  .reference = "lavapipe of Mesa 22.3.6, found by this suite: a point that has left computes the vector "
+                               "once more while others go on. Mesa 26.2.6 does not",
+                  .specification = kLoops,
+                  .defined = true,
+                  .profiles = "gl330 es300 vulkan",
+                  .points = points({{7, 1, 0}, {7, 1, 1}, {7, 1, 2}, {7, 1, 5}, {7, 1, 20}, {7, 1, 63}},
+                                   [](const Words& in) {
+                                     const auto end = static_cast<std::int32_t>(in[2]) + 1;
+                                     return Words{iterated(in[0], 0, end), iterated(in[1], 0, end)};
+                                   })});
 }
 
 void add_initializers(std::vector<Bug>& bugs) {
