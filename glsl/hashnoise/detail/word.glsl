@@ -15,19 +15,19 @@
 // another noise. An or with 0 keeps them apart; FXC leaves it out. With a mask vkd3d would take twice as long.
 HN_FN hn_float hn_i_float(hn_int n) {
 #ifdef HN_I_FXC
-  hn_float x = float(n | 0);
+  return float(n | 0);
 #else
   HN_I_HIGHP_HERE hn_float x = float(n);
-#endif
   return x;
+#endif
 }
 HN_FN hn_float hn_i_float(hn_uint n) {
 #ifdef HN_I_FXC
-  hn_float x = float(n | 0u);
+  return float(n | 0u);
 #else
   HN_I_HIGHP_HERE hn_float x = float(n);
-#endif
   return x;
+#endif
 }
 
 // Microsoft's FXC takes a whole number times a constant below 2^-19 for a whole number, and leaves out the floor() of
