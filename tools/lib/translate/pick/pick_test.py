@@ -227,6 +227,13 @@ class Shaders(unittest.TestCase):
             alike[0] = re.sub(r"\b(\w+)\(([\w.]+)(?:, \2)+\)", r"\1(\2)", alike[0])  # float3(x, x, x)
             self.assertEqual(*alike)
 
+    def test_an_int_becomes_a_float_apart_from_its_uint_in_hlsl(self) -> None:
+        """For vkd3d, which takes both conversions for one (detail/word.glsl)."""
+        hlsl, glsl = (command.picker()(["hn_perlin2"], command.Choice(language, "fixed")) for language in ("hlsl", "glsl"))
+        self.assertIn("float(fraction_x | 0)", hlsl)
+        self.assertEqual(re.findall(r"\bfloat\(\w+\)", hlsl), [])
+        self.assertNotIn("| 0", glsl)
+
     def test_literals_of_literals_are_below_2_31(self) -> None:
         """FXC takes others for 2^31: 0x00E6133Eu * 8194u, for instance."""
         own = "uint own(uint x) {\n  return x ^ ((HN_I_SUM_Y * 2u) * 4097u & 255u);\n}"

@@ -122,8 +122,9 @@ FLOATS: dict[str, Callable[[Fraction, Fraction], Fraction]] = {
 
 
 def hides(sign: str, left: Node) -> bool:
-    """Whether an operation that does nothing stays, which hides from FXC what the number is (detail/word.glsl)."""
-    return sign == "^" and isinstance(left, Operation) and left.name == "floatBitsToUint"
+    """Whether an operation that does nothing stays. An exclusive or hides from FXC what the number is, and an or keeps
+    the conversions of an integer apart for vkd3d (detail/word.glsl)."""
+    return sign == "|" or sign == "^" and isinstance(left, Operation) and left.name == "floatBitsToUint"
 
 
 def exact(value: Fraction) -> Constant | None:
