@@ -229,7 +229,8 @@ class Shaders(unittest.TestCase):
 
     def test_an_int_becomes_a_float_apart_from_its_uint_in_hlsl(self) -> None:
         """For vkd3d, which takes both conversions for one (detail/word.glsl)."""
-        hlsl, glsl = (command.picker()(["hn_perlin2"], command.Choice(language, "fixed")) for language in ("hlsl", "glsl"))
+        hlsl, glsl = (command.picker()(["hn_perlin2"], command.Choice(language, "fixed"))
+                      for language in ("hlsl", "glsl"))
         self.assertIn("float(fraction_x | 0)", hlsl)
         self.assertEqual(re.findall(r"\bfloat\(\w+\)", hlsl), [])
         self.assertNotIn("| 0", glsl)
