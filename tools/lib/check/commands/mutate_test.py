@@ -75,6 +75,7 @@ class Library(unittest.TestCase):
         self.assertEqual(verdicts("detail/body_centred_lattice.glsl", "hn_i_square(dx.x, dy.x, dz.x, dw.x)",
                                   ("dx.x, dy.x", "dy.x, dx.x"), ("dw", "-dw"), ("dx", "f")), [True, True, False])
         self.assertEqual(verdicts(falloff, "hn_i_square_plus(hn_uint q", ("x", "-x")), [False])
+        self.assertEqual(verdicts(falloff, "ivec2(hn_i_size(x), hn_i_size(y))", ("x", "-x")), [True])
 
     def test_an_equivalence_covers_nothing_else(self):
         source = "a = f(x - y);\nb = f(x - y) - x - y;\n"

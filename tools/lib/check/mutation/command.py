@@ -215,6 +215,12 @@ EQUIVALENT: tuple[Equivalence, ...] = (
     *alike("detail/square_root.glsl", *((f"ivec3({axis}, 0, 0)", f"ivec3(-{axis}, 0, 0)", f"ivec3({axis}, 1, 0)", f"ivec3({axis}, 0, 1)")
                           for axis in "xyz")),
 
+    # So are these, which are sums of squares or of absolute values of two axes that count alike.
+    *alike("cell_border2d.glsl",
+           ("s(from_x, from_y)", "s(-from_x, from_y)", "s(from_x, -from_y)", "s(from_y, from_x)")),
+    *(each for file in ("cell_border3d.glsl", "detail/feature_points3d.glsl")
+      for each in alike(file, ("s(u, v, w)", "s(-u, v, w)", "s(u, -v, w)", "s(u, v, -w)", "s(v, u, w)"))),
+
     # So is that of a falloff, modulo 2^32: uint(-t) is 2^32 - t.
     *alike("detail/falloff.glsl", ("hn_i_falloff_square(t)", "hn_i_falloff_square(-t)")),
 
@@ -255,7 +261,10 @@ EQUIVALENT: tuple[Equivalence, ...] = (
     *alike("curl3d.glsl", ("(a.y, b.z, a.z, b.y)", "(b.z, a.y, a.z, b.y)", "(a.y, b.z, b.y, a.z)"),
            ("(a.z, b.x, a.x, b.z)", "(b.x, a.z, a.x, b.z)", "(a.z, b.x, b.z, a.x)"),
            ("(a.x, b.y, a.y, b.x)", "(b.y, a.x, a.y, b.x)", "(a.x, b.y, b.x, a.y)")),
-    *alike("detail/feature_points3d.glsl", ("(axis == 0", "(-axis == 0")),
+    *alike("detail/feature_points3d.glsl", ("(axis == 0", "(-axis == 0"),
+           # Of numbers in place of words it is called with 0 alone.
+           ("hn_i_vector(hn_i_select(axis == which", "hn_i_vector(hn_i_select(-axis == which")),
+    *alike("detail/feature_points.glsl", ("(d == 0", "(-d == 0")),
     *alike("cellular_three2d.glsl", ("(axis == 0", "(-axis == 0")),
 
     # A remainder by 1 is taken by the mask, since 1 is a power of two; and so is no period, whose size is 0.
@@ -317,9 +326,9 @@ def included_anyhow(file: str) -> frozenset[str]:
 # - The first two components whose squares are summed: a sum of two floats is the same in either order, and in HN_FIXED
 #   the whole sum is exact. Where a driver contracts it, HN_FAST is within its bound with either square rounded.
 COMMUTES = re.compile(r"\bhn_i_(?:(?:with|summed)\([\w.]+, |multiply_high\(|squared?\()$")
-# Text before a number whose sign plays no part: it is squared, in HN_FIXED after its absolute value is taken or
-# with a product that has no more than 32 bits.
-SQUARED = re.compile(r"\bhn_i_(?:squared?|triangle_falloff)\((?:[^(),]*, )*$")
+# Text before a number whose sign plays no part: its absolute value is taken, or it is squared, in HN_FIXED after its
+# absolute value is taken or with a product that has no more than 32 bits.
+SQUARED = re.compile(r"\bhn_i_(?:sizes?|squared?|triangle_falloff)\((?:[^(),]*, )*$")
 
 
 def is_equivalent(mutant: Mutant) -> bool:
