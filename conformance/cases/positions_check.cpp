@@ -14,21 +14,25 @@ namespace {
 
 constexpr std::size_t kPointsOfEach = 64;
 constexpr std::uint32_t kMostAxes = 4;
-// A place is made in one of four ways: of a cell and a fraction, of a cell alone, of a position, or of a cell and a
-// fraction of 1. Of the last it is the cell that comes back: the first octave must not go on to the next one.
-constexpr std::uint32_t kWays = 4;
+// A place is made in one of five ways: of a cell and a fraction, of a cell alone, of a position, of a cell and a
+// fraction of 1, or of a position that is a whole number of units, which stands where a cell does. Of the fourth it is
+// the cell that comes back: the first octave must not go on to the next one.
+constexpr std::uint32_t kWays = 5;
 constexpr std::uint32_t kCellAlone = 1;
 constexpr std::uint32_t kAtTheEnd = 3;
+constexpr std::uint32_t kOfUnits = 4;
 
 // Where the words of a point stand.
 constexpr std::size_t kFractions = 4;
 constexpr std::size_t kPositions = 8;
 constexpr std::size_t kAxes = 12;
 constexpr std::size_t kWay = 13;
+constexpr std::size_t kCellsWord = 14;
+constexpr std::size_t kUnitsWord = 15;
 
 constexpr std::string_view kFiles =
     "#include \"octaves1d.glsl\"\n#include \"octaves2d.glsl\"\n#include \"octaves3d.glsl\"\n"
-    "#include \"octaves4d.glsl\"\n";
+    "#include \"octaves4d.glsl\"\n#include \"position.glsl\"\n";
 
 // The positions of places of so many axes.
 std::string body_of(std::uint32_t axes) {
@@ -44,6 +48,7 @@ std::string body_of(std::uint32_t axes) {
       "  hn_place{0} place = hn_place(cell.{1}, f.{1});\n"
       "  if (d.y == 1u) place = hn_place(cell.{1});\n"
       "  if (d.y == 2u) place = hn_place(p.{1});\n"
+      "  if (d.y == 4u) place = hn_place(cell.{1}, int(d.z), int(d.w));\n"
       "  hn_octaves{0} o = hn_octaves(place, 1, 2.0f, 0.5f, 0u);\n"
       "  hn_{2} x = hn_position(o.place);\n"
       "  if (d.y == 3u) x = {2}(o.place.cell);\n"
@@ -66,7 +71,7 @@ const Function& positions() {
                                      .file = "place.glsl",
                                      .call = {},
                                      .body = kBody,
-                                     .inputs = std::vector<Column>(kWay + 1, {"word", WordType::u32}),
+                                     .inputs = std::vector<Column>(kUnitsWord + 1, {"word", WordType::u32}),
                                      .outputs = std::vector<Column>(kMostAxes, {"position", WordType::f32}),
                                      .plain = {}};
   return kFunction;
@@ -85,6 +90,18 @@ void put_place(std::span<std::uint32_t> words, std::size_t axis, Random& random)
   words[kPositions + axis] = bits_of(cell + fraction);
 }
 
+// Up to eight cells are up to 64 units long, a power of two, so that a float holds the position.
+void put_units(std::span<std::uint32_t> words, Random& random) {
+  const std::uint32_t cells = 1 + random.below(8);
+  const std::uint32_t units = 1u << random.below(7);
+  words[kCellsWord] = cells;
+  words[kUnitsWord] = units;
+  for (std::size_t axis = 0; axis < kMostAxes; ++axis) {
+    const double position = static_cast<std::int32_t>(words[axis]);
+    words[kPositions + axis] = bits_of(position * cells / units);
+  }
+}
+
 Words places() {
   Words inputs(kMostAxes * kWays * kPointsOfEach * kInputWords);
   Random random(0, "positions");
@@ -94,6 +111,7 @@ Words places() {
     words[kAxes] = static_cast<std::uint32_t>(i % kMostAxes) + 1;
     words[kWay] = static_cast<std::uint32_t>(i / kMostAxes % kWays);
     if (words[kWay] == kAtTheEnd) std::ranges::fill(words.subspan(kFractions, kMostAxes), bits_of(1.0));
+    if (words[kWay] == kOfUnits) put_units(words, random);
   }
   return inputs;
 }

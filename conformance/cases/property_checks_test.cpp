@@ -197,7 +197,8 @@ TEST_F(Batches, AddUpWhatIsWrongAndKeepTheLargestDifference) {
   EXPECT_EQ(outcome.examples[1].words[0], second[3 * kInputWords]);
 }
 
-// The last bit of a fraction, a corner that is beside the corner, and a first octave in the cell behind the place.
+// The last bit of a fraction, a corner that is beside the corner, a first octave in the cell behind the place, and a
+// number of cells in the place of a position.
 TEST_F(FaultyLibrary, APositionThatIsNotThatOfThePlaceIsCaught) {
   constexpr std::string_view kFast = "place.all.lattice.fast.vertex.gl330.positions";
   constexpr std::string_view kFixed = "place.all.lattice.fixed.vertex.gl330.positions";
@@ -207,6 +208,13 @@ TEST_F(FaultyLibrary, APositionThatIsNotThatOfThePlaceIsCaught) {
            Replacement{kFast, "place.glsl", "vec3(0.0f, 0.0f, 0.0f)", "vec3(0.0f, 0.0f, 0.015625f)"},
            Replacement{kFixed, "place.glsl", "vec3(0.0f, 0.0f, 0.0f)", "vec3(0.0f, 0.0f, 0.015625f)"},
            Replacement{kFixed, "place.glsl", "HN_I_REST(hn_i_rest_of_position(p.y))", "HN_I_REST(0)"},
+           Replacement{kFast, "position.glsl",
+                       "hn_place(hn_int position, hn_int cells, hn_int units) {\n"
+                       "  return hn_place(hn_cell(position, cells, units), hn_fraction(position, cells, units));",
+                       "hn_place(hn_int position, hn_int cells, hn_int units) {\n"
+                       "  return hn_place(hn_cell(position, cells, units), hn_fraction(cells, position, units));"},
+           Replacement{kFixed, "position.glsl", "hn_fraction(position.w, cells, units)",
+                       "hn_fraction(position.w + 1, cells, units)"},
            Replacement{kFast, "octaves2d.glsl", "ivec2(o.x.x, o.y.x)", "ivec2(o.x.x, o.y.x + (o.y.y >> 24))"},
            Replacement{kFixed, "octaves2d.glsl", "ivec2(o.x.x, o.y.x)", "ivec2(o.x.x, o.y.x + (o.y.y >> 24))"},
        }) {
