@@ -168,18 +168,20 @@ const Function& row_of(int axes, std::string_view name) {
   return find_function(fmt::format("noise{}d.{}", axes, name));
 }
 
-// The other results of the function that names the nearest point: the same text with another result.
-const Function& returned_beside(const Function& naming) {
+// What the function that sets the nearest point returns beside it: the text of the form that sets nothing, with two more
+// arguments.
+const Function& returned_beside(const Function& setting) {
   static std::list<Function> made;
   static std::list<std::string> texts;
-  const auto found = std::find_if(made.begin(), made.end(), [&](const Function& f) { return f.id == naming.id; });
+  const auto found = std::find_if(made.begin(), made.end(), [&](const Function& f) { return f.id == setting.id; });
   if (found != made.end()) return *found;
-  std::string body(naming.body.substr(0, naming.body.find("return ")));
-  body.insert(body.find("hn_cellular("), "hn_vec2 n = ");
-  const std::string& text = texts.emplace_back(body + "return uvec4(bits_of(n.x), bits_of(n.y), 0u, 0u);");
-  Function& beside = made.emplace_back(naming);
+  const Function& alone = *returning(setting);
+  std::string& text = texts.emplace_back(alone.body);
+  text.insert(text.rfind("); return "), ", nearest, offset");
+  text = fmt::format("hn_ivec{0} nearest; hn_vec{0} offset; {1}", setting.axes, text);
+  Function& beside = made.emplace_back(setting);
   beside.body = text;
-  beside.outputs = {{"first", WordType::f64}, {"second", WordType::f64}};
+  beside.outputs = alone.outputs;
   return beside;
 }
 
@@ -199,6 +201,36 @@ struct PointNames {
 };
 
 }  // namespace
+
+const Function* returning(const Function& function) {
+  if (!function.is_cellular() || !(function.is_name(0) || function.is_offset(0))) return nullptr;
+  const auto returns_for_same = [&](const Function& other) {
+    return other.bound == function.bound && other.axes == function.axes && !other.is_name(0) && !other.is_offset(0) &&
+           std::ranges::equal(other.inputs, function.inputs, {}, &Column::name, &Column::name);
+  };
+  const auto found = std::ranges::find_if(all_functions(), returns_for_same);
+  return found == all_functions().end() ? nullptr : &*found;
+}
+
+// A fast value is rounded in another way in each text.
+Outcome check_returned(Session& session, const Evaluation& evaluation) {
+  const auto& [function, configuration, profile, variant, stage] = evaluation;
+  const Function& alone = *returning(function);
+  const Words inputs = random_points(function, points_of(session, function), Random(session.seed, "returned"));
+  const auto got = evaluate(session, {returned_beside(function), configuration, profile, {}, stage}, inputs);
+  if (!got) return got.error();
+  const auto expected = evaluate(session, {alone, configuration, profile, {}, stage}, inputs);
+  if (!expected) return expected.error();
+  Comparison comparison(alone, inputs);
+  for (std::size_t i = 0; i < inputs.size() / kInputWords; ++i) {
+    for (std::size_t word = 0; word < alone.outputs.size(); ++word) {
+      comparison.number(point(inputs, i), std::bit_cast<float>(result(*got, i)[word]),
+                        static_cast<double>(std::bit_cast<float>(result(*expected, i)[word])),
+                        has_same_bits(function, configuration) ? 0.0 : 2.0 * error_of(alone, configuration, word));
+    }
+  }
+  return comparison.finish();
+}
 
 // From its cell and from the next one with a fraction of 1 in place of 0, and without a period from a position: the
 // same names, offsets and distances. The name is that of a cell within the period, whose point is where the offset

@@ -62,6 +62,18 @@ TEST_F(CellularChecks, PartsThatDoNotBelongTogetherAreCaught) {
   expect_all_caught(kFaults);
 }
 
+TEST_F(CellularChecks, AValueOfItsOwnBesideTheNearestPointIsCaught) {
+  constexpr Replacement kFaults[] = {
+      {"noise2d.cell_border_nearest.lattice.fast.fragment.gl330.returned", "cell_border2d.glsl",
+       "return hn_i_cell_border(block, hn_i_far_cell(place, block, d), d, jitter, seed, best);",
+       "return -hn_i_cell_border(block, hn_i_far_cell(place, block, d), d, jitter, seed, best);"},
+      {"noise3d.cell_border_cell_offset.lattice.fixed.fragment.gl330.returned", "cell_border3d.glsl",
+       "hn_i_jitter(jitter), seed, nearest, offset);", "hn_i_jitter(0.5f), seed, nearest, offset);"},
+      {"noise2d.cellular_phase_nearest.lattice.precise.fragment.gl400.returned", "cellular_phase2d.glsl",
+       "return hn_i_two_distances(best, HN_METRIC_EUCLIDEAN);", "return hn_i_two_distances(best, HN_METRIC_SQUARED);"}};
+  expect_all_caught(kFaults);
+}
+
 TEST_F(CellularChecks, AnotherOfTwoEquallyNearPointsIsCaught) {
   expect_replaced_caught({"noise2d.cellular_nearest.lattice.fixed.fragment.gl330.search", "detail/feature_points.glsl",
                           "hn_i_select(rank < best.x,", "hn_i_select(rank <= best.x,"});

@@ -54,6 +54,9 @@ constexpr auto kDescriptions = std::to_array<CheckDescription>({
      "At as many points the name of the nearest point, the vector to it and the first distance belong together: the "
      "point of the cell of that name is where the vector leads, modulo the period, and at that distance. They are the "
      "same from a position, from its cell, and from the next cell with a fraction of 1 in place of 0."},
+    {"returned",
+     "At as many points a function that sets the nearest point returns what the form without it does: bit by bit, or "
+     "for `fast` within the tolerances of both."},
     {"border",
      "At as many points the distance to a border is between half the difference and half the sum of the two distances, "
      "and 0 halfway between the two nearest points."},

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "cases/case.hpp"
+#include "cases/value_checks.hpp"
 #include "library/files.hpp"
 
 namespace hn {
@@ -163,6 +164,22 @@ TEST(Extent, EveryRelationMeetsEveryNoiseAndSum) {
     if (!evaluation || !kRelations.contains(test.name.check)) return std::string();
     return fmt::format("{} {}", test.name.check, evaluation->function.bound);
   });
+}
+
+TEST(Extent, EveryFunctionThatSetsTheNearestPointIsHeldAgainstTheOneThatDoesNot) {
+  expect_same([](const Case& test) {
+    const Evaluation* const evaluation = test.evaluation();
+    if (!evaluation || test.name.check != "returned") return std::string();
+    return fmt::format("{} of {} axes", evaluation->function.bound, evaluation->function.axes);
+  });
+  for (const std::string_view noise : {"cellular", "cellular_phase", "cell_border"}) {
+    const Function& function = find_function(fmt::format("noise2d.{}_nearest", noise));
+    ASSERT_TRUE(returning(function)) << noise;
+    EXPECT_TRUE(returning(function)->id == fmt::format("noise2d.{}_full", noise) ||
+                returning(function)->id == fmt::format("noise2d.{}", noise))
+        << returning(function)->id;
+  }
+  EXPECT_FALSE(returning(find_function("noise2d.cellular_full")));
 }
 
 TEST(Extent, EveryOverloadWithoutASeedIsCompared) {

@@ -1,5 +1,7 @@
 // The cases that evaluate functions on the driver: which there are follows from the tables of functions and
 // configurations, and which of them a run has without --thorough, from the cover of programs.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <set>
@@ -56,6 +58,9 @@ std::vector<Relation> further_cases_of(const Evaluation& evaluation, const Targe
   if (takes_noise && function.is_sum_of_noise) add("other_noise", check_other_noise);
   if (!profile.es && (function.id.ends_with("cellular_cell_nearest") || function.id.ends_with("cell_border_nearest"))) {
     further.push_back({"cell_names", CheckKind{evaluation, check_cell_names}, nullptr, 4});
+  }
+  if (const Function* alone = returning(function)) {
+    further.push_back({"returned", CheckKind{evaluation, check_returned}, alone, 2, true});
   }
   if (!function.has_slopes()) return further;
   if (function.is_sum_of_noise) {
@@ -128,7 +133,8 @@ class FurtherCases {
       };
       show(name_of(configuration.arithmetic));
       if (further.with || further.programs > 1) {
-        show(function.bound);
+        show(further.by_dimension ? fmt::format("{} of {} axes", function.bound, function.axes)
+                                  : std::string(function.bound));
       } else {
         show("family " + std::to_string(static_cast<unsigned>(function.family)));
         show("axes " + std::to_string(function.axes));

@@ -52,6 +52,9 @@ Check check_seams;       // nothing jumps where other lattice points begin to co
 Check check_search;      // distances, points and borders are those that a search of more cells finds
 Check check_cell_names;  // the name of the nearest point, the way to it and its distance belong together
 Check check_border;      // borders lie where the two nearest points say
+Check check_returned;    // what is returned beside the nearest point is what the form without it returns
+// The row whose function takes the same and returns its value, for one whose function sets the nearest point; else null.
+const Function* returning(const Function& function);
 
 // compile_cases.cpp
 Outcome check_compilation(Session& session, const CompilationKind& compilation);
@@ -68,6 +71,7 @@ struct Relation {
   CaseKind kind;
   const Function* with = nullptr;  // whose program it takes besides, in the same version and stage
   int programs = 1;                // or how many programs beside its own
+  bool by_dimension = false;       // whether every noise must show it in each dimension
 };
 // The relations that compile another program: a variant of the shader, or another function. metamorphic_checks.cpp has
 // them, and value_cases.cpp chooses.
