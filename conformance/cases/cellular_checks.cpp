@@ -168,8 +168,8 @@ const Function& row_of(int axes, std::string_view name) {
   return find_function(fmt::format("noise{}d.{}", axes, name));
 }
 
-// What the function that sets the nearest point returns beside it: the text of the form that sets nothing, with two more
-// arguments.
+// The results that a function returns beside the nearest point that it sets: the text of the form that sets nothing,
+// with two more arguments.
 const Function& returned_beside(const Function& setting) {
   static std::list<Function> made;
   static std::list<std::string> texts;

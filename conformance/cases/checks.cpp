@@ -102,9 +102,9 @@ constexpr auto kDescriptions = std::to_array<CheckDescription>({
      "An octave sum of the library over a constant noise has the value that follows by hand, at as many points as "
      "`range` takes."},
     {"positions",
-     "A place that is made of a cell and a fraction, of a cell alone, of a position, or of whole units has that position "
-     "in the first octave of a sum, bit by bit, and with a fraction of 1 that cell: at 64 places of each kind in each "
-     "dimension."},
+     "A place that is made of a cell and a fraction, of a cell alone, of a position, or of whole units has that "
+     "position in the first octave of a sum, bit by bit, and with a fraction of 1 that cell: at 64 places of each kind "
+     "in each dimension."},
     {"inlined",
      "4,096 random points have the same values when the function's body stands in main. For this check and the next "
      "five, `fast` values agree within twice the tolerance, all others bit by bit."},
