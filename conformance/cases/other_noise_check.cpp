@@ -1,4 +1,5 @@
-// Octave sums over a noise that is constant: so what comes out follows from a few lines.
+// Octave sums over a noise that is constant: so what comes out follows from a few lines. Sums that cut off the
+// noise of an octave at 1 and -1 meet one beyond each of them, too.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,7 +17,7 @@ namespace {
 
 using Vector = std::array<double, 3>;
 
-constexpr double kConstantNoise = -0.5;
+constexpr std::array kConstantNoises = {-0.5, 1.25, -1.25};
 constexpr Vector kConstantSlopes = {0.5, -0.25, 0.125};
 // Of a sum of slopes: all noises of the library that fit its loop are flatter. In HN_FIXED 64 times as much just fits.
 constexpr Vector kSteepSlopes = {-50.5, 30.25, 16.125};
@@ -32,6 +33,7 @@ struct ConstantSum {
   double gain;
   double strength;
   double amplitude;
+  double noise;
 };
 
 // The rotation between two octaves, of a column and, transposed, of a row.
@@ -60,7 +62,7 @@ double eroded_constant_noise(const ConstantSum& sum) {
       fall[axis] = std::clamp(fall[axis] + kConstantSlopes[axis], -8.0, 8.0);
       square += fall[axis] * fall[axis];
     }
-    mean += weight * kConstantNoise / (1.0 + std::clamp(sum.strength, 0.0, 16.0) * square);
+    mean += weight * sum.noise / (1.0 + std::clamp(sum.strength, 0.0, 16.0) * square);
     total += weight;
     weight *= sum.gain;
   }
@@ -71,7 +73,7 @@ double eroded_constant_noise(const ConstantSum& sum) {
 // on the driver, the same as with its own.
 double sum_of_constant_noise(const ConstantSum& sum) {
   const auto strength = static_cast<float>(sum.strength);
-  const auto n = static_cast<float>(kConstantNoise);
+  const auto n = static_cast<float>(sum.noise);
   hashnoise::hn_i_octave_sum s = hashnoise::hn_i_empty_sum(sum.octaves, static_cast<float>(sum.gain));
   const auto of_steps = [&](const auto& step, const auto& end) {
     for (int i = 0; i < sum.octaves; ++i) {
@@ -88,12 +90,12 @@ double sum_of_constant_noise(const ConstantSum& sum) {
     return of_steps([&] { return step; }, [](float mean) { return end; });
 #include "library/sums.inc"
     case OctaveSum::fbm_d:
-      return sum.octaves > 0 ? kConstantNoise : 0.0;
+      return sum.octaves > 0 ? sum.noise : 0.0;
     case OctaveSum::eroded:
       return eroded_constant_noise(sum);
     case OctaveSum::warp:
     case OctaveSum::warp_progressive:
-      return sum.octaves > 0 ? std::clamp(sum.amplitude, 0.0, 64.0) * kConstantNoise : 0.0;
+      return sum.octaves > 0 ? std::clamp(sum.amplitude, 0.0, 64.0) * sum.noise : 0.0;
   }
   return 0.0;
 }
@@ -139,10 +141,10 @@ constexpr std::string_view kOutside =
     "}\n";
 
 // Gives the library's sum a constant noise in place of its own.
-std::string with_constant_noise(const Function& function) {
+std::string with_constant_noise(const Function& function, double constant) {
   const int axes = function.axes;
   const std::string_view noise = noise_of(octave_sum_of(function));
-  std::string value = fmt::format("{:.1f}f", kConstantNoise);
+  std::string value = fmt::format("{:.2f}f", constant);
   for (const char axis : std::string_view("xyzw").substr(0, static_cast<std::size_t>(axes))) {
     const std::string component = axes == 1 ? "" : fmt::format(".{}", axis);
     value += fmt::format(" + outside(hn_position(place){0}, place.cell{0})", component);
@@ -169,7 +171,7 @@ std::string with_constant_noise(const Function& function) {
 
 // The octaves that count, the last of a detail only in part: over a constant noise that changes nothing. From a cell
 // and with a period the library rounds the lacunarity.
-ConstantSum settings_of(const Function& function, std::span<const std::uint32_t> inputs) {
+ConstantSum settings_of(const Function& function, std::span<const std::uint32_t> inputs, double noise) {
   const auto word = [&](std::string_view name) { return inputs[static_cast<std::size_t>(function.input(name))]; };
   const auto number = [&](std::string_view name) { return static_cast<double>(std::bit_cast<float>(word(name))); };
   const auto octaves_of = [](double detail) { return detail < 0x1p-32 ? 0 : static_cast<int>(std::ceil(detail)); };
@@ -185,12 +187,19 @@ ConstantSum settings_of(const Function& function, std::span<const std::uint32_t>
           lacunarity,
           number("gain"),
           function.takes_strength() ? number("strength") : 0.0,
-          function.takes_amplitude() ? number("amplitude") : 0.0};
+          function.takes_amplitude() ? number("amplitude") : 0.0,
+          noise};
 }
 
 }  // namespace
 
-// The sums of the library, over a constant noise.
+// Other sums cut off their mean as well, which hides it.
+bool cuts_noise_off(const Function& function) {
+  const OctaveSum sum = octave_sum_of(function);
+  return sum == OctaveSum::ridged || sum == OctaveSum::hybrid || sum == OctaveSum::ping_pong;
+}
+
+// The sums of the library, over constant noises.
 Outcome check_other_noise(Session& session, const Evaluation& evaluation) {
   const auto& [function, configuration, profile, variant, stage] = evaluation;
   Words inputs = random_points(function, property_points(session, function), Random(session.seed, "other noise"));
@@ -198,20 +207,22 @@ Outcome check_other_noise(Session& session, const Evaluation& evaluation) {
     const auto footprint = static_cast<std::size_t>(function.input("footprint"));
     for (std::size_t i = footprint; i < inputs.size(); i += kInputWords) inputs[i] = 0;
   }
-  const std::string knobs = with_constant_noise(function);
-  const auto outputs = evaluate(session, {function, configuration, profile, {.knobs = knobs}}, inputs);
-  if (!outputs) return outputs.error();
   Comparison comparison(function, inputs);
-  for (std::size_t i = 0; i < inputs.size() / kInputWords; ++i) {
-    const ConstantSum sum = settings_of(function, point(inputs, i));
-    for (std::size_t word = 0; word < function.outputs.size(); ++word) {
-      const float got = std::bit_cast<float>(result(*outputs, i)[word]);
-      if (function.is_slope(word)) {
-        const Slope slope = slope_of_constant_noise(sum, word - 1);  // the value comes first
-        comparison.number(point(inputs, i), got, slope.value, 1e-3 * (1.0 + slope.growth), word);
-      } else {
-        comparison.number(point(inputs, i), got, sum_of_constant_noise(sum),
-                          tolerance_of_constant_noise(sum, configuration), word);
+  for (const double noise : std::span(kConstantNoises).first(cuts_noise_off(function) ? kConstantNoises.size() : 1)) {
+    const std::string knobs = with_constant_noise(function, noise);
+    const auto outputs = evaluate(session, {function, configuration, profile, {.knobs = knobs}}, inputs);
+    if (!outputs) return outputs.error();
+    for (std::size_t i = 0; i < inputs.size() / kInputWords; ++i) {
+      const ConstantSum sum = settings_of(function, point(inputs, i), noise);
+      for (std::size_t word = 0; word < function.outputs.size(); ++word) {
+        const float got = std::bit_cast<float>(result(*outputs, i)[word]);
+        if (function.is_slope(word)) {
+          const Slope slope = slope_of_constant_noise(sum, word - 1);  // the value comes first
+          comparison.number(point(inputs, i), got, slope.value, 1e-3 * (1.0 + slope.growth), word);
+        } else {
+          comparison.number(point(inputs, i), got, sum_of_constant_noise(sum),
+                            tolerance_of_constant_noise(sum, configuration), word);
+        }
       }
     }
   }

@@ -55,12 +55,16 @@ std::vector<Relation> further_cases_of(const Evaluation& evaluation, const Targe
   const bool once = configuration.is_default();  // for what does not depend on the knobs
   // HN_FIXED converts a noise of the user's to an integer.
   const bool takes_noise = once || configuration.name == "lattice+fixed";
-  if (takes_noise && function.is_sum_of_noise) add("other_noise", check_other_noise);
+  if (takes_noise && function.is_sum_of_noise) {
+    std::string cut = cuts_noise_off(function) ? fmt::format("cut {}", name_of(configuration.arithmetic)) : "";
+    further.push_back({"other_noise", CheckKind{evaluation, check_other_noise}, nullptr, 1, std::move(cut)});
+  }
   if (!profile.es && (function.id.ends_with("cellular_cell_nearest") || function.id.ends_with("cell_border_nearest"))) {
     further.push_back({"cell_names", CheckKind{evaluation, check_cell_names}, nullptr, 4});
   }
   if (const Function* alone = returning(function)) {
-    further.push_back({"returned", CheckKind{evaluation, check_returned}, alone, 2, true});
+    std::string dimension = fmt::format("{} of {} axes", function.bound, function.axes);
+    further.push_back({"returned", CheckKind{evaluation, check_returned}, alone, 2, std::move(dimension)});
   }
   if (!function.has_slopes()) return further;
   if (function.is_sum_of_noise) {
@@ -132,9 +136,9 @@ class FurtherCases {
         candidate.shows.push_back(things_.try_emplace(thing, things_.size()).first->second);
       };
       show(name_of(configuration.arithmetic));
+      if (!further.besides.empty()) show(further.besides);
       if (further.with || further.programs > 1) {
-        show(further.by_dimension ? fmt::format("{} of {} axes", function.bound, function.axes)
-                                  : std::string(function.bound));
+        show(function.bound);
       } else {
         show("family " + std::to_string(static_cast<unsigned>(function.family)));
         show("axes " + std::to_string(function.axes));

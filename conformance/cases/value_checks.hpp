@@ -41,6 +41,8 @@ Check check_mirror;       // no quadrant mirrors another
 Check check_finite;       // and neither NaN nor infinity at extreme points
 Check check_unseeded;     // unseeded_check.cpp: without a seed means with seed 0
 Check check_other_noise;  // other_noise_check.cpp: sums over a constant noise
+// Whether an octave sum cuts off the noise of each octave at 1 and -1, and it shows.
+bool cuts_noise_off(const Function& function);
 
 // derivative_check.cpp, slope_sum_check.cpp, divergence_check.cpp and seams_check.cpp
 Check check_derivative;  // derivatives are those of the noise
@@ -71,7 +73,7 @@ struct Relation {
   CaseKind kind;
   const Function* with = nullptr;  // whose program it takes besides, in the same version and stage
   int programs = 1;                // or how many programs beside its own
-  bool by_dimension = false;       // whether every noise must show it in each dimension
+  std::string besides = {};        // something else that must be shown with the check, such as a noise's dimension
 };
 // The relations that compile another program: a variant of the shader, or another function. metamorphic_checks.cpp has
 // them, and value_cases.cpp chooses.
