@@ -218,14 +218,25 @@ EQUIVALENT: tuple[Equivalence, ...] = (
     # So are these, which are sums of squares or of absolute values of two axes that count alike.
     *alike("cell_border2d.glsl",
            ("s(from_x, from_y)", "s(-from_x, from_y)", "s(from_x, -from_y)", "s(from_y, from_x)")),
+    *alike("cell_border3d.glsl", ("hn_i_offset_difference(u, from.x), hn_i_offset_difference(v, from.y)",
+                                  "hn_i_offset_difference(v, from.y), hn_i_offset_difference(u, from.x)")),
+    *alike("detail/falloff.glsl", *((f"hn_i_size({a}), hn_i_size({b})", f"hn_i_size({b}), hn_i_size({a})")
+                                    for a, b in ("xy", "yz", "zw"))),
     *(each for file in ("cell_border3d.glsl", "detail/feature_points3d.glsl")
       for each in alike(file, ("s(u, v, w)", "s(-u, v, w)", "s(u, -v, w)", "s(u, v, -w)", "s(v, u, w)"))),
 
     # So is that of a falloff, modulo 2^32: uint(-t) is 2^32 - t.
     *alike("detail/falloff.glsl", ("hn_i_falloff_square(t)", "hn_i_falloff_square(-t)")),
 
-    # The fixed fade is the same for every fraction with either (all of them were compared by the oracle's tests).
-    *alike("detail/arithmetic.glsl", ("+ 4u, 524287u)", "+ 4u, 524286u)"), ("1572864u", "1572865u")),
+    # The fixed fade is the same for every fraction with either (all of them were compared by the oracle's tests). The
+    # last two would round a square another way that is 2^15 or 2^15 - 1 modulo 2^16, and there is none.
+    *alike("detail/arithmetic.glsl", ("+ 4u, 524287u)", "+ 4u, 524286u)"), ("1572864u", "1572865u"),
+           ("(square + 32768u)", "(square + 32767u)", "(square + 32769u)")),
+
+    # The three smallest ranks of a block take the places of these.
+    *alike("detail/feature_points.glsl",
+           ("0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu, 0u", "0xFFFFFFFEu, 0xFFFFFFFFu, 0xFFFFFFFFu, 0u",
+            "0xFFFFFFFFu, 0xFFFFFFFEu, 0xFFFFFFFFu, 0u", "0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFEu, 0u")),
 
     # Only a word beside a third of all words could tell these, and it never gets here: bit 20 chooses the second pair,
     # and it is set in 0x55555554 and 0x55555555, and clear in 0xAAAAAAA9 and 0xAAAAAAAA.
