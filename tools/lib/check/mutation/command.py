@@ -233,6 +233,10 @@ EQUIVALENT: tuple[Equivalence, ...] = (
     *alike("detail/arithmetic.glsl", ("+ 4u, 524287u)", "+ 4u, 524286u)"), ("1572864u", "1572865u"),
            ("(square + 32768u)", "(square + 32767u)", "(square + 32769u)")),
 
+    # Of the second argument the highest bit alone counts.
+    *(each for file in ("detail/phasor.glsl", "detail/direction_turning.glsl")
+      for each in alike(file, ("0x40000000u, 0u)", "0x40000000u, 1u)"), ("hn_i_wave(angle, 0u)", "hn_i_wave(angle, 1u)"))),
+
     # The three smallest ranks of a block take the places of these.
     *alike("detail/feature_points.glsl",
            ("0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu, 0u", "0xFFFFFFFEu, 0xFFFFFFFFu, 0xFFFFFFFFu, 0u",
