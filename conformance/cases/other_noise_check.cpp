@@ -1,5 +1,5 @@
-// Octave sums over a noise that is constant: so what comes out follows from a few lines. Sums that cut off the
-// noise of an octave at 1 and -1 meet one beyond each of them, too.
+// Octave sums over a noise that is constant: so what comes out follows from a few lines. Sums that cut off the noise
+// of an octave at 1 and -1 meet one beyond each of them, too.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -191,6 +191,23 @@ ConstantSum settings_of(const Function& function, std::span<const std::uint32_t>
           noise};
 }
 
+// Of a point.
+void compare(Comparison& comparison, const Evaluation& evaluation, double noise, std::span<const std::uint32_t> inputs,
+             std::span<const std::uint32_t> outputs) {
+  const Function& function = evaluation.function;
+  const ConstantSum sum = settings_of(function, inputs, noise);
+  for (std::size_t word = 0; word < function.outputs.size(); ++word) {
+    const float got = std::bit_cast<float>(outputs[word]);
+    if (function.is_slope(word)) {
+      const Slope slope = slope_of_constant_noise(sum, word - 1);  // the value comes first
+      comparison.number(inputs, got, slope.value, 1e-3 * (1.0 + slope.growth), word);
+    } else {
+      comparison.number(inputs, got, sum_of_constant_noise(sum),
+                        tolerance_of_constant_noise(sum, evaluation.configuration), word);
+    }
+  }
+}
+
 }  // namespace
 
 // Other sums cut off their mean as well, which hides it.
@@ -213,17 +230,7 @@ Outcome check_other_noise(Session& session, const Evaluation& evaluation) {
     const auto outputs = evaluate(session, {function, configuration, profile, {.knobs = knobs}}, inputs);
     if (!outputs) return outputs.error();
     for (std::size_t i = 0; i < inputs.size() / kInputWords; ++i) {
-      const ConstantSum sum = settings_of(function, point(inputs, i), noise);
-      for (std::size_t word = 0; word < function.outputs.size(); ++word) {
-        const float got = std::bit_cast<float>(result(*outputs, i)[word]);
-        if (function.is_slope(word)) {
-          const Slope slope = slope_of_constant_noise(sum, word - 1);  // the value comes first
-          comparison.number(point(inputs, i), got, slope.value, 1e-3 * (1.0 + slope.growth), word);
-        } else {
-          comparison.number(point(inputs, i), got, sum_of_constant_noise(sum),
-                            tolerance_of_constant_noise(sum, configuration), word);
-        }
-      }
+      compare(comparison, evaluation, noise, point(inputs, i), result(*outputs, i));
     }
   }
   return comparison.finish();
