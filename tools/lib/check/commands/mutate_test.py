@@ -16,9 +16,11 @@ from pathlib import Path
 
 from base.tree import ROOT
 from check.mutation import command as mutate
+from check.mutation.equivalent import EQUIVALENT, Equivalence, is_equivalent
+from check.mutation.mutants import Mutant, all_mutants, sample
 
 SOURCES = {name: path.read_text(encoding="utf-8") for name, path in mutate.glsl_files(mutate.LIBRARY).items()}
-MUTANTS = mutate.all_mutants(SOURCES)
+MUTANTS = all_mutants(SOURCES)
 
 
 class Library(unittest.TestCase):
@@ -52,18 +54,18 @@ class Library(unittest.TestCase):
         self.assertGreaterEqual(len(MUTANTS), 1000)
 
     def test_each_equivalence_is_of_mutants_that_there_are(self):
-        for equivalence in mutate.EQUIVALENT:
+        for equivalence in EQUIVALENT:
             count = SOURCES[equivalence.file].count(equivalence.old)
             self.assertGreater(count, 0, equivalence)
             for new in equivalence.new:
-                alone = mutate.Equivalence(equivalence.file, equivalence.old, (new,))
+                alone = Equivalence(equivalence.file, equivalence.old, (new,))
                 found = len([m for m in MUTANTS if alone.covers(m)])
                 self.assertTrue(0 < found <= count, (equivalence, new))  # less where a piece stands for C++ as well
 
     def test_what_is_squared_or_commutes_is_equivalent_and_its_neighbours_are_not(self):
         def verdicts(file: str, text: str, *changes: tuple[str, str]) -> list[bool]:
             lines = SOURCES[file].split("\n")
-            return [mutate.is_equivalent(m) for change in changes for m in MUTANTS
+            return [is_equivalent(m) for change in changes for m in MUTANTS
                     if m.file == file and text in lines[m.line - 1] and m.change().split(" -> ") == list(change)]
 
         octave, root, falloff = "detail/octave.glsl", "detail/square_root.glsl", "detail/falloff.glsl"
@@ -79,10 +81,10 @@ class Library(unittest.TestCase):
 
     def test_an_equivalence_covers_nothing_else(self):
         source = "a = f(x - y);\nb = f(x - y) - x - y;\n"
-        equivalence = mutate.Equivalence("a", "x - y)", ("x + y)", "y - x)"))
+        equivalence = Equivalence("a", "x - y)", ("x + y)", "y - x)"))
 
         def covered(file: str, start: int, end: int, new: str) -> bool:
-            return equivalence.covers(mutate.Mutant(1, file, "rule", source, start, end, new))
+            return equivalence.covers(Mutant(1, file, "rule", source, start, end, new))
 
         self.assertTrue(covered("a", 8, 9, "+"))
         self.assertTrue(covered("a", 6, 11, "y - x"))
@@ -103,18 +105,18 @@ class Library(unittest.TestCase):
         for start, end, new, expected in ((26, 27, "-", "   1  a:2:12                + -> -"),
                                           (24, 24, "-", "   1  a:2:10                a -> -a"),
                                           (24, 30, "", "   1  a:2:10                a + a -> nothing")):
-            self.assertEqual(str(mutate.Mutant(1, "a", "rule", source, start, end, new)), expected)
+            self.assertEqual(str(Mutant(1, "a", "rule", source, start, end, new)), expected)
 
     def test_numbers_are_those_of_the_list(self):
         self.assertEqual([m.number for m in MUTANTS], list(range(1, len(MUTANTS) + 1)))
 
     def test_a_sample_is_reproducible_and_spread(self):
-        chosen = mutate.sample(MUTANTS, 20, 1)
-        self.assertEqual(chosen, mutate.sample(MUTANTS, 20, 1))
-        self.assertNotEqual(chosen, mutate.sample(MUTANTS, 20, 2))
+        chosen = sample(MUTANTS, 20, 1)
+        self.assertEqual(chosen, sample(MUTANTS, 20, 1))
+        self.assertNotEqual(chosen, sample(MUTANTS, 20, 2))
         for i, mutant in enumerate(chosen):
             self.assertIn(mutant, MUTANTS[i * len(MUTANTS) // 20:(i + 1) * len(MUTANTS) // 20])
-        self.assertEqual(mutate.sample(MUTANTS, 10**6, 1), MUTANTS)
+        self.assertEqual(sample(MUTANTS, 10**6, 1), MUTANTS)
 
 
 # A stand-in for hn-conform: `unchanged` is its exit status for the library as it is, the others those for a mutant.
@@ -285,7 +287,7 @@ class Sweep(unittest.TestCase):
     def test_a_sample_has_no_equivalent_mutants(self):
         output = self.main("--list", "--program", "/nowhere", "--sample", "1000000")[1]
         numbers = {int(line.split()[0]) for line in output.splitlines()}
-        self.assertEqual(numbers, {m.number for m in MUTANTS if not mutate.is_equivalent(m)})
+        self.assertEqual(numbers, {m.number for m in MUTANTS if not is_equivalent(m)})
 
     def test_bad_usage(self):
         for arguments in (["--sample", "0"], ["--jobs", "x"], ["--file", "nothing.glsl"], ["--program", os.devnull],
