@@ -164,7 +164,7 @@ export class Picture {
     return true;
   }
 
-  // Says that a picture is drawn, if that takes long.
+  // Shows that a picture is being drawn, if that takes long.
   tell(draws) {
     if (draws) {
       this.drawingTimer ??= setTimeout(() => (byId("drawing").hidden = false), kPatience);

@@ -17,7 +17,7 @@ class NoiseTables {
   NoiseTables(const NoiseTables&) = delete;
   NoiseTables& operator=(const NoiseTables&) = delete;
 
-  // Tells a program where its tables are. They stay bound, behind the texture units of the grid renderer.
+  // Gives a program the texture units of its tables. They stay bound, behind the texture units of the grid renderer.
   void attach(const Program& program) const;
 
  private:

@@ -1,4 +1,4 @@
-// Says in words what each check demands: docs/reference/checks.md is made of that.
+// Describes what each check demands: docs/reference/checks.md is made of that.
 #pragma once
 
 #include <span>

@@ -51,7 +51,7 @@ Knobs knobs_in(std::string_view configuration) {
           sine ? "with HN_GRADIENT_SINE" : "without HN_GRADIENT_SINE"};
 }
 
-// Says nothing of functions that have no forms with a period.
+// Empty for functions that have no forms with a period.
 std::string periods_of(const Function* function) {
   if (function == nullptr || !(function->is_noise() || function->is_octave_sum())) return "";
   return function->takes_period() ? "with a period" : "without a period";

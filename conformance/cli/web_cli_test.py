@@ -45,7 +45,7 @@ def reporting(page, timed):
     return SUITE.sub(packed, page)
 
 
-# Tells at the end what stands on the page, too.
+# Sends the text of the page at the end, too.
 LOOK = """<script>{
   const send = window.fetch;
   const place = (id) => document.getElementById(id);

@@ -29,7 +29,7 @@ EShMessages rules_of(const Profile& profile) {
   return static_cast<EShMessages>(profile.spirv ? EShMsgSpvRules | EShMsgVulkanRules | hlsl : EShMsgDefault);
 }
 
-// Says which language a shader is in, and what is made of it.
+// Sets the language of a shader, and the one that it is compiled to.
 void set_environment(glslang::TShader& shader, const Profile& profile, EShLanguage language) {
   if (!profile.spirv) return;
   shader.setEnvInput(profile.in_glsl() ? glslang::EShSourceGlsl : glslang::EShSourceHlsl, language,

@@ -1,4 +1,4 @@
-// Tells about a module of SPIR-V.
+// Reads facts from a module of SPIR-V.
 #pragma once
 
 #include <cstdint>

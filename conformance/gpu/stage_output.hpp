@@ -1,4 +1,4 @@
-// Says where the results of a stage end up, and how they get there.
+// Where the results of a stage end up, and how they get there.
 #pragma once
 
 #include <glad/gl.h>

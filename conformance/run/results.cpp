@@ -72,7 +72,7 @@ Json to_json(const Run& run) {
   return one;
 }
 
-// Tells in where what it reads.
+// Keeps in `where` the place that it reads, for messages.
 Run run_from(const nlohmann::json& json, std::string& where) {
   const std::string here = where;
   Run run;

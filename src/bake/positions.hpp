@@ -1,4 +1,4 @@
-// Says where the points of an axis are: exactly, at any size, so that the last one of a tile is followed by the first.
+// Where the points of an axis are: exactly, at any size, so that the last one of a tile is followed by the first.
 #pragma once
 
 #include <cstdint>

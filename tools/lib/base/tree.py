@@ -1,4 +1,4 @@
-"""Says where things are. A file that moves is named anew here."""
+"""Where things are. A file that moves is named anew here."""
 
 import posixpath
 import re

@@ -24,6 +24,7 @@ class Words(unittest.TestCase):
                 ("There are two, of which one is red.", "'of which': write two sentences"),
                 ("A noise of whose points none is 0.", "'of whose': write two sentences"),
                 ("The tool says so.", "'says': programs print"),
+                ("Says it is so.", "'Says': programs print"),
                 ("| a | the command tells |", "'tells': programs print"),
                 ("It ends. What is left is 0.", "'What': begin with the subject"),
                 ("- Those of the plane are 1.", "'Those': begin with the subject"),

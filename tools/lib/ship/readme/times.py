@@ -1,4 +1,4 @@
-"""Tells how long the commands of the README take, by tools/costs.csv."""
+"""How long the commands of the README take, by tools/costs.csv."""
 
 from __future__ import annotations
 

@@ -5,7 +5,7 @@
 #include "Modules/ModuleManager.h"
 #include "ShaderCore.h"
 
-// Tells the engine where the shaders of the plugin are, before it compiles any: so materials include
+// Gives the engine the folder of the plugin's shaders, before it compiles any: so materials include
 // "/HashNoise/HashNoise.ush".
 class FHashNoiseModule : public IModuleInterface
 {
