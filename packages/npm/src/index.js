@@ -124,8 +124,10 @@ function whole(name, value, least, most) {
   return value;
 }
 
+const isFloat = (value) => typeof value === "number" && Number.isFinite(Math.fround(value));
+
 function real(name, value, least = -Infinity, most = Infinity) {
-  if (typeof value !== "number" || !Number.isFinite(Math.fround(value))) {
+  if (!isFloat(value)) {
     throw new RangeError(`${name} has to be a finite number, not ${shown(value)}`);
   }
   if (value < least || value > most) {
@@ -186,7 +188,7 @@ function perAxis(name, value, dimensions, check) {
   if (values.length !== dimensions) {
     throw new RangeError(`${name} has to be a number, or an array of ${dimensions}, not ${shown(value)}`);
   }
-  return values.map((one) => check(name, one));
+  return Array.from(values, (one) => check(name, one)); // map() would pass over empty places
 }
 
 const namesIn = (rows, dimensions) => Object.keys(rows).filter((name) => rows[name].dimensions.includes(dimensions));
@@ -333,7 +335,7 @@ export class Field {
     known(options, ["cells", "out"]);
     const { cells, out } = options;
     const { dimensions } = this;
-    const lists = [[coordinates, "coordinates", "finite numbers", Float32Array, (n) => Number.isFinite(Math.fround(n))]];
+    const lists = [[coordinates, "coordinates", "finite numbers", Float32Array, isFloat]];
     if (cells !== undefined) lists.push([cells, "cells", "whole numbers", Int32Array, Number.isSafeInteger]);
     for (const [arrays, name, what, type, good] of lists) {
       if (!Array.isArray(arrays) || arrays.length !== dimensions) {
@@ -343,7 +345,8 @@ export class Field {
         if (arrayOf(`an array of ${name}`, array, [type, Array]).length !== arrays[0].length) {
           throw new RangeError(`the arrays of ${name} have to be of the same length`);
         }
-        if (!array.every(good)) throw new RangeError(`the ${name} have to be ${what}`);
+        const bad = array.findIndex((one) => !good(one));
+        if (bad >= 0) throw new RangeError(`the ${name} have to be ${what}, not ${shown(array[bad])} at ${bad}`);
       }
       if (arrays[0].length !== coordinates[0].length) {
         throw new RangeError("the arrays of coordinates and of cells have to be of the same length");

@@ -164,8 +164,13 @@ test("wrong settings are reported", () => {
     [() => field.points([1, 2]), /an array of coordinates has to be of the type Float32Array or Array, not 1/],
     [() => field.points([[1]]), /the coordinates have to be an array of 2 arrays, one for each axis/],
     [() => field.points([[1], [1, 2]]), /have to be of the same length/],
-    [() => field.points([[1], [NaN]]), /the coordinates have to be finite numbers/],
-    [() => field.points([[1], [1]], { cells: [[1], [0.5]] }), /the cells have to be whole numbers/],
+    [() => field.points([[1, 2], [3, NaN]]), /the coordinates have to be finite numbers, not NaN at 1$/],
+    [() => field.points([[1], new Array(1)]), /the coordinates have to be finite numbers, not undefined at 0$/],
+    [() => field.points([[1], ["2"]]), /the coordinates have to be finite numbers, not "2" at 0$/],
+    [() => field.points([[null], [1]]), /the coordinates have to be finite numbers, not null at 0$/],
+    [() => field.points([[1], new Float32Array([Infinity])]), /the coordinates have to be finite numbers, not Infinity at 0$/],
+    [() => field.points([[1], [1]], { cells: [[1], [0.5]] }), /the cells have to be whole numbers, not 0.5 at 0$/],
+    [() => field.inCell(new Array(2), [0.5, 0.5]), /cell has to be a whole number from .*, not undefined$/],
   ]) {
     assert.throws(call, said);
   }
