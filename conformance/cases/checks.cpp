@@ -100,7 +100,8 @@ constexpr auto kDescriptions = std::to_array<CheckDescription>({
      "`range` takes."},
     {"other_noise",
      "An octave sum of the library over a constant noise has the value that follows by hand, at as many points as "
-     "`range` takes; one that cuts off the noise of an octave, over a noise beyond 1 and one beyond -1, too."},
+     "`range` takes; one that cuts off the noise of an octave, over a noise beyond 1 and one beyond -1, too, and one "
+     "that cuts off its slopes, over steeper ones."},
     {"positions",
      "A place that is made of a cell and a fraction, of a cell alone, of a position, or of whole units has that "
      "position in the first octave of a sum, bit by bit, and with a fraction of 1 that cell: at 64 places of each kind "

@@ -56,7 +56,9 @@ std::vector<Relation> further_cases_of(const Evaluation& evaluation, const Targe
   // HN_FIXED converts a noise of the user's to an integer.
   const bool takes_noise = once || configuration.name == "lattice+fixed";
   if (takes_noise && function.is_sum_of_noise) {
-    std::string cut = cuts_noise_off(function) ? fmt::format("cut {}", name_of(configuration.arithmetic)) : "";
+    std::string cut = cuts_noise_off(function, configuration.arithmetic)
+                          ? fmt::format("cut {}", name_of(configuration.arithmetic))
+                          : "";
     further.push_back({"other_noise", CheckKind{evaluation, check_other_noise}, nullptr, 1, std::move(cut)});
   }
   if (!profile.es && (function.id.ends_with("cellular_cell_nearest") || function.id.ends_with("cell_border_nearest"))) {

@@ -41,8 +41,8 @@ Check check_mirror;       // no quadrant mirrors another
 Check check_finite;       // and neither NaN nor infinity at extreme points
 Check check_unseeded;     // unseeded_check.cpp: without a seed means with seed 0
 Check check_other_noise;  // other_noise_check.cpp: sums over a constant noise
-// Whether an octave sum cuts off the noise of each octave at 1 and -1, and it shows.
-bool cuts_noise_off(const Function& function);
+// Whether an octave sum cuts off the noise of each octave at 1 and -1, or its slopes at 128 and -128, and it shows.
+bool cuts_noise_off(const Function& function, Arithmetic arithmetic);
 
 // derivative_check.cpp, slope_sum_check.cpp, divergence_check.cpp and seams_check.cpp
 Check check_derivative;  // derivatives are those of the noise

@@ -106,6 +106,10 @@ EQUIVALENT: tuple[Equivalence, ...] = (
     *alike("detail/arithmetic.glsl", ("abs(x)", "abs(-x)"), ("abs(n)", "abs(-n)"), ("x < 0, -x, x", "x <= 0, -x, x")),
     *alike("detail/direction.glsl", ("abs(x)", "abs(-x)")),
 
+    # So is the noise of an octave but for its sign, which these drop.
+    *alike("detail/octave.glsl", *((f"{call}(n))", f"{call}(-n))") for call in (
+        "size(hn_i_octave", "size(hn_i_bounded_octave", "ridge(hn_i_bounded_octave"))),
+
     # So is the square, and the other components are not used.
     *alike("detail/square_root.glsl", *((f"ivec3({axis}, 0, 0)", f"ivec3(-{axis}, 0, 0)", f"ivec3({axis}, 1, 0)", f"ivec3({axis}, 0, 1)")
                           for axis in "xyz")),
