@@ -106,10 +106,6 @@ EQUIVALENT: tuple[Equivalence, ...] = (
     *alike("detail/arithmetic.glsl", ("abs(x)", "abs(-x)"), ("abs(n)", "abs(-n)"), ("x < 0, -x, x", "x <= 0, -x, x")),
     *alike("detail/direction.glsl", ("abs(x)", "abs(-x)")),
 
-    # So is the noise of an octave but for its sign, which these drop.
-    *alike("detail/octave.glsl", *((f"{call}(n))", f"{call}(-n))") for call in (
-        "size(hn_i_octave", "size(hn_i_bounded_octave", "ridge(hn_i_bounded_octave"))),
-
     # So is the square, and the other components are not used.
     *alike("detail/square_root.glsl", *((f"ivec3({axis}, 0, 0)", f"ivec3(-{axis}, 0, 0)", f"ivec3({axis}, 1, 0)", f"ivec3({axis}, 0, 1)")
                           for axis in "xyz")),
@@ -246,8 +242,10 @@ def included_anyhow(file: str) -> frozenset[str]:
 #   the whole sum is exact. Where a driver contracts it, HN_FAST is within its bound with either square rounded.
 COMMUTES = re.compile(r"\bhn_i_(?:(?:with|summed)\([\w.]+, |multiply_high\(|squared?\()$")
 # Text before a number whose sign plays no part: its absolute value is taken, or it is squared, in HN_FIXED after its
-# absolute value is taken or with a product that has no more than 32 bits.
-SQUARED = re.compile(r"\bhn_i_(?:sizes?|squared?|triangle_falloff)\((?:[^(),]*, )*$")
+# absolute value is taken or with a product that has no more than 32 bits. The noise of an octave is cut off and rounded
+# alike on both sides of 0.
+SQUARED = re.compile(r"\bhn_i_(?:sizes?|squared?|triangle_falloff|ridge|add_(?:bounded_)?size|add_ridge)\("
+                     r"(?:hn_i_(?:bounded_)?octave\(|(?:[^(),]*, )*)$")
 
 
 def is_equivalent(mutant: Mutant) -> bool:
