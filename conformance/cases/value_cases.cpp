@@ -56,10 +56,12 @@ std::vector<Relation> further_cases_of(const Evaluation& evaluation, const Targe
   // HN_FIXED converts a noise of the user's to an integer.
   const bool takes_noise = once || configuration.name == "lattice+fixed";
   if (takes_noise && function.is_sum_of_noise) {
-    std::string cut = cuts_noise_off(function, configuration.arithmetic)
-                          ? fmt::format("cut {}", name_of(configuration.arithmetic))
-                          : "";
-    further.push_back({"other_noise", CheckKind{evaluation, check_other_noise}, nullptr, 1, std::move(cut)});
+    Relation over_constant{"other_noise", CheckKind{evaluation, check_other_noise}};
+    if (cuts_noise_off(function, configuration.arithmetic)) {
+      over_constant.besides =
+          function.has_slopes() ? "cut slopes" : fmt::format("cut {}", name_of(configuration.arithmetic));
+    }
+    further.push_back(std::move(over_constant));
   }
   if (!profile.es && (function.id.ends_with("cellular_cell_nearest") || function.id.ends_with("cell_border_nearest"))) {
     further.push_back({"cell_names", CheckKind{evaluation, check_cell_names}, nullptr, 4});
