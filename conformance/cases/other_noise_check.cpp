@@ -118,31 +118,31 @@ double sum_of_constant_noise(const ConstantSum& sum) {
   return 0.0;
 }
 
-// The derivative along an axis, and how far a result may be from it: an octave multiplies the slopes by numbers that
-// are rounded to 2^-18. llvmpipe had less than half of that.
-struct Slope {
-  double value;
+// The derivatives, and how far a result may be from them: an octave multiplies the slopes by numbers that are rounded
+// to 2^-18. llvmpipe had less than half of that.
+struct Slopes {
+  Vector values;
   double allowed;
 };
 constexpr double kErrorOfGrowth = 4.3 * 0x1p-18;
 
-Slope slope_of_constant_noise(const ConstantSum& sum, std::size_t axis) {
-  Vector slopes = sum.constant.slopes;
-  for (double& along : slopes) along = std::clamp(along, -kGreatestSlope, kGreatestSlope);
-  if (sum.axes == 2) slopes[2] = 0.0;
-  double slope = 0.0;
+Slopes slopes_of_constant_noise(const ConstantSum& sum) {
+  Vector v = sum.constant.slopes;
+  for (double& along : v) along = std::clamp(along, -kGreatestSlope, kGreatestSlope);
+  if (sum.axes == 2) v[2] = 0.0;
+  const double length = std::hypot(v[0], v[1], v[2]);
+  Vector slopes = {};
   double total = 0.0;
   double growths = 0.0;
   for (int i = 0; i < sum.octaves; ++i) {
     const double growth = std::pow(sum.gain * sum.lacunarity, i);
-    Vector v = slopes;
-    for (int octave = 0; octave < i; ++octave) v = rotated_back(sum, v);
-    slope += growth * v[axis];
+    for (std::size_t axis = 0; axis < v.size(); ++axis) slopes[axis] += growth * v[axis];
     total += std::pow(sum.gain, i);
     growths += growth;
+    v = rotated_back(sum, v);
   }
-  const double length = std::hypot(slopes[0], slopes[1], slopes[2]);
-  return {total > 0.0 ? slope / total : 0.0, kErrorOfGrowth * length * (1.0 + growths)};
+  for (double& slope : slopes) slope = total > 0.0 ? slope / total : 0.0;
+  return {slopes, kErrorOfGrowth * length * (1.0 + growths)};
 }
 
 // A few roundings of sum and total. In integers the other terms of an octave are rounded to 2^-18, and the slopes of an
@@ -230,11 +230,11 @@ void compare(Comparison& comparison, const Evaluation& evaluation, const Constan
              std::span<const std::uint32_t> inputs, std::span<const std::uint32_t> outputs) {
   const Function& function = evaluation.function;
   const ConstantSum sum = settings_of(function, inputs, constant);
+  const Slopes slopes = function.has_slopes() ? slopes_of_constant_noise(sum) : Slopes{};
   for (std::size_t word = 0; word < function.outputs.size(); ++word) {
     const float got = std::bit_cast<float>(outputs[word]);
     if (function.is_slope(word)) {
-      const Slope slope = slope_of_constant_noise(sum, word - 1);  // the value comes first
-      comparison.number(inputs, got, slope.value, slope.allowed, word);
+      comparison.number(inputs, got, slopes.values[word - 1], slopes.allowed, word);  // the value comes first
     } else {
       comparison.number(inputs, got, sum_of_constant_noise(sum),
                         tolerance_of_constant_noise(sum, evaluation.configuration), word);

@@ -1,4 +1,4 @@
-// The subjects of the tests, and their places: every noise and every sum, with settings, grids and lists drawn by chance.
+// The subjects of tests, and their places: every noise and every sum, with settings, grids and lists drawn by chance.
 // SPDX-License-Identifier: MIT
 
 #pragma once

@@ -77,7 +77,8 @@ class Library(unittest.TestCase):
         self.assertEqual(verdicts("detail/body_centred_lattice.glsl", "hn_i_square(dx.x, dy.x, dz.x, dw.x)",
                                   ("dx.x, dy.x", "dy.x, dx.x"), ("dw", "-dw"), ("dx", "f")), [True, True, False])
         for text, verdict in (("hn_i_size(hn_i_octave(n))", True), ("hn_i_size(hn_i_bounded_octave(n))", True),
-                              ("hn_i_ridge(hn_i_bounded_octave(n))", True), ("hn_i_height(hn_i_bounded_octave(n))", False)):
+                              ("hn_i_ridge(hn_i_bounded_octave(n))", True),
+                              ("hn_i_height(hn_i_bounded_octave(n))", False)):
             self.assertEqual(verdicts(octave, text, ("n", "-n")), [verdict], text)
         for function, verdict in (("turbulence", True), ("ridged", True), ("hybrid", False)):
             self.assertEqual(verdicts("octaves4d.glsl", f"hn_add_{function}(", ("n", "-n")), [verdict], function)

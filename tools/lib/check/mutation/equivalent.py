@@ -163,9 +163,9 @@ EQUIVALENT: tuple[Equivalence, ...] = (
     *alike("cellular_three2d.glsl", ("hn_i_size(d.x) >= hn_i_size(d.y)", "hn_i_size(d.x) > hn_i_size(d.y)")),
     *alike("cellular_three3d.glsl", ("x >= max(y, z)", "x > max(y, z)"), ("y >= z", "y > z")),
 
-    # Such a row has the words of the row beside it, so its points are those of that row, one step on. None makes the
-    # nearest border: in 20,000 climbs, each over where the place is and where all points are in their cells, another
-    # border stayed nearer, by 0.139 of a cell or more.
+    # A row more on either side has the words of the row beside it, so its points are those of that row, one step on.
+    # None makes the nearest border: in 20,000 climbs, each over where the place is and where all points are in their
+    # cells, another border stayed nearer, by 0.139 of a cell or more.
     *alike("cell_border3d.glsl", ("n = -1; n <= 1", "n = -2; n <= 1", "n = -1; n <= 2")),
 
     # A jitter beyond 1 is taken as 1.
