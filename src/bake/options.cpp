@@ -248,6 +248,10 @@ Result<void> choose_ranges(BakeOptions& options, const std::vector<std::string>&
       return fail(
           fmt::format("--range {}: it wants two numbers, the smaller one first, as in --range -1:1", in_quotes(text)));
     }
+    if (!std::isfinite(*greatest - *least)) {
+      return fail(
+          fmt::format("--range {}: its ends are too far apart; values are floats, of 3.4e38 at most", in_quotes(text)));
+    }
     options.ranges.push_back({*least, *greatest});
   }
   if (options.normalize && !options.ranges.empty()) {

@@ -158,6 +158,9 @@ def checked_ranges(function, name, range, dtype, field):
     least, greatest = (real_number(function, "range", end) for end in range)
     if not least < greatest:
         raise ValueError(f"{function}: range must have a least end below its greatest, not {_shown(range)}")
+    if greatest - least == float("inf"):
+        raise ValueError(f"{function}: the ends of range are too far apart, {_shown(range)}; values are floats, of "
+                         "3.4e38 at most")
     return [(least, greatest)] * len(field.component_names)
 
 

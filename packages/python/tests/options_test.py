@@ -294,6 +294,7 @@ class Wrong(unittest.TestCase):
                 (TypeError, {"range": (0, 1, 2), "dtype": "uint16"}, "range must be a pair"),
                 (ValueError, {"range": (1, 1), "dtype": "uint16"}, "range must have a least end below its greatest"),
                 (ValueError, {"range": (0, float("inf")), "dtype": "uint16"}, "range must be finite, not inf"),
+                (ValueError, {"range": (-1e308, 1e308), "dtype": "uint16"}, "the ends of range are too far apart"),
                 (ValueError, {"name": "fbm_d", "dtype": "uint16"},
                  r"fbm_d documents no range of its plane 'dx'; say with range=\(least, greatest\)"),
                 (ValueError, {"name": "grid"}, "there is no function 'grid'"),

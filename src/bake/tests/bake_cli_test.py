@@ -218,6 +218,7 @@ class Bake(unittest.TestCase):
             (["fbm", "-o", "a.png", "--range", "1:-1"], "--range", "-1:1"),
             (["fbm", "-o", "a.png", "--range", "1"], "--range"),
             (["fbm", "-o", "a.png", "--range", "0:nan"], "--range"),
+            (["fbm", "-o", "a.png", "--range=-1e308:1e308"], "--range", "apart"),
             (["fbm", "-o", "a.png", "--range", "0:1", "--normalize"], "leave one out"),
             (["fbm", "-o", "a.png", "--range", "0:1", "--range", "0:1"], "2 times"),
             (["fbm", "-o", "a.exr", "--range", "0:1"], "as they are"),
