@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 #include <hashnoise/hashnoise.hpp>
+#include <iterator>
 #include <vector>
 
 #include "cases/value_checks.hpp"
@@ -30,15 +31,25 @@ constexpr Vector kSteepSlopes = {-50.5, 30.25, 16.125};
 constexpr Vector kCutSlopes = {-200.5, 150.25, 129.125};
 constexpr double kGreatestSlope = 128.0;
 
+// The constants that the sum cuts off, and it shows: other sums cut off their mean or their sum of slopes as well.
+std::vector<Constant> constants_cut_off(const Function& function, Arithmetic arithmetic) {
+  switch (octave_sum_of(function)) {
+    case OctaveSum::fbm_d:
+      if (arithmetic != Arithmetic::fixed) return {};
+      return {{-0.5, kCutSlopes}};
+    case OctaveSum::ridged:
+    case OctaveSum::hybrid:
+    case OctaveSum::ping_pong:
+      return {{1.25, kConstantSlopes}, {-1.25, kConstantSlopes}};
+    default:
+      return {};
+  }
+}
+
 std::vector<Constant> constants_of(const Function& function, Arithmetic arithmetic) {
   const bool sums_slopes = octave_sum_of(function) == OctaveSum::fbm_d;
   std::vector<Constant> constants = {{-0.5, sums_slopes ? kSteepSlopes : kConstantSlopes}};
-  if (!cuts_noise_off(function, arithmetic)) return constants;
-  if (sums_slopes) {
-    constants.push_back({-0.5, kCutSlopes});
-  } else {
-    constants.insert(constants.end(), {{1.25, kConstantSlopes}, {-1.25, kConstantSlopes}});
-  }
+  std::ranges::copy(constants_cut_off(function, arithmetic), std::back_inserter(constants));
   return constants;
 }
 
@@ -244,11 +255,8 @@ void compare(Comparison& comparison, const Evaluation& evaluation, const Constan
 
 }  // namespace
 
-// Other sums cut off their mean or their sum of slopes as well, which hides it.
 bool cuts_noise_off(const Function& function, Arithmetic arithmetic) {
-  const OctaveSum sum = octave_sum_of(function);
-  if (sum == OctaveSum::fbm_d) return arithmetic == Arithmetic::fixed;
-  return sum == OctaveSum::ridged || sum == OctaveSum::hybrid || sum == OctaveSum::ping_pong;
+  return !constants_cut_off(function, arithmetic).empty();
 }
 
 // The sums of the library, over constant noises.
