@@ -454,6 +454,18 @@ class Headers(unittest.TestCase):
                     self.assertIn("write 16u for a seed", errors[0])
                     self.assertEqual(len(errors), 1)
 
+    def test_a_function_of_the_users_has_deleted_calls_in_any_namespace(self) -> None:
+        text = ("#include <hashnoise/hashnoise.hpp>\n{0}\n"
+                "inline float other(hashnoise::vec2 p, hashnoise::uint seed) {{ return hn_perlin(p, seed); }}\n"
+                "HN_ONLY_TYPES_OF_GLSL(other)\n{1}\n"
+                "float f(hashnoise::vec2 p) {{ return {2}other(p, {3}); }}\n")
+        for compiler in COMPILERS:
+            for begin, end, name in (("", "", ""), ("namespace mine { namespace detail {}", "}", "mine::"),
+                                     ("namespace hashnoise {", "}", "hashnoise::")):
+                with self.subTest(compiler=compiler, name=name):
+                    self.assertEqual(messages(compiler, text.format(begin, end, name, "16u"), "-std=c++20"), "")
+                    self.assertIn("write 16u for a seed", messages(compiler, text.format(begin, end, name, "16"), "-std=c++20"))
+
     def test_every_function_has_deleted_calls(self) -> None:
         functions = public_functions()
         self.assertTrue({"hn_perlin", "hn_fbm", "hn_warp_progressive", "hn_cell", "hn_hash"} <= set(functions))

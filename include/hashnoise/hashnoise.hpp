@@ -17,7 +17,6 @@
 // namespaces, so that translation units that differ in them may be linked together. HN_HASH_FN does not: its meaning
 // must be the same in all translation units in which these three are the same.
 //
-//
 // C++ converts numbers that GLSL does not: 2.5f would be 2 octaves, and the 16 of hn_perlin(x, 16) a seed. Such calls
 // are errors of the compiler ("write 16u for a seed"). An argument has the type that the function names: 7u is a
 // seed and 6 a number of octaves; a double such as 0.5 is a float, as it is in GLSL. HN_ONLY_TYPES_OF_GLSL(name) behind
@@ -91,21 +90,24 @@ HN_I_INLINE constexpr auto as_in_glsl(T argument) {
 //
 // The hint is in the first line of the error: GCC writes there the type that a deleted function returns, and Clang only
 // what an attribute of it has.
-#define HN_I_HINT "write 16u for a seed, 6 for octaves, 2.0f for other numbers"
+#define HN_I_HINT \
+  "write 16u for a seed, 6 for octaves, 2.0f for other numbers, an ivec2 for cells; or an argument is missing"
 #ifdef __clang__
 #define HN_I_REFUSED(signature) [[clang::unavailable(HN_I_HINT)]] float signature
 #else
-#define HN_I_REFUSED(signature) detail::Refused<HN_I_HINT> signature = delete
+#define HN_I_REFUSED(signature) ::hashnoise::detail::Refused<HN_I_HINT> signature = delete
 #endif
 // clang-format off
 #define HN_ONLY_TYPES_OF_GLSL(name)                                                                              \
   template <typename... TypesInCall>                                                                             \
-  requires(detail::kAreOfGlsl<TypesInCall...> && !detail::kHaveDouble<TypesInCall...>)                           \
+  requires(::hashnoise::detail::kAreOfGlsl<TypesInCall...> && !::hashnoise::detail::kHaveDouble<TypesInCall...>) \
   HN_I_REFUSED(name(TypesInCall...));                                                                            \
   template <typename... TypesInCall>                                                                             \
-  constexpr bool hn_i_takes_##name = requires(TypesInCall... call) { name(detail::as_in_glsl(call)...); };       \
+  constexpr bool hn_i_takes_##name = requires(TypesInCall... call) {                                             \
+    name(::hashnoise::detail::as_in_glsl(call)...);                                                              \
+  };                                                                                                             \
   template <typename... TypesInCall>                                                                             \
-  requires(detail::kAreOfGlsl<TypesInCall...> && detail::kHaveDouble<TypesInCall...> &&                          \
+  requires(::hashnoise::detail::kAreOfGlsl<TypesInCall...> && ::hashnoise::detail::kHaveDouble<TypesInCall...> && \
            !hn_i_takes_##name<TypesInCall...>)                                                                   \
   HN_I_REFUSED(name(TypesInCall...));
 // clang-format on
