@@ -24,6 +24,7 @@
 // clang-format on
 
 #include <array>
+#include <concepts>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -49,9 +50,20 @@ enum class Metric { kEuclidean = 1, kSquared = 2, kManhattan = 3, kChebyshev = 4
 
 enum class InstructionSet { kSse41, kAvx2, kAvx512, kNeon, kGeneric };
 
-// Describes a field. The names are those of the functions in GLSL without hn_, and the numbers are their parameters. A
-// setting that the function does not have, or a number outside of its range, is an error of Field's constructor. The
-// octaves of a fractal rotate unless it has a period.
+// A whole number that may be left out. std::optional<int> would take a float, too, and drop its fraction.
+struct OptionalInt : std::optional<int> {
+  OptionalInt() = default;
+  OptionalInt(std::nullopt_t) {}
+  OptionalInt(const std::optional<int>& value) : std::optional<int>(value) {}
+  OptionalInt(int value) : std::optional<int>(value) {}
+  template <std::floating_point T>
+  OptionalInt(T) = delete;
+};
+
+// Describes a field. The names are those of the functions in GLSL without hn_ and without the forms: cellular with a
+// phase is hn_cellular_phase. The numbers are the parameters of the functions. A setting that the function does not
+// have, or a number outside of its range, is an error of Field's constructor. The octaves of a fractal rotate unless it
+// has a period.
 struct Settings {
   // "value", "simplex_d", ...: see noise_names; if empty "perlin", or what the fractal takes in GLSL. The fractal
   // perlin_worley has noises of its own, and takes none.
@@ -60,10 +72,13 @@ struct Settings {
   std::string fractal{};
   Arithmetic arithmetic = Arithmetic::kFast;
   std::uint32_t seed = 0;
-  std::array<std::int32_t, 4> period{};  // in cells, along each axis; 0 for none, and not negative
+  // In cells, a number for each axis of the field, not negative; 0 is none, so {8} repeats along x alone.
+  std::array<std::int32_t, 4> period{};
 
   // For noises.
-  std::optional<float> phase{};  // in turns; perlin, perlin_d, simplex, simplex_d, cellular and phasor in 2D and 3D
+  // In turns; perlin, perlin_d, simplex, simplex_d, cellular and phasor in 2D and 3D. In 3D and for cellular a phase of
+  // 0 is not the noise without a phase.
+  std::optional<float> phase{};
   std::optional<float> jitter{};   // in [0, 1], and 1 if it is left out; cellular noises
   std::optional<Metric> metric{};  // the distance function, and kEuclidean if it is left out; cellular, cellular_three
   // A number for each axis, in [-16, 16]: the direction in which waves run, times the waves per cell. 3 along x if it
@@ -71,7 +86,7 @@ struct Settings {
   std::vector<float> wave{};
 
   // For fractals.
-  std::optional<int> octaves{};       // from 1 to 32, and 6 if it is left out
+  OptionalInt octaves{};  // from 1 to 32, and 6 if it is left out
   // 2 if it is left out. With a period whole, from 1 to 255; in cells and with kFixed from 0 to 255.
   std::optional<float> lacunarity{};
   std::optional<float> gain{};  // not negative, and with kFixed at most 1; 0.5 if it is left out
@@ -94,6 +109,8 @@ HN_I_OFFERED Executor threads(int count = 0);
 // A field in D dimensions, 1 to 4. It has no state that changes: many threads may use one at once.
 template <int D>
 class HN_I_OFFERED Field {
+  static_assert(1 <= D && D <= 4, "hashnoise: a field has 1 to 4 dimensions");
+
  public:
   // Throws std::invalid_argument, which names the wrong value and the right ones. It does so for all settings where
   // instruction_sets() is empty.
@@ -112,7 +129,7 @@ class HN_I_OFFERED Field {
   InstructionSet instruction_set() const;
 
   // Writes components() * points numbers, and returns the least and the greatest of them (of the first component).
-  // Throws std::invalid_argument if `values` has another size, or if a number of a grid is not finite or too large.
+  // Throws std::invalid_argument if `values` has another size, or if a number of a grid is not finite or out of range.
   // Where a coordinate of a list of points is NaN or infinite, all numbers of that point are NaN.
   Range fill(const Grid<D>& grid, std::span<float> values, const Executor& executor = {}) const;
   Range fill(const CellGrid<D>& grid, std::span<float> values, const Executor& executor = {}) const;

@@ -39,7 +39,7 @@ struct Grid {
 
 // A uniform grid from a cell and a position in it: exact however far out, and no two points fall together.
 //   cell    the cell of the first point; cells wrap at 2^32
-//   f       its position in the cell, in [0, 1]
+//   f       its position in the cell, in [0, 1]; else Field throws, and lanes::fill takes the nearer end
 //   step    from point to point along each axis, in cells; rounded to a multiple of 2^-32, and less than 2^31
 //   size    points along each axis, less than 2^29
 //   first   as of Grid
@@ -60,7 +60,8 @@ struct Points {
   PerAxis<std::span<const float>, D> p{};
 };
 
-// Points as cells and positions in them.
+// Points as cells and positions in them, in [0, 1]. Outside of it HN_FIXED takes the nearer end, and for floats no
+// value is defined.
 template <int D>
 struct CellPoints {
   PerAxis<std::span<const std::int32_t>, D> cell{};

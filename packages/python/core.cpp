@@ -538,7 +538,9 @@ NB_MODULE(_core, module) {
           "metric",
           [](const Settings& settings) { return static_cast<int>(settings.metric.value_or(Metric::kEuclidean)); },
           [](Settings& settings, int value) { settings.metric = static_cast<Metric>(value); })
-      .def_rw("octaves", &Settings::octaves)
+      .def_prop_rw(
+          "octaves", [](const Settings& settings) -> std::optional<int> { return settings.octaves; },
+          [](Settings& settings, std::optional<int> value) { settings.octaves = value; })
       .def_rw("lacunarity", &Settings::lacunarity)
       .def_rw("gain", &Settings::gain)
       .def_rw("strength", &Settings::strength)

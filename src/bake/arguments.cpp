@@ -64,7 +64,7 @@ void add_parameters(CLI::App& app, BakeOptions& options, Words& words) {
   app.add_option("--period", words.period, "Cells after which the field repeats, along each axis; 0 for none")
       ->type_name("X[xY...]")
       ->group(group);
-  app.add_option("--octaves", settings.octaves,
+  app.add_option("--octaves", static_cast<std::optional<int>&>(settings.octaves),
                  fmt::format("Of a fractal (default: {})", hashnoise::grid::kOctavesRule.usual))
       ->type_name("N")
       ->check(within(hashnoise::grid::kOctavesRule))

@@ -127,7 +127,10 @@ Axis axis_of(const Plan& plan, float origin, float step, int size, int first) {
 }
 
 Axis axis_of(std::int32_t cell, float f, double step, int size, int first) {
-  check_finite("the place", f);
+  if (!(f >= 0.0f && f <= 1.0f)) {  // for NaN, too
+    throw std::invalid_argument("f of a grid is " + grid::digits_of(static_cast<double>(f)) +
+                                ", and has to be from 0 to 1");
+  }
   check_finite("the step", step);
   if (std::abs(step) >= 2147483648.0) throw std::invalid_argument("the step of a grid has to be less than 2^31 cells");
   Axis axis;

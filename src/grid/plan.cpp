@@ -37,12 +37,12 @@ std::vector<std::string_view> names_in(const Rows& rows, int dimensions) {
   return names_where(rows, [=](const auto& row) { return has(row, dimensions); });
 }
 
-// The row of a name, or an error that lists all names, and the nearest one.
+// The row of a name, or an error that lists the names to choose from, and the nearest one.
 template <typename Rows>
-std::size_t find(const Rows& rows, const char* what, const std::string& name, int dimensions) {
+std::size_t find(const Rows& rows, const char* what, const std::string& name, int dimensions,
+                 const std::vector<std::string_view>& names) {
   const auto row = std::find_if(rows.begin(), rows.end(), [&](const auto& r) { return r.name == name; });
   if (row == rows.end() || !has(*row, dimensions)) {
-    const std::vector<std::string_view> names = names_in(rows, dimensions);
     refuse("there is no " + std::string(what) + " " + quoted(name) + in_dimensions(dimensions) +
            detail::suggestion(name, names) + "; there are: " + listed(names));
   }
@@ -238,26 +238,36 @@ Plan plan_of(int dimensions, const Settings& settings) {
     refuse("metric has to be a value of Metric: " + listed({std::begin(kMetricNames), std::end(kMetricNames)}));
   }
   std::optional<SumId> sum;
-  if (!settings.fractal.empty()) sum = static_cast<SumId>(find(kSumRows, "fractal", settings.fractal, dimensions));
+  if (!settings.fractal.empty()) {
+    sum = static_cast<SumId>(find(kSumRows, "fractal", settings.fractal, dimensions, fractal_names(dimensions)));
+  }
   // A sum over noises of its own counts as Perlin noise.
   NoiseId noise = sum && kSumRows.at(*sum).takes_noise() ? kSumRows.at(*sum).usual_noise : kPerlin;
   if (sum && !kSumRows.at(*sum).takes_noise() && !settings.noise.empty()) {
     refuse("the fractal " + quoted(settings.fractal) + " has noises of its own; leave the noise " +
            quoted(settings.noise) + " out");
   }
-  if (!settings.noise.empty()) noise = static_cast<NoiseId>(find(kNoiseRows, "noise", settings.noise, dimensions));
+  if (!settings.noise.empty()) {
+    const auto names = sum ? summands(kSumRows.at(*sum).of, dimensions) : noise_names(dimensions);
+    noise = static_cast<NoiseId>(find(kNoiseRows, "noise", settings.noise, dimensions, names));
+  }
   bool tiled = false;
   for (std::size_t axis = 0; axis < settings.period.size(); ++axis) {
-    check(kPeriodRule, settings.period[axis]);
-    if (axis < static_cast<std::size_t>(dimensions)) tiled = tiled || settings.period[axis] > 0;
-    plan.options.period[axis] = settings.period[axis];
+    const std::int32_t period = settings.period[axis];
+    check(kPeriodRule, period);
+    if (period != 0 && axis >= static_cast<std::size_t>(dimensions)) {
+      refuse("period has a number for the axis " + std::string(1, "xyzw"[axis]) + ", which is not there" +
+             in_dimensions(dimensions));
+    }
+    tiled = tiled || period > 0;
+    plan.options.period[axis] = period;
   }
   check_owners(settings, dimensions, kNoiseRows.at(noise), sum ? &kSumRows.at(*sum) : nullptr, tiled);
   plan.set = chosen(settings.instruction_set);
   plan.may_fuse = settings.arithmetic == Arithmetic::kFast;
   plan.kernels = &kernels_for(plan.set, settings.arithmetic);
   plan.options.seed = settings.seed;
-  plan.options.phase = checked(kPhaseRule, settings.phase);
+  plan.options.phase = settings.phase ? checked(kPhaseRule, settings.phase) : 0.0f;  // of the phasor, if there is none
   plan_wave(plan, settings.wave);
   plan.options.jitter = checked(kJitterRule, settings.jitter);
   plan.options.metric = metric;

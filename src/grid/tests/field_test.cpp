@@ -59,7 +59,7 @@ std::string error_of(const Places& places, std::size_t numbers) {
 testing::AssertionResult has_parts(const std::string& text, std::initializer_list<std::string_view> parts) {
   for (const std::string_view part : parts) {
     if (text.find(part) == std::string::npos) {
-      return testing::AssertionFailure() << "'" << text << "' does not say '" << part << "'";
+      return testing::AssertionFailure() << "'" << text << "' does not have '" << part << "'";
     }
   }
   return testing::AssertionSuccess();
@@ -303,7 +303,11 @@ TEST(Settings, WithoutANoiseHaveTheUsualOne) {
 
 TEST(Errors, OfAnUnknownNoiseNameTheKnownOnes) {
   EXPECT_TRUE(has_parts(error_of<2>(of("perlln")), {"perlln", "(did you mean perlin?)", "cell_border"}));
+  EXPECT_TRUE(has_parts(error_of<2>(of("hn_value")), {"hn_value", "(did you mean value?)"}));
   EXPECT_TRUE(has_parts(error_of<1>(of("hn_perlin")), {"value_cubic"}));
+  const std::string of_fbm = error_of<2>(of("opensimplex2", "fbm"));
+  EXPECT_TRUE(has_parts(of_fbm, {"opensimplex2", "simplex"}));
+  EXPECT_EQ(of_fbm.find("cellular,"), std::string::npos) << of_fbm;  // it takes no distances
   EXPECT_ERROR(error_of<3>(of("Perlin")));
   EXPECT_ERROR(error_of<3>(of("perlin ")));
 }
@@ -355,7 +359,7 @@ void expect_errors_of_wrong_pairs() {
       EXPECT_TRUE(has_parts(error, {noise.name})) << sum;
       EXPECT_TRUE(
           std::ranges::any_of(right, [&](const std::string& name) { return error.find(name) != std::string::npos; }))
-          << error << ": it does not say what would be right";
+          << error << ": it names nothing that would be right";
     }
   }
 }
@@ -643,6 +647,21 @@ TEST(Errors, OfANegativePeriod) {
   }
 }
 
+TEST(Errors, OfAPeriodAlongAnAxisThatIsNotThere) {
+  Settings settings = of("perlin");
+  settings.period = {4, 4, 4, 4};
+  EXPECT_NO_ERROR(error_of<4>(settings));
+  EXPECT_EQ(error_of<3>(settings), "period has a number for the axis w, which is not there in 3D");
+  EXPECT_EQ(error_of<1>(settings), "period has a number for the axis y, which is not there in 1D");
+}
+
+// Octaves of 2.9 would be 2.
+static_assert(std::is_constructible_v<OptionalInt, int> && std::is_assignable_v<OptionalInt&, int>);
+static_assert(std::is_assignable_v<OptionalInt&, std::optional<int>> &&
+              std::is_assignable_v<OptionalInt&, std::nullopt_t>);
+static_assert(!std::is_convertible_v<float, OptionalInt> && !std::is_convertible_v<double&, OptionalInt>);
+static_assert(!std::is_assignable_v<OptionalInt&, float> && !std::is_assignable_v<OptionalInt&, const double&>);
+
 TEST(Errors, OfADetailBesideOctavesOrAFootprint) {
   Settings settings = of("perlin", "fbm");
   settings.detail = 2.5f;
@@ -884,6 +903,15 @@ TEST(Errors, OfPlacesThatAreNotFinite) {
       EXPECT_ERROR(error_of<2>(cells, 4)) << wrong;
     }
   }
+}
+
+TEST(Errors, OfAPlaceOutsideOfItsCell) {
+  for (const float wrong : {-0x1p-149f, 1.0f + 0x1p-23f, 6.5f}) {
+    EXPECT_TRUE(
+        has_parts(error_of<2>(CellGrid<2>{{0, 0}, {0, wrong}, {1, 1}, {2, 2}}, 4), {"f of a grid is ", "from 0 to 1"}))
+        << wrong;
+  }
+  EXPECT_NO_ERROR(error_of<2>(CellGrid<2>{{0, 0}, {-0.0f, 1.0f}, {1, 1}, {2, 2}}, 4));
 }
 
 TEST(Errors, OfPlacesThatAreTooLarge) {
