@@ -124,6 +124,7 @@ function whole(name, value, least, most) {
   return value;
 }
 
+const isFraction = (value) => typeof value === "number" && value >= 0 && value <= 1;
 const isFloat = (value) => typeof value === "number" && Number.isFinite(Math.fround(value));
 
 function real(name, value, least = -Infinity, most = Infinity) {
@@ -150,8 +151,9 @@ function oneOf(name, value, names, elsewhere = {}) {
   return value;
 }
 
-/** The name that a few typing errors turn into the word: at most a third of its letters. */
-function suggestion(word, names) {
+/** The name that a few typing errors turn into the word: at most a third of its letters. The word may begin with hn_. */
+function suggestion(text, names) {
+  const word = typeof text === "string" ? text.replace(/^hn_/, "") : text;
   if (typeof word !== "string" || word.length > LONGEST_WORD || /[^ -~]/.test(word)) return "";
   try {
     start();
@@ -174,12 +176,18 @@ function suggestion(word, names) {
 
 function shown(value) {
   if (typeof value === "string") return `"${value}"`;
+  if (typeof value === "bigint") return `${value}n`;
   if (Array.isArray(value)) return value.length > 8 ? `an array of ${value.length}` : `[${value}]`;
   return ArrayBuffer.isView(value) ? `a ${value.constructor.name}` : String(value);
 }
 
-function known(options, names) {
-  for (const name of Object.keys(options)) oneOf("an option", name, names);
+/** The values that an object of settings or options has; its names have to be among these. */
+function given(kind, object, names, elsewhere) {
+  if (typeof object !== "object" || object === null || Array.isArray(object)) {
+    throw new TypeError(`${kind}s have to be an object with some of ${names.join(", ")}, not ${shown(object)}`);
+  }
+  for (const name of Object.keys(object)) oneOf(`${kind === "option" ? "an" : "a"} ${kind}`, name, names, elsewhere);
+  return Object.fromEntries(Object.entries(object).filter(([, value]) => value !== undefined));
 }
 
 /** A number for each axis, from one for all or from an array of them. */
@@ -191,8 +199,14 @@ function perAxis(name, value, dimensions, check) {
   return Array.from(values, (one) => check(name, one)); // map() would pass over empty places
 }
 
-const namesIn = (rows, dimensions) => Object.keys(rows).filter((name) => rows[name].dimensions.includes(dimensions));
+const checkedDimensions = (dimensions) => whole("dimensions", dimensions, 1, 3);
 
+function namesIn(rows, dimensions) {
+  checkedDimensions(dimensions);
+  return Object.keys(rows).filter((name) => rows[name].dimensions.includes(dimensions));
+}
+
+const inItsCell = (name, value) => real(name, value, 0, 1);
 const wholeCell = (name, value) => whole(name, value, Number.MIN_SAFE_INTEGER, Number.MAX_SAFE_INTEGER) | 0;
 
 function arrayOf(name, value, types) {
@@ -210,35 +224,33 @@ export class Field {
   #isFractal;
 
   constructor(dimensions, settings = {}) {
-    whole("dimensions", dimensions, 1, 3);
-    for (const name of Object.keys(settings)) oneOf("a setting", name, KNOWN, ELSEWHERE);
-    const given = Object.fromEntries(Object.entries(settings).filter(([, value]) => value !== undefined));
-    const fractal =
-      given.fractal === undefined ? undefined : oneOf(`fractal in ${dimensions}D`, given.fractal, Field.fractals(dimensions));
+    checkedDimensions(dimensions);
+    const set = given("setting", settings, KNOWN, ELSEWHERE);
+    const of = (name, usual) => (name in set ? set[name] : usual);
+    const fractal = "fractal" in set ? oneOf(`fractal in ${dimensions}D`, set.fractal, Field.fractals(dimensions)) : undefined;
     const row = fractal ? FRACTALS[fractal] : undefined;
     const noises = Field.noises(dimensions).filter((name) => !row || NOISES[name].shape === NOISES[row.noise].shape);
-    const noise = oneOf(fractal ? `noise of ${fractal}` : `noise in ${dimensions}D`, given.noise ?? row?.noise ?? "perlin", noises);
+    const noise = oneOf(fractal ? `noise of ${fractal}` : `noise in ${dimensions}D`, of("noise", row?.noise ?? "perlin"), noises);
     const refuse = (name, why) => {
-      if (given[name] !== undefined) throw new RangeError(`${fractal ?? noise} has no ${name}; ${why}`);
+      if (name in set) throw new RangeError(`${fractal ?? noise} has no ${name}; ${why}`);
     };
-    if (!fractal) for (const name of OF_FRACTALS) refuse(name, "fractals have it");
+    if (!fractal) for (const name of OF_FRACTALS) refuse(name, name === "octaves" ? "fractals have them" : "fractals have one");
     const takes = fractal ? [row.strength] : NOISES[noise].takes;
     for (const [name, owners] of Object.entries(OWNERS)) if (!takes.includes(name)) refuse(name, owners);
-    const of = (check, name, value) => check(name, value, NUMBERS[name].least, NUMBERS[name].most);
-    const number = (name, check = real) => of(check, name, given[name] ?? NUMBERS[name].usual);
-    const periods = given.period ?? NUMBERS.period.usual;
-    const period = perAxis("period", periods, dimensions, (name, one) => of(whole, name, one));
+    const ruled = (check, name, value) => check(name, value, NUMBERS[name].least, NUMBERS[name].most);
+    const number = (name, check = real) => ruled(check, name, of(name, NUMBERS[name].usual));
+    const period = perAxis("period", of("period", NUMBERS.period.usual), dimensions, (name, one) => ruled(whole, name, one));
     this.#isFractal = fractal !== undefined;
     this.#settings = {
       integers: [dimensions, Object.keys(NOISES).indexOf(noise), Object.keys(FRACTALS).indexOf(fractal), period.some((one) => one > 0)],
       seed: number("seed", whole),
       period,
       jitter: number("jitter"),
-      metric: METRICS.indexOf(oneOf("metric", given.metric ?? METRICS[0], METRICS)) + 1,
+      metric: METRICS.indexOf(oneOf("metric", of("metric", METRICS[0]), METRICS)) + 1,
       octaves: number("octaves", whole),
       lacunarity: period.some((one) => one > 0) ? number("lacunarity", wholeInTile) : number("lacunarity", inFixed),
       gain: number("gain", inFixed),
-      strength: row?.strength ? real(row.strength, given[row.strength] ?? row.usual, 0, row.most) : 0,
+      strength: row?.strength ? real(row.strength, of(row.strength, row.usual), 0, row.most) : 0,
     };
     this.dimensions = dimensions;
     /** The numbers at a point. */
@@ -290,7 +302,7 @@ export class Field {
   #enter(cell, fraction) {
     const { dimensions } = this;
     const cells = perAxis("cell", cell, dimensions, wholeCell);
-    const fractions = perAxis("fraction", fraction, dimensions, real);
+    const fractions = perAxis("fraction", fraction, dimensions, inItsCell);
     this.#load();
     for (let axis = 0; axis < dimensions; ++axis) {
       twin.cells[axis][0] = cells[axis];
@@ -332,10 +344,10 @@ export class Field {
    * of whole numbers, the coordinates are the fractions in those.
    */
   points(coordinates, options = {}) {
-    known(options, ["cells", "out"]);
-    const { cells, out } = options;
+    const { cells, out } = given("option", options, ["cells", "out"]);
     const { dimensions } = this;
-    const lists = [[coordinates, "coordinates", "finite numbers", Float32Array, isFloat]];
+    const places = cells === undefined ? ["finite numbers", Float32Array, isFloat] : ["from 0 to 1 in cells", Float32Array, isFraction];
+    const lists = [[coordinates, "coordinates", ...places]];
     if (cells !== undefined) lists.push([cells, "cells", "whole numbers", Int32Array, Number.isSafeInteger]);
     for (const [arrays, name, what, type, good] of lists) {
       if (!Array.isArray(arrays) || arrays.length !== dimensions) {
@@ -375,12 +387,11 @@ export class Field {
    * a `cell` the origin is the fraction in it, and the grid is exact however far out.
    */
   grid(size, options = {}) {
-    known(options, ["step", "origin", "cell", "out"]);
-    const { step, origin = 0, cell, out } = options;
+    const { step, origin = 0, cell, out } = given("option", options, ["step", "origin", "cell", "out"]);
     const { dimensions } = this;
     const sizes = perAxis("size", size, dimensions, (name, one) => whole(name, one, 0, 2 ** 29 - 1));
     const steps = perAxis("step", step, dimensions, real);
-    const origins = perAxis("origin", origin, dimensions, cell === undefined ? real : (name, one) => real(name, one, 0, 1));
+    const origins = perAxis("origin", origin, dimensions, cell === undefined ? real : inItsCell);
     if (cell === undefined) sizes.forEach((one, axis) => real("the last point", origins[axis] + one * steps[axis]));
     const count = sizes.reduce((product, one) => product * one, 1);
     const values = this.#out(out, count);

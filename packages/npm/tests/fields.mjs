@@ -114,6 +114,7 @@ test("wrong settings are reported", () => {
     [2, { noise: "perlim" }, /noise in 2D has to be one of perlin, .*, not "perlim" \(did you mean "perlin"\?\)$/],
     [3, { fractal: "fbn" }, /fractal in 3D has to be one of fbm, .*, not "fbn" \(did you mean "fbm"\?\)$/],
     [3, { fractal: "pign_pong" }, /not "pign_pong" \(did you mean "ping_pong"\?\)$/],
+    [3, { fractal: "hn_fbm" }, /not "hn_fbm" \(did you mean "fbm"\?\)$/],
     [2, { noise: "perlin".repeat(20) }, /not "(perlin){20}"$/],
     [2, { noise: "gabor" }, /not "gabor"$/],
     [2, { fractal_type: "fbm" }, /a setting has to be one of noise, fractal, .*, not "fractal_type" \(here it is "fractal"\)$/],
@@ -126,7 +127,13 @@ test("wrong settings are reported", () => {
     [1, { fractal: "warp" }, /fractal in 1D has to be one of fbm, .*weighted, not "warp"/],
     [2, { fractal: "eroded", noise: "perlin" }, /noise of eroded has to be one of perlin_d, value_d, simplex_d, not "perlin"/],
     [2, { octave: 3 }, /a setting has to be one of noise, .*, not "octave" \(did you mean "octaves"\?\)$/],
-    [2, { octaves: 3 }, /perlin has no octaves; fractals have it/],
+    [2, { octaves: 3 }, /perlin has no octaves; fractals have them$/],
+    [2, { gain: 1 }, /perlin has no gain; fractals have one$/],
+    [2, { fractal: "fbm", octaves: null }, /octaves has to be a whole number from 1 to 32, not null$/],
+    [2, { fractal: "fbm", gain: null }, /gain has to be a finite number, not null$/],
+    [2, { noise: null }, /noise in 2D has to be one of .*, not null$/],
+    [2, { fractal: null }, /fractal in 2D has to be one of .*, not null$/],
+    [2, { seed: 7n }, /seed has to be a whole number from 0 to 4294967295, not 7n$/],
     [2, { fractal: "fbm", octaves: 33 }, /octaves has to be a whole number from 1 to 32, not 33/],
     [2, { fractal: "fbm", octaves: 0 }, /octaves has to be a whole number from 1 to 32, not 0/],
     [2, { fractal: "fbm", strength: 1 }, /fbm has no strength; ping_pong, weighted and eroded have one/],
@@ -147,6 +154,11 @@ test("wrong settings are reported", () => {
   ]) {
     assert.throws(() => new Field(dimensions, settings), { name: "RangeError", message: said });
   }
+  for (const settings of ["fbm", null, [], 3]) {
+    const said = /settings have to be an object with some of noise, fractal, .*metric, not /;
+    assert.throws(() => new Field(2, settings), { name: "TypeError", message: said });
+  }
+  for (const names of [Field.noises, Field.fractals]) assert.throws(() => names(4), /dimensions has to be a whole number from 1 to 3/);
   const field = new Field(2, { seed: undefined });
   for (const [call, said] of [
     [() => field.at(1), /a position has 2 coordinates here, not 1/],
@@ -170,6 +182,11 @@ test("wrong settings are reported", () => {
     [() => field.points([[null], [1]]), /the coordinates have to be finite numbers, not null at 0$/],
     [() => field.points([[1], new Float32Array([Infinity])]), /the coordinates have to be finite numbers, not Infinity at 0$/],
     [() => field.points([[1], [1]], { cells: [[1], [0.5]] }), /the cells have to be whole numbers, not 0.5 at 0$/],
+    [() => field.points([[1], [2]], [[1], [2]]), /options have to be an object with some of cells, out, not \[1,2\]$/],
+    [() => field.grid([4, 4], 0.25), /options have to be an object with some of step, origin, cell, out, not 0.25$/],
+    [() => field.points([[1], [1.5]], { cells: [[1], [1]] }), /the coordinates have to be from 0 to 1 in cells, not 1.5 at 0$/],
+    [() => field.inCell([1, 2], [0.5, 1.5]), /fraction has to be from 0 to 1, not 1.5$/],
+    [() => field.allInCell([1, 2], [-0.5, 0]), /fraction has to be from 0 to 1, not -0.5$/],
     [() => field.inCell(new Array(2), [0.5, 0.5]), /cell has to be a whole number from .*, not undefined$/],
   ]) {
     assert.throws(call, said);

@@ -27,8 +27,8 @@ function evaluated({ dimensions, settings }, { inputs }, row) {
   const at = Object.fromEntries(inputs.map(([name, kind], i) => [name, meaning(kind, row.inputs[i])]));
   const along = (prefix) => ["x", "y", "z"].slice(0, dimensions).map((axis) => at[prefix + axis]);
   const chosen = { ...settings, seed: at.seed };
-  // A field refuses what HN_FIXED takes as the end: more than 32 octaves, a gain above 1, a lacunarity above 255 or, in
-  // a tile, with a fraction, and of a noise a period below 0. The seed of a fractal may become a positive one in a late
+  // A field refuses what HN_FIXED takes as the end: a fraction beyond its cell, more than 32 octaves, a gain above 1, a
+  // lacunarity above 255 or, in a tile, with a fraction, and of a noise a period below 0. The seed of a fractal may become a positive one in a late
   // octave.
   if ("px" in at) chosen.period = along("p").map((period) => (settings.noise ? Math.max(period, 0) : period));
   // A fractal without a period has octaves that turn. Octaves of a tile do not, also where the tile has no period.
@@ -48,7 +48,8 @@ function evaluated({ dimensions, settings }, { inputs }, row) {
     if (error instanceof RangeError) return undefined;
     throw error;
   }
-  return "cx" in at ? field.allInCell(along("c"), along("f")) : field.all(...along(""));
+  const inCell = () => field.allInCell(along("c"), along("f").map((fraction) => Math.min(Math.max(fraction, 0), 1)));
+  return "cx" in at ? inCell() : field.all(...along(""));
 }
 
 function differing(file, change = (n) => n) {

@@ -9,6 +9,9 @@ function collect(one, done) {
 
 /** The text of these definitions and of all that they need, each once. */
 export function wgsl(...definitions) {
+  for (const one of definitions) {
+    if (!Array.isArray(one?.needs)) throw new TypeError(`wgsl takes what you import from hashnoise/wgsl, such as hn_fbm2, not ${one}`);
+  }
   const done = new Set();
   for (const one of definitions) collect(one, done);
   return [...done].map(({ code }) => code).join("");
