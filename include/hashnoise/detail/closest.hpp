@@ -56,10 +56,11 @@ std::string closest(std::string_view word, const Names& names) {
   return best;
 }
 
-// " (did you mean perlin?)", or nothing.
+// " (did you mean perlin?)", or nothing. Of hn_perlin, too, if the names are without hn_.
 template <typename Names>
 std::string suggestion(std::string_view word, const Names& names) {
-  const std::string meant = closest(word, names);
+  std::string meant = closest(word, names);
+  if (meant.empty() && word.starts_with("hn_")) meant = closest(word.substr(3), names);
   return meant.empty() ? meant : " (did you mean " + meant + "?)";
 }
 

@@ -34,7 +34,8 @@ All functions have these options:
 
 Fractals (fbm and the others that fractals() names) also have these:
 
-    noise            what is summed: the name of a noise that returns one number for a point. perlin_worley sums its own
+    noise            what is summed: the name of a noise that returns one number for a point; of fbm_d and eroded one
+                     with its slopes, and of the warps one with a number for each axis. perlin_worley sums its own
     octaves          how many, from 1 to 32; each costs one noise
     lacunarity       how much finer each octave is than the one before, usually 2. With a period it is a whole number
                      from 1 to 255; with a cell, and with arithmetic="fixed", from 0 to 255
@@ -53,11 +54,19 @@ from ._sums import *  # noqa: F403
 __all__ = ["components", "fractals", "grid", "instruction_sets", "noises", *_noises.__all__, *_sums.__all__]
 
 
+# The noises by their names in other packages.
+_ELSEWHERE = {"snoise": "simplex", "pnoise": "perlin", "cnoise": "perlin", "worley": "cellular", "voronoi": "cellular"}
+
+
 def __getattr__(name):
-    """Called for a name that there is not: that of GLSL is meant, or the nearest one."""
+    """Called for a name that there is not: that of GLSL or of another package is meant, or the nearest one."""
+    bare = name.removeprefix("hn_")
     if name == "dask":
         meant = "; import hashnoise.dask"
+    elif bare == "cellular_phase":
+        meant = "; cellular has the option phase"
+    elif name.rstrip("1234d") in _ELSEWHERE:
+        meant = f" (here it is {_ELSEWHERE[name.rstrip('1234d')]})"
     else:
-        bare = name[3:] if name.startswith("hn_") else name
         meant = f" (did you mean {bare}?)" if bare in __all__ else _suggestion(bare, __all__)
     raise AttributeError(f"module 'hashnoise' has no attribute {name!r}{meant}")

@@ -150,8 +150,8 @@ def checked_ranges(function, name, range, dtype, field):
     if range is None:
         if None in field.ranges:
             plane = field.component_names[field.ranges.index(None)]
-            raise ValueError(f"{function}: {name} documents no range of its plane {plane!r}; say with "
-                             "range=(least, greatest) what 0 and 65535 stand for")
+            raise ValueError(f"{function}: {name} documents no range of its plane {plane!r}; name what 0 and "
+                             "65535 stand for, by range=(least, greatest)")
         return field.ranges
     if not _is_sequence(range) or len(range) != 2:
         raise TypeError(f"{function}: range must be a pair, (least, greatest), not {_shown(range)}")

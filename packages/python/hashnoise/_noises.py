@@ -182,8 +182,7 @@ def cellular(x, y, z=None, /, *, seed=0, period=None, phase=None, jitter=1.0, me
 
     They are Worley's F1 and F2, and those of the whole infinite field.
 
-    jitter   how far the points are from the centres of their cells: 1, or 0 for a regular lattice; what is outside of
-             [0, 1] counts as the nearer end
+    jitter   how far the points are from the centres of their cells, from 0, which makes a regular lattice, to 1
     metric   "euclidean", "squared" (the square of it), "manhattan" (the sum of the sizes along the axes), "chebyshev"
              (the largest of them) or "hybrid" (Manhattan and squared, added)
     phase    how far the points circle, in turns. They come back after one turn; with it the metric is Euclidean, and a

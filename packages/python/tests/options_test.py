@@ -226,6 +226,8 @@ class Wrong(unittest.TestCase):
     def test_functions_that_there_are_not(self):
         for name, said in (("hn_fbm", r" \(did you mean fbm\?\)"), ("fmb", r" \(did you mean fbm\?\)"),
                            ("hn_perlim", r" \(did you mean perlin\?\)"), ("dask", "; import hashnoise.dask"),
+                           ("hn_cellular_phase", "; cellular has the option phase"),
+                           ("snoise2", r" \(here it is simplex\)"), ("voronoi", r" \(here it is cellular\)"),
                            ("gird", r" \(did you mean grid\?\)"), ("no_such_function", "")):
             with self.subTest(name):
                 self.assert_told(AttributeError, f"^module 'hashnoise' has no attribute '{name}'{said}$",
@@ -278,6 +280,7 @@ class Wrong(unittest.TestCase):
                 (ValueError, {"name": "no_such"}, "there is no function 'no_such'; there are perlin, "),
                 (ValueError, {"name": 3}, "there is no function 3"),
                 (ValueError, {"name": "fbn"}, r"there is no function 'fbn' \(did you mean fbm\?\); there are perlin, "),
+                (ValueError, {"name": "hn_fbm"}, r"there is no function 'hn_fbm' \(did you mean fbm\?\)"),
                 (ValueError, {"first": (0, -1)}, "first must be from 0 to 536870911, not -1"),
                 (TypeError, {"first": 0.5}, "first must be a whole number"),
                 (ValueError, {"first": (1, 2, 3)}, "first must have a value for each of the 2 axes"),
@@ -296,7 +299,7 @@ class Wrong(unittest.TestCase):
                 (ValueError, {"range": (0, float("inf")), "dtype": "uint16"}, "range must be finite, not inf"),
                 (ValueError, {"range": (-1e308, 1e308), "dtype": "uint16"}, "the ends of range are too far apart"),
                 (ValueError, {"name": "fbm_d", "dtype": "uint16"},
-                 r"fbm_d documents no range of its plane 'dx'; say with range=\(least, greatest\)"),
+                 r"fbm_d documents no range of its plane 'dx'; name what .* by range=\(least, greatest\)"),
                 (ValueError, {"name": "grid"}, "there is no function 'grid'"),
                 (ValueError, {"size": (3, -1)}, "size must be from 0 to 536870911, not -1"),
                 (ValueError, {"size": 2**29}, "size must be from 0 to 536870911"),

@@ -195,6 +195,7 @@ class Bake(unittest.TestCase):
     def test_bad_usage(self):
         for arguments, *parts in (
             (["fmb", "-o", "a.png"], '"fmb"', "did you mean fbm?"),
+            (["hn_fbm", "-o", "a.png"], "did you mean fbm?"),
             (["simplex", "--size", "8", "-o", "a.png"], "in 1D", "value"),
             (["perlin", "--noise", "value", "-o", "a.png"], "--noise is for a fractal"),
             (["fbm", "--noise", "perlim", "-o", "a.png"], "did you mean perlin?"),
