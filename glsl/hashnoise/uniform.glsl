@@ -210,21 +210,20 @@ HN_FN hn_i_num hn_i_of_sum(hn_i_num x, hn_int bell, hn_int way, hn_i_num d, hn_i
 // octaves as independent, which on the line they are not quite (docs/guide/uniform.md).
 // Experimental: a later version may return other values.
 //   distribution  of the noise: hn_distribution(HN_DISTRIBUTION_PERLIN2) and so on
-//   octaves  how many, as of hn_fbm, usually 4 to 8, from 1 to 32: 5.0, and 3.5 for a detail that is no whole number.
-//            The lacunarity does not matter
+//   detail   octaves as a float, as of hn_fbm, usually 4 to 8, from 1 to 32. The lacunarity does not matter
 //   gain     ratio of amplitudes, as of hn_fbm, usually 0.5, in [0, 1]
 //   example  vec4 distribution = hn_distribution_fbm(hn_distribution(HN_DISTRIBUTION_PERLIN2), 5.0, 0.5);
 //   returns  the distribution of hn_fbm, or of another mean of octaves of the noise (hn_add)
 //   error    of the coefficients at most 3.65e-5. HN_FIXED 1.93e-4. docs/measured/accuracy.md has that of the reach
 //   cost     about 10 operations for each octave and 60 more. It does not depend on the position: compute it on the
-//            CPU, or let the compiler, where octaves and gain are constants
+//            CPU, or let the compiler, where detail and gain are constants
 //   source   docs/reference/contract.md, section 21
-HN_FN hn_vec4 hn_distribution_fbm(hn_vec4 distribution, hn_float octaves, hn_float gain) {
+HN_FN hn_vec4 hn_distribution_fbm(hn_vec4 distribution, hn_float detail, hn_float gain) {
   hn_i_num a = hn_i_setting(distribution.y, 1.0f);
   hn_i_num b = max(a, hn_i_setting(distribution.z, 1.0f));
   hn_i_num c = max(b, hn_i_setting(distribution.w, 1.0f));
-  hn_float detail = min(max(octaves, 1.0f), 32.0f);
-  hn_int count = min(hn_i_whole_octaves(detail), 32);  // of a NaN, too
+  hn_float octaves = min(max(detail, 1.0f), 32.0f);
+  hn_int count = min(hn_i_whole_octaves(octaves), 32);  // of a NaN, too
   hn_i_num ratio = hn_i_setting(gain, 1.0f);
 
   // The sums of the weights, and of their powers.
@@ -234,7 +233,7 @@ HN_FN hn_vec4 hn_distribution_fbm(hn_vec4 distribution, hn_float octaves, hn_flo
   hn_i_num sum8 = HN_I_NO_WEIGHT;
   hn_i_num weight = HN_I_WEIGHT_ONE;
   for (hn_int i = 1; i <= count; ++i) {
-    if (i == count) weight = hn_i_weight_times(weight, hn_i_last_part(detail, count));
+    if (i == count) weight = hn_i_weight_times(weight, hn_i_last_part(octaves, count));
     hn_i_num square = hn_i_weight_times(weight, weight);
     hn_i_num fourth = hn_i_weight_times(square, square);
     sum = hn_i_plus(sum, weight);
