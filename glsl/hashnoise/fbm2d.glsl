@@ -85,8 +85,8 @@ HN_FN hn_float hn_fbm(hn_vec2 p, hn_int octaves, hn_float lacunarity, hn_float g
 
 // The same without detail that a pixel cannot show: hn_fbm(p, detail, lacunarity, gain, seed) with a float, and
 // hn_fbm(p, footprint, octaves, lacunarity, gain, seed).
-//   detail      octaves, as a float: 3.5 is three octaves and half of the fourth. So octaves can come and go without a
-//               jump
+//   detail      octaves, as a float: 3.5 is three octaves and half of the fourth. So octaves from the second on come
+//               and go without a jump. Up to 1 it is the whole first octave, and below 2^-32 none
 //   footprint   the size of a pixel at p, in cells of the first octave: in a fragment shader max(length(dFdx(p)),
 //               length(dFdy(p))). An octave fades out as a pixel grows from 1/2 to 3/2 of its cells, which comes
 //               nearest to the mean over the pixel. The others keep their contrast

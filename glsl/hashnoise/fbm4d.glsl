@@ -90,8 +90,8 @@ HN_FN hn_float hn_fbm(hn_vec4 p, hn_int octaves, hn_float lacunarity, hn_float g
 
 // The same without detail that a pixel cannot show: hn_fbm(p, detail, lacunarity, gain, seed) with a float, and
 // hn_fbm(p, footprint, octaves, lacunarity, gain, seed).
-//   detail      octaves, as a float: 3.5 is three octaves and half of the fourth. So octaves can come and go without a
-//               jump
+//   detail      octaves, as a float: 3.5 is three octaves and half of the fourth. So octaves from the second on come
+//               and go without a jump. Up to 1 it is the whole first octave, and below 2^-32 none
 //   footprint   the size of a pixel at p, in cells of the first octave: in a fragment shader max(length(dFdx(p)),
 //               length(dFdy(p))). An octave fades out as a pixel grows from 1/2 to 3/2 of its cells, which comes
 //               nearest to the mean over the pixel. The others keep their contrast
@@ -148,7 +148,7 @@ HN_FN hn_float hn_clouds(hn_vec4 p, hn_int octaves, hn_float lacunarity, hn_floa
 // Billows: twice the turbulence less 1. The round hills are the other side of ridges.
 //   (parameters, period and cost as for hn_fbm)
 //   example     float n = hn_billow(vec4(uv * 8.0, 0.5, 0.25), 6, 2.0, 0.5, 7u);
-//   returns     [-1, 1]
+//   returns     [-1, 1]; with fewer than 1 octave -1
 //   error       twice that of hn_turbulence
 //   source      as of hn_turbulence
 HN_FN hn_float hn_billow(hn_place4 place, hn_int octaves, hn_float lacunarity, hn_float gain, hn_uint seed) {

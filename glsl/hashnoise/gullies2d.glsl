@@ -1,4 +1,4 @@
-// hashnoise: gullies that water has cut into a slope, on the plane.
+// hashnoise: gullies as water cuts them into a slope, on the plane.
 // SPDX-License-Identifier: MIT
 
 #ifndef HN_GULLIES2D_GLSL

@@ -153,8 +153,8 @@ HN_FN hn_octaves4 hn_octaves(hn_vec4 p, hn_int octaves, hn_float lacunarity, hn_
 
 // The octaves that a pixel can show: with a fractional number of octaves, for hn_add_detail, or with a footprint, for
 // hn_add_footprint.
-//   detail      octaves, as a float: 3.5 is three octaves and half of the fourth. So octaves can come and go without a
-//               jump
+//   detail      octaves, as a float: 3.5 is three octaves and half of the fourth. So octaves from the second on come
+//               and go without a jump. Up to 1 it is the whole first octave, and below 2^-32 none
 //   footprint   the size of a pixel at p, in cells of the first octave: in a fragment shader max(length(dFdx(p)),
 //               length(dFdy(p))). An octave fades out as a pixel grows from 1/2 to 3/2 of its cells, which comes
 //               nearest to the mean over the pixel. The others keep their contrast
@@ -243,7 +243,8 @@ HN_FN void hn_add_footprint(HN_I_INOUT(hn_octaves4) o, hn_float n) {
 // The mean of the octaves by their weights.
 //   o        the octaves, after the last
 //   example  float n = hn_mean(o);
-//   returns  [-1, 1]; of hn_add_turbulence and hn_add_ridged [0, 1]. Roundings may take floats beyond by 1e-6
+//   returns  [-1, 1]; of hn_add_turbulence, hn_add_ridged and hn_add_hybrid [0, 1]. Roundings may take floats
+//            beyond by 1e-6
 //   error    as of the fractals in fbm4d.glsl
 //   cost     a division; with a number of octaves that is no constant some operations for each
 //   source   docs/reference/contract.md, section 7

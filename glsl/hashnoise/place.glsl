@@ -112,8 +112,8 @@ HN_FN hn_place4 hn_i_place(hn_ivec4 cell, hn_i_num4 fraction, hn_ivec4 rest) {
 // A place from a cell and a position in it, for large worlds, or worlds that move with the viewer: it names cells
 // exactly where a float no longer can.
 //   cell     the cell: int, ivec2, ivec3 or ivec4; cells wrap at 2^32
-//   f        position in the cell, in [0, 1]; outside of it HN_FIXED takes the nearer end. Floats of Perlin and value
-//            noise extrapolate, and other noises have no promise
+//   f        position in the cell, in [0, 1]; outside of it HN_FIXED and fractals take the nearer end, and for floats
+//            of other noises no value is defined
 //   example  hn_place2 place = hn_place(ivec2(3, -5), vec2(0.25, 0.75));
 //   returns  the place
 //   error    none: this loses nothing that the noise does not

@@ -72,7 +72,7 @@ def quotes(rows: Mapping[tuple[str, str], Row]) -> list[str]:
                   for chip in comparing.shown(rows)]
         return f"{min(ratios):.1f} to {max(ratios):.1f}"
 
-    return [f"{least_and_most(2)} times the instructions of FastNoiseLite's in 2D, and {least_and_most(3)} in 3D"]
+    return [f"{least_and_most(2)} times as much as FastNoiseLite's in 2D, and {least_and_most(3)} in 3D"]
 
 
 def operation_table(rows: Sequence[Mapping[str, str]]) -> str:
