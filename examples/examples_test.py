@@ -350,7 +350,7 @@ class Vulkan(Example):
 
         with Screen(*SIZE) as screen:
             pixels, output = screen.run([self.folder / self.program], whole_with_its_title, variables=self.variables)
-        self.assertEqual(output, "")  # the validation has nothing to say
+        self.assertEqual(output, "")  # the validation has nothing to report
         self.assert_the_land_is_where_the_twin_has_it(pixels, 0.0)
         x, y, height = titles[-1]
         self.assertEqual(subprocess.run([self.folder / "heights", self.name, x, y], check=True, text=True,

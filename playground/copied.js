@@ -230,7 +230,7 @@ function mainOf(language, state, { main, pixel, below, result }) {
   return [main, ...lines.map((line) => `  ${line}`), "}"];
 }
 
-// Declarations say highp: in a fragment shader of GLSL ES numbers have 16 bits otherwise, whatever the user's own
+// Declarations have highp: in a fragment shader of GLSL ES numbers have 16 bits otherwise, whatever the user's own
 // precision is. (A constructor has no blank and a name behind it.)
 const withHighp = (line) =>
   line.replace(/(?<![/].*)(?<!highp )\b(?:float|u?int|[iu]?vec[234])(?= [a-z]\w*)/g, "highp $&");

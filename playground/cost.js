@@ -66,7 +66,7 @@ export async function costOf(backend, library, state) {
       await new Promise((resolve) => setTimeout(resolve)); // let the page react in between
     }
     const [ratio, cell] = ratiosOf(rounds);
-    if (!Number.isFinite(ratio)) throw new Error("The clock of this browser is too coarse to tell.");
+    if (!Number.isFinite(ratio)) throw new Error("The clock of this browser is too coarse to measure it.");
     const parts = [0, 1, 2].map((part) => ratiosOf(rounds.filter((_, number) => number % 3 === part))[0]);
     const known = parts.filter(Number.isFinite);
     const [empty, , position] = states.map((_, number) => Math.min(...rounds.map((round) => round[number])));

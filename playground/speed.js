@@ -4,7 +4,7 @@
 const kSmall = 64; // pixels
 const kFirst = 4096;
 const kGrowth = 4;
-const kClear = 8; // milliseconds between two pictures that tell what a pixel costs
+const kClear = 8; // milliseconds between two pictures that show what a pixel costs
 
 export class Speed {
   // `wait` is what any picture takes, in milliseconds, and `pixel` what each pixel adds.

@@ -28,7 +28,7 @@ class FragmentCompiler {
 
   virtual std::uint32_t vendor() const = 0;               // as PCI numbers them
   virtual const std::string& device() const = 0;          // "AMD NAVI21 (ACO)"
-  virtual const std::string& driver_version() const = 0;  // "Mesa 26.2.6-1"; empty if the driver does not say
+  virtual const std::string& driver_version() const = 0;  // "Mesa 26.2.6-1"; empty if the driver names none
 
   // SPIR-V with the entry point main, which may read a float vector at location 0, four combined image samplers (set 0,
   // bindings 0 to 3) and 16 bytes of push constants, and writes a vec4 at location 0.

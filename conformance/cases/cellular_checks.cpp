@@ -1,4 +1,4 @@
-// Checks of cellular noise: against a search of all cells around, in C++, and what its functions say of each other.
+// Checks of cellular noise: against a search of all cells around, in C++, and of its functions against each other.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Reads what cases cost. It is recorded, so that a run can say before it begins how long it will take, and a test how
+// Reads what cases cost. It is recorded, so that a run can print before it begins how long it will take, and a test how
 // long the default run has become.
 #pragma once
 

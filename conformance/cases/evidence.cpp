@@ -73,7 +73,7 @@ class Examiner {
  private:
   const Function& function() const { return evaluation_.function; }
 
-  // Where the case failed; or, if it does not say, any.
+  // Where the case failed; or, if it names no point, any.
   Words wrong_point() const {
     const bool known = !outcome_.examples.empty() && outcome_.examples.front().words.size() == kInputWords;
     if (known) return outcome_.examples.front().words;

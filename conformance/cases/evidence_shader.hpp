@@ -23,7 +23,7 @@ struct ShaderFacts {
 
 // A fragment shader, complete, without textures or attributes: green where the function has the expected value,
 // else red. The point is hidden from the compiler behind a uniform that nobody needs to set, so that it
-// evaluates the function on the device. Comments say what it is.
+// evaluates the function on the device. Comments state what it is.
 Result<std::string> stand_alone_shader(const SourceSet& sources, const Evaluation& evaluation,
                                        const ShaderFacts& facts);
 

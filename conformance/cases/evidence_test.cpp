@@ -162,7 +162,7 @@ TEST(Window, HasThePointInTheMiddle) {
   ASSERT_EQ(window.size(), kPictureSide * kPictureSide * kInputWords);
   const std::size_t middle = kMiddle * kPictureSide + kMiddle;
   EXPECT_TRUE(std::equal(words.begin(), words.end(), point(window, middle).begin()));
-  // Far out, by what a float can tell apart; near 0 by a part of a cell. Upwards is towards the first row.
+  // Far out, by what a float can distinguish; near 0 by a part of a cell. Upwards is towards the first row.
   EXPECT_EQ(std::bit_cast<float>(point(window, middle + 1)[0]), 0x1p30f + 128.0f);
   EXPECT_EQ(std::bit_cast<float>(point(window, middle - kPictureSide)[1]), -0.5f + 0.03125f);
   EXPECT_EQ(point(window, 0)[2], 7u);

@@ -84,7 +84,7 @@ Facets facets_of(std::string_view id) {
   facets[6] = fmt::format("in the {} stage", parts[4]);
   facets[7] = language_of(parts[5]);
   facets[8] = fmt::format("in {}", parts[5]);
-  // These two hold values against what is right. The others look for something special, and say what they found.
+  // These two hold values against what is right. The others look for something special, and name what they found.
   if (parts[6] != "golden" && parts[6] != "twin") facets[10] = fmt::format("of the check {}", parts[6]);
   return facets;
 }

@@ -1,4 +1,4 @@
-// For tests that give the library a fault, and look what cases say about it.
+// For tests that give the library a fault, and look what cases report about it.
 #pragma once
 
 #include <fmt/format.h>

@@ -65,7 +65,7 @@ TEST_F(Extreme, SumsHaveRangesOfTheirOwn) {
   for (const auto& [id, fault] : kFaults) expect_caught(id, "fbm2d.glsl", fault);
 }
 
-// The settings say how far a shift can be, and how steep a sum.
+// The settings decide how far a shift can be, and how steep a sum.
 TEST_F(Extreme, RangesThatDependOnSettingsAreHeld) {
   expect_caught("warp.warp2.lattice.fast.fragment.gl330.range", "warp2d.glsl",
                 "hn_warp(q, o, l, g, s, args) (hn_warp(q, o, l, g, s, args) * 1.2)");

@@ -13,7 +13,7 @@ namespace hn {
 namespace {
 
 constexpr std::size_t kPoints = 2048;
-// Few octaves near the origin, so that differences say something: those of values are off by the errors of these.
+// Few octaves near the origin, so that differences mean something: those of values are off by the errors of these.
 constexpr std::uint32_t kMostOctaves = 3;
 constexpr std::uint32_t kFurthestCell = 16;
 

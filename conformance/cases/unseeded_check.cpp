@@ -39,8 +39,8 @@ namespace {
 
 constexpr std::size_t kPointsOfEach = 16;
 
-// The functions of a file that have such an overload. A form that takes all words of a point has none left to say which
-// function it is for.
+// The functions of a file that have such an overload. A form that takes all words of a point has none left to name
+// the function that it is for.
 std::vector<const Function*> unseeded_in(std::string_view file, const Configuration& configuration) {
   std::vector<const Function*> functions;
   for (const Function& function : all_functions()) {

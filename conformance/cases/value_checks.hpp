@@ -53,7 +53,7 @@ Check check_seams;       // nothing jumps where other lattice points begin to co
 // cellular_checks.cpp
 Check check_search;      // distances, points and borders are those that a search of more cells finds
 Check check_cell_names;  // the name of the nearest point, the way to it and its distance belong together
-Check check_border;      // borders lie where the two nearest points say
+Check check_border;      // borders lie where the two nearest points put them
 Check check_returned;    // what is returned beside the nearest point is what the form without it returns
 // The row of the function that takes the same and sets nothing, for one that sets the nearest point; else null.
 const Function* returning(const Function& function);

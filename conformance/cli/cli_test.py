@@ -278,7 +278,7 @@ class Cli(unittest.TestCase):
                 for cases, *_ in group:
                     self.assertTrue(fnmatch.filter(found, cases), cases)
                 self.assertEqual([name for name, case in found.items() if case["status"] == "pass"], [])
-                for name, case in found.items():  # none because it does not compile, which the others would not tell
+                for name, case in found.items():  # none because it does not compile, which the others would not show
                     self.assertEqual(case["mismatches"] > 0, not name.startswith(("config.", "hash.all.")), name)
 
     def test_unsupported_is_neither_passed_nor_failed(self):
@@ -396,7 +396,7 @@ class Cli(unittest.TestCase):
             options = set(re.findall(r"^  (?:-\w,)?(--[\w-]+)", self.call(command, "--help").stdout, re.MULTILINE))
             text = (ROOT / "docs" / page).read_text()
             self.assertEqual({option for option in options - {"--help"} if f"`{option}" not in text}, set(),
-                             f"docs/{page} does not tell of these options of {command}")
+                             f"docs/{page} does not document these options of {command}")
 
     def test_what_the_default_run_leaves_out_runs_where_it_is_named(self):
         case = "hash.word.pcg.exact.fragment.gl330.twin"

@@ -320,8 +320,8 @@ tl::expected<Command, Stop> parse_options(int argc, const char* const* argv, con
   add_statuses(list_app, "0 done, 2 bad usage");
   add_filter(list_app, list.filters, "cases");
   add_thorough(list_app, list.thorough);
-  list_app.add_flag("--about", list.about, "Also tell where cases come from: where a bug was reported");
-  list_app.add_flag("--checks", list.checks, "Tell what each check demands (docs/reference/checks.md)")
+  list_app.add_flag("--about", list.about, "Also print where cases come from: where a bug was reported");
+  list_app.add_flag("--checks", list.checks, "Print what each check demands (docs/reference/checks.md)")
       ->excludes("--filter");
   add_run(app, run, installation.faults);
   add_merge(app, merge);
@@ -332,7 +332,7 @@ tl::expected<Command, Stop> parse_options(int argc, const char* const* argv, con
   web.golden = installation.golden;
   add_web(app, web);
   std::string topic;
-  CLI::App& help_app = *app.add_subcommand("help", "Tell what a command does, as its option --help does");
+  CLI::App& help_app = *app.add_subcommand("help", "Print what a command does, as its option --help does");
   add_statuses(help_app, "0 done, 2 bad usage");
   help_app.add_option("COMMAND", topic, "One of the other commands")->type_name("");
 

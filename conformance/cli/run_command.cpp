@@ -57,7 +57,7 @@ class Inquiry {
 
 struct Devices {
   DeviceCounts counts;
-  std::vector<std::string> problems;  // why EGL or Vulkan does not say
+  std::vector<std::string> problems;  // why EGL or Vulkan does not list them
 };
 
 Devices find_devices(const Inquiry& inquiry) {
@@ -65,7 +65,7 @@ Devices find_devices(const Inquiry& inquiry) {
   const auto count = [&](Task task, std::string_view what) {
     const auto report = inquiry.ask(task, "");
     if (report) return report->value("devices", 0);
-    devices.problems.push_back(fmt::format("{} does not say what devices it has: {}", what, report.error().text()));
+    devices.problems.push_back(fmt::format("{} does not list its devices: {}", what, report.error().text()));
     return 0;
   };
   devices.counts.egl = count(Task::devices, "EGL");
@@ -464,7 +464,7 @@ int drivers_command(Interruption& interruption) {
       fmt::print("{:<18} {}; {}{}{}\n", "", info.renderer, info.gl_version, info.glsl_version.empty() ? "" : "; GLSL ",
                  info.glsl_version);
     } else {
-      fmt::print("{:<18} not here: {}\n", "", report ? "it does not say what it is" : report.error().text());
+      fmt::print("{:<18} not here: {}\n", "", report ? "it does not state what it is" : report.error().text());
     }
   }
   return usable ? 0 : kNoDriver;

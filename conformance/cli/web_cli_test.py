@@ -255,7 +255,7 @@ class Web(unittest.TestCase):
         timed = suite_of(page)["timed"]
         self.assertEqual(len(timed), 13)
         some = [one for one in timed if one["name"] in ("empty", "noise2d.perlin.fast", "noise2d.perlin.fixed")]
-        for _ in range(5):  # while others use the machine, the clock may tell nothing
+        for _ in range(5):  # while others use the machine, the clock may show nothing
             end = self.open(page, timed=some)
             costs = json.loads(end["digest"]).get("costs")
             if costs is not None:

@@ -69,7 +69,7 @@ TEST(GulliesTolerance, CountsWhatIsCutOfAPosition) {
   EXPECT_GT(gullies_tolerance({arguments, 8.0, 1.0}, kBounds).slope, of(1, 8.0, 1.0).slope + 300.0 * 0x1p-24);
 }
 
-// The tolerance of an output of a row, at a point that the columns tell.
+// The tolerance of an output of a row, at a point that the columns give.
 struct Setting {
   std::string_view column;
   float value;

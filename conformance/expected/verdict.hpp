@@ -1,4 +1,4 @@
-// How a case ended, and what to say about it.
+// How a case ended, and what to report about it.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ enum class Status {
   unsupported,  // the driver cannot, and does not claim to
   crash,        // the process of the driver ended, or its context or device was lost
   timeout,      // the driver did not answer in time
-  error,        // the suite itself could not do its work: a golden file is missing, say
+  error,        // the suite itself could not do its work: a golden file is missing, for example
 };
 inline constexpr std::array kStatuses = {Status::pass,  Status::warning, Status::fail, Status::unsupported,
                                          Status::crash, Status::timeout, Status::error};

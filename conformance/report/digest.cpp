@@ -138,7 +138,7 @@ Json device_of(const Run& run) {
 std::string without_builds(std::string_view text) {
   static const std::regex kCommit(R"( ?\(git-[0-9a-f]+\)|\b[0-9a-f]{8,}\b)");
   static const std::regex kVersion(R"((\d+\.\d+)(\.\d+)+)");
-  // A driver may say anything, and the library's regular expressions take stack for each character.
+  // A driver may return anything, and the library's regular expressions take stack for each character.
   std::string name = with_safe_characters(text, kMostBytesRead);
   name = std::regex_replace(name, kCommit, "");
   name = std::regex_replace(name, kVersion, "$1");

@@ -47,7 +47,7 @@ std::string indented(std::string_view text) {
   return lines;
 }
 
-// "FAIL 3 of 7 cases of noise2d.perlin (only with HN_FIXED)", an example, and what there is to say of it.
+// "FAIL 3 of 7 cases of noise2d.perlin (only with HN_FIXED)", an example, and what there is to report of it.
 std::string group_lines(const FailureGroup& group) {
   const CaseResult& example = *group.cases.front();
   const bool alone = group.cases.size() == 1;

@@ -11,7 +11,7 @@ namespace hn {
 // Cases that belong together: wrong values of a function, or cases with the same status and message.
 struct FailureGroup {
   Status status;
-  std::string title;    // the function; or the first line of what they say
+  std::string title;    // the function; or the first line of their message
   std::size_t ran = 0;  // of a function: how many of its cases ran; else 0
   std::string only;  // "only with HN_FIXED, only in the vertex stage": what they have in common beyond all that fails
   std::vector<const CaseResult*> cases;  // in their order; at least one

@@ -15,11 +15,11 @@
 namespace hn {
 
 enum class Task {
-  describe,  // say what the driver is
+  describe,  // report what the driver is
   cases,     // run cases
   timings,   // time the functions of cases
-  devices,   // say how many EGL devices there are
-  vulkan,    // say how many devices of Vulkan there are
+  devices,   // report how many EGL devices there are
+  vulkan,    // report how many devices of Vulkan there are
 };
 NLOHMANN_JSON_SERIALIZE_ENUM(Task, {{Task::describe, "describe"},
                                     {Task::cases, "cases"},

@@ -79,7 +79,7 @@ Run run_from(const nlohmann::json& json, std::string& where) {
   run.driver = text_at(json, "driver");
   if (json.contains("absent")) {
     run.absent = text_at(json, "absent");
-    if (run.absent.empty()) throw std::invalid_argument("\"absent\" does not say why");
+    if (run.absent.empty()) throw std::invalid_argument("\"absent\" gives no reason");
     return run;
   }
   run.info = context_info_from(json);

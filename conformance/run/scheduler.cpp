@@ -372,7 +372,7 @@ class Scheduler {
     if (const auto result = lane.take_end()) journal_.add(lane.driver(), {{"result", to_json(*result)}});
   }
 
-  // With fail_fast: a bad case, and all that there is to say about it.
+  // With fail_fast: a bad case, and all that there is to report about it.
   bool found_enough() const {
     const auto examining = [](const Lane& lane) { return lane.examining(); };
     return plan_.fail_fast && bad() > 0 && std::none_of(lanes_.begin(), lanes_.end(), examining);

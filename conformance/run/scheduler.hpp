@@ -46,7 +46,7 @@ nlohmann::json to_json(const RunPlan& plan);
 // DRIVER.log in the directory.
 struct PlanResult {
   std::vector<Run> runs;
-  std::vector<std::string> problems;  // what is wrong beside the cases: a driver that crashes when it is left, say
+  std::vector<std::string> problems;  // what is wrong beside the cases, such as a driver that crashes when it is left
 };
 PlanResult run_plan(const RunPlan& plan, const std::filesystem::path& directory, Journal& journal, std::FILE* progress);
 

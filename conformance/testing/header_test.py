@@ -1,5 +1,5 @@
-"""Tests what compilers say of the headers where a user goes wrong, and beside what a program has already: the macros of
-others, their functions, their warnings. python3 header_test.py [--thorough] COMPILER...
+"""Tests what compilers print about the headers where a user goes wrong, and beside what a program has already: the
+macros of others, their functions, their warnings. python3 header_test.py [--thorough] COMPILER...
 
 With --thorough all headers are compiled behind the real windows.h of MinGW-w64 and X11's, too.
 """

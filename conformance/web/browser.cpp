@@ -20,7 +20,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Json = nlohmann::json;
 
-// Three seconds on two idle cores. How long a case may take is for the caller to say.
+// Three seconds on two idle cores. How long a case may take is for the caller to decide.
 constexpr auto kLongestStart = std::chrono::seconds(60);
 constexpr auto kPoll = std::chrono::milliseconds(100);
 

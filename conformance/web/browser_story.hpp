@@ -69,7 +69,7 @@ inline Result<void> run(Story& story, std::span<const std::string> ids, std::str
 inline std::string folder_of(pid_t owner) { return TemporaryFolder::prefix(owner); }
 
 // The processes of the Chromiums that a process has started. Each has inherited an output that goes to a log in a
-// folder of that process; their command lines and environments do not all tell it.
+// folder of that process; their command lines and environments do not all name it.
 inline std::vector<pid_t> chromium_of(pid_t owner) {
   const std::string folder = (std::filesystem::temp_directory_path() / folder_of(owner)).string();
   std::vector<pid_t> found;

@@ -32,7 +32,7 @@ function ulpDistance(a, b) {
   return Math.abs(ordinal(a) - ordinal(b));
 }
 
-// As many digits as tell any two floats apart.
+// As many digits as distinguish any two floats.
 function describeFloat(value) {
   return `${Number.isFinite(value) ? Number(value.toPrecision(9)) : value} (${hex(bitsOf(value))})`;
 }

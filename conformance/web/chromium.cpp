@@ -34,7 +34,7 @@ constexpr std::array<std::string_view, 18> kArguments = {
     "--disable-background-timer-throttling",
     "--disable-renderer-backgrounding",
     // A lost context is a verdict about a case, and must not keep the others from theirs; and how long a case may take
-    // is for hn-conform to say.
+    // is for hn-conform to decide.
     "--disable-domain-blocking-for-3d-apis",
     "--disable-gpu-process-crash-limit",
     "--disable-gpu-watchdog",

@@ -27,7 +27,7 @@ const kSentences = {
   driver: (names) => `The driver has faults that other shaders may meet as well: ${names}.`,
 };
 
-// Something passed, or there is nothing to say.
+// Something passed, or there is nothing to report.
 export function meaningsOf(results) {
   const wrong = results.filter(({ status }) => kBadStatuses.includes(status));
   if (!wrong.length) {

@@ -217,7 +217,7 @@ test("a slope becomes a colour of a normal map", () => {
   assert.ok(normalsOf(up, state, 2, 2, 4)[1] < 128);
 });
 
-test("names tell files apart, and a file brings its setting back", async () => {
+test("names distinguish files, and a file brings its setting back", async () => {
   const state = stateFor({ seed: 12, file: "heights" });
   assert.equal(nameOfFile(state), "hashnoise-fbm-perlin-seed12-heights-600x450.png");
   const kinds = ["colours", "heights", "normals", "tiff", "gif", "webm", "r16", "r32", "json"];

@@ -166,7 +166,7 @@ void add_files(CLI::App& app, BakeOptions& options, Words& words) {
       ->type_name("N")
       ->check(CLI::Range(1, kLongestAxis))
       ->group(group);
-  app.add_flag("--json", options.json, "Say in JSON how it was made")->group(group);
+  app.add_flag("--json", options.json, "Print in JSON how it was made")->group(group);
   app.add_option("--threads", options.threads, "How many; nothing in the file depends on it (default: all)")
       ->type_name("N")
       ->check(within(hashnoise::grid::kThreadsRule))

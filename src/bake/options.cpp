@@ -232,8 +232,8 @@ Result<void> choose_format(BakeOptions& options, const std::string& format) {
     return fail(
         fmt::format("--format: there is no {}; there are png, exr, f32, r16, ktx2 and ktx2-float", in_quotes(format)));
   return fail(
-      fmt::format("--out {}: the name does not tell the format{}; end it with .png, .exr, .f32, .r16 or .ktx2, or say "
-                  "--format png, exr, f32 (planes of floats), r16 (planes of 16 bits), ktx2 or ktx2-float",
+      fmt::format("--out {}: the name does not state the format{}; end it with .png, .exr, .f32, .r16 or .ktx2, or "
+                  "give --format png, exr, f32 (planes of floats), r16 (planes of 16 bits), ktx2 or ktx2-float",
                   in_quotes(options.out.string()),
                   name == "raw" ? ", since some programs take 16 bits for .raw and others floats" : ""));
 }

@@ -29,7 +29,7 @@ using RowsDone = std::function<void(std::size_t rows)>;
 // Which of these the options choose, by their numbers. Throws std::invalid_argument for a name that is not there.
 std::vector<std::size_t> chosen_components(const std::vector<std::string>& names, const BakeOptions& options);
 
-// The least and the greatest; what is no number has no say.
+// The least and the greatest; what is no number does not count.
 hashnoise::Range range_of(std::span<const float> values);
 
 // Of a function of the library. Throws std::invalid_argument for settings that no field has, and for a component that

@@ -38,7 +38,7 @@ Result<void> write_file(const std::filesystem::path& path, std::string_view byte
   };
   std::FILE* const out = std::fopen(draft.c_str(), "wb");
   if (!out) return cannot(std::strerror(errno));
-  // Some file systems tell only when a file is closed that they are full.
+  // Some file systems report only when a file is closed that they are full.
   int problem = std::fwrite(bytes.data(), 1, bytes.size(), out) == bytes.size() ? 0 : errno;
   if (std::fclose(out) != 0 && problem == 0) problem = errno;
   if (problem != 0) return cannot(std::strerror(problem));

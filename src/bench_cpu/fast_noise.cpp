@@ -11,7 +11,7 @@
 namespace hn {
 
 // Its functions have C linkage. Nodes are pointers that it hands out and takes back; names are those that its editor
-// shows. Functions that set something tell whether they could.
+// shows. Functions that set something return whether they could.
 struct FastNoiseFunctions {
   void* library = nullptr;
   int (*node_types)() = nullptr;

@@ -27,7 +27,7 @@ struct Build {
     }                                                                                               \
   }
 
-// The widest first. HASHNOISE_HAS_AVX512 and so on say what CMake compiles.
+// The widest first. HASHNOISE_HAS_AVX512 and so on name what CMake compiles.
 const Build kBuilds[] = {
 #if defined(HASHNOISE_HAS_AVX512)
     HASHNOISE_BUILD(InstructionSet::kAvx512, avx512),

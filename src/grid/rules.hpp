@@ -1,4 +1,4 @@
-// These rules say what settings may be. The constructor of Field checks them, so the Python package and hn-bake do,
+// These rules state what settings may be. The constructor of Field checks them, so the Python package and hn-bake do,
 // too. They read from here what they have to know before there is a Field. docs/guide/cpu.md has it as a table.
 #pragma once
 
@@ -35,7 +35,7 @@ constexpr Rule kRules[] = {
 #include "catalog.inc"
 };
 
-// A number in as few digits as tell it from other floats.
+// A number in as few digits as distinguish it from other floats.
 inline std::string digits_of(double number) {
   char text[64];
   if (std::trunc(number) == number && std::abs(number) < 1e15) {

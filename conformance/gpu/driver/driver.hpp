@@ -13,7 +13,7 @@ namespace hn {
 
 enum class Api { gl, gles };  // desktop OpenGL, or OpenGL ES
 
-// The versions of OpenGL to ask for, highest first, where an interface has no way to say "the highest".
+// The versions of OpenGL to ask for, highest first, where an interface has no way to name "the highest".
 inline constexpr std::array<std::array<int, 2>, 8> kGlVersions = {
     {{4, 6}, {4, 5}, {4, 3}, {4, 1}, {4, 0}, {3, 3}, {3, 2}, {3, 1}}};
 inline constexpr std::array<std::array<int, 2>, 3> kGlesVersions = {{{3, 2}, {3, 1}, {3, 0}}};

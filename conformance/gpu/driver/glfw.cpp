@@ -65,7 +65,7 @@ class GlfwWindowContext final : public Context {
   std::string last_error() const {
     const char* text = nullptr;
     call<decltype(glfwGetError)>("glfwGetError")(&text);
-    return text ? text : "it does not say why";
+    return text ? text : "it gives no reason";
   }
 
   Xvfb display_;  // outlives the window

@@ -13,7 +13,7 @@ namespace hn {
 
 struct VulkanDeviceInfo {
   std::string name;
-  std::string driver;   // empty if the device does not say
+  std::string driver;   // empty if the device names none
   std::string version;  // of Vulkan and of the driver
   bool validated;       // by VK_LAYER_KHRONOS_validation
 };

@@ -32,7 +32,7 @@ test("npm would publish it", () => {
 test("npm would refuse others", () => {
   const manifest = join(import.meta.dirname, "node_modules", "hashnoise", "package.json");
   const right = JSON.parse(readFileSync(manifest, "utf8"));
-  assert.ok(!right.private); // which it would say without --dry-run alone
+  assert.ok(!right.private); // which it would report without --dry-run alone
   for (const change of [{ version: "one" }, { name: "hash noise" }]) {
     const folder = mkdtempSync(join(tmpdir(), "registry-"));
     writeFileSync(join(folder, "package.json"), JSON.stringify({ ...right, ...change }));

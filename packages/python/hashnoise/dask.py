@@ -86,7 +86,7 @@ def data_array(name, size, *, step, cell_size=1.0, unit="cells", **options):
     unit       its name, as in "m"; the attribute `units` of the coordinates
 
     The other arguments are those of `grid`. The axes are called x, y, z and w, and that of planes "component", whose
-    coordinates are the names that hashnoise.components gives. The attributes say how it was made. Of uint16 they have
+    coordinates are the names that hashnoise.components gives. The attributes state how it was made. Of uint16 they have
     `scale_factor` and `add_offset`, by which xarray makes values of words when it opens a file.
 
     >>> land = hashnoise.dask.data_array("fbm", (1000, 600), step=1 / 256, cell_size=256, unit="m", seed=7)

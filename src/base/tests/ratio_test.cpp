@@ -32,7 +32,7 @@ TEST(Ratio, OfTooFewRoundsCannotBeTold) {
   EXPECT_FALSE(ratio({{6.0}}, {{1.0}}, {{1.0}}).known());
   EXPECT_FALSE(ratio({}, {}, {}).known());
   EXPECT_FALSE(ratio({}, {}).known());
-  // Two of three rounds say nothing.
+  // Two of three rounds prove nothing.
   EXPECT_FALSE(ratio({{6.0, 6.0, 6.0}}, {{1.0, 0.5, 3.0}}, {{1.0, 1.0, 1.0}}).known());
   EXPECT_EQ(text_of({}), "cannot be told");
   EXPECT_EQ(text_of({1.234, 0.056}), "1.23 ± 0.06");

@@ -39,7 +39,7 @@ def head_of(path: Path) -> Head:
                                     for side in said["columns"].split(" = "))
                 settings = [setting.split(":")[0] for setting in said["settings"].split()]
                 return Head(said["calls"], columns, results, settings, said["bits"], int(said["rows"]), size)
-    raise ValueError(f"{path} does not say how many rows it has")
+    raise ValueError(f"{path} does not state how many rows it has")
 
 
 class Golden:

@@ -26,7 +26,7 @@ duration() {
 
 milliseconds() { echo $((${EPOCHREALTIME/[.,]/} / 1000)); }
 
-# The processor time of a loop of bash, in seconds. Other work scales with it well enough to say "about". Where two
+# The processor time of a loop of bash, in seconds. Other work scales with it well enough to print "about". Where two
 # cores share what they compute with, a loop takes longer beside others, and so does a build: so there are as many at a
 # time.
 #   calibration [HOW_MANY]

@@ -112,7 +112,7 @@ refuse_unknown_options() {
   shift
   while [[ $1 != -- ]]; do
     text=$(cat "$1" 2>/dev/null) || true
-    [[ -n $text ]] || return 0  # it is not here, so nobody can tell
+    [[ -n $text ]] || return 0  # it is not here, so nobody can know
     texts+=$text
     shift
   done
@@ -172,8 +172,8 @@ install_missing() {
 }
 
 # ccache compiles once what is built from now on, and by tests: the wheel has the kernels of hashnoise::grid, too.
-# -Werror has no say in what a compiler makes; its name has one to ccache, and what builds the wheel would choose
-# another.
+# -Werror changes nothing in what a compiler makes. The compiler's name matters to ccache, and what builds the wheel
+# would choose another.
 share_objects() {
   command -v ccache >/dev/null || return 0
   export CCACHE_DIR=${CCACHE_DIR:-$build/ccache} CCACHE_NOHASHDIR=1 CCACHE_IGNOREOPTIONS=-Werror
@@ -182,8 +182,8 @@ share_objects() {
 }
 
 # How many steps the build in this folder has yet to do for these targets; nothing if that is not known before it is
-# configured. Of build.ninja itself ninja would first ask whether CMake has to run again, and in a dry run say no more:
-# of a file by another name it does not ask.
+# configured. Of build.ninja itself ninja would first ask whether CMake has to run again, and in a dry run print no
+# more: of a file by another name it does not ask.
 steps_to_do() {
   [[ -e $1/build.ninja ]] && command -v ninja >/dev/null || return 0
   cp "$1/build.ninja" "$1/steps.ninja"

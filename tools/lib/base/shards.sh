@@ -13,7 +13,7 @@
 #   tools/conform shards --host alice --host bob:src/hashnoise --driver 'egl-device:*' --out out
 #
 # With --resume parts that ended early go on, and those that came to their end are not run again. Of a part without
-# results the joined ones say that its cases are missing.
+# results the joined ones state that its cases are missing.
 #
 # Exit status: 0 all as expected, 1 something is not, 2 bad usage, or the copies are not of the same commit, 3 no usable
 # driver, 4 it could not be built, or a host cannot be reached. The status of a part that failed is the status if others
@@ -57,7 +57,7 @@ for host in ${hosts[@]+"${hosts[@]}"}; do
 done
 if [[ -z $count ]]; then
   count=${#hosts[@]}
-  ((count)) || bad_usage "say in how many parts, as in tools/conform shards 4, or where, by --host"
+  ((count)) || bad_usage "give the number of parts, as in tools/conform shards 4, or their hosts, by --host"
 fi
 [[ $count =~ ^0*[1-9][0-9]{0,3}$ ]] || bad_usage "there are 1 to 9999 parts, not $count"
 count=$((10#$count))

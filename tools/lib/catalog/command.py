@@ -3,8 +3,8 @@
     tools/make catalog            writes it
     tools/make catalog --check    whether it is what it should be
 
-A noise or a sum is one entry of catalog/noises.toml or sums.toml; the comments at their top say what the keys mean.
-Files that are made say so at their top, and in others what is made stands between two marks.
+A noise or a sum is one entry of catalog/noises.toml or sums.toml; the comments at their top state what the keys mean.
+Files that are made state it at their top, and in others what is made stands between two marks.
 
 Exit status: 0 all is as it should be, 1 (--check) a file is not, 2 bad usage, or an entry that is wrong.
 """

@@ -194,7 +194,7 @@ def _function(entry: Entry, name: str) -> dict[str, Any]:
         raise CatalogError(f"{entry.where}: dimensions are {[first, last]}, and have to be in [1, 4]")
     about: str = entry.take("about", str)
     if "{dimensions}" not in about:
-        raise CatalogError(f"{entry.where}: about has to say {{dimensions}}, which becomes \"in 2D and 3D\" and so on")
+        raise CatalogError(f"{entry.where}: about needs {{dimensions}}, which becomes \"in 2D and 3D\" and so on")
     options = entry.take("options", dict, {})
     return {"name": name, "first": first, "last": last, "shape": entry.one_of("shape", SHAPES), "about": about,
             "more": entry.take("more", str, ""), "returns": entry.take("returns", str),

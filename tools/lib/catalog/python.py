@@ -68,7 +68,7 @@ class _Option:
     default: str
     type: str  # that of arrays
     number_type: str = ""  # where coordinates are numbers, if it is another
-    is_setting: bool = True  # of the field; the others say where it is evaluated
+    is_setting: bool = True  # of the field; the others state where it is evaluated
 
 
 _PERIOD = _Option("period", "None", "int | Sequence[int] | None")

@@ -140,7 +140,7 @@ class WrongOptions(Machine):
         self.assertEqual(self.called(), [])
         self.assertEqual(self.call("test", "--thorough", "--quiet").returncode, 4)
         self.assertNotEqual(self.called(), [])
-        self.write_program(self.programs / "ctest", "exit 1")  # it is not installed: nobody can tell its options
+        self.write_program(self.programs / "ctest", "exit 1")  # it is not installed: nobody can know its options
         self.assertEqual(self.call("test", "--no-such-thing").returncode, 4)
 
     def test_of_what_needs_scientific_python(self):

@@ -136,7 +136,7 @@ class Shards(unittest.TestCase):
 
     def test_bad_usage(self) -> None:
         for arguments, said in (
-                ((), "say in how many parts"), (("0",), "there are 1 to 9999 parts, not 0"),
+                ((), "give the number of parts"), (("0",), "there are 1 to 9999 parts, not 0"),
                 (("--host",), "must be followed by a name"), (("2", "--shard", "1/2"), "it deals the shards itself"),
                 (("--host=-oProxyCommand=x",), "is not HOST"),
                 (("2", "--hots", "a"), "no option --hots (did you mean --host?)")):

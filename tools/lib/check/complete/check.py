@@ -113,7 +113,7 @@ def functions_without_words(tree: Tree) -> Iterator[str]:
         if not any(is_named(name, cell) for cell in first_cells):
             yield f"README.md: no line for {name}: add one to the table of functions, or to that of {' or '.join((OF_NOISES, *OTHERS))}"
         if not re.search(rf"`{name}\b", contract):
-            yield f"docs/reference/contract.md: no word of {name}(...): say what its value is"
+            yield f"docs/reference/contract.md: no word of {name}(...): state what its value is"
 
 
 def arguments_without_words(tree: Tree) -> Iterator[str]:
@@ -152,8 +152,8 @@ def noises_without_entries(tree: Tree) -> Iterator[str]:
             yield lacks(function, f"{BOUNDS.relative_to(ROOT)} has no {noise} in {function.axes}D: "
                         "run tools/make bounds")
         if not re.search(rf"`{function.calls}`[^.]* (?:takes positions of|have the forms of)", contract):
-            yield lacks(function, f"say in docs/reference/contract.md that `{function.calls}` takes positions of {function.axes} "
-                        "dimensions, and what its value is")
+            yield lacks(function, f"state in docs/reference/contract.md that `{function.calls}` takes positions of "
+                        f"{function.axes} dimensions, and what its value is")
 
 
 def noises_without_comments(tree: Tree) -> Iterator[str]:

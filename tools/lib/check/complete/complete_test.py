@@ -162,11 +162,12 @@ class Deletions(unittest.TestCase):
 
     def test_the_contract(self) -> None:
         self.change("docs/reference/contract.md", r"^`hn_value_cubic` takes positions of")
-        self.noticed(r"noise3d\.value_cubic_cell: say in docs/reference/contract\.md that `hn_value_cubic` takes positions of 3 dim")
+        self.noticed(r"noise3d\.value_cubic_cell: state in docs/reference/contract\.md that `hn_value_cubic` takes "
+                     r"positions of 3 dim")
 
     def test_the_contract_of_a_function(self) -> None:
         self.change("docs/reference/contract.md", r"^\| `hn_snorm\(.*\n")
-        self.noticed(r"^docs/reference/contract\.md: no word of hn_snorm\(\.\.\.\): say what its value is")
+        self.noticed(r"^docs/reference/contract\.md: no word of hn_snorm\(\.\.\.\): state what its value is")
 
     def test_the_readme(self) -> None:
         self.change("README.md", r"^\| `hn_perlin\b.*\n")

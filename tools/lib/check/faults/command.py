@@ -199,7 +199,7 @@ def kept_row(fault: Told, path: Path) -> str:
 
 
 def agrees(kept: str, made: str, run: list[str]) -> bool:
-    """Whether two rows of a fault tell the same of the functions of these cases: in what fails, and in what warns."""
+    """Whether two rows of a fault state the same of the functions of these cases: in what fails, and in what warns."""
     ran = named(functions(run))
     one, other = ([named(cell) & ran for cell in row.split(" | ")[-2:]] for row in (kept, made))
     return one == other

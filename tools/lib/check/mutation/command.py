@@ -20,7 +20,7 @@ those are counted apart.
 The unchanged library must pass the cases that kill, or else they would show nothing. Some are tried first, and at the
 end all that killed a mutant.
 
-Some mutants compute the same, or nothing that the contract could tell from what is right.
+Some mutants compute the same, or nothing that the contract distinguishes from what is right.
 tools/lib/check/mutation/equivalent.py has them, with the proof; they are shown and not run, and no sample has them.
 
 Exit status: 0 all were killed, 1 some survived the default run, 2 bad usage, 3 the program could not judge some, or not

@@ -1,4 +1,4 @@
-"""The mutants that compute the same as the library, or nothing that the contract could tell from what is right."""
+"""The mutants that compute the same as the library, or nothing that the contract distinguishes from what is right."""
 
 from __future__ import annotations
 
@@ -137,8 +137,8 @@ EQUIVALENT: tuple[Equivalence, ...] = (
            ("0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu, 0u", "0xFFFFFFFEu, 0xFFFFFFFFu, 0xFFFFFFFFu, 0u",
             "0xFFFFFFFFu, 0xFFFFFFFEu, 0xFFFFFFFFu, 0u", "0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFEu, 0u")),
 
-    # Only a word beside a third of all words could tell these, and it never gets here: bit 20 chooses the second pair,
-    # and it is set in 0x55555554 and 0x55555555, and clear in 0xAAAAAAA9 and 0xAAAAAAAA.
+    # Only a word beside a third of all words could distinguish these, and it never gets here: bit 20 chooses the second
+    # pair, and it is set in 0x55555554 and 0x55555555, and clear in 0xAAAAAAA9 and 0xAAAAAAAA.
     *alike("detail/direction4d.glsl",
            ("hn_i_select(h < 0x55555555u, y,", "hn_i_select(h < 0x55555554u, y,",
             "hn_i_select(h <= 0x55555555u, y,"),

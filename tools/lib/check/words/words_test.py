@@ -26,6 +26,8 @@ class Words(unittest.TestCase):
                 ("The tool says so.", "'says': programs print"),
                 ("Says it is so.", "'Says': programs print"),
                 ("| a | the command tells |", "'tells': programs print"),
+                ("The notes say so.", "'say': programs print"),
+                ("It cannot tell which.", "'tell': programs print"),
                 ("It ends. What is left is 0.", "'What': begin with the subject"),
                 ("- Those of the plane are 1.", "'Those': begin with the subject"),
                 ("| a | That of a cell |", "'That': begin with the subject"),

@@ -196,7 +196,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--get-drivers", action="store_true", help="download them, and do nothing else")
     parser.add_argument("--suite", default=debian.SUITE, help="Debian's, from which they come (sid)")
     parser.add_argument("--mirror", default=debian.MIRROR, help="of Debian")
-    parser.add_argument("--list-chips", action="store_true", help="tell the names for --chip")
+    parser.add_argument("--list-chips", action="store_true", help="print the names for --chip")
     options = parser.parse_args(arguments)
     try:
         if options.list_chips:

@@ -30,7 +30,7 @@ SUMS = "octaves"  # in the names of noises: those have loops
 SHOWN_CALLS = (*(call for call in CALLS if SUMS not in call.noise), *stripes.CALLS)
 LOOPS = re.compile(r"\bLoops [1-9]")  # in the kinds of a row
 TABLES = re.compile(r"\bmemory [1-9]")  # the same, where instructions are counted, and waits are not
-WITNESS = "adreno740"  # of loops, for compilers that do not tell whether they left one
+WITNESS = "adreno740"  # of loops, for compilers that do not state whether they left one
 
 
 def costs() -> dict[tuple[str, str], Row]:

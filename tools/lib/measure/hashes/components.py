@@ -88,7 +88,7 @@ class Tables:
 
 def waves(test: str, counts: np.ndarray) -> Finding:
     """The largest ordinate of the spectrum of a table: the spectral test of congruential generators, measured. If
-    numbers lie on few lines or planes, waves across these have it. Waves along an axis say nothing of independence."""
+    numbers lie on few lines or planes, waves across these have it. Waves along an axis show nothing of independence."""
     spectrum = np.abs(np.fft.fftn(counts)) ** 2 / counts.sum()
     scores = fourier.ordinate_scores(spectrum)
     alone = _of_one(counts.shape)

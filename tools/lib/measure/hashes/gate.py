@@ -217,7 +217,7 @@ def sample_words(twin: Twin, shape: tuple[int, ...], origin: tuple[int, ...]) ->
 
 
 def _same_stage(lattice: Lattice, twin: Twin) -> Finding:
-    """hn_gradient of a cell is the gradient of its word, or else the tests of words say nothing of the noise."""
+    """hn_gradient of a cell is the gradient of its word, or else the tests of words show nothing of the noise."""
     staged = twin.stage(lattice.words.reshape(-1), lattice.dimensions).reshape(lattice.gradients.shape)
     wrong = int(np.count_nonzero((staged != lattice.gradients).any(axis=-1)))
     return Finding("gradient of the word", wrong, 0, 0, float(wrong == 0), lattice.words.size, 1, lattice.place)

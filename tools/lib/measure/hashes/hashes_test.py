@@ -311,7 +311,7 @@ class Parts(unittest.TestCase):
             used = sum(1 << int(bit) for bit in TWIN.consumed(n))
             words = controls.random((1000,))
             changed = (TWIN.stage(words, n) != TWIN.stage(words & np.uint32(used), n)).any(axis=-1).mean()
-            # In space a third ends within two of the 32 parts that bits 31 to 27 tell apart.
+            # In space a third ends within two of the 32 parts that bits 31 to 27 distinguish.
             self.assertLessEqual(changed, {2: 0, 3: 2 / 32}[n])
         self.assertEqual(TWIN.consumed(2).tolist(), [31, 22, 21])
         self.assertEqual(TWIN.consumed(3).tolist(), [31, 30, 29, 28, 27, 22, 21])

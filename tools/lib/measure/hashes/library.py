@@ -16,7 +16,7 @@ SOURCE = Path(__file__).resolve().parent / "lattice.cpp"
 AXES = "xyzw"
 WORDS = ("word", "further")  # quantities that are no floats
 # Factors with which hashes of a lattice often multiply the coordinates: the first primes of xxHash, in this order. They
-# are tried where a library does not say what it takes.
+# are tried where a library does not state what it takes.
 USUAL_STEPS = ((0x9E3779B1,), (0x85EBCA77,), (0xC2B2AE3D,), (0x27D4EB2F,))
 STAGE_PROBES = 4096  # words
 LEAST_CHANGED = 1 / 16  # of them, whose gradient a consumed bit changes
@@ -54,7 +54,7 @@ def steps_of(include: Path) -> tuple[tuple[int, ...], ...]:
         found = re.findall(rf"^#define (HN_I_STEP\w*_{axis}) (\w+?)u?\b", text, re.MULTILINE)
         for name, value in found:
             if int(value, 0) % 2 == 0:
-                raise NotBuilt(f"{include}: {name} is {value}, which is even: it would not tell cells apart")
+                raise NotBuilt(f"{include}: {name} is {value}, which is even: it would not distinguish cells")
         steps.append(tuple(dict.fromkeys(int(value, 0) for _, value in found)) or usual)
     return tuple(steps)
 

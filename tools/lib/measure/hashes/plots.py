@@ -113,6 +113,6 @@ def noise(path: Path, results: list) -> None:
 def save(figure, path: Path) -> None:
     figure.canvas.draw()
     picture = Image.fromarray(np.asarray(figure.canvas.buffer_rgba())[..., :3])
-    # 64 colours, without dithering: a quarter of the size, and as far as the eye can tell the same.
+    # 64 colours, without dithering: a quarter of the size, and the same to the eye.
     picture.quantize(64, dither=Image.Dither.NONE).save(path, optimize=True)
     plt.close(figure)

@@ -37,7 +37,7 @@ def tile(renderer: Renderer, text: str, expression: str, axes: int, look: Look) 
 
 
 def squares(first: bytes, second: bytes) -> bytes:
-    """A board of both, by turns: where one cannot tell the squares apart, they look alike."""
+    """A board of both, by turns: where one cannot distinguish the squares, they look alike."""
     size = TILE // SQUARES
     return bytes((first if (i // TILE // size + i % TILE // size) % 2 == 0 else second)[i] for i in range(TILE * TILE))
 

@@ -195,7 +195,7 @@ def moving_table(name: str, record: Mapping[str, Port], rows: Sequence[Row] = RO
                 raise Missing(f"likeness.csv has no row {row.id!r}: run tools/measure likeness")
             ours = call(row, record[row.id].scale, record[row.id].factor, record[row.id].offset, **ON_THE_PAGE)
             lines.setdefault((row.theirs, ours, _range(row, record[row.id])), []).append(f"{row.axes}D")
-    # A column that would tell nothing is left out.
+    # A column that would show nothing is left out.
     columns = [("theirs", [key[0] for key in lines]), ("", [", ".join(axes) for axes in lines.values()]),
                ("hashnoise", [f"`{key[1]}`" for key in lines]), ("range", [key[2] for key in lines])]
     columns = [(head, cells) for head, cells in columns

@@ -66,7 +66,7 @@ def read_all(paths: Sequence[Path], versions: Mapping[str, Sets],
 def main(arguments: Sequence[str] | None = None) -> int:
     parser = Parser("tools/make results", __doc__)
     what = parser.add_mutually_exclusive_group()
-    what.add_argument("--check", action="store_true", help="say which digests are refused, and why")
+    what.add_argument("--check", action="store_true", help="print which digests are refused, and why")
     what.add_argument("--page", type=Path, default=PAGE, metavar="DIR",
                       help="where index.html goes (default: build/results)")
     what.add_argument("--freeze", action="store_true", help="keep the checksums of this version")

@@ -1,4 +1,4 @@
-"""Reads what digests say of devices: each device counts once, whoever sends results of it and however often."""
+"""Reads what digests state of devices: each device counts once, whoever sends results of it and however often."""
 
 from __future__ import annotations
 

@@ -220,7 +220,7 @@ def part_of(value: Any, where: str, sets: Sets | None) -> Part:
     verdict = READER.one_of(found["verdict"], f"{where}.verdict", ("pass", "fail"))
     if (verdict == "fail") != (failed > 0):
         raise Refused(f"{where}.verdict is {shown(verdict)}, and {where}.cases counts {failed} that failed; both "
-                      "should say the same")
+                      "should agree")
     checksums = READER.of_kind(found["checksums"], dict, f"{where}.checksums", "an object with a checksum for each "
                                "group")
     for group, checksum in checksums.items():

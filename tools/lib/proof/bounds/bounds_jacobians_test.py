@@ -460,7 +460,7 @@ int main() {{
         return dict(zip(self.STEPS, zip(numbers[::2], numbers[1::2]), strict=True))
 
     def test_a_noise_beyond_its_range(self):
-        """Counts as the contract and docs/reference/fractals.md say."""
+        """Counts as the contract and docs/reference/fractals.md state."""
         expected = {step: numbers for step, (_, numbers) in self.STEPS.items()}
         self.assertEqual(self.beyond("HN_FAST"), expected)
         self.assertEqual(self.beyond("HN_FIXED"), {step: tuple(min(number, 1.5) for number in numbers)

@@ -276,7 +276,7 @@ def of_function(function: glsl.Declaration, gradient: Gradient, derived: Everyth
     return derived.get((noise, dims, gradient)) or derived[noise, dims, None]
 
 
-# The comments of these functions tell the errors of these numbers.
+# The comments of these functions state the errors of these numbers.
 UNIFORM = {"hn_uniform": "value", "hn_uniform_d": "slope", "hn_distribution_fbm": "coefficient"}
 
 

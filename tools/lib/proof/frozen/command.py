@@ -106,7 +106,7 @@ def replaced(entries: Mapping[Key, Entry], library: Library,
 def main(arguments: Sequence[str] | None = None) -> int:
     parser = Parser("tools/make freeze", __doc__)
     what = parser.add_mutually_exclusive_group()
-    what.add_argument("--check", action="store_true", help="say what is not as it was")
+    what.add_argument("--check", action="store_true", help="print what is not as it was")
     what.add_argument("--provisional", action="store_true", help="make entries of experimental functions anew")
     parser.add_argument("--all", action="store_true", help="with --check: at all points")
     parser.add_argument("--program", type=Path, default=PROGRAM, metavar="PATH",

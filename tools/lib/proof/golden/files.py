@@ -1,5 +1,4 @@
-"""The contents of golden files. The tables of functions and of configurations say which files there are, and with which
-settings."""
+"""The contents of golden files. The tables of functions and of configurations list the files and their settings."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """The inputs of hex tiling: places on the seams of triangles and beside them, in cells at seams and at the ends of int.
 
-Where a corner changes, floats may say either. So the fractions are such as floats take exactly, or weights and corners
+Where a corner changes, floats may give either. So the fractions are such as floats take exactly, or weights and corners
 are clear of that. Fixed arithmetic, which is exact, has any.
 """
 

@@ -339,7 +339,7 @@ class Warps(unittest.TestCase):
             octaves = [octave for octave, _ in jacobians.progressive_octaves(VECTOR, LATTICE, p, options, seed, periods)]
             vectors = [v for _, v in jacobians.progressive_octaves(VECTOR, LATTICE, p, options, seed, periods)]
             jacobian = list(itertools.islice(jacobians.jacobians_of(len(p), options, periods), 2))
-            # In cells of the first octave, the second moves by as much as its Jacobian and its gain say: the rotation
+            # In cells of the first octave, the second moves by as much as its Jacobian and its gain give: the rotation
             # back of what it moves, over the lacunarity.
             *_, (plain, *_) = sums.octaves_of(p, options, seed, periods)
             moves = [Fraction(3, 4) / Fraction(7, 4) * x for x in vectors[0]]

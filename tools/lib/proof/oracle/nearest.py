@@ -33,6 +33,6 @@ def fixed_offset(lattice: Lattice, cell: Sequence[int], fraction: Sequence[int])
     return tuple(-d for d in field.arithmetic.straight(point.offset))
 
 
-# With the Euclidean metric, if none is chosen, these are what borders say, too. Rotated they are of points that move.
+# With the Euclidean metric, if none is chosen, these are what borders give, too. Rotated they are of points that move.
 NEAREST = Noise("nearest", exact_cell, fixed_cell, ("nx", "ny", "nz"), (1,) * 3, rotates=True)
 OFFSET = Noise("offset", exact_offset, fixed_offset, ("ox", "oy", "oz"), (UNIT,) * 3, rotates=True)

@@ -1,4 +1,4 @@
-"""Tests of words.py: the published vectors say that the hashes are the ones they are named after."""
+"""Tests of words.py: the published vectors show that the hashes are the ones they are named after."""
 
 from __future__ import annotations
 

@@ -25,7 +25,7 @@ from translate.pick.program import name_of, names
 
 FORMAT = 1
 INDEX = "index.json"
-LARGEST_BOUND = 2.0**-6  # of a row. Octave sums of floats far out have larger ones, which say little
+LARGEST_BOUND = 2.0**-6  # of a row. Octave sums of floats far out have larger ones, which mean little
 DEFAULTS = {"lattice", "lattice+sine"}  # the settings of noise that are written out, without their arithmetic
 PROGRAM = Path(__file__).with_name("tolerances.cpp")
 SUMS = Path(__file__).parents[1] / "sums"  # their bounds

@@ -60,7 +60,7 @@ def hash_of(code: str) -> str:
 
 
 def page(tell: Callable[[str], None] = lambda _: None) -> str:
-    """`tell` takes a sentence before each step that takes long."""
+    """Calls `tell` with a sentence before each step that takes long."""
     code = f"\n{script().strip()}\n"
     style = (SOURCES / "style.css").read_text(encoding="utf-8").strip()
     looks = base64.b64encode((SOURCES / "looks.webp").read_bytes()).decode("ascii")

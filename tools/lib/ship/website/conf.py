@@ -15,7 +15,7 @@ html_extra_path = ["extra"]
 html_static_path = ["static"]
 html_css_files = ["phone.css"]
 highlight_language = "none"
-suppress_warnings = ["misc.highlighting_failure"]  # where a preprocessor stands before a shader, say
+suppress_warnings = ["misc.highlighting_failure"]  # for example where a preprocessor stands before a shader
 
 # Languages that Pygments does not know, and those whose colours fit them.
 LIKE = {"metal": "cpp", "osl": "c", "gdshader": "glsl", "godot": "glsl", "slang": "hlsl", "wesl": "wgsl", "tsl": "js"}

@@ -186,7 +186,7 @@ def wrong(folder: Path) -> dict[str, str]:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     parser = Parser("tools/make umbrella", __doc__)
-    parser.add_argument("--check", action="store_true", help="only tell which files are not what they should be")
+    parser.add_argument("--check", action="store_true", help="only print which files are not what they should be")
     parser.add_argument("--glsl", type=Path, default=GLSL, help="the folder (default: %(default)s)")
     options = parser.parse_args(arguments)
     if not options.glsl.is_dir():

@@ -184,7 +184,7 @@ class Files(unittest.TestCase):
                 ({"a3d.glsl": SAME, "a2d.glsl": SAME * 2}, "a3d.glsl needs as many lines .* as a2d.glsl"),
                 ({"random2d.glsl": files.BY_HAND}, "random1d.glsl needs as many lines .* as random2d.glsl"),
                 ({"a2d.glsl": f"{SAME}f(a.y);\n", "a3d.glsl": SAME}, "a2d.glsl, in 3 dimensions: y is in no pair: `f"),
-                ({"warp2d.glsl": ""}, "warp2d.glsl does not say `8 multiplications`")):
+                ({"warp2d.glsl": ""}, "warp2d.glsl does not state `8 multiplications`")):
             with self.subTest(texts=texts), self.assertRaisesRegex(Unclear, why):
                 files.made(texts)
 

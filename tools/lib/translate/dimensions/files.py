@@ -115,7 +115,8 @@ def made(texts: Mapping[str, str]) -> dict[str, str]:
     for source, numbers in IN_SPACE.items():
         for number in numbers:
             if source in texts and number not in texts[source]:
-                raise Unclear(f"{source} does not say `{number}`, as tools/lib/translate/dimensions/numbers.py has it")
+                raise Unclear(f"{source} does not state `{number}`, as "
+                              "tools/lib/translate/dimensions/numbers.py has it")
     found = {source.replace("2d.", f"{n}d."): of_whole(source, n, texts)
              for source, dimensions in WHOLE.items() if source in texts for n in dimensions}
     for file, text in texts.items():

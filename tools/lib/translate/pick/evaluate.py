@@ -72,7 +72,7 @@ class Kept:
 
 
 Known = Union[None, Constant, int, Kept]
-GENERIC = frozenset((*AXES, "condition"))  # names of parameters that tell nothing of what is passed
+GENERIC = frozenset((*AXES, "condition"))  # names of parameters that show nothing of what is passed
 
 
 @dataclass(frozen=True)

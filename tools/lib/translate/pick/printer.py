@@ -236,7 +236,7 @@ class Expressions:
 
 
 class Writer(Expressions):
-    """Of the body of one function. `hints` say what values are called in the library, `names` what is called."""
+    """Of the body of one function. `hints` has what values are called in the library, `names` what is called."""
     indent = 2
 
     def __init__(self, language: Language, block: list[Statement], hints: Mapping[Node, str], parameters: Iterable[str],

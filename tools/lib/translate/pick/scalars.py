@@ -651,7 +651,7 @@ def _function(evaluated: Evaluated, name: str, is_public: bool, syntax: Syntax,
               structs: Mapping[str, Sequence[Part]], names: Mapping[Kept, str]) -> str:
     function = evaluated.function
     parameters = [parameter.at.text for parameter in evaluated.parameters]
-    snake = [bare(kept.name) for kept in names]  # as variables are called before the language has its say
+    snake = [bare(kept.name) for kept in names]  # as variables are called before the language changes them
     results = results_of(function, evaluated.evaluation.library)
     beside = [one.name for one in results[function.type != "void":]] if syntax.sets_parameters else []
     writer = Scalars(syntax, structs, evaluated.block, evaluated.evaluation.hints,

@@ -2,7 +2,7 @@
 
 Godot's preprocessor looks for every macro in every line, so that hundreds of them take seconds; and behind a second
 include it leaves macros with parameters in place. Its compiler for Vulkan
-takes a parameter or a variable of a function for the uniform that has the same name, if there is one: "seed", say
+takes a parameter or a variable of a function for the uniform that has the same name, if there is one, such as "seed"
 (https://github.com/godotengine/godot/issues/90933). So these get names here that nobody else has.
 """
 

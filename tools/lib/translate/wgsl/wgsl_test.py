@@ -1,5 +1,4 @@
-"""Tests of the translation to WGSL. Whether compilers take it, and which values it has, wgpu_test.py and hn-conform
-tell."""
+"""Tests of the translation to WGSL. wgpu_test.py and hn-conform check whether compilers take it, and its values."""
 
 from __future__ import annotations
 
