@@ -71,6 +71,8 @@
 #undef None
 #pragma push_macro("Number")
 #undef Number
+#pragma push_macro("OptionalInt")
+#undef OptionalInt
 #pragma push_macro("PerAxis")
 #undef PerAxis
 #pragma push_macro("Place")
@@ -375,6 +377,8 @@
 #undef fits
 #pragma push_macro("floatBitsToUint")
 #undef floatBitsToUint
+#pragma push_macro("floating_point")
+#undef floating_point
 #pragma push_macro("floor")
 #undef floor
 #pragma push_macro("folded")
