@@ -234,7 +234,7 @@ export class Field {
     const refuse = (name, why) => {
       if (name in set) throw new RangeError(`${fractal ?? noise} has no ${name}; ${why}`);
     };
-    if (!fractal) for (const name of OF_FRACTALS) refuse(name, name === "octaves" ? "fractals have them" : "fractals have one");
+    if (!fractal) for (const name of OF_FRACTALS) refuse(name, "only fractals do");
     const takes = fractal ? [row.strength] : NOISES[noise].takes;
     for (const [name, owners] of Object.entries(OWNERS)) if (!takes.includes(name)) refuse(name, owners);
     const ruled = (check, name, value) => check(name, value, NUMBERS[name].least, NUMBERS[name].most);
@@ -346,10 +346,10 @@ export class Field {
   points(coordinates, options = {}) {
     const { cells, out } = given("option", options, ["cells", "out"]);
     const { dimensions } = this;
-    const places = cells === undefined ? ["finite numbers", Float32Array, isFloat] : ["from 0 to 1 in cells", Float32Array, isFraction];
-    const lists = [[coordinates, "coordinates", ...places]];
-    if (cells !== undefined) lists.push([cells, "cells", "whole numbers", Int32Array, Number.isSafeInteger]);
-    for (const [arrays, name, what, type, good] of lists) {
+    const places = cells === undefined ? ["finite numbers", isFloat] : ["from 0 to 1 in cells", isFraction];
+    const lists = [[coordinates, "coordinates", Float32Array, ...places]];
+    if (cells !== undefined) lists.push([cells, "cells", Int32Array, "whole numbers", Number.isSafeInteger]);
+    for (const [arrays, name, type, what, good] of lists) {
       if (!Array.isArray(arrays) || arrays.length !== dimensions) {
         throw new TypeError(`the ${name} have to be an array of ${dimensions} arrays, one for each axis`);
       }

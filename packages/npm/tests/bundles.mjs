@@ -1,4 +1,4 @@
-// A bundler keeps the used parts of the package, and each text once. Also: what a node takes.
+// A bundler keeps the used parts of the package, and each text once. Also: what a node and wgsl take.
 //
 //   node bundles.mjs
 import assert from "node:assert/strict";
@@ -52,6 +52,12 @@ test("of WGSL and of nodes, a function brings what it needs", async () => {
     assert.equal(count(code, "#ifndef HN_PERLIN2D_GLSL"), name.includes("tsl") ? 1 : 0, name);
     console.log(`hn_perlin2 of ${name}: ${code.length} bytes`);
   }
+});
+
+test("a name in place of a function of WGSL is an error", async () => {
+  const { hn_fbm2, wgsl } = await import("hashnoise/wgsl");
+  assert.equal(count(wgsl(hn_fbm2), "fn hn_fbm2("), 1);
+  assert.throws(() => wgsl("hn_fbm2"), /^TypeError: wgsl takes what you import from hashnoise\/wgsl, .*, not hn_fbm2$/);
 });
 
 test("the twin brings its module alone", async () => {
