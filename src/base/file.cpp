@@ -1,6 +1,9 @@
 #include "base/file.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -11,6 +14,42 @@
 #include <system_error>
 
 namespace hn {
+namespace {
+
+constexpr int kMostDrafts = 100;  // that earlier processes of this number may have left
+
+tl::unexpected<Error> cannot_write(const std::filesystem::path& path, std::string_view why) {
+  return fail(fmt::format("cannot write {}: {}", path.string(), why));
+}
+
+// An empty file beside the one that it will replace, which no other file has the name of.
+struct Draft {
+  std::filesystem::path path;
+  std::filesystem::path target;  // the file, behind all links
+  std::FILE* out;
+};
+Result<Draft> open_draft(const std::filesystem::path& path) {
+  std::error_code error;
+  std::filesystem::path target = std::filesystem::canonical(path, error);
+  if (error) target = path;  // it does not exist yet
+  const std::filesystem::file_status status = std::filesystem::status(target, error);
+  const bool is_there = std::filesystem::exists(status);
+  // Devices, pipes and sockets would be replaced, too. rename() refuses folders.
+  if (is_there && !std::filesystem::is_regular_file(status) && !std::filesystem::is_directory(status)) {
+    return cannot_write(path, "it is no regular file");
+  }
+  for (int number = 0; number < kMostDrafts; ++number) {
+    const std::filesystem::path draft = fmt::format("{}.{}-{}.part", target.string(), getpid(), number);
+    const int file = open(draft.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (file < 0 && errno == EEXIST) continue;
+    if (file < 0) break;
+    if (is_there) fchmod(file, static_cast<mode_t>(status.permissions()));
+    return Draft{draft, target, fdopen(file, "wb")};
+  }
+  return cannot_write(path, std::strerror(errno));
+}
+
+}  // namespace
 
 Result<std::string> read_file(const std::filesystem::path& path, std::string_view hint) {
   std::ifstream in(path, std::ios::binary);
@@ -31,19 +70,26 @@ std::string end_of_log(const std::filesystem::path& path, std::size_t most, std:
 Result<void> write_file(const std::filesystem::path& path, std::string_view bytes) {
   std::error_code error;
   if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), error);
-  const std::filesystem::path draft = path.string() + ".part";
-  const auto cannot = [&](const std::string& why) {
-    std::filesystem::remove(draft, error);
-    return fail(fmt::format("cannot write {}: {}", path.string(), why));
-  };
-  std::FILE* const out = std::fopen(draft.c_str(), "wb");
-  if (!out) return cannot(std::strerror(errno));
+  const auto draft = open_draft(path);
+  if (!draft) return tl::unexpected(draft.error());
   // Some file systems report only when a file is closed that they are full.
-  int problem = std::fwrite(bytes.data(), 1, bytes.size(), out) == bytes.size() ? 0 : errno;
-  if (std::fclose(out) != 0 && problem == 0) problem = errno;
-  if (problem != 0) return cannot(std::strerror(problem));
-  std::filesystem::rename(draft, path, error);
-  if (error) return cannot(error.message());
+  int problem = std::fwrite(bytes.data(), 1, bytes.size(), draft->out) == bytes.size() ? 0 : errno;
+  if (std::fclose(draft->out) != 0 && problem == 0) problem = errno;
+  if (problem == 0) {
+    std::filesystem::rename(draft->path, draft->target, error);
+    if (!error) return {};
+  }
+  const std::string why = problem != 0 ? std::strerror(problem) : error.message();
+  std::filesystem::remove(draft->path, error);
+  return cannot_write(path, why);
+}
+
+Result<void> try_to_write(const std::filesystem::path& path) {
+  const auto draft = open_draft(path);
+  if (!draft) return tl::unexpected(draft.error());
+  std::fclose(draft->out);
+  std::error_code error;
+  std::filesystem::remove(draft->path, error);
   return {};
 }
 

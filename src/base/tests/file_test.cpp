@@ -3,11 +3,22 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <set>
+#include <string>
 
 #include "base/temporary_folder.hpp"
 
 namespace hn {
 namespace {
+
+std::set<std::string> names_in(const std::filesystem::path& folder) {
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) names.insert(entry.path().filename().string());
+  return names;
+}
 
 TEST(File, IsReadAsItWasWritten) {
   const TemporaryFolder folder;
@@ -44,10 +55,55 @@ TEST(File, ThatCannotBeWrittenSaysWhyAndIsAsItWas) {
   setrlimit(RLIMIT_FSIZE, &before);
   EXPECT_EQ(too_large, "cannot write " + (folder.path() / "file").string() + ": File too large");
   EXPECT_EQ(read_file(folder.path() / "file").value(), "before");
-  EXPECT_FALSE(std::filesystem::exists(folder.path() / "file.part"));
+  EXPECT_EQ(names_in(folder.path()), (std::set<std::string>{"file"}));
   EXPECT_EQ(problem(folder.path(), "x"), "cannot write " + folder.path().string() + ": Is a directory");
   EXPECT_EQ(problem(folder.path() / "file" / "below", "x"),
             "cannot write " + (folder.path() / "file" / "below").string() + ": Not a directory");
+}
+
+TEST(File, BehindALinkIsWrittenAndTheLinkStays) {
+  const TemporaryFolder folder;
+  folder.write("target", "before");
+  std::filesystem::create_symlink("target", folder.path() / "link");
+  ASSERT_TRUE(write_file(folder.path() / "link", "behind"));
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.path() / "link"));
+  EXPECT_EQ(read_file(folder.path() / "target").value(), "behind");
+}
+
+TEST(File, KeepsItsMode) {
+  const TemporaryFolder folder;
+  folder.write("file", "before");
+  const auto mode = std::filesystem::perms::owner_read | std::filesystem::perms::owner_write;
+  std::filesystem::permissions(folder.path() / "file", mode);
+  ASSERT_TRUE(write_file(folder.path() / "file", "behind"));
+  EXPECT_EQ(std::filesystem::status(folder.path() / "file").permissions(), mode);
+}
+
+TEST(File, ReplacesNothingBesideItself) {
+  const TemporaryFolder folder;
+  const std::string draft = "file." + std::to_string(getpid()) + "-0.part";
+  for (const std::string& name : {std::string("file.part"), std::string("file.try"), draft}) folder.write(name, "mine");
+  ASSERT_TRUE(try_to_write(folder.path() / "file"));
+  EXPECT_EQ(names_in(folder.path()), (std::set<std::string>{"file.part", "file.try", draft}));
+  ASSERT_TRUE(write_file(folder.path() / "file", "text"));
+  EXPECT_EQ(names_in(folder.path()), (std::set<std::string>{"file", "file.part", "file.try", draft}));
+  EXPECT_EQ(read_file(folder.path() / draft).value(), "mine");
+}
+
+// As root, a program would replace /dev/null.
+TEST(File, ThatIsNoRegularOneIsAnError) {
+  const TemporaryFolder folder;
+  const std::filesystem::path pipe = folder.path() / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  std::filesystem::create_symlink("pipe", folder.path() / "link");
+  for (const auto& path : {pipe, folder.path() / "link"}) {
+    for (const auto& written : {write_file(path, "x"), try_to_write(path)}) {
+      ASSERT_FALSE(written);
+      EXPECT_EQ(written.error().text(), "cannot write " + path.string() + ": it is no regular file");
+    }
+  }
+  EXPECT_TRUE(std::filesystem::is_fifo(pipe));
+  EXPECT_EQ(names_in(folder.path()), (std::set<std::string>{"pipe", "link"}));
 }
 
 TEST(File, EndsOfLogsAreAsLongAsTheyMayBe) {
