@@ -132,6 +132,7 @@ nlohmann::ordered_json settings_of(const BakeOptions& options, hashnoise::Instru
 nlohmann::ordered_json to_json(const Component& component) {
   nlohmann::ordered_json json = {
       {"name", component.name}, {"least", component.range.least}, {"greatest", component.range.greatest}};
+  if (component.nans != 0) json["nan"] = component.nans;
   if (!component.mapping) return json;
   const auto& [interval, source, clamped] = *component.mapping;
   json["0"] = interval.least;
@@ -238,8 +239,9 @@ Result<std::vector<Mapping>> mappings_of(const BakeOptions& options, const std::
       continue;
     }
     const auto documented =
-        options.expression ? std::nullopt
-                           : hashnoise::grid::documented_range(options.settings, static_cast<int>(options.size.size()), components[i]);
+        options.expression
+            ? std::nullopt
+            : hashnoise::grid::documented_range(options.settings, static_cast<int>(options.size.size()), components[i]);
     if (!documented) {
       return fail(
           fmt::format("no range is documented for the component {} of {} with these settings; name one with "
@@ -257,7 +259,10 @@ Result<Report> write_files(const BakeOptions& options, Planes planes, std::vecto
   report.atlas = atlas_of(options);
   report.width = options.size[0] * report.atlas.columns;
   report.height = height_of_slice(options) * report.atlas.rows;
-  for (const Plane& plane : planes.planes) report.components.push_back({plane.component, plane.range, {}});
+  for (const Plane& plane : planes.planes) {
+    const auto nans = std::ranges::count_if(plane.values, [](float value) { return std::isnan(value); });
+    report.components.push_back({plane.component, plane.range, {}, static_cast<std::size_t>(nans)});
+  }
   if (!has_16_bits(options.format)) {
     std::vector<std::vector<float>> floats;
     for (Plane& plane : planes.planes) floats.push_back(std::move(plane.values));

@@ -24,6 +24,7 @@ struct Component {
   std::string name;
   hashnoise::Range range;          // of the values, before they are mapped
   std::optional<Mapping> mapping;  // for 16 bits
+  std::size_t nans = 0;            // values that are NaN
 };
 
 // How the slices of a volume lie in a picture. Of what is no volume there is one.

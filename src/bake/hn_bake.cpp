@@ -62,11 +62,8 @@ hn::Result<void> make_sure_it_can_be_written(const std::filesystem::path& path) 
     return hn::fail(fmt::format("--out {}: there is no folder {}; make it, or name a file in another", path.string(),
                                 folder.string()));
   }
-  // Beside the file, as it will be written: an earlier one stays as it is until there is a new one.
-  const std::filesystem::path draft = path.string() + ".try";
-  const auto written = write_whole(draft, "");
-  std::filesystem::remove(draft, error);
-  if (!written) {
+  const std::lock_guard lock(writing);
+  if (const auto written = hn::try_to_write(path); !written) {
     const std::string& message = written.error().message;
     return hn::fail(
         fmt::format("--out {}: no file can be made there: {}", path.string(), message.substr(message.rfind(": ") + 2)));
@@ -112,8 +109,12 @@ void print_text(const hn::BakeOptions& options, const hn::Report& report, double
   }
 }
 
-void warn_of_clamped(const hn::Report& report) {
+void warn_of_values(const hn::Report& report) {
   for (const hn::Component& component : report.components) {
+    if (component.nans != 0) {
+      hn::complain(kProgram, fmt::format("warning: {} values of {} are NaN{}", component.nans, component.name,
+                                         component.mapping ? ", and became 0" : ""));
+    }
     if (!component.mapping || component.mapping->clamped == 0) continue;
     const hn::Interval& interval = component.mapping->interval;
     hn::complain(
@@ -197,7 +198,7 @@ int bake(hn::BakeOptions options) {
     return hn::kNotWritten;
   }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  warn_of_clamped(*report);
+  warn_of_values(*report);
   if (options.json) {
     print_record(options, without_values, *report, seconds);
   } else {

@@ -16,7 +16,7 @@ struct Texels {
 };
 
 // The least of the interval becomes 0, the greatest 65535, and what is between the nearest number; of two that are as
-// near the greater one. An interval without an extent makes 0 of everything.
+// near the greater one. NaN becomes 0. An interval without an extent makes 0 of everything.
 Texels to_16_bits(std::span<const float> values, const Interval& interval);
 
 }  // namespace hn

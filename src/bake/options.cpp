@@ -349,7 +349,7 @@ tl::expected<BakeOptions, Stop> parse_options(int argc, const char* const* argv)
   CLI::App app("Writes a noise, a fractal of it or an expression as a picture, a volume or raw numbers.", "hn-bake");
   app.set_version_flag("--version", library_version());
   app.footer(
-      "Exit status: 0 done, 1 the file could not be written, 2 bad usage, 4 it could not be built, or an expression "
+      "Exit status: 0 done, 1 values could not be computed or the file not be written, 2 bad usage, 4 it could not be built, or an expression "
       "could not, "
       "130 ended by Ctrl-C (SIGINT), 143 by SIGTERM, 129 by SIGHUP.");
   BakeOptions options;

@@ -292,6 +292,18 @@ class Bake(unittest.TestCase):
         self.assertEqual([path.name for path in self.folder.iterdir()], ["a.f32"])
         self.assertEqual((self.folder / "a.f32").read_text(), "old")
 
+    def test_what_is_no_file_stays_and_so_do_files_beside(self):
+        os.mkfifo(self.folder / "pipe.f32")
+        for name in ("a.f32.part", "a.f32.try"):
+            (self.folder / name).write_text("mine")
+        done = self.call("perlin", "--size", "4x4", "-o", "pipe.f32")
+        self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
+        self.assertIn("--out pipe.f32: no file can be made there: it is no regular file", done.stderr)
+        self.bake("perlin", "--size", "4x4", "-o", "a.f32")
+        self.assertEqual(sorted(path.name for path in self.folder.iterdir()),
+                         ["a.f32", "a.f32.part", "a.f32.try", "pipe.f32"])
+        self.assertEqual((self.folder / "a.f32.part").read_text(), "mine")
+
     def test_a_signal_leaves_no_half_file(self):
         for number in (signal.SIGINT, signal.SIGTERM):
             for wait in (0.05, 0.3):

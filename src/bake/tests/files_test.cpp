@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -263,6 +264,19 @@ TEST(Files, WhatFitsNoFormatIsToldBefore) {
   BakeOptions ranges = options_of({"perlin_d"}, Format::png, "a.png");
   ranges.ranges = {{-1.0, 1.0}, {-1.0, 1.0}};
   EXPECT_FALSE(mappings_of(ranges, component_names(ranges)));
+}
+
+TEST(Files, NanIsCountedAndNotClamped) {
+  const BakeOptions options = options_of({"perlin", "--size", "5x3"}, Format::r16, "a.r16");
+  const auto mappings = mappings_of(options, component_names(options));
+  ASSERT_TRUE(mappings);
+  Planes planes = compute(options, {});
+  planes.planes[0].values[3] = std::numeric_limits<float>::quiet_NaN();
+  const auto report = write_files(options, std::move(planes), *mappings,
+                                  [](const std::filesystem::path&, std::string_view) { return Result<void>(); });
+  ASSERT_TRUE(report);
+  EXPECT_EQ(report->components[0].nans, 1u);
+  EXPECT_EQ(report->components[0].mapping->clamped, 0u);
 }
 
 TEST(Files, AFileThatCannotBeWrittenIsAnError) {
