@@ -119,6 +119,8 @@ class Cli(unittest.TestCase):
         self.assertEqual(len(self.results()["runs"][0]["commands"]), 2)
         self.call("merge", self.folder / "1", "--out", self.out)
         self.assertIn("cases are missing; not all of its shards are here", self.page())
+        run = self.results()["runs"][0]
+        self.assertEqual((run["as_expected"], run["missing"], len(run["cases"])), (False, 1, 2))
 
     def test_list_filters(self):
         done = self.call("list", "--thorough", "--filter", "noise2d.perlin.lattice.fast.fragment.*.golden")

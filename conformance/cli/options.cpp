@@ -126,7 +126,7 @@ void add_run(CLI::App& app, RunCommand& run, const std::string& faults) {
       ->type_name("SECONDS")
       ->check(seconds_between(0.1, 86400.0))
       ->capture_default_str();
-  command.add_option("--jobs", run.execution.jobs, "How many drivers run at the same time")
+  command.add_option("--jobs", run.execution.jobs, "How many processes run at the same time")
       ->type_name("N")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();

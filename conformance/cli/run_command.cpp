@@ -262,7 +262,10 @@ std::string digests_text(const std::vector<std::filesystem::path>& digests) {
 }
 
 // Writes and prints the results of the runs, and returns the exit status. problems: faults beside the cases.
-int conclude(const std::vector<Run>& runs, const std::string& out, const std::vector<std::string>& problems) {
+int conclude(const std::vector<Run>& runs, const std::string& out, std::vector<std::string> problems) {
+  if (problems.empty() && nothing_passed(runs)) {
+    problems.push_back("no case passed: all that ran are excused or unsupported, which is no verdict on a driver");
+  }
   const auto written = write_results(out, runs, problems);
   for (const Run& run : runs) say(printable(summary(run)));
   say(printable(edited_libraries(runs)));

@@ -105,8 +105,9 @@ Result<MergeResult> merge_runs(std::vector<Run> runs, const std::vector<std::str
     }
     const std::size_t without = run.whole - std::min(run.whole, run.cases.size());
     if (without > run.not_run) {
+      run.missing = without - run.not_run;
       merged.gaps.push_back(fmt::format("{}: {} of {} cases are missing; not all of its shards are here", name_of(run),
-                                        without - run.not_run, run.whole));
+                                        run.missing, run.whole));
     } else {
       run.shard.clear();  // it is whole
     }

@@ -29,6 +29,7 @@ struct Run {
   std::string shard;                          // "2/3", or empty for the whole
   std::size_t whole = 0;                      // how many cases all shards have
   std::size_t not_run = 0;                    // how many the run did not come to, since it was ended before
+  std::size_t missing = 0;                    // how many are in shards that were not merged
   std::vector<CaseResult> cases;
   std::string timings;                  // JSON, on request
   std::string date = {};                // when it ended: UTC, ISO 8601
@@ -46,6 +47,9 @@ struct Run {
 // Whether every case was run, every case of every driver is as expected, and at least one driver is as expected. On the
 // others a filter may leave only unsupported cases, and some drivers may be absent.
 bool all_as_expected(const std::vector<Run>& runs);
+
+// Whether every case was run, and is as expected, and none passed: all are excused or unsupported.
+bool nothing_passed(const std::vector<Run>& runs);
 
 // Whether some cases were not run, and those that were run are right: the run is incomplete, but shows no fault.
 bool only_unfinished(const std::vector<Run>& runs);
