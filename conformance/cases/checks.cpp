@@ -7,7 +7,7 @@ namespace {
 
 constexpr auto kDescriptions = std::to_array<CheckDescription>({
     {"golden",
-     "64 to 192 points have the oracle's values. For `hn_hash` and `hn_lattice` so has the digest of 16,384 more, "
+     "48 points or more have the oracle's values. For `hn_hash` and `hn_lattice` so has the digest of 16,384 more, "
      "and for what makes words of them that of 64 or 256."},
     {"twin",
      "Random points have the values of the C++ twin, in any stage: 65,536 with the defaults in the main version of "

@@ -82,9 +82,9 @@ Outcome judge_bug(const Bug& bug, std::span<const std::uint32_t> outputs) {
   Outcome outcome = comparison.finish();
   if (outcome.status != Status::fail) return outcome;
   if (!bug.defined) outcome.status = Status::warning;
-  outcome.message =
-      fmt::format("{}: {}. {}. Reported in: {}", bug.defined ? "wrong" : "not the usual value, but allowed",
-                  outcome.message, bug.specification, bug.reference);
+  outcome.message = fmt::format("{}: {}. {}. Reported in: {}. The shader has:\n{}{}",
+                                bug.defined ? "wrong" : "not the usual value, but allowed", outcome.message,
+                                bug.specification, bug.reference, bug.declarations, bug.function.body);
   return outcome;
 }
 
