@@ -74,7 +74,7 @@ class Page(FaultChecks, unittest.TestCase):
 
         v = "{} a + {} b + {} c + {}".format(*uniform.VARIANCE)
         for text in (f"`B = {listed(uniform.BELL)}`", f"`H = {listed(uniform.WAY)}`", f"V(a, b, c) = {v}\n",
-                     f"`octaves` to [1, {uniform.MOST_OCTAVES}]", f"[1/16, {uniform.LARGEST_REACH}]",
+                     f"to [1, {uniform.MOST_OCTAVES}]", f"[1/16, {uniform.LARGEST_REACH}]",
                      f"{uniform.TABLE_UNIT} times their distributions"):
             self.assertIn(text, PAGE)
 

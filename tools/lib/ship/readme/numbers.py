@@ -143,7 +143,7 @@ def cost_quotes() -> list[str]:
     others = [float(row["ratio"]) for row in python_costs()
               if row["noise"].startswith("six octaves") and row["package"] != "hashnoise"]
     return [f"take {plane:.1f} times as long as ours in 2D, and {space:.1f} in 3D",
-            f"six octaves of others take {min(others):.0f} to {max(others):.0f} times as long"]
+            f"others' take {min(others):.0f} to {max(others):.0f} times as long"]
 
 
 def golden_quote() -> str:
