@@ -83,8 +83,8 @@ NOISES = {  # what stands in the table, by the end of its ids
 ROWS = ("table.float", "table.integer", "lattice", "lattice+precise", "lattice+fixed", "partial_fnv1", "murmur",
         "partial_jenkins", "fnv1", "jenkins", "fnv1+sine")
 FORMS = ("perlin", "perlin_cell", "perlin_period", "perlin_d", "perlin_phase", "value", "value_d", "value_cubic", "simplex",
-         "simplex_period", "simplex_d", "simplex_phase", "simplex_d_phase", "simplex_smooth", "cellular",
-         "cellular_nearest", "cellular_three", "cellular_d", "cellular_smooth", "cell_border")
+         "simplex_d", "simplex_phase", "simplex_d_phase", "simplex_smooth", "cellular", "cellular_nearest",
+         "cellular_three", "cellular_d", "cellular_smooth", "cell_border")
 
 
 def costs(renderer: str, file: str = "bench.csv") -> Costs:
