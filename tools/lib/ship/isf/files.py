@@ -18,31 +18,31 @@ LANGUAGE = "glsl"  # hosts compile a file as GLSL 3.30 and 4.00, and as GLSL ES 
 class Look(NamedTuple):
     said: str
     forms: tuple[str, ...]  # what it calls
-    code: str               # its value, of a position p; 0 has the first color, and 1 the second
+    code: str               # its value, of a position p and a seed, word; 0 has the first color, and 1 the second
     more: tuple[str, ...] = ()  # its inputs besides those of all
 
 
-SUM = "octaves, 2.0, gain, seed"
+SUM = "octaves, 2.0, gain, word"
 OCTAVES = ("octaves", "gain")
 LOOKS = {
-    "hills": Look("Soft hills: gradient noise", ("hn_perlin3",), "0.5 + contrast * hn_perlin(p, seed)"),
+    "hills": Look("Soft hills: gradient noise", ("hn_perlin3",), "0.5 + contrast * hn_perlin(p, word)"),
     "clouds": Look("Octaves of gradient noise", ("hn_fbm3",), f"0.5 + 2.0 * contrast * hn_fbm(p, {SUM})", OCTAVES),
     "ridges": Look("Octaves with ridges", ("hn_ridged3",), f"2.0 * contrast * hn_ridged(p, {SUM})", OCTAVES),
     "smoke": Look("Octaves of the size of gradient noise", ("hn_turbulence3",),
                   f"4.0 * contrast * hn_turbulence(p, {SUM})", OCTAVES),
     "ink": Look("Clouds that a second noise bends", ("hn_fbm3", "hn_warp3"),
-                f"0.5 + 2.0 * contrast * hn_fbm(p + hn_warp(p, 2, 2.0, 0.5, bend, seed + 1u), {SUM})",
+                f"0.5 + 2.0 * contrast * hn_fbm(p + hn_warp(p, 2, 2.0, 0.5, bend, word + 1u), {SUM})",
                 (*OCTAVES, "bend")),
-    "cells": Look("The distance to scattered points", ("hn_cellular3",), "2.0 * contrast * hn_cellular(p, seed).x"),
+    "cells": Look("The distance to scattered points", ("hn_cellular3",), "2.0 * contrast * hn_cellular(p, word).x"),
     "stones": Look("How far the second of scattered points is behind the first", ("hn_cellular3",),
-                   "4.0 * contrast * (hn_cellular(p, seed).y - hn_cellular(p, seed).x)"),
+                   "4.0 * contrast * (hn_cellular(p, word).y - hn_cellular(p, word).x)"),
 }
 WHITE, BLACK = [1.0, 1.0, 1.0, 1.0], [0.0, 0.0, 0.0, 1.0]
 INPUTS = {
     "size": {"TYPE": "float", "MIN": 1.0, "MAX": 64.0, "DEFAULT": 8.0, "LABEL": "Cells across"},
     "speed": {"TYPE": "float", "MIN": 0.0, "MAX": 4.0, "DEFAULT": 0.5, "LABEL": "Speed"},
     "contrast": {"TYPE": "float", "MIN": 0.0, "MAX": 2.0, "DEFAULT": 0.5, "LABEL": "Contrast"},
-    "number": {"TYPE": "float", "MIN": 0.0, "MAX": 100.0, "DEFAULT": 7.0, "LABEL": "Seed"},
+    "seed": {"TYPE": "float", "MIN": 0.0, "MAX": 100.0, "DEFAULT": 7.0, "LABEL": "Seed"},
     "octaves": {"TYPE": "long", "VALUES": [*range(1, 9)], "LABELS": [*map(str, range(1, 9))], "DEFAULT": 6,
                 "LABEL": "Octaves"},
     "gain": {"TYPE": "float", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.5, "LABEL": "Gain"},
@@ -50,7 +50,7 @@ INPUTS = {
     "low": {"TYPE": "color", "DEFAULT": BLACK, "LABEL": "Low"},
     "high": {"TYPE": "color", "DEFAULT": WHITE, "LABEL": "High"},
 }
-COMMON = ("size", "speed", "contrast", "number"), ("low", "high")
+COMMON = ("size", "speed", "contrast", "seed"), ("low", "high")
 
 
 @cache
@@ -74,7 +74,7 @@ def shader(name: str) -> str:
 
 {text}
 void main() {{
-  highp uint seed = uint(number);
+  highp uint word = uint(seed);
   highp vec2 at = (isf_FragNormCoord - 0.5) * vec2(RENDERSIZE.x / RENDERSIZE.y, 1.0);
   highp vec3 p = vec3(at * size, TIME * speed);
   gl_FragColor = mix(low, high, clamp({look.code}, 0.0, 1.0));

@@ -72,6 +72,10 @@ def values_of(text: str, **others: str) -> dict[str, str]:
 
 
 class Text(unittest.TestCase):
+    def test_inputs_have_the_names_that_presets_save(self) -> None:
+        names = [one["NAME"] for one in described(files.shader("ink"))["INPUTS"]]
+        self.assertEqual(names, ["size", "speed", "contrast", "seed", "octaves", "gain", "bend", "low", "high"])
+
     def test_inputs_are_used_and_begin_within_their_ranges(self) -> None:
         for name, look in files.LOOKS.items():
             for one in files.inputs(look):
@@ -142,7 +146,7 @@ class Looks(unittest.TestCase):
                 self.assertEqual(glslang.compiled(compiled(text)).returncode, 0)
                 first, again, seed, later = (
                     self.renderer.draw(self.renderer.program(drawn(text, values_of(text, **others))))[0::4]
-                    for others in ({}, {}, {"number": "8.0"}, {"TIME": "4.0"}))
+                    for others in ({}, {}, {"seed": "8.0"}, {"TIME": "4.0"}))
                 self.assertTrue(0.0 <= min(first) < 0.35 and 0.65 < max(first) <= 1.0, (min(first), max(first)))
                 self.assertEqual(first, again)
                 for other in (seed, later):
