@@ -31,13 +31,24 @@ from translate.wgsl.device import installed
 
 SKIPPED = 77
 SIDE = 12  # pixels
+OFFSET = (100.25, -70.5, 3.75)  # of positions, from the numbers of pixels
 
 
 class Text(unittest.TestCase):
     def test_a_shader_has_the_name_of_its_function(self) -> None:
-        self.assertEqual([files.shader(form) for form in ("hn_fbm2", "hn_cellular3_jitter", "hn_cell_border2")],
+        self.assertEqual([files.shader(form) for form in ("hn_fbm2", "hn_cellular3_jitter", "hn_cell_border2_jitter")],
                          ["fbm2", "cellular3", "cell_border2"])
         self.assertEqual(len({files.shader(form) for form in files.FORMS}), len(files.FORMS))
+
+    def test_groups_of_cells_take_a_jitter_before_what_else_they_take(self) -> None:
+        pick = files.picker()
+        for form, inputs in (("hn_cellular2_jitter", "float jitter = 1.0, int metric = 1, int seed = 0"),
+                             ("hn_cell_border2_jitter", "float jitter = 1.0, int seed = 0"),
+                             ("hn_cell_border3_jitter", "float jitter = 1.0, int seed = 0")):
+            with self.subTest(form):
+                self.assertIn(form, files.FORMS)
+                self.assertIn(f"\n    point p = P, {inputs},\n", pick((form,), files.Choice("osl", "fixed")))
+        self.assertFalse({form for form in files.FORMS if form.startswith("hn_cell") and not form.endswith("_jitter")})
 
     def test_it_says_what_it_is(self) -> None:
         with mock.patch.object(files, "texts", return_value={"hn_fbm2": "shader"}):
@@ -194,22 +205,38 @@ class AddOn(unittest.TestCase):
 
     # The node groups.
 
+    @staticmethod
+    def rendered_points() -> list:
+        """Coordinates of pixels with OFFSET, at a scale of 0.37."""
+        import numpy
+        y, x = numpy.meshgrid(*2 * [numpy.arange(SIDE, dtype=numpy.float32)], indexing="ij")
+        return [(axis + numpy.float32(add)) * numpy.float32(0.37) for axis, add in zip((x, y, 0 * x), OFFSET)]
+
     def test_each_group_renders_the_bits_of_the_package(self) -> None:
         import hashnoise
-        import numpy
-        offset = (100.25, -70.5, 3.75)
-        y, x = numpy.meshgrid(*2 * [numpy.arange(SIDE, dtype=numpy.float32)], indexing="ij")
-        at = [(axis + numpy.float32(add)) * numpy.float32(0.37) for axis, add in zip((x, y, 0 * x), offset)]
+        at = self.rendered_points()
         for form in files.FORMS:
             name, size = re.fullmatch(r"(\w+)(\d)", files.shader(form)).groups()
             with self.subTest(form):
                 expected = getattr(hashnoise, name)(*at[:int(size)], seed=7, arithmetic="fixed")
                 expected = expected.reshape(-1, SIDE, SIDE)
-                got = self.heights.rendered(files.shader(form), SIDE, offset, self.root, Scale=0.37, Seed=7)
+                got = self.heights.rendered(files.shader(form), SIDE, OFFSET, self.root, Scale=0.37, Seed=7)
                 self.assertTrue((got[:len(expected)] == expected).all(), abs(got[:len(expected)] - expected).max())
                 self.assertGreater(expected.std(), 0.01)
-        other = self.heights.rendered("perlin2", SIDE, offset, self.root, Scale=0.37, Seed=8)
+        other = self.heights.rendered("perlin2", SIDE, OFFSET, self.root, Scale=0.37, Seed=8)
         self.assertLess((other[0] == hashnoise.perlin(*at[:2], seed=7, arithmetic="fixed")).mean(), 0.5)
+
+    def test_a_group_of_cells_has_the_jitter_of_its_socket(self) -> None:
+        import hashnoise
+        at = self.rendered_points()
+        for name, size in itertools.product(("cellular", "cell_border"), (2, 3)):
+            with self.subTest(name, size=size):
+                function, settings = getattr(hashnoise, name), {"seed": 7, "arithmetic": "fixed"}
+                expected = function(*at[:size], jitter=0.25, **settings).reshape(-1, SIDE, SIDE)
+                got = self.heights.rendered(f"{name}{size}", SIDE, OFFSET, self.root, Scale=0.37, Jitter=0.25, Seed=7)
+                self.assertTrue((got[:len(expected)] == expected).all(), abs(got[:len(expected)] - expected).max())
+                usual = function(*at[:size], **settings).reshape(-1, SIDE, SIDE)
+                self.assertLess((expected == usual).mean(), 0.5)
 
     def test_a_group_is_made_once_and_put_at_the_coordinates_of_the_object(self) -> None:
         import bpy
@@ -223,6 +250,11 @@ class AddOn(unittest.TestCase):
         self.assertEqual(first.node_tree.name, "hashnoise Simplex 3D")
         self.assertEqual(first.inputs["Vector"].links[0].from_socket.name, "Object")
         self.assertTrue(self.scene.cycles.shading_system)
+        bpy.ops.node.hashnoise_add(shader="cell_border3")
+        *_, border = (node for node in material.node_tree.nodes if node.type == "GROUP")
+        self.assertEqual(border.node_tree.name, "hashnoise Cell Border 3D")
+        self.assertEqual([one.name for one in border.inputs], ["Vector", "Scale", "Jitter", "Seed"])
+        self.assertEqual(border.inputs["Jitter"].default_value, 1.0)
 
     def test_what_is_wrong_with_a_group_is_told_and_nothing_is_left(self) -> None:
         import bpy
