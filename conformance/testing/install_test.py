@@ -83,15 +83,15 @@ class PartsOfABuild(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         return {path.relative_to(prefix).as_posix() for path in prefix.rglob("*")}, done.stdout
 
-    def found(self, name, what=""):
+    def found(self, name, what="", required="REQUIRED"):
         (self.project / "CMakeLists.txt").write_text(
             "cmake_minimum_required(VERSION 3.16)\nproject(p LANGUAGES CXX)\n"
-            f"find_package(hashnoise REQUIRED {what})\n"
+            f"find_package(hashnoise {required} {what})\nmessage(STATUS \"found: ${{hashnoise_FOUND}};\")\n"
             "foreach(part hashnoise grid)\n  if(TARGET hashnoise::${part})\n    message(STATUS \"has ${part};\")\n"
             "  endif()\nendforeach()\n")
         done = subprocess.run([CMAKE, "-G", "Ninja", "-S", self.project, "-B", self.scratch / f"{name}-found",
                                f"-DCMAKE_PREFIX_PATH={self.scratch / name}"], capture_output=True, text=True, check=False)
-        return done.returncode, done.stdout + done.stderr
+        return done.returncode, " ".join((done.stdout + done.stderr).split())  # CMake breaks lines
 
     def test_headers_alone(self):
         files, said = self.installed("nothing-built")
@@ -103,16 +103,35 @@ class PartsOfABuild(unittest.TestCase):
         self.assertEqual(status, 0, said)
         self.assertIn("has hashnoise;", said)
         self.assertNotIn("has grid;", said)
-        self.assertNotEqual(self.found("nothing-built", "COMPONENTS grid")[0], 0)
+        self.assertIn("found: 1;", self.found("nothing-built", "COMPONENTS headers OPTIONAL_COMPONENTS grid other")[1])
+
+    def test_a_component_that_is_missing_is_named(self):
+        self.installed("nothing-built")
+        grid = ("the component grid is not installed: configure hashnoise with -DHASHNOISE_GRID=ON, build it, and "
+                "install it")
+        other = "hashnoise has no component other; it has headers and grid"
+        for what, reason in (("grid", grid), ("headers grid", grid), ("grid other", grid), ("headers other", other)):
+            with self.subTest(what):
+                status, said = self.found("nothing-built", f"COMPONENTS {what}")
+                self.assertNotEqual(status, 0)
+                self.assertIn(f"Reason given by package: {reason}", said)
+                status, said = self.found("nothing-built", f"COMPONENTS {what}", "")  # a warning
+                self.assertEqual(status, 0, said)
+                self.assertIn(f"Reason given by package: {reason}", said)
+                self.assertIn("found: 0;", said)
+                self.assertNotIn("has hashnoise;", said)  # no half of it
 
     def test_the_library_where_it_was_built(self):
         (self.build / "src/grid/libhashnoise-grid.a").write_text("a library")  # it is only copied
         files, said = self.installed("grid-built")
         self.assertLess({"include/hashnoise/field.hpp", "lib/libhashnoise-grid.a"}, files)
         self.assertNotIn("not built", said)
-        status, said = self.found("grid-built", "COMPONENTS grid")
-        self.assertEqual(status, 0, said)
-        self.assertIn("has grid;", said)
+        for what in ("COMPONENTS grid", "COMPONENTS headers grid"):
+            status, said = self.found("grid-built", what)
+            self.assertEqual(status, 0, said)
+            self.assertIn("has hashnoise;", said)
+            self.assertIn("has grid;", said)
+        self.assertIn("hashnoise has no component other", self.found("grid-built", "COMPONENTS other")[1])
 
     def test_a_component(self):
         (self.build / "src/grid/libhashnoise-grid.a").write_text("a library")
