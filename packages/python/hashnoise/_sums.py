@@ -74,7 +74,7 @@ def billow(x, y=None, z=None, w=None, /, *, seed=0, noise="perlin", octaves=6, l
            cell=None, arithmetic="fast", out=None, threads=None, instruction_set=None):
     """Billows, in 1D to 4D: twice the turbulence less 1. The round hills are the other side of ridges.
 
-    returns  [-1, 1]
+    returns  [-1, 1]; with fewer than 1 octave -1
     source   as of `turbulence`
 
     help(hashnoise) explains the other options: `seed`, `noise`, `octaves`, `lacunarity`, `gain`, `period`, `cell`,
