@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import zlib
 from collections.abc import Sequence
 
 from translate.pick.printer import UNARY
@@ -18,6 +19,13 @@ CONTRACTION = """\
 #elif !defined(__GNUC__) || defined(__clang__)
 #pragma STDC FP_CONTRACT OFF
 #endif
+"""
+# A second text would define the same functions, perhaps with other bits.
+ALONE = """\
+#ifdef HN_PICKED
+#error "two texts of tools/pick in one file: name all functions in one call"
+#endif
+#define HN_PICKED
 """
 
 
@@ -142,7 +150,9 @@ static inline uint32_t hn_i_as_uint(float x) {
         return f"typedef struct {{\n{inside}}} {name};\n"
 
     def file(self, heading: Sequence[str], names: Sequence[str], parts: Sequence[str]) -> str:
-        guard = f"{names[0].upper()}_H"
-        begin = f"#ifndef {guard}\n#define {guard}\n\n#include <math.h>\n#include <stdint.h>\n"
+        """The guard is that of this text alone, so that it leaves out no other one."""
         contraction = [CONTRACTION] if self.precise else []
+        code = "\n".join([*contraction, *parts])
+        guard = f"{names[0].upper()}_{zlib.crc32(code.encode('ascii')):08X}_H"
+        begin = f"#ifndef {guard}\n#define {guard}\n\n{ALONE}\n#include <math.h>\n#include <stdint.h>\n"
         return super().file(heading, names, [begin, *contraction, *parts, "#endif\n"])

@@ -537,6 +537,27 @@ class Comments(unittest.TestCase):
                     done = subprocess.run(compiler, cwd=folder, capture_output=True, text=True, check=False)
                     self.assertEqual(bool(done.returncode), bool(status), done.stdout + done.stderr)
 
+    def test_two_texts_are_an_error_in_c(self) -> None:
+        """The guard of one must not leave out another one, whose bits are others. The same text may come twice."""
+        one = self.pick(["hn_fbm2"], command.Choice("c"))
+        others = [self.pick(names, choice) for names, choice in (
+            (["hn_fbm2"], command.Choice("c", "fixed")), (["hn_fbm2"], command.Choice("c", "precise")),
+            (["hn_fbm2"], command.Choice("c", hash="pcg")), (["hn_fbm2"], command.Choice("c", gradient="sine")),
+            (["hn_fbm2"], command.Choice("c", noise="hn_simplex2")), (["hn_fbm2", "hn_value2"], command.Choice("c")),
+            (["hn_random2"], command.Choice("c")))]
+        guards = {re.search(r"#ifndef (HN_\w+_[0-9A-F]{8}_H)\n#define \1\n", shown)[1] for shown in (one, *others)}
+        self.assertEqual(len(guards), 1 + len(others))
+        main = ('#include "first.h"\n#include "second.h"\n'
+                    "float made(void) { return hn_fbm2(1.5f, 2.5f, 6, 2.0f, 0.5f, 7u); }\n")
+        for second, status in ((one, 0), *((other, 1) for other in others)):
+            with tempfile.TemporaryDirectory() as folder:
+                for name, shown in (("first.h", one), ("second.h", second), ("program.c", main)):
+                    (Path(folder) / name).write_text(shown, encoding="ascii")
+                done = subprocess.run(["gcc", "-std=c99", "-fsyntax-only", "-Wall", "-Wextra", "-Werror", "program.c"],
+                                      cwd=folder, capture_output=True, text=True, check=False)
+            self.assertEqual(bool(done.returncode), bool(status), done.stderr)
+            self.assertEqual("name all functions in one call" in done.stderr, bool(status))
+
     def test_the_seed_may_be_left_out_where_functions_have_overloads(self) -> None:
         for language in LANGUAGES:
             shown = code(self.pick(["hn_fbm2", "hn_ball"], command.Choice(language)))
